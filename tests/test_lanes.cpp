@@ -12,6 +12,7 @@
 #include "report/lanes/batch.hpp"
 #include "report/plain/runge_kutta_4.hpp"
 #include "report/plain/velocity_verlet.hpp"
+#include "solvers/lanes/integrate.hpp"
 #include "tests/catch.hpp"
 
 using namespace oddity;
@@ -64,6 +65,16 @@ bool same(const std::vector<double>& a, const std::vector<double>& b) {
     return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
   });
 }
+
+template <class Number>
+struct OneIsNaN {
+  std::size_t ill;
+  using State = std::array<Number, 3>;
+  void operator()(const State&, State& dxdt, const Number&) const {
+    dxdt = {Number(1), Number(1), Number(1)};
+    dxdt[ill] = Number(std::numeric_limits<double>::quiet_NaN());
+  }
+};
 
 }  // namespace
 
@@ -139,12 +150,14 @@ TEST_CASE("by their own steps every body has the same bits in lanes as alone", "
     const double end = exercise_of(scene).scene->horizon / 40;
     const double tolerance = precision == Precision::in_double ? 1e-8 : 1e-4;
     Batch alone = batch;
-    const auto expected = alone.own_steps(Registers::one, 0, end, tolerance, end / 1000);
+    std::vector<lanes::Ended> expected, ended;
+    const bool reached = alone.own_steps(Registers::one, 0, end, tolerance, end / 1000, &expected);
     for (Registers registers : wide_ones()) {
       INFO(lanes::name_of(registers));
       Batch together = batch;
-      const auto ended = together.own_steps(registers, 0, end, tolerance, end / 1000);
+      CHECK(together.own_steps(registers, 0, end, tolerance, end / 1000, &ended) == reached);
       CHECK(different(together, alone) == 0);
+      REQUIRE(ended.size() == bodies);
       for (std::size_t i = 0; i < bodies; ++i) {
         CHECK(ended[i].steps == expected[i].steps);
         CHECK(ended[i].reached == expected[i].reached);
@@ -195,11 +208,62 @@ TEST_CASE("a body that cannot come to the end says so, and the others do", "[lan
   auto parameters = parameters_of(scene);
   parameters[7 * scene.parameters] = std::numeric_limits<double>::quiet_NaN();
   Batch batch(scene, 3, Precision::in_double, parameters);
-  const auto ended = batch.own_steps(lanes::widest(), 0, 10, 1e-6, 1e-3);
+  std::vector<lanes::Ended> ended;
+  CHECK_FALSE(batch.own_steps(lanes::widest(), 0, 10, 1e-6, 1e-3, &ended));
   for (std::size_t i = 0; i < bodies; ++i) {
     CHECK(ended[i].reached == (i != 7));
     CHECK(ended[i].steps > 10);
   }
+}
+
+TEST_CASE("bodies asked to go back in time, to no time or nowhere end at once", "[lanes]") {
+  const SceneInLanes& scene = lanes::scene_in_lanes("3.5");
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  for (Registers registers : {Registers::one, Registers::baseline, lanes::widest()})
+    for (double end : {1.0, 0.5, nan}) {
+      INFO(lanes::name_of(registers) << " from 1 to " << end);
+      Batch batch(scene, 3, Precision::in_double, parameters_of(scene));
+      const Batch before = batch;
+      std::vector<lanes::Ended> ended;
+      CHECK(batch.own_steps(registers, 1, end, 1e-6, 1e-3, &ended) == (end == 1));
+      CHECK(different(batch, before) == 0);
+      for (const lanes::Ended& one : ended) {
+        CHECK(one.steps == 0);
+        CHECK(one.reached == (end == 1));
+      }
+    }
+}
+
+TEST_CASE("no step is taken of which one number is NaN, whichever that is", "[lanes]") {
+  const auto check = []<class Number>(Number, std::size_t ill) {
+    const OneIsNaN<Number> model{ill};
+    const lanes::OwnSteps<OneIsNaN<Number>> steps(0, 1, 1e-6, 0.125);
+    std::array<Number, 3> x{Number(1), Number(1), Number(1)};
+    CHECK_FALSE(steps.run(model, x, nullptr));
+    for (const Number& one : x) CHECK(one[0] == 1);
+  };
+  for (std::size_t ill : {0u, 1u, 2u}) {
+    check(Lanes<double, lanes::One, 1>(), ill);
+    check(Lanes<double, lanes::Baseline, 2>(), ill);
+  }
+}
+
+TEST_CASE("bodies in one register that take more and fewer steps wait for each other", "[lanes]") {
+  const SceneInLanes& scene = lanes::scene_in_lanes("3.5");
+  auto parameters = parameters_of(scene);
+  for (std::size_t i = 0; i < bodies; ++i)
+    parameters[i * scene.parameters + 1] *= 1 + static_cast<double>(i * 7 % bodies);
+  Batch alone(scene, 3, Precision::in_double, parameters), together = alone;
+  std::vector<lanes::Ended> expected, ended;
+  CHECK(alone.own_steps(Registers::one, 0, 3, 1e-8, 1e-3, &expected));
+  CHECK(together.own_steps(lanes::widest(), 0, 3, 1e-8, 1e-3, &ended));
+  CHECK(different(together, alone) == 0);
+  std::set<long> steps;
+  for (std::size_t i = 0; i < bodies; ++i) {
+    CHECK(ended[i].steps == expected[i].steps);
+    steps.insert(ended[i].steps);
+  }
+  CHECK(steps.size() > 10);
 }
 
 TEST_CASE("few bodies, and one, are as many", "[lanes]") {
@@ -275,7 +339,7 @@ TEST_CASE("lanes move as the scenes' own methods do", "[lanes]") {
       INFO(scene.number << ", " << names[model] << ", by own steps");
       const Value expected = method->run(1e-10).value;
       batch.begin_again();
-      CHECK(batch.own_steps(lanes::widest(), 0, end, 1e-10, end / 1000)[0].reached);
+      CHECK(batch.own_steps(lanes::widest(), 0, end, 1e-10, end / 1000));
       const auto seen = batch.observed(Registers::one, end);
       double scale = 0;
       for (double x : expected) scale = std::max(scale, std::abs(x));

@@ -16,7 +16,7 @@ namespace oddity {
 
 namespace {
 
-using lanes::Batch, lanes::Fixed, lanes::Registers, lanes::SceneInLanes;
+using lanes::Batch, lanes::Fixed, lanes::Registers, lanes::SceneInLanes, lanes::Steps;
 
 constexpr std::size_t bodies = 512;
 constexpr double apart = 1e-4;  // from body to body, in each parameter
@@ -42,13 +42,14 @@ double processor_seconds() {
 class Contestant {
  public:
   Contestant(const SceneInLanes& scene, std::size_t model, Precision precision, std::string algorithm,
-             std::function<void(Batch&, Registers)> run)
+             Steps steps, std::function<void(Batch&, Registers)> run)
       : number_(scene.number),
         model_(lanes::model_names(scene)[model]),
         algorithm_(std::move(algorithm)),
         precision_(precision),
         batch_(scene, model, precision,
                lanes::apart(scene, exercise(scene.number).parameters, bodies, apart)),
+        steps_(steps),
         run_(std::move(run)) {}
 
   static const Exercise& exercise(std::string_view number) {
@@ -84,7 +85,7 @@ class Contestant {
 
   double seconds(Registers registers) {
     batch_.begin_again();
-    batch_.group(registers);
+    batch_.group(registers, steps_);
     const double start = processor_seconds();
     run_(batch_, registers);
     return (processor_seconds() - start) / (static_cast<double>(bodies) * frames);
@@ -93,6 +94,7 @@ class Contestant {
   std::string number_, model_, algorithm_;
   Precision precision_;
   Batch batch_;
+  Steps steps_;
   std::function<void(Batch&, Registers)> run_;
   std::vector<double> alone_;
   std::map<Registers, Times> wide_;
@@ -151,9 +153,9 @@ std::vector<Contestant> contestants(const std::vector<std::string>& numbers) {
       for (Precision precision : {Precision::in_double, Precision::in_float}) {
         for (Fixed algorithm : {Fixed::runge_kutta_4, Fixed::velocity_verlet, Fixed::symplectic_euler})
           if (scene.compiled[0][model].fixed[static_cast<int>(algorithm)])
-            all.emplace_back(scene, model, precision, std::string(lanes::name_of(algorithm)),
+            all.emplace_back(scene, model, precision, std::string(lanes::name_of(algorithm)), Steps::fixed,
                              [=](Batch& batch, Registers r) { by_fixed_steps(batch, r, algorithm); });
-        all.emplace_back(scene, model, precision, std::string(lanes::own_steps_name),
+        all.emplace_back(scene, model, precision, std::string(lanes::own_steps_name), Steps::own,
                          [=](Batch& batch, Registers r) { by_own_steps(batch, r, precision); });
       }
     }

@@ -1,10 +1,13 @@
 #include "report/lanes/batch.hpp"
 
+#include <cstring>
+
 namespace oddity::lanes {
 
 Batch::Batch(const SceneInLanes& scene, std::size_t model, Precision precision,
              std::vector<double> parameters)
     : scene_(scene),
+      precision_(precision),
       of_all_(model + (precision == Precision::in_float ? scene.models : 0)),
       beginning_(scene.beginnings[of_all_]),
       parameters_(std::move(parameters)),
@@ -14,13 +17,28 @@ Batch::Batch(const SceneInLanes& scene, std::size_t model, Precision precision,
   begin_again();
 }
 
-void Batch::begin_again() {
+void Batch::begin_again(double part) {
   if (closed_form()) return;
   grouped_.reset();
   behind_ = false;
   for (std::size_t i = 0; i < bodies_; ++i)
     beginning_.begin(&parameters_[i * scene_.parameters], &models_[i * beginning_.model_bytes],
                      &states_[i * beginning_.state_bytes]);
+  if (part == 1) return;
+  if (precision_ == Precision::in_double)
+    scale_states(part);
+  else
+    scale_states(static_cast<float>(part));
+}
+
+template <class T>
+void Batch::scale_states(T factor) {
+  for (std::size_t at = 0; at < states_.size(); at += sizeof(T)) {
+    T x;
+    std::memcpy(&x, &states_[at], sizeof x);
+    x *= factor;
+    std::memcpy(&states_[at], &x, sizeof x);
+  }
 }
 
 const Compiled& Batch::compiled(Registers registers) const {
@@ -30,46 +48,53 @@ const Compiled& Batch::compiled(Registers registers) const {
 bool Batch::has(Fixed algorithm) const { return compiled(Registers::one).fixed[static_cast<int>(algorithm)]; }
 
 void Batch::steps(Registers registers, Fixed algorithm, double t0, double h, long steps) {
-  group(registers);
-  compiled(registers).fixed[static_cast<int>(algorithm)](
-      {reinterpret_cast<const std::byte*>(group_models_.data()),
-       reinterpret_cast<std::byte*>(group_states_.data()), groups(registers)},
-      t0, h, steps);
+  group(registers, Steps::fixed);
+  compiled(registers).fixed[static_cast<int>(algorithm)](groups(), t0, h, steps);
   behind_ = true;
 }
 
-void Batch::group(Registers registers) {
-  if (grouped_ == registers) return;
-  catch_up();
-  const Grouping& grouping = compiled(registers).grouping;
-  const auto lines = [&](std::size_t bytes) {
-    return std::vector<Line>((groups(registers) * bytes + alignment - 1) / alignment);
-  };
-  group_models_ = lines(grouping.model_bytes);
-  group_states_ = lines(grouping.state_bytes);
-  grouping.in(bodies(), reinterpret_cast<std::byte*>(group_models_.data()),
-              reinterpret_cast<std::byte*>(group_states_.data()));
-  grouped_ = registers;
+bool Batch::own_steps(Registers registers, double t0, double t1, double tolerance, double first_step,
+                      std::vector<Ended>* each) {
+  group(registers, Steps::own);
+  const Groups all = groups();
+  if (each) each->resize(all.count * grouping(*grouped_).bodies);
+  const bool reached =
+      compiled(registers).own_steps(all, t0, t1, tolerance, first_step, each ? each->data() : nullptr);
+  if (each) each->resize(bodies_);
+  behind_ = true;
+  return reached;
 }
 
-std::size_t Batch::groups(Registers registers) const {
-  const std::size_t each = compiled(registers).grouping.bodies;
-  return (bodies_ + each - 1) / each;
+void Batch::group(Registers registers, Steps steps) {
+  const Grouped wanted{registers, steps};
+  if (grouped_ == wanted) return;
+  catch_up();
+  grouped_ = wanted;
+  const Grouping& how = grouping(wanted);
+  const auto lines = [&](std::size_t bytes) {
+    return std::vector<Line>((groups().count * bytes + alignment - 1) / alignment);
+  };
+  group_models_ = lines(how.model_bytes);
+  group_states_ = lines(how.state_bytes);
+  const Groups all = groups();
+  how.in(bodies(), reinterpret_cast<std::byte*>(group_models_.data()), all.states);
+}
+
+const Grouping& Batch::grouping(const Grouped& grouped) const {
+  const Compiled& all = compiled(grouped.registers);
+  return grouped.steps == Steps::fixed ? all.for_fixed_steps : all.for_own_steps;
+}
+
+Groups Batch::groups() {
+  const std::size_t each = grouping(*grouped_).bodies;
+  return {reinterpret_cast<const std::byte*>(group_models_.data()),
+          reinterpret_cast<std::byte*>(group_states_.data()), (bodies_ + each - 1) / each};
 }
 
 void Batch::catch_up() const {
   if (!behind_) return;
-  compiled(*grouped_).grouping.out(reinterpret_cast<const std::byte*>(group_states_.data()), bodies());
+  grouping(*grouped_).out(reinterpret_cast<const std::byte*>(group_states_.data()), bodies());
   behind_ = false;
-}
-
-std::vector<Ended> Batch::own_steps(Registers registers, double t0, double t1, double tolerance,
-                                    double first_step) {
-  catch_up();
-  grouped_.reset();
-  std::vector<Ended> ended(bodies_);
-  compiled(registers).own_steps(bodies(), t0, t1, tolerance, first_step, ended.data());
-  return ended;
 }
 
 std::vector<double> Batch::observed(Registers registers, double t) const {

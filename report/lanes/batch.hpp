@@ -8,6 +8,8 @@
 
 namespace oddity::lanes {
 
+enum class Steps { fixed, own };
+
 /// Bodies of one model, each with parameters of its own.
 class Batch {
  public:
@@ -20,13 +22,16 @@ class Batch {
   std::size_t width(Registers registers) const { return compiled(registers).width; }
   bool has(Fixed algorithm) const;
 
-  /// Puts the bodies side by side for these registers, where fixed steps keep them; these do so themselves
-  /// where it is not done.
-  void group(Registers);
+  /// Puts the bodies side by side for these registers and steps, where these keep them; steps do so
+  /// themselves where it is not done.
+  void group(Registers, Steps);
   /// From the bodies' states on; there is one of each algorithm for all registers, to the bit.
   void steps(Registers, Fixed, double t0, double h, long steps);
-  std::vector<Ended> own_steps(Registers, double t0, double t1, double tolerance, double first_step);
-  void begin_again();
+  /// Whether all bodies have come to t1, and, where it is asked, how each ended.
+  bool own_steps(Registers, double t0, double t1, double tolerance, double first_step,
+                 std::vector<Ended>* each = nullptr);
+  /// From the scene's start, or from states that are this part of it.
+  void begin_again(double part = 1);
 
   /// Of all bodies: those of a closed form at t, or of the states that they have.
   std::vector<double> observed(Registers, double t) const;
@@ -37,12 +42,23 @@ class Batch {
  private:
   const Compiled& compiled(Registers) const;
   Bodies bodies() const { return {models_.data(), states_.data(), bodies_}; }
-  /// How many groups the bodies make.
-  std::size_t groups(Registers) const;
-  /// Where fixed steps have moved the groups, the bodies too.
+  struct Grouped {
+    Registers registers;
+    Steps steps;
+    bool operator==(const Grouped&) const = default;
+  };
+  const Grouping& grouping(const Grouped&) const;
+  /// The groups that there are.
+  Groups groups();
+  /// Where the groups have been moved, the bodies too.
   void catch_up() const;
 
+  /// Every number of the states by this factor.
+  template <class T>
+  void scale_states(T factor);
+
   const SceneInLanes& scene_;
+  Precision precision_;
   std::size_t of_all_;  ///< among the scene's models in double and then in float
   const Beginning& beginning_;
   std::vector<double> parameters_;
@@ -54,7 +70,7 @@ class Batch {
   struct alignas(alignment) Line {
     std::byte bytes[alignment];
   };
-  std::optional<Registers> grouped_;
+  std::optional<Grouped> grouped_;
   std::vector<Line> group_models_, group_states_;
   mutable bool behind_ = false;  ///< the bodies are, of their groups
 };

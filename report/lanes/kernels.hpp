@@ -41,9 +41,9 @@ Given<Number> given(const Value& value) {
   (std::make_index_sequence<parameter_count<Given>>());
 }
 
-/// A model by fixed steps.
+/// A model's bodies side by side.
 template <class Alone, class Together>
-struct FixedSteps {
+struct InGroups {
   using StateAlone = typename Alone::State;
   using State = typename Together::State;
   using In = Grouped<Alone, Together>;
@@ -65,24 +65,28 @@ struct FixedSteps {
     fixed_steps<Stepper<Together>, Together>(reinterpret_cast<const Room<Together>*>(all.models),
                                              reinterpret_cast<State*>(all.states), all.count, t0, h, steps);
   }
+  static bool own_steps(const Groups& all, double t0, double t1, double tolerance, double first_step,
+                        Ended* each) {
+    using T = typename State::value_type::value_type;
+    const OwnSteps<Together> steps(static_cast<T>(t0), static_cast<T>(t1), static_cast<T>(tolerance),
+                                   static_cast<T>(first_step));
+    bool reached = true;
+    for (std::size_t i = 0; i < all.count; ++i)
+      reached &= steps.run(reinterpret_cast<const Room<Together>*>(all.models)[i].model,
+                           reinterpret_cast<State*>(all.states)[i],
+                           each ? each + i * Pair<Alone, Together>::width : nullptr);
+    return reached;
+  }
 };
 
 template <class Set, template <class> class Given, class T, std::size_t i>
 struct Kernels {
   using Alone = Model<Given, Single<T>, i>;
 
-  /// In one register, or in two: few unknowns, and those of steps that wait for their own size, leave the
-  /// machine waiting.
-  static constexpr int most = Set::bytes == 0 ? 1 : 2;
+  /// In so many registers. Few unknowns leave the machine waiting; many would not stay in its registers.
   template <int registers>
-  using Together = Model<Given, Lanes<T, Set, registers>, i>;
+  using Together = InGroups<Alone, Model<Given, Lanes<T, Set, Set::bytes == 0 ? 1 : registers>, i>>;
 
-  static void own_steps(const Bodies& all, double t0, double t1, double tolerance, double first_step,
-                        Ended* ended) {
-    OwnSteps<Alone, Together<most>>(reinterpret_cast<const Alone*>(all.models),
-                                    reinterpret_cast<typename Alone::State*>(all.states), ended, all.count)
-        .run(static_cast<T>(t0), static_cast<T>(t1), static_cast<T>(tolerance), static_cast<T>(first_step));
-  }
   static void at(const double* parameters, std::size_t bodies, double t, double* observed) {
     using Number = Lanes<T, Set, 1>;
     for (std::size_t first = 0; first < bodies; first += Number::size()) {
@@ -105,13 +109,19 @@ struct Kernels {
   static constexpr Compiled compiled() {
     Compiled all{.width = Lanes<T, Set, 1>::size()};
     if constexpr (Integrated<Alone>) {
-      all.own_steps = own_steps;
-      using InGroups = FixedSteps<Alone, Together<std::tuple_size_v<typename Alone::State> <= 4 ? most : 1>>;
-      all.grouping = InGroups::grouping();
-      all.fixed[static_cast<int>(Fixed::runge_kutta_4)] = InGroups::template by<plain::RungeKutta4>;
+      constexpr std::size_t unknowns = std::tuple_size_v<typename Alone::State>;
+      // Of 16 registers two for each number leave too few, where forces have hardly a term to wait for.
+      constexpr bool few = Set::bytes <= 32 && WithForces<Alone> && unknowns > 4;
+      constexpr int two = unknowns <= 10 && !few ? 2 : 1;
+      using OfFixed = Together<unknowns <= 2 ? 4 : two>;
+      using OfOwn = Together<two>;
+      all.for_fixed_steps = OfFixed::grouping();
+      all.for_own_steps = OfOwn::grouping();
+      all.own_steps = OfOwn::own_steps;
+      all.fixed[static_cast<int>(Fixed::runge_kutta_4)] = OfFixed::template by<plain::RungeKutta4>;
       if constexpr (WithForces<Alone>) {
-        all.fixed[static_cast<int>(Fixed::velocity_verlet)] = InGroups::template by<plain::VelocityVerlet>;
-        all.fixed[static_cast<int>(Fixed::symplectic_euler)] = InGroups::template by<plain::SymplecticEuler>;
+        all.fixed[static_cast<int>(Fixed::velocity_verlet)] = OfFixed::template by<plain::VelocityVerlet>;
+        all.fixed[static_cast<int>(Fixed::symplectic_euler)] = OfFixed::template by<plain::SymplecticEuler>;
       }
     } else {
       all.at = at;

@@ -35,7 +35,7 @@ constexpr std::size_t alignment = 64;
 /// How a body's own steps ended.
 struct Ended {
   long steps;    ///< tried
-  bool reached;  ///< else its step became too small, or the budget of steps is spent
+  bool reached;  ///< else its step became too small, or the budget of steps is spent, or t1 is not ahead
 };
 
 enum class Fixed { runge_kutta_4, velocity_verlet, symplectic_euler };
@@ -44,10 +44,11 @@ constexpr int fixed_count = 3;
 /// Null is what the model does not have: a closed form has no steps, and what is integrated no closed form.
 struct Compiled {
   std::size_t width = 0;  ///< numbers in a register
-  Grouping grouping = {};
+  Grouping for_fixed_steps = {}, for_own_steps = {};
   void (*fixed[fixed_count])(const Groups&, double t0, double h, long steps) = {};
-  void (*own_steps)(const Bodies&, double t0, double t1, double tolerance, double first_step,
-                    Ended*) = nullptr;
+  /// Whether all have come to t1. `each`: of every body of the groups, or null.
+  bool (*own_steps)(const Groups&, double t0, double t1, double tolerance, double first_step,
+                    Ended* each) = nullptr;
   /// The observables of each body at t, of its parameters.
   void (*at)(const double* parameters, std::size_t bodies, double t, double* observed) = nullptr;
 };

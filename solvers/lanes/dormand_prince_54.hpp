@@ -4,21 +4,15 @@
 
 namespace oddity::lanes {
 
-/// Where a step leads, the slope there, and its error in units of what is allowed.
-template <class State>
-struct Tried {
-  State x, slope;
-  typename State::value_type error;
-};
-
 /// One step of J. R. Dormand and P. J. Prince's pair of orders 5 and 4 (A family of embedded Runge-Kutta
-/// formulae, 1980, table 2), each lane by its own h. Six right-hand sides; the last is the next step's first.
+/// formulae, 1980, table 2), each lane by its own h: from x, where the slope is k1, to y, where it is k7. Six
+/// right-hand sides; the last is the next step's first. Returns the error in units of what is allowed.
 template <class Model, class State, class Number>
-[[gnu::always_inline]] inline Tried<State> dormand_prince_54(const Model& model, const State& x,
-                                                             const State& k1, const Number& t,
-                                                             const Number& h, const Number& tolerance) {
+[[gnu::always_inline]] inline Number dormand_prince_54(const Model& model, const State& x, const State& k1,
+                                                       const Number& t, const Number& h,
+                                                       const Number& tolerance, State& y, State& k7) {
   using T = typename Number::value_type;
-  State y, k2, k3, k4, k5, k6, k7;
+  State k2, k3, k4, k5, k6;
   const auto stage = [&](State& k, double c, const auto& sum) {
     for (std::size_t i = 0; i < x.size(); ++i) y[i] = x[i] + h * sum(i);
     model(y, k, t + T(c) * h);
@@ -38,12 +32,11 @@ template <class Model, class State, class Number>
   for (std::size_t i = 0; i < x.size(); ++i) {
     const Number off = h * (a(71, 57600) * k1[i] - a(71, 16695) * k3[i] + a(71, 1920) * k4[i] - a(17253, 339200) * k5[i]
                             + a(22, 525) * k6[i] - a(1, 40) * k7[i]);
-    const Number before = abs(x[i]), after = abs(y[i]);
-    const Number part = abs(off) / (tolerance + tolerance * select(before > after, before, after));
-    worst = select(part <= worst, worst, part);  // NaN is the worst
+    const Number before = abs(x[i]), after = abs(y[i]), size = select(before > after, before, after);
+    worst = larger_size(worst, abs(off / (tolerance + tolerance * size)));  // NaN is the worst
   }
   // clang-format on
-  return {y, k7, worst};
+  return worst;
 }
 
 }  // namespace oddity::lanes

@@ -31,6 +31,12 @@ template <class V>
   return (x + shift) - shift;
 }
 
+/// The larger of two that are not negative, by their bits, of which those of NaN are the largest.
+template <class V>
+[[gnu::always_inline]] inline V larger_size(const V& x, const V& y) {
+  return bits(x) > bits(y) ? x : y;
+}
+
 template <class V>
 [[gnu::always_inline]] inline V hypot(const V& x, const V& y) {
   return sqrt(x * x + y * y);
@@ -204,7 +210,7 @@ template <class V>
   constexpr int dropped = S::digits - 14;  // of the fraction's bits, so that the rest is below `shift`
   constexpr T scale = T(std::int64_t(1) << (S::digits - dropped));
   const V exponent = from_bits<V>((bits(x) >> dropped) + bits(all<V>(S::shift))) - S::shift;
-  const V wanted = T(1.2) * S::bias * scale - exponent / 5;
+  const V wanted = T(1.2) * S::bias * scale - exponent * T(0.2);
   const V y = from_bits<V>((bits(V(wanted + S::shift)) - bits(all<V>(S::shift))) << dropped);
   const V square = y * y;
   return y * (T(1.2) - T(0.2) * x * square * square * y);

@@ -72,10 +72,11 @@ struct Grouped {
   }
 };
 
-/// Steps of the size h from t0; Stepper is such as those of report/plain. The time is counted in double.
+/// Steps of the size h from t0; Stepper is such as those of report/plain. The time is counted in double. All
+/// is one piece of code, so that what is made of the model alone is made once, and states stay in registers.
 template <class Stepper, class Together>
-void fixed_steps(const Room<Together>* models, typename Together::State* states, std::size_t groups,
-                 double t0, double h, long steps) {
+[[gnu::flatten]] void fixed_steps(const Room<Together>* models, typename Together::State* states,
+                                  std::size_t groups, double t0, double h, long steps) {
   using Number = typename Together::State::value_type;
   using T = typename Number::value_type;
   for (std::size_t group = 0; group < groups; ++group) {
@@ -90,88 +91,79 @@ void fixed_steps(const Room<Together>* models, typename Together::State* states,
 }
 
 /// From t0 to t1 with the error of a step held at `tolerance` (relative, and absolute where a state is below
-/// 1), each body by its own steps. A lane whose body has come to the end takes the next one.
-template <class Alone, class Together>
+/// 1), each body by its own steps. A lane whose body has come to the end waits for the others of its group.
+template <class Together>
 class OwnSteps {
-  using P = Pair<Alone, Together>;
-  using Number = typename P::Number;
-  using T = typename P::T;
+  using State = typename Together::State;
+  using Number = typename State::value_type;
+  using T = typename Number::value_type;
   static constexpr long budget = 1'000'000;
 
  public:
-  OwnSteps(const Alone* models, typename Alone::State* states, Ended* ended, std::size_t bodies)
-      : models_(models), states_(states), ended_(ended), bodies_(bodies) {}
+  OwnSteps(T t0, T t1, T tolerance, T first_step)
+      : t0_(t0), end_(t1), tolerance_(tolerance), first_step_(first_step) {}
 
-  void run(T t0, T t1, T tolerance, T first_step) {
-    t0_ = t0, t1_ = t1, first_step_ = first_step;
-    for (std::size_t lane = 0; lane < P::width; ++lane) {
-      body_[lane] = 0;
-      put<Number>(room_.model, lane, models_[0]);
-      put<Number>(x_, lane, states_[0]);
-      begin(lane);
+  /// Whether all have come to t1. `each`: how it ended for every lane, or null.
+  bool run(const Together& model, State& states, Ended* each) const {
+    State x = states, slope, ahead, slope_ahead;
+    Number t = t0_, h = first_step_;
+    auto going = t < end_;
+    if (each) note(each, ~going.bits(), 0);
+    model(x, slope, t);
+    long steps = 0;
+    while (any_of(going) && steps < budget) {
+      const Number left = end_ - t;
+      const auto last = h >= left;
+      h = select(last, left, h);
+      const Number error = dormand_prince_54(model, x, slope, t, h, tolerance_, ahead, slope_ahead);
+      const auto accurate = error <= Number(1), accepted = accurate & going;
+      const Number then = select(last, end_, t + h);
+      const auto moves = t + h > t;
+      // A branch need not wait for the error; of several registers it would be one more piece of code.
+      if (Number::in_one_register && !any_of(!accepted)) {
+        x = ahead;
+        slope = slope_ahead;
+      } else {
+        for (std::size_t i = 0; i < x.size(); ++i) {
+          x[i] = select(accepted, ahead[i], x[i]);
+          slope[i] = select(accepted, slope_ahead[i], slope[i]);
+        }
+      }
+      t = select(accepted, then, t);
+      h = h * factor_after(error);
+      const auto before = going;
+      going = going & (t < end_) & moves;
+      ++steps;
+      if (each) note(each, before.bits() & ~going.bits(), steps);
     }
-    room_.model(x_, slope_, t_);
-    while (active_) {
-      const unsigned over = step(tolerance) & active_;
-      if (over) replace(over);
-    }
+    if (each) note(each, going.bits(), steps);
+    states = x;
+    const auto there = t == end_;
+    if (each)
+      for (std::size_t lane = 0; lane < Number::size(); ++lane) each[lane].reached = there.bits() >> lane & 1;
+    return !any_of(!there);
   }
 
  private:
-  /// A bit for each lane that is at its end.
-  unsigned step(const Number& tolerance) {
-    const Number end(t1_), left = end - t_;
-    const auto last = h_ >= left;
-    const Number h = select(last, left, h_);
-    const auto tried = dormand_prince_54(room_.model, x_, slope_, t_, h, tolerance);
-    const Number error = select(tried.error < Number(T(1e4)), tried.error, Number(T(1e4)));
-    const Number factor =
-        T(0.9) * inverse_fifth_root(select(error > Number(T(1e-4)), error, Number(T(1e-4))));
-    const Number next = h * select(factor > Number(T(0.2)), factor, Number(T(0.2)));
-    const auto accepted = tried.error <= Number(1);
-    const Number then = select(last, end, t_ + h);
-    const auto stuck = (t_ + h == t_) & (t_ < end);
-    x_ = select(accepted, tried.x, x_);
-    slope_ = select(accepted, tried.slope, slope_);
-    t_ = select(accepted, then, t_);
-    h_ = next;
-    steps_ += Number(1);
-    return ((t_ == end) | stuck | (steps_ > Number(T(budget)))).bits();
+  static void note(Ended* each, std::uint64_t over, long steps) {
+    for (std::size_t lane = 0; lane < Number::size(); ++lane)
+      if (over >> lane & 1) each[lane].steps = steps;
   }
 
-  void begin(std::size_t lane) {
-    t_.set(lane, t0_), h_.set(lane, first_step_), steps_.set(lane, T(0));
-    if (next_ < bodies_) {
-      body_[lane] = next_++;
-      put<Number>(room_.model, lane, models_[body_[lane]]);
-      put<Number>(x_, lane, states_[body_[lane]]);
-      active_ |= 1u << lane;
-    } else {
-      active_ &= ~(1u << lane);
-    }
-  }
-  void replace(unsigned over) {
-    for (std::size_t lane = 0; lane < P::width; ++lane) {
-      if (!(over >> lane & 1)) continue;
-      take<Number>(states_[body_[lane]], x_, lane);
-      ended_[body_[lane]] = {static_cast<long>(steps_[lane]), t_[lane] == t1_};
-      begin(lane);
-    }
-    // The slopes of those that go on stay what they were, to the bit.
-    typename P::State slope;
-    room_.model(x_, slope, t_);
-    slope_ = select(t_ == Number(t0_), slope, slope_);
+  /// By what the next step is longer, from the last one's error. Where no lane errs, as along a parabola, no
+  /// root is waited for.
+  Number factor_after(const Number& error) const {
+    const Number most(T(1e4)), least(T(1e-4)), shortest(T(0.2));
+    return either(
+        error < least, [&] { return longest_; },
+        [&] {
+          const Number bounded = select(error < most, error, most);
+          const Number factor = T(0.9) * inverse_fifth_root(select(bounded > least, bounded, least));
+          return select(factor > shortest, factor, shortest);
+        });
   }
 
-  const Alone* models_;
-  typename Alone::State* states_;
-  Ended* ended_;
-  std::size_t bodies_, next_ = 0, body_[P::width];
-  unsigned active_ = 0;
-  T t0_, t1_, first_step_;
-  Room<Together> room_;
-  typename P::State x_, slope_;
-  Number t_, h_, steps_;
+  Number t0_, end_, tolerance_, first_step_, longest_ = T(0.9) * inverse_fifth_root(Number(T(1e-4)));
 };
 
 }  // namespace oddity::lanes

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstdint>
 #include <cstring>
 
 #include "solvers/lanes/functions.hpp"
@@ -14,40 +15,43 @@ struct Mask {
       decltype(typename RegisterOf<T, Set::bytes>::type() == typename RegisterOf<T, Set::bytes>::type());
   One m[registers];
 
-  friend Mask operator&(const Mask& a, const Mask& b) {
-    return made([&](int r) { return a.m[r] & b.m[r]; });
+  [[gnu::always_inline]] friend Mask operator&(const Mask& a, const Mask& b) {
+    return made([&](int r) __attribute__((always_inline)) { return a.m[r] & b.m[r]; });
   }
-  friend Mask operator|(const Mask& a, const Mask& b) {
-    return made([&](int r) { return a.m[r] | b.m[r]; });
+  [[gnu::always_inline]] friend Mask operator|(const Mask& a, const Mask& b) {
+    return made([&](int r) __attribute__((always_inline)) { return a.m[r] | b.m[r]; });
   }
-  friend Mask operator!(const Mask& a) {
-    return made([&](int r) { return a.m[r] == One{}; });
+  [[gnu::always_inline]] friend Mask operator!(const Mask& a) {
+    return made([&](int r) __attribute__((always_inline)) { return a.m[r] == One{}; });
   }
   template <class F>
   [[gnu::always_inline]] static Mask made(const F& f) {
     if constexpr (registers == 1)
       return {{static_cast<One>(f(0))}};
-    else
+    else if constexpr (registers == 2)
       return {{static_cast<One>(f(0)), static_cast<One>(f(1))}};
+    else
+      return {
+          {static_cast<One>(f(0)), static_cast<One>(f(1)), static_cast<One>(f(2)), static_cast<One>(f(3))}};
   }
   /// A bit for each lane.
-  unsigned bits() const {
-    if constexpr (registers == 1)
-      return ones(m[0]);
-    else
-      return ones(m[0]) | ones(m[1]) << lanes_each;
+  std::uint64_t bits() const {
+    std::uint64_t all = ones(m[0]);
+    for (int r = 1; r < registers; ++r) all |= std::uint64_t(ones(m[r])) << (r * lanes_each);
+    return all;
   }
 
  private:
-  static constexpr std::size_t lanes_each = Set::bytes == 0 ? 1 : Set::bytes / sizeof(T);
+  static constexpr int lanes_each = Set::bytes == 0 ? 1 : Set::bytes / sizeof(T);
 };
 
-/// Several numbers side by side, as a number type for models: one or two registers of an instruction set. Two
-/// keep the machine busy while it waits for the one. What a lane becomes depends on that lane alone, and has
-/// the same bits in any number of lanes and on any instruction set; Lanes<T, One, 1> is a single number.
+/// Several numbers side by side, as a number type for models: one, two or four registers of an instruction
+/// set. Several keep the machine busy while it waits for the one. What a lane becomes depends on that lane
+/// alone, and has the same bits in any number of lanes and on any instruction set; Lanes<T, One, 1> is a
+/// single number.
 template <class T, class Set = Native, int registers = 1>
 class Lanes {
-  static_assert(registers == 1 || registers == 2);
+  static_assert(registers == 1 || registers == 2 || registers == 4);
 
  public:
   using Register = typename RegisterOf<T, Set::bytes>::type;
@@ -55,6 +59,7 @@ class Lanes {
   using value_type = T;
 
   static constexpr std::size_t size() { return registers * count<Register>; }
+  static constexpr bool in_one_register = registers == 1;
 
   Lanes() = default;
   template <class A>
@@ -119,6 +124,7 @@ class Lanes {
   [[gnu::always_inline]] ODDITY_OF_ONE(sqrt)
   [[gnu::always_inline]] ODDITY_OF_ONE(sin)
   [[gnu::always_inline]] ODDITY_OF_ONE(cos)
+  [[gnu::always_inline]] ODDITY_OF_TWO(larger_size)
   [[gnu::always_inline]] ODDITY_OF_TWO(hypot)
       // clang-format on
       friend Lanes hypot(const Lanes& x, const Lanes& y, const Lanes& z) {
@@ -140,7 +146,8 @@ class Lanes {
   [[gnu::always_inline]] static Lanes made(const F& f) {
     Lanes x;
     x.v_[0] = f(0);
-    if constexpr (registers == 2) x.v_[1] = f(1);
+    if constexpr (registers > 1) x.v_[1] = f(1);
+    if constexpr (registers > 2) x.v_[2] = f(2), x.v_[3] = f(3);
     return x;
   }
 
@@ -161,14 +168,21 @@ template <class T, class Set, int registers>
   return condition.bits() != 0;
 }
 
-/// What no lane needs is not computed.
+/// What no lane needs is not computed. Each stands once in the code, of which there is much where one is
+/// within another.
 template <class T, class Set, int registers, class Yes, class No>
-auto either(const Mask<T, Set, registers>& condition, const Yes& yes, const No& no) {
-  const unsigned holds = condition.bits();
-  if (holds == 0) return no();
+[[gnu::always_inline]] inline auto either(const Mask<T, Set, registers>& condition, const Yes& yes,
+                                          const No& no) {
   constexpr std::size_t size = Lanes<T, Set, registers>::size();
-  if (holds == ~0u >> (32 - size)) return yes();
-  return select(condition, yes(), no());
+  const std::uint64_t holds = condition.bits();
+  if constexpr (size == 1) {
+    return holds ? yes() : no();
+  } else {
+    decltype(yes()) one{}, other{};
+    if (holds != 0) one = yes();
+    if (holds != ~std::uint64_t(0) >> (64 - size)) other = no();
+    return select(condition, one, other);
+  }
 }
 
 }  // namespace oddity::lanes
