@@ -237,15 +237,65 @@ TEST_CASE("bodies asked to go back in time, to no time or nowhere end at once", 
 TEST_CASE("no step is taken of which one number is NaN, whichever that is", "[lanes]") {
   const auto check = []<class Number>(Number, std::size_t ill) {
     const OneIsNaN<Number> model{ill};
-    const lanes::OwnSteps<OneIsNaN<Number>> steps(0, 1, 1e-6, 0.125);
+    lanes::OwnSteps<OneIsNaN<Number>> steps(0, 1, 1e-6, 0.125);
     std::array<Number, 3> x{Number(1), Number(1), Number(1)};
-    CHECK_FALSE(steps.run(model, x, nullptr));
+    lanes::Room<OneIsNaN<Number>> room;
+    room.model = model;
+    CHECK_FALSE(steps.run(&room, &x, 1, nullptr));
     for (const Number& one : x) CHECK(one[0] == 1);
   };
   for (std::size_t ill : {0u, 1u, 2u}) {
     check(Lanes<double, lanes::One, 1>(), ill);
     check(Lanes<double, lanes::Baseline, 2>(), ill);
   }
+}
+
+/// A spring of its own stiffness, which counts how often it is asked.
+template <class Number>
+struct CountedSpring {
+  using State = std::array<Number, 2>;
+  Number stiffness;
+  inline static long asked = 0;
+  void operator()(const State& x, State& dxdt, const Number&) const {
+    ++asked;
+    dxdt = {x[1], -stiffness * x[0]};
+  }
+};
+
+TEST_CASE("bodies that have far to go are put together, with the bits that each has alone", "[lanes]") {
+  using Number = Lanes<double, lanes::Baseline, 2>;
+  using Single = Lanes<double, lanes::One, 1>;
+  using Together = CountedSpring<Number>;
+  constexpr std::size_t width = Number::size(), groups = 3 * width;
+  std::vector<lanes::Room<Together>> models(groups);
+  std::vector<Together::State> states(groups, {Number(1.0), Number(0.0)});
+  for (std::size_t i = 0; i < groups; ++i) {
+    models[i].model.stiffness = Number(1.0);
+    models[i].model.stiffness.set(i % width, 1e4 + static_cast<double>(i));  // one of each is late
+  }
+  std::vector<lanes::Ended> ended(groups * width);
+  lanes::OwnSteps<Together> steps(0, 1, 1e-9, 0.01);
+  Together::asked = 0;
+  CHECK(steps.run(models.data(), states.data(), groups, ended.data()));
+  long most = 0;
+  for (std::size_t i = 0; i < groups; ++i)
+    for (std::size_t lane = 0; lane < width; ++lane) {
+      lanes::Room<CountedSpring<Single>> model;
+      model.model.stiffness = Single(models[i].model.stiffness[lane]);
+      CountedSpring<Single>::State x{Single(1.0), Single(0.0)};
+      lanes::Ended alone{};
+      lanes::OwnSteps<CountedSpring<Single>> own(0, 1, 1e-9, 0.01);
+      CHECK(own.run(&model, &x, 1, &alone));
+      const lanes::Ended& one = ended[i * width + lane];
+      CHECK(one.steps == alone.steps);
+      CHECK(one.reached);
+      CHECK(states[i][0][lane] == x[0][0]);
+      CHECK(states[i][1][lane] == x[1][0]);
+      most = std::max(most, one.steps);
+    }
+  CHECK(most > 500);
+  // Were each group to wait for its late one, they would be asked six times a step of it, times the groups.
+  CHECK(Together::asked < 6 * most * static_cast<long>(groups) / 2);
 }
 
 TEST_CASE("bodies in one register that take more and fewer steps wait for each other", "[lanes]") {

@@ -68,14 +68,10 @@ struct InGroups {
   static bool own_steps(const Groups& all, double t0, double t1, double tolerance, double first_step,
                         Ended* each) {
     using T = typename State::value_type::value_type;
-    const OwnSteps<Together> steps(static_cast<T>(t0), static_cast<T>(t1), static_cast<T>(tolerance),
-                                   static_cast<T>(first_step));
-    bool reached = true;
-    for (std::size_t i = 0; i < all.count; ++i)
-      reached &= steps.run(reinterpret_cast<const Room<Together>*>(all.models)[i].model,
-                           reinterpret_cast<State*>(all.states)[i],
-                           each ? each + i * Pair<Alone, Together>::width : nullptr);
-    return reached;
+    OwnSteps<Together> steps(static_cast<T>(t0), static_cast<T>(t1), static_cast<T>(tolerance),
+                             static_cast<T>(first_step));
+    return steps.run(reinterpret_cast<const Room<Together>*>(all.models),
+                     reinterpret_cast<State*>(all.states), all.count, each);
   }
 };
 

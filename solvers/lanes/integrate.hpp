@@ -1,7 +1,10 @@
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cstring>
 #include <tuple>
+#include <utility>
 
 #include "solvers/lanes/compiled.hpp"
 #include "solvers/lanes/dormand_prince_54.hpp"
@@ -41,6 +44,15 @@ void put(Together& all, std::size_t lane, const Alone& one) {
     std::memcpy(to + i * sizeof(Number) + lane * sizeof(T), from + i * sizeof(T), sizeof(T));
   if constexpr (left > 0)
     std::memcpy(to + whole * sizeof(Number), from + whole * sizeof(T), sizeof(Alone) - whole * sizeof(T));
+}
+/// Puts a lane of one into a lane of the other. What both have beside numbers is the same for all.
+template <class Number, class All>
+void copy_lane(All& to, std::size_t lane, const All& from, std::size_t of) {
+  using T = typename Number::value_type;
+  static_assert(std::is_trivially_copyable_v<All>);
+  for (std::size_t at = 0; at + sizeof(Number) <= sizeof(All); at += sizeof(Number))
+    std::memcpy(reinterpret_cast<std::byte*>(&to) + at + lane * sizeof(T),
+                reinterpret_cast<const std::byte*>(&from) + at + of * sizeof(T), sizeof(T));
 }
 /// The other way, of a state.
 template <class Number, class Alone, class Together>
@@ -91,28 +103,63 @@ template <class Stepper, class Together>
 }
 
 /// From t0 to t1 with the error of a step held at `tolerance` (relative, and absolute where a state is below
-/// 1), each body by its own steps. A lane whose body has come to the end waits for the others of its group.
+/// 1), each body by its own steps. A lane whose body has come to the end waits for the others of its group,
+/// unless they have far to go: then these are late, and a group of late ones goes on together.
 template <class Together>
 class OwnSteps {
   using State = typename Together::State;
   using Number = typename State::value_type;
+  using Mask = typename Number::Mask;
   using T = typename Number::value_type;
+  static constexpr std::size_t width = Number::size();
   static constexpr long budget = 1'000'000;
 
  public:
   OwnSteps(T t0, T t1, T tolerance, T first_step)
       : t0_(t0), end_(t1), tolerance_(tolerance), first_step_(first_step) {}
 
-  /// Whether all have come to t1. `each`: how it ended for every lane, or null.
-  bool run(const Together& model, State& states, Ended* each) const {
+  /// Whether all have come to t1. `each`: how it ended for every body of the groups, or null.
+  bool run(const Room<Together>* models, State* states, std::size_t groups, Ended* each) {
+    bool reached = true;
+    for (std::size_t i = 0; i < groups; ++i) {
+      Way way{t0_, first_step_, t0_ < end_};
+      reached &= go(models[i].model, states[i], way, budget, each ? each + i * width : nullptr);
+      if (any_of(way.going))
+        for (std::size_t lane = 0; lane < width; ++lane)
+          if (way.going.bits() >> lane & 1) reached &= leave({i * width + lane, 0}, lane, way, each);
+      if (lates_ >= width) reached &= go_on(models, states, each);
+    }
+    while (lates_ > 0) reached &= go_on(models, states, each);
+    return reached;
+  }
+
+ private:
+  /// Where the lanes are, and by which steps they go on; `steps` are tried.
+  struct Way {
+    Number t, h;
+    Mask going;
+    long steps = 0;
+  };
+  /// A body that goes on later.
+  struct Late {
+    std::size_t body = 0;
+    long tried = 0;
+    T t = 0, h = 0;
+  };
+
+  /// Until none goes, or less than half of those that went, and these have far to go, or the steps are
+  /// `most`. Whether those that go no more have come to the end; `each` is told of these.
+  [[gnu::noinline]] bool go(const Together& model, State& states, Way& way, long most, Ended* each) const {
     State x = states, slope, ahead, slope_ahead;
-    Number t = t0_, h = first_step_;
-    auto going = t < end_;
+    Number t = way.t, h = way.h;
+    Mask going = way.going;
+    const int half = std::popcount(going.bits()) / 2;
+    long steps = 0;
     if (each) note(each, ~going.bits(), 0);
     model(x, slope, t);
-    long steps = 0;
-    while (any_of(going) && steps < budget) {
+    while (any_of(going) && steps < most) {
       const Number left = end_ - t;
+      if (std::popcount(going.bits()) < half && any_of(going & (left > far * h))) break;
       const auto last = h >= left;
       h = select(last, left, h);
       const Number error = dormand_prince_54(model, x, slope, t, h, tolerance_, ahead, slope_ahead);
@@ -136,18 +183,62 @@ class OwnSteps {
       ++steps;
       if (each) note(each, before.bits() & ~going.bits(), steps);
     }
-    if (each) note(each, going.bits(), steps);
     states = x;
+    way = {t, h, going, steps};
     const auto there = t == end_;
     if (each)
-      for (std::size_t lane = 0; lane < Number::size(); ++lane) each[lane].reached = there.bits() >> lane & 1;
-    return !any_of(!there);
+      for (std::size_t lane = 0; lane < width; ++lane) each[lane].reached = there.bits() >> lane & 1;
+    return !any_of(!(there | going));
+  }
+  static constexpr T far = 8;
+
+  static void note(Ended* each, std::uint64_t over, long steps) {
+    for (std::size_t lane = 0; lane < width; ++lane)
+      if (over >> lane & 1) each[lane].steps = steps;
   }
 
- private:
-  static void note(Ended* each, std::uint64_t over, long steps) {
-    for (std::size_t lane = 0; lane < Number::size(); ++lane)
-      if (over >> lane & 1) each[lane].steps = steps;
+  /// Keeps the body of a lane that still goes, unless its steps are spent, which is said.
+  bool leave(Late late, std::size_t lane, const Way& way, Ended* each) {
+    late.tried += way.steps;
+    if (late.tried < budget) {
+      late_[lates_++] = {late.body, late.tried, way.t[lane], way.h[lane]};
+      return true;
+    }
+    if (each) each[late.body] = {late.tried, false};
+    return false;
+  }
+
+  /// The next late bodies as a group. Their slopes are computed anew, and are those of the step before, to
+  /// the bit.
+  [[gnu::noinline]] bool go_on(const Room<Together>* models, State* states, Ended* each) {
+    Late now[width] = {};
+    const std::size_t count = std::min(width, lates_);
+    lates_ -= count;
+    std::copy_n(late_ + lates_, count, now);
+    const std::size_t first = now[0].body / width;
+    Together model = models[first].model;
+    State x = states[first];
+    Way way{end_, first_step_, {}};
+    long tried = 0;
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      const auto [group, of] = std::pair{now[lane].body / width, now[lane].body % width};
+      copy_lane<Number>(model, lane, models[group].model, of);
+      copy_lane<Number>(x, lane, states[group], of);
+      way.t.set(lane, now[lane].t), way.h.set(lane, now[lane].h);
+      tried = std::max(tried, now[lane].tried);
+    }
+    way.going = way.t < end_;
+    Ended ended[width] = {};
+    bool reached = go(model, x, way, budget - tried, each ? ended : nullptr);
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      const std::size_t body = now[lane].body;
+      copy_lane<Number>(states[body / width], body % width, x, lane);
+      if (way.going.bits() >> lane & 1)
+        reached &= leave(now[lane], lane, way, each);
+      else if (each)
+        each[body] = {now[lane].tried + ended[lane].steps, ended[lane].reached};
+    }
+    return reached;
   }
 
   /// By what the next step is longer, from the last one's error. Where no lane errs, as along a parabola, no
@@ -164,6 +255,8 @@ class OwnSteps {
   }
 
   Number t0_, end_, tolerance_, first_step_, longest_ = T(0.9) * inverse_fifth_root(Number(T(1e-4)));
+  Late late_[2 * width];
+  std::size_t lates_ = 0;
 };
 
 }  // namespace oddity::lanes
