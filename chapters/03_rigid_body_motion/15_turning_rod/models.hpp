@@ -156,20 +156,21 @@ struct InTheTurningPlane {
   Rod<T> rod;
   using State = std::array<T, 5>;
   State start() const { return {rod.s0, T(0), T(0), T(0), T(0)}; }
-  /// From the spring's end to (s, y): along the rod, across it, and out of the plane.
+  /// From the spring's end to (s, y), along the rod, across it, and out of the plane, when the cosine and the
+  /// sine of the turn are C and S.
   template <class X>
-  std::array<X, 3> spring(const X& s, const X& y, const X& t) const {
-    const X p = rod.end_along(t);
-    return {s - p, y + rod.c * sin(rod.w * t), p};
+  std::array<X, 3> spring(const X& s, const X& y, const X& C, const X& S) const {
+    const X p = rod.foot * C;
+    return {s - p, y + rod.c * S, p};
   }
   template <class X>
   void operator()(const std::array<X, 5>& x, std::array<X, 5>& dxdt, const X& t) const {
     const T w = rod.w;
-    const auto d = spring(x[0], x[1], t);
+    const X C = cos(w * t), S = sin(w * t);
+    const auto d = spring(x[0], x[1], C, S);
     const X pull = -rod.pull * (1 - rod.ell / sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]));
     const X along = pull * d[0] + w * w / 2 * x[0] + 2 * w * root_half<T>() * x[3];
     const X across = pull * d[1] + w * w * x[1] - 2 * w * root_half<T>() * x[2], push = -across;
-    const X C = cos(w * t), S = sin(w * t);
     const X by_end = -rod.m * pull * rod.c * w * (root_half<T>() * S * (d[0] - d[2]) + C * d[1]);
     dxdt = {x[2], x[3], along, across + push, by_end + rod.m * push * x[3]};
   }
@@ -178,7 +179,8 @@ struct InTheTurningPlane {
     return {r[0] - x[1] * sin(rod.w * t), r[1] + x[1] * cos(rod.w * t), r[2]};
   }
   auto conserved(const State& x, const T& t) const {
-    const auto d = spring(x[0], x[1], t);
+    const T C = cos(rod.w * t), S = sin(rod.w * t);
+    const auto d = spring(x[0], x[1], C, S);
     const T stretch = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) - rod.ell;
     const T speeds = x[2] * x[2] + x[3] * x[3], turned = x[0] * x[0] / 2 + x[1] * x[1];
     return energy_of<T>(rod.m * speeds / 2,
