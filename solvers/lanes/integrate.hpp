@@ -245,13 +245,11 @@ class OwnSteps {
   /// root is waited for.
   Number factor_after(const Number& error) const {
     const Number most(T(1e4)), least(T(1e-4)), shortest(T(0.2));
-    return either(
-        error < least, [&] { return longest_; },
-        [&] {
-          const Number bounded = select(error < most, error, most);
-          const Number factor = T(0.9) * inverse_fifth_root(select(bounded > least, bounded, least));
-          return select(factor > shortest, factor, shortest);
-        });
+    const auto errs = !(error < least);
+    if (!any_of(errs)) return longest_;
+    const Number bounded = select(error < most, error, most);
+    const Number factor = T(0.9) * inverse_fifth_root(select(bounded > least, bounded, least));
+    return select(factor > shortest, factor, shortest);
   }
 
   Number t0_, end_, tolerance_, first_step_, longest_ = T(0.9) * inverse_fifth_root(Number(T(1e-4)));

@@ -34,6 +34,14 @@ struct Mask {
       return {
           {static_cast<One>(f(0)), static_cast<One>(f(1)), static_cast<One>(f(2)), static_cast<One>(f(3))}};
   }
+  [[gnu::always_inline]] bool any() const {
+    if constexpr (registers == 1)
+      return ones(m[0]) != 0;
+    else if constexpr (registers == 2)
+      return ones(m[0] | m[1]) != 0;
+    else
+      return ones((m[0] | m[1]) | (m[2] | m[3])) != 0;
+  }
   /// A bit for each lane.
   std::uint64_t bits() const {
     std::uint64_t all = ones(m[0]);
@@ -122,13 +130,19 @@ class Lanes {
   // Those of right-hand sides are compiled in place, where sine and cosine share their work.
   [[gnu::always_inline]] ODDITY_OF_ONE(abs)
   [[gnu::always_inline]] ODDITY_OF_ONE(sqrt)
-  [[gnu::always_inline]] ODDITY_OF_ONE(sin)
-  [[gnu::always_inline]] ODDITY_OF_ONE(cos)
   [[gnu::always_inline]] ODDITY_OF_TWO(larger_size)
   [[gnu::always_inline]] ODDITY_OF_TWO(hypot)
       // clang-format on
       friend Lanes hypot(const Lanes& x, const Lanes& y, const Lanes& z) {
     return sqrt(x * x + y * y + z * z);
+  }
+  [[gnu::always_inline]] friend Lanes sin(const Lanes& x) {
+    return x.or_by_library(
+        ODDITY_IN_EACH(Lanes, lanes::sine_from(x.v_[r], T(0))), +[](T one) { return std::sin(one); });
+  }
+  [[gnu::always_inline]] friend Lanes cos(const Lanes& x) {
+    return x.or_by_library(
+        ODDITY_IN_EACH(Lanes, lanes::sine_from(x.v_[r], T(1))), +[](T one) { return std::cos(one); });
   }
 
 #undef ODDITY_OF_TWO
@@ -142,6 +156,15 @@ class Lanes {
   }
 
  private:
+  /// y, but the C library's where the angle is too large: asked once of all registers.
+  [[gnu::always_inline]] Lanes or_by_library(Lanes y, T (*by_library)(T)) const {
+    constexpr T limit = Series<T>::angle_limit;
+    if ((abs(*this) > Lanes(limit)).any()) [[unlikely]]
+      for (int r = 0; r < registers; ++r)
+        y.v_[r] = corrected_beyond<Register>(y.v_[r], v_[r], limit, by_library);
+    return y;
+  }
+
   template <class F>
   [[gnu::always_inline]] static Lanes made(const F& f) {
     Lanes x;
@@ -165,7 +188,7 @@ template <class T, class Set, int registers, std::size_t n>
 /// For a loop's condition, which goes on while it holds for any lane.
 template <class T, class Set, int registers>
 [[gnu::always_inline]] inline bool any_of(const Mask<T, Set, registers>& condition) {
-  return condition.bits() != 0;
+  return condition.any();
 }
 
 /// What no lane needs is not computed. Each stands once in the code, of which there is much where one is
