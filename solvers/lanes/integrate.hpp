@@ -123,7 +123,7 @@ class OwnSteps {
     bool reached = true;
     for (std::size_t i = 0; i < groups; ++i) {
       Way way{t0_, first_step_, t0_ < end_};
-      reached &= go(models[i].model, states[i], way, budget, each ? each + i * width : nullptr);
+      reached &= go(models[i].model, states[i], way, width, budget, each ? each + i * width : nullptr);
       if (any_of(way.going))
         for (std::size_t lane = 0; lane < width; ++lane)
           if (way.going.bits() >> lane & 1) reached &= leave({i * width + lane, 0}, lane, way, each);
@@ -147,19 +147,21 @@ class OwnSteps {
     T t = 0, h = 0;
   };
 
-  /// Until none goes, or less than half of those that went, and these have far to go, or the steps are
-  /// `most`. Whether those that go no more have come to the end; `each` is told of these.
-  [[gnu::noinline]] bool go(const Together& model, State& states, Way& way, long most, Ended* each) const {
+  /// `all` lanes, until none goes, or less than half of them, and these have far to go, or the steps are
+  /// `most`; then the way is where these are. Whether those that go no more have come to the end; `each` is
+  /// told of these.
+  [[gnu::noinline]] bool go(const Together& model, State& states, Way& way, std::size_t all, long most,
+                            Ended* each) const {
     State x = states, slope, ahead, slope_ahead;
     Number t = way.t, h = way.h;
     Mask going = way.going;
-    const int half = std::popcount(going.bits()) / 2;
+    const int half = static_cast<int>(all / 2);
     long steps = 0;
     if (each) note(each, ~going.bits(), 0);
     model(x, slope, t);
     while (any_of(going) && steps < most) {
       const Number left = end_ - t;
-      if (std::popcount(going.bits()) < half && any_of(going & (left > far * h))) break;
+      if (steps >= far && std::popcount(going.bits()) < half && any_of(going & (left > T(far) * h))) break;
       const auto last = h >= left;
       h = select(last, left, h);
       const Number error = dormand_prince_54(model, x, slope, t, h, tolerance_, ahead, slope_ahead);
@@ -184,13 +186,14 @@ class OwnSteps {
       if (each) note(each, before.bits() & ~going.bits(), steps);
     }
     states = x;
-    way = {t, h, going, steps};
+    way.going = going;
+    if (any_of(going)) way = {t, h, going, steps};
     const auto there = t == end_;
     if (each)
       for (std::size_t lane = 0; lane < width; ++lane) each[lane].reached = there.bits() >> lane & 1;
     return !any_of(!(there | going));
   }
-  static constexpr T far = 8;
+  static constexpr int far = 8;  // steps
 
   static void note(Ended* each, std::uint64_t over, long steps) {
     for (std::size_t lane = 0; lane < width; ++lane)
@@ -229,7 +232,7 @@ class OwnSteps {
     }
     way.going = way.t < end_;
     Ended ended[width] = {};
-    bool reached = go(model, x, way, budget - tried, each ? ended : nullptr);
+    bool reached = go(model, x, way, count, budget - tried, each ? ended : nullptr);
     for (std::size_t lane = 0; lane < count; ++lane) {
       const std::size_t body = now[lane].body;
       copy_lane<Number>(states[body / width], body % width, x, lane);
