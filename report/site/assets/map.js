@@ -121,15 +121,18 @@
             name,
           ),
         );
-    if (map.some((m) => m.rows.some(([, , , marks]) => marks)))
+    const marked = map.flatMap((m) => m.rows).find(([, , , marks]) => marks);
+    if (marked) {
+      const letter = marked[2][marked[3].indexOf('*')];
       made.append(
         element(
           'span',
           {},
-          element('b', { class: 'cell fragile', 'aria-hidden': 'true' }),
+          element('b', { class: 'cell fragile cell-' + letter, 'aria-hidden': 'true' }, letter),
           'a few roundings at the start decide',
         ),
       );
+    }
     made.append(
       element(
         'span',
