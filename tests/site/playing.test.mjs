@@ -235,6 +235,17 @@ test('a cell of the map plays', async () => {
   await page.close();
 });
 
+test('cells of the map that roundings decide are marked, and so is the legend', async () => {
+  const { page, faults } = await open(browser, '3.3.html', { reduced: true });
+  await page.$eval('figure.map', (map) => map.scrollIntoView());
+  await page.waitForSelector('figure.map .panel td.fragile');
+  const marked = await page.$$eval('figure.map .panel td.fragile', (cells) => cells.map((c) => c.getAttribute('aria-label')));
+  assert.ok(marked.length < 10 && marked.every((label) => label.endsWith(', by roundings')), marked.join('; '));
+  assert.ok(await page.$eval('.map-legend .fragile', (cell) => cell.getBoundingClientRect().height > 10));
+  assert.deepEqual(faults, []);
+  await page.close();
+});
+
 test('engines play beside the models, where they have been run', async (t) => {
   const { page, faults } = await open(browser, '3.5.html', { reduced: true });
   await page.waitForSelector('.player-rows [data-end]');

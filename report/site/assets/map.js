@@ -75,7 +75,11 @@
           letter: outcomes[k],
           fragile,
           panel: body,
-          node: element('td', { tabindex: '-1', class: 'cell cell-' + outcomes[k] + (fragile ? ' fragile' : '') }, outcomes[k]),
+          node: element(
+            'td',
+            { tabindex: '-1', class: 'cell cell-' + outcomes[k] + (fragile ? ' fragile' : '') },
+            outcomes[k],
+          ),
         };
         cell.node.setAttribute('aria-label', context.outcomes[cell.letter] + (fragile ? ', by roundings' : ''));
         cells.set(cell.node, cell);
