@@ -437,6 +437,6 @@ TEST_CASE("roundings decide no more than one in a hundred letters on record", "[
     letters += std::ssize(row.outcomes);
     marked += std::ranges::count(row.fragile, '*');
   }
-  CHECK(marked > 0);
+  CHECK(letters > 10'000);
   CHECK(100 * marked <= letters);
 }
