@@ -143,8 +143,7 @@ Part mutants_killed(const std::vector<Mutated>& record) {
   for (const Mutated& m : record)
     shares.push_back({m.subject, m.killed, m.tried,
                       std::to_string(m.with_reason) + " survived with a reason, " +
-                          std::to_string(m.survived) + " without; " + std::to_string(m.not_reached) +
-                          " not reached; " + std::to_string(m.mutants) + " in all",
+                          std::to_string(m.survived) + " without; " + std::to_string(m.mutants) + " in all",
                       m.date, m.commit});
   return recorded("killed", "mutants tried", "libclang and the suite", shares);
 }

@@ -29,7 +29,7 @@ struct Tried {
   std::string date, commit, subject;
 };
 struct Mutated : Tried {  ///< a room
-  long mutants = 0, tried = 0, killed = 0, with_reason = 0, survived = 0, not_reached = 0;
+  long mutants = 0, tried = 0, killed = 0, with_reason = 0, survived = 0;
 };
 struct Fuzzed : Tried {  ///< a target
   long inputs = 0, crashes = 0;

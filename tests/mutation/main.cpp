@@ -52,9 +52,9 @@ bool wanted(const Request& request, const std::string& file) {
   return std::ranges::any_of(request.paths, [&](const std::string& path) { return within(file, path); });
 }
 
-/// The first in the order of a number that the seed and the mutant's name give: so a mutant is drawn whatever
-/// becomes of others, and what a run that is ended has tried is a fair sample too.
-std::vector<Mutant> drawn_of(std::vector<Mutant> all, const Request& request, const Survivors& known) {
+/// In the order of a number that the seed and the mutant's name give: so a mutant is drawn whatever becomes
+/// of others, and what a run that is ended has tried is a fair sample too.
+std::vector<Mutant> in_order(std::vector<Mutant> all, const Request& request, const Survivors& known) {
   if (!request.in.empty()) std::erase_if(all, [&](const Mutant& m) { return !within(m.file, request.in); });
   if (all.empty())
     throw BadInput("--in " + request.in + ": no mutants there; a path is within " + tree.string());
@@ -63,6 +63,11 @@ std::vector<Mutant> drawn_of(std::vector<Mutant> all, const Request& request, co
   for (const Mutant& m : all)
     rank[m.number] = Random(static_cast<double>(number_of(request.seed + m.id()) >> 11)).bits();
   std::ranges::sort(all, {}, [&](const Mutant& m) { return rank[m.number]; });
+  return all;
+}
+
+/// The first.
+std::vector<Mutant> drawn_of(std::vector<Mutant> all, const Request& request) {
   std::map<std::string, int> of_room;
   if (request.each > 0)
     std::erase_if(all, [&](const Mutant& m) { return ++of_room[m.room()] > request.each; });
@@ -180,7 +185,7 @@ void record(const Request& request, const std::vector<Mutable>& files, const std
 void show_unknown(const std::vector<Mutant>& tried, const Outcomes& outcomes, const Survivors& known) {
   std::vector<Mutant> unknown;
   for (const Mutant& m : tried)
-    if (outcomes.of(m)->fate == Fate::survived && !known.contains(m.id())) unknown.push_back(m);
+    if (outcomes.of(m)->fate != Fate::killed && !known.contains(m.id())) unknown.push_back(m);
   if (unknown.empty()) return;
   std::cout
       << "\nThese survive and are not in tests/mutation/survivors.csv: mend what should have noticed, or "
@@ -199,9 +204,9 @@ int mutate(const Request& request) {
   if (all.empty()) throw BadInput("nothing can be mutated in these files");
   const bool changed = write_schemata(tree, files, home / "tree");
   const Survivors known = read_survivors(tree / "tests/mutation/survivors.csv");
-  const std::vector<Mutant> drawn = drawn_of(all, request, known);
+  std::vector<Mutant> candidates = in_order(all, request, known);
   if (request.list) {
-    list(drawn);
+    list(drawn_of(std::move(candidates), request));
     return 0;
   }
   const fs::path program = request.program.empty()
@@ -211,7 +216,9 @@ int mutate(const Request& request) {
   Suite suite(program, home / "reached",
               static_cast<std::size_t>(std::ranges::max(all, {}, &Mutant::number).number));
   Outcomes outcomes(home / "outcomes.csv", changed);
-  suite.measure(drawn);
+  suite.measure(candidates);
+  std::erase_if(candidates, [&](const Mutant& m) { return suite.is_absent(m); });
+  const std::vector<Mutant> drawn = drawn_of(std::move(candidates), request);
   const std::vector<Mutant> tried = try_all(drawn, request, suite, outcomes);
   const Scores scores = scores_of(all, tried, outcomes, known);
   const std::vector<std::string> less =

@@ -15,8 +15,12 @@
 /// written in C++17, but for concepts.
 namespace oddity::mutation {
 
-/// The mutant of this run, 0 for none, and for each mutant whether it was reached: a file, one byte a mutant,
-/// named by ODDITY_MUTANTS_REACHED, which also a run that is killed leaves behind.
+/// What a run has seen of a mutant: not its place, the mutant, or its place for types alone for which it does
+/// not exist.
+enum Seen : unsigned char { unseen, seen, seen_without_it };
+
+/// The mutant of this run, 0 for none, and what was seen of each: a file, one byte a mutant, named by
+/// ODDITY_MUTANTS_REACHED, which also a run that is killed leaves behind.
 struct Run {
   int chosen = 0;
   unsigned char* reached = nullptr;
@@ -47,8 +51,14 @@ constexpr bool among(int first, int count) {
 
 constexpr bool chosen(int mutant) {
   if (__builtin_is_constant_evaluated()) return false;
-  if (run().reached) run().reached[mutant] = 1;
+  if (run().reached) run().reached[mutant] = seen;
   return run().chosen == mutant;
+}
+
+/// It is not there for these types.
+constexpr void absent(int mutant) {
+  if (__builtin_is_constant_evaluated()) return;
+  if (run().reached && run().reached[mutant] == unseen) run().reached[mutant] = seen_without_it;
 }
 
 template <class A>
@@ -67,12 +77,21 @@ constexpr auto operation(int first, const A& a, const B& b, const Op& op, const 
     -> decltype(op(a, b)) {
   using Result = decltype(op(a, b));
   if (among(first, 3)) {
-    if constexpr (requires { requires Same<decltype(other(a, b)), Result>; })
+    if constexpr (requires { requires Same<decltype(other(a, b)), Result>; }) {
       if (chosen(first)) return other(a, b);
-    if constexpr (Same<A, Result>)
+    } else {
+      absent(first);
+    }
+    if constexpr (Same<A, Result>) {
       if (chosen(first + 1)) return a;
-    if constexpr (Same<B, Result>)
+    } else {
+      absent(first + 1);
+    }
+    if constexpr (Same<B, Result>) {
       if (chosen(first + 2)) return b;
+    } else {
+      absent(first + 2);
+    }
   }
   return op(a, b);
 }
@@ -83,33 +102,48 @@ constexpr auto assignment(int first, A&& a, const B& b, const Op& op, const Othe
     -> decltype(op(a, b)) {
   using Result = decltype(op(a, b));
   if (among(first, 2)) {
-    if constexpr (requires { requires std::is_same_v<decltype(other(a, b)), Result>; })
+    if constexpr (requires { requires std::is_same_v<decltype(other(a, b)), Result>; }) {
       if (chosen(first)) return other(a, b);
-    if constexpr (std::is_same_v<A, Result>)
+    } else {
+      absent(first);
+    }
+    if constexpr (std::is_same_v<A, Result>) {
       if (chosen(first + 1)) return a;
+    } else {
+      absent(first + 1);
+    }
   }
   return op(a, b);
 }
 
 template <class A, class Op>
 constexpr auto negative(int mutant, const A& a, const Op& op) -> decltype(op(a)) {
-  if constexpr (Same<A, decltype(op(a))>)
+  if constexpr (Same<A, decltype(op(a))>) {
     if (chosen(mutant)) return a;
+  } else {
+    absent(mutant);
+  }
   return op(a);
 }
 
 // a op b as a condition: at the border, and the opposite.
-#define ODDITY_MUTANT_COMPARISON(name, op, border, opposite)                     \
-  template <class A, class B>                                                    \
-  constexpr auto name(int first, const A& a, const B& b)->decltype(a op b) {     \
-    using Result = decltype(a op b);                                             \
-    if (among(first, 2)) {                                                       \
-      if constexpr (requires { requires Same<decltype(a border b), Result>; })   \
-        if (chosen(first)) return a border b;                                    \
-      if constexpr (requires { requires Same<decltype(a opposite b), Result>; }) \
-        if (chosen(first + 1)) return a opposite b;                              \
-    }                                                                            \
-    return a op b;                                                               \
+#define ODDITY_MUTANT_COMPARISON(name, op, border, opposite)                       \
+  template <class A, class B>                                                      \
+  constexpr auto name(int first, const A& a, const B& b)->decltype(a op b) {       \
+    using Result = decltype(a op b);                                               \
+    if (among(first, 2)) {                                                         \
+      if constexpr (requires { requires Same<decltype(a border b), Result>; }) {   \
+        if (chosen(first)) return a border b;                                      \
+      } else {                                                                     \
+        absent(first);                                                             \
+      }                                                                            \
+      if constexpr (requires { requires Same<decltype(a opposite b), Result>; }) { \
+        if (chosen(first + 1)) return a opposite b;                                \
+      } else {                                                                     \
+        absent(first + 1);                                                         \
+      }                                                                            \
+    }                                                                              \
+    return a op b;                                                                 \
   }
 ODDITY_MUTANT_COMPARISON(less, <, <=, >=)
 ODDITY_MUTANT_COMPARISON(at_most, <=, <, >)
@@ -117,12 +151,15 @@ ODDITY_MUTANT_COMPARISON(greater, >, >=, <=)
 ODDITY_MUTANT_COMPARISON(at_least, >=, >, <)
 #undef ODDITY_MUTANT_COMPARISON
 
-#define ODDITY_MUTANT_EQUALITY(name, op, opposite)                                       \
-  template <class A, class B>                                                            \
-  constexpr auto name(int first, const A& a, const B& b)->decltype(a op b) {             \
-    if constexpr (requires { requires Same<decltype(a opposite b), decltype(a op b)>; }) \
-      if (chosen(first)) return a opposite b;                                            \
-    return a op b;                                                                       \
+#define ODDITY_MUTANT_EQUALITY(name, op, opposite)                                         \
+  template <class A, class B>                                                              \
+  constexpr auto name(int first, const A& a, const B& b)->decltype(a op b) {               \
+    if constexpr (requires { requires Same<decltype(a opposite b), decltype(a op b)>; }) { \
+      if (chosen(first)) return a opposite b;                                              \
+    } else {                                                                               \
+      absent(first);                                                                       \
+    }                                                                                      \
+    return a op b;                                                                         \
   }
 ODDITY_MUTANT_EQUALITY(equal, ==, !=)
 ODDITY_MUTANT_EQUALITY(unequal, !=, ==)

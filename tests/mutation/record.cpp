@@ -47,8 +47,7 @@ const std::string near_miss = "a near miss: another wrong formula, and as far of
 
 const std::string survivor_columns = "id,room,file,change,reason";
 const std::string outcome_columns = "id,outcome,by";
-const std::string score_columns =
-    "date,commit,room,mutants,free,tried,killed,with_reason,survived,not_reached";
+const std::string score_columns = "date,commit,room,mutants,free,tried,killed,with_reason,survived";
 
 }  // namespace
 
@@ -69,7 +68,7 @@ Survivors updated(Survivors survivors, const std::vector<Mutant>& all, const std
                 [&](const auto& row) { return files.contains(row.second.file) && !ids.contains(row.first); });
   for (const Mutant& m : tried) {
     const Judgement* judgement = outcomes.of(m);
-    if (judgement->fate != Fate::survived) {
+    if (judgement->fate == Fate::killed) {
       survivors.erase(m.id());
       continue;
     }
@@ -133,8 +132,6 @@ Scores scores_of(const std::vector<Mutant>& all, const std::vector<Mutant>& trie
     const auto known = survivors.find(m.id());
     if (judgement->fate == Fate::killed)
       ++score.killed;
-    else if (judgement->fate == Fate::not_reached)
-      ++score.not_reached;
     else
       ++(known != survivors.end() && !known->second.reason.empty() ? score.with_reason : score.survived);
   }
@@ -161,17 +158,15 @@ Score after_again(Score score, const std::string& room, const Survivors& before,
 }
 
 std::vector<std::string> noticed_less(const Scores& now, const Scores& on_record) {
-  const auto reached = [](const Score& s) {
-    return std::max(1.0, static_cast<double>(s.tried - s.not_reached));
-  };
-  const auto share = [&](const Score& s) { return s.killed / reached(s); };
+  const auto tried = [](const Score& s) { return std::max(1.0, static_cast<double>(s.tried)); };
+  const auto share = [&](const Score& s) { return s.killed / tried(s); };
   std::vector<std::string> rooms;
   for (const auto& [room, score] : now) {
     const auto found = on_record.find(room);
     const bool is_new = found == on_record.end();
     const double p = is_new ? 1 : share(found->second);
-    const double before = is_new ? 1 : reached(found->second);
-    const double varies = p * (1 - p) * (1 / before + 1 / reached(score));
+    const double before = is_new ? 1 : tried(found->second);
+    const double varies = p * (1 - p) * (1 / before + 1 / tried(score));
     if (share(score) < p - 3 * std::sqrt(varies)) rooms.push_back(room);
   }
   return rooms;
@@ -180,13 +175,12 @@ std::vector<std::string> noticed_less(const Scores& now, const Scores& on_record
 std::string text_of(const Scores& scores) {
   std::ostringstream out;
   out << std::left << std::setw(32) << "room" << std::right;
-  for (const char* column : {"mutants", "tried", "killed", "with reason", "survived", "not reached"})
+  for (const char* column : {"mutants", "tried", "killed", "with reason", "survived"})
     out << std::setw(13) << column;
   out << "\n";
   for (const auto& [room, s] : scores) {
     out << std::left << std::setw(32) << room << std::right;
-    for (const int n : {s.mutants, s.tried, s.killed, s.with_reason, s.survived, s.not_reached})
-      out << std::setw(13) << n;
+    for (const int n : {s.mutants, s.tried, s.killed, s.with_reason, s.survived}) out << std::setw(13) << n;
     out << "\n";
   }
   return out.str();
@@ -196,8 +190,8 @@ Scores read_scores(const fs::path& file) {
   Scores scores;
   for (const CsvRow& row : rows_of(file, score_columns)) {
     const auto count = [&](std::size_t i) { return static_cast<int>(row.number(i)); };
-    scores[row.cells[2]] = {row.cells[0], row.cells[1], count(3), count(4), count(5),
-                            count(6),     count(7),     count(8), count(9)};
+    scores[row.cells[2]] = {row.cells[0], row.cells[1], count(3), count(4),
+                            count(5),     count(6),     count(7), count(8)};
   }
   return scores;
 }
@@ -208,12 +202,12 @@ std::string csv_of(const Scores& scores) {
          "at that commit.\n"
          "# mutants: in those of the room's files that the run mutated; free: without a mutant, as nothing has "
          "to notice\n# which samples are drawn and how a number is made into text.\n"
-         "# tried = killed + with_reason + survived + not_reached. with_reason: survivors that have a reason in "
-         "survivors.csv;\n# not_reached: no test runs that code. Rooms without a row were not tried.\n"
+         "# tried = killed + with_reason + survived; with_reason: those that have a reason in survivors.csv. What "
+         "no test runs\n# survives. Rooms without a row were not tried.\n"
       << score_columns << "\n";
   for (const auto& [room, s] : scores)
     out << s.date << "," << s.commit << "," << room << "," << s.mutants << "," << s.free << "," << s.tried
-        << "," << s.killed << "," << s.with_reason << "," << s.survived << "," << s.not_reached << "\n";
+        << "," << s.killed << "," << s.with_reason << "," << s.survived << "\n";
   return out.str();
 }
 

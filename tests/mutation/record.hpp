@@ -10,7 +10,9 @@
 
 namespace oddity::mutation {
 
-/// A row of survivors.csv: a mutant that nothing notices, and why nothing has to, or "" where it should be.
+/// A row of survivors.csv: a mutant that nothing notices, be it that nothing runs it, and why nothing has to,
+/// or
+/// "" where something should.
 struct Survivor {
   std::string room, file, change, reason;
 };
@@ -43,7 +45,7 @@ std::string csv_of(const Survivors&);
 /// What became of the mutants tried in one room, and when.
 struct Score {
   std::string date = {}, commit = {};
-  int mutants = 0, free = 0, tried = 0, killed = 0, with_reason = 0, survived = 0, not_reached = 0;
+  int mutants = 0, free = 0, tried = 0, killed = 0, with_reason = 0, survived = 0;
 };
 using Scores = std::map<std::string, Score>;  ///< by room
 /// Of the rooms of which a mutant was tried.
@@ -56,8 +58,8 @@ Scores scores_of(const std::vector<Mutant>& all, const std::vector<Mutant>& trie
 Score after_again(Score score, const std::string& room, const Survivors& before, const Survivors& left,
                   const std::set<std::string>& killed);
 
-/// The rooms of which the suite notices less, of the mutants that it reaches, than on record, by three times
-/// what such shares vary by; and those that are not on record.
+/// The rooms of which the suite notices a smaller share of the mutants than on record, by three times what
+/// such shares vary by; and those that are not on record.
 std::vector<std::string> noticed_less(const Scores& now, const Scores& on_record);
 
 /// A table for people.

@@ -13,6 +13,7 @@
 #include "reference/proofs.hpp"
 #include "report/study/parallel.hpp"
 #include "report/study/run_program.hpp"
+#include "tests/mutation/mutant.hpp"
 
 namespace oddity::mutation {
 
@@ -173,12 +174,21 @@ void Suite::measure(const std::vector<Mutant>& mutants) {
   known_.push_back(measured("proofs"));
 }
 
+bool Suite::is_absent(const Mutant& m) const {
+  const auto found = [&](Seen how) {
+    return std::ranges::any_of(known_, [&](const TestCase& t) {
+      return t.reached[static_cast<std::size_t>(m.number)] == static_cast<char>(how);
+    });
+  };
+  return !found(seen) && found(seen_without_it);
+}
+
 Judgement Suite::judge(const Mutant& m) const {
   Judgement judgement;
   const std::string home = home_of(m.file);
   for (const TestCase& t : known_) {
     const bool asked = t.tag == "proofs" ? !home.starts_with("table ") : may_reach(home, t.tag);
-    if (!asked || !t.reached[static_cast<std::size_t>(m.number)]) continue;
+    if (!asked || t.reached[static_cast<std::size_t>(m.number)] != static_cast<char>(seen)) continue;
     const fs::path none = kept_ / ("mutant " + std::to_string(m.number));
     const Ended ended = tried(program_, t.tag, m.number, none, 5 + 4 * t.seconds);
     if (!ended.ok) return {Fate::killed, t.tag + ", " + ended.how};

@@ -10,7 +10,7 @@
 /// The test cases that mutants are tried by.
 namespace oddity::mutation {
 
-/// What is left of a mutant by the test cases that reach it.
+/// What is left of a mutant by the test cases that reach it; not_reached: none does.
 enum class Fate { killed, survived, not_reached };
 std::string_view name_of(Fate);
 
@@ -31,6 +31,9 @@ class Suite {
 
   /// Runs every test case without a mutant that these may be tried by, unless its file is kept.
   void measure(const std::vector<Mutant>&);
+
+  /// Whether there is no such mutant, as its place has other types alone in those measured.
+  bool is_absent(const Mutant&) const;
 
   /// Runs the test cases that reach the mutant, one of those measured, the fastest first and the proofs last,
   /// until one notices. May be called by several threads.
