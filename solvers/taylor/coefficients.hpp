@@ -14,31 +14,37 @@ namespace oddity::taylor {
 /// Two numbers beside each other.
 using Two = double __attribute__((vector_size(16)));
 
+/// Where coefficient k is from the place that a row is known by, its eighth: so the first sixteen are within
+/// the byte by which an instruction can say it shortest.
+constexpr long place(int k) { return 2L * (k - 8); }
+
 /// The coefficients of a number, or of two. Two numbers' rows are interleaved, so that both may be had at
 /// once.
 template <class T>
 struct Row {
-  T* first = nullptr;
-  T& operator[](int k) const { return first[2L * k]; }
+  T* eighth = nullptr;
+  static Row from(T* first) { return {first - place(0)}; }
+  T& operator[](int k) const { return eighth[place(k)]; }
 };
 template <class T>
 struct Pairs {
-  T* first;
+  T* eighth;
+  static Pairs from(T* first) { return {first - place(0)}; }
   Two operator[](int k) const {
     Two x;
-    std::memcpy(&x, __builtin_assume_aligned(first + 2L * k, sizeof x), sizeof x);
+    std::memcpy(&x, __builtin_assume_aligned(eighth + place(k), sizeof x), sizeof x);
     return x;
   }
   void put(int k, Two x) const {
-    std::memcpy(__builtin_assume_aligned(first + 2L * k, sizeof x), &x, sizeof x);
+    std::memcpy(__builtin_assume_aligned(eighth + place(k), sizeof x), &x, sizeof x);
   }
 };
 using Both = Pairs<double>;
 /// One number, twice.
 constexpr Two twice(double x) { return Two{x, x}; }
 struct Twice {
-  double* first;
-  Two operator[](int k) const { return twice(first[2L * k]); }
+  double* eighth;
+  Two operator[](int k) const { return twice(eighth[place(k)]); }
 };
 /// A row whose coefficient k is at hand.
 template <int k, class Row, class T>
@@ -211,6 +217,24 @@ template <int k, class Rows>
   }
 }
 
+/// The same of alpha t + gamma, of which no order above the first is left.
+template <int k, class Rows>
+[[gnu::always_inline]] inline auto turn(const Node& node, const Rows& rows) {
+  using std::cos, std::sin;
+  const auto& s = rows.result;
+  const auto& c = rows.second;
+  using T = std::decay_t<decltype(s[k])>;
+  if constexpr (k == 0) {
+    const T angle = T(node.alpha) * rows.a[0] + T(node.gamma);
+    c[0] = cos(angle);
+    return T(sin(angle));
+  } else {
+    const T s_slope = T(node.alpha) * c[k - 1], c_slope = T(node.alpha) * s[k - 1];
+    c[k] = c_slope * T(-1.0 / k);
+    return s_slope * T(1.0 / k);
+  }
+}
+
 /// r' = a' r; the spare row as above.
 template <int k, class Rows>
 [[gnu::always_inline]] inline auto exponential(const Rows& rows) {
@@ -244,6 +268,8 @@ template <int k, class Rows>
       return result = square_root<k>(rows);
     case Operation::sine:
       return result = sine_and_cosine<k>(rows);
+    case Operation::turning:
+      return result = turn<k>(node, rows);
     case Operation::exponential:
       return result = exponential<k>(rows);
     case Operation::linear:
@@ -292,6 +318,19 @@ template <int k, class A>
     slope.put(k, newest);
     Two slopes = newest * both[0];
     if constexpr (k > 1) slopes += inside<k>(slope, both);
+    return Two{slopes[1], slopes[0]} * Two{1.0 / k, -1.0 / k};
+  }
+}
+
+/// The same of alpha t + gamma.
+template <int k>
+[[gnu::always_inline]] inline Two turn_both(const Node& node, const Row<double>& time, const Both& both) {
+  using std::cos, std::sin;
+  if constexpr (k == 0) {
+    const double angle = node.alpha * time[0] + node.gamma;
+    return Two{sin(angle), cos(angle)};
+  } else {
+    const Two slopes = twice(node.alpha) * both[k - 1];
     return Two{slopes[1], slopes[0]} * Two{1.0 / k, -1.0 / k};
   }
 }

@@ -30,9 +30,27 @@ Products at_once(const Node& x, const Node& y) {
   return Products::one;
 }
 
+/// The recording's nodes, those turned that are the sine of a multiple of the time, which is the node after
+/// the unknowns'.
+std::vector<Node> with_turning(const Recording& recording) {
+  std::vector<Node> nodes = recording.tape.nodes();
+  const auto time = static_cast<int>(recording.derivatives.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (nodes[i].operation != Operation::sine) continue;
+    const Node angle = nodes[static_cast<std::size_t>(nodes[i].a)];
+    const bool is_time = nodes[i].a == time;
+    if (!is_time && (angle.operation != Operation::linear || angle.a != time || angle.b >= 0)) continue;
+    nodes[i] = {Operation::turning, time, -1, is_time ? 1 : angle.alpha, 0, is_time ? 0 : angle.gamma};
+    nodes[i + 1].a = time;  // its cosine
+  }
+  return nodes;
+}
+bool is_sine(const Node& node) {
+  return node.operation == Operation::sine || node.operation == Operation::turning;
+}
+
 /// The nodes that others need.
-std::vector<bool> needed_of(const Recording& recording) {
-  const std::vector<Node>& nodes = recording.tape.nodes();
+std::vector<bool> needed_of(const Recording& recording, const std::vector<Node>& nodes) {
   std::vector<bool> all(nodes.size());
   const auto need = [&](int node) {
     if (node >= 0) all[static_cast<std::size_t>(node)] = true;
@@ -41,6 +59,18 @@ std::vector<bool> needed_of(const Recording& recording) {
   for (std::size_t i = nodes.size(); i-- > 0;)
     if (all[i]) need(nodes[i].a), need(nodes[i].b);
   return all;
+}
+
+/// What the right-hand side costs when it is written by hand, its repetitions and constants taken out.
+long cost_of_all_by_hand(const Recording& recording) {
+  const std::vector<Node>& nodes = recording.tape.nodes();
+  const std::vector<bool> needed = needed_of(recording, nodes);
+  long sum = 0;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (needed[i]) sum += by_hand(nodes[i]);
+  for (const Recorded& derivative : recording.derivatives)
+    if (derivative.node() >= 0 && std::abs(derivative.factor()) != 1) sum += Weights::multiplication;
+  return std::max(sum, 1L);
 }
 
 /// The nodes that are a factor of several products.
@@ -55,13 +85,14 @@ std::vector<bool> factors_of(const std::vector<Node>& nodes, const std::vector<b
 }
 
 /// One operation of each kind, and what all orders below another cost.
-constexpr std::array<Node, 8> one_of_kind{{{Operation::multiply, 0, 1},
+constexpr std::array<Node, 9> one_of_kind{{{Operation::multiply, 0, 1},
                                            {Operation::multiply, 0, 0},
                                            {Operation::divide, 0, 1},
                                            {Operation::divide, -1, 1},
                                            {Operation::inverse_cube},
                                            {Operation::square_root},
                                            {Operation::sine},
+                                           {Operation::turning},
                                            {Operation::exponential}}};
 constexpr auto costs_of_kind = [] {
   std::array<std::array<long, most_orders + 1>, one_of_kind.size()> all{};
@@ -98,8 +129,8 @@ struct Program::Making {
 };
 
 Program::Program(const Recording& recording) {
-  const std::vector<Node>& nodes = recording.tape.nodes();
-  std::vector<bool> all = needed_of(recording);
+  const std::vector<Node> nodes = with_turning(recording);
+  std::vector<bool> all = needed_of(recording, nodes);
   std::vector<bool> factors = factors_of(nodes, all);
   Making making{nodes, std::move(all), std::move(factors), std::vector<int>(nodes.size(), -1)};
   const std::vector<bool>& needed = making.needed;
@@ -107,21 +138,18 @@ Program::Program(const Recording& recording) {
   derivatives_.reserve(recording.derivatives.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const Node& node = nodes[i];
-    if (needed[i]) by_hand_ += by_hand(node);
-    const bool for_cosine = node.operation == Operation::sine && needed[i + 1];
+    const bool for_cosine = is_sine(node) && needed[i + 1];
     if (making.rows[i] >= 0 || (node.operation != Operation::unknown && !needed[i] && !for_cosine)) continue;
     if (node.operation == Operation::unknown)
       making.rows[i] = rows_++;
-    else if (node.operation == Operation::sine)
-      put_sine(making, i);
+    else if (is_sine(node))
+      put_sine_and_cosine(making, i);
     else if (node.operation != Operation::multiply || !put_two(making, i))
       put_one(making, i);
   }
+  by_hand_ = cost_of_all_by_hand(recording);
   for (const Recorded& derivative : recording.derivatives)
     derivatives_.push_back({row_of(derivative.node(), making.rows), derivative.factor(), derivative.term()});
-  for (const Derivative& derivative : derivatives_)
-    if (derivative.row >= 0 && std::abs(derivative.factor) != 1) by_hand_ += Weights::multiplication;
-  by_hand_ = std::max(by_hand_, 1L);
   for (const Instruction& instruction : instructions_)
     for (int i = 0; i < (instruction.products == Products::one ? 1 : 2); ++i) count(instruction.node);
 }
@@ -132,7 +160,7 @@ int Program::two_rows() {
   return std::exchange(rows_, rows_ + 2);
 }
 
-void Program::put_sine(Making& making, std::size_t i) {
+void Program::put_sine_and_cosine(Making& making, std::size_t i) {
   const int both = two_rows();
   instructions_.push_back({.node = in_rows(making.nodes[i], making.rows),
                            .result = both,
@@ -234,17 +262,17 @@ template <int k>
 [[gnu::always_inline]] inline void finish(const Step& step, double newest) {
   const Two both = twice(newest);
   if (step.is_doubled)
-    Both{step.rows.result.first}.put(k, both);
+    Both{step.rows.result.eighth}.put(k, both);
   else
     step.rows.result[k] = newest;
-  if (step.unknown.first) step.unknown[k + 1] = newest * step.shares[k][0];
+  if (step.unknown.eighth) step.unknown[k + 1] = newest * step.shares[k][0];
   go_on<k>(step, both);
 }
 template <int k>
 [[gnu::always_inline]] inline void finish(const Step& step, Two newest) {
-  Both{step.rows.result.first}.put(k, newest);
-  if (step.unknown.first) Both{step.unknown.first}.put(k + 1, newest * step.shares[k]);
-  if (step.sum.first) newest = twice(step.sum[k] = newest[0] + newest[1]);
+  Both{step.rows.result.eighth}.put(k, newest);
+  if (step.unknown.eighth) Both{step.unknown.eighth}.put(k + 1, newest * step.shares[k]);
+  if (step.sum.eighth) newest = twice(step.sum[k] = newest[0] + newest[1]);
   go_on<k>(step, newest);
 }
 
@@ -265,7 +293,7 @@ struct InverseCube {
     using Operand = Newest<k, Row<double>, double>;
     const auto& [a, b, result, second, spare] = step.rows;
     const Rows<double, Operand> rows{{a, newest_of(step.a, a, k, handed)}, b, result, second, spare};
-    finish<k>(step, inverse_cube_by_pairs<k>(step.node, rows, Both{spare.first}, Both{second.first}));
+    finish<k>(step, inverse_cube_by_pairs<k>(step.node, rows, Both{spare.eighth}, Both{second.eighth}));
   }
 };
 /// Of one operand and of two, their scales multiplied without asking whether they are 1.
@@ -296,13 +324,19 @@ struct Sine {
   static void compute(const Step& step, Two handed) {
     const auto& [a, b, result, second, spare] = step.rows;
     const Newest<k, Row<double>, double> of{a, newest_of(step.a, a, k, handed)};
-    finish<k>(step, sine_with_cosine<k>(of, Both{result.first}, Both{spare.first}));
+    finish<k>(step, sine_with_cosine<k>(of, Both{result.eighth}, Both{spare.eighth}));
+  }
+};
+struct Turning {
+  template <int k>
+  static void compute(const Step& step, Two) {
+    finish<k>(step, turn_both<k>(step.node, step.rows.a, Both{step.rows.result.eighth}));
   }
 };
 struct TwoSquares {
   template <int k>
   static void compute(const Step& step, Two handed) {
-    const Both a{step.rows.a.first};
+    const Both a{step.rows.a.eighth};
     finish<k>(step, square<k>(Newest<k, Both, Two>{a, newest_of(step.a, a, k, handed)}));
   }
 };
@@ -310,8 +344,8 @@ template <class A, class B>
 struct TwoProducts {
   template <int k>
   static void compute(const Step& step, Two handed) {
-    const A a{step.rows.a.first};
-    const B b{step.rows.b.first};
+    const A a{step.rows.a.eighth};
+    const B b{step.rows.b.eighth};
     finish<k>(step, product<k>(Newest<k, A, Two>{a, newest_of(step.a, a, k, handed)},
                                Newest<k, B, Two>{b, newest_of(step.b, b, k, handed)}));
   }
@@ -327,7 +361,7 @@ struct Next {
 struct NextTwo {
   template <int k>
   static void compute(const Step& step, Two handed) {
-    Both{step.unknown.first}.put(k + 1, Both{step.rows.a.first}[k] * step.shares[k]);
+    Both{step.unknown.eighth}.put(k + 1, Both{step.rows.a.eighth}[k] * step.shares[k]);
     go_on<k>(step, handed);
   }
 };
@@ -381,6 +415,8 @@ const Step::Kernel* kernels_of(const Node& node, Products products) {
       return kernels<One<Operation::square_root>>.data();
     case Operation::sine:
       return kernels<Sine>.data();
+    case Operation::turning:
+      return kernels<Turning>.data();
     case Operation::exponential:
       return kernels<One<Operation::exponential>>.data();
     case Operation::unknown:
@@ -454,7 +490,7 @@ struct Series::Making {
   /// The operation, with the plain sum of its two results where that comes next.
   bool put(const Program::Instruction& instruction, const Program::Instruction* next) {
     const auto& [node, result, second, spare, products, is_doubled] = instruction;
-    const bool two = products != Products::one || node.operation == Operation::sine;
+    const bool two = products != Products::one || is_sine(node);
     const bool with_sum = two && next && is_plain_sum(next->node) && !next->is_doubled &&
                           std::min(next->node.a, next->node.b) == result &&
                           std::max(next->node.a, next->node.b) == result + 1;
@@ -502,7 +538,7 @@ void Series::expand(const double* x, double t, int order) {
   order_ = order;
   const std::size_t n = program_.unknowns();
   for (std::size_t i = 0; i < n; i += 2)
-    Both{row(static_cast<int>(i)).first}.put(0, Two{x[i], i + 1 < n ? x[i + 1] : t});
+    Both{row(static_cast<int>(i)).eighth}.put(0, Two{x[i], i + 1 < n ? x[i + 1] : t});
   row(static_cast<int>(n))[0] = t;
   const Step& first = steps_.front();
   [&]<int... k>(std::integer_sequence<int, k...>) {

@@ -39,6 +39,7 @@ constexpr long by_hand(const Node& node) {
     case Operation::cosine:
     case Operation::exponential:
       return Weights::function;
+    case Operation::turning:
     case Operation::unknown:
       break;
   }
@@ -64,6 +65,9 @@ constexpr long cost_of(const Node& node, int k) {
     case Operation::sine:
       if (k == 0) return 2 * Weights::function;
       return 1 + 2 * (k == 1 ? 2 : 3 + inside);
+    case Operation::turning:
+      return k == 0 ? Weights::multiplication + Weights::addition + 2 * Weights::function
+                    : 4 * Weights::multiplication;
     case Operation::exponential:
       if (k == 0) return Weights::function;
       return 1 + (k == 1 ? 2 : 3 + inside);
@@ -107,7 +111,7 @@ class Program {
 
   struct Making;
   int two_rows();
-  void put_sine(Making&, std::size_t i);
+  void put_sine_and_cosine(Making&, std::size_t i);
   void put_one(Making&, std::size_t i);
   bool put_two(Making&, std::size_t i);
   void count(const Node& node);
@@ -115,7 +119,7 @@ class Program {
   std::vector<Instruction> instructions_;  ///< their nodes' operands are rows
   std::vector<Derivative> derivatives_;
   /// Operations of one kind cost alike, but for linear ones.
-  static constexpr std::size_t kinds = 8;
+  static constexpr std::size_t kinds = 9;
   std::array<long, kinds> of_kind_{};
   long linear_at_0_ = 0, linear_later_ = 0;  ///< what linear ones cost
   long operations_ = 0;
@@ -183,10 +187,12 @@ class Series {
     const auto i = static_cast<std::size_t>(row);
     return i / 2 * stride + i % 2;
   }
-  Row<double> row(int i) { return {memory_.get() + start(i)}; }
-  Row<const double> row(int i) const { return {memory_.get() + start(i)}; }
+  Row<double> row(int i) { return Row<double>::from(memory_.get() + start(i)); }
+  Row<const double> row(int i) const { return Row<const double>::from(memory_.get() + start(i)); }
   /// Of an unknown and of the next one, or of the time.
-  Pairs<const double> both(std::size_t i) const { return {memory_.get() + i / 2 * stride}; }
+  Pairs<const double> both(std::size_t i) const {
+    return Pairs<const double>::from(memory_.get() + i / 2 * stride);
+  }
 
   Program program_;
   std::vector<Step> steps_;

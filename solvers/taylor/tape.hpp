@@ -18,8 +18,9 @@ enum class Operation {
   divide,        ///< a / b; where a is none, gamma / b
   inverse_cube,  ///< gamma / (a sqrt(a)), a mass's pull where a is the distance's square
   square_root,
-  sine,    ///< of a; the next node is its cosine
-  cosine,  ///< of a; the node before is its sine
+  sine,     ///< of a; the next node is its cosine
+  cosine,   ///< of a; the node before is its sine
+  turning,  ///< the sine of alpha a + gamma, where a is the time; a program has it, no tape
   exponential
 };
 
@@ -119,6 +120,7 @@ Recording record(const Rhs& rhs) {
   for (Recorded& one : x) one = {made.tape, made.tape.unknown()};
   const Recorded time(made.tape, made.tape.unknown());
   rhs(x, dxdt, time);
+  made.derivatives.reserve(n);
   for (const Recorded& one : dxdt) made.derivatives.push_back(one.multiple());
   return made;
 }
