@@ -1,6 +1,7 @@
 #include "chapters/contents.hpp"
 #include "reference/reference.hpp"
 #include "tests/catch.hpp"
+#include "tests/near.hpp"
 
 using namespace oddity;
 
@@ -41,3 +42,17 @@ const bool registered = [] {
 }();
 
 }  // namespace
+
+TEST_CASE("7.11: the logarithm of a determinant in range is found by every method", "[off_defaults][7.11]") {
+  const Entry& entry = *std::ranges::find(registry(), Number{7, 11}, &Entry::number);
+  Parameters p(entry.exercise.parameters);
+  p.set("e", 1);
+  const Findings found = entry.exercise.study(p, Reference::nothing());
+  const Quantity& q = *std::ranges::find(found.quantities, "log_determinant", &Quantity::name);
+  const double first = q.methods.front().run(0).value[0];
+  CHECK(first > 1);
+  for (const Method& m : q.methods) {
+    INFO(m.model << ", " << m.algorithm);
+    CHECK(near(m.run(0).value[0], first, 1e-12 * first));
+  }
+}

@@ -292,7 +292,7 @@ struct Residues {
     return all;
   }
 
-  /// Elimination by whole rows leaves no entry off the diagonal.
+  /// Elimination by whole rows leaves no entry off the diagonal, and no zero on it.
   bool made_diagonal(bool above) const {
     auto m = rows;
     for (std::size_t k = 0; k < n(); ++k)
@@ -303,7 +303,7 @@ struct Residues {
       }
     bool all = true;
     for (std::size_t i = 0; i < n(); ++i)
-      for (std::size_t j = 0; j < n(); ++j) all = all && (i == j || m[i][j].value == 0);
+      for (std::size_t j = 0; j < n(); ++j) all = all && (i == j) == (m[i][j].value != 0);
     return all;
   }
 

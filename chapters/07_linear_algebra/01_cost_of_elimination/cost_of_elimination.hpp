@@ -27,6 +27,7 @@ enum class Clearing { crosswise, by_ratio };
 /// When a crosswise clearing multiplies the diagonal entry of a row above its pivot.
 enum class Diagonal { row_by_row, at_the_end, never };
 
+/// Clears column k of a row; the zero itself is not written, as nothing reads it.
 template <class T>
 void clear(Rows<T>& m, std::size_t row, std::size_t k, Clearing clearing) {
   const T pivot = m[k][k], entry = m[row][k];
@@ -36,7 +37,6 @@ void clear(Rows<T>& m, std::size_t row, std::size_t k, Clearing clearing) {
     const T ratio = entry / pivot;
     for (std::size_t j = k + 1; j < m[k].size(); ++j) m[row][j] = m[row][j] - ratio * m[k][j];
   }
-  m[row][k] = T{};
 }
 
 /// Clears column k below row k.

@@ -70,7 +70,7 @@ Whole by_bareiss(Matrix4<Whole> m) {
   return sign * m[3][3];
 }
 
-/// A matrix of whole numbers, a tenth of them singular.
+/// A matrix of whole numbers, a tenth of them singular, one of them zero.
 struct Sample {
   static constexpr bool whole = true;
   Matrix4<Whole> m;
@@ -97,6 +97,7 @@ std::vector<Sample> full_matrices(Random random) {
     if (sample % 10 == 9) m[3] = m[static_cast<std::size_t>(random.below(3))];
     all.push_back({m});
   }
+  all.push_back({Matrix4<Whole>{}});  // no column has a pivot
   return all;
 }
 

@@ -28,7 +28,7 @@ constexpr Parameter parameters[] = {
 
 // ---- the claims -------------------------------------------------------------------------------------------
 
-/// A random matrix M of whole numbers, or U, zero below its diagonal.
+/// A random matrix M of whole numbers, or U, zero below its diagonal; one of each is all zero.
 struct Sample {
   static constexpr bool whole = true;
   Matrix<Whole> m;
@@ -45,6 +45,7 @@ std::vector<Sample> matrices_of_whole_numbers(Random random, bool triangular) {
         const Whole size = 1 + random.below(9), x = random.unit() < 0.5 ? -size : size;
         return triangular && r > c ? 0 : x;
       })});
+  all.push_back({Matrix<Whole>{3}});  // no column has a pivot
   return all;
 }
 
@@ -72,9 +73,10 @@ Whole product_of(const Matrix<Whole>& m, int last) {
   return product;
 }
 
-/// M bordered by a last row and column that are zero but for their common entry 1.
+/// M bordered by a last row and column that are zero but for their common entry 2.
 Matrix<Whole> bordered(const Matrix<Whole>& m) {
-  return filled<Whole>(m.n + 1, [&](int r, int c) { return r < m.n && c < m.n ? m(r, c) : Whole{r == c}; });
+  return filled<Whole>(m.n + 1,
+                       [&](int r, int c) { return r < m.n && c < m.n ? m(r, c) : Whole{r == c ? 2 : 0}; });
 }
 
 /// The matrix with the first `columns` columns cleared below the diagonal, without a remainder (Bareiss
@@ -164,8 +166,8 @@ std::vector<Claim> claims(const Random& random) {
       in_whole(R"($u_{nn}\det U'$)", [](M m) { return m(m.n - 1, m.n - 1) * bareiss(minor_of(m, m.n - 1)); }),
       in_whole(R"($u_{11}\det U'$)", [](M m) { return m(0, 0) * bareiss(minor_of(m, m.n - 1)); }));
   add("sign", 3969, "the sign of $u_{nn}$ is the same for every $n$", full,
-      R"($\det M$, $M$ bordered by $0,\ldots,0,1$)",
-      in_whole("elimination of the bordered matrix", [](M m) { return bareiss(bordered(m)); }),
+      R"(half the determinant of $M$ bordered by $0,\ldots,0,2$)",
+      in_whole("elimination of the bordered matrix", [](M m) { return bareiss(bordered(m)) / 2; }),
       in_whole(R"($+\det M$)", bareiss),
       in_whole(R"($(-1)^{n+1}\det M$)", [](M m) { return m.n % 2 == 0 ? -bareiss(m) : bareiss(m); }));
   add("product", 3971, R"($\det U$ is the product of the diagonal)", upper, R"($\det U$)", det,
