@@ -46,10 +46,11 @@ constexpr auto peano = []<class T>(const Triple<T>& x) {
   return x[0] * x[1] * (a - b) / (a + b);
 };
 
-/// Difference quotients of Peano's slopes at the origin, by x of dp/dy and by y of dp/dx, down to 2^-400.
+/// Difference quotients of Peano's slopes at the origin, by x of dp/dy and by y of dp/dx, down to 2^-350,
+/// before their cubes underflow.
 Check peano_orders() {
   WorstSample worst("second derivatives at the origin", "by $y$, then by $x$", "by $x$, then by $y$");
-  for (int k = 10; k <= 400; k += 10) {
+  for (int k = 10; k <= 350; k += 10) {
     const double t = std::ldexp(1.0, -k);
     worst.add(along(peano, Point{t, 0, 0}, axes[1]) / t, along(peano, Point{0, t, 0}, axes[0]) / t, 1,
               "quotient over $2^{-" + std::to_string(k) + "}$");

@@ -160,8 +160,8 @@ std::string typeset(std::string_view line, const Names& names) {
   for (std::size_t i = 0; i < line.size();) {
     std::size_t end = i;
     while (end < line.size() && (std::isalnum(line[end]) || line[end] == '_' || line[end] == ',')) ++end;
-    const bool follows = !tex.empty() && line[i] != ' ' && i > 0 && line[i - 1] == ' ' &&
-                         (std::isalnum(line[i]) || line[i] == '(') && tex.back() != '+' && tex.back() != '-';
+    const bool follows = !tex.empty() && line[i - 1] == ' ' && (std::isalnum(line[i]) || line[i] == '(') &&
+                         tex.back() != '+' && tex.back() != '-';
     if (follows) tex += "\\,";
     if (end > i)
       tex += symbol(std::string(line.substr(i, end - i)));
