@@ -134,6 +134,15 @@ TEST_CASE("6.5: a reference that is computed in doubles states its own rounding"
   CHECK(quantity_of(findings, "patch").reference_error > 1e-15);
 }
 
+TEST_CASE("6.5: segments, triangles and parallelograms are compared, each on its own", "[claims][6.5]") {
+  const Findings findings = studied(entry_of({6, 5}), {});
+  const Claim& claim = *std::ranges::find(findings.claims, "6.5-finite_set", &Claim::id);
+  const std::vector<Check>& shapes = claim.corrected.checks;
+  REQUIRE(shapes.size() == 3);
+  for (std::size_t i = 0; i < 3; ++i)
+    CHECK(distance(shapes[i].left.value, shapes[(i + 1) % 3].left.value) > 1e-9);
+}
+
 TEST_CASE("8.5: a reference that is computed in doubles states its own rounding", "[claims][8.5]") {
   const auto error = [](double c1, double height) {
     return quantity_of(studied(entry_of({8, 5}), {{"c1", c1}, {"height", height}}), "value").reference_error;

@@ -24,7 +24,7 @@ constexpr Parameter parameters[] = {
 /// A list of bins as two numbers: how many, and the sum of their ids.
 void put(std::vector<double>& value, const std::vector<long>& ids) {
   double sum = 0;
-  for (long id : ids) sum += static_cast<double>(id + 1);
+  for (long id : ids) sum += static_cast<double>(id);
   value.push_back(static_cast<double>(ids.size()));
   value.push_back(sum);
 }

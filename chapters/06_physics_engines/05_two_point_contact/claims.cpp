@@ -1,5 +1,7 @@
 #include "chapters/claims.hpp"
 
+#include <Eigen/Geometry>
+
 #include "chapters/06_physics_engines/05_two_point_contact/two_point_contact.hpp"
 #include "chapters/integral_proofs.hpp"
 #include "chapters/provable_claims.hpp"
@@ -27,12 +29,7 @@ Matrix3d random_rotation(Random& random) {
   Eigen::Vector4d q;
   for (int i = 4; i-- > 0;) q[i] = random.normal();
   q.normalize();
-  const double w = q[0], x = q[1], y = q[2], z = q[3];
-  Matrix3d r;
-  r << 1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y), 2 * (x * y + w * z),
-      1 - 2 * (x * x + z * z), 2 * (y * z - w * x), 2 * (x * z - w * y), 2 * (y * z + w * x),
-      1 - 2 * (x * x + y * y);
-  return r;
+  return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
 }
 
 /// A box of constant density, anywhere and turned anyhow.

@@ -1,0 +1,35 @@
+#include "chapters/06_physics_engines/shared/bins.hpp"
+#include "tests/catch.hpp"
+
+using namespace oddity;
+
+TEST_CASE("the factored test of a sphere and a bin finds what whole numbers find", "[6.1]") {
+  using namespace bins;
+  const Grid grid{1, 8};
+  std::vector<Lattice> spheres = edge_cases(grid.half);
+  for (const Lattice& s : random_spheres(1, 40, grid.half, 2)) spheres.push_back(s);
+  for (const Lattice& s : spheres) {
+    INFO(s.where());
+    CHECK(hits(s.sphere(), grid, every_bin, touches_factored).ids == exact_ids(s, grid, hit_exactly));
+  }
+}
+
+TEST_CASE("the widened range has a bin more at either end", "[6.1]") {
+  using namespace bins;
+  const Grid grid{0.5, 16};
+  for (const Lattice& lattice : random_spheres(1, 40, 8, 2)) {
+    INFO(lattice.where());
+    const Sphere s = lattice.sphere(grid.h);
+    for (double x : s.c) {
+      CHECK(reach_widened(x, s.r, grid).low == reach(x, s.r, grid).low - 1);
+      CHECK(reach_widened(x, s.r, grid).high == reach(x, s.r, grid).high + 1);
+    }
+  }
+}
+
+TEST_CASE("2^31 is the first index that does not fit in 32 bits", "[6.1]") {
+  using namespace bins;
+  const Grid grid{1, 8};
+  CHECK(reach_converted_first(0x1p31 - 1, 0, grid).high == 7);
+  CHECK(reach_converted_first(0x1p31, 0, grid).high == -9);
+}
