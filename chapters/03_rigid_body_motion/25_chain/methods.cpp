@@ -252,12 +252,13 @@ struct Predicts {
   Outcome in_float, in_double, in_long_double;
 };
 
-Quantity prediction(double t, const Reference& truth, const Predicts& expected) {
+Quantity prediction(double t, const Reference& truth, const Predicts& expected,
+                    const Tolerance& needed = {1e-2, "a centimetre"}) {
   const Horizon once{t, 1};
   const std::string seconds = format_shortest(t) + " s";
   Quantity q = quantity("chaos_" + format_shortest(t) + "s", "m",
                         "positions " + seconds + " after rest at (2, 2.5, 3) rad, in three precisions",
-                        trajectory(truth, "03_25_chain", inputs(chaotic), once), {1e-2, "a centimetre"});
+                        trajectory(truth, "03_25_chain", inputs(chaotic), once), needed);
   const Knob steps = halving("step", 0x1p-3, 4);
   const std::string why = "its roundings have grown to the size of the motion";
   const auto add = [&](std::string model, auto number, Outcome outcome) {
@@ -442,7 +443,8 @@ Quantity hanging(const Triple& start, const Horizon& horizon, const Reference& t
 }
 
 std::vector<Quantity> quantities(const Triple& start, const Reference& truth) {
-  Quantity lost = prediction(8, truth, {inaccurate, inaccurate, ok});
+  Quantity lost = prediction(8, truth, {inaccurate, inaccurate, ok},
+                             {1e-3, "a millimetre, which what is lost is not within by chance"});
   lost.add(Breakdown{
       "Neighbours diverge up to seventyfold a second: whatever the algorithm, double is decimetres off after "
       "eight seconds, and no shorter step helps. Digits do: each buys half a second or more.",
