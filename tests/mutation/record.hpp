@@ -10,9 +10,8 @@
 
 namespace oddity::mutation {
 
-/// A row of survivors.csv: a mutant that nothing notices, be it that nothing runs it, and why nothing has to,
-/// or
-/// "" where something should.
+/// A row of survivors.csv: a mutant that nothing notices, be it that nothing runs it, and why nothing has
+/// to, or "" where something should.
 struct Survivor {
   std::string room, file, change, reason;
 };
