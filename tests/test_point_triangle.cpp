@@ -13,7 +13,7 @@ TEST_CASE("on a triangle its quadratic is rounded to below zero, and no distance
       const ex09_01::Quadratic<double> q(w, p);
       const auto place = ex09_01::by_regions(q);
       below += q(place.s, place.t) < 0;
-      CHECK(within(ex09_01::quadratic_distance(w, p), 0, 1e-7));
+      CHECK(within(ex09_01::quadratic_distance(w, p), 0, 1e-7));  // the root of roundings
     }
   CHECK(below > 0);
 }

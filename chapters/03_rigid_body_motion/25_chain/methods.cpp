@@ -444,10 +444,10 @@ Quantity hanging(const Triple& start, const Horizon& horizon, const Reference& t
 
 std::vector<Quantity> quantities(const Triple& start, const Reference& truth) {
   Quantity lost = prediction(8, truth, {inaccurate, inaccurate, ok},
-                             {1e-3, "a millimetre, which what is lost is not within by chance"});
+                             {1e-3, "a millimetre: within a centimetre what is lost came by chance"});
   lost.add(Breakdown{
-      "Neighbours diverge up to seventyfold a second: whatever the algorithm, double is decimetres off after "
-      "eight seconds, and no shorter step helps. Digits do: each buys half a second or more.",
+      "Neighbours diverge up to seventyfold a second: whatever the algorithm, double is mostly decimetres off "
+      "after eight seconds, and no shorter step helps. Digits do: each buys half a second or more.",
       "double, extrapolated midpoint, order 20", 0x1p-6, inaccurate,
       "long double, extrapolated midpoint, order 20", 0x1p-6});
   return {small_swing(start, truth),
