@@ -71,7 +71,10 @@ same_chunks "$work/four"
 [ "$(sort -u "$work/ran_on" | wc -l)" -eq $machines ] || { echo "not on $machines machines"; cat "$work/ran_on"; exit 1; }
 
 on_machines "$work/killed" >/dev/null 2>&1 &
-until [ -n "$(ls "$work/killed/chunks" 2>/dev/null)" ]; do sleep 0.01; done
+until [ -n "$(ls "$work/killed/chunks" 2>/dev/null)" ]; do
+  kill -0 $! 2>/dev/null || { echo "it ended without a chunk"; exit 1; }
+  sleep 0.01
+done
 ip netns pids machine3 | while read -r process; do
   [ "$(readlink "/proc/$process/exe")" != "$program" ] || kill -9 "$process" || true
 done

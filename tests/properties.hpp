@@ -19,9 +19,14 @@ namespace oddity::properties {
 /// What is wrong at these parameters; empty where the property holds.
 using Property = std::function<std::string(const Parameters&)>;
 
+/// A whole number; else throws BadInput, as nothing would be tried.
 inline int in_environment(const char* name, int usual) {
   const char* text = std::getenv(name);
-  return text && *text ? std::atoi(text) : usual;
+  if (!text || !*text) return usual;
+  const auto number = parse_number(text);
+  if (!number || !(*number >= 0 && *number < 1e9) || *number != std::floor(*number))
+    throw BadInput(std::string(name) + " must be a whole number, and is " + text);
+  return static_cast<int>(*number);
 }
 
 /// Of all orders of magnitude alike, where the range has several.
@@ -40,17 +45,19 @@ inline Parameters random_parameters(const Exercise& exercise, Random& random) {
   return parameters;
 }
 
-/// Nothing where the parameters do not go together, which the exercise refuses.
-inline std::string wrong_at(const Parameters& parameters, const Property& property) {
+/// Nothing where the parameters do not go together, which the exercise refuses: these are counted.
+inline std::string wrong_at(const Parameters& parameters, const Property& property, int& refused) {
   try {
     return property(parameters);
   } catch (const BadInput&) {
+    ++refused;
     return "";
   }
 }
 
 /// Each parameter as the book has it, or else with fewer digits, as long as something is wrong.
 inline Parameters shrunk(Parameters failing, const Property& property) {
+  int refused = 0;
   for (const Parameter& p : failing.declared())
     for (const double simpler : {p.value, parse_number(format_significant(failing[p.name], 1)).value(),
                                  parse_number(format_significant(failing[p.name], 2)).value(),
@@ -58,7 +65,7 @@ inline Parameters shrunk(Parameters failing, const Property& property) {
       if (!(p.least <= simpler && simpler <= p.most)) continue;
       Parameters simple = failing;
       simple.set(p.name, simpler);
-      if (wrong_at(simple, property).empty()) continue;
+      if (wrong_at(simple, property, refused).empty()) continue;
       failing = simple;
       break;
     }
@@ -77,14 +84,19 @@ inline std::string command(const Entry& entry, const Parameters& parameters) {
 /// fails.
 inline void check(const Entry& entry, const std::string& says, int usual, const Property& property) {
   Random random(in_environment("ODDITY_SEED", 1) * 1e4 + entry.number.chapter * 100 + entry.number.index);
-  for (int set = 0; set < in_environment("ODDITY_SETS", usual); ++set) {
+  const int sets = in_environment("ODDITY_SETS", usual);
+  int refused = 0;
+  for (int set = 0; set < sets; ++set) {
     const Parameters parameters = random_parameters(entry.exercise, random);
-    if (wrong_at(parameters, property).empty()) continue;
+    if (wrong_at(parameters, property, refused).empty()) continue;
     const Parameters simple = shrunk(parameters, property);
-    FAIL_CHECK(to_string(entry.number) << ": " << says << ", but not at set " << set << ": "
-                                       << wrong_at(simple, property) << "\n  " << command(entry, simple));
+    FAIL_CHECK(to_string(entry.number)
+               << ": " << says << ", but not at set " << set << ": " << wrong_at(simple, property, refused)
+               << "\n  " << command(entry, simple));
     return;
   }
+  if (refused == sets)
+    FAIL_CHECK(to_string(entry.number) << ": " << says << ": all " << sets << " sets were refused");
 }
 
 inline const Entry& entry_of(std::string_view number) {

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The array script that `sweep run --slurm` writes, run by Slurm itself: a cluster of one machine, whose daemons are
-# started here with keys, ports and files of their own. One task is killed on its way, and the array run again.
+# started here with keys, ports and files of their own. What runs of an array is killed on its way, and the array run again.
 #   tests/slurm.sh PROGRAM
 # Ends with 77 where the daemons do not start.
 set -euo pipefail
@@ -78,7 +78,10 @@ for task in $(seq 7); do grep -q 'chunks are there' "array_$task" || { echo "tas
 same_chunks array
 
 oddity sweep run killed --slurm 7 | sbatch --parsable --output 'killed_%a' >job
-until [ -n "$(ls killed/chunks 2>/dev/null)" ]; do sleep 0.01; done
+until [ -n "$(ls killed/chunks 2>/dev/null)" ]; do
+  [ -n "$(squeue --noheader)" ] || { echo "it ended without a chunk"; cat killed_*; exit 1; }
+  sleep 0.01
+done
 scancel --signal KILL --full "$(cat job)"
 until [ -z "$(squeue --noheader)" ]; do sleep 0.1; done
 echo "what ran of the array was killed: $(ls killed/chunks | grep -c 'txt$') of $(ls one/chunks | wc -l) chunks are there"

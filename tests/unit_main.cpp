@@ -1,6 +1,13 @@
+#include <iostream>
+
 #include "tests/catch_main.hpp"
 
 int main(int argc, char** argv) {
   oddity::CatchSession session({argv + 1, argv + argc});
-  return session.accepted() ? session.run() != 0 : 2;
+  if (!session.accepted()) return 2;
+  if (!session.only_lists() && session.selected().empty()) {
+    std::cerr << "no test is called so\n";
+    return 2;
+  }
+  return session.run() != 0;
 }

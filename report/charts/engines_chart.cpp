@@ -124,13 +124,6 @@ std::string engine_rates_svg(const EngineContest& contest, const std::vector<Own
   return drawn(curves, finding_of(contest), title_of(contest), "steps a second");
 }
 
-std::vector<std::string> left_out_of_rates(const EngineContest& contest, const std::vector<OwnSteps>& own) {
-  std::vector<std::string> names;
-  const std::vector<NamedCurve> curves = default_curves(contest);
-  for (std::size_t i = places(own, contest); i < curves.size(); ++i) names.push_back(curves[i].name);
-  return names;
-}
-
 namespace {
 
 /// Those that are enough for the least time, then those that err least.

@@ -11,8 +11,6 @@ namespace oddity {
 /// The error of each engine's defaults over its steps a second, and that of our own models. Engines that err
 /// alike share a curve; of more than eight curves those stand that err least at their finest step.
 std::string engine_rates_svg(const EngineContest&, const std::vector<OwnSteps>&);
-/// The names of those that are left out of it.
-std::vector<std::string> left_out_of_rates(const EngineContest&, const std::vector<OwnSteps>&);
 
 /// The error over the time that a frame takes, of the native engines and the model that `choose` takes; holds
 /// times. What runs behind WebAssembly has a picture of its own.

@@ -1,6 +1,7 @@
 // The work of a quantity at growing sizes.
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -15,7 +16,10 @@ namespace {
 /// The size at the end of a name, "chain_of_100", or 0.
 long size_in_name(const std::string& name) {
   const std::size_t digits = name.find_last_not_of("0123456789") + 1;
-  return digits == 0 || digits == name.size() || name[digits - 1] != '_' ? 0 : std::stol(name.substr(digits));
+  if (digits == 0 || digits == name.size() || name[digits - 1] != '_') return 0;
+  long size = 0;  // stays so where there are too many digits
+  std::from_chars(name.data() + digits, name.data() + name.size(), size);
+  return size;
 }
 
 std::string without_size(const std::string& name) {

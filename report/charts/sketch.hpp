@@ -80,7 +80,7 @@ class Sketch {
   Spot at(const Place& x) const { return scale_ * camera_.at(x - anchor_); }
   Line at(const std::vector<Place>&) const;
   double near(const Place& x) const { return camera_.near(x - anchor_); }
-  /// From 0.35, far, to 1, near.
+  /// From 0.4, far, to 1, near.
   double presence(double near) const;
 
   void put(int layer, double near, std::string element);

@@ -37,14 +37,14 @@ std::vector<std::string> numbers_of(const auto& is_one) {
 
 using WordsIn = std::vector<std::string_view>;
 
-/// The words of a text, without those that are too short to be mistaken for each other.
+/// The words of a text.
 WordsIn words_of(std::string_view text) {
   WordsIn words;
   const auto in_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
   for (auto end = text.begin(); end != text.end();) {
     const auto begin = std::find_if(end, text.end(), in_word);
     end = std::find_if_not(begin, text.end(), in_word);
-    if (end - begin > 3) words.emplace_back(begin, end);
+    if (end != begin) words.emplace_back(begin, end);
   }
   return words;
 }
@@ -58,11 +58,13 @@ const WordsIn& words_of_title(const Entry& entry) {
   return titles[static_cast<std::size_t>(&entry - registry().data())];
 }
 
-/// Whether a title, or what a parameter says, has a word that may have been meant.
+/// Whether a title, or what a parameter says, has a word that may have been meant. Beside others, short ones
+/// mean nothing.
 bool mentions(const WordsIn& says, const WordsIn& asked) {
+  const std::size_t too_short = asked.size() == 1 ? 2 : 3;
   for (const std::string_view word : asked)
     for (const std::string_view said : says)
-      if (nearly_same(word, said, static_cast<int>(word.size()) / 4)) return true;
+      if (word.size() > too_short && nearly_same(word, said, static_cast<int>(word.size()) / 4)) return true;
   return false;
 }
 
@@ -212,6 +214,9 @@ void set_errors(Need& need, const Entry& entry, const std::string& text) {
   const auto units = seen.units();
   for (const std::string& one : words_between_commas(text)) {
     if (parse_number(one)) {
+      if (!std::isnan(need.error))
+        throw BadInput("--error: '" + text +
+                       "' has two errors without a unit; each needs its own, such as 1cm,1deg");
       need.error = positive("--error", one, "");
       continue;
     }
@@ -426,7 +431,7 @@ Need need_of(const Task& task, const AskedNeed& asked) {
 }
 
 int chapter_of(const std::string& chapter) {
-  const int number = whole_of("--chapter", chapter, 1, static_cast<int>(chapters().size()));
+  const int number = whole_of("--chapter", chapter, 1, chapters().back().number);
   std::vector<std::string> with;
   for (const Chapter& c : chapters())
     if (!numbers_of([&](const Entry& e) { return e.number.chapter == c.number; }).empty())

@@ -73,19 +73,23 @@ void add_one_exercise(CLI::App& verb, Session& s) {
                   "name=value for each parameter to change; units fit: a=30deg L=50cm");
 }
 
+/// For what is asked for and would be nothing, as "$SHARD" without such a variable.
+auto not_empty(const std::string& what) {
+  return [what](const std::string& given) { return given.empty() ? "it needs " + what : std::string(); };
+}
+
 /// A path that is asked for is not empty, which would be the current folder.
 CLI::Option* add_path(CLI::App& verb, const std::string& name, std::string& path, const std::string& says) {
   return verb.add_option(name, path, says)
       ->type_name("PATH")
       ->capture_default_str()
-      ->check(
-          [name](const std::string& given) { return given.empty() ? std::string("it needs a path") : ""; });
+      ->check(not_empty("a path"));
 }
 
 template <class T>
 CLI::Option* add_value(CLI::App& verb, const std::string& name, T& value, const std::string& type,
                        const std::string& says) {
-  return verb.add_option(name, value, says)->type_name(type);
+  return verb.add_option(name, value, says)->type_name(type)->check(not_empty("a value"));
 }
 
 /// The option does not go together with the others.
@@ -126,6 +130,14 @@ void require_test_specifications(const std::vector<std::string>& words) {
                      "]' with its quotes, for exercise " + words[i]);
 }
 
+/// A share is of all exercises.
+void require_all_exercises(const std::vector<std::string>& words) {
+  for (const std::string& word : words)
+    if (word.starts_with('[') || word.starts_with('~'))
+      throw BadInput("--shard takes its share of all exercises, and does not go together with '" + word +
+                     "'");
+}
+
 /// "[2.1],[2.15]": every so many-th exercise.
 std::string tags_of_shard(const std::string& text) {
   const Shard shard = shard_of(text);
@@ -155,7 +167,10 @@ void add_verify(CLI::App& app, Session& s) {
         auto words = app.get_subcommand("verify")->remaining();
         require_test_specifications(words);
         if (s.json || s.csv) words.insert(words.end(), {"--reporter", s.json ? "claims-json" : "claims-csv"});
-        if (!s.shard.empty()) words.push_back(tags_of_shard(s.shard));
+        if (!s.shard.empty()) {
+          require_all_exercises(words);
+          words.push_back(tags_of_shard(s.shard));
+        }
         s.status = s.suite({words, s.folder, s.results, {s.from.begin(), s.from.end()}, s.approve});
       });
   add_path(*verify, "--results", s.results, "also keep everything that is found in this file, as JSON");
@@ -346,7 +361,8 @@ void add_bench(CLI::App& app, Session& s) {
       "Columns: part (race, contest, series, chain or suite), subject, measured, value, half_width (of its quartiles), unit, "
       "at_most, verdict (holds, undecided or BROKEN, where there is a limit); a row for each number.\n"
       "With --lanes: scene, model, algorithm, precision, registers, width, taken (the widest), seconds_alone and "
-      "seconds (a body a frame), share (how many times faster, of the width), at_least, verdict, bodies, "
+      "seconds (a body a frame), share (how many times faster, of the width), at_least, ceiling (of the share, where the processor's own "
+      "arithmetic has less), verdict (holds, arithmetic: what is asked of that ceiling, undecided or BROKEN), bodies, "
       "same_bits (how many have them), and the half_width of each time and share.\n"
       "With --verbs: part (verb or growth), subject, amount (of what grows), seconds, cpu_seconds, peak_bytes, "
       "failure (how it ended, unless well).\n"

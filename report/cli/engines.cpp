@@ -114,8 +114,11 @@ void write_page(const std::vector<EngineContest>& contests, const Reference& tru
     if (exercise_number(c.scene)) own[c.scene] = own_steps(task_of(c.scene, {}), truth);
   write_pictures(contests, own, page.parent_path());
   for (const auto& [name, csv] : engine_trials(contests)) write_whole(page.parent_path() / name, csv);
-  write_whole(page, engines_page(contests, surprises_in(source_folder() / "solvers/engines/found")));
-  std::cout << "the page is " << page.string() << "\n";
+  const fs::path programs = source_folder() / "solvers/engines/found";
+  write_whole(page,
+              engines_page(contests, surprises_in(programs),
+                           programs.lexically_proximate(fs::absolute(page).parent_path()).generic_string()));
+  std::cerr << "the page is " << page.string() << "\n";
 }
 
 EngineContest engines_on(const std::string& scene, const std::vector<EngineProgram>& programs,
@@ -154,6 +157,17 @@ EngineContest beside(const Choice& choice, const std::vector<EngineProgram>& pro
 }
 
 namespace {
+
+/// Before anything runs: it may take minutes.
+void require_scenes(const std::vector<std::string>& scenes) {
+  const std::vector<std::string> all = scenes_for_engines();
+  std::string names;
+  for (const std::string& scene : all) names += (names.empty() ? "" : ", ") + scene;
+  for (const std::string& scene : scenes)
+    if (std::ranges::find(all, scene) == all.end())
+      throw BadInput("engines have no scene '" + scene + "'" + did_you_mean(scene, all) +
+                     "; those that they have are: " + names);
+}
 
 /// What is asked, in the order asked: run anew, and kept as soon as it is there.
 std::vector<EngineContest> engines_run(const AskedEngines& asked, const std::vector<std::string>& scenes,
@@ -198,6 +212,7 @@ void engines(const fs::path& folder, const AskedEngines& asked, Format format) {
     scenes = scenes_for_engines();
     if (!asked.kept) std::erase(scenes, "chain of 100");  // it is there by its name
   }
+  require_scenes(scenes);
   const Reference truth(folder, motions_folder());
   const std::vector<EngineContest> contests =
       asked.kept ? engines_kept(scenes) : engines_run(asked, scenes, truth);

@@ -43,7 +43,7 @@ void approve(const Provables& these, bool all, const fs::path& folder) {
   if (!all && fs::exists(folder / "proofs.csv")) record = read_proofs(folder);
   for (const Provable& p : these) record[p.claim] = {proof_hash(coq_file(p)), p.says, p.margin};
   write_whole(folder / "proofs.csv", proofs_csv(record));
-  std::cout << "on record: " << (folder / "proofs.csv").string() << "\n";
+  std::cerr << "on record: " << (folder / "proofs.csv").string() << "\n";
 }
 
 Table table_of(const Provables& these, const std::vector<Checked>& checked) {

@@ -15,6 +15,8 @@
 #include "reference/text.hpp"
 #include "report/charts/chart_parts.hpp"
 #include "report/cli/asked.hpp"
+#include "report/cli/settings.hpp"
+#include "report/cli/words.hpp"
 #include "report/study/initial_conditions.hpp"
 #include "report/study/progress.hpp"
 #include "report/sweep/merge.hpp"
@@ -164,7 +166,7 @@ void make_plan(const Words& w) {
   write_whole(sweep::plan_file(folder), to_json(plan));
   std::cout << sweep::plan_file(folder).string() << ": " << cells_of(plan) << ", about "
             << duration(sum(plan.seconds)) << " on one thread\n"
-            << shortened_steps(plan.asked) << "oddity sweep run " << folder.string() << "\n";
+            << shortened_steps(plan.asked) << "oddity sweep run " << for_shell(folder.string()) << "\n";
 }
 
 // ---- run --------------------------------------------------------------------------------------------------
@@ -173,36 +175,36 @@ Plan plan_in(const Words& w) { return sweep::read_plan(sweep::plan_file(w.folder
 
 std::string how_far(const Plan& plan, const std::vector<std::size_t>& missing, const fs::path& folder) {
   const std::size_t all = plan.chunks(), done = all - missing.size();
+  const std::string there = for_shell(folder.string());
   if (missing.empty())
-    return "all " + with_commas(static_cast<long>(all)) + " chunks are there\noddity sweep merge " +
-           folder.string() + "\noddity sweep draw " + folder.string() + "\n";
+    return "all " + with_commas(static_cast<long>(all)) + " chunks are there\noddity sweep merge " + there +
+           "\noddity sweep draw " + there + "\n";
   double left = 0;
   for (std::size_t chunk : missing) left += plan.seconds[chunk];
   return with_commas(static_cast<long>(done)) + " of " + with_commas(static_cast<long>(all)) +
-         " chunks are there; about " + duration(left) + " on one thread left\noddity sweep run " +
-         folder.string() + "\n";
+         " chunks are there; about " + duration(left) + " on one thread left\noddity sweep run " + there +
+         "\n";
 }
 
 void print_slurm(const Words& w, const Plan& plan) {
   const double longest = *std::ranges::max_element(plan.seconds);
+  const std::string reference = fs::path(w.reference) == reference_folder()
+                                    ? ""
+                                    : "--reference " + for_shell(fs::absolute(w.reference).string()) + " ";
   const double minutes = 2 * (sum(plan.seconds) / w.slurm + longest) / 60 + 1;  // estimates err
   std::cout
       << "#!/bin/bash\n#SBATCH --job-name=oddity-sweep\n#SBATCH --array=1-" << w.slurm
       << "\n#SBATCH --cpus-per-task=1\n#SBATCH --time=" << static_cast<long>(std::ceil(minutes))
       << "\n# The folder has to be one that all machines see; what is there already is not made again.\n"
-      << "oddity sweep run '" << fs::absolute(w.folder).string()
-      << "' --threads 1 --shard \"$SLURM_ARRAY_TASK_ID/" << w.slurm << "\"\n";
+      << "oddity " << reference << "sweep run " << for_shell(fs::absolute(w.folder).string())
+      << " --threads 1 --shard \"$SLURM_ARRAY_TASK_ID/" << w.slurm << "\"\n";
 }
 
 void run_by_mpi(const Words& w, const Plan& plan) {
   const Reference truth(w.reference);
-  std::vector<std::size_t> left;
-  bool looked = false;
+  std::vector<std::size_t> left = sweep::missing(w.folder, plan);
+  std::ranges::reverse(left);
   const auto next = [&]() -> std::optional<std::size_t> {  // on the first rank alone
-    if (!std::exchange(looked, true)) {
-      left = sweep::missing(w.folder, plan);
-      std::ranges::reverse(left);
-    }
     if (left.empty()) return {};
     const std::size_t chunk = left.back();
     left.pop_back();

@@ -18,6 +18,7 @@
 #include "report/cli/enclosing.hpp"
 #include "report/cli/engines.hpp"
 #include "report/cli/settings.hpp"
+#include "report/cli/words.hpp"
 #include "report/lanes/price.hpp"
 #include "report/pages/closing_screen.hpp"
 #include "report/pages/code.hpp"
@@ -298,7 +299,8 @@ void create(NewExercise asked) {
   for (const NewFile& file : files)
     std::cout << (asked.in.empty() ? file.path.lexically_relative(source_folder()) : file.path).string()
               << "\n";
-  const std::string oddity = (asked.in.empty() ? "" : "ODDITY_OWN=" + asked.in.string() + " ") + "./oddity ";
+  const std::string oddity =
+      (asked.in.empty() ? "" : "ODDITY_OWN=" + for_shell(asked.in.string()) + " ") + "./oddity ";
   std::cout << oddity << "solve " << asked.number << "  # builds it and runs it\n"
             << oddity << "verify '[" << asked.number << "]'  # says what is still to be written, and where\n"
             << oddity << "verify --approve '[" << asked.number

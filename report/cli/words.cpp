@@ -66,17 +66,19 @@ std::vector<std::string> words_of(int argc, char** argv) {
   return words;
 }
 
+std::string for_shell(const std::string& word) {
+  std::string quoted;
+  for (char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  const bool plain = std::ranges::all_of(word, [](unsigned char c) {
+    return std::isalnum(c) || c >= 0x80 ||
+           std::string_view("-_=.,:/+%@").find(static_cast<char>(c)) != std::string_view::npos;
+  });
+  return plain && !word.empty() ? word : "'" + quoted + "'";
+}
+
 std::string typed(const std::vector<std::string>& words) {
   std::string all = "oddity";
-  for (const std::string& word : words) {
-    std::string quoted;
-    for (char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
-    const bool plain = std::ranges::all_of(word, [](unsigned char c) {
-      return std::isalnum(c) || c >= 0x80 ||
-             std::string_view("-_=.,:/+%@").find(static_cast<char>(c)) != std::string_view::npos;
-    });
-    all += " " + (plain && !word.empty() ? word : "'" + quoted + "'");
-  }
+  for (const std::string& word : words) all += " " + for_shell(word);
   return all;
 }
 

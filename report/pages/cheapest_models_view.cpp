@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "reference/text.hpp"
 #include "report/pages/markdown.hpp"
@@ -18,11 +20,23 @@ std::string with_unit(const std::string& number, const std::string& unit) {
                                     : " (" + escaped(typeset_unit(unit)) + ")");
 }
 
+/// "m", "rad" of "m, m, rad": the motion's errors have one number for each.
+std::vector<std::string> different_units(const std::string& of_components) {
+  std::vector<std::string> units;
+  std::istringstream list(of_components);
+  for (std::string unit; std::getline(list >> std::ws, unit, ',');)
+    if (std::ranges::find(units, unit) == units.end()) units.push_back(unit);
+  if (units.empty()) units.push_back("");
+  return units;
+}
+
 std::string error_of(const Candidate& candidate, const Need& need, const CheapestModels& cheapest_models) {
   if (need.relative) return with_powers(shown_error(candidate.error * need.error)) + " of the motion";
+  const std::vector<std::string> units = different_units(cheapest_models.unit);
   std::string text;
-  for (double error : candidate.errors) text += (text.empty() ? "" : ", ") + with_powers(shown_error(error));
-  return text + (cheapest_models.unit == "1" ? "" : " " + escaped(typeset_unit(cheapest_models.unit)));
+  for (std::size_t i = 0; i < candidate.errors.size(); ++i)
+    text += (text.empty() ? "" : ", ") + with_unit(shown_error(candidate.errors[i]), units.at(i));
+  return text;
 }
 
 /// What it errs by in float, and whether that holds.

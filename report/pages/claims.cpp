@@ -41,6 +41,12 @@ const Check& tightest(const Reading& reading) {
   return *std::ranges::max_element(reading.checks, {}, tightness);
 }
 
+/// Of the reading's checks the one of the same quantity as `other`, where there is one.
+const Check& beside(const Check& other, const Reading& reading) {
+  const auto same = std::ranges::find(reading.checks, other.quantity, &Check::quantity);
+  return same != reading.checks.end() ? *same : tightest(reading);
+}
+
 std::string in_words(const std::string& text) {
   return with_powers(escaped(with_short_numbers(text), false));
 }
@@ -75,9 +81,10 @@ std::string numbers_of(const JudgedClaim& judged) {
   std::string text = "*" + in_words(printed.right.by) + "*" +
                      (one ? " (" + value_cell(printed.right.value, 7) + ")" : "") + ": print " +
                      deviation(printed);
-  if (judged.verdict == Verdict::erratum && !claim.corrected.checks.empty() &&
-      !counts_violations(tightest(claim.corrected)))
-    text += ", correction " + without_off(deviation(tightest(claim.corrected)));
+  if (judged.verdict == Verdict::erratum && !claim.corrected.checks.empty()) {
+    const Check& corrected = beside(printed, claim.corrected);
+    if (!counts_violations(corrected)) text += ", correction " + without_off(deviation(corrected));
+  }
   return text + ".\n\n";
 }
 

@@ -137,7 +137,8 @@ int not_explained(const std::vector<EngineContest>& contests) {
 
 }  // namespace
 
-std::string engines_page(const std::vector<EngineContest>& contests, const std::vector<Surprise>& surprises) {
+std::string engines_page(const std::vector<EngineContest>& contests, const std::vector<Surprise>& surprises,
+                         const std::string& programs) {
   std::string text =
       "# Engines on trial\n\n"
       "Other people's engines on the book's scenes; `./oddity engines --report` makes this page. A cell is the "
@@ -155,7 +156,7 @@ std::string engines_page(const std::vector<EngineContest>& contests, const std::
   text += "## What was found in the engines\n\n" + std::to_string(surprises.size()) +
           " things, each with the smallest program that shows it.\n\n";
   for (const Surprise& s : surprises)
-    text += "- [" + escaped(s.says) + "](../solvers/engines/found/" + s.file + ")\n";
+    text += "- [" + escaped(s.says) + "](" + programs + "/" + s.file + ")\n";
   return text;
 }
 

@@ -21,8 +21,9 @@ std::vector<Surprise> surprises_in(const std::filesystem::path& folder);
 using OwnByScene = std::map<std::string, std::vector<OwnSteps>>;
 
 /// What one wants to know first of all scenes, and what was found. Its pictures and trials are in `engines/`
-/// beside it.
-std::string engines_page(const std::vector<EngineContest>&, const std::vector<Surprise>&);
+/// beside it; `programs` is the way from the page to the folder of those that show what was found.
+std::string engines_page(const std::vector<EngineContest>&, const std::vector<Surprise>&,
+                         const std::string& programs);
 /// A table of each scene's trials, by the file's name.
 std::map<std::string, std::string> engine_trials(const std::vector<EngineContest>&);
 

@@ -13,8 +13,8 @@ namespace oddity {
 
 std::string two_digits(double x) {
   const std::string text = format_significant(x, 2);
-  const double size = std::abs(std::stod(text));
-  return size >= 100 && size < 1e6 ? std::to_string(std::lround(std::stod(text))) : text;
+  const double rounded = parse_number(text).value_or(x), size = std::abs(rounded);
+  return size >= 100 && size < 1e6 ? std::to_string(std::lround(rounded)) : text;
 }
 
 std::string full_name(const EngineSeries& s) {

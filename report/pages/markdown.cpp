@@ -157,7 +157,8 @@ std::string unfold(const std::string& summary, const std::string& text) {
 }
 
 std::string exercises_table(const std::vector<const ExerciseResult*>& exercises, Links links) {
-  constexpr std::array verdicts{Verdict::erratum, Verdict::misprint, Verdict::confirmed};
+  constexpr std::array verdicts{Verdict::erratum, Verdict::misprint, Verdict::confirmed,
+                                Verdict::not_checkable};
   std::vector<std::vector<std::string>> rows;
   for (const ExerciseResult* e : exercises) {
     Counts counts = counts_of(*e);
@@ -166,7 +167,8 @@ std::string exercises_table(const std::vector<const ExerciseResult*>& exercises,
     cells.push_back(std::to_string(e->quantities.size()));
     rows.push_back(std::move(cells));
   }
-  return table({"exercise", "errata", "misprints", "confirmed", "quantities"}, rows, "1234");
+  return table({"exercise", "errata", "misprints", "confirmed", "not checkable", "quantities"}, rows,
+               "12345");
 }
 
 /// A row for each exercise, folded up by chapter.

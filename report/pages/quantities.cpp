@@ -157,7 +157,11 @@ std::string quantity_head(const QuantityResult& q) {
   return "### " + code(q.name) + ": " + escaped(q.says, false) + "\n\n" +
          (one ? "**" + value_cell(q.reference.value, 16) + unit + "** (" : "Truth: ") +
          escaped(q.reference.by, false) + (one ? "), needed to " : "; needed to ") +
-         error_cell(q.need.allowed) + (one ? "" : unit) + (q.samples > 1 ? "; " + instants(q) : "") + ".\n\n";
+         error_cell(q.need.allowed) +
+         (one                                   ? ""
+          : unit.find(',') == std::string::npos ? unit
+                                                : " (" + unit.substr(1) + ")") +
+         (q.samples > 1 ? "; " + instants(q) : "") + ".\n\n";
 }
 
 std::string quantity_text(const ExerciseResult& e, const QuantityResult& q, bool charts) {

@@ -55,11 +55,13 @@ std::string trials_text(const auto& methods, const Screen& screen) {
   return aligned(rows, screen, trial_fit);
 }
 
+std::string with_unit(const std::string& unit) { return unit.empty() || unit == "1" ? "" : " " + unit; }
+
 std::string reference_text(const QuantityResult& q) {
   if (!finite(q.reference.value))
     return "none: " + readable(q.reference.by) +
            "\n  so no error is known, and no outcome below means anything";
-  return shown(q.reference.value, 17) + " " + q.unit + " +- " + shown_error(q.reference_error) + " (" +
+  return shown(q.reference.value, 17) + with_unit(q.unit) + " +- " + shown_error(q.reference_error) + " (" +
          readable(q.reference.by) + ")";
 }
 
@@ -139,9 +141,9 @@ std::string heading_of(const ExerciseResult& e, const Screen& screen) {
 std::string text_view(const ExerciseResult& e, const Screen& screen) {
   std::string text = heading_of(e, screen);
   for (const ParameterValue& p : e.parameters)
-    text += wrapped("  " + p.name + " = " + format_shortest(p.value) + (p.unit.empty() ? "" : " " + p.unit) +
-                        "  " + p.says + "\n",
-                    screen, 6);
+    text += wrapped(
+        "  " + p.name + " = " + format_shortest(p.value) + with_unit(p.unit) + "  " + readable(p.says) + "\n",
+        screen, 6);
   if (!e.failure.empty()) text += "  " + screen.styled(Style::bad, "FAILED") + ": " + e.failure + "\n";
   text += claims_text(e, screen);
   for (const QuantityResult& q : e.quantities) text += quantity_text(q, screen);

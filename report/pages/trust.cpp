@@ -114,15 +114,21 @@ Parts values_by_bound(const Bounds& bounds) {
 }
 
 Part errata_witnessed(const Results& results, const Witnessed& w) {
-  long errata = 0;
+  long errata = 0, at_its_letters = 0, at_others = 0, words = 0;
   for (const ExerciseResult& e : results.exercises)
-    errata += static_cast<long>(claims_of(e, Verdict::erratum).size());
+    for (const JudgedClaim* claim : claims_of(e, Verdict::erratum)) {
+      const std::string& id = claim->claim.id;
+      ++errata;
+      at_its_letters += w.at_its_letters.contains(id);
+      at_others += w.at_others.contains(id);
+      words += w.words.contains(id);
+    }
   return {"witnessed",
-          {"errata", w.right_and_printed + w.by_verdict, errata,
-           w.words == 0 ? "" : "of " + std::to_string(w.words) + " there is nothing to compute"},
+          {"errata", at_its_letters + at_others, errata,
+           words == 0 ? "" : "of " + std::to_string(words) + " there is nothing to compute"},
           "PARI/GP's own scripts",
-          {{"at the suite's letters, to ten digits", w.right_and_printed, errata},
-           {"at letters of their own", w.by_verdict, errata}}};
+          {{"at the suite's letters, to ten digits", at_its_letters, errata},
+           {"at letters of their own", at_others, errata}}};
 }
 
 /// The shares of a record, added up.

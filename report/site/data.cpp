@@ -72,7 +72,7 @@ Json from(double x) {
   return std::abs(x) < 1e9 && x == std::round(x) ? Json(std::lround(x)) : Json(x);
 }
 Json brief(double x, int digits = 4) {
-  return std::isfinite(x) ? from(std::stod(format_significant(x, digits))) : Json(nullptr);
+  return std::isfinite(x) ? from(parse_number(format_significant(x, digits)).value()) : Json(nullptr);
 }
 Json brief_all(const std::vector<double>& numbers, int digits = 4) {
   Json all = Json::array();

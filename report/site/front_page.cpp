@@ -243,7 +243,7 @@ std::string all_exercises(const Results& results) {
   }
   return "<section id=\"exercises\">\n<h2>All exercises</h2>\n<p class=\"legend\"><span class=\"count "
          "erratum\">1</span> errata <span class=\"count misprint\">1</span> misprints <span class=\"count "
-         "confirmed\">1</span> confirmed claims</p>\n<div class=\"chapters\">\n" +
+         "confirmed\">1</span> confirmed claims <span class=\"count not-checkable\">1</span> not checkable</p>\n<div class=\"chapters\">\n" +
          text + "</div>\n</section>\n";
 }
 
@@ -252,7 +252,7 @@ std::string all_exercises(const Results& results) {
 std::string front_page(const Results& results) {
   return html::whole({"oddity: the solutions of Game Physics, checked by machine",
                       opening(results) + what_is_wrong(results) + for_games(results) + all_exercises(results),
-                      {"assets/engine.js", "assets/stage.js"},
+                      {},
                       "front"});
 }
 

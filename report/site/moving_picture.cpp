@@ -113,9 +113,7 @@ std::string primitive_text(const Film& film, std::size_t which, const View& view
     }
     const double size = view.scale() * first.size,
                  radius = first.kind == Kind::disc ? size : std::clamp(size, 7.0, 18.0);
-    const std::string name = first.kind == Kind::body   ? "body"
-                             : first.kind == Kind::disc ? "disc"
-                                                        : "support";
+    const std::string name = first.kind == Kind::body ? "body" : "disc";
     return shape("circle", still(name) + " r=\"" + pixels(radius) + "\"", {x, y}, seconds);
   }
   Moving points{"points"};

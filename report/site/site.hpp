@@ -18,7 +18,7 @@
 ///   index.html, 3.5.html, ...   pages
 ///   errata.json                 what is wrong, for programs, with errata.schema.json
 ///   assets/*.js, *.css          report/site/assets, as they are
-///   assets/models.js            the models, compiled (players.hpp); not there without the module
+///   assets/models.js            the models, compiled (players.hpp); without the module it has none
 ///   data/search.js              what the search looks through
 ///   bouncing_ball.html          an example that is no exercise (example.hpp)
 ///   data/3.5.js                 an exercise's methods, trials, limits and motions (data.hpp)

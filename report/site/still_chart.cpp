@@ -85,7 +85,7 @@ class Chart {
   std::string axis() const {
     if (across_ == Across::evaluations) return q_.in_operations ? "operations" : "evaluations";
     for (const Curve& curve : curves_)
-      if (const std::string& knob = curve.method->trials.front().knob; !knob.empty()) return knob;
+      if (const std::string& knob = curve.method->trials.front().knob; !knob.empty()) return in_xml(knob);
     return "setting";
   }
   /// What has no number, or is far off, is at the upper edge.

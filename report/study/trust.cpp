@@ -45,9 +45,10 @@ Witnessed witnessed_in(const fs::path& folder) {
   Witnessed all;
   if (!fs::exists(folder / "witness.csv")) return all;
   for (const CsvRow& row : read_csv(folder / "witness.csv").rows)
-    ++(row.cells.at(1) == "both" || row.cells[1] == "right" ? all.right_and_printed : all.by_verdict);
+    (row.cells.at(1) == "both" || row.cells[1] == "right" ? all.at_its_letters : all.at_others)
+        .insert(row.cells[0]);
   if (fs::exists(folder / "words.csv"))
-    all.words = static_cast<long>(read_csv(folder / "words.csv").rows.size());
+    for (const CsvRow& row : read_csv(folder / "words.csv").rows) all.words.insert(row.cells.at(0));
   return all;
 }
 

@@ -19,9 +19,9 @@ struct Bounds {
 
 /// Errata that PARI/GP was asked about.
 struct Witnessed {
-  long right_and_printed = 0;  ///< both sides to ten digits, or what is right alone
-  long by_verdict = 0;         ///< at letters of its own
-  long words = 0;              ///< there is nothing to compute
+  std::set<std::string> at_its_letters;  ///< claims: both sides to ten digits, or what is right alone
+  std::set<std::string> at_others;       ///< claims, at letters of the witness's own
+  std::set<std::string> words;           ///< claims in which there is nothing to compute
 };
 
 /// What was tried at a date and a commit.

@@ -67,11 +67,13 @@ Kinds by_decades(const std::vector<double>& numbers) {
   if (!(least <= most)) throw BadInput("no cell has a number to show");
   const double from = std::floor(least);
   const double decades = std::max(1.0, std::ceil((most - from) / static_cast<double>(shades.size())));
+  const auto decade = [&](std::size_t i) {
+    const double power = from + decades * static_cast<double>(i);
+    return with_powers("1e" + std::string(power < 0 ? "" : "+") + format_shortest(power));
+  };
   Kinds all;
   for (std::size_t i = 0; i < shades.size(); ++i)
-    all.kinds.push_back(
-        {shades[i], with_powers("1e" + format_shortest(from + decades * static_cast<double>(i))) + " to " +
-                        with_powers("1e" + format_shortest(from + decades * static_cast<double>(i + 1)))});
+    all.kinds.push_back({shades[i], decade(i) + " to " + decade(i + 1)});
   all.kinds.push_back({unknown, "none, or not finite"});
   for (double x : numbers) {
     const double shade = x == 0 ? 0 : std::floor((std::log10(x) - from) / decades);

@@ -190,6 +190,9 @@ void divide(Plan& plan, const Speed& speed, double seconds_a_chunk) {
 void require_axis(const Asked& asked, const Axis& axis, const Method* method) {
   const std::string name = "the axis " + axis.name;
   if (axis.count < 2) throw BadInput(name + " needs two cells or more");
+  if (!(axis.from < axis.to))
+    throw BadInput(name + " goes upward, and not from " + format_shortest(axis.from) + " to " +
+                   format_shortest(axis.to));
   if (axis.by_factor && !(axis.from > 0 && axis.to > 0))
     throw BadInput(name + " goes by a factor, and needs ends above zero");
   if (is_setting(axis)) {

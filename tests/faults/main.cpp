@@ -5,7 +5,9 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "reference/bad_input.hpp"
 #include "reference/files.hpp"
+#include "reference/text.hpp"
 #include "tests/faults/trials.hpp"
 #include "tests/scratch_folder.hpp"
 
@@ -13,7 +15,11 @@ namespace {
 
 int number_in_environment(const char* name, int usual) {
   const char* text = std::getenv(name);
-  return text && *text ? std::atoi(text) : usual;
+  if (!text || !*text) return usual;
+  const auto number = oddity::parse_number(text);
+  if (!number || !(*number >= 1 && *number < 1e9))
+    throw oddity::BadInput(std::string(name) + " must be a whole number from 1 on, and is " + text);
+  return static_cast<int>(*number);
 }
 
 bool is_asked(const std::string& verb, int argc, char** argv) {

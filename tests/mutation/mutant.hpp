@@ -38,27 +38,26 @@ struct Run {
   }
 };
 
-inline const Run& run() {
-  static const Run once;
-  return once;
-}
+/// Before all that is computed at the start of the program.
+inline __attribute__((init_priority(101))) const Run run;
 
 /// Whether one of the `count` mutants from `first` on may be chosen, or is to be noted.
 constexpr bool among(int first, int count) {
   if (__builtin_is_constant_evaluated()) return false;
-  return run().reached || static_cast<unsigned>(run().chosen - first) < static_cast<unsigned>(count);
+  return run.reached || static_cast<unsigned>(run.chosen - first) < static_cast<unsigned>(count);
 }
 
 constexpr bool chosen(int mutant) {
   if (__builtin_is_constant_evaluated()) return false;
-  if (run().reached) run().reached[mutant] = seen;
-  return run().chosen == mutant;
+  // Written once: threads that all wrote there would wait for each other.
+  if (run.reached && run.reached[mutant] != seen) run.reached[mutant] = seen;
+  return run.chosen == mutant;
 }
 
 /// It is not there for these types.
 constexpr void absent(int mutant) {
   if (__builtin_is_constant_evaluated()) return;
-  if (run().reached && run().reached[mutant] == unseen) run().reached[mutant] = seen_without_it;
+  if (run.reached && run.reached[mutant] == unseen) run.reached[mutant] = seen_without_it;
 }
 
 template <class A>

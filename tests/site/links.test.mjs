@@ -75,7 +75,9 @@ function readChooser(hash) {
 for (const [what, seeds, read] of [['a player', players, readPlayer], ['the chooser', choosers, readChooser]])
   test(`any link to ${what} is a state or a problem`, () => {
     const below = random(process.env.ODDITY_SEED ?? 1);
-    for (let left = Number(process.env.FUZZ_LINKS ?? 20000); left > 0; --left) {
+    const count = Number(process.env.FUZZ_LINKS ?? 20000);
+    assert.ok(count >= 1, 'FUZZ_LINKS is how many');
+    for (let left = count; left > 0; --left) {
       const hash = mutated(seeds[below(seeds.length)], below);
       read(hash);
     }

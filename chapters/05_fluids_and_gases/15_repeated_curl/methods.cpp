@@ -83,9 +83,9 @@ Quantity nth_curl(const At& at, const Reference& truth) {
   const Point x = at.x;
   const PlaneWaves f{at.waves.w};
   const std::string times = std::to_string(n);
-  Quantity q =
-      quantity("curl_" + times, "1/m^" + times, "the curl of plane waves, applied $n=" + times + "$ times",
-               known, {1e-7 * size_of(known.value), "seven digits of the largest component"});
+  Quantity q = quantity("curl_" + times, n == 1 ? "1/m" : "1/m^" + times,
+                        "the curl of plane waves, applied $n=" + times + "$ times", known,
+                        {1e-7 * size_of(known.value), "seven digits of the largest component"});
   const std::string dual = "nested dual numbers";
   q.add({"repeated curl", dual, no_knob(), [=](double) {
            long calls = 0;
@@ -112,7 +112,8 @@ Quantity nth_curl(const At& at, const Reference& truth) {
     return Answer{value, calls};
   };
   constexpr int finest[] = {31, 25, 17, 13};
-  const std::string why = "rounding grows as $1/h^" + times + "$";
+  const std::string why =
+      n == 1 ? std::string("rounding grows as $1/h$") : "rounding grows as $1/h^" + times + "$";
   q.add({"repeated curl", "central differences 2", steps(finest[n - 1]),
          [=](double h) { return differenced(ByDifferences<2>{h}); }, Outcome::inaccurate, why});
   q.add({"repeated curl", "central differences 4", steps(finest[n - 1]),

@@ -288,11 +288,16 @@
       );
     }
 
+    /** What is pressed above the chart stays so in the next. */
+    function lookAtAxis() {
+      const pressed = figure.querySelector('.choice [aria-pressed=true]');
+      if (pressed) axis = pressed.textContent === 'time' ? 'time' : 'evaluations';
+    }
+
     function draw(found, last) {
       const chosen = last ? pick(found.rows, state.budget ? state.budget.value : null) : null;
       const quantity = quantityOf(state, found);
-      const pressed = figure.querySelector('.choice [aria-pressed=true]');
-      if (pressed) axis = pressed.textContent === 'time' ? 'time' : 'evaluations';
+      lookAtAxis();
       if (axis === 'time') quantity.charts.reverse();
       chart(figure, quantity, {
         styles: state.scene.styles,
@@ -364,14 +369,15 @@
     }
 
     function say(text) {
+      lookAtAxis();
       result.replaceChildren(element('p', {}, text));
       figure.replaceChildren();
       table.replaceChildren();
     }
 
-    function begin() {
+    function begin(hash = location.hash) {
       try {
-        state = fromHash(location.hash, scenes);
+        state = fromHash(hash, scenes);
         message.textContent = '';
       } catch (error) {
         state = usual(first(scenes));
@@ -390,8 +396,11 @@
       message.textContent = "The scenes' data are missing.";
       return;
     }
-    begin();
-    addEventListener('hashchange', begin);
+    /** Not where a link leads to a place of the page. */
+    const asked = () => !document.getElementById(location.hash.slice(1));
+    if (asked()) begin();
+    else begin('');
+    addEventListener('hashchange', () => asked() && begin());
     const ready = oddity.engine ? oddity.engine.ready : Promise.resolve(false);
     ready.then((runs) => {
       if (!runs)

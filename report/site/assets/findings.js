@@ -428,6 +428,9 @@
     return lines;
   }
 
+  /** Whether a model has the book's errors in it, by its name. */
+  oddity.isPublished = (model) => /as (printed|published|proposed)|^published|printed listing/.test(model);
+
   oddity.charts = Object.assign(oddity.charts || {}, {
     power,
     number,

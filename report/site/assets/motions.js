@@ -4,7 +4,6 @@
   'use strict';
 
   const kept = 60;          // motions in the cache
-  const published = /as (printed|published)|^published|of the printed listing/;
   const finest = 'Fehlberg 7(8)';
   const byEngine = 'physics engine, as it comes';
   const sevenDigits = 1.2e-7;
@@ -188,7 +187,7 @@
     /** The model that the study solves by the most algorithms: what an engine would take. */
     function engines() {
       const count = (model) => tried.filter((t) => t.model === model).length;
-      return models.filter((m) => !published.test(m) && find(m, 'explicit Euler')).sort((a, b) => count(b) - count(a))[0];
+      return models.filter((m) => !oddity.isPublished(m) && find(m, 'explicit Euler')).sort((a, b) => count(b) - count(a))[0];
     }
 
     /** What is enough for a game at the least, and what an engine does today. */
@@ -210,7 +209,7 @@
       const others = methods.filter((m) => m.path && m.model !== byEngine && !rows.some((r) => r.model === m.model));
       const right = others.filter((m) => isOk(m.path.outcome));
       const wrong = others.filter((m) => !isOk(m.path.outcome))
-        .sort((a, b) => published.test(b.model) - published.test(a.model));
+        .sort((a, b) => oddity.isPublished(b.model) - oddity.isPublished(a.model));
       return (rows.length ? [...wrong, ...right] : [...right.slice(0, 1), ...wrong, ...right.slice(1)]).map((m) => asRow(m));
     }
 
@@ -222,7 +221,7 @@
         return asRow(method, method.knob === 'tolerance' ? 1e-9 : frame / 4);
       };
       const right = richest || null;
-      const printed = models.filter((m) => published.test(m)).map(finestOf);
+      const printed = models.filter(oddity.isPublished).map(finestOf);
       if (!printed.length) return null;
       return right ? [asRow(find(right.model, right.algorithm), 1e-9), ...printed].slice(0, 4) : printed.slice(0, 4);
     }

@@ -74,7 +74,7 @@
     return Number.isFinite(x) ? x : null;
   };
 
-  /** A value in its field: all its digits, or 1/60 where it is one. */
+  /** A value in its field: six digits, or 1/60 where it is one. */
   oddity.inField = function (x) {
     const inverse = 1 / x;
     const whole = Math.abs(inverse - Math.round(inverse)) <= 1e-12 * inverse;

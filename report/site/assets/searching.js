@@ -120,7 +120,7 @@
 
   const isMultistep = (name) => /^(Adams-|ms|CVODE)/.test(name);
   /** Models that have the book's errors in them are tried, and not advised. */
-  const isPublished = (row) => /as published|printed listing/.test(row.model);
+  const isPublished = (row) => oddity.isPublished(row.model);
   const isSimple = (row) =>
     row.knob !== 'tolerance' && !isMultistep(row.algorithm) && !row.algorithm.startsWith('linearly implicit');
 
