@@ -9,7 +9,7 @@ endif()
 message(STATUS "Arb: tables are made with enclosures")
 file(GLOB enclosure_files CONFIGURE_DEPENDS reference/enclosures/*.cpp)
 register_truths(${PROJECT_BINARY_DIR}/truths_in_balls.cpp ${truth_files})
-add_library(oddity_enclosures STATIC ${enclosure_files} ${truth_files} reference/make/tape.cpp
+add_library(oddity_enclosures STATIC ${enclosure_files} ${truth_files} reference/make/recorded.cpp reference/make/tape.cpp
   reference/make/checkpoints.cpp ${PROJECT_BINARY_DIR}/truths_in_balls.cpp)
 target_compile_definitions(oddity_enclosures PRIVATE ODDITY_BALLS truth=truth_in_balls)
 target_include_directories(oddity_enclosures SYSTEM PRIVATE ${ARB_INCLUDE_DIR})

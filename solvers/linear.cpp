@@ -266,7 +266,8 @@ Solved<double> determinant(const MatrixXd& a) {
   solved.evaluations = work_of_determinant(n);
   if (!std::isfinite(solved.value)) {
     solved.ending = Ending::non_finite;
-    solved.message = "the determinant is not finite: it, or a product on the way, overflows";
+    solved.message = a.allFinite() ? "the determinant is not finite: it, or a product on the way, overflows"
+                                   : "the matrix is not finite";
   }
   return solved;
 }

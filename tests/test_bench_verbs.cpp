@@ -1,5 +1,7 @@
 // What verbs take, and how their work grows.
 
+#include <csignal>
+
 #include "report/cli/bench_verbs.hpp"
 #include "report/study/run_program.hpp"
 #include "tests/catch.hpp"
@@ -16,6 +18,12 @@ TEST_CASE("a program reads what it is given, and what it says is had whole", "[b
   CHECK(said.ok);
   CHECK(said.output == "two\nlines");
   CHECK(said.words.empty());
+}
+
+TEST_CASE("a program that failed has failed, also where nobody is told of ended children", "[bench]") {
+  const auto usual = std::signal(SIGCHLD, SIG_IGN);
+  CHECK_FALSE(run_program({"false"}, "", std::chrono::minutes(1)).ok);
+  std::signal(SIGCHLD, usual);
 }
 
 TEST_CASE("a verb's row has its time, its memory and how it failed; a growth has a row a point", "[bench]") {

@@ -67,6 +67,15 @@ TEST_CASE("the same question gets the same answer, and says where its times come
   for (int i = 0; i < 3; ++i) CHECK(printed(question).output == kept.output);
 }
 
+TEST_CASE("choose takes no method with a history where none is wanted", "[commands]") {
+  const std::string asked = "choose 3.5 --error 1e-9 --all --csv";
+  for (const char* multistep : {"Adams-Bashforth", "Adams-Bashforth-Moulton", "GSL msadams", "GSL msbdf"}) {
+    INFO(multistep);
+    CHECK(says(printed(asked), multistep));
+    CHECK_FALSE(says(printed(asked + " --one-step"), multistep));
+  }
+}
+
 TEST_CASE("choose asks for what is held as a length", "[commands]") {
   const Ran ran = run("choose 3.5 --criterion constraint --error 1mm --horizon 1 --only Cartesian");
   CHECK(ran.status == 0);

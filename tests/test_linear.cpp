@@ -123,6 +123,7 @@ TEST_CASE("NaN and infinity end non_finite", "[solvers]") {
     b(1) = bad;
     for (Factorization how : all) CHECK(solve(how, MatrixXd::Identity(2, 2), b).ending == Ending::non_finite);
     CHECK(determinant(a).ending == Ending::non_finite);
+    CHECK(determinant(a).message == "the matrix is not finite");
     CHECK(std::isnan(condition(a)));
     CHECK(rank(a) == 0);
   }

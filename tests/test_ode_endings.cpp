@@ -205,6 +205,24 @@ TEST_CASE("a right-hand side that is NaN is never reached through", "[solvers]")
   });
 }
 
+TEST_CASE("a Jacobian that cannot be had leads nowhere, whatever the memory held before", "[solvers]") {
+  const auto root = [](const State& x, State& dxdt, double) { dxdt = {-std::sqrt(x[0]), 0}; };
+  CHECK(integrate<ImplicitEuler>(root, State{1e-6, 0}, 0, 1e-3, 1e-3).ending == Ending::non_finite);
+  CHECK_FALSE(integrate<Rosenbrock4>(root, State{1e-6, 0}, 0, 1e-3, 1e-6).reached());
+}
+
+TEST_CASE("where no time passes nothing moves", "[solvers]") {
+  for_each_algorithm([]<class Algorithm>() {
+    INFO(Algorithm::name);
+    for (const double t : {0.0, 2.0}) {
+      const std::array times{t, t};
+      const auto solved = integrate<Algorithm>(oscillator.system, State{1, 0}, times, fine<Algorithm>);
+      CHECK(solved.reached());
+      CHECK(solved.value.back() == State{1, 0});
+    }
+  });
+}
+
 TEST_CASE("a state that is not finite at the start is not reached", "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);

@@ -89,6 +89,21 @@ TEST_CASE("numbers that are not finite become null and come back as NaN", "[repo
   CHECK(std::isnan(read.exercises[0].quantities[0].methods[0].trials[0].error));
 }
 
+TEST_CASE("what a model errs by at a border comes back as it was: none, no number and infinite", "[report]") {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Results results = sample();
+  BreakEven border{"one angle", "a", "rad", {0, 1}, {{0, 0.5}}};
+  border.holding = {std::numeric_limits<double>::quiet_NaN()};
+  border.failing = {1.5, infinity};
+  results.exercises[0].cheapest_models = CheapestModels{"rad", {}, {border}, {}};
+  const Results read = results_from_json(to_json(results), "here");
+  REQUIRE(read.exercises[0].cheapest_models);
+  const BreakEven& back = read.exercises[0].cheapest_models->break_evens.at(0);
+  REQUIRE(back.holding.size() == 1);
+  CHECK(std::isnan(back.holding[0]));
+  CHECK(back.failing == border.failing);
+}
+
 TEST_CASE("what is no results file is refused with its place", "[report]") {
   CHECK_THROWS_AS(results_from_json("{}", "here"), BadInput);
   CHECK_THROWS_AS(results_from_json("{\"format\": 1, \"exercises\": [{}]}", "here"), BadInput);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "reference/enclosures/recorded.hpp"
+#include "reference/make/recorded.hpp"
 
 /// How far a motion is analytic, by Picard's operator in the complex plane.
 namespace oddity::truth {

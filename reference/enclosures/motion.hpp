@@ -4,8 +4,8 @@
 
 #include "reference/enclosures/disc.hpp"
 #include "reference/enclosures/parallelepiped.hpp"
-#include "reference/enclosures/recorded.hpp"
 #include "reference/make/dual.hpp"
+#include "reference/make/recorded.hpp"
 
 /// Initial value problems by Taylor series whose remainders are bounded, in balls.
 namespace oddity::truth {
@@ -33,15 +33,7 @@ class TaylorProblem {
  public:
   template <class Rhs>
   TaylorProblem(const Rhs& rhs, std::size_t dimension) {
-    std::vector<Jet> x;
-    for (std::size_t i = 0; i < dimension; ++i) x.push_back(motion_.variable());
-    const Jet t = motion_.variable();
-    const std::vector<Jet> dxdt = rhs(x, t);
-    for (std::size_t i = 0; i < dimension; ++i) {
-      motion_.unknowns.push_back(x[i].node);
-      motion_.derivatives.push_back(dxdt[i].node);
-    }
-    motion_.time = t.node;
+    motion_.record(rhs, dimension);
     record_slopes(rhs, dimension);
   }
 

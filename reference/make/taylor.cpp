@@ -10,33 +10,29 @@
 
 namespace oddity::truth {
 
-/// Fills the tape with the series about (x, t); returns the step that its last quarter of terms allows: of
-/// fewer all may vanish, as of exp(t^5) about zero.
-Number TaylorProblem::expand(const Numbers& x, const Number& t, int order, const Number& tolerance) {
-  tape_.resize(order);
-  for (std::size_t i = 0; i < x.size(); ++i) tape_.set(unknowns_[i], 0, x[i]);
-  tape_.set(time_, 0, t);
-  tape_.set(time_, 1, 1);
-  for (int k = 0; k < order; ++k) {
-    tape_.advance(k);
-    for (std::size_t i = 0; i < x.size(); ++i)
-      tape_.set(unknowns_[i], k + 1, tape_.get(derivatives_[i], k) / (k + 1));
-  }
+namespace {
+
+/// The step that the last quarter of the terms allows: of fewer all may vanish, as of exp(t^5) about zero.
+Number length_of(const std::vector<Numbers>& series, int order, const Number& tolerance) {
   double growth = 0;  // of the coefficients, from order to order
   for (int k = order - order / 4; k <= order; ++k) {
     Number largest = 0;
-    for (int unknown : unknowns_) largest = std::max<Number>(largest, abs(tape_.get(unknown, k)));
+    for (const Numbers& one : series)
+      largest = std::max<Number>(largest, abs(one[static_cast<std::size_t>(k)]));
     if (largest > 0) growth = std::max(growth, static_cast<double>(exp(log(largest) / k)));
   }
   return Number(0.9 * static_cast<double>(exp(log(tolerance) / order)) / growth);
 }
 
+}  // namespace
+
 TaylorProblem::Step TaylorProblem::step(const Numbers& x, const Number& t, const Number& t1, int digits) {
   const int order = digits + digits / 4 + 4;
-  Step step{t, expand(x, t, order, pow(Number(10), -digits - 4)), {}};
+  recorded_.expand(x, t, order);
+  Step step{t, 0, recorded_.series()};
+  step.length = length_of(step.series, order, pow(Number(10), -digits - 4));
   if (step.length < abs(Number(t1 - t)) * pow(Number(10), -20))
     throw std::runtime_error("Taylor series: the step became too small");
-  for (int unknown : unknowns_) step.series.push_back(tape_.series(unknown));
   return step;
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "reference/make/motions.hpp"
-#include "reference/make/tape.hpp"
+#include "reference/make/recorded.hpp"
 
 /// Initial value problems by Taylor series in high precision.
 namespace oddity::truth {
@@ -19,15 +19,7 @@ class TaylorProblem {
  public:
   template <class Rhs>
   TaylorProblem(const Rhs& rhs, std::size_t dimension) {
-    std::vector<Jet> x;
-    for (std::size_t i = 0; i < dimension; ++i) x.push_back(variable());
-    const Jet t = variable();
-    const std::vector<Jet> dxdt = rhs(x, t);
-    for (std::size_t i = 0; i < dimension; ++i) {
-      unknowns_.push_back(x[i].node);
-      derivatives_.push_back(dxdt[i].node);
-    }
-    time_ = t.node;
+    recorded_.record(rhs, dimension);
   }
 
   /// The state at t1 from the state at t0, each step's remainder below 10^-digits. Throws std::runtime_error
@@ -44,12 +36,7 @@ class TaylorProblem {
   Step step(const Numbers& x, const Number& t, const Number& t1, int digits);
 
  private:
-  Jet variable() { return {&tape_, tape_.put({Tape::Op::variable})}; }
-  Number expand(const Numbers& x, const Number& t, int order, const Number& tolerance);
-
-  Tape tape_;
-  std::vector<int> unknowns_, derivatives_;
-  int time_ = -1;
+  Recorded recorded_;
 };
 
 /// A motion by the polynomials of its steps.

@@ -32,7 +32,7 @@ struct Orbiter {
   Number x, y, vx, vy;
 };
 
-/// The place at the time t >= 0 after the start.
+/// The place at the time t > 0 after the start.
 inline Numbers by_universal_kepler(const Number& mu, const Orbiter& a, const Number& t, int digits) {
   const Number root = sqrt(mu), r0 = sqrt(a.x * a.x + a.y * a.y);
   const Number s = (a.x * a.vx + a.y * a.vy) / root, alpha = 2 / r0 - (a.vx * a.vx + a.vy * a.vy) / mu;

@@ -56,7 +56,7 @@ std::size_t simplicity(std::string_view algorithm) {
 }
 
 bool is_multistep(std::string_view algorithm) {
-  return algorithm.starts_with("Adams-") || algorithm.starts_with("ms") || algorithm.starts_with("CVODE");
+  return algorithm.starts_with("Adams-") || algorithm.starts_with("GSL ms") || algorithm.starts_with("CVODE");
 }
 
 bool is_simple(const Candidate& t) {
@@ -145,6 +145,7 @@ class Search {
   /// The unseen are seen from now on.
   void take_more_starts() {
     const Stopwatch watch(spent_.truths);
+    motions_.emplace(progress_, "making more true motions", unseen_starts);
     std::ranges::move(unseen_, std::back_inserter(seen_));
     unseen_ = starts_.beside(unseen_starts);
     for (Tries& tries : tries_) tries.again(need_);

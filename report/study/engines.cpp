@@ -29,13 +29,13 @@ struct CannotBeHad : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-EngineProgram about(std::vector<std::string> command) {
+EngineProgram about(std::vector<std::string> command) try {
   std::vector<std::string> words = command;
   words.push_back("--about");
   const Ended ended = run_program(words, "", std::chrono::seconds(30));
   if (!ended.ok) throw BadInput(command.back() + " --about: " + ended.how + " " + ended.words);
   const auto json = nlohmann::json::parse(ended.output);
-  EngineProgram engine{std::move(command),
+  EngineProgram engine{command,
                        json.at("name"),
                        json.at("version"),
                        json.at("precision"),
@@ -45,6 +45,8 @@ EngineProgram about(std::vector<std::string> command) {
     engine.variants.push_back({v.at("name"), v.at("says"), v.at("order"), v.at("defaults"),
                                v.value("lasting", ""), v.value("friction", "")});
   return engine;
+} catch (const nlohmann::json::exception& error) {
+  throw BadInput("an engine does not say what it is: " + std::string(error.what()));
 }
 
 /// As run_program; what cannot even be started has failed too.
@@ -86,6 +88,10 @@ Outcome outcome_of(const EngineTrial& trial, std::size_t frames, const EngineSce
 }
 
 void judge(EngineTrial& trial, const EngineScene& contest, const engines::Reply& reply) {
+  if (reply.frames.empty() || reply.seconds.empty()) {  // its start is no number
+    trial.outcome = Outcome::non_finite;
+    return;
+  }
   std::vector<double> seen = observed(contest, reply.frames);
   trial.errors = contest.motion.errors(seen);
   trial.in_needs = contest.motion.in_needs(trial.errors);

@@ -1,5 +1,6 @@
 #include <array>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -206,9 +207,16 @@ CheapestModel cheapest_model(const Json& json) {
 Json from(const Interval& interval) { return Json::array({from(interval.from), from(interval.to)}); }
 Interval interval(const Json& json) { return {number(json.at(0)), number(json.at(1))}; }
 
+/// Also where it is one number; what is infinite stays so.
+Json listed(const std::vector<double>& numbers) {
+  Json json = Json::array();
+  for (double x : numbers) json.push_back(std::isinf(x) ? Json("infinite") : from(x));
+  return json;
+}
 std::vector<double> numbers(const Json& json) {
   std::vector<double> all;
-  for (const Json& x : json) all.push_back(number(x));
+  for (const Json& x : json)
+    all.push_back(x == "infinite" ? std::numeric_limits<double>::infinity() : number(x));
   return all;
 }
 
@@ -220,8 +228,8 @@ Json from(const BreakEven& b) {
           {"parameter_unit", b.parameter_unit},
           {"looked", from(b.looked)},
           {"enough", enough},
-          {"holding", from(Value(b.holding))},
-          {"failing", from(Value(b.failing))},
+          {"holding", listed(b.holding)},
+          {"failing", listed(b.failing)},
           {"coarse", b.coarse},
           {"why", b.why}};
 }

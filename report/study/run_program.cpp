@@ -7,6 +7,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <memory>
 #include <system_error>
@@ -76,6 +78,7 @@ Ended run_program(const std::vector<std::string>& command, const std::string& in
   using namespace std::chrono_literals;
   Scratch given, answered, said;
   given.write(input);
+  std::signal(SIGCHLD, SIG_DFL);  // where it is ignored, nobody is told how a program ended
   const pid_t child = spawn(command, given.descriptor(), answered.descriptor(), said.descriptor());
   if (memory > 0) {
     const rlimit most{memory, memory};
@@ -86,13 +89,15 @@ Ended run_program(const std::vector<std::string>& command, const std::string& in
   int status = 0;
   bool late = false;
   rusage used{};
-  while (wait4(child, &status, WNOHANG, &used) == 0) {
+  pid_t ended = 0;
+  while ((ended = wait4(child, &status, WNOHANG, &used)) == 0) {
     if (!late && std::chrono::steady_clock::now() > deadline) {
       late = true;
       kill(child, SIGKILL);
     }
     std::this_thread::sleep_for(2ms);
   }
+  require(ended == child, errno, command.front().c_str());
   const double seconds = std::chrono::duration<double>(limit).count();
   return {!late && WIFEXITED(status) && WEXITSTATUS(status) == 0,
           late                  ? "no answer within " + format_significant(seconds, 3) + " s"

@@ -86,9 +86,9 @@ class Merging {
 
  private:
   std::uint16_t place_of(const std::string& name) {
-    if (places_.size() > std::numeric_limits<std::uint16_t>::max())
-      throw BadInput("more than 65,536 different endings");
-    return places_.try_emplace(name, static_cast<std::uint16_t>(places_.size())).first->second;
+    const auto [found, is_new] = places_.try_emplace(name, static_cast<std::uint16_t>(places_.size()));
+    if (is_new && places_.size() > 65'536) throw BadInput("more than 65,536 different endings");
+    return found->second;
   }
 
   Map& map_;

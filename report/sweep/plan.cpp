@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <nlohmann/json.hpp>
 
 #include "chapters/scene.hpp"
@@ -82,6 +83,8 @@ class Looks {
     try {
       return asked_.algorithm.empty() ? chosen(task) : tried(task, key, setting);
     } catch (const OutOfTime&) {
+      throw;
+    } catch (const std::bad_alloc&) {  // of this machine, not of the cell
       throw;
     } catch (const std::exception&) {
       return {std::string(no_truth)};

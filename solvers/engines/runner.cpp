@@ -98,7 +98,8 @@ class Run {
   void back_to(int frame) {
     simulation_->restore();
     frame_ = frame;
-    frames.resize(static_cast<std::size_t>(frame) + 1);
+    frames.resize(std::min(frames.size(), static_cast<std::size_t>(frame) + 1));
+    finite_ = frames.size() == static_cast<std::size_t>(frame) + 1;
   }
 
   double seconds = 0;
@@ -123,9 +124,10 @@ class Run {
 
 bool same_bits(const std::vector<std::vector<State>>& a, const std::vector<std::vector<State>>& b) {
   static_assert(std::is_trivially_copyable_v<State>);
+  if (a.size() != b.size()) return false;
   for (std::size_t i = 0; i < a.size(); ++i)
     if (std::memcmp(a[i].data(), b[i].data(), a[i].size() * sizeof(State)) != 0) return false;
-  return a.size() == b.size();
+  return true;
 }
 
 std::string restored(const Request& request) {

@@ -88,7 +88,8 @@ class Run {
   backTo(frame) {
     this.simulation.restore();
     this.frame = frame;
-    this.frames.length = frame + 1;
+    this.frames.length = Math.min(this.frames.length, frame + 1);
+    this.finite = this.frames.length === frame + 1;
   }
 
   see() {

@@ -5,7 +5,8 @@
 /// Elementary functions of registers, for lanes. A register of one takes the same operations in the same
 /// order as a wide one, none of them fused, so that a number has the same bits on every instruction set. Each
 /// is within three units in the last place in double and in float (tests/test_lanes_functions.cpp), but for
-/// hypot, which is the root of the sum of squares, with its range.
+/// hypot, which is the root of the sum of squares, with its range, for asinh, where x^2 is no number, and for
+/// sinh and cosh, where e^|x| is none.
 namespace oddity::lanes {
 
 template <class V>
@@ -26,7 +27,7 @@ template <class V>
 }
 /// To the nearest whole number, where it is below a quarter of `shift`.
 template <class V>
-[[gnu::always_inline]] inline V format_significant(const V& x) {
+[[gnu::always_inline]] inline V rounded(const V& x) {
   constexpr auto shift = Series<Number<V>>::shift;
   return (x + shift) - shift;
 }
@@ -63,7 +64,7 @@ template <class V>
 template <class V>
 [[gnu::always_inline]] inline V sine_from(const V& x, Number<V> quarters) {
   using S = Series<Number<V>>;
-  const V n = format_significant(V(x * S::quarters_per_radian));
+  const V n = rounded(V(x * S::quarters_per_radian));
   const V r = x - n * S::quarter[0] - n * S::quarter[1] - n * S::quarter[2], z = r * r;
   const auto quadrant = bits(V(n + quarters + S::shift));
   const V sine = r + r * z * polynomial(z, S::sine);
@@ -109,7 +110,7 @@ struct Split {
 template <class V>
 [[gnu::always_inline]] inline Split<V> split(const V& x) {
   using S = Series<Number<V>>;
-  const V n = format_significant(V(x * S::octaves_per_one)), r = x - n * S::octave[0] - n * S::octave[1];
+  const V n = rounded(V(x * S::octaves_per_one)), r = x - n * S::octave[0] - n * S::octave[1];
   return {n, r + r * r * polynomial(r, S::exponential)};
 }
 /// NaN stays.
@@ -123,7 +124,7 @@ template <class V>
 [[gnu::always_inline]] inline V exp(const V& x) {
   using S = Series<Number<V>>;
   const auto [n, rest] = split(clamped(x, S::least_exponent, S::most_exponent));
-  const V half = format_significant(V(n / 2));  // 2^n itself may be no normal number
+  const V half = rounded(V(n / 2));  // 2^n itself may be no normal number
   return (1 + rest) * power_of_two(half) * power_of_two(V(n - half));
 }
 template <class V>
@@ -221,7 +222,7 @@ template <class V>
 template <class V>
 [[gnu::always_inline]] inline V remainder(const V& x, const V& y) {
   constexpr Number<V> splitter = (std::uint64_t(1) << (Series<Number<V>>::digits / 2 + 1)) + 1;
-  const V n = format_significant(V(x / y)), wide = y * splitter, high = wide - (wide - y), low = y - high;
+  const V n = rounded(V(x / y)), wide = y * splitter, high = wide - (wide - y), low = y - high;
   const V r = (x - n * high) - n * low, half = abs(y) / 2;
   const V lower = r > half ? r - abs(y) : r;
   return lower < -half ? lower + abs(y) : lower;

@@ -127,7 +127,7 @@ class OwnSteps {
       if (any_of(way.going))
         for (std::size_t lane = 0; lane < width; ++lane)
           if (way.going.bits() >> lane & 1) reached &= leave({i * width + lane, 0}, lane, way, each);
-      if (lates_ >= width) reached &= go_on(models, states, each);
+      while (lates_ >= width) reached &= go_on(models, states, each);
     }
     while (lates_ > 0) reached &= go_on(models, states, each);
     return reached;

@@ -210,7 +210,7 @@ double Disturbed<n>::lost_along_truth(std::string_view algorithm, double step) c
   }
   const std::vector<State> motion = truth(h);
   double grown = 0;
-  for (std::size_t i = 0; i < motion.size(); ++i) {
+  for (std::size_t i = 0; i + 1 < motion.size(); ++i) {
     const double t = static_cast<double>(i) * h;
     const auto stepped = [&](double part) {
       return in_steps<n>(algorithm, system_, added(motion[i], part, d), t, t + h, h, {}).value.back();

@@ -154,7 +154,7 @@ Solved<Event<std::array<double, n>>> find_event(
       double now = k == samples  ? g(x_next, t_next)
                    : with_series ? miss(s)
                                  : g(hermite(x, d0, x_next, d1, h, part), t + s);
-      if (before * now < 0 || (now == 0 && before != 0)) {
+      if ((before < 0 && now >= 0) || (before > 0 && now <= 0)) {
         found = refine(left, s) || (left != 0 && at_start != 0 && refine(0, s));
         if (found) return true;
         now = miss(s);  // what the cubic saw is not there
@@ -277,6 +277,7 @@ class Lookout {
     double first = nowhere;
     for (std::size_t i = 0; i < guards_; ++i) {
       const std::optional<double> root = above_[i] ? fall(i, d0, d1) : climb_and_fall(i);
+      if (seen == Seen::failure) event.time = t, event.before = x;
       if (seen != Seen::nothing) return true;
       if (!root || std::abs(*root) >= std::abs(first)) continue;
       first = *root;

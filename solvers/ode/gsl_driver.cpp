@@ -19,24 +19,7 @@ int status_of(Call call) {
   return call == Call::ok ? GSL_SUCCESS : call == Call::not_finite ? GSL_FAILURE : GSL_EBADFUNC;
 }
 
-/// A problem on its way through C, which an exception must not pass through: it is kept for later.
-struct Guarded {
-  const RawProblem* problem = nullptr;
-  std::exception_ptr thrown = {};
-
-  template <class F>
-  int call(const F& f) noexcept {
-    try {
-      return status_of(f(*problem));
-    } catch (...) {
-      thrown = std::current_exception();
-      return GSL_EBADFUNC;
-    }
-  }
-  void rethrow() const {
-    if (thrown) std::rethrow_exception(thrown);
-  }
-};
+using Guarded = GuardedProblem<status_of>;
 
 int rhs(double t, const double x[], double dxdt[], void* guarded) {
   return static_cast<Guarded*>(guarded)->call(

@@ -17,17 +17,25 @@ namespace odeint = boost::numeric::odeint;
 using Vector = boost::numeric::ublas::vector<double>;
 using Matrix = boost::numeric::ublas::matrix<double>;
 
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
+/// What a call that failed may have left as it was. uBLAS gives it no value.
+void fill_if_failed(Call call, double* values, std::size_t count) {
+  if (call != Call::ok) std::fill_n(values, count, no_number);
+}
+
 struct Rhs {
   const RawProblem& problem;
   void operator()(const Vector& x, Vector& dxdt, double t) const {
-    problem.rhs(problem.object, &x[0], &dxdt[0], t);
+    fill_if_failed(problem.rhs(problem.object, &x[0], &dxdt[0], t), &dxdt[0], problem.n);
   }
 };
 
 struct Jacobian {
   const RawProblem& problem;
   void operator()(const Vector& x, Matrix& matrix, double t) const {
-    problem.jacobian(problem.object, &x[0], &matrix(0, 0), nullptr, t);
+    fill_if_failed(problem.jacobian(problem.object, &x[0], &matrix(0, 0), nullptr, t), &matrix(0, 0),
+                   problem.n * problem.n);
   }
 };
 
@@ -37,7 +45,7 @@ struct Jacobian {
 struct AutonomousRhs {
   const RawProblem& problem;
   void operator()(const Vector& x, Vector& dxdt, double) const {
-    problem.rhs(problem.object, &x[0], &dxdt[0], x[problem.n]);
+    fill_if_failed(problem.rhs(problem.object, &x[0], &dxdt[0], x[problem.n]), &dxdt[0], problem.n);
     dxdt[problem.n] = 1;
   }
 };
@@ -48,7 +56,9 @@ struct AutonomousJacobian {
     const std::size_t n = problem.n;
     Matrix inner(n, n);
     Vector by_time(n);
-    problem.jacobian(problem.object, &x[0], &inner(0, 0), &by_time[0], x[n]);
+    const Call call = problem.jacobian(problem.object, &x[0], &inner(0, 0), &by_time[0], x[n]);
+    fill_if_failed(call, &inner(0, 0), n * n);
+    fill_if_failed(call, &by_time[0], n);
     matrix.clear();
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t j = 0; j < n; ++j) matrix(i, j) = inner(i, j);

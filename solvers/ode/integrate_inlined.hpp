@@ -97,8 +97,8 @@ template <class DoStep, class State, class OnStep>
         if (on_step(time_of(i), before, time_of(i + 1), now)) return x = now, false;
       }
     }
-    if (!finite(now)) return x = now, fail(solved, Ending::non_finite, "the state is not finite", time_of(i));
     if (!check_budget(evaluations, solved, time_of(i))) return x = now, false;
+    if (!finite(now)) return x = now, fail(solved, Ending::non_finite, "the state is not finite", time_of(i));
   }
   x = now;
   return true;
@@ -126,9 +126,9 @@ bool controlled_steps(TryStep& try_step, State& x, double t, double t1, double& 
     rejected = 0;
     if (last) t = t1;
     h = last && std::abs(h) > std::abs(tried) ? h : tried;
+    if (!check_budget(evaluations, solved, t)) return false;
     if (!finite(x)) return fail(solved, Ending::non_finite, "the state is not finite", t);
     if (on_step(from, before, t, x)) return false;
-    if (!check_budget(evaluations, solved, t)) return false;
   }
   return true;
 }

@@ -157,20 +157,19 @@ std::vector<Tongue> scan(std::string_view algorithm, double direction, double ne
   return tongues;
 }
 
-/// The scan in this direction, rounded to half a thousandth of a radian; each is made once.
+/// The scan in this direction, rounded to a thousandth of a radian; each is made once.
 const std::vector<Tongue>& scanned(std::string_view algorithm, const std::complex<double>& lambda,
                                    double negligible) {
   static std::map<std::tuple<std::string, long, double>, std::vector<Tongue>> known;
   static std::mutex mutex;
   constexpr double to_imaginary = 1500, quarter_turn = std::numbers::pi / 2;
-  const long format_significant = std::lround(std::abs(std::arg(lambda)) / quarter_turn * to_imaginary);
-  const std::tuple key(std::string(algorithm), format_significant, negligible);
+  const long rounded = std::lround(std::abs(std::arg(lambda)) / quarter_turn * to_imaginary);
+  const std::tuple key(std::string(algorithm), rounded, negligible);
   {
     const std::scoped_lock lock(mutex);
     if (const auto found = known.find(key); found != known.end()) return found->second;
   }
-  auto tongues =
-      scan(algorithm, static_cast<double>(format_significant) / to_imaginary * quarter_turn, negligible);
+  auto tongues = scan(algorithm, static_cast<double>(rounded) / to_imaginary * quarter_turn, negligible);
   const std::scoped_lock lock(mutex);
   return known.emplace(key, std::move(tongues)).first->second;
 }

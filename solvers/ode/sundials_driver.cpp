@@ -23,24 +23,7 @@ namespace {
 /// SUNDIALS takes a negative status for the end, and a positive one as a reason to shorten the step.
 int status_of(Call call) { return call == Call::ok ? 0 : call == Call::not_finite ? 1 : -1; }
 
-/// A problem on its way through C, which an exception must not pass through: it is kept for later.
-struct Guarded {
-  const RawProblem* problem = nullptr;
-  std::exception_ptr thrown = {};
-
-  template <class F>
-  int call(const F& f) noexcept {
-    try {
-      return status_of(f(*problem));
-    } catch (...) {
-      thrown = std::current_exception();
-      return -1;
-    }
-  }
-  void rethrow() const {
-    if (thrown) std::rethrow_exception(thrown);
-  }
-};
+using Guarded = GuardedProblem<status_of>;
 
 int rhs(double t, N_Vector x, N_Vector dxdt, void* guarded) {
   return static_cast<Guarded*>(guarded)->call([&](const RawProblem& p) {

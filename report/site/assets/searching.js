@@ -118,7 +118,7 @@
     return all;
   }
 
-  const isMultistep = (name) => /^(Adams-|ms|CVODE)/.test(name);
+  const isMultistep = (name) => /^(Adams-|GSL ms|CVODE)/.test(name);
   /** Models that have the book's errors in them are tried, and not advised. */
   const isPublished = (row) => oddity.isPublished(row.model);
   const isSimple = (row) =>
