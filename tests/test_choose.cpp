@@ -6,6 +6,7 @@
 
 #include "reference/bad_input.hpp"
 #include "report/study/choose.hpp"
+#include "report/study/initial_conditions.hpp"
 #include "report/study/tries.hpp"
 #include "solvers/ode/integrate.hpp"
 #include "tests/catch.hpp"
@@ -94,6 +95,42 @@ TEST_CASE("the cheapest method that holds is chosen, and tested elsewhere", "[ch
   std::set<std::pair<std::string, std::string>> methods;
   for (const Candidate& c : choice.candidates) CHECK(methods.emplace(c.model, c.algorithm).second);
   CHECK(methods.size() >= 2);
+}
+
+TEST_CASE("a method that does not hold says on which start it errs most", "[choose]") {
+  std::vector<Start> starts;
+  for (int a : {2, 5, 3}) {
+    Parameters p(entry.exercise.parameters);
+    p.set("a", a);
+    starts.push_back({"a = " + std::to_string(a), place(p, {1, 10}, Reference::nothing())});
+  }
+  const Method& coarse = starts[0].motion.methods[0];
+  CHECK(evaluate(starts, coarse, 0, asked(0.01, 1)).where == "a = 5");
+  CHECK(evaluate(starts, coarse, 0, asked(0.01, 1), Over::until_one_fails).where == "a = 2");
+}
+
+TEST_CASE("of the settings that hold the first is found, and the first that does with a margin", "[choose]") {
+  Need need = asked(0.1, 10);
+  need.objective = Objective::simple;  // with a margin of three
+  const Horizon horizon{need.horizon, static_cast<int>(need.frames())};
+  std::vector<Start> starts{{"here", place(Parameters(parameters), horizon, Reference::nothing())}};
+  starts[0].motion.need.allowed = need.error;
+  const Method& stepping = starts[0].motion.methods[1];
+  Tries tries(stepping, need);
+  while (!tries.is_over()) tries.go_on(1e6, starts, need, [] {});
+  const Tries::Found found = tries.found(need);
+  REQUIRE(found.first);
+  REQUIRE(found.with_margin);
+  CHECK(found.first->error <= 1);
+  CHECK(found.first->error > 1.0 / 3);
+  CHECK(found.with_margin->error <= 1.0 / 3);
+}
+
+TEST_CASE("one step a frame is one, and two are several", "[choose]") {
+  Candidate candidate{"model", "algorithm", "step", 0.1};
+  CHECK(shown_setting(candidate, asked(1, 1, 10)) == "1 step per frame");
+  candidate.setting = 0.05;
+  CHECK(shown_setting(candidate, asked(1, 1, 10)) == "2 steps per frame");
 }
 
 TEST_CASE("what restarts cost a method counts as often as runs are ended", "[choose]") {

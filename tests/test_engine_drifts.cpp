@@ -82,6 +82,17 @@ TEST_CASE("what flies keeps its energy, its momentum across gravity, and its ang
   CHECK(energy_drift(world, seen(slowed)) > 0.01);
 }
 
+TEST_CASE("what turns the faster the deeper it is keeps its energy", "[engines]") {
+  const World world = with({.gravity = {0, 0, -g}, .bodies = {top()}}, spinning(0));
+  const auto unwinding = [](double t) {  // about the axis of moment 2
+    State s;
+    s.position = {0, 0, -t};
+    s.spin = {0, 0, std::sqrt(g * t)};
+    return s;
+  };
+  CHECK(energy_drift(world, seen(unwinding)) < 1e-13);
+}
+
 TEST_CASE("what hangs on a point keeps its angular momentum along gravity, a top that about its axis",
           "[engines]") {
   World world = with({.gravity = {0, 0, -g}, .bodies = {top()}, .joints = {{Joint::ball}}}, precessing(0));

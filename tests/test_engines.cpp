@@ -53,6 +53,13 @@ EngineTrial trial_of(const std::string& command, double limit = 60) {
 
 }  // namespace
 
+TEST_CASE("the bouncing ball's truth falls freely before it is returned", "[engines]") {
+  const EngineScene scene = further_engine_scene("bouncing ball", need_of(0.1, 60));
+  const Value& x = scene.motion.reference.value;
+  for (std::size_t i = 3; i < 6; ++i)  // second differences of a fall
+    CHECK((x[i] - 2 * x[i - 1] + x[i - 2]) * 3600 == Approx(-9.81).epsilon(1e-9));
+}
+
 TEST_CASE("what an engine does to its process is an outcome", "[engines]") {
   const EngineTrial aborted = trial_of("kill -ABRT $$");
   CHECK(aborted.outcome == Outcome::raised);

@@ -119,7 +119,10 @@ TEST_CASE("NaN and infinity end non_finite", "[solvers]") {
   for (double bad : {no_number, infinity}) {
     const MatrixXd a = matrix(2, {bad, 1, 1, 1});
     VectorXd b = VectorXd::Ones(2);
-    for (Factorization how : all) CHECK(solve(how, a, b).ending == Ending::non_finite);
+    for (Factorization how : all) {
+      CHECK(solve(how, a, b).ending == Ending::non_finite);
+      CHECK(solve(how, a, b).message == "the matrix or the right-hand side is not finite");
+    }
     b(1) = bad;
     for (Factorization how : all) CHECK(solve(how, MatrixXd::Identity(2, 2), b).ending == Ending::non_finite);
     CHECK(determinant(a).ending == Ending::non_finite);

@@ -56,6 +56,7 @@ TEST_CASE("a divergent integral is never reached", "[solvers]") {
   }
   CHECK(qags(square, 0, 1, 1e-10).ending == Ending::raised);
   CHECK(qag(pole, 0, 1, 1e-10).ending == Ending::stalled);
+  CHECK(qag(pole, 0, 1, 1e-10).message.find("exceeded max") != std::string::npos);
 }
 
 TEST_CASE("CQUAD has a budget", "[solvers]") {

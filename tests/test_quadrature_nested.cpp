@@ -51,6 +51,7 @@ TEST_CASE("the volume of the ball by nested QAGS", "[solvers]") {
       [=](double x) { return root(1 - x * x); }, [=](double x, double y) { return -root(1 - x * x - y * y); },
       [=](double x, double y) { return root(1 - x * x - y * y); });
   CHECK(ball.reached());
+  CHECK(ball.message.empty());
   CHECK(near(ball.value, 4 * pi / 3, 1e-8));
   CHECK(ball.evaluations % 21 == 0);
   CHECK(ball.evaluations > 21 * 21 * 21);

@@ -99,6 +99,8 @@ TEST_CASE("what a model errs by at a border comes back as it was: none, no numbe
   const Results read = results_from_json(to_json(results), "here");
   REQUIRE(read.exercises[0].cheapest_models);
   const BreakEven& back = read.exercises[0].cheapest_models->break_evens.at(0);
+  REQUIRE(back.enough.size() == 1);
+  CHECK(back.enough[0].to == 0.5);
   REQUIRE(back.holding.size() == 1);
   CHECK(std::isnan(back.holding[0]));
   CHECK(back.failing == border.failing);
@@ -126,6 +128,9 @@ TEST_CASE("a results file that would lead to nonsense is refused", "[report]") {
         }).find("times") != std::string::npos);
   CHECK(refused([](E& e) {
           e.quantities[0].trajectory->paths[0].value = {1, 2, 3};
+        }).find("path") != std::string::npos);
+  CHECK(refused([](E& e) {
+          e.quantities[0].trajectory->paths[0].value = Value(std::vector<double>());
         }).find("path") != std::string::npos);
   CHECK(refused([](E& e) { e.stability->steps.clear(); }).find("map") != std::string::npos);
   CHECK(refused([](E& e) { e.stability->map[0].outcomes.pop_back(); }).find("map") != std::string::npos);

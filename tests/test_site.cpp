@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "reference/bad_input.hpp"
+#include "report/charts/chart.hpp"
 #include "report/cli/settings.hpp"
 #include "report/site/claims_section.hpp"
 #include "report/site/errata.hpp"
@@ -378,7 +379,15 @@ TEST_CASE("the errata are as their schema says, and all are there", "[site]") {
 }
 
 TEST_CASE("no string of a results file breaks out of the site's pages", "[site]") {
-  const Json whole = Json::parse(to_json(sample_with_findings()));
+  Results charted = sample_with_findings();
+  QuantityResult& quantity = charted.exercises[0].quantities[0];
+  auto& trials = quantity.methods[0].trials;
+  for (double error : {0.1, 0.01, 0.001}) {
+    trials.push_back(trials.front());
+    trials.back().error = error;
+  }
+  REQUIRE(has_chart(quantity));
+  const Json whole = Json::parse(to_json(charted));
   auto by_key = hostile::by_key(hostile::strings_of(whole));
   by_key.erase("id");  // two of one are refused
   const auto check = [](const Json& json) {

@@ -421,6 +421,7 @@ TEST_CASE("sweeps that cannot be are refused with what would be right", "[sweep]
   refused("3.5" + method + " --over a=1..2:1 --setting 0.1", "a whole one from 2");
   refused("3.5" + method + " --over a=1..200deg:9 --setting 0.1", "out of its range: 0.001 to 3.14 rad");
   refused("3.5" + method + " --over a=1..2:5 --over a=1..2:5 --setting 0.1", "given twice");
+  refused("3.5" + method + " --over a=2..1:5 --setting 0.1", "the axis a goes upward, and not from 2 to 1");
   refused("3.5" + method + " --over a=1..2:5", "needs a step");
   refused("3.5" + method + " --over tolerance=1e-9..1e-3:5", "has a step");
   refused("3.5 a=1" + method + " --over a=1..2:5 --setting 0.01", "both say what a is");

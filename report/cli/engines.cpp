@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cctype>
+#include <cmath>
 #include <iostream>
 #include <limits>
 
@@ -10,6 +11,7 @@
 #include "reference/bad_input.hpp"
 #include "reference/files.hpp"
 #include "reference/similar.hpp"
+#include "reference/text.hpp"
 #include "report/cli/settings.hpp"
 #include "report/cli/verbs.hpp"
 #include "report/pages/engines_page.hpp"
@@ -169,6 +171,16 @@ void require_scenes(const std::vector<std::string>& scenes) {
                      "; those that they have are: " + names);
 }
 
+/// At others nothing is tried.
+void require_rates(const std::vector<double>& rates) {
+  for (double rate : rates) {
+    const double doublings = std::log2(rate / 60);
+    if (!(doublings >= 0 && doublings <= 12) || doublings != std::round(doublings))
+      throw BadInput("--hz: engines are tried at 60 Hz, 120, 240 and so on, and not at " +
+                     format_shortest(rate));
+  }
+}
+
 /// What is asked, in the order asked: run anew, and kept as soon as it is there.
 std::vector<EngineContest> engines_run(const AskedEngines& asked, const std::vector<std::string>& scenes,
                                        const Reference& truth) {
@@ -213,6 +225,7 @@ void engines(const fs::path& folder, const AskedEngines& asked, Format format) {
     if (!asked.kept) std::erase(scenes, "chain of 100");  // it is there by its name
   }
   require_scenes(scenes);
+  require_rates(asked.rates);
   const Reference truth(folder, motions_folder());
   const std::vector<EngineContest> contests =
       asked.kept ? engines_kept(scenes) : engines_run(asked, scenes, truth);

@@ -60,25 +60,34 @@ std::vector<fs::path> objects_in(const fs::path& list) {
   return all;
 }
 
-/// Links the program anew: objects of the lists, which are those of libraries, before all others, and mutated
-/// tests in place of those that the build has.
+/// Links the program anew: objects of the lists, which are those of libraries, before all others, then
+/// mutated tests, in place of those that the build has: of an inline function the linker takes the copy that
+/// comes first.
 void link(const Folders& folders, const std::string& program, const std::vector<std::string>& lists) {
   const std::string tests = "tests/CMakeFiles/", in_build = " " + tests + "oddity_tests.dir/";
   fs::path output = program;
-  std::string line = linking(folders.beside, program);
+  std::string line = linking(folders.beside, program), mutated_tests;
   if (program == "oddity_tests") {
     output = "tests/oddity_tests";
     for (const fs::path& object : objects_in(folders.build / "mutated_tests.objects")) {
       const std::string name =
           object.lexically_relative(folders.build / tests / "mutated_tests.dir").string();
-      line = replaced(line, in_build + name + " ", " '" + object.string() + "' ");
+      line = replaced(line, in_build + name + " ", " ");
+      mutated_tests += " '" + object.string() + "'";
     }
   }
   std::string first = " -Wl,--allow-multiple-definition";
   for (const std::string& list : lists)
     first += " '@" + (folders.build / ("mutated_" + list + ".objects")).string() + "'";
+  first += mutated_tests;
   line = replaced(line, " -o " + output.string() + " ", " -o '" + (folders.build / output).string() + "' ");
   shell("cd '" + folders.beside.string() + "' && " + line.insert(line.find(' '), first));
+}
+
+/// Lanes are not mutated; some answers that tests ask for have them, where they are built.
+void bring_lanes(const Folders& folders) {
+  const fs::path lanes = folders.beside / "liboddity_lanes.so", here = folders.build / lanes.filename();
+  if (fs::exists(lanes) && !fs::exists(here)) fs::create_symlink(lanes, here);
 }
 
 std::string joined(const std::set<std::string>& words, const std::string& between) {
@@ -102,8 +111,10 @@ fs::path compiled_program(const Folders& folders, const std::vector<Mutant>& mut
   fs::create_directories(folders.build / "tests");
   for (const std::string& program : programs)
     link(folders, program,
-         program == "make_reference" ? std::vector<std::string>{"makers"}
-                                     : std::vector<std::string>{"solvers", "makers", "chapters", "report"});
+         program == "make_reference"
+             ? std::vector<std::string>{"makers"}
+             : std::vector<std::string>{"solvers", "ublas", "makers", "chapters", "report"});
+  bring_lanes(folders);
   return folders.build / "oddity";
 }
 
