@@ -93,6 +93,29 @@ TEST_CASE("what turns the faster the deeper it is keeps its energy", "[engines]"
   CHECK(energy_drift(world, seen(unwinding)) < 1e-13);
 }
 
+TEST_CASE("what swings on a spring keeps its energy, and what turns a wheel on its way", "[engines]") {
+  const auto swinging = [](double t) {
+    State s;
+    s.position = {std::cos(2 * t), 0, 0};
+    s.velocity = {-2 * std::sin(2 * t), 0, 0};
+    return s;
+  };
+  const Spring spring{.end = {1, 0, 0}, .stiffness = 4};
+  World world = with({.bodies = {top()}, .springs = {spring}}, swinging(0));
+  CHECK(energy_drift(world, seen(swinging)) < 1e-13);
+
+  // A kilogram falls with half of gravity's acceleration where it turns as much again.
+  const auto falling = [](double t) {
+    State s;
+    s.position = {0, 0, -g * t * t / 4};
+    s.velocity = {0, 0, -g * t / 2};
+    return s;
+  };
+  const Joint wheel{.kind = Joint::slide, .wheel = 1};
+  world = with({.gravity = {0, 0, -g}, .bodies = {top()}, .joints = {wheel}}, falling(0));
+  CHECK(energy_drift(world, seen(falling)) < 1e-13);
+}
+
 TEST_CASE("what hangs on a point keeps its angular momentum along gravity, a top that about its axis",
           "[engines]") {
   World world = with({.gravity = {0, 0, -g}, .bodies = {top()}, .joints = {{Joint::ball}}}, precessing(0));

@@ -123,6 +123,8 @@ TEST_CASE("a results file that would lead to nonsense is refused", "[report]") {
   CHECK(refused([](E& e) { e.quantities[0].methods[0].trials.clear(); }).find("no trials") !=
         std::string::npos);
   CHECK(refused([](E& e) { e.quantities[0].trajectory->times.clear(); }).find("times") != std::string::npos);
+  CHECK(refused([](E& e) { e.quantities[0].trajectory->judged_at.clear(); }).find("times") !=
+        std::string::npos);
   CHECK(refused([](E& e) {
           e.quantities[0].trajectory->judged_at = {1, 2, 3};
         }).find("times") != std::string::npos);

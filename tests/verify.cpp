@@ -195,6 +195,8 @@ void verify_stability(const ExerciseResult& e) {
         static_cast<std::ptrdiff_t>(limits));
   CHECK(std::ranges::count(suite->maps, number, &ApprovedMap::exercise) == static_cast<std::ptrdiff_t>(rows));
   if (!e.stability) return;
+  const std::vector<double>& steps = e.stability->steps;
+  for (std::size_t k = 1; k < steps.size(); ++k) CHECK(steps[k] == steps[k - 1] / 2);
   for (const Limit& limit : e.stability->limits) verify_limit(e, limit);
   for (const MapRow& row : e.stability->map) verify_map(e, row);
 }

@@ -122,11 +122,11 @@ std::string section(const ExerciseResult& e) {
 std::string cheapest_models_page(const Results& results) {
   std::string text =
       "# The cheapest sufficient model\n\n"
-      "For each scene, the first of its models, from the simplest on, that holds at every frame over 10 s at 60 "
+      "For each scene the simplest of its models that holds at every frame over 10 s at 60 "
       "frames per second (over 10 years, where the scene's time is in years): for a game, which is to one "
       "centimetre and one degree, and to ten digits. Among the model's algorithms the one with the least counted "
-      "work is shown, and its error in float at the same setting. Below stands for which values of a parameter a "
-      "model is enough for the game when it is solved exactly, and in brackets where this was looked for; each "
+      "work is shown, and its error in float at the same setting. Below is for which values of a parameter a "
+      "model, solved exactly, is enough for the game, with those looked through in brackets; each "
       "border is known to one in a thousand. `oddity choose` adds times on your machine, starts of your own and a "
       "margin.\n\n";
   for (const ExerciseResult& e : results.exercises)

@@ -157,18 +157,17 @@ std::string unfold(const std::string& summary, const std::string& text) {
 }
 
 std::string exercises_table(const std::vector<const ExerciseResult*>& exercises, Links links) {
-  constexpr std::array verdicts{Verdict::erratum, Verdict::misprint, Verdict::confirmed,
-                                Verdict::not_checkable};
+  const auto cell = [](int count) { return count > 0 ? std::to_string(count) : ""; };
   std::vector<std::vector<std::string>> rows;
   for (const ExerciseResult* e : exercises) {
     Counts counts = counts_of(*e);
-    std::vector<std::string> cells{link_to(*e, links) + own_mark(e->number)};
-    for (Verdict verdict : verdicts) cells.push_back(counts[verdict] ? std::to_string(counts[verdict]) : "");
-    cells.push_back(std::to_string(e->quantities.size()));
-    rows.push_back(std::move(cells));
+    std::string confirmed = cell(counts[Verdict::confirmed]);
+    if (const int others = counts[Verdict::not_checkable]; others > 0)
+      confirmed += (confirmed.empty() ? "" : ", ") + std::to_string(others) + " not checkable";
+    rows.push_back({link_to(*e, links) + own_mark(e->number), cell(counts[Verdict::erratum]),
+                    cell(counts[Verdict::misprint]), confirmed, std::to_string(e->quantities.size())});
   }
-  return table({"exercise", "errata", "misprints", "confirmed", "not checkable", "quantities"}, rows,
-               "12345");
+  return table({"exercise", "errata", "misprints", "confirmed", "quantities"}, rows, "1234");
 }
 
 /// A row for each exercise, folded up by chapter.
