@@ -93,6 +93,29 @@ TEST_CASE("dual numbers: products, quotients and compounds", "[solvers]") {
                     [](double x) { return (2 - 4 * x * x) * exp(-x * x); }, -2, 2);
 }
 
+TEST_CASE("dual numbers: a distance, and the inverse hyperbolic sine", "[solvers]") {
+  // Along (3 t, t^2 + 1) the distance's slope is (9 t + 2 t (t^2 + 1)) / r.
+  const auto slope = [](double t) { return (9 * t + 2 * t * (t * t + 1)) / std::hypot(3 * t, t * t + 1); };
+  check_derivatives(
+      [](auto t) { return hypot(3 * t, t * t + 1); }, slope,
+      [=](double t) { return (11 + 6 * t * t - slope(t) * slope(t)) / std::hypot(3 * t, t * t + 1); }, 0.5,
+      3);
+  const auto root = [](double x) { return sqrt(1 + x * x); };
+  check_derivatives([](auto x) { return asinh(x); }, [=](double x) { return 1 / root(x); },
+                    [=](double x) { return -x / (root(x) * root(x) * root(x)); }, -3, 3);
+}
+
+TEST_CASE("dual numbers: sizes and remainders, between their kinks and jumps", "[solvers]") {
+  for (const double x : {-2.5, -0.5, 0.5, 2.5}) {
+    const auto size = abs(Dual<double>(x, 3));
+    CHECK(size.value == std::abs(x));
+    CHECK(size.slope == (x < 0 ? -3 : 3));
+  }
+  const auto rest = remainder(Dual<double>(7.25, 1), Dual<double>(2, 0.5));  // 7.25 - 4 times 2
+  CHECK(rest.value == -0.75);
+  CHECK(rest.slope == -1);
+}
+
 TEST_CASE("dual numbers: assignment operators, signs and order", "[solvers]") {
   const auto f = [](auto x) {
     auto y = x;
