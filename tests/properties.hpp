@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cmath>
-#include <cstdlib>
 #include <functional>
 #include <string>
 
@@ -10,6 +9,7 @@
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
 #include "tests/catch.hpp"
+#include "tests/in_environment.hpp"
 
 /// What has to hold at all parameters within their ranges, tried at random ones; where it does not, the
 /// simplest parameters that are found are printed as a command. ODDITY_SETS says at how many, ODDITY_SEED at
@@ -18,16 +18,6 @@ namespace oddity::properties {
 
 /// What is wrong at these parameters; empty where the property holds.
 using Property = std::function<std::string(const Parameters&)>;
-
-/// A whole number; else throws BadInput, as nothing would be tried.
-inline int in_environment(const char* name, int usual) {
-  const char* text = std::getenv(name);
-  if (!text || !*text) return usual;
-  const auto number = parse_number(text);
-  if (!number || !(*number >= 0 && *number < 1e9) || *number != std::floor(*number))
-    throw BadInput(std::string(name) + " must be a whole number, and is " + text);
-  return static_cast<int>(*number);
-}
 
 /// Of all orders of magnitude alike, where the range has several.
 inline double random_value(const Parameter& p, Random& random) {

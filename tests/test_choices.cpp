@@ -119,8 +119,8 @@ std::string verdict(const Answered& usual, const Answered& thorough) {
 TEST_CASE("the usual answer is the thorough one, or another as good", "[.][choices]") {
   const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
   const auto all = scenes();
-  const int first = properties::in_environment("ODDITY_FIRST", 0);
-  const int needs = properties::in_environment("ODDITY_NEEDS", 200);
+  const int first = in_environment("ODDITY_FIRST", 0);
+  const int needs = in_environment("ODDITY_NEEDS", 200);
   const char* table = std::getenv("ODDITY_CHOICES_TABLE");
   Random random(2026);
   for (int number = 0; number < needs; ++number) {

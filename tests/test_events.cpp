@@ -167,12 +167,14 @@ TEST_CASE("without an event in the time given, every algorithm raises and says s
 }
 
 TEST_CASE("a change of sign is seen also where the product of both sides is no normal number", "[solvers]") {
-  const auto tiny = [](const State& x, double) { return 1e-200 * x[0]; };
+  const auto usual = [](const State& x, double) { return x[0]; };
+  const auto tiny = [](const State& x, double) { return 0x1p-700 * x[0]; };
   for_each_algorithm([&]<class Algorithm>() {
     INFO(Algorithm::name);
     const auto event = find_event<Algorithm>(oscillator.system, State{1, 0}, 0, 4, fine<Algorithm>, tiny);
     CHECK(event.reached());
-    CHECK(near(event.value.time, std::numbers::pi / 2, 0.1));
+    const auto same = find_event<Algorithm>(oscillator.system, State{1, 0}, 0, 4, fine<Algorithm>, usual);
+    CHECK(event.value.time == same.value.time);
   });
 }
 

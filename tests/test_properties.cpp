@@ -172,8 +172,8 @@ TEST_CASE("without friction the ball goes round an ellipse, and from the other s
 }
 
 TEST_CASE("a ball's bounces come in their order, each where the flights before it end", "[properties]") {
-  Random random(properties::in_environment("ODDITY_SEED", 1));
-  for (int set = 0; set < properties::in_environment("ODDITY_SETS", 20); ++set) {
+  Random random(in_environment("ODDITY_SEED", 1));
+  for (int set = 0; set < in_environment("ODDITY_SETS", 20); ++set) {
     const bouncing_ball::Given<double> given{random.between(0.1, 10), random.between(0.5, 50),
                                              random.between(0.1, 0.9)};
     const double end = 0.8 * given.rest();

@@ -211,7 +211,7 @@ TEST_CASE("a sweep that is killed time and again loses what it was at, and no mo
   const std::chrono::duration<double> takes = std::chrono::steady_clock::now() - begin;
   const auto chunks = files_in(whole / "chunks");
 
-  const int most = oddity::properties::in_environment("ODDITY_KILLS", 25);
+  const int most = oddity::in_environment("ODDITY_KILLS", 25);
   oddity::Random random(11);
   int kills = 0, beginnings = 0;
   std::map<std::string, fs::file_time_type> before;

@@ -15,18 +15,13 @@
 #include "reference/reference.hpp"
 #include "reference/similar.hpp"
 #include "reference/text.hpp"
+#include "report/cli/words.hpp"
 #include "report/pages/readable.hpp"
 #include "solvers/ode/catalog.hpp"
 
 namespace oddity {
 
 namespace {
-
-std::string joined(const std::vector<std::string>& texts, const std::string& between = ", ") {
-  std::string all;
-  for (const std::string& text : texts) all += (all.empty() ? "" : between) + text;
-  return all;
-}
 
 std::vector<std::string> numbers_of(const auto& is_one) {
   std::vector<std::string> numbers;

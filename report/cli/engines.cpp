@@ -14,6 +14,7 @@
 #include "reference/text.hpp"
 #include "report/cli/settings.hpp"
 #include "report/cli/verbs.hpp"
+#include "report/cli/words.hpp"
 #include "report/pages/engines_page.hpp"
 #include "report/pages/engines_view.hpp"
 #include "report/study/prices.hpp"
@@ -163,12 +164,10 @@ namespace {
 /// Before anything runs: it may take minutes.
 void require_scenes(const std::vector<std::string>& scenes) {
   const std::vector<std::string> all = scenes_for_engines();
-  std::string names;
-  for (const std::string& scene : all) names += (names.empty() ? "" : ", ") + scene;
   for (const std::string& scene : scenes)
     if (std::ranges::find(all, scene) == all.end())
       throw BadInput("engines have no scene '" + scene + "'" + did_you_mean(scene, all) +
-                     "; those that they have are: " + names);
+                     "; those that they have are: " + joined(all));
 }
 
 /// At others nothing is tried.

@@ -18,12 +18,6 @@ std::vector<std::string> names_of_verbs(const CLI::App& app) {
   return names;
 }
 
-std::string joined(const std::vector<std::string>& names) {
-  std::string all;
-  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
-  return all;
-}
-
 void require_verb(const CLI::App& app, const std::string& word) {
   const std::vector<std::string> names = names_of_verbs(app);
   if (std::ranges::find(names, word) != names.end()) return;
@@ -64,6 +58,12 @@ std::vector<std::string> words_of(int argc, char** argv) {
     words.insert(words.begin() + (words.empty() ? 0 : 1), "--help");
   }
   return words;
+}
+
+std::string joined(const std::vector<std::string>& texts, const std::string& between) {
+  std::string all;
+  for (const std::string& text : texts) all += (all.empty() ? "" : between) + text;
+  return all;
 }
 
 std::string for_shell(const std::string& word) {

@@ -9,6 +9,8 @@ namespace oddity {
 
 /// Without the program; "help solve" is "solve --help".
 std::vector<std::string> words_of(int argc, char** argv);
+/// "a, b, c".
+std::string joined(const std::vector<std::string>& texts, const std::string& between = ", ");
 /// A word as a shell takes it: in quotes where it needs them.
 std::string for_shell(const std::string& word);
 /// The words as a shell takes them, after the program's name.

@@ -2,25 +2,14 @@
 // table goes to the file ODDITY_FAULTS_TABLE as CSV; ODDITY_KILLS says how often chance is tried, ODDITY_SEED
 // which.
 
-#include <cstdlib>
 #include <iostream>
 
-#include "reference/bad_input.hpp"
 #include "reference/files.hpp"
-#include "reference/text.hpp"
 #include "tests/faults/trials.hpp"
+#include "tests/in_environment.hpp"
 #include "tests/scratch_folder.hpp"
 
 namespace {
-
-int number_in_environment(const char* name, int usual) {
-  const char* text = std::getenv(name);
-  if (!text || !*text) return usual;
-  const auto number = oddity::parse_number(text);
-  if (!number || !(*number >= 1 && *number < 1e9))
-    throw oddity::BadInput(std::string(name) + " must be a whole number from 1 on, and is " + text);
-  return static_cast<int>(*number);
-}
 
 bool is_asked(const std::string& verb, int argc, char** argv) {
   bool asked = argc < 2;
@@ -33,8 +22,8 @@ bool is_asked(const std::string& verb, int argc, char** argv) {
 int main(int argc, char** argv) try {
   const ScratchFolder scratch;
   const faults::Installed program(scratch.path());
-  const int kills = number_in_environment("ODDITY_KILLS", 20);
-  const auto seed = static_cast<unsigned>(number_in_environment("ODDITY_SEED", 1));
+  const int kills = oddity::in_environment("ODDITY_KILLS", 20);
+  const auto seed = static_cast<unsigned>(oddity::in_environment("ODDITY_SEED", 1));
   int verbs = 0, runs = 0, cells = 0, broken = 0;
   std::string table = "verb,fault,runs,broken\n";
   for (const faults::Verb& verb : faults::verbs(program)) {

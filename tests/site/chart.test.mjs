@@ -11,7 +11,7 @@ function loaded(...files) {
   return context.window.oddity;
 }
 
-const { charts, trials, map, choosing, drawn } = loaded(
+const { charts, trials, map, choosing, drawn, isPublished } = loaded(
   'findings.js',
   'marks.js',
   'diagrams.js',
@@ -24,6 +24,12 @@ const { charts, trials, map, choosing, drawn } = loaded(
   'chooser.js',
   'drawn.js',
 );
+test('models with the errors of the book are known by their names', () => {
+  for (const model of ['published equations', 'listing as printed', 'equation (7) as printed', 'fixed tip, as proposed'])
+    assert.ok(isPublished(model), model);
+  for (const model of ['one angle', 'Cartesian', 'equations of motion']) assert.ok(!isPublished(model), model);
+});
+
 const plain = (x) => JSON.parse(JSON.stringify(x));
 
 const styles = {

@@ -398,8 +398,7 @@
     }
     /** Not where a link leads to a place of the page. */
     const asked = () => !document.getElementById(location.hash.slice(1));
-    if (asked()) begin();
-    else begin('');
+    begin(asked() ? location.hash : '');
     addEventListener('hashchange', () => asked() && begin());
     const ready = oddity.engine ? oddity.engine.ready : Promise.resolve(false);
     ready.then((runs) => {
