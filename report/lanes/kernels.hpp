@@ -106,11 +106,11 @@ struct Kernels {
     Compiled all{.width = Lanes<T, Set, 1>::size()};
     if constexpr (Integrated<Alone>) {
       constexpr std::size_t unknowns = std::tuple_size_v<typename Alone::State>;
-      // Of 16 registers two for each number leave too few, where forces have hardly a term to wait for.
-      constexpr bool few = Set::bytes <= 32 && WithForces<Alone> && unknowns > 4;
-      constexpr int two = unknowns <= 10 && !few ? 2 : 1;
-      using OfFixed = Together<unknowns <= 2 ? 4 : two>;
-      using OfOwn = Together<two>;
+      constexpr bool many = unknowns > 10;  // to stay in registers by twos
+      // Forces have hardly a term to wait for, and of 16 registers two for each number leave too few.
+      constexpr bool light = WithForces<Alone> && unknowns > 4;
+      using OfFixed = Together<unknowns <= 2 ? 4 : many || (light && Set::bytes <= 32) ? 1 : 2>;
+      using OfOwn = Together<many || light ? 1 : 2>;
       all.for_fixed_steps = OfFixed::grouping();
       all.for_own_steps = OfOwn::grouping();
       all.own_steps = OfOwn::own_steps;

@@ -32,7 +32,7 @@ template <class Model, class State, class Number>
   for (std::size_t i = 0; i < x.size(); ++i) {
     const Number off = h * (a(71, 57600) * k1[i] - a(71, 16695) * k3[i] + a(71, 1920) * k4[i] - a(17253, 339200) * k5[i]
                             + a(22, 525) * k6[i] - a(1, 40) * k7[i]);
-    const Number before = abs(x[i]), after = abs(y[i]), size = select(before > after, before, after);
+    const Number size = greater(abs(x[i]), abs(y[i]));
     worst = larger_size(worst, abs(off / (tolerance + tolerance * size)));  // NaN is the worst
   }
   // clang-format on

@@ -168,17 +168,19 @@ class OwnSteps {
       const auto accurate = error <= Number(1), accepted = accurate & going;
       const Number then = select(last, end_, t + h);
       const auto moves = t + h > t;
-      // A branch need not wait for the error; of several registers it would be one more piece of code.
+      // What follows a branch need not wait for the error; of several registers it would be one more piece of
+      // code.
       if (Number::in_one_register && !any_of(!accepted)) {
         x = ahead;
         slope = slope_ahead;
+        t = then;
       } else {
         for (std::size_t i = 0; i < x.size(); ++i) {
           x[i] = select(accepted, ahead[i], x[i]);
           slope[i] = select(accepted, slope_ahead[i], slope[i]);
         }
+        t = select(accepted, then, t);
       }
-      t = select(accepted, then, t);
       h = h * factor_after(error);
       const auto before = going;
       going = going & (t < end_) & moves;
@@ -250,9 +252,8 @@ class OwnSteps {
     const Number most(T(1e4)), least(T(1e-4)), shortest(T(0.2));
     const auto errs = !(error < least);
     if (!any_of(errs)) return longest_;
-    const Number bounded = select(error < most, error, most);
-    const Number factor = T(0.9) * inverse_fifth_root(select(bounded > least, bounded, least));
-    return select(factor > shortest, factor, shortest);
+    const Number bounded = greater(lesser(error, most), least);
+    return greater(T(0.9) * inverse_fifth_root(bounded), shortest);
   }
 
   Number t0_, end_, tolerance_, first_step_, longest_ = T(0.9) * inverse_fifth_root(Number(T(1e-4)));

@@ -131,6 +131,8 @@ class Lanes {
   [[gnu::always_inline]] ODDITY_OF_ONE(abs)
   [[gnu::always_inline]] ODDITY_OF_ONE(sqrt)
   [[gnu::always_inline]] ODDITY_OF_TWO(larger_size)
+  [[gnu::always_inline]] ODDITY_OF_TWO(lesser)
+  [[gnu::always_inline]] ODDITY_OF_TWO(greater)
   [[gnu::always_inline]] ODDITY_OF_TWO(hypot)
       // clang-format on
       friend Lanes hypot(const Lanes& x, const Lanes& y, const Lanes& z) {

@@ -86,15 +86,23 @@ template <class V>
   return V{} + x;
 }
 
-// ---- roots, and a bit for each lane whose condition holds
-// --------------------------------------------------
+// ---- roots, the lesser and the greater, and a bit for each lane whose condition holds ---------------------
 
 inline double sqrt(double x) { return std::sqrt(x); }
 inline float sqrt(float x) { return std::sqrt(x); }
+/// a < b ? a : b, and a > b ? a : b, as x86 has them, so that the second stands where one is NaN.
+inline double lesser(double a, double b) { return a < b ? a : b; }
+inline float lesser(float a, float b) { return a < b ? a : b; }
+inline double greater(double a, double b) { return a > b ? a : b; }
+inline float greater(float a, float b) { return a > b ? a : b; }
 
 #if defined(__x86_64__)
 [[gnu::always_inline]] inline __m128d sqrt(__m128d x) { return _mm_sqrt_pd(x); }
 [[gnu::always_inline]] inline __m128 sqrt(__m128 x) { return _mm_sqrt_ps(x); }
+[[gnu::always_inline]] inline __m128d lesser(__m128d a, __m128d b) { return _mm_min_pd(a, b); }
+[[gnu::always_inline]] inline __m128 lesser(__m128 a, __m128 b) { return _mm_min_ps(a, b); }
+[[gnu::always_inline]] inline __m128d greater(__m128d a, __m128d b) { return _mm_max_pd(a, b); }
+[[gnu::always_inline]] inline __m128 greater(__m128 a, __m128 b) { return _mm_max_ps(a, b); }
 template <class V>
 requires(sizeof(V) == 16) [[gnu::always_inline]] inline unsigned ones(const V& mask) {
   if constexpr (count<V> == 2)
@@ -105,6 +113,10 @@ requires(sizeof(V) == 16) [[gnu::always_inline]] inline unsigned ones(const V& m
 #if defined(__AVX2__)
 [[gnu::always_inline]] inline __m256d sqrt(__m256d x) { return _mm256_sqrt_pd(x); }
 [[gnu::always_inline]] inline __m256 sqrt(__m256 x) { return _mm256_sqrt_ps(x); }
+[[gnu::always_inline]] inline __m256d lesser(__m256d a, __m256d b) { return _mm256_min_pd(a, b); }
+[[gnu::always_inline]] inline __m256 lesser(__m256 a, __m256 b) { return _mm256_min_ps(a, b); }
+[[gnu::always_inline]] inline __m256d greater(__m256d a, __m256d b) { return _mm256_max_pd(a, b); }
+[[gnu::always_inline]] inline __m256 greater(__m256 a, __m256 b) { return _mm256_max_ps(a, b); }
 template <class V>
 requires(sizeof(V) == 32) [[gnu::always_inline]] inline unsigned ones(const V& mask) {
   if constexpr (count<V> == 4)
@@ -116,6 +128,12 @@ requires(sizeof(V) == 32) [[gnu::always_inline]] inline unsigned ones(const V& m
 #if defined(__AVX512DQ__)
 [[gnu::always_inline]] inline __m512d sqrt(__m512d x) { return _mm512_maskz_sqrt_pd(0xff, x); }
 [[gnu::always_inline]] inline __m512 sqrt(__m512 x) { return _mm512_maskz_sqrt_ps(0xffff, x); }
+[[gnu::always_inline]] inline __m512d lesser(__m512d a, __m512d b) { return _mm512_maskz_min_pd(0xff, a, b); }
+[[gnu::always_inline]] inline __m512 lesser(__m512 a, __m512 b) { return _mm512_maskz_min_ps(0xffff, a, b); }
+[[gnu::always_inline]] inline __m512d greater(__m512d a, __m512d b) {
+  return _mm512_maskz_max_pd(0xff, a, b);
+}
+[[gnu::always_inline]] inline __m512 greater(__m512 a, __m512 b) { return _mm512_maskz_max_ps(0xffff, a, b); }
 template <class V>
 requires(sizeof(V) == 64) [[gnu::always_inline]] inline unsigned ones(const V& mask) {
   if constexpr (count<V> == 8)
@@ -129,6 +147,14 @@ template <class V>
 [[gnu::always_inline]] inline V sqrt(V x) {
   for (std::size_t i = 0; i < count<V>; ++i) x[i] = std::sqrt(x[i]);
   return x;
+}
+template <class V>
+[[gnu::always_inline]] inline V lesser(V a, V b) {
+  return a < b ? a : b;
+}
+template <class V>
+[[gnu::always_inline]] inline V greater(V a, V b) {
+  return a > b ? a : b;
 }
 template <class V>
 [[gnu::always_inline]] inline unsigned ones(const V& mask) {

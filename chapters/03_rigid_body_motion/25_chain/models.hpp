@@ -23,29 +23,29 @@ void across_by_tensions(const Numbers& inverse_mass, const Lengths& r, const G& 
   using X = std::decay_t<decltype(theta[0])>;
   const std::size_t n = theta.size();
   const X gravity = X(g);
-  Angles diagonal = theta, tension = theta, normal = theta;
-  for (std::size_t k = 0; k < n; ++k) {
-    diagonal[k] = k == 0 ? X(inverse_mass[0]) : X(inverse_mass[k] + inverse_mass[k - 1]);
-    tension[k] = X(r[k]) * omega[k] * omega[k];
-    if (k == 0) {
-      tension[0] += gravity * cos(theta[0]);
-      continue;
-    }
-    const X turn = theta[k] - theta[k - 1], coupling = inverse_mass[k - 1] * cos(turn),
-            factor = coupling / diagonal[k - 1];
+  // Sines and cosines first: so what comes after stays in registers, where n is known.
+  Angles normal = theta;
+  const X across = gravity * sin(theta[0]), along = gravity * cos(theta[0]);
+  for (std::size_t k = 1; k < n; ++k) {
+    const X turn = theta[k] - theta[k - 1];
     normal[k] = inverse_mass[k - 1] * sin(turn);
-    diagonal[k] -= factor * coupling;
-    tension[k] += factor * tension[k - 1];
-    alpha[k] = coupling;  // kept for the back substitution
+    alpha[k] = inverse_mass[k - 1] * cos(turn);  // couples k to the one before
+  }
+  Angles diagonal = theta, tension = theta;
+  diagonal[0] = X(inverse_mass[0]);
+  tension[0] = X(r[0]) * omega[0] * omega[0] + along;
+  for (std::size_t k = 1; k < n; ++k) {
+    const X factor = alpha[k] / diagonal[k - 1];
+    diagonal[k] = X(inverse_mass[k] + inverse_mass[k - 1]) - factor * alpha[k];
+    tension[k] = X(r[k]) * omega[k] * omega[k] + factor * tension[k - 1];
   }
   for (std::size_t k = n; k-- > 0;) {
     if (k + 1 < n) tension[k] += alpha[k + 1] * tension[k + 1];
     tension[k] /= diagonal[k];
   }
   for (std::size_t k = 0; k < n; ++k) {
-    X force = k == 0 ? -gravity * sin(theta[0]) : -tension[k - 1] * normal[k];
-    if (k + 1 < n) force += tension[k + 1] * normal[k + 1];
-    alpha[k] = force;
+    alpha[k] = k == 0 ? -across : -tension[k - 1] * normal[k];
+    if (k + 1 < n) alpha[k] += tension[k + 1] * normal[k + 1];
   }
 }
 
