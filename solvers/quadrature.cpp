@@ -214,7 +214,7 @@ double accumulate(const Integral& inner, Integral& total) {
 Integral merged(const Integral& outer, const Integral& inner) {
   Integral total = outer;
   total.evaluations = inner.evaluations;
-  if (outer.reached() && !inner.reached()) {
+  if (!inner.reached()) {
     total.ending = inner.ending;
     total.message = "inner integral: " + inner.message;
   }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -33,7 +34,7 @@ Solved<double> brent(FunctionOfOne f, double a, double b, double tolerance) {
   gsl_function function{&CountedFunction::call, &counted};
   const std::unique_ptr<gsl_root_fsolver, Free<gsl_root_fsolver_free>> solver(
       allocated(gsl_root_fsolver_alloc(gsl_root_fsolver_brent)));
-  Solved<double> root{0.5 * (a + b)};
+  Solved<double> root{std::numeric_limits<double>::quiet_NaN()};
   const int set = gsl_root_fsolver_set(solver.get(), &function, a, b);
   counted.rethrow();
   if (set != GSL_SUCCESS) {

@@ -47,7 +47,7 @@ inline Results sample() {
   e.quantities.push_back(q);
   e.scene = true;
   e.cheapest_models = CheapestModels{
-      "m",
+      {"m"},
       {{"1 degree", {0.1}, Candidate{"model", "algorithm", "step", 0.5, 0.25}}, {"10 digits", {1e-9}, {}}},
       {{"model", "a", "rad", {1, 4}, {{1, 2}, {3, 3.5}}, {0.9, 0.8}, {1.1, 1.2}}},
       {"another model"}};

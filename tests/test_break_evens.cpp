@@ -183,7 +183,7 @@ double fixed_tip(double lambda) {
 
 }  // namespace
 
-TEST_CASE("where a pendulum's closed forms stop being enough", "[cheapest][slow]") {
+TEST_CASE("where a pendulum's closed forms stop being enough", "[cheapest]") {
   for (const auto& [model, error, low, high] :
        {std::tuple("small angle", &small_angle, 0.1, 0.5),
         std::tuple("amplitude-corrected", &amplitude_corrected, 0.5, 2.0)}) {
@@ -196,13 +196,13 @@ TEST_CASE("where a pendulum's closed forms stop being enough", "[cheapest][slow]
   }
 }
 
-TEST_CASE("where a small oscillation stops being enough", "[cheapest][slow]") {
+TEST_CASE("where a small oscillation stops being enough", "[cheapest]") {
   const auto found = break_even({3, 23}, "small oscillation", "theta0");
   REQUIRE(found);
   check_intervals(*found, small_oscillation, centimeter);
 }
 
-TEST_CASE("a mean precession is nowhere enough for good", "[cheapest][slow]") {
+TEST_CASE("a mean precession is nowhere enough for good", "[cheapest]") {
   const auto found = break_even({3, 33}, "mean precession", "dpsi");
   if (found && found->parameter == "dpsi") {
     check_intervals(*found, mean_precession, degree);
@@ -212,7 +212,7 @@ TEST_CASE("a mean precession is nowhere enough for good", "[cheapest][slow]") {
   }
 }
 
-TEST_CASE("a fixed tip is judged by its own motion, not by an algorithm's", "[cheapest][slow]") {
+TEST_CASE("a fixed tip is judged by its own motion, not by an algorithm's", "[cheapest]") {
   const auto found = break_even({3, 35}, "fixed tip, as proposed", "lambda");
   if (found && found->parameter == "lambda")
     check_intervals(*found, fixed_tip, degree);

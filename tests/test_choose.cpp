@@ -382,6 +382,27 @@ TEST_CASE("a chaotic motion is told from a regular one, however long one watches
   }
 }
 
+TEST_CASE("a choice says until when a chaotic path can be told, and nothing of a regular one", "[choose]") {
+  for (double rate : {3.0, 0.0}) {
+    INFO("grows by e to the " << rate << " a second");
+    static double growth;
+    growth = rate;
+    const auto scene = [](const Parameters& p, const Horizon& horizon, const Reference&) {
+      const double off = p["a"] - 5;
+      std::vector<double> path;
+      for (int k = 1; k <= horizon.count(); ++k)
+        path.push_back(std::sin(k / 10.0) + std::clamp(off * std::exp(growth * k / 10), -1.0, 1.0));
+      Quantity q = staying(0, horizon);
+      q.reference.value = Value(path);
+      q.add({"parting", "Fehlberg 7(8)", tolerances(), [path](double) { return Answer{Value(path), 100}; }});
+      return q;
+    };
+    const Choice choice = choose_at_5(scene, asked(1e-2, 10));
+    CHECK(choice.predictable.has_value() == (rate > 0));
+    if (choice.predictable) CHECK(std::abs(*choice.predictable - 5) < 1);
+  }
+}
+
 TEST_CASE("each unit is lost by its own error", "[choose]") {
   const Neighbours one(10, chaotic), other(10, [](double t) { return 1e-9 * t; });
   Neighbours both = one;

@@ -315,6 +315,53 @@ TEST_CASE("a guard below zero that rises and falls within one step is seen where
   }
 }
 
+namespace {
+
+/// A guard of the time alone: (t - c)^2 - d, or less than that.
+struct Dip : Bouncing {
+  double c, d, sign = 1;
+  std::array<double, 1> guards(const State&, double t) const { return {sign * ((t - c) * (t - c) - d)}; }
+  Happening<State> at_event(std::size_t, const State& x, double) const {
+    return {.after = x, .passes = true};
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a guard that comes up to zero and no higher cannot fall, whether on a sample or a step's end",
+          "[events]") {
+  for (double touched : {1.0, 1.0625, 1.125}) {  // a step takes a quarter, and is looked at in four places
+    INFO(touched);
+    const auto motion = moved("Runge-Kutta 4", Dip{{1, 0, 0}, touched, 0, -1}, {9, 0}, {0, 3}, 0.25);
+    CHECK(motion.trajectory.reached());
+    CHECK(motion.events.empty());
+  }
+}
+
+TEST_CASE("a guard that dips below zero between two samples is seen", "[events]") {
+  for (double c : {0.1, 0.15, 0.3, 0.4, 0.6, 0.7, 0.85, 0.9}) {
+    INFO(c);
+    const auto motion = moved("Runge-Kutta 4", Dip{{1, 0, 0}, c, 1e-4}, {9, 0}, {0, 1}, 1);
+    REQUIRE(motion.events.size() == 1);
+    CHECK(near(motion.events[0].time, c - 0.01, 1e-13));
+  }
+}
+
+TEST_CASE("a guard left in a step happens at once where another's event in it leads below", "[events]") {
+  struct Trapdoor : Bouncing {  // thrown up from the floor, and put below it when it is half as fast
+    std::array<double, 2> guards(const State& x, double) const { return {x[0], x[1] - 0.5}; }
+    Happening<State> at_event(std::size_t i, const State& x, double) const {
+      if (i == 0) return {x, true};
+      return {.after = {-0.1, x[1]}, .passes = true};
+    }
+  };
+  const auto motion = moved("Runge-Kutta 4", Trapdoor{{1, 0, 0}}, {0, 1}, {0, 2}, 1);
+  REQUIRE(motion.events.size() == 2);
+  CHECK(motion.events[0].guard == 1);
+  CHECK(motion.events[1].guard == 0);
+  CHECK(motion.events[1].time == motion.events[0].time);
+}
+
 TEST_CASE("two walls that are struck at once both strike", "[events]") {
   struct Corner {  // a point runs into a corner at unit speed in each direction
     void operator()(const std::array<double, 4>& x, std::array<double, 4>& dxdt, double) const {

@@ -95,7 +95,7 @@ TEST_CASE("what a model errs by at a border comes back as it was: none, no numbe
   BreakEven border{"one angle", "a", "rad", {0, 1}, {{0, 0.5}}};
   border.holding = {std::numeric_limits<double>::quiet_NaN()};
   border.failing = {1.5, infinity};
-  results.exercises[0].cheapest_models = CheapestModels{"rad", {}, {border}, {}};
+  results.exercises[0].cheapest_models = CheapestModels{{"rad"}, {}, {border}, {}};
   const Results read = results_from_json(to_json(results), "here");
   REQUIRE(read.exercises[0].cheapest_models);
   const BreakEven& back = read.exercises[0].cheapest_models->break_evens.at(0);
@@ -151,6 +151,8 @@ TEST_CASE("a perturbed result that a check does not notice is named", "[report]"
   Check rounded_zero = scaled_zero;
   rounded_zero.right.value = Value{1e-16};
   CHECK(unnoticed_perturbations(judged(rounded_zero)).empty());
+  const Check large_zero{"x", {"a", 0}, {"b", 1e-8}, {1e-9, "a test"}, 1e6};  // but for roundings as well
+  CHECK(unnoticed_perturbations(judged(large_zero)).empty());
 }
 
 TEST_CASE("a page escapes what Markdown would take for markup, but not mathematics", "[report]") {

@@ -317,6 +317,19 @@ TEST_CASE("the order grows with the digits asked for, and is the cheapest", "[ta
   CHECK(within(best_order(program, 1e-12), 14, 24));
 }
 
+TEST_CASE("a tolerance looser than a tenth is a tenth, and a series of one order costs something",
+          "[taylor]") {
+  const Program program(record<2>(swing));
+  CHECK(program.cost(0) == 0);
+  CHECK(program.cost(1) > 0);
+  CHECK(program.cost(2) > program.cost(1));
+  problems::State one{1, 0}, other{1, 0};
+  double t = 0, t_other = 0;
+  CHECK(Motion(program, 0.1).advance(one, t, 2) == nullptr);
+  CHECK(Motion(program, 0.9).advance(other, t_other, 2) == nullptr);
+  CHECK(one == other);
+}
+
 TEST_CASE("a polynomial motion takes one step", "[taylor]") {
   Motion motion(Program(record<2>(problems::fall.system)), 1e-9);
   problems::State x = problems::fall.exact(0);

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "reference/text.hpp"
 #include "report/pages/markdown.hpp"
@@ -14,28 +13,15 @@ namespace oddity {
 namespace {
 
 std::string with_unit(const std::string& number, const std::string& unit) {
-  return with_powers(number) + (unit.empty() || unit == "1" ? ""
-                                : unit.find(',') == std::string::npos
-                                    ? " " + escaped(typeset_unit(unit))
-                                    : " (" + escaped(typeset_unit(unit)) + ")");
-}
-
-/// "m", "rad" of "m, m, rad": the motion's errors have one number for each.
-std::vector<std::string> different_units(const std::string& of_components) {
-  std::vector<std::string> units;
-  std::istringstream list(of_components);
-  for (std::string unit; std::getline(list >> std::ws, unit, ',');)
-    if (std::ranges::find(units, unit) == units.end()) units.push_back(unit);
-  if (units.empty()) units.push_back("");
-  return units;
+  return with_powers(number) + (unit.empty() || unit == "1" ? "" : " " + escaped(typeset_unit(unit)));
 }
 
 std::string error_of(const Candidate& candidate, const Need& need, const CheapestModels& cheapest_models) {
   if (need.relative) return with_powers(shown_error(candidate.error * need.error)) + " of the motion";
-  const std::vector<std::string> units = different_units(cheapest_models.unit);
   std::string text;
   for (std::size_t i = 0; i < candidate.errors.size(); ++i)
-    text += (text.empty() ? "" : ", ") + with_unit(shown_error(candidate.errors[i]), units.at(i));
+    text +=
+        (text.empty() ? "" : ", ") + with_unit(shown_error(candidate.errors[i]), cheapest_models.units.at(i));
   return text;
 }
 

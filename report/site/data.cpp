@@ -33,7 +33,7 @@
 //                theory, outcomes, fragile], ...]}]}; `shown` is the largest stable step in words; a theory
 //                of null has every step stable; outcomes are the letters of the steps, and fragile has a star
 //                for each that roundings decide and a dot for each other, or nothing where they decide none
-//   least        null, or [{says, horizon, fps, unit, model, algorithm, knob, setting, errors, evaluations}]
+//   least        null, or [{model, algorithm, setting}]: the least model for a game, and for ten digits
 //   example      of the one that is no exercise: {truth, opening: [...]}, the methods that are the truth
 //   where the
 //                parameters are others, and that the player opens with: {model, algorithm, precision,
@@ -487,16 +487,8 @@ Json from(const std::optional<CheapestModels>& cheapest_models) {
   Json rows = Json::array();
   for (const CheapestModel& row : cheapest_models->least) {
     if (!row.least) continue;
-    rows.push_back({{"says", row.says},
-                    {"horizon", row.need.horizon},
-                    {"fps", row.need.frames_per_second},
-                    {"unit", typeset_unit(cheapest_models->unit)},
-                    {"model", row.least->model},
-                    {"algorithm", row.least->algorithm},
-                    {"knob", row.least->knob},
-                    {"setting", row.least->setting},
-                    {"errors", brief_all(row.least->errors)},
-                    {"evaluations", brief(row.least->evaluations_per_frame)}});
+    rows.push_back(
+        {{"model", row.least->model}, {"algorithm", row.least->algorithm}, {"setting", row.least->setting}});
   }
   return rows;
 }

@@ -166,12 +166,11 @@ std::string fault_cell(const ExerciseResult& e) {
   const Path* path = published_path(e);
   const auto findings = findings_of(e);
   if (path && broken_by(e) > 0) {
-    const std::string off = path->outcome == Outcome::ok || path->outcome == Outcome::inaccurate
-                                ? "off by " + with_powers(shown_error(path->error)) +
-                                      (e.cheapest_models->unit.find(',') == std::string::npos
-                                           ? unit_after(e.cheapest_models->unit)
-                                           : "")
-                                : std::string(name_of(path->outcome));
+    const std::string off =
+        path->outcome == Outcome::ok || path->outcome == Outcome::inaccurate
+            ? "off by " + with_powers(shown_error(path->error)) +
+                  (e.cheapest_models->units.size() == 1 ? unit_after(e.cheapest_models->units.front()) : "")
+            : std::string(name_of(path->outcome));
     return html::link(to_string(e.number) + ".html#findings", "<em>" + in_xml(path->model) + "</em>: " + off);
   }
   if (findings.empty()) return "";

@@ -399,7 +399,8 @@ std::optional<CheapestModels> cheapest_models(const Task& task, const Reference&
   const InitialConditions starts(task, game, truth);
   std::vector<Start> start{starts.asked()};
   const Quantity motion = start.front().motion;
-  CheapestModels cheapest_models{motion.unit, {}, {}, {}};
+  CheapestModels cheapest_models;
+  for (std::string_view unit : motion.units()) cheapest_models.units.emplace_back(unit);
   const Solvers solvers = solvers_of(motion);
   const Along along(task, game, truth, truest_model(motion, solvers), solvers);
   cheapest_models.least.push_back(cheapest_model(start, game_in_words(motion), game));

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int format = 8;
+constexpr int format = 9;
 
 void require(bool holds, const char* otherwise) {
   if (!holds) throw std::runtime_error(otherwise);
@@ -248,13 +248,13 @@ Json from(const CheapestModels& cheapest_models) {
   Json least = Json::array(), break_evens = Json::array();
   for (const CheapestModel& row : cheapest_models.least) least.push_back(from(row));
   for (const BreakEven& b : cheapest_models.break_evens) break_evens.push_back(from(b));
-  return {{"unit", cheapest_models.unit},
+  return {{"units", cheapest_models.units},
           {"least", least},
           {"break_evens", break_evens},
           {"never", cheapest_models.never}};
 }
 CheapestModels cheapest_models(const Json& json) {
-  CheapestModels cheapest_models{json.at("unit"), {}, {}, json.at("never")};
+  CheapestModels cheapest_models{json.at("units"), {}, {}, json.at("never")};
   for (const Json& row : json.at("least")) cheapest_models.least.push_back(cheapest_model(row));
   for (const Json& b : json.at("break_evens")) cheapest_models.break_evens.push_back(break_even(b));
   return cheapest_models;
@@ -484,7 +484,7 @@ Json from(const ExerciseResult& e) {
           {"quantities", quantities},
           {"failure", e.failure},
           {"stability", e.stability ? from(*e.stability) : Json(nullptr)},
-          {"ledger", e.cheapest_models ? from(*e.cheapest_models) : Json(nullptr)}};
+          {"cheapest_models", e.cheapest_models ? from(*e.cheapest_models) : Json(nullptr)}};
 }
 ExerciseResult exercise(const Json& json) {
   const auto number_of = exercise_number(json.at("number").get<std::string>());
@@ -501,7 +501,7 @@ ExerciseResult exercise(const Json& json) {
     require(files.insert(file_name(e.quantities.back().name)).second, "two quantities have one name");
   }
   if (!json.at("stability").is_null()) e.stability = stability(json.at("stability"));
-  if (!json.at("ledger").is_null()) e.cheapest_models = cheapest_models(json.at("ledger"));
+  if (!json.at("cheapest_models").is_null()) e.cheapest_models = cheapest_models(json.at("cheapest_models"));
   return e;
 }
 

@@ -166,7 +166,7 @@ struct BreakEven {
 };
 
 struct CheapestModels {
-  std::string unit;                  ///< of the observables
+  std::vector<std::string> units;    ///< each once, those of a candidate's errors
   std::vector<CheapestModel> least;  ///< over 10 s at 60 frames per second: for a game, and for 10 digits
   std::vector<BreakEven> break_evens;
   std::vector<std::string> never;  ///< models that are not enough for a game wherever it was looked

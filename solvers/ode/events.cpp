@@ -75,7 +75,6 @@ struct Bracket {
 /// A root of f between a and b, as `brent` of solvers/roots.hpp has it.
 template <class F>
 Solved<double> root_between(const F& f, double a, double b, double tolerance) {
-  if (b < a) std::swap(a, b);
   const double fa = f(a), fb = f(b), size_at_ends = std::max(std::abs(fa), std::abs(fb));
   Solved<double> root{b};
   const auto failed = [&](Ending ending, const char* why) {
