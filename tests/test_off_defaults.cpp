@@ -1,5 +1,10 @@
+#include <cmath>
+
+#include "chapters/02_basic_concepts/07_curve_on_sphere/models.hpp"
 #include "chapters/contents.hpp"
 #include "reference/reference.hpp"
+#include "report/study/run.hpp"
+#include "solvers/ode/integrate.hpp"
 #include "tests/catch.hpp"
 #include "tests/near.hpp"
 
@@ -19,9 +24,17 @@ Parameters off_defaults(const Entry& entry) {
   return p;
 }
 
-void ok_there(const Entry& entry) {
+const Entry& entry_of(int chapter, int index) {
+  return *std::ranges::find(registry(), Number{chapter, index}, &Entry::number);
+}
+
+const Reference& reference() {
   static const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
-  for (const Quantity& q : entry.exercise.study(off_defaults(entry), truth).quantities)
+  return truth;
+}
+
+void ok_there(const Entry& entry, const Parameters& there) {
+  for (const Quantity& q : entry.exercise.study(there, reference()).quantities)
     for (const Method& m : q.methods) {
       if (m.expected != Outcome::ok) continue;
       const Trial trial = run(q, m, m.knob.settings.back());
@@ -36,15 +49,48 @@ void ok_there(const Entry& entry) {
 const bool registered = [] {
   for (const Entry& entry : registry())
     if (!entry.exercise.scene)
-      register_test([&entry] { ok_there(entry); }, to_string(entry.number) + " off its defaults",
+      register_test([&entry] { ok_there(entry, off_defaults(entry)); },
+                    to_string(entry.number) + " off its defaults",
                     "[off_defaults][" + to_string(entry.number) + "]");
   return true;
 }();
 
 }  // namespace
 
+TEST_CASE("2.17: the maximum after five turns is found as the first is, and the printed one is 2 % too large",
+          "[off_defaults][2.17]") {
+  const Entry& entry = entry_of(2, 17);
+  Parameters p(entry.exercise.parameters);
+  p.set("turn", 5);
+  ok_there(entry, p);
+  const Findings found = entry.exercise.study(p, reference());
+  const Quantity& q = *std::ranges::find(found.quantities, "maximum", &Quantity::name);
+  const Value printed = method_of(q, "closed form", "as printed, W = r omega x sqrt 2")->run(0).value;
+  CHECK(near(printed[2] / q.reference.value[2], 1.02, 5e-3));
+}
+
+TEST_CASE("2.7: steps of a rotation end where the evaluations granted are spent", "[off_defaults][2.7]") {
+  const Entry& entry = entry_of(2, 7);
+  const Findings found = entry.exercise.study(Parameters(entry.exercise.parameters), reference());
+  const Quantity& q = *std::ranges::find(found.quantities, "orientation", &Quantity::name);
+  const Method& magnus = *method_of(q, "rotation vector", "Magnus 4");
+  const ode::EvaluationLimit limit(10);
+  const Answer answer = magnus.run(magnus.knob.settings.back());
+  CHECK(answer.ending == Ending::stalled);
+  CHECK(answer.message == "the budget of evaluations is spent");
+}
+
+TEST_CASE("2.7: what is no number departs from a rotation by no number", "[off_defaults][2.7]") {
+  space::Matrix3 turned = space::identity<double>();
+  CHECK(curve_on_sphere::departure(turned) == 0);
+  turned.e[4] = 2;
+  CHECK(curve_on_sphere::departure(turned) == 3);
+  turned.e[1] = std::nan("");
+  CHECK(std::isnan(curve_on_sphere::departure(turned)));
+}
+
 TEST_CASE("7.11: the logarithm of a determinant in range is found by every method", "[off_defaults][7.11]") {
-  const Entry& entry = *std::ranges::find(registry(), Number{7, 11}, &Entry::number);
+  const Entry& entry = entry_of(7, 11);
   Parameters p(entry.exercise.parameters);
   p.set("e", 1);
   const Findings found = entry.exercise.study(p, Reference::nothing());

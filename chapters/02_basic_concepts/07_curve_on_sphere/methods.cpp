@@ -32,9 +32,9 @@ Answer observe_steps(const Model& model, State x, const Horizon& horizon, double
   std::vector<double> seen;
   const auto steps = [&](double from, double to) {
     const double n = count_of_steps(to - from, step), h = (to - from) / n;
-    for (double k = 0; k < n && answer.evaluations <= ode::budget; ++k)
+    for (double k = 0; k < n && answer.evaluations <= ode::most_evaluations; ++k)
       answer.evaluations += advance(x, from + k * h, h);
-    if (answer.evaluations <= ode::budget) return true;
+    if (answer.evaluations <= ode::most_evaluations) return true;
     answer.ending = Ending::stalled;
     answer.message = "the budget of evaluations is spent";
     return false;

@@ -4,7 +4,6 @@
 #include "chapters/integral_proofs.hpp"
 #include "chapters/provable.hpp"
 
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -20,26 +19,18 @@ using InSpace = double (*)(double x, double y, double z);
 
 const Rule sixteen = gauss_rule(16);
 
-/// The integral of x^p y^q over the lamina, that over a row being 2 y^(q+(p+1)/2) / (p+1) for p even.
+/// The integral of x^p y^q over the lamina, that over a row being 2 y^(q+(p+1)/2) / (p+1) for p even; both
+/// factors are odd then, and the fraction is in lowest terms.
 Fraction moment(long p, long q) {
-  const long bottom = (p + 1) * (p + 2 * q + 3), common = std::gcd(4L, bottom);
-  return p % 2 == 0 ? Fraction{4 / common, bottom / common} : Fraction{0L, 1L};
+  return p % 2 == 0 ? Fraction{4, (p + 1) * (p + 2 * q + 3)} : Fraction{0, 1};
 }
-Fraction sum(Fraction a, Fraction b) {
-  const long over = a[0] * b[1] + b[0] * a[1], under = a[1] * b[1], common = std::gcd(over, under);
-  return {over / common, under / common};
-}
+/// In lowest terms where the denominators have no factor in common.
+Fraction sum(Fraction a, Fraction b) { return {a[0] * b[1] + b[0] * a[1], a[1] * b[1]}; }
 
-Fraction times(long factor, Fraction a) {
-  const long over = factor * a[0], common = std::gcd(over, a[1]);
-  return {over / common, a[1] / common};
-}
-/// The components xx, yy, zz, xy, xz, yz of the lamina at the height z, a whole number; by rows.
-std::array<Fraction, 6> by_rows_at(long z) {
-  const Fraction squared = times(z * z, moment(0, 0));
-  return {sum(moment(0, 2), squared),      sum(moment(2, 0), squared),
-          sum(moment(2, 0), moment(0, 2)), moment(1, 1),
-          times(z, moment(1, 0)),          times(z, moment(0, 1))};
+/// The components xx, yy, zz, xy, xz, yz of the lamina, where z = 0; by rows.
+std::array<Fraction, 6> in_rationals() {
+  const Fraction of_y2 = moment(0, 2), of_x2 = moment(2, 0), none{0, 1};
+  return {of_y2, of_x2, sum(of_x2, of_y2), moment(1, 1), none, none};
 }
 
 /// The lamina cut off at x = left, at the height z.
@@ -91,9 +82,8 @@ Reading value_of(const Component& c, std::size_t k, const Fraction& value) {
   const auto pair = [](const Fraction& r) {
     return Value{static_cast<double>(r[0]), static_cast<double>(r[1])};
   };
-  const std::string text = value[1] == 1 ? std::to_string(value[0])
-                                         : R"($\tfrac{)" + std::to_string(value[0]) + "}{" +
-                                               std::to_string(value[1]) + "}$",
+  const std::string over = std::to_string(value[0]), under = std::to_string(value[1]),
+                    text = "$" + (value[1] == 1 ? over : R"(\tfrac{)" + over + "}{" + under + "}") + "$",
                     name = "$I_{" + c.letters + "}$";
   const double decimal = static_cast<double>(value[0]) / static_cast<double>(value[1]);
   return {text,
@@ -239,7 +229,7 @@ void region_and_order(Claims& claims, double seed) {
        .near_misses = {{R"(where $|x|\le0.9$, $x^2\le y\le1$)", in(0.9, parabola)},
                        {R"(where $|x|\le y\le1$)", in(1, wedge)}}});
   std::vector<double> by_rows;
-  for (const Fraction& f : by_rows_at(0))
+  for (const Fraction& f : in_rationals())
     by_rows.push_back(static_cast<double>(f[0]) / static_cast<double>(f[1]));
   const auto from = [&](const std::string& text, double (*low)(double)) {
     const auto all = all_of(6, [&](std::size_t k) {
@@ -260,7 +250,7 @@ void region_and_order(Claims& claims, double seed) {
 
 std::vector<Claim> claims(double seed) {
   const InSpace minus_xy = [](double x, double y, double) { return -x * y; };
-  const auto by_rows = by_rows_at(0);
+  const auto by_rows = in_rationals();
   const Component all[] = {
       {"xx", 669, 699, "$y^2+z^2$", yy, "$x^2+z^2$", xx, {4, 7}, {2, 7}, by_rows[0]},
       {"yy", 703, 707, "$x^2+z^2$", xx, "$x^2+y^2$", zz, {4, 15}, {4, 5}, by_rows[1]},
@@ -341,7 +331,7 @@ std::vector<Lemma> integrates(const Shortened& printed, const Shortened& definit
 
 Provables proofs() {
   const std::string preamble = std::string(integrals_in_coq) + nested_in_coq;
-  const auto by_rows = by_rows_at(0);
+  const auto by_rows = in_rationals();
   constexpr const char* names[] = {"xx", "yy", "zz", "xy", "xz", "yz"};
   Provables proved;
   std::vector<Lemma> similar;

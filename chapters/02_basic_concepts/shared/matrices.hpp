@@ -51,7 +51,6 @@ template <class T>
 struct Matrix {
   std::array<T, 9> e{};
 
-  T& operator()(std::size_t i, std::size_t j) { return e[3 * i + j]; }
   const T& operator()(std::size_t i, std::size_t j) const { return e[3 * i + j]; }
   Vector<T> column(std::size_t j) const { return {e[j], e[3 + j], e[6 + j]}; }
   auto begin() const { return e.begin(); }

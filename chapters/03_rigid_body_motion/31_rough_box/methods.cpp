@@ -208,7 +208,7 @@ Answer slide_with_stick_test(const Box& b, Stepping rule, const Horizon& horizon
   const auto go_on = [&](double from, double to) {
     const double n = count_of_steps(to - from, step), h = (to - from) / n;
     for (double k = 0; k < n && !rests; ++k) {
-      if (answer.evaluations > ode::budget)
+      if (answer.evaluations > ode::most_evaluations)
         return fail(answer, Ending::stalled, "the budget of evaluations is spent");
       if (const auto rest = step_or_stop(box, rule, from + k * h, h, x, answer.evaluations)) {
         std::copy(rest->begin() + 1, rest->end(), x.begin());
