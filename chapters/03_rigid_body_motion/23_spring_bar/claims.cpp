@@ -27,7 +27,6 @@ struct SampleOf {
         a(random.between(-5, 5)) {}
 
   std::array<T*, 10> letters() { return {&m, &r, &s, &c, &h, &g, &ell, &q, &v, &a}; }
-  double size() const { return m * g * r + c * (s + h + ell) * (s + h + ell) + m * r * r * (v * v + abs(a)); }
   TypesetLetters typeset() const {
     return {{"m", m},
             {"r", r},

@@ -25,7 +25,7 @@ void across_by_tensions(const Numbers& inverse_mass, const Lengths& r, const G& 
   const X gravity = X(g);
   // Sines and cosines first: so what comes after stays in registers, where n is known.
   Angles normal = theta;
-  const X across = gravity * sin(theta[0]), along = gravity * cos(theta[0]);
+  const X across = -gravity * sin(theta[0]), along = gravity * cos(theta[0]);
   for (std::size_t k = 1; k < n; ++k) {
     const X turn = theta[k] - theta[k - 1];
     normal[k] = inverse_mass[k - 1] * sin(turn);
@@ -44,7 +44,7 @@ void across_by_tensions(const Numbers& inverse_mass, const Lengths& r, const G& 
     tension[k] /= diagonal[k];
   }
   for (std::size_t k = 0; k < n; ++k) {
-    alpha[k] = k == 0 ? -across : -tension[k - 1] * normal[k];
+    alpha[k] = k == 0 ? across : -tension[k - 1] * normal[k];
     if (k + 1 < n) alpha[k] += tension[k + 1] * normal[k + 1];
   }
 }
