@@ -151,7 +151,7 @@ TEST_CASE("a perturbed result that a check does not notice is named", "[report]"
   Check rounded_zero = scaled_zero;
   rounded_zero.right.value = Value{1e-16};
   CHECK(unnoticed_perturbations(judged(rounded_zero)).empty());
-  const Check large_zero{"x", {"a", 0}, {"b", 1e-8}, {1e-9, "a test"}, 1e6};  // but for roundings as well
+  const Check large_zero{"x", {"a", 0}, {"b", 1e-8}, {1e-3, "a test"}, 1e6};  // but for roundings as well
   CHECK(unnoticed_perturbations(judged(large_zero)).empty());
 }
 

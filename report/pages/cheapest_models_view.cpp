@@ -88,7 +88,7 @@ std::string break_even_text(const BreakEven& b) {
 std::string never_text(const std::vector<std::string>& models) {
   std::string names;
   for (const std::string& model : models) names += (names.empty() ? "*" : ", *") + escaped(model) + "*";
-  return models.empty() ? "" : "- Enough nowhere in the ranges searched: " + names + ".\n";
+  return models.empty() ? "" : "- Enough nowhere searched: " + names + ".\n";
 }
 
 std::string section(const ExerciseResult& e) {

@@ -124,7 +124,7 @@ Quantity early_work(const Reference& truth) {
            return Answer{closed_form(Force::growing, m, m.r / m.w), 1};
          },
          Outcome::inaccurate, R"($(\omega T)^2/2$ is what is left of terms of size 1)"});
-  q.add({"closed form", "x cos x - sin x by the first term of its series", no_knob(), [m](double) {
+  q.add({"closed form", "x cos x - sin x by its series", no_knob(), [m](double) {
            const double x = m.x(), half = sin(x / 2);
            return Answer{m.r / m.w * (x * sin(x) - 2 * half * half - x * x * x / 3), 1};
          }});
