@@ -253,7 +253,13 @@ TEST_CASE("the site of the last run is whole, typeset and small", "[site]") {
     WARN("there is no last run: " << file.string());
     return;
   }
-  const Results results = read_results(file);
+  Results results;
+  try {
+    results = read_results(file);
+  } catch (const BadInput& error) {
+    WARN("the last run was of another version: " << error.what());
+    return;
+  }
   if (std::ranges::any_of(results.exercises,
                           [](const ExerciseResult& e) { return e.scene && !e.cheapest_models; })) {
     WARN("the last run was the suite's, which makes no cheapest models as the site does: " << file.string());
