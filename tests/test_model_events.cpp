@@ -343,7 +343,7 @@ TEST_CASE("a guard that dips below zero between two samples is seen", "[events]"
     INFO(c);
     const auto motion = moved("Runge-Kutta 4", Dip{{1, 0, 0}, c, 1e-4}, {9, 0}, {0, 1}, 1);
     REQUIRE(motion.events.size() == 1);
-    CHECK(near(motion.events[0].time, c - 0.01, 1e-13));
+    CHECK(near(motion.events[0].time, c - 0.01, 2e-14));
   }
 }
 

@@ -256,8 +256,9 @@ TEST_CASE("the site of the last run is whole, typeset and small", "[site]") {
   Results results;
   try {
     results = read_results(file);
-  } catch (const BadInput& error) {
-    WARN("the last run was of another version: " << error.what());
+  } catch (const BadInput& error) {  // of this version it has to be readable
+    if (std::string(error.what()).find("another") == std::string::npos) throw;
+    WARN(error.what());
     return;
   }
   if (std::ranges::any_of(results.exercises,

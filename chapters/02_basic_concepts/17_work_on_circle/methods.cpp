@@ -125,7 +125,7 @@ Quantity early_work(const Reference& truth) {
          },
          Outcome::inaccurate, R"($(\omega T)^2/2$ is what is left of terms of size 1)"});
   q.add({"closed form", "x cos x - sin x by its series", no_knob(), [m](double) {
-           const double x = m.x(), half = sin(x / 2);
+           const double x = m.x(), half = sin(x / 2);  // the second term is 1e-16 of the whole
            return Answer{m.r / m.w * (x * sin(x) - 2 * half * half - x * x * x / 3), 1};
          }});
   q.add({"power", "Gauss-Legendre", doubling("points", 1, 4), [m](double n) {
