@@ -1,6 +1,12 @@
 // What `oddity bench` computes, apart from the clock.
 
 #include "report/cli/bench.hpp"
+
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+
+#include "report/cli/fresh_pages.hpp"
 #include "tests/catch.hpp"
 
 using namespace oddity;
@@ -88,4 +94,25 @@ TEST_CASE("the last line says whether all limits hold", "[bench]") {
   CHECK_FALSE(good.broken());
   CHECK_FALSE(unclear.broken());
   CHECK(bad.broken());
+}
+
+TEST_CASE("code that is moved lies on pages of no file, and does what it did", "[bench]") {
+  const auto here = reinterpret_cast<std::uintptr_t>(&move_code_to_fresh_pages);
+  const auto lies_on_a_file = [&] {
+    std::ifstream all("/proc/self/maps");
+    for (std::string line; std::getline(all, line);) {
+      std::uintptr_t begin = 0, end = 0;
+      unsigned long inode = 0;
+      REQUIRE(std::sscanf(line.c_str(), "%lx-%lx %*s %*s %*s %lu", &begin, &end, &inode) == 3);
+      if (begin <= here && here < end) return inode != 0;
+    }
+    FAIL("the function is nowhere");
+    return false;
+  };
+  const double before = spread_of({3, 1, 2}).median;
+  for (int round = 0; round < 2; ++round) {
+    move_code_to_fresh_pages();
+    CHECK_FALSE(lies_on_a_file());
+    CHECK(spread_of({3, 1, 2}).median == before);
+  }
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "reference/text.hpp"
+#include "report/cli/fresh_pages.hpp"
 #include "report/cli/instructions.hpp"
 #include "report/pages/table_text.hpp"
 #include "report/pages/text_view.hpp"
@@ -337,6 +338,7 @@ std::vector<RaceResult> race(const std::vector<Race>& races, const Progress& pro
   for (const Race& r : races) all.push_back({r});
   for (int round = 0; round < rounds; ++round) {
     if (progress) progress("racing the integrators", round, rounds);
+    move_code_to_fresh_pages();
     for (Timed& timed : all)
       for (int b = 0; b < batches; ++b) timed.measure(counter);
   }

@@ -11,6 +11,7 @@
 
 #include "chapters/contents.hpp"
 #include "reference/text.hpp"
+#include "report/cli/fresh_pages.hpp"
 #include "report/pages/text_view.hpp"
 
 namespace oddity {
@@ -245,6 +246,7 @@ LanesBench bench_lanes(const std::vector<std::string>& numbers, int rounds, cons
   std::array arithmetic{ArithmeticAlone(Precision::in_double), ArithmeticAlone(Precision::in_float)};
   for (int round = 0; round < rounds; ++round) {
     if (progress) progress("models in lanes", round, static_cast<std::size_t>(rounds));
+    move_code_to_fresh_pages();
     for (ArithmeticAlone& one : arithmetic) one.measure();
     for (Contestant& one : all) one.measure();
   }

@@ -8,6 +8,7 @@
 
 #include "chapters/scene.hpp"
 #include "reference/text.hpp"
+#include "report/cli/fresh_pages.hpp"
 #include "report/pages/table_text.hpp"
 #include "report/pages/text_view.hpp"
 
@@ -80,6 +81,7 @@ SeriesRace race(const std::string& scene, const Quantity& motion, const std::str
     constexpr int rounds = 11;
     std::vector<double> ratios, times, times_of_other;
     for (int round = 0; round < rounds; ++round) {
+      move_code_to_fresh_pages();
       times.push_back(seconds(*series.method, series.setting, series.runs()));
       times_of_other.push_back(seconds(*other.method, other.setting, other.runs()));
       ratios.push_back(times.back() / times_of_other.back());

@@ -31,6 +31,10 @@ concept WithForces =
   model.acceleration(q, q);
 };
 
+/// A model that says so: by twos what it computes would leave the machine's registers.
+template <class Model>
+concept FillsRegisters = Model::fills_registers;
+
 template <template <class> class Given>
 constexpr std::size_t parameter_count = sizeof(Given<double>) / sizeof(double);
 
@@ -110,7 +114,7 @@ struct Kernels {
       // Forces have hardly a term to wait for, and of 16 registers two for each number leave too few.
       constexpr bool light = WithForces<Alone> && unknowns > 4;
       using OfFixed = Together<unknowns <= 2 ? 4 : many || (light && Set::bytes <= 32) ? 1 : 2>;
-      using OfOwn = Together<many || light ? 1 : 2>;
+      using OfOwn = Together<many || light || FillsRegisters<Alone> ? 1 : 2>;
       all.for_fixed_steps = OfFixed::grouping();
       all.for_own_steps = OfOwn::grouping();
       all.own_steps = OfOwn::own_steps;

@@ -151,6 +151,8 @@ template <class T, Equations how>
 struct Angles {
   Given<T> p;
   Links<T, how> links = Links<T, how>(p);
+  /// In lanes the tensions, all of which are held at once, go by single registers.
+  static constexpr bool fills_registers = how == Equations::tensions;
   using State = std::array<T, 6>;
   State start() const { return {p.theta[0], p.theta[1], p.theta[2], p.omega[0], p.omega[1], p.omega[2]}; }
   template <class X>
