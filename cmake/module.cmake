@@ -80,17 +80,30 @@ foreach(file events in_float integrate precompiled raw_problem)
   compile_for_module(${PROJECT_SOURCE_DIR}/solvers/ode/${file}.cpp -Os c++20)
 endforeach()
 compile_for_module(${PROJECT_SOURCE_DIR}/solvers/ode/implicit.cpp -Os c++17)  # as in the program
+# Four algorithms to a file, as Odeint's headers take longer to read than one of them to compile.
+set(nth 0)
+set(files 0)
+list(LENGTH algorithms last)
+set(includes "")
+set(precompiled "")
 foreach(entry IN LISTS algorithms)
   string(REGEX MATCH "^(.*)[|](.*)$" entry "${entry}")
-  set(file ${module}/${CMAKE_MATCH_1}.cpp)
-  file(CONFIGURE OUTPUT ${file} CONTENT "#include \"solvers/ode/precompile.hpp\"
-#include \"${CMAKE_MATCH_2}\"
-
+  string(APPEND includes "#include \"${CMAKE_MATCH_2}\"\n")
+  string(APPEND precompiled "ODDITY_PRECOMPILE(${CMAKE_MATCH_1})\n")
+  math(EXPR nth "${nth} + 1")
+  math(EXPR over "${nth} % 4")
+  if(over EQUAL 0 OR nth EQUAL last)
+    set(file ${module}/algorithms_${files}.cpp)
+    file(CONFIGURE OUTPUT ${file} CONTENT "#include \"solvers/ode/precompile.hpp\"
+${includes}
 namespace oddity::ode {
-ODDITY_PRECOMPILE(${CMAKE_MATCH_1})
-}  // namespace oddity::ode
+${precompiled}}  // namespace oddity::ode
 " @ONLY)
-  compile_for_module(${file} -Os c++20)
+    compile_for_module(${file} -Os c++20)
+    set(includes "")
+    set(precompiled "")
+    math(EXPR files "${files} + 1")
+  endif()
 endforeach()
 foreach(file at_time exports scene)
   compile_for_module(${PROJECT_SOURCE_DIR}/report/site/module/${file}.cpp -Os c++20)

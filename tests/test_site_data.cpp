@@ -16,7 +16,7 @@
 #include "tests/sample_results.hpp"
 
 using namespace oddity;
-using Json = nlohmann::json;
+using nlohmann::json;
 
 namespace {
 
@@ -39,11 +39,11 @@ const Results& results() {
 const ExerciseResult& pendulum() { return results().exercises.front(); }
 const QuantityResult& swing() { return pendulum().quantities.back(); }
 
-Json written(const ExerciseResult& e) {
+json written(const ExerciseResult& e) {
   return argument("exercise", exercise_data(e, known(), Styles(results()), true));
 }
 
-std::vector<float> floats(const Json& text) {
+std::vector<float> floats(const json& text) {
   const std::string bytes = bytes_of(text);
   std::vector<float> numbers;
   for (std::size_t at = 0; at < bytes.size(); at += 4)
@@ -54,16 +54,16 @@ std::vector<float> floats(const Json& text) {
 }  // namespace
 
 TEST_CASE("The data of a page have every trial, in double and in float", "[site]") {
-  const Json q = written(pendulum())["quantities"].back();
+  const json q = written(pendulum())["quantities"].back();
   REQUIRE(q["methods"].size() == swing().methods.size() + swing().in_float.size());
   REQUIRE(swing().methods.size() > 20);
   REQUIRE(!swing().in_float.empty());
-  const auto same = [&](const Json& shown, const std::vector<TimedTrial>& trials) {
-    const Json& settings = q["knobs"][shown[2].get<std::size_t>()]["settings"];
+  const auto same = [&](const json& shown, const std::vector<TimedTrial>& trials) {
+    const json& settings = q["knobs"][shown[2].get<std::size_t>()]["settings"];
     REQUIRE(shown[4].size() == trials.size());
     REQUIRE(settings.size() == trials.size());
     for (std::size_t i = 0; i < trials.size(); ++i) {
-      const Json& row = shown[4][i];
+      const json& row = shown[4][i];
       CHECK(settings[i].get<double>() == trials[i].setting);
       if (std::isfinite(trials[i].error))
         CHECK(std::abs(row[0].get<double>() / trials[i].error - 1) < 0.006);
@@ -83,7 +83,7 @@ TEST_CASE("The data of a page have every trial, in double and in float", "[site]
   }
   for (std::size_t i = 0; i < swing().in_float.size(); ++i) {
     const FloatResult& m = swing().in_float[i];
-    const Json& shown = q["methods"][swing().methods.size() + i];
+    const json& shown = q["methods"][swing().methods.size() + i];
     CHECK(q["algorithms"][shown[1].get<std::size_t>()] == swing().methods[m.in_double].algorithm);
     CHECK(shown[3] == 1);
     same(shown, m.trials);
@@ -91,18 +91,18 @@ TEST_CASE("The data of a page have every trial, in double and in float", "[site]
 }
 
 TEST_CASE("The data of a page have every name's style and every outcome's letter", "[site]") {
-  const Json data = written(pendulum());
-  for (const Json& q : data["quantities"]) {
-    for (const Json& model : q["models"]) CHECK(data["styles"]["colours"].contains(model));
-    for (const Json& algorithm : q["algorithms"]) CHECK(data["styles"]["marks"].contains(algorithm));
-    for (const Json& m : q["methods"])
-      for (const Json& row : m[4]) CHECK(data["outcomes"].contains(row[4]));
+  const json data = written(pendulum());
+  for (const json& q : data["quantities"]) {
+    for (const json& model : q["models"]) CHECK(data["styles"]["colours"].contains(model));
+    for (const json& algorithm : q["algorithms"]) CHECK(data["styles"]["marks"].contains(algorithm));
+    for (const json& m : q["methods"])
+      for (const json& row : m[4]) CHECK(data["outcomes"].contains(row[4]));
   }
   CHECK(data["styles"]["families"]["velocity Verlet"] == "partitioned");
 }
 
 TEST_CASE("The true motion starts where the book's does and ends where the reference's does", "[site]") {
-  const Json truth = written(pendulum())["scene"]["truth"];
+  const json truth = written(pendulum())["scene"]["truth"];
   const std::vector<float> angles = floats(truth["values"]);
   REQUIRE(truth["frames"] == 600);
   REQUIRE(angles.size() == 601);
@@ -112,7 +112,7 @@ TEST_CASE("The true motion starts where the book's does and ends where the refer
 }
 
 TEST_CASE("A recorded motion is the one that was run, to one part in 65535 of its range", "[site]") {
-  const Json paths = written(pendulum())["scene"]["paths"];
+  const json paths = written(pendulum())["scene"]["paths"];
   REQUIRE(paths.size() == swing().trajectory->paths.size());
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const Value& run = swing().trajectory->paths[i].value;
@@ -142,14 +142,14 @@ TEST_CASE("What an engine did as it comes is a recorded motion, twenty times a s
   contest.series = {series, tuned, in_double};
   const auto paths_of = [&](const std::string& scene) {
     contest.scene = scene;
-    const Json data = argument(
+    const json data = argument(
         "exercise", exercise_data(pendulum(), known(), Styles(results()), false, std::span(&contest, 1)));
-    std::vector<Json> paths;
-    for (const Json& path : data["scene"]["paths"])
+    std::vector<json> paths;
+    for (const json& path : data["scene"]["paths"])
       if (path["model"] == "physics engine, as it comes") paths.push_back(path);
     return paths;
   };
-  const std::vector<Json> paths = paths_of("3.5");
+  const std::vector<json> paths = paths_of("3.5");
   REQUIRE(paths.size() == 1);
   CHECK(paths[0]["frames"] == 200);
   CHECK(paths[0]["setting"] == 1 / 60.0);
@@ -161,10 +161,10 @@ TEST_CASE("What an engine did as it comes is a recorded motion, twenty times a s
 }
 
 TEST_CASE("Without models the motions are drawn: the bob is where its angle says", "[site]") {
-  const Json drawn = written(pendulum())["scene"]["drawn"];
+  const json drawn = written(pendulum())["scene"]["drawn"];
   CHECK(drawn["space"] == false);
   std::size_t at = 0;  // the first coordinate of the bob
-  for (const Json& thing : drawn["things"]) {
+  for (const json& thing : drawn["things"]) {
     if (thing["kind"] == "body") break;
     at += 2 * thing["points"].get<std::size_t>();
   }
@@ -187,11 +187,11 @@ TEST_CASE("Without models the motions are drawn: the bob is where its angle says
 }
 
 TEST_CASE("A map has a list of letters for each value of the parameter", "[site]") {
-  const Json stability = written(pendulum())["stability"];
+  const json stability = written(pendulum())["stability"];
   const Stability& s = *pendulum().stability;
   std::size_t rows = 0;
-  for (const Json& method : stability["map"])
-    for (const Json& row : method["rows"]) {
+  for (const json& method : stability["map"])
+    for (const json& row : method["rows"]) {
       CHECK(method["algorithm"] == s.map[rows].algorithm);
       CHECK(row[0] == s.map[rows].value);
       CHECK(row[2] == letters(s.map[rows]));
@@ -206,18 +206,18 @@ TEST_CASE("No text ends the script that it stands in", "[site]") {
   ExerciseResult e = results().exercises.back();
   e.title = "</script><script>alert(1)</script><!--<script>\u2028\u2029\"'\\\n";
   const std::string script = exercise_data(e, known(), Styles(results()), true);
-  const Json data = argument("exercise", script);
+  const json data = argument("exercise", script);
   CHECK(data["title"] == e.title);
   CHECK(data["scene"].is_null());
 }
 
 TEST_CASE("The example is a scene with its truth and the rows that the player opens with", "[site]") {
-  const Json data = argument("exercise", example_data(example_result(), true));
+  const json data = argument("exercise", example_data(example_result(), true));
   CHECK(data["example"]["truth"]["model"] == "flights");
   REQUIRE(data["example"]["opening"].size() == 3);
-  for (const Json& row : data["example"]["opening"]) {
-    const auto of = [&](const Json& m) {
-      const Json& q = data["quantities"][0];
+  for (const json& row : data["example"]["opening"]) {
+    const auto of = [&](const json& m) {
+      const json& q = data["quantities"][0];
       return q["models"][m[0].get<std::size_t>()] == row["model"] &&
              q["algorithms"][m[1].get<std::size_t>()] == row["algorithm"];
     };
@@ -234,19 +234,19 @@ TEST_CASE("The errors of a page are by the norms of its table", "[site]") {
   for (const bool by_norms : {true, false}) {
     ExerciseResult e = pendulum();
     for (QuantityResult& q : e.quantities) q.by_norms = by_norms;
-    CHECK(written(e)["scene"]["norms"] == Json::parse(R"([{"unit": "rad", "components": [0]}])"));
+    CHECK(written(e)["scene"]["norms"] == json::parse(R"([{"unit": "rad", "components": [0]}])"));
   }
   CHECK(swing().by_norms);
 }
 
 TEST_CASE("The chooser knows the parameters, units and exact models of each scene", "[site]") {
-  const Json scenes = argument("scenes", scenes_data(results(), Styles(results())));
+  const json scenes = argument("scenes", scenes_data(results(), Styles(results())));
   REQUIRE(scenes.size() == 1);
   CHECK(scenes[0]["number"] == "3.5");
   CHECK(scenes[0]["parameters"][0]["name"] == "a");
   CHECK(scenes[0]["close"]["rad"] == Approx(std::numbers::pi / 180));
-  CHECK(scenes[0]["norms"][0]["components"] == Json::array({0}));
+  CHECK(scenes[0]["norms"][0]["components"] == json::array({0}));
   CHECK(scenes[0]["exact"] ==
-        Json::array({"Jacobi's function by its Fourier series", "one angle", "Cartesian with constraint"}));
+        json::array({"Jacobi's function by its Fourier series", "one angle", "Cartesian with constraint"}));
   CHECK(scenes[0]["knobs"]["step"][0] == 0.125);
 }

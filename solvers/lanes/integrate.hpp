@@ -215,7 +215,7 @@ class OwnSteps {
 
   /// The next late bodies as a group. Their slopes are computed anew, and are those of the step before, to
   /// the bit.
-  [[gnu::noinline]] bool go_on(const Room<Together>* models, State* states, Ended* each) {
+  [[gnu::noinline, gnu::cold]] bool go_on(const Room<Together>* models, State* states, Ended* each) {
     Late now[width] = {};
     const std::size_t count = std::min(width, lates_);
     lates_ -= count;
