@@ -212,10 +212,14 @@ int mutate(const Request& request) {
   const fs::path program = request.program.empty()
                                ? compiled_program({home / "tree", home / "build", built}, all)
                                : fs::path(request.program);
-  if (changed) fs::remove_all(home / "reached");
+  // What was found before holds for the sources and tests that it was found with.
+  const auto stale = [&](const fs::path& found) {
+    return changed || (fs::exists(found) && fs::last_write_time(found) < fs::last_write_time(program));
+  };
+  if (stale(home / "reached")) fs::remove_all(home / "reached");
   Suite suite(program, home / "reached",
               static_cast<std::size_t>(std::ranges::max(all, {}, &Mutant::number).number));
-  Outcomes outcomes(home / "outcomes.csv", changed);
+  Outcomes outcomes(home / "outcomes.csv", stale(home / "outcomes.csv"));
   suite.measure(candidates);
   std::erase_if(candidates, [&](const Mutant& m) { return suite.is_absent(m); });
   const std::vector<Mutant> drawn = drawn_of(std::move(candidates), request);
