@@ -111,9 +111,11 @@ leg_syntax() {  # g++: every source alone, without precompiled headers; compile_
 leg_tidy() {  # clang-tidy: the solvers and the tables are clean, Arb's part aside; TIDY='files' asks for others
   tools clang-tidy
   cmake --preset developer >/dev/null
-  # g++'s flags that clang does not know
+  # without g++'s flags that clang does not know
+  mkdir -p build/tidy
+  sed 's/ -fno-toplevel-reorder//' build/developer/compile_commands.json >build/tidy/compile_commands.json
   sources ${TIDY:-'solvers/*.cpp' ':!solvers/engines/*' 'reference/*.cpp' ':!reference/make/*' ':!reference/enclosures/*'} |
-    xargs -d '\n' -P "$jobs" -n 1 clang-tidy --quiet --warnings-as-errors='*' -p build/developer \
+    xargs -d '\n' -P "$jobs" -n 1 clang-tidy --quiet --warnings-as-errors='*' -p build/tidy \
       --extra-arg=-Wno-unknown-warning-option --extra-arg=-Wno-unused-command-line-argument
 }
 

@@ -17,3 +17,20 @@ TEST_CASE("on a triangle its quadratic is rounded to below zero, and no distance
     }
   CHECK(below > 0);
 }
+
+TEST_CASE("scaled distances are had of a speck from afar, and of a triangle on the other side", "[9.1]") {
+  const ex09_01::Vec<double> far{3e10, 4e10, 0};
+  const ex09_01::Triangle<double> speck{{{{1e-300, 0, 0}, {0, 1e-300, 0}, {0, 0, 1e-300}}}};
+  CHECK(near(ex09_01::scaled_distance(speck, far) / 5e10, 1, 1e-15));
+  const ex09_01::Triangle<double> opposite{{{{1e200, 0, 0}, {1e200, 1, 0}, {1e200, 0, 1}}}};
+  CHECK(near(ex09_01::scaled_distance(opposite, ex09_01::Vec<double>{-1e200, 0, 0}) / 2e200, 1, 1e-15));
+}
+
+TEST_CASE("the golden section finds the least value wherever it lies", "[9.1]") {
+  for (double least : {-1.0, -0.9, -0.5, 0.1, 0.5, 1.2, 1.9, 2.0}) {
+    INFO(least);
+    const auto f = [=](double x) { return 7 + (x - least) * (x - least); };
+    CHECK(near(ex09_01::golden_section<double>(f, -1, 2, 40), 7, 1e-14));
+    CHECK(ex09_01::golden_section<double>(f, -1, 2, 3) < 7.05);
+  }
+}

@@ -7,6 +7,7 @@
 #include "reference/make/extrapolation.hpp"
 #include "reference/make/routes.hpp"
 #include "reference/make/taylor.hpp"
+#include "reference/make/universal_kepler.hpp"
 #include "reference/reference.hpp"
 #include "tests/catch.hpp"
 
@@ -213,6 +214,19 @@ TEST_CASE("the elliptic integral K: known digits, its limit and its end", "[refe
   CHECK(agree(elliptic_k(k), log(4 / sqrt((1 - k) * (1 + k)))));
   for (const Number& bad : {Number(1), Number(-1), Number(2), std::numeric_limits<Number>::quiet_NaN()})
     CHECK_THROWS_AS(elliptic_k(bad), std::domain_error);
+}
+
+TEST_CASE("Stumpff's functions: near zero, where they are series, and beyond", "[reference]") {
+  CHECK(agree(stumpff(2, 0), Number(1) / 2));
+  CHECK(agree(stumpff(3, 0), Number(1) / 6));
+  for (const char* text : {"0.3", "1", "2.5", "-0.7", "-1", "-4"}) {
+    INFO(text);
+    const Number z(text), w = sqrt(abs(z));
+    const Number sine = z > 0 ? Number(sin(w)) : Number(sinh(w)),
+                 cosine = z > 0 ? Number(cos(w)) : Number(cosh(w));
+    CHECK(agree(stumpff(2, z), (1 - cosine) / z));
+    CHECK(agree(stumpff(3, z), (w - sine) / (z * w)));
+  }
 }
 
 TEST_CASE("double-exponential quadrature: smooth and singular integrands", "[reference]") {

@@ -22,7 +22,6 @@ struct Dual {
   friend Dual operator+(const Number& k, const Dual& a) { return {k + a.x, a.dx}; }
   friend Dual operator-(const Dual& a, const Number& k) { return {a.x - k, a.dx}; }
   friend Dual operator-(const Number& k, const Dual& a) { return {k - a.x, -a.dx}; }
-  friend Dual operator*(const Dual& a, const Number& k) { return {a.x * k, a.dx * k}; }
   friend Dual operator*(const Number& k, const Dual& a) { return {k * a.x, k * a.dx}; }
   friend Dual operator/(const Dual& a, const Number& k) { return {a.x / k, a.dx / k}; }
   friend Dual operator/(const Number& k, const Dual& a) {

@@ -73,7 +73,7 @@ int Tape::put(Node node) {
 void Tape::resize(int order) {
   const auto terms = static_cast<std::size_t>(order) + 1;
   // Series of the same length are written over: every term is, before it is read.
-  if (series_.size() == nodes_.size() && !series_.empty() && series_.front().size() == terms) return;
+  if (!series_.empty() && series_.front().size() == terms) return;
   series_.assign(nodes_.size(), Numbers(terms));
 }
 

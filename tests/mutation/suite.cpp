@@ -50,11 +50,11 @@ std::string home_of(const std::string& file) {
   return file.starts_with("reference/make/") ? "table " : "";
 }
 
-/// Whether a mutant at home there may be reached by the test case: one of no chapter and no table by every
-/// exercise and unit test.
+/// Whether a mutant at home there may be reached by the test case: one of no chapter and no table, and what
+/// makers share, by every exercise and unit test.
 bool may_reach(const std::string& home, const std::string& tag) {
   const bool of_a_table = tag.starts_with("table "), of_an_exercise = tag.starts_with("unit [");
-  if (home.empty()) return !of_a_table && !of_an_exercise;
+  if (home.empty() || (home == "table " && !of_a_table)) return !of_a_table && !of_an_exercise;
   const std::string about = of_an_exercise ? tag.substr(6, tag.size() - 7) : tag;
   return home.ends_with('.') || home == "table " ? about.starts_with(home) : about == home;
 }
