@@ -264,6 +264,12 @@ Reference Reference::to_digits(int digits) const {
   return copy;
 }
 
+Reference Reference::repeated() const {
+  Reference copy = to_digits(digits_in_long_double);
+  copy.repeats_ = true;
+  return copy;
+}
+
 Reference Reference::enclosed_by(Enclosing enclosing) const {
   Reference copy = *this;
   copy.enclosing_ = std::move(enclosing);
@@ -319,7 +325,9 @@ Known Reference::made_motion(std::string_view name, const std::vector<double>& i
                              std::span<const double> times) const {
   const truth::Truth truth = maker_of(name)->make();
   if (digits_ <= digits_in_long_double)
-    if (auto known = motion_in_long_double(name, inputs, times, compared_times, tick_)) return *known;
+    if (auto known = motion_in_long_double(name, inputs, times, compared_times, tick_,
+                                           repeats_ ? BoundedBy::repeats : BoundedBy::routes))
+      return *known;
   const std::string key = cache_.empty() ? "" : motion_key(name, inputs, times, digits_);
   if (!cache_.empty())
     if (auto kept = kept_motion(cache_, key)) {

@@ -55,6 +55,8 @@ class Reference {
 
   /// The same, with so many digits in what is computed on the spot.
   Reference to_digits(int digits) const;
+  /// The same in long double, the error of motions bounded by repeats (reference/in_long_double.hpp).
+  Reference repeated() const;
 
   /// The same, in which the error of what is computed on the spot is its proved distance from the exact
   /// values, where there is an enclosure; each source says by what.
@@ -87,6 +89,7 @@ class Reference {
   std::function<void(double)> tick_;
   Enclosing enclosing_;
   int digits_;
+  bool repeats_ = false;
 };
 
 }  // namespace oddity

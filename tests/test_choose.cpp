@@ -106,7 +106,7 @@ TEST_CASE("a method that does not hold says on which start it errs most", "[choo
   }
   const Method& coarse = starts[0].motion.methods[0];
   CHECK(evaluate(starts, coarse, 0, asked(0.01, 1)).where == "a = 5");
-  CHECK(evaluate(starts, coarse, 0, asked(0.01, 1), Over::until_one_fails).where == "a = 2");
+  CHECK(evaluate_until_one_fails(starts, coarse, 0, asked(0.01, 1)).where == "a = 2");
 }
 
 TEST_CASE("of the settings that hold the first is found, and the first that does with a margin", "[choose]") {
@@ -124,6 +124,146 @@ TEST_CASE("of the settings that hold the first is found, and the first that does
   CHECK(found.first->error <= 1);
   CHECK(found.first->error > 1.0 / 3);
   CHECK(found.with_margin->error <= 1.0 / 3);
+}
+
+namespace {
+
+constexpr double far_off = 300;  // of the need, as far as the motion goes
+
+/// Errors that grow with the step to the power `order`, as far as the motion goes; beyond `limit` it is
+/// unstable.
+struct Converging {
+  std::string algorithm;
+  double order, error_at_a_frame;
+  double limit = 1;
+  std::vector<Start> starts = {};
+  Need need = asked(1, 10);
+
+  Tries tries() {
+    const Horizon horizon{need.horizon, static_cast<int>(need.frames())};
+    Quantity q = place(Parameters(parameters), horizon, Reference::nothing());
+    q.need.allowed = need.error;
+    const double frame = 1 / need.frames_per_second;
+    q.methods = {method(
+        "model", algorithm, halving("step", 1, 4), 1, horizon.count(),
+        [*this, frame](double h) {
+          return h / frame > limit ? far_off
+                                   : std::min(far_off, error_at_a_frame * std::pow(h / frame, order));
+        },
+        [=](double h) { return std::lround(horizon.end / h); })};
+    starts = {{"here", std::move(q)}};
+    return {starts.front().motion.methods.front(), need};
+  }
+
+  /// Steps per frame.
+  std::vector<long> tried() {
+    Tries all = tries();
+    while (!all.is_over()) all.go_on(1e6, starts, need, [] {});
+    std::vector<long> steps;
+    for (const Candidate& c : all.candidates)
+      steps.push_back(std::lround(1 / (c.setting * need.frames_per_second)));
+    return steps;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("settings that cannot hold, as errors fall by no more than the order has it, are skipped",
+          "[choose]") {
+  using Steps = std::vector<long>;
+  // 300 times too far off: by a fifth power and a luck of four, a 2.4th of the step at least.
+  CHECK(Converging{"Runge-Kutta 4", 4, 1e5}.tried() == Steps{1, 3, 8, 12, 16, 20});
+  // What an unstable step skips is looked through when a finer one holds.
+  CHECK(Converging{"Runge-Kutta 4", 4, 0.5, 0.3}.tried() == Steps{1, 3, 4});
+  CHECK(Converging{"Runge-Kutta 4", 4, 0.5, 0.5}.tried() == Steps{1, 2});
+  // The finest is tried before anyone says that nothing holds.
+  CHECK(Converging{"explicit Euler", 0, 1e5}.tried() == Steps{1, 10, 96, 512});
+  // Of an unknown order, or thoroughly, all are tried.
+  CHECK(Converging{"by hand", 4, 1e3}.tried() == Steps{1, 2, 3, 4, 5, 6});
+  Converging thorough{"Runge-Kutta 4", 4, 1e3};
+  thorough.need.thorough = true;
+  CHECK(thorough.tried() == Steps{1, 2, 3, 4, 5, 6});
+}
+
+TEST_CASE("a method that does not listen to its tolerance is not asked again", "[choose]") {
+  Need need = asked(0.1, 10);
+  need.objective = Objective::simple;  // with a margin of three
+  Quantity q = place(Parameters(parameters), {10, 100}, Reference::nothing());
+  q.need.allowed = need.error;
+  const auto with_error = [&](const std::string& model, double error) {
+    return method(
+        model, "deaf", tolerances(), 1, 100, [=](double) { return error; }, [](double) { return 9L; });
+  };
+  q.methods = {with_error("near", 0.05), with_error("far", 0.2)};
+  const std::vector<Start> starts{{"here", q}};
+  const auto settings_tried = [&](const Method& m) {
+    Tries tries(m, need);
+    while (!tries.is_over()) tries.go_on(1e6, starts, need, [] {});
+    return tries.candidates.size();
+  };
+  CHECK(settings_tried(starts[0].motion.methods[0]) == 2);
+  CHECK(settings_tried(starts[0].motion.methods[1]) == 12);
+}
+
+TEST_CASE("what fails on a start is tried there first at the next setting", "[choose]") {
+  std::vector<std::string> seen;
+  std::vector<Start> starts;
+  for (const char* says : {"easy", "hard"}) {
+    Quantity q = place(Parameters(parameters), {10, 100}, Reference::nothing());
+    q.need.allowed = 0.01;
+    const double hard = says == std::string("hard") ? 100 : 1;
+    q.methods = {{"model", "by hand", halving("step", 1, 4), [&seen, says, hard](double h) {
+                    seen.push_back(says);
+                    return Answer{Value(std::vector<double>(100, 1 + 0.09 * hard * h)), 1};
+                  }}};
+    starts.push_back({says, std::move(q)});
+  }
+  Tries tries(starts[0].motion.methods[0], asked(0.01, 10));
+  while (!tries.is_over() && tries.candidates.size() < 3)
+    tries.go_on(tries.expected_evaluations(), starts, asked(0.01, 10), [] {});
+  CHECK(seen.size() >= 3);
+  CHECK(std::vector(seen.begin(), seen.begin() + 3) == std::vector<std::string>{"easy", "hard", "hard"});
+}
+
+TEST_CASE("a better known truth is asked where the one at hand does not decide", "[choose]") {
+  const auto start_of = [](double truth, double known_to) {
+    Quantity q = place(Parameters(parameters), {10, 100}, Reference::nothing());
+    q.need.allowed = 1;
+    q.reference = {"made", Value(std::vector<double>(100, truth))};
+    q.reference_error = known_to;
+    q.methods = {{"model", "by hand", no_knob(), [](double) {
+                    return Answer{Value(std::vector<double>(100, 0.0)), 1};
+                  }}};
+    return Start{"here", std::move(q)};
+  };
+  int made = 0;
+  const auto judged = [&](double truth, double known_to, Objective objective = Objective::cheapest) {
+    made = 0;
+    std::vector<Start> starts{start_of(truth, known_to)};
+    starts[0].sharper = std::make_shared<Sharper>([&] {
+      ++made;
+      return start_of(0.25, 1e-9);
+    });
+    Need need = asked(1, 10);
+    need.objective = objective;
+    const Method& m = starts[0].motion.methods[0];
+    evaluate(starts, m, 0, need);
+    return evaluate(starts, m, 0, need);
+  };
+  CHECK(judged(3, 1.9).error == 3);  // fails, whatever the truth is
+  CHECK(made == 0);
+  CHECK(judged(0.8, 0.1).holds());
+  CHECK(made == 0);
+  CHECK(judged(0.95, 0.1).error == 0.25);  // may hold or fail
+  CHECK(made == 1);
+  CHECK(judged(3, 2.1).error == 0.25);
+  CHECK(made == 1);
+  judged(0.4, 0.1, Objective::simple);  // with a margin of three, or without
+  CHECK(made == 1);
+  judged(0.4, 0.01, Objective::simple);
+  CHECK(made == 0);
+  judged(1.0 / 3, 1e-3, Objective::simple);  // of a margin a thousandth decides nothing
+  CHECK(made == 0);
 }
 
 TEST_CASE("one step a frame is one, and two are several", "[choose]") {

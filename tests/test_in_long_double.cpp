@@ -68,8 +68,8 @@ struct Compared {
 };
 
 /// With the rows; `off` in the sum of both errors.
-Compared with_the_rows(const Rows& motion) {
-  const auto made = motion_in_long_double(motion.table, motion.inputs, motion.times, compared, {});
+Compared with_the_rows(const Rows& motion, BoundedBy bound = BoundedBy::routes) {
+  const auto made = motion_in_long_double(motion.table, motion.inputs, motion.times, compared, {}, bound);
   if (!made) return {};
   Compared all{true, 0, made->error, 0};
   const std::size_t parts = made->value.size() / motion.times.size();
@@ -117,10 +117,33 @@ TEST_CASE("what long double cannot follow is known by the error", "[truth]") {
   const Rows wide{"03_25_chain",
                   {1, 0.75, 0.5, 1, 0.75, 0.5, 9.8125, 2.5, 2, 2.5, 3, 0, 0, 0},
                   {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}};
-  const Compared all = with_the_rows(wide);
+  const Compared all = with_the_rows(wide), by_repeats = with_the_rows(wide, BoundedBy::repeats);
   REQUIRE(all.made);
   CHECK(all.off <= 1);
   CHECK(all.error > 1e-9);
+  CHECK(by_repeats.off <= 1);
+  CHECK(by_repeats.error == all.error);  // at the end the routes do not tell one motion
+}
+
+TEST_CASE("repeats bound roundings on chaotic chains of any start", "[truth]") {
+  Random random(5);
+  const std::vector<double> times{6, 7, 8};
+  for (int i = 0; i < 3; ++i) {
+    std::vector<double> chain{1, 0.75, 0.5, 1, 0.75, 0.5, 9.8125, 2.5};
+    for (const double least : {1.8, 0.3, 0.3}) chain.push_back(random.between(least, least + 1.2));
+    chain.insert(chain.end(), 3, 0.0);
+    const auto routes = motion_in_long_double("03_25_chain", chain, times, compared, {});
+    const auto repeats = motion_in_long_double("03_25_chain", chain, times, compared, {}, BoundedBy::repeats);
+    const Known exact = known().to_digits(digits_in_long_double + 1).motion("03_25_chain", chain, times);
+    REQUIRE(routes);
+    REQUIRE(repeats);
+    CHECK(repeats->value == routes->value);
+    CHECK(repeats->error <= routes->error);
+    double off = 0;
+    for (std::size_t k = 0; k < exact.value.size(); ++k)
+      off = std::max(off, std::abs(exact.value[k] - repeats->value[k]));
+    CHECK(off <= repeats->error + exact.error);
+  }
 }
 
 TEST_CASE("no motion in long double where there is none", "[truth]") {

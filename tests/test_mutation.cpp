@@ -78,9 +78,9 @@ TEST_CASE("a mutated source computes what stood there or its mutant, and notes t
 }
 
 TEST_CASE("a sample of mutants is judged by the share that is on record", "[mutation]") {
-  const Scores on_record{{"a", {.tried = 1000, .killed = 900}}};
+  const Scores on_record{{"a", {.tried = 990, .killed = 980, .first_tried = 1000, .first_killed = 900}}};
   const auto less = [&](const std::string& room, int killed) {
-    return noticed_less({{room, {.tried = 100, .killed = killed}}}, on_record);
+    return noticed_less({{room, {.first_tried = 100, .first_killed = killed}}}, on_record);
   };
   CHECK(less("a", 90).empty());
   CHECK(less("a", 81).empty());  // 90 +- 3.1
@@ -92,7 +92,8 @@ TEST_CASE("a sample of mutants is judged by the share that is on record", "[muta
 TEST_CASE(
     "where survivors alone were tried again, those that are killed count, and those that are no more do not",
     "[mutation]") {
-  const Score before{.tried = 100, .killed = 80, .with_reason = 10, .survived = 4};
+  const Score before{
+      .tried = 100, .killed = 80, .with_reason = 10, .survived = 4, .first_tried = 100, .first_killed = 77};
   const Survivors left{{"1", {"a", "a/x.cpp", "f: +", "the same"}},
                        {"2", {"a", "a/x.cpp", "f: -", ""}},
                        {"3", {"b", "b/x.cpp", "f: -", ""}}};
@@ -104,4 +105,6 @@ TEST_CASE(
   CHECK(after.with_reason == 10);  // one that had none has been given one
   CHECK(after.survived == 1);
   CHECK(after.killed == 82);
+  CHECK(after.first_tried == 100);
+  CHECK(after.first_killed == 77);
 }

@@ -90,6 +90,19 @@ TEST_CASE("2.7: what is no number departs from a rotation by no number", "[off_d
   CHECK(std::isnan(curve_on_sphere::departure(turned)));
 }
 
+TEST_CASE("3.33: the axis is between its bounds whether it starts upward or downward",
+          "[off_defaults][3.33]") {
+  const Entry& entry = entry_of(3, 33);
+  for (const double dphi : {-0.4, 0.4}) {
+    Parameters p(entry.exercise.parameters);
+    p.set("dphi", dphi);
+    const Findings found = entry.exercise.study(p, reference());
+    const Quantity& q = *std::ranges::find(found.quantities, "nutation_bounds", &Quantity::name);
+    INFO("dphi = " << dphi);
+    for (const Method& m : q.methods) CHECK(name_of(run(q, m, m.knob.settings.back()).outcome) == "ok");
+  }
+}
+
 TEST_CASE("7.11: the logarithm of a determinant in range is found by every method", "[off_defaults][7.11]") {
   const Entry& entry = entry_of(7, 11);
   Parameters p(entry.exercise.parameters);

@@ -4,6 +4,7 @@
 
 #include "chapters/contents.hpp"
 #include "reference/reference.hpp"
+#include "solvers/ode/integrate.hpp"
 #include "tests/catch.hpp"
 
 using namespace oddity;
@@ -43,7 +44,23 @@ void check_methods(const Entry& entry) {
   CHECK(checked > 0);
 }
 
+void says_that_its_budget_is_spent(const Entry& entry) {
+  const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
+  const Findings found = entry.exercise.study(Parameters(entry.exercise.parameters), truth);
+  const ode::EvaluationLimit few(1);
+  for (const Quantity& quantity : found.quantities)
+    for (const Method& method : quantity.methods) {
+      const Answer answer = method.run(method.knob.settings.front());
+      INFO(quantity.name << ": " << method.model << ", " << method.algorithm);
+      if (answer.ending == Ending::stalled) CHECK_FALSE(answer.message.empty());
+    }
+}
+
 [[maybe_unused]] const bool registered = [] {
+  for (const Entry& entry : registry())
+    register_test([&entry] { says_that_its_budget_is_spent(entry); },
+                  to_string(entry.number) + ": a method that is stopped says by what",
+                  "[endings][" + to_string(entry.number) + "]");
   for (const Entry& entry : registry())
     if (of_the_book(entry.number))
       register_test(

@@ -70,8 +70,8 @@ TEST_CASE("trust counts what is on record, and says what is not", "[trust]") {
   const ScratchFolder tests;
   for (const char* room : {"mutation", "fuzz"}) std::filesystem::create_directories(tests.path() / room);
   tests.file("mutation/mutation.csv",
-             "date,commit,room,mutants,tried,killed,with_reason,survived\n"
-             "2026-01-02,abc,chapters,30,20,17,2,1\n2026-01-03,def,solvers,10,10,9,0,1\n");
+             "date,commit,room,mutants,tried,killed,with_reason,survived,first_tried,first_killed\n"
+             "2026-01-02,abc,chapters,30,20,17,2,1,21,15\n2026-01-03,def,solvers,10,10,9,0,1,10,8\n");
   tests.file("fuzz/record.csv",
              "date,commit,target,inputs,seconds,crashes\n2026-01-02,abc,plan,1000,2.5,1\n");
   const Trust trust = trust_with(tests);
@@ -84,14 +84,14 @@ TEST_CASE("trust counts what is on record, and says what is not", "[trust]") {
   has("provable,so,1,3");
   has("wording,as said,1,3");
   has("witnessed,errata,0,1");  // those of the book are not these results
-  has("killed,mutants tried,26,30,,2026-01-03,several commits");
-  has("killed,chapters,17,20,\"2 survived with a reason, 1 without; 30 in all\"");
+  has("killed,mutants tried,26,30,23 of 31 as first drawn,2026-01-03");
+  has("killed,chapters,17,20,\"2 survived with a reason, 1 without; as first drawn 15 of 21 killed; 30 in all\"");
   has("fuzzed,plan,999,1000,in 2.5 s,2026-01-02,abc");
   has("survived,faults,0,0,not on record");
   CHECK(
       trust_page(sample(), trust)
           .find(
-              "- **killed**: 26 of 30 mutants tried (2026-01-03, several commits): chapters 17; solvers 9. *By") !=
+              "- **killed**: 26 of 30 mutants tried, 23 of 31 as first drawn (2026-01-03, several commits): chapters 17; solvers 9. *By") !=
       std::string::npos);
 }
 

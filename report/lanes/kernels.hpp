@@ -1,5 +1,6 @@
 #pragma once
 
+#include <type_traits>
 #include <utility>
 
 #include "report/plain/runge_kutta_4.hpp"
@@ -29,6 +30,19 @@ concept WithForces =
     requires(const Model& model,
              std::array<typename Model::State::value_type, std::tuple_size_v<typename Model::State> / 2> q) {
   model.acceleration(q, q);
+};
+
+/// What a model moves as, where it says so: another that has its right-hand side, and is not compiled again.
+template <class Model>
+struct MovedAs {
+  using type = Model;
+};
+template <class Model>
+requires requires { typename Model::MovesAs; }
+struct MovedAs<Model> {
+  using type = typename Model::MovesAs;
+  static_assert(std::is_base_of_v<type, Model> && sizeof(type) == sizeof(Model) &&
+                std::is_standard_layout_v<Model>);
 };
 
 /// A model that says so: by twos what it computes would leave the machine's registers.
@@ -81,11 +95,13 @@ struct InGroups {
 
 template <class Set, template <class> class Given, class T, std::size_t i>
 struct Kernels {
-  using Alone = Model<Given, Single<T>, i>;
+  template <class Number>
+  using Moving = typename MovedAs<Model<Given, Number, i>>::type;
+  using Alone = Moving<Single<T>>;
 
   /// In so many registers. Few unknowns leave the machine waiting; many would not stay in its registers.
   template <int registers>
-  using Together = InGroups<Alone, Model<Given, Lanes<T, Set, Set::bytes == 0 ? 1 : registers>, i>>;
+  using Together = InGroups<Alone, Moving<Lanes<T, Set, Set::bytes == 0 ? 1 : registers>>>;
 
   static void at(const double* parameters, std::size_t bodies, double t, double* observed) {
     using Number = Lanes<T, Set, 1>;

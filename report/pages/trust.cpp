@@ -149,9 +149,16 @@ Part mutants_killed(const std::vector<Mutated>& record) {
   for (const Mutated& m : record)
     shares.push_back({m.subject, m.killed, m.tried,
                       std::to_string(m.with_reason) + " survived with a reason, " +
-                          std::to_string(m.survived) + " without; " + std::to_string(m.mutants) + " in all",
+                          std::to_string(m.survived) + " without; as first drawn " +
+                          std::to_string(m.first_killed) + " of " + std::to_string(m.first_tried) +
+                          " killed; " + std::to_string(m.mutants) + " in all",
                       m.date, m.commit});
-  return recorded("killed", "mutants tried", "libclang and the suite", shares);
+  Part part = recorded("killed", "mutants tried", "libclang and the suite", shares);
+  if (record.empty()) return part;
+  long tried = 0, killed = 0;
+  for (const Mutated& m : record) tried += m.first_tried, killed += m.first_killed;
+  part.all.says = std::to_string(killed) + " of " + std::to_string(tried) + " as first drawn";
+  return part;
 }
 
 Part inputs_survived(const std::vector<Fuzzed>& record) {

@@ -72,9 +72,67 @@ double judged(const Quantity& motion, const Method& method, const Trial& trial,
   return std::isnan(error) ? unbounded : error;
 }
 
+/// A method at a setting on one start.
+struct Judged {
+  Trial trial;
+  std::vector<double> errors;  ///< in each unit
+  double error;                ///< in units of what was asked
+};
+
+Trial missing(const Candidate& c) {
+  return {c.model, c.algorithm,  {},           c.setting,    {},
+          {},      not_a_number, not_a_number, not_a_number, Outcome::raised};
+}
+
+Judged judge(const Quantity& motion, const Candidate& c, const Need& need) {
+  const Method* here = method_of(motion, c.model, c.algorithm);
+  Trial trial = here ? run(motion, *here, c.setting) : missing(c);
+  std::vector<double> errors = as_far_as_known(motion, trial);
+  const double error = here ? judged(motion, *here, trial, errors, need) : unbounded;
+  return {std::move(trial), std::move(errors), error};
+}
+
+/// Whether it holds is certain where the error is known to so much of the need, and so is its margin where
+/// that is not known very well.
+bool is_decided(double error, double known_to, const Need& need) {
+  constexpr double very_well = 1e-3;
+  if (error - known_to > 1) return true;
+  return error + known_to <= 1 && (known_to <= very_well || std::abs(error - 1 / need.margin()) > known_to);
+}
+
+/// By a better known truth where the one at hand does not decide.
+Judged judge(const Start& start, const Candidate& candidate, const Need& need) {
+  Judged by_first = judge(start.motion, candidate, need);
+  const double known_to = start.motion.reference_error / start.motion.need.allowed;
+  if (!start.sharper || is_decided(by_first.error, known_to, need)) return by_first;
+  return judge(start.sharper->start(), candidate, need);
+}
+
 /// How it ended where it does not hold.
 Outcome failure(const Trial& trial) {
   return trial.outcome == Outcome::ok ? Outcome::inaccurate : trial.outcome;
+}
+
+Candidate untried(const Method& method, double setting) {
+  Candidate candidate{method.model, method.algorithm, method.knob.name, setting};
+  candidate.constrained = static_cast<bool>(method.off_constraint);
+  candidate.precision = method.precision;
+  candidate.state_size = method.state_size;
+  return candidate;
+}
+
+/// Its evaluations per frame there.
+double add(const Start& start, Candidate& candidate, const Need& need) {
+  const auto [trial, errors, error] = judge(start, candidate, need);
+  if (!(error <= 1) && (candidate.holds() || error > candidate.error)) {
+    candidate.outcome = failure(trial);
+    candidate.where = start.says;
+  }
+  candidate.error = std::max(candidate.error, error);
+  candidate.errors.resize(start.motion.units().size(), 0);
+  for (std::size_t i = 0; i < errors.size(); ++i)
+    candidate.errors[i] = std::isfinite(errors[i]) ? std::max(candidate.errors[i], errors[i]) : unbounded;
+  return static_cast<double>(trial.answer.evaluations) / need.frames();
 }
 
 }  // namespace
@@ -90,31 +148,34 @@ std::vector<double> settings(const Method& method, const Need& need) {
   return all;
 }
 
-Candidate evaluate(std::span<const Start> starts, const Method& method, double setting, const Need& need,
-                   Over over) {
-  Candidate candidate{method.model, method.algorithm, method.knob.name, setting};
-  candidate.constrained = static_cast<bool>(method.off_constraint);
-  candidate.precision = method.precision;
-  candidate.state_size = method.state_size;
+Candidate evaluate(std::span<const Start> starts, const Method& method, double setting, const Need& need) {
+  Candidate candidate = untried(method, setting);
+  go_through(starts, candidate, need);
+  return candidate;
+}
+
+void go_through(std::span<const Start> starts, Candidate& candidate, const Need& need) {
+  const std::string been_on = candidate.where;
   for (const Start& start : starts) {
-    const Method* here = method_of(start.motion, method.model, method.algorithm);
-    const Trial trial = here ? run(start.motion, *here, setting)
-                             : Trial{method.model, method.algorithm, {},           setting,        {}, {},
-                                     not_a_number, not_a_number,     not_a_number, Outcome::raised};
-    if (&start == &starts.front())
-      candidate.evaluations_per_frame = static_cast<double>(trial.answer.evaluations) / need.frames();
-    const std::vector<double> errors = as_far_as_known(start.motion, trial);
-    const double error = here ? judged(start.motion, *here, trial, errors, need) : unbounded;
-    if (!(error <= 1) && (candidate.holds() || error > candidate.error)) {
-      candidate.outcome = failure(trial);
-      candidate.where = start.says;
-    }
-    candidate.error = std::max(candidate.error, error);
-    candidate.errors.resize(start.motion.units().size(), 0);
-    for (std::size_t i = 0; i < errors.size(); ++i)
-      candidate.errors[i] = std::isfinite(errors[i]) ? std::max(candidate.errors[i], errors[i]) : unbounded;
-    if (!candidate.holds() && over == Over::until_one_fails) break;
+    if (start.says == been_on) continue;
+    const double evaluations = add(start, candidate, need);
+    if (&start == &starts.front()) candidate.evaluations_per_frame = evaluations;
   }
+}
+
+Candidate evaluate_until_one_fails(std::span<const Start> starts, const Method& method, double setting,
+                                   const Need& need, std::string_view hardest) {
+  Candidate candidate = untried(method, setting);
+  const auto add_those = [&](bool those) {
+    for (const Start& start : starts)
+      if (candidate.holds() && (start.says == hardest) == those) {
+        const bool is_first = candidate.errors.empty();
+        const double evaluations = add(start, candidate, need);
+        if (is_first) candidate.evaluations_per_frame = evaluations;
+      }
+  };
+  add_those(true);
+  add_those(false);
   return candidate;
 }
 

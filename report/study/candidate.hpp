@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "report/study/initial_conditions.hpp"
@@ -12,14 +13,18 @@ namespace oddity {
 /// tolerances by decades, or the method's own.
 std::vector<double> settings(const Method&, const Need&);
 
-/// A search needs to know of a setting that fails no more than that; who shows its error, the worst of all.
-enum class Over { all_starts, until_one_fails };
-
 /// The method at a setting over the starts: its worst error by the need's criterion, how and on which start
 /// it ended worst where it does not hold, and its work on the first start. The time is not measured. Throws
 /// BadInput where the criterion does not fit the motion.
-Candidate evaluate(std::span<const Start>, const Method&, double setting, const Need&,
-                   Over = Over::all_starts);
+Candidate evaluate(std::span<const Start>, const Method&, double setting, const Need&);
+
+/// The same, but no further than to the first start on which it fails, as a search needs to know no more: the
+/// hardest, by what it says, is tried before the others. Its work is that on the first one tried.
+Candidate evaluate_until_one_fails(std::span<const Start>, const Method&, double setting, const Need&,
+                                   std::string_view hardest = {});
+
+/// The same of a candidate that was left at the start on which it failed.
+void go_through(std::span<const Start>, Candidate&, const Need&);
 
 /// "2 steps per frame", "tolerance 1e-06", "-".
 std::string shown_setting(const Candidate&, const Need&);

@@ -59,10 +59,11 @@ bool is_multistep(std::string_view algorithm) {
   return algorithm.starts_with("Adams-") || algorithm.starts_with("GSL ms") || algorithm.starts_with("CVODE");
 }
 
-bool is_simple(const Candidate& t) {
-  return (t.knob.empty() || t.knob == "step") && !is_multistep(t.algorithm) &&
-         !t.algorithm.starts_with("linearly implicit");
+bool is_simple(std::string_view knob, std::string_view algorithm) {
+  return (knob.empty() || knob == "step") && !is_multistep(algorithm) &&
+         !algorithm.starts_with("linearly implicit");
 }
+bool is_simple(const Candidate& t) { return is_simple(t.knob, t.algorithm); }
 
 bool named_by(const std::vector<std::string>& words, const Method& method) {
   return std::ranges::any_of(words, [&](const std::string& word) {
@@ -180,35 +181,46 @@ class Search {
            run(seen_.front().motion, m, settings(m, need_).front()).answer.drift != 0;
   }
 
-  /// Every method, in parallel, on to the first setting that holds with the margin or takes more work.
-  void try_all(const std::string& stage, double most_evaluations) {
+  using Which = std::function<bool(const Tries&)>;
+
+  bool may_meet_objective(const Method& m) const {
+    return need_.objective == Objective::cheapest || is_simple(m.knob.name, m.algorithm);
+  }
+
+  /// Those methods, in parallel, on to the first setting that holds with the margin or takes more work.
+  void try_all(const std::string& stage, double most_evaluations, const Which& which) {
     const Stopwatch watch(spent_.search);
     Stage tally(progress_, stage, tries_.size());
     parallel_for_each(tries_, [&](Tries& tries) {
-      tries.go_on(most_evaluations, seen_, need_, [this] { deadline_.check(); });
+      if (which(tries)) tries.go_on(most_evaluations, seen_, need_, [this] { deadline_.check(); });
       tally.add();
     });
   }
 
-  /// With ever more work, until something holds that the objective wants.
+  /// With ever more work, until something holds that the objective wants: once anything holds, by what it may
+  /// want.
   void try_all(const std::string& stage) {
     constexpr double little = 16, more = 4, unlimited = std::numeric_limits<double>::infinity();
-    const auto wanted = [&](const Tries& tries) {
-      return std::ranges::any_of(tries.candidates, [&](const Candidate& t) { return meets_objective(t); });
+    const auto any = [&](const std::function<bool(const Candidate&)>& is) {
+      return std::ranges::any_of(tries_,
+                                 [&](const Tries& t) { return std::ranges::any_of(t.candidates, is); });
     };
+    Which which = [](const Tries&) { return true; };
     for (double most = need_.thorough ? unlimited : little;; most *= more) {
-      try_all(stage, most);
-      if (std::ranges::any_of(tries_, wanted) || std::ranges::all_of(tries_, &Tries::is_over)) return;
+      try_all(stage, most, which);
+      if (any([&](const Candidate& t) { return meets_objective(t); })) return;
+      if (any(&Candidate::holds)) which = [this](const Tries& t) { return may_meet_objective(t.method()); };
+      if (std::ranges::all_of(tries_, [&](const Tries& t) { return t.is_over() || !which(t); })) return;
     }
   }
 
-  /// One setting more of each that fails at a lower cost. Whether there was one.
-  bool try_on(double seconds_per_frame) {
+  /// One setting more of each that fails at a lower cost than it may have. Whether there was one.
+  bool try_on(const std::function<double(const Method&)>& seconds_per_frame) {
     const Stopwatch watch(spent_.search);
     std::atomic<bool> any = false;
     parallel_for_each(tries_, [&](Tries& tries) {
       if (tries.is_over() || tries.is_given_up() ||
-          !(tries.candidates.back().seconds_per_frame < seconds_per_frame))
+          !(tries.candidates.back().seconds_per_frame < seconds_per_frame(tries.method())))
         return;
       tries.go_on(tries.expected_evaluations(), seen_, need_, [this] { deadline_.check(); });
       any = true;
@@ -231,8 +243,11 @@ class Search {
     while (true) {
       measure();
       Picked picked = pick();
-      const bool settled = picked.chosen && picked.by_objective;
-      if (!try_on(settled ? noisy_tie * picked.chosen->seconds_per_frame : need_.budget)) return picked;
+      const auto limit = [&](const Method& m) {
+        const bool settled = picked.chosen && (picked.by_objective || !may_meet_objective(m));
+        return settled ? noisy_tie * picked.chosen->seconds_per_frame : need_.budget;
+      };
+      if (!try_on(limit)) return picked;
     }
   }
 
@@ -329,12 +344,7 @@ class Search {
 
   /// What does not hold was left at the first start on which it failed: its error is that of all.
   void judge_failure(Candidate& candidate) const {
-    if (candidate.holds()) return;
-    const Candidate whole = oddity::evaluate(seen_, method(candidate), candidate.setting, need_);
-    candidate.error = whole.error;
-    candidate.errors = whole.errors;
-    candidate.outcome = whole.outcome;
-    candidate.where = whole.where;
+    if (!candidate.holds()) go_through(seen_, candidate, need_);
   }
   void judge_failures(std::vector<Candidate>& rows) const {
     parallel_for_each(rows, [this](Candidate& candidate) { judge_failure(candidate); });

@@ -25,7 +25,18 @@ std::vector<Start> known(std::span<std::optional<Start>> made) {
   return all;
 }
 
+Quantity with_need(Quantity motion, const Need& need) {
+  motion.needs = needs_of(need, motion);
+  motion.need = {*std::ranges::min_element(motion.needs), "asked for"};
+  return motion;
+}
+
 }  // namespace
+
+const Start& Sharper::start() {
+  std::call_once(made_, [this] { start_ = make_(); });
+  return *start_;
+}
 
 bool is_known_well(const Quantity& motion) {
   constexpr double part = 1e-6;
@@ -55,12 +66,7 @@ std::vector<double> needs_of(const Need& need, const Quantity& motion) {
 
 Quantity known_motion(const Scene& scene, const Parameters& p, const Horizon& horizon, const Need& need,
                       const Reference& truth) {
-  const auto made = [&](const Reference& known) {
-    Quantity seen = motion(scene, p, horizon, known);
-    seen.needs = needs_of(need, seen);
-    seen.need = {*std::ranges::min_element(seen.needs), "asked for"};
-    return seen;
-  };
+  const auto made = [&](const Reference& known) { return with_need(motion(scene, p, horizon, known), need); };
   if (need.thorough) return made(truth);
   for (int digits : {digits_in_long_double, digits_for(need)}) {
     Quantity seen = made(truth.to_digits(digits));
@@ -85,11 +91,33 @@ Start InitialConditions::start(const Parameters& p) const {
   std::string says;
   for (std::string_view name : scene().perturbed_parameters)
     says += (says.empty() ? "" : ", ") + std::string(name) + " = " + format_significant(p[name], 4);
-  return {says, known_motion(scene(), p, horizon(), need_, truth_)};
+  return need_.thorough || need_.criterion == Criterion::period
+             ? Start{says, known_motion(scene(), p, horizon(), need_, truth_)}
+             : quickly_known(says, p);
+}
+
+/// By a path alone more digits can decide: of what is conserved, or does not explode, the truth says nothing.
+Start InitialConditions::quickly_known(const std::string& says, const Parameters& p) const {
+  const auto known_by = [this, p](const Reference& truth) {
+    return with_need(motion(scene(), p, horizon(), truth), need_);
+  };
+  Start start{says, known_by(truth_.to_digits(digits_in_long_double))};
+  if (need_.criterion != Criterion::path || is_known_well(start.motion)) return start;
+  start.sharper = std::make_shared<Sharper>([this, says, p, known_by] {
+    Start repeated{says, known_by(truth_.repeated())};
+    repeated.sharper = std::make_shared<Sharper>([this, says, p] {
+      return Start{says, known_motion(scene(), p, horizon(), need_, truth_)};
+    });
+    return repeated;
+  });
+  return start;
 }
 
 Start InitialConditions::asked() const {
+  constexpr double well_enough = 0.1;  // of the need: what fails by more is told to a digit
   Start asked = start(task_.parameters);
+  while (asked.sharper && asked.motion.reference_error > well_enough * asked.motion.need.allowed)
+    asked = Start(asked.sharper->start());
   if (asked.motion.need.allowed < asked.motion.reference_error)
     throw BadInput("the true motion is known to " + format_significant(asked.motion.reference_error, 2) +
                    ", and the error asked for is smaller");

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <functional>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,10 +14,25 @@
 
 namespace oddity {
 
+class Sharper;
+
 /// One start of a scene: its true motion at every frame, and every method with what was asked as the need.
 struct Start {
   std::string says;  ///< "a = 0.5121, L = 0.9034"
   Quantity motion;
+  std::shared_ptr<Sharper> sharper = {};  ///< none where the motion is known well, or as well as can be
+};
+
+/// The start by a better known truth, made when it is first asked for, by whatever thread.
+class Sharper {
+ public:
+  explicit Sharper(std::function<Start()> make) : make_(std::move(make)) {}
+  const Start& start();
+
+ private:
+  std::function<Start()> make_;
+  std::once_flag made_;
+  std::optional<Start> start_;
 };
 
 /// What a game asks of a position [m] and of an angle [rad]; of an orbit [AU], a degree of the Earth's.
@@ -62,6 +79,7 @@ class InitialConditions {
  private:
   Parameters draw();
   Start start(const Parameters&) const;
+  Start quickly_known(const std::string& says, const Parameters&) const;
   std::optional<Start> known_start(const Parameters&) const;
   const Scene& scene() const { return *task_.entry->exercise.scene; }
   Horizon horizon() const { return {need_.horizon, 1, need_.frames_per_second}; }

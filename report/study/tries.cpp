@@ -1,6 +1,9 @@
 #include "report/study/tries.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "solvers/ode/catalog.hpp"
 
@@ -16,7 +19,21 @@ bool came_to_an_end(const Candidate& candidate) {
          candidate.outcome != Outcome::grazing;
 }
 
-Tries::Tries(const Method& method, const Need& need) : method_(&method), left_(settings(method, need)) {
+namespace {
+
+/// One more than the order, as errors of symmetric methods may fall; of a tolerance more than in proportion.
+double most_power(const Method& method) {
+  if (method.knob.name == "tolerance") return 1.25;
+  for (const ode::CatalogEntry& entry : ode::catalog())
+    if (entry.order > 0 && (entry.name == method.algorithm || in_float(entry.name) == method.algorithm))
+      return entry.order + 1;
+  return std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+Tries::Tries(const Method& method, const Need& need)
+    : method_(&method), power_(most_power(method)), left_(settings(method, need)) {
   std::ranges::reverse(left_);
   is_over_ = left_.empty();
 }
@@ -37,12 +54,63 @@ void Tries::go_on(double most_evaluations, const std::vector<Start>& starts, con
     if (is_given_up()) step_back();
     const bool is_limited = limit * need.frames() < static_cast<double>(ode::budget);
     const ode::EvaluationLimit limited(limit * need.frames());
-    candidates.push_back(evaluate(starts, *method_, left_.back(), need, Over::until_one_fails));
+    candidates.push_back(evaluate_until_one_fails(starts, *method_, left_.back(), need, hardest()));
     left_.pop_back();
     const Candidate& last = candidates.back();
     given_up_at_ = is_limited && last.outcome == Outcome::stalled ? limit : 0;
-    is_over_ = !is_given_up() && (left_.empty() || holds_with_margin(last, need) || hopeless(last));
+    if (!last.holds())
+      skip_what_cannot_hold(need);
+    else if (!skipped_.empty())
+      look_among_skipped(starts, need, check);
+    is_over_ = !is_given_up() && (left_.empty() || holds_with_margin(candidates.back(), need) ||
+                                  hopeless(candidates.back()) || finer_changes_nothing());
   }
+}
+
+/// As with a method that does not listen to its tolerance.
+bool Tries::finer_changes_nothing() const {
+  if (candidates.size() < 2) return false;
+  const Candidate &last = candidates.back(), &before = candidates.end()[-2];
+  return before.holds() && last.error == before.error &&
+         last.evaluations_per_frame == before.evaluations_per_frame;
+}
+
+/// By how an error falls: where it is as large as the motion, more slowly. The finest setting is left.
+void Tries::skip_what_cannot_hold(const Need& need) {
+  constexpr double luck = 4;
+  skipped_.clear();
+  const Candidate& last = candidates.back();
+  if (need.thorough || need.criterion != Criterion::path || !std::isfinite(last.error)) return;
+  while (left_.size() > 1 && last.error * std::pow(left_.back() / last.setting, power_) > luck) {
+    skipped_.push_back(left_.back());
+    left_.pop_back();
+  }
+}
+
+void Tries::look_among_skipped(const std::vector<Start>& starts, const Need& need,
+                               const std::function<void()>& check) {
+  Candidate holds = std::move(candidates.back());
+  candidates.pop_back();
+  std::vector<double> between = std::exchange(skipped_, {});
+  while (!between.empty()) {
+    check();
+    const auto middle = between.begin() + static_cast<std::ptrdiff_t>(between.size() / 2);
+    Candidate tried = evaluate_until_one_fails(starts, *method_, *middle, need, hardest());
+    if (tried.holds()) {
+      left_.push_back(holds.setting);
+      left_.insert(left_.end(), between.rbegin(), std::make_reverse_iterator(middle + 1));
+      holds = std::move(tried);
+      between.erase(middle, between.end());
+    } else {
+      candidates.push_back(std::move(tried));
+      between.erase(between.begin(), middle + 1);
+    }
+  }
+  candidates.push_back(std::move(holds));
+}
+
+std::string_view Tries::hardest() const {
+  return candidates.empty() ? std::string_view() : candidates.back().where;
 }
 
 void Tries::step_back() {

@@ -48,9 +48,17 @@ class Tries {
 
  private:
   void step_back();
+  /// The start on which the last candidate failed, by what it says.
+  std::string_view hardest() const;
+  bool finer_changes_nothing() const;
+  void skip_what_cannot_hold(const Need&);
+  /// Between one that fails and one that holds, the last candidate: the coarsest that holds, by bisection.
+  void look_among_skipped(const std::vector<Start>&, const Need&, const std::function<void()>& check);
 
   const Method* method_;
-  std::vector<double> left_;  ///< settings, the next last
+  double power_;                 ///< of the setting by which an error falls at most
+  std::vector<double> left_;     ///< settings, the next last
+  std::vector<double> skipped_;  ///< finer than the last that fails, from coarse to fine
   bool is_over_ = false;
   double given_up_at_ = 0;  ///< evaluations per frame
 };

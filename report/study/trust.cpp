@@ -83,8 +83,8 @@ std::vector<Row> records(const fs::path& file, const Read& read) {
 }
 
 Mutated mutated(const Record& r) {
-  return {r.tried("room"),   r.count("mutants"),     r.count("tried"),
-          r.count("killed"), r.count("with_reason"), r.count("survived")};
+  return {r.tried("room"),        r.count("mutants"),  r.count("tried"),       r.count("killed"),
+          r.count("with_reason"), r.count("survived"), r.count("first_tried"), r.count("first_killed")};
 }
 Fuzzed fuzzed(const Record& r) {
   return {r.tried("target"), r.count("inputs"), r.count("crashes"), r.number("seconds")};

@@ -30,6 +30,7 @@ struct Tried {
 };
 struct Mutated : Tried {  ///< a room
   long mutants = 0, tried = 0, killed = 0, with_reason = 0, survived = 0;
+  long first_tried = 0, first_killed = 0;  ///< of the sample as drawn, before anything was mended for it
 };
 struct Fuzzed : Tried {  ///< a target
   long inputs = 0, crashes = 0;

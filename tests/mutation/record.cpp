@@ -47,7 +47,8 @@ const std::string near_miss = "a near miss: another wrong formula, and as far of
 
 const std::string survivor_columns = "id,room,file,change,reason";
 const std::string outcome_columns = "id,outcome,by";
-const std::string score_columns = "date,commit,room,mutants,free,tried,killed,with_reason,survived";
+const std::string score_columns =
+    "date,commit,room,mutants,free,tried,killed,with_reason,survived,first_tried,first_killed";
 
 }  // namespace
 
@@ -136,6 +137,7 @@ Scores scores_of(const std::vector<Mutant>& all, const std::vector<Mutant>& trie
       ++(known != survivors.end() && !known->second.reason.empty() ? score.with_reason : score.survived);
   }
   std::erase_if(scores, [](const auto& room) { return room.second.tried == 0; });
+  for (auto& [room, score] : scores) score.first_tried = score.tried, score.first_killed = score.killed;
   return scores;
 }
 
@@ -158,8 +160,8 @@ Score after_again(Score score, const std::string& room, const Survivors& before,
 }
 
 std::vector<std::string> noticed_less(const Scores& now, const Scores& on_record) {
-  const auto tried = [](const Score& s) { return std::max(1.0, static_cast<double>(s.tried)); };
-  const auto share = [&](const Score& s) { return s.killed / tried(s); };
+  const auto tried = [](const Score& s) { return std::max(1.0, static_cast<double>(s.first_tried)); };
+  const auto share = [&](const Score& s) { return s.first_killed / tried(s); };
   std::vector<std::string> rooms;
   for (const auto& [room, score] : now) {
     const auto found = on_record.find(room);
@@ -190,8 +192,8 @@ Scores read_scores(const fs::path& file) {
   Scores scores;
   for (const CsvRow& row : rows_of(file, score_columns)) {
     const auto count = [&](std::size_t i) { return static_cast<int>(row.number(i)); };
-    scores[row.cells[2]] = {row.cells[0], row.cells[1], count(3), count(4),
-                            count(5),     count(6),     count(7), count(8)};
+    scores[row.cells[2]] = {row.cells[0], row.cells[1], count(3), count(4), count(5),
+                            count(6),     count(7),     count(8), count(9), count(10)};
   }
   return scores;
 }
@@ -203,11 +205,13 @@ std::string csv_of(const Scores& scores) {
          "# mutants: in those of the room's files that the run mutated; free: without a mutant, as nothing has "
          "to notice\n# which samples are drawn and how a number is made into text.\n"
          "# tried = killed + with_reason + survived; with_reason: those that have a reason in survivors.csv. What "
-         "no test runs\n# survives. Rooms without a row were not tried.\n"
+         "no test runs\n# survives. first_tried, first_killed: of the sample as it was drawn, before anything was "
+         "mended for its sake.\n# Rooms without a row were not tried.\n"
       << score_columns << "\n";
   for (const auto& [room, s] : scores)
     out << s.date << "," << s.commit << "," << room << "," << s.mutants << "," << s.free << "," << s.tried
-        << "," << s.killed << "," << s.with_reason << "," << s.survived << "\n";
+        << "," << s.killed << "," << s.with_reason << "," << s.survived << "," << s.first_tried << ","
+        << s.first_killed << "\n";
   return out.str();
 }
 

@@ -45,6 +45,8 @@ std::string csv_of(const Survivors&);
 struct Score {
   std::string date = {}, commit = {};
   int mutants = 0, free = 0, tried = 0, killed = 0, with_reason = 0, survived = 0;
+  /// Of the sample as it was drawn, before anything was mended for its sake.
+  int first_tried = 0, first_killed = 0;
 };
 using Scores = std::map<std::string, Score>;  ///< by room
 /// Of the rooms of which a mutant was tried.
@@ -57,8 +59,8 @@ Scores scores_of(const std::vector<Mutant>& all, const std::vector<Mutant>& trie
 Score after_again(Score score, const std::string& room, const Survivors& before, const Survivors& left,
                   const std::set<std::string>& killed);
 
-/// The rooms of which the suite notices a smaller share of the mutants than on record, by three times what
-/// such shares vary by; and those that are not on record.
+/// The rooms of which the suite notices a smaller share of the mutants than it first did of the sample on
+/// record, by three times what such shares vary by; and those that are not on record.
 std::vector<std::string> noticed_less(const Scores& now, const Scores& on_record);
 
 /// A table for people.

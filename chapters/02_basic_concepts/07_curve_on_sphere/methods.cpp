@@ -179,6 +179,7 @@ Quantity orthogonality(const Quantity& orientation) {
     Method asked = method;
     asked.run = [run = method.run](double setting) {
       Answer answer = run(setting);
+      if (!answer.reached()) return answer;
       Matrix3 R;
       const std::size_t first = answer.value.size() - 9;
       for (std::size_t i = 0; i < 9; ++i) R.e[i] = answer.value[first + i];

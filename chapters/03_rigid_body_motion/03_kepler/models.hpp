@@ -126,6 +126,7 @@ struct OneAngle {
 /// Equation (7) with (4) and (5) as printed, V0 = +GM/r0; r from the polar equation, perihelion at theta = 0.
 template <class T>
 struct OneAngleAsPrinted : OneAngle<T> {
+  using MovesAs = OneAngle<T>;
   explicit OneAngleAsPrinted(const Given<T>& start) : OneAngle<T>(start, start.mu() / start.r0) {}
   std::array<T, 2> observe(const std::array<T, 1>& x, const T&) const {
     const auto& [G, M, r0, r0_dot, theta0, w0] = this->p;

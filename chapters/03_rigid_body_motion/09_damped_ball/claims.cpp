@@ -117,7 +117,6 @@ struct Coordinate {
             {"p", p},
             {"v", v},
             {"t", t},
-            {R"(\alpha)", -a / (2 * m)},
             {R"(\beta)", sqrt(4 * m * c - a * a) / (2 * m)}};
   }
   std::string where() const {

@@ -41,7 +41,6 @@ struct SampleOf {
             {"m_2", m2},
             {"r", q[0]},
             {R"(\theta)", q[1]},
-            {R"(\varphi)", q[2]},
             {R"(\dot r)", v[0]},
             {R"(\dot\varphi)", v[2]},
             {R"(\beta)", beta()},

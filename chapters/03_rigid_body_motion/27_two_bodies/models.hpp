@@ -53,6 +53,7 @@ struct Published {
 /// The same for one turn of phi.
 template <class T>
 struct OneTurn : Published<T> {
+  using MovesAs = Published<T>;
   using typename Published<T>::State;
   std::array<T, 1> guards(const State& x, const T&) const {
     return {T(2 * std::numbers::pi) - (x[2] - this->p.phi0)};

@@ -173,6 +173,7 @@ struct InTime {
 /// In time until a two-thousandth of the speed is left, and from there at a steady deceleration to rest.
 template <class T>
 struct UntilRest : InTime<T> {
+  using MovesAs = InTime<T>;
   using typename InTime<T>::State;
   std::array<T, 1> guards(const State& x, const T&) const {
     return {this->speed(x) - T(5e-4) * this->speed(this->start())};

@@ -110,11 +110,16 @@ Answer followed_deviation(const Top& top, double tolerance) {
   std::vector<double> angles;
   const Horizon horizon{observed_after, 1};
   const auto still = observe_integrated<Algorithm>(Model{with_fixed_tip(top)}, horizon, tolerance);
+  if (!still.reached()) return still;
   answer.evaluations = still.evaluations;
   for (const Top& shaken : shakings(top)) {
     const auto moved = observe_integrated<Algorithm>(Model{shaken}, horizon, tolerance);
     answer.evaluations += moved.evaluations;
-    if (moved.ending != Ending::reached) answer.ending = moved.ending;
+    if (!moved.reached()) {
+      answer.ending = moved.ending;
+      answer.message = moved.message;
+      return answer;
+    }
     const Value &x = still.value, &y = moved.value;
     angles.push_back(angle_between({x[0], x[1], x[2]}, {y[0], y[1], y[2]}));
   }
