@@ -33,3 +33,16 @@ TEST_CASE("2^31 is the first index that does not fit in 32 bits", "[6.1]") {
   CHECK(reach_converted_first(0x1p31 - 1, 0, grid).high == 7);
   CHECK(reach_converted_first(0x1p31, 0, grid).high == -9);
 }
+
+TEST_CASE("ranges of bins do not depend on the unit of length", "[6.1]") {
+  using namespace bins;
+  const Grid grid{1, 16}, quarters{0.25, 16};
+  for (const auto range : {reach, reach_by_floor, reach_by_truncation, reach_converted_first, reach_widened})
+    for (double x : {-3.5, -1.0, 0.25, 2.0, 6.75})
+      for (double r : {0.5, 1.25, 4.0}) {
+        const Span one = range(x, r, grid), other = range(x / 4, r / 4, quarters);
+        INFO("x = " << x << ", r = " << r);
+        CHECK(other.low == one.low);
+        CHECK(other.high == one.high);
+      }
+}

@@ -1,9 +1,10 @@
 // Needs at random over all scenes, each answered as usual and thoroughly: every method at every setting,
-// judged by truths of 24 digits. Takes hours, so it runs when asked: oddity_tests '[choices]', of
+// judged by truths of 24 digits. Takes half an hour, so it runs when asked: oddity_tests '[choices]', of
 // ODDITY_NEEDS (200) those from ODDITY_FIRST (0) on. The table goes to the file ODDITY_CHOICES_TABLE as CSV,
 // a row as soon as it is there.
 
 #include <algorithm>
+#include <array>
 #include <ctime>
 #include <fstream>
 
@@ -116,25 +117,52 @@ std::string verdict(const Answered& usual, const Answered& thorough) {
 
 }  // namespace
 
+namespace {
+
+void compare(int number, const Question& question) {
+  static const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
+  const char* table = std::getenv("ODDITY_CHOICES_TABLE");
+  const Answered usual = answered(question, false, truth), thorough = answered(question, true, truth);
+  const std::string found = verdict(usual, thorough);
+  INFO(question.text() << "\nusually: " << usual.says << "\nthoroughly: " << thorough.says);
+  CHECK(found != "worse");
+  if (table)
+    std::ofstream(table, std::ios::app)
+        << number << "," << csv_cell(question.text()) << "," << csv_cell(usual.says) << ","
+        << csv_cell(thorough.says) << "," << found << "," << format_significant(usual.nanoseconds, 4) << ","
+        << format_significant(thorough.nanoseconds, 4) << "," << format_significant(usual.cpu, 3) << ","
+        << format_significant(thorough.cpu, 3) << "\n";
+}
+
+/// Of the chain, where neighbours part a millionfold and more: long double's routes disagree by up to what is
+/// asked, and some starts no double can follow.
+std::vector<Question> chaotic() {
+  std::vector<Question> all;
+  for (const auto& [start, error, horizon] : {std::array{"2", "0.01m", "10"},
+                                              {"2.2", "0.05m", "10"},
+                                              {"2.5", "0.01m", "10"},
+                                              {"2.7", "0.001m", "8"},
+                                              {"3", "0.01m", "10"}}) {
+    Question one{"3.25", {std::string("theta1=") + start}, {}};
+    one.need.error = error;
+    one.need.horizon = horizon;
+    one.need.frames_per_second = "60";
+    all.push_back(one);
+  }
+  return all;
+}
+
+}  // namespace
+
 TEST_CASE("the usual answer is the thorough one, or another as good", "[.][choices]") {
-  const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
   const auto all = scenes();
   const int first = in_environment("ODDITY_FIRST", 0);
   const int needs = in_environment("ODDITY_NEEDS", 200);
-  const char* table = std::getenv("ODDITY_CHOICES_TABLE");
   Random random(2026);
   for (int number = 0; number < needs; ++number) {
     const Question question = random_question(*all[static_cast<std::size_t>(number) % all.size()], random);
-    if (number < first) continue;
-    const Answered usual = answered(question, false, truth), thorough = answered(question, true, truth);
-    const std::string found = verdict(usual, thorough);
-    INFO(question.text() << "\nusually: " << usual.says << "\nthoroughly: " << thorough.says);
-    CHECK(found != "worse");
-    if (table)
-      std::ofstream(table, std::ios::app)
-          << number << "," << csv_cell(question.text()) << "," << csv_cell(usual.says) << ","
-          << csv_cell(thorough.says) << "," << found << "," << format_significant(usual.nanoseconds, 4) << ","
-          << format_significant(thorough.nanoseconds, 4) << "," << format_significant(usual.cpu, 3) << ","
-          << format_significant(thorough.cpu, 3) << "\n";
+    if (number >= first) compare(number, question);
   }
+  int number = needs;
+  for (const Question& question : chaotic()) compare(number++, question);
 }

@@ -95,6 +95,13 @@ TEST_CASE("an engine whose numbers end before the motion does is judged so", "[e
   CHECK(std::isnan(trial.in_needs));
 }
 
+TEST_CASE("an engine whose start is no number is judged so", "[engines]") {
+  const EngineTrial trial =
+      trial_of(R"(echo '{"frames": [], "seconds": [], "same_bits": true, "restored": "", "cannot": ""}')");
+  CHECK(trial.outcome == Outcome::non_finite);
+  CHECK(std::isnan(trial.in_needs));
+}
+
 TEST_CASE("an engine that has no such scene says why", "[engines]") {
   const ScratchFolder scratch;
   const EngineProgram engine = engine_that(
@@ -113,11 +120,11 @@ const Reference& truth() {
   return tables;
 }
 
-/// A tenth more, where that is in range.
+/// A tenth more, and a tenth in place of zero, where that is in range.
 Parameters a_tenth_more(const Entry& entry) {
   Parameters p = Task(entry).parameters;
   for (const Parameter& declared : p.declared())
-    if (const double more = 1.1 * p[declared.name];
+    if (const double value = p[declared.name], more = value == 0 ? 0.1 : 1.1 * value;
         !declared.whole && more <= declared.most && more >= declared.least)
       p.set(declared.name, more);
   return p;

@@ -406,10 +406,15 @@ std::string explanation_text(const Choice& choice) {
   const auto counted = [](long count, const std::string& one) {
     return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
   };
+  const Criterion criterion = choice.need.criterion;
+  const bool is_of_the_motion = criterion == Criterion::path || criterion == Criterion::period;
   return "How it was found, in " + shown_time(e.truths + e.search + e.timing + e.tests + e.rest) + ":\n" +
          part("true motions", e.truths,
-              counted(e.starts, "start") + ", known to " + format_significant(e.truth_error, 2) +
-                  " of what is asked: " + e.truth_by) +
+              counted(e.starts, "start") +
+                  (is_of_the_motion
+                       ? ", known to " + format_significant(e.truth_error, 2) + " of what is asked"
+                       : "") +
+                  ": " + e.truth_by) +
          part("search", e.search,
               counted(e.methods, "method") + " at " + counted(e.settings, "setting") + ", " +
                   counted(e.evaluations, "evaluation") + " on the start asked for; " +

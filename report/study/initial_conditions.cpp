@@ -87,41 +87,49 @@ InitialConditions::InitialConditions(const Task& task, const Need& need, const R
   if (need.horizon * need.frames_per_second < 1) throw BadInput("the horizon is shorter than a frame");
 }
 
-Start InitialConditions::start(const Parameters& p) const {
+std::string InitialConditions::says(const Parameters& p) const {
   std::string says;
   for (std::string_view name : scene().perturbed_parameters)
     says += (says.empty() ? "" : ", ") + std::string(name) + " = " + format_significant(p[name], 4);
-  return need_.thorough || need_.criterion == Criterion::period
-             ? Start{says, known_motion(scene(), p, horizon(), need_, truth_)}
-             : quickly_known(says, p);
+  return says;
+}
+
+Start InitialConditions::well_known(const Parameters& p) const {
+  return {says(p), known_motion(scene(), p, horizon(), need_, truth_)};
 }
 
 /// By a path alone more digits can decide: of what is conserved, or does not explode, the truth says nothing.
-Start InitialConditions::quickly_known(const std::string& says, const Parameters& p) const {
+Start InitialConditions::start(const Parameters& p) const {
+  if (need_.thorough || need_.criterion == Criterion::period) return well_known(p);
   const auto known_by = [this, p](const Reference& truth) {
-    return with_need(motion(scene(), p, horizon(), truth), need_);
+    return Start{says(p), with_need(motion(scene(), p, horizon(), truth), need_)};
   };
-  Start start{says, known_by(truth_.to_digits(digits_in_long_double))};
+  Start start = known_by(truth_.to_digits(digits_in_long_double));
   if (need_.criterion != Criterion::path || is_known_well(start.motion)) return start;
-  start.sharper = std::make_shared<Sharper>([this, says, p, known_by] {
-    Start repeated{says, known_by(truth_.repeated())};
-    repeated.sharper = std::make_shared<Sharper>([this, says, p] {
-      return Start{says, known_motion(scene(), p, horizon(), need_, truth_)};
-    });
+  start.sharper = std::make_shared<Sharper>([this, p, known_by] {
+    Start repeated = known_by(truth_.repeated());
+    repeated.sharper = std::make_shared<Sharper>([this, p] { return well_known(p); });
     return repeated;
   });
   return start;
 }
 
-Start InitialConditions::asked() const {
+Start InitialConditions::required(Start start) const {
+  const bool by_motion = need_.criterion == Criterion::path || need_.criterion == Criterion::period;
+  if (by_motion && start.motion.need.allowed < start.motion.reference_error)
+    throw BadInput("the true motion is known to " + format_significant(start.motion.reference_error, 2) +
+                   ", and the error asked for is smaller");
+  return start;
+}
+
+Start InitialConditions::asked() const { return required(well_known(task_.parameters)); }
+
+Start InitialConditions::asked_to_choose() const {
   constexpr double well_enough = 0.1;  // of the need: what fails by more is told to a digit
   Start asked = start(task_.parameters);
   while (asked.sharper && asked.motion.reference_error > well_enough * asked.motion.need.allowed)
     asked = Start(asked.sharper->start());
-  if (asked.motion.need.allowed < asked.motion.reference_error)
-    throw BadInput("the true motion is known to " + format_significant(asked.motion.reference_error, 2) +
-                   ", and the error asked for is smaller");
-  return asked;
+  return required(std::move(asked));
 }
 
 Parameters InitialConditions::draw() {
@@ -176,7 +184,7 @@ InitialConditions::First InitialConditions::first(int seen, int unseen,
   std::vector<std::optional<Start>> made(drawn.size());
   in_parallel(1 + drawn.size(), [&](std::size_t i) {
     if (i == 0)
-      at_asked = asked();
+      at_asked = asked_to_choose();
     else
       made[i - 1] = known_start(drawn[i - 1]);
     one_made();

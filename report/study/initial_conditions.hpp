@@ -78,8 +78,13 @@ class InitialConditions {
 
  private:
   Parameters draw();
+  std::string says(const Parameters&) const;
+  Start well_known(const Parameters&) const;
+  /// Known as well as it is had quickly, and with what knows it better.
   Start start(const Parameters&) const;
-  Start quickly_known(const std::string& says, const Parameters&) const;
+  Start asked_to_choose() const;
+  /// Throws BadInput where the start is not known as exactly as asked.
+  Start required(Start) const;
   std::optional<Start> known_start(const Parameters&) const;
   const Scene& scene() const { return *task_.entry->exercise.scene; }
   Horizon horizon() const { return {need_.horizon, 1, need_.frames_per_second}; }
