@@ -58,21 +58,21 @@ void Tries::go_on(double most_evaluations, const std::vector<Start>& starts, con
     left_.pop_back();
     const Candidate& last = candidates.back();
     given_up_at_ = is_limited && last.outcome == Outcome::stalled ? limit : 0;
+    if (is_given_up()) return;
     if (!last.holds())
       skip_what_cannot_hold(need);
     else if (!skipped_.empty())
       look_among_skipped(starts, need, check);
-    is_over_ = !is_given_up() && (left_.empty() || holds_with_margin(candidates.back(), need) ||
-                                  hopeless(candidates.back()) || finer_changes_nothing());
+    is_over_ = left_.empty() || holds_with_margin(candidates.back(), need) || hopeless(candidates.back()) ||
+               (candidates.back().holds() && changed_nothing());
   }
 }
 
 /// As with a method that does not listen to its tolerance.
-bool Tries::finer_changes_nothing() const {
+bool Tries::changed_nothing() const {
   if (candidates.size() < 2) return false;
   const Candidate &last = candidates.back(), &before = candidates.end()[-2];
-  return before.holds() && last.error == before.error &&
-         last.evaluations_per_frame == before.evaluations_per_frame;
+  return last.error == before.error && last.evaluations_per_frame == before.evaluations_per_frame;
 }
 
 /// By how an error falls: where it is as large as the motion, more slowly. The finest setting is left.
@@ -81,7 +81,8 @@ void Tries::skip_what_cannot_hold(const Need& need) {
   skipped_.clear();
   const Candidate& last = candidates.back();
   if (need.thorough || need.criterion != Criterion::path || !std::isfinite(last.error)) return;
-  while (left_.size() > 1 && last.error * std::pow(left_.back() / last.setting, power_) > luck) {
+  const bool is_deaf = changed_nothing();
+  while (left_.size() > 1 && (is_deaf || last.error * std::pow(left_.back() / last.setting, power_) > luck)) {
     skipped_.push_back(left_.back());
     left_.pop_back();
   }
@@ -121,6 +122,7 @@ void Tries::step_back() {
 }
 
 void Tries::again(const Need& need) {
+  skipped_.clear();
   const Candidate* first = found(need).first;
   while (first && !candidates.empty()) {
     const bool was_first = &candidates.back() == first;

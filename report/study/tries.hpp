@@ -50,7 +50,7 @@ class Tries {
   void step_back();
   /// The start on which the last candidate failed, by what it says.
   std::string_view hardest() const;
-  bool finer_changes_nothing() const;
+  bool changed_nothing() const;
   void skip_what_cannot_hold(const Need&);
   /// Between one that fails and one that holds, the last candidate: the coarsest that holds, by bisection.
   void look_among_skipped(const std::vector<Start>&, const Need&, const std::function<void()>& check);
