@@ -116,10 +116,6 @@ std::string verdict(const Answered& usual, const Answered& thorough) {
   return usual.nanoseconds <= 1.25 * thorough.nanoseconds ? "another that costs no more" : "worse";
 }
 
-}  // namespace
-
-namespace {
-
 void compare(int number, const Question& question) {
   static const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
   const char* table = std::getenv("ODDITY_CHOICES_TABLE");

@@ -25,6 +25,18 @@ std::vector<Start> known(std::span<std::optional<Start>> made) {
   return all;
 }
 
+std::optional<Start> where_known(const std::function<Start()>& make) {
+  try {
+    return make();
+  } catch (const OutOfTime&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception&) {  // no reference there
+    return {};
+  }
+}
+
 Quantity with_need(Quantity motion, const Need& need) {
   motion.needs = needs_of(need, motion);
   motion.need = {*std::ranges::min_element(motion.needs), "asked for"};
@@ -108,7 +120,9 @@ Start InitialConditions::start(const Parameters& p) const {
   if (need_.criterion != Criterion::path || is_known_well(start.motion)) return start;
   start.sharper = std::make_shared<Sharper>([this, p, known_by] {
     Start repeated = known_by(truth_.repeated());
-    repeated.sharper = std::make_shared<Sharper>([this, p] { return well_known(p); });
+    repeated.sharper = std::make_shared<Sharper>([this, p, as_well_as_can_be = repeated] {
+      return where_known([&] { return well_known(p); }).value_or(as_well_as_can_be);
+    });
     return repeated;
   });
   return start;
@@ -156,23 +170,11 @@ Quantity InitialConditions::one_frame() const {
   return motion(scene(), task_.parameters, frame, Reference::nothing());
 }
 
-std::optional<Start> InitialConditions::known_start(const Parameters& p) const {
-  try {
-    return start(p);
-  } catch (const OutOfTime&) {
-    throw;
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception&) {  // no reference there
-    return {};
-  }
-}
-
 std::vector<Start> InitialConditions::beside(int count) {
   std::vector<Parameters> drawn;
   for (int i = 0; i < count; ++i) drawn.push_back(draw());
   std::vector<std::optional<Start>> made(drawn.size());
-  in_parallel(drawn.size(), [&](std::size_t i) { made[i] = known_start(drawn[i]); });
+  in_parallel(drawn.size(), [&](std::size_t i) { made[i] = where_known([&] { return start(drawn[i]); }); });
   return known(made);
 }
 
@@ -186,7 +188,7 @@ InitialConditions::First InitialConditions::first(int seen, int unseen,
     if (i == 0)
       at_asked = asked_to_choose();
     else
-      made[i - 1] = known_start(drawn[i - 1]);
+      made[i - 1] = where_known([&] { return start(drawn[i - 1]); });
     one_made();
   });
   const std::span all(made);

@@ -85,7 +85,6 @@ class InitialConditions {
   Start asked_to_choose() const;
   /// Throws BadInput where the start is not known as exactly as asked.
   Start required(Start) const;
-  std::optional<Start> known_start(const Parameters&) const;
   const Scene& scene() const { return *task_.entry->exercise.scene; }
   Horizon horizon() const { return {need_.horizon, 1, need_.frames_per_second}; }
 

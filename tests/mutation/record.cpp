@@ -205,7 +205,7 @@ std::string csv_of(const Scores& scores) {
          "# mutants: in those of the room's files that the run mutated; free: without a mutant, as nothing has "
          "to notice\n# which samples are drawn and how a number is made into text.\n"
          "# tried = killed + with_reason + survived; with_reason: those that have a reason in survivors.csv. What "
-         "no test runs\n# survives. first_tried, first_killed: of the sample as it was drawn, before anything was "
+         "no test runs\n# survives. first_tried, first_killed: of a sample as it was drawn, before anything was "
          "mended for its sake.\n# Rooms without a row were not tried.\n"
       << score_columns << "\n";
   for (const auto& [room, s] : scores)

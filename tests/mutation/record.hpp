@@ -45,7 +45,7 @@ std::string csv_of(const Survivors&);
 struct Score {
   std::string date = {}, commit = {};
   int mutants = 0, free = 0, tried = 0, killed = 0, with_reason = 0, survived = 0;
-  /// Of the sample as it was drawn, before anything was mended for its sake.
+  /// Of a sample as it was drawn, before anything was mended for its sake.
   int first_tried = 0, first_killed = 0;
 };
 using Scores = std::map<std::string, Score>;  ///< by room
