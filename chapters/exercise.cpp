@@ -194,14 +194,10 @@ Quantity& Quantity::add(Breakdown breakdown) {
 }
 
 Quantity quantity(std::string name, std::string unit, std::string says, const Known& known, Tolerance need) {
-  return {std::move(name),
-          std::move(unit),
-          std::move(says),
-          {known.source, known.value},
-          known.error,
-          std::move(need),
-          {},
-          {}};
+  Quantity made{std::move(name), std::move(unit), std::move(says), {known.source, known.value},
+                known.error,     std::move(need)};
+  made.reference_error_until = known.error_until;
+  return made;
 }
 
 std::vector<Quantity> in_operations(std::vector<Quantity> quantities) {

@@ -323,7 +323,8 @@ struct Quantity {
   std::vector<Norm> norms = {};  ///< of one time; none: the largest component
   /// The need in each of `units()`; empty: `need` in all of them.
   std::vector<double> needs = {};
-  std::vector<Method> methods_in_float = {};  ///< each has a like one in double: its model and knob
+  std::vector<double> reference_error_until = {};  ///< at each time, up to there; empty: not known by times
+  std::vector<Method> methods_in_float = {};       ///< each has a like one in double: its model and knob
   /// The methods' work is counted in multiplications, divisions and functions, not in evaluations.
   bool in_operations = false;
 

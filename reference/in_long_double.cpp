@@ -41,35 +41,50 @@ truth::Numbers by_first_route(const truth::Truth& table, std::vector<double> inp
   return all;
 }
 
-/// Where roundings grow, the second route's may be a thousand times the first's. That of the start is the
-/// same in all repeats, and one step's no smaller: of 40 chaotic chains none was off by more than twice what
-/// two repeats are.
-truth::Number error_by_repeats(const truth::Truth& table, const std::vector<double>& inputs,
-                               const std::vector<double>& times, const truth::Tick& tick,
-                               const truth::Numbers& value) {
+/// Up to each time. Where roundings grow, the second route's may be a thousand times the first's. That of the
+/// start is the same in all repeats, and one step's no smaller: of 40 chaotic chains none was off by more
+/// than twice what two repeats are.
+truth::Numbers error_by_repeats(const truth::Truth& table, const std::vector<double>& inputs,
+                                const std::vector<double>& times, const truth::Tick& tick,
+                                const truth::Numbers& value) {
   constexpr int repeats = 2;
   constexpr truth::Number safety = 8;
-  truth::Number parts_by = 0;
+  truth::Numbers error_until(times.size(), 0);
   for (int fewer = 1; fewer <= repeats; ++fewer) {
     const truth::Numbers again = by_first_route(table, inputs, times, digits_in_long_double - fewer, tick);
-    for (std::size_t i = 0; i < value.size(); ++i)
-      parts_by = std::max(parts_by, std::abs(value[i] - again[i]));
+    const std::size_t parts = value.size() / times.size();
+    truth::Number parted_by = 0;
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      parted_by = std::max(parted_by, safety * std::abs(value[i] - again[i]));
+      error_until[i / parts] = std::max(error_until[i / parts], parted_by);
+    }
   }
-  return safety * parts_by;
+  return error_until;
 }
 
-bool is_one_motion(const truth::Made& made) {
-  constexpr truth::Number part = 1e-2L;
-  return made.error <= part * truth::size_of(made.value);
+/// As long as both routes tell one motion.
+void bound_by_repeats(truth::Made& made, const truth::Numbers& error_until) {
+  const truth::Number one_motion = 1e-2L * truth::size_of(made.value);
+  for (std::size_t k = 0; k < error_until.size(); ++k)
+    if (made.error_until[k] <= one_motion)
+      made.error_until[k] = std::min(made.error_until[k], error_until[k]);
+  made.error = made.error_until.back();
 }
 
 Known known(const truth::Truth& table, const truth::Made& made) {
-  Known all{{}, static_cast<double>(made.error), {}};
+  Known all;
   all.source = "computed on the spot in long double: " + table.first_route + "; and " + table.second_route;
+  const std::size_t parts = made.value.size() / made.error_until.size();
+  double rounded_by = 0;
   for (const truth::Number& x : made.value) {
     all.value.push_back(static_cast<double>(x));
-    all.error = std::max(all.error, std::abs(all.value.back()) * 0x1p-53);
+    rounded_by = std::max(rounded_by, std::abs(all.value.back()) * 0x1p-53);
+    if (all.value.size() % parts == 0) {
+      const truth::Number& error = made.error_until[all.value.size() / parts - 1];
+      all.error_until.push_back(std::max(static_cast<double>(error), rounded_by));
+    }
   }
+  all.error = all.error_until.back();
   return all;
 }
 
@@ -80,15 +95,15 @@ std::optional<Known> motion_in_long_double(std::string_view table, const std::ve
                                            const std::function<void(double)>& tick, BoundedBy bound) {
   const auto& all = truth::registry();
   const auto found = std::ranges::find(all, table, &truth::Entry::name);
-  if (found == all.end()) return {};
+  if (found == all.end() || times.empty()) return {};
   const truth::Truth made_by = found->make();
   try {
     const std::vector<double> at(times.begin(), times.end());
     const truth::Tick watch = watched(tick);
     truth::Made made =
         truth::make_motion(made_by, inputs_but_time, at, digits_in_long_double, compared, watch);
-    if (bound == BoundedBy::repeats && is_one_motion(made))
-      made.error = std::min(made.error, error_by_repeats(made_by, inputs_but_time, at, watch, made.value));
+    if (bound == BoundedBy::repeats)
+      bound_by_repeats(made, error_by_repeats(made_by, inputs_but_time, at, watch, made.value));
     return known(made_by, made);
   } catch (const Ended& ended) {
     std::rethrow_exception(ended.by);

@@ -279,7 +279,10 @@ Reference Reference::enclosed_by(Enclosing enclosing) const {
 Known Reference::proved(Known known, const ToEnclose& asked) const {
   if (!enclosing_ || !std::isfinite(known.error)) return known;
   const Enclosed enclosed = enclosing_(asked, tick_);
-  if (std::isfinite(enclosed.distance)) known.error = enclosed.distance;
+  if (std::isfinite(enclosed.distance)) {
+    known.error = enclosed.distance;
+    known.error_until.clear();
+  }
   known.source += "; " + enclosed.by;
   return known;
 }

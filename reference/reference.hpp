@@ -17,6 +17,8 @@ struct Known {
   std::vector<double> value;
   double error = 0;
   std::string source;  ///< which table, or by which route it was computed on the spot
+  /// Of a motion, at each of its times: a bound up to there. Empty: `error` is all that is known.
+  std::vector<double> error_until = {};
 };
 
 /// How far the exact values may be from those asked about, proved; or infinity, and why it is not.

@@ -59,6 +59,7 @@ Made make_motion(const Truth& truth, const std::vector<double>& inputs_but_time,
     const bool is_compared = (times.size() - 1 - i) % stride == 0;
     compare(truth, value, is_compared ? truth.second(inputs, {digits, &second}) : value, digits, made.error);
     made.value.insert(made.value.end(), value.begin(), value.end());
+    if (is_compared) made.error_until.resize(i + 1, power_of_ten_above(made.error));
   }
   made.error = power_of_ten_above(made.error);
   return made;

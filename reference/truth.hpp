@@ -99,6 +99,7 @@ const std::vector<Entry>& registry();
 struct Made {
   Numbers value;
   Number error;
+  Numbers error_until = {};  ///< of a motion, at each of its times: the error up to there
 };
 Made make_row(const Truth&, const std::vector<double>& inputs, int digits);
 

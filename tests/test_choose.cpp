@@ -5,6 +5,7 @@
 #include <set>
 
 #include "reference/bad_input.hpp"
+#include "reference/text.hpp"
 #include "report/study/choose.hpp"
 #include "report/study/initial_conditions.hpp"
 #include "report/study/tries.hpp"
@@ -35,6 +36,7 @@ Quantity place(const Parameters& p, const Horizon& horizon, const Reference&) {
   const auto everywhere = static_cast<std::size_t>(horizon.count());
   Quantity q{"place", "m",        "", {"exact", Value(std::vector<double>(everywhere, a))},
              1e-16,   {1e-6, ""}, {}, {}};
+  q.samples = horizon.count();
   const auto one = [](double) { return 1L; };
   q.add(method(
       "coarse", "closed form", no_knob(), a, horizon.count(),
@@ -185,6 +187,40 @@ TEST_CASE("settings that cannot hold, as errors fall by no more than the order h
   CHECK(thorough.tried() == Steps{1, 2, 3, 4, 5, 6});
 }
 
+TEST_CASE("in chaos an error that is as large as the motion tells how much finer a step has to be",
+          "[choose]") {
+  // Errors and disturbances grow by so much each frame, and are no larger than the motion.
+  Need need = asked(0.1, 10);
+  const auto tried = [&](double by, double at_first, bool is_chaotic) {
+    const auto grown = [by](double from, int frame) { return std::min(3.0, from * std::pow(by, frame)); };
+    Quantity q = place(Parameters(parameters), {10, 100}, Reference::nothing());
+    q.need.allowed = need.error;
+    Parting parting{{}, is_chaotic};
+    for (int k = 0; k < 100; ++k) parting.until.push_back(grown(1e-9, k));
+    q.methods = {{"model", "explicit Euler", halving("step", 1, 4), [=](double h) {
+                    std::vector<double> x;
+                    for (int k = 0; k < 100; ++k) x.push_back(1 + grown(at_first * 10 * h, k));
+                    return Answer{Value(std::move(x)), std::lround(10 / h)};
+                  }}};
+    std::vector<Start> starts{{"here", std::move(q)}};
+    starts[0].parting = std::make_shared<Lazy<Parting>>([=] { return parting; });
+    Tries tries(starts[0].motion.methods[0], need);
+    while (!tries.is_over()) tries.go_on(1e6, starts, need, [] {});
+    std::vector<long> steps;
+    for (const Candidate& c : tries.candidates) steps.push_back(std::lround(1 / (10 * c.setting)));
+    return steps;
+  };
+  using Steps = std::vector<long>;
+  // 0.001 grow to 125 times what is asked, of which a 16th is less than the 30 seen.
+  CHECK(tried(1.1, 0.001, true) == tried(1.1, 0.001, false));
+  // 0.09 grow to 11,270 times: by a second power and a luck of four, a 13th of the step at least.
+  CHECK(tried(1.1, 0.09, false) == Steps{1, 3, 10, 32, 96, 384, 512});
+  CHECK(tried(1.1, 0.09, true) == Steps{1, 16, 64, 192, 512});
+  // To 62 million times: not even 512 steps a frame can hold.
+  CHECK(tried(1.2, 0.09, false).back() == 512);
+  CHECK(tried(1.2, 0.09, true) == Steps{1});
+}
+
 TEST_CASE("a method that does not listen to its tolerance is not asked again", "[choose]") {
   Need need = asked(0.1, 10);
   need.objective = Objective::simple;  // with a margin of three
@@ -240,7 +276,7 @@ TEST_CASE("a better known truth is asked where the one at hand does not decide",
   const auto judged = [&](double truth, double known_to, Objective objective = Objective::cheapest) {
     made = 0;
     std::vector<Start> starts{start_of(truth, known_to)};
-    starts[0].sharper = std::make_shared<Sharper>([&] {
+    starts[0].sharper = std::make_shared<Lazy<Start>>([&] {
       ++made;
       return start_of(0.25, 1e-9);
     });
@@ -266,6 +302,69 @@ TEST_CASE("a better known truth is asked where the one at hand does not decide",
   CHECK(made == 0);
 }
 
+TEST_CASE(
+    "what fails where a truth is known fails on the whole, and what holds there is judged by a better one",
+    "[choose]") {
+  int made = 0;
+  Quantity q = place(Parameters(parameters), {10, 100}, Reference::nothing());
+  q.samples = 50;
+  q.reference.value = Value(std::vector<double>(50, 1.0));
+  q.need.allowed = 0.1;
+  const auto off_by = [](double off) {
+    return Method{"off", "by " + format_shortest(off), no_knob(), [off](double) {
+                    return Answer{Value(std::vector<double>(50, 1 + off)), 100};
+                  }};
+  };
+  q.methods = {off_by(0.2), off_by(0.05)};
+  std::vector<Start> starts{{"here", q}};
+  starts[0].is_whole = false;
+  starts[0].sharper = std::make_shared<Lazy<Start>>([&] {
+    ++made;
+    Start whole{"here", q};
+    whole.motion.samples = 100;
+    whole.motion.reference.value = Value(std::vector<double>(100, 1.0));
+    whole.motion.methods[1].run = [](double) { return Answer{Value(std::vector<double>(100, 1.5)), 300}; };
+    return whole;
+  });
+  const Need need = asked(0.1, 10);
+  const Candidate fails = evaluate(starts, q.methods[0], 0, need);
+  CHECK(fails.error == Approx(2));
+  CHECK(fails.evaluations_per_frame == 2);
+  CHECK(made == 0);
+  const Candidate holds_at_first = evaluate(starts, q.methods[1], 0, need);
+  CHECK(holds_at_first.error == Approx(5));
+  CHECK(holds_at_first.evaluations_per_frame == 3);
+  CHECK(made == 1);
+}
+
+TEST_CASE("what was tried on a start is not tried again, unless it ran out of evaluations", "[choose]") {
+  int runs = 0;
+  Ending ending = Ending::reached;
+  Quantity q = place(Parameters(parameters), {10, 100}, Reference::nothing());
+  q.methods = {{"model", "by hand", halving("step", 1, 4), [&](double) {
+                  ++runs;
+                  Answer answer{Value(std::vector<double>(100, 1.0)), 7};
+                  answer.ending = ending;
+                  return answer;
+                }}};
+  std::vector<Start> starts{{"here", q}};
+  const auto runs_of_two = [&](double setting) {
+    runs = 0;
+    const Candidate first = evaluate(starts, q.methods[0], setting, asked(1e-6, 10));
+    const Candidate second = evaluate(starts, q.methods[0], setting, asked(1e-6, 10));
+    CHECK(first.outcome == second.outcome);
+    CHECK(first.evaluations_per_frame == second.evaluations_per_frame);
+    return runs;
+  };
+  CHECK(runs_of_two(1) == 2);
+  starts[0].attempts = std::make_shared<Attempts>();
+  CHECK(runs_of_two(1) == 1);
+  CHECK(runs_of_two(1) == 0);
+  CHECK(runs_of_two(0.5) == 1);
+  ending = Ending::stalled;
+  CHECK(runs_of_two(0.25) == 2);
+}
+
 TEST_CASE("one step a frame is one, and two are several", "[choose]") {
   Candidate candidate{"model", "algorithm", "step", 0.1};
   CHECK(shown_setting(candidate, asked(1, 1, 10)) == "1 step per frame");
@@ -279,6 +378,7 @@ TEST_CASE("what restarts cost a method counts as often as runs are ended", "[cho
     const auto frames = static_cast<std::size_t>(horizon.count());
     Quantity q{"place", "m",        "", {"exact", Value(std::vector<double>(frames, p["a"]))},
                1e-16,   {1e-6, ""}, {}, {}};
+    q.samples = horizon.count();
     const auto exact = [](double) { return 1e-9; };
     for (long each : {1, 2})
       q.add(method(each == 1 ? "with a history" : "without", "exact", no_knob(), p["a"], horizon.count(),
@@ -432,10 +532,12 @@ namespace {
 
 /// A motion that stays at a.
 Quantity staying(double a, const Horizon& horizon) {
-  return {"place", "m",
-          "",      {"exact", Value(std::vector<double>(static_cast<std::size_t>(horizon.count()), a))},
-          1e-16,   {1e-6, ""},
-          {},      {}};
+  Quantity q{"place", "m",
+             "",      {"exact", Value(std::vector<double>(static_cast<std::size_t>(horizon.count()), a))},
+             1e-16,   {1e-6, ""},
+             {},      {}};
+  q.samples = horizon.count();
+  return q;
 }
 
 /// What to choose for a scene of it at a = 5.
@@ -475,8 +577,55 @@ TEST_CASE("where a start beside the one asked for decides, the answer says what 
   const std::string text = choice_text(choice, false);
   CHECK(text.find("on the start asked for there by alone") != std::string::npos);
   CHECK(text.find("this one is inaccurate at " + choice.beside_asked->where) != std::string::npos);
+  CHECK(choice.explanation.starts == 3);  // no others are made where nothing holds on these
   need.budget = 1e-10;
   CHECK_FALSE(choose_at_5(scene, need).on_asked);
+}
+
+TEST_CASE("what fails on the start asked for is not said to hold there", "[choose]") {
+  // Off by more the smaller a is, and one of them everywhere.
+  const auto scene = [](const Parameters& p, const Horizon& horizon, const Reference&) {
+    const double a = p["a"];
+    Quantity q = staying(a, horizon);
+    for (const double least : {0.0, 1.0})
+      q.add(method(
+          least > 0 ? "nowhere" : "there", "alone", no_knob(), a, horizon.count(),
+          [=](double) { return std::max(least, 5 - a) + 1e-9; },
+          [=](double) { return least > 0 ? 10L : 30L; }));
+    return q;
+  };
+  const Choice choice = choose_at_5(scene, asked(1e-3, 3));
+  CHECK_FALSE(choice.chosen);
+  REQUIRE(choice.on_asked);
+  CHECK(choice.on_asked->model == "there");
+  CHECK(choice.on_asked->holds());
+}
+
+TEST_CASE("what takes many evaluations is timed over its first frames", "[choose]") {
+  const auto scene = [](const Parameters& p, const Horizon& horizon, const Reference&) {
+    Quantity q = staying(p["a"], horizon);
+    for (const long each : {100L, 100'000L})
+      q.add(method(
+          std::to_string(each), "alone", no_knob(), p["a"], horizon.count(), [](double) { return 1e-9; },
+          [=](double) { return each * horizon.count(); }));
+    return q;
+  };
+  const Entry staying_there{
+      {3, 96},
+      "",
+      {"staying", "", parameters, Scene{scene, 10, 0.01, "a", {1, 2}, {"a"}, {{"x"}, "s", {{"m", {0}}}}},
+       nullptr}};
+  std::vector<long> timed;
+  const Choice choice =
+      choose(Task(staying_there), asked(1e-3, 3), Reference(std::string(ODDITY_SOURCE) + "/reference"),
+             [&](const Method& m, double setting) {
+               timed.push_back(m.run(setting).evaluations);
+               return counted_cost(m, setting);
+             });
+  CHECK(timed == std::vector<long>{3000, 100'000});  // all 30 frames, and one
+  REQUIRE(choice.candidates.size() == 2);
+  CHECK(choice.candidates[0].seconds_per_frame == Approx(100e-9));
+  CHECK(choice.candidates[1].seconds_per_frame == Approx(100'000e-9));
 }
 
 namespace {
@@ -498,12 +647,32 @@ struct Neighbours {
     motion.needs = {1e-2};
   }
 
-  std::optional<double> told_until() const { return predictable_until(motion, Value(beside), 1e-9, 10); }
+  Parting parting() const { return parting_of(motion, Value(beside), 1e-9); }
+  std::optional<double> told_until() const {
+    const Parting parting = this->parting();
+    if (!parting.is_chaotic) return {};
+    const auto lost = parting.lost_at();
+    return lost ? static_cast<double>(*lost + 1) / 10 : std::numeric_limits<double>::infinity();
+  }
 };
 
 double chaotic(double t) { return std::min(1.0, 1e-9 * std::exp(3 * t)); }
 
 }  // namespace
+
+TEST_CASE("of what is lost in chaos it is told what it would have grown to", "[choose]") {
+  const Parting parting = Neighbours(10, chaotic).parting();
+  REQUIRE(parting.is_chaotic);
+  CHECK(parting.until.back() == Approx(100));  // as large as the motion, in needs
+  // Half of what is asked after 3 s, and as large as the motion from then on.
+  std::vector<double> until(100, 50);
+  std::fill_n(until.begin(), 30, 0.5);
+  CHECK(parting.in_the_end(until) == Approx(0.5 * 100 / (1e-7 * std::exp(9)) / 16));
+  CHECK(parting.in_the_end(std::vector<double>(100, 0.5)) == 0.5);  // never lost
+  CHECK(parting.in_the_end(std::vector<double>(100, 50)) == 50);    // never there
+  CHECK(parting.in_the_end({0.5, 50}) == 50);                       // of other frames
+  CHECK(Neighbours(10, [](double t) { return 1e-9 * t; }).parting().in_the_end(until) == 50);
+}
 
 TEST_CASE("a chaotic motion is told from a regular one, however long one watches", "[choose]") {
   for (double horizon : {7.0, 10.0, 20.0, 100.0}) {

@@ -215,11 +215,19 @@ std::string span_of(const Choice& choice) {
 std::string rows_text(const Choice& choice) {
   std::string text = "\nEach method at its cheapest setting that holds";
   if (choice.need.margin() > 1) text += " with a margin of three, else at its cheapest that holds";
-  text += ", else at the best that was tried";
+  text += ", else at the best that was tried; the error of what fails is that on the start named";
   if (choice.left.empty()) return text + ":\n";
   const bool settled = choice.chosen && choice.by_objective;
   return text + (settled ? "; what costs more than twice the choice is not followed to finer settings:\n"
                          : "; not all are followed to finer settings, as they cost too much already:\n");
+}
+
+/// Where double has long lost the path, long double loses it, too.
+std::string unknown_text(const Choice& choice) {
+  const std::optional<double>& until = choice.explanation.truth_until;
+  if (!until) return "";
+  return "  the true motion is known up to " + format_significant(*until, 3) + " " + choice.time_unit +
+         ": what fails does so before, and its error is that until then.\n";
 }
 
 std::string chaos_text(const Choice& choice) {
@@ -229,7 +237,7 @@ std::string chaos_text(const Choice& choice) {
                                       format_significant(*choice.predictable, 3) + " " + choice.time_unit
                                 : "still tells the path to the error asked for at the end";
   return "  the motion is chaotic: one from a start that differs by a thousand-millionth " + until +
-         ". A game may do better to ask for --criterion energy or bounded.\n";
+         ". A game may do better to ask for --criterion energy or bounded.\n" + unknown_text(choice);
 }
 
 std::string engine_text(const Choice& choice) {
@@ -452,6 +460,7 @@ std::string choice_json(const Choice& choice) {
                           {{"seconds", e.truths},
                            {"starts", e.starts},
                            {"error_in_needs", from(e.truth_error)},
+                           {"until", e.truth_until ? from(*e.truth_until) : Json(nullptr)},
                            {"by", e.truth_by}}},
                          {"search",
                           {{"seconds", e.search},

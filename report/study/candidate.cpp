@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
+#include "report/study/parallel.hpp"
 
 namespace oddity {
 
@@ -77,6 +79,7 @@ struct Judged {
   Trial trial;
   std::vector<double> errors;  ///< in each unit
   double error;                ///< in units of what was asked
+  const Start* by = nullptr;   ///< what knows the true motion
 };
 
 Trial missing(const Candidate& c) {
@@ -92,20 +95,40 @@ Judged judge(const Quantity& motion, const Candidate& c, const Need& need) {
   return {std::move(trial), std::move(errors), error};
 }
 
-/// Whether it holds is certain where the error is known to so much of the need, and so is its margin where
-/// that is not known very well.
-bool is_decided(double error, double known_to, const Need& need) {
+/// Whether it holds is certain where the error is known to so much of the need, on the whole of a motion, and
+/// so is its margin where that is not known very well.
+bool is_decided(double error, double known_to, bool on_whole, const Need& need) {
   constexpr double very_well = 1e-3;
   if (error - known_to > 1) return true;
-  return error + known_to <= 1 && (known_to <= very_well || std::abs(error - 1 / need.margin()) > known_to);
+  return on_whole && error + known_to <= 1 &&
+         (known_to <= very_well || std::abs(error - 1 / need.margin()) > known_to);
 }
 
 /// By a better known truth where the one at hand does not decide.
 Judged judge(const Start& start, const Candidate& candidate, const Need& need) {
   Judged by_first = judge(start.motion, candidate, need);
+  by_first.by = &start;
   const double known_to = start.motion.reference_error / start.motion.need.allowed;
-  if (!start.sharper || is_decided(by_first.error, known_to, need)) return by_first;
-  return judge(start.sharper->start(), candidate, need);
+  if (!start.sharper || is_decided(by_first.error, known_to, start.is_whole, need)) return by_first;
+  return judge(**start.sharper, candidate, need);
+}
+
+/// At each frame, by how much of the need it is off for certain.
+std::vector<double> certain_errors_until(const Quantity& motion, const Value& path) {
+  std::vector<double> until = errors_until(motion, path);
+  const auto& known = motion.reference_error_until;
+  for (std::size_t k = 0; k < until.size(); ++k) {
+    const double known_to = k < known.size() ? known[k] : motion.reference_error;
+    until[k] = std::max(0.0, until[k] - known_to / motion.need.allowed);
+  }
+  return until;
+}
+
+/// Its error, were it not bounded by the motion's size.
+double unbounded_error(const Judged& judged) {
+  if (!judged.by->parting || judged.error <= 1) return judged.error;
+  const std::vector<double> until = certain_errors_until(judged.by->motion, judged.trial.answer.value);
+  return until.empty() ? judged.error : std::max(judged.error, (**judged.by->parting).in_the_end(until));
 }
 
 /// How it ended where it does not hold.
@@ -121,18 +144,29 @@ Candidate untried(const Method& method, double setting) {
   return candidate;
 }
 
+OnStart on_start(const Start& start, const Candidate& candidate, const Need& need) {
+  const auto make = [&] {
+    Judged judged = judge(start, candidate, need);
+    return OnStart{std::move(judged.errors), judged.error, unbounded_error(judged),
+                   static_cast<double>(judged.trial.answer.evaluations) / judged.by->motion.samples,
+                   judged.error <= 1 ? Outcome::ok : failure(judged.trial)};
+  };
+  return start.attempts ? start.attempts->at(candidate, make) : make();
+}
+
 /// Its evaluations per frame there.
-double add(const Start& start, Candidate& candidate, const Need& need) {
-  const auto [trial, errors, error] = judge(start, candidate, need);
-  if (!(error <= 1) && (candidate.holds() || error > candidate.error)) {
-    candidate.outcome = failure(trial);
+double add(const Start& start, Candidate& candidate, const OnStart& on) {
+  if (on.outcome != Outcome::ok && (candidate.holds() || on.error > candidate.error)) {
+    candidate.outcome = on.outcome;
     candidate.where = start.says;
   }
-  candidate.error = std::max(candidate.error, error);
+  candidate.error = std::max(candidate.error, on.error);
+  candidate.unbounded_error = std::max(candidate.unbounded_error, on.unbounded_error);
   candidate.errors.resize(start.motion.units().size(), 0);
-  for (std::size_t i = 0; i < errors.size(); ++i)
-    candidate.errors[i] = std::isfinite(errors[i]) ? std::max(candidate.errors[i], errors[i]) : unbounded;
-  return static_cast<double>(trial.answer.evaluations) / need.frames();
+  for (std::size_t i = 0; i < on.errors.size(); ++i)
+    candidate.errors[i] =
+        std::isfinite(on.errors[i]) ? std::max(candidate.errors[i], on.errors[i]) : unbounded;
+  return on.evaluations_per_frame;
 }
 
 }  // namespace
@@ -156,10 +190,14 @@ Candidate evaluate(std::span<const Start> starts, const Method& method, double s
 
 void go_through(std::span<const Start> starts, Candidate& candidate, const Need& need) {
   const std::string been_on = candidate.where;
-  for (const Start& start : starts) {
-    if (start.says == been_on) continue;
-    const double evaluations = add(start, candidate, need);
-    if (&start == &starts.front()) candidate.evaluations_per_frame = evaluations;
+  std::vector<std::optional<OnStart>> on(starts.size());
+  in_parallel(starts.size(), [&](std::size_t i) {
+    if (starts[i].says != been_on) on[i] = on_start(starts[i], candidate, need);
+  });
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    if (!on[i]) continue;
+    const double evaluations = add(starts[i], candidate, *on[i]);
+    if (i == 0) candidate.evaluations_per_frame = evaluations;
   }
 }
 
@@ -170,7 +208,7 @@ Candidate evaluate_until_one_fails(std::span<const Start> starts, const Method& 
     for (const Start& start : starts)
       if (candidate.holds() && (start.says == hardest) == those) {
         const bool is_first = candidate.errors.empty();
-        const double evaluations = add(start, candidate, need);
+        const double evaluations = add(start, candidate, on_start(start, candidate, need));
         if (is_first) candidate.evaluations_per_frame = evaluations;
       }
   };

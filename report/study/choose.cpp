@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <ranges>
 #include <set>
 #include <span>
@@ -135,30 +136,34 @@ class Search {
  private:
   void make_starts() {
     const Stopwatch watch(spent_.truths);
-    constexpr int all = 1 + seen_beside + unseen_starts;
-    motions_.emplace(progress_, "making the true motions", all);
-    auto first = starts_.first(seen_beside, unseen_starts, [this] { motions_->add(); });
-    seen_.push_back(std::move(first.asked));
-    std::ranges::move(first.seen, std::back_inserter(seen_));
-    unseen_ = std::move(first.unseen);
+    motions_.emplace(progress_, "making the true motions", 1 + seen_beside);
+    for (Start& start : starts_.asked_and_beside(seen_beside, [this] { motions_->add(); }))
+      seen_.push_back(std::move(start));
+  }
+
+  /// Made when something holds on those seen.
+  const std::vector<Start>& unseen() {
+    if (unseen_) return *unseen_;
+    const Stopwatch watch(spent_.truths);
+    motions_.emplace(progress_, "making more true motions", unseen_starts);
+    return unseen_.emplace(starts_.beside(unseen_starts, [this] { motions_->add(); }));
   }
 
   /// The unseen are seen from now on.
   void take_more_starts() {
-    const Stopwatch watch(spent_.truths);
-    motions_.emplace(progress_, "making more true motions", unseen_starts);
-    std::ranges::move(unseen_, std::back_inserter(seen_));
-    unseen_ = starts_.beside(unseen_starts);
+    std::ranges::move(*unseen_, std::back_inserter(seen_));
+    unseen_.reset();
     for (Tries& tries : tries_) tries.again(need_);
   }
 
   /// On the starts that it was not chosen on.
   bool holds_elsewhere(Candidate& chosen) {
+    const std::vector<Start>& starts = unseen();
     const Stopwatch watch(spent_.tests);
     ++spent_.rounds;
-    const Candidate test = oddity::evaluate(unseen_, method(chosen), chosen.setting, need_);
+    const Candidate test = oddity::evaluate(starts, method(chosen), chosen.setting, need_);
     chosen.unseen_error = test.error;
-    return test.holds() && !unseen_.empty();
+    return test.holds() && !starts.empty();
   }
 
   const Method& method(const Candidate& candidate) const {
@@ -187,12 +192,29 @@ class Search {
     return need_.objective == Objective::cheapest || is_simple(m.knob.name, m.algorithm);
   }
 
+  /// Where most of those fail that hold on the start asked for; nothing where none does. To be known between
+  /// stages, so that what is tried does not depend on which thread came first.
+  std::string hardest_start() const {
+    std::map<std::string, int> failed;
+    for (const Tries& tries : tries_)
+      for (const Candidate& t : tries.candidates)
+        if (!t.holds() && t.where != seen_.front().says) ++failed[t.where];
+    const auto most = std::ranges::max_element(failed, {}, [](const auto& pair) { return pair.second; });
+    return most == failed.end() ? "" : most->first;
+  }
+
   /// Those methods, in parallel, on to the first setting that holds with the margin or takes more work.
   void try_all(const std::string& stage, double most_evaluations, const Which& which) {
     const Stopwatch watch(spent_.search);
-    Stage tally(progress_, stage, tries_.size());
-    parallel_for_each(tries_, [&](Tries& tries) {
-      if (which(tries)) tries.go_on(most_evaluations, seen_, need_, [this] { deadline_.check(); });
+    const std::string hardest = hardest_start();
+    std::vector<Tries*> costliest_first;
+    for (Tries& tries : tries_)
+      if (which(tries)) costliest_first.push_back(&tries);
+    std::ranges::stable_sort(costliest_first, std::greater(), &Tries::expected_evaluations);
+    Stage tally(progress_, stage, costliest_first.size());
+    parallel_for_each(costliest_first, [&](Tries* tries) {
+      tries->go_on(
+          most_evaluations, seen_, need_, [this] { deadline_.check(); }, hardest);
       tally.add();
     });
   }
@@ -277,11 +299,24 @@ class Search {
   }
 
   void measure(Candidate& candidate) const {
-    const Time time = price_(method(candidate), candidate.setting);
+    const Time time = time_per_frame(candidate);
     const double with_restarts = 1 + restarting(candidate);
-    candidate.seconds_per_frame = with_restarts * time.seconds / need_.frames();
-    candidate.spread = std::isfinite(time.spread) ? with_restarts * time.spread / need_.frames() : 0;
+    candidate.seconds_per_frame = with_restarts * time.seconds;
+    candidate.spread = std::isfinite(time.spread) ? with_restarts * time.spread : 0;
   }
+
+  /// What takes long is timed over its first frames, as an evaluation takes as long there.
+  Time time_per_frame(const Candidate& candidate) const {
+    constexpr double enough = 1e4, many = 10 * enough;  // evaluations
+    const int frames = seen_.front().motion.samples;
+    const double per_frame = candidate.evaluations_per_frame;
+    if (per_frame * frames <= many) return part_of(price_(method(candidate), candidate.setting), frames);
+    const Quantity first = starts_.first_frames(static_cast<int>(std::ceil(enough / per_frame)));
+    const Method& briefly = *method_of(first, candidate.model, candidate.algorithm);
+    const auto evaluations = static_cast<double>(run(first, briefly, candidate.setting).answer.evaluations);
+    return part_of(price_(briefly, candidate.setting), evaluations / per_frame);
+  }
+  static Time part_of(const Time& time, double parts) { return {time.seconds / parts, time.spread / parts}; }
 
   bool meets_objective(const Candidate& t) const {
     return t.holds() &&
@@ -336,18 +371,20 @@ class Search {
 
   /// What comes nearest to a need that nothing meets: within the budget the smallest error, but what holds
   /// and costs too much comes first.
-  static std::optional<Candidate> miss(const std::vector<Candidate>& all) {
+  std::optional<Candidate> miss(std::vector<Candidate>& all) const {
+    if (all.empty()) return {};
     if (auto held = least(all, [](const Candidate& t) { return t.holds(); })) return held;
-    const auto nearest = std::ranges::min_element(all, {}, &Candidate::error);
-    return nearest == all.end() ? std::nullopt : std::optional(*nearest);
+    while (true) {
+      Candidate& nearest = *std::ranges::min_element(all, {}, &Candidate::error);
+      const double on_one = nearest.error;
+      judge_failure(nearest);
+      if (nearest.error == on_one) return nearest;
+    }
   }
 
-  /// What does not hold was left at the first start on which it failed: its error is that of all.
+  /// What does not hold was left at the first start on which it failed: now its error is that of all.
   void judge_failure(Candidate& candidate) const {
     if (!candidate.holds()) go_through(seen_, candidate, need_);
-  }
-  void judge_failures(std::vector<Candidate>& rows) const {
-    parallel_for_each(rows, [this](Candidate& candidate) { judge_failure(candidate); });
   }
 
   /// At 60, 120 and 240 Hz, or as soon above that a whole number of them fills the frame; each once.
@@ -379,7 +416,7 @@ class Search {
 
   /// What the first frame of a run costs beside the steady evaluations.
   double restart(const Candidate& chosen) const {
-    const Quantity one_frame = starts_.one_frame();
+    const Quantity one_frame = starts_.first_frames(1);
     const Method* first = method_of(one_frame, chosen.model, chosen.algorithm);
     if (!first) return 0;
     return std::max(0.0, static_cast<double>(run(one_frame, *first, chosen.setting).answer.evaluations) -
@@ -395,15 +432,13 @@ class Search {
 
   /// A path alone is asked for to an error in each unit.
   std::optional<double> predictable() const {
-    constexpr double small = 1e-9;
-    if (need_.criterion != Criterion::path) return {};
-    const Quantity beside = starts_.disturbed(small);
-    const Method* best = nullptr;
-    for (const Method& m : beside.methods)
-      if (m.algorithm == "Fehlberg 7(8)") best = &m;
-    if (!best) return {};
-    return predictable_until(seen_.front().motion, run(beside, *best, 1e-13).answer.value, small,
-                             need_.frames_per_second);
+    const Start& asked = seen_.front();
+    if (need_.criterion != Criterion::path || !asked.parting) return {};
+    const Parting& parting = **asked.parting;
+    if (!parting.is_chaotic) return {};
+    const auto lost = parting.lost_at();
+    return lost ? static_cast<double>(*lost + 1) / need_.frames_per_second
+                : std::numeric_limits<double>::infinity();
   }
 
   /// Those tried that are cheaper and could not be chosen instead, the most expensive first.
@@ -425,9 +460,9 @@ class Search {
     return {};
   }
 
-  /// Those tried that hold on the start asked for, from the least work on: they fail elsewhere first, or
+  /// Those tried that may hold on the start asked for, from the least work on: they fail elsewhere first, or
   /// hold.
-  std::vector<Candidate> holding_on_asked() const {
+  std::vector<Candidate> maybe_holding_on_asked() const {
     std::vector<Candidate> held;
     for (const Candidate& t : all_tried())
       if (t.holds() || t.where != seen_.front().says) held.push_back(t);
@@ -436,17 +471,19 @@ class Search {
   }
 
   /// Where starts beside the one asked for decide that nothing holds.
-  void tell_of_asked(Choice& choice) const {
-    const std::span<const Start> seen(seen_), unseen(unseen_);
-    for (Candidate& t : holding_on_asked()) {
+  void tell_of_asked(Choice& choice) {
+    const std::span<const Start> seen(seen_);
+    for (Candidate& t : maybe_holding_on_asked()) {
       deadline_.check();
       const Method& tried = method(t);
+      const Candidate on_asked = oddity::evaluate(seen.first(1), tried, t.setting, need_);
+      if (!on_asked.holds()) continue;
       const Candidate beside =
-          oddity::evaluate(t.holds() ? unseen : seen.subspan(1), tried, t.setting, need_);
+          oddity::evaluate(t.holds() ? unseen() : seen.subspan(1), tried, t.setting, need_);
       if (beside.holds()) continue;
       if (std::isnan(t.seconds_per_frame)) measure(t);
       if (!(t.seconds_per_frame <= need_.budget)) continue;
-      choice.on_asked = oddity::evaluate(seen.first(1), tried, t.setting, need_);
+      choice.on_asked = on_asked;
       choice.on_asked->seconds_per_frame = t.seconds_per_frame;
       choice.on_asked->spread = t.spread;
       choice.beside_asked = beside;
@@ -460,7 +497,8 @@ class Search {
     const Quantity& motion = seen_.front().motion;
     all.truth_by = motion.reference.by;
     all.truth_error = motion.reference_error / motion.need.allowed;
-    all.starts = static_cast<int>(seen_.size() + unseen_.size());
+    all.starts = static_cast<int>(seen_.size() + (unseen_ ? unseen_->size() : 0));
+    if (!seen_.front().is_whole) all.truth_until = motion.samples / need_.frames_per_second;
     all.methods = static_cast<int>(tries_.size());
     for (const Tries& tries : tries_) {
       all.settings += static_cast<int>(tries.candidates.size());
@@ -482,8 +520,8 @@ class Search {
     choice.chosen = chosen;
     choice.by_objective = picked.by_objective;
     for (const Start& s : seen_) choice.seen.push_back(s.says);
-    for (const Start& s : unseen_)
-      if (chosen) choice.unseen.push_back(s.says);
+    if (chosen)
+      for (const Start& s : *unseen_) choice.unseen.push_back(s.says);
     for (Tries& tries : tries_)
       if (const Candidate* t = tries.found(need_).representative()) choice.candidates.push_back(*t);
     for (const Tries& tries : tries_)
@@ -494,7 +532,6 @@ class Search {
     std::ranges::stable_sort(choice.candidates, {}, [](const Candidate& t) {
       return std::isnan(t.seconds_per_frame) ? std::numeric_limits<double>::infinity() : t.seconds_per_frame;
     });
-    judge_failures(choice.candidates);
     choice.engine = engine();
     choice.predictable = predictable();
     choice.explanation = explanation();
@@ -521,7 +558,8 @@ class Search {
   std::optional<Stage> motions_;
   Reference truth_;
   InitialConditions starts_;
-  std::vector<Start> seen_, unseen_;
+  std::vector<Start> seen_;
+  std::optional<std::vector<Start>> unseen_;
   std::vector<Tries> tries_;
   std::vector<Candidate> ties_;
   Explanation spent_;

@@ -18,7 +18,8 @@ struct Explanation {
   double truths = 0, search = 0, timing = 0, tests = 0, rest = 0;  ///< s
   std::string truth_by;                                            ///< of the start asked for
   double truth_error = 0;                                          ///< in needs
-  int starts = 0, methods = 0, settings = 0;                       ///< tried
+  std::optional<double> truth_until = {};     ///< in the scene's unit of time; none: to the end
+  int starts = 0, methods = 0, settings = 0;  ///< tried
   int left = 0;  ///< methods that were not followed to their finest setting, as they cost more already
   long evaluations = 0;  ///< of right-hand sides and closed forms, on the start asked for
   int timed = 0;         ///< methods and settings
@@ -31,7 +32,7 @@ struct Choice {
   std::vector<std::string> units;  ///< of the motion's errors
   std::vector<double> needs;       ///< the error asked for in each of them
   /// Every method at its cheapest setting that holds with the need's margin, else at the cheapest that holds,
-  /// else at the best that was tried; by cost.
+  /// else at the best that was tried; by cost. What fails is left at the first start on which it does.
   std::vector<Candidate> candidates;
   /// The models and algorithms that were not followed to their finest setting, as they cost too much already:
   /// one that fails may hold at a finer one.
@@ -45,7 +46,7 @@ struct Choice {
   /// the objective wants.
   std::optional<Candidate> next_cheaper;
   std::optional<Candidate> next_richer;   ///< the cheapest other model that holds
-  std::optional<Candidate> nearest_miss;  ///< when nothing is chosen
+  std::optional<Candidate> nearest_miss;  ///< when nothing is chosen; judged on all starts
   /// When nothing is chosen: what holds on the start asked for within the budget, with the least work, as it
   /// ends there; and as it ends on those beside it.
   std::optional<Candidate> on_asked = {}, beside_asked = {};
@@ -75,14 +76,6 @@ Time measured_price(const Method&, double setting);
 /// OutOfTime when the need's time limit is over.
 Choice choose(const Task&, const Need&, const Reference&, const Price& = measured_price,
               const Progress& = {});
-
-/// Of a chaotic motion: until when, in the unit of the frame rate's inverse, the path of a start that differs
-/// by this part of itself tells the true path to `motion.needs`, each unit to its own; infinite where it does
-/// so to the end. `beside` has that path's values at the motion's frames. Chaotic: some time within the
-/// horizon neighbours separate by more than a thousand times while the time doubles, where those of a regular
-/// motion separate as a low power of the time. Nothing where it is not chaotic, or `beside` not comparable.
-std::optional<double> predictable_until(const Quantity& motion, const Value& beside, double difference,
-                                        double frames_per_second);
 
 /// What was asked, and the answer with its margin.
 std::string asked_text(const Choice&);

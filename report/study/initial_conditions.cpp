@@ -18,6 +18,13 @@ namespace {
 
 constexpr double nearby = 0.1;
 
+/// Of the need: what fails by more is told to a digit.
+constexpr double well_enough = 0.1;
+
+bool is_known_well_enough(const Quantity& motion) {
+  return motion.reference_error <= well_enough * motion.need.allowed;
+}
+
 std::vector<Start> known(std::span<std::optional<Start>> made) {
   std::vector<Start> all;
   for (auto& one : made)
@@ -45,9 +52,16 @@ Quantity with_need(Quantity motion, const Need& need) {
 
 }  // namespace
 
-const Start& Sharper::start() {
-  std::call_once(made_, [this] { start_ = make_(); });
-  return *start_;
+OnStart Attempts::at(const Candidate& candidate, const std::function<OnStart()>& make) {
+  const Which which{candidate.model, candidate.algorithm, candidate.setting};
+  {
+    const std::lock_guard lock(mutex_);
+    if (const auto found = all_.find(which); found != all_.end()) return found->second;
+  }
+  OnStart made = make();
+  const std::lock_guard lock(mutex_);
+  if (made.outcome != Outcome::stalled) all_[which] = made;  // which it may not be with more evaluations
+  return made;
 }
 
 bool is_known_well(const Quantity& motion) {
@@ -106,25 +120,52 @@ std::string InitialConditions::says(const Parameters& p) const {
   return says;
 }
 
+Start InitialConditions::start_with(const Parameters& p, Quantity motion) const {
+  Start start{says(p), std::move(motion)};
+  start.parting =
+      std::make_shared<Lazy<Parting>>([this, p, motion = start.motion] { return parting(p, motion); });
+  return start;
+}
+
 Start InitialConditions::well_known(const Parameters& p) const {
-  return {says(p), known_motion(scene(), p, horizon(), need_, truth_)};
+  return start_with(p, known_motion(scene(), p, horizon(), need_, truth_));
 }
 
 /// By a path alone more digits can decide: of what is conserved, or does not explode, the truth says nothing.
 Start InitialConditions::start(const Parameters& p) const {
   if (need_.thorough || need_.criterion == Criterion::period) return well_known(p);
   const auto known_by = [this, p](const Reference& truth) {
-    return Start{says(p), with_need(motion(scene(), p, horizon(), truth), need_)};
+    return start_with(p, with_need(motion(scene(), p, horizon(), truth), need_));
   };
   Start start = known_by(truth_.to_digits(digits_in_long_double));
+  start.attempts = std::make_shared<Attempts>();
   if (need_.criterion != Criterion::path || is_known_well(start.motion)) return start;
-  start.sharper = std::make_shared<Sharper>([this, p, known_by] {
-    Start repeated = known_by(truth_.repeated());
-    repeated.sharper = std::make_shared<Sharper>([this, p, as_well_as_can_be = repeated] {
-      return where_known([&] { return well_known(p); }).value_or(as_well_as_can_be);
-    });
-    return repeated;
+  start.sharper = std::make_shared<Lazy<Start>>([this, p, known_by] {
+    const Start repeated = known_by(truth_.repeated());
+    Start known = as_long_as_known(repeated, p);
+    known.sharper = std::make_shared<Lazy<Start>>(
+        [this, p, repeated] { return where_known([&] { return well_known(p); }).value_or(repeated); });
+    return known;
   });
+  return start;
+}
+
+/// What nearly everything does that fails on the whole of a chaotic motion fails on this, too.
+Start InitialConditions::as_long_as_known(const Start& whole, const Parameters& p) const {
+  const Quantity& all = whole.motion;
+  const auto known = std::ranges::count_if(
+      all.reference_error_until, [&](double error) { return error <= well_enough * all.need.allowed; });
+  if (need_.relative || known == 0 || known == all.samples) return whole;
+  const int count = static_cast<int>(known);
+  const std::size_t parts = all.reference.value.size() / static_cast<std::size_t>(all.samples);
+  Quantity known_motion = motion(scene(), p, frames(count), Reference::nothing());
+  const std::span<const double> value(&*all.reference.value.begin(), static_cast<std::size_t>(count) * parts);
+  known_motion.reference = {all.reference.by, Value(value)};
+  known_motion.reference_error = all.reference_error_until[static_cast<std::size_t>(count) - 1];
+  known_motion.needs = all.needs;
+  known_motion.need = all.need;
+  Start start = start_with(p, std::move(known_motion));
+  start.is_whole = false;
   return start;
 }
 
@@ -139,61 +180,66 @@ Start InitialConditions::required(Start start) const {
 Start InitialConditions::asked() const { return required(well_known(task_.parameters)); }
 
 Start InitialConditions::asked_to_choose() const {
-  constexpr double well_enough = 0.1;  // of the need: what fails by more is told to a digit
   Start asked = start(task_.parameters);
-  while (asked.sharper && asked.motion.reference_error > well_enough * asked.motion.need.allowed)
-    asked = Start(asked.sharper->start());
+  while (asked.sharper && !is_known_well_enough(asked.motion)) asked = Start(**asked.sharper);
+  if (asked.sharper)
+    asked.sharper =
+        std::make_shared<Lazy<Start>>([this, known = asked.sharper] { return required(**known); });
   return required(std::move(asked));
 }
 
-Parameters InitialConditions::draw() {
-  Parameters p = task_.parameters;
-  for (std::string_view name : scene().perturbed_parameters) {
-    const auto declared = std::ranges::find(p.declared(), name, &Parameter::name);
-    const double value = p[name], size = value == 0 ? 1 : std::abs(value);
-    p.set(name, std::clamp(value + size * random_.between(-nearby, nearby), declared->least, declared->most));
-  }
-  return p;
+std::vector<Parameters> InitialConditions::draw(int count) {
+  std::vector<Parameters> drawn(static_cast<std::size_t>(count), task_.parameters);
+  for (Parameters& p : drawn)
+    for (std::string_view name : scene().perturbed_parameters) {
+      const auto declared = std::ranges::find(p.declared(), name, &Parameter::name);
+      const double value = p[name], size = value == 0 ? 1 : std::abs(value);
+      p.set(name,
+            std::clamp(value + size * random_.between(-nearby, nearby), declared->least, declared->most));
+    }
+  return drawn;
 }
 
-Quantity InitialConditions::disturbed(double part) const {
-  Parameters p = task_.parameters;
+Parting InitialConditions::parting(const Parameters& start, const Quantity& motion) const {
+  constexpr double small = 1e-9, fine = 1e-13;
+  Parameters p = start;
   const std::string_view name = scene().perturbed_parameters.front();
-  const double value = p[name], change = part * (value == 0 ? 1 : std::abs(value));
+  const double value = p[name], change = small * (value == 0 ? 1 : std::abs(value));
   const auto declared = std::ranges::find(p.declared(), name, &Parameter::name);
   p.set(name, value + change <= declared->most ? value + change : value - change);
-  return motion(scene(), p, horizon(), Reference::nothing());
+  const Quantity beside = oddity::motion(scene(), p, frames(motion.samples), Reference::nothing());
+  const auto best = std::find_if(beside.methods.rbegin(), beside.methods.rend(),
+                                 [](const Method& m) { return m.algorithm == "Fehlberg 7(8)"; });
+  if (best == beside.methods.rend()) return {};
+  return parting_of(motion, run(beside, *best, fine).answer.value, small);
 }
 
-Quantity InitialConditions::one_frame() const {
-  const Horizon frame{1 / need_.frames_per_second, 1, need_.frames_per_second};
-  return motion(scene(), task_.parameters, frame, Reference::nothing());
+Quantity InitialConditions::first_frames(int count) const {
+  return motion(scene(), task_.parameters, frames(count), Reference::nothing());
 }
 
-std::vector<Start> InitialConditions::beside(int count) {
-  std::vector<Parameters> drawn;
-  for (int i = 0; i < count; ++i) drawn.push_back(draw());
+std::optional<Start> InitialConditions::start_if_known(const Parameters& p) const {
+  return where_known([&] { return start(p); });
+}
+
+std::vector<Start> InitialConditions::beside(int count, const AfterEach& after_each) {
+  const std::vector<Parameters> drawn = draw(count);
   std::vector<std::optional<Start>> made(drawn.size());
-  in_parallel(drawn.size(), [&](std::size_t i) { made[i] = where_known([&] { return start(drawn[i]); }); });
+  in_parallel(drawn.size(), [&](std::size_t i) {
+    made[i] = start_if_known(drawn[i]);
+    after_each();
+  });
   return known(made);
 }
 
-InitialConditions::First InitialConditions::first(int seen, int unseen,
-                                                  const std::function<void()>& one_made) {
-  std::vector<Parameters> drawn;
-  for (int i = 0; i < seen + unseen; ++i) drawn.push_back(draw());
-  std::optional<Start> at_asked;
-  std::vector<std::optional<Start>> made(drawn.size());
-  in_parallel(1 + drawn.size(), [&](std::size_t i) {
-    if (i == 0)
-      at_asked = asked_to_choose();
-    else
-      made[i - 1] = where_known([&] { return start(drawn[i - 1]); });
-    one_made();
+std::vector<Start> InitialConditions::asked_and_beside(int count, const AfterEach& after_each) {
+  const std::vector<Parameters> drawn = draw(count);
+  std::vector<std::optional<Start>> made(1 + drawn.size());
+  in_parallel(made.size(), [&](std::size_t i) {
+    made[i] = i == 0 ? asked_to_choose() : start_if_known(drawn[i - 1]);
+    after_each();
   });
-  const std::span all(made);
-  const auto first = static_cast<std::size_t>(seen);
-  return {std::move(*at_asked), known(all.first(first)), known(all.subspan(first))};
+  return known(made);
 }
 
 }  // namespace oddity

@@ -1,38 +1,67 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "chapters/random.hpp"
 #include "reference/reference.hpp"
 #include "report/study/need.hpp"
+#include "report/study/parting.hpp"
 #include "report/study/run.hpp"
 
 namespace oddity {
 
-class Sharper;
+/// What is made when it is first asked for, by whatever thread.
+template <class Made>
+class Lazy {
+ public:
+  explicit Lazy(std::function<Made()> make) : make_(std::move(make)) {}
+  const Made& operator*() {
+    std::call_once(is_made_, [this] { made_ = make_(); });
+    return *made_;
+  }
+
+ private:
+  std::function<Made()> make_;
+  std::once_flag is_made_;
+  std::optional<Made> made_;
+};
+
+/// How a method did on a start at a setting.
+struct OnStart {
+  std::vector<double> errors;  ///< in each of the motion's units
+  double error = 0;            ///< in units of what was asked
+  double unbounded_error = 0;  ///< were it not bounded by the motion's size, as far as that can be told
+  double evaluations_per_frame = 0;
+  Outcome outcome = Outcome::ok;
+};
+
+/// What was tried on a start, so that it is tried once. For many threads.
+class Attempts {
+ public:
+  OnStart at(const Candidate&, const std::function<OnStart()>& make);
+
+ private:
+  using Which = std::tuple<std::string, std::string, double>;  ///< model, algorithm, setting
+  std::map<Which, OnStart> all_;
+  std::mutex mutex_;
+};
 
 /// One start of a scene: its true motion at every frame, and every method with what was asked as the need.
 struct Start {
   std::string says;  ///< "a = 0.5121, L = 0.9034"
   Quantity motion;
-  std::shared_ptr<Sharper> sharper = {};  ///< none where the motion is known well, or as well as can be
-};
-
-/// The start by a better known truth, made when it is first asked for, by whatever thread.
-class Sharper {
- public:
-  explicit Sharper(std::function<Start()> make) : make_(std::move(make)) {}
-  const Start& start();
-
- private:
-  std::function<Start()> make_;
-  std::once_flag made_;
-  std::optional<Start> start_;
+  std::shared_ptr<Lazy<Parting>> parting = {};  ///< of a disturbance, where paths are judged
+  /// The start by a better known truth; none where the motion is known well, or as well as can be.
+  std::shared_ptr<Lazy<Start>> sharper = {};
+  bool is_whole = true;                     ///< else the motion ends where its truth is no longer known
+  std::shared_ptr<Attempts> attempts = {};  ///< none: nothing is kept
 };
 
 /// What a game asks of a position [m] and of an angle [rad]; of an orbit [AU], a degree of the Earth's.
@@ -63,30 +92,31 @@ class InitialConditions {
 
   /// The start asked for. Throws BadInput when no true motion is known there, or not as exactly as asked.
   Start asked() const;
-  /// `count` starts drawn afresh, less those of which no true motion is known.
-  std::vector<Start> beside(int count);
-  /// The start asked for and two sets of others beside it, all made at once; `made` is called after each.
-  struct First {
-    Start asked;
-    std::vector<Start> seen, unseen;
-  };
-  First first(int seen, int unseen, const std::function<void()>& made);
-  /// The motion with one of the start's parameters changed by a part of itself, without a reference.
-  Quantity disturbed(double part) const;
-  /// The first frame alone, without a reference.
-  Quantity one_frame() const;
+  using AfterEach = std::function<void()>;
+  /// `count` starts drawn afresh, less those of which no true motion is known; all made at once.
+  std::vector<Start> beside(int count, const AfterEach&);
+  /// The start asked for, and then those.
+  std::vector<Start> asked_and_beside(int count, const AfterEach&);
+  /// So many frames of the start asked for, without a reference.
+  Quantity first_frames(int count) const;
 
  private:
-  Parameters draw();
+  std::vector<Parameters> draw(int count);
+  std::optional<Start> start_if_known(const Parameters&) const;
   std::string says(const Parameters&) const;
+  Start start_with(const Parameters&, Quantity motion) const;
   Start well_known(const Parameters&) const;
   /// Known as well as it is had quickly, and with what knows it better.
   Start start(const Parameters&) const;
+  /// The same start, up to where its truth is known well enough.
+  Start as_long_as_known(const Start& whole, const Parameters&) const;
+  Parting parting(const Parameters&, const Quantity& motion) const;
   Start asked_to_choose() const;
   /// Throws BadInput where the start is not known as exactly as asked.
   Start required(Start) const;
   const Scene& scene() const { return *task_.entry->exercise.scene; }
   Horizon horizon() const { return {need_.horizon, 1, need_.frames_per_second}; }
+  Horizon frames(int count) const { return {count / need_.frames_per_second, 1, need_.frames_per_second}; }
 
   const Task& task_;
   const Need& need_;

@@ -131,7 +131,8 @@ struct Candidate {
   double seconds_per_frame = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not timed
   double spread = 0;                                                    ///< of the seconds
   double unseen_error = std::numeric_limits<double>::quiet_NaN();  ///< over the starts it was not chosen on
-  bool constrained = false;                                        ///< of a model in redundant coordinates
+  double unbounded_error = 0;  ///< were it not bounded by the motion's size, as far as that can be told
+  bool constrained = false;    ///< of a model in redundant coordinates
   Precision precision = Precision::in_double;
   std::size_t state_size = 0;  ///< numbers; 0: a closed form keeps none
 

@@ -42,11 +42,17 @@ double Tries::expected_evaluations() const {
   if (is_over_ || candidates.empty()) return 0;
   if (is_given_up()) return given_up_at_;
   const Candidate& last = candidates.back();
-  return last.evaluations_per_frame * (last.knob == "step" ? last.setting / left_.back() : 1);
+  if (last.knob == "step") return last.evaluations_per_frame * last.setting / left_.back();
+  if (candidates.size() < 2) return last.evaluations_per_frame;
+  const Candidate& before = candidates.end()[-2];
+  const double more = std::max(1.0, last.evaluations_per_frame / before.evaluations_per_frame);
+  const double steps = std::log(last.setting / left_.back()) / std::log(before.setting / last.setting);
+  return last.evaluations_per_frame * std::pow(more, steps);
 }
 
 void Tries::go_on(double most_evaluations, const std::vector<Start>& starts, const Need& need,
-                  const std::function<void()>& check) {
+                  const std::function<void()>& check, std::string_view hardest) {
+  hardest_ = hardest;
   constexpr double far_more = 16;
   const double limit = far_more * most_evaluations;
   while (!is_over_ && expected_evaluations() <= most_evaluations) {
@@ -54,7 +60,7 @@ void Tries::go_on(double most_evaluations, const std::vector<Start>& starts, con
     if (is_given_up()) step_back();
     const bool is_limited = limit * need.frames() < static_cast<double>(ode::budget);
     const ode::EvaluationLimit limited(limit * need.frames());
-    candidates.push_back(evaluate_until_one_fails(starts, *method_, left_.back(), need, hardest()));
+    candidates.push_back(evaluate_until_one_fails(starts, *method_, left_.back(), need, tried_first()));
     left_.pop_back();
     const Candidate& last = candidates.back();
     given_up_at_ = is_limited && last.outcome == Outcome::stalled ? limit : 0;
@@ -75,17 +81,23 @@ bool Tries::changed_nothing() const {
   return last.error == before.error && last.evaluations_per_frame == before.evaluations_per_frame;
 }
 
-/// By how an error falls: where it is as large as the motion, more slowly. The finest setting is left.
+/// By how an error falls: where it is as large as the motion, more slowly, unless one knows how it would have
+/// grown. Else the finest setting is left.
 void Tries::skip_what_cannot_hold(const Need& need) {
   constexpr double luck = 4;
   skipped_.clear();
   const Candidate& last = candidates.back();
   if (need.thorough || need.criterion != Criterion::path || !std::isfinite(last.error)) return;
+  const auto cannot_hold = [&](double setting) {
+    return last.unbounded_error * std::pow(setting / last.setting, power_) > luck;
+  };
   const bool is_deaf = changed_nothing();
-  while (left_.size() > 1 && (is_deaf || last.error * std::pow(left_.back() / last.setting, power_) > luck)) {
+  while (left_.size() > 1 && (is_deaf || cannot_hold(left_.back()))) {
     skipped_.push_back(left_.back());
     left_.pop_back();
   }
+  const bool is_foretold = last.knob == "step" && last.unbounded_error > last.error;
+  if (left_.size() == 1 && is_foretold && cannot_hold(left_.back())) left_.clear();
 }
 
 void Tries::look_among_skipped(const std::vector<Start>& starts, const Need& need,
@@ -96,7 +108,7 @@ void Tries::look_among_skipped(const std::vector<Start>& starts, const Need& nee
   while (!between.empty()) {
     check();
     const auto middle = between.begin() + static_cast<std::ptrdiff_t>(between.size() / 2);
-    Candidate tried = evaluate_until_one_fails(starts, *method_, *middle, need, hardest());
+    Candidate tried = evaluate_until_one_fails(starts, *method_, *middle, need, tried_first());
     if (tried.holds()) {
       left_.push_back(holds.setting);
       left_.insert(left_.end(), between.rbegin(), std::make_reverse_iterator(middle + 1));
@@ -110,8 +122,9 @@ void Tries::look_among_skipped(const std::vector<Start>& starts, const Need& nee
   candidates.push_back(std::move(holds));
 }
 
-std::string_view Tries::hardest() const {
-  return candidates.empty() ? std::string_view() : candidates.back().where;
+std::string_view Tries::tried_first() const {
+  if (!hardest_.empty() || candidates.empty()) return hardest_;
+  return candidates.back().where;
 }
 
 void Tries::step_back() {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <functional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "report/study/candidate.hpp"
@@ -20,9 +22,9 @@ class Tries {
 
   /// Goes on while a setting is expected to take no more than so many evaluations per frame. One that takes
   /// far more is given up, and tried again when so many are allowed. `check` is called before each, and
-  /// throws to end it.
+  /// throws to end it. The start that is the hardest to others, by what it says, is tried first.
   void go_on(double most_evaluations, const std::vector<Start>&, const Need&,
-             const std::function<void()>& check);
+             const std::function<void()>& check, std::string_view hardest = {});
 
   const Method& method() const { return *method_; }
   /// It holds with the margin, or no finer setting can help.
@@ -48,16 +50,17 @@ class Tries {
 
  private:
   void step_back();
-  /// The start on which the last candidate failed, by what it says.
-  std::string_view hardest() const;
+  /// The start that is the hardest to others, else the one on which the last candidate failed.
+  std::string_view tried_first() const;
   bool changed_nothing() const;
   void skip_what_cannot_hold(const Need&);
   /// Between one that fails and one that holds, the last candidate: the coarsest that holds, by bisection.
   void look_among_skipped(const std::vector<Start>&, const Need&, const std::function<void()>& check);
 
   const Method* method_;
-  double power_;                 ///< of the setting by which an error falls at most
-  std::vector<double> left_;     ///< settings, the next last
+  double power_;              ///< of the setting by which an error falls at most
+  std::vector<double> left_;  ///< settings, the next last
+  std::string hardest_;
   std::vector<double> skipped_;  ///< finer than the last that fails, from coarse to fine
   bool is_over_ = false;
   double given_up_at_ = 0;  ///< evaluations per frame
