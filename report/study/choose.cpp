@@ -106,7 +106,8 @@ class Search {
           deadline_.check();
           if (motions_) motions_->come_to(done);
         })),
-        starts_(task, need, truth_) {
+        starts_(task, need, truth_),
+        first_frames_(starts_.first_frames(std::max(1, static_cast<int>(need.frames()) / 20))) {
     seen_.reserve(1 + seen_beside + rounds * unseen_starts);  // tries_ point into the first
     make_starts();
     const Quantity& motion = seen_.front().motion;
@@ -307,14 +308,13 @@ class Search {
 
   /// What takes long is timed over its first frames, as an evaluation takes as long there.
   Time time_per_frame(const Candidate& candidate) const {
-    constexpr double enough = 1e4, many = 10 * enough;  // evaluations
-    const int frames = seen_.front().motion.samples;
-    const double per_frame = candidate.evaluations_per_frame;
-    if (per_frame * frames <= many) return part_of(price_(method(candidate), candidate.setting), frames);
-    const Quantity first = starts_.first_frames(static_cast<int>(std::ceil(enough / per_frame)));
-    const Method& briefly = *method_of(first, candidate.model, candidate.algorithm);
-    const auto evaluations = static_cast<double>(run(first, briefly, candidate.setting).answer.evaluations);
-    return part_of(price_(briefly, candidate.setting), evaluations / per_frame);
+    constexpr long many = 10'000;
+    const Method* briefly = method_of(first_frames_, candidate.model, candidate.algorithm);
+    const long evaluations = briefly ? run(first_frames_, *briefly, candidate.setting).answer.evaluations : 0;
+    if (evaluations < many)
+      return part_of(price_(method(candidate), candidate.setting), seen_.front().motion.samples);
+    const double frames = static_cast<double>(evaluations) / candidate.evaluations_per_frame;
+    return part_of(price_(*briefly, candidate.setting), frames);
   }
   static Time part_of(const Time& time, double parts) { return {time.seconds / parts, time.spread / parts}; }
 
@@ -558,6 +558,7 @@ class Search {
   std::optional<Stage> motions_;
   Reference truth_;
   InitialConditions starts_;
+  Quantity first_frames_;
   std::vector<Start> seen_;
   std::optional<std::vector<Start>> unseen_;
   std::vector<Tries> tries_;

@@ -120,22 +120,21 @@ std::string InitialConditions::says(const Parameters& p) const {
   return says;
 }
 
-Start InitialConditions::start_with(const Parameters& p, Quantity motion) const {
-  Start start{says(p), std::move(motion)};
+Start InitialConditions::with_parting(Start start, const Parameters& p) const {
   start.parting =
       std::make_shared<Lazy<Parting>>([this, p, motion = start.motion] { return parting(p, motion); });
   return start;
 }
 
 Start InitialConditions::well_known(const Parameters& p) const {
-  return start_with(p, known_motion(scene(), p, horizon(), need_, truth_));
+  return {says(p), known_motion(scene(), p, horizon(), need_, truth_)};
 }
 
 /// By a path alone more digits can decide: of what is conserved, or does not explode, the truth says nothing.
 Start InitialConditions::start(const Parameters& p) const {
-  if (need_.thorough || need_.criterion == Criterion::period) return well_known(p);
+  if (need_.thorough || need_.criterion == Criterion::period) return with_parting(well_known(p), p);
   const auto known_by = [this, p](const Reference& truth) {
-    return start_with(p, with_need(motion(scene(), p, horizon(), truth), need_));
+    return with_parting({says(p), with_need(motion(scene(), p, horizon(), truth), need_)}, p);
   };
   Start start = known_by(truth_.to_digits(digits_in_long_double));
   start.attempts = std::make_shared<Attempts>();
@@ -143,8 +142,9 @@ Start InitialConditions::start(const Parameters& p) const {
   start.sharper = std::make_shared<Lazy<Start>>([this, p, known_by] {
     const Start repeated = known_by(truth_.repeated());
     Start known = as_long_as_known(repeated, p);
-    known.sharper = std::make_shared<Lazy<Start>>(
-        [this, p, repeated] { return where_known([&] { return well_known(p); }).value_or(repeated); });
+    known.sharper = std::make_shared<Lazy<Start>>([this, p, repeated] {
+      return where_known([&] { return with_parting(well_known(p), p); }).value_or(repeated);
+    });
     return known;
   });
   return start;
@@ -164,9 +164,9 @@ Start InitialConditions::as_long_as_known(const Start& whole, const Parameters& 
   known_motion.reference_error = all.reference_error_until[static_cast<std::size_t>(count) - 1];
   known_motion.needs = all.needs;
   known_motion.need = all.need;
-  Start start = start_with(p, std::move(known_motion));
+  Start start{says(p), std::move(known_motion)};
   start.is_whole = false;
-  return start;
+  return with_parting(std::move(start), p);
 }
 
 Start InitialConditions::required(Start start) const {

@@ -84,7 +84,7 @@ int digits_for(const Need&);
 Quantity known_motion(const Scene&, const Parameters&, const Horizon&, const Need&, const Reference&);
 
 /// The starts of one choice: the one asked for, and others beside it, whose perturbed parameters are each up
-/// to a tenth off.
+/// to a tenth off. What these make when it is asked for, they make with this, which has to be there still.
 class InitialConditions {
  public:
   /// Throws BadInput when the task's exercise has no motion, or the need makes no sense.
@@ -104,7 +104,7 @@ class InitialConditions {
   std::vector<Parameters> draw(int count);
   std::optional<Start> start_if_known(const Parameters&) const;
   std::string says(const Parameters&) const;
-  Start start_with(const Parameters&, Quantity motion) const;
+  Start with_parting(Start, const Parameters&) const;
   Start well_known(const Parameters&) const;
   /// Known as well as it is had quickly, and with what knows it better.
   Start start(const Parameters&) const;
