@@ -1,7 +1,7 @@
 // Needs at random over all scenes, each answered as usual and thoroughly: every method at every setting,
-// judged by truths of 24 digits. Takes a quarter of an hour, so it runs when asked: oddity_tests '[choices]', of
-// ODDITY_NEEDS (200) those from ODDITY_FIRST (0) on. The table goes to the file ODDITY_CHOICES_TABLE as CSV,
-// a row as soon as it is there.
+// judged by truths of 24 digits. Takes a quarter of an hour, so it runs when asked: oddity_tests '[choices]',
+// of ODDITY_NEEDS (200) those from ODDITY_FIRST (0) on. The table goes to the file ODDITY_CHOICES_TABLE as
+// CSV, a row as soon as it is there.
 
 #include <algorithm>
 #include <array>
