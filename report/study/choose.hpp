@@ -64,7 +64,7 @@ struct Choice {
   double margin() const { return 1 / chosen->unseen_error; }
 };
 
-/// What a method costs over the whole horizon [s].
+/// What a run of a method takes [s].
 using Price = std::function<Time(const Method&, double setting)>;
 
 /// Measured on this machine: what is brief three times over, of which the least disturbed counts.

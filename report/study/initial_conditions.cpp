@@ -121,6 +121,7 @@ std::string InitialConditions::says(const Parameters& p) const {
 }
 
 Start InitialConditions::with_parting(Start start, const Parameters& p) const {
+  if (need_.criterion != Criterion::path) return start;
   start.parting =
       std::make_shared<Lazy<Parting>>([this, p, motion = start.motion] { return parting(p, motion); });
   return start;
@@ -137,7 +138,6 @@ Start InitialConditions::start(const Parameters& p) const {
     return with_parting({says(p), with_need(motion(scene(), p, horizon(), truth), need_)}, p);
   };
   Start start = known_by(truth_.to_digits(digits_in_long_double));
-  start.attempts = std::make_shared<Attempts>();
   if (need_.criterion != Criterion::path || is_known_well(start.motion)) return start;
   start.sharper = std::make_shared<Lazy<Start>>([this, p, known_by] {
     const Start repeated = known_by(truth_.repeated());
@@ -185,6 +185,7 @@ Start InitialConditions::asked_to_choose() const {
   if (asked.sharper)
     asked.sharper =
         std::make_shared<Lazy<Start>>([this, known = asked.sharper] { return required(**known); });
+  asked.attempts = std::make_shared<Attempts>();
   return required(std::move(asked));
 }
 
@@ -219,7 +220,11 @@ Quantity InitialConditions::first_frames(int count) const {
 }
 
 std::optional<Start> InitialConditions::start_if_known(const Parameters& p) const {
-  return where_known([&] { return start(p); });
+  return where_known([&] {
+    Start beside = start(p);
+    beside.attempts = std::make_shared<Attempts>();
+    return beside;
+  });
 }
 
 std::vector<Start> InitialConditions::beside(int count, const AfterEach& after_each) {
