@@ -121,7 +121,8 @@ void WorstSample::add(const Value& left, const Value& right, const Tolerance& to
                        : difference == 0        ? 0
                        : tolerance.allowed == 0 ? infinity
                                                 : difference / tolerance.allowed;
-  if (!(ratio > ratio_)) return;
+  constexpr double same = 1e-6;  // else roundings would decide which is the worst
+  if (!(ratio > ratio_ + same * std::abs(ratio_))) return;
   ratio_ = ratio;
   worst_.left.value = left;
   worst_.right.value = right;

@@ -1,6 +1,6 @@
 \\ The lengths of the axes: r(0) + r(pi), and twice the highest point, where the slope of r sin(theta) is zero.
 read("reference/witness/shared/common.gp");
-e = 1.20227717306444e-06; rho = 1220285.7036758615; X = -1.2737140467026542; Y = -0.7280816885493481;
+e = 3.251408281888132e-05; rho = 32207.04802190042; X = -0.3751542555634196; Y = 0.9776892579239465;
 read("reference/witness/shared/ellipse.gp");
 
 top = solve(theta = 1, 2, cos(theta)*(1 + e*cos(theta)) + e*sin(theta)^2);
