@@ -34,6 +34,15 @@ TEST_CASE("statements about no sample do not hold", "[values]") {
   CHECK_FALSE(WorstSample("x", "a", "b").check().holds());
 }
 
+TEST_CASE("of samples that are as far off the first is kept, whatever roundings say", "[values]") {
+  WorstSample worst("x", "a", "b");
+  worst.add(1.0, 2.0, 1.0, "first");
+  worst.add(1.0, 2.0 + 1e-12, 1.0, "off by a rounding more");
+  CHECK(worst.check().where == "worst of 2: first");
+  worst.add(1.0, 2.0 + 1e-5, 1.0, "off by more");
+  CHECK(worst.check().where == "worst of 3: off by more");
+}
+
 TEST_CASE("the worst sample is kept, and NaN is the worst of all", "[values]") {
   WorstSample worst("x", "a", "b");
   worst.add(1, 1, {0.1, "a test"}, 1, "first");
