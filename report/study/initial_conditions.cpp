@@ -25,6 +25,13 @@ bool is_known_well_enough(const Quantity& motion) {
   return motion.reference_error <= well_enough * motion.need.allowed;
 }
 
+/// Before its end the routes tell another motion each, as their roundings have grown: a closer bound helps
+/// little.
+bool is_lost(const Quantity& motion) {
+  constexpr double part = 1e-2;
+  return motion.reference_error > part * size_of(motion.reference.value);
+}
+
 std::vector<Start> known(std::span<std::optional<Start>> made) {
   std::vector<Start> all;
   for (auto& one : made)
@@ -139,6 +146,7 @@ Start InitialConditions::start(const Parameters& p) const {
   };
   Start start = known_by(truth_.to_digits(digits_in_long_double));
   if (need_.criterion != Criterion::path || is_known_well(start.motion)) return start;
+  if (is_lost(start.motion)) start = as_long_as_known(start, p);
   start.sharper = std::make_shared<Lazy<Start>>([this, p, known_by] {
     const Start repeated = known_by(truth_.repeated());
     Start known = as_long_as_known(repeated, p);
