@@ -60,7 +60,7 @@ void Tries::go_on(double most_evaluations, const std::vector<Start>& starts, con
     if (is_given_up()) step_back();
     const bool is_limited = limit * need.frames() < static_cast<double>(ode::budget);
     const ode::EvaluationLimit limited(limit * need.frames());
-    candidates.push_back(evaluate_until_one_fails(starts, *method_, left_.back(), need, tried_first()));
+    candidates.push_back(evaluate_until_one_fails(starts, *method_, left_.back(), need, tried_first(starts)));
     left_.pop_back();
     const Candidate& last = candidates.back();
     given_up_at_ = is_limited && last.outcome == Outcome::stalled ? limit : 0;
@@ -108,7 +108,7 @@ void Tries::look_among_skipped(const std::vector<Start>& starts, const Need& nee
   while (!between.empty()) {
     check();
     const auto middle = between.begin() + static_cast<std::ptrdiff_t>(between.size() / 2);
-    Candidate tried = evaluate_until_one_fails(starts, *method_, *middle, need, tried_first());
+    Candidate tried = evaluate_until_one_fails(starts, *method_, *middle, need, tried_first(starts));
     if (tried.holds()) {
       left_.push_back(holds.setting);
       left_.insert(left_.end(), between.rbegin(), std::make_reverse_iterator(middle + 1));
@@ -122,9 +122,10 @@ void Tries::look_among_skipped(const std::vector<Start>& starts, const Need& nee
   candidates.push_back(std::move(holds));
 }
 
-std::string_view Tries::tried_first() const {
-  if (!hardest_.empty() || candidates.empty()) return hardest_;
-  return candidates.back().where;
+std::string_view Tries::tried_first(const std::vector<Start>& starts) const {
+  const std::string_view own = candidates.empty() ? std::string_view() : candidates.back().where;
+  if (!own.empty() && own != starts.front().says) return own;
+  return hardest_.empty() ? own : std::string_view(hardest_);
 }
 
 void Tries::step_back() {

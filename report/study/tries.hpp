@@ -50,8 +50,9 @@ class Tries {
 
  private:
   void step_back();
-  /// The start that is the hardest to others, else the one on which the last candidate failed.
-  std::string_view tried_first() const;
+  /// A start on which the last candidate failed, or the one that is the hardest to others if that was the
+  /// first.
+  std::string_view tried_first(const std::vector<Start>&) const;
   bool changed_nothing() const;
   void skip_what_cannot_hold(const Need&);
   /// Between one that fails and one that holds, the last candidate: the coarsest that holds, by bisection.
