@@ -105,6 +105,11 @@ Check no_violations(std::string what, long violations, long samples, std::string
           std::move(where)};
 }
 
+bool clearly_greater(double x, double y) {
+  constexpr double same = 1e-6;
+  return x > y + same * std::abs(y);
+}
+
 WorstSample::WorstSample(std::string quantity, std::string left, std::string right, double ulps)
     : worst_{std::move(quantity), {std::move(left), {}}, {std::move(right), {}}, {}, 0, {}}, ulps_(ulps) {}
 
@@ -121,8 +126,7 @@ void WorstSample::add(const Value& left, const Value& right, const Tolerance& to
                        : difference == 0        ? 0
                        : tolerance.allowed == 0 ? infinity
                                                 : difference / tolerance.allowed;
-  constexpr double same = 1e-6;  // else roundings would decide which is the worst
-  if (!(ratio > ratio_ + same * std::abs(ratio_))) return;
+  if (!clearly_greater(ratio, ratio_)) return;
   ratio_ = ratio;
   worst_.left.value = left;
   worst_.right.value = right;
