@@ -105,9 +105,9 @@ Check no_violations(std::string what, long violations, long samples, std::string
           std::move(where)};
 }
 
-bool clearly_greater(double x, double y) {
+bool is_worse(double tolerances, double than) {
   constexpr double same = 1e-6;
-  return x > y + same * std::abs(y);
+  return tolerances > than + same * std::abs(than) || (tolerances > 1 && than <= 1);
 }
 
 WorstSample::WorstSample(std::string quantity, std::string left, std::string right, double ulps)
@@ -126,7 +126,7 @@ void WorstSample::add(const Value& left, const Value& right, const Tolerance& to
                        : difference == 0        ? 0
                        : tolerance.allowed == 0 ? infinity
                                                 : difference / tolerance.allowed;
-  if (!clearly_greater(ratio, ratio_)) return;
+  if (!is_worse(ratio, ratio_)) return;
   ratio_ = ratio;
   worst_.left.value = left;
   worst_.right.value = right;

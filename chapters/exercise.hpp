@@ -125,8 +125,9 @@ struct Check {
 /// A statement about every sample: how many of them violate it, against none.
 Check no_violations(std::string what, long violations, long samples, std::string where = "");
 
-/// By more than a millionth: where the worst of many is looked for, roundings would decide else among equals.
-bool clearly_greater(double x, double y);
+/// Of differences in tolerances: by more than a millionth, as roundings would decide else which of equals is
+/// the worst; or beyond the tolerance where the other is within.
+bool is_worse(double tolerances, double than);
 
 /// Compares two routes over many samples, and keeps the worst as a check.
 class WorstSample {

@@ -261,6 +261,28 @@ TEST_CASE("what fails on a start is tried there first at the next setting", "[ch
   CHECK(std::vector(seen.begin(), seen.begin() + 3) == std::vector<std::string>{"easy", "hard", "hard"});
 }
 
+TEST_CASE("the start that is the hardest to others is tried first, unless another failed the method",
+          "[choose]") {
+  std::vector<std::string> seen;
+  std::vector<Start> starts;
+  for (const std::string says : {"asked", "hard", "harder"}) {
+    Quantity q = place(Parameters(parameters), {10, 100}, Reference::nothing());
+    q.need.allowed = 0.01;
+    // By one step a frame all fail; by two the last one alone.
+    q.methods = {{"model", "by hand", halving("step", 1, 3), [&seen, says](double h) {
+                    seen.push_back(says);
+                    const bool fails = h > 0.06 || (h > 0.04 && says == "harder");
+                    return Answer{Value(std::vector<double>(100, fails ? 1 + 20 * h : 1.0)), 1};
+                  }}};
+    starts.push_back({says, std::move(q)});
+  }
+  Tries tries(starts[0].motion.methods[0], asked(0.01, 10));
+  while (!tries.is_over())
+    tries.go_on(
+        1e6, starts, asked(0.01, 10), [] {}, "hard");
+  CHECK(seen == std::vector<std::string>{"hard", "hard", "asked", "harder", "harder", "asked", "hard"});
+}
+
 TEST_CASE("a better known truth is asked where the one at hand does not decide", "[choose]") {
   const auto start_of = [](double truth, double known_to) {
     Quantity q = place(Parameters(parameters), {10, 100}, Reference::nothing());
@@ -526,6 +548,33 @@ TEST_CASE("a need that nothing meets is said, with the nearest miss", "[choose]"
   REQUIRE(impossible.nearest_miss);
   CHECK(impossible.nearest_miss->model == "rich");
   CHECK(choice_text(impossible, false).find("Nothing here meets that") != std::string::npos);
+}
+
+TEST_CASE("the nearest miss is the one that misses least on its worst start", "[choose]") {
+  // At a = 5 the one that errs with the distance from there is nearer, on the starts beside it the other.
+  const auto scene = [](const Parameters& p, const Horizon& horizon, const Reference&) {
+    const double a = p["a"];
+    Quantity q = place(p, horizon, Reference::nothing());
+    q.methods.clear();
+    q.methods_in_float.clear();
+    const auto one = [](double) { return 1L; };
+    q.add(method(
+        "there", "alone", no_knob(), a, horizon.count(), [a](double) { return 0.01 + 10 * std::abs(a - 5); },
+        one));
+    q.add(method(
+        "everywhere", "alike", no_knob(), a, horizon.count(), [](double) { return 0.02; }, one));
+    return q;
+  };
+  const Entry nearest{{3, 95},
+                      "",
+                      {"nearest", "", parameters,
+                       Scene{scene, 10, 0.01, "a", {1, 2}, {"a"}, {{"x"}, "s", {{"m", {0}}}}}, nullptr}};
+  Task task(nearest);
+  task.parameters.set("a", 5);
+  const Choice choice =
+      choose(task, asked(1e-3, 3), Reference(std::string(ODDITY_SOURCE) + "/reference"), counted_cost);
+  REQUIRE(choice.nearest_miss);
+  CHECK(choice.nearest_miss->model == "everywhere");
 }
 
 namespace {

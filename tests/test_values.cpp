@@ -43,6 +43,14 @@ TEST_CASE("of samples that are as far off the first is kept, whatever roundings 
   CHECK(worst.check().where == "worst of 3: off by more");
 }
 
+TEST_CASE("a sample that is beyond its tolerance is not hidden by one that is hardly within", "[values]") {
+  WorstSample worst("x", "a", "b");
+  worst.add(0.0, 1.0, {1, "a test"}, 1, "within");
+  CHECK(worst.check().holds());
+  worst.add(0.0, 1 + 1e-9, {1, "a test"}, 1, "beyond");
+  CHECK_FALSE(worst.check().holds());
+}
+
 TEST_CASE("the worst sample is kept, and NaN is the worst of all", "[values]") {
   WorstSample worst("x", "a", "b");
   worst.add(1, 1, {0.1, "a test"}, 1, "first");

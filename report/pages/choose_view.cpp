@@ -222,12 +222,12 @@ std::string rows_text(const Choice& choice) {
                          : "; not all are followed to finer settings, as they cost too much already:\n");
 }
 
-/// Where double has long lost the path, long double loses it, too.
+/// Where double has long lost a chaotic path, long double loses it, too.
 std::string unknown_text(const Choice& choice) {
   const std::optional<double>& until = choice.explanation.truth_until;
   if (!until) return "";
   return "  the true motion is known up to " + format_significant(*until, 3) + " " + choice.time_unit +
-         ": what fails does so before, and its error is that until then.\n";
+         ": of what fails before the error is that until then.\n";
 }
 
 std::string chaos_text(const Choice& choice) {
@@ -237,7 +237,7 @@ std::string chaos_text(const Choice& choice) {
                                       format_significant(*choice.predictable, 3) + " " + choice.time_unit
                                 : "still tells the path to the error asked for at the end";
   return "  the motion is chaotic: one from a start that differs by a thousand-millionth " + until +
-         ". A game may do better to ask for --criterion energy or bounded.\n" + unknown_text(choice);
+         ". A game may do better to ask for --criterion energy or bounded.\n";
 }
 
 std::string engine_text(const Choice& choice) {
@@ -391,7 +391,9 @@ std::string choice_text(const Choice& choice, bool all_rows, const Screen& scree
   const std::string grounds = engine_text(choice) + "\nchosen on: " + listed(choice.seen) +
                               (choice.unseen.empty() ? "" : "\ntested on: " + listed(choice.unseen)) +
                               (choice.prices_are.empty() ? "" : "\ntimes: " + choice.prices_are) + "\n";
-  return wrapped(asked_text(choice) + "\n\n" + answer + chaos_text(choice) + rows_text(choice), screen, 4) +
+  return wrapped(asked_text(choice) + "\n\n" + answer + chaos_text(choice) + unknown_text(choice) +
+                     rows_text(choice),
+                 screen, 4) +
          aligned(
              rows, screen,
              {{"model", "algorithm", ""}, {"evaluations per frame", "setting", "error", "time per frame"}}) +

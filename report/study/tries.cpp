@@ -43,7 +43,8 @@ double Tries::expected_evaluations() const {
   if (is_given_up()) return given_up_at_;
   const Candidate& last = candidates.back();
   if (last.knob == "step") return last.evaluations_per_frame * last.setting / left_.back();
-  if (candidates.size() < 2) return last.evaluations_per_frame;
+  if (candidates.size() < 2 || !(candidates.end()[-2].evaluations_per_frame > 0))
+    return last.evaluations_per_frame;
   const Candidate& before = candidates.end()[-2];
   const double more = std::max(1.0, last.evaluations_per_frame / before.evaluations_per_frame);
   const double steps = std::log(last.setting / left_.back()) / std::log(before.setting / last.setting);

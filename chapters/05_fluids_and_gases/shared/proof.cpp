@@ -258,7 +258,7 @@ Reading hardest_to_see(const std::string& kind, const Proof& proof, const std::v
       changed_rows[i].right = changed;
       const Reading reading = proof.reading(changed_rows, by);
       const double tolerances = reading.checks[0].difference() / reading.checks[0].tolerance.allowed;
-      if (count++ > 0 && !clearly_greater(least, tolerances)) continue;
+      if (count++ > 0 && !is_worse(least, tolerances)) continue;
       least = tolerances;
       hardest = reading;
     }
