@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <memory>
 
+#include "reference/make/aside.hpp"
 #include "reference/make/motions.hpp"
 #include "reference/truth.hpp"
 
@@ -43,15 +45,19 @@ truth::Numbers by_first_route(const truth::Truth& table, std::vector<double> inp
 
 /// Up to each time. Where roundings grow, the second route's may be a thousand times the first's. That of the
 /// start is the same in all repeats, and one step's no smaller: of 40 chaotic chains none was off by more
-/// than twice what two repeats are.
+/// than 0.7 of what six repeats are.
 truth::Numbers error_by_repeats(const truth::Truth& table, const std::vector<double>& inputs,
                                 const std::vector<double>& times, const truth::Tick& tick,
                                 const truth::Numbers& value) {
-  constexpr int repeats = 2;
-  constexpr truth::Number safety = 8;
+  constexpr truth::Number safety = 2;
+  std::vector<std::unique_ptr<truth::Aside<truth::Numbers>>> repeats;
+  for (const int more : {-4, -3, -2, -1, 1, 2})
+    repeats.push_back(std::make_unique<truth::Aside<truth::Numbers>>(tick, [&, more](const auto& until_over) {
+      return by_first_route(table, inputs, times, digits_in_long_double + more, until_over);
+    }));
   truth::Numbers error_until(times.size(), 0);
-  for (int fewer = 1; fewer <= repeats; ++fewer) {
-    const truth::Numbers again = by_first_route(table, inputs, times, digits_in_long_double - fewer, tick);
+  for (const auto& repeat : repeats) {
+    const truth::Numbers again = repeat->get();
     const std::size_t parts = value.size() / times.size();
     truth::Number parted_by = 0;
     for (std::size_t i = 0; i < value.size(); ++i) {

@@ -1,8 +1,10 @@
 #include "reference/truth.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 
+#include "reference/make/aside.hpp"
 #include "reference/make/motions.hpp"
 
 namespace oddity::truth {
@@ -44,22 +46,46 @@ Made make_row(const Truth& truth, const std::vector<double>& inputs, int digits)
   return made;
 }
 
+namespace {
+
+/// A route at those of the times, each with as many components as it has; nothing at the others.
+std::vector<Numbers> along(const Route& route, std::vector<double> inputs, const std::vector<double>& times,
+                           int digits, const std::function<bool(std::size_t)>& at, const Tick& tick) {
+  Motions motions(tick);
+  inputs.push_back(0);
+  std::vector<Numbers> values(times.size());
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (!at(i)) continue;
+    motions.come_to(static_cast<double>(i) / static_cast<double>(times.size()));
+    inputs.back() = times[i];
+    values[i] = route(inputs, {digits, &motions});
+  }
+  return values;
+}
+
+}  // namespace
+
 Made make_motion(const Truth& truth, const std::vector<double>& inputs_but_time,
                  const std::vector<double>& times, int digits, std::size_t compared, const Tick& tick) {
-  Motions first(tick), second(tick);
-  std::vector<double> inputs = inputs_but_time;
-  inputs.push_back(0);
-  Made made{{}, 0};
   const std::size_t stride = std::max<std::size_t>(1, times.size() / std::max<std::size_t>(1, compared));
+  const auto is_compared = [&](std::size_t i) { return (times.size() - 1 - i) % stride == 0; };
+  std::optional<std::vector<Numbers>> second;
+  Aside<std::vector<Numbers>> making_second(tick, [&](const Tick& until_over) {
+    return along(truth.second, inputs_but_time, times, digits, is_compared, until_over);
+  });
+  const Tick tick_and_look = [&](double done) {
+    if (!second && making_second.is_ready()) second = making_second.get();
+    tick(done);
+  };
+  const auto always = [](std::size_t) { return true; };
+  const std::vector<Numbers> first =
+      along(truth.first, inputs_but_time, times, digits, always, tick ? tick_and_look : Tick());
+  if (!second) second = making_second.get();
+  Made made{{}, 0};
   for (std::size_t i = 0; i < times.size(); ++i) {
-    const double part = static_cast<double>(i) / static_cast<double>(times.size());
-    for (Motions* route : {&first, &second}) route->come_to(part);
-    inputs.back() = times[i];
-    const Numbers value = truth.first(inputs, {digits, &first});
-    const bool is_compared = (times.size() - 1 - i) % stride == 0;
-    compare(truth, value, is_compared ? truth.second(inputs, {digits, &second}) : value, digits, made.error);
-    made.value.insert(made.value.end(), value.begin(), value.end());
-    if (is_compared) made.error_until.resize(i + 1, power_of_ten_above(made.error));
+    compare(truth, first[i], is_compared(i) ? (*second)[i] : first[i], digits, made.error);
+    made.value.insert(made.value.end(), first[i].begin(), first[i].end());
+    if (is_compared(i)) made.error_until.resize(i + 1, power_of_ten_above(made.error));
   }
   made.error = power_of_ten_above(made.error);
   return made;

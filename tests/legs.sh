@@ -212,7 +212,7 @@ leg_properties() {  # what holds at all parameters, at ODDITY_SETS (1000) random
   ODDITY_SETS=${ODDITY_SETS:-1000} build/release/tests/oddity_tests '[properties]'
 }
 
-leg_choices() {  # choose: its usual answers to ODDITY_NEEDS (200) random needs and five of chaos beside the thorough ones, which take a quarter of an hour; RECORD=1
+leg_choices() {  # choose: its usual answers to ODDITY_NEEDS (200) random needs and eight of chaos beside the thorough ones, which take a quarter of an hour; RECORD=1
   build release oddity_tests
   local table
   table=$(mktemp)

@@ -138,7 +138,10 @@ std::vector<Question> chaotic() {
                                               {"2.2", "0.05m", "10"},
                                               {"2.5", "0.01m", "10"},
                                               {"2.7", "0.001m", "8"},
-                                              {"3", "0.01m", "10"}}) {
+                                              {"3", "0.01m", "10"},
+                                              {"1.5", "0.01m", "16"},
+                                              {"2.5", "0.01m", "16"},
+                                              {"3", "0.01m", "12"}}) {
     Question one{"3.25", {std::string("theta1=") + start}, {}};
     one.need.error = error;
     one.need.horizon = horizon;

@@ -952,6 +952,51 @@ TEST_CASE("a setting that takes far more work than is expected is given up until
   CHECK_FALSE(tries.is_given_up());
 }
 
+TEST_CASE(
+    "a setting that was not timed is expected to take what its evaluations take at the nearest that was",
+    "[choose]") {
+  const Need need = asked(0.05, 10);
+  const Quantity q =
+      place(Parameters(parameters), {need.horizon, static_cast<int>(need.frames())}, Reference::nothing());
+  Tries tries(q.methods[1], need);
+  for (const double evaluations : {1, 2, 10, 64}) {
+    Candidate t{"stepping", "explicit", "step", 1 / evaluations};
+    t.evaluations_per_frame = evaluations;
+    tries.candidates.push_back(t);
+  }
+  CHECK(std::isnan(tries.expected_seconds(tries.candidates[0])));
+  tries.candidates[0].seconds_per_frame = 5;
+  CHECK(tries.expected_seconds(tries.candidates[0]) == 5);
+  CHECK(tries.expected_seconds(tries.candidates[3]) == Approx(5 * 64));
+  tries.candidates[3].seconds_per_frame = 192;
+  CHECK(tries.expected_seconds(tries.candidates[1]) == Approx(10));
+  CHECK(tries.expected_seconds(tries.candidates[2]) == Approx(3 * 10));
+}
+
+TEST_CASE("where long double loses a motion no method is followed far", "[choose]") {
+  Task task(*std::ranges::find(registry(), Number{3, 25}, &Entry::number));
+  task.parameters.set("theta1", 2.5);
+  Need need = game_need();
+  need.horizon = 16;
+  const Choice choice =
+      choose(task, need, Reference(std::string(ODDITY_SOURCE) + "/reference"), counted_cost);
+  CHECK_FALSE(choice.chosen);
+  REQUIRE(choice.explanation.truth_until);
+  CHECK(*choice.explanation.truth_until > 10);
+  CHECK(*choice.explanation.truth_until < 16);
+  CHECK(choice.explanation.left > 0);
+  for (const Candidate& t : choice.candidates) {
+    INFO(t.model << " by " << t.algorithm << " at " << t.setting);
+    CHECK_FALSE(t.holds());
+    CHECK(t.evaluations_per_frame < 400);
+  }
+  const std::string text = choice_text(choice, true);
+  CHECK(text.find("there even long double loses it") != std::string::npos);
+  CHECK(text.find("not all are followed to finer settings, as none can hold") != std::string::npos);
+  CHECK(explanation_text(choice).find("not followed to finer settings, as none can hold") !=
+        std::string::npos);
+}
+
 TEST_CASE("an answer explains what was tried and where its time went", "[choose]") {
   const Choice choice = choose_for(asked(0.05, 10));
   const Explanation& e = choice.explanation;

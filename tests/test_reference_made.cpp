@@ -2,11 +2,16 @@
 
 #include "reference/truth.hpp"
 
+#include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 #include "reference/made_again.hpp"
+#include "reference/make/aside.hpp"
+#include "reference/make/motions.hpp"
 #include "reference/reference.hpp"
 #include "reference/text.hpp"
 #include "report/study/parallel.hpp"
@@ -76,6 +81,75 @@ TEST_CASE("a route without a finite value makes no row", "[reference]") {
   const truth::Route empty = [](const std::vector<double>&, int) { return truth::Numbers{}; };
   CHECK_THROWS_AS(truth::make_row(two_routes(empty, gives(1)), {1}, 24), std::logic_error);
   CHECK_THROWS_AS(truth::make_row(two_routes(gives(1), empty), {1}, 24), std::logic_error);
+}
+
+namespace {
+
+constexpr std::chrono::milliseconds moment(1);
+
+/// In pieces of a moment, for a minute at most.
+truth::Numbers dawdle(const std::vector<double>&, truth::Precision precision) {
+  for (int piece = 0; piece < 60'000; ++piece) {
+    std::this_thread::sleep_for(moment);
+    precision.kept->tick();
+  }
+  return {1};
+}
+
+truth::Numbers break_down(const std::vector<double>&, truth::Precision) {
+  throw std::runtime_error("broke down");
+}
+
+}  // namespace
+
+TEST_CASE("a motion's error is what its routes disagree by up to each time that is compared", "[reference]") {
+  const truth::Route first = [](const auto& at, int) { return truth::Numbers{at[0]}; };
+  const truth::Route second = [](const auto& at, int) {
+    return truth::Numbers{at[0] + ldexp(truth::Number(1), -static_cast<int>(10 * (5 - at[0])))};
+  };
+  const truth::Made made = truth::make_motion(two_routes(first, second), {}, {1, 2, 3, 4}, 30, 2);
+  CHECK(made.value == truth::Numbers{1, 2, 3, 4});
+  const auto ten = [](int power) { return pow(truth::Number(10), power); };
+  CHECK(made.error_until == truth::Numbers{ten(-9), ten(-9), ten(-3), ten(-3)});
+  CHECK(made.error == ten(-3));
+}
+
+TEST_CASE("a motion ends by what either of its routes ends by, without waiting for the other",
+          "[reference]") {
+  const std::vector<double> times{1, 2};
+  const auto watched = [](double) {};
+  for (const auto& two : {two_routes(break_down, dawdle), two_routes(dawdle, break_down)})
+    CHECK_THROWS_WITH(truth::make_motion(two, {}, times, 24, 2, watched), "broke down");
+  int ticks = 0;
+  const auto ends = [&](double) {
+    if (++ticks > 3) throw std::runtime_error("enough");
+  };
+  for (const auto& two : {two_routes(gives(1), dawdle), two_routes(dawdle, gives(1))}) {
+    ticks = 0;
+    CHECK_THROWS_WITH(truth::make_motion(two, {}, times, 24, 2, ends), "enough");
+  }
+}
+
+TEST_CASE("what is made aside is had once, or ends when nobody wants it", "[reference]") {
+  const truth::Tick none, watched = [](double) {};
+  for (const truth::Tick& tick : {none, watched}) {
+    truth::Aside<bool> is_watched(tick, [](const truth::Tick& own) { return static_cast<bool>(own); });
+    CHECK(is_watched.get() == static_cast<bool>(tick));
+  }
+  std::atomic<bool> was_ended = false;
+  {
+    const truth::Aside<int> unwanted(watched, [&](const truth::Tick& own) {
+      try {
+        while (true) std::this_thread::sleep_for(moment), own(0);
+      } catch (...) {
+        was_ended = true;
+        throw;
+      }
+      return 0;
+    });
+    CHECK_FALSE(unwanted.is_ready());
+  }
+  CHECK(was_ended);
 }
 
 TEST_CASE("a table's text is its provenance, its header and its rows", "[reference]") {

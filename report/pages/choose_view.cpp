@@ -211,6 +211,11 @@ std::string span_of(const Choice& choice) {
          " at " + format_shortest(need.frames_per_second) + " frames per " + (unit == "s" ? "second" : unit);
 }
 
+/// Why not all methods were followed to their finest settings.
+std::string_view why_left(const Choice& choice) {
+  return choice.explanation.truth_until ? "as none can hold" : "as they cost too much already";
+}
+
 /// What the table's rows are.
 std::string rows_text(const Choice& choice) {
   std::string text = "\nEach method at its cheapest setting that holds";
@@ -218,16 +223,18 @@ std::string rows_text(const Choice& choice) {
   text += ", else at the best that was tried; the error of what fails is that on the start named";
   if (choice.left.empty()) return text + ":\n";
   const bool settled = choice.chosen && choice.by_objective;
-  return text + (settled ? "; what costs more than twice the choice is not followed to finer settings:\n"
-                         : "; not all are followed to finer settings, as they cost too much already:\n");
+  return text + (settled
+                     ? "; what costs more than twice the choice is not followed to finer settings:\n"
+                     : "; not all are followed to finer settings, " + std::string(why_left(choice)) + ":\n");
 }
 
-/// Where double has long lost a chaotic path, long double loses it, too.
+/// A chaotic path that long double loses, too.
 std::string unknown_text(const Choice& choice) {
   const std::optional<double>& until = choice.explanation.truth_until;
   if (!until) return "";
   return "  the true motion is known up to " + format_significant(*until, 3) + " " + choice.time_unit +
-         ": of what fails before the error is that until then.\n";
+         ": there even long double loses it, whose roundings are 2,048 times smaller than double's; errors are "
+         "those until then.\n";
 }
 
 std::string chaos_text(const Choice& choice) {
@@ -428,7 +435,8 @@ std::string explanation_text(const Choice& choice) {
          part("search", e.search,
               counted(e.methods, "method") + " at " + counted(e.settings, "setting") + ", " +
                   counted(e.evaluations, "evaluation") + " on the start asked for; " +
-                  std::to_string(e.left) + " not followed to finer settings, as they cost too much already") +
+                  std::to_string(e.left) + " not followed to finer settings, " +
+                  std::string(why_left(choice))) +
          part("times", e.timing, counted(e.timed, "method") + " and settings, " + choice.prices_are) +
          part("tests on other starts", e.tests, counted(e.rounds, "round")) +
          part("what stands beside it", e.rest, "an engine's step, float, restarts, chaos");

@@ -224,12 +224,13 @@ class Search {
   /// want.
   void try_all(const std::string& stage) {
     constexpr double little = 16, more = 4, unlimited = std::numeric_limits<double>::infinity();
+    const double most_of_all = is_beyond_double() ? more * little : unlimited;
     const auto any = [&](const std::function<bool(const Candidate&)>& is) {
       return std::ranges::any_of(tries_,
                                  [&](const Tries& t) { return std::ranges::any_of(t.candidates, is); });
     };
     Which which = [](const Tries&) { return true; };
-    for (double most = need_.thorough ? unlimited : little;; most *= more) {
+    for (double most = need_.thorough ? unlimited : little; most <= most_of_all; most *= more) {
       try_all(stage, most, which);
       if (any([&](const Candidate& t) { return meets_objective(t); })) return;
       if (any(&Candidate::holds)) which = [this](const Tries& t) { return may_meet_objective(t.method()); };
@@ -237,13 +238,16 @@ class Search {
     }
   }
 
+  /// Long double itself, whose roundings are 2,048 times smaller, loses the path before its end.
+  bool is_beyond_double() const { return !seen_.front().is_whole; }
+
   /// One setting more of each that fails at a lower cost than it may have. Whether there was one.
   bool try_on(const std::function<double(const Method&)>& seconds_per_frame) {
     const Stopwatch watch(spent_.search);
     std::atomic<bool> any = false;
     parallel_for_each(tries_, [&](Tries& tries) {
       if (tries.is_over() || tries.is_given_up() ||
-          !(tries.candidates.back().seconds_per_frame < seconds_per_frame(tries.method())))
+          !(tries.expected_seconds(tries.candidates.back()) < seconds_per_frame(tries.method())))
         return;
       tries.go_on(tries.expected_evaluations(), seen_, need_, [this] { deadline_.check(); });
       any = true;
@@ -257,39 +261,49 @@ class Search {
   };
 
   Picked pick() {
+    measure_to_choose_from(&Tries::Found::with_margin);
     if (auto chosen = pick(true)) return {chosen, true};
+    measure_to_choose_from(&Tries::Found::first);
     return {pick(false), false};
   }
 
   /// When all that fails costs more than what is chosen, finer settings of it cannot be cheaper.
   Picked pick_cheapest() {
     while (true) {
-      measure();
-      Picked picked = pick();
+      const Picked picked = pick();
       const auto limit = [&](const Method& m) {
         const bool settled = picked.chosen && (picked.by_objective || !may_meet_objective(m));
         return settled ? noisy_tie * picked.chosen->seconds_per_frame : need_.budget;
       };
-      if (!try_on(limit)) return picked;
+      if (is_beyond_double() || !try_on(limit)) return picked;
     }
   }
 
-  /// What may be chosen, and what may stand beside it.
-  std::vector<Candidate*> to_be_timed() {
-    std::vector<Candidate*> wanted;
-    for (Tries& tries : tries_) {
-      const auto f = tries.found(need_);
-      Candidate* last = tries.is_over() || tries.is_given_up() ? nullptr : &tries.candidates.back();
-      for (Candidate* t : {f.representative(), f.first, f.before, last})
-        if (t && std::isnan(t->seconds_per_frame) && std::ranges::find(wanted, t) == wanted.end())
-          wanted.push_back(t);
-    }
-    return wanted;
+  using Timed = std::function<void(const std::function<void(Candidate*)>& want, Tries&)>;
+
+  /// What may be chosen, and of what fails still one setting, to tell by what others would cost.
+  void measure_to_choose_from(Candidate* Tries::Found::*may_be_chosen) {
+    measure([&](const auto& want, Tries& tries) {
+      want(tries.found(need_).*may_be_chosen);
+      if (!tries.is_over() && !tries.is_given_up() &&
+          std::isnan(tries.expected_seconds(tries.candidates.back())))
+        want(&tries.candidates.back());
+    });
+  }
+  void measure_what_is_shown() {
+    measure([this](const auto& want, Tries& tries) { want(tries.found(need_).representative()); });
   }
 
-  void measure() {
+  void measure(const Timed& timed) {
     const Stopwatch watch(spent_.timing);
-    const std::vector<Candidate*> wanted = to_be_timed();
+    std::vector<Candidate*> wanted;
+    for (Tries& tries : tries_)
+      timed(
+          [&](Candidate* t) {
+            if (t && std::isnan(t->seconds_per_frame) && std::ranges::find(wanted, t) == wanted.end())
+              wanted.push_back(t);
+          },
+          tries);
     spent_.timed += static_cast<int>(wanted.size());
     Stage tally(progress_, "timing them", wanted.size());
     for (Candidate* candidate : wanted) {
@@ -441,11 +455,15 @@ class Search {
                 : std::numeric_limits<double>::infinity();
   }
 
-  /// Those tried that are cheaper and could not be chosen instead, the most expensive first.
+  /// Those tried that are expected to be cheaper and could not be chosen instead, the most expensive first.
   std::vector<Candidate> cheaper_than(const Candidate& chosen, bool by_objective) const {
     std::vector<Candidate> cheaper;
-    for (const Candidate& t : all_tried())
-      if (t.seconds_per_frame < chosen.seconds_per_frame && !eligible(t, by_objective)) cheaper.push_back(t);
+    for (const Tries& tries : tries_)
+      for (Candidate t : tries.candidates) {
+        t.seconds_per_frame = tries.expected_seconds(t);
+        if (t.seconds_per_frame < chosen.seconds_per_frame && !eligible(t, by_objective))
+          cheaper.push_back(std::move(t));
+      }
     std::ranges::stable_sort(cheaper, std::greater(), &Candidate::seconds_per_frame);
     return cheaper;
   }
@@ -455,7 +473,9 @@ class Search {
     for (Candidate& t : cheaper_than(chosen, by_objective)) {
       if (!came_to_an_end(t)) continue;
       judge_failure(t);
-      if (came_to_an_end(t)) return t;
+      if (!came_to_an_end(t)) continue;
+      measure(t);
+      if (t.seconds_per_frame < chosen.seconds_per_frame) return t;
     }
     return {};
   }
@@ -512,6 +532,7 @@ class Search {
   Choice summary(const Picked& picked) {
     const std::optional<Candidate>& chosen = picked.chosen;
     const Quantity& motion = seen_.front().motion;
+    measure_what_is_shown();
     Choice choice;
     choice.need = need_;
     choice.quantity = motion.name;

@@ -34,8 +34,8 @@ struct Choice {
   /// Every method at its cheapest setting that holds with the need's margin, else at the cheapest that holds,
   /// else at the best that was tried; by cost. What fails is left at the first start on which it does.
   std::vector<Candidate> candidates;
-  /// The models and algorithms that were not followed to their finest setting, as they cost too much already:
-  /// one that fails may hold at a finer one.
+  /// The models and algorithms that were not followed to their finest setting: as they cost too much already,
+  /// and one that fails may hold at a finer one; or as none can hold, where long double loses the motion.
   std::vector<std::pair<std::string, std::string>> left = {};
   std::optional<Candidate> chosen;
   bool by_objective =

@@ -189,6 +189,7 @@ Start InitialConditions::asked() const { return required(well_known(task_.parame
 
 Start InitialConditions::asked_to_choose() const {
   Start asked = start(task_.parameters);
+  if (asked.sharper && !asked.is_whole) asked = Start(**asked.sharper);
   while (asked.sharper && !is_known_well_enough(asked.motion)) asked = Start(**asked.sharper);
   if (asked.sharper)
     asked.sharper =

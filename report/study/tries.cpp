@@ -51,6 +51,20 @@ double Tries::expected_evaluations() const {
   return last.evaluations_per_frame * std::pow(more, steps);
 }
 
+double Tries::expected_seconds(const Candidate& candidate) const {
+  if (!std::isnan(candidate.seconds_per_frame)) return candidate.seconds_per_frame;
+  double times = not_a_number, seconds = not_a_number;
+  for (const Candidate& timed : candidates) {
+    if (std::isnan(timed.seconds_per_frame)) continue;
+    const double ratio = candidate.evaluations_per_frame / timed.evaluations_per_frame;
+    const double apart = std::abs(std::log(ratio));
+    if (times <= apart) continue;
+    times = apart;
+    seconds = ratio * timed.seconds_per_frame;
+  }
+  return seconds;
+}
+
 void Tries::go_on(double most_evaluations, const std::vector<Start>& starts, const Need& need,
                   const std::function<void()>& check, std::string_view hardest) {
   hardest_ = hardest;
@@ -148,12 +162,10 @@ void Tries::again(const Need& need) {
 
 Tries::Found Tries::found(const Need& need) {
   Found found;
-  Candidate* last = nullptr;
   for (Candidate& t : candidates) {
-    if (t.holds() && !found.first) found.first = &t, found.before = last;
+    if (t.holds() && !found.first) found.first = &t;
     if (holds_with_margin(t, need) && !found.with_margin) found.with_margin = &t;
     if (came_to_an_end(t) && (!found.best || t.error < found.best->error)) found.best = &t;
-    last = came_to_an_end(t) ? &t : nullptr;
   }
   return found;
 }

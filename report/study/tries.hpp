@@ -33,6 +33,9 @@ class Tries {
   bool is_given_up() const { return given_up_at_ > 0; }
   /// Of the next setting, per frame.
   double expected_evaluations() const;
+  /// Of one of the candidates, per frame: its time, or, by its evaluations, that of the nearest that was
+  /// timed. NaN where none was.
+  double expected_seconds(const Candidate&) const;
   /// Back to the first setting that holds, to be tried again on more starts: what failed on some fails on
   /// more.
   void again(const Need&);
@@ -42,7 +45,6 @@ class Tries {
   /// What is worth knowing of them.
   struct Found {
     Candidate *first = nullptr, *with_margin = nullptr;  ///< the coarsest settings that hold
-    Candidate* before = nullptr;                         ///< the one before the first
     Candidate* best = nullptr;                           ///< the least error of those that came to an end
     Candidate* representative() const { return with_margin ? with_margin : first ? first : best; }
   };

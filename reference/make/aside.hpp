@@ -1,0 +1,57 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <future>
+#include <utility>
+
+#include "reference/truth.hpp"
+
+namespace oddity::truth {
+
+/// What this thread's numbers have kept for themselves, such as pi, is freed with it.
+struct Caches {
+  ~Caches() {
+#if !defined(ODDITY_LONG_DOUBLE) && !defined(ODDITY_BALLS)
+    mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE);
+#endif
+  }
+};
+
+/// What is made by another thread meanwhile, which ends when this does; where there can be no other, by this
+/// one when it is asked for.
+template <class Made>
+class Aside {
+ public:
+  /// `make` takes a tick, to be called between pieces of its work, if there is one to call here: `tick`, in
+  /// this thread.
+  Aside(const Tick& tick, std::function<Made(const Tick&)> make)
+      : tick_(tick), made_(std::async([this, make = std::move(make)] {
+          const Tick until_over = [this](double) {
+            if (is_over_) throw Over();
+          };
+          const Caches caches;
+          return make(tick_ ? until_over : Tick());
+        })) {}
+  Aside(const Aside&) = delete;
+  Aside& operator=(const Aside&) = delete;
+  ~Aside() { is_over_ = true; }
+
+  bool is_ready() const { return made_.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }
+  /// Once. Throws what making it threw.
+  Made get() {
+    constexpr std::chrono::milliseconds a_while(20);
+    while (tick_ && made_.wait_for(a_while) == std::future_status::timeout) tick_(1);
+    return made_.get();
+  }
+
+ private:
+  struct Over {};
+
+  const Tick& tick_;
+  std::atomic<bool> is_over_ = false;
+  std::future<Made> made_;  // destroyed first, it waits
+};
+
+}  // namespace oddity::truth
