@@ -5,7 +5,6 @@ set(lanes ${PROJECT_BINARY_DIR}/lanes)
 set(lanes_sets One Baseline)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$" AND NOT CMAKE_BUILD_TYPE STREQUAL Mutated)
   list(APPEND lanes_sets Avx2 Avx512)
-  set(lanes_flags_Baseline -O2)  # of a processor of before 2013: worth less of the compiler's time
 endif()
 set(lanes_flags_Avx2 -mavx2)
 set(lanes_flags_Avx512 -mavx512f -mavx512dq -mavx512vl -mavx512bw)

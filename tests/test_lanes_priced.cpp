@@ -36,6 +36,14 @@ TEST_CASE("a share of the width holds or is broken by more than its spread, and 
   CHECK_FALSE(of(0.905).broken());
   CHECK(of(0.88).broken());
   CHECK(of(0.92, 511).broken());
+  const auto by_every_processor = [](double share, std::size_t same = 512) {
+    return measured(lanes::Registers::baseline, "Runge-Kutta 4", share, same);
+  };
+  CHECK_FALSE(by_every_processor(0.3).broken());
+  CHECK_FALSE(by_every_processor(0.3).holds());
+  CHECK(by_every_processor(0.92, 511).broken());
+  CHECK(to_csv(lanes_table({lanes::Registers::avx2, {by_every_processor(0.3)}})).find(",not asked,512,512") !=
+        std::string::npos);
   CHECK(LanesBench{lanes::Registers::avx2, {of(0.92), of(0.88)}}.broken());
   CHECK_FALSE(LanesBench{lanes::Registers::avx2, {of(0.92), of(0.905)}}.broken());
 }

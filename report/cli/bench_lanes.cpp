@@ -185,8 +185,10 @@ std::vector<Contestant> contestants(const std::vector<std::string>& numbers) {
 }
 
 std::string_view verdict_of(const LanesResult& r) {
-  if (r.same < r.bodies) return "BROKEN";
-  return r.holds() ? "holds" : r.broken() ? "BROKEN" : r.holds_of_arithmetic() ? "arithmetic" : "undecided";
+  if (r.broken()) return "BROKEN";
+  if (r.holds()) return "holds";
+  if (!r.is_asked()) return "not asked";
+  return r.holds_of_arithmetic() ? "arithmetic" : "undecided";
 }
 
 std::string in_nanoseconds(double seconds) { return format_significant(seconds * 1e9, 3); }
