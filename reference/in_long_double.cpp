@@ -4,6 +4,7 @@
 #include <cmath>
 #include <exception>
 #include <memory>
+#include <new>
 
 #include "reference/make/aside.hpp"
 #include "reference/make/motions.hpp"
@@ -113,6 +114,8 @@ std::optional<Known> motion_in_long_double(std::string_view table, const std::ve
     return known(made_by, made);
   } catch (const Ended& ended) {
     std::rethrow_exception(ended.by);
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception&) {
     return {};
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <optional>
 #include <sstream>
 
@@ -144,6 +145,8 @@ Known on_the_spot(std::string_view table, const truth::Truth& truth, const std::
     throw BadInput("exercise " + exercise_of(table) + ": the truth of its table " + std::string(table) +
                    " takes too long to make at " + named(truth, inputs) + ": " + error.what() +
                    ". Ask for parameters that make the motion slower or less stiff, or for a shorter time");
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
     if (ticking) throw;
     throw BadInput("table " + std::string(table) + " has no value at " + listed(inputs) + ": " +

@@ -27,13 +27,7 @@ class Aside {
   /// `make` takes a tick, to be called between pieces of its work, if there is one to call here: `tick`, in
   /// this thread.
   Aside(const Tick& tick, std::function<Made(const Tick&)> make)
-      : tick_(tick), made_(std::async([this, make = std::move(make)] {
-          const Tick until_over = [this](double) {
-            if (is_over_) throw Over();
-          };
-          const Caches caches;
-          return make(tick_ ? until_over : Tick());
-        })) {}
+      : tick_(tick), make_(std::move(make)), made_(std::async([this] { return make_in_its_thread(); })) {}
   Aside(const Aside&) = delete;
   Aside& operator=(const Aside&) = delete;
   ~Aside() { is_over_ = true; }
@@ -49,7 +43,16 @@ class Aside {
  private:
   struct Over {};
 
+  Made make_in_its_thread() const {
+    const Tick until_over = [this](double) {
+      if (is_over_) throw Over();
+    };
+    const Caches caches;
+    return make_(tick_ ? until_over : Tick());
+  }
+
   const Tick& tick_;
+  const std::function<Made(const Tick&)> make_;
   std::atomic<bool> is_over_ = false;
   std::future<Made> made_;  // destroyed first, it waits
 };
