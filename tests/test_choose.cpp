@@ -997,6 +997,19 @@ TEST_CASE("where long double loses a motion no method is followed far", "[choose
         std::string::npos);
 }
 
+TEST_CASE("an answer says until when the true motion is known", "[choose]") {
+  Choice choice = choose_for(asked(0.05, 10));
+  CHECK(choice_text(choice, true).find("known up to") == std::string::npos);
+  choice.explanation.truth_until = 5;
+  CHECK(choice_text(choice, true).find("the true motion is known up to 5 s: of what fails before") !=
+        std::string::npos);
+  CHECK(explanation_text(choice).find("as they cost too much already") != std::string::npos);
+  choice.predictable = 2;
+  CHECK(choice_text(choice, true).find("the true motion is known up to 5 s: there even long double") !=
+        std::string::npos);
+  CHECK(explanation_text(choice).find("as none can hold") != std::string::npos);
+}
+
 TEST_CASE("an answer explains what was tried and where its time went", "[choose]") {
   const Choice choice = choose_for(asked(0.05, 10));
   const Explanation& e = choice.explanation;

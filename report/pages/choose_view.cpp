@@ -211,9 +211,12 @@ std::string span_of(const Choice& choice) {
          " at " + format_shortest(need.frames_per_second) + " frames per " + (unit == "s" ? "second" : unit);
 }
 
+/// A chaotic path that long double loses, too.
+bool is_beyond_double(const Choice& choice) { return choice.explanation.truth_until && choice.predictable; }
+
 /// Why not all methods were followed to their finest settings.
 std::string_view why_left(const Choice& choice) {
-  return choice.explanation.truth_until ? "as none can hold" : "as they cost too much already";
+  return is_beyond_double(choice) ? "as none can hold" : "as they cost too much already";
 }
 
 /// What the table's rows are.
@@ -228,11 +231,13 @@ std::string rows_text(const Choice& choice) {
                      : "; not all are followed to finer settings, " + std::string(why_left(choice)) + ":\n");
 }
 
-/// A chaotic path that long double loses, too.
 std::string unknown_text(const Choice& choice) {
   const std::optional<double>& until = choice.explanation.truth_until;
   if (!until) return "";
-  return "  the true motion is known up to " + format_significant(*until, 3) + " " + choice.time_unit +
+  const std::string known =
+      "  the true motion is known up to " + format_significant(*until, 3) + " " + choice.time_unit;
+  if (!is_beyond_double(choice)) return known + ": of what fails before the error is that until then.\n";
+  return known +
          ": there even long double loses it, whose roundings are 2,048 times smaller than double's; errors are "
          "those until then.\n";
 }

@@ -238,8 +238,11 @@ class Search {
     }
   }
 
-  /// Long double itself, whose roundings are 2,048 times smaller, loses the path before its end.
-  bool is_beyond_double() const { return !seen_.front().is_whole; }
+  /// Long double itself, whose roundings are 2,048 times smaller, loses the path before its end, in chaos.
+  bool is_beyond_double() const {
+    const Start& asked = seen_.front();
+    return !asked.is_whole && asked.parting && (**asked.parting).is_chaotic;
+  }
 
   /// One setting more of each that fails at a lower cost than it may have. Whether there was one.
   bool try_on(const std::function<double(const Method&)>& seconds_per_frame) {
