@@ -138,6 +138,7 @@ struct Converging {
   std::string algorithm;
   double order, error_at_a_frame;
   double limit = 1;
+  double beyond = far_off;
   std::vector<Start> starts = {};
   Need need = asked(1, 10);
 
@@ -149,7 +150,7 @@ struct Converging {
     q.methods = {method(
         "model", algorithm, halving("step", 1, 4), 1, horizon.count(),
         [*this, frame](double h) {
-          return h / frame > limit ? far_off
+          return h / frame > limit ? beyond
                                    : std::min(far_off, error_at_a_frame * std::pow(h / frame, order));
         },
         [=](double h) { return std::lround(horizon.end / h); })};
@@ -180,6 +181,13 @@ TEST_CASE("settings that cannot hold, as errors fall by no more than the order h
   CHECK(Converging{"Runge-Kutta 4", 4, 0.5, 0.5}.tried() == Steps{1, 2});
   // The finest is tried before anyone says that nothing holds.
   CHECK(Converging{"explicit Euler", 0, 1e5}.tried() == Steps{1, 10, 96, 512});
+  // Between what was skipped and what holds with a margin, the coarsest that does.
+  Converging with_margin{"Runge-Kutta 4", 4, 200, 0.3};
+  with_margin.need.objective = Objective::simple;
+  CHECK(with_margin.tried() == Steps{1, 3, 4, 5});
+  // Of what is not finite nobody knows how far off it is.
+  CHECK(Converging{"Runge-Kutta 4", 4, 0.5, 0.3, std::numeric_limits<double>::infinity()}.tried() ==
+        Steps{1, 2, 3, 4});
   // Of an unknown order, or thoroughly, all are tried.
   CHECK(Converging{"by hand", 4, 1e3}.tried() == Steps{1, 2, 3, 4, 5, 6});
   Converging thorough{"Runge-Kutta 4", 4, 1e3};
@@ -425,6 +433,11 @@ TEST_CASE("what restarts cost a method counts as often as runs are ended", "[cho
   need.restart_every = 10;
   CHECK(chosen().model == "with a history");
   CHECK(chosen().seconds_per_frame == Approx(1.03e-9 * (1 + 29.97 / 1.03 / 100)));
+  const Choice noisy = choose(task, need, truth, [](const Method& m, double setting) -> Time {
+    return {counted_cost(m, setting).seconds, 1e-7};
+  });
+  REQUIRE(noisy.chosen);
+  CHECK(noisy.chosen->spread == Approx(1e-10 * (1 + 29.97 / 1.03 / 100)));
   need.restart_every = 2;
   CHECK(chosen().model == "without");
   CHECK(chosen().seconds_per_frame == Approx(2e-9));
@@ -507,6 +520,29 @@ TEST_CASE("of what costs the same within a quarter the most accurate is chosen, 
     return {m.model == "coarse" ? 1e-6 : m.model == "rich" ? 1.3e-6 : 1, 0.2e-6};
   };
   CHECK(choose_for(asked(0.05, 10), 1, noisy).chosen->model == "rich");
+}
+
+TEST_CASE("what came to an end has a cost to compare", "[choose]") {
+  for (const Outcome outcome : {Outcome::ok, Outcome::inaccurate, Outcome::drifted, Outcome::diverged}) {
+    Candidate t;
+    t.outcome = outcome;
+    CHECK(came_to_an_end(t));
+  }
+  for (const Outcome outcome :
+       {Outcome::non_finite, Outcome::stalled, Outcome::raised, Outcome::chattering, Outcome::grazing}) {
+    Candidate t;
+    t.outcome = outcome;
+    CHECK_FALSE(came_to_an_end(t));
+  }
+}
+
+TEST_CASE("a motion is known well to a millionth of the least need", "[choose]") {
+  Quantity q = place(Parameters(parameters), {1, 10}, Reference::nothing());
+  q.needs = {3, 0.01};
+  q.reference_error = 0.9e-8;
+  CHECK(is_known_well(q));
+  q.reference_error = 1.1e-8;
+  CHECK_FALSE(is_known_well(q));
 }
 
 TEST_CASE("only, exclude: words of models and algorithms", "[choose]") {
@@ -604,6 +640,97 @@ Choice choose_at_5(Quantity (*motion)(const Parameters&, const Horizon&, const R
 }
 
 }  // namespace
+
+namespace {
+
+/// Model and algorithm, error and evaluations; at whatever start and setting.
+void add(Quantity& q, const std::string& model, const std::string& algorithm, double error,
+         long evaluations) {
+  const int frames = q.samples;
+  const double a = q.reference.value[0];
+  q.add(method(
+      model, algorithm, no_knob(), a, frames, [=](double) { return error; },
+      [=](double) { return evaluations * frames; }));
+}
+
+}  // namespace
+
+TEST_CASE("of what is as fast and as accurate the simpler is chosen, in the catalog's order", "[choose]") {
+  const auto scene = [](const Parameters& p, const Horizon& horizon, const Reference&) {
+    Quantity q = staying(p["a"], horizon);
+    for (const char* algorithm : {"Runge-Kutta 4", "explicit Euler", "closed form"})
+      add(q, "right", algorithm, 1e-9, 10);
+    return q;
+  };
+  Need need = asked(1e-3, 3);
+  CHECK(choose_at_5(scene, need).chosen->algorithm == "closed form");
+  need.exclude = {"closed form"};
+  CHECK(choose_at_5(scene, need).chosen->algorithm == "explicit Euler");
+}
+
+TEST_CASE("methods with a history are left out when one step is asked for", "[choose]") {
+  const auto scene = [](const Parameters& p, const Horizon& horizon, const Reference&) {
+    Quantity q = staying(p["a"], horizon);
+    for (const char* algorithm : {"Adams-Bashforth 4", "GSL msadams", "CVODE Adams", "explicit Euler"})
+      add(q, "right", algorithm, 1e-9, algorithm[0] == 'e' ? 100 : 10);
+    return q;
+  };
+  Need need = asked(1e-3, 3);
+  CHECK(choose_at_5(scene, need).candidates.size() == 4);
+  need.one_step = true;
+  CHECK(choose_at_5(scene, need).candidates.size() == 1);
+  need.one_step = false;
+  need.objective = Objective::simple;
+  CHECK(choose_at_5(scene, need).chosen->algorithm == "explicit Euler");
+}
+
+TEST_CASE("the next richer model holds at a higher cost, and is another", "[choose]") {
+  const auto scene = [](const Parameters& p, const Horizon& horizon, const Reference&) {
+    Quantity q = staying(p["a"], horizon);
+    add(q, "with a history", "Adams-Bashforth 4", 1e-9, 50);
+    add(q, "thrifty", "explicit Euler", 1e-10, 100);
+    add(q, "failing", "Runge-Kutta 4", 1, 110);
+    add(q, "tied", "Runge-Kutta 4", 1e-6, 120);
+    add(q, "failing dearly", "Runge-Kutta 4", 1, 200);
+    add(q, "thrifty", "Runge-Kutta 4", 1e-9, 300);
+    add(q, "rich", "Runge-Kutta 4", 1e-9, 400);
+    add(q, "richer", "Runge-Kutta 4", 1e-9, 500);
+    return q;
+  };
+  Need need = asked(1e-3, 3);
+  need.objective = Objective::simple;
+  const Choice choice = choose_at_5(scene, need);
+  REQUIRE(choice.chosen);
+  CHECK(choice.chosen->model == "thrifty");
+  CHECK(choice.chosen->algorithm == "explicit Euler");
+  REQUIRE(choice.next_richer);
+  CHECK(choice.next_richer->model == "rich");
+  REQUIRE(choice.ties.size() == 1);
+  CHECK(choice.ties[0].model == "tied");
+  CHECK(choice.candidates.size() == 8);
+  for (const Candidate& t : choice.candidates) {
+    INFO(t.model);
+    CHECK(t.seconds_per_frame == Approx(t.evaluations_per_frame * 1e-9));
+  }
+}
+
+TEST_CASE("an engine's steps are tried at 60, 120 and 240 Hz, or as soon above as fills a frame",
+          "[choose]") {
+  const auto scene = [](const Parameters& p, const Horizon& horizon, const Reference&) {
+    Quantity q = staying(p["a"], horizon);
+    add(q, "moving", "symplectic Euler", 1e-9, 10);
+    return q;
+  };
+  const auto rates = [&](double frames_per_second) {
+    std::vector<long> all;
+    for (const Candidate& t : choose_at_5(scene, asked(1e-3, 1, frames_per_second)).engine)
+      all.push_back(std::lround(1 / t.setting));
+    return all;
+  };
+  CHECK(rates(60) == std::vector<long>{60, 120, 240});
+  CHECK(rates(100) == std::vector<long>{100, 200, 300});
+  CHECK(rates(120) == std::vector<long>{120, 240});
+}
 
 TEST_CASE("where a start beside the one asked for decides, the answer says what holds on that", "[choose]") {
   // Right at a = 5, and off by the distance from there.
@@ -990,6 +1117,10 @@ TEST_CASE("where long double loses a motion no method is followed far", "[choose
     CHECK_FALSE(t.holds());
     CHECK(t.evaluations_per_frame < 400);
   }
+  task.parameters.set("theta1", 3);
+  need.horizon = 10.5;  // lost by what the routes disagree by, and known by repeats
+  CHECK_FALSE(choose(task, need, Reference(std::string(ODDITY_SOURCE) + "/reference"), counted_cost)
+                  .explanation.truth_until);
   const std::string text = choice_text(choice, true);
   CHECK(text.find("there even long double loses it") != std::string::npos);
   CHECK(text.find("not all are followed to finer settings, as none can hold") != std::string::npos);

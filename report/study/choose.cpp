@@ -483,12 +483,11 @@ class Search {
     return {};
   }
 
-  /// Those tried that may hold on the start asked for, from the least work on: they fail elsewhere first, or
-  /// hold.
+  /// Those tried that may hold on the start asked for, from the least work on: they do not fail there first.
   std::vector<Candidate> maybe_holding_on_asked() const {
     std::vector<Candidate> held;
     for (const Candidate& t : all_tried())
-      if (t.holds() || t.where != seen_.front().says) held.push_back(t);
+      if (t.where != seen_.front().says) held.push_back(t);
     std::ranges::stable_sort(held, {}, &Candidate::evaluations_per_frame);
     return held;
   }
