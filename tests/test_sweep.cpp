@@ -208,12 +208,12 @@ TEST_CASE("a sweep that is killed time and again loses what it was at, and no mo
   plan(whole);
   const auto begin = std::chrono::steady_clock::now();
   REQUIRE(run("sweep run --threads 1 " + quoted(whole)).status == 0);
-  const std::chrono::duration<double> takes = std::chrono::steady_clock::now() - begin;
+  std::chrono::duration<double> takes = std::chrono::steady_clock::now() - begin;
   const auto chunks = files_in(whole / "chunks");
 
   const int most = oddity::in_environment("ODDITY_KILLS", 25);
   oddity::Random random(11);
-  int kills = 0, beginnings = 0;
+  int kills = 0, kills_of_resumed = 0;
   std::map<std::string, fs::file_time_type> before;
   for (int time = 0; kills < most && time < 10 * most; ++time) {
     if (before.empty() || before.size() == chunks.size()) {
@@ -221,10 +221,15 @@ TEST_CASE("a sweep that is killed time and again loses what it was at, and no mo
       copy_of_plan(whole, killed);
       fs::create_directories(killed / "chunks");
       before.clear();
-      ++beginnings;
     }
-    kills += killed_after(takes * random.between(0, 1), {"sweep", "run", "--threads", "1", killed});
+    const bool was_killed =
+        killed_after(takes * random.between(0, 1), {"sweep", "run", "--threads", "1", killed});
+    kills += was_killed;
+    kills_of_resumed += was_killed && !before.empty();
     const auto after = chunk_times(killed);
+    // On a machine that is busier or less busy than it was.
+    if (!was_killed) takes *= 0.8;
+    if (was_killed && after.size() == before.size()) takes *= 1.25;
     for (const auto& [name, made] : before) CHECK(after.at(name) == made);
     for (const auto& [name, text] : files_in(killed / "chunks"))
       if (name.ends_with(".txt")) CHECK(text == chunks.at(name));
@@ -232,7 +237,7 @@ TEST_CASE("a sweep that is killed time and again loses what it was at, and no mo
     before = after;
   }
   CHECK(kills == most);
-  CHECK(beginnings < most);
+  CHECK(kills_of_resumed > 0);
   REQUIRE(run("sweep run " + quoted(killed)).status == 0);
   for (const auto& [name, text] : chunks) CHECK(text_of(killed / "chunks" / name) == text);
   CHECK(run("sweep merge " + quoted(killed) + " --out " + quoted(scratch.path() / "k.csv")).status == 0);
