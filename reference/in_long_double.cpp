@@ -45,8 +45,8 @@ truth::Numbers by_first_route(const truth::Truth& table, std::vector<double> inp
 }
 
 /// Up to each time. Where roundings grow, the second route's may be a thousand times the first's. That of the
-/// start is the same in all repeats, and one step's no smaller: of 40 chaotic chains none was off by more
-/// than 0.7 of what six repeats are.
+/// start is the same in all repeats, and one step's no smaller: of 100 chaotic chains none was off by
+/// more than 0.7 of what six repeats are.
 truth::Numbers error_by_repeats(const truth::Truth& table, const std::vector<double>& inputs,
                                 const std::vector<double>& times, const truth::Tick& tick,
                                 const truth::Numbers& value) {

@@ -28,18 +28,23 @@ Need need_of(double horizon, double frames_per_second) {
           .errors = {{"m", centimeter}, {"rad", degree}}};
 }
 
+/// One that says of itself, and answers a request, by these shell commands.
+std::vector<EngineProgram> engines_that(const std::filesystem::path& folder, const std::string& about,
+                                        const std::string& command) {
+  const std::filesystem::path program = folder / "engine_fake";
+  std::ofstream(program) << "#!/bin/sh\nif [ \"$1\" = --about ]; then\n"
+                         << about << "\nexit\nfi\n"
+                         << command << "\n";
+  chmod(program.c_str(), 0755);
+  return engines_found(folder, folder);
+}
+
 /// An engine that answers a request by this shell command.
 EngineProgram engine_that(const std::filesystem::path& folder, const std::string& command) {
-  const std::filesystem::path program = folder / "engine_fake";
-  std::ofstream(program) << R"(#!/bin/sh
-if [ "$1" = --about ]; then
-  echo '{"name": "Fake", "version": "1", "precision": "double",
-         "variants": [{"name": "defaults", "says": "", "order": 1, "defaults": true}]}'
-  exit
-fi
-)" << command << "\n";
-  chmod(program.c_str(), 0755);
-  const auto found = engines_found(folder, folder);
+  const auto found = engines_that(folder,
+                                  R"(echo '{"name": "Fake", "version": "1", "precision": "double",
+         "variants": [{"name": "defaults", "says": "", "order": 1, "defaults": true}]}')",
+                                  command);
   REQUIRE(found.size() == 1);
   return found.front();
 }
@@ -75,6 +80,19 @@ TEST_CASE("what an engine does to its process is an outcome", "[engines]") {
   const EngineTrial babbling = trial_of("echo hello");
   CHECK(babbling.outcome == Outcome::raised);
   CHECK(babbling.message.find("no reply") != std::string::npos);
+}
+
+TEST_CASE("an engine that does not say what it is is bad input, by its name", "[engines]") {
+  const ScratchFolder scratch;
+  for (const auto& [about, why] : {std::pair("echo I am an engine", "does not say what it is"),
+                                   std::pair(R"(echo '{"name": "Fake"}')", "'version' not found"),
+                                   std::pair(R"(echo '{"name": 7, "version": "1"}')", "must be string"),
+                                   std::pair("echo no license >&2; exit 2", "status 2 no license")}) {
+    const std::string words = complaint([&] { engines_that(scratch.path(), about, "exit"); });
+    INFO(words);
+    CHECK(words.find("engine_fake --about: ") != std::string::npos);
+    CHECK(words.find(why) != std::string::npos);
+  }
 }
 
 TEST_CASE("an engine that is gone is an outcome", "[engines]") {

@@ -46,6 +46,13 @@ Number convolution(const Numbers& a, const Numbers& b, int k, int from, int to) 
 }
 #endif
 
+/// Coefficient k of a square, which has each product of two twice.
+Number square(const Numbers& a, int k) {
+  const Number twice = 2 * convolution(a, a, k, 0, (k + 1) / 2 - 1);
+  const Number& middle = a[static_cast<std::size_t>(k / 2)];
+  return k % 2 == 0 ? Number(twice + middle * middle) : twice;
+}
+
 /// (1/k) sum of j a_j b_(k-j): coefficient k of the integral of a' b.
 #ifdef ODDITY_BALLS
 Number integrated_product(const Numbers& a, const Numbers& b, int k) {
@@ -66,8 +73,14 @@ Number integrated_product(const Numbers& a, const Numbers& b, int k) {
 }  // namespace
 
 int Tape::put(Node node) {
+  const int place = static_cast<int>(nodes_.size());
+  const bool is_computed = node.op != Op::variable && node.op != Op::constant && node.op != Op::scale;
+  if (is_computed) {
+    const auto [before, is_new] = computed_.try_emplace({node.op, node.a, node.b}, place);
+    if (!is_new) return before->second;
+  }
   nodes_.push_back(std::move(node));
-  return static_cast<int>(nodes_.size()) - 1;
+  return place;
 }
 
 void Tape::resize(int order) {
@@ -97,7 +110,7 @@ Number Tape::coefficient(std::size_t i, int k) const {
     case Op::scale:
       return node.constant * at(node.a)[index];
     case Op::multiply:
-      return convolution(at(node.a), at(node.b), k, 0, k);
+      return node.a == node.b ? square(at(node.a), k) : convolution(at(node.a), at(node.b), k, 0, k);
     case Op::divide:
       return (at(node.a)[index] - convolution(at(node.b), self, k, 1, k)) / at(node.b)[0];
     case Op::square_root:

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+#include <tuple>
 #include <vector>
 
 #include "reference/truth.hpp"
@@ -31,6 +33,7 @@ class Tape {
     Number constant = 0;
   };
 
+  /// The node's place; that of one put before where it is the same of the same operands.
   int put(Node node);
   /// Computes coefficient k of every node, those below k being known.
   void advance(int k);
@@ -47,6 +50,7 @@ class Tape {
  private:
   Number coefficient(std::size_t node, int k) const;
   std::vector<Node> nodes_;
+  std::map<std::tuple<Op, int, int>, int> computed_;  ///< without a constant
   std::vector<Numbers> series_;
 };
 

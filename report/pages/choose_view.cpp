@@ -225,10 +225,7 @@ std::string rows_text(const Choice& choice) {
   if (choice.need.margin() > 1) text += " with a margin of three, else at its cheapest that holds";
   text += ", else at the best that was tried; the error of what fails is that on the start named";
   if (choice.left.empty()) return text + ":\n";
-  const bool settled = choice.chosen && choice.by_objective;
-  return text + (settled
-                     ? "; what costs more than twice the choice is not followed to finer settings:\n"
-                     : "; not all are followed to finer settings, " + std::string(why_left(choice)) + ":\n");
+  return text + "; not all are followed to finer settings, " + std::string(why_left(choice)) + ":\n";
 }
 
 std::string unknown_text(const Choice& choice) {

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <future>
 #include <optional>
 
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
 #include "report/study/parallel.hpp"
+#include "solvers/ode/integrate.hpp"
 
 namespace oddity {
 
@@ -201,19 +204,39 @@ void go_through(std::span<const Start> starts, Candidate& candidate, const Need&
   }
 }
 
-Candidate evaluate_until_one_fails(std::span<const Start> starts, const Method& method, double setting,
-                                   const Need& need, std::string_view hardest) {
+Order in_order(std::span<const Start> starts, std::span<const std::string> first) {
+  Order order;
+  for (const Start& start : starts) order.push_back(&start);
+  const auto place = [&](const Start* start) { return std::ranges::find(first, start->says); };
+  std::ranges::stable_sort(order, {}, place);
+  return order;
+}
+
+Candidate evaluate_until_one_fails(const Order& starts, const Method& method, double setting,
+                                   const Need& need, double most_evaluations) {
   Candidate candidate = untried(method, setting);
-  const auto add_those = [&](bool those) {
-    for (const Start& start : starts)
-      if (candidate.holds() && (start.says == hardest) == those) {
-        const bool is_first = candidate.errors.empty();
-        const double evaluations = add(start, candidate, on_start(start, candidate, need));
-        if (is_first) candidate.evaluations_per_frame = evaluations;
-      }
+  std::atomic<std::size_t> next = 0;
+  std::atomic<bool> one_fails = false;  // and all before it have begun
+  std::vector<std::packaged_task<OnStart()>> tries;
+  std::vector<std::future<OnStart>> on;
+  for (const Start* start : starts) {
+    tries.emplace_back([&, start] {
+      const ode::EvaluationLimit limited(most_evaluations);
+      OnStart tried = on_start(*start, candidate, need);
+      if (tried.outcome != Outcome::ok) one_fails = true;
+      return tried;
+    });
+    on.push_back(tries.back().get_future());
+  }
+  const auto try_next = [&](std::size_t) {
+    if (!one_fails) tries[next++]();
   };
-  add_those(true);
-  add_those(false);
+  try_next(0);
+  in_parallel(starts.size() - 1, try_next);
+  for (std::size_t i = 0; candidate.holds() && i < starts.size(); ++i) {
+    const double evaluations = add(*starts[i], candidate, on[i].get());
+    if (i == 0) candidate.evaluations_per_frame = evaluations;
+  }
   return candidate;
 }
 

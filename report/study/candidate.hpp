@@ -1,8 +1,8 @@
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "report/study/initial_conditions.hpp"
@@ -18,10 +18,16 @@ std::vector<double> settings(const Method&, const Need&);
 /// BadInput where the criterion does not fit the motion.
 Candidate evaluate(std::span<const Start>, const Method&, double setting, const Need&);
 
+/// Starts in the order in which they are to be tried.
+using Order = std::vector<const Start*>;
+/// Those that say this first, as they are named; then the others.
+Order in_order(std::span<const Start>, std::span<const std::string> first);
+
 /// The same, but no further than to the first start on which it fails, as a search needs to know no more: the
-/// hardest, by what it says, is tried before the others. Its work is that on the first one tried.
-Candidate evaluate_until_one_fails(std::span<const Start>, const Method&, double setting, const Need&,
-                                   std::string_view hardest = {});
+/// first is tried alone, the others in parallel. Its work is that on the first one, none may take more than
+/// so many evaluations.
+Candidate evaluate_until_one_fails(const Order&, const Method&, double setting, const Need&,
+                                   double most_evaluations = std::numeric_limits<double>::infinity());
 
 /// The same of a candidate that was left at the start on which it failed.
 void go_through(std::span<const Start>, Candidate&, const Need&);

@@ -164,6 +164,7 @@ class Search {
     ++spent_.rounds;
     const Candidate test = oddity::evaluate(starts, method(chosen), chosen.setting, need_);
     chosen.unseen_error = test.error;
+    refuted_on_ = test.where;
     return test.holds() && !starts.empty();
   }
 
@@ -193,21 +194,25 @@ class Search {
     return need_.objective == Objective::cheapest || is_simple(m.knob.name, m.algorithm);
   }
 
-  /// Where most of those fail that hold on the start asked for; nothing where none does. To be known between
-  /// stages, so that what is tried does not depend on which thread came first.
-  std::string hardest_start() const {
+  /// Where that failed which was picked last; then where those fail that hold on the start asked for, from the
+  /// one with most of them on. To be known between stages, so that what is tried does not depend on which
+  /// thread came first.
+  std::vector<std::string> hardest_starts() const {
     std::map<std::string, int> failed;
     for (const Tries& tries : tries_)
       for (const Candidate& t : tries.candidates)
         if (!t.holds() && t.where != seen_.front().says) ++failed[t.where];
-    const auto most = std::ranges::max_element(failed, {}, [](const auto& pair) { return pair.second; });
-    return most == failed.end() ? "" : most->first;
+    std::vector<std::string> hardest;
+    for (const auto& [says, count] : failed) hardest.push_back(says);
+    std::ranges::stable_sort(hardest, std::greater(), [&](const auto& says) { return failed[says]; });
+    hardest.insert(hardest.begin(), refuted_on_);
+    return hardest;
   }
 
   /// Those methods, in parallel, on to the first setting that holds with the margin or takes more work.
   void try_all(const std::string& stage, double most_evaluations, const Which& which) {
     const Stopwatch watch(spent_.search);
-    const std::string hardest = hardest_start();
+    const std::vector<std::string> hardest = hardest_starts();
     std::vector<Tries*> costliest_first;
     for (Tries& tries : tries_)
       if (which(tries)) costliest_first.push_back(&tries);
@@ -264,49 +269,59 @@ class Search {
   };
 
   Picked pick() {
-    measure_to_choose_from(&Tries::Found::with_margin);
+    measure_to_choose_from(&Tries::Found::with_margin, true);
     if (auto chosen = pick(true)) return {chosen, true};
-    measure_to_choose_from(&Tries::Found::first);
+    measure_to_choose_from(&Tries::Found::first, false);
     return {pick(false), false};
   }
 
-  /// When all that fails costs more than what is chosen, finer settings of it cannot be cheaper.
+  /// When all that fails costs more than what is chosen, finer settings of it cannot be cheaper. What may be
+  /// chosen instead may tie with it.
   Picked pick_cheapest() {
     while (true) {
       const Picked picked = pick();
       const auto limit = [&](const Method& m) {
-        const bool settled = picked.chosen && (picked.by_objective || !may_meet_objective(m));
-        return settled ? noisy_tie * picked.chosen->seconds_per_frame : need_.budget;
+        if (!picked.chosen || (!picked.by_objective && may_meet_objective(m))) return need_.budget;
+        const bool may_tie = may_meet_objective(m) == picked.by_objective;
+        return (may_tie ? noisy_tie : 1) * picked.chosen->seconds_per_frame;
       };
       if (is_beyond_double() || !try_on(limit)) return picked;
     }
   }
 
-  using Timed = std::function<void(const std::function<void(Candidate*)>& want, Tries&)>;
-
-  /// What may be chosen, and of what fails still one setting, to tell by what others would cost.
-  void measure_to_choose_from(Candidate* Tries::Found::*may_be_chosen) {
-    measure([&](const auto& want, Tries& tries) {
-      want(tries.found(need_).*may_be_chosen);
-      if (!tries.is_over() && !tries.is_given_up() &&
-          std::isnan(tries.expected_seconds(tries.candidates.back())))
-        want(&tries.candidates.back());
+  /// Of each method one setting, to tell by what others would cost; and what may be chosen, unless it is
+  /// expected to cost several times as much as the cheapest.
+  void measure_to_choose_from(Candidate* Tries::Found::*may_be_chosen, bool by_objective) {
+    constexpr double several = 2 * noisy_tie;
+    const auto may_be = [&](Tries& tries) -> Candidate* {
+      Candidate* t = tries.found(need_).*may_be_chosen;
+      return t && (!by_objective || meets_objective(*t)) ? t : nullptr;
+    };
+    measure([&](Tries& tries) -> Candidate* {
+      Candidate* t = may_be(tries);
+      if (!t && !tries.is_over() && !tries.is_given_up()) t = &tries.candidates.back();
+      return t && std::isnan(tries.expected_seconds(*t)) ? t : nullptr;
     });
-  }
-  void measure_what_is_shown() {
-    measure([this](const auto& want, Tries& tries) { want(tries.found(need_).representative()); });
+    double cheapest = std::numeric_limits<double>::infinity();
+    do {
+      for (Tries& tries : tries_)
+        if (const Candidate* t = may_be(tries)) cheapest = std::min(cheapest, tries.expected_seconds(*t));
+    } while (measure([&](Tries& tries) -> Candidate* {
+      Candidate* t = may_be(tries);
+      return t && tries.expected_seconds(*t) <= several * cheapest ? t : nullptr;
+    }));
   }
 
-  void measure(const Timed& timed) {
+  void measure_what_is_shown() {
+    measure([this](Tries& tries) { return tries.found(need_).representative(); });
+  }
+
+  /// Those wanted, unless they were timed before. Whether there were any.
+  bool measure(const std::function<Candidate*(Tries&)>& wanted_of) {
     const Stopwatch watch(spent_.timing);
     std::vector<Candidate*> wanted;
     for (Tries& tries : tries_)
-      timed(
-          [&](Candidate* t) {
-            if (t && std::isnan(t->seconds_per_frame) && std::ranges::find(wanted, t) == wanted.end())
-              wanted.push_back(t);
-          },
-          tries);
+      if (Candidate* t = wanted_of(tries); t && std::isnan(t->seconds_per_frame)) wanted.push_back(t);
     spent_.timed += static_cast<int>(wanted.size());
     Stage tally(progress_, "timing them", wanted.size());
     for (Candidate* candidate : wanted) {
@@ -314,6 +329,7 @@ class Search {
       measure(*candidate);
       tally.add();
     }
+    return !wanted.empty();
   }
 
   void measure(Candidate& candidate) const {
@@ -391,17 +407,24 @@ class Search {
   std::optional<Candidate> miss(std::vector<Candidate>& all) const {
     if (all.empty()) return {};
     if (auto held = least(all, [](const Candidate& t) { return t.holds(); })) return held;
-    while (true) {
-      Candidate& nearest = *std::ranges::min_element(all, {}, &Candidate::error);
-      const double on_one = nearest.error;
-      judge_failure(nearest);
-      if (nearest.error == on_one) return nearest;
-    }
+    Candidate& maybe_nearest = *std::ranges::min_element(all, {}, &Candidate::error);
+    judge_failure(maybe_nearest);
+    const double enough = maybe_nearest.error;
+    parallel_for_each(all, [&](Candidate& t) { judge_failure_until(enough, t); });
+    return *std::ranges::min_element(all, {}, &Candidate::error);
   }
 
   /// What does not hold was left at the first start on which it failed: now its error is that of all.
   void judge_failure(Candidate& candidate) const {
     if (!candidate.holds()) go_through(seen_, candidate, need_);
+  }
+
+  /// The same, or an error that is larger than enough.
+  void judge_failure_until(double enough, Candidate& candidate) const {
+    const double evaluations = candidate.evaluations_per_frame;
+    for (const Start* start : in_order(seen_, hardest_starts()))
+      if (candidate.error <= enough) go_through(std::span(start, 1), candidate, need_);
+    candidate.evaluations_per_frame = evaluations;
   }
 
   /// At 60, 120 and 240 Hz, or as soon above that a whole number of them fills the frame; each once.
@@ -584,6 +607,7 @@ class Search {
   Quantity first_frames_;
   std::vector<Start> seen_;
   std::optional<std::vector<Start>> unseen_;
+  std::string refuted_on_;  ///< where what was picked last failed its test
   std::vector<Tries> tries_;
   std::vector<Candidate> ties_;
   Explanation spent_;

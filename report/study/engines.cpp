@@ -46,7 +46,7 @@ EngineProgram about(std::vector<std::string> command) try {
                                v.value("lasting", ""), v.value("friction", "")});
   return engine;
 } catch (const nlohmann::json::exception& error) {
-  throw BadInput("an engine does not say what it is: " + std::string(error.what()));
+  throw BadInput(command.back() + " --about: the engine does not say what it is: " + error.what());
 }
 
 /// As run_program; what cannot even be started has failed too.

@@ -66,7 +66,7 @@ double Tries::expected_seconds(const Candidate& candidate) const {
 }
 
 void Tries::go_on(double most_evaluations, const std::vector<Start>& starts, const Need& need,
-                  const std::function<void()>& check, std::string_view hardest) {
+                  const std::function<void()>& check, const std::vector<std::string>& hardest) {
   hardest_ = hardest;
   constexpr double far_more = 16;
   const double limit = far_more * most_evaluations;
@@ -74,8 +74,8 @@ void Tries::go_on(double most_evaluations, const std::vector<Start>& starts, con
     check();
     if (is_given_up()) step_back();
     const bool is_limited = limit * need.frames() < static_cast<double>(ode::budget);
-    const ode::EvaluationLimit limited(limit * need.frames());
-    candidates.push_back(evaluate_until_one_fails(starts, *method_, left_.back(), need, tried_first(starts)));
+    candidates.push_back(evaluate_until_one_fails(order_of(starts), *method_, left_.back(), need,
+                                                  limit * need.frames()));
     left_.pop_back();
     const Candidate& last = candidates.back();
     given_up_at_ = is_limited && last.outcome == Outcome::stalled ? limit : 0;
@@ -123,7 +123,7 @@ void Tries::look_among_skipped(const std::vector<Start>& starts, const Need& nee
   while (!between.empty()) {
     check();
     const auto middle = between.begin() + static_cast<std::ptrdiff_t>(between.size() / 2);
-    Candidate tried = evaluate_until_one_fails(starts, *method_, *middle, need, tried_first(starts));
+    Candidate tried = evaluate_until_one_fails(order_of(starts), *method_, *middle, need);
     if (tried.holds()) {
       left_.push_back(holds.setting);
       left_.insert(left_.end(), between.rbegin(), std::make_reverse_iterator(middle + 1));
@@ -137,10 +137,11 @@ void Tries::look_among_skipped(const std::vector<Start>& starts, const Need& nee
   candidates.push_back(std::move(holds));
 }
 
-std::string_view Tries::tried_first(const std::vector<Start>& starts) const {
-  const std::string_view own = candidates.empty() ? std::string_view() : candidates.back().where;
-  if (!own.empty() && own != starts.front().says) return own;
-  return hardest_.empty() ? own : std::string_view(hardest_);
+Order Tries::order_of(const std::vector<Start>& starts) const {
+  std::vector<std::string> first = hardest_;
+  const std::string own = candidates.empty() ? "" : candidates.back().where;
+  if (own != starts.front().says) first.insert(first.begin(), own);
+  return in_order(starts, first);
 }
 
 void Tries::step_back() {

@@ -2,7 +2,6 @@
 
 #include <functional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "report/study/candidate.hpp"
@@ -22,9 +21,9 @@ class Tries {
 
   /// Goes on while a setting is expected to take no more than so many evaluations per frame. One that takes
   /// far more is given up, and tried again when so many are allowed. `check` is called before each, and
-  /// throws to end it. The start that is the hardest to others, by what it says, is tried first.
+  /// throws to end it. The starts that are the hardest to others, by what they say, are tried first.
   void go_on(double most_evaluations, const std::vector<Start>&, const Need&,
-             const std::function<void()>& check, std::string_view hardest = {});
+             const std::function<void()>& check, const std::vector<std::string>& hardest = {});
 
   const Method& method() const { return *method_; }
   /// It holds with the margin, or no finer setting can help.
@@ -52,9 +51,8 @@ class Tries {
 
  private:
   void step_back();
-  /// A start on which the last candidate failed, or the one that is the hardest to others if that was the
-  /// first.
-  std::string_view tried_first(const std::vector<Start>&) const;
+  /// That on which the last candidate failed, unless it was the one asked for; then the hardest to others.
+  Order order_of(const std::vector<Start>&) const;
   bool changed_nothing() const;
   void skip_what_cannot_hold(const Need&);
   /// Between one that fails and one that holds, the last candidate: the coarsest that holds, by bisection.
@@ -63,7 +61,7 @@ class Tries {
   const Method* method_;
   double power_;              ///< of the setting by which an error falls at most
   std::vector<double> left_;  ///< settings, the next last
-  std::string hardest_;
+  std::vector<std::string> hardest_;
   std::vector<double> skipped_;  ///< finer than the last that fails, from coarse to fine
   bool is_over_ = false;
   double given_up_at_ = 0;  ///< evaluations per frame
