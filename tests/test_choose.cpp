@@ -264,6 +264,29 @@ TEST_CASE("in chaos an error that is as large as the motion tells how much finer
   CHECK(tried(1.2, 0.09, true) == Steps{1});
 }
 
+TEST_CASE("what holds with the margin at no setting does not on more starts", "[choose]") {
+  Need need = asked(0.1, 10);
+  need.objective = Objective::simple;  // with a margin of three
+  const auto tried = [&](double finest_error) {
+    Quantity q = place(Parameters(parameters), {10, 100}, Reference::nothing());
+    q.need.allowed = need.error;
+    q.methods = {{"model", "by hand", halving("step", 1, 2), [=](double h) {
+                    const double error = h > 0.06 ? 0.2 : finest_error;
+                    return Answer{Value(std::vector<double>(100, 1 + error)), 1};
+                  }}};
+    const std::vector<Start> starts{{"here", std::move(q)}};
+    Tries tries(starts[0].motion.methods[0], need);
+    CHECK(tries.may_hold_with_margin());
+    while (!tries.is_over()) tries.go_on(1e6, starts, need, [] {});
+    CHECK(tries.may_hold_with_margin());
+    tries.again(need);
+    CHECK_FALSE(tries.is_over());
+    return tries.may_hold_with_margin();
+  };
+  CHECK(tried(0.01));
+  CHECK_FALSE(tried(0.09));
+}
+
 TEST_CASE("a method that does not listen to its tolerance is not asked again", "[choose]") {
   Need need = asked(0.1, 10);
   need.objective = Objective::simple;  // with a margin of three
@@ -322,9 +345,7 @@ TEST_CASE("the start that is the hardest to others is tried first, unless anothe
     starts.push_back({says, std::move(q)});
   }
   Tries tries(starts[0].motion.methods[0], asked(0.01, 10));
-  while (!tries.is_over())
-    tries.go_on(
-        1e6, starts, asked(0.01, 10), [] {}, {"hard"});
+  while (!tries.is_over()) tries.go_on(1e6, starts, asked(0.01, 10), [] {}, {"hard"});
   REQUIRE(seen.size() == 7);  // after the first of a setting, the others in parallel
   for (const auto at : {2, 5}) std::sort(seen.begin() + at, seen.begin() + at + 2);
   CHECK(seen == std::vector<std::string>{"hard", "hard", "asked", "harder", "harder", "asked", "hard"});
@@ -1059,9 +1080,9 @@ TEST_CASE("what fails at a higher cost than the chosen one's is not followed to 
   CHECK_FALSE(left.was_followed(*stepping));
   CHECK(left.was_followed(*left.chosen));
   CHECK(choice_text(left, true).find("; not followed\n") != std::string::npos);
-  CHECK(choice_text(left, true)
-            .find("not all are followed to finer settings, as they cost too much already") !=
-        std::string::npos);
+  CHECK(
+      choice_text(left, true).find("not all are followed to finer settings, as they cost too much already") !=
+      std::string::npos);
   CHECK(choice_json(left).find("\"followed\": false") != std::string::npos);
   need.exclude = {"coarse", "rich"};
   const Choice followed = choose_for(need);
@@ -1133,6 +1154,19 @@ TEST_CASE(
   tries.candidates[3].seconds_per_frame = 192;
   CHECK(tries.expected_seconds(tries.candidates[1]) == Approx(10));
   CHECK(tries.expected_seconds(tries.candidates[2]) == Approx(3 * 10));
+}
+
+TEST_CASE("what the next setting takes is expected by the work and time of the last", "[choose]") {
+  const Need need = asked(1e-3, 10);
+  const std::vector<Start> starts{
+      {"here",
+       place(Parameters(parameters), {need.horizon, static_cast<int>(need.frames())}, Reference::nothing())}};
+  Tries tries(starts[0].motion.methods[1], need);
+  tries.go_on(1, starts, need, [] {});
+  REQUIRE(tries.candidates.size() == 1);
+  tries.candidates.back().seconds_per_frame = 5;
+  CHECK(tries.expected_evaluations() > 1);
+  CHECK(tries.expected_seconds() == Approx(5 * tries.expected_evaluations()));
 }
 
 TEST_CASE("where long double loses a motion no method is followed far", "[choose]") {

@@ -190,12 +190,14 @@ class Search {
 
   using Which = std::function<bool(const Tries&)>;
 
-  bool may_meet_objective(const Method& m) const {
-    return need_.objective == Objective::cheapest || is_simple(m.knob.name, m.algorithm);
+  bool may_meet_objective(const Tries& t) const {
+    const Method& m = t.method();
+    return t.may_hold_with_margin() &&
+           (need_.objective == Objective::cheapest || is_simple(m.knob.name, m.algorithm));
   }
 
-  /// Where that failed which was picked last; then where those fail that hold on the start asked for, from the
-  /// one with most of them on. To be known between stages, so that what is tried does not depend on which
+  /// Where that failed which was picked last; then where those fail that hold on the start asked for, from
+  /// the one with most of them on. To be known between stages, so that what is tried does not depend on which
   /// thread came first.
   std::vector<std::string> hardest_starts() const {
     std::map<std::string, int> failed;
@@ -238,7 +240,7 @@ class Search {
     for (double most = need_.thorough ? unlimited : little; most <= most_of_all; most *= more) {
       try_all(stage, most, which);
       if (any([&](const Candidate& t) { return meets_objective(t); })) return;
-      if (any(&Candidate::holds)) which = [this](const Tries& t) { return may_meet_objective(t.method()); };
+      if (any(&Candidate::holds)) which = [this](const Tries& t) { return may_meet_objective(t); };
       if (std::ranges::all_of(tries_, [&](const Tries& t) { return t.is_over() || !which(t); })) return;
     }
   }
@@ -249,13 +251,12 @@ class Search {
     return !asked.is_whole && asked.parting && (**asked.parting).is_chaotic;
   }
 
-  /// One setting more of each that fails at a lower cost than it may have. Whether there was one.
-  bool try_on(const std::function<double(const Method&)>& seconds_per_frame) {
+  /// One setting more of each that fails where that may cost so much. Whether there was one.
+  bool try_on(const std::function<double(const Tries&)>& seconds_per_frame) {
     const Stopwatch watch(spent_.search);
     std::atomic<bool> any = false;
     parallel_for_each(tries_, [&](Tries& tries) {
-      if (tries.is_over() || tries.is_given_up() ||
-          !(tries.expected_seconds(tries.candidates.back()) < seconds_per_frame(tries.method())))
+      if (tries.is_over() || tries.is_given_up() || !(tries.expected_seconds() < seconds_per_frame(tries)))
         return;
       tries.go_on(tries.expected_evaluations(), seen_, need_, [this] { deadline_.check(); });
       any = true;
@@ -275,14 +276,14 @@ class Search {
     return {pick(false), false};
   }
 
-  /// When all that fails costs more than what is chosen, finer settings of it cannot be cheaper. What may be
+  /// When finer settings of all that fails would cost more than what is chosen, they cannot be. What may be
   /// chosen instead may tie with it.
   Picked pick_cheapest() {
     while (true) {
       const Picked picked = pick();
-      const auto limit = [&](const Method& m) {
-        if (!picked.chosen || (!picked.by_objective && may_meet_objective(m))) return need_.budget;
-        const bool may_tie = may_meet_objective(m) == picked.by_objective;
+      const auto limit = [&](const Tries& t) {
+        if (!picked.chosen || (!picked.by_objective && may_meet_objective(t))) return need_.budget;
+        const bool may_tie = may_meet_objective(t) == picked.by_objective;
         return (may_tie ? noisy_tie : 1) * picked.chosen->seconds_per_frame;
       };
       if (is_beyond_double() || !try_on(limit)) return picked;
@@ -407,24 +408,23 @@ class Search {
   std::optional<Candidate> miss(std::vector<Candidate>& all) const {
     if (all.empty()) return {};
     if (auto held = least(all, [](const Candidate& t) { return t.holds(); })) return held;
-    Candidate& maybe_nearest = *std::ranges::min_element(all, {}, &Candidate::error);
-    judge_failure(maybe_nearest);
-    const double enough = maybe_nearest.error;
-    parallel_for_each(all, [&](Candidate& t) { judge_failure_until(enough, t); });
-    return *std::ranges::min_element(all, {}, &Candidate::error);
+    const std::span hardest(in_order(seen_, hardest_starts()).front(), 1);
+    std::set<const Candidate*> been_on_hardest, been_on_all;
+    while (true) {
+      Candidate& nearest = *std::ranges::min_element(all, {}, &Candidate::error);
+      if (been_on_all.contains(&nearest)) return nearest;
+      if (been_on_hardest.insert(&nearest).second) {
+        go_through(hardest, nearest, need_);
+      } else {
+        judge_failure(nearest);
+        been_on_all.insert(&nearest);
+      }
+    }
   }
 
   /// What does not hold was left at the first start on which it failed: now its error is that of all.
   void judge_failure(Candidate& candidate) const {
     if (!candidate.holds()) go_through(seen_, candidate, need_);
-  }
-
-  /// The same, or an error that is larger than enough.
-  void judge_failure_until(double enough, Candidate& candidate) const {
-    const double evaluations = candidate.evaluations_per_frame;
-    for (const Start* start : in_order(seen_, hardest_starts()))
-      if (candidate.error <= enough) go_through(std::span(start, 1), candidate, need_);
-    candidate.evaluations_per_frame = evaluations;
   }
 
   /// At 60, 120 and 240 Hz, or as soon above that a whole number of them fills the frame; each once.

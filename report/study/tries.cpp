@@ -65,6 +65,11 @@ double Tries::expected_seconds(const Candidate& candidate) const {
   return seconds;
 }
 
+double Tries::expected_seconds() const {
+  const Candidate& last = candidates.back();
+  return expected_seconds(last) * expected_evaluations() / last.evaluations_per_frame;
+}
+
 void Tries::go_on(double most_evaluations, const std::vector<Start>& starts, const Need& need,
                   const std::function<void()>& check, const std::vector<std::string>& hardest) {
   hardest_ = hardest;
@@ -74,8 +79,8 @@ void Tries::go_on(double most_evaluations, const std::vector<Start>& starts, con
     check();
     if (is_given_up()) step_back();
     const bool is_limited = limit * need.frames() < static_cast<double>(ode::budget);
-    candidates.push_back(evaluate_until_one_fails(order_of(starts), *method_, left_.back(), need,
-                                                  limit * need.frames()));
+    candidates.push_back(
+        evaluate_until_one_fails(order_of(starts), *method_, left_.back(), need, limit * need.frames()));
     left_.pop_back();
     const Candidate& last = candidates.back();
     given_up_at_ = is_limited && last.outcome == Outcome::stalled ? limit : 0;
@@ -153,9 +158,10 @@ void Tries::step_back() {
 
 void Tries::again(const Need& need) {
   skipped_.clear();
-  const Candidate* first = found(need).first;
-  while (first && !candidates.empty()) {
-    const bool was_first = &candidates.back() == first;
+  const Found held = found(need);
+  has_no_margin_ = has_no_margin_ || (is_over_ && !held.with_margin);
+  while (held.first && !candidates.empty()) {
+    const bool was_first = &candidates.back() == held.first;
     step_back();
     if (was_first) break;
   }

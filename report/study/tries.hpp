@@ -35,6 +35,10 @@ class Tries {
   /// Of one of the candidates, per frame: its time, or, by its evaluations, that of the nearest that was
   /// timed. NaN where none was.
   double expected_seconds(const Candidate&) const;
+  /// Of the next setting.
+  double expected_seconds() const;
+  /// Unless on fewer starts no setting did.
+  bool may_hold_with_margin() const { return !has_no_margin_; }
   /// Back to the first setting that holds, to be tried again on more starts: what failed on some fails on
   /// more.
   void again(const Need&);
@@ -63,7 +67,7 @@ class Tries {
   std::vector<double> left_;  ///< settings, the next last
   std::vector<std::string> hardest_;
   std::vector<double> skipped_;  ///< finer than the last that fails, from coarse to fine
-  bool is_over_ = false;
+  bool is_over_ = false, has_no_margin_ = false;
   double given_up_at_ = 0;  ///< evaluations per frame
 };
 
