@@ -1,10 +1,13 @@
 // Choosing, on a made-up scene whose truth is a = x(t) for all t and whose methods err by known amounts.
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <map>
 #include <mutex>
 #include <numbers>
 #include <set>
+#include <thread>
 
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
@@ -99,6 +102,57 @@ TEST_CASE("the cheapest method that holds is chosen, and tested elsewhere", "[ch
   std::set<std::pair<std::string, std::string>> methods;
   for (const Candidate& c : choice.candidates) CHECK(methods.emplace(c.model, c.algorithm).second);
   CHECK(methods.size() >= 2);
+  for (std::size_t i = 1; i < choice.candidates.size(); ++i)  // what takes no time is last
+    CHECK_FALSE(choice.candidates[i - 1].seconds_per_frame > choice.candidates[i].seconds_per_frame);
+}
+
+TEST_CASE("how far it is, is told of every stage to its end", "[choose]") {
+  std::mutex telling;
+  std::map<std::string, std::pair<double, std::size_t>> last;
+  const Progress progress = [&](const std::string& stage, double done, std::size_t all) {
+    const std::lock_guard lock(telling);
+    last[stage] = {done, all};
+  };
+  choose(Task(entry), asked(0.05, 10), Reference(std::string(ODDITY_SOURCE) + "/reference"), counted_cost,
+         progress);
+  for (const char* stage : {"making the true motions", "making more true motions", "trying the methods"}) {
+    INFO(stage);
+    REQUIRE(last.contains(stage));
+    CHECK(last[stage].first == static_cast<double>(last[stage].second));
+  }
+}
+
+TEST_CASE("what may tie with the chosen one is followed to twice its cost, and is not the next cheaper",
+          "[choose]") {
+  Need need = asked(0.0056, 10);  // 20 steps a frame; 16 are tried at once
+  need.exclude = {"coarse"};
+  const auto price = [](const Method& m, double setting) -> Time {
+    return {m.model == "rich" ? 1.8e-6 : counted_cost(m, setting).seconds, 0};
+  };
+  const Choice dearer = choose_for(need, 1, price);
+  REQUIRE(dearer.chosen);
+  CHECK(dearer.chosen->model == "rich");
+  REQUIRE(dearer.ties.size() == 1);
+  CHECK(std::lround(1 / (10 * dearer.ties.front().setting)) == 20);
+  const auto cheaper = [&](const Method& m, double setting) -> Time {
+    return {m.model == "rich" ? 2.2e-6 : counted_cost(m, setting).seconds, 0};
+  };
+  const Choice tie = choose_for(need, 1, cheaper);
+  CHECK(tie.chosen->model == "rich");  // as it is more accurate
+  CHECK(tie.ties.size() == 1);
+  REQUIRE(tie.next_cheaper);
+  CHECK_FALSE(tie.next_cheaper->holds());
+}
+
+TEST_CASE("a simple method is followed to its margin where another holds at less work", "[choose]") {
+  Need need = asked(0.017, 10);  // with a margin of three 20 steps a frame; 16 are tried at once
+  need.exclude = {"coarse"};
+  need.objective = Objective::simple;
+  const Choice choice = choose_for(need);
+  REQUIRE(choice.chosen);
+  CHECK(choice.by_objective);
+  CHECK(choice.chosen->model == "stepping");
+  CHECK(std::lround(1 / (10 * choice.chosen->setting)) == 20);
 }
 
 TEST_CASE("a method that does not hold says on which start it errs most", "[choose]") {
@@ -388,6 +442,8 @@ TEST_CASE("a better known truth is asked where the one at hand does not decide",
   CHECK(made == 1);
   judged(0.4, 0.01, Objective::simple);
   CHECK(made == 0);
+  judged(0.95, 0.1, Objective::simple);  // without the margin, if it holds
+  CHECK(made == 1);
   judged(1.0 / 3, 1e-3, Objective::simple);  // of a margin a thousandth decides nothing
   CHECK(made == 0);
 }
@@ -515,6 +571,7 @@ TEST_CASE("a period is measured between passages of the mean, wherever the motio
     Quantity q{"place", "m", "", {"exact", Value(turning(1))}, 1e-16, {1e-6, ""}, {}, {}};
     q.samples = horizon.count();
     q.add({"slow", "exact", no_knob(), [slow = turning(1.01)](double) { return Answer{Value(slow), 1}; }});
+    q.add({"quick", "exact", no_knob(), [quick = turning(0.8)](double) { return Answer{Value(quick), 1}; }});
     return q;
   };
   const Entry turning{{3, 97},
@@ -527,6 +584,9 @@ TEST_CASE("a period is measured between passages of the mean, wherever the motio
   const Choice choice = choose(Task(turning), need, truth, counted_cost);
   REQUIRE(choice.chosen);
   CHECK(choice.chosen->error == Approx(0.5).epsilon(0.03));
+  const auto quick = std::ranges::find(choice.candidates, "quick", &Candidate::model);
+  REQUIRE(quick != choice.candidates.end());
+  CHECK(quick->error == Approx(10).epsilon(0.03));  // of more passages
 }
 
 TEST_CASE("a coarse model that fails beside the start asked for is not chosen", "[choose]") {
@@ -722,6 +782,35 @@ TEST_CASE("of what is as fast and as accurate the simpler is chosen, in the cata
   CHECK(choose_at_5(scene, need).chosen->algorithm == "closed form");
   need.exclude = {"closed form"};
   CHECK(choose_at_5(scene, need).chosen->algorithm == "explicit Euler");
+}
+
+TEST_CASE("where what was picked fails its test, its starts are seen and others are made", "[choose]") {
+  const auto scene = [](const Parameters& p, const Horizon& horizon, const Reference&) {
+    Quantity q = staying(p["a"], horizon);
+    add(q, "up to 5", "explicit Euler", std::max(0.0, p["a"] - 5), 1);  // which those seen first are
+    add(q, "everywhere", "Runge-Kutta 4", 1e-5, 10);
+    return q;
+  };
+  const Choice choice = choose_at_5(scene, asked(1e-3, 3));
+  REQUIRE(choice.chosen);
+  CHECK(choice.chosen->model == "everywhere");
+  CHECK(choice.explanation.rounds == 2);
+  CHECK(choice.seen.size() == 6);
+  CHECK(choice.unseen.size() == 3);
+  std::set<std::string> starts(choice.seen.begin(), choice.seen.end());
+  starts.insert(choice.unseen.begin(), choice.unseen.end());
+  CHECK(starts.size() == 9);
+}
+
+TEST_CASE("what is as accurate within a tenth is as accurate", "[choose]") {
+  const auto scene = [](const Parameters& p, const Horizon& horizon, const Reference&) {
+    Quantity q = staying(p["a"], horizon);
+    add(q, "right", "Runge-Kutta 4", 1e-5, 10);
+    add(q, "right", "explicit Euler", 1.08e-5, 10);
+    add(q, "right", "Heun", 1.15e-5, 10);
+    return q;
+  };
+  CHECK(choose_at_5(scene, asked(1e-3, 3)).chosen->algorithm == "explicit Euler");
 }
 
 TEST_CASE("methods with a history are left out when one step is asked for", "[choose]") {
@@ -1161,12 +1250,21 @@ TEST_CASE("what the next setting takes is expected by the work and time of the l
   const std::vector<Start> starts{
       {"here",
        place(Parameters(parameters), {need.horizon, static_cast<int>(need.frames())}, Reference::nothing())}};
-  Tries tries(starts[0].motion.methods[1], need);
-  tries.go_on(1, starts, need, [] {});
-  REQUIRE(tries.candidates.size() == 1);
-  tries.candidates.back().seconds_per_frame = 5;
-  CHECK(tries.expected_evaluations() > 1);
-  CHECK(tries.expected_seconds() == Approx(5 * tries.expected_evaluations()));
+  Tries stepping(starts[0].motion.methods[1], need);
+  stepping.go_on(2, starts, need, [] {});
+  REQUIRE(stepping.candidates.size() == 2);
+  stepping.candidates.back().seconds_per_frame = 5;
+  CHECK(stepping.expected_evaluations() == Approx(3));
+  CHECK(stepping.expected_seconds() == Approx(5 * 1.5));
+
+  // Of 2 evaluations a frame at 0.01, and 4 at 0.0001.
+  Tries tolerant(starts[0].motion.methods[2], asked(1e-9, 10));
+  std::vector<Start> asked_more = starts;
+  asked_more[0].motion.need.allowed = 1e-9;
+  tolerant.go_on(2, asked_more, asked(1e-9, 10), [] {});
+  REQUIRE(tolerant.candidates.size() == 2);
+  CHECK(tolerant.candidates.back().setting == Approx(1e-4));
+  CHECK(tolerant.expected_evaluations() == Approx(4 * std::sqrt(2)));  // at 0.00001
 }
 
 TEST_CASE("where long double loses a motion no method is followed far", "[choose]") {
@@ -1226,6 +1324,21 @@ TEST_CASE("an answer explains what was tried and where its time went", "[choose]
   CHECK(text.find("true motions: ") != std::string::npos);
   CHECK(text.find("4 methods at ") != std::string::npos);
   CHECK(choice_json(choice).find("\"explanation\"") != std::string::npos);
+}
+
+TEST_CASE("the parts of the time that an answer takes are all of it", "[choose]") {
+  const auto slow_price = [](const Method& m, double setting) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    return counted_cost(m, setting);
+  };
+  const auto start = std::chrono::steady_clock::now();
+  const Explanation e = choose_for(asked(0.05, 10), 1, slow_price).explanation;
+  const std::chrono::duration<double> all = std::chrono::steady_clock::now() - start;
+  CHECK(e.timing >= 0.02 * e.timed);
+  CHECK(e.rest >= 0);
+  const double parts = e.truths + e.search + e.timing + e.tests + e.rest;
+  CHECK(parts <= all.count());
+  CHECK(parts >= e.timing);
 }
 
 TEST_CASE("an answer that takes too long is no answer", "[choose]") {

@@ -282,7 +282,7 @@ class Search {
     while (true) {
       const Picked picked = pick();
       const auto limit = [&](const Tries& t) {
-        if (!picked.chosen || (!picked.by_objective && may_meet_objective(t))) return need_.budget;
+        if (!picked.chosen) return need_.budget;
         const bool may_tie = may_meet_objective(t) == picked.by_objective;
         return (may_tie ? noisy_tie : 1) * picked.chosen->seconds_per_frame;
       };

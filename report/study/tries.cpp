@@ -160,7 +160,7 @@ void Tries::again(const Need& need) {
   skipped_.clear();
   const Found held = found(need);
   has_no_margin_ = has_no_margin_ || (is_over_ && !held.with_margin);
-  while (held.first && !candidates.empty()) {
+  while (held.first) {
     const bool was_first = &candidates.back() == held.first;
     step_back();
     if (was_first) break;
@@ -171,7 +171,7 @@ Tries::Found Tries::found(const Need& need) {
   Found found;
   for (Candidate& t : candidates) {
     if (t.holds() && !found.first) found.first = &t;
-    if (holds_with_margin(t, need) && !found.with_margin) found.with_margin = &t;
+    if (holds_with_margin(t, need)) found.with_margin = &t;  // no finer one is tried
     if (came_to_an_end(t) && (!found.best || t.error < found.best->error)) found.best = &t;
   }
   return found;
