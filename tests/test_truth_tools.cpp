@@ -5,6 +5,7 @@
 
 #include "reference/bad_input.hpp"
 #include "reference/make/extrapolation.hpp"
+#include "reference/make/recorded.hpp"
 #include "reference/make/routes.hpp"
 #include "reference/make/taylor.hpp"
 #include "reference/make/universal_kepler.hpp"
@@ -176,6 +177,27 @@ TEST_CASE("Taylor and extrapolation: square roots, quotients and exponentials", 
   check_solution(inverse, {1}, 0, 3, 2);
   const auto decay = [](const auto& x, const auto&) { return std::vector{exp(-x[0])}; };
   check_solution(decay, {0}, 0, 3, log(Number(4)));
+}
+
+TEST_CASE("Taylor and extrapolation: squares", "[reference]") {
+  const auto rhs = [](const auto& x, const auto&) { return std::vector{1 + x[0] * x[0]}; };
+  check_solution(rhs, {0}, 0, 1, tan(Number(1)));
+}
+
+TEST_CASE("a tape computes nothing twice", "[reference]") {
+  Recorded recorded;
+  const Jet x = recorded.variable(), y = recorded.variable();
+  const auto nodes = [&] { return recorded.tape.nodes().size(); };
+  const Jet product = x * y, sine = sin(x);
+  CHECK(nodes() == 5);  // the cosine beside the sine
+  CHECK((x * y).node == product.node);
+  CHECK(sin(x).node == sine.node);
+  CHECK(cos(x).node == sine.node + 1);
+  CHECK(nodes() == 5);
+  CHECK((x + y).node != product.node);  // another operation,
+  CHECK((y * x).node != product.node);  // another order, another factor
+  CHECK((x * Number(2)).node != (x * Number(3)).node);
+  CHECK(nodes() == 9);
 }
 
 TEST_CASE("Taylor: numbers on either side of every operator", "[reference]") {
