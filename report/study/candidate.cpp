@@ -10,7 +10,7 @@
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
 #include "report/study/parallel.hpp"
-#include "solvers/ode/integrate.hpp"
+#include "solvers/ode/catalog.hpp"
 
 namespace oddity {
 
