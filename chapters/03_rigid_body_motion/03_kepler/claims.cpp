@@ -1687,7 +1687,7 @@ Provables proofs_of_the_orbit() {
   for (Provable& p : proved)
     for (Lemma& lemma : p.lemmas)
       if (lemma.tactic == "interval") lemma.tactic = "first [interval | integral]";
-  return with_orbits(std::move(proved), turns_in_coq);
+  return with_orbits(std::move(proved), turns_in_coq());
 }
 
 /// Where the angle is a function of the time.
@@ -1701,7 +1701,7 @@ Provables proofs_of_the_time() {
   all.given.push_back({"(forall s, at_angle x y s (angle s) /\\ ex_derive angle s)"});
   all.tactic = "by_time";
   all.says += "; the angle is a differentiable function of the time";
-  return with_orbits(table.proofs("3.3", all), times_in_coq);
+  return with_orbits(table.proofs("3.3", all), times_in_coq());
 }
 
 /// Where what is printed divides by zero.

@@ -177,8 +177,8 @@ Hypothesis u0 : u 0 = rd * cos th0 - r0 * w0 * sin th0.
 Hypothesis v0 : v 0 = rd * sin th0 + r0 * w0 * cos th0.
 )";
 
-const std::string turns_in_coq =
-    R"(
+std::string turns_in_coq() {
+  return R"(
 From Coquelicot Require Import Continuity RInt_analysis.
 
 (* The time of a turn, by the eccentric anomaly: its antiderivative has no jump. *)
@@ -244,7 +244,7 @@ Section Ellipse.
 Variables mu r0 rd th0 w0 : R.
 Variables x y u v : R -> R.
 )" + from_a_start +
-    R"(Local Notation square := ((r0 * r0 * r0 * w0 * w0 - mu) ^ 2 + r0 * r0 * rd * w0 * (r0 * r0 * rd * w0)).
+         R"(Local Notation square := ((r0 * r0 * r0 * w0 * w0 - mu) ^ 2 + r0 * r0 * rd * w0 * (r0 * r0 * rd * w0)).
 Local Notation h := (r0 * r0 * w0).
 Local Notation ax := (along_x mu r0 rd th0 w0).
 Local Notation ay := (along_y mu r0 rd th0 w0).
@@ -405,15 +405,18 @@ Ltac by_orbit :=
   end.
 Ltac by_ellipse := match goal with |- context [atan2] => by_orbit | _ => by_axes end.
 )";
+}
 
-const std::string times_in_coq = R"(
+std::string times_in_coq() {
+  return R"(
 From Coquelicot Require Import Continuity RInt_analysis.
 
 (* Where the angle is a function of the time. *)
 Section Time.
 Variables mu r0 rd th0 w0 : R.
 Variables x y u v angle : R -> R.
-)" + from_a_start + R"(Hypothesis there : forall s, at_angle x y s (angle s) /\ ex_derive angle s.
+)" + from_a_start +
+         R"(Hypothesis there : forall s, at_angle x y s (angle s) /\ ex_derive angle s.
 Local Notation h := (r0 * r0 * w0).
 Local Notation square s := (x s * x s + y s * y s).
 
@@ -507,5 +510,6 @@ Ltac by_time :=
     end
   end.
 )";
+}
 
 }  // namespace oddity::kepler

@@ -77,7 +77,7 @@ std::vector<Root> roots();
 // in_coq.cpp, for proofs: of motion by Newton's law and of the constants of its path, of an ellipse and its
 // turn, of the time by the angle
 extern const char* const orbits_in_coq;
-extern const std::string turns_in_coq;
-extern const std::string times_in_coq;
+std::string turns_in_coq();
+std::string times_in_coq();
 
 }  // namespace oddity::kepler

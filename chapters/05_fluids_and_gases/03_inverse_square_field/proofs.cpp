@@ -143,7 +143,7 @@ Provables proofs() {
   const std::string preamble =
       "From Coq Require Import Lia Nsatz.\nFrom Coquelicot Require Import Continuity AutoDerive.\n"
       "Local Open Scope R_scope.\n\n" +
-      frames_in_coq + slopes_in_coq;
+      frames_in_coq() + slopes_in_coq;
   const auto all = [](const Letters& v) {
     return Expressions{v[0].expression(), v[1].expression(), v[2].expression()};
   };

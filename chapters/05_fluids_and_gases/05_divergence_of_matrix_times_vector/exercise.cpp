@@ -191,7 +191,7 @@ Provables proofs_of_turned(const Proof& proof) {
                           .tactic = "first [in_turned_frame r f H | in_turned_frame r g H]",
                           .says = "it holds for any matrix and vectors in any right-handed orthonormal frame",
                           .preamble = "From Coq Require Import Lia Nsatz.\nLocal Open Scope R_scope.\n\n" +
-                                      frames_in_coq + in_turned_frame});
+                                      frames_in_coq() + in_turned_frame});
 }
 
 Provables proofs() {

@@ -184,7 +184,7 @@ Provables proofs() {
                                ? "it is the curl along any frame, applied up to four times as it is "
                                  "recorded, and n times, of all fields with that many derivatives"
                                : "it holds for all fields with continuous derivatives, along any frame",
-                   .preamble = smooth_fields_in_coq + repeated_curls_in_coq + tactics_in_coq};
+                   .preamble = smooth_fields_in_coq() + repeated_curls_in_coq() + tactics_in_coq};
     for (std::size_t n = 0; n < said.size(); ++n)
       proof.lemmas.push_back(
           lemma_of(slug, said[n], said.size() == 1 ? "printed" : "printed_" + std::to_string(n + 1)));

@@ -328,7 +328,8 @@ Qed.
 
 }  // namespace
 
-const std::string frames_in_coq = R"((* ---- frames *)
+std::string frames_in_coq() {
+  return R"((* ---- frames *)
 Definition sum (g : nat -> R) := g 0%nat + g 1%nat + g 2%nat.
 Definition dot (a b : nat -> R) := sum (fun i => a i * b i).
 Definition cross (a b : nat -> R) (i : nat) := match i with
@@ -372,10 +373,12 @@ Qed.
 
 
 )";
+}
 
-const std::string smooth_fields_in_coq = derivatives_in_coq + frames_in_coq + operators_in_coq;
+std::string smooth_fields_in_coq() { return derivatives_in_coq + frames_in_coq() + operators_in_coq; }
 
-const std::string repeated_curls_in_coq = R"(
+std::string repeated_curls_in_coq() {
+  return R"(
 (* ---- in the coordinates y of a turned frame *)
 Definition seen_from (r : nat -> nat -> R) (f : field) : field := fun y0 y1 y2 =>
   f (r 0%nat 0%nat * y0 + r 1%nat 0%nat * y1 + r 2%nat 0%nat * y2)
@@ -527,5 +530,6 @@ Proof.
   unfold dot, sum in x. f_equal; symmetry; [apply (x 0%nat) | apply (x 1%nat) | apply (x 2%nat)]; lia.
 Qed.
 )";
+}
 
 }  // namespace oddity::fields

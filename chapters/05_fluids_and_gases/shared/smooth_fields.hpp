@@ -9,13 +9,13 @@
 namespace oddity::fields {
 
 /// Right-handed orthonormal frames; it takes Lia and Nsatz.
-extern const std::string frames_in_coq;
+std::string frames_in_coq();
 /// Fields up to the n-th derivatives, `smooth`; the derivatives d by the coordinates and `along` vectors,
 /// their rules and their order; the gradient and curls along a frame.
-extern const std::string smooth_fields_in_coq;
+std::string smooth_fields_in_coq();
 /// After that: vector fields in the coordinates of a turned frame, and curls as sums over the permutation
 /// tensor.
-extern const std::string repeated_curls_in_coq;
+std::string repeated_curls_in_coq();
 
 /// The components of a function of the indices.
 inline std::array<Shortened, 3> numbers(const std::string& name) {
