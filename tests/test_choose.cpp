@@ -802,6 +802,38 @@ TEST_CASE("where what was picked fails its test, its starts are seen and others 
   CHECK(starts.size() == 9);
 }
 
+TEST_CASE("what the objective wants is looked for within the budget where something else is cheaper",
+          "[choose]") {
+  const auto scene = [](const Parameters& p, const Horizon& horizon, const Reference&) {
+    Quantity q = staying(p["a"], horizon);
+    add(q, "dear", "closed form", 1e-5, 1);
+    q.add(method(
+        "tolerant", "by hand", tolerances(), p["a"], q.samples, [](double) { return 1e-3; },
+        [=](double) { return 2L * horizon.count(); }));
+    q.add(method(
+        "stepping", "explicit", halving("step", 1, 4), p["a"], q.samples, [](double h) { return h; },
+        [=](double h) { return std::lround(horizon.end / h); }));
+    return q;
+  };
+  const Entry three{{3, 94},
+                    "",
+                    {"three", "", parameters,
+                     Scene{scene, 10, 0.01, "a", {1, 2}, {"a"}, {{"x"}, "s", {{"m", {0}}}}}, nullptr}};
+  Task task(three);
+  task.parameters.set("a", 4);
+  Need need =
+      asked(0.0748, 10);  // with a margin of three 20 steps a frame at all starts; 16 are tried at once
+  need.objective = Objective::simple;
+  need.budget = 1e-6;
+  const auto price = [](const Method& m, double setting) -> Time {
+    return {m.model == "dear" ? 1 : m.model == "tolerant" ? 1e-6 : counted_cost(m, setting).seconds, 0};
+  };
+  const Choice choice = choose(task, need, Reference(std::string(ODDITY_SOURCE) + "/reference"), price);
+  REQUIRE(choice.chosen);
+  CHECK(choice.by_objective);
+  CHECK(choice.chosen->model == "stepping");
+}
+
 TEST_CASE("what is as accurate within a tenth is as accurate", "[choose]") {
   const auto scene = [](const Parameters& p, const Horizon& horizon, const Reference&) {
     Quantity q = staying(p["a"], horizon);
@@ -1326,7 +1358,7 @@ TEST_CASE("an answer explains what was tried and where its time went", "[choose]
   CHECK(choice_json(choice).find("\"explanation\"") != std::string::npos);
 }
 
-TEST_CASE("the parts of the time that an answer takes are all of it", "[choose]") {
+TEST_CASE("the parts of the time that an answer takes are no more than all of it", "[choose]") {
   const auto slow_price = [](const Method& m, double setting) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
     return counted_cost(m, setting);
@@ -1338,7 +1370,6 @@ TEST_CASE("the parts of the time that an answer takes are all of it", "[choose]"
   CHECK(e.rest >= 0);
   const double parts = e.truths + e.search + e.timing + e.tests + e.rest;
   CHECK(parts <= all.count());
-  CHECK(parts >= e.timing);
 }
 
 TEST_CASE("an answer that takes too long is no answer", "[choose]") {

@@ -277,12 +277,12 @@ class Search {
   }
 
   /// When finer settings of all that fails would cost more than what is chosen, they cannot be. What may be
-  /// chosen instead may tie with it.
+  /// chosen instead may tie with it; what the objective prefers to it may cost as much as the budget allows.
   Picked pick_cheapest() {
     while (true) {
       const Picked picked = pick();
       const auto limit = [&](const Tries& t) {
-        if (!picked.chosen) return need_.budget;
+        if (!picked.chosen || (!picked.by_objective && may_meet_objective(t))) return need_.budget;
         const bool may_tie = may_meet_objective(t) == picked.by_objective;
         return (may_tie ? noisy_tie : 1) * picked.chosen->seconds_per_frame;
       };
