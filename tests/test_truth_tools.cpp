@@ -184,7 +184,7 @@ TEST_CASE("Taylor and extrapolation: squares", "[reference]") {
   check_solution(rhs, {0}, 0, 1, tan(Number(1)));
 }
 
-TEST_CASE("a tape computes nothing twice", "[reference]") {
+TEST_CASE("a tape computes no sum, product, quotient or function twice", "[reference]") {
   Recorded recorded;
   const Jet x = recorded.variable(), y = recorded.variable();
   const auto nodes = [&] { return recorded.tape.nodes().size(); };

@@ -33,7 +33,7 @@ class Tape {
     Number constant = 0;
   };
 
-  /// The node's place; that of one put before where it is the same of the same operands.
+  /// The node's place; where it has no constant, that of one put before of the same operands.
   int put(Node node);
   /// Computes coefficient k of every node, those below k being known.
   void advance(int k);
@@ -50,7 +50,7 @@ class Tape {
  private:
   Number coefficient(std::size_t node, int k) const;
   std::vector<Node> nodes_;
-  std::map<std::tuple<Op, int, int>, int> computed_;  ///< without a constant
+  std::map<std::tuple<Op, int, int>, int> computed_;  ///< places of those without one
   std::vector<Numbers> series_;
 };
 
