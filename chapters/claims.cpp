@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "reference/text.hpp"
+
 namespace oddity {
 
 namespace {
@@ -30,6 +32,23 @@ Written read(const std::string& written) {
 
 }  // namespace
 
+std::string filled(std::string_view text, std::initializer_list<double> numbers) {
+  std::string all;
+  auto next = numbers.begin();
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '@') {
+      all += text[i];
+      continue;
+    }
+    const char digits = ++i < text.size() ? text[i] : ' ';
+    if (digits < '1' || digits > '9' || next == numbers.end())
+      throw std::logic_error("'" + std::string(text) + "' has a place without digits or without a number");
+    all += format_significant(*next++, digits - '0');
+  }
+  if (next != numbers.end()) throw std::logic_error("'" + std::string(text) + "' has no place for a number");
+  return all;
+}
+
 Check as_written(std::string quantity, const std::string& written, const Route& truth) {
   const Written x = read(written);
   return {std::move(quantity), {"as written, " + written, x.number}, truth, printed_decimals(x.decimals)};
@@ -46,7 +65,7 @@ Check as_cut_off(std::string quantity, const std::string& written, const Route& 
 
 Claims& Claims::number(std::string_view slug, int line, std::string says, const NumberClaim& parts) {
   const std::string quantity = parts.quantity.empty() ? says : parts.quantity;
-  return judged(slug, line, std::move(says), parts, [&](const std::string& written) -> Reading {
+  return judged(slug, line, std::move(says), parts, {}, [&](const std::string& written) -> Reading {
     if (written.empty()) return {};
     return {written, {as_written(quantity, written, parts.truth)}};
   });

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <functional>
+#include <initializer_list>
+#include <iterator>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "chapters/exercise.hpp"
+#include "chapters/near_misses.hpp"
 #include "chapters/random.hpp"
 #include "chapters/typeset.hpp"
 
@@ -27,6 +31,8 @@
 ///                                          of these, what is typeset has to be what is computed
 ///   tolerance(double size) -> Tolerance    where its numbers are no better than what made them, such as a
 ///                                          quadrature: what they may differ by, for terms of this size
+///
+/// chapters/README.md shows a claim.
 namespace oddity {
 
 template <class Sample>
@@ -43,16 +49,42 @@ Value values(Numbers... x) {
   return {static_cast<double>(x)...};
 }
 
+/// A text with its numbers filled in: "@3" is the next of them to three digits. So no number in a sentence is
+/// typed. Throws std::logic_error when there are not as many as places.
+std::string filled(std::string_view text, std::initializer_list<double> numbers);
+
 // ---- formulas ---------------------------------------------------------------------------------------------
 
-/// A way to write a quantity as a formula in the letters of a sample. `terms` is the size of terms that
+/// A way to write a quantity as a formula in the letters of a sample. Without `of` it has the value of its
+/// text,
+/// "$m_2g-c_1(S_1-L_1)$", in the sample's typeset() letters. `terms` is the size of terms that
 /// cancel whatever the letters are, where there are such.
 template <class Sample>
 struct Formula {
   std::string text;
-  std::function<Value(const Sample&)> of;
+  std::function<Value(const Sample&)> of = {};
   std::function<double(const Sample&)> terms = {};
 };
+
+/// Whether it is a text alone, which is computed as it is typeset, in the letters of a sample's typeset().
+template <class Sample>
+bool is_text(const Formula<Sample>& formula) {
+  return !formula.of && !formula.text.empty();
+}
+
+/// The formula with its value: that of its text, if nothing else says it.
+template <class Sample>
+Formula<Sample> computed(Formula<Sample> formula) {
+  if (!is_text(formula)) return formula;
+  if constexpr (requires(const Sample& s) { s.typeset(); }) {
+    const TypesetFormula typeset(formula.text);
+    formula.of = [typeset](const Sample& s) { return typeset(s.typeset()); };
+    formula.terms = [typeset](const Sample& s) { return typeset.cancelling(s.typeset()); };
+  } else {
+    throw std::logic_error("'" + formula.text + "' is not computed, and its samples have no typeset letters");
+  }
+  return formula;
+}
 
 /// The size of a formula's terms at a sample: the sum over its letters of how much the value changes with a
 /// letter's relative change. Terms that cancel in the value do not cancel here.
@@ -149,8 +181,58 @@ Typesetting compare_typeset(const Formula<Sample>& formula, const std::vector<Sa
   return {};
 }
 
+/// The cases that the author of a claim had in view, in words, and whether a sample is one of them.
+template <class Sample>
+struct InView {
+  std::string text;  ///< "for $n\ge2$"
+  std::function<bool(const Sample&)> is;
+
+  std::vector<Sample> of(const std::vector<Sample>& samples) const {
+    std::vector<Sample> seen;
+    std::ranges::copy_if(samples, std::back_inserter(seen), is);
+    return seen;
+  }
+};
+
+/// The single change of a right formula that is hardest to see, of all; with it those that hold as well,
+/// unless these are known: then `known` says why.
+template <class Sample>
+std::vector<Reading> single_changes(const std::string& quantity, const Formula<Sample>& right,
+                                    const Formula<Sample>& truth, const std::vector<Sample>& samples,
+                                    const std::string& known) {
+  std::vector<Reading> readings;
+  if constexpr (requires(const Sample& s) { s.typeset(); }) {
+    constexpr std::size_t enough = 16;
+    constexpr double clear = 1e6;
+    const std::vector<Sample> some(
+        samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(std::min(enough, samples.size())));
+    std::vector<TypesetSample> typeset;
+    for (const Sample& sample : some) typeset.push_back({sample.typeset(), truth.of(sample)});
+    const Changes changes = changes_of(TypesetFormula(right.text), typeset);
+    const std::size_t count = changes.hardest_first.size();
+    std::size_t holding = 0;
+    for (const ChangedFormula& changed : changes.hardest_first) {
+      if (!readings.empty() && changed.roundings > clear) break;
+      const Formula<Sample> formula{
+          changed.change + ", the hardest to see of " + std::to_string(count) + " changes: " + changed.text,
+          [&](const Sample& s) { return TypesetFormula::value(changed.sides, values_of(s.typeset())); },
+          [&](const Sample& s) { return TypesetFormula::cancelling(changed.sides, values_of(s.typeset())); }};
+      Reading reading{formula.text, {compare(quantity, formula, truth, some)}};
+      if (reading.holds()) reading.checks = {compare(quantity, formula, truth, samples)};
+      if (reading.holds() && !known.empty())
+        ++holding;
+      else if (reading.holds() || readings.empty() || readings.front().holds())
+        readings.push_back(std::move(reading));
+    }
+    if (holding > 0 && !readings.empty())
+      readings.front().text += "; " + std::to_string(holding) + " others hold: " + known;
+  }
+  return readings;
+}
+
 /// What a claim about a formula consists of: the same quantity by a route of its own, the readings, and
-/// formulas that must not pass for it.
+/// formulas that must not pass for it. Where the right reading is a text alone, its single changes are near
+/// misses as well.
 template <class Sample>
 struct FormulaClaim {
   std::string quantity = {};  ///< what is compared; empty: what the claim says
@@ -158,7 +240,9 @@ struct FormulaClaim {
   Formula<Sample> printed;
   Formula<Sample> meant = {};
   Formula<Sample> corrected = {};
+  InView<Sample> in_view = {};  ///< of what is incomplete: where the printed formula holds
   std::vector<Formula<Sample>> near_misses = {};
+  std::string changes_that_hold = {};  ///< why single changes of a text may hold as well
   Fault kind = Fault::none;
   std::string root = {};
   std::string why = {};
@@ -204,6 +288,7 @@ struct StatementClaim {
   Statement<Sample> printed;
   Statement<Sample> meant = {};
   Statement<Sample> corrected = {};
+  InView<Sample> in_view = {};  ///< of what is incomplete: where the printed statement holds
   std::vector<Statement<Sample>> near_misses = {};
   Fault kind = Fault::none;
   std::string root = {};
@@ -243,25 +328,44 @@ class Claims {
   Claims& formula(std::string_view slug, int line, std::string says, const std::vector<Sample>& samples,
                   const FormulaClaim<Sample>& parts) {
     const std::string quantity = parts.quantity.empty() ? says : parts.quantity;
-    return judged(slug, line, std::move(says), parts, [&](const Formula<Sample>& formula) -> Reading {
+    Reading in_view;
+    const Formula<Sample> truth = computed(parts.truth);
+    if (parts.in_view.is)
+      if (const auto seen = parts.in_view.of(samples); !seen.empty())
+        in_view = {parts.in_view.text, {compare(quantity, computed(parts.printed), truth, seen)}};
+    judged(slug, line, std::move(says), parts, in_view, [&](const Formula<Sample>& stated) -> Reading {
+      const Formula<Sample> formula = computed(stated);
       if (!formula.of) return {};
       const Typesetting typeset = compare_typeset(formula, samples);
-      const Reading reading{formula.text, {compare(quantity, formula, parts.truth, samples)}, typeset.read};
+      const Reading reading{formula.text, {compare(quantity, formula, truth, samples)}, typeset.read};
       for (const std::string& seen : {typeset.difference, reading.holds() ? typeset.unequal : ""})
         if (!seen.empty()) differences_.push_back(std::string(slug) + ": " + seen);
       return reading;
     });
+    const Formula<Sample>& right = !parts.meant.text.empty()       ? parts.meant
+                                   : !parts.corrected.text.empty() ? parts.corrected
+                                                                   : parts.printed;
+    if (is_text(right))
+      for (Reading& one : single_changes(quantity, right, truth, samples, parts.changes_that_hold))
+        claims_.back().near_misses.push_back(std::move(one));
+    return *this;
   }
 
   template <class Sample>
   Claims& statement(std::string_view slug, int line, std::string says, const std::vector<Sample>& samples,
                     const StatementClaim<Sample>& parts) {
-    return judged(slug, line, std::move(says), parts, [&](const Statement<Sample>& statement) -> Reading {
-      if (!statement.holds) return {};
-      const Typesetting typeset = compare_typeset(statement, samples);
-      if (!typeset.difference.empty()) differences_.push_back(std::string(slug) + ": " + typeset.difference);
-      return {statement.text, {in_all(statement.text, samples, statement.holds)}, typeset.read};
-    });
+    Reading in_view;
+    if (parts.in_view.is)
+      if (const auto seen = parts.in_view.of(samples); !seen.empty())
+        in_view = {parts.in_view.text, {in_all(parts.printed.text, seen, parts.printed.holds)}};
+    return judged(slug, line, std::move(says), parts, in_view,
+                  [&](const Statement<Sample>& statement) -> Reading {
+                    if (!statement.holds) return {};
+                    const Typesetting typeset = compare_typeset(statement, samples);
+                    if (!typeset.difference.empty())
+                      differences_.push_back(std::string(slug) + ": " + typeset.difference);
+                    return {statement.text, {in_all(statement.text, samples, statement.holds)}, typeset.read};
+                  });
   }
 
   Claims& number(std::string_view slug, int line, std::string says, const NumberClaim& parts);
@@ -275,10 +379,12 @@ class Claims {
 
  private:
   template <class Parts, class Read>
-  Claims& judged(std::string_view slug, int line, std::string says, const Parts& parts, const Read& read) {
+  Claims& judged(std::string_view slug, int line, std::string says, const Parts& parts, Reading in_view,
+                 const Read& read) {
     Claim claim{.printed = read(parts.printed),
                 .meant = read(parts.meant),
                 .corrected = read(parts.corrected),
+                .in_view = std::move(in_view),
                 .why = parts.why,
                 .kind = parts.kind,
                 .root = parts.root};

@@ -1,8 +1,6 @@
 // What is typeset beside what is computed under it.
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <functional>
 #include <stdexcept>
 #include <utility>
@@ -46,10 +44,6 @@ struct Meanings {
   }
 };
 
-bool is_lone_letter(const std::string& side, const TypesetLetters& letters) {
-  return std::ranges::find(letters, side, &TypesetLetters::value_type::first) != letters.end();
-}
-
 std::optional<Value> in_a_row(const Values& sides, std::size_t first, std::size_t end) {
   std::vector<double> all;
   for (std::size_t i = first; i < end; ++i) {
@@ -59,46 +53,70 @@ std::optional<Value> in_a_row(const Values& sides, std::size_t first, std::size_
   return all;
 }
 
-/// At its equals signs, or where it tends to something.
-std::vector<std::string> sides_of(std::string formula) {
-  std::vector<std::string> sides;
-  if (const std::size_t limit = formula.find(R"(\to)");
-      limit < formula.size() && std::isalpha(static_cast<unsigned char>(formula[limit + 3])) == 0)
-    formula.replace(limit, 3, "=");
-  for (std::size_t begin = 0; begin <= formula.size();) {
-    const std::size_t end = std::min(formula.find('=', begin), formula.size());
-    if (end > begin) sides.push_back(formula.substr(begin, end - begin));
-    begin = end + 1;
+/// The sides of an equation, or of another relation, read once for all samples that have these letters.
+class Sides {
+ public:
+  Sides(const std::string& formula, formula::Names names)
+      : names_(std::move(names)), split_(formula::sides_of(formula)) {
+    for (const std::string& side : split_.sides) trees_.push_back(typeset_tree(side, names_));
   }
-  return sides;
-}
+  bool are_in(const TypesetLetters& letters) const {
+    return std::ranges::equal(names_, letters, {}, {}, &TypesetLetters::value_type::first);
+  }
 
-Meanings meanings(const std::string& formula, const TypesetLetters& letters) {
-  const std::vector<std::string> sides = sides_of(formula);
-  Values all;
-  for (const std::string& side : sides) all.push_back(typeset_value(side, letters));
-  const std::size_t n = all.size();
-  if (n < 2) return {all, {}};
-  Values others{in_a_row(all, 0, n)};
-  if (n == 2)
-    others.push_back(difference(all[0], all[1]));
-  else
-    others.insert(others.end(), {in_a_row(all, 1, n), in_a_row(all, 0, n - 1)});
-  if (is_lone_letter(sides[0], letters)) all.erase(all.begin());
-  return {all, others};
-}
+  const std::vector<std::string>& relations() const { return split_.relations; }
+  Values values(const TypesetLetters& letters) const {
+    const auto known = values_of(letters);
+    Values all;
+    for (const auto& tree : trees_) all.push_back(tree ? typeset_value(*tree, known) : std::nullopt);
+    return all;
+  }
 
-/// The size of the terms that are added up, in each of the meanings: how much it changes with the letters'
-/// relative change.
-double size_of_terms(const std::string& formula, const TypesetLetters& letters, std::size_t meaning) {
+  /// Of equations alone.
+  Meanings meanings(const TypesetLetters& letters) const {
+    Values all = values(letters);
+    const std::size_t n = all.size();
+    if (n < 2) return {all, {}};
+    Values others{in_a_row(all, 0, n)};
+    if (n == 2)
+      others.push_back(difference(all[0], all[1]));
+    else
+      others.insert(others.end(), {in_a_row(all, 1, n), in_a_row(all, 0, n - 1)});
+    if (std::ranges::find(names_, split_.sides[0]) != names_.end()) all.erase(all.begin());
+    return {all, others};
+  }
+
+ private:
+  formula::Names names_;
+  formula::Sides split_;
+  std::vector<std::optional<formula::Tree>> trees_;
+};
+
+/// The sides of an equation in the letters of one sample after another.
+class InLetters {
+ public:
+  explicit InLetters(std::string formula) : formula_(std::move(formula)) {}
+  const Sides& operator()(const TypesetLetters& letters) {
+    if (!sides_ || !sides_->are_in(letters)) sides_.emplace(formula_, names_of(letters));
+    return *sides_;
+  }
+
+ private:
+  std::string formula_;
+  std::optional<Sides> sides_;
+};
+
+/// The size of the terms that are added up: how much a value changes with the letters' relative change.
+template <class F>
+double size_of_terms(const F& value_in, const TypesetLetters& letters) {
   constexpr double change = 0x1p-20;
-  const Value value = *meanings(formula, letters).all()[meaning];
+  const Value value = *value_in(letters);
   double size = 0;
   TypesetLetters moved = letters;
   for (auto& [letter, x] : moved)
     for (std::size_t i = 0; i < x.size(); ++i) {
       const double before = std::exchange(x[i], x[i] * (1 + change));
-      if (const auto now = meanings(formula, moved).all()[meaning]) size += distance(*now, value) / change;
+      if (const auto now = value_in(moved)) size += distance(*now, value) / change;
       x[i] = before;
     }
   return size;
@@ -129,10 +147,6 @@ std::string told(const TypesetLetters& letters, std::size_t count) {
   return all;
 }
 
-bool is_formula(std::string_view text) {
-  return text.size() > 2 && text.front() == '$' && text.find('$', 1) == text.size() - 1;
-}
-
 Typesetting compare_typeset(const std::string& text,
                             const std::vector<std::pair<TypesetLetters, Value>>& computed) {
   if (!is_formula(text)) return {};
@@ -143,14 +157,18 @@ Typesetting compare_typeset(const std::string& text,
   // more.
   constexpr double precision = 1e-9;
   const double allowed = precision * largest;
-  const std::string formula = text.substr(1, text.size() - 2);
+  std::string formula = text.substr(1, text.size() - 2);
+  while (formula.starts_with('=')) formula.erase(0, 1);
 
+  InLetters in_letters(formula);
   std::vector<Match> matches;
   std::size_t sides = 0;
   std::string seen, unequal;
   for (const auto& [letters, numbers] : computed) {
     if (!finite(numbers)) continue;
-    const Meanings may_be = meanings(formula, letters);
+    const Sides& equation = in_letters(letters);
+    if (std::ranges::count(equation.relations(), "=") < std::ssize(equation.relations())) return {};
+    const Meanings may_be = equation.meanings(letters);
     const Values all = may_be.all();
     sides = may_be.sides.size();
     const bool is_number = sides == 1 && all[0] && all[0]->size() == 1;
@@ -158,8 +176,9 @@ Typesetting compare_typeset(const std::string& text,
     matches.resize(all.size(), Match::same);
     for (std::size_t i = 0; i < all.size(); ++i) {
       Match found = match(all[i], value, allowed);
+      const auto meaning = [&](const TypesetLetters& moved) { return equation.meanings(moved).all()[i]; };
       if (found == Match::other)
-        found = match(all[i], value, allowed + precision * size_of_terms(formula, letters, i));
+        found = match(all[i], value, allowed + precision * size_of_terms(meaning, letters));
       if (found == Match::other && i < sides) {
         seen = written(*all[i]) + ", and " + written(value) + " is computed";
         if (size_of(*all[i]) > 0)
@@ -178,34 +197,6 @@ Typesetting compare_typeset(const std::string& text,
 
 namespace {
 
-constexpr std::array<std::string_view, 6> relations{R"(\le)", R"(\ge)", R"(\ne)", "=", "<", ">"};
-
-/// x<0<y: what stands between the relations, and these; \left is none.
-struct Sentence {
-  std::vector<std::string> sides{""}, relations;
-};
-
-Sentence sentence_of(std::string_view formula) {
-  Sentence sentence;
-  while (!formula.empty()) {
-    const auto begins = [&](std::string_view relation) {
-      const bool goes_on = relation.size() > 1 && relation.size() < formula.size() &&
-                           std::isalpha(static_cast<unsigned char>(formula[relation.size()])) != 0;
-      return formula.starts_with(relation) && !goes_on;
-    };
-    const auto relation = std::ranges::find_if(relations, begins);
-    if (relation == relations.end()) {
-      sentence.sides.back() += formula.front();
-      formula.remove_prefix(1);
-    } else {
-      sentence.relations.emplace_back(*relation);
-      sentence.sides.emplace_back();
-      formula.remove_prefix(relation->size());
-    }
-  }
-  return sentence;
-}
-
 bool holds(const Value& left, const std::string& relation, const Value& right,
            const std::function<double()>& terms) {
   constexpr double precision = 1e-9;
@@ -219,27 +210,38 @@ bool holds(const Value& left, const std::string& relation, const Value& right,
 
 }  // namespace
 
-std::optional<bool> typeset_relation(std::string_view formula, const TypesetLetters& letters) {
-  const Sentence sentence = sentence_of(formula);
-  const std::size_t n = sentence.relations.size();
-  Values sides;
-  for (const std::string& side : sentence.sides) sides.push_back(typeset_value(side, letters));
+namespace {
+
+std::optional<bool> is_so(const Sides& relation, const TypesetLetters& letters) {
+  const std::size_t n = relation.relations().size();
+  const Values sides = relation.values(letters);
   bool so = true;
   for (std::size_t i = 0; i < n; ++i) {
     if (!difference(sides[i], sides[i + 1])) return std::nullopt;
     const auto terms = [&] {
-      return size_of_terms(sentence.sides[i], letters, 0) + size_of_terms(sentence.sides[i + 1], letters, 0);
+      double size = 0;
+      for (const std::size_t side : {i, i + 1})
+        size +=
+            size_of_terms([&](const TypesetLetters& moved) { return relation.values(moved)[side]; }, letters);
+      return size;
     };
-    so = so && holds(*sides[i], sentence.relations[i], *sides[i + 1], terms);
+    so = so && holds(*sides[i], relation.relations()[i], *sides[i + 1], terms);
   }
   return n == 0 ? std::nullopt : std::optional(so);
+}
+
+}  // namespace
+
+std::optional<bool> typeset_relation(std::string_view formula, const TypesetLetters& letters) {
+  return is_so(Sides(std::string(formula), names_of(letters)), letters);
 }
 
 Typesetting compare_typeset(const std::string& text,
                             const std::vector<std::pair<TypesetLetters, bool>>& said) {
   if (!is_formula(text)) return {};
+  InLetters in_letters(text.substr(1, text.size() - 2));
   for (const auto& [letters, so] : said) {
-    const std::optional<bool> typeset = typeset_relation(text.substr(1, text.size() - 2), letters);
+    const std::optional<bool> typeset = is_so(in_letters(letters), letters);
     if (!typeset) return {};
     if (*typeset != so)
       return {false, text + " is typeset, which is " + (so ? "not so" : "so") + " at " + told(letters, 4),

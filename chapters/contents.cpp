@@ -2,23 +2,50 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
+#include <deque>
+#include <mutex>
 #include <vector>
 
+#include "chapters/asked_file.hpp"
 #include "reference/book.hpp"
+#include "reference/quantity_text.hpp"
 
 namespace oddity {
 
-std::string to_string(Number n) { return std::to_string(n.chapter) + "." + std::to_string(n.index); }
+namespace {
+
+/// The names that problems' files have in place of a number.
+struct Names {
+  std::mutex mutex;
+  std::deque<std::string> all;
+};
+Names& names() {
+  static Names kept;
+  return kept;
+}
+
+}  // namespace
+
+Number number_of_file(std::string name) {
+  const std::lock_guard lock(names().mutex);
+  names().all.push_back(std::move(name));
+  return {0, static_cast<int>(names().all.size())};
+}
+
+std::string to_string(Number n) {
+  if (n.chapter == 0 && n.index > 0) {
+    const std::lock_guard lock(names().mutex);
+    if (static_cast<std::size_t>(n.index) <= names().all.size())
+      return names().all[static_cast<std::size_t>(n.index) - 1];
+  }
+  return std::to_string(n.chapter) + "." + std::to_string(n.index);
+}
 
 std::optional<Number> exercise_number(std::string_view text) {
-  Number n;
-  const char* end = text.data() + text.size();
-  const auto [dot, error] = std::from_chars(text.data(), end, n.chapter);
-  if (error != std::errc{} || dot == end || *dot != '.') return std::nullopt;
-  const auto [stop, wrong] = std::from_chars(dot + 1, end, n.index);
-  if (wrong != std::errc{} || stop != end) return std::nullopt;
-  return n;
+  const auto dot = text.find('.');
+  if (dot == text.npos) return std::nullopt;
+  const auto chapter = parse_count(text.substr(0, dot)), index = parse_count(text.substr(dot + 1));
+  return chapter && index ? std::optional(Number{*chapter, *index}) : std::nullopt;
 }
 
 namespace {

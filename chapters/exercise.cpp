@@ -4,6 +4,9 @@
 #include <exception>
 #include <new>
 
+#include "chapters/contents.hpp"
+#include "chapters/judge.hpp"
+#include "chapters/no_event.hpp"
 #include "reference/bad_input.hpp"
 #include "reference/reference.hpp"
 #include "reference/text.hpp"
@@ -18,6 +21,14 @@ std::string names_of(std::span<const Parameter> parameters) {
   std::string names;
   for (const Parameter& p : parameters) names += (names.empty() ? "" : ", ") + std::string(p.name);
   return names.empty() ? "none" : names;
+}
+
+/// "exercise 3.5 (its file): " of whose parameters these are; empty: of none in the register.
+std::string owner_of(std::span<const Parameter> parameters) {
+  for (const Entry& entry : registry())
+    if (!parameters.empty() && entry.exercise.parameters.data() == parameters.data())
+      return "exercise " + to_string(entry.number) + " (" + std::string(entry.file) + "): ";
+  return "";
 }
 
 }  // namespace
@@ -58,7 +69,8 @@ Parameters::Parameters(std::span<const Parameter> declared) : declared_(declared
 std::size_t Parameters::index(std::string_view name) const {
   const auto found = std::ranges::find(declared_, name, &Parameter::name);
   if (found == declared_.end())
-    throw BadInput("no parameter '" + std::string(name) + "'; the parameters are: " + names_of(declared_));
+    throw BadInput(owner_of(declared_) + "no parameter '" + std::string(name) +
+                   "'; the parameters are: " + names_of(declared_));
   return static_cast<std::size_t>(found - declared_.begin());
 }
 
@@ -153,6 +165,11 @@ bool has_readings(const Claim& claim) {
                              [](const Reading* r) { return !r->text.empty() || !r->checks.empty(); });
 }
 
+/// Where no reading says what the author had in view, the kind of the fault decides.
+bool holds_in_view(const Claim& claim) {
+  return claim.in_view.checks.empty() ? claim.kind == Fault::left_out : claim.in_view.holds();
+}
+
 }  // namespace
 
 Verdict verdict(const Claim& claim) {
@@ -160,8 +177,8 @@ Verdict verdict(const Claim& claim) {
   if (std::ranges::any_of(claim.near_misses, [](const Reading& near) { return near.holds(); }))
     return Verdict::unsettled;
   if (claim.printed.holds()) return Verdict::confirmed;
-  if (claim.meant.holds()) return Verdict::misprint;
-  if (claim.corrected.holds()) return Verdict::erratum;
+  if (claim.meant.holds()) return claim.kind == Fault::lost_typography ? Verdict::lost : Verdict::misprint;
+  if (claim.corrected.holds()) return holds_in_view(claim) ? Verdict::incomplete : Verdict::wrong;
   return Verdict::unsettled;
 }
 
@@ -215,10 +232,27 @@ namespace {
 /// A result is off the scale when it is ten times as far from the truth as the truth is from zero.
 constexpr double far_away = 10;
 
-/// A conserved quantity that has changed by a hundredth of what moves in it makes another motion.
-constexpr double another_motion = 0.01;
+/// Whether the error of a motion grows: its largest in the later half of the times looked at is above that in
+/// the earlier. A value that is looked at once is taken to.
+bool grows(const Quantity& quantity, const Value& value) {
+  const auto looks = static_cast<std::size_t>(quantity.samples);
+  const Value& truth = quantity.reference.value;
+  if (looks < 2 || value.size() != truth.size() || value.size() % looks != 0) return true;
+  const std::size_t parts = value.size() / looks, later = looks / 2 * parts;
+  double before = 0, after = 0;
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    double& most = i < later ? before : after;
+    most = std::max(most, std::abs(value[i] - truth[i]));
+  }
+  return after > before;
+}
 
-/// The last of `samples` equal parts.
+bool is_another_motion(const Answer& answer) {
+  return !(answer.drift <= another_motion) && !answer.comes_back;
+}
+
+}  // namespace
+
 Value last_of(const Value& value, int samples) {
   const std::size_t part = value.size() / static_cast<std::size_t>(samples);
   return Value(std::vector<double>(value.end() - static_cast<std::ptrdiff_t>(part), value.end()));
@@ -233,6 +267,8 @@ double largest(const std::vector<double>& errors) {
   return largest;
 }
 
+/// Where nothing is known, nothing is within the need, and no other fault of a finite answer can be told but
+/// its drift.
 Outcome judge(const Quantity& quantity, const Answer& answer, double error, double in_needs) {
   switch (answer.ending) {
     case Ending::raised:
@@ -248,18 +284,20 @@ Outcome judge(const Quantity& quantity, const Answer& answer, double error, doub
     case Ending::reached:
       break;
   }
-  if (!finite(answer.value) || !std::isfinite(error)) return Outcome::non_finite;
+  if (!finite(answer.value)) return Outcome::non_finite;
+  if (!finite(quantity.reference.value))
+    return is_another_motion(answer) ? Outcome::drifted : Outcome::inaccurate;
+  if (!std::isfinite(error)) return Outcome::non_finite;
   const bool accurate = in_needs <= 1;
   const double scale =
       largest(quantity.errors(Value(std::vector<double>(quantity.reference.value.size(), 0.0))));
   const double known_to = quantity.reference_error + 16 * epsilon * scale;
-  if (!accurate && error > far_away * scale && scale > 0) return Outcome::diverged;
+  if (!accurate && error > far_away * scale && scale > 0 && grows(quantity, answer.value))
+    return Outcome::diverged;
   if (answer.error_estimate < error - known_to) return Outcome::deceived;
-  if (!(answer.drift <= another_motion)) return Outcome::drifted;
+  if (is_another_motion(answer)) return Outcome::drifted;
   return accurate ? Outcome::ok : Outcome::inaccurate;
 }
-
-}  // namespace
 
 int Horizon::count() const {
   return frames_per_second > 0 ? static_cast<int>(std::lround(end * frames_per_second)) : samples;
@@ -325,6 +363,10 @@ Trial run(const Quantity& quantity, const Method& method, double setting) {
                                last_of(quantity.reference.value, quantity.samples));
   trial.in_needs = quantity.in_needs(trial.errors);
   trial.outcome = judge(quantity, trial.answer, trial.error, trial.in_needs);
+  std::string& message = trial.answer.message;
+  if (message == no_event && trial.outcome != Outcome::diverged) message.clear();
+  if (message.empty() && trial.answer.reached() && !finite(quantity.reference.value))
+    message = "nothing is known to judge it by";
   return trial;
 }
 
@@ -334,8 +376,12 @@ std::string_view name_of(Verdict verdict) {
       return "confirmed";
     case Verdict::misprint:
       return "misprint";
-    case Verdict::erratum:
-      return "erratum";
+    case Verdict::lost:
+      return "lost in our copy";
+    case Verdict::incomplete:
+      return "incomplete";
+    case Verdict::wrong:
+      return "wrong";
     case Verdict::not_checkable:
       return "not checkable";
     case Verdict::unsettled:

@@ -157,7 +157,12 @@ struct Reading {
   bool holds() const;  ///< false when there is no check
 };
 
-enum class Verdict { confirmed, misprint, erratum, not_checkable, unsettled };
+/// `wrong` and `incomplete` are the two weights of an erratum: what is printed is false, or it holds in the
+/// cases that its author had in view, and leaves out a case or a condition. `lost` is no fault of the book:
+/// the copy at hand has lost what was meant.
+enum class Verdict { confirmed, misprint, lost, incomplete, wrong, not_checkable, unsettled };
+
+constexpr bool is_erratum(Verdict v) { return v == Verdict::wrong || v == Verdict::incomplete; }
 
 /// What is wrong with a claim that is not right as it stands.
 enum class Fault {
@@ -173,24 +178,27 @@ enum class Fault {
 
 /// One thing that the published solution says.
 struct Claim {
-  std::string id = {};    ///< "3.5-listing_value"
-  int line = 0;           ///< where it stands in the solutions text
-  std::string says = {};  ///< the claim in our words
+  std::string id = {};     ///< "3.5-listing_value"
+  int line = 0;            ///< where it is in the solutions text
+  std::string place = {};  ///< where a reader of the manual finds it: "equation (7)", "second paragraph"
+  std::string says = {};   ///< the claim in our words
   Reading printed = {};
   Reading meant = {};      ///< what it plainly meant, when print or extraction got in the way
   Reading corrected = {};  ///< what is true instead
+  Reading in_view = {};  ///< what is printed, in the cases that its author had in view: where it holds there,
+                         ///< the claim is incomplete, else wrong
   std::vector<Reading> near_misses =
       {};                          ///< what must not hold: a flipped sign, a dropped term, another digit
   std::string why = {};            ///< unless confirmed: what is wrong, what is right, how it shows
   std::string not_checkable = {};  ///< why nothing at hand can judge it; it has no readings then
-  Fault kind = Fault::none;        ///< of a misprint or an erratum
+  Fault kind = Fault::none;        ///< unless confirmed
   /// Of an erratum: the name of what it comes from, which it may share with others of its exercise; empty: it
   /// stands alone.
   std::string root = {};
 };
 
-/// Computed, never assigned: the first reading that holds decides; a near miss that holds unsettles all. A
-/// claim without any reading is not checkable when it says why.
+/// Computed, never assigned: the first reading that holds decides, and of what kind the fault is; a near miss
+/// that holds unsettles all. A claim without any reading is not checkable when it says why.
 Verdict verdict(const Claim&);
 
 // ---- the method's side ------------------------------------------------------------------------------------
@@ -224,8 +232,8 @@ Knob halving(std::string name, double first, int count);
 enum class Outcome {
   ok,
   inaccurate,  ///< the error is above the need
-  drifted,     ///< a conserved quantity changed by 1 % of what moves in it
-  diverged,    ///< the error is ten times the true value's size
+  drifted,     ///< a conserved quantity changed by 1 % of what moves in it, and does not come back
+  diverged,    ///< the error is ten times the true value's size, and grows
   non_finite,
   stalled,     ///< out of steps, evaluations or iterations
   deceived,    ///< the method's own error estimate is below its true error
@@ -239,13 +247,13 @@ using Answer = Solved<Value>;
 /// A solver's result as a method's answer, its value seen through `see`.
 template <class T, class See = std::identity>
 Answer answer(const Solved<T>& solved, const See& see = {}) {
-  return {Value(see(solved.value)),
-          solved.evaluations,
-          solved.error_estimate,
-          solved.drift,
-          solved.ending,
-          solved.message};
+  return {Value(see(solved.value)), solved.evaluations, solved.error_estimate, solved.drift, solved.ending,
+          solved.message,           solved.comes_back};
 }
+
+/// A conserved quantity that has changed by a hundredth of what moves in it makes another motion, unless it
+/// comes back.
+inline constexpr double another_motion = 0.01;
 
 /// How a method of fixed step treats small disturbances of the motion, measured with the method itself: when
 /// two motions that start close together have parted much further than in truth.
@@ -283,7 +291,7 @@ struct Method {
   /// The steps at which linear theory calls it unstable, with the model's Jacobian frozen along the motion.
   std::function<std::vector<ode::Tongue>()> unstable_steps = {};
   std::function<Disturbances(const ode::Criteria&)> disturbances = {};
-  // Of a model in redundant coordinates only; those of the others hold what is held by construction:
+  // Of a model in redundant coordinates only:
   /// m, how far the motion is off its constraint at most, at the times looked at.
   std::function<double(double setting)> off_constraint = {};
   Precision precision = Precision::in_double;
@@ -292,10 +300,18 @@ struct Method {
   std::function<double(double setting)> roundings = {};
   /// Numbers that a body's state has; 0: a closed form keeps none.
   std::size_t state_size = 0;
+  /// The motion's places at each time looked at, each time's followed by their rates. The places are the
+  /// observables, or what the scene's laws need beside these.
+  std::function<Value(double setting)> places_and_rates = {};
 };
 
 /// The name in float of an algorithm.
 std::string in_float(std::string_view algorithm);
+
+/// An energy, and its kinetic part.
+struct Energy {
+  double whole, kinetic;
+};
 
 /// A known failure and its cure: two rows of the table of trials, both asserted.
 struct Breakdown {
@@ -331,6 +347,11 @@ struct Quantity {
   std::vector<Method> methods_in_float = {};       ///< each has a like one in double: its model and knob
   /// The methods' work is counted in multiplications, divisions and functions, not in evaluations.
   bool in_operations = false;
+  // Of a scene's motion whose laws have them:
+  /// The energy of one time's places and rates.
+  std::function<Energy(std::span<const double> places_and_rates)> energy = {};
+  /// m, how far the observables at the k-th time are off what holds them.
+  std::function<double(std::span<const double> observed, int k)> off = {};
 
   /// The distinct units of the norms, in their order; without norms the quantity's.
   std::vector<std::string_view> units() const;
@@ -401,6 +422,14 @@ struct Listing {
   std::vector<std::pair<std::string_view, std::string_view>> with_events = {};
 };
 
+/// What is true of a scene's motion as it is seen, whatever model made it.
+struct Laws {
+  /// The energy of the places and their rates, which follow one another; null: none is judged.
+  Energy (*energy)(const Parameters&, std::span<const double> places_and_rates) = nullptr;
+  /// m, how far the observables at the time t are off what holds them; null: nothing seen is held.
+  double (*off)(const Parameters&, std::span<const double> observed, double t) = nullptr;
+};
+
 /// The motion of an exercise that has one: what the views of stability, choice and models look at.
 struct Scene {
   Quantity (*motion)(const Parameters&, const Horizon&, const Reference&);
@@ -415,6 +444,12 @@ struct Scene {
   void (*draw)(const Parameters&, double t, std::span<const double> observed, Drawing&) = nullptr;
   /// The same for other people's engines (solvers/engines/world.hpp); null where these cannot have it.
   engines::Staging (*staging)(const Parameters&) = nullptr;
+  Laws laws = {};
+  /// Models that the scene's own page shows to be wrong: these are shown, and never chosen.
+  std::vector<std::string_view> faulted = {};
+  /// The kind of the motion from these parameters, where starts differ in it: "an ellipse". Null: one kind.
+  std::string_view (*kind)(const Parameters&) = nullptr;
+  bool is_linear = false;  ///< neighbouring motions part as those of linear equations do: it is no chaos
 };
 
 struct Exercise {

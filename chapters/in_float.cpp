@@ -47,15 +47,32 @@ bool IntegratedInFloat<n>::has(std::string_view algorithm) const {
 }
 
 template <std::size_t n>
-Answer IntegratedInFloat<n>::run(std::string_view algorithm, double setting) const {
-  const auto times = horizon().times();
-  const auto motion = (*ode::in_float<n>(algorithm))(system(), start(), times, setting);
+auto IntegratedInFloat<n>::widened(std::string_view algorithm, double setting) const -> Motion<n> {
+  const auto motion = (*ode::in_float<n>(algorithm))(system(), start(), horizon().times(), setting);
   Motion<n> widened{{}, motion.evaluations, motion.error_estimate, 0, motion.ending, motion.message};
   for (const std::array<float, n>& x : motion.value) {
     widened.value.emplace_back();
     std::ranges::copy(x, widened.value.back().begin());
   }
-  return exact_->observed(times, widened);
+  return widened;
+}
+
+template <std::size_t n>
+Answer IntegratedInFloat<n>::run(std::string_view algorithm, double setting) const {
+  Answer answer = exact_->observed(horizon().times(), widened(algorithm, setting));
+  if (answer.reached() && answer.drift > another_motion)
+    answer.comes_back = exact_->comes_back(algorithm, horizon().times(), setting);
+  return answer;
+}
+
+template <std::size_t n>
+Value IntegratedInFloat<n>::places_and_rates(std::string_view algorithm, double setting) const {
+  return exact_->places_and_rates(horizon().times(), widened(algorithm, setting).value);
+}
+
+template <std::size_t n>
+double IntegratedInFloat<n>::off_constraint(std::string_view algorithm, double setting) const {
+  return exact_->off_constraint(horizon().times(), widened(algorithm, setting).value);
 }
 
 template <std::size_t n>
@@ -97,6 +114,13 @@ void add_in_float(Quantity& motion, const std::vector<std::string_view>& names,
                     }};
       single.precision = Precision::in_float;
       single.state_size = m.state_size;
+      single.places_and_rates = [model = models[i], algorithm = m.algorithm](double setting) {
+        return model->places_and_rates(algorithm, setting);
+      };
+      if (models[i]->constrained())
+        single.off_constraint = [model = models[i], algorithm = m.algorithm](double setting) {
+          return model->off_constraint(algorithm, setting);
+        };
       single.roundings = [model = models[i]](double setting) { return model->roundings(setting); };
       motion.add(std::move(single));
     }

@@ -47,6 +47,10 @@ class ModelInFloat {
   /// False where the algorithm is in double only.
   virtual bool has(std::string_view algorithm) const = 0;
   virtual Answer run(std::string_view algorithm, double setting) const = 0;
+  /// As Method has them.
+  virtual Value places_and_rates(std::string_view algorithm, double setting) const = 0;
+  virtual bool constrained() const { return false; }
+  virtual double off_constraint(std::string_view, double) const { return 0; }
   /// What roundings may add to the observables' errors at most; infinity where the motion cannot be followed.
   virtual double roundings(double setting) const = 0;
 
@@ -77,10 +81,15 @@ class IntegratedInFloat : public ModelInFloat {
       : ModelInFloat(horizon), exact_(std::move(exact)), rounded_(std::move(rounded)) {}
   bool has(std::string_view algorithm) const final;
   Answer run(std::string_view algorithm, double setting) const final;
+  Value places_and_rates(std::string_view algorithm, double setting) const final;
+  bool constrained() const final { return exact_->constrained(); }
+  double off_constraint(std::string_view algorithm, double setting) const final;
   double roundings(double setting) const final;
 
  private:
   Roundings measure() const final;
+  /// The motion's states in double.
+  ode::Trajectory<std::array<double, n>> widened(std::string_view algorithm, double setting) const;
   virtual const ode::AnySystem<n, float>& system() const = 0;
   virtual std::array<float, n> start() const = 0;
 
@@ -115,6 +124,16 @@ class ClosedFormInFloat final : public ModelInFloat {
       ++answer.evaluations;
       return model_.at(static_cast<float>(t));
     });
+  }
+  /// The rates are those of the formula with its parameters rounded.
+  Value places_and_rates(std::string_view, double) const override {
+    const std::size_t times = static_cast<std::size_t>(horizon().count());
+    Value seen = places_and_rates_of(rounded_, horizon());
+    const Value observed = run({}, 0).value;
+    const std::size_t stride = seen.size() / times, parts = observed.size() / times;
+    for (std::size_t k = 0; 2 * parts == stride && k < times; ++k)
+      for (std::size_t i = 0; i < parts; ++i) seen[k * stride + i] = observed[k * parts + i];
+    return seen;
   }
   double roundings(double) const override { return measured().at_most(); }
 

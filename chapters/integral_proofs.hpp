@@ -15,6 +15,12 @@ Shortened recorded_integral(const F& f, const Shortened& from, const Shortened& 
                   from.expression(), to.expression(), "t");
 }
 
+/// The same for formula::Evaluation, which finds it by its arguments.
+template <class F>
+Shortened integral_over(const F& f, const Shortened& from, const Shortened& to) {
+  return recorded_integral(f, from, to);
+}
+
 /// integrate F takes the first integral that F is the antiderivative of.
 inline constexpr const char* integrals_in_coq = R"(
 From Coquelicot Require Import Continuity AutoDerive RInt_analysis.

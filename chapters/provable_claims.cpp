@@ -2,7 +2,35 @@
 
 #include <cmath>
 
+#include "chapters/integral_proofs.hpp"
+#include "formula/evaluate.hpp"
+
 namespace oddity {
+
+namespace formula {
+
+template <>
+struct Constants<Shortened> {
+  static Shortened pi() { return pi_in_coq(); }
+};
+
+}  // namespace formula
+
+Expressions recorded_text(const std::string& text, const TypesetIn<Shortened>& letters) {
+  formula::Names names;
+  std::vector<formula::Matrix<Shortened>> values;
+  for (const auto& [name, value] : letters) {
+    names.push_back(name);
+    values.push_back(formula::of_letter(value.all));
+  }
+  const std::vector<formula::Tree> sides = TypesetFormula(text).sides(names);
+  formula::Matrix<Shortened> all = formula::evaluate(sides.at(0), values);
+  if (sides.size() > 1 && !formula::is_number(sides[1], "0"))
+    all = formula::added(std::move(all), formula::evaluate(sides[1], values), true);
+  Expressions recorded;
+  for (const Shortened& one : all.entries) recorded.push_back(one.expression());
+  return recorded;
+}
 
 std::string quantified(const std::vector<std::string>& names) {
   std::string all = "(";

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <concepts>
 #include <functional>
+#include <initializer_list>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -45,12 +48,37 @@ auto letters_of(Sample& sample) {
 
 }  // namespace detail
 
-/// A formula that is recorded as well where it takes a sample of expressions.
+/// The numbers of a letter, in expressions.
+struct ShortenedValue {
+  std::vector<Shortened> all;
+  ShortenedValue(Shortened x) : all{std::move(x)} {}
+  ShortenedValue(double x) : all{Shortened(x)} {}
+  ShortenedValue(std::initializer_list<Shortened> xs) : all(xs) {}
+  template <std::size_t n>
+  ShortenedValue(const std::array<Shortened, n>& xs) : all(xs.begin(), xs.end()) {}
+};
+/// What typeset() returns, in doubles or expressions.
+template <class T>
+using TypesetIn = std::conditional_t<std::same_as<T, Shortened>,
+                                     std::vector<std::pair<std::string, ShortenedValue>>, TypesetLetters>;
+
+/// The value of a formula or an equation that is stated as text alone.
+Expressions recorded_text(const std::string& text, const TypesetIn<Shortened>& letters);
+
+/// A formula that is recorded as well where it takes a sample of expressions, or is a text in the letters of
+/// such a sample.
 template <template <class> class Of>
 struct ProvableFormula : Formula<Of<double>> {
   std::function<Expressions(const Of<Shortened>&)> recorded;
 
   ProvableFormula() = default;
+  ProvableFormula(const char* written) : ProvableFormula(std::string(written)) {}
+  ProvableFormula(std::string written) : Formula<Of<double>>{std::move(written), {}} {
+    if constexpr (requires(const Of<Shortened>& s) {
+                    { s.typeset() } -> std::same_as<TypesetIn<Shortened>>;
+                  })
+      recorded = [text = this->text](const Of<Shortened>& s) { return recorded_text(text, s.typeset()); };
+  }
   template <class F>
   ProvableFormula(std::string written, const F& f, std::function<double(const Of<double>&)> size = {})
       : Formula<Of<double>>{std::move(written), f, std::move(size)} {
@@ -67,6 +95,7 @@ struct ProvableClaim {
   ProvableFormula<Of> meant = {};
   ProvableFormula<Of> corrected = {};
   std::vector<ProvableFormula<Of>> near_misses = {};
+  std::string changes_that_hold = {};
   Fault kind = Fault::none;
   std::string root = {};
   std::string why = {};
@@ -122,6 +151,7 @@ class ProvableClaims {
                                  .meant = c.meant,
                                  .corrected = c.corrected,
                                  .near_misses = std::move(near),
+                                 .changes_that_hold = c.changes_that_hold,
                                  .kind = c.kind,
                                  .root = c.root,
                                  .why = c.why});
@@ -134,8 +164,9 @@ class ProvableClaims {
     for (const auto& [slug, claim] : stated_)
       if (const std::string id = exercise + "-" + slug;
           provable(claim) && !among(all.without, slug) && !is_itself(claim, all))
-        proved.push_back(claim.meant.of || claim.corrected.of ? of_wrong(id, claim, all)
-                                                              : of_right(id, claim, all));
+        proved.push_back(!claim.meant.text.empty() || !claim.corrected.text.empty()
+                             ? of_wrong(id, claim, all)
+                             : of_right(id, claim, all));
     return proved;
   }
 
@@ -144,7 +175,7 @@ class ProvableClaims {
     return std::ranges::find(slugs, slug) != slugs.end();
   }
   static const ProvableFormula<Of>& right(const ProvableClaim<Of>& c) {
-    return c.meant.of ? c.meant : c.corrected.of ? c.corrected : c.printed;
+    return !c.meant.text.empty() ? c.meant : !c.corrected.text.empty() ? c.corrected : c.printed;
   }
   static bool provable(const ProvableClaim<Of>& c) {
     return c.truth.recorded && c.printed.recorded && right(c).recorded;
@@ -174,12 +205,13 @@ class ProvableClaims {
   static Provable of_wrong(const std::string& id, const ProvableClaim<Of>& c, const ForAll<Of>& all) {
     const Of<double>& example = all.example;
     const Of<Shortened> recorded = in_expressions(example);
-    const Value printed = c.printed.of(example), truth = c.truth.of(example);
+    const auto value = [&](const Formula<Of<double>>& formula) { return computed(formula).of(example); };
+    const Value printed = value(c.printed), truth = value(c.truth);
     Value difference = printed;
     for (std::size_t k = 0; k < difference.size(); ++k) difference[k] -= truth[k];
     double margin = 0;
     Lemma off = off_at(c.printed.recorded(recorded), c.truth.recorded(recorded), difference, margin);
-    const std::string reading = c.meant.of ? "meant" : "corrected";
+    const std::string reading = !c.meant.text.empty() ? "meant" : "corrected";
     return {id,
             "as " + reading + " " + all.says + "; as printed it is off at an example",
             {equation(reading, c, all), std::move(off)},

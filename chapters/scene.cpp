@@ -1,6 +1,9 @@
 #include "chapters/scene.hpp"
 
+#include <numeric>
+
 #include "chapters/drift.hpp"
+#include "chapters/no_event.hpp"
 #include "solvers/ode/algorithms.hpp"
 #include "solvers/ode/disturbed.hpp"
 #include "solvers/ode/events.hpp"
@@ -10,20 +13,49 @@ namespace oddity {
 template <std::size_t n>
 Answer ModelInterfaceOf<n>::run(std::string_view algorithm, const Horizon& horizon, double setting) const {
   const auto times = horizon.times();
-  return observed(times, moved(algorithm, times, setting));
+  Answer answer = observed(times, moved(algorithm, times, setting));
+  if (answer.reached() && answer.drift > another_motion)
+    answer.comes_back = comes_back(algorithm, times, setting);
+  return answer;
+}
+
+template <std::size_t n>
+bool ModelInterfaceOf<n>::comes_back(std::string_view algorithm, std::span<const double> times,
+                                     double setting) const {
+  const std::vector<Conserved<double>> at_start = conserved(start(), times.front());
+  const std::vector<double> scale = moving(times.back());
+  const double half = std::midpoint(times.front(), times.back());
+  double most_before = 0, most_after = 0, least_after = std::numeric_limits<double>::infinity();
+  const auto watch = [&](double, const State&, double t, const State& x) {
+    const double change = oddity::drift(at_start, conserved(x, t), scale);
+    double& most = t < half ? most_before : most_after;
+    if (!(change <= most)) most = change;
+    if (t >= half) least_after = std::min(least_after, change);
+    return false;
+  };
+  ode::integrate_with_events<n>(algorithm, *this, start(), times, setting, ode::Watch<n>(watch));
+  return most_after <= 1.25 * most_before && least_after <= most_after / 2;
 }
 
 template <std::size_t n>
 auto ModelInterfaceOf<n>::moved(std::string_view algorithm, std::span<const double> times,
                                 double setting) const -> ode::Trajectory<State> {
-  return ode::integrate_with_events<n>(algorithm, *this, start(), times, setting).trajectory;
+  auto motion = ode::integrate_with_events<n>(algorithm, *this, start(), times, setting);
+  if (this->guard_count() > 0 && motion.events.empty() && motion.trajectory.reached())
+    motion.trajectory.message = no_event;
+  return std::move(motion.trajectory);
 }
 
 template <std::size_t n>
 double ModelInterfaceOf<n>::off_constraint(std::string_view algorithm, const Horizon& horizon,
                                            double setting) const {
   const auto times = horizon.times();
-  const auto motion = moved(algorithm, times, setting).value;
+  return off_constraint(times, moved(algorithm, times, setting).value);
+}
+
+template <std::size_t n>
+double ModelInterfaceOf<n>::off_constraint(std::span<const double> times,
+                                           std::span<const State> motion) const {
   double most = motion.empty() ? std::numeric_limits<double>::quiet_NaN() : 0;
   for (std::size_t i = 0; i < motion.size(); ++i) {
     const double off = off_constraint_at(motion[i], times[i]);
@@ -31,6 +63,30 @@ double ModelInterfaceOf<n>::off_constraint(std::string_view algorithm, const Hor
     if (std::isnan(most)) break;
   }
   return most;
+}
+
+template <std::size_t n>
+Value ModelInterfaceOf<n>::places_and_rates(std::string_view algorithm, const Horizon& horizon,
+                                            double setting) const {
+  const auto times = horizon.times();
+  return places_and_rates(times, moved(algorithm, times, setting).value);
+}
+
+template <std::size_t n>
+Value ModelInterfaceOf<n>::places_and_rates(std::span<const double> times,
+                                            std::span<const State> motion) const {
+  std::vector<double> seen;
+  for (std::size_t i = 1; i < motion.size(); ++i) {
+    State rate{};
+    (*this)(motion[i], rate, times[i]);
+    const auto at = [&](double h) {
+      State moved = motion[i];
+      for (std::size_t j = 0; j < n; ++j) moved[j] += h * rate[j];
+      return place(moved, times[i] + h);
+    };
+    add_placed(at(0), rates(at, step_of_rates), seen);
+  }
+  return Value(std::move(seen));
 }
 
 template <std::size_t n>
@@ -101,8 +157,12 @@ ode::Spectrum ModelInterfaceOf<n>::spectrum_along(std::span<const double> times,
     (*this)(state, derivative, t);
     std::ranges::copy(derivative, dxdt);
   };
-  for (std::size_t i = 0; i < states.size(); ++i)
-    spectrum.at.push_back(ode::eigenvalues_of_jacobian(rhs, states[i], times[i]));
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    spectrum.jacobians.push_back(ode::jacobian_at(rhs, states[i], times[i]));
+    spectrum.at.push_back(ode::eigenvalues_of(spectrum.jacobians.back()));
+  }
+  const auto velocities = this->velocities().is;
+  spectrum.velocities.assign(velocities.begin(), velocities.end());
   return spectrum;
 }
 
@@ -159,6 +219,7 @@ bool is_other_algorithm(std::string_view name) {
 
 SceneMethods& SceneMethods::add(std::string name, Any model, ode::AlgorithmInfo algorithm, Outcome expected,
                                 std::string why) {
+  if (algorithm.blind_to_time && model->has_rates_of_time()) return *this;
   std::function<std::vector<ode::Tongue>()> unstable_steps;
   std::function<Disturbances(const ode::Criteria&)> disturbances;
   const bool has_tolerance = ode::has_tolerance(algorithm.kind);
@@ -174,6 +235,9 @@ SceneMethods& SceneMethods::add(std::string name, Any model, ode::AlgorithmInfo 
     return model->run(algorithm.name, horizon, setting);
   };
   std::function<double(double)> off_constraint;
+  const auto places_and_rates = [model, algorithm, horizon = horizon_](double setting) {
+    return model->places_and_rates(algorithm.name, horizon, setting);
+  };
   if (model->constrained())
     off_constraint = [model, algorithm, horizon = horizon_](double setting) {
       return model->off_constraint(algorithm.name, horizon, setting);
@@ -188,6 +252,7 @@ SceneMethods& SceneMethods::add(std::string name, Any model, ode::AlgorithmInfo 
                 std::move(disturbances),
                 std::move(off_constraint)};
   method.state_size = model->unknowns();
+  method.places_and_rates = places_and_rates;
   quantity_.add(std::move(method));
   return *this;
 }
@@ -202,6 +267,8 @@ SceneMethods& SceneMethods::by_fixed_steps(const std::string& name, const Any& m
   if (model->partitioned())
     by<ode::SymplecticEuler>(name, model, symplectic, too_low(symplectic))
         .by<ode::VelocityVerlet>(name, model, second_order, too_low(second_order));
+  else if (model->has_velocities())
+    by<ode::SemiImplicitEuler>(name, model, first_order, too_low(first_order));
   return by<ode::RungeKutta4>(name, model);
 }
 

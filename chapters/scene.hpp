@@ -22,17 +22,21 @@
 #include "solvers/ode/algorithms.hpp"
 #include "solvers/ode/integrate.hpp"
 #include "solvers/ode/stability.hpp"
+#include "solvers/stop.hpp"
 
 /// Exercises with motion: a ladder of models, each mapping its own state to the same observables.
 ///
-/// A closed form offers            at(t) -> array of observables.
+/// A closed form offers            at(t) -> array of observables, and place(t), as below.
 /// A model to be integrated offers State, start() -> State, operator()(x, dxdt, t), observe(x, t) ->
 /// observables, and, where there are any,       conserved(x, t) -> array of Conserved;
+///                                 place(x, t), where a scene's laws need more than the observables;
 ///                                 acceleration(q, a), for x = (q, v) with forces of position alone;
 ///                                 off_constraint(x, t) -> m, how far redundant coordinates are off what
 ///                                 holds them;
 ///                                 guards(x, t) -> array, at_event(i, x, t) -> Happening: an event is where
 ///                                 a guard falls through zero.
+///
+/// chapters/examples/bouncing_ball/scene.hpp is a whole scene in 50 lines.
 namespace oddity {
 
 /// What a game asks of a position [m] and of an angle [rad].
@@ -44,6 +48,15 @@ inline Quantity motion(const Scene& scene, const Parameters& parameters, const H
   Quantity seen = scene.motion(parameters, horizon, truth);
   seen.samples = horizon.count();
   seen.norms = scene.axes.norms;
+  if (scene.laws.energy)
+    seen.energy = [law = scene.laws.energy, parameters](std::span<const double> places_and_rates) {
+      return law(parameters, places_and_rates);
+    };
+  if (scene.laws.off)
+    seen.off = [law = scene.laws.off, parameters, times = horizon.times()](std::span<const double> observed,
+                                                                           int k) {
+      return law(parameters, observed, times[static_cast<std::size_t>(k) + 1]);
+    };
   return seen;
 }
 /// As the book has it.
@@ -66,6 +79,33 @@ concept Constrained = requires(const Model& model, const typename Model::State& 
   { model.off_constraint(x, 0.0) } -> std::convertible_to<double>;
 };
 
+template <class Model, class State>
+concept Placed = requires(const Model& model, const State& x) {
+  model.place(x, 0.0)[0];
+};
+
+/// The rates of what `at`(h) gives at h = 0, by central differences of the sixth order: at `step` from one to
+/// the next their error is (w step)^6/140 of a rate with the frequency w, beside a rounding over the step.
+template <class At>
+std::vector<double> rates(const At& at, double step) {
+  constexpr double weights[]{0.75, -0.15, 1.0 / 60};
+  std::vector<double> rates;
+  for (int k = 1; k <= 3; ++k) {
+    const auto later = at(k * step), before = at(-k * step);
+    rates.resize(later.size(), 0);
+    for (std::size_t i = 0; i < rates.size(); ++i) rates[i] += weights[k - 1] * (later[i] - before[i]) / step;
+  }
+  return rates;
+}
+/// In a scene's unit of time: right to 1e-10 where a body turns by a hundred rad in it.
+inline constexpr double step_of_rates = 1.0 / 2048;
+
+/// Adds places and their rates.
+inline void add_placed(const auto& places, const std::vector<double>& rates, std::vector<double>& to) {
+  to.insert(to.end(), places.begin(), places.end());
+  to.insert(to.end(), rates.begin(), rates.end());
+}
+
 /// The true observables at a scene's times: the table `name`, whose last input is the time, at these inputs.
 inline Known trajectory(const Reference& truth, std::string_view name, const std::vector<double>& inputs,
                         const Horizon& horizon) {
@@ -87,6 +127,7 @@ Answer observe_at_times(const Horizon& horizon, const See& see) {
   Answer answer;
   std::vector<double> seen;
   for (std::size_t i = 1; i < times.size() && answer.reached(); ++i) {
+    check_stop_at_times();
     const auto observables = see(times[i], answer);
     seen.insert(seen.end(), observables.begin(), observables.end());
   }
@@ -103,12 +144,39 @@ Answer observe_closed_form(const Model& model, const Horizon& horizon) {
   });
 }
 
+/// Places and rates of a closed form.
+Value places_and_rates_of(const auto& model, const Horizon& horizon) {
+  const auto place = [&](double t) {
+    if constexpr (requires { model.place(t); })
+      return model.place(t);
+    else
+      return model.at(t);
+  };
+  const auto times = horizon.times();
+  std::vector<double> seen;
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    check_stop_at_times();
+    add_placed(place(times[i]), rates([&](double h) { return place(times[i] + h); }, step_of_rates), seen);
+  }
+  return Value(std::move(seen));
+}
+
+/// A method of its own that gives the place at a time.
+template <class At>
+struct AtTimes {
+  At at;
+};
+
 /// A model as the precompiled algorithms see it.
 class ModelInterface {
  public:
   virtual ~ModelInterface() = default;
   virtual std::size_t unknowns() const = 0;
   virtual bool partitioned() const = 0;
+  /// Some of its unknowns are velocities, or it declares them to be functions of time.
+  virtual bool has_velocities() const = 0;
+  /// One of its unknowns, or more, changes at a rate that is a function of time alone.
+  virtual bool has_rates_of_time() const = 0;
   virtual bool constrained() const = 0;
   /// It can be recorded for Taylor series.
   virtual bool analytic() const = 0;
@@ -116,6 +184,8 @@ class ModelInterface {
   virtual Answer run(std::string_view algorithm, const Horizon&, double setting) const = 0;
   /// m, how far that motion is off the model's constraint at most; NaN when it is nowhere.
   virtual double off_constraint(std::string_view algorithm, const Horizon&, double setting) const = 0;
+  /// Places and rates of that motion.
+  virtual Value places_and_rates(std::string_view algorithm, const Horizon&, double setting) const = 0;
   /// The eigenvalues of its Jacobian along its motion.
   virtual ode::Spectrum spectrum(double end) const = 0;
   /// What becomes of small disturbances of its motion. The model must outlive the result.
@@ -129,9 +199,13 @@ class ModelInterfaceOf : public ModelInterface, public ode::AnySystem<n> {
   using typename ode::AnySystem<n>::State;
 
   std::size_t unknowns() const final { return n; }
+  bool has_velocities() const final { return this->velocities().known; }
+  bool has_rates_of_time() const final { return ode::has_rates_of_time<State>(*this); }
   virtual State start() const = 0;
   /// Adds the observables to those seen.
   virtual void observe(const State& x, double t, std::vector<double>& seen) const = 0;
+  /// The places that a scene's laws are about.
+  virtual std::vector<double> place(const State& x, double t) const = 0;
   /// None where the model has none.
   virtual std::vector<Conserved<double>> conserved(const State& x, double t) const = 0;
   /// 0 where the model has no constraint.
@@ -139,10 +213,18 @@ class ModelInterfaceOf : public ModelInterface, public ode::AnySystem<n> {
 
   Answer run(std::string_view algorithm, const Horizon&, double setting) const final;
   double off_constraint(std::string_view algorithm, const Horizon&, double setting) const final;
+  Value places_and_rates(std::string_view algorithm, const Horizon&, double setting) const final;
   ode::Spectrum spectrum(double end) const final;
   Disturbances disturbances(std::string_view algorithm, double end, const ode::Criteria&) const final;
   /// A motion through the times, observed there, the conserved quantities watched.
   Answer observed(std::span<const double> times, const ode::Trajectory<State>&) const;
+  /// Whether the conserved quantities come back, watched at every step: in the later half of the time their
+  /// change is no larger than before by a quarter, and at one step less than half as large.
+  bool comes_back(std::string_view algorithm, std::span<const double> times, double setting) const;
+  /// m, how far states at the times are off the constraint at most; NaN when one is nowhere.
+  double off_constraint(std::span<const double> times, std::span<const State> motion) const;
+  /// Of states at the times, the rates along the model's own.
+  Value places_and_rates(std::span<const double> times, std::span<const State> motion) const;
 
  private:
   /// The eigenvalues at these states, which stand for the whole time evenly.
@@ -176,6 +258,16 @@ class TypeErased final : public ode::Adapted<ModelLike<Model>, Model> {
   void observe(const State& x, double t, std::vector<double>& seen) const override {
     const auto observables = system().observe(x, t);
     seen.insert(seen.end(), observables.begin(), observables.end());
+  }
+  std::vector<double> place(const State& x, double t) const override {
+    std::vector<double> places;
+    if constexpr (Placed<Model, State>) {
+      const auto all = system().place(x, t);
+      places.assign(all.begin(), all.end());
+    } else {
+      observe(x, t, places);
+    }
+    return places;
   }
   std::vector<Conserved<double>> conserved(const State& x, double t) const override {
     if constexpr (Conservative<Model>) {
@@ -211,7 +303,8 @@ Answer observe_integrated(const Model& model, const Horizon& horizon, double set
 /// One of those that SceneMethods::by_remaining_integrators tries.
 bool is_other_algorithm(std::string_view name);
 
-/// A scene's models and algorithms as the methods of one quantity.
+/// A scene's models and algorithms as the methods of one quantity. A model with a rate of time alone is not
+/// tried by an algorithm whose error estimate cannot see it.
 class SceneMethods {
  public:
   SceneMethods(Quantity& quantity, Horizon horizon, Knob steps, Knob tolerances)
@@ -223,9 +316,11 @@ class SceneMethods {
   SceneMethods& closed_form(std::string name, const Model& model, Outcome expected = Outcome::ok,
                             std::string why = {}) {
     const Horizon horizon = horizon_;
-    quantity_.add(Method{std::move(name), "closed form", no_knob(),
-                         [model, horizon](double) { return observe_closed_form(model, horizon); }, expected,
-                         std::move(why)});
+    Method method{std::move(name), "closed form",
+                  no_knob(),       [model, horizon](double) { return observe_closed_form(model, horizon); },
+                  expected,        std::move(why)};
+    method.places_and_rates = [model, horizon](double) { return places_and_rates_of(model, horizon); };
+    quantity_.add(std::move(method));
     return *this;
   }
 

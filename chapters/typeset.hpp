@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -7,6 +8,8 @@
 #include <vector>
 
 #include "chapters/exercise.hpp"
+#include "formula/matrix.hpp"
+#include "formula/parse.hpp"
 
 /// Formulas as a page has them, computed: so that what is typeset beside a function is what that computes.
 namespace oddity {
@@ -19,26 +22,53 @@ using TypesetLetters = std::vector<std::pair<std::string, Value>>;
 /// The first of these letters, "$m_2$ = 1.25, $g$ = 9.81", with all digits.
 std::string told(const TypesetLetters&, std::size_t count);
 
-/// What a formula of TeX is: m_2g-c_1(S_1-L_1). Nothing where it is anything else than numbers, these
-/// letters, sums, products, fractions, powers, roots, elementary functions, absolute values, tuples,
-/// matrices, the dot and cross products of these, and
-///   \sum_i m_ix_i, \sum m_ix_i     over all indices that there are letters of, of the product that follows
-///   e_{ijk}g_jf_k                  in index notation, over 0, 1, 2; f_i alone is a vector, a_{rc} a matrix
-///   \frac{d}{dt}(m\dot x)          along the letters' rates \dot x, \ddot x, of the factor that follows
-///   \int_0^T f\,dt                between numbers, by Gauss's rule
-///   \int f\,ds                     along a curve, by nodes: ds and others are ten numbers or more
-///   \sum_\sigma a_{\sigma(1)1}     over permutations, of the sign \varepsilon_\sigma
-///   x\pm y, x\mp y                 where \pm is a letter, 1 or -1
-/// A quotient's bar / is over the one factor that follows; a function without parentheses is of what follows
-/// it up to \,, a sign, another function, or a letter with a dot.
+/// The letters' names and values, as formula/ takes them.
+formula::Names names_of(const TypesetLetters&);
+std::vector<formula::Matrix<double>> values_of(const TypesetLetters&);
+
+/// Value of a formula of TeX, by the grammar of formula/parse.hpp: m_2g-c_1(S_1-L_1). Nothing where it is not
+/// one of these letters, or has no value.
 std::optional<Value> typeset_value(std::string_view formula, const TypesetLetters&);
+/// Reads once what is evaluated often: the tree, and its value.
+std::optional<formula::Tree> typeset_tree(std::string_view formula, const formula::Names&);
+std::optional<Value> typeset_value(const formula::Tree&, const std::vector<formula::Matrix<double>>& letters);
+
+/// A reading that is stated as text alone. It is one formula, or an equation: then its value is what the left
+/// side is more than the right one, or the right side, where the left one is only what that is called: v,
+/// W(T).
+class TypesetFormula {
+ public:
+  /// Reads at the first value.
+  explicit TypesetFormula(std::string text) : text_(std::move(text)) {}
+
+  const std::string& text() const { return text_; }
+  /// Throws std::logic_error where the text is no formula of these letters, or has no value.
+  Value operator()(const TypesetLetters&) const;
+  /// Of an equation, the size of the terms of both sides, which cancel; of a formula, zero.
+  double cancelling(const TypesetLetters&) const;
+
+  /// The sides that count, in these letters: one or two.
+  std::vector<formula::Tree> sides(const formula::Names&) const;
+  using Values = std::vector<formula::Matrix<double>>;
+  static Value value(const std::vector<formula::Tree>& sides, const Values& letters);
+  static double cancelling(const std::vector<formula::Tree>& sides, const Values& letters);
+
+ private:
+  struct Read {
+    formula::Names names;
+    std::vector<formula::Tree> sides;
+    std::vector<bool> used;  ///< of the letters
+  };
+  const Read& read(const TypesetLetters&) const;
+  std::string text_;
+  mutable std::shared_ptr<const Read> read_ = nullptr;
+};
 
 /// Whether it is so, \ddot q<0 or x_1=x_2=0, and for tuples in every component; equal is to a billionth of
 /// the terms that are added up. Nothing where a side is none that is known, or there is but one.
 std::optional<bool> typeset_relation(std::string_view formula, const TypesetLetters&);
 
-/// Whether all of the text is one formula.
-bool is_formula(std::string_view text);
+using formula::is_formula;
 
 /// A text beside what is computed under it.
 struct Typesetting {

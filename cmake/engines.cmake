@@ -34,7 +34,7 @@ function(add_engine name)
   file(REAL_PATH ${first} first)
   string(REGEX MATCH "[0-9][0-9.]*$" of_file ${first})
   target_compile_definitions(engine_${name} PRIVATE VERSION_OF_FILE="${of_file}" ADAPTER="${adapter}.cpp"
-    VARIANTS="${PROJECT_SOURCE_DIR}/solvers/engines/variants.json" ${engine_DEFINES})
+    ${engine_DEFINES})
   target_compile_options(engine_${name} PRIVATE -Wall -Wextra -ffp-contract=off)
   target_link_libraries(engine_${name} PRIVATE nlohmann_json::nlohmann_json ${libraries})
   set(engine_programs ${engine_programs} engine_${name} PARENT_SCOPE)
@@ -53,4 +53,5 @@ add_engine(mujoco SOURCES mujoco mujoco_model mujoco_xml HEADER mujoco/mujoco.h 
 add_engine(simbody SOURCES simbody simbody_world HEADER Simbody.h INCLUDE simbody LIBRARIES SimTKsimbody SimTKmath SimTKcommon)
 add_engine(dart SOURCES dart dart_world HEADER Eigen/Dense INCLUDE eigen3 LIBRARIES dart)  # its headers lie beside eigen3
 
+configure_file(solvers/engines/variants.json engines/variants.json COPYONLY)  # beside the programs, which read it
 add_custom_target(engines DEPENDS ${engine_programs})

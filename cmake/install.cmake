@@ -1,14 +1,24 @@
 # What `cmake --install` puts in place: the program with its tables, manual page and completion, and the models'
 # headers as the target oddity::models of find_package(oddity).
-include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
+# Folders that are made have this mode whatever the umask: the program runs nothing that others can write to.
+set(CMAKE_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+  OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+
 install(TARGETS oddity RUNTIME)
-install(DIRECTORY reference/ DESTINATION ${CMAKE_INSTALL_DATADIR}/oddity/reference
+install(DIRECTORY reference/ DESTINATION ${oddity_data}/reference
   FILES_MATCHING PATTERN "*.csv" PATTERN make EXCLUDE)
-install(DIRECTORY tests/mutation tests/fuzz tests/faults DESTINATION ${CMAKE_INSTALL_DATADIR}/oddity/tests
+install(DIRECTORY tests/mutation tests/fuzz tests/faults DESTINATION ${oddity_data}/tests
   FILES_MATCHING PATTERN "mutation.csv" PATTERN "record.csv" PATTERN corpus EXCLUDE)
-install(FILES ${PROJECT_BINARY_DIR}/models.js DESTINATION ${CMAKE_INSTALL_DATADIR}/oddity OPTIONAL)
+install(FILES ${PROJECT_BINARY_DIR}/models.js DESTINATION ${oddity_data} OPTIONAL)
+# Engines, where they are built or npm has brought them, with what runs them; and the programs of their page.
+file(GLOB adapters CONFIGURE_DEPENDS solvers/engines/*.mjs)
+install(FILES ${adapters} solvers/engines/variants.json DESTINATION ${oddity_code}/engines)
+install(DIRECTORY solvers/engines/node_modules DESTINATION ${oddity_code}/engines OPTIONAL)
+install(DIRECTORY ${PROJECT_BINARY_DIR}/engines DESTINATION ${oddity_code} OPTIONAL USE_SOURCE_PERMISSIONS
+  FILES_MATCHING PATTERN "engine_*")
+install(DIRECTORY solvers/engines/found DESTINATION ${oddity_data}/engines)
 
 # ---- the models, loops and lanes, and the headers that they include ---------------------------------------
 
@@ -44,9 +54,28 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/oddityConfigVersion.cmake
   COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 install(FILES ${PROJECT_BINARY_DIR}/oddityConfigVersion.cmake DESTINATION ${package})
 
-# ---- the manual page, which is what the program says of itself, and the completion, which asks it ---------
+# ---- the manual page and the completion, which the program writes of its own verbs and options -------------
 
-install(CODE "execute_process(COMMAND \"${CMAKE_COMMAND}\" \"-DPROGRAM=$<TARGET_FILE:oddity>\"
-  \"-DOUT=${PROJECT_BINARY_DIR}/oddity.1\" -P \"${PROJECT_SOURCE_DIR}/cmake/manual.cmake\" COMMAND_ERROR_IS_FATAL ANY)")
-install(FILES ${PROJECT_BINARY_DIR}/oddity.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
-install(FILES cmake/completion.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME oddity)
+foreach(text manual completion)
+  install(CODE "execute_process(COMMAND \"$<TARGET_FILE:oddity>\" --${text}
+    OUTPUT_FILE \"${PROJECT_BINARY_DIR}/${text}\" COMMAND_ERROR_IS_FATAL ANY)")
+endforeach()
+install(FILES ${PROJECT_BINARY_DIR}/manual DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 RENAME oddity.1)
+install(FILES ${PROJECT_BINARY_DIR}/completion DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+  RENAME oddity)
+
+# ---- a package for Debian, of what is installed: ./oddity package -----------------------------------------
+
+if(NOT PROJECT_IS_TOP_LEVEL)
+  return()
+endif()
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_PACKAGE_CONTACT "the owner of oddity <root@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "solutions of Game Physics, 2nd edition, checked by machine")
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "coq, libcoq-interval, libcoq-coquelicot")  # check what `oddity prove` writes
+set(CPACK_DEBIAN_PACKAGE_SECTION math)
+include(CPack)

@@ -125,8 +125,7 @@ const oddity::lanes::Library* oddity_lanes() {
 
 # Few runs have bodies in lanes, which take a fifth of the time that all else takes to compile: they are a library
 # beside the program that is loaded where lanes are asked for.
-include(GNUInstallDirs)
 add_library(oddity_lanes MODULE ${lanes_files} ${lanes}/register.cpp)
 target_link_libraries(oddity_lanes PRIVATE oddity_options)
 set_target_properties(oddity_lanes PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
-install(TARGETS oddity_lanes LIBRARY DESTINATION ${CMAKE_INSTALL_BINDIR} OPTIONAL)  # where it is built
+install(TARGETS oddity_lanes LIBRARY DESTINATION ${oddity_code} OPTIONAL)  # where it is built

@@ -33,10 +33,8 @@ get_target_property(boost Boost::headers INTERFACE_INCLUDE_DIRECTORIES)
 file(CREATE_LINK ${boost}/boost ${module}/include/boost SYMBOLIC)
 # the numbers of unknowns,
 file(COPY ${PROJECT_BINARY_DIR}/generated/solvers/ode/unknowns.hpp DESTINATION ${module}/include/solvers/ode)
-# and a register of Odeint's algorithms.
-set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS solvers/ode/algorithms.hpp)
-file(READ solvers/ode/algorithms.hpp entries)
-string(REGEX MATCHALL "F[(][A-Za-z0-9]+, [a-z0-9_]+[)]" entries "${entries}")
+# and a register of Odeint's algorithms and of our own that need no series.
+list_algorithms(entries ${PROJECT_SOURCE_DIR}/solvers/ode/algorithms.hpp)
 set(includes "")
 set(calls "")
 set(algorithms "")
@@ -44,8 +42,8 @@ foreach(entry IN LISTS entries)
   string(REGEX MATCH "[(]([A-Za-z0-9]+), ([a-z0-9_]+)[)]" entry "${entry}")
   set(algorithm ${CMAKE_MATCH_1})
   set(header solvers/ode/${CMAKE_MATCH_2}.hpp)
-  file(STRINGS ${header} odeint REGEX "library = Facts::odeint")
-  if(odeint)
+  file(STRINGS ${header} found REGEX "library = Facts::(odeint|own)")
+  if(found)
     string(APPEND includes "#include \"${header}\"\n")
     string(APPEND calls "  f.template operator()<${algorithm}>();\n")
     list(APPEND algorithms "${algorithm}|${header}")
@@ -64,13 +62,18 @@ void for_each_algorithm(const F& f) {
 }  // namespace oddity::ode
 ]] @ONLY)
 
+# One's own models lie outside the tree.
+set(module_includes -I${PROJECT_SOURCE_DIR})
+foreach(home IN LISTS own_homes)
+  list(APPEND module_includes -I${home})
+endforeach()
 set(module_objects "")
 # Compiles a source to an object of the module.
 function(compile_for_module source level standard)
   cmake_path(GET source STEM name)
   set(object ${module}/${name}.o)
   add_custom_command(OUTPUT ${object}
-    COMMAND ${WASM_CXX} ${wasm_flags} ${level} -std=${standard} -I${PROJECT_SOURCE_DIR}
+    COMMAND ${WASM_CXX} ${wasm_flags} ${level} -std=${standard} ${module_includes}
       -isystem ${module}/include -MD -MF ${object}.d -c ${source} -o ${object}
     DEPENDS ${source} ${ARGN} DEPFILE ${object}.d VERBATIM)
   set(module_objects ${module_objects} ${object} PARENT_SCOPE)

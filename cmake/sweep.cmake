@@ -16,12 +16,11 @@ endif()
 find_optional(ODDITY_MPI MPI COMPONENTS C)
 if(MPI_C_FOUND)
   message(STATUS "MPI ${MPI_C_VERSION}: sweeps are dealt out under mpirun")
-  include(GNUInstallDirs)
   add_library(oddity_mpi MODULE report/sweep/mpi/deal.cpp)
   target_link_libraries(oddity_mpi PRIVATE oddity_options MPI::MPI_C)
   target_compile_definitions(oddity_mpi PRIVATE OMPI_SKIP_MPICXX)  # its bindings for C++, which are no more
   add_dependencies(oddity oddity_mpi)
-  install(TARGETS oddity_mpi LIBRARY DESTINATION ${CMAKE_INSTALL_BINDIR})  # beside the program
+  install(TARGETS oddity_mpi LIBRARY DESTINATION ${oddity_code})
 else()
   message(STATUS "MPI not used: sweeps are dealt out by --shard")
 endif()

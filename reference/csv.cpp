@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <boost/algorithm/string/join.hpp>
 #include <boost/tokenizer.hpp>
-#include <fstream>
 #include <set>
+#include <sstream>
 
 #include "reference/bad_input.hpp"
+#include "reference/files.hpp"
 #include "reference/text.hpp"
 
 namespace oddity {
@@ -44,8 +45,7 @@ std::vector<std::string> split(const std::string& line, const std::string& place
 }  // namespace
 
 CsvFile read_csv(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in) throw BadInput("cannot read " + file.string() + ": a table is missing or not readable");
+  std::istringstream in(read_whole(file));
   CsvFile csv;
   std::string line;
   for (int number = 1; std::getline(in, line); ++number) {
@@ -63,8 +63,6 @@ CsvFile read_csv(const std::filesystem::path& file) {
       throw BadInput(place + ": " + std::to_string(row.cells.size()) + " cells where the header has " +
                      std::to_string(csv.header.cells.size()));
   }
-  if (in.bad())
-    throw BadInput("cannot read " + file.string() + ": it is not a file, or it cannot be read to its end");
   if (csv.rows.empty()) throw BadInput(file.string() + ": the table has no rows");
   return csv;
 }

@@ -1,20 +1,21 @@
 #include "reference/interrupted.hpp"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <signal.h>
-#include <sys/file.h>
+#include <sys/random.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
-#include <chrono>
-#include <cstdio>
+#include <cstdint>
 #include <string_view>
-#include <thread>
+#include <system_error>
 #include <vector>
 
 namespace oddity {
@@ -30,15 +31,50 @@ sigset_t all_interruptions() {
   return set;
 }
 
+struct Name {
+  int folder;
+  const char* name;
+
+  bool operator==(const Name&) const = default;
+};
+
 /// Files and programs at work. Never destroyed: an interruption may come when the program ends.
 struct Register {
   std::atomic_flag busy = ATOMIC_FLAG_INIT;
-  std::vector<const char*> files;
+  std::vector<Name> files;
   std::vector<pid_t> programs;
 };
 Register& at_work() {
   static Register& all = *new Register;
   return all;
+}
+
+/// The bits that files made by this run do not get.
+const mode_t mask = [] {
+  const mode_t bits = umask(0);
+  umask(bits);
+  return bits;
+}();
+
+constexpr std::string_view before_chance = ".oddity-", after_chance = ".part";
+constexpr int digits_of_chance = 16;
+constexpr time_t a_day = 86400;
+
+std::string name_of_chance() {
+  std::uint64_t chance = 0;
+  if (getrandom(&chance, sizeof chance, 0) != sizeof chance)
+    throw std::system_error(errno, std::generic_category());
+  std::string name(before_chance);
+  for (int i = 0; i < digits_of_chance; ++i, chance >>= 4) name += "0123456789abcdef"[chance & 15];
+  return name.append(after_chance);
+}
+
+bool is_name_of_chance(std::string_view name) {
+  if (!name.starts_with(before_chance) || !name.ends_with(after_chance)) return false;
+  name.remove_prefix(before_chance.size());
+  name.remove_suffix(after_chance.size());
+  return name.size() == digits_of_chance &&
+         name.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
 
 /// The register for one thread, which no interruption stops meanwhile: its handler may wait for it.
@@ -89,7 +125,7 @@ void tidy_up() {
     kill(program, SIGKILL);
     waitpid(program, nullptr, 0);
   }
-  for (const char* file : all.files) unlink(file);
+  for (const Name& file : all.files) unlinkat(file.folder, file.name, 0);
 }
 
 void tidy_when_interrupted() {
@@ -104,36 +140,25 @@ void tidy_when_interrupted() {
   }
 }
 
-bool Unfinished::is_ours() const {
-  struct stat opened {
-  }, named{};
-  return fstat(descriptor_, &opened) == 0 && stat(file_.c_str(), &named) == 0 &&
-         opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
-}
-
-/// False while another has it. Whoever has its lock and finds it still under its name has it alone: meanwhile
-/// another may have renamed or removed it.
 bool Unfinished::opened_alone() {
+  name_ = name_of_chance();
   const Access access;
-  descriptor_ = open(file_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) return true;
-  const bool locked = flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
-  if (!locked || !is_ours()) {
-    close(descriptor_);
-    return false;
-  }
-  at_work().files.push_back(file_.c_str());
+  descriptor_ = openat(folder_, name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600);
+  if (descriptor_ < 0) return errno != EEXIST;
+  at_work().files.push_back({folder_, name_.c_str()});
   return true;
 }
 
-Unfinished::Unfinished(const std::string& file) : file_(file) {
-  while (!opened_alone()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+Unfinished::Unfinished(int folder) : folder_(folder) {
+  while (!opened_alone()) {
+  }
 }
 
 bool Unfinished::rename(const std::string& name) {
   const Access access;
-  if (std::rename(file_.c_str(), name.c_str()) != 0) return false;
-  std::erase(at_work().files, file_.c_str());
+  fchmod(descriptor_, 0666 & ~mask);  // where there are no modes, none is needed
+  if (renameat(folder_, name_.c_str(), folder_, name.c_str()) != 0) return false;
+  std::erase(at_work().files, Name{folder_, name_.c_str()});
   finished_ = true;
   return true;
 }
@@ -142,10 +167,24 @@ Unfinished::~Unfinished() {
   if (descriptor_ < 0) return;
   const Access access;
   if (!finished_) {
-    unlink(file_.c_str());
-    std::erase(at_work().files, file_.c_str());
+    unlinkat(folder_, name_.c_str(), 0);
+    std::erase(at_work().files, Name{folder_, name_.c_str()});
   }
   close(descriptor_);
+}
+
+void remove_leftovers(int folder) {
+  const int listed = openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  DIR* const all = listed < 0 ? nullptr : fdopendir(listed);
+  if (!all) return;
+  while (const dirent* entry = readdir(all)) {
+    if (!is_name_of_chance(entry->d_name)) continue;
+    struct stat status {};
+    if (fstatat(folder, entry->d_name, &status, AT_SYMLINK_NOFOLLOW) == 0 && S_ISREG(status.st_mode) &&
+        status.st_uid == geteuid() && status.st_mtime < time(nullptr) - a_day)
+      unlinkat(folder, entry->d_name, 0);
+  }
+  closedir(all);
 }
 
 Running::Running(pid_t program) : program_(program) {

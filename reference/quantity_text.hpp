@@ -1,13 +1,43 @@
 #pragma once
 
+#include <array>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace oddity {
 
 /// The text as a number in `unit`: "0.5", "30deg", "5 us", "9.81 m/s^2", "9.81m/s2". A number without a unit
-/// is in `unit` already. Units are m, s, g, N, J, W, Hz and rad with the prefixes p to G; min, h, d, yr
-/// (365.25 days), AU, deg, rpm, "solar mass", bins; and their products, quotients and powers. Throws
+/// is in `unit` already. Units are m, s, g, A, N, J, W, Pa, V, Ohm, H,
+/// Hz and rad with the prefixes p to G; min, h, d, yr
+/// (365.25 days), AU, deg, rpm, "solar mass", bins, %; and their products, quotients and powers. Throws
 /// BadInput, with the units that fit, when the text is no number or its unit measures something else.
 double in_unit(std::string_view text, std::string_view unit);
+
+/// How many of its base units a unit is, and the powers of m, s, kg, A, rad, solar mass and bins in it.
+struct UnitText {
+  long double size;
+  std::array<int, 7> powers;
+};
+/// Nothing where the text is no unit.
+std::optional<UnitText> unit_of(std::string_view text);
+
+/// Whether in_unit takes this for a unit; nothing is one of pure numbers.
+bool is_unit(std::string_view text);
+/// The usual units that fit, by their names, and how many of `unit` each is.
+std::vector<std::pair<std::string_view, double>> units_like(std::string_view unit);
+/// A text as a number and the unit behind it, which may be none. Throws BadInput when it begins with no
+/// number.
+struct Written {
+  double number;
+  std::string unit;
+};
+Written written(std::string_view text);
+
+/// A count as it is written: decimal digits alone, without a sign, and without a zero before others. Nothing
+/// where the text is another, or is too large.
+std::optional<int> parse_count(std::string_view text);
 
 }  // namespace oddity

@@ -90,8 +90,8 @@ Known without_table(std::string_view name) {
   const std::string table(name);
   return {{no_number},
           no_number,
-          "no table reference/tables/" + table + ".csv: write reference/make/" + table +
-              ".cpp and run build/release/make_reference reference " + table};
+          "no maker of the table " + table + ": write reference/make/" + table +
+              ".cpp in the folder that has the exercise's chapters"};
 }
 
 Known unknown(const truth::Truth& truth) {
@@ -164,6 +164,12 @@ Known on_the_spot(std::string_view table, const truth::Truth& truth, const std::
 
 namespace {
 
+/// Where the table of a maker is: in the folder, or beside the exercises of one's own.
+fs::path file_of(const truth::Entry& maker, const fs::path& folder) {
+  const fs::path room = maker.home.empty() ? folder : fs::path(maker.home) / "reference";
+  return room / "tables" / (std::string(maker.name) + ".csv");
+}
+
 /// At how many of its times a motion's second route is compared with the first.
 constexpr std::size_t compared_times = 48;
 
@@ -179,21 +185,32 @@ fs::path kept_file(const fs::path& cache, const std::string& key) {
   return cache / (key.substr(0, key.find(' ')) + "_" + checksum(key) + ".txt");
 }
 
-/// The motion kept under the key: a line with the key, one with the error, one with each value.
-std::optional<Known> kept_motion(const fs::path& cache, const std::string& key) {
+/// The motion kept under the key: a line with the key, one with the error, one with each of `count` values.
+/// Nothing where the file is none that this program writes. Its seal has no key: who may write in the cache
+/// can seal what he likes, so what is kept is looked at again by other means where there are some.
+std::optional<Known> kept_motion(const fs::path& cache, const std::string& key, std::size_t count) {
   const auto text = read_sealed(kept_file(cache, key));
   if (!text || !text->starts_with(key + "\n")) return {};
   std::istringstream lines(text->substr(key.size() + 1));
-  Known known;
+  std::vector<double> numbers;
   for (std::string line; std::getline(lines, line);)
-    if (const auto x = parse_number(line))
-      known.value.push_back(*x);
+    if (const auto x = parse_number(line); x && std::isfinite(*x) && numbers.size() <= count)
+      numbers.push_back(*x);
     else
       return {};
-  if (known.value.empty()) return {};
-  known.error = known.value.front();
-  known.value.erase(known.value.begin());
-  return known;
+  if (numbers.size() != count + 1 || !(numbers.front() > 0)) return {};
+  return Known{{numbers.begin() + 1, numbers.end()}, numbers.front(), ""};
+}
+
+/// Whether both may be the same motion: at no time do they differ by more than both are in error, and the one
+/// of more digits is no worse known.
+bool may_be(const Known& kept, const Known& of_fewer_digits) {
+  const std::size_t parts = kept.value.size() / of_fewer_digits.error_until.size();
+  for (std::size_t i = 0; i < kept.value.size(); ++i)
+    if (!(std::abs(kept.value[i] - of_fewer_digits.value[i]) <=
+          kept.error + of_fewer_digits.error_until[i / parts]))
+      return false;
+  return kept.error <= of_fewer_digits.error;
 }
 
 void keep_motion(const fs::path& cache, const std::string& key, const Known& known) {
@@ -235,12 +252,11 @@ void require_count(std::string_view table, const truth::Truth& truth, std::size_
 Reference::Reference() : digits_(truth::spot_digits) {}
 
 Reference::Reference(const fs::path& folder, fs::path cache)
-    : cache_(std::move(cache)), digits_(truth::spot_digits) {
+    : folder_(folder), cache_(std::move(cache)), digits_(truth::spot_digits) {
   Tables tables;
   for (const truth::Entry& entry : truth::registry()) {
     const std::string name(entry.name);
-    const fs::path room = entry.home.empty() ? folder : fs::path(entry.home) / "reference";
-    const fs::path file = room / "tables" / (name + ".csv");
+    const fs::path file = file_of(entry, folder), room = file.parent_path().parent_path();
     if (!fs::exists(file) && of_ones_own(name)) {
       tables[name];
       continue;
@@ -290,6 +306,15 @@ Known Reference::proved(Known known, const ToEnclose& asked) const {
   return known;
 }
 
+std::string checksum_of_tables(const fs::path& folder) {
+  std::string all;
+  for (const truth::Entry& maker : truth::registry()) {
+    const fs::path file = file_of(maker, folder);
+    all += std::string(maker.name) + "\n" + (fs::exists(file) ? read_whole(file) : "");
+  }
+  return checksum(all);
+}
+
 const Reference::Table* Reference::table(std::string_view name) const {
   const auto table = tables_->find(name);
   return table == tables_->end() || !maker_of(name) ? nullptr : &table->second;
@@ -336,9 +361,12 @@ Known Reference::made_motion(std::string_view name, const std::vector<double>& i
       return *known;
   const std::string key = cache_.empty() ? "" : motion_key(name, inputs, times, digits_);
   if (!cache_.empty())
-    if (auto kept = kept_motion(cache_, key)) {
-      kept->source = source_of(truth);
-      return *kept;
+    if (auto kept = kept_motion(cache_, key, times.size() * truth.components.size())) {
+      const auto look = motion_in_long_double(name, inputs, times, compared_times, {});
+      if (!look || may_be(*kept, *look)) {
+        kept->source = source_of(truth);
+        return *kept;
+      }
     }
   Known known = on_the_spot(name, truth, inputs, tick_, [&](const truth::Tick& tick) {
     return truth::make_motion(truth, inputs, {times.begin(), times.end()}, digits_, compared_times,

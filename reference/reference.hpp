@@ -10,6 +10,11 @@
 #include <string_view>
 #include <vector>
 
+/// True values, from the tables or computed on the spot.
+///
+///   const Reference truth("reference");
+///   const Known quarter = truth("03_05_quarter_period", {1.5});
+///   std::cout << quarter.value[0] << " +- " << quarter.error << ", " << quarter.source;
 namespace oddity {
 
 /// A true value: components in the order of its table, each within `error` of the exact number.
@@ -46,6 +51,9 @@ class Reference {
   /// Reads every table in `folder`/tables. Motions made on the spot are kept in `cache`, if it is named and
   /// can be written. Throws BadInput naming file and line when a table is missing or broken.
   explicit Reference(const std::filesystem::path& folder, std::filesystem::path cache = {});
+
+  /// The folder that it was read from; empty where it knows nothing.
+  const std::filesystem::path& folder() const { return folder_; }
 
   /// Knows nothing: every value is NaN, so that nothing judged by it is ok. For motions that are only looked
   /// at.
@@ -87,7 +95,7 @@ class Reference {
   Known proved(Known, const ToEnclose&) const;
 
   std::shared_ptr<const Tables> tables_ = std::make_shared<Tables>();
-  std::filesystem::path cache_;
+  std::filesystem::path folder_, cache_;
   std::function<void(double)> tick_;
   Enclosing enclosing_;
   int digits_;

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <string>
 #include <vector>
 
 #include "reference/reference.hpp"
@@ -12,5 +13,8 @@ namespace oddity {
 /// The rows of a table of true values, each with all of its components in their order. Throws BadInput, with
 /// the line, when it is not what the maker writes.
 std::map<std::vector<double>, Known> read_table(const std::filesystem::path& file, const truth::Truth& truth);
+
+/// The checksum of all that the tables of a reference folder, and those of one's own exercises, say.
+std::string checksum_of_tables(const std::filesystem::path& folder);
 
 }  // namespace oddity

@@ -3,6 +3,10 @@
 #include <cmath>
 #include <concepts>
 
+/// Derivatives exact to rounding, of any function that is generic in its number type.
+///
+///   const Dual<double> x(2, 1);
+///   std::cout << (x * sqrt(x)).slope;  // 3/2 sqrt(2)
 namespace oddity {
 
 /// A number and its derivative in one direction (forward-mode differentiation, exact to rounding).

@@ -11,6 +11,9 @@
 /// as published, without those of the search for pivots. Singular (a pivot that is zero) or, for Cholesky,
 /// not symmetric and positive definite: the ending is `raised`. Not finite: `non_finite`. A singular matrix
 /// whose pivots round to something else than zero is found by full_pivot_lu alone.
+///
+///   const auto solved = solve(Factorization::partial_pivot_lu, a, b);
+///   if (solved.reached()) std::cout << solved.value.transpose() << " by " << solved.evaluations;
 namespace oddity {
 
 enum class Factorization {

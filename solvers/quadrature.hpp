@@ -9,6 +9,9 @@
 /// Integrals over a finite interval. The adaptive rules take one tolerance, absolute and relative (the larger
 /// counts); they end `raised` with GSL's own words when it reports an error, `stalled` when their estimate
 /// stays above the request (GSL may call that a success), `non_finite` when the result is no number.
+///
+///   const Integral area = qags([](double x) { return 1 / std::sqrt(x); }, 0, 1, 1e-10);
+///   if (area.reached()) std::cout << area.value << " +- " << area.error_estimate;  // 2
 namespace oddity {
 
 using Integral = Solved<double>;

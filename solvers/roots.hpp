@@ -3,6 +3,10 @@
 #include "solvers/gsl.hpp"
 #include "solvers/solved.hpp"
 
+/// Roots of a function of one number.
+///
+///   const Solved<double> root = brent([](double x) { return std::cos(x) - x; }, 0, 1, 1e-12);
+///   if (root.reached()) std::cout << root.value;  // 0.739085
 namespace oddity {
 
 /// A root of f in [a, b] by GSL's Brent-Dekker, f being continuous and f(a) and f(b) of opposite sign (or

@@ -24,6 +24,7 @@ struct Solved {
   double drift = 0;  ///< largest relative change of a conserved quantity that was watched; 0: none watched
   Ending ending = Ending::reached;
   std::string message = {};  ///< why, when the ending is not `reached`
+  bool comes_back = false;   ///< what was watched drifts about its first value, to and fro
 
   bool reached() const { return ending == Ending::reached; }
 };

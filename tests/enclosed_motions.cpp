@@ -1,7 +1,7 @@
 // Motions in balls. Compiled as the makers in balls are (tests/CMakeLists.txt).
 
 #include "reference/enclosures/motion.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 
 using namespace oddity::truth;
 

@@ -3,8 +3,9 @@
 #   tests/legs.sh NAME ...      runs these, says how long each took, and ends with 1 where one is red
 #   tests/legs.sh               shows the names
 # LAST_BEGINS=MINUTES: no leg begins later, but is said to be not run.
-# On Debian each installs what it needs. A leg that builds has its own folder under build/.
+# On Debian each installs what it needs. A leg that builds has its own folder under build/. Warnings are errors.
 set -euo pipefail
+export CI=${CI:-true}
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 jobs=${JOBS:-$(nproc)}
 
@@ -32,6 +33,16 @@ on_record() {
 }
 
 # ---- legs -------------------------------------------------------------------------------------------------
+
+leg_newcomer() {  # the commands of README.md, of the help's examples, of CONTRIBUTING.md and of the rooms' READMEs, in a bare Debian 12; SUITE=trixie for 13; SLOW=1 for those that take minutes; RECORD=1 puts the first two's times on record
+  local suite=${SUITE:-bookworm} processor
+  tests/newcomer/run.sh "$suite"
+  [ -n "${RECORD:-}" ] || return 0
+  processor=$(sed -n 's/^model name.*: //p' /proc/cpuinfo | head -n 1)
+  awk -F '\t' -v OFS=, -v on="$suite,$(nproc),$processor" '
+      $1 == "ok" && $3 ~ /^[.]\/oddity( test)? *(#|$)/ { sub(/ *#.*/, "", $3); print $3 " on " on, $2 }' \
+    "build/newcomer/$suite/said/seconds" | on_record tests/newcomer/record.csv
+}
 
 leg_tests() {  # g++: all tests
   ./oddity test
@@ -114,7 +125,7 @@ leg_tidy() {  # clang-tidy: the solvers and the tables are clean, Arb's part asi
   # without g++'s flags that clang does not know
   mkdir -p build/tidy
   sed 's/ -fno-toplevel-reorder//' build/developer/compile_commands.json >build/tidy/compile_commands.json
-  sources ${TIDY:-'solvers/*.cpp' ':!solvers/engines/*' 'reference/*.cpp' ':!reference/make/*' ':!reference/enclosures/*'} |
+  sources ${TIDY:-'formula/*.cpp' 'solvers/*.cpp' ':!solvers/engines/*' 'reference/*.cpp' ':!reference/make/*' ':!reference/enclosures/*'} |
     xargs -d '\n' -P "$jobs" -n 1 clang-tidy --quiet --warnings-as-errors='*' -p build/tidy \
       --extra-arg=-Wno-unknown-warning-option --extra-arg=-Wno-unused-command-line-argument
 }
@@ -124,10 +135,12 @@ leg_libcxx() {  # clang with libc++, without exceptions: every scene's models
   tests/models_with_libcxx.sh
 }
 
-leg_install() {  # what is installed works, and a program of another project finds the models
-  ./oddity packages
-  build release oddity oddity_lanes
+leg_install() {  # what is installed works, a program of another project finds the models, and a package installs on a bare Debian
+  ./oddity packages debootstrap || true
+  rm -f build/oddity_*.deb
+  ./oddity package
   tests/installed.sh build/release
+  tests/packaged.sh build/oddity_*.deb
 }
 
 leg_clang() {  # clang: the tests, but for the tables made again and the page's module
@@ -142,10 +155,11 @@ leg_sanitize() {  # address and undefined-behaviour sanitizers: the suite
   build/sanitize/oddity verify ${SUITE:+"$SUITE"}
 }
 
-leg_thread() {  # thread sanitizer: a part of the suite in parallel
+leg_thread() {  # thread sanitizer: a part of the suite in parallel, and choices in which something throws (ODDITY_THROWS, 6, in each scene)
   ./oddity packages
-  build thread oddity
+  build thread oddity oddity_stops
   TSAN_OPTIONS=halt_on_error=1 build/thread/oddity verify "${SUITE:-[3.5],[3.1],[2.13],[7.1]}"
+  TSAN_OPTIONS=halt_on_error=1 ODDITY_THROWS=${ODDITY_THROWS:-6} build/thread/tests/oddity_stops '[stop]'
 }
 
 leg_mutate() {  # libclang: mutants of a chapter, drawn by the commit's name, of which the suite has to notice as many as on record; SAMPLE (300), MINUTES (12), PATHS
@@ -223,6 +237,15 @@ leg_choices() {  # choose: its usual answers to ODDITY_NEEDS (200) random needs 
   rm "$table"
 }
 
+leg_questions() {  # choose: QUESTIONS (100) random questions of SECONDS_EACH (3) seconds by SEED (48), and those once answered falsely, judged by a program of its own
+  build release oddity oddity_lanes oddity_questions
+  local judge=build/release/tests/oddity_questions false=0
+  "$judge" tables reference/tables
+  "$judge" record build/release/oddity tests/questions/once_false.txt || false=1
+  "$judge" ask build/release/oddity "${QUESTIONS:-100}" "${SEED:-48}" "${SECONDS_EACH:-3}" || false=1
+  return $false
+}
+
 leg_same() {  # one thread and another order: the same bits; functions that err otherwise, and programs of the presets in BUILDS: a green suite, and what differs listed; SUITE for a part
   build release oddity oddity_same shaken_libm
   local same=build/release/tests/oddity_same found seed preset
@@ -278,7 +301,7 @@ for name in "$@"; do
   declare -F "leg_$name" >/dev/null || { echo "legs.sh: there is no leg $name; without a name it shows them" >&2; exit 2; }
 done
 took=()
-status=0
+passed=0 failed=0 skipped=0
 for name in "$@"; do
   echo "== $name"
   start=$SECONDS
@@ -290,11 +313,11 @@ for name in "$@"; do
   # In a shell of its own, so that its first failure ends the leg.
   [ $ended -ne 0 ] || JOBS=$jobs bash -c 'set -euo pipefail; '"$(declare -p jobs; declare -f)"'; leg_'"$name" || ended=$?
   case $ended in
-    0) verdict=green ;;
-    77) verdict='not run' ;;
-    *) verdict=RED status=1 ;;
+    0) verdict=green passed=$((passed + 1)) ;;
+    77) verdict='not run' skipped=$((skipped + 1)) ;;
+    *) verdict=RED failed=$((failed + 1)) ;;
   esac
   took+=("$(printf '%-10s %-7s %4d s' "$name" "$verdict" $((SECONDS - start)))")
 done
-printf '%s\n' "== legs" "${took[@]}"
-exit $status
+printf '%s\n' "== legs" "${took[@]}" "$passed passed, $failed failed, $skipped skipped"
+[ $failed -eq 0 ]

@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "chapters/contents.hpp"
+#include "report/verify/catch.hpp"
 #include "solvers/dual.hpp"
 #include "solvers/lanes/lanes.hpp"
 #include "solvers/ode/jacobian.hpp"
 #include "solvers/taylor/series.hpp"
-#include "tests/catch.hpp"
 
 /// Every model of a scene in every number type, each judged by the same model in double.
 namespace oddity::models_test {

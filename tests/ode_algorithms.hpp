@@ -15,6 +15,11 @@ concept HasPlain = requires {
 template <class Algorithm>
 constexpr bool partitioned = Algorithm::kind == Kind::partitioned;
 
+/// It solves systems of the form (q, v) with q' = v.
+template <class Algorithm>
+constexpr bool of_positions_and_velocities =
+    partitioned<Algorithm> || Algorithm::kind == Kind::velocities_first;
+
 /// The states after each of n steps of equal size, the start first.
 template <class Algorithm>
 std::vector<problems::State> fixed_steps(const problems::System& system, problems::State x, double t0,

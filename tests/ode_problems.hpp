@@ -79,6 +79,34 @@ inline const Problem driven{generic([](const auto& x, auto& dxdt, auto t) {
                               return {std::exp(std::sin(t)), std::exp(std::cos(t))};
                             }};
 
+/// Two integrals over time: what an embedded estimator that compares stages at the same times cannot see.
+inline const Problem clocked{generic([](const auto&, auto& dxdt, auto t) {
+                               using std::cos, std::exp;
+                               dxdt = {cos(t), exp(-t)};
+                             }),
+                             [](double t) -> State {
+                               return {std::sin(t), -std::exp(-t)};
+                             }};
+
+/// q'' = cos t: an integral of an integral over time.
+inline const Problem pushed{generic([](const auto& x, auto& dxdt, auto t) {
+                              using std::cos;
+                              dxdt = {x[1], cos(t)};
+                            }),
+                            [](double t) -> State {
+                              return {-std::cos(t), std::sin(t)};
+                            }};
+
+/// q'' = -q' - q, from q = 1: forces that know the velocity.
+inline const Problem damped{
+    generic([](const auto& x, auto& dxdt, auto) {
+      dxdt = {x[1], -x[0] - x[1]};
+    }),
+    [](double t) -> State {
+      const double w = std::sqrt(0.75), fades = std::exp(-t / 2);
+      return {fades * (std::cos(w * t) + std::sin(w * t) / (2 * w)), -fades * std::sin(w * t) / w};
+    }};
+
 /// Prothero and Robinson's problem, mildly stiff: the solution cos t attracts at the rate 1000.
 inline constexpr double rate = 1000;
 inline const Problem stiff{generic([](const auto& x, auto& dxdt, auto t) {

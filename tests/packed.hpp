@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 
 /// What report/site/script.hpp packs, unpacked.
 namespace oddity {

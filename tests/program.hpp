@@ -1,9 +1,12 @@
 #pragma once
 
+#include <fcntl.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 
 /// The program as a user has it.
@@ -37,6 +40,14 @@ inline Ran printed(const std::string& arguments) { return run("2>/dev/null " + a
 inline Ran on_terminal(int columns, const std::string& arguments, const std::string& environment = "") {
   return shell("TERM=xterm COLUMNS=" + std::to_string(columns) + " " + environment +
                " script -qec \"$oddity " + arguments + "\" /dev/null");
+}
+
+/// Whether there are pseudo-terminals; a bare chroot has none.
+inline bool has_terminals() {
+  const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+  const bool there = terminal != -1 && grantpt(terminal) == 0 && unlockpt(terminal) == 0 && ptsname(terminal);
+  if (terminal != -1) close(terminal);
+  return there;
 }
 
 inline bool says(const Ran& ran, const std::string& text) {

@@ -8,10 +8,10 @@
 #include "chapters/random.hpp"
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/in_environment.hpp"
 
-/// What has to hold at all parameters within their ranges, tried at random ones; where it does not, the
+/// What has to hold at all usual parameters, tried at random ones; where it does not, the
 /// simplest parameters that are found are printed as a command. ODDITY_SETS says at how many, ODDITY_SEED at
 /// which.
 namespace oddity::properties {
@@ -19,11 +19,12 @@ namespace oddity::properties {
 /// What is wrong at these parameters; empty where the property holds.
 using Property = std::function<std::string(const Parameters&)>;
 
-/// Of all orders of magnitude alike, where the range has several.
+/// Within a factor of four of the usual value, or two beside zero, and of all sizes alike: a range ends where
+/// a model does, and there roundings may be all that is left of a motion.
 inline double random_value(const Parameter& p, Random& random) {
-  const double least = std::max(p.least, -1e3), most = std::min(p.most, 1e3);
-  const double x =
-      least > 0 && most > 20 * least ? random.magnitude(least, most) : random.between(least, most);
+  const double reach = p.value == 0 ? 2 : 4 * std::abs(p.value);
+  const double least = std::max(p.least, p.least > 0 ? p.value / 4 : -reach), most = std::min(p.most, reach);
+  const double x = least > 0 ? random.magnitude(least, most) : random.between(least, most);
   return std::clamp(p.whole ? std::round(x) : least > 0 ? std::abs(x) : x, least, most);
 }
 

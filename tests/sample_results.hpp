@@ -6,7 +6,7 @@
 namespace oddity {
 
 inline JudgedClaim judged(Check check) {
-  Claim claim{"9.9-x", 1, "x is 1"};
+  Claim claim{.id = "9.9-x", .line = 1, .says = "x is 1"};
   claim.printed = {"x = 1", {std::move(check)}};
   return {claim, verdict(claim)};
 }
@@ -25,16 +25,16 @@ inline Results sample() {
   JudgedClaim claim = judged(one_against_one(1e-9));
   claim.claim.near_misses = {{"x = 2", {{"x", {"a", 2}, {"b", 1}, exact(), 1, "worst of 3"}}}};
   claim.claim.why = "a | bar";
-  Claim wrong{"9.9-y", 2, "y is 1"};
+  Claim wrong{.id = "9.9-y", .line = 2, .says = "y is 1"};
   wrong.printed = {"y = 1", {{"y", {"a", 1}, {"b", 2}, exact(), 1, "a place"}}};
   wrong.meant = {"y = 3", {{"y", {"a", 3}, {"b", 2}, exact(), 1, "a place"}}};
   wrong.corrected = {"y = 2", {one_against_one(0)}};
   wrong.why = "It is two.";
-  Claim not_at_hand{"9.9-z", 3, "z"};
+  Claim not_at_hand{.id = "9.9-z", .line = 3, .says = "z"};
   not_at_hand.not_checkable = "no listing";
   e.claims = {claim, {wrong, verdict(wrong)}, {not_at_hand, verdict(not_at_hand)}};
-  TimedTrial trial{"model", "algorithm", "step", 0.5,         Value{1, 2}, 0.25,        0.25,
-                   0.5,     0,           42,     Outcome::ok, "",          {1e-6, 1e-8}};
+  TimedTrial trial{"model", "algorithm", "step",      0.5, Value{1, 2.25}, 0.25, 0.25, 0.5,
+                   0,       42,          Outcome::ok, "",  {1e-6, 1e-8}};
   QuantityResult q{"q", "m", "a length", {"table x.csv", Value{1, 2}}, 1e-16, {0.3, "a reason"}, {}, {}};
   q.methods = {{"model", "algorithm", Outcome::ok, "", {trial, trial}}};
   q.breakdowns = {{"it breaks", Outcome::ok, trial, trial}};

@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "report/cli/fresh_pages.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 
 using namespace oddity;
 

@@ -4,7 +4,7 @@
 
 #include "report/cli/bench_verbs.hpp"
 #include "report/study/run_program.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 
 using namespace oddity;
 

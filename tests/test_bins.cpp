@@ -1,5 +1,5 @@
 #include "chapters/06_physics_engines/shared/bins.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 
 using namespace oddity;
 

@@ -6,9 +6,11 @@
 #include <iterator>
 
 #include "chapters/examples/bouncing_ball/scene.hpp"
+#include "report/pages/stability_view.hpp"
 #include "report/study/choose.hpp"
+#include "report/study/limit_records.hpp"
 #include "report/study/stability.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/near.hpp"
 
 using namespace oddity;

@@ -6,9 +6,9 @@
 #include <functional>
 
 #include "report/study/cheapest_models.hpp"
+#include "report/verify/catch.hpp"
 #include "solvers/ode/algorithms.hpp"
 #include "solvers/ode/integrate.hpp"
-#include "tests/catch.hpp"
 #include "tests/near.hpp"
 
 using namespace oddity;

@@ -4,8 +4,8 @@
 #include "chapters/03_rigid_body_motion/25_chain/chain.hpp"
 #include "chapters/03_rigid_body_motion/25_chain/links.hpp"
 #include "report/study/fit.hpp"
+#include "report/verify/catch.hpp"
 #include "solvers/counted.hpp"
-#include "tests/catch.hpp"
 #include "tests/near.hpp"
 
 using namespace oddity;

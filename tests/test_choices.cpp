@@ -16,7 +16,7 @@
 #include "report/cli/asked.hpp"
 #include "report/study/choose.hpp"
 #include "report/study/initial_conditions.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/properties.hpp"
 
 using namespace oddity;

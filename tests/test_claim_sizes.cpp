@@ -1,5 +1,5 @@
 #include "chapters/claims.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 
 using namespace oddity;
 

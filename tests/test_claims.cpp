@@ -6,7 +6,7 @@
 #include "reference/reference.hpp"
 #include "reference/verdicts.hpp"
 #include "report/study/results.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/near.hpp"
 
 using namespace oddity;
@@ -35,7 +35,9 @@ const Quantity& quantity_of(const Findings& findings, std::string_view name) {
 /// The reading that the verdict is from.
 const Reading& deciding(const Claim& claim) {
   const Verdict v = verdict(claim);
-  return v == Verdict::misprint ? claim.meant : v == Verdict::erratum ? claim.corrected : claim.printed;
+  return v == Verdict::misprint || v == Verdict::lost ? claim.meant
+         : is_erratum(v)                              ? claim.corrected
+                                                      : claim.printed;
 }
 
 /// What doubles can tell of the terms that a check compares.
@@ -78,14 +80,17 @@ void check_near_misses(const Claim& claim) {
   }
 }
 
-/// A finding has a kind, an erratum a root that is told with a number, and a root its errata.
+/// A finding has a kind that its verdict goes with, an erratum a root that is told with a number, and a root
+/// its errata.
 void check_roots(const Findings& findings) {
   for (const Claim& claim : findings.claims) {
     const Verdict v = verdict(claim);
-    if (v != Verdict::misprint && v != Verdict::erratum) continue;
+    if (v == Verdict::confirmed || v == Verdict::not_checkable || v == Verdict::unsettled) continue;
     INFO(claim.id << ", root '" << claim.root << "'");
     CHECK(claim.kind != Fault::none);
-    if (v == Verdict::misprint) continue;
+    CHECK((v == Verdict::lost) == (claim.kind == Fault::lost_typography));
+    if (!is_erratum(v)) continue;
+    CHECK((v == Verdict::incomplete) == (claim.kind == Fault::left_out));
     const auto root = std::ranges::find(findings.roots, claim.root, &Root::name);
     REQUIRE(root != findings.roots.end());
     CHECK(root->shows.find_first_of("0123456789") != std::string::npos);

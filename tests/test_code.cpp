@@ -10,7 +10,8 @@
 
 #include "chapters/scene.hpp"
 #include "report/pages/code.hpp"
-#include "tests/catch.hpp"
+#include "report/study/embedded.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/complaint.hpp"
 #include "tests/scratch_folder.hpp"
 
@@ -238,7 +239,7 @@ TEST_CASE("the printed file stands alone, with the question, the answer and the 
   CHECK(code.starts_with("// 3.5 Pendulum from 30 degrees: swing within "));
   for (const char* part : {"\n// Take one angle by Runge-Kutta 4, ",
                            "\n//   margin: ", "double a = 1;  // rad: angle at release\n",
-                           "//   oddity choose 3.5 a=1 --error 1deg --horizon 1 --only 'Runge-Kutta 4' "
+                           "//   ./oddity choose 3.5 a=1 --error 1deg --horizon 1 --only 'Runge-Kutta 4' "
                            "--exclude Cartesian --code\n"}) {
     INFO(code);
     CHECK(code.find(part) != std::string::npos);
@@ -264,5 +265,8 @@ TEST_CASE("what cannot be printed is said, with what can", "[code]") {
   CHECK(of({2, 7}, "matrix, orthonormalized", "Runge-Kutta 4")
             .find("'matrix, orthonormalized', which repairs the orientation after each step; there is for: "
                   "frame; ") != std::string::npos);
+  CHECK(of({3, 19}, "normal modes", "closed form")
+            .ends_with("which needs GSL's eigenvalues; there is for: two coordinates; four coordinates with "
+                       "tensions (choose among these with --only)"));  // and not: published equations
   CHECK(of({3, 5}, "one angle", "Runge-Kutta 4") == "nothing");
 }

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/program.hpp"
 #include "tests/scratch_folder.hpp"
 
@@ -44,6 +44,50 @@ TEST_CASE("list shows exercises with their parameters", "[commands]") {
   CHECK(says(about, "2.1  Curve"));
   CHECK(says(about, "3.17  Foucault pendulum"));
   CHECK_FALSE(says(about, "3.7"));
+}
+
+TEST_CASE("list finds exercises by what people call things", "[commands][about]") {
+  const std::vector<std::array<std::string, 2>> cases{{"cone", "3.17"},
+                                                      {"free", "3.33"},
+                                                      {"bounc", "6.3"},
+                                                      {"bouncing", "6.3"},
+                                                      {"bounce", "6.5"},
+                                                      {"top", "3.33"},
+                                                      {"gyroscope", "3.33"},
+                                                      {"gyro", "3.35"},
+                                                      {"spring", "3.9"},
+                                                      {"springs", "3.19"},
+                                                      {"kepler", "3.3"},
+                                                      {"planet", "3.3"},
+                                                      {"orbit", "3.27"},
+                                                      {"double pendulum", "3.25"},
+                                                      {"pendullum", "3.5"},
+                                                      {"Pendulums", "3.17"},
+                                                      {"rope", "3.25"},
+                                                      {"friction", "3.31"},
+                                                      {"crate", "3.31"},
+                                                      {"collision", "6.3"},
+                                                      {"matrix determinant", "7.9"},
+                                                      {"oscillator", "3.9"},
+                                                      {"latitude", "3.17"},
+                                                      {"closest point", "9.1"},
+                                                      {"cone", "3.17"},
+                                                      {"bounce", "6.3"},
+                                                      {"free", "3.11"},
+                                                      {"top", "3.33"}};
+  for (const auto& [words, number] : cases) {
+    const Ran ran = run("list '" + words + "'");
+    INFO(words << "\n" << ran.output);
+    CHECK(ran.status == 0);
+    CHECK(says(ran, number + "  "));
+  }
+  for (const char* word : {"bounc", "bounce"})
+    CHECK(says(run(std::string("list ") + word), "oddity engines 'bouncing ball'"));
+  CHECK(run("list gyroscope").output.starts_with("3.21  "));
+  const Ran none = run("list pandulamo");
+  CHECK(none.status == 2);
+  CHECK(says(none, "did you mean 'pendulum'? './oddity list' shows all"));
+  CHECK(run("list zzzz").status == 2);
 }
 
 TEST_CASE("list and stability come as CSV and as JSON", "[commands]") {
@@ -127,12 +171,12 @@ TEST_CASE("bad input is named and ends with 2", "[commands]") {
       {"solve 3.6", "no exercise '3.6'; chapter 3 has 3.1, 3.3"},
       {"solve 3.50", "no exercise '3.50'; chapter 3 has 3.1, 3.3"},
       {"solve 3.50", "; did you mean 3.5 (Pendulum from 30 degrees)?"},
-      {"solve 1.1", "no exercise '1.1'; chapter 1 has none; 'oddity list' shows all"},
+      {"solve 1.1", "no exercise '1.1'; chapter 1 has none; './oddity list' shows all"},
       {"solve '3.5 '", "did you mean 3.5 (Pendulum from 30 degrees)?"},
       {"solve pendulum", "3.5 (Pendulum from 30 degrees) or 3.17"},
       {"solve Pendelum", "3.5 (Pendulum from 30 degrees)"},
       {"solve three", "no exercise 'three'"},
-      {"solve", "exercise is required; 'oddity solve --help' says more"},
+      {"solve", "exercise is required; './oddity solve --help' says more"},
       {"solve 3.5 b=1", "no parameter 'b'; the parameters are: a, L, g"},
       {"solve 3.5 l=1", "did you mean L (length)?"},
       {"solve 3.5 angle=1", "did you mean a (angle at release)?"},
@@ -152,8 +196,8 @@ TEST_CASE("bad input is named and ends with 2", "[commands]") {
       {"solve 7.11 n=40.7", "parameter n = 40.7 is not a whole number"},
       {"solve 7.11 seed=1.5", "parameter seed = 1.5 is not a whole number"},
       {"solve 3.5 --jsn", "solve does not take '--jsn'; did you mean '--json'?"},
-      {"list 3.5 foo", "no exercise 'foo'; 'oddity list' shows all"},
-      {"site 3.5", "site does not take '3.5'; 'oddity site --help' says more"},
+      {"list 3.5 qwx", "no exercise 'qwx'; './oddity list' shows all"},
+      {"site 3.5", "site does not take '3.5'; './oddity site --help' says more"},
       {"report --chapter 15", "--chapter must be a whole number from 1 to 14, and is '15'"},
       {"report --chapter x", "--chapter must be a whole number from 1 to 14, and is 'x'"},
       {"report --chapter 1", "chapter 1 has no exercises; those that have some are: 2, 3, "},
@@ -163,7 +207,7 @@ TEST_CASE("bad input is named and ends with 2", "[commands]") {
       {"stability 3.6", "no exercise '3.6'"},
       {"stability 9.1", "exercise 9.1 has no motion; those that have one are: "},
       {"stability 3.5 --rows --out /tmp/x", "--rows and --out do not go together"},
-      {"stability 3.5 --csv --json", "do not go together; 'oddity stability --help' says more"},
+      {"stability 3.5 --csv --json", "do not go together; './oddity stability --help' says more"},
       {"chart 3.5 --csv --out /tmp/x", "--csv and --out do not go together"},
       {"choose 9.1 --error 1", "exercise 9.1 has no motion; those that have one are: "},
       {"choose 3.5", "choose needs --error or --digits"},
@@ -172,7 +216,7 @@ TEST_CASE("bad input is named and ends with 2", "[commands]") {
       {"choose 3.5 --error 0", "--error must be positive and finite, and is 0"},
       {"choose 3.5 --error=-1", "--error must be positive and finite, and is -1"},
       {"choose 3.5 --error 1cm", "units that fit: rad, mrad, deg"},
-      {"choose 3.5 --error 1,0.01", "'1,0.01' has two errors without a unit"},
+      {"choose 3.5 --error 1,0.01", "'1' in '1,0.01' has no unit: give one number for all"},
       {"choose 3.5 --error 1 --budget ''", "--budget: it needs a value"},
       {"engines 3.55 --kept", "engines have no scene '3.55'"},
       {"engines 3.5 --kept --hz 60,100",
@@ -225,9 +269,9 @@ TEST_CASE("bad input is named and ends with 2", "[commands]") {
       {"verify '[9.1]' -o /tmp", "cannot write /tmp: it is a folder"},
       {"verify --no-such-option", "Catch2 does not take these arguments"},
       {"verify '[3.99]'", "no test case matches"},
-      {"verify '[erratumm]'",
-       "no test case matches; 'oddity verify --list-tests' shows them all; did you mean "
-       "'[erratum]'?"},
+      {"verify '[wrongg]'",
+       "no test case matches '[wrongg]'; --list-tests shows them all; did you mean "
+       "'[wrong]'?"},
       {"verify '[3.5]' --json --csv", "do not go together"}};
   for (const auto& [arguments, message] : cases) {
     const Ran ran = run(arguments);
@@ -314,6 +358,48 @@ TEST_CASE("nothing of an option runs", "[commands]") {
   }
 }
 
+TEST_CASE("no verb writes over files of others, unless that is asked for", "[commands]") {
+  const ScratchFolder scratch;
+  const std::string swept =
+      " 3.5 --model 'one angle' --algorithm 'Runge-Kutta 4' --over a=1..2:2 --setting 0.1 --looks 4";
+  for (const auto& [words, file] :
+       std::vector<std::array<std::string, 2>>{{"report --out DIR", "README.md"},
+                                               {"site --out DIR", "index.html"},
+                                               {"chart 9.1 --out DIR", "9.1.md"},
+                                               {"stability 3.5 --out DIR", "charts/3.5_map.svg"},
+                                               {"prove 7.1 --out DIR", "7.1-excess.v"},
+                                               {"sweep plan DIR" + swept, "plan.json"}}) {
+    const std::string folder = words.substr(0, words.find(' '));
+    const fs::path mine = scratch.file(folder + "/" + file, "mine");
+    std::string command = words;
+    command.replace(words.find("DIR"), 3, (scratch.path() / folder).string());
+    const Ran ran = run(command);
+    INFO(command << "\n" << ran.output);
+    CHECK(ran.status == 2);
+    CHECK(says(ran, "--overwrite"));
+    CHECK(text_of(mine) == "mine");
+  }
+  const fs::path chart = scratch.path() / "chart";
+  CHECK(run("chart 9.1 --overwrite --out " + chart.string()).status == 0);
+  CHECK(text_of(chart / "9.1.md") != "mine");
+  CHECK(run("chart 9.1 --out " + chart.string()).status == 0);  // its own now
+}
+
+TEST_CASE("what is no regular file is refused at once", "[commands]") {
+  const ScratchFolder scratch;
+  const std::string pipe = (scratch.path() / "pipe").string();
+  REQUIRE(shell("mkfifo " + pipe).status == 0);
+  for (const std::string& words :
+       {"verify -f " + pipe, "verify --input-file " + pipe, "verify -sf " + pipe, "verify --from " + pipe,
+        std::string("verify -f /dev/zero"), std::string("verify --from /dev/zero"),
+        std::string("verify --from /proc/kmsg")}) {
+    const Ran ran = shell("timeout 60 $oddity " + words);
+    INFO(words << "\n" << ran.output);
+    CHECK(ran.status == 2);
+    CHECK(says(ran, "cannot read "));
+  }
+}
+
 TEST_CASE("a folder that cannot be written is named and ends with 2", "[commands]") {
   const Ran ran = run("report --out /proc/no/such/folder");
   CHECK(ran.status == 2);
@@ -349,10 +435,10 @@ TEST_CASE("a broken table is named with its line and ends with 2", "[commands]")
 TEST_CASE("a verdict that differs from the one on record makes the suite red", "[commands]") {
   const ScratchFolder scratch;
   const fs::path folder = tables(scratch);
-  replace_in(folder / "approved/verdicts.csv", "3.5-value,erratum", "3.5-value,confirmed");
+  replace_in(folder / "approved/verdicts.csv", "3.5-value,wrong", "3.5-value,confirmed");
   const Ran red = run("--reference " + folder.string() + " verify '[3.5]'");
   CHECK(red.status == 1);
-  CHECK(says(red, "3.5-value: erratum"));
+  CHECK(says(red, "3.5-value: wrong"));
 }
 
 TEST_CASE("a limit that moves, and a method that no longer breaks as on record, make the suite red",
@@ -374,7 +460,7 @@ TEST_CASE("a limit that moves, and a method that no longer breaks as on record, 
 TEST_CASE("a map that changes makes the suite red", "[commands]") {
   const ScratchFolder scratch;
   const fs::path folder = tables(scratch);
-  replace_in(folder / "approved/stability_maps.csv", "velocity Verlet,0.125,XX", "velocity Verlet,0.125,Xd");
+  replace_in(folder / "approved/stability_maps.csv", "velocity Verlet,0.125,ii", "velocity Verlet,0.125,di");
   CHECK(run("--reference " + folder.string() + " verify '[3.5]'").status == 1);
 }
 
@@ -410,14 +496,14 @@ TEST_CASE("the suite's Markdown, JUnit and results come out whole", "[commands]"
   CHECK(says(run("verify '[3.5]' -r junit"), "<testsuites"));
   CHECK(run("verify '[3.5]' --results " + file).status == 0);
   CHECK(fs::file_size(file) > 1000);
-  CHECK_FALSE(fs::exists(file + ".part"));
+  CHECK(std::distance(fs::directory_iterator(scratch.path()), fs::directory_iterator()) == 1);
 }
 
 TEST_CASE("nothing of a table runs or breaks out", "[commands]") {
   const std::array<std::array<std::string, 3>, 6> places{
       {{"approved/limits.csv", ",not explained", ",HOSTILE"},
        {"approved/limits.csv", "3.5,one angle,Runge-Kutta 4", "3.5,HOSTILE,Runge-Kutta 4"},
-       {"approved/verdicts.csv", "3.5-value,erratum", "3.5-value,HOSTILE"},
+       {"approved/verdicts.csv", "3.5-value,wrong", "3.5-value,HOSTILE"},
        {"approved/verdicts.csv", "3.5-value,", "HOSTILE,"},
        {"approved/stability_maps.csv", "3.5,one angle,velocity Verlet", "3.5,one angle,HOSTILE"},
        {"tables/03_05_quarter_period.csv", "1,I,2.3687", "1,HOSTILE,2.3687"}}};
@@ -431,7 +517,7 @@ TEST_CASE("nothing of a table runs or breaks out", "[commands]") {
       const std::string in = "cd " + folder.string() + " && $oddity --reference . ";
       INFO(table << " " << fresh);
       for (const char* verb :
-           {"verify '[3.5]' --results out/r.json", "stability 3.5 --out out", "list 3.5"}) {
+           {"verify '[3.5]' --results out/r.json", "stability 3.5 --out maps", "list 3.5"}) {
         const Ran ran = shell(in + verb);
         INFO(ran.output);
         CHECK(ran.status <= 2);

@@ -1,7 +1,7 @@
 #include <thread>
 
+#include "report/verify/catch.hpp"
 #include "solvers/counted.hpp"
-#include "tests/catch.hpp"
 
 using namespace oddity;
 

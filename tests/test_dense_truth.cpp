@@ -15,9 +15,11 @@
 #include "chapters/random.hpp"
 #include "chapters/scene.hpp"
 #include "reference/bad_input.hpp"
+#include "reference/files.hpp"
+#include "reference/text.hpp"
 #include "reference/truth.hpp"
 #include "report/study/parallel.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/near.hpp"
 #include "tests/scratch_folder.hpp"
 
@@ -427,6 +429,50 @@ TEST_CASE("a motion of other inputs, times or makers is kept apart", "[truth]") 
   foreign[at] = foreign[at] == '0' ? '1' : '0';
   CHECK(kept.read(foreign) == kept.made.value);
   CHECK(text_of(kept.file) == kept.text);
+}
+
+TEST_CASE("a motion to other digits is kept apart", "[truth]") {
+  const Kept kept;
+  swing(kept.reference.to_digits(20));
+  CHECK(files_in(kept.folder.path()).size() == 2);
+}
+
+TEST_CASE("a kept motion that is changed and sealed anew is made again where long double sees another",
+          "[truth][forged]") {
+  const Kept kept;
+  const std::string key = kept.text.substr(0, kept.text.find('\n') + 1);
+  const auto sealed = [&](double error, const std::vector<double>& values) {
+    std::string text = key + format_shortest(error) + "\n";
+    for (double x : values) text += format_shortest(x) + "\n";
+    return text + checksum(text) + "\n";
+  };
+  const std::vector<double>& made = kept.made.value;
+  const double error = kept.made.error;
+  REQUIRE(sealed(error, made) == kept.text);
+  const auto is_made_again = [&](double forged_error, const std::vector<double>& values) {
+    const bool same = kept.read(sealed(forged_error, values)) == made;
+    return same && text_of(kept.file) == kept.text;
+  };
+  std::vector<double> small_angle, changed = made, twice = made;
+  for (double t : tenths) {
+    const double rate = std::sqrt(9.81);
+    small_angle.insert(small_angle.end(), made.size() / tenths.size(), 0.7 * std::cos(rate * t));
+  }
+  CHECK(is_made_again(error, small_angle));
+  for (double by : {1e-6, -1e-12}) {
+    changed.back() = made.back() + by;
+    CHECK(is_made_again(error, changed));
+  }
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (double x : {infinity, -infinity, std::nan("")}) {
+    changed.back() = x;
+    CHECK(is_made_again(error, changed));
+  }
+  twice.insert(twice.end(), made.begin(), made.end());
+  CHECK(is_made_again(error, twice));
+  CHECK(is_made_again(error, {}));
+  CHECK(is_made_again(error, {made.front()}));
+  for (double none : {0.0, -1.0, 1.0, infinity, std::nan("")}) CHECK(is_made_again(none, made));
 }
 
 TEST_CASE("a cache that cannot be written is done without", "[truth]") {

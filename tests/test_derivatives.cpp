@@ -2,9 +2,9 @@
 
 #include "chapters/random.hpp"
 #include "report/study/fit.hpp"
+#include "report/verify/catch.hpp"
 #include "solvers/differences.hpp"
 #include "solvers/dual.hpp"
-#include "tests/catch.hpp"
 #include "tests/near.hpp"
 
 using namespace oddity;

@@ -10,7 +10,7 @@
 #include "chapters/random.hpp"
 #include "reference/reference.hpp"
 #include "report/charts/drawing.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 
 using namespace oddity;
 

@@ -11,7 +11,7 @@
 
 #include "reference/csv.hpp"
 #include "reference/in_long_double.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/program.hpp"
 
 using namespace oddity;
@@ -180,7 +180,7 @@ TEST_CASE("a choice says by what its truth is enclosed", "[enclosures]") {
 
 #else
 
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/program.hpp"
 
 TEST_CASE("without Arb nothing is enclosed, and the program says how to have it", "[enclosures]") {

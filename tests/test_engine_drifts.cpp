@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "report/verify/catch.hpp"
 #include "solvers/engines/turns.hpp"
-#include "tests/catch.hpp"
 
 using namespace oddity::engines;
 

@@ -12,8 +12,8 @@
 #include "report/pages/engines_view.hpp"
 #include "report/study/engines.hpp"
 #include "report/study/initial_conditions.hpp"
+#include "report/verify/catch.hpp"
 #include "solvers/engines/turns.hpp"
-#include "tests/catch.hpp"
 #include "tests/complaint.hpp"
 #include "tests/scratch_folder.hpp"
 
@@ -379,7 +379,8 @@ TEST_CASE("what engines did is read as it was written", "[engines]") {
   CHECK(std::isnan(read_engines(file)[0].series[0].trials[0].momentum));
 
   std::ofstream(file) << "[{\"scene\": 1}]";
-  CHECK(complaint([&] { read_engines(file); }).find("not what 'oddity engines' writes") != std::string::npos);
+  CHECK(complaint([&] { read_engines(file); }).find("not what './oddity engines' writes") !=
+        std::string::npos);
 }
 
 namespace {
@@ -448,6 +449,26 @@ TEST_CASE("an engine's adapter is a hundred lines at most", "[engines]") {
     INFO(adapter);
     CHECK(std::ranges::count(text_of(folder / adapter), '\n') <= 100);
   }
+}
+
+TEST_CASE("engines are judged and shown by the criteria that are asked for", "[engines]") {
+  EngineContest contest{"3.5", "Pendulum", {"rad"}, {degree}, 10, 60, {series_of("First", {4, 0.5})}};
+  contest.criteria = {{Criterion::energy, 0.05}, {Criterion::constraint, 1e-3}};
+  contest.series[0].trials[0].by = {{Criterion::energy, 0.29}, {Criterion::constraint, 5e-4}};
+  contest.series[0].trials[1].by = {{Criterion::energy, 0.046}, {Criterion::constraint, 0.25}};
+  contest.least =
+      Instead{"one angle", {degree}, 1e-8, {{Criterion::energy, 0.01}, {Criterion::constraint, 0}}};
+  const std::string text = engines_text({contest}, {60, 120}, false, {});
+  INFO(text);
+  for (const char* said : {"enough is 5 % of its energy and 0.001 m of what is held",
+                           "29 % of its energy and 0.0005 m of what is held", "4.6 % of its energy",
+                           "errs by 1 % of its energy and 0 m of what is held"})
+    CHECK(text.find(said) != std::string::npos);
+  const std::string csv = to_csv(engines_table({contest}));
+  CHECK(csv.find("restored,off_energy,off_constraint\n") != std::string::npos);
+  CHECK(csv.find(",0.046,0.25\n") != std::string::npos);
+  contest.criteria = {{Criterion::path, 1}};
+  CHECK(to_csv(engines_table({contest})).find("restored\n") != std::string::npos);
 }
 
 TEST_CASE("what an engine did is told in words, also where it gave no answer", "[engines]") {

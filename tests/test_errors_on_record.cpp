@@ -2,7 +2,7 @@
 
 #include "reference/errors.hpp"
 #include "report/study/errors.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/complaint.hpp"
 #include "tests/scratch_folder.hpp"
 

@@ -7,7 +7,7 @@
 #include "chapters/05_fluids_and_gases/shared/proof.hpp"
 #include "chapters/contents.hpp"
 #include "reference/reference.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/complaint.hpp"
 #include "tests/near.hpp"
 

@@ -5,8 +5,8 @@
 
 #include "chapters/random.hpp"
 #include "report/study/run.hpp"
+#include "report/verify/catch.hpp"
 #include "solvers/ode/catalog.hpp"
-#include "tests/catch.hpp"
 
 using namespace oddity;
 

@@ -8,7 +8,7 @@
 #include "report/study/engines.hpp"
 #include "report/study/run.hpp"
 #include "report/sweep/chunks.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/complaint.hpp"
 #include "tests/sample_results.hpp"
 #include "tests/scratch_folder.hpp"
@@ -28,6 +28,8 @@ std::string replaced(std::string text, const std::string& old, const std::string
 sweep::Plan small_plan() {
   sweep::Asked asked;
   asked.exercise = "3.5";
+  asked.model = "one angle";
+  asked.algorithm = "velocity Verlet";
   asked.axes = {{"a", "rad", 0.5, 1, 7}, {"L", "m", 1, 2, 5}};
   return {asked, {0, 1}, {1}, "fingerprint"};
 }
@@ -66,12 +68,92 @@ TEST_CASE("a plan whose numbers do not fit is none", "[hostile]") {
   CHECK(has(complaint([&] { sweep::plan_from_json(to_json(without), "it"); }), "it is no plan of a sweep: "));
 }
 
+TEST_CASE("a plan of what cannot be swept over is refused in one sentence, whoever wrote it",
+          "[hostile][forged]") {
+  const auto said = [](const auto& change) {
+    sweep::Plan plan = small_plan();
+    change(plan);
+    return complaint([&] { sweep::plan_from_json(to_json(plan), "it"); });
+  };
+  using sweep::Plan;
+  CHECK(said([](Plan&) {}) == "nothing");
+  for (const char* exercise : {"7.1", "2.3"})
+    CHECK(has(said([&](Plan& p) { p.asked.exercise = exercise; }), "has no motion to sweep over"));
+  for (double x : {1e300, -60.0, 0.0, 1e-300, 1e9}) {
+    const std::string why = "is not from one look at the motion to a million";
+    CHECK(has(said([&](Plan& p) { p.asked.need.frames_per_second = x; }), why));
+    CHECK(has(said([&](Plan& p) { p.asked.need.horizon = x; }), why));
+  }
+  CHECK(has(said([](Plan& p) { p.asked.looks = 2'000'000; }), "is not from one look at the motion"));
+  CHECK(has(said([](Plan& p) { p.asked.need.error = -1; }), "must be positive"));
+  CHECK(has(said([](Plan& p) { p.asked.need.errors["rad"] = 0; }), "must be positive"));
+  CHECK(has(said([](Plan& p) { p.asked.setting = -1; }), "must be positive"));
+  for (int count : {1'000'000, 2'147'483'647})
+    CHECK(has(said([&](Plan& p) {
+                for (sweep::Axis& axis : p.asked.axes) axis.count = count;
+                const long tiles = (count + 63L) / 64;
+                p.first_tile = {0, tiles * tiles};
+              }),
+              " cells is too large: "));
+  CHECK(has(said([](Plan& p) { p.seconds[0] = -1; }), "takes no time that can be"));
+  CHECK(has(said([](Plan& p) {
+              p.asked.model = p.asked.algorithm = "";
+              p.asked.looks = 4;
+            }),
+            "--looks is of a method"));
+}
+
 TEST_CASE("a chunk whose lines are not those of its cells is refused", "[hostile]") {
   CHECK(complaint_of_chunk("tile 0 0\n35 - - ok\n") == "nothing");
   for (const char* lines :
        {"", "tile\n", "tile x 0\n35 - - ok\n", "tile 1e99 0\n35 - - ok\n", "tile 0 0\n36 - - ok\n",
         "tile 0 0\n1e18 - - ok\n", "tile 0 0\n-1 - - ok\n", "tile 0 0\n34 - - ok\n", "tile 0 0\n1 x 1 ok\n"})
-    CHECK(has(complaint_of_chunk(lines), "is no chunk as a sweep writes it: "));
+    CHECK(has(complaint_of_chunk(lines), ": no chunk as a sweep writes it: "));
+}
+
+TEST_CASE("a chunk that holds what no cell ends with is refused with its line", "[hostile][forged]") {
+  CHECK(complaint_of_chunk("tile 3 1\n1 0.5 12 ok\n30 - - inaccurate\n4 - - truth not known\n") == "nothing");
+  CHECK(complaint_of_chunk("tile 0 0\n1 nan 12 raised\n34 - - ok\n") == "nothing");
+  const std::string megabytes(10'000'000, 'x');
+  for (const auto& [line, lines] : std::vector<std::pair<int, std::string>>{
+           {4, "tile 0 0\n1 nan 12 ok\n34 - - ok\n"},
+           {4, "tile 0 0\n1 1.5 12 ok\n34 - - ok\n"},
+           {4, "tile 0 0\n1 0.5 12 inaccurate\n34 - - ok\n"},
+           {4, "tile 0 0\n1 0.5 -12 ok\n34 - - ok\n"},
+           {4, "tile 0 0\n1 -5 12 ok\n34 - - ok\n"},
+           {4, "tile 0 0\n2 0.5 12 ok\n33 - - ok\n"},
+           {5, "tile 0 0\n1 0.5 12 ok\n34 - - =HYPERLINK(\"http://x\")\n"},
+           {4, "tile 0 0\n35 - - \x1b]52;c;x\x07\n"},
+           {4, "tile 0 0\n35 - - " + megabytes + "\n"},
+           {4, "tile 0 0\n" + megabytes + " - - ok\n"},
+           {4, "tile 0 0\n1 " + megabytes + " 12 ok\n"},
+           {4, "tile 0 0\n0 - - ok\n35 - - ok\n"},
+           {3, "tile 1 2\n35 - - ok\n"},
+           {3, "sea 0 0\n35 - - ok\n"},
+           {5, "tile 0 0\n35 - - ok\nmore\n"},
+           {5, "tile 0 0\n35 - - ok\n\n"}}) {
+    const std::string said = complaint_of_chunk(lines);
+    INFO(lines.substr(0, 100) << "\n" << said.substr(0, 300));
+    CHECK(has(said, "000000.txt:" + std::to_string(line) + ": no chunk as a sweep writes it: "));
+    CHECK(said.size() < 300);
+  }
+}
+
+TEST_CASE("a chunk of choices has names of methods, and no formula of a spreadsheet", "[hostile][forged]") {
+  sweep::Plan plan = small_plan();
+  plan.asked.model = plan.asked.algorithm = "";
+  const auto said = [&](const std::string& as) {
+    const ScratchFolder scratch;
+    write_sealed(sweep::chunk_file(scratch.path(), 0),
+                 "fingerprint\nchunk 0\ntile 0 0\n1 0.3 8 " + as + "\n34 - - nothing holds\n");
+    return complaint([&] { kept(scratch.path(), plan, 0); });
+  };
+  CHECK(said("one angle, Runge-Kutta 4") == "nothing");
+  for (const std::string as : {"=1+1, x", "+1, x", "@SUM(1), x", "-1, x", "ok", "a\x1b[31m, b", ""}) {
+    INFO(as);
+    CHECK(has(said(as), "000000.txt:4: no chunk"));
+  }
+  CHECK(has(said("a, " + std::string(1'000'000, 'b')), "000000.txt:4: no chunk"));
 }
 
 TEST_CASE("results whose whole numbers do not fit are none", "[hostile]") {
@@ -101,10 +183,26 @@ TEST_CASE("what engines did is refused where an error has no unit", "[hostile]")
     return complaint([&] { read_engines(scratch.file("engines.json", text)); });
   };
   CHECK(said(kept) == "nothing");
-  for (const auto& [old, fresh] : {std::pair{"\"errors\": [1]", "\"errors\": [1, 2]"},
-                                   {"\"needs\": [0.01]", "\"needs\": []"},
-                                   {"\"steps_per_frame\": 1", "\"steps_per_frame\": 0"},
-                                   {"\"steps_per_frame\": 1", "\"steps_per_frame\": 1e300"},
-                                   {"\"stated_order\": 1", "\"stated_order\": 1e300"}})
-    CHECK(has(said(replaced(kept, old, fresh)), "not what 'oddity engines' writes: "));
+  CHECK(said("[]") == "nothing");
+  using Changed = std::vector<std::pair<std::string, std::string>>;
+  for (const auto& [old, fresh] : Changed{{"\"errors\": [1]", "\"errors\": [1, 2]"},
+                                          {"\"needs\": [0.01]", "\"needs\": []"},
+                                          {"\"steps_per_frame\": 1", "\"steps_per_frame\": 0"},
+                                          {"\"steps_per_frame\": 1", "\"steps_per_frame\": 1e300"},
+                                          {"\"stated_order\": 1", "\"stated_order\": 1e300"},
+                                          {trial, ""},
+                                          {"\"horizon\": 10", "\"horizon\": 1e300"},
+                                          {"\"frames_per_second\": 60", "\"frames_per_second\": 0"},
+                                          {"\"needs\": [0.01]", "\"needs\": [-1]"},
+                                          {"\"in_needs\": 1", "\"in_needs\": null"},
+                                          {"\"in_needs\": 1", "\"in_needs\": 1.5"},
+                                          {"\"seconds_per_frame\": 1e-6", "\"seconds_per_frame\": -1"},
+                                          {"\"errors\": [1]", "\"errors\": [-1]"},
+                                          {"\"errors\": [1]", "\"errors\": [], \"path\": [1]"},
+                                          {trial, trial + "," + trial},
+                                          {kept, ""},
+                                          {kept, "{}"},
+                                          {kept, "null"},
+                                          {kept, "[[]]"}})
+    CHECK(has(said(replaced(kept, old, fresh)), "not what './oddity engines' writes: "));
 }

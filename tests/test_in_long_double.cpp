@@ -10,7 +10,7 @@
 #include "reference/in_long_double.hpp"
 #include "reference/truth.hpp"
 #include "report/study/parallel.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 
 using namespace oddity;
 

@@ -12,8 +12,8 @@
 #include "report/lanes/batch.hpp"
 #include "report/plain/runge_kutta_4.hpp"
 #include "report/plain/velocity_verlet.hpp"
+#include "report/verify/catch.hpp"
 #include "solvers/lanes/integrate.hpp"
-#include "tests/catch.hpp"
 
 using namespace oddity;
 using lanes::Batch, lanes::Fixed, lanes::Registers, lanes::SceneInLanes;

@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "chapters/random.hpp"
+#include "report/verify/catch.hpp"
 #include "solvers/lanes/lanes.hpp"
-#include "tests/catch.hpp"
 
 using namespace oddity;
 

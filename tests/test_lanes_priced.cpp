@@ -2,7 +2,8 @@
 
 #include "report/cli/bench_lanes.hpp"
 #include "report/lanes/price.hpp"
-#include "tests/catch.hpp"
+#include "report/pages/choose_view.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/near.hpp"
 
 using namespace oddity;

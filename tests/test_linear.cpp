@@ -1,7 +1,7 @@
 #include "solvers/linear.hpp"
 
 #include "chapters/random.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/near.hpp"
 
 using namespace oddity;

@@ -27,7 +27,7 @@
 #include "chapters/contents.hpp"
 #include "chapters/scene.hpp"
 #include "report/study/choose.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/near.hpp"
 
 using namespace oddity;

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "chapters/numbers.hpp"
+#include "report/verify/catch.hpp"
 #include "solvers/ode/algorithms.hpp"
 #include "solvers/ode/catalog.hpp"
 #include "solvers/ode/events.hpp"
-#include "tests/catch.hpp"
 #include "tests/near.hpp"
 
 using namespace oddity;
@@ -122,7 +122,7 @@ TEST_CASE("a motion after its bounces is observed where it is asked for, all cal
     CHECK(near(motion.trajectory.value[1][0], 2 * std::cos(1) - 1, allowed));
     CHECK(near(motion.trajectory.value[2][0], std::cos(s) - 1 + v * std::sin(s), allowed));
     if (a.kind != Kind::implicit_controlled && a.kind != Kind::implicit_fixed &&
-        a.kind != Kind::self_stepping)
+        a.kind != Kind::self_stepping && a.kind != Kind::velocities_first)
       CHECK(motion.trajectory.evaluations == ball.calls);
   }
 }

@@ -16,7 +16,7 @@
 #include "chapters/03_rigid_body_motion/17_foucault/foucault.hpp"
 #include "chapters/contents.hpp"
 #include "reference/reference.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 
 using namespace oddity;
 

@@ -2,7 +2,7 @@
 
 #include "chapters/contents.hpp"
 #include "report/site/players.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 
 using namespace oddity;
 

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <string>
 
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/mutation/record.hpp"
 #include "tests/scratch_folder.hpp"
 

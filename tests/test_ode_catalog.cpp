@@ -5,8 +5,8 @@
 
 #include <complex>
 
+#include "report/verify/catch.hpp"
 #include "solvers/ode/stability.hpp"
-#include "tests/catch.hpp"
 #include "tests/near.hpp"
 #include "tests/ode_algorithms.hpp"
 

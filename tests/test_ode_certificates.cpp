@@ -3,7 +3,7 @@
 // cost of a stiff problem. A new algorithm in solvers/ode/algorithms.hpp is certified without a line here.
 
 #include "report/study/fit.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/near.hpp"
 #include "tests/ode_algorithms.hpp"
 
@@ -92,9 +92,40 @@ TEST_CASE("every fixed step has its order without explicit time, forward and bac
 TEST_CASE("every fixed step has its order with explicit time, forward and backward", "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
-    if constexpr (!partitioned<Algorithm> && has_fixed_order<Algorithm>) {
+    if constexpr (!of_positions_and_velocities<Algorithm> && has_fixed_order<Algorithm>) {
       for (Span span : {Span{0, 10}, Span{0, -10}})
         CHECK(near(measured_order<Algorithm>(driven, span, 2), Algorithm::order, 0.25));
+    }
+  });
+}
+
+TEST_CASE("semi-implicit Euler has order 1 where forces know velocity and time, forward and backward",
+          "[solvers]") {
+  for (const Problem* problem : {&damped, &pushed})
+    for (double end : {5.0, -5.0})
+      CHECK(near(measured_order<SemiImplicitEuler>(*problem, {0, end}), 1, 0.05));
+}
+
+TEST_CASE("where rates are functions of time every estimator sees its error, or says that it does not",
+          "[solvers]") {
+  for_each_algorithm([]<class Algorithm>() {
+    INFO(Algorithm::name);
+    if constexpr (has_tolerance(Algorithm::kind)) {
+      for (const Problem* problem : {&clocked, &pushed})
+        for (double end : {8.0, -2.0}) {
+          const auto error = [&](double tolerance) {
+            const auto solved = integrate<Algorithm>(problem->system, problem->exact(0), 0, end, tolerance);
+            CHECK(solved.reached());
+            return distance(solved.value, problem->exact(end));
+          };
+          if (Algorithm::facts.blind_to_time) {
+            if (problem == &clocked) CHECK(error(1e-12) == error(1e-4));
+            CHECK(error(1e-12) > 1e-9);
+          } else {
+            for (double tolerance : {1e-4, 1e-6, 1e-8, 1e-10})
+              CHECK(error(tolerance) < most_tolerances<Algorithm> * tolerance);
+          }
+        }
     }
   });
 }

@@ -1,9 +1,9 @@
 #include "report/study/fit.hpp"
+#include "report/verify/catch.hpp"
 #include "solvers/ode/events.hpp"
 #include "solvers/ode/implicit_euler.hpp"
 #include "solvers/ode/rosenbrock_4.hpp"
 #include "solvers/ode/stability.hpp"
-#include "tests/catch.hpp"
 #include "tests/near.hpp"
 
 using namespace oddity;

@@ -1,7 +1,7 @@
 // What symplectic Euler and velocity Verlet are for: over a long time the energy oscillates and does not
 // drift, the area in phase space is kept, and Verlet can be run back step by step.
 
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/near.hpp"
 #include "tests/ode_algorithms.hpp"
 

@@ -4,10 +4,11 @@
 #include "solvers/ode/stability.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
+#include "report/verify/catch.hpp"
 #include "solvers/ode/disturbed.hpp"
-#include "tests/catch.hpp"
 #include "tests/near.hpp"
 #include "tests/ode_algorithms.hpp"
 
@@ -101,8 +102,8 @@ TEST_CASE("where linear theory first loses stability, and every tongue beyond", 
     return stable_step(algorithm, {10, {{lambda}}});
   };
   CHECK(first("explicit Euler", turning) == 0);
-  CHECK(near(first("explicit Euler", fading), 2, 0.003));
-  CHECK(near(first("explicit Euler", ringing), 0.2 / 1.01, 0.005));
+  CHECK(near(first("explicit Euler", fading), 2, 1e-9));
+  CHECK(near(first("explicit Euler", ringing), 0.2 / 1.01, 1e-9));
   CHECK(near(first("velocity Verlet", turning), 2, 1e-3));
   CHECK(near(first("Runge-Kutta 4", turning), 2 * std::sqrt(2.0), 0.003));
   CHECK(near(first("Runge-Kutta 4", 50.0 * turning), 2 * std::sqrt(2.0) / 50, 0.0001));
@@ -125,6 +126,110 @@ TEST_CASE("where linear theory first loses stability, and every tongue beyond", 
              return std::abs(h - t.from) < 1e-6 || std::abs(h - t.to) < 1e-6;
            })));
   }
+}
+
+TEST_CASE("where a disturbance fades in truth, the limit is where it is neither damped nor grows",
+          "[solvers][stability]") {
+  // -2 Re(lambda) / |lambda|^2 of explicit Euler; of the others |R(h lambda)| = 1 itself.
+  for (const std::complex<double> lambda :
+       {std::complex<double>(-0.4, 2), {-1, 1}, {-0.05, 0.3}, {-3, 0.01}, {-0.02, 1}, {-7, 0}}) {
+    INFO("lambda = " << lambda);
+    const auto limit = [&](std::string_view algorithm) {
+      return stable_step(algorithm, {10, {{lambda, std::conj(lambda)}}});
+    };
+    const double euler = -2 * lambda.real() / std::norm(lambda);
+    CHECK(near(limit("explicit Euler"), euler, 1e-9 * euler));
+    for (std::string_view algorithm : {"Runge-Kutta 4", "modified midpoint", "Adams-Bashforth 4"}) {
+      INFO(algorithm);
+      const double h = limit(algorithm);
+      CHECK(std::abs(growth(algorithm, h * lambda)) < 1e-8);
+      CHECK(growth(algorithm, 0.999 * h * lambda) < 0);
+      CHECK(growth(algorithm, 1.001 * h * lambda) > 0);
+    }
+    const double c = -2 * lambda.real(), k = std::norm(lambda);
+    CHECK(near(limit("semi-implicit Euler"), (std::sqrt(c * c + 4 * k) - c) / k, 1e-6 / std::sqrt(k)));
+  }
+}
+
+namespace {
+
+/// Two oscillations that a magnetic field couples, as Foucault's pendulum, and damping.
+struct Gyroscopic {
+  void operator()(const std::array<double, 4>& x, std::array<double, 4>& dxdt, double) const {
+    dxdt = {x[2], x[3], -x[0] - 0.1 * x[2] + 0.5 * x[3], -2 * x[1] - 0.1 * x[3] - 0.5 * x[2]};
+  }
+};
+
+}  // namespace
+
+TEST_CASE("semi-implicit Euler's limit is that of its own step where velocities are coupled",
+          "[solvers][stability]") {
+  const Adapted<AnySystem<4>, Gyroscopic> system{Gyroscopic{}};
+  std::array<double, 4> zero{};
+  const auto rhs = [&](const double* x, double* dxdt, double t) {
+    std::array<double, 4> state, rate;
+    std::copy_n(x, 4, state.begin());
+    system(state, rate, t);
+    std::ranges::copy(rate, dxdt);
+  };
+  Spectrum spectrum{10, {}, {jacobian_at(rhs, zero, 0)}, {false, false, true, true}};
+  spectrum.at.push_back(eigenvalues_of(spectrum.jacobians[0]));
+  const double limit = stable_step("semi-implicit Euler", spectrum);
+  const auto size_after = [&](double h) {  // of 100,000 steps from a motion in both modes
+    return integrate<SemiImplicitEuler>(system, std::array{1.0, 0.5, -0.3, 0.7}, 0, 100'000 * h, h).value;
+  };
+  const auto largest = [](const auto& x) {
+    return std::abs(*std::ranges::max_element(x, {}, [](double y) { return std::abs(y); }));
+  };
+  CHECK(within(limit, 0.1, 0.2 / 0.26));  // from where the velocities alone grow: |1 + h (-0.1 + 0.5 i)| = 1
+  CHECK(largest(size_after(0.99 * limit)) < 1e-3);
+  CHECK(largest(size_after(1.01 * limit)) > 1e3);
+}
+
+TEST_CASE("semi-implicit Euler is symplectic Euler where forces depend on positions alone", "[solvers]") {
+  for (double h : {0.1, 0.7}) {
+    const auto a = integrate<SemiImplicitEuler>(separatrix.system, State{0.5, 1}, 0, 7, h);
+    const auto b = integrate<SymplecticEuler>(separatrix.system, State{0.5, 1}, 0, 7, h);
+    CHECK(a.value == b.value);
+    CHECK(a.evaluations == b.evaluations);
+  }
+}
+
+namespace {
+
+/// A turn about an axis at a rate that is an unknown: (cos, sin, rate), with friction.
+struct Turning {
+  static constexpr std::array<std::size_t, 1> velocities{2};
+  void operator()(const std::array<double, 3>& x, std::array<double, 3>& dxdt, double) const {
+    dxdt = {-x[1] * x[2], x[0] * x[2], -0.5 * x[2]};
+  }
+};
+
+/// A position whose velocity is a function of time.
+struct Carried {
+  static constexpr std::array<std::size_t, 0> velocities{};
+  void operator()(const std::array<double, 1>&, std::array<double, 1>& dxdt, double t) const { dxdt = {t}; }
+};
+
+}  // namespace
+
+TEST_CASE("semi-implicit Euler takes the new velocities, which a system declares or shows", "[solvers]") {
+  const auto turned = integrate<SemiImplicitEuler>(Turning{}, std::array{1.0, 0.0, 2.0}, 0, 0.25, 0.25);
+  CHECK(turned.value == std::array{1.0, 0.25 * 1.75, 1.75});
+  CHECK(turned.evaluations == 2);
+  const auto carried = integrate<SemiImplicitEuler>(Carried{}, std::array{1.0}, 0, 0.5, 0.25);
+  CHECK(carried.value[0] == 1 + 0.25 * (0.25 + 0.5));
+  const auto seen = velocities_of<State>(damped.system);
+  CHECK(seen.is == std::array{false, true});
+  CHECK(seen.are_all_rates());
+  CHECK_FALSE(velocities_of<State>(decay.system).known);
+}
+
+TEST_CASE("a rate of time alone is seen where there is one", "[solvers]") {
+  CHECK(has_rates_of_time<State>(clocked.system));
+  CHECK(has_rates_of_time<State>(pushed.system));
+  CHECK_FALSE(has_rates_of_time<State>(driven.system));
+  CHECK_FALSE(has_rates_of_time<State>(damped.system));
 }
 
 TEST_CASE("in explicit Euler an undamped oscillation grows at the rate h omega^2 / 2", "[solvers]") {

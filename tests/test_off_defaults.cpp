@@ -1,11 +1,15 @@
+#include <array>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "chapters/02_basic_concepts/07_curve_on_sphere/models.hpp"
 #include "chapters/contents.hpp"
+#include "reference/bad_input.hpp"
 #include "reference/reference.hpp"
 #include "report/study/run.hpp"
+#include "report/verify/catch.hpp"
 #include "solvers/ode/integrate.hpp"
-#include "tests/catch.hpp"
 #include "tests/near.hpp"
 
 using namespace oddity;
@@ -114,5 +118,42 @@ TEST_CASE("7.11: the logarithm of a determinant in range is found by every metho
   for (const Method& m : q.methods) {
     INFO(m.model << ", " << m.algorithm);
     CHECK(near(m.run(0).value[0], first, 1e-12 * first));
+  }
+}
+
+TEST_CASE("7.1: a system of one's own is solved by every elimination, and one without a solution is refused",
+          "[off_defaults][7.1]") {
+  const Entry& entry = entry_of(7, 1);
+  const auto found = [&](const std::array<double, 12>& a) {
+    Parameters p(entry.exercise.parameters);
+    for (std::size_t i = 0; i < a.size(); ++i)
+      p.set("a" + std::to_string(i / 4 + 1) + std::to_string(i % 4 + 1), a[i]);
+    return entry.exercise.study(p, reference());
+  };
+  const Findings findings = found({2, 1, -1, 8, -3, -1, 2, -11, -2, 1, 2, -3});
+  const Quantity& q = *std::ranges::find(findings.quantities, "own_system", &Quantity::name);
+  for (const Method& m : q.methods) {
+    INFO(m.algorithm);
+    const Value x = m.run(53).value;
+    REQUIRE(x.size() == 3);
+    const bool is_right = near(x[0], 2, 1e-12) && near(x[1], 3, 1e-12) && near(x[2], -1, 1e-12);
+    CHECK(is_right == (m.algorithm != "full, operations as counted in print"));
+  }
+  CHECK_THROWS_AS(found({1, 2, 3, 1, 2, 4, 6, 1, 0, 1, 1, 1}), BadInput);
+}
+
+TEST_CASE("7.11: the determinant of a triangular matrix of one's own is the product of its diagonal",
+          "[off_defaults][7.11]") {
+  const Entry& entry = entry_of(7, 11);
+  Parameters p(entry.exercise.parameters);
+  for (const auto& [name, value] : std::vector<std::pair<const char*, double>>{
+           {"u11", 1e60}, {"u22", 1e-60}, {"u33", 3.0}, {"u44", -0.5}})
+    p.set(name, value);
+  const Findings findings = entry.exercise.study(p, reference());
+  const Quantity& q = *std::ranges::find(findings.quantities, "own_determinant", &Quantity::name);
+  CHECK(near(q.reference.value[0], -1.5, 1e-15));
+  for (const Method& m : q.methods) {
+    INFO(m.model << ", " << m.algorithm);
+    CHECK(name_of(run(q, m, 0).outcome) == "ok");
   }
 }

@@ -4,8 +4,8 @@
 
 #include "chapters/contents.hpp"
 #include "reference/reference.hpp"
+#include "report/verify/catch.hpp"
 #include "solvers/ode/integrate.hpp"
-#include "tests/catch.hpp"
 
 using namespace oddity;
 

@@ -1,7 +1,7 @@
 #include "chapters/own_reference.hpp"
 
 #include "chapters/scene.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 
 using namespace oddity;
 

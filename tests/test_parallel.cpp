@@ -2,7 +2,7 @@
 
 #include "chapters/contents.hpp"
 #include "report/study/parallel.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 
 using namespace oddity;
 
@@ -29,6 +29,7 @@ TEST_CASE("a stage tells of pieces that are done, and of those begun", "[paralle
   stage.add();
   stage.add();
   CHECK(told == std::vector<Told>{{"working", 0, 2},
+                                  {"working", 0, 2},
                                   {"working", 0.25, 2},
                                   {"working", 0.5, 2},
                                   {"working", 1, 2},

@@ -1,5 +1,5 @@
 #include "chapters/09_calculus/01_point_triangle/point_triangle.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/near.hpp"
 
 using namespace oddity;

@@ -4,9 +4,10 @@
 #include <iterator>
 
 #include "chapters/contents.hpp"
+#include "reference/files.hpp"
 #include "report/cli/asked.hpp"
 #include "report/study/prices.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/scratch_folder.hpp"
 
 using namespace oddity;
@@ -87,6 +88,9 @@ TEST_CASE("another setting, question, machine or program has prices of its own",
   CHECK(price_key(swing, need) == key);
   need.horizon = 20;
   CHECK(price_key(swing, need) != key);
+  need.horizon = Need{0.01}.horizon;
+  need.frames_per_second *= 2;
+  CHECK(price_key(swing, need) != key);
 }
 
 TEST_CASE("prices that are asked for anew take the place of those kept", "[prices]") {
@@ -121,6 +125,28 @@ TEST_CASE("prices that are damaged anywhere are measured again", "[prices]") {
   CHECK(is_measured_with(whole + "1\n"));
   CHECK(is_measured_with(std::string(1000, '\0')));
   CHECK_FALSE(is_measured_with(whole));
+}
+
+TEST_CASE("prices that no clock has shown are measured again, whoever sealed them", "[prices][forged]") {
+  Run run;
+  run.ask();
+  const fs::path file = run.prices().file();
+  const std::string key = text_of(file).substr(0, text_of(file).find('\n') + 1);
+  const auto asked_with = [&](const std::string& rest) {
+    const std::string text = key + "one angle\tvelocity Verlet\t0.5\t" + rest + "\n";
+    run.folder.file(file.filename().string(), text + checksum(text) + "\n");
+    const int before = run.calls;
+    run.prices()(verlet, 0.5);
+    return run.calls - before;
+  };
+  CHECK(asked_with("1e-6\t1e-8") == 0);
+  CHECK(asked_with("1e-6\tnan") == 0);  // timed once
+  for (const char* rest :
+       {"inf\t0", "nan\t0", "0\t0", "-1e-6\t0", "5e-324\t0", "1e-300\t0", "1e300\t0", "1e-6\t-1", "1e-6\tinf",
+        "1e-6", "1e-6\t0\t0", "one\ttwo", "1e-6\t1e-8\none angle\tsymplectic Euler\t0.5\tinf\t0"}) {
+    INFO(rest);
+    CHECK(asked_with(rest) == 1);
+  }
 }
 
 TEST_CASE("prices are done without where they cannot be kept", "[prices]") {

@@ -3,7 +3,7 @@
 
 #include "reference/proofs.hpp"
 #include "report/study/prove.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/program.hpp"
 #include "tests/scratch_folder.hpp"
 

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "report/study/fit.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/near.hpp"
 #include "tests/quadrature_rules.hpp"
 

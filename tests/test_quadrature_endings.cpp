@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/near.hpp"
 #include "tests/quadrature_rules.hpp"
 

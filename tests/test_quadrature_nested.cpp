@@ -2,8 +2,8 @@
 
 #include <numbers>
 
+#include "report/verify/catch.hpp"
 #include "solvers/quadrature.hpp"
-#include "tests/catch.hpp"
 #include "tests/near.hpp"
 
 using namespace oddity;

@@ -4,7 +4,8 @@
 
 #include "reference/quantity_text.hpp"
 #include "reference/similar.hpp"
-#include "tests/catch.hpp"
+#include "report/study/limit_records.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/complaint.hpp"
 
 using namespace oddity;

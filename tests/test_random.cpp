@@ -2,7 +2,7 @@
 
 #include "chapters/random.hpp"
 
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/near.hpp"
 
 using namespace oddity;

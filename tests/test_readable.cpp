@@ -1,8 +1,9 @@
-#include "report/pages/readable.hpp"
+#include "report/text/readable.hpp"
 
 #include "chapters/contents.hpp"
+#include "formula/shown.hpp"
 #include "reference/reference.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 
 using namespace oddity;
 
@@ -28,6 +29,17 @@ std::vector<std::string> texts_of(const Quantity& q) {
   std::vector<std::string> all{q.says, q.reference.by, q.need.reason};
   for (const Method& m : q.methods) all.push_back(m.why);
   for (const Breakdown& b : q.breakdowns) all.push_back(b.says);
+  return all;
+}
+
+std::vector<std::string> formulas_of(const std::string& text) {
+  std::vector<std::string> all;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::size_t end = text[i] == '$' || text[i] == '`' ? text.find(text[i], i + 1) : std::string::npos;
+    if (end == std::string::npos) continue;
+    if (text[i] == '$') all.push_back(text.substr(i + 1, end - i - 1));
+    i = end;
+  }
   return all;
 }
 
@@ -75,6 +87,17 @@ TEST_CASE("what is no formula stays, and what is none of TeX's does no harm", "[
     CHECK_NOTHROW(readable("$" + tex + "$"));
 }
 
+TEST_CASE("two formulas are readable with what differs in brackets, and prose is not", "[readable]") {
+  const formula::Marks marks{"[", "]"};
+  const auto both = formulas_that_differ("$a-2b$", R"($a+2\beta$)", marks, marks);
+  REQUIRE(both);
+  CHECK(both->first == "a[-]2[b]");
+  CHECK(both->second == "a[+]2[β]");
+  CHECK_FALSE(formulas_that_differ("half of $a$", "$a$", marks, marks));
+  CHECK_FALSE(formulas_that_differ("$a$", "$a$", marks, marks));
+  CHECK(typed(R"($\dot\theta^2\le\frac{g}{L}$ and `x`)") == "theta'^2 <= g/L and x");
+}
+
 TEST_CASE("nothing of TeX is left of what the exercises say", "[readable][claims]") {
   for (const Entry& entry : registry())
     for (const std::string& text : texts_of(entry.exercise)) {
@@ -86,6 +109,7 @@ TEST_CASE("nothing of TeX is left of what the exercises say", "[readable][claims
         return n;
       };
       CHECK(plain.find_first_of("\\$") == std::string::npos);
+      for (const std::string& formula : formulas_of(text)) CHECK_NOTHROW(formula::parse_shown(formula));
       CHECK(count(plain, "{") == count(text, "\\{"));
       CHECK(count(plain, "}") == count(text, "\\}"));
     }

@@ -3,7 +3,7 @@
 #include "reference/reference.hpp"
 
 #include "reference/verdicts.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/complaint.hpp"
 #include "tests/near.hpp"
 #include "tests/scratch_folder.hpp"
@@ -167,8 +167,8 @@ TEST_CASE("an unknown table is named", "[reference]") {
   CHECK(std::isnan(nothing.value[0]));
   CHECK(std::isnan(nothing.error));
   CHECK(nothing.source ==
-        "no table reference/tables/03_05_nothing.csv: write reference/make/03_05_nothing.cpp and run "
-        "build/release/make_reference reference 03_05_nothing");
+        "no maker of the table 03_05_nothing: write reference/make/03_05_nothing.cpp in the folder that has "
+        "the exercise's chapters");
 }
 
 TEST_CASE("inputs that are not finite have no truth", "[reference]") {

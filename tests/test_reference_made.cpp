@@ -15,7 +15,7 @@
 #include "reference/reference.hpp"
 #include "reference/text.hpp"
 #include "report/study/parallel.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/near.hpp"
 
 using namespace oddity;

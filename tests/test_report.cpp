@@ -8,16 +8,18 @@
 #include "reference/bad_input.hpp"
 #include "reference/verdicts.hpp"
 #include "report/charts/chart.hpp"
-#include "report/charts/svg.hpp"
+#include "report/charts/stability_map.hpp"
 #include "report/pages/catalog_page.hpp"
 #include "report/pages/claims.hpp"
 #include "report/pages/markdown.hpp"
 #include "report/pages/quantities.hpp"
 #include "report/pages/text_view.hpp"
+#include "report/study/limit_records.hpp"
 #include "report/study/perturb_results.hpp"
 #include "report/study/run.hpp"
 #include "report/study/stability.hpp"
-#include "tests/catch.hpp"
+#include "report/text/svg.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/complaint.hpp"
 #include "tests/run_of_all.hpp"
 #include "tests/sample_results.hpp"
@@ -84,9 +86,10 @@ TEST_CASE("results survive the way to JSON and back", "[report]") {
 
 TEST_CASE("numbers that are not finite become null and come back as NaN", "[report]") {
   Results results = sample();
-  results.exercises[0].quantities[0].methods[0].trials[0].error = std::numeric_limits<double>::infinity();
+  results.exercises[0].quantities[0].methods[0].trials[0].error_estimate =
+      std::numeric_limits<double>::infinity();
   const Results read = results_from_json(to_json(results), "here");
-  CHECK(std::isnan(read.exercises[0].quantities[0].methods[0].trials[0].error));
+  CHECK(std::isnan(read.exercises[0].quantities[0].methods[0].trials[0].error_estimate));
 }
 
 TEST_CASE("what a model errs by at a border comes back as it was: none, no number and infinite", "[report]") {
@@ -95,7 +98,7 @@ TEST_CASE("what a model errs by at a border comes back as it was: none, no numbe
   BreakEven border{"one angle", "a", "rad", {0, 1}, {{0, 0.5}}};
   border.holding = {std::numeric_limits<double>::quiet_NaN()};
   border.failing = {1.5, infinity};
-  results.exercises[0].cheapest_models = CheapestModels{{"rad"}, {}, {border}, {}};
+  results.exercises[0].cheapest_models = CheapestModels{{"rad"}, {{"1 degree", {0.1}, {}}}, {border}, {}};
   const Results read = results_from_json(to_json(results), "here");
   REQUIRE(read.exercises[0].cheapest_models);
   const BreakEven& back = read.exercises[0].cheapest_models->break_evens.at(0);
@@ -509,7 +512,7 @@ TEST_CASE("the check that fails is the one that is shown, NaN before all", "[rep
     claim.claim.printed.checks = std::move(checks);
     claim.claim.corrected = {"x = 1", {one_against_one(1e-9)}};
     claim.verdict = verdict(claim.claim);
-    CHECK(claim.verdict == Verdict::erratum);
+    CHECK(claim.verdict == Verdict::wrong);
     results.exercises[0].claims = {claim};
     return page_of(results);
   };

@@ -8,7 +8,7 @@
 
 #include "reference/verdicts.hpp"
 #include "report/pages/write_report.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/sample_results.hpp"
 #include "tests/scratch_folder.hpp"
 
@@ -115,7 +115,7 @@ TEST_CASE("links to nowhere are found", "[report]") {
 TEST_CASE("the book is short enough to read", "[report]") {
   // As wc -w counts. The whole report has the engines' page and one of times beside it.
   constexpr std::size_t times = 1'750;
-  CHECK(words_of(book) + words_of(book.parent_path()) + times <= 60'000);
+  CHECK(words_of(book) + words_of(book.parent_path()) + times <= 65'000);
   CHECK(bytes_within(book) <= 8'000'000);
 }
 
@@ -127,7 +127,7 @@ TEST_CASE("the book has a page for each exercise, and says each erratum and misp
   const Verdicts on_record = read_verdicts(fs::path(ODDITY_SOURCE) / "reference" / "approved");
   int wrong = 0;
   for (const auto& [id, verdict] : on_record) {
-    if (verdict != "erratum" && verdict != "misprint") continue;
+    if (verdict == "confirmed" || verdict == "not checkable") continue;
     ++wrong;
     const std::string file = id.substr(0, id.find('-')) + ".md", page = text_of(book / file);
     INFO(id);

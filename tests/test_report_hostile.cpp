@@ -4,12 +4,14 @@
 #include <sstream>
 
 #include "reference/bad_input.hpp"
+#include "report/pages/cheapest_models_view.hpp"
 #include "report/pages/markdown.hpp"
-#include "report/pages/markup.hpp"
+#include "report/pages/stability_view.hpp"
 #include "report/pages/write_report.hpp"
 #include "report/study/cheapest_models.hpp"
 #include "report/study/stability.hpp"
-#include "tests/catch.hpp"
+#include "report/text/markup.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/hostile.hpp"
 #include "tests/sample_results.hpp"
 #include "tests/scratch_folder.hpp"

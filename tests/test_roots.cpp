@@ -1,5 +1,5 @@
+#include "report/verify/catch.hpp"
 #include "solvers/roots.hpp"
-#include "tests/catch.hpp"
 #include "tests/near.hpp"
 
 using namespace oddity;

@@ -3,10 +3,10 @@
 
 #include "chapters/03_rigid_body_motion/31_rough_box/models.hpp"
 #include "chapters/random.hpp"
+#include "report/verify/catch.hpp"
 #include "solvers/ode/algorithms.hpp"
 #include "solvers/ode/integrate.hpp"
 #include "solvers/quadrature.hpp"
-#include "tests/catch.hpp"
 #include "tests/near.hpp"
 
 using namespace oddity;

@@ -6,12 +6,13 @@
 #include <nlohmann/json.hpp>
 
 #include "chapters/contents.hpp"
-#include "report/pages/text_view.hpp"
+#include "report/pages/stability_view.hpp"
 #include "report/site/data.hpp"
 #include "report/site/example.hpp"
+#include "report/study/limit_records.hpp"
 #include "report/study/run.hpp"
 #include "report/study/stability.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/packed.hpp"
 #include "tests/sample_results.hpp"
 
@@ -160,30 +161,14 @@ TEST_CASE("What an engine did as it comes is a recorded motion, twenty times a s
   CHECK(paths_of("3.7").empty());
 }
 
-TEST_CASE("Without models the motions are drawn: the bob is where its angle says", "[site]") {
-  const json drawn = written(pendulum())["scene"]["drawn"];
-  CHECK(drawn["space"] == false);
-  std::size_t at = 0;  // the first coordinate of the bob
-  for (const json& thing : drawn["things"]) {
-    if (thing["kind"] == "body") break;
-    at += 2 * thing["points"].get<std::size_t>();
-  }
-  const std::vector<std::size_t> moving = drawn["moving"];
-  const auto x = static_cast<std::size_t>(std::ranges::find(moving, at) - moving.begin());
-  REQUIRE(x + 1 < moving.size());
-  const double least = drawn["least"], most = drawn["most"];
-  const std::string bytes = bytes_of(drawn["truth"]);
-  const std::vector<float> angles = floats(written(pendulum())["scene"]["truth"]["values"]);
-  REQUIRE(bytes.size() == 2 * moving.size() * angles.size());
-  for (std::size_t frame = 0; frame < angles.size(); ++frame) {
-    const auto coordinate = [&](std::size_t i) {
-      return least + (most - least) * number_at(bytes, 2 * (frame * moving.size() + i), 2) / 65535;
-    };
-    CHECK(std::abs(coordinate(x) - std::sin(angles[frame])) < (most - least) / 60000);
-    CHECK(std::abs(coordinate(x + 1) + std::cos(angles[frame])) < (most - least) / 60000);
-  }
-  CHECK(!argument("exercise", exercise_data(pendulum(), known(), Styles(results()), false))["scene"].contains(
-      "drawn"));
+TEST_CASE("Without models every motion that was recorded is there", "[site]") {
+  const auto paths = [](bool recorded) {
+    return argument("exercise",
+                    exercise_data(pendulum(), known(), Styles(results()), recorded))["scene"]["paths"]
+        .size();
+  };
+  CHECK(paths(true) == swing().trajectory->paths.size());
+  CHECK(paths(false) < paths(true));
 }
 
 TEST_CASE("A map has a list of letters for each value of the parameter", "[site]") {
@@ -233,10 +218,11 @@ TEST_CASE("The example is a scene with its truth and the rows that the player op
 TEST_CASE("The errors of a page are by the norms of its table", "[site]") {
   for (const bool by_norms : {true, false}) {
     ExerciseResult e = pendulum();
-    for (QuantityResult& q : e.quantities) q.by_norms = by_norms;
+    for (QuantityResult& q : e.quantities)
+      if (!by_norms) q.norms.clear();
     CHECK(written(e)["scene"]["norms"] == json::parse(R"([{"unit": "rad", "components": [0]}])"));
   }
-  CHECK(swing().by_norms);
+  CHECK_FALSE(swing().norms.empty());
 }
 
 TEST_CASE("The chooser knows the parameters, units and exact models of each scene", "[site]") {

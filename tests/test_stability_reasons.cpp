@@ -6,7 +6,7 @@
 
 #include "chapters/scene.hpp"
 #include "report/study/stability.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/near.hpp"
 
 using namespace oddity;

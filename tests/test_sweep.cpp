@@ -10,7 +10,7 @@
 
 #include "chapters/random.hpp"
 #include "report/sweep/merge.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/complaint.hpp"
 #include "tests/program.hpp"
 #include "tests/properties.hpp"
@@ -303,6 +303,16 @@ TEST_CASE("a plan is that of its program, tables and question", "[sweep]") {
   CHECK(says(run("sweep status " + quoted(scratch.path() / "none")), "there is no plan"));
 }
 
+TEST_CASE("a map that no machine could hold is refused at once", "[sweep]") {
+  const ScratchFolder scratch;
+  const Ran ran = run("sweep plan " + quoted(scratch.path()) +
+                      " 3.5 --over a=1deg..179deg:1000000 --over L=0.1..1:1000000");
+  INFO(ran.output);
+  CHECK(ran.status == 2);
+  CHECK(says(ran, "a map of 1e+12 cells is too large"));
+  CHECK(fs::is_empty(scratch.path()));
+}
+
 TEST_CASE("a thousand million cells are planned and estimated", "[sweep]") {
   const ScratchFolder scratch;
   const Ran ran =
@@ -423,7 +433,7 @@ TEST_CASE("sweeps that cannot be are refused with what would be right", "[sweep]
   const std::string method = " --model 'one angle' --algorithm 'Runge-Kutta 4'";
   refused("3.5" + method + " --over b=1..2:5 --setting 0.1", "no parameter 'b'");
   refused("3.5" + method + " --over a=1..2 --setting 0.1", "is not NAME=FROM..TO:COUNT");
-  refused("3.5" + method + " --over a=1..2:1 --setting 0.1", "a whole one from 2");
+  refused("3.5" + method + " --over a=1..2:1 --setting 0.1", "whole number from 2 to");
   refused("3.5" + method + " --over a=1..200deg:9 --setting 0.1", "out of its range: 0.001 to 3.14 rad");
   refused("3.5" + method + " --over a=1..2:5 --over a=1..2:5 --setting 0.1", "given twice");
   refused("3.5" + method + " --over a=2..1:5 --setting 0.1", "the axis a goes upward, and not from 2 to 1");
@@ -434,10 +444,12 @@ TEST_CASE("sweeps that cannot be are refused with what would be right", "[sweep]
   refused("3.5 --model 'one angle' --over a=1..2:5", "go together");
   refused("3.5 --model 'one angel' --algorithm 'Runge-Kutta 4' --over step=1ms..1:5", "has no method");
   refused("3.5 --over step=1ms..1:5", "has a setting of its own");
+  refused("3.5 --over a=1..2:5 --error 1deg --looks 50", "--looks is of a method");
+  refused("3.5 --over a=1..2:5 --looks 1", "--looks is of a method");
   refused("3.5 --over a=1..2:5 --setting 0.1", "is a method's: say which with --model and --algorithm");
   refused("2.3 --over a=1..2:5", "has no motion");
   CHECK(run("sweep").status == 2);
   CHECK(says(run("sweep"), "sweep needs one of its verbs: plan, run, status, merge, draw"));
   CHECK(says(run("sweep paln x"), "did you mean 'plan'?"));
-  CHECK(says(run("sweep run --thread 2 x"), "'oddity sweep run --help' says more"));
+  CHECK(says(run("sweep run --thread 2 x"), "'./oddity sweep run --help' says more"));
 }

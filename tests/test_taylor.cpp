@@ -5,10 +5,10 @@
 
 #include <numbers>
 
+#include "report/verify/catch.hpp"
 #include "solvers/counted.hpp"
 #include "solvers/ode/all.hpp"
 #include "solvers/ode/events.hpp"
-#include "tests/catch.hpp"
 #include "tests/near.hpp"
 #include "tests/ode_problems.hpp"
 

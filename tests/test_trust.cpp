@@ -8,7 +8,7 @@
 #include "reference/reference.hpp"
 #include "report/pages/markdown.hpp"
 #include "report/site/claims_section.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/complaint.hpp"
 #include "tests/sample_results.hpp"
 #include "tests/scratch_folder.hpp"
@@ -111,5 +111,5 @@ TEST_CASE("what is proved says so in the report and on the site", "[trust]") {
   CHECK(page.find("`9.9-y`** (line 2, proved)") != std::string::npos);
   CHECK(page.find("1 confirmed claim, 1 proved (†)") != std::string::npos);
   CHECK(exercise_page_text(results, results.exercises[0]).find("Coq") == std::string::npos);
-  CHECK(claims_section(results.exercises[0], proved).find("<small>1, Coq</small>") != std::string::npos);
+  CHECK(claims_section(results.exercises[0], proved).find("<small>line 1, Coq</small>") != std::string::npos);
 }

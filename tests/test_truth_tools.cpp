@@ -10,7 +10,7 @@
 #include "reference/make/taylor.hpp"
 #include "reference/make/universal_kepler.hpp"
 #include "reference/reference.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 
 namespace oddity::truth {
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "chapters/typeset.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/near.hpp"
 
 using namespace oddity;

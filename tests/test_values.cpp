@@ -1,5 +1,5 @@
 #include "chapters/exercise.hpp"
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 
 using namespace oddity;
 
@@ -66,20 +66,44 @@ TEST_CASE("the first reading that holds decides; a near miss that holds unsettle
   const Reading yes{"", {{"x", {"a", 1}, {"b", 1}, exact()}}}, no{"", {{"x", {"a", 1}, {"b", 2}, exact()}}},
       none;
   const auto judged = [](Reading printed, Reading meant, Reading corrected, std::vector<Reading> near = {}) {
-    return verdict(
-        {"id", 1, "says", std::move(printed), std::move(meant), std::move(corrected), std::move(near)});
+    return verdict({.printed = std::move(printed),
+                    .meant = std::move(meant),
+                    .corrected = std::move(corrected),
+                    .near_misses = std::move(near)});
   };
   CHECK(judged(yes, yes, yes) == Verdict::confirmed);
   CHECK(judged(no, yes, yes) == Verdict::misprint);
-  CHECK(judged(no, no, yes) == Verdict::erratum);
+  CHECK(judged(no, no, yes) == Verdict::wrong);
   CHECK(judged(no, none, none) == Verdict::unsettled);
   CHECK(judged(none, none, none) == Verdict::unsettled);
   CHECK(judged(yes, none, none, {no}) == Verdict::confirmed);
   CHECK(judged(yes, none, none, {no, yes}) == Verdict::unsettled);
 }
 
+TEST_CASE("what our copy has lost is no misprint, and what holds in the cases in view is no wrong claim",
+          "[values]") {
+  const Reading yes{"", {{"x", {"a", 1}, {"b", 1}, exact()}}}, no{"", {{"x", {"a", 1}, {"b", 2}, exact()}}};
+  Claim claim{.printed = no, .meant = yes, .kind = Fault::lost_typography};
+  CHECK(verdict(claim) == Verdict::lost);
+  claim.kind = Fault::formula;
+  CHECK(verdict(claim) == Verdict::misprint);
+  claim = {.printed = no, .corrected = yes, .in_view = yes};
+  CHECK(verdict(claim) == Verdict::incomplete);
+  claim.in_view = no;
+  CHECK(verdict(claim) == Verdict::wrong);
+  claim.kind = Fault::left_out;
+  CHECK(verdict(claim) == Verdict::wrong);
+  claim.in_view = {};
+  CHECK(verdict(claim) == Verdict::incomplete);
+  claim.kind = Fault::none;
+  CHECK(verdict(claim) == Verdict::wrong);
+  claim.in_view = yes;
+  claim.printed = yes;
+  CHECK(verdict(claim) == Verdict::confirmed);
+}
+
 TEST_CASE("a claim that cannot be judged says why and has no readings", "[values]") {
-  Claim claim{"id", 1, "says"};
+  Claim claim{.id = "id", .line = 1, .says = "says"};
   CHECK(verdict(claim) == Verdict::unsettled);
   claim.not_checkable = "the program is not at hand";
   CHECK(verdict(claim) == Verdict::not_checkable);
@@ -122,6 +146,25 @@ TEST_CASE("outcomes are computed from value, estimate, drift and ending", "[valu
   CHECK(outcome_of(ended(Ending::non_finite)) == Outcome::non_finite);
   CHECK(outcome_of(ended(Ending::chattering)) == Outcome::chattering);
   CHECK(outcome_of(ended(Ending::grazing)) == Outcome::grazing);
+}
+
+TEST_CASE("diverged is what grows, and drifted what does not come back", "[values]") {
+  const auto looked_at = [](std::vector<double> seen, std::vector<double> truth) {
+    Quantity q{"q", "1", "", {"truth", Value(std::move(truth))}, 0, {1e-3, "a test"}};
+    q.samples = 4;
+    q.add({"model", "algorithm", no_knob(), [=](double) { return Answer{Value(seen), 1}; }});
+    return run(q, q.methods[0], 0).outcome;
+  };
+  CHECK(looked_at({1, 10, 100, 1000}, {1, 1, 1, 1}) == Outcome::diverged);
+  CHECK(looked_at({-1, 10, -10, 20}, {1, 1, 1, 1}) == Outcome::diverged);
+  CHECK(looked_at({0.2, 0.04, 0.008, 0.0016}, {0.001, 1e-6, 1e-9, 1e-12}) == Outcome::inaccurate);
+  CHECK(looked_at({20, -20, 20, -20}, {1, 1, 1, 1}) == Outcome::inaccurate);
+  CHECK(looked_at({20, 20, 20, 20}, {1, 1, 1, 1}) == Outcome::inaccurate);
+  Answer to_and_fro{1.1, 1, no_number, 0.02};
+  to_and_fro.comes_back = true;
+  CHECK(outcome_of(to_and_fro) == Outcome::inaccurate);
+  to_and_fro.value = 1.0005;
+  CHECK(outcome_of(to_and_fro) == Outcome::ok);
 }
 
 TEST_CASE("a method that throws has raised", "[values]") {

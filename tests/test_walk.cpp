@@ -1,12 +1,13 @@
-// The walks of CONTRIBUTING.md, with what its page fills in: from what `new` writes to green exercises, and
-// how an exercise of one's own is shown. What `new` writes is compiled as it is into the same program.
+// The walks of CONTRIBUTING.md and of solvers/engines/README.md, with what these pages fill in: from what
+// `new` writes to green exercises, and how an exercise of one's own is shown. What `new` writes is compiled
+// as it is into the same program.
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/near.hpp"
 #include "tests/program.hpp"
 #include "tests/scratch_folder.hpp"
@@ -69,6 +70,10 @@ TEST_CASE("the walks of CONTRIBUTING.md end green", "[walk]") {
   CHECK(says(red, "\n+ 9.2-first,confirmed\n"));
   CHECK(says(red, "\n+ 4.1,mass on a spring,Runge-Kutta 4,"));
   CHECK_FALSE(says(red, "raised"));
+  std::size_t blocks = 0;
+  for (std::size_t at = 0; (at = red.output.find("FAILED:", at)) != std::string::npos; ++at) ++blocks;
+  CHECK(blocks == 2);  // one an exercise
+  CHECK(says(red, "    limits.csv lacks 1 of 1\n"));
   CHECK_FALSE(says(red, "write it in"));
   CHECK(rows("approved/verdicts.csv") == others);
 
@@ -93,6 +98,7 @@ TEST_CASE("the walks of CONTRIBUTING.md end green", "[walk]") {
   CHECK(oddity("verify '[own]~[ch99]'").status == 0);
   CHECK(says(oddity("choose 4.1 --criterion energy --error 0.01 --horizon 1"), "Take "));
   const Ran beside = oddity("choose 4.1 --engine euler");
+  INFO(beside.output);
   CHECK(
       says(beside, "on Euler 1, defaults (double): at 60 Hz it errs by 1 cm; 2 steps a frame bring 0.42 cm"));
   const Ran page = oddity("verify '[4.1]' -r markdown");
@@ -101,10 +107,53 @@ TEST_CASE("the walks of CONTRIBUTING.md end green", "[walk]") {
   CHECK_FALSE(says(page, "The solutions have no exercises in this chapter"));
 }
 
-TEST_CASE("the engine of CONTRIBUTING.md throws as its page says", "[walk]") {
+TEST_CASE("every verb that is about an exercise takes one of one's own", "[walk]") {
+  const ScratchFolder scratch;
+  copy_tables(scratch.path());
+  const std::string out = " --out " + (scratch.path() / "out").string();
+  const auto takes = [&](const std::string& words, const std::string& text) {
+    const Ran ran = shell(std::string(ODDITY_WALK) + " --reference " + scratch.path().string() + " " + words);
+    INFO(words << "\n" << ran.output);
+    CHECK(ran.status == 0);
+    CHECK(says(ran, text));
+  };
+  const std::string with_need = "choose 4.1 --error 1cm --horizon 1";
+  takes("list 4.1", "c = 40 N/m  spring constant (1 to 10000)");
+  takes("solve 4.1 c=4N/cm", "c = 400 N/m");
+  takes("solve 4.1 --csv", "\n4.1,swing,m,mass on a spring,Runge-Kutta 4,double,step,0.125,");
+  takes("solve 4.1 --json", "\"mass on a spring\"");
+  takes("chart 4.1" + out, "4.1.md");
+  takes("chart 4.1 --csv", "\n4.1,swing,m,");
+  takes("stability 4.1" + out, "mass on a spring");
+  takes("stability 4.1 --csv", "\n4.1,mass on a spring,Runge-Kutta 4,");
+  takes("stability 4.1 --rows", "\n4.1,mass on a spring,Runge-Kutta 4,");
+  takes(with_need, "Take ");
+  takes(with_need + " --csv", "mass on a spring,Runge-Kutta 4,");
+  takes(with_need + " --json", "\"mass on a spring\"");
+  // --code prints headers that are put into the program as it is built with ODDITY_OWN, which this one is
+  // not.
+  const std::string map = (scratch.path() / "map").string();
+  takes("sweep plan " + map +
+            " 4.1 --model 'mass on a spring' --algorithm 'Runge-Kutta 4' --over c=10..640:4 --setting 0.01",
+        map);
+  takes("sweep run " + map, "");
+  takes("sweep merge " + map + " --out " + map + ".csv", "");
+  takes("sweep draw " + map, "");
+  const auto has_none = [&](const std::string& words, const std::string& reason) {
+    const Ran ran = shell(std::string(ODDITY_WALK) + " " + words);
+    INFO(words << "\n" << ran.output);
+    CHECK(ran.status == 2);
+    CHECK(says(ran, reason));
+  };
+  has_none("prove 4.1", "4.1");
+  has_none("choose 9.2 --error 1cm", "9.2");
+  has_none("engines 9.2", "9.2");
+}
+
+TEST_CASE("the engine of solvers/engines/README.md throws as its page says", "[walk]") {
   const std::string engine = std::string(ODDITY_WALK_FOLDER) + "/engines/engine_euler";
   const ScratchFolder scratch;
-  const std::string page = text_of(fs::path(ODDITY_SOURCE) / "CONTRIBUTING.md");
+  const std::string page = text_of(fs::path(ODDITY_SOURCE) / "solvers/engines/README.md");
   const auto begin = page.find("{\"variant\": \"defaults\""), end = page.find("```", begin);
   REQUIRE(begin < end);
   std::string request = page.substr(begin, end - begin);

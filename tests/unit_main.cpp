@@ -1,8 +1,9 @@
 #include <iostream>
 
-#include "tests/catch_main.hpp"
+#include "reference/bad_input.hpp"
+#include "report/verify/catch_main.hpp"
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   oddity::CatchSession session({argv + 1, argv + argc});
   if (!session.accepted()) return 2;
   if (!session.only_lists() && session.selected().empty()) {
@@ -10,4 +11,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   return session.run() != 0;
+} catch (const oddity::BadInput& error) {
+  std::cerr << error.what() << "\n";
+  return 2;
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "solvers/stop.hpp"
+
 namespace oddity::truth {
 
 namespace {
@@ -85,6 +87,7 @@ std::vector<std::vector<Numbers>> TaylorProblem::slopes(const Numbers& hull, con
 /// the disc on which all motions from near the center are analytic.
 Stride TaylorProblem::stride(const Parallelepiped& states, const Number& t, const Number& t1, int digits,
                              double& radius) const {
+  check_stop();
   const int order = 2 * digits, slope_order = order_of_slopes(order);
   const Numbers &center = states.center(), hull = states.hull();
   const double size = largest_size(center), apart = size * 0x1p-18;

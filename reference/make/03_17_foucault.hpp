@@ -22,17 +22,18 @@ inline Numbers start(const std::vector<double>& in) {
           -outward * sp};
 }
 
-/// Turning axes: Coriolis and centrifugal force, and the rod's tension from |r| = L, differentiated twice.
+/// Turning axes: Coriolis and centrifugal force, and the rod's tension from |r| = L, differentiated twice. By
+/// r.r, not by L^2: an error of |r| grows then as the time, and not exponentially while the rod pushes.
 inline Numbers by_taylor(const std::vector<double>& in, Precision digits) {
-  const Number L = in[1], wy = in[2] * cos(Number(in[0])), wz = -in[2] * sin(Number(in[0])), g = in[3];
+  const Number wy = in[2] * cos(Number(in[0])), wz = -in[2] * sin(Number(in[0])), g = in[3];
   const Number two = 2, square = wy * wy + wz * wz;
   const auto rhs = [&](const auto& s, const auto&) {
     const auto along = wy * s[1] + wz * s[2];
     const auto ax = -two * (wy * s[5] - wz * s[4]) + square * s[0];
     const auto ay = -two * (wz * s[3]) + square * s[1] - wy * along;
     const auto az = two * wy * s[3] + square * s[2] - wz * along + g;
-    const auto tension =
-        (s[0] * ax + s[1] * ay + s[2] * az + s[3] * s[3] + s[4] * s[4] + s[5] * s[5]) / (L * L);
+    const auto tension = (s[0] * ax + s[1] * ay + s[2] * az + s[3] * s[3] + s[4] * s[4] + s[5] * s[5]) /
+                         (s[0] * s[0] + s[1] * s[1] + s[2] * s[2]);
     return std::vector{s[3], s[4], s[5], ax - tension * s[0], ay - tension * s[1], az - tension * s[2]};
   };
   return solve_taylor(rhs, start(in), 0, Number(in[8]), digits + 4);
@@ -49,7 +50,7 @@ inline Numbers start_by_rotation(const std::vector<double>& in) {
 /// Axes that do not turn: gravity turns instead, and the rod pulls; no other force. Seen in the turning axes
 /// at the end.
 inline Numbers by_extrapolation(const std::vector<double>& in, Precision digits) {
-  const Number L = in[1], w = in[2], c = cos(Number(in[0])), s = sin(Number(in[0])), g = in[3], t = in[8];
+  const Number w = in[2], c = cos(Number(in[0])), s = sin(Number(in[0])), g = in[3], t = in[8];
   const auto turned = [&](const Number& x, const Number& y, const Number& z, const Number& angle) {
     const Number co = cos(angle), si = sin(angle), along = (y * c - z * s) * (1 - co);
     return Numbers{x * co + (c * z + s * y) * si, y * co - s * x * si + c * along,
@@ -61,9 +62,12 @@ inline Numbers by_extrapolation(const std::vector<double>& in, Precision digits)
   x[5] -= w * c * x[0];
   const auto rhs = [&](const Numbers& q, const Number& time) {
     const Numbers down = turned(0, 0, g, w * time);
-    Number tension = 0;
-    for (std::size_t i = 0; i < 3; ++i) tension += q[i] * down[i] + q[i + 3] * q[i + 3];
-    tension /= L * L;
+    Number pull = 0, square = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      pull += q[i] * down[i] + q[i + 3] * q[i + 3];
+      square += q[i] * q[i];
+    }
+    const Number tension = pull / square;
     return Numbers{
         q[3], q[4], q[5], down[0] - tension * q[0], down[1] - tension * q[1], down[2] - tension * q[2]};
   };

@@ -85,10 +85,32 @@ Numbers until(const Number& t, const Rhs& rhs, const Numbers& start, std::size_t
   return x;
 }
 
+/// Along the first velocity, of a box that does not turn.
+inline Numbers slid(const Box& box, const Number& time, const Number& speed, const Number& distance) {
+  if (speed == 0) return {time, 0, 0, 0};
+  return {time, box.u / speed * distance, box.v / speed * distance, 0};
+}
+
+/// A box that starts without turning slides straight: it slows down by mu g, and its path is the mean of the
+/// first and the last speed times the time.
+inline Numbers slid_by_mean_speed(const Box& box, const Number& t) {
+  const Number speed = sqrt(box.u * box.u + box.v * box.v);
+  const Number time = std::min<Number>(t, speed / box.mu_g);
+  return slid(box, time, speed, (speed + (speed - box.mu_g * time)) / 2 * time);
+}
+
+/// The same by energy: the path is the loss of half the speed's square, over mu g.
+inline Numbers slid_by_energy(const Box& box, const Number& t) {
+  const Number speed = sqrt(box.u * box.u + box.v * box.v), later = speed - box.mu_g * t;
+  if (later <= 0) return slid(box, speed / box.mu_g, speed, speed * speed / (2 * box.mu_g));
+  return slid(box, t, speed, (speed * speed - later * later) / (2 * box.mu_g));
+}
+
 /// (t, x, y, theta): velocities in space.
 inline Numbers velocity_in_space(const std::vector<double>& in, const Number& t, Precision digits) {
   static Checkpoints kept;
   const Box box(in);
+  if (box.w == 0) return slid_by_mean_speed(box, t);
   const Number J = box.inertia();
   const auto rhs = [&](const Numbers& x, const Number&) {
     const Number C = cos(x[2]), S = sin(x[2]);
@@ -111,6 +133,7 @@ inline Numbers velocity_in_space(const std::vector<double>& in, const Number& t,
 inline Numbers velocity_in_the_box(const std::vector<double>& in, const Number& t, Precision digits) {
   static Checkpoints kept;
   const Box box(in);
+  if (box.w == 0) return slid_by_energy(box, t);
   const Number J = box.inertia();
   const Number speed0 = sqrt(box.u * box.u + box.v * box.v + J * box.w * box.w);
   const auto rhs = [&](const Numbers& x, const Number&) {

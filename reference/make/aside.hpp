@@ -1,12 +1,12 @@
 #pragma once
 
-#include <atomic>
 #include <chrono>
 #include <functional>
 #include <future>
 #include <utility>
 
 #include "reference/truth.hpp"
+#include "solvers/stop.hpp"
 
 namespace oddity::truth {
 
@@ -30,30 +30,30 @@ class Aside {
       : tick_(tick), make_(std::move(make)), made_(std::async([this] { return make_in_its_thread(); })) {}
   Aside(const Aside&) = delete;
   Aside& operator=(const Aside&) = delete;
-  ~Aside() { is_over_ = true; }
+  ~Aside() { over_.request(); }
 
   bool is_ready() const { return made_.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }
   /// Once. Throws what making it threw.
   Made get() {
     constexpr std::chrono::milliseconds a_while(20);
-    while (tick_ && made_.wait_for(a_while) == std::future_status::timeout) tick_(1);
+    while (made_.wait_for(a_while) == std::future_status::timeout) {
+      check_stop();
+      if (tick_) tick_(1);
+    }
     return made_.get();
   }
 
  private:
-  struct Over {};
-
   Made make_in_its_thread() const {
-    const Tick until_over = [this](double) {
-      if (is_over_) throw Over();
-    };
+    const Stoppable here(&over_);
+    const Tick until_over = [](double) { check_stop(); };
     const Caches caches;
     return make_(tick_ ? until_over : Tick());
   }
 
   const Tick& tick_;
   const std::function<Made(const Tick&)> make_;
-  std::atomic<bool> is_over_ = false;
+  Stop over_{stop_here};
   std::future<Made> made_;  // destroyed first, it waits
 };
 

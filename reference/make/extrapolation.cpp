@@ -7,6 +7,7 @@
 #include <string>
 
 #include "reference/text.hpp"
+#include "solvers/stop.hpp"
 
 namespace oddity::truth {
 
@@ -103,6 +104,7 @@ Numbers advance(const Rhs& rhs, Numbers x, Number t0, const Number& t1, int digi
           "extrapolation: the budget of " + std::to_string(budget.all) +
           " right-hand sides is spent at t = " + format_significant(static_cast<double>(t0), 6) + " of " +
           format_significant(static_cast<double>(t1), 6));
+    check_stop_at_times();
     return rhs(y, t);
   };
   while (t0 != t1) {

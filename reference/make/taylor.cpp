@@ -7,6 +7,7 @@
 #include <string>
 
 #include "reference/text.hpp"
+#include "solvers/stop.hpp"
 
 namespace oddity::truth {
 
@@ -27,6 +28,7 @@ Number length_of(const std::vector<Numbers>& series, int order, const Number& to
 }  // namespace
 
 TaylorProblem::Step TaylorProblem::step(const Numbers& x, const Number& t, const Number& t1, int digits) {
+  check_stop();
   const int order = digits + digits / 4 + 4;
   recorded_.expand(x, t, order);
   Step step{t, 0, recorded_.series()};

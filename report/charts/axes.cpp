@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "reference/text.hpp"
-#include "report/pages/markup.hpp"
+#include "report/text/markup.hpp"
 
 namespace oddity {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "report/charts/svg.hpp"
+#include "report/text/svg.hpp"
 
 /// Scales and axes of a plot.
 namespace oddity {

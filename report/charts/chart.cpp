@@ -9,9 +9,10 @@
 #include "reference/text.hpp"
 #include "report/charts/axes.hpp"
 #include "report/charts/chart_parts.hpp"
-#include "report/pages/markup.hpp"
-#include "report/pages/text_view.hpp"
+#include "report/charts/labels.hpp"
+#include "report/study/limit_records.hpp"
 #include "report/study/stability.hpp"
+#include "report/text/markup.hpp"
 
 namespace oddity {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "report/charts/chart.hpp"
-#include "report/charts/svg.hpp"
+#include "report/text/svg.hpp"
 
 /// What the charts of trials share: where things stand, ranges, and names at the ends of curves.
 namespace oddity {

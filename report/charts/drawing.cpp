@@ -6,7 +6,7 @@
 #include "reference/reference.hpp"
 #include "reference/text.hpp"
 #include "report/charts/sketch.hpp"
-#include "report/pages/markup.hpp"
+#include "report/text/markup.hpp"
 
 namespace oddity {
 

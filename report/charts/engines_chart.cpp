@@ -7,7 +7,7 @@
 
 #include "report/charts/axes.hpp"
 #include "report/charts/chart_parts.hpp"
-#include "report/pages/engines_tables.hpp"
+#include "report/charts/engine_labels.hpp"
 
 namespace oddity {
 

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/charts/engine_labels.hpp"
 #include "report/charts/engines_chart.hpp"
-#include "report/charts/svg.hpp"
-#include "report/pages/engines_tables.hpp"
+#include "report/charts/stability_map.hpp"
+#include "report/text/svg.hpp"
 
 namespace oddity {
 

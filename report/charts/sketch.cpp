@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "report/pages/markup.hpp"
+#include "report/text/markup.hpp"
 
 namespace oddity {
 

@@ -6,9 +6,11 @@
 
 #include "reference/text.hpp"
 #include "report/charts/chart_style.hpp"
-#include "report/charts/svg.hpp"
-#include "report/pages/markup.hpp"
+#include "report/charts/stability_map.hpp"
+#include "report/study/limit_records.hpp"
 #include "report/study/stability.hpp"
+#include "report/text/markup.hpp"
+#include "report/text/svg.hpp"
 
 namespace oddity {
 

@@ -5,9 +5,9 @@
 #include "reference/text.hpp"
 #include "report/charts/axes.hpp"
 #include "report/charts/chart.hpp"
-#include "report/charts/svg.hpp"
-#include "report/pages/markup.hpp"
-#include "report/pages/text_view.hpp"
+#include "report/charts/labels.hpp"
+#include "report/text/markup.hpp"
+#include "report/text/svg.hpp"
 
 namespace oddity {
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -10,13 +9,16 @@
 #include <sstream>
 
 #include "chapters/scene.hpp"
+#include "problem/scene.hpp"
 #include "reference/bad_input.hpp"
 #include "reference/quantity_text.hpp"
 #include "reference/reference.hpp"
 #include "reference/similar.hpp"
 #include "reference/text.hpp"
+#include "report/cli/about.hpp"
 #include "report/cli/words.hpp"
-#include "report/pages/readable.hpp"
+#include "report/study/beside_program.hpp"
+#include "report/text/readable.hpp"
 #include "solvers/ode/catalog.hpp"
 
 namespace oddity {
@@ -88,8 +90,8 @@ std::string likely(const std::vector<std::string>& near) {
     if (!beside.empty())
       throw BadInput(refusal + "; chapter " + std::to_string(number->chapter) + " has " + joined(beside) +
                      likely(near));
-    throw BadInput(refusal + "; chapter " + std::to_string(number->chapter) +
-                   " has none; 'oddity list' shows all");
+    throw BadInput(refusal + "; chapter " + std::to_string(number->chapter) + " has none; '" +
+                   program_as_typed() + " list' shows all");
   }
   std::vector<std::string> meant;
   const WordsIn asked = words_of(text);
@@ -98,7 +100,8 @@ std::string likely(const std::vector<std::string>& near) {
     if (std::ranges::find(near, number) != near.end() || mentions(words_of_title(entry), asked))
       meant.push_back(with_title(entry));
   }
-  throw BadInput(refusal + suggested(meant) + (meant.empty() ? "; " : " ") + "'oddity list' shows all");
+  throw BadInput(refusal + suggested(meant) + (meant.empty() ? "; " : " ") + "'" + program_as_typed() +
+                 " list' shows all");
 }
 
 const Parameter& parameter_of(const Task& task, const std::string& name) {
@@ -116,28 +119,43 @@ const Parameter& parameter_of(const Task& task, const std::string& name) {
                  "'; the parameters are: " + (names.empty() ? "none" : joined(names)) + suggested(meant));
 }
 
-/// The same, with what it is the value of before the complaint.
-double value_of(const std::string& what, std::string_view text, std::string_view unit) {
-  try {
-    return in_unit(text, unit);
-  } catch (const BadInput& error) {
-    throw BadInput(what + ": " + error.what());
+[[noreturn]] void refuse_assignment(const std::string& word);
+
+/// Those that the name begins and coordinates or indices end: v0x, v0y, v0z of v0; a11, a12, ... of a. None
+/// where the name is a parameter's own.
+std::vector<std::string> components_of(const Task& task, const std::string& name) {
+  std::vector<std::string> all;
+  for (const Parameter& p : task.parameters.declared()) {
+    if (p.name == name) return {};
+    if (!p.name.starts_with(name) || p.name.size() == name.size()) continue;
+    const std::string_view rest = p.name.substr(name.size());
+    const bool coordinate = rest == "x" || rest == "y" || rest == "z";
+    const bool index = rest.size() == 2 && rest.find_first_not_of("0123456789") == rest.npos;
+    if (coordinate || index) all.emplace_back(p.name);
   }
+  return all.size() > 1 ? all : std::vector<std::string>();
 }
 
-double positive(const std::string& what, std::string_view text, std::string_view unit) {
-  const double value = value_of(what, text, unit);
-  if (!(value > 0 && std::isfinite(value)))
-    throw BadInput(what + " must be positive and finite, and is " + std::string(text));
-  return value;
-}
-
-int whole_of(const std::string& what, const std::string& text, int least, int most) {
-  const auto value = parse_number(text);
-  if (!value || *value != std::round(*value) || *value < least || *value > most)
-    throw BadInput(what + " must be a whole number from " + std::to_string(least) + " to " +
-                   std::to_string(most) + ", and is '" + text + "'");
-  return static_cast<int>(*value);
+/// One for each component of what is given at once, v0=1,2,-1; else the assignment itself.
+std::vector<std::string> each_alone(const Task& task, const std::string& assignment) {
+  const auto equals = assignment.find('=');
+  if (equals == std::string::npos || equals == 0) refuse_assignment(assignment);
+  const std::string name = assignment.substr(0, equals);
+  const auto components = components_of(task, name);
+  if (components.empty()) return {assignment};
+  std::vector<std::string> all;
+  std::string_view left = std::string_view(assignment).substr(equals + 1);
+  for (bool more = true; more;) {
+    const auto comma = left.find(',');
+    more = comma != left.npos;
+    const std::string at = all.size() < components.size() ? components[all.size()] : "";
+    all.push_back(at + "=" + std::string(left.substr(0, comma)));
+    if (more) left.remove_prefix(comma + 1);
+  }
+  if (all.size() != components.size())
+    throw BadInput(name + " takes " + std::to_string(components.size()) + " numbers (" + joined(components) +
+                   "), and " + std::to_string(all.size()) + (all.size() == 1 ? " is" : " are") + " given");
+  return all;
 }
 
 bool is_in_unit(const std::string& text, std::string_view unit) {
@@ -159,6 +177,7 @@ std::string rounded_down(double x) {
 
 /// Why a word that is no "name=value" may stand there, and what would be right.
 [[noreturn]] void refuse_assignment(const std::string& word) {
+  if (word.empty()) throw BadInput("an argument is empty; parameters are name=value, as in a=30deg");
   const std::string refusal = "'" + word + "' is not name=value";
   if (exercise_number(word)) throw BadInput(refusal + ", and one exercise is asked for at a time");
   for (std::string_view unit : {"m", "s", "kg", "rad", "N", "1/s", "m/s", "rad/s"})
@@ -173,19 +192,9 @@ const Scene& scene_of(const Entry& entry) {
                  joined(numbers_of([](const Entry& e) { return e.exercise.scene.has_value(); })));
 }
 
-std::vector<std::string> words_between_commas(const std::string& text) {
-  std::vector<std::string> words;
-  std::istringstream in(text);
-  for (std::string word; std::getline(in, word, ',');) words.push_back(word);
-  return words;
-}
-
 /// The unit that a number is written with.
 ShownUnit shown_unit(const std::string& text, std::string_view unit) {
-  double number{};
-  const auto end = std::from_chars(text.data(), text.data() + text.size(), number).ptr;
-  std::string symbol(end, text.data() + text.size());
-  symbol.erase(0, symbol.find_first_not_of(' '));
+  const std::string symbol = written(text).unit;
   return {symbol, in_unit("1" + symbol, unit)};
 }
 
@@ -203,34 +212,57 @@ std::string errors_for_engines(const Entry& entry) {
   return errors;
 }
 
+bool has_unit(const std::string& text) {
+  try {
+    return !written(text).unit.empty();
+  } catch (const BadInput&) {
+    return true;  // as it is no number
+  }
+}
+
+/// Where a comma may have been meant for a decimal point, as in "1,5deg".
+std::string decimal_point_meant(const std::vector<std::string>& parts) {
+  if (parts.size() != 2 || !parse_count(parts[0]) || parts[1].empty() ||
+      std::isdigit(static_cast<unsigned char>(parts[1].front())) == 0)
+    return "";
+  return "; a number has a point, as in " + parts[0] + "." + parts[1];
+}
+
+/// Of a path, or of a part of a whole: truths have 24 digits, and more than the largest is no error.
+double positive(const std::string& what, const std::string& text, std::string_view unit) {
+  return between(what, text, unit, 1e-24, 1e12);
+}
+
 /// "0.01" for every unit of the observables, or "1cm", "1cm,1deg", one for each.
 void set_errors(Need& need, const Entry& entry, const std::string& text) {
   const Quantity seen = motion_of(entry);
   const auto units = seen.units();
-  for (const std::string& one : words_between_commas(text)) {
-    if (parse_number(one)) {
-      if (!std::isnan(need.error))
-        throw BadInput("--error: '" + text +
-                       "' has two errors without a unit; each needs its own, such as 1cm,1deg");
-      need.error = positive("--error", one, "");
-      continue;
-    }
+  const std::string all_units = joined({units.begin(), units.end()});
+  const std::vector<std::string> parts = listed("--error", text);
+  if (parts.size() == 1 && !has_unit(text)) {
+    need.error = positive("--error", text, "");
+    return;
+  }
+  for (const std::string& one : parts) {
+    if (!has_unit(one))
+      throw BadInput("--error: '" + one + "' in '" + text +
+                     "' has no unit: give one number for all, or one with its unit for each of " + all_units +
+                     decimal_point_meant(parts));
     const auto fits =
         std::ranges::find_if(units, [&](std::string_view unit) { return is_in_unit(one, unit); });
     if (fits == units.end() && units.size() == 1) positive("--error", one, units.front());
     if (fits == units.end())
       throw BadInput("--error: '" + one + "' is no error of " + seen.name + ", whose observables are in " +
-                     joined({units.begin(), units.end()}));
+                     all_units);
     if (!need.errors.emplace(*fits, positive("--error", one, *fits)).second)
-      throw BadInput("--error: two errors in " + std::string(*fits));
+      throw BadInput("--error: '" + text + "' has two errors in " + std::string(*fits));
     need.shown[std::string(*fits)] = shown_unit(one, *fits);
   }
   for (std::string_view unit : units)
-    if (std::isnan(need.error) && !need.errors.contains(unit))
-      throw BadInput("--error: the observables are in " + joined({units.begin(), units.end()}) +
-                     ", and none is given in " + std::string(unit) +
-                     ": add it after a comma, as in 1cm,1deg");
-  if (std::isnan(need.error)) need.error = need.errors.begin()->second;
+    if (!need.errors.contains(unit))
+      throw BadInput("--error: the observables are in " + all_units + ", and none is given in " +
+                     std::string(unit) + ": add it after a comma, as in 1cm,1deg");
+  need.error = need.errors.begin()->second;
 }
 
 /// The place of a word among those that an option takes.
@@ -240,6 +272,22 @@ std::ptrdiff_t require_one_of(const std::string& option, const std::string& word
   if (found == words.end())
     throw BadInput(option + " '" + word + "' is none of " + joined(words) + suggested(similar(word, words)));
   return found - words.begin();
+}
+
+/// The criteria that are asked for beside the first.
+void set_also(Need& need, const AskedNeed& asked) {
+  const auto add = [&](Criterion criterion, const std::string& option, const std::string& text,
+                       std::string_view unit) {
+    if (text.empty()) return;
+    if (need.criterion == criterion)
+      throw BadInput(option + " is what --criterion asks for: its error is --error");
+    need.also[criterion] = positive(option, text, unit);
+  };
+  add(Criterion::energy, "--energy", asked.energy, "");
+  add(Criterion::period, "--period", asked.period, "");
+  add(Criterion::constraint, "--constraint", asked.constraint, "m");
+  if (!asked.constraint.empty() && !need.shown.contains("m"))
+    need.shown["m"] = shown_unit(asked.constraint, "m");
 }
 
 /// The names of a scene's models and of their algorithms, each once.
@@ -305,8 +353,8 @@ void require_known_words(const Task& task, const AskedNeed& asked) {
 }
 
 Criterion criterion_of(const std::string& text) {
-  const std::vector<std::string> names{"path", "energy", "period", "bounded", "constraint"};
-  return static_cast<Criterion>(require_one_of("--criterion", text, names));
+  return static_cast<Criterion>(
+      require_one_of("--criterion", text, {criterion_names.begin(), criterion_names.end()}));
 }
 
 /// What someone asks of the motion, its error or digits.
@@ -326,12 +374,14 @@ void set_accuracy(Need& need, const Entry& entry, const AskedNeed& asked) {
   }
   const bool neither = asked.error.empty() && asked.digits.empty();
   const bool as_engines = neither && asked.as_engines && need.criterion == Criterion::path;
+  if (neither && need.criterion != Criterion::path)
+    throw BadInput("--criterion " + asked.criterion + " needs --error, a part such as 1%");
   if (neither && !as_engines)
     throw BadInput("choose needs --error or --digits, as in --error 0.01 or --digits 6");
   need.relative = !asked.digits.empty();
   need.error = std::numeric_limits<double>::quiet_NaN();
   if (need.relative)
-    need.error = std::pow(10, -whole_of("--digits", asked.digits, 1, 15));
+    need.error = std::pow(10, -count_of("--digits", asked.digits, 1, 15));
   else if (need.criterion == Criterion::path)
     set_errors(need, entry, as_engines ? errors_for_engines(entry) : asked.error);
   else
@@ -341,6 +391,7 @@ void set_accuracy(Need& need, const Entry& entry, const AskedNeed& asked) {
 }  // namespace
 
 const Entry& entry_of(const std::string& exercise) {
+  if (problem::is_file(exercise)) return problem::entry_of_file(exercise);
   const auto number = exercise_number(exercise);
   for (const Entry& entry : registry())
     if (number == entry.number) return entry;
@@ -362,26 +413,53 @@ std::vector<Task> tasks_of(const std::vector<std::string>& exercises, bool scene
 std::vector<Task> tasks_about(const std::vector<std::string>& exercises) {
   std::vector<std::string> numbers;
   for (const std::string& text : exercises) {
-    const WordsIn asked = exercise_number(text) ? WordsIn() : words_of(text);
-    const auto about = numbers_of([&](const Entry& e) { return mentions(words_of_title(e), asked); });
-    if (about.empty()) numbers.push_back(to_string(entry_of(text).number));
-    std::ranges::copy(about, std::back_inserter(numbers));
+    if (problem::is_file(text)) {
+      numbers.push_back(text);
+      continue;
+    }
+    const auto about = exercise_number(text) ? std::vector<const Entry*>() : exercises_about(text);
+    if (about.empty()) {
+      if (const std::string near = near_words(text); !near.empty())
+        throw BadInput("no exercise is about '" + text + "'" + near + " '" + program_as_typed() +
+                       " list' shows all");
+      numbers.push_back(to_string(entry_of(text).number));
+    }
+    for (const Entry* entry : about) numbers.push_back(to_string(entry->number));
   }
   return tasks_of(numbers);
+}
+
+WithOverrides with_overrides(const std::vector<std::string>& words) {
+  WithOverrides all;
+  for (const std::string& word : words)
+    (word.find('=') == word.npos ? all.exercises : all.overrides).push_back(word);
+  if (!all.overrides.empty() && all.exercises.size() != 1)
+    throw BadInput("'" + all.overrides.front() + "' is of one exercise, and " +
+                   (all.exercises.empty() ? "none is" : std::to_string(all.exercises.size()) + " are") +
+                   " named");
+  return all;
+}
+
+std::vector<Task> scenes_of(const std::vector<std::string>& words) {
+  const auto [exercises, overrides] = with_overrides(words);
+  if (overrides.empty()) return tasks_of(exercises, true);
+  scene_of(entry_of(exercises.front()));
+  return {task_of(exercises.front(), overrides)};
 }
 
 Task task_of(const std::string& exercise, const std::vector<std::string>& overrides) {
   Task task(entry_of(exercise));
   std::set<std::string> given;
-  for (const std::string& assignment : overrides) {
+  const auto set = [&](const std::string& assignment) {
     const auto equals = assignment.find('=');
-    if (equals == std::string::npos || equals == 0) refuse_assignment(assignment);
     const std::string name = assignment.substr(0, equals);
     const Parameter& p = parameter_of(task, name);
     if (!given.insert(name).second) throw BadInput("parameter " + name + " is given twice");
     task.parameters.set(
         name, value_of("parameter " + name, std::string_view(assignment).substr(equals + 1), p.unit));
-  }
+  };
+  for (const std::string& word : overrides)
+    for (const std::string& assignment : each_alone(task, word)) set(assignment);
   return task;
 }
 
@@ -390,6 +468,7 @@ Need need_of(const Task& task, const AskedNeed& asked) {
   const std::string time = std::string(scene_of(entry).axes.time);
   Need need{};
   set_accuracy(need, entry, asked);
+  set_also(need, asked);
   need.objective = asked.cheapest ? Objective::cheapest : Objective::simple;
   need.only = asked.only;
   need.exclude = asked.exclude;
@@ -399,9 +478,9 @@ Need need_of(const Task& task, const AskedNeed& asked) {
   require_known_words(task, asked);
   need.in_double = asked.precision != "float";
   need.in_float = asked.precision != "double";
-  if (!asked.time_limit.empty()) need.time_limit = positive("--time-limit", asked.time_limit, "s");
-  need.horizon = positive("--horizon", asked.horizon, time);
-  need.frames_per_second = positive("--fps", asked.frames_per_second, "1/" + time);
+  if (asked.time_limit != "none") need.time_limit = between("--time-limit", asked.time_limit, "s", 1e-3, 1e6);
+  need.horizon = between("--horizon", asked.horizon, time, 1e-12, 1e12);
+  need.frames_per_second = between("--fps", asked.frames_per_second, "1/" + time, 1e-12, 1e12);
   const double frames = need.horizon * need.frames_per_second;
   if (frames < 1) throw BadInput("the horizon is shorter than a frame");
   if (frames > most_frames) {
@@ -412,21 +491,69 @@ Need need_of(const Task& task, const AskedNeed& asked) {
                          : "--horizon may be " + rounded_down(most_frames / need.frames_per_second) + " " +
                                time + " at that rate"));
   }
+  // A contact ends a step, of which a frame has at most 512; of one in a million frames no need would see
+  // any.
   if (!asked.restart_every.empty())
-    need.restart_every = positive("--restart-every", asked.restart_every, time);
-  need.bodies = whole_of("--bodies", asked.bodies, 1, 1'000'000);
+    need.restart_every = between("--restart-every", asked.restart_every, time,
+                                 1 / (512 * need.frames_per_second), most_frames / need.frames_per_second);
+  need.bodies = count_of("--bodies", asked.bodies, 1, 1'000'000);
+  need.starts = count_of("--starts", asked.starts, 1, 100);
   if (!asked.budget.empty()) {
     if (const auto number = parse_number(asked.budget))
       throw BadInput(*number > 0
                          ? "--budget needs a unit, such as " + asked.budget + "us"
                          : "--budget must be positive, and have a unit, such as 5us, and is " + asked.budget);
-    need.budget = positive("--budget", asked.budget, "s");
+    need.budget = between("--budget", asked.budget, "s", 1e-12, 1e6);
   }
   return need;
 }
 
+namespace {
+
+/// "60Hz", "16ms", "1/60": a step in the scene's unit of time.
+double step_of(const std::string& text, const std::string& time) {
+  const auto within = [](const std::string& part, const std::string& unit) {
+    return between("--method", part, unit, 1e-9, 1e9);
+  };
+  if (text.starts_with("1/")) {
+    const std::string rate = text.substr(2);
+    return 1 / within(rate, has_unit(rate) ? time : "");
+  }
+  if (text.empty() || !has_unit(text))
+    throw BadInput("--method: a step needs its unit, as in @60Hz or @16ms, or is a part, as in @1/60");
+  const std::string per_time = "1/" + time;
+  return is_in_unit(text, per_time) ? 1 / within(text, per_time) : within(text, time);
+}
+
+}  // namespace
+
+MethodAsked method_of(const Task& task, const AskedNeed& asked, const Need& need) {
+  const auto at = asked.method.find('@');
+  const std::string name = asked.method.substr(0, at);
+  const Scene& scene = scene_of(*task.entry);
+  const Quantity seen = motion(scene, task.parameters, Reference::nothing());
+  const std::vector<std::string> meant = algorithms_meant(name, seen.methods);
+  if (meant.empty()) {
+    const MethodNames names = method_names(task);
+    throw BadInput("--method: no model of " + to_string(task.entry->number) + " has '" + name +
+                   "'; the algorithms here are: " + joined(names.algorithms, "; ") +
+                   did_you_mean(name, names.algorithms));
+  }
+  MethodAsked method{meant.front(), asked.model};
+  const Method& one = *std::ranges::find(seen.methods, method.algorithm, &Method::algorithm);
+  const std::string setting = at == std::string::npos ? "" : asked.method.substr(at + 1);
+  if (one.knob.name == "step")
+    method.setting =
+        at == std::string::npos ? 1 / need.frames_per_second : step_of(setting, std::string(scene.axes.time));
+  else if (one.knob.name == "tolerance")
+    method.setting = between("--method: the tolerance of " + method.algorithm, setting, "", 1e-16, 1);
+  else if (at != std::string::npos)
+    throw BadInput("--method: " + method.algorithm + " has no step and no tolerance");
+  return method;
+}
+
 int chapter_of(const std::string& chapter) {
-  const int number = whole_of("--chapter", chapter, 1, chapters().back().number);
+  const int number = count_of("--chapter", chapter, 1, chapters().back().number);
   std::vector<std::string> with;
   for (const Chapter& c : chapters())
     if (!numbers_of([&](const Entry& e) { return e.number.chapter == c.number; }).empty())
@@ -438,14 +565,54 @@ int chapter_of(const std::string& chapter) {
 
 Shard shard_of(const std::string& text) {
   const auto slash = text.find('/');
-  const auto number = parse_number(text.substr(0, slash)),
-             of = slash == std::string::npos ? std::optional<double>() : parse_number(text.substr(slash + 1));
-  constexpr double most = 1e9;
-  if (!number || !of || *number < 1 || *of < *number || *of > most || *number != std::round(*number) ||
-      *of != std::round(*of))
+  const auto number = parse_count(text.substr(0, slash)),
+             of = slash == std::string::npos ? std::optional<int>() : parse_count(text.substr(slash + 1));
+  constexpr int most = 1'000'000'000;
+  if (!number || !of || *number < 1 || *of < *number || *of > most)
     throw BadInput("--shard is a part of the whole, such as 1/4 to 4/4, of at most a billion, and is '" +
                    text + "'");
   return {static_cast<std::size_t>(*number), static_cast<std::size_t>(*of)};
+}
+
+double value_of(const std::string& what, std::string_view text, std::string_view unit) {
+  try {
+    return in_unit(text, unit);
+  } catch (const BadInput& error) {
+    throw BadInput(what + ": " + error.what());
+  }
+}
+
+double between(const std::string& what, std::string_view text, std::string_view unit, double least,
+               double most) {
+  const double value = value_of(what, text, unit);
+  if (!(value > 0 && std::isfinite(value)))
+    throw BadInput(what + " must be positive and finite, and is " + std::string(text));
+  if (value < least || value > most)
+    throw BadInput(what + " goes from " + format_significant(least, 4) + " to " +
+                   format_significant(most, 4) + (unit.empty() ? "" : " " + std::string(unit)) + ", and is " +
+                   std::string(text));
+  return value;
+}
+
+int count_of(const std::string& what, const std::string& text, int least, int most) {
+  const auto count = parse_count(text);
+  if (!count || *count < least || *count > most)
+    throw BadInput(what + " must be a whole number from " + std::to_string(least) + " to " +
+                   std::to_string(most) + ", and is '" + text + "'" +
+                   (!count && parse_number(text) ? ": write it in digits alone" : ""));
+  return *count;
+}
+
+std::vector<std::string> listed(const std::string& what, const std::string& text) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0, end = 0; end != text.npos; begin = end + 1) {
+    end = text.find(',', begin);
+    parts.push_back(text.substr(begin, end == text.npos ? end : end - begin));
+    if (parts.back().empty())
+      throw BadInput(what + ": '" + text + "' has nothing " +
+                     (end == text.npos ? "behind its last comma" : "before a comma"));
+  }
+  return parts;
 }
 
 }  // namespace oddity

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "report/study/is_enough.hpp"
 #include "report/study/need.hpp"
 #include "report/study/parallel.hpp"
 #include "report/study/run.hpp"
@@ -14,17 +16,28 @@ namespace oddity {
 const Entry& entry_of(const std::string& exercise);
 /// The exercises, each once; of those that have a motion when `scenes`. All of them when none is named.
 std::vector<Task> tasks_of(const std::vector<std::string>& exercises, bool scenes = false);
-/// The exercises by their numbers or by words of their titles. All of them when none is named.
+/// The exercises by their numbers or by what they are about. All of them when none is named.
 std::vector<Task> tasks_about(const std::vector<std::string>& exercises);
 /// The exercise with "name=value" for some of its parameters; the value may have a unit.
 Task task_of(const std::string& exercise, const std::vector<std::string>& overrides);
 
+/// Exercises and, of one alone, what is changed of it.
+struct WithOverrides {
+  std::vector<std::string> exercises, overrides;
+};
+/// "3.5", "a=1" apart.
+WithOverrides with_overrides(const std::vector<std::string>& words);
+/// Exercises that have a motion, one of them with other parameters; all of them when none is named.
+std::vector<Task> scenes_of(const std::vector<std::string>& words);
+
 /// A need as it is written; an empty text was not given. Either an error or digits.
 struct AskedNeed {
   std::string error = {}, digits = {}, horizon = "10", frames_per_second = "60", budget = {}, bodies = "1";
-  std::string restart_every = {};
-  std::string criterion = "path", time_limit = {};
+  std::string restart_every = {}, starts = "6";
+  std::string energy = {}, period = {}, constraint = {};  ///< the errors of criteria beside the first
+  std::string criterion = "path", time_limit = "60s";     ///< or "none"
   std::vector<std::string> only = {}, exclude = {};
+  std::string method = {}, model = {};  ///< what someone runs: "semi-implicit Euler@60Hz"
   std::string precision = "double";
   bool cheapest = false, one_step = false;
   bool measure = false;     ///< what earlier runs measured is measured anew
@@ -33,9 +46,23 @@ struct AskedNeed {
   bool thorough = false;    ///< every method at every setting
   bool explain = false;     ///< what was tried, and where the time went
 };
-constexpr double most_frames = 1e6;  ///< that a need may ask for: an hour at 277 frames per second
 /// For an exercise that has a motion, at the task's parameters.
 Need need_of(const Task&, const AskedNeed&);
+
+// The one grammar of numbers on the command line, by what option they are of. What it does not use of a text
+// it refuses.
+
+/// "30deg" in `unit`.
+double value_of(const std::string& what, std::string_view text, std::string_view unit);
+/// The same, positive and between these.
+double between(const std::string& what, std::string_view text, std::string_view unit, double least,
+               double most);
+/// In digits alone.
+int count_of(const std::string& what, const std::string& text, int least, int most);
+/// "1cm,1deg": what is between commas, none of it empty.
+std::vector<std::string> listed(const std::string& what, const std::string& text);
+/// For an exercise that has a motion: the method that `asked` names, by whatever name.
+MethodAsked method_of(const Task&, const AskedNeed& asked, const Need&);
 
 /// "2/7".
 Shard shard_of(const std::string& text);

@@ -7,11 +7,11 @@
 #include <cmath>
 
 #include "reference/text.hpp"
+#include "report/charts/labels.hpp"
 #include "report/cli/fresh_pages.hpp"
 #include "report/cli/instructions.hpp"
-#include "report/pages/table_text.hpp"
-#include "report/pages/text_view.hpp"
 #include "report/study/time.hpp"
+#include "report/text/table_text.hpp"
 
 namespace oddity {
 

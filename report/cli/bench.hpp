@@ -6,8 +6,8 @@
 #include "report/cli/bench_chain.hpp"
 #include "report/cli/bench_loops.hpp"
 #include "report/cli/bench_series.hpp"
-#include "report/pages/table_text.hpp"
 #include "report/study/run.hpp"
+#include "report/text/table_text.hpp"
 
 /// How fast this build is on this machine, in this run: the integrators against loops written by hand, the
 /// best methods of two problems in units of a right-hand side written by hand, and the whole suite.

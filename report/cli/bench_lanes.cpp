@@ -12,7 +12,6 @@
 #include "chapters/contents.hpp"
 #include "reference/text.hpp"
 #include "report/cli/fresh_pages.hpp"
-#include "report/pages/text_view.hpp"
 
 namespace oddity {
 

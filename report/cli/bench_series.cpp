@@ -8,9 +8,9 @@
 
 #include "chapters/scene.hpp"
 #include "reference/text.hpp"
+#include "report/charts/labels.hpp"
 #include "report/cli/fresh_pages.hpp"
-#include "report/pages/table_text.hpp"
-#include "report/pages/text_view.hpp"
+#include "report/text/table_text.hpp"
 
 namespace oddity {
 

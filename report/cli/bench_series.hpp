@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "report/pages/screen.hpp"
 #include "report/study/run.hpp"
+#include "report/text/screen.hpp"
 
 /// Taylor series beside the rest of the catalog where many digits are asked for: on each scene, the same
 /// model to an error of 1e-12 of the motion's size.

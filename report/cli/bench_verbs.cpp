@@ -10,7 +10,7 @@
 
 #include "reference/files.hpp"
 #include "reference/text.hpp"
-#include "report/pages/text_view.hpp"
+#include "report/charts/labels.hpp"
 #include "report/study/fit.hpp"
 #include "report/study/run_program.hpp"
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "report/pages/table_text.hpp"
 #include "report/study/run.hpp"
+#include "report/text/table_text.hpp"
 
 /// `oddity bench --verbs`: what each verb takes, as a program of its own, and how its work grows.
 namespace oddity {

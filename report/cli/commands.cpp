@@ -11,17 +11,23 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <set>
 
 #include "chapters/contents.hpp"
+#include "problem/scene.hpp"
 #include "reference/bad_input.hpp"
 #include "reference/interrupted.hpp"
 #include "report/cli/asked.hpp"
+#include "report/cli/examples.hpp"
+#include "report/cli/for_shells.hpp"
 #include "report/cli/help.hpp"
+#include "report/cli/needs.hpp"
 #include "report/cli/prove.hpp"
-#include "report/cli/settings.hpp"
 #include "report/cli/sweep.hpp"
 #include "report/cli/verbs.hpp"
 #include "report/cli/words.hpp"
+#include "report/study/settings.hpp"
+#include "report/text/visible.hpp"
 
 namespace oddity {
 
@@ -38,10 +44,11 @@ struct Session {
   std::string report_out = report_folder().string(), chart_out = chart_folder().string(),
               maps_out = report_folder().string(), site_out = site_folder().string(),
               proofs_out = proofs_folder().string();
-  bool json = false, csv = false, code = false, rows = false, all_rows = false, approve = false, book = false;
-  std::string engine = {};
+  bool json = false, csv = false, code = false, rows = false, all_rows = false, approve = false, book = false,
+       overwrite = false;
+  std::string engine = {}, horizon = {};
   bool page = false, lanes = false, verbs = false, kept = false;
-  std::vector<double> rates{60, 240};
+  std::string rates = "60,240";
   int finest = 32;
   AskedNeed need = {};
   NewExercise begun = {};
@@ -58,38 +65,26 @@ struct Session {
   }
 };
 
+/// `says_needs`: where its needs are asked, it says them and does nothing; others need nothing.
 CLI::App* verb(CLI::App& app, const std::string& name, const std::string& says, const std::string& footer,
-               const std::function<void()>& act) {
+               const std::function<void()>& act, bool says_needs = false) {
   auto* verb = app.add_subcommand(name, says);
   verb->group("Verbs");
   verb->footer(footer);
-  verb->callback(act);
+  verb->callback([act, says_needs] {
+    if (says_needs || !needs_are_asked()) act();
+  });
   return verb;
 }
 
 void add_one_exercise(CLI::App& verb, Session& s) {
-  verb.add_option("exercise", s.exercise, "its number, such as 3.33")->required();
-  verb.add_option("overrides", s.overrides,
-                  "name=value for each parameter to change; units fit: a=30deg L=50cm");
-}
-
-/// For what is asked for and would be nothing, as "$SHARD" without such a variable.
-auto not_empty(const std::string& what) {
-  return [what](const std::string& given) { return given.empty() ? "it needs " + what : std::string(); };
-}
-
-/// A path that is asked for is not empty, which would be the current folder.
-CLI::Option* add_path(CLI::App& verb, const std::string& name, std::string& path, const std::string& says) {
-  return verb.add_option(name, path, says)
-      ->type_name("PATH")
-      ->capture_default_str()
-      ->check(not_empty("a path"));
-}
-
-template <class T>
-CLI::Option* add_value(CLI::App& verb, const std::string& name, T& value, const std::string& type,
-                       const std::string& says) {
-  return verb.add_option(name, value, says)->type_name(type)->check(not_empty("a value"));
+  verb.add_option("exercise", s.exercise,
+                  "its number, such as 3.33, or a problem's file, such as suspension.toml")
+      ->required();
+  verb.add_option(
+      "overrides", s.overrides,
+      "name=value for each parameter to change; units fit: a=30deg L=50cm; a point or a matrix at once: "
+      "v0=1,2,-1");
 }
 
 /// The option does not go together with the others.
@@ -111,9 +106,11 @@ void add_list(CLI::App& app, Session& s) {
       verb(app, "list", "List the exercises, with their parameters and ranges.",
            "Columns: exercise, title, scene (1 or 0), parameter, value, unit, least, most, whole (1 or "
            "0), says; a row for each parameter.\n"
-           "Examples:\n  oddity list\n  oddity list 3.5\n  oddity list pendulum\n  oddity list --csv",
+           "Examples:\n  oddity list\n  oddity list 3.5\n  oddity list spring\n  oddity list --csv",
            [&] { verbs::list(s.exercises, s.format()); });
-  add_exercises(*list, s, "numbers, such as 3.33, or words of titles; all when none is given");
+  add_exercises(
+      *list, s,
+      "numbers, such as 3.33, or words for what they are about, such as gyroscope; all when none is given");
   add_formats(*list, s, "the parameters");
 }
 
@@ -124,6 +121,12 @@ std::string columns_of_trials() {
 
 /// Catch2's words, which are not exercises.
 void require_test_specifications(const std::vector<std::string>& words) {
+  std::set<std::string> options;
+  for (const std::string& word : words) {
+    if (word.empty()) throw BadInput("verify: an argument is empty; '[3.5]' selects exercise 3.5");
+    if (word.starts_with('-') && word != "-c" && word != "--section" && !options.insert(word).second)
+      throw BadInput(word + " is given twice");
+  }
   for (std::size_t i = 0; i < words.size(); ++i)
     if (exercise_number(words[i]) && (i == 0 || !words[i - 1].starts_with('-')))
       throw BadInput("verify takes Catch2's tests by tag: '[" + words[i] +
@@ -156,11 +159,11 @@ void add_verify(CLI::App& app, Session& s) {
       "The suite is Catch2's: a test specification selects, and its options and reporters work, with "
       "'markdown' beside them; 'oddity verify -?' shows them. The exit code is 1 when anything differs from "
       "what is on record.\n"
-      "Tags: [ch3], [3.5], [scene], [erratum], [misprint].\n"
+      "Tags: [ch3], [3.5], [scene], [wrong], [incomplete], [misprint], [lost].\n"
       "Columns: exercise, claim, line (of the solutions), verdict, on_record, kind, root, says, why; a row "
       "for each claim.\n"
       "Examples:\n  oddity verify '[ch3]~[scene]'\n  oddity verify '[3.5]' -s\n  oddity verify -r markdown "
-      "-o report.md\n  oddity verify '[erratum]' --csv\n"
+      "-o report.md\n  oddity verify '[wrong]' --csv\n"
       "  oddity verify --shard 1/2 --results 1.json; oddity verify --shard 2/2 --results 2.json; oddity verify --from "
       "1.json --from 2.json --results all.json",
       [&] {
@@ -205,6 +208,21 @@ void add_solve(CLI::App& app, Session& s) {
   solve->add_flag("--csv", s.csv, "the trials, as comma-separated values")->excludes(json);
 }
 
+/// What has to hold of the motion, and to what.
+void add_criteria(CLI::App& verb, AskedNeed& need) {
+  add_value(
+      verb, "--criterion", need.criterion, "WORD",
+      "what has to hold: path; energy (what is seen has its true energy); period (and the swing's size); "
+      "bounded (nothing explodes); constraint (lengths that are held)")
+      ->capture_default_str();
+  add_value(
+      verb, "--energy", need.energy, "PART",
+      "besides, the energy of what is seen: off its true value by a part of what moves in it, 1% or 0.01");
+  add_value(verb, "--period", need.period, "PART", "besides, the period: off by a part of it, 1% or 0.01");
+  add_value(verb, "--constraint", need.constraint, "LENGTH",
+            "besides, lengths that are held, and what lies on something: off by a length, 1mm");
+}
+
 void add_choose_need(CLI::App& choose, AskedNeed& need) {
   auto* error = add_value(choose, "--error", need.error, "ERROR",
                           "the largest error of what is observed: a number in its unit, 0.01, or with a "
@@ -228,10 +246,21 @@ void add_choose_need(CLI::App& choose, AskedNeed& need) {
   add_value(choose, "--restart-every", need.restart_every, "TIME",
             "a contact restarts the integration this often: what that costs a method is added to its time; "
             "its error is that of a run without contacts");
-  add_value(choose, "--criterion", need.criterion, "WORD",
-            "what has to hold: path; energy (whatever is conserved); period; bounded (nothing explodes); "
-            "constraint (lengths that are held)")
+  add_criteria(choose, need);
+}
+
+void add_choose_own(CLI::App& choose, AskedNeed& need) {
+  add_value(
+      choose, "--starts", need.starts, "N",
+      "starts on which it has to hold: the one asked for and others up to a tenth off; 1: the one asked for "
+      "alone, and how it does on five others is told")
       ->capture_default_str();
+  auto* method =
+      add_value(choose, "--method", need.method, "NAME@STEP",
+                "whether what you run is good enough: 'semi-implicit Euler@60Hz', RK4@1/30, Verlet@5ms, "
+                "'Dormand-Prince 5(4)@1e-6'; without a step one a frame. The exit code is 1 when it is not");
+  add_value(choose, "--model", need.model, "WORD", "with --method: only models that have this in their names")
+      ->needs(method);
 }
 
 void add_choose_methods(CLI::App& choose, AskedNeed& need) {
@@ -246,7 +275,9 @@ void add_choose_methods(CLI::App& choose, AskedNeed& need) {
       ->allow_extra_args(false);
   add_value(choose, "--exclude", need.exclude, "WORD", "no models or algorithms that have this; repeatable")
       ->allow_extra_args(false);
-  add_value(choose, "--time-limit", need.time_limit, "TIME", "give up after this long: 60s");
+  add_value(choose, "--time-limit", need.time_limit, "TIME",
+            "the longest that the answer may take, or none: then it may take hours")
+      ->capture_default_str();
   add_enclosed(choose, need);
   choose.add_flag("--thorough", need.thorough,
                   "try every method at every setting, and judge by truths of 24 digits: slow, and what the "
@@ -255,6 +286,15 @@ void add_choose_methods(CLI::App& choose, AskedNeed& need) {
   choose.add_flag("--measure", need.measure,
                   "time the methods anew; unless asked, times of an earlier run are taken, so that the same "
                   "question gets the same answer");
+}
+
+/// What the command line does not say the problem's file does.
+void ask_as_file(const CLI::App& choose, Session& s) {
+  const problem::Asked asked = problem::asked_by(problem::entry_of_file(s.exercise));
+  if (choose.get_option("--horizon")->count() == 0) s.need.horizon = asked.horizon;
+  if (choose.get_option("--fps")->count() == 0) s.need.frames_per_second = asked.frames_per_second;
+  const bool by_path = s.need.criterion == "path" && s.need.digits.empty() && !s.need.as_engines;
+  if (by_path && s.need.error.empty()) s.need.error = asked.error;
 }
 
 void add_choose(CLI::App& app, Session& s) {
@@ -268,18 +308,26 @@ void add_choose(CLI::App& app, Session& s) {
       "fails on the first start where it does), holds (1 or 0), outcome, evaluations per frame, seconds per frame, chosen (1 or 0); a row for each method.\n"
       "Keys of the JSON: need, chosen (null when nothing is), in_float, ties, candidates (followed: false where finer "
       "settings were not tried), on_asked (when nothing is chosen, what holds on the start asked for), engine, "
-      "predictable, chosen_on, tested_on, times, explanation.\n"
+      "predictable, chosen_on, tested_on, failing_beside, left_out (starts beside that are another kind of motion), "
+      "in_chaos (how many unseen starts hold, with bounds), times, explanation.\n"
+      "Columns with --method: exercise, model, algorithm, knob, setting, holds (1 or 0), outcome, where, error_in_needs, "
+      "starts, failing, growth (of the error, from half the time to the end), drift (of what the model conserves), energy (how far what is seen is off its true one), stable_to, "
+      "evaluations_per_frame, seconds_per_frame, frames_per_second; a row for each model.\n"
       "Examples:\n  oddity choose 3.5 a=60deg --error 1deg --budget 5us\n  oddity choose 3.33 --error 1deg "
       "--horizon 2 --fps 120\n  oddity choose 3.25 --criterion bounded --precision float\n  oddity choose 3.5 "
-      "--error 1deg --exclude closed --code\n  oddity choose 3.5 --error 1deg --bodies 10000 --budget 1ms",
+      "--error 1deg --exclude closed --code\n  oddity choose 3.5 --error 1deg --bodies 10000 --budget 1ms\n"
+      "  oddity choose 3.5 --error 1deg --method 'semi-implicit Euler@60Hz'",
       [&] {
         s.need.as_engines = !s.engine.empty();
+        if (problem::is_file(s.exercise)) ask_as_file(*app.get_subcommand("choose"), s);
         s.status = verbs::choose(s.folder, s.exercise, s.overrides, s.need, s.format(), s.all_rows, s.engine,
                                  s.command);
-      });
+      },
+      true);
   add_one_exercise(*choose, s);
   add_choose_need(*choose, s.need);
   add_choose_methods(*choose, s.need);
+  add_choose_own(*choose, s.need);
   choose->add_flag("--all", s.all_rows, "show all rows of the table");
   add_formats(*choose, s, "the choice and every method tried");
   auto* code = choose->add_flag("--code", s.code, "the chosen model and its loop, as C++ to paste");
@@ -289,26 +337,38 @@ void add_choose(CLI::App& app, Session& s) {
       "what another engine makes of the scene, beside the choice: bullet, mujoco; unless --error or "
       "--digits is given, to 1 cm and 1 degree");
   set_apart(*choose, engine, {"--json", "--csv", "--code"});
+  set_apart(*choose, choose->get_option("--method"),
+            {"--engine", "--code", "--explain", "--all", "--enclosed"});
+}
+
+CLI::Option* add_overwrite(CLI::App& verb, Session& s) {
+  return verb.add_flag("--overwrite", s.overwrite,
+                       "also into a folder that holds files of others, and over these");
 }
 
 void add_report(CLI::App& app, Session& s) {
-  auto* report = verb(
-      app, "report", "Write the Markdown report.",
-      "The last results are taken where they are fresh, else everything runs first.\n"
-      "Examples:\n  oddity report\n  oddity report --chapter 3 --out /tmp/report",
-      [&] { verbs::report(s.folder, s.chapter, s.book ? Edition::book : Edition::whole, s.report_out); });
+  auto* report = verb(app, "report", "Write the Markdown report.",
+                      "The last results are taken where they are fresh, else everything runs first.\n"
+                      "Examples:\n  oddity report\n  oddity report --chapter 3 --out /tmp/report",
+                      [&] {
+                        verbs::report(s.folder, s.chapter, s.book ? Edition::book : Edition::whole,
+                                      s.report_out, s.overwrite);
+                      });
   add_value(*report, "--chapter", s.chapter, "N", "the exercises of one chapter only");
   report->add_flag("--book", s.book, "without times: what stands in report/book of the sources");
   add_path(*report, "--out", s.report_out, "the folder to write to");
+  add_overwrite(*report, s);
 }
 
 void add_site(CLI::App& app, Session& s) {
-  auto* site = verb(app, "site", "Write the report that runs: one folder, for a browser.",
-                    "Open its index.html with a double click; it needs no network. The last results are "
-                    "taken where they are fresh, else everything runs first.\n"
-                    "Examples:\n  oddity site\n  oddity site --out /tmp/site",
-                    [&] { verbs::site(s.folder, s.site_out); });
+  auto* site = verb(
+      app, "site", "Write the report that runs: one folder, for a browser.",
+      "Open its index.html with a double click; it needs no network. The last results are "
+      "taken where they are fresh, else everything runs first.\n"
+      "Examples:\n  oddity site\n  oddity site --out /tmp/site",
+      [&] { verbs::site(s.folder, s.site_out, s.overwrite); }, true);
   add_path(*site, "--out", s.site_out, "the folder to write to");
+  add_overwrite(*site, s);
 }
 
 void add_chart(CLI::App& app, Session& s) {
@@ -318,14 +378,16 @@ void add_chart(CLI::App& app, Session& s) {
           "Of scenes that engines have run on, their pictures as well.\nExamples:\n  oddity chart 3.5 2.13 --out /tmp/charts\n  oddity chart 3.5 --csv",
       [&] {
         if (s.format() == verbs::Format::text)
-          verbs::chart(s.folder, s.exercises, s.all_rows ? Curves::all : Curves::few, s.chart_out);
+          verbs::chart(s.folder, s.exercises, s.all_rows ? Curves::all : Curves::few, s.chart_out,
+                       s.overwrite);
         else
           verbs::chart_table(s.folder, s.exercises, s.format());
       });
-  add_exercises(*chart, s, "numbers, such as 3.5; all when none is given");
+  add_exercises(*chart, s, "numbers, such as 3.5, or problems' files; all exercises when none is given");
   chart->add_flag("--all", s.all_rows, "every method's curve, not eight at most");
   add_formats(*chart, s, "the trials, with nothing drawn");
   set_apart(*chart, add_path(*chart, "--out", s.chart_out, "the folder to write to"), {"--json", "--csv"});
+  set_apart(*chart, add_overwrite(*chart, s), {"--json", "--csv"});
 }
 
 void add_stability(CLI::App& app, Session& s) {
@@ -334,23 +396,32 @@ void add_stability(CLI::App& app, Session& s) {
       "Also drawn are maps of how each method ends, over the step and over the parameter that makes the scene "
       "hard.\n"
       "Columns: exercise, model, algorithm, stable_to, breaks_at, theory, unit (of these), breaks_by, error, "
-      "error_unit, why; a row for each method of fixed step.\n"
-      "Examples:\n  oddity stability 3.5 --out /tmp/maps\n  oddity stability 3.5 3.33 --csv",
+      "error_unit, why, unstable_in_theory, error_there (at stable_to), needed_to (the longest within the scene's need), "
+      "not_sharp_from, not_sharp_to (for other observers, where the limit is not sharp), watched (where the motion does "
+      "not go on alike), how, cure; a row for each method of fixed step.\n"
+      "Examples:\n  oddity stability 3.5 --out /tmp/maps\n  oddity stability 3.5 3.33 --csv\n  oddity stability 3.5 "
+      "a=1 L=2 --horizon 20s",
       [&] {
         if (s.rows)
           verbs::stability_rows(s.folder, s.exercises);
         else if (s.format() != verbs::Format::text)
-          verbs::stability_table(s.folder, s.exercises, s.format());
+          verbs::stability_table(s.folder, s.exercises, s.horizon, s.format());
         else
-          verbs::stability(s.folder, s.exercises, s.maps_out);
+          verbs::stability(s.folder, s.exercises, s.horizon, s.maps_out, s.overwrite);
       });
-  add_exercises(*stability, s, "numbers, such as 3.5; all that have a motion when none is given");
+  add_exercises(
+      *stability, s,
+      "numbers, such as 3.5, or problems' files; all exercises that have a motion when none is given; behind one name=value for each "
+      "parameter to change");
+  add_value(*stability, "--horizon", s.horizon, "TIME",
+            "how long the motion is watched, instead of the scene's own");
   add_formats(*stability, s, "the limits, with nothing drawn");
   auto* rows = stability->add_flag("--rows", s.rows,
                                    "the rows of limits.csv and stability_maps.csv, with nothing drawn");
-  set_apart(*stability, rows, {"--json", "--csv"});
+  set_apart(*stability, rows, {"--json", "--csv", "--horizon"});
   set_apart(*stability, add_path(*stability, "--out", s.maps_out, "the folder to draw the maps in"),
             {"--rows", "--json", "--csv"});
+  set_apart(*stability, add_overwrite(*stability, s), {"--rows", "--json", "--csv"});
 }
 
 void add_bench(CLI::App& app, Session& s) {
@@ -369,10 +440,12 @@ void add_bench(CLI::App& app, Session& s) {
       "failure (how it ended, unless well).\n"
       "Examples:\n  oddity bench\n  oddity bench --csv\n  oddity bench --lanes 3.5 3.33\n  oddity bench --verbs",
       [&] {
-        s.status = s.lanes   ? verbs::bench_lanes(s.exercises, s.format())
-                   : s.verbs ? verbs::bench_verbs(s.format())
-                             : verbs::bench(s.folder, s.format());
-      });
+        s.status = s.lanes                  ? verbs::bench_lanes(s.exercises, s.format())
+                   : needs_are_all(Needs()) ? 0
+                   : s.verbs                ? verbs::bench_verbs(s.format())
+                                            : verbs::bench(s.folder, s.format());
+      },
+      true);
   auto* lanes = bench->add_flag("--lanes", s.lanes, "the scenes' models in lanes, beside each alone");
   bench->add_flag("--verbs", s.verbs, "time and peak memory of each verb, and how its work grows")
       ->excludes(lanes);
@@ -380,35 +453,49 @@ void add_bench(CLI::App& app, Session& s) {
   add_formats(*bench, s, "the numbers measured");
 }
 
+std::vector<double> rates_of(const std::string& text) {
+  std::vector<double> rates;
+  for (const std::string& rate : listed("--hz", text)) rates.push_back(value_of("--hz", rate, "1/s"));
+  return rates;
+}
+
 void add_engines(CLI::App& app, Session& s) {
   auto* engines = verb(
       app, "engines", "Put other people's physics engines on the scenes, beside the models.",
       "Each engine that is built runs as a program of its own, at 60 steps a second and finer by doubling, and is "
-      "judged at every frame over 10 s: to 1 cm and 1 degree. './oddity engines' installs and builds them.\n"
+      "judged at every frame over 10 s: to 1 cm and 1 degree. In oddity's sources './oddity engines' installs and "
+      "builds them.\n"
       "Columns: scene, engine, version, precision, variant, webassembly (1 or 0), hz, outcome, error, unit, "
-      "in_needs, energy, momentum, off_joint, seconds_per_frame, spread, same_bits (1 or 0), restored; a row for each "
-      "trial and unit.\n"
-      "Examples:\n  oddity engines\n  oddity engines 3.33 'free body' --hz 60,240,960",
+      "in_needs, energy, momentum, off_joint, seconds_per_frame, spread, same_bits (1 or 0), restored, and off_energy, "
+      "off_period, off_constraint or off_bounded where that is asked for; a row for each trial and unit.\n"
+      "Examples:\n  oddity engines\n  oddity engines 3.33 'free body' --hz 60,240,960\n  oddity engines 3.5 a=60deg --horizon 30\n"
+      "  oddity engines 3.5 --criterion energy --error 5%",
       [&] {
         verbs::engines(s.folder,
-                       {s.exercises, s.rates, s.finest, s.all_rows, s.rows, s.kept,
-                        s.page ? report_folder() / "engines.md" : std::filesystem::path()},
+                       {s.exercises, rates_of(s.rates), s.finest, s.all_rows, s.rows, s.kept,
+                        s.page ? to_write_to(report_folder()) / "engines.md" : std::filesystem::path(),
+                        s.horizon, s.need},
                        s.format());
-      });
+      },
+      true);
   engines->add_option(
       "scene", s.exercises,
       "exercises, or: free body, bouncing ball, box on corners, chain of 10, chain of 100; unless any is "
-      "named, all but the last, which takes long");
-  engines->add_option("--hz", s.rates, "the rates to show")->delimiter(',')->type_name("RATE");
-  engines->add_option("--finest", s.finest, "steps per frame to go to, by doubling")
-      ->check(CLI::Range(1, 4096))
-      ->capture_default_str();
+      "named, all but the last, which takes long; behind one exercise name=value for each parameter to change");
+  auto* horizon = add_value(*engines, "--horizon", s.horizon, "TIME",
+                            "how long the motion of an exercise is watched, instead of 10 s");
+  add_value(*engines, "--error", s.need.error, "ERROR",
+            "of an exercise: the largest error, instead of 1cm and 1deg; of energy and period a part, 1%");
+  add_criteria(*engines, s.need);
+  add_value(*engines, "--hz", s.rates, "RATES", "the rates to show")->capture_default_str();
+  add_count(*engines, "--finest", s.finest, 1, 4096, "steps per frame to go to, by doubling");
   engines->add_flag("--all", s.all_rows, "every variant, not the defaults and the best of each engine");
   auto* rows = engines->add_flag("--rows", s.rows, "print the rows of engines.csv instead");
   engines->add_flag("--kept", s.kept, "what earlier runs kept, and nothing is run");
   engines->add_flag("--report", s.page, "write the page engines.md of the report");
   add_formats(*engines, s, "every trial");
   set_apart(*engines, rows, {"--json", "--csv", "--report"});
+  set_apart(*engines, horizon, {"--kept", "--report"});
 }
 
 void add_sweep(CLI::App& app, Session& s) {
@@ -443,27 +530,43 @@ void add_prove(CLI::App& app, Session& s) {
       "Columns: claim, proved, margin (of a printed value, which is off by no less), outcome, seconds, message.\n"
       "Examples:\n  oddity prove\n  oddity prove 3.5 7.9 --out /tmp/proofs",
       [&] {
-        s.status = verbs::prove(s.folder, {s.exercises, s.proofs_out, s.approve}, s.format());
-      });
+        s.status = verbs::prove(s.folder, {s.exercises, s.proofs_out, s.overwrite, s.approve}, s.format());
+      },
+      true);
   add_exercises(*prove, s, "numbers, such as 3.5; without any, all that have proofs");
   add_path(*prove, "--out", s.proofs_out, "the folder to write the files to");
+  add_overwrite(*prove, s);
   prove->add_flag("--approve", s.approve, "put on record what is proved");
   add_formats(*prove, s, "what is proved");
 }
 
+/// Nothing else goes with a problem's file.
+void begin_problem(const CLI::App& begin, const Session& s) {
+  for (const char* option : {"slug", "--scene", "--identity", "--topic", "--in"})
+    if (begin.get_option(option)->count() > 0)
+      throw BadInput(std::string(option) + " is of an exercise, and " + s.begun.number +
+                     " is a problem's file");
+  verbs::create_problem(s.begun.number);
+}
+
 void add_new(CLI::App& app, Session& s) {
-  auto* begin =
-      verb(app, "new", "Begin an exercise of your own: files that compile, and say what is to be written.",
-           "The number has to be free: an even one, or of another chapter. Nothing is overwritten.\n"
-           "Examples:\n  oddity new 3.2 spring_pendulum\n  oddity new 9.2 law_of_cosines --identity\n  "
-           "oddity new 20.1 comet --topic space --in ~/exercises",
-           [&] {
-             s.begun.in = s.outside;
-             s.begun.scene = !s.identity;
-             verbs::create(s.begun);
-           });
-  begin->add_option("number", s.begun.number, "such as 3.2")->required();
-  begin->add_option("slug", s.begun.slug, "the name of its folder, such as spring_pendulum")->required();
+  auto* begin = verb(
+      app, "new",
+      "Begin an exercise of your own: files that compile, and say what is to be written; or a problem's file.",
+      "The number has to be free: an even one, or of another chapter. Nothing is overwritten.\n"
+      "Examples:\n  oddity new suspension.toml\n  oddity new 3.2 spring_pendulum\n  oddity new 9.2 law_of_cosines --identity\n  "
+      "oddity new 20.1 comet --topic space --in ~/exercises",
+      [&] {
+        if (problem::is_file(s.begun.number)) return begin_problem(*app.get_subcommand("new"), s);
+        if (s.begun.slug.empty())
+          throw BadInput("new needs the name of its folder behind the number, such as 3.2 spring_pendulum");
+        s.begun.in = s.outside;
+        s.begun.scene = !s.identity;
+        verbs::create(s.begun);
+      });
+  begin->add_option("number", s.begun.number, "such as 3.2; or a problem's file, such as suspension.toml")
+      ->required();
+  begin->add_option("slug", s.begun.slug, "the name of its folder, such as spring_pendulum");
   auto* scene = begin->add_flag("--scene", s.scene,
                                 "a motion, with models, methods and claims; this unless asked otherwise");
   begin->add_flag("--identity", s.identity, "claims alone")->excludes(scene);
@@ -473,6 +576,7 @@ void add_new(CLI::App& app, Session& s) {
 
 /// The main job: verify everything, and write the report and the site.
 int all_of_it(const Session& s) {
+  if (needs_are_all(verbs::needs_of_site())) return 0;
   const auto begun = std::chrono::steady_clock::now();
   verbs::require_room_for_all(s.report_out, s.site_out);
   const int verdict = s.suite({{}, s.folder, results_file()});
@@ -501,7 +605,7 @@ bool output_arrived() {
 }
 
 void complain(const std::string& what) {
-  std::cerr << wrapped("oddity: " + what + "\n", screen_of(STDERR_FILENO), 2);
+  std::cerr << wrapped("oddity: " + visible(what) + "\n", screen_of(STDERR_FILENO), 2);
 }
 
 /// Memory for a thread as well, of which TBB says so in words alone.
@@ -533,9 +637,19 @@ const std::terminate_handler usual_end = std::get_terminate();
   std::abort();
 }
 
-int answer(CLI::App& app, Session& session, const std::vector<std::string>& words) {
+int answer(CLI::App& app, Session& session, int argc, char** argv) {
   try {
+    std::vector<std::string> words = words_of(argc, argv);
+    if (words == std::vector<std::string>{"--completion"}) return std::cout << completion_of(app), 0;
+    if (words == std::vector<std::string>{"--examples"}) return std::cout << examples_of(app), 0;
+    if (words == std::vector<std::string>{"--manual"}) return std::cout << manual_of(app, version()), 0;
+    if (!words.empty() && words.front() == "--needs") {
+      ask_for_needs();
+      words.erase(words.begin());
+    }
+    require_verbs_alone(app, argc, argv);
     require_a_verb(app, words);
+    require_each_once(app, words);
     std::vector<std::string> reversed(words.rbegin(), words.rend());  // as CLI11 wants them
     app.parse(reversed);
     return app.get_subcommands().empty() ? all_of_it(session) : session.status;
@@ -561,6 +675,8 @@ int answer(CLI::App& app, Session& session, const std::vector<std::string>& word
 int command_line(int argc, char** argv, const Suite& suite) try {
   std::set_terminate(end_without_memory);
   occupy_standard_streams();
+  const VisibleOutput printed(std::cout, screen_of(STDOUT_FILENO).colour),
+      said(std::cerr, screen_of(STDERR_FILENO).colour, "\r");  // progress goes back in its line
   tidy_when_interrupted();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is a write that fails
   CLI::App app(
@@ -594,7 +710,7 @@ int command_line(int argc, char** argv, const Suite& suite) try {
   add_new(app, session);
   verb(app, "help", "Show this help, or that of a verb.", "Example: oddity help choose", [] {});
   session.command = typed(words_of(argc, argv));
-  const int status = answer(app, session, words_of(argc, argv));
+  const int status = answer(app, session, argc, argv);
   return output_arrived() ? status : 2;
 } catch (const std::bad_alloc&) {
   return no_memory();

@@ -12,13 +12,14 @@
 #include "reference/files.hpp"
 #include "reference/similar.hpp"
 #include "reference/text.hpp"
-#include "report/cli/settings.hpp"
 #include "report/cli/verbs.hpp"
 #include "report/cli/words.hpp"
 #include "report/pages/engines_page.hpp"
 #include "report/pages/engines_view.hpp"
+#include "report/study/beside_program.hpp"
 #include "report/study/prices.hpp"
 #include "report/study/progress.hpp"
+#include "report/study/settings.hpp"
 
 namespace oddity::verbs {
 
@@ -31,9 +32,10 @@ Need simple_need() {
 }
 
 std::vector<EngineProgram> all_engines() {
-  std::vector<EngineProgram> programs = engines_found(engines_folder(), source_folder());
+  std::vector<EngineProgram> programs = engines_found(engines_folder(), adapters_folder());
   if (programs.empty())
-    throw BadInput("no engine is built here; './oddity engines' installs and builds them");
+    throw BadInput("no engine is built here; " + where_to_build() +
+                   "'./oddity engines' installs and builds them");
   return programs;
 }
 
@@ -50,13 +52,14 @@ std::optional<Instead> instead_of(const Choice& choice) {
   const std::string setting = shown_setting(*choice.chosen, choice.need);
   return Instead{
       choice.chosen->model + " by " + choice.chosen->algorithm + (setting == "-" ? "" : ", " + setting),
-      choice.chosen->errors, choice.chosen->seconds_per_frame};
+      choice.chosen->errors, choice.chosen->seconds_per_frame, choice.chosen->by};
 }
 
 /// What `choose` takes for the scene, at the prices kept.
-std::optional<Instead> instead(const Task& task, const Reference& truth, const Progress& progress) {
-  KeptPrices prices(prices_folder(), price_key(task, simple_need()), false);
-  const Choice choice = oddity::choose(task, simple_need(), truth, std::ref(prices), progress);
+std::optional<Instead> instead(const Task& task, const Need& need, const Reference& truth,
+                               const Progress& progress) {
+  KeptPrices prices(prices_folder(), price_key(task, need), false);
+  const Choice choice = oddity::choose(task, need, truth, std::ref(prices), progress);
   prices.keep();
   return instead_of(choice);
 }
@@ -101,7 +104,6 @@ std::vector<OwnSteps> own_steps(const Task& task, const Reference& truth) {
 
 std::vector<fs::path> write_pictures(const std::vector<EngineContest>& contests, const OwnByScene& own,
                                      const fs::path& folder) {
-  fs::create_directories(folder / "engines");
   std::vector<fs::path> files;
   for (const auto& pictures : {engine_pictures(contests, own), engine_pictures_of_times(contests)})
     for (const auto& [name, svg] : pictures) {
@@ -117,20 +119,49 @@ void write_page(const std::vector<EngineContest>& contests, const Reference& tru
     if (exercise_number(c.scene)) own[c.scene] = own_steps(task_of(c.scene, {}), truth);
   write_pictures(contests, own, page.parent_path());
   for (const auto& [name, csv] : engine_trials(contests)) write_whole(page.parent_path() / name, csv);
-  const fs::path programs = source_folder() / "solvers/engines/found";
+  const fs::path programs = surprises_folder();
   write_whole(page,
               engines_page(contests, surprises_in(programs),
                            programs.lexically_proximate(fs::absolute(page).parent_path()).generic_string()));
   std::cerr << "the page is " << page.string() << "\n";
 }
 
-EngineContest engines_on(const std::string& scene, const std::vector<EngineProgram>& programs,
-                         const EngineTask& asked, const Reference& truth, const Progress& progress) {
+/// What is asked of an exercise that is not usual: other parameters, another horizon, another need.
+struct Asked {
+  WithOverrides words;
+  std::string horizon;
+  AskedNeed need;
+
+  std::string first_option() const {
+    return !horizon.empty()           ? "--horizon"
+           : !need.error.empty()      ? "--error"
+           : need.criterion != "path" ? "--criterion"
+           : !need.energy.empty()     ? "--energy"
+           : !need.period.empty()     ? "--period"
+           : !need.constraint.empty() ? "--constraint"
+                                      : "";
+  }
+  bool is_usual() const { return words.overrides.empty() && first_option().empty(); }
+
+  /// A centimetre and a degree, unless another error or criterion is asked for.
+  Need of(const Task& task) const {
+    AskedNeed all = need;
+    all.as_engines = true;
+    all.time_limit = "none";
+    if (!horizon.empty()) all.horizon = horizon;
+    return need_of(task, all);
+  }
+};
+
+EngineContest engines_on(const std::string& scene, const Asked& words,
+                         const std::vector<EngineProgram>& programs, const EngineTask& asked,
+                         const Reference& truth, const Progress& progress) {
   if (!exercise_number(scene))
     return run(programs, further_engine_scene(scene, simple_need()), asked, progress);
-  const Task task = task_of(scene, {});
-  EngineContest result = run(programs, engine_scene(task, simple_need(), truth), asked, progress);
-  result.least = instead(task, truth, progress);
+  const Task task = task_of(scene, words.words.overrides);
+  const Need need = words.is_usual() ? simple_need() : words.of(task);
+  EngineContest result = run(programs, engine_scene(task, need, truth), asked, progress);
+  result.least = instead(task, need, truth, progress);
   return result;
 }
 
@@ -161,6 +192,14 @@ EngineContest beside(const Choice& choice, const std::vector<EngineProgram>& pro
 
 namespace {
 
+/// Whichever of these can be had is judged.
+Needs needs_of_engines() {
+  return {{"libode-dev", "libbullet-dev", "libbox2d-dev", "libchipmunk-dev", "libmujoco-dev",
+           "libsimbody-dev", "libdart-dev"},
+          {"solvers/engines"},
+          {"engines"}};
+}
+
 /// Before anything runs: it may take minutes.
 void require_scenes(const std::vector<std::string>& scenes) {
   const std::vector<std::string> all = scenes_for_engines();
@@ -180,16 +219,18 @@ void require_rates(const std::vector<double>& rates) {
   }
 }
 
-/// What is asked, in the order asked: run anew, and kept as soon as it is there.
-std::vector<EngineContest> engines_run(const AskedEngines& asked, const std::vector<std::string>& scenes,
-                                       const Reference& truth) {
+/// What is asked, in the order asked: run anew, and kept as soon as it is there, unless it is of other
+/// parameters or another horizon.
+std::vector<EngineContest> engines_run(const AskedEngines& asked, const Asked& words,
+                                       const std::vector<std::string>& scenes, const Reference& truth) {
+  kept_engines();  // what cannot be read is refused before anything is run
   const std::vector<EngineProgram> programs = all_engines();
   std::vector<EngineContest> contests;
   for (const std::string& scene : scenes) {
     contests.push_back(with_progress([&](const Progress& progress) {
-      return engines_on(scene, programs, {.finest = asked.finest}, truth, progress);
+      return engines_on(scene, words, programs, {.finest = asked.finest}, truth, progress);
     }));
-    write(with_earlier(contests), engines_file());
+    if (words.is_usual()) write(with_earlier(contests), engines_file());
   }
   return contests;
 }
@@ -218,16 +259,29 @@ std::vector<fs::path> draw_engines(const std::vector<Task>& tasks, const Referen
 }
 
 void engines(const fs::path& folder, const AskedEngines& asked, Format format) {
-  std::vector<std::string> scenes = asked.scenes;
+  const Asked words{with_overrides(asked.scenes), asked.horizon, asked.need};
+  std::vector<std::string> scenes = words.words.exercises;
+  const std::string option = words.first_option();
+  if (!option.empty() && std::ranges::none_of(scenes, [](const std::string& scene) {
+        return exercise_number(scene).has_value();
+      }))
+    throw BadInput(option + " is of an exercise: name one, such as 3.5");
+  if (!words.is_usual() && (asked.kept || !asked.page.empty()))
+    throw BadInput("what is kept and reported is of the exercises as they are: leave '" +
+                   (words.words.overrides.empty() ? option : words.words.overrides.front()) + "' out");
   if (scenes.empty()) {
     scenes = scenes_for_engines();
     if (!asked.kept) std::erase(scenes, "chain of 100");  // it is there by its name
   }
   require_scenes(scenes);
   require_rates(asked.rates);
+  if (!words.is_usual())
+    for (const std::string& scene : scenes)
+      if (exercise_number(scene)) words.of(task_of(scene, words.words.overrides));
+  if (needs_are_all(asked.kept ? Needs() : needs_of_engines())) return;
   const Reference truth(folder, motions_folder());
   const std::vector<EngineContest> contests =
-      asked.kept ? engines_kept(scenes) : engines_run(asked, scenes, truth);
+      asked.kept ? engines_kept(scenes) : engines_run(asked, words, scenes, truth);
   if (asked.rows) {
     std::cout << engine_rows(contests);
     return;

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "report/pages/screen.hpp"
+#include "report/text/screen.hpp"
 
 namespace oddity {
 

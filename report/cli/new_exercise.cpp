@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <utility>
 
 #include "chapters/contents.hpp"
 #include "reference/bad_input.hpp"
-#include "report/cli/settings.hpp"
+#include "reference/files.hpp"
+#include "report/charts/engine_labels.hpp"
+#include "report/study/embedded.hpp"
+#include "report/study/settings.hpp"
 
 namespace oddity {
 
@@ -68,7 +69,7 @@ std::string folder_of(const fs::path& folder, int number) {
 std::string chapter_folder(const NewExercise& asked, Number number, const fs::path& home) {
   std::string there;
   for (const fs::path& tree : {home, source_folder()})
-    if (there.empty()) there = folder_of(tree / "chapters", number.chapter);
+    if (there.empty() && !tree.empty()) there = folder_of(tree / "chapters", number.chapter);
   if (!asked.topic.empty()) require_name("topic", asked.topic);
   const std::string wanted = two_digits(number.chapter) + "_" + asked.topic;
   if (there.empty() && !asked.topic.empty()) return wanted;
@@ -97,11 +98,6 @@ std::string some_free(int chapter) {
                  "; nothing was written. Free are " + some_free(number.chapter) + " and more");
 }
 
-std::string text_in(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 /// Whether a run of `new` that was ended left them so: the last are missing, and those before as it writes
 /// them.
 bool left_unfinished(const std::vector<NewFile>& files) {
@@ -109,7 +105,7 @@ bool left_unfinished(const std::vector<NewFile>& files) {
   const auto missing = std::ranges::find_if_not(files, is_there);
   return missing != files.end() && std::none_of(missing, files.end(), is_there) &&
          std::all_of(files.begin(), missing,
-                     [](const NewFile& file) { return text_in(file.path) == file.text; });
+                     [](const NewFile& file) { return read_whole(file.path) == file.text; });
 }
 
 /// The text, with each word of `words` where its pattern is; the first pattern that fits counts.
@@ -137,6 +133,8 @@ std::vector<NewFile> new_files(const NewExercise& asked) {
   const Number number = number_of(asked.number);
   require_name("slug", asked.slug);
   const fs::path home = asked.in.empty() ? source_folder() : asked.in;
+  if (home.empty())
+    throw BadInput("an installed program has no tree to begin an exercise in: name a folder by --in");
   if (const auto found = std::ranges::find(registry(), number, &Entry::number); found != registry().end())
     refuse(number, std::string(found->exercise.title) + ", " + std::string(found->file));
   const std::string chapter = chapter_folder(asked, number, home),

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "report/pages/code.hpp"
+#include "report/study/embedded.hpp"
 
 /// An exercise of one's own, begun.
 namespace oddity {

@@ -9,9 +9,11 @@
 #include "reference/files.hpp"
 #include "reference/proofs.hpp"
 #include "reference/text.hpp"
-#include "report/pages/table_text.hpp"
+#include "report/study/beside_program.hpp"
 #include "report/study/progress.hpp"
 #include "report/study/prove.hpp"
+#include "report/study/settings.hpp"
+#include "report/text/table_text.hpp"
 
 namespace oddity::verbs {
 
@@ -76,11 +78,14 @@ std::string text_of(const Provables& these, const std::vector<Checked>& checked)
 int prove(const fs::path& folder, const AskedProofs& asked, Format format) {
   const bool all = asked.exercises.empty();
   const Provables these = provables_of(tasks_of(asked.exercises), all);
+  if (needs_are_all({{"coq", "libcoq-interval", "libcoq-coquelicot"}})) return 0;
+  take_to_write(asked.out, asked.overwrite);
   write_proofs(these, asked.out);
   if (!coq_is_there())
     throw BadInput(std::to_string(these.size()) + " files are written to " + asked.out.string() +
-                   ", and not checked: Coq or one of its libraries is missing; './oddity packages coq "
-                   "libcoq-interval libcoq-coquelicot' installs them");
+                   ", and not checked: Coq or one of its libraries is missing; '" +
+                   (own_tree().empty() ? "apt-get install" : "./oddity packages") +
+                   " coq libcoq-interval libcoq-coquelicot' installs them");
   const auto checked =
       with_progress([&](const Progress& progress) { return oddity::prove(these, asked.out, progress); });
   std::cout << (format == Format::json  ? to_json(table_of(these, checked))

@@ -7,6 +7,7 @@ namespace oddity::verbs {
 struct AskedProofs {
   std::vector<std::string> exercises = {};  ///< none: all of which something is proved
   fs::path out = {};                        ///< where the files go
+  bool overwrite = false;                   ///< also over files of others
   bool approve = false;                     ///< what is proved is put on record
 };
 /// Writes a Coq file for each claim and has it checked; 0 when all are proved, else 1.

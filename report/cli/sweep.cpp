@@ -1,6 +1,7 @@
 #include "report/cli/sweep.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <memory>
 #include <numeric>
@@ -14,10 +15,12 @@
 #include "reference/text.hpp"
 #include "report/charts/chart_parts.hpp"
 #include "report/cli/asked.hpp"
-#include "report/cli/settings.hpp"
+#include "report/cli/needs.hpp"
 #include "report/cli/words.hpp"
+#include "report/study/beside_program.hpp"
 #include "report/study/initial_conditions.hpp"
 #include "report/study/progress.hpp"
+#include "report/study/settings.hpp"
 #include "report/sweep/merge.hpp"
 #include "report/sweep/ranks.hpp"
 
@@ -33,20 +36,12 @@ struct Words {
   std::string folder = {}, exercise = {}, model = {}, algorithm = {}, setting = {}, chunk_time = "60s";
   std::vector<std::string> overrides = {}, over = {}, others = {};
   AskedNeed need = {};
-  bool every_cell = false, json = false, csv = false;
+  bool every_cell = false, json = false, csv = false, overwrite = false;
   int looks = 0, threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency())), slurm = 0;
   std::string shard = {}, out = {}, shown = "outcome";
 };
 
 // ---- plan -------------------------------------------------------------------------------------------------
-
-double in(const std::string& what, std::string_view text, std::string_view unit) {
-  try {
-    return in_unit(text, unit);
-  } catch (const BadInput& error) {
-    throw BadInput(what + ": " + error.what());
-  }
-}
 
 /// "a=1deg..179deg:1000", "step=1ms..0.1:500", "g=0.1..100:50:log".
 sweep::Axis axis_of(const Task& task, const std::string& text) {
@@ -64,16 +59,18 @@ sweep::Axis axis_of(const Task& task, const std::string& text) {
   if (std::ranges::find(names, axis.name) == names.end())
     throw BadInput("--over: no parameter '" + axis.name + "'" + did_you_mean(axis.name, names));
   if (axis.name == "step") axis.unit = task.entry->exercise.scene->axes.time;
-  axis.from = in("--over " + axis.name, text.substr(equals + 1, dots - equals - 1), axis.unit);
-  axis.to = in("--over " + axis.name, text.substr(dots + 2, colon - dots - 2), axis.unit);
+  const std::string over = "--over " + axis.name;
+  axis.from = value_of(over, text.substr(equals + 1, dots - equals - 1), axis.unit);
+  axis.to = value_of(over, text.substr(dots + 2, colon - dots - 2), axis.unit);
   std::string count = text.substr(colon + 1);
   axis.by_factor = setting || count.ends_with(":log");
   if (count.ends_with(":log")) count.resize(count.size() - 4);
-  const auto cells = parse_number(count);
-  if (!cells || *cells != std::round(*cells) || *cells < 2 || *cells > 1e6)
-    throw BadInput("--over " + axis.name +
-                   ": the number of cells is a whole one from 2 to 1000000, and is '" + count + "'");
-  axis.count = static_cast<int>(*cells);
+  axis.count = count_of(over + ": the number of cells", count, 2, 1'000'000);
+  const double cell = axis.by_factor ? axis.from * std::expm1(std::log(axis.to / axis.from) / axis.count)
+                                     : (axis.to - axis.from) / axis.count;
+  if (axis.from + cell == axis.from || axis.to - cell == axis.to)
+    throw BadInput(over + ": " + count + " cells between " + format_shortest(axis.from) + " and " +
+                   format_shortest(axis.to) + " are narrower than numbers can tell apart");
   return axis;
 }
 
@@ -89,6 +86,14 @@ void require_once(const Words& w, const std::vector<sweep::Axis>& axes) {
         throw BadInput("'" + given + "' and --over '" + w.over[i] + "' both say what " + axes[i].name +
                        " is: leave one of them out");
   }
+}
+
+/// A step has a time for its unit, a tolerance none.
+double setting_of(const Task& task, const Words& w) {
+  const Scene& scene = *task.entry->exercise.scene;
+  const Quantity seen = motion(scene, task.parameters, Reference::nothing());
+  const Method* method = method_of(seen, w.model, w.algorithm);  // none: which is said of the whole plan
+  return value_of("--setting", w.setting, method && method->knob.name != "step" ? "" : scene.axes.time);
 }
 
 sweep::Asked asked_of(const Words& w) {
@@ -109,10 +114,18 @@ sweep::Asked asked_of(const Words& w) {
   for (const Parameter& p : task.parameters.declared())
     asked.parameters.emplace_back(p.name, task.parameters[p.name]);
   AskedNeed need = w.need;
-  if (need.error.empty()) need.error = "1";
+  need.time_limit = "none";
+  if (need.criterion != "path" && !w.model.empty())
+    throw BadInput(
+        "--criterion '" + need.criterion +
+        "' is of what is chosen at each cell: leave --model and --algorithm out; a method's endings are "
+        "those of its path");
+  if (need.criterion != "path" && need.criterion != "bounded" && need.error.empty())
+    throw BadInput("--criterion " + need.criterion + " needs --error");
+  if (need.error.empty() && need.criterion == "path") need.error = "1";
   asked.need = need_of(task, need);
   const Scene& scene = *task.entry->exercise.scene;
-  if (w.need.error.empty())
+  if (w.need.error.empty() && need.criterion == "path")
     for (std::string_view unit : motion(scene, task.parameters, Reference::nothing()).units())
       asked.need.errors[std::string(unit)] = game_error(unit);
   asked.looks = w.looks;
@@ -122,8 +135,7 @@ sweep::Asked asked_of(const Words& w) {
   // The method's setting goes upward: the cells of a column share their truth.
   if (asked.axes.size() == 2 && (asked.axes[0].name == "step" || asked.axes[0].name == "tolerance"))
     std::swap(asked.axes[0], asked.axes[1]);
-  if (!w.setting.empty())
-    asked.setting = in("--setting", w.setting, parse_number(w.setting) ? "" : scene.axes.time);
+  if (!w.setting.empty()) asked.setting = setting_of(task, w);
   return asked;
 }
 
@@ -154,18 +166,22 @@ std::string shortened_steps(const sweep::Asked& asked) {
          " between looks: by up to " + format_significant(100 * part, 2) + " %\n";
 }
 
+const Needs for_hdf5{{"libhdf5-dev"}, {}, {"oddity"}};
+
 void make_plan(const Words& w) {
   const fs::path folder = w.folder;
   if (fs::exists(folder / "chunks") && !fs::is_empty(folder / "chunks"))
     throw BadInput(folder.string() + " has chunks of a sweep already: take another folder, or remove it");
-  require_writable(sweep::plan_file(folder));
-  const double seconds = in("--chunk-time", w.chunk_time, "s");
-  if (!(seconds > 0)) throw BadInput("--chunk-time must be positive, and is " + w.chunk_time);
+  const double seconds = between("--chunk-time", w.chunk_time, "s", 1e-6, 1e6);
   const Plan plan = sweep::planned(asked_of(w), Reference(w.reference), w.reference, seconds);
+  take_folder(folder, w.overwrite);
+  // A program that is built anew for the merge would be another one than planned.
+  if (needs_are_all(for_hdf5)) return;
   write_whole(sweep::plan_file(folder), to_json(plan));
   std::cout << sweep::plan_file(folder).string() << ": " << cells_of(plan) << ", about "
             << duration(sum(plan.seconds)) << " on one thread\n"
-            << shortened_steps(plan.asked) << "oddity sweep run " << for_shell(folder.string()) << "\n";
+            << shortened_steps(plan.asked) << program_as_typed() << " sweep run "
+            << for_shell(folder.string()) << "\n";
 }
 
 // ---- run --------------------------------------------------------------------------------------------------
@@ -174,14 +190,14 @@ Plan plan_in(const Words& w) { return sweep::read_plan(sweep::plan_file(w.folder
 
 std::string how_far(const Plan& plan, const std::vector<std::size_t>& missing, const fs::path& folder) {
   const std::size_t all = plan.chunks(), done = all - missing.size();
-  const std::string there = for_shell(folder.string());
+  const std::string sweep = program_as_typed() + " sweep ", there = for_shell(folder.string());
   if (missing.empty())
-    return "all " + with_commas(static_cast<long>(all)) + " chunks are there\noddity sweep merge " + there +
-           "\noddity sweep draw " + there + "\n";
+    return "all " + with_commas(static_cast<long>(all)) + " chunks are there\n" + sweep + "merge " + there +
+           "\n" + sweep + "draw " + there + "\n";
   double left = 0;
   for (std::size_t chunk : missing) left += plan.seconds[chunk];
   return with_commas(static_cast<long>(done)) + " of " + with_commas(static_cast<long>(all)) +
-         " chunks are there; about " + duration(left) + " on one thread left\noddity sweep run " + there +
+         " chunks are there; about " + duration(left) + " on one thread left\n" + sweep + "run " + there +
          "\n";
 }
 
@@ -195,7 +211,8 @@ void print_slurm(const Words& w, const Plan& plan) {
       << "#!/bin/bash\n#SBATCH --job-name=oddity-sweep\n#SBATCH --array=1-" << w.slurm
       << "\n#SBATCH --cpus-per-task=1\n#SBATCH --time=" << static_cast<long>(std::ceil(minutes))
       << "\n# The folder has to be one that all machines see; what is there already is not made again.\n"
-      << "oddity " << reference << "sweep run " << for_shell(fs::absolute(w.folder).string())
+      << (own_tree().empty() ? "oddity" : for_shell(fs::read_symlink("/proc/self/exe").string())) << " "
+      << reference << "sweep run " << for_shell(fs::absolute(w.folder).string())
       << " --threads 1 --shard \"$SLURM_ARRAY_TASK_ID/" << w.slurm << "\"\n";
 }
 
@@ -261,8 +278,11 @@ void merge(const Words& w) {
   if (out.extension() != ".h5" && out.extension() != ".csv")
     throw BadInput("--out ends with .h5 or .csv, and is " + out.string());
   require_writable(out);
+  const bool in_hdf5 = out.extension() == ".h5";
+  if (needs_are_asked()) plan_in(w);
+  if (needs_are_all(in_hdf5 ? for_hdf5 : Needs())) return;
   const sweep::Map map = map_of(w);
-  if (out.extension() == ".h5")
+  if (in_hdf5)
     write_hdf5(map, out);
   else
     write_whole(out, to_csv(cells_table(map)));
@@ -285,16 +305,20 @@ void draw(const Words& w) {
 // ---- the command line -------------------------------------------------------------------------------------
 
 CLI::App* part(CLI::App& sweep, const std::string& name, const std::string& says, const std::string& footer,
-               const std::function<void()>& act) {
+               const std::function<void()>& act, bool says_needs = false) {
   auto* part = sweep.add_subcommand(name, says);
   part->group("Verbs");
   part->footer(footer);
-  part->callback(act);
+  part->callback([act, says_needs] {
+    if (says_needs || !needs_are_asked()) act();
+  });
   return part;
 }
 
 void add_folder(CLI::App& part, Words& w) {
-  part.add_option("folder", w.folder, "the sweep's folder: its plan, and what is done")->required();
+  part.add_option("folder", w.folder, "the sweep's folder: its plan, and what is done")
+      ->required()
+      ->check(not_empty("a path"));
 }
 
 void add_plan(CLI::App& sweep, const std::shared_ptr<Words>& w) {
@@ -303,12 +327,12 @@ void add_plan(CLI::App& sweep, const std::shared_ptr<Words>& w) {
       "Examples:\n  oddity sweep plan /tmp/map 3.5 --model 'one angle' --algorithm 'Runge-Kutta 4' "
       "--over a=1deg..179deg:1000 --over step=1ms..2.5s:1000 --looks 4\n  oddity sweep plan /tmp/table 3.5 "
       "--over a=1deg..179deg:90 --over L=0.1..10:50:log --error 1deg",
-      [w] { make_plan(*w); });
+      [w] { make_plan(*w); }, true);
   add_folder(*plan, *w);
   plan->add_option("exercise", w->exercise, "its number, such as 3.5")->required();
   plan->add_option("overrides", w->overrides, "name=value for parameters that stay as they are");
   const auto value = [&](const char* name, std::string& to, const char* type, const char* says) {
-    return plan->add_option(name, to, says)->type_name(type);
+    return add_value(*plan, name, to, type, says);
   };
   plan->add_option(
           "--over", w->over,
@@ -322,16 +346,18 @@ void add_plan(CLI::App& sweep, const std::shared_ptr<Words>& w) {
         "without both, each cell is what 'choose' takes, by counted evaluations");
   value("--setting", w->setting, "NUMBER", "the method's step or tolerance, where it is no axis");
   value("--error", w->need.error, "ERROR", "as for 'choose'; unless given 1 cm, 1 degree");
+  value("--criterion", w->need.criterion, "WORD", "as for 'choose', where no model is named")
+      ->capture_default_str();
   value("--horizon", w->need.horizon, "TIME", "how long the motion is watched")->capture_default_str();
   value("--fps", w->need.frames_per_second, "RATE",
         "looks at the motion; steps divide the time between two evenly, and none is longer")
       ->capture_default_str();
-  plan->add_option("--looks", w->looks,
-                   "so many looks within the horizon instead, so that steps may be longer")
-      ->check(CLI::Range(1, 1000000));
+  add_count(*plan, "--looks", w->looks, 1, 1'000'000,
+            "so many looks within the horizon instead, so that steps may be longer");
   plan->add_flag("--every-cell", w->every_cell,
                  "look at all cells, not only where neighbours end differently; of up to 4096 cells all are");
   value("--chunk-time", w->chunk_time, "TIME", "how long a chunk takes, about")->capture_default_str();
+  plan->add_flag("--overwrite", w->overwrite, "also in a folder that holds files of others, and over these");
 }
 
 void add_run(CLI::App& sweep, const std::shared_ptr<Words>& w) {
@@ -343,13 +369,11 @@ void add_run(CLI::App& sweep, const std::shared_ptr<Words>& w) {
            "oddity sweep run /tmp/map --slurm 100 | sbatch",
            [w] { run_chunks(*w); });
   add_folder(*run, *w);
-  run->add_option("--threads", w->threads, "threads of this program")
-      ->check(CLI::Range(1, 4096))
-      ->capture_default_str();
-  auto* shard = run->add_option("--shard", w->shard, "this share of the chunks alone: 2/7")->type_name("I/N");
-  run->add_option("--slurm", w->slurm, "print the script of a job array of so many instead")
-      ->check(CLI::Range(1, 100000))
-      ->excludes(shard);
+  auto* threads = add_count(*run, "--threads", w->threads, 1, 4096, "threads of this program");
+  auto* shard = add_value(*run, "--shard", w->shard, "I/N", "this share of the chunks alone: 2/7");
+  add_count(*run, "--slurm", w->slurm, 1, 100'000, "print the script of a job array of so many instead")
+      ->excludes(shard)
+      ->excludes(threads);
 }
 
 void add_results(CLI::App& sweep, const std::shared_ptr<Words>& w) {
@@ -359,19 +383,20 @@ void add_results(CLI::App& sweep, const std::shared_ptr<Words>& w) {
   add_folder(*status, *w);
   auto* json = status->add_flag("--json", w->json, "the chunks, as JSON");
   status->add_flag("--csv", w->csv, "the chunks, as comma-separated values")->excludes(json);
-  auto* merge =
-      part(sweep, "merge", "Put the chunks together into one file.",
-           "As .h5 it has the arrays ended, error, evaluations and looked (rows from below), x and y, and "
-           "the names of the endings; as .csv a row for each cell.\nExamples:\n  oddity sweep merge "
-           "/tmp/map\n  oddity sweep merge /tmp/map /mnt/other/map --out map.csv",
-           [w] { oddity::merge(*w); });
+  auto* merge = part(
+      sweep, "merge", "Put the chunks together into one file.",
+      "As .h5 it has the arrays ended, error, evaluations and looked (rows from below), x and y, and "
+      "the names of the endings; as .csv a row for each cell.\nExamples:\n  oddity sweep merge "
+      "/tmp/map\n  oddity sweep merge /tmp/map /mnt/other/map --out map.csv",
+      [w] { oddity::merge(*w); }, true);
   auto* draw =
       part(sweep, "draw", "Draw the map.",
            "Examples:\n  oddity sweep draw /tmp/map\n  oddity sweep draw /tmp/map --show error --out e.svg",
            [w] { oddity::draw(*w); });
   for (CLI::App* one : {merge, draw}) {
     add_folder(*one, *w);
-    one->add_option("others", w->others, "folders that have others of its chunks");
+    one->add_option("others", w->others, "folders that have others of its chunks")
+        ->check(not_empty("a path"));
     one->add_option("--out", w->out, one == merge ? "the file: .h5 or .csv" : "the picture, an .svg")
         ->type_name("FILE");
   }

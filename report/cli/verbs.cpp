@@ -6,76 +6,74 @@
 #include <iostream>
 
 #include "chapters/scene.hpp"
+#include "problem/template.hpp"
 #include "reference/bad_input.hpp"
 #include "reference/files.hpp"
 #include "reference/proofs.hpp"
 #include "reference/text.hpp"
 #include "reference/to_write.hpp"
+#include "report/cli/about.hpp"
 #include "report/cli/asked.hpp"
 #include "report/cli/bench.hpp"
 #include "report/cli/bench_lanes.hpp"
 #include "report/cli/bench_verbs.hpp"
 #include "report/cli/enclosing.hpp"
 #include "report/cli/engines.hpp"
-#include "report/cli/settings.hpp"
 #include "report/cli/words.hpp"
 #include "report/lanes/price.hpp"
+#include "report/pages/choose_view.hpp"
 #include "report/pages/closing_screen.hpp"
 #include "report/pages/code.hpp"
 #include "report/pages/engines_view.hpp"
+#include "report/pages/is_enough_view.hpp"
 #include "report/pages/pictures.hpp"
-#include "report/pages/readable.hpp"
+#include "report/pages/stability_view.hpp"
 #include "report/pages/tables.hpp"
 #include "report/pages/text_view.hpp"
 #include "report/pages/trust.hpp"
 #include "report/pages/write_report.hpp"
 #include "report/site/site.hpp"
+#include "report/study/beside_program.hpp"
 #include "report/study/cheapest_models.hpp"
 #include "report/study/choose.hpp"
+#include "report/study/earlier_results.hpp"
+#include "report/study/engine_scenes.hpp"
+#include "report/study/is_enough.hpp"
+#include "report/study/limit_records.hpp"
 #include "report/study/prices.hpp"
 #include "report/study/progress.hpp"
 #include "report/study/run.hpp"
+#include "report/study/settings.hpp"
 #include "report/study/stability.hpp"
+#include "report/text/readable.hpp"
 #include "solvers/ode/catalog.hpp"
 
 namespace oddity::verbs {
 
 namespace {
 
-bool older(const fs::path& file, const fs::path& than) {
-  return fs::last_write_time(file) < fs::last_write_time(than);
-}
-
-/// Older than the program or than a table.
-bool stale(const fs::path& results, const fs::path& folder) {
-  if (older(results, fs::read_symlink("/proc/self/exe"))) return true;
-  for (const auto& table : fs::recursive_directory_iterator(folder))
-    if (table.path().extension() == ".csv" && older(results, table)) return true;
-  return false;
-}
-
 Reference truth_of(const fs::path& folder, bool enclosed, fs::path cache = {}) {
   const Reference truth(folder, std::move(cache));
   return enclosed ? truth.enclosed_by(enclosing()) : truth;
 }
 
-/// None where another version wrote the file, or it was damaged.
-Results readable_results(const fs::path& file) {
+/// None where the file is not there, is damaged, or is made by another program or other tables.
+Results usable_results(const fs::path& file, const std::string& made_by) {
   try {
-    return read_results(file);
+    return earlier_results(file, made_by);
   } catch (const BadInput&) {
     return {};
   }
 }
 
-/// The last results where they are fresh, else those of a new run; if wanted with the cheapest_models, which
-/// a run of the suite does not need and does not make.
+/// The last results where this program made them of these tables, else those of a new run; if wanted with the
+/// cheapest_models, which a run of the suite does not need and does not make.
 Results last_results(const fs::path& folder, bool cheapest_models) {
   const fs::path file = results_file();
   const Reference truth(folder, motions_folder());
   const std::vector<Task> tasks(registry().begin(), registry().end());
-  Results results;
-  if (fs::exists(file) && !stale(file, folder)) results = readable_results(file);
+  const std::string here = made_by(folder);
+  Results results = usable_results(file, here);
   const bool fresh = std::ranges::equal(results.exercises, tasks, [](const auto& e, const Task& task) {
     return e.number == task.entry->number;  // a run of a part may have written the file
   });
@@ -83,6 +81,7 @@ Results last_results(const fs::path& folder, bool cheapest_models) {
     results = with_progress([&](const Progress& progress) {
       return with_stability(run(tasks, truth, true, progress), tasks, truth, progress);
     });
+  results.made_by = here;
   const bool lacking = cheapest_models && std::ranges::any_of(results.exercises, [](const ExerciseResult& e) {
                          return e.scene && !e.cheapest_models;
                        });
@@ -117,17 +116,36 @@ std::string in_list(const Entry& entry, const Screen& screen) {
   return wrapped(text, screen, 10);
 }
 
-Results stability_of(const fs::path& folder, const std::vector<std::string>& exercises) {
-  const std::vector<Task> tasks = tasks_of(exercises, true);
+/// In the unit of time that the tasks share; none where it is theirs.
+std::optional<double> horizon_of(const std::vector<Task>& tasks, const std::string& text) {
+  if (text.empty()) return {};
+  std::optional<double> horizon;
+  for (const Task& task : tasks) {
+    const double here = between("--horizon", text, task.entry->exercise.scene->axes.time, 1e-12, 1e12);
+    if (horizon && *horizon != here)
+      throw BadInput("--horizon " + text + " is another time for " + to_string(task.entry->number) +
+                     ", whose unit is " + std::string(task.entry->exercise.scene->axes.time));
+    horizon = here;
+  }
+  return horizon;
+}
+
+Results stability_of(const fs::path& folder, const std::vector<std::string>& words,
+                     const std::string& horizon) {
+  const std::vector<Task> tasks = scenes_of(words);
+  const std::optional<double> until = horizon_of(tasks, horizon);
   Results blank;
   for (const Task& task : tasks) {
     ExerciseResult& e = blank.exercises.emplace_back();
     e.number = task.entry->number;
     e.title = task.entry->exercise.title;
   }
-  return with_progress([&](const Progress& progress) {
-    return with_stability(blank, tasks, Reference(folder, motions_folder()), progress);
+  Results results = with_progress([&](const Progress& progress) {
+    return with_stability(blank, tasks, Reference(folder, motions_folder()), progress, until);
   });
+  for (const ExerciseResult& e : results.exercises)
+    if (!e.failure.empty()) throw BadInput("exercise " + to_string(e.number) + " raised: " + e.failure);
+  return results;
 }
 
 /// The book is the same whatever is installed.
@@ -163,6 +181,18 @@ fs::path site_of(const Results& results, const fs::path& folder, const fs::path&
   });
 }
 
+const Needs needs_of_lanes{{}, {}, {"oddity_lanes"}};
+
+void require_room_for_report(const fs::path& out, bool overwrite) {
+  take_to_write(out, overwrite);
+  make_folder(out);
+}
+
+void require_room_for_site(const fs::path& out, bool overwrite) {
+  take_to_write(out, overwrite);
+  require_writable_folder(out);
+}
+
 Screen output() { return screen_of(STDOUT_FILENO); }
 
 void print(const Table& table, Format format) {
@@ -175,6 +205,10 @@ void list(const std::vector<std::string>& exercises, Format format) {
   const std::vector<Task> tasks = tasks_about(exercises);
   if (format != Format::text) return print(parameters_table(tasks), format);
   for (const Task& task : tasks) std::cout << in_list(*task.entry, output());
+  for (const std::string& name : further_engine_scenes())
+    if (std::ranges::any_of(exercises, [&](const std::string& text) { return is_about(name, text); }))
+      std::cout << name << " (a scene of engines alone: " << program_as_typed() << " engines "
+                << for_shell(name) << ")\n";
 }
 
 void solve(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
@@ -187,19 +221,72 @@ void solve(const fs::path& folder, const std::string& exercise, const std::vecto
   std::cout << (format == Format::json ? to_json(results) : text_view(results.exercises.front(), output()));
 }
 
+namespace {
+
+/// The limit is for the answer as a whole: what has passed since the program began is of it.
+Need in_what_is_left(Need need) {
+  need.time_limit -= seconds_running();
+  return need;
+}
+
+/// Of a problem's file what stands in it, too.
+std::string key_of_prices(const Task& task, const Need& need) {
+  return price_key(task, need) +
+         (task.entry->number.chapter == 0 ? ", " + std::string(task.entry->file) : "");
+}
+
+std::optional<Choice> choice_in_time(const Task& task, const Need& need, const Reference& truth,
+                                     bool anew) try {
+  KeptPrices prices(prices_folder(), key_of_prices(task, need), anew);
+  const Choice choice = with_progress([&](const Progress& progress) {
+    return oddity::choose(task, in_what_is_left(need), truth, std::ref(prices), progress);
+  });
+  prices.keep();
+  return choice;
+} catch (const OutOfTime&) {
+  return {};
+}
+
+/// Of what someone runs: whether it is enough, and what is chosen instead as far as that is found in time.
+int judge_own(const fs::path& folder, const Task& task, const AskedNeed& asked, const Need& need,
+              Format format) {
+  const MethodAsked method = method_of(task, asked, need);
+  const Reference truth(folder, motions_folder());
+  if (!of_the_book(task.entry->number)) require_truth(task, truth);
+  const IsEnough found = with_progress([&](const Progress& progress) {
+    return is_enough(task, in_what_is_left(need), method, truth, measured_price, progress);
+  });
+  if (format != Format::text) {
+    print(is_enough_table(found), format);
+    return found.holds() ? 0 : 1;
+  }
+  const std::optional<Choice> choice = choice_in_time(task, need, truth, asked.measure);
+  std::cout << is_enough_text(found, output())
+            << wrapped(choice ? "\n" + asked_text(*choice) + ":\n" +
+                                    (choice->chosen ? answer_text(*choice, output())
+                                                    : "nothing here meets that.\n")
+                              : "\nwhat to take instead was not found within the time limit\n",
+                       output(), 4);
+  return found.holds() ? 0 : 1;
+}
+
+}  // namespace
+
 int choose(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
            const AskedNeed& asked, Format format, bool all_rows, const std::string& engine,
            const std::string& command) {
   const Task task = task_of(exercise, overrides);
   const Need need = need_of(task, asked);
+  if (!asked.method.empty()) return judge_own(folder, task, asked, need, format);
   if (!engine.empty()) require_engine_scene(*task.entry);
+  if (needs_are_all(need.bodies > 1 ? needs_of_lanes : Needs())) return 0;
   const std::vector<EngineProgram> programs = engines_named(engine);
-  KeptPrices prices(prices_folder(), price_key(task, need), asked.measure,
+  KeptPrices prices(prices_folder(), key_of_prices(task, need), asked.measure,
                     need.bodies > 1 ? lanes::price_of_all(task, need) : measured_price);
   const Reference truth = truth_of(folder, asked.enclosed, motions_folder());
   if (!of_the_book(task.entry->number)) require_truth(task, truth);
   Choice choice = with_progress([&](const Progress& progress) {
-    return oddity::choose(task, need, truth, std::ref(prices), progress);
+    return oddity::choose(task, in_what_is_left(need), truth, std::ref(prices), progress);
   });
   prices.keep();
   choice.prices_are = prices.source();
@@ -216,10 +303,11 @@ int choose(const fs::path& folder, const std::string& exercise, const std::vecto
   return choice.chosen ? 0 : 1;
 }
 
-void report(const fs::path& folder, const std::string& chapter, Edition edition, const fs::path& out) {
+void report(const fs::path& folder, const std::string& chapter, Edition edition, const fs::path& out,
+            bool overwrite) {
   const int number = chapter.empty() ? 0 : chapter_of(chapter);
   if (edition == Edition::book) require_common_algorithms();
-  make_folder(out);
+  require_room_for_report(out, overwrite);
   require_writable(results_file());
   Results results = last_results(folder, number == 0);
   if (number != 0)
@@ -235,16 +323,22 @@ void trust(const fs::path& folder, Format format) {
   std::cout << trust_text(results, on_record, output());
 }
 
-void site(const fs::path& folder, const fs::path& out) {
-  require_writable_folder(out);
+void site(const fs::path& folder, const fs::path& out, bool overwrite) {
+  require_room_for_site(out, overwrite);
+  if (needs_are_all(needs_of_site())) return;
   require_writable(results_file());
   const Results results = last_results(folder, true);
   std::cout << "the report that runs is in " << site_of(results, folder, out).string() << "\n";
+  const SiteParts parts = parts_at_hand();
+  for (const std::string& one : lacks(parts)) std::cerr << "oddity: this copy lacks " << one << "\n";
+  if (!lacks(parts).empty()) std::cerr << "oddity: a whole one is made by: " << command_for(parts) << "\n";
 }
 
+Needs needs_of_site() { return {packages_of_models(), {}, {"models_module"}}; }
+
 void require_room_for_all(const fs::path& report_out, const fs::path& site_out) {
-  make_folder(report_out);
-  require_writable_folder(site_out);
+  require_room_for_report(report_out, false);
+  require_room_for_site(site_out, false);
   require_writable(results_file());
 }
 
@@ -253,12 +347,16 @@ void publish(const fs::path& folder, const fs::path& report_out, const fs::path&
   const Results results = last_results(folder, true);
   const fs::path report = report_of(results, folder, Edition::whole, report_out),
                  site = site_of(results, folder, site_out);
-  std::cout << closing_screen(results, {as_on_record, seconds(), site, report}, output());
+  const SiteParts parts = parts_at_hand();
+  std::cout << closing_screen(
+      results, {as_on_record, seconds(), site, report, program_as_typed(), lacks(parts), command_for(parts)},
+      output());
 }
 
 void chart(const fs::path& folder, const std::vector<std::string>& exercises, Curves curves,
-           const fs::path& out) {
+           const fs::path& out, bool overwrite) {
   const std::vector<Task> tasks = tasks_of(exercises);
+  take_to_write(out, overwrite);
   make_folder(out);
   const Results results = trials_of(folder, tasks);
   const auto pages =
@@ -272,10 +370,12 @@ void chart_table(const fs::path& folder, const std::vector<std::string>& exercis
   print(trials_table(trials_of(folder, tasks_of(exercises))), format);
 }
 
-void stability(const fs::path& folder, const std::vector<std::string>& exercises, const fs::path& out) {
-  tasks_of(exercises, true);
+void stability(const fs::path& folder, const std::vector<std::string>& words, const std::string& horizon,
+               const fs::path& out, bool overwrite) {
+  horizon_of(scenes_of(words), horizon);
+  take_to_write(out, overwrite);
   make_folder(out);
-  const Results results = stability_of(folder, exercises);
+  const Results results = stability_of(folder, words, horizon);
   for (const ExerciseResult& e : results.exercises) {
     std::cout << stability_text(e, output()) << "\n";
     draw_map(e, out);
@@ -283,13 +383,24 @@ void stability(const fs::path& folder, const std::vector<std::string>& exercises
   std::cout << "the maps are in " << (out / "charts").string() << "\n";
 }
 
-void stability_table(const fs::path& folder, const std::vector<std::string>& exercises, Format format) {
-  print(limits_table(stability_of(folder, exercises)), format);
+void stability_table(const fs::path& folder, const std::vector<std::string>& words,
+                     const std::string& horizon, Format format) {
+  print(limits_table(stability_of(folder, words, horizon)), format);
 }
 
 void stability_rows(const fs::path& folder, const std::vector<std::string>& exercises) {
-  const Results results = stability_of(folder, exercises);
+  if (!with_overrides(exercises).overrides.empty())
+    throw BadInput("--rows are of the exercises as they are: leave '" +
+                   with_overrides(exercises).overrides.front() + "' out");
+  const Results results = stability_of(folder, exercises, "");
   std::cout << limit_rows(results) << "\n" << map_rows(results);
+}
+
+void create_problem(const fs::path& file) {
+  if (fs::exists(file)) throw BadInput(file.string() + " is there already, and is not overwritten");
+  write_whole(file, std::string(problem::begun));
+  std::cout << file.string() << "\noddity choose " << for_shell(file.string())
+            << "  # runs as it is: change it, and ask again\n";
 }
 
 void create(NewExercise asked) {
@@ -305,6 +416,8 @@ void create(NewExercise asked) {
             << oddity << "verify '[" << asked.number << "]'  # says what is still to be written, and where\n"
             << oddity << "verify --approve '[" << asked.number
             << "]'  # once that is written: puts its results on record\n";
+  if (own_tree().empty())
+    std::cout << "# An installed program builds nothing: run these in a clone of oddity's sources.\n";
 }
 
 int bench(const fs::path& folder, Format format) {
@@ -318,6 +431,8 @@ int bench(const fs::path& folder, Format format) {
 }
 
 int bench_lanes(const std::vector<std::string>& scenes, Format format) {
+  tasks_of(scenes, true);
+  if (needs_are_all(needs_of_lanes)) return 0;
   for (const std::string& number : scenes) static_cast<void>(lanes::scene_in_lanes(number));
   const LanesBench result =
       with_progress([&](const Progress& progress) { return oddity::bench_lanes(scenes, 11, progress); });

@@ -7,6 +7,7 @@
 
 #include "report/charts/chart.hpp"
 #include "report/cli/asked.hpp"
+#include "report/cli/needs.hpp"
 #include "report/cli/new_exercise.hpp"
 #include "report/pages/markdown.hpp"
 
@@ -29,26 +30,34 @@ void solve(const fs::path& folder, const std::string& exercise, const std::vecto
 int choose(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
            const AskedNeed&, Format, bool all_rows, const std::string& engine, const std::string& command);
 /// Of all chapters when the text is empty.
-void report(const fs::path& folder, const std::string& chapter, Edition, const fs::path& out);
+void report(const fs::path& folder, const std::string& chapter, Edition, const fs::path& out, bool overwrite);
 /// What is proved, enclosed, witnessed and survived, and what that rests on.
 void trust(const fs::path& folder, Format);
 /// The report that runs, of all exercises.
-void site(const fs::path& folder, const fs::path& out);
+void site(const fs::path& folder, const fs::path& out, bool overwrite);
+/// The compiler of its models.
+Needs needs_of_site();
 /// Throws BadInput when the report, the site or the results could not be written, before a run.
 void require_room_for_all(const fs::path& report_out, const fs::path& site_out);
 /// The report and the site of the last results, and the screen that a whole run ends with.
 void publish(const fs::path& folder, const fs::path& report_out, const fs::path& site_out, bool as_on_record,
              const std::function<double()>& seconds);
 /// Of all exercises when there are none.
-void chart(const fs::path& folder, const std::vector<std::string>& exercises, Curves, const fs::path& out);
+void chart(const fs::path& folder, const std::vector<std::string>& exercises, Curves, const fs::path& out,
+           bool overwrite);
 /// The trials that the charts show, with nothing drawn.
 void chart_table(const fs::path& folder, const std::vector<std::string>& exercises, Format);
-/// Of all scenes when there are none: as text, with the maps drawn.
-void stability(const fs::path& folder, const std::vector<std::string>& exercises, const fs::path& out);
+/// Of all scenes when there are none, or of one with other parameters; over a horizon, or the scenes' own
+/// when it is empty: as text, with the maps drawn.
+void stability(const fs::path& folder, const std::vector<std::string>& words, const std::string& horizon,
+               const fs::path& out, bool overwrite);
 /// The same as a table of limits, with nothing drawn.
-void stability_table(const fs::path& folder, const std::vector<std::string>& exercises, Format);
-/// The same as the rows that would put the limits and maps on record.
+void stability_table(const fs::path& folder, const std::vector<std::string>& words,
+                     const std::string& horizon, Format);
+/// Of scenes as they are, as the rows that would put the limits and maps on record.
 void stability_rows(const fs::path& folder, const std::vector<std::string>& exercises);
+/// Writes a problem's file to begin with. Throws BadInput where one is there.
+void create_problem(const fs::path& file);
 /// Writes the files of a new exercise, and says what to do next.
 void create(NewExercise);
 /// 0 when no limit is broken, else 1.
@@ -59,13 +68,15 @@ int bench_lanes(const std::vector<std::string>& scenes, Format);
 int bench_verbs(Format);
 
 struct AskedEngines {
-  std::vector<std::string> scenes;  ///< by number or name; none: all
+  std::vector<std::string> scenes;  ///< by number or name, one exercise with other parameters; none: all
   std::vector<double> rates;        ///< 1/s, of the table
   int finest;                       ///< steps per frame
   bool all;                         ///< every variant
   bool rows;                        ///< what is put on record, instead
   bool kept;                        ///< nothing is run: it is what earlier runs kept
   fs::path page;                    ///< where it is told as a page, unless empty
+  std::string horizon = {};         ///< of exercises, unless empty
+  AskedNeed need = {};              ///< its errors and criteria, of exercises
 };
 /// Other people's engines on scenes.
 void engines(const fs::path& folder, const AskedEngines&, Format);

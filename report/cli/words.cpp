@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 #include <string_view>
 
 #include "chapters/contents.hpp"
 #include "reference/bad_input.hpp"
 #include "reference/similar.hpp"
+#include "report/cli/asked.hpp"
+#include "report/study/beside_program.hpp"
 
 namespace oddity {
 
@@ -31,7 +34,7 @@ std::string typed_before_options(const CLI::App& app) {
 }
 
 std::string help_of(const CLI::App& app) {
-  return "'oddity " + typed_before_options(app) + "--help' says more";
+  return "'" + program_as_typed() + " " + typed_before_options(app) + "--help' says more";
 }
 
 /// The verb that was used, or the one within it.
@@ -55,9 +58,44 @@ std::vector<std::string> words_of(int argc, char** argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
   if (!words.empty() && words.front() == "help") {
     words.erase(words.begin());
-    words.insert(words.begin() + (words.empty() ? 0 : 1), "--help");
+    words.push_back("--help");
   }
   return words;
+}
+
+void require_verbs_alone(const CLI::App& app, int argc, char** argv) {
+  const CLI::App* verb = &app;
+  if (argc < 2 || std::string_view(argv[1]) != "help") return;
+  for (int i = 2; i < argc; ++i) {
+    if (std::string_view(argv[i]).starts_with("-")) continue;
+    const std::vector<std::string> within = names_of_verbs(*verb);
+    if (verb == &app) require_verb(app, argv[i]);
+    if (std::ranges::find(within, argv[i]) == within.end())
+      throw BadInput("help of '" + verb->get_name() + "' has no '" + argv[i] + "'" +
+                     (within.empty() ? "; '" + program_as_typed() + " help " + verb->get_name() + "' says all"
+                                     : "; its verbs are: " + joined(within)));
+    verb = verb->get_subcommand(argv[i]);
+  }
+}
+
+void require_each_once(const CLI::App& app, const std::vector<std::string>& words) {
+  const CLI::App* verb = &app;
+  std::set<const CLI::Option*> given;
+  for (std::size_t i = 0; i < words.size() && words[i] != "--"; ++i) {
+    const std::string name = words[i].substr(0, words[i].find('='));
+    if (!name.starts_with('-')) {
+      const auto within = names_of_verbs(*verb);
+      if (std::ranges::find(within, words[i]) != within.end()) verb = verb->get_subcommand(words[i]);
+      continue;
+    }
+    const CLI::Option* option = verb->get_option_no_throw(name);
+    if (!option) continue;
+    const bool is_flag = option->get_items_expected_max() == 0, has_value = name != words[i];
+    if (is_flag && has_value) throw BadInput(name + " takes no value; " + help_of(*verb));
+    if (!given.insert(option).second && option->get_items_expected_max() <= 1)
+      throw BadInput(name + " is given twice");
+    if (!is_flag && !has_value && i + 1 < words.size() && !words[i + 1].starts_with('-')) ++i;
+  }
 }
 
 std::string joined(const std::vector<std::string>& texts, const std::string& between) {
@@ -77,7 +115,7 @@ std::string for_shell(const std::string& word) {
 }
 
 std::string typed(const std::vector<std::string>& words) {
-  std::string all = "oddity";
+  std::string all = program_as_typed();
   for (const std::string& word : words) all += " " + for_shell(word);
   return all;
 }
@@ -104,6 +142,22 @@ std::string complaint_of(const CLI::App& app, const CLI::ParseError& error) {
   if (const auto at = says.find(" excludes "); at != std::string::npos)
     return says.substr(0, at) + " and " + says.substr(at + 10) + " do not go together; " + help_of(verb);
   return says + "; " + help_of(verb);
+}
+
+CLI::Option* add_path(CLI::App& verb, const std::string& name, std::string& path, const std::string& says) {
+  return verb.add_option(name, path, says)
+      ->type_name("PATH")
+      ->capture_default_str()
+      ->check(not_empty("a path"));
+}
+
+CLI::Option* add_count(CLI::App& verb, const std::string& name, int& value, int least, int most,
+                       const std::string& says) {
+  return verb
+      .add_option_function<std::string>(
+          name, [=, &value](const std::string& text) { value = count_of(name, text, least, most); }, says)
+      ->type_name("N")
+      ->default_str(value >= least ? std::to_string(value) : "");
 }
 
 }  // namespace oddity

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "solvers/ode/steps_in.hpp"
+
 namespace oddity::lanes {
 
 namespace {
@@ -42,7 +44,7 @@ Time time_a_frame(Batch& batch, const InLanes& method, double frame, double sett
     const double t = i * frame;
     const auto start = std::chrono::steady_clock::now();
     if (method.fixed) {
-      const double steps = std::max(1.0, std::ceil(frame / setting * (1 - 1e-12)));
+      const double steps = ode::steps_in(t, t + frame, setting);
       batch.steps(widest(), *method.fixed, t, frame / steps, static_cast<long>(steps));
     } else {
       batch.own_steps(widest(), t, t + frame, setting, frame);

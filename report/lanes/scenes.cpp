@@ -12,11 +12,12 @@ namespace {
 
 const Library& library() {
   static const Library& loaded = *[] {
-    const auto file = beside_program("liboddity_lanes.so");
+    const auto file = own_library("liboddity_lanes.so");
     if (!file)
       throw BadInput(
-          "this program was built without its models in lanes: './oddity' builds them where they are asked for, and "
-          "so does 'cmake --build build/release --target oddity_lanes'");
+          "this program was built without its models in lanes: " + where_to_build() +
+          "'./oddity' builds them where they are asked for, and so does 'cmake --build build/release --target "
+          "oddity_lanes'");
     return function_of<decltype(oddity_lanes)>(*file, "oddity_lanes")();
   }();
   return loaded;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "reference/text.hpp"
-#include "report/pages/markup.hpp"
+#include "report/text/markup.hpp"
 #include "solvers/ode/catalog.hpp"
 
 namespace oddity {

@@ -2,11 +2,12 @@
 #include <cmath>
 
 #include "reference/text.hpp"
+#include "report/charts/labels.hpp"
+#include "report/pages/cheapest_models_view.hpp"
 #include "report/pages/markdown.hpp"
-#include "report/pages/markup.hpp"
-#include "report/pages/text_view.hpp"
 #include "report/study/candidate.hpp"
 #include "report/study/cheapest_models.hpp"
+#include "report/text/markup.hpp"
 
 namespace oddity {
 

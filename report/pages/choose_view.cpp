@@ -1,12 +1,14 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 
 #include "reference/text.hpp"
+#include "report/charts/labels.hpp"
 #include "report/lanes/price.hpp"
-#include "report/pages/table_text.hpp"
-#include "report/pages/text_view.hpp"
+#include "report/pages/choose_view.hpp"
 #include "report/study/choose.hpp"
+#include "report/text/table_text.hpp"
 
 namespace oddity {
 
@@ -42,31 +44,52 @@ std::string errors_of(const std::vector<double>& errors, const Choice& choice) {
 
 std::string percent(double part) { return format_significant(100 * part, 2) + " %"; }
 
-/// How far what is held is off, in the unit asked in.
-std::string off_constraint(double off, const Choice& choice) {
+/// The unit in which what is held is off: that asked in.
+ShownUnit length_unit(const Choice& choice) {
   const auto shown = choice.need.shown.find("m");
   const bool asked = shown != choice.need.shown.end() && !shown->second.symbol.empty();
-  const ShownUnit unit = asked ? shown->second : ShownUnit{"m", 1};
+  return asked ? shown->second : ShownUnit{"m", 1};
+}
+
+std::string off_constraint(double off, const Choice& choice) {
+  const ShownUnit unit = length_unit(choice);
   return shown_error(off / unit.size) + " " + unit.symbol;
 }
 
-/// The error that decides: of the path in its units, of energy and period as a part, of what is held as a
+/// By a criterion that was asked for, in its own unit; infinite where it has none.
+double own_error(const Candidate& candidate, Criterion criterion) {
+  const auto found = candidate.by.find(criterion);
+  return found == candidate.by.end() ? std::numeric_limits<double>::infinity() : found->second;
+}
+
+/// Off by no more than rounding.
+bool is_held(const Candidate& candidate, const Choice& choice) {
+  return own_error(candidate, Criterion::constraint) <= choice.rounding;
+}
+
+/// The error by one criterion: of the path in its units, of energy and period as a part, of what is held as a
 /// length.
-std::string error_of(const Candidate& candidate, const Choice& choice) {
-  switch (choice.need.criterion) {
-    case Criterion::path:
-      return errors_of(candidate.errors, choice);
-    case Criterion::energy:
-    case Criterion::period:
-      return std::isfinite(candidate.error) ? percent(candidate.error * choice.need.error) : "-";
+std::string error_by(Criterion criterion, const Candidate& candidate, const Choice& choice) {
+  if (criterion == Criterion::path) return errors_of(candidate.errors, choice);
+  const double own = own_error(candidate, criterion);
+  if (!std::isfinite(own)) return "-";
+  switch (criterion) {
     case Criterion::constraint:
-      if (!std::isfinite(candidate.error)) return "-";
-      return candidate.constrained ? off_constraint(candidate.error * choice.need.error, choice)
-                                   : "held by construction";
+      return is_held(candidate, choice) ? "held by construction" : off_constraint(own, choice);
     case Criterion::bounded:
-      break;
+      return "bounded";
+    default:
+      return percent(own);
   }
-  return std::isfinite(candidate.error) ? "bounded" : "-";
+}
+
+/// By all that were asked for.
+std::string error_of(const Candidate& candidate, const Choice& choice) {
+  std::string text = error_by(choice.need.criterion, candidate, choice);
+  for (const auto& [criterion, error] : choice.need.also)
+    text += ", " + std::string(criterion_names[static_cast<std::size_t>(criterion)]) + " " +
+            error_by(criterion, candidate, choice);
+  return text;
 }
 
 std::string cost_of(const Candidate& candidate) {
@@ -79,25 +102,49 @@ std::string failing_of(const Candidate& candidate, const Choice& choice) {
   return described(candidate, choice.need) + ", " + cost_of(candidate) + ": " +
          std::string(name_of(candidate.outcome)) +
          (std::isfinite(candidate.error) ? ", error " + error_of(candidate, choice) : "") + " at " +
-         candidate.where;
+         candidate.where + (candidate.why.empty() ? "" : ", as " + candidate.why);
 }
 
-std::string what_holds(const Choice& choice) {
-  switch (choice.need.criterion) {
+/// "with its period right to 1 %".
+std::string holds_by(Criterion criterion, const Choice& choice) {
+  switch (criterion) {
     case Criterion::path:
-      return choice.quantity + " within " + errors_of(choice.needs, choice) + " at every frame";
+      return "within " + errors_of(choice.needs, choice) + " at every frame";
     case Criterion::energy:
-      return choice.quantity + " with its energy (or what else is conserved) kept to " +
-             percent(choice.need.error) + " of what moves in it";
+      return "with its energy right to " + percent(choice.need.error_by(criterion)) +
+             " of what moves in it, at every frame";
     case Criterion::period:
-      return choice.quantity + " with its period right to " + percent(choice.need.error);
+      return "with its period right to " + percent(choice.need.error_by(criterion));
     case Criterion::constraint:
-      return choice.quantity + " with what is held off by " + off_constraint(choice.need.error, choice) +
+      return "with what is held off by " + off_constraint(choice.need.error_by(criterion), choice) +
              " at most, at every frame";
     case Criterion::bounded:
       break;
   }
-  return choice.quantity + " bounded";
+  return "bounded";
+}
+
+std::string what_holds(const Choice& choice) {
+  std::string text = choice.quantity + " " + holds_by(choice.need.criterion, choice);
+  for (const auto& [criterion, error] : choice.need.also) text += "; " + holds_by(criterion, choice);
+  return text;
+}
+
+/// What a criterion that looks at no path has let pass: a path that is off by more than a tenth of the
+/// motion.
+std::string strays_text(const Choice& choice) {
+  constexpr double part = 0.1;
+  const Criterion criterion = choice.need.criterion;
+  if (criterion == Criterion::path || criterion == Criterion::bounded) return "";
+  const std::vector<double>& errors = choice.chosen->errors;
+  for (std::size_t i = 0; i < errors.size(); ++i)
+    if (!(errors[i] <= part * choice.sizes[i]))
+      return "By " + std::string(criterion_names[static_cast<std::size_t>(criterion)]) +
+             " alone this motion holds, but its path is off by " + errors_of(errors, choice) +
+             ", where the true one goes " + errors_of(choice.sizes, choice) +
+             " from its start: ask for the path too, as in --error with --energy, --period or "
+             "--constraint.\n";
+  return "";
 }
 
 std::string listed(const std::vector<std::string>& starts) {
@@ -110,11 +157,17 @@ std::size_t bytes_of_state(const Candidate& candidate) {
   return candidate.state_size * (candidate.precision == Precision::in_float ? sizeof(float) : sizeof(double));
 }
 
+/// Of the lanes that several bodies are in. One is in none, and takes no library of lanes.
+std::optional<lanes::Registers> registers_of(const Choice& choice) {
+  if (choice.need.bodies == 1) return {};
+  return lanes::registers_of(choice.exercise, choice.chosen->model, choice.chosen->algorithm);
+}
+
 /// How the bodies that were asked for are computed, where there are several.
 std::string bodies_text(const Choice& choice) {
   if (choice.need.bodies == 1) return "";
   const Candidate& best = *choice.chosen;
-  const auto registers = lanes::registers_of(choice.exercise, best.model, best.algorithm);
+  const auto registers = registers_of(choice);
   return "  " + std::to_string(choice.need.bodies) + " bodies: " +
          (registers ? "side by side in lanes of " + std::string(lanes::name_of(*registers))
                     : "one after the other, as lanes do not have this method") +
@@ -126,22 +179,54 @@ std::string bodies_text(const Choice& choice) {
 /// Of what is bounded, or held by construction, nothing is so many times better than asked.
 bool is_measured(const Choice& choice) {
   return choice.need.criterion != Criterion::bounded &&
-         (choice.need.criterion != Criterion::constraint || choice.chosen->constrained);
+         (choice.need.criterion != Criterion::constraint || !choice.need.also.empty() ||
+          !is_held(*choice.chosen, choice));
+}
+
+/// How the chosen one does where it need not hold.
+std::string beside_text(const Choice& choice) {
+  const std::string others = std::to_string(choice.unseen.size()) + " others up to a tenth off";
+  if (choice.failing_beside == 0) return "; it holds on " + others + ", too";
+  return "; of " + others + " it fails on " + std::to_string(choice.failing_beside);
+}
+
+/// By which rule the chosen one was picked.
+std::string rule_text(const Choice& choice) {
+  const bool simple = choice.need.objective == Objective::simple && choice.by_objective;
+  return std::string("  rule: least time on this machine of ") +
+         (simple ? "the closed forms and one-step methods of fixed step that hold with a margin of three"
+                 : "all that hold") +
+         (choice.seen.size() == 1 ? " on the start asked for" : " on all starts it is chosen on") +
+         "; of those within a quarter of it the most accurate.\n";
+}
+
+/// Of a motion in chaos, where a margin on a few starts says little.
+std::string share_text(const Choice& choice) {
+  const auto [least, most] = choice.share_in_chaos();
+  return "  in chaos: it holds on " + std::to_string(choice.holding_in_chaos) + " of " +
+         std::to_string(choice.tried_in_chaos) +
+         " starts up to a tenth off that it was not chosen on; of all such it holds on " +
+         format_significant(100 * least, 2) + " to " + format_significant(100 * most, 2) +
+         " % (confidence 95 %).\n";
 }
 
 std::string margin_text(const Choice& choice) {
+  if (choice.tried_in_chaos > 0) return share_text(choice);
   const double unseen = choice.chosen->unseen_error;
   if (!is_measured(choice))
     return std::string("  margin: none is measured; on starts that it was not chosen on ") +
            (choice.need.criterion == Criterion::bounded ? "it is bounded, too.\n"
                                                         : "it holds by construction, too.\n");
+  if (choice.need.starts < Need{}.starts)
+    return "  margin: on " + std::string(choice.seen.size() == 1 ? "the start asked for" : "those starts") +
+           " alone it is " + (unseen > 0 ? times_as(choice.margin()) + " better than asked" : "exact") +
+           (choice.unseen.empty() ? "" : beside_text(choice)) + ".\n";
   return "  margin: on starts that it was not chosen on it is " +
          (unseen > 0 ? times_as(choice.margin()) + " better than asked.\n" : "exact.\n");
 }
 
 std::string in_float_text(const Choice& choice) {
-  if (choice.chosen->precision == Precision::in_float || choice.need.criterion == Criterion::constraint)
-    return "";
+  if (choice.chosen->precision == Precision::in_float) return "";
   if (!choice.in_float) return "  in float: oddity has this method in double only.\n";
   const Candidate& single = *choice.in_float;
   if (single.holds()) return "  in float: error " + error_of(single, choice) + ", holds.\n";
@@ -185,12 +270,19 @@ std::string miss_text(const Choice& choice, const Screen& screen) {
          cost_of(miss) + ", " + times_as(budgets) + " the budget.\n" + on_asked_text(choice);
 }
 
+bool is_faulted(const Candidate& t, const Choice& choice) {
+  return std::ranges::find(choice.faulted, t.model) != choice.faulted.end();
+}
+
 /// What was cheaper and tried, and why it was passed over.
 std::string next_cheaper_text(const Choice& choice) {
   if (!choice.next_cheaper) return "";
   const Candidate& t = *choice.next_cheaper;
   const std::string text = "  the next cheaper one that was tried: ";
   if (!t.holds()) return text + failing_of(t, choice) + ".\n";
+  if (is_faulted(t, choice))
+    return text + described(t, choice.need) + ", " + cost_of(t) +
+           ": holds here, but the scene's page shows that it is wrong.\n";
   const bool closely = t.error * choice.need.margin() > 1;
   return text + described(t, choice.need) + ", " + cost_of(t) + ": holds, " +
          (closely ? "but with a margin of " + format_significant(1 / t.error, 2) + " instead of " +
@@ -266,8 +358,19 @@ std::string verdict_of(const Candidate& candidate, const Choice& choice) {
     return "chosen";
   if (!candidate.holds())
     return std::string(name_of(candidate.outcome)) + " at " + candidate.where +
+           (candidate.why.empty() ? "" : ": " + candidate.why) +
            (choice.was_followed(candidate) ? "" : "; not followed");
+  if (is_faulted(candidate, choice)) return "holds here; its page shows it wrong";
   return candidate.seconds_per_frame > choice.need.budget ? "over the budget" : "holds";
+}
+
+/// The starts drawn that are not comparable.
+std::string left_out_text(const Choice& choice) {
+  std::string text;
+  for (const auto& [kind, count] : choice.left_out)
+    text += "\nleft out: " + std::to_string(count) + (count == 1 ? " start" : " starts") +
+            " beside it whose motion is " + kind + ", as that of the start asked for is none";
+  return text;
 }
 
 /// The rows that a reader looks for first: those that hold, the chosen one among them.
@@ -302,7 +405,7 @@ Json units_of(const Choice& choice) {
   return json;
 }
 
-Json from(const Candidate& t, const Choice& choice) {
+Json base_of(const Candidate& t, const Choice& choice) {
   return {{"model", t.model},
           {"algorithm", t.algorithm},
           {"precision", name_of(t.precision)},
@@ -318,6 +421,20 @@ Json from(const Candidate& t, const Choice& choice) {
           {"spread", from(t.spread)}};
 }
 
+/// Errors by criteria other than path are parts, and lengths in m.
+Json from(const Candidate& t, const Choice& choice) {
+  const Criterion criterion = choice.need.criterion;
+  Json json = base_of(t, choice);
+  if (criterion != Criterion::path) {
+    json["error"] = from(own_error(t, criterion));
+    json["path"] = from(t.errors, choice);
+  }
+  for (const auto& [also, error] : choice.need.also)
+    json["also"][criterion_names[static_cast<std::size_t>(also)]] = from(own_error(t, also));
+  if (!t.why.empty()) json["why"] = t.why;
+  return json;
+}
+
 Json from(const std::vector<Candidate>& all, const Choice& choice) {
   Json json = Json::array();
   for (const Candidate& t : all) json.push_back(from(t, choice));
@@ -328,9 +445,13 @@ Json need_of(const Choice& choice) {
   static constexpr const char* criteria[] = {"path", "energy", "period", "bounded", "constraint"};
   const Json error =
       choice.need.criterion == Criterion::path ? from(choice.needs, choice) : from(choice.need.error);
+  Json also = Json::object();
+  for (const auto& [criterion, asked] : choice.need.also)
+    also[criterion_names[static_cast<std::size_t>(criterion)]] = asked;
   return {{"exercise", choice.exercise},
           {"criterion", criteria[static_cast<int>(choice.need.criterion)]},
           {"error", error},
+          {"also", also},
           {"unit", choice.need.criterion == Criterion::constraint ? Json("m") : units_of(choice)},
           {"horizon", choice.need.horizon},
           {"frames", choice.need.frames()},
@@ -363,11 +484,12 @@ std::string asked_text(const Choice& choice) {
 
 std::string answer_text(const Choice& choice, const Screen& screen) {
   const Candidate& best = *choice.chosen;
-  std::string text =
-      "Take " + screen.styled(Style::heading, described(best, choice.need)) + ": " + cost_of(best);
+  std::string text = strays_text(choice) + "Take " +
+                     screen.styled(Style::heading, described(best, choice.need)) + ": " + cost_of(best);
   if (std::isfinite(choice.need.budget))
     text += ", " + percent(best.seconds_per_frame / choice.need.budget) + " of the budget";
-  text += ".\n" + bodies_text(choice) + margin_text(choice) + in_float_text(choice) + ties_text(choice);
+  text += ".\n" + rule_text(choice) + bodies_text(choice) + margin_text(choice) + in_float_text(choice) +
+          ties_text(choice);
   if (!choice.by_objective)
     text +=
         "  no one-step method of fixed step and no closed form holds with a margin of three: this is the "
@@ -398,6 +520,7 @@ std::string choice_text(const Choice& choice, bool all_rows, const Screen& scree
   const std::size_t hidden = choice.candidates.size() - shown_rows.size();
   const std::string answer = choice.chosen ? answer_text(choice, screen) : miss_text(choice, screen);
   const std::string grounds = engine_text(choice) + "\nchosen on: " + listed(choice.seen) +
+                              left_out_text(choice) +
                               (choice.unseen.empty() ? "" : "\ntested on: " + listed(choice.unseen)) +
                               (choice.prices_are.empty() ? "" : "\ntimes: " + choice.prices_are) + "\n";
   return wrapped(asked_text(choice) + "\n\n" + answer + chaos_text(choice) + unknown_text(choice) +
@@ -444,6 +567,10 @@ std::string explanation_text(const Choice& choice) {
          part("what stands beside it", e.rest, "an engine's step, float, restarts, chaos");
 }
 
+std::string shown_errors(const Candidate& candidate, const Choice& choice) {
+  return error_of(candidate, choice);
+}
+
 std::string choice_json(const Choice& choice) {
   Json json{{"need", need_of(choice)}, {"chosen", nullptr}};
   if (choice.chosen) {
@@ -451,10 +578,8 @@ std::string choice_json(const Choice& choice) {
     json["chosen"]["margin"] = is_measured(choice) ? from(choice.margin()) : Json(nullptr);
     json["chosen"]["restart_evaluations"] = choice.restart;
     json["chosen"]["by_objective"] = choice.by_objective;
-    const auto registers =
-        lanes::registers_of(choice.exercise, choice.chosen->model, choice.chosen->algorithm);
-    json["chosen"]["lanes"] =
-        choice.need.bodies > 1 && registers ? Json(lanes::name_of(*registers)) : Json(nullptr);
+    const auto registers = registers_of(choice);
+    json["chosen"]["lanes"] = registers ? Json(lanes::name_of(*registers)) : Json(nullptr);
   }
   json["in_float"] = choice.in_float ? from(*choice.in_float, choice) : Json(nullptr);
   json["ties"] = from(choice.ties, choice);
@@ -466,6 +591,13 @@ std::string choice_json(const Choice& choice) {
   json["predictable"] = choice.predictable ? from(*choice.predictable) : Json(nullptr);
   json["chosen_on"] = choice.seen;
   json["tested_on"] = choice.unseen;
+  json["failing_beside"] = choice.failing_beside;
+  json["left_out"] = choice.left_out;
+  if (choice.tried_in_chaos > 0)
+    json["in_chaos"] = {{"tried", choice.tried_in_chaos},
+                        {"holding", choice.holding_in_chaos},
+                        {"least", choice.share_in_chaos().first},
+                        {"most", choice.share_in_chaos().second}};
   json["times"] = choice.prices_are;
   const Explanation& e = choice.explanation;
   json["explanation"] = {{"truths",
@@ -488,13 +620,28 @@ std::string choice_json(const Choice& choice) {
 
 std::string choice_csv(const Choice& choice) {
   std::string text = "model,algorithm,precision,setting";
-  for (const std::string& unit : choice.units) text += ",error [" + shown_unit(unit, choice).symbol + "]";
+  const Criterion asked = choice.need.criterion;
+  const auto column = [&](const std::string& name, Criterion criterion) {
+    const bool is_length = criterion == Criterion::constraint;
+    return "," + name + " [" + (is_length ? length_unit(choice).symbol : "1") + "]";
+  };
+  if (asked != Criterion::path) text += column("error", asked);
+  for (const std::string& unit : choice.units)
+    text += (asked == Criterion::path ? ",error [" : ",path [") + shown_unit(unit, choice).symbol + "]";
+  for (const auto& [criterion, error] : choice.need.also)
+    text += column(criterion_names[static_cast<std::size_t>(criterion)], criterion);
   text += ",holds,outcome,evaluations per frame,seconds per frame,chosen\n";
   for (const Candidate& t : choice.candidates) {
     text += csv_cell(t.model) + "," + csv_cell(t.algorithm) + "," + std::string(name_of(t.precision)) + "," +
             csv_cell(shown_setting(t, choice.need));
+    const auto cell = [&](Criterion criterion) {
+      const double size = criterion == Criterion::constraint ? length_unit(choice).size : 1;
+      return "," + format_shortest(own_error(t, criterion) / size);
+    };
+    if (asked != Criterion::path) text += cell(asked);
     for (std::size_t i = 0; i < t.errors.size(); ++i)
       text += "," + format_shortest(t.errors[i] / shown_unit(choice.units[i], choice).size);
+    for (const auto& [criterion, error] : choice.need.also) text += cell(criterion);
     text += std::string(t.holds() ? ",1," : ",0,") + std::string(name_of(t.outcome)) + "," +
             format_shortest(t.evaluations_per_frame) + "," + format_shortest(t.seconds_per_frame) +
             (verdict_of(t, choice) == "chosen" ? ",1\n" : ",0\n");

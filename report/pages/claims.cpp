@@ -6,11 +6,13 @@
 #include <limits>
 #include <set>
 
+#include "chapters/typeset.hpp"
 #include "reference/text.hpp"
+#include "report/charts/labels.hpp"
 #include "report/pages/markdown.hpp"
-#include "report/pages/markup.hpp"
-#include "report/pages/readable.hpp"
 #include "report/pages/text_view.hpp"
+#include "report/text/markup.hpp"
+#include "report/text/readable.hpp"
 
 namespace oddity {
 
@@ -71,17 +73,17 @@ std::string without_off(const std::string& deviation) {
 }
 
 /// "√2 K by the arithmetic-geometric mean (2.260114): print off by 1.5, correction by 9.4×10⁻⁸." The
-/// value is shown of a single sample. Of a misprint what is meant says enough.
+/// value is shown of a single sample. Where what was meant is plain, that says enough.
 std::string numbers_of(const JudgedClaim& judged) {
   const Claim& claim = judged.claim;
-  if (claim.printed.checks.empty() || judged.verdict == Verdict::misprint) return "";
+  if (claim.printed.checks.empty() || was_meant(judged.verdict)) return "";
   const Check& printed = tightest(claim.printed);
   if (counts_violations(printed)) return failures(printed);
   const bool one = printed.where.empty() && printed.right.value.size() == 1;
   std::string text = "*" + in_words(printed.right.by) + "*" +
                      (one ? " (" + value_cell(printed.right.value, 7) + ")" : "") + ": print " +
                      deviation(printed);
-  if (judged.verdict == Verdict::erratum && !claim.corrected.checks.empty()) {
+  if (is_erratum(judged.verdict) && !claim.corrected.checks.empty()) {
     const Check& corrected = beside(printed, claim.corrected);
     if (!counts_violations(corrected)) text += ", correction " + without_off(deviation(corrected));
   }
@@ -122,13 +124,14 @@ std::string in_full(const JudgedClaim& judged, bool in_table, const ProvedClaims
     return is_told(claim, reading) || in_table ? ""
                                                : " *" + what + ":* " + escaped(reading.text, false) + ".";
   };
-  const bool misprint = judged.verdict == Verdict::misprint;
-  const std::string readings = (misprint && !has_equation(claim) ? shown("As printed", claim.printed) : "") +
-                               shown(misprint ? "Meant" : "Right", right_reading(judged));
+  const bool meant = was_meant(judged.verdict);
+  const std::string as_it_stands = judged.verdict == Verdict::lost ? "In our copy" : "As printed";
+  const std::string readings = (meant && !has_equation(claim) ? shown(as_it_stands, claim.printed) : "") +
+                               shown(meant ? "Meant" : "Right", right_reading(judged));
   return "<a id=\"" + anchor_of(claim) + "\"></a>**" + title_of(judged.verdict) + " " + code(claim.id) +
-         "** (" + kind + "line " + std::to_string(claim.line) +
-         (proved.contains(claim.id) ? ", proved" : "") + "): " + escaped(claim.says, false) + "." + readings +
-         "\n\n" + prose(claim.why) + "\n\n" + numbers_of(judged);
+         "** (" + kind + escaped(place_of(claim), false) + (proved.contains(claim.id) ? ", proved" : "") +
+         "): " + escaped(claim.says, false) + "." + readings + "\n\n" + prose(claim.why) + "\n\n" +
+         numbers_of(judged);
 }
 
 /// What a confirmed claim was compared with: another route, or samples. Of what is zero it is the route to
@@ -148,7 +151,7 @@ std::string confirmed_lines(const ExerciseResult& e, const ProvedClaims& proved)
     if (c.verdict != Verdict::confirmed) continue;
     const std::string mark = proved.contains(c.claim.id) ? "†" : "";
     const Reading& printed = c.claim.printed;
-    const bool formula = printed.as_typeset && c.claim.says.find('$') == std::string::npos;
+    const bool formula = is_formula(printed.text) && !says_what_is_printed(c.claim);
     const std::string line =
         "<br>" + mark + escaped(c.claim.says, false) + (formula ? ": " + escaped(printed.text, false) : "");
     const std::string with = compared_with(c);
@@ -177,31 +180,11 @@ bool bit_equal(const JudgedClaim& judged) {
 
 }  // namespace
 
-Counts counts_of(const ExerciseResult& e) {
-  Counts counts;
-  for (const JudgedClaim& c : e.claims) ++counts[c.verdict];
-  return counts;
-}
-
-Counts counts_of(const Results& results) {
-  Counts counts;
-  for (const ExerciseResult& e : results.exercises)
-    for (const JudgedClaim& c : e.claims) ++counts[c.verdict];
-  return counts;
-}
-
 std::string sentence(const Counts& counts) {
   std::string text;
-  const auto add = [&](Verdict verdict, const std::string& one, const std::string& many) {
-    const auto found = counts.find(verdict);
-    if (found != counts.end() && found->second > 0)
-      text += (text.empty() ? "" : ", ") + counted(found->second, one, many);
-  };
-  add(Verdict::erratum, "erratum", "errata");
-  add(Verdict::misprint, "misprint", "misprints");
-  add(Verdict::unsettled, "unsettled", "unsettled");
-  add(Verdict::not_checkable, "not checkable", "not checkable");
-  add(Verdict::confirmed, "confirmed", "confirmed");
+  for_each_count(counts, [&](const VerdictNoun& noun, int n) {
+    text += (text.empty() ? "" : ", ") + counted(n, noun.one, noun.many);
+  });
   return text.empty() ? "no claims" : text;
 }
 
@@ -230,7 +213,8 @@ std::string wrong_claims(const ExerciseResult& e, const ProvedClaims& proved) {
   std::set<const Claim*> in_table;
   for (const Finding& f : findings_of(e)) in_table.insert(&f.claims.front()->claim);
   std::string text;
-  for (Verdict verdict : {Verdict::erratum, Verdict::misprint, Verdict::unsettled})
+  for (Verdict verdict :
+       {Verdict::wrong, Verdict::incomplete, Verdict::misprint, Verdict::unsettled, Verdict::lost})
     for (const JudgedClaim& c : e.claims)
       if (c.verdict == verdict) text += in_full(c, in_table.contains(&c.claim), proved);
   return text;
@@ -241,7 +225,7 @@ std::string other_claims(const ExerciseResult& e, const ProvedClaims& proved) {
   int confirmed = 0, by_coq = 0;
   for (const JudgedClaim& c : e.claims) {
     if (c.verdict == Verdict::not_checkable)
-      open += code(c.claim.id) + " (line " + std::to_string(c.claim.line) +
+      open += code(c.claim.id) + " (" + escaped(place_of(c.claim), false) +
               "): " + escaped(c.claim.says, false) + ". Not checkable because " +
               escaped(c.claim.not_checkable, false) + ".\n\n";
     if (c.verdict != Verdict::confirmed) continue;
@@ -254,9 +238,10 @@ std::string other_claims(const ExerciseResult& e, const ProvedClaims& proved) {
                        confirmed_lines(e, proved));
 }
 
-std::string errata_table(const Results& results, Links links) {
+std::string errata_table(const Results& results, Links links, Verdict verdict) {
   std::vector<std::vector<std::string>> rows;
   for (const Finding& f : errata_worst_first(results)) {
+    if (is_wrong(f) != (verdict == Verdict::wrong)) continue;
     std::string claims;
     for (const JudgedClaim* c : f.claims)
       claims += (claims.empty() ? "" : ", ") + link_to(*f.exercise, c->claim, links);
@@ -296,8 +281,7 @@ std::string bit_equal_text(const Results& results) {
 }
 
 std::string claims_evidence(const JudgedClaim& judged) {
-  std::string text =
-      judged.claim.id + " (line " + std::to_string(judged.claim.line) + "): " + judged.claim.says + "\n";
+  std::string text = judged.claim.id + " (" + place_of(judged.claim) + "): " + judged.claim.says + "\n";
   const auto add = [&](const std::string& name, const Reading& reading) {
     for (const Check& c : reading.checks)
       text += "  " + name + (c.holds() ? " holds: " : " FAILS: ") + c.quantity + ": " +

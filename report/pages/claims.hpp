@@ -10,10 +10,7 @@
 /// What comes of the claims, as Markdown.
 namespace oddity {
 
-using Counts = std::map<Verdict, int>;
-Counts counts_of(const ExerciseResult&);
-Counts counts_of(const Results&);
-/// "2 errata, 1 misprint, 12 confirmed", without those that there are none of.
+/// "2 wrong, 1 misprint, 12 confirmed", without those that there are none of.
 std::string sentence(const Counts&);
 
 /// Where a page's links lead: to pages beside it, or to places in the one page.
@@ -29,8 +26,8 @@ std::string wrong_claims(const ExerciseResult&, const ProvedClaims&);
 /// What is confirmed, folded up: a line a claim, with what it was compared with. What cannot be checked.
 std::string other_claims(const ExerciseResult&, const ProvedClaims&);
 
-/// All errata by root, a row each.
-std::string errata_table(const Results&, Links);
+/// Roots a row each: those of which a claim is wrong, or those of which all are incomplete.
+std::string errata_table(const Results&, Links, Verdict);
 /// The claims of a verdict by number, those of one kind together.
 std::string list_of(const Results&, Verdict, Links);
 /// What a reader may doubt: claims whose two routes never differ may have one route. Folded up.

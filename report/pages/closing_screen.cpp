@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "report/pages/claims.hpp"
-#include "report/pages/readable.hpp"
-#include "report/pages/table_text.hpp"
+#include "report/pages/text_view.hpp"
 #include "report/study/findings.hpp"
+#include "report/text/readable.hpp"
+#include "report/text/table_text.hpp"
 
 namespace oddity {
 
@@ -26,12 +27,6 @@ std::string duration(double seconds) {
 }
 
 // ---- what was checked -------------------------------------------------------------------------------------
-
-long sum_of(const Counts& counts) {
-  long all = 0;
-  for (const auto& [verdict, n] : counts) all += n;
-  return all;
-}
 
 std::string checked(const Results& results) {
   long scenes = 0, quantities = 0, trials = 0;
@@ -49,22 +44,12 @@ std::string checked(const Results& results) {
          counted(scenes, "scene", "scenes") + " in motion";
 }
 
-struct Named {
-  Verdict verdict;
-  Style style;
-  const char *one, *many;
-};
-constexpr Named in_order[]{{Verdict::confirmed, Style::good, "confirmed", "confirmed"},
-                           {Verdict::misprint, Style::doubtful, "misprint", "misprints"},
-                           {Verdict::erratum, Style::bad, "erratum", "errata"},
-                           {Verdict::not_checkable, Style::aside, "not checkable", "not checkable"},
-                           {Verdict::unsettled, Style::bad, "unsettled", "unsettled"}};
-
 std::string by_verdict(const Counts& found, const Screen& screen) {
   std::string text;
-  for (const Named& n : in_order)
-    if (const auto count = found.find(n.verdict); count != found.end())
-      text += (text.empty() ? "" : ", ") + screen.styled(n.style, counted(count->second, n.one, n.many));
+  for_each_count(found, [&](const VerdictNoun& noun, int n) {
+    text +=
+        (text.empty() ? "" : ", ") + screen.styled(style_of(noun.verdict), counted(n, noun.one, noun.many));
+  });
   return text;
 }
 
@@ -75,14 +60,12 @@ std::string bar(const Counts& found, const Screen& screen) {
   const auto width = std::max(static_cast<long>(screen.width) - 4, 0L);
   std::string text;
   long before = 0;
-  for (const Named& n : in_order) {
-    const auto count = found.find(n.verdict);
-    if (count == found.end()) continue;
-    const long from = before * width / all, to = (before += count->second) * width / all;
+  for_each_count(found, [&](const VerdictNoun& noun, int n) {
+    const long from = before * width / all, to = (before += n) * width / all;
     std::string blocks;
     for (long i = from; i < to; ++i) blocks += "█";
-    text += screen.styled(n.style, blocks);
-  }
+    text += screen.styled(style_of(noun.verdict), blocks);
+  });
   return "  " + text + "\n";
 }
 
@@ -113,8 +96,7 @@ std::string what_is_wrong(const Results& results, const Screen& screen) {
       "\n" + screen.styled(Style::heading, "What is wrong") + ", as it shows where things move:\n";
   for (const Finding& w : worst) {
     const std::string number = numbered(w.exercise->number);
-    text += screen.styled(Style::bad, number) +
-            cut_at_word(readable(w.shows()), screen.width - std::min(screen.width, number.size())) + "\n";
+    text += wrapped(screen.styled(Style::bad, number) + readable(w.shows()) + "\n", screen, number.size());
   }
   const long others = roots - std::ssize(worst);
   return text + (others > 0 ? "  and " + counted(others, "other", "others") + " in the report\n" : "");
@@ -130,7 +112,7 @@ std::string failures(const Results& results, const Screen& screen) {
 
 // ---- what a game may use ----------------------------------------------------------------------------------
 
-std::string what_a_game_may_use(const Results& results, const Screen& screen) {
+std::string what_a_game_may_use(const Results& results, const std::string& program, const Screen& screen) {
   std::map<std::string, long> scenes;
   for (const ExerciseResult& e : results.exercises)
     if (e.cheapest_models && !e.cheapest_models->least.empty() && e.cheapest_models->least.front().least) {
@@ -145,15 +127,27 @@ std::string what_a_game_may_use(const Results& results, const Screen& screen) {
   if (text.empty()) return "";
   return "\n" + wrapped(screen.styled(Style::heading, "What is enough for a game") +
                             ", to 1 cm and 1 degree at every frame over 10 s at 60 Hz:\n" + text +
-                            "\n  for a scene, start and budget of your own: oddity choose\n",
+                            "\n  for a scene, start and budget of your own: " + program + " choose\n",
                         screen, 2);
+}
+
+/// What the site is without, and how to have it whole.
+std::string lacks_text(const Closing& closing, const Screen& screen) {
+  if (closing.lacks.empty()) return "";
+  std::string text;
+  for (const std::string& one : closing.lacks) text += "  " + one + "\n";
+  return wrapped("\n" + screen.styled(Style::doubtful, "The site lacks") + "\n" + text +
+                     "  a whole one is made by: " + closing.command + "\n",
+                 screen, 4);
 }
 
 std::string what_to_open(const Closing& closing, const Screen& screen) {
   return "\n" + screen.styled(Style::heading, "Open") + "\n" +
-         wrapped(aligned({{closing.site.string(), "in a browser: every scene in motion"},
+         wrapped(aligned({{closing.site.string(),
+                           closing.lacks.empty() ? "in a browser: every scene in motion" : "in a browser"},
                           {closing.report.string(), "the report as text"}}),
-                 screen, 4);
+                 screen, 4) +
+         lacks_text(closing, screen);
 }
 
 }  // namespace
@@ -170,8 +164,9 @@ std::string closing_screen(const Results& results, const Closing& closing, const
                      checked(results) + "\n",
                  screen, 2) +
          wrapped("  " + by_verdict(found, screen) + "\n", screen, 2) + bar(found, screen) +
-         failures(results, screen) + what_is_wrong(results, screen) + what_a_game_may_use(results, screen) +
-         what_to_open(closing, screen) + "\n" + verdict + ", after " + duration(closing.seconds) + ".\n";
+         failures(results, screen) + what_is_wrong(results, screen) +
+         what_a_game_may_use(results, closing.program, screen) + what_to_open(closing, screen) + "\n" +
+         verdict + ", after " + duration(closing.seconds) + ".\n";
 }
 
 }  // namespace oddity

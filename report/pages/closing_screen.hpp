@@ -2,9 +2,10 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
-#include "report/pages/screen.hpp"
 #include "report/study/results.hpp"
+#include "report/text/screen.hpp"
 
 namespace oddity {
 
@@ -13,6 +14,9 @@ struct Closing {
   bool as_on_record;  ///< the suite is green
   double seconds;     ///< that it took
   std::filesystem::path site, report;
+  std::string program = "oddity";       ///< as it is typed
+  std::vector<std::string> lacks = {};  ///< by the site: what, and how it shows
+  std::string command = {};             ///< that makes a whole one
 };
 
 /// What was checked, what is wrong, what a game may use, and what to open.

@@ -9,7 +9,9 @@
 
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
-#include "report/pages/readable.hpp"
+#include "report/pages/choose_view.hpp"
+#include "report/study/embedded.hpp"
+#include "report/text/readable.hpp"
 
 namespace oddity {
 
@@ -23,6 +25,7 @@ struct Plain {
 constexpr Plain plain_algorithms[] = {
     {"explicit Euler", "report/plain/explicit_euler.hpp", "ExplicitEuler"},
     {"symplectic Euler", "report/plain/symplectic_euler.hpp", "SymplecticEuler"},
+    {"semi-implicit Euler", "report/plain/semi_implicit_euler.hpp", "SemiImplicitEuler"},
     {"velocity Verlet", "report/plain/velocity_verlet.hpp", "VelocityVerlet"},
     {"Runge-Kutta 4", "report/plain/runge_kutta_4.hpp", "RungeKutta4"},
     {"modified midpoint", "report/plain/modified_midpoint.hpp", "ModifiedMidpoint"},
@@ -57,7 +60,9 @@ std::string in_double(const std::string& algorithm) {
   return algorithm.ends_with(suffix) ? algorithm.substr(0, algorithm.size() - suffix.size()) : algorithm;
 }
 
-Printed printed(const Listing& listing, const std::string& model, const std::string& algorithm) {
+/// Of models that are shown to be wrong there is none to choose.
+Printed printed(const Scene& scene, const std::string& model, const std::string& algorithm) {
+  const Listing& listing = scene.listing;
   if (const auto* own = find(listing.models, model + ", " + algorithm)) return {*own, nullptr};
   const Plain* found = std::ranges::find(plain_algorithms, algorithm, &Plain::algorithm);
   if (algorithm != closed_form && found == std::end(plain_algorithms))
@@ -67,7 +72,9 @@ Printed printed(const Listing& listing, const std::string& model, const std::str
   if (!expression) {
     const auto* why = find(listing.not_printable, model);
     std::vector<std::string_view> printable;
-    for (const auto& entry : listing.models) printable.push_back(entry.first);
+    for (const auto& entry : listing.models)
+      if (std::ranges::find(scene.faulted, entry.first) == scene.faulted.end())
+        printable.push_back(entry.first);
     throw BadInput("there is no code to print for the model '" + model + "'" +
                    (why ? ", " + std::string(*why) : "") + "; there is for: " + listed(printable) +
                    " (choose among these with --only)");
@@ -227,7 +234,8 @@ std::string code_of(const Task& task, const Choice& choice, const std::string& c
   const Exercise& exercise = task.entry->exercise;
   const Listing& listing = exercise.scene->listing;
   const bool single = choice.chosen->precision == Precision::in_float;
-  const auto [model, algorithm] = printed(listing, choice.chosen->model, in_double(choice.chosen->algorithm));
+  const auto [model, algorithm] =
+      printed(*exercise.scene, choice.chosen->model, in_double(choice.chosen->algorithm));
   Joined headers;
   for (std::string_view header : listing.headers) headers.add(header);
   if (algorithm) headers.add(algorithm->header);

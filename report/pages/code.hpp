@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,13 +8,6 @@
 
 /// What `choose` has chosen, as C++ to paste.
 namespace oddity {
-
-/// A file of this project as the program carries it.
-struct EmbeddedFile {
-  std::string_view path, text;
-};
-/// Those of the models and of the plain algorithms, and what they include of the project.
-std::span<const EmbeddedFile> embedded_headers();
 
 /// Whether a listing's expression has this name as a word.
 bool mentions(std::string_view expression, std::string_view name);

@@ -6,11 +6,11 @@
 #include <functional>
 
 #include "reference/text.hpp"
+#include "report/charts/engine_labels.hpp"
 #include "report/charts/engines_chart.hpp"
 #include "report/pages/engines_tables.hpp"
 #include "report/pages/engines_view.hpp"
-#include "report/pages/markup.hpp"
-#include "report/pages/text_view.hpp"
+#include "report/text/markup.hpp"
 
 namespace oddity {
 
@@ -120,7 +120,7 @@ std::string replaced_table(const std::vector<EngineContest>& contests) {
     if (!c.least) continue;
     const EngineSeries* const best = cheapest(c);
     const double seconds = best ? best->first_enough()->seconds_per_frame : 0;
-    rows.push_back({c.scene, escaped(c.least->says), best ? escaped(full_name(*best)) : "",
+    rows.push_back({escaped(c.scene), escaped(c.least->says), best ? escaped(full_name(*best)) : "",
                     best ? two_digits(seconds / c.least->seconds_per_frame) + "x" : ""});
   }
   return as_table(rows, 3);

@@ -7,35 +7,39 @@
 #include <numbers>
 
 #include "reference/text.hpp"
-#include "report/pages/text_view.hpp"
+#include "report/charts/engine_labels.hpp"
+#include "report/charts/labels.hpp"
 
 namespace oddity {
 
-std::string two_digits(double x) {
-  const std::string text = format_significant(x, 2);
-  const double rounded = parse_number(text).value_or(x), size = std::abs(rounded);
-  return size >= 100 && size < 1e6 ? std::to_string(std::lround(rounded)) : text;
-}
-
-std::string full_name(const EngineSeries& s) {
-  return s.engine + (s.variant == "defaults" ? "" : ", " + s.variant) + (s.webassembly ? " *" : "");
-}
-
 namespace {
 
-/// "3.4 cm", "0.12 deg": of errors in the motion's units, what a reader can picture.
-std::string of_one(double error, const std::string& unit) {
-  if (!std::isfinite(error)) return "-";
-  if (unit == "m") return two_digits(100 * error) + " cm";
-  if (unit == "rad") return two_digits(180 / std::numbers::pi * error) + " deg";
-  return two_digits(error) + " " + unit;
+/// "29 % of its energy", "0.01 m of what is held".
+std::string in_words(Criterion criterion, double off) {
+  const std::string part = std::isfinite(off) ? two_digits(100 * off) + " %" : "an unknown part";
+  switch (criterion) {
+    case Criterion::energy:
+      return part + " of its energy";
+    case Criterion::period:
+      return part + " of its period";
+    case Criterion::constraint:
+      return two_digits(off) + " m of what is held";
+    case Criterion::bounded:
+      return two_digits(10 * off) + " times the true motion's size";
+    default:
+      return two_digits(off) + " needs";
+  }
 }
 
 }  // namespace
 
-std::string pictured(const std::vector<double>& errors, const std::vector<std::string>& units) {
+std::string error_text(const std::vector<double>& errors, const std::map<Criterion, double>& by,
+                       const EngineContest& contest) {
   std::string text;
-  for (std::size_t i = 0; i < errors.size(); ++i) text += (i == 0 ? "" : ", ") + of_one(errors[i], units[i]);
+  for (const auto& [criterion, allowed] : contest.criteria)
+    text += (text.empty() ? "" : " and ") + (criterion == Criterion::path
+                                                 ? pictured(errors, contest.units)
+                                                 : in_words(criterion, by.at(criterion)));
   return text;
 }
 
@@ -50,7 +54,7 @@ const EngineTrial* at_rate(const EngineSeries& series, double rate, double frame
 std::string shown(const EngineTrial* trial, const EngineContest& contest) {
   if (trial == nullptr) return "";
   if (trial->outcome == Outcome::ok || trial->outcome == Outcome::inaccurate)
-    return pictured(trial->errors, contest.units);
+    return error_text(trial->errors, trial->by, contest);
   return std::string(name_of(trial->outcome));
 }
 
@@ -111,11 +115,6 @@ std::vector<const EngineSeries*> shown_of(const EngineContest& contest, bool all
 
 }  // namespace
 
-std::string in_percent(double part) {
-  if (!std::isfinite(part)) return "";
-  return part < 1e-6 ? "0" : two_digits(100 * part);
-}
-
 std::vector<std::vector<std::string>> rows_of(const EngineContest& contest, const std::vector<double>& rates,
                                               bool all) {
   std::vector<std::vector<std::string>> rows{{"engine", "numbers"}};
@@ -160,14 +159,16 @@ std::string cannot_text(const EngineContest& contest) {
 }
 
 std::string need_text(const EngineContest& contest) {
+  std::map<Criterion, double> allowed;
+  for (const auto& [criterion, error] : contest.criteria) allowed[criterion] = error;
   return "Worst error over " + format_significant(contest.horizon, 6) + " s at every frame; enough is " +
-         pictured(contest.needs, contest.units) + ".";
+         error_text(contest.needs, allowed, contest) + ".";
 }
 
 std::string least_text(const EngineContest& contest) {
   if (!contest.least) return "";
   return "Instead: " + contest.least->says + ", which errs by " +
-         pictured(contest.least->errors, contest.units) + " for " +
+         error_text(contest.least->errors, contest.least->by, contest) + " for " +
          shown_time(contest.least->seconds_per_frame) + " a frame.";
 }
 

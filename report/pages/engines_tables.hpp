@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -8,14 +9,9 @@
 /// What the views of engines share: a scene's table, and what stands around it.
 namespace oddity {
 
-/// Two digits, without an exponent where people do without one: "0.12", "350".
-std::string two_digits(double);
-/// "3.4 cm, 0.12 deg": of errors in the motion's units, what a reader can picture.
-std::string pictured(const std::vector<double>& errors, const std::vector<std::string>& units);
-/// Two digits of a part of a whole; "0" below a millionth, empty where there is none.
-std::string in_percent(double part);
-/// "Bullet, 100 iterations"; with a star for what is behind WebAssembly.
-std::string full_name(const EngineSeries&);
+/// By all criteria asked for: "3.4 cm, 0.12 deg and 29 % of its energy".
+std::string error_text(const std::vector<double>& errors, const std::map<Criterion, double>& by,
+                       const EngineContest&);
 
 /// The first row names the columns. Of each engine stand its defaults, and what is best beside them where
 /// that is better; or all variants.

@@ -2,15 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "reference/text.hpp"
+#include "report/charts/engine_labels.hpp"
+#include "report/charts/labels.hpp"
 #include "report/pages/engines_tables.hpp"
-#include "report/pages/text_view.hpp"
+#include "report/study/beside_program.hpp"
 
 namespace oddity {
 
 std::string engines_text(const std::vector<EngineContest>& contests, const std::vector<double>& rates,
                          bool all, const Screen& screen) {
+  if (contests.empty())
+    return "nothing is kept of these scenes; '" + program_as_typed() + " engines' runs them\n";
   std::string text;
   for (const EngineContest& contest : contests) {
     text += screen.styled(Style::heading, contest.scene + "  " + contest.title) + "\n";
@@ -27,20 +32,39 @@ std::string engines_text(const std::vector<EngineContest>& contests, const std::
   return text + "  * behind WebAssembly: its times are not those of a native program\n";
 }
 
+namespace {
+
+/// But the path.
+std::set<Criterion> criteria_of(const std::vector<EngineContest>& contests) {
+  std::set<Criterion> all;
+  for (const EngineContest& c : contests)
+    for (const auto& [criterion, allowed] : c.criteria) all.insert(criterion);
+  all.erase(Criterion::path);
+  return all;
+}
+
+}  // namespace
+
 Table engines_table(const std::vector<EngineContest>& contests) {
   Table table{
       {"scene", "engine", "version", "precision", "variant", "webassembly", "hz", "outcome", "error", "unit",
        "in_needs", "energy", "momentum", "off_joint", "seconds_per_frame", "spread", "same_bits", "restored"},
       {}};
+  const std::set<Criterion> criteria = criteria_of(contests);
+  for (Criterion criterion : criteria)
+    table.columns.push_back("off_" + std::string(criterion_names[static_cast<std::size_t>(criterion)]));
   for (const EngineContest& c : contests)
     for (const EngineSeries& s : c.series)
       for (const EngineTrial& t : s.trials)
-        for (std::size_t i = 0; i < c.units.size(); ++i)
+        for (std::size_t i = 0; i < c.units.size(); ++i) {
           table.rows.push_back({c.scene, s.engine, s.version, s.precision, s.variant, long(s.webassembly),
                                 t.steps_per_frame * c.frames_per_second, std::string(name_of(t.outcome)),
                                 t.errors.empty() ? NAN : t.errors[i], c.units[i], t.in_needs, t.energy,
                                 t.momentum, t.off_joint, t.seconds_per_frame, t.spread, long(t.same_bits),
                                 t.restored});
+          for (Criterion criterion : criteria)
+            table.rows.back().push_back(t.by.contains(criterion) ? t.by.at(criterion) : not_a_number);
+        }
   return table;
 }
 
@@ -88,7 +112,7 @@ std::string did(const EngineTrial& t, const EngineContest& contest) {
   switch (t.outcome) {
     case Outcome::ok:
     case Outcome::inaccurate:
-      return "it errs by " + pictured(t.errors, contest.units);
+      return "it errs by " + error_text(t.errors, t.by, contest);
     case Outcome::non_finite:
       return "its numbers are infinite or none before the motion ends";
     default:
@@ -102,7 +126,7 @@ std::string with_more_steps(const EngineSeries& s, const EngineContest& contest)
     return enough == &s.trials.front()
                ? ""
                : "; " + std::to_string(enough->steps_per_frame) + " steps a frame bring " +
-                     pictured(enough->errors, contest.units);
+                     error_text(enough->errors, enough->by, contest);
   const std::string why =
       s.trials.back().outcome == Outcome::stalled ? "these take too long" : why_never(contest, s);
   return "; no more steps make that enough, up to " + std::to_string(s.trials.back().steps_per_frame) +

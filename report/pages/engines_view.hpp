@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "report/pages/screen.hpp"
-#include "report/pages/table_text.hpp"
 #include "report/study/engines.hpp"
+#include "report/text/screen.hpp"
+#include "report/text/table_text.hpp"
 
 /// What other people's engines do on the scenes, and what replaces them.
 namespace oddity {

@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "reference/text.hpp"
+#include "report/charts/labels.hpp"
 #include "report/pages/claims.hpp"
-#include "report/pages/markup.hpp"
 #include "report/pages/pictures.hpp"
 #include "report/pages/quantities.hpp"
-#include "report/pages/text_view.hpp"
+#include "report/text/markup.hpp"
 
 namespace oddity {
 
@@ -134,15 +134,21 @@ std::string ways(const Results& results, const ExerciseResult& e) {
 std::string legend() {
   return "A claim is one thing that the published solution says. It is **confirmed** when independent "
          "numbers agree with it as it is printed; a **misprint** when they agree with what the text plainly "
-         "meant; an **erratum** when only a corrected statement agrees; **not checkable** when it speaks of "
-         "something that neither the text nor this program has; **unsettled** when nothing does. Verdicts are "
+         "meant; **lost in our copy** when the plain text that was read here has lost what was meant, such as a "
+         "fraction bar or an exponent, and the manual may have it. Our copy has lost the dots of all time "
+         "derivatives, too: where a line has a meaning with its dots alone, they are restored, and its place says "
+         "*dots restored*; where it has another without them, which is false, it is lost in our copy. It is "
+         "**wrong** when a formula, a number, a line of code or a sentence is false and only a corrected one "
+         "agrees; **incomplete** when it holds in the cases "
+         "that its author had in mind, and a case or a condition is left out; **not checkable** when it speaks of "
+         "something that neither the text nor this program has; **unsettled** when nothing agrees. Verdicts are "
          "computed: each check compares two routes that share nothing, within a tolerance that has a reason; "
          "and near misses of each claim (another sign, a dropped term, another digit) have to fail the same "
          "comparison. Line numbers are those of the solutions document as plain text.\n\n"
          "A method is a model solved by an algorithm; a trial runs it at one setting of its knob (step, "
          "tolerance, points). Its cost is counted in evaluations of the integrand or right-hand side. A trial "
          "is *ok* when its error is within the need; otherwise it is *inaccurate*, *drifted* (a conserved "
-         "quantity changed), *diverged*, *non-finite*, *stalled* (out of steps), *deceived* (the method's own "
+         "quantity changed and does not come back), *diverged* (off the scale, and farther with time), *non-finite*, *stalled* (out of steps), *deceived* (the method's own "
          "error estimate is below its true error), *raised* (the library reported an error), *chattering* "
          "(events without end while the time does not move, as the bounces of a ball that comes to rest) or "
          "*grazing* (whether an event happens is below the algorithm's error). A motion is judged at the few "
@@ -164,10 +170,13 @@ std::string exercises_table(const std::vector<const ExerciseResult*>& exercises,
     std::string confirmed = cell(counts[Verdict::confirmed]);
     if (const int others = counts[Verdict::not_checkable]; others > 0)
       confirmed += (confirmed.empty() ? "" : ", ") + std::to_string(others) + " not checkable";
-    rows.push_back({link_to(*e, links) + own_mark(e->number), cell(counts[Verdict::erratum]),
-                    cell(counts[Verdict::misprint]), confirmed, std::to_string(e->quantities.size())});
+    rows.push_back({link_to(*e, links) + own_mark(e->number), cell(counts[Verdict::wrong]),
+                    cell(counts[Verdict::incomplete]), cell(counts[Verdict::misprint]),
+                    cell(counts[Verdict::lost]), confirmed, std::to_string(e->quantities.size())});
   }
-  return table({"exercise", "errata", "misprints", "confirmed", "quantities"}, rows, "1234");
+  return table(
+      {"exercise", "wrong", "incomplete", "misprints", "lost in our copy", "confirmed", "quantities"}, rows,
+      "123456");
 }
 
 /// A row for each exercise, folded up by chapter.
@@ -216,20 +225,13 @@ std::string scenes_table(const Results& results, Links links) {
                 table({"scene", "model", "algorithm", "evaluations per frame"}, rows, "3"));
 }
 
-/// "60 causes: 40 wrong numbers or formulas, 16 cases left out, 4 wrong words or program lines".
+/// Roots of which a claim is wrong, and those of which all are incomplete.
 std::string causes_of_errata(const Results& results) {
-  int numbers = 0, cases = 0, words = 0;
+  int wrong = 0, incomplete = 0;
   for (const ExerciseResult& e : results.exercises)
-    for (const Finding& f : findings_of(e)) {
-      const Fault kind = f.claims.front()->claim.kind;
-      const bool number = kind == Fault::number || kind == Fault::formula,
-                 left_out = kind == Fault::left_out || kind == Fault::counterexample;
-      ++(number ? numbers : left_out ? cases : words);
-    }
-  return counted(numbers + cases + words, "cause", "causes") + ": " +
-         counted(numbers, "wrong number or formula", "wrong numbers or formulas") + ", " +
-         counted(cases, "case left out", "cases left out") + ", " +
-         counted(words, "wrong word or program line", "wrong words or program lines");
+    for (const Finding& f : findings_of(e)) ++(is_wrong(f) ? wrong : incomplete);
+  return counted(wrong, "cause of what is wrong", "causes of what is wrong") + " and " +
+         counted(incomplete, "cause of what is incomplete", "causes of what is incomplete");
 }
 
 bool has_scenes(const Results& results) {
@@ -243,7 +245,7 @@ bool has_cheapest_models(const Results& results) {
 }
 
 std::string other_pages(const Results& results, Edition edition) {
-  std::string text = "[All errata and misprints](errata.md)";
+  std::string text = "[All that is wrong](errata.md)";
   if (has_cheapest_models(results)) text += " · [which model is enough](models.md)";
   if (has_scenes(results)) text += " · [which steps are stable](stability.md)";
   text += " · [the algorithms and their libraries](algorithms.md) · [what all this rests on](trust.md)";
@@ -258,7 +260,8 @@ std::string head(const Results& results) {
   const std::string missing = not_encoded(results);
   return "# The solutions of *Game Physics*, checked by machine\n\n" + exercises_counted(results) + ", " +
          counted(total, "claim", "claims") + ": " + sentence(all) + "." +
-         (all[Verdict::erratum] > 0 ? " The errata have " + causes_of_errata(results) + "." : "") +
+         (all[Verdict::wrong] + all[Verdict::incomplete] > 0 ? " There are " + causes_of_errata(results) + "."
+                                                             : "") +
          (all[Verdict::confirmed] > 0
               ? " Confirmed claims stand beneath the second route that they agree with."
               : "") +
@@ -288,11 +291,18 @@ std::string errata_page_text(const Results& results) {
   const auto section = [&](Verdict verdict, const std::string& title, const std::string& rows) {
     if (counts[verdict] > 0) text += "## " + title + " (" + std::to_string(counts[verdict]) + ")\n\n" + rows;
   };
-  section(Verdict::erratum, "Errata",
+  section(Verdict::wrong, "Wrong",
           "A row for each root; those by which a published motion goes wrong come first.\n\n" +
-              errata_table(results, Links::apart));
+              errata_table(results, Links::apart, Verdict::wrong));
+  section(
+      Verdict::incomplete, "Incomplete",
+      "A case is left out, or a condition.\n\n" + errata_table(results, Links::apart, Verdict::incomplete));
   section(Verdict::misprint, "Misprints", list_of(results, Verdict::misprint, Links::apart));
   section(Verdict::unsettled, "Unsettled", list_of(results, Verdict::unsettled, Links::apart));
+  section(
+      Verdict::lost, "Lost in our copy",
+      "No fault of the manual as far as can be known: the plain text that was read here has lost it.\n\n" +
+          list_of(results, Verdict::lost, Links::apart));
   return text + bit_equal_text(results) + "[All exercises](README.md)\n";
 }
 
@@ -334,8 +344,11 @@ std::string charts_page(const ExerciseResult& e) {
 
 std::string single_page(const Results& results) {
   std::string text = head(results) + by_chapter(results, Links::within);
-  if (counts_of(results)[Verdict::erratum] > 0)
-    text += "## Errata\n\n" + errata_table(results, Links::within);
+  Counts counts = counts_of(results);
+  for (const auto& [verdict, title] :
+       {std::pair{Verdict::wrong, "Wrong"}, {Verdict::incomplete, "Incomplete"}})
+    if (counts[verdict] > 0)
+      text += "## " + std::string(title) + "\n\n" + errata_table(results, Links::within, verdict);
   for (const ExerciseResult& e : results.exercises)
     text += "## " + to_string(e.number) + " " + escaped(e.title, false) + "\n\n" + question(e) +
             body(e, "###", false, {});

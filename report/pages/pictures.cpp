@@ -4,12 +4,14 @@
 
 #include "reference/files.hpp"
 #include "report/charts/drawing.hpp"
-#include "report/pages/markup.hpp"
+#include "report/charts/stability_map.hpp"
 #include "report/pages/quantities.hpp"
-#include "report/pages/readable.hpp"
+#include "report/pages/stability_view.hpp"
 #include "report/pages/text_view.hpp"
 #include "report/study/findings.hpp"
 #include "report/study/stability.hpp"
+#include "report/text/markup.hpp"
+#include "report/text/readable.hpp"
 
 namespace oddity {
 

@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "reference/text.hpp"
+#include "report/charts/labels.hpp"
 #include "report/pages/claims.hpp"
-#include "report/pages/markup.hpp"
 #include "report/pages/text_view.hpp"
+#include "report/text/markup.hpp"
 
 namespace oddity {
 

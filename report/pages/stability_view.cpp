@@ -6,10 +6,13 @@
 
 #include "reference/csv.hpp"
 #include "reference/text.hpp"
-#include "report/pages/markup.hpp"
-#include "report/pages/table_text.hpp"
+#include "report/charts/labels.hpp"
+#include "report/pages/stability_view.hpp"
 #include "report/pages/text_view.hpp"
+#include "report/study/limit_records.hpp"
 #include "report/study/stability.hpp"
+#include "report/text/markup.hpp"
+#include "report/text/table_text.hpp"
 
 namespace oddity {
 
@@ -79,9 +82,6 @@ std::vector<std::pair<std::string, std::string>> reasons(const Stability& s) {
 }
 
 /// "0.0481 to 0.0641".
-std::string shown_soft(const Between& soft) {
-  return format_significant(soft.least, 3) + " to " + format_significant(soft.most, 3);
-}
 
 /// Which limits have no sharp value, and which hold for the time shown only; one sentence each.
 std::vector<std::string> reservations(const Stability& s) {
@@ -139,8 +139,6 @@ std::string map_text(const Stability& s, const Screen& screen) {
   return wrapped(text + "\n", screen, 4) + aligned(rows, screen, {{"model", "algorithm"}, {}, true}) +
          wrapped(fragile_text(s), screen, 4);
 }
-
-std::string step_cell(double step) { return format_significant(step, 3); }
 
 /// "0.676 (0.639)": measured, and by theory where it differs; "~" before what is not sharp.
 std::string limit_text(const Limit& l) {
@@ -219,50 +217,12 @@ std::string differences(const Results& results) {
 
 }  // namespace
 
-char letter_of(Outcome outcome) {
-  constexpr std::string_view letters_in_order = "oidXNSERCG";
-  return letters_in_order[static_cast<std::size_t>(std::ranges::find(outcomes_of_a_map, outcome) -
-                                                   outcomes_of_a_map.begin())];
-}
-
-std::optional<Outcome> outcome_of(char letter) {
-  const auto found = std::ranges::find(outcomes_of_a_map, letter, letter_of);
-  return found == outcomes_of_a_map.end() ? std::nullopt : std::optional(*found);
-}
-
-std::string letters(const MapRow& row) {
-  std::string text;
-  for (Outcome outcome : row.outcomes) text += letter_of(outcome);
-  return text;
-}
-
-std::string fragile_cells(const MapRow& row) {
-  std::string text;
-  for (bool fragile : row.fragile) text += fragile ? '*' : '.';
-  return row.fragile.end() == std::ranges::find(row.fragile, true) ? "" : text;
-}
-
 std::string shown_step(const Limit& l) {
   if (std::isinf(l.step())) return "every step";
   if (l.stable == 0) return "none";
   return (l.unstable > 0 ? "" : "at least ") + format_significant(l.stable, 3) +
          (l.soft ? ", not sharp" : "");
 }
-
-std::string shown_tongues(const Limit& l) {
-  std::string text;
-  for (const ode::Tongue& t : l.tongues) {
-    if (!text.empty()) text += ", ";
-    const std::string from = t.from == 0 ? "" : format_significant(t.from, 3);
-    if (std::isinf(t.to))
-      text += t.from == 0 ? "every step" : "from " + from;
-    else
-      text += t.from == 0 ? "to " + format_significant(t.to, 3) : from + " to " + format_significant(t.to, 3);
-  }
-  return text.empty() ? "no step" : text;
-}
-
-std::string beyond(const Limit& l) { return l.broken ? std::string(name_of(l.broken->outcome)) : "stable"; }
 
 std::string how_it_breaks(const Limit& l, const Stability& s) {
   if (!l.broken) return "";
@@ -284,14 +244,6 @@ std::string shown_cure(const Limit& l, const std::string& unit) {
          in_unit(shown_error(t.error), unit) + ", " + std::to_string(t.evaluations) + " evaluations";
 }
 
-double agreement(const Limit& l) {
-  const double theory = l.theory();
-  if (l.unstable == 0 && theory > l.longest) return 1;
-  if (theory == 0 || l.stable == 0)
-    return theory == l.stable ? 1 : l.stable == 0 ? 0 : std::numeric_limits<double>::infinity();
-  return l.stable / theory;
-}
-
 std::string stability_text(const ExerciseResult& e, const Screen& screen) {
   const Stability& s = *e.stability;
   std::string notes;
@@ -303,35 +255,6 @@ std::string stability_text(const ExerciseResult& e, const Screen& screen) {
                             format_significant(s.horizon / s.steps.front(), 4) + " times\n\n";
   return heading_of(e, screen) + wrapped(asked, screen) + limits_text(s, screen) + wrapped(notes, screen, 4) +
          map_text(s, screen);
-}
-
-std::string limit_row(const ExerciseResult& e, const Limit& l) {
-  return to_string(e.number) + "," + csv_cell(l.model) + "," + csv_cell(l.algorithm) + "," +
-         step_cell(l.step()) + "," + step_cell(l.theory()) + "," + csv_cell(shown_tongues(l)) + "," +
-         (l.goes_on || std::isinf(l.step()) ? "" : step_cell(l.watched)) + "," +
-         (l.soft ? shown_soft(*l.soft) : "") + "," + (l.at ? format_significant(l.at->error, 2) : "") + "," +
-         (l.within ? step_cell(l.within->setting) : "") + "," + beyond(l) + "," + csv_cell(l.why) + "\n";
-}
-
-std::string limit_rows(const Results& results) {
-  std::string rows;
-  for (const ExerciseResult& e : results.exercises)
-    if (e.stability)
-      for (const Limit& l : e.stability->limits) rows += limit_row(e, l);
-  return rows;
-}
-
-std::string map_row(const ExerciseResult& e, const MapRow& row) {
-  return to_string(e.number) + "," + csv_cell(row.model) + "," + csv_cell(row.algorithm) + "," +
-         format_shortest(row.value) + "," + letters(row) + "," + fragile_cells(row) + "\n";
-}
-
-std::string map_rows(const Results& results) {
-  std::string rows;
-  for (const ExerciseResult& e : results.exercises)
-    if (e.stability)
-      for (const MapRow& row : e.stability->map) rows += map_row(e, row);
-  return rows;
 }
 
 std::string stability_page(const Results& results) {

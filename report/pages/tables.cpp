@@ -3,6 +3,8 @@
 #include <limits>
 
 #include "reference/text.hpp"
+#include "report/pages/stability_view.hpp"
+#include "report/study/limit_records.hpp"
 #include "report/study/stability.hpp"
 
 namespace oddity {
@@ -74,13 +76,20 @@ Table trials_table(const Results& results) {
 
 Table limits_table(const Results& results) {
   Table table{{"exercise", "model", "algorithm", "stable_to", "breaks_at", "theory", "unit", "breaks_by",
-               "error", "error_unit", "why"},
+               "error", "error_unit", "why", "unstable_in_theory", "error_there", "needed_to",
+               "not_sharp_from", "not_sharp_to", "watched", "how", "cure"},
               {}};
   for (const ExerciseResult& e : results.exercises)
-    for (const Limit& l : e.stability->limits)
+    for (const Limit& l : e.stability->limits) {
+      const Stability& s = *e.stability;
       table.rows.push_back({to_string(e.number), l.model, l.algorithm, l.step(),
-                            l.broken ? l.broken->setting : none, l.theory(), e.stability->time_unit,
-                            beyond(l), l.broken ? l.broken->error : none, e.stability->unit, l.why});
+                            l.broken ? l.broken->setting : none, l.theory(), s.time_unit, beyond(l),
+                            l.broken ? l.broken->error : none, s.unit, l.why, shown_tongues(l),
+                            l.at ? l.at->error : none, l.within ? l.within->setting : none,
+                            l.soft ? l.soft->least : none, l.soft ? l.soft->most : none,
+                            l.goes_on || std::isinf(l.step()) ? none : l.watched, how_it_breaks(l, s),
+                            l.broken ? shown_cure(l, s.unit) : ""});
+    }
   return table;
 }
 

@@ -3,8 +3,8 @@
 #include <span>
 
 #include "reference/verdicts.hpp"
-#include "report/pages/table_text.hpp"
 #include "report/study/run.hpp"
+#include "report/text/table_text.hpp"
 
 /// What the program finds, as tables for other programs.
 namespace oddity {

@@ -4,19 +4,21 @@
 #include <regex>
 
 #include "reference/text.hpp"
-#include "report/pages/readable.hpp"
-#include "report/pages/table_text.hpp"
+#include "report/charts/labels.hpp"
+#include "report/study/findings.hpp"
+#include "report/text/readable.hpp"
+#include "report/text/table_text.hpp"
 
 namespace oddity {
-
-namespace {
 
 Style style_of(Verdict verdict) {
   switch (verdict) {
     case Verdict::confirmed:
       return Style::good;
     case Verdict::misprint:
+    case Verdict::incomplete:
       return Style::doubtful;
+    case Verdict::lost:
     case Verdict::not_checkable:
       return Style::aside;
     default:
@@ -24,12 +26,41 @@ Style style_of(Verdict verdict) {
   }
 }
 
+namespace {
+
+/// For a narrow column.
+std::string short_name_of(Verdict verdict) {
+  return verdict == Verdict::lost ? "lost" : std::string(name_of(verdict));
+}
+
 std::string claims_text(const ExerciseResult& e, const Screen& screen) {
   std::vector<std::vector<std::string>> rows{{"claim", "verdict", "the solution says"}};
   for (const JudgedClaim& c : e.claims)
-    rows.push_back({c.claim.id, screen.styled(style_of(c.verdict), std::string(name_of(c.verdict))),
-                    readable(c.claim.says)});
+    rows.push_back(
+        {c.claim.id, screen.styled(style_of(c.verdict), short_name_of(c.verdict)), readable(c.claim.says)});
   return rows.size() == 1 ? "" : "\n" + aligned(rows, screen, {{"the solution says", "claim"}, {}});
+}
+
+/// Marks of one colour, or brackets that no formula has.
+formula::Marks marks(const Screen& screen, Style style) {
+  if (!screen.colour) return {"⟦", "⟧"};
+  const std::string styled = screen.styled(style, "|");
+  const std::size_t bar = styled.find('|');
+  return {styled.substr(0, bar), styled.substr(bar + 1)};
+}
+
+/// What is printed wrongly and what is right, where both are formulas, with the places that differ.
+std::string differences_text(const ExerciseResult& e, const Screen& screen) {
+  std::string text;
+  for (const JudgedClaim& c : e.claims) {
+    if (!is_erratum(c.verdict) && c.verdict != Verdict::misprint) continue;
+    const auto both = formulas_that_differ(c.claim.printed.text, right_reading(c).text,
+                                           marks(screen, Style::bad), marks(screen, Style::good));
+    if (both)
+      text += "\n  " + c.claim.id + "\n" + wrapped("    printed  " + both->first + "\n", screen, 13) +
+              wrapped("    right    " + both->second + "\n", screen, 13);
+  }
+  return text;
 }
 
 const std::vector<std::string> trial_columns{"model", "algorithm", "knob", "value",
@@ -85,16 +116,6 @@ std::string quantity_text(const QuantityResult& q, const Screen& screen) {
 
 }  // namespace
 
-std::string shown(const Value& value, int digits) {
-  constexpr std::size_t most = 4;
-  const auto component = [digits](double x) { return std::isnan(x) ? "nan" : format_significant(x, digits); };
-  if (value.size() == 1) return component(value[0]);
-  std::string text = "(";
-  for (std::size_t i = 0; i < std::min(value.size(), most); ++i)
-    text += (i ? ", " : "") + component(value[i]);
-  return text + (value.size() > most ? ", ... " + std::to_string(value.size()) + " in all)" : ")");
-}
-
 std::string with_short_numbers(const std::string& text) {
   static const std::regex number(R"((\d+\.\d+)(e[-+]?\d+)?)");
   std::string out;
@@ -109,21 +130,8 @@ std::string with_short_numbers(const std::string& text) {
   return out.append(from, text.end());
 }
 
-std::string shown_error(double error) { return std::isfinite(error) ? format_significant(error, 2) : "-"; }
-
-std::string shown_time(double seconds) {
-  if (!std::isfinite(seconds)) return "-";
-  if (seconds < 1e-6) return format_significant(seconds * 1e9, 3) + " ns";
-  if (seconds < 1e-3) return format_significant(seconds * 1e6, 3) + " us";
-  return seconds < 1 ? format_significant(seconds * 1e3, 3) + " ms" : format_significant(seconds, 3) + " s";
-}
-
 std::string instants(const QuantityResult& q) {
   return q.samples > 1 ? "judged at these " + std::to_string(q.samples) + " times alone" : "";
-}
-
-std::string shown_knob(const TimedTrial& t) {
-  return t.knob.empty() ? "-" : t.knob + " " + format_significant(t.setting, 4);
 }
 
 std::string shown(Outcome outcome, const Screen& screen) {
@@ -145,7 +153,7 @@ std::string text_view(const ExerciseResult& e, const Screen& screen) {
         "  " + p.name + " = " + format_shortest(p.value) + with_unit(p.unit) + "  " + readable(p.says) + "\n",
         screen, 6);
   if (!e.failure.empty()) text += "  " + screen.styled(Style::bad, "FAILED") + ": " + e.failure + "\n";
-  text += claims_text(e, screen);
+  text += claims_text(e, screen) + differences_text(e, screen);
   for (const QuantityResult& q : e.quantities) text += quantity_text(q, screen);
   return text;
 }

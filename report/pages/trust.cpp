@@ -5,9 +5,9 @@
 
 #include "chapters/typeset.hpp"
 #include "reference/text.hpp"
-#include "report/pages/markup.hpp"
 #include "report/study/findings.hpp"
 #include "report/study/prove.hpp"
+#include "report/text/markup.hpp"
 
 namespace oddity {
 
@@ -92,7 +92,8 @@ Part formulas_as_typeset(const Results& results) {
   long formulas = 0, read = 0;
   for (const ExerciseResult& e : results.exercises)
     for (const JudgedClaim& c : e.claims)
-      for_each_reading(c.claim, [&](const std::string&, const Reading& reading) {
+      for_each_reading(c.claim, [&](const std::string& name, const Reading& reading) {
+        if (name == "in view") return;
         formulas += is_formula(reading.text);
         read += reading.as_typeset;
       });
@@ -116,7 +117,7 @@ Parts values_by_bound(const Bounds& bounds) {
 Part errata_witnessed(const Results& results, const Witnessed& w) {
   long errata = 0, at_its_letters = 0, at_others = 0, words = 0;
   for (const ExerciseResult& e : results.exercises)
-    for (const JudgedClaim* claim : claims_of(e, Verdict::erratum)) {
+    for (const JudgedClaim* claim : errata_of(e)) {
       const std::string& id = claim->claim.id;
       ++errata;
       at_its_letters += w.at_its_letters.contains(id);

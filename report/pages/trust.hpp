@@ -1,8 +1,8 @@
 #pragma once
 
-#include "report/pages/table_text.hpp"
 #include "report/study/results.hpp"
 #include "report/study/trust.hpp"
+#include "report/text/table_text.hpp"
 
 /// What is proved, enclosed, witnessed, mutated, fuzzed and survived, and what that rests on.
 namespace oddity {

@@ -2,7 +2,9 @@
 
 #include "reference/files.hpp"
 #include "report/pages/catalog_page.hpp"
+#include "report/pages/cheapest_models_view.hpp"
 #include "report/pages/pictures.hpp"
+#include "report/pages/stability_view.hpp"
 #include "report/pages/trust.hpp"
 #include "report/study/cheapest_models.hpp"
 #include "report/study/stability.hpp"

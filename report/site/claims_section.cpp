@@ -4,11 +4,13 @@
 #include <cmath>
 #include <utility>
 
+#include "chapters/typeset.hpp"
 #include "reference/text.hpp"
-#include "report/pages/markup.hpp"
+#include "report/charts/labels.hpp"
 #include "report/pages/text_view.hpp"
 #include "report/site/page.hpp"
 #include "report/study/findings.hpp"
+#include "report/text/markup.hpp"
 
 namespace oddity {
 
@@ -24,8 +26,6 @@ std::string number_text(double x, int digits) {
 
 std::string value_text(const Value& value) { return in_xml(with_powers(shown(value, 7))); }
 std::string words(const std::string& text) { return html::text(with_powers(with_short_numbers(text))); }
-
-std::string class_of(Verdict verdict) { return html::anchor(name_of(verdict)); }
 
 /// "holds in all 200 samples", "fails in 24 of 5760 samples".
 std::string count_text(const Check& c) {
@@ -81,6 +81,14 @@ std::string sentence(std::string text) {
   return text + ".";
 }
 
+/// Of a wrong formula, which has no other transcription: how it was read.
+std::string how_it_is_read(const JudgedClaim& judged) {
+  const Reading& printed = judged.claim.printed;
+  const bool wrong = is_erratum(judged.verdict) || judged.verdict == Verdict::misprint;
+  return wrong && printed.as_typeset ? " The print was read as " + html::in_all_brackets(printed.text) + "."
+                                     : "";
+}
+
 /// What speaks for a verdict.
 std::string evidence_of(const JudgedClaim& judged) {
   const Claim& claim = judged.claim;
@@ -97,22 +105,31 @@ std::string evidence_of(const JudgedClaim& judged) {
                 ".";
         before = &hardest(*reading);
       }
-  return text + near_misses_of(claim);
+  return text + near_misses_of(claim) + how_it_is_read(judged);
 }
 
 std::string id_attribute(const Claim& claim) { return " id=\"" + claim_anchor_of(claim) + "\""; }
 
+/// A text with a formula of it as that is shown.
+std::string within(const std::string& text, const std::string& formula, const std::string& shown) {
+  const std::size_t at = text.find(formula);
+  const bool is_whole = at != std::string::npos && formula.starts_with('$');
+  if (!is_whole) return html::text(text);
+  return html::text(text.substr(0, at)) + shown + html::text(text.substr(at + formula.size()));
+}
+
 std::string sides(const JudgedClaim& judged) {
   const Reading& right = right_reading(judged);
   const Claim& claim = judged.claim;
-  std::string text = element(
-      "div", " class=\"printed\"",
-      "<dt>printed</dt>" +
-          element("dd", "", html::text(says_what_is_printed(claim) ? claim.says : claim.printed.text)));
+  auto [as_printed, as_is_right] = html::texts_that_differ(claim.printed.text, right.text);
+  if (says_what_is_printed(claim)) as_printed = within(claim.says, claim.printed.text, as_printed);
+  std::string text = element("div", " class=\"printed\"",
+                             (judged.verdict == Verdict::lost ? "<dt>in our copy</dt>" : "<dt>printed</dt>") +
+                                 element("dd", "", as_printed));
   if (&right != &judged.claim.printed)
     text += element("div", " class=\"corrected\"",
-                    std::string(judged.verdict == Verdict::misprint ? "<dt>meant</dt>" : "<dt>right</dt>") +
-                        element("dd", "", html::text(right.text)));
+                    std::string(was_meant(judged.verdict) ? "<dt>meant</dt>" : "<dt>right</dt>") +
+                        element("dd", "", as_is_right));
   return element("dl", " class=\"sides\"", text);
 }
 
@@ -123,10 +140,12 @@ std::string mark_of(const Claim& claim, const ProvedClaims& proved) {
 
 std::string finding_text(const JudgedClaim& judged, const ProvedClaims& proved) {
   const Claim& claim = judged.claim;
-  const std::string kind = name_of(claim.kind).empty() ? "" : in_xml(name_of(claim.kind)) + ", ";
+  const std::string kind = name_of(claim.kind).empty()
+                               ? ""
+                               : element("span", " class=\"kind\"", in_xml(name_of(claim.kind))) + ", ";
   return element("article", id_attribute(claim) + " class=\"" + class_of(judged.verdict) + "\"",
-                 "<p class=\"meta\"><b>" + std::string(name_of(judged.verdict)) + "</b> " + kind + "line " +
-                     std::to_string(claim.line) + mark_of(claim, proved) + " " +
+                 "<p class=\"meta\"><b>" + std::string(name_of(judged.verdict)) + "</b> " + kind +
+                     html::text(place_of(claim)) + mark_of(claim, proved) + " " +
                      html::link("#" + claim_anchor_of(claim), in_xml(claim.id)) + "</p>" +
                      (says_what_is_printed(claim)
                           ? ""
@@ -152,7 +171,13 @@ std::string others_text(const ExerciseResult& e, Verdict verdict, const std::str
 }
 
 bool is_finding(Verdict verdict) {
-  return verdict == Verdict::erratum || verdict == Verdict::misprint || verdict == Verdict::unsettled;
+  return verdict != Verdict::confirmed && verdict != Verdict::not_checkable;
+}
+
+/// What a claim that names a formula does not show of it.
+std::string formula_of(const Claim& claim) {
+  if (!is_formula(claim.printed.text) || says_what_is_printed(claim)) return "";
+  return ": " + html::text(claim.printed.text);
 }
 
 std::string claim_text(const JudgedClaim& judged, const ProvedClaims& proved) {
@@ -162,7 +187,7 @@ std::string claim_text(const JudgedClaim& judged, const ProvedClaims& proved) {
              id_attribute(claim) +
                  (judged.verdict == Verdict::confirmed ? "" : " class=\"" + class_of(judged.verdict) + "\""),
              element("summary", "",
-                     html::text(claim.says) + " <small>" + std::to_string(claim.line) +
+                     html::text(claim.says) + formula_of(claim) + " <small>" + html::text(place_of(claim)) +
                          mark_of(claim, proved) + "</small>") +
                  element("p", "", evidence_of(judged))) +
          "\n";
@@ -170,6 +195,7 @@ std::string claim_text(const JudgedClaim& judged, const ProvedClaims& proved) {
 
 }  // namespace
 
+std::string class_of(Verdict verdict) { return html::anchor(name_of(verdict)); }
 std::string claim_anchor_of(const Claim& claim) { return html::anchor(claim.id); }
 
 std::string findings_section(const ExerciseResult& e, const ProvedClaims& proved) {
@@ -177,9 +203,16 @@ std::string findings_section(const ExerciseResult& e, const ProvedClaims& proved
   for (const Finding& finding : findings_of(e)) text += root_text(finding, proved);
   text += others_text(e, Verdict::misprint, "Misprints", proved) +
           others_text(e, Verdict::unsettled, "Unsettled", proved);
-  if (text.empty()) return "";
-  return "<section id=\"findings\">\n<h2>What is wrong</h2>\n<div class=\"filter\"></div>\n" + text +
-         "</section>\n";
+  if (!text.empty())
+    text = "<section id=\"findings\">\n<h2>What is wrong</h2>\n<div class=\"filter\"></div>\n" + text +
+           "</section>\n";
+  const std::string lost = others_text(e, Verdict::lost, "Fraction bars, exponents and signs", proved);
+  if (!lost.empty())
+    text +=
+        "<section id=\"lost\">\n<h2>What our copy has lost</h2>\n<p>The solutions were read as plain text, "
+        "which has lost these. The manual may have them, and the claims are right as they were meant.</p>\n" +
+        lost + "</section>\n";
+  return text;
 }
 
 std::string claims_section(const ExerciseResult& e, const ProvedClaims& proved) {

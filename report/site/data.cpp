@@ -4,6 +4,7 @@
 //   number, title
 //   outcomes     {letter: name}
 //   parameters   [{name, value, unit, says, least, most, whole}], of a scene
+//   units        {unit: {name: how many of it}}: what numbers of the scene may be typed in
 //   styles       {colours: {model: place}, marks: {algorithm: place}, families: {algorithm: name}}: as in the
 //                static charts; places in the order of their palettes (charts/chart_style.hpp)
 //   quantities   [{name, unit, says, samples, need, floor, size, charts, models: [name], algorithms: [name],
@@ -23,11 +24,6 @@
 //                as they come, these with their precision; values are whole numbers of 16 bits, from 0 for
 //                the observable's `least` to 65535 for its `most`, each less that of the frame before, in
 //                base64: first all their low bytes, and then all their high ones
-//     drawn      where the page has no models to draw by: {space, things: [{kind, size, letter, trail,
-//                points: how many}], still, moving, least, most, truth, paths}; the places of the things'
-//                points, one after the other, x, y and in space z, are `still` but for those at the indices
-//                `moving`; these are in `truth` from frame 0 on and in each of `paths`: whole numbers of
-//                16 bits, least byte first, in base64, between `least` and `most`
 //   stability    null, or {limits: [{model, algorithm, shown, stable, unstable, theory, within, tongues:
 //                [[from, to]]}], parameter, unit, steps: [step], map: [{model, algorithm, rows: [[value,
 //                theory, outcomes, fragile], ...]}]}; `shown` is the largest stable step in words; a theory
@@ -39,7 +35,7 @@
 //                parameters are others, and that the player opens with: {model, algorithm, precision,
 //                setting}
 //
-// And of all scenes, as oddity.scenes([{number, title, parameters, styles, horizon, time_unit, close,
+// And of all scenes, as oddity.scenes([{number, title, parameters, units, styles, horizon, time_unit, close,
 // observables, norms, exact, knobs: {knob: [setting]}}, ...]); `exact` are the models whose motion is ok in
 // the book's case, the truest first.
 
@@ -50,15 +46,17 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "chapters/drawing.hpp"
 #include "chapters/scene.hpp"
+#include "reference/quantity_text.hpp"
 #include "report/charts/chart.hpp"
-#include "report/pages/markup.hpp"
-#include "report/pages/readable.hpp"
+#include "report/pages/stability_view.hpp"
 #include "report/site/example.hpp"
 #include "report/site/script.hpp"
 #include "report/study/initial_conditions.hpp"
+#include "report/study/limit_records.hpp"
 #include "report/study/stability.hpp"
+#include "report/text/markup.hpp"
+#include "report/text/readable.hpp"
 
 namespace oddity {
 
@@ -97,6 +95,17 @@ Json parameters_of(const Entry& entry) {
                    {"least", from(p.least)},
                    {"most", from(p.most)},
                    {"whole", p.whole}});
+  return all;
+}
+
+/// The units that a scene's numbers may be typed in: {unit: {name: how many of it}}.
+Json units_of(const Entry& entry) {
+  const std::string time(entry.exercise.scene->axes.time);
+  std::set<std::string> units{time, "1/" + time};
+  for (const Parameter& p : entry.exercise.parameters) units.emplace(p.unit);
+  Json all = Json::object();
+  for (const std::string& unit : units)
+    for (const auto& [name, size] : units_like(unit)) all[typeset_unit(unit)][name] = size;
   return all;
 }
 
@@ -243,88 +252,6 @@ Json from(const Path& path, std::size_t observables, std::size_t frames) {
           {"most", brief_all(most, 6)}, {"values", in_base64(low + high)}};
 }
 
-// ---- how it looks -----------------------------------------------------------------------------------------
-
-Json things_of(const Drawing& drawing) {
-  Json things = Json::array();
-  for (const Drawing::Primitive& p : drawing.primitives())
-    things.push_back({{"kind", Drawing::kind_names[static_cast<std::size_t>(p.kind)]},
-                      {"size", brief(p.size)},
-                      {"letter", p.letter},
-                      {"trail", p.leaves_trail},
-                      {"points", p.points.size()}});
-  return things;
-}
-
-std::vector<double> coordinates_of(const Drawing& drawing) {
-  std::vector<double> all;
-  for (const Drawing::Primitive& p : drawing.primitives())
-    for (const Place& place : p.points) {
-      all.insert(all.end(), {place.x, place.y});
-      if (drawing.is_in_space()) all.push_back(place.z);
-    }
-  return all;
-}
-
-/// A motion's coordinates, frame by frame.
-using Frames = std::vector<std::vector<double>>;
-
-Frames frames_of(const Scene& scene, const Parameters& parameters, std::span<const double> motion,
-                 double first_time, double frame) {
-  const std::size_t parts = scene.axes.observables.size();
-  Frames frames;
-  for (std::size_t at = 0; at + parts <= motion.size(); at += parts) {
-    Drawing drawing;
-    const double t = first_time + static_cast<double>(at / parts) * frame;
-    scene.draw(parameters, t, motion.subspan(at, parts), drawing);
-    frames.push_back(coordinates_of(drawing));
-  }
-  return frames;
-}
-
-/// None where the scene does not say how it looks, or looks otherwise from frame to frame.
-Json drawn_of(const Scene& scene, const Parameters& parameters, const Trajectory& shown,
-              const std::vector<double>& truth) {
-  if (!scene.draw) return nullptr;
-  const std::size_t parts = scene.axes.observables.size();
-  const auto each = [&](std::size_t count) { return scene.horizon / static_cast<double>(count); };
-  std::vector<Frames> motions{frames_of(scene, parameters, truth, 0, each(truth.size() / parts - 1))};
-  for (const Path& path : shown.paths) {
-    const std::vector<double> values(path.value.begin(), path.value.end());
-    const double frame = each(shown.times.size());
-    motions.push_back(frames_of(scene, parameters, values, frame, frame));
-  }
-  const std::vector<double>& still = motions[0][0];
-  std::set<std::size_t> moving;
-  double least = INFINITY, most = -INFINITY;
-  for (const Frames& motion : motions)
-    for (const std::vector<double>& frame : motion) {
-      if (frame.size() != still.size()) return nullptr;
-      for (std::size_t i = 0; i < frame.size(); ++i)
-        if (frame[i] != still[i]) moving.insert(i);
-    }
-  for (const std::vector<double>& frame : motions[0])
-    for (std::size_t i : moving) least = std::min(least, frame[i]), most = std::max(most, frame[i]);
-  const double beyond = most - least;  // where a path leaves the picture it stays at the edge
-  least -= beyond, most += beyond;
-  std::vector<std::string> written;
-  for (const Frames& motion : motions) {
-    std::string bytes;
-    for (const std::vector<double>& frame : motion)
-      for (std::size_t i : moving)
-        append(bytes,
-               quantized(std::isfinite(frame[i]) ? std::clamp(frame[i], least, most) : least, least, most),
-               2);
-    written.push_back(in_base64(bytes));
-  }
-  Drawing first;
-  scene.draw(parameters, 0, std::span(truth).first(parts), first);
-  return {{"space", first.is_in_space()}, {"things", things_of(first)},
-          {"still", brief_all(still, 6)}, {"moving", moving},
-          {"least", brief(least, 6)},     {"most", brief(most, 6)},
-          {"truth", written.front()},     {"paths", std::vector(written.begin() + 1, written.end())}};
-}
-
 // ---- a scene ----------------------------------------------------------------------------------------------
 
 Json close_of(const Scene& scene) {
@@ -345,7 +272,7 @@ Json norms_of(const Scene& scene) {
 
 /// As the table of trials is judged.
 Json norms_of(const Scene& scene, const QuantityResult& judged) {
-  if (judged.by_norms) return norms_of(scene);
+  if (!judged.norms.empty()) return norms_of(scene);
   Json norms = Json::array();
   for (const Norm& norm : scene.axes.norms)
     for (std::size_t i : norm.components) norms.push_back(from(Norm{norm.unit, {i}}));
@@ -421,7 +348,7 @@ Json engine_paths(const EngineContest& contest, const Scene& scene) {
   return paths;
 }
 
-Json scene_of(const ExerciseResult& e, const Entry& entry, const Reference& truth, bool drawn,
+Json scene_of(const ExerciseResult& e, const Entry& entry, const Reference& truth, bool recorded,
               std::span<const EngineContest> contests) {
   const auto moving = motion_of(e);
   if (!entry.exercise.scene || moving == e.quantities.end()) return nullptr;
@@ -431,10 +358,10 @@ Json scene_of(const ExerciseResult& e, const Entry& entry, const Reference& trut
   const std::vector<double> moved = true_motion(scene, parameters, shown.paths[shown.truest], truth);
   Json paths = Json::array();
   for (const Path& path : shown.paths)
-    if (drawn || !in_module(scene, path))
+    if (recorded || !in_module(scene, path))
       paths.push_back(from(path, scene.axes.observables.size(), shown.times.size()));
   for (const EngineContest& contest : contests)
-    if (!drawn && contest.scene == to_string(e.number))
+    if (!recorded && contest.scene == to_string(e.number))
       for (Json& path : engine_paths(contest, scene)) paths.push_back(std::move(path));
   Json json{{"quantity", moving - e.quantities.begin()},
             {"horizon", scene.horizon},
@@ -449,7 +376,6 @@ Json scene_of(const ExerciseResult& e, const Entry& entry, const Reference& trut
               {"frames", moved.size() / scene.axes.observables.size() - 1},
               {"values", as_floats(moved)}}},
             {"paths", paths}};
-  if (drawn) json["drawn"] = drawn_of(scene, parameters, shown, moved);
   return json;
 }
 
@@ -493,7 +419,7 @@ Json from(const std::optional<CheapestModels>& cheapest_models) {
   return rows;
 }
 
-Json data_of(const ExerciseResult& e, const Reference& truth, const Styles& styles, bool drawn,
+Json data_of(const ExerciseResult& e, const Reference& truth, const Styles& styles, bool recorded,
              std::span<const EngineContest> contests) {
   const Entry* entry = entry_of(e.number);
   Json quantities = Json::array();
@@ -502,23 +428,24 @@ Json data_of(const ExerciseResult& e, const Reference& truth, const Styles& styl
           {"title", e.title},
           {"outcomes", outcomes()},
           {"parameters", e.scene ? parameters_of(*entry) : Json::array()},
+          {"units", e.scene ? units_of(*entry) : Json::object()},
           {"styles", styles_of(e.quantities, styles)},
           {"quantities", quantities},
-          {"scene", scene_of(e, *entry, truth, drawn, contests)},
+          {"scene", scene_of(e, *entry, truth, recorded, contests)},
           {"stability", from(e.stability)},
           {"least", from(e.cheapest_models)}};
 }
 
 }  // namespace
 
-std::string exercise_data(const ExerciseResult& e, const Reference& truth, const Styles& styles, bool drawn,
-                          std::span<const EngineContest> contests) {
-  return packed_call("exercise", data_of(e, truth, styles, drawn, contests));
+std::string exercise_data(const ExerciseResult& e, const Reference& truth, const Styles& styles,
+                          bool recorded, std::span<const EngineContest> contests) {
+  return packed_call("exercise", data_of(e, truth, styles, recorded, contests));
 }
 
-std::string example_data(const ExerciseResult& e, bool drawn) {
+std::string example_data(const ExerciseResult& e, bool recorded) {
   const Results alone{.exercises = {e}};
-  Json data = data_of(e, Reference::nothing(), Styles(alone), drawn, {});
+  Json data = data_of(e, Reference::nothing(), Styles(alone), recorded, {});
   const auto row = [](const char* model, const char* algorithm, double setting) {
     return Json{{"model", model}, {"algorithm", algorithm}, {"precision", "double"}, {"setting", setting}};
   };
@@ -540,6 +467,7 @@ std::string scenes_data(const Results& results, const Styles& styles) {
     scenes.push_back({{"number", to_string(e.number)},
                       {"title", e.title},
                       {"parameters", parameters_of(*entry)},
+                      {"units", units_of(*entry)},
                       {"styles", styles_of(std::span(&*moving, 1), styles)},
                       {"horizon", scene.horizon},
                       {"time_unit", scene.axes.time},

@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "chapters/contents.hpp"
-#include "report/pages/markup.hpp"
 #include "report/site/claims_section.hpp"
 #include "report/site/page.hpp"
 #include "report/study/findings.hpp"
+#include "report/text/markup.hpp"
 
 namespace oddity {
 
@@ -15,6 +15,10 @@ namespace {
 
 using html::element;
 using List = nlohmann::ordered_json;
+
+/// Of errata.json: 2 tells what is wrong from what is incomplete, and what our copy has lost from both; 1
+/// called them errata and misprints.
+constexpr int errata_version = 2;
 
 List finite_or_null(double x) { return std::isfinite(x) ? List(x) : List(nullptr); }
 
@@ -44,6 +48,7 @@ List entry_of(const ExerciseResult& e, const JudgedClaim& judged) {
           {"kind", name_of(claim.kind)},
           {"root", claim.root},
           {"line", claim.line},
+          {"place", claim.place},
           {"says", claim.says},
           {"printed", claim.printed.text},
           {"right", right_reading(judged).text},
@@ -54,22 +59,35 @@ List entry_of(const ExerciseResult& e, const JudgedClaim& judged) {
           {"page", to_string(e.number) + ".html#" + claim_anchor_of(claim)}};
 }
 
-bool is_listed(const JudgedClaim& c) {
-  return c.verdict == Verdict::erratum || c.verdict == Verdict::misprint;
+bool is_listed(const JudgedClaim& c) { return is_erratum(c.verdict) || c.verdict == Verdict::misprint; }
+bool is_lost(const JudgedClaim& c) { return c.verdict == Verdict::lost; }
+
+/// The claims, one a line.
+std::string list_of(const Results& results, bool (*is)(const JudgedClaim&)) {
+  std::string all;
+  for (const ExerciseResult& e : results.exercises)
+    for (const JudgedClaim& c : e.claims)
+      if (is(c))
+        all += (all.empty() ? "\n" : ",\n") +
+               entry_of(e, c).dump(-1, ' ', false, List::error_handler_t::replace);
+  return "[" + all + "\n]";
 }
 
 /// What the solution says, and what of it is wrong as printed where that is not plain.
-std::string printed_text(const Claim& claim) {
-  return html::text(claim.says) +
-         (says_what_is_printed(claim) ? "" : " <b>" + html::text(claim.printed.text) + "</b>");
+std::string printed_text(const Claim& claim, const std::string& as_printed) {
+  return html::text(claim.says) + (says_what_is_printed(claim) ? "" : " <b>" + as_printed + "</b>");
 }
 
 std::string sheet_row(const JudgedClaim& judged, const ExerciseResult& e) {
   const std::string to = to_string(e.number) + ".html#" + claim_anchor_of(judged.claim);
-  return "<tr class=\"" + std::string(name_of(judged.verdict)) + "\">" +
-         element("th", " scope=\"row\"", html::link(to, std::to_string(judged.claim.line))) +
-         element("td", "", printed_text(judged.claim)) +
-         element("td", "", html::text(right_reading(judged).text)) + "</tr>\n";
+  const auto [as_printed, as_is_right] =
+      html::texts_that_differ(judged.claim.printed.text, right_reading(judged).text);
+  return "<tr class=\"" + class_of(judged.verdict) + "\">" +
+         element("th", " scope=\"row\"",
+                 html::link(to, judged.claim.place.empty() ? std::to_string(judged.claim.line)
+                                                           : in_xml(judged.claim.place))) +
+         element("td", "", printed_text(judged.claim, as_printed)) + element("td", "", as_is_right) +
+         "</tr>\n";
 }
 
 std::string sheet_of(const ExerciseResult& e) {
@@ -84,15 +102,9 @@ std::string sheet_of(const ExerciseResult& e) {
 }  // namespace
 
 std::string errata_json(const Results& results) {
-  std::string all;  // one a line
-  for (const ExerciseResult& e : results.exercises)
-    for (const JudgedClaim& c : e.claims)
-      if (is_listed(c))
-        all += (all.empty() ? "\n" : ",\n") +
-               entry_of(e, c).dump(-1, ' ', false, List::error_handler_t::replace);
-  return "{\"$schema\": \"errata.schema.json\",\n\"book\": \"Game Physics, 2nd edition: the solutions manual\",\n"
-         "\"errata\": [" +
-         all + "\n]}\n";
+  return "{\"$schema\": \"errata.schema.json\",\n\"version\": " + std::to_string(errata_version) +
+         ",\n\"book\": \"Game Physics, 2nd edition: the solutions manual\",\n\"errata\": " +
+         list_of(results, is_listed) + ",\n\"lost_in_our_copy\": " + list_of(results, is_lost) + "}\n";
 }
 
 std::string errata_schema() {
@@ -111,11 +123,15 @@ std::string errata_schema() {
       {"id", told(matching("^[0-9]+\\.[0-9]+-"), "the claim, which keeps this name")},
       {"exercise", matching("^[0-9]+\\.[0-9]+$")},
       {"verdict",
-       told({{"enum", {"erratum", "misprint"}}},
-            "misprint: what was meant is plain and right; erratum: only a corrected statement is")},
+       told(
+           {{"enum", {"wrong", "incomplete", "misprint", "lost in our copy"}}},
+           "wrong: what is printed is false; incomplete: it leaves out a case or a condition; misprint: what was "
+           "meant is plain and right; lost in our copy: the plain text that was read has lost what was meant")},
       {"kind", told({{"enum", kinds}}, "what is at fault")},
       {"root", told(string, "what it comes from, shared by errata of one cause; empty: it stands alone")},
       {"line", told({{"type", "integer"}, {"minimum", 0}}, "in the solutions document as plain text")},
+      {"place",
+       told(string, "where a reader of the manual finds it: an equation's number, a paragraph, a listing")},
       {"says", told(said, "the claim in our words; TeX between dollars, code between backquotes")},
       {"printed", said},
       {"right", said},
@@ -131,29 +147,30 @@ std::string errata_schema() {
       {"page", told(matching("^[0-9]+\\.[0-9]+\\.html#"), "where the site tells more")}};
   List required = List::array();
   for (const auto& [name, schema] : properties.items()) required.push_back(name);
+  const List entries{{"type", "array"},
+                     {"items",
+                      {{"type", "object"},
+                       {"required", required},
+                       {"properties", properties},
+                       {"additionalProperties", false}}}};
   return List{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
               {"title", "What is wrong in the solutions manual of Game Physics"},
               {"type", "object"},
-              {"required", {"book", "errata"}},
+              {"required", {"version", "book", "errata", "lost_in_our_copy"}},
               {"properties",
                {{"$schema", string},
+                {"version", {{"const", errata_version}}},
                 {"book", said},
-                {"errata",
-                 {{"type", "array"},
-                  {"items",
-                   {{"type", "object"},
-                    {"required", required},
-                    {"properties", properties},
-                    {"additionalProperties", false}}}}}}},
+                {"errata", entries},
+                {"lost_in_our_copy", entries}}},
               {"additionalProperties", false}}
              .dump(1) +
          "\n";
 }
 
 std::string errata_page(const Results& results) {
-  Tally all;
+  Counts all = counts_of(results);
   std::string chapters_text;
-  for (const ExerciseResult& e : results.exercises) all.count(e);
   for (const Chapter& chapter : chapters()) {
     std::string groups;
     for (const ExerciseResult& e : results.exercises)
@@ -164,17 +181,19 @@ std::string errata_page(const Results& results) {
         "<section>\n" + element("h2", "", title) +
         "\n<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"" + title +
         "\"><table class=\"sheet\">" + element("caption", "", title) +
-        "<thead><tr><th scope=\"col\">line</th><th scope=\"col\">the solution says</th><th scope=\"col\">right</th></tr></thead>\n" +
+        "<thead><tr><th scope=\"col\">where</th><th scope=\"col\">the solution says</th><th scope=\"col\">right</th></tr></thead>\n" +
         groups + "</table></div>\n</section>\n";
   }
   return html::whole(
       {"Errata sheet - oddity",
        "<header class=\"title\">\n<h1>Errata of the solutions manual</h1>\n<p class=\"asks\"><cite>Game Physics</cite>, "
        "2nd edition, odd exercises: " +
-           counted(all.errata, "erratum", "errata") + " and " +
-           counted(all.misprints, "misprint", "misprints") +
-           ", by chapter and line of the solutions document as plain text. Of a misprint, set in italics here, what "
-           "was meant is plain, and right.</p>\n<p class=\"screen\">This page prints as a sheet to lay into the book. "
+           counted(all[Verdict::wrong], "claim that is wrong", "claims that are wrong") + ", " +
+           std::to_string(all[Verdict::incomplete]) +
+           " that leave out a case or a condition (marked ◦), and " +
+           counted(all[Verdict::misprint], "misprint", "misprints") +
+           " (marked ·), of which what was meant is plain. Lines are those of the solutions document as plain text; "
+           "what that text has lost is no fault of the manual and is not listed.</p>\n<p class=\"screen\">This page prints as a sheet to lay into the book. "
            "For programs: <a href=\"errata.json\">errata.json</a>, with its <a "
            "href=\"errata.schema.json\">schema</a>.</p>\n</header>\n" +
            chapters_text,

@@ -6,12 +6,14 @@
 #include "chapters/contents.hpp"
 #include "reference/text.hpp"
 #include "report/charts/drawing.hpp"
-#include "report/pages/markup.hpp"
 #include "report/site/claims_section.hpp"
 #include "report/site/example.hpp"
 #include "report/site/page.hpp"
 #include "report/site/quantity_section.hpp"
+#include "report/study/beside_program.hpp"
 #include "report/study/findings.hpp"
+#include "report/study/settings.hpp"
+#include "report/text/markup.hpp"
 
 namespace oddity {
 
@@ -54,17 +56,11 @@ std::string neighbours(const Results& results, const ExerciseResult& e, const st
 }
 
 std::string counts_line(const ExerciseResult& e) {
-  Tally tally;
-  tally.count(e);
   std::string text;
-  const auto add = [&](int n, const std::string& one, const std::string& many, const std::string& kind) {
-    if (n > 0) text += "<span class=\"badge " + kind + "\">" + counted(n, one, many) + "</span> ";
-  };
-  add(tally.errata, "erratum", "errata", "erratum");
-  add(tally.misprints, "misprint", "misprints", "misprint");
-  add(tally.unsettled, "unsettled", "unsettled", "unsettled");
-  add(tally.not_checkable, "not checkable", "not checkable", "not-checkable");
-  add(tally.confirmed, "confirmed", "confirmed", "confirmed");
+  for_each_count(counts_of(e), [&](const VerdictNoun& noun, int n) {
+    text += "<span class=\"badge " + class_of(noun.verdict) + "\">" + counted(n, noun.one, noun.many) +
+            "</span> ";
+  });
   return element("p", " class=\"counts\"", text);
 }
 
@@ -92,7 +88,7 @@ std::string sections_of(const std::string& body) {
 std::string player_section(const ExerciseResult& e) {
   if (!e.scene) return "";
   const std::string command =
-      " The motion as numbers: <code>oddity solve " + to_string(e.number) + "</code>.";
+      " The motion as numbers: <code>" + program_as_typed() + " solve " + to_string(e.number) + "</code>.";
   return "<section id=\"play\" class=\"player\" aria-label=\"Player\"><noscript><p>The player needs scripts." +
          (e.number == example().number ? "" : command) + "</p></noscript></section>\n";
 }
@@ -104,7 +100,7 @@ std::vector<std::string> scripts_of(const ExerciseResult& e, const std::string& 
     for (std::string_view asset : names) scripts.push_back("assets/" + std::string(asset) + ".js");
   };
   if (e.scene)
-    add({"engine", "models", "stage", "drawn", "scale", "frames", "permalink", "motions", "slider", "lines",
+    add({"typed", "engine", "models", "stage", "scale", "frames", "permalink", "motions", "slider", "lines",
          "rows", "breaking", "clock", "picture", "player"});
   if (!e.quantities.empty()) add({"findings", "marks", "diagrams", "chart", "trials"});
   if (e.stability) add({"map"});

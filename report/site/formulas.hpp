@@ -1,18 +1,17 @@
 #pragma once
 
-#include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 
-/// Formulas in the site's pages, typeset when the site is written: TeX as MathML, by KaTeX.
+/// Formulas in the site's pages: TeX as MathML.
 namespace oddity::html {
 
-/// A formula as it stands in a page until it is typeset.
-std::string marked(std::string_view tex);
-
-/// Replaces the marked formulas of all pages, each distinct one typeset once, by the `katex` that is
-/// installed; without it they stay as TeX in <code class="tex">. Returns whether they are typeset. Throws
-/// std::runtime_error naming a formula that KaTeX refuses.
-bool typeset(std::map<std::string, std::string>& pages);
+/// What is no formula stays as TeX in <code class="tex">.
+std::string formula(std::string_view tex);
+/// As it is read: with brackets around each operand.
+std::string formula_in_all_brackets(std::string_view tex);
+/// Both with the places marked in which they differ, by class="differs".
+std::pair<std::string, std::string> formulas_that_differ(std::string_view, std::string_view);
 
 }  // namespace oddity::html

@@ -6,13 +6,13 @@
 
 #include "chapters/contents.hpp"
 #include "reference/text.hpp"
-#include "report/pages/markup.hpp"
-#include "report/pages/text_view.hpp"
+#include "report/charts/labels.hpp"
 #include "report/site/claims_section.hpp"
 #include "report/site/moving_picture.hpp"
 #include "report/site/page.hpp"
 #include "report/study/candidate.hpp"
 #include "report/study/findings.hpp"
+#include "report/text/markup.hpp"
 
 namespace oddity {
 
@@ -26,27 +26,20 @@ std::string exercise_link(const ExerciseResult& e) {
 
 // ---- what was found ---------------------------------------------------------------------------------------
 
-Tally tally_of(const Results& results) {
-  Tally all;
-  for (const ExerciseResult& e : results.exercises) all.count(e);
-  return all;
-}
-
 /// A bar of the verdicts, each as wide as its part.
-std::string verdict_bar(const Tally& all) {
+std::string verdict_bar(const Counts& all) {
   std::string bar, legend;
-  const auto add = [&](int n, const std::string& one, const std::string& many, const std::string& kind) {
-    if (n == 0) return;
-    bar += "<span class=\"" + kind + "\" style=\"flex-grow:" + std::to_string(n) + "\"></span>";
-    legend +=
-        element("li", " class=\"" + kind + "\"", "<b>" + std::to_string(n) + "</b> " + (n == 1 ? one : many));
-  };
-  add(all.errata, "erratum", "errata", "erratum");
-  add(all.misprints, "misprint", "misprints", "misprint");
-  add(all.unsettled, "unsettled", "unsettled", "unsettled");
-  add(all.not_checkable, "that cannot be checked", "that cannot be checked", "not-checkable");
-  add(all.confirmed, "confirmed", "confirmed", "confirmed");
-  return "<div class=\"bar\" aria-hidden=\"true\">" + bar + "</div>\n" +
+  int before = 0;
+  for_each_count(all, [&](const VerdictNoun& noun, int n) {
+    const std::string kind = class_of(noun.verdict), count = std::to_string(n);
+    bar += "<rect class=\"" + kind + "\" x=\"" + std::to_string(before) + "\" width=\"" + count +
+           "\" height=\"1\"/>";
+    before += n;
+    legend += element("li", " class=\"" + kind + "\"",
+                      "<b>" + count + "</b> " + std::string(n == 1 ? noun.one : noun.many));
+  });
+  return "<svg class=\"bar\" viewBox=\"0 0 " + std::to_string(std::max(before, 1)) +
+         " 1\" preserveAspectRatio=\"none\" aria-hidden=\"true\">" + bar + "</svg>\n" +
          element("ul", " class=\"verdicts\"", legend) + "\n";
 }
 
@@ -60,8 +53,8 @@ long trials_of(const Results& results) {
   return all;
 }
 
-std::string opening(const Results& results) {
-  const Tally all = tally_of(results);
+std::string opening(const Results& results, const SiteParts& parts) {
+  const Counts all = counts_of(results);
   long quantities = 0, breakdowns = 0, scenes = 0;
   for (const ExerciseResult& e : results.exercises) {
     quantities += static_cast<long>(e.quantities.size());
@@ -73,13 +66,14 @@ std::string opening(const Results& results) {
          "published solution is judged against numbers that were found another way.</p>\n" +
          verdict_bar(all) + "<p class=\"sum\">" +
          counted(static_cast<long>(results.exercises.size()), "exercise", "exercises") + ", " +
-         counted(all.all(), "claim", "claims") + ". " +
+         counted(sum_of(all), "claim", "claims") + ". " +
          counted(quantities, "quantity was", "quantities were") + " computed in " +
          counted(trials_of(results), "trial", "trials") + ", with " +
          counted(breakdowns, "breakdown", "breakdowns") + " and their cures. " +
-         (scenes > 0 ? counted(scenes, "scene moves", "scenes move") +
-                           " in these pages, run by the very C++ that was tested."
-                     : "") +
+         (scenes == 0
+              ? ""
+              : counted(scenes, "scene moves", "scenes move") + " in these pages, " +
+                    (parts.models ? "run by the very C++ that was tested." : "as they were recorded.")) +
          "</p>\n</header>\n";
 }
 
@@ -88,11 +82,12 @@ std::string opening(const Results& results) {
 std::string wrong_item(const Finding& finding) {
   const JudgedClaim& first = *finding.claims.front();
   const std::string to = to_string(finding.exercise->number) + ".html#" + claim_anchor_of(first.claim);
+  const auto [as_printed, as_is_right] =
+      html::texts_that_differ(first.claim.printed.text, right_reading(first).text);
   std::string text = element("h4", "", html::link(to, html::text(finding.title()))) +
                      "<dl class=\"sides\"><div class=\"printed\"><dt>printed</dt>" +
-                     element("dd", "", html::text(first.claim.printed.text)) +
-                     "</div><div class=\"corrected\"><dt>right</dt>" +
-                     element("dd", "", html::text(right_reading(first).text)) + "</div></dl>";
+                     element("dd", "", as_printed) + "</div><div class=\"corrected\"><dt>right</dt>" +
+                     element("dd", "", as_is_right) + "</div></dl>";
   if (!finding.shows().empty()) text += element("p", " class=\"shows\"", html::prose(finding.shows()));
   return element("li", "", text) + "\n";
 }
@@ -117,13 +112,18 @@ std::string what_is_wrong(const Results& results) {
     shown.push_back(f.exercise);
     (broken_by(*f.exercise) > 0 ? breaking : others) += wrong_card(*f.exercise, worst_first);
   }
-  const Tally all = tally_of(results);
+  Counts all = counts_of(results);
+  const auto wrong = std::ranges::count_if(worst_first, is_wrong);
   return "<section id=\"wrong\">\n<h2>What is wrong in the book</h2>\n<p>" +
-         counted(all.errata, "erratum", "errata") + " from " +
-         counted(std::ssize(worst_first), "root", "roots") +
+         counted(all[Verdict::wrong], "claim is wrong", "claims are wrong") + ", from " +
+         counted(wrong, "root", "roots") + ", and " +
+         counted(all[Verdict::incomplete], "is incomplete", "are incomplete") + ", from " +
+         counted(std::ssize(worst_first) - wrong, "more", "more") +
          "; scenes whose published motion leaves the true one come first. " +
-         counted(all.misprints, "misprint stands with its exercise", "misprints stand with their exercises") +
-         ". The <a href=\"errata.html\">errata sheet</a> has all of them, to print and lay into the book, and <a "
+         counted(all[Verdict::misprint], "misprint is shown with its exercise",
+                 "misprints are shown with their exercises") +
+         ". What our plain-text copy of the manual has lost (" + std::to_string(all[Verdict::lost]) +
+         " claims) is counted apart: it is no fault of the book. The <a href=\"errata.html\">errata sheet</a> has all of them, to print and lay into the book, and <a "
          "href=\"errata.json\">errata.json</a> has them for programs.</p>\n"
          "<p class=\"stop\"><button type=\"button\" hidden>Stop the pictures</button></p>\n<div class=\"cards\">\n" +
          breaking + "</div>\n<div class=\"cards\">\n" + others + "</div>\n</section>\n";
@@ -205,7 +205,7 @@ std::string for_games(const Results& results) {
   if (table.rows.empty()) return "";
   return "<section id=\"games\">\n<h2>What it means for games</h2>\n<p>The simplest model that stays within one "
          "centimetre and one degree at every frame over 10 s at 60 frames per second, and the algorithm that needs the "
-         "least work for it. The <a href=\"chooser.html\">chooser</a> answers for a start, an error and a budget of your "
+         "least counted work for it; <code>oddity choose</code> takes the least time on its machine. The <a href=\"chooser.html\">chooser</a> answers for a start, an error and a budget of your "
          "own.</p>\n" +
          html::table(table) + "</section>\n";
 }
@@ -213,19 +213,11 @@ std::string for_games(const Results& results) {
 // ---- all exercises ----------------------------------------------------------------------------------------
 
 std::string exercise_item(const ExerciseResult& e) {
-  Tally tally;
-  tally.count(e);
   std::string counts;
-  const auto add = [&](int n, const std::string& kind, const std::string& name) {
-    if (n > 0)
-      counts += "<span class=\"count " + kind + "\">" + std::to_string(n) + "<span class=\"unseen\"> " +
-                name + "</span></span>";
-  };
-  add(tally.errata, "erratum", "errata");
-  add(tally.misprints, "misprint", "misprints");
-  add(tally.unsettled, "unsettled", "unsettled");
-  add(tally.not_checkable, "not-checkable", "not checkable");
-  add(tally.confirmed, "confirmed", "confirmed");
+  for_each_count(counts_of(e), [&](const VerdictNoun& noun, int n) {
+    counts += "<span class=\"count " + class_of(noun.verdict) + "\">" + std::to_string(n) +
+              "<span class=\"unseen\"> " + std::string(noun.many) + "</span></span>";
+  });
   return element("li", "", exercise_link(e) + " <span class=\"counts\">" + counts + "</span>") + "\n";
 }
 
@@ -240,19 +232,22 @@ std::string all_exercises(const Results& results) {
                       element("h3", "", std::to_string(chapter.number) + ". " + in_xml(chapter.title)) +
                           "\n<ul>\n" + items + "</ul>\n");
   }
-  return "<section id=\"exercises\">\n<h2>All exercises</h2>\n<p class=\"legend\"><span class=\"count "
-         "erratum\">1</span> errata <span class=\"count misprint\">1</span> misprints <span class=\"count "
-         "confirmed\">1</span> confirmed claims <span class=\"count not-checkable\">1</span> not checkable</p>\n<div class=\"chapters\">\n" +
-         text + "</div>\n</section>\n";
+  std::string legend;
+  for_each_count(counts_of(results), [&](const VerdictNoun& noun, int) {
+    legend += "<span class=\"count " + class_of(noun.verdict) + "\">1</span> " + std::string(noun.many) + " ";
+  });
+  return "<section id=\"exercises\">\n<h2>All exercises</h2>\n<p class=\"legend\">" + legend +
+         "</p>\n<div class=\"chapters\">\n" + text + "</div>\n</section>\n";
 }
 
 }  // namespace
 
-std::string front_page(const Results& results) {
-  return html::whole({"oddity: the solutions of Game Physics, checked by machine",
-                      opening(results) + what_is_wrong(results) + for_games(results) + all_exercises(results),
-                      {},
-                      "front"});
+std::string front_page(const Results& results, const SiteParts& parts) {
+  return html::whole(
+      {"oddity: the solutions of Game Physics, checked by machine",
+       opening(results, parts) + what_is_wrong(results) + for_games(results) + all_exercises(results),
+       {},
+       "front"});
 }
 
 }  // namespace oddity

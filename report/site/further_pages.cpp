@@ -1,16 +1,18 @@
 #include "report/site/further_pages.hpp"
 
-#include <cctype>
 #include <cmath>
 
 #include "reference/text.hpp"
-#include "report/pages/markup.hpp"
-#include "report/pages/screen.hpp"
 #include "report/site/claims_section.hpp"
 #include "report/site/example.hpp"
 #include "report/site/page.hpp"
 #include "report/site/script.hpp"
+#include "report/study/beside_program.hpp"
 #include "report/study/findings.hpp"
+#include "report/study/settings.hpp"
+#include "report/text/markup.hpp"
+#include "report/text/readable.hpp"
+#include "report/text/screen.hpp"
 #include "solvers/ode/catalog.hpp"
 
 namespace oddity {
@@ -50,25 +52,10 @@ std::string library_findings() {
   return element("ul", " class=\"found\"", items);
 }
 
-/// TeX as letters that one may look for: "\frac{m}2\dot y" is "m/2 y'".
+/// In one line, in letters that one may look for.
 std::string searchable(std::string_view text) {
-  std::string made;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (c == '\\') {
-      const std::size_t begin = ++i;
-      while (i < text.size() && std::isalpha(static_cast<unsigned char>(text[i])) != 0) ++i;
-      const std::string_view word = text.substr(begin, i - begin);
-      const bool look = word == "dot" || word == "ddot" || word == "frac" || word == "tfrac" ||
-                        word.starts_with("math") || word == "left" || word == "right" || word.empty();
-      if (!look) made += std::string(word) + " ";
-      if (i < text.size() && text[i] != ' ') --i;
-    } else if (c == '{' || c == '}' || c == '$' || c == '`' || c == '\n') {
-      continue;
-    } else {
-      made += c;
-    }
-  }
+  std::string made = typed(text);
+  std::erase(made, '\n');
   return made;
 }
 
@@ -76,7 +63,8 @@ std::string to_example() { return html::link(example_name + std::string(".html")
 
 }  // namespace
 
-std::string chooser_page(const Results& results) {
+std::string chooser_page(const Results& results, const SiteParts& parts) {
+  const std::string choose = program_as_typed() + " choose";
   std::string scenes;
   for (const ExerciseResult& e : results.exercises)
     if (e.scene)
@@ -85,15 +73,19 @@ std::string chooser_page(const Results& results) {
   return html::whole(
       {"Chooser - oddity",
        "<header class=\"title\">\n<h1>What to use for a scene</h1>\n<p class=\"asks\">Find the model, algorithm and "
-       "step that hold for your start, error, frame rate and budget. The answer is computed in this page, by the models "
-       "that were tested; <code>oddity choose</code> judges it against references.</p>\n</header>\n"
-       "<div class=\"chooser\"><noscript><p>The chooser needs scripts. On a terminal: <code>oddity choose 3.5 --error "
-       "1deg</code>.</p></noscript></div>\n<section>\n<h2>The scenes</h2>\n<ul class=\"scenes\">" +
+       "step that hold for your start, error, frame rate and budget. " +
+           std::string(parts.models
+                           ? "The answer is computed in this page, by the models that were tested; <code>" +
+                                 choose + "</code> judges it against references."
+                           : "This copy of the page has no models: <code>" + choose + "</code> answers.") +
+           "</p>\n</header>\n<div class=\"chooser\"><noscript><p>The chooser needs scripts. On a terminal: <code>" +
+           choose +
+           " 3.5 --error 1deg</code>.</p></noscript></div>\n<section>\n<h2>The scenes</h2>\n<ul class=\"scenes\">" +
            scenes + "</ul>\n<p>With events, and no exercise of the book: the " + to_example() +
            ".</p>\n</section>\n",
        {"assets/engine.js", "assets/models.js", "assets/findings.js", "assets/marks.js", "assets/diagrams.js",
-        "assets/chart.js", "assets/asking.js", "assets/searching.js", "assets/advice.js", "assets/chooser.js",
-        "data/scenes.js"},
+        "assets/chart.js", "assets/typed.js", "assets/asking.js", "assets/searching.js", "assets/advice.js",
+        "assets/chooser.js", "data/scenes.js"},
        "choose"});
 }
 
@@ -128,8 +120,9 @@ std::string search_index(const Results& results) {
     all.push_back({page, "exercise", number + " " + e.title, cut_at_word(searchable(e.asks), 140)});
     for (const Finding& finding : findings_of(e))
       if (finding.root)
-        all.push_back({page + "#" + claim_anchor_of(finding.claims.front()->claim), "erratum",
-                       number + " " + searchable(finding.title()), searchable(finding.shows())});
+        all.push_back({page + "#" + claim_anchor_of(finding.claims.front()->claim),
+                       is_wrong(finding) ? "wrong" : "incomplete", number + " " + searchable(finding.title()),
+                       searchable(finding.shows())});
     for (const JudgedClaim& c : e.claims)
       all.push_back(
           {page + "#" + claim_anchor_of(c.claim), name_of(c.verdict), "", searchable(c.claim.says)});

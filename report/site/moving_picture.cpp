@@ -9,9 +9,9 @@
 #include "reference/text.hpp"
 #include "report/charts/drawing.hpp"
 #include "report/charts/sketch.hpp"
-#include "report/pages/markup.hpp"
 #include "report/site/page.hpp"
 #include "report/study/findings.hpp"
+#include "report/text/markup.hpp"
 
 namespace oddity {
 

@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <cctype>
 
-#include "report/pages/markup.hpp"
+#include "chapters/typeset.hpp"
 #include "report/site/formulas.hpp"
 #include "report/site/site.hpp"
+#include "report/study/beside_program.hpp"
+#include "report/study/embedded.hpp"
+#include "report/study/settings.hpp"
+#include "report/text/markup.hpp"
 
 namespace oddity::html {
 
@@ -23,7 +27,7 @@ std::string marked_up(std::string_view text, bool emphasis) {
       continue;
     }
     const std::string_view inside = text.substr(1, end - 1);
-    made += c == '$'   ? marked(inside)
+    made += c == '$'   ? formula(inside)
             : c == '`' ? element("code", "", in_xml(inside))
                        : element("em", "", marked_up(inside, false));
     text.remove_prefix(end + 1);
@@ -31,10 +35,17 @@ std::string marked_up(std::string_view text, bool emphasis) {
   return made;
 }
 
+/// Nothing runs and nothing is asked for but the site's own files; engine.js compiles the models.
+constexpr std::string_view policy =
+    "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src data:; base-uri 'none'; "
+    "form-action 'none'";
+
 std::string head_of(const Page& page) {
   std::string head =
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"" +
+      std::string(policy) +
+      "\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"color-scheme\" content=\"light dark\">\n<title>" +
       in_xml(page.title) + "</title>\n<link rel=\"icon\" href=\"data:,\">\n";
   for (const EmbeddedFile& file : embedded_assets())
@@ -43,6 +54,7 @@ std::string head_of(const Page& page) {
   return head + "<link rel=\"stylesheet\" href=\"assets/drawing.css\">\n</head>\n";
 }
 
+constexpr std::string_view main_begins = "<main id=\"main\">\n";
 constexpr std::string_view banner =
     R"(<a class="skip" href="#main">To the content</a>
 <header class="banner">
@@ -55,6 +67,15 @@ constexpr std::string_view banner =
 
 std::string text(std::string_view text) { return marked_up(text, false); }
 std::string prose(std::string_view text) { return marked_up(text, true); }
+
+std::pair<std::string, std::string> texts_that_differ(std::string_view a, std::string_view b) {
+  if (a == b || !is_formula(a) || !is_formula(b)) return {text(a), text(b)};
+  return formulas_that_differ(a.substr(1, a.size() - 2), b.substr(1, b.size() - 2));
+}
+
+std::string in_all_brackets(std::string_view text) {
+  return is_formula(text) ? formula_in_all_brackets(text.substr(1, text.size() - 2)) : marked_up(text, false);
+}
 
 std::string anchor(std::string_view text) {
   std::string id;
@@ -103,15 +124,26 @@ std::string table(const Table& table) {
 }
 
 std::string whole(const Page& page) {
-  std::string text =
-      head_of(page) + "<body" + (page.kind.empty() ? "" : " class=\"" + page.kind + "\"") + ">\n" +
-      std::string(banner) + "<main id=\"main\">\n" + page.body +
-      "</main>\n<footer class=\"foot\"><p>Written by <code>oddity site</code> from the results of a "
-      "run. Every number can be made again: <code>oddity verify</code>.</p></footer>\n";
+  const std::string program = program_as_typed();
+  std::string text = head_of(page) + "<body" + (page.kind.empty() ? "" : " class=\"" + page.kind + "\"") +
+                     " data-program=\"" + program + "\">\n" + std::string(banner) + std::string(main_begins) +
+                     page.body + "</main>\n<footer class=\"foot\"><p>Written by <code>" + program +
+                     " site</code> from the results of a run. Every number can be made again: <code>" +
+                     program + " verify</code>.</p></footer>\n";
   std::vector<std::string> scripts{"assets/page.js", "assets/search.js"};
   scripts.insert(scripts.end(), page.scripts.begin(), page.scripts.end());
   for (const std::string& script : scripts) text += "<script src=\"" + script + "\"></script>\n";
   return text + "</body>\n</html>\n";
+}
+
+void tell(std::string& page, const std::vector<std::string>& lacks, const std::string& command) {
+  std::string text;
+  for (const std::string& one : lacks) text += (text.empty() ? "" : "; and ") + in_xml(one);
+  page.insert(page.find(main_begins) + main_begins.size(),
+              element("p", " class=\"lacks\"",
+                      "This copy of the site lacks " + text + ". A whole one is made by <code>" +
+                          in_xml(command) + "</code>.") +
+                  "\n");
 }
 
 }  // namespace oddity::html

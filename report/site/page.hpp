@@ -2,15 +2,20 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 /// Pieces of HTML that the site's pages share.
 namespace oddity::html {
 
-/// A text in which $formulas$ and `code` are meant. Formulas are marked for `typeset` (formulas.hpp).
+/// A text in which $formulas$ and `code` are meant. Formulas are MathML.
 std::string text(std::string_view text);
 /// The same with *emphasis*.
 std::string prose(std::string_view text);
+/// Two texts. Where each is one formula, the places in which they differ are marked.
+std::pair<std::string, std::string> texts_that_differ(std::string_view, std::string_view);
+/// A formula as it is read, each operand in brackets.
+std::string in_all_brackets(std::string_view text);
 /// A text as an id that a link can lead to: what is no letter, digit, dot, dash or underscore becomes a dash.
 std::string anchor(std::string_view text);
 
@@ -38,5 +43,9 @@ struct Page {
 };
 /// The whole page, with the head and navigation that all have.
 std::string whole(const Page&);
+
+/// Has a whole page say first what its copy of the site lacks, and by which command one is made that does
+/// not.
+void tell(std::string& page, const std::vector<std::string>& lacks, const std::string& command);
 
 }  // namespace oddity::html

@@ -1,15 +1,15 @@
 #include "report/site/players.hpp"
 
-#include <fstream>
 #include <set>
-#include <sstream>
 
 #include "chapters/contents.hpp"
 #include "chapters/scene.hpp"
+#include "reference/files.hpp"
 #include "reference/text.hpp"
-#include "report/cli/settings.hpp"
 #include "report/pages/code.hpp"
 #include "report/site/example.hpp"
+#include "report/study/beside_program.hpp"
+#include "report/study/settings.hpp"
 
 namespace oddity {
 
@@ -142,9 +142,8 @@ bool has_module() { return std::filesystem::exists(module_file()); }
 
 std::string module_script() {
   if (!has_module()) return "oddity.module(null);\n";
-  std::ostringstream text;
-  text << std::ifstream(module_file()).rdbuf();
-  return text.str();
+  require_own(module_file());
+  return read_whole(module_file());
 }
 
 }  // namespace oddity

@@ -6,12 +6,15 @@
 #include <vector>
 
 #include "reference/text.hpp"
-#include "report/pages/markup.hpp"
+#include "report/charts/labels.hpp"
+#include "report/pages/stability_view.hpp"
 #include "report/pages/text_view.hpp"
 #include "report/site/page.hpp"
 #include "report/site/still_chart.hpp"
 #include "report/study/findings.hpp"
+#include "report/study/limit_records.hpp"
 #include "report/study/stability.hpp"
+#include "report/text/markup.hpp"
 
 namespace oddity {
 

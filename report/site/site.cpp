@@ -8,24 +8,27 @@
 #include "report/site/errata.hpp"
 #include "report/site/example.hpp"
 #include "report/site/exercise_page.hpp"
-#include "report/site/formulas.hpp"
 #include "report/site/front_page.hpp"
 #include "report/site/further_pages.hpp"
+#include "report/site/page.hpp"
 #include "report/site/players.hpp"
+#include "report/study/embedded.hpp"
 
 namespace oddity {
 
 namespace fs = std::filesystem;
 
-std::map<std::string, std::string> site_pages(const Results& results, const ProvedClaims& proved) {
-  std::map<std::string, std::string> pages{{"index.html", front_page(results)},
+std::map<std::string, std::string> site_pages(const Results& results, const ProvedClaims& proved,
+                                              const SiteParts& parts) {
+  std::map<std::string, std::string> pages{{"index.html", front_page(results, parts)},
                                            {"errata.html", errata_page(results)},
-                                           {"chooser.html", chooser_page(results)},
+                                           {"chooser.html", chooser_page(results, parts)},
                                            {"algorithms.html", algorithms_page()}};
   for (const ExerciseResult& e : results.exercises)
     pages[to_string(e.number) + ".html"] = exercise_page(results, e, proved);
   pages[example_name + std::string(".html")] = example_page(example_result());
-  html::typeset(pages);
+  if (!lacks(parts).empty())
+    for (auto& [name, page] : pages) html::tell(page, lacks(parts), command_for(parts));
   return pages;
 }
 

@@ -8,10 +8,11 @@
 #include "reference/text.hpp"
 #include "report/charts/axes.hpp"
 #include "report/charts/chart.hpp"
-#include "report/pages/markup.hpp"
-#include "report/pages/text_view.hpp"
+#include "report/charts/labels.hpp"
 #include "report/site/page.hpp"
+#include "report/study/limit_records.hpp"
 #include "report/study/stability.hpp"
+#include "report/text/markup.hpp"
 
 namespace oddity {
 

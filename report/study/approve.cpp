@@ -1,14 +1,18 @@
 #include "report/study/approve.hpp"
 
-#include <fstream>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <set>
+#include <sstream>
 
 #include "chapters/contents.hpp"
 #include "reference/bad_input.hpp"
+#include "reference/files.hpp"
 #include "reference/own.hpp"
+#include "reference/text.hpp"
 #include "report/study/errors.hpp"
+#include "report/study/limit_records.hpp"
 #include "report/study/stability.hpp"
 
 namespace oddity {
@@ -25,9 +29,8 @@ struct Record {
 
 /// Where there is no file, one without rows, its head that of `like`.
 Record read_record(const std::filesystem::path& file, const std::filesystem::path& like) {
-  std::ifstream in(file);
-  if (!in && file != like) return {read_record(like, like).head, {}};
-  if (!in) throw BadInput("cannot read " + file.string());
+  if (file != like && !std::filesystem::exists(file)) return {read_record(like, like).head, {}};
+  std::istringstream in(read_whole(file));
   Record record;
   bool in_head = true;
   Number number;
@@ -126,6 +129,51 @@ std::vector<Approval> approvals(const Results& results, const std::filesystem::p
   std::vector<Approval> all;
   for (const auto& [records, exercises] : by_folder)
     for (Approval& approval : approvals_in(records, folder, exercises)) all.push_back(std::move(approval));
+  return all;
+}
+
+namespace {
+
+/// Whether a limit is the one on record: within 5 %, or infinite or zero as that is.
+bool same_limit(double measured, double on_record) {
+  if (std::isinf(on_record)) return measured == on_record;
+  return std::abs(measured - on_record) <= 0.05 * on_record;
+}
+
+/// Whether a trial has as large an error as is on record, within a quarter; none is like none, and one that
+/// is no number, where the motion did not come to its end, like another.
+bool same_error(const std::optional<TimedTrial>& t, const std::optional<double>& on_record) {
+  if (!t || !on_record) return !t && !on_record;
+  if (std::isnan(t->error) || std::isnan(*on_record)) return std::isnan(t->error) && std::isnan(*on_record);
+  return t->error <= 1.25 * *on_record && *on_record <= 1.25 * t->error;
+}
+
+bool same_needed(const std::optional<TimedTrial>& t, const std::optional<double>& on_record) {
+  return t && on_record ? same_limit(t->setting, *on_record) : !t && !on_record;
+}
+
+std::string shown(const std::optional<double>& number) { return number ? format_shortest(*number) : "none"; }
+
+}  // namespace
+
+std::string difference(const Limit& limit, const ApprovedLimit& approved) {
+  std::string all;
+  const auto column = [&](const std::string& name, bool same, const std::string& on_record) {
+    if (!same) all += (all.empty() ? "" : ", ") + name + " " + (on_record.empty() ? "none" : on_record);
+  };
+  column("step", same_limit(limit.step(), approved.step), format_shortest(approved.step));
+  const bool singular = limit.theory() < 1e-3 * limit.step();  // and so its limit is as good as zero
+  column("theory",
+         singular ? approved.theory < 1e-3 * limit.step() : same_limit(limit.theory(), approved.theory),
+         format_shortest(approved.theory));
+  column("unstable", singular || shown_tongues(limit) == approved.unstable, approved.unstable);
+  column("watched", (limit.goes_on || std::isinf(limit.step())) != approved.watched.has_value(),
+         shown(approved.watched));
+  column("soft", limit.soft.has_value() == !approved.soft.empty(), approved.soft);
+  column("error", same_error(limit.at, approved.error), shown(approved.error));
+  column("needed", same_needed(limit.within, approved.needed), shown(approved.needed));
+  column("beyond", beyond(limit) == approved.beyond, approved.beyond);
+  column("why", limit.why == approved.why, approved.why);
   return all;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "reference/limits.hpp"
 #include "report/study/results.hpp"
 
 /// What is on record in verdicts.csv, limits.csv, stability_maps.csv and errors.csv, brought to agree with a
@@ -25,5 +26,10 @@ std::vector<Approval> approvals(const Results&, const std::filesystem::path& fol
 
 /// "+ row" for each row added and "- row" for each row removed, under the name of their file.
 std::string text_of(const std::vector<Approval>&);
+
+/// The columns in which a limit is not as on record, each with what is there: "step 0.7, error nan". Steps
+/// may differ by 5 %, errors by a quarter; one that is no number, as the motion did not come to its end, is
+/// like another.
+std::string difference(const Limit&, const ApprovedLimit&);
 
 }  // namespace oddity

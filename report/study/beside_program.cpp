@@ -1,6 +1,10 @@
 #include "report/study/beside_program.hpp"
 
 #include <dlfcn.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
 
 #include "reference/bad_input.hpp"
 
@@ -8,11 +12,57 @@ namespace oddity {
 
 namespace fs = std::filesystem;
 
-std::optional<fs::path> beside_program(const std::string& name) {
-  const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
-  for (const fs::path& file : {folder / name, folder.parent_path() / name})
-    if (fs::exists(file)) return file;
-  return std::nullopt;
+namespace {
+
+fs::path program_folder() { return fs::read_symlink("/proc/self/exe").parent_path(); }
+
+/// By name alone, as the kernel has it: a path of the build that somebody else made leads nowhere.
+bool in_its_build() {
+  const fs::path build = ODDITY_BUILD, here = program_folder();
+  return std::mismatch(build.begin(), build.end(), here.begin(), here.end()).first == build.end();
+}
+
+fs::path own_prefix() { return program_folder().parent_path(); }
+
+/// A link that root or such a user made leads to what is looked at in its turn. In a folder with the sticky
+/// bit, as /tmp, nobody takes the place of what is another's.
+void require_unwritable(const fs::path& file, mode_t others = S_IWGRP | S_IWOTH) {
+  struct stat program {
+  }, status{};
+  const bool known = stat("/proc/self/exe", &program) == 0 && lstat(file.c_str(), &status) == 0;
+  const bool ours = status.st_uid == 0 || status.st_uid == geteuid() || status.st_uid == program.st_uid;
+  const bool keeps = S_ISLNK(status.st_mode) || (S_ISDIR(status.st_mode) && (status.st_mode & S_ISVTX));
+  if (!known || !ours || (!keeps && (status.st_mode & others)))
+    throw BadInput(file.string() +
+                   " is not loaded or run: others than root, you and who installed this program " +
+                   (ours ? "can write to it" : "own it") + "; install the program anew");
+}
+
+}  // namespace
+
+fs::path own_tree() { return in_its_build() ? fs::path(ODDITY_SOURCE) : fs::path(); }
+fs::path own_data() { return own_prefix() / ODDITY_INSTALLED_DATA; }
+fs::path own_code() { return in_its_build() ? fs::path(ODDITY_BUILD) : own_prefix() / ODDITY_INSTALLED_CODE; }
+
+std::string program_as_typed() { return in_its_build() ? "./oddity" : "oddity"; }
+std::string where_to_build() { return in_its_build() ? "" : "in a clone of oddity's sources "; }
+
+void require_own(const fs::path& code) {
+  if (in_its_build()) return;
+  const fs::path folder = code.parent_path();
+  require_unwritable(code);
+  require_unwritable(folder);
+  // Above that a group may be the user's own, or the administrators'.
+  for (fs::path at = folder; at != own_prefix();) require_unwritable(at = at.parent_path(), S_IWOTH);
+  if (fs::is_directory(fs::symlink_status(code)))
+    for (const auto& entry : fs::recursive_directory_iterator(code)) require_unwritable(entry);
+}
+
+std::optional<fs::path> own_library(const std::string& name) {
+  const fs::path file = own_code() / name;
+  if (!fs::exists(file)) return std::nullopt;
+  require_own(file);
+  return file;
 }
 
 void* function_in(const fs::path& library, const std::string& name) {

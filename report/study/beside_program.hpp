@@ -4,10 +4,27 @@
 #include <optional>
 #include <string>
 
+/// Where what belongs to this program is: in the build that it runs from, or in the prefix that it is
+/// installed in. Of these it knows one alone: an installed program looks in no tree.
 namespace oddity {
 
-/// A library in the program's folder, or in the one above it, as tests have it; where it is.
-std::optional<std::filesystem::path> beside_program(const std::string& name);
+/// The tree of a program that runs from its build; empty for one that is installed.
+std::filesystem::path own_tree();
+/// share/oddity of an installed program.
+std::filesystem::path own_data();
+/// What it loads and runs: its build, or lib/oddity.
+std::filesystem::path own_code();
+
+/// Throws BadInput where the installed file or folder, with all in it, may be written by others than root,
+/// this user and who installed the program: it is not run.
+void require_own(const std::filesystem::path& code);
+
+std::string program_as_typed();  ///< "oddity" where it is installed, "./oddity" in the tree
+/// "" in the tree, whose entry builds what is missing; else where that has to be done: "in a clone of ... ".
+std::string where_to_build();
+
+/// A library of this program's; where it is.
+std::optional<std::filesystem::path> own_library(const std::string& name);
 
 /// The library's function of that name, loaded for as long as the program runs. Throws BadInput where the
 /// file is no library, or has no such function.

@@ -4,11 +4,11 @@
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <future>
 #include <optional>
 
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
+#include "report/study/criterion.hpp"
 #include "report/study/parallel.hpp"
 #include "solvers/ode/catalog.hpp"
 
@@ -22,23 +22,6 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr std::array steps_per_frame{1,  2,  3,  4,  5,  6,  8,   10,  12,  16,  20,  24,
                                      32, 40, 48, 64, 80, 96, 128, 160, 192, 256, 384, 512};
 
-/// The mean time between the upward passages of the first observable through its true mean, in frames; NaN
-/// for fewer than two.
-double period(const Value& value, const Value& truth, int frames) {
-  const std::size_t parts = truth.size() / static_cast<std::size_t>(frames);
-  double mean = 0;
-  for (std::size_t i = 0; i < truth.size(); i += parts) mean += truth[i] / frames;
-  double first = not_a_number, last = not_a_number;
-  int passages = 0;
-  for (std::size_t i = parts; i < value.size(); i += parts) {
-    const double before = value[i - parts] - mean, now = value[i] - mean;
-    if (!(before < 0 && now >= 0)) continue;
-    last = static_cast<double>(i / parts) - now / (now - before);
-    if (++passages == 1) first = last;
-  }
-  return passages < 2 ? not_a_number : (last - first) / (passages - 1);
-}
-
 /// The trial's errors in each unit, none smaller than that of the truth it is judged by.
 std::vector<double> as_far_as_known(const Quantity& motion, const Trial& trial) {
   std::vector<double> errors = trial.errors;
@@ -47,42 +30,14 @@ std::vector<double> as_far_as_known(const Quantity& motion, const Trial& trial) 
   return errors;
 }
 
-/// The trial's error by the need's criterion, in units of what was asked; infinite where it is none.
-double judged(const Quantity& motion, const Method& method, const Trial& trial,
-              const std::vector<double>& errors, const Need& need) {
-  const Answer& answer = trial.answer;
-  if (!answer.reached() || !finite(answer.value)) return unbounded;
-  double error = unbounded;
-  switch (need.criterion) {
-    case Criterion::path:
-      error = motion.in_needs(errors);
-      break;
-    case Criterion::energy:
-      error = answer.drift / need.error;
-      break;
-    case Criterion::bounded:
-      error = trial.outcome == Outcome::diverged ? unbounded : answer.drift;
-      break;
-    case Criterion::constraint:
-      error = method.off_constraint ? method.off_constraint(trial.setting) / need.error : 0;
-      break;
-    case Criterion::period: {
-      const double true_period = period(motion.reference.value, motion.reference.value, motion.samples);
-      if (std::isnan(true_period))
-        throw BadInput("the motion has no two periods within the horizon: ask for a longer one");
-      error = std::abs(period(answer.value, motion.reference.value, motion.samples) / true_period - 1) /
-              need.error;
-    }
-  }
-  return std::isnan(error) ? unbounded : error;
-}
-
 /// A method at a setting on one start.
 struct Judged {
   Trial trial;
-  std::vector<double> errors;  ///< in each unit
-  double error;                ///< in units of what was asked
-  const Start* by = nullptr;   ///< what knows the true motion
+  std::vector<double> errors = {};      ///< in each unit
+  double error = unbounded;             ///< in units of what was asked, by the criterion that is off most
+  std::map<Criterion, double> by = {};  ///< by each but path, in its own unit
+  std::string why = {};
+  const Start* by_start = nullptr;  ///< what knows the true motion
 };
 
 Trial missing(const Candidate& c) {
@@ -90,12 +45,24 @@ Trial missing(const Candidate& c) {
           {},      not_a_number, not_a_number, not_a_number, Outcome::raised};
 }
 
-Judged judge(const Quantity& motion, const Candidate& c, const Need& need) {
+/// By every criterion asked for.
+Judged judge_at(const Start& start, const Candidate& c, const Need& need) {
+  const Quantity& motion = start.motion;
   const Method* here = method_of(motion, c.model, c.algorithm);
-  Trial trial = here ? run(motion, *here, c.setting) : missing(c);
-  std::vector<double> errors = as_far_as_known(motion, trial);
-  const double error = here ? judged(motion, *here, trial, errors, need) : unbounded;
-  return {std::move(trial), std::move(errors), error};
+  Judged judged{here ? run(motion, *here, c.setting) : missing(c)};
+  judged.by_start = &start;
+  judged.errors = as_far_as_known(motion, judged.trial);
+  if (!here) return judged;
+  judged.error = 0;
+  const TrueEnergy* energy = start.energy ? &**start.energy : nullptr;
+  for (Criterion criterion : criteria_of(need)) {
+    const Off off = off_by(criterion, motion, *here, judged.trial, judged.errors, energy);
+    const double asked = need.error_by(criterion);
+    judged.error = std::max(judged.error, off.error / asked);
+    if (criterion != Criterion::path) judged.by[criterion] = off.error;
+    if (off.error > asked && judged.why.empty()) judged.why = off.why;
+  }
+  return judged;
 }
 
 /// Whether it holds is certain where the error is known to so much of the need, on the whole of a motion, and
@@ -109,8 +76,7 @@ bool is_decided(double error, double known_to, bool on_whole, const Need& need) 
 
 /// By a better known truth where the one at hand does not decide.
 Judged judge(const Start& start, const Candidate& candidate, const Need& need) {
-  Judged by_first = judge(start.motion, candidate, need);
-  by_first.by = &start;
+  Judged by_first = judge_at(start, candidate, need);
   const double known_to = start.motion.reference_error / start.motion.need.allowed;
   if (!start.sharper || is_decided(by_first.error, known_to, start.is_whole, need)) return by_first;
   return judge(**start.sharper, candidate, need);
@@ -129,9 +95,10 @@ std::vector<double> certain_errors_until(const Quantity& motion, const Value& pa
 
 /// Its error, were it not bounded by the motion's size.
 double unbounded_error(const Judged& judged) {
-  if (!judged.by->parting || judged.error <= 1) return judged.error;
-  const std::vector<double> until = certain_errors_until(judged.by->motion, judged.trial.answer.value);
-  return until.empty() ? judged.error : std::max(judged.error, (**judged.by->parting).in_the_end(until));
+  if (!judged.by_start->parting || judged.error <= 1) return judged.error;
+  const std::vector<double> until = certain_errors_until(judged.by_start->motion, judged.trial.answer.value);
+  return until.empty() ? judged.error
+                       : std::max(judged.error, (**judged.by_start->parting).in_the_end(until));
 }
 
 /// How it ended where it does not hold.
@@ -141,7 +108,6 @@ Outcome failure(const Trial& trial) {
 
 Candidate untried(const Method& method, double setting) {
   Candidate candidate{method.model, method.algorithm, method.knob.name, setting};
-  candidate.constrained = static_cast<bool>(method.off_constraint);
   candidate.precision = method.precision;
   candidate.state_size = method.state_size;
   return candidate;
@@ -150,8 +116,12 @@ Candidate untried(const Method& method, double setting) {
 OnStart on_start(const Start& start, const Candidate& candidate, const Need& need) {
   const auto make = [&] {
     Judged judged = judge(start, candidate, need);
-    return OnStart{std::move(judged.errors), judged.error, unbounded_error(judged),
-                   static_cast<double>(judged.trial.answer.evaluations) / judged.by->motion.samples,
+    return OnStart{std::move(judged.errors),
+                   judged.by,
+                   judged.why,
+                   judged.error,
+                   unbounded_error(judged),
+                   static_cast<double>(judged.trial.answer.evaluations) / judged.by_start->motion.samples,
                    judged.error <= 1 ? Outcome::ok : failure(judged.trial)};
   };
   return start.attempts ? start.attempts->at(candidate, make) : make();
@@ -162,7 +132,9 @@ double add(const Start& start, Candidate& candidate, const OnStart& on) {
   if (on.outcome != Outcome::ok && (candidate.holds() || on.error > candidate.error)) {
     candidate.outcome = on.outcome;
     candidate.where = start.says;
+    candidate.why = on.why;
   }
+  for (const auto& [criterion, off] : on.by) candidate.by[criterion] = std::max(candidate.by[criterion], off);
   candidate.error = std::max(candidate.error, on.error);
   candidate.unbounded_error = std::max(candidate.unbounded_error, on.unbounded_error);
   candidate.errors.resize(start.motion.units().size(), 0);
@@ -217,24 +189,18 @@ Candidate evaluate_until_one_fails(const Order& starts, const Method& method, do
   Candidate candidate = untried(method, setting);
   std::atomic<std::size_t> next = 0;
   std::atomic<bool> one_fails = false;  // and all before it have begun
-  std::vector<std::packaged_task<OnStart()>> tries;
-  std::vector<std::future<OnStart>> on;
-  for (const Start* start : starts) {
-    tries.emplace_back([&, start] {
-      const ode::EvaluationLimit limited(most_evaluations);
-      OnStart tried = on_start(*start, candidate, need);
-      if (tried.outcome != Outcome::ok) one_fails = true;
-      return tried;
-    });
-    on.push_back(tries.back().get_future());
-  }
+  std::vector<std::optional<OnStart>> on(starts.size());
   const auto try_next = [&](std::size_t) {
-    if (!one_fails) tries[next++]();
+    if (one_fails) return;
+    const ode::EvaluationLimit limited(most_evaluations);
+    const std::size_t i = next++;
+    on[i] = on_start(*starts[i], candidate, need);
+    if (on[i]->outcome != Outcome::ok) one_fails = true;
   };
   try_next(0);
   in_parallel(starts.size() - 1, try_next);
   for (std::size_t i = 0; candidate.holds() && i < starts.size(); ++i) {
-    const double evaluations = add(*starts[i], candidate, on[i].get());
+    const double evaluations = add(*starts[i], candidate, on[i].value());
     if (i == 0) candidate.evaluations_per_frame = evaluations;
   }
   return candidate;

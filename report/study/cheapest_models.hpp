@@ -17,7 +17,4 @@ std::optional<CheapestModels> cheapest_models(const Task&, const Reference&);
 /// The results with the page of cheapest models of every task that has a scene, made in parallel.
 Results with_cheapest_models(Results, std::span<const Task>, const Reference&, const Progress& progress = {});
 
-/// The report's page.
-std::string cheapest_models_page(const Results&);
-
 }  // namespace oddity

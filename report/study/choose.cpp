@@ -15,36 +15,29 @@
 #include "chapters/scene.hpp"
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
+#include "report/study/criterion.hpp"
 #include "report/study/parallel.hpp"
 #include "report/study/time.hpp"
 #include "report/study/tries.hpp"
 #include "solvers/ode/catalog.hpp"
+#include "solvers/stop.hpp"
 
 namespace oddity {
 
 namespace {
 
-constexpr int seen_beside = 2, unseen_starts = 3, rounds = 4;
+constexpr int rounds = 4;
+/// Of a need's starts: those beside the one asked for on which is chosen, and those on which that is tested;
+/// or, where it is judged on the one asked for alone, on which is told how it does.
+int seen_beside(const Need& need) { return std::min(2, need.starts - 1); }
+int unseen_starts(const Need& need) {
+  constexpr int told_of = 5;
+  return need.starts == 1 ? told_of : need.starts - 1 - seen_beside(need);
+}
 /// Costs that differ by no more are the same to an engineer, and to the clock of another machine.
 constexpr double near_tie = 1.25;
 /// Whatever the spread: on a busy machine it says nothing.
 constexpr double noisy_tie = 2;
-
-/// Ends what it is asked in between when the time is over.
-class Deadline {
- public:
-  explicit Deadline(double seconds) : seconds_(seconds) {}
-  void check() const {
-    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
-    if (passed.count() > seconds_)
-      throw OutOfTime("no answer within the time limit of " + format_shortest(seconds_) +
-                      " s: ask for a shorter horizon, a lower frame rate or fewer methods (--only)");
-  }
-
- private:
-  double seconds_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 /// How simple an algorithm is: its place in the catalog, which goes from the plainest on; before all of them
 /// what is none of it, a closed form.
@@ -57,12 +50,13 @@ std::size_t simplicity(std::string_view algorithm) {
 }
 
 bool is_multistep(std::string_view algorithm) {
-  return algorithm.starts_with("Adams-") || algorithm.starts_with("GSL ms") || algorithm.starts_with("CVODE");
+  return std::ranges::any_of(ode::catalog(), [&](const ode::CatalogEntry& entry) {
+    return entry.history && (entry.name == algorithm || in_float(entry.name) == algorithm);
+  });
 }
 
 bool is_simple(std::string_view knob, std::string_view algorithm) {
-  return (knob.empty() || knob == "step") && !is_multistep(algorithm) &&
-         !algorithm.starts_with("linearly implicit");
+  return (knob.empty() || knob == "step") && !is_multistep(algorithm);
 }
 bool is_simple(const Candidate& t) { return is_simple(t.knob, t.algorithm); }
 
@@ -98,24 +92,27 @@ class Search {
  public:
   Search(const Task& task, const Need& need, const Reference& truth, const Price& price,
          const Progress& progress)
-      : need_(need),
+      : task_(task),
+        need_(need),
         price_(price),
         progress_(progress),
-        deadline_(need.time_limit),
         truth_(truth.watched([this](double done) {
-          deadline_.check();
+          check_stop();
           if (motions_) motions_->come_to(done);
         })),
         starts_(task, need, truth_),
         first_frames_(starts_.first_frames(std::max(1, static_cast<int>(need.frames()) / 20))) {
-    seen_.reserve(1 + seen_beside + rounds * unseen_starts);  // tries_ point into the first
+    seen_.reserve(static_cast<std::size_t>(1 + seen_beside(need) +
+                                           rounds * unseen_starts(need)));  // tries_ point into the first
     make_starts();
     const Quantity& motion = seen_.front().motion;
     for (const auto* methods : {&motion.methods, &motion.methods_in_float})
       for (const Method& method : *methods)
         if (wanted(need, method) && can_be_judged(method)) tries_.emplace_back(method, need);
     if (tries_.empty()) throw BadInput("no method is left; this scene has " + names());
-    if (need.criterion == Criterion::constraint && std::ranges::none_of(tries_, is_constrained))
+    const bool of_constraint =
+        need.criterion == Criterion::constraint || need.also.contains(Criterion::constraint);
+    if (of_constraint && !motion.off && std::ranges::none_of(tries_, is_constrained))
       throw BadInput("no model " + std::string(need.only.empty() && need.exclude.empty() ? "here" : "left") +
                      " has a constraint to be off: all coordinates are free, or hold it by construction");
   }
@@ -137,17 +134,20 @@ class Search {
  private:
   void make_starts() {
     const Stopwatch watch(spent_.truths);
-    motions_.emplace(progress_, "making the true motions", 1 + seen_beside);
-    for (Start& start : starts_.asked_and_beside(seen_beside, [this] { motions_->add(); }))
+    motions_.emplace(progress_, "making the true motions", static_cast<std::size_t>(1 + seen_beside(need_)));
+    for (Start& start : starts_.asked_and_beside(seen_beside(need_), [this] { motions_->add(); }))
       seen_.push_back(std::move(start));
+    motions_.reset();  // what is made of them later, when a method asks for it, is part of trying that
   }
 
   /// Made when something holds on those seen.
   const std::vector<Start>& unseen() {
     if (unseen_) return *unseen_;
     const Stopwatch watch(spent_.truths);
-    motions_.emplace(progress_, "making more true motions", unseen_starts);
-    return unseen_.emplace(starts_.beside(unseen_starts, [this] { motions_->add(); }));
+    motions_.emplace(progress_, "making more true motions", static_cast<std::size_t>(unseen_starts(need_)));
+    unseen_ = starts_.beside(unseen_starts(need_), [this] { motions_->add(); });
+    motions_.reset();
+    return *unseen_;
   }
 
   /// The unseen are seen from now on.
@@ -162,10 +162,25 @@ class Search {
     const std::vector<Start>& starts = unseen();
     const Stopwatch watch(spent_.tests);
     ++spent_.rounds;
+    if (need_.starts <= 1 + seen_beside(need_)) {
+      chosen.unseen_error = chosen.error;
+      for (const Start& start : starts)
+        failing_beside_ +=
+            !oddity::evaluate(std::span(&start, 1), method(chosen), chosen.setting, need_).holds();
+      return true;
+    }
     const Candidate test = oddity::evaluate(starts, method(chosen), chosen.setting, need_);
     chosen.unseen_error = test.error;
     refuted_on_ = test.where;
     return test.holds() && !starts.empty();
+  }
+
+  static std::vector<double> sizes_of(const Quantity& motion) {
+    const Value& truth = motion.reference.value;
+    const std::size_t parts = truth.size() / static_cast<std::size_t>(motion.samples);
+    std::vector<double> still;
+    for (std::size_t i = 0; i < truth.size(); ++i) still.push_back(truth[i % parts]);
+    return motion.errors(Value(std::move(still)));
   }
 
   const Method& method(const Candidate& candidate) const {
@@ -181,11 +196,11 @@ class Search {
 
   static bool is_constrained(const Tries& t) { return static_cast<bool>(t.method().off_constraint); }
 
-  /// By its energy only what has something conserved that was watched: some of it is lost at the coarsest
-  /// setting.
   bool can_be_judged(const Method& m) const {
-    return need_.criterion != Criterion::energy ||
-           run(seen_.front().motion, m, settings(m, need_).front()).answer.drift != 0;
+    const Quantity& motion = seen_.front().motion;
+    return oddity::can_be_judged(need_.criterion, motion, m) &&
+           std::ranges::all_of(
+               need_.also, [&](const auto& also) { return oddity::can_be_judged(also.first, motion, m); });
   }
 
   using Which = std::function<bool(const Tries&)>;
@@ -221,8 +236,7 @@ class Search {
     std::ranges::stable_sort(costliest_first, std::greater(), &Tries::expected_evaluations);
     Stage tally(progress_, stage, costliest_first.size());
     parallel_for_each(costliest_first, [&](Tries* tries) {
-      tries->go_on(
-          most_evaluations, seen_, need_, [this] { deadline_.check(); }, hardest);
+      tries->go_on(most_evaluations, seen_, need_, hardest);
       tally.add();
     });
   }
@@ -258,7 +272,7 @@ class Search {
     parallel_for_each(tries_, [&](Tries& tries) {
       if (tries.is_over() || tries.is_given_up() || !(tries.expected_seconds() < seconds_per_frame(tries)))
         return;
-      tries.go_on(tries.expected_evaluations(), seen_, need_, [this] { deadline_.check(); });
+      tries.go_on(tries.expected_evaluations(), seen_, need_);
       any = true;
     });
     return any;
@@ -326,7 +340,7 @@ class Search {
     spent_.timed += static_cast<int>(wanted.size());
     Stage tally(progress_, "timing them", wanted.size());
     for (Candidate* candidate : wanted) {
-      deadline_.check();
+      check_stop();
       measure(*candidate);
       tally.add();
     }
@@ -335,9 +349,30 @@ class Search {
 
   void measure(Candidate& candidate) const {
     const Time time = time_per_frame(candidate);
-    const double with_restarts = 1 + restarting(candidate);
+    const double with_restarts = worst_part(candidate) * (1 + restarting(candidate));
     candidate.seconds_per_frame = with_restarts * time.seconds;
     candidate.spread = std::isfinite(time.spread) ? with_restarts * time.spread : 0;
+  }
+
+  /// How many times as many evaluations a frame takes in the twentieth of the time that takes the most as on
+  /// average: a budget has to hold there.
+  double worst_part(const Candidate& candidate) const {
+    constexpr int parts = 20;
+    const auto frames = static_cast<int>(need_.frames());
+    if (!std::isfinite(need_.budget) || candidate.evaluations_per_frame == 0 || frames < parts) return 1;
+    double before = 0, most = 0;
+    for (int part = 1, from = 0; part <= parts; ++part) {
+      check_stop();
+      const int to = frames * part / parts;
+      const Quantity until = starts_.first_frames(to);
+      const Method* method = method_of(until, candidate.model, candidate.algorithm);
+      if (!method) return 1;
+      const auto evaluations = static_cast<double>(run(until, *method, candidate.setting).answer.evaluations);
+      most = std::max(most, (evaluations - before) / (to - from));
+      before = evaluations;
+      from = to;
+    }
+    return std::max(1.0, most / candidate.evaluations_per_frame);
   }
 
   /// What takes long is timed over its first frames, as an evaluation takes as long there.
@@ -353,15 +388,23 @@ class Search {
   static Time part_of(const Time& time, double parts) { return {time.seconds / parts, time.spread / parts}; }
 
   bool meets_objective(const Candidate& t) const {
-    return t.holds() &&
+    return t.holds() && !is_faulted(t) &&
            (need_.objective == Objective::cheapest || (is_simple(t) && holds_with_margin(t, need_)));
   }
 
+  /// One that its page shows to be wrong is not chosen.
+  bool is_faulted(const Candidate& t) const {
+    const auto& faulted = task_.entry->exercise.scene->faulted;
+    return std::ranges::find(faulted, t.model) != faulted.end();
+  }
+
   bool eligible(const Candidate& t, bool by_objective) const {
-    return t.seconds_per_frame <= need_.budget && (by_objective ? meets_objective(t) : t.holds());
+    return !is_faulted(t) && t.seconds_per_frame <= need_.budget &&
+           (by_objective ? meets_objective(t) : t.holds());
   }
 
   static bool ties_with(const Candidate& t, const Candidate& fastest) {
+    if (t.seconds_per_frame <= fastest.seconds_per_frame) return true;  // of 0 and infinity, too
     const double times = t.seconds_per_frame / fastest.seconds_per_frame;
     return times <= near_tie || (times <= noisy_tie && t.seconds_per_frame - t.spread <=
                                                            fastest.seconds_per_frame + fastest.spread);
@@ -406,7 +449,7 @@ class Search {
   /// What comes nearest to a need that nothing meets: within the budget the smallest error, but what holds
   /// and costs too much comes first.
   std::optional<Candidate> miss(std::vector<Candidate>& all) const {
-    if (all.empty()) return {};
+    if (all.empty() || seen_.empty()) return {};
     if (auto held = least(all, [](const Candidate& t) { return t.holds(); })) return held;
     const std::span hardest(in_order(seen_, hardest_starts()).front(), 1);
     std::set<const Candidate*> been_on_hardest, been_on_all;
@@ -439,16 +482,15 @@ class Search {
   std::vector<Candidate> engine() const {
     std::vector<Candidate> rows;
     for (const Method& m : seen_.front().motion.methods) {
-      if (m.algorithm != "symplectic Euler") continue;
+      if (m.algorithm != "symplectic Euler" && m.algorithm != "semi-implicit Euler") continue;
       for (double step : steps_of_engines()) rows.push_back(oddity::evaluate(seen_, m, step, need_));
       break;
     }
     return rows;
   }
 
-  /// Nothing where the method is in double only, or what is asked, as the distance from a constraint, is.
+  /// Nothing where the method is in double only.
   std::optional<Candidate> chosen_in_float(const Candidate& chosen) const {
-    if (need_.criterion == Criterion::constraint) return {};
     const Method* single = method_of(seen_.front().motion, chosen.model, oddity::in_float(chosen.algorithm));
     if (!single) return {};
     return oddity::evaluate(seen_, *single, chosen.setting, need_);
@@ -479,6 +521,20 @@ class Search {
     const auto lost = parting.lost_at();
     return lost ? static_cast<double>(*lost + 1) / need_.frames_per_second
                 : std::numeric_limits<double>::infinity();
+  }
+
+  /// A few starts that it was not chosen on say little of chaos: on more of them.
+  void try_in_chaos(Choice& choice) {
+    constexpr int enough = 16;
+    const Stopwatch watch(spent_.tests);
+    std::vector<Start> more = starts_.beside(enough, [] {});
+    for (const auto& starts : {std::span<const Start>(more), std::span<const Start>(*unseen_)})
+      for (const Start& start : starts) {
+        ++choice.tried_in_chaos;
+        choice.holding_in_chaos +=
+            oddity::evaluate(std::span(&start, 1), method(*choice.chosen), choice.chosen->setting, need_)
+                .holds();
+      }
   }
 
   /// Those tried that are expected to be cheaper and could not be chosen instead, the most expensive first.
@@ -519,7 +575,7 @@ class Search {
   void tell_of_asked(Choice& choice) {
     const std::span<const Start> seen(seen_);
     for (Candidate& t : maybe_holding_on_asked()) {
-      deadline_.check();
+      check_stop();
       const Method& tried = method(t);
       const Candidate on_asked = oddity::evaluate(seen.first(1), tried, t.setting, need_);
       if (!on_asked.holds()) continue;
@@ -563,11 +619,15 @@ class Search {
     choice.quantity = motion.name;
     for (std::string_view unit : motion.units()) choice.units.emplace_back(unit);
     choice.needs = motion.needs;
+    choice.sizes = sizes_of(motion);
+    choice.rounding = rounding_of(Criterion::constraint, motion);
     choice.chosen = chosen;
     choice.by_objective = picked.by_objective;
     for (const Start& s : seen_) choice.seen.push_back(s.says);
     if (chosen)
       for (const Start& s : *unseen_) choice.unseen.push_back(s.says);
+    choice.left_out = starts_.left_out();
+    choice.failing_beside = failing_beside_;
     for (Tries& tries : tries_)
       if (const Candidate* t = tries.found(need_).representative()) choice.candidates.push_back(*t);
     for (const Tries& tries : tries_)
@@ -578,6 +638,8 @@ class Search {
     std::ranges::stable_sort(choice.candidates, {}, [](const Candidate& t) {
       return std::isnan(t.seconds_per_frame) ? std::numeric_limits<double>::infinity() : t.seconds_per_frame;
     });
+    for (const std::string_view model : task_.entry->exercise.scene->faulted)
+      choice.faulted.emplace_back(model);
     choice.engine = engine();
     choice.predictable = predictable();
     choice.explanation = explanation();
@@ -586,27 +648,29 @@ class Search {
       tell_of_asked(choice);
       return choice;
     }
+    if (choice.predictable) try_in_chaos(choice);
     choice.ties = ties_;
     choice.restart = restart(*chosen);
     choice.in_float = chosen_in_float(*chosen);
     choice.next_cheaper = next_cheaper(*chosen, picked.by_objective);
     choice.next_richer = least(choice.candidates, [&](const Candidate& t) {
-      return t.holds() && t.model != chosen->model && t.seconds_per_frame > chosen->seconds_per_frame &&
-             !same_cost(t, *chosen);
+      return t.holds() && !is_faulted(t) && t.model != chosen->model &&
+             t.seconds_per_frame > chosen->seconds_per_frame && !same_cost(t, *chosen);
     });
     return choice;
   }
 
+  const Task& task_;
   const Need& need_;
   const Price& price_;
   const Progress& progress_;
-  Deadline deadline_;
   std::optional<Stage> motions_;
   Reference truth_;
   InitialConditions starts_;
   Quantity first_frames_;
   std::vector<Start> seen_;
   std::optional<std::vector<Start>> unseen_;
+  int failing_beside_ = 0;
   std::string refuted_on_;  ///< where what was picked last failed its test
   std::vector<Tries> tries_;
   std::vector<Candidate> ties_;
@@ -625,6 +689,14 @@ Time measured_price(const Method& method, double setting) {
   return best;
 }
 
+std::pair<double, double> Choice::share_in_chaos() const {
+  constexpr double z = 1.959964;
+  const double n = tried_in_chaos, share = holding_in_chaos / n;
+  const double middle = (share + z * z / (2 * n)) / (1 + z * z / n),
+               half = z / (1 + z * z / n) * std::sqrt(share * (1 - share) / n + z * z / (4 * n * n));
+  return {middle - half, middle + half};
+}
+
 bool Choice::was_followed(const Candidate& t) const {
   return std::ranges::find(left, std::pair(t.model, t.algorithm)) == left.end();
 }
@@ -634,7 +706,15 @@ Choice choose(const Task& task, const Need& need, const Reference& truth, const 
   double all = 0;
   Choice choice = [&] {
     const Stopwatch watch(all);
-    return Search(task, need, truth, price, progress).choose();
+    const Stop stop(need.time_limit);
+    const Stoppable here(&stop);
+    try {
+      return Search(task, need, truth, price, progress).choose();
+    } catch (const Stopped&) {
+      throw OutOfTime(
+          "no answer within the time limit: ask for a shorter horizon, a lower frame rate or fewer methods "
+          "(--only), or for a longer --time-limit (none: no limit)");
+    }
   }();
   Explanation& took = choice.explanation;
   took.rest = all - took.truths - took.search - took.timing - took.tests;

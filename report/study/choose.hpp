@@ -2,15 +2,19 @@
 
 #include <functional>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "report/pages/screen.hpp"
 #include "report/study/candidate.hpp"
 
 /// What to use for a scene: the model, algorithm and setting that hold for a need.
+///
+///   Need need{.error = 0.01, .horizon = 2};
+///   const Choice choice = choose(task, need, truth);
+///   if (choice.chosen) std::cout << choice.chosen->model << " by " << choice.chosen->algorithm;
 namespace oddity {
 
 /// How an answer was found, and what it took.
@@ -31,6 +35,8 @@ struct Choice {
   std::string exercise, quantity, time_unit;
   std::vector<std::string> units;  ///< of the motion's errors
   std::vector<double> needs;       ///< the error asked for in each of them
+  std::vector<double> sizes = {};  ///< in each, the farthest that the true motion goes from its first frame
+  double rounding = 0;             ///< m, of a constraint: what is off by no more is held
   /// Every method at its cheapest setting that holds with the need's margin, else at the cheapest that holds,
   /// else at the best that was tried; by cost. What fails is left at the first start on which it does.
   std::vector<Candidate> candidates;
@@ -56,10 +62,18 @@ struct Choice {
   std::optional<double>
       predictable;  ///< of a chaotic motion: until when a start known to 1e-9 tells the path
   std::vector<std::string> seen, unseen;
+  std::vector<std::string> faulted = {};     ///< models that are shown to be wrong, and not chosen
+  std::map<std::string, int> left_out = {};  ///< starts drawn that move in another way, as on a hyperbola
+  /// Of a chaotic motion: how many of the starts that it was not chosen on it was tried on, and holds on.
+  int tried_in_chaos = 0, holding_in_chaos = 0;
+  int failing_beside = 0;  ///< of those unseen, where they need not hold: the start asked for alone was asked
   std::string prices_are = {};  ///< where they come from
   Explanation explanation = {};
 
   bool was_followed(const Candidate&) const;
+  /// The share of starts in chaos on which the chosen one holds lies between these with a confidence of 95 %
+  /// [Wilson, J. Am. Stat. Assoc. 22 (1927) 209].
+  std::pair<double, double> share_in_chaos() const;
   /// How many times better than asked the chosen one was on starts that it was not chosen on.
   double margin() const { return 1 / chosen->unseen_error; }
 };
@@ -76,17 +90,5 @@ Time measured_price(const Method&, double setting);
 /// OutOfTime when the need's time limit is over.
 Choice choose(const Task&, const Need&, const Reference&, const Price& = measured_price,
               const Progress& = {});
-
-/// What was asked, and the answer with its margin.
-std::string asked_text(const Choice&);
-std::string answer_text(const Choice&, const Screen& = {});
-/// The choice as a sentence and a table, for a terminal; the table's first rows, or all.
-std::string choice_text(const Choice&, bool all_rows, const Screen& = {});
-/// How well the true motion is known, and by what.
-std::string truth_text(const Choice&, const Screen& = {});
-/// What was tried and where the time went.
-std::string explanation_text(const Choice&);
-std::string choice_json(const Choice&);
-std::string choice_csv(const Choice&);
 
 }  // namespace oddity

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 
 #include "reference/bad_input.hpp"
+#include "reference/files.hpp"
+#include "report/study/beside_program.hpp"
+#include "report/study/criterion.hpp"
 #include "report/study/engine_drifts.hpp"
+#include "report/study/limit_records.hpp"
 #include "report/study/parallel.hpp"
 #include "report/study/run_program.hpp"
 #include "solvers/engines/world_json.hpp"
@@ -82,6 +85,17 @@ std::vector<double> observed(const EngineScene& contest,
   return seen;
 }
 
+/// By a criterion, in its own unit. The engine's own bodies tell its energy, where that is conserved, and how
+/// far its joints come apart.
+double off_by(Criterion criterion, const EngineTrial& trial, const EngineScene& contest,
+              const std::vector<double>& seen) {
+  const double observed = off_by_observed(criterion, contest.motion, Value(seen), trial.errors).error;
+  const double own = criterion == Criterion::energy       ? trial.energy
+                     : criterion == Criterion::constraint ? std::max(trial.off_joint, observed)
+                                                          : observed;
+  return std::isnan(own) ? std::numeric_limits<double>::infinity() : own;
+}
+
 Outcome outcome_of(const EngineTrial& trial, std::size_t frames, const EngineScene& contest) {
   if (static_cast<double>(frames) <= contest.need.frames()) return Outcome::non_finite;
   return trial.in_needs <= 1 ? Outcome::ok : Outcome::inaccurate;
@@ -94,11 +108,16 @@ void judge(EngineTrial& trial, const EngineScene& contest, const engines::Reply&
   }
   std::vector<double> seen = observed(contest, reply.frames);
   trial.errors = contest.motion.errors(seen);
-  trial.in_needs = contest.motion.in_needs(trial.errors);
-  trial.outcome = outcome_of(trial, reply.frames.size(), contest);
   trial.energy = engines::energy_drift(contest.staging.world, reply.frames);
   trial.momentum = engines::momentum_drift(contest.staging.world, reply.frames);
   trial.off_joint = engines::joints_apart(contest.staging.world, reply.frames);
+  trial.in_needs = static_cast<double>(reply.frames.size()) > contest.need.frames() ? 0 : not_a_number;
+  for (Criterion criterion : criteria_of(contest.need)) {
+    const double off = off_by(criterion, trial, contest, seen);
+    if (criterion != Criterion::path) trial.by[criterion] = off;
+    trial.in_needs = std::max(trial.in_needs, off / contest.need.error_by(criterion));
+  }
+  trial.outcome = outcome_of(trial, reply.frames.size(), contest);
   std::vector<double> seconds = reply.seconds;
   std::ranges::sort(seconds);
   trial.seconds_per_frame = seconds[seconds.size() / 2] / contest.need.frames();
@@ -111,8 +130,7 @@ void judge(EngineTrial& trial, const EngineScene& contest, const engines::Reply&
 /// The adapters in JavaScript, by their settings.
 std::vector<std::string> adapters_in(const fs::path& folder) {
   const fs::path settings = folder / "variants.json";
-  std::ifstream file(settings);
-  const auto adapters = nlohmann::json::parse(file, nullptr, false);
+  const auto adapters = nlohmann::json::parse(read_whole(settings), nullptr, false);
   if (!adapters.is_object()) throw BadInput(settings.string() + " is not an object in JSON");
   std::vector<std::string> names;
   for (const auto& [adapter, _] : adapters.items())
@@ -132,16 +150,17 @@ void summarize(EngineSeries& series) {
   series.law = asymptotic_law(step, error);
 }
 
-std::vector<EngineProgram> engines_found(const fs::path& folder, const fs::path& source) {
+std::vector<EngineProgram> engines_found(const fs::path& folder, const fs::path& adapters) {
   std::vector<std::vector<std::string>> commands;
+  for (const fs::path& code : {folder, adapters})
+    if (fs::is_directory(code)) require_own(code);
   if (fs::is_directory(folder))
     for (const auto& file : fs::directory_iterator(folder))
       if (file.path().filename().string().starts_with("engine_") && file.path().extension().empty())
         commands.push_back({file.path().string()});
-  const fs::path of_node = source / "solvers/engines";
-  if (fs::is_directory(of_node / "node_modules"))
-    for (const std::string& name : adapters_in(of_node))
-      commands.push_back({"node", (of_node / "runner.mjs").string(), name});
+  if (fs::is_directory(adapters / "node_modules"))
+    for (const std::string& name : adapters_in(adapters))
+      commands.push_back({"node", (adapters / "runner.mjs").string(), name});
   std::ranges::sort(commands);
   std::vector<EngineProgram> found;
   for (auto& command : commands) found.push_back(about(std::move(command)));
@@ -254,6 +273,9 @@ EngineContest run(const std::vector<EngineProgram>& programs, const EngineScene&
       scene.scene, scene.title, {}, scene.motion.needs, scene.need.horizon, scene.need.frames_per_second,
       {},          {}};
   result.differs = scene.staging.differs;
+  result.criteria.clear();
+  for (Criterion criterion : criteria_of(scene.need))
+    result.criteria.emplace_back(criterion, scene.need.error_by(criterion));
   result.rubs = scene.staging.world.friction != 0;
   for (std::string_view unit : scene.motion.units()) result.units.emplace_back(unit);
   std::vector<Entrant> all = entrants(programs);

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "report/study/engine_scenes.hpp"
@@ -27,9 +29,10 @@ struct EngineProgram {
   std::vector<EngineVariant> variants;
 };
 
-/// Those that `oddity engines` has built and installed: native ones in `folder`, those of node's in the tree.
+/// Those that `oddity engines` has built and installed: native ones in `folder`, those of node's by what is
+/// in `adapters`. Throws BadInput where others can write to these.
 std::vector<EngineProgram> engines_found(const std::filesystem::path& folder,
-                                         const std::filesystem::path& source);
+                                         const std::filesystem::path& adapters);
 
 /// One run of an engine on a scene.
 struct EngineTrial {
@@ -47,6 +50,7 @@ struct EngineTrial {
   std::string restored = {};        ///< "same bits", "other bits", "not offered"; empty: not asked
   /// The observables, frame after frame, for the eye: of a step per frame with the engine's defaults alone.
   std::vector<double> path = {};
+  std::map<Criterion, double> by = {};  ///< by each criterion asked for but path, in its own unit
 };
 
 /// A variant's trials on a scene, from coarse to fine.
@@ -72,6 +76,7 @@ struct Instead {
   std::string says;  ///< "one angle by Runge-Kutta 4, 1 step per frame"
   std::vector<double> errors;
   double seconds_per_frame = 0;
+  std::map<Criterion, double> by = {};  ///< by each criterion asked for but path
 };
 
 /// What our own models make of the steps that engines take: by an algorithm, the least over the models.
@@ -89,6 +94,8 @@ struct EngineContest {
   std::optional<Instead> least = {};
   std::string differs = {};  ///< what is other than in the scene however fine the step
   bool rubs = false;
+  /// That its trials are judged by, and the error allowed by each; of a path in needs.
+  std::vector<std::pair<Criterion, double>> criteria = {{Criterion::path, 1}};
 };
 
 /// Why no rate tried is enough, as far as it can be told: what is said of its settings counts where another

@@ -1,13 +1,14 @@
 // What engines did, as JSON.
 
+#include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "reference/bad_input.hpp"
 #include "reference/files.hpp"
 #include "reference/text.hpp"
+#include "report/study/beside_program.hpp"
 #include "report/study/engines.hpp"
 #include "report/study/whole_in_json.hpp"
 
@@ -104,15 +105,48 @@ EngineSeries series_from(const ordered_json& j) {
   return s;
 }
 
-/// Every error has its unit.
-void require_sizes(const EngineContest& c) {
+/// None that is not known, and none below zero.
+bool are_sizes(const std::vector<double>& numbers) {
+  return std::ranges::none_of(numbers, [](double x) { return x < 0 || std::isinf(x); });
+}
+
+/// Trials go from coarse to fine; there is none only where the engine cannot have the scene, and says so.
+void require_trials(const EngineSeries& s) {
+  if (s.trials.empty() && s.cannot.empty())
+    throw std::runtime_error(s.engine + ", " + s.variant + " has no trials and no reason for that");
+  int before = 0;
+  for (const EngineTrial& t : s.trials) {
+    if (t.steps_per_frame <= before)
+      throw std::runtime_error("the steps per frame of " + s.engine + ", " + s.variant + " do not go up");
+    before = t.steps_per_frame;
+    if (!are_sizes(t.errors) ||
+        !are_sizes({t.in_needs, t.energy, t.momentum, t.off_joint, t.seconds_per_frame, t.spread}))
+      throw std::runtime_error("an error or a time of " + s.engine + ", " + s.variant + " is below zero");
+    if (!t.path.empty() && t.errors.empty())
+      throw std::runtime_error("a path of " + s.engine + ", " + s.variant + " has no error");
+    if (t.outcome == Outcome::ok && !(t.in_needs <= 1))
+      throw std::runtime_error("a trial of " + s.engine + ", " + s.variant +
+                               " is ok with an error above the need");
+  }
+}
+
+/// Every error has its unit, and there are frames.
+void require_sense(const EngineContest& c) {
   const auto fits = [&](const std::vector<double>& errors) {
     return errors.empty() || errors.size() == c.units.size();
   };
-  bool all = c.needs.size() == c.units.size() && (!c.least || fits(c.least->errors));
-  for (const EngineSeries& s : c.series)
-    for (const EngineTrial& t : s.trials) all = all && fits(t.errors) && t.steps_per_frame > 0;
-  if (!all) throw std::runtime_error("an error without its unit, or a frame without steps");
+  const auto is_positive = [](double x) { return x > 0 && std::isfinite(x); };
+  if (!is_positive(c.horizon) || !is_positive(c.frames_per_second) ||
+      !(c.horizon * c.frames_per_second <= most_frames))
+    throw std::runtime_error("the horizon or the rate of " + c.scene + " is none");
+  bool all = c.needs.size() == c.units.size() && !c.units.empty() &&
+             std::ranges::all_of(c.needs, is_positive) && (!c.least || fits(c.least->errors));
+  for (const EngineSeries& s : c.series) {
+    require_trials(s);
+    for (const EngineTrial& t : s.trials) all = all && fits(t.errors);
+  }
+  if (!all)
+    throw std::runtime_error("an error of " + c.scene + " without its unit, or a unit without its need");
 }
 
 }  // namespace
@@ -140,11 +174,15 @@ void write(const std::vector<EngineContest>& contests, const fs::path& file) {
 }
 
 std::vector<EngineContest> read_engines(const fs::path& file) {
-  std::ifstream in(file);
-  if (!in) throw BadInput("cannot read " + file.string() + "; 'oddity engines' writes it");
+  if (!std::filesystem::exists(file))
+    throw BadInput("cannot read " + file.string() + "; '" + program_as_typed() + " engines' writes it");
+  const std::string text = read_whole(file);
   try {
     std::vector<EngineContest> contests;
-    for (const auto& j : ordered_json::parse(in)) {
+    ordered_json all = ordered_json::parse(text);
+    show_controls(all);
+    if (!all.is_array()) throw std::runtime_error("it is no list of scenes");
+    for (const auto& j : all) {
       EngineContest c{j.at("scene"),
                       j.at("title"),
                       j.at("units"),
@@ -159,14 +197,15 @@ std::vector<EngineContest> read_engines(const fs::path& file) {
       if (const auto& least = j.at("least"); !least.is_null())
         c.least =
             Instead{least.at("says"), numbers(least.at("errors")), number(least.at("seconds_per_frame"))};
-      require_sizes(c);
+      require_sense(c);
       contests.push_back(std::move(c));
     }
     return contests;
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
-    throw BadInput(file.string() + ": not what 'oddity engines' writes: " + error.what());
+    throw BadInput(file.string() + ": not what '" + program_as_typed() + " engines' writes: " + error.what() +
+                   "; remove it, and '" + program_as_typed() + " engines' makes it anew");
   }
 }
 

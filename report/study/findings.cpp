@@ -29,11 +29,11 @@ int weight_of(Fault kind) {
   }
 }
 
-/// The less, the worse: of a scene, of a worse kind, with more claims.
+/// The less, the worse: wrong and not only incomplete, of a scene, of a worse kind, with more claims.
 auto rank_of(const Finding& f) {
   int kind = weight_of(Fault::none);
   for (const JudgedClaim* c : f.claims) kind = std::min(kind, weight_of(c->claim.kind));
-  return std::tuple(!f.exercise->scene, kind, -std::ssize(f.claims));
+  return std::tuple(!is_wrong(f), !f.exercise->scene, kind, -std::ssize(f.claims));
 }
 
 }  // namespace
@@ -46,9 +46,13 @@ std::string Finding::title() const {
 }
 std::string Finding::shows() const { return root ? root->shows : ""; }
 
+bool is_wrong(const Finding& f) {
+  return std::ranges::any_of(f.claims, [](const JudgedClaim* c) { return c->verdict == Verdict::wrong; });
+}
+
 std::vector<Finding> findings_of(const ExerciseResult& e) {
   std::vector<Finding> all;
-  for (const JudgedClaim* c : claims_of(e, Verdict::erratum)) {
+  for (const JudgedClaim* c : errata_of(e)) {
     const auto root = std::ranges::find(e.roots, c->claim.root, &Root::name);
     const Root* of = root == e.roots.end() ? nullptr : &*root;
     const auto known = of ? std::ranges::find(all, of, &Finding::root) : all.end();
@@ -93,20 +97,47 @@ std::vector<const JudgedClaim*> claims_of(const ExerciseResult& e, Verdict verdi
   return all;
 }
 
-void Tally::count(const ExerciseResult& e) {
-  for (const JudgedClaim& c : e.claims) {
-    confirmed += c.verdict == Verdict::confirmed;
-    misprints += c.verdict == Verdict::misprint;
-    errata += c.verdict == Verdict::erratum;
-    not_checkable += c.verdict == Verdict::not_checkable;
-    unsettled += c.verdict == Verdict::unsettled;
-  }
+std::vector<const JudgedClaim*> errata_of(const ExerciseResult& e) {
+  std::vector<const JudgedClaim*> all;
+  for (const JudgedClaim& c : e.claims)
+    if (is_erratum(c.verdict)) all.push_back(&c);
+  return all;
+}
+
+Counts counts_of(const ExerciseResult& e) {
+  Counts counts;
+  for (const JudgedClaim& c : e.claims) ++counts[c.verdict];
+  return counts;
+}
+
+Counts counts_of(const Results& results) {
+  Counts counts;
+  for (const ExerciseResult& e : results.exercises)
+    for (const auto& [verdict, n] : counts_of(e)) counts[verdict] += n;
+  return counts;
+}
+
+int sum_of(const Counts& counts) {
+  int all = 0;
+  for (const auto& [verdict, n] : counts) all += n;
+  return all;
 }
 
 const Reading& right_reading(const JudgedClaim& judged) {
-  return judged.verdict == Verdict::misprint  ? judged.claim.meant
-         : judged.verdict == Verdict::erratum ? judged.claim.corrected
-                                              : judged.claim.printed;
+  switch (judged.verdict) {
+    case Verdict::misprint:
+    case Verdict::lost:
+      return judged.claim.meant;
+    case Verdict::wrong:
+    case Verdict::incomplete:
+      return judged.claim.corrected;
+    default:
+      return judged.claim.printed;
+  }
+}
+
+std::string place_of(const Claim& claim) {
+  return (claim.place.empty() ? "" : claim.place + ", ") + "line " + std::to_string(claim.line);
 }
 
 bool counts_violations(const Check& c) {
@@ -139,8 +170,8 @@ const Path* published_path(const ExerciseResult& e) {
   return nullptr;
 }
 
-std::string counted(long n, const std::string& one, const std::string& many) {
-  return std::to_string(n) + " " + (n == 1 ? one : many);
+std::string counted(long n, std::string_view one, std::string_view many) {
+  return std::to_string(n) + " " + std::string(n == 1 ? one : many);
 }
 
 }  // namespace oddity

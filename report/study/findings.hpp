@@ -1,6 +1,9 @@
 #pragma once
 
+#include <array>
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "report/study/results.hpp"
@@ -18,6 +21,9 @@ struct Finding {
   std::string shows() const;  ///< what one would see of it; empty: nothing is said
 };
 
+/// One of its claims is wrong, not only incomplete.
+bool is_wrong(const Finding&);
+
 /// An exercise's errata by root, in the order of its roots.
 std::vector<Finding> findings_of(const ExerciseResult&);
 /// The errata of all exercises by root, the worst first: the worst of each scene whose published motion goes
@@ -28,20 +34,43 @@ std::vector<Finding> errata_worst_first(const Results&);
 double broken_by(const ExerciseResult&);
 /// Its claims of one verdict.
 std::vector<const JudgedClaim*> claims_of(const ExerciseResult&, Verdict);
+/// Those that are wrong or incomplete.
+std::vector<const JudgedClaim*> errata_of(const ExerciseResult&);
+
+/// How a verdict is counted: "2 misprints".
+struct VerdictNoun {
+  Verdict verdict;
+  std::string_view one, many;
+};
+/// In the order in which every list has them: what is wrong first, what is right last.
+inline constexpr std::array verdict_nouns{
+    VerdictNoun{Verdict::wrong, "wrong", "wrong"},
+    VerdictNoun{Verdict::incomplete, "incomplete", "incomplete"},
+    VerdictNoun{Verdict::misprint, "misprint", "misprints"},
+    VerdictNoun{Verdict::unsettled, "unsettled", "unsettled"},
+    VerdictNoun{Verdict::lost, "lost in our copy", "lost in our copy"},
+    VerdictNoun{Verdict::not_checkable, "not checkable", "not checkable"},
+    VerdictNoun{Verdict::confirmed, "confirmed", "confirmed"}};
 
 /// How many claims have each verdict.
-struct Tally {
-  int confirmed = 0, misprints = 0, errata = 0, not_checkable = 0, unsettled = 0;
-  int all() const { return confirmed + misprints + errata + not_checkable + unsettled; }
-  int wrong() const { return misprints + errata + unsettled; }
-  void count(const ExerciseResult&);
-};
+using Counts = std::map<Verdict, int>;
+Counts counts_of(const ExerciseResult&);
+Counts counts_of(const Results&);
+int sum_of(const Counts&);
+/// Calls f(noun, count) for each verdict that there is, in order.
+template <class F>
+void for_each_count(const Counts& counts, const F& f);
 
-/// What the decision about a claim rests on: what was meant by a misprint, what is right for an erratum.
+/// What was meant is plain, and right.
+constexpr bool was_meant(Verdict v) { return v == Verdict::misprint || v == Verdict::lost; }
+/// What the decision about a claim rests on: what was meant, what is right, or else what is printed.
 const Reading& right_reading(const JudgedClaim&);
 
 /// Of a claim that holds for every sample or fails: `left` counts the samples that violate it.
 bool counts_violations(const Check&);
+
+/// Where it is: "equation (7), line 1073".
+std::string place_of(const Claim&);
 
 /// What is printed stands in the claim's own words.
 bool says_what_is_printed(const Claim&);
@@ -52,7 +81,14 @@ const Path* published_path(const ExerciseResult&);
 const Path& true_path(const Trajectory&);
 const Trajectory* trajectory_of(const ExerciseResult&);
 
-/// "1 erratum", "2 errata".
-std::string counted(long n, const std::string& one, const std::string& many);
+/// "1 misprint", "2 misprints".
+std::string counted(long n, std::string_view one, std::string_view many);
+
+template <class F>
+void for_each_count(const Counts& counts, const F& f) {
+  for (const VerdictNoun& noun : verdict_nouns)
+    if (const auto found = counts.find(noun.verdict); found != counts.end() && found->second > 0)
+      f(noun, found->second);
+}
 
 }  // namespace oddity

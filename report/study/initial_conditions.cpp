@@ -127,22 +127,25 @@ std::string InitialConditions::says(const Parameters& p) const {
   return says;
 }
 
-Start InitialConditions::with_parting(Start start, const Parameters& p) const {
-  if (need_.criterion != Criterion::path) return start;
-  start.parting =
-      std::make_shared<Lazy<Parting>>([this, p, motion = start.motion] { return parting(p, motion); });
+Start InitialConditions::to_judge(Start start, const Parameters& p) const {
+  if (need_.criterion == Criterion::path)
+    start.parting =
+        std::make_shared<Lazy<Parting>>([this, p, motion = start.motion] { return parting(p, motion); });
+  if (needs_energy(need_))
+    start.energy =
+        std::make_shared<Lazy<TrueEnergy>>([motion = start.motion] { return true_energy(motion); });
   return start;
 }
 
 Start InitialConditions::well_known(const Parameters& p) const {
-  return {says(p), known_motion(scene(), p, horizon(), need_, truth_)};
+  return to_judge({says(p), known_motion(scene(), p, horizon(), need_, truth_)}, p);
 }
 
 /// By a path alone more digits can decide: of what is conserved, or does not explode, the truth says nothing.
 Start InitialConditions::start(const Parameters& p) const {
-  if (need_.thorough || need_.criterion == Criterion::period) return with_parting(well_known(p), p);
+  if (need_.thorough || need_.criterion == Criterion::period) return well_known(p);
   const auto known_by = [this, p](const Reference& truth) {
-    return with_parting({says(p), with_need(motion(scene(), p, horizon(), truth), need_)}, p);
+    return to_judge({says(p), with_need(motion(scene(), p, horizon(), truth), need_)}, p);
   };
   Start start = known_by(truth_.to_digits(digits_in_long_double));
   if (need_.criterion != Criterion::path || is_known_well(start.motion)) return start;
@@ -150,9 +153,8 @@ Start InitialConditions::start(const Parameters& p) const {
   start.sharper = std::make_shared<Lazy<Start>>([this, p, known_by] {
     const Start repeated = known_by(truth_.repeated());
     Start known = as_long_as_known(repeated, p);
-    known.sharper = std::make_shared<Lazy<Start>>([this, p, repeated] {
-      return where_known([&] { return with_parting(well_known(p), p); }).value_or(repeated);
-    });
+    known.sharper = std::make_shared<Lazy<Start>>(
+        [this, p, repeated] { return where_known([&] { return well_known(p); }).value_or(repeated); });
     return known;
   });
   return start;
@@ -174,7 +176,7 @@ Start InitialConditions::as_long_as_known(const Start& whole, const Parameters& 
   known_motion.need = all.need;
   Start start{says(p), std::move(known_motion)};
   start.is_whole = false;
-  return with_parting(std::move(start), p);
+  return to_judge(std::move(start), p);
 }
 
 Start InitialConditions::required(Start start) const {
@@ -182,6 +184,10 @@ Start InitialConditions::required(Start start) const {
   if (by_motion && start.motion.need.allowed < start.motion.reference_error)
     throw BadInput("the true motion is known to " + format_significant(start.motion.reference_error, 2) +
                    ", and the error asked for is smaller");
+  if (start.energy && need_.error_by(Criterion::energy) < (**start.energy).known_to)
+    throw BadInput("the true motion's energy is known to " +
+                   format_significant((**start.energy).known_to, 2) +
+                   " of what moves in it, and the change asked for is smaller");
   return start;
 }
 
@@ -198,16 +204,28 @@ Start InitialConditions::asked_to_choose() const {
   return required(std::move(asked));
 }
 
+Parameters InitialConditions::drawn() {
+  Parameters p = task_.parameters;
+  for (std::string_view name : scene().perturbed_parameters) {
+    const auto declared = std::ranges::find(p.declared(), name, &Parameter::name);
+    const double value = p[name], size = value == 0 ? 1 : std::abs(value);
+    p.set(name, std::clamp(value + size * random_.between(-nearby, nearby), declared->least, declared->most));
+  }
+  return p;
+}
+
+/// What is of another kind than the start asked for is left out, and drawn again.
 std::vector<Parameters> InitialConditions::draw(int count) {
-  std::vector<Parameters> drawn(static_cast<std::size_t>(count), task_.parameters);
-  for (Parameters& p : drawn)
-    for (std::string_view name : scene().perturbed_parameters) {
-      const auto declared = std::ranges::find(p.declared(), name, &Parameter::name);
-      const double value = p[name], size = value == 0 ? 1 : std::abs(value);
-      p.set(name,
-            std::clamp(value + size * random_.between(-nearby, nearby), declared->least, declared->most));
-    }
-  return drawn;
+  constexpr int most_draws = 1000;
+  std::vector<Parameters> all;
+  for (int draws = 0; all.size() < static_cast<std::size_t>(count) && draws < most_draws; ++draws) {
+    Parameters p = drawn();
+    if (scene().kind && scene().kind(p) != scene().kind(task_.parameters))
+      ++left_out_[std::string(scene().kind(p))];
+    else
+      all.push_back(std::move(p));
+  }
+  return all;
 }
 
 Parting InitialConditions::parting(const Parameters& start, const Quantity& motion) const {
@@ -218,10 +236,14 @@ Parting InitialConditions::parting(const Parameters& start, const Quantity& moti
   const auto declared = std::ranges::find(p.declared(), name, &Parameter::name);
   p.set(name, value + change <= declared->most ? value + change : value - change);
   const Quantity beside = oddity::motion(scene(), p, frames(motion.samples), Reference::nothing());
-  const auto best = std::find_if(beside.methods.rbegin(), beside.methods.rend(),
-                                 [](const Method& m) { return m.algorithm == "Fehlberg 7(8)"; });
+  const auto best = std::find_if(beside.methods.rbegin(), beside.methods.rend(), [this](const Method& m) {
+    return m.algorithm == "Fehlberg 7(8)" &&
+           std::ranges::find(scene().faulted, m.model) == scene().faulted.end();
+  });
   if (best == beside.methods.rend()) return {};
-  return parting_of(motion, run(beside, *best, fine).answer.value, small);
+  Parting parting = parting_of(motion, run(beside, *best, fine).answer.value, small);
+  parting.is_chaotic = parting.is_chaotic && !scene().is_linear;
+  return parting;
 }
 
 Quantity InitialConditions::first_frames(int count) const {

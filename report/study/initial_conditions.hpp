@@ -11,6 +11,7 @@
 
 #include "chapters/random.hpp"
 #include "reference/reference.hpp"
+#include "report/study/criterion.hpp"
 #include "report/study/need.hpp"
 #include "report/study/parting.hpp"
 #include "report/study/run.hpp"
@@ -35,8 +36,10 @@ class Lazy {
 
 /// How a method did on a start at a setting.
 struct OnStart {
-  std::vector<double> errors;  ///< in each of the motion's units
-  double error = 0;            ///< in units of what was asked
+  std::vector<double> errors;           ///< in each of the motion's units
+  std::map<Criterion, double> by = {};  ///< by each criterion asked for but path, in its own unit
+  std::string why = {};                 ///< it does not hold, where the error does not say so
+  double error = 0;                     ///< in units of what was asked
   double unbounded_error = 0;  ///< were it not bounded by the motion's size, as far as that can be told
   double evaluations_per_frame = 0;
   Outcome outcome = Outcome::ok;
@@ -57,7 +60,8 @@ class Attempts {
 struct Start {
   std::string says;  ///< "a = 0.5121, L = 0.9034"
   Quantity motion;
-  std::shared_ptr<Lazy<Parting>> parting = {};  ///< of a disturbance, where paths are judged
+  std::shared_ptr<Lazy<Parting>> parting = {};    ///< of a disturbance, where paths are judged
+  std::shared_ptr<Lazy<TrueEnergy>> energy = {};  ///< where energies are judged
   /// The start by a better known truth; none where the motion is known well, or as well as can be.
   std::shared_ptr<Lazy<Start>> sharper = {};
   bool is_whole = true;                     ///< else the motion ends where its truth is no longer known
@@ -97,14 +101,18 @@ class InitialConditions {
   std::vector<Start> beside(int count, const AfterEach&);
   /// The start asked for, and then those.
   std::vector<Start> asked_and_beside(int count, const AfterEach&);
+  /// How many of those drawn were left out, by what kind of motion they have.
+  const std::map<std::string, int>& left_out() const { return left_out_; }
   /// So many frames of the start asked for, without a reference.
   Quantity first_frames(int count) const;
 
  private:
+  Parameters drawn();
   std::vector<Parameters> draw(int count);
   std::optional<Start> start_if_known(const Parameters&) const;
   std::string says(const Parameters&) const;
-  Start with_parting(Start, const Parameters&) const;
+  /// The start with what it takes to judge on it.
+  Start to_judge(Start, const Parameters&) const;
   Start well_known(const Parameters&) const;
   /// Known as well as it is had quickly, and with what knows it better.
   Start start(const Parameters&) const;
@@ -122,6 +130,7 @@ class InitialConditions {
   const Need& need_;
   const Reference& truth_;
   Random random_{7};
+  std::map<std::string, int> left_out_;
 };
 
 }  // namespace oddity

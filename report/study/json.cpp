@@ -1,15 +1,16 @@
 #include <array>
-#include <fstream>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 
+#include "chapters/judge.hpp"
 #include "reference/bad_input.hpp"
-#include "report/pages/markup.hpp"
+#include "reference/files.hpp"
+#include "reference/text.hpp"
 #include "report/study/results.hpp"
 #include "report/study/whole_in_json.hpp"
+#include "report/text/markup.hpp"
 
 namespace oddity {
 
@@ -18,10 +19,31 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int format = 9;
+constexpr int format = 10;
 
-void require(bool holds, const char* otherwise) {
+/// JSON has no infinities and no NaN: they are null, and read as NaN.
+Json from(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
+double number(const Json& json) {
+  return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+}
+
+void require(bool holds, const std::string& otherwise) {
   if (!holds) throw std::runtime_error(otherwise);
+}
+
+/// What is written follows from what else is written.
+template <class T>
+void require_follows(const Json& written, const T& follows, const std::string& what) {
+  require(written == Json(follows),
+          what + " is " + written.dump() + ", and what it follows from makes it " + Json(follows).dump());
+}
+
+/// The same of a number, but for the roundings of another C library.
+void require_number_follows(const Json& written, double follows, const std::string& what) {
+  constexpr double roundings = 1e-12;
+  const double x = number(written);
+  require(std::isfinite(x) ? std::abs(x - follows) <= roundings * std::abs(x) : !std::isfinite(follows),
+          what + " is " + written.dump() + ", and what it follows from makes it " + format_shortest(follows));
 }
 
 template <class Enum, std::size_t N>
@@ -31,20 +53,12 @@ Enum named(const Json& json, const std::array<Enum, N>& all) {
   throw std::runtime_error("unknown name " + json.dump());
 }
 
-constexpr std::array verdicts{Verdict::confirmed, Verdict::misprint, Verdict::erratum, Verdict::not_checkable,
-                              Verdict::unsettled};
 constexpr std::array faults{Fault::none,           Fault::number, Fault::formula, Fault::left_out,
                             Fault::counterexample, Fault::term,   Fault::listing, Fault::lost_typography};
 constexpr std::array outcomes{Outcome::ok,         Outcome::inaccurate, Outcome::drifted,  Outcome::diverged,
                               Outcome::non_finite, Outcome::stalled,    Outcome::deceived, Outcome::raised,
                               Outcome::chattering, Outcome::grazing};
 constexpr std::array precisions{Precision::in_double, Precision::in_float};
-
-/// JSON has no infinities and no NaN: they are null, and read as NaN.
-Json from(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
-double number(const Json& json) {
-  return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
-}
 
 Json from(const Value& value) {
   if (value.size() == 1) return from(value[0]);
@@ -77,9 +91,13 @@ Json from(const Check& c, const std::string& reading) {
           {"holds", c.holds()}};
 }
 Check check(const Json& json) {
-  return {json.at("quantity"),      route(json.at("left")),
-          route(json.at("right")),  tolerance(json.at("tolerance")),
-          number(json.at("scale")), json.at("where")};
+  const Check c{json.at("quantity"),      route(json.at("left")),
+                route(json.at("right")),  tolerance(json.at("tolerance")),
+                number(json.at("scale")), json.at("where")};
+  require_number_follows(json.at("difference"), c.difference(),
+                         "the difference of the check '" + c.quantity + "'");
+  require_follows(json.at("holds"), c.holds(), "that the check '" + c.quantity + "' holds");
+  return c;
 }
 
 Json from(const JudgedClaim& judged) {
@@ -93,6 +111,7 @@ Json from(const JudgedClaim& judged) {
   });
   return {{"id", claim.id},
           {"line", claim.line},
+          {"place", claim.place},
           {"says", claim.says},
           {"verdict", name_of(judged.verdict)},
           {"why", claim.why},
@@ -104,8 +123,8 @@ Json from(const JudgedClaim& judged) {
           {"checks", checks}};
 }
 JudgedClaim claim(const Json& json) {
-  JudgedClaim judged{{json.at("id"), whole<int>(json.at("line")), json.at("says")},
-                     named(json.at("verdict"), verdicts)};
+  JudgedClaim judged{{.id = json.at("id"), .line = whole<int>(json.at("line")), .says = json.at("says")}};
+  judged.claim.place = json.at("place");
   judged.claim.why = json.at("why");
   judged.claim.not_checkable = json.at("not_checkable");
   judged.claim.kind = named(json.at("kind"), faults);
@@ -113,13 +132,21 @@ JudgedClaim claim(const Json& json) {
   std::size_t near_misses = 0;
   for (const auto& [name, text] : json.at("readings").items()) near_misses += name.starts_with("near miss");
   judged.claim.near_misses.resize(near_misses);
+  std::size_t readings = 0, checks = 0;
   for_each_reading(judged.claim, [&](const std::string& name, Reading& reading) {
     if (!json.at("readings").contains(name)) return;
     reading.text = json.at("readings").at(name);
     for (const Json& read : json.at("as_typeset")) reading.as_typeset = reading.as_typeset || read == name;
     for (const Json& c : json.at("checks"))
       if (c.at("reading") == name) reading.checks.push_back(check(c));
+    require(!reading.checks.empty(), "a reading of " + judged.claim.id + " has no checks");
+    ++readings;
+    checks += reading.checks.size();
   });
+  require(readings == json.at("readings").size() && checks == json.at("checks").size(),
+          "a reading or a check of " + judged.claim.id + " is none that a claim has");
+  judged.verdict = verdict(judged.claim);
+  require_follows(json.at("verdict"), name_of(judged.verdict), "the verdict on " + judged.claim.id);
   return judged;
 }
 
@@ -133,6 +160,7 @@ Json from(const TimedTrial& t) {
           {"final_error", from(t.final_error)},
           {"error_estimate", from(t.error_estimate)},
           {"drift", from(t.drift)},
+          {"drift_comes_back", t.comes_back},
           {"evaluations", t.evaluations},
           {"seconds", from(t.time.seconds)},
           {"spread", from(t.time.spread)},
@@ -152,6 +180,7 @@ TimedTrial trial(const Json& json) {
   t.final_error = number(json.at("final_error"));
   t.error_estimate = number(json.at("error_estimate"));
   t.drift = number(json.at("drift"));
+  t.comes_back = json.at("drift_comes_back");
   t.evaluations = whole<long>(json.at("evaluations"));
   t.time.seconds = number(json.at("seconds"));
   t.time.spread = number(json.at("spread"));
@@ -159,6 +188,56 @@ TimedTrial trial(const Json& json) {
   t.message = json.at("message");
   t.precision = named(json.at("precision"), precisions);
   t.roundings = number(json.at("roundings"));
+  return t;
+}
+
+/// The reference has as many values at each time, and those that make a point or an angle.
+bool has_all_components(const QuantityResult& q) {
+  const std::size_t size = q.reference.value.size(), times = static_cast<std::size_t>(q.samples);
+  return size % times == 0 && std::ranges::all_of(q.norms, [&](const auto& components) {
+           return std::ranges::all_of(components, [&](std::size_t i) { return i < size / times; });
+         });
+}
+
+/// The quantity as far as its trials are judged by it.
+Quantity judging(const QuantityResult& q) {
+  Quantity quantity{q.name, q.unit, q.says, q.reference, q.reference_error, q.need};
+  quantity.samples = q.samples;
+  for (const auto& components : q.norms) quantity.norms.push_back({"", components});
+  return quantity;
+}
+
+/// Of an outcome that a method came to by itself; else it had come to the end.
+Ending ending_of(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::raised:
+      return Ending::raised;
+    case Outcome::stalled:
+      return Ending::stalled;
+    case Outcome::non_finite:
+      return Ending::non_finite;
+    case Outcome::chattering:
+      return Ending::chattering;
+    case Outcome::grazing:
+      return Ending::grazing;
+    default:
+      return Ending::reached;
+  }
+}
+
+/// The error follows from the value, and the outcome from the error, unless the method itself gave up.
+TimedTrial trial(const Json& json, const Quantity& quantity) {
+  const TimedTrial t = trial(json);
+  const std::string of = " of " + t.model + ", " + t.algorithm;
+  require_number_follows(json.at("error"), largest(quantity.errors(t.value)), "the error" + of);
+  require_number_follows(
+      json.at("final_error"),
+      distance(last_of(t.value, quantity.samples), last_of(quantity.reference.value, quantity.samples)),
+      "the final error" + of);
+  const Answer answer{t.value,   t.evaluations, t.error_estimate, t.drift, ending_of(t.outcome),
+                      t.message, t.comes_back};
+  require_follows(json.at("outcome"), name_of(judge(quantity, answer, t.error, quantity.in_needs({t.error}))),
+                  "the outcome" + of);
   return t;
 }
 
@@ -178,6 +257,8 @@ Candidate candidate(const Json& json) {
   for (double error : value(json.at("errors"))) t.errors.push_back(error);
   t.outcome = named(json.at("outcome"), outcomes);
   t.evaluations_per_frame = number(json.at("evaluations_per_frame"));
+  require(!t.holds() || t.error <= 1,
+          t.model + ", " + t.algorithm + " is said to hold, and errs by more than asked");
   return t;
 }
 
@@ -256,6 +337,7 @@ Json from(const CheapestModels& cheapest_models) {
 CheapestModels cheapest_models(const Json& json) {
   CheapestModels cheapest_models{json.at("units"), {}, {}, json.at("never")};
   for (const Json& row : json.at("least")) cheapest_models.least.push_back(cheapest_model(row));
+  require(!cheapest_models.least.empty(), "there are no least models");
   for (const Json& b : json.at("break_evens")) cheapest_models.break_evens.push_back(break_even(b));
   return cheapest_models;
 }
@@ -333,7 +415,7 @@ Json from(const QuantityResult& q) {
           {"reference_error", from(q.reference_error)},
           {"need", from(q.need)},
           {"samples", q.samples},
-          {"by_norms", q.by_norms},
+          {"norms", q.norms},
           {"in_operations", q.in_operations},
           {"methods", methods},
           {"trials", trials},
@@ -341,6 +423,16 @@ Json from(const QuantityResult& q) {
           {"breakdowns", breakdowns},
           {"trajectory", q.trajectory ? from(*q.trajectory) : Json(nullptr)}};
 }
+bool is_of_a_trial(const Path& path, const QuantityResult& q) {
+  const auto like = [&](const TimedTrial& t) {
+    return t.model == path.model && t.algorithm == path.algorithm && t.knob == path.knob &&
+           t.setting == path.setting && t.outcome == path.outcome &&
+           (t.error == path.error || (std::isnan(t.error) && std::isnan(path.error)));
+  };
+  return std::ranges::any_of(q.methods,
+                             [&](const MethodResult& m) { return std::ranges::any_of(m.trials, like); });
+}
+
 QuantityResult quantity(const Json& json) {
   QuantityResult q{json.at("name"),
                    json.at("unit"),
@@ -350,30 +442,44 @@ QuantityResult quantity(const Json& json) {
                    tolerance(json.at("need")),
                    {},
                    {}};
+  q.samples = whole<int>(json.at("samples"));
+  require(q.samples > 0, "a motion is seen at no time");
+  for (const Json& norm : json.at("norms")) {
+    auto& components = q.norms.emplace_back();
+    for (const Json& component : norm) components.push_back(whole<std::size_t>(component));
+  }
+  require(!finite(q.reference.value) || has_all_components(q),
+          "the reference has not all that it is judged by");
+  const Quantity quantity = judging(q);
   std::size_t next = 0;
   for (const Json& m : json.at("methods")) {
     MethodResult method{m.at("model"), m.at("algorithm"), named(m.at("expected"), outcomes), m.at("why"), {}};
     for (std::size_t i = 0; i < whole<std::size_t>(m.at("trials")); ++i)
-      method.trials.push_back(trial(json.at("trials").at(next++)));
+      method.trials.push_back(trial(json.at("trials").at(next++), quantity));
     require(!method.trials.empty(), "a method has no trials");
+    require_follows(m.at("as_expected"), method.as_expected(),
+                    "that " + method.model + ", " + method.algorithm + " is as expected");
     q.methods.push_back(std::move(method));
   }
+  require(next == json.at("trials").size(), "a trial is of no method");
   for (const Json& m : json.at("in_float")) {
     FloatResult one{m.at("model"), m.at("algorithm"), whole<std::size_t>(m.at("in_double")), {}};
     require(one.in_double < q.methods.size(), "a method in float has no like one in double");
-    for (const Json& t : m.at("trials")) one.trials.push_back(trial(t));
+    for (const Json& t : m.at("trials")) one.trials.push_back(trial(t, quantity));
     require(one.trials.size() == q.methods[one.in_double].trials.size(),
             "a method in float has not the settings of the like one in double");
     q.in_float.push_back(std::move(one));
   }
-  for (const Json& b : json.at("breakdowns"))
-    q.breakdowns.push_back(
-        {b.at("says"), named(b.at("expected"), outcomes), trial(b.at("broken")), trial(b.at("cured"))});
-  q.samples = whole<int>(json.at("samples"));
-  require(q.samples > 0, "a motion is seen at no time");
-  q.by_norms = json.at("by_norms");
+  for (const Json& b : json.at("breakdowns")) {
+    q.breakdowns.push_back({b.at("says"), named(b.at("expected"), outcomes), trial(b.at("broken"), quantity),
+                            trial(b.at("cured"), quantity)});
+    require_follows(b.at("as_expected"), q.breakdowns.back().as_expected(),
+                    "that '" + q.breakdowns.back().says + "' is as expected");
+  }
   q.in_operations = json.at("in_operations");
   if (!json.at("trajectory").is_null()) q.trajectory = trajectory(json.at("trajectory"));
+  for (const Path& path : q.trajectory ? q.trajectory->paths : std::vector<Path>())
+    require(is_of_a_trial(path, q), "the path of " + path.model + ", " + path.algorithm + " is of no trial");
   return q;
 }
 
@@ -447,13 +553,17 @@ Stability stability(const Json& json) {
               number(json.at("close")), {},
               json.at("parameter"),     json.at("parameter_unit"),
               json.at("steps"),         {}};
-  for (const Json& l : json.at("limits"))
+  for (const Json& l : json.at("limits")) {
     s.limits.push_back({l.at("model"), l.at("algorithm"), tongues(l.at("tongues")), number(l.at("stable")),
                         number(l.at("unstable")), number(l.at("longest")), number(l.at("lost")),
                         l.at("outgrown"), number(l.at("watched")), l.at("goes_on"),
                         maybe_between(l.at("soft")), maybe_trial(l.at("at")), maybe_trial(l.at("broken")),
                         maybe_trial(l.at("within")), maybe_trial(l.at("cure")), l.at("why"),
                         l.at("evidence")});
+    const std::string of = " of " + s.limits.back().model + ", " + s.limits.back().algorithm;
+    require_follows(l.at("step"), from_limit(s.limits.back().step()), "the limit" + of);
+    require_follows(l.at("theory"), from_limit(s.limits.back().theory()), "theory's limit" + of);
+  }
   require(!s.steps.empty(), "a map has no steps");
   for (const Json& r : json.at("map")) {
     MapRow row{r.at("model"),  r.at("algorithm"), number(r.at("value")), limit_in(r.at("theory")), {},
@@ -507,22 +617,24 @@ ExerciseResult exercise(const Json& json) {
 
 }  // namespace
 
-std::string to_json(const Results& results) {
-  Json exercises = Json::array();
-  for (const ExerciseResult& e : results.exercises) exercises.push_back(from(e));
-  // Bytes that are not UTF-8, such as a table may hold, are replaced.
-  return Json{{"format", format}, {"seam", from(results.seam)}, {"exercises", exercises}}.dump(
-             1, ' ', false, Json::error_handler_t::replace) +
-         "\n";
+namespace {
+
+/// Bytes that are not UTF-8, such as a table may hold, are replaced.
+std::string text_of(const Json& json) { return json.dump(1, ' ', false, Json::error_handler_t::replace); }
+
+Results results_in(Json json) {
+  show_controls(json);
+  require(json.at("format") == format, "written by another version of oddity");
+  Results results{{}, number(json.at("seam")), json.at("made_by")};
+  for (const Json& e : json.at("exercises")) results.exercises.push_back(exercise(e));
+  return results;
 }
 
-Results results_from_json(const std::string& text, const std::string& place) {
+/// What `read` reads, its complaints in the words of one who has a file at `place`.
+template <class Read>
+Results understood(const std::string& place, const Read& read) {
   try {
-    const Json json = Json::parse(text);
-    if (json.at("format") != format) throw std::runtime_error("written by another version of oddity");
-    Results results{{}, number(json.at("seam"))};
-    for (const Json& e : json.at("exercises")) results.exercises.push_back(exercise(e));
-    return results;
+    return read();
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
@@ -530,28 +642,30 @@ Results results_from_json(const std::string& text, const std::string& place) {
   }
 }
 
-Results read_results(const fs::path& file) {
-  std::ifstream in(file);
-  if (!in) throw BadInput("cannot read " + file.string());
-  std::ostringstream text;
-  text << in.rdbuf();
-  return results_from_json(text.str(), file.string());
+}  // namespace
+
+std::string to_json(const Results& results) {
+  Json json{{"format", format}, {"made_by", results.made_by}, {"seam", from(results.seam)}};
+  json["exercises"] = Json::array();
+  for (const ExerciseResult& e : results.exercises) json["exercises"].push_back(from(e));
+  json["seal"] = checksum(text_of(json));
+  return text_of(json) + "\n";
 }
 
-Results merged_results(const std::vector<fs::path>& files, const std::vector<Number>& exercises) {
-  std::map<Number, std::pair<ExerciseResult, fs::path>> parts;
-  for (const fs::path& file : files)
-    for (ExerciseResult& e : read_results(file).exercises)
-      if (const auto [before, fresh] = parts.try_emplace(e.number, std::move(e), file); !fresh)
-        throw BadInput("exercise " + to_string(before->first) + " is there twice: in " +
-                       before->second.second.string() + " and in " + file.string());
-  Results results;
-  for (const Number& number : exercises) {
-    const auto part = parts.find(number);
-    if (part == parts.end()) throw BadInput("exercise " + to_string(number) + " is in none of the files");
-    results.exercises.push_back(std::move(part->second.first));
-  }
-  return results;
+Results results_from_json(const std::string& text, const std::string& place) {
+  return understood(place, [&] { return results_in(Json::parse(text)); });
+}
+
+Results read_results(const fs::path& file) {
+  const std::string text = read_whole(file);
+  return understood(file.string(), [&] {
+    Json json = Json::parse(text);
+    require(json.at("format") == format, "written by another version of oddity");
+    const Json seal = json.at("seal");
+    json.erase("seal");
+    require(seal == checksum(text_of(json)), "it is not as it was written");
+    return results_in(std::move(json));
+  });
 }
 
 }  // namespace oddity

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -11,11 +12,13 @@ namespace oddity {
 /// What has to hold.
 enum class Criterion {
   path,        ///< the observables are within the error, at every frame
-  energy,      ///< conserved quantities change by no more than the error, as a part of what moves in them
-  period,      ///< the period is within the error, as a part of it
+  energy,      ///< the energy is off its true value by no more than the error, as a part of what moves in it
+  period,      ///< the period is within the error, as a part of it, and the swing as large as the true one
   bounded,     ///< nothing explodes, however wrong the path
   constraint,  ///< lengths that are held, and what lies on something, are within the error, at every frame
 };
+
+inline constexpr std::array criterion_names{"path", "energy", "period", "bounded", "constraint"};
 
 /// Which of those that hold is taken.
 enum class Objective {
@@ -29,6 +32,8 @@ struct ShownUnit {
   double size = 1;
 };
 
+inline constexpr double most_frames = 1e6;  ///< that a need may ask for: an hour at 277 frames per second
+
 /// What someone asks of a scene.
 struct Need {
   double error;  ///< in each unit that `errors` does not name; relative: to the largest of the observables
@@ -41,9 +46,11 @@ struct Need {
   std::map<std::string, double, std::less<>> errors = {};          ///< by unit: {"m", 0.01}
   std::map<std::string, ShownUnit, std::less<>> shown = {};        ///< the units asked in, by the motion's
   Criterion criterion = Criterion::path;
+  std::map<Criterion, double> also = {};  ///< other criteria that have to hold as well, with their errors
   Objective objective = Objective::cheapest;
   std::vector<std::string> only = {}, exclude = {};  ///< words of models and algorithms
-  bool one_step = false;                             ///< no method that needs a history
+  int starts = 6;  ///< on which it has to hold: the one asked for, two beside it, others that it is tested on
+  bool one_step = false;  ///< no method that needs a history
   bool thorough = false;  ///< every method at every setting, against truths of as many digits as there are
   bool in_double = true, in_float = false;                      ///< the precisions that may be chosen
   double time_limit = std::numeric_limits<double>::infinity();  ///< s, for the answer
@@ -52,6 +59,10 @@ struct Need {
   double error_in(std::string_view unit) const {
     const auto named = errors.find(unit);
     return named == errors.end() ? error : named->second;
+  }
+  /// The error by a criterion that is asked for; of a path in needs.
+  double error_by(Criterion c) const {
+    return c != criterion ? also.at(c) : c == Criterion::path ? 1 : error;
   }
   /// How many times better than asked a method has to be on the starts that it is chosen on.
   double margin() const { return objective == Objective::simple ? 3 : 1; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <mutex>
@@ -15,7 +16,9 @@ namespace oddity {
 class Stage {
  public:
   Stage(const Progress& progress, std::string stage, std::size_t all)
-      : progress_(progress), stage_(std::move(stage)), all_(all) {}
+      : progress_(progress), stage_(std::move(stage)), all_(all) {
+    if (all_ > 0) tell();
+  }
   void add() {
     const std::lock_guard lock(mutex_);
     begun_.erase(std::this_thread::get_id());
@@ -27,10 +30,11 @@ class Stage {
     const std::lock_guard lock(mutex_);
     tell();
   }
-  /// So large a part of this thread's piece is done.
+  /// So large a part of this thread's piece is done: of what is made in several goes the largest counts.
   void come_to(double part) {
     const std::lock_guard lock(mutex_);
-    begun_[std::this_thread::get_id()] = part;
+    double& come = begun_[std::this_thread::get_id()];
+    come = std::max(come, part);
     tell();
   }
 
@@ -39,7 +43,7 @@ class Stage {
     if (!progress_) return;
     double done = static_cast<double>(done_);
     for (const auto& [thread, part] : begun_) done += part;
-    progress_(stage_, done, all_);
+    progress_(stage_, std::min(done, static_cast<double>(all_)), all_);
   }
 
   const Progress& progress_;
@@ -54,7 +58,8 @@ struct Shard {
   std::size_t number = 1, of = 1;
 };
 
-/// Calls f(0), ..., f(count - 1) in parallel, and throws the first exception thrown inside.
+/// Calls f(0), ..., f(count - 1) in parallel. Returns when all of them have; else it throws: the first
+/// exception thrown inside, which stops the others, or Stopped where this thread's work was asked to stop.
 void in_parallel(std::size_t count, const std::function<void(std::size_t)>& f);
 
 template <class Range, class F>

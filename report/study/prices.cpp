@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <fstream>
-#include <iterator>
 #include <sstream>
 #include <thread>
 
@@ -32,6 +31,16 @@ std::string program_by_file() {
   return checksum(file.string() + " " + std::to_string(size) + " " + std::to_string(written));
 }
 
+/// What a clock can have shown: no run takes less than a picosecond, and none has been watched for 11 days.
+/// The spread of what was timed once is not known.
+bool is_price(const Time& time) {
+  const bool spread = std::isnan(time.spread) || (time.spread >= 0 && time.spread <= 1e6);
+  return time.seconds >= 1e-12 && time.seconds <= 1e6 && spread;
+}
+
+/// A later run had better measure it again.
+bool is_noisy(const Time& time) { return time.spread > time.seconds / 2; }
+
 std::vector<std::string> cells_of(const std::string& line) {
   std::vector<std::string> cells;
   std::istringstream in(line);
@@ -40,11 +49,6 @@ std::vector<std::string> cells_of(const std::string& line) {
 }
 
 }  // namespace
-
-std::string checksum_of_program() {
-  std::ifstream in("/proc/self/exe", std::ios::binary);
-  return checksum(std::string(std::istreambuf_iterator<char>(in), {}));
-}
 
 std::string machine_and_program() {
   static const std::string text = processor() + " x " + std::to_string(std::thread::hardware_concurrency()) +
@@ -69,7 +73,8 @@ KeptPrices::KeptPrices(const fs::path& folder, std::string key, bool anew, Price
   if (!anew) prices_ = in_file();
 }
 
-/// A line with the key, and one for each price: model, algorithm, setting, seconds, spread.
+/// A line with the key, and one for each price: model, algorithm, setting, seconds, spread. None where one of
+/// them is no price: then the file is not one that this program wrote.
 std::map<KeptPrices::Which, Time> KeptPrices::in_file() const {
   std::map<Which, Time> prices;
   const auto text = read_sealed(file_);
@@ -77,11 +82,12 @@ std::map<KeptPrices::Which, Time> KeptPrices::in_file() const {
   std::istringstream lines(text->substr(key_.size() + 1));
   for (std::string line; std::getline(lines, line);) {
     const auto cells = cells_of(line);
-    if (cells.size() != 5) continue;
+    if (cells.size() != 5) return {};
     const auto setting = parse_number(cells[2]), seconds = parse_number(cells[3]),
                spread = parse_number(cells[4]);
-    if (setting && seconds && spread && *seconds > 0)
-      prices[{cells[0], cells[1], *setting}] = {*seconds, *spread};
+    if (!setting || !std::isfinite(*setting) || !seconds || !spread || !is_price({*seconds, *spread}))
+      return {};
+    prices[{cells[0], cells[1], *setting}] = {*seconds, *spread};
   }
   return prices;
 }
@@ -103,7 +109,7 @@ void KeptPrices::keep() {
   all.insert(prices_.begin(), prices_.end());
   std::string text = key_ + "\n";
   for (const auto& [which, time] : all)
-    if (std::isfinite(time.seconds))
+    if (is_price(time) && !is_noisy(time))
       text += std::get<0>(which) + "\t" + std::get<1>(which) + "\t" + format_shortest(std::get<2>(which)) +
               "\t" + format_shortest(time.seconds) + "\t" + format_shortest(time.spread) + "\n";
   try {

@@ -10,8 +10,6 @@
 
 namespace oddity {
 
-/// Of the file that runs.
-std::string checksum_of_program();
 /// This processor and this program: what was timed with others is timed anew.
 std::string machine_and_program();
 /// The same with all that a method's cost over the horizon depends on.

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 
@@ -22,6 +23,31 @@ std::string shown(double seconds) {
 
 }  // namespace
 
+void Pace::come_to(double done, double now) {
+  constexpr double apart = 0.01;  // s, so that few are kept
+  if (!told_.empty() && done <= told_.back().done) return;
+  if (told_.size() > 1 && now - told_.end()[-2].time < apart)
+    told_.back() = {now, done};
+  else
+    told_.push_back({now, done});
+}
+
+double Pace::done_at(double time) const {
+  const auto after = std::ranges::upper_bound(told_, time, {}, &Told::time);
+  return after == told_.begin() ? 0 : after[-1].done;
+}
+
+std::string Pace::line(double all, double now) const {
+  const double done = done_at(now);
+  bool is_even = done > 0 && done < all;
+  for (int quarter = 1; quarter <= 4; ++quarter) {
+    const double share = 4 * (done_at(quarter * now / 4) - done_at((quarter - 1) * now / 4)) / done;
+    is_even = is_even && share >= 0.5 && share <= 2;
+  }
+  return format_significant(std::floor(done), 9) + " of " + format_significant(all, 9) +
+         (is_even ? ", about " + shown((all - done) * now / done) + " left" : ", " + shown(now) + " so far");
+}
+
 ProgressBar::ProgressBar()
     : screen_(screen_of(STDERR_FILENO)), terminal_(screen_.width > 0), clock_([this] { watch(); }) {}
 
@@ -41,11 +67,19 @@ Progress ProgressBar::callback() {
 
 void ProgressBar::advance(const std::string& stage, double done, std::size_t all) {
   const std::lock_guard lock(mutex_);
-  if (stage != stage_) begun_ = Clock::now();
+  const bool was_over = done_ >= static_cast<double>(all_);
+  if (stage != stage_ || all != all_ || (was_over && done < done_)) {
+    begun_ = Clock::now();
+    pace_ = {};
+    done_ = 0;
+  }
   stage_ = stage;
-  done_ = done;
   all_ = all;
+  done_ = std::max(done_, done);
+  pace_.come_to(done_, passed());
 }
+
+double ProgressBar::passed() const { return std::chrono::duration<double>(Clock::now() - begun_).count(); }
 
 void ProgressBar::watch() {
   const std::chrono::milliseconds interval = terminal_ ? 500ms : 10s;
@@ -55,11 +89,7 @@ void ProgressBar::watch() {
 }
 
 std::string ProgressBar::line() const {
-  const double passed = std::chrono::duration<double>(Clock::now() - begun_).count();
-  const double left = passed * (static_cast<double>(all_) / done_ - 1);
-  return "oddity: " + stage_ + ", " + format_significant(std::floor(done_), 9) + " of " +
-         std::to_string(all_) +
-         (done_ > 0 ? ", about " + shown(left) + " left" : ", " + shown(passed) + " so far");
+  return "oddity: " + stage_ + ", " + pace_.line(static_cast<double>(all_), passed());
 }
 
 void ProgressBar::show() {

@@ -5,11 +5,28 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <vector>
 
-#include "report/pages/screen.hpp"
 #include "report/study/run.hpp"
+#include "report/text/screen.hpp"
 
 namespace oddity {
+
+/// How far a stage of work has come, as it is told at times [s].
+class Pace {
+ public:
+  void come_to(double done, double now);
+  /// "3 of 7, about 20 s left" where each quarter of the time did half to twice as much as it would of even
+  /// work; else "3 of 7, 20 s so far".
+  std::string line(double all, double now) const;
+
+ private:
+  struct Told {
+    double time, done;
+  };
+  double done_at(double time) const;
+  std::vector<Told> told_;  ///< each larger than the one before
+};
 
 /// How far a run has come, on standard error: on a terminal in one line that is written over, else in a line
 /// now and then. Nothing for what takes less than two seconds. It is gone when this is.
@@ -29,6 +46,7 @@ class ProgressBar {
   void watch();
   void show();
   void wipe();
+  double passed() const;
   std::string line() const;
 
   const Screen screen_;
@@ -37,8 +55,9 @@ class ProgressBar {
   std::condition_variable over_;
   bool is_over_ = false;
   std::string stage_ = {};
-  double done_ = 0;
   std::size_t all_ = 0;
+  double done_ = 0;
+  Pace pace_ = {};
   Clock::time_point begun_ = Clock::now();  ///< of the stage
   std::size_t written_ = 0;                 ///< columns of the line
   std::thread clock_;                       ///< a stage may have pieces that take long

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +27,7 @@ void for_each_reading(C& claim, const F& f) {
   f("printed", claim.printed);
   f("meant", claim.meant);
   f("corrected", claim.corrected);
+  f("in view", claim.in_view);
   for (std::size_t i = 0; i < claim.near_misses.size(); ++i)
     f("near miss " + std::to_string(i + 1), claim.near_misses[i]);
 }
@@ -50,6 +52,7 @@ struct TimedTrial {
   Time time = {};
   Precision precision = Precision::in_double;
   double roundings = 0;  ///< in float: what roundings may add to the error that the like trial in double has
+  bool comes_back = false;  ///< the drift is to and fro
 };
 
 /// A method's trials from coarse to fine, and how the finest is expected to end.
@@ -112,7 +115,8 @@ struct QuantityResult {
   std::optional<Trajectory> trajectory = {};  ///< of a scene's motion
   int samples = 1;                            ///< of a motion: the times at which it is judged
   std::vector<FloatResult> in_float = {};
-  bool by_norms = false;       ///< of a motion: judged by the scene's norms; else by the largest component
+  /// Of a motion: the components of one time that make a point or an angle; none: judged by the largest one.
+  std::vector<std::vector<std::size_t>> norms = {};
   bool in_operations = false;  ///< work is counted in multiplications, divisions and functions
 };
 
@@ -124,15 +128,16 @@ struct Candidate {
   std::string model, algorithm, knob;
   double setting = 0;
   double error = 0;  ///< the largest over the starts it was chosen on, in units of what was asked
-  std::vector<double> errors = {};  ///< the same in each of the motion's units
+  std::vector<double> errors = {};      ///< the same in each of the motion's units
+  std::map<Criterion, double> by = {};  ///< the same by each criterion asked for but path, in its own unit
   Outcome outcome = Outcome::ok;
   std::string where = {};  ///< the start on which it ended so, unless ok
+  std::string why = {};    ///< what the error does not say of that, as that its swing grows
   double evaluations_per_frame = 0;
   double seconds_per_frame = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not timed
   double spread = 0;                                                    ///< of the seconds
   double unseen_error = std::numeric_limits<double>::quiet_NaN();  ///< over the starts it was not chosen on
   double unbounded_error = 0;  ///< were it not bounded by the motion's size, as far as that can be told
-  bool constrained = false;    ///< of a model in redundant coordinates
   Precision precision = Precision::in_double;
   std::size_t state_size = 0;  ///< numbers; 0: a closed form keeps none
 
@@ -251,17 +256,19 @@ struct Results {
   /// s, what a call of a right-hand side takes through the seam between algorithms and models, at least; NaN
   /// in a run without times.
   double seam = std::numeric_limits<double>::quiet_NaN();
+  std::string made_by = {};  ///< the program and the tables, by their fingerprints; empty: not said
 };
 
-/// Results as JSON text and back. Numbers that are not finite are written as null and read as NaN.
+/// Results as JSON text and back. Numbers that are not finite are written as null and read as NaN. The text
+/// has a seal, the checksum of all else in it.
 std::string to_json(const Results&);
-/// Throws BadInput naming `place` when the text is not results of this version.
+/// Throws BadInput naming `place` when the text is not results of this version, or contradicts itself: what
+/// follows from other values, such as a verdict from its checks and an outcome from its error, is computed
+/// again. The seal is not looked at.
 Results results_from_json(const std::string& text, const std::string& place);
 
-/// Throws BadInput when the file cannot be read.
+/// Throws BadInput when the file cannot be read, or has another seal than its content. A seal has no key: it
+/// shows damage and edits, and not the forgery of someone who computes it anew.
 Results read_results(const std::filesystem::path& file);
-/// The results of these exercises, each from the one file that has it. Throws BadInput, naming it, for one
-/// that is in none, or in two.
-Results merged_results(const std::vector<std::filesystem::path>& files, const std::vector<Number>&);
 
 }  // namespace oddity

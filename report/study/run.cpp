@@ -1,9 +1,10 @@
 #include "report/study/run.hpp"
 
-#include <new>
+#include <algorithm>
 #include <numeric>
 
-#include "reference/bad_input.hpp"
+#include "reference/ledger.hpp"
+#include "report/study/failure.hpp"
 #include "report/study/parallel.hpp"
 #include "report/study/time.hpp"
 #include "report/study/trajectory.hpp"
@@ -29,15 +30,8 @@ struct Pending {
 
 Studied study(const Task& task, const Reference& truth) {
   Studied studied{&task, {}, {}};
-  try {
-    studied.findings = task.entry->exercise.study(task.parameters, truth);
-  } catch (const BadInput&) {
-    throw;
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception& exception) {
-    studied.failure = exception.what();
-  }
+  studied.failure =
+      failure_of([&] { studied.findings = task.entry->exercise.study(task.parameters, truth); });
   return studied;
 }
 
@@ -70,8 +64,9 @@ QuantityResult shape(const Quantity& quantity, std::vector<Pending>& pending) {
                         {},
                         quantity.samples,
                         {},
-                        !quantity.norms.empty(),
+                        {},
                         quantity.in_operations};
+  for (const Norm& norm : quantity.norms) result.norms.push_back(norm.components);
   for (const Method& method : quantity.methods)
     result.methods.push_back({method.model, method.algorithm, method.expected, method.why,
                               std::vector<TimedTrial>(method.knob.settings.size())});
@@ -99,7 +94,18 @@ QuantityResult shape(const Quantity& quantity, std::vector<Pending>& pending) {
   return result;
 }
 
-ExerciseResult shape(const Studied& studied, std::vector<Pending>& pending) {
+/// Where a reader of the manual finds the claims: at their line, or at the first of their assertions.
+void place(std::vector<JudgedClaim>& claims, const std::vector<Assertion>& ledger) {
+  for (JudgedClaim& judged : claims)
+    for (const Assertion& assertion : ledger) {
+      if (std::ranges::find(assertion.claims, judged.claim.id) == assertion.claims.end()) continue;
+      const bool its_line = assertion.line == judged.claim.line;
+      if (its_line || judged.claim.place.empty()) judged.claim.place = assertion.place;
+      if (its_line) break;
+    }
+}
+
+ExerciseResult shape(const Studied& studied, const Reference& truth, std::vector<Pending>& pending) {
   const Entry& entry = *studied.task->entry;
   ExerciseResult result{entry.number,
                         std::string(entry.exercise.title),
@@ -113,6 +119,7 @@ ExerciseResult shape(const Studied& studied, std::vector<Pending>& pending) {
     result.parameters.push_back(
         {std::string(p.name), studied.task->parameters[p.name], std::string(p.unit), std::string(p.says)});
   for (const Claim& claim : studied.findings.claims) result.claims.push_back({claim, verdict(claim)});
+  place(result.claims, read_ledger(truth.folder(), to_string(entry.number)));
   result.roots = studied.findings.roots;
   for (const Quantity& quantity : studied.findings.quantities)
     result.quantities.push_back(shape(quantity, pending));
@@ -122,7 +129,7 @@ ExerciseResult shape(const Studied& studied, std::vector<Pending>& pending) {
 /// The paths of a scene's motion, which is the quantity that its study made of it.
 void see_motion(const Task& task, ExerciseResult& result) {
   const auto& scene = task.entry->exercise.scene;
-  if (!scene || !result.failure.empty()) return;
+  if (!scene) return;
   const std::string name = scene->motion(task.parameters, {scene->horizon}, Reference::nothing()).name;
   for (QuantityResult& q : result.quantities)
     if (q.name == name) q.trajectory = trajectory(*scene, task.parameters, q);
@@ -139,10 +146,22 @@ const Method* method_of(const Quantity& quantity, std::string_view model, std::s
 
 TimedTrial as_result(const Trial& trial) {
   const Answer& answer = trial.answer;
-  return {trial.model,  trial.algorithm,    trial.knob,        trial.setting,
-          answer.value, trial.error,        trial.final_error, answer.error_estimate,
-          answer.drift, answer.evaluations, trial.outcome,     answer.message,
-          {},           trial.precision};
+  return {trial.model,
+          trial.algorithm,
+          trial.knob,
+          trial.setting,
+          answer.value,
+          trial.error,
+          trial.final_error,
+          answer.error_estimate,
+          answer.drift,
+          answer.evaluations,
+          trial.outcome,
+          answer.message,
+          {},
+          trial.precision,
+          0,
+          answer.comes_back};
 }
 
 bool as_accurate_as_roundings_allow(const TimedTrial& in_float, const TimedTrial& in_double) {
@@ -162,7 +181,7 @@ Results run(std::span<const Task> tasks, const Reference& truth, bool timed, con
   }
   Results results;
   std::vector<Pending> pending;
-  for (const Studied& s : studied) results.exercises.push_back(shape(s, pending));
+  for (const Studied& s : studied) results.exercises.push_back(shape(s, truth, pending));
 
   Stage tally(progress, timed ? "running and timing the trials" : "running the trials",
               pending.size() * (timed ? 2 : 1));
@@ -173,7 +192,10 @@ Results run(std::span<const Task> tasks, const Reference& truth, bool timed, con
   });
   std::vector<std::size_t> places(tasks.size());
   std::iota(places.begin(), places.end(), 0);
-  parallel_for_each(places, [&](std::size_t i) { see_motion(tasks[i], results.exercises[i]); });
+  parallel_for_each(places, [&](std::size_t i) {
+    ExerciseResult& e = results.exercises[i];
+    if (e.failure.empty()) e.failure = failure_of([&] { see_motion(tasks[i], e); });
+  });
   if (!timed) return results;
   results.seam = seam();
   for (const Pending& p : pending) {

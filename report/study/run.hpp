@@ -6,6 +6,12 @@
 #include "reference/reference.hpp"
 #include "report/study/results.hpp"
 
+/// A run: studies exercises, and runs every trial of theirs.
+///
+///   const Task task(registry()[0]);
+///   const Results results = run(std::span(&task, 1), truth, false);
+///   for (const auto& judged : results.exercises[0].claims)
+///     std::cout << judged.claim.id << " " << name_of(judged.verdict) << "\n";
 namespace oddity {
 
 /// An exercise with the parameters to study it at.

@@ -10,7 +10,10 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <filesystem>
 #include <memory>
+#include <sstream>
 #include <system_error>
 #include <thread>
 
@@ -51,7 +54,8 @@ class Scratch {
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
 };
 
-pid_t spawn(const std::vector<std::string>& command, int input, int output, int errors) {
+pid_t spawn(const std::vector<std::string>& command, int input, int output, int errors,
+            const std::string& folder) {
   std::vector<char*> words;
   for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
@@ -60,8 +64,12 @@ pid_t spawn(const std::vector<std::string>& command, int input, int output, int 
   posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
   posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, errors, STDERR_FILENO);
+  if (!folder.empty()) posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
   pid_t child = 0;
-  const int error = posix_spawnp(&child, words.front(), &actions, nullptr, words.data(), environ);
+  const std::string program = program_on_path(command.front());
+  const int error = program.empty()
+                        ? ENOENT
+                        : posix_spawn(&child, program.c_str(), &actions, nullptr, words.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   require(error == 0, error, words.front());
   return child;
@@ -73,13 +81,25 @@ double seconds_of(const timeval& time) {
 
 }  // namespace
 
+std::string program_on_path(const std::string& name) {
+  if (name.find('/') != std::string::npos) return name;
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path ? path : "/usr/local/bin:/usr/bin:/bin");
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (const std::string program = folder + "/" + name; folder.starts_with('/') &&
+                                                         access(program.c_str(), X_OK) == 0 &&
+                                                         std::filesystem::is_regular_file(program))
+      return program;
+  return "";
+}
+
 Ended run_program(const std::vector<std::string>& command, const std::string& input,
-                  std::chrono::milliseconds limit, std::size_t memory) {
+                  std::chrono::milliseconds limit, std::size_t memory, const std::string& folder) {
   using namespace std::chrono_literals;
   Scratch given, answered, said;
   given.write(input);
   std::signal(SIGCHLD, SIG_DFL);  // where it is ignored, nobody is told how a program ended
-  const pid_t child = spawn(command, given.descriptor(), answered.descriptor(), said.descriptor());
+  const pid_t child = spawn(command, given.descriptor(), answered.descriptor(), said.descriptor(), folder);
   if (memory > 0) {
     const rlimit most{memory, memory};
     prlimit(child, RLIMIT_AS, &most, nullptr);

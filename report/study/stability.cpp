@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "chapters/scene.hpp"
+#include "report/study/failure.hpp"
 #include "report/study/initial_conditions.hpp"
 #include "report/study/parallel.hpp"
 
@@ -353,10 +354,10 @@ Parameters moved(Parameters parameters, const Scene& scene, int roundings) {
 
 /// The same motion, judged by the same truth, from starts that differ by a few roundings.
 std::vector<Quantity> motions_beside(const Quantity& quantity, const Scene& scene,
-                                     const Parameters& parameters) {
+                                     const Parameters& parameters, double end) {
   std::vector<Quantity> all;
   for (int roundings : {-16, -4, -1, 1, 4, 16}) {
-    all.push_back(motion(scene, moved(parameters, scene, roundings), Reference::nothing()));
+    all.push_back(motion(scene, moved(parameters, scene, roundings), {end}, Reference::nothing()));
     all.back().reference = quantity.reference;
     all.back().need = quantity.need;
     all.back().needs = quantity.needs;
@@ -364,19 +365,22 @@ std::vector<Quantity> motions_beside(const Quantity& quantity, const Scene& scen
   return all;
 }
 
-Motion motion_of(const Task& task, std::size_t place, const Reference& truth, std::optional<double> value) {
+Motion motion_of(const Task& task, std::size_t place, const Reference& truth, std::optional<double> value,
+                 std::optional<double> asked_horizon = {}) {
   const Scene& scene = *task.entry->exercise.scene;
   Parameters parameters = task.parameters;
   if (value) parameters.set(scene.sweep_parameter, *value);
-  Motion motion{place, oddity::motion(scene, parameters, truth), 0, value.value_or(0), value.has_value()};
-  motion.interval = scene.horizon / motion.quantity.samples;
+  const double end = asked_horizon.value_or(scene.horizon);
+  Motion motion{place, oddity::motion(scene, parameters, {end}, truth), 0, value.value_or(0),
+                value.has_value()};
+  motion.interval = end / motion.quantity.samples;
   motion.quantity.need = {scene.game_tolerance, "what a game asks"};
   for (std::string_view unit : motion.quantity.units()) motion.quantity.needs.push_back(game_error(unit));
   if (value)
-    motion.beside = motions_beside(motion.quantity, scene, parameters);
+    motion.beside = motions_beside(motion.quantity, scene, parameters, end);
   else
-    motion.judge = std::make_shared<EveryStep>(
-        motion.quantity, scene.horizon, [&scene, parameters](const Horizon& horizon) {
+    motion.judge =
+        std::make_shared<EveryStep>(motion.quantity, end, [&scene, parameters](const Horizon& horizon) {
           return oddity::motion(scene, parameters, horizon, Reference::nothing());
         });
   return motion;
@@ -389,11 +393,11 @@ std::string unit_of(const Task& task, std::string_view parameter) {
 }
 
 /// The scene's stability, its limits and its map still to be filled.
-Stability shape(const Task& task) {
+Stability shape(const Task& task, std::optional<double> horizon) {
   const Scene& scene = *task.entry->exercise.scene;
   Stability stability;
   stability.time_unit = scene.axes.time;
-  stability.horizon = scene.horizon;
+  stability.horizon = horizon.value_or(scene.horizon);
   stability.close = scene.game_tolerance;
   stability.parameter = scene.sweep_parameter;
   stability.parameter_unit = unit_of(task, scene.sweep_parameter);
@@ -406,6 +410,7 @@ struct Piece {
   const Method* method;
   Limit limit = {};
   MapRow row = {};
+  std::string failure = {};  ///< an exception that ended it; empty: none
 };
 
 /// Whether this holds of the outcome from any of the starts a few roundings off.
@@ -454,28 +459,35 @@ void examine(Piece& piece) {
   }
 }
 
-/// The motions at the defaults and at every value of the varied parameter; their references may take a while.
-std::vector<Motion> motions_of(std::span<const Task> tasks, const Reference& truth,
-                               const Progress& progress) {
+/// The motions at the defaults and at every value of the varied parameter, of the exercises without a
+/// failure; their references may take a while.
+std::vector<Motion> motions_of(Results& results, std::span<const Task> tasks, const Reference& truth,
+                               const Progress& progress, std::optional<double> horizon) {
   struct Request {
     const Task* task;
     std::size_t place;
     std::optional<double> value;
     Motion motion = {};
+    std::string failure = {};
   };
   std::vector<Request> requests;
   for (std::size_t i = 0; i < tasks.size(); ++i)
-    if (const auto& scene = tasks[i].entry->exercise.scene) {
+    if (const auto& scene = tasks[i].entry->exercise.scene;
+        scene && results.exercises.at(i).failure.empty()) {
       requests.push_back({&tasks[i], i, std::nullopt});
       for (double value : scene->sweep_values) requests.push_back({&tasks[i], i, value});
     }
   Stage tally(progress, "looking up the motions", requests.size());
   parallel_for_each(requests, [&](Request& request) {
-    request.motion = motion_of(*request.task, request.place, truth, request.value);
+    request.failure = failure_of(
+        [&] { request.motion = motion_of(*request.task, request.place, truth, request.value, horizon); });
     tally.add();
   });
+  for (const Request& request : requests)
+    if (!request.failure.empty()) results.exercises[request.place].failure = request.failure;
   std::vector<Motion> motions;
-  for (Request& request : requests) motions.push_back(std::move(request.motion));
+  for (Request& request : requests)
+    if (results.exercises[request.place].failure.empty()) motions.push_back(std::move(request.motion));
   return motions;
 }
 
@@ -509,27 +521,30 @@ bool ends_so_within_roundings(const Task& task, const MapRow& row, std::size_t k
 }
 
 Results with_stability(Results results, std::span<const Task> tasks, const Reference& truth,
-                       const Progress& progress) {
-  const std::vector<Motion> motions = motions_of(tasks, truth, progress);
+                       const Progress& progress, std::optional<double> horizon) {
+  const std::vector<Motion> motions = motions_of(results, tasks, truth, progress, horizon);
   std::vector<Piece> pieces;
   for (const Motion& motion : motions)
     for (const Method& method : motion.quantity.methods)
       if (of_fixed_step(method)) pieces.push_back({&motion, &method});
   Stage tally(progress, "looking for the limits of stability", pieces.size());
   parallel_for_each(pieces, [&](Piece& piece) {
-    examine(piece);
+    piece.failure = failure_of([&] { examine(piece); });
     tally.add();
   });
   for (const Motion& motion : motions) {
     if (motion.varied) continue;
-    Stability& stability = results.exercises.at(motion.place).stability.emplace(shape(tasks[motion.place]));
+    Stability& stability =
+        results.exercises.at(motion.place).stability.emplace(shape(tasks[motion.place], horizon));
     stability.quantity = motion.quantity.name;
     stability.unit = motion.quantity.unit;
     for (int k = 0; k < map_steps; ++k) stability.steps.push_back(std::ldexp(motion.interval, -k));
   }
   for (Piece& piece : pieces) {
     ExerciseResult& exercise = results.exercises.at(piece.motion->place);
-    if (piece.motion->varied) {
+    if (!piece.failure.empty()) {
+      exercise.failure = piece.method->model + ", " + piece.method->algorithm + ": " + piece.failure;
+    } else if (piece.motion->varied) {
       exercise.stability->map.push_back(std::move(piece.row));
     } else {
       exercise.stability->limits.push_back(std::move(piece.limit));
@@ -547,6 +562,14 @@ Results with_stability(Results results, std::span<const Task> tasks, const Refer
     });
   }
   return results;
+}
+
+double agreement(const Limit& l) {
+  const double theory = l.theory();
+  if (l.unstable == 0 && theory > l.longest) return 1;
+  if (theory == 0 || l.stable == 0)
+    return theory == l.stable ? 1 : l.stable == 0 ? 0 : std::numeric_limits<double>::infinity();
+  return l.stable / theory;
 }
 
 }  // namespace oddity

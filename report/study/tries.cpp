@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "solvers/ode/catalog.hpp"
+#include "solvers/stop.hpp"
 
 namespace oddity {
 
@@ -71,12 +72,12 @@ double Tries::expected_seconds() const {
 }
 
 void Tries::go_on(double most_evaluations, const std::vector<Start>& starts, const Need& need,
-                  const std::function<void()>& check, const std::vector<std::string>& hardest) {
+                  const std::vector<std::string>& hardest) {
   hardest_ = hardest;
   constexpr double far_more = 16;
   const double limit = far_more * most_evaluations;
   while (!is_over_ && expected_evaluations() <= most_evaluations) {
-    check();
+    check_stop();
     if (is_given_up()) step_back();
     const bool is_limited = limit * need.frames() < static_cast<double>(ode::budget);
     candidates.push_back(
@@ -88,7 +89,7 @@ void Tries::go_on(double most_evaluations, const std::vector<Start>& starts, con
     if (!last.holds())
       skip_what_cannot_hold(need);
     else if (!skipped_.empty())
-      look_among_skipped(starts, need, check);
+      look_among_skipped(starts, need);
     is_over_ = left_.empty() || holds_with_margin(candidates.back(), need) || hopeless(candidates.back()) ||
                (candidates.back().holds() && changed_nothing());
   }
@@ -120,13 +121,12 @@ void Tries::skip_what_cannot_hold(const Need& need) {
   if (left_.size() == 1 && is_foretold && cannot_hold(left_.back())) left_.clear();
 }
 
-void Tries::look_among_skipped(const std::vector<Start>& starts, const Need& need,
-                               const std::function<void()>& check) {
+void Tries::look_among_skipped(const std::vector<Start>& starts, const Need& need) {
   Candidate holds = std::move(candidates.back());
   candidates.pop_back();
   std::vector<double> between = std::exchange(skipped_, {});
   while (!between.empty()) {
-    check();
+    check_stop();
     const auto middle = between.begin() + static_cast<std::ptrdiff_t>(between.size() / 2);
     Candidate tried = evaluate_until_one_fails(order_of(starts), *method_, *middle, need);
     if (tried.holds()) {

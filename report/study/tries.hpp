@@ -20,10 +20,10 @@ class Tries {
   Tries(const Method&, const Need&);
 
   /// Goes on while a setting is expected to take no more than so many evaluations per frame. One that takes
-  /// far more is given up, and tried again when so many are allowed. `check` is called before each, and
-  /// throws to end it. The starts that are the hardest to others, by what they say, are tried first.
+  /// far more is given up, and tried again when so many are allowed. The starts that are the hardest to
+  /// others, by what they say, are tried first.
   void go_on(double most_evaluations, const std::vector<Start>&, const Need&,
-             const std::function<void()>& check, const std::vector<std::string>& hardest = {});
+             const std::vector<std::string>& hardest = {});
 
   const Method& method() const { return *method_; }
   /// It holds with the margin, or no finer setting can help.
@@ -60,7 +60,7 @@ class Tries {
   bool changed_nothing() const;
   void skip_what_cannot_hold(const Need&);
   /// Between one that fails and one that holds, the last candidate: the coarsest that holds, by bisection.
-  void look_among_skipped(const std::vector<Start>&, const Need&, const std::function<void()>& check);
+  void look_among_skipped(const std::vector<Start>&, const Need&);
 
   const Method* method_;
   double power_;              ///< of the setting by which an error falls at most

@@ -4,6 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
+#include <vector>
+
+#include "report/text/visible.hpp"
 
 namespace oddity {
 
@@ -16,6 +19,17 @@ Int whole(const nlohmann::ordered_json& json) {
   if (json.is_number_integer() && !json.is_number_unsigned() && std::in_range<Int>(json.get<std::int64_t>()))
     return static_cast<Int>(json.get<std::int64_t>());
   throw std::runtime_error("no whole number that fits: " + json.dump());
+}
+
+/// Has every text of a file show its control characters, where it would send them to whoever reads it.
+inline void show_controls(nlohmann::ordered_json& json) {
+  for (std::vector<nlohmann::ordered_json*> left{&json}; !left.empty();) {
+    nlohmann::ordered_json& one = *left.back();
+    left.pop_back();
+    if (one.is_string()) one = visible(one.get_ref<const std::string&>());
+    if (one.is_structured())
+      for (nlohmann::ordered_json& part : one) left.push_back(&part);
+  }
 }
 
 }  // namespace oddity

@@ -2,6 +2,7 @@
 
 #include "reference/bad_input.hpp"
 #include "reference/files.hpp"
+#include "report/study/beside_program.hpp"
 #include "report/sweep/merge.hpp"
 
 #ifdef ODDITY_HDF5
@@ -105,8 +106,9 @@ void write_hdf5(const Map& map, const std::filesystem::path& file) {
 #else
 
 void write_hdf5(const Map&, const std::filesystem::path& file) {
-  throw BadInput("this program is built without HDF5, and cannot write " + file.string() +
-                 ": './oddity sweep' installs it and builds with it, or ask for a .csv");
+  throw BadInput("this program is built without HDF5, and cannot write " + file.string() + ": " +
+                 where_to_build() +
+                 "'./oddity sweep merge' installs it and builds with it, or ask for a .csv");
 }
 
 #endif

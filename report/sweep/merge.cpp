@@ -8,6 +8,7 @@
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
 #include "report/charts/chart_parts.hpp"
+#include "report/study/beside_program.hpp"
 
 namespace oddity::sweep {
 
@@ -26,8 +27,8 @@ const fs::path& folder_of(const std::vector<fs::path>& folders, std::size_t chun
     found = &folder;
   }
   if (!found)
-    throw BadInput("chunk " + std::to_string(chunk) +
-                   " is missing: 'oddity sweep run' makes what is not there");
+    throw BadInput("chunk " + std::to_string(chunk) + " is missing: '" + program_as_typed() +
+                   " sweep run' makes what is not there");
   return *found;
 }
 
@@ -53,7 +54,8 @@ void require_no_other(const Plan& plan, const std::vector<fs::path>& folders) {
 std::vector<Tile> tiles_of(const Plan& plan, const fs::path& folder, std::size_t chunk) {
   auto tiles = kept(folder, plan, chunk);
   if (!tiles)
-    throw BadInput(chunk_file(folder, chunk).string() + " is damaged: 'oddity sweep run' makes it anew");
+    throw BadInput(chunk_file(folder, chunk).string() + " is damaged: '" + program_as_typed() +
+                   " sweep run' makes it anew");
   return *std::move(tiles);
 }
 

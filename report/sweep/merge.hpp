@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "report/pages/table_text.hpp"
 #include "report/sweep/chunks.hpp"
+#include "report/text/table_text.hpp"
 
 namespace oddity::sweep {
 

@@ -7,9 +7,10 @@
 #include "reference/text.hpp"
 #include "report/charts/axes.hpp"
 #include "report/charts/chart_style.hpp"
-#include "report/pages/markup.hpp"
+#include "report/study/limit_records.hpp"
 #include "report/study/stability.hpp"
 #include "report/sweep/merge.hpp"
+#include "report/text/markup.hpp"
 
 namespace oddity::sweep {
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -15,10 +13,12 @@
 #include "reference/bad_input.hpp"
 #include "reference/files.hpp"
 #include "reference/text.hpp"
+#include "report/study/beside_program.hpp"
 #include "report/study/choose.hpp"
+#include "report/study/earlier_results.hpp"
 #include "report/study/initial_conditions.hpp"
-#include "report/study/prices.hpp"
 #include "report/study/whole_in_json.hpp"
+#include "solvers/ode/steps_in.hpp"
 
 namespace oddity::sweep {
 
@@ -31,10 +31,10 @@ constexpr int tile_side = 64;  // cells
 /// A map of no more cells is looked at everywhere: one cell in a thousand of so few says nothing about the
 /// others, and all of them take no longer than one tile of a large map.
 constexpr long small_map = 4096;
+/// A merged map takes 19 bytes a cell, all in memory: of so many 38 GB, and a year on a thread that takes 16
+/// ms for each.
+constexpr double most_cells = 2e9;
 constexpr int format = 1;
-
-/// How a cell ends whose true motion cannot be found.
-constexpr std::string_view no_truth = "truth not known";
 
 const Entry& entry_of(const std::string& exercise) {
   for (const Entry& entry : registry())
@@ -42,7 +42,11 @@ const Entry& entry_of(const std::string& exercise) {
   throw BadInput("the sweep is of exercise " + exercise + ", which this program does not have");
 }
 
-const Scene& scene_of(const Asked& asked) { return *entry_of(asked.exercise).exercise.scene; }
+const Scene& scene_of(const Asked& asked) {
+  const auto& scene = entry_of(asked.exercise).exercise.scene;
+  if (!scene) throw BadInput("exercise " + asked.exercise + " has no motion to sweep over");
+  return *scene;
+}
 
 Task task_of(const Asked& asked) {
   Task task(entry_of(asked.exercise));
@@ -94,7 +98,7 @@ class Looks {
  private:
   Ended chosen(const Task& task) const {
     const Choice choice = choose(task, asked_.need, truth_, counted_price);
-    if (!choice.chosen) return {"nothing holds"};
+    if (!choice.chosen) return {std::string(nothing_holds)};
     return {choice.chosen->model + ", " + choice.chosen->algorithm, choice.chosen->error,
             choice.chosen->evaluations_per_frame};
   }
@@ -102,7 +106,7 @@ class Looks {
   Ended tried(const Task& task, const std::vector<double>& key, double setting) {
     const Quantity& seen = *motion_at(task.parameters, key);
     const Method* method = method_of(seen, asked_.model, asked_.algorithm);
-    if (!method) return {"no such method there"};
+    if (!method) return {std::string(no_method)};
     const Trial trial = run(seen, *method, setting);
     return {std::string(name_of(trial.outcome)), trial.in_needs,
             static_cast<double>(trial.answer.evaluations)};
@@ -192,7 +196,7 @@ void divide(Plan& plan, const Speed& speed, double seconds_a_chunk) {
 
 void require_axis(const Asked& asked, const Axis& axis, const Method* method) {
   const std::string name = "the axis " + axis.name;
-  if (axis.count < 2) throw BadInput(name + " needs two cells or more");
+  if (axis.count < 2 || axis.count > 1'000'000) throw BadInput(name + " needs from 2 to 1000000 cells");
   if (!(axis.from < axis.to))
     throw BadInput(name + " goes upward, and not from " + format_shortest(axis.from) + " to " +
                    format_shortest(axis.to));
@@ -236,11 +240,6 @@ std::vector<double> steps_of(const Asked& asked, const Method* method) {
   return steps;
 }
 
-/// Rounding aside, as the steps themselves do.
-double steps_between(double between, double step) {
-  return std::max(1.0, std::ceil(between / step * (1 - 1e-12)));
-}
-
 /// A longer step would be shortened, and stand in the map as what it is not.
 void require_steps_between_looks(const Asked& asked, const Quantity& seen, const Method* method) {
   const std::vector<double> steps = steps_of(asked, method);
@@ -258,7 +257,41 @@ void require_steps_between_looks(const Asked& asked, const Quantity& seen, const
                         unit + ", as with --looks 1"));
 }
 
+bool is_positive(double x) { return x > 0 && std::isfinite(x); }
+
+/// What may come from a file that was not made here: as the command line has it.
+void require_need(const Asked& asked) {
+  const Need& need = asked.need;
+  const double frames = need.horizon * need.frames_per_second;
+  if (!is_positive(need.horizon) || !is_positive(need.frames_per_second) || !(frames >= 1) ||
+      frames > most_frames || asked.looks > most_frames)
+    throw BadInput("a horizon of " + format_shortest(need.horizon) + " at " +
+                   format_shortest(need.frames_per_second) + " frames in a unit of time, or with " +
+                   std::to_string(asked.looks) + " looks, is not from one look at the motion to a million");
+  if (!is_positive(need.error) ||
+      !std::ranges::all_of(need.errors, is_positive, [](const auto& e) { return e.second; }))
+    throw BadInput("an error that is asked for must be positive");
+  if (!(asked.setting >= 0) || !std::isfinite(asked.setting))
+    throw BadInput("a setting must be positive, and is " + format_shortest(asked.setting));
+  if (asked.looks > 0 && asked.algorithm.empty())
+    throw BadInput(
+        "--looks is of a method, given by --model and --algorithm; what is chosen is judged at every frame: "
+        "--fps says how many there are");
+}
+
+void require_cells(const Asked& asked) {
+  double cells = 1;
+  for (const Axis& axis : asked.axes) cells *= axis.count;
+  if (cells > most_cells)
+    throw BadInput(
+        "a map of " + format_significant(cells, 3) + " cells is too large: of more than " +
+        format_significant(most_cells, 3) +
+        " it takes over 38 GB of memory to put the chunks together; ask for fewer, or for maps of parts");
+}
+
 void require_sense(const Asked& asked) {
+  require_need(asked);
+  require_cells(asked);
   if (asked.axes.empty() || asked.axes.size() > 2) throw BadInput("a sweep is over one or two numbers");
   if (asked.axes.size() == 2 && asked.axes[0].name == asked.axes[1].name)
     throw BadInput("the axis " + asked.axes[0].name + " is given twice");
@@ -280,20 +313,8 @@ void require_sense(const Asked& asked) {
 
 // ---- the file ---------------------------------------------------------------------------------------------
 
-std::string checksum_of_tables(const fs::path& tables) {
-  std::map<std::string, std::string> files;
-  for (const auto& file : fs::recursive_directory_iterator(tables / "tables")) {
-    std::ifstream in(file.path(), std::ios::binary);
-    files[file.path().filename().string()] = std::string(std::istreambuf_iterator<char>(in), {});
-  }
-  std::string all;
-  for (const auto& [name, text] : files) all += name + "\n" + text;
-  return checksum(all);
-}
-
 std::string fingerprint_of(const std::string& asked, const fs::path& tables) {
-  return "program " + checksum_of_program() + ", tables " + checksum_of_tables(tables) + ", asked " +
-         checksum(asked);
+  return made_by(tables) + ", asked " + checksum(asked);
 }
 
 Json from(const Axis& axis) {
@@ -307,6 +328,7 @@ Json from(const Asked& asked) {
   json["model"] = asked.model;
   json["algorithm"] = asked.algorithm;
   json["setting"] = asked.setting;
+  json["criterion"] = criterion_names[static_cast<std::size_t>(asked.need.criterion)];
   json["error"] = asked.need.error;
   json["errors"] = Json::object();
   for (const auto& [unit, error] : asked.need.errors) json["errors"][unit] = error;
@@ -318,6 +340,12 @@ Json from(const Asked& asked) {
   return json;
 }
 
+Criterion criterion_in(const Json& json) {
+  const auto found = std::ranges::find(criterion_names, json.at("criterion").get<std::string>());
+  if (found == criterion_names.end()) throw std::runtime_error("its criterion is none");
+  return static_cast<Criterion>(found - criterion_names.begin());
+}
+
 Asked asked_in(const Json& json) {
   Asked asked;
   asked.exercise = json.at("exercise");
@@ -325,6 +353,7 @@ Asked asked_in(const Json& json) {
   asked.model = json.at("model");
   asked.algorithm = json.at("algorithm");
   asked.setting = json.at("setting");
+  asked.need.criterion = criterion_in(json);
   asked.need.error = json.at("error");
   for (const auto& [unit, error] : json.at("errors").items()) asked.need.errors[unit] = error;
   asked.need.horizon = json.at("horizon");
@@ -379,7 +408,7 @@ double most_shortened(const Asked& asked) {
   const double between = between_looks(asked);
   if (steps.empty() || !ends_at_looks(seen, *method, between)) return 0;
   double most = 0;
-  for (double step : steps) most = std::max(most, 1 - between / steps_between(between, step) / step);
+  for (double step : steps) most = std::max(most, 1 - between / ode::steps_in(0, between, step) / step);
   return most;
 }
 
@@ -408,14 +437,20 @@ std::string to_json(const Plan& plan) {
 
 Plan plan_from_json(const std::string& text, const std::string& place) {
   try {
-    const Json json = Json::parse(text);
+    Json json = Json::parse(text);
+    show_controls(json);
     if (json.at("format") != format) throw std::runtime_error("of another format");
     Plan plan{asked_in(json.at("asked")), wholes(json.at("first_tile")), json.at("seconds"),
               json.at("fingerprint")};
+    scene_of(plan.asked);
+    require_need(plan.asked);
+    require_cells(plan.asked);
     const bool whole = plan.first_tile.size() == plan.seconds.size() + 1 && !plan.seconds.empty() &&
                        plan.first_tile.front() == 0 && std::ranges::is_sorted(plan.first_tile) &&
                        plan.tiles() == tiles_of(plan.width()) * tiles_of(plan.height());
     if (!whole) throw std::runtime_error("its chunks are not those of its cells");
+    if (!std::ranges::all_of(plan.seconds, [](double s) { return s >= 0 && std::isfinite(s); }))
+      throw std::runtime_error("a chunk takes no time that can be");
     return plan;
   } catch (const std::bad_alloc&) {
     throw;
@@ -425,9 +460,10 @@ Plan plan_from_json(const std::string& text, const std::string& place) {
 }
 
 Plan read_plan(const fs::path& file, const fs::path& tables) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw BadInput("there is no plan " + file.string() + "; 'oddity sweep plan' makes one");
-  Plan plan = plan_from_json({std::istreambuf_iterator<char>(in), {}}, file.string());
+  if (!fs::exists(file))
+    throw BadInput("there is no plan " + file.string() + "; '" + program_as_typed() +
+                   " sweep plan' makes one");
+  Plan plan = plan_from_json(read_whole(file), file.string());
   if (const std::string here = fingerprint_of(from(plan.asked).dump(), tables); here != plan.fingerprint)
     throw BadInput(file.string() +
                    " is the plan of another program, of other tables or of another question: (" +

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -54,6 +55,11 @@ struct Plan {
 
 /// Whether no cell is guessed from its neighbours: where that is asked for, and on a small map.
 bool looks_at_every_cell(const Asked&);
+
+/// How a cell ends whose true motion cannot be found, or which has no such method.
+inline constexpr std::string_view no_truth = "truth not known", no_method = "no such method there";
+/// How one ends at which nothing is chosen.
+inline constexpr std::string_view nothing_holds = "nothing holds";
 
 /// Between two looks at the motion, in the scene's unit of time.
 double between_looks(const Asked&);

@@ -37,11 +37,11 @@ bool under_mpirun() { return std::getenv("OMPI_COMM_WORLD_SIZE") || std::getenv(
 
 bool dealt_by_mpi(const std::function<std::optional<std::size_t>()>& next,
                   const std::function<void(std::size_t)>& work) {
-  const auto library = beside_program("liboddity_mpi.so");
+  const auto library = own_library("liboddity_mpi.so");
   if (!library)
-    throw BadInput(
-        "this program is built without MPI: './oddity sweep' installs it and builds with it, or have "
-        "each machine take its share by --shard");
+    throw BadInput("this program is built without MPI: " + where_to_build() +
+                   "'./oddity packages libopenmpi-dev openmpi-bin' installs it, and the next "
+                   "'./oddity sweep' is built with it; or have each machine take its share by --shard");
   const auto deal = function_of<decltype(oddity_deal)>(*library, "oddity_deal");
   Work all{next, work};
   return deal(next_of, work_of, &all) == 0;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 
@@ -162,8 +163,10 @@ Reply reply(const Request& request) {
 }
 
 json about() {
-  std::ifstream file(VARIANTS);
-  if (!file) throw std::runtime_error("cannot read " VARIANTS ", which has the engine's settings");
+  const auto settings = std::filesystem::read_symlink("/proc/self/exe").replace_filename("variants.json");
+  std::ifstream file(settings);
+  if (!file)
+    throw std::runtime_error("cannot read " + settings.string() + ", which has the engine's settings");
   const Engine e = engine();
   return {{"name", e.name},
           {"version", e.version},

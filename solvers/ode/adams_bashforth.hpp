@@ -20,6 +20,7 @@ struct AdamsBashforth4 {
   static constexpr Facts facts{.library = Facts::odeint,
                                .in_float = true,
                                .evaluations = 1,
+                               .history = true,
                                .real_limit = 0.3,
                                .imaginary_limit = 0.429987,
                                .theory = Facts::characteristic};

@@ -46,6 +46,7 @@ struct AdamsBashforthMoulton6 : detail::AdamsBashforthMoulton<6> {
   static constexpr std::string_view name = "Adams-Bashforth-Moulton 6";
   static constexpr Facts facts{.library = Facts::odeint,
                                .evaluations = 2,
+                               .history = true,
                                .real_limit = 0.698003,
                                .imaginary_limit = 0.526717,
                                .theory = Facts::characteristic};

@@ -7,14 +7,15 @@
 /// unknowns.
 ///
 /// The explicit algorithms that engines use, from the plainest on.
-#define ODDITY_COMMON_ALGORITHMS(F)     \
-  F(ExplicitEuler, explicit_euler)      \
-  F(SymplecticEuler, symplectic_euler)  \
-  F(VelocityVerlet, velocity_verlet)    \
-  F(RungeKutta4, runge_kutta_4)         \
-  F(CashKarp54, cash_karp_54)           \
-  F(DormandPrince54, dormand_prince_54) \
-  F(Fehlberg78, fehlberg_78)            \
+#define ODDITY_COMMON_ALGORITHMS(F)         \
+  F(ExplicitEuler, explicit_euler)          \
+  F(SymplecticEuler, symplectic_euler)      \
+  F(SemiImplicitEuler, semi_implicit_euler) \
+  F(VelocityVerlet, velocity_verlet)        \
+  F(RungeKutta4, runge_kutta_4)             \
+  F(CashKarp54, cash_karp_54)               \
+  F(DormandPrince54, dormand_prince_54)     \
+  F(Fehlberg78, fehlberg_78)                \
   F(BulirschStoer, bulirsch_stoer)
 /// The rest of the catalog.
 #define ODDITY_OTHER_ALGORITHMS(F)                   \

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "solvers/ode/jacobian.hpp"
+#include "solvers/ode/velocities.hpp"
 #include "solvers/taylor/tape.hpp"
 
 namespace oddity::taylor {
@@ -27,6 +28,8 @@ class AnySystem {
   virtual void operator()(const State& x, State& dxdt, T t) const = 0;
   /// Throws std::logic_error for a system that is not partitioned.
   virtual void acceleration(const Half& q, Half& a) const = 0;
+  /// Which unknowns are velocities; known of none by default.
+  virtual Velocities<n> velocities() const { return {}; }
   virtual bool differentiable() const = 0;
   /// As ode::jacobian. Throws std::logic_error for a system that is not differentiable, or not in double.
   virtual long jacobian(const State& x, double* matrix, double* dfdt, double t) const = 0;
@@ -95,6 +98,7 @@ class Adapted : public Base {
     else
       throw std::logic_error("the system has no forces of positions alone");
   }
+  Velocities<std::tuple_size_v<State>> velocities() const final { return velocities_of<State>(system_); }
   bool differentiable() const final { return is_differentiable; }
   long jacobian(const State& x, double* matrix, double* dfdt, double t) const final {
     if constexpr (is_differentiable)

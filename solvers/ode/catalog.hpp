@@ -6,6 +6,10 @@
 #include "solvers/ode/facts.hpp"
 #include "solvers/ode/integrate.hpp"
 
+/// The algorithms of this build as data, and what was found in their libraries.
+///
+///   for (const CatalogEntry& a : catalog())
+///     if (a.kind == Kind::fixed) std::cout << a.name << " " << a.order << " " << a.imaginary_limit << "\n";
 namespace oddity::ode {
 
 /// An algorithm of the catalog as plain data.

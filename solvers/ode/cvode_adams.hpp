@@ -11,7 +11,7 @@ namespace oddity::ode {
 /// functional iteration: for smooth problems that are not stiff and dear to evaluate.
 struct CvodeAdams : detail::Sundials<detail::SundialsMethod::adams> {
   static constexpr std::string_view name = "CVODE Adams";
-  static constexpr Facts facts{.library = Facts::sundials};
+  static constexpr Facts facts{.library = Facts::sundials, .history = true};
 };
 
 }  // namespace oddity::ode

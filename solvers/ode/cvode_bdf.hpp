@@ -12,7 +12,7 @@ namespace oddity::ode {
 /// the system is Differentiable, else by central differences (2 n).
 struct CvodeBdf : detail::Sundials<detail::SundialsMethod::bdf> {
   static constexpr std::string_view name = "CVODE BDF";
-  static constexpr Facts facts{.library = Facts::sundials, .jacobian = true};
+  static constexpr Facts facts{.library = Facts::sundials, .jacobian = true, .history = true};
 };
 
 }  // namespace oddity::ode

@@ -9,6 +9,7 @@
 #include "solvers/ode/algorithms.hpp"
 #include "solvers/ode/events.hpp"
 #include "solvers/ode/integrate.hpp"
+#include "solvers/ode/steps_in.hpp"
 
 namespace oddity::ode {
 
@@ -27,7 +28,7 @@ double distance(const std::array<double, n>& a, const std::array<double, n>& b,
 }
 
 /// The step next to this one that divides the span.
-double dividing(double span, double step) { return span / std::ceil(span / step * (1 - 1e-12)); }
+double dividing(double span, double step) { return span / steps_in(0, span, step); }
 
 /// In steps of h, which divides the span, watched at each. Events come between: the steps' ends are the same
 /// for two motions whose events are not.
@@ -159,6 +160,11 @@ class Disturbance final : public AnySystem<n> {
   }
   void acceleration(const Half&, Half&) const override {
     throw std::logic_error("a disturbance has no parts");
+  }
+  Velocities<n> velocities() const override {
+    Velocities<n> same = system_.velocities();
+    same.of.fill(n);  // by differences no rate is equal to a velocity
+    return same;
   }
   bool differentiable() const override { return false; }
   long jacobian(const State&, double*, double*, double) const override {

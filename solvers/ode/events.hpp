@@ -9,6 +9,11 @@
 
 #include "solvers/ode/integrate.hpp"
 
+/// Motions with events: the states at the times asked for, and where a guard falls through zero.
+///
+///   const bouncing_ball::Ball<double> ball{{1, 9.81, 0.7}};  // has guards(x, t) and at_event(i, x, t)
+///   const auto motion = integrate_with_events<RungeKutta4>(ball, ball.start(), times, 0.01);
+///   for (const auto& event : motion.events) std::cout << event.time << "\n";
 namespace oddity::ode {
 
 template <class State>

@@ -20,10 +20,29 @@
 /// absolute and relative (controlled, driven). Time may run backward. No algorithm hangs or returns NaN as a
 /// success: a state that is not finite ends `non_finite`, a step too small to move the time or a spent budget
 /// ends `stalled`.
+///
+///   const auto swing = [](const auto& x, auto& dxdt, const auto&) { dxdt = {x[1], -x[0]}; };
+///   const std::array times{0.0, 1.0, 2.0};
+///   const auto path = integrate<RungeKutta4>(swing, std::array{1.0, 0.0}, times, 0.01);
+///   if (path.reached()) std::cout << path.value.back()[0];  // cos(2)
 namespace oddity::ode {
 
-/// A self-stepping algorithm has a driver of its own, which chooses its steps and repeats those that fail.
-enum class Kind { fixed, partitioned, controlled, implicit_fixed, implicit_controlled, self_stepping };
+/// A velocities-first one steps the unknowns that are velocities, and then the others. A self-stepping
+/// algorithm has a driver of its own, which chooses its steps and repeats those that fail.
+enum class Kind {
+  fixed,
+  partitioned,
+  velocities_first,
+  controlled,
+  implicit_fixed,
+  implicit_controlled,
+  self_stepping
+};
+
+/// Its stepper is constructed with the system, of which it asks for more than the rates.
+constexpr bool holds_system(Kind kind) {
+  return kind == Kind::partitioned || kind == Kind::velocities_first || kind == Kind::implicit_fixed;
+}
 
 /// The setting is a tolerance, not a step.
 constexpr bool has_tolerance(Kind kind) {
@@ -126,7 +145,8 @@ Trajectory<State> integrate_inlined(const System& system, const State& start, st
 struct AlgorithmInfo {
   std::string_view name;
   Kind kind;
-  bool by_series = false;  ///< of an analytic system, and the state inside a step costs no new one
+  bool by_series = false;      ///< of an analytic system, and the state inside a step costs no new one
+  bool blind_to_time = false;  ///< as Facts has it
 };
 template <class Algorithm>
 AlgorithmInfo info();

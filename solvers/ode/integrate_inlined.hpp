@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "solvers/ode/integrate.hpp"
+#include "solvers/ode/steps_in.hpp"
+#include "solvers/stop.hpp"
 
 /// How every algorithm is driven through the times, compiled into its caller.
 namespace oddity::ode {
@@ -27,6 +29,7 @@ bool fail(Trajectory<State>& solved, Ending ending, const char* what, double t) 
 
 template <class State>
 bool check_budget(long evaluations, Trajectory<State>& solved, double t) {
+  check_stop_at_times();
   return evaluations <= most_evaluations ||
          fail(solved, Ending::stalled, "the budget of evaluations is spent", t);
 }
@@ -62,7 +65,7 @@ template <class DoStep, class State, class OnStep>
 [[gnu::always_inline]] inline bool equal_steps(DoStep& do_step, State& x, double t0, double t1, double step,
                                                long& evaluations, Trajectory<State>& solved,
                                                const OnStep& on_step) {
-  const double count = std::max(1.0, std::ceil(std::abs(t1 - t0) / step * (1 - 1e-12)));
+  const double count = steps_in(t0, t1, step);
   if (!(count <= static_cast<double>(most_evaluations)))
     return fail(solved, Ending::stalled, "the step would take more steps than the budget allows", t0);
   const auto n = static_cast<long>(count);
@@ -221,7 +224,7 @@ Trajectory<State> integrate_inlined(const System& system, const State& start, st
       detail::StepAlone<Algorithm, detail::Counted<System, State>> do_step{&counted};
       by(do_step);
     }
-  } else if constexpr (Algorithm::kind == Kind::partitioned || Algorithm::kind == Kind::implicit_fixed) {
+  } else if constexpr (holds_system(Algorithm::kind)) {
     auto stepper = Algorithm::template stepper<State>(system, evaluations);
     detail::through(
         times, start, solved, [&](State & x, double t0, double t1) __attribute__((always_inline)) {

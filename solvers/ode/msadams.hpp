@@ -12,7 +12,7 @@ namespace oddity::ode {
 /// evaluations per step.
 struct Msadams : detail::Gsl<detail::GslStep::msadams> {
   static constexpr std::string_view name = "GSL msadams";
-  static constexpr Facts facts{.library = Facts::gsl};
+  static constexpr Facts facts{.library = Facts::gsl, .history = true};
 };
 
 }  // namespace oddity::ode

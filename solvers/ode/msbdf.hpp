@@ -13,7 +13,7 @@ namespace oddity::ode {
 /// central differences (2 n + 2).
 struct Msbdf : detail::Gsl<detail::GslStep::msbdf> {
   static constexpr std::string_view name = "GSL msbdf";
-  static constexpr Facts facts{.library = Facts::gsl, .jacobian = true};
+  static constexpr Facts facts{.library = Facts::gsl, .jacobian = true, .history = true};
 };
 
 }  // namespace oddity::ode

@@ -24,7 +24,7 @@ bool step_precompiled(const AnySystem<n>& system, std::array<double, n>& x, doub
   const detail::Counted<AnySystem<n>, State> counted{system, evaluations};
   if constexpr (Algorithm::kind == Kind::fixed) {
     Algorithm::template stepper<State>().do_step(counted, x, t, h);
-  } else if constexpr (Algorithm::kind == Kind::partitioned || Algorithm::kind == Kind::implicit_fixed) {
+  } else if constexpr (holds_system(Algorithm::kind)) {
     Algorithm::template stepper<State>(system, evaluations)(x, t, h);
   } else if constexpr (requires { typename Algorithm::template Plain<State>; }) {
     typename Algorithm::template Plain<State>().do_step(counted, x, t, h);
@@ -54,7 +54,7 @@ std::unique_ptr<const AnySystem<n>> with_series_precompiled([[maybe_unused]] con
 
 template <class Algorithm>
 AlgorithmInfo info() {
-  return {Algorithm::name, Algorithm::kind, by_series<Algorithm>};
+  return {Algorithm::name, Algorithm::kind, by_series<Algorithm>, Algorithm::facts.blind_to_time};
 }
 
 #define ODDITY_PRECOMPILE_FOR(n, Algorithm)                                                                 \

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <mutex>
@@ -38,8 +39,19 @@ struct LinearProblem {
   }
 };
 
-template <class Algorithm>
-Plane one_step(const LinearProblem& problem, const Plane& y) {
+/// (q, v) of q'' = 2 Re(z) q' - |z|^2 q, whose eigenvalues are z and its conjugate.
+struct DampedOscillation {
+  std::complex<double> z;
+
+  template <class Y>
+  void operator()(const Y& y, Y& dydt, const auto&) const {
+    dydt[0] = y[1];
+    dydt[1] = 2 * z.real() * y[1] - std::norm(z) * y[0];
+  }
+};
+
+template <class Algorithm, class Problem>
+Plane one_step(const Problem& problem, const Plane& y) {
   return integrate<Algorithm>(problem, y, 0, 1, 1).value;
 }
 
@@ -95,6 +107,10 @@ template <class Algorithm>
 double growth_of(const LinearProblem& problem) {
   if constexpr (requires { Algorithm::recurrence(problem.z); })
     return log_radius(Algorithm::recurrence(problem.z));
+  if constexpr (Algorithm::kind == Kind::velocities_first) {
+    const DampedOscillation oscillation{problem.z};
+    return log_radius(one_step<Algorithm>(oscillation, {1, 0}), one_step<Algorithm>(oscillation, {0, 1}));
+  }
   const Plane a = one_step<Algorithm>(problem, {1, 0});
   if constexpr (Algorithm::kind == Kind::partitioned)
     return log_radius(a, one_step<Algorithm>(problem, {0, 1}));
@@ -122,21 +138,40 @@ bool is_multistep(std::string_view algorithm) {
 
 namespace {
 
+bool takes_velocities_first(std::string_view algorithm) {
+  bool found = false;
+  for_each_algorithm([&]<class Algorithm>() {
+    if (Algorithm::name == algorithm) found = Algorithm::kind == Kind::velocities_first;
+  });
+  return found;
+}
+
 /// Beside each eigenvalue lambda a partitioned algorithm also has -lambda.
 double growth_in_truth(std::string_view algorithm, const std::complex<double>& lambda) {
   return is_partitioned(algorithm) ? std::abs(lambda.real()) : std::max(0.0, lambda.real());
 }
 
-/// In the direction of lambda, as multiples of 1 / |lambda|.
-std::vector<Tongue> scan(std::string_view algorithm, double direction, double negligible) {
-  const std::complex<double> unit = std::polar(1.0, direction);
-  const double allowed = 2 * growth_in_truth(algorithm, unit) + negligible;
-  const auto excess = [&](double r) { return growth(algorithm, r * unit) - r * allowed; };
-  const auto edge = [&](double low, double high) {
-    const bool unstable = excess(high) > 0;
-    for (int i = 0; i < 30; ++i) ((excess((low + high) / 2) > 0) == unstable ? high : low) = (low + high) / 2;
-    return high;
-  };
+/// The fastest growth that does not count as unstable, of a disturbance of this eigenvalue.
+double allowed_growth(std::string_view algorithm, const std::complex<double>& lambda, double negligible) {
+  const double fades = is_partitioned(algorithm) ? 0 : std::max(0.0, -lambda.real());
+  return 2 * growth_in_truth(algorithm, lambda) + std::max(0.0, negligible * std::abs(lambda) - fades);
+}
+
+/// Growth in a step of r / |lambda|, beyond what is allowed.
+using Excess = std::function<double(double)>;
+
+/// Where the excess changes its sign between the two, which differ in it.
+double edge(const Excess& excess, double low, double high) {
+  const bool unstable = excess(high) > 0;
+  while (high - low > 1e-10 * high) {
+    const double middle = (low + high) / 2;
+    ((excess(middle) > 0) == unstable ? high : low) = middle;
+  }
+  return high;
+}
+
+/// The tongues up to `largest`; near an edge the next step is longer by the part `near`.
+std::vector<Tongue> scan(const Excess& excess, double near) {
   constexpr double largest = 30;
   std::vector<Tongue> tongues;
   bool unstable = false;
@@ -145,40 +180,110 @@ std::vector<Tongue> scan(std::string_view algorithm, double direction, double ne
     const double here = excess(r);
     if ((here > 0) != unstable) {
       unstable = !unstable;
-      const double at = r == last ? 0 : edge(last, r);
+      const double at = r == last ? 0 : edge(excess, last, r);
       if (unstable)
         tongues.push_back({at, infinity});
       else
         tongues.back().to = at;
     }
     last = r;
-    r *= 1 + std::clamp(std::abs(here) / 20, 0.002, 0.05);
+    r *= 1 + std::clamp(std::abs(here) / 20, near, 0.05);
   }
   return tongues;
 }
 
-/// The scan in this direction, rounded to a thousandth of a radian; each is made once.
-const std::vector<Tongue>& scanned(std::string_view algorithm, const std::complex<double>& lambda,
-                                   double negligible) {
+/// In the direction of the unit.
+Excess excess_along(std::string_view algorithm, std::complex<double> unit, double negligible) {
+  const double allowed = allowed_growth(algorithm, unit, negligible);
+  return [=](double r) { return growth(algorithm, r * unit) - r * allowed; };
+}
+
+/// The edge next to this one, of a direction next to that which has it; nothing: it is not within a tenth.
+std::optional<double> moved_edge(const Excess& excess, double at) {
+  if (at == 0 || std::isinf(at)) return at;
+  for (double part : {1e-3, 1e-2, 1e-1}) {
+    const double low = at * (1 - part), high = at * (1 + part);
+    if ((excess(low) > 0) != (excess(high) > 0)) return edge(excess, low, high);
+  }
+  return std::nullopt;
+}
+
+/// In the direction of lambda, as multiples of 1 / |lambda|: a scan in its direction rounded to a thousandth
+/// of a radian, which is made once, and from there the edges in its own.
+std::vector<Tongue> tongues_along(std::string_view algorithm, const std::complex<double>& lambda,
+                                  double negligible) {
   static std::map<std::tuple<std::string, long, double>, std::vector<Tongue>> known;
   static std::mutex mutex;
-  constexpr double to_imaginary = 1500, quarter_turn = std::numbers::pi / 2;
-  const long rounded = std::lround(std::abs(std::arg(lambda)) / quarter_turn * to_imaginary);
+  constexpr double to_imaginary = 1500, quarter_turn = std::numbers::pi / 2, near = 0.002;
+  const double direction = std::abs(std::arg(lambda));
+  const long rounded = std::lround(direction / quarter_turn * to_imaginary);
+  const double scanned_direction = static_cast<double>(rounded) / to_imaginary * quarter_turn;
+  std::optional<std::vector<Tongue>> tongues;
   const std::tuple key(std::string(algorithm), rounded, negligible);
   {
     const std::scoped_lock lock(mutex);
-    if (const auto found = known.find(key); found != known.end()) return found->second;
+    if (const auto found = known.find(key); found != known.end()) tongues = found->second;
   }
-  auto tongues = scan(algorithm, static_cast<double>(rounded) / to_imaginary * quarter_turn, negligible);
-  const std::scoped_lock lock(mutex);
-  return known.emplace(key, std::move(tongues)).first->second;
+  if (!tongues) {
+    tongues = scan(excess_along(algorithm, std::polar(1.0, scanned_direction), negligible), near);
+    const std::scoped_lock lock(mutex);
+    known.emplace(key, *tongues);
+  }
+  if (std::abs(direction - scanned_direction) < 1e-12) return *tongues;
+  const Excess excess = excess_along(algorithm, std::polar(1.0, direction), negligible);
+  for (Tongue& tongue : *tongues) {
+    const auto from = moved_edge(excess, tongue.from), to = moved_edge(excess, tongue.to);
+    if (!from || !to) return scan(excess, near);
+    tongue = {*from, *to};
+  }
+  return *tongues;
+}
+
+/// ln of the spectral radius of a step of h of x' = J x that takes the velocities first.
+double growth_velocities_first(const std::vector<double>& jacobian, const std::vector<bool>& velocities,
+                               double h) {
+  const auto n = static_cast<Eigen::Index>(velocities.size());
+  Eigen::MatrixXd j(n, n), step = Eigen::MatrixXd::Identity(n, n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index k = 0; k < n; ++k) j(i, k) = jacobian[static_cast<std::size_t>(i * n + k)];
+  for (bool first : {true, false}) {
+    const Eigen::MatrixXd rates = j * step;
+    for (Eigen::Index i = 0; i < n; ++i)
+      if (velocities[static_cast<std::size_t>(i)] == first) step.row(i) += h * rates.row(i);
+  }
+  double largest = 0;
+  for (const auto& root : eigenvalues(step)) largest = std::max(largest, std::abs(root));
+  return std::log(largest);
+}
+
+/// At this point of the spectrum, as multiples of 1 / |lambda| of its largest eigenvalue. What all its
+/// eigenvalues are allowed together each of them is; roundings of a double root count as no growth.
+std::vector<Tongue> tongues_velocities_first(const Spectrum& spectrum, std::size_t point, double size,
+                                             std::string_view algorithm, double no_motion,
+                                             double negligible) {
+  constexpr double rounding = 1e-7;
+  double allowed = rounding * size;
+  for (const auto& lambda : spectrum.at[point])
+    if (std::abs(lambda) >= no_motion)
+      allowed = std::max(allowed, allowed_growth(algorithm, lambda, negligible));
+  return scan(
+      [&](double r) {
+        return growth_velocities_first(spectrum.jacobians[point], spectrum.velocities, r / size) -
+               r * allowed / size;
+      },
+      0.02);
+}
+
+double largest_of(const Eigenvalues& eigenvalues) {
+  double largest = 0;
+  for (const auto& lambda : eigenvalues) largest = std::max(largest, std::abs(lambda));
+  return largest;
 }
 
 }  // namespace
 
-Eigenvalues eigenvalues_of_jacobian(const std::function<void(const double*, double*, double)>& rhs,
-                                    std::span<const double> x, double t) {
-  const auto n = static_cast<Eigen::Index>(x.size());
+std::vector<double> jacobian_at(const std::function<void(const double*, double*, double)>& rhs,
+                                std::span<const double> x, double t) {
   const detail::RawProblem problem{
       x.size(), &rhs,
       [](const void* object, const double* y, double* dydt, double time) {
@@ -186,9 +291,15 @@ Eigenvalues eigenvalues_of_jacobian(const std::function<void(const double*, doub
         return detail::Call::ok;
       },
       nullptr};
-  Eigen::MatrixXd transposed(n, n);  // Eigen's columns are the problem's rows; the eigenvalues are the same
-  detail::differences(problem, x.data(), transposed.data(), nullptr, t);
-  return eigenvalues(transposed);
+  std::vector<double> rows(x.size() * x.size());
+  detail::differences(problem, x.data(), rows.data(), nullptr, t);
+  return rows;
+}
+
+Eigenvalues eigenvalues_of(const std::vector<double>& matrix) {
+  const auto n = static_cast<Eigen::Index>(std::lround(std::sqrt(static_cast<double>(matrix.size()))));
+  const Eigen::MatrixXd transposed = Eigen::Map<const Eigen::MatrixXd>(matrix.data(), n, n);
+  return eigenvalues(transposed);  // they are those of the matrix
 }
 
 double growth(std::string_view algorithm, std::complex<double> z) {
@@ -204,14 +315,22 @@ double growth(std::string_view algorithm, std::complex<double> z) {
 
 std::vector<Tongue> unstable_steps(std::string_view algorithm, const Spectrum& spectrum, double negligible) {
   const double no_motion = 0.01 / (spectrum.span * static_cast<double>(spectrum.at.size()));
+  const bool by_matrix = takes_velocities_first(algorithm) && !spectrum.jacobians.empty();
   std::vector<Tongue> all;
-  for (const Eigenvalues& eigenvalues : spectrum.at)
-    for (const auto& lambda : eigenvalues) {
+  const auto add = [&](const std::vector<Tongue>& tongues, double size) {
+    for (const Tongue& tongue : tongues)
+      all.push_back({tongue.from < finest ? 0 : tongue.from / size, tongue.to / size});
+  };
+  for (std::size_t i = 0; i < spectrum.at.size(); ++i) {
+    if (const double size = largest_of(spectrum.at[i]); by_matrix && size >= no_motion)
+      add(tongues_velocities_first(spectrum, i, size, algorithm, no_motion, negligible), size);
+    if (by_matrix) continue;
+    for (const auto& lambda : spectrum.at[i]) {
       const double size = std::abs(lambda);
       if (lambda.imag() < 0 || size < no_motion) continue;  // a real Jacobian's come in pairs that grow alike
-      for (const Tongue& tongue : scanned(algorithm, lambda, negligible))
-        all.push_back({tongue.from < finest ? 0 : tongue.from / size, tongue.to / size});
+      add(tongues_along(algorithm, lambda, negligible), size);
     }
+  }
   std::ranges::sort(all, {}, &Tongue::from);
   std::vector<Tongue> united;
   for (const Tongue& tongue : all)
@@ -229,26 +348,21 @@ double stable_step(std::string_view algorithm, const Spectrum& spectrum) {
 
 double added_growth(std::string_view algorithm, const Spectrum& spectrum, double step, double time,
                     double as_fast) {
+  const bool by_matrix = takes_velocities_first(algorithm) && !spectrum.jacobians.empty();
   double sum = 0;
-  for (const Eigenvalues& eigenvalues : spectrum.at) {
-    double most = -infinity;
-    for (const auto& lambda : eigenvalues)
-      most = std::max(most,
-                      growth(algorithm, step * lambda) / step - as_fast * growth_in_truth(algorithm, lambda));
+  for (std::size_t i = 0; i < spectrum.at.size(); ++i) {
+    double most = -infinity, in_truth = 0;
+    for (const auto& lambda : spectrum.at[i]) {
+      const double truth = as_fast * growth_in_truth(algorithm, lambda);
+      in_truth = std::max(in_truth, truth);
+      if (!by_matrix) most = std::max(most, growth(algorithm, step * lambda) / step - truth);
+    }
+    if (by_matrix)
+      most = growth_velocities_first(spectrum.jacobians[i], spectrum.velocities, step) / step - in_truth;
     sum += most;
   }
   return sum / static_cast<double>(spectrum.at.size()) * time;
 }
-
-namespace {
-
-double largest_of(const Eigenvalues& eigenvalues) {
-  double largest = 0;
-  for (const auto& lambda : eigenvalues) largest = std::max(largest, std::abs(lambda));
-  return largest;
-}
-
-}  // namespace
 
 double fastest(const Spectrum& spectrum) {
   double sum = 0;

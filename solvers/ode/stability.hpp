@@ -18,15 +18,22 @@ using Eigenvalues = std::vector<std::complex<double>>;
 struct Spectrum {
   double span;
   std::vector<Eigenvalues> at;
+  /// At each of these points the Jacobian, row by row, and which of its unknowns are velocities, for
+  /// algorithms that take these first. Empty: each eigenvalue is one of a damped oscillation's two.
+  std::vector<std::vector<double>> jacobians = {};
+  std::vector<bool> velocities = {};
 };
 
-/// rhs(x, dxdt, t) of as many unknowns as `x` has; the Jacobian by central differences.
-Eigenvalues eigenvalues_of_jacobian(const std::function<void(const double*, double*, double)>& rhs,
-                                    std::span<const double> x, double t);
+/// The Jacobian, row by row and by central differences, of rhs(x, dxdt, t) of as many unknowns as `x` has.
+std::vector<double> jacobian_at(const std::function<void(const double*, double*, double)>& rhs,
+                                std::span<const double> x, double t);
+/// Of a square matrix, row by row.
+Eigenvalues eigenvalues_of(const std::vector<double>& matrix);
 
 /// ln |R(z)|, the rate at which y' = lambda y grows in a step of the named algorithm, z = h lambda. A
 /// partitioned algorithm solves q'' = lambda^2 q, of which it takes the real part, and gives its faster
-/// growth; a multistep one gives the growth of its largest root. Throws std::logic_error for an algorithm
+/// growth; one that takes velocities first solves q'' = 2 Re(lambda) q' - |lambda|^2 q; a multistep one gives
+/// the growth of its largest root. Throws std::logic_error for an algorithm
 /// that has no fixed step.
 double growth(std::string_view algorithm, std::complex<double> z);
 
@@ -41,8 +48,9 @@ struct Tongue {
   double from, to;  ///< to infinity: every longer step
 };
 
-/// A disturbance that grows more slowly than this part of its own |lambda| counts as one that does not grow:
-/// tenfold takes it 366 turns or more.
+/// A disturbance that does not fade in truth, and grows more slowly than this part of its own |lambda|,
+/// counts as one that does not grow: tenfold takes it 366 turns or more. One that fades in truth as fast as
+/// this must not grow at all.
 constexpr double negligible_growth = 1e-3;
 
 /// A method is said to have no stable step where it has none of a 314th of a turn, h |lambda| = 0.02.
@@ -78,8 +86,9 @@ struct Loss {
 
 /// The steps at which the algorithm is unstable: at some point of the motion a disturbance that does not grow
 /// in truth grows by more than `negligible_growth`, or one that does grows more than twice as fast. From the
-/// shortest on, found by a scan in steps of 0.2 % near every edge, up to h |lambda| = 30. Eigenvalues that
-/// turn the motion by less than a hundredth of a radian in all are left out.
+/// shortest on, found by a scan in steps of 0.2 % near every edge (2 % for an algorithm that takes velocities
+/// first), up to h |lambda| = 30; an edge is exact to nine digits. Eigenvalues that turn the motion by less
+/// than a hundredth of a radian in all are left out.
 std::vector<Tongue> unstable_steps(std::string_view algorithm, const Spectrum&,
                                    double negligible = negligible_growth);
 

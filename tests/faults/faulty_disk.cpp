@@ -72,14 +72,14 @@ bool is_of_disk(int descriptor) {
 
 extern "C" {
 
-int open(const char* path, int flags, ...) {
+int openat(int folder, const char* path, int flags, ...) {
   va_list arguments;
   va_start(arguments, flags);
   const mode_t mode = flags & O_CREAT ? va_arg(arguments, mode_t) : 0;
   va_end(arguments);
   if (flags & O_CREAT && !fault().lets_pass()) return -1;
-  static const auto open_really = real("open", open);
-  return open_really(path, flags, mode);
+  static const auto open_really = real("openat", openat);
+  return open_really(folder, path, flags, mode);
 }
 
 ssize_t write(int descriptor, const void* bytes, size_t size) {
@@ -88,16 +88,16 @@ ssize_t write(int descriptor, const void* bytes, size_t size) {
   return write_really(descriptor, bytes, size);
 }
 
-int rename(const char* from, const char* to) noexcept {
+int renameat(int folder, const char* from, int other, const char* to) noexcept {
   if (!fault().lets_pass()) return -1;
-  static const auto rename_really = real("rename", rename);
-  return rename_really(from, to);
+  static const auto rename_really = real("renameat", renameat);
+  return rename_really(folder, from, other, to);
 }
 
-int mkdir(const char* path, mode_t mode) noexcept {
+int mkdirat(int folder, const char* path, mode_t mode) noexcept {
   if (!fault().lets_pass()) return -1;
-  static const auto mkdir_really = real("mkdir", mkdir);
-  return mkdir_really(path, mode);
+  static const auto mkdir_really = real("mkdirat", mkdirat);
+  return mkdir_really(folder, path, mode);
 }
 
 int clock_gettime(clockid_t clock, timespec* time) noexcept {

@@ -151,6 +151,9 @@ void Trials::judge(Cell& cell, const std::string& when, const Ended& ended, cons
 }
 
 void Trials::goes_on(Cell& cell, const std::string& when) {
+  for (const auto& entry : fs::recursive_directory_iterator(folder_))  // as if it were days later
+    if (entry.path().extension() == ".part")
+      fs::last_write_time(entry, fs::last_write_time(entry) - std::chrono::hours(48));
   const Ended ended = run(command());
   judge(cell, when + ", and then undisturbed", ended, {0, verb_.once ? 2 : 0}, false);
   if (ended.status == 0) note(cell, when + ", and then undisturbed", ended, wrong(false, true));

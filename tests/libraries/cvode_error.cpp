@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/libraries/shown.hpp"
 
 TEST_CASE("the error of CVODE's BDF is many tolerances", "[libraries]") {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/libraries/shown.hpp"
 
 TEST_CASE("the error of GSL's bsimp is many tolerances where its steps are long", "[libraries]") {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/libraries/shown.hpp"
 
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/libraries/shown.hpp"
 
 TEST_CASE("the error of GSL's multistep methods is many tolerances", "[libraries]") {

@@ -2,7 +2,7 @@
 #include <gsl/gsl_odeiv2.h>
 #include <gsl/gsl_version.h>
 
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/libraries/shown.hpp"
 
 TEST_CASE("GSL's multistep methods leave a growing solution at a loose tolerance", "[libraries]") {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/libraries/shown.hpp"
 
 TEST_CASE("GSL's step control takes NaN for no error", "[libraries]") {

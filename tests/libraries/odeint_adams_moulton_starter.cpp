@@ -2,7 +2,7 @@
 #include <boost/version.hpp>
 #include <cmath>
 
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/libraries/shown.hpp"
 
 TEST_CASE("Odeint's Adams-Bashforth-Moulton has its starter's order", "[libraries]") {

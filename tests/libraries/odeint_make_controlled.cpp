@@ -3,7 +3,7 @@
 #include <boost/version.hpp>
 #include <cmath>
 
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/libraries/shown.hpp"
 
 TEST_CASE("Odeint's make_controlled is another function without one of its headers", "[libraries]") {

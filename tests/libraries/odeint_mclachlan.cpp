@@ -2,7 +2,7 @@
 #include <boost/numeric/odeint/stepper/symplectic_rkn_sb3a_m4_mclachlan.hpp>
 #include <boost/version.hpp>
 
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/libraries/shown.hpp"
 
 TEST_CASE("Odeint's McLachlan 4 asks for a force that it does not use", "[libraries]") {

@@ -5,7 +5,7 @@
 #include <boost/version.hpp>
 #include <cmath>
 
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/libraries/shown.hpp"
 
 TEST_CASE("Odeint's controlled steps take NaN for no error", "[libraries]") {

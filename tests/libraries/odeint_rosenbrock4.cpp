@@ -4,7 +4,7 @@
 #include <boost/version.hpp>
 #include <cmath>
 
-#include "tests/catch.hpp"
+#include "report/verify/catch.hpp"
 #include "tests/libraries/shown.hpp"
 
 namespace {

@@ -6,8 +6,8 @@
 #include <iterator>
 
 #include "reference/text.hpp"
+#include "report/verify/catch.hpp"
 #include "solvers/ode/catalog.hpp"
-#include "tests/catch.hpp"
 
 namespace fs = std::filesystem;
 using oddity::ode::Finding, oddity::ode::findings;

@@ -113,7 +113,7 @@ fs::path compiled_program(const Folders& folders, const std::vector<Mutant>& mut
     link(folders, program,
          program == "make_reference"
              ? std::vector<std::string>{"makers"}
-             : std::vector<std::string>{"solvers", "ublas", "makers", "chapters", "report"});
+             : std::vector<std::string>{"formula", "solvers", "ublas", "makers", "chapters", "report"});
   bring_lanes(folders);
   return folders.build / "oddity";
 }

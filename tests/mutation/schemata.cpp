@@ -134,7 +134,7 @@ std::vector<fs::path> sources_of(const fs::path& tree) {
 
 /// Whether what the suite computes may depend on the file.
 bool computed(const std::string& file) {
-  static const std::set<std::string> rooms{"chapters", "solvers", "reference", "report"};
+  static const std::set<std::string> rooms{"formula", "chapters", "solvers", "reference", "report"};
   return rooms.contains(file.substr(0, file.find('/')));
 }
 

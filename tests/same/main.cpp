@@ -18,6 +18,7 @@
 
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
+#include "report/study/limit_records.hpp"
 #include "report/study/results.hpp"
 #include "report/study/stability.hpp"
 

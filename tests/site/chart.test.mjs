@@ -11,18 +11,18 @@ function loaded(...files) {
   return context.window.oddity;
 }
 
-const { charts, trials, map, choosing, drawn, isPublished } = loaded(
+const { charts, trials, map, choosing, isPublished } = loaded(
   'findings.js',
   'marks.js',
   'diagrams.js',
   'chart.js',
   'trials.js',
   'map.js',
+  'typed.js',
   'asking.js',
   'searching.js',
   'advice.js',
   'chooser.js',
-  'drawn.js',
 );
 test('models with the errors of the book are known by their names', () => {
   for (const model of ['published equations', 'listing as printed', 'equation (7) as printed', 'fixed tip, as proposed'])
@@ -184,11 +184,12 @@ test('where explicit Euler does not come there the finding says so', () => {
   assert.match(found.says, /velocity Verlet needs 20 evaluations; explicit Euler does not come there\.$/);
 });
 
-test('the finding of what is no motion names the least work for the need', () => {
+test('the finding of what is no motion names the least work for the need, and its measure', () => {
   assert.equal(
     charts.finding(swing, methods, 'evaluations', null).says,
-    'velocity Verlet (exact) reaches 10⁻⁶ rad with the least work: 20 evaluations; Runge-Kutta 4 (exact) needs 2 times as much.',
+    'velocity Verlet (exact) reaches 10⁻⁶ rad with the least counted work: 20 evaluations; Runge-Kutta 4 (exact) needs 2 times as much.',
   );
+  assert.match(charts.finding(swing, methods, 'time', null).says, / in the least time measured: 400 ns;/);
 });
 
 test('the finding of rows counts the methods that are right', () => {
@@ -325,9 +326,27 @@ test('a link says what is asked and comes back as the same link', () => {
   ]);
   assert.equal(
     choosing.command(state),
-    'oddity choose 3.31 --error 2cm,3deg --horizon 10 --fps 30 --budget 5us --precision any',
+    './oddity choose 3.31 --error 2cm,3deg --horizon 10 --fps 30 --budget 5us --precision any',
   );
   assert.deepEqual(plain(choosing.fromHash(choosing.toHash(state), [pendulum, rough])), plain(state));
+});
+
+test('a link and a field take the units that the program takes', () => {
+  const units = { rad: { rad: 1, deg: Math.PI / 180 }, s: { s: 1, ms: 0.001, min: 60 }, '1/s': { '1/s': 1, Hz: 1 } };
+  const scene = { ...pendulum, units };
+  const state = choosing.fromHash('#scene=3.5&a=60deg&horizon=1%20min&fps=120Hz', [scene]);
+  assert.equal(state.parameters.a, (60 * Math.PI) / 180);
+  assert.equal(state.horizon, 60);
+  assert.equal(state.fps, 120);
+  assert.throws(() => choosing.setParameter(state, scene.parameters[0], '2 cm'), /a: .2 cm. has a unit that does not fit: rad, deg do/);
+  assert.throws(() => choosing.setParameter(state, scene.parameters[0], '0x1'), /a: /);
+  assert.throws(() => choosing.setPositive(state, 'fps', '2 cm', 'the frame rate'), /the frame rate: .*Hz do/);
+});
+
+test('one error without a unit is for all units, and each has its own in the command', () => {
+  const state = choosing.fromHash('#scene=3.31&error=0.02', [pendulum, rough]);
+  assert.match(choosing.command(state), /--error 0\.02m,0\.02rad /);
+  assert.deepEqual(plain(choosing.fromHash('#scene=3.31&error=3deg,2cm', [pendulum, rough]).errors.m), { value: 0.02, text: '2cm' });
 });
 
 test('a bad link is told what is wrong with it', () => {
@@ -338,6 +357,21 @@ test('a bad link is told what is wrong with it', () => {
     ['#scene=3.5&error=1cm', /error in rad/],
     ['#scene=3.5&fps=0', /above zero/],
     ['#scene=3.5&precision=half', /double, float or any/],
+    ['#scene=3.5&a=1&a=2', /"a" is given twice/],
+    ['#scene=3.5&error=1deg&error=2deg', /"error" is given twice/],
+    ['#scene=3.5&horizon=0x10', /the horizon: “0x10” has a unit that does not fit/],
+    ['#scene=3.5&a=0x1', /a: “0x1” has a unit that does not fit/],
+    ['#scene=3.5&budget=5', /a time with its unit/],
+    ['#scene=3.5&budget=1e-20s', /a time with its unit/],
+    ['#scene=3.5&error=1,5deg', /error in rad/],
+    ['#scene=3.5&error=1e13', /error in rad/],
+    ['#scene=3.5&error=1deg,', /error in rad/],
+    ['#scene=3.31&error=1cm,5deg,7', /error in m or rad/],
+    ['#scene=3.31&error=1,1cm,1deg', /error in m or rad/],
+    ['#scene=3.31&error=1cm', /missing in rad/],
+    ['#scene=3.31&error=1cm,1deg,2cm', /two errors in m/],
+    ['#scene=3.5&horizon=1e-3', /shorter than a frame/],
+    ['#scene=3.5&horizon=1e6', /of at most a million/],
     ['#scene=%3Cscript%3E', /no scene "<script>"/],
   ])
     assert.throws(() => choosing.fromHash(hash, [pendulum, rough]), message);
@@ -434,35 +468,4 @@ test('the search judges by the finest run and finds what holds', () => {
   const euler = found.rows.filter((r) => r.algorithm === 'explicit Euler');
   assert.equal(euler[0].holds, false);
   assert.equal(euler[euler.length - 1].error <= 1 / 3, true);
-});
-
-test('recorded drawings move what moves and leave what stands', () => {
-  const things = [
-    { kind: 'support', size: 0, letter: '', trail: false, points: 1 },
-    { kind: 'body', size: 0.1, letter: 'm', trail: true, points: 1 },
-  ];
-  const path = Buffer.from([0, 0, 0xff, 0xff, 0xff, 0xff, 0, 0]).toString('base64');
-  const scene = {
-    drawn: {
-      space: false,
-      things,
-      still: [5, 6, 0, 0],
-      moving: [2, 3],
-      least: -1,
-      most: 1,
-      truth: path,
-      paths: [path],
-    },
-  };
-  const { truth, paths } = drawn(scene);
-  assert.equal(truth.frames, 2);
-  assert.deepEqual(plain(truth.at(0).primitives.map((p) => p.points)), [[[5, 6, 0]], [[-1, 1, 0]]]);
-  assert.deepEqual(plain(paths[0].at(7).primitives[1]), {
-    kind: 'body',
-    size: 0.1,
-    letter: 'm',
-    trail: true,
-    points: [[1, -1, 0]],
-  });
-  assert.equal(drawn({}), undefined);
 });

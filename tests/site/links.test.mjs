@@ -8,7 +8,7 @@ import test from 'node:test';
 globalThis.window = globalThis;
 const require = createRequire(import.meta.url);
 globalThis.window.oddity = { charts: { number: (x) => String(x) } };
-for (const name of ['scale', 'frames', 'permalink', 'asking']) require(`../../report/site/assets/${name}.js`);
+for (const name of ['typed', 'scale', 'frames', 'permalink', 'asking']) require(`../../report/site/assets/${name}.js`);
 const { oddity } = globalThis;
 
 const parameter = { name: 'a', value: 0.5, least: 0.001, most: 3.14, unit: 'rad' };
@@ -69,7 +69,7 @@ function readChooser(hash) {
   }
   const written = oddity.choosing.toHash(state);
   assert.equal(oddity.choosing.toHash(oddity.choosing.fromHash(written, scenes)), written, hash);
-  assert.match(oddity.choosing.command(state), /^oddity choose 3\.5 [ -~]*$/, `${hash} is not a command`);
+  assert.match(oddity.choosing.command(state), /^\.\/oddity choose 3\.5 [ -~]*$/, `${hash} is not a command`);
 }
 
 for (const [what, seeds, read] of [['a player', players, readPlayer], ['the chooser', choosers, readChooser]])

@@ -14,6 +14,14 @@ test('the site is one folder of at most 3 MB', () => {
   assert.ok(bytes(site) <= 3e6, `${site} has ${bytes(site)} bytes`);
 });
 
+test('the front page, with all that it asks for at once, is at most 300 KB', () => {
+  const text = fs.readFileSync(`${site}/index.html`, 'utf8');
+  const files = [...text.matchAll(/(?:src|href)="((?:assets|data)\/[^"]+)"/g)].map(([, file]) => file);
+  assert.ok(files.length >= 3);
+  const size = [...files, 'index.html'].reduce((sum, file) => sum + fs.statSync(`${site}/${file}`).size, 0);
+  assert.ok(size <= 300e3, `it has ${size} bytes`);
+});
+
 for (const name of pages) {
   for (const dark of [false, true]) {
     test(`${name}, ${dark ? 'dark' : 'light'}: nothing asked for, nothing said, accessible`, async () => {

@@ -6,7 +6,7 @@ import test from 'node:test';
 
 globalThis.window = globalThis;
 const require = createRequire(import.meta.url);
-for (const name of ['scale', 'frames', 'permalink']) require(`../../report/site/assets/${name}.js`);
+for (const name of ['typed', 'scale', 'frames', 'permalink']) require(`../../report/site/assets/${name}.js`);
 const { oddity } = globalThis;
 
 const near = (a, b, allowed) => assert.ok(Math.abs(a - b) <= allowed, `${a} is not ${b} within ${allowed}`);
@@ -54,6 +54,27 @@ test('numbers are read as people write them', () => {
   assert.equal(oddity.inField(1 / 60), '1/60');
   assert.equal(oddity.inField(Math.PI / 6), '0.523599');
   for (const bad of ['', 'x', '1/0', '1/2/3', '/2', '1..2', '0x10', 'Infinity', '1 2', '<b>']) assert.equal(oddity.typed(bad), null);
+});
+
+test('a number may have a unit that fits, in any of its spellings', () => {
+  const angles = { rad: 1, mrad: 0.001, deg: Math.PI / 180 };
+  for (const text of ['60deg', '60 deg', '60\u00b0', '60,0 \u00b0']) near(oddity.number(text, 'rad', angles), Math.PI / 3, 1e-15);
+  assert.equal(oddity.number('2 rad', 'rad', angles), 2);
+  assert.equal(oddity.number('-1/4 mrad', 'rad', angles), -0.00025);
+  const pulls = { 'm/s^2': 1, 'cm/s^2': 0.01 };
+  for (const text of ['981 cm/s^2', '981cm/s2', '981 cm/s\u00b2']) near(oddity.number(text, 'm/s\u00b2', pulls), 9.81, 1e-12);
+  assert.equal(oddity.number('9.81 m/s2', 'm/s\u00b2', pulls), 9.81);
+  const rates = { '1/s': 1, Hz: 1 };
+  for (const text of ['60 1/s', '60/s', '60Hz']) assert.equal(oddity.number(text, '1/s', rates), 60);
+  assert.equal(oddity.number('5 us', 's', { us: 1e-6 }), oddity.number('5 \u00b5s', 's', { us: 1e-6 }));
+});
+
+test('a unit that does not fit is refused, with those that do', () => {
+  assert.throws(() => oddity.number('2 cm', 'rad', { rad: 1, deg: 1 }), /2 cm. has a unit that does not fit: rad, deg do/);
+  assert.throws(() => oddity.number('2 cm', '1'), /this number has none/);
+  assert.throws(() => oddity.number('60deg'), /this number has none/);
+  for (const bad of ['deg', '60 deg deg', '60degx', '1e400', '', '6 0deg', 'constructor', '1 __proto__'])
+    assert.throws(() => oddity.number(bad, 'rad', { deg: 1 }), Error, bad);
 });
 
 test('numbers are written with the digits asked', () => {
@@ -167,6 +188,7 @@ test('a bad permalink is a sentence, and other anchors are none', () => {
     '#play&row=%zz/a/double/1', '#play&row=one angle/explicit Euler/half/1', '#play&speed=3', '#play&at=soon',
     '#play&row=one angle/explicit Euler/double/0', '#play&row=one angle/explicit Euler/double/-1',
     '#play&row=<script>alert(1)</script>/explicit Euler/double/1', '#play&constructor=1', '#play&p.__proto__=1',
+    '#play&row=one angle/explicit Euler/double/1/2', '#play&p.a=1&p.a=2', '#play&at=1&at=2', '#play&speed=1&speed=1', '#play&view=1,2&view=1,2',
     '#play&view=1', '#play&view=1,x', '#play&view=1,91', '#play&view=1,2,3', '#play' + '&row=one angle/explicit Euler/double/1'.repeat(5),
   ];
   for (const hash of bad) {

@@ -317,6 +317,36 @@ test('the chooser answers with a command', async () => {
   await page.close();
 });
 
+/// Types into a field what is refused, and then what is not.
+async function refuse(page, field, shown, bad, good) {
+  const type = async (text) => {
+    await page.focus(field);
+    await page.$eval(field, (input) => input.select());
+    await page.keyboard.type(text);
+    await page.keyboard.press('Enter');
+  };
+  await type(bad);
+  await page.waitForSelector(`${shown}.stale`);
+  const said = await page.$eval(shown, (place) => place.innerText);
+  assert.match(said, /has a unit that does not fit: rad, mrad, deg do/);
+  await type(good);
+  await page.waitForFunction((place) => !document.querySelector(place).matches('.stale'), {}, shown);
+}
+
+test('a number may have a unit; one that is refused greys the old answer', async () => {
+  const { page, faults } = await open(browser, '3.5.html', { reduced: true });
+  await page.waitForSelector('.player-rows select');
+  await refuse(page, '.player-parameters .slider-value', '.player', '2cm', '60deg');
+  await page.evaluate(() => document.activeElement.blur());
+  assert.equal(await page.$eval('.player-parameters .slider-value', (field) => field.value), '1.0472');
+  await page.close();
+  const chooser = await open(browser, 'chooser.html#scene=3.5');
+  await refuse(chooser.page, '.chooser fieldset input', '.chooser', '2cm', '60deg');
+  await chooser.page.waitForFunction(() => /\.\/oddity choose 3\.5 a=1\.04719755/.test(document.querySelector('.chooser').innerText));
+  assert.deepEqual([...faults, ...chooser.faults], []);
+  await chooser.page.close();
+});
+
 test('the search is reached by a key and goes to a claim', async () => {
   const { page, faults } = await open(browser, 'index.html', { reduced: true });
   await page.keyboard.press('/');

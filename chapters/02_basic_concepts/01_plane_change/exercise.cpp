@@ -246,9 +246,10 @@ void frames(Table& table, int side, const std::vector<Sample>& samples) {
   const auto is = [](const std::string& what, const std::string& value) {
     return "$" + what + "=" + value + "$";
   };
-  const std::string why =
+  const std::string why = filled(
       R"(The bar above the root is lost in the text at hand: the root divides. As it stands the vector is )"
-      R"(multiplied by it, and at $t=\pm1$ its length is 10, not 1.)";
+      R"(multiplied by it, and at $t=\pm1$ its length is @2, not 1.)",
+      {root(1.0) * length(in_plane(side, 1.0, 3.0))});
   table.formula(side < 0 ? "tangent_before" : "tangent_after", side < 0 ? 135 : 161,
                 is(R"(\mathbf T)", T + R"(\,)" + by_root) + range, samples,
                 {.quantity = R"($\mathbf T$)",
@@ -280,13 +281,13 @@ void on_both_pieces(Table& table, const std::vector<Sample>& all) {
     return OfTime{std::move(text), [=](const auto& s) { return interpolated(s.side(), s.t, points); },
                   [](const Sample& s) { return 10 * (1 + std::abs(s.t * s.t * s.t)); }};
   };
-  table.formula("polynomials", 103, "the components are polynomials (of degree 3), hence continuous", all,
+  table.formula("polynomials", 103, "The components are polynomials in $t$, hence continuous.", all,
                 {.quantity = R"($\mathbf r$)",
                  .truth = {"the curve", [](const auto& s) { return piece(s.side())(s.t); }},
                  .printed = through("the cubic through four of its points", 4),
                  .near_misses = {through("the parabola through three of its points", 3)}});
   const auto speed = [](double k) { return [=](const auto& s) { return sqrt(1 + k * pow(s.t, 4)); }; };
-  table.formula("speed", 123, R"(the speed is $\sqrt{1+9t^4}$ on both sides)", all,
+  table.formula("speed", 123, R"(The speed is $\sqrt{1+9t^4}$ for all $t$.)", all,
                 {.quantity = R"($|\mathbf v|$)",
                  .truth = {"dual numbers", [](const auto& s) { return s.local().speed; }},
                  .printed = {R"($\sqrt{1+9t^4}$)", speed(9)},
@@ -333,45 +334,48 @@ std::vector<Claim> claims(double h, double seed) {
            "$" + A + "$", acceleration_components("these, and 0 at 0 from both sides", 6), acceleration,
            limits.tends(R"((\mathbf v(t)-\mathbf v(0))/t)", {before, after}, none, v_slope)),
        .near_misses = {near("$" + A + "$", acceleration_components(R"($3t$ for $6t$)", 3), acceleration)}});
-  claims.add("position_from_below", 87, R"($\mathbf r$ tends to 0 from below)",
+  claims.add("position_from_below", 87, R"($\mathbf r$ tends to $(0,0,0)$ from below.)",
              {.printed = limits.tends(R, {before}, none, r_at),
               .near_misses = {limits.tends(R, {before}, 1e-6 * y, r_at)}});
-  claims.add("position_from_above", 105, R"($\mathbf r$ tends to 0 from above)",
+  claims.add("position_from_above", 105, R"($\mathbf r$ tends to $(0,0,0)$ from above.)",
              {.printed = limits.tends(R, {after}, none, r_at),
               .near_misses = {limits.tends(R, {after}, 1e-6 * z, r_at)}});
-  claims.add("velocity_limit", 121, R"($\mathbf v$ tends to $(1,0,0)$ from both sides)",
+  claims.add("velocity_limit", 121, R"($\mathbf v$ tends to $(1,0,0)$ from both sides.)",
              {.printed = limits.tends(V, {before, after}, x, v_at),
               .near_misses = {limits.tends(V, {before, after}, x + y, v_at)}});
-  claims.add("acceleration_limit", 121, R"($\mathbf a$ tends to 0 from both sides)",
+  claims.add("acceleration_limit", 121, R"($\mathbf a$ tends to $(0,0,0)$ from both sides.)",
              {.printed = limits.tends(A, {before, after}, none, a_at),
               .near_misses = {limits.tends(A, {before, after}, 6.0 * y, a_at)}});
   const auto plane = [&](const std::string& text, std::size_t i) -> Statement<Sample> {
     return {text, [i](const Sample& s) { return piece(s.side())(s.t)[i] == 0; }};
   };
   const Statement<Sample> in_xy = plane("$z=0$", 2), in_xz = plane("$y=0$", 1);
-  claims.statement<Sample>("xy_plane", 133, "the piece before 0 lies in the $xy$-plane", left,
+  claims.statement<Sample>("xy_plane", 133, "The piece before 0 lies in the $xy$-plane.", left,
                            {.printed = in_xy, .near_misses = {in_xz}});
-  claims.statement<Sample>("xz_plane", 159, "the piece from 0 on lies in the $xz$-plane", right,
+  claims.statement<Sample>("xz_plane", 159, "The piece from 0 on lies in the $xz$-plane.", right,
                            {.printed = in_xz, .near_misses = {in_xy}});
   frames(table, before, left);
   claims.add(
-      "normal_from_below", 147, R"($\mathbf N$ tends to $(0,1,0)$ from below)",
+      "normal_from_below", 147, R"($\mathbf N$ tends to $(0,1,0)$ from below.)",
       {.printed = limits.tends(normal, {before}, y, N_at),
        .near_misses = {limits.tends(normal, {before}, z, N_at), limits.tends(normal, {before}, -y, N_at)}});
-  claims.add("normal_by_evaluation", 155, R"(the limits of $\mathbf N$ are its formulas' values at 0)",
-             {.printed = limits.normal_at(0), .near_misses = {limits.normal_at(1e-3)}});
+  claims.add(
+      "normal_by_evaluation", 155,
+      R"(The limit of $\mathbf N$ is computed by evaluating its components at 0, as they are continuous.)",
+      {.printed = limits.normal_at(0), .near_misses = {limits.normal_at(1e-3)}});
   frames(table, after, right);
   claims.add(
-      "normal_from_above", 173, R"($\mathbf N$ tends to $(0,0,1)$ from above)",
+      "normal_from_above", 173, R"($\mathbf N$ tends to $(0,0,1)$ from above.)",
       {.printed = limits.tends(normal, {after}, z, N_at),
        .near_misses = {limits.tends(normal, {after}, y, N_at), limits.tends(normal, {after}, -z, N_at)}});
-  claims.add("no_sign_helps", 181,
-             R"(the two limits of $\mathbf N$ differ, and so do they with one sign changed)",
-             {.printed = {R"(both jumps are $\sqrt2$)", {limits.jump(1, sqrt2), limits.jump(-1, sqrt2)}},
-              .near_misses = {{"the limits are equal", {limits.jump(1, 0)}},
-                              {"they are opposite", {limits.jump(-1, 0)}}}});
   claims.add(
-      "no_continuous_normal", 181, "no function for the curve's normal is continuous at 0",
+      "no_sign_helps", 181,
+      R"(The one-sided limits of $\mathbf N$ are different, even with a change of sign on one of them.)",
+      {.printed = {R"(both jumps are $\sqrt2$)", {limits.jump(1, sqrt2), limits.jump(-1, sqrt2)}},
+       .near_misses = {{"the limits are equal", {limits.jump(1, 0)}},
+                       {"they are opposite", {limits.jump(-1, 0)}}}});
+  claims.add(
+      "no_continuous_normal", 181, "It is not possible to define a continuous normal of the curve at $t=0$.",
       {.printed = limits.right_angle(
            "the normal in the curve's own plane, of either sign: a right angle remains", N_after),
        .near_misses = {limits.right_angle(

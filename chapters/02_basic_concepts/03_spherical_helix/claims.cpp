@@ -100,9 +100,10 @@ void angles(Table& table, const std::vector<Sample>& all) {
                             return half_power(k.d, -0.5) * Vector<decltype(k.t)>{-cos(k.t), -sin(k.t), k.t};
                           })},
        .kind = Fault::lost_typography,
-       .why =
+       .why = filled(
            R"(The bars above the roots are lost in the text at hand: $x=\cos t/\sqrt{1+t^2}$. As products they )"
-           R"(leave the sphere: at $t=1$, $|(x,y,z)|$ is 2.)"});
+           R"(leave the sphere: at $t=1$, $|(x,y,z)|$ is @1.)",
+           {sqrt(2.0) * hypot(cos(1.0), sin(1.0), 1.0)})});
   table.formula("sine_of_phi", 201, R"($\sin\phi=1/\sqrt{1+t^2}$, positive)", all,
                 {.quantity = R"($\sin\phi$)",
                  .truth = at(
@@ -129,8 +130,10 @@ void angles(Table& table, const std::vector<Sample>& all) {
        .meant = at(R"($\cos^{-1}(t/\sqrt{1+t^2})$)", phi(1)),
        .near_misses = {at(R"($-\cos^{-1}(t/\sqrt{1+t^2})$)", phi(-1))},
        .kind = Fault::lost_typography,
-       .why = R"(The bar is lost in the text at hand: $\phi=\cos^{-1}(t/\sqrt{1+t^2})$. As a product, )"
-              R"($t\sqrt{1+t^2}$, it is above 1 from $t=0.79$ on, and no cosine.)"});
+       .why =
+           filled(R"(The bar is lost in the text at hand: $\phi=\cos^{-1}(t/\sqrt{1+t^2})$. As a product, )"
+                  R"($t\sqrt{1+t^2}$, it is above 1 from $t=@2$ on, and no cosine.)",
+                  {sqrt((sqrt(5.0) - 1) / 2)})});
   const auto rates = [](double sign) { return [=](const auto&) { return values(0, 0, sign, 0); }; };
   table.formula("rates_of_rho_and_theta", 209, R"($\dot\rho=\ddot\rho=0$, $\dot\theta=1$, $\ddot\theta=0$)",
                 all,
@@ -154,8 +157,9 @@ void angles(Table& table, const std::vector<Sample>& all) {
        .near_misses = {at(R"($+1/\sqrt{1-u^2}$)", by_root(1, -0.5))},
        .kind = Fault::lost_typography,
        .why =
-           R"(The bar is lost in the text at hand: $-1/\sqrt{1-u^2}$. At $u=0.6$ that is $-1.25$, the product )"
-           R"($-0.8$.)"});
+           filled(R"(The bar is lost in the text at hand: $-1/\sqrt{1-u^2}$. At $u=0.6$ that is $@3$, the )"
+                  R"(product $@1$.)",
+                  {slope_of_acos(0.6), -sqrt(1 - 0.6 * 0.6)})});
   const auto power = [](double n) { return [=](const auto& k) { return half_power(k.d, n); }; };
   table.formula(
       "derivative_of_z", 219, R"($z=t\,\sqrt{1+t^2}$ has $\dot z=(1+t^2)^{-3/2}$)", all,
@@ -173,8 +177,10 @@ void angles(Table& table, const std::vector<Sample>& all) {
        .near_misses = {at(R"($t/\sqrt{1+t^2}$ in dual numbers, with $(1+t^2)^{-1/2}$)",
                           [=](const auto& k) { return k.m.v[2] - power(-0.5)(k); })},
        .kind = Fault::lost_typography,
-       .why = R"(The bar is lost in the text at hand: $z=t/\sqrt{1+t^2}$. The derivative of the product is )"
-              R"($(1+2t^2)/\sqrt{1+t^2}$, 2.12 at $t=1$ for 0.354.)"});
+       .why = filled(
+           R"(The bar is lost in the text at hand: $z=t/\sqrt{1+t^2}$. The derivative of the product is )"
+           R"($(1+2t^2)/\sqrt{1+t^2}$, @3 at $t=1$ for @3.)",
+           {3 / sqrt(2.0), pow(2.0, -1.5)})});
   const auto chain = [](double sign, double root) {
     return
         [=](const auto& k) { return sign * half_power(1 - k.t * k.t / k.d, root) * half_power(k.d, -1.5); };
@@ -189,9 +195,10 @@ void angles(Table& table, const std::vector<Sample>& all) {
        .meant = at(R"($-(1+t^2)^{-3/2}/\sqrt{1-t^2/(1+t^2)}$)", chain(-1, -0.5)),
        .near_misses = {at(R"($+(1+t^2)^{-3/2}/\sqrt{1-t^2/(1+t^2)}$)", chain(1, -0.5))},
        .kind = Fault::lost_typography,
-       .why =
+       .why = filled(
            R"(The bar above the root is lost in the text at hand; the root divides. At $t=1$ the quotient is )"
-           R"($-\tfrac12$, the product $-\tfrac14$.)"});
+           R"($@1$, the product $@2$.)",
+           {-pow(2.0, -1.5) / sqrt(0.5), -pow(2.0, -1.5) * sqrt(0.5)})});
   table.formula("phi_dot", 229, R"($\dot\phi=-1/(1+t^2)$)", all,
                 {.quantity = R"($\dot\phi$)",
                  .truth = phi_dot,
@@ -242,18 +249,19 @@ void velocity_and_acceleration(Table& table, const std::vector<Sample>& all) {
     return [=](const auto& k) { return sign * half_power(k.d, n); };
   };
   table.formula(
-      "velocity_p", 261, R"($\mathbf v$ has the component $1\,\sqrt{1+t^2}$ along $\mathbf P$)", all,
+      "velocity_p", 261, R"($\mathbf v$ has the component $1\,\sqrt{1+t^2}$ along $\mathbf P$.)", all,
       {.quantity = R"($\mathbf v\cdot\mathbf P$)",
        .truth = part_of_velocity(0),
        .printed = at(R"($\sqrt{1+t^2}$)", power(1, 0.5)),
        .meant = at(R"($1/\sqrt{1+t^2}$)", power(1, -0.5)),
        .near_misses = {at(R"($1/(1+t^2)$)", power(1, -1))},
        .kind = Fault::lost_typography,
-       .why =
+       .why = filled(
            R"(The bar above the root is lost in the text at hand: $\mathbf P/\sqrt{1+t^2}$. As it stands the speed )"
-           R"(grows with $t$; at $t=10$ the helix moves at 0.1, and the product says 10.)"});
+           R"(grows with $t$; at $t=10$ the helix moves at @2, and the product says @2.)",
+           {At(10.0).speed, sqrt(101.0)})});
   table.formula(
-      "velocity_q", 261, R"($\mathbf v$ has the component $-1/(1+t^2)$ along $\mathbf Q$)", all,
+      "velocity_q", 261, R"($\mathbf v$ has the component $-1/(1+t^2)$ along $\mathbf Q$.)", all,
       {.quantity = R"($\mathbf v\cdot\mathbf Q$)",
        .truth = part_of_velocity(1),
        .printed = at(R"($-1/(1+t^2)$)", power(-1, -1)),
@@ -261,14 +269,15 @@ void velocity_and_acceleration(Table& table, const std::vector<Sample>& all) {
        .near_misses = {at(R"($+1/(1+t^2)^{3/2}$)", power(1, -1.5))},
        .kind = Fault::formula,
        .root = R"(sign of the velocity along $\mathbf Q$)",
-       .why =
+       .why = filled(
            R"(The step before is right, $\mathbf v=\sin\phi\,\mathbf P-\dot\phi\,\mathbf Q$, but )"
            R"($\dot\phi=-1/(1+t^2)$ is negative: $\mathbf v=\mathbf P/\sqrt{1+t^2}+\mathbf Q/(1+t^2)$. At $t=0$ )"
-           R"(the helix rises with $\dot z=1$ and $\mathbf Q=\mathbf k$; the printed velocity falls.)"});
+           R"(the helix rises with $\dot z=@1$ and $\mathbf Q=\mathbf k$; the printed velocity falls.)",
+           {At(0.0).m.v[2]})});
   const auto along_R = [](double part) {
     return [=](const auto& k) { return of_angles(k.theta[0], k.phi[0], {k.v[0], k.v[1], part}); };
   };
-  table.formula("velocity_r", 261, R"($\mathbf v$ has no component along $\mathbf R$)", all,
+  table.formula("velocity_r", 261, R"($\mathbf v$ has no component along $\mathbf R$.)", all,
                 {.quantity = R"($\mathbf v$)",
                  .truth = cartesian_v,
                  .printed = at(R"(its parts along $\mathbf P$ and $\mathbf Q$)", along_R(0)),
@@ -290,7 +299,7 @@ void velocity_and_acceleration(Table& table, const std::vector<Sample>& all) {
        .near_misses = {at(R"(this sum with $+\ddot\phi$)", acceleration(1))}});
   const auto falling = [](double n) { return [=](const auto& k) { return -2 * k.t / half_power(k.d, n); }; };
   table.formula("acceleration_p", 277,
-                R"($\mathbf a$ has the component $-2t/(1+t^2)^{3/2}$ along $\mathbf P$)", all,
+                R"($\mathbf a$ has the component $-2t/(1+t^2)^{3/2}$ along $\mathbf P$.)", all,
                 {.quantity = R"($\mathbf a\cdot\mathbf P$)",
                  .truth = part_of_acceleration(0),
                  .printed = at(R"($-2t/(1+t^2)^{3/2}$)", falling(1.5)),
@@ -299,7 +308,7 @@ void velocity_and_acceleration(Table& table, const std::vector<Sample>& all) {
     return [=](const auto& k) { return k.t * (k.t * k.t + one) / (k.d * k.d); };
   };
   table.formula(
-      "acceleration_q", 277, R"($\mathbf a$ has the component $-t/(1+t^2)$ along $\mathbf Q$)", all,
+      "acceleration_q", 277, R"($\mathbf a$ has the component $-t/(1+t^2)$ along $\mathbf Q$.)", all,
       {.quantity = R"($\mathbf a\cdot\mathbf Q$)",
        .truth = part_of_acceleration(1),
        .printed = at(R"($-t/(1+t^2)$)", [](const auto& k) { return -k.t / k.d; }),
@@ -307,14 +316,15 @@ void velocity_and_acceleration(Table& table, const std::vector<Sample>& all) {
        .near_misses = {at(R"($t(t^2+1)/(1+t^2)^2$)", along_Q(1))},
        .kind = Fault::formula,
        .root = R"(square forgotten in $\ddot\phi$)",
-       .why =
+       .why = filled(
            R"($\sin\phi\cos\phi-\ddot\phi=t/(1+t^2)-2t/(1+t^2)^2=t(t^2-1)/(1+t^2)^2$; the printed value forgets the )"
-           R"(square in $\ddot\phi$. At $t=2$ it is $0.24$, not $-0.4$; for $|t|>1$ even the sign is wrong.)"});
+           R"(square in $\ddot\phi$. At $t=2$ it is $@2$, not $@1$; for $|t|>1$ even the sign is wrong.)",
+           {At(2.0).a[1], -2 / 5.0})});
   const auto along_radius = [](double one) {
     return [=](const auto& k) { return -(one + k.d) / (k.d * k.d); };
   };
   table.formula("acceleration_r", 277,
-                R"($\mathbf a$ has the component $-(2+t^2)/(1+t^2)^2$ along $\mathbf R$)", all,
+                R"($\mathbf a$ has the component $-(2+t^2)/(1+t^2)^2$ along $\mathbf R$.)", all,
                 {.quantity = R"($\mathbf a\cdot\mathbf R$)",
                  .truth = part_of_acceleration(2),
                  .printed = at(R"($-(2+t^2)/(1+t^2)^2$)", along_radius(1)),
@@ -373,12 +383,13 @@ constexpr auto z = [](const auto& r) { return r[2]; };
 
 void ends(Claims& claims, const std::vector<Sample>& later, const std::vector<Sample>& earlier) {
   const auto from_pole = [](const Vector3& r) { return length(r - pole); };
+  const auto from_other_pole = [](const Vector3& r) { return length(r + pole); };
   const std::string distance = R"($\sqrt{x^2+y^2}$)";
-  claims.add("distance_vanishes", 285, R"(the distance from the axis goes to 0 as $t$ becomes infinite)",
+  claims.add("distance_vanishes", 285, R"(As $t$ becomes infinite, the distance from the axis goes to zero.)",
              {.printed = at_end("to 0", distance, 1, 0, from_axis),
               .near_misses = {at_end("to 1", distance, 1, 1, from_axis)}});
   claims.add(
-      "spiral_in_the_plane", 285, "in the plane the path is a spiral into the origin",
+      "spiral_in_the_plane", 285, "In the $xy$-plane the path is a spiral into the origin.",
       {.printed = {"the distance from the axis shrinks, turning on",
                    spiral("distance from the axis", 100 * pi, from_axis)},
        .near_misses = {{"turning the other way", spiral("distance from the axis", -100 * pi, from_axis)},
@@ -392,19 +403,22 @@ void ends(Claims& claims, const std::vector<Sample>& later, const std::vector<Sa
       {.printed = read(R"($t\,\sqrt{1+t^2}$ in the first form, for $t>0$)", 0.5, later),
        .meant = read(R"($t/\sqrt{1+t^2}$ in the first form, for $t>0$)", -0.5, later),
        .near_misses = {read(R"($t/\sqrt{1+t^2}$ in the first form, for $t<0$ as well)", -0.5, earlier)},
-       .why =
+       .why = filled(
            R"(The bar above the first root is lost in the text at hand: $t/\sqrt{1+t^2}$, as the next root has it )"
-           R"(squared. The product has no limit; at $t=10$ it is 100, and the quotient 0.995.)",
+           R"(squared. The product has no limit; at $t=10$ it is @3, and the quotient @3.)",
+           {10 * sqrt(101.0), 10 / sqrt(101.0)}),
        .kind = Fault::lost_typography});
-  claims.add("height_limit", 287, R"($z$ tends to 1 as $t$ becomes infinite)",
+  claims.add("height_limit", 287, R"($z$ tends to 1 as $t$ becomes infinite.)",
              {.printed = at_end(R"(to 1 as $t\to\infty$)", "$z$", 1, 1, z),
               .near_misses = {at_end(R"(as $t\to-\infty$ as well: there it is $-1$)", "$z$", -1, 1, z)}});
   const std::string to_pole = "distance from the pole";
-  Reading to_the_pole{"nearer and nearer, turning on", spiral(to_pole, 100 * pi, from_pole)};
-  to_the_pole.checks.push_back(at_end("", to_pole, 1, 0, from_pole).checks.front());
-  claims.add("spiral_to_the_pole", 311,
-             R"(on the sphere the helix spirals about $(0,0,1)$ and reaches it in the limit)",
-             {.printed = to_the_pole,
+  claims.add("spiral_to_the_pole", 311, "On the sphere the helix spirals about $(0,0,1)$.",
+             {.printed = {"nearer and nearer to the pole, turning on", spiral(to_pole, 100 * pi, from_pole)},
+              .near_misses = {{"turning the other way", spiral(to_pole, -100 * pi, from_pole)},
+                              {"nearer and nearer to the other pole",
+                               spiral("distance from the other pole", 100 * pi, from_other_pole)}}});
+  claims.add("pole_in_the_limit", 311, R"(The helix tends to $(0,0,1)$ as $t$ becomes infinite.)",
+             {.printed = at_end(R"(to 0 as $t\to\infty$)", to_pole, 1, 0, from_pole),
               .near_misses = {
                   at_end(R"(as $t\to-\infty$ as well: that is the other pole)", to_pole, -1, 0, from_pole)}});
 }
@@ -427,10 +441,14 @@ std::vector<Claim> claims(double seed) {
 }
 
 std::vector<Root> roots() {
-  return {{R"(sign of the velocity along $\mathbf Q$)",
-           "At $t=0$ a model of the point sinks at speed 1 where the point itself climbs at speed 1."},
-          {R"(square forgotten in $\ddot\phi$)",
-           R"(In a table the northward acceleration at $t=2$ stands as $-0.4$; it is $0.24$.)"}};
+  const At start(0.0);
+  return {
+      {R"(sign of the velocity along $\mathbf Q$)",
+       filled("At $t=0$ a model of the point sinks at speed @1 where the point itself climbs at speed @1.",
+              {-of_angles<double>(start.theta[0], start.phi[0], {1, -1, 0})[2], start.m.v[2]})},
+      {R"(square forgotten in $\ddot\phi$)",
+       filled(R"(In a table the northward acceleration at $t=2$ stands as $@1$; it is $@2$.)",
+              {-2 / 5.0, At(2.0).a[1]})}};
 }
 
 /// The root of 1 + t^2 as the letter q, and all other roots in it.
@@ -502,13 +520,16 @@ constexpr const char* by_bounds = R"(
 
 Provables proofs_of_limits() {
   const Vector<Shortened> r = helix(Shortened::letter("t"));
-  const auto tends = [](const Shortened& f, const Shortened& limit) {
-    return Lemma{.name = "printed",
+  const auto tends = [](const char* name, const Shortened& f, const Shortened& limit) {
+    return Lemma{.name = name,
                  .follows = {tends_at_infinity(f.expression(), limit.expression())},
                  .tactic = by_distance};
   };
-  return {{"2.3-distance_vanishes", "the limit is 0", {tends(from_axis(r), 0)}},
-          {"2.3-height_limit", "the limit is 1", {tends(z(r), 1)}}};
+  return {{"2.3-distance_vanishes", "the limit is 0", {tends("printed", from_axis(r), 0)}},
+          {"2.3-height_limit", "the limit is 1", {tends("printed", z(r), 1)}},
+          {"2.3-pole_in_the_limit",
+           "the distance from the axis tends to 0, and the height to 1",
+           {tends("distance", from_axis(r), 0), tends("height", z(r), 1)}}};
 }
 
 Provable proof_of_forms(const ForAll<SampleOf>& all) {

@@ -198,7 +198,7 @@ void lines(Statements& claims, const std::vector<Moment>& moments, const std::ve
 void unit_lines(Statements& claims, const Moments& moments, const std::vector<Line>& all) {
   claims.for_unit_speed.insert(claims.for_unit_speed.end(), all.begin(), all.end());
   for (const Line& line : all)
-    claims.add(line.slug, line.number, line.says + R"( ($|\dot{\mathbf D}|=1$))",
+    claims.add(line.slug, line.number, line.says + R"( (our condition: $|\dot{\mathbf D}|=1$))",
                {.printed = reading(line, R"(where $|\dot{\mathbf D}|=1$)", 1, moments.unit_speed),
                 .near_misses = {
                     reading(line, R"(where $|\dot{\mathbf D}|=1$, a sign flipped)", -1, moments.unit_speed),
@@ -255,7 +255,8 @@ void rotation_and_derivative(Statements& claims, const Moments& moments) {
                    (1 - m.gamma) * (m.S * m.S_dot + m.S_dot * m.S) + k * m.theta_dot * m.sigma * (m.S * m.S);
           },
           &Moment::size},
-         {"no_power_rule", 325, R"(the derivative of $S^2$ is $S\dot S+\dot SS$, not $2S\dot S$)",
+         {"no_power_rule", 325,
+          R"(The derivative of $S^2$ is $S\dot S+\dot SS$, and generally not $2S\dot S$.)",
           R"($\frac{d}{dt}S^2$)", [](const auto& m) { return m.S2_dot; },
           [](const auto& m, double k) { return (2 - k) * (m.S * m.S_dot) + k * (m.S_dot * m.S); },
           &Moment::size, "dual numbers", 0}});
@@ -274,13 +275,13 @@ void matrices_by_images(Statements& claims, const Moments& moments) {
   const std::string itself = "the matrix itself";
   lines(claims, moments.unit_speed,
         {{"determined_by_images", 327,
-          "three independent vectors and their images determine an invertible matrix (and any other)", "$M$",
+          "An invertible matrix is determined by the images of three linearly independent vectors.", "$M$",
           [](const auto& m) { return m.R_dot + 2.0 * m.I; },
           [](const auto& m, double k) {
             return from_images(m.R_dot + 2.0 * m.I, m.U1 + m.U2, m.U2 + 2.0 * m.U3, m.U3 - m.U1, k);
           },
           [](const auto& m) { return 10 * m.size; }, itself, 0},
-         {"frame_is_a_rotation", 331, "$U$ is a rotation matrix, its inverse its transpose",
+         {"frame_is_a_rotation", 331, "$U$ is a rotation matrix: its inverse is its transpose.",
           R"($U^TU$, $\det U$)", [](const auto& m) { return m.row(m.I, 1); },
           [](const auto& m, double k) {
             const auto U = m.U.columns(m.U1, m.U2, k * m.U3);
@@ -298,9 +299,11 @@ void matrices_by_images(Statements& claims, const Moments& moments) {
   };
   const Form from_images{"$AU^T$", [](const auto& m) { return m.W * m.U * transpose(m.U); },
                          &Moment::frame_size};
+  const Form from_shifted_images{"$AU^T$", [](const auto& m) { return (m.W + m.I) * m.U * transpose(m.U); },
+                                 &Moment::frame_size};
   claims.add(
       "applied_to_singular", 335,
-      R"(what is said of an invertible matrix (line 327) is applied to $\dot RR^T$)",
+      R"(What is said of an invertible matrix (line 327) is applied to $\dot RR^T$.)",
       {.printed = {R"($\dot RR^T$ is invertible)",
                    {in_all<Moment>(R"($\dot RR^T$ is regular)", moments.all,
                                    [](const auto& m) {
@@ -310,13 +313,20 @@ void matrices_by_images(Statements& claims, const Moments& moments) {
                      {determinants(R"($\det\dot RR^T$)", 0),
                       compare(R"($\dot RR^T$ from its images, $AU^T$)", from_images,
                               {R"($\dot RR^T$)", [](const auto& m) { return m.W; }}, moments.unit_speed)}},
+       .in_view = {R"(for an invertible matrix, such as $\dot RR^T+I$)",
+                   {in_all<Moment>(R"($\dot RR^T+I$ is regular)", moments.all,
+                                   [](const auto& m) { return std::abs(determinant(m.W + m.I)) > 0.5; }),
+                    compare(R"($\dot RR^T+I$ from its images, $AU^T$)", from_shifted_images,
+                            {R"($\dot RR^T+I$)", [](const auto& m) { return m.W + m.I; }},
+                            moments.unit_speed)}},
        .near_misses = {{R"(so is $\dot RR^T+I$)", {determinants(R"($\det(\dot RR^T+I)$)", 1)}}},
        .why =
-           "A skew $3\\times3$ matrix is never invertible, since $\\det S=\\det S^T=-\\det S$: $\\dot RR^T$ "
+           "The rule is right for the matrices that it speaks of, and leaves out the one that it is needed for: a "
+           "skew $3\\times3$ matrix is never invertible, since $\\det S=\\det S^T=-\\det S$: $\\dot RR^T$ "
            "has the eigenvalues $0,\\pm i|\\mathbf w|$ and the determinant 0 at every moment. The conclusion "
            "stands, for $M=AU^T$ follows from $MU=A$ for every matrix $M$: it is $U$ that has to be "
            "invertible.",
-       .kind = Fault::counterexample,
+       .kind = Fault::left_out,
        .root = "a singular matrix"});
 }
 
@@ -335,8 +345,8 @@ void frame(Statements& claims, const Moments& moments) {
   };
   claims.formula<Moment>(
       "orthonormal_frame", 337,
-      R"($\mathbf D$, $\dot{\mathbf D}$ and $\mathbf D\times\dot{\mathbf D}$ are unit vectors at right )"
-      R"(angles)",
+      R"($\mathbf U_1=\mathbf D$, $\mathbf U_2=\dot{\mathbf D}$ and $\mathbf U_3=\mathbf D\times\dot{\mathbf D}$ )"
+      R"(are unit vectors at right angles.)",
       moments.any,
       {.quantity = "$U^TU$",
        .truth = {"the unit matrix", [](const auto& m) { return m.I; }},
@@ -348,7 +358,7 @@ void frame(Statements& claims, const Moments& moments) {
        .near_misses = {gram(
            R"($\mathbf U_2=\dot{\mathbf D}/|\dot{\mathbf D}|$, $\mathbf U_3=\mathbf D\times\dot{\mathbf D}$)",
            true, false)},
-       .kind = Fault::left_out,
+       .kind = Fault::formula,
        .root = "length of the axis' rate",
        .why =
            "$\\dot{\\mathbf D}$ is perpendicular to $\\mathbf D$, but its length $\\lambda=|\\dot{\\mathbf "
@@ -467,36 +477,39 @@ constexpr auto difference = [](const auto& m) {
 };
 
 void skew_matrices(Statements& claims, const Moments& moments) {
-  unit_lines(claims, moments,
-             {{"columns", 375, R"($\dot RR^TU$ has the three images as columns)", R"($\dot RR^TU$)",
-               [](const auto& m) { return m.W * m.U; },
-               [](const auto& m, double k) { return columns_of_the_text(m, k); }},
-              {"inverted", 379, R"($\dot RR^T$ is the matrix of columns times $U^T$)", R"($\dot RR^T$)",
-               [](const auto& m) { return m.W; },
-               [](const auto& m, double k) { return columns_of_the_text(m, k) * transpose(m.U); }},
-              {"outer_products", 389,
-               R"($\dot RR^T=\dot\theta(\mathbf U_3\mathbf U_2^T-\mathbf U_2\mathbf U_3^T))"
-               R"(+\sigma(\mathbf U_1\mathbf U_3^T-\mathbf U_3\mathbf U_1^T))"
-               R"(+(1-\gamma)(\mathbf U_2\mathbf U_1^T-\mathbf U_1\mathbf U_2^T)$)",
-               R"($\dot RR^T$)", [](const auto& m) { return m.W; },
-               [](const auto& m, double k) {
-                 return m.theta_dot * (outer(m.U3, m.U2) - outer(m.U2, m.U3)) +
-                        m.sigma * (outer(m.U1, m.U3) - outer(m.U3, m.U1)) +
-                        k * (1 - m.gamma) * (outer(m.U2, m.U1) - outer(m.U1, m.U2));
-               }},
-              {"sum_of_cross_products", 465,
-               R"($\mathrm{Skew}(\mathbf w)=\dot\theta\,\mathrm{Skew}(\mathbf U_2\times\mathbf U_3))"
-               R"(+\sigma\,\mathrm{Skew}(\mathbf U_3\times\mathbf U_1))"
-               R"(+(1-\gamma)\,\mathrm{Skew}(\mathbf U_1\times\mathbf U_2)$)",
-               R"($\mathrm{Skew}(\mathbf w)$)", [](const auto& m) { return m.W; },
-               [](const auto& m, double k) {
-                 return m.theta_dot * skew(cross(m.U2, m.U3)) + k * m.sigma * skew(cross(m.U3, m.U1)) +
-                        (1 - m.gamma) * skew(cross(m.U1, m.U2));
-               }}});
+  unit_lines(
+      claims, moments,
+      {{"columns", 375,
+        R"($\dot RR^TU=[(1-\gamma)\mathbf U_2-\sigma\mathbf U_3\ |\ {-(1-\gamma)}\mathbf U_1+\dot\theta\mathbf U_3\ |\ \sigma\mathbf U_1-\dot\theta\mathbf U_2]$)",
+        R"($\dot RR^TU$)", [](const auto& m) { return m.W * m.U; },
+        [](const auto& m, double k) { return columns_of_the_text(m, k); }},
+       {"inverted", 379,
+        R"($\dot RR^T=[(1-\gamma)\mathbf U_2-\sigma\mathbf U_3\ |\ {-(1-\gamma)}\mathbf U_1+\dot\theta\mathbf U_3\ |\ \sigma\mathbf U_1-\dot\theta\mathbf U_2]\,U^T$)",
+        R"($\dot RR^T$)", [](const auto& m) { return m.W; },
+        [](const auto& m, double k) { return columns_of_the_text(m, k) * transpose(m.U); }},
+       {"outer_products", 389,
+        R"($\dot RR^T=\dot\theta(\mathbf U_3\mathbf U_2^T-\mathbf U_2\mathbf U_3^T))"
+        R"(+\sigma(\mathbf U_1\mathbf U_3^T-\mathbf U_3\mathbf U_1^T))"
+        R"(+(1-\gamma)(\mathbf U_2\mathbf U_1^T-\mathbf U_1\mathbf U_2^T)$)",
+        R"($\dot RR^T$)", [](const auto& m) { return m.W; },
+        [](const auto& m, double k) {
+          return m.theta_dot * (outer(m.U3, m.U2) - outer(m.U2, m.U3)) +
+                 m.sigma * (outer(m.U1, m.U3) - outer(m.U3, m.U1)) +
+                 k * (1 - m.gamma) * (outer(m.U2, m.U1) - outer(m.U1, m.U2));
+        }},
+       {"sum_of_cross_products", 465,
+        R"($\mathrm{Skew}(\mathbf w)=\dot\theta\,\mathrm{Skew}(\mathbf U_2\times\mathbf U_3))"
+        R"(+\sigma\,\mathrm{Skew}(\mathbf U_3\times\mathbf U_1))"
+        R"(+(1-\gamma)\,\mathrm{Skew}(\mathbf U_1\times\mathbf U_2)$)",
+        R"($\mathrm{Skew}(\mathbf w)$)", [](const auto& m) { return m.W; },
+        [](const auto& m, double k) {
+          return m.theta_dot * skew(cross(m.U2, m.U3)) + k * m.sigma * skew(cross(m.U3, m.U1)) +
+                 (1 - m.gamma) * skew(cross(m.U1, m.U2));
+        }}});
   lines(claims, moments.moving,
         {{"skew_entries", 453,
           R"($\mathbf B\mathbf A^T-\mathbf A\mathbf B^T$ has the entries of $\mathbf A\times\mathbf B$, )"
-          R"(arranged as printed)",
+          R"(in the places of a skew matrix.)",
           R"($\mathbf B\mathbf A^T-\mathbf A\mathbf B^T$)", difference,
           [](const auto& m, double k) {
             const auto [x, y, z] = product(m).e;
@@ -543,7 +556,7 @@ void angular_velocities(Statements& claims, const Moments& moments) {
           [](const auto& m, double k) { return skew(result(m, k)); }},
          {"angular_velocity", 475,
           R"($\mathbf w=\dot\theta\mathbf D+\sin\theta\,\dot{\mathbf D})"
-          R"(+(1-\cos\theta)\,\mathbf D\times\dot{\mathbf D}$, whatever $|\dot{\mathbf D}|$ is)",
+          R"(+(1-\cos\theta)\,\mathbf D\times\dot{\mathbf D}$ (whatever $|\dot{\mathbf D}|$ is))",
           R"($\mathbf w$)", [](const auto& m) { return m.w; }, result, &Moment::size}});
 }
 
@@ -717,12 +730,18 @@ std::vector<Claim> claims(double seed) { return stated(Moments(seed)).in_order()
 Provables proofs() { return proved_of(stated(Moments(1))); }
 
 std::vector<Root> roots() {
+  const Vector<double> axis{1, 0, 0}, rate{0, 0.5, 0};
+  const double volume = determinant(Matrix<double>::columns(axis, rate, cross(axis, rate)));
   return {
       {"length of the axis' rate",
-       R"(An axis that moves at half a radian per second has $|\dot{\mathbf D}|=0.5$: the determinant of the )"
-       R"(printed frame is 0.25, and a body that is drawn in it loses three quarters of its volume.)"},
+       filled(
+           R"(An axis that moves at half a radian per second has $|\dot{\mathbf D}|=@2$: the determinant of )"
+           R"(the printed frame is @2, and a body that is drawn in it loses @2 % of its volume.)",
+           {length(rate), volume, 100 * (1 - volume)})},
       {"a singular matrix",
-       R"(A program that inverts $\dot RR^T$ divides by its determinant, which is 0 at every moment.)"}};
+       filled(
+           R"(A program that inverts $\dot RR^T$ divides by its determinant, which is @1 at every moment.)",
+           {determinant(skew(rate))})}};
 }
 
 }  // namespace oddity::rotating_axis

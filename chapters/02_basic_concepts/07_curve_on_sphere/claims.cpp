@@ -105,7 +105,7 @@ void curve_and_frame(Table& table, const std::vector<Sample>& all) {
   };
   table.formula(
       "position", 481,
-      R"(the position is $((1-t^2)\cos\pi t,(1-t^2)\sin\pi t,t^2)$ times $\sqrt{(1-t^2)^2+t^4}$)", all,
+      R"(The position is $((1-t^2)\cos\pi t,(1-t^2)\sin\pi t,t^2)$ times $\sqrt{(1-t^2)^2+t^4}$.)", all,
       {.quantity = R"($\mathbf r$)",
        .truth = {R"(the point at the angles atan2 of $1-t^2$ and $t^2$, and $\pi t$)",
                  []<class T>(const SampleOf<T>& s) {
@@ -117,10 +117,11 @@ void curve_and_frame(Table& table, const std::vector<Sample>& all) {
        .meant = {R"(over $\sqrt{(1-t^2)^2+t^4}$)", given(-0.5)},
        .near_misses = {{R"(over $(1-t^2)^2+t^4$)", given(-1)}},
        .kind = Fault::lost_typography,
-       .why =
+       .why = filled(
            R"(The bar above the root is lost in the text at hand: the three numbers are divided by their length. )"
            R"(Multiplied by it they leave the unit sphere, of which the next lines speak, at every $t$ but 0 and )"
-           R"($\pm1$: at $t=2$ they are 25 from the origin.)"});
+           R"($\pm1$: at $t=2$ they are @2 from the origin.)",
+           {pow(1 - pow(2, 2), 2) + pow(2, 4)})});
   const auto size = [=](double power) {
     return [=](const auto& s) {
       const auto r = given(power)(s);
@@ -140,6 +141,15 @@ void curve_and_frame(Table& table, const std::vector<Sample>& all) {
       {.printed = across(R"($\dot{\mathbf r}$ has no part along $\mathbf r$)", R"($\dot{\mathbf r}$)", v_of),
        .near_misses = {
            across(R"($\ddot{\mathbf r}$ has no part along $\mathbf r$)", R"($\ddot{\mathbf r}$)", a_of)}});
+  const auto faster_than = [](const std::string& text, double least) {
+    return Statement<Sample>{text, [=](const Sample& s) { return s.speed > least; }};
+  };
+  table.claims.statement<Sample>(
+      "velocity_not_zero", 485,
+      R"(Another column is $\mathbf u=\dot{\mathbf r}/|\dot{\mathbf r}|$, for which $\dot{\mathbf r}$ must not be zero.)",
+      all,
+      {.printed = faster_than(R"($|\dot{\mathbf r}|>0$)", 0),
+       .near_misses = {faster_than(R"($|\dot{\mathbf r}|>2$)", 2)}});
   const auto rotation = [](double sign) {
     return [=]<class T>(const SampleOf<T>& s) {
       const Vector<T> u = s.m.v / s.speed;
@@ -148,7 +158,7 @@ void curve_and_frame(Table& table, const std::vector<Sample>& all) {
     };
   };
   table.formula(
-      "rotation", 485, R"($R=[\mathbf r\ \mathbf u\ \mathbf r\times\mathbf u]$ is a rotation matrix)", all,
+      "rotation", 485, R"($R=[\mathbf r\ \mathbf u\ \mathbf r\times\mathbf u]$ is a rotation matrix.)", all,
       {.quantity = R"($R^TR$ and $\det R$)",
        .truth = {"the unit matrix and 1", [](const auto&) { return joined(identity(), 1); }},
        .printed = {R"(those of $[\mathbf r\ \mathbf u\ \mathbf r\times\mathbf u]$)", rotation(1)},
@@ -244,7 +254,8 @@ void derivative_of_frame(Table& table, const std::vector<Sample>& all) {
   const auto inverse = [](double sign) {
     return [=](const auto& s) { return skew(sign * unskew(s.R_dot * transpose(s.R))); };
   };
-  table.formula("unskew_is_inverse", 533, "Unskew is the inverse of Skew", all,
+  table.formula("unskew_is_inverse", 533,
+                "Unskew is the inverse of Skew: $\\mathrm{Skew}(\\mathrm{Unskew}(S))=S$.", all,
                 {.quantity = R"($\dot RR^T$)",
                  .truth = product_of_frames,
                  .printed = {R"($\mathrm{Skew}(\mathrm{Unskew}(\dot RR^T))$)", inverse(1)},
@@ -260,7 +271,7 @@ void derivative_of_frame(Table& table, const std::vector<Sample>& all) {
   };
   table.formula(
       "only_r_v_a", 537,
-      R"(functions for $\mathbf r$, $\dot{\mathbf r}$ and $\ddot{\mathbf r}$ are all that $\mathbf w$ needs)",
+      R"(Functions for $\mathbf r$, $\dot{\mathbf r}$ and $\ddot{\mathbf r}$ are all that $\mathbf w$ needs.)",
       all,
       {.quantity = R"($\mathbf w$)",
        .truth = {R"($\mathrm{Unskew}(\dot RR^T)$, the frame by dual numbers)",
@@ -291,19 +302,24 @@ Reading callable(const std::string& text, const std::string& arguments) {
             exact()}}};
 }
 
+/// dot(a, v), which is zero where the speed is stationary.
+double along_velocity(double t) {
+  const auto m = space::motion_of(position, t);
+  return dot(m.a, m.v);
+}
+double stationary_speed(double after) {
+  return brent(along_velocity, after, after + std::copysign(0.1, after), 1e-15).value;
+}
+/// The printed listing's W less w.
+Vector3 error_of_listing(double t) { return w_function(t) - angular_velocity(space::motion_of(position, t)); }
+
 /// The times at which the printed listing returns w: zeros of its error, by Brent's method, against the
 /// numbers named.
 Check right_at_seven_times() {
-  const auto slope = [](double t) {
-    const auto m = space::motion_of(position, t);
-    return dot(m.a, m.v);
-  };
   std::vector<double> zeros{-1, 0, 1}, errors;
-  for (double side : {-1.0, 1.0})
-    for (double t : {0.6, 1.2}) zeros.push_back(brent(slope, side * t, side * (t + 0.1), 1e-15).value);
+  for (double after : {-1.2, -0.6, 0.6, 1.2}) zeros.push_back(stationary_speed(after));
   std::ranges::sort(zeros);
-  for (double t : zeros)
-    errors.push_back(distance(w_function(t), angular_velocity(space::motion_of(position, t))));
+  for (double t : zeros) errors.push_back(length(error_of_listing(t)));
   return {R"(error of the printed listing at $t=0,0.6851,1,1.2289$ and their negatives)",
           {"the listing's arithmetic", errors},
           {"zero", std::vector<double>(7)},
@@ -339,8 +355,14 @@ AtTime with_error() {
 }
 
 void listing(Table& table, const std::vector<Sample>& all) {
+  const Sample shown(0.75);
+  const Vector3 shown_by_listing = w_function(shown.t);
+  const double first = stationary_speed(0.6), last = stationary_speed(1.2);
+  double most = 0;
+  for (double t = -last; t < last; t += 0.001) most = std::max(most, length(error_of_listing(t)));
   table.claims.add(
-      "name_of_velocity", 537, R"(the functions needed are those of $\mathbf r$, 'V ectorv' and $\mathbf a$)",
+      "name_of_velocity", 537,
+      R"(The functions needed are those of $\mathbf r$, 'V ectorv' and $\mathbf a$.)",
       {.printed = letters(R"($\mathbf r$, V ectorv, $\mathbf a$)", {"r", "V ectorv", "a"}),
        .meant = letters(R"($\mathbf r$, $\mathbf v$, $\mathbf a$)", {"r", "v", "a"}),
        .near_misses = {letters(R"($\mathbf r$, $\mathbf u$, $\mathbf a$)", {"r", "u", "a"})},
@@ -351,7 +373,7 @@ void listing(Table& table, const std::vector<Sample>& all) {
        .kind = Fault::lost_typography});
   const auto u_dot = [](bool mended) { return [=](const auto& s) { return listed_u_dot(s.m, mended); }; };
   table.formula(
-      "listing_u_dot", 561, R"(the listing's `UDot = (A - R.Dot(U)*U)/length` is $\dot{\mathbf u}$)", all,
+      "listing_u_dot", 561, R"(The listing's `UDot = (A - R.Dot(U)*U)/length` is $\dot{\mathbf u}$.)", all,
       {.quantity = R"($\dot{\mathbf u}$)",
        .truth = u_dot_by_duals,
        .printed = {"with `R.Dot(U)`", u_dot(false)},
@@ -360,14 +382,15 @@ void listing(Table& table, const std::vector<Sample>& all) {
                         [](const auto& s) { return (s.m.a - dot(s.m.a, s.m.r) * s.u) / s.speed; }}},
        .kind = Fault::listing,
        .root = "R.Dot(U) for A.Dot(U)",
-       .why =
+       .why = filled(
            R"(The formula above the listing takes the acceleration's component, )"
            R"($(\ddot{\mathbf r}\cdot\mathbf u)\mathbf u$. The listing takes the position's, which is zero: its )"
            R"(`UDot` is $\ddot{\mathbf r}/|\dot{\mathbf r}|$, not even perpendicular to $\mathbf u$: at $t=0.75$ the )"
-           R"(two have the dot product $-0.72$. It should read `A.Dot(U)`.)"});
+           R"(two have the dot product $@2$. It should read `A.Dot(U)`.)",
+           {dot(listed_u_dot(shown.m, false), shown.u)})});
   using Out = Vector3&;
   table.claims.add(
-      "listing_call", 571, "`WFunction` can call `ComputeTerms(t, R, V, A, U, UDot)`",
+      "listing_call", 571, "`WFunction` can call `ComputeTerms(t, R, V, A, U, UDot)`.",
       {.printed = callable<double, Out, Out, Out, Out, Out>("six arguments", "t, R, V, A, U, UDot"),
        .meant = callable<double, Out, Out, Out, Out>("five arguments", "t, R, V, U, UDot"),
        .near_misses = {callable<double, Out, Out, Out>("four arguments", "t, R, V, U")},
@@ -381,7 +404,7 @@ void listing(Table& table, const std::vector<Sample>& all) {
     };
   };
   table.formula("listing_signs", 579,
-                R"(the listing picks $\mathbf w$ out of $\dot RR^T$ with the signs $-$, $+$, $-$)", all,
+                R"(The listing picks $\mathbf w$ out of $\dot RR^T$ with the signs $-$, $+$, $-$.)", all,
                 {.quantity = R"(`W` for the right `UDot`)",
                  .truth = w_by_frame,
                  .printed = {R"($-$, $+$, $-$)", signs(1)},
@@ -393,19 +416,21 @@ void listing(Table& table, const std::vector<Sample>& all) {
   corrected.checks.push_back(compare("`W` as printed", listed(), with_error(), all));
   corrected.checks.push_back(right_at_seven_times());
   table.claims.add(
-      "listing_result", 585, "`WFunction` returns the angular velocity",
+      "listing_result", 585, "`WFunction` returns the angular velocity.",
       {.printed = read("as printed", listed()),
        .corrected = corrected,
        .near_misses = {read("with `A.Dot(U)`, and + for - in `W.Z`",
                             mended("`W` with another sign in `W.Z`", -1))},
-       .why =
+       .why = filled(
            R"(The signs and the pairing of the components are right, but `UDot` is not (see `2.7-listing_u_dot`). )"
            R"(What it adds to $\dot RR^T$ is symmetric, so that the three entries picked are no longer those of a skew )"
            R"(matrix: the result is off by $c\,(r_yr_z,-r_xr_z,r_xr_y)$, )"
            R"($c=\ddot{\mathbf r}\cdot\mathbf u/|\dot{\mathbf r}|$. At $t=0.75$ the listing gives )"
-           R"($(0.9696,2.7156,4.8642)$, and $\mathbf w=(1.2157,2.9617,4.7289)$. It is right at seven times only: )"
-           R"(where the speed is stationary, $c=0$ at $t=0$, $\pm0.6851$ and $\pm1.2289$, and at the pole, )"
-           R"($\mathbf r=\mathbf k$ at $t=\pm1$; between them it is off by up to 0.74.)",
+           R"($(@4,@5,@5)$, and $\mathbf w=(@5,@5,@5)$. It is right at seven times only: )"
+           R"(where the speed is stationary, $c=0$ at $t=0$, $\pm@4$ and $\pm@5$, and at the pole, )"
+           R"($\mathbf r=\mathbf k$ at $t=\pm1$; between them it is off by up to @2.)",
+           {shown_by_listing[0], shown_by_listing[1], shown_by_listing[2], shown.w[0], shown.w[1], shown.w[2],
+            first, last, most}),
        .kind = Fault::listing,
        .root = "R.Dot(U) for A.Dot(U)"});
 }
@@ -425,10 +450,14 @@ std::vector<Claim> claims(double seed) {
 }
 
 std::vector<Root> roots() {
+  const double off = length(error_of_listing(0.75)),
+               rate = length(angular_velocity(space::motion_of(position, 0.75)));
   return {
       {"R.Dot(U) for A.Dot(U)",
-       R"(A sphere turned by the listing leaves its curve: at $t=0.75$ the angular velocity is off by 0.37 in 5.71, )"
-       R"(nearly four degrees for every radian that the sphere turns.)"}};
+       filled(
+           R"(A sphere turned by the listing leaves its curve: at $t=0.75$ the angular velocity is off by @2 in )"
+           R"(@3, up to $@2^\circ$ for every radian that the sphere turns.)",
+           {off, rate, 180 / std::numbers::pi * off / rate})}};
 }
 
 // ---- what is proved ---------------------------------------------------------------------------------------

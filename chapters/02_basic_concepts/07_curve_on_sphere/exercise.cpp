@@ -41,6 +41,7 @@ Scene scene() {
                   {{"matrix, orthonormalized", "which repairs the orientation after each step"},
                    {"quaternion, normalized", "which repairs the orientation after each step"}}},
       .draw = curve_on_sphere::draw<Parameters>,
+      .faulted = {"matrix, w of the printed listing"},
   };
 }
 

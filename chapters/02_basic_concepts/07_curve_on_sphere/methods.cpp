@@ -5,6 +5,7 @@
 #include "chapters/scene.hpp"
 #include "chapters/stops.hpp"
 #include "solvers/counted_calls.hpp"
+#include "solvers/ode/steps_in.hpp"
 
 namespace oddity::curve_on_sphere {
 
@@ -31,7 +32,7 @@ Answer observe_steps(const Model& model, State x, const Horizon& horizon, double
   Answer answer;
   std::vector<double> seen;
   const auto steps = [&](double from, double to) {
-    const double n = count_of_steps(to - from, step), h = (to - from) / n;
+    const double n = ode::steps_in(from, to, step), h = (to - from) / n;
     for (double k = 0; k < n && answer.evaluations <= ode::most_evaluations; ++k)
       answer.evaluations += advance(x, from + k * h, h);
     if (answer.evaluations <= ode::most_evaluations) return true;

@@ -88,6 +88,7 @@ template <class T>
 struct Turning {
   Given<T> p;
   bool listed = false;
+  static constexpr std::array<std::size_t, 0> velocities{};  // w is a function of time
   template <class X>
   Vector<X> w(const X& t) const {
     const Motion<X> m = motion<X>(p.pace * t);

@@ -4,6 +4,7 @@
 #include "chapters/claims.hpp"
 #include "chapters/provable_claims.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -45,11 +46,14 @@ struct PlateOf {
   T mass() const {
     return sum([](const T& m, const auto&) { return m; });
   }
-  /// The torque about -D of the weights (0, 0, -m).
+  /// The torque of the weights (0, 0, -m), positive where it turns the side of N down.
   T level_torque() const {
-    return sum([&](const T& m, const auto& r) { return -dot(D, cross(r, std::array<T, 3>{0.0, 0.0, -m})); });
+    const std::array<T, 3> axis = cross(std::array<T, 3>{0.0, 0.0, 1.0}, N);
+    return sum([&](const T& m, const auto& r) {
+      return dot(axis, cross(r, std::array<T, 3>{0.0, 0.0, -m}));
+    });
   }
-  /// The same of one of them, the plate turned about the fulcrum by `tilt`.
+  /// The torque about -D of one of them, the plate turned about the fulcrum by `tilt`.
   T torque_of(const T& m, const std::array<T, 3>& r, const T& tilt) const {
     return -dot(D, cross(quaternion(D, tilt)(r), std::array<T, 3>{0.0, 0.0, -m}));
   }
@@ -59,8 +63,16 @@ struct PlateOf {
 };
 
 struct Plate : PlateOf<double> {
-  Vector center() const { return A + 1 / mass() * moment(); }
-  double torque(double tilt = 0) const { return tilted_torque(tilt); }
+  /// The center of mass, particle by particle, by the lever rule.
+  Vector center_of_mass() const {
+    Vector center{};
+    double mass = 0;
+    for (const Particle& p : particles) {
+      mass += p.m;
+      center = center + p.m / mass * (p.r - center);
+    }
+    return center;
+  }
   double size() const {
     return sum([&](double m, const Vector& r) { return m * (length(r) + length(A)); });
   }
@@ -83,10 +95,11 @@ struct Sample {
     }
     const double angle = random.between(0, 2 * pi);
     plate.D = {cos(angle), sin(angle), 0};
-    plate.N = cross(Vector{0, 0, 1}, plate.D);
-    const double along = random.between(-5, 5), away = random.between(1, 4);
-    const Vector shift = away * plate.N + along * plate.D;
-    plate.A = plate.center();
+    const Vector across = cross(Vector{0, 0, 1}, plate.D);
+    plate.N = (random.below(2) == 0 ? 1.0 : -1.0) * across;
+    const double along = random.between(-5, 5), away = random.between(1, 12);
+    const Vector shift = away * across + along * plate.D;
+    plate.A = plate.center_of_mass();
     mean = beside = plate;
     mean.A = middle, beside.A = plate.A + shift;
   }
@@ -147,11 +160,23 @@ constexpr auto off_line = [](const auto& p, const auto&, const auto& s, const au
 constexpr auto place = [](const auto& p, const auto&, const auto& s, const auto& t) {
   return p.A + s * p.D + t * p.N;
 };
-constexpr auto by_cramer = [](const auto& p, const auto& at, const auto&, const auto&) {
-  const auto r = at - p.A;
+/// s and t of a particle at r from A.
+constexpr auto solved_by_cramer = [](const auto& p, const auto& r) {
   const auto det = p.D[0] * p.N[1] - p.D[1] * p.N[0];
   return std::array{(r[0] * p.N[1] - r[1] * p.N[0]) / det, (p.D[0] * r[1] - p.D[1] * r[0]) / det};
 };
+constexpr auto by_cramer = [](const auto& p, const auto& at, const auto&, const auto&) {
+  return solved_by_cramer(p, at - p.A);
+};
+/// The place that is nearest on the line.
+constexpr auto foot = [](const auto& p, const auto& at) { return p.A + dot(p.D, at - p.A) * p.D; };
+/// The solution of N . (P - A) = 0, or of N . P = 0, with one of the coordinates of `at`.
+Vector solution(const Plate& p, const Vector& at, bool from_origin) {
+  const std::size_t i = std::abs(p.N[0]) > std::abs(p.N[1]) ? 0 : 1, given = 1 - i;
+  Vector solved = at;
+  solved[i] = ((from_origin ? 0 : dot(p.N, p.A)) - p.N[given] * at[given]) / p.N[i];
+  return solved;
+}
 constexpr auto both = [](const auto&, const auto&, const auto& s, const auto& t) { return std::array{s, t}; };
 constexpr auto by_area = [](const auto& p, const auto& at, const auto&, const auto&) {
   return length(cross(7.0 * p.D, at - p.A)) / 7;
@@ -164,20 +189,35 @@ constexpr auto size_of_t = [](const auto&, const auto&, const auto&, const auto&
 void coordinates(Claims& claims, const std::vector<Sample>& plates) {
   using P = const Plate&;
   using V = const Vector&;
-  claims.formula("normal_form", 591, R"($C+sD$ has $N\cdot(P-C)=0$)", plates,
-                 {.quantity = R"($N\cdot(P-C)$, times $m$)",
-                  .truth = each("zero", [](P, V, double, double) { return 0.0; }),
-                  .printed = each(R"($N\cdot(C+sD-C)$)", off_line),
-                  .near_misses = {each(R"($N\cdot(C+tN-C)$)", [](P p, V, double, double t) {
-                    return dot(p.N, (p.A + t * p.N) - p.A);
-                  })}});
+  const OfPlate none = each("zero", [](P, V, double, double) { return 0.0; });
+  const auto normal = [&](const OfPlate& on_line) {
+    return compare<Sample>(R"($N\cdot(P-C)$ on the line, times $m$)", on_line, none, plates);
+  };
+  const auto solutions = [&](std::string text, bool from_origin) {
+    return compare<Sample>(
+        "solutions of the normal form, times $m$",
+        each(std::move(text), [=](P p, V r, double, double) { return solution(p, r, from_origin); }),
+        each("$C+sD$ nearest to them",
+             [=](P p, V r, double, double) { return foot(p, solution(p, r, from_origin)); }),
+        plates);
+  };
+  claims.add("normal_form", 591, R"(The line $P(s)=C+sD$ is $N\cdot(P-C)=0$.)",
+             {.printed = {"its points are solutions, and there are no others",
+                          {normal(each(R"($N\cdot(C+sD-C)$)", off_line)),
+                           solutions(R"($P$ with $N\cdot(P-C)=0$)", false)}},
+              .near_misses = {
+                  {"the points $C+tN$",
+                   {normal(each(R"($N\cdot(C+tN-C)$)",
+                                [](P p, V, double, double t) { return dot(p.N, (p.A + t * p.N) - p.A); }))}},
+                  {R"(the solutions of $N\cdot P=0$)", {solutions(R"($P$ with $N\cdot P=0$)", true)}}}});
   claims.formula(
-      "coordinate_system", 593, R"($C$, $D$ and $N$ are a coordinate system of the plane)", plates,
+      "coordinate_system", 593,
+      R"($C$, $D$ and $N$ form a coordinate system of the plane: $P_i=C+s_iD+t_iN$)", plates,
       {.quantity = R"($P$, times $m$)",
        .truth = each("every particle's place", [](P, V r, double, double) { return r; }),
        .printed = each(R"($C+sD+tN$)", place),
        .near_misses = {each(R"($C+sD$)", [](P p, V, double s, double) { return p.A + s * p.D; })}});
-  claims.formula("decomposition", 595, R"($s=D\cdot(P-C)$, $t=N\cdot(P-C)$)", plates,
+  claims.formula("decomposition", 597, R"($s_i=D\cdot(P_i-C)$, $t_i=N\cdot(P_i-C)$)", plates,
                  {.quantity = R"($(s,t)$, times $m$)",
                   .truth = each(R"(Cramer's rule for $P=C+sD+tN$)", by_cramer),
                   .printed = each(R"($(D\cdot(P-C),N\cdot(P-C))$)", both),
@@ -185,18 +225,24 @@ void coordinates(Claims& claims, const std::vector<Sample>& plates) {
                     return Value{t, s};
                   })}});
   claims.formula(
-      "distance", 601, R"($t$ is the distance of the particle from the fulcrum)", plates,
+      "distance", 601, R"($t_i$ is the distance from $P_i$ to the fulcrum line.)", plates,
       {.quantity = "the distance, times $m$",
        .truth = each("twice a triangle's area over its base on the line", by_area),
        .printed = each("$t$", [](P, V, double, double t) { return t; }),
        .corrected = each("$|t|$", size_of_t),
+       .in_view = {R"(for $t_i\ge0$, all particles on the side of $N$)",
+                   [](const Sample& s) {
+                     const Plate& p = s.beside;
+                     return std::ranges::all_of(p.particles,
+                                                [&](const Particle& x) { return dot(p.N, x.r - p.A) >= 0; });
+                   }},
        .near_misses = {each("$|s|$", [](P, V, double s, double) { return std::abs(s); })},
-       .kind = Fault::term,
+       .kind = Fault::left_out,
        .root = "distance for coordinate",
        .why =
            R"($t_i=N\cdot(P_i-C)$ has a sign, a distance has none: on the side away from $N$, $t_i$ is the distance's )"
            R"(negative, and $|t_i|$ is the distance. The proof needs the sign. With distances the moment would be )"
-           R"($\sum m_i|t_i|>0$, and no plate would balance.)"});
+           R"($\sum m_i|t_i|$, which is positive as soon as one particle is off the line.)"});
 }
 
 /// The half disc's moments about 32 lines through its center by another rule, or that of a uniform one.
@@ -221,6 +267,9 @@ Reading lamina_in_all_directions(const std::string& text, double k, bool uniform
 constexpr auto of_t = [](const auto& p) {
   return p.sum([&](const auto& m, const auto& r) { return m * dot(p.N, r); });
 };
+constexpr auto of_solved_t = [](const auto& p) {
+  return p.sum([&](const auto& m, const auto& r) { return m * solved_by_cramer(p, r)[1]; });
+};
 constexpr auto in_coordinates = [](const auto& p) {
   return p.sum([&](const auto& m, const auto& r) { return m * (p.N[0] * r[0] + p.N[1] * r[1]); });
 };
@@ -229,8 +278,8 @@ constexpr auto both_sums = [](const auto& p) { return std::array{p.moment()[0], 
 
 void moments(Claims& claims, const std::vector<Sample>& plates, double k) {
   using P = const Plate&;
-  const OfPlate torque =
-      beside("the torque of the weights about the fulcrum", [](P p) { return p.torque(); });
+  const OfPlate torque = beside("the torque of the weights that turns the side of $N$ down",
+                                [](P p) { return p.level_torque(); });
   const auto of_sums = [](Vector Plate::*by) { return [=](P p) { return dot(p.*by, p.moment()); }; };
   const auto line = [&](std::string_view slug, int number, const std::string& says, const OfPlate& printed,
                         const OfPlate& near) {
@@ -240,8 +289,8 @@ void moments(Claims& claims, const std::vector<Sample>& plates, double k) {
                     .printed = printed,
                     .near_misses = {near}});
   };
-  line("first_moment", 603, R"(the first moment about the fulcrum is $M=\sum m_it_i$)",
-       beside(R"($\sum m_it_i$)", of_t), beside(R"($\sum m_is_i$)", of_sums(&Plate::D)));
+  line("first_moment", 603, R"(The first moment about the fulcrum is $M=\sum m_it_i$.)",
+       beside(R"($\sum m_it_i$)", of_solved_t), beside(R"($\sum m_is_i$)", of_sums(&Plate::D)));
   line("with_normals", 605, R"($M=\sum m_iN\cdot(P_i-C)$)", beside(R"($\sum m_iN\cdot(P_i-C)$)", of_t),
        beside(R"($\sum N\cdot(P_i-C)$)",
               [](P p) { return p.sum([&](double, const Vector& r) { return dot(p.N, r); }); }));
@@ -266,24 +315,28 @@ void moments(Claims& claims, const std::vector<Sample>& plates, double k) {
              {.printed = vanishes(sums, 2, about(center, &Sample::center, both_sums)),
               .near_misses = {vanishes(sums, 2, about(mean, &Sample::mean, both_sums))}});
   const auto tilts = [](P p) {
-    return Value{p.torque(-1), p.torque(-0.5), p.torque(), p.torque(0.5), p.torque(1)};
+    return Value{p.tilted_torque(-1), p.tilted_torque(-0.5), p.tilted_torque(0), p.tilted_torque(0.5),
+                 p.tilted_torque(1)};
   };
-  claims.add("balance", 615, "so the plate must balance, level or tilted",
+  claims.add("balance", 615,
+             "As the first moment is zero, the plate must balance on the fulcrum (we tilt it as well).",
              {.printed = vanishes("the torque at five tilts", 5,
                                   about("about a line through the center", &Sample::center, tilts)),
               .near_misses = {
                   vanishes("the torque at five tilts", 5, beside("about a line beside the center", tilts))}});
   const auto directions = [](P p) {
     std::vector<double> all;
-    for (Plate turned = p; all.size() < 32; all.push_back(turned.torque()))
-      turned.D = quaternion({0, 0, 1}, pi / 16)(turned.D);
+    const auto step = quaternion({0, 0, 1}, pi / 16);
+    for (Plate turned = p; all.size() < 32; all.push_back(turned.level_torque()))
+      turned.D = step(turned.D), turned.N = step(turned.N);
     return all;
   };
   const std::string in_all = "moments about 32 lines";
   Reading regardless = vanishes(in_all, 32, about("through the center", &Sample::center, directions));
   regardless.checks.push_back(lamina_in_all_directions("through its center", k, false).checks[0]);
   claims.add(
-      "regardless", 617, R"(whatever the direction $N$ of the line)",
+      "regardless", 617,
+      R"(This is true whatever the direction of the line, as specified by $N$ (we try a lamina as well).)",
       {.printed = regardless,
        .near_misses = {vanishes(in_all, 32, beside("through another point", directions)),
                        lamina_in_all_directions("through the center of a uniform half disc", k, true)}});
@@ -346,11 +399,17 @@ Provables proofs() {
   };
   const std::string about_any = "it is the torque of any number of weights about any line";
   const Shortened torque = any.level_torque();
-  for (const auto& [slug, M] : {std::pair("first_moment", of_t(any)),
-                                {"with_normals", of_t(any)},
+  for (const auto& [slug, M] : {std::pair("with_normals", of_t(any)),
                                 {"in_coordinates", in_coordinates(any)},
                                 {"factored", factored(any)}})
     prove(slug, about_any, {"printed", letters, {}, {M.expression() == torque.expression()}, by_sums});
+  const std::vector<Proposition> unit{dot(any.D, any.D).expression() == 1};
+  prove("first_moment", about_any,
+        {"printed",
+         letters,
+         unit,
+         {of_solved_t(any).expression() == torque.expression()},
+         "apply total_ext; intros; replace (d0 * d0 - d1 * - d1) with 1 by lra; field"});
   const std::vector<Proposition> center{
       from_origin.moment()[0].expression() == (any.A[0] * any.mass()).expression(),
       from_origin.moment()[1].expression() == (any.A[1] * any.mass()).expression()};
@@ -385,11 +444,18 @@ Provables proofs() {
   const std::array<Shortened, 3> at{letter("x"), letter("y"), Shortened(0.0)};
   const Shortened s = dot(any.D, at - any.A), t = dot(any.N, at - any.A);
   const auto of = [&](const auto& f) { return detail::recorded_value(f(any, at, s, t)); };
-  const std::vector<Proposition> unit{dot(any.D, any.D).expression() == 1};
   const std::string of_particle = "(a0 a1 d0 d1 x y : R)", at_any = "it holds of any particle and any line";
   const std::string by_unit = "assert (unit : d1 * d1 = 1 - d0 * d0) by lra; ";
-  prove("normal_form", at_any,
-        {"printed", of_particle, unit, equal(of(off_line), {Expression(0.0)}), "ring"});
+  const Lemma on_line{"printed", of_particle, unit, equal(of(off_line), {Expression(0.0)}), "ring"};
+  std::vector<Proposition> solves = unit;
+  solves.push_back(t.expression() == 0);
+  const Lemma no_other{"no_other", of_particle, solves,
+                       equal(detail::recorded_value(at), detail::recorded_value(foot(any, at))), "nsatz"};
+  proved.push_back({"2.9-normal_form",
+                    "the points of any line solve it, and no others do",
+                    {on_line, no_other},
+                    0,
+                    std::string("From Coq Require Import Nsatz.\n") + sums_in_coq});
   prove(
       "coordinate_system", at_any,
       {"printed", of_particle, unit, equal(of(place), detail::recorded_value(at)), by_unit + "ring [unit]"});
@@ -419,10 +485,14 @@ Provables proofs() {
 }
 
 std::vector<Root> roots() {
+  Plate pair;
+  pair.particles = {{1, {0, 1, 0}}, {1, {0, -1, 0}}}, pair.N = {0, 1, 0};
   return {
       {"distance for coordinate",
-       "Two equal weights 1 m either side of a fulcrum balance; with distances their moment is 2 kg m for 1 kg "
-       "each, and an editor calls the plate unbalanced."}};
+       filled(
+           "Two equal weights 1 m either side of a fulcrum balance; with distances their moment is @1 kg m "
+           "for 1 kg each, and an editor calls the plate unbalanced.",
+           {pair.sum([&](double m, const Vector& r) { return m * std::abs(dot(pair.N, r)); })})}};
 }
 
 }  // namespace oddity::balance

@@ -98,7 +98,9 @@ Reading value_of(const Component& c, std::size_t k, const Fraction& value) {
 
 void component(Claims& claims, const Component& c, std::size_t k, double seed) {
   const std::string slug = "i" + c.letters, name = "I_{" + c.letters + "}";
-  claims.formula(slug + "_integrand", c.integrand_line, "$" + name + "$ integrates " + c.integrand,
+  claims.formula(slug + "_integrand", c.integrand_line,
+                 "$" + name + R"(=\int_{-1}^1\int_{x^2}^1()" + c.integrand.substr(1, c.integrand.size() - 2) +
+                     R"()\,dy\,dx$)",
                  cuts(seed),
                  {.quantity = "$" + name + "$ of random laminas",
                   .truth = by_definition(k),
@@ -106,7 +108,7 @@ void component(Claims& claims, const Component& c, std::size_t k, double seed) {
                   .near_misses = {by_columns(c.near_integrand, c.near)}});
   const Reading value = value_of(c, k, c.value), near = value_of(c, k, c.near_value);
   if (k > 0) {
-    claims.add(slug, c.value_line, "$" + name + "$ is " + value.text,
+    claims.add(slug, c.value_line, "$" + name + "=" + value.text.substr(1),
                {.printed = value, .near_misses = {near}});
     return;
   }
@@ -165,16 +167,17 @@ void steps(Claims& claims, double seed) {
                    {compare("$I_{xx}$ of random laminas", by_columns("$y^2$", y_squared), by_definition(0),
                             cuts(seed, up))}};
   };
-  claims.add("ixx_without_z", 677, "with $z=0$ the integrand of $I_{xx}$ is $y^2$",
+  claims.add("ixx_without_z", 677, R"(With $z=0$: $I_{xx}=\int_{-1}^1\int_{x^2}^1y^2\,dy\,dx$)",
              {.printed = flat("$y^2$ at $z=0$", 0), .near_misses = {flat("$y^2$ at another height", 1)}});
   const auto cube = [](double divisor) { return [=](const Column& c) { return between(c, divisor); }; };
-  claims.formula("ixx_inner", 681, "the inner integral is $y^3/3$ between $x^2$ and 1", columns_of,
+  claims.formula("ixx_inner", 681, "The inner integral of $I_{xx}$ is $y^3/3$ between $x^2$ and 1.",
+                 columns_of,
                  {.quantity = "the inner integral",
                   .truth = inner_integral,
                   .printed = {"$y^3/3$ between $x^2$ and 1", cube(3)},
                   .near_misses = {{"$y^3/2$ between $x^2$ and 1", cube(2)}}});
   const auto less = [](int n) { return [=](const Column& c) { return power(c, n); }; };
-  claims.formula("ixx_outer", 689, "the outer integrand is $(1-x^6)/3$", columns_of,
+  claims.formula("ixx_outer", 689, R"($I_{xx}=\int_{-1}^1\frac{1-x^6}3\,dx$)", columns_of,
                  {.quantity = "the inner integral",
                   .truth = inner_integral,
                   .printed = {"$(1-x^6)/3$", less(6)},
@@ -198,13 +201,14 @@ void steps(Claims& claims, double seed) {
             compare_typeset(Formula<Column>{text, [=](const Column& c) { return f(c.x); }}, columns_of))};
   };
   claims.add(
-      "ixx_antiderivative", 695, "the antiderivative, between $-1$ and 1, is $x-x^7/73$",
+      "ixx_antiderivative", 695, "$I_{xx}$ is $x-x^7/73$ between $-1$ and 1.",
       {.printed = primitive("$x-x^7/73$", 73, 1),
        .meant = primitive("$(x-x^7/7)/3$", 7, 3),
        .near_misses = {primitive("$(x-x^7/6)/3$", 6, 3)},
-       .why =
-           R"(The bar above the 3 is lost in the text at hand: $(x-x^7/7)/3$, whose difference is $\tfrac47$. As )"
-           R"(it stands it is $\tfrac{144}{73}$.)",
+       .why = filled(
+           "The bar above the 3 is lost in the text at hand: $(x-x^7/7)/3$, whose difference is @4, the integral. "
+           "As it stands it is @4.",
+           {by_rows, antiderivative(1.0, 73, 1) - antiderivative(-1.0, 73, 1)}),
        .kind = Fault::lost_typography});
 }
 
@@ -224,7 +228,7 @@ void region_and_order(Claims& claims, double seed) {
     return [=](const Point& p) { return p.alike(bound, low); };
   };
   claims.statement<Point>(
-      "region", 667, R"(the region is $-1\le x\le1$ with $y$ from $x^2$ to 1)", draw<Point>(4000, seed),
+      "region", 667, R"(The region is $x^2\le y\le1$, $-1\le x\le1$.)", draw<Point>(4000, seed),
       {.printed = {R"(a point is in the lamina where $|x|\le1$, $x^2\le y\le1$)", in(1, parabola)},
        .near_misses = {{R"(where $|x|\le0.9$, $x^2\le y\le1$)", in(0.9, parabola)},
                        {R"(where $|x|\le y\le1$)", in(1, wedge)}}});
@@ -242,8 +246,10 @@ void region_and_order(Claims& claims, double seed) {
                      {"by rows, in rationals", by_rows},
                      rounding(1)}}};
   };
-  claims.add("similar", 701, "the other components come from the same two integrals, $dy$ then $dx$",
-             {.printed = from("from $x^2$ to 1", parabola), .near_misses = {from("from $|x|$ to 1", wedge)}});
+  claims.add(
+      "similar", 701,
+      "The constructions are similar for the other components: the same two integrals, $dy$ then $dx$.",
+      {.printed = from("from $x^2$ to 1", parabola), .near_misses = {from("from $|x|$ to 1", wedge)}});
 }
 
 }  // namespace

@@ -32,6 +32,17 @@ struct Sample {
 };
 using Sum = Formula<Sample>;
 
+/// The center of mass, particle by particle.
+Vector center_by_lever_rule(const System& system) {
+  Vector center{};
+  double mass = 0;
+  for (const Particle& p : system) {
+    mass += p.m;
+    center = center + p.m / mass * (p.r - center);
+  }
+  return center;
+}
+
 /// Systems with A in their center, and with A anywhere.
 struct Samples {
   std::vector<Sample> center, any_point;
@@ -43,7 +54,7 @@ struct Samples {
       const Vector offset = random.point(20);
       for (int n = 2 + random.below(10); n > 0; --n)
         system.push_back({std::abs(random.magnitude(0.05, 20)), offset + random.point(5)});
-      center.push_back({system, center_of(system)});
+      center.push_back({system, center_by_lever_rule(system)});
       any_point.push_back({system, center.back().A + random.point(10)});
     }
   }
@@ -131,11 +142,13 @@ Sum direct(const std::string& text, const F& f) {
   return {text, [=](const Sample& s) { return sum(s.system, f); }};
 }
 
-/// Lines of one quantity, each of which says its formula.
+/// Lines of one quantity, each of which says its formula; where that begins with =, the quantity before it.
 auto lines(Claims& claims, const std::string& quantity, const Sum& truth) {
   return [&claims, quantity, truth](std::string_view slug, int line, const std::vector<Sample>& samples,
                                     const Sum& printed, const Sum& near) {
-    claims.formula(slug, line, printed.text, samples,
+    std::string says = printed.text;
+    if (says.starts_with("$=")) says = quantity.substr(0, quantity.size() - 1) + says.substr(1);
+    claims.formula(slug, line, says, samples,
                    {.quantity = quantity, .truth = truth, .printed = printed, .near_misses = {near}});
   };
 }
@@ -221,20 +234,22 @@ void products_of_inertia(Claims& claims, const Samples& samples) {
       direct(R"($I_{xy}=-\sum m_ix_iy_i$)", [](double x, double y, double) { return -x * y; }));
   ixy("ixy_shifted", 781, samples.any_point, seen(R"($=\sum m_i(x_i'+c_x)(y_i'+c_y)$)", shifted_xy(1)),
       seen(R"($\sum m_i(x_i'-c_x)(y_i'+c_y)$)", shifted_xy(-1)));
+  const System pair{{2, {1, 1, 0}}, {2, {-1, -1, 0}}};
   const auto without_mass = [&](std::string_view slug, int number, const std::string& rest,
                                 const std::string& near, const auto& of) {
     claims.formula(
-        slug, number, R"($=\sum x_i'y_i')" + rest, samples.any_point,
+        slug, number, R"($I_{xy}=\sum x_i'y_i')" + rest, samples.any_point,
         {.quantity = "$I_{xy}$",
          .truth = truth,
          .printed = seen(R"($=\sum x_i'y_i')" + rest, of(true, 1)),
          .meant = seen(R"($\sum m_ix_i'y_i')" + rest, of(false, 1)),
          .near_misses = {seen("with $m_i$, and " + near, of(false, -1))},
          .kind = Fault::formula,
-         .why = "The mass $m_i$ is left out of the first sum, $\\sum m_i\\,x'_iy'_i$, of lines 783 and 787; "
-                "the lines around the two, 781 and 795, have it. As it stands the sum has another unit, and "
-                "is right only when every mass is 1: for two masses of 2 kg at $\\pm(1,1)$ m it is 2, where "
-                "$I_{xy}$ is 4 kg m$^2$."});
+         .why =
+             filled("The mass $m_i$ is left out of the first sum, $\\sum m_i\\,x'_iy'_i$, of lines 783 and "
+                    "787; the lines around the two, 781 and 795, have it. As it stands the sum has another "
+                    "unit: for two masses of 2 kg at $\\pm(1,1)$ m it is @1, where $I_{xy}$ is @1 kg m$^2$.",
+                    {first_sum(pair, true), first_sum(pair, false)})});
   };
   without_mass("ixy_split", 783, R"(+\sum m_i(c_xy_i'+c_yx_i'+c_xc_y)$)", "$-c_yx_i'$", split_xy);
   without_mass("ixy_collected", 787, R"(+c_x\sum m_iy_i'+c_y\sum m_ix_i'+c_xc_y\sum m_i$)",
@@ -285,9 +300,13 @@ void statements(Claims& claims, const Samples& samples) {
                {.printed = about(says, samples.center),
                 .near_misses = {about("about another point", samples.any_point)}});
   };
-  vanish("first_moments", 771, "the first moments about the center of mass are zero", "first moments", 3,
-         [](S s, V) { return first_moments(s); });
-  vanish("middle_terms", 797, "the middle terms are zero because of these moments",
+  vanish(
+      "first_moments", 771,
+      R"(The first moments about the center of mass are zero: $\sum m_ix_i'=\sum m_iy_i'=\sum m_iz_i'=0$.)",
+      "first moments", 3, [](S s, V) { return first_moments(s); });
+  vanish("middle_terms", 797,
+         R"(The middle two terms, $2c_y\sum m_iy_i'$ and $2c_z\sum m_iz_i'$ or $c_x\sum m_iy_i'$ and )"
+         R"($c_y\sum m_ix_i'$, are zero because they include these moments.)",
          "middle terms of $I_{xx}$ and $I_{xy}$", 4,
          [](S s, V A) { return Value(middle_terms(first_moments(s), A)); });
 
@@ -301,7 +320,10 @@ void statements(Claims& claims, const Samples& samples) {
     };
   };
   lines(claims, "$I_{yy}$, $I_{zz}$, $I_{xz}$, $I_{yz}$", definition({1, 2, 4, 5}))(
-      "others", 799, samples.center, seen("the other components transfer in the same manner", transfer(1)),
+      "others", 799, samples.center,
+      seen("The other components are handled in the same manner: $I_{yy}=I_{yy}'+m(c_x^2+c_z^2)$, "
+           "$I_{zz}=I_{zz}'+m(c_x^2+c_y^2)$, $I_{xz}=I_{xz}'+mc_xc_z$, $I_{yz}=I_{yz}'+mc_yc_z$.",
+           transfer(1)),
       seen("the products with $-mc_xc_z$", transfer(-1)));
 }
 

@@ -16,9 +16,10 @@ struct SampleOf : MotionOf<G> {
   int k = 0;
   std::array<G*, 3> letters() { return {&this->r, &this->w, &this->T}; }
   double size() const { return abs(this->r) * (10 + abs(this->x())); }  // of the work of a turn
-  TypesetLetters typeset() const {
-    return {{"r", this->r}, {R"(\omega)", this->w}, {"T", this->T},
-            {"t", this->T}, {"x", this->x()},       {"k", static_cast<double>(k)}};
+  TypesetIn<G> typeset() const {
+    return {
+        {"r", this->r},   {R"(\omega)", this->w},       {"T", this->T}, {"t", this->T}, {R"(\dot t)", 1.0},
+        {"x", this->x()}, {"k", static_cast<double>(k)}};
   }
   std::string where() const { return told(typeset(), 3); }
 };
@@ -127,117 +128,53 @@ const Form zero{"zero", [](const auto&) { return 0.0; }};
 
 // ---- formulas ---------------------------------------------------------------------------------------------
 
-auto c(const auto& m) { return cos(m.x()); }
-auto s(const auto& m) { return sin(m.x()); }
-
-/// r w^i T^j (a cos + b sin + d).
-auto wave(int i, int j, double a, double b, double d = 0) {
-  return [=](const auto& m) { return m.r * pow(m.w, i) * pow(m.T, j) * (a * c(m) + b * s(m) + d); };
-}
-/// A velocity (r w^i a sin, r w^i cos, 0).
-auto circling(int i, double a) {
-  return [=](const auto& m) {
-    const auto speed = m.r * pow(m.w, i);
-    return values(speed * a * s(m), speed * c(m), 0);
-  };
-}
-/// The derivative of r (cos + sign sin).
-auto primitive(double sign) {
-  return [=]<class G>(const SampleOf<G>& m) {
-    return derivative([&](const auto& t) { return m.r * (cos(m.w * t) + sign * sin(m.w * t)); }, m.T);
-  };
-}
-auto by_parts(double sign) {
-  const auto f = wave(0, 0, 1, 1);
-  return [=]<class G>(const SampleOf<G>& m) {
-    return m.T * f(m) + sign * integral([&](const G& t) { return f(m.at(t)); }, 0, m.T);
-  };
-}
-/// The integral of the printed power, r w (cos - sin) or t times that.
-auto of_printed(double sign, Force force) {
-  const auto P = wave(1, force == Force::growing, 1, -1);
-  return [=]<class G>(const SampleOf<G>& m) {
-    return sign * integral([&](const G& t) { return P(m.at(t)); }, 0, m.T);
-  };
-}
-/// r w^power (-1 + cos - sin + T w (cos + sin)), or with the factor before the first part alone.
-auto growing(int power, bool whole) {
-  return [=]<class G>(const SampleOf<G>& m) {
-    const G factor = m.r * pow(m.w, power);
-    return factor * (-1 + c(m) - s(m)) + (whole ? factor : G(1.0)) * m.x() * (c(m) + s(m));
-  };
-}
-
 void formulas(Table& table, const Samples& samples) {
-  const auto line = [&](std::string_view slug, int number, const Form& printed, const Form& truth,
-                        const std::vector<Form>& near) {
-    table.formula(slug, number, printed.text, samples.any,
-                  {.quantity = "the formula", .truth = truth, .printed = printed, .near_misses = near});
+  const auto line = [&](std::string_view slug, int number, std::string says, const Form& truth,
+                        const std::string& printed) {
+    table.formula(slug, number, std::move(says), samples.any,
+                  {.quantity = "the formula", .truth = truth, .printed = printed});
   };
-  line("velocity", 805, {R"($v=(-r\omega\sin\omega t,\,r\omega\cos\omega t,\,0)$)", circling(1, -1)},
-       velocity,
-       {{R"($(r\omega\sin\omega t,\,r\omega\cos\omega t,\,0)$)", circling(1, 1)},
-        {R"($(-r\sin\omega t,\,r\cos\omega t,\,0)$)", circling(0, -1)}});
-  line("work_integral", 809,
-       {R"($W=\int_0^T(1,1,1)\cdot(-r\omega\sin\omega t,\,r\omega\cos\omega t,\,0)\,dt$)",
-        of_printed(1, Force::constant)},
-       gain, {{R"($-\int_0^Tr\omega(\cos\omega t-\sin\omega t)\,dt$)", of_printed(-1, Force::constant)}});
-  line("power", 813, {R"($(1,1,1)\cdot v=r\omega(\cos\omega t-\sin\omega t)$)", wave(1, 0, 1, -1)}, power_1,
-       {{R"($r\omega(\cos\omega t+\sin\omega t)$)", wave(1, 0, 1, 1)},
-        {R"($r(\cos\omega t-\sin\omega t)$)", wave(0, 0, 1, -1)}});
-  line("antiderivative", 815,
-       {R"($r(\cos\omega t+\sin\omega t)$ has the derivative $F\cdot v$)", primitive(1)}, power_1,
-       {{R"($r(\cos\omega t-\sin\omega t)$ has it)", primitive(-1)}});
-  line("work", 815, {R"($W(T)=r(\cos\omega T+\sin\omega T-1)$)", wave(0, 0, 1, 1, -1)}, work_1,
-       {{R"($r(\cos\omega T+\sin\omega T)$)", wave(0, 0, 1, 1)},
-        {R"($r\omega(\cos\omega T+\sin\omega T-1)$)", wave(1, 0, 1, 1, -1)}});
-  line("growing_integral", 829,
-       {R"($W=\int_0^T(t,t,1)\cdot(-r\omega\sin\omega t,\,r\omega\cos\omega t,\,0)\,dt$)",
-        of_printed(1, Force::growing)},
-       gain_t,
-       {{R"($-\int_0^Tr\omega t(\cos\omega t-\sin\omega t)\,dt$)", of_printed(-1, Force::growing)},
-        {R"($\int_0^Tr\omega(\cos\omega t-\sin\omega t)\,dt$)", of_printed(1, Force::constant)}});
-  line("growing_power", 835, {R"($(t,t,1)\cdot v=r\omega t(\cos\omega t-\sin\omega t)$)", wave(1, 1, 1, -1)},
-       power_t,
-       {{R"($r\omega(\cos\omega t-\sin\omega t)$)", wave(1, 0, 1, -1)},
-        {R"($r\omega t(\cos\omega t+\sin\omega t)$)", wave(1, 1, 1, 1)}});
-  line("by_parts", 839,
-       {R"($W=Tr(\cos\omega T+\sin\omega T)-\int_0^Tr(\cos\omega t+\sin\omega t)\,dt$)", by_parts(-1)},
-       work_t,
-       {{R"($Tr(\cos\omega T+\sin\omega T)+\int_0^Tr(\cos\omega t+\sin\omega t)\,dt$)", by_parts(1)}});
-  line("growing_derivative", 841,
-       {R"($W'(T)=r\omega T(\cos\omega T-\sin\omega T)$ for $(t,t,1)$)", wave(1, 1, 1, -1)}, slope_t,
-       {{R"($rT(\cos\omega T-\sin\omega T)$)", wave(0, 1, 1, -1)}});
-  line("magnitude", 849,
-       {R"($|(t,t,1)|=\sqrt{2t^2+1}$)", [](const auto& m) { return sqrt(2 * m.T * m.T + 1); }}, force_t,
-       {{R"($\sqrt{t^2+1}$)", [](const auto& m) { return sqrt(m.T * m.T + 1); }}});
+  const auto equation = [&](std::string_view slug, int number, const std::string& printed,
+                            const Form& truth) { line(slug, number, printed, truth, printed); };
+  equation("velocity", 805, R"($v=(-r\omega\sin\omega t,\,r\omega\cos\omega t,\,0)$)", velocity);
+  equation("work_integral", 809,
+           R"($W=\int_0^T(1,1,1)\cdot(-r\omega\sin\omega t,\,r\omega\cos\omega t,\,0)\,dt$)", gain);
+  line("power", 813, R"($(1,1,1)\cdot v=r\omega(\cos\omega t-\sin\omega t)$)", power_1,
+       R"($r\omega(\cos\omega t-\sin\omega t)$)");
+  line("antiderivative", 815, R"($r(\cos\omega t+\sin\omega t)$ has the derivative $F\cdot v$)", power_1,
+       R"($\frac{d}{dt}(r(\cos\omega t+\sin\omega t))$)");
+  equation("work", 815, R"($W(T)=r(\cos\omega T+\sin\omega T-1)$)", work_1);
+  equation("growing_integral", 829,
+           R"($W=\int_0^T(t,t,1)\cdot(-r\omega\sin\omega t,\,r\omega\cos\omega t,\,0)\,dt$)", gain_t);
+  line("growing_power", 835, R"($(t,t,1)\cdot v=r\omega t(\cos\omega t-\sin\omega t)$)", power_t,
+       R"($r\omega t(\cos\omega t-\sin\omega t)$)");
+  equation("by_parts", 839, R"($W=Tr(\cos\omega T+\sin\omega T)-\int_0^Tr(\cos\omega t+\sin\omega t)\,dt$)",
+           work_t);
+  line("growing_derivative", 841, R"($W'(T)=r\omega T(\cos\omega T-\sin\omega T)$ for $(t,t,1)$)", slope_t,
+       R"($r\omega T(\cos\omega T-\sin\omega T)$)");
+  line("magnitude", 849, R"($|(t,t,1)|=\sqrt{2t^2+1}$)", force_t, R"($\sqrt{2t^2+1}$)");
 }
 
 void misprints(Table& table, const Samples& samples) {
-  table.formula("derivative", 821, "$W'(T)$ for $(1,1,1)$", samples.any,
+  table.formula("derivative", 821, R"(For $(1,1,1)$ $W'(T)=r\omega(-\sin\omega T+\cos\omega t)$.)",
+                samples.any,
                 {.truth = slope_1,
                  .printed = {R"($r\omega(-\sin\omega T+\cos\omega t)$, $t=T+1$)",
-                             [](const auto& m) { return m.r * m.w * (-s(m) + cos(m.w * (m.T + 1))); }},
-                 .meant = {R"($r\omega(-\sin\omega T+\cos\omega T)$)", wave(1, 0, 1, -1)},
-                 .near_misses = {{R"($r\omega(\sin\omega T+\cos\omega T)$)", wave(1, 0, 1, 1)}},
+                             [](const auto& m) { return m.r * m.w * (-sin(m.x()) + cos(m.w * (m.T + 1))); }},
+                 .meant = R"($r\omega(-\sin\omega T+\cos\omega T)$)",
                  .kind = Fault::formula,
                  .why = "The cosine keeps the variable of integration $t$, which has no value once the "
                         "integral is done; both times are $T$, as the next line takes them. (The check puts "
                         "$t=T+1$.)"});
   table.formula(
-      "growing_work", 837, "$W(T)$ for $(t,t,1)$", samples.any,
+      "growing_work", 837,
+      R"(For $(t,t,1)$ $W(T)=r\omega\,(-1+\cos\omega T-\sin\omega T)+T\omega(\cos\omega T+\sin\omega T))$.)",
+      samples.any,
       {.truth = work_t,
        .printed =
-           {R"($r\omega\bigl((-1+\cos\omega T-\sin\omega T)+\omega T(\cos\omega T+\sin\omega T)\bigr)$)",
-            growing(1, true)},
-       .meant = {R"($\frac r\omega\bigl((-1+\cos\omega T-\sin\omega T))"
-                 R"(+\omega T(\cos\omega T+\sin\omega T)\bigr)$)",
-                 growing(-1, true)},
-       .near_misses =
-           {{R"($r\omega(-1+\cos\omega T-\sin\omega T)+\omega T(\cos\omega T+\sin\omega T)$)",
-             growing(1, false)},
-            {R"($r\bigl((-1+\cos\omega T-\sin\omega T)+\omega T(\cos\omega T+\sin\omega T)\bigr)$)",
-             growing(0, true)}},
+           R"($r\omega\bigl((-1+\cos\omega T-\sin\omega T)+\omega T(\cos\omega T+\sin\omega T)\bigr)$)",
+       .meant = R"($\frac r\omega\bigl((-1+\cos\omega T-\sin\omega T))"
+                R"(+\omega T(\cos\omega T+\sin\omega T)\bigr)$)",
        .kind = Fault::lost_typography,
        .why = "A fraction bar and a parenthesis are lost: the factor is $r/\\omega$, not $r\\omega$, and "
               "stands before the whole. The two differ by $\\omega^2$ and agree at $\\omega=1$ alone."});
@@ -246,19 +183,22 @@ void misprints(Table& table, const Samples& samples) {
                   return work_of<G>(Force::constant, m.at(T(pi_of<G>(), m.w)));
                 }};
   };
-  table.formula("full_turn", 817, "after one turn the work is zero", samples.forward,
-                {.quantity = "work of $(1,1,1)$",
-                 .truth = zero,
-                 .printed = until(R"($W(2\pi\omega)$, to be zero)",
-                                  [](const auto& half, const auto& w) { return 2 * half * w; }),
-                 .meant = until(R"($W(2\pi/\omega)$, to be zero)",
-                                [](const auto& half, const auto& w) { return 2 * half / w; }),
-                 .near_misses = {until(R"($W(\pi/\omega)$, to be zero)",
-                                       [](const auto& half, const auto& w) { return half / w; })},
-                 .kind = Fault::lost_typography,
-                 .why = "The fraction bar is lost: a turn takes $2\\pi/\\omega$. At $2\\pi\\omega$ the "
-                        "particle has turned by $2\\pi\\omega^2$ and the work is zero by chance only, as "
-                        "for $\\omega=1$; for $\\omega=1/\\sqrt2$ it is $-2r$."});
+  table.formula(
+      "full_turn", 817, R"(After one turn, at $T=2\pi\omega$, the work is zero: $W(2\pi\omega)=0$.)",
+      samples.forward,
+      {.quantity = "work of $(1,1,1)$",
+       .truth = zero,
+       .printed = until(R"($W(2\pi\omega)$, to be zero)",
+                        [](const auto& half, const auto& w) { return 2 * half * w; }),
+       .meant = until(R"($W(2\pi/\omega)$, to be zero)",
+                      [](const auto& half, const auto& w) { return 2 * half / w; }),
+       .near_misses = {until(R"($W(\pi/\omega)$, to be zero)",
+                             [](const auto& half, const auto& w) { return half / w; })},
+       .kind = Fault::lost_typography,
+       .why = filled("The fraction bar is lost: a turn takes $2\\pi/\\omega$. At $2\\pi\\omega$ the "
+                     "particle has turned by $2\\pi\\omega^2$ and the work is zero by chance only, as "
+                     "for $\\omega=1$; for $\\omega=1/\\sqrt2$ it is $@1r$.",
+                     {work_of(Force::constant, Motion{1, 1 / sqrt2, sqrt2 * pi})})});
 }
 
 // ---- conservation -----------------------------------------------------------------------------------------
@@ -289,7 +229,7 @@ void conservation(Claims& claims, Table& table, const Samples& samples) {
                    {compare("work" + of + " between the same ends", along("along a detour" + in, 1, field),
                             along("along the circle", 0, field), samples.any)}};
   };
-  claims.add("conservative", 817, "the field $(1,1,1)$ is conservative",
+  claims.add("conservative", 817, "The field $(1,1,1)$ is conservative.",
              {.printed = both_ways("", "", ones),
               .near_misses = {both_ways(" of $(1-y,1+x,1)$", ", in the field $(1-y,1+x,1)$", swirl)}});
   const auto turn = [](const std::string& text, Force force) {
@@ -297,7 +237,7 @@ void conservation(Claims& claims, Table& table, const Samples& samples) {
                   return work_of<G>(force, m.at(m.T + 2 * pi_of<G>() / m.w), m.T);
                 }};
   };
-  table.formula("round_trip", 817, "so once around the circle, from any start, the net work is zero",
+  table.formula("round_trip", 817, "Once around the circle, back to where it started, the net work is zero.",
                 samples.forward,
                 {.quantity = "work of a turn from a random start",
                  .truth = zero,
@@ -367,17 +307,28 @@ void zeros_of_the_power(Claims& claims, const Samples& samples) {
               .near_misses = {roots(Force::constant, list(R"(at $\pi/4+2k\pi$)", spaced(first, 2 * pi))),
                               roots(Force::constant, list(R"(at $3\pi/4+k\pi$)", spaced(3 * first, pi)))}});
   const Form nearest{"Brent's method over a scan", [](M m) { return three(zeros(Force::growing, m)); }};
+  const Form later{"Brent's method over a scan", [](M m) {
+                     const auto all = zeros(Force::growing, m);
+                     const auto next = std::ranges::upper_bound(all, 0.1);
+                     return std::vector<double>(next, next + 3);
+                   }};
   claims.add(
-      "growing_zeros", 843, R"(for $(t,t,1)$, $W'=0$ at $\omega T=\pi/4+k\pi$)",
+      "growing_zeros", 843, R"(For $(t,t,1)$ $W'$ is zero when $\omega T=\pi/4+k\pi$, $k$ any integer.)",
       {.printed = {at,
                    {compare(R"(the first three zeros of $W'$ from $\omega T=-3$ on)",
                             list(at, three(spaced(first, pi))), nearest, samples.forward)}},
        .corrected = roots(Force::growing, list(at + ", and 0", and_zero(spaced(first, pi)))),
+       .in_view = {"for $T>0$, once the work has begun",
+                   {compare(R"(the first three zeros of $W'$ with $\omega T>0$)",
+                            list(at, {first, first + pi, first + 2 * pi}), later, samples.forward)}},
        .near_misses = {roots(Force::growing,
                              list(R"(at $3\pi/4+k\pi$, and 0)", and_zero(spaced(3 * first, pi))))},
-       .why = "$W'=r\\omega T(\\cos\\omega T-\\sin\\omega T)$ has the factor $T$: it is zero at $T=0$ as "
-              "well, a minimum, $W\\approx r\\omega T^2/2$, and no $\\pi/4+k\\pi$. A search for the first "
-              "maximum that starts at $T=0$ ends there, with $W=0$ for $0.1107$ ($r=\\omega=1$).",
+       .why = filled(
+           "What is said of these times is true, and the formula before it shows the rest: "
+           "$W'=r\\omega T(\\cos\\omega T-\\sin\\omega T)$ has the factor $T$. So $W'$ is zero at $T=0$ as "
+           "well, a minimum, $W\\approx r\\omega T^2/2$, and no $\\pi/4+k\\pi$. A search for the first "
+           "maximum that starts at $T=0$ ends there, with $W=0$ for $@4$ ($r=\\omega=1$).",
+           {work_of(Force::growing, Motion{1, 1, pi / 4})}),
        .kind = Fault::left_out,
        .root = "the start is stationary too"});
 }
@@ -391,23 +342,22 @@ void extrema(Claims& claims, const Samples& samples) {
     });
   };
   claims.statement<Sample>(
-      "maximum_where_stationary", 819, "the net work is a maximum when $W'=0$", samples.cases,
+      "maximum_where_stationary", 819, "The net work is a maximum when $W'=0$.", samples.cases,
       {.printed = peaks("where $W'=0$ there is a maximum", constant, 0, 1, 1, 1),
-       .corrected = all("where there is a maximum $W'=0$",
-                        [](M m, int k) {
-                          const auto holds_at = [&](double T) {
-                            return abs(power(constant, m, T)) <= 0.1 * m.r * m.w || !is_peak(constant, m, T);
-                          };
-                          return holds_at(m.T + 0.5 * k / m.w) && holds_at(stationary(m, k));
-                        }),
+       .meant = all("where there is a maximum $W'=0$",
+                    [](M m, int k) {
+                      const auto holds_at = [&](double T) {
+                        return abs(power(constant, m, T)) <= 0.1 * m.r * m.w || !is_peak(constant, m, T);
+                      };
+                      return holds_at(m.T + 0.5 * k / m.w) && holds_at(stationary(m, k));
+                    }),
        .near_misses = {peaks("where $W'=0$ there is a minimum", constant, 0, 1, -1, -1)},
        .kind = Fault::counterexample,
-       .root = "stationary for maximal",
        .why = "$W'=0$ is necessary and not sufficient: every other such time, $\\omega T=5\\pi/4, "
-              "13\\pi/4,\\ldots$, is a minimum, $W=-r(\\sqrt2+1)$, as the text itself says two sentences "
-              "on."});
+              "13\\pi/4,\\ldots$, is a minimum, $W=-r(\\sqrt2+1)$. The text means that: two sentences on it "
+              "has half of these times as minima."});
   claims.statement<Sample>(
-      "halves", 823, "half of these times are minima, the other half maxima", samples.cases,
+      "halves", 823, "Half of these times lead to a minimum, the other half to a maximum.", samples.cases,
       {.printed = peaks("even $k$: maximum, odd $k$: minimum", constant, -6, 1, 1, -1),
        .near_misses = {peaks("odd $k$: maximum, even $k$: minimum", constant, -6, 1, -1, 1)}});
   const auto highest = [&](const std::string& text, const OfMotion& of) {
@@ -423,15 +373,17 @@ void extrema(Claims& claims, const Samples& samples) {
     return work_of(constant, m.at(m.T + k / m.w)) <= m.r * (sqrt2 - 1) + 1e-12 * m.r;
   });
   first.checks.push_back(in_cases(samples, {nowhere_larger}).checks[0]);
-  claims.add("first_maximum", 825, R"(at $T=\pi/(4\omega)$ $W$ has its maximum, $r(\sqrt2-1)$)",
+  claims.add("first_maximum", 825, R"(At $T=\pi/(4\omega)$ $W$ has its maximum, $r(\sqrt2-1)$.)",
              {.printed = first,
               .near_misses = {
                   highest(R"($r\sqrt2$)", [](M m) { return m.r * sqrt2; }),
                   highest(R"($\frac r\omega(\sqrt2-1)$)", [](M m) { return m.r / m.w * (sqrt2 - 1); })}});
-  claims.statement<Sample>("local_maxima", 843, R"(those with even $k$ are local maxima ($k\ge0$))",
-                           samples.cases,
-                           {.printed = peaks("even $k$: maximum", Force::growing, 0, 2, 1, 1),
-                            .near_misses = {peaks("odd $k$: maximum", Force::growing, 1, 2, 1, 1)}});
+  claims.statement<Sample>(
+      "local_maxima", 843,
+      R"(Where $k$ is even you have local maxima ($k\ge0$ is our condition, for the interval $[0,T]$ of the text).)",
+      samples.cases,
+      {.printed = peaks("even $k$: maximum", Force::growing, 0, 2, 1, 1),
+       .near_misses = {peaks("odd $k$: maximum", Force::growing, 1, 2, 1, 1)}});
 }
 
 /// When a value of x is reached: at the time x as printed, or where w T is x.
@@ -457,17 +409,19 @@ void values_at_maxima(Claims& claims, const Samples& samples) {
   };
   const auto less = [](double d) { return [=](M m, double x) { return m.r / m.w * (x * sqrt2 - d); }; };
   claims.add(
-      "maxima_value", 845, "the work of $(t,t,1)$ at its local maxima",
+      "maxima_value", 845,
+      R"(At its maxima the work of $(t,t,1)$ is $W(\pi/4+2n\pi)=r\omega(\pi/4+2n\pi)\sqrt2$.)",
       {.printed = of("T", as_time, R"($W(x)=r\omega x\sqrt2$ there)",
                      [](M m, double x) { return m.r * m.w * x * sqrt2; }),
        .meant = of(R"(\omega T)", as_angle, R"($W(x/\omega)=\frac r\omega x\sqrt2$ there)", less(0)),
        .corrected = of(R"(\omega T)", as_angle, R"($W(x/\omega)=\frac r\omega(x\sqrt2-1)$ there)", less(1)),
        .near_misses = {of(R"(\omega T)", as_angle, R"($W(x/\omega)=\frac r\omega(x\sqrt2+1)$ there)",
                           less(-1))},
-       .why = "The $-1$ of the closed form is dropped: with $x=\\pi/4+2n\\pi$ the work is $\\frac "
-              "r\\omega(\\sqrt2\\,x-1)$ at $T=x/\\omega$. For $r=\\omega=1$ the first maximum is "
-              "$0.1107$, not $1.1107$. Besides, the argument should be a time, $x/\\omega$, and the "
-              "factor is $r/\\omega$.",
+       .why = filled("The $-1$ of the closed form is dropped: with $x=\\pi/4+2n\\pi$ the work is $\\frac "
+                     "r\\omega(\\sqrt2\\,x-1)$ at $T=x/\\omega$. For $r=\\omega=1$ the first maximum is "
+                     "$@4$, not $@5$. Besides, the argument should be a time, $x/\\omega$, and the "
+                     "factor is $r/\\omega$.",
+                     {work_of(Force::growing, Motion{1, 1, pi / 4}), pi / 4 * sqrt2}),
        .kind = Fault::formula,
        .root = "a term dropped at the maxima"});
 }
@@ -480,21 +434,28 @@ void growth(Claims& claims, const Samples& samples) {
     });
   };
   const double maxima = pi / 4, minima = 5 * pi / 4;
+  const auto later_by = [](double w) {  // of r = 1
+    return work_of(Force::growing, Motion{1, w, pi / 4 + 2 * pi}, pi / 4);
+  };
   claims.statement<Sample>(
-      "maxima_grow", 849, "as $n$ grows, so does the net work at the maxima", samples.cases,
+      "maxima_grow", 849, R"(As $n$ grows, so does the net work $W(\pi/4+2n\pi)$.)", samples.cases,
       {.printed = steps(R"($W(\pi/4+2n\pi)$ grows)", 1, as_time, maxima),
        .meant = steps(R"($W$ at $\omega T=\pi/4+2n\pi$ grows)", 1, as_angle, maxima),
        .near_misses = {steps(R"($W$ at $\omega T=5\pi/4+2n\pi$ grows)", 1, as_angle, minima)},
        .kind = Fault::lost_typography,
-       .why = "The maxima are at $\\omega T=\\pi/4+2n\\pi$, where $W$ grows by $2\\sqrt2\\,\\pi r/\\omega$ "
-              "each time. At $T=\\pi/4+2n\\pi$, as printed, and $\\omega\\ne1$ it goes up and down."});
+       .why = filled(
+           "The maxima are at $\\omega T=\\pi/4+2n\\pi$, where $W$ grows by $2\\sqrt2\\,\\pi r/\\omega$ "
+           "each time. At $T=\\pi/4+2n\\pi$, as printed, it depends on $\\omega$: for $\\omega=2$ each "
+           "$W$ is $@3r$ more than the last, for $\\omega=4$ it is $@3r$ less.",
+           {later_by(2), -later_by(4)})});
   const auto lengths = [](const std::string& text, double sign) {
     return all(text, [=](M m, int k) {
       const double later = m.T + std::pow(2.0, -k);
       return sign * (length({later, later, 1}) - length({m.T, m.T, 1})) > 0;
     });
   };
-  claims.statement<Sample>("magnitude_grows", 851, "the force's magnitude always grows with time",
+  claims.statement<Sample>("magnitude_grows", 851,
+                           "The force's magnitude always grows with time ($t>0$, as on $[0,T]$).",
                            samples.cases,
                            {.printed = lengths("$|F(t+h)|>|F(t)|$ for $t>0$", 1),
                             .near_misses = {lengths("$|F(t+h)|<|F(t)|$ for $t>0$", -1)}});
@@ -503,8 +464,8 @@ void growth(Claims& claims, const Samples& samples) {
     return work_of(Force::growing, m.at(start + 0.1 / m.w), start) > 0;
   });
   claims.add("work_keeps_growing", 851,
-             "as the force gets stronger the net work, that is its maxima of which the paragraph speaks, "
-             "keeps growing (between them it falls, and deeper every time)",
+             "The force gets stronger, so the net work keeps growing: its maxima, of which the paragraph "
+             "speaks (between them it falls, and deeper every time).",
              {.printed = in_cases(samples, {steps("the maxima grow", 1, as_angle, maxima),
                                             steps("the minima sink", -1, as_angle, minima)}),
               .near_misses = {in_cases(samples, {steps("the minima grow", 1, as_angle, minima)}),
@@ -644,16 +605,16 @@ Provables proofs() {
 }
 
 std::vector<Root> roots() {
+  const double most = work_of(Force::growing, Motion{1, 1, pi / 4}), printed = pi / 4 * sqrt2;
   return {
-      {"stationary for maximal",
-       R"(With $r=\omega=1$ the work at $T=5\pi/4$ is $-2.414$, stationary and the least there is, where the )"
-       R"(first maximum has 0.414.)"},
       {"the start is stationary too",
-       R"(A search for the first maximum that starts at $T=0$ ends there, with no work for 0.1107 )"
-       R"(($r=\omega=1$).)"},
+       filled(R"(A search for the first maximum that starts at $T=0$ ends there, with no work for @4 )"
+              R"(($r=\omega=1$).)",
+              {most})},
       {"a term dropped at the maxima",
-       R"(With $r=\omega=1$ the first maximum is 0.1107 and the printed formula says 1.1107: ten times the )"
-       R"(work that the force does.)"}};
+       filled(R"(With $r=\omega=1$ the first maximum is @4 and the printed formula says @5: @2 times the )"
+              R"(work that the force does.)",
+              {most, printed, printed / most})}};
 }
 
 }  // namespace oddity::work_on_circle

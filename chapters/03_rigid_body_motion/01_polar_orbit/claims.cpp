@@ -153,7 +153,8 @@ struct Table {
 };
 
 void to_the_second_squaring(Table& t) {
-  t.line("multiplied", 857, R"(the polar equation multiplied out, $x=r\cos\theta$)", On::orbit,
+  t.line("multiplied", 857,
+         R"(Multiplied by its denominator, with $x=r\cos\theta$: $e\rho=r(1+e\cos\theta)=r+ex$)", On::orbit,
          written(R"($e\rho$)", [](const auto& p) { return twice(p.e * p.rho); }),
          written(R"($e\rho=r(1+e\cos\theta)=r+ex$)",
                  [](const auto& p) { return two(p.r * (1 + p.e * cos(atan2(p.y, p.x))), p.r + p.e * p.x); }),
@@ -164,18 +165,20 @@ void to_the_second_squaring(Table& t) {
         [=](const auto& p) { return p.r * p.r + middle * p.e * p.x * p.r + p.e * p.e * p.x * p.x; },
         [](const Point& p) { return p.r * p.r + p.e * p.e * p.x * p.x; });
   };
-  t.line("squared", 861, "its square", On::orbit,
+  t.line("squared", 861, R"(Squared: $e^2\rho^2=r^2+2exr+e^2x^2$)", On::orbit,
          written(R"($e^2\rho^2$)", [](const auto& p) { return p.e * p.e * p.rho * p.rho; }),
          squared(R"($e^2\rho^2=r^2+2exr+e^2x^2$)", 2), squared(R"($e^2\rho^2=r^2+exr+e^2x^2$)", 1));
-  t.line("solved", 863, "this solved for the middle term", On::orbit,
+  t.line("solved", 863, R"(Solved for the middle term: $2exr=e^2(\rho^2-x^2)-r^2$)", On::orbit,
          written("$2exr$ at the point", [](const auto& p) { return 2 * p.e * p.x * p.r; }),
          written(R"($2exr=e^2(\rho^2-x^2)-r^2$)", [](const auto& p) { return p.difference() - p.r2(); }),
          written(R"($2exr=e^2(\rho^2+x^2)-r^2$)", [](const auto& p) { return p.sum() - p.r2(); }));
-  t.line("distance", 865, "$r$ by the coordinates", On::orbit,
+  t.line("distance", 865, R"($r=\sqrt{x^2+y^2}$)", On::orbit,
          written("$r$ by the polar equation", [](const auto& p) { return p.r; }),
          written(R"($\sqrt{x^2+y^2}$)", [](const auto& p) { return sqrt(p.x * p.x + p.y * p.y); }),
          written("$|x|+|y|$", [](const auto& p) { return abs(p.x) + abs(p.y); }));
-  t.line("squared_again", 869, "the square of $2exr$, and its three terms", On::both,
+  t.line("squared_again", 869,
+         R"(Squared again: $4e^2x^2r^2=[e^2(\rho^2-x^2)-r^2]^2=[e^2(\rho^2-x^2)]^2+r^4-2e^2(\rho^2-x^2)r^2$)",
+         On::both,
          written("$4e^2x^2r^2$ at the point",
                  [](const auto& p) { return twice(4 * p.e * p.e * p.x * p.x * p.r2()); }),
          written(R"($[e^2(\rho^2-x^2)-r^2]^2=[e^2(\rho^2-x^2)]^2+r^4-2e^2(\rho^2-x^2)r^2$)",
@@ -210,26 +213,31 @@ void rewritten(Table& t) {
   const auto regrouped = [](double factor) {
     return [=](const auto& p) { return p.of_square(p.sum() - factor * p.e * p.e * p.x * p.x); };
   };
-  line("subtracted", 873, "$4e^2x^2r^2$ subtracted from the square",
+  line("subtracted", 873, R"($4e^2x^2r^2$ subtracted: $0=[e^2(\rho^2-x^2)]^2+r^4-2e^2(\rho^2+x^2)r^2$)",
        written("the line before, less $4e^2x^2r^2$",
                [](const auto& p) { return p.expanded(1) - 4 * p.e * p.e * p.x * p.x * p.r2(); }),
        written(R"($0=[e^2(\rho^2-x^2)]^2+r^4-2e^2(\rho^2+x^2)r^2$)",
                [](const auto& p) { return p.of_square(p.difference()); }),
        written(R"($0=[e^2(\rho^2-x^2)]^2+r^4-2e^2(\rho^2-x^2)r^2$)",
                [](const auto& p) { return p.expanded(1); }));
-  line("regrouped", 875, R"($\rho^2-x^2$ regrouped)",
+  line("regrouped", 875, R"($0=[e^2(\rho^2+x^2)-2e^2x^2]^2+r^4-2e^2(\rho^2+x^2)r^2$)",
        written(before, [](const auto& p) { return p.of_square(p.difference()); }),
        written(R"($0=[e^2(\rho^2+x^2-2x^2)]^2+r^4-2e^2(\rho^2+x^2)r^2$)", regrouped(2)),
        written(R"($0=[e^2(\rho^2+x^2-x^2)]^2+r^4-2e^2(\rho^2+x^2)r^2$)", regrouped(1)));
   const auto opened = [](double fourth) { return [=](const auto& p) { return p.opened(fourth); }; };
-  line("opened", 877, "the square opened", written(before, regrouped(2)),
+  line("opened", 877,
+       R"(The square opened: $0=[e^2(\rho^2+x^2)]^2-4e^4x^2(\rho^2+x^2)+4e^4x^4+r^4-2e^2(\rho^2+x^2)r^2$)",
+       written(before, regrouped(2)),
        written(R"($0=e^4(\rho^2+x^2)^2-4e^4x^2(\rho^2+x^2)+4e^4x^4+r^4-2e^2(\rho^2+x^2)r^2$)", opened(4)),
        written(R"($0=e^4(\rho^2+x^2)^2-4e^4x^2(\rho^2+x^2)-4e^4x^4+r^4-2e^2(\rho^2+x^2)r^2$)", opened(-4)));
   const auto gathered = [](double factor) { return [=](const auto& p) { return p.gathered(factor); }; };
-  line("gathered", 879, "its terms gathered", written(before, opened(4)),
+  line("gathered", 879,
+       R"(Its terms gathered: $0=[e^2(\rho^2+x^2)]^2-4e^4\rho^2x^2+r^4-2e^2(\rho^2+x^2)r^2$)",
+       written(before, opened(4)),
        written(R"($0=e^4(\rho^2+x^2)^2-4e^4\rho^2x^2+r^4-2e^2(\rho^2+x^2)r^2$)", gathered(4)),
        written(R"($0=e^4(\rho^2+x^2)^2-2e^4\rho^2x^2+r^4-2e^2(\rho^2+x^2)r^2$)", gathered(2)));
-  line("closed", 881, "a square completed again", written(before, gathered(4)),
+  line("closed", 881, R"(A square completed again: $0=[e^2(\rho^2+x^2)-r^2]^2-4e^4\rho^2x^2$)",
+       written(before, gathered(4)),
        written(R"($0=[e^2(\rho^2+x^2)-r^2]^2-4e^4\rho^2x^2$)", [](const auto& p) { return p.closed(-1); }),
        written(R"($0=[e^2(\rho^2+x^2)+r^2]^2-4e^4\rho^2x^2$)", [](const auto& p) { return p.closed(1); }));
 }
@@ -259,15 +267,15 @@ Line orbit_at_angle(double sign) {
 }
 
 void to_the_ellipse(Table& t) {
-  t.line("moved", 883, "its last term moved", On::both,
+  t.line("moved", 883, R"($4e^4\rho^2x^2=[e^2(\rho^2+x^2)-r^2]^2$)", On::both,
          written(R"($4e^4\rho^2x^2$ at the point)",
                  [](const auto& p) { return 4 * p.e4() * p.rho * p.rho * p.x * p.x; }),
          written(R"($4e^4\rho^2x^2=[e^2(\rho^2+x^2)-r^2]^2$)",
                  [](const auto& p) { return pow(p.sum() - p.r2(), 2); }),
          written(R"($4e^4\rho^2x^2=[e^2(\rho^2-x^2)-r^2]^2$)",
                  [](const auto& p) { return pow(p.difference() - p.r2(), 2); }));
-  t.line("root", 885, "the root of that, with $+$ on the orbit and $-$ on its mirror image", On::both,
-         written(R"($\pm2e^2\rho x$ at the point)", [](const auto& p) { return p.linear(); }),
+  t.line("root", 885, R"($\pm2e^2\rho x=e^2(\rho^2+x^2)-r^2$ ($+$ on the orbit, $-$ on its mirror image))",
+         On::both, written(R"($\pm2e^2\rho x$ at the point)", [](const auto& p) { return p.linear(); }),
          written(R"($\pm2e^2\rho x=e^2(\rho^2+x^2)-r^2$)", [](const auto& p) { return p.sum() - p.r2(); }),
          written(R"($\mp2e^2\rho x=e^2(\rho^2+x^2)-r^2$)", [](const auto& p) { return p.r2() - p.sum(); }));
 
@@ -275,7 +283,7 @@ void to_the_ellipse(Table& t) {
     return written(std::move(text),
                    [=](const auto& p) { return twice((squared ? p.e * p.e : 1) * p.rho * p.rho); });
   };
-  t.line("collected", 889, "the terms collected", On::both,
+  t.line("collected", 889, R"($(1-e^2)x^2\pm2e^2\rho x+y^2=r^2-e^2x^2\pm2e^2\rho x=e^2\rho^2$)", On::both,
          written("the two sums at the point",
                  [](const auto& p) {
                    return two(p.q() * p.x * p.x + p.linear() + p.y * p.y,
@@ -288,39 +296,46 @@ void to_the_ellipse(Table& t) {
       return p.e * p.e * p.rho * p.rho / (sign < 0 ? p.q() : 1 + p.e * p.e);
     });
   };
-  t.line("divided", 891, "these divided by $1-e^2$", On::both,
+  t.line("divided", 891,
+         R"(Divided by $1-e^2$: $x^2\pm\frac{2e^2\rho}{1-e^2}x+\frac{y^2}{1-e^2}=\frac{e^2\rho^2}{1-e^2}$)",
+         On::both,
          written("the sum at the point",
                  [](const auto& p) { return p.x * p.x + p.linear() / p.q() + p.y * p.y / p.q(); }),
          constant(R"($=\frac{e^2\rho^2}{1-e^2}$)", -1), constant(R"($=\frac{e^2\rho^2}{1+e^2}$)", 1),
          R"($x^2\pm\frac{2e^2\rho}{1-e^2}x+\frac{y^2}{1-e^2}$)");
   const auto fourth = [](const auto& p) { return p.e4() * p.rho * p.rho / (p.q() * p.q()); };
-  t.line("completed", 905, "the square completed", On::both,
-         written("the sum of squares at the point",
-                 [](const auto& p) { return twice(pow(p.x + p.s * p.c(), 2) + p.y * p.y / p.q()); }),
-         written(R"($=\frac{e^2\rho^2}{1-e^2}+\frac{e^4\rho^2}{(1-e^2)^2}=\frac{e^2\rho^2}{(1-e^2)^2}$)",
-                 [=](const auto& p) {
-                   const auto square = p.e * p.e * p.rho * p.rho;
-                   return two(square / p.q() + fourth(p), square / (p.q() * p.q()));
-                 }),
-         written(R"($=\frac{e^4\rho^2}{(1-e^2)^2}$)", [=](const auto& p) { return twice(fourth(p)); }),
-         R"($\Big(x\pm\frac{e^2\rho}{1-e^2}\Big)^2+\frac{y^2}{1-e^2}$)");
-  t.claims.formula<Point>("axes", 927, "half the length $a$ and half the height $b$ of the orbit",
-                          t.orbit_alone,
-                          {.truth = half_sizes,
-                           .printed = semi_axes,
-                           .near_misses = {{R"($a=e\rho/(1-e^2)$, $b=a(1-e^2)$)",
-                                            [](const auto& p) { return values(p.a(), p.a() * p.q()); }}}});
+  t.line(
+      "completed", 905,
+      R"(The square completed: $\left(x\pm\frac{e^2\rho}{1-e^2}\right)^2+\frac{y^2}{1-e^2}=\frac{e^2\rho^2}{(1-e^2)^2}$)",
+      On::both,
+      written("the sum of squares at the point",
+              [](const auto& p) { return twice(pow(p.x + p.s * p.c(), 2) + p.y * p.y / p.q()); }),
+      written(R"($=\frac{e^2\rho^2}{1-e^2}+\frac{e^4\rho^2}{(1-e^2)^2}=\frac{e^2\rho^2}{(1-e^2)^2}$)",
+              [=](const auto& p) {
+                const auto square = p.e * p.e * p.rho * p.rho;
+                return two(square / p.q() + fourth(p), square / (p.q() * p.q()));
+              }),
+      written(R"($=\frac{e^4\rho^2}{(1-e^2)^2}$)", [=](const auto& p) { return twice(fourth(p)); }),
+      R"($\Big(x\pm\frac{e^2\rho}{1-e^2}\Big)^2+\frac{y^2}{1-e^2}$)");
   t.claims.formula<Point>(
-      "ratio", 929, "$a^2/b^2$", t.orbit_alone,
+      "axes", 927,
+      R"($a=e\rho/(1-e^2)$ and $b=a\sqrt{1-e^2}$ are half the length and half the height of the orbit.)",
+      t.orbit_alone,
+      {.truth = half_sizes,
+       .printed = semi_axes,
+       .near_misses = {{R"($a=e\rho/(1-e^2)$, $b=a(1-e^2)$)",
+                        [](const auto& p) { return values(p.a(), p.a() * p.q()); }}}});
+  t.claims.formula<Point>(
+      "ratio", 929, "$a^2/b^2=1/(1-e^2)$", t.orbit_alone,
       {.truth = square_of_sizes,
        .printed = square_of_axes,
        .near_misses = {{"$1/(1+e^2)$", [](const auto& p) { return 1 / (1 + p.e * p.e); }}}});
-  t.line("c", 929, "the length $c$", On::orbit,
+  t.line("c", 929, R"($c=ae=e^2\rho/(1-e^2)$)", On::orbit,
          written(R"(from the origin to the middle of the apsides, $r(0)$ and $r(\pi)$)",
                  [](const auto& p) { return twice(p.to_middle()); }, &Point::farthest),
          written(R"($ae=e^2\rho/(1-e^2)$)", [](const auto& p) { return two(p.a() * p.e, p.c()); }),
          written("$ae^2$", [](const auto& p) { return twice(p.a() * p.e * p.e); }));
-  t.line("scaled", 931, R"($(x\pm c)^2+a^2y^2/b^2$)", On::both,
+  t.line("scaled", 931, R"($(x\pm c)^2+(a^2/b^2)y^2=a^2$)", On::both,
          written("the sum at the point",
                  [](const auto& p) {
                    return pow(p.x + p.s * p.c(), 2) + p.a() * p.a() / (p.b() * p.b()) * p.y * p.y;
@@ -332,8 +347,8 @@ void to_the_ellipse(Table& t) {
       return pow((p.x + sign * p.s * p.c()) / p.a(), 2) + p.y * p.y / (p.b() * p.b());
     });
   };
-  t.line("ellipse", 935, "the ellipse", On::both,
-         written("1", [](const auto& p) { return decltype(p.r)(1); }),
+  t.line("ellipse", 935, R"($(x\pm c)^2/a^2+y^2/b^2=1$, the standard formula of an ellipse along the axes)",
+         On::both, written("1", [](const auto& p) { return decltype(p.r)(1); }),
          ellipse(R"($(x\pm c)^2/a^2+y^2/b^2=1$)", 1), ellipse(R"($(x\mp c)^2/a^2+y^2/b^2=1$)", -1));
 
   const auto fits = [&](double sign) {
@@ -341,10 +356,11 @@ void to_the_ellipse(Table& t) {
                           t.orbit_alone);
   };
   t.claims.add(
-      "two_solutions", 887, "the signs of the root that are solutions",
-      {.printed = {"both", {fits(1), fits(-1)}},
-       .corrected = {"the plus sign alone", {fits(1)}},
-       .near_misses = {{"the minus sign alone", {fits(-1)}}},
+      "two_solutions", 887, R"(The sign in $\pm2e^2\rho x$ indicates that there are two possible solutions.)",
+      {.printed = {R"($\pm2e^2\rho x=e^2(\rho^2+x^2)-r^2$ is the orbit with either sign)",
+                   {fits(1), fits(-1)}},
+       .corrected = {R"($2e^2\rho x=e^2(\rho^2+x^2)-r^2$, the plus sign alone, is the orbit)", {fits(1)}},
+       .near_misses = {{R"($-2e^2\rho x=e^2(\rho^2+x^2)-r^2$ is the orbit)", {fits(-1)}}},
        .why =
            R"(The second squaring adds the mirror image $r=e\rho/(1-e\cos\theta)$. Of the ellipse with the )"
            R"(minus sign only the two points $(0,\pm e\rho)$ satisfy the polar equation; the orbit is the )"
@@ -384,12 +400,23 @@ void about_the_ellipse(Table& t) {
               return ellipse.a() > 0 && ellipse.b() > 0;
             }};
   };
-  claims.statement<Point>("positive", 941, "$a>0$ and $b>0$", samples,
-                          {.printed = positive("for $0<e<1$", 1),
-                           .near_misses = {positive("for $0<e<1.25$", 1.25), positive("for $e=0$", 0)}});
+  const auto divisor = [](const std::string& text, double factor) -> Statement<Point> {
+    return {text, [=](const auto& p) { return 1 - pow(factor * p.e, 2) > 0; }};
+  };
+  claims.statement<Point>("divisor", 891, "One can divide by $1-e^2$ ($0<e<1$ is our condition).", samples,
+                          {.printed = divisor("for $0<e<1$ it is positive", 1),
+                           .near_misses = {divisor("for $0<e<1.25$ it is positive", 1.25)}});
+  claims.statement<Point>(
+      "positive", 941,
+      "The ellipse has $a>0$ and $b>0$ ($0<e<1$ is our condition: for $e=0$ the polar equation "
+      "is $r=0$, and from $e=1$ on its curve is no ellipse).",
+      samples,
+      {.printed = positive("for $0<e<1$", 1),
+       .near_misses = {positive("for $0<e<1.25$", 1.25), positive("for $e=0$", 0)}});
   claims.formula<Point>(
-      "center", 941, "the center of the ellipse $(x+c)^2/a^2+y^2/b^2=1$", samples,
-      {.truth = middle_of_apsides,
+      "center", 941, R"(The center of the ellipse $(x\pm c)^2/a^2+y^2/b^2=1$ is $(\pm c,0)$.)", samples,
+      {.quantity = R"(the center of the orbit, $(x+c)^2/a^2+y^2/b^2=1$)",
+       .truth = middle_of_apsides,
        .printed = on_the_axis("$(c,0)$", 1),
        .corrected = on_the_axis("$(-c,0)$", -1),
        .near_misses = {on_the_axis("$(-2c,0)$", -2)},
@@ -399,7 +426,7 @@ void about_the_ellipse(Table& t) {
            R"($(x\pm c)^2$ is zero at $x=\mp c$. The orbit has the plus sign: its center, midway between the )"
            R"(apsides, is $(-c,0)$, away from the perihelion at $\theta=0$.)"});
   claims.formula<Point>(
-      "major_axis", 941, "the lengths of the major and the minor axis", samples,
+      "major_axis", 941, "The length of the major axis is $a$, that of the minor axis $b$.", samples,
       {.truth = sizes,
        .printed = axes("$a$ and $b$", 1),
        .corrected = axes("$2a$ and $2b$", 2),
@@ -410,17 +437,19 @@ void about_the_ellipse(Table& t) {
        .why =
            R"($a$ and $b$ are the semi-axes: $r(0)+r(\pi)=2e\rho/(1-e^2)=2a$. (The solution of 3.3 has $2a$ )"
            R"(and $2b$.))"});
-  t.line("focal_distance", 943, "the distance from the center to the origin", On::orbit,
+  t.line("focal_distance", 943,
+         "The distance from the center to a focus is $c$: the origin is so far from the center.", On::orbit,
          written(
              "from the origin to the middle of the apsides", [](const auto& p) { return p.to_middle(); },
              &Point::farthest),
          written("$c$", [](const auto& p) { return p.c(); }),
          written("$b$", [](const auto& p) { return p.b(); }));
-  t.line("origin_is_focus", 943, "the origin is a focus: with another point it completes a constant sum",
+  t.line("origin_is_focus", 943,
+         "The origin is a focal point: the distances to it and to another point have a constant sum.",
          On::orbit, all_apart, foci("with its mirror in the center, $(-2c,0)$", -2),
          foci("with the center, $(-c,0)$", -1), "sum of the distances to the two");
   claims.formula<Point>(
-      "other_focus", 943, "the other focus of the ellipse $(x+c)^2/a^2+y^2/b^2=1$", samples,
+      "other_focus", 943, R"(The other focal point is $(\pm2c,0)$.)", samples,
       {.quantity = "sum of the distances to the two foci",
        .truth = all_apart,
        .printed = foci("at $(2c,0)$", 2),
@@ -445,16 +474,24 @@ Table table(double seed) {
 std::vector<Claim> claims(double seed) { return table(seed).claims.in_order(); }
 
 std::vector<Root> roots() {
+  const Point shown{{0.625, 1.5}, 0, 0, 0, 1};
+  const double near = shown.nearest(), far = shown.farthest(), a = shown.half_length();
   return {
       {"the mirror image",
-       R"(For $e=0.625$, $\rho=1.5$ the minus sign puts the planet 2.5 from the sun at $\theta=0$, where it )"
-       R"(should be at its nearest, 0.577.)"},
+       filled(
+           R"(For $e=0.625$, $\rho=1.5$ the minus sign puts the planet @2 from the sun at $\theta=0$, where it )"
+           R"(should be at its nearest, @3.)",
+           {far, near})},
       {"the sign of the center",
-       R"(An ellipse drawn about $(c,0)$ has the sun in the wrong focus: for $e=0.625$, $\rho=1.5$ its perihelion is )"
-       R"(1.92 too far out, at 2.5 instead of 0.577.)"},
+       filled(
+           R"(An ellipse drawn about $(c,0)$ has the sun in the wrong focus: for $e=0.625$, $\rho=1.5$ its )"
+           R"(perihelion is @3 too far out, at @2 instead of @3.)",
+           {far - near, far, near})},
       {"axes for semi-axes",
-       R"(Drawn with a major axis of length $a$ the orbit is half as large: for $e=0.625$, $\rho=1.5$ it is 1.54 long )"
-       R"(instead of 3.08.)"}};
+       filled(
+           R"(Drawn with a major axis of length $a$ the orbit is half as large: for $e=0.625$, $\rho=1.5$ it )"
+           R"(is @3 long instead of @3.)",
+           {a, 2 * a})}};
 }
 
 }  // namespace oddity::ex03_01

@@ -19,7 +19,8 @@ void draw(const Parameters& p, double, std::span<const double> observed, Drawing
   const double least = q / (6 * r0) - 1, nu0 = std::atan2(e_sin, e_cos);
   const double end = least > -e ? std::acos(std::fmax(-1, std::fmin(1, least / e))) : std::numbers::pi;
   drawing.track(sampled(-end, end, 120, [&](double nu) {
-    const double r = q / (1 + e * std::cos(nu)), angle = start + nu - nu0;
+    // Of a very eccentric orbit the angle's roundings are much of the distance.
+    const double r = q / std::fmax(1 + e * std::cos(nu), q / (6 * r0)), angle = start + nu - nu0;
     return Place{r * std::cos(angle), r * std::sin(angle)};
   }));
   drawing.guide({{}, planet});

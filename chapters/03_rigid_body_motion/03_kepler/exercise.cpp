@@ -7,8 +7,10 @@
 
 #include "chapters/03_rigid_body_motion/03_kepler/drawing.hpp"
 #include "chapters/03_rigid_body_motion/03_kepler/kepler.hpp"
+#include "chapters/energies.hpp"
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
+#include "reference/text.hpp"
 #include "solvers/ode/events.hpp"
 #include "solvers/quadrature.hpp"
 
@@ -19,20 +21,17 @@ namespace ex03_03 {
 using namespace kepler;
 using std::numbers::pi;
 
-constexpr double four_pi_squared = 39.47841760435743;
-
 constexpr Parameter parameters[] = {
-    {"G", four_pi_squared, "AU^3/(yr^2 solar mass)", "constant of gravitation", 10, 60},
-    {"M", 1, "solar mass", "mass of the sun", 0.25, 2},
-    {"r0", 1, "AU", "distance at the start", 0.5, 4},
-    {"r0_dot", 0.09375, "AU/yr", "its rate", -6, 6},
-    {"theta0", 1.75, "rad", "angle at the start", -10, 10},
-    {"theta0_dot", 6.25, "rad/yr", "its rate", 0.5, 20},
+    {"G", near_earth.G, "AU^3/(yr^2 solar mass)", "constant of gravitation", 1e-3, 1e5},
+    {"M", near_earth.M, "solar mass", "mass of the sun", 1e-6, 1e3},
+    {"r0", near_earth.r0, "AU", "distance at the start", 1e-3, 1e3},
+    {"r0_dot", near_earth.r0_dot, "AU/yr", "its rate", -1e3, 1e3},
+    {"theta0", near_earth.theta0, "rad", "angle at the start", -10, 10},
+    {"theta0_dot", near_earth.theta0_dot, "rad/yr", "its rate", 1e-5, 1e5},
     {"seed", 1, "", "of the random orbits", 0, 1e6, whole_number},
+    {"e", 0.5, "", "eccentricity, for Kepler's equation alone", 0, 0.999},
+    {"mean", 1, "rad", "mean anomaly, for Kepler's equation alone", 0, 3.14159},
 };
-
-constexpr Start eccentric{four_pi_squared, 1, 1.75, 1.7862, -2, 0.8943};
-constexpr Start very_eccentric{four_pi_squared, 2, 1.75, -3.28124, 0.75, 0.409303};
 
 std::vector<double> inputs(const Start& s) { return {s.G, s.M, s.r0, s.r0_dot, s.theta0, s.theta0_dot}; }
 
@@ -82,8 +81,18 @@ Quantity path(const std::string& name, const std::string& says, const Start& s, 
                             trajectory(truth, "03_03_orbit", inputs(s), horizon),
                             {1e-6, "150 km, an 85th of the Earth's diameter"});
   const auto solved = [&](std::string algorithm, auto solve) {
-    where.add({"Kepler's equation", std::move(algorithm), no_knob(),
-               [=](double) { return by_keplers_equation(s, horizon, solve); }});
+    Method method{"Kepler's equation", std::move(algorithm), no_knob(),
+                  [=](double) { return by_keplers_equation(s, horizon, solve); }};
+    method.places_and_rates = [=](double) {
+      const Ellipse<double> orbit = ellipse(s);
+      return places_and_rates_of(AtTimes{[&](double t) {
+                                   const double M = orbit.mean_anomaly(t);
+                                   const double E = solve(orbit.e, abs(M)).value;
+                                   return orbit.at_eccentric_anomaly(std::copysign(E, M));
+                                 }},
+                                 horizon);
+    };
+    where.add(std::move(method));
   };
   solved("Newton from pi", [](double e, double M) { return by_newton(e, M, pi, 50); });
   solved("Newton from M + 0.85 e", [](double e, double M) { return by_newton(e, M, M + 0.85 * e, 50); });
@@ -121,6 +130,10 @@ Quantity planet(const Parameters& p, const Horizon& horizon, const Reference& tr
 
 /// In years for seconds. From the aphelion the angle's rate sets the eccentricity: 0.1, 0.5, 0.9, 0.975,
 /// 0.99. Close is one degree of the Earth's orbit, in AU.
+Energy energy(const Parameters& p, std::span<const double> x) { return orbit_energy(p["G"] * p["M"], x); }
+
+std::string_view kind(const Parameters& p) { return asked(p).energy() < 0 ? "an ellipse" : "a hyperbola"; }
+
 Scene scene() {
   return {
       .motion = planet,
@@ -140,6 +153,9 @@ Scene scene() {
                    {"polar", "kepler::Polar<double>{{G, M, r0, r0_dot, theta0, theta0_dot}}"},
                    {"Cartesian", "kepler::Cartesian<double>{{G, M, r0, r0_dot, theta0, theta0_dot}}"}}},
       .draw = kepler::draw<Parameters>,
+      .laws = {energy},
+      .faulted = {"equation (7) as printed"},
+      .kind = kind,
   };
 }
 
@@ -205,15 +221,20 @@ Quantity eccentric_anomaly(const std::string& name, const std::string& says, dou
   add(
       "Bessel functions", doubling("terms", 2, 7), [=](int n) { return bessel_series(e, M, n); },
       hard(inaccurate), because("its terms fall by a thousandth each"));
+  // Its terms fall as (e/0.6627)^n.
+  const Outcome by_series = e < 0.53 ? ok : e < 0.6627 ? inaccurate : diverged;
   add(
       "power series in e", doubling("terms", 2, 7), [=](int n) { return lagrange_series(e, M, n); },
-      hard(diverged), because("it diverges beyond Laplace's limit, $e=0.6627$"));
+      by_series,
+      by_series == ok ? "" : "it diverges beyond Laplace's limit, $e=0.6627$, and falls slowly before it");
   E.add({"Kepler's equation", "Brent", tolerances(), [=](double t) { return answer(bracketed(e, M, t)); }});
   return E;
 }
 
-std::vector<Quantity> eccentric_anomalies(const Reference& truth) {
-  Quantity easy = eccentric_anomaly("eccentric_anomaly", "$e=0.5$, $M=1$", 0.5, 1, true, truth);
+std::vector<Quantity> eccentric_anomalies(const Parameters& p, const Reference& truth) {
+  Quantity easy = eccentric_anomaly(
+      "eccentric_anomaly", "$e=" + format_shortest(p["e"]) + "$, $M=" + format_shortest(p["mean"]) + "$",
+      p["e"], p["mean"], true, truth);
   Quantity hard = eccentric_anomaly("eccentric_anomaly_past_perihelion", "$e=0.99$, $M=1/16$", 0.99, 0.0625,
                                     false, truth);
   hard.add({R"(Newton's method from $E=M$ goes to 5.2, $-6.9$, 28.6, ... and needs 25 iterations or more to )"
@@ -275,7 +296,7 @@ Findings study(const Parameters& p, const Reference& truth) {
   const auto append = [&](const std::vector<Quantity>& more) {
     all.insert(all.end(), more.begin(), more.end());
   };
-  append(eccentric_anomalies(truth));
+  append(eccentric_anomalies(p, truth));
   if (start.energy() < 0) append({period("period", "near the Earth's unless asked otherwise", start, truth)});
   append({period("period_eccentric", "$e=0.9$", eccentric, truth),
           period("period_very_eccentric", "$e=0.99$", very_eccentric, truth)});

@@ -17,6 +17,13 @@ namespace oddity::kepler {
 
 using Start = Given<double>;
 
+/// G times the mass of the sun, in AU^3/yr^2.
+inline constexpr double four_pi_squared = 39.47841760435743;
+/// The starts of the scenes.
+inline constexpr Start near_earth{four_pi_squared, 1, 1, 0.09375, 1.75, 6.25};
+inline constexpr Start eccentric{four_pi_squared, 1, 1.75, 1.7862, -2, 0.8943};
+inline constexpr Start very_eccentric{four_pi_squared, 2, 1.75, -3.28124, 0.75, 0.409303};
+
 /// Throws unless the start's orbit is an ellipse.
 inline Ellipse<double> ellipse(const Start& start) {
   if (!(start.energy() < 0)) throw std::domain_error("the orbit is no ellipse: the start is too fast");

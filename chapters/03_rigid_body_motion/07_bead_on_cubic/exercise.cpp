@@ -9,6 +9,7 @@
 
 #include "chapters/03_rigid_body_motion/07_bead_on_cubic/bead_on_cubic.hpp"
 #include "chapters/03_rigid_body_motion/07_bead_on_cubic/drawing.hpp"
+#include "chapters/energies.hpp"
 #include "chapters/in_float.hpp"
 
 namespace oddity {
@@ -16,8 +17,8 @@ namespace oddity {
 namespace ex03_07 {
 
 constexpr Parameter parameters[] = {
-    {"q0", 1, "m", "release", 0.05, 10},
-    {"g", 1, "m/s^2", "gravity", 1e-3, 1e3},
+    {"q0", 1, "m", "release", 1e-3, 1e3},
+    {"g", 1, "m/s^2", "gravity", 1e-3, 1e4},
     {"seed", 7, "", "seed of the random samples", 0, 1e9, whole_number},
 };
 
@@ -26,6 +27,14 @@ Quantity position(const Parameters& p, const Horizon& horizon, const Reference& 
   return with_float(
       slide(bead, horizon, truth), horizon, bead,
       {"straight tangent", "", "energy in u", "one coordinate", "Cartesian with constraints", ""});
+}
+
+Energy energy(const Parameters& p, std::span<const double> x) { return point_energy(p["g"], x); }
+
+/// From the wire's point of the same x.
+double off(const Parameters&, std::span<const double> x, double) {
+  const auto wire = bead_on_cubic::curve(x[0]);
+  return std::hypot(x[1] - wire[1], x[2] - wire[2]);
 }
 
 Scene scene() {
@@ -45,6 +54,7 @@ Scene scene() {
                    {"Cartesian with constraints",
                     "bead_on_cubic::CartesianWithConstraints<double>{{q0, g}}"}}},
       .draw = bead_on_cubic::draw<Parameters>,
+      .laws = {energy, off},
   };
 }
 

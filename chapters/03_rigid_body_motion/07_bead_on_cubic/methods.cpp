@@ -80,21 +80,20 @@ Quantity arrival(const Given<double>& bead, const Reference& truth) {
   return time;
 }
 
-/// The position from the energy integral over u: Brent's method on a Gauss rule.
-Answer by_inverted_integral(const EnergyInU<double>& bead, const Horizon& horizon, int points) {
-  return observe_at_times(horizon, [&](double t, Answer& answer) {
-    const auto late = [&](double u) {
-      const auto time = gauss_legendre([&](double s) { return bead.seconds_per_u(s); }, 0, u, points);
-      answer.evaluations += time.evaluations;
-      return time.value - t;
-    };
-    double most = 1;
-    while (late(most) < 0) most *= 2;
-    const auto u = brent(late, 0, most, 1e-14);
-    answer.ending = u.ending;
-    answer.message = u.message;
-    return bead.observe({u.value}, t);
-  });
+/// The position at a time from the energy integral over u: Brent's method on a Gauss rule.
+std::array<double, 3> by_inverted_integral(const EnergyInU<double>& bead, double t, int points,
+                                           Answer& answer) {
+  const auto late = [&](double u) {
+    const auto time = gauss_legendre([&](double s) { return bead.seconds_per_u(s); }, 0, u, points);
+    answer.evaluations += time.evaluations;
+    return time.value - t;
+  };
+  double most = 1;
+  while (late(most) < 0) most *= 2;
+  const auto u = brent(late, 0, most, 1e-14);
+  answer.ending = u.ending;
+  answer.message = u.message;
+  return bead.observe({u.value}, t);
 }
 
 Quantity slide(const Given<double>& bead, const Horizon& horizon, const Reference& truth) {
@@ -111,9 +110,18 @@ Quantity slide(const Given<double>& bead, const Horizon& horizon, const Referenc
                                 {{"linearly implicit Euler", Outcome::inaccurate,
                                   "its order is too low for this need at this step"}})
       .by_engine_integrators(cartesian, CartesianWithConstraints<double>{bead});
-  position.add({substituted, "Gauss-Legendre, inverted by Brent", doubling("points", 4, 6), [=](double n) {
-                  return by_inverted_integral(EnergyInU<double>{bead}, horizon, static_cast<int>(n));
-                }});
+  const auto inverted = [bead](double n, double t, Answer& answer) {
+    return by_inverted_integral(EnergyInU<double>{bead}, t, static_cast<int>(n), answer);
+  };
+  Method by_brent{substituted, "Gauss-Legendre, inverted by Brent", doubling("points", 4, 6), [=](double n) {
+                    return observe_at_times(horizon,
+                                            [&](double t, Answer& answer) { return inverted(n, t, answer); });
+                  }};
+  by_brent.places_and_rates = [=](double n) {
+    Answer uncounted;
+    return places_and_rates_of(AtTimes{[&](double t) { return inverted(n, t, uncounted); }}, horizon);
+  };
+  position.add(std::move(by_brent));
   position.add(Breakdown{
       R"(Energy alone, $\dot q=-\sqrt{\ldots}$, lets a bead at rest stay at rest; the second-order )"
       R"(equation does not.)",

@@ -201,7 +201,19 @@ struct Frictions {
     return "$a$ = " + format_significant(a, 4) + " and " + format_significant(b, 4);
   }
   /// How far from the origin a ball let go at rest is after 5 s.
-  static double left(double friction) { return abs(OneForm<double>{{1, 4, friction, 1, 1, 0, 0}}.at(5)[0]); }
+  static double left(double friction) { return left_after(friction, 5); }
+  static double left_after(double friction, double t) {
+    return abs(OneForm<double>{{1, 4, friction, 1, 1, 0, 0}}.at(t)[0]);
+  }
+  /// When it is within a hundredth of its way, of strong friction.
+  static double home_after(double friction) {
+    double early = 0, late = 1000;
+    for (int i = 0; i < 60; ++i) {
+      const double t = (early + late) / 2;
+      (left_after(friction, t) > 0.01 ? early : late) = t;
+    }
+    return late;
+  }
 };
 
 /// K1 and K2 of the oscillation, and a time.
@@ -289,6 +301,25 @@ struct AsideOf {
 };
 using Aside = AsideOf<double>;
 
+/// Where the pairs (p_i, k_i) of both coordinates take the angle beta t.
+template <class T>
+struct PairsOf {
+  T p1, p2, k1, k2, angle;
+  PairsOf() = default;
+  explicit PairsOf(Random& random) : angle(random.between(-pi, pi)) {
+    const auto p = random.point(2), k = random.point(2);
+    p1 = p[0], p2 = p[1], k1 = k[0], k2 = k[1];
+  }
+  std::array<T*, 5> letters() { return {&p1, &p2, &k1, &k2, &angle}; }
+  std::string where() const { return R"($\beta t$ = )" + format_significant(angle, 4); }
+  /// x_1 y_2 - x_2 y_1, x = p cos + k sin and y = k cos - p sin.
+  T turned(double sign) const {
+    const T c = cos(angle), s = sin(angle);
+    return (p1 * c + k1 * s) * (k2 * c - sign * p2 * s) - (p2 * c + k2 * s) * (k1 * c - sign * p1 * s);
+  }
+};
+using Pairs = PairsOf<double>;
+
 /// The claims that are proved.
 struct Tables {
   ProvableClaims<AnywhereOf> anywhere;
@@ -297,6 +328,7 @@ struct Tables {
   ProvableClaims<StartOfOneOf> start;
   ProvableClaims<UnderDampedOf> under_damped;
   ProvableClaims<VectorsOf> vectors;
+  ProvableClaims<PairsOf> pairs;
   ProvableClaims<AsideOf> aside;
 
   explicit Tables(Claims& claims)
@@ -306,6 +338,7 @@ struct Tables {
         start(claims),
         under_damped(claims),
         vectors(claims),
+        pairs(claims),
         aside(claims) {}
 };
 
@@ -320,15 +353,16 @@ void equations(Tables& tables, const std::vector<Anywhere>& samples) {
               return values(-s.c * s.x1 - factor * s.a * s.v1, -s.c * s.x2 - factor * s.a * s.v2);
             }};
   };
-  tables.anywhere.formula("generalized_forces", 1439,
-                          R"(the generalized forces $F_{x_1}$ and $F_{x_2}$ of spring and friction)", samples,
-                          {.quantity = R"($(F_{x_1},F_{x_2})$)",
-                           .truth = {"the spring's potential and Rayleigh's dissipation by dual numbers",
-                                     [](const auto& s) { return s.derived(); }},
-                           .printed = friction(R"($-cx-a\dot x$)", 1),
-                           .near_misses = {friction(R"($-cx+a\dot x$)", -1), friction("$-cx$", 0)}});
   tables.anywhere.formula(
-      "equations", 1449, R"(each coordinate obeys $m\ddot x+a\dot x+cx=0$)", samples,
+      "generalized_forces", 1439,
+      R"(The generalized forces of spring and friction are $-cx-a\dot x$ for each coordinate)", samples,
+      {.quantity = R"($(F_{x_1},F_{x_2})$)",
+       .truth = {"the spring's potential and Rayleigh's dissipation by dual numbers",
+                 [](const auto& s) { return s.derived(); }},
+       .printed = friction(R"($-cx-a\dot x$)", 1),
+       .near_misses = {friction(R"($-cx+a\dot x$)", -1), friction("$-cx$", 0)}});
+  tables.anywhere.formula(
+      "equations", 1449, R"(Each coordinate obeys $m\ddot x=-cx-a\dot x$)", samples,
       {.quantity = R"($m\ddot x$)",
        .truth = {"the Lagrangian and Rayleigh's dissipation by dual numbers",
                  [](const auto& s) { return s.derived(); }},
@@ -343,7 +377,8 @@ void characteristic_roots(ProvableClaims<PolynomialOf>& table, const std::vector
     return {std::move(text), [=](const auto& s) { return values(sign * s.c, 0); }};
   };
   table.formula(
-      "characteristic_polynomial", 1453, "the characteristic polynomial", polynomials,
+      "characteristic_polynomial", 1453, "The characteristic polynomial is $mr^2+ar+{}$, and no more",
+      polynomials,
       {.quantity = "$mr^2+ar$ at the roots that the text has for it",
        .truth = {"$mr^2+ar$ at the roots", [](const auto& s) { return s.without_last(); },
                  [](const Polynomial& s) { return s.a * s.a / s.m + s.c; }},
@@ -356,7 +391,8 @@ void characteristic_roots(ProvableClaims<PolynomialOf>& table, const std::vector
     return {std::move(text), [=](const auto& s) { return s.sum_and_product(factor); },
             [](const Polynomial& s) { return s.a * s.a / (s.m * s.m) + 1; }};
   };
-  table.formula("roots", 1455, "the polynomial's roots", polynomials,
+  table.formula("roots", 1455,
+                R"(The roots of the characteristic polynomial are $(-a\pm\sqrt{a^2-4mc})/(2m)$)", polynomials,
                 {.quantity = "the roots' sum and product, real and imaginary parts",
                  .truth = {"the coefficients: $-a/m$ and $c/m$, both real",
                            [](const auto& s) { return values(-s.a / s.m, s.c / s.m, 0, 0); }},
@@ -366,7 +402,7 @@ void characteristic_roots(ProvableClaims<PolynomialOf>& table, const std::vector
 
 void solutions(Claims& claims, const std::vector<Polynomial>& polynomials, double seed, Random& random) {
   claims.statement<Polynomial>(
-      "negative_roots", 1461, "the roots are real and negative, or complex with negative real part",
+      "negative_roots", 1461, "The roots are real and negative, or complex with negative real part",
       polynomials,
       {.printed = {R"($\mathrm{Re}\,r<0$)",
                    [](const Polynomial& s) {
@@ -385,14 +421,18 @@ void solutions(Claims& claims, const std::vector<Polynomial>& polynomials, doubl
                  rounding(1)};
   };
   claims.add(
-      "two_exponentials", 1469, "$x=K_1e^{r_1t}+K_2e^{r_2t}$ is the general solution for real roots",
-      {.printed = {"for all real roots, the double one included",
+      "two_exponentials", 1469, "The general solution for real roots is $x=K_1e^{r_1t}+K_2e^{r_2t}$",
+      {.printed = {R"($K_1e^{r_1t}+K_2e^{r_2t}$, for $r_1=r_2$ as well)",
                    {at_double_root("two exponentials", TwoExponentials<double>{critical}.at(1))}},
-       .corrected = {R"(for $r_1\ne r_2$; for a double root $r$ it is $(K_1+K_2t)\,e^{rt}$)",
-                     {compare<OverDamped>(put_in_quantity, two_exponentials_put_in(), as_asked<OverDampedOf>,
-                                          draw<OverDamped>(200, seed)),
-                      at_double_root("the limit of the two regimes", OneForm<double>{critical}.at(1))}},
-       .near_misses = {{"for a double root $r$ it is $(p+vt)\\,e^{rt}$",
+       .corrected =
+           {R"($K_1e^{r_1t}+K_2e^{r_2t}$ for $r_1\ne r_2$, and $(K_1+K_2t)\,e^{rt}$ for a double root $r$)",
+            {compare<OverDamped>(put_in_quantity, two_exponentials_put_in(), as_asked<OverDampedOf>,
+                                 draw<OverDamped>(200, seed)),
+             at_double_root("the limit of the two regimes", OneForm<double>{critical}.at(1))}},
+       .in_view = {"where the roots differ",
+                   {compare<OverDamped>(put_in_quantity, two_exponentials_put_in(), as_asked<OverDampedOf>,
+                                        draw<OverDamped>(200, seed))}},
+       .near_misses = {{"$(p+vt)\\,e^{rt}$ for a double root $r$",
                         {at_double_root("$(p+vt)\\,e^{-2t}$",
                                         {std::exp(-2.0) * (1 + 0.0), std::exp(-2.0) * (0.5 + 1.5)})}}},
        .why =
@@ -407,7 +447,7 @@ void solutions(Claims& claims, const std::vector<Polynomial>& polynomials, doubl
     return {std::move(text), [t](const Constants& s) { return abs(s.at(t)) < 1e-12; }};
   };
   claims.statement<Constants>(
-      "limit", 1471, "whatever $K_1$ and $K_2$, $x$ tends to zero", next<Constants>(random, 200),
+      "limit", 1471, "Whatever $K_1$ and $K_2$, $x(t)$ tends to zero", next<Constants>(random, 200),
       {.printed = near_zero(R"($|x(500)|<10^{-12}$ for $|K|$ up to 1000)", 500),
        .near_misses = {{R"(without the spring, $c=0$, $|x(500)|<10^{-12}$)",
                         [](const Constants& s) { return abs(s.k1 + s.k2 * std::exp(-s.a * 500)) < 1e-12; }},
@@ -425,7 +465,7 @@ void solutions(Claims& claims, const std::vector<Polynomial>& polynomials, doubl
   const double third = std::log(8.0 / 5.0) / 3;
   claims.add(
       "overdamped_never_arrives", 1477,
-      "with real roots the ball reaches the origin only after infinite time",
+      "With real roots the ball reaches the origin only after infinite time",
       {.printed = {"$|x|>0$ for all $t$",
                    {no_violations("$x_1(1)$ has changed its sign: the origin is passed by then",
                                   OneForm<double>{thrown}.at(1)[0] < 0, 1,
@@ -435,17 +475,19 @@ void solutions(Claims& claims, const std::vector<Polynomial>& polynomials, doubl
                            third),
        .near_misses = {passes("at $e^{(r_1-r_2)t}=K_2/K_1$", -third),
                        passes("at $e^{r_1t}=-K_2/K_1$", 3 * third)},
-       .why =
+       .why = filled(
            R"(With $p$ and $v$ parallel both coordinates vanish together once if $v$ points to the origin and )"
            R"($|v|>|r_2||p|$. For $m=1$, $c=4$, $a=5$ the roots are $-1$ and $-4$; from $p$ with $v=-9p$, )"
-           R"($x=\frac13(-5e^{-t}+8e^{-4t})\,p$ is zero at $t=\frac13\ln\frac85=0.157$.)",
+           R"($x=\frac13(-5e^{-t}+8e^{-4t})\,p$ is zero at $t=\frac13\ln\frac85=@3$.)",
+           {third}),
        .kind = Fault::counterexample,
        .root = "a fast throw"});
 
   claims.statement<Frictions>(
-      "larger_friction_sooner", 1477, "the larger the friction, the sooner the ball is nearly at the origin",
+      "larger_friction_sooner", 1477,
+      "With real roots, the larger the friction, the sooner the ball is nearly at the origin",
       next<Frictions>(random, 100),
-      {.printed = {"the distance left after 5 s falls with $a$",
+      {.printed = {"the distance left after 5 s, let go at rest, falls with $a$",
                    [](const Frictions& s) { return s.left(s.b) < s.left(s.a); }},
        .corrected = {R"(it grows with $a$ beyond the critical $2\sqrt{mc}$)",
                      [](const Frictions& s) { return s.left(s.b) > s.left(s.a); }},
@@ -461,8 +503,12 @@ void solutions(Claims& claims, const std::vector<Polynomial>& polynomials, doubl
 void oscillations(Tables& tables, const std::vector<Oscillation>& samples,
                   const std::vector<StartOfOne>& starts, const std::vector<UnderDamped>& under_damped) {
   tables.oscillation.formula(
-      "derivative", 1487, R"(the derivative of $x=e^{\alpha t}(K_1\cos\beta t+K_2\sin\beta t)$)", samples,
-      {.truth = {"$x$ by dual numbers",
+      "derivative", 1487,
+      R"($\dot x=e^{\alpha t}(-\beta K_1\sin\beta t+\beta K_2\cos\beta t)+\alpha e^{\alpha )"
+      R"(t}(K_1\cos\beta t+K_2\sin\beta t)$)",
+      samples,
+      {.quantity = R"(the derivative of $x=e^{\alpha t}(K_1\cos\beta t+K_2\sin\beta t)$)",
+       .truth = {"$x$ by dual numbers",
                  [](const auto& s) { return derivative(oscillation(s.alpha, s.beta, s.k1, s.k2), s.t); }},
        .printed = {R"($e^{\alpha t}(-\beta K_1\sin\beta t+\beta K_2\cos\beta t))"
                    R"(+\alpha e^{\alpha t}(K_1\cos\beta t+K_2\sin\beta t)$)",
@@ -475,7 +521,7 @@ void oscillations(Tables& tables, const std::vector<Oscillation>& samples,
   };
   tables.oscillation.formula(
       "arrival_conditions", 1501,
-      R"(a coordinate is zero where $K_1\cos\beta t+K_2\sin\beta t$ is, the exponential never being zero)",
+      R"(A coordinate is zero where $K_1\cos\beta t+K_2\sin\beta t$ is, as the exponential is never zero)",
       samples,
       {.quantity = R"($x/e^{\alpha t}$)",
        .truth = {R"($x$, divided by its exponential)",
@@ -487,7 +533,8 @@ void oscillations(Tables& tables, const std::vector<Oscillation>& samples,
   const auto constant = [](std::string text, double sign) -> ProvableFormula<StartOfOneOf> {
     return {std::move(text), [=](const auto& s) { return s.started(sign); }};
   };
-  tables.start.formula("constants", 1489, R"($x(0)=p$ and $\dot x(0)=v$ lead to $K_1$ and $K_2$)", starts,
+  tables.start.formula("constants", 1489,
+                       R"($x(0)=p$ and $\dot x(0)=v$ lead to $K_1=p$, $K_2=(v-\alpha p)/\beta$)", starts,
                        {.quantity = R"($(x(0),\dot x(0))$ by dual numbers)",
                         .truth = {"$(p,v)$", [](const auto& s) { return values(s.p, s.v); }},
                         .printed = constant(R"($K_1=p$, $K_2=(v-\alpha p)/\beta$)", 1),
@@ -498,7 +545,8 @@ void oscillations(Tables& tables, const std::vector<Oscillation>& samples,
   };
   tables.under_damped.formula(
       "damped_oscillation", 1491,
-      R"(the solution for complex roots, with $\alpha=-a/(2m)$ and $\beta=\sqrt{4mc-a^2}/(2m)$)",
+      R"(For complex roots $x=e^{\alpha t}\big(p\cos\beta t+\frac{v-\alpha p}\beta\sin\beta t\big)$, )"
+      R"(with $\alpha=-a/(2m)$ and $\beta=\sqrt{4mc-a^2}/(2m)$)",
       under_damped,
       {.quantity = put_in_quantity,
        .truth = as_asked<UnderDampedOf>,
@@ -510,13 +558,22 @@ void oscillations(Tables& tables, const std::vector<Oscillation>& samples,
 
 // ---- the arrival ------------------------------------------------------------------------------------------
 
-/// An under-damped ball of mass 1 with p and v parallel.
+/// An under-damped ball with p and v parallel.
 struct Start {
   Ball ball;
   std::string where;
-  double alpha() const { return -ball.a / 2; }
-  double beta() const { return sqrt(4 * ball.c - ball.a * ball.a) / 2; }
+  double alpha() const { return -ball.a / (2 * ball.m); }
+  double beta() const { return sqrt(4 * ball.m * ball.c - ball.a * ball.a) / (2 * ball.m); }
 };
+/// A ball at p whose velocity is `speed` times p, its friction anywhere between none and the critical.
+Start start_at(Random& any, double p1, double p2, double speed) {
+  const double m = any.between(0.3, 3), c = any.between(0.3, 4),
+               a = 2 * sqrt(m * c) * any.between(0.03, 0.95);
+  return {{m, c, a, p1, p2, speed * p1, speed * p2},
+          "$m$ = " + format_significant(m, 4) + ", $c$ = " + format_significant(c, 4) +
+              ", $a$ = " + format_significant(a, 4) + ", $p$ = (" + format_significant(p1, 4) + ", " +
+              format_significant(p2, 4) + "), $v$ = " + format_significant(speed, 4) + " $p$"};
+}
 
 /// When a ball is at the origin, and how well doubles can tell: the terms of the coordinate that is zero
 /// there, by its slope.
@@ -559,7 +616,8 @@ double forward(double angle) { return angle < 0 ? angle + pi : angle; }
 void parallel(Tables& tables, const std::vector<Vectors>& samples) {
   tables.vectors.formula(
       "parallel", 1515,
-      R"($p$ and $(v-\alpha p)/\beta$ are parallel when $p$ and $v$ are (the text's parenthesis does not close))",
+      R"($p$ and $(v-\alpha p)/\beta$ are parallel when $p$ and $v$ are (the text's parenthesis does not )"
+      R"(close))",
       samples,
       {.quantity = R"($\beta$ times the vectors' product)",
        .truth = {R"($\beta\,p\times(v-\alpha p)/\beta$)",
@@ -586,31 +644,35 @@ void arrivals(Claims& claims, double seed) {
   for (int i = 0; i < 60; ++i) {
     const double s = any.between(-2, 2), angle = any.between(0, 2 * pi);
     const double p1 = i % 3 == 0 ? 0 : std::cos(angle), p2 = i % 3 == 1 ? 0 : std::sin(angle);
-    const double c = any.between(1, 4), a = any.between(0.1, 0.9);
-    directions.push_back({{1, c, a, p1, p2, s * p1, s * p2},
-                          "$p$ = (" + format_significant(p1, 4) + ", " + format_significant(p2, 4) +
-                              "), $v$ = " + format_significant(s, 4) + " $p$"});
+    directions.push_back(start_at(any, p1, p2, s));
   }
-  const auto along = [&](std::string text, const std::function<std::array<double, 2>(const Ball&)>& way) {
-    return arrives(std::move(text), directions, [=](const Start& s) {
+  using Way = std::function<std::array<double, 2>(const Ball&)>;
+  const auto along_from = [](const std::vector<Start>& starts, std::string text, const Way& way) {
+    return arrives(std::move(text), starts, [=](const Start& s) {
       const auto [u1, u2] = way(s.ball);
       const double p = u1 * s.ball.p1 + u2 * s.ball.p2, v = u1 * s.ball.v1 + u2 * s.ball.v2;
       return forward(std::atan(-s.beta() * p / (v - s.alpha() * p)));
     });
   };
+  const auto along = [&](std::string text, const Way& way) {
+    return along_from(directions, std::move(text), way);
+  };
+  const auto first = [](const Ball&) { return std::array{1.0, 0.0}; };
+  std::vector<Start> off_axis;
+  std::ranges::copy_if(directions, std::back_inserter(off_axis),
+                       [](const Start& s) { return s.ball.p1 != 0; });
   claims.add(
       "first_equation_suffices", 1515,
-      "for $p$ and $v$ parallel the two equations are one, and the first can be solved for the time",
+      "For $p$ and $v$ parallel the two equations are one, and the first can be solved for the time",
       {.printed = along(
-           R"($\frac1\beta\tan^{-1}\frac{-\beta p_1}{v_1-\alpha p_1}$, plus $\pi/\beta$ where negative)",
-           [](const Ball&) {
-             return std::array{1.0, 0.0};
-           }),
+           R"($t=\frac1\beta\tan^{-1}\frac{-\beta p_1}{v_1-\alpha p_1}$, plus $\pi/\beta$ where negative)",
+           first),
        .corrected = along(
-           R"($\frac1\beta\tan^{-1}\frac{-\beta\,p\cdot p}{(v-\alpha p)\cdot p}$, plus $\pi/\beta$ where negative)",
+           R"($t=\frac1\beta\tan^{-1}\frac{-\beta\,p\cdot p}{(v-\alpha p)\cdot p}$, plus $\pi/\beta$ where negative)",
            [](const Ball& b) {
              return std::array{b.p1, b.p2};
            }),
+       .in_view = along_from(off_axis, "where $p_1$ is not zero", first),
        .near_misses = {along(
            "the same with the products by $(-p_2,p_1+p_2)$, which is across $p$ for $p_1=0$",
            [](const Ball& b) {
@@ -624,22 +686,23 @@ void arrivals(Claims& claims, double seed) {
   std::vector<Start> oblique;
   any = Random(seed);
   for (int i = 0; i < 50; ++i) {
-    const double s = any.between(-2, 2), p = any.between(0.2, 2);
-    const double c = any.between(1, 4), a = any.between(0.1, 0.9);
-    oblique.push_back({{1, c, a, p, 2 * p, s * p, 2 * s * p},
-                       "$v$ = " + format_significant(s, 4) + " $p$, $a$ = " + format_significant(a, 4)});
+    const double s = any.between(-2, 2), p1 = any.magnitude(0.2, 2), p2 = any.magnitude(0.2, 2);
+    oblique.push_back(start_at(any, p1, p2, s));
   }
   const auto principal = [](const Start& s) {
     return std::atan(-s.beta() * s.ball.p1 / (s.ball.v1 - s.alpha() * s.ball.p1));
   };
   claims.add(
-      "arrival_time", 1517, "the time at which the ball is at the origin, for $p$ and $v$ parallel",
-      {.printed = arrives(R"($\frac1\beta\tan^{-1}\frac{-\beta p_1}{v_1-\alpha p_1}$, the principal value)",
+      "arrival_time", 1517,
+      R"(For $p$ and $v$ parallel the ball is at the origin at $t=\frac1\beta\tan^{-1}\frac{-\beta )"
+      R"(p_1}{v_1-\alpha p_1}$)",
+      {.printed = arrives(R"($t=\frac1\beta\tan^{-1}\frac{-\beta p_1}{v_1-\alpha p_1}$, the principal value)",
                           oblique, principal),
-       .corrected = arrives(R"(that, plus $\pi/\beta$ where it is negative)", oblique,
-                            [=](const Start& s) { return forward(principal(s)); }),
+       .corrected = arrives(
+           R"($t=\frac1\beta\tan^{-1}\frac{-\beta p_1}{v_1-\alpha p_1}$, plus $\pi/\beta$ where that is negative)",
+           oblique, [=](const Start& s) { return forward(principal(s)); }),
        .near_misses = {arrives(
-           R"($\frac1\beta\tan^{-1}\frac{\beta p_1}{v_1-\alpha p_1}$, plus $\pi/\beta$ where negative)",
+           R"($t=\frac1\beta\tan^{-1}\frac{\beta p_1}{v_1-\alpha p_1}$, plus $\pi/\beta$ where negative)",
            oblique, [=](const Start& s) { return forward(-principal(s)); })},
        .why =
            R"(The arctangent's principal value is negative whenever $(v_1-\alpha p_1)/p_1>0$, which includes )"
@@ -651,34 +714,46 @@ void arrivals(Claims& claims, double seed) {
   std::vector<Start> on_axis;
   any = Random(seed);
   for (int i = 0; i < 50; ++i) {
-    const double p = any.magnitude(0.2, 2), a = any.between(0.1, 0.9), c = any.between(1, 4), alpha = -a / 2,
-                 v = i % 5 == 0 ? alpha * p : any.between(-2, 2);
-    on_axis.push_back({{1, c, a, p, 0, v, 0},
-                       "$p$ = " + format_significant(p, 4) + R"(, $v-\alpha p$ = )" +
-                           format_significant(v - alpha * p, 4)});
+    const double s = any.between(-2, 2), p = any.magnitude(0.2, 2);
+    Start start = start_at(any, p, 0, s);
+    if (i % 5 == 0) {
+      start.ball.v1 = start.alpha() * p;
+      start.where += R"(, but $v=\alpha p$)";
+    }
+    on_axis.push_back(std::move(start));
   }
-  const auto of_pair = [&](std::string text, double (*angle)(double y, double x)) {
-    return arrives(std::move(text), on_axis, [=](const Start& s) {
+  const auto of_pair_from = [](const std::vector<Start>& starts, std::string text,
+                               double (*angle)(double y, double x)) {
+    return arrives(std::move(text), starts, [=](const Start& s) {
       return angle(s.beta() * s.ball.p1, s.ball.v1 - s.alpha() * s.ball.p1);
     });
   };
+  const auto of_pair = [&](std::string text, double (*angle)(double y, double x)) {
+    return of_pair_from(on_axis, std::move(text), angle);
+  };
+  std::vector<Start> other_speeds;
+  std::ranges::copy_if(on_axis, std::back_inserter(other_speeds),
+                       [](const Start& s) { return s.ball.v1 != s.alpha() * s.ball.p1; });
   claims.add(
       "arrival_quotient", 1517,
-      "the quotient in the arrival's arctangent exists for all $p_1$ and $v_1$ unless it is $0/0$",
-      {.printed = of_pair(R"($-\beta p_1/(v_1-\alpha p_1)$, no number for $v_1=\alpha p_1$)",
-                          [](double y, double x) {
-                            return x == 0 ? std::numeric_limits<double>::quiet_NaN()
-                                          : forward(std::atan(-y / x));
-                          }),
+      R"(The quotient in the arrival's arctangent, $-\beta p_1/(v_1-\alpha p_1)$, is a number unless it )"
+      R"(is $0/0$)",
+      {.printed = of_pair(
+           R"($t=\frac1\beta\tan^{-1}\frac{-\beta p_1}{v_1-\alpha p_1}$, no number for $v_1=\alpha p_1$)",
+           [](double y, double x) {
+             return x == 0 ? std::numeric_limits<double>::quiet_NaN() : forward(std::atan(-y / x));
+           }),
        .corrected = of_pair(
-           R"(the angle from 0 to $\pi$ of the pair $(-(v_1-\alpha p_1),\beta p_1)$, $p_1>0$ or both signs changed)",
+           R"($t=\frac1\beta\cot^{-1}\frac{-(v_1-\alpha p_1)}{\beta p_1}$, the inverse cotangent from 0 to $\pi$)",
            [](double y, double x) { return std::atan2(abs(y), y > 0 ? -x : x); }),
-       .near_misses = {of_pair(R"(the angle of $(v_1-\alpha p_1,\beta p_1)$)",
+       .in_view = of_pair_from(other_speeds, R"(where $v_1$ is not $\alpha p_1$)",
+                               [](double y, double x) { return forward(std::atan(-y / x)); }),
+       .near_misses = {of_pair(R"($t=\frac1\beta\cot^{-1}\frac{v_1-\alpha p_1}{\beta p_1}$, from 0 to $\pi$)",
                                [](double y, double x) { return std::atan2(abs(y), y > 0 ? x : -x); })},
        .why =
            R"(For $v_1=\alpha p_1$ the denominator is zero: the ball then moves towards the origin just so fast )"
-           R"(that $x$ is a pure cosine but for its decay, and arrives at $t=\pi/(2\beta)$. The angle of the )"
-           R"(pair needs no division, and no $\pi/\beta$ to be added either.)",
+           R"(that $x$ is a pure cosine but for its decay, and arrives at $t=\pi/(2\beta)$. The inverse )"
+           R"(cotangent divides by $\beta p_1$, and needs no $\pi/\beta$ to be added either.)",
        .kind = Fault::left_out,
        .root = "a zero denominator"});
 
@@ -696,29 +771,28 @@ void arrivals(Claims& claims, double seed) {
   };
   const Ball away{1, 4, 0.4, 1, 2, 1, 2}, aside{1, 4, 0.4, 1, 2, 1, 1};
   const auto [w1, w2] = OneForm<double>{away}.at(first_passage(away).time);
-  claims.add("finite_time", 1523, "for $p$ and $v$ parallel the ball reaches the origin in finite time",
+  claims.add("finite_time", 1523, "For $p$ and $v$ parallel the ball reaches the origin in finite time",
              {.printed = passing("it passes through the origin", directions),
               .near_misses = {passing("so it does for any $v$", {{aside, "$v=(1,1)$"}})}});
   claims.add(
       "velocity_points_to_origin", 1525,
-      "what happens physically is that the velocity points to the origin at the start",
+      "A ball that reaches the origin has a velocity that points to the origin at the start",
       {.printed = {R"($p\cdot v<0$ in every start that arrives)",
                    {no_violations(R"($p\cdot v\ge0$ though the ball arrives, $p=(1,2)$, $v=p$)",
                                   size_of({w1, w2}) < 1e-9, 1)}},
        .corrected = passing("$p$ and $v$ parallel, in either direction", {{away, "$v=p$"}}),
        .near_misses = {passing("any direction", {{aside, "$v=(1,1)$"}})},
-       .why = "Parallel is enough: a ball moving straight away from the origin turns round and comes back "
-              "through it.",
+       .why =
+           "Parallel is enough: a ball that moves straight away from the origin turns round and comes back "
+           "through it.",
        .kind = Fault::counterexample,
        .root = "a ball that turns back"});
 
   std::vector<Start> starts;
   any = Random(seed);
   for (int i = 0; i < 100; ++i) {
-    const double p = any.between(0.2, 2), v = any.between(-2, 2);
-    const double c = any.between(1, 4), a = any.between(0.1, 0.9);
-    starts.push_back(
-        {{1, c, a, p, 0, v, 0}, "$p$ = " + format_significant(p, 4) + ", $v$ = " + format_significant(v, 4)});
+    const double s = any.between(-2, 2), p = any.magnitude(0.2, 2);
+    starts.push_back(start_at(any, p, 0, s));
   }
   const auto turned = [&](std::string text, int power, double sign) -> Reading {
     WorstSample worst(R"(the pair less its part along $(-\sin\beta t,\cos\beta t)$)", text, "zero");
@@ -727,7 +801,7 @@ void arrivals(Claims& claims, double seed) {
       const Passage found = first_passage(start.ball);
       const double second = power < 0 ? speed / beta : start.ball.v1 - start.alpha() * p * beta;
       const double c = std::cos(beta * found.time), s = sign * std::sin(beta * found.time),
-                   size = p + abs(second);
+                   size = abs(p) + abs(second);
       worst.add(across(p, second, c, s), {0, 0},
                 {beta * found.known.allowed * size + rounding(size).allowed,
                  "the passage's uncertainty, as an angle, and 64 roundings"},
@@ -737,25 +811,40 @@ void arrivals(Claims& claims, double seed) {
   };
   claims.add(
       "turned_pair", 1537,
-      R"(where a coordinate is zero, position and velocity give a pair along $(-\sin\beta t,\cos\beta t)$)",
+      R"(Where a coordinate is zero, the pair $(p_i,\;(v_i-\alpha p_i)/\beta)$ is along $(-\sin\beta )"
+      R"(t,\cos\beta t)$)",
       {.printed = turned(R"($(p_i,\;v_i-\alpha p_i\beta)$, as a product)", 1, 1),
        .meant = turned(R"(the pair $(p_i,\;(v_i-\alpha p_i)/\beta)$)", -1, 1),
        .near_misses = {turned(R"($(p_i,\;(v_i-\alpha p_i)/\beta)$ along $(\sin\beta t,\cos\beta t)$)", -1,
                               -1)},
-       .why =
-           R"(The fraction bar is lost in the text at hand, here and in line 1529; lines 1505 and 1511 have it. )"
-           R"(For $m=1$, $c=4$, $a=0.4$ and $p=1$ at rest the pair is $(1,0.10)$, and $(1,0.40)$ with the product.)",
+       .why = filled(
+           "The fraction bar is lost in the text at hand, here and in line 1529; lines 1505 and 1511 have "
+           "it. For $m=1$, $c=4$, $a=0.4$ and $p=1$ at rest the pair is $(1,@2)$, and $(1,@2)$ with the "
+           "product.",
+           {0.2 / sqrt(3.96), 0.2 * sqrt(3.96)}),
        .kind = Fault::lost_typography});
 }
 
-void not_parallel(Tables& tables, const std::vector<Aside>& samples) {
+void not_parallel(Tables& tables, const std::vector<Pairs>& pairs, const std::vector<Aside>& samples) {
+  const auto product = [](std::string text, double sign) -> ProvableFormula<PairsOf> {
+    return {std::move(text), [=](const auto& s) { return s.turned(sign); }};
+  };
+  tables.pairs.formula(
+      "both_zero_parallel", 1541,
+      R"(Where both coordinates are zero, $p$ and $(v-\alpha p)/\beta$ are parallel)", pairs,
+      {.quantity = R"($p_1k_2-p_2k_1$, $k=(v-\alpha p)/\beta$)",
+       .truth = {"the vectors' product", [](const auto& s) { return s.p1 * s.k2 - s.p2 * s.k1; }},
+       .printed = product(R"($x_1y_2-x_2y_1$, zero with $x_i=p_i\cos\beta t+k_i\sin\beta t$; )"
+                          R"($y_i=k_i\cos\beta t-p_i\sin\beta t$)",
+                          1),
+       .near_misses = {product(R"(the same with $y_i=k_i\cos\beta t+p_i\sin\beta t$)", -1)}});
   const auto momentum = [](std::string text, double rate) -> ProvableFormula<AsideOf> {
     return {std::move(text),
             [=](const auto& s) { return exp(-rate * s.a * s.t) * (s.p1 * s.v2 - s.p2 * s.v1); }};
   };
   tables.aside.formula(
       "not_parallel_never", 1541,
-      "for $p$ and $v$ not parallel the ball never reaches the origin in finite time", samples,
+      "For $p$ and $v$ not parallel the ball never reaches the origin in finite time", samples,
       {.quantity = R"($x_1\dot x_2-x_2\dot x_1$ at $t$)",
        .truth = {"the closed form, differentiated by dual numbers",
                  [](const auto& s) { return s.momentum(); }},
@@ -772,7 +861,8 @@ void comes_to_rest(Claims& claims, const std::vector<UnderDamped>& samples) {
   };
   claims.statement<UnderDamped>(
       "infinite_time", 1541,
-      R"(it reaches the origin in infinite time, since $e^{\alpha t}$ tends to zero, $\alpha<0$)", samples,
+      R"(The ball reaches the origin in infinite time, since $e^{\alpha t}$ tends to zero for $\alpha<0$)",
+      samples,
       {.printed = near_zero(R"($|x|<10^{-12}$ at $t=40/|\alpha|$)", 1),
        .near_misses = {near_zero(R"($|x|<10^{-12}$ then without friction, $\alpha=0$)", 0)}});
 }
@@ -789,7 +879,7 @@ std::vector<Claim> claims(double seed) {
                draw<UnderDamped>(200, seed));
   parallel(tables, draw<Vectors>(200, seed));
   arrivals(all, seed);
-  not_parallel(tables, next<Aside>(random, 200));
+  not_parallel(tables, draw<Pairs>(200, seed), next<Aside>(random, 200));
   comes_to_rest(all, draw<UnderDamped>(200, seed));
   return all.in_order();
 }
@@ -942,7 +1032,7 @@ Provables proofs() {
   characteristic_roots(tables.polynomial, {});
   oscillations(tables, {}, {}, {});
   parallel(tables, {});
-  not_parallel(tables, {});
+  not_parallel(tables, {}, {});
   Provables all;
   const auto take = [&](const auto& table, const auto& letters) {
     for (Provable& proof : table.proofs("3.9", letters)) {
@@ -969,6 +1059,7 @@ Provables proofs() {
   auto vectors = any<VectorsOf>({"p1", "p2", "v1", "v2", "alpha", "beta"}, "field; trivial");
   vectors.given = {not_zero(vectors.any.beta.expression())};
   take(tables.vectors, vectors);
+  take(tables.pairs, any<PairsOf>({"p1", "p2", "k1", "k2", "z"}, by_angles({"z"}, "ring")));
   auto aside = any<AsideOf>({"a", "t", "p1", "p2", "v1", "v2"}, "turning");
   aside.given = positive({16 - aside.any.a * aside.any.a});
   take(tables.aside, aside);
@@ -980,28 +1071,44 @@ Provables proofs() {
 }
 
 std::vector<Root> roots() {
+  // beta of m = 1, c = 4, a = 0.4, whose alpha is -0.2, and what the formula says of a start at rest
+  const double beta = sqrt(3.96), at_rest = std::atan(-beta / 0.2) / beta, throw_time = std::log(1.6) / 3;
   return {
       {"the double root",
-       R"(A door closer with the friction $2\sqrt{mc}$, which shuts it fastest without swinging, gets NaN for its )"
-       R"(position; for $m=1$, $c=4$ the door, let go at rest, is at 0.41 of its start after a second.)"},
+       filled(
+           R"(A door closer with the friction $2\sqrt{mc}$, which shuts it fastest without swinging, gets NaN for its )"
+           R"(position; for $m=1$, $c=4$ the door, let go at rest, is at @2 of its start after a second.)",
+           {Frictions::left_after(4, 1)})},
       {"a fast throw",
-       R"(A game that rules the hit out for strong friction lets a ball, thrown from $p$ with $v=-9p$ at $m=1$, )"
-       R"($c=4$, $a=5$, through its goal after 0.157 s, at 4.3 $|p|$ a second, unseen.)"},
+       filled(
+           R"(A game that rules the hit out for strong friction lets a ball, thrown from $p$ with $v=-9p$ at $m=1$, )"
+           R"($c=4$, $a=5$, through its goal after @3 s, at @2 $|p|$ a second, unseen.)",
+           {throw_time, (32 * std::exp(-4 * throw_time) - 5 * std::exp(-throw_time)) / 3})},
       {"too much friction",
-       R"(Whoever turns the friction up to have the ball home sooner waits longer: for $m=1$, $c=4$ it is within a )"
-       R"(hundredth of its way after 3.3 s with $a=4$, after 8.7 s with $a=8$, and after 46 s with $a=40$.)"},
+       filled(
+           R"(Whoever turns the friction up to have the ball home sooner waits longer: for $m=1$, $c=4$ it is within a )"
+           R"(hundredth of its way after @2 s with $a=4$, after @2 s with $a=8$, and after @2 s with $a=40$.)",
+           {Frictions::home_after(4), Frictions::home_after(8), Frictions::home_after(40)})},
       {"the first equation alone",
-       R"(A ball that swings along the $x_2$-axis gets NaN for its time: let go at rest with $m=1$, $c=4$, )"
-       R"($a=0.4$ it reaches the origin after 0.840 s all the same.)"},
+       filled(
+           R"(A ball that swings along the $x_2$-axis gets NaN for its time: let go at rest with $m=1$, $c=4$, )"
+           R"($a=0.4$ it reaches the origin after @3 s all the same.)",
+           {at_rest + pi / beta})},
       {"the arctangent's branch",
-       R"(For $m=1$, $c=4$, $a=0.4$ and a start at rest the formula says $-0.739$ s, not 0.840 s: a game that )"
-       R"(schedules the hit for that moment has it in the past, and the event never fires.)"},
+       filled(
+           R"(For $m=1$, $c=4$, $a=0.4$ and a start at rest the formula says $@3$ s, not @3 s: a game that )"
+           R"(schedules the hit for that moment has it in the past, and the event never fires.)",
+           {at_rest, at_rest + pi / beta})},
       {"a zero denominator",
-       R"(With $m=1$, $c=4$, $a=0.4$ and $v=-0.2\,p$ the ball is at the origin after 0.789 s, and a program that )"
-       R"(divides depends on what it makes of $p_1/0$.)"},
+       filled(
+           R"(With $m=1$, $c=4$, $a=0.4$ and $v=-0.2\,p$ the ball is at the origin after @3 s, and a program that )"
+           R"(divides depends on what it makes of $p_1/0$.)",
+           {pi / (2 * beta)})},
       {"a ball that turns back",
-       R"(With $m=1$, $c=4$, $a=0.4$, a ball sent off from $(1,2)$ m at $(1,2)$ m/s is back at the origin after )"
-       R"(1.06 s: a game that tests $p\cdot v<0$ leaves this hit out.)"}};
+       filled(
+           R"(With $m=1$, $c=4$, $a=0.4$, a ball sent off from $(1,2)$ m at $(1,2)$ m/s is back at the origin after )"
+           R"(@3 s: a game that tests $p\cdot v<0$ leaves this hit out.)",
+           {forward(std::atan(-beta / 1.2)) / beta})}};
 }
 
 }  // namespace oddity::ex03_09

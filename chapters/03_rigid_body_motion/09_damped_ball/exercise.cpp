@@ -7,6 +7,7 @@
 
 #include "chapters/03_rigid_body_motion/09_damped_ball/damped_ball.hpp"
 #include "chapters/03_rigid_body_motion/09_damped_ball/drawing.hpp"
+#include "chapters/energies.hpp"
 #include "chapters/in_float.hpp"
 
 namespace oddity {
@@ -14,13 +15,13 @@ namespace oddity {
 namespace ex03_09 {
 
 constexpr Parameter parameters[] = {
-    {"m", 1, "kg", "mass", 1e-2, 1e2},
-    {"c", 4, "N/m", "spring constant", 1e-3, 1e4},
-    {"a", 0.4, "N s/m", "viscous friction", 0, 1e3},
-    {"p1", 1, "m", "position at the start", -1e3, 1e3},
-    {"p2", 0.5, "m", "position at the start", -1e3, 1e3},
-    {"v1", 0, "m/s", "velocity at the start", -1e3, 1e3},
-    {"v2", 1.5, "m/s", "velocity at the start", -1e3, 1e3},
+    {"m", 1, "kg", "mass", 1e-6, 1e6},
+    {"c", 4, "N/m", "spring constant", 1e-6, 1e7},
+    {"a", 0.4, "N s/m", "viscous friction", 0, 1e5},
+    {"p1", 1, "m", "position at the start", -1e6, 1e6},
+    {"p2", 0.5, "m", "position at the start", -1e6, 1e6},
+    {"v1", 0, "m/s", "velocity at the start", -1e5, 1e5},
+    {"v2", 1.5, "m/s", "velocity at the start", -1e5, 1e5},
     {"seed", 39, "", "of the random samples", 0, 1e9, whole_number},
 };
 
@@ -29,6 +30,10 @@ Ball asked(const Parameters& p) { return {p["m"], p["c"], p["a"], p["p1"], p["p2
 Quantity position(const Parameters& p, const Horizon& horizon, const Reference& truth) {
   return with_float(path("path", "position at " + times_up_to(horizon), asked(p), horizon, truth), horizon,
                     asked(p), {"closed form, one for all regimes", "plane", "plane, with the work"});
+}
+
+Energy energy(const Parameters& p, std::span<const double> x) {
+  return energy_seen(p["m"] * half_square(x.subspan(2)), p["c"] * half_square(x.first(2)));
 }
 
 Scene scene() {
@@ -47,6 +52,8 @@ Scene scene() {
             {"plane", "damped_ball::Plane<double>{{m, c, a, p1, p2, v1, v2}}"},
             {"plane, with the work", "damped_ball::PlaneWithWork<double>{{m, c, a, p1, p2, v1, v2}}"}}},
       .draw = damped_ball::draw<Parameters>,
+      .laws = {energy},
+      .is_linear = true,
   };
 }
 

@@ -58,7 +58,16 @@ struct SampleOf {
   Two<T> lagrange(const Two<T>& at, const Two<T>& acceleration) const {
     return lagrange_left_side(height_field::Lagrangian<Hill<T>, T>{hill, g}, at, v, acceleration);
   }
+  /// The first term of the first equation on (v1 t, v2 t); or as it stands, its fractions multiplied out.
+  T first_term(bool as_products) const {
+    return as_products ? 4 * v[0] * t * A1() * (v[0] * v[0] * A1() + v[1] * v[1] * A2())
+                       : 4 * v[0] * t / A1() * K();
+  }
   Two<T> on_line() const { return lagrange({v[0] * t, v[1] * t}, {T(0), T(0)}); }
+  /// The hill's vertical force over the mass on (v1 t, v2 t).
+  T push() const {
+    return g + second_derivative([this](const auto& s) { return hill.height(v[0] * s, v[1] * s); }, t);
+  }
   /// The velocity along v with which the line is straight.
   Two<T> right() const { return from_the_top<T>({hill.a1, hill.a2, g, v[0], v[1], T(1)}).v; }
 };
@@ -66,19 +75,28 @@ using Sample = SampleOf<double>;
 using Table = ProvableClaims<SampleOf>;
 
 void equations(Table& table, const std::vector<Sample>& samples) {
+  const auto position = [](const auto& s, std::size_t i) {
+    return [&s, i](const auto& t) { return s.v[i] * t; };
+  };
   table.formula(
-      "derivatives", 1543, "the first two derivatives of $(v_1t,v_2t)$", samples,
-      {.truth = {"dual numbers",
-                 [](const auto& s) {
-                   const auto x = [&](std::size_t i) {
-                     return [&s, i](const auto& t) { return s.v[i] * t; };
-                   };
-                   return values(derivative(x(0), s.t), derivative(x(1), s.t), second_derivative(x(0), s.t),
-                                 second_derivative(x(1), s.t));
+      "velocity", 1543, R"($(\dot x_1,\dot x_2)=(v_1,v_2)$ for $(x_1,x_2)=(v_1t,v_2t)$)", samples,
+      {.quantity = "the first derivative of $(v_1t,v_2t)$",
+       .truth = {"dual numbers",
+                 [=](const auto& s) {
+                   return values(derivative(position(s, 0), s.t), derivative(position(s, 1), s.t));
                  }},
-       .printed = {"$(v_1,v_2)$ and $(0,0)$", [](const auto& s) { return values(s.v[0], s.v[1], 0, 0); }},
-       .near_misses = {{"$(v_1t,v_2t)$ and $(v_1,v_2)$",
-                        [](const auto& s) { return values(s.v[0] * s.t, s.v[1] * s.t, s.v[0], s.v[1]); }}}});
+       .printed = {"$(v_1,v_2)$", [](const auto& s) { return values(s.v[0], s.v[1]); }},
+       .near_misses = {{"$(v_1t,v_2t)$", [](const auto& s) { return values(s.v[0] * s.t, s.v[1] * s.t); }}}});
+  table.formula("acceleration", 1543, R"($(\ddot x_1,\ddot x_2)=(0,0)$ for $(x_1,x_2)=(v_1t,v_2t)$)", samples,
+                {.quantity = "the second derivative of $(v_1t,v_2t)$",
+                 .truth = {"dual numbers",
+                           [=](const auto& s) {
+                             return values(second_derivative(position(s, 0), s.t),
+                                           second_derivative(position(s, 1), s.t));
+                           },
+                           [](const Sample& s) { return size_of(s.v) / abs(s.t); }},
+                 .printed = {"$(0,0)$", [](const auto& s) { return values(0 * s.v[0], 0 * s.v[1]); }},
+                 .near_misses = {{"$(v_1,v_2)$", [](const auto& s) { return values(s.v[0], s.v[1]); }}}});
 
   const std::string lagrange =
       R"($\frac d{dt}\frac{\partial L}{\partial\dot x_1}-\frac{\partial L}{\partial x_1}$ )"
@@ -96,7 +114,7 @@ void equations(Table& table, const std::vector<Sample>& samples) {
   };
   table.formula(
       "first_equation", 1545,
-      R"(the first equation of motion, $B$ being )"
+      R"(The first equation of motion is $0=\ddot x_1+\frac{4x_1}{a_1}B-\frac{2gx_1}{a_1^2}$, $B$ being )"
       R"($\frac{x_1\ddot x_1+\dot x_1^2}{a_1^2}+\frac{x_2\ddot x_2+\dot x_2^2}{a_2^2}$)",
       samples,
       {.quantity = "what is zero by the first equation of motion",
@@ -106,46 +124,65 @@ void equations(Table& table, const std::vector<Sample>& samples) {
        .near_misses = {equation(R"($0=\ddot x_1-\frac{4x_1}{a_1^2}B-\frac{2gx_1}{a_1^2}$)", -1, 2, 1),
                        equation("without the squares of the speeds", 1, 2, 0)},
        .kind = Fault::formula,
-       .why =
+       .why = filled(
            R"(The factor before the bracket is $4x_1/a_1^2$, as the next line has it; with the hill )"
-           R"($x_3=-x_1^2/a_1^2-x_2^2/a_2^2$ this is Lagrange's equation to the last digit. On a hill with )"
-           R"($a_1=2$ the printed factor is twice too large.)"});
+           R"($x_3=-x_1^2/a_1^2-x_2^2/a_2^2$ this is Lagrange's equation to the last digit. The text at hand )"
+           R"(keeps the squares of the display's other denominators, so that this one is not lost on the way: )"
+           R"(it was not printed. On a hill with $a_1=2$ the printed factor is @1 times the right one.)",
+           {(4 / 2.0) / (4 / (2.0 * 2.0))})});
 
+  Sample narrow, wider;
+  narrow.hill = {1, 2}, narrow.v = {1, 1}, narrow.t = 1;
+  wider = narrow, wider.hill = {2, 4};
   const auto on_line = [](std::string text, double gravity) -> ProvableFormula<SampleOf> {
-    return {std::move(text), [=](const auto& s) {
-              return 4 * s.v[0] * s.t / s.A1() * s.K() - gravity * s.g * s.v[0] * s.t / s.A1();
-            }};
+    return {std::move(text),
+            [=](const auto& s) { return s.first_term(false) - gravity * s.g * s.v[0] * s.t / s.A1(); }};
   };
   table.formula(
-      "substituted", 1563, "the first equation on $(v_1t,v_2t)$", samples,
+      "substituted", 1563,
+      R"(On $(v_1t,v_2t)$ the first equation is )"
+      R"($0=0+\frac{4v_1t}{a_1^2}\Big(\frac{v_1^2}{a_1^2}+\frac{v_2^2}{a_2^2}\Big)-\frac{2gv_1t}{a_1^2}$, three )"
+      R"(fraction bars lost)",
+      samples,
       {.quantity = "what is zero by the first equation on $(v_1t,v_2t)$",
        .truth = {lagrange, [](const auto& s) { return s.on_line()[0]; }},
        .printed = {R"($0=0+4v_1t\,a_1^2(v_1^2a_1^2+v_2^2a_2^2)-2gv_1t/a_1^2$, as products)",
-                   [](const auto& s) {
-                     return 4 * s.v[0] * s.t * s.A1() *
-                                (s.v[0] * s.v[0] * s.A1() + s.v[1] * s.v[1] * s.A2()) -
-                            2 * s.g * s.v[0] * s.t / s.A1();
-                   }},
+                   [](const auto& s) { return s.first_term(true) - 2 * s.g * s.v[0] * s.t / s.A1(); }},
        .meant = on_line(
            R"($0=0+\frac{4v_1t}{a_1^2}\Big(\frac{v_1^2}{a_1^2}+\frac{v_2^2}{a_2^2}\Big)-\frac{2gv_1t}{a_1^2}$)",
            2),
        .near_misses = {on_line("$g$ for $2g$ in the last term", 1), on_line("plus the last term", -2)},
        .kind = Fault::lost_typography,
-       .why =
+       .why = filled(
            R"(The bars of the first term's three fractions are lost in the text at hand; the last term has its )"
            R"(own. As products the terms cannot be added: on a hill twice as wide, $a_1$ and $a_2$ doubled, )"
-           R"(the first one should shrink to a sixteenth, and grows sixteenfold.)"});
+           R"(the first one should be @2 times what it was, and is @2 times that.)",
+           {wider.first_term(false) / narrow.first_term(false),
+            wider.first_term(true) / narrow.first_term(true)})});
+
+  table.formula(
+      "free_fall", 1581,
+      R"(On $(v_1t,v_2t)$ the hill pushes upward with $g-2(v_1^2/a_1^2+v_2^2/a_2^2)$ a unit mass, which is )"
+      R"(nothing at the condition (our check))",
+      samples,
+      {.quantity = "the hill's vertical force over the mass on $(v_1t,v_2t)$",
+       .truth = {R"($g+\ddot x_3$ by dual numbers)", [](const auto& s) { return s.push(); }},
+       .printed = {"$g-2(v_1^2/a_1^2+v_2^2/a_2^2)$", [](const auto& s) { return s.g - 2 * s.K(); }},
+       .near_misses = {{"$g-(v_1^2/a_1^2+v_2^2/a_2^2)$", [](const auto& s) { return s.g - s.K(); }}}});
 }
+
+/// On the default hill along (1, 1), at this part of the speed with which the line is straight.
+Case<double> along_both(double part) { return from_the_top<double>({1, 2, 10, 1, 1, part}); }
 
 // ---- what follows from them -------------------------------------------------------------------------------
 
-/// Starts from the top: any direction, along either axis, or at rest; at the condition or off it.
+/// Starts from the top: any direction or along either axis, at the condition or off it; or at rest.
 struct FromTop : Sample {
   explicit FromTop(Random& random) : Sample(random) {
     const int kind = random.below(4);
     if (kind == 1 || kind == 3) v[0] = 0;
     if (kind == 2 || kind == 3) v[1] = 0;
-    if (kind == 0 && random.unit() < 0.5) v = right();
+    if (kind != 3 && random.unit() < 0.5) v = right();
   }
   /// Whether this is g/2.
   bool is_half_g(double left) const { return abs(left - g / 2) <= rounding(left + g / 2).allowed; }
@@ -164,26 +201,27 @@ struct FromTop : Sample {
   bool both() const { return satisfied(0) && satisfied(1); }
 };
 
-/// Pushed by the hill on (v1 t, v2 t) at the right speed, and flying off at a higher one.
-struct Free : Sample {
-  Free(const Sample& sample, double by) : Sample(sample), faster(by) {}
-  double faster;
-  double size() const { return g; }
-  double push() const {
+/// Flies off along (v1 t, v2 t): faster than the condition has it, by this factor.
+struct Faster : Sample {
+  double factor;
+  explicit Faster(Random& random) : Sample(random), factor(random.between(1.01, 2)) {}
+  bool above(double times) const {
     const Pair u = right();
-    return g + second_derivative([&](const auto& s) { return hill.height(u[0] * s, u[1] * s); }, t);
-  }
-  bool above() const {
-    const Pair u = right();
-    return -g * t * t / 2 > hill.height(faster * u[0] * t, faster * u[1] * t);
+    return -g * t * t / 2 > hill.height(times * u[0] * t, times * u[1] * t);
   }
 };
 
 void conditions(Claims& claims, double seed) {
   const auto samples = draw<FromTop>(400, seed);
   const std::string half = R"($v_1^2/a_1^2+v_2^2/a_2^2=g/2$)";
+  Sample twice_as_fast;
+  twice_as_fast.hill = along_both(2).hill, twice_as_fast.g = along_both(2).g, twice_as_fast.t = 0;
+  twice_as_fast.v = along_both(2).v;
   claims.statement<FromTop>(
-      "condition", 1573, R"(the first equation holds for $v_1\ne0$ exactly at a condition)", samples,
+      "condition", 1573,
+      "The first equation holds, for $v_1\\ne0$ (our condition), exactly if " + half +
+          ", two fraction bars lost",
+      samples,
       {.printed = {R"($v_1^2a_1^2+v_2^2a_2^2=g/2$, as products)",
                    [](const FromTop& s) {
                      const double a = s.hill.a1 * s.v[0], b = s.hill.a2 * s.v[1];
@@ -194,53 +232,59 @@ void conditions(Claims& claims, double seed) {
        .near_misses = {{half + " for $v_1=0$ as well",
                         [](const FromTop& s) { return !s.satisfied(0) || s.condition(); }}},
        .kind = Fault::lost_typography,
-       .why =
-           R"(The bars of the two fractions are lost in the text at hand. On the default hill, $a_1=1$, )"
-           R"($a_2=2$, $g=10$, the condition is 2 m/s in each direction for $v_1=v_2$, and with the products )"
-           R"(1 m/s, at which the particle does not keep to a uniform motion.)"});
+       .why = filled(
+           "The bars of the two fractions are lost in the text at hand. On the default hill, $a_1=1$, "
+           "$a_2=2$, $g=10$, the condition is @2 m/s in each direction for $v_1=v_2$, and with the products "
+           "@2 m/s, at which the particle does not keep to a uniform motion.",
+           {along_both(1).v[0], std::sqrt(10 / 2.0 / (1 * 1 + 2 * 2))})});
   claims.statement<FromTop>(
-      "second_equation", 1581, R"(the second equation gives the same condition for $v_2\ne0$)", samples,
+      "second_equation", 1581,
+      "The second equation holds, for $v_2\\ne0$ (our condition), exactly if " + half + " too", samples,
       {.printed = {half + " and nowhere else",
                    [](const FromTop& s) { return s.v[1] == 0 || s.satisfied(1) == s.condition(); }},
        .near_misses = {{half + " for $v_2=0$ as well",
                         [](const FromTop& s) { return !s.satisfied(1) || s.condition(); }}}});
 
-  std::vector<Free> falls;
-  Random random(seed);
-  for (int i = 0; i < 200; ++i) {
-    const Sample s(random);
-    falls.emplace_back(s, random.between(1.01, 2));
-  }
   const auto in_starts = [&](std::string text, const std::function<bool(const FromTop&)>& holds) -> Reading {
     return {text, {in_all(text, samples, holds)}};
   };
-  Reading or_at_rest =
-      in_starts("exactly if " + half + ", or if the particle is at rest on the top",
-                [](const FromTop& s) { return s.both() == (s.condition() || (s.v[0] == 0 && s.v[1] == 0)); });
-  or_at_rest.checks.push_back(compare<Free>("the hill's vertical force over the mass on $(v_1t,v_2t)$",
-                                            {R"($g+\ddot x_3$ by dual numbers)", &Free::push},
-                                            {"none", [](const Free&) { return 0.0; }}, falls));
-  or_at_rest.checks.push_back(in_all<Free>("a faster particle flies above the hill", falls, &Free::above));
   claims.add(
-      "only_way", 1581, "when $(v_1t,v_2t)$ is a solution",
-      {.printed = in_starts("only if " + half, [](const FromTop& s) { return !s.both() || s.condition(); }),
-       .corrected = or_at_rest,
+      "only_way", 1581, "$(v_1t,v_2t)$ is a solution only if " + half,
+      {.printed =
+           in_starts("of all $v_1$ and $v_2$", [](const FromTop& s) { return !s.both() || s.condition(); }),
+       .corrected = in_starts(
+           "exactly if " + half + ", or if the particle is at rest on the top",
+           [](const FromTop& s) { return s.both() == (s.condition() || (s.v[0] == 0 && s.v[1] == 0)); }),
+       .in_view = in_starts(
+           "of a particle that moves",
+           [](const FromTop& s) { return !s.both() || s.condition() || (s.v[0] == 0 && s.v[1] == 0); }),
        .near_misses = {in_starts(
            "exactly if " + half + ", or if $v_1=0$",
            [](const FromTop& s) { return s.both() == (s.condition() || s.v[0] == 0); })},
-       .why =
+       .why = filled(
            R"(The algebra divides by $v_1t$ and by $v_2t$. With $v_1=0$ the first equation reads $0=0$, and the )"
            R"(second decides; with $v_1=v_2=0$ neither does. All other motions $(v_1t,v_2t)$ need the )"
            R"(condition, and they are free falls: the hill does not push. A faster particle flies off, over )"
            R"(the same line and as uniformly. A game that keeps it on the hill by these equations has to pull )"
-           R"(it down: at twice the speed, on the top, with three times its weight.)",
+           R"(it down: at twice the speed, on the top, with @1 times its weight.)",
+           {-twice_as_fast.push() / twice_as_fast.g}),
        .kind = Fault::left_out,
        .root = "a particle at rest"});
+  claims.statement<Faster>(
+      "flies_off", 1581,
+      "A particle that is faster than the condition has it flies off, above the hill and along the same "
+      "straight line (our check)",
+      draw<Faster>(200, seed),
+      {.printed = {"in free fall it is above the hill at all times",
+                   [](const Faster& s) { return s.above(s.factor); }},
+       .near_misses = {
+           {"a slower one is above the hill too", [](const Faster& s) { return s.above(1 / s.factor); }}}});
 }
 
 // ---- straight paths ---------------------------------------------------------------------------------------
 
-/// A path from the top: how far it strays from the line of its first velocity, over its length.
+/// A path from the top, on the hill by the equations of motion: how far it strays at most from the line of
+/// its first velocity, over the way from the top.
 struct Path {
   Hill<double> hill;
   double g;
@@ -251,11 +295,14 @@ struct Path {
   Path(const Sample& s, const Pair& start, bool right_speed)
       : hill(s.hill), g(s.g), v(start), condition(right_speed), axis(v[0] == 0 || v[1] == 0), stray(0) {
     const auto path = ode::integrate<ode::Fehlberg78>(in_plane<double>({hill, g, {0, 0}, v}),
-                                                      std::array{0.0, 0.0, v[0], v[1]}, 0, 2, 1e-12);
-    const auto& x = path.value;
-    stray = path.reached()
-                ? abs(x[0] * v[1] - x[1] * v[0]) / (std::hypot(x[0], x[1]) * std::hypot(v[0], v[1]))
-                : std::numeric_limits<double>::quiet_NaN();
+                                                      std::array{0.0, 0.0, v[0], v[1]},
+                                                      std::array{0.0, 0.25, 0.5, 1.0, 1.5, 2.0}, 1e-12);
+    if (!path.reached()) stray = std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t i = 1; path.reached() && i < path.value.size(); ++i) {
+      const auto& x = path.value[i];
+      stray =
+          std::max(stray, abs(x[0] * v[1] - x[1] * v[0]) / (std::hypot(x[0], x[1]) * std::hypot(v[0], v[1])));
+    }
   }
   std::string where() const {
     return "$a$ = (" + format_significant(hill.a1, 4) + ", " + format_significant(hill.a2, 4) + "), $v$ = (" +
@@ -270,30 +317,42 @@ void paths(Claims& claims, double seed) {
   Random random(seed);
   for (int i = 0; i < 50; ++i) {
     Sample s(random);
-    const double off = random.between(0.3, 0.9);
-    const Pair right = s.right(), slow = {right[0] * off, right[1] * off};
+    const Pair right = s.right();
     all.emplace_back(s, right, true);
-    all.emplace_back(s, Pair{slow[0], 0}, false);
-    all.emplace_back(s, Pair{0, slow[1]}, false);
-    if (abs(s.hill.a1 - s.hill.a2) > 0.1 && std::min(abs(slow[0]), abs(slow[1])) > 0.05)
-      all.emplace_back(s, slow, false);
-    s.hill.a2 = s.hill.a1;
-    all.emplace_back(s, slow, false);
+    const double slower = random.between(0.3, 0.9), faster = random.between(1.1, 2);
+    for (const double part : {slower, faster}) {
+      Sample on = s;
+      const Pair off{right[0] * part, right[1] * part};
+      all.emplace_back(on, Pair{off[0], 0}, false);
+      all.emplace_back(on, Pair{0, off[1]}, false);
+      if (abs(on.hill.a1 - on.hill.a2) > 0.1 && std::min(abs(off[0]), abs(off[1])) > 0.05)
+        all.emplace_back(on, off, false);
+      on.hill.a2 = on.hill.a1;
+      all.emplace_back(on, off, false);
+    }
   }
   claims.statement<Path>(
-      "not_straight", 1581, "which paths from the top are straight", all,
-      {.printed = {"none, unless $v_1^2/a_1^2+v_2^2/a_2^2=g/2$",
+      "not_straight", 1581,
+      "If the condition is not satisfied, the path in the $(x_1,x_2)$-plane of a particle from the top, held to "
+      "the hill (our condition), is no straight line",
+      all,
+      {.printed = {"none from the top, held to the hill, unless $v_1^2/a_1^2+v_2^2/a_2^2=g/2$",
                    [](const Path& p) { return p.condition || p.is(false); }},
-       .corrected = {"those with $v_1^2/a_1^2+v_2^2/a_2^2=g/2$, along an axis, or on a round hill; no others",
-                     [](const Path& p) { return p.is(p.condition || p.axis || p.round()); }},
-       .near_misses = {{"those with $v_1^2/a_1^2+v_2^2/a_2^2=g/2$, or on a round hill; no others",
-                        [](const Path& p) { return p.is(p.condition || p.round()); }}},
+       .corrected =
+           {"of those from the top, held to the hill: those with $v_1^2/a_1^2+v_2^2/a_2^2=g/2$, along an "
+            "axis, or on a round hill; no others",
+            [](const Path& p) { return p.is(p.condition || p.axis || p.round()); }},
+       .near_misses =
+           {{"of those from the top, held to the hill: those with $v_1^2/a_1^2+v_2^2/a_2^2=g/2$, or on "
+             "a round hill; no others",
+             [](const Path& p) { return p.is(p.condition || p.round()); }}},
        .kind = Fault::counterexample,
        .root = "straight at any speed",
        .why =
-           R"(A particle sent off along an axis stays above it at any speed, and on a round hill, $a_1=a_2$, )"
-           R"(every path through the top is straight; only its speed is not constant. What fails without )"
-           R"(the condition is the motion $(v_1t,v_2t)$, not the line: for a point on the line )"
+           R"(A particle sent off from the top along an axis stays above it at any speed, and on a round hill, )"
+           R"($a_1=a_2$, every path through the top is straight; only its speed is not constant. Too fast a )"
+           R"(particle flies off along the same line, unless it is held to the hill (our condition). What fails )"
+           R"(without the condition is the motion $(v_1t,v_2t)$, not the line: for a point on the line )"
            R"($\dot x_1\ddot x_2-\dot x_2\ddot x_1$ is proportional to )"
            R"($(g-2K)\,v_1v_2\,(a_1^{-2}-a_2^{-2})$ with $K=v_1^2/a_1^2+v_2^2/a_2^2$.)"});
 }
@@ -324,27 +383,34 @@ Provables proofs() {
     return {"derivable_pt_lim (fun t => " + of.expression().coq() + ") t (" + rate.expression().coq() + ")"};
   };
   const auto& s = all.any;
-  std::vector<Proposition> twice;
-  for (const Shortened& v : s.v) twice.push_back(derivative_of(v * s.t, v));
+  std::vector<Proposition> once, twice;
+  for (const Shortened& v : s.v) once.push_back(derivative_of(v * s.t, v));
   for (const Shortened& v : s.v) twice.push_back(derivative_of(v, 0.0));
-  proved.push_back(
-      {"3.11-derivatives",
-       "it holds for any velocity",
-       {{"printed", all.letters, {}, twice, "apply is_derive_Reals; auto_derive; first [exact I | ring]"}},
-       0,
-       "From Coquelicot Require Import AutoDerive.\n"});
+  for (const auto& [slug, rates] : {std::pair{"velocity", once}, {"acceleration", twice}})
+    proved.push_back(
+        {std::string("3.11-") + slug,
+         "it holds for any velocity",
+         {{"printed", all.letters, {}, rates, "apply is_derive_Reals; auto_derive; first [exact I | ring]"}},
+         0,
+         "From Coquelicot Require Import AutoDerive.\n"});
   return proved;
 }
 
 std::vector<Root> roots() {
+  const Case<double> slow = along_both(0.75);
+  const auto end = ode::integrate<ode::Fehlberg78>(in_plane(slow), in_plane(slow).start(), 0, 2, 1e-10).value;
   return {
       {"a particle at rest",
-       R"(A ball set down on the top of the default hill stays there; by the sentence nothing that keeps to )"
-       R"($(v_1t,v_2t)$ is slower than 2.24 m/s.)"},
+       filled(
+           R"(A ball set down on the top of the default hill stays there; by the sentence nothing that keeps to )"
+           R"($(v_1t,v_2t)$ is slower than @3 m/s.)",
+           {std::sqrt(10 / 2.0)})},
       {"straight at any speed",
-       R"(On the default hill, at three quarters of the right speed, a ball sent off along $(1,1)$ strays 0.51 m )"
-       R"(from its line within two seconds, one along an axis not at all: a game that takes the sentence for a )"
-       R"(test bends the path of a ball that rolls straight down a ridge.)"}};
+       filled(
+           R"(On the default hill, at three quarters of the right speed, a ball sent off along $(1,1)$ strays @2 m )"
+           R"(from its line within two seconds, one along an axis not at all: a game that takes the sentence for a )"
+           R"(test bends the path of a ball that rolls straight down a ridge.)",
+           {abs(end[0] - end[1]) / std::sqrt(2.0)})}};
 }
 
 }  // namespace oddity::ex03_11

@@ -7,6 +7,7 @@
 
 #include "chapters/03_rigid_body_motion/11_paraboloid_hill/drawing.hpp"
 #include "chapters/03_rigid_body_motion/11_paraboloid_hill/paraboloid_hill.hpp"
+#include "chapters/energies.hpp"
 #include "chapters/in_float.hpp"
 
 namespace oddity {
@@ -16,13 +17,13 @@ namespace ex03_11 {
 using namespace paraboloid_hill;
 
 constexpr Parameter parameters[] = {
-    {"a1", 1, "m", "half axis of the section one metre below the top", 0.2, 10},
-    {"a2", 2, "m", "the other half axis", 0.2, 10},
-    {"g", 10, "m/s^2", "gravity", 0.1, 100},
-    {"v1", 2, "m/s", "direction of the straight path; its speed follows from the condition", 0.1, 10},
-    {"v2", 2, "m/s", "direction of the straight path", 0.1, 10},
-    {"factor", 0.75, "", "speed of the neighbouring path over that of the straight one", 0.2, 0.99},
-    {"offset", 0.25, "m", "start of another neighbour beside the top", 0.01, 1},
+    {"a1", 1, "m", "half axis of the section one metre below the top", 1e-2, 1e5},
+    {"a2", 2, "m", "the other half axis", 1e-2, 1e5},
+    {"g", 10, "m/s^2", "gravity", 1e-3, 1e4},
+    {"v1", 2, "m/s", "direction of the straight path; its speed follows from the condition", 1e-2, 1e3},
+    {"v2", 2, "m/s", "direction of the straight path", 1e-2, 1e3},
+    {"factor", 0.75, "", "speed of the neighbouring path over that of the straight one", 1e-3, 0.999},
+    {"offset", 0.25, "m", "start of another neighbour beside the top", 1e-3, 1e3},
     {"seed", 311, "", "seed of the random samples", 0, 1e9, whole_number},
 };
 
@@ -76,6 +77,13 @@ Quantity slower(const Parameters& p, const Horizon& horizon, const Reference& tr
                     {line, plane, "momenta", space});
 }
 
+Energy energy(const Parameters& p, std::span<const double> x) { return point_energy(p["g"], x); }
+
+/// Above or below the hill.
+double off(const Parameters& p, std::span<const double> x, double) {
+  return std::abs(x[2] - paraboloid_hill::Hill<double>{p["a1"], p["a2"]}.height(x[0], x[1]));
+}
+
 Scene scene() {
   return {
       .motion = slower,
@@ -96,6 +104,7 @@ Scene scene() {
             {"momenta",
              "paraboloid_hill::in_momenta(paraboloid_hill::from_the_top<double>({a1, a2, g, v1, v2, factor}))"}}},
       .draw = paraboloid_hill::draw<Parameters>,
+      .laws = {energy, off},
   };
 }
 

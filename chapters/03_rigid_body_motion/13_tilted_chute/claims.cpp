@@ -232,8 +232,10 @@ void cylinder(CylinderTable& table, const std::vector<OnCylinder>& samples) {
   const auto squares = [](const auto& s) { return s.y1() * s.y1() + s.y2() * s.y2(); };
 
   table.formula(
-      "cylinder", 1587, "the equation of the cylinder of radius $R$ about the line $P+tD$, $|D|=1$", samples,
-      {.truth = square,
+      "cylinder", 1587,
+      "The cylinder of radius $R$ about the line $P+tD$, $|D|=1$, is $(X-P)^T(I-DD^T)(X-P)=R^2$", samples,
+      {.quantity = "the equation of the cylinder of radius $R$ about the line $P+tD$, $|D|=1$",
+       .truth = square,
        .printed = {"$(X-P)^T(I-DD^T)(X-P)=R^2$", [](const auto& s) { return quadratic(s.Y, s.D); }},
        .near_misses = {{"$(X-P)^T(I+DD^T)(X-P)=R^2$", [](const auto& s) { return quadratic(s.Y, s.D, 1); }},
                        {"$X^T(I-DD^T)X=R^2$", [](const auto& s) { return quadratic(s.X, s.D); }}}});
@@ -243,24 +245,29 @@ void cylinder(CylinderTable& table, const std::vector<OnCylinder>& samples) {
   };
   table.formula(
       "coordinates", 1595,
-      R"($X=P+y_1U+y_2V+y_3D$ in a right-handed orthonormal set $U,V,D$, the $y$ being products)", samples,
+      R"($X=P+y_1U+y_2V+y_3D$ with $y_1=U\cdot(X-P)$, $y_2=V\cdot(X-P)$, $y_3=D\cdot(X-P)$, where $U$, )"
+      R"($V$, $D$ are orthonormal)",
+      samples,
       {.quantity = "$P+y_1U+y_2V+y_3D$",
        .truth = {"$X$", [](const auto& s) { return s.X; }},
        .printed = {R"($y_1=U\cdot(X-P)$, $y_2=V\cdot(X-P)$, $y_3=D\cdot(X-P)$)",
                    of_products([](const auto& s) { return s.Y; })},
        .near_misses = {{R"(with $y_3=D\cdot X$)", of_products([](const auto& s) { return s.X; })}}});
-  table.formula("distance", 1597, "the cylinder in these coordinates", samples,
-                {.truth = square,
+  table.formula("distance", 1597, "A point of the cylinder has $y_1^2+y_2^2=R^2$", samples,
+                {.quantity = "the cylinder in these coordinates",
+                 .truth = square,
                  .printed = {"$y_1^2+y_2^2=R^2$", squares},
                  .near_misses = {{"$y_1^2+y_3^2=R^2$",
                                   [](const auto& s) { return s.y1() * s.y1() + s.y3() * s.y3(); }}}});
   table.formula(
-      "perpendicular", 1599, "$y_1U+y_2V$", samples,
-      {.truth = {"the sum of the two", across},
+      "perpendicular", 1599, R"($y_1U+y_2V=(X-P)-(D\cdot(X-P))D$)", samples,
+      {.quantity = "$y_1U+y_2V$",
+       .truth = {"the sum of the two", across},
        .printed = {R"($(X-P)-(D\cdot(X-P))D$)", [](const auto& s) { return sum(s.Y, s.D, -s.y3()); }},
        .near_misses = {{R"($(X-P)+(D\cdot(X-P))D$)", [](const auto& s) { return sum(s.Y, s.D, s.y3()); }}}});
-  table.formula("squared_left", 1601, "$|y_1U+y_2V|^2$", samples,
-                {.truth = {"the vector's square",
+  table.formula("squared_left", 1601, "$|y_1U+y_2V|^2=y_1^2+y_2^2$", samples,
+                {.quantity = "$|y_1U+y_2V|^2$",
+                 .truth = {"the vector's square",
                            [=](const auto& s) {
                              const auto w = across(s);
                              return dot(w, w);
@@ -269,8 +276,9 @@ void cylinder(CylinderTable& table, const std::vector<OnCylinder>& samples) {
                  .near_misses = {{"$(y_1+y_2)^2$", [](const auto& s) { return pow(s.y1() + s.y2(), 2); }}}});
 
   const auto row = [&](std::string_view slug, int line, const Form& printed, const Form& near) {
-    table.formula(slug, line, "what is $R^2$ on the cylinder, rewritten", samples,
-                  {.truth = square, .printed = printed, .near_misses = {near}});
+    table.formula(
+        slug, line, "On the cylinder $R^2=" + printed.text.substr(1), samples,
+        {.quantity = "$R^2$ on the cylinder", .truth = square, .printed = printed, .near_misses = {near}});
   };
   row("squared_right", 1603,
       {R"($|(X-P)-(D\cdot(X-P))D|^2$)",
@@ -316,7 +324,8 @@ void axis(ChuteTable& table, const std::vector<OnChute>& samples) {
     return [=](const auto& s) { return values(hypot(s.chute.L * run(s.theta()), s.chute.H), s.chute.H); };
   };
   table.formula("triangle", 1617,
-                R"(the triangle of the axis, its hypotenuse $L$ at the angle $\theta$ to the plane)", samples,
+                R"(The axis has the length $L$: where $x_3$ rises by $H$, $x_1$ falls by $L\cos\theta$)",
+                samples,
                 {.quantity = "hypotenuse and opposite side",
                  .truth = {R"($L$ and $L\sin\theta$)",
                            [](const auto& s) { return values(s.chute.L, s.chute.L * sin(s.theta())); }},
@@ -325,26 +334,31 @@ void axis(ChuteTable& table, const std::vector<OnChute>& samples) {
                  .near_misses = {{R"(where $x_3$ rises by $H$, $x_1$ falls by $L\sin\theta$)",
                                   sides([](const auto& a) { return sin(a); })}}});
   table.formula(
-      "adjacent", 1619, "the triangle's adjacent side", samples,
-      {.truth = {R"($L\cos\theta$)", [](const auto& s) { return s.chute.L * cos(s.theta()); }},
+      "adjacent", 1619, R"(The adjacent side of the triangle is $\sqrt{L^2-H^2}$)", samples,
+      {.quantity = "the triangle's adjacent side",
+       .truth = {R"($L\cos\theta$)", [](const auto& s) { return s.chute.L * cos(s.theta()); }},
        .printed = {R"($\sqrt{L^2-H^2}$)",
                    [](const auto& s) { return sqrt(s.chute.L * s.chute.L - s.chute.H * s.chute.H); }},
        .near_misses = {{R"($\sqrt{L^2+H^2}$)", [](const auto& s) { return hypot(s.chute.L, s.chute.H); }}}});
-  table.formula("cosine", 1621, R"($\cos\theta$)", samples,
-                {.truth = {R"($\cos(\sin^{-1}(H/L))$)", [](const auto& s) { return cos(s.theta()); }},
+  table.formula("cosine", 1621, R"($\cos\theta=\sqrt{L^2-H^2}/L$)", samples,
+                {.quantity = R"($\cos\theta$)",
+                 .truth = {R"($\cos(\sin^{-1}(H/L))$)", [](const auto& s) { return cos(s.theta()); }},
                  .printed = {R"($\sqrt{L^2-H^2}/L$)", [](const auto& s) { return s.cosine(); }},
                  .near_misses = {{R"($L/\sqrt{L^2-H^2}$)", [](const auto& s) { return 1 / s.cosine(); }}}});
   const auto run = [](const auto& s) { return sqrt((s.chute.L - s.chute.H) * (s.chute.L + s.chute.H)); };
-  table.formula("sine", 1621, R"($\sin\theta$)", samples,
-                {.truth = {"the angle between the chute and the plane",
+  table.formula("sine", 1621, R"($\sin\theta=H/L$)", samples,
+                {.quantity = R"($\sin\theta$)",
+                 .truth = {"the angle between the chute and the plane",
                            [=](const auto& s) { return sin(slope_angle(s.chute.H, run(s))); }},
                  .printed = {"$H/L$", [](const auto& s) { return s.chute.H / s.chute.L; }},
                  .near_misses = {{"$L/H$", [](const auto& s) { return s.chute.L / s.chute.H; }}}});
   const auto direction = [](double sign) {
     return [=](const auto& s) { return values(sign * cos(s.theta()), 0, sin(s.theta())); };
   };
-  table.formula("direction", 1623, "the unit vector $D$ up the axis", samples,
-                {.truth = {R"($(-\sqrt{L^2-H^2},0,H)$, normalized)",
+  table.formula("direction", 1623, R"(The unit vector up the axis is $D=(-\cos\theta,0,\sin\theta)$)",
+                samples,
+                {.quantity = "the unit vector $D$ up the axis",
+                 .truth = {R"($(-\sqrt{L^2-H^2},0,H)$, normalized)",
                            [=]<class T>(const OnChuteOf<T>& s) {
                              return unit<T>({-run(s), 0, s.chute.H});
                            }},
@@ -356,8 +370,8 @@ void axis(ChuteTable& table, const std::vector<OnChute>& samples) {
               return sqrt(dot(w, w));
             }};
   };
-  table.formula("axis_point", 1631, "the height at which the axis passes above the origin, $R$ from it",
-                samples,
+  table.formula("axis_point", 1631,
+                R"(The axis passes at $(0,0,\alpha)$ over the origin, where $\alpha=R/\cos\theta$)", samples,
                 {.quantity = R"(the origin's distance $|(0,0,p_3)\times D|$ from the axis)",
                  .truth = {"$R$", [](const auto& s) { return s.chute.R; }},
                  .printed = passing(R"(at $p_3=R/\cos\theta$)", [](const auto& s) { return s.p3(); }),
@@ -380,8 +394,9 @@ void solved(ChuteTable& table, const std::vector<OnChute>& samples) {
     };
   };
   table.formula(
-      "expansion_1", 1637, equation, samples,
-      {.truth = form,
+      "expansion_1", 1637, "On the cylinder $0=x_1^2+x_2^2+(x_3-p_3)^2-(d_1x_1+d_3(x_3-p_3))^2$", samples,
+      {.quantity = equation,
+       .truth = form,
        .printed = {"$x_1^2+x_2^2+(x_3-p_3)^2-(d_1x_1+d_3(x_3-p_3))^2$", expanded(1, 0)},
        .meant = {"$x_1^2+x_2^2+(x_3-p_3)^2-(d_1x_1+d_3(x_3-p_3))^2-R^2$", expanded(1, 1)},
        .near_misses = {{"$x_1^2+x_2^2+(x_3-p_3)^2-(d_1x_1-d_3(x_3-p_3))^2-R^2$", expanded(-1, 1)}},
@@ -398,14 +413,18 @@ void solved(ChuteTable& table, const std::vector<OnChute>& samples) {
   };
   const std::string rest = "(x_3-p_3)^2-2d_1d_3x_1(x_3-p_3)+(1-d_1^2)x_1^2+x_2^2-R^2$";
   table.formula(
-      "expansion_2", 1639, "the same by powers of $x_3-p_3$", samples,
-      {.truth = form,
+      "expansion_2", 1639,
+      "On the cylinder $0=(1-d_3)^2(x_3-p_3)^2-2d_1d_3x_1(x_3-p_3)+(1-d_1^2)x_1^2+x_2^2-R^2$", samples,
+      {.quantity = "the same by powers of $x_3-p_3$",
+       .truth = form,
        .printed = {"$(1-d_3)^2" + rest, by_powers([](const auto& d) { return (1 - d) * (1 - d); })},
        .meant = {"$(1-d_3^2)" + rest, by_powers([](const auto& d) { return 1 - d * d; })},
        .near_misses = {{"$(1+d_3^2)" + rest, by_powers([](const auto& d) { return 1 + d * d; })}},
        .kind = Fault::formula,
-       .why = "The square belongs to $d_3$: $(1-d_3^2)$, which the next line writes as $d_1^2$. With the "
-              "default chute, $d_3=3/5$, that is 0.64, and what is printed 0.16."});
+       .why =
+           filled("The square belongs to $d_3$: $(1-d_3^2)$, which the next line writes as $d_1^2$. With the "
+                  "default chute, $d_3=3/5$, that is @2, and what is printed @2.",
+                  {1 - 0.36, 0.4 * 0.4})});
   const auto by_parts = [](double middle) {
     return [=](const auto& s) {
       const auto z = s.x3 - s.p3(), d1 = s.d1(), d3 = s.d3();
@@ -414,8 +433,12 @@ void solved(ChuteTable& table, const std::vector<OnChute>& samples) {
     };
   };
   table.formula(
-      "expansion_3", 1641, "the same with $d_1^2+d_3^2=1$", samples,
-      {.truth = form,
+      "expansion_3", 1641,
+      "On the cylinder $0=d_1^2(x_3-p_3)^2-2d_1d_3x_1(x_3-p_3)+d_3^2x_1^2+x_2^2-R^2$, as "
+      "$d_1^2+d_3^2=1$",
+      samples,
+      {.quantity = "the same with $d_1^2+d_3^2=1$",
+       .truth = form,
        .printed = {"$d_1^2(x_3-p_3)^2-2d_1d_3x_1(x_3-p_3)+d_3^2x_1^2+x_2^2-R^2$", by_parts(-2)},
        .near_misses = {{"$d_1^2(x_3-p_3)^2+2d_1d_3x_1(x_3-p_3)+d_3^2x_1^2+x_2^2-R^2$", by_parts(2)}}});
   const auto completed = [](double sign) {
@@ -424,8 +447,9 @@ void solved(ChuteTable& table, const std::vector<OnChute>& samples) {
       return b * b + s.x2 * s.x2 - s.chute.R * s.chute.R;
     };
   };
-  table.formula("expansion_4", 1643, "the same with a square", samples,
-                {.truth = form,
+  table.formula("expansion_4", 1643, "On the cylinder $0=(d_1(x_3-p_3)-d_3x_1)^2+x_2^2-R^2$", samples,
+                {.quantity = "the same with a square",
+                 .truth = form,
                  .printed = {"$(d_1(x_3-p_3)-d_3x_1)^2+x_2^2-R^2$", completed(-1)},
                  .near_misses = {{"$(d_1(x_3-p_3)+d_3x_1)^2+x_2^2-R^2$", completed(1)}}});
 
@@ -434,8 +458,10 @@ void solved(ChuteTable& table, const std::vector<OnChute>& samples) {
     return [=](const auto& s) { return values(s.depth_at(s.on_it()), upper * s.depth_at(s.on_it(true))); };
   };
   table.formula(
-      "two_roots", 1647, bracket + " on the two halves of the cylinder", samples,
-      {.truth = {"points of the lower half and of the upper, turned about the axis",
+      "two_roots", 1647,
+      R"($d_1(x_3-p_3)-d_3x_1=\pm\sqrt{R^2-x_2^2}$: the lower half has plus, the upper minus)", samples,
+      {.quantity = bracket + " on the two halves of the cylinder",
+       .truth = {"points of the lower half and of the upper, turned about the axis",
                  [](const auto& s) { return values(s.bracket(s.on_it()), s.bracket(s.on_it(true))); }},
        .printed = {R"($+\sqrt{R^2-x_2^2}$ and $-\sqrt{R^2-x_2^2}$ there)", roots(-1)},
        .near_misses = {{R"($+\sqrt{R^2-x_2^2}$ on both)", roots(1)}}});
@@ -444,7 +470,7 @@ void solved(ChuteTable& table, const std::vector<OnChute>& samples) {
               return quadratic<T>({0, 0, -height * s.p3()}, {s.d1(), 0, s.d3()});
             }};
   };
-  table.formula("origin", 1649, "the origin is on the cylinder", samples,
+  table.formula("origin", 1649, "The origin is on the cylinder", samples,
                 {.quantity = "$(X-P)^T(I-DD^T)(X-P)$ at $X=0$",
                  .truth = {"$R^2$", [](const auto& s) { return s.chute.R * s.chute.R; }},
                  .printed = at_zero(R"(with the axis at $p_3=R/\cos\theta$)", 1),
@@ -454,7 +480,8 @@ void solved(ChuteTable& table, const std::vector<OnChute>& samples) {
       return values(cos(s.theta()) * (s.chute.R / cos(s.theta())), sign * s.d1() * s.p3());
     };
   };
-  table.formula("at_origin", 1651, bracket + " at the origin", samples,
+  table.formula("at_origin", 1651, R"(At the origin the left side is $\cos\theta\,(R/\cos\theta)=-d_1p_3=R$)",
+                samples,
                 {.quantity = R"($\cos\theta\,(R/\cos\theta)$, and )" + bracket + " at the origin",
                  .truth = {"$R$, and the bracket there",
                            [](const auto& s) {
@@ -463,7 +490,7 @@ void solved(ChuteTable& table, const std::vector<OnChute>& samples) {
                  .printed = {R"($\cos\theta\,(R/\cos\theta)=-d_1p_3=R$)", products(-1)},
                  .near_misses = {{R"($\cos\theta\,(R/\cos\theta)=d_1p_3=R$)", products(1)}}});
   const auto root_at_zero = [](double sign) { return [=](const auto& s) { return sign * s.depth_at({}); }; };
-  table.formula("plus", 1653, "the root's sign at the origin", samples,
+  table.formula("plus", 1653, "At the origin the root has the plus sign", samples,
                 {.quantity = bracket + " at the origin",
                  .truth = {"the bracket at $x_1=x_3=0$",
                            [](const auto& s) {
@@ -474,8 +501,9 @@ void solved(ChuteTable& table, const std::vector<OnChute>& samples) {
   const auto on_half = [](double sign) {
     return [=](const auto& s) { return sign * s.depth_at(s.on_it()); };
   };
-  table.formula("chute", 1655, bracket + " on the chute", samples,
-                {.truth = {"points of the lower half, turned about the axis",
+  table.formula("chute", 1655, R"(The chute is $d_1(x_3-p_3)-d_3x_1=+\sqrt{R^2-x_2^2}$)", samples,
+                {.quantity = bracket + " on the chute",
+                 .truth = {"points of the lower half, turned about the axis",
                            [](const auto& s) { return s.bracket(s.on_it()); }},
                  .printed = {R"($+\sqrt{R^2-x_2^2}$ there)", on_half(1)},
                  .near_misses = {{R"($-\sqrt{R^2-x_2^2}$ there)", on_half(-1)}}});
@@ -486,8 +514,9 @@ void solved(ChuteTable& table, const std::vector<OnChute>& samples) {
       return s.p3() + (sign * s.d3() * x[0] + s.depth_at(x)) / s.d1();
     };
   };
-  table.formula("solved", 1659, "$x_3$ on the chute by $d_1$, $d_3$ and $p_3$", samples,
-                {.truth = x3,
+  table.formula("solved", 1659, R"(Solved for $x_3$: $x_3=p_3+(d_3x_1+\sqrt{R^2-x_2^2})/d_1$)", samples,
+                {.quantity = "$x_3$ on the chute",
+                 .truth = x3,
                  .printed = {R"($p_3+(d_3x_1+\sqrt{R^2-x_2^2})/d_1$ there)", from_axis(1)},
                  .near_misses = {{R"($p_3+(-d_3x_1+\sqrt{R^2-x_2^2})/d_1$ there)", from_axis(-1)}}});
   const auto height = [](double fall, double depth) {
@@ -497,8 +526,11 @@ void solved(ChuteTable& table, const std::vector<OnChute>& samples) {
       return (L * R + fall * H * x[0] + depth * L * s.depth_at(x)) / (L * s.cosine());
     };
   };
-  table.formula("height", 1663, "the height $h(x_1,x_2)$ of the chute", samples,
-                {.truth = x3,
+  table.formula("height", 1663,
+                R"(The height of the chute is $h(x_1,x_2)=(LR-Hx_1-L\sqrt{R^2-x_2^2})/(L\cos\theta)$)",
+                samples,
+                {.quantity = "the height $h(x_1,x_2)$ of the chute",
+                 .truth = x3,
                  .printed = {R"($(LR-Hx_1-L\sqrt{R^2-x_2^2})/(L\cos\theta)$ there)", height(-1, -1)},
                  .near_misses = {{R"($(LR+Hx_1-L\sqrt{R^2-x_2^2})/(L\cos\theta)$ there)", height(1, -1)},
                                  {R"($(LR-Hx_1+L\sqrt{R^2-x_2^2})/(L\cos\theta)$ there)", height(-1, 1)}}});
@@ -527,8 +559,9 @@ Check vanishes(std::string quantity, std::string by, const std::vector<OnChute>&
 
 void derivatives(Claims& claims, ChuteTable& table, const std::vector<OnChute>& samples) {
   table.formula(
-      "h1", 1673, "$h_{x_1}$", samples,
-      {.truth = {"$h$ by dual numbers",
+      "h1", 1673, R"(The derivative $h_{x_1}$ is $-H/(L\cos\theta)$)", samples,
+      {.quantity = "$h_{x_1}$",
+       .truth = {"$h$ by dual numbers",
                  []<class T>(const OnChuteOf<T>& s) {
                    return s.chute.height(Dual<T>(s.x1, T(1)), Dual<T>(s.x2)).slope;
                  }},
@@ -537,11 +570,13 @@ void derivatives(Claims& claims, ChuteTable& table, const std::vector<OnChute>& 
        .meant = {R"($-H/(L\cos\theta)$)", [](const auto& s) { return s.slope(); }},
        .near_misses = {{R"($+H/(L\cos\theta)$)", [](const auto& s) { return -s.slope(); }}},
        .kind = Fault::lost_typography,
-       .why =
-           R"(The fraction's bar is lost. For the default chute the quotient is $-0.75$, and the product $-12$.)"});
+       .why = filled(
+           "The fraction's bar is lost. For the default chute the quotient is $@2$, and the product $@2$.",
+           {-3.0 / (5 * 0.8), -3.0 * 5 * 0.8})});
   table.formula(
-      "h2", 1677, "$h_{x_2}$", samples,
-      {.truth = {"$h$ by dual numbers",
+      "h2", 1677, R"(The derivative $h_{x_2}$ is $x_2/\big((R^2-x_2^2)^{1/2}\cos\theta\big)$)", samples,
+      {.quantity = "$h_{x_2}$",
+       .truth = {"$h$ by dual numbers",
                  []<class T>(const OnChuteOf<T>& s) {
                    return s.chute.height(Dual<T>(s.x1), Dual<T>(s.x2, T(1))).slope;
                  }},
@@ -564,13 +599,14 @@ void derivatives(Claims& claims, ChuteTable& table, const std::vector<OnChute>& 
                    is_as_typeset(compare_typeset(
                        Statement<OnChute>{text, [=](const OnChute&) { return holds; }}, samples))};
   };
-  claims.add("h11_h12", 1679, "the second derivatives that are zero",
+  claims.add("h11_h12", 1679, "$h_{x_1x_1}=h_{x_1x_2}=0$",
              {.printed = zero("$h_{x_1x_1}=h_{x_1x_2}=0$",
                               {second("$h_{x_1x_1}$", 1, 1), second("$h_{x_1x_2}$", 1, 2)}),
               .near_misses = {zero("$h_{x_2x_2}=0$", {second("$h_{x_2x_2}$", 2, 2)})}});
   table.formula(
-      "h22", 1681, "$h_{x_2x_2}$", samples,
-      {.truth = {"$h$ by nested dual numbers", [](const auto& s) { return s.second(2, 2); }},
+      "h22", 1681, R"($h_{x_2x_2}=R^2/\big((R^2-x_2^2)^{3/2}\cos\theta\big)$)", samples,
+      {.quantity = "$h_{x_2x_2}$",
+       .truth = {"$h$ by nested dual numbers", [](const auto& s) { return s.second(2, 2); }},
        .printed = {R"($R^2/\big((R^2-x_2^2)^{3/2}\cos\theta\big)$)",
                    [](const auto& s) { return s.chute.R * s.chute.R / (pow(s.depth(), 3) * s.cosine()); }},
        .near_misses = {{R"($x_2^2/\big((R^2-x_2^2)^{3/2}\cos\theta\big)$)",
@@ -597,15 +633,21 @@ void equations(Claims& claims, const std::vector<OnChute>& samples) {
   const auto downwards = [](double gravity) {
     return [=](S s) { return s.published(s.v2 * s.v2, s.slope(), gravity); };
   };
+  const auto written = [](const std::string& square, const std::string& gravity, const std::string& slope) {
+    return R"($-\frac{R^2)" + square + R"(/\left((R^2-x_2^2)^{3/2}\cos\theta\right))" + gravity +
+           R"(}{1+H^2/(L^2\cos^2\theta)+x_2^2/\left((R^2-x_2^2)\cos^2\theta\right)}\left()" + slope +
+           R"(,\ \frac{x_2}{(R^2-x_2^2)^{1/2}\cos\theta}\right)$)";
+  };
+  const std::string rate = R"(\dot x_2^2)", gradient = R"(-\frac{H}{L\cos\theta})",
+                    right = written(rate, "+g", gradient);
   claims.add(
-      "equations", 1691, "the equations of motion for " + both,
+      "equations", 1691, R"(The equations of motion are $(\ddot x_1,\ddot x_2)=)" + right.substr(1),
       {.printed = reading(both,
-                          {R"($R^2x_2^2$ above, $-HL\cos\theta$ in the vector)",
+                          {written("x_2^2", "+g", R"(-HL\cos\theta)"),
                            [](S s) { return s.published(s.x2 * s.x2, -s.chute.H * s.chute.L * s.cosine()); }},
                           {lagrange}),
-       .meant = reading(both, {R"($R^2\dot x_2^2$ above, $-H/(L\cos\theta)$ in the vector)", downwards(1)},
-                        {lagrange, about}),
-       .near_misses = {reading(both, {"the same with gravity upwards", downwards(-1)}, {lagrange})},
+       .meant = reading(both, {right, downwards(1)}, {lagrange, about}),
+       .near_misses = {reading(both, {written(rate, "-g", gradient), downwards(-1)}, {lagrange})},
        .why = R"(A dot and a bar are lost: above stands $R^2\dot x_2^2$, and the vector is the gradient )"
               R"($(-H/(L\cos\theta),\,x_2/((R^2-x_2^2)^{1/2}\cos\theta))$. So read, it is what Lagrange's )"
               R"(equations give, in the coordinates of the plane and in those of the cylinder.)",
@@ -624,26 +666,26 @@ void equations(Claims& claims, const std::vector<OnChute>& samples) {
              by_tangent = over(R"($g\tan\theta/(1+\tan^2\theta)$)", [](S s) { return std::tan(s.theta()); }),
              by_sine{R"($\frac g2\sin2\theta$)", [](S s) { return s.g / 2 * sin(2 * s.theta()); }},
              product{R"($gHL\cos\theta/(1+t^2)$)", [](S s) { return s.center_as_printed(); }};
-  const auto chain = [&](std::string text, const Form& beginning) {
-    Reading all{std::move(text), {}};
+  const std::string other_forms =
+      R"(=\frac{g\tan\theta}{1+\tan^2\theta}=\frac g2\sin2\theta$, $t=\frac H{L\cos\theta}$)";
+  const auto chain = [&](const std::string& numerator, const Form& beginning) {
+    Reading all{R"($\ddot x_1=\frac{)" + numerator + "}{1+t^2}" + other_forms, {}};
     for (const Form& form : {beginning, by_tangent, by_sine})
       all.checks.push_back(compare(first, form, truth, samples));
     return all;
   };
   claims.add(
-      "center_acceleration", 1717, first + ", in three forms",
-      {.printed = chain(
-           R"($gHL\cos\theta/(1+t^2)=g\tan\theta/(1+\tan^2\theta)=\frac g2\sin2\theta$, $t=H/(L\cos\theta)$)",
-           product),
-       .meant = chain(R"($gt/(1+t^2)=g\tan\theta/(1+\tan^2\theta)=\frac g2\sin2\theta$, $t=H/(L\cos\theta)$)",
-                      by_slope),
+      "center_acceleration", 1717, R"(On the center line $\ddot x_1=\frac{gt}{1+t^2})" + other_forms,
+      {.printed = chain(R"(gHL\cos\theta)", product),
+       .meant = chain("gt", by_slope),
        .near_misses = {reading(first, {R"($g\sin\theta$)", [](S s) { return s.g * sin(s.theta()); }},
                                {truth}),
                        reading(first, {R"($g\sin2\theta$)", [](S s) { return s.g * sin(2 * s.theta()); }},
                                {truth})},
-       .why =
+       .why = filled(
            R"(The bar of the numerator, $H/(L\cos\theta)$, is lost; that of the denominator is there. For the )"
-           R"(default chute the numerator is 0.75 and what stands there 12: 75 m/s$^2$ for 4.71.)",
+           R"(default chute the numerator is @2 and its product @2: @2 m/s$^2$ for @3.)",
+           {0.75, 12, 9.81 * 12 / (1 + 0.75 * 0.75), 9.81 * 0.75 / (1 + 0.75 * 0.75)}),
        .kind = Fault::lost_typography});
 }
 
@@ -657,7 +699,8 @@ void center_motion(ChuteTable& table, const std::vector<OnChute>& samples) {
             }};
   };
   table.formula(
-      "center_motion", 1735, "$x_1(t)$ on the center line", samples,
+      "center_motion", 1735, R"(On the center line $x_1(t)=x_1(0)+\dot x_1(0)t+\frac{g\sin2\theta}4t^2$)",
+      samples,
       {.quantity = R"($(x_1(0),\dot x_1(0),\ddot x_1)$ by dual numbers)",
        .truth = {"the start, and Lagrange's equations",
                  [](const auto& s) { return values(s.x1, s.v1, s.on_center().accelerations()[0]); }},
@@ -678,7 +721,7 @@ void statements(Claims& claims, const std::vector<OnChute>& samples) {
               return std::pair(a[1], size_of(a));
             })}};
   };
-  claims.add("x2_zero", 1715, "$x_2=0$ for all time solves the second equation",
+  claims.add("x2_zero", 1715, "$x_2(t)=0$ for all time solves the second equation of motion",
              {.printed = at_rest(R"($\ddot x_2=0$ at $x_2=\dot x_2=0$)", 0, 0, 0),
               .near_misses = {at_rest(R"($\ddot x_2=0$ at $x_2=0.05$, $\dot x_2=0$)", 0.05, 0, 0)}});
   const auto staying = [&](std::string text, double across) -> Reading {
@@ -690,7 +733,8 @@ void statements(Claims& claims, const std::vector<OnChute>& samples) {
               return std::pair(end.value[1], s.chute.R);
             })}};
   };
-  claims.add("stays_in_center", 1715, "the ball stays in the center if it starts there",
+  claims.add("stays_in_center", 1715,
+             "A ball that starts in the center without speed across stays in the center",
              {.printed = staying("without speed across", 0),
               .near_misses = {staying("with speed across as well", 0.01)}});
 
@@ -712,8 +756,8 @@ void statements(Claims& claims, const std::vector<OnChute>& samples) {
                                }},
                               samples)}};
   };
-  claims.add("positive", 1733, R"(the acceleration $\ddot x_1$ is a positive constant)",
-             {.printed = constant("on the center line of a chute neither level nor vertical", 0),
+  claims.add("positive", 1733, R"(On the center line $\ddot x_1$ is a positive constant)",
+             {.printed = constant("in a chute neither level nor vertical (our condition)", 0),
               .near_misses = {constant("beside the center line as well", 1),
                               {"in a level chute as well",
                                {in_all<OnChute>(R"($\ddot x_1>0$ in a level chute)", samples,
@@ -722,33 +766,36 @@ void statements(Claims& claims, const std::vector<OnChute>& samples) {
     return {std::move(text), [=](S s) { return s.accelerations()[i] > 0; }};
   };
   claims.statement<OnChute>(
-      "always_positive", 1733, "the acceleration along $x_1$ is always positive", samples,
+      "always_positive", 1733, R"(The acceleration along $x_1$ is always positive: $\ddot x_1>0$)", samples,
       {.printed = always(R"($\ddot x_1>0$)", 0), .near_misses = {always(R"($\ddot x_2>0$)", 1)}});
 
-  /// (x1, x1') on the center line a millisecond later.
+  /// (x1, x1') on the center line a millisecond later: what increases at that instant.
   const auto then = [](S s) {
     const double a = s.g * s.chute.s() * s.cosine(), t = 1e-3;
     return Pair{s.x1 + s.v1 * t + a * t * t / 2, s.v1 + a * t};
   };
   const auto faster_and_farther = [=](S s) { return abs(then(s)[1]) > abs(s.v1) && then(s)[0] > s.x1; };
   claims.statement<OnChute>(
-      "speed_increases", 1733, "what increases on the center line, over a millisecond", samples,
-      {.printed = {R"(the speed $|\dot x_1|$ and the position $x_1$)", faster_and_farther},
-       .corrected = {R"(the velocity $\dot x_1$; $|\dot x_1|$ and $x_1$ once $\dot x_1\ge0$)",
+      "speed_increases", 1733, R"(On the center line the speed $|\dot x_1|$ and the position $x_1$ increase)",
+      samples,
+      {.printed = {R"(they increase, whatever $\dot x_1(0)$)", faster_and_farther},
+       .corrected = {R"(the velocity $\dot x_1$ increases; $|\dot x_1|$ and $x_1$ do once $\dot x_1\ge0$)",
                      [=](S s) { return then(s)[1] > s.v1 && (s.v1 < 0 || faster_and_farther(s)); }},
+       .in_view = {R"(for $\dot x_1(0)\ge0$, a ball let go or sent down)", [](S s) { return s.v1 >= 0; }},
        .near_misses = {{"the position $x_1$", [=](S s) { return then(s)[0] > s.x1; }}},
-       .kind = Fault::counterexample,
+       .kind = Fault::left_out,
        .root = "a ball sent up",
        .why =
            R"(The next formula admits any $\dot x_1(0)$. A ball sent up the chute first slows down, and its )"
-           R"($x_1$ decreases, until $t=-2\dot x_1(0)/(g\sin2\theta)$. What increases from the start is the )"
-           R"(velocity $\dot x_1$.)"});
+           R"($x_1$ decreases. It is back at its start at $t=-4\dot x_1(0)/(g\sin2\theta)$. The velocity )"
+           R"($\dot x_1$ increases from the start.)"});
 
   const auto steeper = [](double s) { return s + 0.2 * (pi / 2 - s); };
   const auto changes = [=](S s) { return s.at_angle(steeper(s.theta())) - s.at_angle(s.theta()); };
   claims.statement<OnChute>(
-      "steeper_is_faster", 1737, "the acceleration on the center line in a steeper chute", samples,
-      {.printed = {R"($\ddot x_1$ increases with $\theta$)", [=](S s) { return changes(s) > 0; }},
+      "steeper_is_faster", 1737,
+      R"(On the center line the acceleration $\ddot x_1$ increases with the angle $\theta$)", samples,
+      {.printed = {R"(it increases with $\theta$)", [=](S s) { return changes(s) > 0; }},
        .corrected =
            {R"($\ddot x_1$ increases up to $45^\circ$ and decreases beyond; the acceleration along the )"
             "chute increases",
@@ -790,8 +837,9 @@ void statements(Claims& claims, const std::vector<OnChute>& samples) {
                                             [](S s) { return size_of(s.accelerations(s.k)); }},
                                            samples));
   claims.add(
-      "friction_form", 1739, R"(the form of $\ddot x_2$ with viscous friction, $S$ a scalar)",
-      {.printed = {R"(it is $\ddot x_2=Sx_2$)",
+      "friction_form", 1739,
+      R"(With viscous friction the second equation is still $\ddot x_2=Sx_2$, $S$ a scalar)",
+      {.printed = {R"($\ddot x_2=Sx_2$, which is zero wherever $x_2=0$)",
                    {vanishes(R"($\ddot x_2$ at $x_2=0$, $\dot x_2\ne0$)",
                              "Lagrange's equations with friction", samples,
                              [](OnChute s) {
@@ -802,11 +850,13 @@ void statements(Claims& claims, const std::vector<OnChute>& samples) {
        .corrected = corrected,
        .near_misses = {slowed(R"(it is $\ddot x_2=Sx_2-2k\dot x_2$)", 2)},
        .why =
-           R"(Friction adds $-k\dot x_2$: where the ball crosses the center line, $x_2=0$, the form says )"
-           R"($\ddot x_2=0$, but friction slows it. In the corrected equation $S$ is the same as without friction.)",
+           R"(Friction adds $-k\dot x_2$, a term without $x_2$. Where the ball crosses the center line the )"
+           R"(printed form gives $\ddot x_2=0$, but friction slows the ball. In the corrected equation $S$ is )"
+           R"(the same as without friction.)",
        .kind = Fault::formula,
        .root = "friction across"});
-  claims.add("friction_center", 1739, "with viscous friction $x_2=0$ for all time is still a solution",
+  claims.add("friction_center", 1739,
+             "With viscous friction $x_2(t)=0$ is still a solution, and the ball stays in the center",
              {.printed = at_rest(R"($\ddot x_2=0$ at $x_2=\dot x_2=0$ with friction)", 0, 0, 1),
               .near_misses = {at_rest("with friction and a wind across", 0, 0.1, 1)}});
 }
@@ -993,16 +1043,23 @@ Provables proofs() {
 }
 
 std::vector<Root> roots() {
+  const double a = 9.81 * 0.6 * 0.8;  // x1'' on the default chute's center line
   return {
       {"a ball sent up",
-       R"(On the default chute's center line a ball with $\dot x_1(0)=-0.8$ m/s first climbs for 0.17 s, 7 cm along )"
-       R"($x_1$, and is back at its start after 0.34 s.)"},
+       filled(
+           R"(On the default chute's center line a ball with $\dot x_1(0)=-0.8$ m/s first climbs for @2 s, @1 cm along )"
+           R"($x_1$, and is back at its start after @2 s.)",
+           {0.8 / a, 100 * 0.8 * 0.8 / (2 * a), 2 * 0.8 / a})},
       {"beyond 45 degrees",
-       R"(Seen from above, as on a map of a game's level, the ball in a chute of $75^\circ$ looks as slow as that )"
-       R"(in one of $15^\circ$: both cover 1.23 m in the first second.)"},
+       filled(
+           R"(Seen from above, as on a map of a game's level, the ball in a chute of $75^\circ$ looks as slow as that )"
+           R"(in one of $15^\circ$: both cover @3 m in the first second.)",
+           {9.81 / 4 * sin(pi / 6)})},
       {"friction across",
-       R"(Programmed as $\ddot x_2=Sx_2$ with the $S$ of before, a ball swings across the chute for ever; with )"
-       R"($k=0.5$ s$^{-1}$ a small swing is down to 8 % after ten seconds.)"}};
+       filled(
+           R"(Programmed as $\ddot x_2=Sx_2$ with the $S$ of before, a ball swings across the chute for ever; with )"
+           R"($k=0.5$ s$^{-1}$ a small swing is down to @1 % after ten seconds.)",
+           {100 * std::exp(-0.5 / 2 * 10)})}};
 }
 
 }  // namespace oddity::ex03_13

@@ -8,6 +8,7 @@
 
 #include "chapters/03_rigid_body_motion/13_tilted_chute/drawing.hpp"
 #include "chapters/03_rigid_body_motion/13_tilted_chute/tilted_chute.hpp"
+#include "chapters/energies.hpp"
 #include "chapters/in_float.hpp"
 #include "reference/bad_input.hpp"
 #include "solvers/engines/turns.hpp"
@@ -17,12 +18,12 @@ namespace oddity {
 namespace ex03_13 {
 
 constexpr Parameter parameters[] = {
-    {"R", 1, "m", "radius", 0.2, 10},
-    {"L", 5, "m", "length of the chute", 1, 100},
-    {"H", 3, "m", "fall over the length, less than $L$", 0.01, 99},
-    {"g", 9.81, "m/s^2", "gravity", 0.1, 100},
-    {"phi", 1, "rad", "start: the angle about the axis, from the lowest line", 0.05, 1.5},
-    {"u", -1, "m/s", "start: the speed down the chute", -20, 20},
+    {"R", 1, "m", "radius", 1e-3, 1e5},
+    {"L", 5, "m", "length of the chute", 1e-2, 1e5},
+    {"H", 3, "m", "fall over the length, less than $L$", 1e-3, 1e5},
+    {"g", 9.81, "m/s^2", "gravity", 1e-3, 1e4},
+    {"phi", 1, "rad", "start: the angle about the axis, from the lowest line", 0.01, 3.14},
+    {"u", -1, "m/s", "start: the speed down the chute", -1e3, 1e3},
     {"seed", 313, "", "seed of the random samples", 0, 1e9, whole_number},
 };
 
@@ -60,6 +61,13 @@ engines::Staging staging(const Parameters& p) {
           }};
 }
 
+Energy energy(const Parameters& p, std::span<const double> x) { return point_energy(p["g"], x); }
+
+/// Off the distance R from the axis.
+double off(const Parameters& p, std::span<const double> x, double t) {
+  return tilted_chute::InSpace<double>{asked(p)}.off_constraint({x[0], x[1], x[2], 0, 0, 0}, t);
+}
+
 Scene scene() {
   return {
       .motion = swinging_ball,
@@ -78,6 +86,7 @@ Scene scene() {
                    {"Cartesian with constraint", "tilted_chute::InSpace<double>{{R, L, H, g, phi, u}}"}}},
       .draw = tilted_chute::draw<Parameters>,
       .staging = staging,
+      .laws = {energy, off},
   };
 }
 

@@ -13,6 +13,7 @@
 
 #include "chapters/03_rigid_body_motion/15_turning_rod/drawing.hpp"
 #include "chapters/03_rigid_body_motion/15_turning_rod/turning_rod.hpp"
+#include "chapters/energies.hpp"
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
 
@@ -23,11 +24,11 @@ namespace ex03_15 {
 using namespace turning_rod;
 
 constexpr Parameter parameters[] = {
-    {"m", 1, "kg", "mass", 0.1, 100},
-    {"c", 1, "m", "where the spring is fixed on the $x_1$-axis", 0, 10},
-    {"K", 10, "N/m", "stiffness of the spring", 0.1, 1000},
-    {"w", std::numbers::pi / 4, "rad/s", "angular speed of the rod", 0.01, 10},
-    {"s", 2, "m", "start, by its distance from the origin", 0.1, 10},
+    {"m", 1, "kg", "mass", 1e-6, 1e6},
+    {"c", 1, "m", "where the spring is fixed on the $x_1$-axis", 0, 1e5},
+    {"K", 10, "N/m", "stiffness of the spring", 1e-6, 1e6},
+    {"w", std::numbers::pi / 4, "rad/s", "angular speed of the rod", 1e-4, 1e3},
+    {"s", 2, "m", "start, by its distance from the origin", 1e-3, 1e5},
     {"stiff", 1e4, "N/m", "stiffness of the stiff spring", 100, 2e4},
     {"r", 1.5, "", R"(speed of the runaway over $\sqrt{2K/m}$)", 1.1, 5},
     {"seed", 15, "", "seed of the random samples", 0, 1e9, whole_number},
@@ -123,6 +124,16 @@ Quantity runaway(const Given<double>& rod) {
 }
 
 /// The horizon is a quarter turn at the book's speed. From w = sqrt(2K/m) = 4.47 on the mass runs away.
+Energy energy(const Parameters& p, std::span<const double> x) {
+  return energy_seen(p["m"] * half_square(x.subspan(3)),
+                     Rod<double>{asked(p)}.energy(std::array{x[0], x[1], x[2]}));
+}
+
+/// Off the rod.
+double off(const Parameters& p, std::span<const double> x, double t) {
+  return CartesianWithConstraints<double>{{asked(p)}}.off_constraint({x[0], x[1], x[2]}, t);
+}
+
 Scene scene() {
   return {
       .motion = slide,
@@ -146,6 +157,8 @@ Scene scene() {
                    {"Cartesian with constraints",
                     "turning_rod::CartesianWithConstraints<double>{{{m, c, K, w, s}}}"}}},
       .draw = turning_rod::draw<Parameters>,
+      .laws = {energy, off},
+      .faulted = {"listing as printed", "listing with the other rest length"},
   };
 }
 

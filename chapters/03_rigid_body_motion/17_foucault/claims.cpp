@@ -176,23 +176,28 @@ void geometry(Table& table, const Samples& samples) {
   const auto products = [](const auto& P, const auto& Q, const auto& R) {
     return values(dot(P, P), dot(Q, Q), dot(R, R), dot(P, Q), dot(P, R), dot(Q, R));
   };
-  table.formula("axes", 2189, "$P$, $Q$ and $R$ are coordinate axes", samples,
-                {.quantity = R"($P\cdot P$, $Q\cdot Q$, $R\cdot R$, $P\cdot Q$, $P\cdot R$, $Q\cdot R$)",
-                 .truth = {"those of orthonormal axes", [](const auto&) { return values(1, 1, 1, 0, 0, 0); }},
-                 .printed = {"$P$, $Q$ and $R$ as printed",
-                             [=](const auto& s) { return products(s.axes().P, s.axes().Q, s.axes().R); }},
-                 .near_misses = {{R"($Q$ with $-\sin\phi$)", [=](const auto& s) {
-                                    auto Q = s.axes().Q;
-                                    Q[2] = -Q[2];
-                                    return products(s.axes().P, Q, s.axes().R);
-                                  }}}});
+  table.formula(
+      "axes", 2189,
+      R"($P=(-\sin\theta,\cos\theta,0)$, $Q=(-\cos\theta\cos\phi,-\sin\theta\cos\phi,\sin\phi)$ and )"
+      R"($R=(\cos\theta\sin\phi,\sin\theta\sin\phi,\cos\phi)$ are orthonormal coordinate axes)",
+      samples,
+      {.quantity = R"($P\cdot P$, $Q\cdot Q$, $R\cdot R$, $P\cdot Q$, $P\cdot R$, $Q\cdot R$)",
+       .truth = {"those of orthonormal axes", [](const auto&) { return values(1, 1, 1, 0, 0, 0); }},
+       .printed = {"$P$, $Q$ and $R$ as printed",
+                   [=](const auto& s) { return products(s.axes().P, s.axes().Q, s.axes().R); }},
+       .near_misses = {{R"($Q$ with $-\sin\phi$)", [=](const auto& s) {
+                          auto Q = s.axes().Q;
+                          Q[2] = -Q[2];
+                          return products(s.axes().P, Q, s.axes().R);
+                        }}}});
   const auto velocity = [](double sign) {
     return [=](const auto& s) {
       return times(s.p.L, sum(times(s.v[0] * s.sin_phi(), s.axes().P), times(-sign * s.v[1], s.axes().Q)));
     };
   };
-  table.formula("velocity", 2197, "the velocity in the turning axes", samples,
-                {.truth = {R"($\frac{d}{dt}(LR)$ by dual numbers)",
+  table.formula("velocity", 2197, R"(The velocity is $v=L(\dot\theta\sin\phi\,P-\dot\phi\,Q)$)", samples,
+                {.quantity = "the velocity in the turning axes",
+                 .truth = {R"($\frac{d}{dt}(LR)$ by dual numbers)",
                            [](const auto& s) { return times(s.p.L, axis_velocity(s.q, s.v)); }},
                  .printed = {R"($L(\dot\theta\sin\phi\,P-\dot\phi\,Q)$)", velocity(1)},
                  .near_misses = {{R"($L(\dot\theta\sin\phi\,P+\dot\phi\,Q)$)", velocity(-1)}}});
@@ -201,13 +206,14 @@ void geometry(Table& table, const Samples& samples) {
       return s.mL2() / 2 * (s.v[0] * s.v[0] * pow(s.sin_phi(), power) + s.v[1] * s.v[1]);
     };
   };
-  table.formula("kinetic_energy", 2205, "the kinetic energy in the angles", samples,
-                {.truth = {R"($\frac m2|\frac{d}{dt}(LR)|^2$ by dual numbers)",
+  table.formula("kinetic_energy", 2205, R"($T=\frac{mL^2}2(\dot\theta^2\sin^2\phi+\dot\phi^2)$)", samples,
+                {.quantity = "the kinetic energy in the angles",
+                 .truth = {R"($\frac m2|\frac{d}{dt}(LR)|^2$ by dual numbers)",
                            [](const auto& s) { return s.kinetic()(s.q, s.v); }},
                  .printed = {R"($\frac{mL^2}2(\dot\theta^2\sin^2\phi+\dot\phi^2)$)", T(2)},
                  .near_misses = {{R"($\frac{mL^2}2(\dot\theta^2\sin\phi+\dot\phi^2)$)", T(1)}}});
   table.formula(
-      "dT_dtheta", 2215, R"(the kinetic energy $T$ does not depend on $\theta$)", samples,
+      "dT_dtheta", 2215, R"($\partial T/\partial\theta=0$)", samples,
       {.quantity = R"($\partial T/\partial\theta$)",
        .truth = {"zero", [](const auto&) { return values(0); }},
        .printed = {dual, [](const auto& s) { return df_dq(s.kinetic(), s.q, s.v)[0]; }},
@@ -222,9 +228,12 @@ void geometry(Table& table, const Samples& samples) {
   };
   table.formula(
       "derivatives", 2217,
-      R"($\partial T/\partial\phi$, $\partial T/\partial\dot\theta$ and $\partial T/\partial\dot\phi$)",
+      R"($\partial T/\partial\phi$, $\partial T/\partial\dot\theta$ and $\partial T/\partial\dot\phi$ )"
+      R"(are $mL^2\dot\theta^2\sin\phi\cos\phi$, $mL^2\dot\theta\sin^2\phi$, $mL^2\dot\phi$)",
       samples,
-      {.truth = {dual,
+      {.quantity =
+           R"($\partial T/\partial\phi$, $\partial T/\partial\dot\theta$ and $\partial T/\partial\dot\phi$)",
+       .truth = {dual,
                  [](const auto& s) {
                    const auto dv = df_dv(s.kinetic(), s.q, s.v);
                    return values(df_dq(s.kinetic(), s.q, s.v)[1], dv[0], dv[1]);
@@ -241,8 +250,12 @@ void geometry(Table& table, const Samples& samples) {
   };
   table.formula(
       "momentum_rates", 2223,
-      R"(the time derivatives of $\partial T/\partial\dot\theta$ and $\partial T/\partial\dot\phi$)", samples,
-      {.truth = {nested, [](const auto& s) { return rate_of_df_dv(s.kinetic(), s.q, s.v, s.a); }},
+      R"(The time derivatives of $\partial T/\partial\dot\theta$ and $\partial T/\partial\dot\phi$ are )"
+      R"($mL^2(\ddot\theta\sin^2\phi+2\dot\theta\dot\phi\sin\phi\cos\phi)$, $mL^2\ddot\phi$)",
+      samples,
+      {.quantity =
+           R"(the time derivatives of $\partial T/\partial\dot\theta$ and $\partial T/\partial\dot\phi$)",
+       .truth = {nested, [](const auto& s) { return rate_of_df_dv(s.kinetic(), s.q, s.v, s.a); }},
        .printed = {R"($mL^2(\ddot\theta\sin^2\phi+2\dot\theta\dot\phi\sin\phi\cos\phi)$, $mL^2\ddot\phi$)",
                    rates(2, 2)},
        .near_misses = {
@@ -257,8 +270,13 @@ void geometry(Table& table, const Samples& samples) {
     };
   };
   table.formula(
-      "left_sides", 2237, "the left sides of Lagrange's equations", samples,
-      {.truth = {nested, [](const auto& s) { return lagrange_left_side(s.kinetic(), s.q, s.v, s.a); }},
+      "left_sides", 2237,
+      R"(Lagrange's equations have the left sides )"
+      R"($mL^2(\ddot\theta\sin^2\phi+2\dot\theta\dot\phi\sin\phi\cos\phi)$, )"
+      R"($mL^2(\ddot\phi-\dot\theta^2\sin\phi\cos\phi)$)",
+      samples,
+      {.quantity = "the left sides of Lagrange's equations",
+       .truth = {nested, [](const auto& s) { return lagrange_left_side(s.kinetic(), s.q, s.v, s.a); }},
        .printed = {R"($mL^2(\ddot\theta\sin^2\phi+2\dot\theta\dot\phi\sin\phi\cos\phi)$, )"
                    R"($mL^2(\ddot\phi-\dot\theta^2\sin\phi\cos\phi)$)",
                    lagrange(1)},
@@ -270,8 +288,10 @@ void geometry(Table& table, const Samples& samples) {
     };
   };
   table.formula(
-      "dR", 2257, R"($\partial R/\partial\theta$ and $\partial R/\partial\phi$)", samples,
-      {.truth =
+      "dR", 2257, R"($\partial R/\partial\theta$ and $\partial R/\partial\phi$ are $\sin\phi\,P$ and $-Q$)",
+      samples,
+      {.quantity = R"($\partial R/\partial\theta$ and $\partial R/\partial\phi$)",
+       .truth =
            {dual,
             [=](const auto& s) {
               return six(axis_velocity(s.q, decltype(s.q){1, 0}), axis_velocity(s.q, decltype(s.q){0, 1}));
@@ -286,7 +306,8 @@ void forces(Table& table, const Samples& samples) {
   };
   table.formula(
       "force", 2241,
-      R"(to the forces, gravity and rod, the turning axes add $-2w\times\dot r$, to first order in $\omega$)",
+      R"(The turning axes add $-2w\times\dot r$ to the acceleration by gravity and rod, to first order )"
+      R"(in $\omega$ (our condition))",
       samples,
       {.quantity = "what the turning axes add to the acceleration",
        .truth = {R"($\ddot r$ less the acceleration in axes that do not turn, its part linear in $\omega$)",
@@ -307,7 +328,7 @@ void forces(Table& table, const Samples& samples) {
     };
   };
   table.formula(
-      "second_derivative", 2243, "the force on the mass is $m\\,D^2r/Dt$", samples,
+      "second_derivative", 2243, R"(The force on the mass is $m\,D^2r/Dt$)", samples,
       {.quantity = "the acceleration",
        .truth = {R"($\ddot r$ in the turning axes)", [](const auto& s) { return s.free_a; }},
        .printed = {"$D^2r/Dt$, by differences with $Dt=1/2$", second_difference(1)},
@@ -325,7 +346,7 @@ void forces(Table& table, const Samples& samples) {
     };
   };
   table.formula(
-      "earth_rotation", 2419, R"(the Earth turns with $w=\omega[(\cos\lambda)-(\sin\lambda)k]$)", samples,
+      "earth_rotation", 2419, R"(The Earth turns with $w=\omega[(\cos\lambda)-(\sin\lambda)k]$)", samples,
       {.quantity = R"($2w\times\dot r$)",
        .truth = {R"(the acceleration in axes that do not turn, its part linear in $\omega$)",
                  [](const auto& s) { return s.coriolis_acceleration(1); }},
@@ -346,8 +367,9 @@ void forces(Table& table, const Samples& samples) {
   const auto force_theta = [](double sign) {
     return [=](const auto& s) { return sign * s.mL2() * s.sin_phi() * 2 * s.p.omega * s.v[1] * s.b(); };
   };
-  table.formula("force_theta", 2257, R"(the generalized force on $\theta$)", samples,
-                {.truth = {by_lagrange, [](const auto& s) { return s.generalized_force()[0]; }},
+  table.formula("force_theta", 2257, R"($F_\theta=(mL\sin\phi)\,2L\omega\dot\phi\,b$)" + b, samples,
+                {.quantity = R"(the generalized force on $\theta$)",
+                 .truth = {by_lagrange, [](const auto& s) { return s.generalized_force()[0]; }},
                  .printed = {R"($(mL\sin\phi)\,2L\omega\dot\phi\,b$)" + b, force_theta(1)},
                  .near_misses = {{R"($-(mL\sin\phi)\,2L\omega\dot\phi\,b$)", force_theta(-1)}}});
   const auto force_phi = [](double sign, double weight) {
@@ -355,8 +377,9 @@ void forces(Table& table, const Samples& samples) {
       return -s.m * s.p.L * s.sin_phi() * (2 * s.p.L * s.p.omega * s.v[0] * sign * s.b() + weight * s.p.g);
     };
   };
-  table.formula("force_phi", 2273, R"(the generalized force on $\phi$)", samples,
-                {.truth = {by_lagrange, [](const auto& s) { return s.generalized_force()[1]; }},
+  table.formula("force_phi", 2273, R"($F_\phi=-mL(2L\omega\dot\theta\sin\phi\,b+g\sin\phi)$)" + b, samples,
+                {.quantity = R"(the generalized force on $\phi$)",
+                 .truth = {by_lagrange, [](const auto& s) { return s.generalized_force()[1]; }},
                  .printed = {R"($-mL(2L\omega\dot\theta\sin\phi\,b+g\sin\phi)$)" + b, force_phi(1, 1)},
                  .near_misses = {{R"($-mL(-2L\omega\dot\theta\sin\phi\,b+g\sin\phi)$)", force_phi(-1, 1)},
                                  {R"($-mL(2L\omega\dot\theta\sin\phi\,b-g\sin\phi)$)", force_phi(1, -1)}}});
@@ -395,26 +418,30 @@ void cancellation(Claims& claims, double seed) {
     };
     return {text, {in_all<Passing>("the equation before and after the cancellation", passing, holds)}};
   };
+  const std::string left = R"($\ddot\theta\sin\phi+2\dot\theta\dot\phi\cos\phi=2\omega\dot\phi\,b)";
   claims.add(
       "cancelled_sine", 2277, R"($mL^2\sin\phi$ can be canceled from the first equation)",
-      {.printed = cancelled(R"(at any $\phi$)", true, 1),
-       .corrected = cancelled(R"(where $\sin\phi$ is not zero)", false, 1),
-       .near_misses = {cancelled(R"($mL^2\sin^2\phi$ from the first term, where $\sin\phi$ is not zero)",
-                                 false, 0)},
+      {.printed = cancelled(left + R"($ at any $\phi$)", true, 1),
+       .corrected = cancelled(left + R"($ where $\sin\phi\ne0$)", false, 1),
+       .in_view = cancelled("away from the lowest point", false, 1),
+       .near_misses = {cancelled(
+           R"($\ddot\theta+2\dot\theta\dot\phi\cos\phi=2\omega\dot\phi\,b$ where $\sin\phi\ne0$)", false, 0)},
        .why =
-           R"(At the lowest point $\sin\phi=0$: the equation before says $0=0$ there, and the one that is left )"
-           R"(asks for $\dot\theta=\omega\sin\lambda$, and has no $\ddot\theta$. A program that solves it for )"
-           R"($\ddot\theta$ divides by zero in a pendulum that hangs at rest or swings through the middle, and )"
-           R"(needs very short steps in one that passes close by. In Cartesian coordinates the point is like )"
-           R"(any other.)",
+           R"(At the lowest point $\sin\phi=0$. The equation before says $0=0$ there; the one that is left )"
+           R"(asks for $\dot\theta=\omega\sin\lambda$ wherever $\dot\phi$ is not zero, and has no )"
+           R"($\ddot\theta$. A program that solves it for $\ddot\theta$ divides by zero where the pendulum )"
+           R"(hangs at rest or swings through the middle. In Cartesian coordinates the point is like any )"
+           R"(other.)",
        .kind = Fault::left_out,
        .root = "division at the lowest point"});
 }
 
 void equations(Table& table, const Samples& samples) {
   const std::string b = R"(, $b=-\cos\lambda\sin\theta\sin\phi+\sin\lambda\cos\phi$)";
-  table.formula("equation_theta", 2279, "the first equation of motion, left side less right side", samples,
-                {.truth = {R"(Lagrange's equation for $\theta$, linear in $\omega$, by $mL^2\sin\phi$)",
+  table.formula("equation_theta", 2279,
+                R"($\ddot\theta\sin\phi+2\dot\theta\dot\phi\cos\phi=2\omega\dot\phi\,b$)" + b, samples,
+                {.quantity = "the first equation of motion, left side less right side",
+                 .truth = {R"(Lagrange's equation for $\theta$, linear in $\omega$, by $mL^2\sin\phi$)",
                            [](const auto& s) { return s.to_first_order()[0] / (s.mL2() * s.sin_phi()); }},
                  .printed = {R"($\ddot\theta\sin\phi+2\dot\theta\dot\phi\cos\phi-2\omega\dot\phi\,b$)" + b,
                              [](const auto& s) { return first_equation(s); }},
@@ -426,7 +453,7 @@ void equations(Table& table, const Samples& samples) {
       {.quantity = "the second equation of motion, left side less right side",
        .truth = {R"(Lagrange's equation for $\phi$, linear in $\omega$, by $mL^2$)",
                  [](const auto& s) { return s.to_first_order()[1] / s.mL2(); }},
-       .printed = {R"($gL\sin\phi$, a product)",
+       .printed = {R"($\ddot\phi-\dot\theta^2\sin\phi\cos\phi+2\omega\dot\theta\sin\phi\,b+gL\sin\phi$)",
                    [](const auto& s) { return second_equation(s, s.p.g * s.p.L); }},
        .meant = {R"($\ddot\phi-\dot\theta^2\sin\phi\cos\phi+2\omega\dot\theta\sin\phi\,b+(g/L)\sin\phi$)",
                  [](const auto& s) { return second_equation(s, s.p.g / s.p.L); }},
@@ -444,7 +471,7 @@ void equations(Table& table, const Samples& samples) {
     };
   };
   table.formula(
-      "newton", 2283, "the two equations are those of Newton's law along $P$ and $Q$", samples,
+      "newton", 2283, "The two equations are those of Newton's law along $P$ and $Q$", samples,
       {.quantity = "both equations, left side less right side",
        .truth = {"in the angles, with $g/L$",
                  [](const auto& s) { return values(first_equation(s), second_equation(s, s.p.g / s.p.L)); }},
@@ -623,6 +650,8 @@ using Cones = std::vector<ConeSample>;
 auto by_mass(double a, double b, double by) {
   return [=](const auto& s) { return s.mass() * (a * s.h() * s.h() + b * s.r() * s.r()) / by; };
 }
+/// How many times as fast as the true cone the published one swings, of r = h.
+double too_fast() { return sqrt((0.8 + 0.2) / printed_length<double>()); }
 auto of_height(double factor) {
   return [=](const auto& s) { return factor * s.h(); };
 }
@@ -630,8 +659,9 @@ auto of_height(double factor) {
 void center_of_mass(ConeTable& table, const Cones& cones) {
   const std::string root = "a center of mass that halves the volume";
   const auto of_volume = [](double factor) { return [=](const auto& s) { return s.mass() * factor; }; };
-  table.formula("cone_mass", 2299, "the cone's volume", cones,
-                {.truth = {"quadrature", [](const auto& s) { return s.volume_above(0.0); }},
+  table.formula("cone_mass", 2299, R"(The cone's mass, its density being 1, is $m=\pi r^2h/3$)", cones,
+                {.quantity = "the cone's volume",
+                 .truth = {"quadrature", [](const auto& s) { return s.volume_above(0.0); }},
                  .printed = {R"($\pi r^2h/3$)", of_volume(1)},
                  .near_misses = {{R"($\pi r^2h/2$)", of_volume(1.5)}}});
   const auto moment_of = [](const auto& f) {
@@ -639,8 +669,9 @@ void center_of_mass(ConeTable& table, const Cones& cones) {
       return values(s.integral([](const auto& x, const auto&, const auto&) { return x; }), s.integral(f));
     };
   };
-  table.formula("center_on_axis", 2305, "the center of mass is on the axis", cones,
-                {.truth = {"zero", [](const auto&) { return values(0, 0); }},
+  table.formula("center_on_axis", 2305, R"(The center of mass is on the axis: $\bar x=\bar y=0$)", cones,
+                {.quantity = "the center of mass is on the axis",
+                 .truth = {"zero", [](const auto&) { return values(0, 0); }},
                  .printed = {"the moments of $x$ and $y$ by quadrature",
                              moment_of([](const auto&, const auto& y, const auto&) { return y; })},
                  .near_misses = {{"the moments of $x$ and $z$ by quadrature",
@@ -650,44 +681,53 @@ void center_of_mass(ConeTable& table, const Cones& cones) {
       return pi_of<T>() * s.r() * s.r() * pow(1 - s.height / s.h(), power) * (s.h() - s.height) / 3;
     };
   };
-  table.formula("upper_part", 2305, "the volume of the part above a plane $z$", cones,
-                {.truth = {"quadrature", [](const auto& s) { return s.volume_above(s.height); }},
+  table.formula("upper_part", 2305, R"(Above a plane $z$ lies the volume $\pi r^2(1-z/h)^2(h-z)/3$)", cones,
+                {.quantity = "the volume of the part above a plane $z$",
+                 .truth = {"quadrature", [](const auto& s) { return s.volume_above(s.height); }},
                  .printed = {R"($\pi r^2(1-z/h)^2(h-z)/3$)", cut(2)},
                  .near_misses = {{R"($\pi r^2(1-z/h)(h-z)/3$)", cut(1)}}});
   table.formula(
-      "center_halves", 2305, "half the volume lies above the center of mass", cones,
+      "center_halves", 2305,
+      R"(Half the volume lies above the center of mass: )"
+      R"($\pi r^2(1-\bar z/h)^2(h-\bar z)/3=\frac12\,\pi r^2h/3$)",
+      cones,
       {.quantity = "the volume above the center of mass",
        .truth = {"volume and center of mass by quadrature",
                  [](const auto& s) { return s.volume_above(s.center()); }},
-       .printed = {"$1/2$ of the whole", of_volume(1.0 / 2)},
-       .corrected = {"$27/64$ of the whole", of_volume(above_center<double>())},
-       .near_misses = {{"$9/16$ of the whole", of_volume(9.0 / 16)}},
+       .printed = {R"($\frac12\,\pi r^2h/3$)", of_volume(1.0 / 2)},
+       .corrected = {R"($\frac{27}{64}\,\pi r^2h/3$)", of_volume(above_center<double>())},
+       .near_misses = {{R"($\frac9{16}\,\pi r^2h/3$)", of_volume(9.0 / 16)}},
        .kind = Fault::counterexample,
        .root = root,
-       .why =
+       .why = filled(
            R"(The center of mass balances moments, not volumes: the parts above and below have equal moments )"
-           R"($\int(z-\bar z)\,dV$. Above it lies $(3/4)^3=27/64=0.42$ of the cone.)"});
+           R"($\int(z-\bar z)\,dV$. Above it lies $(3/4)^3=27/64=@2$ of the cone.)",
+           {above_center<double>()})});
   const auto halving = []<class T>(const ConeSampleOf<T>& s) { return halving_height<T>() * s.h(); };
-  table.formula("halving_height", 2315, "the plane $z=h(1-2^{-1/3})$ halves the volume", cones,
+  table.formula("halving_height", 2315, "The plane that halves the volume is $z=h(1-2^{-1/3})$", cones,
                 {.quantity = "the volume above the plane",
                  .truth = {"half the cone's", of_volume(0.5)},
                  .printed = {"quadrature from $z=h(1-2^{-1/3})$ on",
                              [=](const auto& s) { return s.volume_above(halving(s)); }},
                  .near_misses = {{"quadrature from $z=h(1-2^{-1/2})$ on",
                                   [](C s) { return s.volume_above((1 - sqrt(0.5)) * s.h()); }}}});
-  table.formula("center_height", 2315, "the center of mass is at the height $h(1-2^{-1/3})=0.2063\\,h$",
+  table.formula(
+      "center_height", 2315, R"(The center of mass is at the height $\bar z=h(1-2^{-1/3})$)", cones,
+      {.quantity = "the height of the center of mass",
+       .truth = {"the moment of $z$ by the volume, both by quadrature",
+                 [](const auto& s) { return s.center(); }},
+       .printed = {"$h(1-2^{-1/3})$", halving},
+       .corrected = {"$h/4$", of_height(0.25)},
+       .near_misses = {{"$h/3$", of_height(1.0 / 3)}},
+       .kind = Fault::formula,
+       .root = root,
+       .why =
+           filled(R"($h(1-2^{-1/3})=@4\,h$ is where the volume is halved; the center of mass is at $h/4$.)",
+                  {halving_height<double>()})});
+  table.formula("L", 2319, "From the vertex, which is the joint, to the center of mass it is $L=h/2^{1/3}$",
                 cones,
-                {.quantity = "the height of the center of mass",
-                 .truth = {"the moment of $z$ by the volume, both by quadrature",
-                           [](const auto& s) { return s.center(); }},
-                 .printed = {"$h(1-2^{-1/3})$", halving},
-                 .corrected = {"$h/4$", of_height(0.25)},
-                 .near_misses = {{"$h/3$", of_height(1.0 / 3)}},
-                 .kind = Fault::formula,
-                 .root = root,
-                 .why = R"($0.2063\,h$ is where the volume is halved; the center of mass is at $h/4$.)"});
-  table.formula("L", 2319, "$L$, from the joint, which is the vertex, to the center of mass", cones,
-                {.truth = {"$h$ less the height of the center of mass by quadrature",
+                {.quantity = "$L$, from the joint, which is the vertex, to the center of mass",
+                 .truth = {"$h$ less the height of the center of mass by quadrature",
                            [](const auto& s) { return s.h() - s.center(); }},
                  .printed = {"$h/2^{1/3}$",
                              []<class T>(const ConeSampleOf<T>& s) { return printed_length<T>() * s.h(); }},
@@ -695,11 +735,12 @@ void center_of_mass(ConeTable& table, const Cones& cones) {
                  .near_misses = {{"$2h/3$", of_height(2.0 / 3)}},
                  .kind = Fault::formula,
                  .root = root,
-                 .why = R"($L=3h/4=0.75\,h$, not $0.7937\,h$: the volume was halved, not its moment.)"});
+                 .why = filled(R"($L=3h/4=0.75\,h$, not $@4\,h$: the volume was halved, not its moment.)",
+                               {printed_length<double>()})});
 }
 
 void decimals(Claims& claims) {
-  claims.number("L_decimals", 2321, "$2^{-1/3}$ is 0.7937",
+  claims.number("L_decimals", 2321, "$2^{-1/3}=0.7937$ to four decimals",
                 {.quantity = "$2^{-1/3}$",
                  .truth = {"the inverse of 2's cube root", 1 / std::cbrt(2.0)},
                  .printed = "0.7937",
@@ -710,14 +751,16 @@ void decimals(Claims& claims) {
 void moments(ConeTable& table, const Cones& cones, const Cones& by_qags) {
   const OfCone Ixx{"quadrature in cylindrical coordinates", [](const auto& s) { return s.Ixx(); }};
   const auto across = [](const auto&, const auto& y, const auto& z) { return y * y + z * z; };
-  table.formula("Ixx_limits", 2329, "$I_{xx}$ as a triple integral, and its limits", by_qags,
-                {.truth = Ixx,
-                 .printed = {R"(of $y^2+z^2$ over $|x|<\sqrt{\rho^2-y^2}$, $|y|<\rho$, $0<z<h$)",
-                             [=](const auto& s) { return s.cartesian_integral(across); }},
-                 .near_misses = {{R"(of $y^2+z^2$ over $|x|<\rho$, $|y|<\rho$, $0<z<h$)", [=](C s) {
-                                    return s.cartesian_integral(across,
-                                                                [&](double z, double) { return s.rho(z); });
-                                  }}}});
+  table.formula(
+      "Ixx_limits", 2329,
+      R"($I_{xx}$ is the integral of $y^2+z^2$ over $|x|<\sqrt{\rho^2-y^2}$, $|y|<\rho$, $0<z<h$)", by_qags,
+      {.quantity = "$I_{xx}$ as a triple integral, and its limits",
+       .truth = Ixx,
+       .printed = {R"(of $y^2+z^2$ over $|x|<\sqrt{\rho^2-y^2}$, $|y|<\rho$, $0<z<h$)",
+                   [=](const auto& s) { return s.cartesian_integral(across); }},
+       .near_misses = {{R"(of $y^2+z^2$ over $|x|<\rho$, $|y|<\rho$, $0<z<h$)", [=](C s) {
+                          return s.cartesian_integral(across, [&](double z, double) { return s.rho(z); });
+                        }}}});
   // factors of y^2 and of z^2
   const auto over_y = [](double y2, double z2) {
     return [=](const auto& s) {
@@ -726,20 +769,29 @@ void moments(ConeTable& table, const Cones& cones, const Cones& by_qags) {
       });
     };
   };
-  table.formula("Ixx_after_x", 2335, "$I_{xx}$ after integrating over $x$", by_qags,
-                {.truth = Ixx,
-                 .printed = {R"(of $2(y^2+z^2)\sqrt{\rho^2-y^2}$)", over_y(2, 2)},
-                 .near_misses = {{R"(of $(y^2+z^2)\sqrt{\rho^2-y^2}$)", over_y(1, 1)}}});
+  table.formula(
+      "Ixx_after_x", 2335,
+      R"(Integrated over $x$, $I_{xx}$ is the integral of $2(y^2+z^2)\sqrt{\rho^2-y^2}$ over $y$ and $z$)",
+      by_qags,
+      {.quantity = "$I_{xx}$ after integrating over $x$",
+       .truth = Ixx,
+       .printed = {R"(of $2(y^2+z^2)\sqrt{\rho^2-y^2}$)", over_y(2, 2)},
+       .near_misses = {{R"(of $(y^2+z^2)\sqrt{\rho^2-y^2}$)", over_y(1, 1)}}});
+  const auto of_two_integrals = [](const std::string& first, const std::string& second) {
+    const std::string integral = R"(\int_{-\rho}^\rho )", root = R"(\sqrt{\rho^2-y^2}\,dy)";
+    return R"(the integral $\int_0^h()" + integral + first + root + "+" + integral + second + root +
+           R"()\,dz$)";
+  };
   table.formula(
       "Ixx_split", 2341,
-      R"(of the two integrals over $y$ that make $I_{xx}$ the first has $2y^2\sqrt{\rho^2-y^2}$, the second )"
-      R"($\sqrt{\rho^2-y^2}$ times $z^2$)",
+      R"(The first integral over $y$ in $I_{xx}$ has $2y^2\sqrt{\rho^2-y^2}$, the second )"
+      R"($z^2\sqrt{\rho^2-y^2}$)",
       by_qags,
       {.quantity = "$I_{xx}$",
        .truth = Ixx,
-       .printed = {"2 in the first alone", over_y(2, 1)},
-       .meant = {R"($2\sqrt{\rho^2-y^2}$ in the second, too)", over_y(2, 2)},
-       .near_misses = {{"2 in neither", over_y(1, 1)}},
+       .printed = {of_two_integrals("2y^2", "z^2"), over_y(2, 1)},
+       .meant = {of_two_integrals("2y^2", "2z^2"), over_y(2, 2)},
+       .near_misses = {{of_two_integrals("y^2", "z^2"), over_y(1, 1)}},
        .kind = Fault::formula,
        .why =
            R"(The factor 2 of the line before is lost in the second integral; )"
@@ -751,8 +803,10 @@ void moments(ConeTable& table, const Cones& cones, const Cones& by_qags) {
       });
     };
   };
-  table.formula("Ixx_over_z", 2355, "$I_{xx}$ as an integral over $z$", cones,
-                {.truth = Ixx,
+  table.formula("Ixx_over_z", 2355, R"($I_{xx}$ is the integral of $\pi\rho^4/4+\pi\rho^2z^2$ over $z$)",
+                cones,
+                {.quantity = "$I_{xx}$ as an integral over $z$",
+                 .truth = Ixx,
                  .printed = {R"(of $\pi\rho^4/4+\pi\rho^2z^2$)", over_z(0.25)},
                  .near_misses = {{R"(of $\pi\rho^4/2+\pi\rho^2z^2$)", over_z(0.5)}}});
   const auto factored = [](int power) {
@@ -763,14 +817,17 @@ void moments(ConeTable& table, const Cones& cones, const Cones& by_qags) {
       });
     };
   };
+  const auto over_height = [](const std::string& factor) {
+    return R"($\pi\int_0^h(\frac14r^4(1-z/h)^4+)" + factor + R"((1-z/h)^2)\,dz$)";
+  };
   table.formula(
-      "Ixx_factored", 2357, R"($I_{xx}$ is $\pi$ times the integral of $\frac14r^4(1-z/h)^4+z^2(1-z/h)^2$)",
-      cones,
+      "Ixx_factored", 2357,
+      R"($I_{xx}$ is $\pi$ times the integral of $\frac14r^4(1-z/h)^4+z^2(1-z/h)^2$ over $z$)", cones,
       {.quantity = "$I_{xx}$",
        .truth = Ixx,
-       .printed = {"with $z^2(1-z/h)^2$", factored(0)},
-       .meant = {"with $r^2z^2(1-z/h)^2$", factored(2)},
-       .near_misses = {{"with $rz^2(1-z/h)^2$", factored(1)}},
+       .printed = {over_height("z^2"), factored(0)},
+       .meant = {over_height("r^2z^2"), factored(2)},
+       .near_misses = {{over_height("rz^2"), factored(1)}},
        .kind = Fault::formula,
        .why =
            R"(The second term is $\rho^2z^2=r^2z^2(1-z/h)^2$; its $r^2$ is missing here and is back in the next line.)"});
@@ -782,17 +839,18 @@ void moments(ConeTable& table, const Cones& cones, const Cones& by_qags) {
   table.formula("Ixx_closed", 2363, R"($I_{xx}=\pi r^2h(2h^2+3r^2)\,60$)", cones,
                 {.quantity = "$I_{xx}$",
                  .truth = Ixx,
-                 .printed = {"times 60", closed(1, 60)},
+                 .printed = {R"($\pi r^2h(2h^2+3r^2)\,60$)", closed(1, 60)},
                  .meant = {R"($\pi r^2h(2h^2+3r^2)/60$)", closed(60, 1)},
                  .near_misses = {{R"($\pi r^2h(2h^2+3r^2)/30$)", closed(30, 1)}},
                  .kind = Fault::lost_typography,
                  .why = "The bar over 60 is lost."});
-  table.formula("Ixx", 2365, "$I_{xx}$ by the mass, about the base's center", cones,
-                {.truth = Ixx,
+  table.formula("Ixx", 2365, "About the base's center $I_{xx}=m(2h^2+3r^2)/20$", cones,
+                {.quantity = "$I_{xx}$ by the mass, about the base's center",
+                 .truth = Ixx,
                  .printed = {"$m(2h^2+3r^2)/20$", by_mass(2, 3, 20)},
                  .near_misses = {{"$m(3h^2+2r^2)/20$", by_mass(3, 2, 20)}}});
   table.formula(
-      "Iyy", 2371, "$I_{yy}$ is $I_{xx}$", cones,
+      "Iyy", 2371, "$I_{yy}=I_{xx}=m(2h^2+3r^2)/20$", cones,
       {.quantity = "$I_{yy}$",
        .truth = {"quadrature",
                  [](const auto& s) {
@@ -807,8 +865,9 @@ void moments(ConeTable& table, const Cones& cones, const Cones& by_qags) {
                     s.integral([](const auto&, const auto& y, const auto& z) { return y * z; }));
     };
   };
-  table.formula("products", 2375, "the products of inertia are zero", cones,
-                {.truth = {"zero", [](const auto&) { return values(0, 0, 0); }},
+  table.formula("products", 2375, "The products of inertia are zero: $I_{xy}=I_{xz}=I_{yz}=0$", cones,
+                {.quantity = "the products of inertia are zero",
+                 .truth = {"zero", [](const auto&) { return values(0, 0, 0); }},
                  .printed = {"those of $xy$, $xz$, $yz$ by quadrature",
                              products([](const auto& x, const auto& y, const auto&) { return x * y; })},
                  .near_misses = {{"those of $xx$, $xz$, $yz$ by quadrature",
@@ -820,8 +879,10 @@ void moments(ConeTable& table, const Cones& cones, const Cones& by_qags) {
       });
     };
   };
-  table.formula("Izz_cylindrical", 2389, "$I_{zz}$ in cylindrical coordinates", by_qags,
-                {.truth = {"of $x^2+y^2$ in Cartesian coordinates by QAGS",
+  table.formula("Izz_cylindrical", 2389,
+                R"(In cylindrical coordinates $I_{zz}$ is the integral of $s^3\,ds\,d\theta\,dz$)", by_qags,
+                {.quantity = "$I_{zz}$ in cylindrical coordinates",
+                 .truth = {"of $x^2+y^2$ in Cartesian coordinates by QAGS",
                            [](const auto& s) {
                              return s.cartesian_integral(
                                  [](const auto& x, const auto& y, const auto&) { return x * x + y * y; });
@@ -836,13 +897,14 @@ void moments(ConeTable& table, const Cones& cones, const Cones& by_qags) {
   table.formula("Izz_closed", 2393, R"($I_{zz}=\pi r^4h\,10$)", cones,
                 {.quantity = "$I_{zz}$",
                  .truth = Izz,
-                 .printed = {"times 10", turning(1, 10)},
+                 .printed = {R"($\pi r^4h\,10$)", turning(1, 10)},
                  .meant = {R"($\pi r^4h/10$)", turning(10, 1)},
                  .near_misses = {{R"($\pi r^4h/5$)", turning(5, 1)}},
                  .kind = Fault::lost_typography,
                  .why = "The bar over 10 is lost."});
-  table.formula("Izz", 2395, "$I_{zz}$ by the mass", cones,
-                {.truth = Izz,
+  table.formula("Izz", 2395, "$I_{zz}=3mr^2/10$", cones,
+                {.quantity = "$I_{zz}$ by the mass",
+                 .truth = Izz,
                  .printed = {"$3mr^2/10$", by_mass(0, 3, 10)},
                  .near_misses = {{"$3mr^2/5$", by_mass(0, 3, 5)}}});
 }
@@ -862,24 +924,41 @@ void tensor(ConeTable& table, const Cones& cones) {
       });
     };
   };
-  table.formula("J_world", 2417, "$J$ in world coordinates, about the base's center", cones,
-                {.truth = {"quadrature over the turned cone",
+  table.formula("J_world", 2417,
+                "In world coordinates $J=I_{xx}(PP^T+QQ^T)+I_{zz}RR^T$ (about the base's center)", cones,
+                {.quantity = "$J$ in world coordinates, about the base's center",
+                 .truth = {"quadrature over the turned cone",
                            [=](const auto& s) {
                              return six(s, [&](const auto& u, const auto& v) { return s.inertia(u, v); });
                            }},
                  .printed = {"the entries of $I_{xx}(PP^T+QQ^T)+I_{zz}RR^T$", by_axes(false)},
                  .near_misses = {{"those of $I_{zz}(PP^T+QQ^T)+I_{xx}RR^T$", by_axes(true)}}});
+  const std::string turned = R"(the same for $(P+R)/\sqrt2$ and $(P-R)/\sqrt2$ in place of $P$ and $R$)";
+  table.formula("principal", 2297, "The cone's axis is along $R$, and is a principal direction", cones,
+                {.quantity = R"($P\cdot JR$ and $Q\cdot JR$, zero for a principal direction $R$)",
+                 .truth = {"zero", [](const auto&) { return values(0, 0); }},
+                 .printed = {"by quadrature",
+                             [](const auto& s) {
+                               const auto A = s.motion.axes();
+                               return values(s.inertia(A.P, A.R), s.inertia(A.Q, A.R));
+                             }},
+                 .near_misses = {{turned, [](C s) {
+                                    const auto A = s.motion.axes();
+                                    return values((s.inertia(A.P, A.P) - s.inertia(A.R, A.R)) / 2,
+                                                  s.inertia(A.Q, A.P) / sqrt(2));
+                                  }}}});
   table.formula(
-      "principal", 2297, "$P$, $Q$ and $R$ are principal directions", cones,
-      {.truth = {"zero", [](const auto&) { return values(0, 0, 0); }},
-       .printed = {R"($P\cdot JR$, $Q\cdot JR$ and $P\cdot JQ$ by quadrature)",
+      "other_principal", 2297, "$P$ and $Q$ are two other principal directions", cones,
+      {.quantity = R"($P\cdot JQ$, $P\cdot JR$ and $Q\cdot JR$, zero for principal directions $P$ and $Q$)",
+       .truth = {"zero", [](const auto&) { return values(0, 0, 0); }},
+       .printed = {"by quadrature",
                    [](const auto& s) {
                      const auto A = s.motion.axes();
-                     return values(s.inertia(A.P, A.R), s.inertia(A.Q, A.R), s.inertia(A.P, A.Q));
+                     return values(s.inertia(A.P, A.Q), s.inertia(A.P, A.R), s.inertia(A.Q, A.R));
                    }},
-       .near_misses = {{R"(the same for $(P+R)/\sqrt2$ and $(P-R)/\sqrt2$ in place of $P$ and $R$)", [](C s) {
+       .near_misses = {{turned, [](C s) {
                           const auto A = s.motion.axes();
-                          return values((s.inertia(A.P, A.P) - s.inertia(A.R, A.R)) / 2, s.inertia(A.P, A.Q),
+                          return values(s.inertia(A.P, A.Q), (s.inertia(A.P, A.P) - s.inertia(A.R, A.R)) / 2,
                                         0);
                         }}}});
   const OfCone wJw{R"($w\cdot Jw$ by quadrature)",
@@ -891,8 +970,9 @@ void tensor(ConeTable& table, const Cones& cones) {
       return s.Ixx() * (first * square(dot(A.P, w)) + square(dot(A.Q, w))) + s.Izz() * square(dot(A.R, w));
     };
   };
-  table.formula("wJw", 2421, R"($w\cdot Jw$ by the components along $P$, $Q$, $R$)", cones,
-                {.truth = wJw,
+  table.formula("wJw", 2421, R"($w\cdot Jw=I_{xx}((P\cdot w)^2+(Q\cdot w)^2)+I_{zz}(R\cdot w)^2$)", cones,
+                {.quantity = R"($w\cdot Jw$ by the components along $P$, $Q$, $R$)",
+                 .truth = wJw,
                  .printed = {R"($I_{xx}((P\cdot w)^2+(Q\cdot w)^2)+I_{zz}(R\cdot w)^2$)", by_parts(1)},
                  .near_misses = {{R"(the same without $(P\cdot w)^2$)", by_parts(0)}}});
   const auto expanded = [](double up, bool west) {
@@ -906,9 +986,12 @@ void tensor(ConeTable& table, const Cones& cones) {
     };
   };
   table.formula(
-      "wJw_angles", 2425, R"($w\cdot Jw$ in the angles, $w=\omega(\cos\lambda\,\jmath-\sin\lambda\,k)$)",
+      "wJw_angles", 2425,
+      R"($w\cdot )"
+      R"(Jw=\omega^2I_{xx}(\cos^2\lambda\cos^2\theta+(\cos\lambda\sin\theta\cos\phi+\sin\lambda\sin\phi)^2)+\omega^2I_{zz}(\cos\lambda\sin\theta\sin\phi-\sin\lambda\cos\phi)^2$)",
       cones,
-      {.truth = wJw,
+      {.quantity = R"($w\cdot Jw$ in the angles, $w=\omega(\cos\lambda\,\jmath-\sin\lambda\,k)$)",
+       .truth = wJw,
        .printed =
            {R"($\omega^2I_{xx}(\cos^2\lambda\cos^2\theta+(\cos\lambda\sin\theta\cos\phi+\sin\lambda\sin\phi)^2))"
             R"(+\omega^2I_{zz}(\cos\lambda\sin\theta\sin\phi-\sin\lambda\cos\phi)^2$)",
@@ -916,8 +999,9 @@ void tensor(ConeTable& table, const Cones& cones) {
        .near_misses = {{R"(the same with $-\sin\lambda$ for $\sin\lambda$)", expanded(-1, false)},
                        {R"(the same with $\cos\lambda$ to the west)", expanded(1, true)}}});
   table.formula(
-      "J_in_T", 2401, "$I_{xx}$ of the tensor $J$ that is added to the energy of the center of mass", cones,
-      {.truth = {"quadrature about the center of mass",
+      "J_in_T", 2401, "The tensor $J$ in the kinetic energy has $I_{xx}=m(2h^2+3r^2)/20$", cones,
+      {.quantity = "$I_{xx}$ of the tensor $J$ that is added to the energy of the center of mass",
+       .truth = {"quadrature about the center of mass",
                  []<class T>(const ConeSampleOf<T>& s) {
                    const T z0 = s.center();
                    return s.integral(
@@ -939,7 +1023,7 @@ void tensor(ConeTable& table, const Cones& cones) {
     };
   };
   table.formula(
-      "cone_energy", 2287, R"(the cone has the kinetic energy $\frac m2|v|^2+\frac12w\cdot Jw$)", cones,
+      "cone_energy", 2287, R"(The cone has the kinetic energy $\frac m2|v|^2+\frac12w\cdot Jw$)", cones,
       {.quantity = "the cone's kinetic energy",
        .truth = {"half the speed's square over a cone that hangs by its vertex and swings, by quadrature",
                  [](const auto& s) { return s.kinetic_energy(); }},
@@ -988,8 +1072,16 @@ void cone_equations(SwingTable& table, const std::vector<Swinging>& samples) {
       return less(lagrange_left_side(energy, m.q, m.v, m.a), force);
     };
   };
+  // with the factor of the Coriolis terms
+  const auto cone = [](const std::string& lever) {
+    return R"($K(\ddot\theta\sin^2\phi+2\dot\theta\dot\phi\sin\phi\cos\phi)=2)" + lever +
+           R"(\omega\dot\phi\sin\phi\,b$ and $K(\ddot\phi-\dot\theta^2\sin\phi\cos\phi)=-2)" + lever +
+           R"(\omega\dot\theta\sin\phi\,b-gL\sin\phi$, $K=L^2+I_{xx}/m$ with $I_{xx}$ about the center of mass, )"
+           R"($b=-\cos\lambda\sin\theta\sin\phi+\sin\lambda\cos\phi$)";
+  };
   table.formula(
-      "cone_equations", 2429, R"(the cone's equations are those of the point with $\frac12w\cdot Jw$ in $T$)",
+      "cone_equations", 2429,
+      R"(The cone's equations are those of the point with the derivatives of $\frac12w\cdot Jw$ appended)",
       samples,
       {.quantity = "Lagrange's equations, left sides less right sides, for $\\theta$ and $\\phi$",
        .truth = {R"(those of a point mass at $(L^2+I_{xx}/m)/L$ on the turning Earth, linear in $\omega$)",
@@ -1001,18 +1093,20 @@ void cone_equations(SwingTable& table, const std::vector<Swinging>& samples) {
                    const auto scale = s.cone.L() / point.p.L;
                    return values(scale * e[0], scale * e[1]);
                  }},
-       .printed = {R"(the derivatives of $\frac12w\cdot Jw$ appended)", residual(true, false)},
-       .corrected =
-           {"$L^2+I_{xx}/m$ for $L^2$, $I_{xx}$ about the center of mass, in $T$ and in the Coriolis force",
-            residual(false, true)},
-       .near_misses = {{"$L^2+I_{xx}/m$ in $T$, the Coriolis force that of a point", residual(false, false)}},
-       .kind = Fault::left_out,
+       .printed =
+           {R"($\frac d{dt}\frac{\partial T}{\partial\dot\theta}-\frac{\partial T}{\partial\theta}=F_\theta$ )"
+            R"(and the same for $\phi$, $T=\frac m2|v|^2+\frac12w\cdot Jw$ and the point's $F$)",
+            residual(true, false)},
+       .corrected = {cone("K"), residual(false, true)},
+       .near_misses = {{cone("L^2"), residual(false, false)}},
+       .kind = Fault::formula,
        .root = "the cone's own turning",
-       .why =
+       .why = filled(
            R"(To first order in $\omega$ the appended terms vanish, and the cone's own inertia is missing. It )"
            R"(swings as a point mass at $(L^2+I_{xx}/m)/L=\frac45h+r^2/(5h)$, its center of oscillation; the )"
-           R"(published equations put the point at $0.7937\,h$. With $h=r$ that swings 12 % too fast: the )"
-           R"(default cone's axis, a unit vector, is off by 0.42 within 16 s.)"});
+           R"(published equations put the point at $@4\,h$. A cone of $h=r$, as the default one, swings @2 % )"
+           R"(too fast by them.)",
+           {printed_length<double>(), 100 * (too_fast() - 1)})});
 }
 
 }  // namespace
@@ -1103,18 +1197,28 @@ Provables cone_proofs() {
 }
 
 std::vector<Root> roots() {
+  // the default cone has h = r, and its moments are of a unit mass
+  const double h = 1.25, base = 5 * h * h / 20, center = 15 * h * h / 80;
   return {
       {"division at the lowest point",
-       "A pendulum pushed from its lowest point has NaN in the first step; the Pantheon's, let go at rest, "
-       "passes at 0.4 mm and takes twenty times the work of Cartesian coordinates."},
+       filled(
+           "A pendulum pushed from its lowest point has NaN in the first step; the Pantheon's, 67 m long and let "
+           "go at rest 3 m aside, passes the point at @1 mm.",
+           {1e3 * 3 * 7.292115e-5 * sin(0.8526) * sqrt(67 / 9.81)})},
       {"a center of mass that halves the volume",
-       "The default cone, 1.25 m high, is drawn with its center of mass 5.5 cm too far below the joint, at "
-       "0.99 m instead of 0.94 m."},
+       filled(
+           "The default cone, @3 m high, is drawn with its center of mass @2 cm too far below the joint, at "
+           "@2 m instead of @2 m.",
+           {h, 100 * h * (printed_length<double>() - 0.75), h * printed_length<double>(), 0.75 * h})},
       {"moments about the base",
-       "Thrown, the default cone would turn end over end as if it were a third heavier to turn: with 0.39 kg "
-       "m$^2$ per kilogram instead of 0.29."},
+       filled(
+           "Thrown, the default cone would turn end over end as if it were @2 % heavier to turn: with @2 kg "
+           "m$^2$ per kilogram instead of @2.",
+           {100 * (base / center - 1), base, center})},
       {"the cone's own turning",
-       "The default cone swings 12 % too fast, and within 16 s its axis, a unit vector, is off by 0.42."}};
+       filled(
+           "The default cone swings @2 % too fast: when it has swung ten times, the published one has swung @3 times.",
+           {100 * (too_fast() - 1), 10 * too_fast()})}};
 }
 
 }  // namespace oddity::ex03_17

@@ -20,17 +20,17 @@ namespace ex03_17 {
 using namespace foucault;
 
 constexpr Parameter parameters[] = {
-    {"lambda", 0.75, "rad", "latitude", -1.5, 1.5},
-    {"L", 1, "m", "length", 0.1, 100},
+    {"lambda", 0.75, "rad", "latitude", -1.57, 1.57},
+    {"L", 1, "m", "length", 1e-3, 1e5},
     {"omega", 0.0625, "rad/s", R"(angular speed of the Earth; the real one has $7.292115\cdot10^{-5}$)", 0,
      2},
-    {"g", 9.81, "m/s^2", "gravity", 0.1, 100},
+    {"g", 9.81, "m/s^2", "gravity", 1e-3, 1e4},
     {"theta", 0.5, "rad", "direction at the start, from west to north", -10, 10},
-    {"phi", 0.25, "rad", "angle at the start, from the lower vertical", 0.01, 3},
-    {"theta_dot", 1, "rad/s", "its rate about the vertical", -10, 10},
-    {"phi_dot", 0, "rad/s", "its rate from the vertical", -10, 10},
-    {"h", 1.25, "m", "height of the cone", 0.1, 10},
-    {"r", 1.25, "m", "radius of the cone", 0.1, 10},
+    {"phi", 0.25, "rad", "angle at the start, from the lower vertical", 1e-3, 3.14},
+    {"theta_dot", 1, "rad/s", "its rate about the vertical", -1e3, 1e3},
+    {"phi_dot", 0, "rad/s", "its rate from the vertical", -1e3, 1e3},
+    {"h", 1.25, "m", "height of the cone", 1e-3, 1e5},
+    {"r", 1.25, "m", "radius of the cone", 1e-3, 1e5},
     {"seed", 317, "", "seed of the random samples", 0, 1e9, whole_number},
 };
 
@@ -63,6 +63,13 @@ engines::Staging staging(const Parameters& p) {
 
 /// The slower it starts about the vertical, the closer the bob passes the lowest point, where theta is no
 /// coordinate.
+/// In the axes that turn.
+Energy energy(const Parameters& p, std::span<const double> x) {
+  const auto conserved =
+      foucault::Cartesian<double>{asked(p)}.conserved({x[0], x[1], x[2], x[3], x[4], x[5]}, 0);
+  return {conserved[0].value, conserved[0].moving};
+}
+
 Scene scene() {
   return {
       .motion = swinging_bob,
@@ -86,6 +93,8 @@ Scene scene() {
              "foucault::Cartesian<double>{{lambda, L, omega, g, theta, phi, theta_dot, phi_dot}}"}}},
       .draw = foucault::draw<Parameters>,
       .staging = staging,
+      .laws = {energy},
+      .faulted = {"two angles as published"},
   };
 }
 

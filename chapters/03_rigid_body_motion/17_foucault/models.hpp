@@ -53,6 +53,11 @@ struct SmallAngle {
     const T along = s[0] * C + (s[3] + W * s[1]) / n * S, across = s[1] * C + (s[4] - W * s[0]) / n * S;
     return {c * along - d * across, c * across + d * along};
   }
+  /// Below the pivot, as it is drawn.
+  std::array<T, 3> place(const T& t) const {
+    const auto [x, y] = at(t);
+    return {x, y, sqrt(p.L * p.L - x * x - y * y)};
+  }
 };
 
 /// (theta, phi, theta', phi'); with centrifugal = 0 the published equations.
@@ -79,6 +84,10 @@ struct TwoAngles {
   }
   std::array<T, 2> observe(const State& x, const T&) const {
     return {p.L * cos(x[0]) * sin(x[1]), p.L * sin(x[0]) * sin(x[1])};
+  }
+  std::array<T, 3> place(const State& x, const T& t) const {
+    const auto [west, north] = observe(x, t);
+    return {west, north, p.L * cos(x[1])};
   }
   auto conserved(const State& x, const T&) const {
     const T s = sin(x[1]);
@@ -109,6 +118,7 @@ struct Cartesian {
   /// (x, y, x', y')
   std::array<T, 4> flat(const State& s) const { return {s[0], s[1], s[3], s[4]}; }
   std::array<T, 2> observe(const State& s, const T&) const { return {s[0], s[1]}; }
+  std::array<T, 3> place(const State& s, const T&) const { return {s[0], s[1], s[2]}; }
   auto conserved(const State& s, const T&) const {
     const std::array<T, 3> r{s[0], s[1], s[2]}, u{s[3], s[4], s[5]}, turned = cross(w, r);
     return energy_of<T>(dot(u, u) / 2, -dot(turned, turned) / 2 - p.g * s[2]);

@@ -11,6 +11,7 @@
 
 #include "chapters/03_rigid_body_motion/19_two_pulleys/drawing.hpp"
 #include "chapters/03_rigid_body_motion/19_two_pulleys/two_pulleys.hpp"
+#include "chapters/energies.hpp"
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
 #include "solvers/engines/turns.hpp"
@@ -23,23 +24,23 @@ namespace ex03_19 {
 using namespace two_pulleys;
 
 constexpr Parameter parameters[] = {
-    {"m2", 1, "kg", "mass of the small pulley", 1e-2, 1e2},
-    {"m3", 2, "kg", "mass at the end", 1e-2, 1e2},
-    {"I1", 0.5, "kg m^2", "moment of inertia of the large pulley", 1e-3, 1e2},
-    {"I2", 0.25, "kg m^2", "moment of inertia of the small pulley", 1e-3, 1e2},
-    {"R1", 0.5, "m", "radius of the large pulley", 0.05, 10},
-    {"R2", 0.5, "m", "radius of the small pulley", 0.05, 10},
-    {"c1", 40, "N/m", "constant of the first spring", 0.1, 1e4},
-    {"c2", 30, "N/m", "constant of the second spring", 0.1, 1e4},
-    {"L1", 1, "m", "length at rest of the first spring", 0, 1e2},
-    {"L2", 1, "m", "length at rest of the second spring", 0, 1e2},
-    {"K1", 1, "m", "$S_1-y_2$", -1e2, 1e2},
-    {"K2", 1.5, "m", "$S_2-y_3+2y_2$", -1e2, 1e2},
-    {"g", 9.81, "m/s^2", "gravity", 1e-3, 1e3},
-    {"y2", 1, "m", "depth of the small pulley at the start", -1e2, 1e2},
-    {"y3", 2.5, "m", "depth of the mass at the start", -1e2, 1e2},
-    {"v2", 0.25, "m/s", R"($\dot y_2$ at the start)", -1e2, 1e2},
-    {"v3", -0.5, "m/s", R"($\dot y_3$ at the start)", -1e2, 1e2},
+    {"m2", 1, "kg", "mass of the small pulley", 1e-6, 1e6},
+    {"m3", 2, "kg", "mass at the end", 1e-6, 1e6},
+    {"I1", 0.5, "kg m^2", "moment of inertia of the large pulley", 1e-9, 1e6},
+    {"I2", 0.25, "kg m^2", "moment of inertia of the small pulley", 1e-9, 1e6},
+    {"R1", 0.5, "m", "radius of the large pulley", 1e-3, 1e3},
+    {"R2", 0.5, "m", "radius of the small pulley", 1e-3, 1e3},
+    {"c1", 40, "N/m", "constant of the first spring", 1e-3, 1e6},
+    {"c2", 30, "N/m", "constant of the second spring", 1e-3, 1e6},
+    {"L1", 1, "m", "length at rest of the first spring", 0, 1e5},
+    {"L2", 1, "m", "length at rest of the second spring", 0, 1e5},
+    {"K1", 1, "m", "$S_1-y_2$", -1e5, 1e5},
+    {"K2", 1.5, "m", "$S_2-y_3+2y_2$", -1e5, 1e5},
+    {"g", 9.81, "m/s^2", "gravity", 0, 1e4},
+    {"y2", 1, "m", "depth of the small pulley at the start", -1e5, 1e5},
+    {"y3", 2.5, "m", "depth of the mass at the start", -1e5, 1e5},
+    {"v2", 0.25, "m/s", R"($\dot y_2$ at the start)", -1e3, 1e3},
+    {"v3", -0.5, "m/s", R"($\dot y_3$ at the start)", -1e3, 1e3},
     {"seed", 319, "", "seed of the random samples", 0, 1e9, whole_number},
 };
 
@@ -185,6 +186,12 @@ engines::Staging staging(const Parameters& given) {
       }};
 }
 
+Energy energy(const Parameters& p, std::span<const double> x) {
+  const Given<double> rig = asked(p);
+  return energy_seen(rig.kinetic_energy(std::array{x[2], x[3]}),
+                     rig.potential_energy(std::array{x[0], x[1]}));
+}
+
 Scene scene() {
   return {
       .motion = swing,
@@ -207,6 +214,9 @@ Scene scene() {
             {"normal modes, pulleys without inertia", "which needs GSL's eigenvalues"}}},
       .draw = two_pulleys::draw<Parameters>,
       .staging = staging,
+      .laws = {energy},
+      .faulted = {"published equations"},
+      .is_linear = true,
   };
 }
 

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <string>
 
+#include "chapters/energies.hpp"
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
 
@@ -23,15 +24,15 @@ namespace ex03_21 {
 using namespace pipe_and_disk;
 
 constexpr Parameter parameters[] = {
-    {"m", 1, "kg", "mass of the disk", 0.2, 100},
-    {"L", 2, "m", "length of the pipe", 0.5, 10},
-    {"r", 0.5, "m", "radius of the disk", 0.01, 10},
-    {"phi", 1, "rad", "inclination of the pipe from the vertical", 0.05, 3},
-    {"f", 3, "N", "horizontal force on the disk's center", 0.1, 10},
-    {"k", 0.2, "N s/m", "friction of the disk's center", 0, 2},
-    {"theta", 2, "rad", "start: angle of the pipe from the force", -3, 3},
-    {"theta_dot", 0.5, "rad/s", "start: its speed", -10, 10},
-    {"psi_dot", 10, "rad/s", "start: the disk's speed about the pipe", -1000, 1000},
+    {"m", 1, "kg", "mass of the disk", 1e-3, 1e5},
+    {"L", 2, "m", "length of the pipe", 1e-3, 1e4},
+    {"r", 0.5, "m", "radius of the disk", 1e-3, 1e4},
+    {"phi", 1, "rad", "inclination of the pipe from the vertical", 0.01, 3.14},
+    {"f", 3, "N", "horizontal force on the disk's center", 1e-6, 1e6},
+    {"k", 0.2, "N s/m", "friction of the disk's center", 0, 1e4},
+    {"theta", 2, "rad", "start: angle of the pipe from the force", -3.14, 3.14},
+    {"theta_dot", 0.5, "rad/s", "start: its speed", -1e3, 1e3},
+    {"psi_dot", 10, "rad/s", "start: the disk's speed about the pipe", -1e5, 1e5},
     {"seed", 321, "", "seed of the random samples", 0, 1e9, whole_number},
 };
 
@@ -125,6 +126,20 @@ Quantity wind(const Parameters& p, const Horizon& horizon, const Reference& trut
       horizon, asked(p), {constant, one, two, cartesian});
 }
 
+/// Seen are the center (x, y) and psi.
+Energy energy(const Parameters& p, std::span<const double> x) {
+  const Given<double> d = asked(p);
+  const double turning = (x[0] * x[4] - x[1] * x[3]) / (x[0] * x[0] + x[1] * x[1]),
+               spin = x[5] + turning * std::cos(d.phi);
+  return energy_seen((d.m + d.mu2() / (d.L * d.L)) * half_square(x.subspan(3, 2)) + d.mu3() * spin * spin / 2,
+                     -d.f * x[0]);
+}
+
+/// Off the center's circle.
+double off(const Parameters& p, std::span<const double> x, double) {
+  return std::abs(std::hypot(x[0], x[1]) - asked(p).radius());
+}
+
 Scene scene() {
   return {
       .motion = wind,
@@ -144,6 +159,7 @@ Scene scene() {
                    {"Cartesian center",
                     "pipe_and_disk::Center<double>{{m, L, r, phi, f, k, theta, theta_dot, psi_dot}}"}}},
       .draw = pipe_and_disk::draw<Parameters>,
+      .laws = {energy, off},
   };
 }
 

@@ -17,9 +17,9 @@ struct SampleOf {
   explicit SampleOf(Random& random)
       : m(random.between(0.3, 3)),
         r(random.between(0.3, 3)),
-        s(random.between(0.3, 1)),
+        s(random.between(0.3, 3)),
         c(random.between(1, 30)),
-        h(random.between(1.2, 3)),
+        h(random.between(0.3, 3)),
         g(random.between(1, 10)),
         ell(random.between(0.3, 4)),
         q(random.between(-3, 3)),
@@ -62,7 +62,7 @@ struct SampleOf {
     if constexpr (std::same_as<T, Shortened>)
       return -recorded_integral(at, 0, q);
     else
-      return -gauss_legendre(at, 0, q, 100).value;
+      return -qag(at, 0, q, 1e-14).value;
   }
   spring_bar::Given<T> bar() const { return {m, r, s, c, h, g, ell, T(0), T(0)}; }
   /// T + sign V by the positions.
@@ -126,15 +126,20 @@ auto balanced(double side) {
 
 void state(Table& table, const std::vector<Sample>& samples) {
   table.formula(
-      "potential_of_gravity", 2579, "the potential energy of gravity", samples,
-      {.truth = {"the work done against the weight from the level, by quadrature",
+      "potential_of_gravity", 2579, R"(The potential energy of gravity is $mgr\sin\theta$)", samples,
+      {.quantity = "the potential energy of gravity",
+       .truth = {"the work done against the weight from the level, by quadrature",
                  []<class T>(const SampleOf<T>& x) { return x.work(&SampleOf<T>::moment_of_weight); }},
        .printed = {R"($mgr\sin\theta$)", of_gravity},
        .near_misses = {{R"($mgr\cos\theta$)", [](S x) { return x.m * x.g * x.r * cos(x.q); }},
                        {R"($-mgr\sin\theta$)", [](S x) { return -of_gravity(x); }}}});
   table.formula(
-      "potential_of_spring", 2583, "the potential energy of the spring", samples,
-      {.truth = {"the work done against the spring from the level, by quadrature",
+      "potential_of_spring", 2583,
+      R"(The potential energy of the spring is $\frac )"
+      R"(c2\Big(\big(\sqrt{s^2(\cos\theta-1)^2+(h+s\sin\theta)^2}-\ell\big)^2-(h-\ell)^2\Big)$)",
+      samples,
+      {.quantity = "the potential energy of the spring",
+       .truth = {"the work done against the spring from the level, by quadrature",
                  []<class T>(const SampleOf<T>& x) { return x.work(&SampleOf<T>::moment_of_spring); }},
        .printed =
            {R"($\frac c2\Big(\big(\sqrt{s^2(\cos\theta-1)^2+(h+s\sin\theta)^2}-\ell\big)^2-(h-\ell)^2\Big)$)",
@@ -142,8 +147,9 @@ void state(Table& table, const std::vector<Sample>& samples) {
        .near_misses = {{R"($h^2$ for $(h-\ell)^2$)", [](S x) { return of_spring(x, x.h); }},
                        {"twice as much", [](S x) { return 2 * of_spring(x, x.h - x.ell); }}}});
   table.formula(
-      "potential", 2593, "the potential energy", samples,
-      {.truth = {"the work done against both from the level, by quadrature",
+      "potential", 2593, "The potential energy $V$ is the sum of the two", samples,
+      {.quantity = "the potential energy",
+       .truth = {"the work done against both from the level, by quadrature",
                  []<class T>(const SampleOf<T>& x) {
                    return x.work(&SampleOf<T>::moment_of_weight) + x.work(&SampleOf<T>::moment_of_spring);
                  }},
@@ -152,8 +158,9 @@ void state(Table& table, const std::vector<Sample>& samples) {
                      return of_gravity(x) + of_spring<T>(x, x.h - x.ell);
                    }},
        .near_misses = {{"their difference", [](S x) { return of_gravity(x) - of_spring(x, x.h - x.ell); }}}});
-  table.formula("kinetic_energy", 2597, "the kinetic energy", samples,
-                {.truth = {R"($\frac m2|\dot x|^2$, the velocity by dual numbers)",
+  table.formula("kinetic_energy", 2597, R"(The kinetic energy is $T=\frac m2r^2\dot\theta^2$)", samples,
+                {.quantity = "the kinetic energy",
+                 .truth = {R"($\frac m2|\dot x|^2$, the velocity by dual numbers)",
                            [](const auto& x) {
                              const Dual q(x.q, x.v), along = x.r * cos(q), up = x.r * sin(q);
                              return x.m / 2 * (along.slope * along.slope + up.slope * up.slope);
@@ -166,8 +173,9 @@ void state(Table& table, const std::vector<Sample>& samples) {
                                   [](const auto& x) { return x.m / 2 * x.r * x.v * x.v; }}}});
 
   table.formula(
-      "lagrangian", 2601, R"(the Lagrangian; it gives $mr^2\ddot\theta$)", samples,
-      {.truth = {"the moments of the weight and of the spring", [](const auto& x) { return x.moments(x.q); }},
+      "lagrangian", 2601, "The Lagrangian is $L=T-V$", samples,
+      {.quantity = R"(the Lagrangian; it gives $mr^2\ddot\theta$)",
+       .truth = {"the moments of the weight and of the spring", [](const auto& x) { return x.moments(x.q); }},
        .printed = {"by $L=T-V$", [](const auto& x) { return x.by_lagrange(x.q, x.v); }},
        .near_misses = {{"by $L=T+V$", [](const auto& x) { return x.by_lagrange(x.q, x.v, 1); }}}});
   const std::string lagrange =
@@ -178,47 +186,57 @@ void state(Table& table, const std::vector<Sample>& samples) {
       return x.m * x.r * x.r * x.a + sign * derivative(V, x.q);
     };
   };
-  table.formula("equation_in_V", 2613, "the right side of the equation of motion", samples,
-                {.truth = {lagrange, [](const auto& x) { return x.left_side(); }},
+  table.formula("equation_in_V", 2613, R"(The equation of motion is $0=mr^2\ddot\theta+dV/d\theta$)", samples,
+                {.quantity = "the right side of the equation of motion",
+                 .truth = {lagrange, [](const auto& x) { return x.left_side(); }},
                  .printed = {R"($mr^2\ddot\theta+dV/d\theta$)", by_potential(1)},
                  .near_misses = {{R"($mr^2\ddot\theta-dV/d\theta$)", by_potential(-1)}}});
+  const auto written = [](const std::string& before_root, const std::string& after_root) {
+    return R"(mr^2\ddot\theta+mgr\cos\theta+c\left(1-)" + before_root +
+           R"(\sqrt{s^2(\cos\theta-1)^2+(h+s\sin\theta)^2})" + after_root +
+           R"(\right)\left(s^2(1-\cos\theta)\sin\theta+s(h+s\sin\theta)\cos\theta\right)$)";
+  };
+  const std::string as_product = written(R"(\ell)", ""), as_quotient = written(R"(\frac\ell{)", "}");
   table.formula(
-      "equation_of_motion", 2615,
-      R"(the equation of motion is $0=mr^2\ddot\theta+mgr\cos\theta+c\,(1-\ell\sqrt{\dots})\,)"
-      R"((s^2(1-\cos\theta)\sin\theta+s(h+s\sin\theta)\cos\theta)$)",
-      samples,
+      "equation_of_motion", 2615, "The equation of motion is $0=" + as_product, samples,
       {.quantity = "the right side of the equation of motion",
        .truth = {lagrange + R"(, and $mr^2\ddot\theta$ less the moments of the forces)",
                  [](const auto& x) { return values(x.left_side(), x.m * x.r * x.r * x.a - x.moments(x.q)); }},
-       .printed = {R"($1-\ell\,d$, a product with $d=\sqrt{s^2(\cos\theta-1)^2+(h+s\sin\theta)^2}$)",
-                   equation(1, 1, 1, 1)},
-       .meant = {R"(with $1-\ell/d$)", equation(1, 1)},
-       .near_misses = {{R"($1-\ell/d$ with $s^2(\cos\theta-1)\sin\theta$)", equation(-1, 1)},
-                       {R"($1-\ell/d$ with $-s(h+s\sin\theta)\cos\theta$)", equation(1, -1)},
-                       {R"(with $1+\ell/d$)", equation(1, 1, -1)},
-                       {R"($1-\ell/d$ with half of the bracket)", equation(0.5, 0.5)}},
+       .printed = {"$" + as_product, equation(1, 1, 1, 1)},
+       .meant = {"$" + as_quotient, equation(1, 1)},
+       .near_misses = {{R"(the quotient's form with $s^2(\cos\theta-1)\sin\theta$)", equation(-1, 1)},
+                       {R"(the quotient's form with $-s(h+s\sin\theta)\cos\theta$)", equation(1, -1)},
+                       {"the quotient's form with a plus before the quotient", equation(1, 1, -1)},
+                       {"the quotient's form with half of the last bracket", equation(0.5, 0.5)}},
        .kind = Fault::lost_typography,
-       .why =
+       .why = filled(
            R"(The fraction bar is lost in the text at hand: $1-\ell/\sqrt{\dots}$. As a product it subtracts )"
-           R"(an area from a number; at the level bar of the scene, $h=0.8$ m and $\ell=1$ m, it is 0.2 for )"
-           R"($-0.25$, and the pressed spring, which holds the bar up, would pull it down.)"});
+           R"(an area from a number. At the level bar of the scene, $h=0.8$ m and $\ell=1$ m, it is @2 for )"
+           R"($@2$: the pressed spring, which holds the bar up, would pull it down.)",
+           {1 - 1 * 0.8, 1 - 1 / 0.8})});
 
   const ProvableFormula<SampleOf> condition{R"($mgr+cs(h-\ell)$)", balance(1, outer)};
   const std::vector<ProvableFormula<SampleOf>> others{{R"($mgr-cs(h-\ell)$)", balance(-1, outer)},
                                                       {R"($mgr+cr(h-\ell)$)", balance(1, inner)}};
-  table.formula("equilibrium_terms", 2623,
-                R"(the condition of equilibrium has all terms at $\theta=0$ but the one in $\ddot\theta$)",
+  table.formula(
+      "equilibrium_terms", 2623,
+      R"(The level bar is in equilibrium when all terms at $\theta=0$ but that in $\ddot\theta$ add up )"
+      R"(to zero: they are $mgr+cs(h-\ell)$)",
+      samples,
+      {.quantity = R"(the condition of equilibrium has all terms at $\theta=0$ but the one in $\ddot\theta$)",
+       .truth = {R"($-mr^2\ddot\theta$ of the level bar at rest, by Lagrange's equation)",
+                 [](const auto& x) { return -x.by_lagrange(0, 0); }},
+       .printed = condition,
+       .near_misses = others});
+  table.formula("equilibrium_condition", 2625, R"(The level bar is in equilibrium when $mgr+cs(h-\ell)=0$)",
                 samples,
-                {.truth = {R"($-mr^2\ddot\theta$ of the level bar at rest, by Lagrange's equation)",
-                           [](const auto& x) { return -x.by_lagrange(0, 0); }},
-                 .printed = condition,
-                 .near_misses = others});
-  table.formula("equilibrium_condition", 2625, "what is zero when the level bar is in equilibrium", samples,
-                {.truth = {"the moments of the forces on the level bar, clockwise",
+                {.quantity = "what is zero when the level bar is in equilibrium",
+                 .truth = {"the moments of the forces on the level bar, clockwise",
                            [](const auto& x) { return -x.moments(0); }},
                  .printed = condition,
                  .near_misses = others});
-  table.formula("as_by_virtual_work", 2627, "the condition is that of the equilibrium of forces", samples,
+  table.formula("as_by_virtual_work", 2627, "The condition is that of the equilibrium of the moments",
+                samples,
                 {.quantity = "the spring's moment on the level bar",
                  .truth = {"minus the weight's", [](const auto& x) { return -x.moment_of_weight(0); }},
                  .printed = {R"(with $\ell=h+mgr/(cs)$, which the condition asks for)", balanced(1)},
@@ -234,12 +252,25 @@ std::vector<Claim> claims(double seed) {
   return claims.in_order();
 }
 
+/// The bar's end never meets the spring's foot.
+constexpr const char* foot_in_coq = R"(
+Lemma above_foot : forall s h t, s > 0 -> h > 0 ->
+  0 < (s * cos t - s) * (s * cos t - s) + (s * sin t + h) * (s * sin t + h).
+Proof.
+  intros s h t S H. destruct (Req_dec (cos t) 1) as [level | turned].
+  - assert (zero : sin t = 0)
+      by (apply Rsqr_0_uniq; pose proof (sin2_cos2 t) as all; rewrite level in all; unfold Rsqr in *; lra).
+    rewrite zero, level. nra.
+  - assert (away : s * (cos t - 1) <> 0) by (apply Rmult_integral_contrapositive; split; lra).
+    pose proof (Rsqr_pos_lt _ away). pose proof (Rle_0_sqr (s * sin t + h)). unfold Rsqr in *. lra.
+Qed.
+)";
+
 /// All square roots are the spring's length, which is h on the level bar.
 constexpr const char* by_one_root = R"(
   assert (circle : sin q * sin q = 1 - cos q * cos q) by (pose proof (sin2_cos2 q) as all; unfold Rsqr in all; lra);
-  assert (up : h + s * sin q > 0) by (pose proof (SIN_bound q); nra);
-  assert (square : (h + s * sin q) * (h + s * sin q) > 0) by nra;
-  pose proof (Rle_0_sqr (s * cos q - s)) as other; unfold Rsqr in other;
+  assert (far : 0 < (s * cos q - s) * (s * cos q - s) + (s * sin q + h) * (s * sin q + h))
+    by (apply above_foot; assumption);
   assert (arm : r * r > 0) by nra;
   rewrite ?cos_0, ?sin_0;
   repeat (match goal with |- context [sqrt ?x] =>
@@ -259,8 +290,7 @@ constexpr const char* by_one_root = R"(
 std::string by_potentials(const std::string& rest) {
   return R"(
   assert (positive : forall t, 0 < (s * cos t - s) * (s * cos t - s) + (s * sin t + h) * (s * sin t + h))
-    by (intro t; pose proof (SIN_bound t); assert (s * sin t + h > 0) by nra;
-        apply Rplus_le_lt_0_compat; [apply Rle_0_sqr | now apply Rmult_lt_0_compat]);
+    by (intro t; apply above_foot; assumption);
   assert (root : forall t, sqrt ((s * cos t - s) * (s * cos t - s) + (s * sin t + h) * (s * sin t + h)) <> 0)
     by (intro t; apply Rgt_not_eq, sqrt_lt_R0, positive);
   unfold Rminus in *;
@@ -280,17 +310,17 @@ Provables proofs() {
                        .letters = quantified(names),
                        .tactic = by_one_root,
                        .says = "it holds for every bar at any angle"};
-  for (const Shortened& positive : {all.any.m, all.any.r, all.any.s, all.any.c})
+  for (const Shortened& positive : {all.any.m, all.any.r, all.any.s, all.any.c, all.any.h})
     all.given.push_back(above(positive.expression(), 0));
-  all.given.push_back(above(all.any.h.expression(), all.any.s.expression()));
   double x = 0;
   for (double* letter : all.example.letters()) *letter = x += 0.25;
   Provables proved = table.proofs("3.23", all);
-  for (Provable& claim : proved)
-    if (claim.claim.starts_with("3.23-potential")) {
-      claim.preamble = integrals_in_coq;
-      for (Lemma& lemma : claim.lemmas) lemma.tactic = by_potentials(lemma.tactic);
-    }
+  for (Provable& claim : proved) {
+    claim.preamble = foot_in_coq;
+    if (!claim.claim.starts_with("3.23-potential")) continue;
+    claim.preamble = std::string(integrals_in_coq) + foot_in_coq;
+    for (Lemma& lemma : claim.lemmas) lemma.tactic = by_potentials(lemma.tactic);
+  }
   return proved;
 }
 

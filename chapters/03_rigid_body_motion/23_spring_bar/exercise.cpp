@@ -9,6 +9,7 @@
 
 #include "chapters/03_rigid_body_motion/23_spring_bar/drawing.hpp"
 #include "chapters/03_rigid_body_motion/23_spring_bar/spring_bar.hpp"
+#include "chapters/expect_failure.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -29,15 +30,15 @@ namespace ex03_23 {
 using namespace spring_bar;
 
 constexpr Parameter parameters[] = {
-    {"m", 1, "kg", "mass", 0.1, 100},
-    {"r", 1, "m", "where the mass is on the bar", 0.1, 10},
-    {"s", 0.5, "m", "where the spring is on the bar", 0.1, 10},
-    {"c", 98.1, "N/m", "spring constant", 1, 1e4},
-    {"h", 0.8, "m", "depth of the spring's foot", 0.2, 10},
-    {"g", 9.81, "m/s^2", "gravity", 0, 100},
-    {"ell", 1, "m", "rest length of the spring", 0.1, 20},
-    {"theta0", 0.3, "rad", "angle at the start", -1.5, 1.5},
-    {"w0", 0, "rad/s", "angular speed at the start", -2, 2},
+    {"m", 1, "kg", "mass", 1e-3, 1e5},
+    {"r", 1, "m", "where the mass is on the bar", 1e-3, 1e4},
+    {"s", 0.5, "m", "where the spring is on the bar", 1e-3, 1e4},
+    {"c", 98.1, "N/m", "spring constant", 1e-3, 1e6},
+    {"h", 0.8, "m", "depth of the spring's foot", 1e-3, 1e4},
+    {"g", 9.81, "m/s^2", "gravity", 0, 1e4},
+    {"ell", 1, "m", "rest length of the spring", 1e-3, 1e4},
+    {"theta0", 0.3, "rad", "angle at the start", -3.14, 3.14},
+    {"w0", 0, "rad/s", "angular speed at the start", -1e3, 1e3},
     {"seed", 23, "", "seed of the random samples", 0, 1e9, whole_number},
 };
 
@@ -64,6 +65,8 @@ Quantity swing(const Parameters& p, const Horizon& horizon, const Reference& tru
           {{"linearly implicit Euler", Outcome::drifted, "of order 1, and it damps every swing"}})
       .by_engine_integrators("Cartesian with constraint", CartesianWithConstraint<double>{bar},
                              Outcome::drifted);
+  expect_failure(mass, "Cartesian with constraint", "semi-implicit Euler", Outcome::inaccurate,
+                 "of order 1; its energy comes back");
   return with_float(std::move(mass), horizon, bar,
                     {"small oscillation", "one angle", "Cartesian with constraint"});
 }
@@ -153,6 +156,16 @@ engines::Staging staging(const Parameters& p) {
           }};
 }
 
+Energy energy(const Parameters& p, std::span<const double> x) {
+  const auto conserved = CartesianWithConstraint<double>{asked(p)}.conserved({x[0], x[1], x[2], x[3]}, 0);
+  return {conserved[0].value, conserved[0].moving};
+}
+
+/// Off the mass's circle.
+double off(const Parameters& p, std::span<const double> x, double) {
+  return std::abs(std::hypot(x[0], x[1]) - p["r"]);
+}
+
 Scene scene() {
   return {
       .motion = swing,
@@ -170,6 +183,7 @@ Scene scene() {
                     "spring_bar::CartesianWithConstraint<double>{{m, r, s, c, h, g, ell, theta0, w0}}"}}},
       .draw = spring_bar::draw<Parameters>,
       .staging = staging,
+      .laws = {energy, off},
   };
 }
 

@@ -326,27 +326,30 @@ std::vector<Claim> claims(double seed) {
   Claims claims("3.25");
   const Reader by_pairs{"Koenig: the center of mass, and the speeds of the masses relative to each other",
                         &Sample::kinetic_by_pairs};
-  claims.formula("kinetic_sum", 2629, "the kinetic energy $T$ as a sum over the masses", samples,
+  claims.formula("kinetic_sum", 2629, R"(The kinetic energy is $T=\sum\frac{m_k}2(\dot x_k^2+\dot y_k^2)$)",
+                 samples,
                  {.quantity = "$T$",
                   .truth = by_pairs,
                   .printed = {R"($\sum\frac{m_k}2(\dot x_k^2+\dot y_k^2)$)",
                               [](const Sample& s) { return summed(s, 0.5); }},
                   .near_misses = {{"$m_3$ for $m_3/2$", [](const Sample& s) { return summed(s, 1); }}}});
-  claims.statement("three_free_variables", 2643, "how many of the six coordinates are free",
+  claims.statement("three_free_variables", 2643, "Three of the six coordinates are free",
                    draw<Sample>(100, seed),
                    {.printed = {"three, 6 less the rank of the rods' constraints",
                                 [](const Sample& s) { return free_coordinates(s) == 3; }},
                     .near_misses = {{"four", [](const Sample& s) { return free_coordinates(s) == 4; }}}});
   const std::string rods = "three turned rods, by complex numbers";
   claims.add("example_equations", 2643,
-             "the construction of Example 3.15 gives equations to which a few are added",
+             "The construction of Example 3.15 gives equations to which a few are added",
              {.not_checkable = "the text does not repeat the example's equations"});
-  claims.formula("x3", 2645, "the place $x_3$ of the third mass", samples,
-                 {.truth = {rods, [](const Sample& s) { return three_rods(s)[0]; }},
+  claims.formula("x3", 2645, R"($x_3=r_1\sin\theta_1+r_2\sin\theta_2+r_3\sin\theta_3$)", samples,
+                 {.quantity = "the place $x_3$ of the third mass",
+                  .truth = {rods, [](const Sample& s) { return three_rods(s)[0]; }},
                   .printed = {R"($x_3=r_1\sin\theta_1+r_2\sin\theta_2+r_3\sin\theta_3$)", across<double>},
                   .near_misses = {{R"($r_1\cos\theta_1+r_2\cos\theta_2+r_3\cos\theta_3$)", drop<double>}}});
-  claims.formula("y3", 2647, "its height $y_3$", samples,
-                 {.truth = {rods, [](const Sample& s) { return s.h + three_rods(s)[1]; }},
+  claims.formula("y3", 2647, R"($y_3=h-r_1\cos\theta_1-r_2\cos\theta_2-r_3\cos\theta_3$)", samples,
+                 {.quantity = "its height $y_3$",
+                  .truth = {rods, [](const Sample& s) { return s.h + three_rods(s)[1]; }},
                   .printed = {R"($y_3=h-r_1\cos\theta_1-r_2\cos\theta_2-r_3\cos\theta_3$)",
                               [](const Sample& s) { return s.h - drop(s); }},
                   .near_misses = {{R"($h+r_1\cos\theta_1+r_2\cos\theta_2+r_3\cos\theta_3$)",
@@ -354,17 +357,28 @@ std::vector<Claim> claims(double seed) {
   const std::string
       of_cosines = R"(r_1\dot\theta_1\cos\theta_1+r_2\dot\theta_2\cos\theta_2+r_3\dot\theta_3\cos\theta_3$)",
       of_sines = R"(r_1\dot\theta_1\sin\theta_1+r_2\dot\theta_2\sin\theta_2+r_3\dot\theta_3\sin\theta_3$)";
-  claims.formula("x3_rate", 2651, R"($\dot x_3$)", samples,
-                 {.truth = {"dual numbers in the time", [](const Sample& s) { return s.velocities()[4]; }},
-                  .printed = {R"($\dot x_3=)" + of_cosines, cosines<double>},
-                  .near_misses = {{"the opposite", [](const Sample& s) { return -cosines(s); }},
-                                  {"$" + of_sines, sines<double>}}});
-  claims.formula("y3_rate", 2653, R"($\dot y_3$)", samples,
-                 {.truth = {"dual numbers in the time", [](const Sample& s) { return s.velocities()[5]; }},
-                  .printed = {R"($\dot y_3=)" + of_sines, sines<double>},
-                  .near_misses = {{"the opposite", [](const Sample& s) { return -sines(s); }},
-                                  {"$" + of_cosines, cosines<double>}}});
-  claims.formula("kinetic_substituted", 2657, "$T$ with the derivatives put in", samples,
+  claims.formula(
+      "x3_rate", 2651,
+      R"($\dot x_3=r_1\dot\theta_1\cos\theta_1+r_2\dot\theta_2\cos\theta_2+r_3\dot\theta_3\cos\theta_3$)",
+      samples,
+      {.quantity = R"($\dot x_3$)",
+       .truth = {"dual numbers in the time", [](const Sample& s) { return s.velocities()[4]; }},
+       .printed = {R"($\dot x_3=)" + of_cosines, cosines<double>},
+       .near_misses = {{"the opposite", [](const Sample& s) { return -cosines(s); }},
+                       {"$" + of_sines, sines<double>}}});
+  claims.formula(
+      "y3_rate", 2653,
+      R"($\dot y_3=r_1\dot\theta_1\sin\theta_1+r_2\dot\theta_2\sin\theta_2+r_3\dot\theta_3\sin\theta_3$)",
+      samples,
+      {.quantity = R"($\dot y_3$)",
+       .truth = {"dual numbers in the time", [](const Sample& s) { return s.velocities()[5]; }},
+       .printed = {R"($\dot y_3=)" + of_sines, sines<double>},
+       .near_misses = {{"the opposite", [](const Sample& s) { return -sines(s); }},
+                       {"$" + of_cosines, cosines<double>}}});
+  claims.formula("kinetic_substituted", 2657,
+                 R"(With the derivatives put in, $T=\sum_n\frac{m_n}2\left((\sum_{k\le )"
+                 R"(n}r_k\dot\theta_k\cos\theta_k)^2+(\sum_{k\le n}r_k\dot\theta_k\sin\theta_k)^2\right)$)",
+                 samples,
                  {.quantity = "$T$",
                   .truth = by_pairs,
                   .printed = {R"($\sum_n\frac{m_n}2\left((\sum_{k\le n}r_k\dot\theta_k\cos\theta_k)^2)"
@@ -372,14 +386,21 @@ std::vector<Claim> claims(double seed) {
                               [](const Sample& s) { return substituted(s, 0); }},
                   .near_misses = {{"the third bracket without $r_1$",
                                    [](const Sample& s) { return substituted(s, 1); }}}});
+  const auto brackets = [](const std::string& between) {
+    const std::string two = R"(r_1^2\dot\theta_1^2+r_2^2\dot\theta_2^2)",
+                      cosine_12 = R"(+2r_1r_2\dot\theta_1\dot\theta_2\cos(\theta_1-\theta_2))",
+                      cosine_13 = R"(+2r_1r_3\dot\theta_1\dot\theta_3\cos(\theta_1-\theta_3))",
+                      cosine_23 = R"(+2r_2r_3\dot\theta_2\dot\theta_3\cos(\theta_2-\theta_3))";
+    return R"($\frac{m_1}2r_1^2\dot\theta_1^2+\frac{m_2}2\left()" + two + cosine_12 + R"(\right))" + between +
+           R"(\frac{m_3}2\left()" + two + R"(+r_3^2\dot\theta_3^2)" + cosine_12 + cosine_13 + cosine_23 +
+           R"(\right)$)";
+  };
   claims.formula(
-      "kinetic_expanded", 2679, "$T$ expanded: squares, and a cosine of each difference of angles", samples,
+      "kinetic_expanded", 2679, "Expanded, $T=" + brackets("+").substr(1), samples,
       {.quantity = "$T$",
        .truth = by_pairs,
-       .printed =
-           {"the second and the third bracket multiplied: the plus sign between them stands inside the second",
-            multiplied<double>},
-       .meant = {"the three brackets added", added<double>},
+       .printed = {brackets(""), multiplied<double>},
+       .meant = {brackets("+"), added<double>},
        .near_misses = {{R"(with $\cos(\theta_i+\theta_j)$)",
                         [](const Sample& s) {
                           return bracket(s, 1, 1) + bracket(s, 2, 1) + bracket(s, 3, 1);
@@ -396,7 +417,8 @@ std::vector<Claim> claims(double seed) {
        .why =
            "The plus sign that should join the second and the third term stands inside the second's parenthesis, "
            "after its last cosine: as it stands the two are multiplied. Every term of the sum is right."});
-  claims.formula("potential", 2713, "the potential energy $V$", samples,
+  claims.formula("potential", 2713, "The potential energy is $V=-m_1g(h-y_1)-m_2g(h-y_2)-m_3g(h-y_3)$",
+                 samples,
                  {.quantity = "$V$ less that at rest",
                   .truth = {"minus gravity's work on the way, by quadrature",
                             [](const Sample& s) { return -s.work_of_gravity(); }},
@@ -421,9 +443,12 @@ std::vector<Claim> claims(double seed) {
     return R"($\frac{d}{dt}\frac{\partial L}{\partial\dot\theta_i})" + sign +
            R"(\frac{\partial L}{\partial\theta_i}=0$ with $L=)" + lagrangian + "$";
   };
-  claims.add("equations", 2715, "the equations of motion, one for each angle",
-             {.printed = equation(of("-", "T-V"), 1, 1),
-              .near_misses = {equation(of("-", "T+V"), 1, -1), equation(of("+", "T-V"), -1, 1)}});
+  claims.add(
+      "equations", 2715,
+      R"(The equations of motion are $\frac{d}{dt}\frac{\partial L}{\partial\dot\theta_i}-\frac{\partial )"
+      R"(L}{\partial\theta_i}=0$ with $L=T-V$, one for each angle)",
+      {.printed = equation(of("-", "T-V"), 1, 1),
+       .near_misses = {equation(of("-", "T+V"), 1, -1), equation(of("+", "T-V"), -1, 1)}});
 
   const auto pattern = [&](const std::string& mass, const std::string& sign, bool later, double sine_sign) {
     const std::string text = R"($\sum_j\mu_{\)" + mass +
@@ -436,7 +461,7 @@ std::vector<Claim> claims(double seed) {
         {accelerations(text, by_lagrange, seed, 1, 5, by, [](const Sample& s) { return s.lagrange(); }),
          accelerations(text, by_newton, seed, 20, 30, by, newton)}};
   };
-  claims.add("pattern", 2753, "for $n$ masses the derivatives follow a pattern that can be coded",
+  claims.add("pattern", 2753, "For $n$ masses there is a pattern that can be coded",
              {.printed = pattern("max", "+", true, 1),
               .near_misses = {pattern("min", "+", false, 1), pattern("max", "-", true, -1)}});
   return claims.in_order();

@@ -11,6 +11,7 @@
 
 #include "chapters/03_rigid_body_motion/25_chain/chain.hpp"
 #include "chapters/03_rigid_body_motion/25_chain/drawing.hpp"
+#include "chapters/energies.hpp"
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
 #include "solvers/engines/turns.hpp"
@@ -20,20 +21,20 @@ namespace oddity {
 namespace ex03_25 {
 
 constexpr Parameter parameters[] = {
-    {"m1", 1, "kg", "mass next to the pivot", 1e-2, 1e2},
-    {"m2", 0.75, "kg", "mass in the middle", 1e-2, 1e2},
-    {"m3", 0.5, "kg", "mass at the end", 1e-2, 1e2},
-    {"r1", 1, "m", "length of the rod at the pivot", 0.1, 10},
-    {"r2", 0.75, "m", "length of the rod in the middle", 0.1, 10},
-    {"r3", 0.5, "m", "length of the rod at the end", 0.1, 10},
-    {"g", 9.8125, "m/s^2", "gravity", 0.1, 30},
+    {"m1", 1, "kg", "mass next to the pivot", 1e-4, 1e5},
+    {"m2", 0.75, "kg", "mass in the middle", 1e-4, 1e5},
+    {"m3", 0.5, "kg", "mass at the end", 1e-4, 1e5},
+    {"r1", 1, "m", "length of the rod at the pivot", 1e-3, 1e4},
+    {"r2", 0.75, "m", "length of the rod in the middle", 1e-3, 1e4},
+    {"r3", 0.5, "m", "length of the rod at the end", 1e-3, 1e4},
+    {"g", 9.8125, "m/s^2", "gravity", 1e-3, 1e4},
     {"h", 2.5, "m", "height of the pivot", -1e3, 1e3},
     {"theta1", 0.25, "rad", "angle at the start, from the downward vertical", -7, 7},
     {"theta2", 0.375, "rad", "angle at the start", -7, 7},
     {"theta3", 0.5, "rad", "angle at the start", -7, 7},
-    {"omega1", 0, "rad/s", "angular velocity at the start", -10, 10},
-    {"omega2", 0, "rad/s", "angular velocity at the start", -10, 10},
-    {"omega3", 0, "rad/s", "angular velocity at the start", -10, 10},
+    {"omega1", 0, "rad/s", "angular velocity at the start", -1e3, 1e3},
+    {"omega2", 0, "rad/s", "angular velocity at the start", -1e3, 1e3},
+    {"omega3", 0, "rad/s", "angular velocity at the start", -1e3, 1e3},
     {"seed", 325, "", "of the random samples", 0, 1e9, whole_number},
 };
 
@@ -75,6 +76,27 @@ engines::Staging staging(const Parameters& p) {
           }};
 }
 
+Energy energy(const Parameters& p, std::span<const double> x) {
+  const double m[]{p["m1"], p["m2"], p["m3"]};
+  double kinetic = 0, potential = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    kinetic += m[k] * half_square(x.subspan(6 + 2 * k, 2));
+    potential += m[k] * p["g"] * (x[2 * k + 1] - p["h"]);
+  }
+  return energy_seen(kinetic, potential);
+}
+
+/// Off the rods' lengths.
+double off(const Parameters& p, std::span<const double> x, double) {
+  const double r[]{p["r1"], p["r2"], p["r3"]};
+  double most = 0, above_x = 0, above_y = p["h"];
+  for (std::size_t k = 0; k < 3; ++k) {
+    most = std::max(most, std::abs(std::hypot(x[2 * k] - above_x, x[2 * k + 1] - above_y) - r[k]));
+    above_x = x[2 * k], above_y = x[2 * k + 1];
+  }
+  return most;
+}
+
 Scene scene() {
   return {
       .motion = hanging_of,
@@ -95,6 +117,7 @@ Scene scene() {
            {{"normal modes", "which needs GSL's eigenvalues"}}},
       .draw = chain::draw<Parameters>,
       .staging = staging,
+      .laws = {energy, off},
   };
 }
 

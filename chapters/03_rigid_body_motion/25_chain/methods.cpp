@@ -14,6 +14,7 @@
 #include "solvers/counted_calls.hpp"
 #include "solvers/dual.hpp"
 #include "solvers/linear.hpp"
+#include "solvers/ode/steps_in.hpp"
 
 namespace oddity::ex03_25 {
 
@@ -146,7 +147,7 @@ Answer in_precision(const Triple& c, const Horizon& horizon, double step) {
   Answer answer;
   std::vector<double> seen;
   const auto go_on = [&](double from, double to) {
-    const int steps = static_cast<int>(count_of_steps(to - from, step));
+    const int steps = static_cast<int>(ode::steps_in(from, to, step));
     for (int i = 0; i < steps; ++i)
       extrapolated_step(model, x, static_cast<T>(to - from) / static_cast<T>(steps), answer.evaluations);
     return true;

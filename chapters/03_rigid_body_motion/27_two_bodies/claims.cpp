@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "chapters/03_rigid_body_motion/27_two_bodies/two_bodies.hpp"
 #include "chapters/03_rigid_body_motion/shared/lagrange.hpp"
@@ -125,8 +126,8 @@ struct Later {
   double dx, dy, vx, vy;
 
   explicit Later(Random& random)
-      : b{random.between(0.5, 2), random.between(0.5, 2), random.between(0.5, 2),  random.between(1, 2),
-          random.between(-1, 1),  random.between(-3, 3),  random.between(0.5, 1.5)} {
+      : b{random.between(0.5, 2), random.between(0.5, 2), random.between(0.5, 2),    random.between(1, 2),
+          random.between(-1, 1),  random.between(-3, 3),  random.magnitude(0.5, 1.5)} {
     const BothBodies<double> model{b};
     const auto x = ode::integrate<ode::Fehlberg78>(model, model.start(), 0, 1, 1e-13).value;
     dx = x[2] - x[0], dy = x[3] - x[1], vx = x[6] - x[4], vy = x[7] - x[5];
@@ -139,8 +140,8 @@ struct Later {
   }
 };
 
-/// A start in space on the meridian theta0, near the pole, which it passes; the second body seen from the
-/// first a second later in Cartesian coordinates, and in the plane of the published system.
+/// A start in space on the meridian theta0, near one of the poles, which it passes; the second body seen from
+/// the first a second later in Cartesian coordinates, and in the plane of the published system.
 struct PastThePole {
   double theta0;
   Bodies b;
@@ -150,7 +151,8 @@ struct PastThePole {
   explicit PastThePole(Random& random) {
     b = {random.between(0.5, 2), random.between(0.5, 2),   random.between(0.5, 2),    random.between(1, 2),
          random.between(-1, 1),  random.between(0.1, 0.3), random.between(-1.5, -0.5)};
-    theta0 = random.between(0.5, 2.5);
+    if (random.unit() < 0.5) b.phi0 = std::numbers::pi - b.phi0, b.phi0_dot = -b.phi0_dot;
+    theta0 = random.magnitude(0.5, 2.5);
     const double gamma = b.G * (b.m1 + b.m2), c = std::cos(b.phi0), s = std::sin(b.phi0);
     const double across = b.r0_dot * s + b.r0 * b.phi0_dot * c, ct = std::cos(theta0), st = std::sin(theta0);
     const std::array start{b.r0 * s * ct, b.r0 * s * st, b.r0 * c,
@@ -216,7 +218,8 @@ void constants(Table& table, const std::vector<Sample>& all) {
   };
   const auto c2 = [](const auto& k) { return -k.potential(k.q) * k.q[0]; };
   table.formula(
-      "gamma_constants", 2767, R"($c_1=m_1m_2/(m_1+m_2)$, the reduced mass, and $c_2=Gm_1m_2$)", all,
+      "gamma_constants", 2767,
+      "The constants are $c_1=m_1m_2/(m_1+m_2)$, the reduced mass, and $c_2=Gm_1m_2$", all,
       {.quantity = R"($(c_1,c_2)$)",
        .truth = {R"($\partial^2T/\partial\dot r^2$ and $-rV$ by dual numbers)",
                  [=](const auto& k) { return values(c1(k), c2(k)); }},
@@ -245,16 +248,17 @@ void constants(Table& table, const std::vector<Sample>& all) {
                        {R"($c_2/c_1$ and $Gm_1$)",
                         ratio([](const auto& k) { return k.m1 / (k.m1 + k.m2); })}},
        .kind = Fault::lost_typography,
-       .why =
-           R"(The bar of $c_2/c_1$ is lost; the quotient that follows has its own. Of the scene's bodies, $m_1=2$ )"
-           R"(and $m_2=1$ with $G=1$, the product is $4/3$ and $\gamma=3$.)"});
+       .why = filled(
+           R"(The bar of $c_2/c_1$ is lost; the quotient that follows has its own. Of the scene's bodies, )"
+           R"($m_1=2$ and $m_2=1$ with $G=1$, the product is @3 and $\gamma=@1$.)",
+           {2 * (2 / 3.0), 2 + 1})});
 }
 
 void equations(Claims& claims, const std::vector<Sample>& all, const std::vector<PastThePole>& passing) {
   using K = const Sample&;
   const std::vector<Sample> first(all.begin(), all.begin() + 100);
   claims.statement<Sample>("three_degrees", 2755,
-                           R"($r$, $\theta$ and $\varphi$ are the three degrees of freedom)", first,
+                           R"(The three degrees of freedom are $r$, $\theta$ and $\varphi$)", first,
                            {.printed = {"the positions move with them in three independent ways",
                                         [](K k) { return k.freedoms() == 3; }},
                             .near_misses = {{"in two", [](K k) { return k.freedoms() == 2; }}}});
@@ -271,13 +275,14 @@ void equations(Claims& claims, const std::vector<Sample>& all, const std::vector
                                  }},
                                 passing);
   };
-  const std::string running = R"($\theta=\theta_0$ also beyond the pole, $\varphi$ running on below 0)",
-                    kept = R"($\varphi$ kept between 0 and $\pi$)";
+  const std::string
+      running = R"($\theta=\theta_0$ also beyond a pole, $\varphi$ running on below 0 or above $\pi$)",
+      kept = R"($\varphi$ kept between 0 and $\pi$)";
   const auto on_theta0 = [](const PastThePole& k) { return k.on_meridian(k.theta0, k.flat[1]); };
   // The text's "theta_0 = 0" has lost its overdot: theta counts round the pole, and the plane is any
   // meridian.
   claims.add(
-      "theta_constant", 2755, R"(with $\dot\theta=0$ at the start $\theta$ keeps its value)",
+      "theta_constant", 2755, R"(With $\dot\theta=0$ at the start $\theta$ keeps its value)",
       {.printed = {R"($\ddot\theta=0$ where $\dot\theta=0$)", {stays(0), in_space(running, on_theta0)}},
        .near_misses = {{R"($\ddot\theta=0$ also where $\dot\theta=1$)", {stays(1)}},
                        {kept, {in_space(kept, [](const PastThePole& k) {
@@ -286,7 +291,7 @@ void equations(Claims& claims, const std::vector<Sample>& all, const std::vector
 
   claims.add(
       "initial_conditions", 2787,
-      R"(the initial conditions are $r_0,\dot r_0,\varphi_0$ and $\dot\varphi_0$)",
+      R"(The initial conditions are $r_0,\dot r_0,\varphi_0$ and $\dot\varphi_0$)",
       {.printed = {R"(these four, $\theta$ being nowhere set)",
                    {in_space("on the meridian 0",
                              [](const PastThePole& k) { return k.on_meridian(0, k.flat[1]); })}},
@@ -297,8 +302,8 @@ void equations(Claims& claims, const std::vector<Sample>& all, const std::vector
                             [](const PastThePole& k) { return k.on_meridian(-k.theta0, k.flat[1]); })}}},
        .why =
            R"(The list lacks $\theta_0$, which the first line says has to be specified. The motion in its plane )"
-           R"(does not need it, the place in space does: without it every orbit lies on the meridian $\theta=0$, for )"
-           R"($\theta_0=\pi/2$ turned by 90 degrees out of its plane.)",
+           R"(does not need it, the place in space does: without it every orbit lies on the meridian $\theta=0$, )"
+           R"(turned by $\theta_0$ out of its plane.)",
        .kind = Fault::left_out});
 }
 
@@ -314,7 +319,8 @@ void motions(Claims& claims, const std::vector<Later>& all) {
                   .near_misses = {{R"($r_0\dot\varphi_0$)", [](K k) { return k.b.r0 * k.b.phi0_dot; }}}});
   claims.formula(
       "first_order_system", 2779,
-      R"($\dot r=u$, $\dot u=\beta^2/r^3-\gamma r^2$, $\dot\varphi=\beta r^2$ from $(r_0,\dot r_0,\varphi_0)$ is the motion)",
+      R"(The motion is that of $\dot r=u$, $\dot u=\beta^2/r^3-\gamma r^2$, $\dot\varphi=\beta r^2$ from )"
+      R"($(r_0,\dot r_0,\varphi_0)$)",
       all,
       {.quantity = R"($(x,y,u)$ at $t=1$)",
        .truth = {cartesian,
@@ -356,11 +362,25 @@ void state_and_data(Claims& claims, const Reference& truth) {
   still.r0_dot = 0;
   claims.add(
       "state_and_data", 2787,
-      R"($r,u,\varphi$ with $m_1,m_2,G$ and the four initial values determine the motion in its plane; )"
-      R"($\beta$ and $\gamma$ follow from them)",
+      R"(The state $r,u,\varphi$ with $m_1,m_2,G$ and the four initial values determines the motion in )"
+      R"(its plane; $\beta$ and $\gamma$ follow from them)",
       {.printed = from("the motion from these alone", b),
        .near_misses = {from(R"($\gamma$ with the reduced mass for the sum)", reduced),
                        from(R"(without the rate $\dot r_0$)", still)}});
+
+  // the files as the solution of 3.15 lists them: a state of numbers, and equal steps of Runge-Kutta 4
+  const auto in_steps = [&](double step) {
+    const std::string by = "Runge-Kutta 4 in steps of " + format_shortest(step) + " s";
+    return Reading{by,
+                   {{"path at four times to 4 s",
+                     {R"($r,u,\varphi$ by )" + by,
+                      observe_integrated<ode::RungeKutta4>(Published<double>{b}, horizon, step).value},
+                     {"Kepler's equation in universal variables", known},
+                     {1e-6, "a micrometer, and above the method's error at 0.01 s"},
+                     1}}};
+  };
+  claims.add("module_pattern", 2787, "The pattern of the `PhysicsModule` files may be used here",
+             {.printed = in_steps(0.01), .near_misses = {in_steps(0.25)}});
 }
 
 /// The distance is r, by sin^2 + cos^2 of both angles.
@@ -412,8 +432,6 @@ std::vector<Claim> claims(double seed, const Reference& truth) {
   accelerations(table, samples);
   motions(claims, draw<Later>(20, seed));
   state_and_data(claims, truth);
-  claims.add("module_pattern", 2787, "the pattern of the `PhysicsModule` files may be used here",
-             {.not_checkable = "the files are on the book's CD-ROM; the text does not show their pattern"});
   return claims.in_order();
 }
 

@@ -13,6 +13,7 @@
 
 #include "chapters/03_rigid_body_motion/03_kepler/kepler.hpp"
 #include "chapters/03_rigid_body_motion/27_two_bodies/drawing.hpp"
+#include "chapters/energies.hpp"
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
 #include "chapters/stops.hpp"
@@ -26,13 +27,13 @@ using namespace two_bodies;
 using enum Outcome;
 
 constexpr Parameter parameters[] = {
-    {"G", 1, "m^3/(kg s^2)", "constant of gravity", 1e-3, 1e3},
-    {"m1", 2, "kg", "mass of the first body", 1e-3, 1e3},
-    {"m2", 1, "kg", "mass of the second body", 1e-3, 1e3},
-    {"r0", 1, "m", "distance at the start", 0.1, 10},
-    {"r0_dot", 0.25, "m/s", "its rate at the start", -10, 10},
+    {"G", 1, "m^3/(kg s^2)", "constant of gravity", 1e-12, 1e6},
+    {"m1", 2, "kg", "mass of the first body", 1e-6, 1e31},
+    {"m2", 1, "kg", "mass of the second body", 1e-6, 1e31},
+    {"r0", 1, "m", "distance at the start", 1e-3, 1e13},
+    {"r0_dot", 0.25, "m/s", "its rate at the start", -1e6, 1e6},
     {"phi0", 0.5, "rad", "angle at the start", -7, 7},
-    {"phi0_dot", 1.5, "rad/s", "its rate at the start", 0.03, 10},
+    {"phi0_dot", 1.5, "rad/s", "its rate at the start", 1e-9, 1e3},
     {"seed", 327, "", "of the random samples", 0, 1e9, whole_number},
 };
 
@@ -75,8 +76,8 @@ Answer by_kepler(const kepler::Start& start, const Horizon& horizon) {
   return answer;
 }
 
-/// Equal steps of s up to each stop.
-Answer by_levi_civita(const kepler::Start& start, const Horizon& horizon, double step) {
+/// Equal steps of s up to each stop; with the rates behind each place where they are asked for.
+Answer by_levi_civita(const kepler::Start& start, const Horizon& horizon, double step, bool with_rates) {
   const auto p = start.position(), v = start.velocity();
   const auto w = std::sqrt(std::complex(p[0], p[1])), rate = std::conj(w) * std::complex(v[0], v[1]) / 2.0;
   LeviCivita::State x{w.real(), w.imag(), rate.real(), rate.imag(), 0};
@@ -94,6 +95,10 @@ Answer by_levi_civita(const kepler::Start& start, const Horizon& horizon, double
   through_times(horizon, go_on, [&](double) {
     seen.push_back(x[0] * x[0] - x[1] * x[1]);
     seen.push_back(2 * x[0] * x[1]);
+    if (!with_rates) return;
+    const auto velocity = 2.0 * std::complex(x[2], x[3]) / std::conj(std::complex(x[0], x[1]));
+    seen.push_back(velocity.real());
+    seen.push_back(velocity.imag());
   });
   answer.value = Value(std::move(seen));
   return answer;
@@ -114,10 +119,26 @@ Quantity path(const std::string& name, const std::string& says, const Bodies& b,
                     published = "(r, u, phi)", both = "two bodies";
   Quantity q = quantity(name, "m", "the second body seen from the first at four times, " + says,
                         trajectory(truth, "03_27_two_bodies", inputs(b), horizon), {1e-6, "a micrometre"});
-  q.add({"Kepler's equation", "Newton from pi", no_knob(), [=](double) { return by_kepler(s, horizon); },
-         ellipse ? ok : raised, ellipse ? "" : "the orbit is no ellipse"});
-  q.add({"Levi-Civita's coordinates", "Runge-Kutta 4 in fictitious time", steps,
-         [=](double step) { return by_levi_civita(s, horizon, step); }});
+  Method by_newton{"Kepler's equation",
+                   "Newton from pi",
+                   no_knob(),
+                   [=](double) { return by_kepler(s, horizon); },
+                   ellipse ? ok : raised,
+                   ellipse ? "" : "the orbit is no ellipse"};
+  by_newton.places_and_rates = [=](double) {
+    const auto orbit = kepler::ellipse(s);
+    return places_and_rates_of(AtTimes{[&](double t) {
+                                 const double M = orbit.mean_anomaly(t);
+                                 const auto E = kepler::by_newton(orbit.e, std::abs(M), std::numbers::pi, 50);
+                                 return orbit.at_eccentric_anomaly(std::copysign(E.value, M));
+                               }},
+                               horizon);
+  };
+  q.add(std::move(by_newton));
+  Method levi_civita{"Levi-Civita's coordinates", "Runge-Kutta 4 in fictitious time", steps,
+                     [=](double step) { return by_levi_civita(s, horizon, step, false); }};
+  levi_civita.places_and_rates = [=](double step) { return by_levi_civita(s, horizon, step, true).value; };
+  q.add(std::move(levi_civita));
   const std::string why = expected.runge_kutta == ok ? "" : steep;
   SceneMethods(q, horizon, std::move(steps), tolerances(4, 12))
       .by<ode::ExplicitEuler>(published, Published<double>{b}, expected.euler, order)
@@ -151,6 +172,14 @@ Quantity path_of(const Parameters& p, const Horizon& horizon, const Reference& t
                     {"Kepler's equation, Newton from pi", "(r, u, phi)", "", "two bodies"});
 }
 
+Energy energy(const Parameters& p, std::span<const double> x) {
+  return orbit_energy(p["G"] * (p["m1"] + p["m2"]), x);
+}
+
+std::string_view kind(const Parameters& p) {
+  return asked(p).relative().energy() < 0 ? "an ellipse" : "a hyperbola";
+}
+
 Scene scene() {
   return {
       .motion = path_of,
@@ -167,6 +196,8 @@ Scene scene() {
                    {"two bodies", "two_bodies::BothBodies<double>{{G, m1, m2, r0, r0_dot, phi0, phi0_dot}}"}},
                   {{"Levi-Civita's coordinates", "which needs Newton's method for the time of every frame"}}},
       .draw = two_bodies::draw<Parameters>,
+      .laws = {energy},
+      .kind = kind,
   };
 }
 

@@ -378,12 +378,16 @@ Reader by_rows(const std::string& text, double sign) {
 void at_a_point(Table& table, const std::vector<Sample>& samples) {
   const std::string complex = "complex multiplication", by_dual = "dual numbers in the time";
   const Reader rod{complex, []<class T>(const SampleOf<T>& s) { return s.position({s.b()[0], T(0)}); }};
-  table.formula("thin_rod", 2791, "a point of the rod, $L$ from its center $(x,y)$", samples,
-                {.truth = rod,
+  table.formula("thin_rod", 2791,
+                R"(A point of the rod, $L$ from its center, is at $(x,y)+L(\cos\theta,\sin\theta)$)", samples,
+                {.quantity = "a point of the rod, $L$ from its center $(x,y)$",
+                 .truth = rod,
                  .printed = on_rod(R"($(x,y)+L(\cos\theta,\sin\theta)$)", false),
                  .near_misses = {on_rod(R"($(x,y)+L(\sin\theta,\cos\theta)$)", true)}});
-  table.formula("thin_rod_matrix", 2795, "the same by the matrix $R$", samples,
-                {.truth = rod,
+  table.formula("thin_rod_matrix", 2795, R"(In matrix form the point of the rod is $(x,y)+R\,(L,0)$)",
+                samples,
+                {.quantity = "the same by the matrix $R$",
+                 .truth = rod,
                  .printed = at_point("$(x,y)+R\\,(L,0)$", 1, 0),
                  .near_misses = {at_point("$(x,y)+R^T(L,0)$", -1, 0)}});
   const auto rotated = [](const std::string& text, double sign) {
@@ -392,7 +396,8 @@ void at_a_point(Table& table, const std::vector<Sample>& samples) {
                     return values(r[0] - s.x, r[1] - s.y, hypot(r[0] - s.x, r[1] - s.y));
                   }};
   };
-  table.formula("rotates_about_origin", 2823, "the rotation about the origin of body space", samples,
+  table.formula("rotates_about_origin", 2823,
+                R"(The matrix $R(\theta)$ rotates the body about the origin of body space)", samples,
                 {.quantity = "the point $b$ turned, and its distance from the origin",
                  .truth = {R"($e^{i\theta}b$ and $|b|$)",
                            [](const auto& s) {
@@ -401,18 +406,24 @@ void at_a_point(Table& table, const std::vector<Sample>& samples) {
                            }},
                  .printed = rotated("$(Rb,\\ |Rb|)$", 1),
                  .near_misses = {rotated("$(R^Tb,\\ |R^Tb|)$", -1)}});
-  table.formula("position", 2827, "the position $r$ of the point $b$, $c$ the center of mass", samples,
-                {.truth = {complex, [](const auto& s) { return s.position(s.b()); }},
+  table.formula("position", 2827, R"(The position is $r=c+R(\theta)b$, $c$ being the center of mass)",
+                samples,
+                {.quantity = "the position $r$ of the point $b$, $c$ the center of mass",
+                 .truth = {complex, [](const auto& s) { return s.position(s.b()); }},
                  .printed = at_point(R"($c+R(\theta)b$)", 1),
                  .near_misses = {at_point(R"($c+R(-\theta)b$)", -1)}});
   const Reader velocity{by_dual, [](const auto& s) { return s.velocity(s.b()); }};
-  table.formula("velocity", 2831, "its velocity $v$", samples,
-                {.truth = velocity,
+  table.formula("velocity", 2831, R"(The velocity is $v=\dot c+\dot\theta\frac{dR}{d\theta}b$)", samples,
+                {.quantity = "its velocity $v$",
+                 .truth = velocity,
                  .printed = moved(R"($\dot c+\dot\theta\frac{dR}{d\theta}b$)", 1, 1),
                  .near_misses = {moved(R"($\dot c-\dot\theta\frac{dR}{d\theta}b$)", -1, 1),
                                  moved(R"($\dot c+\frac{dR}{d\theta}b$)", 1, 1, false)}});
-  table.formula("dR_dtheta", 2847, R"($\frac{dR}{d\theta}$ by rows)", samples,
-                {.truth = {"dual numbers in the angle",
+  table.formula("dR_dtheta", 2847,
+                R"($\frac{dR}{d\theta}$ has the rows $(-\sin\theta,-\cos\theta;\ \cos\theta,-\sin\theta)$)",
+                samples,
+                {.quantity = R"($\frac{dR}{d\theta}$ by rows)",
+                 .truth = {"dual numbers in the angle",
                            []<class T>(const SampleOf<T>& s) {
                              const Dual<T> angle(s.theta, 1), C = cos(angle), S = sin(angle);
                              return values(C.slope, -S.slope, S.slope, C.slope);
@@ -420,8 +431,12 @@ void at_a_point(Table& table, const std::vector<Sample>& samples) {
                  .printed = by_rows(R"($(-\sin\theta,-\cos\theta;\ \cos\theta,-\sin\theta)$)", 1),
                  .near_misses = {by_rows("its transpose", -1)}});
   table.formula(
-      "velocity_components", 2857, "$v$ by components", samples,
-      {.truth = velocity,
+      "velocity_components", 2857,
+      R"($v=(\dot x-\dot\theta(b_0\sin\theta+b_1\cos\theta),\ \dot )"
+      R"(y+\dot\theta(b_0\cos\theta-b_1\sin\theta))$)",
+      samples,
+      {.quantity = "$v$ by components",
+       .truth = velocity,
        .printed = moved(
            R"($(\dot x-\dot\theta(b_0\sin\theta+b_1\cos\theta),\ \dot y+\dot\theta(b_0\cos\theta-b_1\sin\theta))$)",
            1, 1),
@@ -429,7 +444,7 @@ void at_a_point(Table& table, const std::vector<Sample>& samples) {
   const std::string sum = R"($|v|^2=\dot x^2+\dot y^2+\dot\theta^2(b_0^2+b_1^2))",
                     cross = R"(2\dot\theta\,(\dot x,\dot y)\cdot\frac{dR}{d\theta}b$)";
   table.formula(
-      "speed_squared", 2901, "the squared speed of each point", samples,
+      "speed_squared", 2901, R"(Each point has $|v|^2=\dot x^2+\dot y^2+\dot\theta^2(b_0^2+b_1^2)$)", samples,
       {.quantity = "$|v|^2$",
        .truth = {by_dual,
                  [](const auto& s) {
@@ -441,10 +456,12 @@ void at_a_point(Table& table, const std::vector<Sample>& samples) {
        .near_misses = {squared(sum + "-" + cross, -1)},
        .kind = Fault::formula,
        .root = cross_term,
-       .why = R"(The cross term $2\dot\theta\,(\dot x,\dot y)\cdot\frac{dR}{d\theta}b$ is missing. A )"
-              R"(wheel that rolls shows it: with $\dot x=1$, $\dot\theta=-1$ and $b=(0,-1)$ at )"
-              R"($\theta=0$ the point rests, and the formula gives 2. The term vanishes in the integral )"
-              R"(alone, because $\int b\,\delta\,ds=0$; the kinetic energy that follows is right.)"});
+       .why = filled(
+           R"(The cross term $2\dot\theta\,(\dot x,\dot y)\cdot\frac{dR}{d\theta}b$ is missing. A )"
+           R"(wheel that rolls shows it: with $\dot x=1$, $\dot\theta=-1$ and $b=(0,-1)$ at )"
+           R"($\theta=0$ the point rests, and the formula gives @1. The term vanishes in the integral )"
+           R"(alone, because $\int b\,\delta\,ds=0$; the kinetic energy that follows is right.)",
+           {1 * 1 + 1 * 1})});
 }
 
 const Reader by_integral{R"($\int\frac12|v|^2\delta\,ds$, $v$ by dual numbers)",
@@ -487,13 +504,14 @@ void over_the_wire(Table& table, const std::vector<Sample>& samples) {
                     });
                   }};
   };
-  table.formula("reorient_or_not", 2825, "the curve may be turned in body space", samples,
+  table.formula("reorient_or_not", 2825, "The curve may be turned in body space, or not", samples,
                 {.quantity = R"($\mu_2$)",
                  .truth = {"of the curve as it is", [](const auto& s) { return s.mu2(); }},
                  .printed = reoriented("turned by 1 radian", 0),
                  .near_misses = {reoriented("turned by 1 radian and shifted by 0.1", 0.1)}});
   table.formula(
-      "kinetic_energy_formula", 2905, R"($T$ by $\mu_0$ and $\mu_2$)", samples,
+      "kinetic_energy_formula", 2905, R"($T=\frac{\mu_0}2(\dot x^2+\dot y^2)+\frac{\mu_2}2\dot\theta^2$)",
+      samples,
       {.quantity = "$T$",
        .truth = by_integral,
        .printed = {R"($\frac{\mu_0}2(\dot x^2+\dot y^2)+\frac{\mu_2}2\dot\theta^2$)",
@@ -503,20 +521,27 @@ void over_the_wire(Table& table, const std::vector<Sample>& samples) {
                           return energy(s, s.mu2({-s.center[0], -s.center[1]}));
                         }},
                        {R"($\mu_2$ for $\mu_2/2$)", [](const auto& s) { return energy(s, 2 * s.mu2()); }}}});
-  table.formula(
-      "only_differences", 2923, R"(nothing but $\mu_0$ and $\mu_2$ tells the curve from a rod)", samples,
-      {.quantity = "$T$",
-       .truth = by_integral,
-       .printed = {R"(of a rod with the same $\mu_0$ and $\mu_2$)",
-                   [](const auto& s) { return energy_of_rod(s, sqrt(12 * s.mu2() / s.mu0)); }},
-       .near_misses = {{R"(of a rod with the same $\mu_0$ and length)",
-                        [](const auto& s) { return energy_of_rod(s, s.wire.arc_length(s.wire.end())); }}}});
+  table.formula("only_differences", 2923, R"($T$ is a rod's, with other $\mu_0$ and $\mu_2$)", samples,
+                {.quantity = "$T$",
+                 .truth = by_integral,
+                 .printed = {R"(of a rod with the same $\mu_0$ and $\mu_2$)",
+                             [](const auto& s) { return energy_of_rod(s, sqrt(12 * s.mu2() / s.mu0)); }},
+                 .near_misses = {{R"(of a rod with the same $\mu_0$ and length)", [](const auto& s) {
+                                    return energy_of_rod(s, s.wire.arc_length(s.wire.end()));
+                                  }}}});
 
-  table.formula("force_x", 2927, "the generalized force $F_x$ of a force $F$ on each unit of mass", samples,
-                {.truth = slope(0), .printed = Fx, .near_misses = {Fy}});
   table.formula(
-      "force_y", 2933, "the generalized force $F_y$", samples,
-      {.truth = slope(1),
+      "force_x", 2927,
+      R"($F_x=\int F\cdot\imath\,\delta\,ds$, $F$ being the force on a unit of mass (our condition))",
+      samples,
+      {.quantity = "the generalized force $F_x$ of a force $F$ on each unit of mass",
+       .truth = slope(0),
+       .printed = Fx,
+       .near_misses = {Fy}});
+  table.formula(
+      "force_y", 2933, R"($F_y$ is $\int F\cdot\jmath\,\delta\,ds$, $F$ as before)", samples,
+      {.quantity = "the generalized force $F_y$",
+       .truth = slope(1),
        .printed = {R"($\int F\cdot\delta\,ds$, a vector)",
                    [](const Sample& s) { return values(Fx.of(s)[0], Fy.of(s)[0]); }},
        .meant = Fy,
@@ -535,7 +560,7 @@ void claim_force_theta(Claims& claims, const std::vector<Sample>& samples) {
   };
   Reading moment = against_slope(moment_of_force);
   moment.checks.push_back(compare(R"($(F_x,F_y,F_\theta)$ of gravity)", moment_of_weight, weight, samples));
-  claims.add("force_theta", 2939, R"(the generalized force $F_\theta$)",
+  claims.add("force_theta", 2939, R"($F_\theta=\int F\cdot\frac{dR}{d\theta}b\,\delta\,ds$, $F$ as before)",
              {.printed = moment,
               .near_misses = {
                   against_slope(turning(R"($\int F\cdot Rb\,\delta\,ds$)",
@@ -729,6 +754,9 @@ Provables proofs() {
   return proved;
 }
 
+/// Friction of 1 N a kilogram on a turning rod of 1 m and 2 kg, about its center, in N m.
+constexpr double moment_of_rod = 2 * (2 * 0.5 * 0.5 / 2);
+
 std::vector<Claim> claims(double seed) {
   const auto samples = draw<Sample>(200, seed);
   Claims claims("3.29");
@@ -742,7 +770,8 @@ std::vector<Claim> claims(double seed) {
         }};
   };
   claims.formula<Sample>(
-      "body_space", 2823, R"($\int b\,\delta\,ds=0$ in body space)", samples,
+      "body_space", 2823, R"(In body space the center of mass is at the origin: $\int b\,\delta\,ds=0$)",
+      samples,
       {.quantity = R"($(\mu_0,\mu_0)+\int b\,\delta\,ds$)",
        .truth = {R"($(\mu_0,\mu_0)$)", [](const Sample& s) { return values(s.mu0, s.mu0); }},
        .printed = first_moments("$b$ from the center of mass", true),
@@ -751,7 +780,7 @@ std::vector<Claim> claims(double seed) {
   over_the_wire(wires, samples);
   claim_force_theta(claims, samples);
   claims.formula<Sample>(
-      "arc_length", 2825, "the arc length runs up to the total length", samples,
+      "arc_length", 2825, R"(The arc length runs from 0 to the total length $\int ds$)", samples,
       {.quantity = "the total length",
        .truth = {"the primitive of $ds$", [](const Sample& s) { return s.wire.arc_length(s.wire.end()); }},
        .printed = {R"($\int ds$)", [](const Sample& s) { return s.wire.along([](double) { return 1; }); }},
@@ -759,36 +788,38 @@ std::vector<Claim> claims(double seed) {
                           const Point a = s.wire.point(0), b = s.wire.point(s.wire.end());
                           return std::hypot(b[0] - a[0], b[1] - a[1]);
                         }}}});
-  claims.add("mass", 2867, R"($\mu_0$ is the integral of the density over the length)",
+  claims.add("mass", 2867, R"(The total mass is $\mu_0=\int\delta\,ds$)",
              {.printed = against_primitives(R"($\mu_0=\int\delta\,ds$)", 0, true, true, seed),
               .near_misses = {against_primitives(R"($\mu_0=\int\delta\,du$, $u$ not the arc length)", 0, true,
                                                  false, seed)}});
-  claims.add("kinetic_energy", 2883, "the kinetic energy $T$ is the integral of the points'",
+  claims.add("kinetic_energy", 2883, R"(The kinetic energy is $T=\int\frac12|v|^2\delta\,ds$)",
              {.printed = of_particles(R"($T=\int\frac12|v|^2\delta\,ds$)", 0.5, seed),
               .near_misses = {of_particles(R"($T=\int|v|^2\delta\,ds$)", 1, seed)}});
-  claims.add("mu2", 2915, R"($\mu_2$ is the integral of $|b|^2\delta$)",
+  claims.add("mu2", 2915, R"($\mu_2=\int|b|^2\delta\,ds$)",
              {.printed = against_primitives(R"($\mu_2=\int|b|^2\delta\,ds$, $b$ from the center of mass)", 3,
                                             true, true, seed),
               .near_misses = {against_primitives(
                   R"($\mu_2=\int|b|^2\delta\,ds$, $b$ from the start of the curve)", 3, false, true, seed)}});
   claims.add("numerical_integration", 2945,
-             "numerical integration serves for rough friction too, on a moving wire",
+             "Numerical integration applies to the generalized forces of rough friction (on a moving wire)",
              {.printed = friction_moment(seed, 1 << 15), .near_misses = {friction_moment(seed, 2)}});
   claims.add(
       "friction_at_rest", 2945,
-      "with rough friction the generalized forces are integrals, which can be computed numerically",
+      "With rough friction too, numerical integration applies to the generalized forces",
       {.printed = {"for a wire at rest, too", {friction_at_speed("at rest", seed, 0, 0)}},
        .corrected = {"for a wire in motion, whatever its speed; at rest the integrand is $0/0$",
                      {friction_at_speed("a billion times slower", seed, 1e-9, 1),
                       friction_at_speed("a billion times slower, the other way", seed, -1e-9, -1)}},
+       .in_view = {"for a wire in motion", {friction_at_speed("a billion times slower", seed, 1e-9, 1)}},
        .near_misses = {{"half the friction at half the speed",
                         {friction_at_speed("half as fast", seed, 0.5, 0.5)}}},
-       .why =
-           R"(Rough friction has the direction $-v/|v|$, and a wire at rest has none: every rule that evaluates )"
-           R"(the integrand returns NaN. Nor is there a limit: friction of 1 N a kilogram on a rod of 1 m and 2 kg )"
-           R"(that turns about its center has a moment of $-0.5$ or $+0.5$ N m, by the sense of the turn, however )"
-           R"(slow it is. At rest it takes what holds the rod, up to a bound: that is static friction, which the )"
-           R"(integral does not have.)",
+       .why = filled(
+           "Rough friction has the direction $-v/|v|$, and a wire at rest has none: every rule that "
+           "evaluates the integrand returns NaN. Nor is there a limit: friction of 1 N a kilogram on a rod "
+           "of 1 m and 2 kg that turns about its center has a moment of $-@2$ or $+@2$ N m, by the sense of "
+           "the turn, however slow it is. At rest it takes what holds the rod, up to a bound: that is "
+           "static friction, which the integral does not have.",
+           {moment_of_rod, moment_of_rod}),
        .kind = Fault::left_out,
        .root = at_rest});
   return claims.in_order();
@@ -797,13 +828,17 @@ std::vector<Claim> claims(double seed) {
 std::vector<Root> roots() {
   return {
       {cross_term,
-       R"(The lowest point of a wheel that rolls at 1 m/s rests on the ground; by the published formula it slides )"
-       R"(at $\sqrt2=1.41$ m/s, and a game that leaves skid marks by the speed of contact has every rolling wheel )"
-       R"(leave them.)"},
+       filled(
+           R"(The lowest point of a wheel that rolls at 1 m/s rests on the ground; by the published formula it slides )"
+           R"(at $\sqrt2=@3$ m/s, and a game that leaves skid marks by the speed of contact has every rolling wheel )"
+           R"(leave them.)",
+           {std::sqrt(2.0)})},
       {at_rest,
-       R"(A rod of 1 m and 2 kg that lies still on ground of 1 N a kilogram gets NaN for its moment in the first )"
-       R"(frame; one whose turn has all but stopped gets 0.5 N m to one side or the other, whichever way its last )"
-       R"(rounding error turns it.)"}};
+       filled(
+           R"(A rod of 1 m and 2 kg that lies still on ground of 1 N a kilogram gets NaN for its moment in the first )"
+           R"(frame; one whose turn has all but stopped gets @2 N m to one side or the other, whichever way its last )"
+           R"(rounding error turns it.)",
+           {moment_of_rod})}};
 }
 
 }  // namespace oddity::ex03_29

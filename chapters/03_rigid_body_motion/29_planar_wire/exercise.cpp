@@ -7,6 +7,7 @@
 
 #include "chapters/03_rigid_body_motion/29_planar_wire/drawing.hpp"
 #include "chapters/03_rigid_body_motion/29_planar_wire/planar_wire.hpp"
+#include "chapters/energies.hpp"
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
 #include "solvers/engines/turns.hpp"
@@ -16,12 +17,12 @@ namespace oddity {
 namespace ex03_29 {
 
 constexpr Parameter parameters[] = {
-    {"q", 1, "m", "size of the wires", 0.1, 10},
-    {"d", 2, "kg/m", "their density", 0.01, 100},
-    {"u", 2, "m/s", "velocity of the center at the start, level", -20, 20},
-    {"v", 5, "m/s", "velocity of the center at the start, upward", -20, 20},
-    {"w", 6, "rad/s", "angular velocity", -20, 20},
-    {"g", 9.81, "m/s^2", "gravity", 0, 100},
+    {"q", 1, "m", "size of the wires", 1e-3, 1e4},
+    {"d", 2, "kg/m", "their density", 1e-6, 1e6},
+    {"u", 2, "m/s", "velocity of the center at the start, level", -1e4, 1e4},
+    {"v", 5, "m/s", "velocity of the center at the start, upward", -1e4, 1e4},
+    {"w", 6, "rad/s", "angular velocity", -1e3, 1e3},
+    {"g", 9.81, "m/s^2", "gravity", 0, 1e4},
     {"seed", 29, "", "seed of the random samples", 0, 1e9, whole_number},
 };
 
@@ -44,6 +45,13 @@ engines::Staging staging(const Parameters& p) {
           }};
 }
 
+/// Places are the center of mass and the angle.
+Energy energy(const Parameters& p, std::span<const double> x) {
+  const auto wire = planar_wire::thrown(asked(p));
+  return energy_seen(wire.mu0 * half_square(x.subspan(3, 2)) + wire.mu2 * half_square(x.subspan(5)),
+                     wire.mu0 * wire.g * x[1]);
+}
+
 Scene scene() {
   return {
       .motion = fall_of,
@@ -64,6 +72,8 @@ Scene scene() {
                     "planar_wire::TwoParticles<double>{planar_wire::thrown<double>({q, d, u, v, w, g})}"}}},
       .draw = planar_wire::draw<Parameters>,
       .staging = staging,
+      .laws = {energy},
+      .is_linear = true,
   };
 }
 

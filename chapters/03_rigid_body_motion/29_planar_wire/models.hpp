@@ -11,6 +11,10 @@ namespace oddity::planar_wire {
 template <class T>
 using Point = std::array<T, 2>;
 
+/// The center of mass, and the angle.
+template <class T>
+using Pose = std::array<T, 3>;
+
 /// mu0, the center of mass, mu2 about it.
 template <class T>
 using Inertia = std::array<T, 4>;
@@ -64,12 +68,14 @@ template <class T>
 struct PointMass {
   Thrown<T> p;
   Point<T> at(const T& t) const { return p.mark(p.u * t, p.v * t - p.g * t * t / 2, T(0)); }
+  Pose<T> place(const T& t) const { return {p.u * t, p.v * t - p.g * t * t / 2, T(0)}; }
 };
 
 template <class T>
 struct FreeFall {
   Thrown<T> p;
   Point<T> at(const T& t) const { return p.mark(p.u * t, p.v * t - p.g * t * t / 2, p.w * t); }
+  Pose<T> place(const T& t) const { return {p.u * t, p.v * t - p.g * t * t / 2, p.w * t}; }
 };
 
 /// (x, y, theta, x', y', theta').
@@ -87,6 +93,7 @@ struct Generalized {
     a = {X(0), X(-p.g), X(0)};
   }
   Point<T> observe(const State& x, const T&) const { return p.mark(x[0], x[1], x[2]); }
+  Pose<T> place(const State& x, const T&) const { return {x[0], x[1], x[2]}; }
   auto conserved(const State& x, const T&) const {
     return energy_of<T>(p.mu0 * (x[3] * x[3] + x[4] * x[4]) / 2 + p.mu2 * x[5] * x[5] / 2,
                         p.mu0 * p.g * x[1]);
@@ -107,8 +114,12 @@ struct TwoParticles {
     const X hold = (du * du + dv * dv) / (dx * dx + dy * dy) / 2;
     dxdt = {x[4], x[5], x[6], x[7], -hold * dx, -hold * dy - p.g, hold * dx, hold * dy - p.g};
   }
-  Point<T> observe(const State& x, const T&) const {
-    return p.mark((x[0] + x[2]) / 2, (x[1] + x[3]) / 2, atan2(x[1] - x[3], x[0] - x[2]));
+  Point<T> observe(const State& x, const T& t) const {
+    const Pose<T> pose = place(x, t);
+    return p.mark(pose[0], pose[1], pose[2]);
+  }
+  Pose<T> place(const State& x, const T&) const {
+    return {(x[0] + x[2]) / 2, (x[1] + x[3]) / 2, atan2(x[1] - x[3], x[0] - x[2])};
   }
   auto conserved(const State& x, const T&) const {
     return energy_of<T>(p.mu0 / 4 * (x[4] * x[4] + x[5] * x[5] + x[6] * x[6] + x[7] * x[7]),

@@ -8,6 +8,7 @@
 #include "chapters/03_rigid_body_motion/31_rough_box/drawing.hpp"
 #include "chapters/03_rigid_body_motion/31_rough_box/rough_box.hpp"
 #include "chapters/claims.hpp"
+#include "chapters/energies.hpp"
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
 #include "solvers/engines/turns.hpp"
@@ -17,13 +18,13 @@ namespace oddity {
 namespace ex03_31 {
 
 constexpr Parameter parameters[] = {
-    {"a", 0.3, "m", "half the box's length", 0.1, 0.5},
-    {"b", 0.2, "m", "half the box's width", 0.1, 0.5},
-    {"mu", 0.3, "", "coefficient of friction", 0.2, 1},
-    {"g", 9.81, "m/s^2", "gravity", 1, 30},
-    {"u0", 2, "m/s", "velocity at the start, along the length", 0.1, 3},
-    {"v0", 0.5, "m/s", "velocity at the start, across", 0, 3},
-    {"w0", 10, "rad/s", "angular velocity at the start", 0, 20},
+    {"a", 0.3, "m", "half the box's length", 1e-3, 1e2},
+    {"b", 0.2, "m", "half the box's width", 1e-3, 1e2},
+    {"mu", 0.3, "", "coefficient of friction", 1e-3, 10},
+    {"g", 9.81, "m/s^2", "gravity", 1e-3, 1e3},
+    {"u0", 2, "m/s", "velocity at the start, along the length", 1e-3, 100},
+    {"v0", 0.5, "m/s", "velocity at the start, across", 0, 100},
+    {"w0", 10, "rad/s", "angular velocity at the start", 0, 1000},
 };
 
 // ---- the claims -------------------------------------------------------------------------------------------
@@ -32,10 +33,12 @@ std::vector<Claim> claims() {
   const std::string why =
       "the program is on the book's CD-ROM; the text gives neither its equations nor a listing";
   return Claims("3.31")
-      .add("rough_friction", 2949, "the program `RoughPlaneSolidBox` has rough friction",
+      .add("rough_friction", 2949,
+           "the program `RoughPlaneSolidBox` is an implementation that uses rough friction",
            {.not_checkable = why})
-      .add("no_static_friction", 2949, "the program leaves static friction out", {.not_checkable = why})
-      .add("easily_modified", 2949, "the program is easily changed to have static friction",
+      .add("no_static_friction", 2949, "the program does not incorporate static friction",
+           {.not_checkable = why})
+      .add("easily_modified", 2949, "the program may easily be modified to have static friction",
            {.not_checkable = why})
       .in_order();
 }
@@ -67,6 +70,11 @@ engines::Staging staging(const Parameters& p) {
       "turns less. The scene \"box on corners\" judges engines by four corners."};
 }
 
+Energy energy(const Parameters& p, std::span<const double> x) {
+  const double J = (p["a"] * p["a"] + p["b"] * p["b"]) / 3;
+  return energy_seen(half_square(x.subspan(3, 2)) + J * half_square(x.subspan(5)), 0);
+}
+
 Scene scene() {
   return {
       .motion = slide_of,
@@ -88,6 +96,7 @@ Scene scene() {
            {{"stopped by event", "rough_box::UntilRest<double>{{{{a, b}, mu, g, u0, v0, w0}}}"}}},
       .draw = rough_box::draw<Parameters>,
       .staging = staging,
+      .laws = {energy},
   };
 }
 

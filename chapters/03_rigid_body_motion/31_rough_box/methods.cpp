@@ -5,12 +5,14 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <type_traits>
 
 #include "chapters/03_rigid_body_motion/31_rough_box/rough_box.hpp"
 #include "chapters/scene.hpp"
 #include "chapters/stops.hpp"
 #include "solvers/counted_calls.hpp"
 #include "solvers/ode/events.hpp"
+#include "solvers/ode/steps_in.hpp"
 
 namespace oddity::ex03_31 {
 
@@ -172,10 +174,13 @@ bool fail(Answer& answer, Ending ending, std::string message) {
   return false;
 }
 
+/// How many of a state's numbers are seen: its places, or its places and rates.
+enum class Seen { places = 3, places_and_rates = 6 };
+
 /// From stop to stop in the stretched time. How much of it a stop needs is found by Newton's method, from
 /// below, as the speed falls.
 template <class Algorithm>
-Answer slide_in_stretched_time(const Box& b, const Horizon& horizon, double setting) {
+Answer slide_in_stretched_time(const Box& b, const Horizon& horizon, double setting, Seen what) {
   const Stretched<double> box{b};
   Stretched<double>::State x = box.start();
   double s = 0;
@@ -193,31 +198,33 @@ Answer slide_in_stretched_time(const Box& b, const Horizon& horizon, double sett
     }
     return true;
   };
-  through_times(horizon, go_on, [&](double) { seen.insert(seen.end(), x.begin(), x.begin() + 3); });
+  through_times(horizon, go_on,
+                [&](double) { seen.insert(seen.end(), x.begin(), x.begin() + static_cast<int>(what)); });
   answer.value = Value(std::move(seen));
   return answer;
 }
 
 /// By equal steps, none of which takes the box through its stop.
-Answer slide_with_stick_test(const Box& b, Stepping rule, const Horizon& horizon, double step) {
+Answer slide_with_stick_test(const Box& b, Stepping rule, const Horizon& horizon, double step, Seen what) {
   const InTime<double> box{b};
   InTime<double>::State x = box.start();
   bool rests = false;
   Answer answer;
   std::vector<double> seen;
   const auto go_on = [&](double from, double to) {
-    const double n = count_of_steps(to - from, step), h = (to - from) / n;
+    const double n = ode::steps_in(from, to, step), h = (to - from) / n;
     for (double k = 0; k < n && !rests; ++k) {
       if (answer.evaluations > ode::most_evaluations)
         return fail(answer, Ending::stalled, "the budget of evaluations is spent");
       if (const auto rest = step_or_stop(box, rule, from + k * h, h, x, answer.evaluations)) {
-        std::copy(rest->begin() + 1, rest->end(), x.begin());
+        x = {(*rest)[1], (*rest)[2], (*rest)[3], 0, 0, 0};
         rests = true;
       }
     }
     return true;
   };
-  through_times(horizon, go_on, [&](double) { seen.insert(seen.end(), x.begin(), x.begin() + 3); });
+  through_times(horizon, go_on,
+                [&](double) { seen.insert(seen.end(), x.begin(), x.begin() + static_cast<int>(what)); });
   answer.value = Value(std::move(seen));
   return answer;
 }
@@ -262,21 +269,32 @@ Quantity slide(const Box& box, const Horizon& horizon, const Reference& truth) {
                                  {"CVODE BDF", inaccurate, creeps},
                                  {"ARKODE Zonneveld 4(3)", inaccurate, creeps},
                                  {"ARKODE Verner 6(5)", inaccurate, creeps}});
-  q.add({sticks, "semi-implicit Euler", steps,
-         [=](double h) { return slide_with_stick_test(box, Stepping::semi_implicit_euler, horizon, h); },
-         inaccurate, order});
-  q.add({sticks, midpoint, steps,
-         [=](double h) { return slide_with_stick_test(box, Stepping::midpoint, horizon, h); }});
+  const auto add = [&](const std::string& model, const std::string& algorithm, const Knob& knob,
+                       const auto& seen, Outcome expected, const std::string& why) {
+    Method method{model,    algorithm, knob, [=](double setting) { return seen(setting, Seen::places); },
+                  expected, why};
+    method.places_and_rates = [=](double setting) { return seen(setting, Seen::places_and_rates).value; };
+    q.add(std::move(method));
+  };
+  const auto by_steps = [=](Stepping rule) {
+    return [=](double h, Seen what) { return slide_with_stick_test(box, rule, horizon, h, what); };
+  };
+  const auto by_stretched = [=]<class Algorithm>(std::type_identity<Algorithm>) {
+    return [=](double setting, Seen what) {
+      return slide_in_stretched_time<Algorithm>(box, horizon, setting, what);
+    };
+  };
+  add(sticks, "semi-implicit Euler", steps, by_steps(Stepping::semi_implicit_euler), inaccurate, order);
+  add(sticks, midpoint, steps, by_steps(Stepping::midpoint), ok, "");
   SceneMethods(q, horizon, steps, tolerances())
       .by<ode::RungeKutta4>(event, UntilRest<double>{{box}})
       .by<ode::DormandPrince54>(event, UntilRest<double>{{box}})
       .by<ode::Fehlberg78>(event, UntilRest<double>{{box}});
-  q.add({stretched, "Runge-Kutta 4", stretched_steps,
-         [=](double h) { return slide_in_stretched_time<ode::RungeKutta4>(box, horizon, h); }});
-  q.add({stretched, "Dormand-Prince 5(4)", tolerances(),
-         [=](double e) { return slide_in_stretched_time<ode::DormandPrince54>(box, horizon, e); }});
-  q.add({stretched, "Fehlberg 7(8)", tolerances(),
-         [=](double e) { return slide_in_stretched_time<ode::Fehlberg78>(box, horizon, e); }});
+  add(stretched, "Runge-Kutta 4", stretched_steps, by_stretched(std::type_identity<ode::RungeKutta4>{}), ok,
+      "");
+  add(stretched, "Dormand-Prince 5(4)", tolerances(),
+      by_stretched(std::type_identity<ode::DormandPrince54>{}), ok, "");
+  add(stretched, "Fehlberg 7(8)", tolerances(), by_stretched(std::type_identity<ode::Fehlberg78>{}), ok, "");
   return q;
 }
 

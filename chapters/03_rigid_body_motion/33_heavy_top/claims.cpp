@@ -116,7 +116,7 @@ const Reader points_T{R"($\sum m|\dot{\mathbf x}|^2/2$ over the points)",
 // ---- the energy -------------------------------------------------------------------------------------------
 
 void claim_energy(Table& table, const Samples& tops) {
-  table.formula("center_of_mass", 2953, R"(the center of mass is $\ell\boldsymbol\xi_3$)", tops,
+  table.formula("center_of_mass", 2953, R"(the center of mass is at $\mathbf r=\ell\boldsymbol\xi_3$)", tops,
                 {.quantity = "center of mass in body coordinates",
                  .truth = {R"($\sum m\mathbf x/m$ over the points)",
                            []<class T>(const SampleOf<T>& s) {
@@ -183,8 +183,9 @@ void claim_energy(Table& table, const Samples& tops) {
                     return values(s.mu1, 0, 0, 0, both_across ? s.mu1 : s.mu3, 0, 0, 0, s.mu3);
                   }};
   };
-  table.formula("inertia", 2961, "the inertia tensor in body coordinates", tops,
-                {.truth = {R"($\sum m(|\mathbf x|^2-\mathbf x\mathbf x^T)$ over the points)",
+  table.formula("inertia", 2963, R"($J=\mathrm{Diag}(\mu_1,\mu_1,\mu_3)$ in body coordinates)", tops,
+                {.quantity = "inertia tensor in body coordinates",
+                 .truth = {R"($\sum m(|\mathbf x|^2-\mathbf x\mathbf x^T)$ over the points)",
                            []<class T>(const SampleOf<T>& s) {
                              using Tensor = std::array<T, 9>;
                              return s.body.template sum<Tensor>([](Tensor& J, const PointOf<T>& p) {
@@ -207,9 +208,15 @@ void claim_energy(Table& table, const Samples& tops) {
   const auto by_phi = [](const auto& s) { return s.q[1]; };
   const auto by_psi = [](const auto& s) { return s.q[2]; };
   const auto by_minus_psi = [](const auto& s) { return -s.q[2]; };
-  const std::string rest = R"(+\dot\theta\cos\psi\sin\phi$)";
+  const auto squares = [](const std::string& second) {
+    return R"($\frac{\mu_1}2(\dot\phi\cos\psi+\dot\theta\sin\psi\sin\phi)^2+\frac{\mu_1}2()" + second +
+           R"(+\dot\theta\cos\psi\sin\phi)^2+\frac{\mu_3}2(\dot\psi+\dot\theta\cos\phi)^2$)";
+  };
   table.formula(
-      "angular_velocity", 2967, R"(the second component of $\mathbf w$ in body coordinates)", tops,
+      "angular_velocity", 2967,
+      R"($\mathbf w=(\dot\phi\cos\psi+\dot\theta\sin\psi\sin\phi,\ -\dot\phi\sin\phi+\dot\theta\cos\psi\sin\phi,)"
+      R"(\ \dot\psi+\dot\theta\cos\phi)$ in body coordinates)",
+      tops,
       {.quantity = R"($\mathbf w$)",
        .truth = {R"($R^T\dot R$, by dual numbers)", [](const auto& s) { return s.body_rates(); }},
        .printed = omega(R"(-\dot\phi\sin\phi)", by_phi),
@@ -226,30 +233,33 @@ void claim_energy(Table& table, const Samples& tops) {
     return Reader{text, [factor](const auto& s) { return 2 * factor * half_wJw(s, s.body_rates(), s.mu1); }};
   };
   table.formula(
-      "kinetic_energy_again", 2971, R"($T$ by the tensor and $\mathbf w$)", tops,
+      "kinetic_energy_again", 2971, R"($T=\frac12\mathbf w^TJ\mathbf w$, the fraction bar lost)", tops,
       {.quantity = "$T$",
        .truth = points_T,
        .printed = tensor(R"($12\,\mathbf w^TJ\mathbf w$)", 12),
        .meant = tensor(R"($\frac12\mathbf w^TJ\mathbf w$)", 0.5),
        .near_misses = {tensor(R"($\mathbf w^TJ\mathbf w$)", 1)},
        .kind = Fault::lost_typography,
-       .why =
+       .why = filled(
            R"(The fraction bar of $\tfrac12$ is lost in the text at hand. Line 2959 has it on two lines, and the )"
-           R"($\mu_1/2$ of the next lines come from it. As it stands the top has 24 times its energy.)"});
+           R"($\mu_1/2$ of the next lines come from it. As it stands the top has @2 times its energy.)",
+           {12 / 0.5})});
 
-  table.formula("energy_by_components", 2973, R"(the second square in $T$ by the components of $\mathbf w$)",
-                tops,
+  table.formula("energy_by_components", 2973, "$T=" + squares(R"(-\dot\phi\sin\phi)").substr(1), tops,
                 {.quantity = "$T$",
                  .truth = points_T,
-                 .printed = energy(R"(that of $-\dot\phi\sin\phi)" + rest, by_phi),
-                 .meant = energy(R"(that of $-\dot\phi\sin\psi)" + rest, by_psi),
-                 .near_misses = {energy(R"(that of $+\dot\phi\sin\psi)" + rest, by_minus_psi)},
+                 .printed = energy(squares(R"(-\dot\phi\sin\phi)"), by_phi),
+                 .meant = energy(squares(R"(-\dot\phi\sin\psi)"), by_psi),
+                 .near_misses = {energy(squares(R"(\dot\phi\sin\psi)"), by_minus_psi)},
                  .kind = Fault::formula,
-                 .why = R"(The same letter: $\phi$ stands for $\psi$ in the second square.)"});
+                 .why = R"(Here too $\phi$ stands for $\psi$ in the second square.)"});
 
   table.formula(
-      "energy_reduced", 2981, "$T$ in the angles", tops,
-      {.truth = points_T,
+      "energy_reduced", 2981,
+      R"($T=\frac{\mu_1}2(\dot\phi^2+\dot\theta^2\sin^2\phi)+\frac{\mu_3}2(\dot\psi+\dot\theta\cos\phi)^2$)",
+      tops,
+      {.quantity = "$T$",
+       .truth = points_T,
        .printed =
            {R"($\frac{\mu_1}2(\dot\phi^2+\dot\theta^2\sin^2\phi)+\frac{\mu_3}2(\dot\psi+\dot\theta\cos\phi)^2$)",
             [](const auto& s) { return kinetic(s, sin(s.q[1])); }},
@@ -265,7 +275,7 @@ void claim_derivatives(Table& table, const Samples& tops) {
   };
   const Reader at_phi = zero_of(1, R"($\partial T/\partial\phi=0$)");
   // A published zero stands on the right.
-  table.formula("dT_dtheta", 2989, R"($T$ does not depend on $\theta$)", tops,
+  table.formula("dT_dtheta", 2989, R"($\partial T/\partial\theta=0$)", tops,
                 {.quantity = R"($\partial T/\partial\theta$ of the points' $T$, by dual numbers)",
                  .truth = zero,
                  .printed = zero_of(0, R"($\partial T/\partial\theta=0$)"),
@@ -275,9 +285,15 @@ void claim_derivatives(Table& table, const Samples& tops) {
                       R"(\mu_3(\dot\psi+\dot\theta\cos\phi)\dot\theta\sin\phi$)",
                   [factor](const auto& s) { return dT_dphi(s, factor); }};
   };
-  table.formula("dT_dphi", 2993, R"($\partial T/\partial\phi$)", tops,
-                {.truth = slope_of_T(1, false), .printed = by_phi("-", 1), .near_misses = {by_phi("+", -1)}});
-  table.formula("dT_dpsi", 2997, R"($T$ does not depend on $\psi$)", tops,
+  table.formula("dT_dphi", 2993,
+                R"($\partial T/\partial\phi=\mu_1\dot\theta^2\sin\phi\cos\phi)"
+                R"(-\mu_3(\dot\psi+\dot\theta\cos\phi)\dot\theta\sin\phi$)",
+                tops,
+                {.quantity = R"($\partial T/\partial\phi$)",
+                 .truth = slope_of_T(1, false),
+                 .printed = by_phi("-", 1),
+                 .near_misses = {by_phi("+", -1)}});
+  table.formula("dT_dpsi", 2997, R"($\partial T/\partial\psi=0$)", tops,
                 {.quantity = R"($\partial T/\partial\psi$ of the points' $T$, by dual numbers)",
                  .truth = zero,
                  .printed = zero_of(2, R"($\partial T/\partial\psi=0$)"),
@@ -286,15 +302,21 @@ void claim_derivatives(Table& table, const Samples& tops) {
   const auto of_theta = [&](const std::string& sign, double factor) {
     return momentum(R"($\mu_1\dot\theta\sin^2\phi)" + sign + about_axis + R"(\cos\phi$)", 0, factor);
   };
-  table.formula(
-      "dT_dtheta_dot", 3001, R"($\partial T/\partial\dot\theta$)", tops,
-      {.truth = slope_of_T(0, true), .printed = of_theta("+", 1), .near_misses = {of_theta("-", -1)}});
-  table.formula("dT_dphi_dot", 3005, R"($\partial T/\partial\dot\phi$)", tops,
-                {.truth = slope_of_T(1, true),
+  table.formula("dT_dtheta_dot", 3001,
+                R"($\partial T/\partial\dot\theta=\mu_1\dot\theta\sin^2\phi+)" + about_axis + R"(\cos\phi$)",
+                tops,
+                {.quantity = R"($\partial T/\partial\dot\theta$)",
+                 .truth = slope_of_T(0, true),
+                 .printed = of_theta("+", 1),
+                 .near_misses = {of_theta("-", -1)}});
+  table.formula("dT_dphi_dot", 3005, R"($\partial T/\partial\dot\phi=\mu_1\dot\phi$)", tops,
+                {.quantity = R"($\partial T/\partial\dot\phi$)",
+                 .truth = slope_of_T(1, true),
                  .printed = momentum(R"($\mu_1\dot\phi$)", 1),
                  .near_misses = {{R"($\mu_3\dot\phi$)", [](const auto& s) { return s.mu3 * s.v[1]; }}}});
-  table.formula("dT_dpsi_dot", 3009, R"($\partial T/\partial\dot\psi$)", tops,
-                {.truth = slope_of_T(2, true),
+  table.formula("dT_dpsi_dot", 3009, R"($\partial T/\partial\dot\psi=)" + about_axis + "$", tops,
+                {.quantity = R"($\partial T/\partial\dot\psi$)",
+                 .truth = slope_of_T(2, true),
                  .printed = momentum("$" + about_axis + "$", 2),
                  .near_misses = {{R"($\mu_3\dot\psi$)", [](const auto& s) { return s.mu3 * s.v[2]; }}}});
 
@@ -312,20 +334,26 @@ void claim_derivatives(Table& table, const Samples& tops) {
     return rate(R"($\frac{d}{dt}(\mu_1\dot\theta\sin^2\phi)" + sign + about_axis + R"(\cos\phi)$)", 0,
                 factor);
   };
-  table.formula("lagrange_theta", 3015, R"(Lagrange's expression for $\theta$, )" + expression(R"(\theta)"),
+  table.formula("lagrange_theta", 3015,
+                R"($\frac{d}{dt}(\mu_1\dot\theta\sin^2\phi+)" + about_axis +
+                    R"(\cos\phi)=F_\theta$ is Lagrange's equation of $\theta$)",
                 tops,
                 {.quantity = expression(R"(\theta)"),
                  .truth = points(0),
                  .printed = rate_of_theta("+", 1),
                  .near_misses = {rate_of_theta("-", -1)}});
-  table.formula("lagrange_phi", 3021, R"(Lagrange's expression for $\phi$, )" + expression(R"(\phi)"), tops,
+  table.formula("lagrange_phi", 3021,
+                R"($\mu_1\ddot\phi-\mu_1\dot\theta^2\sin\phi\cos\phi+)" + about_axis +
+                    R"(\dot\theta\sin\phi=F_\phi$ is Lagrange's equation of $\phi$)",
+                tops,
                 {.quantity = expression(R"(\phi)"),
                  .truth = points(1),
                  .printed = {R"($\mu_1\ddot\phi-\mu_1\dot\theta^2\sin\phi\cos\phi+)" + about_axis +
                                  R"(\dot\theta\sin\phi$)",
                              [](const auto& s) { return rate_of(s, s.a, momentum(s, 1)) - dT_dphi(s); }},
                  .near_misses = {rate(R"($\mu_1\ddot\phi$ alone)", 1)}});
-  table.formula("lagrange_psi", 3029, R"(Lagrange's expression for $\psi$, )" + expression(R"(\psi)"), tops,
+  table.formula("lagrange_psi", 3029,
+                R"($\frac{d}{dt}()" + about_axis + R"()=F_\psi$ is Lagrange's equation of $\psi$)", tops,
                 {.quantity = expression(R"(\psi)"),
                  .truth = points(2),
                  .printed = rate(R"($\frac{d}{dt}()" + about_axis + ")$", 2),
@@ -341,11 +369,13 @@ void claim_forces(Table& table, const Samples& tops) {
                                   0);
                   }};
   };
-  table.formula("dr_dtheta", 3037, R"($\partial\mathbf r/\partial\theta$)", tops,
-                {.truth = arm(0),
+  table.formula("dr_dtheta", 3037,
+                R"($\partial\mathbf r/\partial\theta=\ell(\cos\theta\sin\phi,\sin\theta\sin\phi,0)$)", tops,
+                {.quantity = R"($\partial\mathbf r/\partial\theta$)",
+                 .truth = arm(0),
                  .printed = by_theta(R"($\ell(\cos\theta\sin\phi,\sin\theta\sin\phi,0)$)", 1),
                  .near_misses = {by_theta(R"($\ell(\cos\theta\sin\phi,-\sin\theta\sin\phi,0)$)", -1)}});
-  table.formula("force_theta", 3039, R"(the generalized force of $\theta$)", tops,
+  table.formula("force_theta", 3039, R"($F_\theta=0$)", tops,
                 {.quantity = R"(the generalized force of $\theta$, minus the slope of the points' potential)",
                  .truth = zero,
                  .printed = titled("$F_\\theta=0$", force(0)),
@@ -356,15 +386,19 @@ void claim_forces(Table& table, const Samples& tops) {
                                   -s.l * sin(s.q[1]));
                   }};
   };
-  table.formula("dr_dphi", 3043, R"($\partial\mathbf r/\partial\phi$)", tops,
-                {.truth = arm(1),
+  table.formula("dr_dphi", 3043,
+                R"($\partial\mathbf r/\partial\phi=\ell(\sin\theta\cos\phi,-\cos\theta\cos\phi,-\sin\phi)$)",
+                tops,
+                {.quantity = R"($\partial\mathbf r/\partial\phi$)",
+                 .truth = arm(1),
                  .printed = by_phi(R"($\ell(\sin\theta\cos\phi,-\cos\theta\cos\phi,-\sin\phi)$)", -1),
                  .near_misses = {by_phi(R"($\ell(\sin\theta\cos\phi,\cos\theta\cos\phi,-\sin\phi)$)", 1)}});
   const auto weight = [](const std::string& text, double sign) {
     return Reader{text, [sign](const auto& s) { return sign * s.m * s.body.g * s.l * sin(s.q[1]); }};
   };
-  table.formula("force_phi", 3045, R"(the generalized force of $\phi$)", tops,
-                {.truth = force(1),
+  table.formula("force_phi", 3045, R"($F_\phi=mg\ell\sin\phi$)", tops,
+                {.quantity = R"(the generalized force of $\phi$)",
+                 .truth = force(1),
                  .printed = weight(R"($F_\phi=mg\ell\sin\phi$)", 1),
                  .near_misses = {weight(R"($F_\phi=-mg\ell\sin\phi$)", -1)}});
 }
@@ -374,7 +408,8 @@ void claim_no_force_of_psi(Claims& claims, const Samples& tops) {
     return compare(R"($\partial\mathbf r/\partial)" + angle + "$", none, arm(k), tops);
   };
   claims.add(
-      "dr_dpsi", 3049, R"(the force of $\psi$ is zero, as its arm is)",
+      "dr_dpsi", 3049,
+      R"($F_\psi=-mg\boldsymbol\eta_3\cdot\partial\mathbf r/\partial\psi=0$, printed with $\partial\mathbf r/\partial\theta$)",
       {.printed = {R"($-mg\mathbf k\cdot\partial\mathbf r/\partial\theta=0$, the arm zero)",
                    {arm_is_zero(R"(\theta)", 0)}},
        .meant = {R"($-mg\mathbf k\cdot\partial\mathbf r/\partial\psi=0$, the arm zero)",
@@ -441,7 +476,7 @@ void claim_vertical_constant(Claims& claims, const Samples& tops, const Top& sta
   };
   Reading both = conserved(R"($\mu_1\dot\theta\sin^2\phi+c\,\mu_3\cos\phi$, $c$ the constant spin)", 1);
   both.checks.push_back(along_the_motion(start));
-  claims.add("vertical_constant", 3079, R"(what the equation of $\theta$ keeps constant)",
+  claims.add("vertical_constant", 3079, R"($\mu_1\dot\theta\sin^2\phi+c\,\mu_3\cos\phi=\gamma$, a constant)",
              {.printed = both, .near_misses = {conserved(R"($\mu_1\dot\theta\sin^2\phi$ alone)", 0)}});
 }
 
@@ -460,7 +495,8 @@ void claim_motion(Table& table, const Samples& tops) {
     return along(R"($\frac{d}{dt}(\mu_1\dot\theta\sin^2\phi)" + sign + about_axis + R"(\cos\phi)=0$)", 0,
                  factor);
   };
-  table.formula("motion_theta", 3055, R"(the equation of motion of $\theta$)", tops,
+  table.formula("motion_theta", 3055,
+                R"($\frac{d}{dt}(\mu_1\dot\theta\sin^2\phi+)" + about_axis + R"(\cos\phi)=0$)", tops,
                 {.quantity = R"(the rate of $\theta$'s momentum)" + by_lagrange,
                  .truth = zero,
                  .printed = of_theta("+", 1),
@@ -474,34 +510,40 @@ void claim_motion(Table& table, const Samples& tops) {
                   }};
   };
   table.formula(
-      "motion_phi", 3061, R"(the equation of motion of $\phi$)", tops,
+      "motion_phi", 3061,
+      R"($\mu_1\ddot\phi-\mu_1\dot\theta^2\sin\phi\cos\phi+)" + about_axis +
+          R"(\dot\theta\sin\phi=mg\ell\sin\phi$)",
+      tops,
       {.quantity = R"(the terms of the angles' rates)" + by_lagrange,
        .truth = {R"($mg\ell\sin\phi$)", [](const auto& s) { return s.m * s.body.g * s.l * sin(s.q[1]); }},
        .printed = of_phi("-", 0),
        .near_misses = {of_phi("+", 2)}});
-  table.formula("motion_psi", 3069, R"(the equation of motion of $\psi$)", tops,
+  table.formula("motion_psi", 3069, R"($\frac{d}{dt}()" + about_axis + ")=0$", tops,
                 {.quantity = R"(the rate of $\psi$'s momentum)" + by_lagrange,
                  .truth = zero,
                  .printed = along(R"($\frac{d}{dt}()" + about_axis + ")=0$", 2),
                  .near_misses = {{R"($\frac{d}{dt}(\mu_3\dot\psi)=0$)",
                                   [](const auto& s) { return s.mu3 * s.truth[2]; }}}});
-  table.formula("spin_constant", 3075, "what the equation of $\\psi$ keeps constant", tops,
-                {.quantity = "its rate" + by_lagrange,
-                 .truth = zero,
-                 .printed = {R"($\frac{d}{dt}(\dot\psi+\dot\theta\cos\phi)$)",
-                             [](const auto& s) { return rate_of(s, s.truth, spin); }},
-                 .near_misses = {{R"($\frac{d}{dt}(\dot\psi-\dot\theta\cos\phi)$)", [](const auto& s) {
-                                    return rate_of(s, s.truth, [](const auto& q, const auto& v) {
-                                      return v[2] - v[0] * cos(q[1]);
-                                    });
-                                  }}}});
+  table.formula(
+      "spin_constant", 3075,
+      R"($\frac{d}{dt}(\dot\psi+\dot\theta\cos\phi)=0$, so that $\dot\psi+\dot\theta\cos\phi=c$, a constant)",
+      tops,
+      {.quantity = "its rate" + by_lagrange,
+       .truth = zero,
+       .printed = {R"($\frac{d}{dt}(\dot\psi+\dot\theta\cos\phi)$)",
+                   [](const auto& s) { return rate_of(s, s.truth, spin); }},
+       .near_misses = {{R"($\frac{d}{dt}(\dot\psi-\dot\theta\cos\phi)$)", [](const auto& s) {
+                          return rate_of(s, s.truth, [](const auto& q, const auto& v) {
+                            return v[2] - v[0] * cos(q[1]);
+                          });
+                        }}}});
   const auto constants = [](const std::string& text, auto first) {
     return Reader{text, [first](const auto& s) {
                     return values(first(s), momentum(s, 0)(s.q, s.v), rate_of(s, s.truth, spin));
                   }};
   };
   table.formula(
-      "as_by_euler", 3081, "both constants are those of Euler's equations", tops,
+      "as_by_euler", 3081, "the constants $c$ and $\\gamma$ are those of the Eulerian approach", tops,
       {.quantity = R"($(c,\gamma,\dot c)$)",
        .truth = {R"($w_3$, the vertical part of $RJ\mathbf w$, and $\dot w_3$ of Euler's equations)",
                  [](const auto& s) {
@@ -520,17 +562,21 @@ void claim_motion(Table& table, const Samples& tops) {
                       R"(\frac{c\mu_3}{\mu_1}\dot\theta\sin\phi$)",
                   [factor](const auto& s) { return tilting(s, factor, 1); }};
   };
-  table.formula("middle_equation", 3083, R"(the equation of $\phi$ with the spin put in)", tops,
-                {.quantity = R"($\ddot\phi$)",
-                 .truth = lagrange,
-                 .printed = middle("-", 1),
-                 .near_misses = {middle("+", -1)}});
+  table.formula(
+      "middle_equation", 3083,
+      R"($\ddot\phi=\alpha\sin\phi+\dot\theta^2\sin\phi\cos\phi-\frac{c\mu_3}{\mu_1}\dot\theta\sin\phi$ by the middle equation)",
+      tops,
+      {.quantity = R"($\ddot\phi$)",
+       .truth = lagrange,
+       .printed = middle("-", 1),
+       .near_misses = {middle("+", -1)}});
   const auto alpha = [](const std::string& text, bool across) {
     return Reader{text, [across](const auto& s) {
                     return s.m * s.body.g * s.l / (across ? s.mu1 : s.mu3) * sin(s.q[1]);
                   }};
   };
-  table.formula("alpha", 3087, R"($\alpha$ makes the tilting force $\mu_1\alpha\sin\phi$)", tops,
+  table.formula("alpha", 3087,
+                R"($\alpha=mg\ell/\mu_1$, so that $\alpha\sin\phi=\frac{mg\ell}{\mu_1}\sin\phi$)", tops,
                 {.quantity = R"($\alpha\sin\phi$)",
                  .truth = {R"($\ddot\phi$ by nested dual numbers on the points' $T-V$, less its other terms)",
                            [](const auto& s) { return s.truth[1] - tilting(s, 1, 0); }},
@@ -664,11 +710,15 @@ std::vector<Claim> claims(double seed, const Top& start) {
   return claims.in_order();
 }
 
-std::vector<Root> roots() {
+std::vector<Root> roots(const Top& top) {
+  Top at_rest = top;
+  at_rest.mu1 -= top.m * top.l * top.l;
   return {
       {"velocity for position",
-       R"(A game that takes the center of mass for one at rest, and so the moment 0.0625 kg m$^2$ about it for the )"
-       R"(0.125 kg m$^2$ about the tip, has the top here nod 4.5 times a second, not 2.0.)"}};
+       filled(
+           R"(A game that takes the center of mass for one at rest, and so the moment @3 kg m$^2$ about it )"
+           R"(for the @3 kg m$^2$ about the tip, has the top here nod @2 times a second, not @2.)",
+           {at_rest.mu1, top.mu1, nods_a_second(at_rest), nods_a_second(top)})}};
 }
 
 }  // namespace oddity::ex03_33

@@ -6,6 +6,7 @@
 
 #include "chapters/03_rigid_body_motion/33_heavy_top/drawing.hpp"
 #include "chapters/03_rigid_body_motion/33_heavy_top/heavy_top.hpp"
+#include "chapters/03_rigid_body_motion/33_heavy_top/laws.hpp"
 #include "chapters/03_rigid_body_motion/shared/top_parameters.hpp"
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
@@ -25,8 +26,7 @@ constexpr auto parameters = top_parameters({
 engines::Staging ex03_33::staging(const heavy_top::Top<double>& top) {
   using namespace engines;
   const double across = top.mu1 - top.m * top.l * top.l;
-  if (!(across > 0 && 2 * across >= top.mu3))
-    throw BadInput("no body has these moments: mu1 - m l^2 must be positive, and half of mu3 at least");
+  require_a_body(top.m, top.l, top.mu1, top.mu3);
   Body body{top.m, {across, across, top.mu3}};
   State& start = body.start;
   const engines::Vector up{0, 0, 1}, rates = top.body_rates();
@@ -48,6 +48,7 @@ engines::Staging ex03_33::staging(const heavy_top::Top<double>& top) {
 namespace ex03_33 {
 
 Top asked(const Parameters& p) {
+  require_a_body(p);
   return {p["m"],   p["l"],   p["mu1"],    p["mu3"],  p["g"],   p["theta"],
           p["phi"], p["psi"], p["dtheta"], p["dphi"], p["dpsi"]};
 }
@@ -83,12 +84,13 @@ Scene scene() {
              "heavy_top::AxisAndMomentum<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi}}"}}},
       .draw = heavy_top::draw<Parameters>,
       .staging = staged,
+      .laws = {heavy_top::energy<Parameters>, heavy_top::off<Parameters>},
   };
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
   const Top start = asked(p);
-  Findings found{claims(p["seed"], start), quantities(start, truth), roots()};
+  Findings found{claims(p["seed"], start), quantities(start, truth), roots(start)};
   found.quantities.insert(found.quantities.begin(), motion(scene(), p, truth));
   return found;
 }

@@ -16,7 +16,9 @@ inline constexpr double duration = 4;  ///< s, for which the axis is looked at
 Quantity axis(const Top&, const Horizon&, const Reference&);
 std::vector<Quantity> quantities(const Top&, const Reference&);
 std::vector<Claim> claims(double seed, const Top& start);
-std::vector<Root> roots();
+std::vector<Root> roots(const Top&);
+/// How often the axis of a top goes down and up.
+double nods_a_second(const Top&);
 /// Throws BadInput where no body has such moments.
 engines::Staging staging(const heavy_top::Top<double>&);
 

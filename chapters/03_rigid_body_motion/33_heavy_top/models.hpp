@@ -191,6 +191,7 @@ template <class T>
 struct RigidBody {
   Top<T> p;
   using State = std::array<T, 7>;
+  static constexpr std::array<std::size_t, 3> velocities{4, 5, 6};
   State start() const {
     const T half = p.phi / 2, sum = (p.theta + p.psi) / 2, difference = (p.theta - p.psi) / 2;
     const Vector<T> w = p.body_rates();

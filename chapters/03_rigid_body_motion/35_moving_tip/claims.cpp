@@ -196,8 +196,8 @@ const Reader lagrange{"nested dual numbers on the points' $T-V$, tip moving",
 const std::string no_torque = "no torque of what moves the tip";
 
 void claim_spin(Table& table, const std::vector<Sample>& tops) {
-  table.formula("euler_about_axis", 3089, "Euler's equation for the motion about the axis still applies",
-                tops,
+  table.formula("euler_about_axis", 3089,
+                R"(Euler's equation still applies to the motion about the axis: $\dot w_3=0$)", tops,
                 {.quantity = R"($\dot w_3$)",
                  .truth = zero,
                  .printed = {R"($\dot w_3=0$ along Lagrange's accelerations, tip moving)",
@@ -232,18 +232,17 @@ void claim_tip(Table& table, const std::vector<Sample>& tops) {
                      for (std::size_t i = 0; i < 3; ++i) sum[i] += p.m * x[i] / s.m;
                    });
                  }},
-       .printed = {R"(at $\mathbf p(t)$)", [](const auto& s) { return tip(s); }},
-       .corrected = along_axis(
-           R"($\mathbf p+\ell\,\boldsymbol\xi_3$, $\boldsymbol\xi_3$ the unit vector along the axis)", 1),
-       .near_misses = {along_axis(R"(at $\mathbf p-\ell\,\boldsymbol\xi_3$)", -1)},
+       .printed = {R"(at the tip, $\mathbf r=\mathbf p$)", [](const auto& s) { return tip(s); }},
+       .corrected = along_axis(R"(at $\mathbf r=\mathbf p+\ell\,\boldsymbol\xi_3$)", 1),
+       .near_misses = {along_axis(R"(at $\mathbf r=\mathbf p-\ell\,\boldsymbol\xi_3$)", -1)},
        .kind = Fault::term,
        .root = "tip for center of mass",
        .why =
-           R"(The two are $\ell$ apart, always: the center of mass is at $\mathbf p+\ell\boldsymbol\xi_3$ and has )"
-           R"(the acceleration $\ddot{\mathbf p}+\ell\ddot{\boldsymbol\xi}_3$. It is the tip that the exercise )"
+           R"(The two are $\ell$ apart, always: the center of mass is at $\mathbf p+\ell\boldsymbol\xi_3$, )"
+           R"($\boldsymbol\xi_3$ the unit vector along the axis, and has the acceleration $\ddot{\mathbf p}+\ell\ddot{\boldsymbol\xi}_3$. It is the tip that the exercise )"
            R"(moves.)"});
 
-  table.formula("tip_path", 3091, R"(the tip is at $(\alpha\sin\lambda t,0,0)$)", tops,
+  table.formula("tip_path", 3091, R"(the tip is at $(x,y,z)=(\alpha\sin\lambda t,0,0)$)", tops,
                 {.quantity = "acceleration of the tip",
                  .truth = tip_moves,
                  .printed = shaken(R"($-\alpha\lambda^2\sin\lambda t$ along $x$)", 1),
@@ -449,7 +448,7 @@ Provables proofs() {
   return all;
 }
 
-std::vector<Claim> claims(double seed) {
+std::vector<Claim> claims(double seed, const Top& top, const Deviation& off) {
   const std::vector<Sample> tops = random_tops(seed, 1);
   const auto reading = [&](const std::string& text, const std::string& quantity, const Reader& left,
                            const Reader& right) {
@@ -463,10 +462,9 @@ std::vector<Claim> claims(double seed) {
     return reading(text, about_center_of_mass,
                    about_center_by_tip("the torque of the force on the tip", sign), about_center);
   };
-  const std::string no_force_torque =
-      "what moves the tip is a force on the center of mass: it has no torque about it";
   claims.add(
-      "force_at_center", 3089, no_force_torque,
+      "force_at_center", 3089,
+      "the tip moves about the plane only because some force has been applied to the center of mass",
       {.printed = reading("no torque about the center of mass", about_center_of_mass, none, about_center),
        .corrected = with_torque(
            R"(a force $\mathbf N=m(\ddot{\mathbf r}+g\mathbf k)$ on the tip, with the torque $(\mathbf p-\mathbf )"
@@ -478,7 +476,8 @@ std::vector<Claim> claims(double seed) {
            R"(it would stay as it is. The tip is moved by what holds it: a force )"
            R"($\mathbf N=m(\ddot{\mathbf r}+g\mathbf k)$ at the tip $\mathbf p$, whose torque about the center )"
            R"(of mass is $(\mathbf p-\mathbf r)\times\mathbf N$. What does act at the center of mass is the )"
-           R"(inertial force $-m\ddot{\mathbf p}$ in the tip's frame; it has a torque about the tip.)",
+           R"(inertial force $-m\ddot{\mathbf p}$ in the tip's frame; it has a torque about the tip, and )"
+           R"(moves no tip.)",
        .kind = Fault::counterexample,
        .root = no_torque});
 
@@ -490,7 +489,8 @@ std::vector<Claim> claims(double seed) {
   const Check by_euler = compare(in_body, euler, change, tops);
   claims.add(
       "euler_about_vertical", 3089,
-      "Euler's equations with the torque of gravity alone still apply about the vertical",
+      "Euler's equations of example 3.19, whose torque is gravity's alone, still apply to the motion about the "
+      "vertical through the tip",
       {.printed =
            reading(constant + " is a constant", "rate of " + constant + ", $c$ the spin", zero, vertical),
        .corrected = {"the vertical angular momentum changes at the rate " + drive.text, {driven, by_euler}},
@@ -502,13 +502,15 @@ std::vector<Claim> claims(double seed) {
            R"(With the tip as origin the frame is accelerated, and $-m\ddot{\mathbf p}$ acts at the center of )"
            R"(mass beside gravity. Its torque about the tip has the vertical component )"
            R"($m\ell\alpha\lambda^2\sin\lambda t\cos\theta\sin\phi$: the vertical angular momentum is not )"
-           R"(conserved, nor is the tilting moment gravity's alone. Only the spin $c$ stays constant.)",
-       .kind = Fault::left_out,
+           R"(conserved, nor is the tilting moment gravity's alone. Only the spin $c$ stays constant. It is the )"
+           R"(moving tip that the exercise is about.)",
+       .kind = Fault::counterexample,
        .root = no_torque});
 
   const std::string accelerations = R"($(\ddot\theta,\ddot\phi,\ddot\psi)$)";
   claims.add(
-      "handled_separately", 3091, "the motion of the tip may be handled apart from that of the top",
+      "handled_separately", 3091,
+      "the motion of the tip may be handled separately from the top's motion about it",
       {.printed = reading("the angles move as with a fixed tip", accelerations, angles_of_fixed, lagrange),
        .corrected = {R"(the angles move with the torque of $-m\ddot{\mathbf p}$ at the center of mass)",
                      {compare(accelerations, angles_of_moved, lagrange, tops),
@@ -522,27 +524,32 @@ std::vector<Claim> claims(double seed) {
                                   return model_accelerations(other, s.t);
                                 }},
                                lagrange)},
-       .why =
+       .why = filled(
            R"(That is so only where $\ddot{\mathbf p}=0$. The accelerated tip adds to gravity a horizontal )"
            R"(acceleration $\alpha\lambda^2\sin\lambda t$ that turns the top about its tip. With the values here )"
-           R"(its axis is 0.016 rad from that of the fixed top after 4 s, 0.043 rad at twice the frequency, and )"
-           R"(0.73 rad at 14.17 rad/s, which is its nutation and precession together, as seen from the world.)",
-       .kind = Fault::left_out,
+           R"(its axis is @2 rad from that of the fixed top after 4 s, @2 rad at twice the frequency, and )"
+           R"(@2 rad at @4 rad/s, which is its nutation and precession together, as seen from the world.)",
+           {off.as_asked, off.twice_the_frequency, off.at_nutation, nutation_frequency(top)}),
+       .kind = Fault::counterexample,
        .root = no_torque});
 
   claim_tip(table, tops);
   return claims.in_order();
 }
 
-std::vector<Root> roots() {
+std::vector<Root> roots(const Top& top, const Deviation& off) {
   return {
       {no_torque,
-       R"(Shaken at 14.17 rad/s, its nutation and precession together, the top has its axis 0.73 rad (42 )"
-       R"(degrees) from that of the published motion after 4 s: a game that carries the unshaken motion along )"
-       R"(with the tip shows a top that nobody can shake.)"},
+       filled(
+           R"(Shaken at @4 rad/s, its nutation and precession together, the top has its axis @2 rad (@2 degrees) )"
+           R"(from that of the published motion after 4 s: a game that carries the unshaken motion along )"
+           R"(with the tip shows a top that nobody can shake.)",
+           {nutation_frequency(top), off.at_nutation, off.at_nutation / degree})},
       {"tip for center of mass",
-       R"(A top drawn with its center of mass at $\mathbf p$ stands $\ell=0.25$ m too low along its axis: tilted )"
-       R"(by 0.5 rad, its tip is 22 cm below the floor.)"}};
+       filled(
+           R"(A top drawn with its center of mass at $\mathbf p$ stands $\ell=@2$ m too low along its axis: )"
+           R"(tilted by @2 rad, its tip is @2 cm below the floor.)",
+           {top.l, top.phi, 100 * top.l * cos(top.phi)})}};
 }
 
 }  // namespace oddity::ex03_35

@@ -4,6 +4,7 @@
 // methods.cpp has the quantities, claims.cpp the claims.
 
 #include "chapters/03_rigid_body_motion/33_heavy_top/heavy_top.hpp"
+#include "chapters/03_rigid_body_motion/33_heavy_top/laws.hpp"
 #include "chapters/03_rigid_body_motion/35_moving_tip/drawing.hpp"
 #include "chapters/03_rigid_body_motion/35_moving_tip/moving_tip.hpp"
 #include "chapters/03_rigid_body_motion/shared/top_parameters.hpp"
@@ -15,12 +16,13 @@ namespace oddity {
 namespace ex03_35 {
 
 constexpr auto parameters = top_parameters({
-    {"A", 0.0625, "m", R"(amplitude of the tip, the book's $\alpha$)", 1e-4, 1},
-    {"lambda", 3, "rad/s", "its frequency", 0.1, 30},
+    {"A", 0.0625, "m", R"(amplitude of the tip, the book's $\alpha$)", 1e-6, 100},
+    {"lambda", 3, "rad/s", "its frequency", 1e-3, 1e3},
     {"seed", 335, "", "seed of the random samples", 0, 1e9, whole_number},
 });
 
 Top asked(const Parameters& p) {
+  require_a_body(p);
   return {p["m"],   p["l"],      p["mu1"],  p["mu3"],  p["g"], p["theta"], p["phi"],
           p["psi"], p["dtheta"], p["dphi"], p["dpsi"], p["A"], p["lambda"]};
 }
@@ -59,11 +61,15 @@ Scene scene() {
              "moving_tip::AxisAndMomentum<double>{{m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi, A, lambda}}"}}},
       .draw = moving_tip::draw<Parameters>,
       .staging = staged,
+      .laws = {heavy_top::energy<Parameters>, heavy_top::off<Parameters>},
   };
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
-  Findings found{claims(p["seed"]), quantities(asked(p), truth), roots()};
+  const Top top = asked(p);
+  auto all = quantities(top, truth);
+  const Deviation off(all);
+  Findings found{claims(p["seed"], top, off), std::move(all), roots(top, off)};
   found.quantities.insert(found.quantities.begin(), motion(scene(), p, truth));
   return found;
 }

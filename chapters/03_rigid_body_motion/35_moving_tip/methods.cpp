@@ -10,6 +10,14 @@ namespace oddity::ex03_35 {
 
 using namespace moving_tip;
 
+double nutation_frequency(const Top& t) {
+  const double u = std::cos(t.phi), inside = t.a() * t.a() - 4 * t.alpha() * u;
+  if (inside < 0) return t.a();
+  const double slow = 2 * t.alpha() / (t.a() + std::sqrt(inside));
+  const double rate = slow + std::hypot(t.a() - 2 * slow * u, slow * std::sin(t.phi));
+  return std::round(64 * rate) / 64;
+}
+
 namespace {
 
 std::vector<double> inputs(const Top& top) {
@@ -78,15 +86,6 @@ Quantity nearly_upright(Top top, const Reference& truth) {
 }
 
 // ---- how far the fixed-tip motion is from the truth -------------------------------------------------------
-
-/// The frequency at which a top nutates about its steady precession, seen from the world, to a 64th.
-double nutation_frequency(const Top& t) {
-  const double u = std::cos(t.phi), inside = t.a() * t.a() - 4 * t.alpha() * u;
-  if (inside < 0) return t.a();
-  const double slow = 2 * t.alpha() / (t.a() + std::sqrt(inside));
-  const double rate = slow + std::hypot(t.a() - 2 * slow * u, slow * std::sin(t.phi));
-  return std::round(64 * rate) / 64;
-}
 
 /// (A, lambda), (A/8, lambda), (A, 2 lambda), and A at the nutation's frequency.
 std::array<Top, 4> shakings(const Top& top) {
@@ -174,6 +173,11 @@ Quantity axis(const Top& top, const Horizon& horizon, const Reference& truth) {
            {"linearly implicit Euler", Outcome::inaccurate, "of order 1, and it damps the nodding"}});
   return q;
 }
+
+Deviation::Deviation(const std::vector<Quantity>& all)
+    : as_asked(all.back().reference.value[0]),
+      twice_the_frequency(all.back().reference.value[2]),
+      at_nutation(all.back().reference.value[3]) {}
 
 std::vector<Quantity> quantities(const Top& top, const Reference& truth) {
   Top resonant = top, strong = top;

@@ -12,7 +12,19 @@ using Top = heavy_top::Top<double>;
 
 Quantity axis(const Top&, const Horizon&, const Reference&);
 std::vector<Quantity> quantities(const Top&, const Reference&);
-std::vector<Claim> claims(double seed);
-std::vector<Root> roots();
+
+/// The frequency at which a top nutates about its steady precession, seen from the world, to a 64th.
+double nutation_frequency(const Top&);
+
+/// The angle after 4 s between the top's axis and that of the same top with its tip fixed.
+struct Deviation {
+  double as_asked, twice_the_frequency, at_nutation;
+
+  /// From those that `quantities` end with.
+  explicit Deviation(const std::vector<Quantity>&);
+};
+
+std::vector<Claim> claims(double seed, const Top&, const Deviation&);
+std::vector<Root> roots(const Top&, const Deviation&);
 
 }  // namespace oddity::ex03_35

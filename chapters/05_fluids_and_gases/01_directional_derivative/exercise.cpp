@@ -46,14 +46,17 @@ Proof proof_of_lines(Random random) {
       R"((on any field $\mathbf g$))",
       each_component("fgrad_g#", "f0 g#,0 + f1 g#,1 + f2 g#,2"), turned);
   const auto distributed = each_component("fgrad_x#", "f0 x#,0 + f1 x#,1 + f2 x#,2");
-  proof.line("distributed", 3115, "the operator goes to every component of the position", distributed, turned,
-             {each_component("fgrad_x#", "f1 x#,0 + f0 x#,1 + f2 x#,2"),
-              each_component("fgrad_x#", "f0 x#,0 - f1 x#,1 + f2 x#,2")});
+  proof.line(
+      "distributed", 3115,
+      R"($(\mathbf f\cdot\nabla)\mathbf x=f_0\,\partial\mathbf x/\partial x_0+f_1\,\partial\mathbf x/\partial x_1+f_2\,\partial\mathbf x/\partial x_2$)",
+      distributed, turned,
+      {each_component("fgrad_x#", "f1 x#,0 + f0 x#,1 + f2 x#,2"),
+       each_component("fgrad_x#", "f0 x#,0 - f1 x#,1 + f2 x#,2")});
   Reading dot = proof.reading(each_component("fgrad_x#", "f0 x0,0 + f1 x1,1 + f2 x2,2"), turned);
   dot.text = "a dot product, the number $f_0x_{0,0}+f_1x_{1,1}+f_2x_{2,2}$";
   proof.claims.add(
       "dot", 3105,
-      R"($\mathbf f\cdot\nabla$ is applied to the position by a dot, $(\ldots)\cdot(x_0,x_1,x_2)$)",
+      R"($(\mathbf f\cdot\nabla)\mathbf x$ is the operator applied to $(x_0,x_1,x_2)$, printed with a dot between them)",
       {.printed = dot,
        .meant = proof.reading(distributed, turned),
        .near_misses = {proof.reading(each_component("fgrad_x#", "f0 x#,0 + f1 x#,1"), turned)},
@@ -66,16 +69,17 @@ Proof proof_of_lines(Random random) {
     const std::string by = digit(j), slope = "slope" + by + "#";
     proof.line(
         "unit_vector_" + by, 3125,
-        "the derivative of the position with respect to $x_" + by + "$ is $\\mathbf e_" + by + "$",
+        "$\\partial\\mathbf x/\\partial x_" + by + "=\\mathbf e_" + by + "$, the unit vector",
         each_component(slope, "e" + by + "#"), "the position differentiated along an axis, by dual numbers",
         {each_component(slope, "e" + digit((j + 1) % 3) + "#"), each_component(slope, "- e" + by + "#")});
   }
-  proof.line("sum_of_unit_vectors", 3125, R"($(\mathbf f\cdot\nabla)\mathbf x$ is a sum of unit vectors)",
+  proof.line("sum_of_unit_vectors", 3125,
+             R"($(\mathbf f\cdot\nabla)\mathbf x=f_0\mathbf e_0+f_1\mathbf e_1+f_2\mathbf e_2$)",
              each_component("fgrad_x#", "f0 e0# + f1 e1# + f2 e2#"), turned,
              {each_component("fgrad_x#", "f0 e1# + f1 e0# + f2 e2#"),
               each_component("fgrad_x#", "f0 e0# + f1 e1# - f2 e2#")});
-  proof.line("components", 3127, "its components are those of $\\mathbf f$", each_component("fgrad_x#", "f#"),
-             turned);
+  proof.line("components", 3127, R"($(\mathbf f\cdot\nabla)\mathbf x=(f_0,f_1,f_2)$)",
+             each_component("fgrad_x#", "f#"), turned);
   proof.line("identity", 3129, R"($(\mathbf f\cdot\nabla)\mathbf x=\mathbf f$)",
              each_component("along_f#", "f#"),
              R"(the position differentiated along $\mathbf f$, by dual numbers)",

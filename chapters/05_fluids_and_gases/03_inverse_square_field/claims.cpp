@@ -131,36 +131,49 @@ std::vector<Claim> claims(const Random& random, const Reference& truth) {
                           .printed = formulas[0],
                           .near_misses = {formulas.begin() + 1, formulas.end()}});
   };
-  derivatives("quotient_rule", 3135, R"(the quotient rule for $x_i/(\mathbf x\cdot\mathbf x)^{3/2}$)", 1e45,
-              {{R"($(|\mathbf x|^3-3x_i^2|\mathbf x|)/|\mathbf x|^6$)", each<quotient>},
-               {R"($(|\mathbf x|^3-2x_i^2|\mathbf x|)/|\mathbf x|^6$)", each<quotient_factor_2>},
-               {R"($(|\mathbf x|^3+3x_i^2|\mathbf x|)/|\mathbf x|^6$)", each<quotient_plus>}});
-  derivatives("simplified", 3173, R"(a factor $|\mathbf x|$ cancels)", 1e55,
-              {{R"($(|\mathbf x|^2-3x_i^2)/|\mathbf x|^5$)", each<simplified>},
-               {R"($(|\mathbf x|^2+3x_i^2)/|\mathbf x|^5$)", each<simplified_plus>},
-               {R"($|\mathbf x|^2/|\mathbf x|^5$)", each<simplified_dropped>}});
+  derivatives(
+      "quotient_rule", 3135,
+      R"($\partial(x_i/|\mathbf x|^3)/\partial x_i=(|\mathbf x|^3-3x_i^2|\mathbf x|)/|\mathbf x|^6$ by the quotient rule)",
+      1e45,
+      {{R"($(|\mathbf x|^3-3x_i^2|\mathbf x|)/|\mathbf x|^6$)", each<quotient>},
+       {R"($(|\mathbf x|^3-2x_i^2|\mathbf x|)/|\mathbf x|^6$)", each<quotient_factor_2>},
+       {R"($(|\mathbf x|^3+3x_i^2|\mathbf x|)/|\mathbf x|^6$)", each<quotient_plus>}});
+  derivatives(
+      "simplified", 3173,
+      R"($\partial(x_i/|\mathbf x|^3)/\partial x_i=(|\mathbf x|^2-3x_i^2)/|\mathbf x|^5$, a factor $|\mathbf x|$ being canceled)",
+      1e55,
+      {{R"($(|\mathbf x|^2-3x_i^2)/|\mathbf x|^5$)", each<simplified>},
+       {R"($(|\mathbf x|^2+3x_i^2)/|\mathbf x|^5$)", each<simplified_plus>},
+       {R"($|\mathbf x|^2/|\mathbf x|^5$)", each<simplified_dropped>}});
+  const Point at{0.3, -0.7, 0.9};
+  Matrix<double> d = jacobian(inverse_square, at);
+  for (Point& row : d)
+    for (double& x : row) x *= std::pow(length(at), 3);
   claims.add(
       "divergence", 3191,
-      R"(the divergence is the sum of three derivatives, the first one of $x_i/|\mathbf x|^3$)",
+      R"($\nabla\cdot(\mathbf x/|\mathbf x|^3)=\sum_i\partial(x_i/|\mathbf x|^3)/\partial x_i$, printed with $x_i$ for $x_0$ in the first derivative)",
       {.printed = {R"($\partial(x_i/|\mathbf x|^3)/\partial x_0$, for any $i$)",
                    {summands(0, random), summands(1, random), summands(2, random)}},
        .meant = {R"($\partial(x_i/|\mathbf x|^3)/\partial x_0$ for $i=0$)", {summands(0, random)}},
        .near_misses = {{R"($\partial(x_i/|\mathbf x|^3)/\partial x_0$ for $i=1$)", {summands(1, random)}}},
-       .why =
+       .why = filled(
            R"(The first derivative is printed of $x_i/|\mathbf x|^3$, an index that nothing sums and )"
-           R"(nothing else has: it must be $x_0$, which the next line has. At the point $(0.3,-0.7,0.9)$, )"
-           R"(times $|\mathbf x|^3$, the three derivatives are 0.8058, $-0.0576$ and $-0.7482$, which add )"
-           R"(up to zero; with $x_1$ for $x_i$ the first is 0.4532 and the sum $-0.3526$.)",
+           R"(nothing else has: it must be $x_0$, which the next line has. At the point $(@1,@1,@1)$, )"
+           R"(times $|\mathbf x|^3$, the three derivatives are $@4$, $@4$ and $@4$, which add up to zero; )"
+           R"(with $x_1$ for $x_i$ the first is $@4$ and the sum $@4$.)",
+           {at[0], at[1], at[2], d[0][0], d[1][1], d[2][2], d[1][0], d[1][0] + d[1][1] + d[2][2]}),
        .kind = Fault::formula});
-  derivatives("common_denominator", 3239, R"(the three summands over the common denominator $|\mathbf x|^5$)",
-              1e55,
-              {{"brackets with $3x_0^2$, $3x_1^2$, $3x_2^2$", brackets<double>},
-               {"the first bracket twice", brackets_first_twice}});
+  derivatives(
+      "common_denominator", 3239,
+      R"($\nabla\cdot(\mathbf x/|\mathbf x|^3)=\sum_i(|\mathbf x|^2-3x_i^2)/|\mathbf x|^5$ over the common denominator)",
+      1e55,
+      {{"brackets with $3x_0^2$, $3x_1^2$, $3x_2^2$", brackets<double>},
+       {"the first bracket twice", brackets_first_twice}});
   Random digits = random;
   std::vector<Whole> whole;
   for (int n = 0; n < 1000; ++n) whole.emplace_back(digits);
   claims.statement<Whole>(
-      "numerator", 3267, "the sum of the brackets is zero", whole,
+      "numerator", 3267, R"($\sum_i(|\mathbf x|^2-3x_i^2)=0$)", whole,
       {.printed = {R"($\sum_i(|\mathbf x|^2-3x_i^2)=0$)", [](const Whole& x) { return x.cancels(3); }},
        .near_misses = {
            {R"($\sum_i(|\mathbf x|^2-2x_i^2)=0$)", [](const Whole& x) { return x.cancels(2); }}}});
@@ -169,7 +182,8 @@ std::vector<Claim> claims(const Random& random, const Reference& truth) {
   const Check zero = divergence_is_zero(
       R"(\mathbf x/|\mathbf x|^3)", [](const Away& a) { return divergence(inverse_square, a.frame)(a.x); },
       samples(random, 1e60));
-  claims.add("zero", 3267, "the divergence is zero, where the field is defined",
+  claims.add("zero", 3267,
+             R"($\nabla\cdot(\mathbf x/|\mathbf x|^3)=0$ (our condition: where the field is defined))",
              {.printed = {R"($\nabla\cdot(\mathbf x/|\mathbf x|^3)=0$ where it is defined)", {zero}},
               .near_misses = {divergence_of_power(2, random),
                               divergence_of_power(4, random),
@@ -191,25 +205,29 @@ std::vector<Claim> claims(const Random& random, const Reference& truth) {
   };
   Reading corrected = out_of_a_ball(R"(zero but at the origin: a flux of $4\pi$ around it)", all_around);
   corrected.checks.push_back(zero);
-  claims.add(
-      "origin", 3267, "the divergence is zero, no point being left out",
-      {.printed = out_of_a_ball("zero everywhere: no flux out of any ball", 0),
-       .corrected = corrected,
-       .near_misses = {out_of_a_ball(R"(a flux of $2\pi$)", all_around / 2)},
-       .why = R"(At $\mathbf x=0$ the text divides by zero, and its lines say nothing about that point. It )"
-              R"(matters: $4\pi=12.566$ flows out of every sphere around the origin, however small, so that )"
-              R"(the divergence is $4\pi\delta(\mathbf x)$, and Gauss's theorem with a divergence of zero )"
-              R"(gives 0.)",
-       .kind = Fault::left_out,
-       .root = "the origin"});
+  claims.add("origin", 3267, R"($\nabla\cdot(\mathbf x/|\mathbf x|^3)=0$, no point being left out)",
+             {.printed = out_of_a_ball("zero everywhere: no flux out of any ball", 0),
+              .corrected = corrected,
+              .in_view = {R"(for $\mathbf x\ne0$)", {zero}},
+              .near_misses = {out_of_a_ball(R"(a flux of $2\pi$)", all_around / 2)},
+              .why = filled(
+                  R"(At $\mathbf x=0$ the text divides by zero, and its lines say nothing about that )"
+                  R"(point. It matters: $4\pi=@5$ flows out of every sphere around the origin, however )"
+                  R"(small, so that the divergence is $4\pi\delta(\mathbf x)$, and Gauss's theorem with a )"
+                  R"(divergence of zero gives 0.)",
+                  {all_around}),
+              .kind = Fault::left_out,
+              .root = "the origin"});
   return claims.in_order();
 }
 
 std::vector<Root> roots() {
   return {
       {"the origin",
-       R"(A field that is put together from its sources, as smoke or gravity is, would have none: nothing )"
-       R"(would flow out of the sphere around a source, where $4\pi=12.566$ should, whatever its radius.)"}};
+       filled(R"(A field that is put together from its sources, as smoke or gravity is, would have none: )"
+              R"(nothing would flow out of the sphere around a source, where $4\pi=@5$ should, whatever its )"
+              R"(radius.)",
+              {4 * std::numbers::pi})}};
 }
 
 }  // namespace oddity::ex05_03

@@ -94,7 +94,7 @@ Proof proof_of_lines(Random random) {
       "m00 over_x0 f0 + m01 over_x0 f1 + m02 over_x0 f2 + m10 over_x1 f0 + m11 over_x1 f1 + m12 over_x1 f2 + "
       "m20 over_x2 f0 + m21 over_x2 f1 + m22 over_x2 f2";
 
-  proof.line("product", 3271, R"($m_{ij}f_j$, summed over $j$, is $M\mathbf f$)",
+  proof.line("product", 3271, R"($(M\mathbf f)_i=m_{ij}f_j$, summed over $j$)",
              each_component("Mf#", "m#0 f0 + m#1 f1 + m#2 f2"), by_eigen);
   proof.line("free_i", 3271,
              "$i$ being the only free index, $m_{ij}f_j$ is a vector: it turns with its factors, which are "
@@ -116,7 +116,7 @@ Proof proof_of_lines(Random random) {
   changes.back().as_typeset = false;
   proof.claims.add(
       "constants_outside", 3277,
-      R"(the constants $m_{ij}$ move out of the derivatives, $(m_{ij}/\partial x_i)f_j$)",
+      R"($\nabla\cdot(M\mathbf f)=(m_{ij}\,\partial/\partial x_i)f_j$, the constants $m_{ij}$ moved out, and a $\partial$ lost)",
       {.printed = lost,
        .meant = proof.reading(constants, whole),
        .near_misses = std::move(changes),
@@ -128,16 +128,16 @@ Proof proof_of_lines(Random random) {
        .kind = Fault::lost_typography});
   proof.lines.push_back({"constants_outside", constants, "meant"});
 
-  proof.line("row_times_matrix", 3285, R"($g_im_{ij}$, summed over $i$, is $\mathbf g^TM$)",
+  proof.line("row_times_matrix", 3285, R"($(\mathbf g^TM)_j=g_im_{ij}$, summed over $i$)",
              each_component("gTM#", "g0 m0# + g1 m1# + g2 m2#"), by_eigen);
   proof.line("free_j", 3285,
              "$j$ being the only free index, $g_im_{ij}$ is a vector: it turns with its factors, which are "
              R"($u$ for $\mathbf g$ and $n$ for $M$ in the turned frame)",
              each_component("turned_gTM#", "u0 n0# + u1 n1# + u2 n2#"), R"($\mathbf g^TM$, turned)");
-  proof.line("commuted", 3285, R"(written $m_{ij}g_i$, it is $M^T\mathbf g$)",
+  proof.line("commuted", 3285, R"($g_im_{ij}=m_{ij}g_i=(M^T\mathbf g)_j$)",
              each_component("MTg#", "m0# g0 + m1# g1 + m2# g2"), by_eigen);
   proof.line("operator", 3291,
-             R"(so $m_{ij}\,\partial/\partial x_i$ is $M^T\nabla$ (on any field $\varphi$))",
+             R"($m_{ij}\,\partial/\partial x_i=(M^T\nabla)_j$ (our check: on any field $\varphi$))",
              each_component("MTgrad_phi#", "m0# phi,0 + m1# phi,1 + m2# phi,2"),
              "$M^T$ times the gradient along a turned frame, by Eigen");
 

@@ -70,8 +70,8 @@ const std::vector<Row> either_order{
 
 Proof proof_of_lines(Random random) {
   Proof proof("5.9", sampled(random, fill), names);
-  proof.line("gradient", 3373, "the gradient in coordinates", each_component("grad#", "phi,#"),
-             "the gradient along a turned frame, by dual numbers");
+  proof.line("gradient", 3373, R"($\nabla\varphi=(\varphi_{,0},\varphi_{,1},\varphi_{,2})$)",
+             each_component("grad#", "phi,#"), "the gradient along a turned frame, by dual numbers");
   const auto component = [&](int at, const std::string& i, const std::vector<Row>& terms,
                              const std::string& any) {
     const std::string slopes = "slopes of the gradient along a turned frame, by nested dual numbers",
@@ -82,7 +82,9 @@ Proof proof_of_lines(Random random) {
     claim.printed.text += ", by the pattern " + same.text;
     claim.printed.checks.push_back(same.checks[0]);
     for (Reading& near : proof.single_changes(of_any, pattern)) claim.near_misses.push_back(std::move(near));
-    proof.claims.add("component_" + i, at, R"($\nabla\times\nabla\varphi$ in coordinates, component )" + i,
+    proof.claims.add("component_" + i, at,
+                     R"($(\nabla\times\nabla\varphi)_)" + i + "=" + typeset(terms[0].right, names) +
+                         typeset(terms[1].right, names) + "$",
                      std::move(claim));
     std::vector<Row> all = terms;
     all.push_back(of_any[0]);
@@ -114,10 +116,12 @@ std::vector<Claim> claims(Random random, const Known& mixed) {
                                   {"iterated limits in 60 digits, in one order", one},
                                   {"iterated limits in 60 digits, in the other", other},
                                   rounding(size_of(one), 1)});
-  proof.claims.add("order", 3405,
-                   "where second derivatives are continuous, their order is irrelevant, along any "
-                   "two axes of a turned frame too: $\\varphi'_{01}=\\varphi'_{10}$",
-                   std::move(order));
+  proof.claims.add(
+      "order", 3405,
+      "the order of partial differentiation is irrelevant for a function whose second derivatives "
+      "are continuous (our check: along any two axes of a turned frame, "
+      "$\\varphi'_{01}=\\varphi'_{10}$)",
+      std::move(order));
   return proof.claims.in_order();
 }
 

@@ -55,7 +55,8 @@ Proof proof_of_lines(Random random) {
   const std::string alone = "the bracket differentiated as one field, by dual numbers";
   const std::string curls = "curls along a turned frame, by dual numbers";
 
-  proof.line("cross_product", 3413, R"(the brackets are the components of $\mathbf f\times\mathbf g$)",
+  proof.line("cross_product", 3413,
+             R"($\mathbf f\times\mathbf g=(f_1g_2-f_2g_1,f_2g_0-f_0g_2,f_0g_1-f_1g_0)$)",
              {{"fxg0", "f1 g2 - f2 g1"}, {"fxg1", "f2 g0 - f0 g2"}, {"fxg2", "f0 g1 - f1 g0"}},
              R"(determinants of $\mathbf f$, $\mathbf g$ and a unit vector, by LU)");
   proof.line(
@@ -79,10 +80,10 @@ Proof proof_of_lines(Random random) {
                "(g0,2 - g2,0) f1 - (g1,0 - g0,1) f2"}},
              whole);
   proof.line(
-      "curl_f", 3437, R"(the first three terms gathered are $(\nabla\times\mathbf f)\cdot\mathbf g$)",
+      "curl_f", 3437, R"(the first three terms are $(\nabla\times\mathbf f)\cdot\mathbf g$)",
       {{"curl_f0 g0 + curl_f1 g1 + curl_f2 g2", "(f2,1 - f1,2) g0 + (f0,2 - f2,0) g1 + (f1,0 - f0,1) g2"}},
       curls);
-  proof.line("curl_g", 3455, R"(the last three terms gathered are $-(\nabla\times\mathbf g)\cdot\mathbf f$)",
+  proof.line("curl_g", 3455, R"(the last three terms are $-(\nabla\times\mathbf g)\cdot\mathbf f$)",
              {{"- curl_g0 f0 - curl_g1 f1 - curl_g2 f2",
                "- (g2,1 - g1,2) f0 - (g0,2 - g2,0) f1 - (g1,0 - g0,1) f2"}},
              curls);

@@ -82,28 +82,28 @@ Proof proof_of_lines(Random random) {
   const auto components = [&](const std::string& slug, std::array<int, 3> at, const std::string& says,
                               const std::string& left, const Components& right, const std::string& by) {
     for (std::size_t i = 0; i < 3; ++i)
-      proof.line(slug + "_" + digit(i), at[i], says + ", component " + digit(i),
+      proof.line(slug + "_" + digit(i), at[i], "component " + digit(i) + " of " + says,
                  {{left + digit(i), right[i]}}, by);
   };
   components(
-      "gradient", {3481, 3495, 3509}, R"($\nabla(\mathbf f\cdot\mathbf g)$, equation (8))", "grad_fg", left_8,
+      "gradient", {3481, 3495, 3509}, "the left-hand side, equation (8)", "grad_fg", left_8,
       R"($\mathbf f\cdot\mathbf g$ differentiated as one field along a turned frame, by dual numbers)");
   const std::string turned = "the operator along a turned frame, by dual numbers";
-  components("first_term", {3529, 3543, 3557}, R"($\mathbf f\times(\nabla\times\mathbf g)$, equation (9))",
-             "f_x_curl_g", first_9, turned);
-  components("second_term", {3577, 3591, 3605}, R"($\mathbf g\times(\nabla\times\mathbf f)$, equation (10))",
-             "g_x_curl_f", second_10, turned);
-  components("third_term", {3625, 3633, 3641}, R"($(\mathbf f\cdot\nabla)\mathbf g$, equation (11))",
-             "fgrad_g", third_11, turned);
-  components("fourth_term", {3655, 3663, 3671}, R"($(\mathbf g\cdot\nabla)\mathbf f$, equation (12))",
-             "ggrad_f", fourth_12, turned);
+  components("first_term", {3529, 3543, 3557}, "the first term, equation (9)", "f_x_curl_g", first_9, turned);
+  components("second_term", {3577, 3591, 3605}, "the second term, equation (10)", "g_x_curl_f", second_10,
+             turned);
+  components("third_term", {3625, 3633, 3641}, "the third term, equation (11)", "fgrad_g", third_11, turned);
+  components("fourth_term", {3655, 3663, 3671}, "the fourth term, equation (12)", "ggrad_f", fourth_12,
+             turned);
 
   proof.line(
-      "sum", 3681, R"(the four terms add up to $\nabla(\mathbf f\cdot\mathbf g)$)",
+      "sum", 3681,
+      R"($\nabla(\mathbf f\cdot\mathbf g)=\mathbf f\times(\nabla\times\mathbf g)+\mathbf g\times(\nabla\times\mathbf f))"
+      R"(+(\mathbf f\cdot\nabla)\mathbf g+(\mathbf g\cdot\nabla)\mathbf f$: the four terms add up to equation (8))",
       each_component("grad_fg#", "f_x_curl_g# + g_x_curl_f# + fgrad_g# + ggrad_f#"),
       R"($\mathbf f\cdot\mathbf g$ differentiated as one field along a turned frame, by dual numbers)");
   proof.claims.add(
-      "cancellation", 3681, "in the sum of (9) to (12) quite a few terms cancel; (8) is left",
+      "cancellation", 3681, "in the sum of the equations (9) to (12) quite a few terms cancel",
       {.printed = {"8 of 14 terms cancel in each component", cancellation(proof.samples[0], true)},
        .near_misses = {{"without the fourth term", cancellation(proof.samples[0], false)}}});
   return proof;

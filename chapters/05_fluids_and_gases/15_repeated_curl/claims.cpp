@@ -1,6 +1,9 @@
 // Every index expression as it is written, evaluated from derivatives along the axes, against curls nested in
 // one another by dual numbers along a frame turned at random.
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <iterator>
+#include <set>
 
 #include "chapters/05_fluids_and_gases/15_repeated_curl/repeated_curl.hpp"
 #include "reference/text.hpp"
@@ -185,9 +188,18 @@ Check well_formed(const std::string& expression, const std::string& free) {
   return no_violations("indices that occur once or thrice, but the free one",
                        IndexExpression(expression, free).ill_formed(), 1);
 }
-Claim summed(const std::string& expression, const std::string& near) {
-  const auto reading = [](const std::string& text) {
-    return Reading{"those of $" + typeset(text) + "$", {well_formed(text, "i")}};
+/// The indices that occur so many times in it are these and no others.
+Claim occurring(int times, const std::set<std::string>& these, const std::string& expression,
+                const std::string& near) {
+  const auto reading = [&](const std::string& text) {
+    const std::set<std::string> found = IndexExpression(text, "i").occurring(times);
+    std::vector<std::string> others;
+    std::ranges::set_symmetric_difference(these, found, std::back_inserter(others));
+    const std::string how_often = times == 1 ? "once" : "twice";
+    return Reading{
+        "the indices of $" + typeset(text) + "$ that occur " + how_often,
+        {no_violations("indices that are named and do not occur " + how_often + ", or the other way round",
+                       static_cast<long>(others.size()), static_cast<long>(these.size()))}};
   };
   return {.printed = reading(expression), .near_misses = {reading(near)}};
 }
@@ -200,52 +212,63 @@ Lines lines(Random random) {
   Claims& claims = all.claims;
   const auto add = [&](const char* slug, int line, const char* says, const std::vector<Said>& printed,
                        const std::vector<std::vector<Said>>& near_misses) {
-    claims.add(slug, line, says, t.claim(printed, near_misses));
+    std::string sentence = says;
+    Claim claim = t.claim(printed, near_misses);
+    if (printed.size() == 1 && sentence.find('=') == std::string::npos) sentence += ": " + claim.printed.text;
+    claims.add(slug, line, std::move(sentence), std::move(claim));
     all.printed.emplace_back(slug, printed);
   };
-  add("cross_product", 3687, R"($\mathbf g\times\mathbf f$ in index notation)",
-      {{"g x f", "e(i j k) g(j) f(k)"}},
+  add("cross_product", 3687, "the cross product in index notation", {{"g x f", "e(i j k) g(j) f(k)"}},
       {{{"g x f", "e(i j k) g(k) f(j)"}}, {{"g x f", "e(j i k) g(j) f(k)"}}});
-  claims.add("cross_product_sums", 3689, "$j$ and $k$ are summed over, $i$ is the only free index",
-             summed("e(i j k) g(j) f(k)", "e(i j k) g(j) f(j)"));
+  const std::string product_of_two = "e(i j k) g(j) f(k)", product_near = "e(i j k) g(j) f(j)";
+  claims.add("cross_product_sums", 3689,
+             "in $e_{ijk}g_jf_k$ the repeated indices $j$ and $k$ are summed over",
+             occurring(2, {"j", "k"}, product_of_two, product_near));
+  claims.add("cross_product_free", 3689, "in $e_{ijk}g_jf_k$ the only free index is $i$",
+             occurring(1, {"i"}, product_of_two, product_near));
   add("cross_product_vector", 3689,
       R"(with $i$ free it is a vector: it turns with its factors, which are $u$ and $v$ in the turned frame)",
       {{"g x f, turned", "e(i j k) u(j) v(k)"}},
       {{{"g x f, mirrored", "e(i j k) mirrored_u(j) mirrored_v(k)"}}});
-  add("curl", 3691, R"($\nabla\times\mathbf f$ in index notation)", {{"curl1", "e(i j k) f(k, j)"}},
+  add("curl", 3691, "the curl in index notation", {{"curl1", "e(i j k) f(k, j)"}},
       {{{"curl1", "e(i j k) f(j, k)"}}, {{"curl1", "e(k j i) f(k, j)"}}});
-  add("twice_nested", 3695,
-      R"($\nabla\times\nabla\times\mathbf f$ is $e_{ijk}\,\partial_j(e_{klm}\,\partial_lf_m)$)",
+  add("twice_nested", 3695, R"(the curl of the curl is $e_{ijk}\,\partial_j(e_{klm}\,\partial_lf_m)$)",
       {{"curl2", "e(i j k) once(k, j)"}}, {{{"curl2", "e(i j k) once(j, k)"}}});
-  add("twice_factored", 3695, R"(that is $e_{ijk}e_{klm}\,\partial_j\partial_lf_m$)",
+  add("twice_factored", 3695, R"(the curl of the curl is $e_{ijk}e_{klm}\,\partial_j\partial_lf_m$)",
       {{"curl2", "e(i j k) e(k l m) f(m, l j)"}},
       {{{"curl2", "e(i j k) e(l k m) f(m, l j)"}}, {{"curl2", "e(i j k) e(j l m) f(m, l k)"}}});
-  add("twice_comma", 3695, "the same with a comma for the derivatives",
+  add("twice_comma", 3695, "the curl of the curl with a comma for the derivatives",
       {{"curl2", "e(i j k) e(k l m) f(m, j l)"}},
       {{{"curl2", "e(i j k) e(k l m) f(j, m l)"}}, {{"curl2", "e(i j k) e(k l m) f(l, j m)"}}});
-  add("constant", 3697, "$e$, being constant, moves out of the derivative",
+  add("constant", 3697,
+      R"(the permutation tensor is constant and moves out of the derivative: $\partial_j(e_{klm}\,\partial_lf_m)=e_{klm}\,\partial_j\partial_lf_m$)",
       {{"curl2", "e(i j k) e(k l m) f(m, l j)"}, {"curl2", "e(i j k) once(k, j)"}},
       {{{"phi curl2", "e(i j k) phi_once(k, j)"}}});
-  claims.add("twice_sums", 3697, "$j$, $k$, $l$ and $m$ are summed over, $i$ is the only free index",
-             summed("e(i j k) e(k l m) f(m, j l)", "e(i j k) e(k l m) f(m, j j)"));
+  const std::string curl_of_curl = "e(i j k) e(k l m) f(m, j l)", curl_near = "e(i j k) e(k l m) f(m, j j)";
+  claims.add("twice_sums", 3697,
+             "in $e_{ijk}e_{klm}f_{m,jl}$ the repeated indices $j$, $k$, $l$ and $m$ are summed over",
+             occurring(2, {"j", "k", "l", "m"}, curl_of_curl, curl_near));
+  claims.add("twice_free", 3697, "in $e_{ijk}e_{klm}f_{m,jl}$ the only free index is $i$",
+             occurring(1, {"i"}, curl_of_curl, curl_near));
   add("twice_vector", 3697,
       R"(with $i$ free it is a vector: it turns with the field, which is $v$ in the turned frame)",
       {{"curl2, turned", "e(i j k) e(k l m) v(m, j l)"}}, {{{"curl2", "e(i j k) e(k l m) v(m, j l)"}}});
   add("comma", 3697, R"($f_{m,jl}$ is the derivative of the component $f_m$ with respect to $x_j$ and $x_l$)",
       {{"f along a, b", "f(m, j l) a(j) b(l)", "m"}}, {{{"f along a, b", "f(j, m l) a(j) b(l)", "m"}}});
-  add("renamed_once", 3701, R"($\nabla\times\mathbf f$ in the new names)",
-      {{"curl1", "e(i j1 k1) f(k1, j1)"}}, {{{"curl1", "e(i k1 j1) f(k1, j1)"}}});
-  add("renamed_twice", 3703, R"($\nabla\times\nabla\times\mathbf f$ in the new names)",
+  add("renamed_once", 3701, "the curl in the new names", {{"curl1", "e(i j1 k1) f(k1, j1)"}},
+      {{{"curl1", "e(i k1 j1) f(k1, j1)"}}});
+  add("renamed_twice", 3703, "the curl of the curl in the new names",
       {{"curl2", "e(i j2 k2) e(k2 j1 k1) f(k1, j1 j2)"}},
       {{{"curl2", "e(i j2 k2) e(k1 j1 k2) f(k1, j1 j2)"}},
        {{"curl2", "e(i j1 k2) e(k2 k1 j2) f(k1, j1 j2)"}}});
-  add("thrice_nested", 3707, "the third curl is one of the second", {{"curl3", "e(i j3 k3) twice(k3, j3)"}},
-      {{{"curl3", "e(i j3 k3) twice(j3, k3)"}}});
-  add("thrice_factored", 3709, "its three tensors in front of the derivatives",
+  add("thrice_nested", 3707, "the third curl is the curl of the second",
+      {{"curl3", "e(i j3 k3) twice(k3, j3)"}}, {{{"curl3", "e(i j3 k3) twice(j3, k3)"}}});
+  add("thrice_factored", 3709, "the third curl has its three tensors in front of the derivatives",
       {{"curl3", "e(i j3 k3) e(k3 j2 k2) e(k2 j1 k1) f(k1, j1 j2 j3)"}},
       {{{"curl3", "e(i j3 k3) e(k2 j2 k3) e(k2 j1 k1) f(k1, j1 j2 j3)"}},
        {{"curl3", "e(i j3 k3) e(k3 j2 k2) e(k2 j1 k1) f(j1, k1 j2 j3)"}}});
-  add("appended", 3711, R"(the derivative with respect to $x_{j_3}$ is one more index behind the comma)",
+  add("appended", 3711,
+      R"(the derivative by $x_{j_3}$ adds an index behind the comma: $\partial_{j_3}f_{k_1,j_1j_2}=f_{k_1,j_1j_2j_3}$)",
       {{"f along a, b, c", "f(k1, j1 j2 j3) a(j1) b(j2) c(j3)", "k1"}},
       {{{"f along a, b, c", "f(j3, j1 j2 k1) a(j1) b(j2) c(j3)", "k1"}}});
 
@@ -261,12 +284,17 @@ Lines lines(Random random) {
     reversed_product.push_back({left, chain(n, free, reversed) + f, free});
     wellformed.push_back(well_formed(product.back().right, free));
   }
-  add("general", 3715, R"(the chain of $n$ tensors, $n=1,\ldots,4$)", general,
-      {reversed_link, reversed_all, wrong_component});
+  add("general", 3715,
+      R"($((\nabla\times)^n\mathbf f)_i=e_{ij_nk_n}e_{k_nj_{n-1}k_{n-1}}\cdots e_{k_2j_1k_1}f_{k_1,j_1\cdots j_n}$ )"
+      R"((our check: for $n=1,\ldots,4$))",
+      general, {reversed_link, reversed_all, wrong_component});
   Claim same = t.claim(product, {reversed_product});
   same.printed.checks.insert(same.printed.checks.end(), wellformed.begin(), wellformed.end());
-  claims.add("product", 3723, R"(the same as a product over $l$ of $e_{k_{l+1}j_lk_l}$, $n=1,\ldots,4$)",
-             std::move(same));
+  claims.add(
+      "product", 3723,
+      R"($c_{k_{n+1}}=(\prod_{l=1}^ne_{k_{l+1}j_lk_l})f_{k_1,j_1\cdots j_n}$ for $\mathbf c=(\nabla\times)^n\mathbf f$ )"
+      R"((our check: for $n=1,\ldots,4$))",
+      std::move(same));
   all.printed.emplace_back("product", product);
   return all;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -66,6 +67,17 @@ class IndexExpression {
   }
 
   const std::string& text() const { return text_; }
+
+  /// The indices that occur so many times.
+  std::set<std::string> occurring(int times) const {
+    std::map<std::size_t, int> counts;
+    for (const Factor& factor : factors_)
+      for (std::size_t k : factor.indices) ++counts[k];
+    std::set<std::string> all;
+    for (const auto& [k, count] : counts)
+      if (count == times) all.insert(indices_[k]);
+    return all;
+  }
 
   /// Violations of the convention: the free index not once, another one not twice.
   long ill_formed() const {

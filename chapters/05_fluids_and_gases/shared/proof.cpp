@@ -3,6 +3,7 @@
 #include <cctype>
 #include <stdexcept>
 
+#include "formula/print.hpp"
 #include "reference/text.hpp"
 
 namespace oddity::fields {
@@ -39,72 +40,33 @@ std::vector<Sample> sampled(Random random, const std::function<void(Sample&, con
 
 namespace {
 
-class Reader {
- public:
-  Reader(std::string_view line, const Sample& symbols) : line_(line), symbols_(symbols) {}
-
-  Terms read() {
-    Terms all = sum();
-    if (next() != '\0') fail();
-    return all;
-  }
-
- private:
-  Terms sum() {
-    Terms all;
-    double sign = next() == '-' ? -1 : 1;
-    if (!take('-')) take('+');
-    do {
-      for (Term& t : product()) all.push_back({sign * t.sign, std::move(t.factors)});
-      sign = next() == '-' ? -1 : 1;
-    } while (take('+') || take('-'));
-    return all;
-  }
-  Terms product() {
-    Terms all = factor();
-    while (next() == '(' || std::isalpha(next())) {
-      const Terms more = factor();
-      Terms expanded;
-      for (const Term& a : all)
-        for (const Term& b : more) {
-          Term ab{a.sign * b.sign, a.factors};
-          ab.factors.insert(ab.factors.end(), b.factors.begin(), b.factors.end());
-          expanded.push_back(std::move(ab));
-        }
-      all = std::move(expanded);
+/// All products of a term of one with a term of the other.
+Terms expanded(const Terms& one, const Terms& other) {
+  Terms all;
+  for (const Term& a : one)
+    for (const Term& b : other) {
+      Term ab{a.sign * b.sign, a.factors};
+      ab.factors.insert(ab.factors.end(), b.factors.begin(), b.factors.end());
+      all.push_back(std::move(ab));
     }
-    return all;
-  }
-  Terms factor() {
-    if (take('(')) {
-      Terms inside = sum();
-      if (!take(')')) fail();
-      return inside;
-    }
-    next();
-    const std::size_t start = at_;
-    while (at_ < line_.size() && (std::isalnum(line_[at_]) || line_[at_] == '_' || line_[at_] == ',')) ++at_;
-    const auto found = std::ranges::find(symbols_.names, line_.substr(start, at_ - start));
-    if (found == symbols_.names.end()) fail();
-    return {{1, {static_cast<std::size_t>(found - symbols_.names.begin())}}};
-  }
-  char next() {
-    while (at_ < line_.size() && line_[at_] == ' ') ++at_;
-    return at_ < line_.size() ? line_[at_] : '\0';
-  }
-  bool take(char c) {
-    if (next() != c) return false;
-    ++at_;
-    return true;
-  }
-  [[noreturn]] void fail() const {
-    throw std::logic_error("cannot read '" + std::string(line_) + "' at " + std::to_string(at_));
-  }
+  return all;
+}
 
-  std::string_view line_;
-  const Sample& symbols_;
-  std::size_t at_ = 0;
-};
+Terms terms_of(const formula::Tree& x) {
+  const bool is_product = x.kind() == formula::Kind::product && x->marks.find('/') == std::string::npos;
+  if (x.kind() == formula::Kind::letter) return {{1, {static_cast<std::size_t>(x->entries[0].rates[0])}}};
+  if (x.kind() != formula::Kind::sum && !is_product)
+    throw std::logic_error("'" + formula::plain(x) + "' is no sum of products");
+  Terms all;
+  if (is_product) all = {{}};
+  for (std::size_t i = 0; i < x->children.size(); ++i)
+    if (is_product)
+      all = expanded(all, terms_of(x.child(i)));
+    else
+      for (Term& term : terms_of(x.child(i)))
+        all.push_back({x->marks[i] == '-' ? -term.sign : term.sign, std::move(term.factors)});
+  return all;
+}
 
 double value_of(const Terms& terms, const Sample& s) {
   double sum = 0;
@@ -128,7 +90,11 @@ double size_of(const Terms& terms, const Sample& s) {
 
 }  // namespace
 
-Terms read_terms(std::string_view line, const Sample& symbols) { return Reader(line, symbols).read(); }
+Terms read_terms(std::string_view line, const Sample& symbols) {
+  if (!symbols.reader || symbols.reader->letters() != symbols.names.size())
+    symbols.reader = std::make_shared<const formula::PlainReader>(symbols.names);
+  return terms_of((*symbols.reader)(line));
+}
 
 // ---- claims -----------------------------------------------------------------------------------------------
 
@@ -277,6 +243,7 @@ std::vector<Reading> Proof::single_changes(const std::vector<Row>& rows, const s
 void Proof::line(const std::string& slug, int at, std::string says, const std::vector<Row>& rows,
                  const std::string& by) {
   lines.push_back({.slug = slug, .rows = rows});
+  if (rows.size() == 1 && says.find('=') == std::string::npos) says += ": " + written(rows, names);
   claims.add(slug, at, std::move(says),
              {.printed = reading(rows, by), .near_misses = single_changes(rows, by)});
 }

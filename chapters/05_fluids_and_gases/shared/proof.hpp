@@ -1,9 +1,11 @@
 #pragma once
 
 #include <map>
+#include <memory>
 
 #include "chapters/05_fluids_and_gases/shared/fields.hpp"
 #include "chapters/claims.hpp"
+#include "formula/reader.hpp"
 
 /// Published lines of index calculus, evaluated as they are written: `f2,1` is the derivative of f2 by x1,
 /// `phi,12` the derivative by x1, then by x2. What a report shows is what was computed, and every single sign
@@ -19,6 +21,7 @@ struct Sample {
   std::string where;
   std::vector<std::string> names = {};
   std::vector<double> values = {}, sizes = {};
+  mutable std::shared_ptr<const formula::PlainReader> reader = nullptr;  ///< of lines in these names
 
   void put(std::string name, double value, double size);
   void put(std::string name, double value);
@@ -107,7 +110,7 @@ class Proof {
   /// Of all single signs and of all single indices of the rows, the one whose change is hardest to see.
   std::vector<Reading> single_changes(const std::vector<Row>& rows, const std::string& by) const;
 
-  /// Published lines hold; the near misses change each single sign and index.
+  /// Published lines hold; the near misses change each single sign and index. A lone line is told in full.
   void line(const std::string& slug, int at, std::string says, const std::vector<Row>& rows,
             const std::string& by);
   /// Published lines hold; the near misses are the lines given.

@@ -84,7 +84,7 @@ void ranges(Claims& claims, const Parameters& p, const std::vector<Lattice>& sph
     };
   };
   claims.statement<Lattice>(
-      "naive_needs_n", 3735, "testing bin after bin takes $n$ tests a sphere: none can be left out",
+      "naive_needs_n", 3735, "a naive implementation, which tests every bin, requires $n$ intersection tests",
       one_in_every_bin(2),
       {.printed = {"$n$ tests find a sphere in any of 64 bins", of_those([](long) { return true; })},
        .near_misses = {
@@ -96,7 +96,7 @@ void ranges(Claims& claims, const Parameters& p, const std::vector<Lattice>& sph
   };
   claims.formula<Solid>(
       "projections", 3737,
-      "the projections of a sphere on the axes are intervals about its center, $c$ on an axis",
+      "the sphere's projections on the axes are $[x_c-r,x_c+r]$, $[y_c-r,y_c+r]$ and $[z_c-r,z_c+r]$",
       draw<Solid>(30, p["seed"]),
       {.quantity = "ends of the three projections",
        .truth = {"planes that just meet the sphere, by bisection of $r^2-(x-c)^2$",
@@ -118,7 +118,7 @@ void ranges(Claims& claims, const Parameters& p, const std::vector<Lattice>& sph
   };
   claims.statement<Lattice>(
       "subset", 3737,
-      "least and greatest index on each axis give the bins that meet the sphere's box, and no hit is lost",
+      "the minimum and the maximum index on each axis determine the bins that may meet the sphere's box",
       spheres,
       {.printed = by(R"($\lceil(x-r)/h\rceil-1$ to $\lfloor(x+r)/h\rfloor$, $h$ the bin's side)", reach),
        .near_misses = {by("floor at both ends", reach_by_floor),
@@ -128,19 +128,21 @@ void ranges(Claims& claims, const Parameters& p, const std::vector<Lattice>& sph
   const auto divisions = [](std::string text, double said) {
     return Formula<Size>{std::move(text), [=](const Size&) { return Value{said, said}; }};
   };
-  claims.formula<Size>("few_computations", 3737,
-                       "the indices take few computations, however many bins there are", {{1}, {4}, {12}},
-                       {.quantity = "divisions and roundings for a sphere's range",
-                        .truth = {"counted",
-                                  [](const Size& size) {
-                                    const Operations operations = operations_of([&] {
-                                      for (double x : {0.3, -0.2, 0.7})
-                                        static_cast<void>(reach_of<Counted<double>>(x, 0.9, {1, size.half}));
-                                    });
-                                    return values(operations.divisions, operations.functions);
-                                  }},
-                        .printed = divisions("six of each", 6),
-                        .near_misses = {divisions("three of each", 3)}});
+  claims.formula<Size>(
+      "few_computations", 3737,
+      "the indices require only a few computations (our reading: as many for any number of bins)",
+      {{1}, {4}, {12}},
+      {.quantity = "divisions and roundings for a sphere's range",
+       .truth = {"counted",
+                 [](const Size& size) {
+                   const Operations operations = operations_of([&] {
+                     for (double x : {0.3, -0.2, 0.7})
+                       static_cast<void>(reach_of<Counted<double>>(x, 0.9, {1, size.half}));
+                   });
+                   return values(operations.divisions, operations.functions);
+                 }},
+       .printed = divisions("six of each", 6),
+       .near_misses = {divisions("three of each", 3)}});
 }
 
 /// The mean number of bins in the range, over centers evenly spread over an axis of the grid, cubed.
@@ -184,7 +186,7 @@ void costs(Claims& claims, const Parameters& p, const std::vector<Lattice>& sphe
          }},
         {{0.25}, {0.5}, {1.0}, {2.0}, {3.0}});
   };
-  claims.add("typically_less", 3737, "the range is typically far smaller than the grid",
+  claims.add("typically_less", 3737, "the subset of bins is typically a lot less than the total number",
              {.printed = {R"(below a fiftieth while $r\le h$; $(1+2r/h)^3$ less what the border cuts off)",
                           {small(1), mean("$(1+2r/h)^3$", 2)}},
               .near_misses = {{"for spheres of up to 8 bins' radius too", {small(8)}},
@@ -198,17 +200,18 @@ void costs(Claims& claims, const Parameters& p, const std::vector<Lattice>& sphe
   };
   claims
       .statement<Center>("unless_large", 3737,
-                         "for a really large sphere the range is the grid, and nothing is gained",
+                         "the subset is not less than the total number where the sphere is really large",
                          draw<Center>(400, p["seed"]),
                          {.printed = {"every bin for $r$ the grid's width", everything(1)},
                           .near_misses = {{"every bin for $r$ half the width", everything(0.5)}}})
-      .statement<Center>("bins_too_small", 3737,
-                         "where the range is large the bins are too small: larger ones need fewer tests",
-                         draw<Center>(100, p["seed"]),
-                         {.printed = {"tests never rise when the bins' side is doubled",
-                                      [](const Center& c) { return c.never_rises(false); }},
-                          .near_misses = {{"the fraction of the grid never rises either",
-                                           [](const Center& c) { return c.never_rises(true); }}}});
+      .statement<Center>(
+          "bins_too_small", 3737,
+          "where the subset is large the bins are most likely too small (our reading: larger ones take no more tests)",
+          draw<Center>(100, p["seed"]),
+          {.printed = {"tests never rise when the bins' side is doubled",
+                       [](const Center& c) { return c.never_rises(false); }},
+           .near_misses = {{"the fraction of the grid never rises either",
+                            [](const Center& c) { return c.never_rises(true); }}}});
 
   const auto share = [&](std::string text, bool (*hit)(const Lattice&, const Index&)) {
     return compare<Lattice>(
@@ -222,7 +225,8 @@ void costs(Claims& claims, const Parameters& p, const std::vector<Lattice>& sphe
          [=](const Lattice& s) { return values(exact_ids(s, grid, hit).size(), grid.count()); }},
         spheres);
   };
-  claims.add("cost_ratio", 3737, "the cost, in units of the $n$ tests, is the range's share of the bins",
+  claims.add("cost_ratio", 3737,
+             "the cost depends on the ratio of the number of bins in the subset to the total number",
              {.printed = {"range over $n$",
                           {share("bins that meet the box, in exact integers, and $n$", box_hit_exactly)}},
               .near_misses = {{"the share that the sphere itself meets",
@@ -248,7 +252,7 @@ void costs(Claims& claims, const Parameters& p, const std::vector<Lattice>& sphe
   };
   claims.add(
       "constant_cost", 3737,
-      "with bins of a good size the number of tests is about constant, $O(1)$ instead of $O(n)$",
+      "with a good choice of bin size the number of tests is about constant, $O(1)$ instead of $O(n)$",
       {.printed = {"8 less what the border cuts off, at $r=h/2$",
                    {tests("$(2-1/N)^3$ for $N$ bins an axis", closed, rounding(8)),
                     tests("8", constant, {8 * 3 / 16.0, "the border cuts off $3/(2N)$ of 8, $N=8$"})}},

@@ -5,6 +5,7 @@
 
 #include "chapters/06_physics_engines/03_moving_spheres/moving_spheres.hpp"
 #include "chapters/claims.hpp"
+#include "chapters/inputs.hpp"
 
 namespace oddity {
 
@@ -12,13 +13,18 @@ namespace ex06_03 {
 
 using namespace bins;
 
-constexpr Parameter parameters[] = {
-    {"n", 96, "", "spheres, beside fifteen edge cases", 2, 400, whole_number},
-    {"frames", 16, "", "frames", 6, 64, whole_number},
-    {"radius", 0.75, "", "largest radius, the world's side being 16", 0.05, 4},
-    {"speed", 0.25, "", "largest speed on an axis, a frame", 0, 2},
-    {"seed", 1, "", "of the random spheres", 0, 1e9, whole_number},
-};
+constexpr auto parameters = together(
+    std::array{Parameter{"n", 96, "", "spheres, beside fifteen edge cases", 2, 400, whole_number},
+               Parameter{"frames", 16, "", "frames", 6, 64, whole_number},
+               Parameter{"radius", 0.75, "", "largest radius, the world's side being 16", 0.05, 4},
+               Parameter{"speed", 0.25, "", "largest speed on an axis, a frame", 0, 2},
+               Parameter{"seed", 1, "", "of the random spheres", 0, 1e9, whole_number}},
+    numbers<3>({"c1x", "c1y", "c1z"}, {-5, 1, 0}, "", "center of the first of two spheres of one's own", 1e6),
+    numbers<3>({"v1x", "v1y", "v1z"}, {0.6, 0, 0}, "", "its velocity, a frame", 1e4),
+    numbers<3>({"c2x", "c2y", "c2z"}, {5, 0, 0.5}, "", "center of the second", 1e6),
+    numbers<3>({"v2x", "v2y", "v2z"}, {-0.25, 0.03125, 0}, "", "its velocity, a frame", 1e4),
+    std::array{Parameter{"r1", 1, "", "radius of the first", 1e-6, 1e6},
+               Parameter{"r2", 0.75, "", "radius of the second", 1e-6, 1e6}});
 
 constexpr double world = 16;
 
@@ -167,25 +173,27 @@ std::vector<Claim> claims(const Parameters& p) {
     return [=](const auto& frames) { return by_bins(frames, grid_of(across), how); };
   };
   Claims claims("6.3");
-  claims.add(
-      "many_ways", 3739,
-      "there are many ways to do it (no answer is given that could be judged: what is checked is that five "
-      "algorithms for one such question find the same pairs)",
-      {.printed = {"at least five ways",
-                   {agrees("bins rebuilt", with(8, Follow::rebuilt)),
-                    agrees("bins updated", with(16, Follow::updated)),
-                    agrees("bins of centers",
-                           [](const auto& f) { return by_center_bins(f, grid_of(8), false); }),
-                    agrees("sweep, sorted", [](const auto& f) { return by_sweep(f, false); }),
-                    agrees("sweep, order kept", [](const auto& f) { return by_sweep(f, true); })}},
-       .near_misses = {{"bins need no update", {agrees("bins never updated", with(8, Follow::never))}},
-                       {"a center's own bin is enough", {agrees("own bin", [](const auto& f) {
-                          return by_center_bins(f, grid_of(8), true);
-                        })}}}});
+  claims.add("many_ways", 3739,
+             "there are many ways to implement such an algorithm (our reading: five find the same pairs)",
+             {.printed = {"at least five ways",
+                          {agrees("bins rebuilt", with(8, Follow::rebuilt)),
+                           agrees("bins updated", with(16, Follow::updated)),
+                           agrees("bins of centers",
+                                  [](const auto& f) { return by_center_bins(f, grid_of(8), false); }),
+                           agrees("sweep, sorted", [](const auto& f) { return by_sweep(f, false); }),
+                           agrees("sweep, order kept", [](const auto& f) { return by_sweep(f, true); })}},
+              .near_misses = {{"bins need no update", {agrees("bins never updated", with(8, Follow::never))}},
+                              {"a center's own bin is enough", {agrees("own bin", [](const auto& f) {
+                                 return by_center_bins(f, grid_of(8), true);
+                               })}}}});
   return claims.in_order();
 }
 
-Findings study(const Parameters& p, const Reference&) { return {claims(p), {pairs(p)}}; }
+Findings study(const Parameters& p, const Reference&) {
+  std::vector<Quantity> all{pairs(p)};
+  if (auto contact = first_contact(p)) all.push_back(std::move(*contact));
+  return {claims(p), std::move(all)};
+}
 
 }  // namespace ex06_03
 

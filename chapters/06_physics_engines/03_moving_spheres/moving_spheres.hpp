@@ -1,9 +1,11 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "chapters/06_physics_engines/shared/bins.hpp"
+#include "chapters/exercise.hpp"
 
 /// Which spheres overlap while all of them move: several ways to find the pairs, frame by frame.
 namespace oddity::ex06_03 {
@@ -56,5 +58,8 @@ Pairs by_center_bins(const std::vector<Frame>&, const Grid&, bool own_bin_alone)
 /// Along x: spheres in the order of their least x; each is tested with those that have not ended before it
 /// begins. The order is sorted anew in every frame, or put right by insertion from the frame before.
 Pairs by_sweep(const std::vector<Frame>&, bool keep_order);
+
+/// When the two spheres of one's own first touch; nothing where they do from the start, or never.
+std::optional<Quantity> first_contact(const Parameters&);
 
 }  // namespace oddity::ex06_03

@@ -297,7 +297,7 @@ void linear_lines(Claims& claims, const std::vector<Sample>& all) {
   };
   const std::string integrals = R"($v^-+\frac1m\int fN\,\delta\,dX$ over two narrow delta functions)";
   claims.add(
-      "linear_integral", 3753, "$v^+$ from the impulse integrated with the delta function of both points",
+      "linear_integral", 3753, R"($v^+=v^-+\frac1m\int\int fN\,\delta(t-t_0)\,\delta(X,S)\,dt\,dX$)",
       {.printed = motion(integrals + ", their mean", [](const Sample& s) { return linear_integral(s, 0.5); }),
        .near_misses = {
            motion(integrals + ", their sum", [](const Sample& s) { return linear_integral(s, 1); })}});
@@ -311,14 +311,15 @@ void linear_lines(Claims& claims, const std::vector<Sample>& all) {
     const auto mean = formula(text, [=](const Sample& s) { return linear(s, 2 * share); });
     return Reading{text, {worst.check()}, is_as_typeset(compare_typeset(mean, all))};
   };
-  claims.add("linear_mean", 3757, "the integral is the mean of the two impulses",
+  claims.add("linear_mean", 3757,
+             R"($v^+=v^-+\frac1m\frac{fN+fN}2$, the integral being the mean of the two impulses)",
              {.printed = means(R"($v^-+\frac1m\frac{fN+fN}2$)", 0.5),
               .near_misses = {means(R"($v^-+\frac1m(fN+fN)$)", 1)}});
 
   const auto result = [&](std::string text, double impulses) {
     return motion(std::move(text), [=](const Sample& s) { return linear(s, impulses); });
   };
-  claims.add("linear_result", 3761, "$v^+$ is that of one impulse",
+  claims.add("linear_result", 3761, "$v^+=v^-+fN/m$",
              {.printed = result("$v^-+fN/m$", 1),
               .near_misses = {result("$v^-+2fN/m$", 2), result("$v^--fN/m$", -1)}});
 }
@@ -337,7 +338,7 @@ void angular_lines(Claims& claims, const std::vector<Sample>& all) {
   };
   claims.add(
       "angular_integral", 3767,
-      "$w^+$ from the torques integrated with the delta function of both points, at $t_0$",
+      R"($w^+=w^-+J^{-1}\int\int r(X,t)\times fN\,\delta(t-t_0)\,\delta(X,S)\,dt\,dX$)",
       {.printed = integral(
            R"($w^-+J^{-1}\int r\times fN\,\delta\,dX$ over two narrow delta functions, their mean)", 0.5),
        .near_misses = {integral(
@@ -347,7 +348,7 @@ void angular_lines(Claims& claims, const std::vector<Sample>& all) {
     return motion(std::move(text), [=](const Sample& s) { return by_torques(s, share, s.normal); });
   };
   const std::string mean = R"($w^-+\frac12J^{-1}(r(P_0)\times fN+r(P_1)\times fN)$)";
-  claims.add("angular_mean", 3771, "the integral is the mean of the two torques",
+  claims.add("angular_mean", 3771, R"($w^+=w^-+\frac12J^{-1}(r(P_0)\times fN+r(P_1)\times fN)$)",
              {.printed = torques(mean, 0.5),
               .near_misses = {torques(R"($w^-+J^{-1}(r(P_0)\times fN+r(P_1)\times fN)$)", 1),
                               torques(R"($w^-+\frac12J^{-1}(fN\times r(P_0)+fN\times r(P_1))$)", -0.5)}});
@@ -359,7 +360,7 @@ void angular_lines(Claims& claims, const std::vector<Sample>& all) {
   const auto same_as = [&](const std::string& text, const OfSample& of) {
     return Reading{text, {same(text, of, truth)}, is_as_typeset(compare_typeset(formula(text, of), all))};
   };
-  claims.add("angular_mean_arm", 3777, "the mean of the two arms takes the place of the mean torque",
+  claims.add("angular_mean_arm", 3777, R"($w^+=w^-+J^{-1}(\frac{r(P_0)+r(P_1)}2\times fN)$)",
              {.printed = same_as(of_mean_arm, mean_arm),
               .near_misses = {same_as(half_difference,
                                       [](const Sample& s) { return at(s, (s.hit.p1 - s.hit.p0) / 2); })}});
@@ -368,7 +369,7 @@ void angular_lines(Claims& claims, const std::vector<Sample>& all) {
   by_midpoint.checks.push_back(motion(middle, midpoint).checks[0]);
   const auto other = [](const Sample& s) { return Vector3d(s.normal[1], s.normal[2], s.normal[0]); };
   claims.add(
-      "angular_midpoint", 3783, "that is the arm of the midpoint $M=(P_0+P_1)/2$",
+      "angular_midpoint", 3783, R"($w^+=w^-+J^{-1}(r(M)\times fN)$ with the midpoint $M=(P_0+P_1)/2$)",
       {.printed = by_midpoint,
        .near_misses = {same_as(one_end, [](const Sample& s) { return at(s, s.arm(s.hit.p0)); }),
                        {"also for unequal impulses",
@@ -469,19 +470,21 @@ Check as_area(const std::vector<Sample>& all, const std::string& shape, double r
 }
 
 void what_follows(Claims& claims, double seed) {
+  // Of a trapezoid with the parallel sides 2 and 1, over its height.
+  const double mean = (0 + 0 + 1 + 1) / 4.0, centroid = over_unit([](double v) { return v * (2 - v); }) /
+                                                        over_unit([](double v) { return 2 - v; });
   const auto boxes = samples(seed, 40, random_box), masses = samples(seed, 40, random_masses);
   const Check segment = as_segment(boxes, "boxes", 0), triangles = as_area(boxes, "triangles", 0),
               parallelograms = as_area(boxes, "parallelograms", 1);
   claims.add(
-      "segment", 3785, "two points give exactly what an evenly pressed segment gives",
+      "segment", 3785,
+      "two points give exactly the result of the line segment (our condition: evenly pressed)",
       {.printed = {"even pressure", {segment}},
        .near_misses = {{"pressure growing by half along the segment", {as_segment(boxes, "boxes", 0.2)}}}});
   claims.add(
       "constant_density", 3785,
-      "they agree for bodies of constant density (and, by the same check, for any other: the condition is on "
-      "the pressure along the segment, not on the mass)",
-      {.printed = {"boxes of constant density; eight unequal masses",
-                   {segment, as_segment(masses, "eight unequal masses", 0)}},
+      "for bodies of constant density two points and the line segment give the same result",
+      {.printed = {"boxes of constant density", {segment}},
        .near_misses = {{"only for constant density",
                         {in_all<Sample>("two points and the segment differ, eight unequal masses", masses,
                                         [](const Sample& s) {
@@ -491,19 +494,20 @@ void what_follows(Claims& claims, double seed) {
                                                  1e-12 * size;
                                         })}}}});
   claims.add(
-      "finite_set", 3785, "to consider only a finite set of contact points is no approximation",
+      "finite_set", 3785, "the assumption that only a finite set of points is in contact is no approximation",
       {.printed = {"for any contact: segments, triangles, parallelograms and trapezoids",
                    {segment, triangles, parallelograms, as_area(boxes, R"(trapezoids, $1:\frac12$)", 0.5)}},
        .corrected = {"for segments, and where the corners' mean is the area's centroid: triangles, "
                      "parallelograms",
                      {segment, triangles, parallelograms}},
        .near_misses = {{"trapezoids alone, $1:0.9$", {as_area(boxes, "trapezoids, $1:0.9$", 0.9)}}},
-       .why =
+       .why = filled(
            "Two points do replace an evenly pressed segment; that corners replace a face does not follow. "
            "The mean of a trapezoid's corners is not its centroid: with parallel sides 2 and 1 it lies at "
-           R"($\frac12$ of the height, the centroid at $\frac49$, and the torque about the long side is an )"
-           "eighth too large. Corners weighted by area (a third of each triangle's share) give the face's "
-           "result exactly.",
+           "@1 of the height, the centroid at @3, and the torque about the long side is @3 times what it "
+           "should be. Corners weighted by area (a third of each triangle's share) give the face's result "
+           "exactly.",
+           {mean, centroid, mean / centroid}),
        .kind = Fault::counterexample,
        .root = "corners for a face"});
 }
@@ -513,7 +517,8 @@ void what_follows(Claims& claims, double seed) {
 std::vector<Claim> claims(double seed) {
   const auto all = samples(seed, 40, random_masses);
   Claims claims("6.5");
-  claims.add("delta", 3743, "the average of two delta functions gives the average of $G$ at the two points",
+  claims.add("delta", 3743,
+             R"($\int G(X)\,\delta(X,S)\,dX=\frac12(G(P_0)+G(P_1))$ for the average of two delta functions)",
              {.printed = property(R"(the mean, $\frac12(G(P_0)+G(P_1))$)", all, 0.5, false),
               .near_misses = {property("the sum, $G(P_0)+G(P_1)$", all, 1, false),
                               property("$G(M)$, $M$ the midpoint", all, 0.5, true)}});
@@ -523,11 +528,14 @@ std::vector<Claim> claims(double seed) {
   return claims.in_order();
 }
 
-std::vector<Root> roots() {
-  return {{"corners for a face",
-           R"(A box of $1\times0.5\times0.75$ m and 2 kg, hit from below with 3 Ns spread evenly over a )"
-           R"(trapezoid, starts to tip over its long side at 0.62 rad/s; equal impulses at the four corners )"
-           "do not tip it at all."}};
+std::vector<Root> roots(const Parameters& p, const Quantity& patch) {
+  return {
+      {"corners for a face",
+       filled(
+           R"(A box of $@3\times@3\times@3$ m and @3 kg, hit from below with @3 N s spread evenly over a )"
+           R"(trapezoid, starts to tip over its long side at @2 rad/s; equal impulses at the four corners )"
+           "do not tip it over that side at all.",
+           {p["a"], p["b"], p["c"], p["m"], p["f"], std::abs(patch.reference.value[0])})}};
 }
 
 }  // namespace oddity::ex06_05

@@ -205,7 +205,8 @@ Quantity patch(const Parameters& p) {
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
-  return {claims(p["seed"]), {spin(p, truth), rebound(p), patch(p)}, roots()};
+  const Quantity face = patch(p);
+  return {claims(p["seed"]), {spin(p, truth), rebound(p), face}, roots(p, face)};
 }
 
 }  // namespace ex06_05

@@ -103,6 +103,6 @@ inline Matrix3d box_inertia(double mass, double a, double b, double c) {
 }
 
 std::vector<Claim> claims(double seed);
-std::vector<Root> roots();
+std::vector<Root> roots(const Parameters&, const Quantity& patch);
 
 }  // namespace oddity::ex06_05

@@ -1,6 +1,7 @@
 #include "chapters/claims.hpp"
 
 #include <array>
+#include <cmath>
 
 #include "chapters/07_linear_algebra/01_cost_of_elimination/cost_formulas.hpp"
 #include "chapters/07_linear_algebra/01_cost_of_elimination/cost_of_elimination.hpp"
@@ -26,6 +27,7 @@ Cost counted_cost(const Run& run) {
 /// What the parts of crosswise elimination cost a system of n unknowns, by running them on counted numbers.
 struct Counts {
   double n = 0;
+  Cost one_row = {};                                           ///< one entry of the first column cleared
   Cost first_row = {}, forward_second = {}, full_second = {};  ///< one column cleared
   Cost full = {}, division = {};                               ///< all columns cleared; then the division
   Cost forward_and_back = {};
@@ -42,6 +44,7 @@ struct Counts {
   explicit Counts(std::size_t size) : n(static_cast<double>(size)) {
     const Rows<Counted<double>> start(size, std::vector<Counted<double>>(size + 1, 1.0));
     auto rows = start;
+    if (size > 1) one_row = counted_cost([&] { clear(rows, 1, 0, Clearing::crosswise); });
     first_row = counted_cost([&] { full_step(rows, 0); });
     if (size > 1) {
       auto forward = rows;
@@ -74,6 +77,18 @@ Formula<Counts> with_rest(const std::string& rest, Cost last) {
   });
 }
 
+/// The printed difference as the text factors it.
+Cost factored(double n) { return 1 / 6.0 * six_times_bracket(n, printed_rest<double>()); }
+
+/// Multiplications of diagonal entries that are put off to the end.
+double saved_up(std::size_t n) {
+  const Rows<Counted<double>> rows(n, std::vector<Counted<double>>(n + 1, 1.0));
+  const auto multiplications = [&](Diagonal diagonal) {
+    return counted_cost([&] { return solve_full(rows, Clearing::crosswise, diagonal); }).mu;
+  };
+  return multiplications(Diagonal::at_the_end) - multiplications(Diagonal::never);
+}
+
 Cost sum_over_columns(const Counts& c) {
   Cost all;
   for (double columns = c.n; columns > 0; --columns) all = all + columns * (c.n - 1) * entry;
@@ -83,10 +98,16 @@ Cost sum_over_columns(const Counts& c) {
 void costs(Claims& claims, const std::vector<Counts>& sizes) {
   const std::string of = R"(coefficients of $\mu$, $\alpha$ and $\delta$)", count = "the count",
                     uncounted = "diagonal entries above the pivot";
+  const Counts of_three(3);
   const auto claim = [&](const char* slug, int line, const char* says, FormulaClaim<Counts> parts) {
     parts.quantity = of;
     claims.formula(slug, line, says, sizes, parts);
   };
+  claim("one_row", 3789, R"(recomputing one row's entries in columns 2 to $n+1$ costs $(2\mu+\alpha)n$)",
+        {.truth = counted(count, &Counts::one_row),
+         .printed = priced(R"($(2\mu+\alpha)n$)", [](double n) { return n * entry; }),
+         .near_misses = {priced(R"($(2\mu+\alpha)(n+1)$, column 1 recomputed too)",
+                                [](double n) { return (n + 1) * entry; })}});
   claim("first_row", 3789, R"(row reduction with the first row costs $(2\mu+\alpha)n(n-1)$)",
         {.truth = counted(count, &Counts::first_row),
          .printed = priced(R"($(2\mu+\alpha)n(n-1)$)", [](double n) { return n * (n - 1) * entry; }),
@@ -105,12 +126,12 @@ void costs(Claims& claims, const std::vector<Counts>& sizes) {
          .corrected = priced(R"($(2\mu+\alpha)(n-1)(n-1)+\mu$)", corrected_second_row<double>),
          .near_misses = {priced(R"($(2\mu+\alpha)(n-1)(n-1)+2\mu$)",
                                 [](double n) { return (n - 1) * (n - 1) * entry + 2 * mu; })},
-         .kind = Fault::left_out,
+         .kind = Fault::formula,
          .root = uncounted,
          .why =
              R"(To clear $a_{12}$, row one becomes $a_{22}$ row one $-\,a_{12}$ row two. This multiplies )"
              R"($a_{11}$ by $a_{22}$ too: one $\mu$ more than the entries to the right of the pivot take.)"});
-  claim("full_sum", 3791, R"($n(n-1)+(n-1)(n-1)+\ldots+1(n-1)=(n-1)n(n+1)/2$)",
+  claim("full_sum", 3791, R"($(2\mu+\alpha)[n(n-1)+(n-1)(n-1)+\ldots+1(n-1)]=(2\mu+\alpha)(n-1)n(n+1)/2$)",
         {.truth = counted("the sum, entry by entry", sum_over_columns),
          .printed = priced(R"($(2\mu+\alpha)(n-1)n(n+1)/2$)", printed_full<double>),
          .near_misses = {priced(R"($(2\mu+\alpha)(n-1)n(n+1)/3$)",
@@ -122,12 +143,15 @@ void costs(Claims& claims, const std::vector<Counts>& sizes) {
        .corrected = priced(R"($(2\mu+\alpha)(n-1)n(n+1)/2+\mu\,n(n-1)/2$)", corrected_full<double>),
        .near_misses = {priced(R"($(2\mu+\alpha)(n-1)n(n+1)/2+\mu\,n(n+1)/2$)",
                               [](double n) { return printed_full(n) + n * (n + 1) / 2 * mu; })},
-       .kind = Fault::left_out,
+       .kind = Fault::formula,
        .root = uncounted,
-       .why = R"(With column $k$ the diagonal entries of the $k-1$ rows above are multiplied by the pivot: )"
-              R"($\mu\,n(n-1)/2$ in all, $27\mu+12\alpha$ and not $24\mu+12\alpha$ for $n=3$. Without them )"
-              R"(the solution is wrong (see the methods). If they are multiplied once at the end, by one )"
-              R"(product a row, they still cost $\mu(n-1)$.)"});
+       .why = filled(
+           R"(With column $k$ the diagonal entries of the $k-1$ rows above are multiplied by the pivot: )"
+           R"($\mu\,n(n-1)/2$ in all, $@2\mu+@2\alpha$ and not $@2\mu+@2\alpha$ for $n=3$. Without them the )"
+           R"(solution is wrong (see the methods). Even saved up for the end, each row's entry times the )"
+           R"(finished entry of the row below it, they cost $\mu(n-1)$: @1 for $n=10$.)",
+           {of_three.full.mu, of_three.full.alpha, printed_full(3.0).mu, printed_full(3.0).alpha,
+            saved_up(10)})});
   claim("division_cost", 3795, R"(to divide each row by its diagonal entry costs $B=\delta n$)",
         {.truth = counted(count, &Counts::division),
          .printed = priced(R"($\delta n$)", [](double n) { return n * delta; }),
@@ -140,11 +164,16 @@ void costs(Claims& claims, const std::vector<Counts>& sizes) {
        .corrected = priced(R"($(2\mu+\alpha)(n-1)n(n+1)/2+\delta n+\mu\,n(n-1)/2$)", corrected_total<double>),
        .near_misses = {priced(R"($(2\mu+\alpha)(n-1)n(n+1)/2+\delta n+\mu\,n(n+1)/2$)",
                               [](double n) { return printed_total(n) + n * (n + 1) / 2 * mu; })},
-       .kind = Fault::left_out,
+       .kind = Fault::formula,
        .root = uncounted,
-       .why = R"($F$ leaves out $\mu\,n(n-1)/2$: for $n=3$ the total is $27\mu+12\alpha+3\delta$, not )"
-              R"($24\mu+12\alpha+3\delta$.)"});
-  claim("original_total", 3801, "forward elimination and back substitution cost $C$",
+       .why = filled(
+           R"($F$ lacks the term $\mu\,n(n-1)/2$: for $n=3$ the total is $@2\mu+@2\alpha+@1\delta$, not )"
+           R"($@2\mu+@2\alpha+@1\delta$.)",
+           {of_three.total().mu, of_three.total().alpha, of_three.total().delta, printed_total(3.0).mu,
+            printed_total(3.0).alpha, printed_total(3.0).delta})});
+  claim("original_total", 3801,
+        R"(forward elimination and back substitution cost )"
+        R"($C=(2\mu+\alpha)(n-1)n(n+1)/3+(\mu+\alpha)n(n-1)/2+\delta n$)",
         {.truth = counted(count, &Counts::forward_and_back),
          .printed = priced(R"($C=(2\mu+\alpha)(n-1)n(n+1)/3+(\mu+\alpha)n(n-1)/2+\delta n$)",
                            printed_original<double>),
@@ -158,24 +187,30 @@ void costs(Claims& claims, const std::vector<Counts>& sizes) {
        .printed = priced(R"($(2\mu+\alpha)(n-1)n(n+1)/6-(\mu+\alpha)n(n-1)/2$)", printed_difference<double>),
        .near_misses = {priced(R"($(2\mu+\alpha)(n-1)n(n+1)/6+(\mu+\alpha)n(n-1)/2$)",
                               [](double n) { return printed_difference(n) + n * (n - 1) * (mu + alpha); })}});
-  claim("factored", 3805, R"(this is $[n(n-1)/6][(2\mu+\alpha)n-\mu]$)",
-        {.truth = counted("$C'-C$, both as printed", difference),
-         .printed = with_rest(R"(-\mu)", printed_rest<double>()),
-         .corrected = with_rest(R"(-\mu-2\alpha)", rest_of_totals<double>()),
-         .near_misses = {with_rest(R"(-\mu-\alpha)", -1.0 * mu - alpha)},
-         .kind = Fault::formula,
-         .root = "lost additions",
-         .why = R"($(2\mu+\alpha)(n+1)-3(\mu+\alpha)=(2\mu+\alpha)n-\mu-2\alpha$: the $2\alpha$ was lost. )"
-                R"(For $n=2$ the difference is $\mu$, and as factored in print $\mu+\tfrac23\alpha$.)"});
-  claim("excess", 3805, R"(full elimination costs $[n(n-1)/6][(2\mu+\alpha)n-\mu]$ more)",
+  claim(
+      "factored", 3805, R"($C'-C=[n(n-1)/6][(2\mu+\alpha)n-\mu]$, the printed difference factored)",
+      {.truth = counted("$C'-C$, both as printed", difference),
+       .printed = with_rest(R"(-\mu)", printed_rest<double>()),
+       .corrected = with_rest(R"(-\mu-2\alpha)", rest_of_totals<double>()),
+       .near_misses = {with_rest(R"(-\mu-\alpha)", -1.0 * mu - alpha)},
+       .kind = Fault::formula,
+       .root = "lost additions",
+       .why = filled(
+           R"($(2\mu+\alpha)(n+1)-3(\mu+\alpha)=(2\mu+\alpha)n-\mu-2\alpha$: the $2\alpha$ was lost. For )"
+           R"($n=2$ the difference is $@2\mu+@2\alpha$, and as factored in print $@2\mu+@2\alpha$.)",
+           {printed_difference(2.0).mu, printed_difference(2.0).alpha, factored(2).mu, factored(2).alpha})});
+  claim("excess", 3805,
+        R"(full elimination costs $C'-C=[n(n-1)/6][(2\mu+\alpha)n-\mu]$ more than forward elimination)",
         {.truth = counted("the difference of the counts", &Counts::excess),
          .printed = with_rest(R"(-\mu)", printed_rest<double>()),
          .corrected = with_rest(R"(+2\mu-2\alpha)", rest_of_counts<double>()),
          .near_misses = {with_rest(R"(+\mu-2\alpha)", mu - 2 * alpha)},
-         .kind = Fault::left_out,
+         .kind = Fault::formula,
          .root = uncounted,
-         .why = R"(The multiplied diagonal entries add $\mu\,n(n-1)/2$, and the factoring loses $2\alpha$. )"
-                R"(For $n=3$ the excess is $8\mu+\alpha$, not $5\mu+3\alpha$.)"});
+         .why = filled(
+             R"(The multiplied diagonal entries add $\mu\,n(n-1)/2$, and the factoring loses $2\alpha$. For )"
+             R"($n=3$ the excess is $@2\mu+@2\alpha$, not $@2\mu+@2\alpha$.)",
+             {of_three.excess().mu, of_three.excess().alpha, factored(3).mu, factored(3).alpha})});
 }
 
 // ---- which costs more -------------------------------------------------------------------------------------
@@ -213,6 +248,8 @@ void comparisons(Claims& claims, const std::vector<Counts>& sizes) {
       {.printed = {"for $n>1$", [](const Counts& c) { return c.n <= 1 || c.n * (c.n - 1) / 6 > 0; }},
        .near_misses = {{R"(for $n\ge1$)", [](const Counts& c) { return c.n * (c.n - 1) / 6 > 0; }}}});
 
+  // Of (2 mu + alpha) n and this rest, at the prices 1 and 12.
+  const auto zero_of = [](const Cost& rest) { return -(rest.mu + 12 * rest.alpha) / (2 + 12); };
   const auto exactly_from = [](double alphas) {
     return [=](const Prices& p) {
       return (p.n * (2 * p.mu + p.alpha) >= alphas * (p.alpha - p.mu)) == p.full_costs_more();
@@ -228,15 +265,23 @@ void comparisons(Claims& claims, const std::vector<Counts>& sizes) {
        .near_misses = {{R"(exactly when $n\ge(\alpha-\mu)/(2\mu+\alpha)$, $n>1$)", exactly_from(1)}},
        .kind = Fault::formula,
        .root = "lost additions",
-       .why = R"(The bracket is $(2\mu+\alpha)n-\mu-2\alpha$ by the printed totals and )"
-              R"($(2\mu+\alpha)n+2\mu-2\alpha$ by the count. With $\mu=1$, $\alpha=12$ the latter is )"
-              R"(negative up to $n=11/7$, and not only up to $1/14$. Its zero is below 2 for all prices, so )"
-              R"(that no whole $n>1$ is affected.)"});
+       .why =
+           filled(R"(The bracket is $(2\mu+\alpha)n-\mu-2\alpha$ by the printed totals and )"
+                  R"($(2\mu+\alpha)n+2\mu-2\alpha$ by the count. With $\mu=1$, $\alpha=12$ the latter is )"
+                  R"(negative up to $n=@3$, and not only up to $@2$. Its zero is below 2 for all prices, so )"
+                  R"(that no whole $n>1$ is affected.)",
+                  {zero_of(rest_of_counts<double>()), zero_of(printed_rest<double>())})});
   claims.statement<Prices>(
       "half", 3807, R"($\mu/(2\mu+\alpha)$ is smaller than $\tfrac12$)", prices,
       {.printed = {R"(below $\tfrac12$)", [](const Prices& p) { return 2 * p.mu < 2 * p.mu + p.alpha; }},
        .near_misses = {
            {R"(below $\tfrac13$)", [](const Prices& p) { return 3 * p.mu < 2 * p.mu + p.alpha; }}}});
+  claims.statement<Prices>(
+      "whole_from_one", 3807, R"(the whole numbers $n\ge\mu/(2\mu+\alpha)$ are those from 1)", prices,
+      {.printed = {"1 is the least of them",
+                   [](const Prices& p) { return std::ceil(p.mu / (2 * p.mu + p.alpha)) == 1; }},
+       .near_misses = {{"2 is the least of them",
+                        [](const Prices& p) { return std::ceil(p.mu / (2 * p.mu + p.alpha)) == 2; }}}});
   claims.statement<Counts>(
       "all_n", 3807, R"($C'\ge C$ for all $n\ge1$)", sizes,
       {.printed = {"coefficient by coefficient, whatever the prices",
@@ -246,7 +291,8 @@ void comparisons(Claims& claims, const std::vector<Counts>& sizes) {
                    }},
        .near_misses = {{R"($C'>C$ for all $n\ge1$)", [](const Counts& c) { return c.excess().mu > 0; }}}});
   claims.statement<Counts>(
-      "cheaper", 3807, "forward elimination, not full elimination, keeps the costs down", sizes,
+      "cheaper", 3807,
+      "of the two, forward elimination and not full elimination keeps the costs to a minimum", sizes,
       {.printed = {"fewer multiplications, and no more additions and divisions, for $n>1$",
                    [](const Counts& c) {
                      const Cost more = c.excess();
@@ -342,34 +388,39 @@ std::vector<Residues> systems_without_pivot(const Random& random) {
 }
 
 void solutions(Claims& claims, const Random& random) {
+  auto all = systems_without_pivot(random);
+  for (auto& system : systems(random)) all.push_back(std::move(system));
+  claims.statement<Residues>("diagonal", 3793,
+                             R"(full elimination makes the first $n\times n$ part of the matrix diagonal)",
+                             systems(random),
+                             {.printed = {"all entries off the diagonal are zero, and none on it",
+                                          [](const Residues& s) { return s.made_diagonal(true); }},
+                              .near_misses = {{"forward elimination leaves a diagonal matrix",
+                                               [](const Residues& s) { return s.made_diagonal(false); }}}});
+  const auto solves = [](std::string text, Diagonal diagonal) {
+    return Statement<Residues>{std::move(text), [=](const Residues& s) {
+                                 return s.solved_by(solve_full(s.rows, Clearing::crosswise, diagonal));
+                               }};
+  };
   claims.statement<Residues>(
-      "diagonal", 3793, "full elimination leaves a diagonal matrix, and dividing by it solves the system",
-      systems(random),
-      {.printed = {"all entries off the diagonal are zero, and the quotients solve every equation",
-                   [](const Residues& s) {
-                     return s.made_diagonal(true) &&
-                            s.solved_by(solve_full(s.rows, Clearing::crosswise, Diagonal::row_by_row));
-                   }},
-       .near_misses = {{"forward elimination leaves a diagonal matrix",
-                        [](const Residues& s) { return s.made_diagonal(false); }},
-                       {"the diagonal entries above left as they were, the quotients solve every equation",
-                        [](const Residues& s) {
-                          return s.solved_by(solve_full(s.rows, Clearing::crosswise, Diagonal::never));
-                        }}}});
+      "quotients", 3793, "each row divided by its diagonal entry gives the solution", systems(random),
+      {.printed = solves("the quotients solve every equation", Diagonal::row_by_row),
+       .near_misses = {
+           solves("they do with the diagonal entries above left as they were", Diagonal::never)}});
   claims.statement<Residues>(
-      "zero_pivot", 3793, "a system that has one solution can be divided by its diagonal entries",
-      systems_without_pivot(random),
+      "zero_pivot", 3793, "no pivot is ever zero: each row can be divided by its diagonal entry", all,
       {.printed = {"the rows as they stand", [](const Residues& s) { return s.solved_with(0); }},
        .corrected = {"rows exchanged where a pivot is zero",
                      [](const Residues& s) { return s.solved_with(s.n()); }},
+       .in_view = {"where no pivot is zero", [](const Residues& s) { return s.made_diagonal(true); }},
        .near_misses = {{"the first row alone exchanged", [](const Residues& s) { return s.solved_with(1); }}},
        .kind = Fault::left_out,
        .root = "no exchange of rows",
        .why =
            R"(Where a pivot is zero, crosswise clearing multiplies the other rows by it, and the diagonal )"
            R"(entries that are divided by at the end are 0: $x_2=2$, $x_1=3$, written as two rows in this )"
-           R"(order, ends in $0/0$. An exchange with a lower row cures it and costs no arithmetic, so that )"
-           R"(the totals stand. The solution has none, for forward elimination neither.)"});
+           R"(order, ends in $0/0$. The text counts operations and has no such system in view. An exchange )"
+           R"(with a lower row cures it and costs no arithmetic, so that no total changes.)"});
 }
 
 }  // namespace
@@ -386,17 +437,43 @@ std::vector<Claim> claims(const Random& random) {
   return claims.in_order();
 }
 
+namespace {
+
+/// Invertible 3 x 3 matrices with entries -1, 0 and 1, and those of them that elimination in order fails on.
+std::array<double, 2> small_matrices() {
+  std::array<double, 2> count{};
+  for (int code = 0; code < 19683; ++code) {
+    std::array<int, 9> m{};
+    for (int i = 0, rest = code; i < 9; ++i, rest /= 3) m[static_cast<std::size_t>(i)] = rest % 3 - 1;
+    const int second = m[0] * m[4] - m[1] * m[3], det = m[0] * (m[4] * m[8] - m[5] * m[7]) -
+                                                        m[1] * (m[3] * m[8] - m[5] * m[6]) +
+                                                        m[2] * (m[3] * m[7] - m[4] * m[6]);
+    if (det == 0) continue;
+    ++count[0];
+    count[1] += m[0] == 0 || second == 0;
+  }
+  return count;
+}
+
+}  // namespace
+
 std::vector<Root> roots() {
+  const double printed = printed_total(10.0).mu, made = Counts(10).total().mu;
+  const auto [invertible, failing] = small_matrices();
   return {
       {"diagonal entries above the pivot",
-       "A table of costs has 990 multiplications for ten unknowns, where the program makes 1035; one "
-       "that leaves out the 45 gets a wrong solution."},
+       filled("A table of costs has @3 multiplications for ten unknowns, where the program makes @4; one "
+              "that leaves out the @2 gets a wrong solution.",
+              {printed, made, made - printed})},
       {"lost additions",
-       R"(For two unknowns the factored difference charges full elimination with $\tfrac23$ of an addition, where it )"
-       R"(needs not one more.)"},
+       filled(
+           "For two unknowns the factored difference charges full elimination with @2 of an addition, where it "
+           "needs @1 more.",
+           {factored(2).alpha, Counts(2).excess().alpha})},
       {"no exchange of rows",
-       R"(Of the 11808 invertible $3\times3$ matrices with entries $-1$, 0 and 1, 5528 have a zero pivot: )"
-       R"(nearly half of them are answered with NaN.)"}};
+       filled(R"(Of the @5 invertible $3\times3$ matrices with entries $-1$, 0 and 1, @4 have a zero pivot: )"
+              R"(@2 % of them are answered with NaN.)",
+              {invertible, failing, 100 * failing / invertible})}};
 }
 
 }  // namespace oddity::ex07_01

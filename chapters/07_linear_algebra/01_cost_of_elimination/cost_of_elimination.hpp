@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 #include "chapters/exercise.hpp"
@@ -97,5 +99,12 @@ std::vector<Root> roots();
 /// A random system of n equations solved by every elimination; in a `large` one the numbers of crosswise
 /// clearing leave their range.
 Quantity solution(const std::string& name, std::size_t n, bool large, const Random&);
+
+/// The entries of a system of one's own, its right-hand side in the last column.
+inline constexpr std::array<std::string_view, 12> entries_of_own{"a11", "a12", "a13", "a14", "a21", "a22",
+                                                                 "a23", "a24", "a31", "a32", "a33", "a34"};
+
+/// Its solution by every elimination. Throws BadInput where it has none, or more than one.
+Quantity own_solution(const Parameters&, const Reference&);
 
 }  // namespace oddity::ex07_01

@@ -5,18 +5,20 @@
 // exactly, as coefficients of mu, alpha and delta; that the eliminations are right is seen modulo a prime.
 
 #include "chapters/07_linear_algebra/01_cost_of_elimination/cost_of_elimination.hpp"
+#include "chapters/inputs.hpp"
 
 namespace oddity {
 
 namespace ex07_01 {
 
-constexpr Parameter parameters[] = {
-    {"n", 6, "", "unknowns of the system", 2, 8, whole_number},
-    {"N", 32, "", "unknowns of the larger system", 16, 96, whole_number},
-    {"seed", 1, "", "seed of the random systems", 0, 1e9, whole_number},
-};
+constexpr auto parameters =
+    together(std::array{Parameter{"n", 6, "", "unknowns of the system", 2, 8, whole_number},
+                        Parameter{"N", 32, "", "unknowns of the larger system", 16, 96, whole_number},
+                        Parameter{"seed", 1, "", "seed of the random systems", 0, 1e9, whole_number}},
+             numbers<12>(entries_of_own, {1.3, 0.7, -0.2, 1.7, 1.1, 0.9, 0.4, 3.1, 2.7, 1.3, -0.3, 2.9}, "",
+                         "entry of an augmented matrix of one's own", 1e30));
 
-Findings study(const Parameters& p, const Reference&) {
+Findings study(const Parameters& p, const Reference& truth) {
   const Random random(p["seed"]);
   Quantity large = solution("larger_system", static_cast<std::size_t>(p["N"]), true, random);
   large.add(Breakdown{
@@ -24,7 +26,8 @@ Findings study(const Parameters& p, const Reference&) {
       "dozen columns they are out of the range of a double. Division by the pivot keeps their size.",
       "crosswise, forward and back", 53, Outcome::non_finite, "pivoted, LU, rows exchanged", 0});
   return {claims(random),
-          in_operations({solution("system", static_cast<std::size_t>(p["n"]), false, random), large}),
+          in_operations({solution("system", static_cast<std::size_t>(p["n"]), false, random), large,
+                         own_solution(p, truth)}),
           roots()};
 }
 

@@ -169,7 +169,7 @@ std::vector<Claim> claims(const Random& random) {
   };
   using M = const Matrix<double>&;
 
-  entry("product", 3815, R"(the entries $m_{rc}$ of $AB$ are $\sum_ka_{rk}b_{kc}$)",
+  entry("product", 3815, R"($AB=[m_{rc}]$ with $m_{rc}=\sum_ka_{rk}b_{kc}$)",
         sum_of(R"($m_{cr}=\sum_ka_{ck}b_{kr}$)",
                [](M a, M b, int r, int c, int k) { return a(c, k) * b(k, r); }),
         sum_of(R"($m_{cr}=\sum_ka_{ck}b_{rk}$)",
@@ -179,14 +179,13 @@ std::vector<Claim> claims(const Random& random) {
       primes{R"($[b'_{rc}]\,y\cdot x$)",
              [](const Between&s) { return dot(applied(transposed(s.b), s.y), s.x); }},
       none{R"($[b_{rc}]\,y\cdot x$)", [](const Between&s) { return dot(applied(s.b, s.y), s.x); }};
-  claims.formula<Between>("transpose_of_a", 3817, R"(the transpose of $A$ has the entries $a'_{rc}=a_{cr}$)",
-                          single,
+  claims.formula<Between>("transpose_of_a", 3817, R"($A^T=[a'_{rc}]$ with $a'_{rc}=a_{cr}$)", single,
                           {.quantity = R"(the transpose of a matrix, on the other side of a scalar product)",
                            .truth = {R"($y\cdot Ax$)", moved.of},
                            .printed = {R"($[a'_{rc}]\,y\cdot x$)", primes.of},
                            .near_misses = {{R"($[a_{rc}]\,y\cdot x$)", none.of}}});
   claims.formula<Between>(
-      "transpose_of_b", 3817, R"(the matrix with the entries $b'_{rc}=b_{cr}$ is written $B$)", single,
+      "transpose_of_b", 3817, R"($B^T=[b'_{rc}]$ with $b'_{rc}=b_{cr}$, printed $B=[b'_{rc}]$)", single,
       {.quantity = "the matrix in a scalar product",
        .truth = moved,
        .printed = {R"($B=[b'_{rc}]$: $y\cdot[b'_{rc}]\,x$)",
@@ -197,17 +196,17 @@ std::vector<Claim> claims(const Random& random) {
        .why = R"(The exponent $T$ is missing: $B^T=[b'_{rc}]$, as the conclusion has it. For the rows )"
               R"($(1,2)$, $(3,4)$ of $B$ the matrix $[b'_{rc}]$ has the rows $(1,3)$, $(2,4)$.)"});
 
-  entry("entry", 3823, R"($m'_{rc}=m_{cr}$ is a sum over $k$)",
+  entry("entry", 3823, R"($m'_{rc}=m_{cr}=\sum_ka_{ck}b_{kr}$)",
         sum_of(R"($\sum_ka_{ck}b_{kr}$)", [](M a, M b, int r, int c, int k) { return a(c, k) * b(k, r); }),
         sum_of(R"($\sum_ka_{rk}b_{kc}$)", [](M a, M b, int r, int c, int k) { return a(r, k) * b(k, c); }));
-  entry("primed", 3827, "it is one of the primed entries",
+  entry("primed", 3827, R"($m'_{rc}=\sum_ka'_{kc}b'_{rk}$ in the primed entries)",
         sum_of(R"($\sum_ka'_{kc}b'_{rk}$)",
                [](M a, M b, int r, int c, int k) { return primed(a, k, c) * primed(b, r, k); }),
         sum_of(R"($\sum_ka'_{ck}b'_{rk}$)",
                [](M a, M b, int r, int c, int k) { return primed(a, c, k) * primed(b, r, k); }));
   const std::string entries = R"(all entries $(r,c)$ of $(AB)^T$)", exchanged = R"($\sum_kb'_{rk}a'_{kc}$)";
   const Formula<Factors<double>> in_doubles = sum_of(exchanged, swapped<double>);
-  claims.add("swapped", 3831, "the factors of each product change places",
+  claims.add("swapped", 3831, R"($m'_{rc}=\sum_kb'_{rk}a'_{kc}$, the factors exchanged)",
              {.printed = {exchanged,
                           {compare(entries, in_doubles, by_columns(1.0), pairs)},
                           is_as_typeset(compare_typeset(in_doubles, pairs))},

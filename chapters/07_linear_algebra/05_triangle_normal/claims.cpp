@@ -22,18 +22,18 @@ T gram_determinant(const Vector3<T>& a, const Vector3<T>& b) {
   return dot(a, a) * dot(b, b) - dot(a, b) * dot(a, b);
 }
 
-/// Three vectors of whole numbers.
+/// Three corners of a triangle and three vectors, of whole numbers. The vectors are its edges where their sum
+/// is zero.
 template <class T>
 struct EdgesOf {
   static constexpr bool whole = true;
-  Vector3<T> u, v, w;
+  Vector3<T> u, v, w, p, q, r;
 
   Vector3<T> normal() const { return cross(u, v); }
   /// u and v, in whole numbers.
   bool independent() const { return gram_determinant(cast<Whole>(u), cast<Whole>(v)) != 0; }
   double size() const { return 1 + dot(u, u) + dot(v, v) + dot(w, w); }
-  /// They are a triangle's edges, or its corners.
-  TypesetLetters typeset() const { return {{"u", u}, {"v", v}, {"w", w}, {"P", u}, {"Q", v}, {"R", w}}; }
+  TypesetLetters typeset() const { return {{"u", u}, {"v", v}, {"w", w}, {"P", p}, {"Q", q}, {"R", r}}; }
   std::string where() const { return told(typeset(), 3); }
 };
 
@@ -41,7 +41,7 @@ namespace {
 
 using Edges = EdgesOf<double>;
 
-/// Of all sizes up to a million, every tenth v nearly parallel to u; w closes the triangle or is random.
+/// Of all sizes up to a million, every tenth v nearly parallel to u; w is the third edge or is random.
 std::vector<Edges> samples(Random random, bool closed) {
   std::vector<Edges> all;
   const auto vector = [&] {
@@ -51,9 +51,10 @@ std::vector<Edges> samples(Random random, bool closed) {
     return x;
   };
   for (int i = 0; i < 300; ++i) {
-    Edges s{vector(), vector(), vector()};
-    if (i % 10 == 9) s.v = Vector3<double>{1 - s.u[0], -s.u[1], 2 - s.u[2]};
-    if (closed) s.w = -(s.u + s.v);
+    Edges s;
+    s.p = vector(), s.q = vector(), s.r = vector();
+    if (i % 10 == 9) s.r = s.p + Vector3<double>{1, 0, 2};
+    s.u = s.q - s.p, s.v = s.r - s.q, s.w = closed ? s.p - s.r : vector();
     all.push_back(s);
   }
   return all;
@@ -63,7 +64,7 @@ std::vector<Edges> samples(Random random, bool closed) {
 std::vector<Edges> some_on_a_line(std::vector<Edges> all) {
   for (std::size_t i = 0; i < all.size(); i += 10) {
     Edges& s = all[i];
-    s.v = (i % 20 == 0 ? 2.0 : 0.0) * s.u, s.w = -(s.u + s.v);
+    s.v = (i % 20 == 0 ? 2.0 : 0.0) * s.u, s.r = s.q + s.v, s.w = s.p - s.r;
   }
   return all;
 }
@@ -87,34 +88,38 @@ const Line zero = line("$0$", [](const auto&s) { return decltype(s.normal()){}; 
                       [](const auto&s) { return cross(s.u, s.v) - cross(s.w, s.u); }),
            wu = line(R"($w\times u$)", [](const auto&s) { return cross(s.w, s.u); }),
            vw = line(R"($v\times w$)", [](const auto&s) { return cross(s.v, s.w); }),
-           // The three vectors as the vertices P, Q, R of a triangle.
-    walk =
-        line("$(Q-P)+(R-Q)+(P-R)$", [](const auto&s) { return ((s.v - s.u) + (s.w - s.v)) + (s.u - s.w); });
+           by_v = line(R"($v\times(u+v+w)$)", [](const auto&s) { return cross(s.v, s.u + s.v + s.w); }),
+           two_of_v = line(R"($-u\times v+0+v\times w$)",
+                           [](const auto&s) { return cross(s.v, s.w) - cross(s.u, s.v); }),
+           walk = line("$(P+u+v+w)-P$", [](const auto&s) { return (s.p + s.u + s.v + s.w) - s.p; });
 
 void lines(Claims& claims, const std::vector<Edges>& open, const std::vector<Edges>& closed) {
+  const Value as_it_stands = stray_cross.of(Edges{{1, 0, 0}, {0, 1, 0}, {-1, -1, 0}, {}, {}, {}});
   claims
       .formula<Edges>("zero", 3839, R"($u\times0=0$)", open,
                       {.truth = times_zero,
                        .printed = zero,
                        .near_misses = {{"$u$", [](const Edges& s) { return s.u; }}}})
       .formula<Edges>(
-          "inserted", 3841, R"($u\times0$ is the product of $u$ with the sum of the three)", closed,
+          "inserted", 3841, R"($u\times0=u\times(u+v+w)$, printed with a cross before $v$)", closed,
           {.truth = zero,
            .printed = stray_cross,
            .meant = bracket,
            .near_misses = {{R"($u\times(u+v-w)$)",
                             [](const Edges& s) { return cross(s.u, s.u + s.v - s.w); }}},
            .kind = Fault::formula,
-           .why = R"(A stray cross stands before $v$ inside the bracket; the next line expands )"
-                  R"($u\times(u+v+w)$. Read as it stands, with $u=(1,0,0)$, $v=(0,1,0)$ and $w=(-1,-1,0)$, )"
-                  R"(it is $(0,-1,-1)$ and not 0.)"})
-      .formula<Edges>("expanded", 3843, R"($u\times(u+v+w)$ multiplied out)", open,
+           .why = filled(
+               R"(A stray cross stands between the plus and $v$ inside the bracket; the next line expands )"
+               R"($u\times(u+v+w)$. Read without the plus, as $u\times(u\times v+w)$, with $u=(1,0,0)$, )"
+               R"($v=(0,1,0)$ and $w=(-1,-1,0)$ it is $(@1,@1,@1)$ and not 0.)",
+               {as_it_stands[0], as_it_stands[1], as_it_stands[2]})})
+      .formula<Edges>("expanded", 3843, R"($u\times(u+v+w)=u\times u+u\times v+u\times w$)", open,
                       {.truth = bracket,
                        .printed = three,
                        .near_misses = {{R"($u\times u+u\times v+w\times u$)",
                                         [](const Edges& s) { return cross(s.u, s.v) + cross(s.w, s.u); }}}})
       .formula<Edges>(
-          "reduced", 3845, R"($u\times u+u\times v+u\times w$ without what is zero)", open,
+          "reduced", 3845, R"($u\times u+u\times v+u\times w=0+u\times v-w\times v$)", open,
           {.truth = three,
            .printed = wrong_letter,
            .meant = two,
@@ -131,28 +136,50 @@ void lines(Claims& claims, const std::vector<Edges>& open, const std::vector<Edg
                       {.truth = uv,
                        .printed = vw,
                        .near_misses = {{R"($w\times v$)", [](const Edges& s) { return cross(s.w, s.v); }}}})
-      .formula<Edges>(
-          "closed_walk", 3853,
-          "once around a triangle $PQR$ the net distance traveled, that is the displacement, is zero", open,
-          {.truth = zero,
-           .printed = walk,
-           .near_misses = {{"$(Q-P)+(R-Q)+(R-P)$, the last edge backwards",
-                            [](const Edges& s) { return ((s.v - s.u) + (s.w - s.v)) + (s.w - s.u); }},
-                           {"$|Q-P|+|R-Q|+|P-R|$, the distance that is walked", [](const Edges& s) {
-                              double walked = 0;
-                              for (const auto& edge : {s.v - s.u, s.w - s.v, s.u - s.w})
-                                walked += std::sqrt(dot(edge, edge));
-                              return Value{walked, 0, 0};
-                            }}}});
+      .formula<Edges>("with_v", 3849, R"($v\times(u+v+w)=-u\times v+0+v\times w$)", open,
+                      {.truth = by_v,
+                       .printed = two_of_v,
+                       .near_misses = {{R"($u\times v+0+v\times w$)",
+                                        [](const Edges& s) { return cross(s.u, s.v) + cross(s.v, s.w); }}}});
+  const auto walked = [](std::string text, const Vectors& by, const std::vector<Edges>& samples) {
+    return Reading{
+        std::move(text),
+        {compare<Edges>("from a corner $P$ to the end of the walk $u$, $v$, $w$", by, zero, samples)}};
+  };
+  const auto distance = [](const Edges& s) {
+    double all = 0;
+    for (const auto& edge : {s.u, s.v, s.w}) all += std::sqrt(dot(edge, edge));
+    return Value{all, 0, 0};
+  };
+  claims.add(
+      "closed_walk", 3853,
+      "as $u+v+w=0$, a walk along the edges ends at the vertex where it starts: the net distance traveled "
+      "(a displacement) is zero",
+      {.printed = walked("with $u+v+w=0$", walk, closed),
+       .near_misses = {
+           walked("for any $u$, $v$, $w$", walk, open),
+           walked("the last edge backwards",
+                  {"$(P+u+v-w)-P$", [](const Edges& s) { return (s.p + s.u + s.v - s.w) - s.p; }}, closed),
+           walked("the distance that is walked", {"$|u|+|v|+|w|$", distance}, closed)}});
 }
 
-/// A formula in whole numbers of 128 bits, as two halves of 52 bits.
+std::vector<Whole> listed(const Whole& x) { return {x}; }
+template <std::size_t n>
+std::vector<Whole> listed(const std::array<Whole, n>& all) {
+  return {all.begin(), all.end()};
+}
+
+/// Formulas in whole numbers of 128 bits, each as two halves of 52 bits.
 Line in_whole(std::string text, const auto& of) {
   return {std::move(text),
           [=](const Edges& s) {
             constexpr Whole base = Whole{1} << 52;
-            const Whole x = of(EdgesOf<Whole>{cast<Whole>(s.u), cast<Whole>(s.v), cast<Whole>(s.w)});
-            return values(x / base, x % base);
+            const auto whole = [](const Vector3<double>& x) { return cast<Whole>(x); };
+            std::vector<double> halves;
+            for (const Whole x : listed(of(
+                     EdgesOf<Whole>{whole(s.u), whole(s.v), whole(s.w), whole(s.p), whole(s.q), whole(s.r)})))
+              halves.insert(halves.end(), {static_cast<double>(x / base), static_cast<double>(x % base)});
+            return Value(halves);
           },
           [=](const EdgesOf<Expression>& s) { return expressions(of(s)); }};
 }
@@ -162,23 +189,46 @@ Line times_length(int factor) {
                   [=](const auto& s) { return factor * dot(s.normal(), s.normal()); });
 }
 
+template <class T>
+T square_of(const Vector3<T>& x) {
+  return dot(x, x);
+}
+
 const Line nothing = in_whole("$0$", [](const auto&s) { return 0 * s.u[0]; }),
            squared = in_whole(R"($|u\times v|^2$)", [](const auto&s) { return dot(s.normal(), s.normal()); }),
            volume = in_whole(R"($u\cdot v\times w$)", [](const auto&s) { return triple(s.u, s.v, s.w); }),
-           leaning = in_whole(R"($(n\cdot u)^2+(n\cdot v)^2+(n\cdot w)^2$, $n=u\times v$)",
+           leaning =
+               in_whole(R"($n\cdot u$, $n\cdot v$ and $n\cdot w$, for $n$ each of the three products)",
+                        [](const auto&s) {
+                          const auto a = s.normal(), b = cross(s.v, s.w), c = cross(s.w, s.u);
+                          return std::array{dot(a, s.u), dot(a, s.v), dot(a, s.w), dot(b, s.u), dot(b, s.v),
+                                            dot(b, s.w), dot(c, s.u), dot(c, s.v), dot(c, s.w)};
+                        }),
+           upright = in_whole("$0$, nine times",
+                              [](const auto&s) { return std::array<std::decay_t<decltype(s.u[0])>, 9>{}; }),
+           directions = in_whole(
+               R"($n\cdot(v\times w)$ and $n\cdot(w\times u)$, $n=u\times v$)",
+               [](const auto&s) {
+                 return std::array{dot(s.normal(), cross(s.v, s.w)), dot(s.normal(), cross(s.w, s.u))};
+               }),
+           reversed = in_whole(
+               R"($n\cdot(w\times v)$ and $n\cdot(u\times w)$, $n=u\times v$)",
+               [](const auto&s) {
+                 return std::array{dot(s.normal(), cross(s.w, s.v)), dot(s.normal(), cross(s.u, s.w))};
+               }),
+           lengths = in_whole(R"($|v\times w|^2$ and $|w\times u|^2$)",
                               [](const auto&s) {
-                                const auto n = s.normal();
-                                return dot(n, s.u) * dot(n, s.u) + dot(n, s.v) * dot(n, s.v) +
-                                       dot(n, s.w) * dot(n, s.w);
+                                const auto b = cross(s.v, s.w), c = cross(s.w, s.u);
+                                return std::array{dot(b, b), dot(c, c)};
                               }),
-           pairs = in_whole(R"($(w\times v)\cdot(v\times w)+(u\times w)\cdot(w\times u)+3|u\times v|^2$)",
-                            [](const auto&s) {
-                              return dot(cross(s.w, s.v), cross(s.v, s.w)) +
-                                     dot(cross(s.u, s.w), cross(s.w, s.u)) + 3 * dot(s.normal(), s.normal());
-                            }),
-           heron =
-               in_whole("$16\\,\\text{area}^2$ by Heron, from the lengths of the sides", [](const auto&s) {
-                 const auto a = dot(s.u, s.u), b = dot(s.v, s.v), c = dot(s.w, s.w);
+           length_twice = in_whole(R"($|u\times v|^2$, twice)",
+                                   [](const auto&s) {
+                                     const auto square = dot(s.normal(), s.normal());
+                                     return std::array{square, square};
+                                   }),
+           heron = in_whole(
+               "$16\\,\\text{area}^2$ by Heron, from the distances of the corners", [](const auto&s) {
+                 const auto a = square_of(s.q - s.p), b = square_of(s.r - s.q), c = square_of(s.p - s.r);
                  return 2 * (a * b + b * c + c * a) - a * a - b * b - c * c;
                });
 
@@ -189,37 +239,47 @@ void geometry(Claims& claims, const std::vector<Edges>& open, const std::vector<
   const Statement<Edges> flat{R"($u\cdot v\times w=0$)",
                               [](const Edges& s) { return size_of(volume.of(s)) == 0; }};
   const auto perpendicular = [&](const std::vector<Edges>& samples) {
-    return compare<Edges>(R"(what $u\times v$ has along the edges, in halves of 52 bits)", leaning, nothing,
+    return compare<Edges>("what each product has along each edge, in halves of 52 bits", leaning, upright,
                           samples);
+  };
+  const auto along_first = [&](const Line& others) {
+    return compare<Edges>("what the other two products have along the first, in halves of 52 bits", others,
+                          length_twice, closed);
+  };
+  const auto same_length = [&](std::string text, const std::vector<Edges>& samples) {
+    return Reading{std::move(text),
+                   {compare<Edges>("the other two squared lengths, in halves of 52 bits", lengths,
+                                   length_twice, samples)}};
   };
   claims
       .add("plane", 3853, "the three vectors lie in a plane",
            {.printed = {flat.text, {in_plane(closed)}, is_as_typeset(compare_typeset<Edges>(flat, closed))},
             .near_misses = {{"for any $u$, $v$, $w$", {in_plane(open)}}}})
-      .add("any_two_edges", 3853,
-           "any two of the edges give a normal vector, of the same length (in the order of the walk)",
-           {.printed = {"perpendicular to all edges, the same length by every two",
-                        {perpendicular(closed),
-                         compare<Edges>("the squared length by every two edges, in halves of 52 bits", pairs,
-                                        squared, closed)}},
-            .near_misses = {{"for any $u$, $v$, $w$", {perpendicular(open)}},
-                            {"in either order the same vector",
-                             {compare<Edges>(
-                                 "the product of two edges", {R"($u\times v$)", &Edges::normal},
-                                 {R"($v\times u$)", [](const Edges& s) { return cross(s.v, s.u); }},
-                                 closed)}}}})
-      .formula<Edges>("twice_area", 3853, "the normal is twice as long as the triangle's area", closed,
+      .add(
+          "any_two_edges", 3853,
+          R"(any two of the edges give the same normal vector, $u\times v$, $v\times w$ or $w\times u$ (our )"
+          R"(condition: taken in the order of the walk))",
+          {.printed = {"each is perpendicular to every edge, and points to the side of $u\\times v$",
+                       {perpendicular(closed), along_first(directions)}},
+           .near_misses = {{"for any $u$, $v$, $w$", {perpendicular(open)}},
+                           {"in either order", {along_first(reversed)}}}})
+      .add("same_length", 3853,
+           R"(the normal vector always has the same length: $|u\times v|=|v\times w|=|w\times u|$)",
+           {.printed = same_length("of every two edges", closed),
+            .near_misses = {same_length("of any $u$, $v$, $w$", open)}})
+      .formula<Edges>("twice_area", 3853, R"($|u\times v|$ is twice the triangle's area)", closed,
                       {.quantity = R"($16\,\text{area}^2$, in halves of 52 bits)",
                        .truth = heron,
                        .printed = times_length(4),
                        .near_misses = {times_length(16)}})
       .statement<Edges>(
           "triangle", 3853,
-          R"(vectors with the sum zero are edges of a triangle, and $u\times v$ is its normal vector)",
+          R"(vectors with the sum zero may be viewed as edges of a triangle, with the normal vector $u\times v$)",
           some_on_a_line(closed),
           {.printed = {"wherever $u+v+w=0$", [](const Edges& s) { return s.normal() != Vector3<double>{}; }},
            .corrected = {"$u+v+w=0$, $u$ and $v$ not parallel",
                          [](const Edges& s) { return !s.independent() || s.normal() != Vector3<double>{}; }},
+           .in_view = {"for $u$ and $v$ not parallel", &Edges::independent},
            .near_misses = {{"$u+v+w=0$, none of them zero",
                             [](const Edges& s) {
                               const Vector3<double> none{};
@@ -227,11 +287,12 @@ void geometry(Claims& claims, const std::vector<Edges>& open, const std::vector<
                             }}},
            .kind = Fault::left_out,
            .root = "edges on one line",
-           .why =
+           .why = filled(
                R"(Three vectors on one line, $u=(1,0,0)$, $v=(2,0,0)$, $w=(-3,0,0)$, have the sum zero as )"
-               R"(well: all three products are 0. The triangle is flat, lies in many planes, and its unit )"
-               R"(normal is $0/0$. That the products are equal, and their length twice the area, holds )"
-               R"(there too.)"});
+               R"(well: all three products are @1. The triangle is flat, lies in many planes, and its unit )"
+               R"(normal is $0/0$. The author has triangles with an area in view, of which the statement is )"
+               R"(right. The products are equal, and as long as twice the area, of a flat one too.)",
+               {size_of(cross(Vector3<double>{1, 0, 0}, Vector3<double>{2, 0, 0}))})});
 }
 
 }  // namespace
@@ -247,14 +308,15 @@ Letters any_letters(bool closed) {
     return Vector3<Expression>{Expression::letter(name + "0"), Expression::letter(name + "1"),
                                Expression::letter(name + "2")};
   };
-  Letters s{letters("u"), letters("v"), letters("w")};
+  Letters s{letters("u"), letters("v"), letters("w"), letters("p"), {}, {}};
   if (closed) s.w = -(s.u + s.v);
+  s.q = s.p + s.u, s.r = s.q + s.v;
   return s;
 }
 
 Lemma holds(std::string name, std::vector<Proposition> follows) {
   return {.name = std::move(name),
-          .letters = "(u0 u1 u2 v0 v1 v2 w0 w1 w2 : R)",
+          .letters = "(u0 u1 u2 v0 v1 v2 w0 w1 w2 p0 p1 p2 : R)",
           .follows = std::move(follows),
           .tactic = "ring"};
 }
@@ -265,7 +327,7 @@ Lemma holds(std::string name, const Line& left, const Line& right, bool closed) 
 
 /// By 1 or more in the last component, where u and v are the first unit vectors and w closes the triangle.
 Lemma differs(const Line& printed, const Line& truth) {
-  const Letters s{{1, 0, 0}, {0, 1, 0}, {-1, -1, 0}};
+  const Letters s{{1, 0, 0}, {0, 1, 0}, {-1, -1, 0}, {}, {}, {}};
   return {.name = "printed_differs",
           .follows = {apart(printed.recorded(s)[2], truth.recorded(s)[2], 1)},
           .tactic = by_arithmetic};
@@ -273,7 +335,7 @@ Lemma differs(const Line& printed, const Line& truth) {
 
 /// Vectors on one line have no normal; where the Gram determinant is not zero, there is one.
 Provable proof_of_triangle() {
-  const Letters on_a_line{{1, 0, 0}, {2, 0, 0}, {-3, 0, 0}}, s = any_letters(true);
+  const Letters on_a_line{{1, 0, 0}, {2, 0, 0}, {-3, 0, 0}, {}, {}, {}}, s = any_letters(true);
   Lemma normal = holds("corrected", {not_zero(squared.recorded(s)[0])});
   normal.given = {not_zero(gram_determinant(s.u, s.v))};
   normal.tactic = "match goal with H : _ <> 0 |- _ => contradict H; etransitivity; [| exact H]; ring end";
@@ -288,25 +350,28 @@ Provable proof_of_triangle() {
 Provables proofs() {
   const std::string any = "it holds for any three vectors", sum = "it holds for any three whose sum is zero",
                     off = "; of the unit vectors the printed line is off by one";
-  return {{"7.5-zero", any, {holds("printed", times_zero, zero, false)}},
-          {"7.5-inserted",
-           "as meant " + sum + off,
-           {holds("meant", bracket, zero, true), differs(stray_cross, zero)},
-           1},
-          {"7.5-expanded", any, {holds("printed", three, bracket, false)}},
-          {"7.5-reduced",
-           "as meant " + any + off,
-           {holds("meant", two, three, false), differs(wrong_letter, three)},
-           1},
-          {"7.5-first_pair", sum, {holds("printed", wu, uv, true)}},
-          {"7.5-second_pair", sum, {holds("printed", vw, uv, true)}},
-          {"7.5-closed_walk", any, {holds("printed", walk, zero, false)}},
-          {"7.5-plane", sum, {holds("printed", volume, nothing, true)}},
-          {"7.5-any_two_edges",
-           sum,
-           {holds("perpendicular", leaning, nothing, true), holds("lengths", pairs, squared, true)}},
-          {"7.5-twice_area", sum, {holds("printed", times_length(4), heron, true)}},
-          proof_of_triangle()};
+  return {
+      {"7.5-zero", any, {holds("printed", times_zero, zero, false)}},
+      {"7.5-inserted",
+       "as meant " + sum + off,
+       {holds("meant", bracket, zero, true), differs(stray_cross, zero)},
+       1},
+      {"7.5-expanded", any, {holds("printed", three, bracket, false)}},
+      {"7.5-reduced",
+       "as meant " + any + off,
+       {holds("meant", two, three, false), differs(wrong_letter, three)},
+       1},
+      {"7.5-first_pair", sum, {holds("printed", wu, uv, true)}},
+      {"7.5-second_pair", sum, {holds("printed", vw, uv, true)}},
+      {"7.5-with_v", any, {holds("printed", two_of_v, by_v, false)}},
+      {"7.5-closed_walk", sum, {holds("printed", walk, zero, true)}},
+      {"7.5-plane", sum, {holds("printed", volume, nothing, true)}},
+      {"7.5-any_two_edges",
+       sum,
+       {holds("perpendicular", leaning, upright, true), holds("directions", directions, length_twice, true)}},
+      {"7.5-same_length", sum, {holds("printed", lengths, length_twice, true)}},
+      {"7.5-twice_area", sum, {holds("printed", times_length(4), heron, true)}},
+      proof_of_triangle()};
 }
 
 std::vector<Claim> claims(const Random& random) {
@@ -318,9 +383,20 @@ std::vector<Claim> claims(const Random& random) {
 }
 
 std::vector<Root> roots() {
-  return {{"edges on one line",
-           R"(Of the 84 triples of vertices of a $3\times3$ grid 8 lie on a line: a face on one of them has )"
-           R"(the unit normal $0/0$, and is lit with NaN.)"}};
+  std::vector<Vector3<double>> grid;
+  for (double x = 0; x < 3; ++x)
+    for (double y = 0; y < 3; ++y) grid.push_back({x, y, 0});
+  int triples = 0, on_a_line = 0;
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      for (std::size_t k = 0; k < j; ++k, ++triples)
+        if (cross(grid[j] - grid[i], grid[k] - grid[j]) == Vector3<double>{}) ++on_a_line;
+  return {
+      {"edges on one line",
+       filled(
+           R"(Of the @2 triples of vertices of a $3\times3$ grid @1 lie on a line: a face on one of them has )"
+           R"(the unit normal $0/0$, and is lit with NaN.)",
+           {static_cast<double>(triples), static_cast<double>(on_a_line)})}};
 }
 
 }  // namespace oddity::ex07_05

@@ -13,6 +13,7 @@
 #include "chapters/07_linear_algebra/05_triangle_normal/triangle_normal.hpp"
 #include "chapters/07_linear_algebra/shared/double_double.hpp"
 #include "chapters/07_linear_algebra/shared/vectors.hpp"
+#include "chapters/inputs.hpp"
 #include "reference/reference.hpp"
 #include "solvers/counted.hpp"
 
@@ -22,12 +23,15 @@ namespace ex07_05 {
 
 using namespace vectors;
 
-constexpr Parameter parameters[] = {
-    {"d", 1e8, "", "distance of the flat triangle from the origin", 0, 1e10},
-    {"h", 1e-3, "", "height of the flat triangle over a base of about one", 1e-8, 1},
-    {"s", 1e-10, "", "short side of the needle, the others about one", 1e-15, 1},
-    {"seed", 1, "", "seed of the random vectors", 0, 1e9, whole_number},
-};
+constexpr auto parameters = together(
+    std::array{Parameter{"d", 1e8, "", "distance of the flat triangle from the origin", 0, 1e10},
+               Parameter{"h", 1e-3, "", "height of the flat triangle over a base of about one", 1e-8, 1},
+               Parameter{"s", 1e-10, "", "short side of the needle, the others about one", 1e-15, 1},
+               Parameter{"seed", 1, "", "seed of the random vectors", 0, 1e9, whole_number}},
+    numbers<3>({"px", "py", "pz"}, {0, 0, 0}, "", "vertex $P$ of a triangle of one's own", 1e100),
+    numbers<3>({"qx", "qy", "qz"}, {1.08231, 0.73914, -0.31277}, "", "vertex $Q$", 1e100),
+    numbers<3>({"rx", "ry", "rz"}, {1.08231 + 1e-3, 0.73914 - 2 * 1e-3, -0.31277 + 1e-3 / 3}, "",
+               "vertex $R$", 1e100));
 
 // ---- the methods ------------------------------------------------------------------------------------------
 
@@ -155,7 +159,10 @@ Findings study(const Parameters& p, const Reference& truth) {
       "The three products are equal, but not equally good: that of the two long sides cancels terms of size "
       "one down to $s$. Take the short side.",
       "edges, w x u", 53, Outcome::inaccurate, "edges, v x w", 53});
-  return {claims(Random(p["seed"])), in_operations({far, thin, twice_area(flat(1, 1e-6), truth)}), roots()};
+  const Quantity own = normal_of("normal", "normal of the triangle $PQR$",
+                                 {point_of(p, "p"), point_of(p, "q"), point_of(p, "r")}, truth);
+  return {claims(Random(p["seed"])), in_operations({far, thin, twice_area(flat(1, 1e-6), truth), own}),
+          roots()};
 }
 
 }  // namespace ex07_05

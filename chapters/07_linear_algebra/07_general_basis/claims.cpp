@@ -25,6 +25,14 @@ struct Letters {
   Vector3<T> dual_combination() const { return x * cross(u, v) + y * cross(v, w) + z * cross(w, u); }
 };
 
+/// Twice the unit vectors, and p of the coefficients one.
+template <class T>
+Letters<T> twice_the_unit_vectors() {
+  Letters<T> s{{2, 0, 0}, {0, 2, 0}, {0, 0, 2}, 1, 1, 1, {}};
+  s.p = s.dual_combination();
+  return s;
+}
+
 const Vector3<double> any_q{3, -1, 4};
 
 /// Of whole numbers.
@@ -171,46 +179,58 @@ const Term products_of_components = term(R"(z\sum_iv_iw_iu_i)", [](const auto& s
 std::vector<Claim> claims(const Random& random) {
   Claims claims("7.7");
   const auto planted = samples(random, false), dual = samples(random, true);
+  const auto twice = twice_the_unit_vectors<double>();
   for (const bool is_dual : {false, true})
     for (const Equation& e : equations(is_dual))
       claims.formula<Planted>(e.slug, e.line, e.tex(), is_dual ? dual : planted,
                               {.truth = e.left, .printed = e.right, .near_misses = {e.near}});
   claims.formula<Planted>(
-      "combination", 3857, "any vector $q$ over $u$, $v$, $w$, times their volume", planted,
-      {.truth = volume_times_q,
+      "combination", 3857,
+      R"(any vector is a combination: $(u\cdot v\times w)\,q=(q\cdot v\times w)u+(q\cdot w\times u)v+(q\cdot u\times v)w$)",
+      planted,
+      {.quantity = "any vector $q$ over $u$, $v$, $w$, times their volume",
+       .truth = volume_times_q,
        .printed = combination(R"($(q\cdot v\times w)u+(q\cdot w\times u)v+(q\cdot u\times v)w$)", 1),
        .near_misses = {combination(R"($(q\cdot v\times w)u+(q\cdot w\times u)v-(q\cdot u\times v)w$)", -1)}});
   claims.formula<Planted>(
       "dual_combination", 3897,
-      R"(any vector $q$ over $u\times v$, $v\times w$, $w\times u$, times the volume)", dual,
-      {.truth = volume_times_q,
+      R"(any vector is a combination: )"
+      R"($(u\cdot v\times w)\,q=(w\cdot q)\,u\times v+(u\cdot q)\,v\times w+(v\cdot q)\,w\times u$)",
+      dual,
+      {.quantity = R"(any vector $q$ over $u\times v$, $v\times w$, $w\times u$, times the volume)",
+       .truth = volume_times_q,
        .printed =
            dual_combination(R"($(w\cdot q)\,u\times v+(u\cdot q)\,v\times w+(v\cdot q)\,w\times u$)", 1),
        .near_misses = {
            dual_combination(R"($(w\cdot q)\,u\times v+(u\cdot q)\,v\times w-(v\cdot q)\,w\times u$)", -1)}});
   claims.formula<Planted>(
-      "dual_z_equation", 3905, R"($v\cdot p=z\,v\cdot w\cdot u$)", dual,
+      "dual_z_equation", 3905, R"($v\cdot p=z\,v\cdot w\times u$, printed $z\,v\cdot w\cdot u$)", dual,
       {.truth = along(v, p),
        .printed = {"$" + products_of_components.tex + "$, components multiplied", products_of_components.of},
        .meant = z * volume(v, w, u),
        .near_misses = {z * volume(v, u, w)},
        .kind = Fault::formula,
-       .why =
+       .why = filled(
            R"($v\cdot w$ is a number, so $v\cdot w\cdot u$ is no triple product: a dot stands where the cross of )"
            R"($v\cdot w\times u$ belongs. The solution for $z$ has it. With )"
-           R"(twice the unit vectors for a basis the volume is 8, and no product of two dots is a number )"
-           R"(at all.)"});
+           R"(twice the unit vectors for a basis the volume is @1, and no product of two dots is a number )"
+           R"(at all.)",
+           {triple(twice.u, twice.v, twice.w)})});
   for (const LostBar& b : lost_bars())
     claims.formula<Planted>(
-        b.slug, b.line, "$" + b.unknown.tex + "=" + b.as_it_stands().tex + "$", dual,
-        {.truth = b.unknown,
+        b.slug, b.line, "$" + b.unknown.tex + "=" + b.meant().tex + "$, the fraction bar lost", dual,
+        {.quantity = "$" + b.unknown.tex + "$",
+         .truth = b.unknown,
          .printed = b.as_it_stands(),
          .meant = b.meant(),
          .near_misses = {b.near},
          .kind = Fault::lost_typography,
-         .why = "The fraction bar is lost in the text at hand: $" + b.unknown.tex + "=(" + b.top.tex +
-                R"()/(u\cdot v\times w)$, as in the line before it. As a product it is off by the square of )"
-                R"(the volume $u\cdot v\times w$: with twice the unit vectors for a basis, 64 times.)"});
+         .why = filled(
+             "The fraction bar is lost in the text at hand: $" + b.unknown.tex + "=(" + b.top.tex +
+                 R"()/(u\cdot v\times w)$, as in the line before it. As a product it is off by the )"
+                 R"(square of the volume $u\cdot v\times w$: with twice the unit vectors for a basis, )"
+                 "@2 times.",
+             {b.as_it_stands().of(twice) / b.meant().of(twice)})});
   return claims.in_order();
 }
 
@@ -234,13 +254,6 @@ Letters<Expression> any_letters(bool dual) {
   return s;
 }
 
-/// Twice the unit vectors, and p of the coefficients one.
-Letters<Expression> twice_the_unit_vectors() {
-  Letters<Expression> s{{2, 0, 0}, {0, 2, 0}, {0, 0, 2}, 1, 1, 1, {}};
-  s.p = s.dual_combination();
-  return s;
-}
-
 /// For every basis: what `field` asks not to be zero is the volume, written another way.
 Lemma for_every_basis(std::string name, const std::vector<Proposition>& follows) {
   const Letters<Expression> s = any_letters(false);
@@ -258,7 +271,7 @@ Lemma vectors_equal(const Vector3<Expression>& a, const Vector3<Expression>& b) 
   return for_every_basis("printed", {a[0] == b[0], a[1] == b[1], a[2] == b[2]});
 }
 Lemma differs(const Term& printed, const Term& truth, double margin) {
-  const Letters<Expression> s = twice_the_unit_vectors();
+  const auto s = twice_the_unit_vectors<Expression>();
   return {.name = "printed_differs",
           .follows = {apart(printed.recorded(s), truth.recorded(s), margin)},
           .tactic = by_arithmetic};

@@ -179,6 +179,8 @@ Check places(const Row& row) {
 
 void add_row(Claims& claims, const Row& row, const Random& random) {
   const std::string name(row.permutation), tex = typeset(row.term);
+  std::string listed;
+  for (const char digit : name) listed += std::string(listed.empty() ? "" : ",") + digit;
   const Term term = parsed(row.term);
   Term negated = term;
   negated.negative = !term.negative;
@@ -190,7 +192,7 @@ void add_row(Claims& claims, const Row& row, const Random& random) {
   };
   const std::string other = (negated.negative ? "$-" : "$+") + tex.substr(2);
   claims.add(
-      "term_" + name, row.line, "the permutation " + name + " and its term",
+      "term_" + name, row.line, "the permutation $(" + listed + ")$ has the term " + tex,
       {.printed = signed_as(tex, term, {places(row)}), .near_misses = {signed_as(other, negated, {})}});
 }
 
@@ -209,7 +211,10 @@ std::vector<Claim> claims(const Random& random) {
   const auto matrices = full_matrices(random);
   const std::vector<Term> all = printed_terms();
   claims.formula<Sample>(
-      "formula", 3933, "the determinant is a sum over the permutations of signed products", matrices,
+      "formula", 3933,
+      R"($\det A=\sum_\sigma\varepsilon_\sigma a_{\sigma(1)1}a_{\sigma(2)2}a_{\sigma(3)3}a_{\sigma(4)4}$, )"
+      R"(printed with an equals sign before $\varepsilon_\sigma$)",
+      matrices,
       {.quantity = R"($\det A$)",
        .truth = elimination,
        .printed = terms(R"($\det A=\ldots=\varepsilon_\sigma a_{\sigma(1)1}a_{\sigma(2)2}a_{\sigma(3)3})"
@@ -221,8 +226,10 @@ std::vector<Claim> claims(const Random& random) {
        .near_misses = {over_permutations(
            R"($\sum_\sigma a_{\sigma(1)1}a_{\sigma(2)2}a_{\sigma(3)3}a_{\sigma(4)4}$)", false)},
        .kind = Fault::formula,
-       .why = "An equals sign stands between the summation sign and the product that it sums. A product "
-              "alone is one of 24 terms: 1 for a matrix of ones, whose determinant is 0."});
+       .why =
+           filled("An equals sign stands between the summation sign and the product that it sums. A product "
+                  "alone is one of @2 terms: 1 for a matrix of ones, whose determinant is 0.",
+                  {onto_maps()})});
   const auto permutations = [](const char* text, double number) {
     return Reading{text,
                    {{"permutations",
@@ -231,7 +238,7 @@ std::vector<Claim> claims(const Random& random) {
                      exact()}}};
   };
   claims.add(
-      "permutations", 3935, "there are $4!$ permutations",
+      "permutations", 3935, "there are $4!=24$ permutations of $(1,2,3,4)$",
       {.printed = permutations("24", 24), .near_misses = {permutations("23, the identity not counted", 23)}});
 
   std::vector<Row> rows(std::begin(table), std::end(table));
@@ -243,8 +250,10 @@ std::vector<Claim> claims(const Random& random) {
              std::set(t.columns.begin(), t.columns.end()).size() == 4;
     };
   };
-  claims.statement<Row>("four_entries", 3935, "each term has four entries, one of every row and column", rows,
-                        {.printed = {"four", entries(4)}, .near_misses = {{"three", entries(3)}}});
+  claims.statement<Row>("four_entries", 3935, "each of the 24 terms has four factors $a_{ij}$ and a sign",
+                        rows,
+                        {.printed = {"four, of different rows and columns", entries(4)},
+                         .near_misses = {{"three, of different rows and columns", entries(3)}}});
 
   std::set<std::string_view> different;
   for (const Row& row : table) different.insert(row.permutation);

@@ -3,11 +3,14 @@
 // Every row of the table is judged by the determinant of whole numbers put at its four places, zero
 // elsewhere, by fraction-free elimination, which knows nothing of permutations. All of that is exact.
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
 #include "chapters/07_linear_algebra/09_determinant_4x4/determinant_4x4.hpp"
 #include "chapters/07_linear_algebra/shared/double_double.hpp"
+#include "chapters/inputs.hpp"
 #include "reference/reference.hpp"
 #include "reference/text.hpp"
 #include "solvers/counted.hpp"
@@ -17,12 +20,16 @@ namespace oddity {
 
 namespace ex07_09 {
 
-constexpr Parameter parameters[] = {
-    {"s", 0, "", "shift of the Hilbert matrix $1/(i+j-1+s)$", 0, 20},
-    {"m", 300, "", "largest entry of the triangular factors of the matrix of determinant one", 1, 300,
-     whole_number},
-    {"seed", 1, "", "seed of the random matrices", 0, 1e9, whole_number},
-};
+constexpr std::array<std::string_view, 16> letters{"a11", "a12", "a13", "a14", "a21", "a22", "a23", "a24",
+                                                   "a31", "a32", "a33", "a34", "a41", "a42", "a43", "a44"};
+constexpr auto parameters =
+    together(std::array{Parameter{"s", 0, "", "shift of the Hilbert matrix $1/(i+j-1+s)$", 0, 20},
+                        Parameter{"m", 300, "",
+                                  "largest entry of the triangular factors of the matrix of determinant one",
+                                  1, 300, whole_number},
+                        Parameter{"seed", 1, "", "seed of the random matrices", 0, 1e9, whole_number}},
+             numbers<16>(letters, {4, 1, -2, 2, 1, 2, 0, 1, -2, 0, 3, -2, 2, 1, -2, -1}, "",
+                         "entry of a matrix of one's own", 1e70));
 
 // ---- the methods ------------------------------------------------------------------------------------------
 
@@ -101,6 +108,22 @@ auto printed_sum() {
   return [terms = printed_terms()](const auto& m) { return by_terms(terms, m); };
 }
 
+/// The determinant of a matrix of one's own. Its terms may cancel: what is needed is nine digits of them.
+Quantity own_determinant(const Parameters& p, const Reference& truth) {
+  Matrix4<double> m;
+  std::vector<double> given;
+  for (std::string_view name : letters) given.push_back(p[name]);
+  for (std::size_t i = 0; i < 16; ++i) m[i / 4][i % 4] = given[i];
+  double terms = 1;  // no smaller than the largest of the 24
+  for (const auto& row : m)
+    terms *= std::abs(*std::ranges::max_element(row, {}, [](double x) { return std::abs(x); }));
+  Quantity q = quantity("determinant", "", "determinant of the matrix of the entries a11 to a44",
+                        truth("07_09_determinant", given),
+                        {terms > 0 ? 1e-9 * terms : 1e-300, "nine digits of the largest term"});
+  add_methods(q, m, printed_sum(), Outcome::ok, "");
+  return q;
+}
+
 Quantity hilbert(std::string name, double s, const Reference& truth) {
   Matrix4<double> m;
   std::vector<double> entries;
@@ -153,8 +176,9 @@ Findings study(const Parameters& p, const Reference& truth) {
       R"(The 24 terms are up to $5\cdot10^{-5}$ and cancel to $9\cdot10^{-16}$; every expansion loses )"
       R"(digits with them. Elimination of this positive definite matrix keeps them.)",
       "expansion, 24 terms", 53, Outcome::inaccurate, "elimination, LU, rows exchanged", 0});
-  return {claims(random), in_operations({hilbert("hilbert", p["s"], truth), shifted,
-                                         determinant_one(static_cast<int>(p["m"]), random)})};
+  return {claims(random),
+          in_operations({hilbert("hilbert", p["s"], truth), shifted,
+                         determinant_one(static_cast<int>(p["m"]), random), own_determinant(p, truth)})};
 }
 
 }  // namespace ex07_09

@@ -4,13 +4,16 @@
 // triangles. Higham, Accuracy and Stability, 2nd ed., 14.6.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string_view>
 #include <vector>
 
 #include "chapters/07_linear_algebra/shared/matrices.hpp"
 #include "chapters/claims.hpp"
+#include "chapters/inputs.hpp"
 #include "reference/reference.hpp"
 #include "solvers/linear.hpp"
 
@@ -20,11 +23,14 @@ namespace ex07_11 {
 
 using namespace matrices;
 
-constexpr Parameter parameters[] = {
-    {"n", 40, "", "size of the triangular matrix", 2, 100, whole_number},
-    {"e", 60, "", "exponent of two in its diagonal entries", 0, 300, whole_number},
-    {"seed", 1, "", "seed of the random matrices", 0, 1e9, whole_number},
-};
+constexpr std::array<std::string_view, 10> letters{"u11", "u12", "u13", "u14", "u22",
+                                                   "u23", "u24", "u33", "u34", "u44"};
+constexpr auto parameters = together(
+    std::array{Parameter{"n", 40, "", "size of the triangular matrix", 2, 100, whole_number},
+               Parameter{"e", 60, "", "exponent of two in its diagonal entries", 0, 300, whole_number},
+               Parameter{"seed", 1, "", "seed of the random matrices", 0, 1e9, whole_number}},
+    numbers<10>(letters, {3, -1, 0.5, 2, -0.25, 4, 1, 7, -2, 0.125}, "",
+                "entry of a triangular matrix of one's own", 1e70));
 
 // ---- the claims -------------------------------------------------------------------------------------------
 
@@ -132,8 +138,9 @@ std::vector<Claim> claims(const Random& random) {
   const auto zero = in_whole("zero", [](M) { return Whole{0}; }),
              det = in_whole("fraction-free elimination", bareiss);
 
-  add("expansion", 3965, "the determinant is the cofactor expansion by the last row", full, R"($\det M$)",
-      det,
+  add("expansion", 3965,
+      R"($\det U$ is its cofactor expansion by the last row, $\sum_c(-1)^{n+c}u_{nc}\det U_{nc}$)", full,
+      R"($\det M$)", det,
       in_whole("sum over the last row",
                [](M m) {
                  Whole sum = 0;
@@ -141,7 +148,7 @@ std::vector<Claim> claims(const Random& random) {
                  return sum;
                }),
       in_whole("its last term alone", [](M m) { return cofactor_term(m, m.n - 1); }));
-  add("zeros", 3965, R"(the first $n-1$ entries of the last row are zero)", full,
+  add("zeros", 3965, R"(the first $n-1$ entries of the last row are zero: $u_{n1}=\ldots=u_{n,n-1}=0$)", full,
       R"($u_{n1}^2+\ldots+u_{n,n-1}^2$)", zero,
       in_whole("$U$, left by an elimination", [](M m) { return first_entries(eliminated(m, m.n - 1)); }),
       in_whole("$U$ with the first entry of its last row not zero", [](M m) {
@@ -149,28 +156,28 @@ std::vector<Claim> claims(const Random& random) {
         u(m.n - 1, 0) = 5;
         return first_entries(u);
       }));
-  add("only_contribution", 3965, "only the entry $u_{nn}$ contributes", upper,
+  add("only_contribution", 3965, "only the entry $u_{nn}$ contributes to the determinant", upper,
       "elimination's determinant less the expansion's last term", zero, in_whole("$U$ as it is", others),
       in_whole("$U$ with one entry not zero below the diagonal", [](Matrix<Whole> m) {
         m(m.n - 1, 0) = 5;
         return others(m);
       }));
-  add("submatrix", 3965, "without its last row and column $U$ is upper triangular again", full,
-      "sum of squares below the diagonal", zero,
+  add("submatrix", 3965, "the submatrix $U'$ of the first $n-1$ rows and columns is upper triangular too",
+      full, "sum of squares below the diagonal", zero,
       in_whole("$U$, left by an elimination, without the last row and column",
                [](M m) { return below(minor_of(eliminated(m, m.n - 1), m.n - 1)); }),
       in_whole("without the last row and the first column",
                [](M m) { return below(minor_of(eliminated(m, m.n - 1), 0)); }));
-  add("recursion", 3967, R"($\det U$ by the matrix $U'$ without the last row and column)", upper,
-      R"($\det U$)", det,
+  add("recursion", 3967, R"($\det U=u_{nn}\det U'$)", upper, R"($\det U$)", det,
       in_whole(R"($u_{nn}\det U'$)", [](M m) { return m(m.n - 1, m.n - 1) * bareiss(minor_of(m, m.n - 1)); }),
       in_whole(R"($u_{11}\det U'$)", [](M m) { return m(0, 0) * bareiss(minor_of(m, m.n - 1)); }));
-  add("sign", 3969, "the sign of $u_{nn}$ is the same for every $n$", full,
+  add("sign", 3969, "the sign of $u_{nn}$ in the expansion is $+1$ for every $n$", full,
       R"(half the determinant of $M$ bordered by $0,\ldots,0,2$)",
       in_whole("elimination of the bordered matrix", [](M m) { return bareiss(bordered(m)) / 2; }),
-      in_whole(R"($+\det M$)", bareiss),
+      in_whole(R"(half of it is $+\det M$)", bareiss),
       in_whole(R"($(-1)^{n+1}\det M$)", [](M m) { return m.n % 2 == 0 ? -bareiss(m) : bareiss(m); }));
-  add("product", 3971, R"($\det U$ is the product of the diagonal)", upper, R"($\det U$)", det,
+  add("product", 3971, R"($\det U=u_{nn}u_{n-1,n-1}\cdots u_{11}$, the product of the diagonal entries)",
+      upper, R"($\det U$)", det,
       in_whole(R"(the product $u_{nn}\cdots u_{11}$)", [](M m) { return product_of(m, 0); }),
       in_whole(R"(the product $u_{nn}\cdots u_{22}$)", [](M m) { return product_of(m, 1); }));
   return claims.in_order();
@@ -241,25 +248,41 @@ Answer finite_answer(double x, long work) {
           "out of the range of a double"};
 }
 
+Method product_method(std::string algorithm, const std::vector<double>& u, Outcome expected = Outcome::ok,
+                      std::string why = {}) {
+  return {"product", std::move(algorithm),
+          no_knob(), [=](double) { return finite_answer(product(u), static_cast<long>(u.size())); },
+          expected,  std::move(why)};
+}
+
+Method by_mantissas(const std::vector<double>& u) {
+  return {"mantissas and exponents", "the first first", no_knob(), [=](double) {
+            const Scaled s = scaled_product(u);
+            return finite_answer(std::ldexp(s.mantissa, static_cast<int>(s.exponent)),
+                                 static_cast<long>(u.size()));
+          }};
+}
+
+Method by_logarithms(const std::vector<double>& u) {
+  return {"logarithms", "exponential of the sum", no_knob(), [=](double) {
+            return finite_answer(sign_of(u) * std::exp(sum_of_logarithms(u)),
+                                 static_cast<long>(u.size()) + 1);
+          }};
+}
+
 Quantity determinant_quantity(int n, int e, const Reference& truth) {
   const std::vector<double> u = diagonal(n, e, -e), last_first(u.rbegin(), u.rend());
   const Known known = truth("07_11_determinant", {double(n), double(e)});
   Quantity q = quantity("determinant", "",
                         "determinant of a triangular matrix, the large entries of its diagonal first", known,
                         {1e-12 * std::abs(known.value[0]), "twelve digits"});
-  q.add({"product", "as printed, the last first", no_knob(),
-         [=](double) { return finite_answer(product(last_first), n); }, Outcome::inaccurate,
-         "the small entries underflow to zero before the large ones come"});
-  q.add({"product", "the first first", no_knob(), [=](double) { return finite_answer(product(u), n); },
-         Outcome::non_finite, "the large entries overflow before the small ones come"});
-  q.add(
-      {"product", "large by small", no_knob(), [=](double) { return finite_answer(product(paired(u)), n); }});
-  q.add({"mantissas and exponents", "the first first", no_knob(), [=](double) {
-           const Scaled s = scaled_product(u);
-           return finite_answer(std::ldexp(s.mantissa, static_cast<int>(s.exponent)), n);
-         }});
-  q.add({"logarithms", "exponential of the sum", no_knob(),
-         [=](double) { return finite_answer(sign_of(u) * std::exp(sum_of_logarithms(u)), n + 1); }});
+  q.add(product_method("as printed, the last first", last_first, Outcome::inaccurate,
+                       "the small entries underflow to zero before the large ones come"));
+  q.add(product_method("the first first", u, Outcome::non_finite,
+                       "the large entries overflow before the small ones come"));
+  q.add(product_method("large by small", paired(u)));
+  q.add(by_mantissas(u));
+  q.add(by_logarithms(u));
   q.add(Breakdown{
       "The determinant is a moderate number, but not the products on the way to it: in the printed order "
       "they fall below $2^{-1074}$.",
@@ -310,11 +333,34 @@ Quantity log_determinant(int n, int e, const Reference& truth, const Random& ran
   return q;
 }
 
+/// The determinant of a triangular matrix of one's own.
+Quantity own_determinant(const Parameters& p, const Reference& truth) {
+  std::vector<double> entries, u;
+  Eigen::MatrixXd m = Eigen::MatrixXd::Zero(4, 4);
+  std::size_t next = 0;
+  for (Eigen::Index r = 0; r < 4; ++r)
+    for (Eigen::Index c = 0; c < 4; ++c) {
+      if (c >= r) m(r, c) = p[letters[next++]];
+      if (c == r) u.push_back(m(r, c));
+      entries.push_back(m(r, c));
+    }
+  const Known known = truth("07_09_determinant", entries);
+  Quantity q =
+      quantity("own_determinant", "", "determinant of the triangular matrix of the entries u11 to u44", known,
+               {std::max(1e-12 * std::abs(known.value[0]), 1e-300), "twelve digits"});
+  q.add(product_method("as printed, the last first", {u.rbegin(), u.rend()}));
+  q.add(product_method("the first first", u));
+  q.add(by_mantissas(u));
+  q.add(by_logarithms(u));
+  q.add({"elimination", "LU, rows exchanged", no_knob(), [=](double) { return answer(determinant(m)); }});
+  return q;
+}
+
 Findings study(const Parameters& p, const Reference& truth) {
   const Random random(p["seed"]);
   const int n = static_cast<int>(p["n"]), e = static_cast<int>(p["e"]);
-  return {claims(random),
-          in_operations({determinant_quantity(n, e, truth), log_determinant(n, e, truth, random)})};
+  return {claims(random), in_operations({determinant_quantity(n, e, truth),
+                                         log_determinant(n, e, truth, random), own_determinant(p, truth)})};
 }
 
 }  // namespace ex07_11

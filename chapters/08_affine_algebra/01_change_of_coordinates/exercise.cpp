@@ -150,13 +150,14 @@ struct Tables {
 void formulas(Tables& tables, const std::vector<FramesOf<double>>& frames,
               const std::vector<PointOf<double>>& points) {
   tables.frames.formula(
-      "origin", 3977, "with equal origins $(c_1,c_2)=(0,0)$", frames,
+      "origin", 3977, "with equal origins $(c_1,c_2)=(0,0)$, and nothing else changes", frames,
       {.quantity = R"($(c_1,c_2)=b-R^Ta$ for a random point, $b$ by elimination)",
        .truth = {"$(0,0)$", []<class T>(const FramesOf<T>&) { return Vector2<T>(T(0.0), T(0.0)); }},
        .printed = constants("equal origins", 0),
        .near_misses = {constants("origins a thousandth apart", 1e-3)}});
   tables.points.formula(
-      "matrix", 3981, R"($b=1\,\sqrt2\begin{pmatrix}1&1\\-1&1\end{pmatrix}a$)", points,
+      "matrix", 3981, R"($b=\frac1{\sqrt2}\begin{pmatrix}1&1\\-1&1\end{pmatrix}a$, the fraction bar lost)",
+      points,
       {.quantity = "$(b_1,b_2)$",
        .truth = {R"(elimination on axes turned by $\pi/4$)",
                  []<class T>(const PointOf<T>& p) { return on_axes<T>(turned_axes<T>(0.25), p.a()); }},
@@ -180,10 +181,12 @@ std::vector<Claim> claims(double seed) {
   Claims claims("8.1");
   Tables tables(claims);
   formulas(tables, draw<FramesOf<double>>(100, seed), draw<PointOf<double>>(100, seed));
-  claims.add("transpose", 3991, R"(the matrix is $R^T$, $R$ the counterclockwise rotation by $\pi/4$)",
-             {.printed = transpose_of_rotation(R"($R^T$, counterclockwise by $\pi/4$)", 0.25),
-              .near_misses = {transpose_of_rotation(R"($R^T$, clockwise by $\pi/4$)", -0.25),
-                              transpose_of_rotation(R"($R^T$, counterclockwise by $\pi/2$)", 0.5)}});
+  claims.add(
+      "transpose", 3991,
+      R"($\frac1{\sqrt2}\begin{pmatrix}1&1\\-1&1\end{pmatrix}=R^T$, $R$ the counterclockwise rotation by $\pi/4$)",
+      {.printed = transpose_of_rotation(R"($R^T$, counterclockwise by $\pi/4$)", 0.25),
+       .near_misses = {transpose_of_rotation(R"($R^T$, clockwise by $\pi/4$)", -0.25),
+                       transpose_of_rotation(R"($R^T$, counterclockwise by $\pi/2$)", 0.5)}});
   return claims.in_order();
 }
 

@@ -217,8 +217,8 @@ std::vector<Claim> claims(double seed) {
   Claims claims("8.3");
   claims.statement<Carrier>(
       "directions", 3999,
-      "the vectors of $A_1$ are those on the $x$-axis, the vectors of $A_2$ those on the $y$-axis ($A_1$ and "
-      "$A_2$ themselves are not in the solutions: any lines in these directions)",
+      "the vector space of $A_1$ is the $x$-axis, that of $A_2$ the $y$-axis (our reading, as neither is in "
+      "the solutions: any lines in these directions)",
       draw<Carrier>(400, seed),
       {.printed =
            {"a vector keeps points on $A_1$ just when it is on the $x$-axis, on $A_2$ when on the $y$-axis",
@@ -228,16 +228,18 @@ std::vector<Claim> claims(double seed) {
        .near_misses = {{"a vector keeps points on $A_1$ just when it is on the $y$-axis",
                         [](const Carrier& c) { return c.stays_along(axes.second, axes.second); }}}});
   claims.add(
-      "neither", 3999, "neither $V_1$ is in $V_2$ nor $V_2$ in $V_1$",
+      "neither", 3999, R"(neither $V_1\subseteq V_2$ nor $V_2\subseteq V_1$)",
       {.printed = ranks("rank 2 both ways", 2), .near_misses = {ranks("rank 1, one in the other", 1)}});
   claims.formula<Walker>(
-      "not_parallel", 3999, "the affine subspaces are not parallel", {{-3}, {0}, {2}, {5}},
+      "not_parallel", 3999, "the affine subspaces $A_1$ and $A_2$ are not parallel", {{-3}, {0}, {2}, {5}},
       {.quantity = "distance of $(1+t,4)$ from the line $x=-2$",
        .truth = {"least squares", &Walker::distance},
        .printed = {"$|3+t|$: it changes along the line", [](const Walker& w) { return std::abs(3 + w.t); }},
        .near_misses = {{"$3$: it is constant", [](const Walker&) { return 3.0; }}}});
   claims.statement<Judged>(
-      "criterion", 3999, "what decides is whether one vector space contains the other", judged_pairs(seed),
+      "criterion", 3999,
+      R"(affine subspaces are parallel just when $V_1\subseteq V_2$ or $V_2\subseteq V_1$)",
+      judged_pairs(seed),
       {.printed = {R"(points are equally far just when $V_1\subseteq V_2$ or $V_2\subseteq V_1$)",
                    [](const Judged& j) { return by_rank(j.pair, exact_rank) == j.equally_far; }},
        .near_misses = {{"just when $V_1=V_2$",

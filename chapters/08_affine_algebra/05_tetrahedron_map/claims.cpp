@@ -152,7 +152,7 @@ Reading rows(std::string text, const std::vector<Sample>& all, double off_diagon
 }
 
 void coefficients(Table& table, const std::vector<Sample>& all) {
-  table.formula("barycentric", 4003, "$P$ is a sum of the vertices with coefficients that add up to 1", all,
+  table.formula("barycentric", 4003, "$P=c_0P_0+c_1P_1+c_2P_2+c_3P_3$ with $c_0+c_1+c_2+c_3=1$", all,
                 {.quantity = R"($\sum c_iP_i$ and $\sum c_i$, the $c_i$ ratios of volumes)",
                  .truth = {"$P$ and 1", [](const auto& s) { return values(s.p[0], s.p[1], s.p[2], 1); }},
                  .printed = sums(R"($P=\sum c_iP_i$, $\sum c_i=1$)", 1),
@@ -163,7 +163,7 @@ void coefficients(Table& table, const std::vector<Sample>& all) {
                  .printed = {"$c_0-1$ by the volume over the face opposite to $P_0$",
                              [](const auto& s) { return s.c0() - 1; }},
                  .near_misses = {{"$c_0+1$", [](const auto& s) { return s.c0() + 1; }}}});
-  table.formula("edge_sum", 4013, "$V$ is a sum of the edges", all,
+  table.formula("edge_sum", 4013, "$V=c_1V_1+c_2V_2+c_3V_3$", all,
                 {.truth = {"$V=P-P_0$", [](const auto& s) { return s.v(); }},
                  .printed = {"$c_1V_1+c_2V_2+c_3V_3$",
                              []<class T>(const SampleOf<T>& s) { return Vector<T>(s.t.edges() * s.c()); }},
@@ -174,26 +174,51 @@ void coefficients(Table& table, const std::vector<Sample>& all) {
 
 void map_and_system(Claims& claims, const std::vector<Sample>& all) {
   claims
-      .add("affine", 4007, "the four values determine $f$ everywhere",
+      .add("affine", 4007, "$f(P)=c_0f_0+c_1f_1+c_2f_2+c_3f_3$: the coefficients give the value",
            {.printed = values_by_vertices(R"($f(P)=\sum c_if_i$)", all, 1, 0),
             .near_misses = {values_by_vertices("without $c_0f_0$", all, 0, 0),
                             values_by_vertices("for $f$ with a quadratic term", all, 1, 1)}})
-      .add("normal_equations", 4015, R"(the $3\times3$ system of dot products determines $c_1,c_2,c_3$)",
+      .add("normal_equations", 4015,
+           R"($\sum_j(V_i\cdot V_j)c_j=V_i\cdot V$ for $i=1,2,3$ is a linear system for $c_1,c_2,c_3$)",
            {.printed = rows(R"($\sum_j(V_i\cdot V_j)c_j=V_i\cdot V$)", all, 1, false),
             .near_misses = {rows(R"($\sum_j(V_i\cdot V_j)c_j=V_i\cdot P$)", all, 1, true),
                             rows("the signs off the diagonal flipped", all, -1, false)}});
 }
 
-/// Three edges of whole numbers.
+/// A tetrahedron's three edges from one vertex, of whole numbers.
 struct WholeEdges {
-  using Rows = std::array<std::array<long long, 3>, 3>;
+  using Row = std::array<long long, 3>;
+  using Rows = std::array<Row, 3>;
   Rows v;
 
   explicit WholeEdges(Random& random) {
     do
       for (auto& row : v)
         for (long long& x : row) x = random.below(201) - 100;
-    while (det(v) == 0);
+    while (flat(v));
+  }
+  /// The common vertex, at the origin, is in the plane of the other three.
+  static bool flat(const Rows& m) {
+    const auto less = [](const Row& a, const Row& b) { return Row{a[0] - b[0], a[1] - b[1], a[2] - b[2]}; };
+    const Row a = less(m[1], m[0]), b = less(m[2], m[0]);
+    const Row normal{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    return normal[0] * m[0][0] + normal[1] * m[0][1] + normal[2] * m[0][2] == 0;
+  }
+  /// How many rows elimination in whole numbers leaves that are not zero.
+  static int rank(Rows m) {
+    std::size_t done = 0;
+    for (std::size_t column = 0; column < 3; ++column) {
+      std::size_t pivot = done;
+      while (pivot < 3 && m[pivot][column] == 0) ++pivot;
+      if (pivot == 3) continue;
+      std::swap(m[done], m[pivot]);
+      for (std::size_t i = done + 1; i < 3; ++i) {
+        const long long factor = m[i][column];
+        for (std::size_t j = 0; j < 3; ++j) m[i][j] = m[done][column] * m[i][j] - factor * m[done][j];
+      }
+      ++done;
+    }
+    return static_cast<int>(done);
   }
   static long long det(const Rows& m) {
     return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
@@ -261,9 +286,9 @@ std::vector<Claim> claims(double seed) {
   Table table(claims);
   coefficients(table, fair);
   map_and_system(claims, fair);
+  const auto tetrahedra = draw<WholeEdges>(500, seed);
   claims.statement<WholeEdges>(
-      "invertible", 4035, "the matrix is invertible, the edges of a tetrahedron being independent",
-      draw<WholeEdges>(500, seed),
+      "invertible", 4035, R"(the matrix $[V_i\cdot V_j]$ is invertible)", tetrahedra,
       {.printed = {R"($\det[V_i\cdot V_j]=(\det[V_1V_2V_3])^2>0$, six volumes squared)",
                    [](const WholeEdges& e) {
                      const long long all = WholeEdges::det_of_products(e.v), volumes = WholeEdges::det(e.v);
@@ -276,6 +301,13 @@ std::vector<Claim> claims(double seed) {
             }},
            {R"($\det[V_i\cdot V_j]>0$ for four vertices in a plane too)",
             [](const WholeEdges& e) { return WholeEdges::det_of_products(e.flattened()) > 0; }}}});
+  claims.statement<WholeEdges>(
+      "independent", 4035, "the edges $V_1$, $V_2$ and $V_3$ of a tetrahedron are linearly independent",
+      tetrahedra,
+      {.printed = {"elimination leaves three rows, for four vertices that are not in a plane",
+                   [](const WholeEdges& e) { return WholeEdges::rank(e.v) == 3; }},
+       .near_misses = {{"for four vertices in a plane too",
+                        [](const WholeEdges& e) { return WholeEdges::rank(e.flattened()) == 3; }}}});
   claims.add(
       "gauss", 4035, "standard Gaussian elimination solves the system",
       {.printed = elimination("to roundings times the condition number squared, condition below 50", fair, 2),

@@ -7,8 +7,10 @@
 // 20].
 
 #include <limits>
+#include <string>
 
 #include "chapters/08_affine_algebra/05_tetrahedron_map/tetrahedron_map.hpp"
+#include "chapters/inputs.hpp"
 #include "solvers/counted.hpp"
 #include "solvers/linear.hpp"
 
@@ -16,13 +18,16 @@ namespace oddity {
 
 namespace ex08_05 {
 
-constexpr Parameter parameters[] = {
-    {"height", 1, "", "of the apex over its base, in units of the base", 0.0625, 1},
-    {"c1", 0.25, "", "barycentric coordinate of $P$ at $P_1$", -4, 4},
-    {"c2", 0.375, "", "barycentric coordinate of $P$ at $P_2$", -4, 4},
-    {"c3", 0.125, "", "barycentric coordinate of $P$ at $P_3$", -4, 4},
-    {"seed", 1, "", "of the random tetrahedra", 0, 1e9, whole_number},
-};
+constexpr auto parameters = together(
+    std::array{Parameter{"height", 1, "", "of the apex over its base, in units of the base", 0.0625, 1},
+               Parameter{"c1", 0.25, "", "barycentric coordinate of $P$ at $P_1$", -4, 4},
+               Parameter{"c2", 0.375, "", "barycentric coordinate of $P$ at $P_2$", -4, 4},
+               Parameter{"c3", 0.125, "", "barycentric coordinate of $P$ at $P_3$", -4, 4},
+               Parameter{"seed", 1, "", "of the random tetrahedra", 0, 1e9, whole_number}},
+    numbers<3>({"p0x", "p0y", "p0z"}, {1, 2, -1}, "", "vertex $P_0$ of a tetrahedron of one's own", 1e3),
+    numbers<3>({"p1x", "p1y", "p1z"}, {5, 2, -1}, "", "vertex $P_1$", 1e3),
+    numbers<3>({"p2x", "p2y", "p2z"}, {3, 6, 1}, "", "vertex $P_2$", 1e3),
+    numbers<3>({"p3x", "p3y", "p3z"}, {2, 3, 4}, "", "vertex $P_3$", 1e3));
 
 // ---- f(P) -------------------------------------------------------------------------------------------------
 
@@ -204,6 +209,13 @@ std::vector<Quantity> quantities(const Parameters& p) {
   const auto x = points(p);
   std::vector<Quantity> all;
   all.push_back(values_of("value", "$f$ at five points", tetrahedron(p["height"]), x, {}));
+  Tetrahedron own;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto vertex = point_of(p, "p" + std::to_string(i));
+    own.p[i] = Vector3d(vertex[0], vertex[1], vertex[2]);
+  }
+  all.push_back(
+      values_of("value_in_own", "the same in a tetrahedron $P_0P_1P_2P_3$ of one's own", own, x, {}));
   all.push_back(values_of("sliver_value", "the same, the apex $2^{-20}$ above its base", tetrahedron(0x1p-20),
                           x, {bad, bad, bad, ok, "products lose what is small in the sliver"}));
   all.back().add(Breakdown{

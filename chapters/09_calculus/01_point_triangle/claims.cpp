@@ -155,7 +155,7 @@ struct Lines {
 
 void in_coordinates(Table& table, const std::vector<Sample>& all) {
   table.formula(
-      "barycentric", 4043, "the barycentric coordinates of $V(s,t)$", all,
+      "barycentric", 4043, "the barycentric coordinates of $V(s,t)$ are $1-s-t$, $s$ and $t$", all,
       {.truth = {"signed areas over the triangle's",
                  [](const auto& x) { return areas(x.w, x.w.at(x.s, x.t)); }},
        .printed = {"$1-s-t$, $s$, $t$", [](const auto& x) { return values(1 - x.s - x.t, x.s, x.t); }},
@@ -176,7 +176,8 @@ void expressions(Claims& claims, const std::vector<Sample>& all) {
   const auto points = [&](const Formula<Sample>& by) { return compare("$V(s,t)$", by, lines.on_edges, all); };
   const auto inside = [&](const Statement<Sample>& by) { return in_all(by.text, all, by.holds); };
   claims.add(
-      "parametrization", 4041, R"(the triangle is $V_0+sE_1+tE_2$ with $s,t\ge0$ and $s+t\le1$)",
+      "parametrization", 4041,
+      R"(the triangle's points are $V(s,t)=V_0+sE_1+tE_2$ with $s\ge0$, $t\ge0$ and $s+t\le1$)",
       {.printed = {"sums of the vertices with weights $1-s-t$, $s$, $t$, none of them negative",
                    {points(lines.on_vertices),
                     inside(
@@ -190,7 +191,8 @@ void expressions(Claims& claims, const std::vector<Sample>& all) {
     return compare("$f(s,t)$", by, lines.squared, all);
   };
   claims.add(
-      "expansion", 4045, "the squared distance, in one and multiplied out",
+      "expansion", 4047,
+      R"($f=|sE_1+tE_2+D|^2=|E_1|^2s^2+2E_1\cdot E_2\,st+|E_2|^2t^2+2E_1\cdot D\,s+2E_2\cdot D\,t+|D|^2$)",
       {.printed = {"$|sE_1+tE_2+D|^2$, $D=V_0-P$, and its six terms",
                    {expanded(lines.sum), expanded(lines.six_terms)}},
        .near_misses = {{"with $D=P-V_0$", {expanded(in_one("$|sE_1+tE_2-D|^2$", -1))}},
@@ -243,13 +245,18 @@ void minimum(Claims& claims, const std::vector<Sample>& all) {
     const Vec<double> n = cross(w.v[1] - w.v[0], w.v[2] - w.v[0]);
     return std::abs(dot(n, p - w.v[0])) / length(n);
   };
-  claims.add("minimum", 4043, R"(the distance is where $f$ is least among $s,t\ge0$, $s+t\le1$)",
-             {.printed = {"minimum over the triangle",
-                          {same_distance(all, "least squared distance, by regions", region_distance<double>),
-                           none_closer(all, region_distance<double>)}},
-              .near_misses = {{"minimum over all $s$ and $t$",
-                               {same_distance(all, "distance to the plane", unconstrained)}},
-                              {"minimum over the edges", {none_closer(all, edges_distance<double>)}}}});
+  claims.add(
+      "minimum", 4043,
+      "the distance from $P$ to the triangle is the least distance from $P$ to any of its points $V(s,t)$",
+      {.printed = {"least over the triangle",
+                   {same_distance(all, "least $|V(s,t)-P|$, by regions", region_distance<double>)}},
+       .near_misses = {
+           {"least over all $s$ and $t$", {same_distance(all, "distance to the plane", unconstrained)}}}});
+  claims.add(
+      "least_square", 4043,
+      "$s$ and $t$ are those of the least squared distance $f$: no other point $V(s,t)$ is closer to $P$",
+      {.printed = {"where $f$ is least over the triangle", {none_closer(all, region_distance<double>)}},
+       .near_misses = {{"where it is least over the edges", {none_closer(all, edges_distance<double>)}}}});
 
   const auto place = [](Place<double> (*find)(const Quadratic<double>&)) {
     return [=](const Triangle<double>& w, const Vec<double>& p) {
@@ -259,7 +266,8 @@ void minimum(Claims& claims, const std::vector<Sample>& all) {
   };
   std::set<int> regions;
   for (const Sample& x : all) regions.insert(x.region());
-  claims.add("seven_regions", 4055, "it is the quadratic that the seven regions around the triangle minimize",
+  claims.add("seven_regions", 4055,
+             "$f$ is exactly the function that the book's example 9.8 minimizes, over seven regions",
              {.printed = {"seven regions, the corner ones with sub-cases",
                           {same_distance(all, "seven regions", place(by_regions<double>)),
                            in_all<Sample>("$P$ is in the region that it was put into", all,
@@ -493,13 +501,14 @@ Provables proofs() {
          area_is(by_areas[0], "1 - s - t") + area_is(by_areas[1], "s") + area_is(by_areas[2], "t") +
              "intuition lra"}}});
   proved.push_back(seven_regions(any, names, area));
-  proved.push_back(
-      {"9.1-minimum",
-       "where the square is least, no other point of the triangle is closer; and there is such a "
-       "place, of any triangle",
-       {nearest(any, names), proved.back().lemmas.at(0), proved.back().lemmas.at(2)},
-       0,
-       least_in_coq});
+  proved.push_back({"9.1-minimum",
+                    "there is a place of any triangle where the square is least",
+                    {proved.back().lemmas.at(0), proved.back().lemmas.at(2)},
+                    0,
+                    least_in_coq});
+  proved.push_back({"9.1-least_square",
+                    "where the square is least, no other point of the triangle is closer",
+                    {nearest(any, names)}});
   const Expressions squared = lines.squared.recorded(any);
   proved.push_back(
       {"9.1-expansion",

@@ -6,6 +6,7 @@
 // perpendicular and the edges, and for the tables a bisection that knows no regions.
 
 #include "chapters/09_calculus/01_point_triangle/point_triangle.hpp"
+#include "chapters/inputs.hpp"
 #include "reference/reference.hpp"
 #include "solvers/counted.hpp"
 
@@ -15,12 +16,12 @@ namespace ex09_01 {
 
 using Point = Vec<double>;
 
-constexpr Parameter parameters[] = {
-    {"px", 1.25, "m", "the point", -100, 100},
-    {"py", 2.25, "m", "the point", -100, 100},
-    {"pz", 1.25, "m", "the point", -100, 100},
-    {"seed", 1, "", "of the random triangles", 0, 1e9, whole_number},
-};
+constexpr auto parameters =
+    together(numbers<3>({"px", "py", "pz"}, {1.25, 2.25, 1.25}, "m", "the point", 1e6),
+             numbers<3>({"v0x", "v0y", "v0z"}, {1, 2, -1}, "m", "the triangle's vertex $V_0$", 1e6),
+             numbers<3>({"v1x", "v1y", "v1z"}, {4, 3, 0}, "m", "the vertex $V_1$", 1e6),
+             numbers<3>({"v2x", "v2y", "v2z"}, {0, 4, 1}, "m", "the vertex $V_2$", 1e6),
+             std::array{Parameter{"seed", 1, "", "of the random triangles", 0, 1e9, whole_number}});
 
 // ---- distances --------------------------------------------------------------------------------------------
 
@@ -134,11 +135,14 @@ const std::string no_det = "$a_{00}a_{11}-a_{01}^2$ is 0, or nothing but roundin
                   slow = "its rate is the shape's condition number";
 
 Quantity in_fair(const Parameters& p, const Reference& truth) {
-  std::vector<Point> points{{p["px"], p["py"], p["pz"]}};
-  points.insert(points.end(), around.begin(), around.end());
-  const Case at{fair, points};
+  const Triangle<double> asked{{point_of(p, "v0"), point_of(p, "v1"), point_of(p, "v2")}};
+  const bool is_fair = asked.v == fair.v;
+  std::vector<Point> points{point_of(p, "p")};
+  if (is_fair) points.insert(points.end(), around.begin(), around.end());
+  const Case at{asked, points};
   Quantity q =
-      measured("distance", "from $P$ and from one point in each of the seven regions", at, truth, {});
+      measured("distance", is_fair ? "from $P$ and from one point in each of the seven regions" : "from $P$",
+               at, truth, {});
   add_counted(q, at, {"closest point", "edges", no_knob(), {}, Outcome::inaccurate, "the face is left out"},
               edges);
   add_counted(q, at,

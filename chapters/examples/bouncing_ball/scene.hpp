@@ -5,7 +5,7 @@
 #include "chapters/own_reference.hpp"
 #include "chapters/scene.hpp"
 
-/// A scene with events; ARCHITECTURE.md has the words.
+/// A scene with events; README.md explains them.
 namespace oddity::bouncing_ball {
 
 inline constexpr Parameter parameters[] = {{"y0", 1, "m", "height at release", 0.1, 10},

@@ -1,4 +1,4 @@
-\\ The left side of the equation of y2 along Lagrange's accelerations and along Newton's.
+\\ The left side of the equation of y2 less its right side, along Lagrange's accelerations.
 read("reference/witness/shared/common.gp");
 m2 = 1.0457868367423149; m3 = 0.747249029125332; I1 = 0.6224470382617169; I2 = 0.9224648024591635;
 R1 = 2.2400003394040526; R2 = 2.9111849122238915; c1 = 0.8663195503608998; c2 = 2.577271723288913;
@@ -8,4 +8,4 @@ letters = [m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3];
 read("reference/witness/shared/pulleys.gp");
 
 left(a) = m2*a[1] + I1/R1^2*a[1] + I2/R2^2*(a[1] - a[2]);
-both("printed 1", letters, [left(a), left(N)], (m2*g - pull1)*[1, 1], (m2*g - pull1 + 2*pull2)*[1, 1]);
+both("printed 1", letters, 0, left(a) - (m2*g - pull1), left(a) - (m2*g - pull1 + 2*pull2));

@@ -72,6 +72,11 @@
         (row.error > 0 ? number(1 / row.error, 2) + ' times better than asked' : 'nothing that can be seen') +
         (simple ? '.' : '; nothing simpler holds with a margin of ' + margin + '.'),
     );
+    lines.push(
+      'It takes the least time in this page of ' +
+        (simple ? 'the simple methods that hold with a margin of ' + margin : 'all that hold') +
+        '; of those within a quarter of it, it is the most accurate.',
+    );
     const { truth } = found;
     if (row.model === truth.model && row.algorithm === truth.algorithm && row.precision === 'double')
       lines[1] =

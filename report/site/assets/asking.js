@@ -10,14 +10,18 @@
     s: { s: 1, ms: 1e-3, us: 1e-6, µs: 1e-6, ns: 1e-9, min: 60, h: 3600 },
   };
 
-  /** "1 cm" as {value: 0.01, text: "1cm"} in the base unit; null where it makes no sense. */
-  function asked(text, base) {
+  const decimal = /^[-+]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:e[-+]?[0-9]+)?$/i;
+  /** As the program reads it, in decimals alone; NaN where it is none. */
+  const numeral = (text) => (decimal.test(text.trim()) ? Number(text) : NaN);
+
+  /** "1 cm" as {value: 0.01, text: "1cm"} in the base unit; null where it makes no sense, or is beyond the limits. */
+  function asked(text, base, least = 1e-24, most = 1e12) {
     const found = /^((?:[0-9]+(?:\.[0-9]+)?|\.[0-9]+)(?:e[-+]?[0-9]+)?)\s*((?:[^\s0-9.]\S*)?)$/i.exec(text.trim());
     if (!found) return null;
     const units = sizes[base] || {};
     const size = found[2] === '' || found[2] === base ? 1 : units[found[2]];
     const value = Number(found[1]) * size;
-    if (!size || !(value > 0) || !Number.isFinite(value)) return null;
+    if (!size || !(value >= least && value <= most)) return null;
     return { value, text: found[1] + (sizes[base] ? found[2].replace('°', 'deg').replace('µ', 'u') : '') };
   }
 
@@ -38,34 +42,64 @@
     };
   }
 
+  function valueOf(what, text, unit, { units = {} }) {
+    try {
+      return oddity.number(text, unit, units[unit]);
+    } catch (error) {
+      throw new Error(`${what}: ${error.message}`);
+    }
+  }
+
   function setParameter(state, p, text) {
-    const value = Number(text);
+    const value = valueOf(p.name, text, p.unit, state.scene);
     const least = p.least === null ? -Infinity : p.least,
       most = p.most === null ? Infinity : p.most;
-    if (text.trim() === '' || !Number.isFinite(value))
-      throw new Error(`${p.name} is a number, not "${text}"`);
     if (value < least || value > most)
       throw new Error(`${p.name} = ${text} is out of its range: ${number(least, 6)} to ${number(most, 6)}`);
     if (p.whole && !Number.isInteger(value)) throw new Error(`${p.name} is a whole number, not "${text}"`);
     state.parameters[p.name] = value;
   }
 
+  function positive(state, key, text, says) {
+    const unit = key === 'fps' ? `1/${state.scene.time_unit}` : state.scene.time_unit;
+    const value = valueOf(says, text, unit, state.scene);
+    if (!(value > 0)) throw new Error(`${says} is a number above zero, not "${text}"`);
+    if (value < 1e-12 || value > 1e12) throw new Error(`${says} goes from 1e-12 to 1e12, and is not ${text}`);
+    return value;
+  }
+
+  function requireFrames({ horizon, fps }) {
+    const frames = horizon * fps;
+    if (frames < 1) throw new Error('the horizon is shorter than a frame');
+    if (frames > 1e6)
+      throw new Error(`a horizon of ${horizon} at ${fps} has ${number(frames, 3)} frames, of at most a million`);
+  }
+
   function setPositive(state, key, text, says) {
-    const value = Number(text);
-    if (text.trim() === '' || !(value > 0) || !Number.isFinite(value))
-      throw new Error(`${says} is a number above zero, not "${text}"`);
+    const value = positive(state, key, text, says);
+    requireFrames({ ...state, [key]: value });
     state[key] = value;
   }
 
+  /** One number for all units, or one with its unit for each of them. */
   function setErrors(state, texts) {
-    unitsOf(state.scene).forEach((unit, i) => {
-      const found = asked(texts.length === 1 ? texts[0] : texts[i] || '', unit);
-      if (!found)
-        throw new Error(
-          `an error in ${unit} is a number above zero${sizes[unit] ? ', such as 1 ' + Object.keys(sizes[unit])[1] : ''}, not "${texts[i] || texts[0]}"`,
-        );
-      state.errors[unit] = found;
-    });
+    const units = unitsOf(state.scene);
+    const refuse = (unit, text) => {
+      const example = sizes[unit] ? ', such as 1 ' + Object.keys(sizes[unit])[1] : '';
+      throw new Error(`an error in ${unit} is a number above zero${example}, not "${text}"`);
+    };
+    if (texts.length === 1 && !Number.isNaN(numeral(texts[0]))) {
+      for (const unit of units) state.errors[unit] = asked(texts[0], unit) || refuse(unit, texts[0]);
+      return;
+    }
+    const left = new Set(units);
+    for (const text of texts) {
+      const unit = Number.isNaN(numeral(text)) && units.find((one) => asked(text, one));
+      if (!unit) refuse(units.length === 1 ? units[0] : units.join(' or '), text);
+      if (!left.delete(unit)) throw new Error(`there are two errors in ${unit}`);
+      state.errors[unit] = asked(text, unit);
+    }
+    if (left.size > 0) throw new Error(`an error is missing in ${[...left].join(', ')}`);
   }
 
   function setBudget(state, text) {
@@ -73,8 +107,8 @@
       state.budget = null;
       return;
     }
-    const found = asked(text, 's');
-    if (!found) throw new Error(`a budget is a time, such as 5us, not "${text}"`);
+    const found = Number.isNaN(numeral(text)) && asked(text, 's', 1e-12, 1e6);
+    if (!found) throw new Error(`a budget is a time with its unit, such as 5us, not "${text}"`);
     state.budget = { value: found.value, text: found.text };
   }
 
@@ -95,17 +129,21 @@
     if (!scene)
       throw new Error(`there is no scene "${wanted}"; there are ${scenes.map((s) => s.number).join(', ')}`);
     const state = usual(scene);
+    const given = new Set();
     for (const [key, text] of pairs) {
+      if (given.has(key)) throw new Error(`"${key}" is given twice`);
+      given.add(key);
       const p = scene.parameters.find((parameter) => parameter.name === key);
       if (key === 'scene') continue;
-      else if (key === 'horizon') setPositive(state, 'horizon', text, 'the horizon');
-      else if (key === 'fps') setPositive(state, 'fps', text, 'the frame rate');
+      else if (key === 'horizon') state.horizon = positive(state, key, text, 'the horizon');
+      else if (key === 'fps') state.fps = positive(state, key, text, 'the frame rate');
       else if (key === 'error') setErrors(state, text.split(','));
       else if (key === 'budget') setBudget(state, text);
       else if (key === 'precision') setPrecision(state, text);
       else if (p) setParameter(state, p, text);
       else throw new Error(`scene ${scene.number} has no parameter "${key}"`);
     }
+    requireFrames(state);
     return state;
   }
 
@@ -113,10 +151,12 @@
     state.scene.parameters
       .filter((p) => state.parameters[p.name] !== p.value)
       .map((p) => [p.name, String(state.parameters[p.name])]);
-  const errorText = (state) =>
-    unitsOf(state.scene)
-      .map((unit) => state.errors[unit].text)
-      .join(',');
+  /** Of several each has its unit. */
+  const errorText = (state) => {
+    const units = unitsOf(state.scene);
+    const withUnit = (text, unit) => (units.length > 1 && !Number.isNaN(numeral(text)) ? text + unit : text);
+    return units.map((unit) => withUnit(state.errors[unit].text, unit)).join(',');
+  };
 
   function toHash(state) {
     const pairs = [['scene', state.scene.number], ...changed(state), ['error', errorText(state)]];
@@ -130,7 +170,7 @@
   /** The command whose answer is judged by references. */
   function command(state) {
     return [
-      'oddity choose',
+      oddity.program + ' choose',
       state.scene.number,
       ...changed(state).map(([name, value]) => name + '=' + value),
       '--error ' + errorText(state),

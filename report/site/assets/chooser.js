@@ -36,6 +36,8 @@
     R: 'raised',
   };
 
+  const measure = '. The answer above goes by the time in this page, this chart by what its axis measures';
+
   /** The results as a quantity that a chart can show. */
   function quantityOf(state, found) {
     const units = unitsOf(state.scene),
@@ -73,8 +75,8 @@
       size: need,
       samples: 1,
       says: single
-        ? 'error over all frames, judged by the finest run'
-        : 'error over all frames in parts of what is asked, judged by the finest run',
+        ? 'error over all frames, judged by the finest run' + measure
+        : 'error over all frames in parts of what is asked, judged by the finest run' + measure,
       asked: errorText(state).replace(',', ' and ').replace(/deg/g, '°'),
       charts: ['evaluations', 'time'],
       methods: [...methods.values()],
@@ -177,9 +179,12 @@
       try {
         message.textContent = '';
         act();
+        place.classList.remove('stale');
         history.replaceState(null, '', toHash(state));
         start();
       } catch (error) {
+        ++running;
+        place.classList.add('stale');
         message.textContent = error.message[0].toUpperCase() + error.message.slice(1) + '.';
       }
     }

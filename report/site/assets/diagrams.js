@@ -252,7 +252,7 @@
         group.append(
           svg('path', {
             class: 'leader',
-            style: '--c: ' + colourOf(label.curve.method, view.by),
+            '--c': colourOf(label.curve.method, view.by),
             d: `M${spot.x.toFixed(1)},${spot.y.toFixed(1)}L${(left ? label.left : label.right).toFixed(1)},${(label.top + 8).toFixed(1)}`,
           }),
         );
@@ -262,7 +262,7 @@
           {
             x: label.left.toFixed(1),
             y: (label.bottom - 4).toFixed(1),
-            style: '--c: ' + colourOf(label.curve.method, view.by),
+            '--c': colourOf(label.curve.method, view.by),
           },
           label.curve.name,
         ),

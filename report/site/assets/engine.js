@@ -1,6 +1,6 @@
 // oddity.engine: the scenes' models, the very C++ of the program, compiled to WebAssembly (report/site/module).
 //   ready        resolves to whether the models can be run; models.js, which comes after this script, brings them
-//   algorithms   [{name, kind, order, knob, inFloat}]: `kind` is fixed, partitioned, controlled, implicit fixed,
+//   algorithms   [{name, kind, order, knob, inFloat}]: `kind` is fixed, partitioned, velocities first, controlled, implicit fixed,
 //                implicit controlled or closed form; `knob` is step, tolerance or, of a closed form, empty
 //   scene(number)   {parameters: [name], defaults: {name: value}, models: [{name, algorithms: [name],
 //                   constrained, events}], observables: how many, drawn, space}, or null where there is no such scene;
@@ -89,7 +89,8 @@
       return [own];
     }
     return engine.algorithms
-      .filter(a => a.kind !== closedForm.kind && (a.kind !== 'partitioned' || model.partitioned))
+      .filter(a => a.kind !== closedForm.kind && (a.kind !== 'partitioned' || model.partitioned) &&
+        (a.kind !== 'velocities first' || model.velocities))
       .map(a => a.name);
   }
 

@@ -402,7 +402,7 @@
         spoken(least.method) +
         ' reaches ' +
         needed +
-        ' with the least work: ' +
+        (axis === 'time' ? ' in the least time measured: ' : ' with the least counted work: ') +
         work(least, axis) +
         (many >= 1.5 ? '; ' + spoken(next.method) + ' needs ' + number(many) + ' times as much' : '') +
         '.',

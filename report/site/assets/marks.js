@@ -16,7 +16,9 @@
 
   function svg(name, attributes = {}, ...children) {
     const made = document.createElementNS('http://www.w3.org/2000/svg', name);
-    for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
+    for (const [key, value] of Object.entries(attributes))
+      if (key.startsWith('--')) made.style.setProperty(key, value);
+      else made.setAttribute(key, value);
     made.append(...children);
     return made;
   }

@@ -80,9 +80,8 @@
   // ---- the findings' filter
 
   function kind_of(article) {
-    const meta = article.querySelector('.meta b').nextSibling.textContent;
-    const before = meta.split(', line')[0].trim();
-    return before.startsWith('line') ? '' : before;
+    const kind = article.querySelector('.meta .kind');
+    return kind ? kind.textContent : '';
   }
 
   function choices_of(articles) {
@@ -91,8 +90,8 @@
       const chosen = articles.filter(test);
       if (chosen.length > 0 && chosen.length < articles.length) counts.set(name, chosen);
     };
-    add('errata', (article) => article.classList.contains('erratum'));
-    add('misprints', (article) => article.classList.contains('misprint'));
+    for (const verdict of ['wrong', 'incomplete', 'misprint'])
+      add(verdict, (article) => article.classList.contains(verdict));
     new Set(articles.map(kind_of)).forEach((kind) => { if (kind) add(kind, (article) => kind_of(article) === kind); });
     return counts;
   }

@@ -18,16 +18,18 @@
     }
   }
 
-  function number(text, what) {
-    const x = oddity.typed(text);
-    if (x === null) throw new Unreadable(`The link has \u201c${text}\u201d for ${what}, which is not a number.`);
-    return x;
+  function number(text, what, unit, units) {
+    try {
+      return oddity.number(text, unit, units);
+    } catch (error) {
+      throw new Unreadable(`The link has for ${what} what it cannot be: ${error.message}.`);
+    }
   }
 
   function parameter(name, text, known) {
     const found = known.parameters.find((p) => p.name === name);
     if (!found) throw new Unreadable(`The link sets \u201c${name}\u201d, which ${known.missing}.`);
-    const x = number(text, name);
+    const x = number(text, name, found.unit, known.units && known.units[found.unit]);
     const low = Number.isFinite(found.least) && x < found.least;
     const high = Number.isFinite(found.most) && x > found.most;
     if (low || high || (found.whole && !Number.isInteger(x)))
@@ -36,8 +38,8 @@
   }
 
   function row(text, known) {
-    const [model, algorithm, precision, setting] = text.split('/').map(readable);
-    if (setting === undefined) throw new Unreadable('The link names a method that is not whole.');
+    const [model, algorithm, precision, setting, ...more] = text.split('/').map(readable);
+    if (setting === undefined || more.length) throw new Unreadable('The link names a method that is not one of four parts.');
     const found = known.methods.find((m) => m.model === model && m.algorithm === algorithm);
     if (!found) throw new Unreadable(`The link asks for \u201c${model}, ${algorithm}\u201d, which ${known.missing}.`);
     if (!found.precisions.includes(precision))
@@ -57,8 +59,11 @@
 
   function state(parts, known) {
     const read = { parameters: {}, rows: [], time: 0, speed: 1 };
+    const given = new Set();
     for (const part of parts) {
       const [name, text = ''] = part.split(/=(.*)/s);
+      if (name !== 'row' && given.has(readable(name))) throw new Unreadable(`The link says \u201c${readable(name)}\u201d twice.`);
+      given.add(readable(name));
       if (name.startsWith('p.')) {
         const key = readable(name.slice(2));
         read.parameters[key] = parameter(key, readable(text), known);

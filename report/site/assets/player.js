@@ -17,8 +17,8 @@
       (oddity.nameOfNeed(unit, x) === '1 cm' ? '1cm' : oddity.nameOfNeed(unit, x) === '1\u00b0' ? '1deg' : String(x)));
     const of = [number, ...values].map(quoted).join(' ');
     return {
-      solve: `./oddity solve ${of}`,
-      choose: `./oddity choose ${of} --error ${errors.join(',')} --horizon ${horizon} --fps ${Math.round(1 / frame)}`,
+      solve: `${oddity.program} solve ${of}`,
+      choose: `${oddity.program} choose ${of} --error ${errors.join(',')} --horizon ${horizon} --fps ${Math.round(1 / frame)}`,
     };
   };
 
@@ -45,7 +45,7 @@
     /** What a link may name. */
     known() {
       return { parameters: this.motions.recordedOnly ? [] : this.sliding(), methods: this.motions.methods,
-        horizon: this.scene.horizon, speeds: oddity.speeds, space: this.motions.space,
+        horizon: this.scene.horizon, speeds: oddity.speeds, units: this.motions.data.units, space: this.motions.space,
         missing: this.motions.recordedOnly ? 'is not recorded, and the models are not in this copy of the page' : 'this scene does not have' };
     }
 
@@ -82,7 +82,7 @@
         motions: this.motions, row: row.method, shape,
         changed: (next) => this.change(row, next),
         removed: () => this.removeRow(row),
-        refused: (text) => this.say(text, true),
+        refused: (text) => this.refuse(text),
       });
       row.view.element.style.setProperty('--method', `var(--series-${shape + 1})`);
       row.view.paint(this.colours[shape]);
@@ -148,6 +148,7 @@
     }
 
     compute() {
+      this.element.classList.remove('stale');
       const { motions, scene, parameters } = this;
       const started = performance.now();
       this.truth = motions.truth(parameters);
@@ -286,8 +287,8 @@
 
     buildParameters() {
       this.sliders = new Map(this.sliding().map((p) => [p.name, oddity.slider({ name: p.name, says: p.says,
-        unit: p.unit, scale: oddity.scaleOf(p), value: p.value,
-        checked: (x) => this.problemOf(p, x), changed: (x) => this.setParameter(p, x), refused: (text) => this.say(text, true) })]));
+        unit: p.unit, units: this.motions.data.units[p.unit], scale: oddity.scaleOf(p), value: p.value,
+        checked: (x) => this.problemOf(p, x), changed: (x) => this.setParameter(p, x), refused: (text) => this.refuse(text) })]));
       const all = [...this.sliders.values()].map((s) => s.element);
       const grid = (some) => make('div', { class: 'player-parameters' }, ...some);
       const shown = all.length > 9 ? 6 : all.length;
@@ -302,8 +303,14 @@
     tellRecorded(place) {
       for (const slider of this.sliders.values()) slider.enable(false);
       place.prepend(make('p', { class: 'player-note' },
-        'The models are not in this copy of the page, so it plays what is recorded. ', make('code', {}, './oddity site'),
+        'The models are not in this copy of the page, so it plays what is recorded. ', make('code', {}, `${oddity.program} site`),
         ' makes one in which they run.'));
+    }
+
+    /** What is shown is no answer to what was typed. */
+    refuse(text) {
+      this.element.classList.add('stale');
+      this.say(text, true);
     }
 
     problemOf(p, x) {

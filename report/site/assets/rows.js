@@ -109,7 +109,8 @@
         if (kind === 'recorded' && method.path.knob)
           knobPlace.append(oddity.make('span', { class: 'row-fixed' }, ''));
         else if (kind && kind !== 'recorded')
-          slider = oddity.slider({ name: kind, says: '', unit: kind === 'step' ? scene.time_unit : '', scale: settingScale(method, motions),
+          slider = oddity.slider({ name: kind, says: '', unit: kind === 'step' ? scene.time_unit : '',
+            units: kind === 'step' ? motions.data.units[scene.time_unit] : {}, scale: settingScale(method, motions),
             value: row.setting, checked: (x) => (x > 0 ? '' : `The ${kind} has to be above 0.`),
             changed: (setting) => changed({ ...row, setting, trial: null }), refused });
         if (slider) knobPlace.append(slider.element);

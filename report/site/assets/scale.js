@@ -64,16 +64,6 @@
     return { least, most, value: near, place: (x) => Math.min(1, Math.max(0, place(x))) };
   };
 
-  const decimal = /^[+-]?(\d+(\.\d*)?|\.\d+)(e[+-]?\d+)?$/i;
-
-  /** What was typed, as a number; null when it is none. A comma may stand for the point, and 1/60 is a number. */
-  oddity.typed = function (text) {
-    const parts = text.trim().replace(/,/g, '.').replace(/\u2212/g, '-').split('/');
-    if (parts.length > 2 || !parts.every((part) => decimal.test(part.trim()))) return null;
-    const x = parts.length === 2 ? Number(parts[0]) / Number(parts[1]) : Number(parts[0]);
-    return Number.isFinite(x) ? x : null;
-  };
-
   /** A value in its field: six digits, or 1/60 where it is one. */
   oddity.inField = function (x) {
     const inverse = 1 / x;

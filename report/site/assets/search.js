@@ -30,7 +30,7 @@
     const words = query.toLowerCase().split(/\s+/).filter(Boolean);
     const weight = (entry) => {
       const title = entry.title.toLowerCase();
-      const ranks = { exercise: 4, erratum: 3, misprint: 2, quantity: 1 };
+      const ranks = { exercise: 4, wrong: 3, incomplete: 2, misprint: 2, quantity: 1 };
       return words.reduce((sum, word) => sum + (title.startsWith(word) ? 12 : title.includes(word) ? 6 : 0), 0) + (ranks[entry.kind] || 0);
     };
     return entries.filter((entry) => words.every((word) => entry.words.includes(word)))

@@ -121,8 +121,7 @@
   const isMultistep = (name) => /^(Adams-|GSL ms|CVODE)/.test(name);
   /** Models that have the book's errors in them are tried, and not advised. */
   const isPublished = (row) => oddity.isPublished(row.model);
-  const isSimple = (row) =>
-    row.knob !== 'tolerance' && !isMultistep(row.algorithm) && !row.algorithm.startsWith('linearly implicit');
+  const isSimple = (row) => row.knob !== 'tolerance' && !isMultistep(row.algorithm);
 
   /** How long a run takes: the least of three batches, each long enough for the page's coarse clock. */
   function* timed(run) {

@@ -35,9 +35,9 @@
   const places = 1000;
   let made = 0;
 
-  /** {element, show(value), enable(yes)}. `changed(value)` is called with what is set; `refused(text)` with why
-      what was typed cannot be. */
-  oddity.slider = function ({ name, says, unit, scale, value, checked, changed, refused }) {
+  /** {element, show(value), enable(yes)}. `units` are those that may be typed; `changed(value)` is called with what is
+      set; `refused(text)` with why what was typed cannot be, which stays there. */
+  oddity.slider = function ({ name, says, unit, units = {}, scale, value, checked, changed, refused }) {
     const id = `slider-${made += 1}`;
     const label = says ? `${name}, ${says}` : name;
     const range = oddity.make('input', { type: 'range', id, min: 0, max: places, step: 1, 'aria-label': label });
@@ -59,19 +59,26 @@
     }
 
     function type() {
-      const x = oddity.typed(field.value);
-      const problem = x === null ? `\u201c${field.value}\u201d is not a number.` : checked(x);
+      let x, problem;
+      try {
+        x = oddity.number(field.value, unit, units);
+        problem = checked(x);
+      } catch (error) {
+        problem = `${error.message}.`;
+      }
       if (problem) {
         field.setAttribute('aria-invalid', 'true');
         refused(problem);
       } else if (field.value !== oddity.inField(now)) {
+        field.removeAttribute('aria-invalid');
+        field.blur();
         changed(x);
       }
     }
 
     range.addEventListener('input', () => changed(scale.value(range.value / places)));
     field.addEventListener('change', type);
-    field.addEventListener('blur', () => { field.value = oddity.inField(now); field.removeAttribute('aria-invalid'); });
+    field.addEventListener('blur', () => { if (!field.hasAttribute('aria-invalid')) field.value = oddity.inField(now); });
     show(value);
     return { element, show, enable(yes) { range.disabled = !yes; field.disabled = !yes; } };
   };

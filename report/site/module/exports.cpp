@@ -62,6 +62,8 @@ std::string_view name_of(ode::Kind kind) {
       return "fixed";
     case ode::Kind::partitioned:
       return "partitioned";
+    case ode::Kind::velocities_first:
+      return "velocities first";
     case ode::Kind::controlled:
       return "controlled";
     case ode::Kind::implicit_fixed:
@@ -110,6 +112,7 @@ std::string text_of(const Listed& listed, const Model& model) {
   return "{\"name\":" + quoted(listed.name) + ",\"algorithm\":" + quoted(listed.algorithm) +
          ",\"closedForm\":" + text_of(model.closed_form()) +
          ",\"partitioned\":" + text_of(model.partitioned()) +
+         ",\"velocities\":" + text_of(model.has_velocities()) +
          ",\"constrained\":" + text_of(model.constrained()) + ",\"events\":" + text_of(model.has_events()) +
          "}";
 }

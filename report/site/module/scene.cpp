@@ -17,14 +17,15 @@ Motion refused(const char* why) {
 }
 
 struct Known {
-  bool found = false, partitioned = false, in_float = false;
+  bool found = false, partitioned = false, velocities_first = false, in_float = false;
 };
 
 Known known(std::string_view algorithm) {
   Known known;
   ode::for_each_algorithm([&]<class Algorithm>() {
     if (Algorithm::name == algorithm)
-      known = {true, Algorithm::kind == ode::Kind::partitioned, Algorithm::facts.in_float};
+      known = {true, Algorithm::kind == ode::Kind::partitioned,
+               Algorithm::kind == ode::Kind::velocities_first, Algorithm::facts.in_float};
   });
   return known;
 }
@@ -43,6 +44,7 @@ Motion ModelInterfaceOf<n>::run(std::string_view algorithm, Precision precision,
   const Known by = known(algorithm);
   if (!by.found) return refused("the module does not have this algorithm");
   if (by.partitioned && !this->partitioned()) return refused("the model is not partitioned");
+  if (by.velocities_first && !has_velocities()) return refused("the model has no velocities");
   if (precision == Precision::in_float && !by.in_float) return refused("this algorithm is in double only");
   if (precision == Precision::in_float && has_events()) return refused("events are found in double only");
   return seen(moved(algorithm, precision, setting, times), times);

@@ -43,6 +43,8 @@ class Model {
   virtual ~Model() = default;
   virtual bool closed_form() const = 0;
   virtual bool partitioned() const = 0;
+  /// Some of its unknowns are velocities, or it declares them to be functions of time.
+  virtual bool has_velocities() const = 0;
   virtual bool constrained() const = 0;
   virtual bool has_events() const = 0;
   /// The times begin with zero. An algorithm that the model does not allow is a motion that `raised`.
@@ -57,6 +59,7 @@ class Formula final : public Model {
   Formula(const InDouble& in_double, const InFloat& in_float) : in_double_(in_double), in_float_(in_float) {}
   bool closed_form() const override { return true; }
   bool partitioned() const override { return false; }
+  bool has_velocities() const override { return false; }
   bool constrained() const override { return false; }
   bool has_events() const override { return false; }
   Motion run(std::string_view, Precision precision, double, std::span<const double> times) const override {
@@ -87,6 +90,7 @@ class ModelInterfaceOf : public Model, public ode::AnySystem<n> {
   using typename ode::AnySystem<n>::State;
 
   bool closed_form() const final { return false; }
+  bool has_velocities() const final { return this->velocities().known; }
   bool has_events() const final { return this->guard_count() > 0; }
   Motion run(std::string_view algorithm, Precision, double setting,
              std::span<const double> times) const final;

@@ -1,0 +1,96 @@
+#include "chapters/near_misses.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "chapters/random.hpp"
+#include "formula/magnitude.hpp"
+#include "formula/mutants.hpp"
+#include "formula/print.hpp"
+
+namespace oddity {
+
+namespace {
+
+using Sides = std::vector<formula::Tree>;
+using Letters = std::vector<formula::Matrix<double>>;
+
+double magnitude_of(const Sides& sides, const Letters& letters) {
+  double size = 0;
+  for (const formula::Tree& side : sides) size += formula::magnitude(side, letters);
+  return size;
+}
+
+std::string text_of(const std::string& before, const Sides& sides) {
+  std::string text = before;
+  for (std::size_t i = 0; i < sides.size(); ++i) text += (i == 0 ? "" : "=") + formula::tex(sides[i]);
+  return "$" + text + "$";
+}
+
+/// The largest difference, in roundings; infinite where there is no value.
+double roundings(const Sides& sides, const std::vector<Letters>& letters, const std::vector<Value>& values,
+                 const std::vector<double>& sizes) {
+  double largest = 0;
+  for (std::size_t i = 0; i < letters.size(); ++i) {
+    try {
+      const double off = distance(TypesetFormula::value(sides, letters[i]), values[i]);
+      if (!(std::isfinite(off))) return std::numeric_limits<double>::infinity();
+      const double size = std::max(sizes[i], std::numeric_limits<double>::min());
+      largest = std::max(largest, off / (std::numeric_limits<double>::epsilon() * size));
+    } catch (const formula::NoValue&) {
+      return std::numeric_limits<double>::infinity();
+    }
+  }
+  return largest;
+}
+
+/// Letters of any size and sign, each on its own, whatever they are of each other in a sample.
+std::vector<Letters> at_random(const Letters& letters) {
+  Random random(7);
+  std::vector<Letters> all;
+  for (int n = 0; n < 8; ++n) {
+    all.push_back(letters);
+    for (auto& letter : all.back())
+      for (double& x : letter.entries) x = n % 2 == 0 ? random.magnitude(0.3, 3) : random.between(0.3, 3);
+  }
+  return all;
+}
+
+}  // namespace
+
+Changes changes_of(const TypesetFormula& formula, const std::vector<TypesetSample>& samples) {
+  Changes changes;
+  if (samples.empty()) return changes;
+  const Sides right = formula.sides(names_of(samples[0].letters));
+  std::vector<Letters> letters;
+  std::vector<Value> truth;
+  std::vector<double> sizes;
+  for (const TypesetSample& sample : samples) {
+    letters.push_back(values_of(sample.letters));
+    truth.push_back(sample.truth);
+    sizes.push_back(std::max(magnitude_of(right, letters.back()), size_of(sample.truth)));
+  }
+  const std::vector<Letters> any = at_random(letters[0]);
+  std::vector<Value> right_at_any;
+  std::vector<double> sizes_at_any;
+  for (const Letters& one : any) {
+    right_at_any.push_back(TypesetFormula::value(right, one));
+    sizes_at_any.push_back(magnitude_of(right, one));
+  }
+  constexpr double is_rounding = 1e4;
+  for (std::size_t i = 0; i < right.size(); ++i)
+    for (const formula::Mutant& mutant : formula::mutants(right[i])) {
+      Sides sides = right;
+      sides[i] = mutant.tree;
+      const double off = roundings(sides, letters, truth, sizes);
+      if (off < is_rounding && roundings(sides, any, right_at_any, sizes_at_any) < is_rounding)
+        ++changes.equal;
+      else
+        changes.hardest_first.push_back({text_of("", sides), mutant.change, std::move(sides), off});
+    }
+  std::ranges::stable_sort(changes.hardest_first, {}, &ChangedFormula::roundings);
+  return changes;
+}
+
+}  // namespace oddity

@@ -1,0 +1,174 @@
+# Registers made from file names, so that nothing else is edited when a file is added: of exercises, makers of tables,
+# proofs, algorithms, and the numbers of unknowns that these are compiled for.
+
+# The register of these exercises, as `output`. Files of the tree are within it, others have their whole paths.
+function(register_exercises output)
+  set(exercise_declarations "")
+  set(exercise_entries "")
+  set(numbered "")
+  foreach(file IN LISTS ARGN)
+    string(REGEX MATCH "[0-9][0-9]_[a-z0-9_]+/[0-9][0-9]_[a-z0-9_]+/exercise\\.cpp$" folder ${file})
+    list(APPEND numbered "${folder}|${file}")
+  endforeach()
+  list(SORT numbered)
+  set(before "")
+  foreach(file IN LISTS numbered)
+    string(REGEX REPLACE "^.*\\|" "" file ${file})
+    if(NOT file MATCHES "chapters/([0-9][0-9])_[a-z0-9_]+/([0-9][0-9])_[a-z0-9_]+/exercise\\.cpp$")
+      message(FATAL_ERROR "${file}: an exercise file is named chapters/NN_topic/MM_slug/exercise.cpp")
+    endif()
+    math(EXPR chapter "1${CMAKE_MATCH_1} - 100")
+    math(EXPR index "1${CMAKE_MATCH_2} - 100")
+    if("${chapter}.${index}" STREQUAL before)
+      message(FATAL_ERROR "${file}: there is another exercise ${before}")
+    endif()
+    set(before ${chapter}.${index})
+    string(APPEND exercise_declarations "Exercise exercise_${chapter}_${index}();  // ${file}\n")
+    string(APPEND exercise_entries "      {{${chapter}, ${index}}, \"${file}\", exercise_${chapter}_${index}()},\n")
+  endforeach()
+  file(CONFIGURE OUTPUT ${output} CONTENT [[
+#include "chapters/contents.hpp"
+
+namespace oddity {
+
+@exercise_declarations@
+std::span<const Entry> registry() {
+  static const Entry entries[] = {
+@exercise_entries@  };
+  return entries;
+}
+
+}  // namespace oddity
+]] @ONLY)
+endfunction()
+
+# The register of these makers of tables, as `output`.
+function(register_truths output)
+  set(truth_declarations "")
+  set(truth_entries "")
+  foreach(file IN LISTS ARGN)
+    if(NOT file MATCHES "reference/make/([0-9][0-9]_[0-9][0-9]_[a-z0-9_]+)\\.cpp$")
+      message(FATAL_ERROR "${file}: the maker of a table is named reference/make/NN_MM_quantity.cpp")
+    endif()
+    string(APPEND truth_declarations "Truth truth_${CMAKE_MATCH_1}();  // ${file}\n")
+    set(home "")
+    if(IS_ABSOLUTE ${file})
+      string(REGEX REPLACE "/reference/make/[^/]+$" "" home ${file})
+    endif()
+    string(REGEX MATCH "([0-9][0-9]_[0-9][0-9]_[a-z0-9_]+)\\.cpp$" file ${file})
+    string(APPEND truth_entries "      {\"${CMAKE_MATCH_1}\", truth_${CMAKE_MATCH_1}, \"${home}\"},\n")
+  endforeach()
+  file(CONFIGURE OUTPUT ${output} CONTENT [[
+#include "reference/truth.hpp"
+
+namespace oddity::truth {
+
+@truth_declarations@
+const std::vector<Entry>& registry() {
+  static const std::vector<Entry> entries{
+@truth_entries@  };
+  return entries;
+}
+
+}  // namespace oddity::truth
+]] @ONLY)
+endfunction()
+
+# The register of what is proved: each `Provables proofs_N_M() {` of these files, as `output`.
+function(register_proofs output)
+  set(proof_declarations "")
+  set(proof_calls "")
+  foreach(file IN LISTS ARGN)
+    file(READ ${file} text)
+    string(REGEX MATCHALL "Provables[ \n]+proofs_[0-9]+_[0-9]+[(][)][ \n]*{" found "${text}")
+    foreach(one IN LISTS found)
+      string(REGEX MATCH "proofs_[0-9]+_[0-9]+" name "${one}")
+      set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+      string(APPEND proof_declarations "Provables ${name}();  // ${file}\n")
+      string(APPEND proof_calls "${name}, ")
+    endforeach()
+  endforeach()
+  file(CONFIGURE OUTPUT ${output} CONTENT [[
+#include "chapters/provable.hpp"
+
+namespace oddity {
+
+@proof_declarations@
+Provables provables() {
+  Provables all;
+  for (auto* of_exercise : {@proof_calls@})
+    for (Provable& one : of_exercise()) all.push_back(std::move(one));
+  return all;
+}
+
+}  // namespace oddity
+]] @ONLY)
+endfunction()
+
+# Of solvers/ode/algorithms.hpp: solvers/ode/all.hpp in the folder `generated`, and as `output` the files that
+# compile the algorithms, each four of them.
+function(register_algorithms generated output)
+  list_algorithms(entries ${PROJECT_SOURCE_DIR}/solvers/ode/algorithms.hpp)
+  if(NOT SUNDIALS_FOUND)
+    list(FILTER entries EXCLUDE REGEX ", (cvode|arkode)_")
+  endif()
+  set(all "#pragma once\n\n#include \"solvers/ode/algorithms.hpp\"\n")
+  set(includes "")
+  set(algorithms "")
+  set(files "")
+  list(LENGTH entries left)
+  foreach(entry IN LISTS entries)
+    string(REGEX MATCH "[(]([A-Za-z0-9]+), ([a-z0-9_]+)[)]" entry "${entry}")
+    string(APPEND includes "#include \"solvers/ode/${CMAKE_MATCH_2}.hpp\"\n")
+    string(APPEND algorithms "ODDITY_PRECOMPILE(${CMAKE_MATCH_1})\n")
+    math(EXPR left "${left} - 1")
+    math(EXPR full "${left} % 4")
+    if(full EQUAL 0)
+      list(LENGTH files part)
+      set(file ${generated}/precompiled_${part}.cpp)
+      file(CONFIGURE OUTPUT ${file} CONTENT [[
+#include "solvers/ode/precompile.hpp"
+@includes@
+namespace oddity::ode {
+
+@algorithms@
+}  // namespace oddity::ode
+]] @ONLY)
+      list(APPEND files ${file})
+      string(APPEND all "${includes}")
+      set(includes "")
+      set(algorithms "")
+    endif()
+  endforeach()
+  file(CONFIGURE OUTPUT ${generated}/solvers/ode/all.hpp CONTENT "${all}" @ONLY)
+  set(${output} ${files} PARENT_SCOPE)
+endfunction()
+
+# Of the models, in these folders of chapters: solvers/ode/unknowns.hpp in the folder `generated`, the numbers of
+# unknowns that the algorithms are compiled for. Those of the solvers' tests, and each that a State is declared with.
+function(register_unknowns generated)
+  set(numbers 1 2 3 4 5 6 7 8 9)
+  foreach(home IN LISTS ARGN)
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${home}/chapters/*.hpp ${home}/chapters/*.cpp)
+    foreach(source IN LISTS sources)
+      file(STRINGS ${source} states REGEX "using State = std::array<[A-Za-z]+, [0-9]+>;")
+      if(states OR source MATCHES "/models[.]hpp$")
+        set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${source})
+      endif()
+      foreach(state IN LISTS states)
+        string(REGEX MATCH "([0-9]+)>" number "${state}")
+        list(APPEND numbers ${CMAKE_MATCH_1})
+      endforeach()
+    endforeach()
+  endforeach()
+  list(SORT numbers COMPARE NATURAL)
+  list(REMOVE_DUPLICATES numbers)
+  list(TRANSFORM numbers REPLACE "(.+)" "F(\\1, __VA_ARGS__)")
+  list(JOIN numbers " " calls)
+  file(CONFIGURE OUTPUT ${generated}/solvers/ode/unknowns.hpp CONTENT [[
+#pragma once
+
+// F(n, arguments) for each number of unknowns n that the algorithms are compiled for.
+#define ODDITY_FOR_UNKNOWNS(F, ...) @calls@
+]] @ONLY)
+endfunction()

@@ -1,0 +1,7 @@
+#include "formula/evaluate.hpp"
+
+namespace oddity::formula {
+
+template class Evaluation<double>;
+
+}  // namespace oddity::formula

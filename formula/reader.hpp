@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string_view>
+
+#include "formula/parse.hpp"
+
+namespace oddity::formula {
+
+class Vocabulary;
+
+/// Reads many texts in the same letters, by parse_plain(). The letters' names are sorted out once.
+class PlainReader {
+ public:
+  explicit PlainReader(const Names&);
+  std::size_t letters() const;  ///< how many
+  Tree operator()(std::string_view text) const;
+
+ private:
+  std::shared_ptr<const Vocabulary> letters_;
+};
+
+}  // namespace oddity::formula

@@ -1,0 +1,354 @@
+#include "problem/file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <sstream>
+
+// What toml++ 3.3 takes for impossible hostile texts do: a key that begins with a comma, say. In a release it
+// would go on.
+#undef NDEBUG
+namespace oddity::problem {
+struct Impossible {};
+constexpr void require(bool holds) {
+  if (!holds) throw Impossible();
+}
+}  // namespace oddity::problem
+#define TOML_ASSERT(expression) ::oddity::problem::require(static_cast<bool>(expression))
+#include <toml++/toml.h>
+
+#include "reference/quantity_text.hpp"
+#include "reference/similar.hpp"
+#include "reference/text.hpp"
+
+namespace oddity::problem {
+
+namespace {
+
+Place place_of(const toml::source_region& region) { return {region.begin.line, region.begin.column}; }
+Place place_of(const toml::node& node) { return place_of(node.source()); }
+
+class Reader {
+ public:
+  explicit Reader(File& file) : file_(file), source_(file.source) {}
+
+  void all(const toml::table& table) {
+    only(table, "",
+         {"version", "title", "question", "parameters", "given", "model", "observe", "need", "sweep"});
+    if (const auto* version = table.get("version"); version && version->value<double>() != 1.0)
+      source_.fail(place_of(*version), "this program reads version 1");
+    const toml::node* title = table.get("title");
+    if (!title) source_.fail({1, 1}, "no title: add title = \"...\"");
+    file_.title = quoted(*title).text;
+    if (const auto* question = table.get("question")) file_.question = quoted(*question).text;
+    for (const auto& [key, node] : in_order(table_at(table, "parameters"))) parameter(key, *node);
+    for (const auto& [key, node] : in_order(table_at(table, "given")))
+      file_.given.push_back({name(key), quoted(*node)});
+    for (const auto& [key, node] : in_order(table_at(table, "observe"))) observable(key, *node);
+    if (file_.observables.empty())
+      source_.fail({1, 1}, "nothing is observed: add [observe] with name = \"unit\"");
+    for (const auto& [key, node] : in_order(table_at(table, "model"))) model(key, *node);
+    if (file_.models.empty()) source_.fail({1, 1}, "no model: add [model.\"its name\"]");
+    need(table_at(table, "need"));
+    sweep(table_at(table, "sweep"));
+  }
+
+ private:
+  static std::vector<std::pair<Quoted, const toml::node*>> in_order(const toml::table* table) {
+    std::vector<std::pair<Quoted, const toml::node*>> all;
+    if (!table) return all;
+    for (const auto& [key, node] : *table)
+      all.push_back({{std::string(key.str()), place_of(key.source())}, &node});
+    std::ranges::sort(all, [](const auto& a, const auto& b) {
+      return std::pair(a.first.place.line, a.first.place.column) <
+             std::pair(b.first.place.line, b.first.place.column);
+    });
+    return all;
+  }
+
+  /// The table's keys are among these.
+  void only(const toml::table& table, const std::string& where, const std::vector<std::string>& known) const {
+    for (const auto& [key, node] : in_order(&table))
+      if (std::ranges::find(known, key.text) == known.end()) {
+        std::string all;
+        for (const std::string& one : known) all += (all.empty() ? "" : ", ") + one;
+        const std::string near = did_you_mean(key.text, known);
+        source_.fail(key.place, "no key " + key.text + (where.empty() ? "" : " in " + where) +
+                                    (near.empty() ? "; the keys are " + all : near));
+      }
+  }
+
+  const toml::table* table_at(const toml::table& table, std::string_view key) const {
+    const toml::node* node = table.get(key);
+    if (!node) return nullptr;
+    if (!node->is_table())
+      source_.fail(place_of(*node), std::string(key) + " is a table: [" + std::string(key) + "]");
+    return node->as_table();
+  }
+
+  /// A text, or a number's. The place is that of its first character.
+  Quoted quoted(const toml::node& node) const {
+    Place place = place_of(node);
+    if (const auto* text = node.as_string()) {
+      const std::size_t at = offset_of(place);
+      const std::string_view opening = std::string_view(source_.text).substr(at, 3);
+      const bool is_long = opening == "\"\"\"" || opening == "'''";
+      place.column += is_long ? 3 : 1;
+      if (is_long && at + 3 < source_.text.size() && source_.text[at + 3] == '\n')
+        ++place.line, place.column = 1;
+      std::string line = text->get();
+      std::ranges::replace(line, '\n', ' ');
+      return {line, place};
+    }
+    if (node.is_number()) return {format_shortest(*node.value<double>()), place};
+    source_.fail(place, "expected a text, in quotes");
+  }
+  std::size_t offset_of(Place place) const {
+    std::size_t at = 0;
+    for (std::size_t line = 1; line < place.line; ++line) at = source_.text.find('\n', at) + 1;
+    return std::min(at + place.column - 1, source_.text.size());
+  }
+
+  std::vector<Quoted> texts(const toml::node& node) const {
+    std::vector<Quoted> all;
+    if (const auto* array = node.as_array()) {
+      for (const auto& one : *array) all.push_back(quoted(one));
+    } else {
+      all.push_back(quoted(node));
+    }
+    return all;
+  }
+
+  /// A name that formulas can have.
+  Quoted name(const Quoted& key) {
+    const auto in_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+    const bool is_name = !key.text.empty() && std::ranges::all_of(key.text, in_name) &&
+                         !std::isdigit(static_cast<unsigned char>(key.text[0]));
+    if (!is_name)
+      source_.fail(key.place, "a letter's name has letters, digits and _, and is '" + key.text + "'");
+    static const std::set<std::string> taken{"t",    "pi",   "sin",  "cos",  "tan", "asin", "acos",
+                                             "atan", "sinh", "cosh", "tanh", "exp", "log",  "ln",
+                                             "sqrt", "if",   "abs",  "max",  "min", "sign", "atan2"};
+    if (taken.contains(key.text))
+      source_.fail(key.place, key.text + " has a meaning already; take another name");
+    if (!names_.insert(key.text).second) source_.fail(key.place, key.text + " is there twice");
+    return key;
+  }
+
+  double number_in(const Quoted& text, std::string_view number, const std::string& unit) const {
+    try {
+      return in_unit(number, unit);
+    } catch (const BadInput& error) {
+      source_.fail(text.place, error.what());
+    }
+  }
+
+  void measure(const Quoted& at, const std::string& unit, long double& size, Measure& measure) const {
+    const auto known = measure_of(unit);
+    if (!known)
+      source_.fail(at.place, "no unit '" + unit +
+                                 "'; units are m, s, kg, rad, N, J, W, A, V, Ohm, H, deg, "
+                                 "rpm ... and their products: kN s/m");
+    measure = *known;
+    size = unit.empty() || unit == "1" ? 1.0L : unit_of(unit)->size;
+  }
+
+  /// "30 kN/m, 1 to 100".
+  void parameter(const Quoted& key, const toml::node& node) {
+    ParameterText p;
+    p.name = name(key).text;
+    const toml::node* value = &node;
+    if (const auto* table = node.as_table()) {
+      only(*table, "parameter " + p.name, {"value", "says", "whole"});
+      value = table->get("value");
+      if (!value) source_.fail(key.place, p.name + " has no value: value = \"1 m\"");
+      if (const auto* says = table->get("says")) p.says = quoted(*says).text;
+      if (const auto* whole = table->get("whole")) p.whole = whole->value<bool>().value_or(false);
+    }
+    const Quoted text = quoted(*value);
+    const auto comma = text.text.find(',');
+    const Written written_value = [&] {
+      try {
+        return written(std::string_view(text.text).substr(0, comma));
+      } catch (const BadInput& error) {
+        source_.fail(text.place, error.what());
+      }
+    }();
+    p.value = written_value.number;
+    p.unit = written_value.unit;
+    while (p.unit.ends_with(' ')) p.unit.pop_back();
+    measure(text, p.unit, p.size, p.measure);
+    p.least = -std::numeric_limits<double>::infinity();
+    p.most = std::numeric_limits<double>::infinity();
+    if (comma != std::string::npos) {
+      const Quoted range{text.text.substr(comma + 1), text.at(comma + 1)};
+      const auto to = range.text.find(" to ");
+      if (to == std::string::npos) source_.fail(range.place, "expected a range: 1 to 100");
+      const auto end = [&](std::string_view part) {
+        part.remove_prefix(std::min(part.find_first_not_of(' '), part.size()));
+        return number_in(range, part, p.unit);
+      };
+      p.least = end(std::string_view(range.text).substr(0, to));
+      p.most = end(std::string_view(range.text).substr(to + 4));
+      if (!(p.least <= p.value && p.value <= p.most))
+        source_.fail(range.place, p.name + " is outside its range");
+    }
+    if (!std::isfinite(p.value)) source_.fail(text.place, p.name + " is not finite");
+    if (p.says.empty()) p.says = p.name;
+    file_.parameters.push_back(std::move(p));
+  }
+
+  void observable(const Quoted& key, const toml::node& node) {
+    ObservableText o;
+    o.name = key.text;
+    o.place = key.place;
+    o.formula = key;
+    Quoted unit;
+    if (const auto* table = node.as_table()) {
+      only(*table, "observable " + o.name, {"unit", "is", "point"});
+      if (const auto* is = table->get("is")) o.formula = quoted(*is);
+      if (const auto* point = table->get("point")) o.point = quoted(*point).text;
+      const auto* its = table->get("unit");
+      if (!its) source_.fail(key.place, o.name + " has no unit: unit = \"m\"");
+      unit = quoted(*its);
+    } else {
+      unit = quoted(node);
+    }
+    o.unit = unit.text;
+    measure(unit, o.unit, o.size, o.measure);
+    file_.observables.push_back(std::move(o));
+  }
+
+  Named pairs(const toml::table* table) const {
+    Named all;
+    for (const auto& [key, node] : in_order(table)) all.push_back({key, quoted(*node)});
+    return all;
+  }
+
+  void model(const Quoted& key, const toml::node& node) {
+    const auto* table = node.as_table();
+    if (!table) source_.fail(key.place, "a model is a table: [model.\"" + key.text + "\"]");
+    only(*table, "model " + key.text,
+         {"equations", "lagrangian", "dissipation", "forces", "start", "closed", "observe", "conserves"});
+    ModelText m{key};
+    if (const auto* equations = table->get("equations")) m.equations = texts(*equations);
+    if (const auto* lagrangian = table->get("lagrangian")) m.lagrangian = quoted(*lagrangian);
+    if (const auto* dissipation = table->get("dissipation")) m.dissipation = quoted(*dissipation);
+    m.forces = pairs(table_at(*table, "forces"));
+    m.start = pairs(table_at(*table, "start"));
+    m.closed = pairs(table_at(*table, "closed"));
+    m.observe = pairs(table_at(*table, "observe"));
+    if (const auto* conserves = table_at(*table, "conserves")) {
+      only(*conserves, "conserves", {"kinetic", "potential"});
+      for (const auto& [name, text] : in_order(conserves))
+        (name.text == "kinetic" ? m.kinetic : m.potential) = quoted(*text);
+      if (!m.kinetic || !m.potential)
+        source_.fail(place_of(*conserves), "conserves has kinetic and potential");
+    }
+    const int kinds = !m.closed.empty() + (!m.equations.empty() || m.lagrangian);
+    if (kinds != 1)
+      source_.fail(key.place, kinds == 0 ? "model " + key.text + " has no equations, lagrangian or closed"
+                                         : "model " + key.text + " is a closed form, or has equations");
+    if (!m.lagrangian && (m.dissipation || !m.forces.empty()))
+      source_.fail(key.place, "forces and dissipation go with a lagrangian; put them into the equations");
+    file_.models.push_back(std::move(m));
+  }
+
+  void need(const toml::table* table) {
+    std::vector<std::string> units;
+    for (const ObservableText& o : file_.observables)
+      if (std::ranges::find(units, o.unit) == units.end()) units.push_back(o.unit);
+    file_.errors.assign(units.size(), std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t i = 0; i < units.size(); ++i)
+      if (const auto one = measure_of(units[i])) {
+        if (units[i] == "m") file_.errors[i] = 0.01;
+        if (units[i] == "rad") file_.errors[i] = static_cast<double>(unit_of("deg")->size);
+      }
+    if (table) {
+      only(*table, "need", {"error", "horizon", "fps", "vary"});
+      if (const auto* error = table->get("error")) errors(texts(*error), units);
+      if (const auto* horizon = table->get("horizon")) {
+        const Quoted text = quoted(*horizon);
+        file_.horizon = text.text;
+        file_.end = number_in(text, text.text, "s");
+        if (!(file_.end > 0 && file_.end <= 1e9)) source_.fail(text.place, "a horizon is positive, as 10 s");
+      }
+      if (const auto* fps = table->get("fps")) {
+        const Quoted text = quoted(*fps);
+        file_.frames_per_second = text.text;
+        if (!(number_in(text, text.text, "1/s") > 0))
+          source_.fail(text.place, "a frame rate is positive, as 60");
+      }
+      if (const auto* vary = table->get("vary"))
+        for (const Quoted& one : texts(*vary)) file_.vary.push_back(parameter_named(one));
+    }
+    for (std::size_t i = 0; i < units.size(); ++i)
+      if (std::isnan(file_.errors[i]))
+        source_.fail({1, 1}, "no error is asked for in " + (units[i].empty() ? "pure numbers" : units[i]) +
+                                 ": add [need] with error = \"...\"");
+    if (file_.error.empty())
+      for (std::size_t i = 0; i < units.size(); ++i)
+        file_.error +=
+            (i == 0 ? "" : ",") + format_shortest(file_.errors[i]) + (units.size() == 1 ? "" : units[i]);
+  }
+
+  void errors(const std::vector<Quoted>& texts, const std::vector<std::string>& units) {
+    for (const Quoted& text : texts) {
+      const auto fits = std::ranges::find_if(units, [&](const std::string& unit) {
+        try {
+          return in_unit(text.text, unit) > 0;
+        } catch (const BadInput&) {
+          return false;
+        }
+      });
+      if (fits == units.end()) source_.fail(text.place, "this is no error of what is observed, such as 1 mm");
+      file_.errors[static_cast<std::size_t>(fits - units.begin())] = in_unit(text.text, *fits);
+    }
+  }
+
+  std::string parameter_named(const Quoted& text) const {
+    std::vector<std::string> names;
+    for (const ParameterText& p : file_.parameters) names.push_back(p.name);
+    if (std::ranges::find(names, text.text) == names.end())
+      source_.fail(text.place, "no parameter " + text.text + did_you_mean(text.text, names));
+    return text.text;
+  }
+
+  void sweep(const toml::table* table) {
+    if (!table) return;
+    only(*table, "sweep", {"parameter", "values"});
+    const auto *parameter = table->get("parameter"), *values = table->get("values");
+    if (!parameter || !values) source_.fail(place_of(*table), "sweep has a parameter and its values");
+    file_.sweep = parameter_named(quoted(*parameter));
+    const auto p = std::ranges::find(file_.parameters, file_.sweep, &ParameterText::name);
+    for (const Quoted& one : texts(*values)) {
+      file_.sweep_values.push_back(number_in(one, one.text, p->unit));
+      if (!(p->least <= file_.sweep_values.back() && file_.sweep_values.back() <= p->most))
+        source_.fail(one.place, "this is outside the range of " + file_.sweep);
+    }
+  }
+
+  File& file_;
+  const Source& source_;
+  std::set<std::string> names_;
+};
+
+}  // namespace
+
+std::unique_ptr<const File> read(const std::string& name, const std::string& text) {
+  auto file = std::make_unique<File>();
+  file->source = {name, text};
+  if (text.size() > 1'000'000) throw BadInput(name + ": a problem's file has at most a megabyte");
+  try {
+    const toml::table table = toml::parse(std::string_view(text), std::string_view(name));
+    Reader(*file).all(table);
+  } catch (const Impossible&) {
+    file->source.fail({1, 1}, "this is no TOML");
+  } catch (const toml::parse_error& error) {
+    file->source.fail(place_of(error.source()), std::string(error.description()));
+  }
+  return file;
+}
+
+}  // namespace oddity::problem

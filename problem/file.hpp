@@ -1,0 +1,58 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "problem/formula.hpp"
+
+/// A problem's file as it is written; README.md has the keys.
+namespace oddity::problem {
+
+struct ParameterText {
+  std::string name, unit, says;
+  double value = 0;  ///< in its unit
+  double least, most;
+  bool whole = false;
+  long double size = 1;  ///< of its unit
+  Measure measure = {};
+};
+
+using Named = std::vector<std::pair<Quoted, Quoted>>;  ///< in the file's order
+
+struct ModelText {
+  Quoted name;
+  std::vector<Quoted> equations = {};
+  std::optional<Quoted> lagrangian = {}, dissipation = {}, kinetic = {}, potential = {};
+  Named forces = {}, start = {}, closed = {}, observe = {};
+};
+
+struct ObservableText {
+  std::string name, unit, point;
+  Quoted formula;
+  Place place;
+  long double size = 1;
+  Measure measure = {};
+};
+
+struct File {
+  Source source;
+  std::string title, question;
+  std::vector<ParameterText> parameters;
+  Named given;
+  std::vector<ModelText> models;
+  std::vector<ObservableText> observables;
+  std::string error, horizon = "10", frames_per_second = "60";  ///< as `choose` takes them
+  std::vector<double> errors;          ///< in the units of the observables, by their order
+  double end = 10;                     ///< s
+  std::vector<std::string> vary = {};  ///< parameters that differ from start to start
+  std::string sweep = {};
+  std::vector<double> sweep_values = {};
+};
+
+/// Reads a text; throws WrongFile.
+std::unique_ptr<const File> read(const std::string& name, const std::string& text);
+
+}  // namespace oddity::problem

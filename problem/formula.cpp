@@ -1,0 +1,423 @@
+#include "problem/formula.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+
+#include "formula/evaluate.hpp"
+#include "formula/parse.hpp"
+#include "formula/tokens.hpp"
+#include "reference/quantity_text.hpp"
+#include "reference/similar.hpp"
+
+namespace oddity::problem {
+
+namespace {
+
+constexpr std::array<std::string_view, 20> functions{
+    "sin",  "cos",  "tan",   "asin",  "acos",  "atan", "arcsin", "arccos", "arctan", "sinh",
+    "cosh", "tanh", "asinh", "acosh", "atanh", "exp",  "log",    "ln",     "sqrt",   "pi"};
+constexpr std::array<std::string_view, 6> calls{"if", "abs", "max", "min", "sign", "atan2"};
+
+bool among(std::string_view word, const auto& all) { return std::ranges::find(all, word) != all.end(); }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool begins_name(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool in_name(char c) { return begins_name(c) || is_digit(c); }
+
+std::size_t end_of_name(std::string_view text, std::size_t at) {
+  while (at < text.size() && in_name(text[at])) ++at;
+  while (at < text.size() && text[at] == '\'') ++at;
+  return at;
+}
+
+std::size_t end_of_numeral(std::string_view text, std::size_t at) {
+  const auto digits = [&] {
+    while (at < text.size() && is_digit(text[at])) ++at;
+  };
+  digits();
+  if (at + 1 < text.size() && text[at] == '.' && is_digit(text[at + 1])) ++at, digits();
+  if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
+    std::size_t power = at + 1;
+    if (power < text.size() && (text[power] == '-' || text[power] == '+')) ++power;
+    if (power < text.size() && is_digit(text[power])) at = power, digits();
+  }
+  return at;
+}
+
+/// Where the unit ends that begins behind a numeral, blanks aside; there, if none does.
+std::size_t end_of_unit(std::string_view text, std::size_t numeral) {
+  std::size_t at = numeral, longest = numeral;
+  const auto blanks = [&] {
+    while (at < text.size() && text[at] == ' ') ++at;
+  };
+  blanks();
+  const std::size_t begin = at;
+  if (text.substr(at).starts_with("1/") && at > numeral) at += 2;
+  while (at < text.size()) {
+    const std::size_t name = at;
+    while (at < text.size() && (begins_name(text[at]) || text[at] == '%' || (text[at] & 0x80))) ++at;
+    if (at == name || (at < text.size() && (is_digit(text[at]) || text[at] == '\''))) break;
+    if (at < text.size() && text[at] == '^') {
+      std::size_t power = at + 1;
+      if (power < text.size() && text[power] == '-') ++power;
+      const std::size_t first = power;
+      while (power < text.size() && is_digit(text[power])) ++power;
+      if (power > first) at = power;
+    }
+    if (unit_of(text.substr(begin, at - begin))) longest = at;
+    blanks();
+    if (at < text.size() && text[at] == '/') ++at, blanks();
+  }
+  return longest;
+}
+
+/// Whether the numeral there is an exponent.
+bool is_exponent(std::string_view text, std::size_t at) {
+  const auto before = [&] {
+    while (at > 0 && text[at - 1] == ' ') --at;
+    return at > 0 ? text[at - 1] : ' ';
+  };
+  if (before() == '-') --at;
+  return before() == '^';
+}
+
+/// Names of a length that no formula has, by their number: the parser tells by them where a letter stands.
+std::string code_of(std::size_t number, std::size_t length) {
+  constexpr std::string_view first = "abcdfghijklmnopqrstuvwxyzABCDFGHIJKLMNOPQRSTUVWXYZ",
+                             second = "0123456789_";
+  std::string code(1, first[number % first.size()]);
+  number /= first.size();
+  if (length > 1) {
+    code += second[number % second.size()];
+    number /= second.size();
+  }
+  while (code.size() < length) {
+    code += static_cast<char>('0' + number % 10);
+    number /= 10;
+  }
+  return number == 0 ? code : "";
+}
+
+/// "m g" for mg, where these are letters.
+std::string as_product(std::string_view name, const std::vector<std::string>& letters) {
+  for (const std::string& letter : letters) {
+    if (name == letter) return letter;
+    if (!name.starts_with(letter)) continue;
+    const std::string rest = as_product(name.substr(letter.size()), letters);
+    if (!rest.empty()) return letter + " " + rest;
+  }
+  return "";
+}
+
+/// A formula's text with a code for each letter.
+class Reader {
+ public:
+  Reader(const Source& source, const Quoted& text, const Letters& known)
+      : source_(source), quoted_(text), text_(text.text), known_(known) {}
+
+  formula::Tree tree(std::vector<Letter>& letters) {
+    letters_ = &letters;
+    if (text_.size() > 20'000) fail(0, "a formula has at most 20,000 characters");
+    if (text_.find('\\') != text_.npos) return from_tex();
+    coded_ = text_;
+    for (std::size_t at = 0; at < text_.size();) at = next(at);
+    try {
+      return formula::parse_plain(coded_, names_);
+    } catch (const formula::Unreadable& error) {
+      fail(error.place(), error.reason());
+    }
+  }
+
+ private:
+  [[noreturn]] void fail(std::size_t at, const std::string& reason) const {
+    source_.fail(quoted_.at(at), reason);
+  }
+
+  std::size_t next(std::size_t at) {
+    const char c = text_[at];
+    if (begins_name(c)) return name(at);
+    if (is_digit(c) || (c == '.' && at + 1 < text_.size() && is_digit(text_[at + 1]))) return numeral(at);
+    if (c == '|') fail(at, "write abs(x)");
+    if (c & 0x80) fail(at, "letters are written out: theta");
+    return at + 1;
+  }
+
+  std::size_t numeral(std::size_t at) {
+    const std::size_t end = end_of_numeral(text_, at), unit = end_of_unit(text_, end);
+    if (unit == end || is_exponent(text_, at)) return end;
+    std::string symbol(text_.substr(end, unit - end));
+    symbol.erase(0, symbol.find_first_not_of(' '));
+    Letter letter{Letter::Is::quantity};
+    letter.value = formula::detail::of_digits<long double>(std::string(text_.substr(at, end - at))) *
+                   unit_of(symbol)->size;
+    letter.measure = *measure_of(symbol);
+    const std::string first = symbol.substr(0, symbol.find_first_of(" /^"));
+    if (among(first, all_names()))
+      letter.function = std::string(text_.substr(at, end - at)) + " " + first + " has the unit " + first +
+                        ", as a unit follows a numeral: write " + std::string(text_.substr(at, end - at)) +
+                        "*" + first + " for the letter";
+    put(std::move(letter), at, unit);
+    return unit;
+  }
+
+  std::vector<std::string> all_names() const {
+    std::vector<std::string> all{known_.unknowns};
+    all.insert(all.end(), known_.parameters.begin(), known_.parameters.end());
+    all.insert(all.end(), known_.given.begin(), known_.given.end());
+    all.emplace_back("t");
+    return all;
+  }
+
+  std::size_t name(std::size_t at) {
+    const std::size_t end = end_of_name(text_, at);
+    const std::string_view whole = text_.substr(at, end - at), base = whole.substr(0, whole.find('\''));
+    if (among(whole, functions)) return end;
+    if (among(whole, calls)) return call(at, end);
+    Letter letter;
+    letter.order = whole.size() - base.size();
+    const auto find = [&](const std::vector<std::string>& all, Letter::Is is) {
+      const auto found = std::ranges::find(all, base);
+      if (found == all.end()) return false;
+      letter.is = is;
+      letter.index = static_cast<std::size_t>(found - all.begin());
+      return true;
+    };
+    const bool is_known = find(known_.unknowns, Letter::Is::unknown) ||
+                          find(known_.given, Letter::Is::given) ||
+                          find(known_.parameters, Letter::Is::parameter) || base == "t";
+    if (!is_known) unknown(at, base);
+    if (letter.order > 0 && (letter.is == Letter::Is::parameter || letter.is == Letter::Is::time))
+      fail(at, std::string(base) + " is no unknown, and has no rate");
+    if (letter.order > 4) fail(at, "at most four primes");
+    put(std::move(letter), at, end);
+    return end;
+  }
+
+  [[noreturn]] void unknown(std::size_t at, std::string_view name) const {
+    const auto all = all_names();
+    const std::string product = name.size() > 1 && name.size() < 12 ? as_product(name, all) : "";
+    if (!product.empty()) fail(at, "no letter " + std::string(name) + "; did you mean " + product + "?");
+    std::vector<std::string> words(all);
+    words.insert(words.end(), functions.begin(), functions.end());
+    words.insert(words.end(), calls.begin(), calls.end());
+    std::string listed;
+    for (const std::string& one : all) listed += (listed.empty() ? "" : ", ") + one;
+    const std::string near = did_you_mean(name, words);
+    fail(at, "no letter " + std::string(name) + (near.empty() ? "; the letters are " + listed : near));
+  }
+
+  /// if(x < y, a, b); abs(x).
+  std::size_t call(std::size_t at, std::size_t open) {
+    const std::string name(text_.substr(at, open - at));
+    while (open < text_.size() && text_[open] == ' ') ++open;
+    if (open == text_.size() || text_[open] != '(') fail(open, "expected ( behind " + name);
+    std::vector<std::size_t> bounds{open};
+    std::size_t end = open + 1;
+    for (int depth = 1; depth > 0; ++end) {
+      if (end == text_.size()) fail(open, "this parenthesis is not closed");
+      const char c = text_[end];
+      depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+      if ((depth == 1 && c == ',') || depth == 0) bounds.push_back(end);
+    }
+    const std::size_t wanted = name == "if" ? 3 : name == "abs" || name == "sign" ? 1 : 2;
+    if (bounds.size() != wanted + 1)
+      fail(at, name + " takes " + std::to_string(wanted) + (name == "if" ? ": if(x < y, a, b)" : ""));
+    const Deeper deeper;
+    if (deeper.calls > 30) fail(at, "at most 30 calls, one within another");
+    Letter letter{Letter::Is::call};
+    letter.function = name;
+    for (std::size_t k = 0; k < wanted; ++k)
+      if (name == "if" && k == 0)
+        condition(letter, bounds[0] + 1, bounds[1]);
+      else
+        letter.arguments.push_back(part(bounds[k] + 1, bounds[k + 1]));
+    put(std::move(letter), at, end);
+    return end;
+  }
+  Formula part(std::size_t begin, std::size_t end) const {
+    return {source_, {std::string(text_.substr(begin, end - begin)), quoted_.at(begin)}, known_};
+  }
+  /// Two formulas, the first of which is to be the greater.
+  void condition(Letter& letter, std::size_t begin, std::size_t end) const {
+    const std::size_t sign = text_.find_first_of("<>", begin);
+    if (sign >= end) fail(begin, "expected a condition such as x < y");
+    const std::size_t behind = sign + (sign + 1 < end && text_[sign + 1] == '=' ? 2 : 1);
+    Formula left = part(begin, sign), right = part(behind, end);
+    if (text_[sign] == '<') std::swap(left, right);
+    letter.arguments.push_back(std::move(left));
+    letter.arguments.push_back(std::move(right));
+  }
+
+  void put(Letter letter, std::size_t begin, std::size_t end) {
+    letter.span = {begin, end};
+    const std::string own = text_of(begin, end);
+    std::size_t& used = used_[end - begin];
+    std::string code = code_of(used, end - begin);
+    if (!code.empty()) {
+      ++used;
+      names_.push_back(code);
+      originals_.push_back(own);
+      letters_->push_back(std::move(letter));
+    } else {  // Those of a length have run out: one that stands for the same.
+      const auto same = std::ranges::find(originals_, own);
+      if (same == originals_.end()) fail(begin, "a formula of too many letters");
+      code = names_[static_cast<std::size_t>(same - originals_.begin())];
+    }
+    coded_.replace(begin, end - begin, code);
+  }
+  std::string text_of(std::size_t begin, std::size_t end) const {
+    return std::string(text_.substr(begin, end - begin));
+  }
+
+  /// TeX's letters have no places.
+  formula::Tree from_tex() {
+    const auto add = [&](const std::string& name, Letter letter) {
+      names_.push_back(formula::tex_name(name));
+      letters_->push_back(std::move(letter));
+    };
+    for (std::size_t i = 0; i < known_.parameters.size(); ++i)
+      add(known_.parameters[i], {Letter::Is::parameter, i});
+    for (std::size_t order = 0; order < 3; ++order) {
+      for (std::size_t i = 0; i < known_.unknowns.size(); ++i)
+        add(known_.unknowns[i] + std::string(order, '\''), {Letter::Is::unknown, i, order});
+      for (std::size_t i = 0; i < known_.given.size(); ++i)
+        add(known_.given[i] + std::string(order, '\''), {Letter::Is::given, i, order});
+    }
+    add("t", {Letter::Is::time});
+    try {
+      return formula::parse_tex(text_, names_);
+    } catch (const formula::Unreadable& error) {
+      fail(error.place(), error.reason());
+    }
+  }
+
+  /// A call within others, each of which has a reader of its own.
+  struct Deeper {
+    static inline thread_local int calls = 0;
+    Deeper() { ++calls; }
+    Deeper(const Deeper&) = delete;
+    Deeper& operator=(const Deeper&) = delete;
+    ~Deeper() { --calls; }
+  };
+
+  const Source& source_;
+  const Quoted& quoted_;
+  std::string_view text_;
+  const Letters& known_;
+  std::string coded_;
+  formula::Names names_;
+  std::vector<std::string> originals_;
+  std::vector<Letter>* letters_ = nullptr;
+  std::map<std::size_t, std::size_t> used_;  ///< codes, by their length
+};
+
+Measure choose_by(const Measure&, const Measure& yes, const Measure& no) { return yes + no; }
+
+template <class T>
+T called(const std::string& function, const std::vector<T>& x) {
+  if (function == "if") return choose_by(x[0] - x[1], x[2], x[3]);
+  if (function == "abs") return choose_by(x[0], x[0], -x[0]);
+  if (function == "max") return choose_by(x[0] - x[1], x[0], x[1]);
+  if (function == "min") return choose_by(x[1] - x[0], x[0], x[1]);
+  if (function == "sign") return choose_by(x[0], T(1), choose_by(-x[0], T(-1), T(0)));
+  return atan2(x[0], x[1]);
+}
+
+/// The line, and a caret below the column.
+std::string shown(const std::string& text, Place place) {
+  std::size_t begin = 0;
+  for (std::size_t line = 1; line < place.line && begin < text.size(); ++line) {
+    const std::size_t end = text.find('\n', begin);
+    begin = end == text.npos ? text.size() : end + 1;
+  }
+  std::string line = text.substr(begin, text.find('\n', begin) - begin);
+  for (char& c : line)
+    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+  constexpr std::size_t before = 60, after = 40;
+  const std::size_t column = std::min(place.column > 0 ? place.column - 1 : 0, line.size());
+  const std::size_t from = column > before ? column - before : 0;
+  return "\n  " + line.substr(from, before + after) + "\n  " + std::string(column - from, ' ') + "^";
+}
+
+}  // namespace
+
+WrongFile::WrongFile(const std::string& file, const std::string& text, Place place, const std::string& reason)
+    : BadInput(file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) + ": " + reason +
+               shown(text, place)) {}
+
+Formula::Formula(const Source& source, Quoted text, const Letters& known)
+    : source_(&source), text_(std::move(text)) {
+  tree_.push_back(Reader(source, text_, known).tree(letters_));
+}
+
+void Formula::fail(const Span& span, const std::string& reason) const {
+  source_->fail(
+      text_.at(span.is_known() ? span.begin : std::min(text_.text.find_first_not_of(' '), text_.text.size())),
+      reason);
+}
+
+template <class T>
+T Formula::evaluated(const std::function<T(const Letter&)>& of) const {
+  std::vector<formula::Matrix<T>> values;
+  for (const Letter& letter : letters_) {
+    T value{};
+    if (letter.is == Letter::Is::call) {
+      std::vector<T> arguments;
+      for (const Formula& one : letter.arguments) arguments.push_back(one.evaluated(of));
+      try {
+        value = called(letter.function, arguments);
+      } catch (const Mismatch& error) {
+        fail(letter.span, error.what());
+      }
+    } else {
+      value = of(letter);
+    }
+    if constexpr (std::same_as<T, Measure>) value.span = letter.span;
+    values.push_back({{value}});
+  }
+  try {
+    return formula::number_of(formula::evaluate<T>(tree_[0], values));
+  } catch (const formula::NoValue& error) {
+    fail({}, error.what());
+  } catch (const Mismatch& error) {
+    fail(error.span, error.what() + meant());
+  }
+}
+
+Expression Formula::value(const std::function<Expression(const Letter&)>& of) const {
+  return evaluated<Expression>(of);
+}
+Measure Formula::measure(const std::function<Measure(const Letter&)>& of) const {
+  return evaluated<Measure>(of);
+}
+
+std::string Formula::meant() const {
+  std::string all;
+  for (const Letter& letter : letters_)
+    if (letter.is == Letter::Is::quantity && !letter.function.empty()) all += "; " + letter.function;
+  return all;
+}
+
+bool Formula::any(const std::function<bool(const Letter&)>& is) const {
+  return std::ranges::any_of(letters_, [&](const Letter& letter) {
+    return is(letter) ||
+           std::ranges::any_of(letter.arguments, [&](const Formula& one) { return one.any(is); });
+  });
+}
+
+Equation equation(const Source& source, const Quoted& text, const Letters& known) {
+  const auto next = [&](std::size_t at) {
+    at = text.text.find('=', at);
+    while (at != std::string::npos && at > 0 && (text.text[at - 1] == '<' || text.text[at - 1] == '>'))
+      at = text.text.find('=', at + 1);
+    return at;
+  };
+  const std::size_t sign = next(0);
+  if (sign == std::string::npos) source.fail(text.place, "expected an equation, with =");
+  if (next(sign + 1) != std::string::npos) source.fail(text.at(next(sign + 1)), "an equation has two sides");
+  return {Formula(source, {text.text.substr(0, sign), text.place}, known),
+          Formula(source, {text.text.substr(sign + 1), text.at(sign + 1)}, known)};
+}
+
+}  // namespace oddity::problem

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "formula/tree.hpp"
+#include "problem/expression.hpp"
+#include "problem/measure.hpp"
+#include "reference/bad_input.hpp"
+
+/// Formulas of a problem's file: formula/'s plain text, with units behind numerals, if, abs, max, min and
+/// atan2, and letters that are declared.
+namespace oddity::problem {
+
+/// Where a text is in a file. Lines and columns begin with 1.
+struct Place {
+  std::size_t line = 0, column = 0;
+};
+
+/// What is wrong in a file, with its line, its column, and a caret below.
+class WrongFile : public BadInput {
+ public:
+  WrongFile(const std::string& file, const std::string& text, Place place, const std::string& reason);
+};
+
+/// A file's text, to point at. It outlives what was read from it.
+struct Source {
+  std::string name, text;
+
+  [[noreturn]] void fail(Place place, const std::string& reason) const {
+    throw WrongFile(name, text, place, reason);
+  }
+};
+
+/// A piece of a file's text.
+struct Quoted {
+  std::string text;
+  Place place;
+
+  Place at(std::size_t offset) const { return {place.line, place.column + offset}; }
+};
+
+/// The letters that formulas may have: parameters, unknowns with their rates, abbreviations.
+struct Letters {
+  std::vector<std::string> parameters, unknowns, given;
+};
+
+class Formula;
+
+/// What a letter of a formula is.
+struct Letter {
+  enum class Is { quantity, parameter, time, unknown, given, call };
+  Is is = Is::time;
+  std::size_t index = 0, order = 0;  ///< which, and which rate of it
+  long double value = 0;             ///< of a quantity such as 5 cm
+  Measure measure = {};              ///< the same
+  std::string function = {};         ///< of a call; of a quantity, what else it may have been meant for
+  std::vector<Formula> arguments = {};
+  Span span = {};
+};
+
+class Formula {
+ public:
+  /// Throws WrongFile.
+  Formula(const Source&, Quoted, const Letters&);
+
+  /// `of` is asked for the value of each letter but calls.
+  Expression value(const std::function<Expression(const Letter&)>& of) const;
+  /// Throws WrongFile where units do not fit.
+  Measure measure(const std::function<Measure(const Letter&)>& of) const;
+  /// Whether such a letter is in it or in its calls.
+  bool any(const std::function<bool(const Letter&)>& is) const;
+
+  const Quoted& quoted() const { return text_; }
+  /// Where a unit has the name of a letter, that it may have been meant: "; write 2*m for the letter".
+  std::string meant() const;
+  [[noreturn]] void fail(const Span& span, const std::string& reason) const;
+
+ private:
+  template <class T>
+  T evaluated(const std::function<T(const Letter&)>& of) const;
+
+  const Source* source_;
+  Quoted text_;
+  std::vector<Letter> letters_;
+  std::vector<formula::Tree> tree_;  ///< one, unless it could not be read
+};
+
+/// An equation's two sides.
+struct Equation {
+  Formula left, right;
+};
+Equation equation(const Source&, const Quoted&, const Letters&);
+
+}  // namespace oddity::problem

@@ -1,0 +1,111 @@
+#include "problem/interpreted.hpp"
+
+#include <array>
+
+#include "solvers/ode/unknowns.hpp"
+
+namespace oddity::problem {
+
+namespace {
+
+/// A file's model behind the seam of the algorithms.
+template <std::size_t n>
+class Interpreted final : public ModelInterfaceOf<n> {
+ public:
+  using typename ode::AnySystem<n>::State, typename ode::AnySystem<n>::Half;
+
+  explicit Interpreted(std::shared_ptr<const Numbers> numbers) : numbers_(std::move(numbers)) {
+    std::copy(numbers_->start.begin(), numbers_->start.end(), start_.begin());
+    is_analytic_ = !numbers_->rates.has(Op::logarithm) && !numbers_->rates.has(Op::arc) &&
+                   !numbers_->rates.has(Op::choice);
+  }
+
+  // ---- as the algorithms see it
+  // -----------------------------------------------------------------------------
+
+  void operator()(const State& x, State& dxdt, double t) const override {
+    numbers_->rates.run(x.data(), t, dxdt.data());
+  }
+  void acceleration(const Half& q, Half& a) const override {
+    if constexpr (n % 2 == 0) numbers_->accelerations.run(q.data(), 0.0, a.data());
+  }
+  ode::Velocities<n> velocities() const override {
+    ode::Velocities<n> all;
+    all.of.fill(n);
+    for (std::size_t i = 0; i < n; ++i)
+      if (const int rate = numbers_->rate_of[i]; rate >= 0) {
+        all.of[i] = static_cast<std::size_t>(rate);
+        all.is[all.of[i]] = all.known = true;
+      }
+    return all;
+  }
+  bool differentiable() const override { return true; }
+  long jacobian(const State& x, double* matrix, double* dfdt, double t) const override {
+    const auto generic = [this](const std::array<Dual<double>, n>& y, std::array<Dual<double>, n>& dydt,
+                                const Dual<double>& time) {
+      numbers_->rates.run(y.data(), time, dydt.data());
+    };
+    return ode::jacobian(generic, x, matrix, dfdt, t);
+  }
+  bool analytic() const override { return is_analytic_; }
+  taylor::Recording recording() const override {
+    return taylor::record<n>([this](const auto& x, auto& dxdt, const taylor::Recorded& t) {
+      numbers_->rates.run(x.data(), t, dxdt.data());
+    });
+  }
+
+  // ---- as the scene sees it
+  // ---------------------------------------------------------------------------------
+
+  bool partitioned() const override { return numbers_->partitioned; }
+  bool constrained() const override { return false; }
+  State start() const override { return start_; }
+  void observe(const State& x, double t, std::vector<double>& seen) const override {
+    const std::size_t before = seen.size();
+    seen.resize(before + numbers_->observed.outputs().size());
+    numbers_->observed.run(x.data(), t, seen.data() + before);
+  }
+  std::vector<double> place(const State& x, double t) const override {
+    std::vector<double> places;
+    observe(x, t, places);
+    return places;
+  }
+  std::vector<Conserved<double>> conserved(const State& x, double t) const override {
+    if (numbers_->conserved.outputs().empty()) return {};
+    std::array<double, 2> both{};
+    numbers_->conserved.run(x.data(), t, both.data());
+    return {{both[0], both[1]}};
+  }
+  double off_constraint_at(const State&, double) const override { return 0; }
+
+ private:
+  std::shared_ptr<const Numbers> numbers_;
+  State start_{};
+  bool is_analytic_ = true;
+};
+
+}  // namespace
+
+AnyModel interpreted(std::shared_ptr<const Numbers> numbers) {
+#define ODDITY_INTERPRETED(n, unused) \
+  if (numbers->unknowns == (n)) return {std::make_shared<const Interpreted<n>>(numbers)};
+  ODDITY_FOR_UNKNOWNS(ODDITY_INTERPRETED, )
+#undef ODDITY_INTERPRETED
+  throw std::logic_error("no algorithms for so many unknowns");
+}
+
+void require_unknowns(const Model& model, const File& file) {
+  std::string all;
+#define ODDITY_COUNT(n, unused)        \
+  if (model.unknowns() == (n)) return; \
+  all += (all.empty() ? "" : ", ") + std::to_string(n);
+  ODDITY_FOR_UNKNOWNS(ODDITY_COUNT, )
+#undef ODDITY_COUNT
+  for (const ModelText& text : file.models)
+    if (text.name.text == model.name())
+      file.source.fail(text.name.place, "model " + model.name() + " has " + std::to_string(model.unknowns()) +
+                                            " unknowns and rates, and the algorithms are compiled for " +
+                                            all);
+}
+
+}  // namespace oddity::problem

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <memory>
+
+#include "chapters/scene.hpp"
+#include "problem/model.hpp"
+
+namespace oddity::problem {
+
+/// A model of a file, as a scene's methods take it: its number of unknowns is not known to the compiler.
+struct AnyModel {
+  std::shared_ptr<const ModelInterface> model;
+};
+AnyModel interpreted(std::shared_ptr<const Numbers>);
+
+/// Found by its argument where a scene's methods are made.
+inline std::shared_ptr<const ModelInterface> type_erased(const AnyModel& any) { return any.model; }
+
+/// Throws WrongFile where the algorithms are not compiled for so many unknowns.
+void require_unknowns(const Model&, const File&);
+
+}  // namespace oddity::problem

@@ -1,0 +1,581 @@
+#include "problem/model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "chapters/random.hpp"
+#include "reference/similar.hpp"
+
+namespace oddity::problem {
+
+namespace {
+
+constexpr int of_time = 1'000'000, of_parameters = 2'000'000;
+constexpr std::size_t most_orders = 8;
+
+int key_of(std::size_t unknown, std::size_t order) { return static_cast<int>(most_orders * unknown + order); }
+std::string primed(const std::string& name, std::size_t order) { return name + std::string(order, '\''); }
+
+Measure per_time(Measure measure, std::size_t times) {
+  measure.powers[1] -= static_cast<double>(times);
+  return measure;
+}
+
+using Rows = std::vector<std::vector<Expression>>;
+
+}  // namespace
+
+/// Reads a model's formulas, and makes its expressions.
+class Model::Making {
+ public:
+  Making(Model& model, const File& file, const ModelText& text)
+      : model_(model), file_(file), text_(text), source_(file.source) {
+    for (const ParameterText& p : file.parameters) letters_.parameters.push_back(p.name);
+    for (const auto& [name, formula] : file.given) letters_.given.push_back(name.text);
+    given_.resize(file.given.size());
+  }
+
+  void closed() {
+    check_observables();
+    for (const ObservableText& o : file_.observables) {
+      const auto found =
+          std::ranges::find(text_.closed, o.name, [](const auto& pair) { return pair.first.text; });
+      if (found == text_.closed.end())
+        source_.fail(text_.name.place, "model " + text_.name.text + " has no " + o.name);
+      observe(Formula(source_, found->second, letters_), o);
+    }
+    for (const auto& [name, formula] : text_.closed) require_observable(name);
+  }
+
+  void motion() {
+    find_unknowns();
+    read_equations();
+    start_units();
+    check_units();
+    order_state();
+    Rows matrix;
+    std::vector<Expression> right;
+    if (!equations_.empty()) {
+      from_equations(matrix, right);
+      auto highest = solved(matrix, right);
+      if (lagrangian_) compare(highest);
+      set_rates(highest);
+    } else {
+      from_lagrangian(matrix, right);
+      set_rates(solved(matrix, right));
+    }
+    see_whether_linear();
+    set_start();
+    check_observables();
+    for (const ObservableText& o : file_.observables) {
+      const auto own =
+          std::ranges::find(text_.observe, o.name, [](const auto& pair) { return pair.first.text; });
+      observe(Formula(source_, own == text_.observe.end() ? o.formula : own->second, letters_), o);
+    }
+    see_places();
+    set_conserved();
+  }
+
+ private:
+  // ---- letters
+  // ----------------------------------------------------------------------------------------------
+
+  /// The names that have a start, in its order; primes are of rates.
+  void find_unknowns() {
+    for (const auto& [key, formula] : text_.start) {
+      const std::string base = key.text.substr(0, key.text.find('\''));
+      if (std::ranges::find(letters_.unknowns, base) != letters_.unknowns.end()) continue;
+      const bool is_taken = std::ranges::find(letters_.parameters, base) != letters_.parameters.end() ||
+                            std::ranges::find(letters_.given, base) != letters_.given.end() || base == "t";
+      if (is_taken)
+        source_.fail(key.place, base + " is no unknown: it is a parameter, an abbreviation or the time");
+      letters_.unknowns.push_back(base);
+    }
+    if (letters_.unknowns.empty())
+      source_.fail(text_.name.place,
+                   "model " + text_.name.text + " has no start: add start = { y = \"0 m\", \"y'\" = 0 }");
+    orders_.assign(letters_.unknowns.size(), 0);
+  }
+
+  Formula formula(const Quoted& text) const { return {source_, text, letters_}; }
+
+  const Formula& given(std::size_t i) {
+    if (!given_[i]) given_[i] = formula(file_.given[i].second);
+    return *given_[i];
+  }
+  /// An abbreviation that knows itself has no value.
+  class Inside {
+   public:
+    Inside(Making& making, const Formula& where) : depth_(making.depth_) {
+      if (++depth_ > 20) where.fail({}, "an abbreviation of itself");
+    }
+    Inside(const Inside&) = delete;
+    Inside& operator=(const Inside&) = delete;
+    ~Inside() { --depth_; }
+
+   private:
+    int& depth_;
+  };
+
+  Expression value(const Formula& of) {
+    return of.value([&](const Letter& letter) -> Expression {
+      switch (letter.is) {
+        case Letter::Is::quantity:
+          return letter.value;
+        case Letter::Is::parameter:
+          return input(graph(), of_parameters + static_cast<int>(letter.index)) *
+                 Expression(file_.parameters[letter.index].size);
+        case Letter::Is::time:
+          return input(graph(), of_time);
+        case Letter::Is::unknown:
+          if (letter.order > orders_[letter.index])
+            of.fail(letter.span, primed(letters_.unknowns[letter.index], letter.order) +
+                                     " is beyond the equations' order");
+          return input(graph(), key_of(letter.index, letter.order));
+        case Letter::Is::given: {
+          const Formula& abbreviation = given(letter.index);
+          const Inside inside(*this, abbreviation);
+          Expression x = value(abbreviation);
+          for (std::size_t k = 0; k < letter.order; ++k) x = rate(x);
+          return x;
+        }
+        case Letter::Is::call:
+          break;
+      }
+      return {};
+    });
+  }
+  Measure measure(const Formula& of) {
+    return of.measure([&](const Letter& letter) -> Measure {
+      switch (letter.is) {
+        case Letter::Is::quantity:
+          return letter.measure;
+        case Letter::Is::parameter:
+          return file_.parameters[letter.index].measure;
+        case Letter::Is::time: {
+          Measure second;
+          second.powers[1] = 1;
+          return second;
+        }
+        case Letter::Is::unknown:
+          if (!units_[letter.index])
+            source_.fail(text_.name.place, "the unit of " + letters_.unknowns[letter.index] +
+                                               " is not known: start it with one, as in 0 m");
+          return per_time(*units_[letter.index], letter.order);
+        case Letter::Is::given: {
+          const Formula& abbreviation = given(letter.index);
+          const Inside inside(*this, abbreviation);
+          return per_time(measure(abbreviation), letter.order);
+        }
+        case Letter::Is::call:
+          break;
+      }
+      return {};
+    });
+  }
+  Graph& graph() { return *model_.graph_; }
+
+  /// Along the motion.
+  Expression rate(const Expression& x) {
+    std::map<int, Expression> along{{of_time, 1}};
+    for (const int key : keys_of(std::span(&x, 1)))
+      if (key < of_time) along.emplace(key, input(graph(), key + 1));
+    return slopes(std::span(&x, 1), along)[0];
+  }
+  Expression slope(const Expression& x, int key) { return slopes(std::span(&x, 1), {{key, 1}})[0]; }
+
+  // ---- equations
+  // --------------------------------------------------------------------------------------------
+
+  void read_equations() {
+    for (const Quoted& text : text_.equations) equations_.push_back(equation(source_, text, letters_));
+    if (text_.lagrangian) lagrangian_ = formula(*text_.lagrangian);
+    if (text_.dissipation) dissipation_ = formula(*text_.dissipation);
+    if (lagrangian_) {
+      std::ranges::fill(orders_, 2);
+      lagrangian_->any([&](const Letter& letter) {
+        if (letter.is == Letter::Is::unknown && letter.order > 1)
+          lagrangian_->fail(letter.span, "a Lagrangian is of unknowns and their rates");
+        return false;
+      });
+    }
+    forces_.resize(orders_.size());
+    for (const auto& [name, text] : text_.forces) {
+      const auto found = std::ranges::find(letters_.unknowns, name.text);
+      if (found == letters_.unknowns.end())
+        source_.fail(name.place, "no unknown " + name.text + did_you_mean(name.text, letters_.unknowns));
+      forces_[static_cast<std::size_t>(found - letters_.unknowns.begin())] = formula(text);
+    }
+    for (const Equation& one : equations_)
+      for (const Formula* side : {&one.left, &one.right}) see_orders(*side, 0);
+    for (std::size_t i = 0; i < orders_.size(); ++i)
+      if (orders_[i] == 0)
+        source_.fail(text_.name.place, "no equation has a rate of " + letters_.unknowns[i]);
+    if (!equations_.empty() && equations_.size() != orders_.size())
+      source_.fail(text_.equations.back().place, std::to_string(equations_.size()) + " equations for " +
+                                                     std::to_string(orders_.size()) + " unknowns");
+  }
+  /// The highest rate of each unknown, those of abbreviations included.
+  void see_orders(const Formula& of, std::size_t more) {
+    of.any([&](const Letter& letter) {
+      if (letter.is == Letter::Is::unknown)
+        orders_[letter.index] = std::max(orders_[letter.index], letter.order + more);
+      if (letter.is == Letter::Is::given) {
+        const Inside inside(*this, given(letter.index));
+        see_orders(given(letter.index), more + letter.order);
+      }
+      return false;
+    });
+  }
+
+  /// The unknowns' units, of what is observed, or of their start.
+  void start_units() {
+    units_.resize(orders_.size());
+    for (std::size_t i = 0; i < units_.size(); ++i)
+      for (const ObservableText& o : file_.observables)
+        if (o.formula.text == letters_.unknowns[i] && overrides(o) == nullptr) units_[i] = o.measure;
+    for (const auto& [key, text] : text_.start) {
+      const std::string base = key.text.substr(0, key.text.find('\''));
+      const std::size_t order = key.text.size() - base.size();
+      const auto i =
+          static_cast<std::size_t>(std::ranges::find(letters_.unknowns, base) - letters_.unknowns.begin());
+      if (order >= orders_[i])
+        source_.fail(key.place, "the equations are of order " + std::to_string(orders_[i]) + " in " + base +
+                                    ": leave " + key.text + " out");
+      Letters known = letters_;
+      known.unknowns.clear();
+      const Formula start(source_, text, known);
+      const Measure its = measure(start);
+      if (!its.fits_all && !units_[i])
+        units_[i] = per_time(its, 0), units_[i]->powers[1] += static_cast<double>(order);
+      if (!its.fits_all && !fit(its, per_time(*units_[i], order)))
+        source_.fail(text.place, key.text + " is in " + name_of(per_time(*units_[i], order)) +
+                                     ", and this is " + name_of(its));
+      starts_.emplace(key_of(i, order), start);
+    }
+    for (std::size_t i = 0; i < orders_.size(); ++i)
+      for (std::size_t k = 0; k < orders_[i]; ++k)
+        if (!starts_.contains(key_of(i, k))) {
+          const std::string name = primed(letters_.unknowns[i], k);
+          source_.fail(text_.name.place, "no start for " + name + ": add " +
+                                             (k > 0 ? "\"" + name + "\"" : name) + " = ... to start");
+        }
+  }
+
+  void check_units() {
+    for (const Equation& one : equations_) {
+      const Measure left = measure(one.left), right = measure(one.right);
+      if (!fit(left, right))
+        one.right.fail({}, "the left side is " + name_of(left) + ", and the right side " + name_of(right) +
+                               one.left.meant() + one.right.meant());
+    }
+    if (!lagrangian_) return;
+    const Measure energy = measure(*lagrangian_);
+    for (std::size_t i = 0; i < forces_.size(); ++i)
+      if (forces_[i] && !fit(measure(*forces_[i]) * *units_[i], energy))
+        forces_[i]->fail(
+            {}, "the force on " + letters_.unknowns[i] + " is to be in " + name_of(energy / *units_[i]));
+    if (dissipation_ && !fit(measure(*dissipation_), per_time(energy, 1)))
+      dissipation_->fail({}, "a dissipation function is to be in " + name_of(per_time(energy, 1)));
+  }
+
+  /// All unknowns, then all their rates.
+  void order_state() {
+    for (std::size_t k = 0; k < most_orders; ++k)
+      for (std::size_t i = 0; i < orders_.size(); ++i)
+        if (k < orders_[i]) model_.state_.push_back(key_of(i, k));
+    if (model_.state_.size() > 24)
+      source_.fail(text_.name.place, "a model has at most 24 unknowns and rates");
+    for (const int key : model_.state_) {
+      const auto found = std::ranges::find(model_.state_, key + 1);
+      const bool is_highest = static_cast<std::size_t>(key) % most_orders + 1 ==
+                              orders_[static_cast<std::size_t>(key) / most_orders];
+      model_.rate_of_.push_back(is_highest ? -1 : static_cast<int>(found - model_.state_.begin()));
+    }
+  }
+
+  int highest(std::size_t i) const { return key_of(i, orders_[i]); }
+  std::string highest_name(std::size_t i) const { return primed(letters_.unknowns[i], orders_[i]); }
+
+  void from_equations(Rows& matrix, std::vector<Expression>& right) {
+    std::map<int, Expression> none;
+    for (std::size_t i = 0; i < orders_.size(); ++i) none.emplace(highest(i), 0);
+    for (const Equation& one : equations_) {
+      const Expression off = value(one.left) - value(one.right);
+      std::vector<Expression>& row = matrix.emplace_back();
+      for (std::size_t i = 0; i < orders_.size(); ++i) {
+        row.push_back(slope(off, highest(i)));
+        for (const int key : keys_of(std::span(&row.back(), 1)))
+          if (none.contains(key))
+            one.left.fail({},
+                          "the equation is not linear in " + highest_name(i) + ", which it is solved for");
+      }
+      right.push_back(Expression(0) - replaced(std::span(&off, 1), none)[0]);
+    }
+  }
+
+  void from_lagrangian(Rows& matrix, std::vector<Expression>& right) {
+    const Expression L = value(*lagrangian_);
+    for (std::size_t i = 0; i < orders_.size(); ++i) {
+      const Expression p = slope(L, key_of(i, 1));
+      std::map<int, Expression> along{{of_time, 1}};
+      for (std::size_t j = 0; j < orders_.size(); ++j)
+        along.emplace(key_of(j, 0), input(graph(), key_of(j, 1)));
+      std::vector<Expression>& row = matrix.emplace_back();
+      for (std::size_t j = 0; j < orders_.size(); ++j) row.push_back(slope(p, key_of(j, 1)));
+      Expression force = slope(L, key_of(i, 0)) - slopes(std::span(&p, 1), along)[0];
+      if (forces_[i]) force = force + value(*forces_[i]);
+      if (dissipation_) force = force - slope(value(*dissipation_), key_of(i, 1));
+      right.push_back(force);
+    }
+  }
+
+  // ---- the highest rates
+  // ------------------------------------------------------------------------------------
+
+  /// Random numbers for the parameters' neighbourhood and the state, to tell zero from other numbers.
+  std::map<int, long double> some_state(Random& random) const {
+    std::map<int, long double> values{{of_time, random.between(0.1, 1)}};
+    for (std::size_t i = 0; i < file_.parameters.size(); ++i) {
+      const double x = file_.parameters[i].value;
+      values[of_parameters + static_cast<int>(i)] = x == 0 ? 0 : x * random.between(0.95, 1.05);
+    }
+    for (std::size_t i = 0; i < orders_.size(); ++i)
+      for (std::size_t k = 0; k <= orders_[i]; ++k) values[key_of(i, k)] = random.between(0.2, 1.2);
+    return values;
+  }
+  static long double number(const Expression& x, const std::map<int, long double>& values) {
+    const std::vector<int> keys = keys_of(std::span(&x, 1));
+    if (keys.empty()) return x.is_number() ? x.number() : replaced(std::span(&x, 1), {})[0].number();
+    std::vector<long double> in;
+    for (const int key : keys) in.push_back(values.at(key));
+    long double result = 0;
+    Program(std::span(&x, 1), keys).run(in.data(), in.back(), &result);
+    return result;
+  }
+
+  /// By elimination, in the graph. The order of pivots is that of numbers: the largest at a state that
+  /// nothing singles out, beside its row.
+  std::vector<Expression> solved(Rows a, std::vector<Expression> b) {
+    const std::size_t n = a.size();
+    Random random(52);
+    const auto values = some_state(random);
+    std::vector<std::size_t> row_of(n), rows(n), columns(n);
+    std::iota(rows.begin(), rows.end(), std::size_t{0});
+    columns = rows;
+    std::vector<std::pair<std::size_t, std::size_t>> pivots;
+    while (!rows.empty()) {
+      std::pair<std::size_t, std::size_t> best;
+      long double most = 0;
+      int fewest = 1'000;
+      for (const std::size_t r : rows) {
+        long double size = 0;
+        int others = 0;
+        for (const std::size_t c : columns) {
+          size = std::max(size, std::abs(number(a[r][c], values)));
+          others += !a[r][c].is(0);
+        }
+        for (const std::size_t c : columns) {
+          const long double share = size > 0 ? std::abs(number(a[r][c], values)) / size : 0;
+          // Sparse rows first, then strong pivots, then the diagonal.
+          const bool better =
+              share > 0.01L &&
+              (others < fewest || (others == fewest && share > most * 1.5L) ||
+               (others == fewest && share > most * 0.9L && r == c && best.first != best.second));
+          if (better) best = {r, c}, most = share, fewest = others;
+        }
+      }
+      if (!(most > 1e-9L)) {
+        std::string names;
+        for (const std::size_t c : columns) names += (names.empty() ? "" : ", ") + highest_name(c);
+        source_.fail(text_.equations.empty() ? text_.lagrangian->place : text_.equations.front().place,
+                     "this cannot be solved for " + names + ": the matrix is singular");
+      }
+      const auto [r, c] = best;
+      pivots.push_back(best);
+      std::erase(rows, r);
+      std::erase(columns, c);
+      for (const std::size_t other : rows) {
+        if (a[other][c].is(0)) continue;
+        const Expression factor = a[other][c] / a[r][c];
+        for (const std::size_t k : columns) a[other][k] = a[other][k] - factor * a[r][k];
+        a[other][c] = 0;
+        b[other] = b[other] - factor * b[r];
+      }
+    }
+    std::vector<Expression> x(n);
+    std::vector<std::size_t> known;
+    for (auto pivot = pivots.rbegin(); pivot != pivots.rend(); ++pivot) {
+      Expression sum = b[pivot->first];
+      for (const std::size_t k : known) sum = sum - a[pivot->first][k] * x[k];
+      x[pivot->second] = sum / a[pivot->first][pivot->second];
+      known.push_back(pivot->second);
+    }
+    return x;
+  }
+
+  /// The Lagrangian's rates at random states.
+  void compare(const std::vector<Expression>& by_equations) {
+    Rows matrix;
+    std::vector<Expression> right;
+    from_lagrangian(matrix, right);
+    const auto by_lagrangian = solved(matrix, right);
+    Random random(7);
+    for (int k = 0; k < 20; ++k) {
+      const auto values = some_state(random);
+      for (std::size_t i = 0; i < orders_.size(); ++i) {
+        const long double one = number(by_equations[i], values), other = number(by_lagrangian[i], values);
+        if (!(std::abs(one - other) <= 1e-9L * (1 + std::abs(one))))
+          source_.fail(text_.lagrangian->place, "the Lagrangian's " + highest_name(i) +
+                                                    " is not that of the equations, at a random state");
+      }
+    }
+  }
+
+  void set_rates(const std::vector<Expression>& highest_rates) {
+    for (const int key : model_.state_) {
+      const auto i = static_cast<std::size_t>(key) / most_orders;
+      const bool is_last = static_cast<std::size_t>(key) % most_orders + 1 == orders_[i];
+      model_.rates_.push_back(is_last ? highest_rates[i] : input(graph(), key + 1));
+    }
+  }
+
+  /// No slope knows the state.
+  void see_whether_linear() {
+    for (const int key : model_.state_)
+      for (const int other : keys_of(slopes(model_.rates_, {{key, 1}})))
+        if (other < of_time) model_.is_linear_ = false;
+  }
+
+  void set_start() {
+    for (const int key : model_.state_) {
+      const Formula& start = starts_.at(key);
+      const Expression x = value(start), at_zero = replaced(std::span(&x, 1), {{of_time, 0}})[0];
+      for (const int other : keys_of(std::span(&at_zero, 1))) {
+        if (other < of_time) start.fail({}, "a start is of parameters alone");
+        const auto p = static_cast<std::size_t>(other - of_parameters);
+        if (std::ranges::find(model_.starts_with_, p) == model_.starts_with_.end())
+          model_.starts_with_.push_back(p);
+      }
+      model_.start_.push_back(at_zero);
+    }
+  }
+
+  // ---- what is observed and conserved
+  // -----------------------------------------------------------------------
+
+  const Quoted* overrides(const ObservableText& o) const {
+    for (const auto& [name, text] : text_.observe)
+      if (name.text == o.name) return &text;
+    return nullptr;
+  }
+  void require_observable(const Quoted& name) const {
+    std::vector<std::string> names;
+    for (const ObservableText& o : file_.observables) names.push_back(o.name);
+    if (std::ranges::find(names, name.text) == names.end())
+      source_.fail(name.place, "no observable " + name.text + did_you_mean(name.text, names));
+  }
+  void check_observables() const {
+    for (const auto& [name, text] : text_.observe) require_observable(name);
+  }
+  void observe(const Formula& formula, const ObservableText& o) {
+    const Measure its = measure(formula);
+    if (!fit(its, o.measure))
+      formula.fail({}, o.name + " is observed in " + name_of(o.measure) + ", and this is " + name_of(its));
+    const Expression x = value(formula) / Expression(o.size);
+    for (const int key : keys_of(std::span(&x, 1)))
+      if (key < of_time && std::ranges::find(model_.state_, key) == model_.state_.end())
+        formula.fail({}, "what is observed is of the state and the time, and this has a highest rate");
+    model_.observed_.push_back(x);
+  }
+
+  void see_places() {
+    for (std::size_t i = 0; i < orders_.size(); ++i) {
+      const int place = input(graph(), key_of(i, 0)).in(graph());
+      const auto seen = std::ranges::find_if(model_.observed_, [&](const Expression& one) {
+        return !one.is_number() && one.in(graph()) == place;
+      });
+      if (orders_[i] != 2 || seen == model_.observed_.end()) return model_.seen_as_.clear();
+      model_.seen_as_.push_back(static_cast<std::size_t>(seen - model_.observed_.begin()));
+    }
+  }
+
+  /// A Lagrangian's energy, where nothing drives or brakes; or what the file says, which has to be so.
+  void set_conserved() {
+    if (text_.kinetic) {
+      const Formula kinetic = formula(*text_.kinetic), potential = formula(*text_.potential);
+      if (!fit(measure(kinetic), measure(potential)))
+        potential.fail({}, "the potential energy is not in the kinetic one's unit");
+      const Expression T = value(kinetic), all = T + value(potential);
+      model_.conserved_ = {all, T};
+    } else if (lagrangian_ && equations_.empty() && !dissipation_ && text_.forces.empty()) {
+      const Expression L = value(*lagrangian_);
+      for (const int key : keys_of(std::span(&L, 1)))
+        if (key == of_time) return;
+      Expression twice = 0;
+      for (std::size_t i = 0; i < orders_.size(); ++i)
+        twice = twice + input(graph(), key_of(i, 1)) * slope(L, key_of(i, 1));
+      model_.conserved_ = {twice - L, twice / Expression(2)};
+    }
+  }
+
+  Model& model_;
+  const File& file_;
+  const ModelText& text_;
+  const Source& source_;
+  Letters letters_;
+  int depth_ = 0;
+  std::vector<std::optional<Formula>> given_, forces_;
+  std::vector<std::size_t> orders_;
+  std::vector<std::optional<Measure>> units_;
+  std::vector<Equation> equations_;
+  std::optional<Formula> lagrangian_, dissipation_;
+  std::map<int, Formula> starts_;
+};
+
+Model::Model(const File& file, const ModelText& text) : name_(text.name.text) {
+  for (const ParameterText& p : file.parameters) sizes_.push_back(p.size);
+  Making making(*this, file, text);
+  if (text.closed.empty())
+    making.motion();
+  else
+    making.closed();
+}
+
+Numbers Model::with(const std::vector<double>& parameters) const {
+  Graph graph;
+  std::map<int, Expression> inputs{{of_time, input(graph, of_time)}};
+  for (const int key : state_) inputs.emplace(key, input(graph, key));
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    inputs.emplace(of_parameters + static_cast<int>(i), parameters[i]);
+  const auto made = [&](const std::vector<Expression>& all) { return replaced(all, inputs); };
+  std::vector<int> of_state(state_);
+  of_state.push_back(of_time);
+
+  Numbers numbers;
+  numbers.unknowns = state_.size();
+  numbers.rate_of = rate_of_;
+  for (const Expression& one : made(start_)) numbers.start.push_back(one.number());
+  numbers.observed = Program(made(observed_), of_state);
+  numbers.conserved = Program(made(conserved_), of_state);
+  if (state_.empty()) return numbers;
+  const std::vector<Expression> rates = made(rates_);
+  numbers.rates = Program(rates, of_state);
+  const std::size_t half = state_.size() / 2;
+  numbers.partitioned = state_.size() % 2 == 0;
+  for (std::size_t i = 0; i < state_.size(); ++i)
+    if (i < half && rate_of_[i] != static_cast<int>(half + i)) numbers.partitioned = false;
+  for (std::size_t i = half; i < state_.size() && numbers.partitioned; ++i)
+    for (std::size_t k = half; k <= state_.size(); ++k)
+      if (numbers.rates.depends(i, k)) numbers.partitioned = false;
+  if (numbers.partitioned) {
+    std::vector<int> of_places(state_.begin(), state_.begin() + static_cast<std::ptrdiff_t>(half));
+    of_places.push_back(of_time);
+    numbers.accelerations = Program(std::span(rates).subspan(half), of_places);
+  }
+  return numbers;
+}
+
+}  // namespace oddity::problem

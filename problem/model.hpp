@@ -1,0 +1,57 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "problem/expression.hpp"
+#include "problem/file.hpp"
+
+/// A model of a problem's file: its equations solved for the highest rates, and all that is computed from its
+/// state.
+namespace oddity::problem {
+
+/// A model with numbers for its parameters.
+struct Numbers {
+  std::size_t unknowns = 0;  ///< 0: a closed form
+  std::vector<int> rate_of;  ///< the unknown that is the rate of this one; -1: none is
+  std::vector<long double> start;
+  Program rates;          ///< of the state and the time
+  Program accelerations;  ///< of the first half of the state and the time, where that is all they know
+  bool partitioned = false;
+  Program observed;   ///< of the state and the time, or of the time
+  Program conserved;  ///< the value, and what moves in it; no outputs: nothing is
+};
+
+class Model {
+ public:
+  /// Throws WrongFile for what is wrong in it: letters, units, a start that is missing, equations that cannot
+  /// be solved.
+  Model(const File&, const ModelText&);
+
+  const std::string& name() const { return name_; }
+  bool is_closed() const { return state_.empty(); }
+  std::size_t unknowns() const { return state_.size(); }
+  /// Parameters that its start knows.
+  const std::vector<std::size_t>& starts_with() const { return starts_with_; }
+  /// The rates are linear in the state, whatever they are of time.
+  bool is_linear() const { return is_linear_; }
+  /// Of each unknown of the second order the observable that it is; none where one is not observed.
+  const std::vector<std::size_t>& seen_as() const { return seen_as_; }
+  bool conserves() const { return !conserved_.empty(); }
+  /// With these values of the parameters, in their units.
+  Numbers with(const std::vector<double>& parameters) const;
+
+ private:
+  class Making;
+
+  std::string name_;
+  std::vector<long double> sizes_;  ///< of the parameters' units
+  std::shared_ptr<Graph> graph_ = std::make_shared<Graph>();
+  std::vector<int> state_, rate_of_;  ///< keys of the unknowns, in the state's order
+  std::vector<Expression> start_, rates_, observed_, conserved_;
+  std::vector<std::size_t> starts_with_, seen_as_;
+  bool is_linear_ = true;
+};
+
+}  // namespace oddity::problem

@@ -1,0 +1,313 @@
+#include "problem/scene.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <sstream>
+
+#include "chapters/asked_file.hpp"
+#include "chapters/own_reference.hpp"
+#include "problem/file.hpp"
+#include "problem/interpreted.hpp"
+#include "problem/model.hpp"
+#include "problem/truth.hpp"
+#include "reference/text.hpp"
+
+namespace oddity::problem {
+
+namespace {
+
+/// All that an entry's views look at.
+struct Kept {
+  std::unique_ptr<const File> file;
+  std::string of_text;  ///< tells files of one name apart
+  std::vector<Model> models;
+  std::vector<Parameter> parameters;
+  std::unique_ptr<Entry> entry;
+};
+
+struct AllKept {
+  std::mutex mutex;
+  std::vector<std::unique_ptr<const Kept>> all;
+};
+AllKept& kept() {
+  static AllKept here;
+  return here;
+}
+
+const Kept& kept_with(const Parameter* parameters) {
+  const std::lock_guard lock(kept().mutex);
+  for (const auto& one : kept().all)
+    if (one->parameters.data() == parameters) return *one;
+  throw std::logic_error("these parameters are of no file");
+}
+
+/// A closed form of a file.
+struct Closed {
+  std::shared_ptr<const Program> observed;
+  std::vector<double> at(double t) const {
+    std::vector<double> values(observed->outputs().size());
+    observed->run(&t, t, values.data());
+    return values;
+  }
+};
+
+std::vector<double> values_of(const Parameters& p) {
+  std::vector<double> values;
+  for (const Parameter& one : p.declared()) values.push_back(p[one.name]);
+  return values;
+}
+
+/// The observables at each time but the first.
+std::vector<long double> observed(const Numbers& numbers, const TrueMotion& motion,
+                                  std::span<const double> times) {
+  std::vector<long double> seen;
+  std::vector<long double> one(numbers.observed.outputs().size());
+  for (std::size_t i = 1; i < motion.states.size(); ++i) {
+    numbers.observed.run(motion.states[i].data(), static_cast<long double>(times[i]), one.data());
+    seen.insert(seen.end(), one.begin(), one.end());
+  }
+  return seen;
+}
+
+/// The motion by both routes. The bound at a time is four times their largest difference up to the next time
+/// at which they are compared, and the rounding to double.
+Known true_motion(const Model& model, const Numbers& numbers, std::span<const double> times) {
+  const std::string by =
+      "Taylor series of '" + model.name() + "', compared with extrapolation, both in long double";
+  if (model.is_closed()) {
+    std::vector<double> values;
+    for (const double t : times.subspan(1)) {
+      std::vector<long double> one(numbers.observed.outputs().size());
+      const auto time = static_cast<long double>(t);
+      numbers.observed.run(&time, time, one.data());
+      values.insert(values.end(), one.begin(), one.end());
+    }
+    return {values, 1e-16 * size_of(values), "closed form '" + model.name() + "' in long double"};
+  }
+  const TrueMotion motion = by_series(numbers.rates, numbers.start, times);
+  if (!motion.trouble.empty()) throw BadInput("model '" + model.name() + "': " + motion.trouble);
+  // Both routes at few of the times: the second has to end a step at each.
+  constexpr std::size_t compared = 48;
+  std::vector<double> few{times.front()};
+  std::vector<std::size_t> places;
+  const std::size_t frames = times.size() - 1, stride = (frames + compared - 1) / compared;
+  for (std::size_t i = stride; i < frames; i += stride) places.push_back(i);
+  places.push_back(frames);
+  for (const std::size_t i : places) few.push_back(times[i]);
+  const TrueMotion other = by_extrapolation(numbers.rates, numbers.start, few);
+  if (!other.trouble.empty())
+    throw BadInput("model '" + model.name() + "', by extrapolation: " + other.trouble);
+
+  const std::vector<long double> seen = observed(numbers, motion, times),
+                                 second = observed(numbers, other, few);
+  const std::size_t parts = numbers.observed.outputs().size();
+  Known known{{seen.begin(), seen.end()}, 0, by};
+  const double rounding = 2e-16 * size_of(known.value);
+  double most = 0;
+  std::size_t frame = 0;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    for (std::size_t j = 0; j < parts; ++j) {
+      const long double off = std::abs(seen[(places[k] - 1) * parts + j] - second[k * parts + j]);
+      most = std::max(most, 4 * static_cast<double>(off));
+    }
+    for (; frame < places[k]; ++frame) known.error_until.push_back(most + rounding);
+  }
+  known.error = most + rounding;
+  return known;
+}
+
+/// What the file says is conserved has to be so along the motion.
+void require_conserved(const File& file, const ModelText& text, const Model& model) {
+  std::vector<double> values, times;
+  for (const ParameterText& p : file.parameters) values.push_back(p.value);
+  for (int i = 0; i <= 8; ++i) times.push_back(file.end * i / 8);
+  const Numbers numbers = model.with(values);
+  if (!text.kinetic) return;
+  const TrueMotion motion = by_series(numbers.rates, numbers.start, times);
+  std::array<long double, 2> first{}, now{};
+  long double most = 0, moving = 0;
+  for (std::size_t i = 0; i < motion.states.size(); ++i) {
+    numbers.conserved.run(motion.states[i].data(), static_cast<long double>(times[i]), now.data());
+    if (i == 0) first = now;
+    most = std::max(most, std::abs(now[0] - first[0]));
+    moving = std::max(moving, std::abs(now[1]));
+  }
+  if (!(most <= 1e-9L * moving))
+    file.source.fail(text.kinetic->place, "this energy is not conserved: it changes by " +
+                                              format_significant(static_cast<double>(most), 2) + " within " +
+                                              format_shortest(file.end) + " s");
+}
+
+/// A power of two, so that steps of several files are comparable, about a hundredth of the time.
+double longest_step(double end) { return std::exp2(std::floor(std::log2(end / 64))); }
+
+Quantity motion_of(const Parameters& p, const Horizon& horizon, const Reference& truth) {
+  const Kept& here = kept_with(p.declared().data());
+  const File& file = *here.file;
+  const std::vector<double> values = values_of(p);
+  Known known{
+      {std::numeric_limits<double>::quiet_NaN()}, std::numeric_limits<double>::quiet_NaN(), "not asked for"};
+  if (!truth.folder().empty())
+    known = true_motion(here.models.back(), here.models.back().with(values), horizon.times());
+  Quantity motion =
+      quantity("motion", file.observables.front().unit, file.title + " at " + times_up_to(horizon), known,
+               {*std::ranges::min_element(file.errors), "what the file asks"});
+  motion.needs = file.errors;
+  SceneMethods methods(motion, horizon, halving("step", longest_step(horizon.end), 9), tolerances());
+  for (const Model& model : here.models) {
+    const auto numbers = std::make_shared<const Numbers>(model.with(values));
+    if (model.is_closed()) {
+      methods.closed_form(model.name(), Closed{std::shared_ptr<const Program>(numbers, &numbers->observed)});
+      continue;
+    }
+    const AnyModel any = interpreted(numbers);
+    methods.by_engine_integrators(model.name(), any);
+    if (&model == &here.models.back()) methods.by_remaining_integrators(model.name(), any);
+  }
+  return motion;
+}
+
+/// Of the last model's state as it is seen. Numbers are made anew where the parameters are others than
+/// before.
+Energy energy_of(const Parameters& p, std::span<const double> places_and_rates) {
+  thread_local const Model* of = nullptr;
+  thread_local std::vector<double> values;
+  thread_local Numbers numbers;
+  const Model& model = kept_with(p.declared().data()).models.back();
+  if (const auto now = values_of(p); of != &model || now != values) {
+    of = &model;
+    values = now;
+    numbers = model.with(values);
+  }
+  const std::size_t half = places_and_rates.size() / 2;
+  std::vector<double> state;
+  for (const std::size_t i : model.seen_as()) state.push_back(places_and_rates[i]);
+  for (const std::size_t i : model.seen_as()) state.push_back(places_and_rates[half + i]);
+  std::array<double, 2> both{};
+  numbers.conserved.run(state.data(), 0.0, both.data());
+  return {both[0], both[1]};
+}
+
+Findings study(const Parameters& p, const Reference& truth) {
+  const Kept& here = kept_with(p.declared().data());
+  return {{}, {motion(*here.entry->exercise.scene, p, truth)}, {}};
+}
+
+std::vector<Norm> norms_of(const File& file) {
+  std::vector<Norm> norms;
+  std::vector<std::string> points;
+  for (std::size_t i = 0; i < file.observables.size(); ++i) {
+    const ObservableText& o = file.observables[i];
+    const auto same = std::ranges::find(points, o.point);
+    if (!o.point.empty() && same != points.end()) {
+      norms[static_cast<std::size_t>(same - points.begin())].components.push_back(i);
+      continue;
+    }
+    norms.push_back({o.unit, {i}});
+    points.push_back(o.point);
+  }
+  return norms;
+}
+
+/// The parameters that differ from start to start: those that the file names, else those of the start, else
+/// all.
+std::vector<std::string_view> varied(const Kept& here) {
+  std::vector<std::string_view> names;
+  for (const std::string& name : here.file->vary) names.emplace_back(name);
+  if (!names.empty()) return names;
+  for (const std::size_t i : here.models.back().starts_with()) names.push_back(here.parameters[i].name);
+  if (!names.empty()) return names;
+  for (const Parameter& p : here.parameters)
+    if (!p.whole) names.push_back(p.name);
+  return names;
+}
+
+Scene scene_of(const Kept& here) {
+  const File& file = *here.file;
+  Scene scene{.motion = motion_of,
+              .horizon = file.end,
+              .game_tolerance = *std::ranges::min_element(file.errors),
+              .sweep_parameter = {},
+              .sweep_values = {},
+              .perturbed_parameters = varied(here)};
+  scene.sweep_parameter =
+      file.sweep.empty() ? scene.perturbed_parameters.front() : std::string_view(file.sweep);
+  scene.sweep_values = file.sweep_values;
+  if (scene.sweep_values.empty()) {
+    const Parameter& p = *std::ranges::find(here.parameters, scene.sweep_parameter, &Parameter::name);
+    for (const double part : {0.5, 0.75, 1.25, 1.5, 2.0}) {
+      const double value = p.value * part;
+      if (value != 0 && p.least <= value && value <= p.most && !p.whole) scene.sweep_values.push_back(value);
+    }
+  }
+  for (const ObservableText& o : file.observables) scene.axes.observables.emplace_back(o.name);
+  scene.axes.norms = norms_of(file);
+  if (here.models.back().conserves() && !here.models.back().seen_as().empty()) scene.laws.energy = energy_of;
+  scene.is_linear = here.models.back().is_linear();
+  for (const Model& model : here.models)
+    scene.listing.not_printable.emplace_back(model.name(), "which is read from a file");
+  return scene;
+}
+
+std::string stem_of(const std::string& name) {
+  const std::size_t slash = name.rfind('/');
+  std::string stem = slash == std::string::npos ? name : name.substr(slash + 1);
+  if (stem.ends_with(".toml")) stem.resize(stem.size() - 5);
+  return stem.empty() || stem == "-" ? "input" : stem;
+}
+
+}  // namespace
+
+bool is_file(const std::string& word) { return word == "-" || word.ends_with(".toml"); }
+
+const Entry& entry_of_text(const std::string& name, const std::string& text) {
+  auto made = std::make_unique<Kept>();
+  made->file = read(name, text);
+  made->of_text = name + " of " + std::to_string(std::hash<std::string>()(text));
+  for (const ModelText& model : made->file->models) made->models.emplace_back(*made->file, model);
+  for (const ParameterText& p : made->file->parameters)
+    made->parameters.push_back({p.name, p.value, p.unit, p.says, p.least, p.most, p.whole});
+  if (made->parameters.empty())
+    made->file->source.fail(
+        {1, 1}, "no parameters: what may differ from start to start has a letter in [parameters]");
+  for (std::size_t i = 0; i < made->models.size(); ++i)
+    if (const Model& model = made->models[i]; !model.is_closed()) {
+      require_unknowns(model, *made->file);
+      require_conserved(*made->file, made->file->models[i], model);
+    }
+  Exercise exercise{made->file->title, made->file->question, made->parameters, scene_of(*made), study};
+  made->entry =
+      std::make_unique<Entry>(Entry{number_of_file(stem_of(name)), made->of_text, std::move(exercise)});
+  const std::lock_guard lock(kept().mutex);
+  kept().all.push_back(std::move(made));
+  return *kept().all.back()->entry;
+}
+
+const Entry& entry_of_file(const std::string& path) {
+  static std::map<std::string, const Entry*> read_already;
+  const Entry*& entry = read_already[path];
+  if (entry) return *entry;
+  std::ostringstream text;
+  if (path == "-") {
+    text << std::cin.rdbuf();
+  } else {
+    std::ifstream in(path, std::ios::binary);
+    if (!in || !(text << in.rdbuf())) throw BadInput(path + ": cannot read this file");
+  }
+  return *(entry = &entry_of_text(path == "-" ? "standard input" : path, text.str()));
+}
+
+Asked asked_by(const Entry& entry) {
+  const File& file = *kept_with(entry.exercise.parameters.data()).file;
+  return {file.error, file.horizon, file.frames_per_second};
+}
+
+}  // namespace oddity::problem

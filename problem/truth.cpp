@@ -1,0 +1,455 @@
+#include "problem/truth.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "reference/text.hpp"
+#include "solvers/stop.hpp"
+
+namespace oddity::problem {
+
+namespace {
+
+using Number = long double;
+using Numbers = std::vector<Number>;
+
+constexpr long most_steps = 100'000;
+
+std::string ends_at(Number t, const std::string& why) {
+  return "the true motion ends at " + format_significant(static_cast<double>(t), 6) + ": " + why;
+}
+
+bool finite(const Numbers& x) {
+  return std::ranges::all_of(x, [](Number one) { return std::isfinite(one); });
+}
+
+/// A right-hand side whose choices stay as they are until they are made anew.
+class Frozen {
+ public:
+  explicit Frozen(const Program& rates)
+      : rates_(rates), registers_(rates.registers()), is_positive_(rates.registers()) {
+    for (const auto& one : rates.code())
+      if (one.op == Op::choice) choices_.push_back(&one);
+  }
+
+  std::size_t unknowns() const { return rates_.outputs().size(); }
+  void operator()(const Numbers& x, Number t, Numbers& rate) {
+    rates_.run_in(registers_.data(), x.data(), t, rate.data(),
+                  [this](const Program::Instruction& one, Number, Number yes, Number no) {
+                    return takes_yes(one) ? yes : no;
+                  });
+  }
+  /// By the conditions there, or where one is zero by those a little later.
+  void choose_at(const Numbers& x, Number t, Number little) {
+    Numbers rate(x.size()), later = x;
+    by_conditions(x, t, rate);
+    const std::vector<char> now = is_positive_;
+    std::vector<char> undecided(is_positive_.size(), 0);
+    for (const auto* one : choices_)
+      undecided[static_cast<std::size_t>(one->result)] = registers_[static_cast<std::size_t>(one->a)] == 0;
+    for (std::size_t i = 0; i < x.size(); ++i) later[i] += little * rate[i];
+    by_conditions(later, t + little, rate);
+    for (std::size_t i = 0; i < now.size(); ++i)
+      if (!undecided[i]) is_positive_[i] = now[i];
+  }
+  /// How far a condition contradicts its choice in the registers of the last call, at most; none does up to
+  /// zero.
+  Number largest_contradiction() const {
+    Number most = -std::numeric_limits<Number>::infinity();
+    for (const auto* one : choices_) most = std::max(most, contradiction(*one));
+    return most;
+  }
+  void turn_contradicted() {
+    for (const auto* one : choices_)
+      if (contradiction(*one) > 0) is_positive_[static_cast<std::size_t>(one->result)] ^= 1;
+  }
+  bool has_choices() const { return !choices_.empty(); }
+  const std::vector<const Program::Instruction*>& choices() const { return choices_; }
+  bool takes_yes(const Program::Instruction& one) const {
+    return is_positive_[static_cast<std::size_t>(one.result)] != 0;
+  }
+  /// This choice, and those of the same condition.
+  void turn(const Program::Instruction& one) {
+    for (const auto* other : choices_)
+      if (other->a == one.a) is_positive_[static_cast<std::size_t>(other->result)] ^= 1;
+  }
+
+ private:
+  Number contradiction(const Program::Instruction& one) const {
+    const Number condition = registers_[static_cast<std::size_t>(one.a)];
+    return takes_yes(one) ? -condition : condition;
+  }
+  void by_conditions(const Numbers& x, Number t, Numbers& rate) {
+    rates_.run_in(registers_.data(), x.data(), t, rate.data(),
+                  [this](const Program::Instruction& one, Number condition, Number yes, Number no) {
+                    is_positive_[static_cast<std::size_t>(one.result)] = condition > 0;
+                    return condition > 0 ? yes : no;
+                  });
+  }
+
+  const Program& rates_;
+  Numbers registers_;
+  std::vector<char> is_positive_;  ///< by the choice's register
+  std::vector<const Program::Instruction*> choices_;
+};
+
+/// The size of each unknown so far, and of its rate.
+class Sizes {
+ public:
+  explicit Sizes(std::size_t n) : sizes_(n, 0) {}
+  void see(const Numbers& x, const Numbers& rate, Number step) {
+    for (std::size_t i = 0; i < x.size(); ++i)
+      sizes_[i] = std::max({sizes_[i], std::abs(x[i]), std::abs(rate[i] * step)});
+  }
+  Number operator[](std::size_t i) const { return sizes_[i] > 0 ? sizes_[i] : 1; }
+
+ private:
+  Numbers sizes_;
+};
+
+// ---- Taylor series
+// ------------------------------------------------------------------------------------------
+
+constexpr int order = 26;
+using Row = std::array<Number, order + 1>;
+
+/// The coefficients of all registers about a point.
+class Series {
+ public:
+  explicit Series(const Program& rates) : rates_(rates), rows_(rates.registers()) {
+    for (std::size_t i = 0; i < rates.constants().size(); ++i) {
+      rows_[i].fill(0);
+      rows_[i][0] = rates.constants()[i];
+    }
+  }
+  void expand(const Numbers& x, Number t, const Frozen& choices) {
+    const std::size_t n = x.size(), first = rates_.constants().size();
+    for (std::size_t i = 0; i < n; ++i) rows_[first + i][0] = x[i];
+    rows_[first + n].fill(0);
+    rows_[first + n][0] = t;
+    rows_[first + n][1] = 1;
+    for (int k = 0; k < order; ++k) {
+      for (const auto& one : rates_.code()) coefficient(one, k, choices);
+      for (std::size_t i = 0; i < n; ++i)
+        rows_[first + i][k + 1] = row(rates_.outputs()[i])[k] / static_cast<Number>(k + 1);
+    }
+  }
+  const Row& row(int i) const { return rows_[static_cast<std::size_t>(i)]; }
+  const Row& unknown(std::size_t i) const { return rows_[rates_.constants().size() + i]; }
+  /// Up to the order that all registers have.
+  static Number value(const Row& row, Number h, int terms) {
+    Number sum = 0;
+    for (int k = terms; k >= 0; --k) sum = sum * h + row[static_cast<std::size_t>(k)];
+    return sum;
+  }
+
+ private:
+  static Number inside(const Row& a, const Row& b, int from, int to, int k) {
+    Number sum = 0;
+    for (int j = from; j <= to; ++j)
+      sum += a[static_cast<std::size_t>(j)] * b[static_cast<std::size_t>(k - j)];
+    return sum;
+  }
+  /// The sum of j a_j b_(k-j) over 0 < j <= last.
+  static Number by_slope(const Row& a, const Row& b, int last, int k) {
+    Number sum = 0;
+    for (int j = 1; j <= last; ++j)
+      sum += static_cast<Number>(j) * a[static_cast<std::size_t>(j)] * b[static_cast<std::size_t>(k - j)];
+    return sum;
+  }
+  static Number by_slope(const Row& a, const Row& b, int k) { return by_slope(a, b, k, k); }
+  void coefficient(const Program::Instruction& one, int order_k, const Frozen& choices) {
+    const auto k = static_cast<std::size_t>(order_k);
+    const auto K = static_cast<Number>(order_k);
+    const Row& a = rows_[static_cast<std::size_t>(one.a)];
+    const Row& b = rows_[static_cast<std::size_t>(one.b)];
+    const Row& c = rows_[static_cast<std::size_t>(one.c)];
+    Row& r = rows_[static_cast<std::size_t>(one.result)];
+    switch (one.op) {
+      case Op::add:
+        r[k] = a[k] + b[k];
+        break;
+      case Op::subtract:
+        r[k] = a[k] - b[k];
+        break;
+      case Op::multiply:
+        r[k] = inside(a, b, 0, order_k, order_k);
+        break;
+      case Op::divide:
+        r[k] = (a[k] - inside(r, b, 0, order_k - 1, order_k)) / b[0];
+        break;
+      case Op::square_root:
+        r[k] = k == 0 ? std::sqrt(a[0]) : (a[k] - inside(r, r, 1, order_k - 1, order_k)) / (2 * r[0]);
+        break;
+      case Op::sine_and_cosine: {
+        Row& cosine = rows_[static_cast<std::size_t>(one.result) + 1];
+        r[k] = k == 0 ? std::sin(a[0]) : by_slope(a, cosine, order_k) / K;
+        cosine[k] = k == 0 ? std::cos(a[0]) : -by_slope(a, r, order_k) / K;
+        break;
+      }
+      case Op::exponential:
+        r[k] = k == 0 ? std::exp(a[0]) : by_slope(a, r, order_k) / K;
+        break;
+      case Op::logarithm:
+        r[k] = k == 0 ? std::log(a[0]) : (a[k] - (by_slope(r, a, order_k - 1, order_k)) / K) / a[0];
+        break;
+      case Op::arc:  // (b b + a a) r' = b a' - a b'
+        r[k] = k == 0 ? std::atan2(a[0], b[0])
+                      : ((by_slope(a, b, order_k) - by_slope(b, a, order_k)) -
+                         by_slope(r, c, order_k - 1, order_k)) /
+                            (K * c[0]);
+        break;
+      case Op::choice:
+        r[k] = choices.takes_yes(one) ? b[k] : c[k];
+        break;
+      case Op::sine:
+      case Op::cosine:
+      case Op::input:
+      case Op::constant:
+        break;
+    }
+  }
+
+  const Program& rates_;
+  std::vector<Row> rows_;
+};
+
+constexpr Number tolerance = 1e-19L;
+
+/// How far the series is good: its last two terms are below the tolerance, and those of conditions, which go
+/// to one order less.
+Number reach_of(const Series& series, const Sizes& sizes, std::size_t n, const Frozen& choices, Number span) {
+  Number reach = std::numeric_limits<Number>::infinity();
+  for (int k : {order - 2, order - 1, order}) {
+    const auto last = static_cast<std::size_t>(k);
+    Number most = 0;
+    for (std::size_t i = 0; i < n && k >= order - 1; ++i)
+      most = std::max(most, std::abs(series.unknown(i)[last]) / sizes[i]);
+    for (const auto* one : choices.choices())
+      if (const Row& row = series.row(one->a); k < order && row[last] != 0)
+        most = std::max(most, std::abs(row[last]) / std::max(std::abs(row[0]), std::abs(row[1]) * span));
+    if (most > 0) reach = std::min(reach, std::pow(tolerance / most, 1 / static_cast<Number>(k)));
+  }
+  return reach;
+}
+
+/// Where the first condition within the step contradicts its choice, and which; h and none where none does.
+Number first_turn(const Series& series, const Frozen& choices, Number h, const Program::Instruction*& which) {
+  which = nullptr;
+  constexpr int samples = 8, terms = order - 1;
+  Number first = h;
+  for (const auto* one : choices.choices()) {
+    const Row& condition = series.row(one->a);
+    const Number sign = choices.takes_yes(*one) ? -1 : 1;
+    const auto at = [&](Number s) { return sign * Series::value(condition, s, terms); };
+    for (int i = 1; i <= samples; ++i) {
+      Number from = first * (i - 1) / samples, to = first * i / samples;
+      if (!(at(to) > 0)) continue;
+      for (int half = 0; half < 80 && to > from; ++half) {
+        const Number middle = (from + to) / 2;
+        if (middle <= from || middle >= to) break;
+        (at(middle) > 0 ? to : from) = middle;
+      }
+      first = to;
+      which = one;
+      break;
+    }
+  }
+  return first;
+}
+
+}  // namespace
+
+TrueMotion by_series(const Program& rates, const std::vector<long double>& start,
+                     std::span<const double> times) {
+  const std::size_t n = start.size();
+  TrueMotion motion{{start}};
+  Frozen choices(rates);
+  Series series(rates);
+  Sizes sizes(n);
+  Numbers x = start, rate(n), now(n);
+  Number t = times.front();
+  const Number span = times.back() - t;
+  choices.choose_at(x, t, span * 1e-9L);
+  std::size_t next = 1;
+  for (long steps = 0; next < times.size(); ++steps) {
+    check_stop_at_times();
+    if (steps == most_steps)
+      return motion.trouble = ends_at(t, "too many steps, or switches without end"), motion;
+    series.expand(x, t, choices);
+    for (std::size_t i = 0; i < n; ++i) rate[i] = series.unknown(i)[1];
+    if (!finite(x) || !finite(rate)) return motion.trouble = ends_at(t, "it is not finite there"), motion;
+    sizes.see(x, rate, span / 64);
+    Number h =
+        std::min(reach_of(series, sizes, n, choices, span / 64), static_cast<Number>(times.back()) - t);
+    if (!(h > 0) || t + h == t) return motion.trouble = ends_at(t, "it is singular there"), motion;
+    const Program::Instruction* turns = nullptr;
+    h = first_turn(series, choices, h, turns);
+    for (; next < times.size() && times[next] <= t + h * (1 + 1e-18L); ++next) {
+      for (std::size_t i = 0; i < n; ++i) now[i] = Series::value(series.unknown(i), times[next] - t, order);
+      if (!finite(now)) return motion.trouble = ends_at(t, "it is not finite there"), motion;
+      motion.states.push_back(now);
+    }
+    for (std::size_t i = 0; i < n; ++i) x[i] = Series::value(series.unknown(i), h, order);
+    t += h;
+    if (turns) choices.turn(*turns);
+  }
+  return motion;
+}
+
+// ---- extrapolation
+// ------------------------------------------------------------------------------------------
+
+namespace {
+
+/// Steps of the modified midpoint rule in 2, 4, 6 ... parts, extrapolated to none [Hairer, Norsett and
+/// Wanner, Solving Ordinary Differential Equations I, II.9].
+class Extrapolation {
+ public:
+  explicit Extrapolation(Frozen& rates) : rates_(rates) {
+    for (auto* all : {&before_, &here_, &after_, &rate_}) all->resize(rates.unknowns());
+    for (Numbers& column : columns_) column.resize(rates.unknowns());
+  }
+
+  /// x after h; returns the error in tolerances.
+  Number step(const Numbers& x, Number t, Number h, const Sizes& sizes, Numbers& result) {
+    const std::size_t n = x.size();
+    Number error = 0;
+    for (int k = 0; k < columns; ++k) {
+      midpoint(x, t, h, 2 * (k + 1));
+      error = 0;
+      for (std::size_t i = 0; i < n; ++i) {
+        Number newest = here_[i];
+        for (int j = 0; j < k; ++j) {
+          // columns_[j] is of the row above, and becomes this row's.
+          const auto above = static_cast<Number>(k + 1), below = static_cast<Number>(k - j);
+          const Number ratio = above / below,
+                       better = newest + (newest - columns_[j][i]) / (ratio * ratio - 1);
+          columns_[j][i] = newest;
+          if (j == k - 1) error = std::max(error, std::abs(better - newest) / (sizes[i] * 2e-17L));
+          newest = better;
+        }
+        columns_[k][i] = newest;
+        result[i] = newest;
+      }
+    }
+    return finite(result) ? error : std::numeric_limits<Number>::infinity();
+  }
+  static constexpr int columns = 9;
+
+ private:
+  void midpoint(const Numbers& x, Number t, Number h, int parts) {
+    const Number part = h / static_cast<Number>(parts);
+    before_ = x;
+    rates_(x, t, rate_);
+    for (std::size_t i = 0; i < x.size(); ++i) here_[i] = x[i] + part * rate_[i];
+    for (int m = 1; m < parts; ++m) {
+      rates_(here_, t + static_cast<Number>(m) * part, rate_);
+      for (std::size_t i = 0; i < x.size(); ++i) after_[i] = before_[i] + 2 * part * rate_[i];
+      std::swap(before_, here_);
+      std::swap(here_, after_);
+    }
+  }
+
+  Frozen& rates_;
+  Numbers before_, here_, after_, rate_;
+  std::array<Numbers, columns> columns_;
+};
+
+}  // namespace
+
+TrueMotion by_extrapolation(const Program& rates, const std::vector<long double>& start,
+                            std::span<const double> times) {
+  const std::size_t n = start.size();
+  TrueMotion motion{{start}};
+  Frozen frozen(rates);
+  Extrapolation extrapolation(frozen);
+  Sizes sizes(n);
+  Numbers x = start, rate(n), after(n), inside(n);
+  Number t = times.front(), h = (times.back() - t) / 256;
+  const Number span = times.back() - t;
+  frozen.choose_at(x, t, span * 1e-9L);
+  const auto contradicts_after = [&](Number step) {
+    extrapolation.step(x, t, step, sizes, after);
+    frozen(after, t + step, rate);
+    return frozen.largest_contradiction();
+  };
+  /// Where a condition contradicts its choice first within a step to `after`: the step's cubic says where to
+  /// look. 0: nowhere.
+  const auto first_turn = [&](const Numbers& from, const Numbers& slope, Number step) -> Number {
+    const Numbers end = after;
+    Numbers slope_at_end(n), ignored(n);
+    frozen(end, t + step, slope_at_end);
+    Number good = 0, bad = frozen.largest_contradiction() > 0 ? step : 0;
+    for (const Number part : {0.25L, 0.5L, 0.75L}) {
+      const Number left = 1 - part;
+      for (std::size_t i = 0; i < n; ++i)
+        inside[i] = left * left * (1 + 2 * part) * from[i] + part * part * (3 - 2 * part) * end[i] +
+                    step * part * left * (left * slope[i] - part * slope_at_end[i]);
+      frozen(inside, t + part * step, ignored);
+      if (frozen.largest_contradiction() > 0 && contradicts_after(part * step) > 0) {
+        bad = part * step;
+        break;
+      }
+      good = part * step;
+    }
+    if (bad == 0) return 0;
+    Number below = good == 0 ? -1 : contradicts_after(good), above = contradicts_after(bad);
+    // A little to either side of the secant's place in turn, and the middle at times: both ends close in.
+    for (int turns = 0; turns < 200; ++turns) {
+      const Number secant = good + (bad - good) * below / (below - above);
+      const Number to = turns % 2 == 0 ? bad : good, beside = secant + (to - secant) * 1e-3L;
+      const bool by_halves = good == 0 || turns % 4 == 3 || !(beside > good && beside < bad);
+      const Number at = by_halves ? (good + bad) / 2 : beside;
+      if (!(at > good && at < bad)) break;
+      const Number there = contradicts_after(at);
+      (there > 0 ? bad : good) = at;
+      (there > 0 ? above : below) = there;
+    }
+    return bad;
+  };
+  std::size_t next = 1;
+  for (long steps = 0; next < times.size(); ++steps) {
+    check_stop_at_times();
+    if (steps == most_steps)
+      return motion.trouble = ends_at(t, "too many steps, or switches without end"), motion;
+    frozen(x, t, rate);
+    if (!finite(rate)) return motion.trouble = ends_at(t, "it is not finite there"), motion;
+    sizes.see(x, rate, span / 64);
+    const Number left = static_cast<Number>(times[next]) - t;
+    const bool last = h >= left * (1 - 1e-15L);
+    Number taken = last ? left : h;
+    if (t + taken == t && !last) return motion.trouble = ends_at(t, "it is singular there"), motion;
+    const Number error = extrapolation.step(x, t, taken, sizes, after);
+    const Number factor =
+        error > 0 ? std::pow(0.3L / error, 1 / static_cast<Number>(2 * Extrapolation::columns - 1)) : 4;
+    if (!(error <= 1)) {
+      h = taken * std::clamp(factor, Number(0.1), Number(0.8));
+      if (!(std::isfinite(h)) || h < span * 1e-16L)
+        return motion.trouble = ends_at(t, "it is singular there"), motion;
+      continue;
+    }
+    if (frozen.has_choices()) {
+      const Numbers end = after;
+      if (const Number turn = first_turn(x, rate, taken); turn > 0) {
+        contradicts_after(turn);
+        frozen.turn_contradicted();
+        x = after;
+        t += turn;
+        if (turn >= left) motion.states.push_back(x), ++next;
+        continue;
+      }
+      after = end;
+    }
+    x = after;
+    t = last ? static_cast<Number>(times[next]) : t + taken;
+    if (last) motion.states.push_back(x), ++next;
+    const Number longer = taken * std::clamp(factor, Number(0.5), Number(3));
+    h = last ? std::max(h, longer) : longer;
+  }
+  return motion;
+}
+
+}  // namespace oddity::problem

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "problem/expression.hpp"
+
+/// True motions, by two routes in long double that share the right-hand side and no algorithm: Taylor series
+/// of its operations, and extrapolation of the modified midpoint rule. Both find where a choice changes, and
+/// begin anew there.
+namespace oddity::problem {
+
+struct TrueMotion {
+  std::vector<std::vector<long double>> states;  ///< at the times that were reached
+  std::string trouble = {};                      ///< why not at all; empty: at all
+};
+
+/// `rates` takes the state and the time. The first of the ascending times is the start's.
+TrueMotion by_series(const Program& rates, const std::vector<long double>& start,
+                     std::span<const double> times);
+TrueMotion by_extrapolation(const Program& rates, const std::vector<long double>& start,
+                            std::span<const double> times);
+
+}  // namespace oddity::problem

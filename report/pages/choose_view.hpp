@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "report/study/choose.hpp"
+#include "report/text/screen.hpp"
+
+/// A choice, as text and for other programs.
+namespace oddity {
+
+/// What was asked, and the answer with its margin.
+std::string asked_text(const Choice&);
+std::string answer_text(const Choice&, const Screen& = {});
+/// The choice as a sentence and a table, for a terminal; the table's first rows, or all.
+std::string choice_text(const Choice&, bool all_rows, const Screen& = {});
+/// How well the true motion is known, and by what.
+std::string truth_text(const Choice&, const Screen& = {});
+/// What was tried and where the time went.
+std::string explanation_text(const Choice&);
+/// An error by the need's criterion, in the units asked in.
+std::string shown_errors(const Candidate&, const Choice&);
+std::string choice_json(const Choice&);
+std::string choice_csv(const Choice&);
+
+}  // namespace oddity

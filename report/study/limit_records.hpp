@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "report/study/results.hpp"
+
+/// Limits and maps of stability as they stand on record.
+namespace oddity {
+
+/// The outcomes in the order of a map's legend.
+inline constexpr std::array outcomes_of_a_map{
+    Outcome::ok,      Outcome::inaccurate, Outcome::drifted, Outcome::diverged,   Outcome::non_finite,
+    Outcome::stalled, Outcome::deceived,   Outcome::raised,  Outcome::chattering, Outcome::grazing};
+/// An outcome's letter on a map.
+char letter_of(Outcome);
+/// The outcome of a letter; nothing where it is none.
+std::optional<Outcome> outcome_of(char letter);
+/// The letters of a row's outcomes, from the coarsest step to the finest.
+std::string letters(const MapRow&);
+/// "..*.........": a star for each of a row's outcomes that a few roundings at the start decide; empty: none.
+std::string fragile_cells(const MapRow&);
+/// "0.464 to 0.555, from 0.882 on".
+std::string shown_tongues(const Limit&);
+/// How far from a limit that is not sharp other observers find it: "0.4 to 0.5".
+std::string shown_soft(const Between&);
+/// How the motion ends just above the limit, or "stable" when nothing breaks the method.
+std::string beyond(const Limit&);
+
+/// The rows of limits.csv, and of stability_maps.csv, that would put these results on record.
+std::string limit_rows(const Results&);
+std::string limit_row(const ExerciseResult&, const Limit&);
+std::string map_rows(const Results&);
+std::string map_row(const ExerciseResult&, const MapRow&);
+
+}  // namespace oddity

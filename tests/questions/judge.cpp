@@ -1,0 +1,487 @@
+#include "tests/questions/judge.hpp"
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <numbers>
+#include <sstream>
+
+#include "tests/questions/follow.hpp"
+
+namespace questions {
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+// ---- programs ---------------------------------------------------------------------------------------------
+
+std::string content(const std::string& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+struct Ended {
+  int code = 0;  ///< -1: it did not end by itself within the time
+  std::string out, err;
+  double seconds = 0, processor_seconds = 0;
+};
+
+double processor_seconds() {
+  rusage used{};
+  getrusage(RUSAGE_CHILDREN, &used);
+  const auto in_seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return in_seconds(used.ru_utime) + in_seconds(used.ru_stime);
+}
+
+/// It was ended before it had worked for half of its time.
+bool is_starved(const Ended& ended) { return ended.code < 0 && ended.processor_seconds < ended.seconds / 2; }
+
+std::string quoted(const std::string& word) {
+  std::string text = "'";
+  for (char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
+  return text + "'";
+}
+
+Ended run(const Program& program, const Words& words, double most_seconds) {
+  const std::string out = program.folder + "/out", err = program.folder + "/err";
+  std::string command = "timeout -s KILL " + std::to_string(most_seconds);
+  for (const std::string& word : words) command += " " + quoted(word);
+  const double used = processor_seconds();
+  const auto begin = std::chrono::steady_clock::now();
+  const int status = std::system((command + " </dev/null >" + quoted(out) + " 2>" + quoted(err)).c_str());
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128;
+  return {code == 137 && took.count() >= most_seconds ? -1 : code, content(out), content(err), took.count(),
+          processor_seconds() - used};
+}
+
+Ended ask(const Question& question, const Program& program, const std::string& format) {
+  Words words{program.oddity, "choose"};
+  words.insert(words.end(), question.words.begin(), question.words.end());
+  if (!format.empty()) words.push_back(format);
+  return run(program, words, 10 * question.limit + 60);  // a hang is for ever, and a busy machine slow
+}
+
+struct CannotBeJudged : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// ---- what the printed program does ------------------------------------------------------------------------
+
+/// The code with the rates of what it observes printed after it: by differences along the model's own rate.
+std::string with_rates(std::string code) {
+  const std::string helper = R"(
+template <class Observables, class Look>
+void print_row(double t, const Observables& now, const Look& look) {
+  const double h = sizeof(oddity::asked::Number) < sizeof(double) ? 3e-3 : 1e-4;
+  const auto a = look(-2 * h), b = look(-h), c = look(h), d = look(2 * h);
+  std::printf("%.17g", t);
+  for (double x : now) std::printf(",%.17g", x);
+  for (std::size_t i = 0; i < now.size(); ++i)
+    std::printf(",%.17g", (8.0 * (double(c[i]) - double(b[i])) - (double(d[i]) - double(a[i]))) / (12 * h));
+  std::printf("\n");
+}
+
+int main() {)";
+  const auto put = [&](const std::string& old, const std::string& now) {
+    if (const auto at = code.find(old); at != std::string::npos) code.replace(at, old.size(), now);
+  };
+  put("\nint main() {", helper);
+  put("print_row(t1, model.observe(x, Number(t1)));", R"({
+      auto rate = x;
+      model(x, rate, Number(t1));
+      print_row(t1, model.observe(x, Number(t1)), [&](double h) {
+        auto moved = x;
+        for (std::size_t i = 0; i < x.size(); ++i) moved[i] += Number(h) * rate[i];
+        return model.observe(moved, Number(t1 + h));
+      });
+    })");
+  put("print_row(t, model.at(oddity::asked::Number(t)));",
+      "print_row(t, model.at(oddity::asked::Number(t)), [&](double h) { return model.at(oddity::asked::Number(t + h)); "
+      "});");
+  return code;
+}
+
+/// The rows that the code prints, without the time. Throws std::runtime_error where it cannot be run, and
+/// CannotBeJudged where this machine is too busy for that.
+std::vector<Values> printed(const std::string& code, const Program& program) {
+  const std::string source = program.folder + "/asked.cpp", binary = program.folder + "/asked";
+  std::ofstream(source) << code;
+  const Ended compiled =
+      run(program, {program.compiler, "-std=c++20", "-O1", "-ffp-contract=off", source, "-o", binary}, 120);
+  if (is_starved(compiled)) throw CannotBeJudged("the machine is too busy to compile the code");
+  if (compiled.code != 0)
+    throw std::runtime_error("the code does not compile: " + compiled.err.substr(0, 300));
+  const Ended ran = run(program, {binary}, 120);
+  if (is_starved(ran)) throw CannotBeJudged("the machine is too busy to run the code");
+  if (ran.code != 0) throw std::runtime_error("the code ends with " + std::to_string(ran.code));
+  std::vector<Values> rows;
+  std::istringstream lines(ran.out);
+  std::string line;
+  std::getline(lines, line);  // names
+  while (std::getline(lines, line)) {
+    Values row;
+    std::istringstream in(line);
+    std::string cell;
+    std::getline(in, cell, ',');
+    while (std::getline(in, cell, ',')) row.push_back(std::strtold(cell.c_str(), nullptr));
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+// ---- the criteria, from their words -----------------------------------------------------------------------
+
+using Rows = std::vector<Values>;
+
+/// The largest distance from the truth, by unit; infinite where there is no number.
+std::map<std::string, Real> distances(const Scene& scene, const Rows& seen, const Rows& truth) {
+  std::map<std::string, Real> most;
+  for (const Norm& norm : scene.norms)
+    for (std::size_t k = 0; k < truth.size(); ++k) {
+      Real square = 0;
+      for (std::size_t i : norm.parts) square += (seen[k][i] - truth[k][i]) * (seen[k][i] - truth[k][i]);
+      const Real distance = std::sqrt(square);
+      most[norm.unit] = std::isfinite(distance) ? std::max(most[norm.unit], distance) : INFINITY;
+    }
+  return most;
+}
+
+/// How far the energy is off its true value, as a part of the most that moves.
+Real off_energy(const Scene& scene, const Parameters& p, const Rows& seen, const Rows& truth) {
+  Real most = 0, moves = 0;
+  for (std::size_t k = 0; k < truth.size(); ++k) {
+    const Energy real = scene.energy(p, truth[k]), now = scene.energy(p, seen[k]);
+    moves = std::max(moves, std::abs(real.kinetic));
+    const Real off = std::abs(now.whole - real.whole);
+    most = std::isfinite(off) ? std::max(most, off) : INFINITY;
+  }
+  return most / moves;
+}
+
+/// The mean time between the upward passages of what is seen first through this height, in frames; NaN for
+/// fewer than two.
+Real period(const Rows& seen, Real height) {
+  std::vector<Real> passages;
+  for (std::size_t k = 1; k < seen.size(); ++k) {
+    const Real before = seen[k - 1][0] - height, now = seen[k][0] - height;
+    if (before < 0 && now >= 0) passages.push_back(static_cast<Real>(k) - now / (now - before));
+  }
+  return passages.size() < 2 ? NAN
+                             : (passages.back() - passages.front()) / static_cast<Real>(passages.size() - 1);
+}
+
+Real off_period(const Rows& seen, const Rows& truth) {
+  Real mean = 0;
+  for (const Values& row : truth) mean += row[0] / static_cast<Real>(truth.size());
+  return std::abs(period(seen, mean) / period(truth, mean) - 1);
+}
+
+// ---- the verdict ------------------------------------------------------------------------------------------
+
+std::string shown(Real x) {
+  std::ostringstream text;
+  text.precision(3);
+  text << x;
+  return text.str();
+}
+
+/// An error measured, asked and said, in one unit.
+struct Compared {
+  std::string criterion, unit;
+  Real measured, asked, said, uncertain;
+
+  std::string text() const {
+    return shown(measured) + " " + unit + ", said " + shown(said) + ", asked " + shown(asked);
+  }
+};
+
+/// Empty where all is true.
+std::string untrue(const Compared& c, const Question& question) {
+  if (!(c.measured - c.uncertain <= c.asked * 1.0001L)) return c.criterion + " not held: " + c.text();
+  // the error said is the worst of the starts that it was chosen on
+  if (!(c.measured - c.uncertain <= 1.1L * c.said)) return c.criterion + " error understated: " + c.text();
+  if (question.asked_alone && c.measured + c.uncertain < 0.9L * c.said && c.said > 1e-3L * c.asked)
+    return c.criterion + " error overstated: " + c.text();
+  return {};
+}
+
+Real said_of(const Json& chosen, const Json& need, const std::string& unit) {
+  // what is shown may be in the unit asked in
+  static const std::map<std::string, std::pair<std::string, Real>, std::less<>> shown_units{
+      {"cm", {"m", 0.01L}},
+      {"mm", {"m", 0.001L}},
+      {"km", {"m", 1000}},
+      {"deg", {"rad", std::numbers::pi_v<Real> / 180}}};
+  for (const Json& symbol : need["unit"].items) {
+    const auto found = shown_units.find(symbol.words);
+    const std::string base = found == shown_units.end() ? symbol.words : found->second.first;
+    if (base != unit) continue;
+    const Json& error = chosen["error"];
+    const Json& number = error.kind == Json::object ? error[symbol.words] : error;
+    return static_cast<Real>(number.value) * (found == shown_units.end() ? 1 : found->second.second);
+  }
+  return NAN;
+}
+
+/// What the program did beside the truth, as far as that is known: to a tenth of what is asked.
+class Beside {
+ public:
+  Beside(const Question& q, Rows seen, bool in_float, bool with_rates)
+      : q_(q), seen_(std::move(seen)), times_(q.times()), in_float_(in_float) {
+    Truth truth = truth_of(q.scene->motion(q.parameters), times_, 20, with_rates);
+    for (const Values& row : truth.frames)
+      for (Real x : row) largest_ = std::max(largest_, std::abs(x));
+    Real least = 1e-6L * largest_;
+    if (q.criterion == "path")
+      for (const Norm& norm : q.scene->norms) least = std::min(least, asked(norm.unit));
+    std::size_t known = 0;
+    while (known < truth.frames.size() && truth.uncertain[known] <= least / 10) ++known;
+    if (known > 0) uncertain_ = truth.uncertain[known - 1];
+    truth.frames.resize(known);
+    truth_ = std::move(truth.frames);
+  }
+
+  /// The part of the motion up to which the truth is known.
+  double until() const { return static_cast<double>(truth_.size()) / static_cast<double>(times_.size()); }
+
+  /// By every criterion that was asked for. Throws CannotBeJudged.
+  std::vector<Compared> all(const Json& chosen, const Json& need) const {
+    if (truth_.empty()) throw CannotBeJudged("the judge's own truth is not known");
+    std::vector<Compared> all;
+    if (q_.criterion == "path") {
+      for (const auto& [unit, distance] : distances(*q_.scene, seen_, truth_))
+        all.push_back(
+            {"path", unit, distance, asked(unit), said_of(chosen, need, unit), 2 * uncertain_ + rounding()});
+    } else {
+      const Real allowed = q_.criterion == "bounded"
+                               ? 1
+                               : static_cast<Real>(q_.error_in(q_.criterion == "constraint" ? "m" : ""));
+      const Real said =
+          static_cast<Real>(chosen["also"] ? chosen["error"].value
+                                           : chosen["error_in_needs"].value * static_cast<double>(allowed));
+      all.push_back(by(q_.criterion, allowed, said));
+    }
+    for (const auto& [criterion, allowed] : q_.also)
+      all.push_back(
+          by(criterion, static_cast<Real>(allowed), static_cast<Real>(chosen["also"][criterion].value)));
+    return all;
+  }
+
+ private:
+  Real asked(const std::string& unit) const {
+    return q_.digits ? std::pow(Real(10), -static_cast<Real>(*q_.digits)) * largest_
+                     : static_cast<Real>(q_.error_in(unit));
+  }
+  /// Of a number of the program's; a motion in float is observed in float by the code alone.
+  Real rounding() const { return (in_float_ ? 0x1p-22L : 0x1p-50L) * largest_; }
+
+  Compared by(const std::string& criterion, Real allowed, Real said) const {
+    if (criterion == "energy") {
+      if (!q_.scene->energy) throw CannotBeJudged("what is seen does not tell the energy");
+      // its rates are differences of the fourth order, 1e-4 s apart
+      if (allowed < (in_float_ ? 1e-3L : 1e-8L)) throw CannotBeJudged("an energy is not measured so exactly");
+      return {
+          criterion, "of what moves",          off_energy(*q_.scene, q_.parameters, seen_, truth_), allowed,
+          said,      in_float_ ? 1e-3L : 1e-8L};
+    }
+    if (criterion == "period") {
+      if (until() < 1) throw CannotBeJudged("chaos: a period is of the whole motion");
+      return {criterion, "of it", off_period(seen_, truth_), allowed, said, 1e-9L};
+    }
+    if (criterion == "constraint") {
+      if (!q_.scene->off) throw CannotBeJudged("nothing seen is held");
+      Real most = 0;
+      for (std::size_t k = 0; k < seen_.size(); ++k) {
+        const Real off = q_.scene->off(q_.parameters, seen_[k], static_cast<Real>(times_[k]));
+        most = std::isfinite(off) ? std::max(most, off) : INFINITY;
+      }
+      return {criterion, "m", most, allowed, said, rounding()};
+    }
+    if (until() < 1) throw CannotBeJudged("the truth's size is not known to the end");
+    Real most = 0;
+    for (const Values& row : seen_)
+      for (Real x : row) most = std::isfinite(x) ? std::max(most, std::abs(x)) : INFINITY;
+    return {criterion, "of ten times the truth's size", most / (10 * largest_), allowed, said, 0};
+  }
+
+  const Question& q_;
+  Rows seen_, truth_;
+  std::vector<double> times_;
+  bool in_float_;
+  Real largest_ = 0, uncertain_ = 0;
+};
+
+Verdict wrong(const std::string& says, const Ended& ended, double known_until = 1) {
+  return {Verdict::wrong, says, ended.seconds, known_until};
+}
+
+std::string first_line(const std::string& text) {
+  return text.substr(0, std::min(text.find('\n'), std::size_t{200}));
+}
+
+bool names(const std::vector<std::string>& words, const Json& method) {
+  return std::ranges::any_of(words, [&](const std::string& word) {
+    return method["model"].words.find(word) != std::string::npos ||
+           method["algorithm"].words.find(word) != std::string::npos;
+  });
+}
+
+/// What the answer says beside its error.
+std::string contradiction(const Question& q, const Json& answer) {
+  const Json &chosen = answer["chosen"], &need = answer["need"];
+  if (need["horizon"].value != q.horizon || need["frames_per_second"].value != q.rate ||
+      need["criterion"].words != q.criterion)
+    return "echo: another question was answered";
+  const bool in_float = chosen["precision"].words == "float";
+  if (in_float ? !q.float_allowed : !q.double_allowed) return "precision: one that was not allowed";
+  if (!q.only.empty() && !names(q.only, chosen)) return "only: a method that was not asked for";
+  if (names(q.exclude, chosen)) return "exclude: a method that was excluded";
+  if (q.one_step &&
+      (chosen["algorithm"].words.starts_with("Adams-") || chosen["algorithm"].words.starts_with("CVODE")))
+    return "one-step: a method with a history";
+  if (chosen["holds"].value != 1) return "holds: what is chosen does not hold";
+  const bool linear = q.scene->number == "3.9" || q.scene->number == "3.19" || q.scene->number == "3.29";
+  if (linear && answer["predictable"]) return "chaos: a linear motion is called chaotic";
+  if (const double budget = need["budget"].value;
+      need["budget"] && chosen["seconds_per_frame"].value > budget)
+    return "budget: it takes more";
+  return {};
+}
+
+/// What the judge's own motion says against a reason; empty where it says nothing.
+std::string unfounded(const Question& q, const std::string& reason) {
+  const bool no_period = reason.find("no two periods") != std::string::npos,
+             not_held = reason.find("constraint to be off") != std::string::npos;
+  if (not_held && q.scene->off) return "something is held";
+  if (!no_period) return {};
+  const auto times = q.times();
+  const Truth truth = truth_of(q.scene->motion(q.parameters), times);
+  return truth.frames.size() == times.size() && off_period(truth.frames, truth.frames) == 0
+             ? "the motion has periods"
+             : "";
+}
+
+/// Whether the answer in another format has the same choice: in the row of what is chosen, or after "Take".
+bool same_choice(const Question& q, const std::string& text, const Json& chosen) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    if (q.beside == "--csv" ? line.ends_with(",1") : line.starts_with("Take "))
+      return line.find(q.beside == "--csv" ? chosen["algorithm"].words
+                                           : chosen["model"].words.substr(0, 30)) != std::string::npos;
+  return false;
+}
+
+Verdict judge_chosen(const Question& q, const Program& program, const Ended& ended, const Json& answer) {
+  if (const std::string off = contradiction(q, answer); !off.empty()) return wrong(off, ended);
+  const Json& chosen = answer["chosen"];
+  if (q.beside != "-") {
+    const Ended other = ask(q, program, q.beside);
+    if (other.code == 0 && !same_choice(q, other.out, chosen))
+      return wrong("two answers: --json says " + chosen["model"].words + " by " + chosen["algorithm"].words +
+                       ", but not " + (q.beside.empty() ? "the text" : q.beside),
+                   ended);
+  }
+  const Ended coded = ask(q, program, "--code");
+  if (coded.code != 0) {
+    if (coded.code < 0) return wrong("hang: --code", ended);
+    if (coded.err.empty())
+      return wrong("reason: --code ends with " + std::to_string(coded.code) + " and says nothing", ended);
+    return {Verdict::not_run, first_line(coded.err), ended.seconds};
+  }
+  if (coded.out.find(chosen["model"].words + ", " + chosen["algorithm"].words) == std::string::npos &&
+      coded.out.substr(0, 2000).find(chosen["algorithm"].words) == std::string::npos)
+    return wrong("two answers: --json says " + chosen["model"].words + " by " + chosen["algorithm"].words,
+                 ended);
+
+  const bool with_energy = q.scene->energy && (q.criterion == "energy" || q.also.contains("energy"));
+  Rows seen;
+  try {
+    seen = printed(with_energy ? with_rates(coded.out) : coded.out, program);
+  } catch (const CannotBeJudged& why) {
+    return {Verdict::not_run, why.what(), ended.seconds};
+  } catch (const std::runtime_error& error) {
+    return wrong(std::string("code: ") + error.what(), ended);
+  }
+  if (seen.size() != q.times().size())
+    return wrong("frames: " + std::to_string(seen.size()) + " for " + std::to_string(q.times().size()),
+                 ended);
+  const Beside beside(q, std::move(seen), chosen["precision"].words == "float", with_energy);
+  try {
+    std::string says = chosen["model"].words + " by " + chosen["algorithm"].words;
+    for (const Compared& c : beside.all(chosen, answer["need"])) {
+      if (const std::string off = untrue(c, q); !off.empty()) return wrong(off, ended, beside.until());
+      says += "; " + c.text();
+    }
+    return {Verdict::right, says, ended.seconds, beside.until()};
+  } catch (const CannotBeJudged& why) {
+    return {Verdict::not_run, why.what(), ended.seconds, beside.until()};
+  }
+}
+
+}  // namespace
+
+const char* name_of(Verdict::Kind kind) {
+  return std::array{"right", "right as far as it can be run", "refused", "nothing holds", "out of time",
+                    "FALSE"}[kind];
+}
+
+std::string output_of(const Program& program, const Words& words) {
+  Words all{program.oddity};
+  all.insert(all.end(), words.begin(), words.end());
+  const Ended ended = run(program, all, 120);
+  if (ended.code != 0) throw std::runtime_error(program.oddity + " fails: " + ended.err);
+  return ended.out;
+}
+
+Verdict judge(const Question& q, const Program& program) {
+  const Ended ended = ask(q, program, "--json");
+  if (ended.code < 0) return wrong("hang: no end after " + shown(ended.seconds) + " s", ended);
+  if (ended.code > 2)
+    return wrong("crash: exit code " + std::to_string(ended.code) + " " + first_line(ended.err), ended);
+  // The limit, a tenth of it, and what it takes to begin and end; by the processor's time, too, as the
+  // machine may be busy with something else.
+  if (std::min(ended.seconds, ended.processor_seconds) > 1.1 * q.limit + 0.6)
+    return wrong("limit: " + shown(ended.seconds) + " s for " + shown(q.limit), ended);
+  if (ended.code == 2) {
+    if (ended.err.empty()) return wrong("reason: exit code 2 and no word", ended);
+    const bool is_time = ended.err.find("time limit") != std::string::npos ||
+                         ended.err.find("--time-limit") != std::string::npos;
+    if (const std::string why = unfounded(q, ended.err); !why.empty())
+      return wrong("reason: " + first_line(ended.err) + "; but " + why, ended);
+    return {is_time ? Verdict::out_of_time : Verdict::refused, first_line(ended.err), ended.seconds};
+  }
+  Json answer;
+  try {
+    answer = JsonReader(ended.out).whole();
+  } catch (const std::runtime_error&) {
+    return wrong("format: --json prints no JSON", ended);
+  }
+  if ((ended.code == 0) != static_cast<bool>(answer["chosen"]))
+    return wrong("exit code: not as the answer is", ended);
+  if (ended.code == 1) {
+    if (answer["candidates"].items.empty())
+      return wrong("reason: nothing holds, and nothing was tried", ended);
+    const Json& budget = answer["need"]["budget"];
+    for (const Json& t : answer["candidates"].items)
+      if (t["holds"].value == 1 &&
+          (!budget || (t["seconds_per_frame"] && t["seconds_per_frame"].value <= budget.value)))
+        return wrong(
+            "reason: nothing holds, but " + t["model"].words + " by " + t["algorithm"].words + " does",
+            ended);
+    return {Verdict::nothing_holds, std::to_string(answer["candidates"].items.size()) + " methods tried",
+            ended.seconds};
+  }
+  return judge_chosen(q, program, ended, answer);
+}
+
+}  // namespace questions

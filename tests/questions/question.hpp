@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tests/questions/json.hpp"
+#include "tests/questions/scenes.hpp"
+
+namespace questions {
+
+/// A parameter as `oddity list --json` has it.
+struct Range {
+  std::string name;
+  double usual, least, most;
+  bool whole;
+};
+using Ranges = std::map<std::string, std::vector<Range>, std::less<>>;  ///< by scene
+Ranges ranges_of(const Json& list);
+
+/// What is asked of `oddity choose`.
+struct Question {
+  std::vector<std::string> words;  ///< after `choose`, but for a format
+  const Scene* scene;
+  Parameters parameters;
+  double horizon = 10, rate = 60;
+  std::string criterion = "path";
+  std::map<std::string, double> errors = {};  ///< by base unit; "": in all others
+  std::optional<double> digits = {};
+  std::map<std::string, double> also = {};  ///< criteria that have to hold beside it
+  double limit = 60;                        ///< s
+  bool float_allowed = false, double_allowed = true, one_step = false, asked_alone = false;
+  std::vector<std::string> only = {}, exclude = {};
+  std::string beside =
+      "-";  ///< a format whose answer has to be the same: --csv, or none for text; "-": not asked
+
+  std::string text() const;
+  std::vector<double> times() const;  ///< of the frames
+  double error_in(const std::string& unit) const;
+};
+
+/// The words of a command line. Throws std::runtime_error for a word that this program does not know.
+Question question_of(const std::vector<std::string>& words, const Ranges&);
+
+/// Numbers that are the same on every machine (SplitMix64).
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : state_(seed) {}
+  std::uint64_t bits();
+  double part() { return static_cast<double>(bits() >> 11) * 0x1p-53; }  ///< in [0, 1)
+  double between(double a, double b) { return a + (b - a) * part(); }
+  double by_size(double a, double b);  ///< its logarithm is uniform
+  bool chance(double p) { return part() < p; }
+  template <class T>
+  const T& one_of(const std::vector<T>& all) {
+    return all[bits() % all.size()];
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+/// What the program at hand can be asked.
+struct Asks {
+  bool starts = false, also = false;  ///< --starts 1; --energy, --period and --constraint
+  double limit = 3;                   ///< s, of a question
+  double most_frames = 2e4;
+};
+
+Question random_question(Random&, const Ranges&, const Asks&);
+
+}  // namespace questions

@@ -1,0 +1,92 @@
+// The ledger of what the solutions assert, beside the claims that judge it.
+
+#include "reference/ledger.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "chapters/claims.hpp"
+#include "chapters/contents.hpp"
+#include "reference/reference.hpp"
+#include "reference/verdicts.hpp"
+#include "report/verify/catch.hpp"
+#include "tests/complaint.hpp"
+#include "tests/scratch_folder.hpp"
+
+using namespace oddity;
+
+namespace {
+
+const std::string tables = std::string(ODDITY_SOURCE) + "/reference";
+
+std::string said_of(const std::string& rows) {
+  const ScratchFolder folder;
+  folder.file("ledger/1.1.csv", "line,place,assertion,claims,reason\n" + rows);
+  const std::string all = complaint([&] { read_ledger(folder.path(), "1.1"); });
+  return all.substr(std::min(all.size(), all.find(".csv") + 4));
+}
+
+}  // namespace
+
+TEST_CASE("a ledger is read, and a row that says nothing is refused", "[ledger]") {
+  const ScratchFolder folder;
+  folder.file(
+      "ledger/1.1.csv",
+      "line,place,assertion,claims,reason\n7,first display,x is 1,x one,\n8,second display,y,,a definition\n");
+  const auto all = read_ledger(folder.path(), "1.1");
+  REQUIRE(all.size() == 2);
+  CHECK(all[0].claims == std::vector<std::string>{"1.1-x", "1.1-one"});
+  CHECK(all[0].line == 7);
+  CHECK(all[1].reason == "a definition");
+  CHECK(read_ledger(folder.path(), "1.3").empty());
+  CHECK(said_of("7,,x is 1,x,\n") == ":2: an assertion needs a place and what it says");
+  CHECK(said_of("7,here,x is 1,,\n") == ":2: an assertion has claims, or a reason why it has none");
+  CHECK(said_of("7,here,x is 1,x,so\n") == ":2: an assertion has claims, or a reason why it has none");
+}
+
+TEST_CASE("where there is a ledger, every assertion has claims or a reason, and every claim its assertion",
+          "[ledger]") {
+  const Verdicts approved = read_verdicts(tables + "/approved");
+  for (const Entry& entry : registry()) {
+    if (!of_the_book(entry.number)) continue;
+    const std::string number = to_string(entry.number);
+    const auto ledger = read_ledger(tables, number);
+    INFO(number);
+    if (ledger.empty()) continue;
+    CHECK(std::ranges::is_sorted(ledger, {}, &Assertion::line));
+    std::set<std::string> judged;
+    for (const Assertion& assertion : ledger) judged.insert(assertion.claims.begin(), assertion.claims.end());
+    for (const std::string& claim : judged) {
+      INFO(claim << " is in the ledger");
+      CHECK(approved.contains(claim));
+    }
+    for (const auto& [claim, verdict] : approved) {
+      if (!claim.starts_with(number + "-")) continue;
+      INFO(claim << " is a claim");
+      CHECK(judged.contains(claim));
+    }
+  }
+}
+
+TEST_CASE("a claim's line is that of one of its assertions in the ledger", "[ledger]") {
+  const Reference truth(tables);
+  for (const Entry& entry : registry()) {
+    const auto ledger = read_ledger(tables, to_string(entry.number));
+    if (!of_the_book(entry.number) || ledger.empty()) continue;
+    for (const Claim& claim : entry.exercise.study(Parameters(entry.exercise.parameters), truth).claims) {
+      INFO(claim.id << " says that it is at line " << claim.line);
+      CHECK(std::ranges::any_of(ledger, [&](const Assertion& assertion) {
+        return assertion.line == claim.line && std::ranges::count(assertion.claims, claim.id) > 0;
+      }));
+    }
+  }
+}
+
+TEST_CASE("numbers are filled into a text, each in its place", "[claims]") {
+  CHECK(filled("off by @2 m after @3 s", {0.1234, 12.345}) == "off by 0.12 m after 12.3 s");
+  CHECK(filled("nothing", {}) == "nothing");
+  CHECK_THROWS_AS(filled("@2", {}), std::logic_error);
+  CHECK_THROWS_AS(filled("none", {1}), std::logic_error);
+  CHECK_THROWS_AS(filled("@x", {1}), std::logic_error);
+  CHECK_THROWS_AS(filled("@", {1}), std::logic_error);
+}

@@ -1,0 +1,437 @@
+// Problems' files: how they are read, what they make, and that a file's answers are those of the same scene
+// in C++.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "chapters/scene.hpp"
+#include "problem/file.hpp"
+#include "problem/model.hpp"
+#include "problem/scene.hpp"
+#include "problem/template.hpp"
+#include "problem/truth.hpp"
+#include "reference/text.hpp"
+#include "report/study/choose.hpp"
+#include "report/verify/catch.hpp"
+#include "solvers/taylor/series.hpp"
+#include "tests/complaint.hpp"
+#include "tests/near.hpp"
+#include "tests/program.hpp"
+#include "tests/scratch_folder.hpp"
+
+using namespace oddity;
+using namespace oddity::problem;
+
+namespace {
+
+const std::filesystem::path folder =
+    std::filesystem::path(ODDITY_SOURCE) / "chapters" / "examples" / "problems";
+
+std::string with(const std::string& equation, const std::string& start = R"({ y = "0 m", "y'" = "1 m/s" })",
+                 const std::string& more = "") {
+  return "title = \"test\"\n[parameters]\nm = \"2 kg\"\nk = \"30 kN/m, 1 to 100\"\nc = \"2.5 kN s/m\"\ng = \"9.81 m/s^2\"\n"
+         "[given]\nz = \"if(t < 0.2 s, 5 cm sin(pi t/(0.2 s)), 0)\"\n[model.one]\nequations = [\"" +
+         equation + "\"]\nstart = " + start + "\n" + more + "[observe]\ny = \"m\"\n";
+}
+
+/// The highest rate that the equation gives at y = 0.3 m, y' = -0.7 m/s, t = 0.1 s.
+double rate_of(const std::string& equation) {
+  const auto file = read("test.toml", with(equation));
+  const Model model(*file, file->models[0]);
+  std::vector<double> values;
+  for (const ParameterText& p : file->parameters) values.push_back(p.value);
+  const std::array<double, 2> x{0.3, -0.7};
+  std::array<double, 2> rate{};
+  model.with(values).rates.run(x.data(), 0.1, rate.data());
+  return rate[1];
+}
+
+std::string refusal(const std::string& text) {
+  return complaint([&] { entry_of_text("test.toml", text); });
+}
+std::string refusal_of(const std::string& equation) { return refusal(with(equation)); }
+
+/// What is said, less the line and the caret.
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+std::string text_of_example(const std::string& name) { return text_of(folder / (name + ".toml")); }
+
+}  // namespace
+
+TEST_CASE("A unit follows a numeral, and only functions are called", "[problem]") {
+  const double y = 0.3, v = -0.7, m = 2, k = 30e3, c = 2.5e3, g = 9.81, pi = std::numbers::pi;
+  const double z = 0.05 * std::sin(pi * 0.1 / 0.2), z_rate = 0.05 * std::cos(pi * 0.1 / 0.2) * pi / 0.2;
+  CHECK(near(rate_of("m y'' = -k (y - z) - c (y' - z')"), (-k * (y - z) - c * (v - z_rate)) / m, 1e-9));
+  CHECK(near(rate_of("y'' = 5 cm/(2 s)^2"), 0.0125, 1e-15));
+  CHECK(near(rate_of("y'' = 9.81 m/s^2 - 3 1/s y'"), 9.81 + 2.1, 1e-14));
+  CHECK(near(rate_of("y'' = 2*g - m g/(2*m)"), 1.5 * g, 1e-14));
+  CHECK(near(rate_of("y'' = g/2 - 36 km/h^2"), g / 2 - 36e3 / 3600 / 3600, 1e-14));
+  CHECK(near(rate_of("y'' = 60 rpm y'"), 2 * pi * v, 1e-14));
+  CHECK(near(rate_of("y'' = y^2 g/(1 m)^2"), 0.09 * g, 1e-14));
+  CHECK(near(rate_of("y'' = abs(y') 1 1/s + max(y, 1 m) 1 1/s^2"), 1.7, 1e-14));
+  CHECK(near(rate_of("y'' = if(y' > 0, g, -g) + sign(y') g"), -2 * g, 1e-14));
+  CHECK(near(rate_of("y'' = g atan2(y, 2 m) + g asin(y/(1 m)) + g ln(2) + g tanh(1/2)"),
+             g * (std::atan2(0.3, 2) + std::asin(0.3) + std::log(2) + std::tanh(0.5)), 1e-13));
+  CHECK(near(rate_of("(m + 1 kg) y'' + 2*m y'' = -c y'"), -c * v / 7, 1e-10));
+  CHECK(near(rate_of(R"(y'' = -\\frac{k}{m} y - \\frac{c}{m}\\dot y)"), (-k * y - c * v) / m, 1e-9));
+}
+
+TEST_CASE("What is wrong in a file is said with its line and column", "[problem]") {
+  CHECK(first_line(refusal_of("m y'' = -k y - c y")) == "test.toml:10:30: N and m kg/s do not add up");
+  CHECK(first_line(refusal_of("y'' = -g + y'")) == "test.toml:10:26: m/s^2 and m/s do not add up");
+  CHECK(first_line(refusal_of("m y'' = g")) ==
+        "test.toml:10:23: the left side is N, and the right side m/s^2");
+  CHECK(first_line(refusal_of("y'' = -mg")) == "test.toml:10:22: no letter mg; did you mean m g?");
+  CHECK(refusal_of("y'' = -1/2 m y'").find("write 2*m for the letter") != std::string::npos);
+  CHECK(first_line(refusal_of("y'' = g sin(y)")) ==
+        "test.toml:10:27: a pure number is expected here, and this is m");
+  CHECK(refusal_of("y''^2 = g^2").find("not linear in y''") != std::string::npos);
+  CHECK(refusal_of("y' = 1 m/s").find("the equations are of order 1 in y: leave y' out") !=
+        std::string::npos);
+  CHECK(refusal_of("y''' = 1 m/s^3").find("no start for y''") != std::string::npos);
+  CHECK(refusal_of("0*y'' = g").find("no equation") == std::string::npos);
+  CHECK(refusal_of("0*y'' = g").find("singular") != std::string::npos);
+  CHECK(refusal_of("y'' = g (").find("expected") != std::string::npos);
+  CHECK(refusal_of("y'' - g").find("expected an equation") != std::string::npos);
+  CHECK(refusal(with("y'' = -g", R"({ y = 0 })")).find("no start for y'") != std::string::npos);
+  CHECK(refusal(with("y'' = -g", R"({ y = "1 s", "y'" = 0 })")).find("y is in m, and this is s") !=
+        std::string::npos);
+  CHECK(refusal(with("y'' = -g", R"({ y = "q", "y'" = 0 })")).find("no letter q") != std::string::npos);
+  CHECK(refusal(with("m y'' = -k y", R"({ y = "1 m", "y'" = 0 })",
+                     "conserves = { kinetic = \"m/2 y'^2\", potential = \"k y^2\" }\n"))
+            .find("is not conserved") != std::string::npos);
+  CHECK(first_line(refusal("title = \"x\"\n[parametres]\n")) ==
+        "test.toml:2:2: no key parametres; did you mean 'parameters'?");
+  CHECK(refusal("title = \"x\"\n[parameters]\nm = \"2 kgs\"\n").find("no unit 'kgs'") != std::string::npos);
+  CHECK(refusal("title = \"x\"\n[parameters]\nm = \"2 kg, 3 to 4\"\n").find("outside its range") !=
+        std::string::npos);
+  CHECK(refusal("title = [").find("test.toml:1:") == 0);
+  CHECK(refusal("") == "test.toml:1:1: no title: add title = \"...\"\n  \n  ^");
+  // The caret is below the place.
+  std::istringstream shown(refusal_of("y'' = -mg"));
+  std::string says, line, caret;
+  std::getline(shown, says), std::getline(shown, line), std::getline(shown, caret);
+  CHECK(line.substr(caret.find('^'), 2) == "mg");
+}
+
+TEST_CASE("A formula is no deeper and no wider than it may be", "[problem]") {
+  const auto repeated = [](const std::string& text, int times) {
+    std::string all;
+    for (int i = 0; i < times; ++i) all += text;
+    return all;
+  };
+  // The same refusal again and again: nothing is left over from the one before.
+  for (int i = 0; i < 40; ++i)
+    CHECK(refusal_of("y'' = " + repeated("abs(", 40) + "g" + repeated(")", 40)).find("at most 30 calls") !=
+          std::string::npos);
+  CHECK(near(rate_of("y'' = " + repeated("abs(", 25) + "g" + repeated(")", 25)), 9.81, 1e-14));
+  CHECK(refusal_of("y'' = " + repeated("(", 100) + "g" + repeated(")", 100)).find("at most 60 levels") !=
+        std::string::npos);
+  CHECK(near(rate_of("y'' = g" + repeated(" + g", 99)), 981, 1e-10));
+}
+
+TEST_CASE("Garbled files are refused or read, and nothing else happens", "[problem]") {
+  Random random(52);
+  for (const std::string name : {"quarter_car", "double_pendulum", "spring_animation"}) {
+    const std::string whole = text_of_example(name);
+    REQUIRE_FALSE(whole.empty());
+    for (int i = 0; i < 150; ++i) {
+      std::string text = whole;
+      for (int changes = 1 + random.below(3); changes > 0; --changes) {
+        const auto at = static_cast<std::size_t>(random.below(static_cast<int>(text.size())));
+        constexpr std::string_view signs = "()=+-*/^'\"{}[],.0 1e9 m\\|\n<\x80";
+        const char sign = signs[static_cast<std::size_t>(random.below(static_cast<int>(signs.size())))];
+        if (random.unit() < 0.5)
+          text[at] = sign;
+        else
+          text.erase(at, 1 + static_cast<std::size_t>(random.below(4)));
+      }
+      const std::string said = complaint([&] { entry_of_text("test.toml", text); });
+      INFO(said);
+      CHECK((said == "nothing" || said.find("test.toml:") == 0));
+    }
+  }
+}
+
+TEST_CASE("A Lagrangian gives the equations that it is written for", "[problem]") {
+  const std::string lagrangian = R"(lagrangian = "m/2 (r'^2 + r^2 p'^2) + m g r cos(p) - k/2 (r - L)^2")";
+  const auto model = [&](const std::string& equations) {
+    return "title = \"x\"\n[parameters]\nm = \"1.3 kg\"\nk = \"40 N/m\"\nL = \"1 m\"\ng = \"9.81 m/s^2\"\n[model.one]\n" +
+           lagrangian + "\n" + equations + R"(start = { r = "1.2 L", p = "0.5 rad", "r'" = 0, "p'" = 0 })" +
+           "\n[observe]\nr = \"m\"\n";
+  };
+  const std::string first =
+      R"x(equations = ["m r'' = m r p'^2 + m g cos(p) - k (r - L)", "r p'' = -2*r' p' - g sin(p)"])x";
+  CHECK(refusal(model(first + "\n")) == "nothing");
+  const std::string wrong =
+      R"x(equations = ["m r'' = m r p'^2 + m g cos(p) - k (r - L)", "r p'' = -r' p' - g sin(p)"])x";
+  CHECK(refusal(model(wrong + "\n")).find("the Lagrangian's p'' is not that of the equations") !=
+        std::string::npos);
+  CHECK(refusal(model("")) == "nothing");
+}
+
+TEST_CASE("A program has one value in every number", "[problem]") {
+  for (const std::string name :
+       {"double_pendulum", "rope", "gyroscope", "cart_and_pole", "orbit_with_drag"}) {
+    const auto file = read(name, text_of_example(name));
+    const Model model(*file, file->models.back());
+    std::vector<double> values;
+    for (const ParameterText& p : file->parameters) values.push_back(p.value);
+    const Numbers numbers = model.with(values);
+    const std::size_t n = numbers.unknowns;
+    std::vector<double> x(numbers.start.begin(), numbers.start.end()), rate(n);
+    std::vector<long double> in_long(numbers.start), rate_in_long(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      x[i] += 0.1 * (1 + std::abs(x[i])) * std::sin(static_cast<double>(i + 1));
+      in_long[i] = x[i];
+    }
+    numbers.rates.run(x.data(), 0.3, rate.data());
+    numbers.rates.run(in_long.data(), 0.3L, rate_in_long.data());
+    for (std::size_t i = 0; i < n; ++i) {
+      INFO(name << " " << i);
+      CHECK(near(rate[i], static_cast<double>(rate_in_long[i]), 1e-12 * (1 + std::abs(rate[i]))));
+    }
+  }
+}
+
+TEST_CASE("The true motion of a file is that of the table", "[problem]") {
+  const Entry& entry = entry_of_file((folder / "pendulum.toml").string());
+  const Reference truth(std::filesystem::path(ODDITY_SOURCE) / "reference");
+  for (const double a : {0.5, 1.5, 3.0}) {
+    Parameters p(entry.exercise.parameters);
+    p.set("a", a);
+    const Horizon horizon{10, 20};
+    const Quantity seen = motion(*entry.exercise.scene, p, horizon, truth);
+    const Known known = trajectory(truth, "03_05_swing", {a, 1, 9.81}, horizon);
+    CHECK(seen.reference_error < 1e-13);
+    for (std::size_t i = 0; i < known.value.size(); ++i)
+      CHECK(near(seen.reference.value[i], known.value[i], seen.reference_error + known.error));
+  }
+}
+
+TEST_CASE("Both routes to a true motion find where a choice changes", "[problem]") {
+  // y'' = -1 above y = 0, +1 below, from y = 1/2 at rest: parabolas of a period of 4, known in closed form.
+  const std::string text =
+      "title = \"x\"\n[parameters]\nh = \"0.5 m\"\n[model.one]\nequations = [\"y'' = if(y > 0, -1 m/s^2, 1 m/s^2)\"]\n"
+      "start = { y = \"h\", \"y'\" = 0 }\n[observe]\ny = \"m\"\n";
+  const auto file = read("test.toml", text);
+  const Numbers numbers = Model(*file, file->models[0]).with({0.5});
+  std::vector<double> times;
+  for (int i = 0; i <= 97; ++i) times.push_back(0.37 * i);
+  for (const auto route : {by_series, by_extrapolation}) {
+    const TrueMotion motion = route(numbers.rates, numbers.start, times);
+    CHECK(motion.trouble.empty());
+    REQUIRE(motion.states.size() == times.size());
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      const double t = std::fmod(times[i] + 1, 4), s = t < 2 ? t - 1 : t - 3;
+      const double y = (t < 2 ? 1 : -1) * (1 - s * s) / 2;
+      CHECK(near(static_cast<double>(motion.states[i][0]), y, 1e-13));
+    }
+  }
+}
+
+TEST_CASE("A motion that ends is said to end", "[problem]") {
+  const std::string text =
+      "title = \"x\"\n[parameters]\nv = \"1 m\"\n[model.one]\nequations = [\"y' = y^2/(1 m s)\"]\n"
+      "start = { y = \"v\" }\n[observe]\ny = \"m\"\n";
+  const Entry& entry = entry_of_text("test.toml", text);
+  const Reference truth(std::filesystem::path(ODDITY_SOURCE) / "reference");
+  const std::string said = complaint([&] {
+    motion(*entry.exercise.scene, Parameters(entry.exercise.parameters), {2, 8}, truth);
+  });
+  CHECK(said.find("the true motion ends at 1") != std::string::npos);
+}
+
+// ---- a file's answers are the scene's
+// -----------------------------------------------------------------------
+
+namespace {
+
+struct Twin {
+  std::string file, number, model;
+};
+
+/// The quantities of both at the same parameters.
+void same_motions(const Twin& twin, const std::vector<std::pair<std::string, double>>& changed,
+                  const Horizon& horizon) {
+  const Entry& own = entry_of_file((folder / twin.file).string());
+  const Entry& book = *std::ranges::find(registry(), exercise_number(twin.number), &Entry::number);
+  Parameters own_p(own.exercise.parameters), book_p(book.exercise.parameters);
+  for (const auto& [name, value] : changed) own_p.set(name, value), book_p.set(name, value);
+  const Reference truth(std::filesystem::path(ODDITY_SOURCE) / "reference");
+  const Quantity theirs = motion(*book.exercise.scene, book_p, horizon, truth);
+  Quantity mine = motion(*own.exercise.scene, own_p, horizon, truth);
+  mine.need = theirs.need;
+  mine.needs = theirs.needs;
+  REQUIRE(mine.reference.value.size() == theirs.reference.value.size());
+  int compared = 0;
+  for (const Method& method : mine.methods) {
+    const Method* other = method_of(theirs, method.model, method.algorithm);
+    if (!other) continue;
+    ++compared;
+    for (const double setting :
+         {method.knob.settings.front(), method.knob.settings[method.knob.settings.size() / 2]}) {
+      const Trial one = run(mine, method, setting), two = run(theirs, *other, setting);
+      INFO(method.model << ", " << method.algorithm << ", " << setting);
+      CHECK(one.outcome == two.outcome);
+      // Of implicit and adaptive ones a rounding may decide on a step.
+      const double size = 1e-3 * two.error + 1e-10;
+      if (std::isfinite(two.error)) CHECK(near(one.error, two.error, size));
+    }
+  }
+  CHECK(compared >= 7);
+}
+
+}  // namespace
+
+TEST_CASE("The pendulum as a file moves as 3.5 does", "[problem]") {
+  const Twin twin{"pendulum.toml", "3.5", "one angle"};
+  for (const double a : {0.1, 0.5, 1.2, 2.5}) same_motions(twin, {{"a", a}}, {4, 1, 16});
+}
+
+TEST_CASE("The pendulum's file has the energy that 3.5 has", "[problem]") {
+  const Entry& own = entry_of_file((folder / "pendulum.toml").string());
+  const Entry& book = *std::ranges::find(registry(), exercise_number("3.5"), &Entry::number);
+  Parameters mine(own.exercise.parameters), theirs(book.exercise.parameters);
+  for (const double L : {1.0, 1.7}) {
+    mine.set("L", L), theirs.set("L", L);
+    std::vector<double> change;
+    for (const std::vector<double> x : {std::vector{0.3, 1.0}, std::vector{-1.2, 0.4}}) {
+      const Energy one = own.exercise.scene->laws.energy(mine, x),
+                   two = book.exercise.scene->laws.energy(theirs, x);
+      CHECK(near(one.kinetic * L, two.kinetic, 1e-12));  // the file's is over the length
+      change.push_back(one.whole * L - two.whole);
+    }
+    CHECK(near(change[0], change[1], 1e-12));
+  }
+}
+
+TEST_CASE("Three masses by their Lagrangian move as 3.25 does", "[problem]") {
+  const Twin twin{"triple_pendulum.toml", "3.25", "dense mass matrix"};
+  same_motions(twin, {}, {4, 1, 16});
+  same_motions(twin, {{"theta1", 0.5}, {"m2", 2}}, {2, 1, 16});
+}
+
+TEST_CASE("The pendulum's file is answered as 3.5 is", "[problem]") {
+  const Entry& own = entry_of_file((folder / "pendulum.toml").string());
+  const Entry& book = *std::ranges::find(registry(), exercise_number("3.5"), &Entry::number);
+  const Reference truth(std::filesystem::path(ODDITY_SOURCE) / "reference");
+  // What costs what: evaluations, so that no clock decides.
+  const Price price = [](const Method& method, double setting) {
+    return Time{static_cast<double>(method.run(setting).evaluations), 0};
+  };
+  const std::vector<std::string> not_in_file{"Jacobi", "in float"};
+  for (const double a : {0.2, 0.5, 1.0, 2.0})
+    for (const double error : {0.02, 1e-3, 1e-5}) {
+      Need need{.error = error, .horizon = 3};
+      need.exclude = not_in_file;
+      need.objective = error == 1e-3 ? Objective::cheapest : Objective::simple;
+      Task mine(own), theirs(book);
+      mine.parameters.set("a", a), theirs.parameters.set("a", a);
+      const Choice one = choose(mine, need, truth, price), two = choose(theirs, need, truth, price);
+      INFO("a = " << a << ", error " << error);
+      REQUIRE(one.chosen.has_value() == two.chosen.has_value());
+      if (!one.chosen) continue;
+      CHECK(one.chosen->model == two.chosen->model);
+      CHECK(one.chosen->algorithm == two.chosen->algorithm);
+      CHECK(one.chosen->setting == two.chosen->setting);
+      CHECK(near(one.chosen->error, two.chosen->error, 1e-3 * two.chosen->error));
+    }
+}
+
+// ---- the examples
+// -------------------------------------------------------------------------------------------
+
+namespace {
+
+/// "# Answer: MODEL, ALGORITHM, SETTING: errs by ERROR UNIT."
+struct Answered {
+  std::string model, algorithm;
+  double setting = 0, error = 0;
+};
+std::vector<Answered> answers_of(const std::string& text) {
+  std::vector<Answered> all;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const std::string begin = "# Answer: ";
+    if (!line.starts_with(begin)) continue;
+    REQUIRE(line.back() == '.');
+    line.pop_back();
+    line.erase(0, begin.size());
+    const auto first = line.find(", "), second = line.find(", ", first + 2), third = line.find(": errs by ");
+    REQUIRE((first < second && second < third && third != std::string::npos));
+    const std::string setting = line.substr(second + 2, third - second - 2);
+    const double whole =
+        setting.starts_with("1/") ? 1 / *parse_number(setting.substr(2)) : *parse_number(setting);
+    const std::string error = line.substr(third + 10);
+    all.push_back({line.substr(0, first), line.substr(first + 2, second - first - 2), whole,
+                   *parse_number(error.substr(0, error.find(' ')))});
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("Each example's answers are so", "[problem]") {
+  const Reference truth(std::filesystem::path(ODDITY_SOURCE) / "reference");
+  int examples = 0;
+  for (const auto& file : std::filesystem::directory_iterator(folder)) {
+    if (file.path().extension() != ".toml") continue;
+    ++examples;
+    const std::string text = text_of(file.path());
+    const Entry& entry = entry_of_text(file.path().filename().string(), text);
+    const Asked asked = asked_by(entry);
+    const Scene& scene = *entry.exercise.scene;
+    const double rate = *parse_number(asked.frames_per_second.substr(0, asked.frames_per_second.find(' '))) /
+                        (asked.frames_per_second.ends_with("min") ? 60 : 1);
+    const Quantity seen =
+        motion(scene, Parameters(entry.exercise.parameters), {scene.horizon, 1, rate}, truth);
+    INFO(file.path().string());
+    CHECK(seen.reference_error < 1e-6 * *std::ranges::min_element(seen.needs));
+    const auto answers = answers_of(text);
+    CHECK(answers.size() >= 2);
+    bool holds = false, fails = false;
+    for (const Answered& one : answers) {
+      const Method* method = method_of(seen, one.model, one.algorithm);
+      INFO(one.model << ", " << one.algorithm << ", " << one.setting);
+      REQUIRE(method != nullptr);
+      const Trial trial = run(seen, *method, one.setting);
+      CHECK(format_significant(trial.error, 2) == format_significant(one.error, 2));
+      (trial.in_needs <= 1 ? holds : fails) = true;
+    }
+    CHECK(holds);
+    CHECK(fails);
+  }
+  CHECK(examples >= 10);
+}
+
+TEST_CASE("The file that new writes runs as it is", "[problem]") {
+  CHECK(refusal(std::string(begun)) == "nothing");
+}
+
+TEST_CASE("The program takes a file's name in an exercise's place", "[problem][commands]") {
+  const ScratchFolder scratch;
+  const std::string file = (scratch.path() / "mine.toml").string();
+  const auto made = program::run("new " + file);
+  CHECK(made.status == 0);
+  CHECK(program::run("new " + file).status == 2);
+  const auto chosen = program::printed("choose " + file);
+  CHECK(chosen.status == 0);
+  CHECK(program::says(chosen, "spring and friction by"));
+  CHECK(program::printed("choose " + file + " k=60N/m --error 1cm --horizon 3s").status == 0);
+  CHECK(program::printed("choose - < " + file).output.find("spring and friction by") != std::string::npos);
+  const auto trials = program::printed("solve " + file + " --csv");
+  CHECK(trials.status == 0);
+  CHECK(program::says(trials, "mine,motion"));
+  CHECK(program::printed("stability " + file + " --csv --horizon 5s").status == 0);
+  CHECK(program::printed("chart " + file + " --csv").status == 0);
+  const std::string wrong = scratch.file("wrong.toml", with("y'' = -g + y'")).string();
+  const auto refused = program::run("chart " + wrong + " --out " + (scratch.path() / "charts").string());
+  CHECK(refused.status == 2);
+  CHECK(program::says(refused, "wrong.toml:10:26: m/s^2 and m/s do not add up"));
+  CHECK_FALSE(std::filesystem::exists(scratch.path() / "charts"));
+  CHECK(program::run("choose nowhere.toml").status == 2);
+}

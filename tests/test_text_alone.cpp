@@ -1,0 +1,84 @@
+// Readings that are stated as text alone: their value, their single changes, and what is refused.
+
+#include <string>
+
+#include "chapters/claims.hpp"
+#include "chapters/near_misses.hpp"
+#include "report/verify/catch.hpp"
+
+using namespace oddity;
+
+namespace {
+
+struct Point {
+  double x, y;
+  explicit Point(Random& random) : x(random.between(1, 2)), y(random.between(3, 4)) {}
+  std::array<double*, 2> letters() { return {&x, &y}; }
+  TypesetLetters typeset() const { return {{"x", x}, {"y", y}, {"s", x + y}}; }
+  std::string where() const { return told(typeset(), 2); }
+};
+
+const Formula<Point> truth{"by hand", [](const Point& p) { return p.x * p.x - 2 * p.y; }};
+
+Claim claim(const FormulaClaim<Point>& parts) {
+  Claims claims("9.9");
+  claims.formula("text", 1, "text", draw<Point>(40, 1), parts);
+  return claims.in_order().at(0);
+}
+
+double value(const std::string& text, const TypesetLetters& letters) {
+  return TypesetFormula(text)(letters)[0];
+}
+
+}  // namespace
+
+TEST_CASE("a reading of text alone has the value of its text", "[claims]") {
+  const Claim right = claim({.truth = truth, .printed = {"$x^2-2y$"}});
+  CHECK(verdict(right) == Verdict::confirmed);
+  CHECK(right.printed.as_typeset);
+  const Claim wrong =
+      claim({.truth = truth, .printed = {"$x^2+2y$"}, .corrected = {"$x^2-2y$"}, .kind = Fault::formula});
+  CHECK(verdict(wrong) == Verdict::wrong);
+}
+
+TEST_CASE("every single change of a right text is a near miss, and the hardest to see is shown", "[claims]") {
+  const Claim right = claim({.truth = truth, .printed = {"$x^2-2y$"}});
+  REQUIRE(right.near_misses.size() == 1);
+  CHECK_FALSE(right.near_misses[0].holds());
+  CHECK(right.near_misses[0].text.find("the hardest to see of ") != std::string::npos);
+  // Stated by a function, it has those alone that are given.
+  CHECK(claim({.truth = truth, .printed = {"$x^2-2y$", truth.of}}).near_misses.empty());
+}
+
+TEST_CASE("a change that holds leaves a claim unsettled, unless the reason is known", "[claims]") {
+  const Formula<Point> zero{"zero", [](const Point&) { return 0.0; }};
+  CHECK(verdict(claim({.truth = zero, .printed = {"$s-x=y$"}})) == Verdict::confirmed);
+  const Claim doubled = claim({.truth = zero, .printed = {"$2(s-x-y)=0$"}});
+  CHECK(verdict(doubled) == Verdict::unsettled);
+  const Claim known =
+      claim({.truth = zero, .printed = {"$2(s-x-y)=0$"}, .changes_that_hold = "a factor of zero is free"});
+  CHECK(verdict(known) == Verdict::confirmed);
+  CHECK(known.near_misses[0].text.ends_with("others hold: a factor of zero is free"));
+}
+
+TEST_CASE("changes that are no change are not counted", "[claims]") {
+  std::vector<TypesetSample> samples;
+  for (const Point& p : draw<Point>(4, 1)) samples.push_back({p.typeset(), 2 * p.x});
+  const Changes changes = changes_of(TypesetFormula("$x+x$"), samples);
+  CHECK(changes.equal == 0);
+  CHECK(changes_of(TypesetFormula("$(1,1)\\cdot(x,x)$"), samples).equal == 2);  // components exchanged
+  for (const ChangedFormula& changed : changes.hardest_first) CHECK(changed.roundings > 1e6);
+  CHECK(changes_of(TypesetFormula("$x$"), {}).hardest_first.empty());
+}
+
+TEST_CASE("an equation's value is what its sides differ by, but for a name on the left", "[claims]") {
+  const TypesetLetters letters{{"x", 3}, {"y", 5}};
+  CHECK(value("$x+y$", letters) == 8);
+  CHECK(value("$2x=y$", letters) == 1);
+  CHECK(value("$2x=0$", letters) == 6);
+  CHECK(value("$W'(T)=y$", letters) == 5);
+  CHECK(value(R"($\ddot q_1=y$)", letters) == 5);
+  CHECK(value("$x=y$", letters) == 5);
+  for (const char* text : {"x+y", "the same", "$x<y$", "$x=y=2$", "$x+q$", "$q+1=x$", "$x=$", "$(1,x)+y$"})
+    CHECK_THROWS_AS(TypesetFormula(text)(letters), std::logic_error);
+}

@@ -1,0 +1,134 @@
+// The pages that a reader of the repository finds: their links, their length, and the counts that they name.
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "reference/verdicts.hpp"
+#include "report/verify/catch.hpp"
+#include "tests/scratch_folder.hpp"
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path tree = ODDITY_SOURCE;
+
+/// Every page, but those that the program writes.
+std::vector<fs::path> pages() {
+  std::vector<fs::path> found{tree / "README.md", tree / "ARCHITECTURE.md", tree / "CONTRIBUTING.md"};
+  for (const char* room : {"chapters", "cmake", "docs", "reference", "report", "solvers", "tests"})
+    for (auto entry = fs::recursive_directory_iterator(tree / room);
+         entry != fs::recursive_directory_iterator(); ++entry) {
+      if (entry->path().filename() == "node_modules" || entry->path() == tree / "report/book")
+        entry.disable_recursion_pending();
+      else if (entry->path().extension() == ".md" && entry->path() != tree / "report/engines.md")
+        found.push_back(entry->path());
+    }
+  return found;
+}
+
+/// The page without its blocks of code.
+std::string prose_of(const fs::path& page) {
+  std::istringstream in(text_of(page));
+  std::string prose;
+  bool is_code = false;
+  for (std::string line; std::getline(in, line);)
+    if (line.starts_with("```"))
+      is_code = !is_code;
+    else if (!is_code)
+      prose += line + "\n";
+  return prose;
+}
+
+/// The words of a text with one space between them.
+std::string words_of(const std::string& text) {
+  std::istringstream in(text);
+  std::string words;
+  for (std::string word; in >> word;) words += word + " ";
+  return words;
+}
+
+/// The anchors of a page's headings, as GitHub makes them.
+std::set<std::string> anchors_of(const fs::path& page) {
+  std::istringstream in(prose_of(page));
+  std::set<std::string> anchors;
+  for (std::string line; std::getline(in, line);) {
+    if (!line.starts_with("#")) continue;
+    std::string anchor;
+    for (const char c : line.substr(line.find_first_not_of("# ")))
+      if (c == ' ')
+        anchor += '-';
+      else if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_')
+        anchor += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    anchors.insert(anchor);
+  }
+  return anchors;
+}
+
+}  // namespace
+
+TEST_CASE("every link of the pages leads somewhere", "[texts]") {
+  const std::regex link(R"(\]\(([^)#]*)(#([^)]*))?\))");
+  int links = 0;
+  for (const fs::path& page : pages()) {
+    const std::string prose = prose_of(page);
+    for (std::sregex_iterator found(prose.begin(), prose.end(), link), end; found != end; ++found, ++links) {
+      INFO(page.string() << ": " << found->str());
+      const fs::path target = (*found)[1].length() == 0 ? page : page.parent_path() / (*found)[1].str();
+      CHECK(fs::exists(target));
+      if ((*found)[3].matched && target.extension() == ".md")
+        CHECK(anchors_of(target).contains((*found)[3].str()));
+    }
+  }
+  CHECK(links > 100);
+}
+
+TEST_CASE("the files that the pages' tables name are there", "[texts]") {
+  const std::regex named(R"(`([a-z0-9_./]+\.(cpp|hpp|csv|cmake|mjs|js|json|sh|gp))`)");
+  for (const fs::path& page : pages()) {
+    if (page.filename() != "README.md") continue;
+    std::istringstream in(prose_of(page));
+    for (std::string line; std::getline(in, line);) {
+      if (!line.starts_with("| `")) continue;
+      const std::string first = line.substr(0, line.find(" |", 2));
+      for (std::sregex_iterator found(first.begin(), first.end(), named), end; found != end; ++found) {
+        const fs::path file = (*found)[1].str();
+        INFO(page.string() << ": " << file.string());
+        const fs::path room = page.parent_path();
+        CHECK((fs::exists(room / file) || fs::exists(room / "approved" / file) || fs::exists(tree / file)));
+      }
+    }
+  }
+}
+
+TEST_CASE("the way in is short", "[texts]") {
+  const std::string first = text_of(tree / "README.md");
+  CHECK(std::ranges::count(first, '\n') <= 150);
+  CHECK(fs::file_size(tree / "ARCHITECTURE.md") <= 8192);
+  CHECK(fs::file_size(tree / "CONTRIBUTING.md") <= 10240);
+}
+
+TEST_CASE("the first page has the counts on record", "[texts]") {
+  const std::string page = words_of(text_of(tree / "README.md"));
+  std::map<std::string, int> count;
+  const auto verdicts = oddity::read_verdicts(tree / "reference/approved");
+  for (const auto& [claim, verdict] : verdicts) ++count[verdict];
+  std::ostringstream counts;
+  counts << "Of the manual's " << verdicts.size() << " claims, **" << count["confirmed"] << " are confirmed, "
+         << count["wrong"] << " wrong, " << count["incomplete"] << " incomplete and " << count["misprint"]
+         << " misprints**. Our plain-text copy has lost parts of another " << count["lost in our copy"]
+         << ", which is no fault of the book. " << count["not checkable"]
+         << " cannot be checked from the text. ";
+  INFO(counts.str());
+  CHECK(page.find(counts.str()) != std::string::npos);
+
+  const std::string trust = text_of(tree / "report/book/trust.md");
+  std::smatch proved;
+  REQUIRE(std::regex_search(trust, proved, std::regex(R"(\*\*proved\*\*: (\d+) of)")));
+  CHECK(page.find(proved[1].str() + " proofs by Coq") != std::string::npos);
+}
