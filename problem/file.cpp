@@ -287,10 +287,9 @@ class Reader {
       if (std::isnan(file_.errors[i]))
         source_.fail({1, 1}, "no error is asked for in " + (units[i].empty() ? "pure numbers" : units[i]) +
                                  ": add [need] with error = \"...\"");
-    if (file_.error.empty())
-      for (std::size_t i = 0; i < units.size(); ++i)
-        file_.error +=
-            (i == 0 ? "" : ",") + format_shortest(file_.errors[i]) + (units.size() == 1 ? "" : units[i]);
+    for (std::size_t i = 0; i < units.size(); ++i)
+      file_.error +=
+          (i == 0 ? "" : ",") + format_shortest(file_.errors[i]) + (units.size() == 1 ? "" : units[i]);
   }
 
   void errors(const std::vector<Quoted>& texts, const std::vector<std::string>& units) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +11,9 @@
 
 /// A problem's file as it is written; README.md has the keys.
 namespace oddity::problem {
+
+/// The most that is read of one [bytes].
+constexpr std::size_t most_of_a_file = 1'000'000;
 
 struct ParameterText {
   std::string name, unit, says;

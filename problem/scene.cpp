@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <iostream>
 #include <iterator>
 #include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
-#include <sstream>
 
 #include "chapters/asked_file.hpp"
 #include "chapters/own_reference.hpp"
@@ -18,6 +16,7 @@
 #include "problem/interpreted.hpp"
 #include "problem/model.hpp"
 #include "problem/truth.hpp"
+#include "reference/files.hpp"
 #include "reference/text.hpp"
 
 namespace oddity::problem {
@@ -291,18 +290,25 @@ const Entry& entry_of_text(const std::string& name, const std::string& text) {
   return *kept().all.back()->entry;
 }
 
+namespace {
+
+/// What a stream has. Throws BadInput where that is more than a problem's file may have.
+std::string all_of(std::istream& in, const std::string& name) {
+  std::string text(most_of_a_file + 1, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  if (text.size() > most_of_a_file) throw BadInput(name + ": a problem's file has at most a megabyte");
+  return text;
+}
+
+}  // namespace
+
 const Entry& entry_of_file(const std::string& path) {
   static std::map<std::string, const Entry*> read_already;
   const Entry*& entry = read_already[path];
   if (entry) return *entry;
-  std::ostringstream text;
-  if (path == "-") {
-    text << std::cin.rdbuf();
-  } else {
-    std::ifstream in(path, std::ios::binary);
-    if (!in || !(text << in.rdbuf())) throw BadInput(path + ": cannot read this file");
-  }
-  return *(entry = &entry_of_text(path == "-" ? "standard input" : path, text.str()));
+  if (path != "-") return *(entry = &entry_of_text(path, read_whole(path, most_of_a_file)));
+  return *(entry = &entry_of_text("standard input", all_of(std::cin, "standard input")));
 }
 
 Asked asked_by(const Entry& entry) {

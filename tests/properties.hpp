@@ -19,11 +19,11 @@ namespace oddity::properties {
 /// What is wrong at these parameters; empty where the property holds.
 using Property = std::function<std::string(const Parameters&)>;
 
-/// Within a factor of four of the usual value, or two beside zero, and of all sizes alike: a range ends where
+/// Within a factor of ten of the usual value, or two beside zero, and of all sizes alike: a range ends where
 /// a model does, and there roundings may be all that is left of a motion.
 inline double random_value(const Parameter& p, Random& random) {
-  const double reach = p.value == 0 ? 2 : 4 * std::abs(p.value);
-  const double least = std::max(p.least, p.least > 0 ? p.value / 4 : -reach), most = std::min(p.most, reach);
+  const double reach = p.value == 0 ? 2 : 10 * std::abs(p.value);
+  const double least = std::max(p.least, p.least > 0 ? p.value / 10 : -reach), most = std::min(p.most, reach);
   const double x = least > 0 ? random.magnitude(least, most) : random.between(least, most);
   return std::clamp(p.whole ? std::round(x) : least > 0 ? std::abs(x) : x, least, most);
 }

@@ -54,6 +54,8 @@ TEST_CASE("an error is one number, or one with its unit for each unit of the mot
   CHECK(of("3.31", "1cm,5deg,7").find("'7' in '1cm,5deg,7' has no unit") != std::string::npos);
   CHECK(of("3.31", "1,1cm,1deg").find("'1' in '1,1cm,1deg' has no unit") != std::string::npos);
   CHECK(need_of(task_of("3.5", {}), {.error = "+1deg"}).shown.at("rad").symbol == "deg");
+  // a number without a unit has the quantity's own
+  CHECK(need_of(task_of("3.7", {}), {.error = "1e-3", .constraint = "0.001"}).shown.at("m").symbol == "m");
 }
 
 TEST_CASE("a count is written in digits", "[arguments]") {

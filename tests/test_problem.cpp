@@ -1,6 +1,8 @@
 // Problems' files: how they are read, what they make, and that a file's answers are those of the same scene
 // in C++.
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -299,7 +301,7 @@ TEST_CASE("The pendulum's file has the energy that 3.5 has", "[problem]") {
   for (const double L : {1.0, 1.7}) {
     mine.set("L", L), theirs.set("L", L);
     std::vector<double> change;
-    for (const std::vector<double> x : {std::vector{0.3, 1.0}, std::vector{-1.2, 0.4}}) {
+    for (const std::vector<double>& x : {std::vector{0.3, 1.0}, std::vector{-1.2, 0.4}}) {
       const Energy one = own.exercise.scene->laws.energy(mine, x),
                    two = book.exercise.scene->laws.energy(theirs, x);
       CHECK(near(one.kinetic * L, two.kinetic, 1e-12));  // the file's is over the length
@@ -434,4 +436,23 @@ TEST_CASE("The program takes a file's name in an exercise's place", "[problem][c
   CHECK(program::says(refused, "wrong.toml:10:26: m/s^2 and m/s do not add up"));
   CHECK_FALSE(std::filesystem::exists(scratch.path() / "charts"));
   CHECK(program::run("choose nowhere.toml").status == 2);
+}
+
+TEST_CASE("Only a regular file of some size is read, and nothing is waited for", "[problem][commands]") {
+  const ScratchFolder scratch;
+  const auto refused = [&](const std::string& name, const std::string& why) {
+    const auto ended = program::run("choose " + name);
+    CHECK(ended.status == 2);
+    CHECK(program::says(ended, why));
+  };
+  const std::string pipe = (scratch.path() / "pipe.toml").string();
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  refused(pipe, "pipe.toml");
+  std::filesystem::create_directory(scratch.path() / "folder.toml");
+  refused((scratch.path() / "folder.toml").string(), "folder.toml");
+  std::filesystem::create_symlink("/dev/zero", scratch.path() / "zero.toml");
+  refused((scratch.path() / "zero.toml").string(), "zero.toml");
+  refused(scratch.file("large.toml", std::string(most_of_a_file + 1, '#')).string(), "large.toml");
+  refused((scratch.path() / "missing.toml").string(), "missing.toml");
+  refused("- </dev/zero", "standard input: a problem's file has at most a megabyte");
 }

@@ -3,15 +3,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "reference/text.hpp"
+#include "report/text/numbers.hpp"
 
 namespace oddity {
-
-std::string two_digits(double x) {
-  const std::string text = format_significant(x, 2);
-  const double rounded = parse_number(text).value_or(x), size = std::abs(rounded);
-  return size >= 100 && size < 1e6 ? std::to_string(std::lround(rounded)) : text;
-}
 
 std::string full_name(const EngineSeries& s) {
   return s.engine + (s.variant == "defaults" ? "" : ", " + s.variant) + (s.webassembly ? " *" : "");

@@ -8,8 +8,6 @@
 /// How what engines do is written.
 namespace oddity {
 
-/// Two digits, without an exponent where people do without one: "0.12", "350".
-std::string two_digits(double);
 /// "3.4 cm, 0.12 deg": of errors in the motion's units, what a reader can picture.
 std::string pictured(const std::vector<double>& errors, const std::vector<std::string>& units);
 /// Two digits of a part of a whole; "0" below a millionth, empty where there is none.

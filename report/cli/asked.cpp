@@ -192,9 +192,9 @@ const Scene& scene_of(const Entry& entry) {
                  joined(numbers_of([](const Entry& e) { return e.exercise.scene.has_value(); })));
 }
 
-/// The unit that a number is written with.
+/// The unit that a number is written with: one without has the quantity's own.
 ShownUnit shown_unit(const std::string& text, std::string_view unit) {
-  const std::string symbol = written(text).unit;
+  const std::string symbol = written(text).unit.empty() ? std::string(unit) : written(text).unit;
   return {symbol, in_unit("1" + symbol, unit)};
 }
 

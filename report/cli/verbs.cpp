@@ -399,7 +399,7 @@ void stability_rows(const fs::path& folder, const std::vector<std::string>& exer
 void create_problem(const fs::path& file) {
   if (fs::exists(file)) throw BadInput(file.string() + " is there already, and is not overwritten");
   write_whole(file, std::string(problem::begun));
-  std::cout << file.string() << "\noddity choose " << for_shell(file.string())
+  std::cout << file.string() << "\n" << program_as_typed() << " choose " << for_shell(file.string())
             << "  # runs as it is: change it, and ask again\n";
 }
 

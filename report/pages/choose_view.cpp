@@ -8,6 +8,7 @@
 #include "report/lanes/price.hpp"
 #include "report/pages/choose_view.hpp"
 #include "report/study/choose.hpp"
+#include "report/text/numbers.hpp"
 #include "report/text/table_text.hpp"
 
 namespace oddity {
@@ -42,14 +43,8 @@ std::string errors_of(const std::vector<double>& errors, const Choice& choice) {
   return text;
 }
 
-std::string percent(double part) { return format_significant(100 * part, 2) + " %"; }
-
 /// The unit in which what is held is off: that asked in.
-ShownUnit length_unit(const Choice& choice) {
-  const auto shown = choice.need.shown.find("m");
-  const bool asked = shown != choice.need.shown.end() && !shown->second.symbol.empty();
-  return asked ? shown->second : ShownUnit{"m", 1};
-}
+ShownUnit length_unit(const Choice& choice) { return shown_unit("m", choice); }
 
 std::string off_constraint(double off, const Choice& choice) {
   const ShownUnit unit = length_unit(choice);

@@ -11,6 +11,7 @@
 #include "report/pages/engines_tables.hpp"
 #include "report/pages/engines_view.hpp"
 #include "report/text/markup.hpp"
+#include "report/text/numbers.hpp"
 
 namespace oddity {
 

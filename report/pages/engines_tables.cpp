@@ -9,6 +9,7 @@
 #include "reference/text.hpp"
 #include "report/charts/engine_labels.hpp"
 #include "report/charts/labels.hpp"
+#include "report/text/numbers.hpp"
 
 namespace oddity {
 

@@ -9,6 +9,7 @@
 #include "report/charts/labels.hpp"
 #include "report/pages/engines_tables.hpp"
 #include "report/study/beside_program.hpp"
+#include "report/text/numbers.hpp"
 
 namespace oddity {
 

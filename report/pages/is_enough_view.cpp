@@ -5,12 +5,11 @@
 #include "report/pages/choose_view.hpp"
 #include "report/pages/is_enough_view.hpp"
 #include "report/study/is_enough.hpp"
+#include "report/text/numbers.hpp"
 
 namespace oddity {
 
 namespace {
-
-std::string percent(double part) { return format_significant(100 * part, 2) + " %"; }
 
 std::string trend_text(const Judgement& j) {
   constexpr double grows = 1.5;

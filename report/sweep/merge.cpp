@@ -9,6 +9,7 @@
 #include "reference/text.hpp"
 #include "report/charts/chart_parts.hpp"
 #include "report/study/beside_program.hpp"
+#include "report/text/numbers.hpp"
 
 namespace oddity::sweep {
 
@@ -96,8 +97,6 @@ class Merging {
   Map& map_;
   std::map<std::string, std::uint16_t> places_;
 };
-
-std::string percent(double part) { return format_significant(100 * part, 2) + " %"; }
 
 }  // namespace
 

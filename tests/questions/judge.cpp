@@ -285,14 +285,22 @@ class Beside {
   /// Of a number of the program's; a motion in float is observed in float by the code alone.
   Real rounding() const { return (in_float_ ? 0x1p-22L : 0x1p-50L) * largest_; }
 
+  /// Rates are differences of the fourth order, of places that are rounded: as a part of the fastest, twice,
+  /// as energy goes with the square.
+  Real uncertain_energy() const {
+    const Real apart = in_float_ ? 3e-3L : 1e-4L;
+    Real fastest = 0;
+    for (const Values& row : truth_)
+      for (std::size_t i = row.size() / 2; i < row.size(); ++i) fastest = std::max(fastest, std::abs(row[i]));
+    return (in_float_ ? 1e-3L : 1e-8L) + 2 * rounding() / apart / fastest;
+  }
+
   Compared by(const std::string& criterion, Real allowed, Real said) const {
     if (criterion == "energy") {
       if (!q_.scene->energy) throw CannotBeJudged("what is seen does not tell the energy");
-      // its rates are differences of the fourth order, 1e-4 s apart
-      if (allowed < (in_float_ ? 1e-3L : 1e-8L)) throw CannotBeJudged("an energy is not measured so exactly");
-      return {
-          criterion, "of what moves",          off_energy(*q_.scene, q_.parameters, seen_, truth_), allowed,
-          said,      in_float_ ? 1e-3L : 1e-8L};
+      if (allowed < uncertain_energy()) throw CannotBeJudged("an energy is not measured so exactly");
+      return {criterion, "of what moves",   off_energy(*q_.scene, q_.parameters, seen_, truth_), allowed,
+              said,      uncertain_energy()};
     }
     if (criterion == "period") {
       if (until() < 1) throw CannotBeJudged("chaos: a period is of the whole motion");

@@ -63,16 +63,6 @@ struct PlateOf {
 };
 
 struct Plate : PlateOf<double> {
-  /// The center of mass, particle by particle, by the lever rule.
-  Vector center_of_mass() const {
-    Vector center{};
-    double mass = 0;
-    for (const Particle& p : particles) {
-      mass += p.m;
-      center = center + p.m / mass * (p.r - center);
-    }
-    return center;
-  }
   double size() const {
     return sum([&](double m, const Vector& r) { return m * (length(r) + length(A)); });
   }
@@ -99,7 +89,7 @@ struct Sample {
     plate.N = (random.below(2) == 0 ? 1.0 : -1.0) * across;
     const double along = random.between(-5, 5), away = random.between(1, 12);
     const Vector shift = away * across + along * plate.D;
-    plate.A = plate.center_of_mass();
+    plate.A = bodies::center_by_lever_rule(plate.particles);
     mean = beside = plate;
     mean.A = middle, beside.A = plate.A + shift;
   }

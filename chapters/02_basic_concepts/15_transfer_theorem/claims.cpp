@@ -32,17 +32,6 @@ struct Sample {
 };
 using Sum = Formula<Sample>;
 
-/// The center of mass, particle by particle.
-Vector center_by_lever_rule(const System& system) {
-  Vector center{};
-  double mass = 0;
-  for (const Particle& p : system) {
-    mass += p.m;
-    center = center + p.m / mass * (p.r - center);
-  }
-  return center;
-}
-
 /// Systems with A in their center, and with A anywhere.
 struct Samples {
   std::vector<Sample> center, any_point;

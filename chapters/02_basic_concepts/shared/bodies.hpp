@@ -15,6 +15,20 @@ namespace oddity::bodies {
 
 using namespace basic_vectors;
 
+// ---- center of mass ---------------------------------------------------------------------------------------
+
+/// Of particles with a mass m at r: particle by particle, each dividing the way to it by the lever rule.
+template <class Particles>
+Vector center_by_lever_rule(const Particles& particles) {
+  Vector center{};
+  double mass = 0;
+  for (const auto& p : particles) {
+    mass += p.m;
+    center = center + p.m / mass * (p.r - center);
+  }
+  return center;
+}
+
 // ---- inertia ----------------------------------------------------------------------------------------------
 
 /// Ixx, Iyy, Izz and the products of inertia Ixy, Ixz, Iyz; the inertia tensor has -Ixy, -Ixz, -Iyz beside
