@@ -164,7 +164,7 @@ class Reader {
       value = table->get("value");
       if (!value) source_.fail(key.place, p.name + " has no value: value = \"1 m\"");
       if (const auto* says = table->get("says")) p.says = quoted(*says).text;
-      if (const auto* whole = table->get("whole")) p.whole = whole->value<bool>().value_or(false);
+      if (const auto* whole = table->get("whole")) p.whole = flag(*whole);
     }
     const Quoted text = quoted(*value);
     const auto comma = text.text.find(',');
@@ -230,7 +230,8 @@ class Reader {
     const auto* table = node.as_table();
     if (!table) source_.fail(key.place, "a model is a table: [model.\"" + key.text + "\"]");
     only(*table, "model " + key.text,
-         {"equations", "lagrangian", "dissipation", "forces", "start", "closed", "observe", "conserves"});
+         {"equations", "lagrangian", "dissipation", "forces", "start", "closed", "observe", "conserves",
+          "events"});
     ModelText m{key};
     if (const auto* equations = table->get("equations")) m.equations = texts(*equations);
     if (const auto* lagrangian = table->get("lagrangian")) m.lagrangian = quoted(*lagrangian);
@@ -246,6 +247,9 @@ class Reader {
       if (!m.kinetic || !m.potential)
         source_.fail(place_of(*conserves), "conserves has kinetic and potential");
     }
+    if (const auto* events = table->get("events")) m.events = all_events(*events);
+    if (!m.events.empty() && !m.closed.empty())
+      source_.fail(m.events.front().when.place, "a closed form has no events");
     const int kinds = !m.closed.empty() + (!m.equations.empty() || m.lagrangian);
     if (kinds != 1)
       source_.fail(key.place, kinds == 0 ? "model " + key.text + " has no equations, lagrangian or closed"
@@ -253,6 +257,40 @@ class Reader {
     if (!m.lagrangian && (m.dissipation || !m.forces.empty()))
       source_.fail(key.place, "forces and dissipation go with a lagrangian; put them into the equations");
     file_.models.push_back(std::move(m));
+  }
+
+  std::vector<EventText> all_events(const toml::node& node) const {
+    const auto* array = node.as_array();
+    const std::string form = R"(events are tables: events = [{ when = "y", then = { "y'" = "-e y'" } }])";
+    if (!array) source_.fail(place_of(node), form);
+    std::vector<EventText> all;
+    for (const auto& one : *array) {
+      const auto* table = one.as_table();
+      if (!table) source_.fail(place_of(one), form);
+      only(*table, "an event", {"when", "direction", "then", "ends"});
+      const auto* when = table->get("when");
+      if (!when)
+        source_.fail(place_of(*table), "an event has a formula that goes through zero: when = \"y\"");
+      EventText event{quoted(*when)};
+      if (const auto* direction = table->get("direction")) event.direction = this->direction(*direction);
+      event.then = pairs(table_at(*table, "then"));
+      if (const auto* ends = table->get("ends")) event.ends = flag(*ends);
+      if (event.then.empty() && !event.ends)
+        source_.fail(place_of(*table), "nothing happens in this event: add then = { ... }, or ends = true");
+      all.push_back(std::move(event));
+    }
+    return all;
+  }
+  Direction direction(const toml::node& node) const {
+    const Quoted text = quoted(node);
+    if (text.text == "falling") return Direction::falling;
+    if (text.text == "rising") return Direction::rising;
+    if (text.text == "both") return Direction::both;
+    source_.fail(text.place, "a direction is falling, rising or both");
+  }
+  bool flag(const toml::node& node) const {
+    if (const auto value = node.value_exact<bool>()) return *value;
+    source_.fail(place_of(node), "expected true or false, without quotes");
   }
 
   void need(const toml::table* table) {

@@ -26,11 +26,22 @@ struct ParameterText {
 
 using Named = std::vector<std::pair<Quoted, Quoted>>;  ///< in the file's order
 
+enum class Direction { falling, rising, both };
+
+/// What happens where a formula goes through zero.
+struct EventText {
+  Quoted when;
+  Direction direction = Direction::falling;
+  Named then = {};    ///< the state after it, of the state before; what is not named stays
+  bool ends = false;  ///< the motion stays as it is from there on
+};
+
 struct ModelText {
   Quoted name;
   std::vector<Quoted> equations = {};
   std::optional<Quoted> lagrangian = {}, dissipation = {}, kinetic = {}, potential = {};
   Named forces = {}, start = {}, closed = {}, observe = {};
+  std::vector<EventText> events = {};
 };
 
 struct ObservableText {

@@ -54,6 +54,19 @@ class Interpreted final : public ModelInterfaceOf<n> {
     });
   }
 
+  std::size_t guard_count() const override { return numbers_->events.size(); }
+  void guards(const State& x, double t, double* values) const override {
+    numbers_->guards.run(x.data(), t, values);
+  }
+  using typename ode::AnySystem<n>::Next;
+  Next happen(std::size_t i, State& x, double t) const override {
+    std::vector<double> all(numbers_->afterwards.outputs().size());
+    numbers_->afterwards.run(x.data(), t, all.data());
+    std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(i * n), n, x.begin());
+    const Follows& follows = numbers_->events[i];
+    return follows.ends ? Next::end : follows.passes ? Next::pass : Next::go_on;
+  }
+
   // ---- as the scene sees it
   // ---------------------------------------------------------------------------------
 

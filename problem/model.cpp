@@ -76,6 +76,7 @@ class Model::Making {
     }
     see_places();
     set_conserved();
+    for (const EventText& event : text_.events) add_event(event);
   }
 
  private:
@@ -484,11 +485,68 @@ class Model::Making {
     const Measure its = measure(formula);
     if (!fit(its, o.measure))
       formula.fail({}, o.name + " is observed in " + name_of(o.measure) + ", and this is " + name_of(its));
-    const Expression x = value(formula) / Expression(o.size);
+    model_.observed_.push_back(of_state(formula, "what is observed") / Expression(o.size));
+  }
+  /// The value of a formula of the state and the time.
+  Expression of_state(const Formula& formula, const std::string& what) {
+    const Expression x = value(formula);
     for (const int key : keys_of(std::span(&x, 1)))
       if (key < of_time && std::ranges::find(model_.state_, key) == model_.state_.end())
-        formula.fail({}, "what is observed is of the state and the time, and this has a highest rate");
-    model_.observed_.push_back(x);
+        formula.fail({}, what + " is of the state and the time, and this has a highest rate");
+    return x;
+  }
+
+  // ---- events
+  // -----------------------------------------------------------------------------------------------
+
+  void add_event(const EventText& text) {
+    const Formula when = formula(text.when);
+    measure(when);
+    const Expression guard = of_state(when, "an event's guard");
+    std::map<int, Expression> after;
+    for (const auto& [key, formula_text] : text.then) {
+      const std::string base = key.text.substr(0, key.text.find('\''));
+      const auto found = std::ranges::find(letters_.unknowns, base);
+      if (found == letters_.unknowns.end())
+        source_.fail(key.place, "no unknown " + base + did_you_mean(base, letters_.unknowns));
+      const auto i = static_cast<std::size_t>(found - letters_.unknowns.begin());
+      const std::size_t order = key.text.size() - base.size();
+      if (order >= orders_[i])
+        source_.fail(key.place, key.text + " is no part of the state: the equations decide it");
+      const Formula then = formula(formula_text);
+      const Measure its = measure(then), meant = per_time(*units_[i], order);
+      if (!fit(its, meant))
+        then.fail({}, key.text + " is in " + name_of(meant) + ", and this is " + name_of(its));
+      after.emplace(key_of(i, order), of_state(then, "what follows an event"));
+    }
+    if (text.direction != Direction::rising) add_event(guard, after, text.ends);
+    if (text.direction != Direction::falling) add_event(-guard, after, text.ends);
+    model_.is_linear_ = false;
+  }
+  void add_event(const Expression& guard, const std::map<int, Expression>& after, bool ends) {
+    model_.guards_.push_back(guard);
+    for (const int key : model_.state_) {
+      const auto changed = after.find(key);
+      model_.afterwards_.push_back(changed == after.end() ? input(graph(), key) : changed->second);
+    }
+    model_.events_.push_back({ends, !touches(after, guard)});
+  }
+  /// Whether the event changes its guard or the guard's rate, at random states.
+  bool touches(const std::map<int, Expression>& after, const Expression& guard) {
+    std::map<int, Expression> highest;
+    for (std::size_t i = 0; i < model_.state_.size(); ++i)
+      highest.emplace(model_.state_[i] + 1, model_.rates_[i]);
+    for (const int key : model_.state_) highest.erase(key);
+    const Expression slope = rate(guard);
+    const std::vector<Expression> before{guard, replaced(std::span(&slope, 1), highest)[0]};
+    const std::vector<Expression> then = replaced(before, after);
+    Random random(11);
+    for (int k = 0; k < 5; ++k) {
+      const auto values = some_state(random);
+      for (std::size_t i = 0; i < before.size(); ++i)
+        if (number(before[i], values) != number(then[i], values)) return true;
+    }
+    return false;
   }
 
   void see_places() {
@@ -510,7 +568,8 @@ class Model::Making {
         potential.fail({}, "the potential energy is not in the kinetic one's unit");
       const Expression T = value(kinetic), all = T + value(potential);
       model_.conserved_ = {all, T};
-    } else if (lagrangian_ && equations_.empty() && !dissipation_ && text_.forces.empty()) {
+    } else if (lagrangian_ && equations_.empty() && !dissipation_ && text_.forces.empty() &&
+               text_.events.empty()) {
       const Expression L = value(*lagrangian_);
       for (const int key : keys_of(std::span(&L, 1)))
         if (key == of_time) return;
@@ -561,8 +620,14 @@ Numbers Model::with(const std::vector<double>& parameters) const {
   numbers.observed = Program(made(observed_), of_state);
   numbers.conserved = Program(made(conserved_), of_state);
   if (state_.empty()) return numbers;
-  const std::vector<Expression> rates = made(rates_);
+  const std::vector<Expression> rates = made(rates_), guards = made(guards_);
   numbers.rates = Program(rates, of_state);
+  numbers.events = events_;
+  numbers.guards = Program(guards, of_state);
+  numbers.afterwards = Program(made(afterwards_), of_state);
+  std::vector<Expression> both = rates;
+  both.insert(both.end(), guards.begin(), guards.end());
+  numbers.rates_and_guards = Program(both, of_state);
   const std::size_t half = state_.size() / 2;
   numbers.partitioned = state_.size() % 2 == 0;
   for (std::size_t i = 0; i < state_.size(); ++i)

@@ -11,6 +11,12 @@
 /// state.
 namespace oddity::problem {
 
+/// What follows where a guard falls through zero.
+struct Follows {
+  bool ends = false;
+  bool passes = false;  ///< it does not touch its guard, which falls on
+};
+
 /// A model with numbers for its parameters.
 struct Numbers {
   std::size_t unknowns = 0;  ///< 0: a closed form
@@ -21,6 +27,10 @@ struct Numbers {
   bool partitioned = false;
   Program observed;   ///< of the state and the time, or of the time
   Program conserved;  ///< the value, and what moves in it; no outputs: nothing is
+  std::vector<Follows> events;
+  Program guards;            ///< of the state and the time, one for each event
+  Program rates_and_guards;  ///< both
+  Program afterwards;        ///< the states after each of the events, one after the other
 };
 
 class Model {
@@ -49,7 +59,8 @@ class Model {
   std::vector<long double> sizes_;  ///< of the parameters' units
   std::shared_ptr<Graph> graph_ = std::make_shared<Graph>();
   std::vector<int> state_, rate_of_;  ///< keys of the unknowns, in the state's order
-  std::vector<Expression> start_, rates_, observed_, conserved_;
+  std::vector<Expression> start_, rates_, observed_, conserved_, guards_, afterwards_;
+  std::vector<Follows> events_;
   std::vector<std::size_t> starts_with_, seen_as_;
   bool is_linear_ = true;
 };

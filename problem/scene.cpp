@@ -91,7 +91,7 @@ Known true_motion(const Model& model, const Numbers& numbers, std::span<const do
     }
     return {values, 1e-16 * size_of(values), "closed form '" + model.name() + "' in long double"};
   }
-  const TrueMotion motion = by_series(numbers.rates, numbers.start, times);
+  const TrueMotion motion = by_series(numbers, times);
   if (!motion.trouble.empty()) throw BadInput("model '" + model.name() + "': " + motion.trouble);
   // Both routes at few of the times: the second has to end a step at each.
   constexpr std::size_t compared = 48;
@@ -101,7 +101,7 @@ Known true_motion(const Model& model, const Numbers& numbers, std::span<const do
   for (std::size_t i = stride; i < frames; i += stride) places.push_back(i);
   places.push_back(frames);
   for (const std::size_t i : places) few.push_back(times[i]);
-  const TrueMotion other = by_extrapolation(numbers.rates, numbers.start, few);
+  const TrueMotion other = by_extrapolation(numbers, few);
   if (!other.trouble.empty())
     throw BadInput("model '" + model.name() + "', by extrapolation: " + other.trouble);
 
@@ -130,7 +130,7 @@ void require_conserved(const File& file, const ModelText& text, const Model& mod
   for (int i = 0; i <= 8; ++i) times.push_back(file.end * i / 8);
   const Numbers numbers = model.with(values);
   if (!text.kinetic) return;
-  const TrueMotion motion = by_series(numbers.rates, numbers.start, times);
+  const TrueMotion motion = by_series(numbers, times);
   std::array<long double, 2> first{}, now{};
   long double most = 0, moving = 0;
   for (std::size_t i = 0; i < motion.states.size(); ++i) {

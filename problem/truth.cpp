@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "reference/text.hpp"
 #include "solvers/stop.hpp"
@@ -13,37 +14,44 @@ namespace oddity::problem {
 namespace {
 
 using Number = long double;
-using Numbers = std::vector<Number>;
+using Values = std::vector<Number>;
 
 constexpr long most_steps = 100'000;
+constexpr const char* without_end =
+    "events follow each other without end; a shorter horizon, or ends = true, leaves that out";
 
 std::string ends_at(Number t, const std::string& why) {
   return "the true motion ends at " + format_significant(static_cast<double>(t), 6) + ": " + why;
 }
 
-bool finite(const Numbers& x) {
+bool finite(const Values& x) {
   return std::ranges::all_of(x, [](Number one) { return std::isfinite(one); });
 }
 
-/// A right-hand side whose choices stay as they are until they are made anew.
+/// A right-hand side whose choices stay as they are until they are made anew. Behind the rates it has the
+/// events' guards.
 class Frozen {
  public:
-  explicit Frozen(const Program& rates)
-      : rates_(rates), registers_(rates.registers()), is_positive_(rates.registers()) {
-    for (const auto& one : rates.code())
+  explicit Frozen(const Numbers& numbers)
+      : rates_(numbers.rates_and_guards),
+        unknowns_(numbers.unknowns),
+        registers_(rates_.registers()),
+        is_positive_(rates_.registers()) {
+    for (const auto& one : rates_.code())
       if (one.op == Op::choice) choices_.push_back(&one);
   }
 
-  std::size_t unknowns() const { return rates_.outputs().size(); }
-  void operator()(const Numbers& x, Number t, Numbers& rate) {
+  std::size_t unknowns() const { return unknowns_; }
+  std::size_t outputs() const { return rates_.outputs().size(); }
+  void operator()(const Values& x, Number t, Values& rate) {
     rates_.run_in(registers_.data(), x.data(), t, rate.data(),
                   [this](const Program::Instruction& one, Number, Number yes, Number no) {
                     return takes_yes(one) ? yes : no;
                   });
   }
   /// By the conditions there, or where one is zero by those a little later.
-  void choose_at(const Numbers& x, Number t, Number little) {
-    Numbers rate(x.size()), later = x;
+  void choose_at(const Values& x, Number t, Number little) {
+    Values rate(outputs()), later = x;
     by_conditions(x, t, rate);
     const std::vector<char> now = is_positive_;
     std::vector<char> undecided(is_positive_.size(), 0);
@@ -81,7 +89,7 @@ class Frozen {
     const Number condition = registers_[static_cast<std::size_t>(one.a)];
     return takes_yes(one) ? -condition : condition;
   }
-  void by_conditions(const Numbers& x, Number t, Numbers& rate) {
+  void by_conditions(const Values& x, Number t, Values& rate) {
     rates_.run_in(registers_.data(), x.data(), t, rate.data(),
                   [this](const Program::Instruction& one, Number condition, Number yes, Number no) {
                     is_positive_[static_cast<std::size_t>(one.result)] = condition > 0;
@@ -90,23 +98,95 @@ class Frozen {
   }
 
   const Program& rates_;
-  Numbers registers_;
+  std::size_t unknowns_;
+  Values registers_;
   std::vector<char> is_positive_;  ///< by the choice's register
   std::vector<const Program::Instruction*> choices_;
+};
+
+/// The guards of a motion's events: which may fall, and what then follows.
+class Guards {
+ public:
+  Guards(const Numbers& numbers, Number t) : numbers_(numbers), largest_(count(), 0), may_fall_(count(), 0) {
+    const Values now = at(numbers.start, t);
+    for (std::size_t i = 0; i < count(); ++i) may_fall_[i] = now[i] >= 0;
+    see(now);
+  }
+
+  std::size_t count() const { return numbers_.events.size(); }
+  bool may_fall(std::size_t i) const { return may_fall_[i] != 0; }
+  bool has_just_happened(std::size_t i) const { return just_ == static_cast<int>(i); }
+  /// Above zero where a guard of this value has fallen. One that an event has left near zero has fallen where
+  /// it is below what the event has left.
+  Number fallen(std::size_t i, Number value, Number t) const {
+    if (!may_fall(i)) return -std::numeric_limits<Number>::infinity();
+    return has_just_happened(i) && t > since_ ? (left_ - value) / (t - since_) : -value;
+  }
+  Number most_fallen(const Number* values, Number t) const {
+    Number most = -std::numeric_limits<Number>::infinity();
+    for (std::size_t i = 0; i < count(); ++i) most = std::max(most, fallen(i, values[i], t));
+    return most;
+  }
+  std::size_t first_fallen(const Number* values, Number t) const {
+    std::size_t i = 0;
+    while (i + 1 < count() && !(fallen(i, values[i], t) > 0)) ++i;
+    return i;
+  }
+  void see(const Values& x, Number t) {
+    if (count() > 0) see(at(x, t));
+  }
+  /// Event i makes another state of x. Returns whether the motion ends.
+  bool happen(std::size_t i, Values& x, Number t) {
+    Values all(numbers_.afterwards.outputs().size());
+    numbers_.afterwards.run(x.data(), t, all.data());
+    std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(i * x.size()), x.size(), x.begin());
+    in_a_row_ = t - since_ <= 64 * std::numeric_limits<Number>::epsilon() * std::abs(t) ? in_a_row_ + 1 : 0;
+    just_ = -1;
+    since_ = t;
+    if (numbers_.events[i].passes) {
+      may_fall_[i] = 0;
+    } else if (left_ = at(x, t)[i]; std::abs(left_) <= 1e-9L * largest_[i]) {
+      just_ = static_cast<int>(i);
+    }
+    return numbers_.events[i].ends;
+  }
+  /// No number tells the events' times apart any more.
+  bool chatter() const { return in_a_row_ >= 16 * static_cast<int>(count()); }
+
+ private:
+  Values at(const Values& x, Number t) const {
+    Values now(count());
+    if (count() > 0) numbers_.guards.run(x.data(), t, now.data());
+    return now;
+  }
+  void see(const Values& now) {
+    for (std::size_t i = 0; i < count(); ++i) {
+      largest_[i] = std::max(largest_[i], std::abs(now[i]));
+      if (!(now[i] > 0)) continue;
+      may_fall_[i] = 1;
+      if (has_just_happened(i)) just_ = -1;
+    }
+  }
+
+  const Numbers& numbers_;
+  Values largest_;
+  std::vector<char> may_fall_;
+  int just_ = -1, in_a_row_ = 0;
+  Number since_ = -std::numeric_limits<Number>::infinity(), left_ = 0;
 };
 
 /// The size of each unknown so far, and of its rate.
 class Sizes {
  public:
   explicit Sizes(std::size_t n) : sizes_(n, 0) {}
-  void see(const Numbers& x, const Numbers& rate, Number step) {
+  void see(const Values& x, const Values& rate, Number step) {
     for (std::size_t i = 0; i < x.size(); ++i)
       sizes_[i] = std::max({sizes_[i], std::abs(x[i]), std::abs(rate[i] * step)});
   }
   Number operator[](std::size_t i) const { return sizes_[i] > 0 ? sizes_[i] : 1; }
 
  private:
-  Numbers sizes_;
+  Values sizes_;
 };
 
 // ---- Taylor series
@@ -124,7 +204,7 @@ class Series {
       rows_[i][0] = rates.constants()[i];
     }
   }
-  void expand(const Numbers& x, Number t, const Frozen& choices) {
+  void expand(const Values& x, Number t, const Frozen& choices) {
     const std::size_t n = x.size(), first = rates_.constants().size();
     for (std::size_t i = 0; i < n; ++i) rows_[first + i][0] = x[i];
     rows_[first + n].fill(0);
@@ -137,11 +217,18 @@ class Series {
     }
   }
   const Row& row(int i) const { return rows_[static_cast<std::size_t>(i)]; }
+  const Row& output(std::size_t i) const { return row(rates_.outputs()[i]); }
   const Row& unknown(std::size_t i) const { return rows_[rates_.constants().size() + i]; }
   /// Up to the order that all registers have.
   static Number value(const Row& row, Number h, int terms) {
     Number sum = 0;
     for (int k = terms; k >= 0; --k) sum = sum * h + row[static_cast<std::size_t>(k)];
+    return sum;
+  }
+  /// How far it has moved, over h.
+  static Number value_over(const Row& row, Number h, int terms) {
+    Number sum = 0;
+    for (int k = terms; k >= 1; --k) sum = sum * h + row[static_cast<std::size_t>(k)];
     return sum;
   }
 
@@ -218,58 +305,82 @@ class Series {
 
 constexpr Number tolerance = 1e-19L;
 
-/// How far the series is good: its last two terms are below the tolerance, and those of conditions, which go
-/// to one order less.
-Number reach_of(const Series& series, const Sizes& sizes, std::size_t n, const Frozen& choices, Number span) {
+/// How far the series is good: its last two terms are below the tolerance, and those of conditions and
+/// guards, which go to one order less.
+Number reach_of(const Series& series, const Sizes& sizes, std::size_t n, const Frozen& choices,
+                std::size_t guards, Number span) {
   Number reach = std::numeric_limits<Number>::infinity();
   for (int k : {order - 2, order - 1, order}) {
     const auto last = static_cast<std::size_t>(k);
     Number most = 0;
+    const auto see = [&](const Row& row) {
+      if (k < order && row[last] != 0)
+        most = std::max(most, std::abs(row[last]) / std::max(std::abs(row[0]), std::abs(row[1]) * span));
+    };
     for (std::size_t i = 0; i < n && k >= order - 1; ++i)
       most = std::max(most, std::abs(series.unknown(i)[last]) / sizes[i]);
-    for (const auto* one : choices.choices())
-      if (const Row& row = series.row(one->a); k < order && row[last] != 0)
-        most = std::max(most, std::abs(row[last]) / std::max(std::abs(row[0]), std::abs(row[1]) * span));
+    for (const auto* one : choices.choices()) see(series.row(one->a));
+    for (std::size_t i = 0; i < guards; ++i) see(series.output(n + i));
     if (most > 0) reach = std::min(reach, std::pow(tolerance / most, 1 / static_cast<Number>(k)));
   }
   return reach;
 }
 
-/// Where the first condition within the step contradicts its choice, and which; h and none where none does.
-Number first_turn(const Series& series, const Frozen& choices, Number h, const Program::Instruction*& which) {
-  which = nullptr;
-  constexpr int samples = 8, terms = order - 1;
-  Number first = h;
-  for (const auto* one : choices.choices()) {
-    const Row& condition = series.row(one->a);
-    const Number sign = choices.takes_yes(*one) ? -1 : 1;
-    const auto at = [&](Number s) { return sign * Series::value(condition, s, terms); };
-    for (int i = 1; i <= samples; ++i) {
-      Number from = first * (i - 1) / samples, to = first * i / samples;
-      if (!(at(to) > 0)) continue;
-      for (int half = 0; half < 80 && to > from; ++half) {
-        const Number middle = (from + to) / 2;
-        if (middle <= from || middle >= to) break;
-        (at(middle) > 0 ? to : from) = middle;
-      }
-      first = to;
-      which = one;
-      break;
+/// The first place up to h at which this becomes positive; none where it does not.
+template <class F>
+std::optional<Number> first_positive(const F& at, Number h) {
+  constexpr int samples = 8;
+  for (int i = 1; i <= samples; ++i) {
+    Number from = h * (i - 1) / samples, to = h * i / samples;
+    if (!(at(to) > 0)) continue;
+    for (int half = 0; half < 80 && to > from; ++half) {
+      const Number middle = (from + to) / 2;
+      if (middle <= from || middle >= to) break;
+      (at(middle) > 0 ? to : from) = middle;
     }
+    return to;
+  }
+  return {};
+}
+
+/// What comes first within a step: a condition that contradicts its choice, a guard that falls, or neither.
+struct Turn {
+  Number after;  ///< the step, or this part of it
+  const Program::Instruction* choice = nullptr;
+  std::optional<std::size_t> event = {};
+};
+
+Turn first_turn(const Series& series, const Frozen& choices, const Guards& guards, Number h) {
+  constexpr int terms = order - 1;
+  Turn first{h};
+  for (const auto* one : choices.choices()) {
+    const Number sign = choices.takes_yes(*one) ? -1 : 1;
+    const auto off = [&](Number s) { return sign * Series::value(series.row(one->a), s, terms); };
+    if (const auto at = first_positive(off, first.after)) first = {*at, one};
+  }
+  for (std::size_t i = 0; i < guards.count(); ++i) {
+    if (!guards.may_fall(i)) continue;
+    const Row& guard = series.output(choices.unknowns() + i);
+    const auto fallen = [&](Number s) {
+      // behind an event the guard divided by the time since, so that the event itself is no second one
+      return guards.has_just_happened(i) ? -Series::value_over(guard, s, terms)
+                                         : -Series::value(guard, s, terms);
+    };
+    if (const auto at = first_positive(fallen, first.after)) first = {*at, nullptr, i};
   }
   return first;
 }
 
 }  // namespace
 
-TrueMotion by_series(const Program& rates, const std::vector<long double>& start,
-                     std::span<const double> times) {
-  const std::size_t n = start.size();
-  TrueMotion motion{{start}};
-  Frozen choices(rates);
-  Series series(rates);
+TrueMotion by_series(const Numbers& numbers, std::span<const double> times) {
+  const std::size_t n = numbers.unknowns;
+  TrueMotion motion{{numbers.start}};
+  Frozen choices(numbers);
+  Guards guards(numbers, times.front());
+  Series series(numbers.rates_and_guards);
   Sizes sizes(n);
-  Numbers x = start, rate(n), now(n);
+  Values x = numbers.start, rate(n), now(n);
   Number t = times.front();
   const Number span = times.back() - t;
   choices.choose_at(x, t, span * 1e-9L);
@@ -282,19 +393,25 @@ TrueMotion by_series(const Program& rates, const std::vector<long double>& start
     for (std::size_t i = 0; i < n; ++i) rate[i] = series.unknown(i)[1];
     if (!finite(x) || !finite(rate)) return motion.trouble = ends_at(t, "it is not finite there"), motion;
     sizes.see(x, rate, span / 64);
-    Number h =
-        std::min(reach_of(series, sizes, n, choices, span / 64), static_cast<Number>(times.back()) - t);
+    const Number h = std::min(reach_of(series, sizes, n, choices, guards.count(), span / 64),
+                              static_cast<Number>(times.back()) - t);
     if (!(h > 0) || t + h == t) return motion.trouble = ends_at(t, "it is singular there"), motion;
-    const Program::Instruction* turns = nullptr;
-    h = first_turn(series, choices, h, turns);
-    for (; next < times.size() && times[next] <= t + h * (1 + 1e-18L); ++next) {
+    const Turn turn = first_turn(series, choices, guards, h);
+    for (; next < times.size() && times[next] <= t + turn.after * (1 + 1e-18L); ++next) {
       for (std::size_t i = 0; i < n; ++i) now[i] = Series::value(series.unknown(i), times[next] - t, order);
       if (!finite(now)) return motion.trouble = ends_at(t, "it is not finite there"), motion;
       motion.states.push_back(now);
     }
-    for (std::size_t i = 0; i < n; ++i) x[i] = Series::value(series.unknown(i), h, order);
-    t += h;
-    if (turns) choices.turn(*turns);
+    for (std::size_t i = 0; i < n; ++i) x[i] = Series::value(series.unknown(i), turn.after, order);
+    t += turn.after;
+    if (turn.choice) choices.turn(*turn.choice);
+    if (!turn.event) {
+      guards.see(x, t);
+    } else {
+      if (guards.happen(*turn.event, x, t)) motion.states.resize(times.size(), x), next = times.size();
+      if (guards.chatter()) return motion.trouble = ends_at(t, without_end), motion;
+      choices.choose_at(x, t, span * 1e-9L);
+    }
   }
   return motion;
 }
@@ -309,12 +426,13 @@ namespace {
 class Extrapolation {
  public:
   explicit Extrapolation(Frozen& rates) : rates_(rates) {
-    for (auto* all : {&before_, &here_, &after_, &rate_}) all->resize(rates.unknowns());
-    for (Numbers& column : columns_) column.resize(rates.unknowns());
+    for (auto* all : {&before_, &here_, &after_}) all->resize(rates.unknowns());
+    rate_.resize(rates.outputs());
+    for (Values& column : columns_) column.resize(rates.unknowns());
   }
 
   /// x after h; returns the error in tolerances.
-  Number step(const Numbers& x, Number t, Number h, const Sizes& sizes, Numbers& result) {
+  Number step(const Values& x, Number t, Number h, const Sizes& sizes, Values& result) {
     const std::size_t n = x.size();
     Number error = 0;
     for (int k = 0; k < columns; ++k) {
@@ -340,7 +458,7 @@ class Extrapolation {
   static constexpr int columns = 9;
 
  private:
-  void midpoint(const Numbers& x, Number t, Number h, int parts) {
+  void midpoint(const Values& x, Number t, Number h, int parts) {
     const Number part = h / static_cast<Number>(parts);
     before_ = x;
     rates_(x, t, rate_);
@@ -354,49 +472,50 @@ class Extrapolation {
   }
 
   Frozen& rates_;
-  Numbers before_, here_, after_, rate_;
-  std::array<Numbers, columns> columns_;
+  Values before_, here_, after_, rate_;
+  std::array<Values, columns> columns_;
 };
 
 }  // namespace
 
-TrueMotion by_extrapolation(const Program& rates, const std::vector<long double>& start,
-                            std::span<const double> times) {
-  const std::size_t n = start.size();
-  TrueMotion motion{{start}};
-  Frozen frozen(rates);
+TrueMotion by_extrapolation(const Numbers& numbers, std::span<const double> times) {
+  const std::size_t n = numbers.unknowns;
+  TrueMotion motion{{numbers.start}};
+  Frozen frozen(numbers);
+  Guards guards(numbers, times.front());
   Extrapolation extrapolation(frozen);
   Sizes sizes(n);
-  Numbers x = start, rate(n), after(n), inside(n);
+  Values x = numbers.start, rate(frozen.outputs()), after(n), inside(n), ignored(frozen.outputs());
   Number t = times.front(), h = (times.back() - t) / 256;
   const Number span = times.back() - t;
   frozen.choose_at(x, t, span * 1e-9L);
-  const auto contradicts_after = [&](Number step) {
-    extrapolation.step(x, t, step, sizes, after);
-    frozen(after, t + step, rate);
-    return frozen.largest_contradiction();
+  /// How far a condition contradicts its choice, or a guard has fallen, at most.
+  const auto off = [&](const Values& here, Number then) {
+    frozen(here, then, ignored);
+    return std::max(frozen.largest_contradiction(), guards.most_fallen(ignored.data() + n, then));
   };
-  /// Where a condition contradicts its choice first within a step to `after`: the step's cubic says where to
-  /// look. 0: nowhere.
-  const auto first_turn = [&](const Numbers& from, const Numbers& slope, Number step) -> Number {
-    const Numbers end = after;
-    Numbers slope_at_end(n), ignored(n);
-    frozen(end, t + step, slope_at_end);
-    Number good = 0, bad = frozen.largest_contradiction() > 0 ? step : 0;
+  const auto off_after = [&](Number step) {
+    extrapolation.step(x, t, step, sizes, after);
+    return off(after, t + step);
+  };
+  /// Where the first is off within a step to `after`: the step's cubic says where to look. 0: nowhere.
+  const auto first_turn = [&](const Values& from, const Values& slope, Number step) -> Number {
+    const Values end = after;
+    Number good = 0, bad = off(end, t + step) > 0 ? step : 0;
+    const Values slope_at_end = ignored;
     for (const Number part : {0.25L, 0.5L, 0.75L}) {
       const Number left = 1 - part;
       for (std::size_t i = 0; i < n; ++i)
         inside[i] = left * left * (1 + 2 * part) * from[i] + part * part * (3 - 2 * part) * end[i] +
                     step * part * left * (left * slope[i] - part * slope_at_end[i]);
-      frozen(inside, t + part * step, ignored);
-      if (frozen.largest_contradiction() > 0 && contradicts_after(part * step) > 0) {
+      if (off(inside, t + part * step) > 0 && off_after(part * step) > 0) {
         bad = part * step;
         break;
       }
       good = part * step;
     }
     if (bad == 0) return 0;
-    Number below = good == 0 ? -1 : contradicts_after(good), above = contradicts_after(bad);
+    Number below = good == 0 ? -1 : off_after(good), above = off_after(bad);
     // A little to either side of the secant's place in turn, and the middle at times: both ends close in.
     for (int turns = 0; turns < 200; ++turns) {
       const Number secant = good + (bad - good) * below / (below - above);
@@ -404,7 +523,7 @@ TrueMotion by_extrapolation(const Program& rates, const std::vector<long double>
       const bool by_halves = good == 0 || turns % 4 == 3 || !(beside > good && beside < bad);
       const Number at = by_halves ? (good + bad) / 2 : beside;
       if (!(at > good && at < bad)) break;
-      const Number there = contradicts_after(at);
+      const Number there = off_after(at);
       (there > 0 ? bad : good) = at;
       (there > 0 ? above : below) = there;
     }
@@ -431,20 +550,29 @@ TrueMotion by_extrapolation(const Program& rates, const std::vector<long double>
         return motion.trouble = ends_at(t, "it is singular there"), motion;
       continue;
     }
-    if (frozen.has_choices()) {
-      const Numbers end = after;
+    if (frozen.has_choices() || guards.count() > 0) {
+      const Values end = after;
       if (const Number turn = first_turn(x, rate, taken); turn > 0) {
-        contradicts_after(turn);
+        off_after(turn);
         frozen.turn_contradicted();
         x = after;
         t += turn;
         if (turn >= left) motion.states.push_back(x), ++next;
+        if (guards.most_fallen(ignored.data() + n, t) > 0) {
+          if (guards.happen(guards.first_fallen(ignored.data() + n, t), x, t))
+            motion.states.resize(times.size(), x), next = times.size();
+          if (guards.chatter()) return motion.trouble = ends_at(t, without_end), motion;
+          frozen.choose_at(x, t, span * 1e-9L);
+        } else {
+          guards.see(x, t);
+        }
         continue;
       }
       after = end;
     }
     x = after;
     t = last ? static_cast<Number>(times[next]) : t + taken;
+    guards.see(x, t);
     if (last) motion.states.push_back(x), ++next;
     const Number longer = taken * std::clamp(factor, Number(0.5), Number(3));
     h = last ? std::max(h, longer) : longer;

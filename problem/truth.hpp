@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "problem/expression.hpp"
+#include "problem/model.hpp"
 
 /// True motions, by two routes in long double that share the right-hand side and no algorithm: Taylor series
-/// of its operations, and extrapolation of the modified midpoint rule. Both find where a choice changes, and
-/// begin anew there.
+/// of its operations, and extrapolation of the modified midpoint rule. Both find where a choice changes or an
+/// event happens, and begin anew there.
 namespace oddity::problem {
 
 struct TrueMotion {
@@ -16,10 +16,8 @@ struct TrueMotion {
   std::string trouble = {};                      ///< why not at all; empty: at all
 };
 
-/// `rates` takes the state and the time. The first of the ascending times is the start's.
-TrueMotion by_series(const Program& rates, const std::vector<long double>& start,
-                     std::span<const double> times);
-TrueMotion by_extrapolation(const Program& rates, const std::vector<long double>& start,
-                            std::span<const double> times);
+/// The first of the ascending times is the start's.
+TrueMotion by_series(const Numbers&, std::span<const double> times);
+TrueMotion by_extrapolation(const Numbers&, std::span<const double> times);
 
 }  // namespace oddity::problem

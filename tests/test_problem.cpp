@@ -224,7 +224,7 @@ TEST_CASE("Both routes to a true motion find where a choice changes", "[problem]
   std::vector<double> times;
   for (int i = 0; i <= 97; ++i) times.push_back(0.37 * i);
   for (const auto route : {by_series, by_extrapolation}) {
-    const TrueMotion motion = route(numbers.rates, numbers.start, times);
+    const TrueMotion motion = route(numbers, times);
     CHECK(motion.trouble.empty());
     REQUIRE(motion.states.size() == times.size());
     for (std::size_t i = 0; i < times.size(); ++i) {
@@ -233,6 +233,97 @@ TEST_CASE("Both routes to a true motion find where a choice changes", "[problem]
       CHECK(near(static_cast<double>(motion.states[i][0]), y, 1e-13));
     }
   }
+}
+
+namespace {
+
+/// A ball of unit mass above a floor, as a model with these events; g = 1 m/s^2.
+std::string ball(const std::string& events, const std::string& more = "") {
+  return "title = \"ball\"\n[parameters]\nh = \"0.5 m\"\ne = \"0.5\"\n[model.one]\nequations = [\"y'' = -1 m/s^2\"" +
+         more + "]\nstart = { y = \"h\", \"y'\" = 0 }\nevents = [" + events +
+         "]\n[observe]\ny = \"m\"\n[need]\nhorizon = \"2 s\"\n";
+}
+TrueMotion moved(const std::string& text, decltype(by_series)* route, std::span<const double> times) {
+  const auto file = read("test.toml", text);
+  return route(Model(*file, file->models[0]).with({0.5, 0.5}), times);
+}
+
+}  // namespace
+
+TEST_CASE("Both routes to a true motion follow events", "[problem]") {
+  // From a height of 1/2 it lands at t = 1 with a speed of 1, then flies for 2 e, 2 e^2, ... as long.
+  std::vector<double> times;
+  for (int i = 0; i <= 58; ++i) times.push_back(0.05 * i);
+  const auto height = [](double t) {
+    double speed = 1, since = t - 1;
+    if (since < 0) return (1 - t * t) / 2;
+    for (speed /= 2; since > 2 * speed; speed /= 2) since -= 2 * speed;
+    return since * (speed - since / 2);
+  };
+  for (const auto route : {by_series, by_extrapolation}) {
+    const TrueMotion bounces =
+        moved(ball(R"({ when = "y", then = { y = "0 m", "y'" = "-e y'" } })"), route, times);
+    CHECK(bounces.trouble.empty());
+    REQUIRE(bounces.states.size() == times.size());
+    for (std::size_t i = 0; i < times.size(); ++i)
+      CHECK(near(static_cast<double>(bounces.states[i][0]), height(times[i]), 1e-14));
+
+    const TrueMotion lands = moved(ball(R"({ when = "y", ends = true })"), route, times);
+    REQUIRE(lands.states.size() == times.size());
+    CHECK(near(static_cast<double>(lands.states.back()[0]), 0, 1e-15));
+    CHECK(near(static_cast<double>(lands.states.back()[1]), -1, 1e-15));
+
+    // Set back to the top each time, it keeps its speed: a fall from 1/2 to 0 that goes on.
+    const TrueMotion wraps = moved(ball(R"({ when = "y", then = { y = "h" } })"), route, times);
+    REQUIRE(wraps.states.size() == times.size());
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      const double fallen = times[i] * times[i] / 2;
+      const double y = 0.5 - std::fmod(fallen, 0.5);
+      if (std::abs(y - 0.5) > 1e-9) CHECK(near(static_cast<double>(wraps.states[i][0]), y, 1e-13));
+    }
+
+    const TrueMotion rests =
+        moved(ball(R"({ when = "y", then = { y = "0 m", "y'" = "-e y'" } })"), route, std::array{0.0, 4.0});
+    CHECK(rests.trouble.find("events follow each other without end") != std::string::npos);
+    CHECK(rests.trouble.find("ends at 3:") != std::string::npos);
+  }
+}
+
+TEST_CASE("An event that leaves its guard alone happens once for each time that it falls", "[problem]") {
+  // a counts the passages of a pendulum-like swing y'' = -y through zero: both ways, or upwards alone
+  const auto counted = [](const std::string& direction, decltype(by_series)* route) {
+    const std::string text =
+        "title = \"x\"\n[parameters]\nh = \"1 m\"\n[model.one]\nequations = [\"y'' = -y/(1 s^2)\", \"a' = 0 m/s\"]\n"
+        "start = { y = \"h\", \"y'\" = 0, a = \"0 m\" }\nevents = [{ when = \"y\", direction = \"" +
+        direction + "\", then = { a = \"a + 1 m\" } }]\n[observe]\ny = \"m\"\na = \"m\"\n";
+    const auto file = read("test.toml", text);
+    const std::array times{0.0, 20.0};  // 20 = 6.37 half periods
+    const TrueMotion motion = route(Model(*file, file->models[0]).with({1}), times);
+    CHECK(motion.trouble.empty());
+    CHECK(near(static_cast<double>(motion.states.back()[0]), std::cos(20.0), 1e-14));
+    return static_cast<double>(motion.states.back()[1]);  // unknowns come first
+  };
+  for (const auto route : {by_series, by_extrapolation}) {
+    CHECK(counted("both", route) == 6);
+    CHECK(counted("rising", route) == 3);
+    CHECK(counted("falling", route) == 3);
+  }
+}
+
+TEST_CASE("What is wrong in an event is said with its place", "[problem]") {
+  CHECK(refusal(ball(R"({ when = "y" })")).find("nothing happens in this event") != std::string::npos);
+  CHECK(refusal(ball(R"({ then = { y = "0 m" } })")).find("goes through zero: when") != std::string::npos);
+  CHECK(refusal(ball(R"({ when = "y", then = { y = "0 s" } })")).find("y is in m, and this is s") !=
+        std::string::npos);
+  CHECK(refusal(ball(R"({ when = "y''", ends = true })")).find("this has a highest rate") !=
+        std::string::npos);
+  CHECK(refusal(ball(R"({ when = "y", then = { "y''" = "0 m/s^2" } })")).find("is no part of the state") !=
+        std::string::npos);
+  CHECK(refusal(ball(R"({ when = "y", then = { z = "0 m" } })")).find("no unknown z") != std::string::npos);
+  CHECK(refusal(ball(R"({ when = "y", ends = "true" })")).find("true or false") != std::string::npos);
+  CHECK(refusal(ball(R"({ when = "y", ends = true, direction = "down" })")).find("falling, rising or both") !=
+        std::string::npos);
+  CHECK(refusal(ball(R"("y")")).find("events are tables") != std::string::npos);
 }
 
 TEST_CASE("A motion that ends is said to end", "[problem]") {
