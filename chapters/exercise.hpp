@@ -420,6 +420,9 @@ struct Listing {
   std::vector<std::pair<std::string_view, std::string_view>> not_printable = {};
   /// Those of them that have events, with their expressions: the page's players search for these.
   std::vector<std::pair<std::string_view, std::string_view>> with_events = {};
+  /// The model of this name in C++, with these parameters, where it is in no header. Its numbers are the
+  /// program's but for roundings. Null: all are in headers.
+  std::string (*text)(const Parameters&, std::string_view model) = nullptr;
 };
 
 /// What is true of a scene's motion as it is seen, whatever model made it.

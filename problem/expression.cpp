@@ -26,20 +26,35 @@ Expression Expression::made(Op op, const Expression& a, const Expression& b, con
   return {*graph, graph->put(operation)};
 }
 
+std::optional<Expression> Expression::opposite() const {
+  if (is_number()) return {};
+  const auto& all = graph_->operations();
+  const Operation& one = all[static_cast<std::size_t>(place_)];
+  if (one.op != Op::subtract) return {};
+  const Operation& from = all[static_cast<std::size_t>(one.a)];
+  return from.op == Op::constant && from.value == 0 ? std::optional(Expression(*graph_, one.b))
+                                                    : std::nullopt;
+}
+
 Expression operator+(const Expression& a, const Expression& b) {
   if (a.is_number() && b.is_number()) return a.value_ + b.value_;
+  if (const auto x = b.opposite()) return a - *x;
+  if (const auto x = a.opposite()) return b - *x;
   if (a.is(0)) return b;
   return b.is(0) ? a : Expression::made(Op::add, a, b);
 }
 Expression operator-(const Expression& a, const Expression& b) {
   if (a.is_number() && b.is_number()) return a.value_ - b.value_;
   if (!a.is_number() && !b.is_number() && a.place_ == b.place_) return 0;
+  if (const auto x = b.opposite()) return a + *x;
   return b.is(0) ? a : Expression::made(Op::subtract, a, b);
 }
 Expression operator*(const Expression& a, const Expression& b) {
   if (a.is_number() && b.is_number()) return a.value_ * b.value_;
   if (a.is(0) || b.is(0)) return 0;
   if (a.is(1)) return b;
+  if (a.is(-1)) return -b;
+  if (b.is(-1)) return -a;
   return b.is(1) ? a : Expression::made(Op::multiply, a, b);
 }
 Expression operator/(const Expression& a, const Expression& b) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <concepts>
 #include <map>
+#include <optional>
 #include <span>
 #include <tuple>
 #include <vector>
@@ -61,6 +62,8 @@ class Expression {
   long double number() const { return value_; }
   Graph* graph() const { return graph_; }
   bool is(int x) const { return is_number() && value_ == x; }
+  /// x where this is 0 - x.
+  std::optional<Expression> opposite() const;
   /// Its place in the graph, to which a number is added.
   int in(Graph& graph) const;
 

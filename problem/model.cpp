@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "chapters/random.hpp"
+#include "problem/code.hpp"
 #include "reference/similar.hpp"
 
 namespace oddity::problem {
@@ -55,6 +56,7 @@ class Model::Making {
     start_units();
     check_units();
     order_state();
+    model_.unknowns_ = letters_.unknowns;
     Rows matrix;
     std::vector<Expression> right;
     if (!equations_.empty()) {
@@ -641,6 +643,122 @@ Numbers Model::with(const std::vector<double>& parameters) const {
     numbers.accelerations = Program(std::span(rates).subspan(half), of_places);
   }
   return numbers;
+}
+
+namespace {
+
+/// Names of C++ variables, none twice.
+class Names {
+ public:
+  /// This name, or the first free one behind it.
+  const std::string& add(std::string name) {
+    while (is_word_of_cpp(name) || std::ranges::find(all_, name) != all_.end()) name += '_';
+    return all_.emplace_back(std::move(name));
+  }
+  const std::vector<std::string>& all() const { return all_; }
+
+ private:
+  std::vector<std::string> all_;
+};
+
+}  // namespace
+
+/// Writes a model's member functions, and keeps which parameters they need.
+class Model::Coding {
+ public:
+  Coding(const Model& model, const File& file) : model_(model), parameters_(file.parameters.size()) {
+    for (const ParameterText& p : file.parameters) {
+      if (is_word_of_cpp(p.name)) throw BadInput("the letter " + p.name + " is a word of C++");
+      names_.add(p.name);
+    }
+    for (const int key : model.state_) {
+      const std::string& unknown = model.unknowns_[static_cast<std::size_t>(key) / most_orders];
+      const std::size_t order = static_cast<std::size_t>(key) % most_orders;
+      names_.add(order == 0 ? unknown : unknown + "_" + std::string(order, 'd') + "ot");
+    }
+    names_.add("t");
+    for (std::size_t i = 0; i < parameters_; ++i) keys_.push_back(of_parameters + static_cast<int>(i));
+    keys_.insert(keys_.end(), model.state_.begin(), model.state_.end());
+    keys_.push_back(of_time);
+    used_.assign(names_.all().size(), 0);
+    Names with_arguments = names_;
+    state_ = with_arguments.add("state");
+    result_ = with_arguments.add("result");
+  }
+
+  Code code(bool partitioned) {
+    const std::size_t n = model_.state_.size();
+    const std::string seen = array(model_.observed_.size());
+    std::string functions;
+    if (n == 0) {
+      functions = function(seen + " at($t)", model_.observed_, "return");
+    } else {
+      functions = "  using State = " + array(n) + ";\n" + function("State start()", model_.start_, "return") +
+                  function("void operator()(const State& $x, State& $r, $t)", model_.rates_, result_ + " =");
+      if (partitioned)
+        functions += "  using Half = " + array(n / 2) + ";\n" +
+                     function("void acceleration(const Half& $x, Half& $r)", accelerations(), result_ + " =");
+      functions += function(seen + " observe(const State& $x, $t)", model_.observed_, "return");
+    }
+    Code code{type_name(model_.name_), {}, {}};
+    std::string members;
+    for (std::size_t i = 0; i < parameters_; ++i) {
+      if (!used_[i]) continue;
+      members += (members.empty() ? "  double " : ", ") + names_.all()[i];
+      code.members.push_back(names_.all()[i]);
+    }
+    if (!members.empty()) members += ";\n";
+    code.text = "struct " + code.type + " {\n" + members + functions + "};\n";
+    return code;
+  }
+
+ private:
+  static std::string array(std::size_t n) { return "std::array<double, " + std::to_string(n) + ">"; }
+  static void put(std::string& text, const std::string& placeholder, const std::string& what) {
+    if (const auto at = text.find(placeholder); at != std::string::npos)
+      text.replace(at, placeholder.size(), what);
+  }
+  /// The same, with its constants computed.
+  std::vector<Expression> folded(std::span<const Expression> all) const {
+    std::map<int, Expression> same;
+    for (const int key : keys_) same.emplace(key, input(*model_.graph_, key));
+    return replaced(all, same);
+  }
+  /// Of places alone.
+  std::vector<Expression> accelerations() const {
+    const std::size_t half = model_.state_.size() / 2;
+    std::map<int, Expression> at_rest;
+    for (const int key : keys_) at_rest.emplace(key, input(*model_.graph_, key));
+    for (std::size_t i = half; i < 2 * half; ++i) at_rest[model_.state_[i]] = 0;
+    return replaced(std::span(model_.rates_).subspan(half), at_rest);
+  }
+  /// `head` has the placeholders $x, $r and $t of its arguments.
+  std::string function(std::string head, std::span<const Expression> what, const std::string& returns) {
+    const Written body = written(Program(folded(what), keys_), names_.all(), "    ");
+    for (std::size_t i = 0; i < used_.size(); ++i) used_[i] |= body.used[i];
+    std::string lines;
+    for (std::size_t i = 0; i < model_.state_.size(); ++i)
+      if (body.used[parameters_ + i])
+        lines += "    const double " + names_.all()[parameters_ + i] + " = " + state_ + "[" +
+                 std::to_string(i) + "];\n";
+    put(head, " $x", lines.empty() ? "" : " " + state_);
+    put(head, "$r", result_);
+    put(head, "$t", body.used.back() ? "double " + names_.all().back() : "double");
+    std::string values;
+    for (const std::string& one : body.outputs) values += (values.empty() ? "" : ", ") + one;
+    return "  " + head + " const {\n" + lines + body.lines + "    " + returns + " {" + values + "};\n  }\n";
+  }
+
+  const Model& model_;
+  std::size_t parameters_;
+  Names names_;
+  std::vector<int> keys_;
+  std::vector<char> used_;
+  std::string state_, result_;
+};
+
+Model::Code Model::code(const File& file, bool partitioned) const {
+  return Coding(*this, file).code(partitioned);
 }
 
 }  // namespace oddity::problem

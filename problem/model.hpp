@@ -49,13 +49,25 @@ class Model {
   /// Of each unknown of the second order the observable that it is; none where one is not observed.
   const std::vector<std::size_t>& seen_as() const { return seen_as_; }
   bool conserves() const { return !conserved_.empty(); }
+  bool has_events() const { return !events_.empty(); }
   /// With these values of the parameters, in their units.
   Numbers with(const std::vector<double>& parameters) const;
 
+  /// A struct of C++ whose members are the parameters it needs, for the loops of `choose --code`.
+  struct Code {
+    std::string type, text;
+    std::vector<std::string> members;
+  };
+  /// `partitioned`: as its numbers are, the accelerations know places alone. Throws BadInput where a letter
+  /// cannot be written.
+  Code code(const File&, bool partitioned) const;
+
  private:
   class Making;
+  class Coding;
 
   std::string name_;
+  std::vector<std::string> unknowns_;
   std::vector<long double> sizes_;  ///< of the parameters' units
   std::shared_ptr<Graph> graph_ = std::make_shared<Graph>();
   std::vector<int> state_, rate_of_;  ///< keys of the unknowns, in the state's order

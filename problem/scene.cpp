@@ -29,6 +29,7 @@ struct Kept {
   std::string of_text;  ///< tells files of one name apart
   std::vector<Model> models;
   std::vector<Parameter> parameters;
+  std::vector<std::string> constructions;  ///< of the models, as printed code has them
   std::unique_ptr<Entry> entry;
 };
 
@@ -195,6 +196,19 @@ Energy energy_of(const Parameters& p, std::span<const double> places_and_rates) 
   return {both[0], both[1]};
 }
 
+/// "problem::Spring{m, k}"; empty where it cannot be written.
+std::string construction_of(const Model& model, const File& file) {
+  if (model.has_events()) return "";
+  try {
+    const Model::Code code = model.code(file, false);
+    std::string members;
+    for (const std::string& one : code.members) members += (members.empty() ? "" : ", ") + one;
+    return "problem::" + code.type + "{" + members + "}";
+  } catch (const BadInput&) {
+    return "";
+  }
+}
+
 Findings study(const Parameters& p, const Reference& truth) {
   const Kept& here = kept_with(p.declared().data());
   return {{}, {motion(*here.entry->exercise.scene, p, truth)}, {}};
@@ -229,6 +243,21 @@ std::vector<std::string_view> varied(const Kept& here) {
   return names;
 }
 
+std::string code_of(const Parameters& p, std::string_view model) {
+  const Kept& here = kept_with(p.declared().data());
+  const auto its = std::ranges::find(here.models, model, &Model::name);
+  const ModelText& text = here.file->models[static_cast<std::size_t>(its - here.models.begin())];
+  std::string about = "/// " + here.file->title + ": " + text.name.text + ".\n";
+  for (const Quoted& one : text.equations) about += "///   " + one.text + "\n";
+  if (text.equations.empty() && text.lagrangian) about += "///   L = " + text.lagrangian->text + "\n";
+  for (const auto& [name, formula] : text.closed) about += "///   " + name.text + " = " + formula.text + "\n";
+  for (const auto& [name, formula] : here.file->given)
+    about += "///   " + name.text + " = " + formula.text + "\n";
+  return "namespace oddity::problem {\n\n" + about +
+         its->code(*here.file, its->with(values_of(p)).partitioned).text +
+         "\n}  // namespace oddity::problem\n";
+}
+
 Scene scene_of(const Kept& here) {
   const File& file = *here.file;
   Scene scene{.motion = motion_of,
@@ -251,8 +280,14 @@ Scene scene_of(const Kept& here) {
   scene.axes.norms = norms_of(file);
   if (here.models.back().conserves() && !here.models.back().seen_as().empty()) scene.laws.energy = energy_of;
   scene.is_linear = here.models.back().is_linear();
-  for (const Model& model : here.models)
-    scene.listing.not_printable.emplace_back(model.name(), "which is read from a file");
+  scene.listing.text = code_of;
+  for (std::size_t i = 0; i < here.models.size(); ++i)
+    if (here.constructions[i].empty())
+      scene.listing.not_printable.emplace_back(
+          here.models[i].name(), here.models[i].has_events() ? "as the printed loops look for no events"
+                                                             : "as one of its letters is a word of C++");
+    else
+      scene.listing.models.emplace_back(here.models[i].name(), here.constructions[i]);
   return scene;
 }
 
@@ -282,6 +317,7 @@ const Entry& entry_of_text(const std::string& name, const std::string& text) {
       require_unknowns(model, *made->file);
       require_conserved(*made->file, made->file->models[i], model);
     }
+  for (const Model& model : made->models) made->constructions.push_back(construction_of(model, *made->file));
   Exercise exercise{made->file->title, made->file->question, made->parameters, scene_of(*made), study};
   made->entry =
       std::make_unique<Entry>(Entry{number_of_file(stem_of(name)), made->of_text, std::move(exercise)});

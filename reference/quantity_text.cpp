@@ -44,6 +44,7 @@ const std::map<std::string, Unit, std::less<>>& named_units() {
       {"m", {1, {.m = 1}}},
       {"s", {1, {.s = 1}}},
       {"g", {1e-3L, {.kg = 1}}},
+      {"kg", {1, {.kg = 1}}},  // exactly
       {"rad", {1, {.rad = 1}}},
       {"N", {1, {.m = 1, .s = -2, .kg = 1}}},
       {"J", {1, {.m = 2, .s = -2, .kg = 1}}},

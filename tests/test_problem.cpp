@@ -31,6 +31,7 @@ namespace {
 
 const std::filesystem::path folder =
     std::filesystem::path(ODDITY_SOURCE) / "chapters" / "examples" / "problems";
+const std::string pendulum = (folder / "pendulum.toml").string();
 
 std::string with(const std::string& equation, const std::string& start = R"({ y = "0 m", "y'" = "1 m/s" })",
                  const std::string& more = "") {
@@ -200,7 +201,7 @@ TEST_CASE("A program has one value in every number", "[problem]") {
 }
 
 TEST_CASE("The true motion of a file is that of the table", "[problem]") {
-  const Entry& entry = entry_of_file((folder / "pendulum.toml").string());
+  const Entry& entry = entry_of_file(pendulum);
   const Reference truth(std::filesystem::path(ODDITY_SOURCE) / "reference");
   for (const double a : {0.5, 1.5, 3.0}) {
     Parameters p(entry.exercise.parameters);
@@ -330,7 +331,8 @@ TEST_CASE("A motion that ends is said to end", "[problem]") {
   const std::string text =
       "title = \"x\"\n[parameters]\nv = \"1 m\"\n[model.one]\nequations = [\"y' = y^2/(1 m s)\"]\n"
       "start = { y = \"v\" }\n[observe]\ny = \"m\"\n";
-  const Entry& entry = entry_of_text("test.toml", text);
+  const std::string name = "test.toml";
+  const Entry& entry = entry_of_text(name, text);
   const Reference truth(std::filesystem::path(ODDITY_SOURCE) / "reference");
   const std::string said = complaint([&] {
     motion(*entry.exercise.scene, Parameters(entry.exercise.parameters), {2, 8}, truth);
@@ -350,7 +352,8 @@ struct Twin {
 /// The quantities of both at the same parameters.
 void same_motions(const Twin& twin, const std::vector<std::pair<std::string, double>>& changed,
                   const Horizon& horizon) {
-  const Entry& own = entry_of_file((folder / twin.file).string());
+  const std::string file = (folder / twin.file).string();
+  const Entry& own = entry_of_file(file);
   const Entry& book = *std::ranges::find(registry(), exercise_number(twin.number), &Entry::number);
   Parameters own_p(own.exercise.parameters), book_p(book.exercise.parameters);
   for (const auto& [name, value] : changed) own_p.set(name, value), book_p.set(name, value);
@@ -386,7 +389,7 @@ TEST_CASE("The pendulum as a file moves as 3.5 does", "[problem]") {
 }
 
 TEST_CASE("The pendulum's file has the energy that 3.5 has", "[problem]") {
-  const Entry& own = entry_of_file((folder / "pendulum.toml").string());
+  const Entry& own = entry_of_file(pendulum);
   const Entry& book = *std::ranges::find(registry(), exercise_number("3.5"), &Entry::number);
   Parameters mine(own.exercise.parameters), theirs(book.exercise.parameters);
   for (const double L : {1.0, 1.7}) {
@@ -409,7 +412,7 @@ TEST_CASE("Three masses by their Lagrangian move as 3.25 does", "[problem]") {
 }
 
 TEST_CASE("The pendulum's file is answered as 3.5 is", "[problem]") {
-  const Entry& own = entry_of_file((folder / "pendulum.toml").string());
+  const Entry& own = entry_of_file(pendulum);
   const Entry& book = *std::ranges::find(registry(), exercise_number("3.5"), &Entry::number);
   const Reference truth(std::filesystem::path(ODDITY_SOURCE) / "reference");
   // What costs what: evaluations, so that no clock decides.
@@ -475,7 +478,8 @@ TEST_CASE("Each example's answers are so", "[problem]") {
     if (file.path().extension() != ".toml") continue;
     ++examples;
     const std::string text = text_of(file.path());
-    const Entry& entry = entry_of_text(file.path().filename().string(), text);
+    const std::string name = file.path().filename().string();
+    const Entry& entry = entry_of_text(name, text);
     const Asked asked = asked_by(entry);
     const Scene& scene = *entry.exercise.scene;
     const double rate = *parse_number(asked.frames_per_second.substr(0, asked.frames_per_second.find(' '))) /

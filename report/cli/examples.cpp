@@ -8,7 +8,7 @@ namespace oddity {
 
 namespace {
 
-constexpr std::array<Mark, 16> marks{{
+constexpr std::array<Mark, 17> marks{{
     {"oddity bench", "slow, exit 0 or 1"},  // on a busy machine its limits break
     {"oddity bench --csv", "slow, exit 0 or 1"},
     {"oddity bench --lanes 3.5 3.33", "slow, exit 0 or 1"},
@@ -16,6 +16,7 @@ constexpr std::array<Mark, 16> marks{{
     {"oddity engines", "not, takes hours"},
     {"oddity engines 3.33 'free body' --hz 60,240,960", "slow"},
     {"oddity engines 3.5 a=60deg --horizon 30", "slow"},
+    {"oddity engines 3.5 --criterion energy --error 5%", "slow"},
     {"oddity prove", "not, takes an hour"},
     {"oddity prove 3.5 7.9 --out /tmp/proofs", "not, needs Coq, which ./oddity prove installs"},
     {"mpirun -n 8 oddity sweep run /tmp/map", "not, needs eight cores"},

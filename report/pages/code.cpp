@@ -240,12 +240,16 @@ std::string code_of(const Task& task, const Choice& choice, const std::string& c
   for (std::string_view header : listing.headers) headers.add(header);
   if (algorithm) headers.add(algorithm->header);
   headers.add_standard("cstdio");
+  if (listing.text) headers.add_standard("array"), headers.add_standard("cmath");
   const std::string about =
       to_string(task.entry->number) + " " + std::string(exercise.title) + ": " + asked_text(choice) + "\n\n" +
       answer_text(choice) + "\nThe observables at every frame, by\n  " + command +
       "\nCompiled by c++ -std=c++20 -O2 -ffp-contract=off it prints oddity's own numbers" +
-      (single ? ", but for the observables' roundings: oddity observes a motion in float in double." : ".");
+      (single         ? ", but for the observables' roundings: oddity observes a motion in float in double."
+       : listing.text ? ", but for roundings."
+                      : ".");
   return as_comment(about) + "\n" + headers.includes() + headers.text() + "\n" +
+         (listing.text ? listing.text(task.parameters, choice.chosen->model) + "\n" : "") +
          model_text(task, model, single ? "float" : "double") + std::string(print_row) +
          main_text(task, choice.need, algorithm, choice.chosen->setting);
 }
