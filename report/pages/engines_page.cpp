@@ -62,10 +62,10 @@ std::vector<EngineName> engines_of(const std::vector<EngineContest>& contests) {
   return engines;
 }
 
-using Cell = std::function<std::string(const EngineContest&, const EngineSeries&)>;
+using CellOf = std::function<std::string(const EngineContest&, const EngineSeries&)>;
 
 /// Engines with the same cells share a row; those without any have none.
-std::string defaults_table(const std::vector<EngineContest>& contests, const Cell& cell) {
+std::string defaults_table(const std::vector<EngineContest>& contests, const CellOf& cell) {
   Rows rows{{"defaults of"}};
   for (const EngineContest& c : contests) rows[0].push_back(linked(c));
   for (const EngineName& of : engines_of(contests)) {
@@ -127,7 +127,7 @@ std::string replaced_table(const std::vector<EngineContest>& contests) {
   return as_table(rows, 3);
 }
 
-int not_explained(const std::vector<EngineContest>& contests) {
+int unexplained(const std::vector<EngineContest>& contests) {
   int count = 0;
   for (const EngineContest& c : contests)
     count += static_cast<int>(std::ranges::count_if(c.series, [&](const EngineSeries& s) {
@@ -152,7 +152,7 @@ std::string engines_page(const std::vector<EngineContest>& contests, const std::
       defaults_table(with_momentum(contests), drifts) +
       "Lesser models instead of the cheapest native engine that is enough, and how many times cheaper:\n\n" +
       replaced_table(contests);
-  if (const int count = not_explained(contests); count > 0)
+  if (const int count = unexplained(contests); count > 0)
     text += "Variants in scenes that never come to them, *not explained*: " + std::to_string(count) + ".\n\n";
   text += "## What was found in the engines\n\n" + std::to_string(surprises.size()) +
           " things, each with the smallest program that shows it.\n\n";

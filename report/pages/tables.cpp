@@ -13,7 +13,7 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-std::string text_of(std::string_view view) { return std::string(view); }
+std::string as_text(std::string_view view) { return std::string(view); }
 
 std::string value_text(const Value& value) {
   std::string text;
@@ -25,9 +25,9 @@ void add_trials(Table& table, const ExerciseResult& e, const QuantityResult& q, 
   for (const auto& m : methods)
     for (const TimedTrial& t : m.trials)
       table.rows.push_back({to_string(e.number), q.name, q.unit, t.model, t.algorithm,
-                            text_of(name_of(t.precision)), t.knob, t.knob.empty() ? none : t.setting,
+                            as_text(name_of(t.precision)), t.knob, t.knob.empty() ? none : t.setting,
                             value_text(t.value), t.error, q.need.allowed, t.evaluations, t.time.seconds,
-                            t.time.spread, text_of(name_of(t.outcome)), t.message});
+                            t.time.spread, as_text(name_of(t.outcome)), t.message});
 }
 
 }  // namespace
@@ -37,13 +37,13 @@ Table parameters_table(std::span<const Task> tasks) {
               {}};
   for (const Task& task : tasks) {
     const Exercise& e = task.entry->exercise;
-    const std::vector<Cell> begin{to_string(task.entry->number), text_of(e.title), e.scene ? 1L : 0L};
+    const std::vector<Cell> begin{to_string(task.entry->number), as_text(e.title), e.scene ? 1L : 0L};
     const auto add = [&](std::vector<Cell> cells) {
       cells.insert(cells.begin(), begin.begin(), begin.end());
       table.rows.push_back(std::move(cells));
     };
     for (const Parameter& p : e.parameters)
-      add({text_of(p.name), p.value, text_of(p.unit), p.least, p.most, p.whole ? 1L : 0L, text_of(p.says)});
+      add({as_text(p.name), p.value, as_text(p.unit), p.least, p.most, p.whole ? 1L : 0L, as_text(p.says)});
     if (e.parameters.empty()) add({"", "", "", "", "", "", ""});
   }
   return table;
@@ -55,8 +55,8 @@ Table claims_table(const Results& results, const Verdicts& on_record) {
     for (const JudgedClaim& c : e.claims) {
       const auto recorded = on_record.find(c.claim.id);
       table.rows.push_back({to_string(e.number), c.claim.id, static_cast<long>(c.claim.line),
-                            text_of(name_of(c.verdict)), recorded == on_record.end() ? "" : recorded->second,
-                            text_of(name_of(c.claim.kind)), c.claim.root, c.claim.says,
+                            as_text(name_of(c.verdict)), recorded == on_record.end() ? "" : recorded->second,
+                            as_text(name_of(c.claim.kind)), c.claim.root, c.claim.says,
                             c.verdict == Verdict::not_checkable ? c.claim.not_checkable : c.claim.why});
     }
   return table;

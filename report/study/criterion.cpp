@@ -146,7 +146,7 @@ std::vector<Followed> followed(const Quantity& motion) {
   return all;
 }
 
-std::vector<double> whole(const std::vector<Energy>& energies) {
+std::vector<double> totals(const std::vector<Energy>& energies) {
   std::vector<double> all;
   for (const Energy& now : energies) all.push_back(now.whole);
   return all;
@@ -165,7 +165,7 @@ TrueEnergy true_energy(const Quantity& motion) {
     throw BadInput("no two methods here follow the motion's energy to the end of the horizon");
   std::ranges::partial_sort(all, all.begin() + 2, {}, &Followed::error);
   const Followed &best = all[0], &other = all[1];
-  TrueEnergy energy{whole(best.energies)};
+  TrueEnergy energy{totals(best.energies)};
   for (const Energy& now : best.energies) energy.moves = std::max(energy.moves, std::abs(now.kinetic));
   const double apart_by = as_part(apart(other.energies, energy.whole), energy.moves);
   energy.known_to = std::max(std::numeric_limits<double>::epsilon(), apart_by);
