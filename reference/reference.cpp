@@ -306,9 +306,11 @@ Known Reference::proved(Known known, const ToEnclose& asked) const {
   return known;
 }
 
-std::string checksum_of_tables(const fs::path& folder) {
+std::string checksum_of_tables(const fs::path& folder,
+                               const std::function<bool(const truth::Entry&)>& wanted) {
   std::string all;
   for (const truth::Entry& maker : truth::registry()) {
+    if (wanted && !wanted(maker)) continue;
     const fs::path file = file_of(maker, folder);
     all += std::string(maker.name) + "\n" + (fs::exists(file) ? read_whole(file) : "");
   }

@@ -347,13 +347,14 @@ CLI::Option* add_overwrite(CLI::App& verb, Session& s) {
 }
 
 void add_report(CLI::App& app, Session& s) {
-  auto* report = verb(app, "report", "Write the Markdown report.",
-                      "The last results are taken where they are fresh, else everything runs first.\n"
-                      "Examples:\n  oddity report\n  oddity report --chapter 3 --out /tmp/report",
-                      [&] {
-                        verbs::report(s.folder, s.chapter, s.book ? Edition::book : Edition::whole,
-                                      s.report_out, s.overwrite);
-                      });
+  auto* report =
+      verb(app, "report", "Write the Markdown report.",
+           "The last results are taken; an exercise whose code or tables have changed runs first.\n"
+           "Examples:\n  oddity report\n  oddity report --chapter 3 --out /tmp/report",
+           [&] {
+             verbs::report(s.folder, s.chapter, s.book ? Edition::book : Edition::whole, s.report_out,
+                           s.overwrite);
+           });
   add_value(*report, "--chapter", s.chapter, "N", "the exercises of one chapter only");
   report->add_flag("--book", s.book, "without times: what stands in report/book of the sources");
   add_path(*report, "--out", s.report_out, "the folder to write to");
@@ -364,7 +365,7 @@ void add_site(CLI::App& app, Session& s) {
   auto* site = verb(
       app, "site", "Write the report that runs: one folder, for a browser.",
       "Open its index.html with a double click; it needs no network. The last results are "
-      "taken where they are fresh, else everything runs first.\n"
+      "taken; an exercise whose code or tables have changed runs first.\n"
       "Examples:\n  oddity site\n  oddity site --out /tmp/site",
       [&] { verbs::site(s.folder, s.site_out, s.overwrite); }, true);
   add_path(*site, "--out", s.site_out, "the folder to write to");
@@ -514,7 +515,7 @@ void add_trust(CLI::App& app, Session& s) {
   auto* trust = verb(
       app, "trust", "Say how far the results may be trusted, and what that rests on.",
       "What is proved, enclosed, witnessed, mutated, fuzzed and survived, with the figures on record. The last "
-      "results are taken where they are fresh, else everything runs first.\n"
+      "results are taken; an exercise whose code or tables have changed runs first.\n"
       "Columns: part, subject, count, of, says, date, commit, rests_on; a row for each part, and for each of its "
       "kinds, rooms, targets or faults.\n"
       "Examples:\n  oddity trust\n  oddity trust --json",

@@ -39,6 +39,7 @@
 #include "report/study/earlier_results.hpp"
 #include "report/study/engine_scenes.hpp"
 #include "report/study/is_enough.hpp"
+#include "report/study/kept_results.hpp"
 #include "report/study/limit_records.hpp"
 #include "report/study/prices.hpp"
 #include "report/study/progress.hpp"
@@ -57,39 +58,38 @@ Reference truth_of(const fs::path& folder, bool enclosed, fs::path cache = {}) {
   return enclosed ? truth.enclosed_by(enclosing()) : truth;
 }
 
-/// None where the file is not there, is damaged, or is made by another program or other tables.
-Results usable_results(const fs::path& file, const std::string& made_by) {
-  try {
-    return earlier_results(file, made_by);
-  } catch (const BadInput&) {
-    return {};
-  }
-}
-
-/// The last results where this program made them of these tables, else those of a new run; if wanted with the
-/// cheapest_models, which a run of the suite does not need and does not make.
+/// The last results. An exercise is run again where its code, its tables or its ledger have changed. If
+/// wanted they have the cheapest_models, which a run of the suite does not need and does not make.
 Results last_results(const fs::path& folder, bool cheapest_models) {
   const fs::path file = results_file();
   const Reference truth(folder, motions_folder());
   const std::vector<Task> tasks(registry().begin(), registry().end());
-  const std::string here = made_by(folder);
-  Results results = usable_results(file, here);
-  const bool fresh = std::ranges::equal(results.exercises, tasks, [](const auto& e, const Task& task) {
-    return e.number == task.entry->number;  // a run of a part may have written the file
-  });
-  if (!fresh)
-    results = with_progress([&](const Progress& progress) {
-      return with_stability(run(tasks, truth, true, progress), tasks, truth, progress);
-    });
-  results.made_by = here;
-  const bool lacking = cheapest_models && std::ranges::any_of(results.exercises, [](const ExerciseResult& e) {
-                         return e.scene && !e.cheapest_models;
-                       });
-  if (lacking)
-    results = with_progress([&](const Progress& progress) {
-      return with_cheapest_models(std::move(results), tasks, truth, progress);
-    });
-  if (lacking || !fresh) write_whole(file, to_json(results));
+  const MadeFrom here = made_from(folder);
+  std::size_t run_again = 0, extended = 0;
+  Results results = completed(
+      kept_results(file, here), tasks, [](const ExerciseResult& e) { return !e.made_from.empty(); },
+      [&](const Results&, std::span<const Task> lacking) {
+        run_again = lacking.size();
+        return noted(with_progress([&](const Progress& progress) {
+                       return with_stability(run(lacking, truth, true, progress), lacking, truth, progress);
+                     }),
+                     here);
+      });
+  const std::string program = made_by(folder);
+  if (run_again == tasks.size())
+    results.made_by = program;
+  else if (run_again > 0 && results.made_by != program)
+    results.made_by = "several programs";
+  if (cheapest_models)
+    results = completed(
+        std::move(results), tasks, [](const ExerciseResult& e) { return !e.scene || e.cheapest_models; },
+        [&](Results some, std::span<const Task> lacking) {
+          extended = lacking.size();
+          return with_progress([&](const Progress& progress) {
+            return with_cheapest_models(std::move(some), lacking, truth, progress);
+          });
+        });
+  if (run_again > 0 || extended > 0) write_whole(file, to_json(results));
   return results;
 }
 
@@ -399,7 +399,8 @@ void stability_rows(const fs::path& folder, const std::vector<std::string>& exer
 void create_problem(const fs::path& file) {
   if (fs::exists(file)) throw BadInput(file.string() + " is there already, and is not overwritten");
   write_whole(file, std::string(problem::begun));
-  std::cout << file.string() << "\n" << program_as_typed() << " choose " << for_shell(file.string())
+  std::cout << file.string() << "\n"
+            << program_as_typed() << " choose " << for_shell(file.string())
             << "  # runs as it is: change it, and ask again\n";
 }
 

@@ -26,7 +26,8 @@ bool lacks_trajectory(const QuantityResult& q) {
   });
 }
 
-/// What of an exercise's results is not as the suite declares it; empty: nothing.
+}  // namespace
+
 std::string undeclared(const ExerciseResult& e) {
   const auto entry = std::ranges::find(registry(), e.number, &Entry::number);
   if (entry == registry().end()) return "which this program does not have";
@@ -43,8 +44,6 @@ std::string undeclared(const ExerciseResult& e) {
   if (motion == e.quantities.end()) return "whose motion is missing";
   return lacks_trajectory(*motion) ? "whose trajectory is missing" : "";
 }
-
-}  // namespace
 
 std::string checksum_of_program() {
   return checksum(read_whole("/proc/self/exe", std::numeric_limits<std::size_t>::max()));

@@ -14,6 +14,9 @@ std::string checksum_of_program();
 /// The program and the tables that results are made by.
 std::string made_by(const std::filesystem::path& reference_folder);
 
+/// What of an exercise's results is not as the suite declares it; empty: nothing.
+std::string undeclared(const ExerciseResult&);
+
 /// Throws BadInput, naming the file, when it is not as it was written, or is made by another program or other
 /// tables, or of other exercises or parameters than the suite's.
 Results earlier_results(const std::filesystem::path& file, const std::string& made_by);

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int format = 10;
+constexpr int format = 11;
 
 /// JSON has no infinities and no NaN: they are null, and read as NaN.
 Json from(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
@@ -588,6 +588,7 @@ Json from(const ExerciseResult& e) {
           {"title", e.title},
           {"asks", e.asks},
           {"scene", e.scene},
+          {"made_from", e.made_from},
           {"parameters", parameters},
           {"claims", claims},
           {"roots", roots},
@@ -612,6 +613,7 @@ ExerciseResult exercise(const Json& json) {
   }
   if (!json.at("stability").is_null()) e.stability = stability(json.at("stability"));
   if (!json.at("cheapest_models").is_null()) e.cheapest_models = cheapest_models(json.at("cheapest_models"));
+  e.made_from = json.at("made_from");
   return e;
 }
 

@@ -20,6 +20,7 @@
 #include "report/study/beside_program.hpp"
 #include "report/study/earlier_results.hpp"
 #include "report/study/errors.hpp"
+#include "report/study/kept_results.hpp"
 #include "report/study/letters.hpp"
 #include "report/study/limit_records.hpp"
 #include "report/study/perturb_results.hpp"
@@ -562,7 +563,10 @@ Results results_of(const SuiteRequest& request, const std::vector<Task>& tasks) 
   const Reference truth(request.reference_folder);
   return with_progress([&](const Progress& progress) {
     Results results = run(tasks, truth, !request.results_file.empty(), progress);
-    if (!request.results_file.empty()) results.made_by = made_by(request.reference_folder);
+    if (!request.results_file.empty()) {
+      results.made_by = made_by(request.reference_folder);
+      results = noted(std::move(results), made_from(request.reference_folder));
+    }
     return with_stability(std::move(results), tasks, truth, progress);
   });
 }
