@@ -85,6 +85,7 @@ function(sources_of output object)
       list(APPEND found "${inside}")
     endforeach()
   else()
+    cmake_path(NORMAL_PATH source)
     string(REGEX REPLACE "^.*/CMakeFiles/[^/]+[.]dir/" "" found "${source}")
     foreach(file IN ITEMS "/${found}" "${TREE}/${found}")  # a home's
       within(inside "${file}")

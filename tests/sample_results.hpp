@@ -46,6 +46,7 @@ inline Results sample() {
   q.trajectory->observables = {"theta", "phi"};
   e.quantities.push_back(q);
   e.scene = true;
+  e.made_from = "code 1, tables 2, ledger 3";
   e.cheapest_models = CheapestModels{
       {"m"},
       {{"1 degree", {0.1}, Candidate{"model", "algorithm", "step", 0.5, 0.25}}, {"10 digits", {1e-9}, {}}},

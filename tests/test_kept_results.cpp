@@ -149,7 +149,9 @@ class Built {
   void object(const std::string& file, const std::string& text) {
     const bool is_own = file.starts_with("own/");
     const std::string source = is_own ? (scratch_.path() / file).string() : "/" + file;
-    objects_.insert(scratch_.file("build/CMakeFiles/oddity_room.dir" + source + ".o", text).string());
+    scratch_.file("build/CMakeFiles/oddity_room.dir" + source + ".o", text);
+    // As CMake lists them.
+    objects_.insert((scratch_.path() / "build/CMakeFiles/oddity_room.dir/.").string() + source + ".o");
   }
   /// Of several sources.
   void together(const std::string& name, const std::vector<std::string>& files, const std::string& text) {
