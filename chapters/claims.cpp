@@ -32,23 +32,6 @@ Written read(const std::string& written) {
 
 }  // namespace
 
-std::string filled(std::string_view text, std::initializer_list<double> numbers) {
-  std::string all;
-  auto next = numbers.begin();
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] != '@') {
-      all += text[i];
-      continue;
-    }
-    const char digits = ++i < text.size() ? text[i] : ' ';
-    if (digits < '1' || digits > '9' || next == numbers.end())
-      throw std::logic_error("'" + std::string(text) + "' has a place without digits or without a number");
-    all += format_significant(*next++, digits - '0');
-  }
-  if (next != numbers.end()) throw std::logic_error("'" + std::string(text) + "' has no place for a number");
-  return all;
-}
-
 Check as_written(std::string quantity, const std::string& written, const Route& truth) {
   const Written x = read(written);
   return {std::move(quantity), {"as written, " + written, x.number}, truth, printed_decimals(x.decimals)};

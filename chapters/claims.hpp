@@ -49,10 +49,6 @@ Value values(Numbers... x) {
   return {static_cast<double>(x)...};
 }
 
-/// A text with its numbers filled in: "@3" is the next of them to three digits. So no number in a sentence is
-/// typed. Throws std::logic_error when there are not as many as places.
-std::string filled(std::string_view text, std::initializer_list<double> numbers);
-
 // ---- formulas ---------------------------------------------------------------------------------------------
 
 /// A way to write a quantity as a formula in the letters of a sample. Without `of` it has the value of its

@@ -205,6 +205,44 @@ Knob halving(std::string name, double first, int count) {
   return knob;
 }
 
+namespace {
+
+/// The number as text; in a formula, a power of ten as one.
+std::string number_in_text(double x, int digits, bool in_formula) {
+  const std::string written = format_significant(x, digits);
+  const auto e = written.find('e');
+  if (!in_formula || e == std::string::npos) return written;
+  const std::string mantissa = written.substr(0, e);
+  const std::string power = "10^{" + std::to_string(std::stoi(written.substr(e + 1))) + "}";
+  if (mantissa == "1" || mantissa == "-1") return mantissa.substr(0, mantissa.size() - 1) + power;
+  return mantissa + "\\cdot" + power;
+}
+
+}  // namespace
+
+std::string filled(std::string_view text, std::span<const double> numbers) {
+  std::string all;
+  auto next = numbers.begin();
+  bool in_formula = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '@') {
+      in_formula = in_formula != (text[i] == '$');
+      all += text[i];
+      continue;
+    }
+    const char digits = ++i < text.size() ? text[i] : ' ';
+    if (digits < '1' || digits > '9' || next == numbers.end())
+      throw std::logic_error("'" + std::string(text) + "' has a place without digits or without a number");
+    all += number_in_text(*next++, digits - '0', in_formula);
+  }
+  if (next != numbers.end()) throw std::logic_error("'" + std::string(text) + "' has no place for a number");
+  return all;
+}
+
+std::string filled(std::string_view text, std::initializer_list<double> numbers) {
+  return filled(text, std::span(numbers.begin(), numbers.size()));
+}
+
 Quantity& Quantity::add(Method method) {
   (method.precision == Precision::in_float ? methods_in_float : methods).push_back(std::move(method));
   return *this;
@@ -213,6 +251,50 @@ Quantity& Quantity::add(Method method) {
 Quantity& Quantity::add(Breakdown breakdown) {
   breakdowns.push_back(std::move(breakdown));
   return *this;
+}
+
+namespace {
+
+const Trial& of(Side side, const Trial& broken, const Trial& cured) {
+  return side == Side::broken ? broken : cured;
+}
+
+template <class F>
+Told seen_in(Side side, const F& f) {
+  return Told::Seen([=](const Quantity& quantity, const Trial& broken, const Trial& cured) {
+    return static_cast<double>(f(of(side, broken, cured), quantity));
+  });
+}
+
+}  // namespace
+
+Told setting_of(Side side) {
+  return seen_in(side, [](const Trial& t, const Quantity&) { return t.setting; });
+}
+
+Told steps_in_one(Side side) {
+  return seen_in(side, [](const Trial& t, const Quantity&) { return 1 / t.setting; });
+}
+
+Told power_of_two_of(Side side) {
+  return seen_in(side, [](const Trial& t, const Quantity&) { return std::log2(t.setting); });
+}
+
+Told error_of(Side side) {
+  return seen_in(side, [](const Trial& t, const Quantity&) { return t.error; });
+}
+
+Told digits_of(Side side) {
+  return seen_in(side, [](const Trial& t, const Quantity& q) {
+    return std::max(0.0, std::floor(-std::log10(t.error / size_of(q.reference.value))));
+  });
+}
+
+std::string text_of(const Breakdown& breakdown, const Quantity& quantity, const Trial& broken,
+                    const Trial& cured) {
+  std::vector<double> numbers;
+  for (const Told& told : breakdown.numbers) numbers.push_back(told.number(quantity, broken, cured));
+  return filled(breakdown.says, numbers);
 }
 
 Quantity quantity(std::string name, std::string unit, std::string says, const Known& known, Tolerance need) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <functional>
 #include <initializer_list>
@@ -91,6 +92,12 @@ class Parameters {
 };
 
 // ---- the book's side --------------------------------------------------------------------------------------
+
+/// A text with its numbers filled in: "@3" is the next of them to three digits. So no number in a sentence is
+/// typed. In a formula a number like 5e-11 becomes $5\cdot10^{-11}$. Throws std::logic_error when there are
+/// not as many as places.
+std::string filled(std::string_view text, std::span<const double> numbers);
+std::string filled(std::string_view text, std::initializer_list<double> numbers);
 
 /// A value, and how it was obtained.
 struct Route {
@@ -313,14 +320,46 @@ struct Energy {
   double whole, kinetic;
 };
 
+struct Quantity;
+struct Trial;
+
+/// A number in a breakdown's text: known beforehand, or seen in its two trials.
+class Told {
+ public:
+  using Seen = std::function<double(const Quantity&, const Trial& broken, const Trial& cured)>;
+
+  Told(double known) : known_(known) {}
+  template <class F>
+  requires std::invocable<const F&, const Quantity&, const Trial&, const Trial&> Told(F seen)
+      : seen_(std::move(seen)) {}
+
+  double number(const Quantity& quantity, const Trial& broken, const Trial& cured) const {
+    return seen_ ? seen_(quantity, broken, cured) : known_;
+  }
+
+ private:
+  double known_ = 0;
+  Seen seen_ = {};
+};
+
+/// Which of a breakdown's two trials.
+enum class Side { broken, cured };
+
+Told setting_of(Side);
+Told steps_in_one(Side);     ///< in a unit of time: one over the setting
+Told power_of_two_of(Side);  ///< the logarithm of the setting to base 2
+Told error_of(Side);         ///< the largest, in the quantity's units
+Told digits_of(Side);        ///< that are right, counted from the first of the true value's largest component
+
 /// A known failure and its cure: two rows of the table of trials, both asserted.
 struct Breakdown {
-  std::string says;
+  std::string says;    ///< with a place for each of `numbers`, as `filled` takes it
   std::string method;  ///< "model, algorithm"
   double setting;
   Outcome outcome;
   std::string cure;  ///< "model, algorithm"
   double cure_setting;
+  std::vector<Told> numbers = {};
 };
 
 /// Components of a value that make one point, or one angle: its error is their distance from the truth.
@@ -386,6 +425,9 @@ struct Trial {
 
 /// Runs and judges; an exception out of the method is the outcome `raised`.
 Trial run(const Quantity&, const Method&, double setting);
+
+/// The breakdown's text with its numbers filled in. Throws std::logic_error as `filled` does.
+std::string text_of(const Breakdown&, const Quantity&, const Trial& broken, const Trial& cured);
 
 // ---- the exercise -----------------------------------------------------------------------------------------
 

@@ -85,6 +85,8 @@ TEST_CASE("a claim's line is that of one of its assertions in the ledger", "[led
 TEST_CASE("numbers are filled into a text, each in its place", "[claims]") {
   CHECK(filled("off by @2 m after @3 s", {0.1234, 12.345}) == "off by 0.12 m after 12.3 s");
   CHECK(filled("nothing", {}) == "nothing");
+  CHECK(filled("$@1$, $-@2$, $@1$ and @1", {5e-11, 1.2e12, 1e-7, 1e-7}) ==
+        R"($5\cdot10^{-11}$, $-1.2\cdot10^{12}$, $10^{-7}$ and 1e-07)");
   CHECK_THROWS_AS(filled("@2", {}), std::logic_error);
   CHECK_THROWS_AS(filled("none", {1}), std::logic_error);
   CHECK_THROWS_AS(filled("@x", {1}), std::logic_error);

@@ -28,7 +28,7 @@ std::vector<std::string> texts_of(const Claim& claim) {
 std::vector<std::string> texts_of(const Quantity& q) {
   std::vector<std::string> all{q.says, q.reference.by, q.need.reason};
   for (const Method& m : q.methods) all.push_back(m.why);
-  for (const Breakdown& b : q.breakdowns) all.push_back(b.says);
+  for (const Breakdown& b : q.breakdowns) all.push_back(text_of(b, q, Trial{}, Trial{}));
   return all;
 }
 

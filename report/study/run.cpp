@@ -1,6 +1,7 @@
 #include "report/study/run.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <numeric>
 
 #include "reference/ledger.hpp"
@@ -20,12 +21,27 @@ struct Studied {
   std::string failure;
 };
 
-/// A trial yet to be run, and where its result goes.
+/// A trial yet to be run, and where its result goes; the whole trial too, if it is kept.
 struct Pending {
   const Quantity* quantity;
   const Method* method;
   double setting;
   TimedTrial* result;
+  Trial* kept = nullptr;
+};
+
+/// A breakdown whose text is yet to be filled with the numbers of its trials.
+struct Untold {
+  const Quantity* quantity;
+  const Breakdown* breakdown;
+  BreakdownResult* result;
+  Trial broken = {}, cured = {};
+};
+
+/// What is to be done; places in it do not move.
+struct Work {
+  std::vector<Pending> pending;
+  std::deque<Untold> untold;
 };
 
 Studied study(const Task& task, const Reference& truth) {
@@ -51,8 +67,8 @@ std::size_t like_in_double(const Quantity& quantity, const Method& single) {
   return static_cast<std::size_t>(found - quantity.methods.begin());
 }
 
-/// The result's shape, its trials still empty but registered in `pending`.
-QuantityResult shape(const Quantity& quantity, std::vector<Pending>& pending) {
+/// The result's shape, its trials still empty but registered in `work`.
+QuantityResult shape(const Quantity& quantity, Work& work) {
   QuantityResult result{quantity.name,
                         quantity.unit,
                         quantity.says,
@@ -74,10 +90,10 @@ QuantityResult shape(const Quantity& quantity, std::vector<Pending>& pending) {
     result.in_float.push_back({method.model, method.algorithm, like_in_double(quantity, method),
                                std::vector<TimedTrial>(method.knob.settings.size())});
   for (const Breakdown& breakdown : quantity.breakdowns)
-    result.breakdowns.push_back({breakdown.says, breakdown.outcome, {}, {}});
+    result.breakdowns.push_back({{}, breakdown.outcome, {}, {}});
   const auto all_of = [&](const Method& method, std::vector<TimedTrial>& trials) {
     for (std::size_t s = 0; s < trials.size(); ++s)
-      pending.push_back({&quantity, &method, method.knob.settings[s], &trials[s]});
+      work.pending.push_back({&quantity, &method, method.knob.settings[s], &trials[s]});
   };
   for (std::size_t m = 0; m < quantity.methods.size(); ++m)
     all_of(quantity.methods[m], result.methods[m].trials);
@@ -86,10 +102,11 @@ QuantityResult shape(const Quantity& quantity, std::vector<Pending>& pending) {
   for (std::size_t b = 0; b < quantity.breakdowns.size(); ++b) {
     const Breakdown& breakdown = quantity.breakdowns[b];
     BreakdownResult& place = result.breakdowns[b];
-    pending.push_back(
-        {&quantity, &method_named(quantity, breakdown.method), breakdown.setting, &place.broken});
-    pending.push_back(
-        {&quantity, &method_named(quantity, breakdown.cure), breakdown.cure_setting, &place.cured});
+    Untold& untold = work.untold.emplace_back(Untold{&quantity, &breakdown, &place});
+    work.pending.push_back({&quantity, &method_named(quantity, breakdown.method), breakdown.setting,
+                            &place.broken, &untold.broken});
+    work.pending.push_back({&quantity, &method_named(quantity, breakdown.cure), breakdown.cure_setting,
+                            &place.cured, &untold.cured});
   }
   return result;
 }
@@ -105,7 +122,7 @@ void place(std::vector<JudgedClaim>& claims, const std::vector<Assertion>& ledge
     }
 }
 
-ExerciseResult shape(const Studied& studied, const Reference& truth, std::vector<Pending>& pending) {
+ExerciseResult shape(const Studied& studied, const Reference& truth, Work& work) {
   const Entry& entry = *studied.task->entry;
   ExerciseResult result{entry.number,
                         std::string(entry.exercise.title),
@@ -122,7 +139,7 @@ ExerciseResult shape(const Studied& studied, const Reference& truth, std::vector
   place(result.claims, read_ledger(truth.folder(), to_string(entry.number)));
   result.roots = studied.findings.roots;
   for (const Quantity& quantity : studied.findings.quantities)
-    result.quantities.push_back(shape(quantity, pending));
+    result.quantities.push_back(shape(quantity, work));
   return result;
 }
 
@@ -180,16 +197,20 @@ Results run(std::span<const Task> tasks, const Reference& truth, bool timed, con
     });
   }
   Results results;
-  std::vector<Pending> pending;
-  for (const Studied& s : studied) results.exercises.push_back(shape(s, truth, pending));
+  Work work;
+  const auto& pending = work.pending;
+  for (const Studied& s : studied) results.exercises.push_back(shape(s, truth, work));
 
   Stage tally(progress, timed ? "running and timing the trials" : "running the trials",
               pending.size() * (timed ? 2 : 1));
   parallel_for_each(pending, [&](const Pending& p) {
-    *p.result = as_result(run(*p.quantity, *p.method, p.setting));
+    Trial trial = run(*p.quantity, *p.method, p.setting);
+    *p.result = as_result(trial);
+    if (p.kept != nullptr) *p.kept = std::move(trial);
     if (p.method->roundings) p.result->roundings = p.method->roundings(p.setting);
     tally.add();
   });
+  for (const Untold& u : work.untold) u.result->says = text_of(*u.breakdown, *u.quantity, u.broken, u.cured);
   std::vector<std::size_t> places(tasks.size());
   std::iota(places.begin(), places.end(), 0);
   parallel_for_each(places, [&](std::size_t i) {

@@ -65,10 +65,16 @@ Quantity motion(double t, const Reference& truth) {
   for (int order : {2, 4})
     q.add({"Cartesian", "differences of order " + std::to_string(order), steps,
            [=](double h) { return by_differences(t, h, order); }, Outcome::inaccurate, too_small});
-  q.add(Breakdown{
-      "A difference of step $2^{-15}$ carries rounding errors of $4\\epsilon/h^2\\approx10^{-6}$. Dual "
-      "numbers have no step.",
-      "Cartesian, differences of order 4", 0x1p-15, Outcome::inaccurate, "Cartesian, dual numbers", 0});
+  constexpr double finest = 0x1p-15;
+  q.add(
+      Breakdown{R"(A difference of step $2^{@2}$ carries rounding errors of $4\epsilon/h^2\approx@1$. Dual )"
+                "numbers have no step.",
+                "Cartesian, differences of order 4",
+                finest,
+                Outcome::inaccurate,
+                "Cartesian, dual numbers",
+                0,
+                {power_of_two_of(Side::broken), 4 * 0x1p-52 / (finest * finest)}});
   return q;
 }
 
@@ -95,10 +101,16 @@ Quantity colatitude(const std::string& name, double t, const Reference& truth) {
          north ? Outcome::inaccurate : Outcome::ok, "two right angles cancel"});
   q.add({"(1, t)", "atan2", no_knob(), [=](double) { return Answer{std::atan2(1, t), 1}; }});
   if (north || south)
-    q.add(Breakdown{
-        R"(At $|t|=10^8$ the cosine $t/\sqrt{1+t^2}$ rounds to $\pm1$, and the arc cosine puts the point )"
-        R"(on the pole. Both coordinates of the meridian together, `atan2(1, t)`, keep every digit.)",
-        "t/sqrt(1 + t^2), acos", 0, Outcome::inaccurate, "(1, t), atan2", 0});
+    q.add(
+        Breakdown{R"(At $|t|=@1$ the cosine $t/\sqrt{1+t^2}$ rounds to $\pm1$, and the arc cosine puts the )"
+                  "point on the pole. Both coordinates of the meridian together, `atan2(1, t)`, keep every "
+                  "digit.",
+                  "t/sqrt(1 + t^2), acos",
+                  0,
+                  Outcome::inaccurate,
+                  "(1, t), atan2",
+                  0,
+                  {std::abs(t)}});
   return q;
 }
 
@@ -116,10 +128,15 @@ Quantity limits_at_infinity() {
   q.add({"sqrt(1 + t^2)", "Richardson in 1/t", Knob{"halvings", {2, 4, 6, 8, 10}}, [](double n) {
            return limit_at_zero([](double s) { return ends(s, false).value; }, 0.5, static_cast<int>(n));
          }});
-  q.add(Breakdown{
-      "From $|t|\\approx1.3\\cdot10^{154}$ on $t^2$ is infinite and the helix falls back to the equator. "
-      "hypot scales.",
-      "sqrt(1 + t^2), value at t", 1e200, Outcome::inaccurate, "hypot(1, t), value at t", 1e200});
+  q.add(
+      Breakdown{R"(From $|t|\approx@2$ on $t^2$ is infinite and the helix falls back to the equator. hypot )"
+                "scales.",
+                "sqrt(1 + t^2), value at t",
+                1e200,
+                Outcome::inaccurate,
+                "hypot(1, t), value at t",
+                1e200,
+                {std::sqrt(std::numeric_limits<double>::max())}});
   return q;
 }
 

@@ -76,14 +76,27 @@ Quantity angular_velocity(const Parameters& p, const Reference& truth) {
            return 0.5 / h * rotation_vector(at(t + h) * transpose(at(t - h)));
          }),
          Outcome::inaccurate, too_small});
-  w.add(Breakdown{
-      "Between two orientations half a second before and after, the body has turned by more than half a "
-      "turn. The rotation that leads from one to the other is then the shorter way round, backward.",
-      "rotation from t - h to t + h, its vector over 2h", 0.5, Outcome::inaccurate, "2 q' q*, dual numbers",
-      0});
-  w.add(Breakdown{"A step of $2^{-25}$ leaves $\\epsilon/h$, eight digits. Dual numbers have no step.",
-                  "Unskew(R' R^T), differences of order 4", 0x1p-25, Outcome::inaccurate,
-                  "Unskew(R' R^T), dual numbers", 0});
+  w.add(
+      Breakdown{"From @1 s before to @1 s after, the body turns by about @2 rad, more than half a turn. "
+                "The rotation that leads from one orientation to the other is then the shorter way round, "
+                "backward.",
+                "rotation from t - h to t + h, its vector over 2h",
+                0.5,
+                Outcome::inaccurate,
+                "2 q' q*, dual numbers",
+                0,
+                {setting_of(Side::broken), setting_of(Side::broken),
+                 [](const Quantity& of, const Trial& broken, const Trial&) {
+                   const Value& rate = of.reference.value;
+                   return 2 * broken.setting * std::hypot(rate[0], rate[1], rate[2]);
+                 }}});
+  w.add(Breakdown{R"(A step of $2^{@2}$ leaves $\epsilon/h$, @2 digits. Dual numbers have no step.)",
+                  "Unskew(R' R^T), differences of order 4",
+                  0x1p-25,
+                  Outcome::inaccurate,
+                  "Unskew(R' R^T), dual numbers",
+                  0,
+                  {power_of_two_of(Side::broken), digits_of(Side::broken)}});
   return w;
 }
 

@@ -195,19 +195,32 @@ Quantity orthogonality(const Quantity& orientation) {
   }
   constexpr double coarse = 0x1p-4, fine = 0x1p-10;
   q.add(
-      Breakdown{"At sixteen steps a unit of time $R^TR$ is off by $7\\cdot10^{-4}$. Gram and Schmidt's "
-                "orthonormalization after each step keeps it a rotation.",
-                "matrix, Runge-Kutta 4", coarse, Outcome::inaccurate,
-                "matrix, orthonormalized, Runge-Kutta 4", coarse});
-  q.add(Breakdown{
-      "The quaternion loses its unit length, though ten times less. Normalizing it after each step costs "
-      "one root.",
-      "quaternion, Runge-Kutta 4", coarse, Outcome::inaccurate, "quaternion, normalized, Runge-Kutta 4",
-      coarse});
-  q.add(Breakdown{
-      R"(Euler's step along the tangent leaves the rotations outward, always: a thousand steps a unit of )"
-      R"(time are not enough. A rotation by the vector $h\mathbf w$ stays on them at any step.)",
-      "matrix, explicit Euler", fine, Outcome::drifted, "rotation vector, exponential midpoint", 0.125});
+      Breakdown{"At @2 steps a unit of time $R^TR$ is off by $@1$. Gram and Schmidt's orthonormalization "
+                "after each step keeps it a rotation.",
+                "matrix, Runge-Kutta 4",
+                coarse,
+                Outcome::inaccurate,
+                "matrix, orthonormalized, Runge-Kutta 4",
+                coarse,
+                {steps_in_one(Side::broken), error_of(Side::broken)}});
+  q.add(
+      Breakdown{"The quaternion loses its unit length, and $R^TR$ is off by $@1$. Normalizing it after "
+                "each step costs one root.",
+                "quaternion, Runge-Kutta 4",
+                coarse,
+                Outcome::inaccurate,
+                "quaternion, normalized, Runge-Kutta 4",
+                coarse,
+                {error_of(Side::broken)}});
+  q.add(
+      Breakdown{"Euler's step along the tangent leaves the rotations outward, always: @4 steps a unit of "
+                R"(time are not enough. A rotation by the vector $h\mathbf w$ stays on them at any step.)",
+                "matrix, explicit Euler",
+                fine,
+                Outcome::drifted,
+                "rotation vector, exponential midpoint",
+                0.125,
+                {steps_in_one(Side::broken)}});
   return q;
 }
 

@@ -171,10 +171,16 @@ Quantity about_center(const Parameters& p, const Reference& truth) {
            const System all = t.particles();
            return Answer{running(all), static_cast<long>(all.size())};
          }});
-  q.add(Breakdown{
-      R"(Both terms of $I-mc^2$ are of size $m\,\mathrm{far}^2$, about $10^{12}$, and leave $10^{-2}$: )"
-      R"(five digits or none. Positions relative to the center of mass, which is computed first, lose none.)",
-      back + ", five particles", 0, Outcome::inaccurate, "center first, five particles", 0});
+  q.add(
+      Breakdown{R"(Both terms of $I-mc^2$ are of size $m\,\mathrm{far}^2$, about $@1$, and leave $@1$, with )"
+                "no more than @1 digits right. Positions relative to the center of mass, which is computed "
+                "first, lose none.",
+                back + ", five particles",
+                0,
+                Outcome::inaccurate,
+                "center first, five particles",
+                0,
+                {t.mass() * far * far, size_of(known.value), digits_of(Side::broken)}});
   q.add(
       Breakdown{"Adding more carefully does not help, since every square is rounded already; shifting the "
                 "origin to any particle of the system does.",

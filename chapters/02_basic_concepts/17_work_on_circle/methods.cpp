@@ -100,14 +100,21 @@ Quantity work(const Motion& m, const Reference& truth) {
 }
 
 Quantity late_work(const Reference& truth) {
+  constexpr Motion late_motion{1.5, 2.5, 80};
   Quantity late = work_quantity(
-      "late_work", R"(both works after 32 turns: $r=1.5$ m, $\omega=2.5$ rad/s, $T=80$ s)", {1.5, 2.5, 80},
+      "late_work", R"(both works after 32 turns: $r=1.5$ m, $\omega=2.5$ rad/s, $T=80$ s)", late_motion,
       truth, {Outcome::raised, Outcome::stalled, "$10^{-12}$ is less than the rounding of 32 turns leaves"});
   late.add(Breakdown{
       R"(The printed factor $r\omega$ is right at $\omega=1$ alone; here it is wrong by $\omega^2$.)",
       "closed form, factor r omega, as printed", 0, Outcome::inaccurate, "closed form, factor r / omega", 0});
-  late.add(Breakdown{"64 points are two a turn over 32 turns, too few to see the oscillation.",
-                     "power, Gauss-Legendre", 64, Outcome::inaccurate, "power, Gauss-Legendre", 256});
+  constexpr double points = 64, turns = late_motion.w * late_motion.T / (2 * pi);
+  late.add(Breakdown{"@2 points are @1 a turn over @2 turns, too few to see the oscillation.",
+                     "power, Gauss-Legendre",
+                     points,
+                     Outcome::inaccurate,
+                     "power, Gauss-Legendre",
+                     256,
+                     {setting_of(Side::broken), points / turns, turns}});
   return late;
 }
 
@@ -132,9 +139,14 @@ Quantity early_work(const Reference& truth) {
            return answer(gauss_rule(n)([&](double t) { return power(Force::growing, m, t); }, 0, m.T));
          }});
   q.add(
-      Breakdown{R"(In a short time $5\cdot10^{-11}$ is left of $1-1$ and the closed form loses its digits; )"
-                R"(integrating the power, or collecting the terms before they cancel, loses none.)",
-                "closed form, factor r / omega", 0, Outcome::inaccurate, "power, Gauss-Legendre", 4});
+      Breakdown{"In a short time $@1$ is left of $1-1$ and the closed form loses its digits; integrating "
+                "the power, or collecting the terms before they cancel, loses none.",
+                "closed form, factor r / omega",
+                0,
+                Outcome::inaccurate,
+                "power, Gauss-Legendre",
+                4,
+                {m.x() * m.x() / 2}});
   return q;
 }
 
@@ -162,10 +174,17 @@ Quantity maximum(const Motion& m, double turn, const Reference& truth) {
          },
          Outcome::inaccurate, R"(the $-1$ is dropped, and the factor is $r/\omega$)"});
   q.add(Breakdown{
-      R"(The printed maximum of the growing force's work leaves out the $-1$: ten times the first maximum )"
-      R"(at $r=\omega=1$, and 2 % too much after five turns.)",
-      "closed form, as printed, W = r omega x sqrt 2", 0, Outcome::inaccurate,
-      "closed form, omega T = pi/4 + 2 pi n", 0});
+      R"(The printed maximum of the growing force's work leaves out the $-1$ and has $r\omega$ for )"
+      R"($r/\omega$: here it is @3 times the true one.)",
+      "closed form, as printed, W = r omega x sqrt 2",
+      0,
+      Outcome::inaccurate,
+      "closed form, omega T = pi/4 + 2 pi n",
+      0,
+      {[](const Quantity& of, const Trial& broken, const Trial&) {
+        const Value& found = broken.answer.value;
+        return (found.size() > 2 ? found[2] : std::nan("")) / of.reference.value[2];
+      }}});
   const auto root = [=](Force force) {
     return [=](double e) {
       return with_works(brent([&](double t) { return power(force, m, t); }, start, start + pi / m.w, e));
@@ -181,11 +200,15 @@ Quantity maximum(const Motion& m, double turn, const Reference& truth) {
            return with_works(golden_section(W, start, start + pi / m.w, e));
          },
          Outcome::inaccurate, "a maximum is flat: $W$ tells times apart to the root of its rounding only"});
-  q.add(Breakdown{
-      "Comparing values of $W$ finds the time of its maximum to eight digits only, because $W$ is flat "
-      "there; a zero of the power has all its digits.",
-      "work is largest, golden section", 1e-12, Outcome::inaccurate, "power of (1, 1, 1) is zero, Brent",
-      1e-12});
+  q.add(
+      Breakdown{"Comparing values of $W$ finds the time of its maximum to @2 digits only, because $W$ is "
+                "flat there; a zero of the power has all its digits.",
+                "work is largest, golden section",
+                1e-12,
+                Outcome::inaccurate,
+                "power of (1, 1, 1) is zero, Brent",
+                1e-12,
+                {digits_of(Side::broken)}});
   if (turn == 0)
     q.add(Breakdown{
         "For the growing force $T=0$ is stationary as well: a search from there ends where it began.",

@@ -188,11 +188,15 @@ inline Quantity sliver_normal(const Reference& truth) {
   add("edges a, b - a", "rotated, then product", [=](const Map& R) { return cross(R(t.a), R(t.b() - t.a)); });
   add("edges a, b - a", "product, then rotated", [=](const Map& R) { return R(cross(t.a, t.b() - t.a)); });
   q.add(
-      Breakdown{R"(Of two nearly equal edges the product keeps seven digits, in whatever order one rotates. )"
+      Breakdown{"Of two nearly equal edges the product keeps @1 digits, in whatever order one rotates. "
                 R"($\mathbf a\times(\mathbf b-\mathbf a)$ is the same product and keeps them all, if )"
                 R"($\mathbf b-\mathbf a$ is formed before the rotation.)",
-                "edges a, b, rotated, then product", 0, Outcome::inaccurate,
-                "edges a, b - a, rotated, then product", 0});
+                "edges a, b, rotated, then product",
+                0,
+                Outcome::inaccurate,
+                "edges a, b - a, rotated, then product",
+                0,
+                {digits_of(Side::broken)}});
   return q;
 }
 

@@ -98,14 +98,22 @@ std::vector<Quantity> radii(const Parameters& p, const Reference& truth) {
       "polar, e and rho, formula", 0, none, "polar, e and p = e rho, formula", 0});
   Quantity narrow =
       radius("radius_of_narrow_ellipse", "$e=63/64$", {0.984375, 0.25 / 0.984375, 0.25, 3}, truth, {});
+  const double tilt = 1.5, center = almost / (1 - almost * almost),
+               radius_there = 1 / (1 + almost * cos(tilt));
   Quantity near =
-      radius("radius_near_parabola", "$e=1-2^{-30}$", {almost, 1 / almost, 1, 1.5}, truth,
+      radius("radius_near_parabola", "$e=1-2^{-30}$", {almost, 1 / almost, 1, tilt}, truth,
              {ok, ok, lost,
-              R"($a$ and $c$ are $5\cdot10^8$ times $r$, which is found as the difference of such numbers)"});
-  near.add(Breakdown{
-      R"(The division by $1-e^2$ moves the center away; from one that is $5\cdot10^8$ radii off, half of )"
-      R"(the digits are lost. Before the division nothing is.)",
-      "standard ellipse, eccentric anomaly", 0, lost, cure, 0});
+              filled("$a$ and $c$ are $@1$ times $r$, which is found as the difference of such numbers",
+                     {center / radius_there})});
+  near.add(
+      Breakdown{"The division by $1-e^2$ moves the center away; from one that is $@1$ radii off, @1 digits "
+                "are right. Before the division nothing is lost.",
+                "standard ellipse, eccentric anomaly",
+                0,
+                lost,
+                cure,
+                0,
+                {center / radius_there, digits_of(Side::broken)}});
   Quantity parabola =
       radius("radius_of_parabola", "$e=1$, close to the axis", {1, 1, 1, 0x1p-10}, truth,
              {ok, lost, none, "$1-e^2=0$ is divided by; the textbook root subtracts what is nearly equal"});

@@ -71,10 +71,19 @@ Quantity near_critical_path(const Ball& b, const Horizon& horizon, const Referen
       .closed_form("one form for all regimes", OneForm<double>{b})
       .closed_form("two exponentials", TwoExponentials<double>{b}, Outcome::inaccurate,
                    "its two terms nearly cancel where the roots nearly meet");
-  return q.add(Breakdown{
-      R"(Where the roots nearly meet, the two exponentials have factors of a million and of opposite sign, )"
-      R"(and lose as many digits. One form for all regimes, with $\sinh(wt)/w$ as one function, loses none.)",
-      "two exponentials, closed form", 0, Outcome::inaccurate, "one form for all regimes, closed form", 0});
+  // The larger of x = K1 e^(r1 t) + K2 e^(r2 t) over both coordinates, with r1 - r2 = 2 w.
+  const double h = b.a / (2 * b.m), w = std::sqrt(h * h - b.c / b.m),
+               factor = std::max(std::abs(b.v1 + h * b.p1), std::abs(b.v2 + h * b.p2)) / (2 * w);
+  return q.add(
+      Breakdown{"Where the roots nearly meet, the two exponentials have factors of $@1$ and of opposite "
+                R"(sign, and lose as many digits. One form for all regimes, with $\sinh(wt)/w$ as one )"
+                "function, loses none.",
+                "two exponentials, closed form",
+                0,
+                Outcome::inaccurate,
+                "one form for all regimes, closed form",
+                0,
+                {factor}});
 }
 
 /// The largest step at which the algorithm keeps a decaying motion bounded over a thousand steps, by

@@ -83,13 +83,18 @@ Quantity stiff_spring(const Given<double>& rod, const Horizon& horizon, const Re
       .by<ode::BulirschStoer>(name, along);
   const std::string runge_kutta = name + ", " + std::string(ode::info<ode::RungeKutta4>().name);
   place.add(Breakdown{
-      "The spring's tremor, about $\\sqrt{K/m}$, must be resolved though nobody sees it: beyond a step of 2.83 "
-      "over that frequency Runge-Kutta 4 blows it up. A smaller step cures it.",
+      R"(The spring's tremor, about $\sqrt{K/m}$, must be resolved though nobody sees it: beyond a )"
+      R"(step of $2\sqrt2$ over that frequency Runge-Kutta 4 blows it up. A smaller step cures it.)",
       runge_kutta, 0.0625, Outcome::diverged, runge_kutta, 0.015625});
-  place.add(Breakdown{
-      "Nor is the tremor worth its cost: the spring taken as a bar of its rest length is right to a "
-      "millimetre, in closed form.",
-      runge_kutta, 0.0625, Outcome::diverged, rigid + ", closed form", 0});
+  place.add(
+      Breakdown{"Nor is the tremor worth its cost: the spring taken as a bar of its rest length is right "
+                "to @1 m, in closed form.",
+                runge_kutta,
+                0.0625,
+                Outcome::diverged,
+                rigid + ", closed form",
+                0,
+                {error_of(Side::cured)}});
   return place;
 }
 

@@ -343,12 +343,16 @@ Quantity growth(double t, const Reference& truth) {
          "Fehlberg 7(8), their distance",
          {"apart", {1e-2, 1e-4, 1e-6, 1e-8}},
          [=](double apart) { return growth_by_neighbours(chaotic, t, apart); }});
-  return q.add(Breakdown{
-      "Two neighbours measure the growth only while they are neighbours: a hundredth of a radian apart they "
-      "are "
-      "as far apart as the pendulum is long within seconds. Dual numbers carry the derivative itself.",
-      "two neighbours, Fehlberg 7(8), their distance", 1e-2, inaccurate,
-      "variational equation, Fehlberg 7(8)", 1e-10});
+  return q.add(
+      Breakdown{"Two neighbours measure the growth only while they are neighbours: @1 rad apart at first "
+                "they are as far apart as the pendulum is long within seconds. Dual numbers carry the "
+                "derivative itself.",
+                "two neighbours, Fehlberg 7(8), their distance",
+                1e-2,
+                inaccurate,
+                "variational equation, Fehlberg 7(8)",
+                1e-10,
+                {setting_of(Side::broken)}});
 }
 
 // ---- n masses ---------------------------------------------------------------------------------------------
@@ -437,20 +441,31 @@ Quantity hanging(const Triple& start, const Horizon& horizon, const Reference& t
       .by_remaining_integrators(
           "tensions", Tensions{start},
           {{"linearly implicit Euler", inaccurate, "of order 1, and it damps every swing"}});
-  return q.add(Breakdown{
-      "Independent normal modes describe small angles only: at a quarter to half a radian they are off "
-      "by centimetres within four seconds.",
-      "normal modes, closed form", 0, inaccurate, "tensions, Dormand-Prince 5(4)", 1e-9});
+  const auto [least, most] = std::ranges::minmax(start.theta, {}, [](double x) { return std::abs(x); });
+  return q.add(
+      Breakdown{"Independent normal modes describe small angles only: at @2 to @2 rad they are off by up "
+                "to @1 m within @2 s.",
+                "normal modes, closed form",
+                0,
+                inaccurate,
+                "tensions, Dormand-Prince 5(4)",
+                1e-9,
+                {std::abs(least), std::abs(most), error_of(Side::broken), horizon.end}});
 }
 
 std::vector<Quantity> quantities(const Triple& start, const Reference& truth) {
-  Quantity lost = prediction(8, truth, {inaccurate, inaccurate, ok},
+  constexpr int late = 8;
+  Quantity lost = prediction(late, truth, {inaccurate, inaccurate, ok},
                              {1e-3, "a millimetre: within a centimetre what is lost came by chance"});
-  lost.add(Breakdown{
-      "Neighbours diverge up to seventyfold a second: whatever the algorithm, double is mostly decimetres off "
-      "after eight seconds, and no shorter step helps. Digits do: each buys half a second or more.",
-      "double, extrapolated midpoint, order 20", 0x1p-6, inaccurate,
-      "long double, extrapolated midpoint, order 20", 0x1p-6});
+  lost.add(
+      Breakdown{"Neighbours diverge: whatever the algorithm, double is off by @1 m after @2 s, and no "
+                "shorter step helps. Digits do, each by the time that `seconds_per_digit` shows.",
+                "double, extrapolated midpoint, order 20",
+                0x1p-6,
+                inaccurate,
+                "long double, extrapolated midpoint, order 20",
+                0x1p-6,
+                {error_of(Side::broken), late}});
   return {small_swing(start, truth),
           mode_frequencies(start, truth),
           prediction(2, truth, {ok, ok, ok}),

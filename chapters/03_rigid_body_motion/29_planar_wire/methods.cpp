@@ -104,11 +104,16 @@ Quantity inertia(const std::string& name, const Wire& w, const Reference& truth)
 
 std::vector<Quantity> inertias(const Given& given, const Reference& truth) {
   Quantity semicircle = inertia("semicircle", {Shape::semicircle, given.q, given.d, 0}, truth);
-  semicircle.add(Breakdown{
-      "As a graph over $x$ the half circle has vertical ends, where $ds/dx$ is infinite: a rule that takes "
-      "the ends fails, Gauss and Legendre's gains one digit for ten times the points. By the angle the "
-      "integrands are smooth.",
-      "as a graph over x, Gauss-Legendre", 64, Outcome::inaccurate, "by the angle, Gauss-Legendre", 16});
+  semicircle.add(
+      Breakdown{"As a graph over $x$ the half circle has vertical ends, where $ds/dx$ is infinite: a rule "
+                "that takes the ends fails, Gauss and Legendre's is off by @1 with @2 points. By the "
+                "angle the integrands are smooth.",
+                "as a graph over x, Gauss-Legendre",
+                64,
+                Outcome::inaccurate,
+                "by the angle, Gauss-Legendre",
+                16,
+                {error_of(Side::broken), setting_of(Side::broken)}});
   return {inertia("straight wire", {Shape::straight, given.q, given.d, 0}, truth), semicircle,
           inertia("parabola", {Shape::parabola, given.q, given.d, 0}, truth)};
 }

@@ -39,11 +39,15 @@ Findings study(const Parameters& p, const Reference& truth) {
       "partials_near", R"(the same a million times closer to the origin, at $2^{-20}\mathbf x$)", away(-20),
       truth, Outcome::ok,
       {Outcome::inaccurate, Outcome::ok, R"(even the finest step is too coarse beside $|\mathbf x|$)"});
-  near.add(Breakdown{
-      "Beside the origin a step of $2^{-11}$ straddles it: the difference knows nothing of the field "
-      "at $\\mathbf x$. A step in proportion to $|\\mathbf x|$ does.",
-      "field, step h, central differences 4", 0x1p-11, Outcome::inaccurate,
-      "field, step h |x|, central differences 4", 0x1p-11});
+  near.add(
+      Breakdown{"Beside the origin a step of $2^{@2}$ straddles it: the difference knows nothing of the "
+                R"(field at $\mathbf x$. A step in proportion to $|\mathbf x|$ does.)",
+                "field, step h, central differences 4",
+                0x1p-11,
+                Outcome::inaccurate,
+                "field, step h |x|, central differences 4",
+                0x1p-11,
+                {power_of_two_of(Side::broken)}});
   Quantity far = partials("partials_far", R"(the same at $2^{180}\mathbf x$)", away(180), truth,
                           Outcome::inaccurate, {Outcome::inaccurate, Outcome::inaccurate, "$x+h$ is $x$"});
   far.add(Breakdown{

@@ -211,14 +211,23 @@ Quantity mixed_derivatives(const At& at, const Known& six) {
          Outcome::inaccurate, twice + R"(: even the best step, near $\varepsilon^{1/4}$, has eight digits)"});
   q.add({"phi", "central differences 4", steps(25), [=](double h) { return of_values(ByDifferences<4>{h}); },
          Outcome::inaccurate, twice});
-  q.add(Breakdown{
-      "Differences of differences lose $\\varepsilon/h^2$: their best step is near $\\varepsilon^{1/4}$ "
-      "for order 2, and it does not reach nine digits. One of the two taken by dual numbers does.",
-      "phi, central differences 2", 0x1p-13, Outcome::inaccurate,
-      "slopes by dual numbers, central differences 2", 0x1p-17});
-  q.add(Breakdown{"Order 4 does, near $\\varepsilon^{1/6}$, and not at a fine step.",
-                  "phi, central differences 4", 0x1p-25, Outcome::inaccurate, "phi, central differences 4",
-                  0x1p-9});
+  q.add(
+      Breakdown{R"(Differences of differences lose $\varepsilon/h^2$: their best step is near )"
+                R"($\varepsilon^{1/4}$ for order 2, and keeps @1 digits. With one of the two taken by dual )"
+                "numbers, @2 are right.",
+                "phi, central differences 2",
+                0x1p-13,
+                Outcome::inaccurate,
+                "slopes by dual numbers, central differences 2",
+                0x1p-17,
+                {digits_of(Side::broken), digits_of(Side::cured)}});
+  q.add(Breakdown{R"(Order 4 keeps @2, near $\varepsilon^{1/6}$, and not at a fine step.)",
+                  "phi, central differences 4",
+                  0x1p-25,
+                  Outcome::inaccurate,
+                  "phi, central differences 4",
+                  0x1p-9,
+                  {digits_of(Side::cured)}});
   return q;
 }
 

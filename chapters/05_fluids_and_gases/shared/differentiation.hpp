@@ -133,15 +133,30 @@ void add_ways(Quantity& q, const std::string& model, long factors, const Compute
 
 /// The two ends of the V of differences: what a fine step and a coarse one lose, and what cures it.
 inline void add_breakdowns(Quantity& q, const std::string& model) {
+  constexpr double bits = -52;  // the logarithm of epsilon to base 2
   const std::string second = model + ", central differences 2", fourth = model + ", central differences 4";
-  q.add(
-      Breakdown{"At a step of $2^{-31}$ the rounding $\\varepsilon/h$ has eaten the difference; the best "
-                "step of order 2 is near $\\varepsilon^{1/3} \\approx 2^{-17}$.",
-                second, 0x1p-31, Outcome::inaccurate, second, 0x1p-17});
-  q.add(Breakdown{"The best step of order 4 is near $\\varepsilon^{1/5} \\approx 2^{-10}$, much coarser.",
-                  fourth, 0x1p-31, Outcome::inaccurate, fourth, 0x1p-11});
-  q.add(Breakdown{"At a step of $1/8$ the truncation error dominates; dual numbers have none.", second,
-                  0x1p-3, Outcome::inaccurate, model + ", dual numbers", 0});
+  q.add(Breakdown{R"(At a step of $2^{@2}$ the rounding $\varepsilon/h$ has eaten the difference; the best )"
+                  R"(step of order 2 is near $\varepsilon^{1/3} \approx 2^{@2}$.)",
+                  second,
+                  0x1p-31,
+                  Outcome::inaccurate,
+                  second,
+                  0x1p-17,
+                  {power_of_two_of(Side::broken), bits / 3}});
+  q.add(Breakdown{R"(The best step of order 4 is near $\varepsilon^{1/5} \approx 2^{@2}$, much coarser.)",
+                  fourth,
+                  0x1p-31,
+                  Outcome::inaccurate,
+                  fourth,
+                  0x1p-11,
+                  {bits / 5}});
+  q.add(Breakdown{"At a step of @3 the truncation error dominates; dual numbers have none.",
+                  second,
+                  0x1p-3,
+                  Outcome::inaccurate,
+                  model + ", dual numbers",
+                  0,
+                  {setting_of(Side::broken)}});
 }
 
 }  // namespace oddity::fields

@@ -90,10 +90,15 @@ Quantity spin(const Parameters& p, const Reference& truth) {
            const auto after = after_pulse(box.body, {box.at(box.l0), box.at(box.l1), box.f * up}, length);
            return answer(after, [](const auto& x) { return Value{x[3], x[4], x[5]}; });
          }});
-  q.add(Breakdown{
-      "While a force acts the box turns, and its arms with it: the impulse is the limit of a short pulse, "
-      "and a pulse of a hundredth of a second is not short.",
-      "pulse at both ends, Runge-Kutta 4", 1e-2, Outcome::inaccurate, "midpoint, one torque", 0});
+  q.add(
+      Breakdown{"While a force acts the box turns, and its arms with it: the impulse is the limit of a "
+                "short pulse, and a pulse of @1 s is not short.",
+                "pulse at both ends, Runge-Kutta 4",
+                1e-2,
+                Outcome::inaccurate,
+                "midpoint, one torque",
+                0,
+                {setting_of(Side::broken)}});
   return q;
 }
 

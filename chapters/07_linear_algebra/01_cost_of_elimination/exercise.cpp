@@ -21,10 +21,16 @@ constexpr auto parameters =
 Findings study(const Parameters& p, const Reference& truth) {
   const Random random(p["seed"]);
   Quantity large = solution("larger_system", static_cast<std::size_t>(p["N"]), true, random);
-  large.add(Breakdown{
-      "Crosswise clearing never divides, and so squares the size of the entries column by column: after a "
-      "dozen columns they are out of the range of a double. Division by the pivot keeps their size.",
-      "crosswise, forward and back", 53, Outcome::non_finite, "pivoted, LU, rows exchanged", 0});
+  large.add(
+      Breakdown{"Crosswise clearing never divides, and so squares the size of the entries column by "
+                "column: within the @2 columns of this system they are out of the range of a double. "
+                "Division by the pivot keeps their size.",
+                "crosswise, forward and back",
+                53,
+                Outcome::non_finite,
+                "pivoted, LU, rows exchanged",
+                0,
+                {p["N"]}});
   return {claims(random),
           in_operations({solution("system", static_cast<std::size_t>(p["n"]), false, random), large,
                          own_solution(p, truth)}),

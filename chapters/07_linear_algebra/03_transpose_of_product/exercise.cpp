@@ -356,10 +356,22 @@ Quantity identity(int size, Random random) {
   add(0.0, "doubles", "fused", Order::fused, Outcome::diverged, cancels);
   add(DoubleDouble(), "twice the digits", "ascending", Order::ascending, Outcome::ok, "");
   add(Whole(), "whole numbers of 128 bits", "ascending", Order::ascending, Outcome::ok, "");
-  q.add(Breakdown{
-      "The entries of the inverse are up to $10^{15}$, the terms up to $10^{18}$ and more; no order of "
-      "summation keeps the digits that a product of two doubles does not have.",
-      "doubles, ascending", 0, Outcome::diverged, "twice the digits, ascending", 0});
+  double entry = 0, term = 0;
+  for (int r = 0; r < n; ++r)
+    for (int k = 0; k < n; ++k) {
+      const double left = std::abs(static_cast<double>(a(r, k)));
+      entry = std::max(entry, left);
+      for (int c = 0; c < n; ++c) term = std::max(term, left * std::abs(static_cast<double>(b(k, c))));
+    }
+  q.add(
+      Breakdown{"The entries of the inverse are up to $@1$, the terms up to $@1$; no order of summation "
+                "keeps the digits that a product of two doubles does not have.",
+                "doubles, ascending",
+                0,
+                Outcome::diverged,
+                "twice the digits, ascending",
+                0,
+                {entry, term}});
   return q;
 }
 

@@ -173,11 +173,17 @@ Quantity left_over(double gap, const Reference& truth) {
 }
 
 Findings study(const Parameters& chosen, const Reference& truth) {
-  Quantity nearly = coefficients("nearly_dependent", 1e-10, Outcome::inaccurate, truth);
+  constexpr double tiny = 1e-10;
+  Quantity nearly = coefficients("nearly_dependent", tiny, Outcome::inaccurate, truth);
   nearly.add(
-      Breakdown{"With $w$ within $10^{-10}$ of the plane of $u$ and $v$ every triple product is what is left "
-                "of a cancellation; twice the digits bring it back.",
-                "triple products, Cramer", 53, Outcome::inaccurate, "triple products, Cramer", 106});
+      Breakdown{"With $w$ within $@1$ of the plane of $u$ and $v$ every triple product is what is left of "
+                "a cancellation; twice the digits bring it back.",
+                "triple products, Cramer",
+                53,
+                Outcome::inaccurate,
+                "triple products, Cramer",
+                106,
+                {tiny}});
   nearly.add(Breakdown{
       "A factorization loses the same digits, though what it leaves of $p$ is as small as rounding allows "
       "(see `left_over`): a small remainder proves nothing. Corrected by that remainder, in twice the digits, "
@@ -185,7 +191,7 @@ Findings study(const Parameters& chosen, const Reference& truth) {
       "factorization, LU, rows exchanged", 0, Outcome::inaccurate, "factorization, LU, refined", 3});
   return {claims(Random(chosen["seed"])),
           in_operations({coefficients("coefficients", chosen["gap"], Outcome::ok, truth),
-                         dual_coefficients(chosen["gap"], truth), nearly, left_over(1e-10, truth)})};
+                         dual_coefficients(chosen["gap"], truth), nearly, left_over(tiny, truth)})};
 }
 
 }  // namespace ex07_07

@@ -283,13 +283,22 @@ Quantity determinant_quantity(int n, int e, const Reference& truth) {
   q.add(product_method("large by small", paired(u)));
   q.add(by_mantissas(u));
   q.add(by_logarithms(u));
-  q.add(Breakdown{
-      "The determinant is a moderate number, but not the products on the way to it: in the printed order "
-      "they fall below $2^{-1074}$.",
-      "product, as printed, the last first", 0, Outcome::inaccurate,
-      "mantissas and exponents, the first first", 0});
-  q.add(Breakdown{"In the other order they rise above $2^{1024}$.", "product, the first first", 0,
-                  Outcome::non_finite, "logarithms, exponential of the sum", 0});
+  q.add(
+      Breakdown{"The determinant is a moderate number, but not the products on the way to it: in the "
+                "printed order they fall below $2^{@4}$.",
+                "product, as printed, the last first",
+                0,
+                Outcome::inaccurate,
+                "mantissas and exponents, the first first",
+                0,
+                {std::log2(std::numeric_limits<double>::denorm_min())}});
+  q.add(Breakdown{"In the other order they rise above $2^{@4}$.",
+                  "product, the first first",
+                  0,
+                  Outcome::non_finite,
+                  "logarithms, exponential of the sum",
+                  0,
+                  {std::numeric_limits<double>::max_exponent}});
   return q;
 }
 
@@ -326,10 +335,15 @@ Quantity log_determinant(int n, int e, const Reference& truth, const Random& ran
            return finite_answer(
                std::log(std::abs(s.mantissa)) + static_cast<double>(s.exponent) * std::numbers::ln2, n + 2);
          }});
-  q.add(Breakdown{
-      "No order of the product helps against a determinant of $10^{729}$. Its logarithm is a sum, and needs "
-      "no determinant.",
-      "logarithm of the product, LU, rows exchanged", 0, Outcome::non_finite, "logarithms, sum", 0});
+  q.add(
+      Breakdown{"No order of the product helps against a determinant of $10^{@5}$. Its logarithm is a sum, "
+                "and needs no determinant.",
+                "logarithm of the product, LU, rows exchanged",
+                0,
+                Outcome::non_finite,
+                "logarithms, sum",
+                0,
+                {std::round(known.value[0] / std::numbers::ln10)}});
   return q;
 }
 

@@ -172,9 +172,10 @@ void formulas(Tables& tables, const std::vector<FramesOf<double>>& frames,
                        times(R"($\begin{pmatrix}1&1\\-1&1\end{pmatrix}a$)",
                              []<class T>(const PointOf<T>&) { return rows_of<T>(1, 1, -1, 1); })},
        .kind = Fault::lost_typography,
-       .why =
+       .why = filled(
            R"(The fraction bar is lost in the text at hand: $\tfrac1{\sqrt2}$. With the product the matrix )"
-           R"(is no rotation, and every distance from the origin is doubled.)"});
+           R"(is no rotation, and every point is @1 times as far from the origin.)",
+           {(printed_matrix<double>(2) * Vector2d(1, 0)).norm()})});
 }
 
 std::vector<Claim> claims(double seed) {
@@ -336,21 +337,36 @@ Quantity full_turns() {
            for (long i = 0; i < static_cast<long>(n) + quarter_turn; i += 2) x = Vector2d(x[1], -x[0]);
            return Answer{Value(x), 0};
          }});
+  const double entry = printed(0, 0);
+  const auto shrinkage = [&](double x, double y) {
+    Vector2d p(x, y);
+    for (double n = 0; n < changes.settings.back(); ++n) p = by_entries(p, entry);
+    return std::abs(1 - p.norm() / std::hypot(x, y));
+  };
   q.add(Breakdown{
-      R"(The square of the double $1/\sqrt2$ is $9\cdot10^{-17}$ too small, and the length shrinks in )"
-      R"(every change, though for many points, such as $(2,\frac12)$, the roundings fall into a cycle that hides )"
-      R"(it. Two changes are a quarter turn, which rounds nothing.)",
-      "matrix, entries 1/sqrt(2)", 262144, Outcome::inaccurate, "two changes at once, (b1, b2) = (a2, -a1)",
-      262144});
+      R"(The square of the double $1/\sqrt2$ is $@1$ too small, and the length shrinks in every )"
+      R"(change, unless the roundings fall into a cycle that hides it: of $(2,1/2)$ it has )"
+      "changed by $@1$ of itself after @6 changes, of this point by $@1$. Two changes are a "
+      "quarter turn, which rounds nothing.",
+      "matrix, entries 1/sqrt(2)",
+      262144,
+      Outcome::inaccurate,
+      "two changes at once, (b1, b2) = (a2, -a1)",
+      262144,
+      {std::fma(-entry, entry, 0.5), shrinkage(2, 0.5), changes.settings.back(), shrinkage(a[0], a[1])}});
   return q;
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
   const Vector2d a(p["a1"], p["a2"]);
   Quantity huge = coordinates_of(a, 600, truth, Outcome::non_finite);
-  huge.add(Breakdown{"A radius by squares overflows at $10^{154}$; the matrix squares nothing.",
-                     "polar coordinates, radius by squares", 0, Outcome::non_finite,
-                     "matrix, entries 1/sqrt(2)", 0});
+  huge.add(Breakdown{"A radius by squares overflows at $@1$; the matrix squares nothing.",
+                     "polar coordinates, radius by squares",
+                     0,
+                     Outcome::non_finite,
+                     "matrix, entries 1/sqrt(2)",
+                     0,
+                     {std::sqrt(std::numeric_limits<double>::max())}});
   return {claims(p["seed"]), in_operations({coordinates_of(a, 0, truth, Outcome::ok), huge, full_turns()})};
 }
 

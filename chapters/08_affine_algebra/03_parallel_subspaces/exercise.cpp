@@ -331,10 +331,16 @@ Findings study(const Parameters& p, const Reference&) {
                              R"(are $(10^k,1)$ and $(10^k+1,1)$ parallel? $(10^k,1)$ and $(3\cdot10^k,3)$?)",
                              "the determinants $-1$ and 0", nearly_parallel(), ok, wrong,
                              "an angle of $10^{-2k}$, below any tolerance that rounding allows");
-  nearly.add(Breakdown{
-      "$(10^8,1)$ and $(10^8+1,1)$ have the determinant $-1$ and the sine $10^{-16}$: to singular values, "
-      "at any tolerance, they are parallel. Whole numbers are decided in whole numbers.",
-      "ranks, singular values", 1e-12, wrong, "ranks, elimination in integers", 0});
+  constexpr double large = 1e8, determinant = large * 1 - (large + 1) * 1;
+  nearly.add(
+      Breakdown{"$(10^8,1)$ and $(10^8+1,1)$ have the determinant $@1$ and the sine $@1$: to singular "
+                "values, at any tolerance, they are parallel. Whole numbers are decided in whole numbers.",
+                "ranks, singular values",
+                1e-12,
+                wrong,
+                "ranks, elimination in integers",
+                0,
+                {determinant, std::abs(determinant) / (std::hypot(large, 1) * std::hypot(large + 1, 1))}});
   Quantity rounded =
       parallel("rounded_multiples", "are $v$ and its rounded multiple parallel?", "as they were made",
                rounded_multiples(p["seed"]), wrong, ok, "the multiple is rounded, and exactness is no help");

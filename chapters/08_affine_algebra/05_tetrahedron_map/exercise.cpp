@@ -218,17 +218,28 @@ std::vector<Quantity> quantities(const Parameters& p) {
       values_of("value_in_own", "the same in a tetrahedron $P_0P_1P_2P_3$ of one's own", own, x, {}));
   all.push_back(values_of("sliver_value", "the same, the apex $2^{-20}$ above its base", tetrahedron(0x1p-20),
                           x, {bad, bad, bad, ok, "products lose what is small in the sliver"}));
-  all.back().add(Breakdown{
-      "The normal equations square the condition number, and $f(P)$ is off by rounding over height, a "
-      "hundred thousand times what the edges themselves give: there a stable solve leaves a residual of one "
-      "rounding, however thin the sliver.",
-      "normal equations, LU, partial pivoting", 0, bad, "edges, LU, partial pivoting", 0});
-  all.push_back(values_of("sliver_30", "the same, the apex $2^{-30}$ above its base", tetrahedron(0x1p-30), x,
+  all.back().add(
+      Breakdown{"The normal equations square the condition number, and $f(P)$ is off by rounding over "
+                "height, $@1$, where the edges themselves err by $@1$: there a stable solve leaves a "
+                "residual of one rounding, however thin the sliver.",
+                "normal equations, LU, partial pivoting",
+                0,
+                bad,
+                "edges, LU, partial pivoting",
+                0,
+                {error_of(Side::broken), error_of(Side::cured)}});
+  constexpr double thinner = 0x1p-30;
+  all.push_back(values_of("sliver_30", "the same, the apex $2^{-30}$ above its base", tetrahedron(thinner), x,
                           {bad, raised, bad, ok, "products lose what is small in the sliver"}));
-  all.back().add(Breakdown{
-      "At $2^{-30}$ the square of the height is below rounding: the matrix that cannot be singular is "
-      "singular to Cholesky. The edges' own is not.",
-      "normal equations, Cholesky", 0, raised, "edges, Householder QR", 0});
+  all.back().add(
+      Breakdown{"At $2^{@2}$ the square of the height is below rounding: the matrix that cannot be "
+                "singular is singular to Cholesky. The edges' own is not.",
+                "normal equations, Cholesky",
+                0,
+                raised,
+                "edges, Householder QR",
+                0,
+                {std::log2(thinner)}});
   all.push_back(values_of("flat_value", "four vertices in a plane", flat(), x,
                           {raised, raised, Outcome::non_finite, raised, "the edges are dependent"}));
   all.back().add(Breakdown{

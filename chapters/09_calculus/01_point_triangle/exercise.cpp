@@ -166,22 +166,27 @@ std::vector<Quantity> quantities(const Parameters& p, const Reference& truth) {
   with_face.push_back({2.25 - thin / 2, 1.5 + thin, 1.25 + thin / 2});
   std::vector<Quantity> all{in_fair(p, truth)};
   const auto breaks = [&](std::string says, const std::string& method, double setting, Outcome outcome,
-                          const std::string& cure) {
-    all.back().add(Breakdown{std::move(says), method, setting, outcome, cure, 0});
+                          const std::string& cure, std::vector<Told> numbers = {}) {
+    all.back().add(Breakdown{std::move(says), method, setting, outcome, cure, 0, std::move(numbers)});
   };
-  all.push_back(measured("close_distance", R"(from $1.3\cdot10^{-9}$ above the triangle)",
+  constexpr int tiny = -500, huge = 500, huger = 600;
+  const auto size = [](int exponent) { return std::ldexp(1.0, exponent); };
+  const auto of_size = [&](int exponent) { return filled("a triangle of size $@1$", {size(exponent)}); };
+  all.push_back(measured("close_distance",
+                         filled("from $@2$ above the triangle", {std::sqrt(2.0) * close_by}),
                          {fair, {{1.25, 3.25 - close_by, 0.25 + close_by}}}, truth,
                          {{value, seven, bad, "the six terms cancel"}}));
   breaks(
-      "The quadratic's six terms of size 1 cancel to a squared distance of $10^{-18}$: half of all digits "
-      "are lost with the root. The point $V(s,t)$ is right, and its distance from $P$ has every digit.",
-      value + ", " + seven, 0, bad, point + ", " + seven);
+      "The quadratic's six terms of size 1 cancel to a squared distance of $@1$, and @1 digits of the "
+      "distance are right. The point $V(s,t)$ is right, and its distance from $P$ has every digit.",
+      value + ", " + seven, 0, bad, point + ", " + seven,
+      {all.back().reference.value[0] * all.back().reference.value[0], digits_of(Side::broken)});
   all.push_back(
       measured("needle_distance", "a triangle $2^{-27}$ thin", {needle, with_face}, truth,
                {{value, seven, none, no_det}, {point, seven, none, no_det}, {point, descent, bad, slow}}));
   breaks(
       "The determinant of a needle is lost in rounding, and the point with it. Voronoi regions end at an "
-      "edge, which is as near to $10^{-16}$.",
+      "edge, which is as near.",
       point + ", " + seven, 0, none, point + ", " + voronoi_regions);
   breaks("Descent along the gradient hardly moves across a needle.", point + ", " + descent, 512, bad,
          point + ", " + stable);
@@ -197,26 +202,25 @@ std::vector<Quantity> quantities(const Parameters& p, const Reference& truth) {
                           {point, voronoi_regions, none, "an edge of length 0 is divided by"}}));
   breaks("Voronoi regions divide by the length of an edge that has none. A segment of length 0 is its end.",
          point + ", " + voronoi_regions, 0, none, point + ", " + either);
-  all.push_back(measured("tiny_distance", "a triangle of size $10^{-150}$", {fair, around, -500}, truth,
+  all.push_back(measured("tiny_distance", of_size(tiny), {fair, around, tiny}, truth,
                          {{value, seven, none, products},
                           {point, seven, none, products},
                           {point, voronoi_regions, bad, products},
                           {point, either, bad, products}}));
   breaks(
-      "At $10^{-150}$ the products of four lengths are 0, and the Voronoi regions name a wrong edge without "
+      "At size $@1$ the products of four lengths are 0, and the Voronoi regions name a wrong edge without "
       "a sign of it. Orthogonal edges need squares only.",
-      point + ", " + voronoi_regions, 0, bad, point + ", " + stable);
-  all.push_back(measured("huge_distance", "a triangle of size $10^{150}$", {fair, around, 500}, truth,
+      point + ", " + voronoi_regions, 0, bad, point + ", " + stable, {size(tiny)});
+  all.push_back(measured("huge_distance", of_size(huge), {fair, around, huge}, truth,
                          {{value, seven, bad, products},
                           {point, seven, bad, products},
                           {point, voronoi_regions, none, products},
                           {point, either, bad, products}}));
   breaks(
-      "At $10^{150}$ the determinant is infinite, every comparison with it is answered, and the seven "
+      "At size $@1$ the determinant is infinite, every comparison with it is answered, and the seven "
       "regions give a finite, wrong distance. In units of the triangle's size nothing overflows.",
-      point + ", " + seven, 0, bad, "scaled, " + stable);
-  all.push_back(measured("huger_distance", R"(a triangle of size $4\cdot10^{180}$)", {fair, around, 600},
-                         truth,
+      point + ", " + seven, 0, bad, "scaled, " + stable, {size(huge)});
+  all.push_back(measured("huger_distance", of_size(huger), {fair, around, huger}, truth,
                          {{value, seven, none, squares},
                           {point, seven, none, squares},
                           {point, voronoi_regions, none, squares},
@@ -224,8 +228,8 @@ std::vector<Quantity> quantities(const Parameters& p, const Reference& truth) {
                           {point, stable, none, squares},
                           {point, twofold, none, squares},
                           {point, descent, none, squares}}));
-  breaks(R"(At $4\cdot10^{180}$ even squares overflow, and only scaling is left.)", point + ", " + stable, 0,
-         none, "scaled, " + stable);
+  breaks("At size $@1$ even squares overflow, and only scaling is left.", point + ", " + stable, 0, none,
+         "scaled, " + stable, {size(huger)});
   return all;
 }
 

@@ -1,0 +1,160 @@
+// What breakdowns say of their trials is read off these: no measured number is typed into a sentence.
+
+#include <array>
+#include <regex>
+#include <set>
+
+#include "chapters/contents.hpp"
+#include "reference/reference.hpp"
+#include "report/study/run.hpp"
+#include "report/verify/catch.hpp"
+
+using namespace oddity;
+
+namespace {
+
+/// Numbers that stay typed, and why: none of them is measured.
+struct Stays {
+  std::string_view words, because;
+};
+constexpr std::string_view counted = "it counts what the sentence or the exercise names",
+                           by_name = "it belongs to a name", by_theory = "it is so by theory",
+                           example = "it is given as an example, not found",
+                           in_radix = "it is the radix of a power that is filled in";
+constexpr Stays stays[] = {
+    {"half-way between", by_theory},
+    {"half a turn", by_theory},
+    {"half disc", by_name},
+    {"half circle", by_name},
+    {"a product of two twice over", by_theory},
+    {"twice the digits", by_name},
+    {"the two exponentials", counted},
+    {"The two equations of motion", counted},
+    {"their two frequencies", counted},
+    {"the two angles", counted},
+    {"The two sides", counted},
+    {"two nearly equal", counted},
+    {"of two doubles", counted},
+    {"the two long sides", counted},
+    {"from two conditions", counted},
+    {"Two neighbours", counted},
+    {"Two changes are a quarter turn", by_theory},
+    {"one of the two", counted},
+    {"power of two", by_name},
+    {"three coordinates", counted},
+    {"The three products", counted},
+    {"three vertices of one line", counted},
+    {"the seven regions", counted},
+    {"six terms of size 1", by_theory},
+    {"The 24 terms", by_theory},
+    {"cancel to 1;", by_theory},
+    {"order 2", by_name},
+    {"Order 4", by_name},
+    {"order 4", by_name},
+    {"Runge-Kutta 4", by_name},
+    {"-0.2 and 0.2 both become 0", example},
+    {"ceil - 1", by_theory},
+    {"the products of four lengths are 0", by_theory},
+    {"the determinant is 0", by_theory},
+    {"A segment of length 0", by_theory},
+    {"$(10^8,1)$ and $(10^8+1,1)$", example},
+    {"$10^{", in_radix},
+};
+
+/// The text without its places, without code, and without the numbers that stay.
+std::string without_what_stays(std::string text, std::set<std::string_view>& seen) {
+  text = std::regex_replace(text, std::regex("@[1-9]|`[^`]*`"), "");
+  // The longest first: some contain others.
+  std::vector<Stays> all(std::begin(stays), std::end(stays));
+  std::ranges::stable_sort(all, std::greater{}, [](const Stays& s) { return s.words.size(); });
+  for (const Stays& s : all)
+    for (std::size_t at; (at = text.find(s.words)) != std::string::npos;) {
+      seen.insert(s.words);
+      text.replace(at, s.words.size(), s.words.front() == '$' && s.words.back() != '$' ? "$" : "");
+    }
+  return text;
+}
+
+/// The first number that no formula has as a coefficient, an index or an exponent of one digit.
+std::string number_in(const std::string& text) {
+  const std::regex in_formula(R"(\d[\d.]+|\\cdot\s*10)"),
+      in_words(
+          R"(\d[\d.]*|\b(two|three|four|five|six|seven|eight|nine|ten|eleven|twelve|dozen|sixteen|twenty|)"
+          R"(thirty|sixty|hundred|thousand|million|half|third|quarter|twice|tenth|hundredth|thousandth|)"
+          R"(\w+fold|per cent)\b)",
+          std::regex::icase);
+  bool is_formula = false;
+  for (std::size_t from = 0; from <= text.size(); is_formula = !is_formula) {
+    const std::size_t to = std::min(text.find('$', from), text.size());
+    const std::string part = text.substr(from, to - from);
+    if (std::smatch found; std::regex_search(part, found, is_formula ? in_formula : in_words))
+      return found.str();
+    from = to + 1;
+  }
+  return "";
+}
+
+std::vector<Breakdown> breakdowns() {
+  const Reference truth(std::filesystem::path(ODDITY_SOURCE) / "reference");
+  std::vector<Breakdown> all;
+  for (const Entry& entry : registry())
+    for (const Quantity& q : entry.exercise.study(Parameters(entry.exercise.parameters), truth).quantities)
+      all.insert(all.end(), q.breakdowns.begin(), q.breakdowns.end());
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("a measured number in a text is found", "[claims]") {
+  for (const std::string typed : {"at eight steps a second", "where it is 14142", "off by $7\\cdot10^{-4}$",
+                                  "near $2.83/\\omega$", "a thousandfold", "Sixteen points"})
+    CHECK_FALSE(number_in(typed).empty());
+  for (const std::string none :
+       {"near $\\varepsilon^{1/4}$, and $1-e^2$ is lost", "at @2 steps a second", ""})
+    CHECK(number_in(std::regex_replace(none, std::regex("@[1-9]"), "")).empty());
+}
+
+TEST_CASE("no measured number is typed into a breakdown's text", "[claims][texts]") {
+  std::set<std::string_view> seen;
+  for (const Breakdown& b : breakdowns()) {
+    INFO(b.says);
+    CHECK(number_in(without_what_stays(b.says, seen)) == "");
+  }
+  for (const Stays& s : stays) {
+    INFO(s.words << " is said nowhere: " << s.because);
+    CHECK(seen.contains(s.words));
+  }
+}
+
+TEST_CASE("a breakdown's numbers are those of its own trials", "[claims]") {
+  Quantity q{"x", "m", "a length", {"known", 2.0}, 0, {}};
+  Trial coarse{}, fine{};
+  coarse.setting = 0.125, coarse.error = 0.021;
+  fine.setting = 0x1p-10, fine.error = 5e-11;
+  Breakdown b{"@1 steps, off by @1, @2 digits; $2^{@2}$ is off by $@1$ after @1 s",
+              "",
+              0.125,
+              Outcome::inaccurate,
+              "",
+              0x1p-10,
+              {steps_in_one(Side::broken), error_of(Side::broken), digits_of(Side::broken),
+               power_of_two_of(Side::cured), error_of(Side::cured), 4}};
+  CHECK(text_of(b, q, coarse, fine) ==
+        "8 steps, off by 0.02, 1 digits; $2^{-10}$ is off by $5\\cdot10^{-11}$ after 4 s");
+  b.numbers.pop_back();
+  CHECK_THROWS_AS(text_of(b, q, coarse, fine), std::logic_error);
+}
+
+TEST_CASE("a breakdown tells of the parameters that were asked for", "[claims]") {
+  const auto pendulum =
+      std::ranges::find_if(registry(), [](const Entry& e) { return to_string(e.number) == "3.5"; });
+  Task task(*pendulum);
+  task.parameters.set("a", 1.0);
+  const Reference truth(std::filesystem::path(ODDITY_SOURCE) / "reference");
+  std::string all;
+  for (const ExerciseResult& e : run(std::span(&task, 1), truth, false).exercises)
+    for (const QuantityResult& q : e.quantities)
+      for (const BreakdownResult& b : q.breakdowns) all += b.says;
+  CHECK(all.find("let go at 57.3 degrees") != std::string::npos);
+  CHECK(all.find('@') == std::string::npos);
+}
