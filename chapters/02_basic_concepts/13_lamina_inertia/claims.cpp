@@ -112,14 +112,16 @@ void component(Claims& claims, const Component& c, std::size_t k, double seed) {
                {.printed = value, .near_misses = {near}});
     return;
   }
+  const double mass = gauss_legendre([](double x) { return 1 - x * x; }, -1, 1, 2).value;
   claims.add(
       slug, c.value_line, "$" + name + "=47$",
       {.printed = value_of(c, k, {47, 1}),
        .meant = value,
        .near_misses = {near},
-       .why =
-           R"(The fraction bar is lost in the text at hand: $\tfrac47$. The lamina has the mass $\tfrac43$ and )"
-           R"(lies within 1 of the axis, so that no moment can be above $\tfrac43$.)",
+       .why = filled(
+           R"(The fraction bar is lost in the text at hand: $\tfrac47$. The lamina has the mass @4 and )"
+           R"(lies within 1 of the axis, so that no moment can be above @4.)",
+           {mass, mass}),
        .kind = Fault::lost_typography});
 }
 

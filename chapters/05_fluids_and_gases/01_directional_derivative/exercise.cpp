@@ -54,15 +54,20 @@ Proof proof_of_lines(Random random) {
        each_component("fgrad_x#", "f0 x#,0 - f1 x#,1 + f2 x#,2")});
   Reading dot = proof.reading(each_component("fgrad_x#", "f0 x0,0 + f1 x1,1 + f2 x2,2"), turned);
   dot.text = "a dot product, the number $f_0x_{0,0}+f_1x_{1,1}+f_2x_{2,2}$";
+  double dotted = 0;  // f_j dx_j/dx_j at any point, f = (1, 2, 3)
+  for (std::size_t j = 0; j < 3; ++j)
+    dotted += static_cast<double>(j + 1) * ByDuals{}.along(position, Point{0.5, 0.25, 2}, axes[j])[j];
   proof.claims.add(
       "dot", 3105,
       R"($(\mathbf f\cdot\nabla)\mathbf x$ is the operator applied to $(x_0,x_1,x_2)$, printed with a dot between them)",
       {.printed = dot,
        .meant = proof.reading(distributed, turned),
        .near_misses = {proof.reading(each_component("fgrad_x#", "f0 x#,0 + f1 x#,1"), turned)},
-       .why = R"(The operator acts like a scalar and is applied to a vector: no dot belongs between them. )"
-              R"(Read as a dot product the line is the number $f_0+f_1+f_2$, 6 for $\mathbf f=(1,2,3)$, and )"
-              R"(not the vector $\mathbf f$. The next line goes on without it.)",
+       .why = filled(
+           R"(The operator acts like a scalar and is applied to a vector: no dot belongs between them. )"
+           R"(Read as a dot product the line is the number $f_0+f_1+f_2$, @1 for $\mathbf f=(1,2,3)$, and )"
+           R"(not the vector $\mathbf f$. The next line goes on without it.)",
+           {dotted}),
        .kind = Fault::formula});
   proof.lines.push_back({"dot", distributed, "meant"});
   for (std::size_t j = 0; j < 3; ++j) {

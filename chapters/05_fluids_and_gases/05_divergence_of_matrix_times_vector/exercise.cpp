@@ -105,6 +105,7 @@ Proof proof_of_lines(Random random) {
       R"($\nabla\cdot(M\mathbf f)$ is $\partial(m_{ij}f_j)/\partial x_i$, with $\mathbf h=M\mathbf f$)",
       {{"div_Mf", "h0,0 + h1,1 + h2,2"}}, whole);
 
+  const auto square = [](const auto& x) { return x * x; };
   const std::vector<Row> constants{{"div_Mf", outside}};
   Reading lost = proof.reading({{"div_Mf", quotient}}, whole);
   lost.text =
@@ -120,11 +121,12 @@ Proof proof_of_lines(Random random) {
       {.printed = lost,
        .meant = proof.reading(constants, whole),
        .near_misses = std::move(changes),
-       .why =
+       .why = filled(
            R"(A $\partial$ is lost above the bar in the text at hand, here and in line 3297: the operator is )"
            R"($m_{ij}\,\partial/\partial x_i$, as line 3287 has it. In a quotient by $\partial x_i$ nothing is )"
            R"(differentiated. The nearest that has a value, $m_{ij}f_j/x_i$, is another: for $M=I$ and )"
-           R"($\mathbf f=(x_0^2,0,0)$ it is $x_0$, where the divergence is $2x_0$.)",
+           R"($\mathbf f=(x_0^2,0,0)$ at $x_0=3$ it is @1, where the divergence is @1.)",
+           {square(3.0) / 3, derivative(square, 3.0)}),
        .kind = Fault::lost_typography});
   proof.lines.push_back({"constants_outside", constants, "meant"});
 

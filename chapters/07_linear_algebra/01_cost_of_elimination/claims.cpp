@@ -128,9 +128,12 @@ void costs(Claims& claims, const std::vector<Counts>& sizes) {
                                 [](double n) { return (n - 1) * (n - 1) * entry + 2 * mu; })},
          .kind = Fault::formula,
          .root = uncounted,
-         .why =
+         .why = filled(
              R"(To clear $a_{12}$, row one becomes $a_{22}$ row one $-\,a_{12}$ row two. This multiplies )"
-             R"($a_{11}$ by $a_{22}$ too: one $\mu$ more than the entries to the right of the pivot take.)"});
+             R"($a_{11}$ by $a_{22}$ too: the $@2\mu+@2\alpha$ that the entries right of the pivot take )"
+             R"(for $n=3$ are $@2\mu+@2\alpha$.)",
+             {printed_second_row(3.0).mu, printed_second_row(3.0).alpha, of_three.full_second.mu,
+              of_three.full_second.alpha})});
   claim("full_sum", 3791, R"($(2\mu+\alpha)[n(n-1)+(n-1)(n-1)+\ldots+1(n-1)]=(2\mu+\alpha)(n-1)n(n+1)/2$)",
         {.truth = counted("the sum, entry by entry", sum_over_columns),
          .printed = priced(R"($(2\mu+\alpha)(n-1)n(n+1)/2$)", printed_full<double>),
@@ -407,6 +410,13 @@ void solutions(Claims& claims, const Random& random) {
       {.printed = solves("the quotients solve every equation", Diagonal::row_by_row),
        .near_misses = {
            solves("they do with the diagonal entries above left as they were", Diagonal::never)}});
+  std::array<double, 3> first{0, 1, 2}, second{1, 0, 3};  // x2 = 2, x1 = 3, cleared crosswise
+  const auto clear = [](auto& row, const auto& by, std::size_t k) {
+    const double own = row[k];
+    for (std::size_t j = 0; j < 3; ++j) row[j] = by[k] * row[j] - own * by[j];
+  };
+  clear(second, first, 0);
+  clear(first, second, 1);
   claims.statement<Residues>(
       "zero_pivot", 3793, "no pivot is ever zero: each row can be divided by its diagonal entry", all,
       {.printed = {"the rows as they stand", [](const Residues& s) { return s.solved_with(0); }},
@@ -416,11 +426,12 @@ void solutions(Claims& claims, const Random& random) {
        .near_misses = {{"the first row alone exchanged", [](const Residues& s) { return s.solved_with(1); }}},
        .kind = Fault::left_out,
        .root = "no exchange of rows",
-       .why =
+       .why = filled(
            R"(Where a pivot is zero, crosswise clearing multiplies the other rows by it, and the diagonal )"
            R"(entries that are divided by at the end are 0: $x_2=2$, $x_1=3$, written as two rows in this )"
-           R"(order, ends in $0/0$. The text counts operations and has no such system in view. An exchange )"
-           R"(with a lower row cures it and costs no arithmetic, so that no total changes.)"});
+           R"(order, ends in $@1/@1$. The text counts operations and has no such system in view. An )"
+           R"(exchange with a lower row cures it and costs no arithmetic, so that no total changes.)",
+           {first[2] + 0.0, first[0] + 0.0})});
 }
 
 }  // namespace
