@@ -239,6 +239,41 @@ TEST_CASE("the start asked for may be judged alone", "[arguments]") {
   CHECK(says(ran, "on the start asked for alone it is "));
 }
 
+TEST_CASE("an hour of chaos is answered, up to where the motion is known", "[arguments][choose]") {
+  const program::Ran ran = program::run("choose 3.25 theta1=1.5 --error 1cm --horizon 1h");
+  INFO(ran.output);
+  CHECK(ran.status == 1);
+  CHECK(says(ran, "the true motion is known up to "));
+}
+
+TEST_CASE("stability shows up to which step a criterion holds, where one is asked for",
+          "[arguments][stability]") {
+  using program::printed;
+  const std::string energy = "stability 3.5 --horizon 5s --criterion energy --error 5%";
+  const program::Ran csv = printed(energy + " --csv"), json = printed(energy + " --json");
+  INFO(csv.output.substr(0, 1500));
+  CHECK(csv.status == 0);
+  CHECK(says(csv, ",how,cure,holds_to\n"));
+  CHECK(says(json, "\"holds_to\""));
+  CHECK_FALSE(says(printed("stability 3.5 --horizon 5s --csv"), "holds_to"));
+  const ScratchFolder out;
+  const program::Ran text = printed(energy + " --out " + out.path().string());
+  CHECK(says(text, "holds to [s]"));
+  CHECK(says(text, "with its energy right to 5 % of what moves in it, at the end of every step"));
+  check_refused({
+      {"stability --criterion energy --error 1%", "--error is of an exercise: name one, such as 3.5"},
+      {"stability 3.5 --criterion energy", "--criterion energy needs --error"},
+      {"stability 3.5 --criterion bounded --error 1", "--criterion bounded takes no --error"},
+      {"stability 3.5 --criterion heat", "heat"},
+      {"stability 3.5 --criterion energy --error 1% --energy 1%", "is what --criterion asks for"},
+      {"stability 3.5 --error 1cm", "--error"},
+      {"stability 3.5 --period 1% --rows", "do not go together"},
+      {"stability 3.9 a=0 --criterion constraint --error 1mm", "has a constraint to be off"},
+      {"stability 3.31 --period 1%", "two periods"},
+      {"stability 3.25 theta1=1.5 --error 1cm --horizon 30s", "not known to a tenth of what is asked"},
+  });
+}
+
 TEST_CASE("stability has all columns of its table, at other parameters and over another horizon",
           "[arguments]") {
   const program::Ran csv = program::printed("stability 3.5 a=1 L=2 --horizon 5s --csv");

@@ -203,12 +203,15 @@ Quantity motion_of(const Entry& entry) {
   return motion(scene, Parameters(entry.exercise.parameters), {scene.horizon}, Reference::nothing());
 }
 
-/// What engines are judged by, in the motion's units: "1cm,1deg".
+/// What a game asks, in the motion's units: "1cm,1deg".
 std::string errors_for_engines(const Entry& entry) {
   std::string errors;
   const Quantity seen = motion_of(entry);
   for (std::string_view unit : seen.units())
-    errors += std::string(errors.empty() ? "" : ",") + (unit == "rad" ? "1deg" : "1cm");
+    errors += std::string(errors.empty() ? "" : ",") +
+              (unit == "rad" ? "1deg"
+               : unit == "m" ? "1cm"
+                             : format_shortest(game_error(unit)) + std::string(unit));
   return errors;
 }
 
@@ -461,6 +464,15 @@ Task task_of(const std::string& exercise, const std::vector<std::string>& overri
   for (const std::string& word : overrides)
     for (const std::string& assignment : each_alone(task, word)) set(assignment);
   return task;
+}
+
+std::string accuracy_option(const AskedNeed& asked) {
+  return !asked.error.empty()        ? "--error"
+         : asked.criterion != "path" ? "--criterion"
+         : !asked.energy.empty()     ? "--energy"
+         : !asked.period.empty()     ? "--period"
+         : !asked.constraint.empty() ? "--constraint"
+                                     : "";
 }
 
 Need need_of(const Task& task, const AskedNeed& asked) {

@@ -41,11 +41,13 @@ struct AskedNeed {
   std::string precision = "double";
   bool cheapest = false, one_step = false;
   bool measure = false;     ///< what earlier runs measured is measured anew
-  bool as_engines = false;  ///< unless an error is asked for, 1 cm and 1 degree as `engines` has it
+  bool as_engines = false;  ///< unless an error is asked for, 1 cm and 1 degree as a game asks
   bool enclosed = false;    ///< the truth's error is proved
   bool thorough = false;    ///< every method at every setting
   bool explain = false;     ///< what was tried, and where the time went
 };
+/// The first option of an error or a criterion that is given; empty: none is.
+std::string accuracy_option(const AskedNeed&);
 /// For an exercise that has a motion, at the task's parameters.
 Need need_of(const Task&, const AskedNeed&);
 

@@ -399,16 +399,18 @@ void add_stability(CLI::App& app, Session& s) {
       "Columns: exercise, model, algorithm, stable_to, breaks_at, theory, unit (of these), breaks_by, error, "
       "error_unit, why, unstable_in_theory, error_there (at stable_to), needed_to (the longest within the scene's need), "
       "not_sharp_from, not_sharp_to (for other observers, where the limit is not sharp), watched (where the motion does "
-      "not go on alike), how, cure; a row for each method of fixed step.\n"
+      "not go on alike), how, cure, and holds_to where an error or a criterion is asked for (the longest within that; 0: "
+      "none found; nan where the method does not show it); a row for each method of fixed step.\n"
       "Examples:\n  oddity stability 3.5 --out /tmp/maps\n  oddity stability 3.5 3.33 --csv\n  oddity stability 3.5 "
-      "a=1 L=2 --horizon 20s",
+      "a=1 L=2 --horizon 20s\n  oddity stability 3.5 --criterion energy --error 5% --horizon 1min",
       [&] {
+        const verbs::AskedStability asked{s.exercises, s.horizon, s.need};
         if (s.rows)
           verbs::stability_rows(s.folder, s.exercises);
         else if (s.format() != verbs::Format::text)
-          verbs::stability_table(s.folder, s.exercises, s.horizon, s.format());
+          verbs::stability_table(s.folder, asked, s.format());
         else
-          verbs::stability(s.folder, s.exercises, s.horizon, s.maps_out, s.overwrite);
+          verbs::stability(s.folder, asked, s.maps_out, s.overwrite);
       });
   add_exercises(
       *stability, s,
@@ -416,10 +418,17 @@ void add_stability(CLI::App& app, Session& s) {
       "parameter to change");
   add_value(*stability, "--horizon", s.horizon, "TIME",
             "how long the motion is watched, instead of the scene's own");
+  add_value(
+      *stability, "--error", s.need.error, "ERROR",
+      "also show the longest step at which an exercise's motion is within this at the end of every step, "
+      "1cm,1deg unless given; of energy and period a part, 1%");
+  add_criteria(*stability, s.need);
   add_formats(*stability, s, "the limits, with nothing drawn");
   auto* rows = stability->add_flag("--rows", s.rows,
                                    "the rows of limits.csv and stability_maps.csv, with nothing drawn");
-  set_apart(*stability, rows, {"--json", "--csv", "--horizon"});
+  set_apart(
+      *stability, rows,
+      {"--json", "--csv", "--horizon", "--error", "--criterion", "--energy", "--period", "--constraint"});
   set_apart(*stability, add_path(*stability, "--out", s.maps_out, "the folder to draw the maps in"),
             {"--rows", "--json", "--csv"});
   set_apart(*stability, add_overwrite(*stability, s), {"--rows", "--json", "--csv"});

@@ -132,15 +132,7 @@ struct Asked {
   std::string horizon;
   AskedNeed need;
 
-  std::string first_option() const {
-    return !horizon.empty()           ? "--horizon"
-           : !need.error.empty()      ? "--error"
-           : need.criterion != "path" ? "--criterion"
-           : !need.energy.empty()     ? "--energy"
-           : !need.period.empty()     ? "--period"
-           : !need.constraint.empty() ? "--constraint"
-                                      : "";
-  }
+  std::string first_option() const { return horizon.empty() ? accuracy_option(need) : "--horizon"; }
   bool is_usual() const { return words.overrides.empty() && first_option().empty(); }
 
   /// A centimetre and a degree, unless another error or criterion is asked for.

@@ -25,6 +25,7 @@
 #include "report/pages/closing_screen.hpp"
 #include "report/pages/code.hpp"
 #include "report/pages/engines_view.hpp"
+#include "report/pages/held_steps_view.hpp"
 #include "report/pages/is_enough_view.hpp"
 #include "report/pages/pictures.hpp"
 #include "report/pages/stability_view.hpp"
@@ -38,6 +39,7 @@
 #include "report/study/choose.hpp"
 #include "report/study/earlier_results.hpp"
 #include "report/study/engine_scenes.hpp"
+#include "report/study/held_steps.hpp"
 #include "report/study/is_enough.hpp"
 #include "report/study/kept_results.hpp"
 #include "report/study/limit_records.hpp"
@@ -130,22 +132,75 @@ std::optional<double> horizon_of(const std::vector<Task>& tasks, const std::stri
   return horizon;
 }
 
-Results stability_of(const fs::path& folder, const std::vector<std::string>& words,
-                     const std::string& horizon) {
-  const std::vector<Task> tasks = scenes_of(words);
-  const std::optional<double> until = horizon_of(tasks, horizon);
+/// What is asked besides of each task; empty: nothing is. At most 4,096 times of a motion are looked at.
+std::vector<Need> needs_besides(const AskedStability& asked, const std::vector<Task>& tasks,
+                                std::optional<double> horizon) {
+  constexpr double looks = 4096;
+  const std::string option = accuracy_option(asked.need);
+  if (option.empty()) return {};
+  if (asked.words.empty()) throw BadInput(option + " is of an exercise: name one, such as 3.5");
+  std::vector<Need> needs;
+  for (const Task& task : tasks) {
+    const double end = horizon.value_or(task.entry->exercise.scene->horizon);
+    AskedNeed one = asked.need;
+    one.as_engines = true;
+    one.time_limit = "none";
+    one.horizon = format_shortest(end);
+    one.frames_per_second = format_shortest(looks / end);
+    needs.push_back(need_of(task, one));
+  }
+  return needs;
+}
+
+/// "angle within 1 deg at the end of every step".
+std::string in_words(const Need& need, const Task& task) {
+  const Scene& scene = *task.entry->exercise.scene;
+  const Quantity seen = motion(scene, task.parameters, Reference::nothing());
+  Choice asked;
+  asked.need = need;
+  asked.quantity = seen.name;
+  for (std::string_view unit : seen.units()) asked.units.emplace_back(unit);
+  asked.needs = needs_of(need, seen);
+  return what_holds(asked, "at the end of every step");
+}
+
+/// The horizon and the need of each task, as they are refused before anything runs.
+struct StabilityTasks {
+  std::vector<Task> tasks;
+  std::optional<double> horizon;
+  std::vector<Need> needs;
+};
+StabilityTasks stability_tasks(const AskedStability& asked) {
+  StabilityTasks all{scenes_of(asked.words), {}, {}};
+  all.horizon = horizon_of(all.tasks, asked.horizon);
+  all.needs = needs_besides(asked, all.tasks, all.horizon);
+  return all;
+}
+
+struct FoundStability {
+  Results results;
+  std::vector<HeldSteps> held;  ///< of each exercise in turn; none: nothing was asked
+};
+FoundStability stability_of(const fs::path& folder, const AskedStability& asked) {
+  const auto [tasks, until, needs] = stability_tasks(asked);
   Results blank;
   for (const Task& task : tasks) {
     ExerciseResult& e = blank.exercises.emplace_back();
     e.number = task.entry->number;
     e.title = task.entry->exercise.title;
   }
-  Results results = with_progress([&](const Progress& progress) {
-    return with_stability(blank, tasks, Reference(folder, motions_folder()), progress, until);
-  });
-  for (const ExerciseResult& e : results.exercises)
+  const Reference truth(folder, motions_folder());
+  FoundStability found;
+  for (std::size_t i = 0; i < needs.size(); ++i) {
+    found.held.push_back(with_progress(
+        [&](const Progress& progress) { return held_steps(tasks[i], needs[i], truth, progress); }));
+    found.held.back().asked = in_words(needs[i], tasks[i]);
+  }
+  found.results = with_progress(
+      [&](const Progress& progress) { return with_stability(blank, tasks, truth, progress, until); });
+  for (const ExerciseResult& e : found.results.exercises)
     if (!e.failure.empty()) throw BadInput("exercise " + to_string(e.number) + " raised: " + e.failure);
-  return results;
+  return found;
 }
 
 /// The book is the same whatever is installed.
@@ -370,29 +425,29 @@ void chart_table(const fs::path& folder, const std::vector<std::string>& exercis
   print(trials_table(trials_of(folder, tasks_of(exercises))), format);
 }
 
-void stability(const fs::path& folder, const std::vector<std::string>& words, const std::string& horizon,
-               const fs::path& out, bool overwrite) {
-  horizon_of(scenes_of(words), horizon);
+void stability(const fs::path& folder, const AskedStability& asked, const fs::path& out, bool overwrite) {
+  stability_tasks(asked);
   take_to_write(out, overwrite);
   make_folder(out);
-  const Results results = stability_of(folder, words, horizon);
-  for (const ExerciseResult& e : results.exercises) {
-    std::cout << stability_text(e, output()) << "\n";
+  const auto [results, held] = stability_of(folder, asked);
+  for (std::size_t i = 0; i < results.exercises.size(); ++i) {
+    const ExerciseResult& e = results.exercises[i];
+    std::cout << stability_text(e, held.empty() ? HeldSteps() : held[i], output()) << "\n";
     draw_map(e, out);
   }
   std::cout << "the maps are in " << (out / "charts").string() << "\n";
 }
 
-void stability_table(const fs::path& folder, const std::vector<std::string>& words,
-                     const std::string& horizon, Format format) {
-  print(limits_table(stability_of(folder, words, horizon)), format);
+void stability_table(const fs::path& folder, const AskedStability& asked, Format format) {
+  const auto [results, held] = stability_of(folder, asked);
+  print(limits_table(results, held), format);
 }
 
 void stability_rows(const fs::path& folder, const std::vector<std::string>& exercises) {
   if (!with_overrides(exercises).overrides.empty())
     throw BadInput("--rows are of the exercises as they are: leave '" +
                    with_overrides(exercises).overrides.front() + "' out");
-  const Results results = stability_of(folder, exercises, "");
+  const Results results = stability_of(folder, {exercises, "", {}}).results;
   std::cout << limit_rows(results) << "\n" << map_rows(results);
 }
 

@@ -47,13 +47,15 @@ void chart(const fs::path& folder, const std::vector<std::string>& exercises, Cu
            bool overwrite);
 /// The trials that the charts show, with nothing drawn.
 void chart_table(const fs::path& folder, const std::vector<std::string>& exercises, Format);
-/// Of all scenes when there are none, or of one with other parameters; over a horizon, or the scenes' own
-/// when it is empty: as text, with the maps drawn.
-void stability(const fs::path& folder, const std::vector<std::string>& words, const std::string& horizon,
-               const fs::path& out, bool overwrite);
+struct AskedStability {
+  std::vector<std::string> words;  ///< scenes by number, one of them with other parameters; none: all
+  std::string horizon;             ///< empty: the scenes' own
+  AskedNeed need;                  ///< its errors and criteria, of exercises that are named
+};
+/// As text, with the maps drawn.
+void stability(const fs::path& folder, const AskedStability&, const fs::path& out, bool overwrite);
 /// The same as a table of limits, with nothing drawn.
-void stability_table(const fs::path& folder, const std::vector<std::string>& words,
-                     const std::string& horizon, Format);
+void stability_table(const fs::path& folder, const AskedStability&, Format);
 /// Of scenes as they are, as the rows that would put the limits and maps on record.
 void stability_rows(const fs::path& folder, const std::vector<std::string>& exercises);
 /// Writes a problem's file to begin with. Throws BadInput where one is there.

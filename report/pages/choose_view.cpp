@@ -101,28 +101,22 @@ std::string failing_of(const Candidate& candidate, const Choice& choice) {
 }
 
 /// "with its period right to 1 %".
-std::string holds_by(Criterion criterion, const Choice& choice) {
+std::string holds_by(Criterion criterion, const Choice& choice, const std::string& when) {
   switch (criterion) {
     case Criterion::path:
-      return "within " + errors_of(choice.needs, choice) + " at every frame";
+      return "within " + errors_of(choice.needs, choice) + " " + when;
     case Criterion::energy:
       return "with its energy right to " + percent(choice.need.error_by(criterion)) +
-             " of what moves in it, at every frame";
+             " of what moves in it, " + when;
     case Criterion::period:
       return "with its period right to " + percent(choice.need.error_by(criterion));
     case Criterion::constraint:
       return "with what is held off by " + off_constraint(choice.need.error_by(criterion), choice) +
-             " at most, at every frame";
+             " at most, " + when;
     case Criterion::bounded:
       break;
   }
   return "bounded";
-}
-
-std::string what_holds(const Choice& choice) {
-  std::string text = choice.quantity + " " + holds_by(choice.need.criterion, choice);
-  for (const auto& [criterion, error] : choice.need.also) text += "; " + holds_by(criterion, choice);
-  return text;
 }
 
 /// What a criterion that looks at no path has let pass: a path that is off by more than a tenth of the
@@ -466,6 +460,12 @@ std::string csv_cell(const std::string& text) {
 }
 
 }  // namespace
+
+std::string what_holds(const Choice& choice, const std::string& when) {
+  std::string text = choice.quantity + " " + holds_by(choice.need.criterion, choice, when);
+  for (const auto& [criterion, error] : choice.need.also) text += "; " + holds_by(criterion, choice, when);
+  return text;
+}
 
 std::string asked_text(const Choice& choice) {
   const Need& need = choice.need;

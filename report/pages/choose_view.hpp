@@ -8,6 +8,9 @@
 /// A choice, as text and for other programs.
 namespace oddity {
 
+/// What has to hold: "angle within 1 deg at every frame; with its energy right to 5 % ..."; or at other
+/// times.
+std::string what_holds(const Choice&, const std::string& when = "at every frame");
 /// What was asked, and the answer with its margin.
 std::string asked_text(const Choice&);
 std::string answer_text(const Choice&, const Screen& = {});

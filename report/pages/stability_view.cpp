@@ -7,6 +7,7 @@
 #include "reference/csv.hpp"
 #include "reference/text.hpp"
 #include "report/charts/labels.hpp"
+#include "report/pages/held_steps_view.hpp"
 #include "report/pages/stability_view.hpp"
 #include "report/pages/text_view.hpp"
 #include "report/study/limit_records.hpp"
@@ -26,43 +27,56 @@ std::string in_unit(const std::string& value, const std::string& unit) {
   return unit.empty() || unit == "1" ? value : value + " " + unit;
 }
 
-std::vector<std::string> header(const Stability& s) {
+/// "0.0189", "none found", "-".
+std::string shown_holding(const Limit& l, const HeldSteps& held) {
+  const auto found = held.longest.find({l.model, l.algorithm});
+  return found == held.longest.end() ? "-"
+         : found->second == 0        ? "none found"
+                                     : format_significant(found->second, 3);
+}
+
+std::vector<std::string> header(const Stability& s, const HeldSteps& held) {
   const std::string unit = " [" + s.time_unit + "]";
-  return {
+  std::vector<std::string> all{
       "model",       "algorithm",        "stable to" + unit,     "theory" + unit, "unstable in theory" + unit,
       "error there", "needed to" + unit, "how it breaks beyond", "cure there"};
+  if (!held.asked.empty()) all.insert(all.end() - 2, "holds to" + unit);
+  return all;
 }
 
 std::string error_of(const std::optional<TimedTrial>& t, const std::string& unit) {
   return t ? in_unit(shown_error(t->error), unit) : "-";
 }
 
-std::vector<std::string> limit_cells(const Stability& s, const Limit& l) {
-  return {l.model,
-          l.algorithm,
-          shown_step(l),
-          shown_theory(l),
-          shown_tongues(l),
-          error_of(l.at, s.unit),
-          l.within ? format_significant(l.within->setting, 3) : "none found",
-          how_it_breaks(l, s),
-          shown_cure(l, s.unit)};
+std::vector<std::string> limit_cells(const Stability& s, const HeldSteps& held, const Limit& l) {
+  std::vector<std::string> all{l.model,
+                               l.algorithm,
+                               shown_step(l),
+                               shown_theory(l),
+                               shown_tongues(l),
+                               error_of(l.at, s.unit),
+                               l.within ? format_significant(l.within->setting, 3) : "none found",
+                               how_it_breaks(l, s),
+                               shown_cure(l, s.unit)};
+  if (!held.asked.empty()) all.insert(all.end() - 2, shown_holding(l, held));
+  return all;
 }
 
 /// The limits in columns, each model named above its own.
-std::string limits_text(const Stability& s, const Screen& screen) {
-  const auto names = header(s);
+std::string limits_text(const Stability& s, const HeldSteps& held, const Screen& screen) {
+  const auto names = header(s, held);
   std::vector<std::vector<std::string>> rows{{names.begin() + 1, names.end()}};
   const std::string* model = nullptr;
   for (const Limit& l : s.limits) {
     if (!model || *model != l.model) rows.push_back({screen.styled(Style::heading, l.model) + ":"});
     model = &l.model;
-    const auto cells = limit_cells(s, l);
+    const auto cells = limit_cells(s, held, l);
     rows.emplace_back(cells.begin() + 1, cells.end());
     rows.back().front().insert(0, "  ");
   }
   const std::vector<std::string>& n = rows.front();
-  return aligned(rows, screen, {{n[0], n[6], n[7]}, {n[7], n[6], n[3], n[2], n[4]}});
+  const std::string &how = *(n.end() - 2), &cure = n.back();
+  return aligned(rows, screen, {{n[0], how, cure}, {cure, how, n[3], n[2], n[4]}});
 }
 
 /// Reasons why theory and measurement differ, the same ones together.
@@ -245,16 +259,21 @@ std::string shown_cure(const Limit& l, const std::string& unit) {
 }
 
 std::string stability_text(const ExerciseResult& e, const Screen& screen) {
+  return stability_text(e, HeldSteps(), screen);
+}
+
+std::string stability_text(const ExerciseResult& e, const HeldSteps& held, const Screen& screen) {
   const Stability& s = *e.stability;
   std::string notes;
   for (const auto& [reason, names] : reasons(s)) notes += "\n  " + names + ": " + reason + "\n";
   for (const std::string& line : reservations(s)) notes += "\n  " + line + "\n";
-  const std::string asked = s.quantity + " over " + format_significant(s.horizon, 4) + " " + s.time_unit +
-                            "; needed to " + in_unit(format_significant(s.close, 3), s.unit) +
-                            " at the end of every step; breaks and cures are judged at " +
-                            format_significant(s.horizon / s.steps.front(), 4) + " times\n\n";
-  return heading_of(e, screen) + wrapped(asked, screen) + limits_text(s, screen) + wrapped(notes, screen, 4) +
-         map_text(s, screen);
+  const std::string asked =
+      s.quantity + " over " + format_significant(s.horizon, 4) + " " + s.time_unit + "; needed to " +
+      in_unit(format_significant(s.close, 3), s.unit) + " at the end of every step; " +
+      (held.asked.empty() ? "" : "holds: " + held.asked + "; ") + "breaks and cures are judged at " +
+      format_significant(s.horizon / s.steps.front(), 4) + " times\n\n";
+  return heading_of(e, screen) + wrapped(asked, screen) + limits_text(s, held, screen) +
+         wrapped(notes, screen, 4) + map_text(s, screen);
 }
 
 std::string stability_page(const Results& results) {

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "reference/text.hpp"
+#include "report/pages/held_steps_view.hpp"
 #include "report/pages/stability_view.hpp"
 #include "report/study/limit_records.hpp"
 #include "report/study/stability.hpp"
@@ -74,12 +75,16 @@ Table trials_table(const Results& results) {
   return table;
 }
 
-Table limits_table(const Results& results) {
+Table limits_table(const Results& results) { return limits_table(results, {}); }
+
+Table limits_table(const Results& results, std::span<const HeldSteps> held) {
   Table table{{"exercise", "model", "algorithm", "stable_to", "breaks_at", "theory", "unit", "breaks_by",
                "error", "error_unit", "why", "unstable_in_theory", "error_there", "needed_to",
                "not_sharp_from", "not_sharp_to", "watched", "how", "cure"},
               {}};
-  for (const ExerciseResult& e : results.exercises)
+  if (!held.empty()) table.columns.push_back("holds_to");
+  for (std::size_t i = 0; i < results.exercises.size(); ++i) {
+    const ExerciseResult& e = results.exercises[i];
     for (const Limit& l : e.stability->limits) {
       const Stability& s = *e.stability;
       table.rows.push_back({to_string(e.number), l.model, l.algorithm, l.step(),
@@ -89,7 +94,11 @@ Table limits_table(const Results& results) {
                             l.soft ? l.soft->least : none, l.soft ? l.soft->most : none,
                             l.goes_on || std::isinf(l.step()) ? none : l.watched, how_it_breaks(l, s),
                             l.broken ? shown_cure(l, s.unit) : ""});
+      if (held.empty()) continue;
+      const auto found = held[i].longest.find({l.model, l.algorithm});
+      table.rows.back().push_back(found == held[i].longest.end() ? none : found->second);
     }
+  }
   return table;
 }
 

@@ -9,6 +9,7 @@
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
 #include "report/study/criterion.hpp"
+#include "report/study/off_by_need.hpp"
 #include "report/study/parallel.hpp"
 #include "solvers/ode/catalog.hpp"
 
@@ -33,10 +34,8 @@ std::vector<double> as_far_as_known(const Quantity& motion, const Trial& trial) 
 /// A method at a setting on one start.
 struct Judged {
   Trial trial;
-  std::vector<double> errors = {};      ///< in each unit
-  double error = unbounded;             ///< in units of what was asked, by the criterion that is off most
-  std::map<Criterion, double> by = {};  ///< by each but path, in its own unit
-  std::string why = {};
+  std::vector<double> errors = {};  ///< in each unit
+  OffByNeed off = {unbounded};
   const Start* by_start = nullptr;  ///< what knows the true motion
 };
 
@@ -53,15 +52,8 @@ Judged judge_at(const Start& start, const Candidate& c, const Need& need) {
   judged.by_start = &start;
   judged.errors = as_far_as_known(motion, judged.trial);
   if (!here) return judged;
-  judged.error = 0;
-  const TrueEnergy* energy = start.energy ? &**start.energy : nullptr;
-  for (Criterion criterion : criteria_of(need)) {
-    const Off off = off_by(criterion, motion, *here, judged.trial, judged.errors, energy);
-    const double asked = need.error_by(criterion);
-    judged.error = std::max(judged.error, off.error / asked);
-    if (criterion != Criterion::path) judged.by[criterion] = off.error;
-    if (off.error > asked && judged.why.empty()) judged.why = off.why;
-  }
+  judged.off =
+      off_by(need, motion, *here, judged.trial, judged.errors, start.energy ? &**start.energy : nullptr);
   return judged;
 }
 
@@ -78,7 +70,7 @@ bool is_decided(double error, double known_to, bool on_whole, const Need& need) 
 Judged judge(const Start& start, const Candidate& candidate, const Need& need) {
   Judged by_first = judge_at(start, candidate, need);
   const double known_to = start.motion.reference_error / start.motion.need.allowed;
-  if (!start.sharper || is_decided(by_first.error, known_to, start.is_whole, need)) return by_first;
+  if (!start.sharper || is_decided(by_first.off.error, known_to, start.is_whole, need)) return by_first;
   return judge(**start.sharper, candidate, need);
 }
 
@@ -95,10 +87,10 @@ std::vector<double> certain_errors_until(const Quantity& motion, const Value& pa
 
 /// Its error, were it not bounded by the motion's size.
 double unbounded_error(const Judged& judged) {
-  if (!judged.by_start->parting || judged.error <= 1) return judged.error;
+  if (!judged.by_start->parting || judged.off.error <= 1) return judged.off.error;
   const std::vector<double> until = certain_errors_until(judged.by_start->motion, judged.trial.answer.value);
-  return until.empty() ? judged.error
-                       : std::max(judged.error, (**judged.by_start->parting).in_the_end(until));
+  return until.empty() ? judged.off.error
+                       : std::max(judged.off.error, (**judged.by_start->parting).in_the_end(until));
 }
 
 /// How it ended where it does not hold.
@@ -117,12 +109,12 @@ OnStart on_start(const Start& start, const Candidate& candidate, const Need& nee
   const auto make = [&] {
     Judged judged = judge(start, candidate, need);
     return OnStart{std::move(judged.errors),
-                   judged.by,
-                   judged.why,
-                   judged.error,
+                   judged.off.by,
+                   judged.off.why,
+                   judged.off.error,
                    unbounded_error(judged),
                    static_cast<double>(judged.trial.answer.evaluations) / judged.by_start->motion.samples,
-                   judged.error <= 1 ? Outcome::ok : failure(judged.trial)};
+                   judged.off.error <= 1 ? Outcome::ok : failure(judged.trial)};
   };
   return start.attempts ? start.attempts->at(candidate, make) : make();
 }

@@ -16,6 +16,7 @@
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
 #include "report/study/criterion.hpp"
+#include "report/study/off_by_need.hpp"
 #include "report/study/parallel.hpp"
 #include "report/study/time.hpp"
 #include "report/study/tries.hpp"
@@ -108,13 +109,11 @@ class Search {
     const Quantity& motion = seen_.front().motion;
     for (const auto* methods : {&motion.methods, &motion.methods_in_float})
       for (const Method& method : *methods)
-        if (wanted(need, method) && can_be_judged(method)) tries_.emplace_back(method, need);
+        if (wanted(need, method) && can_be_judged(need, motion, method)) tries_.emplace_back(method, need);
     if (tries_.empty()) throw BadInput("no method is left; this scene has " + names());
-    const bool of_constraint =
-        need.criterion == Criterion::constraint || need.also.contains(Criterion::constraint);
-    if (of_constraint && !motion.off && std::ranges::none_of(tries_, is_constrained))
-      throw BadInput("no model " + std::string(need.only.empty() && need.exclude.empty() ? "here" : "left") +
-                     " has a constraint to be off: all coordinates are free, or hold it by construction");
+    std::vector<const Method*> left;
+    for (const Tries& t : tries_) left.push_back(&t.method());
+    require_constraint(need, motion, left);
   }
 
   Choice choose() {
@@ -192,15 +191,6 @@ class Search {
     for (const Method& m : seen_.front().motion.methods)
       all += (all.empty() ? "" : "; ") + m.model + " by " + m.algorithm;
     return all;
-  }
-
-  static bool is_constrained(const Tries& t) { return static_cast<bool>(t.method().off_constraint); }
-
-  bool can_be_judged(const Method& m) const {
-    const Quantity& motion = seen_.front().motion;
-    return oddity::can_be_judged(need_.criterion, motion, m) &&
-           std::ranges::all_of(
-               need_.also, [&](const auto& also) { return oddity::can_be_judged(also.first, motion, m); });
   }
 
   using Which = std::function<bool(const Tries&)>;

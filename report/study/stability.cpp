@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "chapters/scene.hpp"
+#include "report/study/every_step.hpp"
 #include "report/study/failure.hpp"
 #include "report/study/initial_conditions.hpp"
 #include "report/study/parallel.hpp"
@@ -116,108 +117,14 @@ void measure(Limit& limit, const Disturbances& disturbances, double interval) {
   if (all.most > sharp * all.least) limit.soft = all;
 }
 
-bool of_fixed_step(const Method& method) { return static_cast<bool>(method.unstable_steps); }
-
-/// Judges a motion at the end of every step, or of every second, third, ... where there are more than 4,096.
-/// What is true there is a method without a fixed step: the cheapest trial that is within a millionth of the
-/// need at the times of the reference, or, where none is, the most exact. Without a motion to look at it is
-/// judged at those times alone.
-class EveryStep {
- public:
-  using MotionAt = std::function<Quantity(const Horizon&)>;
-
-  EveryStep(Quantity at_looks, double horizon, MotionAt motion = {})
-      : at_looks_(std::move(at_looks)), horizon_(horizon), motion_(std::move(motion)) {
-    if (!motion_) return;
-    for (const Method& method : at_looks_.methods)
-      if (!of_fixed_step(method)) consider(method);
-  }
-
-  /// By so many steps between two times of the reference, judged at these alone.
-  Trial at_looks(const Method& method, long steps) const {
-    return run(at_looks_, method, horizon_ / static_cast<double>(steps * at_looks_.samples));
-  }
-
-  /// By as many, or a few more.
-  Trial trial(const Method& method, long steps) const {
-    const long all = steps * at_looks_.samples;
-    if (!truest_) return at_looks(method, steps);
-    constexpr long most = 4096;
-    const long each = (all + most - 1) / most, looks = (all + each - 1) / each;
-    Quantity dense = motion_({horizon_, static_cast<int>(looks)});
-    dense.need = at_looks_.need;
-    dense.needs = at_looks_.needs;
-    dense.reference.value = method_of(dense, truest_->model, truest_->algorithm)->run(truest_->setting).value;
-    Trial judged = run(dense, *method_of(dense, method.model, method.algorithm),
-                       horizon_ / static_cast<double>(looks * each));
-    const Value& seen = judged.answer.value;
-    judged.answer.value = std::vector<double>(
-        seen.end() - static_cast<std::ptrdiff_t>(seen.size() / static_cast<std::size_t>(looks)), seen.end());
-    return judged;
-  }
-
- private:
-  void consider(const Method& method) {
-    for (double setting : method.knob.settings) {
-      const Trial trial = run(at_looks_, method, setting);
-      if (trial.answer.reached() && std::isfinite(trial.in_needs) && (!truest_ || is_truer(trial, *truest_)))
-        truest_ = trial;
-    }
-  }
-  static bool is_truer(const Trial& a, const Trial& b) {
-    constexpr double enough = 1e-6;
-    if (a.in_needs <= enough && b.in_needs <= enough) return a.answer.evaluations < b.answer.evaluations;
-    return a.in_needs < b.in_needs;
-  }
-
-  Quantity at_looks_;
-  double horizon_;
-  MotionAt motion_;
-  std::optional<Trial> truest_;
-};
-
 /// The motion by the longest step that is no longer than this one and divides the interval.
 Trial run_at(const EveryStep& judge, const Method& method, double interval, double step) {
-  return judge.trial(method, std::lround(std::ceil(interval / step * (1 - 1e-9))));
+  return judge.judged(method, std::lround(std::ceil(interval / step * (1 - 1e-9)))).trial;
 }
 
 /// By the shortest step that is no shorter than this one and divides the interval, or by the interval.
 Trial run_beyond(const Quantity& quantity, const Method& method, double interval, double step) {
   return run(quantity, method, interval / std::max(1.0, std::floor(interval / step * (1 + 1e-9))));
-}
-
-/// By the largest step below which all that were tried are within the need: 1, 2, 3, 5, 8, ... steps an
-/// interval up to 4,096 steps in all, and to 262,144 steps or 200,000 evaluations while none is; bisected to
-/// 1 %.
-std::optional<TimedTrial> within_need(const EveryStep& judge, const Method& method, int intervals) {
-  constexpr long enough_steps = 4096, most_steps = 262'144, most_evaluations = 200'000;
-  const auto holds = [](const Trial& t) { return t.in_needs <= 1; };
-  const auto judged = [&](long steps) {  // what fails at a few times need not be judged at all
-    const Trial looked = judge.at_looks(method, steps);
-    return holds(looked) ? judge.trial(method, steps) : looked;
-  };
-  std::optional<TimedTrial> within;
-  long coarse = 0, fine = 0;  // steps an interval: the finest that does not hold, the coarsest of those below
-  for (long steps = 1;; steps = std::max(steps + 1, std::lround(static_cast<double>(steps) * 1.5))) {
-    const Trial here = judged(steps);
-    if (!holds(here)) {
-      coarse = steps;
-      within.reset();
-    } else if (!within) {
-      fine = steps;
-      within = as_result(here);
-    }
-    const long all = steps * intervals;
-    if (all >= most_steps || here.answer.evaluations >= most_evaluations) break;
-    if (within && all >= enough_steps) break;
-  }
-  while (within && fine - coarse > std::max(1L, fine / 100)) {
-    const long middle = std::midpoint(coarse, fine);
-    const Trial here = judged(middle);
-    (holds(here) ? fine : coarse) = middle;
-    if (holds(here)) within = as_result(here);
-  }
-  return within;
 }
 
 /// The cheaper of two ends, one of which may be missing.

@@ -1,0 +1,100 @@
+#include "report/study/every_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace oddity {
+
+namespace {
+
+bool is_truer(const Trial& a, const Trial& b) {
+  constexpr double enough = 1e-6;
+  if (a.in_needs <= enough && b.in_needs <= enough) return a.answer.evaluations < b.answer.evaluations;
+  return a.in_needs < b.in_needs;
+}
+
+}  // namespace
+
+bool of_fixed_step(const Method& method) { return static_cast<bool>(method.unstable_steps); }
+
+EveryStep::EveryStep(Quantity at_looks, double horizon, MotionAt motion, OffBy off_by)
+    : at_looks_(std::move(at_looks)),
+      horizon_(horizon),
+      motion_(std::move(motion)),
+      off_by_(std::move(off_by)) {
+  if (!motion_) return;
+  for (const Method& method : at_looks_.methods)
+    if (!of_fixed_step(method)) consider(method);
+}
+
+void EveryStep::consider(const Method& method) {
+  for (double setting : method.knob.settings) {
+    const Trial trial = run(at_looks_, method, setting);
+    if (trial.answer.reached() && std::isfinite(trial.in_needs) && (!truest_ || is_truer(trial, *truest_)))
+      truest_ = trial;
+  }
+}
+
+Quantity EveryStep::motion_at(long looks) const {
+  Quantity dense = motion_({horizon_, static_cast<int>(looks)});
+  dense.need = at_looks_.need;
+  dense.needs = at_looks_.needs;
+  dense.reference.value = method_of(dense, truest_->model, truest_->algorithm)->run(truest_->setting).value;
+  return dense;
+}
+
+EveryStep::Judged EveryStep::at_looks(const Method& method, long steps) const {
+  Trial trial = run(at_looks_, method, horizon_ / static_cast<double>(steps * at_looks_.samples));
+  const double off = trial.in_needs;
+  return {std::move(trial), off};
+}
+
+EveryStep::Judged EveryStep::judged(const Method& method, long steps) const {
+  const long all = steps * at_looks_.samples;
+  if (!truest_) return at_looks(method, steps);
+  const long each = (all + most_looks - 1) / most_looks, looks = (all + each - 1) / each;
+  const Quantity dense = motion_at(looks);
+  const Method& same = *method_of(dense, method.model, method.algorithm);
+  Judged judged{run(dense, same, horizon_ / static_cast<double>(looks * each)), 0};
+  judged.off = off_by_ ? off_by_(dense, same, judged.trial) : judged.trial.in_needs;
+  const Value& seen = judged.trial.answer.value;
+  judged.trial.answer.value = std::vector<double>(
+      seen.end() - static_cast<std::ptrdiff_t>(seen.size() / static_cast<std::size_t>(looks)), seen.end());
+  return judged;
+}
+
+std::optional<TimedTrial> within_need(const EveryStep& judge, const Method& method, int intervals,
+                                      bool path_is_asked) {
+  constexpr long enough_steps = 4096, most_steps = 262'144, most_evaluations = 200'000;
+  const auto judged = [&](long steps) {
+    if (!path_is_asked) return judge.judged(method, steps);
+    EveryStep::Judged looked = judge.at_looks(method, steps);
+    return looked.off <= 1 ? judge.judged(method, steps) : looked;
+  };
+  std::optional<TimedTrial> within;
+  long coarse = 0, fine = 0;  // steps an interval: the finest that does not hold, the coarsest of those below
+  for (long steps = 1;; steps = std::max(steps + 1, std::lround(static_cast<double>(steps) * 1.5))) {
+    const auto [here, off] = judged(steps);
+    if (!(off <= 1)) {
+      coarse = steps;
+      within.reset();
+    } else if (!within) {
+      fine = steps;
+      within = as_result(here);
+    }
+    const long all = steps * intervals;
+    if (all >= most_steps || here.answer.evaluations >= most_evaluations) break;
+    if (within && all >= enough_steps) break;
+  }
+  while (within && fine - coarse > std::max(1L, fine / 100)) {
+    const long middle = std::midpoint(coarse, fine);
+    const auto [here, off] = judged(middle);
+    (off <= 1 ? fine : coarse) = middle;
+    if (off <= 1) within = as_result(here);
+  }
+  return within;
+}
+
+}  // namespace oddity

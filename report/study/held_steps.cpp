@@ -1,0 +1,110 @@
+#include "report/study/held_steps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "chapters/scene.hpp"
+#include "reference/bad_input.hpp"
+#include "report/study/every_step.hpp"
+#include "report/study/initial_conditions.hpp"
+#include "report/study/off_by_need.hpp"
+#include "report/study/parallel.hpp"
+
+namespace oddity {
+
+namespace {
+
+/// By a need, at whatever times are looked at. For many threads.
+class ByNeed {
+ public:
+  explicit ByNeed(const Need& need) : need_(need) {}
+
+  /// Throws BadInput where the true motion has no such energy or period.
+  double off_or_throw(const Quantity& truth, const Method& method, const Trial& trial) {
+    const TrueEnergy* energy = needs_energy(need_) ? &energy_of(truth) : nullptr;
+    return off_by(need_, truth, method, trial, trial.errors, energy).error;
+  }
+  /// Infinite where so few times show no period.
+  double off(const Quantity& truth, const Method& method, const Trial& trial) {
+    try {
+      return off_or_throw(truth, method, trial);
+    } catch (const BadInput&) {
+      return std::numeric_limits<double>::infinity();
+    }
+  }
+
+ private:
+  /// Made once for so many times, as many methods are judged at these.
+  const TrueEnergy& energy_of(const Quantity& truth) {
+    const std::lock_guard lock(mutex_);
+    auto& energy = energies_[truth.samples];
+    if (!energy) energy = std::make_unique<TrueEnergy>(true_energy(truth));
+    return *energy;
+  }
+
+  const Need& need_;
+  std::map<int, std::unique_ptr<TrueEnergy>> energies_;
+  std::mutex mutex_;
+};
+
+bool asks_for(const Need& need, Criterion criterion) {
+  return std::ranges::count(criteria_of(need), criterion) > 0;
+}
+
+void require_known(const EveryStep& judge, const Quantity& seen, const Need& need) {
+  constexpr double well = 0.1;  // of the need
+  const auto& truest = judge.truest();
+  if (!truest)
+    throw BadInput(
+        "no method without a fixed step follows the motion over this horizon: ask for a shorter one");
+  const bool by_motion = asks_for(need, Criterion::path) || asks_for(need, Criterion::period);
+  if (by_motion && !(truest->in_needs <= well && seen.reference_error <= well * seen.need.allowed))
+    throw BadInput(
+        "the true motion is not known to a tenth of what is asked over this horizon: ask for a "
+        "shorter one, or for a larger error");
+}
+
+}  // namespace
+
+HeldSteps held_steps(const Task& task, const Need& need, const Reference& truth, const Progress& progress) {
+  const Scene& scene = *task.entry->exercise.scene;
+  Quantity seen = motion(scene, task.parameters, {need.horizon}, truth);
+  seen.needs = needs_of(need, seen);
+  seen.need = {*std::ranges::min_element(seen.needs), "asked for"};
+  std::vector<const Method*> all, judged;
+  for (const Method& method : seen.methods) {
+    all.push_back(&method);
+    if (of_fixed_step(method) && can_be_judged(need, seen, method)) judged.push_back(&method);
+  }
+  require_constraint(need, seen, all);
+
+  ByNeed by_need(need);
+  const EveryStep judge(
+      seen, need.horizon,
+      [&](const Horizon& horizon) { return motion(scene, task.parameters, horizon, Reference::nothing()); },
+      [&](const Quantity& at, const Method& method, const Trial& trial) {
+        return by_need.off(at, method, trial);
+      });
+  require_known(judge, seen, need);
+  const Quantity finest = judge.motion_at(EveryStep::most_looks);
+  const Method& truest = *method_of(finest, judge.truest()->model, judge.truest()->algorithm);
+  by_need.off_or_throw(finest, truest, run(finest, truest, judge.truest()->setting));
+
+  Stage tally(progress, "looking for the steps that hold", judged.size());
+  std::vector<double> longest(judged.size());
+  in_parallel(judged.size(), [&](std::size_t i) {
+    const auto within = within_need(judge, *judged[i], seen.samples, asks_for(need, Criterion::path));
+    longest[i] = within ? within->setting : 0;
+    tally.add();
+  });
+  HeldSteps held;
+  for (std::size_t i = 0; i < judged.size(); ++i)
+    held.longest[{judged[i]->model, judged[i]->algorithm}] = longest[i];
+  return held;
+}
+
+}  // namespace oddity
