@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "chapters/contents.hpp"
+#include "chapters/random.hpp"
 #include "reference/files.hpp"
 #include "report/cli/asked.hpp"
 #include "report/study/prices.hpp"
@@ -161,4 +162,50 @@ TEST_CASE("prices are done without where they cannot be kept", "[prices]") {
   nowhere(verlet, 0.5);
   CHECK_NOTHROW(nowhere.keep());
   CHECK(nowhere.source().ends_with("not kept, as /proc/foo/oddity/prices cannot be written"));
+}
+
+TEST_CASE("a noisy price is measured again in the same run, and the next run has the same", "[prices]") {
+  const ScratchFolder folder;
+  int calls = 0;
+  const auto ask = [&](const std::vector<Time>& clock) {
+    calls = 0;
+    KeptPrices prices(folder.path(), "3.5 of a test", false,
+                      [&](const Method&, double) { return clock.at(static_cast<std::size_t>(calls++)); });
+    const double seconds = prices(verlet, 0.5).seconds;
+    prices.keep();
+    return seconds;
+  };
+  CHECK(ask({{9e-6, 8e-6}, {7e-6, 6e-6}, {8e-6, 7e-6}, {5e-6, 4e-6}, {6e-6, 5e-6}}) == 5e-6);
+  CHECK(calls == 5);
+  CHECK(ask({}) == 5e-6);
+  CHECK(calls == 0);
+  fs::remove(KeptPrices(folder.path(), "3.5 of a test", false).file());
+  CHECK(ask({{3e-6, 2e-6}, {4e-6, 1e-8}}) == 4e-6);
+  CHECK(calls == 2);
+}
+
+TEST_CASE("one question has one answer, however noisy the clock", "[prices][choose]") {
+  const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
+  const Task top = task_of("3.33", {});
+  Need need{0.02};
+  need.horizon = 0.5;
+  need.only = {"Runge-Kutta", "Euler", "Dormand-Prince"};
+  const auto answer = [&](std::uint64_t seed, const fs::path& folder) {
+    Random random(static_cast<int>(seed));
+    KeptPrices prices(folder, price_key(top, need), false, [&](const Method& m, double setting) -> Time {
+      const double seconds = 1e-8 * static_cast<double>(m.run(setting).evaluations);
+      return {seconds * random.between(1, 4), seconds * random.between(0, 4)};
+    });
+    const Choice choice = choose(top, need, truth, std::ref(prices));
+    prices.keep();
+    REQUIRE(choice.chosen);
+    return choice.chosen->model + " by " + choice.chosen->algorithm + " at " +
+           std::to_string(choice.chosen->setting);
+  };
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const ScratchFolder folder;
+    const std::string first = answer(seed, folder.path());
+    for (std::uint64_t later = 1; later <= 3; ++later)
+      CHECK(answer(100 * seed + later, folder.path()) == first);
+  }
 }
