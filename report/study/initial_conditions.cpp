@@ -32,6 +32,16 @@ bool is_lost(const Quantity& motion) {
   return motion.reference_error > part * size_of(motion.reference.value);
 }
 
+/// Frames up to which a path is followed to see whether it is lost there, and all: as long as these take
+/// little of the whole's time.
+std::vector<int> parts_of(const Need& need) {
+  constexpr int shorter = 8, least = 2400;
+  std::vector<int> parts{static_cast<int>(need.frames())};
+  if (need.criterion == Criterion::path && !need.relative)
+    while (parts.front() / shorter >= least) parts.insert(parts.begin(), parts.front() / shorter);
+  return parts;
+}
+
 std::vector<Start> known(std::span<std::optional<Start>> made) {
   std::vector<Start> all;
   for (auto& one : made)
@@ -142,19 +152,43 @@ Start InitialConditions::well_known(const Parameters& p) const {
 }
 
 /// By a path alone more digits can decide: of what is conserved, or does not explode, the truth says nothing.
+/// A motion that is lost in its first part is not followed to its end, unless something holds up to there.
 Start InitialConditions::start(const Parameters& p) const {
   if (need_.thorough || need_.criterion == Criterion::period) return well_known(p);
-  const auto known_by = [this, p](const Reference& truth) {
-    return to_judge({says(p), with_need(motion(scene(), p, horizon(), truth), need_)}, p);
+  const int whole = static_cast<int>(need_.frames());
+  const auto known_by = [this, p, whole](const Reference& truth, int frames_of_it) {
+    const bool is_whole = frames_of_it == whole;
+    const Horizon span = is_whole ? horizon() : frames(frames_of_it);
+    Start start = to_judge({says(p), with_need(motion(scene(), p, span, truth), need_)}, p);
+    start.is_whole = is_whole;
+    return start;
   };
-  Start start = known_by(truth_.to_digits(digits_in_long_double));
+  const std::vector<int> parts = parts_of(need_);
+  int count = parts.front();
+  Start start = known_by(truth_.to_digits(digits_in_long_double), count);
+  for (std::size_t i = 1; i < parts.size() && !is_lost(start.motion); ++i)
+    start = known_by(truth_.to_digits(digits_in_long_double), count = parts[i]);
   if (need_.criterion != Criterion::path || is_known_well(start.motion)) return start;
   if (is_lost(start.motion)) start = as_long_as_known(start, p);
-  start.sharper = std::make_shared<Lazy<Start>>([this, p, known_by] {
-    const Start repeated = known_by(truth_.repeated());
+  start.sharper = std::make_shared<Lazy<Start>>([this, p, known_by, count, whole] {
+    const Start repeated = known_by(truth_.repeated(), count);
     Start known = as_long_as_known(repeated, p);
-    known.sharper = std::make_shared<Lazy<Start>>(
-        [this, p, repeated] { return where_known([&] { return well_known(p); }).value_or(repeated); });
+    // What long double does not tell apart from the truth, more digits do a little later, and are not lost
+    // yet.
+    const int later = std::min(whole, known.motion.samples / 4 * 5);
+    known.sharper = std::make_shared<Lazy<Start>>([this, p, repeated, later, whole] {
+      const auto in_the_end = [this, p, repeated] {
+        return where_known([&] { return well_known(p); }).value_or(repeated);
+      };
+      if (later == whole) return in_the_end();
+      auto part = where_known([&] {
+        return to_judge({says(p), known_motion(scene(), p, frames(later), need_, truth_)}, p);
+      });
+      if (!part || !is_known_well_enough(part->motion)) return in_the_end();
+      part->is_whole = false;
+      part->sharper = std::make_shared<Lazy<Start>>(in_the_end);
+      return *part;
+    });
     return known;
   });
   return start;
