@@ -105,27 +105,24 @@ void costs(Claims& claims, const std::vector<Counts>& sizes) {
   };
   claim("one_row", 3789, R"(recomputing one row's entries in columns 2 to $n+1$ costs $(2\mu+\alpha)n$)",
         {.truth = counted(count, &Counts::one_row),
-         .printed = priced(R"($(2\mu+\alpha)n$)", [](double n) { return n * entry; }),
+         .printed = {R"($(2\mu+\alpha)n$)"},
          .near_misses = {priced(R"($(2\mu+\alpha)(n+1)$, column 1 recomputed too)",
                                 [](double n) { return (n + 1) * entry; })}});
   claim("first_row", 3789, R"(row reduction with the first row costs $(2\mu+\alpha)n(n-1)$)",
         {.truth = counted(count, &Counts::first_row),
-         .printed = priced(R"($(2\mu+\alpha)n(n-1)$)", [](double n) { return n * (n - 1) * entry; }),
+         .printed = {R"($(2\mu+\alpha)n(n-1)$)"},
          .near_misses = {priced(R"($(2\mu+\alpha)(n+1)(n-1)$, $n+1$ entries a row)",
                                 [](double n) { return (n + 1) * (n - 1) * entry; })}});
-  claim(
-      "forward_second_row", 3789,
-      R"(forward elimination with the second row costs $(2\mu+\alpha)(n-1)(n-2)$)",
-      {.truth = counted(count, &Counts::forward_second),
-       .printed = priced(R"($(2\mu+\alpha)(n-1)(n-2)$)", [](double n) { return (n - 1) * (n - 2) * entry; }),
-       .near_misses = {
-           priced(R"($(2\mu+\alpha)(n-1)(n-1)$, the row above cleared too)", printed_second_row<double>)}});
+  claim("forward_second_row", 3789,
+        R"(forward elimination with the second row costs $(2\mu+\alpha)(n-1)(n-2)$)",
+        {.truth = counted(count, &Counts::forward_second),
+         .printed = {R"($(2\mu+\alpha)(n-1)(n-2)$)"},
+         .near_misses = {
+             priced(R"($(2\mu+\alpha)(n-1)(n-1)$, the row above cleared too)", printed_second_row<double>)}});
   claim("full_second_row", 3789, R"(full elimination with the second row costs $(2\mu+\alpha)(n-1)(n-1)$)",
         {.truth = counted(count, &Counts::full_second),
-         .printed = priced(R"($(2\mu+\alpha)(n-1)(n-1)$)", printed_second_row<double>),
-         .corrected = priced(R"($(2\mu+\alpha)(n-1)(n-1)+\mu$)", corrected_second_row<double>),
-         .near_misses = {priced(R"($(2\mu+\alpha)(n-1)(n-1)+2\mu$)",
-                                [](double n) { return (n - 1) * (n - 1) * entry + 2 * mu; })},
+         .printed = {R"($(2\mu+\alpha)(n-1)(n-1)$)"},
+         .corrected = {R"($(2\mu+\alpha)(n-1)(n-1)+\mu$)"},
          .kind = Fault::formula,
          .root = uncounted,
          .why = filled(
@@ -136,16 +133,12 @@ void costs(Claims& claims, const std::vector<Counts>& sizes) {
               of_three.full_second.alpha})});
   claim("full_sum", 3791, R"($(2\mu+\alpha)[n(n-1)+(n-1)(n-1)+\ldots+1(n-1)]=(2\mu+\alpha)(n-1)n(n+1)/2$)",
         {.truth = counted("the sum, entry by entry", sum_over_columns),
-         .printed = priced(R"($(2\mu+\alpha)(n-1)n(n+1)/2$)", printed_full<double>),
-         .near_misses = {priced(R"($(2\mu+\alpha)(n-1)n(n+1)/3$)",
-                                [](double n) { return (n - 1) * n * (n + 1) / 3 * entry; })}});
+         .printed = {R"($(2\mu+\alpha)(n-1)n(n+1)/2$)"}});
   claim(
       "full_cost", 3791, R"(full elimination costs $F=(2\mu+\alpha)(n-1)n(n+1)/2$)",
       {.truth = counted(count, &Counts::full),
-       .printed = priced(R"($(2\mu+\alpha)(n-1)n(n+1)/2$)", printed_full<double>),
-       .corrected = priced(R"($(2\mu+\alpha)(n-1)n(n+1)/2+\mu\,n(n-1)/2$)", corrected_full<double>),
-       .near_misses = {priced(R"($(2\mu+\alpha)(n-1)n(n+1)/2+\mu\,n(n+1)/2$)",
-                              [](double n) { return printed_full(n) + n * (n + 1) / 2 * mu; })},
+       .printed = {R"($(2\mu+\alpha)(n-1)n(n+1)/2$)"},
+       .corrected = {R"($(2\mu+\alpha)(n-1)n(n+1)/2+\mu\,n(n-1)/2$)"},
        .kind = Fault::formula,
        .root = uncounted,
        .why = filled(
@@ -157,39 +150,31 @@ void costs(Claims& claims, const std::vector<Counts>& sizes) {
             saved_up(10)})});
   claim("division_cost", 3795, R"(to divide each row by its diagonal entry costs $B=\delta n$)",
         {.truth = counted(count, &Counts::division),
-         .printed = priced(R"($\delta n$)", [](double n) { return n * delta; }),
-         .near_misses = {priced(R"($\delta(n-1)$)", [](double n) { return (n - 1) * delta; })}});
-  claim(
-      "full_total", 3797,
-      R"(full elimination and division cost $C'=F+B=(2\mu+\alpha)(n-1)n(n+1)/2+\delta n$)",
-      {.truth = counted(count, &Counts::total),
-       .printed = priced(R"($(2\mu+\alpha)(n-1)n(n+1)/2+\delta n$)", printed_total<double>),
-       .corrected = priced(R"($(2\mu+\alpha)(n-1)n(n+1)/2+\delta n+\mu\,n(n-1)/2$)", corrected_total<double>),
-       .near_misses = {priced(R"($(2\mu+\alpha)(n-1)n(n+1)/2+\delta n+\mu\,n(n+1)/2$)",
-                              [](double n) { return printed_total(n) + n * (n + 1) / 2 * mu; })},
-       .kind = Fault::formula,
-       .root = uncounted,
-       .why = filled(
-           R"($F$ lacks the term $\mu\,n(n-1)/2$: for $n=3$ the total is $@2\mu+@2\alpha+@1\delta$, not )"
-           R"($@2\mu+@2\alpha+@1\delta$.)",
-           {of_three.total().mu, of_three.total().alpha, of_three.total().delta, printed_total(3.0).mu,
-            printed_total(3.0).alpha, printed_total(3.0).delta})});
+         .printed = {R"($\delta n$)"},
+         .near_misses = {{R"($\delta(n-1)$)"}}});
+  claim("full_total", 3797,
+        R"(full elimination and division cost $C'=F+B=(2\mu+\alpha)(n-1)n(n+1)/2+\delta n$)",
+        {.truth = counted(count, &Counts::total),
+         .printed = {R"($(2\mu+\alpha)(n-1)n(n+1)/2+\delta n$)"},
+         .corrected = {R"($(2\mu+\alpha)(n-1)n(n+1)/2+\delta n+\mu\,n(n-1)/2$)"},
+         .kind = Fault::formula,
+         .root = uncounted,
+         .why = filled(
+             R"($F$ lacks the term $\mu\,n(n-1)/2$: for $n=3$ the total is $@2\mu+@2\alpha+@1\delta$, not )"
+             R"($@2\mu+@2\alpha+@1\delta$.)",
+             {of_three.total().mu, of_three.total().alpha, of_three.total().delta, printed_total(3.0).mu,
+              printed_total(3.0).alpha, printed_total(3.0).delta})});
   claim("original_total", 3801,
         R"(forward elimination and back substitution cost )"
         R"($C=(2\mu+\alpha)(n-1)n(n+1)/3+(\mu+\alpha)n(n-1)/2+\delta n$)",
         {.truth = counted(count, &Counts::forward_and_back),
-         .printed = priced(R"($C=(2\mu+\alpha)(n-1)n(n+1)/3+(\mu+\alpha)n(n-1)/2+\delta n$)",
-                           printed_original<double>),
-         .near_misses = {priced(R"($(2\mu+\alpha)(n-1)n(n+1)/3+(\mu+\alpha)n(n+1)/2+\delta n$)",
-                                [](double n) { return printed_original(n) + n * (mu + alpha); })}});
+         .printed = {R"($C=(2\mu+\alpha)(n-1)n(n+1)/3+(\mu+\alpha)n(n-1)/2+\delta n$)"}});
 
   const auto difference = [](const Counts& c) { return printed_total(c.n) - printed_original(c.n); };
-  claim(
-      "difference", 3805, R"($C'-C$, both as printed, is $(2\mu+\alpha)(n-1)n(n+1)/6-(\mu+\alpha)n(n-1)/2$)",
-      {.truth = counted("$C'$ as printed less $C$ as printed", difference),
-       .printed = priced(R"($(2\mu+\alpha)(n-1)n(n+1)/6-(\mu+\alpha)n(n-1)/2$)", printed_difference<double>),
-       .near_misses = {priced(R"($(2\mu+\alpha)(n-1)n(n+1)/6+(\mu+\alpha)n(n-1)/2$)",
-                              [](double n) { return printed_difference(n) + n * (n - 1) * (mu + alpha); })}});
+  claim("difference", 3805,
+        R"($C'-C$, both as printed, is $(2\mu+\alpha)(n-1)n(n+1)/6-(\mu+\alpha)n(n-1)/2$)",
+        {.truth = counted("$C'$ as printed less $C$ as printed", difference),
+         .printed = {R"($(2\mu+\alpha)(n-1)n(n+1)/6-(\mu+\alpha)n(n-1)/2$)"}});
   claim(
       "factored", 3805, R"($C'-C=[n(n-1)/6][(2\mu+\alpha)n-\mu]$, the printed difference factored)",
       {.truth = counted("$C'-C$, both as printed", difference),

@@ -38,16 +38,8 @@ CostOf<T> printed_second_row(const T& n) {
   return (n - 1) * (n - 1) * entry_cost<T>();
 }
 template <class T>
-CostOf<T> corrected_second_row(const T& n) {
-  return printed_second_row(n) + cost<T>(1, 0, 0);
-}
-template <class T>
 CostOf<T> printed_full(const T& n) {
   return (n - 1) * n * (n + 1) / 2 * entry_cost<T>();
-}
-template <class T>
-CostOf<T> corrected_full(const T& n) {
-  return printed_full(n) + diagonals(n);
 }
 template <class T>
 CostOf<T> printed_total(const T& n) {
