@@ -234,12 +234,12 @@ void proof(Table& table, const std::vector<Sample>& all) {
     return what.substr(0, what.size() - 1) + "=" + expansion.text.substr(1);
   };
   expanded("expanded", 655, is(of_rotated), of_rotated, product_of_rotated);
-  const auto turned = [](double sign) { return [=](const auto& m) { return m.turned(m.gamma(), sign); }; };
-  table.formula("turned_gamma", 659, R"($R(\mathbf a\times\mathbf b)=(cg_0-sg_1,sg_0+cg_1,g_2)$)", all,
-                {.quantity = "components of " + product,
-                 .truth = in_frame,
-                 .printed = {R"($(cg_0-sg_1,sg_0+cg_1,g_2)$)", turned(1)},
-                 .near_misses = {{R"($(cg_0+sg_1,-sg_0+cg_1,g_2)$)", turned(-1)}}});
+  table.formula(
+      "turned_gamma", 659, R"($R(\mathbf a\times\mathbf b)=(cg_0-sg_1,sg_0+cg_1,g_2)$)", all,
+      {.quantity = "components of " + product,
+       .truth = in_frame,
+       .printed = {R"($(cg_0-sg_1,sg_0+cg_1,g_2)$)", [](const auto& m) { return m.turned(m.gamma()); }},
+       .near_misses = {{R"($(cg_0+sg_1,-sg_0+cg_1,g_2)$)"}}});
   expanded("product_expanded", 661, is(product), product, in_frame);
   table.formula("equal", 663, "The two expressions are equal.", all,
                 {.truth = {R"(the product of the triples of $\mathbf a$ and $\mathbf b$, turned)",
