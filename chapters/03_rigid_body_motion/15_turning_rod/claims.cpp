@@ -118,7 +118,7 @@ struct SampleOf {
         A(random.magnitude(0.1, 5)),
         t(random.between(-5, 5)) {}
   std::array<T*, 11> letters() { return {&m, &a, &b, &c, &K, &w, &ell, &s, &v, &A, &t}; }
-  TypesetLetters typeset() const {
+  TypesetIn<T> typeset() const {
     const SpaceOf<T> D{cos(w * t) / root2(), sin(w * t) / root2(), 1 / root2()};
     const SpaceOf<T> D_dot{-w * sin(w * t) / root2(), w * cos(w * t) / root2(), 0};
     return {{"m", m},
@@ -203,20 +203,17 @@ void geometry(Table& table, const Samples& samples) {
       return values(x1 * h, x2 * h, x3 * h);
     };
   };
-  const auto constant = [](const Value& value) { return [=](const auto&) { return value; }; };
 
   table.formula("angle", 1741, R"(The angle between the segment and the vertical axis is $\pi/4$)", samples,
                 {.quantity = "the angle between the segment and the axis",
                  .truth = {"that of $(a,0,a)$", [](const auto& s) { return acos(s.a / hypot(s.a, s.a)); }},
-                 .printed = {R"($\pi/4$)", [](const auto& s) { return s.pi() / 4; }},
-                 .near_misses = {{R"($\pi/3$)", constant(pi / 3)}}});
+                 .printed = {R"($\pi/4$)"}});
   table.formula("initial_direction", 1741, R"(The initial direction of the segment is $D_0=(1,0,1)/\sqrt2$)",
                 samples,
                 {.quantity = "the initial direction",
                  .truth = {"$(a,0,a)$ over its length",
                            [](const auto& s) { return times(1 / length(s.segment()), s.segment()); }},
-                 .printed = {R"($(1,0,1)/\sqrt2$)", over_root2(1, 0, 1)},
-                 .near_misses = {{"$(1,0,1)$", constant({1, 0, 1})}}});
+                 .printed = {R"($(1,0,1)/\sqrt2$)"}});
   table.formula("towards", 1745,
                 R"(The segment turns towards the $(x_2,x_3)$-plane: after a quarter turn it is in it, along )"
                 R"($(0,1,1)/\sqrt2$)",
@@ -224,69 +221,55 @@ void geometry(Table& table, const Samples& samples) {
                 {.quantity = "the direction after a quarter turn",
                  .truth = {rodrigues, [](const auto& s) { return direction(s.pi() / 2); }},
                  .printed = {R"($(0,1,1)/\sqrt2$, in the $(x_2,x_3)$-plane)", over_root2(0, 1, 1)},
-                 .near_misses = {{R"($(0,-1,1)/\sqrt2$)", over_root2(0, -1, 1)}}});
-  table.formula(
-      "direction", 1747, R"($D(t)=(\cos\omega t,\sin\omega t,1)/\sqrt2$)", samples,
-      {.quantity = "$D(t)$",
-       .truth = {rodrigues, [](const auto& s) { return direction(s.w * s.t); }},
-       .printed = {R"($(\cos\omega t,\sin\omega t,1)/\sqrt2$)", [](const auto& s) { return s.D(); }},
-       .near_misses = {{R"($(\cos\omega t,-\sin\omega t,1)/\sqrt2$)",
-                        [](const auto& s) { return values(s.D()[0], -s.D()[1], s.D()[2]); }}}});
+                 .near_misses = {{R"($(0,-1,1)/\sqrt2$)"}}});
+  table.formula("direction", 1747, R"($D(t)=(\cos\omega t,\sin\omega t,1)/\sqrt2$)", samples,
+                {.quantity = "$D(t)$",
+                 .truth = {rodrigues, [](const auto& s) { return direction(s.w * s.t); }},
+                 .printed = {R"($(\cos\omega t,\sin\omega t,1)/\sqrt2$)"},
+                 .near_misses = {{R"($(\cos\omega t,-\sin\omega t,1)/\sqrt2$)"}}});
   table.formula(
       "lambda_start", 1755, R"($\lambda(0)=bL/a$ puts the mass at $x(0)=(b,0,b)$)", samples,
       {.quantity = R"($x(0)$, with $\lambda(0)=bL/a$)",
        .truth = {R"($\lambda(0)D(0)$ with $L=|(a,0,a)|$ and $D$ by Rodrigues' rotation)",
                  [](const auto& s) { return position(s.b * length(s.segment()) / s.a, s.number(0), s.w); }},
-       .printed = {"$(b,0,b)$", [](const auto& s) { return s.start(); }},
+       .printed = {"$(b,0,b)$"},
        .near_misses = {
            {R"(with $\lambda(0)=b$)", [](const auto& s) { return times(s.b, direction(s.number(0))); }}}});
   table.formula("velocity", 1765, R"(The velocity is $\dot x=\dot\lambda D+\lambda\dot D$)", samples,
                 {.quantity = R"(the velocity $\dot x$)",
                  .truth = {dual, [](const auto& s) { return s.velocity(); }},
-                 .printed = {R"($\dot\lambda D+\lambda\dot D$)",
-                             [](const auto& s) {
-                               const auto along = times(s.v, s.D()), across = times(s.s, s.D_rate());
-                               return values(along[0] + across[0], along[1] + across[1],
-                                             along[2] + across[2]);
-                             }},
-                 .near_misses = {{R"($\dot\lambda D$)", [](const auto& s) { return times(s.v, s.D()); }}}});
+                 .printed = {R"($\dot\lambda D+\lambda\dot D$)"}});
   table.formula("direction_rate", 1767, R"($\dot D=\omega(-\sin\omega t,\cos\omega t,0)/\sqrt2$)", samples,
                 {.quantity = R"($\dot D$)",
                  .truth = {dual, [](const auto& s) { return velocity(s.number(1), s.number(0), s.t, s.w); }},
                  .printed = {R"($\omega(-\sin\omega t,\cos\omega t,0)/\sqrt2$)",
                              [](const auto& s) { return s.D_rate(); }},
-                 .near_misses = {{R"($(-\sin\omega t,\cos\omega t,0)/\sqrt2$)",
-                                  [](const auto& s) { return times(1 / s.w, s.D_rate()); }}}});
+                 .near_misses = {{R"($(-\sin\omega t,\cos\omega t,0)/\sqrt2$)"}}});
   table.formula("segment_length", 1919, R"($a=L/\sqrt2$, where $L$ is the length of the segment)", samples,
                 {.quantity = "$a$, $L$ being the length of $(a,0,a)$",
                  .truth = {"$a$", [](const auto& s) { return s.a; }},
-                 .printed = {R"($L/\sqrt2$)", [](const auto& s) { return length(s.segment()) / s.root2(); }},
-                 .near_misses = {{"$L/2$", [](const auto& s) { return length(s.segment()) / 2; }}}});
+                 .printed = {R"($L/\sqrt2$)"}});
 
   table.formula(
       "direction_again", 1845, R"(In the formula for $\dot\lambda(0)$ the direction $D(0)$ is $(a,0,a)$)",
       samples,
       {.quantity = R"($D(0)$ in the formula for $\dot\lambda(0)$)",
        .truth = {rodrigues, [](const auto& s) { return direction(s.number(0)); }},
-       .printed = {"$(a,0,a)$", [](const auto& s) { return s.segment(); }},
-       .meant = {R"($(1,0,1)/\sqrt2$)", over_root2(1, 0, 1)},
-       .near_misses = {{"$(1,0,1)/2$", constant({0.5, 0, 0.5})}},
+       .printed = {"$(a,0,a)$"},
+       .meant = {R"($(1,0,1)/\sqrt2$)"},
        .kind = Fault::formula,
        .why = filled(
            R"($D$ is a unit vector (1741), and $(a,0,a)$ has the length $L$, @1 in the listing. Multiplied by )"
            R"(zero it does no harm; for a mass that is thrown along the segment $\dot\lambda(0)$ would be )"
            R"(@1 times too large.)",
            {2 * book.s0, 2 * book.s0})});
-  const auto across = [](double factor) {
-    return [=](const auto& s) { return values(0, factor * s.pi() * s.b / 4, 0); };
-  };
   table.formula(
       "starts_at_rest", 1843, R"(The mass has the initial velocity $\dot x(0)=(0,0,0)$)", samples,
       {.quantity = R"($\dot x(0)$)",
        .truth = {dual, [](const auto& s) { return s.start_velocity(); }},
-       .printed = {"$(0,0,0)$", across(0)},
-       .corrected = {R"($(0,\pi b/4,0)$)", across(1)},
-       .near_misses = {{R"($(0,-\pi b/4,0)$)", across(-1)}},
+       .printed = {"$(0,0,0)$"},
+       .corrected = {R"($(0,\pi b/4,0)$)"},
+       .near_misses = {{R"($(0,-\pi b/4,0)$)"}},
        .kind = Fault::formula,
        .root = "at rest in space",
        .why = filled(
@@ -299,9 +282,7 @@ void geometry(Table& table, const Samples& samples) {
                  .truth = {R"($\dot\lambda$ of the motion)", [](const auto& s) { return s.v; }},
                  .printed = {R"($D\cdot\dot x$, the velocity by dual numbers)",
                              [](const auto& s) { return dot(s.D(), s.velocity()); }},
-                 .near_misses = {{R"($LD\cdot\dot x$)", [](const auto& s) {
-                                    return s.root2() * s.a * dot(direction(s.w * s.t), s.velocity());
-                                  }}}});
+                 .near_misses = {{R"($LD\cdot\dot x$)"}}});
   const auto speed = [](const auto& s) { return s.pi() * s.b / 4; };
   table.formula(
       "lambda_dot_start", 1845, R"($\dot\lambda(0)=0$)", samples,
@@ -309,8 +290,7 @@ void geometry(Table& table, const Samples& samples) {
        .truth =
            {R"($D(0)\cdot\dot x(0)$ of a mass at rest on the segment, by Rodrigues' rotation and dual numbers)",
             [](const auto& s) { return dot(direction(s.number(0)), s.start_velocity()); }, speed},
-       .printed = {R"($(a,0,a)\cdot(0,0,0)$)",
-                   [](const auto& s) { return dot(s.segment(), times(0, s.segment())); }},
+       .printed = {R"($(a,0,a)\cdot(0,0,0)$)"},
        .near_misses = {{R"(the speed $|\dot x(0)|$)", speed}}});
 }
 
@@ -324,27 +304,26 @@ void energies(Table& table, const Samples& samples) {
                  .truth = {R"($\frac m2|\dot x|^2$ by dual numbers)",
                            [](const auto& s) { return s.kinetic()(s.s, s.v, s.t); }},
                  .printed = {R"($\frac m2(\omega^2\lambda^2/2+\dot\lambda^2)$)", T(2)},
-                 .near_misses = {{R"($\frac m2(\omega^2\lambda^2+\dot\lambda^2)$)", T(1)}}});
+                 .near_misses = {{R"($\frac m2(\omega^2\lambda^2+\dot\lambda^2)$)"}}});
   table.formula(
       "dT_dlambda", 1793, R"($\partial T/\partial\lambda=m\omega^2\lambda/2$)", samples,
       {.quantity = R"($\partial T/\partial\lambda$)",
        .truth = {dual, [](const auto& s) { return df_dq(s.kinetic(), s.s, s.v, s.t); }},
        .printed = {R"($m\omega^2\lambda/2$)", [](const auto& s) { return s.m * s.w * s.w / 2 * s.s; }},
-       .near_misses = {{R"($m\omega^2\lambda$)", [](const auto& s) { return s.m * s.w * s.w * s.s; }}}});
+       .near_misses = {{R"($m\omega^2\lambda$)"}}});
   table.formula("dT_dlambdadot", 1799, R"($\partial T/\partial\dot\lambda=m\dot\lambda$)", samples,
                 {.quantity = R"($\partial T/\partial\dot\lambda$)",
                  .truth = {dual, [](const auto& s) { return df_dv(s.kinetic(), s.s, s.v, s.t); }},
-                 .printed = {R"($m\dot\lambda$)", [](const auto& s) { return s.m * s.v; }},
-                 .near_misses = {{R"($m\dot\lambda/2$)", [](const auto& s) { return s.m * s.v / 2; }}}});
+                 .printed = {R"($m\dot\lambda$)"},
+                 .near_misses = {{R"($m\dot\lambda/2$)"}}});
   table.formula("momentum_rate", 1803, R"($\frac{d}{dt}(\partial T/\partial\dot\lambda)=m\ddot\lambda$)",
                 samples,
                 {.quantity = R"(the time derivative of $\partial T/\partial\dot\lambda$)",
                  .truth = {"nested dual numbers",
                            [](const auto& s) { return rate_of_df_dv(s.kinetic(), s.s, s.v, s.A, s.t); },
                            [](const auto& s) { return s.m * abs(s.w) * (abs(s.v) + abs(s.w) * s.s); }},
-                 .printed = {R"($m\ddot\lambda$)", [](const auto& s) { return s.m * s.A; }},
-                 .near_misses = {{R"($m(\ddot\lambda+\omega\dot\lambda)$)",
-                                  [](const auto& s) { return s.m * (s.A + s.w * s.v); }}}});
+                 .printed = {R"($m\ddot\lambda$)"},
+                 .near_misses = {{R"($m(\ddot\lambda+\omega\dot\lambda)$)"}}});
 }
 
 void spring(Claims& claims, Table& table, const Samples& samples) {
@@ -369,8 +348,7 @@ void spring(Claims& claims, Table& table, const Samples& samples) {
        .truth = distance,
        .printed = {wrong, by_c},
        .meant = {right, by_b},
-       .near_misses = {{R"($\sqrt{(b+c)^2+b^2}$)",
-                        [](const auto& s) { return sqrt((s.b + s.c) * (s.b + s.c) + s.b * s.b); }}},
+       .near_misses = {{R"($\sqrt{(b+c)^2+b^2}$)"}},
        .kind = Fault::formula,
        .why = filled(
            R"(Line 1817 has $\sqrt{(b-c)^2+b^2}$, and the listing takes the distance itself. Whoever codes )"
@@ -392,7 +370,7 @@ void spring(Claims& claims, Table& table, const Samples& samples) {
                  [](const auto& s) { return force_of(s.spring(s.ell), s.x()); }},
        .printed = {R"($-K(r-\ell)(x-c\imath)\,r$)", hooke(-1, 1, 1)},
        .meant = {R"($-K(r-\ell)(x-c\imath)/r$)", hooke(-1, 1)},
-       .near_misses = {{R"($+K(r-\ell)(x-c\imath)/r$)", hooke(1, 1)},
+       .near_misses = {{R"($+K(r-\ell)(x-c\imath)/r$)"},
                        {R"($-K(x-c\imath)$, without $\ell$)", hooke(-1, 0)}},
        .kind = Fault::lost_typography,
        .why = filled(
@@ -463,9 +441,6 @@ void equations(Table& table, const Samples& samples) {
            R"(rest, and the bracket 0. Of the product the bracket is $1-\ell^2$, and the mass of the listing )"
            R"(starts with a push of @2 N that is not there.)",
            {book.K * (book.ell * book.ell - 1) * (book.s0 - book.foot)})});
-  const auto equation = [](double centrifugal) {
-    return [=](const auto& s) { return s.m * s.A - centrifugal * s.m * s.w * s.w / 2 * s.s - s.F(s.p()); };
-  };
   table.formula(
       "equation", 1839, R"(The equation of motion is $m\ddot\lambda-m\omega^2\lambda/2-F=0$)", samples,
       {.quantity = "the difference of the sides of the equation of motion",
@@ -475,9 +450,9 @@ void equations(Table& table, const Samples& samples) {
                    return rate_of_df_dv(s.lagrangian(), s.s, s.v, s.A, s.t) -
                           df_dq(s.lagrangian(), s.s, s.v, s.t);
                  }},
-       .printed = {R"($m\ddot\lambda-m\omega^2\lambda/2-F$)", equation(1)},
-       .near_misses = {{R"($m\ddot\lambda-m\omega^2\lambda-F$)", equation(2)},
-                       {R"($m\ddot\lambda-F$)", equation(0)}}});
+       .printed = {R"($m\ddot\lambda-m\omega^2\lambda/2-F$)",
+                   [](const auto& s) { return s.m * s.A - s.m * s.w * s.w / 2 * s.s - s.F(s.p()); }},
+       .near_misses = {{R"($m\ddot\lambda-m\omega^2\lambda-F$)"}, {R"($m\ddot\lambda-F$)"}}});
   const auto summary = [](double square, int power = -1) {
     return [=](const auto& s) {
       const auto cosine = cos(s.pi() * s.t / 4);
@@ -540,8 +515,7 @@ void equations(Table& table, const Samples& samples) {
                    [](const auto& s) { return s.s * (s.s - 2 * s.p() + s.c * s.c); }},
        .meant = {R"($\lambda(\lambda-2p)+c^2$)",
                  [](const auto& s) { return s.s * (s.s - 2 * s.p()) + s.c * s.c; }},
-       .near_misses = {{R"($\lambda(\lambda-p)+c^2$)",
-                        [](const auto& s) { return s.s * (s.s - s.p()) + s.c * s.c; }}},
+       .near_misses = {{R"($\lambda(\lambda-p)+c^2$)"}},
        .kind = Fault::formula,
        .why = filled(
            R"(A parenthesis closes too late: read so, $r^2$ at the start would be @3, not @3, with $c=1$ and )"
