@@ -327,9 +327,7 @@ void to_the_ellipse(Table& t) {
                         [](const auto& p) { return values(p.a(), p.a() * p.q()); }}}});
   t.claims.formula<Point>(
       "ratio", 929, "$a^2/b^2=1/(1-e^2)$", t.orbit_alone,
-      {.truth = square_of_sizes,
-       .printed = square_of_axes,
-       .near_misses = {{"$1/(1+e^2)$", [](const auto& p) { return 1 / (1 + p.e * p.e); }}}});
+      {.truth = square_of_sizes, .printed = square_of_axes, .near_misses = {{"$1/(1+e^2)$"}}});
   t.line("c", 929, R"($c=ae=e^2\rho/(1-e^2)$)", On::orbit,
          written(R"(from the origin to the middle of the apsides, $r(0)$ and $r(\pi)$)",
                  [](const auto& p) { return twice(p.to_middle()); }, &Point::farthest),

@@ -56,7 +56,7 @@ struct SampleOf {
         v(random.magnitude(0.01, 3)),
         a(random.magnitude(0.01, 3)) {}
   std::array<T*, 5> letters() { return {&m, &g, &q, &v, &a}; }
-  TypesetLetters typeset() const {
+  TypesetIn<T> typeset() const {
     return {{"m", m}, {"g", g}, {"q", q}, {R"(\dot q)", v}, {R"(\ddot q)", a}, {R"(\dot x)", velocity(q, v)}};
   }
   std::string where() const { return told(typeset(), 5); }
@@ -106,13 +106,12 @@ void energies(Table& table, const std::vector<Sample>& samples) {
       "tangent", 1375, "The $q$-derivative is $dx/dq=(1,2q,3q^2)$.", samples,
       {.truth = {"the curve by dual numbers", [](const auto& s) { return velocity(s.q, 1); }},
        .printed = {"$(1,2q,3q^2)$", [](const auto& s) { return values(1, 2 * s.q, 3 * s.q * s.q); }},
-       .near_misses = {{"$(1,2q,2q^2)$", [](const auto& s) { return values(1, 2 * s.q, 2 * s.q * s.q); }}}});
-  table.formula(
-      "velocity", 1375, R"(The $t$-derivative is $\dot x=(dx/dq)\,\dot q$.)", samples,
-      {.truth = {"the curve by dual numbers", [](const auto& s) { return velocity(s.q, s.v); }},
-       .printed = {R"($\dot q\,(1,2q,3q^2)$)",
-                   [](const auto& s) { return values(s.v, 2 * s.q * s.v, 3 * s.q * s.q * s.v); }},
-       .near_misses = {{"$(1,2q,3q^2)$", [](const auto& s) { return values(1, 2 * s.q, 3 * s.q * s.q); }}}});
+       .near_misses = {{"$(1,2q,2q^2)$"}}});
+  table.formula("velocity", 1375, R"(The $t$-derivative is $\dot x=(dx/dq)\,\dot q$.)", samples,
+                {.truth = {"the curve by dual numbers", [](const auto& s) { return velocity(s.q, s.v); }},
+                 .printed = {R"($\dot q\,(1,2q,3q^2)$)",
+                             [](const auto& s) { return values(s.v, 2 * s.q * s.v, 3 * s.q * s.q * s.v); }},
+                 .near_misses = {{"$(1,2q,3q^2)$"}}});
   const auto by_speed = [](std::string text, double factor, int power) -> ProvableFormula<SampleOf> {
     return {std::move(text), [=](const auto& s) {
               const auto u = velocity(s.q, s.v);
@@ -124,7 +123,7 @@ void energies(Table& table, const std::vector<Sample>& samples) {
       {.truth = energy,
        .printed = by_speed(R"($\frac m2|\dot x|$)", 0.5, 1),
        .meant = by_speed(R"($\frac m2|\dot x|^2$)", 0.5, 2),
-       .near_misses = {by_speed(R"($m|\dot x|^2$)", 1, 2)},
+       .near_misses = {R"($m|\dot x|^2$)"},
        .kind = Fault::formula,
        .why = filled(
            R"(The speed's exponent is missing; the next form of the line, with $\dot q^2$, comes from the )"
@@ -134,21 +133,17 @@ void energies(Table& table, const std::vector<Sample>& samples) {
                 {.truth = energy,
                  .printed = {R"($\frac m2(1+4q^2+9q^4)\dot q^2$)",
                              [](const auto& s) { return s.m / 2 * metric(s.q) * s.v * s.v; }},
-                 .near_misses = {{R"($\frac m2(1+4q^2+9q^2)\dot q^2$)", [](const auto& s) {
-                                    return s.m / 2 * (1 + 13 * s.q * s.q) * s.v * s.v;
-                                  }}}});
+                 .near_misses = {{R"($\frac m2(1+4q^2+9q^2)\dot q^2$)"}}});
   table.formula(
       "dT_dq", 1385, R"($\partial T/\partial q=2m(2q+9q^3)\dot q^2$)", samples,
       {.truth = {"$T$ by dual numbers", [](const auto& s) { return df_dq(s.kinetic(), s.q, s.v); }},
        .printed = {R"($2m(2q+9q^3)\dot q^2$)", [](const auto& s) { return 2 * s.m * s.bend() * s.v * s.v; }},
-       .near_misses = {
-           {R"($m(2q+9q^3)\dot q^2$)", [](const auto& s) { return s.m * s.bend() * s.v * s.v; }}}});
+       .near_misses = {{R"($m(2q+9q^3)\dot q^2$)"}}});
   table.formula(
       "dT_dqdot", 1387, R"($\partial T/\partial\dot q=m(1+4q^2+9q^4)\dot q$)", samples,
       {.truth = {"$T$ by dual numbers", [](const auto& s) { return df_dv(s.kinetic(), s.q, s.v); }},
        .printed = {R"($m(1+4q^2+9q^4)\dot q$)", [](const auto& s) { return s.m * metric(s.q) * s.v; }},
-       .near_misses = {
-           {R"($\frac m2(1+4q^2+9q^4)\dot q$)", [](const auto& s) { return s.m / 2 * metric(s.q) * s.v; }}}});
+       .near_misses = {{R"($\frac m2(1+4q^2+9q^4)\dot q$)"}}});
   const auto rate = [](double factor) {
     return [=](const auto& s) { return s.m * (metric(s.q) * s.a + factor * s.bend() * s.v * s.v); };
   };
@@ -158,18 +153,13 @@ void energies(Table& table, const std::vector<Sample>& samples) {
                 {.truth = {"$T$ by nested dual numbers",
                            [](const auto& s) { return rate_of_df_dv(s.kinetic(), s.q, s.v, s.a); }},
                  .printed = {R"($m(1+4q^2+9q^4)\ddot q+4m(2q+9q^3)\dot q^2$)", rate(4)},
-                 .near_misses = {{R"($m(1+4q^2+9q^4)\ddot q+2m(2q+9q^3)\dot q^2$)", rate(2)}}});
+                 .near_misses = {{R"($m(1+4q^2+9q^4)\ddot q+2m(2q+9q^3)\dot q^2$)"}}});
   table.formula("force", 1395, R"(The generalized force is $F_q=-mg(0,0,1)\cdot(1,2q,3q^2)=-3mgq^2$.)",
                 samples,
                 {.truth = {R"($\partial L/\partial q$ at rest by dual numbers)",
                            [](const auto& s) { return df_dq(s.lagrangian(), s.q, 0); }},
                  .printed = {"$-3mgq^2$", [](const auto& s) { return -3 * s.m * s.g * s.q * s.q; }},
-                 .near_misses = {{"$3mgq^2$", [](const auto& s) { return 3 * s.m * s.g * s.q * s.q; }}}});
-  const auto sides = [](double factor) {
-    return [=](const auto& s) {
-      return s.m * (metric(s.q) * s.a + factor * s.bend() * s.v * s.v + 3 * s.g * s.q * s.q);
-    };
-  };
+                 .near_misses = {{"$3mgq^2$"}}});
   table.formula(
       "lagrange_equation", 1407, R"($m(1+4q^2+9q^4)\ddot q+4m(2q+9q^3)\dot q^2-2m(2q+9q^3)\dot q^2=-3mgq^2$)",
       samples,
@@ -177,19 +167,19 @@ void energies(Table& table, const std::vector<Sample>& samples) {
                  [](const auto& s) {
                    return rate_of_df_dv(s.lagrangian(), s.q, s.v, s.a) - df_dq(s.lagrangian(), s.q, s.v);
                  }},
-       .printed = {R"($m(1+4q^2+9q^4)\ddot q+(4m-2m)(2q+9q^3)\dot q^2+3mgq^2$)", sides(4 - 2)},
-       .near_misses = {{R"($m(1+4q^2+9q^4)\ddot q+(4m+2m)(2q+9q^3)\dot q^2+3mgq^2$)", sides(4 + 2)}}});
+       .printed = {R"($m(1+4q^2+9q^4)\ddot q+(4m-2m)(2q+9q^3)\dot q^2+3mgq^2$)",
+                   [](const auto& s) {
+                     return s.m * (metric(s.q) * s.a + 2 * s.bend() * s.v * s.v + 3 * s.g * s.q * s.q);
+                   }},
+       .near_misses = {{R"($m(1+4q^2+9q^4)\ddot q+(4m+2m)(2q+9q^3)\dot q^2+3mgq^2$)"}}});
 }
 
 void accelerations(Claims& claims, const std::vector<Sample>& samples) {
   const Formula<Sample> solved{R"($-(3gq^2+2q(2+9q^2)\dot q^2)/(1+4q^2+9q^4)$)", &Sample::published},
       lagrange{R"(Lagrange's equation by nested dual numbers, at any mass)", &Sample::by_lagrange},
       forces{"gravity and the wire's two forces in Cartesian coordinates", &Sample::by_forces};
-  const auto solved_by = [&](std::string text, double square, double gravity) -> Reading {
-    const Formula<Sample> formula{text, [=](const Sample& s) {
-                                    return -(square * s.bend() * s.v * s.v + gravity * s.g * s.q * s.q) /
-                                           metric(s.q);
-                                  }};
+  const auto solved_by = [&](const std::string& text) -> Reading {
+    const Formula<Sample> formula = computed(Formula<Sample>{text});
     return {text,
             {compare(R"($\ddot q$)", formula, lagrange, samples)},
             is_as_typeset(compare_typeset(formula, samples))};
@@ -201,8 +191,8 @@ void accelerations(Claims& claims, const std::vector<Sample>& samples) {
                    {compare(R"($\ddot q$)", solved, lagrange, samples),
                     compare(R"($\ddot q=\ddot x_1$)", solved, forces, samples)},
                    is_as_typeset(compare_typeset(solved, samples))},
-       .near_misses = {solved_by(R"($(-3gq^2+2q(2+9q^2)\dot q^2)/(1+4q^2+9q^4)$)", -2, 3),
-                       solved_by(R"($-(3gq^2+q(2+9q^2)\dot q^2)/(1+4q^2+9q^4)$)", 1, 3)}});
+       .near_misses = {solved_by(R"($(-3gq^2+2q(2+9q^2)\dot q^2)/(1+4q^2+9q^4)$)"),
+                       solved_by(R"($-(3gq^2+q(2+9q^2)\dot q^2)/(1+4q^2+9q^4)$)")}});
 
   const Formula<Sample> falls{R"($\ddot x=(0,0,-g)$)", [](const Sample& s) { return values(0, 0, -s.g); }};
   const Formula<Sample> work{R"($m\ddot x\cdot\dot x$ by Lagrange's equation)", &Sample::work,

@@ -513,8 +513,7 @@ void oscillations(Tables& tables, const std::vector<Oscillation>& samples,
        .printed = {R"($e^{\alpha t}(-\beta K_1\sin\beta t+\beta K_2\cos\beta t))"
                    R"(+\alpha e^{\alpha t}(K_1\cos\beta t+K_2\sin\beta t)$)",
                    [](const auto& s) { return s.rate(1); }},
-       .near_misses = {{R"($e^{\alpha t}(-\beta K_1\sin\beta t+\beta K_2\cos\beta t)$)",
-                        [](const auto& s) { return s.rate(0); }}}});
+       .near_misses = {{R"($e^{\alpha t}(-\beta K_1\sin\beta t+\beta K_2\cos\beta t)$)"}}});
   const auto turning = [](std::string text, double sign) -> ProvableFormula<OscillationOf> {
     return {std::move(text),
             [=](const auto& s) { return s.k1 * cos(s.beta * s.t) + sign * s.k2 * sin(s.beta * s.t); }};

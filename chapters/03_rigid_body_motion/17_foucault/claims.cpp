@@ -90,12 +90,12 @@ struct SampleOf {
            R"(, $\theta$ = )" + format_shortest(q[0]) + R"(, $\phi$ = )" + format_shortest(q[1]) +
            R"(, $\dot\theta$ = )" + format_shortest(v[0]) + R"(, $\dot\phi$ = )" + format_shortest(v[1]);
   }
-  TypesetLetters typeset() const {
+  TypesetIn<T> typeset() const {
     const double Dt = 0.5;
     const auto A = axes();
     const auto turning = w();
     const auto vector = [](const Space<T>& x, double factor = 1) {
-      return Value{factor * x[0], factor * x[1], factor * x[2]};
+      return std::array<T, 3>{factor * x[0], factor * x[1], factor * x[2]};
     };
     return {{"m", m},
             {"L", p.L},
@@ -200,7 +200,7 @@ void geometry(Table& table, const Samples& samples) {
                  .truth = {R"($\frac{d}{dt}(LR)$ by dual numbers)",
                            [](const auto& s) { return times(s.p.L, axis_velocity(s.q, s.v)); }},
                  .printed = {R"($L(\dot\theta\sin\phi\,P-\dot\phi\,Q)$)", velocity(1)},
-                 .near_misses = {{R"($L(\dot\theta\sin\phi\,P+\dot\phi\,Q)$)", velocity(-1)}}});
+                 .near_misses = {{R"($L(\dot\theta\sin\phi\,P+\dot\phi\,Q)$)"}}});
   const auto T = [](int power) {
     return [=](const auto& s) {
       return s.mL2() / 2 * (s.v[0] * s.v[0] * pow(s.sin_phi(), power) + s.v[1] * s.v[1]);
@@ -211,7 +211,7 @@ void geometry(Table& table, const Samples& samples) {
                  .truth = {R"($\frac m2|\frac{d}{dt}(LR)|^2$ by dual numbers)",
                            [](const auto& s) { return s.kinetic()(s.q, s.v); }},
                  .printed = {R"($\frac{mL^2}2(\dot\theta^2\sin^2\phi+\dot\phi^2)$)", T(2)},
-                 .near_misses = {{R"($\frac{mL^2}2(\dot\theta^2\sin\phi+\dot\phi^2)$)", T(1)}}});
+                 .near_misses = {{R"($\frac{mL^2}2(\dot\theta^2\sin\phi+\dot\phi^2)$)"}}});
   table.formula(
       "dT_dtheta", 2215, R"($\partial T/\partial\theta=0$)", samples,
       {.quantity = R"($\partial T/\partial\theta$)",
@@ -314,8 +314,8 @@ void forces(Table& table, const Samples& samples) {
                  [](const auto& s) { return s.coriolis_acceleration(-1); }},
        .printed = {R"($-2w\times\dot r$)", cross_product(-2)},
        .near_misses = {
-           {R"($+2w\times\dot r$)", cross_product(2)},
-           {R"($-w\times\dot r$)", cross_product(-1)},
+           {R"($+2w\times\dot r$)"},
+           {R"($-w\times\dot r$)"},
            {R"($\ddot r$ less the acceleration in axes that do not turn, to all orders in $\omega$)",
             [](const auto& s) { return sum(s.free_a, times(-1.0, s.inertial_acceleration(1))); }}}});
   const auto second_difference = [](int power) {
@@ -333,7 +333,7 @@ void forces(Table& table, const Samples& samples) {
        .truth = {R"($\ddot r$ in the turning axes)", [](const auto& s) { return s.free_a; }},
        .printed = {"$D^2r/Dt$, by differences with $Dt=1/2$", second_difference(1)},
        .meant = {"$D^2r/Dt^2$", second_difference(2)},
-       .near_misses = {{"$D^2r/Dt^3$", second_difference(3)}},
+       .near_misses = {{"$D^2r/Dt^3$"}},
        .kind = Fault::formula,
        .why =
            R"(The square of $Dt$ is missing, here and in lines 2263 and 2273: the acceleration is )"
@@ -364,25 +364,23 @@ void forces(Table& table, const Samples& samples) {
   const std::string b = R"(, $b=-\cos\lambda\sin\theta\sin\phi+\sin\lambda\cos\phi$)";
   const std::string by_lagrange =
       R"(Lagrange's equations on the turning Earth less their kinetic part, linear in $\omega$)";
-  const auto force_theta = [](double sign) {
-    return [=](const auto& s) { return sign * s.mL2() * s.sin_phi() * 2 * s.p.omega * s.v[1] * s.b(); };
-  };
-  table.formula("force_theta", 2257, R"($F_\theta=(mL\sin\phi)\,2L\omega\dot\phi\,b$)" + b, samples,
-                {.quantity = R"(the generalized force on $\theta$)",
-                 .truth = {by_lagrange, [](const auto& s) { return s.generalized_force()[0]; }},
-                 .printed = {R"($(mL\sin\phi)\,2L\omega\dot\phi\,b$)" + b, force_theta(1)},
-                 .near_misses = {{R"($-(mL\sin\phi)\,2L\omega\dot\phi\,b$)", force_theta(-1)}}});
-  const auto force_phi = [](double sign, double weight) {
-    return [=](const auto& s) {
-      return -s.m * s.p.L * s.sin_phi() * (2 * s.p.L * s.p.omega * s.v[0] * sign * s.b() + weight * s.p.g);
-    };
-  };
+  table.formula(
+      "force_theta", 2257, R"($F_\theta=(mL\sin\phi)\,2L\omega\dot\phi\,b$)" + b, samples,
+      {.quantity = R"(the generalized force on $\theta$)",
+       .truth = {by_lagrange, [](const auto& s) { return s.generalized_force()[0]; }},
+       .printed = {R"($(mL\sin\phi)\,2L\omega\dot\phi\,b$)" + b,
+                   [](const auto& s) { return s.mL2() * s.sin_phi() * 2 * s.p.omega * s.v[1] * s.b(); }},
+       .near_misses = {{R"($-(mL\sin\phi)\,2L\omega\dot\phi\,b$)"}}});
   table.formula("force_phi", 2273, R"($F_\phi=-mL(2L\omega\dot\theta\sin\phi\,b+g\sin\phi)$)" + b, samples,
                 {.quantity = R"(the generalized force on $\phi$)",
                  .truth = {by_lagrange, [](const auto& s) { return s.generalized_force()[1]; }},
-                 .printed = {R"($-mL(2L\omega\dot\theta\sin\phi\,b+g\sin\phi)$)" + b, force_phi(1, 1)},
-                 .near_misses = {{R"($-mL(-2L\omega\dot\theta\sin\phi\,b+g\sin\phi)$)", force_phi(-1, 1)},
-                                 {R"($-mL(2L\omega\dot\theta\sin\phi\,b-g\sin\phi)$)", force_phi(1, -1)}}});
+                 .printed = {R"($-mL(2L\omega\dot\theta\sin\phi\,b+g\sin\phi)$)" + b,
+                             [](const auto& s) {
+                               return -s.m * s.p.L * s.sin_phi() *
+                                      (2 * s.p.L * s.p.omega * s.v[0] * s.b() + s.p.g);
+                             }},
+                 .near_misses = {{R"($-mL(-2L\omega\dot\theta\sin\phi\,b+g\sin\phi)$)"},
+                                 {R"($-mL(2L\omega\dot\theta\sin\phi\,b-g\sin\phi)$)"}}});
 }
 
 /// The first equation, left side less right side; theta'' times this power of sin phi.
@@ -438,15 +436,15 @@ void cancellation(Claims& claims, double seed) {
 
 void equations(Table& table, const Samples& samples) {
   const std::string b = R"(, $b=-\cos\lambda\sin\theta\sin\phi+\sin\lambda\cos\phi$)";
-  table.formula("equation_theta", 2279,
-                R"($\ddot\theta\sin\phi+2\dot\theta\dot\phi\cos\phi=2\omega\dot\phi\,b$)" + b, samples,
-                {.quantity = "the first equation of motion, left side less right side",
-                 .truth = {R"(Lagrange's equation for $\theta$, linear in $\omega$, by $mL^2\sin\phi$)",
-                           [](const auto& s) { return s.to_first_order()[0] / (s.mL2() * s.sin_phi()); }},
-                 .printed = {R"($\ddot\theta\sin\phi+2\dot\theta\dot\phi\cos\phi-2\omega\dot\phi\,b$)" + b,
-                             [](const auto& s) { return first_equation(s); }},
-                 .near_misses = {{R"($\ddot\theta\sin\phi+2\dot\theta\dot\phi\cos\phi+2\omega\dot\phi\,b$)",
-                                  [](const auto& s) { return first_equation(s, -1); }}}});
+  table.formula(
+      "equation_theta", 2279, R"($\ddot\theta\sin\phi+2\dot\theta\dot\phi\cos\phi=2\omega\dot\phi\,b$)" + b,
+      samples,
+      {.quantity = "the first equation of motion, left side less right side",
+       .truth = {R"(Lagrange's equation for $\theta$, linear in $\omega$, by $mL^2\sin\phi$)",
+                 [](const auto& s) { return s.to_first_order()[0] / (s.mL2() * s.sin_phi()); }},
+       .printed = {R"($\ddot\theta\sin\phi+2\dot\theta\dot\phi\cos\phi-2\omega\dot\phi\,b$)" + b,
+                   [](const auto& s) { return first_equation(s); }},
+       .near_misses = {{R"($\ddot\theta\sin\phi+2\dot\theta\dot\phi\cos\phi+2\omega\dot\phi\,b$)"}}});
   table.formula(
       "equation_phi", 2281,
       R"($\ddot\phi-\dot\theta^2\sin\phi\cos\phi=-2\omega\dot\theta\sin\phi\,b-gL\sin\phi$)" + b, samples,
@@ -527,11 +525,11 @@ struct ConeSampleOf {
   std::string where() const {
     return "$h$ = " + format_shortest(h()) + ", $r$ = " + format_shortest(r()) + ", " + motion.where();
   }
-  TypesetLetters typeset() const {
-    TypesetLetters all = motion.typeset();
+  TypesetIn<T> typeset() const {
+    TypesetIn<T> all = motion.typeset();
     std::erase_if(all, [](const auto& letter) { return letter.first == "m" || letter.first == "L"; });
-    const TypesetLetters of_cone{{"m", mass()}, {"h", h()},        {"r", r()},
-                                 {"z", height}, {"I_{xx}", Ixx()}, {"I_{zz}", Izz()}};
+    const TypesetIn<T> of_cone{{"m", mass()}, {"h", h()},        {"r", r()},
+                               {"z", height}, {"I_{xx}", Ixx()}, {"I_{zz}", Izz()}};
     all.insert(all.end(), of_cone.begin(), of_cone.end());
     return all;
   }
@@ -663,7 +661,7 @@ void center_of_mass(ConeTable& table, const Cones& cones) {
                 {.quantity = "the cone's volume",
                  .truth = {"quadrature", [](const auto& s) { return s.volume_above(0.0); }},
                  .printed = {R"($\pi r^2h/3$)", of_volume(1)},
-                 .near_misses = {{R"($\pi r^2h/2$)", of_volume(1.5)}}});
+                 .near_misses = {{R"($\pi r^2h/2$)"}}});
   const auto moment_of = [](const auto& f) {
     return [=](const auto& s) {
       return values(s.integral([](const auto& x, const auto&, const auto&) { return x; }), s.integral(f));
@@ -676,16 +674,15 @@ void center_of_mass(ConeTable& table, const Cones& cones) {
                              moment_of([](const auto&, const auto& y, const auto&) { return y; })},
                  .near_misses = {{"the moments of $x$ and $z$ by quadrature",
                                   moment_of([](const auto&, const auto&, const auto& z) { return z; })}}});
-  const auto cut = [](int power) {
-    return [=]<class T>(const ConeSampleOf<T>& s) {
-      return pi_of<T>() * s.r() * s.r() * pow(1 - s.height / s.h(), power) * (s.h() - s.height) / 3;
-    };
-  };
   table.formula("upper_part", 2305, R"(Above a plane $z$ lies the volume $\pi r^2(1-z/h)^2(h-z)/3$)", cones,
                 {.quantity = "the volume of the part above a plane $z$",
                  .truth = {"quadrature", [](const auto& s) { return s.volume_above(s.height); }},
-                 .printed = {R"($\pi r^2(1-z/h)^2(h-z)/3$)", cut(2)},
-                 .near_misses = {{R"($\pi r^2(1-z/h)(h-z)/3$)", cut(1)}}});
+                 .printed = {R"($\pi r^2(1-z/h)^2(h-z)/3$)",
+                             []<class T>(const ConeSampleOf<T>& s) {
+                               return pi_of<T>() * s.r() * s.r() * pow(1 - s.height / s.h(), 2) *
+                                      (s.h() - s.height) / 3;
+                             }},
+                 .near_misses = {{R"($\pi r^2(1-z/h)(h-z)/3$)"}}});
   table.formula(
       "center_halves", 2305,
       R"(Half the volume lies above the center of mass: )"
@@ -696,7 +693,7 @@ void center_of_mass(ConeTable& table, const Cones& cones) {
                  [](const auto& s) { return s.volume_above(s.center()); }},
        .printed = {R"($\frac12\,\pi r^2h/3$)", of_volume(1.0 / 2)},
        .corrected = {R"($\frac{27}{64}\,\pi r^2h/3$)", of_volume(above_center<double>())},
-       .near_misses = {{R"($\frac9{16}\,\pi r^2h/3$)", of_volume(9.0 / 16)}},
+       .near_misses = {{R"($\frac9{16}\,\pi r^2h/3$)"}},
        .kind = Fault::counterexample,
        .root = root,
        .why = filled(
@@ -718,7 +715,7 @@ void center_of_mass(ConeTable& table, const Cones& cones) {
                  [](const auto& s) { return s.center(); }},
        .printed = {"$h(1-2^{-1/3})$", halving},
        .corrected = {"$h/4$", of_height(0.25)},
-       .near_misses = {{"$h/3$", of_height(1.0 / 3)}},
+       .near_misses = {{"$h/3$"}},
        .kind = Fault::formula,
        .root = root,
        .why =
@@ -732,7 +729,7 @@ void center_of_mass(ConeTable& table, const Cones& cones) {
                  .printed = {"$h/2^{1/3}$",
                              []<class T>(const ConeSampleOf<T>& s) { return printed_length<T>() * s.h(); }},
                  .corrected = {"$3h/4$", of_height(0.75)},
-                 .near_misses = {{"$2h/3$", of_height(2.0 / 3)}},
+                 .near_misses = {{"$2h/3$"}},
                  .kind = Fault::formula,
                  .root = root,
                  .why = filled(R"($L=3h/4=0.75\,h$, not $@4\,h$: the volume was halved, not its moment.)",
@@ -841,14 +838,14 @@ void moments(ConeTable& table, const Cones& cones, const Cones& by_qags) {
                  .truth = Ixx,
                  .printed = {R"($\pi r^2h(2h^2+3r^2)\,60$)", closed(1, 60)},
                  .meant = {R"($\pi r^2h(2h^2+3r^2)/60$)", closed(60, 1)},
-                 .near_misses = {{R"($\pi r^2h(2h^2+3r^2)/30$)", closed(30, 1)}},
+                 .near_misses = {{R"($\pi r^2h(2h^2+3r^2)/30$)"}},
                  .kind = Fault::lost_typography,
                  .why = "The bar over 60 is lost."});
   table.formula("Ixx", 2365, "About the base's center $I_{xx}=m(2h^2+3r^2)/20$", cones,
                 {.quantity = "$I_{xx}$ by the mass, about the base's center",
                  .truth = Ixx,
                  .printed = {"$m(2h^2+3r^2)/20$", by_mass(2, 3, 20)},
-                 .near_misses = {{"$m(3h^2+2r^2)/20$", by_mass(3, 2, 20)}}});
+                 .near_misses = {{"$m(3h^2+2r^2)/20$"}}});
   table.formula(
       "Iyy", 2371, "$I_{yy}=I_{xx}=m(2h^2+3r^2)/20$", cones,
       {.quantity = "$I_{yy}$",
@@ -857,7 +854,7 @@ void moments(ConeTable& table, const Cones& cones, const Cones& by_qags) {
                    return s.integral([](const auto& x, const auto&, const auto& z) { return x * x + z * z; });
                  }},
        .printed = {"$m(2h^2+3r^2)/20$", by_mass(2, 3, 20)},
-       .near_misses = {{"$3mr^2/10$", by_mass(0, 3, 10)}}});
+       .near_misses = {{"$3mr^2/10$"}}});
   const auto products = [](const auto& first) {
     return [=](const auto& s) {
       return values(s.integral(first),
@@ -890,23 +887,19 @@ void moments(ConeTable& table, const Cones& cones, const Cones& by_qags) {
                  .printed = {R"(of $s^3\,ds\,d\theta\,dz$)", cylindrical(3)},
                  .near_misses = {{R"(of $s^2\,ds\,d\theta\,dz$)", cylindrical(2)}}});
   const OfCone Izz{"quadrature", [](const auto& s) { return s.Izz(); }};
-  const auto turning = [](double by, double factor) {
-    return
-        [=]<class T>(const ConeSampleOf<T>& s) { return pi_of<T>() * pow(s.r(), 4) * s.h() * factor / by; };
-  };
   table.formula("Izz_closed", 2393, R"($I_{zz}=\pi r^4h\,10$)", cones,
                 {.quantity = "$I_{zz}$",
                  .truth = Izz,
-                 .printed = {R"($\pi r^4h\,10$)", turning(1, 10)},
-                 .meant = {R"($\pi r^4h/10$)", turning(10, 1)},
-                 .near_misses = {{R"($\pi r^4h/5$)", turning(5, 1)}},
+                 .printed = {R"($\pi r^4h\,10$)"},
+                 .meant = {R"($\pi r^4h/10$)"},
+                 .near_misses = {{R"($\pi r^4h/5$)"}},
                  .kind = Fault::lost_typography,
                  .why = "The bar over 10 is lost."});
   table.formula("Izz", 2395, "$I_{zz}=3mr^2/10$", cones,
                 {.quantity = "$I_{zz}$ by the mass",
                  .truth = Izz,
                  .printed = {"$3mr^2/10$", by_mass(0, 3, 10)},
-                 .near_misses = {{"$3mr^2/5$", by_mass(0, 3, 5)}}});
+                 .near_misses = {{"$3mr^2/5$"}}});
 }
 
 void tensor(ConeTable& table, const Cones& cones) {
@@ -1009,7 +1002,7 @@ void tensor(ConeTable& table, const Cones& cones) {
                  }},
        .printed = {"$m(2h^2+3r^2)/20$", by_mass(2, 3, 20)},
        .corrected = {"$3m(h^2+4r^2)/80$", by_mass(3, 12, 80)},
-       .near_misses = {{"$3m(h^2+2r^2)/80$", by_mass(3, 6, 80)}},
+       .near_misses = {{"$3m(h^2+2r^2)/80$"}},
        .kind = Fault::formula,
        .root = "moments about the base",
        .why =
