@@ -8,17 +8,17 @@ using namespace oddity;
 
 namespace {
 
-struct Told {
+struct Heard {
   std::string stage;
   double done;
   std::size_t all;
-  bool operator==(const Told&) const = default;
+  bool operator==(const Heard&) const = default;
 };
 
 }  // namespace
 
 TEST_CASE("a stage tells of pieces that are done, and of those begun", "[parallel]") {
-  std::vector<Told> told;
+  std::vector<Heard> told;
   const Progress progress = [&](const std::string& stage, double done, std::size_t all) {
     told.push_back({stage, done, all});
   };
@@ -28,7 +28,7 @@ TEST_CASE("a stage tells of pieces that are done, and of those begun", "[paralle
   stage.come_to(0.5);
   stage.add();
   stage.add();
-  CHECK(told == std::vector<Told>{{"working", 0, 2},
+  CHECK(told == std::vector<Heard>{{"working", 0, 2},
                                   {"working", 0, 2},
                                   {"working", 0.25, 2},
                                   {"working", 0.5, 2},
