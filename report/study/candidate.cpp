@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <exception>
 #include <optional>
 
 #include "reference/bad_input.hpp"
@@ -182,16 +183,22 @@ Candidate evaluate_until_one_fails(const Order& starts, const Method& method, do
   std::atomic<std::size_t> next = 0;
   std::atomic<bool> one_fails = false;  // and all before it have begun
   std::vector<std::optional<OnStart>> on(starts.size());
+  std::vector<std::exception_ptr> thrown(starts.size());  // which count where all before them hold
   const auto try_next = [&](std::size_t) {
     if (one_fails) return;
     const ode::EvaluationLimit limited(most_evaluations);
     const std::size_t i = next++;
-    on[i] = on_start(*starts[i], candidate, need);
-    if (on[i]->outcome != Outcome::ok) one_fails = true;
+    try {
+      on[i] = on_start(*starts[i], candidate, need);
+    } catch (...) {
+      thrown[i] = std::current_exception();
+    }
+    if (thrown[i] || on[i]->outcome != Outcome::ok) one_fails = true;
   };
   try_next(0);
   in_parallel(starts.size() - 1, try_next);
   for (std::size_t i = 0; candidate.holds() && i < starts.size(); ++i) {
+    if (thrown[i]) std::rethrow_exception(thrown[i]);
     const double evaluations = add(*starts[i], candidate, on[i].value());
     if (i == 0) candidate.evaluations_per_frame = evaluations;
   }

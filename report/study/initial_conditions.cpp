@@ -175,7 +175,7 @@ Start InitialConditions::start(const Parameters& p) const {
     Start known = as_long_as_known(repeated, p);
     // What long double does not tell apart from the truth, more digits do a little later, and are not lost
     // yet.
-    const int later = std::min(whole, known.motion.samples / 4 * 5);
+    const int later = std::min(whole, known.motion.samples + (known.motion.samples + 3) / 4);
     known.sharper = std::make_shared<Lazy<Start>>([this, p, repeated, later, whole] {
       const auto in_the_end = [this, p, repeated] {
         return where_known([&] { return well_known(p); }).value_or(repeated);
