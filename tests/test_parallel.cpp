@@ -29,11 +29,11 @@ TEST_CASE("a stage tells of pieces that are done, and of those begun", "[paralle
   stage.add();
   stage.add();
   CHECK(told == std::vector<Heard>{{"working", 0, 2},
-                                  {"working", 0, 2},
-                                  {"working", 0.25, 2},
-                                  {"working", 0.5, 2},
-                                  {"working", 1, 2},
-                                  {"working", 2, 2}});
+                                   {"working", 0, 2},
+                                   {"working", 0.25, 2},
+                                   {"working", 0.5, 2},
+                                   {"working", 1, 2},
+                                   {"working", 2, 2}});
   const Progress nobody;
   Stage(nobody, "working", 1).add();
 }
