@@ -231,9 +231,10 @@ class Reader {
     if (!table) source_.fail(key.place, "a model is a table: [model.\"" + key.text + "\"]");
     only(*table, "model " + key.text,
          {"equations", "lagrangian", "dissipation", "forces", "start", "closed", "observe", "conserves",
-          "events"});
+          "events", "constraints"});
     ModelText m{key};
     if (const auto* equations = table->get("equations")) m.equations = texts(*equations);
+    if (const auto* constraints = table->get("constraints")) m.constraints = texts(*constraints);
     if (const auto* lagrangian = table->get("lagrangian")) m.lagrangian = quoted(*lagrangian);
     if (const auto* dissipation = table->get("dissipation")) m.dissipation = quoted(*dissipation);
     m.forces = pairs(table_at(*table, "forces"));
@@ -254,8 +255,9 @@ class Reader {
     if (kinds != 1)
       source_.fail(key.place, kinds == 0 ? "model " + key.text + " has no equations, lagrangian or closed"
                                          : "model " + key.text + " is a closed form, or has equations");
-    if (!m.lagrangian && (m.dissipation || !m.forces.empty()))
-      source_.fail(key.place, "forces and dissipation go with a lagrangian; put them into the equations");
+    if (!m.lagrangian && (m.dissipation || !m.forces.empty() || !m.constraints.empty()))
+      source_.fail(key.place,
+                   "forces, dissipation and constraints go with a lagrangian; put them into the equations");
     file_.models.push_back(std::move(m));
   }
 

@@ -38,7 +38,7 @@ struct EventText {
 
 struct ModelText {
   Quoted name;
-  std::vector<Quoted> equations = {};
+  std::vector<Quoted> equations = {}, constraints = {};
   std::optional<Quoted> lagrangian = {}, dissipation = {}, kinetic = {}, potential = {};
   Named forces = {}, start = {}, closed = {}, observe = {};
   std::vector<EventText> events = {};

@@ -1,6 +1,7 @@
 #include "problem/interpreted.hpp"
 
 #include <array>
+#include <cmath>
 
 #include "solvers/ode/unknowns.hpp"
 
@@ -71,7 +72,7 @@ class Interpreted final : public ModelInterfaceOf<n> {
   // ---------------------------------------------------------------------------------
 
   bool partitioned() const override { return numbers_->partitioned; }
-  bool constrained() const override { return false; }
+  bool constrained() const override { return !numbers_->off.outputs().empty(); }
   State start() const override { return start_; }
   void observe(const State& x, double t, std::vector<double>& seen) const override {
     const std::size_t before = seen.size();
@@ -89,7 +90,14 @@ class Interpreted final : public ModelInterfaceOf<n> {
     numbers_->conserved.run(x.data(), t, both.data());
     return {{both[0], both[1]}};
   }
-  double off_constraint_at(const State&, double) const override { return 0; }
+  double off_constraint_at(const State& x, double t) const override {
+    std::vector<double> off(numbers_->off.outputs().size());
+    numbers_->off.run(x.data(), t, off.data());
+    double most = 0;
+    for (std::size_t i = 0; 2 * i < off.size(); ++i)
+      if (!(std::abs(off[i]) <= most)) most = std::abs(off[i]);
+    return most;
+  }
 
  private:
   std::shared_ptr<const Numbers> numbers_;

@@ -8,6 +8,7 @@
 #include "chapters/random.hpp"
 #include "problem/code.hpp"
 #include "reference/similar.hpp"
+#include "reference/text.hpp"
 
 namespace oddity::problem {
 
@@ -78,6 +79,7 @@ class Model::Making {
     }
     see_places();
     set_conserved();
+    set_off();
     for (const EventText& event : text_.events) add_event(event);
   }
 
@@ -196,6 +198,14 @@ class Model::Making {
     for (const Quoted& text : text_.equations) equations_.push_back(equation(source_, text, letters_));
     if (text_.lagrangian) lagrangian_ = formula(*text_.lagrangian);
     if (text_.dissipation) dissipation_ = formula(*text_.dissipation);
+    for (const Quoted& text : text_.constraints) constraints_.push_back(equation(source_, text, letters_));
+    for (const Equation& one : constraints_)
+      for (const Formula* side : {&one.left, &one.right})
+        side->any([&](const Letter& letter) {
+          if (letter.is == Letter::Is::unknown && letter.order > 0)
+            side->fail(letter.span, "a constraint is of places, and this is a rate");
+          return false;
+        });
     if (lagrangian_) {
       std::ranges::fill(orders_, 2);
       lagrangian_->any([&](const Letter& letter) {
@@ -274,6 +284,9 @@ class Model::Making {
         one.right.fail({}, "the left side is " + name_of(left) + ", and the right side " + name_of(right) +
                                one.left.meant() + one.right.meant());
     }
+    for (const Equation& one : constraints_)
+      if (const Measure left = measure(one.left), right = measure(one.right); !fit(left, right))
+        one.right.fail({}, "the left side is " + name_of(left) + ", and the right side " + name_of(right));
     if (!lagrangian_) return;
     const Measure energy = measure(*lagrangian_);
     for (std::size_t i = 0; i < forces_.size(); ++i)
@@ -319,20 +332,49 @@ class Model::Making {
     }
   }
 
+  /// With the constraints' multipliers behind the unknowns, and a row for each: its second rate is none.
   void from_lagrangian(Rows& matrix, std::vector<Expression>& right) {
     const Expression L = value(*lagrangian_);
+    std::map<int, Expression> along{{of_time, 1}};
+    for (std::size_t j = 0; j < orders_.size(); ++j)
+      along.emplace(key_of(j, 0), input(graph(), key_of(j, 1)));
+    const std::vector<Expression> off = off_constraints();
     for (std::size_t i = 0; i < orders_.size(); ++i) {
       const Expression p = slope(L, key_of(i, 1));
-      std::map<int, Expression> along{{of_time, 1}};
-      for (std::size_t j = 0; j < orders_.size(); ++j)
-        along.emplace(key_of(j, 0), input(graph(), key_of(j, 1)));
       std::vector<Expression>& row = matrix.emplace_back();
       for (std::size_t j = 0; j < orders_.size(); ++j) row.push_back(slope(p, key_of(j, 1)));
+      for (const Expression& one : off) row.push_back(-slope(one, key_of(i, 0)));
       Expression force = slope(L, key_of(i, 0)) - slopes(std::span(&p, 1), along)[0];
       if (forces_[i]) force = force + value(*forces_[i]);
       if (dissipation_) force = force - slope(value(*dissipation_), key_of(i, 1));
       right.push_back(force);
     }
+    for (const Expression& one : off) {
+      std::vector<Expression>& row = matrix.emplace_back();
+      for (std::size_t j = 0; j < orders_.size(); ++j) row.push_back(slope(one, key_of(j, 0)));
+      row.resize(orders_.size() + off.size(), 0);
+      const Expression rate = slopes(std::span(&one, 1), along)[0];
+      right.push_back(-slopes(std::span(&rate, 1), along)[0]);
+    }
+  }
+  std::vector<Expression> off_constraints() {
+    std::vector<Expression> off;
+    for (const Equation& one : constraints_) off.push_back(value(one.left) - value(one.right));
+    return off;
+  }
+  /// Each over the length of its gradient, which is a distance where the unknowns are lengths; and its rate.
+  void set_off() {
+    std::vector<Expression> rates;
+    for (const Expression& one : off_constraints()) {
+      Expression square = 0;
+      for (std::size_t i = 0; i < orders_.size(); ++i) {
+        const Expression along = slope(one, key_of(i, 0));
+        square = square + along * along;
+      }
+      model_.off_.push_back(one / sqrt(square));
+      rates.push_back(rate(one) / sqrt(square));
+    }
+    model_.off_.insert(model_.off_.end(), rates.begin(), rates.end());
   }
 
   // ---- the highest rates
@@ -392,7 +434,8 @@ class Model::Making {
       }
       if (!(most > 1e-9L)) {
         std::string names;
-        for (const std::size_t c : columns) names += (names.empty() ? "" : ", ") + highest_name(c);
+        for (const std::size_t c : columns)
+          names += (names.empty() ? "" : ", ") + (c < orders_.size() ? highest_name(c) : "a multiplier");
         source_.fail(text_.equations.empty() ? text_.lagrangian->place : text_.equations.front().place,
                      "this cannot be solved for " + names + ": the matrix is singular");
       }
@@ -573,7 +616,9 @@ class Model::Making {
     } else if (lagrangian_ && equations_.empty() && !dissipation_ && text_.forces.empty() &&
                text_.events.empty()) {
       const Expression L = value(*lagrangian_);
-      for (const int key : keys_of(std::span(&L, 1)))
+      std::vector<Expression> all = off_constraints();
+      all.push_back(L);
+      for (const int key : keys_of(all))
         if (key == of_time) return;
       Expression twice = 0;
       for (std::size_t i = 0; i < orders_.size(); ++i)
@@ -591,7 +636,7 @@ class Model::Making {
   std::vector<std::optional<Formula>> given_, forces_;
   std::vector<std::size_t> orders_;
   std::vector<std::optional<Measure>> units_;
-  std::vector<Equation> equations_;
+  std::vector<Equation> equations_, constraints_;
   std::optional<Formula> lagrangian_, dissipation_;
   std::map<int, Formula> starts_;
 };
@@ -604,6 +649,24 @@ Model::Model(const File& file, const ModelText& text) : name_(text.name.text) {
   else
     making.closed();
 }
+
+namespace {
+
+void require_on_constraints(const Numbers& numbers) {
+  std::vector<long double> off(numbers.off.outputs().size());
+  if (off.empty()) return;
+  numbers.off.run(numbers.start.data(), 0.0L, off.data());
+  long double size = 0;
+  for (const long double x : numbers.start) size = std::max(size, std::abs(x));
+  for (std::size_t i = 0; i < off.size(); ++i)
+    if (!(std::abs(off[i]) <= 1e-9L * size))
+      throw BadInput(std::string("the start ") + (2 * i < off.size() ? "is off" : "moves off") +
+                     " constraint " + std::to_string(i % (off.size() / 2) + 1) + " by " +
+                     format_significant(static_cast<double>(std::abs(off[i])), 2) +
+                     (2 * i < off.size() ? "" : " a second"));
+}
+
+}  // namespace
 
 Numbers Model::with(const std::vector<double>& parameters) const {
   Graph graph;
@@ -627,6 +690,8 @@ Numbers Model::with(const std::vector<double>& parameters) const {
   numbers.events = events_;
   numbers.guards = Program(guards, of_state);
   numbers.afterwards = Program(made(afterwards_), of_state);
+  numbers.off = Program(made(off_), of_state);
+  require_on_constraints(numbers);
   std::vector<Expression> both = rates;
   both.insert(both.end(), guards.begin(), guards.end());
   numbers.rates_and_guards = Program(both, of_state);

@@ -31,6 +31,7 @@ struct Numbers {
   Program guards;            ///< of the state and the time, one for each event
   Program rates_and_guards;  ///< both
   Program afterwards;        ///< the states after each of the events, one after the other
+  Program off;               ///< how far each constraint is off, and then how fast that changes
 };
 
 class Model {
@@ -49,8 +50,10 @@ class Model {
   /// Of each unknown of the second order the observable that it is; none where one is not observed.
   const std::vector<std::size_t>& seen_as() const { return seen_as_; }
   bool conserves() const { return !conserved_.empty(); }
+  bool is_constrained() const { return !off_.empty(); }
   bool has_events() const { return !events_.empty(); }
-  /// With these values of the parameters, in their units.
+  /// With these values of the parameters, in their units. Throws BadInput where the start is off a
+  /// constraint.
   Numbers with(const std::vector<double>& parameters) const;
 
   /// A struct of C++ whose members are the parameters it needs, for the loops of `choose --code`.
@@ -71,7 +74,7 @@ class Model {
   std::vector<long double> sizes_;  ///< of the parameters' units
   std::shared_ptr<Graph> graph_ = std::make_shared<Graph>();
   std::vector<int> state_, rate_of_;  ///< keys of the unknowns, in the state's order
-  std::vector<Expression> start_, rates_, observed_, conserved_, guards_, afterwards_;
+  std::vector<Expression> start_, rates_, observed_, conserved_, guards_, afterwards_, off_;
   std::vector<Follows> events_;
   std::vector<std::size_t> starts_with_, seen_as_;
   bool is_linear_ = true;

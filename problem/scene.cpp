@@ -124,6 +124,17 @@ Known true_motion(const Model& model, const Numbers& numbers, std::span<const do
   return known;
 }
 
+/// At the file's own values.
+void require_start(const File& file, const ModelText& text, const Model& model) {
+  std::vector<double> values;
+  for (const ParameterText& p : file.parameters) values.push_back(p.value);
+  try {
+    model.with(values);
+  } catch (const BadInput& error) {
+    file.source.fail(text.constraints.front().place, error.what());
+  }
+}
+
 /// What the file says is conserved has to be so along the motion.
 void require_conserved(const File& file, const ModelText& text, const Model& model) {
   std::vector<double> values, times;
@@ -315,6 +326,7 @@ const Entry& entry_of_text(const std::string& name, const std::string& text) {
   for (std::size_t i = 0; i < made->models.size(); ++i)
     if (const Model& model = made->models[i]; !model.is_closed()) {
       require_unknowns(model, *made->file);
+      if (model.is_constrained()) require_start(*made->file, made->file->models[i], model);
       require_conserved(*made->file, made->file->models[i], model);
     }
   for (const Model& model : made->models) made->constructions.push_back(construction_of(model, *made->file));

@@ -311,6 +311,63 @@ TEST_CASE("An event that leaves its guard alone happens once for each time that 
   }
 }
 
+namespace {
+
+std::string on_a_rod(const std::string& old = "", const std::string& now = "") {
+  std::string text = text_of(folder / "pendulum_on_a_rod.toml");
+  if (const auto at = text.find(old); !old.empty()) text.replace(at, old.size(), now);
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("A constraint holds the motion that an angle has", "[problem]") {
+  const std::string file = (folder / "pendulum_on_a_rod.toml").string();
+  const Entry& entry = entry_of_file(file);
+  const Quantity seen =
+      motion(*entry.exercise.scene, Parameters(entry.exercise.parameters), {2}, Reference::nothing());
+  const Method &angle = *method_of(seen, "angle", "Dormand-Prince 5(4)"),
+               &held = *method_of(seen, "Cartesian with a constraint", "Dormand-Prince 5(4)");
+  const Trial one = run(seen, angle, 1e-10), other = run(seen, held, 1e-10);
+  REQUIRE(one.answer.value.size() == other.answer.value.size());
+  for (std::size_t i = 0; i < one.answer.value.size(); ++i)
+    CHECK(near(one.answer.value[i], other.answer.value[i], 1e-8));
+}
+
+TEST_CASE("How far a model leaves its constraint is the distance that one sees", "[problem]") {
+  const std::string file = (folder / "pendulum_on_a_rod.toml").string();
+  const Entry& entry = entry_of_file(file);
+  const Quantity seen =
+      motion(*entry.exercise.scene, Parameters(entry.exercise.parameters), {2}, Reference::nothing());
+  const Method& held = *method_of(seen, "Cartesian with a constraint", "explicit Euler");
+  REQUIRE(held.off_constraint);
+  CHECK_FALSE(method_of(seen, "angle", "explicit Euler")->off_constraint);
+  const Value value = run(seen, held, 1.0 / 64).answer.value;
+  double most = 0;
+  for (std::size_t i = 0; i < value.size(); i += 2) {
+    const double r = std::hypot(value[i], value[i + 1]);
+    most = std::max(most, std::abs(r * r - 1) / (2 * r));
+  }
+  CHECK(most > 0.01);
+  CHECK(near(held.off_constraint(1.0 / 64), most, 1e-12));
+}
+
+TEST_CASE("A constraint that cannot be is refused with its place", "[problem]") {
+  const auto says = [](const std::string& old, const std::string& now, const std::string& why) {
+    INFO(now);
+    const std::string said = refusal(on_a_rod(old, now));
+    INFO(said);
+    CHECK(said.find(why) != std::string::npos);
+    CHECK(said.find("test.toml:") == 0);
+  };
+  says("x = \"L sin(a)\", y", "x = \"1.01 L sin(a)\", y", "the start is off constraint 1 by");
+  says("\"x'\" = 0, \"y'\"", "\"x'\" = \"1 m/s\", \"y'\"", "the start moves off constraint 1 by");
+  says("x^2 + y^2 = L^2", "x'^2 + y^2 = L^2", "a constraint is of places");
+  says("x^2 + y^2 = L^2", "x^2 + y^2 = L", "the left side is m^2, and the right side m");
+  says("x^2 + y^2 = L^2\"", "x^2 + y^2 = L^2\", \"2 x^2 + 2 y^2 = 2 L^2\"", "the matrix is singular");
+  says("lagrangian = \"m/2 (x'", "equations = [\"x''=0\"]#", "constraints go with a lagrangian");
+}
+
 TEST_CASE("What is wrong in an event is said with its place", "[problem]") {
   CHECK(refusal(ball(R"({ when = "y" })")).find("nothing happens in this event") != std::string::npos);
   CHECK(refusal(ball(R"({ then = { y = "0 m" } })")).find("goes through zero: when") != std::string::npos);
