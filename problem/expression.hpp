@@ -132,10 +132,10 @@ class Program {
       else
         return no;
     };
-    if constexpr (std::same_as<T, double>) {
+    if constexpr (std::same_as<T, double> || std::same_as<T, float>) {
       constexpr std::size_t few = 192;
       if (registers_ <= few) {
-        double r[few];
+        T r[few];
         return run_in(r, inputs, last, outputs, by_sign);
       }
     }

@@ -9,6 +9,18 @@ namespace oddity::problem {
 
 namespace {
 
+template <std::size_t n>
+ode::Velocities<n> velocities_of(const Numbers& numbers) {
+  ode::Velocities<n> all;
+  all.of.fill(n);
+  for (std::size_t i = 0; i < n; ++i)
+    if (const int rate = numbers.rate_of[i]; rate >= 0) {
+      all.of[i] = static_cast<std::size_t>(rate);
+      all.is[all.of[i]] = all.known = true;
+    }
+  return all;
+}
+
 /// A file's model behind the seam of the algorithms.
 template <std::size_t n>
 class Interpreted final : public ModelInterfaceOf<n> {
@@ -30,16 +42,7 @@ class Interpreted final : public ModelInterfaceOf<n> {
   void acceleration(const Half& q, Half& a) const override {
     if constexpr (n % 2 == 0) numbers_->accelerations.run(q.data(), 0.0, a.data());
   }
-  ode::Velocities<n> velocities() const override {
-    ode::Velocities<n> all;
-    all.of.fill(n);
-    for (std::size_t i = 0; i < n; ++i)
-      if (const int rate = numbers_->rate_of[i]; rate >= 0) {
-        all.of[i] = static_cast<std::size_t>(rate);
-        all.is[all.of[i]] = all.known = true;
-      }
-    return all;
-  }
+  ode::Velocities<n> velocities() const override { return velocities_of<n>(*numbers_); }
   bool differentiable() const override { return true; }
   long jacobian(const State& x, double* matrix, double* dfdt, double t) const override {
     const auto generic = [this](const std::array<Dual<double>, n>& y, std::array<Dual<double>, n>& dydt,
@@ -105,7 +108,59 @@ class Interpreted final : public ModelInterfaceOf<n> {
   bool is_analytic_ = true;
 };
 
+/// The same in float.
+template <std::size_t n>
+class SystemInFloat final : public ode::AnySystem<n, float> {
+ public:
+  using typename ode::AnySystem<n, float>::State, typename ode::AnySystem<n, float>::Half;
+
+  explicit SystemInFloat(std::shared_ptr<const Numbers> numbers) : numbers_(std::move(numbers)) {}
+  void operator()(const State& x, State& dxdt, float t) const override {
+    numbers_->rates.run(x.data(), t, dxdt.data());
+  }
+  void acceleration(const Half& q, Half& a) const override {
+    if constexpr (n % 2 == 0) numbers_->accelerations.run(q.data(), 0.0f, a.data());
+  }
+  ode::Velocities<n> velocities() const override { return velocities_of<n>(*numbers_); }
+  bool differentiable() const override { return false; }
+  long jacobian(const State&, double*, double*, double) const override {
+    throw std::logic_error("a system in float has no Jacobian");
+  }
+
+ private:
+  std::shared_ptr<const Numbers> numbers_;
+};
+
+template <std::size_t n>
+class InterpretedInFloat final : public detail::IntegratedInFloat<n> {
+ public:
+  InterpretedInFloat(const Horizon& horizon, std::shared_ptr<const Numbers> exact,
+                     const std::shared_ptr<const Numbers>& rounded)
+      : detail::IntegratedInFloat<n>(horizon, std::make_shared<const Interpreted<n>>(std::move(exact)),
+                                     std::make_shared<const Interpreted<n>>(rounded)),
+        system_(rounded) {
+    for (std::size_t i = 0; i < n; ++i) start_[i] = static_cast<float>(rounded->start[i]);
+  }
+
+ private:
+  const ode::AnySystem<n, float>& system() const override { return system_; }
+  std::array<float, n> start() const override { return start_; }
+
+  SystemInFloat<n> system_;
+  std::array<float, n> start_{};
+};
+
 }  // namespace
+
+std::shared_ptr<const ModelInFloat> interpreted_in_float(const Horizon& horizon,
+                                                         std::shared_ptr<const Numbers> exact,
+                                                         const std::shared_ptr<const Numbers>& rounded) {
+#define ODDITY_INTERPRETED(n, unused) \
+  if (exact->unknowns == (n)) return std::make_shared<const InterpretedInFloat<n>>(horizon, exact, rounded);
+  ODDITY_FOR_UNKNOWNS(ODDITY_INTERPRETED, )
+#undef ODDITY_INTERPRETED
+  throw std::logic_error("no algorithms for so many unknowns");
+}
 
 AnyModel interpreted(std::shared_ptr<const Numbers> numbers) {
 #define ODDITY_INTERPRETED(n, unused) \

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "chapters/scene.hpp"
+#include "chapters/in_float.hpp"
 #include "problem/model.hpp"
 
 namespace oddity::problem {
@@ -12,6 +12,9 @@ struct AnyModel {
   std::shared_ptr<const ModelInterface> model;
 };
 AnyModel interpreted(std::shared_ptr<const Numbers>);
+/// The same in float; `rounded` has the parameters rounded to float.
+std::shared_ptr<const ModelInFloat> interpreted_in_float(const Horizon&, std::shared_ptr<const Numbers> exact,
+                                                         const std::shared_ptr<const Numbers>& rounded);
 
 /// Found by its argument where a scene's methods are made.
 inline std::shared_ptr<const ModelInterface> type_erased(const AnyModel& any) { return any.model; }

@@ -172,6 +172,10 @@ Quantity motion_of(const Parameters& p, const Horizon& horizon, const Reference&
       quantity("motion", file.observables.front().unit, file.title + " at " + times_up_to(horizon), known,
                {*std::ranges::min_element(file.errors), "what the file asks"});
   motion.needs = file.errors;
+  std::vector<double> rounded(values);
+  for (double& value : rounded) value = static_cast<double>(static_cast<float>(value));
+  std::vector<std::string_view> names;
+  std::vector<std::shared_ptr<const ModelInFloat>> in_float;
   SceneMethods methods(motion, horizon, halving("step", longest_step(horizon.end), 9), tolerances());
   for (const Model& model : here.models) {
     const auto numbers = std::make_shared<const Numbers>(model.with(values));
@@ -182,7 +186,12 @@ Quantity motion_of(const Parameters& p, const Horizon& horizon, const Reference&
     const AnyModel any = interpreted(numbers);
     methods.by_engine_integrators(model.name(), any);
     if (&model == &here.models.back()) methods.by_remaining_integrators(model.name(), any);
+    if (model.has_events()) continue;
+    names.push_back(model.name());
+    in_float.push_back(
+        interpreted_in_float(horizon, numbers, std::make_shared<const Numbers>(model.with(rounded))));
   }
+  detail::add_in_float(motion, names, in_float, Outcome::ok);
   return motion;
 }
 

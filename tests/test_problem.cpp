@@ -368,6 +368,29 @@ TEST_CASE("A constraint that cannot be is refused with its place", "[problem]") 
   says("lagrangian = \"m/2 (x'", "equations = [\"x''=0\"]#", "constraints go with a lagrangian");
 }
 
+TEST_CASE("A file's model in float is off by roundings alone", "[problem]") {
+  for (const std::string name : {"pendulum.toml", "quarter_car.toml", "elastic_pendulum.toml"}) {
+    INFO(name);
+    const std::string file = (folder / name).string();
+    const Entry& entry = entry_of_file(file);
+    const Quantity seen =
+        motion(*entry.exercise.scene, Parameters(entry.exercise.parameters), {1}, Reference::nothing());
+    int compared = 0;
+    for (const Method& single : seen.methods_in_float) {
+      if (single.algorithm != in_float("Runge-Kutta 4")) continue;
+      const double step = single.knob.settings.back();
+      const Value one = run(seen, single, step).answer.value,
+                  two = run(seen, *method_of(seen, single.model, "Runge-Kutta 4"), step).answer.value;
+      double most = 0;
+      for (std::size_t i = 0; i < one.size(); ++i) most = std::max(most, std::abs(one[i] - two[i]));
+      CHECK(most > 0);
+      CHECK(most <= single.roundings(step));
+      ++compared;
+    }
+    CHECK(compared > 0);
+  }
+}
+
 TEST_CASE("What is wrong in an event is said with its place", "[problem]") {
   CHECK(refusal(ball(R"({ when = "y" })")).find("nothing happens in this event") != std::string::npos);
   CHECK(refusal(ball(R"({ then = { y = "0 m" } })")).find("goes through zero: when") != std::string::npos);

@@ -234,6 +234,8 @@ std::string code_of(const Task& task, const Choice& choice, const std::string& c
   const Exercise& exercise = task.entry->exercise;
   const Listing& listing = exercise.scene->listing;
   const bool single = choice.chosen->precision == Precision::in_float;
+  if (single && listing.text)
+    throw BadInput("there is no code in float for a problem's file: ask with --precision double");
   const auto [model, algorithm] =
       printed(*exercise.scene, choice.chosen->model, in_double(choice.chosen->algorithm));
   Joined headers;
