@@ -22,6 +22,11 @@ constexpr std::string_view counted = "it counts what the sentence or the exercis
                            example = "it is given as an example, not found",
                            in_radix = "it is the radix of a power that is filled in";
 constexpr Stays stays[] = {
+    {"(4) and (5)", by_name},
+    {"(7)", by_name},
+    {"Equation (2)", by_name},
+    {"four evaluations per step", by_theory},
+    {"$e>0.6627$", by_theory},
     {"half-way between", by_theory},
     {"half a turn", by_theory},
     {"half disc", by_name},
