@@ -401,46 +401,74 @@ class Model::Making {
     return result;
   }
 
-  /// By elimination, in the graph. The order of pivots is that of numbers: the largest at a state that
-  /// nothing singles out, beside its row.
+  using Pivot = std::optional<std::pair<std::size_t, std::size_t>>;
+
+  static int entries(const std::vector<Expression>& row, const std::vector<std::size_t>& columns) {
+    return static_cast<int>(std::ranges::count_if(columns, [&](std::size_t c) { return !row[c].is(0); }));
+  }
+  /// Of equations in any order: the largest next to its row, in the sparsest rows.
+  static Pivot strong_pivot(const Rows& a, const std::vector<std::size_t>& rows,
+                            const std::vector<std::size_t>& columns,
+                            const std::map<int, long double>& values) {
+    Pivot best;
+    long double most = 0;
+    int fewest = 1'000;
+    for (const std::size_t r : rows) {
+      long double size = 0;
+      const int others = entries(a[r], columns);
+      for (const std::size_t c : columns) size = std::max(size, std::abs(number(a[r][c], values)));
+      for (const std::size_t c : columns) {
+        const long double share = size > 0 ? std::abs(number(a[r][c], values)) / size : 0;
+        // Sparse rows first, then strong pivots, then the diagonal.
+        const bool better =
+            share > 0.01L &&
+            (others < fewest || (others == fewest && share > most * 1.5L) ||
+             (others == fewest && share > most * 0.9L && r == c && (!best || best->first != best->second)));
+        if (better) best = {r, c}, most = share, fewest = others;
+      }
+    }
+    return best;
+  }
+  /// Of masses, which are positive at every state, and then of the constraints' multipliers, which are not
+  /// singular where the constraints are independent: the sparsest row.
+  Pivot diagonal_pivot(const Rows& a, const std::vector<std::size_t>& rows, std::vector<long double>& sizes,
+                       const std::map<int, long double>& values) const {
+    const bool masses = rows.front() < orders_.size();
+    Pivot best;
+    int fewest = 1'000;
+    for (const std::size_t r : rows) {
+      if (masses && r >= orders_.size()) continue;
+      const long double size = std::abs(number(a[r][r], values));
+      sizes[r] = std::max(sizes[r], size);
+      if (const int others = entries(a[r], rows); size > 1e-12L * sizes[r] && others < fewest)
+        best = {r, r}, fewest = others;
+    }
+    return best;
+  }
+
+  /// By elimination, in the graph, in an order of pivots that is chosen once: by numbers, at a state that
+  /// nothing singles out.
   std::vector<Expression> solved(Rows a, std::vector<Expression> b) {
     const std::size_t n = a.size();
     Random random(52);
     const auto values = some_state(random);
-    std::vector<std::size_t> row_of(n), rows(n), columns(n);
+    std::vector<std::size_t> rows(n), columns(n);
     std::iota(rows.begin(), rows.end(), std::size_t{0});
     columns = rows;
     std::vector<std::pair<std::size_t, std::size_t>> pivots;
+    std::vector<long double> sizes(n, 0);
     while (!rows.empty()) {
-      std::pair<std::size_t, std::size_t> best;
-      long double most = 0;
-      int fewest = 1'000;
-      for (const std::size_t r : rows) {
-        long double size = 0;
-        int others = 0;
-        for (const std::size_t c : columns) {
-          size = std::max(size, std::abs(number(a[r][c], values)));
-          others += !a[r][c].is(0);
-        }
-        for (const std::size_t c : columns) {
-          const long double share = size > 0 ? std::abs(number(a[r][c], values)) / size : 0;
-          // Sparse rows first, then strong pivots, then the diagonal.
-          const bool better =
-              share > 0.01L &&
-              (others < fewest || (others == fewest && share > most * 1.5L) ||
-               (others == fewest && share > most * 0.9L && r == c && best.first != best.second));
-          if (better) best = {r, c}, most = share, fewest = others;
-        }
-      }
-      if (!(most > 1e-9L)) {
+      const auto best = lagrangian_ && equations_.empty() ? diagonal_pivot(a, rows, sizes, values)
+                                                          : strong_pivot(a, rows, columns, values);
+      if (!best) {
         std::string names;
         for (const std::size_t c : columns)
           names += (names.empty() ? "" : ", ") + (c < orders_.size() ? highest_name(c) : "a multiplier");
         source_.fail(text_.equations.empty() ? text_.lagrangian->place : text_.equations.front().place,
                      "this cannot be solved for " + names + ": the matrix is singular");
       }
-      const auto [r, c] = best;
-      pivots.push_back(best);
+      const auto [r, c] = *best;
+      pivots.push_back(*best);
       std::erase(rows, r);
       std::erase(columns, c);
       for (const std::size_t other : rows) {

@@ -334,6 +334,44 @@ TEST_CASE("A constraint holds the motion that an angle has", "[problem]") {
     CHECK(near(one.answer.value[i], other.answer.value[i], 1e-8));
 }
 
+TEST_CASE("Constraints hold a bead on a hoop that turns, also where one of its coordinates is zero",
+          "[problem]") {
+  const std::string text = R"toml(title = "x"
+[parameters]
+R = "10 cm"
+w = "100 rpm"
+m = "10 g"
+a = "20 deg"
+[model.angle]
+lagrangian = "m R^2/2 (p'^2 + w^2 sin(p)^2) + m 9.81 m/s^2 R cos(p)"
+start = { p = "a", "p'" = 0 }
+observe = { x = "R sin(p) cos(w t)", y = "R sin(p) sin(w t)", z = "-R cos(p)" }
+[model.held]
+lagrangian = "m/2 (x'^2 + y'^2 + z'^2) - m 9.81 m/s^2 z"
+constraints = ["x^2 + y^2 + z^2 = R^2", "y cos(w t) = x sin(w t)"]
+start = { x = "R sin(a)", y = "0 m", z = "-R cos(a)", "x'" = 0, "y'" = "w R sin(a)", "z'" = 0 }
+[observe]
+x = "m"
+y = "m"
+z = "m"
+)toml";
+  const auto file = read("test.toml", text);
+  std::vector<double> times;
+  for (int i = 0; i <= 20; ++i) times.push_back(0.1 * i);
+  const std::vector<double> values{10, 100, 10, 20};
+  const Numbers angle = Model(*file, file->models[0]).with(values),
+                held = Model(*file, file->models[1]).with(values);
+  const TrueMotion one = by_series(angle, times), other = by_extrapolation(held, times);
+  CHECK(one.trouble.empty());
+  REQUIRE(other.trouble.empty());
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    std::array<long double, 3> here{}, there{};
+    angle.observed.run(one.states[i].data(), static_cast<long double>(times[i]), here.data());
+    held.observed.run(other.states[i].data(), static_cast<long double>(times[i]), there.data());
+    for (std::size_t k = 0; k < 3; ++k) CHECK(std::abs(here[k] - there[k]) < 1e-13L);
+  }
+}
+
 TEST_CASE("How far a model leaves its constraint is the distance that one sees", "[problem]") {
   const std::string file = (folder / "pendulum_on_a_rod.toml").string();
   const Entry& entry = entry_of_file(file);
