@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "chapters/scene.hpp"
+#include "problem/scene.hpp"
 #include "reference/bad_input.hpp"
 #include "reference/files.hpp"
 #include "reference/quantity_text.hpp"
@@ -97,6 +98,8 @@ double setting_of(const Task& task, const Words& w) {
 }
 
 sweep::Asked asked_of(const Words& w) {
+  if (problem::is_file(w.exercise))
+    throw BadInput("a sweep is of an exercise, and " + w.exercise + " is a file: ask choose or stability");
   const Task task = task_of(w.exercise, w.overrides);
   if (!task.entry->exercise.scene) throw BadInput("exercise " + w.exercise + " has no motion to sweep over");
   if (w.model.empty() != w.algorithm.empty())
