@@ -34,7 +34,8 @@ if [ "$(id -u)" -ne 0 ] || ! command -v debootstrap >/dev/null ||
   exit
 fi
 # bare COMMAND...: as who is on it.
-on_bare() { env -i PATH=/usr/bin:/bin:/usr/sbin:/sbin HOME=/home/reader unshare --mount --pid --fork chroot "$bare" "$@"; }
+on_bare() { env -i PATH=/usr/bin:/bin:/usr/sbin:/sbin HOME=/home/reader unshare --mount --propagation unchanged --pid --fork \
+  sh -c 'mount -t proc proc "$0/proc" && exec chroot "$0" "$@"' "$bare" "$@"; }
 cp /etc/resolv.conf "$bare/etc/"
 cp "$package" "$bare/oddity.deb"
 mkdir -p "$bare/home/reader"

@@ -549,3 +549,14 @@ TEST_CASE("parts of the suite's results are put together and judged as a whole",
   CHECK(says(run("verify --shard 3 --list-tests"), "a part of the whole"));
   CHECK(says(run("verify --shard 2/7e87 --list-tests"), "a part of the whole"));  // found by a fuzzer
 }
+
+TEST_CASE("without /proc it says so", "[commands]") {
+  const std::string alone = "unshare --user --map-root-user --mount sh -c 'mount -t tmpfs none /proc && ";
+  if (program::shell(alone + "true'").status != 0) {
+    WARN("not run: /proc cannot be hidden here");
+    return;
+  }
+  const auto ended = program::shell(alone + "exec \"$0\" list' \"$oddity\"");
+  CHECK(ended.status == 2);
+  CHECK(program::says(ended, "/proc is not mounted here"));
+}

@@ -11,6 +11,7 @@
 #include "reference/files.hpp"
 #include "reference/text.hpp"
 #include "report/charts/labels.hpp"
+#include "report/study/beside_program.hpp"
 #include "report/study/fit.hpp"
 #include "report/study/run_program.hpp"
 
@@ -23,7 +24,7 @@ namespace {
 using Words = std::vector<std::string>;
 
 VerbCost cost_of(const Words& words) {
-  Words command{fs::read_symlink("/proc/self/exe").string()};
+  Words command{program_file().string()};
   VerbCost cost{"", 0, 0, 0, ""};
   command.insert(command.end(), words.begin(), words.end());
   for (const std::string& word : words) {

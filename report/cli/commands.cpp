@@ -724,6 +724,9 @@ int command_line(int argc, char** argv, const Suite& suite) try {
   return output_arrived() ? status : 2;
 } catch (const std::bad_alloc&) {
   return no_memory();
+} catch (const BadInput& error) {
+  complain(error.what());
+  return 2;
 }
 
 }  // namespace oddity

@@ -214,8 +214,8 @@ void print_slurm(const Words& w, const Plan& plan) {
       << "#!/bin/bash\n#SBATCH --job-name=oddity-sweep\n#SBATCH --array=1-" << w.slurm
       << "\n#SBATCH --cpus-per-task=1\n#SBATCH --time=" << static_cast<long>(std::ceil(minutes))
       << "\n# The folder has to be one that all machines see; what is there already is not made again.\n"
-      << (own_tree().empty() ? "oddity" : for_shell(fs::read_symlink("/proc/self/exe").string())) << " "
-      << reference << "sweep run " << for_shell(fs::absolute(w.folder).string())
+      << (own_tree().empty() ? "oddity" : for_shell(program_file().string())) << " " << reference
+      << "sweep run " << for_shell(fs::absolute(w.folder).string())
       << " --threads 1 --shard \"$SLURM_ARRAY_TASK_ID/" << w.slurm << "\"\n";
 }
 

@@ -12,9 +12,16 @@ namespace oddity {
 
 namespace fs = std::filesystem;
 
+fs::path program_file() {
+  std::error_code unreadable;
+  fs::path file = fs::read_symlink("/proc/self/exe", unreadable);
+  if (unreadable) throw BadInput("/proc is not mounted here, by which a program knows its own file");
+  return file;
+}
+
 namespace {
 
-fs::path program_folder() { return fs::read_symlink("/proc/self/exe").parent_path(); }
+fs::path program_folder() { return program_file().parent_path(); }
 
 /// By name alone, as the kernel has it: a path of the build that somebody else made leads nowhere.
 bool in_its_build() {

@@ -8,6 +8,8 @@
 /// installed in. Of these it knows one alone: an installed program looks in no tree.
 namespace oddity {
 
+/// The program's own file. Throws BadInput where /proc is not mounted.
+std::filesystem::path program_file();
 /// The tree of a program that runs from its build; empty for one that is installed.
 std::filesystem::path own_tree();
 /// share/oddity of an installed program.

@@ -8,6 +8,7 @@
 #include "reference/files.hpp"
 #include "reference/own.hpp"
 #include "reference/table.hpp"
+#include "report/study/beside_program.hpp"
 #include "report/study/earlier_results.hpp"
 
 namespace oddity {
@@ -57,7 +58,7 @@ MadeFrom made_from(const std::string& of_build, const std::string& program, cons
 }
 
 MadeFrom made_from(const fs::path& folder) {
-  const fs::path program = fs::read_symlink("/proc/self/exe");
+  const fs::path program = program_file();
   return made_from(text_in(program.string() + ".made_from"), checksum_of_program(), folder);
 }
 

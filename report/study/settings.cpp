@@ -67,7 +67,7 @@ fs::path motions_folder() { return kept("motions"); }
 fs::path prices_folder() { return kept("prices"); }
 fs::path engines_file() { return kept("engines.json"); }
 fs::path engines_folder() {
-  return (own_tree().empty() ? own_code() : fs::read_symlink("/proc/self/exe").parent_path()) / "engines";
+  return (own_tree().empty() ? own_code() : program_file().parent_path()) / "engines";
 }
 fs::path adapters_folder() { return own_tree().empty() ? engines_folder() : own_tree() / "solvers/engines"; }
 fs::path surprises_folder() {
