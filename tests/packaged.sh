@@ -33,9 +33,14 @@ if [ "$(id -u)" -ne 0 ] || ! command -v debootstrap >/dev/null ||
   echo "packaged: no bare Debian can be made here ($(tail -n 1 "$place/log" 2>/dev/null || echo "it takes root and debootstrap")): not installed"
   exit
 fi
-# bare COMMAND...: as who is on it.
-on_bare() { env -i PATH=/usr/bin:/bin:/usr/sbin:/sbin HOME=/home/reader unshare --mount --propagation unchanged --pid --fork \
-  sh -c 'mount -t proc proc "$0/proc" && exec chroot "$0" "$@"' "$bare" "$@"; }
+# on_bare COMMAND...: as who is on it, with /proc, which goes with the command. In a chroot / is no mount that could be made
+# private, and need not be.
+on_bare() {
+  env -i PATH=/usr/bin:/bin:/usr/sbin:/sbin HOME=/home/reader \
+    unshare --mount --propagation unchanged --pid --fork sh -c '
+      mount --make-rprivate / 2>/dev/null
+      mount -t proc proc "$0/proc" && exec chroot "$0" "$@"' "$bare" "$@"
+}
 cp /etc/resolv.conf "$bare/etc/"
 cp "$package" "$bare/oddity.deb"
 mkdir -p "$bare/home/reader"
