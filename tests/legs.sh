@@ -34,13 +34,14 @@ on_record() {
 
 # ---- legs -------------------------------------------------------------------------------------------------
 
-leg_newcomer() {  # the commands of README.md, of the help's examples, of CONTRIBUTING.md and of the rooms' READMEs, in a bare Debian 12; SUITE=trixie for 13; SLOW=1 for those that take minutes; RECORD=1 puts the first two's times on record
+leg_newcomer() {  # the commands of README.md, of the help's examples, of CONTRIBUTING.md and of the rooms' READMEs, in a bare Debian 12; SUITE=trixie for 13; SLOW=1 for those that take minutes; RECORD=1 puts the README's times on record
   local suite=${SUITE:-bookworm} processor
   tests/newcomer/run.sh "$suite"
   [ -n "${RECORD:-}" ] || return 0
   processor=$(sed -n 's/^model name.*: //p' /proc/cpuinfo | head -n 1)
   awk -F '\t' -v OFS=, -v on="$suite,$(nproc),$processor" '
-      $1 == "ok" && $3 ~ /^[.]\/oddity( test)? *(#|$)/ { sub(/ *#.*/, "", $3); print $3 " on " on, $2 }' \
+      { sub(/ *#.*/, "", $3) }
+      $1 == "ok" && $3 ~ /^[.]\/oddity( test| verify .\[3[.]5\].)?$/ && !seen[$3]++ { print $3 " on " on, $2 }' \
     "build/newcomer/$suite/said/seconds" | on_record tests/newcomer/record.csv
 }
 
