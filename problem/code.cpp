@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <string_view>
 
+#include "reference/bad_input.hpp"
 #include "reference/text.hpp"
 
 namespace oddity::problem {
@@ -18,6 +20,13 @@ struct Piece {
 
   std::string at_least(int strength) const { return binds < strength ? "(" + text + ")" : text; }
 };
+
+/// Never a whole number's: C++ would divide two of them without a remainder.
+std::string literal(double value) {
+  if (!std::isfinite(value)) throw BadInput("one of its numbers is not finite");
+  const std::string text = format_shortest(value);
+  return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+}
 
 class Writer {
  public:
@@ -36,7 +45,7 @@ class Writer {
     const std::size_t constants = program.constants().size();
     for (std::size_t i = 0; i < constants; ++i) {
       const auto value = static_cast<double>(program.constants()[i]);
-      pieces_[i] = {format_shortest(value), value < 0 ? 1 : 3};
+      pieces_[i] = {literal(value), value < 0 ? 1 : 3};
     }
     for (std::size_t i = 0; i < names.size(); ++i) {
       pieces_[constants + i] = {names[i]};
@@ -143,22 +152,25 @@ std::string type_name(const std::string& called) {
     name += begins ? static_cast<char>(std::toupper(letter)) : c;
     begins = false;
   }
-  return name.empty() || std::isdigit(static_cast<unsigned char>(name[0])) != 0 ? "Model" + name : name;
+  const bool is_name = !name.empty() && std::isdigit(static_cast<unsigned char>(name[0])) == 0;
+  return is_name && !is_taken_in_cpp(name) ? name : "Model" + name;
 }
 
-bool is_word_of_cpp(const std::string& name) {
+bool is_taken_in_cpp(const std::string& name) {
   constexpr auto words = std::to_array<std::string_view>(
-      {"alignas",   "alignof",   "and",      "asm",       "auto",     "bool",     "break",     "case",
-       "catch",     "char",      "class",    "compl",     "concept",  "const",    "consteval", "constexpr",
-       "constinit", "continue",  "co_await", "co_return", "co_yield", "decltype", "default",   "delete",
-       "do",        "double",    "else",     "enum",      "explicit", "export",   "extern",    "false",
-       "float",     "for",       "friend",   "goto",      "if",       "inline",   "int",       "long",
-       "mutable",   "namespace", "new",      "noexcept",  "not",      "nullptr",  "operator",  "or",
-       "private",   "protected", "public",   "register",  "requires", "return",   "short",     "signed",
-       "sizeof",    "static",    "struct",   "switch",    "template", "this",     "throw",     "true",
-       "try",       "typedef",   "typeid",   "typename",  "union",    "unsigned", "using",     "virtual",
-       "void",      "volatile",  "while",    "xor",       "model",    "std",      "oddity"});
-  return std::ranges::find(words, name) != words.end();
+      {"alignas", "alignof", "and", "asm", "auto", "bool", "break", "case", "catch", "char", "class", "compl",
+       "concept", "const", "consteval", "constexpr", "constinit", "continue", "co_await", "co_return",
+       "co_yield", "decltype", "default", "delete", "do", "double", "else", "enum", "explicit", "export",
+       "extern", "false", "float", "for", "friend", "goto", "if", "inline", "int", "long", "mutable",
+       "namespace", "new", "noexcept", "not", "nullptr", "operator", "or", "private", "protected", "public",
+       "register", "requires", "return", "short", "signed", "sizeof", "static", "struct", "switch",
+       "template", "this", "throw", "true", "try", "typedef", "typeid", "typename", "union", "unsigned",
+       "using", "virtual", "void", "volatile", "while", "xor", "model", "std", "oddity",
+       // members of the models, and macros of the headers
+       "State", "Half", "start", "acceleration", "observe", "at", "NAN", "INFINITY", "EOF", "NULL", "stdin",
+       "stdout", "stderr", "assert", "errno"});
+  return name.starts_with("M_") || name.starts_with("_") || name.find("__") != std::string::npos ||
+         std::ranges::find(words, name) != words.end();
 }
 
 }  // namespace oddity::problem

@@ -20,7 +20,7 @@ Written written(const Program&, const std::vector<std::string>& names, const std
 /// The name of a type for what is called so: "spring and friction" is SpringAndFriction.
 std::string type_name(const std::string& called);
 
-/// Whether C++ would not take it for the name of a variable.
-bool is_word_of_cpp(const std::string& name);
+/// Whether a variable of C++ cannot or should not have this name: M_E is a macro.
+bool is_taken_in_cpp(const std::string& name);
 
 }  // namespace oddity::problem

@@ -745,7 +745,7 @@ class Names {
  public:
   /// This name, or the first free one behind it.
   const std::string& add(std::string name) {
-    while (is_word_of_cpp(name) || std::ranges::find(all_, name) != all_.end()) name += '_';
+    while (is_taken_in_cpp(name) || std::ranges::find(all_, name) != all_.end()) name += '_';
     return all_.emplace_back(std::move(name));
   }
   const std::vector<std::string>& all() const { return all_; }
@@ -761,7 +761,7 @@ class Model::Coding {
  public:
   Coding(const Model& model, const File& file) : model_(model), parameters_(file.parameters.size()) {
     for (const ParameterText& p : file.parameters) {
-      if (is_word_of_cpp(p.name)) throw BadInput("the letter " + p.name + " is a word of C++");
+      if (is_taken_in_cpp(p.name)) throw BadInput("C++ has another meaning for the letter " + p.name);
       names_.add(p.name);
     }
     for (const int key : model.state_) {

@@ -23,13 +23,18 @@ namespace oddity::problem {
 
 namespace {
 
+/// "problem::Spring{m, k}", as printed code has it, or why that has none.
+struct Construction {
+  std::string code, why_not;
+};
+
 /// All that an entry's views look at.
 struct Kept {
   std::unique_ptr<const File> file;
   std::string of_text;  ///< tells files of one name apart
   std::vector<Model> models;
   std::vector<Parameter> parameters;
-  std::vector<std::string> constructions;  ///< of the models, as printed code has them
+  std::vector<Construction> constructions;  ///< of the models
   std::unique_ptr<Entry> entry;
 };
 
@@ -216,16 +221,15 @@ Energy energy_of(const Parameters& p, std::span<const double> places_and_rates) 
   return {both[0], both[1]};
 }
 
-/// "problem::Spring{m, k}"; empty where it cannot be written.
-std::string construction_of(const Model& model, const File& file) {
-  if (model.has_events()) return "";
+Construction construction_of(const Model& model, const File& file) {
+  if (model.has_events()) return {"", "as the printed loops look for no events"};
   try {
     const Model::Code code = model.code(file, false);
     std::string members;
     for (const std::string& one : code.members) members += (members.empty() ? "" : ", ") + one;
-    return "problem::" + code.type + "{" + members + "}";
-  } catch (const BadInput&) {
-    return "";
+    return {"problem::" + code.type + "{" + members + "}", ""};
+  } catch (const BadInput& error) {
+    return {"", std::string("as ") + error.what()};
   }
 }
 
@@ -302,12 +306,10 @@ Scene scene_of(const Kept& here) {
   scene.is_linear = here.models.back().is_linear();
   scene.listing.text = code_of;
   for (std::size_t i = 0; i < here.models.size(); ++i)
-    if (here.constructions[i].empty())
-      scene.listing.not_printable.emplace_back(
-          here.models[i].name(), here.models[i].has_events() ? "as the printed loops look for no events"
-                                                             : "as one of its letters is a word of C++");
+    if (const Construction& made = here.constructions[i]; made.code.empty())
+      scene.listing.not_printable.emplace_back(here.models[i].name(), made.why_not);
     else
-      scene.listing.models.emplace_back(here.models[i].name(), here.constructions[i]);
+      scene.listing.models.emplace_back(here.models[i].name(), made.code);
   return scene;
 }
 

@@ -304,3 +304,24 @@ TEST_CASE("what cannot be printed is said, with what can", "[code]") {
                        "tensions (choose among these with --only)"));  // and not: published equations
   CHECK(of({3, 5}, "one angle", "Runge-Kutta 4") == "nothing");
 }
+
+TEST_CASE("a comment that ends in a backslash does not swallow the line behind it", "[code]") {
+  const std::string name = "test.toml";
+  const Entry& entry = problem::entry_of_text(name, R"toml(title = "x"
+[parameters]
+k = { value = "3 1/s^2", says = "ends so \\" }
+[given]
+z = "k \\"
+[model.a]
+equations = ["y'' = -k y"]
+start = { y = "1 m", "y'" = 0 }
+[observe]
+y = "m"
+)toml");
+  const Task task(entry);
+  const Quantity second = second_of(task);
+  const Method& method = *method_of(second, "a", "Runge-Kutta 4");
+  const std::string code = code_of(task, choice_of(method), "oddity");
+  CHECK(code.find("\\\n") == std::string::npos);
+  CHECK(code.find("\\.\n") != std::string::npos);
+}

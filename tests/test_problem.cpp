@@ -429,6 +429,39 @@ TEST_CASE("A file's model in float is off by roundings alone", "[problem]") {
   }
 }
 
+namespace {
+
+/// What the printed code of a file's model has, or why there is none.
+std::string code_of_text(const std::string& text) {
+  const std::string name = "test.toml";
+  const Entry& entry = entry_of_text(name, text);
+  const Listing& listing = entry.exercise.scene->listing;
+  if (listing.models.empty()) return std::string(listing.not_printable.front().second);
+  return listing.text(Parameters(entry.exercise.parameters), listing.models.front().first);
+}
+
+}  // namespace
+
+TEST_CASE("Printed numbers are no whole ones, which C++ would divide without a remainder",
+          "[problem][code]") {
+  const std::string code = code_of_text(with("m y'' = -k y + if(t < 1 s, 1, 0) 1 N/2"));
+  INFO(code);
+  CHECK(code.find("? 1.0 : 0.0) / 2.0") != std::string::npos);
+}
+
+TEST_CASE("A letter or a model whose name means something in C++ does no harm", "[problem][code]") {
+  const auto renamed = [](std::string text, const std::string& letter, const std::string& now) {
+    for (auto at = text.find(letter); at != std::string::npos; at = text.find(letter, at + now.size()))
+      text.replace(at, letter.size(), now);
+    return text;
+  };
+  const std::string text = with("m y'' = -k y");
+  CHECK(code_of_text(renamed(text, "k ", "M_E ")) == "as C++ has another meaning for the letter M_E");
+  CHECK(code_of_text(renamed(text, "k ", "observe ")) == "as C++ has another meaning for the letter observe");
+  CHECK(code_of_text(renamed(text, "model.one", "model.state")).find("struct ModelState {") !=
+        std::string::npos);
+}
+
 TEST_CASE("What is wrong in an event is said with its place", "[problem]") {
   CHECK(refusal(ball(R"({ when = "y" })")).find("nothing happens in this event") != std::string::npos);
   CHECK(refusal(ball(R"({ then = { y = "0 m" } })")).find("goes through zero: when") != std::string::npos);

@@ -119,6 +119,13 @@ class Joined {
   std::string text_;
 };
 
+/// A backslash at the end of a comment, which may be anybody's text, would join the next line to it.
+std::string with_lines_apart(std::string code) {
+  for (auto at = code.find("\\\n"); at != std::string::npos; at = code.find("\\\n", at))
+    code.insert(at + 1, ".");
+  return code;
+}
+
 std::string as_comment(const std::string& text) {
   std::string comment;
   std::istringstream lines(text);
@@ -250,10 +257,10 @@ std::string code_of(const Task& task, const Choice& choice, const std::string& c
       (single         ? ", but for the observables' roundings: oddity observes a motion in float in double."
        : listing.text ? ", but for roundings."
                       : ".");
-  return as_comment(about) + "\n" + headers.includes() + headers.text() + "\n" +
-         (listing.text ? listing.text(task.parameters, choice.chosen->model) + "\n" : "") +
-         model_text(task, model, single ? "float" : "double") + std::string(print_row) +
-         main_text(task, choice.need, algorithm, choice.chosen->setting);
+  return with_lines_apart(as_comment(about) + "\n" + headers.includes() + headers.text() + "\n" +
+                          (listing.text ? listing.text(task.parameters, choice.chosen->model) + "\n" : "") +
+                          model_text(task, model, single ? "float" : "double") + std::string(print_row) +
+                          main_text(task, choice.need, algorithm, choice.chosen->setting));
 }
 
 }  // namespace oddity
