@@ -263,6 +263,7 @@ TEST_CASE("stability shows up to which step a criterion holds, where one is aske
   check_refused({
       {"stability --criterion energy --error 1%", "--error is of an exercise: name one, such as 3.5"},
       {"stability 3.5 --criterion energy", "--criterion energy needs --error"},
+      {"stability 3.5 --error 1deg --horizon 1e-12", "--error takes a --horizon from 4.1e-09 on"},
       {"stability 3.5 --criterion bounded --error 1", "--criterion bounded takes no --error"},
       {"stability 3.5 --criterion heat", "heat"},
       {"stability 3.5 --criterion energy --error 1% --energy 1%", "is what --criterion asks for"},

@@ -142,6 +142,8 @@ std::vector<Need> needs_besides(const AskedStability& asked, const std::vector<T
   std::vector<Need> needs;
   for (const Task& task : tasks) {
     const double end = horizon.value_or(task.entry->exercise.scene->horizon);
+    if (constexpr double shortest = looks * 1e-12; end < shortest)
+      throw BadInput(option + " takes a --horizon from " + format_significant(shortest, 2) + " on");
     AskedNeed one = asked.need;
     one.as_engines = true;
     one.time_limit = "none";
