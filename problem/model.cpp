@@ -198,6 +198,10 @@ class Model::Making {
     for (const Quoted& text : text_.equations) equations_.push_back(equation(source_, text, letters_));
     if (text_.lagrangian) lagrangian_ = formula(*text_.lagrangian);
     if (text_.dissipation) dissipation_ = formula(*text_.dissipation);
+    if (text_.constraints.size() >= orders_.size() && !text_.constraints.empty())
+      source_.fail(text_.constraints.back().place,
+                   std::to_string(text_.constraints.size()) + " constraints leave " +
+                       std::to_string(orders_.size()) + " unknowns no motion");
     for (const Quoted& text : text_.constraints) constraints_.push_back(equation(source_, text, letters_));
     for (const Equation& one : constraints_)
       for (const Formula* side : {&one.left, &one.right})

@@ -402,7 +402,19 @@ TEST_CASE("A constraint that cannot be is refused with its place", "[problem]") 
   says("\"x'\" = 0, \"y'\"", "\"x'\" = \"1 m/s\", \"y'\"", "the start moves off constraint 1 by");
   says("x^2 + y^2 = L^2", "x'^2 + y^2 = L^2", "a constraint is of places");
   says("x^2 + y^2 = L^2", "x^2 + y^2 = L", "the left side is m^2, and the right side m");
-  says("x^2 + y^2 = L^2\"", "x^2 + y^2 = L^2\", \"2 x^2 + 2 y^2 = 2 L^2\"", "the matrix is singular");
+  says("x^2 + y^2 = L^2\"", "x^2 + y^2 = L^2\", \"2 x^2 + 2 y^2 = 2 L^2\"", "leave 2 unknowns no motion");
+  // twice the same, beside a third unknown
+  const std::string twice = refusal(R"toml(title = "x"
+[parameters]
+L = "1 m"
+[model.a]
+lagrangian = "1 kg/2 (x'^2 + y'^2 + z'^2)"
+constraints = ["x^2 + y^2 = L^2", "2 x^2 + 2 y^2 = 2 L^2"]
+start = { x = "L", y = "0 m", z = "0 m", "x'" = 0, "y'" = "1 m/s", "z'" = 0 }
+[observe]
+x = "m"
+)toml");
+  CHECK(twice.find("the matrix is singular") != std::string::npos);
   says("lagrangian = \"m/2 (x'", "equations = [\"x''=0\"]#", "constraints go with a lagrangian");
 }
 
