@@ -37,13 +37,13 @@ run_step() {
   esac
   $place in "$suite" "$command" </dev/null >"$file.out" 2>"$file.err" || status=$?
   printf '%s' "$4" >"$file.shown"
+  printf '%s  %s\n' "$1" "$3" >"$file.command"
   # What is wrong is said on the other stream, beside what may be said of a build.
   [ -s "$file.out" ] || { cp "$file.err" "$file.out"; anywhere=1; }
   if ! ends_as "$2" $status; then
     verdict RED $((SECONDS - start)) "$1" "$3"
-    echo "it ended with $status"
-    tail -n 20 "$file.err"
-    [ -n "$anywhere" ] || tail -n 20 "$file.out"
+    { echo "it ended with $status"; tail -n 20 "$file.err"; [ -n "$anywhere" ] || tail -n 40 "$file.out"; } >"$file.why"
+    cat "$file.why"
   elif [[ -n $4 && $2 != *'output varies'* ]] && ! awk -v ANYWHERE=$anywhere -f tests/newcomer/shows.awk "$file.shown" "$file.out" >"$file.why"; then
     verdict RED $((SECONDS - start)) "$1" "$3"
     cat "$file.why"
@@ -123,5 +123,11 @@ if [ -n "$chroot" ]; then
   $place in "$suite" 'chown -R root .'
 fi
 
+# Once more at the end, where whoever reads the last lines alone finds it.
+for why in "$said"/*.why; do
+  [ -s "$why" ] || continue
+  echo "newcomer: red: $(cat "${why%.why}.command")"
+  cat "$why"
+done
 echo "newcomer: $passed passed, $failed failed, $skipped skipped"
 [ $failed -eq 0 ]
