@@ -1,6 +1,7 @@
 #include "reference/truth.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 
@@ -8,6 +9,22 @@
 #include "reference/make/motions.hpp"
 
 namespace oddity::truth {
+
+namespace {
+
+/// Boost 1.74 makes the limits of its numbers at their first use, and says that they are made before they
+/// are: another thread takes half of one for the whole ("numeric overflow" out of Jacobi's functions). So
+/// they are made before there is a second thread.
+[[maybe_unused]] const bool limits_are_made = [] {
+  using Limits = std::numeric_limits<Number>;
+  for (const Number& limit :
+       {Limits::min(), Limits::max(), Limits::lowest(), Limits::epsilon(), Limits::round_error(),
+        Limits::infinity(), Limits::quiet_NaN(), Limits::denorm_min()})
+    static_cast<void>(limit);
+  return true;
+}();
+
+}  // namespace
 
 Number power_of_ten_above(const Number& x) {
   if (x == 0) return 0;
