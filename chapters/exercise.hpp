@@ -441,6 +441,9 @@ struct Findings {
   std::vector<Claim> claims;
   std::vector<Quantity> quantities;
   std::vector<Root> roots = {};
+  /// What of the solution stands and what does not, in one sentence, where something is wrong or incomplete.
+  /// {{name of a root|words}} names a finding; {{rest}} counts those that are not named.
+  std::string verdict = {};
 };
 
 /// The observables of one time: by name ("x" and "y" alone are drawn as a path in the plane), over time in

@@ -64,6 +64,16 @@ std::string counts_line(const ExerciseResult& e) {
   return element("p", " class=\"counts\"", text);
 }
 
+/// What stands and what does not, each finding as a link to it.
+std::string verdict_line(const ExerciseResult& e) {
+  const std::string text =
+      verdict_of(e, {[](const Finding& f, const std::string& words) {
+                       return html::link("#" + claim_anchor_of(f.claims.front()->claim), html::text(words));
+                     },
+                     [](const std::string& words) { return html::text(words); }});
+  return text.empty() ? "" : element("p", " class=\"verdict\"", text) + "\n";
+}
+
 std::string letters_of(const ExerciseResult& e) {
   if (e.parameters.empty()) return "";
   std::string text;
@@ -132,7 +142,9 @@ std::string exercise_page(const Results& results, const ExerciseResult& e, const
   std::string head = element("p", " class=\"where\"", chapter_line(e)) + "\n<h1><span>" + number +
                      "</span> " + in_xml(e.title) + "</h1>\n" + counts_line(e) + "\n" +
                      element("p", " class=\"asks\"", html::prose(e.asks)) + "\n";
-  if (!e.failure.empty())
+  if (e.failure.empty())
+    head += verdict_line(e);
+  else
     head += element("p", " class=\"failure\"", "The study failed: " + in_xml(e.failure));
   return html::whole(
       {number + " " + e.title + " - oddity",

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <set>
+#include <stdexcept>
 #include <string_view>
 #include <tuple>
 #include <utility>
@@ -36,7 +38,54 @@ auto rank_of(const Finding& f) {
   return std::tuple(!is_wrong(f), !f.exercise->scene, kind, -std::ssize(f.claims));
 }
 
+/// The sentence of an exercise whose author wrote none.
+std::string made_of_verdicts(const ExerciseResult& e, const std::vector<Finding>& findings,
+                             const InMarkup& written) {
+  if (findings.empty()) {
+    Counts counts = counts_of(e);
+    if (counts[Verdict::confirmed] == 0) return "";
+    const int misprints = counts[Verdict::misprint];
+    return "The solution stands" +
+           (misprints > 0 ? ", but for " + counted(misprints, "misprint", "misprints") : "") + ".";
+  }
+  std::string text;
+  for (const Finding& f : findings) text += (text.empty() ? "" : "; ") + written.named(f, f.title());
+  return "What does not stand: " + text + ".";
+}
+
 }  // namespace
+
+std::string verdict_of(const ExerciseResult& e, const InMarkup& written) {
+  const std::vector<Finding> findings = findings_of(e);
+  if (e.verdict.empty()) return made_of_verdicts(e, findings, written);
+  std::set<std::string> left;
+  for (const Finding& f : findings) left.insert(f.root ? f.root->name : f.title());
+  std::string text, after_rest;
+  bool counts_rest = false;
+  for (std::string_view ahead = e.verdict; !ahead.empty();) {
+    const std::size_t opens = ahead.find("{{"), closes = std::min(ahead.find("}}", opens), ahead.size());
+    std::string& here = counts_rest ? after_rest : text;
+    here += written.text(std::string(ahead.substr(0, opens)));
+    if (opens == std::string_view::npos) break;
+    const std::string inside(ahead.substr(opens + 2, closes - opens - 2));
+    ahead.remove_prefix(std::min(closes + 2, ahead.size()));
+    if (inside == "rest") {
+      counts_rest = true;
+      continue;
+    }
+    const std::string name = inside.substr(0, inside.find('|'));
+    const auto finding =
+        std::ranges::find(findings, name, [](const Finding& f) { return f.root ? f.root->name : f.title(); });
+    if (finding == findings.end())
+      throw std::logic_error("the verdict in a sentence names what is no finding: " + name);
+    here += written.named(*finding, name.size() < inside.size() ? inside.substr(name.size() + 1) : name);
+    left.erase(name);
+  }
+  if (counts_rest == left.empty())
+    throw std::logic_error(counts_rest ? "the verdict in a sentence counts a rest, and names all findings"
+                                       : "the verdict in a sentence leaves out: " + *left.begin());
+  return text + (counts_rest ? counted(std::ssize(left), "more finding", "more findings") : "") + after_rest;
+}
 
 std::string Finding::title() const {
   std::string text = root ? root->name : claims.front()->claim.says;

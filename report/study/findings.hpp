@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -26,6 +27,16 @@ bool is_wrong(const Finding&);
 
 /// An exercise's errata by root, in the order of its roots.
 std::vector<Finding> findings_of(const ExerciseResult&);
+/// Writes the words that name a finding, as a link for example, and all other words.
+struct InMarkup {
+  std::function<std::string(const Finding&, const std::string& words)> named =
+      [](const Finding&, const std::string& words) { return words; };
+  std::function<std::string(const std::string& words)> text = [](const std::string& words) { return words; };
+};
+/// What of the solution stands and what does not, in one sentence: the author's, or one made of the
+/// verdicts. Throws std::logic_error where the author's does not agree with them: it names what is no
+/// finding, or leaves findings out and does not count them as the {{rest}}.
+std::string verdict_of(const ExerciseResult&, const InMarkup& = {});
 /// The errata of all exercises by root, the worst first: the worst of each scene whose published motion goes
 /// wrong, by how far it does (`broken_by`); then those of other scenes; then by kind, from a wrong listing or
 /// formula to a case left out; then by how many claims come from it.

@@ -8,6 +8,7 @@
 #include "reference/bad_input.hpp"
 #include "reference/files.hpp"
 #include "reference/text.hpp"
+#include "report/study/findings.hpp"
 #include "report/study/results.hpp"
 #include "report/study/whole_in_json.hpp"
 #include "report/text/markup.hpp"
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int format = 11;
+constexpr int format = 12;
 
 /// JSON has no infinities and no NaN: they are null, and read as NaN.
 Json from(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
@@ -592,6 +593,7 @@ Json from(const ExerciseResult& e) {
           {"parameters", parameters},
           {"claims", claims},
           {"roots", roots},
+          {"verdict", e.verdict},
           {"quantities", quantities},
           {"failure", e.failure},
           {"stability", e.stability ? from(*e.stability) : Json(nullptr)},
@@ -613,6 +615,8 @@ ExerciseResult exercise(const Json& json) {
   }
   if (!json.at("stability").is_null()) e.stability = stability(json.at("stability"));
   if (!json.at("cheapest_models").is_null()) e.cheapest_models = cheapest_models(json.at("cheapest_models"));
+  e.verdict = json.at("verdict");
+  if (e.failure.empty()) static_cast<void>(verdict_of(e));
   e.made_from = json.at("made_from");
   return e;
 }

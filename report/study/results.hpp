@@ -249,6 +249,7 @@ struct ExerciseResult {
   std::optional<CheapestModels> cheapest_models = {};
   std::optional<Stability> stability = {};
   std::vector<Root> roots = {};  ///< of the errata
+  std::string verdict = {};      ///< in one sentence, as `Findings` has it
   /// Checksums of the code, tables and ledger that they are made from, of a run whose results are kept.
   std::string made_from = {};
 };

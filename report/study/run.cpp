@@ -1,4 +1,5 @@
 #include "report/study/run.hpp"
+#include "report/study/findings.hpp"
 
 #include <algorithm>
 #include <deque>
@@ -138,6 +139,12 @@ ExerciseResult shape(const Studied& studied, const Reference& truth, Work& work)
   for (const Claim& claim : studied.findings.claims) result.claims.push_back({claim, verdict(claim)});
   place(result.claims, read_ledger(truth.folder(), to_string(entry.number)));
   result.roots = studied.findings.roots;
+  result.verdict = studied.findings.verdict;
+  try {
+    if (result.failure.empty()) static_cast<void>(verdict_of(result));
+  } catch (const std::logic_error& error) {
+    result.failure = error.what();
+  }
   for (const Quantity& quantity : studied.findings.quantities)
     result.quantities.push_back(shape(quantity, work));
   return result;

@@ -21,7 +21,11 @@ constexpr Parameter parameters[] = {
 };
 
 Findings study(const Parameters& p, const Reference& truth) {
-  return {claims(p["seed"]), {angular_velocity(p, truth)}, roots()};
+  return {
+      claims(p["seed"]),
+      {angular_velocity(p, truth)},
+      roots(),
+      R"(The angular velocity is right for any axis; on the way {{length of the axis' rate|$\dot{\mathbf D}$ is taken for a unit vector}} and {{a singular matrix|a singular matrix for an invertible one}}.)"};
 }
 
 }  // namespace ex02_05

@@ -47,7 +47,11 @@ Scene scene() {
 
 Findings study(const Parameters& p, const Reference& truth) {
   const Quantity carried = orientation(p, {p["T"]}, truth);
-  return {claims(p["seed"]), {angular_velocity_at(p["t"], truth), carried, orthogonality(carried)}, roots()};
+  return {
+      claims(p["seed"]),
+      {angular_velocity_at(p["t"], truth), carried, orthogonality(carried)},
+      roots(),
+      R"(The formula for the angular velocity stands; {{R.Dot(U) for A.Dot(U)|the listing that computes it has one product wrong}}.)"};
 }
 
 }  // namespace ex02_07

@@ -22,9 +22,11 @@ constexpr Parameter parameters[] = {
 
 Findings study(const Parameters& p, const Reference& truth) {
   const Motion m{p["r"], p["omega"], p["T"]};
-  return {claims(p["seed"]),
-          {work(m, truth), late_work(truth), early_work(truth), maximum(m, p["turn"], truth)},
-          roots()};
+  return {
+      claims(p["seed"]),
+      {work(m, truth), late_work(truth), early_work(truth), maximum(m, p["turn"], truth)},
+      roots(),
+      R"(The work of both forces is right; of the second, {{a term dropped at the maxima|the value at the maxima lacks a term}}, and {{the start is stationary too|the start is left out of the stationary points}}.)"};
 }
 
 }  // namespace ex02_17

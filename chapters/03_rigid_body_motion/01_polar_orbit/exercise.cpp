@@ -131,7 +131,9 @@ std::vector<Quantity> radii(const Parameters& p, const Reference& truth) {
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
-  return {claims(p["seed"]), radii(p, truth), roots()};
+  return {
+      claims(p["seed"]), radii(p, truth), roots(),
+      R"(The orbit is the ellipse that the solution shows, with a focus at the origin; but {{the mirror image|only one of its two signs is the orbit}}, {{the sign of the center|the center and the other focus lie on the other side}}, and {{axes for semi-axes|the axes are twice as long}}.)"};
 }
 
 }  // namespace ex03_01

@@ -324,7 +324,9 @@ Findings study(const Parameters& p, const Reference& truth) {
   if (start.energy() < 0) append({period("period", "near the Earth's unless asked otherwise", start, truth)});
   append({period("period_eccentric", "$e=0.9$", eccentric, truth),
           period("period_very_eccentric", "$e=0.99$", very_eccentric, truth)});
-  return {kepler::claims(p["seed"]), all, kepler::roots()};
+  return {
+      kepler::claims(p["seed"]), all, kepler::roots(),
+      R"(The derivation of the orbit stands, but not what a program would use: {{sign of the potential at the start|the constants have the wrong sign of the potential}}, and {{angle from the axis for the angle from the perihelion|the distance is taken at the wrong angle}}. {{the sun's mass for the planet's|Momentum and energy have the sun's mass}}, {{any orbit for an eccentric one|a direct solver is blamed for any orbit}}, and {{rest}} are cases left out.)"};
 }
 
 }  // namespace ex03_03

@@ -398,7 +398,11 @@ Findings study(const Parameters& p, const Reference& truth) {
                 "Legendre's substitution, trapezoid",
                 16,
                 {book_epsilon, singular_integrand(p["a"])(p["a"] - book_epsilon), setting_of(Side::cured)}});
-  return {claims(truth), {quarter, motion(scene(), p, truth)}, roots()};
+  return {
+      claims(truth),
+      {quarter, motion(scene(), p, truth)},
+      roots(),
+      R"(The integral and the way around its singular end stand; {{angle for its cosine|the listing subtracts an angle instead of its cosine, so its number is wrong}}.)"};
 }
 
 }  // namespace ex03_05

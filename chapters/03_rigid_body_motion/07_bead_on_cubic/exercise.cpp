@@ -59,7 +59,11 @@ Scene scene() {
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
-  return {claims(p["seed"], truth), {arrival({p["q0"], p["g"]}, truth), motion(scene(), p, truth)}, roots()};
+  return {
+      claims(p["seed"], truth),
+      {arrival({p["q0"], p["g"]}, truth), motion(scene(), p, truth)},
+      roots(),
+      R"(The equation of motion and the time to the origin stand; {{beyond the origin|what is said of the signs of speed and acceleration holds up to the origin only}}.)"};
 }
 
 }  // namespace ex03_07

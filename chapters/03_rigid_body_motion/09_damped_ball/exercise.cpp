@@ -80,7 +80,9 @@ Findings study(const Parameters& p, const Reference& truth) {
   if (const double critical = 2 * std::sqrt(ball.m * ball.c);
       ball.a < 0.9 * critical && (ball.p1 != 0 || ball.p2 != 0))
     quantities.push_back(first_arrival({ball.m, ball.c, ball.a, ball.p1, ball.p2, 0, 0}));
-  return {claims(p["seed"]), quantities, roots()};
+  return {
+      claims(p["seed"]), quantities, roots(),
+      R"(The motion with complex roots is right; {{the arctangent's branch|the time of arrival can come out negative}}, {{a fast throw|a fast throw arrives with real roots too}}, {{too much friction|more friction can make the ball later}}, {{a ball that turns back|a ball that is thrown away from the origin can arrive}}, and {{rest}} are cases left out.)"};
 }
 
 }  // namespace ex03_09

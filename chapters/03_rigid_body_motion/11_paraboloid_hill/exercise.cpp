@@ -121,15 +121,17 @@ Findings study(const Parameters& p, const Reference& truth) {
                 plane + ", Runge-Kutta 4",
                 0.0009765625,
                 {p["factor"], error_of(Side::broken), horizon.end}});
-  return {claims(p["seed"]),
-          {path("straight", "position at " + times_up_to(horizon) + ", at the speed of the straight path",
-                right, true, horizon, truth),
-           bent,
-           path("faster", "the same at twice that, the hill holding the particle back",
-                asked(p, 2 * p["factor"]), false, horizon, truth),
-           path("beside", "in the same free fall from a start beside the top: straight as well",
-                beside(right, p["offset"]), true, horizon, truth)},
-          roots()};
+  return {
+      claims(p["seed"]),
+      {path("straight", "position at " + times_up_to(horizon) + ", at the speed of the straight path", right,
+            true, horizon, truth),
+       bent,
+       path("faster", "the same at twice that, the hill holding the particle back", asked(p, 2 * p["factor"]),
+            false, horizon, truth),
+       path("beside", "in the same free fall from a start beside the top: straight as well",
+            beside(right, p["offset"]), true, horizon, truth)},
+      roots(),
+      R"(The condition on the speed stands; {{straight at any speed|along an axis, and on a round hill, a path is straight at any speed}}, and {{a particle at rest|a particle at rest is left out}}.)"};
 }
 
 }  // namespace ex03_11

@@ -97,10 +97,12 @@ Findings study(const Parameters& p, const Reference& truth) {
   centered.phi = 0;
   steep.phi = 1.5;
   rim.phi = std::numbers::pi / 2;
-  return {claims(p["seed"]),
-          {motion(scene(), p, truth), on_center(centered, horizon, truth), below_rim(steep, horizon, truth),
-           from_rim(rim, horizon, truth)},
-          roots()};
+  return {
+      claims(p["seed"]),
+      {motion(scene(), p, truth), on_center(centered, horizon, truth), below_rim(steep, horizon, truth),
+       from_rim(rim, horizon, truth)},
+      roots(),
+      R"(The chute, its equations and the motion on the center line stand; but {{beyond 45 degrees|a steeper chute is faster along $x_1$ up to $45^\circ$ only}}, {{friction across|friction does change the second equation}}, and {{a ball sent up|a ball sent up slows down first}}.)"};
 }
 
 }  // namespace ex03_13

@@ -172,9 +172,11 @@ Findings study(const Parameters& given, const Reference& truth) {
   const Given<double> rod = asked(given);
   const Given<double> stiff{rod.m, rod.c, given["stiff"], rod.w, rod.s0};
   const Given<double> fast{rod.m, rod.c, rod.K, given["r"] * sqrt(2 * rod.K / rod.m), rod.s0};
-  return {claims(given["seed"], truth),
-          {motion(scene(), given, truth), stiff_spring(stiff, horizon, truth), runaway(fast)},
-          roots()};
+  return {
+      claims(given["seed"], truth),
+      {motion(scene(), given, truth), stiff_spring(stiff, horizon, truth), runaway(fast)},
+      roots(),
+      R"(The equation of motion stands, the answer does not: {{`aux[0]` for `aux[1]`|the listing takes one array element for another}}. {{at rest in space|The mass is not at rest in space at the start}}, {{a clock set to zero|the clock ignores the time it is given}}, and {{rest}} are cases left out.)"};
 }
 
 }  // namespace ex03_15

@@ -102,10 +102,12 @@ Findings study(const Parameters& p, const Reference& truth) {
   const Horizon horizon{scene().horizon};
   const Given<double> pendulum = asked(p);
   const Cone cone{p["h"], p["r"]};
-  return {claims(p["seed"]),
-          {motion(scene(), p, truth), bob_on_earth(horizon, truth), push(pendulum, horizon, truth),
-           hours(truth), cone_swing(pendulum, cone, horizon, truth), inertia(cone)},
-          roots()};
+  return {
+      claims(p["seed"]),
+      {motion(scene(), p, truth), bob_on_earth(horizon, truth), push(pendulum, horizon, truth), hours(truth),
+       cone_swing(pendulum, cone, horizon, truth), inertia(cone)},
+      roots(),
+      R"(The point's equations stand, {{division at the lowest point|but for a division by zero at the lowest point}}; the cone's do not: {{a center of mass that halves the volume|its center of mass}}, {{moments about the base|its moments}} and {{the cone's own turning|its angular velocity}} are wrong.)"};
 }
 
 }  // namespace ex03_17

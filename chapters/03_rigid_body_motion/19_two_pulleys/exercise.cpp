@@ -251,12 +251,14 @@ Findings study(const Parameters& p, const Reference& truth) {
       "of the larger eigenvalue. The product of the roots is $c_1c_2/\\det M$, without subtraction.",
       "det(K - s M) = 0, quadratic formula", 0, Outcome::inaccurate,
       "det(K - s M) = 0, larger root and product", 0});
-  return {claims(p["seed"]),
-          {motion(scene(), p, truth),
-           frequencies("frequencies", "angular frequencies of the two modes, by their true values", pulleys,
-                       false, truth),
-           graded},
-          roots()};
+  return {
+      claims(p["seed"]),
+      {motion(scene(), p, truth),
+       frequencies("frequencies", "angular frequencies of the two modes, by their true values", pulleys,
+                   false, truth),
+       graded},
+      roots(),
+      R"(The kinematics stands, the equations of motion do not: {{the second spring on the pulley|the second spring's pull on the small pulley is missing}}. Of the forces on the bodies, {{the small pulley's inertia|one lacks the pulley's inertia}}, and {{a rope that pushes|a rope pushes}}.)"};
 }
 
 }  // namespace ex03_19

@@ -185,11 +185,13 @@ Findings study(const Parameters& p, const Reference& truth) {
       "In Cartesian coordinates nothing calls the center back to its circle: at steps that are long for its "
       "small radius even Runge-Kutta's center leaves for infinity. An angle cannot leave the circle.",
       cartesian + ", Runge-Kutta 4", 0.125, Outcome::non_finite, one + ", Runge-Kutta 4", 0.0009765625});
-  return {claims(p["seed"]),
-          {under_gravity(free, truth), motion(scene(), p, truth),
-           under_force("frictionless", "the same with the force alone", frictionless, horizon, truth), fast,
-           upright(pushed, truth)},
-          roots()};
+  return {
+      claims(p["seed"]),
+      {under_gravity(free, truth), motion(scene(), p, truth),
+       under_force("frictionless", "the same with the force alone", frictionless, horizon, truth), fast,
+       upright(pushed, truth)},
+      roots(),
+      R"(The motion is right, {{division by an upright pipe|but for a division by zero where the pipe is upright}}.)"};
 }
 
 }  // namespace ex03_21

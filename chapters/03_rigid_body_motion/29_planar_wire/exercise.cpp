@@ -78,7 +78,9 @@ Scene scene() {
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
-  Findings found{claims(p["seed"]), inertias(asked(p), truth), roots()};
+  Findings found{
+      claims(p["seed"]), inertias(asked(p), truth), roots(),
+      R"(Energy and forces of the wire are right; {{cross term left out|the speed of a point lacks a cross term, which integrates to zero}}, and {{friction at rest|friction on a wire at rest is $0/0$}}.)"};
   found.quantities.push_back(motion(scene(), p, truth));
   found.quantities.back().add(
       Breakdown{"Particles and a rod: explicit Euler lets the rod grow and the energy with it. With "

@@ -90,7 +90,9 @@ Scene scene() {
 
 Findings study(const Parameters& p, const Reference& truth) {
   const Top start = asked(p);
-  Findings found{claims(p["seed"], start), quantities(start, truth), roots(start)};
+  Findings found{
+      claims(p["seed"], start), quantities(start, truth), roots(start),
+      R"(The equations of motion are right; {{velocity for position|that the center of mass has no velocity in body coordinates}} is not.)"};
   found.quantities.insert(found.quantities.begin(), motion(scene(), p, truth));
   return found;
 }

@@ -69,7 +69,9 @@ Findings study(const Parameters& p, const Reference& truth) {
   const Top top = asked(p);
   auto all = quantities(top, truth);
   const Deviation off(all);
-  Findings found{claims(p["seed"], top, off), std::move(all), roots(top, off)};
+  Findings found{
+      claims(p["seed"], top, off), std::move(all), roots(top, off),
+      R"(The conclusion does not stand: {{no torque of what moves the tip|the force that moves the tip has a torque about the center of mass}}, so that the tip's motion cannot be handled apart, and {{tip for center of mass|the tip is not the center of mass}}.)"};
   found.quantities.insert(found.quantities.begin(), motion(scene(), p, truth));
   return found;
 }

@@ -70,7 +70,8 @@ Findings study(const Parameters& p, const Reference& truth) {
            spheroid_flux("flux_outside", "flux through a spheroid that does not enclose the origin", p["a"],
                          p["b"], p["outside"] * p["b"], truth),
            close, cube_flux(p["h"], truth)},
-          roots()};
+          roots(),
+          R"(The proof stands {{the origin|everywhere but at the origin}}.)"};
 }
 
 }  // namespace ex05_03

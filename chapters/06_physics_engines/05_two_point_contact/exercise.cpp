@@ -211,7 +211,11 @@ Quantity patch(const Parameters& p) {
 
 Findings study(const Parameters& p, const Reference& truth) {
   const Quantity face = patch(p);
-  return {claims(p["seed"]), {spin(p, truth), rebound(p), face}, roots(p, face)};
+  return {
+      claims(p["seed"]),
+      {spin(p, truth), rebound(p), face},
+      roots(p, face),
+      R"(The velocities after the impulse stand; {{corners for a face|that a few points are exact for any contact}} does not.)"};
 }
 
 }  // namespace ex06_05

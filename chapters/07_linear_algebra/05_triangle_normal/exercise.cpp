@@ -161,8 +161,9 @@ Findings study(const Parameters& p, const Reference& truth) {
       "edges, w x u", 53, Outcome::inaccurate, "edges, v x w", 53});
   const Quantity own = normal_of("normal", "normal of the triangle $PQR$",
                                  {point_of(p, "p"), point_of(p, "q"), point_of(p, "r")}, truth);
-  return {claims(Random(p["seed"])), in_operations({far, thin, twice_area(flat(1, 1e-6), truth), own}),
-          roots()};
+  return {
+      claims(Random(p["seed"])), in_operations({far, thin, twice_area(flat(1, 1e-6), truth), own}), roots(),
+      R"(The identity stands; {{edges on one line|such vectors are edges of a triangle only if two of them are not parallel}}.)"};
 }
 
 }  // namespace ex07_05
