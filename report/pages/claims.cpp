@@ -121,8 +121,9 @@ std::string in_full(const JudgedClaim& judged, bool in_table, const ProvedClaims
   const Claim& claim = judged.claim;
   const std::string kind = claim.kind == Fault::none ? "" : std::string(name_of(claim.kind)) + ", ";
   const auto shown = [&](const std::string& what, const Reading& reading) {
-    return is_told(claim, reading) || in_table ? ""
-                                               : " *" + what + ":* " + escaped(reading.text, false) + ".";
+    return is_told(claim, reading) || in_table
+               ? ""
+               : " *" + what + ":* " + with_full_stop(escaped(reading.text, false));
   };
   const bool meant = was_meant(judged.verdict);
   const std::string as_it_stands = judged.verdict == Verdict::lost ? "In our copy" : "As printed";
@@ -130,7 +131,7 @@ std::string in_full(const JudgedClaim& judged, bool in_table, const ProvedClaims
                                shown(meant ? "Meant" : "Right", right_reading(judged));
   return "<a id=\"" + anchor_of(claim) + "\"></a>**" + title_of(judged.verdict) + " " + code(claim.id) +
          "** (" + kind + escaped(place_of(claim), false) + (proved.contains(claim.id) ? ", proved" : "") +
-         "): " + escaped(claim.says, false) + "." + readings + "\n\n" + prose(claim.why) + "\n\n" +
+         "): " + with_full_stop(escaped(claim.says, false)) + readings + "\n\n" + prose(claim.why) + "\n\n" +
          numbers_of(judged);
 }
 
@@ -197,7 +198,13 @@ std::string link_to(const ExerciseResult& e, const Claim& claim, Links links) {
 }
 
 std::string answer(const ExerciseResult& e) {
-  std::string text = "**" + sentence(counts_of(e)) + ".**";
+  const std::string verdict = verdict_of(e, {[&](const Finding& f, const std::string& words) {
+                                               return "[" + escaped(words, false) + "](" +
+                                                      address_of(e, f.claims.front()->claim, Links::within) +
+                                                      ")";
+                                             },
+                                             [](const std::string& words) { return escaped(words, false); }});
+  std::string text = (verdict.empty() ? "" : verdict + "\n\n") + "**" + sentence(counts_of(e)) + ".**";
   const std::vector<Finding> errata = findings_of(e);
   if (errata.empty()) return text + "\n\n";
   std::vector<std::vector<std::string>> rows;

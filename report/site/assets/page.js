@@ -120,7 +120,7 @@
     const confirmed = claims ? claims.querySelectorAll('.claims > details').length : 0;
     const all = add('all claims', articles);
     all.lastChild.textContent = String(articles.length + confirmed);
-    add('wrong', articles);
+    add('findings', articles);
     choices.forEach((chosen, name) => add(name, chosen));
     all.setAttribute('aria-pressed', 'true');
   }
