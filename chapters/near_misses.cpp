@@ -49,7 +49,7 @@ double roundings(const Sides& sides, const std::vector<Letters>& letters, const 
 std::vector<Letters> at_random(const Letters& letters) {
   Random random(7);
   std::vector<Letters> all;
-  for (int n = 0; n < 8; ++n) {
+  for (int n = 0; n < 16; ++n) {
     all.push_back(letters);
     for (auto& letter : all.back())
       for (double& x : letter.entries) x = n % 2 == 0 ? random.magnitude(0.3, 3) : random.between(0.3, 3);
@@ -71,12 +71,16 @@ Changes changes_of(const TypesetFormula& formula, const std::vector<TypesetSampl
     truth.push_back(sample.truth);
     sizes.push_back(std::max(magnitude_of(right, letters.back()), size_of(sample.truth)));
   }
-  const std::vector<Letters> any = at_random(letters[0]);
+  // Where the formula has a value: a root has none of just any letters.
+  std::vector<Letters> any;
   std::vector<Value> right_at_any;
   std::vector<double> sizes_at_any;
-  for (const Letters& one : any) {
-    right_at_any.push_back(TypesetFormula::value(right, one));
+  for (Letters& one : at_random(letters[0])) {
+    Value value = TypesetFormula::value(right, one);
+    if (!finite(value)) continue;
+    right_at_any.push_back(std::move(value));
     sizes_at_any.push_back(magnitude_of(right, one));
+    any.push_back(std::move(one));
   }
   constexpr double is_rounding = 1e4;
   for (std::size_t i = 0; i < right.size(); ++i)
@@ -84,7 +88,11 @@ Changes changes_of(const TypesetFormula& formula, const std::vector<TypesetSampl
       Sides sides = right;
       sides[i] = mutant.tree;
       const double off = roundings(sides, letters, truth, sizes);
-      if (off < is_rounding && roundings(sides, any, right_at_any, sizes_at_any) < is_rounding)
+      // Forms of one quantity, in a row, are equal.
+      if (off < is_rounding && mutant.change == "components exchanged")
+        ++changes.equal;
+      else if (off < is_rounding && !any.empty() &&
+               roundings(sides, any, right_at_any, sizes_at_any) < is_rounding)
         ++changes.equal;
       else
         changes.hardest_first.push_back({text_of("", sides), mutant.change, std::move(sides), off});

@@ -1,5 +1,6 @@
 #include "chapters/provable_claims.hpp"
 
+#include <charconv>
 #include <cmath>
 
 #include "chapters/integral_proofs.hpp"
@@ -15,6 +16,24 @@ struct Constants<Shortened> {
 };
 
 }  // namespace formula
+
+// Functions that texts have. Half of a whole number as an exponent is a power of the root.
+Shortened log(const Shortened& x) { return log(x.expression()); }
+Shortened tan(const Shortened& x) { return function("tan", x.expression()); }
+Shortened asin(const Shortened& x) { return function("asin", x.expression()); }
+Shortened acos(const Shortened& x) { return function("acos", x.expression()); }
+Shortened atan(const Shortened& x) { return atan(x.expression()); }
+Shortened pow(const Shortened& x, const Shortened& exponent) {
+  std::string_view text = exponent.expression().coq();
+  const bool below = text.starts_with("- (");
+  if (below) text = text.substr(3, text.size() - 4);
+  int halves = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), halves);
+  if (error != std::errc{} || text.substr(static_cast<std::size_t>(end - text.data())) != " / 2")
+    return exp(exponent * log(x));
+  const Shortened power = pow(sqrt(x), halves);
+  return below ? 1.0 / power : power;
+}
 
 Expressions recorded_text(const std::string& text, const TypesetIn<Shortened>& letters) {
   formula::Names names;

@@ -86,9 +86,10 @@ std::vector<formula::Tree> TypesetFormula::sides(const formula::Names& names) co
   if (std::ranges::count(split.relations, "=") < std::ssize(split.relations) || split.sides.size() > 2)
     throw std::logic_error(text_ + " is neither one formula nor one equation");
   std::vector<formula::Tree> sides;
-  const bool called = split.sides.size() == 2 && is_name(split.sides[0]);
+  const bool called = split.sides.size() == 2 && (split.sides[0].empty() || is_name(split.sides[0]));
   for (std::size_t i = called ? 1 : 0; i < split.sides.size(); ++i)
     sides.push_back(formula::parse_tex(split.sides[i], names));
+  if (sides.size() == 2 && formula::is_number(sides[0], "0")) std::swap(sides[0], sides[1]);
   return sides;
 }
 

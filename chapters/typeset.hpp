@@ -34,8 +34,8 @@ std::optional<formula::Tree> typeset_tree(std::string_view formula, const formul
 std::optional<Value> typeset_value(const formula::Tree&, const std::vector<formula::Matrix<double>>& letters);
 
 /// A reading that is stated as text alone. It is one formula, or an equation: then its value is what the left
-/// side is more than the right one, or the right side, where the left one is only what that is called: v,
-/// W(T).
+/// side is more than the right one, or the right side, where the left one is nothing or only what that is
+/// called: v, W(T). Of 0=x it is x.
 class TypesetFormula {
  public:
   /// Reads at the first value.

@@ -4,6 +4,7 @@
 
 #include "chapters/claims.hpp"
 #include "chapters/near_misses.hpp"
+#include "chapters/provable_claims.hpp"
 #include "report/verify/catch.hpp"
 
 using namespace oddity;
@@ -71,6 +72,26 @@ TEST_CASE("changes that are no change are not counted", "[claims]") {
   CHECK(changes_of(TypesetFormula("$x$"), {}).hardest_first.empty());
 }
 
+TEST_CASE("forms of one quantity may stand in any order", "[claims]") {
+  const Formula<Point> twice{"by hand, twice", [](const Point& p) {
+                               const double z = p.x * p.x - 2 * p.y;
+                               return Value{z, z};
+                             }};
+  CHECK(verdict(claim({.truth = twice, .printed = {"$(x^2-2y,\\ xx-y-y)$"}})) == Verdict::confirmed);
+}
+
+TEST_CASE("a text is recorded for proofs with its functions and powers", "[claims][proofs]") {
+  const auto recorded = [](const std::string& text) {
+    return recorded_text("$" + text + "$", {{"x", Shortened::letter("x")}})[0].coq();
+  };
+  CHECK(recorded(R"(\ln x)") == "ln (x)");
+  CHECK(recorded(R"(\cos^{-1}(x/2))") == "acos (x / 2)");
+  CHECK(recorded("x^{3/2}") == "(sqrt (x)) ^ 3");
+  CHECK(recorded("x^{-1/2}") == "1 / (sqrt (x)) ^ 1");
+  CHECK(recorded("x^{1/3}") == "exp (1 / 3 * ln (x))");
+  CHECK(recorded("0=x-1") == "x - 1");
+}
+
 TEST_CASE("an equation's value is what its sides differ by, but for a name on the left", "[claims]") {
   const TypesetLetters letters{{"x", 3}, {"y", 5}};
   CHECK(value("$x+y$", letters) == 8);
@@ -79,6 +100,9 @@ TEST_CASE("an equation's value is what its sides differ by, but for a name on th
   CHECK(value("$W'(T)=y$", letters) == 5);
   CHECK(value(R"($\ddot q_1=y$)", letters) == 5);
   CHECK(value("$x=y$", letters) == 5);
+  CHECK(value("$=y$", letters) == 5);
+  CHECK(value("$0=2x$", letters) == 6);
+  CHECK(TypesetFormula("$0=(x,y)$")(letters)[1] == 5);
   for (const char* text : {"x+y", "the same", "$x<y$", "$x=y=2$", "$x+q$", "$q+1=x$", "$x=$", "$(1,x)+y$"})
     CHECK_THROWS_AS(TypesetFormula(text)(letters), std::logic_error);
 }

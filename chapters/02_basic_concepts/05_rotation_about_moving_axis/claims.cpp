@@ -221,7 +221,7 @@ void rotation_and_derivative(Statements& claims, const Moments& moments) {
            {R"($\mathrm{Skew}(\mathbf w)$, $\mathbf w=2\dot qq^*$ in dual numbers, $q$ the quaternion of )"
             R"($R$)",
             [](const auto& m) { return skew(m.w); }, &Moment::size},
-       .printed = {R"($\dot RR^T$)", [](const auto& m) { return m.W; }},
+       .printed = {R"($\dot RR^T$)"},
        .near_misses = {{R"($R^T\dot R$, which has $\mathbf w$ in the body's frame)",
                         [](const auto& m) { return transpose(m.R) * m.R_dot; }}}});
   claims.for_any.push_back(
@@ -236,16 +236,12 @@ void rotation_and_derivative(Statements& claims, const Moments& moments) {
           of_turn}});
   std::vector<Differenced> differenced;
   for (M m : moments.moving) differenced.push_back({m});
-  const auto skew_of = [](const std::string& text, double k) {
-    return Formula<Differenced>{text, [=](M m) { return skew(k * m.U2); }};
-  };
   claims.formula<Differenced>("derivative_of_s", 321, R"($\dot S=\mathrm{Skew}(\dot{\mathbf D})$)",
                               differenced,
                               {.quantity = R"($\dot S$)",
                                .truth = {R"(differences of $\mathrm{Skew}(\mathbf D(t))$, extrapolated)",
                                          [](const auto& m) { return m.S_slope.value; }},
-                               .printed = skew_of(R"($\mathrm{Skew}(\dot{\mathbf D})$)", 1),
-                               .near_misses = {skew_of(R"($-\mathrm{Skew}(\dot{\mathbf D})$)", -1)}});
+                               .printed = {R"($\mathrm{Skew}(\dot{\mathbf D})$)"}});
   lines(claims, moments.moving,
         {{"derivative_of_r", 323,
           R"($\dot R=\sigma\dot S+\dot\theta\gamma S+(1-\gamma)(S\dot S+\dot SS)+\dot\theta\sigma S^2$)",

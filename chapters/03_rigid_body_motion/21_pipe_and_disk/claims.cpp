@@ -31,9 +31,9 @@ struct SampleOf {
   std::array<T*, 13> letters() {
     return {&m, &L, &mu2, &mu3, &phi, &g, &q[0], &q[1], &v[0], &v[1], &F[0], &F[1], &F[2]};
   }
-  TypesetLetters typeset() const {
-    return {{"m", m},        {"L", L}, {R"(\mu_2)", mu2},   {R"(\phi)", phi},
-            {"F", Value(F)}, {"g", g}, {R"(\theta)", q[0]}, {"F_\\theta", force()}};
+  TypesetIn<T> typeset() const {
+    return {{"m", m}, {"L", L}, {R"(\mu_2)", mu2},   {R"(\phi)", phi},
+            {"F", F}, {"g", g}, {R"(\theta)", q[0]}, {"F_\\theta", force()}};
   }
   T inertia(const T& moment) const { return (m * L * L + moment) * sin(phi) * sin(phi); }
   double size() const {
@@ -151,7 +151,7 @@ void equations(Table& table, const std::vector<Sample>& samples) {
                 R"(The pipe's acceleration is $\ddot\theta=F_\theta/((mL^2+\mu_2)\sin^2\phi)$)", samples,
                 {.quantity = R"(the pipe's angular acceleration $\ddot\theta$)",
                  .truth = {lagrange, [](const auto& s) { return s.accelerations(s.force(), 0)[0]; }},
-                 .printed = {R"($F_\theta/((mL^2+\mu_2)\sin^2\phi)$)", quotient(mu2)},
+                 .printed = {R"($F_\theta/((mL^2+\mu_2)\sin^2\phi)$)"},
                  .near_misses = {{R"($\mu_3$, the moment about the pipe, for $\mu_2$)",
                                   quotient([](const auto& s) { return s.mu3; })},
                                  {R"($\sin\phi$ for its square)", quotient(mu2, 1)}}});
@@ -164,7 +164,7 @@ void equations(Table& table, const std::vector<Sample>& samples) {
                 samples,
                 {.quantity = R"(the disk's angular acceleration $\ddot\psi$)",
                  .truth = {lagrange, [](const auto& s) { return s.accelerations(s.force(), 0)[1]; }},
-                 .printed = {R"($-F_\theta\cos\phi/((mL^2+\mu_2)\sin^2\phi)$)", turned_back(-1)},
+                 .printed = {R"($-F_\theta\cos\phi/((mL^2+\mu_2)\sin^2\phi)$)"},
                  .near_misses = {{"the same without the minus", turned_back(1)}, {"zero", turned_back(0)}}});
 
   const auto product = [](double sign, double third) {
@@ -180,7 +180,7 @@ void equations(Table& table, const std::vector<Sample>& samples) {
       {.quantity = R"(the generalized force on $\theta$)",
        .truth = {R"($F\cdot\partial X/\partial\theta$ of the center $X$, by dual numbers)",
                  [](const auto& s) { return s.force(); }},
-       .printed = {R"($F\cdot L(-\sin\theta\sin\phi,\ \cos\theta\sin\phi,\ 0)$)", product(1, 0)},
+       .printed = {R"($F\cdot L(-\sin\theta\sin\phi,\ \cos\theta\sin\phi,\ 0)$)"},
        .near_misses = {{R"(with $+\sin\theta$)", product(-1, 0)},
                        {R"($\cos\phi$ as the third component)", product(1, 1)}}});
   const auto weight = [](std::size_t axis) {
