@@ -91,6 +91,8 @@ class Expression {
   }
 
  private:
+  std::optional<Expression> antilogarithm() const;
+  std::optional<Expression> power() const;
   static Expression made(Op op, const Expression& a, const Expression& b, const Expression& c);
   static Expression made(Op op, const Expression& a, const Expression& b) { return made(op, a, b, a); }
   static Expression made(Op op, const Expression& a) { return made(op, a, a, a); }

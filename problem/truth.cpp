@@ -314,8 +314,10 @@ Number reach_of(const Series& series, const Sizes& sizes, std::size_t n, const F
     const auto last = static_cast<std::size_t>(k);
     Number most = 0;
     const auto see = [&](const Row& row) {
+      // one that begins at zero, and at rest, has the size that it gains
       if (k < order && row[last] != 0)
-        most = std::max(most, std::abs(row[last]) / std::max(std::abs(row[0]), std::abs(row[1]) * span));
+        most = std::max(most, std::abs(row[last]) / std::max({std::abs(row[0]), std::abs(row[1]) * span,
+                                                              std::abs(row[2]) * span * span}));
     };
     for (std::size_t i = 0; i < n && k >= order - 1; ++i)
       most = std::max(most, std::abs(series.unknown(i)[last]) / sizes[i]);
