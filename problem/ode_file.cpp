@@ -72,25 +72,20 @@ struct Function {
   std::string_view name;
   std::size_t arguments;
 };
-constexpr Function functions[]{{"sin", 1},   {"cos", 1},  {"tan", 1},   {"asin", 1}, {"acos", 1},
-                               {"atan", 1},  {"sinh", 1}, {"cosh", 1},  {"tanh", 1}, {"exp", 1},
-                               {"ln", 1},    {"log", 1},  {"log10", 1}, {"sqrt", 1}, {"abs", 1},
-                               {"heav", 1},  {"sign", 1}, {"flr", 1},   {"ceil", 1}, {"not", 1},
-                               {"atan2", 2}, {"max", 2},  {"min", 2},   {"mod", 2},  {"shift", 2}};
+// clang-format off
+constexpr Function functions[]{
+    {"sin", 1}, {"cos", 1}, {"tan", 1}, {"asin", 1}, {"acos", 1}, {"atan", 1}, {"sinh", 1}, {"cosh", 1}, {"tanh", 1},
+    {"exp", 1}, {"ln", 1}, {"log", 1}, {"log10", 1}, {"sqrt", 1}, {"abs", 1}, {"heav", 1}, {"sign", 1}, {"flr", 1},
+    {"ceil", 1}, {"not", 1}, {"atan2", 2}, {"max", 2}, {"min", 2}, {"mod", 2}, {"shift", 2}};
 /// Functions that are read by no one here, and what they would need.
-constexpr std::pair<std::string_view, std::string_view> not_here[]{{"delay", "delays"},
-                                                                   {"del_shft", "delays"},
-                                                                   {"ran", "random numbers"},
-                                                                   {"normal", "random numbers"},
-                                                                   {"poisson", "random numbers"},
-                                                                   {"int", "integral equations"},
-                                                                   {"hom_bcs", "boundary values"},
-                                                                   {"besselj", "Bessel functions"},
-                                                                   {"bessely", "Bessel functions"},
-                                                                   {"besseli", "Bessel functions"},
-                                                                   {"erf", "the error function"},
-                                                                   {"erfc", "the error function"},
-                                                                   {"lgamma", "the gamma function"}};
+constexpr std::pair<std::string_view, std::string_view> not_here[]{
+    {"delay", "delays"}, {"del_shft", "delays"}, {"ran", "random numbers"}, {"normal", "random numbers"},
+    {"poisson", "random numbers"}, {"int", "integral equations"}, {"hom_bcs", "boundary values"},
+    {"besselj", "Bessel functions"}, {"bessely", "Bessel functions"}, {"besseli", "Bessel functions"},
+    {"erf", "the error function"}, {"erfc", "the error function"}, {"lgamma", "the gamma function"}};
+// clang-format on
+constexpr const char *maps = "there are no maps here, whose time goes in steps",
+                     *other_files = "other files are not opened";
 std::string none_here(std::string_view what) { return "there are no " + std::string(what) + " here"; }
 
 /// Reads pieces of a statement, for one value of its index j.
@@ -278,10 +273,10 @@ class Reader {
     if (c == '-' || c == '+') fail("a sign follows an operator: put it in parentheses with what it is of");
     if (!begins_name(c)) fail(c == '\0' ? "the formula ends too early" : "expected a number, a name or (");
     const std::size_t at = at_;
+    if (text_.compare(at, 4, "int[") == 0) fail(none_here("integral equations"));
     const std::string word = name();
     for (const auto& [function, what] : not_here)
-      if (word == function && (next() == '(' || next() == '{' || next() == '[')) fail(at, none_here(what));
-    if (word == "int" && (next() == '{')) fail(at, none_here("integral equations"));
+      if (word == function && (next() == '(' || next() == '{')) fail(at, none_here(what));
     if (word == "if") {
       Node all{Node::Is::choice, word, {in_parentheses()}, begin};
       expect("then");
@@ -533,54 +528,32 @@ class Writer {
 // ---- statements
 // -------------------------------------------------------------------------------------------
 
-enum class Keyword { parameters, constants, starts, aux, event, boundary, ends, ignored, refused };
+enum class Keyword { parameters, constants, starts, aux, event, boundary, ends, ignored, refused, files };
 
 struct Word {
   std::string_view word;
   Keyword is;
   std::string_view missing = {};
 };
-constexpr Word words[]{{"p", Keyword::parameters},
-                       {"par", Keyword::parameters},
-                       {"param", Keyword::parameters},
-                       {"params", Keyword::parameters},
-                       {"parameter", Keyword::parameters},
-                       {"parameters", Keyword::parameters},
-                       {"num", Keyword::constants},
-                       {"number", Keyword::constants},
-                       {"numbers", Keyword::constants},
-                       {"i", Keyword::starts},
-                       {"init", Keyword::starts},
-                       {"a", Keyword::aux},
-                       {"aux", Keyword::aux},
-                       {"g", Keyword::event},
-                       {"global", Keyword::event},
-                       {"b", Keyword::boundary},
-                       {"bc", Keyword::boundary},
-                       {"bdry", Keyword::boundary},
-                       {"bndry", Keyword::boundary},
-                       {"d", Keyword::ends},
-                       {"done", Keyword::ends},
-                       {"set", Keyword::ignored},
-                       {"only", Keyword::ignored},
-                       {"w", Keyword::refused, "random numbers"},
-                       {"wiener", Keyword::refused, "random numbers"},
-                       {"m", Keyword::refused, "random numbers"},
-                       {"markov", Keyword::refused, "random numbers"},
-                       {"t", Keyword::refused, "tables"},
-                       {"tab", Keyword::refused, "tables"},
-                       {"table", Keyword::refused, "tables"},
-                       {"tabular", Keyword::refused, "tables"},
-                       {"special", Keyword::refused, "sums over tables and networks"},
-                       {"v", Keyword::refused, "integral equations"},
-                       {"volt", Keyword::refused, "integral equations"},
-                       {"volterra", Keyword::refused, "integral equations"},
-                       {"solv", Keyword::refused, "algebraic conditions"},
-                       {"solve", Keyword::refused, "algebraic conditions"},
-                       {"export", Keyword::refused, "functions of other files"},
-                       {"o", Keyword::refused, "other files, which are not opened"},
-                       {"option", Keyword::refused, "other files, which are not opened"},
-                       {"options", Keyword::refused, "other files, which are not opened"}};
+constexpr std::string_view random_numbers = "random numbers", tables = "tables",
+                           integrals = "integral equations";
+// clang-format off
+constexpr Word words[]{
+    {"p", Keyword::parameters}, {"par", Keyword::parameters}, {"param", Keyword::parameters}, {"params", Keyword::parameters},
+    {"parameter", Keyword::parameters}, {"parameters", Keyword::parameters},
+    {"num", Keyword::constants}, {"number", Keyword::constants}, {"numbers", Keyword::constants},
+    {"i", Keyword::starts}, {"init", Keyword::starts}, {"initial", Keyword::starts},
+    {"a", Keyword::aux}, {"aux", Keyword::aux}, {"g", Keyword::event}, {"global", Keyword::event},
+    {"b", Keyword::boundary}, {"bc", Keyword::boundary}, {"bdry", Keyword::boundary}, {"bndry", Keyword::boundary},
+    {"d", Keyword::ends}, {"done", Keyword::ends}, {"set", Keyword::ignored}, {"only", Keyword::ignored},
+    {"w", Keyword::refused, random_numbers}, {"wiener", Keyword::refused, random_numbers},
+    {"m", Keyword::refused, random_numbers}, {"markov", Keyword::refused, random_numbers},
+    {"t", Keyword::refused, tables}, {"tab", Keyword::refused, tables}, {"table", Keyword::refused, tables},
+    {"tabular", Keyword::refused, tables}, {"special", Keyword::refused, "sums over tables and networks"},
+    {"v", Keyword::refused, integrals}, {"volt", Keyword::refused, integrals}, {"volterra", Keyword::refused, integrals},
+    {"solv", Keyword::refused, "algebraic conditions"}, {"solve", Keyword::refused, "algebraic conditions"},
+    {"export", Keyword::files}, {"o", Keyword::files}, {"option", Keyword::files}, {"options", Keyword::files}};
+// clang-format on
 
 /// A file's statements, and the File that they make.
 class Making {
@@ -675,7 +648,7 @@ class Making {
   }
   void comment(const Statement& statement, std::size_t begin) {
     const std::string text = statement.text.substr(begin + 1);
-    if (text.starts_with("include")) refuse(statement.at(begin), "other files, which are not opened");
+    if (text.starts_with("include")) source_.fail(statement.at(begin), other_files);
   }
 
   void once(const Statement& statement, std::size_t begin, std::optional<long> j) {
@@ -685,7 +658,7 @@ class Making {
     Reader r(source_, statement, j);
     r.go_to(begin);
     if (r.take("@")) return options(r);
-    if (r.take("!")) return define(r, r.name(), Role::constant);
+    if (r.take("!")) return define(r, r.name(), Role::constant, statement.at(begin));
     std::size_t end = begin;
     while (end < statement.text.size() && in_name(statement.text[end])) ++end;
     const std::string word = statement.text.substr(begin, end - begin);
@@ -730,6 +703,8 @@ class Making {
         return;
       case Keyword::ignored:
         return;
+      case Keyword::files:
+        source_.fail(place, other_files);
       case Keyword::refused:
         refuse(place, keyword.missing);
     }
@@ -761,8 +736,7 @@ class Making {
     starts_.insert_or_assign(name, std::pair(value, at));
   }
 
-  void define(Reader& r, const std::string& name, Role role) {
-    const Place place = r.place();
+  void define(Reader& r, const std::string& name, Role role, Place place) {
     r.expect("=");
     add(name, role, place);
     Node formula = r.formula();
@@ -777,12 +751,12 @@ class Making {
     if (r.next() == '0') refuse(place, "algebraic conditions");
     if (r.take("d") && begins_name(r.next())) {
       const std::string name = r.name();
-      if (r.take("/") && r.take("dt")) return define(r, name, Role::variable);
+      if (r.take("/") && r.take("dt")) return define(r, name, Role::variable, place);
     }
     r.go_to(begin);
     const std::string name = r.name();
-    if (r.take("'")) return define(r, name, Role::variable);
-    if (r.next() == '=') return define(r, name, Role::fixed);
+    if (r.take("'")) return define(r, name, Role::variable, place);
+    if (r.next() == '=') return define(r, name, Role::fixed, place);
     if (!r.take("(")) {
       std::vector<std::string> known;
       for (const Word& word : words)
@@ -798,7 +772,7 @@ class Making {
       return start(name, value, place);
     }
     r.go_to(inside);
-    if (r.take("t") && r.take("+")) refuse(place, "maps, whose time goes in steps");
+    if (r.take("t") && r.take("+")) source_.fail(place, maps);
     r.go_to(inside);
     OwnFunction f;
     do f.arguments.push_back(r.name());
@@ -873,7 +847,7 @@ class Making {
       if (name == "total" || name == "dt" || name == "t0" || name == "nout" || name == "njmp") {
         option(r, name);
       } else if ((name == "meth" || name == "method") && text.compare(value, 4, "disc") == 0) {
-        refuse(r.place(), "maps, whose time goes in steps");
+        r.fail(maps);
       }
       r.go_to(std::min(text.find_first_of(", ", value), text.size()));
       r.take(",");

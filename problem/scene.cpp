@@ -326,6 +326,9 @@ void ask_by_motion(File& file) {
   Numbers disturbed = numbers;
   for (long double& x : disturbed.start) x += 1e-12L * (x == 0 ? 1 : std::abs(x));
   constexpr std::size_t looks = 256;
+  // Some seconds' work: who asks for an error and a horizon by TOML may take longer.
+  const auto operations = static_cast<long>(numbers.rates.code().size());
+  const long steps = std::clamp(6'000'000 / (operations + 1), 1'000L, most_steps);
   double error = 0;
   std::size_t widest = 0, followed = looks;
   // The whole in a few pieces from the start on, so that chaos is not followed further than need be.
@@ -333,7 +336,8 @@ void ask_by_motion(File& file) {
   while (true) {
     std::vector<double> times;
     for (std::size_t i = 0; i <= looks; ++i) times.push_back(end * static_cast<double>(i) / looks);
-    const TrueMotion motion = by_series(numbers, times), beside = by_series(disturbed, times);
+    const TrueMotion motion = by_series_within(numbers, times, steps),
+                     beside = by_series_within(disturbed, times, steps);
     for (const TrueMotion* one : {&motion, &beside})
       if (!one->trouble.empty()) file.source.fail(file.models.front().name.place, one->trouble);
     const auto range_until = [&](std::size_t last) {

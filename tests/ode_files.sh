@@ -13,7 +13,7 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
 
-# by_xppaut FILE HORIZON STEPS: time and variables at four times
+# by_xppaut FILE HORIZON STEPS: time and variables at the start and at four times
 by_xppaut() {
   awk 'tolower($1) == "done" || tolower($0) ~ /^d[ \t\r]*$/ { exit } tolower($1) == "only" { next } { print }' "$1" >copy.ode
   awk -v t="$2" -v n="$3" 'BEGIN {
@@ -21,7 +21,7 @@ by_xppaut() {
       print "@ bound=1e12,output=rows.dat\ndone" }' >>copy.ode
   rm -f rows.dat
   timeout 300 xppaut copy.ode -silent >said 2>&1 || true
-  [ -s rows.dat ] && awk 'NR > 1 && NR < 6' rows.dat
+  [ -s rows.dat ] && head -n 5 rows.dat
 }
 
 answered=0 moving=0 refused=0 differing=0 wrong=0
@@ -47,12 +47,13 @@ for file in "$@"; do
       function off(a, b) { return a > b ? a - b : b - a }
       FILENAME == "true.txt" { truth[++n] = $1; next }
       FILENAME == "rows.20000" { for (i = 2; i <= n / 4 + 1; ++i) coarse[FNR, i] = $i; next }
+      FNR == 1 { for (i = 2; i <= n / 4 + 1; ++i) start[i] = $i; next }
       { ++rows
         for (i = 2; i <= n / 4 + 1; ++i) {
-          v = truth[(FNR - 1) * n / 4 + i - 1]
+          v = truth[(FNR - 2) * n / 4 + i - 1]
           d = off(v, $i); if (d > most) most = d
           d = off(coarse[FNR, i], $i); if (d > own) own = d
-          if (off(v, truth[i - 1]) > need) moves = 1
+          if (off(v, start[i]) > need) moves = 1
           digits = (v < 0 ? -v : v) * 3e-8; if (digits > least) least = digits
         } }
       END {
