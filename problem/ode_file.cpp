@@ -132,9 +132,12 @@ class Reader {
     const std::size_t begin = at_;
     std::string name;
     while (at_ < text_.size() && (in_name(text_[at_]) || text_[at_] == '[')) {
-      if (text_[at_] == '[')
-        name += std::to_string(index());
-      else
+      if (text_[at_] == '[') {
+        const std::size_t at = at_;
+        const long i = index();
+        if (i < 0) fail(at, "the index is below zero");
+        name += std::to_string(i);
+      } else
         name += text_[at_++];
     }
     if (name.empty() || !begins_name(name[0])) fail(begin, "expected a name");
@@ -147,6 +150,7 @@ class Reader {
     const std::size_t close = text_.find(']', at_);
     if (close == text_.npos) fail(begin, "this bracket is not closed");
     if (text_.substr(at_, close - at_).find("..") != std::string::npos) {
+      if (!j_) fail(begin, "a range is of whole numbers of at most five digits, such as [1..9]");
       at_ = close + 1;
       return *j_;
     }
@@ -268,7 +272,11 @@ class Reader {
     const char c = next();
     const Place begin = place();
     if (c == '(') return in_parentheses();
-    if (c == '[') return {Node::Is::number, std::to_string(index()), {}, begin};
+    if (c == '[') {
+      const long i = index();
+      const Node number{Node::Is::number, std::to_string(std::abs(i)), {}, begin};
+      return i < 0 ? Node{Node::Is::negative, "-", {number}, begin} : number;
+    }
     if (is_digit(c) || c == '.') return {Node::Is::number, numeral(), {}, begin};
     if (c == '-' || c == '+') fail("a sign follows an operator: put it in parentheses with what it is of");
     if (!begins_name(c)) fail(c == '\0' ? "the formula ends too early" : "expected a number, a name or (");

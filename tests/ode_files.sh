@@ -15,7 +15,10 @@ cd "$folder"
 
 # by_xppaut FILE HORIZON STEPS: time and variables at the start and at four times
 by_xppaut() {
-  awk 'tolower($1) == "done" || tolower($0) ~ /^d[ \t\r]*$/ { exit } tolower($1) == "only" { next } { print }' "$1" >copy.ode
+  # A set of parameters would be run of its own.
+  awk 'tolower($1) == "done" || tolower($0) ~ /^d[ \t\r]*$/ { exit }
+       tolower($1) == "only" || tolower($1) == "set" || goes_on { goes_on = /\\[ \t\r]*$/; next }
+       { print }' "$1" >copy.ode
   awk -v t="$2" -v n="$3" 'BEGIN {
       printf "@ total=%.15g,dt=%.15g,nout=%d,trans=0,meth=rungekutta,maxstor=1000\n", t, t / n, n / 4
       print "@ bound=1e12,output=rows.dat\ndone" }' >>copy.ode

@@ -153,6 +153,9 @@ TEST_CASE("What is wrong in an .ode file is said with its place", "[problem][ode
   CHECK(refusal("x'=q\nq=r\nr=q").find("test.ode:2:1: an abbreviation of itself") == 0);
   CHECK(refusal("x'=max(x)") == "test.ode:1:4: max takes 2, and has 1");
   CHECK(refusal("x'=x[j]").find("test.ode:1:5: no range is given for j") == 0);
+  CHECK(refusal("x[a..b]'=1").find("test.ode:1:2: a range is of whole numbers") == 0);
+  CHECK(refusal("x[0..2]'=x[j-1]") == "test.ode:1:11: the index is below zero");
+  CHECK(rate_of("x[1..2]'=2*[j-3]") == -4);
   CHECK(refusal("x'=1\nglobal 1 {x-1} {k=0}\npar k=1").find("an event changes variables here") !=
         std::string::npos);
   CHECK(refusal("x'=1\n@ total=-3") == "test.ode:2:9: total is positive, and at most 1e9");
