@@ -35,7 +35,12 @@ for file in "$@"; do
     *.gz) zcat "$file" >own.ode ;;
     *) cp "$file" own.ode ;;
   esac
-  if ! "$program" solve own.ode --json >solved.json 2>why; then
+  ended=0
+  timeout 600 "$program" solve own.ode --json >solved.json 2>why || ended=$?
+  if [ $ended -eq 124 ]; then
+    echo "$name: not answered within ten minutes"
+    continue
+  elif [ $ended -ne 0 ]; then
     grep -q '^oddity: own.ode:[0-9]*:[0-9]*: ' why || { echo "$name: refused without a place: $(head -n 1 why)"; wrong=$((wrong + 1)); continue; }
     echo "$name: refused: $(head -n 1 why | sed 's/^oddity: own.ode//')"
     refused=$((refused + 1))
