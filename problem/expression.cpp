@@ -4,6 +4,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "formula/evaluate.hpp"
+
 namespace oddity::problem {
 
 int Graph::put(const Operation& operation) {
@@ -71,7 +73,33 @@ Expression sin(const Expression& x) {
 Expression cos(const Expression& x) {
   return x.is_number() ? Expression(std::cos(x.value_)) : Expression::made(Op::cosine, x);
 }
+/// a where x is the logarithm of a.
+std::optional<Expression> Expression::antilogarithm() const {
+  if (is_number()) return {};
+  const Operation& one = graph_->operations()[static_cast<std::size_t>(place_)];
+  return one.op == Op::logarithm ? std::optional(Expression(*graph_, one.a)) : std::nullopt;
+}
+/// A power of a whole or half number: by products and a root, so that it has its Taylor series and, where
+/// whole, a value below zero.
+std::optional<Expression> Expression::power() const {
+  if (is_number()) return {};
+  const Operation& one = graph_->operations()[static_cast<std::size_t>(place_)];
+  if (one.op != Op::multiply) return {};
+  for (const auto& [number, of] : {std::pair(one.a, one.b), std::pair(one.b, one.a)}) {
+    const Operation& factor = graph_->operations()[static_cast<std::size_t>(number)];
+    const auto a = Expression(*graph_, of).antilogarithm();
+    if (factor.op != Op::constant || !a || std::abs(factor.value) > 32 ||
+        2 * factor.value != std::floor(2 * factor.value))
+      continue;
+    const int whole = static_cast<int>(std::floor(std::abs(factor.value)));
+    Expression all = formula::detail::whole_power(*a, whole);
+    if (static_cast<long double>(whole) != std::abs(factor.value)) all = all * sqrt(*a);
+    return factor.value < 0 ? Expression(1) / all : all;
+  }
+  return {};
+}
 Expression exp(const Expression& x) {
+  if (const auto power = x.power()) return *power;
   return x.is_number() ? Expression(std::exp(x.value_)) : Expression::made(Op::exponential, x);
 }
 Expression log(const Expression& x) {

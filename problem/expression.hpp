@@ -36,7 +36,8 @@ struct Operation {
   int a = -1, b = -1, c = -1;
   long double value = 0;  ///< of a constant
 
-  auto key() const { return std::tuple(op, a, b, c, value); }
+  /// NaN has no place among other numbers.
+  auto key() const { return std::tuple(op, a, b, c, value != value, value != value ? 0 : value); }
 };
 
 class Graph {
@@ -91,6 +92,8 @@ class Expression {
   }
 
  private:
+  std::optional<Expression> antilogarithm() const;
+  std::optional<Expression> power() const;
   static Expression made(Op op, const Expression& a, const Expression& b, const Expression& c);
   static Expression made(Op op, const Expression& a, const Expression& b) { return made(op, a, b, a); }
   static Expression made(Op op, const Expression& a) { return made(op, a, a, a); }

@@ -65,6 +65,8 @@ struct File {
   std::vector<std::string> vary = {};  ///< parameters that differ from start to start
   std::string sweep = {};
   std::vector<double> sweep_values = {};
+  std::string error_says = {}, horizon_says = {};  ///< why these, where the file asks nothing
+  bool is_plain = false;                           ///< all numbers are pure, the time too
 };
 
 /// Reads a text; throws WrongFile.

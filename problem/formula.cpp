@@ -240,7 +240,9 @@ class Reader {
   }
   /// Two formulas, the first of which is to be the greater.
   void condition(Letter& letter, std::size_t begin, std::size_t end) const {
-    const std::size_t sign = text_.find_first_of("<>", begin);
+    std::size_t sign = begin;
+    for (int depth = 0; sign < end && (depth > 0 || (text_[sign] != '<' && text_[sign] != '>')); ++sign)
+      depth += text_[sign] == '(' ? 1 : text_[sign] == ')' ? -1 : 0;
     if (sign >= end) fail(begin, "expected a condition such as x < y");
     const std::size_t behind = sign + (sign + 1 < end && text_[sign + 1] == '=' ? 2 : 1);
     Formula left = part(begin, sign), right = part(behind, end);

@@ -37,8 +37,11 @@ struct Source {
 struct Quoted {
   std::string text;
   Place place;
+  bool is_translated = false;  ///< the file has other words there
 
-  Place at(std::size_t offset) const { return {place.line, place.column + offset}; }
+  Place at(std::size_t offset) const {
+    return is_translated ? place : Place{place.line, place.column + offset};
+  }
 };
 
 /// The letters that formulas may have: parameters, unknowns with their rates, abbreviations.

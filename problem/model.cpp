@@ -153,6 +153,7 @@ class Model::Making {
     });
   }
   Measure measure(const Formula& of) {
+    if (file_.is_plain) return 0;  // of any unit
     return of.measure([&](const Letter& letter) -> Measure {
       switch (letter.is) {
         case Letter::Is::quantity:

@@ -15,6 +15,7 @@
 #include "problem/file.hpp"
 #include "problem/interpreted.hpp"
 #include "problem/model.hpp"
+#include "problem/ode_file.hpp"
 #include "problem/truth.hpp"
 #include "reference/files.hpp"
 #include "reference/text.hpp"
@@ -175,7 +176,8 @@ Quantity motion_of(const Parameters& p, const Horizon& horizon, const Reference&
     known = true_motion(here.models.back(), here.models.back().with(values), horizon.times());
   Quantity motion =
       quantity("motion", file.observables.front().unit, file.title + " at " + times_up_to(horizon), known,
-               {*std::ranges::min_element(file.errors), "what the file asks"});
+               {*std::ranges::min_element(file.errors),
+                file.error_says.empty() ? "what the file asks" : file.error_says});
   motion.needs = file.errors;
   std::vector<double> rounded(values);
   for (double& value : rounded) value = static_cast<double>(static_cast<float>(value));
@@ -313,20 +315,94 @@ Scene scene_of(const Kept& here) {
   return scene;
 }
 
+/// What is asked of a file that asks nothing: a thousandth of the widest range of a variable, up to where a
+/// disturbance of a part in 10^12 has grown to that, beyond which no method in double could follow.
+void ask_by_motion(File& file) {
+  const Model model(file, file.models.front());
+  require_unknowns(model, file);
+  std::vector<double> values;
+  for (const ParameterText& p : file.parameters) values.push_back(p.value);
+  const Numbers numbers = model.with(values);
+  Numbers disturbed = numbers;
+  for (long double& x : disturbed.start) x += 1e-12L * (x == 0 ? 1 : std::abs(x));
+  constexpr std::size_t looks = 256;
+  // Some seconds' work: who asks for an error and a horizon by TOML may take longer.
+  const auto operations = static_cast<long>(numbers.rates.code().size());
+  const long steps = std::clamp(6'000'000 / (operations + 1), 1'000L, most_steps);
+  double error = 0;
+  std::size_t widest = 0, followed = looks;
+  // The whole in a few pieces from the start on, so that chaos is not followed further than need be.
+  double end = file.end / 64;
+  while (true) {
+    std::vector<double> times;
+    for (std::size_t i = 0; i <= looks; ++i) times.push_back(end * static_cast<double>(i) / looks);
+    const TrueMotion motion = by_series_within(numbers, times, steps),
+                     beside = by_series_within(disturbed, times, steps);
+    for (const TrueMotion* one : {&motion, &beside})
+      if (!one->trouble.empty()) file.source.fail(file.models.front().name.place, one->trouble);
+    const auto range_until = [&](std::size_t last) {
+      double most = 0;
+      for (std::size_t i = 0; i < numbers.unknowns; ++i) {
+        long double low = motion.states[0][i], high = low;
+        for (std::size_t k = 1; k <= last; ++k) {
+          low = std::min(low, motion.states[k][i]);
+          high = std::max(high, motion.states[k][i]);
+        }
+        if (static_cast<double>(high - low) > most) most = static_cast<double>(high - low), widest = i;
+      }
+      return most;
+    };
+    error = range_until(looks) / 1000;
+    for (followed = 0; error > 0 && followed < looks; ++followed) {
+      long double off = 0;
+      for (std::size_t i = 0; i < numbers.unknowns; ++i)
+        off = std::max(off, std::abs(motion.states[followed + 1][i] - beside.states[followed + 1][i]));
+      if (off > error) break;
+    }
+    if (error == 0) followed = looks;
+    if (followed < looks) error = range_until(followed) / 1000, end *= static_cast<double>(followed) / looks;
+    if (followed < looks || end >= file.end) break;
+    end = std::min(4 * end, file.end);
+  }
+  error = *parse_number(format_significant(error > 0 ? error : 1e-3, 1));
+  file.errors = {error};
+  file.error = format_shortest(error);
+  file.error_says = "a thousandth of the widest range, that of " + file.observables[widest].name;
+  if (followed < looks) {
+    file.horizon_says = " of its total of " + file.horizon +
+                        ", where a disturbance of a part in 10^12 has grown to that error";
+    file.end = *parse_number(format_significant(0.95 * end, 2));
+    file.horizon = format_shortest(file.end);
+  }
+  file.horizon_says = "up to " + (file.horizon_says.empty() ? "its total of " + file.horizon
+                                                            : file.horizon + file.horizon_says);
+  constexpr double most_frames = 1000;
+  if (*parse_number(file.frames_per_second) * file.end > most_frames)
+    file.frames_per_second = format_shortest(most_frames / file.end);
+}
+
+std::unique_ptr<const File> file_of(const std::string& name, const std::string& text) {
+  if (!is_ode_file(name)) return read(name, text);
+  auto file = read_ode(name, text);
+  ask_by_motion(*file);
+  return file;
+}
+
 std::string stem_of(const std::string& name) {
   const std::size_t slash = name.rfind('/');
   std::string stem = slash == std::string::npos ? name : name.substr(slash + 1);
   if (stem.ends_with(".toml")) stem.resize(stem.size() - 5);
+  if (is_ode_file(stem)) stem.resize(stem.size() - 4);
   return stem.empty() || stem == "-" ? "input" : stem;
 }
 
 }  // namespace
 
-bool is_file(const std::string& word) { return word == "-" || word.ends_with(".toml"); }
+bool is_file(const std::string& word) { return word == "-" || word.ends_with(".toml") || is_ode_file(word); }
 
 const Entry& entry_of_text(const std::string& name, const std::string& text) {
   auto made = std::make_unique<Kept>();
-  made->file = read(name, text);
+  made->file = file_of(name, text);
   made->of_text = name + " of " + std::to_string(std::hash<std::string>()(text));
   for (const ModelText& model : made->file->models) made->models.emplace_back(*made->file, model);
   for (const ParameterText& p : made->file->parameters)
@@ -372,7 +448,7 @@ const Entry& entry_of_file(const std::string& path) {
 
 Asked asked_by(const Entry& entry) {
   const File& file = *kept_with(entry.exercise.parameters.data()).file;
-  return {file.error, file.horizon, file.frames_per_second};
+  return {file.error, file.horizon, file.frames_per_second, file.error_says, file.horizon_says};
 }
 
 }  // namespace oddity::problem

@@ -19,6 +19,7 @@ const Entry& entry_of_text(const std::string& name, const std::string& text);
 /// What `choose` is asked where the command line does not say.
 struct Asked {
   std::string error, horizon, frames_per_second;
+  std::string error_says = {}, horizon_says = {};  ///< why, where the file asks nothing
 };
 Asked asked_by(const Entry& entry);
 

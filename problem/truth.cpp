@@ -16,7 +16,6 @@ namespace {
 using Number = long double;
 using Values = std::vector<Number>;
 
-constexpr long most_steps = 100'000;
 constexpr const char* without_end =
     "events follow each other without end; a shorter horizon, or ends = true, leaves that out";
 
@@ -314,8 +313,10 @@ Number reach_of(const Series& series, const Sizes& sizes, std::size_t n, const F
     const auto last = static_cast<std::size_t>(k);
     Number most = 0;
     const auto see = [&](const Row& row) {
+      // one that begins at zero, and at rest, has the size that it gains
       if (k < order && row[last] != 0)
-        most = std::max(most, std::abs(row[last]) / std::max(std::abs(row[0]), std::abs(row[1]) * span));
+        most = std::max(most, std::abs(row[last]) / std::max({std::abs(row[0]), std::abs(row[1]) * span,
+                                                              std::abs(row[2]) * span * span}));
     };
     for (std::size_t i = 0; i < n && k >= order - 1; ++i)
       most = std::max(most, std::abs(series.unknown(i)[last]) / sizes[i]);
@@ -355,7 +356,14 @@ Turn first_turn(const Series& series, const Frozen& choices, const Guards& guard
   Turn first{h};
   for (const auto* one : choices.choices()) {
     const Number sign = choices.takes_yes(*one) ? -1 : 1;
-    const auto off = [&](Number s) { return sign * Series::value(series.row(one->a), s, terms); };
+    const Row& condition = series.row(one->a);
+    // By a rounding on the wrong side of zero, where several turn at once, and on its way to the right one.
+    const bool has_turned =
+        sign * condition[0] > 0 && std::abs(condition[0]) <= 1e-15L * std::abs(condition[1] * h);
+    const auto off = [&](Number s) {
+      return sign *
+             (has_turned ? Series::value_over(condition, s, terms) : Series::value(condition, s, terms));
+    };
     if (const auto at = first_positive(off, first.after)) first = {*at, one};
   }
   for (std::size_t i = 0; i < guards.count(); ++i) {
@@ -374,6 +382,10 @@ Turn first_turn(const Series& series, const Frozen& choices, const Guards& guard
 }  // namespace
 
 TrueMotion by_series(const Numbers& numbers, std::span<const double> times) {
+  return by_series_within(numbers, times, most_steps);
+}
+
+TrueMotion by_series_within(const Numbers& numbers, std::span<const double> times, long most) {
   const std::size_t n = numbers.unknowns;
   TrueMotion motion{{numbers.start}};
   Frozen choices(numbers);
@@ -387,8 +399,7 @@ TrueMotion by_series(const Numbers& numbers, std::span<const double> times) {
   std::size_t next = 1;
   for (long steps = 0; next < times.size(); ++steps) {
     check_stop_at_times();
-    if (steps == most_steps)
-      return motion.trouble = ends_at(t, "too many steps, or switches without end"), motion;
+    if (steps == most) return motion.trouble = ends_at(t, "too many steps, or switches without end"), motion;
     series.expand(x, t, choices);
     for (std::size_t i = 0; i < n; ++i) rate[i] = series.unknown(i)[1];
     if (!finite(x) || !finite(rate)) return motion.trouble = ends_at(t, "it is not finite there"), motion;

@@ -16,8 +16,12 @@ struct TrueMotion {
   std::string trouble = {};                      ///< why not at all; empty: at all
 };
 
+constexpr long most_steps = 100'000;
+
 /// The first of the ascending times is the start's.
 TrueMotion by_series(const Numbers&, std::span<const double> times);
+/// The same in at most so many steps.
+TrueMotion by_series_within(const Numbers&, std::span<const double> times, long most);
 TrueMotion by_extrapolation(const Numbers&, std::span<const double> times);
 
 }  // namespace oddity::problem

@@ -103,6 +103,12 @@ leg_slurm() {  # a sweep by the array script that it writes for Slurm, whose dae
   tests/slurm.sh build/release/oddity
 }
 
+leg_ode-files() {  # xppaut: its package's examples are answered or refused, and each motion is compared with its own
+  tools xppaut
+  build release oddity
+  tests/ode_files.sh build/release/oddity
+}
+
 leg_prove() {  # Coq: every proof on record, checked anew
   tools coq libcoq-interval libcoq-coquelicot
   ./oddity prove
@@ -295,7 +301,7 @@ leg_turn() {  # one of the legs that take long, by the commit's name
 # -----------------------------------------------------------------------------------------------------------
 
 if [ $# -eq 0 ]; then
-  sed -n 's/^leg_\([a-z]*\)() {  # \(.*\)$/\1: \2/p' "${BASH_SOURCE[0]}"
+  sed -n 's/^leg_\([a-z-]*\)() {  # \(.*\)$/\1: \2/p' "${BASH_SOURCE[0]}"
   exit
 fi
 for name in "$@"; do

@@ -37,6 +37,7 @@ struct AskedNeed {
   std::string energy = {}, period = {}, constraint = {};  ///< the errors of criteria beside the first
   std::string criterion = "path", time_limit = "60s";     ///< or "none"
   std::vector<std::string> only = {}, exclude = {};
+  std::string says = {};                ///< why this error and horizon, where a problem's file asks for none
   std::string method = {}, model = {};  ///< what someone runs: "semi-implicit Euler@60Hz"
   std::string precision = "double";
   bool cheapest = false, one_step = false;

@@ -291,10 +291,16 @@ void add_choose_methods(CLI::App& choose, AskedNeed& need) {
 /// What the command line does not say the problem's file does.
 void ask_as_file(const CLI::App& choose, Session& s) {
   const problem::Asked asked = problem::asked_by(problem::entry_of_file(s.exercise));
-  if (choose.get_option("--horizon")->count() == 0) s.need.horizon = asked.horizon;
+  const bool by_file = choose.get_option("--horizon")->count() == 0;
+  if (by_file) s.need.horizon = asked.horizon;
   if (choose.get_option("--fps")->count() == 0) s.need.frames_per_second = asked.frames_per_second;
   const bool by_path = s.need.criterion == "path" && s.need.digits.empty() && !s.need.as_engines;
-  if (by_path && s.need.error.empty()) s.need.error = asked.error;
+  const bool has_error = by_path && s.need.error.empty();
+  if (has_error) s.need.error = asked.error;
+  if (has_error && !asked.error_says.empty())
+    s.need.says = "an error of " + asked.error + ", " + asked.error_says;
+  if (by_file && !asked.horizon_says.empty())
+    s.need.says += (s.need.says.empty() ? "" : "; ") + asked.horizon_says;
 }
 
 void add_choose(CLI::App& app, Session& s) {

@@ -347,6 +347,8 @@ int choose(const fs::path& folder, const std::string& exercise, const std::vecto
   });
   prices.keep();
   choice.prices_are = prices.source();
+  if (format == Format::text && !asked.says.empty())
+    std::cout << exercise << " does not say what it needs, so it is asked for " << asked.says << "\n";
   if (format == Format::code && !choice.chosen)
     std::cerr << choice_text(choice, all_rows, screen_of(STDERR_FILENO));
   else

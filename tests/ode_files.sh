@@ -1,0 +1,82 @@
+#!/usr/bin/env bash
+# XPPAUT's own example files, as its package brings them: each is answered, or refused in one sentence, and each motion
+# is compared with what xppaut itself makes of the file.
+#   tests/ode_files.sh PROGRAM [FILE...]
+# At four times of oddity's horizon, in parts of the error that it asks for (a thousandth of the widest range). xppaut
+# runs the classical Runge-Kutta method at 20,000 and at 80,000 steps; its output has eight digits. Where the two differ
+# by more than a tenth, xppaut is right if its own two runs agree with each other, and oddity if they do not.
+set -euo pipefail
+program=$(realpath "$1")
+shift
+[ $# -gt 0 ] || mapfile -t < <(dpkg -L xppaut | grep -E '\.ode(\.gz)?$' | sort) && set -- "${@:-${MAPFILE[@]}}"
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+
+# by_xppaut FILE HORIZON STEPS: time and variables at the start and at four times
+by_xppaut() {
+  # A set of parameters would be run of its own.
+  awk 'tolower($1) == "done" || tolower($0) ~ /^d[ \t\r]*$/ { exit }
+       tolower($1) == "only" || tolower($1) == "set" || goes_on { goes_on = /\\[ \t\r]*$/; next }
+       { print }' "$1" >copy.ode
+  awk -v t="$2" -v n="$3" 'BEGIN {
+      printf "@ total=%.15g,dt=%.15g,nout=%d,trans=0,meth=rungekutta,maxstor=1000\n", t, t / n, n / 4
+      print "@ bound=1e12,output=rows.dat\ndone" }' >>copy.ode
+  rm -f rows.dat
+  timeout 300 xppaut copy.ode -silent >said 2>&1 || true
+  [ -s rows.dat ] && head -n 5 rows.dat
+}
+
+answered=0 moving=0 refused=0 differing=0 wrong=0
+for file in "$@"; do
+  name=${file##*/ode/}
+  name=${name##*/html/}
+  case $file in
+    *.gz) zcat "$file" >own.ode ;;
+    *) cp "$file" own.ode ;;
+  esac
+  ended=0
+  timeout 600 "$program" solve own.ode --json >solved.json 2>why || ended=$?
+  if [ $ended -eq 124 ]; then
+    echo "$name: not answered within ten minutes"
+    continue
+  elif [ $ended -ne 0 ]; then
+    grep -q '^oddity: own.ode:[0-9]*:[0-9]*: ' why || { echo "$name: refused without a place: $(head -n 1 why)"; wrong=$((wrong + 1)); continue; }
+    echo "$name: refused: $(head -n 1 why | sed 's/^oddity: own.ode//')"
+    refused=$((refused + 1))
+    continue
+  fi
+  answered=$((answered + 1))
+  awk '/"reference": \[/ { on = 1; next } on && /\]/ { exit } on { gsub(/[ ,]/, ""); print }' solved.json >true.txt
+  horizon=$(sed -n 's/^ *"says": ".* at 4 times up to \(.*\) s",$/\1/p' solved.json | head -n 1)
+  need=$(sed -n 's/^ *"allowed": \([^,]*\),$/\1/p' solved.json | head -n 1)
+  for steps in 20000 80000; do by_xppaut own.ode "$horizon" $steps >rows.$steps || true; done
+  verdict=$(awk -v need="$need" '
+      function off(a, b) { return a > b ? a - b : b - a }
+      FILENAME == "true.txt" { truth[++n] = $1; next }
+      FILENAME == "rows.20000" { for (i = 2; i <= n / 4 + 1; ++i) coarse[FNR, i] = $i; next }
+      FNR == 1 { for (i = 2; i <= n / 4 + 1; ++i) start[i] = $i; next }
+      { ++rows
+        for (i = 2; i <= n / 4 + 1; ++i) {
+          v = truth[(FNR - 2) * n / 4 + i - 1]
+          d = off(v, $i); if (d > most) most = d
+          d = off(coarse[FNR, i], $i); if (d > own) own = d
+          if (off(v, start[i]) > need) moves = 1
+          digits = (v < 0 ? -v : v) * 3e-8; if (digits > least) least = digits
+        } }
+      END {
+        if (rows < 4) { print "xppaut has no motion of it"; exit }
+        printf "%s, differs by %.2g, xppaut from itself by %.2g", moves ? "moves" : "rests", most / need, own / need
+        if (most > 0.1 * need && most > 3 * least) printf ": DIFFERS, %s is right", (own > most / 20) ? "oddity" : "xppaut"
+      }' true.txt rows.20000 rows.80000)
+  echo "$name: $verdict"
+  case $verdict in
+    moves*) moving=$((moving + 1)) ;;
+  esac
+  case $verdict in
+    *"xppaut is right"*) wrong=$((wrong + 1)) ;;
+    *DIFFERS*) differing=$((differing + 1)) ;;
+  esac
+done
+echo "$# files: $answered answered, of which $moving move; $refused refused; $differing differ where oddity is right, $wrong are wrong"
+[ $wrong -eq 0 ] && { [ $# -lt 100 ] || [ $moving -ge 50 ]; }
