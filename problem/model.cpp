@@ -36,6 +36,7 @@ class Model::Making {
       : model_(model), file_(file), text_(text), source_(file.source) {
     for (const ParameterText& p : file.parameters) letters_.parameters.push_back(p.name);
     for (const auto& [name, formula] : file.given) letters_.given.push_back(name.text);
+    letters_.tables = file.tables;
     given_.resize(file.given.size());
   }
 
@@ -124,7 +125,21 @@ class Model::Making {
     int& depth_;
   };
 
+  /// Notes where tables are asked that do not know all.
+  void see_tables(const Formula& of) {
+    of.any([&](const Letter& letter) {
+      if (!letter.table || letter.table->holds) return false;
+      const Expression at = value(letter.arguments[0]);
+      for (std::size_t i = 0; i < model_.tables_.size(); ++i)
+        if (model_.tables_[i] == letter.table && model_.looked_up_[i].in(graph()) == at.in(graph()))
+          return false;
+      model_.tables_.push_back(letter.table);
+      model_.looked_up_.push_back(at);
+      return false;
+    });
+  }
   Expression value(const Formula& of) {
+    if (!file_.tables.empty()) see_tables(of);
     return of.value([&](const Letter& letter) -> Expression {
       switch (letter.is) {
         case Letter::Is::quantity:
@@ -716,6 +731,7 @@ Numbers Model::with(const std::vector<double>& parameters) const {
   for (const Expression& one : made(start_)) numbers.start.push_back(one.number());
   numbers.observed = Program(made(observed_), of_state);
   numbers.conserved = Program(made(conserved_), of_state);
+  numbers.looked_up = Program(made(looked_up_), of_state);
   if (state_.empty()) return numbers;
   const std::vector<Expression> rates = made(rates_), guards = made(guards_);
   numbers.rates = Program(rates, of_state);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "reference/text.hpp"
 #include "solvers/stop.hpp"
@@ -57,7 +58,10 @@ class Frozen {
     std::vector<char> undecided(is_positive_.size(), 0);
     for (const auto* one : choices_)
       undecided[static_cast<std::size_t>(one->result)] = registers_[static_cast<std::size_t>(one->a)] == 0;
-    for (std::size_t i = 0; i < x.size(); ++i) later[i] += little * rate[i];
+    // By way of the middle, as from rest a place moves by its acceleration alone.
+    for (std::size_t i = 0; i < x.size(); ++i) later[i] += little / 2 * rate[i];
+    by_conditions(later, t + little / 2, rate);
+    for (std::size_t i = 0; i < x.size(); ++i) later[i] = x[i] + little * rate[i];
     by_conditions(later, t + little, rate);
     for (std::size_t i = 0; i < now.size(); ++i)
       if (!undecided[i]) is_positive_[i] = now[i];
@@ -315,7 +319,8 @@ Number reach_of(const Series& series, const Sizes& sizes, std::size_t n, const F
     Number most = 0;
     const auto see = [&](const Row& row) {
       if (k < order && row[last] != 0)
-        most = std::max(most, std::abs(row[last]) / std::max(std::abs(row[0]), std::abs(row[1]) * span));
+        most = std::max(most, std::abs(row[last]) / std::max({std::abs(row[0]), std::abs(row[1]) * span,
+                                                              std::abs(row[2]) * span * span}));
     };
     for (std::size_t i = 0; i < n && k >= order - 1; ++i)
       most = std::max(most, std::abs(series.unknown(i)[last]) / sizes[i]);
@@ -353,7 +358,9 @@ struct Turn {
 Turn first_turn(const Series& series, const Frozen& choices, const Guards& guards, Number h) {
   constexpr int terms = order - 1;
   Turn first{h};
+  int seen = -1;  // choices of one condition, such as a table's coefficients, follow each other
   for (const auto* one : choices.choices()) {
+    if (std::exchange(seen, one->a) == one->a) continue;
     const Number sign = choices.takes_yes(*one) ? -1 : 1;
     const auto off = [&](Number s) { return sign * Series::value(series.row(one->a), s, terms); };
     if (const auto at = first_positive(off, first.after)) first = {*at, one};

@@ -133,6 +133,16 @@ void require_test_specifications(const std::vector<std::string>& words) {
                      "]' with its quotes, for exercise " + words[i]);
 }
 
+/// A problem's file is judged by itself.
+void require_file_alone(const CLI::App& verify, const std::vector<std::string>& words) {
+  if (words.size() > 1)
+    throw BadInput("verify takes one problem's file and nothing beside it: leave '" +
+                   words[problem::is_file(words[0]) ? 1 : 0] + "' out");
+  for (const char* option : {"--results", "--shard", "--from", "--approve"})
+    if (verify.get_option(option)->count() > 0)
+      throw BadInput(std::string(option) + " is of the exercises, and " + words[0] + " is a problem's file");
+}
+
 /// A share is of all exercises.
 void require_all_exercises(const std::vector<std::string>& words) {
   for (const std::string& word : words)
@@ -162,12 +172,19 @@ void add_verify(CLI::App& app, Session& s) {
       "Tags: [ch3], [3.5], [scene], [wrong], [incomplete], [misprint], [lost].\n"
       "Columns: exercise, claim, line (of the solutions), verdict, on_record, kind, root, says, why; a row "
       "for each claim.\n"
+      "A problem's file has its own claims judged: the exit code is 1 where one has another verdict than the "
+      "file itself says.\n"
       "Examples:\n  oddity verify '[ch3]~[scene]'\n  oddity verify '[3.5]' -s\n  oddity verify -r markdown "
       "-o report.md\n  oddity verify '[wrong]' --csv\n"
       "  oddity verify --shard 1/2 --results 1.json; oddity verify --shard 2/2 --results 2.json; oddity verify --from "
       "1.json --from 2.json --results all.json",
       [&] {
         auto words = app.get_subcommand("verify")->remaining();
+        if (std::ranges::any_of(words, problem::is_file)) {
+          require_file_alone(*app.get_subcommand("verify"), words);
+          s.status = verbs::judge(words[0], s.format());
+          return;
+        }
         require_test_specifications(words);
         if (s.json || s.csv) words.insert(words.end(), {"--reporter", s.json ? "claims-json" : "claims-csv"});
         if (!s.shard.empty()) {
