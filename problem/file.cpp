@@ -19,6 +19,7 @@ constexpr void require(bool holds) {
 #define TOML_ASSERT(expression) ::oddity::problem::require(static_cast<bool>(expression))
 #include <toml++/toml.h>
 
+#include "problem/keys.hpp"
 #include "reference/quantity_text.hpp"
 #include "reference/similar.hpp"
 #include "reference/text.hpp"
@@ -35,9 +36,7 @@ class Reader {
   explicit Reader(File& file) : file_(file), source_(file.source) {}
 
   void all(const toml::table& table) {
-    only(table, "",
-         {"version", "title", "question", "parameters", "tables", "given", "model", "observe", "need",
-          "sweep", "claim"});
+    only(table, "", keys("file"));
     if (const auto* version = table.get("version"); version && version->value<double>() != 1.0)
       source_.fail(place_of(*version), "this program reads version 1");
     const toml::node* title = table.get("title");
@@ -88,6 +87,12 @@ class Reader {
         source_.fail(key.place, "no key " + key.text + (where.empty() ? "" : " in " + where) +
                                     (near.empty() ? "; the keys are " + all : near));
       }
+  }
+
+  static std::vector<std::string> keys(std::string_view of) {
+    std::vector<std::string> names;
+    for (const Key& key : keys_of(of)) names.emplace_back(key.name);
+    return names;
   }
 
   const toml::table* table_at(const toml::table& table, std::string_view key) const {
@@ -174,7 +179,7 @@ class Reader {
     p.name = name(key).text;
     const toml::node* value = &node;
     if (const auto* table = node.as_table()) {
-      only(*table, "parameter " + p.name, {"value", "says", "whole"});
+      only(*table, "parameter " + p.name, keys("parameter"));
       value = table->get("value");
       if (!value) source_.fail(key.place, p.name + " has no value: value = \"1 m\"");
       if (const auto* says = table->get("says")) p.says = quoted(*says).text;
@@ -256,7 +261,7 @@ class Reader {
     const auto* table = node.as_table();
     if (!table)
       source_.fail(key.place, key.text + " is a table: { x = \"s\", y = \"cm\", rows = [[0, 0], [0.1, 5]] }");
-    only(*table, "table " + key.text, {"x", "y", "rows", "spline", "outside"});
+    only(*table, "table " + key.text, keys("table"));
     Table made;
     made.name = name(key).text;
     std::array<long double, 2> sizes{};
@@ -310,7 +315,7 @@ class Reader {
     o.formula = key;
     Quoted unit;
     if (const auto* table = node.as_table()) {
-      only(*table, "observable " + o.name, {"unit", "is", "point"});
+      only(*table, "observable " + o.name, keys("observable"));
       if (const auto* is = table->get("is")) o.formula = quoted(*is);
       if (const auto* point = table->get("point")) o.point = quoted(*point).text;
       const auto* its = table->get("unit");
@@ -333,9 +338,7 @@ class Reader {
   void model(const Quoted& key, const toml::node& node) {
     const auto* table = node.as_table();
     if (!table) source_.fail(key.place, "a model is a table: [model.\"" + key.text + "\"]");
-    only(*table, "model " + key.text,
-         {"equations", "lagrangian", "dissipation", "forces", "start", "closed", "observe", "conserves",
-          "events", "constraints"});
+    only(*table, "model " + key.text, keys("model"));
     ModelText m{key};
     if (const auto* equations = table->get("equations")) m.equations = texts(*equations);
     if (const auto* constraints = table->get("constraints")) m.constraints = texts(*constraints);
@@ -346,7 +349,7 @@ class Reader {
     m.closed = pairs(table_at(*table, "closed"));
     m.observe = pairs(table_at(*table, "observe"));
     if (const auto* conserves = table_at(*table, "conserves")) {
-      only(*conserves, "conserves", {"kinetic", "potential"});
+      only(*conserves, "conserves", keys("conserves"));
       for (const auto& [name, text] : in_order(conserves))
         (name.text == "kinetic" ? m.kinetic : m.potential) = quoted(*text);
       if (!m.kinetic || !m.potential)
@@ -373,7 +376,7 @@ class Reader {
     for (const auto& one : *array) {
       const auto* table = one.as_table();
       if (!table) source_.fail(place_of(one), form);
-      only(*table, "an event", {"when", "direction", "then", "ends"});
+      only(*table, "an event", keys("event"));
       const auto* when = table->get("when");
       if (!when)
         source_.fail(place_of(*table), "an event has a formula that goes through zero: when = \"y\"");
@@ -410,7 +413,7 @@ class Reader {
         if (units[i] == "rad") file_.errors[i] = static_cast<double>(unit_of("deg")->size);
       }
     if (table) {
-      only(*table, "need", {"error", "horizon", "fps", "vary"});
+      only(*table, "need", keys("need"));
       if (const auto* error = table->get("error")) errors(texts(*error), units);
       if (const auto* horizon = table->get("horizon")) {
         const Quoted text = quoted(*horizon);
@@ -460,7 +463,7 @@ class Reader {
 
   void sweep(const toml::table* table) {
     if (!table) return;
-    only(*table, "sweep", {"parameter", "values"});
+    only(*table, "sweep", keys("sweep"));
     const auto *parameter = table->get("parameter"), *values = table->get("values");
     if (!parameter || !values) source_.fail(place_of(*table), "sweep has a parameter and its values");
     file_.sweep = parameter_named(quoted(*parameter));
@@ -486,9 +489,7 @@ class Reader {
   }
 
   ClaimText claim(const toml::table& table) {
-    only(table, "a claim",
-         {"name", "says", "printed", "meant", "corrected", "truth", "letters", "where", "in_view", "why",
-          "lost", "changes_that_hold"});
+    only(table, "a claim", keys("claim"));
     ClaimText claim;
     claim.place = place_of(table);
     const auto text = [&](const char* key, std::string& to) {
@@ -555,6 +556,7 @@ class Reader {
       if (!its) source_.fail(place_of(*table), std::string("this truth needs ") + key + " = \"...\"");
       return quoted(*its);
     };
+    only(*table, "a truth", keys("truth"));
     TruthText truth;
     if (table->get("derivative")) {
       only(*table, "a derivative", {"derivative", "by", "times"});

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <set>
 
 #include "chapters/random.hpp"
 #include "problem/code.hpp"
@@ -155,11 +156,15 @@ class Model::Making {
                                      " is beyond the equations' order");
           return input(graph(), key_of(letter.index, letter.order));
         case Letter::Is::given: {
-          const Formula& abbreviation = given(letter.index);
-          const Inside inside(*this, abbreviation);
-          Expression x = value(abbreviation);
-          for (std::size_t k = 0; k < letter.order; ++k) x = rate(x);
-          return x;
+          auto& known = values_of_given_[letter.index];
+          if (known.empty()) {
+            const Formula& abbreviation = given(letter.index);
+            const Inside inside(*this, abbreviation);
+            const Expression x = value(abbreviation);
+            known.push_back(x);
+          }
+          while (known.size() <= letter.order) known.push_back(rate(known.back()));
+          return known[letter.order];
         }
         case Letter::Is::call:
           break;
@@ -185,9 +190,14 @@ class Model::Making {
                                                " is not known: start it with one, as in 0 m");
           return per_time(*units_[letter.index], letter.order);
         case Letter::Is::given: {
-          const Formula& abbreviation = given(letter.index);
-          const Inside inside(*this, abbreviation);
-          return per_time(measure(abbreviation), letter.order);
+          auto& known = measures_of_given_[letter.index];
+          if (!known) {
+            const Formula& abbreviation = given(letter.index);
+            const Inside inside(*this, abbreviation);
+            const Measure its = measure(abbreviation);
+            known = its;
+          }
+          return per_time(*known, letter.order);
         }
         case Letter::Is::call:
           break;
@@ -254,7 +264,7 @@ class Model::Making {
     of.any([&](const Letter& letter) {
       if (letter.is == Letter::Is::unknown)
         orders_[letter.index] = std::max(orders_[letter.index], letter.order + more);
-      if (letter.is == Letter::Is::given) {
+      if (letter.is == Letter::Is::given && seen_.emplace(letter.index, more + letter.order).second) {
         const Inside inside(*this, given(letter.index));
         see_orders(given(letter.index), more + letter.order);
       }
@@ -681,6 +691,10 @@ class Model::Making {
   Letters letters_;
   int depth_ = 0;
   std::vector<std::optional<Formula>> given_, forces_;
+  // Of abbreviations, each computed once: their values with their rates, and their units.
+  std::map<std::size_t, std::vector<Expression>> values_of_given_;
+  std::map<std::size_t, std::optional<Measure>> measures_of_given_;
+  std::set<std::pair<std::size_t, std::size_t>> seen_;  ///< with the orders that they add
   std::vector<std::size_t> orders_;
   std::vector<std::optional<Measure>> units_;
   std::vector<Equation> equations_, constraints_;

@@ -487,9 +487,9 @@ int judge(const std::string& file, Format format) {
   return all ? 0 : 1;
 }
 
-void create_problem(const fs::path& file) {
+void create_problem(const fs::path& file, const std::string& from_exercise) {
   if (fs::exists(file)) throw BadInput(file.string() + " is there already, and is not overwritten");
-  write_whole(file, std::string(problem::begun));
+  write_whole(file, std::string(from_exercise.empty() ? problem::begun : scene_as_file(from_exercise)));
   std::cout << file.string() << "\n"
             << program_as_typed() << " choose " << for_shell(file.string())
             << "  # runs as it is: change it, and ask again\n";

@@ -60,8 +60,8 @@ void stability_table(const fs::path& folder, const AskedStability&, Format);
 void stability_rows(const fs::path& folder, const std::vector<std::string>& exercises);
 /// The claims of a problem's file, and 1 where one has another verdict than the file itself expects.
 int judge(const std::string& file, Format);
-/// Writes a problem's file to begin with. Throws BadInput where one is there.
-void create_problem(const fs::path& file);
+/// Writes a problem's file to begin with, or a scene of the book as one. Throws BadInput where one is there.
+void create_problem(const fs::path& file, const std::string& from_exercise);
 /// Writes the files of a new exercise, and says what to do next.
 void create(NewExercise);
 /// 0 when no limit is broken, else 1.
