@@ -47,7 +47,7 @@ std::optional<Value> typeset_value(std::string_view formula, const TypesetLetter
 
 namespace {
 
-/// Whether a side is only a name: v, \ddot q_1, I_{xx}', W(T).
+/// Whether a side is only a name: v, \ddot q_1, I_{xx}', W(T), \mathrm{period}.
 bool is_name(const std::string& side) {
   const formula::Tokens tokens = formula::tex_tokens(side);
   std::size_t at = 0;
@@ -58,6 +58,10 @@ bool is_name(const std::string& side) {
     return !token.empty() && std::isalpha(static_cast<unsigned char>(token.back())) != 0;
   };
   while (next() == R"(\dot)" || next() == R"(\ddot)" || next() == R"(\mathbf)") ++at;
+  if (next() == R"(\mathrm)" && next(1) == "{") {
+    while (at < tokens.size() && next() != "}") ++at;
+    return at + 1 == tokens.size();
+  }
   if (!is_letter(next())) return false;
   ++at;
   if (next() == "_") {

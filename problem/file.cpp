@@ -1,6 +1,7 @@
 #include "problem/file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -18,6 +19,7 @@ constexpr void require(bool holds) {
 #define TOML_ASSERT(expression) ::oddity::problem::require(static_cast<bool>(expression))
 #include <toml++/toml.h>
 
+#include "problem/keys.hpp"
 #include "reference/quantity_text.hpp"
 #include "reference/similar.hpp"
 #include "reference/text.hpp"
@@ -34,8 +36,7 @@ class Reader {
   explicit Reader(File& file) : file_(file), source_(file.source) {}
 
   void all(const toml::table& table) {
-    only(table, "",
-         {"version", "title", "question", "parameters", "given", "model", "observe", "need", "sweep"});
+    only(table, "", keys("file"));
     if (const auto* version = table.get("version"); version && version->value<double>() != 1.0)
       source_.fail(place_of(*version), "this program reads version 1");
     const toml::node* title = table.get("title");
@@ -43,13 +44,22 @@ class Reader {
     file_.title = quoted(*title).text;
     if (const auto* question = table.get("question")) file_.question = quoted(*question).text;
     for (const auto& [key, node] : in_order(table_at(table, "parameters"))) parameter(key, *node);
+    for (const auto& [key, node] : in_order(table_at(table, "tables"))) rows(key, *node);
     for (const auto& [key, node] : in_order(table_at(table, "given")))
       file_.given.push_back({name(key), quoted(*node)});
     for (const auto& [key, node] : in_order(table_at(table, "observe"))) observable(key, *node);
+    for (const auto& [key, node] : in_order(table_at(table, "model"))) model(key, *node);
+    if (const auto* claims = table.get("claim")) all_claims(*claims);
+    if (file_.models.empty() && !file_.claims.empty()) {
+      for (const char* of_motion : {"observe", "need", "sweep", "given", "tables"})
+        if (const auto* node = table.get(of_motion))
+          source_.fail(place_of(*node), std::string(of_motion) + " is of a motion, and there is no model");
+      return;
+    }
+    if (file_.models.empty())
+      source_.fail({1, 1}, "no model and no claim: add [model.\"its name\"], or [[claim]]");
     if (file_.observables.empty())
       source_.fail({1, 1}, "nothing is observed: add [observe] with name = \"unit\"");
-    for (const auto& [key, node] : in_order(table_at(table, "model"))) model(key, *node);
-    if (file_.models.empty()) source_.fail({1, 1}, "no model: add [model.\"its name\"]");
     need(table_at(table, "need"));
     sweep(table_at(table, "sweep"));
   }
@@ -77,6 +87,12 @@ class Reader {
         source_.fail(key.place, "no key " + key.text + (where.empty() ? "" : " in " + where) +
                                     (near.empty() ? "; the keys are " + all : near));
       }
+  }
+
+  static std::vector<std::string> keys(std::string_view of) {
+    std::vector<std::string> names;
+    for (const Key& key : keys_of(of)) names.emplace_back(key.name);
+    return names;
   }
 
   const toml::table* table_at(const toml::table& table, std::string_view key) const {
@@ -122,6 +138,11 @@ class Reader {
 
   /// A name that formulas can have.
   Quoted name(const Quoted& key) {
+    require_name(key, false);
+    if (!names_.insert(key.text).second) source_.fail(key.place, key.text + " is there twice");
+    return key;
+  }
+  void require_name(const Quoted& key, bool without_time) const {
     const auto in_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
     const bool is_name = !key.text.empty() && std::ranges::all_of(key.text, in_name) &&
                          !std::isdigit(static_cast<unsigned char>(key.text[0]));
@@ -130,10 +151,8 @@ class Reader {
     static const std::set<std::string> taken{"t",    "pi",   "sin",  "cos",  "tan", "asin", "acos",
                                              "atan", "sinh", "cosh", "tanh", "exp", "log",  "ln",
                                              "sqrt", "if",   "abs",  "max",  "min", "sign", "atan2"};
-    if (taken.contains(key.text))
+    if (taken.contains(key.text) && !(without_time && key.text == "t"))
       source_.fail(key.place, key.text + " has a meaning already; take another name");
-    if (!names_.insert(key.text).second) source_.fail(key.place, key.text + " is there twice");
-    return key;
   }
 
   double number_in(const Quoted& text, std::string_view number, const std::string& unit) const {
@@ -160,7 +179,7 @@ class Reader {
     p.name = name(key).text;
     const toml::node* value = &node;
     if (const auto* table = node.as_table()) {
-      only(*table, "parameter " + p.name, {"value", "says", "whole"});
+      only(*table, "parameter " + p.name, keys("parameter"));
       value = table->get("value");
       if (!value) source_.fail(key.place, p.name + " has no value: value = \"1 m\"");
       if (const auto* says = table->get("says")) p.says = quoted(*says).text;
@@ -199,6 +218,96 @@ class Reader {
     file_.parameters.push_back(std::move(p));
   }
 
+  // ---- tables
+  // -----------------------------------------------------------------------------------------------
+
+  /// "0, 1.5" or 0 1.5.
+  std::array<double, 2> pair_of(const Quoted& line) const {
+    std::string_view rest = line.text;
+    std::array<double, 2> pair{};
+    for (double& one : pair) {
+      rest.remove_prefix(std::min(rest.find_first_not_of(" \t,;"), rest.size()));
+      const std::size_t end = std::min(rest.find_first_of(" \t,;\r"), rest.size());
+      const auto number = parse_number(std::string(rest.substr(0, end)));
+      if (!number || !std::isfinite(*number)) source_.fail(line.place, "expected two numbers, as 0.1, 5");
+      one = *number;
+      rest.remove_prefix(end);
+    }
+    if (rest.find_first_not_of(" \t\r") != rest.npos) source_.fail(line.place, "a row has two numbers");
+    return pair;
+  }
+  /// An array of pairs, or lines as a file of comma-separated values has them.
+  std::vector<std::pair<std::array<double, 2>, Place>> pairs_of(const toml::node& node) const {
+    std::vector<std::pair<std::array<double, 2>, Place>> all;
+    if (const auto* array = node.as_array()) {
+      for (const auto& one : *array) {
+        const auto* row = one.as_array();
+        if (!row || row->size() != 2 || !(*row)[0].is_number() || !(*row)[1].is_number())
+          source_.fail(place_of(one), "a row has two numbers: [0.1, 5]");
+        all.push_back({{*(*row)[0].value<double>(), *(*row)[1].value<double>()}, place_of(one)});
+      }
+      return all;
+    }
+    const auto* text = node.as_string();
+    if (!text) source_.fail(place_of(node), "rows are pairs, [[0, 0], [0.1, 5]], or lines of text");
+    Place place = quoted(node).place;
+    std::istringstream lines(text->get());
+    for (std::string line; std::getline(lines, line); place = {place.line + 1, 1})
+      if (line.find_first_not_of(" \t\r") != line.npos) all.push_back({pair_of({line, place}), place});
+    return all;
+  }
+
+  void rows(const Quoted& key, const toml::node& node) {
+    const auto* table = node.as_table();
+    if (!table)
+      source_.fail(key.place, key.text + " is a table: { x = \"s\", y = \"cm\", rows = [[0, 0], [0.1, 5]] }");
+    only(*table, "table " + key.text, keys("table"));
+    Table made;
+    made.name = name(key).text;
+    std::array<long double, 2> sizes{};
+    const auto unit = [&](const char* which, Measure& its, long double& size) {
+      const auto* text = table->get(which);
+      if (!text)
+        source_.fail(key.place, made.name + " has no unit of its " + which + ": " + which + " = \"m\"");
+      measure(quoted(*text), quoted(*text).text, size, its);
+    };
+    unit("x", made.x, sizes[0]), unit("y", made.y, sizes[1]);
+    const std::string spline = text_in(*table, "spline", {"linear", "cubic", "monotone"}, "cubic");
+    made.holds = text_in(*table, "outside", {"refuse", "hold"}, "refuse") == "hold";
+    const auto* written = table->get("rows");
+    if (!written) source_.fail(key.place, made.name + " has no rows: rows = [[0, 0], [0.1, 5]]");
+    std::vector<double> x, y;
+    for (const auto& [pair, place] : pairs_of(*written)) {
+      if (x.size() == most_rows)
+        source_.fail(place, "a table has at most " + std::to_string(most_rows) + " rows");
+      x.push_back(static_cast<double>(pair[0] * sizes[0]));
+      y.push_back(static_cast<double>(pair[1] * sizes[1]));
+      if (!(std::abs(x.back()) < 1e100 && std::abs(y.back()) < 1e100))
+        source_.fail(place, "this is no finite number");
+      if (x.size() > 1 && !(x.back() > x[x.size() - 2])) source_.fail(place, "x goes up from row to row");
+    }
+    const Spline through = spline == "linear"  ? Spline::linear
+                           : spline == "cubic" ? Spline::cubic
+                                               : Spline::monotone;
+    if (x.size() < fewest_rows(through))
+      source_.fail(place_of(*written), "a " + spline + " spline takes at least " +
+                                           std::to_string(fewest_rows(through)) + " rows");
+    made.pieces = pieces_of(through, x, y);
+    made.last = x.back();
+    file_.tables.push_back(std::make_shared<const Table>(std::move(made)));
+  }
+  /// One of these words.
+  std::string text_in(const toml::table& table, const char* key, const std::vector<std::string>& words,
+                      const char* usual) const {
+    const auto* node = table.get(key);
+    if (!node) return usual;
+    const Quoted text = quoted(*node);
+    if (std::ranges::find(words, text.text) != words.end()) return text.text;
+    std::string all;
+    for (const std::string& one : words) all += (all.empty() ? "" : ", ") + one;
+    source_.fail(text.place, std::string(key) + " is one of: " + all);
+  }
+
   void observable(const Quoted& key, const toml::node& node) {
     ObservableText o;
     o.name = key.text;
@@ -206,7 +315,7 @@ class Reader {
     o.formula = key;
     Quoted unit;
     if (const auto* table = node.as_table()) {
-      only(*table, "observable " + o.name, {"unit", "is", "point"});
+      only(*table, "observable " + o.name, keys("observable"));
       if (const auto* is = table->get("is")) o.formula = quoted(*is);
       if (const auto* point = table->get("point")) o.point = quoted(*point).text;
       const auto* its = table->get("unit");
@@ -229,9 +338,7 @@ class Reader {
   void model(const Quoted& key, const toml::node& node) {
     const auto* table = node.as_table();
     if (!table) source_.fail(key.place, "a model is a table: [model.\"" + key.text + "\"]");
-    only(*table, "model " + key.text,
-         {"equations", "lagrangian", "dissipation", "forces", "start", "closed", "observe", "conserves",
-          "events", "constraints"});
+    only(*table, "model " + key.text, keys("model"));
     ModelText m{key};
     if (const auto* equations = table->get("equations")) m.equations = texts(*equations);
     if (const auto* constraints = table->get("constraints")) m.constraints = texts(*constraints);
@@ -242,7 +349,7 @@ class Reader {
     m.closed = pairs(table_at(*table, "closed"));
     m.observe = pairs(table_at(*table, "observe"));
     if (const auto* conserves = table_at(*table, "conserves")) {
-      only(*conserves, "conserves", {"kinetic", "potential"});
+      only(*conserves, "conserves", keys("conserves"));
       for (const auto& [name, text] : in_order(conserves))
         (name.text == "kinetic" ? m.kinetic : m.potential) = quoted(*text);
       if (!m.kinetic || !m.potential)
@@ -269,7 +376,7 @@ class Reader {
     for (const auto& one : *array) {
       const auto* table = one.as_table();
       if (!table) source_.fail(place_of(one), form);
-      only(*table, "an event", {"when", "direction", "then", "ends"});
+      only(*table, "an event", keys("event"));
       const auto* when = table->get("when");
       if (!when)
         source_.fail(place_of(*table), "an event has a formula that goes through zero: when = \"y\"");
@@ -306,7 +413,7 @@ class Reader {
         if (units[i] == "rad") file_.errors[i] = static_cast<double>(unit_of("deg")->size);
       }
     if (table) {
-      only(*table, "need", {"error", "horizon", "fps", "vary"});
+      only(*table, "need", keys("need"));
       if (const auto* error = table->get("error")) errors(texts(*error), units);
       if (const auto* horizon = table->get("horizon")) {
         const Quoted text = quoted(*horizon);
@@ -356,7 +463,7 @@ class Reader {
 
   void sweep(const toml::table* table) {
     if (!table) return;
-    only(*table, "sweep", {"parameter", "values"});
+    only(*table, "sweep", keys("sweep"));
     const auto *parameter = table->get("parameter"), *values = table->get("values");
     if (!parameter || !values) source_.fail(place_of(*table), "sweep has a parameter and its values");
     file_.sweep = parameter_named(quoted(*parameter));
@@ -366,6 +473,114 @@ class Reader {
       if (!(p->least <= file_.sweep_values.back() && file_.sweep_values.back() <= p->most))
         source_.fail(one.place, "this is outside the range of " + file_.sweep);
     }
+  }
+
+  // ---- claims
+  // -----------------------------------------------------------------------------------------------
+
+  void all_claims(const toml::node& node) {
+    const auto* array = node.as_array();
+    if (!array) source_.fail(place_of(node), "claims are tables of their own: [[claim]]");
+    for (const auto& one : *array) {
+      const auto* table = one.as_table();
+      if (!table) source_.fail(place_of(one), "claims are tables of their own: [[claim]]");
+      file_.claims.push_back(claim(*table));
+    }
+  }
+
+  ClaimText claim(const toml::table& table) {
+    only(table, "a claim", keys("claim"));
+    ClaimText claim;
+    claim.place = place_of(table);
+    const auto text = [&](const char* key, std::string& to) {
+      if (const auto* node = table.get(key)) to = quoted(*node).text;
+    };
+    claim.name = std::to_string(file_.claims.size() + 1);
+    text("name", claim.name), text("says", claim.says), text("why", claim.why);
+    text("changes_that_hold", claim.changes_that_hold);
+    for (const ClaimText& other : file_.claims)
+      if (other.name == claim.name)
+        source_.fail(place_of(table), "two claims have the name " + claim.name + "; give one another");
+    if (claim.says.empty()) source_.fail(place_of(table), "a claim says something: says = \"...\"");
+    const auto formula = [&](const char* key, std::optional<Quoted>& to) {
+      if (const auto* node = table.get(key)) to = quoted(*node);
+    };
+    formula("printed", claim.printed), formula("meant", claim.meant), formula("corrected", claim.corrected);
+    formula("where", claim.where), formula("in_view", claim.in_view);
+    if (!claim.printed) source_.fail(place_of(table), "what is printed? add printed = \"a formula\"");
+    if (claim.in_view && !claim.corrected)
+      source_.fail(claim.in_view->place, "in_view goes with corrected, which holds beyond it");
+    if (const auto* lost = table.get("lost")) claim.lost = flag(*lost);
+    if (claim.lost && !claim.meant)
+      source_.fail(place_of(table), "what is lost was meant: add meant = \"a formula\"");
+    for (const auto& [key, node] : in_order(table_at(table, "letters")))
+      claim.letters.push_back(letter(key, *node));
+    if (const auto* node = table.get("truth")) claim.truth = truth(*node);
+    return claim;
+  }
+
+  /// "0.1 to 10 m", "1 m", "1 to 9, whole".
+  LetterText letter(const Quoted& key, const toml::node& node) const {
+    require_name(key, true);
+    const Quoted text = quoted(node);
+    LetterText letter;
+    letter.name = key.text;
+    std::string_view range = text.text;
+    if (range.ends_with(", whole")) letter.whole = true, range.remove_suffix(7);
+    const auto to = range.find(" to ");
+    const std::string_view last = to == range.npos ? range : range.substr(to + 4);
+    try {
+      const Written most = written(last);
+      letter.unit = most.unit;
+      while (letter.unit.ends_with(' ')) letter.unit.pop_back();
+      letter.most = most.number;
+    } catch (const BadInput& error) {
+      source_.fail(text.place, std::string(error.what()) + "; a letter has a value, or a range: 0.1 to 10 m");
+    }
+    measure(text, letter.unit, letter.size, letter.measure);
+    letter.least = to == range.npos ? letter.most : number_in(text, range.substr(0, to), letter.unit);
+    if (!(std::isfinite(letter.least) && std::isfinite(letter.most) && letter.least <= letter.most))
+      source_.fail(text.place, "a range goes up: 0.1 to 10 m");
+    const auto is_whole = [](double x) { return x == std::floor(x) && std::abs(x) < 1e9; };
+    if (letter.whole && !(is_whole(letter.least) && is_whole(letter.most)))
+      source_.fail(text.place, "the ends of this range are not whole");
+    return letter;
+  }
+
+  /// A formula, or a table of another route.
+  TruthText truth(const toml::node& node) const {
+    const auto* table = node.as_table();
+    if (!table) return {TruthText::Is::formula, quoted(node)};
+    const auto needed = [&](const char* key) {
+      const auto* its = table->get(key);
+      if (!its) source_.fail(place_of(*table), std::string("this truth needs ") + key + " = \"...\"");
+      return quoted(*its);
+    };
+    only(*table, "a truth", keys("truth"));
+    TruthText truth;
+    if (table->get("derivative")) {
+      only(*table, "a derivative", {"derivative", "by", "times"});
+      truth = {TruthText::Is::derivative, needed("derivative"), needed("by")};
+      if (const auto* times = table->get("times")) {
+        const Quoted text = quoted(*times);
+        truth.times = static_cast<int>(number_in(text, text.text, ""));
+        if (!(truth.times >= 1 && truth.times <= 4))
+          source_.fail(text.place, "it is differentiated 1 to 4 times");
+      }
+    } else if (table->get("integral") || table->get("sum")) {
+      const char* what = table->get("sum") ? "sum" : "integral";
+      only(*table, what, {what, "over", "from", "to"});
+      truth = {table->get("sum") ? TruthText::Is::sum : TruthText::Is::integral, needed(what), needed("over"),
+               needed("from"), needed("to")};
+    } else if (table->get("value")) {
+      only(*table, "a value", {"value", "within", "by"});
+      truth = {TruthText::Is::value, needed("value")};
+      if (table->get("within")) truth.within = needed("within");
+      if (table->get("by")) truth.source = needed("by").text;
+    } else {
+      source_.fail(place_of(*table), "a truth is a formula, or has derivative, integral, sum or value");
+    }
+    return truth;
   }
 
   File& file_;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "problem/formula.hpp"
+#include "problem/table.hpp"
 
 /// A problem's file as it is written; README.md has the keys.
 namespace oddity::problem {
@@ -44,6 +45,36 @@ struct ModelText {
   std::vector<EventText> events = {};
 };
 
+/// A letter of a claim, drawn from its range; of one value where the ends are the same.
+struct LetterText {
+  std::string name, unit;
+  double least, most;  ///< in its unit
+  bool whole = false;
+  long double size = 1;
+  Measure measure = {};
+};
+
+/// What a claim is judged by.
+struct TruthText {
+  enum class Is { formula, derivative, integral, sum, value };
+  Is is = Is::formula;
+  Quoted what;     ///< the formula, or what is differentiated, integrated or added up
+  Quoted by = {};  ///< the letter that it is differentiated by, or runs
+  Quoted from = {}, to = {};
+  int times = 1;            ///< that it is differentiated
+  Quoted within = {};       ///< of a value, how far it may be off; no text: not at all
+  std::string source = {};  ///< of a value: where it is from
+};
+
+struct ClaimText {
+  Place place;
+  std::string name, says, why, changes_that_hold;
+  std::optional<Quoted> printed = {}, meant = {}, corrected = {}, where = {}, in_view = {};
+  std::optional<TruthText> truth = {};
+  std::vector<LetterText> letters = {};
+  bool lost = false;  ///< the copy at hand has lost what was meant
+};
+
 struct ObservableText {
   std::string name, unit, point;
   Quoted formula;
@@ -56,9 +87,11 @@ struct File {
   Source source;
   std::string title, question;
   std::vector<ParameterText> parameters;
+  std::vector<std::shared_ptr<const Table>> tables;
   Named given;
   std::vector<ModelText> models;
   std::vector<ObservableText> observables;
+  std::vector<ClaimText> claims;
   std::string error, horizon = "10", frames_per_second = "60";  ///< as `choose` takes them
   std::vector<double> errors;          ///< in the units of the observables, by their order
   double end = 10;                     ///< s

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include "formula/differentiate.hpp"
 #include "formula/evaluate.hpp"
 #include "formula/parse.hpp"
 #include "formula/tokens.hpp"
@@ -173,7 +174,7 @@ class Reader {
     const std::size_t end = end_of_name(text_, at);
     const std::string_view whole = text_.substr(at, end - at), base = whole.substr(0, whole.find('\''));
     if (among(whole, functions)) return end;
-    if (among(whole, calls)) return call(at, end);
+    if (among(whole, calls) || table(whole)) return call(at, end);
     Letter letter;
     letter.order = whole.size() - base.size();
     const auto find = [&](const std::vector<std::string>& all, Letter::Is is) {
@@ -201,13 +202,19 @@ class Reader {
     std::vector<std::string> words(all);
     words.insert(words.end(), functions.begin(), functions.end());
     words.insert(words.end(), calls.begin(), calls.end());
+    for (const auto& one : known_.tables) words.push_back(one->name);
     std::string listed;
     for (const std::string& one : all) listed += (listed.empty() ? "" : ", ") + one;
     const std::string near = did_you_mean(name, words);
     fail(at, "no letter " + std::string(name) + (near.empty() ? "; the letters are " + listed : near));
   }
 
-  /// if(x < y, a, b); abs(x).
+  std::shared_ptr<const Table> table(std::string_view name) const {
+    const auto found = std::ranges::find(known_.tables, name, [](const auto& one) { return one->name; });
+    return found == known_.tables.end() ? nullptr : *found;
+  }
+
+  /// if(x < y, a, b); abs(x); a table's name.
   std::size_t call(std::size_t at, std::size_t open) {
     const std::string name(text_.substr(at, open - at));
     while (open < text_.size() && text_[open] == ' ') ++open;
@@ -220,13 +227,14 @@ class Reader {
       depth += c == '(' ? 1 : c == ')' ? -1 : 0;
       if ((depth == 1 && c == ',') || depth == 0) bounds.push_back(end);
     }
-    const std::size_t wanted = name == "if" ? 3 : name == "abs" || name == "sign" ? 1 : 2;
+    const std::size_t wanted = name == "if" ? 3 : name == "abs" || name == "sign" || table(name) ? 1 : 2;
     if (bounds.size() != wanted + 1)
       fail(at, name + " takes " + std::to_string(wanted) + (name == "if" ? ": if(x < y, a, b)" : ""));
     const Deeper deeper;
     if (deeper.calls > 30) fail(at, "at most 30 calls, one within another");
     Letter letter{Letter::Is::call};
     letter.function = name;
+    letter.table = table(name);
     for (std::size_t k = 0; k < wanted; ++k)
       if (name == "if" && k == 0)
         condition(letter, bounds[0] + 1, bounds[1]);
@@ -286,7 +294,7 @@ class Reader {
       for (std::size_t i = 0; i < known_.given.size(); ++i)
         add(known_.given[i] + std::string(order, '\''), {Letter::Is::given, i, order});
     }
-    add("t", {Letter::Is::time});
+    if (!among("t", known_.parameters)) add("t", {Letter::Is::time});
     try {
       return formula::parse_tex(text_, names_);
     } catch (const formula::Unreadable& error) {
@@ -316,8 +324,17 @@ class Reader {
 
 Measure choose_by(const Measure&, const Measure& yes, const Measure& no) { return yes + no; }
 
+Measure looked_up(const Table& table, const Measure& x) {
+  if (!fit(x, table.x))
+    throw Mismatch(table.name + " is a table of " + name_of(table.x) + ", and this is " + name_of(x), x.span);
+  return table.y;
+}
+Expression looked_up(const Table& table, const Expression& x) { return value_at(table, x); }
+
 template <class T>
-T called(const std::string& function, const std::vector<T>& x) {
+T called(const Letter& letter, const std::vector<T>& x) {
+  const std::string& function = letter.function;
+  if (letter.table) return looked_up(*letter.table, x[0]);
   if (function == "if") return choose_by(x[0] - x[1], x[2], x[3]);
   if (function == "abs") return choose_by(x[0], x[0], -x[0]);
   if (function == "max") return choose_by(x[0] - x[1], x[0], x[1]);
@@ -368,7 +385,7 @@ T Formula::evaluated(const std::function<T(const Letter&)>& of) const {
       std::vector<T> arguments;
       for (const Formula& one : letter.arguments) arguments.push_back(one.evaluated(of));
       try {
-        value = called(letter.function, arguments);
+        value = called(letter, arguments);
       } catch (const Mismatch& error) {
         fail(letter.span, error.what());
       }
@@ -392,6 +409,30 @@ Expression Formula::value(const std::function<Expression(const Letter&)>& of) co
 }
 Measure Formula::measure(const std::function<Measure(const Letter&)>& of) const {
   return evaluated<Measure>(of);
+}
+
+formula::Tree Formula::tree(const std::function<std::string(const Letter&)>& name,
+                            const std::function<std::string(const std::string& unit)>& unit_name) const {
+  using formula::Kind, formula::made, formula::Tree;
+  return formula::substitute(tree_[0], [&](const Tree& x) -> std::optional<Tree> {
+    if (x->entries.empty() || !x->slots.empty()) return std::nullopt;
+    const Letter& letter = letters_[static_cast<std::size_t>(x->entries[0].rates[0])];
+    if (letter.is == Letter::Is::call) {
+      std::vector<Tree> arguments;
+      for (const Formula& one : letter.arguments) arguments.push_back(one.tree(name, unit_name));
+      if (letter.function == "abs") return made(Kind::bars, arguments);
+      if (letter.function == "max") return made(Kind::largest, arguments);
+      if (letter.function == "min") return made(Kind::smallest, arguments);
+      fail(letter.span, letter.function + " has no place in a claim: state each case as a claim of its own");
+    }
+    if (letter.is != Letter::Is::quantity) return made(Kind::letter, {}, name(letter));
+    const std::string quantity = text_.text.substr(letter.span.begin, letter.span.end - letter.span.begin);
+    const std::size_t digits = end_of_numeral(quantity, 0);
+    std::string unit = quantity.substr(digits);
+    unit.erase(0, unit.find_first_not_of(' '));
+    return formula::product(
+        {formula::number(quantity.substr(0, digits)), made(Kind::letter, {}, unit_name(unit))}, "**");
+  });
 }
 
 std::string Formula::meant() const {

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "formula/tree.hpp"
 #include "problem/expression.hpp"
 #include "problem/measure.hpp"
+#include "problem/table.hpp"
 #include "reference/bad_input.hpp"
 
 /// Formulas of a problem's file: formula/'s plain text, with units behind numerals, if, abs, max, min and
@@ -47,6 +49,7 @@ struct Quoted {
 /// The letters that formulas may have: parameters, unknowns with their rates, abbreviations.
 struct Letters {
   std::vector<std::string> parameters, unknowns, given;
+  std::vector<std::shared_ptr<const Table>> tables = {};  ///< that are called like functions
 };
 
 class Formula;
@@ -61,6 +64,7 @@ struct Letter {
   std::string function = {};         ///< of a call; of a quantity, what else it may have been meant for
   std::vector<Formula> arguments = {};
   Span span = {};
+  std::shared_ptr<const Table> table = {};  ///< that is called
 };
 
 class Formula {
@@ -74,6 +78,11 @@ class Formula {
   Measure measure(const std::function<Measure(const Letter&)>& of) const;
   /// Whether such a letter is in it or in its calls.
   bool any(const std::function<bool(const Letter&)>& is) const;
+
+  /// A tree of formula/ in letters of these names: each letter's own, and of a quantity, 5 cm, the unit's.
+  /// Throws WrongFile for calls that such trees do not have.
+  formula::Tree tree(const std::function<std::string(const Letter&)>& name,
+                     const std::function<std::string(const std::string& unit)>& unit_name) const;
 
   const Quoted& quoted() const { return text_; }
   /// Where a unit has the name of a letter, that it may have been meant: "; write 2*m for the letter".

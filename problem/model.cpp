@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <set>
 
 #include "chapters/random.hpp"
 #include "problem/code.hpp"
@@ -36,6 +37,7 @@ class Model::Making {
       : model_(model), file_(file), text_(text), source_(file.source) {
     for (const ParameterText& p : file.parameters) letters_.parameters.push_back(p.name);
     for (const auto& [name, formula] : file.given) letters_.given.push_back(name.text);
+    letters_.tables = file.tables;
     given_.resize(file.given.size());
   }
 
@@ -124,7 +126,21 @@ class Model::Making {
     int& depth_;
   };
 
+  /// Notes where tables are asked that do not know all.
+  void see_tables(const Formula& of) {
+    of.any([&](const Letter& letter) {
+      if (!letter.table || letter.table->holds) return false;
+      const Expression at = value(letter.arguments[0]);
+      for (std::size_t i = 0; i < model_.tables_.size(); ++i)
+        if (model_.tables_[i] == letter.table && model_.looked_up_[i].in(graph()) == at.in(graph()))
+          return false;
+      model_.tables_.push_back(letter.table);
+      model_.looked_up_.push_back(at);
+      return false;
+    });
+  }
   Expression value(const Formula& of) {
+    if (!file_.tables.empty()) see_tables(of);
     return of.value([&](const Letter& letter) -> Expression {
       switch (letter.is) {
         case Letter::Is::quantity:
@@ -140,11 +156,15 @@ class Model::Making {
                                      " is beyond the equations' order");
           return input(graph(), key_of(letter.index, letter.order));
         case Letter::Is::given: {
-          const Formula& abbreviation = given(letter.index);
-          const Inside inside(*this, abbreviation);
-          Expression x = value(abbreviation);
-          for (std::size_t k = 0; k < letter.order; ++k) x = rate(x);
-          return x;
+          auto& known = values_of_given_[letter.index];
+          if (known.empty()) {
+            const Formula& abbreviation = given(letter.index);
+            const Inside inside(*this, abbreviation);
+            const Expression x = value(abbreviation);
+            known.push_back(x);
+          }
+          while (known.size() <= letter.order) known.push_back(rate(known.back()));
+          return known[letter.order];
         }
         case Letter::Is::call:
           break;
@@ -171,9 +191,14 @@ class Model::Making {
                                                " is not known: start it with one, as in 0 m");
           return per_time(*units_[letter.index], letter.order);
         case Letter::Is::given: {
-          const Formula& abbreviation = given(letter.index);
-          const Inside inside(*this, abbreviation);
-          return per_time(measure(abbreviation), letter.order);
+          auto& known = measures_of_given_[letter.index];
+          if (!known) {
+            const Formula& abbreviation = given(letter.index);
+            const Inside inside(*this, abbreviation);
+            const Measure its = measure(abbreviation);
+            known = its;
+          }
+          return per_time(*known, letter.order);
         }
         case Letter::Is::call:
           break;
@@ -240,7 +265,7 @@ class Model::Making {
     of.any([&](const Letter& letter) {
       if (letter.is == Letter::Is::unknown)
         orders_[letter.index] = std::max(orders_[letter.index], letter.order + more);
-      if (letter.is == Letter::Is::given) {
+      if (letter.is == Letter::Is::given && seen_.emplace(letter.index, more + letter.order).second) {
         const Inside inside(*this, given(letter.index));
         see_orders(given(letter.index), more + letter.order);
       }
@@ -667,6 +692,10 @@ class Model::Making {
   Letters letters_;
   int depth_ = 0;
   std::vector<std::optional<Formula>> given_, forces_;
+  // Of abbreviations, each computed once: their values with their rates, and their units.
+  std::map<std::size_t, std::vector<Expression>> values_of_given_;
+  std::map<std::size_t, std::optional<Measure>> measures_of_given_;
+  std::set<std::pair<std::size_t, std::size_t>> seen_;  ///< with the orders that they add
   std::vector<std::size_t> orders_;
   std::vector<std::optional<Measure>> units_;
   std::vector<Equation> equations_, constraints_;
@@ -717,6 +746,7 @@ Numbers Model::with(const std::vector<double>& parameters) const {
   for (const Expression& one : made(start_)) numbers.start.push_back(one.number());
   numbers.observed = Program(made(observed_), of_state);
   numbers.conserved = Program(made(conserved_), of_state);
+  numbers.looked_up = Program(made(looked_up_), of_state);
   if (state_.empty()) return numbers;
   const std::vector<Expression> rates = made(rates_), guards = made(guards_);
   numbers.rates = Program(rates, of_state);

@@ -31,6 +31,7 @@ struct Numbers {
   Program guards;            ///< of the state and the time, one for each event
   Program rates_and_guards;  ///< both
   Program afterwards;        ///< the states after each of the events, one after the other
+  Program looked_up;         ///< where the tables of Model::tables() are asked, of the state and the time
   Program off;               ///< how far each constraint is off, and then how fast that changes
 };
 
@@ -52,6 +53,8 @@ class Model {
   bool conserves() const { return !conserved_.empty(); }
   bool is_constrained() const { return !off_.empty(); }
   bool has_events() const { return !events_.empty(); }
+  /// Those that know nothing outside their rows, for each place where one is asked.
+  const std::vector<std::shared_ptr<const Table>>& tables() const { return tables_; }
   /// With these values of the parameters, in their units. Throws BadInput where the start is off a
   /// constraint.
   Numbers with(const std::vector<double>& parameters) const;
@@ -74,7 +77,8 @@ class Model {
   std::vector<long double> sizes_;  ///< of the parameters' units
   std::shared_ptr<Graph> graph_ = std::make_shared<Graph>();
   std::vector<int> state_, rate_of_;  ///< keys of the unknowns, in the state's order
-  std::vector<Expression> start_, rates_, observed_, conserved_, guards_, afterwards_, off_;
+  std::vector<Expression> start_, rates_, observed_, conserved_, guards_, afterwards_, off_, looked_up_;
+  std::vector<std::shared_ptr<const Table>> tables_;
   std::vector<Follows> events_;
   std::vector<std::size_t> starts_with_, seen_as_;
   bool is_linear_ = true;

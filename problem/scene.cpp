@@ -12,6 +12,7 @@
 
 #include "chapters/asked_file.hpp"
 #include "chapters/own_reference.hpp"
+#include "problem/claims.hpp"
 #include "problem/file.hpp"
 #include "problem/interpreted.hpp"
 #include "problem/model.hpp"
@@ -36,6 +37,7 @@ struct Kept {
   std::vector<Model> models;
   std::vector<Parameter> parameters;
   std::vector<Construction> constructions;  ///< of the models
+  std::unique_ptr<const Sheet> sheet;
   std::unique_ptr<Entry> entry;
 };
 
@@ -83,6 +85,20 @@ std::vector<long double> observed(const Numbers& numbers, const TrueMotion& moti
   return seen;
 }
 
+/// Throws BadInput where a table is asked for what it does not know.
+void require_known(const Model& model, const Numbers& numbers, const std::vector<long double>& state,
+                   double t) {
+  if (model.tables().empty()) return;
+  std::vector<long double> at(model.tables().size());
+  numbers.looked_up.run(state.data(), static_cast<long double>(t), at.data());
+  for (std::size_t i = 0; i < at.size(); ++i)
+    if (const Table& table = *model.tables()[i]; !table.knows(at[i]))
+      throw BadInput("table " + table.name + " is known from " + format_shortest(table.first()) + " to " +
+                     format_shortest(table.last) + " (in " + name_of(table.x) +
+                     "), and at t = " + format_significant(t, 4) + " s it is asked for " +
+                     format_significant(static_cast<double>(at[i]), 4) + ": add rows, or outside = \"hold\"");
+}
+
 /// The motion by both routes. The bound at a time is four times their largest difference up to the next time
 /// at which they are compared, and the rounding to double.
 Known true_motion(const Model& model, const Numbers& numbers, std::span<const double> times) {
@@ -93,6 +109,7 @@ Known true_motion(const Model& model, const Numbers& numbers, std::span<const do
     for (const double t : times.subspan(1)) {
       std::vector<long double> one(numbers.observed.outputs().size());
       const auto time = static_cast<long double>(t);
+      require_known(model, numbers, {time}, t);
       numbers.observed.run(&time, time, one.data());
       values.insert(values.end(), one.begin(), one.end());
     }
@@ -100,6 +117,8 @@ Known true_motion(const Model& model, const Numbers& numbers, std::span<const do
   }
   const TrueMotion motion = by_series(numbers, times);
   if (!motion.trouble.empty()) throw BadInput("model '" + model.name() + "': " + motion.trouble);
+  for (std::size_t i = 0; i < motion.states.size(); ++i)
+    require_known(model, numbers, motion.states[i], times[i]);
   // Both routes at few of the times: the second has to end a step at each.
   constexpr std::size_t compared = 48;
   std::vector<double> few{times.front()};
@@ -237,7 +256,11 @@ Construction construction_of(const Model& model, const File& file) {
 
 Findings study(const Parameters& p, const Reference& truth) {
   const Kept& here = kept_with(p.declared().data());
-  return {{}, {motion(*here.entry->exercise.scene, p, truth)}, {}};
+  Findings findings;
+  findings.claims = here.sheet->judged();
+  if (here.entry->exercise.scene)
+    findings.quantities.push_back(motion(*here.entry->exercise.scene, p, truth));
+  return findings;
 }
 
 std::vector<Norm> norms_of(const File& file) {
@@ -407,7 +430,8 @@ const Entry& entry_of_text(const std::string& name, const std::string& text) {
   for (const ModelText& model : made->file->models) made->models.emplace_back(*made->file, model);
   for (const ParameterText& p : made->file->parameters)
     made->parameters.push_back({p.name, p.value, p.unit, p.says, p.least, p.most, p.whole});
-  if (made->parameters.empty())
+  made->parameters.reserve(1);  // views find a file by where these are
+  if (made->parameters.empty() && !made->models.empty())
     made->file->source.fail(
         {1, 1}, "no parameters: what may differ from start to start has a letter in [parameters]");
   for (std::size_t i = 0; i < made->models.size(); ++i)
@@ -417,7 +441,9 @@ const Entry& entry_of_text(const std::string& name, const std::string& text) {
       require_conserved(*made->file, made->file->models[i], model);
     }
   for (const Model& model : made->models) made->constructions.push_back(construction_of(model, *made->file));
-  Exercise exercise{made->file->title, made->file->question, made->parameters, scene_of(*made), study};
+  made->sheet = std::make_unique<const Sheet>(*made->file, stem_of(name));
+  Exercise exercise{made->file->title, made->file->question, made->parameters, {}, study};
+  if (!made->models.empty()) exercise.scene = scene_of(*made);
   made->entry =
       std::make_unique<Entry>(Entry{number_of_file(stem_of(name)), made->of_text, std::move(exercise)});
   const std::lock_guard lock(kept().mutex);
@@ -444,6 +470,10 @@ const Entry& entry_of_file(const std::string& path) {
   if (entry) return *entry;
   if (path != "-") return *(entry = &entry_of_text(path, read_whole(path, most_of_a_file)));
   return *(entry = &entry_of_text("standard input", all_of(std::cin, "standard input")));
+}
+
+const Verdicts& stated_by(const Entry& entry) {
+  return kept_with(entry.exercise.parameters.data()).sheet->stated();
 }
 
 Asked asked_by(const Entry& entry) {

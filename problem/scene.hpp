@@ -3,6 +3,7 @@
 #include <string>
 
 #include "chapters/contents.hpp"
+#include "reference/verdicts.hpp"
 
 /// A problem's file as an exercise with a scene, which the rest of the program takes like one of its own.
 namespace oddity::problem {
@@ -15,6 +16,9 @@ bool is_file(const std::string& word);
 const Entry& entry_of_file(const std::string& path);
 /// The same of a text, whose name errors have.
 const Entry& entry_of_text(const std::string& name, const std::string& text);
+
+/// The verdicts that a file's claims have where all is as the file says.
+const Verdicts& stated_by(const Entry& entry);
 
 /// What `choose` is asked where the command line does not say.
 struct Asked {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "reference/text.hpp"
 #include "solvers/stop.hpp"
@@ -56,7 +57,10 @@ class Frozen {
     std::vector<char> undecided(is_positive_.size(), 0);
     for (const auto* one : choices_)
       undecided[static_cast<std::size_t>(one->result)] = registers_[static_cast<std::size_t>(one->a)] == 0;
-    for (std::size_t i = 0; i < x.size(); ++i) later[i] += little * rate[i];
+    // By way of the middle, as from rest a place moves by its acceleration alone.
+    for (std::size_t i = 0; i < x.size(); ++i) later[i] += little / 2 * rate[i];
+    by_conditions(later, t + little / 2, rate);
+    for (std::size_t i = 0; i < x.size(); ++i) later[i] = x[i] + little * rate[i];
     by_conditions(later, t + little, rate);
     for (std::size_t i = 0; i < now.size(); ++i)
       if (!undecided[i]) is_positive_[i] = now[i];
@@ -354,7 +358,9 @@ struct Turn {
 Turn first_turn(const Series& series, const Frozen& choices, const Guards& guards, Number h) {
   constexpr int terms = order - 1;
   Turn first{h};
+  int seen = -1;  // choices of one condition, such as a table's coefficients, follow each other
   for (const auto* one : choices.choices()) {
+    if (std::exchange(seen, one->a) == one->a) continue;
     const Number sign = choices.takes_yes(*one) ? -1 : 1;
     const Row& condition = series.row(one->a);
     // By a rounding on the wrong side of zero, where several turn at once, and on its way to the right one.

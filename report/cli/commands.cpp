@@ -23,6 +23,7 @@
 #include "report/cli/help.hpp"
 #include "report/cli/needs.hpp"
 #include "report/cli/prove.hpp"
+#include "report/cli/schema.hpp"
 #include "report/cli/sweep.hpp"
 #include "report/cli/verbs.hpp"
 #include "report/cli/words.hpp"
@@ -52,7 +53,8 @@ struct Session {
   int finest = 32;
   AskedNeed need = {};
   NewExercise begun = {};
-  std::string outside = {};
+  std::string outside = {}, from_exercise = {};
+  bool schema = false;
   bool scene = false, identity = false;
   std::string command = {};  ///< as it would be typed
   int status = 0;
@@ -133,6 +135,16 @@ void require_test_specifications(const std::vector<std::string>& words) {
                      "]' with its quotes, for exercise " + words[i]);
 }
 
+/// A problem's file is judged by itself.
+void require_file_alone(const CLI::App& verify, const std::vector<std::string>& words) {
+  if (words.size() > 1)
+    throw BadInput("verify takes one problem's file and nothing beside it: leave '" +
+                   words[problem::is_file(words[0]) ? 1 : 0] + "' out");
+  for (const char* option : {"--results", "--shard", "--from", "--approve"})
+    if (verify.get_option(option)->count() > 0)
+      throw BadInput(std::string(option) + " is of the exercises, and " + words[0] + " is a problem's file");
+}
+
 /// A share is of all exercises.
 void require_all_exercises(const std::vector<std::string>& words) {
   for (const std::string& word : words)
@@ -162,12 +174,19 @@ void add_verify(CLI::App& app, Session& s) {
       "Tags: [ch3], [3.5], [scene], [wrong], [incomplete], [misprint], [lost].\n"
       "Columns: exercise, claim, line (of the solutions), verdict, on_record, kind, root, says, why; a row "
       "for each claim.\n"
+      "A problem's file has its own claims judged: the exit code is 1 where one has another verdict than the "
+      "file itself says.\n"
       "Examples:\n  oddity verify '[ch3]~[scene]'\n  oddity verify '[3.5]' -s\n  oddity verify -r markdown "
       "-o report.md\n  oddity verify '[wrong]' --csv\n"
       "  oddity verify --shard 1/2 --results 1.json; oddity verify --shard 2/2 --results 2.json; oddity verify --from "
       "1.json --from 2.json --results all.json",
       [&] {
         auto words = app.get_subcommand("verify")->remaining();
+        if (std::ranges::any_of(words, problem::is_file)) {
+          require_file_alone(*app.get_subcommand("verify"), words);
+          s.status = verbs::judge(words[0], s.format());
+          return;
+        }
         require_test_specifications(words);
         if (s.json || s.csv) words.insert(words.end(), {"--reporter", s.json ? "claims-json" : "claims-csv"});
         if (!s.shard.empty()) {
@@ -562,7 +581,7 @@ void begin_problem(const CLI::App& begin, const Session& s) {
     if (begin.get_option(option)->count() > 0)
       throw BadInput(std::string(option) + " is of an exercise, and " + s.begun.number +
                      " is a problem's file");
-  verbs::create_problem(s.begun.number);
+  verbs::create_problem(s.begun.number, s.from_exercise);
 }
 
 void add_new(CLI::App& app, Session& s) {
@@ -570,18 +589,30 @@ void add_new(CLI::App& app, Session& s) {
       app, "new",
       "Begin an exercise of your own: files that compile, and say what is to be written; or a problem's file.",
       "The number has to be free: an even one, or of another chapter. Nothing is overwritten.\n"
-      "Examples:\n  oddity new suspension.toml\n  oddity new 3.2 spring_pendulum\n  oddity new 9.2 law_of_cosines --identity\n  "
+      "Examples:\n  oddity new suspension.toml\n  oddity new --from-exercise 3.5 mine.toml\n  oddity new 3.2 spring_pendulum\n  oddity new 9.2 law_of_cosines --identity\n  "
       "oddity new 20.1 comet --topic space --in ~/exercises",
       [&] {
+        if (s.schema) {
+          if (!s.begun.number.empty()) throw BadInput("--schema is printed, and takes no name beside it");
+          std::cout << schema_of_problems();
+          return;
+        }
+        if (s.begun.number.empty())
+          throw BadInput("new needs a number, such as 3.2, or a problem's file, such as suspension.toml");
         if (problem::is_file(s.begun.number)) return begin_problem(*app.get_subcommand("new"), s);
+        if (!s.from_exercise.empty())
+          throw BadInput("--from-exercise writes a problem's file: name one, such as mine.toml");
         if (s.begun.slug.empty())
           throw BadInput("new needs the name of its folder behind the number, such as 3.2 spring_pendulum");
         s.begun.in = s.outside;
         s.begun.scene = !s.identity;
         verbs::create(s.begun);
       });
-  begin->add_option("number", s.begun.number, "such as 3.2; or a problem's file, such as suspension.toml")
-      ->required();
+  begin->add_option("number", s.begun.number, "such as 3.2; or a problem's file, such as suspension.toml");
+  add_value(*begin, "--from-exercise", s.from_exercise, "NUMBER",
+            "write this scene of the book as a problem's file, to be changed");
+  begin->add_flag("--schema", s.schema,
+                  "print the JSON schema of a problem's file, by which editors check it");
   begin->add_option("slug", s.begun.slug, "the name of its folder, such as spring_pendulum");
   auto* scene = begin->add_flag("--scene", s.scene,
                                 "a motion, with models, methods and claims; this unless asked otherwise");

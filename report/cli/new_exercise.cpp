@@ -10,6 +10,7 @@
 #include "reference/bad_input.hpp"
 #include "reference/files.hpp"
 #include "report/charts/engine_labels.hpp"
+#include "report/cli/words.hpp"
 #include "report/study/embedded.hpp"
 #include "report/study/settings.hpp"
 
@@ -166,6 +167,21 @@ std::vector<NewFile> new_files(const NewExercise& asked) {
   for (const NewFile& file : files)
     if (!unfinished && fs::exists(file.path)) refuse(number, file.path.string());
   return files;
+}
+
+std::string_view scene_as_file(const std::string& exercise) {
+  const Number number = number_of(exercise);
+  std::vector<std::string> there;
+  for (const Entry& entry : registry()) {
+    const std::string chapter = "chapters/" + two_digits(entry.number.chapter) + "_",
+                      folder = "/" + two_digits(entry.number.index) + "_";
+    for (const EmbeddedFile& file : embedded_scenes()) {
+      if (!file.path.starts_with(chapter) || file.path.find(folder) == std::string_view::npos) continue;
+      if (entry.number == number) return file.text;
+      there.push_back(to_string(entry.number));
+    }
+  }
+  throw BadInput("there is no file of exercise " + to_string(number) + "; there is one of: " + joined(there));
 }
 
 }  // namespace oddity

@@ -28,6 +28,11 @@ struct NewFile {
 /// The files of report/new, from which the new ones are made.
 std::span<const EmbeddedFile> embedded_templates();
 
+/// The book's scenes as problems' files, each with its path in the tree.
+std::span<const EmbeddedFile> embedded_scenes();
+/// That of an exercise. Throws BadInput, with those that there are, where it has none.
+std::string_view scene_as_file(const std::string& exercise);
+
 /// What would be written. Throws BadInput when the number or a name is none, or the exercise is there
 /// already.
 std::vector<NewFile> new_files(const NewExercise&);

@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "chapters/scene.hpp"
+#include "problem/scene.hpp"
 #include "problem/template.hpp"
 #include "reference/bad_input.hpp"
 #include "reference/files.hpp"
@@ -27,6 +28,7 @@
 #include "report/pages/engines_view.hpp"
 #include "report/pages/held_steps_view.hpp"
 #include "report/pages/is_enough_view.hpp"
+#include "report/pages/markdown.hpp"
 #include "report/pages/pictures.hpp"
 #include "report/pages/stability_view.hpp"
 #include "report/pages/tables.hpp"
@@ -455,9 +457,41 @@ void stability_rows(const fs::path& folder, const std::vector<std::string>& exer
   std::cout << limit_rows(results) << "\n" << map_rows(results);
 }
 
-void create_problem(const fs::path& file) {
+int judge(const std::string& file, Format format) {
+  const Entry& entry = problem::entry_of_file(file);
+  const Verdicts& stated = problem::stated_by(entry);
+  if (stated.empty()) throw BadInput(file + " has no claims: add [[claim]] with says, printed and truth");
+  ExerciseResult judged;
+  judged.number = entry.number;
+  judged.title = entry.exercise.title;
+  for (Claim& claim :
+       entry.exercise.study(Parameters(entry.exercise.parameters), Reference::nothing()).claims) {
+    const Verdict found = verdict(claim);
+    judged.claims.push_back({std::move(claim), found});
+  }
+  const auto is_so = [&](const JudgedClaim& one) { return name_of(one.verdict) == stated.at(one.claim.id); };
+  const bool all = std::ranges::all_of(judged.claims, is_so);
+  if (format != Format::text) {
+    Results results;
+    results.exercises = {std::move(judged)};
+    print(claims_table(results, stated), format);
+    return all ? 0 : 1;
+  }
+  std::string text = text_view(judged, output());
+  for (const JudgedClaim& one : judged.claims)
+    if (!is_so(one))
+      text += "\n" + wrapped("The file says that this is " + stated.at(one.claim.id) + ", and it is " +
+                                 std::string(name_of(one.verdict)) + ":\n" +
+                                 with_short_numbers(claims_evidence(one)) +
+                                 (one.claim.why.empty() ? "" : "  " + one.claim.why + "\n"),
+                             output(), 4);
+  std::cout << text;
+  return all ? 0 : 1;
+}
+
+void create_problem(const fs::path& file, const std::string& from_exercise) {
   if (fs::exists(file)) throw BadInput(file.string() + " is there already, and is not overwritten");
-  write_whole(file, std::string(problem::begun));
+  write_whole(file, std::string(from_exercise.empty() ? problem::begun : scene_as_file(from_exercise)));
   std::cout << file.string() << "\n"
             << program_as_typed() << " choose " << for_shell(file.string())
             << "  # runs as it is: change it, and ask again\n";

@@ -58,8 +58,10 @@ void stability(const fs::path& folder, const AskedStability&, const fs::path& ou
 void stability_table(const fs::path& folder, const AskedStability&, Format);
 /// Of scenes as they are, as the rows that would put the limits and maps on record.
 void stability_rows(const fs::path& folder, const std::vector<std::string>& exercises);
-/// Writes a problem's file to begin with. Throws BadInput where one is there.
-void create_problem(const fs::path& file);
+/// The claims of a problem's file, and 1 where one has another verdict than the file itself expects.
+int judge(const std::string& file, Format);
+/// Writes a problem's file to begin with, or a scene of the book as one. Throws BadInput where one is there.
+void create_problem(const fs::path& file, const std::string& from_exercise);
 /// Writes the files of a new exercise, and says what to do next.
 void create(NewExercise);
 /// 0 when no limit is broken, else 1.

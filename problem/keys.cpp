@@ -1,0 +1,122 @@
+#include "problem/keys.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string>
+
+namespace oddity::problem {
+
+namespace {
+
+constexpr bool needed = true;
+
+constexpr std::array file{
+    Key{"version", "1", "number"},
+    Key{"title", "what the problem is called", "text", needed},
+    Key{"question", "what is asked", "text"},
+    Key{"parameters", "letters with a value, a unit and a range", "map text or parameter"},
+    Key{"tables", "tables of numbers, called like functions", "map table"},
+    Key{"given", "abbreviations", "map text"},
+    Key{"model", "models, from the least to the richest", "map model"},
+    Key{"observe", "what is seen of every model", "map text or observable"},
+    Key{"need", "what choose is asked", "need"},
+    Key{"sweep", "the parameter of the map that stability draws", "sweep"},
+    Key{"claim", "what a solution says", "list claim"},
+};
+constexpr std::array parameter{
+    Key{"value", "30 kN/m, 1 to 100", "text", needed},
+    Key{"says", "what it is", "text"},
+    Key{"whole", "it takes whole numbers only", "flag"},
+};
+constexpr std::array table{
+    Key{"x", "the unit of the first number of a row", "text", needed},
+    Key{"y", "the unit of the second", "text", needed},
+    Key{"rows", "pairs of numbers, or lines of text", "rows", needed},
+    Key{"spline", "linear, cubic or monotone", "text"},
+    Key{"outside", "refuse, or hold: as at the end", "text"},
+};
+constexpr std::array observable{
+    Key{"unit", "its unit", "text", needed},
+    Key{"is", "its formula, unless it is the unknown of its name", "text"},
+    Key{"point", "what is of one point is judged by its distance", "text"},
+};
+constexpr std::array model{
+    Key{"equations", "m y'' = -k y", "texts"},
+    Key{"lagrangian", "kinetic less potential energy", "text"},
+    Key{"forces", "generalized forces by unknown, beside a Lagrangian", "map text"},
+    Key{"dissipation", "Rayleigh's function, beside a Lagrangian", "text"},
+    Key{"constraints", "x^2 + y^2 = L^2, beside a Lagrangian", "texts"},
+    Key{"start", "the unknowns and their rates at the start", "map text"},
+    Key{"closed", "a closed form of each observable", "map text"},
+    Key{"observe", "other formulas of the observables", "map text"},
+    Key{"conserves", "an energy that is conserved", "conserves"},
+    Key{"events", "what happens where a formula goes through zero", "list event"},
+};
+constexpr std::array conserves{
+    Key{"kinetic", "what moves in it", "text", needed},
+    Key{"potential", "the rest", "text", needed},
+};
+constexpr std::array event{
+    Key{"when", "the formula", "text", needed},
+    Key{"direction", "falling, rising or both", "text"},
+    Key{"then", "the state behind it, of that before", "map text"},
+    Key{"ends", "the motion stays as it is", "flag"},
+};
+constexpr std::array need{
+    Key{"error", "1 mm, or one for each unit", "texts"},
+    Key{"horizon", "10 s", "text"},
+    Key{"fps", "frames per second", "text"},
+    Key{"vary", "the parameters that differ from start to start", "texts"},
+};
+constexpr std::array sweep{
+    Key{"parameter", "its name", "text", needed},
+    Key{"values", "from easy to hard", "texts", needed},
+};
+constexpr std::array claim{
+    Key{"name", "a short name of its own", "text"},
+    Key{"says", "the claim in words", "text", needed},
+    Key{"printed", "the formula, number or relation that is printed", "text", needed},
+    Key{"meant", "what it plainly meant", "text"},
+    Key{"corrected", "what is true instead", "text"},
+    Key{"truth", "another route", "text or truth"},
+    Key{"letters", "0.1 to 10 m; 1 to 9, whole; 9.81 m/s^2", "map text"},
+    Key{"where", "a condition on the letters drawn", "text"},
+    Key{"in_view", "where the printed one holds", "text"},
+    Key{"why", "what is wrong", "text"},
+    Key{"lost", "the copy at hand has lost what was meant", "flag"},
+    Key{"changes_that_hold", "why single changes may hold as well", "text"},
+};
+constexpr std::array truth{
+    Key{"derivative", "what is differentiated", "text"},
+    Key{"by", "the letter; of a value, its source", "text"},
+    Key{"times", "how often", "text"},
+    Key{"integral", "the integrand", "text"},
+    Key{"sum", "the term", "text"},
+    Key{"over", "the letter that runs", "text"},
+    Key{"from", "its first value", "text"},
+    Key{"to", "its last value", "text"},
+    Key{"value", "a number with its unit", "text"},
+    Key{"within", "how far it may be off", "text"},
+};
+
+constexpr std::array all{
+    KeysOf{"file", file},   KeysOf{"parameter", parameter},
+    KeysOf{"table", table}, KeysOf{"observable", observable},
+    KeysOf{"model", model}, KeysOf{"conserves", conserves},
+    KeysOf{"event", event}, KeysOf{"need", need},
+    KeysOf{"sweep", sweep}, KeysOf{"claim", claim},
+    KeysOf{"truth", truth},
+};
+
+}  // namespace
+
+std::span<const KeysOf> all_keys() { return all; }
+
+std::span<const Key> keys_of(std::string_view table) {
+  const auto found = std::ranges::find(all, table, &KeysOf::name);
+  if (found == all.end()) throw std::logic_error("no keys of a " + std::string(table));
+  return found->keys;
+}
+
+}  // namespace oddity::problem
