@@ -256,6 +256,7 @@ TEST_CASE("stability shows up to which step a criterion holds, where one is aske
   CHECK(says(csv, ",how,cure,holds_to\n"));
   CHECK(says(json, "\"holds_to\""));
   CHECK_FALSE(says(printed("stability 3.5 --horizon 5s --csv"), "holds_to"));
+  CHECK(says(printed("stability 3.5 --horizon 5s --criterion path --csv"), "holds_to"));
   const ScratchFolder out;
   const program::Ran text = printed(energy + " --out " + out.path().string());
   CHECK(says(text, "holds to [s]"));
@@ -272,6 +273,9 @@ TEST_CASE("stability shows up to which step a criterion holds, where one is aske
       {"stability 3.9 a=0 --criterion constraint --error 1mm", "has a constraint to be off"},
       {"stability 3.31 --period 1%", "two periods"},
       {"stability 3.25 theta1=1.5 --error 1cm --horizon 30s", "not known to a tenth of what is asked"},
+      {"stability 3.5 --csv --time-limit 1ms", "no answer within the time limit"},
+      {"stability 3.5 --csv --time-limit -1s", "--time-limit must be positive"},
+      {"chart 3.5 --csv --time-limit 1ms", "no answer within the time limit"},
   });
 }
 

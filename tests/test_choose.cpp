@@ -1390,3 +1390,67 @@ TEST_CASE("what cannot be chosen for is refused", "[choose]") {
   const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
   CHECK(complaint([&] { choose(Task(still), Need{0.1}, truth); }).find("has no motion") != std::string::npos);
 }
+
+namespace {
+
+/// Over its parts, each price asked for by `price_over`.
+Choice choose_in_parts(const Need& need, const PriceOver& price_over, double a = 1) {
+  static const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
+  Task task(entry);
+  task.parameters.set("a", a);
+  return choose_in_time(task, need, truth, price_over);
+}
+
+}  // namespace
+
+TEST_CASE("a long horizon has the answer that it has without its parts", "[choose]") {
+  for (const double error : {1e-3, 0.02, 1.0}) {
+    const Need need = asked(error, 2400);
+    const Choice whole = choose_for(need),
+                 parts = choose_in_parts(need, [](const Need&) { return counted_cost; });
+    INFO(error);
+    CHECK_FALSE(parts.asked_horizon);
+    REQUIRE(whole.chosen);
+    REQUIRE(parts.chosen);
+    CHECK(parts.chosen->algorithm == whole.chosen->algorithm);
+    CHECK(parts.chosen->setting == whole.chosen->setting);
+    CHECK(parts.chosen->error == whole.chosen->error);
+  }
+}
+
+TEST_CASE("where the time ends before a long horizon does, the answer is over a part, and says so",
+          "[choose]") {
+  const Need need = asked(0.02, 2400);
+  std::vector<double> horizons;
+  const Choice choice = choose_in_parts(need, [&](const Need& over) -> Price {
+    horizons.push_back(over.horizon);
+    if (over.horizon == need.horizon) throw OutOfTime("over");
+    return counted_cost;
+  });
+  CHECK(horizons == std::vector<double>{300, 2400});
+  REQUIRE(choice.chosen);
+  CHECK(choice.need.horizon == 300);
+  CHECK(choice.asked_horizon == 2400);
+  CHECK_FALSE(choice.is_decided_by_part);
+  CHECK(choice_text(choice, false).find("judged over the first 300 s of 2400 s") != std::string::npos);
+  CHECK(choice_json(choice).find("\"judged_over\": 300.0") != std::string::npos);
+  CHECK(choice_json(choice).find("\"horizon\": 2400.0") != std::string::npos);
+  CHECK_THROWS_AS(choose_in_parts(need, [](const Need&) -> Price { throw OutOfTime("over"); }), OutOfTime);
+}
+
+TEST_CASE("what nothing holds for over a part, nothing holds for over the whole", "[choose]") {
+  Need need = asked(1e-3, 2400);
+  need.only = {"coarse"};
+  std::vector<double> horizons;
+  const auto price_over = [&](const Need& over) -> Price {
+    horizons.push_back(over.horizon);
+    return counted_cost;
+  };
+  const Choice choice = choose_in_parts(need, price_over, 1.5);
+  CHECK_FALSE(choice.chosen);
+  CHECK(choice.is_decided_by_part);
+  CHECK(horizons == std::vector<double>{300});
+  CHECK(choice_text(choice, false).find("nothing does over all of it") != std::string::npos);
+  need.relative = true;  // to the size over the whole, which a part does not know
+  CHECK_FALSE(choose_in_parts(need, price_over, 1.5).is_decided_by_part);
+}

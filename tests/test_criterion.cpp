@@ -236,6 +236,20 @@ TEST_CASE("starts beside an ellipse are ellipses, and what is left out is said",
   CHECK(choice_text(choice, false).find("beside it whose motion is a hyperbola") != std::string::npos);
 }
 
+TEST_CASE("a start beside that shows no two periods is left out, and drawn again", "[criterion]") {
+  AskedNeed asked = asked_by("period", "0.01", "10");
+  asked.frames_per_second = "144";
+  asked.only = {"Kepler"};
+  const Choice choice = chosen("3.3", asked, {"M=1.05215", "theta0_dot=8.43"});
+  REQUIRE(choice.chosen);
+  CHECK(choice.left_out.contains("without two periods within the horizon"));
+  CHECK(choice.seen.size() > 1);
+  asked.horizon = "3";
+  CHECK(complaint([&] {
+          chosen("3.3", asked, {"M=1.05215", "theta0_dot=8.43"});
+        }).find("no two periods") != std::string::npos);
+}
+
 TEST_CASE("a linear motion is not chaotic, however long", "[criterion]") {
   AskedNeed asked;
   asked.error = "1cm";

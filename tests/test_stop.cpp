@@ -16,8 +16,10 @@
 #include "chapters/scene.hpp"
 #include "reference/bad_input.hpp"
 #include "report/study/choose.hpp"
+#include "report/study/in_time.hpp"
 #include "report/study/initial_conditions.hpp"
 #include "report/study/parallel.hpp"
+#include "report/study/stability.hpp"
 #include "report/verify/catch.hpp"
 #include "solvers/ode/steps_in.hpp"
 #include "solvers/stop.hpp"
@@ -210,4 +212,27 @@ TEST_CASE("frames of n steps have n, however late they are", "[stop][steps]") {
   CHECK(ode::steps_in(0, 1, 2) == 1);
   CHECK(ode::steps_in(5, 5, 2) == 1);
   CHECK(ode::steps_in(0, 1, 1 - 1e-9) == 2);
+}
+
+TEST_CASE("limits and trials end with the time that they may take", "[stop][stability]") {
+  const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
+  for (const Entry* entry : scenes()) {
+    const Task task(*entry);
+    Results blank;
+    blank.exercises.emplace_back().number = entry->number;
+    const auto within = [](double limit, const auto& work) {
+      try {
+        in_time(limit, "less", [&] { static_cast<void>(work()); });
+      } catch (const OutOfTime&) {
+      }
+    };
+    for (double limit : {0.0, 1e-3, 1e-2, 0.1}) {
+      must_end(to_string(entry->number) + " within " + std::to_string(limit) + " s", [&] {
+        within(limit, [&] { return with_stability(blank, std::span(&task, 1), truth); });
+        within(limit, [&] { return run(std::span(&task, 1), truth, true); });
+      });
+    }
+    CHECK_THROWS_AS(in_time(0, "less", [&] { return with_stability(blank, std::span(&task, 1), truth); }),
+                    OutOfTime);
+  }
 }

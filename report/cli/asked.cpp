@@ -467,12 +467,12 @@ Task task_of(const std::string& exercise, const std::vector<std::string>& overri
 }
 
 std::string accuracy_option(const AskedNeed& asked) {
-  return !asked.error.empty()        ? "--error"
-         : asked.criterion != "path" ? "--criterion"
-         : !asked.energy.empty()     ? "--energy"
-         : !asked.period.empty()     ? "--period"
-         : !asked.constraint.empty() ? "--constraint"
-                                     : "";
+  return !asked.error.empty()                                    ? "--error"
+         : asked.criterion != "path" || asked.criterion_is_given ? "--criterion"
+         : !asked.energy.empty()                                 ? "--energy"
+         : !asked.period.empty()                                 ? "--period"
+         : !asked.constraint.empty()                             ? "--constraint"
+                                                                 : "";
 }
 
 Need need_of(const Task& task, const AskedNeed& asked) {
@@ -490,7 +490,7 @@ Need need_of(const Task& task, const AskedNeed& asked) {
   require_known_words(task, asked);
   need.in_double = asked.precision != "float";
   need.in_float = asked.precision != "double";
-  if (asked.time_limit != "none") need.time_limit = between("--time-limit", asked.time_limit, "s", 1e-3, 1e6);
+  need.time_limit = time_limit_of(asked.time_limit);
   need.horizon = between("--horizon", asked.horizon, time, 1e-12, 1e12);
   need.frames_per_second = between("--fps", asked.frames_per_second, "1/" + time, 1e-12, 1e12);
   const double frames = need.horizon * need.frames_per_second;
@@ -573,6 +573,11 @@ int chapter_of(const std::string& chapter) {
   if (std::ranges::find(with, std::to_string(number)) == with.end())
     throw BadInput("chapter " + chapter + " has no exercises; those that have some are: " + joined(with));
   return number;
+}
+
+double time_limit_of(const std::string& text) {
+  return text == "none" ? std::numeric_limits<double>::infinity()
+                        : between("--time-limit", text, "s", 1e-3, 1e6);
 }
 
 Shard shard_of(const std::string& text) {

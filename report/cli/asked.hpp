@@ -36,6 +36,7 @@ struct AskedNeed {
   std::string restart_every = {}, starts = "6";
   std::string energy = {}, period = {}, constraint = {};  ///< the errors of criteria beside the first
   std::string criterion = "path", time_limit = "60s";     ///< or "none"
+  bool criterion_is_given = false;                        ///< and not taken as usual
   std::vector<std::string> only = {}, exclude = {};
   std::string says = {};                ///< why this error and horizon, where a problem's file asks for none
   std::string method = {}, model = {};  ///< what someone runs: "semi-implicit Euler@60Hz"
@@ -66,6 +67,9 @@ int count_of(const std::string& what, const std::string& text, int least, int mo
 std::vector<std::string> listed(const std::string& what, const std::string& text);
 /// For an exercise that has a motion: the method that `asked` names, by whatever name.
 MethodAsked method_of(const Task&, const AskedNeed& asked, const Need&);
+
+/// s, of --time-limit; infinite for "none".
+double time_limit_of(const std::string& text);
 
 /// "2/7".
 Shard shard_of(const std::string& text);

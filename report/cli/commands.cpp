@@ -47,7 +47,7 @@ struct Session {
               proofs_out = proofs_folder().string();
   bool json = false, csv = false, code = false, rows = false, all_rows = false, approve = false, book = false,
        overwrite = false;
-  std::string engine = {}, horizon = {};
+  std::string engine = {}, horizon = {}, engines_limit = "none";
   bool page = false, lanes = false, verbs = false, kept = false;
   std::string rates = "60,240";
   int finest = 32;
@@ -227,6 +227,13 @@ void add_solve(CLI::App& app, Session& s) {
   solve->add_flag("--csv", s.csv, "the trials, as comma-separated values")->excludes(json);
 }
 
+/// Of the answer, or of each exercise of several.
+void add_time_limit(CLI::App& verb, std::string& limit, const std::string& of = "") {
+  add_value(verb, "--time-limit", limit, "TIME",
+            "the longest that the answer may take" + of + ", or none: then it may take hours")
+      ->capture_default_str();
+}
+
 /// What has to hold of the motion, and to what.
 void add_criteria(CLI::App& verb, AskedNeed& need) {
   add_value(
@@ -294,9 +301,7 @@ void add_choose_methods(CLI::App& choose, AskedNeed& need) {
       ->allow_extra_args(false);
   add_value(choose, "--exclude", need.exclude, "WORD", "no models or algorithms that have this; repeatable")
       ->allow_extra_args(false);
-  add_value(choose, "--time-limit", need.time_limit, "TIME",
-            "the longest that the answer may take, or none: then it may take hours")
-      ->capture_default_str();
+  add_time_limit(choose, need.time_limit);
   add_enclosed(choose, need);
   choose.add_flag("--thorough", need.thorough,
                   "try every method at every setting, and judge by truths of 24 digits: slow, and what the "
@@ -328,10 +333,12 @@ void add_choose(CLI::App& app, Session& s) {
       "A method has to hold at every frame: for the start asked for and two beside it, on which it is chosen, "
       "and for three others, on which it is tested. Of the closed forms and the one-step methods of fixed step "
       "that hold with a margin of three, the cheapest is taken, and of those that cost the same within a "
-      "quarter, the most accurate. The exit code is 1 when nothing meets the need.\n"
+      "quarter, the most accurate. A long horizon is judged in parts, each eight times as long as the one before: "
+      "what the time limit leaves no time for is said. The exit code is 1 when nothing meets the need, or only a part "
+      "of the horizon was judged.\n"
       "Columns: model, algorithm, precision, setting, error [unit] (one for each unit; of what "
       "fails on the first start where it does), holds (1 or 0), outcome, evaluations per frame, seconds per frame, chosen (1 or 0); a row for each method.\n"
-      "Keys of the JSON: need, chosen (null when nothing is), in_float, ties, candidates (followed: false where finer "
+      "Keys of the JSON: need (judged_over: the part of its horizon), chosen (null when nothing is), in_float, ties, candidates (followed: false where finer "
       "settings were not tried), on_asked (when nothing is chosen, what holds on the start asked for), engine, "
       "predictable, chosen_on, tested_on, failing_beside, left_out (starts beside that are another kind of motion), "
       "in_chaos (how many unseen starts hold, with bounds), times, explanation.\n"
@@ -404,14 +411,15 @@ void add_chart(CLI::App& app, Session& s) {
           "Of scenes that engines have run on, their pictures as well.\nExamples:\n  oddity chart 3.5 2.13 --out /tmp/charts\n  oddity chart 3.5 --csv",
       [&] {
         if (s.format() == verbs::Format::text)
-          verbs::chart(s.folder, s.exercises, s.all_rows ? Curves::all : Curves::few, s.chart_out,
-                       s.overwrite);
+          verbs::chart(s.folder, s.exercises, s.need.time_limit, s.all_rows ? Curves::all : Curves::few,
+                       s.chart_out, s.overwrite);
         else
-          verbs::chart_table(s.folder, s.exercises, s.format());
+          verbs::chart_table(s.folder, s.exercises, s.need.time_limit, s.format());
       });
   add_exercises(*chart, s, "numbers, such as 3.5, or problems' files; all exercises when none is given");
   chart->add_flag("--all", s.all_rows, "every method's curve, not eight at most");
   add_formats(*chart, s, "the trials, with nothing drawn");
+  add_time_limit(*chart, s.need.time_limit, ", for each exercise");
   set_apart(*chart, add_path(*chart, "--out", s.chart_out, "the folder to write to"), {"--json", "--csv"});
   set_apart(*chart, add_overwrite(*chart, s), {"--json", "--csv"});
 }
@@ -429,9 +437,10 @@ void add_stability(CLI::App& app, Session& s) {
       "Examples:\n  oddity stability 3.5 --out /tmp/maps\n  oddity stability 3.5 3.33 --csv\n  oddity stability 3.5 "
       "a=1 L=2 --horizon 20s\n  oddity stability 3.5 --criterion energy --error 5% --horizon 1min",
       [&] {
+        s.need.criterion_is_given = app.get_subcommand("stability")->get_option("--criterion")->count() > 0;
         const verbs::AskedStability asked{s.exercises, s.horizon, s.need};
         if (s.rows)
-          verbs::stability_rows(s.folder, s.exercises);
+          verbs::stability_rows(s.folder, asked);
         else if (s.format() != verbs::Format::text)
           verbs::stability_table(s.folder, asked, s.format());
         else
@@ -448,6 +457,7 @@ void add_stability(CLI::App& app, Session& s) {
       "also show the longest step at which an exercise's motion is within this at the end of every step, "
       "1cm,1deg unless given; of energy and period a part, 1%");
   add_criteria(*stability, s.need);
+  add_time_limit(*stability, s.need.time_limit, ", for each exercise");
   add_formats(*stability, s, "the limits, with nothing drawn");
   auto* rows = stability->add_flag("--rows", s.rows,
                                    "the rows of limits.csv and stability_maps.csv, with nothing drawn");
@@ -509,7 +519,7 @@ void add_engines(CLI::App& app, Session& s) {
         verbs::engines(s.folder,
                        {s.exercises, rates_of(s.rates), s.finest, s.all_rows, s.rows, s.kept,
                         s.page ? to_write_to(report_folder()) / "engines.md" : std::filesystem::path(),
-                        s.horizon, s.need},
+                        s.horizon, s.need, s.engines_limit},
                        s.format());
       },
       true);
@@ -522,6 +532,7 @@ void add_engines(CLI::App& app, Session& s) {
   add_value(*engines, "--error", s.need.error, "ERROR",
             "of an exercise: the largest error, instead of 1cm and 1deg; of energy and period a part, 1%");
   add_criteria(*engines, s.need);
+  add_time_limit(*engines, s.engines_limit, ", for each scene");
   add_value(*engines, "--hz", s.rates, "RATES", "the rates to show")->capture_default_str();
   add_count(*engines, "--finest", s.finest, 1, 4096, "steps per frame to go to, by doubling");
   engines->add_flag("--all", s.all_rows, "every variant, not the defaults and the best of each engine");

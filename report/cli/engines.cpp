@@ -17,6 +17,7 @@
 #include "report/pages/engines_page.hpp"
 #include "report/pages/engines_view.hpp"
 #include "report/study/beside_program.hpp"
+#include "report/study/in_time.hpp"
 #include "report/study/prices.hpp"
 #include "report/study/progress.hpp"
 #include "report/study/settings.hpp"
@@ -215,12 +216,15 @@ void require_rates(const std::vector<double>& rates) {
 /// parameters or another horizon.
 std::vector<EngineContest> engines_run(const AskedEngines& asked, const Asked& words,
                                        const std::vector<std::string>& scenes, const Reference& truth) {
+  const double limit = time_limit_of(asked.time_limit);
   kept_engines();  // what cannot be read is refused before anything is run
   const std::vector<EngineProgram> programs = all_engines();
   std::vector<EngineContest> contests;
   for (const std::string& scene : scenes) {
-    contests.push_back(with_progress([&](const Progress& progress) {
-      return engines_on(scene, words, programs, {.finest = asked.finest}, truth, progress);
+    contests.push_back(in_time(limit, "a lower --finest", [&] {
+      return with_progress([&](const Progress& progress) {
+        return engines_on(scene, words, programs, {.finest = asked.finest}, truth, progress);
+      });
     }));
     if (words.is_usual()) write(with_earlier(contests), engines_file());
   }
@@ -267,6 +271,7 @@ void engines(const fs::path& folder, const AskedEngines& asked, Format format) {
   }
   require_scenes(scenes);
   require_rates(asked.rates);
+  time_limit_of(asked.time_limit);
   if (!words.is_usual())
     for (const std::string& scene : scenes)
       if (exercise_number(scene)) words.of(task_of(scene, words.words.overrides));

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <iostream>
+#include <map>
 
 #include "chapters/scene.hpp"
 #include "problem/scene.hpp"
@@ -42,6 +43,7 @@
 #include "report/study/earlier_results.hpp"
 #include "report/study/engine_scenes.hpp"
 #include "report/study/held_steps.hpp"
+#include "report/study/in_time.hpp"
 #include "report/study/is_enough.hpp"
 #include "report/study/kept_results.hpp"
 #include "report/study/limit_records.hpp"
@@ -52,6 +54,7 @@
 #include "report/study/stability.hpp"
 #include "report/text/readable.hpp"
 #include "solvers/ode/catalog.hpp"
+#include "solvers/stop.hpp"
 
 namespace oddity::verbs {
 
@@ -120,6 +123,18 @@ std::string in_list(const Entry& entry, const Screen& screen) {
   return wrapped(text, screen, 10);
 }
 
+/// What is true, until the time is over in which an answer was asked for.
+Reference truth_in_time(const fs::path& folder) {
+  return Reference(folder, motions_folder()).watched([](double) { check_stop(); });
+}
+
+/// What `work` returns, within the limit for each of so many exercises, counted from the program's start.
+template <class Work>
+auto in_time_for_each(const std::string& limit, std::size_t exercises, const Work& work) {
+  return in_time(time_limit_of(limit) * static_cast<double>(exercises) - seconds_running(),
+                 "fewer exercises at once", work);
+}
+
 /// In the unit of time that the tasks share; none where it is theirs.
 std::optional<double> horizon_of(const std::vector<Task>& tasks, const std::string& text) {
   if (text.empty()) return {};
@@ -186,22 +201,25 @@ struct FoundStability {
   std::vector<HeldSteps> held;  ///< of each exercise in turn; none: nothing was asked
 };
 FoundStability stability_of(const fs::path& folder, const AskedStability& asked) {
-  const auto [tasks, until, needs] = stability_tasks(asked);
+  const StabilityTasks all = stability_tasks(asked);
   Results blank;
-  for (const Task& task : tasks) {
+  for (const Task& task : all.tasks) {
     ExerciseResult& e = blank.exercises.emplace_back();
     e.number = task.entry->number;
     e.title = task.entry->exercise.title;
   }
-  const Reference truth(folder, motions_folder());
+  const Reference truth = truth_in_time(folder);
   FoundStability found;
-  for (std::size_t i = 0; i < needs.size(); ++i) {
-    found.held.push_back(with_progress(
-        [&](const Progress& progress) { return held_steps(tasks[i], needs[i], truth, progress); }));
-    found.held.back().asked = in_words(needs[i], tasks[i]);
-  }
-  found.results = with_progress(
-      [&](const Progress& progress) { return with_stability(blank, tasks, truth, progress, until); });
+  in_time_for_each(asked.need.time_limit, all.tasks.size(), [&] {
+    for (std::size_t i = 0; i < all.needs.size(); ++i) {
+      found.held.push_back(with_progress(
+          [&](const Progress& progress) { return held_steps(all.tasks[i], all.needs[i], truth, progress); }));
+      found.held.back().asked = in_words(all.needs[i], all.tasks[i]);
+    }
+    found.results = with_progress([&](const Progress& progress) {
+      return with_stability(blank, all.tasks, truth, progress, all.horizon);
+    });
+  });
   for (const ExerciseResult& e : found.results.exercises)
     if (!e.failure.empty()) throw BadInput("exercise " + to_string(e.number) + " raised: " + e.failure);
   return found;
@@ -221,9 +239,10 @@ void require_truth(const Task& task, const Reference& truth) {
                    " has no truth to judge by: " + seen.reference.by);
 }
 
-Results trials_of(const fs::path& folder, const std::vector<Task>& tasks) {
-  return with_progress([&](const Progress& progress) {
-    return run(tasks, Reference(folder, motions_folder()), true, progress);
+Results trials_of(const fs::path& folder, const std::vector<Task>& tasks, const std::string& time_limit) {
+  return in_time_for_each(time_limit, tasks.size(), [&] {
+    return with_progress(
+        [&](const Progress& progress) { return run(tasks, truth_in_time(folder), true, progress); });
   });
 }
 
@@ -294,16 +313,21 @@ std::string key_of_prices(const Task& task, const Need& need) {
          (task.entry->number.chapter == 0 ? ", " + std::string(task.entry->file) : "");
 }
 
-std::optional<Choice> choice_in_time(const Task& task, const Need& need, const Reference& truth,
-                                     bool anew) try {
-  KeptPrices prices(prices_folder(), key_of_prices(task, need), anew);
-  const Choice choice = with_progress([&](const Progress& progress) {
-    return oddity::choose(task, in_what_is_left(need), truth, std::ref(prices), progress);
+/// With what its methods cost, kept for the next run, each part of a long horizon apart.
+Choice choice_in_time(const Task& task, const Need& asked, const Reference& truth, bool anew) {
+  std::map<double, KeptPrices> kept;  // by horizon
+  Choice choice = with_progress([&](const Progress& progress) {
+    const PriceOver price_over = [&](const Need& need) -> Price {
+      const auto [prices, made] =
+          kept.try_emplace(need.horizon, prices_folder(), key_of_prices(task, need), anew,
+                           need.bodies > 1 ? Price(lanes::price_of_all(task, need)) : Price(measured_price));
+      return std::ref(prices->second);
+    };
+    return choose_in_time(task, in_what_is_left(asked), truth, price_over, progress);
   });
-  prices.keep();
+  for (auto& [horizon, prices] : kept) prices.keep();
+  choice.prices_are = kept.at(choice.need.horizon).source();
   return choice;
-} catch (const OutOfTime&) {
-  return {};
 }
 
 /// Of what someone runs: whether it is enough, and what is chosen instead as far as that is found in time.
@@ -319,9 +343,15 @@ int judge_own(const fs::path& folder, const Task& task, const AskedNeed& asked, 
     print(is_enough_table(found), format);
     return found.holds() ? 0 : 1;
   }
-  const std::optional<Choice> choice = choice_in_time(task, need, truth, asked.measure);
+  const std::optional<Choice> choice = [&]() -> std::optional<Choice> {
+    try {
+      return choice_in_time(task, need, truth, asked.measure);
+    } catch (const OutOfTime&) {
+      return {};
+    }
+  }();
   std::cout << is_enough_text(found, output())
-            << wrapped(choice ? "\n" + asked_text(*choice) + ":\n" +
+            << wrapped(choice ? "\n" + asked_text(*choice) + ":\n" + part_text(*choice) +
                                     (choice->chosen ? answer_text(*choice, output())
                                                     : "nothing here meets that.\n")
                               : "\nwhat to take instead was not found within the time limit\n",
@@ -340,17 +370,13 @@ int choose(const fs::path& folder, const std::string& exercise, const std::vecto
   if (!engine.empty()) require_engine_scene(*task.entry);
   if (needs_are_all(need.bodies > 1 ? needs_of_lanes : Needs())) return 0;
   const std::vector<EngineProgram> programs = engines_named(engine);
-  KeptPrices prices(prices_folder(), key_of_prices(task, need), asked.measure,
-                    need.bodies > 1 ? lanes::price_of_all(task, need) : measured_price);
   const Reference truth = truth_of(folder, asked.enclosed, motions_folder());
   if (!of_the_book(task.entry->number)) require_truth(task, truth);
-  Choice choice = with_progress([&](const Progress& progress) {
-    return oddity::choose(task, in_what_is_left(need), truth, std::ref(prices), progress);
-  });
-  prices.keep();
-  choice.prices_are = prices.source();
+  const Choice choice = choice_in_time(task, need, truth, asked.measure);
   if (format == Format::text && !asked.says.empty())
-    std::cout << exercise << " does not say what it needs, so it is asked for " << asked.says << "\n";
+    std::cout << exercise << " does not say what it needs, so it is asked for " << asked.says << "
+";
+  if (format == Format::csv || (format == Format::code && choice.chosen)) std::cerr << part_text(choice);
   if (format == Format::code && !choice.chosen)
     std::cerr << choice_text(choice, all_rows, screen_of(STDERR_FILENO));
   else
@@ -361,7 +387,7 @@ int choose(const fs::path& folder, const std::string& exercise, const std::vecto
   if (asked.enclosed && format == Format::text) std::cout << truth_text(choice, output());
   if (asked.explain && format == Format::text) std::cout << "\n" << explanation_text(choice);
   if (!programs.empty()) std::cout << engine_answer(beside(choice, programs, task, truth), output());
-  return choice.chosen ? 0 : 1;
+  return choice.chosen && !choice.asked_horizon ? 0 : 1;
 }
 
 void report(const fs::path& folder, const std::string& chapter, Edition edition, const fs::path& out,
@@ -414,12 +440,12 @@ void publish(const fs::path& folder, const fs::path& report_out, const fs::path&
       output());
 }
 
-void chart(const fs::path& folder, const std::vector<std::string>& exercises, Curves curves,
-           const fs::path& out, bool overwrite) {
+void chart(const fs::path& folder, const std::vector<std::string>& exercises, const std::string& time_limit,
+           Curves curves, const fs::path& out, bool overwrite) {
   const std::vector<Task> tasks = tasks_of(exercises);
   take_to_write(out, overwrite);
   make_folder(out);
-  const Results results = trials_of(folder, tasks);
+  const Results results = trials_of(folder, tasks, time_limit);
   const auto pages =
       with_progress([&](const Progress& progress) { return write_charts(results, curves, out, progress); });
   for (const fs::path& page : pages) std::cout << page.string() << "\n";
@@ -427,8 +453,9 @@ void chart(const fs::path& folder, const std::vector<std::string>& exercises, Cu
     std::cout << picture.string() << "\n";
 }
 
-void chart_table(const fs::path& folder, const std::vector<std::string>& exercises, Format format) {
-  print(trials_table(trials_of(folder, tasks_of(exercises))), format);
+void chart_table(const fs::path& folder, const std::vector<std::string>& exercises,
+                 const std::string& time_limit, Format format) {
+  print(trials_table(trials_of(folder, tasks_of(exercises), time_limit)), format);
 }
 
 void stability(const fs::path& folder, const AskedStability& asked, const fs::path& out, bool overwrite) {
@@ -449,11 +476,10 @@ void stability_table(const fs::path& folder, const AskedStability& asked, Format
   print(limits_table(results, held), format);
 }
 
-void stability_rows(const fs::path& folder, const std::vector<std::string>& exercises) {
-  if (!with_overrides(exercises).overrides.empty())
-    throw BadInput("--rows are of the exercises as they are: leave '" +
-                   with_overrides(exercises).overrides.front() + "' out");
-  const Results results = stability_of(folder, {exercises, "", {}}).results;
+void stability_rows(const fs::path& folder, const AskedStability& asked) {
+  if (const auto overrides = with_overrides(asked.words).overrides; !overrides.empty())
+    throw BadInput("--rows are of the exercises as they are: leave '" + overrides.front() + "' out");
+  const Results results = stability_of(folder, asked).results;
   std::cout << limit_rows(results) << "\n" << map_rows(results);
 }
 

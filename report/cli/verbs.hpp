@@ -43,10 +43,11 @@ void require_room_for_all(const fs::path& report_out, const fs::path& site_out);
 void publish(const fs::path& folder, const fs::path& report_out, const fs::path& site_out, bool as_on_record,
              const std::function<double()>& seconds);
 /// Of all exercises when there are none.
-void chart(const fs::path& folder, const std::vector<std::string>& exercises, Curves, const fs::path& out,
-           bool overwrite);
+void chart(const fs::path& folder, const std::vector<std::string>& exercises, const std::string& time_limit,
+           Curves, const fs::path& out, bool overwrite);
 /// The trials that the charts show, with nothing drawn.
-void chart_table(const fs::path& folder, const std::vector<std::string>& exercises, Format);
+void chart_table(const fs::path& folder, const std::vector<std::string>& exercises,
+                 const std::string& time_limit, Format);
 struct AskedStability {
   std::vector<std::string> words;  ///< scenes by number, one of them with other parameters; none: all
   std::string horizon;             ///< empty: the scenes' own
@@ -57,7 +58,7 @@ void stability(const fs::path& folder, const AskedStability&, const fs::path& ou
 /// The same as a table of limits, with nothing drawn.
 void stability_table(const fs::path& folder, const AskedStability&, Format);
 /// Of scenes as they are, as the rows that would put the limits and maps on record.
-void stability_rows(const fs::path& folder, const std::vector<std::string>& exercises);
+void stability_rows(const fs::path& folder, const AskedStability&);
 /// The claims of a problem's file, and 1 where one has another verdict than the file itself expects.
 int judge(const std::string& file, Format);
 /// Writes a problem's file to begin with, or a scene of the book as one. Throws BadInput where one is there.
@@ -81,6 +82,7 @@ struct AskedEngines {
   fs::path page;                    ///< where it is told as a page, unless empty
   std::string horizon = {};         ///< of exercises, unless empty
   AskedNeed need = {};              ///< its errors and criteria, of exercises
+  std::string time_limit = "none";  ///< of each scene
 };
 /// Other people's engines on scenes.
 void engines(const fs::path& folder, const AskedEngines&, Format);

@@ -358,7 +358,7 @@ std::string left_out_text(const Choice& choice) {
   std::string text;
   for (const auto& [kind, count] : choice.left_out)
     text += "\nleft out: " + std::to_string(count) + (count == 1 ? " start" : " starts") +
-            " beside it whose motion is " + kind + ", as that of the start asked for is none";
+            " beside it whose motion is " + kind + ", which that of the start asked for is not";
   return text;
 }
 
@@ -442,7 +442,8 @@ Json need_of(const Choice& choice) {
           {"error", error},
           {"also", also},
           {"unit", choice.need.criterion == Criterion::constraint ? Json("m") : units_of(choice)},
-          {"horizon", choice.need.horizon},
+          {"horizon", choice.asked_horizon.value_or(choice.need.horizon)},
+          {"judged_over", choice.need.horizon},
           {"frames", choice.need.frames()},
           {"time_unit", choice.time_unit},
           {"frames_per_second", choice.need.frames_per_second},
@@ -475,6 +476,16 @@ std::string asked_text(const Choice& choice) {
               ? ", started anew every " + format_shortest(need.restart_every) + " " + choice.time_unit
               : "") +
          (std::isfinite(need.budget) ? ", for at most " + shown_time(need.budget) + " per frame" : "");
+}
+
+std::string part_text(const Choice& choice) {
+  if (!choice.asked_horizon) return "";
+  const auto time = [&](double t) { return format_significant(t, 6) + " " + choice.time_unit; };
+  const std::string first = time(choice.need.horizon), all = time(*choice.asked_horizon);
+  if (choice.is_decided_by_part)
+    return "Over the first " + first + " of " + all + " nothing holds, and so nothing does over all of it.\n";
+  return "This is judged over the first " + first + " of " + all +
+         ": the time limit left no more. --time-limit allows more.\n";
 }
 
 std::string answer_text(const Choice& choice, const Screen& screen) {
@@ -518,8 +529,8 @@ std::string choice_text(const Choice& choice, bool all_rows, const Screen& scree
                               left_out_text(choice) +
                               (choice.unseen.empty() ? "" : "\ntested on: " + listed(choice.unseen)) +
                               (choice.prices_are.empty() ? "" : "\ntimes: " + choice.prices_are) + "\n";
-  return wrapped(asked_text(choice) + "\n\n" + answer + chaos_text(choice) + unknown_text(choice) +
-                     rows_text(choice),
+  return wrapped(asked_text(choice) + "\n" + part_text(choice) + "\n" + answer + chaos_text(choice) +
+                     unknown_text(choice) + rows_text(choice),
                  screen, 4) +
          aligned(
              rows, screen,

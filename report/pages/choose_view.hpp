@@ -13,6 +13,8 @@ namespace oddity {
 std::string what_holds(const Choice&, const std::string& when = "at every frame");
 /// What was asked, and the answer with its margin.
 std::string asked_text(const Choice&);
+/// Over what part of the horizon asked for it is; empty: all of it.
+std::string part_text(const Choice&);
 std::string answer_text(const Choice&, const Screen& = {});
 /// The choice as a sentence and a table, for a terminal; the table's first rows, or all.
 std::string choice_text(const Choice&, bool all_rows, const Screen& = {});

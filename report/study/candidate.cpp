@@ -120,6 +120,23 @@ OnStart on_start(const Start& start, const Candidate& candidate, const Need& nee
   return start.attempts ? start.attempts->at(candidate, make) : make();
 }
 
+/// Over a first part of the motion, where it fails there already.
+std::optional<OnStart> failed_before(const Start& start, const Candidate& candidate) {
+  return start.part && start.part->before ? start.part->before->find(start.says, candidate)
+                                          : std::optional<OnStart>();
+}
+
+/// What fails over a first part is followed no further.
+OnStart on_start_or_part(const Start& start, const Candidate& candidate, const Need& need) {
+  if (auto before = failed_before(start, candidate)) return *before;
+  OnStart on = on_start(start, candidate, need);
+  if (!start.part || on.outcome == Outcome::ok || on.outcome == Outcome::stalled) return on;
+  OnStart over_this = on;
+  over_this.why = "its error is that of " + start.part->says;
+  start.part->here->add(start.says, candidate, over_this);
+  return on;
+}
+
 /// Its evaluations per frame there.
 double add(const Start& start, Candidate& candidate, const OnStart& on) {
   if (on.outcome != Outcome::ok && (candidate.holds() || on.error > candidate.error)) {
@@ -157,7 +174,11 @@ Candidate evaluate(std::span<const Start> starts, const Method& method, double s
 }
 
 void go_through(std::span<const Start> starts, Candidate& candidate, const Need& need) {
-  const std::string been_on = candidate.where;
+  std::string been_on = candidate.where;
+  if (std::ranges::any_of(starts, [&](const Start& start) {
+        return start.says == been_on && failed_before(start, candidate);
+      }))
+    been_on = candidate.why = "";  // over a part of it
   std::vector<std::optional<OnStart>> on(starts.size());
   in_parallel(starts.size(), [&](std::size_t i) {
     if (starts[i].says != been_on) on[i] = on_start(starts[i], candidate, need);
@@ -189,7 +210,7 @@ Candidate evaluate_until_one_fails(const Order& starts, const Method& method, do
     const ode::EvaluationLimit limited(most_evaluations);
     const std::size_t i = next++;
     try {
-      on[i] = on_start(*starts[i], candidate, need);
+      on[i] = on_start_or_part(*starts[i], candidate, need);
     } catch (...) {
       thrown[i] = std::current_exception();
     }

@@ -16,6 +16,7 @@
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
 #include "report/study/criterion.hpp"
+#include "report/study/in_time.hpp"
 #include "report/study/off_by_need.hpp"
 #include "report/study/parallel.hpp"
 #include "report/study/time.hpp"
@@ -92,7 +93,7 @@ class Stopwatch {
 class Search {
  public:
   Search(const Task& task, const Need& need, const Reference& truth, const Price& price,
-         const Progress& progress)
+         const Progress& progress, std::shared_ptr<const PartJudged> part)
       : task_(task),
         need_(need),
         price_(price),
@@ -101,8 +102,7 @@ class Search {
           check_stop();
           if (motions_) motions_->come_to(done);
         })),
-        starts_(task, need, truth_),
-        first_frames_(starts_.first_frames(std::max(1, static_cast<int>(need.frames()) / 20))) {
+        starts_(task, need, truth_, std::move(part)) {
     seen_.reserve(static_cast<std::size_t>(1 + seen_beside(need) +
                                            rounds * unseen_starts(need)));  // tries_ point into the first
     make_starts();
@@ -365,11 +365,15 @@ class Search {
     return std::max(1.0, most / candidate.evaluations_per_frame);
   }
 
-  /// What takes long is timed over its first frames, as an evaluation takes as long there.
+  /// What takes long is timed over its first frames, as an evaluation takes as long there: over a twentieth
+  /// of all, or as many as take twice what is long.
   Time time_per_frame(const Candidate& candidate) const {
     constexpr long many = 10'000;
-    const Method* briefly = method_of(first_frames_, candidate.model, candidate.algorithm);
-    const long evaluations = briefly ? run(first_frames_, *briefly, candidate.setting).answer.evaluations : 0;
+    const double enough = std::ceil(2 * many / candidate.evaluations_per_frame);
+    const Quantity first_frames =
+        starts_.first_frames(static_cast<int>(std::clamp(enough, 1.0, std::max(1.0, need_.frames() / 20))));
+    const Method* briefly = method_of(first_frames, candidate.model, candidate.algorithm);
+    const long evaluations = briefly ? run(first_frames, *briefly, candidate.setting).answer.evaluations : 0;
     if (evaluations < many)
       return part_of(price_(method(candidate), candidate.setting), seen_.front().motion.samples);
     const double frames = static_cast<double>(evaluations) / candidate.evaluations_per_frame;
@@ -657,7 +661,6 @@ class Search {
   std::optional<Stage> motions_;
   Reference truth_;
   InitialConditions starts_;
-  Quantity first_frames_;
   std::vector<Start> seen_;
   std::optional<std::vector<Start>> unseen_;
   int failing_beside_ = 0;
@@ -691,26 +694,80 @@ bool Choice::was_followed(const Candidate& t) const {
   return std::ranges::find(left, std::pair(t.model, t.algorithm)) == left.end();
 }
 
+namespace {
+
 Choice choose(const Task& task, const Need& need, const Reference& truth, const Price& price,
-              const Progress& progress) {
+              const Progress& progress, const std::shared_ptr<const PartJudged>& part) {
   double all = 0;
   Choice choice = [&] {
     const Stopwatch watch(all);
-    const Stop stop(need.time_limit);
-    const Stoppable here(&stop);
-    try {
-      return Search(task, need, truth, price, progress).choose();
-    } catch (const Stopped&) {
-      throw OutOfTime(
-          "no answer within the time limit: ask for a shorter horizon, a lower frame rate or fewer methods "
-          "(--only), or for a longer --time-limit (none: no limit)");
-    }
+    return in_time(need.time_limit, "a shorter horizon, a lower frame rate or fewer methods (--only)",
+                   [&] { return Search(task, need, truth, price, progress, part).choose(); });
   }();
   Explanation& took = choice.explanation;
   took.rest = all - took.truths - took.search - took.timing - took.tests;
   choice.exercise = to_string(task.entry->number);
   choice.time_unit = task.entry->exercise.scene->axes.time;
   return choice;
+}
+
+/// What fails over a part of the motion fails over the whole: an error at every frame of a size that does not
+/// depend on the motion's.
+bool a_part_decides(const Need& need) {
+  return !need.relative && std::ranges::all_of(criteria_of(need), [](Criterion criterion) {
+    return criterion == Criterion::path || criterion == Criterion::constraint;
+  });
+}
+
+/// The need over ever longer parts of its horizon, the last of them the whole.
+std::vector<Need> ever_longer(const Need& need) {
+  constexpr double longer = 8, least_frames = 2400;
+  std::vector<Need> all{need};
+  while (all.front().frames() / longer >= least_frames) {
+    Need part = all.front();
+    part.horizon = std::floor(part.frames() / longer) / need.frames_per_second;
+    all.insert(all.begin(), part);
+  }
+  return all;
+}
+
+}  // namespace
+
+Choice choose(const Task& task, const Need& need, const Reference& truth, const Price& price,
+              const Progress& progress) {
+  return choose(task, need, truth, price, progress, nullptr);
+}
+
+Choice choose_in_time(const Task& task, const Need& need, const Reference& truth, const PriceOver& price_over,
+                      const Progress& progress) {
+  double spent = 0;
+  std::optional<Choice> over_part;
+  std::shared_ptr<const Failures> failed;
+  for (Need& over : ever_longer(need)) {
+    const Stopwatch watch(spent);
+    const bool is_whole = over.horizon == need.horizon;
+    over.time_limit = need.time_limit - spent;
+    std::shared_ptr<PartJudged> part;
+    if (a_part_decides(need))
+      part =
+          std::make_shared<PartJudged>(PartJudged{"the first " + format_significant(over.horizon, 4) + " " +
+                                                      std::string(task.entry->exercise.scene->axes.time),
+                                                  failed, std::make_shared<Failures>()});
+    try {
+      over_part = choose(task, over, truth, price_over(over), progress, part);
+    } catch (const OutOfTime&) {
+      if (!over_part) throw;
+      break;
+    }
+    if (is_whole) return *over_part;
+    over_part->asked_horizon = need.horizon;
+    over_part->is_decided_by_part = !over_part->chosen && part && !std::isfinite(need.budget);
+    if (over_part->is_decided_by_part) break;
+    if (!part) continue;
+    if (failed) part->here->add(*failed);
+    failed = part->here;
+  }
+  return *over_part;
 }
 
 }  // namespace oddity

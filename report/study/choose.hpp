@@ -32,6 +32,10 @@ struct Explanation {
 
 struct Choice {
   Need need;
+  /// Where the need's horizon is only a part of the one that was asked for: that one. Nothing that is asked
+  /// holds over the part, and so over the whole; or the time limit left no more.
+  std::optional<double> asked_horizon = {};
+  bool is_decided_by_part = false;
   std::string exercise, quantity, time_unit;
   std::vector<std::string> units;  ///< of the motion's errors
   std::vector<double> needs;       ///< the error asked for in each of them
@@ -90,5 +94,13 @@ Time measured_price(const Method&, double setting);
 /// OutOfTime when the need's time limit is over.
 Choice choose(const Task&, const Need&, const Reference&, const Price& = measured_price,
               const Progress& = {});
+
+/// What a run costs over the horizon of a need.
+using PriceOver = std::function<Price(const Need&)>;
+
+/// As `choose`; over a long horizon first over parts of it, each eight times as long as the one before. What
+/// fails over a part is followed no further; where nothing holds over it the answer is over it, and so is one
+/// where the time limit leaves no more. Throws OutOfTime where not even the first part is judged in time.
+Choice choose_in_time(const Task&, const Need&, const Reference&, const PriceOver&, const Progress& = {});
 
 }  // namespace oddity

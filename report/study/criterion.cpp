@@ -215,6 +215,10 @@ std::vector<Criterion> criteria_of(const Need& need) {
   return all;
 }
 
+bool has_period(const Quantity& motion) {
+  return !std::isnan(period(motion.reference.value, motion.samples, mean_of_first(motion)));
+}
+
 bool can_be_judged(Criterion criterion, const Quantity& motion, const Method& method) {
   switch (criterion) {
     case Criterion::energy:

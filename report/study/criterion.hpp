@@ -41,6 +41,9 @@ Off off_by(Criterion, const Quantity& motion, const Method&, const Trial&, const
 Off off_by_observed(Criterion, const Quantity& motion, const Value& observed,
                     const std::vector<double>& errors);
 
+/// The true motion's first observable passes upward through its mean twice.
+bool has_period(const Quantity& motion);
+
 /// The criteria that are asked for, the main one first.
 std::vector<Criterion> criteria_of(const Need&);
 

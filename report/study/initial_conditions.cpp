@@ -42,13 +42,6 @@ std::vector<int> parts_of(const Need& need) {
   return parts;
 }
 
-std::vector<Start> known(std::span<std::optional<Start>> made) {
-  std::vector<Start> all;
-  for (auto& one : made)
-    if (one) all.push_back(std::move(*one));
-  return all;
-}
-
 std::optional<Start> where_known(const std::function<Start()>& make) {
   try {
     return make();
@@ -79,6 +72,22 @@ OnStart Attempts::at(const Candidate& candidate, const std::function<OnStart()>&
   const std::lock_guard lock(mutex_);
   if (made.outcome != Outcome::stalled) all_[which] = made;  // which it may not be with more evaluations
   return made;
+}
+
+void Failures::add(const std::string& start, const Candidate& candidate, const OnStart& on) {
+  const std::lock_guard lock(mutex_);
+  all_[{start, candidate.model, candidate.algorithm, candidate.setting}] = on;
+}
+
+std::optional<OnStart> Failures::find(const std::string& start, const Candidate& candidate) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = all_.find({start, candidate.model, candidate.algorithm, candidate.setting});
+  return found == all_.end() ? std::optional<OnStart>() : found->second;
+}
+
+void Failures::add(const Failures& shorter) {
+  const std::scoped_lock lock(mutex_, shorter.mutex_);
+  all_.insert(shorter.all_.begin(), shorter.all_.end());
 }
 
 bool is_known_well(const Quantity& motion) {
@@ -118,8 +127,9 @@ Quantity known_motion(const Scene& scene, const Parameters& p, const Horizon& ho
   return made(truth);
 }
 
-InitialConditions::InitialConditions(const Task& task, const Need& need, const Reference& truth)
-    : task_(task), need_(need), truth_(truth) {
+InitialConditions::InitialConditions(const Task& task, const Need& need, const Reference& truth,
+                                     std::shared_ptr<const PartJudged> part)
+    : task_(task), need_(need), truth_(truth), part_(std::move(part)) {
   if (!task.entry->exercise.scene)
     throw BadInput("exercise " + to_string(task.entry->number) + " has no motion to choose a method for");
   for (const auto& [name, value] :
@@ -218,6 +228,8 @@ Start InitialConditions::required(Start start) const {
   if (by_motion && start.motion.need.allowed < start.motion.reference_error)
     throw BadInput("the true motion is known to " + format_significant(start.motion.reference_error, 2) +
                    ", and the error asked for is smaller");
+  if (!is_comparable(start))
+    throw BadInput("the motion has no two periods within the horizon: ask for a longer one");
   if (start.energy && need_.error_by(Criterion::energy) < (**start.energy).known_to)
     throw BadInput("the true motion's energy is known to " +
                    format_significant((**start.energy).known_to, 2) +
@@ -235,6 +247,7 @@ Start InitialConditions::asked_to_choose() const {
     asked.sharper =
         std::make_shared<Lazy<Start>>([this, known = asked.sharper] { return required(**known); });
   asked.attempts = std::make_shared<Attempts>();
+  asked.part = part_;
   return required(std::move(asked));
 }
 
@@ -288,28 +301,55 @@ std::optional<Start> InitialConditions::start_if_known(const Parameters& p) cons
   return where_known([&] {
     Start beside = start(p);
     beside.attempts = std::make_shared<Attempts>();
+    beside.part = part_;
     return beside;
   });
 }
 
+bool InitialConditions::needs_period() const {
+  return std::ranges::count(criteria_of(need_), Criterion::period) > 0;
+}
+
+bool InitialConditions::is_comparable(const Start& start) const {
+  return !needs_period() || !start.is_whole || has_period(start.motion);
+}
+
 std::vector<Start> InitialConditions::beside(int count, const AfterEach& after_each) {
-  const std::vector<Parameters> drawn = draw(count);
-  std::vector<std::optional<Start>> made(drawn.size());
-  in_parallel(drawn.size(), [&](std::size_t i) {
-    made[i] = start_if_known(drawn[i]);
-    after_each();
-  });
-  return known(made);
+  return with_asked({}, count, after_each);
 }
 
 std::vector<Start> InitialConditions::asked_and_beside(int count, const AfterEach& after_each) {
-  const std::vector<Parameters> drawn = draw(count);
-  std::vector<std::optional<Start>> made(1 + drawn.size());
-  in_parallel(made.size(), [&](std::size_t i) {
-    made[i] = i == 0 ? asked_to_choose() : start_if_known(drawn[i - 1]);
-    after_each();
-  });
-  return known(made);
+  return with_asked([this] { return asked_to_choose(); }, count, after_each);
+}
+
+std::vector<Start> InitialConditions::with_asked(const std::function<Start()>& asked, int count,
+                                                 const AfterEach& after_each) {
+  constexpr int most_draws = 4;
+  std::vector<Start> all;
+  for (int draws = 0, missing = count; draws == 0 || (missing > 0 && draws < most_draws); ++draws) {
+    const std::vector<Parameters> drawn = draw(missing);
+    std::vector<std::optional<Start>> made(drawn.size());
+    std::optional<Start> first;
+    in_parallel(drawn.size() + 1, [&](std::size_t i) {
+      if (i > 0)
+        made[i - 1] = start_if_known(drawn[i - 1]);
+      else if (draws == 0 && asked)
+        first = asked();
+      if (draws == 0 && (i > 0 || asked)) after_each();
+    });
+    if (first) all.push_back(std::move(*first));
+    missing = 0;
+    for (auto& start : made) {
+      if (!start) continue;
+      if (is_comparable(*start)) {
+        all.push_back(std::move(*start));
+      } else {
+        ++left_out_["without two periods within the horizon"];
+        ++missing;
+      }
+    }
+  }
+  return all;
 }
 
 }  // namespace oddity

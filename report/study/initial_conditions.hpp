@@ -56,6 +56,27 @@ class Attempts {
   std::mutex mutex_;
 };
 
+/// What fails on a first part of a motion fails on the whole of it: by start and setting. For many threads.
+class Failures {
+ public:
+  void add(const std::string& start, const Candidate&, const OnStart&);
+  std::optional<OnStart> find(const std::string& start, const Candidate&) const;
+  void add(const Failures& shorter);
+
+ private:
+  using Which =
+      std::tuple<std::string, std::string, std::string, double>;  ///< start, model, algorithm, setting
+  std::map<Which, OnStart> all_;
+  mutable std::mutex mutex_;
+};
+
+/// What is known of a motion's first part when a longer one is judged.
+struct PartJudged {
+  std::string says;                        ///< what is judged here: "the first 56.25 s"
+  std::shared_ptr<const Failures> before;  ///< over a shorter part; null: none was judged
+  std::shared_ptr<Failures> here;          ///< over this one, for a longer
+};
+
 /// One start of a scene: its true motion at every frame, and every method with what was asked as the need.
 struct Start {
   std::string says;  ///< "a = 0.5121, L = 0.9034"
@@ -66,6 +87,8 @@ struct Start {
   std::shared_ptr<Lazy<Start>> sharper = {};
   bool is_whole = true;                     ///< else the motion ends where its truth is no longer known
   std::shared_ptr<Attempts> attempts = {};  ///< none: nothing is kept
+  std::shared_ptr<const PartJudged> part =
+      {};  ///< none: no part of the motion was judged before, or may be later
 };
 
 /// What a game asks of a position [m] and of an angle [rad]; of an orbit [AU], a degree of the Earth's.
@@ -92,7 +115,7 @@ Quantity known_motion(const Scene&, const Parameters&, const Horizon&, const Nee
 class InitialConditions {
  public:
   /// Throws BadInput when the task's exercise has no motion, or the need makes no sense.
-  InitialConditions(const Task&, const Need&, const Reference&);
+  InitialConditions(const Task&, const Need&, const Reference&, std::shared_ptr<const PartJudged> = {});
 
   /// The start asked for. Throws BadInput when no true motion is known there, or not as exactly as asked.
   Start asked() const;
@@ -110,6 +133,12 @@ class InitialConditions {
   Parameters drawn();
   std::vector<Parameters> draw(int count);
   std::optional<Start> start_if_known(const Parameters&) const;
+  /// The start asked for, if it is given, and `count` beside it; those that are not comparable are drawn
+  /// again.
+  std::vector<Start> with_asked(const std::function<Start()>& asked, int count, const AfterEach&);
+  bool needs_period() const;
+  /// Its true motion has what the need looks at.
+  bool is_comparable(const Start&) const;
   std::string says(const Parameters&) const;
   /// The start with what it takes to judge on it.
   Start to_judge(Start, const Parameters&) const;
@@ -129,6 +158,7 @@ class InitialConditions {
   const Task& task_;
   const Need& need_;
   const Reference& truth_;
+  std::shared_ptr<const PartJudged> part_;
   Random random_{7};
   std::map<std::string, int> left_out_;
 };

@@ -10,6 +10,7 @@
 #include "reference/similar.hpp"
 #include "reference/text.hpp"
 #include "report/study/criterion.hpp"
+#include "report/study/in_time.hpp"
 #include "report/study/parallel.hpp"
 #include "report/study/parting.hpp"
 #include "report/study/stability.hpp"
@@ -143,8 +144,6 @@ std::vector<std::string> algorithms_meant(const std::string& name, const std::ve
 
 IsEnough is_enough(const Task& task, const Need& asked, const MethodAsked& method, const Reference& truth,
                    const Price& price, const Progress& progress) {
-  const Stop stop(asked.time_limit);
-  const Stoppable here(&stop);
   const Scene& scene = *task.entry->exercise.scene;
   const auto is_asked = [&](const Method& m) {
     return m.algorithm == method.algorithm && m.model.find(method.model) != std::string::npos;
@@ -154,7 +153,7 @@ IsEnough is_enough(const Task& task, const Need& asked, const MethodAsked& metho
   if (any == seen.methods.end())
     throw BadInput("no model of " + to_string(task.entry->number) + " has '" + method.model +
                    "' in its name and " + method.algorithm);
-  try {
+  return in_time(asked.time_limit, "a shorter horizon or a model alone (--model)", [&] {
     IsEnough found{at_steps(asked, *any, method.setting), to_string(task.entry->number),
                    std::string(scene.axes.time)};
     const Judge judge(task, found.need, truth, price, progress);
@@ -170,11 +169,7 @@ IsEnough is_enough(const Task& task, const Need& asked, const MethodAsked& metho
       }
     std::ranges::stable_sort(found.models, {}, [](const Judgement& j) { return j.run.error; });
     return found;
-  } catch (const Stopped&) {
-    throw OutOfTime(
-        "no answer within the time limit: ask for a shorter horizon or a model alone (--model), or for a longer "
-        "--time-limit");
-  }
+  });
 }
 
 }  // namespace oddity

@@ -19,6 +19,7 @@
 
 #include "reference/interrupted.hpp"
 #include "reference/text.hpp"
+#include "solvers/stop.hpp"
 
 extern char** environ;
 
@@ -111,13 +112,14 @@ Ended run_program(const std::vector<std::string>& command, const std::string& in
   rusage used{};
   pid_t ended = 0;
   while ((ended = wait4(child, &status, WNOHANG, &used)) == 0) {
-    if (!late && std::chrono::steady_clock::now() > deadline) {
+    if (!late && (std::chrono::steady_clock::now() > deadline || (stop_here && stop_here->is_requested()))) {
       late = true;
       kill(child, SIGKILL);
     }
     std::this_thread::sleep_for(2ms);
   }
   require(ended == child, errno, command.front().c_str());
+  check_stop();
   const double seconds = std::chrono::duration<double>(limit).count();
   return {!late && WIFEXITED(status) && WEXITSTATUS(status) == 0,
           late                  ? "no answer within " + format_significant(seconds, 3) + " s"

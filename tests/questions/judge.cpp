@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -389,8 +390,22 @@ bool same_choice(const Question& q, const std::string& text, const Json& chosen)
   return false;
 }
 
-Verdict judge_chosen(const Question& q, const Program& program, const Ended& ended, const Json& answer) {
-  if (const std::string off = contradiction(q, answer); !off.empty()) return wrong(off, ended);
+/// The question over the part of its horizon that was judged before its time was over: that is asked then.
+Question over_part(Question q, double horizon) {
+  std::array<char, 40> text;
+  const std::string shortest(text.data(), std::to_chars(text.data(), text.data() + text.size(), horizon).ptr);
+  const auto given = std::ranges::find(q.words, "--horizon");
+  if (given == q.words.end())
+    q.words.insert(q.words.end(), {"--horizon", shortest});
+  else
+    *std::next(given) = shortest;
+  q.horizon = horizon;
+  return q;
+}
+
+Verdict judge_chosen(const Question& asked, const Program& program, const Ended& ended, const Json& answer) {
+  if (const std::string off = contradiction(asked, answer); !off.empty()) return wrong(off, ended);
+  const Question q = over_part(asked, answer["need"]["judged_over"].value);
   const Json& chosen = answer["chosen"];
   if (q.beside != "-") {
     const Ended other = ask(q, program, q.beside);
@@ -474,9 +489,10 @@ Verdict judge(const Question& q, const Program& program) {
   } catch (const std::runtime_error&) {
     return wrong("format: --json prints no JSON", ended);
   }
-  if ((ended.code == 0) != static_cast<bool>(answer["chosen"]))
+  const bool is_whole = answer["need"]["judged_over"].value == q.horizon;
+  if ((ended.code == 0) != (is_whole && answer["chosen"]))
     return wrong("exit code: not as the answer is", ended);
-  if (ended.code == 1) {
+  if (!answer["chosen"]) {
     if (answer["candidates"].items.empty())
       return wrong("reason: nothing holds, and nothing was tried", ended);
     const Json& budget = answer["need"]["budget"];

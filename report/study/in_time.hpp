@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "reference/bad_input.hpp"
+#include "solvers/stop.hpp"
+
+namespace oddity {
+
+/// What `work` returns. Throws OutOfTime where it is not there after so many seconds; `shorter` says what
+/// would be: "a shorter horizon".
+template <class Work>
+auto in_time(double seconds, const std::string& shorter, const Work& work) {
+  const Stop stop(seconds);
+  const Stoppable here(&stop);
+  try {
+    return work();
+  } catch (const Stopped&) {
+    throw OutOfTime("no answer within the time limit: ask for " + shorter +
+                    ", or for a longer --time-limit (none: no limit)");
+  }
+}
+
+}  // namespace oddity
