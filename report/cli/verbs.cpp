@@ -374,8 +374,7 @@ int choose(const fs::path& folder, const std::string& exercise, const std::vecto
   if (!of_the_book(task.entry->number)) require_truth(task, truth);
   const Choice choice = choice_in_time(task, need, truth, asked.measure);
   if (format == Format::text && !asked.says.empty())
-    std::cout << exercise << " does not say what it needs, so it is asked for " << asked.says << "
-";
+    std::cout << exercise << " does not say what it needs, so it is asked for " << asked.says << "\n";
   if (format == Format::csv || (format == Format::code && choice.chosen)) std::cerr << part_text(choice);
   if (format == Format::code && !choice.chosen)
     std::cerr << choice_text(choice, all_rows, screen_of(STDERR_FILENO));
