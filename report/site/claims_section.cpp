@@ -149,7 +149,7 @@ std::string finding_text(const JudgedClaim& judged, const ProvedClaims& proved) 
                      html::link("#" + claim_anchor_of(claim), in_xml(claim.id)) + "</p>" +
                      (says_what_is_printed(claim)
                           ? ""
-                          : element("p", "", "The solution says: " + html::text(claim.says) + ".")) +
+                          : element("p", "", "The solution says: " + html::text(as_sentence(claim.says)))) +
                      sides(judged) + element("p", "", html::prose(claim.why)) +
                      html::folded("Evidence", element("p", "", evidence_of(judged)))) +
          "\n";
