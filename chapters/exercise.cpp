@@ -7,6 +7,7 @@
 #include "chapters/contents.hpp"
 #include "chapters/judge.hpp"
 #include "chapters/no_event.hpp"
+#include "chapters/places_kept.hpp"
 #include "reference/bad_input.hpp"
 #include "reference/reference.hpp"
 #include "reference/text.hpp"
@@ -207,8 +208,26 @@ Knob halving(std::string name, double first, int count) {
 
 namespace {
 
+/// "4/3" where the number is this fraction, of a small denominator, and its digits would not say so; else
+/// empty.
+std::string simple_fraction(double x, int digits, bool in_formula) {
+  constexpr double largest = 20;
+  const double size = std::abs(x);
+  for (int denominator = 2; denominator <= 12; ++denominator) {
+    const double numerator = std::round(size * denominator);
+    if (numerator < 1 || numerator > largest ||
+        std::abs(size - numerator / denominator) > 16 * epsilon * size)
+      continue;
+    if (*parse_number(format_significant(size, digits)) == size) return "";
+    const std::string above = format_significant(numerator, 2), below = std::to_string(denominator);
+    return (x < 0 ? "-" : "") + (in_formula ? R"(\frac{)" + above + "}{" + below + "}" : above + "/" + below);
+  }
+  return "";
+}
+
 /// The number as text; in a formula, a power of ten as one.
 std::string number_in_text(double x, int digits, bool in_formula) {
+  if (const std::string fraction = simple_fraction(x, digits, in_formula); !fraction.empty()) return fraction;
   const std::string written = format_significant(x, digits);
   const auto e = written.find('e');
   if (!in_formula || e == std::string::npos) return written;
@@ -220,7 +239,17 @@ std::string number_in_text(double x, int digits, bool in_formula) {
 
 }  // namespace
 
+namespace {
+
+thread_local bool places_kept = false;
+
+}  // namespace
+
+PlacesKept::PlacesKept() { places_kept = true; }
+PlacesKept::~PlacesKept() { places_kept = false; }
+
 std::string filled(std::string_view text, std::span<const double> numbers) {
+  if (places_kept) return std::string(text);
   std::string all;
   auto next = numbers.begin();
   bool in_formula = false;

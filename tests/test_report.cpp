@@ -589,6 +589,11 @@ TEST_CASE("errata come first, each with an anchor, and confirmed claims are fold
               "[3.5-wrong](3.5.md#3.5-wrong), [3.5-follows](3.5.md#3.5-follows) | "
               "x = 2 | x = 1 | 1 m too far |") == 1);
   CHECK(count(errata, "## Misprints (1)") == 1);
+  wrong.claim.says = "It ends in a full stop.";
+  results.exercises[0].claims.push_back(wrong);
+  CHECK(count(page_of(results), "It ends in a full stop. *") +
+            count(page_of(results), "It ends in a full stop.\n") ==
+        1);
   CHECK(count(errata, "[3.5-lost\\_bar](3.5.md#3.5-lost_bar)") == 1);
 }
 

@@ -144,8 +144,6 @@ TEST_CASE("no folder's name runs or breaks out", "[report]") {
 TEST_CASE("text, formulas and code are written such that Markdown shows them", "[report]") {
   CHECK(escaped("a_1 < b & c [d] \\e | f\ng") == "a\\_1 \\< b \\& c \\[d\\] \\\\e \\| f g");
   CHECK(escaped("a | b", false) == "a | b");
-  CHECK(with_full_stop("a") == "a.");
-  CHECK(with_full_stop("a.") == "a.");
   CHECK(escaped("so $a\\,b_1$ is") == "so $`a\\,b_1`$ is");
   CHECK(escaped("$|x|$ and $\\|x\\|$") == "$`\\vert x\\vert `$ and $`\\Vert x\\Vert `$");
   CHECK(escaped("$|x|$", false) == "$`|x|`$");

@@ -80,6 +80,12 @@ TEST_CASE("trust counts what is on record, and says what is not", "[trust]") {
     INFO(row << " in\n" << text);
     CHECK(text.find("\n" + row + ",") != std::string::npos);
   };
+  long judged = 0, assertions = 0;
+  for (const Entry& entry : registry())
+    for (const Assertion& one : read_ledger(tables, to_string(entry.number)))
+      ++assertions, judged += !one.claims.empty();
+  has("judged,assertions of the solutions," + std::to_string(judged) + "," + std::to_string(assertions) +
+      ",each of the others has its reason");
   has("proved,claims,1,3,1 printed value is proved wrong");
   has("provable,so,1,3");
   has("wording,as said,1,3");

@@ -123,7 +123,7 @@ std::string in_full(const JudgedClaim& judged, bool in_table, const ProvedClaims
   const auto shown = [&](const std::string& what, const Reading& reading) {
     return is_told(claim, reading) || in_table
                ? ""
-               : " *" + what + ":* " + with_full_stop(escaped(reading.text, false));
+               : " *" + what + ":* " + escaped(as_sentence(reading.text), false);
   };
   const bool meant = was_meant(judged.verdict);
   const std::string as_it_stands = judged.verdict == Verdict::lost ? "In our copy" : "As printed";
@@ -131,7 +131,7 @@ std::string in_full(const JudgedClaim& judged, bool in_table, const ProvedClaims
                                shown(meant ? "Meant" : "Right", right_reading(judged));
   return "<a id=\"" + anchor_of(claim) + "\"></a>**" + title_of(judged.verdict) + " " + code(claim.id) +
          "** (" + kind + escaped(place_of(claim), false) + (proved.contains(claim.id) ? ", proved" : "") +
-         "): " + with_full_stop(escaped(claim.says, false)) + readings + "\n\n" + prose(claim.why) + "\n\n" +
+         "): " + escaped(as_sentence(claim.says), false) + readings + "\n\n" + prose(claim.why) + "\n\n" +
          numbers_of(judged);
 }
 
@@ -141,8 +141,9 @@ std::string compared_with(const JudgedClaim& judged) {
   const Reading& reading = right_reading(judged);
   if (reading.checks.empty()) return "";
   const Check& c = tightest(reading);
-  return counts_violations(c) ? "In " + c.left.by.substr(std::string("violations in ").size())
-                              : (c.right.by == "zero" ? c.left.by : c.right.by);
+  return counts_violations(c)
+             ? "In " + c.left.by.substr(std::string("violations in ").size())
+             : (c.right.by == "zero" && c.left.by != judged.claim.says ? c.left.by : c.right.by);
 }
 
 /// A line a claim, those that were compared with the same together.
@@ -233,7 +234,7 @@ std::string other_claims(const ExerciseResult& e, const ProvedClaims& proved) {
   for (const JudgedClaim& c : e.claims) {
     if (c.verdict == Verdict::not_checkable)
       open += code(c.claim.id) + " (" + escaped(place_of(c.claim), false) +
-              "): " + escaped(c.claim.says, false) + ". Not checkable because " +
+              "): " + escaped(as_sentence(c.claim.says), false) + " Not checkable because " +
               escaped(c.claim.not_checkable, false) + ".\n\n";
     if (c.verdict != Verdict::confirmed) continue;
     ++confirmed;

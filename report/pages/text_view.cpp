@@ -11,6 +11,11 @@
 
 namespace oddity {
 
+std::string as_sentence(std::string says) {
+  if (!says.ends_with('.')) says += '.';
+  return says;
+}
+
 Style style_of(Verdict verdict) {
   switch (verdict) {
     case Verdict::confirmed:

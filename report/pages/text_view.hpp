@@ -16,6 +16,9 @@ Style style_of(Verdict);
 /// The outcome's name, in the colour of how good it is.
 std::string shown(Outcome, const Screen&);
 
+/// A claim's words as a sentence: with a full stop, unless they end in one.
+std::string as_sentence(std::string says);
+
 /// Decimal numbers of more than nine digits within a text, each rounded to six.
 std::string with_short_numbers(const std::string& text);
 

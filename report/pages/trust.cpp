@@ -100,6 +100,15 @@ Part formulas_as_typeset(const Results& results) {
   return {"as typeset", {"formulas of claims", read, formulas}, "a reader of TeX, at samples"};
 }
 
+/// Of what the solutions assert, what claims judge.
+Part assertions_judged(const std::vector<Assertion>& assertions) {
+  const auto judged = std::ranges::count_if(assertions, [](const Assertion& a) { return !a.claims.empty(); });
+  return {
+      "judged",
+      {"assertions of the solutions", judged, std::ssize(assertions), "each of the others has its reason"},
+      "the ledgers of assertions, line by line"};
+}
+
 // ---- records ----------------------------------------------------------------------------------------------
 
 Parts values_by_bound(const Bounds& bounds) {
@@ -179,7 +188,8 @@ Part faults_survived(const std::vector<Faulted>& record) {
 }
 
 Parts parts_of(const Results& results, const Trust& trust) {
-  Parts parts = claims_by_standing(results, trust.standings);
+  Parts parts{assertions_judged(trust.assertions)};
+  for (Part& part : claims_by_standing(results, trust.standings)) parts.push_back(std::move(part));
   for (Part& part : values_by_bound(trust.bounds)) parts.push_back(std::move(part));
   parts.push_back(formulas_as_typeset(results));
   parts.push_back(errata_witnessed(results, trust.witnessed));

@@ -143,16 +143,15 @@ std::string finding_text(const JudgedClaim& judged, const ProvedClaims& proved) 
   const std::string kind = name_of(claim.kind).empty()
                                ? ""
                                : element("span", " class=\"kind\"", in_xml(name_of(claim.kind))) + ", ";
-  return element(
-             "article", id_attribute(claim) + " class=\"" + class_of(judged.verdict) + "\"",
-             "<p class=\"meta\"><b>" + std::string(name_of(judged.verdict)) + "</b> " + kind +
-                 html::text(place_of(claim)) + mark_of(claim, proved) + " " +
-                 html::link("#" + claim_anchor_of(claim), in_xml(claim.id)) + "</p>" +
-                 (says_what_is_printed(claim)
-                      ? ""
-                      : element("p", "", "The solution says: " + with_full_stop(html::text(claim.says)))) +
-                 sides(judged) + element("p", "", html::prose(claim.why)) +
-                 html::folded("Evidence", element("p", "", evidence_of(judged)))) +
+  return element("article", id_attribute(claim) + " class=\"" + class_of(judged.verdict) + "\"",
+                 "<p class=\"meta\"><b>" + std::string(name_of(judged.verdict)) + "</b> " + kind +
+                     html::text(place_of(claim)) + mark_of(claim, proved) + " " +
+                     html::link("#" + claim_anchor_of(claim), in_xml(claim.id)) + "</p>" +
+                     (says_what_is_printed(claim)
+                          ? ""
+                          : element("p", "", "The solution says: " + html::text(as_sentence(claim.says)))) +
+                     sides(judged) + element("p", "", html::prose(claim.why)) +
+                     html::folded("Evidence", element("p", "", evidence_of(judged)))) +
          "\n";
 }
 

@@ -95,8 +95,22 @@ Faulted faulted(const Record& r) {
 
 }  // namespace
 
+namespace {
+
+std::vector<Assertion> assertions_in(const fs::path& reference) {
+  std::vector<Assertion> all;
+  for (const fs::directory_entry& file : fs::directory_iterator(reference / "ledger"))
+    if (file.path().extension() == ".csv")
+      for (Assertion& one : read_ledger(reference, file.path().stem().string()))
+        all.push_back(std::move(one));
+  return all;
+}
+
+}  // namespace
+
 Trust read_trust(const fs::path& reference, const fs::path& tests) {
   return {Standings(reference / "approved"),
+          assertions_in(reference),
           bounds_of(reference / "tables"),
           witnessed_in(reference / "witness"),
           records<Mutated>(tests / "mutation" / "mutation.csv", mutated),

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "reference/ledger.hpp"
 #include "report/study/standing.hpp"
 
 /// What is on record of how far the program may be trusted. Records that are not there are empty.
@@ -43,6 +44,7 @@ struct Faulted : Tried {  ///< a verb
 
 struct Trust {
   Standings standings = {};
+  std::vector<Assertion> assertions = {};  ///< of the published solutions, in our words
   Bounds bounds = {};
   Witnessed witnessed = {};
   std::vector<Mutated> mutated = {};

@@ -87,11 +87,6 @@ std::string escaped(const std::string& text, bool in_cell) { return marked_up(te
 
 std::string prose(const std::string& text) { return marked_up(text, "\\`$_<&~[]", false); }
 
-std::string with_full_stop(std::string text) {
-  if (!text.ends_with('.')) text += '.';
-  return text;
-}
-
 std::string code(const std::string& text) {
   std::string inside, fence = "`";
   for (char c : text) inside += is_control(c) ? ' ' : c;

@@ -17,8 +17,6 @@ std::string escaped(const std::string& text, bool in_cell = true);
 /// The same for a paragraph of ours, in which *emphasis* is meant.
 std::string prose(const std::string& text);
 std::string code(const std::string& text);
-/// A sentence that ends with a full stop, whether or not the text already does.
-std::string with_full_stop(std::string text);
 /// A name that is safe in a path and in a link: what is no letter, digit, dot or dash becomes an underscore.
 std::string file_name(const std::string& text);
 /// Powers of ten as readers write them, which also do not break over a line's end: "4.4×10⁻¹⁶".

@@ -107,7 +107,9 @@ Quantity one_sided_limits(double h) {
               [=](double s) {
                 return Answer{pieces(s), 1};
               },
-              Outcome::inaccurate, "the acceleration is still 6 distances away"});
+              Outcome::inaccurate,
+              filled("the acceleration is still @1 distances away",
+                     {distance(pieces(h * 0x1p-20), limits.reference.value) / (h * 0x1p-20)})});
   limits.add({derivatives, "Richardson", halvings, richardson(pieces)});
   limits.add({"differences of positions, one side", "Richardson", halvings, richardson(one_sided)});
   limits.add({"differences of positions across 0", "Richardson", halvings, richardson(central),

@@ -66,7 +66,7 @@ Quantity half_disc(double k, double phi, double seed, const Reference& truth) {
   add("columns at x = sin u", by_sine, "CQUAD", tolerances(), cquad_rule);
   add("columns at x = sin u", by_sine, "Gauss-Legendre", points, gauss_rule);
   add("columns at x = sin u", by_sine, "Simpson", panels, simpson_rule,
-      "its error shrinks as $h^4$: too slow for ten digits at 128 panels");
+      filled("its error shrinks as $h^4$: too slow for ten digits at @3 panels", {panels.settings.back()}));
   add("sectors", by_sectors, "QAGS", tolerances(), qags_rule);
   add("sectors", by_sectors, "Gauss-Legendre", points, gauss_rule);
   const std::size_t smooth = q.methods.size();
@@ -126,7 +126,8 @@ Quantity far_balance() {
            [=](double) {
              return Answer{moments(27.0), work};
            },
-           relative ? Outcome::ok : Outcome::inaccurate, relative ? "" : "terms of size $10^{10}$ cancel"});
+           relative ? Outcome::ok : Outcome::inaccurate,
+           relative ? "" : filled("terms of size $@1$ cancel", {27 * size_of(center)})});
   };
   add("positions relative to the center", "sum of m N . (P - C)", true);
   add("positions from the origin", "sum of m N . P - m N . C", false);

@@ -34,9 +34,10 @@ Quantity inertia(std::string name, std::string says, const Lamina& l, double see
   Quantity q = quantity(std::move(name), "", std::move(says), truth("02_13_lamina", {l.left, l.z, l.rho}),
                         {1e-10 * l.rho, "ten decimals for a unit density"});
   const auto component = [l](std::size_t k) { return [l, k](double x, double y) { return l.at(x, y)[k]; }; };
+  const Knob panels = doubling("panels", 2, 7);
   const auto add = [&](const std::string& model, const auto& integrate, const std::string& algorithm,
                        Rule (*rule)(double), const std::string& too_slow = "") {
-    const Knob knob = algorithm == "Simpson"          ? doubling("panels", 2, 7)
+    const Knob knob = algorithm == "Simpson"          ? panels
                       : algorithm == "Gauss-Legendre" ? doubling("points", 1, 5)
                                                       : tolerances();
     const auto run = [=](double setting) {
@@ -54,7 +55,8 @@ Quantity inertia(std::string name, std::string says, const Lamina& l, double see
     return rows(rule, component(k), l.left, true);
   };
   const auto by_edge = [=](const Rule& rule, std::size_t k) { return edge(rule, l, k); };
-  const std::string low_order = "the error shrinks as $h^4$: too slow for ten decimals at 128 panels";
+  const std::string low_order =
+      filled("the error shrinks as $h^4$: too slow for ten decimals at @3 panels", {panels.settings.back()});
   const std::string no_slope = R"(the width of a row, $2\sqrt y$, has no derivative at the vertex)";
   add("columns", by_columns, "QAGS", qags_rule);
   add("columns", by_columns, "CQUAD", cquad_rule);

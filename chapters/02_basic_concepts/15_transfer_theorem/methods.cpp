@@ -111,8 +111,11 @@ Quantity about_origin(const Parameters& p, const Reference& truth) {
   };
   add("QAGS", tolerances(4, 12, 4), qags_rule);
   add("Gauss-Legendre", doubling("points", 1, 4), gauss_rule);
-  q.add({solid, "Simpson", doubling("panels", 2, 5), [=](double n) { return t.integrated(simpson_rule(n)); },
-         Outcome::inaccurate, "its error shrinks as $h^4$: too slow for twelve digits at 32 panels"});
+  const Knob panels = doubling("panels", 2, 5);
+  q.add({solid, "Simpson", panels, [=](double n) { return t.integrated(simpson_rule(n)); },
+         Outcome::inaccurate,
+         filled("its error shrinks as $h^4$: too slow for twelve digits at @2 panels",
+                {panels.settings.back()})});
   add_box_methods<3>(q, {512, 4096, 32768}, p["seed"], [t](const Vector& u) {
     const double box = t.legs[0] * t.legs[1] * t.legs[2];
     if (u[0] + u[1] + u[2] > 1) return Six{};
@@ -128,10 +131,11 @@ Quantity about_center(const Parameters& p, const Reference& truth) {
   centered.corner = -0.25 * t.legs;
   t.corner = {far, 2 * far, -far};
   const Known known = tetrahedron_truth(centered, truth);
-  Quantity q = quantity(
-      "about_center", "kg m^2", "six components about the center of mass, far from the origin", known,
-      {1e-8 * t.mass() * (1 + dot(t.legs, t.legs)),
-       R"(eight digits: at $10^7$ m the positions themselves are rounded to $2\cdot10^{-9}$ m)"});
+  Quantity q = quantity("about_center", "kg m^2",
+                        "six components about the center of mass, far from the origin", known,
+                        {1e-8 * t.mass() * (1 + dot(t.legs, t.legs)),
+                         filled("eight digits: at $@1$ m the positions themselves are rounded to $@1$ m",
+                                {far, far * 0x1p-52})});
   const std::string back = "about the origin, transferred back", cancels = "the digits cancel in $I-mc^2$";
   q.add({back, "five particles", no_knob(),
          [t](double) {

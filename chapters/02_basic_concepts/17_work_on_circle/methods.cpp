@@ -101,13 +101,17 @@ Quantity work(const Motion& m, const Reference& truth) {
 
 Quantity late_work(const Reference& truth) {
   constexpr Motion late_motion{1.5, 2.5, 80};
+  constexpr double points = 64, turns = late_motion.w * late_motion.T / (2 * pi);
   Quantity late = work_quantity(
-      "late_work", R"(both works after 32 turns: $r=1.5$ m, $\omega=2.5$ rad/s, $T=80$ s)", late_motion,
-      truth, {Outcome::raised, Outcome::stalled, "$10^{-12}$ is less than the rounding of 32 turns leaves"});
+      "late_work",
+      filled(R"(both works after @2 turns: $r=@2$ m, $\omega=@2$ rad/s, $T=@2$ s)",
+             {turns, late_motion.r, late_motion.w, late_motion.T}),
+      late_motion, truth,
+      {Outcome::raised, Outcome::stalled,
+       filled("$@1$ is less than the rounding of @2 turns leaves", {tolerances().settings.back(), turns})});
   late.add(Breakdown{
       R"(The printed factor $r\omega$ is right at $\omega=1$ alone; here it is wrong by $\omega^2$.)",
       "closed form, factor r omega, as printed", 0, Outcome::inaccurate, "closed form, factor r / omega", 0});
-  constexpr double points = 64, turns = late_motion.w * late_motion.T / (2 * pi);
   late.add(Breakdown{"@2 points are @1 a turn over @2 turns, too few to see the oscillation.",
                      "power, Gauss-Legendre",
                      points,

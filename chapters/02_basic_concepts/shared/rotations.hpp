@@ -90,7 +90,7 @@ inline std::vector<Way> ways(const Vector& w, double theta) {
           {"Euler steps", steps, [=](int n) { return euler_steps(w, theta, n); }, false, false,
            R"(a step makes $\mathbf r$ longer, and turns by $\arctan h$)"},
           {"single precision", no_knob(), [=](int) { return single_precision(rodrigues(w, theta)); }, false,
-           false, "the result is rounded to seven digits"},
+           false, filled("the result is rounded to @1 digits", {std::floor(-std::log10(0x1p-24))})},
           {"rotation and mirror", no_knob(), [=](int) { return mirrored(rodrigues(w, theta)); }, false, false,
            "a mirror turns a product of two vectors another way than a vector"}};
 }
@@ -119,9 +119,10 @@ std::array<T, 3> unit(const std::array<T, 3>& a) {
 }
 
 inline Quantity rotated_normal(double theta, double gap, const Reference& truth) {
-  Quantity q = quantity(
-      "rotated_normal", "", R"(unit normal of a rotated triangle with edges $\mathbf a$, $\mathbf b$)",
-      truth("02_11_rotated_normal", {theta, gap}), {1e-9, "nine digits: edges $2^{-20}$ apart have no more"});
+  Quantity q = quantity("rotated_normal", "",
+                        R"(unit normal of a rotated triangle with edges $\mathbf a$, $\mathbf b$)",
+                        truth("02_11_rotated_normal", {theta, gap}),
+                        {1e-9, filled("nine digits: edges $2^{@2}$ apart have no more", {std::log2(gap)})});
   const Triangle t(gap);
   for (const Way& way : ways(axis, theta)) {
     const bool mirror = way.name == "rotation and mirror";
@@ -176,7 +177,8 @@ inline Quantity sliver_normal(const Reference& truth) {
            },
            why.empty() ? Outcome::ok : Outcome::inaccurate, why});
   };
-  const std::string cancels = R"(nine digits of $\mathbf a\times\mathbf b$ cancel)";
+  const std::string cancels =
+      filled(R"(@1 digits of $\mathbf a\times\mathbf b$ cancel)", {std::round(-std::log10(0x1p-30))});
   add(
       "edges a, b", "rotated, then product", [=](const Map& R) { return cross(R(t.a), R(t.b())); }, cancels);
   add(

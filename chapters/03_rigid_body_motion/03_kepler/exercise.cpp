@@ -75,11 +75,15 @@ struct Expected {
   EqualSteps angle = {}, distance = {}, polar = {}, cartesian = {};
 };
 
+constexpr double kilometers_per_au = 149597870.7, earths_diameter = 12742;  // km
+
 Quantity path(const std::string& name, const std::string& says, const Start& s, const Horizon& horizon,
               const Reference& truth, const Knob& steps, const Expected& expected) {
-  Quantity where = quantity(name, "AU", "position at " + times_up_to(horizon, "yr") + ", " + says,
-                            trajectory(truth, "03_03_orbit", inputs(s), horizon),
-                            {1e-6, "150 km, an 85th of the Earth's diameter"});
+  Quantity where =
+      quantity(name, "AU", "position at " + times_up_to(horizon, "yr") + ", " + says,
+               trajectory(truth, "03_03_orbit", inputs(s), horizon),
+               {1e-6, filled("@3 km, 1/@2 of the Earth's diameter",
+                             {1e-6 * kilometers_per_au, earths_diameter / (1e-6 * kilometers_per_au)})});
   const auto solved = [&](std::string algorithm, auto solve) {
     Method method{"Kepler's equation", std::move(algorithm), no_knob(),
                   [=](double) { return by_keplers_equation(s, horizon, solve); }};
@@ -221,8 +225,9 @@ std::vector<Quantity> paths(const Parameters& p, const Reference& truth) {
 Quantity eccentric_anomaly(const std::string& name, const std::string& says, double e, double M, bool easy,
                            const Reference& truth) {
   using enum Outcome;
-  Quantity E = quantity(name, "rad", R"($E$ with $E-e\sin E=M$, )" + says,
-                        truth("03_03_eccentric_anomaly", {e, M}), {1e-12, "0.15 m on the Earth's orbit"});
+  Quantity E =
+      quantity(name, "rad", R"($E$ with $E-e\sin E=M$, )" + says, truth("03_03_eccentric_anomaly", {e, M}),
+               {1e-12, filled("@2 m on the Earth's orbit", {1e-12 * 1e3 * kilometers_per_au})});
   const auto add = [&](std::string algorithm, Knob knob, auto solve, Outcome expected = ok,
                        std::string why = {}) {
     E.add({"Kepler's equation", std::move(algorithm), std::move(knob),
@@ -239,13 +244,15 @@ Quantity eccentric_anomaly(const std::string& name, const std::string& says, dou
   add("fixed point", doubling("iterations", 1, 8), [=](int n) { return fixed_point(e, M, n); });
   add(
       "Bessel functions", doubling("terms", 2, 7), [=](int n) { return bessel_series(e, M, n); },
-      hard(inaccurate), because("its terms fall by a thousandth each"));
-  // Its terms fall as (e/0.6627)^n.
-  const Outcome by_series = e < 0.53 ? ok : e < 0.6627 ? inaccurate : diverged;
+      hard(inaccurate), because(filled("its terms fall by @1 % each", {100 * (1 - power_of_terms(e))})));
+  // Its terms fall as (e/laplace_limit())^n.
+  const Outcome by_series = e < 0.53 ? ok : e < laplace_limit() ? inaccurate : diverged;
   add(
       "power series in e", doubling("terms", 2, 7), [=](int n) { return lagrange_series(e, M, n); },
       by_series,
-      by_series == ok ? "" : "it diverges beyond Laplace's limit, $e=0.6627$, and falls slowly before it");
+      by_series == ok ? ""
+                      : filled("it diverges beyond Laplace's limit, $e=@4$, and falls slowly before it",
+                               {laplace_limit()}));
   E.add({"Kepler's equation", "Brent", tolerances(), [=](double t) { return answer(bracketed(e, M, t)); }});
   return E;
 }
@@ -267,9 +274,14 @@ std::vector<Quantity> eccentric_anomalies(const Parameters& p, const Reference& 
             16,
             {iterate(1), iterate(2), iterate(3), setting_of(Side::broken)}});
   hard.add(
-      {"The classical power series in the eccentricity diverges for $e>0.6627$ (Laplace's limit). A bracket "
+      {"The classical power series in the eccentricity diverges for $e>@4$ (Laplace's limit). A bracket "
        "always holds: the root is between $M$ and $M+e$.",
-       "Kepler's equation, power series in e", 128, Outcome::diverged, "Kepler's equation, Brent", 1e-12});
+       "Kepler's equation, power series in e",
+       128,
+       Outcome::diverged,
+       "Kepler's equation, Brent",
+       1e-12,
+       {laplace_limit()}});
   return {easy, hard};
 }
 

@@ -61,8 +61,26 @@ inline Solved<double> bessel_series(double e, double M, int terms) {
   return {E, terms};
 }
 
+/// What the terms of the series in Bessel functions fall as the powers of, at this eccentricity
+/// [Watson, Bessel Functions, 1944, 8.7].
+inline double power_of_terms(double e) {
+  const double root = std::sqrt((1 - e) * (1 + e));
+  return e * std::exp(root) / (1 + root);
+}
+
+/// The eccentricity up to which the power series in e converges for all M: e exp(root)/(1 + root) is 1 there,
+/// root = sqrt(1 + e^2).
+inline double laplace_limit() {
+  double below = 0, above = 1;
+  while (true) {
+    const double e = (below + above) / 2, root = std::sqrt(1 + e * e);
+    if (e == below || e == above) return e;
+    (e * std::exp(root) < 1 + root ? below : above) = e;
+  }
+}
+
 /// The power series in e: E = M + sum of e^n/n! d^(n-1)/dM^(n-1) sin^n M, the powers of the sine written as
-/// sums of sines. Converges for all M only up to e = 0.6627..., Laplace's limit.
+/// sums of sines. Converges for all M only up to laplace_limit().
 inline Solved<double> lagrange_series(double e, double M, int terms) {
   double E = M;
   const auto log_factorial = [](int n) { return boost::math::lgamma(n + 1.0); };

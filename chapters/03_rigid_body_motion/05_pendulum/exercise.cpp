@@ -71,9 +71,11 @@ double listed_integral(double a, double shift, int panels) {
 }
 
 Quantity quarter_period(double a, const Reference& truth) {
+  const Known known = truth("03_05_quarter_period", {a});
+  constexpr double milliseconds_a_year = 365.25 * 86400 * 1e3;
   Quantity quarter =
-      quantity("quarter_period", "sqrt(L/2g)", "time from release to the lowest point",
-               truth("03_05_quarter_period", {a}), {1e-10, "ten decimals: one millisecond a year"});
+      quantity("quarter_period", "sqrt(L/2g)", "time from release to the lowest point", known,
+               {1e-10, filled("ten decimals: @1 ms a year", {1e-10 / known.value[0] * milliseconds_a_year})});
   const Knob panels = doubling("panels", 4, 9), points = doubling("points", 2, 6);
   Knob to_roundoff = tolerances();
   to_roundoff.settings.push_back(1e-13);

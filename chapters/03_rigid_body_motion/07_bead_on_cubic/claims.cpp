@@ -279,11 +279,12 @@ void run_down(Claims& claims, const std::vector<State>& run) {
                         {everywhere(
                             R"($\ddot q<0$ exactly where $q>-0.01$)",
                             [](const Step& s) { return (force(s.from) < 0) == (s.from[0] > -0.01); })}}},
-       .why =
+       .why = filled(
            R"(The second term has the sign of $-q$, and at $q=0$ the first is zero as well: there )"
-           R"($\ddot q=0$, and beyond it $\ddot q$ is positive: in the book's own run after each of the last )" +
-           std::to_string(positive_after) + " of its " + std::to_string(book_steps) +
-           " steps. (The samples are the beginnings of its steps, and the first of these ends beyond the origin.)",
+           R"($\ddot q=0$, and beyond it $\ddot q$ is positive: in the book's own run after each of the last )"
+           "@4 of its @4 steps. (The samples are the beginnings of its steps, and the first of these ends "
+           "beyond the origin.)",
+           {static_cast<double>(positive_after), book_steps}),
        .kind = Fault::counterexample,
        .root = "beyond the origin"});
 

@@ -106,7 +106,10 @@ Quantity bob_on_earth(const Horizon& horizon, const Reference& truth) {
   Quantity q =
       quantity("bob_on_earth", "m", "the same for the Pantheon's pendulum: 67 m, let go 3 m aside",
                trajectory(truth, "03_17_bob", pantheon.inputs(), horizon),
-               {1e-5, "a hundredth of a millimetre; the centrifugal force is worth a quarter of it"});
+               {1e-5, filled(R"(a hundredth of a millimetre; the centrifugal force is worth @2 of it, )"
+                             R"($2\omega^2L^2\sin\lambda\cos\lambda/g$)",
+                             {pantheon.omega * pantheon.omega * pantheon.L * pantheon.L *
+                              std::sin(2 * pantheon.lambda) / pantheon.g / 1e-5})});
   SceneMethods(q, horizon, halving("step", 0.125, 8), tolerances(3, 11))
       .closed_form("averaged", SmallAngle<double>{pantheon, true}, Outcome::inaccurate, small)
       .closed_form("small angle", SmallAngle<double>{pantheon}, Outcome::inaccurate, small)
@@ -138,11 +141,13 @@ Quantity push(Given<double> p, const Horizon& horizon, const Reference& truth) {
 
 Quantity hours(const Reference& truth) {
   const Horizon horizon{3600, 1};
+  constexpr double degrees = 180 / std::numbers::pi;
   Quantity q =
       quantity("plane_of_swing", "rad",
                "direction of the Pantheon's pendulum (67 m, 3 m aside, at rest) after an hour",
                trajectory(truth, "03_17_axis", pantheon.inputs(), horizon),
-               {1e-3, R"(a twentieth of a degree; theory: $\omega\sin\lambda$, 11.3 degrees an hour)"});
+               {1e-3, filled(R"(@1 degrees; theory: $\omega\sin\lambda$, @3 degrees an hour)",
+                             {1e-3 * degrees, 3600 * pantheon.omega * std::sin(pantheon.lambda) * degrees})});
   const SeenAsAxis<Cartesian<double>> full{{pantheon}};
   const SeenAsAxis<TwoAngles<double>> two{{pantheon}};
   const Knob steps = halving("step", 1, 4);

@@ -221,12 +221,14 @@ void state(Table& table, const std::vector<Sample>& samples) {
                            [](const auto& x) { return -x.moments(0); }},
                  .printed = condition,
                  .near_misses = others});
-  table.formula("as_by_virtual_work", 2627, "The condition is that of the equilibrium of the moments",
-                samples,
-                {.quantity = "the spring's moment on the level bar",
-                 .truth = {"minus the weight's", [](const auto& x) { return -x.moment_of_weight(0); }},
-                 .printed = {R"(with $\ell=h+mgr/(cs)$, which the condition asks for)", balanced(1)},
-                 .near_misses = {{R"(with $\ell=h-mgr/(cs)$)", balanced(-1)}}});
+  table.formula(
+      "as_by_virtual_work", 2627,
+      "The condition is the book's (our reading, as that is not in the solutions: the equilibrium of the moments)",
+      samples,
+      {.quantity = "the spring's moment on the level bar",
+       .truth = {"minus the weight's", [](const auto& x) { return -x.moment_of_weight(0); }},
+       .printed = {R"(with $\ell=h+mgr/(cs)$, which the condition asks for)", balanced(1)},
+       .near_misses = {{R"(with $\ell=h-mgr/(cs)$)", balanced(-1)}}});
 }
 
 }  // namespace

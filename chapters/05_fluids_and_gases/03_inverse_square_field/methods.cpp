@@ -39,7 +39,8 @@ Quantity partials(const std::string& name, const std::string& says, const Point&
   };
   q.add({formula, "quotient rule", no_knob(), published(each<quotient>), quotient_ends,
          quotient_ends == Outcome::ok ? ""
-                                      : R"($|\mathbf x|^6$ overflows from $|\mathbf x|=2\cdot10^{51}$ on)"});
+                                      : filled(R"($|\mathbf x|^6$ overflows from $|\mathbf x|=@2$ on)",
+                                               {std::pow(std::numeric_limits<double>::max(), 1.0 / 6)})});
   q.add({formula, "simplified", no_knob(), published(each<simplified>)});
   const auto by = [x](auto way) {
     Point slopes;

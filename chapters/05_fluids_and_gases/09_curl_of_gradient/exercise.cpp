@@ -208,7 +208,9 @@ Quantity mixed_derivatives(const At& at, const Known& six) {
   q.add({"slopes by dual numbers", "central differences 4", steps(),
          [=](double h) { return of_slopes(ByDifferences<4>{h}); }, Outcome::inaccurate, once});
   q.add({"phi", "central differences 2", steps(25), [=](double h) { return of_values(ByDifferences<2>{h}); },
-         Outcome::inaccurate, twice + R"(: even the best step, near $\varepsilon^{1/4}$, has eight digits)"});
+         Outcome::inaccurate,
+         twice + filled(R"(: even the best step, near $\varepsilon^{1/4}$, leaves $\sqrt\varepsilon=@2$)",
+                        {0x1p-26})});
   q.add({"phi", "central differences 4", steps(25), [=](double h) { return of_values(ByDifferences<4>{h}); },
          Outcome::inaccurate, twice});
   q.add(

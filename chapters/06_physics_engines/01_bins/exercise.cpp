@@ -92,8 +92,9 @@ Quantity all_cases(const Parameters& p) {
            "a bin that ends where the interval begins is touched, and left out"));
   q.add(by("index range by truncation", test, spheres, grid, reach_by_truncation, touches, wrong,
            "negative coordinates are rounded towards zero"));
+  const auto largest = std::ranges::max_element(spheres, {}, &Sphere::r);
   q.add(by("index range converted, then clamped", test, spheres, grid, reach_converted_first, touches, wrong,
-           "$2^{34}$ bins do not fit in 32 bits"));
+           filled("$2^{@2}$ bins do not fit in 32 bits", {std::log2(largest->r / grid.h)})));
   const auto cured = [&](std::string says, std::string method) {
     q.add(Breakdown{std::move(says), method + ", sphere-box test", 0, wrong, "index range, sphere-box test",
                     0});
@@ -120,7 +121,8 @@ Quantity huge_tangent() {
       bins_of("huge_tangent", "bins hit by a sphere of $2^{30}$ bins' radius that touches the grid's face",
               {s}, grid);
   q.add(by("all bins", "squared distance", one, grid, every_bin, touches, Outcome::diverged,
-           "the gap of half a bin is lost when its square is added to $2^{60}$"));
+           filled("the gap of half a bin is lost when its square is added to $2^{@2}$",
+                  {2 * std::log2(one[0].r)})));
   q.add(by("index range", "squared distance", one, grid, reach, touches, Outcome::diverged, "the same sum"));
   q.add(by("all bins", "factored", one, grid, every_bin, touches_factored));
   q.add(by("index range", "factored", one, grid, reach, touches_factored));
@@ -165,7 +167,7 @@ Quantity rounded_boundary() {
                        "it is the common end of bins 2 and 3", grid, {{2, 0, 0}, {3, 0, 0}});
   q.add(by("all bins", "sphere-box test", one, grid, every_bin, touches));
   q.add(by("index range", "sphere-box test", one, grid, reach, touches, Outcome::inaccurate,
-           R"($(3\cdot0.7)/0.7$ is 2.9999999999999996)"));
+           filled(R"($(3\cdot0.7)/0.7$ is less than 3 by $@2$)", {3 - 3 * 0.7 / 0.7})));
   q.add(by("index range widened by a bin", "sphere-box test", one, grid, reach_widened, touches));
   q.add(
       Breakdown{"Where the side is no power of two, index by division and boundary by multiplication round "

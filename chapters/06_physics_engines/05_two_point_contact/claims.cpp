@@ -223,12 +223,13 @@ Vector3d by_motion(const Sample& s, std::size_t from, double first = 0.5) {
 /// What the pulse's 128 steps leave out of its integral, by the first term of Simpson's error at the half
 /// steps: 630 t^4 (1 - t)^4 has the fifth derivatives -+302400 at its ends.
 constexpr double steps_leave = 604800 / 1512.0 * 0x1p-48;
+constexpr double rounded_ends = 64 * 0x1p-52 / width;
 
 /// A pulse turns no velocity: what differs is its integral, and the narrow cubes' rounded bounds.
 Tolerance of_v(const Sample& s) {
-  return {(steps_leave + 64 * 0x1p-52 / width) * s.kick() + 16 * 0x1p-52 * s.body.v.norm(),
-          R"($1.4\cdot10^{-12}$ of the impulse by the steps of the pulse, $1.4\cdot10^{-11}$ by the rounded )"
-          R"(ends of the cubes)"};
+  return {(steps_leave + rounded_ends) * s.kick() + 16 * 0x1p-52 * s.body.v.norm(),
+          filled("$@2$ of the impulse by the steps of the pulse, $@2$ by the rounded ends of the cubes",
+                 {steps_leave, rounded_ends})};
 }
 
 /// While the pulse acts the body turns by no more than |w| and the impulse make of 1e-6 s, and arms and

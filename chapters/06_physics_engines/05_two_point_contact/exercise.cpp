@@ -29,6 +29,11 @@ constexpr Parameter parameters[] = {
 
 const Vector3d up(0, 0, 1);
 
+/// A spin that is needed to within one turn of so many years.
+Tolerance slow_turn(double spin) {
+  return {spin, filled("a turn in @3 years", {2 * std::numbers::pi / spin / (86400 * 365.25)})};
+}
+
 struct Box {
   Body body;
   Vector3d edge;  ///< the edge's middle, from the center
@@ -67,7 +72,7 @@ Quantity spin(const Parameters& p, const Reference& truth) {
   Quantity q =
       quantity("spin", "rad/s", "angular velocity after an impulse spread evenly over the contact",
                truth("06_05_spin", {p["a"], p["b"], p["c"], p["m"], p["theta"], p["l0"], p["l1"], p["f"]}),
-               {1e-9, "a turn in two hundred years"});
+               slow_turn(1e-9));
   q.add({"midpoint", "one torque", no_knob(), [=](double) { return box.turned_by(box.torque(m), 1); }});
   q.add({"both ends", "mean torque", no_knob(),
          [=](double) { return box.turned_by((box.torque(box.l0) + box.torque(box.l1)) / 2, 2); }});
@@ -119,7 +124,7 @@ Quantity rebound(const Parameters& p) {
              "angular velocity after a fall on the edge, both ends rebounding by $e$",
              {"$Fy/J_x$, the edge staying level", Value{middle * y / jx, 0, 0}},
              16 * 0x1p-52 * std::abs(middle * y / jx),  // 16 roundings in all
-             {1e-9, "a turn in two hundred years"},
+             slow_turn(1e-9),
              {},
              {}};
   const auto hit = [=](double f0, double f1, long torques) {
@@ -171,7 +176,7 @@ Quantity patch(const Parameters& p) {
       "angular velocity after an impulse spread evenly over a trapezoid",
       {"the trapezoid's centroid in closed form", Value{y * f / inertia(0, 0), -x * f / inertia(1, 1), 0}},
       8 * 0x1p-52 * f * std::max(h / inertia(0, 0), w / inertia(1, 1)),  // roundings of half the sides
-      {1e-9, "a turn in two hundred years"},
+      slow_turn(1e-9),
       {},
       {}};
   const auto add = [&](const char* algorithm, long torques, const Vector3d& arm,

@@ -349,13 +349,6 @@ Quantity identity(int size, Random random) {
            },
            expected, std::move(why)});
   };
-  const std::string cancels = "terms of $10^{18}$ cancel";
-  add(0.0, "doubles", "ascending", Order::ascending, Outcome::diverged, cancels);
-  add(0.0, "doubles", "descending", Order::descending, Outcome::diverged, cancels);
-  add(0.0, "doubles", "pairwise", Order::pairwise, Outcome::diverged, cancels);
-  add(0.0, "doubles", "fused", Order::fused, Outcome::diverged, cancels);
-  add(DoubleDouble(), "twice the digits", "ascending", Order::ascending, Outcome::ok, "");
-  add(Whole(), "whole numbers of 128 bits", "ascending", Order::ascending, Outcome::ok, "");
   double entry = 0, term = 0;
   for (int r = 0; r < n; ++r)
     for (int k = 0; k < n; ++k) {
@@ -363,6 +356,13 @@ Quantity identity(int size, Random random) {
       entry = std::max(entry, left);
       for (int c = 0; c < n; ++c) term = std::max(term, left * std::abs(static_cast<double>(b(k, c))));
     }
+  const std::string cancels = oddity::filled("terms of up to $@1$ cancel", {term});
+  add(0.0, "doubles", "ascending", Order::ascending, Outcome::diverged, cancels);
+  add(0.0, "doubles", "descending", Order::descending, Outcome::diverged, cancels);
+  add(0.0, "doubles", "pairwise", Order::pairwise, Outcome::diverged, cancels);
+  add(0.0, "doubles", "fused", Order::fused, Outcome::diverged, cancels);
+  add(DoubleDouble(), "twice the digits", "ascending", Order::ascending, Outcome::ok, "");
+  add(Whole(), "whole numbers of 128 bits", "ascending", Order::ascending, Outcome::ok, "");
   q.add(
       Breakdown{"The entries of the inverse are up to $@1$, the terms up to $@1$; no order of summation "
                 "keeps the digits that a product of two doubles does not have.",

@@ -122,14 +122,15 @@ Quantity coefficients(std::string name, double gap, Outcome in_doubles, const Re
   const Basis s = nearly_dependent(gap);
   const Eigen::MatrixXd m = columns(s.a, s.b, s.c);
   const Known known = known_coefficients(s, false, truth);
-  const std::string condition_number = format_significant(condition(m), 2);
-  Quantity q = quantity(std::move(name), "", "coefficients over $u$, $v$, $w$; condition " + condition_number,
-                        known, {1e-9 * size_of(known.value), "nine digits of the largest coefficient"});
+  Quantity q =
+      quantity(std::move(name), "", filled("coefficients over $u$, $v$, $w$; condition @2", {condition(m)}),
+               known, {1e-9 * size_of(known.value), "nine digits of the largest coefficient"});
   q.add(triple_products(s, [](const auto&... a) { return cramer(a...); }));
-  add_factorizations(q, m, s.p, in_doubles,
-                     in_doubles == Outcome::ok ? ""
-                                               : "the condition " + condition_number +
-                                                     " takes that many of the digits of a double");
+  add_factorizations(
+      q, m, s.p, in_doubles,
+      in_doubles == Outcome::ok
+          ? ""
+          : filled("the condition @2 takes that many of the digits of a double", {condition(m)}));
   q.add({"factorization", "LU, refined", {"corrections", {0, 1, 2, 3}}, [=](double n) {
            return refined(s, static_cast<int>(n));
          }});

@@ -162,7 +162,7 @@ Quantity determinant_one(int size, Random random) {
              {},
              {}};
   add_methods(q, cast<double>(m, number), printed_sum(), Outcome::diverged,
-              "the last pivot is rounding error: the condition is far above $10^{16}$");
+              "the last pivot is nothing but rounding error");
   const auto counted = cast<Counted<Whole>>(m, [](Whole x) { return x; });
   const long work = operations_of([&] { return printed_sum()(counted); }).all_but_additions();
   q.add({"exact", "24 terms, whole numbers of 128 bits", no_knob(), [m, work, sum = printed_sum()](double) {

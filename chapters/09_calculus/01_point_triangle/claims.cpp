@@ -266,29 +266,30 @@ void minimum(Claims& claims, const std::vector<Sample>& all) {
   };
   std::set<int> regions;
   for (const Sample& x : all) regions.insert(x.region());
-  claims.add("seven_regions", 4055,
-             "$f$ is exactly the function that the book's example 9.8 minimizes, over seven regions",
-             {.printed = {"seven regions, the corner ones with sub-cases",
-                          {same_distance(all, "seven regions", place(by_regions<double>)),
-                           in_all<Sample>("$P$ is in the region that it was put into", all,
-                                          [](const Sample& x) {
-                                            return by_regions(Quadratic<double>(x.w, x.p)).region ==
-                                                   x.region();
-                                          }),
-                           {"regions with a sample",
-                            {"of the samples", static_cast<double>(regions.size())},
-                            {"seven", 7.0},
-                            exact()},
-                           compare<Sample>(
-                               "the determinant",
-                               {"$a_{00}a_{11}-a_{01}^2$",
-                                [](const Sample& x) { return Quadratic<double>(x.w, x.p).determinant(); }},
-                               {R"($|E_1\times E_2|^2$)",
-                                [](const Sample& x) { return dot(x.normal(), x.normal()); }},
-                               all)}},
-              .near_misses = {{"the corner regions are nearest to the corners",
-                               {same_distance(all, "corners for the corner regions",
-                                              place(by_regions_without_sub_cases<double>))}}}});
+  claims.add(
+      "seven_regions", 4055,
+      "$f$ is exactly the function of the book's example 9.8 (our reading, as that is not in the solutions: a "
+      "quadratic that is least in one of seven regions)",
+      {.printed = {"seven regions, the corner ones with sub-cases",
+                   {same_distance(all, "seven regions", place(by_regions<double>)),
+                    in_all<Sample>("$P$ is in the region that it was put into", all,
+                                   [](const Sample& x) {
+                                     return by_regions(Quadratic<double>(x.w, x.p)).region == x.region();
+                                   }),
+                    {"regions with a sample",
+                     {"of the samples", static_cast<double>(regions.size())},
+                     {"seven", 7.0},
+                     exact()},
+                    compare<Sample>(
+                        "the determinant",
+                        {"$a_{00}a_{11}-a_{01}^2$",
+                         [](const Sample& x) { return Quadratic<double>(x.w, x.p).determinant(); }},
+                        {R"($|E_1\times E_2|^2$)",
+                         [](const Sample& x) { return dot(x.normal(), x.normal()); }},
+                        all)}},
+       .near_misses = {{"the corner regions are nearest to the corners",
+                        {same_distance(all, "corners for the corner regions",
+                                       place(by_regions_without_sub_cases<double>))}}}});
 }
 
 }  // namespace
