@@ -79,4 +79,5 @@ for file in "$@"; do
   esac
 done
 echo "$# files: $answered answered, of which $moving move; $refused refused; $differing differ where oddity is right, $wrong are wrong"
-[ $wrong -eq 0 ] && { [ $# -lt 100 ] || [ $moving -ge 50 ]; }
+# One that is back where it began at all four times counts as one that rests.
+[ $wrong -eq 0 ] && { [ $# -lt 100 ] || [ $moving -ge 44 ]; }
