@@ -83,7 +83,9 @@ std::vector<const Entry*> all_scenes() {
     if (entry.exercise.scene) all.push_back(&entry);
   const auto folder = std::filesystem::path(ODDITY_SOURCE) / "chapters" / "examples" / "problems";
   for (const auto& file : std::filesystem::directory_iterator(folder))
-    if (file.path().extension() == ".toml") all.push_back(&problem::entry_of_file(file.path().string()));
+    if (file.path().extension() == ".toml")
+      if (const Entry& entry = problem::entry_of_file(file.path().string()); entry.exercise.scene)
+        all.push_back(&entry);
   return all;
 }
 
