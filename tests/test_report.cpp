@@ -621,6 +621,39 @@ TEST_CASE("errata that break a scene come first, and of these wrong formulas bef
   CHECK(names == std::vector<std::string>{"Twice", "Formula", "Left out", "Elsewhere"});
 }
 
+TEST_CASE("an exercise's verdict is a sentence that agrees with its findings", "[report]") {
+  ExerciseResult e = sample().exercises[0];
+  JudgedClaim wrong = judged({"x", {"a", 2}, {"b", 1}, {1e-9, "a test"}});
+  wrong.claim.corrected = {"x = 1", {one_against_one(1e-9)}};
+  wrong.verdict = verdict(wrong.claim);
+  e.claims.clear();
+  for (const char* root : {"a sign", "a factor", "a term"}) {
+    wrong.claim.root = root;
+    e.claims.push_back(wrong);
+    e.roots.push_back({root, ""});
+  }
+  const InMarkup links{
+      [](const Finding& f, const std::string& words) { return "[" + words + "](" + f.title() + ")"; },
+      [](const std::string& words) { return words; }};
+  const auto said = [&](const std::string& verdict) {
+    e.verdict = verdict;
+    return verdict_of(e, links);
+  };
+  CHECK(said("The orbit stands; {{a sign|one sign}} is wrong, and {{rest}} are small.") ==
+        "The orbit stands; [one sign](A sign) is wrong, and 2 more findings are small.");
+  CHECK(said("{{a sign}}, {{a factor}} and {{a term}}.") ==
+        "[a sign](A sign), [a factor](A factor) and [a term](A term).");
+  CHECK(said("") == "What does not stand: [A sign](A sign); [A factor](A factor); [A term](A term).");
+  for (const std::string false_one :
+       {"{{a sign}} and {{a factor}}.", "{{a sign}}, {{a digit}} and {{rest}}.",
+        "{{a sign}}, {{a factor}}, {{a term}} and {{rest}}.", "All of it stands.", "{{a sign"}) {
+    INFO(false_one);
+    CHECK_THROWS_AS(said(false_one), std::logic_error);
+  }
+  e.claims.clear();
+  CHECK_THROWS_AS(said("{{a sign}} is wrong."), std::logic_error);
+}
+
 TEST_CASE("the errata whose motions go farthest wrong come first of all", "[report]") {
   Results results = sample();
   JudgedClaim wrong = judged({"x", {"a", 2}, {"b", 1}, {1e-9, "a test"}});

@@ -65,7 +65,9 @@ std::string verdict_of(const ExerciseResult& e, const InMarkup& written) {
   for (std::string_view ahead = e.verdict; !ahead.empty();) {
     const std::size_t opens = ahead.find("{{"), closes = std::min(ahead.find("}}", opens), ahead.size());
     std::string& here = counts_rest ? after_rest : text;
-    here += written.text(std::string(ahead.substr(0, opens)));
+    const std::string_view words = ahead.substr(0, opens);
+    const std::size_t blanks = std::min(words.find_first_not_of(' '), words.size());
+    here += std::string(blanks, ' ') + written.text(std::string(words.substr(blanks)));
     if (opens == std::string_view::npos) break;
     const std::string inside(ahead.substr(opens + 2, closes - opens - 2));
     ahead.remove_prefix(std::min(closes + 2, ahead.size()));
