@@ -68,6 +68,12 @@ struct SampleOf {
   T push() const {
     return g + second_derivative([this](const auto& s) { return hill.height(v[0] * s, v[1] * s); }, t);
   }
+  /// The acceleration at the point t v where the hill pushes with `push` a unit mass upward.
+  Two<T> acceleration(const T& push) const {
+    const Two<T> slope{-2 * v[0] * t / A1(), -2 * v[1] * t / A2()};
+    const T along = -push / (1 + slope[0] * slope[0] + slope[1] * slope[1]);
+    return {along * slope[0], along * slope[1]};
+  }
   /// The velocity along v with which the line is straight.
   Two<T> right() const { return from_the_top<T>({hill.a1, hill.a2, g, v[0], v[1], T(1)}).v; }
 };
@@ -335,8 +341,40 @@ void paths(Claims& claims, double seed) {
   const std::string held =
       "of those from the top, held to the hill: those with "
       "$v_1^2/a_1^2+v_2^2/a_2^2=g/2$";
-  const Reading straight = of_all(held + ", along an axis, or on a round hill; no others",
-                                  [](const Path& p) { return p.is(p.condition || p.axis || p.round()); });
+  const auto samples = draw<Sample>(200, seed);
+  const auto at_rest = [](const Sample& s) { return s.lagrange({s.v[0] * s.t, s.v[1] * s.t}, {0, 0}); };
+  const auto on_line = [&](std::string text, const std::function<double(const Sample&)>& push) {
+    return compare<Sample>("what the acceleration takes off Lagrange's left sides at a point $tv$",
+                           {std::move(text),
+                            [=](const Sample& s) {
+                              const Two<double> without = at_rest(s),
+                                                with = s.lagrange({s.v[0] * s.t, s.v[1] * s.t},
+                                                                  s.acceleration(push(s)));
+                              return values(without[0] - with[0], without[1] - with[1]);
+                            }},
+                           {"what they are without one, by nested dual numbers",
+                            [=](const Sample& s) { return values(at_rest(s)[0], at_rest(s)[1]); }},
+                           samples);
+  };
+  const auto push = [](const Sample& s) { return s.g - 2 * s.K(); };
+  Reading straight = of_all(held + ", along an axis, or on a round hill; no others",
+                            [](const Path& p) { return p.is(p.condition || p.axis || p.round()); });
+  straight.checks.push_back(
+      on_line(R"(with $\ddot x=-(g-2K)\,n/(1+n\cdot n)$, $n$ the slope $-2t(v_1/a_1^2,\,v_2/a_2^2)$)", push));
+  straight.checks.push_back(compare<Sample>(
+      R"($\dot x_1\ddot x_2-\dot x_2\ddot x_1$ there)",
+      {R"($-2t\,(g-2K)v_1v_2(a_1^{-2}-a_2^{-2})/(1+n\cdot n)$)",
+       [](const Sample& s) {
+         return -2 * s.t * (s.g - 2 * s.K()) * s.v[0] * s.v[1] * (1 / s.A1() - 1 / s.A2()) /
+                (1 +
+                 4 * s.t * s.t * (s.v[0] * s.v[0] / (s.A1() * s.A1()) + s.v[1] * s.v[1] / (s.A2() * s.A2())));
+       }},
+      {"from that acceleration",
+       [push](const Sample& s) {
+         const Two<double> a = s.acceleration(push(s));
+         return s.v[0] * a[1] - s.v[1] * a[0];
+       }},
+      samples));
   claims.add(
       "not_straight", 1581,
       "If the condition is not satisfied, the path in the $(x_1,x_2)$-plane of a particle from the top, held to "
@@ -345,7 +383,9 @@ void paths(Claims& claims, double seed) {
                          [](const Path& p) { return p.condition || p.is(false); }),
        .corrected = straight,
        .near_misses = {of_all(held + ", or on a round hill; no others",
-                              [](const Path& p) { return p.is(p.condition || p.round()); })},
+                              [](const Path& p) { return p.is(p.condition || p.round()); }),
+                       {"with $g-K$ for $g-2K$",
+                        {on_line("with $g-K$ for $g-2K$", [](const Sample& s) { return s.g - s.K(); })}}},
        .why =
            R"(A particle sent off from the top along an axis stays above it at any speed, and on a round hill, )"
            R"($a_1=a_2$, every path through the top is straight; only its speed is not constant. Too fast a )"
