@@ -246,6 +246,10 @@ TEST_CASE("an hour of chaos is answered, up to where the motion is known", "[arg
   CHECK(says(ran, "the true motion is known up to "));
 }
 
+TEST_CASE("a horizon whose first part has no two periods is judged all the same", "[arguments][choose]") {
+  CHECK(program::run("choose 3.5 --criterion period --error 1% --horizon 20 --fps 1000").status == 0);
+}
+
 TEST_CASE("stability shows up to which step a criterion holds, where one is asked for",
           "[arguments][stability]") {
   using program::printed;

@@ -758,6 +758,9 @@ Choice choose_in_time(const Task& task, const Need& need, const Reference& truth
     } catch (const OutOfTime&) {
       if (!over_part) throw;
       break;
+    } catch (const BadInput&) {
+      if (is_whole) throw;
+      continue;  // two periods, for example, may be in the whole alone
     }
     if (is_whole) return *over_part;
     over_part->asked_horizon = need.horizon;

@@ -100,7 +100,8 @@ using PriceOver = std::function<Price(const Need&)>;
 
 /// As `choose`; over a long horizon first over parts of it, each eight times as long as the one before. What
 /// fails over a part is followed no further; where nothing holds over it the answer is over it, and so is one
-/// where the time limit leaves no more. Throws OutOfTime where not even the first part is judged in time.
+/// where the time limit leaves no more. A part that cannot be judged is left out. Throws OutOfTime where no
+/// part is judged in time.
 Choice choose_in_time(const Task&, const Need&, const Reference&, const PriceOver&, const Progress& = {});
 
 }  // namespace oddity
