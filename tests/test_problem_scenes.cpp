@@ -193,6 +193,9 @@ TEST_CASE("new writes a scene of the book as a problem's file", "[problem][scene
   const auto none = program::run("new --from-exercise 3.31 " + (scratch.path() / "other.toml").string());
   CHECK(none.status == 2);
   CHECK(program::says(none, "there is one of:"));
+  const auto planet = program::run("new --from-exercise 3.3 " + (scratch.path() / "planet.toml").string());
+  CHECK(planet.status == 2);
+  CHECK(program::says(planet, "there is no file of exercise 3.3; there is one of: 3.5, 3.7, 3.9,"));
   CHECK(program::run("new --from-exercise 3.7 3.2 spring").status == 2);
   CHECK_FALSE(std::filesystem::exists(scratch.path() / "other.toml"));
 }

@@ -176,7 +176,8 @@ std::string_view scene_as_file(const std::string& exercise) {
     const std::string chapter = "chapters/" + two_digits(entry.number.chapter) + "_",
                       folder = "/" + two_digits(entry.number.index) + "_";
     for (const EmbeddedFile& file : embedded_scenes()) {
-      if (!file.path.starts_with(chapter) || file.path.find(folder) == std::string_view::npos) continue;
+      if (!file.path.starts_with(chapter) || file.path.find(folder, chapter.size()) == std::string_view::npos)
+        continue;
       if (entry.number == number) return file.text;
       there.push_back(to_string(entry.number));
     }
