@@ -442,7 +442,8 @@ struct Findings {
   std::vector<Quantity> quantities;
   std::vector<Root> roots = {};
   /// What of the solution stands and what does not, in one sentence, where something is wrong or incomplete.
-  /// {{name of a root|words}} names a finding; {{rest}} counts those that are not named.
+  /// {{name of a root|words}} names a finding; {{rest}} counts those that are not named,
+  /// of which none is wrong.
   std::string verdict = {};
 };
 

@@ -639,14 +639,22 @@ TEST_CASE("an exercise's verdict is a sentence that agrees with its findings", "
     e.verdict = verdict;
     return verdict_of(e, links);
   };
+  std::vector<JudgedClaim> all_wrong = e.claims;
+  for (std::size_t i : {1u, 2u}) {
+    e.claims[i].claim.in_view = {"for x > 1", {one_against_one(1e-9)}};
+    e.claims[i].verdict = verdict(e.claims[i].claim);
+    REQUIRE(e.claims[i].verdict == Verdict::incomplete);
+  }
   CHECK(said("The orbit stands; {{a sign|one sign}} is wrong, and {{rest}} are small.") ==
         "The orbit stands; [one sign](A sign) is wrong, and 2 more findings are small.");
+  e.claims.swap(all_wrong);
   CHECK(said("{{a sign}}, {{a factor}} and {{a term}}.") ==
         "[a sign](A sign), [a factor](A factor) and [a term](A term).");
   CHECK(said("") == "What does not stand: [A sign](A sign); [A factor](A factor); [A term](A term).");
   for (const std::string false_one :
-       {"{{a sign}} and {{a factor}}.", "{{a sign}}, {{a digit}} and {{rest}}.",
-        "{{a sign}}, {{a factor}}, {{a term}} and {{rest}}.", "All of it stands.", "{{a sign"}) {
+       {"{{a sign}} and {{a factor}}.", "{{a sign}}, {{a factor}} and {{rest}}.",
+        "{{a sign}}, {{a digit}} and {{rest}}.", "{{a sign}}, {{a factor}}, {{a term}} and {{rest}}.",
+        "All of it stands.", "{{a sign"}) {
     INFO(false_one);
     CHECK_THROWS_AS(said(false_one), std::logic_error);
   }

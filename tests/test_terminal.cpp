@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "report/pages/closing_screen.hpp"
+#include "report/study/findings.hpp"
 #include "report/text/readable.hpp"
 #include "report/text/table_text.hpp"
 #include "report/verify/catch.hpp"
@@ -122,6 +123,13 @@ TEST_CASE("no text of the exercises keeps TeX on a terminal", "[terminal]") {
       INFO(c.claim.id << ": " << text);
       CHECK(text.find('\\') == std::string::npos);
     }
+  }
+}
+
+TEST_CASE("an exercise of the book with a finding has a verdict by its author", "[terminal]") {
+  for (const ExerciseResult& e : run_of_all().exercises) {
+    INFO(to_string(e.number));
+    CHECK(e.verdict.empty() == findings_of(e).empty());
   }
 }
 

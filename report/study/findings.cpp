@@ -83,6 +83,10 @@ std::string verdict_of(const ExerciseResult& e, const InMarkup& written) {
     here += written.named(*finding, name.size() < inside.size() ? inside.substr(name.size() + 1) : name);
     left.erase(name);
   }
+  for (const Finding& f : findings)
+    if (is_wrong(f) && left.contains(f.root ? f.root->name : f.title()))
+      throw std::logic_error("the verdict in a sentence does not name what is wrong: " +
+                             (f.root ? f.root->name : f.title()));
   if (counts_rest == left.empty())
     throw std::logic_error(counts_rest ? "the verdict in a sentence counts a rest, and names all findings"
                                        : "the verdict in a sentence leaves out: " + *left.begin());

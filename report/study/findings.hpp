@@ -35,7 +35,8 @@ struct InMarkup {
 };
 /// What of the solution stands and what does not, in one sentence: the author's, or one made of the
 /// verdicts. Throws std::logic_error where the author's does not agree with them: it names what is no
-/// finding, or leaves findings out and does not count them as the {{rest}}.
+/// finding, does not name what is wrong, or leaves out what is incomplete and does not count it as the
+/// {{rest}}.
 std::string verdict_of(const ExerciseResult&, const InMarkup& = {});
 /// The errata of all exercises by root, the worst first: the worst of each scene whose published motion goes
 /// wrong, by how far it does (`broken_by`); then those of other scenes; then by kind, from a wrong listing or
