@@ -3,8 +3,9 @@
 # is compared with what xppaut itself makes of the file.
 #   tests/ode_files.sh PROGRAM [FILE...]
 # At four times of oddity's horizon, in parts of the error that it asks for (a thousandth of the widest range). xppaut
-# runs the classical Runge-Kutta method at 20,000 and at 80,000 steps; its output has eight digits. Where the two differ
-# by more than a tenth, xppaut is right if its own two runs agree with each other, and oddity if they do not.
+# runs the classical Runge-Kutta method at 20,000 and at 80,000 steps; its output has eight digits. Where oddity and
+# xppaut differ by more than a tenth, xppaut is right if its own two runs agree with each other; if they do not, neither is
+# refuted: oddity's motion is then held by its own two routes alone.
 set -euo pipefail
 program=$(realpath "$1")
 shift
@@ -27,7 +28,7 @@ by_xppaut() {
   [ -s rows.dat ] && head -n 5 rows.dat
 }
 
-answered=0 moving=0 refused=0 differing=0 wrong=0
+answered=0 moving=0 refused=0 late=0 differing=0 wrong=0
 for file in "$@"; do
   name=${file##*/ode/}
   name=${name##*/html/}
@@ -39,6 +40,7 @@ for file in "$@"; do
   timeout 600 "$program" solve own.ode --json >solved.json 2>why || ended=$?
   if [ $ended -eq 124 ]; then
     echo "$name: not answered within ten minutes"
+    late=$((late + 1))
     continue
   elif [ $ended -ne 0 ]; then
     grep -q '^oddity: own.ode:[0-9]*:[0-9]*: ' why || { echo "$name: refused without a place: $(head -n 1 why)"; wrong=$((wrong + 1)); continue; }
@@ -67,7 +69,7 @@ for file in "$@"; do
       END {
         if (rows < 4) { print "xppaut has no motion of it"; exit }
         printf "%s, differs by %.2g, xppaut from itself by %.2g", moves ? "moves" : "rests", most / need, own / need
-        if (most > 0.1 * need && most > 3 * least) printf ": DIFFERS, %s is right", (own > most / 20) ? "oddity" : "xppaut"
+        if (most > 0.1 * need && most > 3 * least) printf ": DIFFERS, %s", (own > most / 20) ? "as xppaut does from itself" : "xppaut is right"
       }' true.txt rows.20000 rows.80000)
   echo "$name: $verdict"
   case $verdict in
@@ -78,6 +80,7 @@ for file in "$@"; do
     *DIFFERS*) differing=$((differing + 1)) ;;
   esac
 done
-echo "$# files: $answered answered, of which $moving move; $refused refused; $differing differ where oddity is right, $wrong are wrong"
-# One that is back where it began at all four times counts as one that rests.
-[ $wrong -eq 0 ] && { [ $# -lt 100 ] || [ $moving -ge 44 ]; }
+echo "$# files: $answered answered, of which $moving move; $refused refused; $late not answered in time; $differing differ as xppaut does from itself, $wrong are wrong"
+# One that is back where it began at all four times counts as one that rests. Of the package's 120, as many have to be
+# answered as ever were: 44 that move, and two too late.
+[ $wrong -eq 0 ] && { [ $# -lt 100 ] || { [ $moving -ge 44 ] && [ $late -le 2 ]; }; }
