@@ -237,10 +237,6 @@ std::string number_in_text(double x, int digits, bool in_formula) {
   return mantissa + "\\cdot" + power;
 }
 
-}  // namespace
-
-namespace {
-
 thread_local bool places_kept = false;
 
 }  // namespace

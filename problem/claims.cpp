@@ -22,8 +22,7 @@ namespace {
 
 using Stated = oddity::Formula<struct Drawn>;
 
-// ---- letters
-// ------------------------------------------------------------------------------------------------
+// ---- letters ---------------------------------------------------------------------------------------------
 
 /// A name as a page has it: theta as \theta, m1 as m_1, mass as \mathrm{mass}.
 std::string as_typeset(const std::string& name) {
@@ -85,8 +84,7 @@ struct Drawn {
   }
 };
 
-// ---- texts
-// --------------------------------------------------------------------------------------------------
+// ---- texts -----------------------------------------------------------------------------------------------
 
 /// The sides of a relation, and the relations in TeX.
 struct Relation {
@@ -154,8 +152,7 @@ std::string opposite(const std::string& relation) {
   return relation == "=" ? R"(\ne)" : "=";
 }
 
-// ---- a claim
-// ------------------------------------------------------------------------------------------------
+// ---- a claim ---------------------------------------------------------------------------------------------
 
 /// A reading's text as it is computed.
 struct Read {
@@ -328,8 +325,7 @@ class Reader {
   std::vector<Measure> measures_;
 };
 
-// ---- the truth
-// ----------------------------------------------------------------------------------------------
+// ---- the truth -------------------------------------------------------------------------------------------
 
 struct Truth {
   Stated formula;
@@ -478,8 +474,7 @@ Truth truth_of(Reader& in, const TruthText& text) {
   return truth;
 }
 
-// ---- what is judged
-// -----------------------------------------------------------------------------------------
+// ---- what is judged --------------------------------------------------------------------------------------
 
 /// A claim's readings, those that it has.
 struct Readings {

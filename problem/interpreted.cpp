@@ -33,8 +33,7 @@ class Interpreted final : public ModelInterfaceOf<n> {
                    !numbers_->rates.has(Op::choice);
   }
 
-  // ---- as the algorithms see it
-  // -----------------------------------------------------------------------------
+  // ---- as the algorithms see it --------------------------------------------------------------------------
 
   void operator()(const State& x, State& dxdt, double t) const override {
     numbers_->rates.run(x.data(), t, dxdt.data());
@@ -71,8 +70,7 @@ class Interpreted final : public ModelInterfaceOf<n> {
     return follows.ends ? Next::end : follows.passes ? Next::pass : Next::go_on;
   }
 
-  // ---- as the scene sees it
-  // ---------------------------------------------------------------------------------
+  // ---- as the scene sees it ------------------------------------------------------------------------------
 
   bool partitioned() const override { return numbers_->partitioned; }
   bool constrained() const override { return !numbers_->off.outputs().empty(); }

@@ -86,8 +86,7 @@ class Model::Making {
   }
 
  private:
-  // ---- letters
-  // ----------------------------------------------------------------------------------------------
+  // ---- letters -------------------------------------------------------------------------------------------
 
   /// The names that have a start, in its order; primes are of rates.
   void find_unknowns() {
@@ -217,8 +216,7 @@ class Model::Making {
   }
   Expression slope(const Expression& x, int key) { return slopes(std::span(&x, 1), {{key, 1}})[0]; }
 
-  // ---- equations
-  // --------------------------------------------------------------------------------------------
+  // ---- equations -----------------------------------------------------------------------------------------
 
   void read_equations() {
     for (const Quoted& text : text_.equations) equations_.push_back(equation(source_, text, letters_));
@@ -407,8 +405,7 @@ class Model::Making {
     model_.off_.insert(model_.off_.end(), rates.begin(), rates.end());
   }
 
-  // ---- the highest rates
-  // ------------------------------------------------------------------------------------
+  // ---- the highest rates ---------------------------------------------------------------------------------
 
   /// Random numbers for the parameters' neighbourhood and the state, to tell zero from other numbers.
   std::map<int, long double> some_state(Random& random) const {
@@ -567,8 +564,7 @@ class Model::Making {
     }
   }
 
-  // ---- what is observed and conserved
-  // -----------------------------------------------------------------------
+  // ---- what is observed and conserved --------------------------------------------------------------------
 
   const Quoted* overrides(const ObservableText& o) const {
     for (const auto& [name, text] : text_.observe)
@@ -599,8 +595,7 @@ class Model::Making {
     return x;
   }
 
-  // ---- events
-  // -----------------------------------------------------------------------------------------------
+  // ---- events --------------------------------------------------------------------------------------------
 
   void add_event(const EventText& text) {
     const Formula when = formula(text.when);

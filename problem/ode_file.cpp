@@ -57,8 +57,7 @@ std::vector<Statement> statements_of(const std::string& text) {
   return all;
 }
 
-// ---- formulas as they are written
-// -------------------------------------------------------------------------
+// ---- formulas as they are written ------------------------------------------------------------------------
 
 struct Node {
   enum class Is { number, name, call, negative, operation, choice, sum };
@@ -324,8 +323,7 @@ class Reader {
   int depth_ = 0;
 };
 
-// ---- the same as formula/ reads them
-// ----------------------------------------------------------------------
+// ---- the same as formula/ reads them ---------------------------------------------------------------------
 
 /// Text, and how strongly its operator binds: 1 a sum, 2 a product, 3 a power, 4 anything whole.
 struct Piece {
@@ -533,8 +531,7 @@ class Writer {
   int depth_ = 0;
 };
 
-// ---- statements
-// -------------------------------------------------------------------------------------------
+// ---- statements ------------------------------------------------------------------------------------------
 
 enum class Keyword { parameters, constants, starts, aux, event, boundary, ends, ignored, refused, files };
 

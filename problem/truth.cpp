@@ -192,8 +192,7 @@ class Sizes {
   Values sizes_;
 };
 
-// ---- Taylor series
-// ------------------------------------------------------------------------------------------
+// ---- Taylor series ---------------------------------------------------------------------------------------
 
 constexpr int order = 26;
 using Row = std::array<Number, order + 1>;
@@ -433,8 +432,7 @@ TrueMotion by_series_within(const Numbers& numbers, std::span<const double> time
   return motion;
 }
 
-// ---- extrapolation
-// ------------------------------------------------------------------------------------------
+// ---- extrapolation ---------------------------------------------------------------------------------------
 
 namespace {
 

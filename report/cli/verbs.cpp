@@ -132,7 +132,7 @@ Reference truth_in_time(const fs::path& folder) {
 template <class Work>
 auto in_time_for_each(const std::string& limit, std::size_t exercises, const Work& work) {
   return in_time(time_limit_of(limit) * static_cast<double>(exercises) - seconds_running(),
-                 "fewer exercises at once", work);
+                 exercises > 1 ? "fewer exercises at once" : "", work);
 }
 
 /// In the unit of time that the tasks share; none where it is theirs.

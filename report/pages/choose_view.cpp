@@ -38,7 +38,7 @@ std::string errors_of(const std::vector<double>& errors, const Choice& choice) {
   for (std::size_t i = 0; i < errors.size(); ++i) {
     const ShownUnit unit = shown_unit(choice.units[i], choice);
     text += (i == 0 ? "" : ", ") + (std::isfinite(errors[i]) ? shown_error(errors[i] / unit.size) : "-");
-    if (std::isfinite(errors[i]) && unit.symbol != "1") text += " " + unit.symbol;
+    if (std::isfinite(errors[i]) && !unit.symbol.empty() && unit.symbol != "1") text += " " + unit.symbol;
   }
   return text;
 }

@@ -8,7 +8,7 @@
 namespace oddity {
 
 /// What `work` returns. Throws OutOfTime where it is not there after so many seconds; `shorter` says what
-/// would be: "a shorter horizon".
+/// would be: "a shorter horizon"; empty: nothing is.
 template <class Work>
 auto in_time(double seconds, const std::string& shorter, const Work& work) {
   const Stop stop(seconds);
@@ -16,8 +16,9 @@ auto in_time(double seconds, const std::string& shorter, const Work& work) {
   try {
     return work();
   } catch (const Stopped&) {
-    throw OutOfTime("no answer within the time limit: ask for " + shorter +
-                    ", or for a longer --time-limit (none: no limit)");
+    throw OutOfTime("no answer within the time limit: ask for " +
+                    (shorter.empty() ? "" : shorter + ", or for ") +
+                    "a longer --time-limit (none: no limit)");
   }
 }
 

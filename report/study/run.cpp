@@ -1,5 +1,4 @@
 #include "report/study/run.hpp"
-#include "report/study/findings.hpp"
 
 #include <algorithm>
 #include <deque>
@@ -7,6 +6,7 @@
 
 #include "reference/ledger.hpp"
 #include "report/study/failure.hpp"
+#include "report/study/findings.hpp"
 #include "report/study/parallel.hpp"
 #include "report/study/time.hpp"
 #include "report/study/trajectory.hpp"
