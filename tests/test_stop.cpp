@@ -21,6 +21,7 @@
 #include "report/study/parallel.hpp"
 #include "report/study/stability.hpp"
 #include "report/verify/catch.hpp"
+#include "solvers/ode/stability.hpp"
 #include "solvers/ode/steps_in.hpp"
 #include "solvers/stop.hpp"
 #include "tests/in_environment.hpp"
@@ -212,6 +213,14 @@ TEST_CASE("frames of n steps have n, however late they are", "[stop][steps]") {
   CHECK(ode::steps_in(0, 1, 2) == 1);
   CHECK(ode::steps_in(5, 5, 2) == 1);
   CHECK(ode::steps_in(0, 1, 1 - 1e-9) == 2);
+}
+
+TEST_CASE("theory's limits are looked for until they are asked to stop", "[stop][stability]") {
+  Stop stop;
+  const Stoppable here(&stop);
+  CHECK(ode::growth("Runge-Kutta 4", {-1, 0}) < 0);
+  stop.request();
+  CHECK_THROWS_AS(ode::growth("Runge-Kutta 4", {-1, 0}), Stopped);
 }
 
 TEST_CASE("limits and trials end with the time that they may take", "[stop][stability]") {

@@ -16,6 +16,7 @@
 #include "solvers/linear.hpp"
 #include "solvers/ode/all.hpp"
 #include "solvers/ode/implicit_euler.hpp"
+#include "solvers/stop.hpp"
 
 namespace oddity::ode {
 
@@ -303,6 +304,7 @@ Eigenvalues eigenvalues_of(const std::vector<double>& matrix) {
 }
 
 double growth(std::string_view algorithm, std::complex<double> z) {
+  check_stop();
   if (algorithm == ImplicitEuler::name) return -std::log(std::abs(1.0 - z));
   std::optional<double> found;
   for_each_algorithm([&]<class Algorithm>() {
