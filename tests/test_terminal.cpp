@@ -245,7 +245,7 @@ TEST_CASE("tables come as CSV and as JSON, and help names their columns", "[term
 
 TEST_CASE("what takes long says how far it is, on a terminal in one line", "[terminal]") {
   if (!has_terminals()) SKIP(no_terminals);
-  const std::string question = "choose 3.25 --error 1mm --horizon 31 --fps 600 --thorough --time-limit 3s";
+  const std::string question = "choose 3.25 --error 1mm --horizon 31 --fps 600 --thorough --time-limit 8s";
   const Ran terminal = on_terminal(40, question);
   INFO(terminal.output);
   CHECK(terminal.status == 2);
