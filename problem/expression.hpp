@@ -48,7 +48,7 @@ class Graph {
 
  private:
   std::vector<Operation> operations_;
-  std::map<decltype(Operation(Op::input).key()), int> places_;
+  std::map<decltype(Operation{}.key()), int> places_;
 };
 
 /// A place in a graph, or a number.

@@ -52,20 +52,7 @@ struct Letters {
   std::vector<std::shared_ptr<const Table>> tables = {};  ///< that are called like functions
 };
 
-class Formula;
-
-/// What a letter of a formula is.
-struct Letter {
-  enum class Is { quantity, parameter, time, unknown, given, call };
-  Is is = Is::time;
-  std::size_t index = 0, order = 0;  ///< which, and which rate of it
-  long double value = 0;             ///< of a quantity such as 5 cm
-  Measure measure = {};              ///< the same
-  std::string function = {};         ///< of a call; of a quantity, what else it may have been meant for
-  std::vector<Formula> arguments = {};
-  Span span = {};
-  std::shared_ptr<const Table> table = {};  ///< that is called
-};
+struct Letter;
 
 class Formula {
  public:
@@ -97,6 +84,19 @@ class Formula {
   Quoted text_;
   std::vector<Letter> letters_;
   std::vector<formula::Tree> tree_;  ///< one, unless it could not be read
+};
+
+/// What a letter of a formula is.
+struct Letter {
+  enum class Is { quantity, parameter, time, unknown, given, call };
+  Is is = Is::time;
+  std::size_t index = 0, order = 0;  ///< which, and which rate of it
+  long double value = 0;             ///< of a quantity such as 5 cm
+  Measure measure = {};              ///< the same
+  std::string function = {};         ///< of a call; of a quantity, what else it may have been meant for
+  std::vector<Formula> arguments = {};
+  Span span = {};
+  std::shared_ptr<const Table> table = {};  ///< that is called
 };
 
 /// An equation's two sides.

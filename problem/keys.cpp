@@ -113,9 +113,9 @@ constexpr std::array all{
 
 std::span<const KeysOf> all_keys() { return all; }
 
-std::span<const Key> keys_of(std::string_view table) {
-  const auto found = std::ranges::find(all, table, &KeysOf::name);
-  if (found == all.end()) throw std::logic_error("no keys of a " + std::string(table));
+std::span<const Key> keys_of(std::string_view name) {
+  const auto found = std::ranges::find(all, name, &KeysOf::name);
+  if (found == all.end()) throw std::logic_error("no keys of a " + std::string(name));
   return found->keys;
 }
 

@@ -21,6 +21,6 @@ struct KeysOf {
 /// All tables, the file itself first.
 std::span<const KeysOf> all_keys();
 /// Those of one. Throws std::logic_error where there is none.
-std::span<const Key> keys_of(std::string_view table);
+std::span<const Key> keys_of(std::string_view name);
 
 }  // namespace oddity::problem

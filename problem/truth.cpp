@@ -214,8 +214,9 @@ class Series {
     rows_[first + n][1] = 1;
     for (int k = 0; k < order; ++k) {
       for (const auto& one : rates_.code()) coefficient(one, k, choices);
+      const auto at = static_cast<std::size_t>(k);
       for (std::size_t i = 0; i < n; ++i)
-        rows_[first + i][k + 1] = row(rates_.outputs()[i])[k] / static_cast<Number>(k + 1);
+        rows_[first + i][at + 1] = row(rates_.outputs()[i])[at] / static_cast<Number>(k + 1);
     }
   }
   const Row& row(int i) const { return rows_[static_cast<std::size_t>(i)]; }
@@ -456,15 +457,15 @@ class Extrapolation {
       for (std::size_t i = 0; i < n; ++i) {
         Number newest = here_[i];
         for (int j = 0; j < k; ++j) {
-          // columns_[j] is of the row above, and becomes this row's.
+          // What is kept is of the row above, and becomes this row's.
           const auto above = static_cast<Number>(k + 1), below = static_cast<Number>(k - j);
-          const Number ratio = above / below,
-                       better = newest + (newest - columns_[j][i]) / (ratio * ratio - 1);
-          columns_[j][i] = newest;
+          Number& kept = columns_[static_cast<std::size_t>(j)][i];
+          const Number ratio = above / below, better = newest + (newest - kept) / (ratio * ratio - 1);
+          kept = newest;
           if (j == k - 1) error = std::max(error, std::abs(better - newest) / (sizes[i] * 2e-17L));
           newest = better;
         }
-        columns_[k][i] = newest;
+        columns_[static_cast<std::size_t>(k)][i] = newest;
         result[i] = newest;
       }
     }

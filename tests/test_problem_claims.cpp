@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "problem/scene.hpp"
+#include "reference/reference.hpp"
 #include "report/verify/catch.hpp"
 #include "tests/complaint.hpp"
 #include "tests/program.hpp"
