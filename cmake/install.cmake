@@ -9,8 +9,6 @@ set(CMAKE_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
 install(TARGETS oddity RUNTIME)
 install(DIRECTORY reference/ DESTINATION ${oddity_data}/reference
   FILES_MATCHING PATTERN "*.csv" PATTERN make EXCLUDE)
-install(DIRECTORY tests/mutation tests/fuzz tests/faults DESTINATION ${oddity_data}/tests
-  FILES_MATCHING PATTERN "mutation.csv" PATTERN "record.csv" PATTERN corpus EXCLUDE)
 install(FILES ${PROJECT_BINARY_DIR}/models.js DESTINATION ${oddity_data} OPTIONAL)
 # Engines, where they are built or npm has brought them, with what runs them; and the programs of their page.
 file(GLOB adapters CONFIGURE_DEPENDS solvers/engines/*.mjs)

@@ -120,7 +120,7 @@ leg_syntax() {  # g++: every source alone, without precompiled headers; compile_
   local listed missing
   listed=$(sed -n 's|^ *"file": "'"$PWD"'/\(.*\)".*|\1|p' build/developer/compile_commands.json | sort -u)
   # but those of the page's module, which another compiler makes, and of engines, libclang and Arb, which may not be here
-  missing=$(comm -23 <(sources '*.cpp' ':!report/site/module/*' ':!tests/site/nudged.cpp' ':!solvers/engines/*' ':!tests/mutation/*' ':!reference/enclosures/*' ':!tests/enclosed_motions.cpp' | sort) <(echo "$listed"))
+  missing=$(comm -23 <(sources '*.cpp' ':!report/site/module/*' ':!tests/site/nudged.cpp' ':!solvers/engines/*' ':!extras/mutation/*' ':!reference/enclosures/*' ':!tests/enclosed_motions.cpp' | sort) <(echo "$listed"))
   [ -z "$missing" ] || { echo "not in compile_commands.json: $missing"; return 1; }
   sed -n 's|^ *"command": "\(.*\)",$|\1|p' build/developer/compile_commands.json | sed 's|\\"|"|g; s|\\\\|\\|g' |
     (cd build/developer && xargs -d '\n' -P "$jobs" -n 1 bash -c 'eval "$0 -fsyntax-only"')
@@ -173,25 +173,25 @@ leg_mutate() {  # libclang: mutants of a chapter, drawn by the commit's name, of
   ./oddity packages libclang-dev || exit 77
   build release oddity_mutate
   local recorded chapter
-  mapfile -t recorded < <(sed -n 's/^[^#,]*,[^,]*,\(chapters\/[^,]*\),.*/\1/p' tests/mutation/mutation.csv)
+  mapfile -t recorded < <(sed -n 's/^[^#,]*,[^,]*,\(chapters\/[^,]*\),.*/\1/p' reference/trust/mutation.csv)
   chapter=${recorded[0x$(git rev-parse --short=6 HEAD | cut -c1-6) % ${#recorded[@]}]}
-  build/release/oddity_mutate --sample "${SAMPLE:-300}" --minutes "${MINUTES:-12}" ${PATHS:-$chapter}
+  build/release/extras/oddity_mutate --sample "${SAMPLE:-300}" --minutes "${MINUTES:-12}" ${PATHS:-$chapter}
 }
 
 # read_on_record READER INPUTS SECONDS: added to those on record, where RECORD is set. A crash has ended the leg before.
 read_on_record() {
   [ -z "${RECORD:-}" ] || awk -F, -v name="$1" -v inputs="$2" -v seconds="$3" '
       $3 == name { inputs += $4; seconds += $5 }
-      END { printf "%s,%d,%d,0\n", name, inputs, seconds }' tests/fuzz/record.csv | on_record tests/fuzz/record.csv
+      END { printf "%s,%d,%d,0\n", name, inputs, seconds }' reference/trust/fuzz.csv | on_record reference/trust/fuzz.csv
 }
 
-leg_fuzz() {  # libFuzzer, and links by our own: every reader (FUZZ) for FUZZ_SECONDS (60), or with FUZZ_INPUTS, with sanitizers, from the inputs in tests/fuzz/corpus; RECORD=1 adds these to those on record
+leg_fuzz() {  # libFuzzer, and links by our own: every reader (FUZZ) for FUZZ_SECONDS (60), or with FUZZ_INPUTS, with sanitizers, from the inputs in extras/fuzz/corpus; RECORD=1 adds these to those on record
   tools clang
   build release fuzz
   local target name found inputs seconds longest ran=0 until=-max_total_time=${FUZZ_SECONDS:-60}
   [ -z "${FUZZ_INPUTS:-}" ] || until=-runs=$FUZZ_INPUTS
   found=$(mktemp -d)
-  for target in build/release/tests/fuzz_*; do
+  for target in build/release/extras/fuzz_*; do
     name=${target##*fuzz_}
     [[ ${FUZZ:-$name} == *$name* ]] || continue
     ran=$((ran + 1))
@@ -202,7 +202,7 @@ leg_fuzz() {  # libFuzzer, and links by our own: every reader (FUZZ) for FUZZ_SE
     # Without the stacks of what is allocated, with little kept of what is freed, and without weighing inputs by how
     # rare their paths are: several times the inputs.
     ASAN_OPTIONS=malloc_context_size=0:quarantine_size_mb=1 "$target" $until -max_len=$longest -entropic=0 -timeout=60 -rss_limit_mb=1024 -print_final_stats=1 -verbosity=0 \
-      -artifact_prefix="build/fuzz_$name-" "$found/$name" "tests/fuzz/corpus/$name" 2>&1 | tee "$found/said"
+      -artifact_prefix="build/fuzz_$name-" "$found/$name" "extras/fuzz/corpus/$name" 2>&1 | tee "$found/said"
     inputs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$found/said")
     read_on_record "$name" "$inputs" $((SECONDS - seconds))
   done
@@ -222,8 +222,8 @@ leg_faults() {  # kills, full disks, too little memory and more, at every verb t
   build release oddity_faults
   local table ended=0
   table=$(mktemp)
-  ODDITY_FAULTS_TABLE=$table build/release/tests/oddity_faults ${FAULTS:+"$FAULTS"} || ended=$?
-  [ -z "${RECORD:-}" ] || tail -n +2 "$table" | tr -d '"' | on_record tests/faults/record.csv
+  ODDITY_FAULTS_TABLE=$table build/release/extras/oddity_faults ${FAULTS:+"$FAULTS"} || ended=$?
+  [ -z "${RECORD:-}" ] || tail -n +2 "$table" | tr -d '"' | on_record reference/trust/faults.csv
   rm "$table"
   return $ended
 }
@@ -255,7 +255,7 @@ leg_questions() {  # choose: QUESTIONS (100) random questions of SECONDS_EACH (3
 
 leg_same() {  # one thread and another order: the same bits; functions that err otherwise, and programs of the presets in BUILDS: a green suite, and what differs listed; SUITE for a part
   build release oddity oddity_same shaken_libm
-  local same=build/release/tests/oddity_same found seed preset
+  local same=build/release/extras/oddity_same found seed preset
   found=$(mktemp -d)
   # results NAME COMMAND...: what the command's suite finds
   results() { "${@:2}" verify ${SUITE:+"$SUITE"} --results "$found/$1.json" >"$found/suite" || { cat "$found/suite"; return 1; }; }
@@ -271,7 +271,7 @@ leg_same() {  # one thread and another order: the same bits; functions that err 
   build/release/oddity verify ${SUITE:+"$SUITE"} --order rand --rng-seed 7 --results "$found/shuffled.json" >/dev/null
   "$same" --bits "$found/usual.json" "$found/shuffled.json"
   for seed in 1 2 3; do
-    results shaken env LD_PRELOAD="$PWD/build/release/tests/libshaken_libm.so" ODDITY_SEED=$seed build/release/oddity
+    results shaken env LD_PRELOAD="$PWD/build/release/extras/libshaken_libm.so" ODDITY_SEED=$seed build/release/oddity
     beside_usual shaken
   done
   # glibc's other variants of its functions, as a processor without AVX and FMA has them

@@ -56,6 +56,7 @@ TEST_CASE("each room knows only the rooms below it", "[rooms]") {
       for (const std::string& included : ours(file)) {
         INFO(file.string() << " includes " << included);
         CHECK(included.rfind("tests/", 0) != 0);
+        CHECK(included.rfind("extras/", 0) != 0);
         const bool may = included == "solvers/ode/catalog.hpp" || included == "solvers/stop.hpp" ||
                          included == "solvers/ode/steps_in.hpp" ||
                          (included == "solvers/ode/velocities.hpp" &&  // printed along by `choose --code`
@@ -65,6 +66,14 @@ TEST_CASE("each room knows only the rooms below it", "[rooms]") {
                          file.parent_path().filename() == "lanes";
         CHECK((may || included.rfind("solvers/", 0) != 0));
       }
+}
+
+TEST_CASE("a product of extras knows the core and itself alone", "[rooms]") {
+  for (const auto& product : fs::directory_iterator(fs::path(ODDITY_SOURCE) / "extras"))
+    if (product.is_directory()) {
+      const std::string room = "extras/" + product.path().filename().string();
+      may_know(room, {"formula", "solvers", "reference", "chapters", "problem", "report", "tests", room});
+    }
 }
 
 TEST_CASE("the floors of report know those before them alone", "[rooms]") {
@@ -93,7 +102,8 @@ TEST_CASE("a header of report has its body in the same room", "[rooms]") {
 
 TEST_CASE("a header of the chapters has two includers or more, else it is a source file", "[rooms]") {
   std::map<std::string, int> includers;
-  for (const char* room : {"chapters", "problem", "formula", "solvers", "reference", "report", "tests"})
+  for (const char* room :
+       {"chapters", "problem", "formula", "solvers", "reference", "report", "tests", "extras"})
     for (const fs::path& file : sources(room))
       for (const std::string& included : ours(file)) ++includers[included];
   for (const fs::path& file : sources("chapters")) {

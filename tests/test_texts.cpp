@@ -21,7 +21,7 @@ const fs::path tree = ODDITY_SOURCE;
 /// Every page, but those that the program writes.
 std::vector<fs::path> pages() {
   std::vector<fs::path> found{tree / "README.md", tree / "ARCHITECTURE.md", tree / "CONTRIBUTING.md"};
-  for (const char* room : {"chapters", "cmake", "docs", "reference", "report", "solvers", "tests"})
+  for (const char* room : {"chapters", "cmake", "docs", "extras", "reference", "report", "solvers", "tests"})
     for (auto entry = fs::recursive_directory_iterator(tree / room);
          entry != fs::recursive_directory_iterator(); ++entry) {
       if (entry->path().filename() == "node_modules" || entry->path() == tree / "report/book")

@@ -21,12 +21,22 @@ const std::filesystem::path tables = std::filesystem::path(ODDITY_SOURCE) / "ref
 constexpr const char* one_proof = "claim,hash,proved,margin\n9.9-y,0,\"it is two\",1\n";
 constexpr const char* header = "claims,stated,standing,why\n";
 
-Trust trust_with(const ScratchFolder& tests) {
+/// The folder of the reference tables, with other records of the tests that take long.
+struct WithRecords : ScratchFolder {
+  WithRecords(std::initializer_list<std::pair<std::string, std::string>> records) {
+    for (const auto& entry : std::filesystem::directory_iterator(tables))
+      if (entry.is_directory() && entry.path().filename() != "trust")
+        create_directory_symlink(entry.path(), path() / entry.path().filename());
+    for (const auto& [name, text] : records) file("trust/" + name, text);
+  }
+};
+
+Trust trust_with(const WithRecords& folder) {
   const ScratchFolder reference;
   reference.file("proofs.csv", one_proof);
   reference.file("unproved.csv",
                  std::string(header) + "9.9,numbers,provable,so\nall,words,wording,as said\n");
-  Trust trust = read_trust(tables, tests.path());
+  Trust trust = read_trust(folder.path());
   trust.standings = Standings(reference.path());
   return trust;
 }
@@ -67,14 +77,11 @@ TEST_CASE("a broken row of unproved.csv is named", "[trust]") {
 }
 
 TEST_CASE("trust counts what is on record, and says what is not", "[trust]") {
-  const ScratchFolder tests;
-  for (const char* room : {"mutation", "fuzz"}) std::filesystem::create_directories(tests.path() / room);
-  tests.file("mutation/mutation.csv",
-             "date,commit,room,mutants,tried,killed,with_reason,survived,first_tried,first_killed\n"
-             "2026-01-02,abc,chapters,30,20,17,2,1,21,15\n2026-01-03,def,solvers,10,10,9,0,1,10,8\n");
-  tests.file("fuzz/record.csv",
-             "date,commit,target,inputs,seconds,crashes\n2026-01-02,abc,plan,1000,2.5,1\n");
-  const Trust trust = trust_with(tests);
+  const Trust trust = trust_with(WithRecords{
+      {"mutation.csv",
+       "date,commit,room,mutants,tried,killed,with_reason,survived,first_tried,first_killed\n"
+       "2026-01-02,abc,chapters,30,20,17,2,1,21,15\n2026-01-03,def,solvers,10,10,9,0,1,10,8\n"},
+      {"fuzz.csv", "date,commit,target,inputs,seconds,crashes\n2026-01-02,abc,plan,1000,2.5,1\n"}});
   const std::string text = to_csv(trust_table(sample(), trust));
   const auto has = [&](const std::string& row) {
     INFO(row << " in\n" << text);
@@ -102,12 +109,8 @@ TEST_CASE("trust counts what is on record, and says what is not", "[trust]") {
 }
 
 TEST_CASE("a record without a column is named", "[trust]") {
-  const ScratchFolder tests;
-  std::filesystem::create_directories(tests.path() / "faults");
-  tests.file("faults/record.csv", "date,commit,verb,fault,trials\n2026-01-02,abc,solve,killed,10\n");
-  CHECK(complaint([&] {
-          read_trust(tables, tests.path());
-        }).ends_with("record.csv:1: there is no column failures"));
+  const WithRecords folder{{"faults.csv", "date,commit,verb,fault,trials\n2026-01-02,abc,solve,killed,10\n"}};
+  CHECK(complaint([&] { read_trust(folder.path()); }).ends_with("faults.csv:1: there is no column failures"));
 }
 
 TEST_CASE("what is proved says so in the report and on the site", "[trust]") {

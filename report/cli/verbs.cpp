@@ -248,7 +248,7 @@ Results trials_of(const fs::path& folder, const std::vector<Task>& tasks, const 
 
 fs::path report_of(const Results& results, const fs::path& folder, Edition edition, const fs::path& out) {
   return with_progress([&](const Progress& progress) {
-    return write_report(results, edition, out, progress, read_trust(folder, records_folder()));
+    return write_report(results, edition, out, progress, read_trust(folder));
   });
 }
 
@@ -403,7 +403,7 @@ void report(const fs::path& folder, const std::string& chapter, Edition edition,
 
 void trust(const fs::path& folder, Format format) {
   require_writable(results_file());
-  const Trust on_record = read_trust(folder, records_folder());
+  const Trust on_record = read_trust(folder);
   const Results results = last_results(folder, false);
   if (format != Format::text) return print(trust_table(results, on_record), format);
   std::cout << trust_text(results, on_record, output());

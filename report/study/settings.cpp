@@ -57,7 +57,6 @@ bool is_usual(const fs::path& folder) {
 
 fs::path source_folder() { return own_tree(); }
 fs::path reference_folder() { return (own_tree().empty() ? own_data() : own_tree()) / "reference"; }
-fs::path records_folder() { return reference_folder().parent_path() / "tests"; }
 fs::path results_file() { return kept("results.json"); }
 fs::path report_folder() { return lasting("report"); }
 fs::path site_folder() { return lasting("site"); }

@@ -11,7 +11,6 @@ namespace oddity {
 
 std::filesystem::path source_folder();     ///< the tree; empty where the program is installed
 std::filesystem::path reference_folder();  ///< the tables
-std::filesystem::path records_folder();    ///< what came of the tests that take long
 std::filesystem::path results_file();      ///< the last run's results
 std::filesystem::path report_folder();     ///< the last report; empty without a home, as these four
 std::filesystem::path site_folder();       ///< the last report that runs

@@ -105,14 +105,14 @@ std::vector<Assertion> assertions_in(const fs::path& reference) {
 
 }  // namespace
 
-Trust read_trust(const fs::path& reference, const fs::path& tests) {
+Trust read_trust(const fs::path& reference) {
   return {Standings(reference / "approved"),
           assertions_in(reference),
           bounds_of(reference / "tables"),
           witnessed_in(reference / "witness"),
-          records<Mutated>(tests / "mutation" / "mutation.csv", mutated),
-          records<Fuzzed>(tests / "fuzz" / "record.csv", fuzzed),
-          records<Faulted>(tests / "faults" / "record.csv", faulted)};
+          records<Mutated>(reference / "trust" / "mutation.csv", mutated),
+          records<Fuzzed>(reference / "trust" / "fuzz.csv", fuzzed),
+          records<Faulted>(reference / "trust" / "faults.csv", faulted)};
 }
 
 }  // namespace oddity

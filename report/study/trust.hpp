@@ -52,8 +52,8 @@ struct Trust {
   std::vector<Faulted> faulted = {};
 };
 
-/// Of the folder of the reference tables, and of that with the tests' records: mutation/mutation.csv,
-/// fuzz/record.csv, faults/record.csv. Throws BadInput naming file and line when one is broken.
-Trust read_trust(const std::filesystem::path& reference, const std::filesystem::path& tests);
+/// Reads the records in the folder of the reference tables. Throws BadInput naming file and line when one is
+/// broken.
+Trust read_trust(const std::filesystem::path& reference);
 
 }  // namespace oddity

@@ -1,0 +1,14 @@
+// What engines did, as earlier runs kept it: what is read of it is written and read again.
+#include "report/study/engines.hpp"
+
+#include "extras/fuzz/fuzz.hpp"
+#include "tests/scratch_folder.hpp"
+
+void fuzz::read(std::string_view input) {
+  const auto contests = oddity::read_engines(file("engines.json", input));
+  const auto again = file("again.json", "");
+  write(contests, again);
+  const std::string text = text_of(again);
+  write(oddity::read_engines(again), again);
+  require(text_of(again) == text);
+}
