@@ -60,7 +60,7 @@ int main() {
 }
 CPP
 awk '/^```cpp$/ {text = ""; inside = 1; next} /^```$/ {if (inside && text ~ /oddity::Lanes/) print text; inside = 0} inside {text = text $0 "\n"}' \
-  "$(dirname "${BASH_SOURCE[0]}")/../solvers/lanes/README.md" >"$place/game/lanes.cpp"
+  "$(dirname "${BASH_SOURCE[0]}")/../extras/lanes/README.md" >"$place/game/lanes.cpp"
 cmake -S "$place/game" -B "$place/game/build" -DCMAKE_PREFIX_PATH="$prefix" >/dev/null
 cmake --build "$place/game/build" >/dev/null
 check "the models in another project's loop" test "$("$place/game/build/game")" = 2.260114

@@ -94,13 +94,13 @@ leg_namespaces() {  # a sweep by Open MPI on four network namespaces, the same a
   tools iproute2 libopenmpi-dev openmpi-bin
   cmake --preset release -DODDITY_MPI=ON >/dev/null
   cmake --build build/release --parallel "$jobs" --target oddity
-  tests/namespaces.sh build/release/oddity
+  extras/sweep/namespaces.sh build/release/oddity
 }
 
 leg_slurm() {  # a sweep by the array script that it writes for Slurm, whose daemons are started for it, and killed on the way
   tools munge slurmctld slurmd slurm-client
   ./oddity list >/dev/null
-  tests/slurm.sh build/release/oddity
+  extras/sweep/slurm.sh build/release/oddity
 }
 
 leg_ode-files() {  # xppaut: its package's examples are answered or refused, and each motion is compared with its own

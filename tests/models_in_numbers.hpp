@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "chapters/contents.hpp"
+#include "extras/lanes/lanes.hpp"
 #include "report/verify/catch.hpp"
 #include "solvers/dual.hpp"
-#include "solvers/lanes/lanes.hpp"
 #include "solvers/ode/jacobian.hpp"
 #include "solvers/taylor/series.hpp"
 

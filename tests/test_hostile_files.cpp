@@ -3,11 +3,11 @@
 
 #include <limits>
 
+#include "extras/sweep/chunks.hpp"
 #include "reference/files.hpp"
 #include "reference/quantity_text.hpp"
 #include "report/study/engines.hpp"
 #include "report/study/run.hpp"
-#include "report/sweep/chunks.hpp"
 #include "report/verify/catch.hpp"
 #include "tests/complaint.hpp"
 #include "tests/sample_results.hpp"

@@ -61,28 +61,29 @@ TEST_CASE("each room knows only the rooms below it", "[rooms]") {
                          included == "solvers/ode/steps_in.hpp" ||
                          (included == "solvers/ode/velocities.hpp" &&  // printed along by `choose --code`
                           file.parent_path().filename() == "plain") ||
-                         included.rfind("solvers/engines/", 0) == 0 || file.filename() == "bench_loops.cpp" ||
-                         file.parent_path().filename() == "module" ||
-                         file.parent_path().filename() == "lanes";
+                         included.rfind("solvers/engines/", 0) == 0 ||
+                         file.parent_path().filename() == "module";
         CHECK((may || included.rfind("solvers/", 0) != 0));
       }
 }
 
-TEST_CASE("a product of extras knows the core and itself alone", "[rooms]") {
+TEST_CASE("a product of extras knows the core, itself and few others", "[rooms]") {
+  const std::map<std::string, std::string> others{{"bench", "extras/lanes"}, {"fuzz", "extras/sweep"}};
   for (const auto& product : fs::directory_iterator(fs::path(ODDITY_SOURCE) / "extras"))
     if (product.is_directory()) {
-      const std::string room = "extras/" + product.path().filename().string();
-      may_know(room, {"formula", "solvers", "reference", "chapters", "problem", "report", "tests", room});
+      const std::string name = product.path().filename().string(), room = "extras/" + name;
+      const auto other = others.find(name);
+      may_know(room, {"formula", "solvers", "reference", "chapters", "problem", "report", "tests", room,
+                      other == others.end() ? room : other->second});
     }
 }
 
 TEST_CASE("the floors of report know those before them alone", "[rooms]") {
-  // Of what is beside them pages know what bodies cost in lanes.
   const std::vector<std::string> floors{"text", "study", "charts", "pages", "site"};
   for (std::size_t i = 0; i < floors.size(); ++i) {
     std::vector<std::string> known{"chapters", "solvers", "reference"};
     for (std::size_t k = 0; k <= i; ++k) known.push_back("report/" + floors[k]);
-    if (floors[i] == "pages" || floors[i] == "site") known.push_back("report/lanes/price.hpp");
+    if (floors[i] == "pages" || floors[i] == "site") known.push_back("extras/lanes/price.hpp");
     if (i > 0) known.push_back("formula");
     may_know("report/" + floors[i],
              i > 0 ? known : std::vector<std::string>{"report/text", "reference", "formula"});

@@ -82,7 +82,7 @@ set(walk_names exercise_4_1=walk_exercise_4_1 ex04_01=walk_ex04_01 truth_04_01_s
   spring_04_01=walk_spring_04_01 exercise_9_2=walk_exercise_9_2 ex09_02=walk_ex09_02)
 add_library(walk_reference OBJECT ${walk_makers} ${own_makers} ${walk}/truths.cpp)
 add_executable(walk_oddity report/cli/main.cpp ${walk_files} ${own_exercises} ${own_sources} ${walk}/registry.cpp)
-target_link_libraries(walk_oddity PRIVATE walk_reference oddity_report oddity_verify)
+target_link_libraries(walk_oddity PRIVATE walk_reference oddity_report oddity_verify oddity_extras)
 add_executable(walk_make_reference reference/make/main.cpp)
 target_link_libraries(walk_make_reference PRIVATE walk_reference oddity_reference)
 set_target_properties(walk_oddity PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${walk})

@@ -1,5 +1,5 @@
 // A chunk of a sweep, behind its seal and its head.
-#include "report/sweep/chunks.hpp"
+#include "extras/sweep/chunks.hpp"
 
 #include "extras/fuzz/fuzz.hpp"
 #include "reference/files.hpp"

@@ -1,5 +1,5 @@
 // The plan of a sweep: what is read of it is written and read again.
-#include "report/sweep/plan.hpp"
+#include "extras/sweep/plan.hpp"
 
 #include "extras/fuzz/fuzz.hpp"
 

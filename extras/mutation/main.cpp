@@ -46,11 +46,11 @@ bool within(const std::string& file, const std::string& path) {
 }
 
 /// The sources of the rooms, but for those that the suite does not run: engines are programs of their own,
-/// lanes and drawings are for the page and for bench.
+/// and drawings are for the page.
 bool wanted(const Request& request, const std::string& file) {
-  for (const char* other : {"solvers/engines/", "solvers/lanes/"})
-    if (file.starts_with(other)) return false;
-  if (file.ends_with("drawing.hpp") || file == "reference/make/main.cpp") return false;
+  if (file.starts_with("solvers/engines/") || file.ends_with("drawing.hpp") ||
+      file == "reference/make/main.cpp")
+    return false;
   return std::ranges::any_of(request.paths, [&](const std::string& path) { return within(file, path); });
 }
 

@@ -24,7 +24,7 @@
 #include "report/cli/needs.hpp"
 #include "report/cli/prove.hpp"
 #include "report/cli/schema.hpp"
-#include "report/cli/sweep.hpp"
+#include "report/cli/verb.hpp"
 #include "report/cli/verbs.hpp"
 #include "report/cli/words.hpp"
 #include "report/study/settings.hpp"
@@ -35,8 +35,9 @@ namespace oddity {
 namespace {
 
 /// What was asked on the command line, and what comes of it.
-struct Session {
+struct Session : Formats {
   const Suite& suite;
+  const Extras& extras;
   std::string folder = reference_folder().string();
   std::string exercise = {}, chapter = {};
   std::vector<std::string> exercises = {}, overrides = {};
@@ -45,10 +46,9 @@ struct Session {
   std::string report_out = report_folder().string(), chart_out = chart_folder().string(),
               maps_out = report_folder().string(), site_out = site_folder().string(),
               proofs_out = proofs_folder().string();
-  bool json = false, csv = false, code = false, rows = false, all_rows = false, approve = false, book = false,
-       overwrite = false;
+  bool rows = false, all_rows = false, approve = false, book = false, overwrite = false;
   std::string engine = {}, horizon = {}, engines_limit = "none";
-  bool page = false, lanes = false, verbs = false, kept = false;
+  bool page = false, kept = false;
   std::string rates = "60,240";
   int finest = 32;
   AskedNeed need = {};
@@ -58,26 +58,7 @@ struct Session {
   bool scene = false, identity = false;
   std::string command = {};  ///< as it would be typed
   int status = 0;
-
-  verbs::Format format() const {
-    return json   ? verbs::Format::json
-           : csv  ? verbs::Format::csv
-           : code ? verbs::Format::code
-                  : verbs::Format::text;
-  }
 };
-
-/// `says_needs`: where its needs are asked, it says them and does nothing; others need nothing.
-CLI::App* verb(CLI::App& app, const std::string& name, const std::string& says, const std::string& footer,
-               const std::function<void()>& act, bool says_needs = false) {
-  auto* verb = app.add_subcommand(name, says);
-  verb->group("Verbs");
-  verb->footer(footer);
-  verb->callback([act, says_needs] {
-    if (says_needs || !needs_are_asked()) act();
-  });
-  return verb;
-}
 
 void add_one_exercise(CLI::App& verb, Session& s) {
   verb.add_option("exercise", s.exercise,
@@ -89,27 +70,17 @@ void add_one_exercise(CLI::App& verb, Session& s) {
       "v0=1,2,-1");
 }
 
-/// The option does not go together with the others.
-void set_apart(CLI::App& verb, CLI::Option* option, std::initializer_list<const char*> others) {
-  for (const char* other : others) option->excludes(verb.get_option(other));
-}
-
-void add_formats(CLI::App& verb, Session& s, const std::string& what) {
-  auto* json = verb.add_flag("--json", s.json, what + ", as JSON");
-  verb.add_flag("--csv", s.csv, what + ", as comma-separated values")->excludes(json);
-}
-
 void add_exercises(CLI::App& verb, Session& s, const std::string& says) {
   verb.add_option("exercises", s.exercises, says);
 }
 
 void add_list(CLI::App& app, Session& s) {
   auto* list =
-      verb(app, "list", "List the exercises, with their parameters and ranges.",
-           "Columns: exercise, title, scene (1 or 0), parameter, value, unit, least, most, whole (1 or "
-           "0), says; a row for each parameter.\n"
-           "Examples:\n  oddity list\n  oddity list 3.5\n  oddity list spring\n  oddity list --csv",
-           [&] { verbs::list(s.exercises, s.format()); });
+      add_verb(app, "list", "List the exercises, with their parameters and ranges.",
+               "Columns: exercise, title, scene (1 or 0), parameter, value, unit, least, most, whole (1 or "
+               "0), says; a row for each parameter.\n"
+               "Examples:\n  oddity list\n  oddity list 3.5\n  oddity list spring\n  oddity list --csv",
+               [&] { verbs::list(s.exercises, s.format()); });
   add_exercises(
       *list, s,
       "numbers, such as 3.33, or words for what they are about, such as gyroscope; all when none is given");
@@ -165,7 +136,7 @@ std::string tags_of_shard(const std::string& text) {
 }
 
 void add_verify(CLI::App& app, Session& s) {
-  auto* verify = verb(
+  auto* verify = add_verb(
       app, "verify",
       "Check the exercises: judge every claim, run every method, compare with what is on record.",
       "The suite is Catch2's: a test specification selects, and its options and reporters work, with "
@@ -216,37 +187,16 @@ void add_enclosed(CLI::App& app, AskedNeed& need) {
 }
 
 void add_solve(CLI::App& app, Session& s) {
-  auto* solve = verb(app, "solve", "Solve one exercise: every quantity by every method.",
-                     columns_of_trials() +
-                         "Examples:\n  oddity solve 3.5\n  oddity solve 3.5 a=150deg L=50cm\n  oddity solve "
-                         "3.5 a=150deg --csv",
-                     [&] { verbs::solve(s.folder, s.exercise, s.overrides, s.need.enclosed, s.format()); });
+  auto* solve =
+      add_verb(app, "solve", "Solve one exercise: every quantity by every method.",
+               columns_of_trials() +
+                   "Examples:\n  oddity solve 3.5\n  oddity solve 3.5 a=150deg L=50cm\n  oddity solve "
+                   "3.5 a=150deg --csv",
+               [&] { verbs::solve(s.folder, s.exercise, s.overrides, s.need.enclosed, s.format()); });
   add_one_exercise(*solve, s);
   add_enclosed(*solve, s.need);
   auto* json = solve->add_flag("--json", s.json, "all results as JSON, as in a results file");
   solve->add_flag("--csv", s.csv, "the trials, as comma-separated values")->excludes(json);
-}
-
-/// Of the answer, or of each exercise of several.
-void add_time_limit(CLI::App& verb, std::string& limit, const std::string& of = "") {
-  add_value(verb, "--time-limit", limit, "TIME",
-            "the longest that the answer may take" + of + ", or none: then it may take hours")
-      ->capture_default_str();
-}
-
-/// What has to hold of the motion, and to what.
-void add_criteria(CLI::App& verb, AskedNeed& need) {
-  add_value(
-      verb, "--criterion", need.criterion, "WORD",
-      "what has to hold: path; energy (what is seen has its true energy); period (and the swing's size); "
-      "bounded (nothing explodes); constraint (lengths that are held)")
-      ->capture_default_str();
-  add_value(
-      verb, "--energy", need.energy, "PART",
-      "besides, the energy of what is seen: off its true value by a part of what moves in it, 1% or 0.01");
-  add_value(verb, "--period", need.period, "PART", "besides, the period: off by a part of it, 1% or 0.01");
-  add_value(verb, "--constraint", need.constraint, "LENGTH",
-            "besides, lengths that are held, and what lies on something: off by a length, 1mm");
 }
 
 void add_choose_need(CLI::App& choose, AskedNeed& need) {
@@ -328,7 +278,7 @@ void ask_as_file(const CLI::App& choose, Session& s) {
 }
 
 void add_choose(CLI::App& app, Session& s) {
-  auto* choose = verb(
+  auto* choose = add_verb(
       app, "choose", "Choose the model, the algorithm and the step that a scene needs.",
       "A method has to hold at every frame: for the start asked for and two beside it, on which it is chosen, "
       "and for three others, on which it is tested. Of the closed forms and the one-step methods of fixed step "
@@ -353,7 +303,7 @@ void add_choose(CLI::App& app, Session& s) {
         s.need.as_engines = !s.engine.empty();
         if (problem::is_file(s.exercise)) ask_as_file(*app.get_subcommand("choose"), s);
         s.status = verbs::choose(s.folder, s.exercise, s.overrides, s.need, s.format(), s.all_rows, s.engine,
-                                 s.command);
+                                 s.command, s.extras.bodies);
       },
       true);
   add_one_exercise(*choose, s);
@@ -380,13 +330,13 @@ CLI::Option* add_overwrite(CLI::App& verb, Session& s) {
 
 void add_report(CLI::App& app, Session& s) {
   auto* report =
-      verb(app, "report", "Write the Markdown report.",
-           "The last results are taken; an exercise whose code or tables have changed runs first.\n"
-           "Examples:\n  oddity report\n  oddity report --chapter 3 --out /tmp/report",
-           [&] {
-             verbs::report(s.folder, s.chapter, s.book ? Edition::book : Edition::whole, s.report_out,
-                           s.overwrite);
-           });
+      add_verb(app, "report", "Write the Markdown report.",
+               "The last results are taken; an exercise whose code or tables have changed runs first.\n"
+               "Examples:\n  oddity report\n  oddity report --chapter 3 --out /tmp/report",
+               [&] {
+                 verbs::report(s.folder, s.chapter, s.book ? Edition::book : Edition::whole, s.report_out,
+                               s.overwrite);
+               });
   add_value(*report, "--chapter", s.chapter, "N", "the exercises of one chapter only");
   report->add_flag("--book", s.book, "without times: what stands in report/book of the sources");
   add_path(*report, "--out", s.report_out, "the folder to write to");
@@ -394,7 +344,7 @@ void add_report(CLI::App& app, Session& s) {
 }
 
 void add_site(CLI::App& app, Session& s) {
-  auto* site = verb(
+  auto* site = add_verb(
       app, "site", "Write the report that runs: one folder, for a browser.",
       "Open its index.html with a double click; it needs no network. The last results are "
       "taken; an exercise whose code or tables have changed runs first.\n"
@@ -405,7 +355,7 @@ void add_site(CLI::App& app, Session& s) {
 }
 
 void add_chart(CLI::App& app, Session& s) {
-  auto* chart = verb(
+  auto* chart = add_verb(
       app, "chart", "Draw error against work and against time, with the tables behind the charts.",
       columns_of_trials() +
           "Of scenes that engines have run on, their pictures as well.\nExamples:\n  oddity chart 3.5 2.13 --out /tmp/charts\n  oddity chart 3.5 --csv",
@@ -425,7 +375,7 @@ void add_chart(CLI::App& app, Session& s) {
 }
 
 void add_stability(CLI::App& app, Session& s) {
-  auto* stability = verb(
+  auto* stability = add_verb(
       app, "stability", "Show up to which step methods are stable, and how they break beyond.",
       "Also drawn are maps of how each method ends, over the step and over the parameter that makes the scene "
       "hard.\n"
@@ -469,35 +419,6 @@ void add_stability(CLI::App& app, Session& s) {
   set_apart(*stability, add_overwrite(*stability, s), {"--rows", "--json", "--csv"});
 }
 
-void add_bench(CLI::App& app, Session& s) {
-  auto* bench = verb(
-      app, "bench",
-      "Measure how fast this build is: against loops by hand, its best methods, the suite; or lanes, or the verbs.",
-      "Times mean something only on an idle machine. The exit code is 1 when a limit is broken.\n"
-      "Columns: part (race, contest, series, chain or suite), subject, measured, value, half_width (of its quartiles), unit, "
-      "at_most, verdict (holds, undecided or BROKEN, where there is a limit); a row for each number.\n"
-      "With --lanes: scene, model, algorithm, precision, registers, width, taken (the widest), seconds_alone and "
-      "seconds (a body a frame), share (how many times faster, of the width), at_least, ceiling (of the share, where the processor's own "
-      "arithmetic has less), verdict (holds, arithmetic: what is asked of that ceiling, not asked: of registers of two doubles, undecided "
-      "or BROKEN), bodies, "
-      "same_bits (how many have them), and the half_width of each time and share.\n"
-      "With --verbs: part (verb or growth), subject, amount (of what grows), seconds, cpu_seconds, peak_bytes, "
-      "failure (how it ended, unless well).\n"
-      "Examples:\n  oddity bench\n  oddity bench --csv\n  oddity bench --lanes 3.5 3.33\n  oddity bench --verbs",
-      [&] {
-        s.status = s.lanes                  ? verbs::bench_lanes(s.exercises, s.format())
-                   : needs_are_all(Needs()) ? 0
-                   : s.verbs                ? verbs::bench_verbs(s.format())
-                                            : verbs::bench(s.folder, s.format());
-      },
-      true);
-  auto* lanes = bench->add_flag("--lanes", s.lanes, "the scenes' models in lanes, beside each alone");
-  bench->add_flag("--verbs", s.verbs, "time and peak memory of each verb, and how its work grows")
-      ->excludes(lanes);
-  bench->add_option("scenes", s.exercises, "with --lanes, these scenes, by number; else all")->needs(lanes);
-  add_formats(*bench, s, "the numbers measured");
-}
-
 std::vector<double> rates_of(const std::string& text) {
   std::vector<double> rates;
   for (const std::string& rate : listed("--hz", text)) rates.push_back(value_of("--hz", rate, "1/s"));
@@ -505,7 +426,7 @@ std::vector<double> rates_of(const std::string& text) {
 }
 
 void add_engines(CLI::App& app, Session& s) {
-  auto* engines = verb(
+  auto* engines = add_verb(
       app, "engines", "Put other people's physics engines on the scenes, beside the models.",
       "Each engine that is built runs as a program of its own, at 60 steps a second and finer by doubling, and is "
       "judged at every frame over 10 s: to 1 cm and 1 degree. In oddity's sources './oddity engines' installs and "
@@ -544,20 +465,8 @@ void add_engines(CLI::App& app, Session& s) {
   set_apart(*engines, horizon, {"--kept", "--report"});
 }
 
-void add_sweep(CLI::App& app, Session& s) {
-  auto* sweep = verb(
-      app, "sweep", "Map a scene densely over one or two of its numbers, on as many machines as there are.",
-      "A plan divides the map into chunks; any number of runs, threads, MPI ranks and machines work them out; what "
-      "comes of it is the same, byte for byte.\n"
-      "Examples:\n  oddity sweep plan /tmp/map 3.5 --model 'one angle' --algorithm 'Runge-Kutta 4' --over "
-      "a=1deg..179deg:1000 --over step=1ms..2.5s:1000 --looks 4\n  oddity sweep run /tmp/map\n  oddity sweep merge "
-      "/tmp/map\n  oddity sweep draw /tmp/map\n  oddity sweep plan --help",
-      [] {});
-  add_sweep_verbs(*sweep, s.folder);
-}
-
 void add_trust(CLI::App& app, Session& s) {
-  auto* trust = verb(
+  auto* trust = add_verb(
       app, "trust", "Say how far the results may be trusted, and what that rests on.",
       "What is proved, enclosed, witnessed, mutated, fuzzed and survived, with the figures on record. The last "
       "results are taken; an exercise whose code or tables have changed runs first.\n"
@@ -569,7 +478,7 @@ void add_trust(CLI::App& app, Session& s) {
 }
 
 void add_prove(CLI::App& app, Session& s) {
-  auto* prove = verb(
+  auto* prove = add_verb(
       app, "prove", "Prove claims by Coq, for all numbers and not for samples.",
       "Writes a file for each claim that has a proof, made of the formulas that the suite computes with, and checked by "
       "coqc. The exit code is 1 when one is refused.\n"
@@ -596,7 +505,7 @@ void begin_problem(const CLI::App& begin, const Session& s) {
 }
 
 void add_new(CLI::App& app, Session& s) {
-  auto* begin = verb(
+  auto* begin = add_verb(
       app, "new",
       "Begin an exercise of your own: files that compile, and say what is to be written; or a problem's file.",
       "The number has to be free: an even one, or of another chapter. Nothing is overwritten.\n"
@@ -730,7 +639,7 @@ int answer(CLI::App& app, Session& session, int argc, char** argv) {
 
 }  // namespace
 
-int command_line(int argc, char** argv, const Suite& suite) try {
+int command_line(int argc, char** argv, const Suite& suite, const Extras& extras) try {
   std::set_terminate(end_without_memory);
   occupy_standard_streams();
   const VisibleOutput printed(std::cout, screen_of(STDOUT_FILENO).colour),
@@ -747,7 +656,7 @@ int command_line(int argc, char** argv, const Suite& suite) try {
       "away, CLICOLOR_FORCE=1 turns it on in a pipe too.\n"
       "Exit codes: 0 green, 1 something differs from what is on record (or nothing meets the need), 2 bad input "
       "or output that could not be written, 130 interrupted.");
-  Session session{suite};
+  Session session{{}, suite, extras};
   app.set_help_flag("-h,--help", "show this help");
   app.set_version_flag("-v,--version", version(), "show the version");
   add_path(app, "--reference", session.folder, "the folder of the reference tables");
@@ -758,15 +667,14 @@ int command_line(int argc, char** argv, const Suite& suite) try {
   add_chart(app, session);
   add_stability(app, session);
   add_choose(app, session);
-  add_bench(app, session);
   add_engines(app, session);
-  add_sweep(app, session);
+  for (const auto& add : extras.verbs) add({app, session.folder, session.status});
   add_prove(app, session);
   add_trust(app, session);
   add_report(app, session);
   add_site(app, session);
   add_new(app, session);
-  verb(app, "help", "Show this help, or that of a verb.", "Example: oddity help choose", [] {});
+  add_verb(app, "help", "Show this help, or that of a verb.", "Example: oddity help choose", [] {});
   session.command = typed(words_of(argc, argv));
   const int status = answer(app, session, argc, argv);
   return output_arrived() ? status : 2;

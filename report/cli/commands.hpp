@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "reference/reference.hpp"
+#include "report/cli/extras.hpp"
 
 namespace oddity {
 
@@ -22,7 +23,8 @@ struct SuiteRequest {
 /// Runs the verification suite; 0 green, 1 red. Throws BadInput.
 using Suite = std::function<int(const SuiteRequest&)>;
 
-/// The command line. Returns the exit code: 0 green, 1 a red suite, 2 bad input.
-int command_line(int argc, char** argv, const Suite& suite);
+/// Runs the command line, with the verbs that extras/ add. Returns the exit code: 0 green, 1 a red suite, 2
+/// bad input.
+int command_line(int argc, char** argv, const Suite&, const Extras&);
 
 }  // namespace oddity

@@ -16,13 +16,9 @@
 #include "reference/to_write.hpp"
 #include "report/cli/about.hpp"
 #include "report/cli/asked.hpp"
-#include "report/cli/bench.hpp"
-#include "report/cli/bench_lanes.hpp"
-#include "report/cli/bench_verbs.hpp"
 #include "report/cli/enclosing.hpp"
 #include "report/cli/engines.hpp"
 #include "report/cli/words.hpp"
-#include "report/lanes/price.hpp"
 #include "report/pages/choose_view.hpp"
 #include "report/pages/closing_screen.hpp"
 #include "report/pages/code.hpp"
@@ -259,8 +255,6 @@ fs::path site_of(const Results& results, const fs::path& folder, const fs::path&
   });
 }
 
-const Needs needs_of_lanes{{}, {}, {"oddity_lanes"}};
-
 void require_room_for_report(const fs::path& out, bool overwrite) {
   take_to_write(out, overwrite);
   make_folder(out);
@@ -269,12 +263,6 @@ void require_room_for_report(const fs::path& out, bool overwrite) {
 void require_room_for_site(const fs::path& out, bool overwrite) {
   take_to_write(out, overwrite);
   require_writable_folder(out);
-}
-
-Screen output() { return screen_of(STDOUT_FILENO); }
-
-void print(const Table& table, Format format) {
-  std::cout << (format == Format::json ? to_json(table) : to_csv(table));
 }
 
 }  // namespace
@@ -314,25 +302,27 @@ std::string key_of_prices(const Task& task, const Need& need) {
 }
 
 /// With what its methods cost, kept for the next run, each part of a long horizon apart.
-Choice choice_in_time(const Task& task, const Need& asked, const Reference& truth, bool anew) {
+Choice choice_in_time(const Task& task, const Need& asked, const Reference& truth, bool anew,
+                      const ManyBodies& bodies) {
   std::map<double, KeptPrices> kept;  // by horizon
   Choice choice = with_progress([&](const Progress& progress) {
     const PriceOver price_over = [&](const Need& need) -> Price {
       const auto [prices, made] =
           kept.try_emplace(need.horizon, prices_folder(), key_of_prices(task, need), anew,
-                           need.bodies > 1 ? Price(lanes::price_of_all(task, need)) : Price(measured_price));
+                           need.bodies > 1 ? bodies.price(task, need) : Price(measured_price));
       return std::ref(prices->second);
     };
     return choose_in_time(task, in_what_is_left(asked), truth, price_over, progress);
   });
   for (auto& [horizon, prices] : kept) prices.keep();
   choice.prices_are = kept.at(choice.need.horizon).source();
+  if (asked.bodies > 1 && choice.chosen) choice.registers = bodies.registers(choice);
   return choice;
 }
 
 /// Of what someone runs: whether it is enough, and what is chosen instead as far as that is found in time.
 int judge_own(const fs::path& folder, const Task& task, const AskedNeed& asked, const Need& need,
-              Format format) {
+              Format format, const ManyBodies& bodies) {
   const MethodAsked method = method_of(task, asked, need);
   const Reference truth(folder, motions_folder());
   if (!of_the_book(task.entry->number)) require_truth(task, truth);
@@ -345,7 +335,7 @@ int judge_own(const fs::path& folder, const Task& task, const AskedNeed& asked, 
   }
   const std::optional<Choice> choice = [&]() -> std::optional<Choice> {
     try {
-      return choice_in_time(task, need, truth, asked.measure);
+      return choice_in_time(task, need, truth, asked.measure, bodies);
     } catch (const OutOfTime&) {
       return {};
     }
@@ -363,16 +353,16 @@ int judge_own(const fs::path& folder, const Task& task, const AskedNeed& asked, 
 
 int choose(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
            const AskedNeed& asked, Format format, bool all_rows, const std::string& engine,
-           const std::string& command) {
+           const std::string& command, const ManyBodies& bodies) {
   const Task task = task_of(exercise, overrides);
   const Need need = need_of(task, asked);
-  if (!asked.method.empty()) return judge_own(folder, task, asked, need, format);
+  if (!asked.method.empty()) return judge_own(folder, task, asked, need, format, bodies);
   if (!engine.empty()) require_engine_scene(*task.entry);
-  if (needs_are_all(need.bodies > 1 ? needs_of_lanes : Needs())) return 0;
+  if (needs_are_all(need.bodies > 1 ? bodies.needs : Needs())) return 0;
   const std::vector<EngineProgram> programs = engines_named(engine);
   const Reference truth = truth_of(folder, asked.enclosed, motions_folder());
   if (!of_the_book(task.entry->number)) require_truth(task, truth);
-  const Choice choice = choice_in_time(task, need, truth, asked.measure);
+  const Choice choice = choice_in_time(task, need, truth, asked.measure, bodies);
   if (format == Format::text && !asked.says.empty())
     std::cout << exercise << " does not say what it needs, so it is asked for " << asked.says << "\n";
   if (format == Format::csv || (format == Format::code && choice.chosen)) std::cerr << part_text(choice);
@@ -537,39 +527,6 @@ void create(NewExercise asked) {
             << "]'  # once that is written: puts its results on record\n";
   if (own_tree().empty())
     std::cout << "# An installed program builds nothing: run these in a clone of oddity's sources.\n";
-}
-
-int bench(const fs::path& folder, Format format) {
-  const Bench result = with_progress(
-      [&](const Progress& progress) { return oddity::bench(Reference(folder, motions_folder()), progress); });
-  if (format == Format::text)
-    std::cout << bench_view(result, output());
-  else
-    print(bench_table(result), format);
-  return result.broken();
-}
-
-int bench_lanes(const std::vector<std::string>& scenes, Format format) {
-  tasks_of(scenes, true);
-  if (needs_are_all(needs_of_lanes)) return 0;
-  for (const std::string& number : scenes) static_cast<void>(lanes::scene_in_lanes(number));
-  const LanesBench result =
-      with_progress([&](const Progress& progress) { return oddity::bench_lanes(scenes, 11, progress); });
-  if (format == Format::text)
-    std::cout << lanes_view(result, output());
-  else
-    print(lanes_table(result), format);
-  return result.broken();
-}
-
-int bench_verbs(Format format) {
-  const VerbsBench result =
-      with_progress([](const Progress& progress) { return oddity::bench_verbs(progress); });
-  if (format == Format::text)
-    std::cout << verbs_view(result, output());
-  else
-    print(verbs_table(result), format);
-  return std::ranges::any_of(result.verbs, [](const VerbCost& v) { return !v.failure.empty(); });
 }
 
 }  // namespace oddity::verbs

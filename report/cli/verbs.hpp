@@ -7,8 +7,10 @@
 
 #include "report/charts/chart.hpp"
 #include "report/cli/asked.hpp"
+#include "report/cli/extras.hpp"
 #include "report/cli/needs.hpp"
 #include "report/cli/new_exercise.hpp"
+#include "report/cli/verb.hpp"
 #include "report/pages/markdown.hpp"
 
 /// What the program's verbs do. Each takes the folder of the reference tables, prints what is asked on
@@ -16,8 +18,6 @@
 namespace oddity::verbs {
 
 namespace fs = std::filesystem;
-
-enum class Format { text, json, csv, code };
 
 /// By number or by words of their titles; all of them when there are none.
 void list(const std::vector<std::string>& exercises, Format);
@@ -28,7 +28,8 @@ void solve(const fs::path& folder, const std::string& exercise, const std::vecto
 /// 0 when something meets the need, else 1. `command` is the command line, for the code's comment;
 /// `engine` one of others to be tried beside, unless empty.
 int choose(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
-           const AskedNeed&, Format, bool all_rows, const std::string& engine, const std::string& command);
+           const AskedNeed&, Format, bool all_rows, const std::string& engine, const std::string& command,
+           const ManyBodies&);
 /// Of all chapters when the text is empty.
 void report(const fs::path& folder, const std::string& chapter, Edition, const fs::path& out, bool overwrite);
 /// What is proved, enclosed, witnessed and survived, and what that rests on.
@@ -65,12 +66,6 @@ int judge(const std::string& file, Format);
 void create_problem(const fs::path& file, const std::string& from_exercise);
 /// Writes the files of a new exercise, and says what to do next.
 void create(NewExercise);
-/// 0 when no limit is broken, else 1.
-int bench(const fs::path& folder, Format);
-/// The same of models in lanes, of all scenes when there are no numbers.
-int bench_lanes(const std::vector<std::string>& scenes, Format);
-/// Of each verb as a program of its own; 1 when one failed.
-int bench_verbs(Format);
 
 struct AskedEngines {
   std::vector<std::string> scenes;  ///< by number or name, one exercise with other parameters; none: all

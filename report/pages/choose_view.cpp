@@ -5,7 +5,6 @@
 
 #include "reference/text.hpp"
 #include "report/charts/labels.hpp"
-#include "report/lanes/price.hpp"
 #include "report/pages/choose_view.hpp"
 #include "report/study/choose.hpp"
 #include "report/text/numbers.hpp"
@@ -146,20 +145,13 @@ std::size_t bytes_of_state(const Candidate& candidate) {
   return candidate.state_size * (candidate.precision == Precision::in_float ? sizeof(float) : sizeof(double));
 }
 
-/// Of the lanes that several bodies are in. One is in none, and takes no library of lanes.
-std::optional<lanes::Registers> registers_of(const Choice& choice) {
-  if (choice.need.bodies == 1) return {};
-  return lanes::registers_of(choice.exercise, choice.chosen->model, choice.chosen->algorithm);
-}
-
 /// How the bodies that were asked for are computed, where there are several.
 std::string bodies_text(const Choice& choice) {
   if (choice.need.bodies == 1) return "";
   const Candidate& best = *choice.chosen;
-  const auto registers = registers_of(choice);
   return "  " + std::to_string(choice.need.bodies) + " bodies: " +
-         (registers ? "side by side in lanes of " + std::string(lanes::name_of(*registers))
-                    : "one after the other, as lanes do not have this method") +
+         (choice.registers.empty() ? "one after the other, as lanes do not have this method"
+                                   : "side by side in lanes of " + choice.registers) +
          ", " + shown_time(best.seconds_per_frame / static_cast<double>(choice.need.bodies)) + " and " +
          (best.state_size == 0 ? "no state" : std::to_string(bytes_of_state(best)) + " bytes of state") +
          " each.\n";
@@ -584,8 +576,7 @@ std::string choice_json(const Choice& choice) {
     json["chosen"]["margin"] = is_measured(choice) ? from(choice.margin()) : Json(nullptr);
     json["chosen"]["restart_evaluations"] = choice.restart;
     json["chosen"]["by_objective"] = choice.by_objective;
-    const auto registers = registers_of(choice);
-    json["chosen"]["lanes"] = registers ? Json(lanes::name_of(*registers)) : Json(nullptr);
+    json["chosen"]["lanes"] = choice.registers.empty() ? Json(nullptr) : Json(choice.registers);
   }
   json["in_float"] = choice.in_float ? from(*choice.in_float, choice) : Json(nullptr);
   json["ties"] = from(choice.ties, choice);

@@ -72,6 +72,7 @@ struct Choice {
   int tried_in_chaos = 0, holding_in_chaos = 0;
   int failing_beside = 0;  ///< of those unseen, where they need not hold: the start asked for alone was asked
   std::string prices_are = {};  ///< where they come from
+  std::string registers = {};   ///< that the bodies of the chosen one are side by side in; empty: none
   Explanation explanation = {};
 
   bool was_followed(const Candidate&) const;

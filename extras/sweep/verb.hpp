@@ -1,0 +1,10 @@
+#pragma once
+
+#include "report/cli/extras.hpp"
+
+namespace oddity {
+
+/// Adds `sweep` with its verbs: plan, run, status, merge and draw.
+void add_sweep(const CommandLine&);
+
+}  // namespace oddity

@@ -1,0 +1,59 @@
+#include "report/cli/verb.hpp"
+
+#include <unistd.h>
+
+#include <iostream>
+
+namespace oddity {
+
+namespace verbs {
+
+Screen output() { return screen_of(STDOUT_FILENO); }
+
+void print(const Table& table, Format format) {
+  std::cout << (format == Format::json ? to_json(table) : to_csv(table));
+}
+
+}  // namespace verbs
+
+CLI::App* add_verb(CLI::App& app, const std::string& name, const std::string& says, const std::string& footer,
+                   const std::function<void()>& act, bool says_needs) {
+  auto* verb = app.add_subcommand(name, says);
+  verb->group("Verbs");
+  verb->footer(footer);
+  verb->callback([act, says_needs] {
+    if (says_needs || !needs_are_asked()) act();
+  });
+  return verb;
+}
+
+void add_formats(CLI::App& verb, Formats& formats, const std::string& what) {
+  auto* json = verb.add_flag("--json", formats.json, what + ", as JSON");
+  verb.add_flag("--csv", formats.csv, what + ", as comma-separated values")->excludes(json);
+}
+
+void add_time_limit(CLI::App& verb, std::string& limit, const std::string& of) {
+  add_value(verb, "--time-limit", limit, "TIME",
+            "the longest that the answer may take" + of + ", or none: then it may take hours")
+      ->capture_default_str();
+}
+
+void add_criteria(CLI::App& verb, AskedNeed& need) {
+  add_value(
+      verb, "--criterion", need.criterion, "WORD",
+      "what has to hold: path; energy (what is seen has its true energy); period (and the swing's size); "
+      "bounded (nothing explodes); constraint (lengths that are held)")
+      ->capture_default_str();
+  add_value(
+      verb, "--energy", need.energy, "PART",
+      "besides, the energy of what is seen: off its true value by a part of what moves in it, 1% or 0.01");
+  add_value(verb, "--period", need.period, "PART", "besides, the period: off by a part of it, 1% or 0.01");
+  add_value(verb, "--constraint", need.constraint, "LENGTH",
+            "besides, lengths that are held, and what lies on something: off by a length, 1mm");
+}
+
+void set_apart(CLI::App& verb, CLI::Option* option, std::initializer_list<const char*> others) {
+  for (const char* other : others) option->excludes(verb.get_option(other));
+}
+
+}  // namespace oddity

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <initializer_list>
+#include <string>
+
+#include "report/cli/asked.hpp"
+#include "report/cli/needs.hpp"
+#include "report/cli/words.hpp"
+#include "report/text/screen.hpp"
+#include "report/text/table_text.hpp"
+
+/// What the verbs of the command line have in common, those of extras/ too.
+namespace oddity {
+
+namespace verbs {
+
+enum class Format { text, json, csv, code };
+
+/// The screen that standard output goes to.
+Screen output();
+/// Prints a table as JSON, or else as CSV.
+void print(const Table&, Format);
+
+}  // namespace verbs
+
+/// The options by which a format is asked for.
+struct Formats {
+  bool json = false, csv = false, code = false;
+
+  verbs::Format format() const {
+    return json   ? verbs::Format::json
+           : csv  ? verbs::Format::csv
+           : code ? verbs::Format::code
+                  : verbs::Format::text;
+  }
+};
+
+/// Adds a verb. `says_needs`: where its needs are asked, it says them and does nothing; others need nothing.
+CLI::App* add_verb(CLI::App&, const std::string& name, const std::string& says, const std::string& footer,
+                   const std::function<void()>& act, bool says_needs = false);
+void add_formats(CLI::App& verb, Formats&, const std::string& what);
+/// `of`: what the limit is for, where it is not the answer.
+void add_time_limit(CLI::App& verb, std::string& limit, const std::string& of = "");
+/// What has to hold of the motion, and to what.
+void add_criteria(CLI::App& verb, AskedNeed&);
+/// The option does not go together with the others.
+void set_apart(CLI::App& verb, CLI::Option*, std::initializer_list<const char*> others);
+
+}  // namespace oddity
