@@ -10,13 +10,6 @@ install(TARGETS oddity RUNTIME)
 install(DIRECTORY reference/ DESTINATION ${oddity_data}/reference
   FILES_MATCHING PATTERN "*.csv" PATTERN make EXCLUDE)
 install(FILES ${PROJECT_BINARY_DIR}/models.js DESTINATION ${oddity_data} OPTIONAL)
-# Engines, where they are built or npm has brought them, with what runs them; and the programs of their page.
-file(GLOB adapters CONFIGURE_DEPENDS solvers/engines/*.mjs)
-install(FILES ${adapters} solvers/engines/variants.json DESTINATION ${oddity_code}/engines)
-install(DIRECTORY solvers/engines/node_modules DESTINATION ${oddity_code}/engines OPTIONAL)
-install(DIRECTORY ${PROJECT_BINARY_DIR}/engines DESTINATION ${oddity_code} OPTIONAL USE_SOURCE_PERMISSIONS
-  FILES_MATCHING PATTERN "engine_*")
-install(DIRECTORY solvers/engines/found DESTINATION ${oddity_data}/engines)
 
 # ---- the models and loops, and the headers that they include ------------------------------------------------
 

@@ -141,9 +141,9 @@ tree=$(dirname "$(dirname "$build")")
 hidden() {
   unshare --mount ${rootless:+--map-root-user} sh -c 'mount --bind "$0" "$1" && shift && exec "$@"' "$place/planted" "$tree" "$@"
 }
-mkdir -p "$place/planted/solvers/engines/node_modules" "$place/tools"
-echo '{"planted.mjs": []}' >"$place/planted/solvers/engines/variants.json"
-touch "$place/planted/solvers/engines/runner.mjs"
+mkdir -p "$place/planted/extras/engines/adapters/node_modules" "$place/tools"
+echo '{"planted.mjs": []}' >"$place/planted/extras/engines/adapters/variants.json"
+touch "$place/planted/extras/engines/adapters/runner.mjs"
 printf '#!/bin/sh\ntouch "%s/ran"\n' "$place" >"$place/tools/node"
 chmod +x "$place/tools/node"
 rootless=

@@ -120,7 +120,7 @@ leg_syntax() {  # g++: every source alone, without precompiled headers; compile_
   local listed missing
   listed=$(sed -n 's|^ *"file": "'"$PWD"'/\(.*\)".*|\1|p' build/developer/compile_commands.json | sort -u)
   # but those of the page's module, which another compiler makes, and of engines, libclang and Arb, which may not be here
-  missing=$(comm -23 <(sources '*.cpp' ':!report/site/module/*' ':!tests/site/nudged.cpp' ':!solvers/engines/*' ':!extras/mutation/*' ':!reference/enclosures/*' ':!tests/enclosed_motions.cpp' | sort) <(echo "$listed"))
+  missing=$(comm -23 <(sources '*.cpp' ':!report/site/module/*' ':!tests/site/nudged.cpp' ':!extras/engines/adapters/*' ':!extras/mutation/*' ':!reference/enclosures/*' ':!tests/enclosed_motions.cpp' | sort) <(echo "$listed"))
   [ -z "$missing" ] || { echo "not in compile_commands.json: $missing"; return 1; }
   sed -n 's|^ *"command": "\(.*\)",$|\1|p' build/developer/compile_commands.json | sed 's|\\"|"|g; s|\\\\|\\|g' |
     (cd build/developer && xargs -d '\n' -P "$jobs" -n 1 bash -c 'eval "$0 -fsyntax-only"')
@@ -132,7 +132,7 @@ leg_tidy() {  # clang-tidy: the solvers and the tables are clean, Arb's part asi
   # without g++'s flags that clang does not know
   mkdir -p build/tidy
   sed 's/ -fno-toplevel-reorder//' build/developer/compile_commands.json >build/tidy/compile_commands.json
-  sources ${TIDY:-'formula/*.cpp' 'solvers/*.cpp' ':!solvers/engines/*' 'reference/*.cpp' ':!reference/make/*' ':!reference/enclosures/*'} |
+  sources ${TIDY:-'formula/*.cpp' 'solvers/*.cpp' 'reference/*.cpp' ':!reference/make/*' ':!reference/enclosures/*'} |
     xargs -d '\n' -P "$jobs" -n 1 clang-tidy --quiet --warnings-as-errors='*' -p build/tidy \
       --extra-arg=-Wno-unknown-warning-option --extra-arg=-Wno-unused-command-line-argument
 }

@@ -61,7 +61,6 @@ TEST_CASE("each room knows only the rooms below it", "[rooms]") {
                          included == "solvers/ode/steps_in.hpp" ||
                          (included == "solvers/ode/velocities.hpp" &&  // printed along by `choose --code`
                           file.parent_path().filename() == "plain") ||
-                         included.rfind("solvers/engines/", 0) == 0 ||
                          file.parent_path().filename() == "module";
         CHECK((may || included.rfind("solvers/", 0) != 0));
       }

@@ -295,7 +295,7 @@ TEST_CASE("a verb says what it needs once its arguments are found good, and does
   CHECK(run("--needs site --out " + out).output == run("--needs").output);
   CHECK(run("--needs prove 3.5 --out " + out).output ==
         "package coq\npackage libcoq-interval\npackage libcoq-coquelicot\n");
-  CHECK(says(run("--needs engines 3.5"), "npm solvers/engines\ntarget engines\n"));
+  CHECK(says(run("--needs engines 3.5"), "npm extras/engines/adapters\ntarget engines\n"));
   CHECK(run("--needs choose 3.5 --error 1deg --bodies 10").output == "target oddity_lanes\n");
   CHECK(run("--needs bench --lanes 3.5").output == "target oddity_lanes\n");
   for (const char* nothing : {"engines 3.5 --kept", "choose 3.5 --error 1deg", "bench", "bench --verbs",

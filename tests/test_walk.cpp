@@ -1,4 +1,4 @@
-// The walks of CONTRIBUTING.md and of solvers/engines/README.md, with what these pages fill in: from what
+// The walks of CONTRIBUTING.md and of extras/engines/README.md, with what these pages fill in: from what
 // `new` writes to green exercises, and how an exercise of one's own is shown. What `new` writes is compiled
 // as it is into the same program.
 
@@ -150,10 +150,10 @@ TEST_CASE("every verb that is about an exercise takes one of one's own", "[walk]
   has_none("engines 9.2", "9.2");
 }
 
-TEST_CASE("the engine of solvers/engines/README.md throws as its page says", "[walk]") {
+TEST_CASE("the engine of extras/engines/README.md throws as its page says", "[walk]") {
   const std::string engine = std::string(ODDITY_WALK_FOLDER) + "/engines/engine_euler";
   const ScratchFolder scratch;
-  const std::string page = text_of(fs::path(ODDITY_SOURCE) / "solvers/engines/README.md");
+  const std::string page = text_of(fs::path(ODDITY_SOURCE) / "extras/engines/README.md");
   const auto begin = page.find("{\"variant\": \"defaults\""), end = page.find("```", begin);
   REQUIRE(begin < end);
   std::string request = page.substr(begin, end - begin);

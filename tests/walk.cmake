@@ -1,6 +1,6 @@
 # What `new` writes, and the exercises and the engine that pages walk through, in programs of their own.
 
-set(walk_pages CONTRIBUTING.md solvers/engines/README.md)
+set(walk_pages CONTRIBUTING.md extras/engines/README.md)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${walk_pages} ${new_paths})
 set(page "")
 foreach(file IN LISTS walk_pages)
@@ -87,13 +87,13 @@ add_executable(walk_make_reference reference/make/main.cpp)
 target_link_libraries(walk_make_reference PRIVATE walk_reference oddity_reference)
 set_target_properties(walk_oddity PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${walk})
 
-# The engine of solvers/engines/README.md, beside them.
+# The engine of extras/engines/README.md, beside them.
 block_of(adapter "// The semi-implicit Euler step of engines, without joints and contacts.")
 block_of(variants "  \"euler.cpp\": [")
 string(REGEX REPLACE ",$" "" variants "${variants}")
 file(CONFIGURE OUTPUT ${walk}/euler.cpp CONTENT "${adapter}\n" @ONLY)
 file(CONFIGURE OUTPUT ${walk}/engines/variants.json CONTENT "{\n${variants}\n}\n" @ONLY)
-add_executable(walk_engine solvers/engines/runner.cpp ${walk}/euler.cpp)
+add_executable(walk_engine extras/engines/adapters/runner.cpp ${walk}/euler.cpp)
 set_target_properties(walk_engine PROPERTIES OUTPUT_NAME engine_euler RUNTIME_OUTPUT_DIRECTORY ${walk}/engines)
 target_compile_definitions(walk_engine PRIVATE ADAPTER="euler.cpp")
 target_link_libraries(walk_engine PRIVATE oddity_options nlohmann_json::nlohmann_json)

@@ -45,10 +45,9 @@ bool within(const std::string& file, const std::string& path) {
   return file == path || file.starts_with(path.ends_with('/') ? path : path + "/");
 }
 
-/// The sources of the rooms, but for those that the suite does not run: engines are programs of their own,
-/// and drawings are for the page.
+/// The sources of the rooms, but for those that the suite does not run: drawings are for the page.
 bool wanted(const Request& request, const std::string& file) {
-  if (file.starts_with("solvers/engines/") || file.ends_with("drawing.hpp") ||
+  if (file.ends_with("drawing.hpp") ||
       file == "reference/make/main.cpp")
     return false;
   return std::ranges::any_of(request.paths, [&](const std::string& path) { return within(file, path); });

@@ -47,10 +47,7 @@ struct Session : Formats {
               maps_out = report_folder().string(), site_out = site_folder().string(),
               proofs_out = proofs_folder().string();
   bool rows = false, all_rows = false, approve = false, book = false, overwrite = false;
-  std::string engine = {}, horizon = {}, engines_limit = "none";
-  bool page = false, kept = false;
-  std::string rates = "60,240";
-  int finest = 32;
+  std::string engine = {}, horizon = {};
   AskedNeed need = {};
   NewExercise begun = {};
   std::string outside = {}, from_exercise = {};
@@ -80,7 +77,7 @@ void add_list(CLI::App& app, Session& s) {
                "Columns: exercise, title, scene (1 or 0), parameter, value, unit, least, most, whole (1 or "
                "0), says; a row for each parameter.\n"
                "Examples:\n  oddity list\n  oddity list 3.5\n  oddity list spring\n  oddity list --csv",
-               [&] { verbs::list(s.exercises, s.format()); });
+               [&] { verbs::list(s.exercises, s.format(), s.extras.engines); });
   add_exercises(
       *list, s,
       "numbers, such as 3.33, or words for what they are about, such as gyroscope; all when none is given");
@@ -303,7 +300,7 @@ void add_choose(CLI::App& app, Session& s) {
         s.need.as_engines = !s.engine.empty();
         if (problem::is_file(s.exercise)) ask_as_file(*app.get_subcommand("choose"), s);
         s.status = verbs::choose(s.folder, s.exercise, s.overrides, s.need, s.format(), s.all_rows, s.engine,
-                                 s.command, s.extras.bodies);
+                                 s.command, s.extras);
       },
       true);
   add_one_exercise(*choose, s);
@@ -362,7 +359,7 @@ void add_chart(CLI::App& app, Session& s) {
       [&] {
         if (s.format() == verbs::Format::text)
           verbs::chart(s.folder, s.exercises, s.need.time_limit, s.all_rows ? Curves::all : Curves::few,
-                       s.chart_out, s.overwrite);
+                       s.chart_out, s.overwrite, s.extras.engines);
         else
           verbs::chart_table(s.folder, s.exercises, s.need.time_limit, s.format());
       });
@@ -417,52 +414,6 @@ void add_stability(CLI::App& app, Session& s) {
   set_apart(*stability, add_path(*stability, "--out", s.maps_out, "the folder to draw the maps in"),
             {"--rows", "--json", "--csv"});
   set_apart(*stability, add_overwrite(*stability, s), {"--rows", "--json", "--csv"});
-}
-
-std::vector<double> rates_of(const std::string& text) {
-  std::vector<double> rates;
-  for (const std::string& rate : listed("--hz", text)) rates.push_back(value_of("--hz", rate, "1/s"));
-  return rates;
-}
-
-void add_engines(CLI::App& app, Session& s) {
-  auto* engines = add_verb(
-      app, "engines", "Put other people's physics engines on the scenes, beside the models.",
-      "Each engine that is built runs as a program of its own, at 60 steps a second and finer by doubling, and is "
-      "judged at every frame over 10 s: to 1 cm and 1 degree. In oddity's sources './oddity engines' installs and "
-      "builds them.\n"
-      "Columns: scene, engine, version, precision, variant, webassembly (1 or 0), hz, outcome, error, unit, "
-      "in_needs, energy, momentum, off_joint, seconds_per_frame, spread, same_bits (1 or 0), restored, and off_energy, "
-      "off_period, off_constraint or off_bounded where that is asked for; a row for each trial and unit.\n"
-      "Examples:\n  oddity engines\n  oddity engines 3.33 'free body' --hz 60,240,960\n  oddity engines 3.5 a=60deg --horizon 30\n"
-      "  oddity engines 3.5 --criterion energy --error 5%",
-      [&] {
-        verbs::engines(s.folder,
-                       {s.exercises, rates_of(s.rates), s.finest, s.all_rows, s.rows, s.kept,
-                        s.page ? to_write_to(report_folder()) / "engines.md" : std::filesystem::path(),
-                        s.horizon, s.need, s.engines_limit},
-                       s.format());
-      },
-      true);
-  engines->add_option(
-      "scene", s.exercises,
-      "exercises, or: free body, bouncing ball, box on corners, chain of 10, chain of 100; unless any is "
-      "named, all but the last, which takes long; behind one exercise name=value for each parameter to change");
-  auto* horizon = add_value(*engines, "--horizon", s.horizon, "TIME",
-                            "how long the motion of an exercise is watched, instead of 10 s");
-  add_value(*engines, "--error", s.need.error, "ERROR",
-            "of an exercise: the largest error, instead of 1cm and 1deg; of energy and period a part, 1%");
-  add_criteria(*engines, s.need);
-  add_time_limit(*engines, s.engines_limit, ", for each scene");
-  add_value(*engines, "--hz", s.rates, "RATES", "the rates to show")->capture_default_str();
-  add_count(*engines, "--finest", s.finest, 1, 4096, "steps per frame to go to, by doubling");
-  engines->add_flag("--all", s.all_rows, "every variant, not the defaults and the best of each engine");
-  auto* rows = engines->add_flag("--rows", s.rows, "print the rows of engines.csv instead");
-  engines->add_flag("--kept", s.kept, "what earlier runs kept, and nothing is run");
-  engines->add_flag("--report", s.page, "write the page engines.md of the report");
-  add_formats(*engines, s, "every trial");
-  set_apart(*engines, rows, {"--json", "--csv", "--report"});
-  set_apart(*engines, horizon, {"--kept", "--report"});
 }
 
 void add_trust(CLI::App& app, Session& s) {
@@ -667,7 +618,6 @@ int command_line(int argc, char** argv, const Suite& suite, const Extras& extras
   add_chart(app, session);
   add_stability(app, session);
   add_choose(app, session);
-  add_engines(app, session);
   for (const auto& add : extras.verbs) add({app, session.folder, session.status});
   add_prove(app, session);
   add_trust(app, session);

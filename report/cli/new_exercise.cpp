@@ -9,7 +9,6 @@
 #include "chapters/contents.hpp"
 #include "reference/bad_input.hpp"
 #include "reference/files.hpp"
-#include "report/charts/engine_labels.hpp"
 #include "report/cli/words.hpp"
 #include "report/study/embedded.hpp"
 #include "report/study/settings.hpp"

@@ -17,12 +17,10 @@
 #include "report/cli/about.hpp"
 #include "report/cli/asked.hpp"
 #include "report/cli/enclosing.hpp"
-#include "report/cli/engines.hpp"
 #include "report/cli/words.hpp"
 #include "report/pages/choose_view.hpp"
 #include "report/pages/closing_screen.hpp"
 #include "report/pages/code.hpp"
-#include "report/pages/engines_view.hpp"
 #include "report/pages/held_steps_view.hpp"
 #include "report/pages/is_enough_view.hpp"
 #include "report/pages/markdown.hpp"
@@ -37,7 +35,6 @@
 #include "report/study/cheapest_models.hpp"
 #include "report/study/choose.hpp"
 #include "report/study/earlier_results.hpp"
-#include "report/study/engine_scenes.hpp"
 #include "report/study/held_steps.hpp"
 #include "report/study/in_time.hpp"
 #include "report/study/is_enough.hpp"
@@ -249,8 +246,10 @@ fs::path report_of(const Results& results, const fs::path& folder, Edition editi
 }
 
 fs::path site_of(const Results& results, const fs::path& folder, const fs::path& out) {
+  const std::vector<EngineContest> kept =
+      fs::exists(engines_file()) ? read_engines(engines_file()) : std::vector<EngineContest>();
   return with_progress([&](const Progress& progress) {
-    return write_site(results, Reference(folder, motions_folder()), out, progress, kept_engines(),
+    return write_site(results, Reference(folder, motions_folder()), out, progress, kept,
                       read_proofs(folder / "approved"));
   });
 }
@@ -267,11 +266,11 @@ void require_room_for_site(const fs::path& out, bool overwrite) {
 
 }  // namespace
 
-void list(const std::vector<std::string>& exercises, Format format) {
+void list(const std::vector<std::string>& exercises, Format format, const OtherEngines& engines) {
   const std::vector<Task> tasks = tasks_about(exercises);
   if (format != Format::text) return print(parameters_table(tasks), format);
   for (const Task& task : tasks) std::cout << in_list(*task.entry, output());
-  for (const std::string& name : further_engine_scenes())
+  for (const std::string& name : engines.scenes())
     if (std::ranges::any_of(exercises, [&](const std::string& text) { return is_about(name, text); }))
       std::cout << name << " (a scene of engines alone: " << program_as_typed() << " engines "
                 << for_shell(name) << ")\n";
@@ -353,16 +352,17 @@ int judge_own(const fs::path& folder, const Task& task, const AskedNeed& asked, 
 
 int choose(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
            const AskedNeed& asked, Format format, bool all_rows, const std::string& engine,
-           const std::string& command, const ManyBodies& bodies) {
+           const std::string& command, const Extras& extras) {
   const Task task = task_of(exercise, overrides);
   const Need need = need_of(task, asked);
-  if (!asked.method.empty()) return judge_own(folder, task, asked, need, format, bodies);
-  if (!engine.empty()) require_engine_scene(*task.entry);
-  if (needs_are_all(need.bodies > 1 ? bodies.needs : Needs())) return 0;
-  const std::vector<EngineProgram> programs = engines_named(engine);
+  if (!asked.method.empty()) return judge_own(folder, task, asked, need, format, extras.bodies);
+  if (!engine.empty()) extras.engines.require_scene(*task.entry);
+  if (needs_are_all(need.bodies > 1 ? extras.bodies.needs : Needs())) return 0;
+  const OtherEngines::Answer engines =
+      engine.empty() ? OtherEngines::Answer() : extras.engines.named(engine, task);
   const Reference truth = truth_of(folder, asked.enclosed, motions_folder());
   if (!of_the_book(task.entry->number)) require_truth(task, truth);
-  const Choice choice = choice_in_time(task, need, truth, asked.measure, bodies);
+  const Choice choice = choice_in_time(task, need, truth, asked.measure, extras.bodies);
   if (format == Format::text && !asked.says.empty())
     std::cout << exercise << " does not say what it needs, so it is asked for " << asked.says << "\n";
   if (format == Format::csv || (format == Format::code && choice.chosen)) std::cerr << part_text(choice);
@@ -375,7 +375,7 @@ int choose(const fs::path& folder, const std::string& exercise, const std::vecto
                                            : choice_text(choice, all_rows, output()));
   if (asked.enclosed && format == Format::text) std::cout << truth_text(choice, output());
   if (asked.explain && format == Format::text) std::cout << "\n" << explanation_text(choice);
-  if (!programs.empty()) std::cout << engine_answer(beside(choice, programs, task, truth), output());
+  if (engines) std::cout << engines(choice, truth);
   return choice.chosen && !choice.asked_horizon ? 0 : 1;
 }
 
@@ -430,7 +430,7 @@ void publish(const fs::path& folder, const fs::path& report_out, const fs::path&
 }
 
 void chart(const fs::path& folder, const std::vector<std::string>& exercises, const std::string& time_limit,
-           Curves curves, const fs::path& out, bool overwrite) {
+           Curves curves, const fs::path& out, bool overwrite, const OtherEngines& engines) {
   const std::vector<Task> tasks = tasks_of(exercises);
   take_to_write(out, overwrite);
   make_folder(out);
@@ -438,7 +438,7 @@ void chart(const fs::path& folder, const std::vector<std::string>& exercises, co
   const auto pages =
       with_progress([&](const Progress& progress) { return write_charts(results, curves, out, progress); });
   for (const fs::path& page : pages) std::cout << page.string() << "\n";
-  for (const fs::path& picture : draw_engines(tasks, Reference(folder, motions_folder()), out))
+  for (const fs::path& picture : engines.draw(tasks, Reference(folder, motions_folder()), out))
     std::cout << picture.string() << "\n";
 }
 

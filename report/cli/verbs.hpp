@@ -20,7 +20,7 @@ namespace oddity::verbs {
 namespace fs = std::filesystem;
 
 /// By number or by words of their titles; all of them when there are none.
-void list(const std::vector<std::string>& exercises, Format);
+void list(const std::vector<std::string>& exercises, Format, const OtherEngines&);
 /// `overrides` are "name=value". As JSON everything; as CSV the trials.
 void solve(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
            bool enclosed, Format);
@@ -29,7 +29,7 @@ void solve(const fs::path& folder, const std::string& exercise, const std::vecto
 /// `engine` one of others to be tried beside, unless empty.
 int choose(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
            const AskedNeed&, Format, bool all_rows, const std::string& engine, const std::string& command,
-           const ManyBodies&);
+           const Extras&);
 /// Of all chapters when the text is empty.
 void report(const fs::path& folder, const std::string& chapter, Edition, const fs::path& out, bool overwrite);
 /// What is proved, enclosed, witnessed and survived, and what that rests on.
@@ -45,7 +45,7 @@ void publish(const fs::path& folder, const fs::path& report_out, const fs::path&
              const std::function<double()>& seconds);
 /// Of all exercises when there are none.
 void chart(const fs::path& folder, const std::vector<std::string>& exercises, const std::string& time_limit,
-           Curves, const fs::path& out, bool overwrite);
+           Curves, const fs::path& out, bool overwrite, const OtherEngines&);
 /// The trials that the charts show, with nothing drawn.
 void chart_table(const fs::path& folder, const std::vector<std::string>& exercises,
                  const std::string& time_limit, Format);
@@ -66,20 +66,5 @@ int judge(const std::string& file, Format);
 void create_problem(const fs::path& file, const std::string& from_exercise);
 /// Writes the files of a new exercise, and says what to do next.
 void create(NewExercise);
-
-struct AskedEngines {
-  std::vector<std::string> scenes;  ///< by number or name, one exercise with other parameters; none: all
-  std::vector<double> rates;        ///< 1/s, of the table
-  int finest;                       ///< steps per frame
-  bool all;                         ///< every variant
-  bool rows;                        ///< what is put on record, instead
-  bool kept;                        ///< nothing is run: it is what earlier runs kept
-  fs::path page;                    ///< where it is told as a page, unless empty
-  std::string horizon = {};         ///< of exercises, unless empty
-  AskedNeed need = {};              ///< its errors and criteria, of exercises
-  std::string time_limit = "none";  ///< of each scene
-};
-/// Other people's engines on scenes.
-void engines(const fs::path& folder, const AskedEngines&, Format);
 
 }  // namespace oddity::verbs

@@ -3,142 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "reference/bad_input.hpp"
 #include "reference/files.hpp"
+#include "reference/text.hpp"
 #include "report/study/beside_program.hpp"
-#include "report/study/criterion.hpp"
-#include "report/study/engine_drifts.hpp"
-#include "report/study/limit_records.hpp"
-#include "report/study/parallel.hpp"
-#include "report/study/run_program.hpp"
-#include "solvers/engines/world_json.hpp"
+#include "report/study/whole_in_json.hpp"
 
 namespace oddity {
 
 namespace fs = std::filesystem;
-
-namespace {
-
-constexpr std::size_t memory = 4'000'000'000;
-constexpr int last_timed = 4;  ///< steps per frame
-
-std::chrono::milliseconds milliseconds(double seconds) {
-  return std::chrono::milliseconds(std::lround(1000 * seconds));
-}
-
-/// The engine has no such world.
-struct CannotBeHad : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-EngineProgram about(std::vector<std::string> command) try {
-  std::vector<std::string> words = command;
-  words.push_back("--about");
-  const Ended ended = run_program(words, "", std::chrono::seconds(30));
-  if (!ended.ok) throw BadInput(command.back() + " --about: " + ended.how + " " + ended.words);
-  const auto json = nlohmann::json::parse(ended.output);
-  EngineProgram engine{command,
-                       json.at("name"),
-                       json.at("version"),
-                       json.at("precision"),
-                       json.value("behind", "") == "WebAssembly",
-                       {}};
-  for (const auto& v : json.at("variants"))
-    engine.variants.push_back({v.at("name"), v.at("says"), v.at("order"), v.at("defaults"),
-                               v.value("lasting", ""), v.value("friction", "")});
-  return engine;
-} catch (const nlohmann::json::exception& error) {
-  throw BadInput(command.back() + " --about: the engine does not say what it is: " + error.what());
-}
-
-/// As run_program; what cannot even be started has failed too.
-Ended answer(const std::vector<std::string>& command, const std::string& request,
-             std::chrono::milliseconds limit, std::size_t most_memory) {
-  try {
-    return run_program(command, request, limit, most_memory);
-  } catch (const std::system_error& error) {
-    return {false, std::string("not started, ") + error.what(), "", ""};
-  }
-}
-
-// ---- the path ---------------------------------------------------------------------------------------------
-
-/// An angle alone is known up to whole turns: the one nearest to the truth.
-void unwind(std::vector<double>& seen, const Quantity& motion, std::size_t observables) {
-  constexpr double turn = 2 * std::numbers::pi;
-  for (const Norm& norm : motion.norms)
-    if (norm.unit == "rad" && norm.components.size() == 1)
-      for (std::size_t i = norm.components.front(); i < seen.size(); i += observables)
-        seen[i] -= turn * std::round((seen[i] - motion.reference.value[i]) / turn);
-}
-
-std::vector<double> observed(const EngineScene& contest,
-                             const std::vector<std::vector<engines::State>>& frames) {
-  std::vector<double> seen;
-  for (std::size_t i = 1; i < frames.size(); ++i) {
-    const auto now =
-        contest.staging.observe(frames[i], static_cast<double>(i) / contest.need.frames_per_second);
-    seen.insert(seen.end(), now.begin(), now.end());
-  }
-  if (frames.size() > 1) unwind(seen, contest.motion, seen.size() / (frames.size() - 1));
-  return seen;
-}
-
-/// By a criterion, in its own unit. The engine's own bodies tell its energy, where that is conserved, and how
-/// far its joints come apart.
-double off_by(Criterion criterion, const EngineTrial& trial, const EngineScene& contest,
-              const std::vector<double>& seen) {
-  const double observed = off_by_observed(criterion, contest.motion, Value(seen), trial.errors).error;
-  const double own = criterion == Criterion::energy       ? trial.energy
-                     : criterion == Criterion::constraint ? std::max(trial.off_joint, observed)
-                                                          : observed;
-  return std::isnan(own) ? std::numeric_limits<double>::infinity() : own;
-}
-
-Outcome outcome_of(const EngineTrial& trial, std::size_t frames, const EngineScene& contest) {
-  if (static_cast<double>(frames) <= contest.need.frames()) return Outcome::non_finite;
-  return trial.in_needs <= 1 ? Outcome::ok : Outcome::inaccurate;
-}
-
-void judge(EngineTrial& trial, const EngineScene& contest, const engines::Reply& reply) {
-  if (reply.frames.empty() || reply.seconds.empty()) {  // its start is no number
-    trial.outcome = Outcome::non_finite;
-    return;
-  }
-  std::vector<double> seen = observed(contest, reply.frames);
-  trial.errors = contest.motion.errors(seen);
-  trial.energy = engines::energy_drift(contest.staging.world, reply.frames);
-  trial.momentum = engines::momentum_drift(contest.staging.world, reply.frames);
-  trial.off_joint = engines::joints_apart(contest.staging.world, reply.frames);
-  trial.in_needs = static_cast<double>(reply.frames.size()) > contest.need.frames() ? 0 : not_a_number;
-  for (Criterion criterion : criteria_of(contest.need)) {
-    const double off = off_by(criterion, trial, contest, seen);
-    if (criterion != Criterion::path) trial.by[criterion] = off;
-    trial.in_needs = std::max(trial.in_needs, off / contest.need.error_by(criterion));
-  }
-  trial.outcome = outcome_of(trial, reply.frames.size(), contest);
-  std::vector<double> seconds = reply.seconds;
-  std::ranges::sort(seconds);
-  trial.seconds_per_frame = seconds[seconds.size() / 2] / contest.need.frames();
-  trial.spread = (seconds.back() - seconds.front()) / contest.need.frames();
-  trial.same_bits = reply.same_bits;
-  trial.restored = reply.restored;
-  trial.path = std::move(seen);
-}
-
-/// The adapters in JavaScript, by their settings.
-std::vector<std::string> adapters_in(const fs::path& folder) {
-  const fs::path settings = folder / "variants.json";
-  const auto adapters = nlohmann::json::parse(read_whole(settings), nullptr, false);
-  if (!adapters.is_object()) throw BadInput(settings.string() + " is not an object in JSON");
-  std::vector<std::string> names;
-  for (const auto& [adapter, _] : adapters.items())
-    if (adapter.ends_with(".mjs")) names.push_back(fs::path(adapter).stem().string());
-  return names;
-}
-
-}  // namespace
+using nlohmann::ordered_json;
 
 void summarize(EngineSeries& series) {
   series.floor = std::numeric_limits<double>::infinity();
@@ -150,67 +26,6 @@ void summarize(EngineSeries& series) {
   series.law = asymptotic_law(step, error);
 }
 
-std::vector<EngineProgram> engines_found(const fs::path& folder, const fs::path& adapters) {
-  std::vector<std::vector<std::string>> commands;
-  for (const fs::path& code : {folder, adapters})
-    if (fs::is_directory(code)) require_own(code);
-  if (fs::is_directory(folder))
-    for (const auto& file : fs::directory_iterator(folder))
-      if (file.path().filename().string().starts_with("engine_") && file.path().extension().empty())
-        commands.push_back({file.path().string()});
-  if (fs::is_directory(adapters / "node_modules"))
-    for (const std::string& name : adapters_in(adapters))
-      commands.push_back({"node", (adapters / "runner.mjs").string(), name});
-  std::ranges::sort(commands);
-  std::vector<EngineProgram> found;
-  for (auto& command : commands) found.push_back(about(std::move(command)));
-  std::ranges::sort(found, {}, [](const EngineProgram& e) { return std::pair(e.webassembly, e.name); });
-  return found;
-}
-
-namespace {
-
-EngineTrial tried(const EngineProgram& engine, const EngineVariant& variant, const EngineScene& contest,
-                  int steps_per_frame, int runs, double limit) {
-  EngineTrial trial{steps_per_frame};
-  trial.in_needs = trial.energy = trial.momentum = trial.off_joint = trial.seconds_per_frame = not_a_number;
-  const engines::Request request{contest.staging.world,
-                                 variant.name,
-                                 static_cast<int>(contest.need.frames()),
-                                 contest.need.frames_per_second,
-                                 steps_per_frame,
-                                 runs,
-                                 steps_per_frame == 1};
-  const bool native = !engine.webassembly;  // a WebAssembly engine reserves addresses that it does not use
-  const Ended ended =
-      answer(engine.command, nlohmann::json(request).dump(), milliseconds(limit), native ? memory : 0);
-  if (!ended.ok) {
-    const bool late = ended.how.starts_with("no answer");
-    trial.outcome = late ? Outcome::stalled : Outcome::raised;
-    trial.message = ended.how + (ended.words.empty() ? "" : ": " + ended.words.substr(0, 200));
-    return trial;
-  }
-  engines::Reply reply;
-  try {
-    reply = nlohmann::json::parse(ended.output).get<engines::Reply>();
-  } catch (const nlohmann::json::exception& error) {
-    trial.outcome = Outcome::raised;
-    trial.message = std::string("its answer is no reply: ") + error.what();
-    return trial;
-  }
-  if (!reply.cannot.empty()) throw CannotBeHad(reply.cannot);
-  judge(trial, contest, reply);
-  return trial;
-}
-
-}  // namespace
-
-EngineTrial run(const EngineProgram& engine, const EngineVariant& variant, const EngineScene& contest,
-                int steps_per_frame, const EngineTask& task) {
-  const int runs = steps_per_frame <= last_timed ? task.timed : 1;
-  return tried(engine, variant, contest, steps_per_frame, runs, task.limit);
-}
-
 const EngineTrial* EngineSeries::first_enough() const {
   const EngineTrial* first = nullptr;
   for (auto t = trials.rbegin(); t != trials.rend() && t->outcome == Outcome::ok; ++t) first = &*t;
@@ -219,81 +34,194 @@ const EngineTrial* EngineSeries::first_enough() const {
 
 namespace {
 
-/// A variant on its way from coarse to fine.
-struct Entrant {
-  const EngineProgram* engine;
-  const EngineVariant* variant;
-  EngineSeries series;
-};
+/// Not a number is null.
+ordered_json kept(double x) { return std::isfinite(x) ? ordered_json(x) : ordered_json(nullptr); }
+double number(const ordered_json& json) { return json.is_null() ? not_a_number : json.get<double>(); }
 
-/// Goes on with finer trials while they are at most `last` steps per frame.
-void go_on(Entrant& entrant, const EngineScene& scene, int last, const EngineTask& task) {
-  EngineSeries& series = entrant.series;
-  if (!series.cannot.empty()) return;
-  try {
-    int steps = series.trials.empty() ? 1 : 2 * series.trials.back().steps_per_frame;
-    for (; steps <= last; steps *= 2) {
-      if (!series.trials.empty() && series.trials.back().outcome == Outcome::stalled) return;
-      series.trials.push_back(run(*entrant.engine, *entrant.variant, scene, steps, task));
-      if (steps > 1 || !series.defaults) series.trials.back().path.clear();
-    }
-  } catch (const CannotBeHad& reason) {
-    series.cannot = reason.what();
+ordered_json kept(const std::vector<double>& numbers) {
+  ordered_json all = ordered_json::array();
+  for (double x : numbers) all.push_back(kept(x));
+  return all;
+}
+std::vector<double> numbers(const ordered_json& json) {
+  std::vector<double> all;
+  for (const auto& x : json) all.push_back(number(x));
+  return all;
+}
+
+Outcome outcome_named(const std::string& name) {
+  using enum Outcome;
+  for (Outcome o : {ok, inaccurate, non_finite, stalled, raised})
+    if (name_of(o) == name) return o;
+  throw BadInput("there is no outcome '" + name + "'");
+}
+
+/// For the eye, seven digits are enough.
+std::vector<double> shortened(std::vector<double> path) {
+  for (double& x : path)
+    if (std::isfinite(x)) x = *parse_number(format_significant(x, 7));
+  return path;
+}
+
+ordered_json kept(const EngineTrial& t) {
+  return {{"steps_per_frame", t.steps_per_frame},
+          {"outcome", name_of(t.outcome)},
+          {"message", t.message},
+          {"errors", kept(t.errors)},
+          {"in_needs", kept(t.in_needs)},
+          {"energy", kept(t.energy)},
+          {"momentum", kept(t.momentum)},
+          {"off_joint", kept(t.off_joint)},
+          {"seconds_per_frame", kept(t.seconds_per_frame)},
+          {"spread", kept(t.spread)},
+          {"same_bits", t.same_bits},
+          {"restored", t.restored},
+          {"path", kept(shortened(t.path))}};
+}
+EngineTrial trial_from(const ordered_json& j) {
+  return {whole<int>(j.at("steps_per_frame")),
+          outcome_named(j.at("outcome")),
+          j.at("message"),
+          numbers(j.at("errors")),
+          number(j.at("in_needs")),
+          number(j.at("energy")),
+          number(j.value("momentum", ordered_json())),  // not in the oldest files
+          number(j.at("off_joint")),
+          number(j.at("seconds_per_frame")),
+          number(j.at("spread")),
+          j.at("same_bits"),
+          j.at("restored"),
+          numbers(j.value("path", ordered_json::array()))};
+}
+
+ordered_json kept(const EngineSeries& s) {
+  ordered_json trials = ordered_json::array();
+  for (const EngineTrial& t : s.trials) trials.push_back(kept(t));
+  return {{"engine", s.engine},
+          {"version", s.version},
+          {"precision", s.precision},
+          {"variant", s.variant},
+          {"says", s.says},
+          {"defaults", s.defaults},
+          {"webassembly", s.webassembly},
+          {"stated_order", s.stated_order},
+          {"lasting", s.lasting},
+          {"friction", s.friction},
+          {"cannot", s.cannot},
+          {"trials", trials}};
+}
+EngineSeries series_from(const ordered_json& j) {
+  EngineSeries s{
+      j.at("engine"),         j.at("version"),         j.at("precision"),   j.at("variant"),
+      j.at("says"),           j.at("defaults"),        j.at("webassembly"), whole<int>(j.at("stated_order")),
+      j.value("lasting", ""), j.value("friction", ""), j.at("cannot")};
+  for (const auto& t : j.at("trials")) s.trials.push_back(trial_from(t));
+  summarize(s);
+  return s;
+}
+
+/// None that is not known, and none below zero.
+bool are_sizes(const std::vector<double>& numbers) {
+  return std::ranges::none_of(numbers, [](double x) { return x < 0 || std::isinf(x); });
+}
+
+/// Trials go from coarse to fine; there is none only where the engine cannot have the scene, and says so.
+void require_trials(const EngineSeries& s) {
+  if (s.trials.empty() && s.cannot.empty())
+    throw std::runtime_error(s.engine + ", " + s.variant + " has no trials and no reason for that");
+  int before = 0;
+  for (const EngineTrial& t : s.trials) {
+    if (t.steps_per_frame <= before)
+      throw std::runtime_error("the steps per frame of " + s.engine + ", " + s.variant + " do not go up");
+    before = t.steps_per_frame;
+    if (!are_sizes(t.errors) ||
+        !are_sizes({t.in_needs, t.energy, t.momentum, t.off_joint, t.seconds_per_frame, t.spread}))
+      throw std::runtime_error("an error or a time of " + s.engine + ", " + s.variant + " is below zero");
+    if (!t.path.empty() && t.errors.empty())
+      throw std::runtime_error("a path of " + s.engine + ", " + s.variant + " has no error");
+    if (t.outcome == Outcome::ok && !(t.in_needs <= 1))
+      throw std::runtime_error("a trial of " + s.engine + ", " + s.variant +
+                               " is ok with an error above the need");
   }
 }
 
-/// What the tables tell the price of: where it is finer than all that was timed, it runs once more, alone.
-void time_what_is_enough(Entrant& entrant, const EngineScene& scene, const EngineTask& task) {
-  const EngineTrial* const enough = entrant.series.first_enough();
-  if (!enough || enough->steps_per_frame <= last_timed) return;
-  EngineTrial& trial = entrant.series.trials[static_cast<std::size_t>(enough - entrant.series.trials.data())];
-  const EngineTrial alone = tried(*entrant.engine, *entrant.variant, scene, trial.steps_per_frame, task.timed,
-                                  task.timed * task.limit);
-  trial.seconds_per_frame = alone.seconds_per_frame;
-  trial.spread = alone.spread;
-  trial.same_bits = trial.same_bits && alone.same_bits;
-}
-
-std::vector<Entrant> entrants(const std::vector<EngineProgram>& programs) {
-  std::vector<Entrant> all;
-  for (const EngineProgram& e : programs)
-    for (const EngineVariant& v : e.variants)
-      all.push_back({&e,
-                     &v,
-                     {e.name, e.version, e.precision, v.name, v.says, v.defaults, e.webassembly, v.order,
-                      v.lasting, v.friction}});
-  return all;
+/// Every error has its unit, and there are frames.
+void require_sense(const EngineContest& c) {
+  const auto fits = [&](const std::vector<double>& errors) {
+    return errors.empty() || errors.size() == c.units.size();
+  };
+  const auto is_positive = [](double x) { return x > 0 && std::isfinite(x); };
+  if (!is_positive(c.horizon) || !is_positive(c.frames_per_second) ||
+      !(c.horizon * c.frames_per_second <= most_frames))
+    throw std::runtime_error("the horizon or the rate of " + c.scene + " is none");
+  bool all = c.needs.size() == c.units.size() && !c.units.empty() &&
+             std::ranges::all_of(c.needs, is_positive) && (!c.least || fits(c.least->errors));
+  for (const EngineSeries& s : c.series) {
+    require_trials(s);
+    for (const EngineTrial& t : s.trials) all = all && fits(t.errors);
+  }
+  if (!all)
+    throw std::runtime_error("an error of " + c.scene + " without its unit, or a unit without its need");
 }
 
 }  // namespace
 
-EngineContest run(const std::vector<EngineProgram>& programs, const EngineScene& scene,
-                  const EngineTask& task, const Progress& progress) {
-  EngineContest result{
-      scene.scene, scene.title, {}, scene.motion.needs, scene.need.horizon, scene.need.frames_per_second,
-      {},          {}};
-  result.differs = scene.staging.differs;
-  result.criteria.clear();
-  for (Criterion criterion : criteria_of(scene.need))
-    result.criteria.emplace_back(criterion, scene.need.error_by(criterion));
-  result.rubs = scene.staging.world.friction != 0;
-  for (std::string_view unit : scene.motion.units()) result.units.emplace_back(unit);
-  std::vector<Entrant> all = entrants(programs);
-  Stage stage(progress, "engines on " + scene.scene, 2 * all.size());
-  for (Entrant& one : all) {  // timed: alone
-    go_on(one, scene, std::min(last_timed, task.finest), task);
-    stage.add();
+void write(const std::vector<EngineContest>& contests, const fs::path& file) {
+  ordered_json all = ordered_json::array();
+  for (const EngineContest& c : contests) {
+    ordered_json series = ordered_json::array();
+    for (const EngineSeries& s : c.series) series.push_back(kept(s));
+    all.push_back({{"scene", c.scene},
+                   {"title", c.title},
+                   {"units", c.units},
+                   {"needs", c.needs},
+                   {"horizon", c.horizon},
+                   {"frames_per_second", c.frames_per_second},
+                   {"differs", c.differs},
+                   {"rubs", c.rubs},
+                   {"series", series},
+                   {"least", c.least ? ordered_json{{"says", c.least->says},
+                                                    {"errors", kept(c.least->errors)},
+                                                    {"seconds_per_frame", kept(c.least->seconds_per_frame)}}
+                                     : ordered_json(nullptr)}});
   }
-  parallel_for_each(all, [&](Entrant& one) {
-    go_on(one, scene, task.finest, task);
-    stage.add();
-  });
-  for (Entrant& one : all) {
-    time_what_is_enough(one, scene, task);
-    summarize(one.series);
-    result.series.push_back(std::move(one.series));
+  write_whole(file, all.dump(1) + "\n");
+}
+
+std::vector<EngineContest> read_engines(const fs::path& file) {
+  if (!std::filesystem::exists(file))
+    throw BadInput("cannot read " + file.string() + "; '" + program_as_typed() + " engines' writes it");
+  const std::string text = read_whole(file);
+  try {
+    std::vector<EngineContest> contests;
+    ordered_json all = ordered_json::parse(text);
+    show_controls(all);
+    if (!all.is_array()) throw std::runtime_error("it is no list of scenes");
+    for (const auto& j : all) {
+      EngineContest c{j.at("scene"),
+                      j.at("title"),
+                      j.at("units"),
+                      j.at("needs"),
+                      j.at("horizon"),
+                      j.at("frames_per_second"),
+                      {},
+                      {},
+                      j.value("differs", ""),
+                      j.value("rubs", false)};
+      for (const auto& s : j.at("series")) c.series.push_back(series_from(s));
+      if (const auto& least = j.at("least"); !least.is_null())
+        c.least =
+            Instead{least.at("says"), numbers(least.at("errors")), number(least.at("seconds_per_frame"))};
+      require_sense(c);
+      contests.push_back(std::move(c));
+    }
+    return contests;
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw BadInput(file.string() + ": not what '" + program_as_typed() + " engines' writes: " + error.what() +
+                   "; remove it, and '" + program_as_typed() + " engines' makes it anew");
   }
-  return result;
 }
 
 }  // namespace oddity

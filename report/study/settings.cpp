@@ -65,13 +65,6 @@ fs::path proofs_folder() { return lasting("proofs"); }
 fs::path motions_folder() { return kept("motions"); }
 fs::path prices_folder() { return kept("prices"); }
 fs::path engines_file() { return kept("engines.json"); }
-fs::path engines_folder() {
-  return (own_tree().empty() ? own_code() : program_file().parent_path()) / "engines";
-}
-fs::path adapters_folder() { return own_tree().empty() ? engines_folder() : own_tree() / "solvers/engines"; }
-fs::path surprises_folder() {
-  return (own_tree().empty() ? own_data() : own_tree() / "solvers") / "engines/found";
-}
 fs::path module_file() { return (own_tree().empty() ? own_data() : own_code()) / "models.js"; }
 double seconds_running() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();

@@ -18,10 +18,7 @@ std::filesystem::path chart_folder();      ///< the last charts
 std::filesystem::path proofs_folder();     ///< Coq files, and which of them are proved
 std::filesystem::path motions_folder();    ///< true motions made on the spot, kept
 std::filesystem::path prices_folder();     ///< what methods cost on this machine, kept
-std::filesystem::path engines_folder();    ///< the programs of other people's engines
-std::filesystem::path adapters_folder();   ///< what runs those in JavaScript
-std::filesystem::path surprises_folder();  ///< programs that show what was found of engines
-std::filesystem::path engines_file();      ///< what these did last
+std::filesystem::path engines_file();      ///< what other people's engines did last
 std::filesystem::path module_file();       ///< the scenes' models, compiled for the page
 std::string version();
 double seconds_running();  ///< since this program began

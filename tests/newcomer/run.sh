@@ -10,7 +10,7 @@ suite=${1:-bookworm}
 place=tests/newcomer/place.sh
 said=build/newcomer/$suite/said
 passed=0 failed=0 skipped=0
-engines_page=solvers/engines/README.md
+engines_page=extras/engines/README.md
 
 verdict() {  # VERDICT SECONDS WHERE WHAT
   printf '%-7s %5d s  %-22s %s\n' "$@"

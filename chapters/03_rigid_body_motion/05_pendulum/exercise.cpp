@@ -19,8 +19,8 @@
 #include "chapters/provable.hpp"
 #include "chapters/scene.hpp"
 #include "reference/text.hpp"
-#include "solvers/engines/turns.hpp"
 #include "solvers/quadrature.hpp"
+#include "solvers/turns.hpp"
 
 namespace oddity {
 

@@ -11,7 +11,7 @@
 #include "chapters/energies.hpp"
 #include "chapters/in_float.hpp"
 #include "reference/bad_input.hpp"
-#include "solvers/engines/turns.hpp"
+#include "solvers/turns.hpp"
 
 namespace oddity {
 

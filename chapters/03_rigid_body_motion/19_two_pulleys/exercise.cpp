@@ -15,8 +15,8 @@
 #include "chapters/energies.hpp"
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
-#include "solvers/engines/turns.hpp"
 #include "solvers/linear.hpp"
+#include "solvers/turns.hpp"
 
 namespace oddity {
 

@@ -20,8 +20,8 @@
 #include "solvers/counted_calls.hpp"
 #include "solvers/differences.hpp"
 #include "solvers/dual.hpp"
-#include "solvers/engines/turns.hpp"
 #include "solvers/ode/events.hpp"
+#include "solvers/turns.hpp"
 
 namespace oddity {
 

@@ -10,7 +10,7 @@
 #include "chapters/energies.hpp"
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
-#include "solvers/engines/turns.hpp"
+#include "solvers/turns.hpp"
 
 namespace oddity {
 

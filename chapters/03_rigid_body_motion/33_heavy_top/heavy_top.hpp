@@ -4,7 +4,7 @@
 
 #include "chapters/03_rigid_body_motion/33_heavy_top/models.hpp"
 #include "chapters/exercise.hpp"
-#include "solvers/engines/world.hpp"
+#include "solvers/world.hpp"
 
 /// Exercise 3.33's methods and claims.
 namespace oddity::ex03_33 {

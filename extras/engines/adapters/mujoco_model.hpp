@@ -1,0 +1,14 @@
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <string>
+
+#include "solvers/world.hpp"
+
+namespace oddity::engines {
+
+/// A world as MuJoCo compiles it, with a variant's settings. Throws NotExpressible.
+mjModel* mujoco_model(const World&, const std::string& variant);
+
+}  // namespace oddity::engines

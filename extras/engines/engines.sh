@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# Other people's engines do on the scenes what is on record of them:
+#   extras/engines/engines.sh PROGRAM [SCENE...]
+# without scenes on all but the chain of 100, which takes 25 minutes. Their measured orders are within a tenth, the
+# drifts of energy and momentum and the ends of joints within a tenth of themselves, or both below a millionth; all
+# else is the same letter by letter. What is not installed, or in another version, is not compared, and named.
+set -euo pipefail
+program=$1
+shift
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+record=$root/reference/approved/engines.csv
+if ! compgen -G "$(dirname "$program")/engines/engine_*" >/dev/null && [ ! -d "$root/extras/engines/adapters/node_modules" ]; then
+  echo "no engine is built; ./oddity engines installs and builds them"
+  exit 77
+fi
+now=$(mktemp)
+trap 'rm -f "$now"' EXIT
+
+"$program" engines --rows "$@" >"$now"
+awk -F, '
+  function key() { return $1 "," $2 "," $3 "," $4 }
+  function told(  i, text) { for (i = 6; i <= 10; ++i) text = text "," $i; return text }
+  function apart(a, b) { return (a == "-") != (b == "-") || (a - b) ^ 2 > (0.1 * (a > b ? a : b) + 1e-6) ^ 2 }
+  FNR == 1 { next }
+  NR == FNR { order[key()] = $5; other[key()] = told(); for (i = 11; i <= 13; ++i) drift[key(), i] = $i; line[key()] = $0; next }
+  { tried[$1] = 1 }
+  !(key() in order) { print "not on record: " key(); ++unknown; next }
+  {
+    seen[key()] = 1
+    off = order[key()] - $5
+    differs = (order[key()] == "-") != ($5 == "-") || off > 0.1 || off < -0.1 || told() != other[key()]
+    if ($9 == "same") for (i = 11; i <= 13; ++i) differs = differs || apart(drift[key(), i], $i)
+    if (differs) { print "on record: " line[key()]; print "now:       " $0; ++wrong }
+    ++compared
+  }
+  END {
+    for (k in order) if (substr(k, 1, index(k, ",") - 1) in tried && !(k in seen)) { print "not here: " k; ++missing }
+    print compared + 0 " compared, " wrong + 0 " differ, " missing + 0 " not here, " unknown + 0 " not on record"
+    exit wrong > 0 || compared == 0
+  }' "$record" "$now"
