@@ -156,8 +156,7 @@ class Answer {
     const Parting& parting = **asked.parting;
     if (!parting.is_chaotic) return {};
     const auto lost = parting.lost_at();
-    return lost ? static_cast<double>(*lost + 1) / need_.frames_per_second
-                : std::numeric_limits<double>::infinity();
+    return lost ? need_.time_of(static_cast<double>(*lost + 1)) : std::numeric_limits<double>::infinity();
   }
 
   /// A few starts that it was not chosen on say little of chaos: on more of them.
@@ -241,7 +240,7 @@ class Answer {
     all.truth_by = motion.reference.by;
     all.truth_error = motion.reference_error / motion.need.allowed;
     all.starts = static_cast<int>(starts().seen().size() + starts().unseen_made());
-    if (!starts().asked().is_whole) all.truth_until = motion.samples / need_.frames_per_second;
+    if (!starts().asked().is_whole) all.truth_until = need_.time_of(motion.samples);
     all.methods = static_cast<int>(search_.ladders().size());
     for (const Ladder& ladder : search_.ladders()) {
       all.settings += static_cast<int>(ladder.candidates.size());
@@ -312,7 +311,7 @@ std::vector<Need> ever_longer(const Need& need) {
   std::vector<Need> all{need};
   while (all.front().frames() / policy.longer >= policy.least_frames) {
     Need part = all.front();
-    part.horizon = std::floor(part.frames() / policy.longer) / need.frames_per_second;
+    part.horizon = need.time_of(std::floor(part.frames() / policy.longer));
     all.insert(all.begin(), part);
   }
   return all;

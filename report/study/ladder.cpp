@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "report/study/frames.hpp"
 #include "report/study/policy.hpp"
 #include "solvers/ode/catalog.hpp"
 #include "solvers/stop.hpp"
@@ -26,8 +27,9 @@ namespace {
 /// One more than the order, as errors of symmetric methods may fall; of a tolerance more than in proportion.
 double most_power(const Method& method) {
   if (method.knob.name == "tolerance") return 1.25;
+  const std::string_view algorithm = without_stepping(method.algorithm);
   for (const ode::CatalogEntry& entry : ode::catalog())
-    if (entry.order > 0 && (entry.name == method.algorithm || in_float(entry.name) == method.algorithm))
+    if (entry.order > 0 && (entry.name == algorithm || in_float(entry.name) == algorithm))
       return entry.order + 1;
   return std::numeric_limits<double>::infinity();
 }

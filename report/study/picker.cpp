@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "chapters/scene.hpp"
+#include "report/study/frames.hpp"
 #include "report/study/policy.hpp"
 #include "solvers/ode/catalog.hpp"
 
@@ -14,9 +15,10 @@ namespace {
 
 /// Place of an algorithm in the catalog, which begins with the plainest; 0: a closed form.
 std::size_t simplicity(std::string_view algorithm) {
+  const std::string_view plain = without_stepping(algorithm);
   const auto all = ode::catalog();
   const auto found = std::ranges::find_if(all, [&](const ode::CatalogEntry& entry) {
-    return entry.name == algorithm || in_float(entry.name) == algorithm;
+    return entry.name == plain || in_float(entry.name) == plain;
   });
   return found == all.end() ? 0 : 1 + static_cast<std::size_t>(found - all.begin());
 }
@@ -37,8 +39,9 @@ bool ties_with(const Candidate& t, const Candidate& fastest) {
 }  // namespace
 
 bool is_multistep(std::string_view algorithm) {
+  const std::string_view plain = without_stepping(algorithm);
   return std::ranges::any_of(ode::catalog(), [&](const ode::CatalogEntry& entry) {
-    return entry.history && (entry.name == algorithm || in_float(entry.name) == algorithm);
+    return entry.history && (entry.name == plain || in_float(entry.name) == plain);
   });
 }
 
