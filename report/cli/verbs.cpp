@@ -367,9 +367,9 @@ int choose(const fs::path& folder, const std::string& exercise, const std::vecto
   const Task task = task_of(exercise, overrides);
   const Need need = need_of(task, asked);
   if (!asked.method.empty()) return judge_own(folder, task, asked, need, format);
-  if (need.frame_times && (format == Format::code || !engine.empty()))
-    throw BadInput(std::string(format == Format::code ? "--code" : "--engine") +
-                   " is for frames of one length: leave out --jitter, --drop, --frames and --max-frame");
+  if (need.frame_times && !engine.empty())
+    throw BadInput(
+        "--engine is for frames of one length: leave out --jitter, --drop, --frames and --max-frame");
   if (!engine.empty()) require_engine_scene(*task.entry);
   if (needs_are_all(need.bodies > 1 ? needs_of_lanes : Needs())) return 0;
   const std::vector<EngineProgram> programs = engines_named(engine);

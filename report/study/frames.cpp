@@ -87,4 +87,10 @@ std::string_view without_stepping(std::string_view algorithm) {
   return algorithm;
 }
 
+Stepping stepping_of(std::string_view algorithm) {
+  for (const auto& [stepping, name] : steppings)
+    if (algorithm.ends_with(name)) return stepping;
+  return Stepping::divided;
+}
+
 }  // namespace oddity

@@ -30,7 +30,8 @@ Horizon horizon_of(const Need&);
 /// of their own: "Runge-Kutta 4, fixed steps interpolated".
 Quantity motion_at_frames(const Scene&, const Parameters&, const Horizon&, const Reference&);
 
-/// The algorithm's name in the catalog.
+/// The algorithm's name in the catalog, and how its steps meet frames.
 std::string_view without_stepping(std::string_view algorithm);
+Stepping stepping_of(std::string_view algorithm);
 
 }  // namespace oddity
