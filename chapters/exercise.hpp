@@ -7,6 +7,7 @@
 #include <functional>
 #include <initializer_list>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -210,12 +211,22 @@ Verdict verdict(const Claim&);
 
 // ---- the method's side ------------------------------------------------------------------------------------
 
+/// How steps of one length meet the frames of a motion.
+enum class Stepping {
+  divided,       ///< each frame is divided into equal steps, none longer than the setting
+  last_step,     ///< steps of the setting; the last one before a frame is drawn
+  interpolated,  ///< the same; drawn is what lies between the last two, so that it is a step late
+  extrapolated,  ///< the same; drawn is the last one, moved on along its rates
+};
+
 /// When a motion is looked at: at `samples` times, evenly spaced, the last at `end`; with a frame rate, at
-/// every frame. Every method has to be there.
+/// every frame; with frames, at the first `samples` of these. Every method has to be there.
 struct Horizon {
   double end;
   int samples = 4;
   double frames_per_second = 0;
+  std::shared_ptr<const std::vector<double>> frames = {};  ///< ascending times, after 0
+  Stepping stepping = Stepping::divided;
 
   std::vector<double> times() const;  ///< zero and the times looked at
   int count() const;                  ///< of the times looked at

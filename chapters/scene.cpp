@@ -1,6 +1,7 @@
 #include "chapters/scene.hpp"
 
 #include <numeric>
+#include <utility>
 
 #include "chapters/drift.hpp"
 #include "chapters/no_event.hpp"
@@ -10,12 +11,31 @@
 
 namespace oddity {
 
+namespace {
+
+/// Where an integration stops: at the horizon's times; with steps of one length at the two last ends of steps
+/// before each of them.
+std::vector<double> stops_of(const Horizon& horizon, double step) {
+  const std::vector<double> times = horizon.times();
+  if (horizon.stepping == Stepping::divided) return times;
+  std::vector<double> stops{0};
+  double last = 0;
+  for (const double t : std::span(times).subspan(1)) {
+    constexpr double rounding = 1e-12;
+    const double steps = std::floor(t / step * (1 + rounding));
+    for (const double i : {steps - 1, steps})
+      if (i > last) stops.push_back((last = i) * step);
+  }
+  return stops;
+}
+
+}  // namespace
+
 template <std::size_t n>
 Answer ModelInterfaceOf<n>::run(std::string_view algorithm, const Horizon& horizon, double setting) const {
-  const auto times = horizon.times();
-  Answer answer = observed(times, moved(algorithm, times, setting));
+  Answer answer = observed(horizon.times(), moved(algorithm, horizon, setting));
   if (answer.reached() && answer.drift > another_motion)
-    answer.comes_back = comes_back(algorithm, times, setting);
+    answer.comes_back = comes_back(algorithm, stops_of(horizon, setting), setting);
   return answer;
 }
 
@@ -47,10 +67,44 @@ auto ModelInterfaceOf<n>::moved(std::string_view algorithm, std::span<const doub
 }
 
 template <std::size_t n>
+auto ModelInterfaceOf<n>::moved(std::string_view algorithm, const Horizon& horizon, double setting) const
+    -> ode::Trajectory<State> {
+  const std::vector<double> stops = stops_of(horizon, setting);
+  auto motion = moved(algorithm, stops, setting);
+  if (horizon.stepping == Stepping::divided) return motion;
+  const std::vector<double> times = horizon.times();
+  const std::vector<State> through = std::exchange(motion.value, {});
+  for (std::size_t i = 0, end = 1; i < times.size(); ++i) {
+    while (end < stops.size() && stops[end] <= times[i] * (1 + 1e-12)) ++end;
+    if (end > through.size()) break;  // it ended before
+    if (i > 0 && horizon.stepping == Stepping::extrapolated) ++motion.evaluations;
+    motion.value.push_back(
+        drawn(times[i], std::span(stops).first(end), std::span(through).first(end), horizon.stepping));
+  }
+  return motion;
+}
+
+template <std::size_t n>
+auto ModelInterfaceOf<n>::drawn(double time, std::span<const double> ends, std::span<const State> motion,
+                                Stepping stepping) const -> State {
+  State x = motion.back();
+  const double late = time - ends.back();
+  if (stepping == Stepping::extrapolated) {
+    State rate{};
+    (*this)(x, rate, ends.back());
+    for (std::size_t i = 0; i < n; ++i) x[i] += late * rate[i];
+  } else if (stepping == Stepping::interpolated && motion.size() > 1) {
+    const State& before = motion[motion.size() - 2];
+    const double part = late / (ends.back() - ends[ends.size() - 2]);
+    for (std::size_t i = 0; i < n; ++i) x[i] = before[i] + part * (x[i] - before[i]);
+  }
+  return x;
+}
+
+template <std::size_t n>
 double ModelInterfaceOf<n>::off_constraint(std::string_view algorithm, const Horizon& horizon,
                                            double setting) const {
-  const auto times = horizon.times();
-  return off_constraint(times, moved(algorithm, times, setting).value);
+  return off_constraint(horizon.times(), moved(algorithm, horizon, setting).value);
 }
 
 template <std::size_t n>
@@ -68,8 +122,7 @@ double ModelInterfaceOf<n>::off_constraint(std::span<const double> times,
 template <std::size_t n>
 Value ModelInterfaceOf<n>::places_and_rates(std::string_view algorithm, const Horizon& horizon,
                                             double setting) const {
-  const auto times = horizon.times();
-  return places_and_rates(times, moved(algorithm, times, setting).value);
+  return places_and_rates(horizon.times(), moved(algorithm, horizon, setting).value);
 }
 
 template <std::size_t n>

@@ -232,6 +232,10 @@ class ModelInterfaceOf : public ModelInterface, public ode::AnySystem<n> {
   /// Its motion with its events.
   ode::Trajectory<State> moved(std::string_view algorithm, std::span<const double> times,
                                double setting) const;
+  /// The same as it is drawn at the horizon's times.
+  ode::Trajectory<State> moved(std::string_view algorithm, const Horizon&, double setting) const;
+  /// The state drawn at a time, of a motion through the steps' ends up to there.
+  State drawn(double time, std::span<const double> ends, std::span<const State> motion, Stepping) const;
   /// The model's motion to eight digits, as far as it comes in 100,000 steps.
   ode::Trajectory<State> accurate_motion(std::span<const double> times) const;
   /// By how much the conserved quantities change along a motion, at most, each by what moves in it.

@@ -145,9 +145,10 @@ namespace oddity::ode {
 endfunction()
 
 # Of the models, in these folders of chapters: solvers/ode/unknowns.hpp in the folder `generated`, the numbers of
-# unknowns that the algorithms are compiled for. Those of the solvers' tests, and each that a State is declared with.
+# unknowns that the algorithms are compiled for. Those of the solvers' tests and of problems' files, and each that a
+# State is declared with.
 function(register_unknowns generated)
-  set(numbers 1 2 3 4 5 6 7 8 9)
+  set(numbers 1 2 3 4 5 6 7 8 9 16 24)
   foreach(home IN LISTS ARGN)
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${home}/chapters/*.hpp ${home}/chapters/*.cpp)
     foreach(source IN LISTS sources)

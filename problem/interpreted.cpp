@@ -168,18 +168,4 @@ AnyModel interpreted(std::shared_ptr<const Numbers> numbers) {
   throw std::logic_error("no algorithms for so many unknowns");
 }
 
-void require_unknowns(const Model& model, const File& file) {
-  std::string all;
-#define ODDITY_COUNT(n, unused)        \
-  if (model.unknowns() == (n)) return; \
-  all += (all.empty() ? "" : ", ") + std::to_string(n);
-  ODDITY_FOR_UNKNOWNS(ODDITY_COUNT, )
-#undef ODDITY_COUNT
-  for (const ModelText& text : file.models)
-    if (text.name.text == model.name())
-      file.source.fail(text.name.place, "model " + model.name() + " has " + std::to_string(model.unknowns()) +
-                                            " unknowns and rates, and the algorithms are compiled for " +
-                                            all);
-}
-
 }  // namespace oddity::problem

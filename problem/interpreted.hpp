@@ -19,7 +19,4 @@ std::shared_ptr<const ModelInFloat> interpreted_in_float(const Horizon&, std::sh
 /// Found by its argument where a scene's methods are made.
 inline std::shared_ptr<const ModelInterface> type_erased(const AnyModel& any) { return any.model; }
 
-/// Throws WrongFile where the algorithms are not compiled for so many unknowns.
-void require_unknowns(const Model&, const File&);
-
 }  // namespace oddity::problem

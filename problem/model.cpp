@@ -10,13 +10,20 @@
 #include "problem/code.hpp"
 #include "reference/similar.hpp"
 #include "reference/text.hpp"
+#include "solvers/ode/unknowns.hpp"
 
 namespace oddity::problem {
 
 namespace {
 
-constexpr int of_time = 1'000'000, of_parameters = 2'000'000;
+constexpr int of_rest = 500'000, of_time = 1'000'000, of_parameters = 2'000'000;
 constexpr std::size_t most_orders = 8;
+
+/// Numbers of unknowns that the algorithms are compiled for.
+#define ODDITY_NUMBER(n, unused) n,
+constexpr std::size_t compiled[]{ODDITY_FOR_UNKNOWNS(ODDITY_NUMBER, )};
+#undef ODDITY_NUMBER
+constexpr std::size_t most_unknowns = *std::ranges::max_element(compiled);
 
 int key_of(std::size_t unknown, std::size_t order) { return static_cast<int>(most_orders * unknown + order); }
 std::string primed(const std::string& name, std::size_t order) { return name + std::string(order, '\''); }
@@ -330,8 +337,11 @@ class Model::Making {
     for (std::size_t k = 0; k < most_orders; ++k)
       for (std::size_t i = 0; i < orders_.size(); ++i)
         if (k < orders_[i]) model_.state_.push_back(key_of(i, k));
-    if (model_.state_.size() > 24)
-      source_.fail(text_.name.place, "a model has at most 24 unknowns and rates");
+    if (model_.state_.size() > most_unknowns)
+      source_.fail(text_.name.place, "model " + text_.name.text + " has " +
+                                         std::to_string(model_.state_.size()) +
+                                         " unknowns and rates, and the algorithms are compiled for at most " +
+                                         std::to_string(most_unknowns));
     for (const int key : model_.state_) {
       const auto found = std::ranges::find(model_.state_, key + 1);
       const bool is_highest = static_cast<std::size_t>(key) % most_orders + 1 ==
@@ -723,45 +733,108 @@ void require_on_constraints(const Numbers& numbers) {
                      (2 * i < off.size() ? "" : " a second"));
 }
 
+/// Unknowns that rest, as many as a state has fewer than the next number that the algorithms are compiled
+/// for.
+class Padding {
+ public:
+  explicit Padding(const std::vector<int>& rate_of) : count_(rate_of.size()) {
+    if (count_ > 0) more_ = *std::ranges::lower_bound(compiled, count_) - count_;
+    // As many behind the places as behind the rates, where each place has a rate.
+    bool has_rates = count_ % 2 == 0 && more_ % 2 == 0;
+    for (std::size_t i = 0; 2 * i < count_ && has_rates; ++i)
+      has_rates = rate_of[i] == static_cast<int>(count_ / 2 + i);
+    if (has_rates) places_ = count_ / 2;
+  }
+
+  /// Keys of those that rest.
+  std::vector<int> keys() const {
+    std::vector<int> all(more_);
+    std::iota(all.begin(), all.end(), of_rest);
+    return all;
+  }
+  std::vector<int> rate_of(std::vector<int> all) const {
+    std::vector<int> rest(more_, -1);
+    if (places_ > 0) {
+      const std::size_t more = more_ / 2;
+      for (std::size_t i = 0; i < places_; ++i) all[i] += static_cast<int>(more);
+      for (std::size_t i = 0; i < more; ++i) rest[i] = static_cast<int>(2 * places_ + more + i);
+    }
+    return with(std::move(all), rest);
+  }
+  /// The rates of those that rest, which are `unknowns`.
+  std::vector<Expression> rates(const std::vector<Expression>& unknowns) const {
+    std::vector<Expression> rest(more_, 0);
+    if (places_ > 0) std::copy(unknowns.begin() + half(), unknowns.end(), rest.begin());
+    return rest;
+  }
+
+  /// What belongs to a state, or to several one after the other, with what belongs to those that rest.
+  template <class T>
+  std::vector<T> with(const std::vector<T>& all, const std::vector<T>& rest) const {
+    std::vector<T> padded;
+    const auto middle = rest.begin() + (places_ > 0 ? half() : 0);
+    for (std::size_t i = 0; i < all.size(); i += count_) {
+      const auto begin = all.begin() + static_cast<std::ptrdiff_t>(i),
+                 places_end = begin + static_cast<std::ptrdiff_t>(places_);
+      padded.insert(padded.end(), begin, places_end);
+      padded.insert(padded.end(), rest.begin(), middle);
+      padded.insert(padded.end(), places_end, begin + static_cast<std::ptrdiff_t>(count_));
+      padded.insert(padded.end(), middle, rest.end());
+    }
+    return padded;
+  }
+
+ private:
+  std::ptrdiff_t half() const { return static_cast<std::ptrdiff_t>(more_ / 2); }
+
+  std::size_t count_, more_ = 0, places_ = 0;
+};
+
 }  // namespace
 
 Numbers Model::with(const std::vector<double>& parameters) const {
+  const Padding padding(rate_of_);
+  const std::vector<int> state = padding.with(state_, padding.keys());
   Graph graph;
   std::map<int, Expression> inputs{{of_time, input(graph, of_time)}};
-  for (const int key : state_) inputs.emplace(key, input(graph, key));
+  for (const int key : state) inputs.emplace(key, input(graph, key));
   for (std::size_t i = 0; i < parameters.size(); ++i)
     inputs.emplace(of_parameters + static_cast<int>(i), parameters[i]);
   const auto made = [&](const std::vector<Expression>& all) { return replaced(all, inputs); };
-  std::vector<int> of_state(state_);
+  std::vector<Expression> rest;
+  for (const int key : padding.keys()) rest.push_back(inputs.at(key));
+  std::vector<int> of_state(state);
   of_state.push_back(of_time);
 
   Numbers numbers;
-  numbers.unknowns = state_.size();
-  numbers.rate_of = rate_of_;
-  for (const Expression& one : made(start_)) numbers.start.push_back(one.number());
+  numbers.unknowns = state.size();
+  numbers.rate_of = padding.rate_of(rate_of_);
+  for (const Expression& one : padding.with(made(start_), std::vector<Expression>(rest.size(), 0)))
+    numbers.start.push_back(one.number());
   numbers.observed = Program(made(observed_), of_state);
   numbers.conserved = Program(made(conserved_), of_state);
   numbers.looked_up = Program(made(looked_up_), of_state);
-  if (state_.empty()) return numbers;
-  const std::vector<Expression> rates = made(rates_), guards = made(guards_);
+  if (state.empty()) return numbers;
+  const std::vector<Expression> rates = padding.with(made(rates_), padding.rates(rest)),
+                                guards = made(guards_);
   numbers.rates = Program(rates, of_state);
   numbers.events = events_;
   numbers.guards = Program(guards, of_state);
-  numbers.afterwards = Program(made(afterwards_), of_state);
+  numbers.afterwards = Program(padding.with(made(afterwards_), rest), of_state);
   numbers.off = Program(made(off_), of_state);
   require_on_constraints(numbers);
   std::vector<Expression> both = rates;
   both.insert(both.end(), guards.begin(), guards.end());
   numbers.rates_and_guards = Program(both, of_state);
-  const std::size_t half = state_.size() / 2;
-  numbers.partitioned = state_.size() % 2 == 0;
-  for (std::size_t i = 0; i < state_.size(); ++i)
-    if (i < half && rate_of_[i] != static_cast<int>(half + i)) numbers.partitioned = false;
-  for (std::size_t i = half; i < state_.size() && numbers.partitioned; ++i)
-    for (std::size_t k = half; k <= state_.size(); ++k)
+  const std::size_t half = state.size() / 2;
+  numbers.partitioned = state.size() % 2 == 0;
+  for (std::size_t i = 0; i < state.size(); ++i)
+    if (i < half && numbers.rate_of[i] != static_cast<int>(half + i)) numbers.partitioned = false;
+  for (std::size_t i = half; i < state.size() && numbers.partitioned; ++i)
+    for (std::size_t k = half; k <= state.size(); ++k)
       if (numbers.rates.depends(i, k)) numbers.partitioned = false;
   if (numbers.partitioned) {
-    std::vector<int> of_places(state_.begin(), state_.begin() + static_cast<std::ptrdiff_t>(half));
+    std::vector<int> of_places(state.begin(), state.begin() + static_cast<std::ptrdiff_t>(half));
     of_places.push_back(of_time);
     numbers.accelerations = Program(std::span(rates).subspan(half), of_places);
   }

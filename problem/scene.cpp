@@ -342,7 +342,6 @@ Scene scene_of(const Kept& here) {
 /// disturbance of a part in 10^12 has grown to that, beyond which no method in double could follow.
 void ask_by_motion(File& file) {
   const Model model(file, file.models.front());
-  require_unknowns(model, file);
   std::vector<double> values;
   for (const ParameterText& p : file.parameters) values.push_back(p.value);
   const Numbers numbers = model.with(values);
@@ -436,7 +435,6 @@ const Entry& entry_of_text(const std::string& name, const std::string& text) {
         {1, 1}, "no parameters: what may differ from start to start has a letter in [parameters]");
   for (std::size_t i = 0; i < made->models.size(); ++i)
     if (const Model& model = made->models[i]; !model.is_closed()) {
-      require_unknowns(model, *made->file);
       if (model.is_constrained()) require_start(*made->file, made->file->models[i], model);
       require_conserved(*made->file, made->file->models[i], model);
     }

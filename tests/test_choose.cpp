@@ -14,7 +14,7 @@
 #include "report/pages/choose_view.hpp"
 #include "report/study/choose.hpp"
 #include "report/study/initial_conditions.hpp"
-#include "report/study/tries.hpp"
+#include "report/study/ladder.hpp"
 #include "report/verify/catch.hpp"
 #include "solvers/ode/integrate.hpp"
 #include "tests/complaint.hpp"
@@ -208,9 +208,9 @@ TEST_CASE("of the settings that hold the first is found, and the first that does
   std::vector<Start> starts{{"here", place(Parameters(parameters), horizon, Reference::nothing())}};
   starts[0].motion.need.allowed = need.error;
   const Method& stepping = starts[0].motion.methods[1];
-  Tries tries(stepping, need);
+  Ladder tries(stepping, need);
   while (!tries.is_over()) tries.go_on(1e6, starts, need);
-  const Tries::Found found = tries.found(need);
+  const Ladder::Found found = tries.found(need);
   REQUIRE(found.first);
   REQUIRE(found.with_margin);
   CHECK(found.first->error <= 1);
@@ -232,7 +232,7 @@ struct Converging {
   std::vector<Start> starts = {};
   Need need = asked(1, 10);
 
-  Tries tries() {
+  Ladder tries() {
     const Horizon horizon{need.horizon, static_cast<int>(need.frames())};
     Quantity q = place(Parameters(parameters), horizon, Reference::nothing());
     q.need.allowed = need.error;
@@ -250,7 +250,7 @@ struct Converging {
 
   /// Steps per frame.
   std::vector<long> tried() {
-    Tries all = tries();
+    Ladder all = tries();
     while (!all.is_over()) all.go_on(1e6, starts, need);
     std::vector<long> steps;
     for (const Candidate& c : all.candidates)
@@ -302,7 +302,7 @@ TEST_CASE("in chaos an error that is as large as the motion tells how much finer
                   }}};
     std::vector<Start> starts{{"here", std::move(q)}};
     starts[0].parting = std::make_shared<Lazy<Parting>>([=] { return parting; });
-    Tries tries(starts[0].motion.methods[0], need);
+    Ladder tries(starts[0].motion.methods[0], need);
     while (!tries.is_over()) tries.go_on(1e6, starts, need);
     std::vector<long> steps;
     for (const Candidate& c : tries.candidates) steps.push_back(std::lround(1 / (10 * c.setting)));
@@ -330,7 +330,7 @@ TEST_CASE("what holds with the margin at no setting does not on more starts", "[
                     return Answer{Value(std::vector<double>(100, 1 + error)), 1};
                   }}};
     const std::vector<Start> starts{{"here", std::move(q)}};
-    Tries tries(starts[0].motion.methods[0], need);
+    Ladder tries(starts[0].motion.methods[0], need);
     CHECK(tries.may_hold_with_margin());
     while (!tries.is_over()) tries.go_on(1e6, starts, need);
     CHECK(tries.may_hold_with_margin());
@@ -354,7 +354,7 @@ TEST_CASE("a method that does not listen to its tolerance is not asked again", "
   q.methods = {with_error("near", 0.05), with_error("far", 0.2)};
   const std::vector<Start> starts{{"here", q}};
   const auto settings_tried = [&](const Method& m) {
-    Tries tries(m, need);
+    Ladder tries(m, need);
     while (!tries.is_over()) tries.go_on(1e6, starts, need);
     return tries.candidates.size();
   };
@@ -375,7 +375,7 @@ TEST_CASE("what fails on a start is tried there first at the next setting", "[ch
                   }}};
     starts.push_back({says, std::move(q)});
   }
-  Tries tries(starts[0].motion.methods[0], asked(0.01, 10));
+  Ladder tries(starts[0].motion.methods[0], asked(0.01, 10));
   while (!tries.is_over() && tries.candidates.size() < 3)
     tries.go_on(tries.expected_evaluations(), starts, asked(0.01, 10));
   CHECK(seen.size() >= 3);
@@ -399,7 +399,7 @@ TEST_CASE("the start that is the hardest to others is tried first, unless anothe
                   }}};
     starts.push_back({says, std::move(q)});
   }
-  Tries tries(starts[0].motion.methods[0], asked(0.01, 10));
+  Ladder tries(starts[0].motion.methods[0], asked(0.01, 10));
   while (!tries.is_over()) tries.go_on(1e6, starts, asked(0.01, 10), {"hard"});
   REQUIRE(seen.size() == 7);  // after the first of a setting, the others in parallel
   for (const auto at : {2, 5}) std::sort(seen.begin() + at, seen.begin() + at + 2);
@@ -1240,7 +1240,7 @@ TEST_CASE("a setting that takes far more work than is expected is given up until
     return answer;
   };
   const std::vector<Start> starts{{"here", q}};
-  Tries tries(q.methods.back(), need);
+  Ladder tries(q.methods.back(), need);
   const auto go_on = [&](double most) {
     tries.go_on(most, starts, need);
     REQUIRE(tries.candidates.size() == 1);
@@ -1263,7 +1263,7 @@ TEST_CASE(
   const Need need = asked(0.05, 10);
   const Quantity q =
       place(Parameters(parameters), {need.horizon, static_cast<int>(need.frames())}, Reference::nothing());
-  Tries tries(q.methods[1], need);
+  Ladder tries(q.methods[1], need);
   for (const double evaluations : {1, 2, 10, 64}) {
     Candidate t{"stepping", "explicit", "step", 1 / evaluations};
     t.evaluations_per_frame = evaluations;
@@ -1283,7 +1283,7 @@ TEST_CASE("what the next setting takes is expected by the work and time of the l
   const std::vector<Start> starts{
       {"here",
        place(Parameters(parameters), {need.horizon, static_cast<int>(need.frames())}, Reference::nothing())}};
-  Tries stepping(starts[0].motion.methods[1], need);
+  Ladder stepping(starts[0].motion.methods[1], need);
   stepping.go_on(2, starts, need);
   REQUIRE(stepping.candidates.size() == 2);
   stepping.candidates.back().seconds_per_frame = 5;
@@ -1291,7 +1291,7 @@ TEST_CASE("what the next setting takes is expected by the work and time of the l
   CHECK(stepping.expected_seconds() == Approx(5 * 1.5));
 
   // Of 2 evaluations a frame at 0.01, and 4 at 0.0001.
-  Tries tolerant(starts[0].motion.methods[2], asked(1e-9, 10));
+  Ladder tolerant(starts[0].motion.methods[2], asked(1e-9, 10));
   std::vector<Start> asked_more = starts;
   asked_more[0].motion.need.allowed = 1e-9;
   tolerant.go_on(2, asked_more, asked(1e-9, 10));

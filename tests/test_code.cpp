@@ -12,8 +12,10 @@
 #include "problem/scene.hpp"
 #include "report/pages/code.hpp"
 #include "report/study/embedded.hpp"
+#include "report/study/frames.hpp"
 #include "report/verify/catch.hpp"
 #include "tests/complaint.hpp"
+#include "tests/properties.hpp"
 #include "tests/scratch_folder.hpp"
 
 using namespace oddity;
@@ -207,26 +209,61 @@ std::vector<std::vector<double>> observables(const std::string& output) {
   return all;
 }
 
-}  // namespace
-
-TEST_CASE("the printed code has the program's numbers, for every scene, model and algorithm", "[code]") {
-  const std::vector<Case> cases = all_cases();
+/// The printed code of each has its value.
+void check_printed(const std::vector<Case>& cases) {
   const ScratchFolder scratch;
   const auto file = scratch.path() / "all.cpp";
   std::ofstream(file) << program(cases);
   REQUIRE(compiled(file, "-O2") == "");
   const auto printed = observables(output_of(file.string() + ".out"));
   REQUIRE(printed.size() == cases.size());
-  long in_float = 0;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     INFO(says(cases[i]));
     const Value& value = cases[i].value;
     REQUIRE(value.size() > 0);
     REQUIRE(printed[i].size() >= value.size());
     CHECK(largest_difference(value, printed[i]) <= cases[i].allowed);
-    in_float += cases[i].choice.chosen->precision == Precision::in_float;
   }
-  CHECK(in_float > 100);
+}
+
+/// Every method of the scenes that can be printed, at frames of different lengths, in a step a frame and in
+/// shorter ones.
+std::vector<Case> cases_at_frames(std::initializer_list<std::string_view> scenes) {
+  std::vector<Case> all;
+  Need need = need_of_a_second();
+  need.frame_times = frame_times({.jitter = 0.3, .drop = 0.1}, frames_per_second, need.horizon);
+  for (const std::string_view scene : scenes) {
+    const Task task(properties::entry_of(scene));
+    const Quantity second = motion_at_frames(*task.entry->exercise.scene, task.parameters, horizon_of(need),
+                                             Reference::nothing());
+    for (const Method& method : second.methods)
+      for (const double setting : {need.frame_times->longest, 1 / (frames_per_second * steps)}) {
+        Case c{task, choice_of(method), {}, 1e-9};
+        c.choice.need = need;
+        if (method.knob.name == "step") c.choice.chosen->setting = setting;
+        if (!steps_equally(method) || complaint([&] { code_of(task, c.choice, ""); }) != "nothing") continue;
+        c.value = run(second, method, c.choice.chosen->setting).answer.value;
+        all.push_back(std::move(c));
+      }
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("the printed code has the program's numbers, for every scene, model and algorithm", "[code]") {
+  const std::vector<Case> cases = all_cases();
+  check_printed(cases);
+  CHECK(std::ranges::count(cases, Precision::in_float,
+                           [](const Case& c) { return c.choice.chosen->precision; }) > 100);
+}
+
+TEST_CASE("the printed code has the program's numbers at frames of different lengths", "[code][frames]") {
+  const std::vector<Case> cases = cases_at_frames({"3.5", "3.9"});
+  check_printed(cases);
+  for (const Stepping stepping : {Stepping::last_step, Stepping::interpolated, Stepping::extrapolated})
+    CHECK(std::ranges::count(cases, stepping,
+                             [](const Case& c) { return stepping_of(c.choice.chosen->algorithm); }) > 10);
 }
 
 TEST_CASE("headers that are printed need the standard library only", "[code]") {

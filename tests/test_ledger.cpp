@@ -7,6 +7,7 @@
 
 #include "chapters/claims.hpp"
 #include "chapters/contents.hpp"
+#include "reference/csv.hpp"
 #include "reference/reference.hpp"
 #include "reference/verdicts.hpp"
 #include "report/verify/catch.hpp"
@@ -79,6 +80,34 @@ TEST_CASE("a claim's line is that of one of its assertions in the ledger", "[led
         return assertion.line == claim.line && std::ranges::count(assertion.claims, claim.id) > 0;
       }));
     }
+  }
+}
+
+TEST_CASE("a misprint is what the solution itself has right: in a confirmed claim or on another line",
+          "[ledger]") {
+  const Verdicts approved = read_verdicts(tables + "/approved");
+  std::set<std::string> shown;
+  for (const CsvRow& row : read_rows(tables + "/meant.csv", {"misprint", "shown_by"}, 1)) {
+    const std::string &misprint = row.cells[0], &by = row.cells[1];
+    INFO(row.place << ": " << misprint << " by " << by);
+    CHECK(shown.insert(misprint).second);
+    REQUIRE(approved.contains(misprint));
+    CHECK(approved.at(misprint) == "misprint");
+    const std::string exercise = misprint.substr(0, misprint.find('-'));
+    if (by.starts_with("line ")) {
+      CHECK(std::ranges::any_of(read_ledger(tables, exercise), [&](const Assertion& assertion) {
+        return "line " + std::to_string(assertion.line) == by &&
+               std::ranges::count(assertion.claims, misprint) == 0;
+      }));
+    } else {
+      CHECK(by.starts_with(exercise + "-"));
+      REQUIRE(approved.contains(by));
+      CHECK(approved.at(by) == "confirmed");
+    }
+  }
+  for (const auto& [claim, verdict] : approved) {
+    INFO(claim << " is a misprint");
+    CHECK((verdict != "misprint" || shown.contains(claim)));
   }
 }
 

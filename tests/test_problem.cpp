@@ -216,6 +216,36 @@ TEST_CASE("A program has one value in every number", "[problem]") {
   }
 }
 
+TEST_CASE("A state is filled up with unknowns at rest, which change nothing", "[problem]") {
+  // Ten oscillators with the rates 1 to 10, and ten numbers that fall.
+  std::string equations, start, falling, from;
+  for (int i = 1; i <= 10; ++i) {
+    const std::string y = "y" + std::to_string(i), rate = std::to_string(i);
+    equations += (i > 1 ? ", " : "") + ("\"" + y) + "'' = -" + rate + "^2 " + y + "\"";
+    start += (i > 1 ? ", " : "") + y + " = \"a\", \"" + y + "'\" = 0";
+    falling += (i > 1 ? ", " : "") + ("\"" + y) + "' = -" + rate + " " + y + "\"";
+    from += (i > 1 ? ", " : "") + y + " = \"a\"";
+  }
+  const auto numbers_of = [](const std::string& model) {
+    const auto file = read("test.toml", "title = \"x\"\n[parameters]\na = \"1\"\n[model.one]\n" + model +
+                                            "[observe]\ny3 = \"1\"\n");
+    return Model(*file, file->models[0]).with({1.5});
+  };
+  const std::array<double, 2> times{0, 2};
+  const Numbers swinging = numbers_of("equations = [" + equations + "]\nstart = { " + start + " }\n");
+  CHECK(swinging.unknowns == 24);
+  CHECK(swinging.partitioned);
+  const auto swung = by_series(swinging, times).states[1];
+  CHECK(near(static_cast<double>(swung[2]), 1.5 * std::cos(6.0), 1e-12));
+  CHECK(near(static_cast<double>(swung[12 + 2]), -4.5 * std::sin(6.0), 1e-12));
+  CHECK(swung[10] == 0);
+
+  const Numbers fallen = numbers_of("equations = [" + falling + "]\nstart = { " + from + " }\n");
+  CHECK(fallen.unknowns == 12);
+  CHECK_FALSE(fallen.partitioned);
+  CHECK(near(static_cast<double>(by_series(fallen, times).states[1][2]), 1.5 * std::exp(-6.0), 1e-12));
+}
+
 TEST_CASE("The true motion of a file is that of the table", "[problem]") {
   const Entry& entry = entry_of_file(pendulum);
   const Reference truth(std::filesystem::path(ODDITY_SOURCE) / "reference");

@@ -132,3 +132,42 @@ TEST_CASE("the first page has the counts on record", "[texts]") {
   REQUIRE(std::regex_search(trust, proved, std::regex(R"(\*\*proved\*\*: (\d+) of)")));
   CHECK(page.find(proved[1].str() + " proofs by Coq") != std::string::npos);
 }
+
+TEST_CASE("the findings on the first page have the numbers of their pages", "[texts]") {
+  const std::string page = text_of(tree / "README.md");
+  const std::regex row(R"(\n\| (\d+\.\d+) \|([^\n]*))"), number(R"(\d+\.\d+|\d\d+)");
+  int rows = 0;
+  for (std::sregex_iterator found(page.begin(), page.end(), row), end; found != end; ++found, ++rows) {
+    const std::string exercise = (*found)[1].str(), says = (*found)[2].str();
+    const std::string has = text_of(tree / "report/book" / (exercise + ".md"));
+    for (std::sregex_iterator shown(says.begin(), says.end(), number); shown != end; ++shown) {
+      INFO(exercise << " has " << shown->str());
+      CHECK(has.find(shown->str()) != std::string::npos);
+    }
+  }
+  CHECK(rows > 3);
+  CHECK(text_of(tree / "report/book/models.md").find("*small angle* is enough for `a` up to 0.211 rad") !=
+        std::string::npos);
+}
+
+TEST_CASE("no engine follows the heavy top by its defaults, as the first page says", "[texts]") {
+  std::istringstream in(text_of(tree / "report/engines.md"));
+  std::ptrdiff_t column = -1;
+  int engines = 0;
+  for (std::string line; std::getline(in, line);) {
+    std::vector<std::string> cells;
+    std::istringstream row(line);
+    for (std::string cell; std::getline(row, cell, '|');) cells.push_back(cell);
+    const auto top =
+        std::ranges::find_if(cells, [](const std::string& cell) { return cell.starts_with(" [3.33]"); });
+    if (column >= 0 && line.empty()) break;
+    if (top != cells.end()) column = top - cells.begin();
+    if (column < 0 || static_cast<std::size_t>(column) >= cells.size()) continue;
+    double degrees = 0;
+    if (!(std::istringstream(cells[static_cast<std::size_t>(column)]) >> degrees)) continue;
+    INFO(cells[1] << ": " << degrees);
+    CHECK(degrees > 1);
+    ++engines;
+  }
+  CHECK(engines > 3);
+}

@@ -11,6 +11,7 @@
 #include "chapters/scene.hpp"
 #include "problem/scene.hpp"
 #include "reference/bad_input.hpp"
+#include "reference/files.hpp"
 #include "reference/quantity_text.hpp"
 #include "reference/reference.hpp"
 #include "reference/similar.hpp"
@@ -18,6 +19,8 @@
 #include "report/cli/about.hpp"
 #include "report/cli/words.hpp"
 #include "report/study/beside_program.hpp"
+#include "report/study/criterion.hpp"
+#include "report/study/frames.hpp"
 #include "report/text/readable.hpp"
 #include "solvers/ode/catalog.hpp"
 
@@ -475,6 +478,40 @@ std::string accuracy_option(const AskedNeed& asked) {
                                                                  : "";
 }
 
+namespace {
+
+/// Lengths of frames, one a line, in a unit or in the scene's unit of time.
+std::vector<double> trace_of(const std::string& file, const std::string& time) {
+  std::vector<double> lengths;
+  std::istringstream lines(read_whole(file));
+  std::size_t number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    if (line.empty() || line.front() == '#') continue;
+    lengths.push_back(between(file + ":" + std::to_string(number), line, time, 1e-9, 1e9));
+  }
+  if (lengths.empty()) throw BadInput(file + " has no frames: a length stands on each line, such as 16.7ms");
+  return lengths;
+}
+
+/// Frames as they come, if they are asked for.
+void set_frame_times(Need& need, const AskedNeed& asked, const std::string& time) {
+  FramesAsked frames;
+  if (!asked.jitter.empty()) frames.jitter = between("--jitter", asked.jitter, "", 1e-9, 0.99);
+  if (!asked.drop.empty()) frames.drop = between("--drop", asked.drop, "", 1e-9, 0.99);
+  if (!asked.longest_frame.empty())
+    frames.longest = between("--max-frame", asked.longest_frame, time, 1e-9, 1e9);
+  if (!asked.trace.empty()) frames.trace = trace_of(asked.trace, time);
+  need.frame_times = frame_times(frames, need.frames_per_second, need.horizon);
+  if (!need.frame_times) return;
+  if (need.bodies > 1) throw BadInput("frames of different lengths are judged for one body");
+  for (const Criterion criterion : criteria_of(need))
+    if (criterion == Criterion::period) throw BadInput("a period is judged at frames of one length");
+}
+
+}  // namespace
+
 Need need_of(const Task& task, const AskedNeed& asked) {
   const Entry& entry = *task.entry;
   const std::string time = std::string(scene_of(entry).axes.time);
@@ -517,6 +554,7 @@ Need need_of(const Task& task, const AskedNeed& asked) {
                          : "--budget must be positive, and have a unit, such as 5us, and is " + asked.budget);
     need.budget = between("--budget", asked.budget, "s", 1e-12, 1e6);
   }
+  set_frame_times(need, asked, time);
   return need;
 }
 

@@ -222,6 +222,16 @@ void add_choose_need(CLI::App& choose, AskedNeed& need) {
   add_criteria(choose, need);
 }
 
+void add_choose_frames(CLI::App& choose, AskedNeed& need) {
+  add_value(choose, "--jitter", need.jitter, "PART",
+            "frames are longer or shorter by up to this part, at random: 20%");
+  add_value(choose, "--drop", need.drop, "PART", "so many frames are not drawn, at random: 1%");
+  add_value(choose, "--frames", need.trace, "FILE",
+            "lengths of frames as they were recorded, one a line, 16.7ms; again and again");
+  add_value(choose, "--max-frame", need.longest_frame, "TIME",
+            "a longer frame moves the clock on by no more than this: 100ms");
+}
+
 void add_choose_own(CLI::App& choose, AskedNeed& need) {
   add_value(
       choose, "--starts", need.starts, "N",
@@ -292,7 +302,10 @@ void add_choose(CLI::App& app, Session& s) {
       "Columns with --method: exercise, model, algorithm, knob, setting, holds (1 or 0), outcome, where, error_in_needs, "
       "starts, failing, growth (of the error, from half the time to the end), drift (of what the model conserves), energy (how far what is seen is off its true one), stable_to, "
       "evaluations_per_frame, seconds_per_frame, frames_per_second; a row for each model.\n"
-      "Examples:\n  oddity choose 3.5 a=60deg --error 1deg --budget 5us\n  oddity choose 3.33 --error 1deg "
+      "Where frames differ in length, fixed steps meet them in four ways, which are methods of their own: each frame is "
+      "divided into steps; or an accumulator makes steps of one length, and the last one is drawn, or one between the "
+      "last two, or one ahead of it.\n"
+      "Examples:\n  oddity choose 3.5 a=60deg --error 1deg --budget 5us\n  oddity choose 3.5 --error 1deg --jitter 20% --drop 1%\n  oddity choose 3.33 --error 1deg "
       "--horizon 2 --fps 120\n  oddity choose 3.25 --criterion bounded --precision float\n  oddity choose 3.5 "
       "--error 1deg --exclude closed --code\n  oddity choose 3.5 --error 1deg --bodies 10000 --budget 1ms\n"
       "  oddity choose 3.5 --error 1deg --method 'semi-implicit Euler@60Hz'",
@@ -305,6 +318,7 @@ void add_choose(CLI::App& app, Session& s) {
       true);
   add_one_exercise(*choose, s);
   add_choose_need(*choose, s.need);
+  add_choose_frames(*choose, s.need);
   add_choose_methods(*choose, s.need);
   add_choose_own(*choose, s.need);
   choose->add_flag("--all", s.all_rows, "show all rows of the table");

@@ -356,6 +356,9 @@ int choose(const fs::path& folder, const std::string& exercise, const std::vecto
   const Task task = task_of(exercise, overrides);
   const Need need = need_of(task, asked);
   if (!asked.method.empty()) return judge_own(folder, task, asked, need, format, extras.bodies);
+  if (need.frame_times && !engine.empty())
+    throw BadInput(
+        "--engine is for frames of one length: leave out --jitter, --drop, --frames and --max-frame");
   if (!engine.empty()) extras.engines.require_scene(*task.entry);
   if (needs_are_all(need.bodies > 1 ? extras.bodies.needs : Needs())) return 0;
   const OtherEngines::Answer engines =

@@ -276,12 +276,13 @@ std::string next_cheaper_text(const Choice& choice) {
 std::string span_of(const Choice& choice) {
   const Need& need = choice.need;
   const std::string unit = choice.time_unit;
-  const double judged = need.frames() / need.frames_per_second;
-  const bool as_asked = std::abs(judged - need.horizon) <= 1e-9 * need.horizon;
+  const double judged = need.time_of(need.frames());
+  const bool as_asked = need.frame_times || std::abs(judged - need.horizon) <= 1e-9 * need.horizon;
   return (as_asked ? format_shortest(need.horizon) + " " + unit
                    : format_shortest(need.frames()) + (need.frames() == 1 ? " frame, " : " frames, ") +
                          format_significant(judged, 3) + " " + unit + ",") +
-         " at " + format_shortest(need.frames_per_second) + " frames per " + (unit == "s" ? "second" : unit);
+         " at " + format_shortest(need.frames_per_second) + " frames per " + (unit == "s" ? "second" : unit) +
+         (need.frame_times ? ", " + need.frame_times->says : "");
 }
 
 /// A chaotic path that long double loses, too.
@@ -439,6 +440,7 @@ Json need_of(const Choice& choice) {
           {"frames", choice.need.frames()},
           {"time_unit", choice.time_unit},
           {"frames_per_second", choice.need.frames_per_second},
+          {"frame_lengths", choice.need.frame_times ? Json(choice.need.frame_times->says) : Json()},
           {"budget", from(choice.need.budget)},
           {"bodies", choice.need.bodies},
           {"restart_every", from(choice.need.restart_every)},

@@ -11,6 +11,7 @@
 #include "reference/text.hpp"
 #include "report/pages/choose_view.hpp"
 #include "report/study/embedded.hpp"
+#include "report/study/frames.hpp"
 #include "report/text/readable.hpp"
 
 namespace oddity {
@@ -195,15 +196,87 @@ int main() {
 }
 )";
 
-std::string main_text(const Task& task, const Need& need, const Plain* algorithm, double step) {
-  std::string text(algorithm ? stepping_main : closed_form_main);
+/// Frames of different lengths: a program of one's own has its clock's in their place.
+constexpr std::string_view frames_main = R"(
+const double frames[] = {$times};
+
+int main() {
+  using oddity::asked::Number;
+  auto model = oddity::asked::model();
+$before  std::printf("$names\n");
+  for (const double t : frames) {
+$frame  }
+}
+)";
+constexpr std::string_view before_steps = R"(  constexpr double step = $step;
+  auto x = model.start();
+  oddity::plain::$algorithm<decltype(model)> algorithm;
+)";
+constexpr std::string_view divided =
+    R"(    const double steps = std::fmax(1, std::ceil((t - before) * (1 - 1e-12) / step)), h = (t - before) / steps;
+    for (int i = 0; i < steps; ++i) algorithm.step(model, x, Number(before + i * h), Number(h));
+    print_row(t, model.observe(x, Number(t)));
+    before = t;
+)";
+constexpr std::string_view accumulated =
+    R"(    for (; static_cast<double>(done + 1) * step <= t * (1 + 1e-12); ++done) {
+      before = x;
+      algorithm.step(model, x, Number(static_cast<double>(done) * step), Number(step));
+    }
+    [[maybe_unused]] const double late = t - static_cast<double>(done) * step;
+    auto drawn = x;
+)";
+constexpr std::string_view interpolated = R"(    for (std::size_t i = 0; i < x.size() && done > 0; ++i)
+      drawn[i] = before[i] + Number(late / step) * (x[i] - before[i]);
+)";
+constexpr std::string_view extrapolated = R"(    auto rate = x;
+    model(x, rate, Number(t - late));
+    for (std::size_t i = 0; i < x.size(); ++i) drawn[i] += Number(late) * rate[i];
+)";
+
+std::string before_text(Stepping stepping) {
+  return std::string(before_steps) + (stepping == Stepping::divided
+                                          ? "  double before = 0;\n"
+                                          : "  long done = 0;\n  auto before = x;\n");
+}
+
+/// The loop's body for the way in which steps meet frames.
+std::string frame_text(Stepping stepping) {
+  if (stepping == Stepping::divided) return std::string(divided);
+  return std::string(accumulated) +
+         std::string(stepping == Stepping::interpolated   ? interpolated
+                     : stepping == Stepping::extrapolated ? extrapolated
+                                                          : "") +
+         "    print_row(t, model.observe(drawn, Number(t)));\n";
+}
+
+std::string times_text(const Need& need) {
+  std::string times;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(need.frames()); ++k)
+    times += (k == 0 ? "" : k % 6 == 0 ? ",\n    " : ", ") + format_shortest(need.frame_times->at[k]);
+  return times;
+}
+
+std::string main_text(const Task& task, const Need& need, const Plain* algorithm, double step,
+                      Stepping stepping) {
+  const bool differ = need.frame_times != nullptr;
+  std::string text(differ ? frames_main : algorithm ? stepping_main : closed_form_main);
   const auto put = [&](const std::string& placeholder, const std::string& what) {
     text.replace(text.find(placeholder), placeholder.size(), what);
   };
-  put("$frames", format_shortest(need.frames()));
-  put("$rate", format_shortest(need.frames_per_second));
   put("$names", header_line(*task.entry->exercise.scene));
-  if (algorithm) {
+  if (differ) {
+    put("$times", times_text(need));
+    put("$before", algorithm ? before_text(stepping) : "");
+    put("$frame", algorithm ? frame_text(stepping) : "    print_row(t, model.at(Number(t)));\n");
+  } else {
+    put("$frames", format_shortest(need.frames()));
+    put("$rate", format_shortest(need.frames_per_second));
+  }
+  if (algorithm && differ) {
+    put("$step", format_shortest(step));
+    put("$algorithm", std::string(algorithm->type));
+  } else if (algorithm) {
     put("$steps", format_shortest(std::round(1 / (step * need.frames_per_second))));
     put("$algorithm", std::string(algorithm->type));
   }
@@ -243,24 +316,26 @@ std::string code_of(const Task& task, const Choice& choice, const std::string& c
   const bool single = choice.chosen->precision == Precision::in_float;
   if (single && listing.text)
     throw BadInput("there is no code in float for a problem's file: ask with --precision double");
-  const auto [model, algorithm] =
-      printed(*exercise.scene, choice.chosen->model, in_double(choice.chosen->algorithm));
+  const auto [model, algorithm] = printed(*exercise.scene, choice.chosen->model,
+                                          in_double(std::string(without_stepping(choice.chosen->algorithm))));
   Joined headers;
   for (std::string_view header : listing.headers) headers.add(header);
   if (algorithm) headers.add(algorithm->header);
   headers.add_standard("cstdio");
+  if (choice.need.frame_times) headers.add_standard("cmath"), headers.add_standard("cstddef");
   if (listing.text) headers.add_standard("array"), headers.add_standard("cmath");
   const std::string about =
       to_string(task.entry->number) + " " + std::string(exercise.title) + ": " + asked_text(choice) + "\n\n" +
       answer_text(choice) + "\nThe observables at every frame, by\n  " + command +
       "\nCompiled by c++ -std=c++20 -O2 -ffp-contract=off it prints oddity's own numbers" +
-      (single         ? ", but for the observables' roundings: oddity observes a motion in float in double."
-       : listing.text ? ", but for roundings."
-                      : ".");
-  return with_lines_apart(as_comment(about) + "\n" + headers.includes() + headers.text() + "\n" +
-                          (listing.text ? listing.text(task.parameters, choice.chosen->model) + "\n" : "") +
-                          model_text(task, model, single ? "float" : "double") + std::string(print_row) +
-                          main_text(task, choice.need, algorithm, choice.chosen->setting));
+      (single ? ", but for the observables' roundings: oddity observes a motion in float in double."
+       : listing.text || choice.need.frame_times ? ", but for roundings."
+                                                 : ".");
+  return with_lines_apart(
+      as_comment(about) + "\n" + headers.includes() + headers.text() + "\n" +
+      (listing.text ? listing.text(task.parameters, choice.chosen->model) + "\n" : "") +
+      model_text(task, model, single ? "float" : "double") + std::string(print_row) +
+      main_text(task, choice.need, algorithm, choice.chosen->setting, stepping_of(choice.chosen->algorithm)));
 }
 
 }  // namespace oddity

@@ -134,7 +134,7 @@ std::string ways(const Results& results, const ExerciseResult& e) {
 std::string legend() {
   return "A claim is one thing that the published solution says. It is **confirmed** when independent "
          "numbers agree with it as it is printed; a **misprint** when they agree with what the text plainly "
-         "meant; **lost in our copy** when the plain text that was read here has lost what was meant, such as a "
+         "meant, as another of its lines shows; **lost in our copy** when the plain text that was read here has lost what was meant, such as a "
          "fraction bar or an exponent, and the manual may have it. Our copy has lost the dots of all time "
          "derivatives, too, and the marks that tell a center's coordinates from others: where a line has a meaning "
          "with them alone, they are restored, and its place says *dots restored* or *marks restored*; where it has "

@@ -5,11 +5,13 @@
 #include <atomic>
 #include <cmath>
 #include <exception>
+#include <functional>
 #include <optional>
 
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
 #include "report/study/criterion.hpp"
+#include "report/study/frames.hpp"
 #include "report/study/off_by_need.hpp"
 #include "report/study/parallel.hpp"
 #include "solvers/ode/catalog.hpp"
@@ -158,9 +160,12 @@ double add(const Start& start, Candidate& candidate, const OnStart& on) {
 
 std::vector<double> settings(const Method& method, const Need& need) {
   std::vector<double> all;
-  if (method.knob.name == "step")
+  if (method.knob.name == "step") {
+    if (need.frame_times && method.algorithm == without_stepping(method.algorithm))
+      all.push_back(need.frame_times->longest);
     for (int steps : steps_per_frame) all.push_back(1 / (need.frames_per_second * steps));
-  else if (method.knob.name == "tolerance")
+    std::ranges::stable_sort(all, std::greater());
+  } else if (method.knob.name == "tolerance")
     all = tolerances(2, 13, 1).settings;
   else
     all = method.knob.settings;
@@ -229,7 +234,10 @@ Candidate evaluate_until_one_fails(const Order& starts, const Method& method, do
 std::string shown_setting(const Candidate& candidate, const Need& need) {
   if (candidate.knob != "step")
     return candidate.knob.empty() ? "-" : candidate.knob + " " + format_shortest(candidate.setting);
-  const double steps = std::round(1 / (candidate.setting * need.frames_per_second));
+  if (need.frame_times && candidate.setting != need.frame_times->longest)
+    return (candidate.algorithm == without_stepping(candidate.algorithm) ? "steps up to " : "steps of ") +
+           format_significant(1000 * candidate.setting, 3) + " ms";
+  const double steps = need.frame_times ? 1 : std::round(1 / (candidate.setting * need.frames_per_second));
   return format_shortest(steps) + (steps == 1 ? " step" : " steps") + " per frame";
 }
 

@@ -10,6 +10,7 @@
 #include "reference/in_long_double.hpp"
 #include "reference/text.hpp"
 #include "reference/truth.hpp"
+#include "report/study/frames.hpp"
 #include "report/study/parallel.hpp"
 
 namespace oddity {
@@ -118,7 +119,9 @@ std::vector<double> needs_of(const Need& need, const Quantity& motion) {
 
 Quantity known_motion(const Scene& scene, const Parameters& p, const Horizon& horizon, const Need& need,
                       const Reference& truth) {
-  const auto made = [&](const Reference& known) { return with_need(motion(scene, p, horizon, known), need); };
+  const auto made = [&](const Reference& known) {
+    return with_need(motion_at_frames(scene, p, horizon, known), need);
+  };
   if (need.thorough) return made(truth);
   for (int digits : {digits_in_long_double, digits_for(need)}) {
     Quantity seen = made(truth.to_digits(digits));
@@ -137,7 +140,7 @@ InitialConditions::InitialConditions(const Task& task, const Need& need, const R
         std::pair("frame rate", need.frames_per_second), std::pair("budget", need.budget)})
     if (!(value > 0))
       throw BadInput("the " + std::string(name) + " must be positive, and is " + format_shortest(value));
-  if (need.horizon * need.frames_per_second < 1) throw BadInput("the horizon is shorter than a frame");
+  if (need.frames() < 1) throw BadInput("the horizon is shorter than a frame");
 }
 
 std::string InitialConditions::says(const Parameters& p) const {
@@ -158,7 +161,7 @@ Start InitialConditions::to_judge(Start start, const Parameters& p) const {
 }
 
 Start InitialConditions::well_known(const Parameters& p) const {
-  return to_judge({says(p), known_motion(scene(), p, horizon(), need_, truth_)}, p);
+  return to_judge({says(p), known_motion(scene(), p, horizon_of(need_), need_, truth_)}, p);
 }
 
 /// By a path alone more digits can decide: of what is conserved, or does not explode, the truth says nothing.
@@ -168,8 +171,8 @@ Start InitialConditions::start(const Parameters& p) const {
   const int whole = static_cast<int>(need_.frames());
   const auto known_by = [this, p, whole](const Reference& truth, int frames_of_it) {
     const bool is_whole = frames_of_it == whole;
-    const Horizon span = is_whole ? horizon() : frames(frames_of_it);
-    Start start = to_judge({says(p), with_need(motion(scene(), p, span, truth), need_)}, p);
+    const Horizon span = is_whole ? horizon_of(need_) : oddity::first_frames(need_, frames_of_it);
+    Start start = to_judge({says(p), with_need(motion_at_frames(scene(), p, span, truth), need_)}, p);
     start.is_whole = is_whole;
     return start;
   };
@@ -192,7 +195,8 @@ Start InitialConditions::start(const Parameters& p) const {
       };
       if (later == whole) return in_the_end();
       auto part = where_known([&] {
-        return to_judge({says(p), known_motion(scene(), p, frames(later), need_, truth_)}, p);
+        return to_judge(
+            {says(p), known_motion(scene(), p, oddity::first_frames(need_, later), need_, truth_)}, p);
       });
       if (!part || !is_known_well_enough(part->motion)) return in_the_end();
       part->is_whole = false;
@@ -212,7 +216,8 @@ Start InitialConditions::as_long_as_known(const Start& whole, const Parameters& 
   if (need_.relative || known == 0 || known == all.samples) return whole;
   const int count = static_cast<int>(known);
   const std::size_t parts = all.reference.value.size() / static_cast<std::size_t>(all.samples);
-  Quantity known_motion = motion(scene(), p, frames(count), Reference::nothing());
+  Quantity known_motion =
+      motion_at_frames(scene(), p, oddity::first_frames(need_, count), Reference::nothing());
   const std::span<const double> value(&*all.reference.value.begin(), static_cast<std::size_t>(count) * parts);
   known_motion.reference = {all.reference.by, Value(value)};
   known_motion.reference_error = all.reference_error_until[static_cast<std::size_t>(count) - 1];
@@ -282,7 +287,8 @@ Parting InitialConditions::parting(const Parameters& start, const Quantity& moti
   const double value = p[name], change = small * (value == 0 ? 1 : std::abs(value));
   const auto declared = std::ranges::find(p.declared(), name, &Parameter::name);
   p.set(name, value + change <= declared->most ? value + change : value - change);
-  const Quantity beside = oddity::motion(scene(), p, frames(motion.samples), Reference::nothing());
+  const Quantity beside =
+      oddity::motion(scene(), p, oddity::first_frames(need_, motion.samples), Reference::nothing());
   const auto best = std::find_if(beside.methods.rbegin(), beside.methods.rend(), [this](const Method& m) {
     return m.algorithm == "Fehlberg 7(8)" &&
            std::ranges::find(scene().faulted, m.model) == scene().faulted.end();
@@ -294,7 +300,8 @@ Parting InitialConditions::parting(const Parameters& start, const Quantity& moti
 }
 
 Quantity InitialConditions::first_frames(int count) const {
-  return motion(scene(), task_.parameters, frames(count), Reference::nothing());
+  return motion_at_frames(scene(), task_.parameters, oddity::first_frames(need_, count),
+                          Reference::nothing());
 }
 
 std::optional<Start> InitialConditions::start_if_known(const Parameters& p) const {

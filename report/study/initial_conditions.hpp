@@ -152,8 +152,6 @@ class InitialConditions {
   /// Throws BadInput where the start is not known as exactly as asked.
   Start required(Start) const;
   const Scene& scene() const { return *task_.entry->exercise.scene; }
-  Horizon horizon() const { return {need_.horizon, 1, need_.frames_per_second}; }
-  Horizon frames(int count) const { return {count / need_.frames_per_second, 1, need_.frames_per_second}; }
 
   const Task& task_;
   const Need& need_;

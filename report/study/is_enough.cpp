@@ -80,9 +80,10 @@ std::optional<double> stable_to(const Task& task, const Method& asked) {
   return method ? std::optional(measured_limit(*method, scene.horizon / seen.samples).step()) : std::nullopt;
 }
 
-/// At as many frames a second as the step asks for: it divides a frame, or is one.
+/// At as many frames a second as the step asks for: it divides a frame, or is one. Frames of different
+/// lengths stay as they are.
 Need at_steps(Need need, const Method& method, double step) {
-  if (method.knob.name != "step") return need;
+  if (method.knob.name != "step" || need.frame_times) return need;
   const double rate = 1 / step;
   need.frames_per_second = rate / std::max(1.0, std::floor(rate / need.frames_per_second * (1 + 1e-9)));
   return need;

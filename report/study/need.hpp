@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -34,14 +36,22 @@ struct ShownUnit {
 
 inline constexpr double most_frames = 1e6;  ///< that a need may ask for: an hour at 277 frames per second
 
+/// Frames of different lengths.
+struct FrameTimes {
+  std::vector<double> at;  ///< when each is drawn: ascending, after 0
+  double longest = 0;
+  std::string says = {};  ///< "each up to 20 % longer or shorter"
+};
+
 /// What someone asks of a scene.
 struct Need {
   double error;  ///< in each unit that `errors` does not name; relative: to the largest of the observables
   bool relative = false;
   double horizon = 10;            ///< s
   double frames_per_second = 60;  ///< a step divides the frame evenly, and every method is at every frame
-  double budget = std::numeric_limits<double>::infinity();         ///< s per frame
-  long bodies = 1;                                                 ///< alike, all of them in each frame
+  std::shared_ptr<const FrameTimes> frame_times = {};       ///< null: all frames are of the same length
+  double budget = std::numeric_limits<double>::infinity();  ///< s per frame
+  long bodies = 1;                                          ///< alike, all of them in each frame
   double restart_every = std::numeric_limits<double>::infinity();  ///< s: contacts or changes end a run
   std::map<std::string, double, std::less<>> errors = {};          ///< by unit: {"m", 0.01}
   std::map<std::string, ShownUnit, std::less<>> shown = {};        ///< the units asked in, by the motion's
@@ -55,7 +65,15 @@ struct Need {
   bool in_double = true, in_float = false;                      ///< the precisions that may be chosen
   double time_limit = std::numeric_limits<double>::infinity();  ///< s, for the answer
 
-  double frames() const { return std::round(horizon * frames_per_second); }
+  double frames() const {
+    if (!frame_times) return std::round(horizon * frames_per_second);
+    return static_cast<double>(std::ranges::upper_bound(frame_times->at, horizon * (1 + 1e-12)) -
+                               frame_times->at.begin());
+  }
+  /// When the last of so many frames is drawn.
+  double time_of(double count) const {
+    return frame_times ? frame_times->at[static_cast<std::size_t>(count) - 1] : count / frames_per_second;
+  }
   double error_in(std::string_view unit) const {
     const auto named = errors.find(unit);
     return named == errors.end() ? error : named->second;

@@ -58,6 +58,12 @@ std::vector<std::string> cells_of(const std::string& line) {
   return cells;
 }
 
+std::string text_of(const FrameTimes& frames) {
+  std::string times;
+  for (const double t : frames.at) times += " " + format_shortest(t);
+  return frames.says + ": " + checksum(times);
+}
+
 }  // namespace
 
 std::string machine_and_program() {
@@ -69,6 +75,7 @@ std::string machine_and_program() {
 std::string price_key(const Task& task, const Need& need) {
   std::string key = to_string(task.entry->number) + " over " + format_shortest(need.horizon) + " at " +
                     format_shortest(need.frames_per_second) + " frames" +
+                    (need.frame_times ? ", " + text_of(*need.frame_times) : "") +
                     (need.bodies == 1 ? "" : " of " + std::to_string(need.bodies) + " bodies");
   for (const Parameter& p : task.parameters.declared())
     key += ", " + std::string(p.name) + " = " + format_shortest(task.parameters[p.name]);

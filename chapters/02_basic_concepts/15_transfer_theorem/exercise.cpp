@@ -19,7 +19,7 @@ constexpr Parameter parameters[] = {
     {"y", -1, "m", "$y$ of that corner", -10, 10},
     {"z", 0.5, "m", "$z$ of that corner", -10, 10},
     {"rho", 1, "kg/m^3", "density", 1e-3, 1e3},
-    {"far", 0x1p20, "m", "distance of the corner in the far system", 0, 1e7},
+    {"far", 0x1p20, "m", "the corner is at (far, 2 far, -far) in the far system", 0, 1e7},
     {"seed", 15, "", "of the random systems", 0, 1e9, whole_number},
 };
 

@@ -176,7 +176,7 @@ Quantity about_center(const Parameters& p, const Reference& truth) {
            return Answer{running(all), static_cast<long>(all.size())};
          }});
   q.add(
-      Breakdown{R"(Both terms of $I-mc^2$ are of size $m\,\mathrm{far}^2$, about $@1$, and leave $@1$, with )"
+      Breakdown{R"(Both terms of $I-mc^2$ are as large as $@1$ and leave $@1$, with )"
                 "no more than @1 digits right. Positions relative to the center of mass, which is computed "
                 "first, lose none.",
                 back + ", five particles",
@@ -184,7 +184,7 @@ Quantity about_center(const Parameters& p, const Reference& truth) {
                 Outcome::inaccurate,
                 "center first, five particles",
                 0,
-                {t.mass() * far * far, size_of(known.value), digits_of(Side::broken)}});
+                {size_of(inertia_of(t.mass(), t.center())), size_of(known.value), digits_of(Side::broken)}});
   q.add(
       Breakdown{"Adding more carefully does not help, since every square is rounded already; shifting the "
                 "origin to any particle of the system does.",

@@ -1,6 +1,7 @@
 // Exercise 5.5: div (M f) = (M^T grad).f for a constant matrix M.
 // Left side: M f is differentiated as one field by dual numbers along a frame turned at random. Right side:
-// the published index expressions, their sums written out. Products of M with a vector are taken by Eigen.
+// the published index expressions, their sums written out. Products of M with a vector are taken by Eigen,
+// except within the field that is differentiated.
 // The operator M^T grad has the components "derivative along a column of M", which are taken as such.
 
 #include <Eigen/Core>
@@ -96,10 +97,11 @@ Proof proof_of_lines(Random random) {
 
   proof.line("product", 3271, R"($(M\mathbf f)_i=m_{ij}f_j$, summed over $j$)",
              each_component("Mf#", "m#0 f0 + m#1 f1 + m#2 f2"), by_eigen);
-  proof.line("free_i", 3271,
-             "$i$ being the only free index, $m_{ij}f_j$ is a vector: it turns with its factors, which are "
-             R"($n$ for $M$ and $v$ for $\mathbf f$ in the turned frame)",
-             each_component("turned_Mf#", "n#0 v0 + n#1 v1 + n#2 v2"), R"($M\mathbf f$, turned)");
+  proof.line(
+      "free_i", 3271,
+      R"($i$ being the only free index, $m_{ij}f_j$ is a vector: $(M\mathbf f)'_i=n_{ij}v_j$ in a turned )"
+      R"(frame, in which $M$ has the entries $n_{ij}$ and $\mathbf f$ the components $v_j$)",
+      each_component("turned_Mf#", "n#0 v0 + n#1 v1 + n#2 v2"), R"($M\mathbf f$, turned)");
   proof.line(
       "divergence", 3273,
       R"($\nabla\cdot(M\mathbf f)$ is $\partial(m_{ij}f_j)/\partial x_i$, with $\mathbf h=M\mathbf f$)",
@@ -109,34 +111,40 @@ Proof proof_of_lines(Random random) {
   const std::vector<Row> constants{{"div_Mf", outside}};
   Reading lost = proof.reading({{"div_Mf", quotient}}, whole);
   lost.text =
-      R"($(m_{ij}/\partial x_i)f_j$, a quotient, for which the best that can be had is $m_{ij}f_j/x_i$)";
+      R"($(m_{ij}/\partial x_i)f_j$, a quotient without a value; the nearest with one is $m_{ij}f_j/x_i$)";
   lost.as_typeset = false;
+  Reading meant = proof.reading(constants, whole);
+  meant.text = R"($(m_{ij}\,\partial/\partial x_i)f_j$: )" + meant.text;
+  meant.as_typeset = false;
   auto changes = proof.single_changes(constants, whole);
   changes.push_back(proof.reading({{"div_phi_Mf", "phi (" + outside + ")"}}, whole));
   changes.back().text = "the same of a matrix that varies, $\\varphi M$";
   changes.back().as_typeset = false;
   proof.claims.add(
       "constants_outside", 3277,
-      R"($\nabla\cdot(M\mathbf f)=(m_{ij}\,\partial/\partial x_i)f_j$, the constants $m_{ij}$ moved out, and a $\partial$ lost)",
+      R"($\nabla\cdot(M\mathbf f)=(m_{ij}/\partial x_i)f_j$, the constants $m_{ij}$ moved out of the derivative)",
       {.printed = lost,
-       .meant = proof.reading(constants, whole),
+       .meant = std::move(meant),
        .near_misses = std::move(changes),
        .why = filled(
-           R"(A $\partial$ is lost above the bar in the text at hand, here and in line 3297: the operator is )"
-           R"($m_{ij}\,\partial/\partial x_i$, as line 3287 has it. In a quotient by $\partial x_i$ nothing is )"
-           R"(differentiated. The nearest that has a value, $m_{ij}f_j/x_i$, is another: for $M=I$ and )"
-           R"($\mathbf f=(x_0^2,0,0)$ at $x_0=3$ it is @1, where the divergence is @1.)",
+           R"(A $\partial$ is lost above the bar in the text at hand, here and in line 3295. The manual has it: line )"
+           R"(3285 says that this display has the expression $m_{ij}\,\partial/\partial x_i$, and line 3287 shows it. )"
+           R"(A quotient by $\partial x_i$ differentiates nothing. For $M=I$ and $\mathbf f=(x_0^2,0,0)$ at $x_0=3$ )"
+           R"($m_{ij}f_j/x_i$ is @1, where the divergence is @1.)",
            {square(3.0) / 3, derivative(square, 3.0)}),
        .kind = Fault::lost_typography});
   proof.lines.push_back({"constants_outside", constants, "meant"});
 
   proof.line("row_times_matrix", 3285, R"($(\mathbf g^TM)_j=g_im_{ij}$, summed over $i$)",
              each_component("gTM#", "g0 m0# + g1 m1# + g2 m2#"), by_eigen);
-  proof.line("free_j", 3285,
-             "$j$ being the only free index, $g_im_{ij}$ is a vector: it turns with its factors, which are "
-             R"($u$ for $\mathbf g$ and $n$ for $M$ in the turned frame)",
-             each_component("turned_gTM#", "u0 n0# + u1 n1# + u2 n2#"), R"($\mathbf g^TM$, turned)");
-  proof.line("commuted", 3285, R"($g_im_{ij}=m_{ij}g_i=(M^T\mathbf g)_j$)",
+  proof.line(
+      "free_j", 3285,
+      R"($j$ being the only free index, $g_im_{ij}$ is a vector: $(\mathbf g^TM)'_j=u_in_{ij}$ in a turned )"
+      R"(frame, in which $\mathbf g$ has the components $u_i$ and $M$ the entries $n_{ij}$)",
+      each_component("turned_gTM#", "u0 n0# + u1 n1# + u2 n2#"), R"($\mathbf g^TM$, turned)");
+  proof.line("commuted", 3285, R"($(\mathbf g^TM)_j=g_im_{ij}=m_{ij}g_i$, as multiplication commutes)",
+             each_component("gTM#", "m0# g0 + m1# g1 + m2# g2"), by_eigen);
+  proof.line("transposed", 3285, R"($m_{ij}g_i=(M^T\mathbf g)_j$)",
              each_component("MTg#", "m0# g0 + m1# g1 + m2# g2"), by_eigen);
   proof.line("operator", 3291,
              R"($m_{ij}\,\partial/\partial x_i=(M^T\nabla)_j$ (our check: on any field $\varphi$))",

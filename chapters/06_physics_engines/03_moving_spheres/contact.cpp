@@ -1,4 +1,4 @@
-// Two moving spheres of one's own: when do they first touch? Centers d apart that part at v touch where
+// Two moving spheres that you choose: when do they first touch? Centers d apart that part at v touch where
 // |d + t v| is the sum R of the radii:
 //   v.v t^2 + 2 d.v t + d.d - R^2 = 0
 // The other route is geometry, in long double: the path of d passes the origin at |d x v| / |v|, and from
@@ -66,7 +66,7 @@ std::optional<Quantity> first_contact(const Parameters& p) {
   const double t = static_cast<double>(truth);
   Quantity q{"first_contact",
              "frames",
-             "time at which the two spheres of one's own first touch",
+             "time at which the two spheres that you choose first touch",
              {"geometry, in long double", t},
              4e-16 * t,
              {1e-9 * t, "nine digits"},

@@ -87,6 +87,10 @@ std::vector<Block> blocks_of(const Frame& s, const Grid& grid) {
   return blocks;
 }
 
+bool is_outside(const Sphere& s, const Grid& grid) {
+  return std::ranges::any_of(s.c, [&](double x) { return std::abs(x) > grid.half * grid.h; });
+}
+
 }  // namespace
 
 Pairs by_bins(const std::vector<Frame>& frames, const Grid& grid, Follow how) {
@@ -96,14 +100,15 @@ Pairs by_bins(const std::vector<Frame>& frames, const Grid& grid, Follow how) {
   for (const Frame& s : frames) {
     found.begin();
     std::vector<Block> now = blocks_of(s, grid);
-    const bool first = blocks.empty();
-    if (how == Follow::rebuilt) lists.clear();
+    const bool first = blocks.empty(), rebuilt = how == Follow::rebuilt || how == Follow::rebuilt_inside;
+    if (rebuilt) lists.clear();
     for (std::size_t n = 0; n < now.size(); ++n) {
       if (!first && how == Follow::updated && !(now[n] == blocks[n])) {
         lists.remove(static_cast<int>(n), blocks[n]);
         lists.insert(static_cast<int>(n), now[n]);
       }
-      if (first || how == Follow::rebuilt) lists.insert(static_cast<int>(n), now[n]);
+      if (how == Follow::rebuilt_inside && is_outside(s[n], grid)) continue;
+      if (first || rebuilt) lists.insert(static_cast<int>(n), now[n]);
     }
     if (first || how != Follow::never) blocks = std::move(now);
     lists.test(s, blocks);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <optional>
 #include <vector>
 
@@ -22,8 +23,8 @@ struct Mover {
 
 using Frame = std::vector<Sphere>;
 
-/// The pairs of every frame as two numbers a frame, their count and the sum of i n + j; and the work: pairs
-/// tested, and bin entries or comparisons to find them.
+/// The pairs of every frame as two numbers a frame: their count, and the sum of i n + j as a fraction that
+/// stays below one a pair. And the work: pairs tested, and bin entries or comparisons to find them.
 struct Pairs {
   std::vector<double> value = {};
   long tested = 0, upkeep = 0;
@@ -39,14 +40,16 @@ struct Pairs {
   }
   void put(int i, int j, std::size_t n) {
     value[value.size() - 2] += 1;
-    value.back() += i * static_cast<double>(n) + j;
+    value.back() += (i * static_cast<double>(n) + j) * of_number(n);
   }
+  /// A power of two, so that sums are exact.
+  static double of_number(std::size_t n) { return 1 / static_cast<double>(std::bit_ceil(n * n)); }
 };
 
 Pairs by_all_pairs(const std::vector<Frame>&);
 
-/// How the bins follow the motion.
-enum class Follow { rebuilt, updated, never };
+/// How the bins follow the motion; `rebuilt_inside` leaves out spheres whose centers are outside the grid.
+enum class Follow { rebuilt, rebuilt_inside, updated, never };
 
 /// Bins that list every sphere whose box they meet. A pair is tested in the least bin that both lie in.
 Pairs by_bins(const std::vector<Frame>&, const Grid&, Follow);
@@ -59,7 +62,7 @@ Pairs by_center_bins(const std::vector<Frame>&, const Grid&, bool own_bin_alone)
 /// begins. The order is sorted anew in every frame, or put right by insertion from the frame before.
 Pairs by_sweep(const std::vector<Frame>&, bool keep_order);
 
-/// When the two spheres of one's own first touch; nothing where they do from the start, or never.
+/// When the two spheres that you choose first touch; nothing where they do from the start, or never.
 std::optional<Quantity> first_contact(const Parameters&);
 
 }  // namespace oddity::ex06_03

@@ -1,10 +1,12 @@
-#include "report/study/tries.hpp"
+#include "report/study/ladder.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <utility>
 
+#include "report/study/frames.hpp"
+#include "report/study/policy.hpp"
 #include "solvers/ode/catalog.hpp"
 #include "solvers/stop.hpp"
 
@@ -25,21 +27,22 @@ namespace {
 /// One more than the order, as errors of symmetric methods may fall; of a tolerance more than in proportion.
 double most_power(const Method& method) {
   if (method.knob.name == "tolerance") return 1.25;
+  const std::string_view algorithm = without_stepping(method.algorithm);
   for (const ode::CatalogEntry& entry : ode::catalog())
-    if (entry.order > 0 && (entry.name == method.algorithm || in_float(entry.name) == method.algorithm))
+    if (entry.order > 0 && (entry.name == algorithm || in_float(entry.name) == algorithm))
       return entry.order + 1;
   return std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
 
-Tries::Tries(const Method& method, const Need& need)
+Ladder::Ladder(const Method& method, const Need& need)
     : method_(&method), power_(most_power(method)), left_(settings(method, need)) {
   std::ranges::reverse(left_);
   is_over_ = left_.empty();
 }
 
-double Tries::expected_evaluations() const {
+double Ladder::expected_evaluations() const {
   if (is_over_ || candidates.empty()) return 0;
   if (is_given_up()) return given_up_at_;
   const Candidate& last = candidates.back();
@@ -52,7 +55,7 @@ double Tries::expected_evaluations() const {
   return last.evaluations_per_frame * std::pow(more, steps);
 }
 
-double Tries::expected_seconds(const Candidate& candidate) const {
+double Ladder::expected_seconds(const Candidate& candidate) const {
   if (!std::isnan(candidate.seconds_per_frame)) return candidate.seconds_per_frame;
   double times = not_a_number, seconds = not_a_number;
   for (const Candidate& timed : candidates) {
@@ -66,16 +69,15 @@ double Tries::expected_seconds(const Candidate& candidate) const {
   return seconds;
 }
 
-double Tries::expected_seconds() const {
+double Ladder::expected_seconds() const {
   const Candidate& last = candidates.back();
   return expected_seconds(last) * expected_evaluations() / last.evaluations_per_frame;
 }
 
-void Tries::go_on(double most_evaluations, const std::vector<Start>& starts, const Need& need,
-                  const std::vector<std::string>& hardest) {
+void Ladder::go_on(double most_evaluations, const std::vector<Start>& starts, const Need& need,
+                   const std::vector<std::string>& hardest) {
   hardest_ = hardest;
-  constexpr double far_more = 16;
-  const double limit = far_more * most_evaluations;
+  const double limit = policy.far_more_work * most_evaluations;
   while (!is_over_ && expected_evaluations() <= most_evaluations) {
     check_stop();
     if (is_given_up()) step_back();
@@ -96,7 +98,7 @@ void Tries::go_on(double most_evaluations, const std::vector<Start>& starts, con
 }
 
 /// As with a method that does not listen to its tolerance.
-bool Tries::changed_nothing() const {
+bool Ladder::changed_nothing() const {
   if (candidates.size() < 2) return false;
   const Candidate &last = candidates.back(), &before = candidates.end()[-2];
   return last.error == before.error && last.evaluations_per_frame == before.evaluations_per_frame;
@@ -104,13 +106,12 @@ bool Tries::changed_nothing() const {
 
 /// By how an error falls: where it is as large as the motion, more slowly, unless one knows how it would have
 /// grown. Else the finest setting is left.
-void Tries::skip_what_cannot_hold(const Need& need) {
-  constexpr double luck = 4;
+void Ladder::skip_what_cannot_hold(const Need& need) {
   skipped_.clear();
   const Candidate& last = candidates.back();
   if (need.thorough || need.criterion != Criterion::path || !std::isfinite(last.error)) return;
   const auto cannot_hold = [&](double setting) {
-    return last.unbounded_error * std::pow(setting / last.setting, power_) > luck;
+    return last.unbounded_error * std::pow(setting / last.setting, power_) > policy.luck;
   };
   const bool is_deaf = changed_nothing();
   while (left_.size() > 1 && (is_deaf || cannot_hold(left_.back()))) {
@@ -121,7 +122,7 @@ void Tries::skip_what_cannot_hold(const Need& need) {
   if (left_.size() == 1 && is_foretold && cannot_hold(left_.back())) left_.clear();
 }
 
-void Tries::look_among_skipped(const std::vector<Start>& starts, const Need& need) {
+void Ladder::look_among_skipped(const std::vector<Start>& starts, const Need& need) {
   Candidate holds = std::move(candidates.back());
   candidates.pop_back();
   std::vector<double> between = std::exchange(skipped_, {});
@@ -142,21 +143,21 @@ void Tries::look_among_skipped(const std::vector<Start>& starts, const Need& nee
   candidates.push_back(std::move(holds));
 }
 
-Order Tries::order_of(const std::vector<Start>& starts) const {
+Order Ladder::order_of(const std::vector<Start>& starts) const {
   std::vector<std::string> first = hardest_;
   const std::string own = candidates.empty() ? "" : candidates.back().where;
   if (own != starts.front().says) first.insert(first.begin(), own);
   return in_order(starts, first);
 }
 
-void Tries::step_back() {
+void Ladder::step_back() {
   left_.push_back(candidates.back().setting);
   candidates.pop_back();
   is_over_ = false;
   given_up_at_ = 0;
 }
 
-void Tries::again(const Need& need) {
+void Ladder::again(const Need& need) {
   skipped_.clear();
   const Found held = found(need);
   has_no_margin_ = has_no_margin_ || (is_over_ && !held.with_margin);
@@ -167,7 +168,7 @@ void Tries::again(const Need& need) {
   }
 }
 
-Tries::Found Tries::found(const Need& need) {
+Ladder::Found Ladder::found(const Need& need) {
   Found found;
   for (Candidate& t : candidates) {
     if (t.holds() && !found.first) found.first = &t;

@@ -15,9 +15,9 @@ bool holds_with_margin(const Candidate&, const Need&);
 bool came_to_an_end(const Candidate&);
 
 /// A method on its way through its settings, from coarse to fine, to the first that holds with the margin.
-class Tries {
+class Ladder {
  public:
-  Tries(const Method&, const Need&);
+  Ladder(const Method&, const Need&);
 
   /// Goes on while a setting is expected to take no more than so many evaluations per frame. One that takes
   /// far more is given up, and tried again when so many are allowed. The starts that are the hardest to

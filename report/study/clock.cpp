@@ -1,0 +1,93 @@
+#include "report/study/clock.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/study/policy.hpp"
+#include "report/study/stopwatch.hpp"
+#include "solvers/stop.hpp"
+
+namespace oddity {
+
+namespace {
+
+Time part_of(const Time& time, double parts) { return {time.seconds / parts, time.spread / parts}; }
+
+double evaluations_of(const Quantity& motion, const Method& method, double setting) {
+  return static_cast<double>(run(motion, method, setting).answer.evaluations);
+}
+
+}  // namespace
+
+void Clock::time(Candidate& candidate) const {
+  const Time time = time_per_frame(candidate);
+  const double with_restarts = worst_part(candidate) * (1 + restarting(candidate));
+  candidate.seconds_per_frame = with_restarts * time.seconds;
+  candidate.spread = std::isfinite(time.spread) ? with_restarts * time.spread : 0;
+}
+
+bool Clock::time_all(const std::vector<Candidate*>& candidates) {
+  const Stopwatch watch(seconds_);
+  std::vector<Candidate*> untimed;
+  std::ranges::copy_if(candidates, std::back_inserter(untimed),
+                       [](const Candidate* t) { return t && std::isnan(t->seconds_per_frame); });
+  timed_ += static_cast<int>(untimed.size());
+  Stage tally(progress_, "timing them", untimed.size());
+  for (Candidate* candidate : untimed) {
+    check_stop();
+    time(*candidate);
+    tally.add();
+  }
+  return !untimed.empty();
+}
+
+/// How many times as many evaluations a frame takes in the costliest part of the horizon as on average: a
+/// budget has to hold there.
+double Clock::worst_part(const Candidate& candidate) const {
+  const auto frames = static_cast<int>(need_.frames());
+  if (!std::isfinite(need_.budget) || candidate.evaluations_per_frame == 0 || frames < policy.budget_parts)
+    return 1;
+  double before = 0, most = 0;
+  for (int part = 1, from = 0; part <= policy.budget_parts; ++part) {
+    check_stop();
+    const int to = frames * part / policy.budget_parts;
+    const Quantity until = starts_.first_frames(to);
+    const Method* method = method_of(until, candidate.model, candidate.algorithm);
+    if (!method) return 1;
+    const double evaluations = evaluations_of(until, *method, candidate.setting);
+    most = std::max(most, (evaluations - before) / (to - from));
+    before = evaluations;
+    from = to;
+  }
+  return std::max(1.0, most / candidate.evaluations_per_frame);
+}
+
+/// A long run is timed over its first frames, as an evaluation takes as long there: over a twentieth of all,
+/// or over as many as take twice the evaluations that are many.
+Time Clock::time_per_frame(const Candidate& candidate) const {
+  const double enough = std::ceil(2 * policy.long_evaluations / candidate.evaluations_per_frame);
+  const Quantity first_frames =
+      starts_.first_frames(static_cast<int>(std::clamp(enough, 1.0, std::max(1.0, need_.frames() / 20))));
+  const Method* briefly = method_of(first_frames, candidate.model, candidate.algorithm);
+  const double evaluations = briefly ? evaluations_of(first_frames, *briefly, candidate.setting) : 0;
+  if (evaluations < policy.long_evaluations)
+    return part_of(price_(starts_.method(candidate), candidate.setting), starts_.motion().samples);
+  return part_of(price_(*briefly, candidate.setting), evaluations / candidate.evaluations_per_frame);
+}
+
+double Clock::restart(const Candidate& candidate) const {
+  const Quantity one_frame = starts_.first_frames(1);
+  const Method* first = method_of(one_frame, candidate.model, candidate.algorithm);
+  if (!first) return 0;
+  return std::max(0.0,
+                  evaluations_of(one_frame, *first, candidate.setting) - candidate.evaluations_per_frame);
+}
+
+/// What the requested restarts add to the time, as a part of it.
+double Clock::restarting(const Candidate& candidate) const {
+  const double frames = need_.restart_every * need_.frames_per_second;
+  if (!std::isfinite(frames) || candidate.evaluations_per_frame == 0) return 0;
+  return restart(candidate) / candidate.evaluations_per_frame / frames;
+}
+
+}  // namespace oddity

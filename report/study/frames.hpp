@@ -1,0 +1,37 @@
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "chapters/scene.hpp"
+#include "report/study/need.hpp"
+
+/// Frames as they come: of different lengths, late, or dropped.
+namespace oddity {
+
+/// What becomes of the frames of a game.
+struct FramesAsked {
+  double jitter = 0;                                         ///< each is longer or shorter by up to this part
+  double drop = 0;                                           ///< the part of them that is not drawn
+  double longest = std::numeric_limits<double>::infinity();  ///< the clock goes on by no more [s]
+  std::vector<double> trace = {};  ///< lengths, again and again; empty: as the frame rate has them
+};
+
+/// The frames up to the horizon; null where all are of the same length. Throws BadInput where there are more
+/// than a need may have.
+std::shared_ptr<const FrameTimes> frame_times(const FramesAsked&, double frames_per_second, double horizon);
+
+/// The first of the need's frames.
+Horizon first_frames(const Need&, int count);
+/// All of them.
+Horizon horizon_of(const Need&);
+
+/// The scene's motion. Where frames differ in length, the ways in which fixed steps meet them are algorithms
+/// of their own: "Runge-Kutta 4, fixed steps interpolated".
+Quantity motion_at_frames(const Scene&, const Parameters&, const Horizon&, const Reference&);
+
+/// The algorithm's name in the catalog, and how its steps meet frames.
+std::string_view without_stepping(std::string_view algorithm);
+Stepping stepping_of(std::string_view algorithm);
+
+}  // namespace oddity

@@ -1,0 +1,208 @@
+#include "report/study/search.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <ranges>
+#include <span>
+#include <utility>
+
+#include "chapters/scene.hpp"
+#include "reference/bad_input.hpp"
+#include "report/study/off_by_need.hpp"
+#include "report/study/policy.hpp"
+#include "report/study/stopwatch.hpp"
+
+namespace oddity {
+
+namespace {
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+bool named_by(const std::vector<std::string>& words, const Method& method) {
+  return std::ranges::any_of(words, [&](const std::string& word) {
+    return method.model.find(word) != std::string::npos || method.algorithm.find(word) != std::string::npos;
+  });
+}
+
+bool is_wanted(const Need& need, const Method& method) {
+  if (!(method.precision == Precision::in_float ? need.in_float : need.in_double)) return false;
+  if (!need.only.empty() && !named_by(need.only, method)) return false;
+  return !named_by(need.exclude, method) && !(need.one_step && is_multistep(method.algorithm));
+}
+
+}  // namespace
+
+Search::Search(const Task& task, const Need& need, const Reference& truth, const Price& price,
+               const Progress& progress, std::shared_ptr<const PartJudged> part)
+    : need_(need),
+      progress_(progress),
+      starts_(task, need, truth, progress, std::move(part)),
+      clock_(need, starts_, price, progress),
+      picker_(need, *task.entry->exercise.scene) {
+  const Quantity& motion = starts_.motion();
+  for (const auto* methods : {&motion.methods, &motion.methods_in_float})
+    for (const Method& method : *methods)
+      if (is_wanted(need, method) && can_be_judged(need, motion, method)) ladders_.emplace_back(method, need);
+  if (ladders_.empty()) throw BadInput("no method is left; this scene has " + names());
+  std::vector<const Method*> left;
+  for (const Ladder& ladder : ladders_) left.push_back(&ladder.method());
+  require_constraint(need, motion, left);
+}
+
+Picked Search::run() {
+  climb("trying the methods");
+  for (int round = 1;; ++round) {
+    Picked picked = pick_cheapest();
+    if (!picked.chosen || holds_elsewhere(*picked.chosen)) return picked;
+    picked.chosen.reset();
+    if (round == policy.rounds) return picked;
+    starts_.see_unseen();
+    for (Ladder& ladder : ladders_) ladder.again(need_);
+    climb("trying them on more starts");
+  }
+}
+
+bool Search::holds_elsewhere(Candidate& chosen) {
+  const std::vector<Start>& unseen = starts_.unseen();
+  const Stopwatch watch(test_seconds_);
+  ++rounds_;
+  if (starts_.are_unseen_reported_only()) {
+    chosen.unseen_error = chosen.error;
+    for (const Start& start : unseen)
+      failing_beside_ +=
+          !evaluate(std::span(&start, 1), starts_.method(chosen), chosen.setting, need_).holds();
+    return true;
+  }
+  const Candidate test = evaluate(unseen, starts_.method(chosen), chosen.setting, need_);
+  chosen.unseen_error = test.error;
+  refuted_on_ = test.where;
+  return test.holds() && !unseen.empty();
+}
+
+std::string Search::names() const {
+  std::string all;
+  for (const Method& m : starts_.motion().methods)
+    all += (all.empty() ? "" : "; ") + m.model + " by " + m.algorithm;
+  return all;
+}
+
+std::vector<Candidate> Search::all_tried() const {
+  std::vector<Candidate> all;
+  for (const Ladder& ladder : ladders_) std::ranges::copy(ladder.candidates, std::back_inserter(all));
+  return all;
+}
+
+/// To be known between stages, so that what is tried does not depend on which thread came first.
+std::vector<std::string> Search::hardest_starts() const {
+  std::map<std::string, int> failed;
+  for (const Ladder& ladder : ladders_)
+    for (const Candidate& t : ladder.candidates)
+      if (!t.holds() && t.where != starts_.asked().says) ++failed[t.where];
+  std::vector<std::string> hardest;
+  for (const auto& [says, count] : failed) hardest.push_back(says);
+  std::ranges::stable_sort(hardest, std::greater(), [&](const auto& says) { return failed[says]; });
+  hardest.insert(hardest.begin(), refuted_on_);
+  return hardest;
+}
+
+/// Those ladders, in parallel, on to the first setting that holds with the margin or takes more work.
+void Search::climb(const std::string& stage, double most_evaluations, const Which& which) {
+  const Stopwatch watch(seconds_);
+  const std::vector<std::string> hardest = hardest_starts();
+  std::vector<Ladder*> costliest_first;
+  for (Ladder& ladder : ladders_)
+    if (which(ladder)) costliest_first.push_back(&ladder);
+  std::ranges::stable_sort(costliest_first, std::greater(), &Ladder::expected_evaluations);
+  Stage tally(progress_, stage, costliest_first.size());
+  parallel_for_each(costliest_first, [&](Ladder* ladder) {
+    ladder->go_on(most_evaluations, starts_.seen(), need_, hardest);
+    tally.add();
+  });
+}
+
+/// With ever more work, until something holds that the objective wants. Once anything holds, only those go on
+/// that the objective may want.
+void Search::climb(const std::string& stage) {
+  const double most_of_all = starts_.are_beyond_double() ? policy.more_work * policy.first_work : unlimited;
+  const auto any = [&](const std::function<bool(const Candidate&)>& is) {
+    return std::ranges::any_of(ladders_,
+                               [&](const Ladder& l) { return std::ranges::any_of(l.candidates, is); });
+  };
+  Which which = [](const Ladder&) { return true; };
+  for (double most = need_.thorough ? unlimited : policy.first_work; most <= most_of_all;
+       most *= policy.more_work) {
+    climb(stage, most, which);
+    if (any([&](const Candidate& t) { return picker_.meets_objective(t); })) return;
+    if (any(&Candidate::holds)) which = [this](const Ladder& l) { return picker_.may_meet_objective(l); };
+    if (std::ranges::all_of(ladders_, [&](const Ladder& l) { return l.is_over() || !which(l); })) return;
+  }
+}
+
+/// One setting more of each that fails where that may cost so much. Returns whether there was one.
+bool Search::climb_on(const std::function<double(const Ladder&)>& seconds_per_frame) {
+  const Stopwatch watch(seconds_);
+  std::atomic<bool> any = false;
+  parallel_for_each(ladders_, [&](Ladder& ladder) {
+    if (ladder.is_over() || ladder.is_given_up() || !(ladder.expected_seconds() < seconds_per_frame(ladder)))
+      return;
+    ladder.go_on(ladder.expected_evaluations(), starts_.seen(), need_);
+    any = true;
+  });
+  return any;
+}
+
+bool Search::time(const std::function<Candidate*(Ladder&)>& wanted) {
+  std::vector<Candidate*> candidates;
+  for (Ladder& ladder : ladders_) candidates.push_back(wanted(ladder));
+  return clock_.time_all(candidates);
+}
+
+/// One setting of each method, by which the cost of others is estimated; and those that may be chosen, unless
+/// they are expected to cost several times as much as the cheapest.
+void Search::time_to_pick_from(Rung may_be_chosen, bool by_objective) {
+  constexpr double several = 2 * policy.noisy_tie;
+  const auto may_be = [&](Ladder& ladder) -> Candidate* {
+    Candidate* t = ladder.found(need_).*may_be_chosen;
+    return t && (!by_objective || picker_.meets_objective(*t)) ? t : nullptr;
+  };
+  time([&](Ladder& ladder) -> Candidate* {
+    Candidate* t = may_be(ladder);
+    if (!t && !ladder.is_over() && !ladder.is_given_up()) t = &ladder.candidates.back();
+    return t && std::isnan(ladder.expected_seconds(*t)) ? t : nullptr;
+  });
+  double cheapest = unlimited;
+  do {
+    for (Ladder& ladder : ladders_)
+      if (const Candidate* t = may_be(ladder)) cheapest = std::min(cheapest, ladder.expected_seconds(*t));
+  } while (time([&](Ladder& ladder) -> Candidate* {
+    Candidate* t = may_be(ladder);
+    return t && ladder.expected_seconds(*t) <= several * cheapest ? t : nullptr;
+  }));
+}
+
+Picked Search::pick() {
+  time_to_pick_from(&Ladder::Found::with_margin, true);
+  if (Picked picked = picker_.pick(all_tried(), true); picked.chosen) return picked;
+  time_to_pick_from(&Ladder::Found::first, false);
+  return picker_.pick(all_tried(), false);
+}
+
+/// A pick is final when finer settings of all that fails would cost more. What may be chosen instead may tie
+/// with it; what the objective prefers to it may cost as much as the budget allows.
+Picked Search::pick_cheapest() {
+  while (true) {
+    const Picked picked = pick();
+    const auto limit = [&](const Ladder& ladder) {
+      if (!picked.chosen || (!picked.by_objective && picker_.may_meet_objective(ladder))) return need_.budget;
+      const bool may_tie = picker_.may_meet_objective(ladder) == picked.by_objective;
+      return (may_tie ? policy.noisy_tie : 1) * picked.chosen->seconds_per_frame;
+    };
+    if (starts_.are_beyond_double() || !climb_on(limit)) return picked;
+  }
+}
+
+}  // namespace oddity

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "report/study/clock.hpp"
+#include "report/study/ladder.hpp"
+#include "report/study/picker.hpp"
+#include "report/study/starts.hpp"
+
+namespace oddity {
+
+/// The search of a choice: each method climbs its ladder of settings, with ever more work allowed, until one
+/// holds that the objective wants; the picker takes the cheapest; unseen starts test it. A choice that they
+/// refute is dropped, and the search goes on with these starts as well.
+class Search {
+ public:
+  /// Throws BadInput where no method is left, or the criterion fits none of them.
+  Search(const Task&, const Need&, const Reference&, const Price&, const Progress&,
+         std::shared_ptr<const PartJudged>);
+
+  Picked run();
+
+  Starts& starts() { return starts_; }
+  const Starts& starts() const { return starts_; }
+  std::vector<Ladder>& ladders() { return ladders_; }
+  const std::vector<Ladder>& ladders() const { return ladders_; }
+  Clock& clock() { return clock_; }
+  const Clock& clock() const { return clock_; }
+  const Picker& picker() const { return picker_; }
+
+  std::vector<Candidate> all_tried() const;
+  /// The start on which the last pick failed its test; then those on which methods fail that hold on the
+  /// requested one, from the one with most of them on.
+  std::vector<std::string> hardest_starts() const;
+
+  int rounds() const { return rounds_; }
+  int failing_beside() const { return failing_beside_; }
+  double seconds() const { return seconds_; }            ///< spent on settings
+  double test_seconds() const { return test_seconds_; }  ///< spent on tests
+
+ private:
+  using Which = std::function<bool(const Ladder&)>;
+  using Rung = Candidate* Ladder::Found::*;
+
+  std::string names() const;
+  void climb(const std::string& stage);
+  void climb(const std::string& stage, double most_evaluations, const Which&);
+  bool climb_on(const std::function<double(const Ladder&)>& seconds_per_frame);
+  bool time(const std::function<Candidate*(Ladder&)>& wanted);
+  void time_to_pick_from(Rung may_be_chosen, bool by_objective);
+  Picked pick();
+  Picked pick_cheapest();
+  bool holds_elsewhere(Candidate&);
+
+  const Need& need_;
+  const Progress& progress_;
+  Starts starts_;
+  Clock clock_;
+  Picker picker_;
+  std::vector<Ladder> ladders_;
+  std::string refuted_on_;  ///< where the last pick failed its test
+  int rounds_ = 0, failing_beside_ = 0;
+  double seconds_ = 0, test_seconds_ = 0;
+};
+
+}  // namespace oddity

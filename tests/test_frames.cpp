@@ -1,0 +1,144 @@
+// Frames of different lengths, and the four ways in which steps of one length meet them, beside loops by
+// hand.
+
+#include "report/study/frames.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include "reference/bad_input.hpp"
+#include "report/study/choose.hpp"
+#include "report/verify/catch.hpp"
+#include "solvers/ode/explicit_euler.hpp"
+#include "tests/near.hpp"
+#include "tests/properties.hpp"
+
+using namespace oddity;
+
+namespace {
+
+/// x'' = -x, from x = 1 at rest.
+struct Swing {
+  using State = std::array<double, 2>;
+  State start() const { return {1, 0}; }
+  void operator()(const auto& x, auto& dxdt, const auto&) const { dxdt = {x[1], -x[0]}; }
+  State observe(const State& x, double) const { return x; }
+};
+
+using State = Swing::State;
+
+State euler(State x, double h) { return {x[0] + h * x[1], x[1] - h * x[0]}; }
+State after(long steps, double h) {
+  State x{1, 0};
+  for (long i = 0; i < steps; ++i) x = euler(x, h);
+  return x;
+}
+
+/// What is drawn at the times, in steps of h.
+std::vector<double> by_hand(const std::vector<double>& times, double h, Stepping stepping) {
+  std::vector<double> drawn;
+  State divided{1, 0};
+  double before = 0;
+  for (const double t : times) {
+    const long k = static_cast<long>(std::floor(t / h + 1e-9));
+    const double late = t - static_cast<double>(k) * h;
+    const State last = after(k, h), one_before = after(std::max(0L, k - 1), h);
+    State x = last;
+    if (stepping == Stepping::divided) {
+      const double count = std::ceil((t - before) / h - 1e-9);
+      for (int i = 0; i < static_cast<int>(count); ++i) divided = euler(divided, (t - before) / count);
+      x = divided;
+    } else if (stepping == Stepping::extrapolated) {
+      x = euler(last, late);
+    } else if (stepping == Stepping::interpolated && k > 0) {
+      for (std::size_t i = 0; i < 2; ++i) x[i] = one_before[i] + late / h * (last[i] - one_before[i]);
+    }
+    drawn.insert(drawn.end(), x.begin(), x.end());
+    before = t;
+  }
+  return drawn;
+}
+
+/// A nanosecond an evaluation.
+Time counted_price(const Method& m, double setting) {
+  return {static_cast<double>(m.run(setting).evaluations) * 1e-9, 0};
+}
+
+}  // namespace
+
+TEST_CASE("fixed steps meet frames of different lengths as loops by hand do", "[frames]") {
+  const auto frames = std::make_shared<const std::vector<double>>(
+      std::vector<double>{0.004, 0.03, 0.031, 0.05, 0.11, 0.1201, 0.2, 0.2});
+  for (const Stepping stepping :
+       {Stepping::divided, Stepping::last_step, Stepping::interpolated, Stepping::extrapolated})
+    for (const double h : {0.01, 0.025, 0.5}) {
+      const Horizon horizon{frames->back(), 7, 0, frames, stepping};
+      const Answer answer = observe_integrated<ode::ExplicitEuler>(Swing{}, horizon, h);
+      const std::vector<double> expected =
+          by_hand(std::vector<double>(frames->begin(), frames->begin() + 7), h, stepping);
+      INFO("stepping " << static_cast<int>(stepping) << ", step " << h);
+      REQUIRE(answer.value.size() == expected.size());
+      for (std::size_t i = 0; i < expected.size(); ++i) CHECK(near(answer.value[i], expected[i], 1e-14));
+    }
+}
+
+TEST_CASE("frames are as long as was asked", "[frames]") {
+  CHECK(frame_times({}, 60, 10) == nullptr);
+
+  const auto jittered = frame_times({.jitter = 0.2}, 60, 100);
+  double last = 0, shortest = 1, longest = 0;
+  for (const double t : jittered->at) {
+    shortest = std::min(shortest, t - last);
+    longest = std::max(longest, t - last);
+    last = t;
+  }
+  CHECK((shortest >= 0.8 / 60 - 1e-12 && shortest < 0.81 / 60));
+  CHECK((longest <= 1.2 / 60 + 1e-12 && longest > 1.19 / 60));
+  CHECK(near(jittered->longest, longest, 1e-12));
+  CHECK((last <= 100 && last > 100 - 1.2 / 60));
+  CHECK(jittered->says == "each up to 20 % longer or shorter");
+  CHECK(frame_times({.jitter = 0.2}, 60, 100)->at == jittered->at);
+
+  const auto dropped = frame_times({.drop = 0.25}, 60, 100);
+  CHECK(near(static_cast<double>(dropped->at.size()), 4500, 150));
+  CHECK(dropped->longest > 2.5 / 60);
+  const auto capped = frame_times({.drop = 0.25, .longest = 0.02}, 60, 100);
+  CHECK(capped->longest == 0.02);
+
+  const auto traced = frame_times({.trace = {0.01, 0.03}}, 60, 0.1);
+  const std::vector<double> expected{0.01, 0.04, 0.05, 0.08, 0.09};
+  REQUIRE(traced->at.size() == expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) CHECK(near(traced->at[i], expected[i], 1e-12));
+  CHECK_THROWS_AS(frame_times({.trace = {2.0}}, 60, 1), BadInput);
+  CHECK_THROWS_AS(frame_times({.jitter = 0.1}, 1e6, 10), BadInput);
+}
+
+TEST_CASE("a choice at frames of different lengths is judged where they are drawn", "[frames]") {
+  const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
+  const Task task(properties::entry_of("3.5"));
+  Need need = game_need();
+  need.horizon = 3;
+  need.frame_times = frame_times({.jitter = 0.3, .drop = 0.02}, need.frames_per_second, need.horizon);
+  const Choice choice = choose(task, need, truth, counted_price);
+  REQUIRE(choice.chosen);
+  CHECK(choice.chosen->error <= 1);
+
+  // The last of fixed steps is up to a step old: the bob has moved on by its speed times that.
+  const Quantity motion =
+      motion_at_frames(*task.entry->exercise.scene, task.parameters, horizon_of(need), truth);
+  const auto error_of = [&](const std::string& algorithm) {
+    for (const Method& m : motion.methods)
+      if (m.model == "one angle" && m.algorithm == algorithm) return run(motion, m, 1.0 / 120).error;
+    return not_a_number;
+  };
+  const double divided = error_of("Runge-Kutta 4"), late = error_of("Runge-Kutta 4, last of fixed steps"),
+               between = error_of("Runge-Kutta 4, fixed steps interpolated"),
+               ahead = error_of("Runge-Kutta 4, fixed steps extrapolated");
+  const double fastest =
+      std::sqrt(2 * task.parameters["g"] / task.parameters["L"] * (1 - std::cos(task.parameters["a"])));
+  CHECK((late > 0.8 * fastest / 120 && late < 1.01 * fastest / 120));
+  CHECK((between > 0.99 * fastest / 120 && between < 1.01 * fastest / 120));
+  CHECK(ahead < 0.03 * late);
+  CHECK(divided < 1e-3 * ahead);
+  CHECK(without_stepping("Runge-Kutta 4, fixed steps extrapolated") == "Runge-Kutta 4");
+}
