@@ -502,7 +502,7 @@ struct Scene {
   Listing listing = {};
   /// How it looks where these are the observables at the time t (chapters/drawing.hpp).
   void (*draw)(const Parameters&, double t, std::span<const double> observed, Drawing&) = nullptr;
-  /// The same for other people's engines (solvers/engines/world.hpp); null where these cannot have it.
+  /// The same for other people's engines (solvers/world.hpp); null where these cannot have it.
   engines::Staging (*staging)(const Parameters&) = nullptr;
   Laws laws = {};
   /// Models that the scene's own page shows to be wrong: these are shown, and never chosen.

@@ -1,7 +1,7 @@
 # The makers in balls, under another name, for whoever makes tables: where Arb is installed.
 
 list(APPEND CMAKE_MODULE_PATH ${PROJECT_SOURCE_DIR}/cmake)
-find_optional(ODDITY_ARB Arb)
+find_optional(ODDITY_ARB "Enclosures in the tables that are made" Arb)
 if(NOT Arb_FOUND)
   message(STATUS "Arb not used: a table made anew has its errors from the agreement of two routes")
   return()

@@ -1,5 +1,7 @@
 # The scenes' models as a WebAssembly module, for the players in the page: the target models_module makes models.js,
 # which is assets/models.js of the site. The algorithms are those of Odeint, as the program has them.
+set(ODDITY_MODULE AUTO CACHE STRING "The scenes' models as WebAssembly, for the page: ON, OFF, or AUTO: where clang can")
+set_property(CACHE ODDITY_MODULE PROPERTY STRINGS AUTO ON OFF)
 if(NOT ODDITY_MODULE)
   return()
 endif()
@@ -35,20 +37,19 @@ file(CREATE_LINK ${boost}/boost ${module}/include/boost SYMBOLIC)
 file(COPY ${PROJECT_BINARY_DIR}/generated/solvers/ode/unknowns.hpp DESTINATION ${module}/include/solvers/ode)
 # and a register of Odeint's algorithms and of our own that need no series.
 list_algorithms(entries ${PROJECT_SOURCE_DIR}/solvers/ode/algorithms.hpp)
-set(includes "")
 set(calls "")
 set(algorithms "")
 foreach(entry IN LISTS entries)
-  string(REGEX MATCH "[(]([A-Za-z0-9]+), ([a-z0-9_]+)[)]" entry "${entry}")
-  set(algorithm ${CMAKE_MATCH_1})
-  set(header solvers/ode/${CMAKE_MATCH_2}.hpp)
-  file(STRINGS ${header} found REGEX "library = Facts::(odeint|own)")
+  string(REGEX MATCH "[(]([A-Za-z0-9]+), ([a-z0-9_]+)[)]" matched "${entry}")
+  file(STRINGS solvers/ode/${CMAKE_MATCH_2}.hpp found REGEX "library = Facts::(odeint|own)")
   if(found)
-    string(APPEND includes "#include \"${header}\"\n")
+    string(REGEX REPLACE "F[(](.*), .*" "\\1" algorithm "${entry}")
     string(APPEND calls "  f.template operator()<${algorithm}>();\n")
-    list(APPEND algorithms "${algorithm}|${header}")
+    list(APPEND algorithms "${entry}")
   endif()
 endforeach()
+write_algorithms(algorithm_files ${module} algorithms ${algorithms})
+set(includes "${algorithm_files_includes}")
 file(CONFIGURE OUTPUT ${module}/include/solvers/ode/all.hpp CONTENT [[
 #pragma once
 
@@ -83,30 +84,8 @@ foreach(file events in_float integrate precompiled raw_problem)
   compile_for_module(${PROJECT_SOURCE_DIR}/solvers/ode/${file}.cpp -Os c++20)
 endforeach()
 compile_for_module(${PROJECT_SOURCE_DIR}/solvers/ode/implicit.cpp -Os c++17)  # as in the program
-# Four algorithms to a file, as Odeint's headers take longer to read than one of them to compile.
-set(nth 0)
-set(files 0)
-list(LENGTH algorithms last)
-set(includes "")
-set(precompiled "")
-foreach(entry IN LISTS algorithms)
-  string(REGEX MATCH "^(.*)[|](.*)$" entry "${entry}")
-  string(APPEND includes "#include \"${CMAKE_MATCH_2}\"\n")
-  string(APPEND precompiled "ODDITY_PRECOMPILE(${CMAKE_MATCH_1})\n")
-  math(EXPR nth "${nth} + 1")
-  math(EXPR over "${nth} % 4")
-  if(over EQUAL 0 OR nth EQUAL last)
-    set(file ${module}/algorithms_${files}.cpp)
-    file(CONFIGURE OUTPUT ${file} CONTENT "#include \"solvers/ode/precompile.hpp\"
-${includes}
-namespace oddity::ode {
-${precompiled}}  // namespace oddity::ode
-" @ONLY)
-    compile_for_module(${file} -Os c++20)
-    set(includes "")
-    set(precompiled "")
-    math(EXPR files "${files} + 1")
-  endif()
+foreach(file IN LISTS algorithm_files)
+  compile_for_module(${file} -Os c++20)
 endforeach()
 foreach(file at_time exports scene)
   compile_for_module(${PROJECT_SOURCE_DIR}/report/site/module/${file}.cpp -Os c++20)

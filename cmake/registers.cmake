@@ -105,19 +105,15 @@ Provables provables() {
 ]] @ONLY)
 endfunction()
 
-# Of solvers/ode/algorithms.hpp: solvers/ode/all.hpp in the folder `generated`, and as `output` the files that
-# compile the algorithms, each four of them.
-function(register_algorithms generated output)
-  list_algorithms(entries ${PROJECT_SOURCE_DIR}/solvers/ode/algorithms.hpp)
-  if(NOT SUNDIALS_FOUND)
-    list(FILTER entries EXCLUDE REGEX ", (cvode|arkode)_")
-  endif()
-  set(all "#pragma once\n\n#include \"solvers/ode/algorithms.hpp\"\n")
+# Writes files NAME_0.cpp, NAME_1.cpp ... in the folder that compile these entries F(Algorithm, header), four in each, as
+# Odeint's headers take longer to read than one of them to compile. `output` has the files, `output`_includes the headers.
+function(write_algorithms output folder name)
   set(includes "")
+  set(all "")
   set(algorithms "")
   set(files "")
-  list(LENGTH entries left)
-  foreach(entry IN LISTS entries)
+  list(LENGTH ARGN left)
+  foreach(entry IN LISTS ARGN)
     string(REGEX MATCH "[(]([A-Za-z0-9]+), ([a-z0-9_]+)[)]" entry "${entry}")
     string(APPEND includes "#include \"solvers/ode/${CMAKE_MATCH_2}.hpp\"\n")
     string(APPEND algorithms "ODDITY_PRECOMPILE(${CMAKE_MATCH_1})\n")
@@ -125,7 +121,7 @@ function(register_algorithms generated output)
     math(EXPR full "${left} % 4")
     if(full EQUAL 0)
       list(LENGTH files part)
-      set(file ${generated}/precompiled_${part}.cpp)
+      set(file ${folder}/${name}_${part}.cpp)
       file(CONFIGURE OUTPUT ${file} CONTENT [[
 #include "solvers/ode/precompile.hpp"
 @includes@
@@ -140,7 +136,20 @@ namespace oddity::ode {
       set(algorithms "")
     endif()
   endforeach()
-  file(CONFIGURE OUTPUT ${generated}/solvers/ode/all.hpp CONTENT "${all}" @ONLY)
+  set(${output} ${files} PARENT_SCOPE)
+  set(${output}_includes "${all}" PARENT_SCOPE)
+endfunction()
+
+# Of solvers/ode/algorithms.hpp: solvers/ode/all.hpp in the folder `generated`, and as `output` the files that
+# compile the algorithms.
+function(register_algorithms generated output)
+  list_algorithms(entries ${PROJECT_SOURCE_DIR}/solvers/ode/algorithms.hpp)
+  if(NOT SUNDIALS_FOUND)
+    list(FILTER entries EXCLUDE REGEX ", (cvode|arkode)_")
+  endif()
+  write_algorithms(files ${generated} precompiled ${entries})
+  file(CONFIGURE OUTPUT ${generated}/solvers/ode/all.hpp
+    CONTENT "#pragma once\n\n#include \"solvers/ode/algorithms.hpp\"\n${files_includes}" @ONLY)
   set(${output} ${files} PARENT_SCOPE)
 endfunction()
 
