@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "report/study/clock.hpp"
+#include "report/study/frame_clock.hpp"
 #include "report/study/ladder.hpp"
 #include "report/study/picker.hpp"
 #include "report/study/starts.hpp"
@@ -27,8 +27,8 @@ class Search {
   const Starts& starts() const { return starts_; }
   std::vector<Ladder>& ladders() { return ladders_; }
   const std::vector<Ladder>& ladders() const { return ladders_; }
-  Clock& clock() { return clock_; }
-  const Clock& clock() const { return clock_; }
+  FrameClock& clock() { return clock_; }
+  const FrameClock& clock() const { return clock_; }
   const Picker& picker() const { return picker_; }
 
   std::vector<Candidate> all_tried() const;
@@ -58,7 +58,7 @@ class Search {
   const Need& need_;
   const Progress& progress_;
   Starts starts_;
-  Clock clock_;
+  FrameClock clock_;
   Picker picker_;
   std::vector<Ladder> ladders_;
   std::string refuted_on_;  ///< where the last pick failed its test

@@ -114,12 +114,14 @@ Vector first_moments(S system) {
 
 /// Components about the origin.
 Sum definition(const std::vector<std::size_t>& which) {
-  return {R"($\sum m_i\,\mathbf r_i\times(\mathbf w\times\mathbf r_i)$)", [=](const Sample& s) {
-            std::vector<double> all(which.size());
-            for (std::size_t k = 0; k < which.size(); ++k)
-              for (const Particle& p : s.system) all[k] += p.m * inertia_by_definition(which[k], p.r);
-            return all;
-          }};
+  return {
+      R"($\sum m_i\,\mathbf r_i\times(\mathbf w\times\mathbf r_i)$, the angular momentum of a turn $\mathbf w$)",
+      [=](const Sample& s) {
+        std::vector<double> all(which.size());
+        for (std::size_t k = 0; k < which.size(); ++k)
+          for (const Particle& p : s.system) all[k] += p.m * inertia_by_definition(which[k], p.r);
+        return all;
+      }};
 }
 Sum zero(std::size_t n) {
   return {"zero", [=](const Sample&) { return Value(std::vector<double>(n)); }};
@@ -218,8 +220,7 @@ const auto transfer_xy = [](double sign) {
 void products_of_inertia(Claims& claims, const Samples& samples) {
   const Sum truth = definition({3});
   const auto ixy = lines(claims, "$I_{xy}$", truth);
-  ixy("ixy", 779, samples.any_point,
-      direct(R"($I_{xy}=\sum m_ix_iy_i$, the tensor's component with its sign changed)", xy_of),
+  ixy("ixy", 779, samples.any_point, direct(R"($I_{xy}=\sum m_ix_iy_i$)", xy_of),
       direct(R"($I_{xy}=-\sum m_ix_iy_i$)", [](double x, double y, double) { return -x * y; }));
   ixy("ixy_shifted", 781, samples.any_point, seen(R"($=\sum m_i(x_i'+c_x)(y_i'+c_y)$)", shifted_xy(1)),
       seen(R"($\sum m_i(x_i'-c_x)(y_i'+c_y)$)", shifted_xy(-1)));
@@ -236,7 +237,7 @@ void products_of_inertia(Claims& claims, const Samples& samples) {
          .kind = Fault::formula,
          .why =
              filled("The mass $m_i$ is left out of the first sum, $\\sum m_i\\,x'_iy'_i$, of lines 783 and "
-                    "787; the lines around the two, 781 and 795, have it. As it stands the sum has another "
+                    "787; lines 779 and 781, before them, have it. As it stands the sum has another "
                     "unit: for two masses of 2 kg at $\\pm(1,1)$ m it is @1, where $I_{xy}$ is @1 kg m$^2$.",
                     {first_sum(pair, true), first_sum(pair, false)})});
   };
@@ -252,34 +253,24 @@ std::vector<T> middle_terms(const std::array<T, 3>& moment, const std::array<T, 
   return {2 * A[1] * moment[1], 2 * A[2] * moment[2], A[0] * moment[1], A[1] * moment[0]};
 }
 
-/// m (x', y', z') of a particle at r from the center, which is at A; the origin somewhere else.
-template <class T>
-std::array<T, 3> position_from(const T& m, const std::array<T, 3>& r, const std::array<T, 3>& A,
-                               const std::array<T, 3>& moved, double sign) {
-  std::array<T, 3> all;
-  for (std::size_t i = 0; i < 3; ++i) all[i] = m * ((r[i] + A[i] + moved[i]) - sign * (A[i] + moved[i]));
-  return all;
-}
-
-/// Component k about the origin.
+/// Component k about the origin, as the text leaves it to its reader.
 template <class T>
 T transferred_component(std::size_t k, const T& central, const T& mass, const std::array<T, 3>& A,
                         double sign) {
-  return central + (k < 3 ? 1.0 : sign) * mass * inertia_component(k, A);
+  switch (k) {
+    case 1:
+      return central + mass * (A[0] * A[0] + A[2] * A[2]);
+    case 2:
+      return central + mass * (A[0] * A[0] + A[1] * A[1]);
+    case 4:
+      return central + sign * mass * A[0] * A[2];
+    default:
+      return central + sign * mass * A[1] * A[2];
+  }
 }
 constexpr std::size_t other_components[] = {1, 2, 4, 5};
 
 void statements(Claims& claims, const Samples& samples) {
-  const auto positions = [](double sign) {
-    return [=](S s, V A) { return position_from<double>(s[0].m, s[0].r, A, {3, -5, 7}, sign); };
-  };
-  const Sum from_center =
-      seen("from the center, whatever the origin", [](S s, V) { return s[0].m * s[0].r; });
-  lines(claims, "$m(x',y',z')$ of a particle", from_center)(
-      "relative_position", 743, samples.center,
-      seen("$m_1(x_1',y_1',z_1')=m_1((x_1,y_1,z_1)-(c_x,c_y,c_z))$", positions(1)),
-      seen("the sum $(x,y,z)+(c_x,c_y,c_z)$", positions(-1)));
-
   const auto vanish = [&](std::string_view slug, int number, const std::string& says,
                           const std::string& quantity, std::size_t count, const Of& of) {
     const auto about = [&](const std::string& text, const std::vector<Sample>& all) {
@@ -293,11 +284,18 @@ void statements(Claims& claims, const Samples& samples) {
       "first_moments", 771,
       R"(The first moments about the center of mass are zero: $\sum m_ix_i'=\sum m_iy_i'=\sum m_iz_i'=0$.)",
       "first moments", 3, [](S s, V) { return first_moments(s); });
-  vanish("middle_terms", 797,
-         R"(The middle two terms, $2c_y\sum m_iy_i'$ and $2c_z\sum m_iz_i'$ or $c_x\sum m_iy_i'$ and )"
-         R"($c_y\sum m_ix_i'$, are zero because they include these moments.)",
-         "middle terms of $I_{xx}$ and $I_{xy}$", 4,
-         [](S s, V A) { return Value(middle_terms(first_moments(s), A)); });
+  const auto terms = [](std::size_t first) {
+    return [=](S s, V A) {
+      const std::vector<double> all = middle_terms(first_moments(s), A);
+      return Value{all[first], all[first + 1]};
+    };
+  };
+  vanish("middle_terms", 771,
+         R"(The middle two terms of $I_{xx}$, $2c_y\sum m_iy_i'$ and $2c_z\sum m_iz_i'$, are zero.)",
+         "middle terms of $I_{xx}$", 2, terms(0));
+  vanish("middle_terms_again", 797,
+         R"(The middle two terms of $I_{xy}$, $c_x\sum m_iy_i'$ and $c_y\sum m_ix_i'$, are zero.)",
+         "middle terms of $I_{xy}$", 2, terms(2));
 
   const auto transfer = [](double sign) {
     return [=](S s, V A) {
@@ -310,9 +308,10 @@ void statements(Claims& claims, const Samples& samples) {
   };
   lines(claims, "$I_{yy}$, $I_{zz}$, $I_{xz}$, $I_{yz}$", definition({1, 2, 4, 5}))(
       "others", 799, samples.center,
-      seen("The other components are handled in the same manner: $I_{yy}=I_{yy}'+m(c_x^2+c_z^2)$, "
-           "$I_{zz}=I_{zz}'+m(c_x^2+c_y^2)$, $I_{xz}=I_{xz}'+mc_xc_z$, $I_{yz}=I_{yz}'+mc_yc_z$.",
-           transfer(1)),
+      seen(
+          "The other components are handled in the same manner (our formulas): $I_{yy}=I_{yy}'+m(c_x^2+c_z^2)$, "
+          "$I_{zz}=I_{zz}'+m(c_x^2+c_y^2)$, $I_{xz}=I_{xz}'+mc_xc_z$, $I_{yz}=I_{yz}'+mc_yc_z$.",
+          transfer(1)),
       seen("the products with $-mc_xc_z$", transfer(-1)));
 }
 
@@ -423,20 +422,11 @@ Provables proofs() {
           by_definition(k, origin).expression()},
          by_transfer(k)});
   proved.push_back({"2.15-others", at_center, others, 0, totals_in_coq});
-  const std::array<Shortened, 3> r{letter("x"), letter("y"), letter("z")},
-      anywhere{letter("o0"), letter("o1"), letter("o2")};
-  const Shortened m = letter("m");
-  proved.push_back({"2.15-relative_position",
-                    "it holds of any particle and any center, wherever the origin is",
-                    {{"printed",
-                      "(m x y z c0 c1 c2 o0 o1 o2 : R)",
-                      {},
-                      equal(detail::recorded_value(position_from(m, r, A, anywhere, 1)),
-                            {(m * r[0]).expression(), (m * r[1]).expression(), (m * r[2]).expression()}),
-                      "ring"}}});
   const auto moment = first_moments(from_A);
   vanish("first_moments", {moment[0], moment[1], moment[2]});
-  vanish("middle_terms", middle_terms(moment, A));
+  const std::vector<Shortened> terms = middle_terms(moment, A);
+  vanish("middle_terms", {terms[0], terms[1]});
+  vanish("middle_terms_again", {terms[2], terms[3]});
   return proved;
 }
 

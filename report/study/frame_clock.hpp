@@ -8,9 +8,9 @@
 namespace oddity {
 
 /// Times candidates per frame, on the requested start.
-class Clock {
+class FrameClock {
  public:
-  Clock(const Need& need, const Starts& starts, const Price& price, const Progress& progress)
+  FrameClock(const Need& need, const Starts& starts, const Price& price, const Progress& progress)
       : need_(need), starts_(starts), price_(price), progress_(progress) {}
 
   void time(Candidate&) const;

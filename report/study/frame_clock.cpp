@@ -1,4 +1,4 @@
-#include "report/study/clock.hpp"
+#include "report/study/frame_clock.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,14 +19,14 @@ double evaluations_of(const Quantity& motion, const Method& method, double setti
 
 }  // namespace
 
-void Clock::time(Candidate& candidate) const {
+void FrameClock::time(Candidate& candidate) const {
   const Time time = time_per_frame(candidate);
   const double with_restarts = worst_part(candidate) * (1 + restarting(candidate));
   candidate.seconds_per_frame = with_restarts * time.seconds;
   candidate.spread = std::isfinite(time.spread) ? with_restarts * time.spread : 0;
 }
 
-bool Clock::time_all(const std::vector<Candidate*>& candidates) {
+bool FrameClock::time_all(const std::vector<Candidate*>& candidates) {
   const Stopwatch watch(seconds_);
   std::vector<Candidate*> untimed;
   std::ranges::copy_if(candidates, std::back_inserter(untimed),
@@ -43,7 +43,7 @@ bool Clock::time_all(const std::vector<Candidate*>& candidates) {
 
 /// How many times as many evaluations a frame takes in the costliest part of the horizon as on average: a
 /// budget has to hold there.
-double Clock::worst_part(const Candidate& candidate) const {
+double FrameClock::worst_part(const Candidate& candidate) const {
   const auto frames = static_cast<int>(need_.frames());
   if (!std::isfinite(need_.budget) || candidate.evaluations_per_frame == 0 || frames < policy.budget_parts)
     return 1;
@@ -64,7 +64,7 @@ double Clock::worst_part(const Candidate& candidate) const {
 
 /// A long run is timed over its first frames, as an evaluation takes as long there: over a twentieth of all,
 /// or over as many as take twice the evaluations that are many.
-Time Clock::time_per_frame(const Candidate& candidate) const {
+Time FrameClock::time_per_frame(const Candidate& candidate) const {
   const double enough = std::ceil(2 * policy.long_evaluations / candidate.evaluations_per_frame);
   const Quantity first_frames =
       starts_.first_frames(static_cast<int>(std::clamp(enough, 1.0, std::max(1.0, need_.frames() / 20))));
@@ -75,7 +75,7 @@ Time Clock::time_per_frame(const Candidate& candidate) const {
   return part_of(price_(*briefly, candidate.setting), evaluations / candidate.evaluations_per_frame);
 }
 
-double Clock::restart(const Candidate& candidate) const {
+double FrameClock::restart(const Candidate& candidate) const {
   const Quantity one_frame = starts_.first_frames(1);
   const Method* first = method_of(one_frame, candidate.model, candidate.algorithm);
   if (!first) return 0;
@@ -84,7 +84,7 @@ double Clock::restart(const Candidate& candidate) const {
 }
 
 /// What the requested restarts add to the time, as a part of it.
-double Clock::restarting(const Candidate& candidate) const {
+double FrameClock::restarting(const Candidate& candidate) const {
   const double frames = need_.restart_every * need_.frames_per_second;
   if (!std::isfinite(frames) || candidate.evaluations_per_frame == 0) return 0;
   return restart(candidate) / candidate.evaluations_per_frame / frames;
