@@ -18,7 +18,7 @@
 /// How an exercise states its claims: as formulas, as statements and as numbers, each reading beside what it
 /// computes. A sample is a struct of the exercise's letters:
 ///   Sample(Random&)                        draws one
-///   where() const -> std::string           tells its letters
+///   where() const -> std::string           tells its letters, where the first of typeset() are not enough
 ///   letters() -> array of double*          where all else follows from these: the size of a formula's terms
 ///                                          is found by changing each a little
 ///   size() const -> double                 the size of terms that cancel, where a quantity is to be zero
@@ -41,6 +41,15 @@ std::vector<Sample> draw(int count, double seed) {
   std::vector<Sample> samples;
   for (int i = 0; i < count; ++i) samples.emplace_back(random);
   return samples;
+}
+
+/// The sample's letters: where(), or the first four of typeset().
+template <class Sample>
+std::string where_of(const Sample& sample) {
+  if constexpr (requires { sample.where(); })
+    return sample.where();
+  else
+    return told(sample.typeset(), 4);
 }
 
 /// The numbers as one value.
@@ -119,10 +128,10 @@ void see(WorstSample& worst, const Left& left, const Right& right, const std::ar
             std::max(size_of_terms(left, letters), size_of_terms(right, letters)), where);
 }
 
-/// Two formulas of a quantity over the samples, the worst of them shown. Where one of them is zero, the terms
-/// are what cancels, of which a sample's size() is the sum. Else their size is found from a sample's
-/// letters() where it has them, and is that of the largest value where it has not, times the sample's
-/// conditioning() if it has one.
+/// Two formulas of a quantity over the samples, the worst of them shown. A lone number is compared with each
+/// of several. Where one of them is zero, the terms are what cancels, of which a sample's size() is the sum.
+/// Else their size is found from a sample's letters() where it has them, and is that of the largest value
+/// where it has not, times the sample's conditioning() if it has one.
 template <class Sample>
 Check compare(std::string quantity, const Formula<Sample>& left, const Formula<Sample>& right,
               const std::vector<Sample>& samples) {
@@ -132,6 +141,7 @@ Check compare(std::string quantity, const Formula<Sample>& left, const Formula<S
   for (const Sample& sample : samples) {
     lefts.push_back(left.of(sample));
     rights.push_back(right.of(sample));
+    in_a_row(lefts.back(), rights.back());
     for (const Value* value : {&lefts.back(), &rights.back()})
       if (finite(*value)) largest = std::max(largest, size_of(*value));
     left_is_zero = left_is_zero && size_of(lefts.back()) == 0;
@@ -154,12 +164,12 @@ Check compare(std::string quantity, const Formula<Sample>& left, const Formula<S
   WorstSample worst(std::move(quantity), left.text, right.text);
   for (std::size_t i = 0; i < samples.size(); ++i)
     if constexpr (requires { Sample::whole; })
-      worst.add(lefts[i], rights[i], exact(), size(samples[i]), samples[i].where());
+      worst.add(lefts[i], rights[i], exact(), size(samples[i]), where_of(samples[i]));
     else if constexpr (requires(double terms) { samples[i].tolerance(terms); })
       worst.add(lefts[i], rights[i], samples[i].tolerance(size(samples[i])), size(samples[i]),
-                samples[i].where());
+                where_of(samples[i]));
     else
-      worst.add(lefts[i], rights[i], size(samples[i]), samples[i].where());
+      worst.add(lefts[i], rights[i], size(samples[i]), where_of(samples[i]));
   return worst.check();
 }
 
@@ -233,6 +243,7 @@ template <class Sample>
 struct FormulaClaim {
   std::string quantity = {};  ///< what is compared; empty: what the claim says
   Formula<Sample> truth;
+  std::vector<Formula<Sample>> other_routes = {};  ///< to the same, for each reading
   Formula<Sample> printed;
   Formula<Sample> meant = {};
   Formula<Sample> corrected = {};
@@ -246,12 +257,29 @@ struct FormulaClaim {
 
 // ---- statements -------------------------------------------------------------------------------------------
 
-/// A sentence, and whether a sample bears it out.
+/// A sentence, and whether a sample bears it out. Without `holds` it is a relation, "$\ddot q<0$", in the
+/// sample's typeset() letters.
 template <class Sample>
 struct Statement {
   std::string text;
-  std::function<bool(const Sample&)> holds;
+  std::function<bool(const Sample&)> holds = {};
 };
+
+/// The statement with what decides it: its relation, if nothing else does.
+template <class Sample>
+Statement<Sample> computed(Statement<Sample> statement) {
+  if (statement.holds || statement.text.empty()) return statement;
+  if constexpr (requires(const Sample& s) { s.typeset(); }) {
+    if (is_formula(statement.text))
+      statement.holds = [text = statement.text](const Sample& s) {
+        const auto so = typeset_relation(text.substr(1, text.size() - 2), s.typeset());
+        if (!so) throw std::logic_error(text + " is no relation of the sample's letters");
+        return *so;
+      };
+  }
+  if (!statement.holds) throw std::logic_error("nothing decides '" + statement.text + "'");
+  return statement;
+}
 
 template <class Sample>
 Check in_all(const std::string& text, const std::vector<Sample>& samples,
@@ -260,7 +288,7 @@ Check in_all(const std::string& text, const std::vector<Sample>& samples,
   std::string where;
   for (const Sample& sample : samples) {
     if (holds(sample)) continue;
-    if (++violations == 1) where = "one of them: " + sample.where();
+    if (++violations == 1) where = "one of them: " + where_of(sample);
   }
   return no_violations(text + ": cases against it", violations, static_cast<long>(samples.size()), where);
 }
@@ -333,7 +361,9 @@ class Claims {
       const Formula<Sample> formula = computed(stated);
       if (!formula.of) return {};
       const Typesetting typeset = compare_typeset(formula, samples);
-      const Reading reading{formula.text, {compare(quantity, formula, truth, samples)}, typeset.read};
+      Reading reading{formula.text, {compare(quantity, formula, truth, samples)}, typeset.read};
+      for (const Formula<Sample>& route : parts.other_routes)
+        reading.checks.push_back(compare(quantity, formula, route, samples));
       for (const std::string& seen : {typeset.difference, reading.holds() ? typeset.unequal : ""})
         if (!seen.empty()) differences_.push_back(std::string(slug) + ": " + seen);
       return reading;
@@ -353,9 +383,10 @@ class Claims {
     Reading in_view;
     if (parts.in_view.is)
       if (const auto seen = parts.in_view.of(samples); !seen.empty())
-        in_view = {parts.in_view.text, {in_all(parts.printed.text, seen, parts.printed.holds)}};
+        in_view = {parts.in_view.text, {in_all(parts.printed.text, seen, computed(parts.printed).holds)}};
     return judged(slug, line, std::move(says), parts, in_view,
-                  [&](const Statement<Sample>& statement) -> Reading {
+                  [&](const Statement<Sample>& stated) -> Reading {
+                    const Statement<Sample> statement = computed(stated);
                     if (!statement.holds) return {};
                     const Typesetting typeset = compare_typeset(statement, samples);
                     if (!typeset.difference.empty())

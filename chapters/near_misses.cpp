@@ -34,7 +34,9 @@ double roundings(const Sides& sides, const std::vector<Letters>& letters, const 
   double largest = 0;
   for (std::size_t i = 0; i < letters.size(); ++i) {
     try {
-      const double off = distance(TypesetFormula::value(sides, letters[i]), values[i]);
+      Value value = TypesetFormula::value(sides, letters[i]), truth = values[i];
+      in_a_row(value, truth);
+      const double off = distance(value, truth);
       if (!(std::isfinite(off))) return std::numeric_limits<double>::infinity();
       const double size = std::max(sizes[i], std::numeric_limits<double>::min());
       largest = std::max(largest, off / (std::numeric_limits<double>::epsilon() * size));

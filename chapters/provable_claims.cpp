@@ -1,5 +1,6 @@
 #include "chapters/provable_claims.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -55,6 +56,12 @@ std::string quantified(const std::vector<std::string>& names) {
   std::string all = "(";
   for (const std::string& name : names) all += name + " ";
   return all + ": R)";
+}
+
+void in_a_row(Expressions& a, Expressions& b) {
+  Expressions& lone = a.size() == 1 ? a : b;
+  const std::size_t n = std::max(a.size(), b.size());
+  if (lone.size() == 1 && n > 1) lone = Expressions(n, lone[0]);
 }
 
 Lemma off_at(const Expressions& printed, const Expressions& truth, const Value& difference, double& margin) {

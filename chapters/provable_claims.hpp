@@ -123,6 +123,9 @@ Of<Shortened> lettered(const std::vector<std::string>& names) {
 }
 std::string quantified(const std::vector<std::string>& names);
 
+/// A lone number beside several, of forms of one quantity in a row, is each of them.
+void in_a_row(Expressions& a, Expressions& b);
+
 /// The difference's largest component at an example, for a proof that there is one.
 Lemma off_at(const Expressions& printed, const Expressions& truth, const Value& difference, double& margin);
 
@@ -185,8 +188,9 @@ class ProvableClaims {
                               &Expression::coq);
   }
   static Lemma equation(std::string name, const ProvableClaim<Of>& c, const ForAll<Of>& all) {
-    return {std::move(name), all.letters, all.given,
-            equal(right(c).recorded(all.any), c.truth.recorded(all.any)), all.tactic};
+    Expressions stated = right(c).recorded(all.any), truth = c.truth.recorded(all.any);
+    in_a_row(stated, truth);
+    return {std::move(name), all.letters, all.given, equal(stated, truth), all.tactic};
   }
   static Provable of_right(const std::string& id, const ProvableClaim<Of>& c, const ForAll<Of>& all) {
     return {id, all.says, {equation("printed", c, all)}};
@@ -206,11 +210,13 @@ class ProvableClaims {
     const Of<double>& example = all.example;
     const Of<Shortened> recorded = in_expressions(example);
     const auto value = [&](const Formula<Of<double>>& formula) { return computed(formula).of(example); };
-    const Value printed = value(c.printed), truth = value(c.truth);
-    Value difference = printed;
+    Value difference = value(c.printed), truth = value(c.truth);
+    in_a_row(difference, truth);
     for (std::size_t k = 0; k < difference.size(); ++k) difference[k] -= truth[k];
+    Expressions stated = c.printed.recorded(recorded), is = c.truth.recorded(recorded);
+    in_a_row(stated, is);
     double margin = 0;
-    Lemma off = off_at(c.printed.recorded(recorded), c.truth.recorded(recorded), difference, margin);
+    Lemma off = off_at(stated, is, difference, margin);
     const std::string reading = !c.meant.text.empty() ? "meant" : "corrected";
     return {id,
             "as " + reading + " " + all.says + "; as printed it is off at an example",

@@ -45,6 +45,12 @@ std::optional<Value> typeset_value(std::string_view formula, const TypesetLetter
   return tree ? typeset_value(*tree, values_of(letters)) : std::nullopt;
 }
 
+void in_a_row(Value& a, Value& b) {
+  Value& lone = a.size() == 1 ? a : b;
+  const std::size_t n = std::max(a.size(), b.size());
+  if (lone.size() == 1 && n > 1) lone = std::vector<double>(n, lone[0]);
+}
+
 namespace {
 
 /// Whether a side is only a name: v, \ddot q_1, I_{xx}', W(T), \mathrm{period}.

@@ -68,6 +68,9 @@ class TypesetFormula {
 /// the terms that are added up. Nothing where a side is none that is known, or there is but one.
 std::optional<bool> typeset_relation(std::string_view formula, const TypesetLetters&);
 
+/// Forms of one quantity in a row: a lone number beside several is each of them.
+void in_a_row(Value& a, Value& b);
+
 using formula::is_formula;
 
 /// A text beside what is computed under it.

@@ -80,6 +80,32 @@ TEST_CASE("forms of one quantity may stand in any order", "[claims]") {
   CHECK(verdict(claim({.truth = twice, .printed = {"$(x^2-2y,\\ xx-y-y)$"}})) == Verdict::confirmed);
 }
 
+TEST_CASE("a lone number is compared with each of the forms in a row", "[claims]") {
+  CHECK(verdict(claim({.truth = truth, .printed = {"$(x^2-2y,\\ xx-y-y)$"}})) == Verdict::confirmed);
+  CHECK(verdict(claim({.truth = truth, .printed = {"$(x^2-2y,\\ xx-y)$"}})) != Verdict::confirmed);
+}
+
+TEST_CASE("a statement of text alone is its relation", "[claims]") {
+  const auto judge = [](const StatementClaim<Point>& parts) {
+    Claims claims("9.9");
+    claims.statement("text", 1, "text", draw<Point>(40, 1), parts);
+    return verdict(claims.in_order().at(0));
+  };
+  CHECK(judge({.printed = {"$x<y$"}, .near_misses = {{"$y<x$"}}}) == Verdict::confirmed);
+  CHECK(judge({.printed = {"$x+y=s$"}, .near_misses = {{"$x+y>s$"}}}) == Verdict::confirmed);
+  CHECK(judge({.printed = {"$x>y$"}, .near_misses = {{"$y=x$"}}}) != Verdict::confirmed);
+  CHECK_THROWS_AS(judge({.printed = {"$x<q$"}}), std::logic_error);
+  CHECK_THROWS_AS(judge({.printed = {"it is less"}}), std::logic_error);
+}
+
+TEST_CASE("a reading has to agree with every route", "[claims]") {
+  const Formula<Point> again{"again", truth.of}, other{"another", [](const Point&p) { return p.x; }};
+  CHECK(verdict(claim({.truth = truth, .other_routes = {again}, .printed = {"$x^2-2y$"}})) ==
+        Verdict::confirmed);
+  CHECK(verdict(claim({.truth = truth, .other_routes = {again, other}, .printed = {"$x^2-2y$"}})) !=
+        Verdict::confirmed);
+}
+
 TEST_CASE("a text is recorded for proofs with its functions and powers", "[claims][proofs]") {
   const auto recorded = [](const std::string& text) {
     return recorded_text("$" + text + "$", {{"x", Shortened::letter("x")}})[0].coq();
