@@ -155,6 +155,14 @@ void formulas(Table& table, const Samples& samples) {
   line("magnitude", 849, R"($|(t,t,1)|=\sqrt{2t^2+1}$)", force_t, R"($\sqrt{2t^2+1}$)");
 }
 
+const std::string of_zero = "a multiple of zero is zero";
+
+/// The work of (1, 1, 1) or (t, t, 1), which is to be zero.
+std::string work(const std::string& from, const std::string& to, const std::string& force) {
+  return R"($\int_)" + from + "^" + to + "(" + force + "," + force +
+         R"(,1)\cdot(-r\omega\sin\omega t,\,r\omega\cos\omega t,\,0)\,dt=0$)";
+}
+
 void misprints(Table& table, const Samples& samples) {
   table.formula("derivative", 821, R"(For $(1,1,1)$ $W'(T)=r\omega(-\sin\omega T+\cos\omega t)$.)",
                 samples.any,
@@ -178,22 +186,14 @@ void misprints(Table& table, const Samples& samples) {
        .kind = Fault::lost_typography,
        .why = "A fraction bar and a parenthesis are lost: the factor is $r/\\omega$, not $r\\omega$, and "
               "stands before the whole. The two differ by $\\omega^2$ and agree at $\\omega=1$ alone."});
-  const auto until = [](const std::string& text, const auto& T) {
-    return Form{text, [T]<class G>(const SampleOf<G>& m) {
-                  return work_of<G>(Force::constant, m.at(T(pi_of<G>(), m.w)));
-                }};
-  };
   table.formula(
       "full_turn", 817, R"(After one turn, at $T=2\pi\omega$, the work is zero: $W(2\pi\omega)=0$.)",
       samples.forward,
       {.quantity = "work of $(1,1,1)$",
        .truth = zero,
-       .printed = until(R"($W(2\pi\omega)$, to be zero)",
-                        [](const auto& half, const auto& w) { return 2 * half * w; }),
-       .meant = until(R"($W(2\pi/\omega)$, to be zero)",
-                      [](const auto& half, const auto& w) { return 2 * half / w; }),
-       .near_misses = {until(R"($W(\pi/\omega)$, to be zero)",
-                             [](const auto& half, const auto& w) { return half / w; })},
+       .printed = work("0", R"({2\pi\omega})", "1"),
+       .meant = work("0", R"({2\pi/\omega})", "1"),
+       .changes_that_hold = of_zero,
        .kind = Fault::lost_typography,
        .why = filled("The fraction bar is lost: a turn takes $2\\pi/\\omega$. At $2\\pi\\omega$ the "
                      "particle has turned by $2\\pi\\omega^2$ and the work is zero by chance only, as "
@@ -232,17 +232,13 @@ void conservation(Claims& claims, Table& table, const Samples& samples) {
   claims.add("conservative", 817, "The field $(1,1,1)$ is conservative.",
              {.printed = both_ways("", "", ones),
               .near_misses = {both_ways(" of $(1-y,1+x,1)$", ", in the field $(1-y,1+x,1)$", swirl)}});
-  const auto turn = [](const std::string& text, Force force) {
-    return Form{text, [force]<class G>(const SampleOf<G>& m) {
-                  return work_of<G>(force, m.at(m.T + 2 * pi_of<G>() / m.w), m.T);
-                }};
-  };
   table.formula("round_trip", 817, "Once around the circle, back to where it started, the net work is zero.",
                 samples.forward,
                 {.quantity = "work of a turn from a random start",
                  .truth = zero,
-                 .printed = turn("of $(1,1,1)$", Force::constant),
-                 .near_misses = {turn("of $(t,t,1)$", Force::growing)}});
+                 .printed = work("T", R"({T+2\pi/\omega})", "1"),
+                 .near_misses = {work("T", R"({T+2\pi/\omega})", "t")},
+                 .changes_that_hold = of_zero});
 }
 
 // ---- maxima and minima ------------------------------------------------------------------------------------

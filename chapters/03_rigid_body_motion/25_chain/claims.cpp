@@ -32,20 +32,29 @@ struct SampleOf {
       omega.push_back(random.between(-3, 3));
     }
   }
-  TypesetLetters typeset() const {
-    TypesetLetters all{{"g", g}, {"h", h}};
-    for (std::size_t k = 0; k < m.size(); ++k)
-      for (const auto& [letter, value] :
-           {std::pair{"m_", m[k]}, {"r_", r[k]}, {R"(\theta_)", theta[k]}, {R"(\dot\theta_)", omega[k]}})
-        all.emplace_back(letter + std::to_string(k + 1), value);
+  TypesetIn<T> typeset() const {
+    TypesetIn<T> all{{"g", g}, {"h", h}};
     const auto places = at(theta), rates = velocities();
     for (std::size_t k = 0; k < m.size(); ++k)
-      for (const auto& [letter, value] : {std::pair{"x_", places[2 * k]},
+      for (const auto& [letter, value] : {std::pair{"m_", m[k]},
+                                          {"r_", r[k]},
+                                          {R"(\theta_)", theta[k]},
+                                          {R"(\dot\theta_)", omega[k]},
+                                          {"x_", places[2 * k]},
                                           {"y_", places[2 * k + 1]},
                                           {R"(\dot x_)", rates[2 * k]},
                                           {R"(\dot y_)", rates[2 * k + 1]}})
         all.emplace_back(letter + std::to_string(k + 1), value);
     return all;
+  }
+  SampleOf<Shortened> recorded() const {
+    SampleOf<Shortened> same;
+    const auto copy = [](const std::vector<T>& from, std::vector<Shortened>& to) {
+      to.assign(from.begin(), from.end());
+    };
+    copy(m, same.m), copy(r, same.r), copy(theta, same.theta), copy(omega, same.omega);
+    same.g = g, same.h = h;
+    return same;
   }
   std::string where() const {
     return R"($\theta$ = ()" + format_significant(theta[0], 4) + R"(, ...), $\omega$ = ()" +
@@ -169,31 +178,12 @@ struct SampleOf {
 };
 
 using Sample = SampleOf<double>;
+using Table = ProvableClaims<SampleOf>;
+using Of = ProvableFormula<SampleOf>;
 
-/// r_k theta_k' times the cosine or sine of theta_k.
-template <class T>
-T cx(const SampleOf<T>& s, std::size_t k) {
-  return s.r[k] * s.omega[k] * cos(s.theta[k]);
-}
-template <class T>
-T sy(const SampleOf<T>& s, std::size_t k) {
-  return s.r[k] * s.omega[k] * sin(s.theta[k]);
-}
 template <class T>
 T square(const T& x) {
   return x * x;
-}
-
-/// The bracket of mass n in the expanded energy; turn = -1 is the text's, +1 a near miss.
-template <class T>
-T bracket(const SampleOf<T>& s, std::size_t n, double turn = -1) {
-  T sum = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    sum += square(T(s.r[i] * s.omega[i]));
-    for (std::size_t j = 0; j < i; ++j)
-      sum += 2 * s.r[i] * s.r[j] * s.omega[i] * s.omega[j] * cos(s.theta[j] + turn * s.theta[i]);
-  }
-  return s.m[n - 1] / 2 * sum;
 }
 
 /// Two routes to n accelerations. Solving loses what the mass matrix's condition allows.
@@ -251,137 +241,47 @@ int free_coordinates(const Sample& s) {
 // ---- the text's formulas ----------------------------------------------------------------------------------
 
 template <class T>
-T across(const SampleOf<T>& s) {
-  return s.r[0] * sin(s.theta[0]) + s.r[1] * sin(s.theta[1]) + s.r[2] * sin(s.theta[2]);
-}
-template <class T>
-T drop(const SampleOf<T>& s) {
-  return s.r[0] * cos(s.theta[0]) + s.r[1] * cos(s.theta[1]) + s.r[2] * cos(s.theta[2]);
-}
-template <class T>
-T cosines(const SampleOf<T>& s) {
-  return cx(s, 0) + cx(s, 1) + cx(s, 2);
-}
-template <class T>
-T sines(const SampleOf<T>& s) {
-  return sy(s, 0) + sy(s, 1) + sy(s, 2);
-}
-template <class T>
 std::array<T, 2> three_rods(const SampleOf<T>& s) {
   const auto a = s.rod(0), b = s.rod(1), c = s.rod(2);
   return {a[0] + b[0] + c[0], a[1] + b[1] + c[1]};
 }
-
-/// T by the derivatives, those of the third mass from the rod `first_of_3` on.
+/// Of the chain that hangs straight down, the level h being zero.
 template <class T>
-T substituted(const SampleOf<T>& s, std::size_t first_of_3) {
-  T sum = 0;
-  for (std::size_t n = 0; n < 3; ++n) {
-    T x = 0, y = 0;
-    for (std::size_t k = n == 2 ? first_of_3 : 0; k <= n; ++k) {
-      x += cx(s, k);
-      y += sy(s, k);
-    }
-    sum += s.m[n] / 2 * (x * x + y * y);
+T potential_at_rest(const SampleOf<T>& s) {
+  T V = 0, depth = 0;
+  for (std::size_t k = 0; k < s.m.size(); ++k) {
+    depth += s.r[k];
+    V -= s.m[k] * s.g * depth;
   }
-  return sum;
+  return V;
 }
 
-/// The sum of m_k |v_k|^2/2, with another factor for the third mass.
-template <class T>
-T summed(const SampleOf<T>& s, double third) {
-  const auto v = s.velocities();
-  T sum = 0;
-  for (std::size_t i = 0; i < 6; ++i) sum += (i < 4 ? 0.5 : third) * s.m[i / 2] * v[i] * v[i];
-  return sum;
-}
-
-/// T expanded, as printed and as meant.
-template <class T>
-T multiplied(const SampleOf<T>& s) {
-  return bracket(s, 1) + bracket(s, 2) * bracket(s, 3);
-}
-template <class T>
-T added(const SampleOf<T>& s) {
-  return bracket(s, 1) + bracket(s, 2) + bracket(s, 3);
-}
-
-/// The text's potential, less that at rest.
-template <class T>
-T risen(const SampleOf<T>& s, double y_sign) {
-  const auto published = [&](const std::vector<T>& q) {
-    const auto p = s.at(q);
-    T V = 0;
-    for (std::size_t k = 0; k < 3; ++k) V += -s.m[k] * s.g * (s.h - y_sign * p[2 * k + 1]);
-    return V;
+void formulas(Table& table, const std::vector<Sample>& samples) {
+  const Of by_pairs{"Koenig: the center of mass, and the speeds of the masses relative to each other",
+                    [](const auto& s) { return s.kinetic_by_pairs(); }};
+  table.formula(
+      "kinetic_sum", 2629, R"(The kinetic energy is $T=\sum\frac{m_k}2(\dot x_k^2+\dot y_k^2)$)", samples,
+      {.quantity = "$T$", .truth = by_pairs, .printed = R"($\sum\frac{m_k}2(\dot x_k^2+\dot y_k^2)$)"});
+  const auto line = [&](std::string_view slug, int number, const std::string& quantity,
+                        const std::string& formula, const Of& truth) {
+    table.formula(slug, number, formula, samples, {.quantity = quantity, .truth = truth, .printed = formula});
   };
-  return published(s.theta) - published({0, 0, 0});
-}
-
-}  // namespace
-
-std::vector<Claim> claims(double seed) {
-  using Reader = Formula<Sample>;
-  const auto samples = draw<Sample>(200, seed);
-  Claims claims("3.25");
-  const Reader by_pairs{"Koenig: the center of mass, and the speeds of the masses relative to each other",
-                        &Sample::kinetic_by_pairs};
-  claims.formula("kinetic_sum", 2629, R"(The kinetic energy is $T=\sum\frac{m_k}2(\dot x_k^2+\dot y_k^2)$)",
-                 samples,
-                 {.quantity = "$T$",
-                  .truth = by_pairs,
-                  .printed = {R"($\sum\frac{m_k}2(\dot x_k^2+\dot y_k^2)$)"},
-                  .near_misses = {{"$m_3$ for $m_3/2$", [](const Sample& s) { return summed(s, 1); }}}});
-  claims.statement("three_free_variables", 2643, "Three of the six coordinates are free",
-                   draw<Sample>(100, seed),
-                   {.printed = {"three, 6 less the rank of the rods' constraints",
-                                [](const Sample& s) { return free_coordinates(s) == 3; }},
-                    .near_misses = {{"four", [](const Sample& s) { return free_coordinates(s) == 4; }}}});
-  const std::string rods = "three turned rods, by complex numbers";
-  claims.add("example_equations", 2643,
-             "The construction of Example 3.15 gives equations to which a few are added",
-             {.not_checkable = "the text does not repeat the example's equations"});
-  claims.formula("x3", 2645, R"($x_3=r_1\sin\theta_1+r_2\sin\theta_2+r_3\sin\theta_3$)", samples,
-                 {.quantity = "the place $x_3$ of the third mass",
-                  .truth = {rods, [](const Sample& s) { return three_rods(s)[0]; }},
-                  .printed = {R"($x_3=r_1\sin\theta_1+r_2\sin\theta_2+r_3\sin\theta_3$)"},
-                  .near_misses = {{R"($r_1\cos\theta_1+r_2\cos\theta_2+r_3\cos\theta_3$)"}}});
-  claims.formula("y3", 2647, R"($y_3=h-r_1\cos\theta_1-r_2\cos\theta_2-r_3\cos\theta_3$)", samples,
-                 {.quantity = "its height $y_3$",
-                  .truth = {rods, [](const Sample& s) { return s.h + three_rods(s)[1]; }},
-                  .printed = {R"($y_3=h-r_1\cos\theta_1-r_2\cos\theta_2-r_3\cos\theta_3$)"},
-                  .near_misses = {{R"($h+r_1\cos\theta_1+r_2\cos\theta_2+r_3\cos\theta_3$)"}}});
-  const std::string
-      of_cosines = R"(r_1\dot\theta_1\cos\theta_1+r_2\dot\theta_2\cos\theta_2+r_3\dot\theta_3\cos\theta_3$)",
-      of_sines = R"(r_1\dot\theta_1\sin\theta_1+r_2\dot\theta_2\sin\theta_2+r_3\dot\theta_3\sin\theta_3$)";
-  claims.formula(
-      "x3_rate", 2651,
-      R"($\dot x_3=r_1\dot\theta_1\cos\theta_1+r_2\dot\theta_2\cos\theta_2+r_3\dot\theta_3\cos\theta_3$)",
-      samples,
-      {.quantity = R"($\dot x_3$)",
-       .truth = {"dual numbers in the time", [](const Sample& s) { return s.velocities()[4]; }},
-       .printed = {R"($\dot x_3=)" + of_cosines, cosines<double>},
-       .near_misses = {{"the opposite", [](const Sample& s) { return -cosines(s); }},
-                       {"$" + of_sines, sines<double>}}});
-  claims.formula(
-      "y3_rate", 2653,
-      R"($\dot y_3=r_1\dot\theta_1\sin\theta_1+r_2\dot\theta_2\sin\theta_2+r_3\dot\theta_3\sin\theta_3$)",
-      samples,
-      {.quantity = R"($\dot y_3$)",
-       .truth = {"dual numbers in the time", [](const Sample& s) { return s.velocities()[5]; }},
-       .printed = {R"($\dot y_3=)" + of_sines, sines<double>},
-       .near_misses = {{"the opposite", [](const Sample& s) { return -sines(s); }},
-                       {"$" + of_cosines, cosines<double>}}});
-  claims.formula("kinetic_substituted", 2657,
-                 R"(With the derivatives put in, $T=\sum_n\frac{m_n}2\left((\sum_{k\le )"
-                 R"(n}r_k\dot\theta_k\cos\theta_k)^2+(\sum_{k\le n}r_k\dot\theta_k\sin\theta_k)^2\right)$)",
-                 samples,
-                 {.quantity = "$T$",
-                  .truth = by_pairs,
-                  .printed = {R"($\sum_n\frac{m_n}2\left((\sum_{k\le n}r_k\dot\theta_k\cos\theta_k)^2)"
-                              R"(+(\sum_{k\le n}r_k\dot\theta_k\sin\theta_k)^2\right)$)"},
-                  .near_misses = {{"the third bracket without $r_1$",
-                                   [](const Sample& s) { return substituted(s, 1); }}}});
+  const std::string rods = "three turned rods, by complex numbers", dual = "dual numbers in the time";
+  line("x3", 2645, "the place $x_3$ of the third mass",
+       R"($x_3=r_1\sin\theta_1+r_2\sin\theta_2+r_3\sin\theta_3$)",
+       {rods, [](const auto& s) { return three_rods(s)[0]; }});
+  line("y3", 2647, "its height $y_3$", R"($y_3=h-r_1\cos\theta_1-r_2\cos\theta_2-r_3\cos\theta_3$)",
+       {rods, [](const auto& s) { return s.h + three_rods(s)[1]; }});
+  line("x3_rate", 2651, R"($\dot x_3$)",
+       R"($\dot x_3=r_1\dot\theta_1\cos\theta_1+r_2\dot\theta_2\cos\theta_2+r_3\dot\theta_3\cos\theta_3$)",
+       {dual, [](const auto& s) { return s.velocities()[4]; }});
+  line("y3_rate", 2653, R"($\dot y_3$)",
+       R"($\dot y_3=r_1\dot\theta_1\sin\theta_1+r_2\dot\theta_2\sin\theta_2+r_3\dot\theta_3\sin\theta_3$)",
+       {dual, [](const auto& s) { return s.velocities()[5]; }});
+  const std::string substituted = R"(\sum_n\frac{m_n}2\left((\sum_{k\le n}r_k\dot\theta_k\cos\theta_k)^2)"
+                                  R"(+(\sum_{k\le n}r_k\dot\theta_k\sin\theta_k)^2\right)$)";
+  table.formula("kinetic_substituted", 2657, "With the derivatives put in, $T=" + substituted, samples,
+                {.quantity = "$T$", .truth = by_pairs, .printed = "$" + substituted});
   const auto brackets = [](const std::string& between) {
     const std::string two = R"(r_1^2\dot\theta_1^2+r_2^2\dot\theta_2^2)",
                       cosine_12 = R"(+2r_1r_2\dot\theta_1\dot\theta_2\cos(\theta_1-\theta_2))",
@@ -391,41 +291,38 @@ std::vector<Claim> claims(double seed) {
            R"(\frac{m_3}2\left()" + two + R"(+r_3^2\dot\theta_3^2)" + cosine_12 + cosine_13 + cosine_23 +
            R"(\right)$)";
   };
-  claims.formula(
+  table.formula(
       "kinetic_expanded", 2679, "Expanded, $T=" + brackets("+").substr(1), samples,
       {.quantity = "$T$",
        .truth = by_pairs,
-       .printed = {brackets(""), multiplied<double>},
-       .meant = {brackets("+"), added<double>},
-       .near_misses = {{R"(with $\cos(\theta_i+\theta_j)$)",
-                        [](const Sample& s) {
-                          return bracket(s, 1, 1) + bracket(s, 2, 1) + bracket(s, 3, 1);
-                        }},
-                       {"no factor 2 before the cosines",
-                        [](const Sample& s) {
-                          double T = 0;
-                          for (std::size_t n = 1; n <= 3; ++n)
-                            for (std::size_t i = 0; i < n; ++i)
-                              T += s.m[n - 1] / 4 * square(s.r[i] * s.omega[i]);
-                          return T + (bracket(s, 1) + bracket(s, 2) + bracket(s, 3)) / 2;
-                        }}},
+       .printed = brackets(""),
+       .meant = brackets("+"),
        .kind = Fault::formula,
        .why =
            "The plus sign that should join the second and the third term stands inside the second's parenthesis, "
            "after its last cosine: as it stands the two are multiplied. Every term of the sum is right."});
-  claims.formula("potential", 2713, "The potential energy is $V=-m_1g(h-y_1)-m_2g(h-y_2)-m_3g(h-y_3)$",
-                 samples,
-                 {.quantity = "$V$ less that at rest",
-                  .truth = {"minus gravity's work on the way, by quadrature",
-                            [](const Sample& s) { return -s.work_of_gravity(); }},
-                  .printed = {"by $V=-m_1g(h-y_1)-m_2g(h-y_2)-m_3g(h-y_3)$",
-                              [](const Sample& s) { return risen(s, 1); }},
-                  .near_misses = {{"$h+y_k$ for $h-y_k$", [](const Sample& s) { return risen(s, -1); }},
-                                  {"$m_3$ left out", [](const Sample& s) {
-                                     const double y3 = s.h - drop(s), rest = s.h - s.r[0] - s.r[1] - s.r[2];
-                                     return risen(s, 1) - s.m[2] * s.g * (y3 - rest);
-                                   }}}});
+  table.formula("potential", 2713, "The potential energy is $V=-m_1g(h-y_1)-m_2g(h-y_2)-m_3g(h-y_3)$",
+                samples,
+                {.quantity = "$V$, which is as printed at rest",
+                 .truth = {"that at rest less gravity's work on the way, by quadrature",
+                           [](const auto& s) { return potential_at_rest(s) - s.work_of_gravity(); }},
+                 .printed = "$-m_1g(h-y_1)-m_2g(h-y_2)-m_3g(h-y_3)$"});
+}
 
+}  // namespace
+
+std::vector<Claim> claims(double seed) {
+  Claims claims("3.25");
+  Table table(claims);
+  formulas(table, draw<Sample>(200, seed));
+  claims.statement("three_free_variables", 2643, "Three of the six coordinates are free",
+                   draw<Sample>(100, seed),
+                   {.printed = {"three, 6 less the rank of the rods' constraints",
+                                [](const Sample& s) { return free_coordinates(s) == 3; }},
+                    .near_misses = {{"four", [](const Sample& s) { return free_coordinates(s) == 4; }}}});
+  claims.add("example_equations", 2643,
+             "The construction of Example 3.15 gives equations to which a few are added",
+             {.not_checkable = "the text does not repeat the example's equations"});
   const auto newton = [](const Sample& s) { return s.newton(); };
   const std::string by_lagrange = "Lagrange's equations by nested dual numbers",
                     by_newton = "Newton's law with the rods' tensions";
@@ -471,7 +368,6 @@ Ltac circle x :=
   assert (e : sin x * sin x = 1 - cos x * cos x) by (pose proof (sin2_cos2 x) as e; unfold Rsqr in e; lra);
   generalize dependent (sin x); intro; generalize dependent (cos x); intros.
 Ltac hanging a b c :=
-  repeat match goal with |- context [?x + - 1 * ?y] => replace (x + - 1 * y) with (x - y) by ring end;
   rewrite ?cos_minus, ?sin_minus, ?cos_PI2, ?sin_PI2;
   circle a; circle b; circle c;
   match goal with A : _ = 1 - _, B : _ = 1 - _, C : _ = 1 - _ |- _ => field [A B C] end; lra.
@@ -550,48 +446,25 @@ Provable proof_of_equations(const SampleOf<Shortened>& s) {
 }
 
 Provables proofs() {
-  const auto s = three_links();
-  const auto lemma = [&](const std::string& name, const Shortened& text, const Shortened& truth) -> Lemma {
-    Lemma all{name,
-              "(m1 m2 m3 r1 r2 r3 a1 a2 a3 w1 w2 w3 g h : R)",
-              {},
-              {text.expression() == truth.expression()},
-              "hanging a1 a2 a3"};
-    for (const Shortened& mass : s.m) all.given.push_back(above(mass.expression(), 0));
-    return all;
-  };
-  const auto holds = [&](const std::string& slug, const Shortened& text, const Shortened& truth) -> Provable {
-    return {"3.25-" + slug,
-            "it holds for any three links in any motion",
-            {lemma("printed", text, truth)},
-            0,
-            chain_in_coq};
-  };
-  const auto v = s.velocities();
-  const Shortened kinetic = s.kinetic_by_pairs();
-  Provable potential = holds("potential", risen(s, 1), -s.work_of_gravity());
-  potential.preamble = integrals_in_coq;
-  potential.lemmas[0].tactic = by_integral;
-  Provable expanded = holds("kinetic_expanded", added(s), kinetic);
-  expanded.says = "as meant it holds for any three links in any motion; as printed it is off at an example";
-  expanded.lemmas[0].name = "meant";
-  SampleOf<Shortened> example;
-  Sample numbers;
-  example.m = {1, 2, 3}, example.r = {1, 2, 1}, example.theta = {0, 1, 2}, example.omega = {1, -1, 2};
-  numbers.m = {1, 2, 3}, numbers.r = {1, 2, 1}, numbers.theta = {0, 1, 2}, numbers.omega = {1, -1, 2};
-  numbers.g = numbers.h = 1;
-  expanded.lemmas.push_back(off_at(detail::recorded_value(multiplied(example)),
-                                   detail::recorded_value(example.kinetic_by_pairs()),
-                                   multiplied(numbers) - numbers.kinetic_by_pairs(), expanded.margin));
-  return {holds("kinetic_sum", summed(s, 0.5), kinetic),
-          holds("x3", across(s), three_rods(s)[0]),
-          holds("y3", s.h - drop(s), s.h + three_rods(s)[1]),
-          holds("x3_rate", cosines(s), v[4]),
-          holds("y3_rate", sines(s), v[5]),
-          holds("kinetic_substituted", substituted(s, 0), kinetic),
-          potential,
-          proof_of_equations(s),
-          expanded};
+  Claims claims("3.25");
+  Table table(claims);
+  formulas(table, {});
+  ForAll<SampleOf> all{.any = three_links(),
+                       .letters = "(m1 m2 m3 r1 r2 r3 a1 a2 a3 w1 w2 w3 g h : R)",
+                       .tactic = "hanging a1 a2 a3",
+                       .says = "it holds for any three links in any motion"};
+  for (const Shortened& mass : all.any.m) all.given.push_back(above(mass.expression(), 0));
+  all.example.m = {1, 2, 3}, all.example.r = {1, 2, 1};
+  all.example.theta = {0, 1, 2}, all.example.omega = {1, -1, 2};
+  all.example.g = all.example.h = 1;
+  Provables proved = table.proofs("3.25", all);
+  for (Provable& p : proved) {
+    const bool by_work = p.claim == "3.25-potential";
+    p.preamble = by_work ? integrals_in_coq : chain_in_coq;
+    if (by_work) p.lemmas[0].tactic = by_integral;
+  }
+  proved.push_back(proof_of_equations(all.any));
+  return proved;
 }
 
 }  // namespace oddity::ex03_25

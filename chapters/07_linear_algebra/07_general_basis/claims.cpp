@@ -1,10 +1,9 @@
-#include "chapters/claims.hpp"
+#include "chapters/provable_claims.hpp"
 
 #include <cmath>
 
 #include "chapters/07_linear_algebra/07_general_basis/general_basis.hpp"
 #include "chapters/07_linear_algebra/shared/vectors.hpp"
-#include "chapters/provable.hpp"
 #include "reference/text.hpp"
 
 namespace oddity::ex07_07 {
@@ -14,38 +13,43 @@ namespace {
 using namespace vectors;
 using vectors::operator*;
 
-/// A basis, and p put together from the vectors or from their cross products.
+/// A basis, p put together from the vectors or from their cross products, and any vector q.
 template <class T>
-struct Letters {
+struct LettersOf {
+  static constexpr bool whole = true;
   Vector3<T> u, v, w;
   T x, y, z;
-  Vector3<T> p;
+  Vector3<T> p, q;
 
   Vector3<T> combination() const { return x * u + y * v + z * w; }
   Vector3<T> dual_combination() const { return x * cross(u, v) + y * cross(v, w) + z * cross(w, u); }
+  T volume() const { return triple(u, v, w); }
+
+  std::array<T*, 18> quantities() {
+    return {&u[0], &u[1], &u[2], &v[0], &v[1], &v[2], &w[0], &w[1], &w[2],
+            &x,    &y,    &z,    &p[0], &p[1], &p[2], &q[0], &q[1], &q[2]};
+  }
+  TypesetIn<T> typeset() const {
+    TypesetIn<T> all{{"u", u}, {"v", v}, {"w", w}, {"p", p}, {"x", x}, {"y", y}, {"z", z}, {"q", q}};
+    for (std::size_t i = 0; i < 3; ++i)
+      for (const auto& [letter, vector] : {std::pair{"u_", u}, {"v_", v}, {"w_", w}})
+        all.emplace_back(letter + std::to_string(i + 1), vector[i]);
+    return all;
+  }
+  std::string where() const { return told(typeset(), 4); }
 };
+using Planted = LettersOf<double>;
+using Table = ProvableClaims<LettersOf>;
+using Route = ProvableFormula<LettersOf>;
 
 /// Twice the unit vectors, and p of the coefficients one.
-template <class T>
-Letters<T> twice_the_unit_vectors() {
-  Letters<T> s{{2, 0, 0}, {0, 2, 0}, {0, 0, 2}, 1, 1, 1, {}};
+Planted twice_the_unit_vectors() {
+  Planted s{{2, 0, 0}, {0, 2, 0}, {0, 0, 2}, 1, 1, 1, {}, {3, -1, 4}};
   s.p = s.dual_combination();
   return s;
 }
 
-const Vector3<double> any_q{3, -1, 4};
-
-/// Of whole numbers.
-struct Planted : Letters<double> {
-  static constexpr bool whole = true;
-
-  TypesetLetters typeset() const {
-    return {{"u", u}, {"v", v}, {"w", w}, {"p", p}, {"x", x}, {"y", y}, {"z", z}, {"q", any_q}};
-  }
-  std::string where() const { return told(typeset(), 4); }
-};
-
-/// Every fifth basis is nearly dependent; `dual`: p = x u x v + y v x w + z w x u.
+/// Of whole numbers, every fifth basis nearly dependent; `dual`: p = x u x v + y v x w + z w x u.
 std::vector<Planted> samples(Random random, bool dual) {
   std::vector<Planted> all;
   const auto digit = [&] { return static_cast<double>(1 + random.below(99)); };
@@ -56,252 +60,149 @@ std::vector<Planted> samples(Random random, bool dual) {
     return a;
   };
   while (all.size() < 300) {
-    Planted s{{vector(), vector(), vector(), digit(), digit(), digit(), {}}};
+    Planted s{vector(), vector(), vector(), digit(), digit(), digit(), {}, {3, -1, 4}};
     if (all.size() % 5 == 4) s.w = s.u + s.v + Vector3<double>{1, 0, 0};
-    if (triple(s.u, s.v, s.w) == 0) continue;
+    if (s.volume() == 0) continue;
     s.p = dual ? s.dual_combination() : s.combination();
     all.push_back(s);
   }
   return all;
 }
 
-// ---- formulas, put together as they are written -----------------------------------------------------------
+const Route x{"$x$", [](const auto&s) { return s.x; }}, y{"$y$", [](const auto&s) { return s.y; }},
+    z{"$z$", [](const auto&s) { return s.z; }},
+    volume_times_q{R"($(u\cdot v\times w)\,q$)", [](const auto&s) { return s.volume() * s.q; }};
 
-/// In doubles, and as a proof has it.
-struct Term {
-  std::string tex;
-  std::function<double(const Letters<double>&)> of;
-  std::function<Expression(const Letters<Expression>&)> recorded;
-
-  operator Formula<Planted>() const { return {"$" + tex + "$", of}; }
-};
-
-Term term(std::string tex, const auto& of) { return {std::move(tex), of, of}; }
-
-enum class Letter { u, v, w, p };
-
-template <class T>
-const Vector3<T>& vector(const Letters<T>& s, Letter letter) {
-  return letter == Letter::u ? s.u : letter == Letter::v ? s.v : letter == Letter::w ? s.w : s.p;
-}
-std::string name(Letter letter) { return std::string(1, "uvwp"[static_cast<int>(letter)]); }
-
-constexpr Letter u = Letter::u, v = Letter::v, w = Letter::w, p = Letter::p;
-const Term x = term("x", [](const auto&s) { return s.x; }), y = term("y", [](const auto&s) { return s.y; }),
-           z = term("z", [](const auto&s) { return s.z; });
-
-Term volume(Letter a, Letter b, Letter c) {
-  return term(name(a) + "\\cdot " + name(b) + "\\times " + name(c),
-              [=](const auto& s) { return vectors::triple(vector(s, a), vector(s, b), vector(s, c)); });
-}
-Term along(Letter a, Letter b) {
-  return term(name(a) + "\\cdot " + name(b), [=](const auto& s) { return dot(vector(s, a), vector(s, b)); });
-}
-Term operator*(const Term& a, const Term& b) {
-  const bool is_product = a.tex.find("\\cdot") != std::string::npos;
-  return {(is_product ? "(" + a.tex + ")" : a.tex) + "\\," + b.tex,
-          [f = a.of, g = b.of](const auto& s) { return f(s) * g(s); },
-          [f = a.recorded, g = b.recorded](const auto& s) { return f(s) * g(s); }};
-}
-Term operator/(const Term& a, const Term& b) {
-  return {"\\frac{" + a.tex + "}{" + b.tex + "}", [f = a.of, g = b.of](const auto& s) { return f(s) / g(s); },
-          [f = a.recorded, g = b.recorded](const auto& s) { return f(s) / g(s); }};
-}
-
-/// The volume times any vector q, and what the coefficients make of the basis.
-const Formula<Planted> volume_times_q{R"($(u\cdot v\times w)\,q$)",
-                                      [](const Planted& s) { return triple(s.u, s.v, s.w) * any_q; }};
-
-template <class T>
-Vector3<T> combined(const Letters<T>& s, const Vector3<T>& q, double last) {
-  return triple(q, s.v, s.w) * s.u + triple(q, s.w, s.u) * s.v + last * triple(q, s.u, s.v) * s.w;
-}
-template <class T>
-Vector3<T> dual_combined(const Letters<T>& s, const Vector3<T>& q, double last) {
-  return dot(s.w, q) * cross(s.u, s.v) + dot(s.u, q) * cross(s.v, s.w) + last * dot(s.v, q) * cross(s.w, s.u);
-}
-Formula<Planted> combination(std::string text, double last) {
-  return {std::move(text), [=](const Planted& s) { return combined(s, any_q, last); }};
-}
-Formula<Planted> dual_combination(std::string text, double last) {
-  return {std::move(text), [=](const Planted& s) { return dual_combined(s, any_q, last); }};
-}
-
+/// An equation whose right side is the reading.
 struct Equation {
-  std::string slug;
+  std::string_view slug;
   int line;
-  Term left, right, near;
-
-  std::string tex() const { return "$" + left.tex + "=" + right.tex + "$"; }
+  Route left;
+  std::string right;
 };
 
-/// Where p is put together from the basis, and where from its cross products.
-std::vector<Equation> equations(bool dual) {
-  if (!dual)
-    return {{"x_equation", 3863, volume(p, v, w), x * volume(u, v, w), x * volume(u, w, v)},
-            {"y_equation", 3865, volume(p, w, u), y * volume(v, w, u), y * volume(v, u, w)},
-            {"z_equation", 3867, volume(p, u, v), z * volume(w, u, v), z * volume(w, v, u)},
-            {"x", 3871, x, volume(p, v, w) / volume(u, v, w), volume(p, w, v) / volume(u, v, w)},
-            {"y", 3877, y, volume(p, w, u) / volume(v, w, u), volume(p, w, u) / volume(v, u, w)},
-            {"y_again", 3881, y, volume(u, p, w) / volume(u, v, w), volume(u, w, p) / volume(u, v, w)},
-            {"z", 3887, z, volume(p, u, v) / volume(w, u, v), volume(p, v, u) / volume(w, u, v)},
-            {"z_again", 3891, z, volume(u, v, p) / volume(u, v, w), volume(v, u, p) / volume(u, v, w)}};
-  return {{"dual_x_equation", 3901, along(w, p), x * volume(w, u, v), x * volume(w, v, u)},
-          {"dual_y_equation", 3903, along(u, p), y * volume(u, v, w), x * volume(u, v, w)},
-          {"dual_x", 3909, x, along(w, p) / volume(w, u, v), along(u, p) / volume(w, u, v)},
-          {"dual_y", 3917, y, along(u, p) / volume(u, v, w), along(v, p) / volume(u, v, w)},
-          {"dual_z", 3923, z, along(v, p) / volume(v, w, u), along(w, p) / volume(v, w, u)}};
+void equations(Table& table, const std::vector<Planted>& samples, const std::vector<Equation>& all) {
+  for (const Equation& e : all)
+    table.formula(e.slug, e.line, e.left.text.substr(0, e.left.text.size() - 1) + "=" + e.right + "$",
+                  samples, {.truth = e.left, .printed = "$" + e.right + "$"});
 }
 
-/// A quotient over the volume whose fraction bar is lost.
-struct LostBar {
-  std::string slug;
-  int line;
-  Term unknown, top, near;
-
-  Term bottom() const { return volume(u, v, w); }
-  Term as_it_stands() const { return top * bottom(); }
-  Term meant() const { return top / bottom(); }
-};
-
-std::vector<LostBar> lost_bars() {
-  return {{"dual_x_again", 3913, x, along(w, p), along(w, p) / volume(v, u, w)},
-          {"dual_z_again", 3927, z, along(v, p), along(v, p) / volume(u, w, v)}};
-}
-
-/// z times the sum of v_i w_i u_i.
-const Term products_of_components = term(R"(z\sum_iv_iw_iu_i)", [](const auto& s) {
-  return s.z * (s.v[0] * s.w[0] * s.u[0] + s.v[1] * s.w[1] * s.u[1] + s.v[2] * s.w[2] * s.u[2]);
-});
-
-}  // namespace
-
-std::vector<Claim> claims(const Random& random) {
-  Claims claims("7.7");
-  const auto planted = samples(random, false), dual = samples(random, true);
-  const auto twice = twice_the_unit_vectors<double>();
-  for (const bool is_dual : {false, true})
-    for (const Equation& e : equations(is_dual))
-      claims.formula<Planted>(e.slug, e.line, e.tex(), is_dual ? dual : planted,
-                              {.truth = e.left, .printed = e.right, .near_misses = {e.near}});
-  claims.formula<Planted>(
+/// Where p is put together from the basis.
+void over_basis(Table& table, const std::vector<Planted>& samples) {
+  equations(table, samples,
+            {{"x_equation",
+              3863,
+              {R"($p\cdot v\times w$)", [](const auto& s) { return triple(s.p, s.v, s.w); }},
+              R"(x\,u\cdot v\times w)"},
+             {"y_equation",
+              3865,
+              {R"($p\cdot w\times u$)", [](const auto& s) { return triple(s.p, s.w, s.u); }},
+              R"(y\,v\cdot w\times u)"},
+             {"z_equation",
+              3867,
+              {R"($p\cdot u\times v$)", [](const auto& s) { return triple(s.p, s.u, s.v); }},
+              R"(z\,w\cdot u\times v)"},
+             {"x", 3871, x, R"(\frac{p\cdot v\times w}{u\cdot v\times w})"},
+             {"y", 3877, y, R"(\frac{p\cdot w\times u}{v\cdot w\times u})"},
+             {"y_again", 3881, y, R"(\frac{u\cdot p\times w}{u\cdot v\times w})"},
+             {"z", 3887, z, R"(\frac{p\cdot u\times v}{w\cdot u\times v})"},
+             {"z_again", 3891, z, R"(\frac{u\cdot v\times p}{u\cdot v\times w})"}});
+  table.formula(
       "combination", 3857,
       R"(any vector is a combination: $(u\cdot v\times w)\,q=(q\cdot v\times w)u+(q\cdot w\times u)v+(q\cdot u\times v)w$)",
-      planted,
+      samples,
       {.quantity = "any vector $q$ over $u$, $v$, $w$, times their volume",
        .truth = volume_times_q,
-       .printed = combination(R"($(q\cdot v\times w)u+(q\cdot w\times u)v+(q\cdot u\times v)w$)", 1),
-       .near_misses = {combination(R"($(q\cdot v\times w)u+(q\cdot w\times u)v-(q\cdot u\times v)w$)", -1)}});
-  claims.formula<Planted>(
+       .printed = R"($(q\cdot v\times w)u+(q\cdot w\times u)v+(q\cdot u\times v)w$)"});
+}
+
+/// Where p is put together from the cross products.
+void over_products(Table& table, const std::vector<Planted>& samples) {
+  equations(table, samples,
+            {{"dual_x_equation",
+              3901,
+              {R"($w\cdot p$)", [](const auto& s) { return dot(s.w, s.p); }},
+              R"(x\,w\cdot u\times v)"},
+             {"dual_y_equation",
+              3903,
+              {R"($u\cdot p$)", [](const auto& s) { return dot(s.u, s.p); }},
+              R"(y\,u\cdot v\times w)"},
+             {"dual_x", 3909, x, R"(\frac{w\cdot p}{w\cdot u\times v})"},
+             {"dual_y", 3917, y, R"(\frac{u\cdot p}{u\cdot v\times w})"},
+             {"dual_z", 3923, z, R"(\frac{v\cdot p}{v\cdot w\times u})"}});
+  table.formula(
       "dual_combination", 3897,
       R"(any vector is a combination: )"
       R"($(u\cdot v\times w)\,q=(w\cdot q)\,u\times v+(u\cdot q)\,v\times w+(v\cdot q)\,w\times u$)",
-      dual,
+      samples,
       {.quantity = R"(any vector $q$ over $u\times v$, $v\times w$, $w\times u$, times the volume)",
        .truth = volume_times_q,
-       .printed =
-           dual_combination(R"($(w\cdot q)\,u\times v+(u\cdot q)\,v\times w+(v\cdot q)\,w\times u$)", 1),
-       .near_misses = {
-           dual_combination(R"($(w\cdot q)\,u\times v+(u\cdot q)\,v\times w-(v\cdot q)\,w\times u$)", -1)}});
-  claims.formula<Planted>(
-      "dual_z_equation", 3905, R"($v\cdot p=z\,v\cdot w\times u$, printed $z\,v\cdot w\cdot u$)", dual,
-      {.truth = along(v, p),
-       .printed = {"$" + products_of_components.tex + "$, components multiplied", products_of_components.of},
-       .meant = z * volume(v, w, u),
-       .near_misses = {z * volume(v, u, w)},
+       .printed = R"($(w\cdot q)\,u\times v+(u\cdot q)\,v\times w+(v\cdot q)\,w\times u$)"});
+  const double volume = twice_the_unit_vectors().volume();
+  table.formula(
+      "dual_z_equation", 3905, R"($v\cdot p=z\,v\cdot w\times u$, printed $z\,v\cdot w\cdot u$)", samples,
+      {.truth = {R"($v\cdot p$)", [](const auto& s) { return dot(s.v, s.p); }},
+       .printed = R"($z\sum_iv_iw_iu_i$)",
+       .meant = R"($z\,v\cdot w\times u$)",
        .kind = Fault::formula,
        .why = filled(
            R"($v\cdot w$ is a number, so $v\cdot w\cdot u$ is no triple product: a dot stands where the cross of )"
            R"($v\cdot w\times u$ belongs. The solution for $z$ has it. With )"
            R"(twice the unit vectors for a basis the volume is @1, and no product of two dots is a number )"
            R"(at all.)",
-           {triple(twice.u, twice.v, twice.w)})});
-  for (const LostBar& b : lost_bars())
-    claims.formula<Planted>(
-        b.slug, b.line, "$" + b.unknown.tex + "=" + b.meant().tex + "$, the fraction bar lost", dual,
-        {.quantity = "$" + b.unknown.tex + "$",
-         .truth = b.unknown,
-         .printed = b.as_it_stands(),
-         .meant = b.meant(),
-         .near_misses = {b.near},
+           {volume})});
+  const auto lost_bar = [&](std::string_view slug, int line, const std::string& unknown, const Route& truth,
+                            const std::string& top) {
+    const std::string meant = R"(\frac{)" + top + R"(}{u\cdot v\times w})";
+    table.formula(
+        slug, line, "$" + unknown + "=" + meant + "$, the fraction bar lost", samples,
+        {.quantity = "$" + unknown + "$",
+         .truth = truth,
+         .printed = "$(" + top + R"()\,u\cdot v\times w$)",
+         .meant = "$" + meant + "$",
          .kind = Fault::lost_typography,
          .why = filled(
-             "The fraction bar is lost in the text at hand: $" + b.unknown.tex + "=(" + b.top.tex +
+             "The fraction bar is lost in the text at hand: $" + unknown + "=(" + top +
                  R"()/(u\cdot v\times w)$, as in the line before it. As a product it is off by the )"
                  R"(square of the volume $u\cdot v\times w$: with twice the unit vectors for a basis, )"
                  "@2 times.",
-             {b.as_it_stands().of(twice) / b.meant().of(twice)})});
-  return claims.in_order();
-}
-
-// ---- proofs -----------------------------------------------------------------------------------------------
-
-namespace {
-
-Vector3<Expression> letters(const std::string& name) {
-  return {Expression::letter(name + "0"), Expression::letter(name + "1"), Expression::letter(name + "2")};
-}
-
-Letters<Expression> any_letters(bool dual) {
-  Letters<Expression> s{letters("u"),
-                        letters("v"),
-                        letters("w"),
-                        Expression::letter("x"),
-                        Expression::letter("y"),
-                        Expression::letter("z"),
-                        {}};
-  s.p = dual ? s.dual_combination() : s.combination();
-  return s;
-}
-
-/// For every basis: what `field` asks not to be zero is the volume, written another way.
-Lemma for_every_basis(std::string name, const std::vector<Proposition>& follows) {
-  const Letters<Expression> s = any_letters(false);
-  return {std::move(name),
-          "(u0 u1 u2 v0 v1 v2 w0 w1 w2 x y z q0 q1 q2 : R)",
-          {not_zero(triple(s.u, s.v, s.w))},
-          follows,
-          "field; match goal with H : _ <> 0 |- _ => contradict H; etransitivity; [| exact H]; ring end"};
-}
-Lemma equation(std::string name, const Term& left, const Term& right, bool dual) {
-  const Letters<Expression> s = any_letters(dual);
-  return for_every_basis(std::move(name), {left.recorded(s) == right.recorded(s)});
-}
-Lemma vectors_equal(const Vector3<Expression>& a, const Vector3<Expression>& b) {
-  return for_every_basis("printed", {a[0] == b[0], a[1] == b[1], a[2] == b[2]});
-}
-Lemma differs(const Term& printed, const Term& truth, double margin) {
-  const auto s = twice_the_unit_vectors<Expression>();
-  return {.name = "printed_differs",
-          .follows = {apart(printed.recorded(s), truth.recorded(s), margin)},
-          .tactic = by_arithmetic};
+             {volume * volume})});
+  };
+  lost_bar("dual_x_again", 3913, "x", x, R"(w\cdot p)");
+  lost_bar("dual_z_again", 3927, "z", z, R"(v\cdot p)");
 }
 
 }  // namespace
 
+std::vector<Claim> claims(const Random& random) {
+  Claims claims("7.7");
+  Table table(claims);
+  over_basis(table, samples(random, false));
+  over_products(table, samples(random, true));
+  return claims.in_order();
+}
+
+/// For every basis: what `field` asks not to be zero is the volume, written another way.
 Provables proofs() {
-  const std::string holds = "it holds for every basis";
-  Provables all;
-  for (const bool dual : {false, true})
-    for (const Equation& e : equations(dual))
-      all.push_back({"7.7-" + e.slug, holds, {equation("printed", e.left, e.right, dual)}});
-  const Letters<Expression> s = any_letters(false);
-  const Vector3<Expression> q = letters("q"), volume_times = triple(s.u, s.v, s.w) * q;
-  all.push_back({"7.7-combination", holds, {vectors_equal(combined(s, q, 1), volume_times)}});
-  all.push_back({"7.7-dual_combination", holds, {vectors_equal(dual_combined(s, q, 1), volume_times)}});
-  const std::string meant =
-      "as meant it holds for every basis; as printed it is off for twice the unit vectors";
-  all.push_back({"7.7-dual_z_equation",
-                 meant,
-                 {equation("meant", along(v, p), z * volume(v, w, u), true),
-                  differs(products_of_components, along(v, p), 8)},
-                 8});
-  for (const LostBar& b : lost_bars())
-    all.push_back({"7.7-" + b.slug,
-                   meant,
-                   {equation("meant", b.unknown, b.meant(), true), differs(b.as_it_stands(), b.unknown, 63)},
-                   63});
-  return all;
+  Claims claims("7.7");
+  Table basis(claims), products(claims);
+  over_basis(basis, {});
+  over_products(products, {});
+  const std::vector<std::string> names{"u0", "u1", "u2", "v0", "v1", "v2", "w0", "w1", "w2",
+                                       "x",  "y",  "z",  "p0", "p1", "p2", "q0", "q1", "q2"};
+  ForAll<LettersOf> all{
+      .any = lettered<LettersOf>(names),
+      .letters = quantified(names),
+      .tactic =
+          "field; match goal with H : _ <> 0 |- _ => contradict H; etransitivity; [| exact H]; ring end",
+      .says = "it holds for every basis",
+      .example = twice_the_unit_vectors()};
+  all.given = {not_zero(all.any.volume().expression())};
+  all.any.p = all.any.combination();
+  Provables proved = basis.proofs("7.7", all);
+  all.any.p = all.any.dual_combination();
+  std::ranges::move(products.proofs("7.7", all), std::back_inserter(proved));
+  return proved;
 }
 
 }  // namespace oddity::ex07_07

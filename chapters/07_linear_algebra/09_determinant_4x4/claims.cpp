@@ -101,12 +101,12 @@ std::vector<Sample> full_matrices(Random random) {
   return all;
 }
 
-/// Whole numbers at the four places of a term, zero elsewhere.
-std::vector<Sample> matrices_of(const Term& term, Random random) {
+/// Whole numbers at the four places that a permutation asks for, zero elsewhere.
+std::vector<Sample> matrices_of(std::string_view permutation, Random random) {
   std::vector<Sample> all;
   for (int sample = 0; sample < 8; ++sample) {
     Matrix4<Whole> m{};
-    for (std::size_t k = 0; k < 4; ++k) m[term.rows[k]][term.columns[k]] = 1 + random.below(99);
+    for (std::size_t k = 0; k < 4; ++k) m[digit(permutation[k])][k] = 1 + random.below(99);
     all.push_back({m});
   }
   return all;
@@ -130,9 +130,9 @@ Formula<Sample> terms(std::string text, const std::vector<Term>& all) {
 
 const Formula<Sample> elimination = in_whole("fraction-free elimination", by_bareiss);
 
-/// The sum over all permutations, with or without their signs, their order found by counting inversions.
+/// The sum over all permutations, their order found by counting inversions.
 template <class T>
-T sum_over_permutations(const Matrix4<T>& m, bool with_signs) {
+T sum_over_permutations(const Matrix4<T>& m) {
   std::array<std::size_t, 4> s{0, 1, 2, 3};
   T sum = 0;
   do {
@@ -140,14 +140,9 @@ T sum_over_permutations(const Matrix4<T>& m, bool with_signs) {
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t j = i + 1; j < 4; ++j) inversions += s[i] > s[j];
     const T product = m[s[0]][0] * m[s[1]][1] * m[s[2]][2] * m[s[3]][3];
-    sum += with_signs && inversions % 2 == 1 ? -product : product;
+    sum += inversions % 2 == 1 ? -product : product;
   } while (std::next_permutation(s.begin(), s.end()));
   return sum;
-}
-
-Formula<Sample> over_permutations(std::string text, bool with_signs) {
-  return in_whole(std::move(text),
-                  [=](const Matrix4<Whole>& m) { return sum_over_permutations(m, with_signs); });
 }
 
 /// "+ a11 a22" as $+a_{11}a_{22}$.
@@ -161,39 +156,16 @@ std::string typeset(std::string_view term) {
   return tex + "$";
 }
 
-/// The printed row and column numbers against those that the permutation asks for.
-Check places(const Row& row) {
-  const Term term = parsed(row.term);
-  std::vector<double> printed, asked;
-  for (std::size_t k = 0; k < 4; ++k) {
-    for (const std::size_t number : {term.rows[k] + 1, term.columns[k] + 1})
-      printed.push_back(static_cast<double>(number));
-    for (const std::size_t number : {digit(row.permutation[k]) + 1, k + 1})
-      asked.push_back(static_cast<double>(number));
-  }
-  return {"row and column numbers",
-          {"as printed", printed},
-          {R"($\sigma(1)1,\ldots,\sigma(4)4$)", asked},
-          exact()};
-}
-
 void add_row(Claims& claims, const Row& row, const Random& random) {
   const std::string name(row.permutation), tex = typeset(row.term);
   std::string listed;
   for (const char digit : name) listed += std::string(listed.empty() ? "" : ",") + digit;
-  const Term term = parsed(row.term);
-  Term negated = term;
-  negated.negative = !term.negative;
-  const auto signed_as = [&](const std::string& text, const Term& t, std::vector<Check> checks) {
-    const auto formula = terms(text, {t});
-    const auto matrices = matrices_of(term, random);
-    checks.push_back(compare("the determinant without the other entries", formula, elimination, matrices));
-    return Reading{text, checks, is_as_typeset(compare_typeset(formula, matrices))};
-  };
-  const std::string other = (negated.negative ? "$-" : "$+") + tex.substr(2);
-  claims.add(
+  claims.formula<Sample>(
       "term_" + name, row.line, "the permutation $(" + listed + ")$ has the term " + tex,
-      {.printed = signed_as(tex, term, {places(row)}), .near_misses = {signed_as(other, negated, {})}});
+      matrices_of(row.permutation, random),
+      {.quantity = R"(the determinant with no entries but $a_{\sigma(1)1},\ldots,a_{\sigma(4)4}$)",
+       .truth = elimination,
+       .printed = {tex}});
 }
 
 /// Of the 4^4 maps of {1, 2, 3, 4} into itself, those that reach every number.
@@ -217,14 +189,9 @@ std::vector<Claim> claims(const Random& random) {
       matrices,
       {.quantity = R"($\det A$)",
        .truth = elimination,
-       .printed = terms(R"($\det A=\ldots=\varepsilon_\sigma a_{\sigma(1)1}a_{\sigma(2)2}a_{\sigma(3)3})"
-                        R"(a_{\sigma(4)4}$, a product alone: $a_{11}a_{22}a_{33}a_{44}$)",
-                        {all[0]}),
-       .meant = over_permutations(
-           R"($\sum_\sigma\varepsilon_\sigma a_{\sigma(1)1}a_{\sigma(2)2}a_{\sigma(3)3}a_{\sigma(4)4}$)",
-           true),
-       .near_misses = {over_permutations(
-           R"($\sum_\sigma a_{\sigma(1)1}a_{\sigma(2)2}a_{\sigma(3)3}a_{\sigma(4)4}$)", false)},
+       .printed = {R"($a_{11}a_{22}a_{33}a_{44}$)"},
+       .meant =
+           {R"($\sum_\sigma\varepsilon_\sigma a_{\sigma(1)1}a_{\sigma(2)2}a_{\sigma(3)3}a_{\sigma(4)4}$)"},
        .kind = Fault::formula,
        .why =
            filled("An equals sign stands between the summation sign and the product that it sums. A product "
@@ -324,7 +291,7 @@ Provables proofs() {
       {"7.9-formula",
        "the signed sum over all permutations is the determinant; of a matrix of ones one term is not",
        {determinant_is(
-            "meant", [](const auto& m) { return sum_over_permutations(m, true); }, everywhere),
+            "meant", [](const auto& m) { return sum_over_permutations(m); }, everywhere),
         {.name = "printed_differs",
          .follows = {apart(sum_of({all[0]}, ones), by_cofactors(ones), 1)},
          .tactic = by_arithmetic}},

@@ -29,9 +29,11 @@ struct SampleOf {
       for (T& x : *point) all.push_back(&x);
     return all;
   }
-  TypesetLetters typeset() const {
-    const Vec<T> D = w.v[0] - p;
-    return {{"E_1", Value(edge(1))}, {"E_2", Value(edge(2))}, {"D", Value(D)}};
+  /// Of s and t somewhere else than below P.
+  T other_s() const { return 3 - t; }
+  T other_t() const { return s - 1; }
+  TypesetIn<T> typeset() const {
+    return {{"s", other_s()}, {"t", other_t()}, {"E_1", edge(1)}, {"E_2", edge(2)}, {"D", w.v[0] - p}};
   }
   std::string where() const {
     return "region " + std::to_string(region()) + ", $s,t$ = " + format_significant(s, 6) + ", " +
@@ -102,25 +104,6 @@ T squared_distance(const SampleOf<N>& x, const T& s, const T& t) {
   return dot(d, d);
 }
 
-/// |s E1 + t E2 + D|^2, somewhere else than below P.
-OfSample in_one(std::string text, double sign_of_d) {
-  return {std::move(text), [=]<class T>(const SampleOf<T>& x) {
-            const T s = 3 - x.t, t = x.s - 1;
-            const Vec<T> sum = s * x.edge(1) + t * x.edge(2) + T(sign_of_d) * (x.w.v[0] - x.p);
-            return dot(sum, sum);
-          }};
-}
-
-/// The same multiplied out.
-OfSample in_six_terms(std::string text, double cross_term) {
-  return {std::move(text), [=]<class T>(const SampleOf<T>& x) {
-            const Vec<T> e1 = x.edge(1), e2 = x.edge(2), d = x.w.v[0] - x.p;
-            const T s = 3 - x.t, t = x.s - 1;
-            return dot(e1, e1) * s * s + cross_term * dot(e1, e2) * s * t + dot(e2, e2) * t * t +
-                   2 * dot(e1, d) * s + 2 * dot(e2, d) * t + dot(d, d);
-          }};
-}
-
 /// (a00, a01, a11, b0, b1, c) as half the derivatives of |V(s, t) - P|^2 at s = t = 0.
 template <class T>
 auto by_differentiation(const SampleOf<T>& x) {
@@ -134,52 +117,42 @@ auto by_differentiation(const SampleOf<T>& x) {
                 first(zero, moving), squared_distance(x, T(0.0), T(0.0)));
 }
 
-/// The quadratic's coefficients, some of them times a factor.
-OfSample coefficients(std::string text, double a, double b) {
-  return {std::move(text), [=]<class T>(const SampleOf<T>& x) {
-            const Quadratic<T> q(x.w, x.p);
-            return values(q.a00, a * q.a01, q.a11, b * q.b0, b * q.b1, q.c);
-          }};
-}
-
-/// What the triangle's lines say, each by its readings.
-struct Lines {
-  OfSample on_edges{"$V_0+sE_1+tE_2$", [](const auto& x) { return x.w.at(x.s, x.t); }};
-  OfSample on_vertices = weighted("sum of the vertices, weights $1-s-t$, $s$, $t$", {0, 1, 2});
-  OfSample squared{"$|V(s,t)-P|^2$", [](const auto& x) { return squared_distance(x, 3 - x.t, x.s - 1); }};
-  OfSample sum = in_one("$|sE_1+tE_2+D|^2$", 1);
-  OfSample six_terms = in_six_terms(R"($|E_1|^2s^2+2E_1\cdot E_2\,st+|E_2|^2t^2+2E_1\cdot D\,s+)"
-                                    R"(2E_2\cdot D\,t+|D|^2$)",
-                                    2);
-};
-
 void in_coordinates(Table& table, const std::vector<Sample>& all) {
+  table.formula("barycentric", 4043, "the barycentric coordinates of $V(s,t)$ are $1-s-t$, $s$ and $t$", all,
+                {.truth = {"signed areas over the triangle's",
+                           [](const auto& x) { return areas(x.w, x.w.at(x.other_s(), x.other_t())); }},
+                 .printed = R"($(1-s-t,\ s,\ t)$)"});
   table.formula(
-      "barycentric", 4043, "the barycentric coordinates of $V(s,t)$ are $1-s-t$, $s$ and $t$", all,
-      {.truth = {"signed areas over the triangle's",
-                 [](const auto& x) { return areas(x.w, x.w.at(x.s, x.t)); }},
-       .printed = {"$1-s-t$, $s$, $t$", [](const auto& x) { return values(1 - x.s - x.t, x.s, x.t); }},
-       .near_misses = {
-           {"$s$, $t$, $1-s-t$", [](const auto& x) { return values(x.s, x.t, 1 - x.s - x.t); }}}});
+      "expansion", 4047,
+      R"($f=|sE_1+tE_2+D|^2=|E_1|^2s^2+2E_1\cdot E_2\,st+|E_2|^2t^2+2E_1\cdot D\,s+2E_2\cdot D\,t+|D|^2$)",
+      all,
+      {.quantity = "$f(s,t)$, twice",
+       .truth = {"$|V(s,t)-P|^2$",
+                 [](const auto& x) {
+                   const auto f = squared_distance(x, x.other_s(), x.other_t());
+                   return values(f, f);
+                 }},
+       .printed = R"($((sE_1+tE_2+D)\cdot(sE_1+tE_2+D),\ E_1\cdot E_1\,s^2+2E_1\cdot E_2\,st)"
+                  R"(+E_2\cdot E_2\,t^2+2E_1\cdot D\,s+2E_2\cdot D\,t+D\cdot D)$)"});
   table.formula(
       "coefficients", 4051, "$f=a_{00}s^2+2a_{01}st+a_{11}t^2+2b_0s+2b_1t+c$", all,
       {.quantity = "$(a_{00},a_{01},a_{11},b_0,b_1,c)$",
        .truth = {"half the derivatives of $|V(s,t)-P|^2$, by dual numbers",
                  [](const auto& x) { return by_differentiation(x); }},
-       .printed = coefficients(R"($(|E_1|^2,E_1\cdot E_2,|E_2|^2,E_1\cdot D,E_2\cdot D,|D|^2)$)", 1, 1),
-       .near_misses = {coefficients(R"(with $a_{01}=2E_1\cdot E_2$)", 2, 1),
-                       coefficients("$b_0$ and $b_1$ of the other sign", 1, -1)}});
+       .printed = R"($(E_1\cdot E_1,\ E_1\cdot E_2,\ E_2\cdot E_2,\ E_1\cdot D,\ E_2\cdot D,\ D\cdot D)$)"});
 }
 
+const OfSample on_edges{"$V_0+sE_1+tE_2$", [](const auto&x) { return x.w.at(x.s, x.t); }},
+    on_vertices = weighted("sum of the vertices, weights $1-s-t$, $s$, $t$", {0, 1, 2});
+
 void expressions(Claims& claims, const std::vector<Sample>& all) {
-  const Lines lines;
-  const auto points = [&](const Formula<Sample>& by) { return compare("$V(s,t)$", by, lines.on_edges, all); };
+  const auto points = [&](const Formula<Sample>& by) { return compare("$V(s,t)$", by, on_edges, all); };
   const auto inside = [&](const Statement<Sample>& by) { return in_all(by.text, all, by.holds); };
   claims.add(
       "parametrization", 4041,
       R"(the triangle's points are $V(s,t)=V_0+sE_1+tE_2$ with $s\ge0$, $t\ge0$ and $s+t\le1$)",
       {.printed = {"sums of the vertices with weights $1-s-t$, $s$, $t$, none of them negative",
-                   {points(lines.on_vertices),
+                   {points(on_vertices),
                     inside(
                         domain(R"(in the triangle, by signed areas, just when $s,t\ge0$, $s+t\le1$)", 1))}},
        .near_misses = {
@@ -187,17 +160,6 @@ void expressions(Claims& claims, const std::vector<Sample>& all) {
             {inside(domain(R"(in the triangle, by signed areas, just when $s,t\ge0$, $s+t\le2$)", 2))}},
            {"$E_1$ and $E_2$ exchanged",
             {points(weighted("sum of the vertices, weights $1-s-t$, $t$, $s$", {0, 2, 1}))}}}});
-  const auto expanded = [&](const Formula<Sample>& by) {
-    return compare("$f(s,t)$", by, lines.squared, all);
-  };
-  claims.add(
-      "expansion", 4047,
-      R"($f=|sE_1+tE_2+D|^2=|E_1|^2s^2+2E_1\cdot E_2\,st+|E_2|^2t^2+2E_1\cdot D\,s+2E_2\cdot D\,t+|D|^2$)",
-      {.printed = {"$|sE_1+tE_2+D|^2$, $D=V_0-P$, and its six terms",
-                   {expanded(lines.sum), expanded(lines.six_terms)}},
-       .near_misses = {{"with $D=P-V_0$", {expanded(in_one("$|sE_1+tE_2-D|^2$", -1))}},
-                       {R"($E_1\cdot E_2$ without its 2)",
-                        {expanded(in_six_terms(R"($E_1\cdot E_2\,st$ and the other five terms)", 1))}}}});
 }
 
 // ---- the minimum ------------------------------------------------------------------------------------------
@@ -483,17 +445,12 @@ Provables proofs() {
                                           .given = area,
                                           .tactic = "field; exact H",
                                           .says = "it holds for any triangle and any point"});
-  const Lines lines;
   const Expressions by_areas = detail::recorded_value(areas(any.w, any.w.at(any.s, any.t)));
   proved.push_back(
       {"9.1-parametrization",
        "any such point is the sum of the vertices, and it is in the triangle just when s and t are "
        "not negative and add up to at most 1",
-       {{"points",
-         quantified(names),
-         {},
-         equal(lines.on_vertices.recorded(any), lines.on_edges.recorded(any)),
-         "ring"},
+       {{"points", quantified(names), {}, equal(on_vertices.recorded(any), on_edges.recorded(any)), "ring"},
         {"domain",
          quantified(names),
          area,
@@ -510,12 +467,6 @@ Provables proofs() {
   proved.push_back({"9.1-least_square",
                     "where the square is least, no other point of the triangle is closer",
                     {nearest(any, names)}});
-  const Expressions squared = lines.squared.recorded(any);
-  proved.push_back(
-      {"9.1-expansion",
-       "it holds for any triangle and any point",
-       {{"in_one", quantified(names), {}, equal(lines.sum.recorded(any), squared), "ring"},
-        {"in_six_terms", quantified(names), {}, equal(lines.six_terms.recorded(any), squared), "ring"}}});
   return proved;
 }
 
