@@ -11,6 +11,7 @@
 #include "report/site/errata.hpp"
 #include "report/site/formulas.hpp"
 #include "report/site/further_pages.hpp"
+#include "report/site/lesson.hpp"
 #include "report/site/page.hpp"
 #include "report/site/script.hpp"
 #include "report/site/site.hpp"
@@ -18,6 +19,7 @@
 #include "report/study/settings.hpp"
 #include "report/verify/catch.hpp"
 #include "tests/hostile.hpp"
+#include "tests/near.hpp"
 #include "tests/packed.hpp"
 #include "tests/sample_results.hpp"
 
@@ -87,7 +89,7 @@ std::vector<std::string> foreign(const Parsed& page) {
       "math",    "mi",      "mo",      "mn",       "mtext",   "mrow",     "msub",       "msup",
       "msubsup", "mfrac",   "msqrt",   "mroot",    "mover",   "munder",   "munderover", "mtable",
       "mtr",     "mtd",     "mspace",  "menclose", "mpadded", "merror",   "mstyle",     "mphantom",
-      "i",       "rect"};
+      "i",       "rect",    "ol",      "pre"};
   std::vector<std::string> all;
   for (const Tag& tag : page.tags) {
     if (!known.contains(tag.name)) all.push_back("<" + tag.name + ">");
@@ -109,6 +111,19 @@ std::vector<std::string> ids(const Parsed& page) {
   return all;
 }
 
+/// A page without the code that it shows.
+std::string without_listings(std::string page) {
+  for (auto at = page.find("<pre"); at != std::string::npos; at = page.find("<pre", at))
+    page.erase(at, page.find("</pre>", at) - at);
+  return page;
+}
+
+/// What an address names in its page: what follows an & is the state of a player.
+std::string id_of(const std::string& address) {
+  const std::string after = address.substr(address.find('#') + 1);
+  return after.substr(0, after.find('&'));
+}
+
 /// Links of a site's pages that lead nowhere.
 std::vector<std::string> dead_links(const std::map<std::string, Parsed>& pages,
                                     const std::set<std::string>& files) {
@@ -124,8 +139,7 @@ std::vector<std::string> dead_links(const std::map<std::string, Parsed>& pages,
         const auto target = pages.find(file);
         const bool there = files.contains(file) || target != pages.end();
         const bool known =
-            !anchored || (target != pages.end() &&
-                          std::ranges::count(ids(target->second), to.substr(to.find('#') + 1)) == 1);
+            !anchored || (target != pages.end() && std::ranges::count(ids(target->second), id_of(to)) == 1);
         if (!there || !known) dead.push_back(name + ": " + to);
       }
   return dead;
@@ -310,7 +324,7 @@ TEST_CASE("the site of the last run is whole, typeset and small", "[site]") {
     INFO(name);
     size += page.size();
     CHECK(page.find("class=\"tex\"") == std::string::npos);
-    const std::string told = std::regex_replace(page, code, "");
+    const std::string told = std::regex_replace(without_listings(page), code, "");
     CHECK(told.find('\\') == std::string::npos);
     CHECK(told.find("..</p>") == std::string::npos);
   }
@@ -330,6 +344,47 @@ TEST_CASE("a parser of pages notices what is wrong with them", "[site]") {
   CHECK(foreign(parsed("<p onclick=\"x\">a</p>")).size() == 1);
   CHECK_FALSE(headings_in_order(parsed("<h1>a</h1><h3>b</h3>")));
   CHECK(dead_links({{"a.html", parsed("<a href=\"#x\">a</a><a href=\"b.html\">b</a>")}}, {}).size() == 2);
+}
+
+TEST_CASE("the lesson's methods do to the energy what it says", "[site]") {
+  const double w = 2;
+  const auto factors = [](const std::string& algorithm, double step) {
+    const auto motion = lesson_motion(algorithm, step, 8);
+    std::vector<double> all;
+    for (std::size_t k = 1; k < motion.size(); ++k)
+      all.push_back(lesson_energy(motion[k]) / lesson_energy(motion[k - 1]));
+    return all;
+  };
+  for (const double h : {0.0625, 0.25, 0.75}) {
+    const double y2 = h * h * w * w;
+    for (const double factor : factors("explicit Euler", h)) CHECK(near(factor, 1 + y2, 1e-13));
+    for (const double factor : factors("Runge-Kutta 4", h))
+      CHECK(near(factor, 1 - y2 * y2 * y2 / 72 + y2 * y2 * y2 * y2 / 576, 1e-13));
+    for (const std::string algorithm : {"symplectic Euler", "velocity Verlet"}) {
+      const auto motion = lesson_motion(algorithm, h, 200);
+      double most = 0, wobble = 0;
+      for (const PlaceAndVelocity& s : motion) {
+        most = std::max(
+            most, std::abs(shadow_energy(algorithm, h, s) / shadow_energy(algorithm, h, motion.front()) - 1));
+        wobble = std::max(wobble, std::abs(lesson_energy(s) / lesson_energy(motion.front()) - 1));
+      }
+      INFO(algorithm << " at " << h);
+      CHECK(most < 1e-12);
+      CHECK(wobble > 1e-4);  // the energy itself is not kept
+    }
+  }
+  const auto ends = [](const std::string& algorithm, double h) {
+    return lesson_energy(lesson_motion(algorithm, h, 20).back()) /
+           lesson_energy(lesson_motion(algorithm, h, 0).back());
+  };
+  CHECK(ends("Runge-Kutta 4", 1.41) < 1);  // h w just below and above the root of 8
+  CHECK(ends("Runge-Kutta 4", 1.42) > 1);
+  CHECK(ends("symplectic Euler", 0.99) < 300);  // and of 2
+  CHECK(ends("symplectic Euler", 1.01) > 1e3);
+  for (const LessonStep& told : lesson_steps()) {
+    INFO(told.name);
+    CHECK(lesson_motion(told.algorithm, told.step, 4).size() == 5);
+  }
 }
 
 TEST_CASE("a finding stands with its root, what is printed and what is right", "[site]") {

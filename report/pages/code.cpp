@@ -309,33 +309,38 @@ std::vector<std::string_view> printable_algorithms() {
   return all;
 }
 
-std::string code_of(const Task& task, const Choice& choice, const std::string& command) {
-  if (!choice.chosen) throw BadInput("nothing here meets the need, and there is no code to print");
+std::string code_of(const Task& task, const Candidate& chosen, const Need& need, const std::string& about) {
   const Exercise& exercise = task.entry->exercise;
   const Listing& listing = exercise.scene->listing;
-  const bool single = choice.chosen->precision == Precision::in_float;
+  const bool single = chosen.precision == Precision::in_float;
   if (single && listing.text)
     throw BadInput("there is no code in float for a problem's file: ask with --precision double");
-  const auto [model, algorithm] = printed(*exercise.scene, choice.chosen->model,
-                                          in_double(std::string(without_stepping(choice.chosen->algorithm))));
+  const auto [model, algorithm] =
+      printed(*exercise.scene, chosen.model, in_double(std::string(without_stepping(chosen.algorithm))));
   Joined headers;
   for (std::string_view header : listing.headers) headers.add(header);
   if (algorithm) headers.add(algorithm->header);
   headers.add_standard("cstdio");
-  if (choice.need.frame_times) headers.add_standard("cmath"), headers.add_standard("cstddef");
+  if (need.frame_times) headers.add_standard("cmath"), headers.add_standard("cstddef");
   if (listing.text) headers.add_standard("array"), headers.add_standard("cmath");
-  const std::string about =
-      to_string(task.entry->number) + " " + std::string(exercise.title) + ": " + asked_text(choice) + "\n\n" +
-      answer_text(choice) + "\nThe observables at every frame, by\n  " + command +
+  const std::string compiled =
       "\nCompiled by c++ -std=c++20 -O2 -ffp-contract=off it prints oddity's own numbers" +
-      (single ? ", but for the observables' roundings: oddity observes a motion in float in double."
-       : listing.text || choice.need.frame_times ? ", but for roundings."
-                                                 : ".");
-  return with_lines_apart(
-      as_comment(about) + "\n" + headers.includes() + headers.text() + "\n" +
-      (listing.text ? listing.text(task.parameters, choice.chosen->model) + "\n" : "") +
-      model_text(task, model, single ? "float" : "double") + std::string(print_row) +
-      main_text(task, choice.need, algorithm, choice.chosen->setting, stepping_of(choice.chosen->algorithm)));
+      std::string(single
+                      ? ", but for the observables' roundings: oddity observes a motion in float in double."
+                  : listing.text || need.frame_times ? ", but for roundings."
+                                                     : ".");
+  return with_lines_apart(as_comment(about + compiled) + "\n" + headers.includes() + headers.text() + "\n" +
+                          (listing.text ? listing.text(task.parameters, chosen.model) + "\n" : "") +
+                          model_text(task, model, single ? "float" : "double") + std::string(print_row) +
+                          main_text(task, need, algorithm, chosen.setting, stepping_of(chosen.algorithm)));
+}
+
+std::string code_of(const Task& task, const Choice& choice, const std::string& command) {
+  if (!choice.chosen) throw BadInput("nothing here meets the need, and there is no code to print");
+  return code_of(task, *choice.chosen, choice.need,
+                 to_string(task.entry->number) + " " + std::string(task.entry->exercise.title) + ": " +
+                     asked_text(choice) + "\n\n" + answer_text(choice) +
+                     "\nThe observables at every frame, by\n  " + command);
 }
 
 }  // namespace oddity

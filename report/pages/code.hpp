@@ -21,5 +21,7 @@ std::vector<std::string_view> printable_algorithms();
 /// that prints the observables at every frame; `command` is the command line that asked for it. Throws
 /// BadInput where the choice has no model or algorithm that can be printed.
 std::string code_of(const Task&, const Choice&, const std::string& command);
+/// The same of a candidate, headed by a comment about it.
+std::string code_of(const Task&, const Candidate&, const Need&, const std::string& about);
 
 }  // namespace oddity

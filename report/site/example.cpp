@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "chapters/examples/bouncing_ball/scene.hpp"
+#include "chapters/examples/oscillator/scene.hpp"
 #include "report/study/run.hpp"
 
 namespace oddity {
@@ -33,6 +34,17 @@ const ExerciseResult& example_result() {
     return run(std::span(&task, 1), Reference::nothing(), false).exercises.front();
   }();
   return result;
+}
+
+const Entry& lesson_scene() {
+  static const Entry entry{
+      {0, 2},
+      "",
+      {"Mass on a spring", "What does each method make of a circle?", oscillator::parameters,
+       oscillator::scene(), [](const Parameters& p, const Reference& truth) {
+         return Findings{{}, {motion(oscillator::scene(), p, truth)}};
+       }}};
+  return entry;
 }
 
 const Entry* entry_of(Number number) {

@@ -10,6 +10,9 @@ const Entry& example();
 /// Its trials, run here and now.
 const ExerciseResult& example_result();
 
+/// The scene of the lesson (lesson.hpp): a mass on a spring.
+const Entry& lesson_scene();
+
 /// The exercise of this number, or the example; null when there is none.
 const Entry* entry_of(Number);
 

@@ -10,6 +10,7 @@
 #include "report/site/example.hpp"
 #include "report/site/page.hpp"
 #include "report/site/quantity_section.hpp"
+#include "report/site/recipes.hpp"
 #include "report/study/beside_program.hpp"
 #include "report/study/findings.hpp"
 #include "report/study/settings.hpp"
@@ -85,9 +86,10 @@ std::string letters_of(const ExerciseResult& e) {
 }
 
 std::string sections_of(const std::string& body) {
-  const std::pair<const char*, const char*> all[] = {
-      {"play", "Play"},     {"events", "Events"},           {"findings", "What is wrong"},
-      {"claims", "Claims"}, {"quantities", "Computing it"}, {"stability", "Steps"}};
+  const std::pair<const char*, const char*> all[] = {{"play", "Play"},      {"recipe", "What to use"},
+                                                     {"events", "Events"},  {"findings", "What is wrong"},
+                                                     {"claims", "Claims"},  {"quantities", "Computing it"},
+                                                     {"stability", "Steps"}};
   std::string text;
   for (const auto& [id, name] : all)
     if (body.find("<section id=\"" + std::string(id) + "\"") != std::string::npos)
@@ -135,10 +137,11 @@ most 5 µm from the truth, and the motion goes on.</li>
 
 }  // namespace
 
-std::string exercise_page(const Results& results, const ExerciseResult& e, const ProvedClaims& proved) {
+std::string exercise_page(const Results& results, const ExerciseResult& e, const ProvedClaims& proved,
+                          std::span<const EngineContest> contests) {
   const std::string number = to_string(e.number), drawing = setup_drawing(e);
-  const std::string sections = player_section(e) + findings_section(e, proved) + claims_section(e, proved) +
-                               quantities_section(e) + stability_section(e);
+  const std::string sections = player_section(e) + recipe_section(e, contests) + findings_section(e, proved) +
+                               claims_section(e, proved) + quantities_section(e) + stability_section(e);
   std::string head = element("p", " class=\"where\"", chapter_line(e)) + "\n<h1><span>" + number +
                      "</span> " + in_xml(e.title) + "</h1>\n" + counts_line(e) + "\n" +
                      element("p", " class=\"asks\"", html::prose(e.asks)) + "\n";

@@ -1,16 +1,12 @@
 #include "report/site/front_page.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "chapters/contents.hpp"
-#include "reference/text.hpp"
-#include "report/charts/labels.hpp"
 #include "report/site/claims_section.hpp"
+#include "report/site/doors.hpp"
 #include "report/site/moving_picture.hpp"
 #include "report/site/page.hpp"
-#include "report/study/candidate.hpp"
 #include "report/study/findings.hpp"
 #include "report/text/markup.hpp"
 
@@ -53,7 +49,13 @@ long trials_of(const Results& results) {
   return all;
 }
 
-std::string opening(const Results& results, const SiteParts& parts) {
+std::string title() {
+  return "<header class=\"title\">\n<h1>The solutions of <cite>Game Physics</cite>, checked by machine</h1>\n"
+         "<p class=\"asks\">For students and teachers who use the solutions manual of the book’s second edition, and for "
+         "game programmers who need to know what moves a scene right.</p>\n</header>\n";
+}
+
+std::string what_was_done(const Results& results, const SiteParts& parts) {
   const Counts all = counts_of(results);
   long quantities = 0, breakdowns = 0, scenes = 0;
   for (const ExerciseResult& e : results.exercises) {
@@ -61,10 +63,9 @@ std::string opening(const Results& results, const SiteParts& parts) {
     scenes += e.scene;
     for (const QuantityResult& q : e.quantities) breakdowns += static_cast<long>(q.breakdowns.size());
   }
-  return "<header class=\"title\">\n<h1>The solutions of <cite>Game Physics</cite>, checked by machine</h1>\n"
-         "<p class=\"asks\">Every odd exercise of the book’s second edition is computed here, and each statement of its "
-         "published solution is judged against numbers that were found another way.</p>\n" +
-         verdict_bar(all) + "<p class=\"sum\">" +
+  return "<section class=\"done\">\n" + verdict_bar(all) +
+         "<p class=\"sum\">Every odd exercise of the book is computed here, and each statement of its published "
+         "solution is judged against numbers that were found another way: " +
          counted(static_cast<long>(results.exercises.size()), "exercise", "exercises") + ", " +
          counted(sum_of(all), "claim", "claims") + ". " +
          counted(quantities, "quantity was", "quantities were") + " computed in " +
@@ -74,7 +75,7 @@ std::string opening(const Results& results, const SiteParts& parts) {
               ? ""
               : counted(scenes, "scene moves", "scenes move") + " in these pages, " +
                     (parts.models ? "run by the very C++ that was tested." : "as they were recorded.")) +
-         "</p>\n</header>\n";
+         "</p>\n</section>\n";
 }
 
 // ---- what is wrong ----------------------------------------------------------------------------------------
@@ -92,8 +93,8 @@ std::string wrong_item(const Finding& finding) {
   return element("li", "", text) + "\n";
 }
 
-std::string wrong_card(const ExerciseResult& e, const std::vector<Finding>& worst_first) {
-  const std::string picture = moving_picture(e);
+std::string wrong_card(const ExerciseResult& e, const std::vector<Finding>& worst_first, bool shown_above) {
+  const std::string picture = shown_above ? "" : moving_picture(e);
   std::string items;
   for (const Finding& finding : worst_first)
     if (finding.exercise == &e) items += wrong_item(finding);
@@ -105,12 +106,14 @@ std::string wrong_card(const ExerciseResult& e, const std::vector<Finding>& wors
 std::string what_is_wrong(const Results& results) {
   const std::vector<Finding> worst_first = errata_worst_first(results);
   if (worst_first.empty()) return "";
+  const ExerciseResult* const above = exercise_in_motion(results);
   std::vector<const ExerciseResult*> shown;
   std::string breaking, others;
   for (const Finding& f : worst_first) {
     if (std::ranges::find(shown, f.exercise) != shown.end()) continue;
     shown.push_back(f.exercise);
-    (broken_by(*f.exercise) > 0 ? breaking : others) += wrong_card(*f.exercise, worst_first);
+    (broken_by(*f.exercise) > 0 ? breaking : others) +=
+        wrong_card(*f.exercise, worst_first, f.exercise == above);
   }
   Counts all = counts_of(results);
   const auto wrong = std::ranges::count_if(worst_first, is_wrong);
@@ -124,90 +127,8 @@ std::string what_is_wrong(const Results& results) {
                  "misprints are shown with their exercises") +
          ". What our plain-text copy of the manual has lost (" + std::to_string(all[Verdict::lost]) +
          " claims) is counted apart: it is no fault of the book. The <a href=\"errata.html\">errata sheet</a> has all of them, to print and lay into the book, and <a "
-         "href=\"errata.json\">errata.json</a> has them for programs.</p>\n"
-         "<p class=\"stop\"><button type=\"button\" hidden>Stop the pictures</button></p>\n<div class=\"cards\">\n" +
+         "href=\"errata.json\">errata.json</a> has them for programs.</p>\n<div class=\"cards\">\n" +
          breaking + "</div>\n<div class=\"cards\">\n" + others + "</div>\n</section>\n";
-}
-
-// ---- what it means for games ------------------------------------------------------------------------------
-
-std::string unit_after(const std::string& unit) {
-  return unit.empty() || unit == "1" ? "" : " " + in_xml(typeset_unit(unit));
-}
-
-std::string ends_of(const BreakEven& b) {
-  const auto with_unit = [&](double x) {
-    return with_powers(format_significant(x, 3)) + unit_after(b.parameter_unit);
-  };
-  std::string text;
-  for (const Interval& enough : b.enough) {
-    const bool from_start = enough.from == b.looked.from, to_end = enough.to == b.looked.to;
-    if (!text.empty()) text += " and ";
-    text += from_start && to_end ? "everywhere"
-            : from_start         ? "up to " + with_unit(enough.to)
-            : to_end             ? "from " + with_unit(enough.from) + " on"
-                     : with_powers(format_significant(enough.from, 3)) + " to " + with_unit(enough.to);
-  }
-  return text;
-}
-
-std::string simpler_cell(const CheapestModels& cheapest_models) {
-  std::string items;
-  for (const BreakEven& b : cheapest_models.break_evens)
-    items += element("li", "", in_xml(b.model) + ": <var>" + in_xml(b.parameter) + "</var> " + ends_of(b));
-  std::string never;
-  for (const std::string& model : cheapest_models.never)
-    never += (never.empty() ? "nowhere: " : "; ") + in_xml(model);
-  if (!never.empty()) items += element("li", "", never);
-  return items.empty() ? "" : element("ul", "", items);
-}
-
-std::string fault_cell(const ExerciseResult& e) {
-  const Path* path = published_path(e);
-  const auto findings = findings_of(e);
-  if (path && broken_by(e) > 0) {
-    const std::string off =
-        path->outcome == Outcome::ok || path->outcome == Outcome::inaccurate
-            ? "off by " + with_powers(shown_error(path->error)) +
-                  (e.cheapest_models->units.size() == 1 ? unit_after(e.cheapest_models->units.front()) : "")
-            : std::string(name_of(path->outcome));
-    return html::link(to_string(e.number) + ".html#findings", "<em>" + in_xml(path->model) + "</em>: " + off);
-  }
-  if (findings.empty()) return "";
-  return html::link(
-      to_string(e.number) + ".html#findings",
-      html::text(findings.front().title()) +
-          (findings.size() > 1 ? ", and " + std::to_string(findings.size() - 1) + " more" : ""));
-}
-
-std::string game_row(const ExerciseResult& e) {
-  const CheapestModel& game = e.cheapest_models->least.front();
-  const std::string number = exercise_link(e);
-  if (!game.least)
-    return html::row({number, "none here", "", "", simpler_cell(*e.cheapest_models), fault_cell(e)});
-  const Candidate& least = *game.least;
-  std::string errors;
-  for (double error : least.errors) errors += (errors.empty() ? "" : ", ") + with_powers(shown_error(error));
-  return html::row(
-      {number, in_xml(least.model),
-       in_xml(least.algorithm) +
-           (least.knob.empty() ? "" : ", " + in_xml(with_powers(shown_setting(least, game.need)))),
-       format_significant(least.evaluations_per_frame, 3), simpler_cell(*e.cheapest_models), fault_cell(e)},
-      "3");
-}
-
-std::string for_games(const Results& results) {
-  html::Table table{"The least that each scene needs in a game",
-                    {"scene", "model that is enough", "algorithm", "evaluations per frame",
-                     "where simpler models hold", "fault of the published version"}};
-  for (const ExerciseResult& e : results.exercises)
-    if (e.cheapest_models && !e.cheapest_models->least.empty()) table.rows.push_back(game_row(e));
-  if (table.rows.empty()) return "";
-  return "<section id=\"games\">\n<h2>What it means for games</h2>\n<p>The simplest model that stays within one "
-         "centimetre and one degree at every frame over 10 s at 60 frames per second, and the algorithm that needs the "
-         "least counted work for it; <code>oddity choose</code> takes the least time on its machine. The <a href=\"chooser.html\">chooser</a> answers for a start, an error and a budget of your "
-         "own.</p>\n" +
-         html::table(table) + "</section>\n";
 }
 
 // ---- all exercises ----------------------------------------------------------------------------------------
@@ -243,11 +164,11 @@ std::string all_exercises(const Results& results) {
 }  // namespace
 
 std::string front_page(const Results& results, const SiteParts& parts) {
-  return html::whole(
-      {"oddity: the solutions of Game Physics, checked by machine",
-       opening(results, parts) + what_is_wrong(results) + for_games(results) + all_exercises(results),
-       {},
-       "front"});
+  return html::whole({"oddity: the solutions of Game Physics, checked by machine",
+                      title() + doors(results) + what_was_done(results, parts) + what_is_wrong(results) +
+                          all_exercises(results),
+                      {"assets/doors.js"},
+                      "front"});
 }
 
 }  // namespace oddity

@@ -32,8 +32,8 @@ html::Table catalog_table() {
                      "imaginary limit", "theory"}};
   for (const ode::CatalogEntry& a : ode::catalog())
     table.rows.push_back(html::row(
-        {in_xml(a.name), in_xml(a.library), ode::has_tolerance(a.kind) ? "tolerance" : "step",
-         a.order == 0 ? "varies" : std::to_string(a.order),
+        {element("span", " id=\"" + html::anchor(a.name) + "\"", in_xml(a.name)), in_xml(a.library),
+         ode::has_tolerance(a.kind) ? "tolerance" : "step", a.order == 0 ? "varies" : std::to_string(a.order),
          (a.evaluations == 0 ? "varies" : std::to_string(a.evaluations)) + (a.jacobian ? " + Jacobian" : ""),
          limit_text(a.real_limit), limit_text(a.imaginary_limit), html::text(a.theory)},
         "356"));
@@ -111,10 +111,37 @@ std::string algorithms_page() {
        {}});
 }
 
+namespace {
+
+using IndexRows = nlohmann::ordered_json;
+
+void add_methods(IndexRows& all) {
+  for (const ode::CatalogEntry& a : ode::catalog())
+    all.push_back({"algorithms.html#" + html::anchor(a.name), "method", std::string(a.name),
+                   std::string(a.library) +
+                       (a.order == 0 ? ", of varying order" : ", of order " + std::to_string(a.order)) +
+                       (ode::has_tolerance(a.kind) ? ", set by a tolerance" : ", set by a step")});
+}
+
+void add_pages(IndexRows& all) {
+  const auto add = [&](const std::string& to, const std::string& title, const std::string& text) {
+    all.push_back({to, "page", title, text});
+  };
+  add("lesson.html", "Why does Euler fail?",
+      "A lesson: why explicit Euler fails and adds energy; symplectic Euler, Verlet and Runge-Kutta 4");
+  add("recipes.html", "What do I use?",
+      "For each scene the least model and algorithm in a game, and a matrix of scenes by methods");
+  add("chooser.html", "Chooser", "The method for your own start, error, frame rate and budget");
+  add("algorithms.html", "Algorithms",
+      "The catalog of integrators with their orders and limits of stability");
+  add("errata.html", "Errata sheet", "Everything that is wrong in the book, to print");
+}
+
+}  // namespace
+
 /// Rows of [where it stands, its kind, its title, its text]; a claim's title is where it stands in its page.
 std::string search_index(const Results& results) {
-  using json = nlohmann::ordered_json;
-  json all = json::array();
+  IndexRows all = IndexRows::array();
   for (const ExerciseResult& e : results.exercises) {
     const std::string number = to_string(e.number), page = number + ".html";
     all.push_back({page, "exercise", number + " " + e.title, cut_at_word(searchable(e.asks), 140)});
@@ -130,6 +157,8 @@ std::string search_index(const Results& results) {
       all.push_back(
           {page + "#q-" + html::anchor(q.name), "quantity", number + " " + q.name, searchable(q.says)});
   }
+  add_methods(all);
+  add_pages(all);
   all.push_back({example_name + std::string(".html"), "example", std::string(example().exercise.title),
                  searchable(example().exercise.asks).substr(0, 140)});
   return packed_call("index", all);

@@ -132,7 +132,7 @@ std::vector<std::string> module_source(std::size_t files) {
   std::size_t next = 0;
   for (const Entry& entry : registry())
     if (has_models(entry)) parts[next++ % files].push_back(&entry);
-  parts[next % files].push_back(&example());
+  for (const Entry* entry : {&example(), &lesson_scene()}) parts[next++ % files].push_back(entry);
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < files; ++i) texts.push_back(file_text(parts[i], i, files));
   return texts;

@@ -10,8 +10,10 @@
 #include "report/site/exercise_page.hpp"
 #include "report/site/front_page.hpp"
 #include "report/site/further_pages.hpp"
+#include "report/site/lesson.hpp"
 #include "report/site/page.hpp"
 #include "report/site/players.hpp"
+#include "report/site/recipes.hpp"
 #include "report/study/embedded.hpp"
 
 namespace oddity {
@@ -19,13 +21,14 @@ namespace oddity {
 namespace fs = std::filesystem;
 
 std::map<std::string, std::string> site_pages(const Results& results, const ProvedClaims& proved,
-                                              const SiteParts& parts) {
-  std::map<std::string, std::string> pages{{"index.html", front_page(results, parts)},
-                                           {"errata.html", errata_page(results)},
-                                           {"chooser.html", chooser_page(results, parts)},
-                                           {"algorithms.html", algorithms_page()}};
+                                              const SiteParts& parts,
+                                              std::span<const EngineContest> contests) {
+  std::map<std::string, std::string> pages{
+      {"index.html", front_page(results, parts)},     {"errata.html", errata_page(results)},
+      {"chooser.html", chooser_page(results, parts)}, {"lesson.html", lesson_page(results, parts)},
+      {"recipes.html", recipes_page(results)},        {"algorithms.html", algorithms_page()}};
   for (const ExerciseResult& e : results.exercises)
-    pages[to_string(e.number) + ".html"] = exercise_page(results, e, proved);
+    pages[to_string(e.number) + ".html"] = exercise_page(results, e, proved, contests);
   pages[example_name + std::string(".html")] = example_page(example_result());
   if (!lacks(parts).empty())
     for (auto& [name, page] : pages) html::tell(page, lacks(parts), command_for(parts));
@@ -36,7 +39,8 @@ fs::path write_site(const Results& results, const Reference& truth, const fs::pa
                     const Progress& progress, std::span<const EngineContest> contests,
                     const ProvedClaims& proved) {
   for (const char* room : {"", "assets", "data"}) require_writable_folder(folder / room);
-  for (const auto& [name, text] : site_pages(results, proved)) write_whole(folder / name, text);
+  for (const auto& [name, text] : site_pages(results, proved, parts_at_hand(), contests))
+    write_whole(folder / name, text);
   write_whole(folder / "errata.json", errata_json(results));
   write_whole(folder / "errata.schema.json", errata_schema());
   const Styles styles(results);

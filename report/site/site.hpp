@@ -8,7 +8,6 @@
 
 #include "reference/proofs.hpp"
 #include "reference/reference.hpp"
-#include "report/pages/code.hpp"
 #include "report/site/parts.hpp"
 #include "report/study/embedded.hpp"
 #include "report/study/engines.hpp"
@@ -31,7 +30,8 @@ std::span<const EmbeddedFile> embedded_assets();
 
 /// All pages by the names of their files. Claims that are proved say so; what the copy lacks, each page says.
 std::map<std::string, std::string> site_pages(const Results&, const ProvedClaims& = {},
-                                              const SiteParts& = parts_at_hand());
+                                              const SiteParts& = parts_at_hand(),
+                                              std::span<const EngineContest> = {});
 
 /// Writes the site into `folder`, with what engines did on its scenes, and returns the page to open first.
 /// Each file is whole or not there. Throws BadInput when the folder cannot be written.

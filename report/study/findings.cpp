@@ -214,15 +214,17 @@ const Trajectory* trajectory_of(const ExerciseResult& e) {
 
 const Path& true_path(const Trajectory& t) { return t.paths[std::min(t.truest, t.paths.size() - 1)]; }
 
-const Path* published_path(const ExerciseResult& e) {
+bool is_published(std::string_view model) {
   constexpr std::array words{"published", "as printed", "printed listing", "as proposed"};
+  return std::ranges::any_of(words,
+                             [&](const char* word) { return model.find(word) != std::string_view::npos; });
+}
+
+const Path* published_path(const ExerciseResult& e) {
   const Trajectory* t = trajectory_of(e);
   if (!t) return nullptr;
-  for (const Path& path : t->paths)
-    if (std::ranges::any_of(words,
-                            [&](const char* word) { return path.model.find(word) != std::string::npos; }))
-      return &path;
-  return nullptr;
+  const auto published = std::ranges::find_if(t->paths, is_published, &Path::model);
+  return published == t->paths.end() ? nullptr : &*published;
 }
 
 std::string counted(long n, std::string_view one, std::string_view many) {

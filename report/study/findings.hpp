@@ -87,6 +87,8 @@ std::string place_of(const Claim&);
 /// What is printed stands in the claim's own words.
 bool says_what_is_printed(const Claim&);
 
+/// The model has the book's own equations, by its name.
+bool is_published(std::string_view model);
 /// The published version of a scene among its recorded motions, and the truest; none where the book has no
 /// motion of its own.
 const Path* published_path(const ExerciseResult&);

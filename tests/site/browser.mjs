@@ -67,6 +67,27 @@ export async function open(browser, name, { width = 1200, height = 900, dark = f
   return { page, faults };
 }
 
+/// Pairs of texts in <main> that lie on each other, each text as far as it is seen.
+export function overlaps(page) {
+  return page.evaluate(() => {
+    const seen = [];
+    const walker = document.createTreeWalker(document.querySelector('main'), NodeFilter.SHOW_TEXT);
+    while (walker.nextNode()) {
+      const { parentElement: place, data } = walker.currentNode;
+      if (!data.trim() || place.closest('.unseen, caption, noscript, option') || !place.checkVisibility({ checkVisibilityCSS: true })) continue;
+      const range = document.createRange();
+      range.selectNodeContents(walker.currentNode);
+      const whole = place.closest('math') ?? walker.currentNode;
+      for (const { left, right, top, bottom } of range.getClientRects()) {
+        const quarter = (bottom - top) / 4;  // letters do not fill the height of their line
+        seen.push({ whole, text: data.trim(), left: left + 1, right: right - 1, top: top + quarter, bottom: bottom - quarter });
+      }
+    }
+    const meet = (a, b) => a.whole !== b.whole && a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+    return seen.flatMap((a, i) => seen.slice(i + 1).filter((b) => meet(a, b)).map((b) => `\u201c${a.text}\u201d and \u201c${b.text}\u201d`));
+  });
+}
+
 /// A picture of the whole page, where pictures are asked for.
 export async function shoot(page, name) {
   if (!process.env.SHOTS) return;

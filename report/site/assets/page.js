@@ -151,6 +151,26 @@
     });
   }
 
+  // ---- code to copy
+
+  function build_copy_buttons() {
+    document.querySelectorAll('pre.code').forEach((code) => {
+      const button = oddity.element('button', { type: 'button' }, 'Copy');
+      const place = oddity.element('div', { class: 'copied' });
+      code.replaceWith(place);
+      place.append(code, button);
+      button.addEventListener('click', async () => {
+        try {
+          await navigator.clipboard.writeText(code.textContent);
+          button.textContent = 'Copied';
+        } catch (error) {
+          getSelection().selectAllChildren(code);
+          button.textContent = 'Selected';
+        }
+      });
+    });
+  }
+
   // ---- the moving pictures
 
   function build_pictures() {
@@ -191,6 +211,7 @@
   document.querySelectorAll('.filter').forEach(build_filter);
   oddity.with_data(build_play_buttons);
   build_pictures();
+  build_copy_buttons();
   open_target();
   let_scroll();
   addEventListener('resize', let_scroll);

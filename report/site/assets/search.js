@@ -1,9 +1,12 @@
-// Search over exercises, claims and quantities. The index, data/search.js, is loaded when it is first asked for.
+// Search over exercises, claims, quantities, methods and pages, with one misspelling a word. The index, data/search.js,
+// is loaded when it is first asked for.
 (function (oddity) {
   'use strict';
 
   const most = 40;
-  let entries = null, dialog = null, input = null, list = null, chosen = -1;
+  const least_to_misspell = 4;   // letters
+  let entries = null, vocabulary = null, dialog = null;
+  const finders = [];
 
   // Called by data/search.js.
   oddity.index = async (packed) => {
@@ -12,91 +15,139 @@
     entries = all.map(([to, kind, named, text]) => {
       const [page, place] = to.split('#');
       const title = named || place;
-      return { to, kind, title, text, words: `${title} ${text} ${kind} ${names.get(page)}`.toLowerCase() };
+      return { to, page, kind, title, text, words: `${title} ${text} ${kind} ${names.get(page) || ''}`.toLowerCase() };
     });
-    show();
+    vocabulary = [...new Set(entries.flatMap((entry) => entry.words.split(/[^\p{L}]+/u)))]
+      .filter((word) => word.length >= least_to_misspell);
+    finders.forEach((finder) => finder.show());
   };
 
   function load_index() {
     if (entries || document.querySelector('script[src="data/search.js"]')) return;
     const script = document.createElement('script');
     script.src = 'data/search.js';
-    script.onerror = () => say('The index, data/search.js, is not there.');
+    script.onerror = () => finders.forEach((finder) => finder.say('The index, data/search.js, is not there.'));
     document.body.append(script);
   }
 
-  // Every word has to be in an entry; what is in its title, and wrong, comes first.
-  function found(query) {
-    const words = query.toLowerCase().split(/\s+/).filter(Boolean);
-    const weight = (entry) => {
-      const title = entry.title.toLowerCase();
-      const ranks = { exercise: 4, wrong: 3, incomplete: 2, misprint: 2, quantity: 1 };
-      return words.reduce((sum, word) => sum + (title.startsWith(word) ? 12 : title.includes(word) ? 6 : 0), 0) + (ranks[entry.kind] || 0);
-    };
-    return entries.filter((entry) => words.every((word) => entry.words.includes(word)))
-      .map((entry) => [weight(entry), entry]).sort((a, b) => b[0] - a[0]).map(([, entry]) => entry);
+  // ---- what is found
+
+  // One letter more, less or other, or two neighbours exchanged.
+  function is_slip(a, b) {
+    if (Math.abs(a.length - b.length) > 1) return false;
+    let from = 0;
+    while (from < a.length && a[from] === b[from]) from += 1;
+    const rest_a = a.slice(from), rest_b = b.slice(from);
+    return rest_a.slice(1) === rest_b.slice(1) || rest_a.slice(1) === rest_b || rest_a === rest_b.slice(1)
+      || (rest_a[0] === rest_b[1] && rest_a[1] === rest_b[0] && rest_a.slice(2) === rest_b.slice(2));
   }
 
-  function say(text) {
-    dialog.querySelector('.said').textContent = text;
+  // The word, or where nothing has it those that it may have been meant for, also as they begin.
+  function meant_by(word) {
+    if (word.length < least_to_misspell || entries.some((entry) => entry.words.includes(word))) return [word];
+    const whole = vocabulary.filter((known) => is_slip(word, known));
+    const begun = [-1, 0, 1].map((more) => word.length + more);
+    return whole.length ? whole
+      : [...new Set(vocabulary.flatMap((known) => begun.map((n) => known.slice(0, n))))].filter((known) => is_slip(word, known));
+  }
+
+  // Every word has to be in an entry; what is in its title, and wrong, comes first.
+  function found(query, fits) {
+    const words = query.toLowerCase().split(/[\s\u2010-\u2015-]+/).filter(Boolean).map(meant_by);
+    const ranks = { page: 5, exercise: 4, method: 4, wrong: 3, incomplete: 2, misprint: 2, quantity: 1 };
+    const weight = (entry) => {
+      const title = entry.title.toLowerCase();
+      const of = (word) => (title.startsWith(word) ? 12 : title.includes(word) ? 6 : 0);
+      return words.reduce((sum, some) => sum + Math.max(...some.map(of)), 0) + (ranks[entry.kind] || 0);
+    };
+    const hits = entries.filter((entry) => fits(entry) && words.every((some) => some.some((word) => entry.words.includes(word))))
+      .map((entry) => [weight(entry), entry]).sort((a, b) => b[0] - a[0]).map(([, entry]) => entry);
+    const corrected = words.filter((some) => some.length && !query.toLowerCase().includes(some[0])).map((some) => some.join(' or '));
+    return { hits, corrected };
   }
 
   const brief = (text) => (text.length > 140 ? text.slice(0, text.lastIndexOf(' ', 137)) + '...' : text);
 
-  function item_of(entry, place) {
-    const item = oddity.element('li', { role: 'option', id: `hit-${place}`, 'aria-selected': 'false' },
-      oddity.element('a', { href: entry.to, tabindex: '-1' },
-        oddity.element('b', { class: `kind ${entry.kind.replace(/\W/g, '-')}` }, entry.kind), ' ',
-        oddity.element('span', {}, entry.title),
-        oddity.element('small', {}, brief(entry.text))));
-    item.addEventListener('click', () => dialog.close());
-    return item;
-  }
+  // ---- a field and its list
 
-  function show() {
-    if (!dialog || !entries) return;
-    const query = input.value.trim(), hits = query ? found(query) : [];
-    list.replaceChildren(...hits.slice(0, most).map(item_of));
-    choose(hits.length > 0 ? 0 : -1);
-    say(!query ? 'Exercises, claims and quantities; several words narrow it down.'
-      : hits.length === 0 ? 'Nothing has all these words.'
-        : hits.length > most ? `${hits.length} found, the first ${most} shown` : `${hits.length} found`);
-  }
+  /** Entries for what is typed into `input` as options of `list`, which arrow keys go through and Enter opens. `fits`
+      says which entries count, `say` shows a sentence, `opened` is called when one is followed. */
+  oddity.finder = ({ input, list, say, idle = '', fits = () => true, limit = most, opened = () => {} }) => {
+    let chosen = -1;
+    let waits = false;   // Enter was pressed before the index was there
 
-  function choose(place) {
-    const items = list.children;
-    if (items[chosen]) items[chosen].setAttribute('aria-selected', 'false');
-    chosen = Math.max(-1, Math.min(place, items.length - 1));
-    if (chosen < 0) {
-      input.removeAttribute('aria-activedescendant');
-      return;
+    function item_of(entry, place) {
+      const item = oddity.element('li', { role: 'option', id: `${list.id}-${place}`, 'aria-selected': 'false' },
+        oddity.element('a', { href: entry.to, tabindex: '-1' },
+          oddity.element('b', { class: `kind ${entry.kind.replace(/\W/g, '-')}` }, entry.kind), ' ',
+          oddity.element('span', {}, entry.title),
+          oddity.element('small', {}, brief(entry.text))));
+      item.addEventListener('click', opened);
+      return item;
     }
-    items[chosen].setAttribute('aria-selected', 'true');
-    items[chosen].scrollIntoView({ block: 'nearest' });
-    input.setAttribute('aria-activedescendant', items[chosen].id);
-  }
 
-  function on_key(event) {
-    const moves = { ArrowDown: 1, ArrowUp: -1 };
-    if (event.key in moves) {
-      event.preventDefault();
-      choose(Math.max(0, chosen + moves[event.key]));
-    } else if (event.key === 'Enter' && list.children[chosen]) {
-      event.preventDefault();
-      list.children[chosen].querySelector('a').click();
+    function choose(place) {
+      const items = list.children;
+      if (items[chosen]) items[chosen].setAttribute('aria-selected', 'false');
+      chosen = Math.max(-1, Math.min(place, items.length - 1));
+      if (chosen < 0) return input.removeAttribute('aria-activedescendant');
+      items[chosen].setAttribute('aria-selected', 'true');
+      items[chosen].scrollIntoView({ block: 'nearest' });
+      input.setAttribute('aria-activedescendant', items[chosen].id);
     }
-  }
+
+    function sentence(query, hits, corrected) {
+      if (!query) return idle;
+      if (!hits.length) return 'Nothing has all these words.';
+      const count = hits.length > limit ? `${hits.length} found, the first ${limit} shown` : `${hits.length} found`;
+      return corrected.length ? `${count}, for ${corrected.join(', ')}` : count;
+    }
+
+    function show() {
+      if (!entries) return load_index();
+      const query = input.value.trim();
+      const { hits, corrected } = query ? found(query, fits) : { hits: [], corrected: [] };
+      list.replaceChildren(...hits.slice(0, limit).map(item_of));
+      choose(hits.length > 0 ? 0 : -1);
+      say(sentence(query, hits, corrected));
+      if (waits) follow();
+    }
+
+    function follow() {
+      waits = !entries;
+      if (list.children[chosen]) list.children[chosen].querySelector('a').click();
+    }
+
+    input.addEventListener('input', show);
+    input.addEventListener('keydown', (event) => {
+      const moves = { ArrowDown: 1, ArrowUp: -1 };
+      if (event.key in moves) {
+        event.preventDefault();
+        choose(Math.max(0, chosen + moves[event.key]));
+      } else if (event.key === 'Enter') {
+        follow();
+      }
+    });
+    const finder = { show, say, follow };
+    finders.push(finder);
+    return finder;
+  };
+
+  /** A field that is read as a search, and its list. */
+  oddity.searched = (id, label, placeholder) => ({
+    input: oddity.element('input', { type: 'search', 'aria-label': label, placeholder, role: 'combobox', 'aria-expanded': 'true',
+      'aria-controls': id, 'aria-autocomplete': 'list', autocomplete: 'off', spellcheck: 'false' }),
+    list: oddity.element('ul', { id, role: 'listbox', 'aria-label': 'What was found' }),
+    said: oddity.element('p', { class: 'said', 'aria-live': 'polite' }),
+  });
+
+  // ---- the dialog
 
   function build() {
-    input = oddity.element('input', {
-      type: 'search', 'aria-label': 'Search', placeholder: 'pendulum, 3.19, spring energy, misprint …', role: 'combobox',
-      'aria-expanded': 'true', 'aria-controls': 'hits', 'aria-autocomplete': 'list', autocomplete: 'off', spellcheck: 'false',
-    });
-    list = oddity.element('ul', { id: 'hits', role: 'listbox', 'aria-label': 'What was found' });
-    dialog = oddity.element('dialog', { class: 'search', 'aria-label': 'Search' }, input,
-      oddity.element('p', { class: 'said', 'aria-live': 'polite' }), list);
-    input.addEventListener('input', show);
-    dialog.addEventListener('keydown', on_key);
+    const { input, list, said } = oddity.searched('hits', 'Search', 'pendulum, 3.19, spring energy, Runge-Kutta \u2026');
+    dialog = oddity.element('dialog', { class: 'search', 'aria-label': 'Search' }, input, said, list);
+    dialog.finder = oddity.finder({ input, list, say: (text) => { said.textContent = text; }, opened: () => dialog.close(),
+      idle: 'Exercises, claims, quantities, methods and pages; several words narrow it down.' });
     dialog.addEventListener('click', (event) => { if (event.target === dialog) dialog.close(); });
     document.body.append(dialog);
   }
@@ -104,9 +155,8 @@
   function open() {
     if (!dialog) build();
     if (!dialog.open) dialog.showModal();
-    load_index();
-    input.select();
-    show();
+    dialog.querySelector('input').select();
+    dialog.finder.show();
   }
 
   const writes = (target) => target.isContentEditable || /^(INPUT|TEXTAREA|SELECT)$/.test(target.tagName);

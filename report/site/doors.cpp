@@ -1,0 +1,121 @@
+#include "report/site/doors.hpp"
+
+#include <array>
+#include <set>
+
+#include "chapters/contents.hpp"
+#include "report/site/lesson.hpp"
+#include "report/site/moving_picture.hpp"
+#include "report/site/page.hpp"
+#include "report/study/findings.hpp"
+#include "report/text/markup.hpp"
+
+namespace oddity {
+
+namespace {
+
+using html::element;
+
+/// How a whole solution fared.
+struct Standing {
+  std::string_view kind, words;
+};
+constexpr Standing stands_wrong{"wrong", "wrong"}, stands_incomplete{"incomplete", "incomplete"},
+    stands_misprint{"misprint", "misprints only"}, stands_unsettled{"unsettled", "unsettled"},
+    stands_right{"right", "nothing wrong"};
+constexpr std::array standings{stands_right, stands_misprint, stands_incomplete, stands_wrong,
+                               stands_unsettled};
+
+/// By the worst of its claims. What our copy has lost is no fault of the book.
+Standing standing_of(const ExerciseResult& e) {
+  const Counts counts = counts_of(e);
+  if (counts.contains(Verdict::wrong)) return stands_wrong;
+  if (counts.contains(Verdict::incomplete)) return stands_incomplete;
+  if (counts.contains(Verdict::unsettled) || !e.failure.empty()) return stands_unsettled;
+  return counts.contains(Verdict::misprint) ? stands_misprint : stands_right;
+}
+
+std::string tile(const ExerciseResult& e) {
+  const Standing standing = standing_of(e);
+  const std::string number = to_string(e.number);
+  return element(
+      "a",
+      " class=\"tile " + std::string(standing.kind) + "\" href=\"" + number + ".html\" title=\"" +
+          in_xml(e.title + ": " + std::string(standing.words)) + "\"",
+      number + "<span class=\"unseen\"> " + in_xml(e.title + ", " + std::string(standing.words)) + "</span>");
+}
+
+std::string chapter_tiles(const Results& results, const Chapter& chapter) {
+  std::string tiles;
+  for (const ExerciseResult& e : results.exercises)
+    if (e.number.chapter == chapter.number) tiles += tile(e);
+  return tiles.empty() ? ""
+                       : element("li", "",
+                                 element("span", " class=\"chapter\"", in_xml(chapter.title)) +
+                                     element("span", " class=\"tiles\"", tiles)) +
+                             "\n";
+}
+
+std::string standings_legend(const Results& results) {
+  std::string items;
+  for (const Standing& standing : standings) {
+    const auto count = std::ranges::count_if(
+        results.exercises, [&](const ExerciseResult& e) { return standing_of(e).kind == standing.kind; });
+    if (count > 0)
+      items += element("li", " class=\"" + std::string(standing.kind) + "\"",
+                       "<b>" + std::to_string(count) + "</b> " + std::string(standing.words));
+  }
+  return element("ul", " class=\"standings\"", items) + "\n";
+}
+
+/// The field works by scripts alone, which show it.
+std::string exercises_door(const Results& results) {
+  std::string chapters_of_the_book;
+  for (const Chapter& chapter : chapters()) chapters_of_the_book += chapter_tiles(results, chapter);
+  return "<section class=\"door exercises\">\n<h2>Is my exercise right?</h2>\n<div class=\"ask\"></div>\n" +
+         element("ul", " class=\"grid\"", chapters_of_the_book) + "\n" + standings_legend(results) +
+         "</section>\n";
+}
+
+std::string door(const std::string& to, const std::string& asks, const std::string& text) {
+  return element("section", " class=\"door\"",
+                 element("h2", "", html::link(to, asks)) + element("p", "", text)) +
+         "\n";
+}
+
+std::string euler_door() {
+  return door("lesson.html", "Why does Euler fail?",
+              "A lesson in " + std::to_string(lesson_steps().size() + 1) +
+                  " steps on a mass and a spring: drag it, change the step, and see where the energy goes.");
+}
+
+std::string use_door() {
+  return door(
+      "recipes.html", "What do I use?",
+      "For each scene the model, the algorithm and the step that are enough for a game, and what every "
+      "other method costs.");
+}
+
+std::string picture_door(const Results& results) {
+  const ExerciseResult* e = exercise_in_motion(results);
+  if (!e) return "";
+  return "<section class=\"door moving\">\n" + moving_picture(*e) + "<div>" +
+         element("h2", "", html::link(to_string(e->number) + ".html", in_xml(e->title))) +
+         element("p", "", "As the manual has it, and as it is.") +
+         "<p class=\"stop\"><button type=\"button\" hidden>Stop the pictures</button></p></div></section>\n";
+}
+
+}  // namespace
+
+const ExerciseResult* exercise_in_motion(const Results& results) {
+  for (const Finding& finding : errata_worst_first(results))
+    if (!moving_picture(*finding.exercise).empty()) return finding.exercise;
+  return nullptr;
+}
+
+std::string doors(const Results& results) {
+  return "<div class=\"doors\">\n" + exercises_door(results) + picture_door(results) + euler_door() +
+         use_door() + "</div>\n";
+}
+
+}  // namespace oddity

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "report/site/parts.hpp"
+#include "report/study/results.hpp"
+
+namespace oddity {
+
+/// lesson.html: why explicit Euler fails, step after step on a mass and a spring. The page's script lets the
+/// compiled model move; on paper, and without scripts, each step has its charts.
+std::string lesson_page(const Results&, const SiteParts&);
+
+/// One step of the lesson.
+struct LessonStep {
+  std::string name, title, says, tries;
+  std::string algorithm;
+  double step;  ///< s
+  int shown;    ///< steps of the algorithm; 0: to the end
+};
+std::span<const LessonStep> lesson_steps();
+
+/// The place and velocity of the lesson's mass at the start and after each of `count` steps.
+using PlaceAndVelocity = std::array<double, 2>;
+std::vector<PlaceAndVelocity> lesson_motion(const std::string& algorithm, double step, int count);
+double lesson_energy(const PlaceAndVelocity&);
+/// What the algorithm keeps in the energy's place at this step; the energy where it keeps nothing else.
+double shadow_energy(const std::string& algorithm, double step, const PlaceAndVelocity&);
+
+}  // namespace oddity

@@ -1,0 +1,323 @@
+#include "report/site/recipes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "chapters/contents.hpp"
+#include "reference/bad_input.hpp"
+#include "reference/text.hpp"
+#include "report/charts/labels.hpp"
+#include "report/pages/code.hpp"
+#include "report/site/claims_section.hpp"
+#include "report/site/example.hpp"
+#include "report/site/page.hpp"
+#include "report/site/play_link.hpp"
+#include "report/study/beside_program.hpp"
+#include "report/study/candidate.hpp"
+#include "report/study/findings.hpp"
+#include "report/text/markup.hpp"
+#include "solvers/ode/catalog.hpp"
+
+namespace oddity {
+
+namespace {
+
+using html::element;
+
+std::string scene_link(const ExerciseResult& e) {
+  return html::link(to_string(e.number) + ".html", "<b>" + to_string(e.number) + "</b> " + in_xml(e.title));
+}
+
+// ---- the least of each scene ------------------------------------------------------------------------------
+
+std::string unit_after(const std::string& unit) {
+  return unit.empty() || unit == "1" ? "" : " " + in_xml(typeset_unit(unit));
+}
+
+std::string ends_of(const BreakEven& b) {
+  const auto with_unit = [&](double x) {
+    return with_powers(format_significant(x, 3)) + unit_after(b.parameter_unit);
+  };
+  std::string text;
+  for (const Interval& enough : b.enough) {
+    const bool from_start = enough.from == b.looked.from, to_end = enough.to == b.looked.to;
+    if (!text.empty()) text += " and ";
+    text += from_start && to_end ? "everywhere"
+            : from_start         ? "up to " + with_unit(enough.to)
+            : to_end             ? "from " + with_unit(enough.from) + " on"
+                     : with_powers(format_significant(enough.from, 3)) + " to " + with_unit(enough.to);
+  }
+  return text;
+}
+
+std::string simpler_cell(const CheapestModels& cheapest_models) {
+  std::string items;
+  for (const BreakEven& b : cheapest_models.break_evens)
+    items += element("li", "", in_xml(b.model) + ": <var>" + in_xml(b.parameter) + "</var> " + ends_of(b));
+  std::string never;
+  for (const std::string& model : cheapest_models.never)
+    never += (never.empty() ? "nowhere: " : "; ") + in_xml(model);
+  if (!never.empty()) items += element("li", "", never);
+  return items.empty() ? "" : element("ul", "", items);
+}
+
+std::string fault_cell(const ExerciseResult& e) {
+  const Path* path = published_path(e);
+  const auto findings = findings_of(e);
+  if (path && broken_by(e) > 0) {
+    const std::string off =
+        path->outcome == Outcome::ok || path->outcome == Outcome::inaccurate
+            ? "off by " + with_powers(shown_error(path->error)) +
+                  (e.cheapest_models->units.size() == 1 ? unit_after(e.cheapest_models->units.front()) : "")
+            : std::string(name_of(path->outcome));
+    return html::link(to_string(e.number) + ".html#findings", "<em>" + in_xml(path->model) + "</em>: " + off);
+  }
+  if (findings.empty()) return "";
+  return html::link(
+      to_string(e.number) + ".html#findings",
+      html::text(findings.front().title()) +
+          (findings.size() > 1 ? ", and " + std::to_string(findings.size() - 1) + " more" : ""));
+}
+
+std::string game_row(const ExerciseResult& e) {
+  const CheapestModel& game = e.cheapest_models->least.front();
+  const std::string number = scene_link(e);
+  if (!game.least)
+    return html::row({number, "none here", "", "", simpler_cell(*e.cheapest_models), fault_cell(e)});
+  const Candidate& least = *game.least;
+  std::string errors;
+  for (double error : least.errors) errors += (errors.empty() ? "" : ", ") + with_powers(shown_error(error));
+  return html::row(
+      {number, in_xml(least.model),
+       in_xml(least.algorithm) +
+           (least.knob.empty() ? "" : ", " + in_xml(with_powers(shown_setting(least, game.need)))),
+       format_significant(least.evaluations_per_frame, 3), simpler_cell(*e.cheapest_models), fault_cell(e)},
+      "3");
+}
+
+std::string for_games(const Results& results) {
+  html::Table table{"The least that each scene needs in a game",
+                    {"scene", "model that is enough", "algorithm", "evaluations per frame",
+                     "where simpler models hold", "fault of the published version"}};
+  for (const ExerciseResult& e : results.exercises)
+    if (e.cheapest_models && !e.cheapest_models->least.empty()) table.rows.push_back(game_row(e));
+  if (table.rows.empty()) return "";
+  return "<section id=\"games\">\n<h2>What it means for games</h2>\n<p>The simplest model that stays within one "
+         "centimetre and one degree at every frame over 10 s at 60 frames per second, and the algorithm that needs the "
+         "least counted work for it; <code>oddity choose</code> takes the least time on its machine. The <a href=\"chooser.html\">chooser</a> answers for a start, an error and a budget of your "
+         "own.</p>\n" +
+         html::table(table) + "</section>\n";
+}
+
+// ---- scenes by methods ------------------------------------------------------------------------------------
+
+/// What a scene's motion takes by an algorithm: the trial with the least work that is within what a game
+/// allows, by any model that is right.
+struct Cell {
+  const MethodResult* method = nullptr;  ///< of the trial, or of the closest where none is within
+  const TimedTrial* trial = nullptr;
+  bool within = false;
+};
+
+bool is_within(const TimedTrial& t, double close) {
+  const bool ends =
+      t.outcome == Outcome::ok || t.outcome == Outcome::inaccurate || t.outcome == Outcome::drifted;
+  return ends && t.error <= close;
+}
+
+/// Closed forms take no steps, and have a column of their own.
+constexpr const char* closed_forms = "closed form";
+std::string column_of(const MethodResult& m) {
+  return m.trials.empty() || m.trials.front().knob == "step" || m.trials.front().knob == "tolerance"
+             ? m.algorithm
+             : closed_forms;
+}
+
+struct Row {
+  const ExerciseResult* exercise;
+  std::map<std::string, Cell> cells;
+  double least_work = 0;  ///< of the cells with steps
+};
+
+bool is_better(const TimedTrial& t, bool within, const Cell& than) {
+  if (!than.trial || within != than.within) return !than.trial || within;
+  return within ? t.evaluations < than.trial->evaluations : t.error < than.trial->error;
+}
+
+std::optional<Row> row_of(const ExerciseResult& e) {
+  const auto moving =
+      std::ranges::find_if(e.quantities, [](const QuantityResult& q) { return q.trajectory.has_value(); });
+  if (moving == e.quantities.end()) return {};
+  Row row{&e, {}};
+  for (const MethodResult& m : moving->methods) {
+    if (is_published(m.model)) continue;
+    Cell& cell = row.cells[column_of(m)];
+    for (const TimedTrial& t : m.trials)
+      if (const bool within = is_within(t, moving->trajectory->close); is_better(t, within, cell))
+        cell = {&m, &t, within};
+  }
+  for (const auto& [column, cell] : row.cells)
+    if (cell.within && column != closed_forms)
+      row.least_work = row.least_work == 0
+                           ? static_cast<double>(cell.trial->evaluations)
+                           : std::min(row.least_work, static_cast<double>(cell.trial->evaluations));
+  return row;
+}
+
+/// In the catalog's order, those that a scene has been tried with; closed forms first.
+std::vector<std::string> columns_of(const std::vector<Row>& rows) {
+  std::set<std::string> tried;
+  for (const Row& row : rows)
+    for (const auto& [column, cell] : row.cells) tried.insert(column);
+  std::vector<std::string> columns;
+  if (tried.contains(closed_forms)) columns.emplace_back(closed_forms);
+  for (const ode::CatalogEntry& a : ode::catalog())
+    if (tried.contains(std::string(a.name))) columns.emplace_back(a.name);
+  return columns;
+}
+
+/// How many times the least work; its class is the shade.
+std::string shade_of(double ratio) {
+  return ratio <= 1.25 ? "best" : ratio <= 2.5 ? "near" : ratio <= 10 ? "dear" : "dearest";
+}
+
+std::string cell_text(const Row& row, const std::string& column) {
+  const auto found = row.cells.find(column);
+  if (found == row.cells.end() || !found->second.trial) return element("td", "", "");
+  const auto& [method, trial, within] = found->second;
+  const bool closed = column == closed_forms;
+  const double ratio = closed || !within ? 0 : static_cast<double>(trial->evaluations) / row.least_work;
+  const std::string shade = !within  ? "fails"
+                            : closed ? "best"
+                                     : shade_of(ratio),
+                    text = !within  ? "×"
+                           : closed ? "="
+                                    : format_significant(ratio, 2),
+                    says = column + " on " + method->model + ", " + row.exercise->title + ": " +
+                           (!within  ? "no setting tried is within the error"
+                            : closed ? "within the error"
+                                     : text + " times the least work");
+  return element("td", " class=\"" + shade + "\"",
+                 "<a href=\"" +
+                     link_to_player(*row.exercise, {{method->model, method->algorithm, trial->setting}}) +
+                     "\" title=\"" + in_xml(says) + "\">" + text + "</a>");
+}
+
+std::string matrix(const Results& results) {
+  std::vector<Row> rows;
+  for (const ExerciseResult& e : results.exercises)
+    if (auto row = row_of(e)) rows.push_back(std::move(*row));
+  if (rows.empty()) return "";
+  const std::vector<std::string> columns = columns_of(rows);
+  std::string head = "<th scope=\"col\">scene</th>", body;
+  for (const std::string& column : columns)
+    head += element("th", " scope=\"col\"", element("span", "", in_xml(column)));
+  for (const Row& row : rows) {
+    std::string cells = element("th", " scope=\"row\"", scene_link(*row.exercise));
+    for (const std::string& column : columns) cells += cell_text(row, column);
+    body += element("tr", "", cells) + "\n";
+  }
+  return "<section id=\"matrix\">\n<h2>Scenes by methods</h2>\n<p>How many times the work of the best method with "
+         "steps each other one takes, in evaluations of the equations, until the motion is within 1 cm or 1° of the "
+         "true one at the times of its table. Each cell plays its trial.</p>\n<ul class=\"shades\">"
+         "<li class=\"best\">up to 1.25 times</li><li class=\"near\">up to 2.5</li><li class=\"dear\">up to 10</li>"
+         "<li class=\"dearest\">more</li><li class=\"fails\">× at no setting tried</li><li>= a closed form, without steps"
+         "</li></ul>\n<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Scenes by methods\">" +
+         element("table", " class=\"matrix\"",
+                 element("thead", "", element("tr", "", head)) + "\n" + element("tbody", "", body)) +
+         "</div>\n</section>\n";
+}
+
+// ---- a scene's recipe -------------------------------------------------------------------------------------
+
+std::string allowed_text(const CheapestModels& models) {
+  std::string text;
+  for (const std::string& unit : models.units)
+    text += (text.empty() ? "" : " and ") + std::string(unit == "rad" ? "1°"
+                                                        : unit == "m" ? "1 cm"
+                                                                      : "what a game allows in " + unit);
+  return text;
+}
+
+std::string answer(const CheapestModel& game, const CheapestModels& models) {
+  const Candidate& least = *game.least;
+  std::string errors;
+  for (std::size_t i = 0; i < least.errors.size() && i < models.units.size(); ++i)
+    errors += (errors.empty() ? "" : ", ") + with_powers(shown_error(least.errors[i])) +
+              unit_after(models.units[i]);
+  return element("p", " class=\"answer\"",
+                 "<strong>" + in_xml(least.model) + "</strong> by <strong>" + in_xml(least.algorithm) +
+                     "</strong>" +
+                     (least.knob.empty() ? "" : ", " + in_xml(with_powers(shown_setting(least, game.need)))) +
+                     ".") +
+         element("p", "",
+                 "Within " + allowed_text(models) +
+                     " at every frame over 10 s at 60 frames per second, with the least "
+                     "counted work: " +
+                     format_significant(least.evaluations_per_frame, 3) + " evaluations per frame; off by " +
+                     errors + " at most. <a href=\"recipes.html\">All scenes</a>");
+}
+
+/// What other people's engines do at a step a frame with their defaults.
+std::string engines_of(const EngineContest& contest) {
+  std::vector<std::pair<double, const EngineSeries*>> all;
+  for (const EngineSeries& series : contest.series)
+    if (series.defaults && !series.trials.empty() && series.trials.front().steps_per_frame == 1)
+      all.emplace_back(series.trials.front().in_needs, &series);
+  if (all.empty()) return "";
+  std::ranges::stable_sort(all, [](const auto& a, const auto& b) {
+    return !std::isnan(a.first) && (std::isnan(b.first) || a.first < b.first);
+  });
+  const auto within = std::ranges::count_if(all, [](const auto& one) { return one.first <= 1; });
+  std::string items;
+  for (const auto& [error, series] : all)
+    items += element(
+        "li", "",
+        in_xml(series->engine + " " + series->version) + ": " +
+            (std::isfinite(error) ? with_powers(format_significant(error, 2)) + " times" : "no motion"));
+  return element("p", "",
+                 "Of " + counted(std::ssize(all), "engine", "engines") + " at 60 Hz with their defaults, " +
+                     std::to_string(within) + (within == 1 ? " is" : " are") + " within the same error.") +
+         html::folded("Their errors, in what is allowed", element("ul", "", items));
+}
+
+std::string code_text(const ExerciseResult& e, const CheapestModel& game) {
+  const Entry* entry = entry_of(e.number);
+  try {
+    const std::string code = code_of(Task(*entry), *game.least, game.need,
+                                     to_string(e.number) + " " + e.title + ": " + game.least->model + " by " +
+                                         game.least->algorithm + "\n\nThe observables at every frame.");
+    return html::folded(std::to_string(std::ranges::count(code, '\n')) + " lines of C++ that do it",
+                        element("pre", " class=\"code\" tabindex=\"0\"", in_xml(code)));
+  } catch (const BadInput& error) {
+    return element("p", " class=\"none\"", "No code: " + in_xml(error.what()) + ".");
+  }
+}
+
+}  // namespace
+
+std::string recipe_section(const ExerciseResult& e, std::span<const EngineContest> contests) {
+  if (!e.cheapest_models || e.cheapest_models->least.empty() || !entry_of(e.number)) return "";
+  const CheapestModel& game = e.cheapest_models->least.front();
+  if (!game.least) return "";
+  std::string engines;
+  for (const EngineContest& contest : contests)
+    if (contest.scene == to_string(e.number)) engines += engines_of(contest);
+  return "<section id=\"recipe\" class=\"recipe\">\n<h2>What to use</h2>\n" +
+         answer(game, *e.cheapest_models) + engines + code_text(e, game) + "</section>\n";
+}
+
+std::string recipes_page(const Results& results) {
+  return html::whole(
+      {"What do I use? - oddity",
+       "<header class=\"title\">\n<h1>What do I use?</h1>\n<p class=\"asks\">The model, the algorithm and "
+       "the step that are enough for each scene. The page of a scene has the code. For a start, an error and a "
+       "budget of your own there is the <a href=\"chooser.html\">chooser</a>.</p>\n</header>\n" +
+           for_games(results) + matrix(results),
+       {}});
+}
+
+}  // namespace oddity
