@@ -47,9 +47,7 @@ bool within(const std::string& file, const std::string& path) {
 
 /// The sources of the rooms, but for those that the suite does not run: drawings are for the page.
 bool wanted(const Request& request, const std::string& file) {
-  if (file.ends_with("drawing.hpp") ||
-      file == "reference/make/main.cpp")
-    return false;
+  if (file.ends_with("drawing.hpp") || file == "reference/make/main.cpp") return false;
   return std::ranges::any_of(request.paths, [&](const std::string& path) { return within(file, path); });
 }
 
