@@ -195,7 +195,8 @@ std::string cell_text(const Row& row, const std::string& column) {
                                      : shade_of(ratio),
                     text = !within  ? "×"
                            : closed ? "="
-                                    : format_significant(ratio, 2),
+                                    : (ratio < 10 ? format_significant(ratio, 2)
+                                                  : std::to_string(std::lround(ratio))),
                     says = column + " on " + method->model + ", " + row.exercise->title + ": " +
                            (!within  ? "no setting tried is within the error"
                             : closed ? "within the error"
