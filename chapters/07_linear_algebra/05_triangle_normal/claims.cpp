@@ -2,7 +2,7 @@
 
 #include "chapters/07_linear_algebra/05_triangle_normal/triangle_normal.hpp"
 #include "chapters/07_linear_algebra/shared/vectors.hpp"
-#include "chapters/claims.hpp"
+#include "chapters/provable_claims.hpp"
 #include "chapters/recorded.hpp"
 #include "reference/text.hpp"
 
@@ -33,7 +33,14 @@ struct EdgesOf {
   /// u and v, in whole numbers.
   bool independent() const { return gram_determinant(cast<Whole>(u), cast<Whole>(v)) != 0; }
   double size() const { return 1 + dot(u, u) + dot(v, v) + dot(w, w); }
-  TypesetLetters typeset() const { return {{"u", u}, {"v", v}, {"w", w}, {"P", p}, {"Q", q}, {"R", r}}; }
+  std::array<T*, 18> quantities() {
+    std::array<T*, 18> all{};
+    std::size_t i = 0;
+    for (Vector3<T>* vector : {&u, &v, &w, &p, &q, &r})
+      for (T& x : *vector) all[i++] = &x;
+    return all;
+  }
+  TypesetIn<T> typeset() const { return {{"u", u}, {"v", v}, {"w", w}, {"P", p}, {"Q", q}, {"R", r}}; }
   std::string where() const { return told(typeset(), 3); }
 };
 
@@ -69,85 +76,64 @@ std::vector<Edges> some_on_a_line(std::vector<Edges> all) {
   return all;
 }
 
-using Vectors = Formula<Edges>;
+using Vectors = ProvableFormula<EdgesOf>;
+using Table = ProvableClaims<EdgesOf>;
 using Line = Recorded<EdgesOf>;
 
-Line line(std::string text, const auto& of) { return recorded<EdgesOf>(std::move(text), of); }
-
-const Line zero = line("$0$", [](const auto&s) { return decltype(s.normal()){}; }),
-           times_zero = line(R"($u\times0$)", [](const auto&s) { return cross(s.u, decltype(s.u){}); }),
-           bracket = line(R"($u\times(u+v+w)$)", [](const auto&s) { return cross(s.u, s.u + s.v + s.w); }),
-           three = line(R"($u\times u+u\times v+u\times w$)",
-                        [](const auto&s) { return cross(s.u, s.u) + cross(s.u, s.v) + cross(s.u, s.w); }),
-           uv = line(R"($u\times v$)", [](const auto&s) { return s.normal(); }),
-           stray_cross = line(R"($u\times(u+{\times}v+w)$, with a cross and no plus: $u\times(u\times v+w)$)",
-                              [](const auto&s) { return cross(s.u, cross(s.u, s.v) + s.w); }),
-           wrong_letter = line(R"($0+u\times v-w\times v$)",
-                               [](const auto&s) { return cross(s.u, s.v) - cross(s.w, s.v); }),
-           two = line(R"($0+u\times v-w\times u$)",
-                      [](const auto&s) { return cross(s.u, s.v) - cross(s.w, s.u); }),
-           wu = line(R"($w\times u$)", [](const auto&s) { return cross(s.w, s.u); }),
-           vw = line(R"($v\times w$)", [](const auto&s) { return cross(s.v, s.w); }),
-           by_v = line(R"($v\times(u+v+w)$)", [](const auto&s) { return cross(s.v, s.u + s.v + s.w); }),
-           two_of_v = line(R"($-u\times v+0+v\times w$)",
-                           [](const auto&s) { return cross(s.v, s.w) - cross(s.u, s.v); }),
-           walk = line("$(P+u+v+w)-P$", [](const auto&s) { return (s.p + s.u + s.v + s.w) - s.p; });
-
-void lines(Claims& claims, const std::vector<Edges>& open, const std::vector<Edges>& closed) {
-  const Value as_it_stands = stray_cross.of(Edges{{1, 0, 0}, {0, 1, 0}, {-1, -1, 0}, {}, {}, {}});
-  claims
-      .formula<Edges>("zero", 3839, R"($u\times0=0$)", open,
-                      {.truth = times_zero, .printed = zero, .near_misses = {{"$u$"}}})
-      .formula<Edges>(
-          "inserted", 3841, R"($u\times0=u\times(u+v+w)$, printed with a cross before $v$)", closed,
-          {.truth = zero,
-           .printed = stray_cross,
-           .meant = bracket,
-           .near_misses = {{R"($u\times(u+v-w)$)"}},
-           .kind = Fault::formula,
-           .why = filled(
-               R"(A stray cross stands between the plus and $v$ inside the bracket; the next line expands )"
-               R"($u\times(u+v+w)$. Read without the plus, as $u\times(u\times v+w)$, with $u=(1,0,0)$, )"
-               R"($v=(0,1,0)$ and $w=(-1,-1,0)$ it is $(@1,@1,@1)$ and not 0.)",
-               {as_it_stands[0], as_it_stands[1], as_it_stands[2]})})
-      .formula<Edges>(
-          "expanded", 3843, R"($u\times(u+v+w)=u\times u+u\times v+u\times w$)", open,
-          {.truth = bracket, .printed = three, .near_misses = {{R"($u\times u+u\times v+w\times u$)"}}})
-      .formula<Edges>(
-          "reduced", 3845, R"($u\times u+u\times v+u\times w=0+u\times v-w\times v$)", open,
-          {.truth = three,
-           .printed = wrong_letter,
-           .meant = two,
-           .near_misses = {{R"($0+u\times v+w\times u$)"}},
-           .kind = Fault::formula,
-           .why = R"($u\times w=-w\times u$, not $-w\times v$: with $u+v+w=0$ the printed line is )"
-                  R"($2\,u\times v$, and not zero. The next line has $w\times u$.)"})
-      .formula<Edges>("first_pair", 3847, R"($u\times v=w\times u$)", closed,
-                      {.truth = uv, .printed = wu, .near_misses = {{R"($u\times w$)"}}})
-      .formula<Edges>("second_pair", 3851, R"($u\times v=v\times w$)", closed,
-                      {.truth = uv, .printed = vw, .near_misses = {{R"($w\times v$)"}}})
-      .formula<Edges>("with_v", 3849, R"($v\times(u+v+w)=-u\times v+0+v\times w$)", open,
-                      {.truth = by_v, .printed = two_of_v, .near_misses = {{R"($u\times v+0+v\times w$)"}}});
-  const auto walked = [](std::string text, const Vectors& by, const std::vector<Edges>& samples) {
-    return Reading{
-        std::move(text),
-        {compare<Edges>("from a corner $P$ to the end of the walk $u$, $v$, $w$", by, zero, samples)}};
-  };
-  const auto distance = [](const Edges& s) {
-    double all = 0;
-    for (const auto& edge : {s.u, s.v, s.w}) all += std::sqrt(dot(edge, edge));
-    return Value{all, 0, 0};
-  };
-  claims.add(
+void lines(Table& of_any, Table& of_closed, const std::vector<Edges>& open,
+           const std::vector<Edges>& closed) {
+  const Vectors zero{"$0$", [](const auto&s) { return decltype(s.normal()){}; }},
+      uv{R"($u\times v$)", [](const auto&s) { return s.normal(); }};
+  const std::string of_zero = "a multiple of zero is zero";
+  of_any.formula("zero", 3839, R"($u\times0=0$)", open,
+                 {.truth = {R"($u\times0$)", [](const auto& s) { return cross(s.u, decltype(s.u){}); }},
+                  .printed = "$(0,0,0)$",
+                  .changes_that_hold = of_zero});
+  of_closed.formula(
+      "inserted", 3841, R"($u\times0=u\times(u+v+w)$, printed with a cross before $v$)", closed,
+      {.truth = zero,
+       .printed = R"($u\times(u\times v+w)$)",
+       .meant = R"($u\times(u+v+w)$)",
+       .changes_that_hold = of_zero,
+       .kind = Fault::formula,
+       .why = filled(
+           R"(A stray cross stands between the plus and $v$ inside the bracket; the next line expands )"
+           R"($u\times(u+v+w)$. Read without the plus, as $u\times(u\times v+w)$, with $u=(1,0,0)$, )"
+           R"($v=(0,1,0)$ and $w=(-1,-1,0)$ it is $(@1,@1,@1)$ and not 0.)",
+           [] {
+             const Vector3<double> u{1, 0, 0}, v{0, 1, 0}, w{-1, -1, 0};
+             return cross(u, cross(u, v) + w);
+           }())});
+  of_any.formula("expanded", 3843, R"($u\times(u+v+w)=u\times u+u\times v+u\times w$)", open,
+                 {.truth = {R"($u\times(u+v+w)$)", [](const auto& s) { return cross(s.u, s.u + s.v + s.w); }},
+                  .printed = R"($u\times u+u\times v+u\times w$)",
+                  .changes_that_hold = R"($u\times u=0$)"});
+  of_any.formula(
+      "reduced", 3845, R"($u\times u+u\times v+u\times w=0+u\times v-w\times v$)", open,
+      {.truth = {R"($u\times u+u\times v+u\times w$)",
+                 [](const auto& s) { return cross(s.u, s.u) + cross(s.u, s.v) + cross(s.u, s.w); }},
+       .printed = R"($0+u\times v-w\times v$)",
+       .meant = R"($0+u\times v-w\times u$)",
+       .kind = Fault::formula,
+       .why = R"($u\times w=-w\times u$, not $-w\times v$: with $u+v+w=0$ the printed line is )"
+              R"($2\,u\times v$, and not zero. The next line has $w\times u$.)"});
+  of_closed.formula("first_pair", 3847, R"($u\times v=w\times u$)", closed,
+                    {.truth = uv, .printed = R"($w\times u$)"});
+  of_closed.formula("second_pair", 3851, R"($u\times v=v\times w$)", closed,
+                    {.truth = uv, .printed = R"($v\times w$)"});
+  of_any.formula("with_v", 3849, R"($v\times(u+v+w)=-u\times v+0+v\times w$)", open,
+                 {.truth = {R"($v\times(u+v+w)$)", [](const auto& s) { return cross(s.v, s.u + s.v + s.w); }},
+                  .printed = R"($-u\times v+0+v\times w$)"});
+  of_closed.formula(
       "closed_walk", 3853,
       "as $u+v+w=0$, a walk along the edges ends at the vertex where it starts: the net distance traveled "
       "(a displacement) is zero",
-      {.printed = walked("with $u+v+w=0$", walk, closed),
-       .near_misses = {
-           walked("for any $u$, $v$, $w$", walk, open),
-           walked("the last edge backwards",
-                  {"$(P+u+v-w)-P$", [](const Edges& s) { return (s.p + s.u + s.v - s.w) - s.p; }}, closed),
-           walked("the distance that is walked", {"$|u|+|v|+|w|$", distance}, closed)}});
+      closed,
+      {.quantity = "from a corner $P$ to the end of the walk $u$, $v$, $w$",
+       .truth = zero,
+       .printed = "$(P+u+v+w)-P$",
+       .near_misses = {"$(|u|+|v|+|w|,0,0)$"},
+       .changes_that_hold = of_zero});
 }
 
 std::vector<Whole> listed(const Whole& x) { return {x}; }
@@ -290,13 +276,13 @@ namespace {
 
 using Letters = EdgesOf<Expression>;
 
-Letters any_letters(bool closed) {
+Letters any_closed() {
   const auto letters = [](const std::string& name) {
     return Vector3<Expression>{Expression::letter(name + "0"), Expression::letter(name + "1"),
                                Expression::letter(name + "2")};
   };
-  Letters s{letters("u"), letters("v"), letters("w"), letters("p"), {}, {}};
-  if (closed) s.w = -(s.u + s.v);
+  Letters s{letters("u"), letters("v"), {}, letters("p"), {}, {}};
+  s.w = -(s.u + s.v);
   s.q = s.p + s.u, s.r = s.q + s.v;
   return s;
 }
@@ -307,64 +293,63 @@ Lemma holds(std::string name, std::vector<Proposition> follows) {
           .follows = std::move(follows),
           .tactic = "ring"};
 }
-Lemma holds(std::string name, const Line& left, const Line& right, bool closed) {
-  const Letters s = any_letters(closed);
+Lemma holds(std::string name, const Line& left, const Line& right) {
+  const Letters s = any_closed();
   return holds(std::move(name), equal(left.recorded(s), right.recorded(s)));
-}
-
-/// By 1 or more in the last component, where u and v are the first unit vectors and w closes the triangle.
-Lemma differs(const Line& printed, const Line& truth) {
-  const Letters s{{1, 0, 0}, {0, 1, 0}, {-1, -1, 0}, {}, {}, {}};
-  return {.name = "printed_differs",
-          .follows = {apart(printed.recorded(s)[2], truth.recorded(s)[2], 1)},
-          .tactic = by_arithmetic};
 }
 
 /// Vectors on one line have no normal; where the Gram determinant is not zero, there is one.
 Provable proof_of_triangle() {
-  const Letters on_a_line{{1, 0, 0}, {2, 0, 0}, {-3, 0, 0}, {}, {}, {}}, s = any_letters(true);
+  const Letters on_a_line{{1, 0, 0}, {2, 0, 0}, {-3, 0, 0}, {}, {}, {}}, s = any_closed();
   Lemma normal = holds("corrected", {not_zero(squared.recorded(s)[0])});
   normal.given = {not_zero(gram_determinant(s.u, s.v))};
   normal.tactic = "match goal with H : _ <> 0 |- _ => contradict H; etransitivity; [| exact H]; ring end";
   return {
       "7.5-triangle",
       "three vectors on one line with the sum zero have the product zero; of two that are independent it is not",
-      {holds("printed_fails", equal(uv.recorded(on_a_line), zero.recorded(on_a_line))), normal}};
+      {holds("printed_fails", equal(expressions(on_a_line.normal()), Expressions(3, Expression(0.0)))),
+       normal}};
 }
 
 }  // namespace
 
 Provables proofs() {
-  const std::string any = "it holds for any three vectors", sum = "it holds for any three whose sum is zero",
-                    off = "; of the unit vectors the printed line is off by one";
-  return {
-      {"7.5-zero", any, {holds("printed", times_zero, zero, false)}},
-      {"7.5-inserted",
-       "as meant " + sum + off,
-       {holds("meant", bracket, zero, true), differs(stray_cross, zero)},
-       1},
-      {"7.5-expanded", any, {holds("printed", three, bracket, false)}},
-      {"7.5-reduced",
-       "as meant " + any + off,
-       {holds("meant", two, three, false), differs(wrong_letter, three)},
-       1},
-      {"7.5-first_pair", sum, {holds("printed", wu, uv, true)}},
-      {"7.5-second_pair", sum, {holds("printed", vw, uv, true)}},
-      {"7.5-with_v", any, {holds("printed", two_of_v, by_v, false)}},
-      {"7.5-closed_walk", sum, {holds("printed", walk, zero, true)}},
-      {"7.5-plane", sum, {holds("printed", volume, nothing, true)}},
+  const std::string sum = "it holds for any three whose sum is zero";
+  const std::vector<std::string> names{"u0", "u1", "u2", "v0", "v1", "v2", "w0", "w1", "w2",
+                                       "p0", "p1", "p2", "q0", "q1", "q2", "r0", "r1", "r2"};
+  Claims claims("7.5");
+  Table of_any(claims), of_closed(claims);
+  lines(of_any, of_closed, {}, {});
+  ForAll<EdgesOf> all{.any = lettered<EdgesOf>(names),
+                      .letters = quantified(names),
+                      .tactic = "ring",
+                      .says = "it holds for any three vectors",
+                      .example = {{1, 0, 0}, {0, 1, 0}, {-1, -1, 0}, {}, {}, {}}};
+  Provables proved = of_any.proofs("7.5", all);
+  all.any.w = -(all.any.u + all.any.v);
+  all.says = sum;
+  std::ranges::move(of_closed.proofs("7.5", all), std::back_inserter(proved));
+  const Provables more{
+      {"7.5-zero",
+       "it holds for any three vectors",
+       {holds("printed", equal(expressions(cross(any_closed().u, Vector3<Expression>{})),
+                               Expressions(3, Expression(0.0))))}},
+      {"7.5-plane", sum, {holds("printed", volume, nothing)}},
       {"7.5-any_two_edges",
        sum,
-       {holds("perpendicular", leaning, upright, true), holds("directions", directions, length_twice, true)}},
-      {"7.5-same_length", sum, {holds("printed", lengths, length_twice, true)}},
-      {"7.5-twice_area", sum, {holds("printed", times_length(4), heron, true)}},
+       {holds("perpendicular", leaning, upright), holds("directions", directions, length_twice)}},
+      {"7.5-same_length", sum, {holds("printed", lengths, length_twice)}},
+      {"7.5-twice_area", sum, {holds("printed", times_length(4), heron)}},
       proof_of_triangle()};
+  proved.insert(proved.end(), more.begin(), more.end());
+  return proved;
 }
 
 std::vector<Claim> claims(const Random& random) {
   const auto open = samples(random, false), closed = samples(random, true);
   Claims claims("7.5");
-  lines(claims, open, closed);
+  Table of_any(claims), of_closed(claims);
+  lines(of_any, of_closed, open, closed);
   geometry(claims, open, closed);
   return claims.in_order();
 }
