@@ -65,7 +65,7 @@ struct SampleOf {
            " (1 + " + format_significant(wire.k, 4) + R"( $s/L$), $\theta$ = )" +
            format_significant(theta, 4);
   }
-  TypesetLetters typeset() const;
+  TypesetIn<T> typeset() const;
   /// Where integrals over the wire look, and with what weights.
   std::vector<double> nodes() const {
     std::vector<double> all;
@@ -172,35 +172,38 @@ PointOf<Shortened> force(const PointOf<Shortened>& r) { return {-of_place("Ux", 
 }  // namespace
 
 template <class T>
-TypesetLetters SampleOf<T>::typeset() const {
-  const double C = cos(theta), S = sin(theta);
+TypesetIn<T> SampleOf<T>::typeset() const {
+  const T C = cos(theta), S = sin(theta);
   const auto p = b();
-  return {{"x", x},
-          {"y", y},
-          {R"(\theta)", theta},
-          {R"(\dot x)", vx},
-          {R"(\dot y)", vy},
-          {R"(\dot\theta)", w},
-          {"c", {x, y}},
-          {R"(\dot c)", {vx, vy}},
-          {"L", p[0]},
-          {"b", {p[0], p[1]}},
-          {"b_0", p[0]},
-          {"b_1", p[1]},
-          {"R", {C, -S, S, C}},
-          {R"(R(\theta))", {C, -S, S, C}},
-          {R"(R(-\theta))", {C, S, -S, C}},
-          {R"(\frac{dR}{d\theta})", {-S, -C, C, -S}},
-          {R"(\mu_0)", mu0},
-          {R"(\mu_2)", mu2()},
-          {"ds", over_nodes([&](double u) { return weight_of(u); })},
-          {R"(\delta)", over_nodes([&](double u) { return wire.density(u); })},
-          {"b", over_nodes([&](double u) { return body(u); })},
-          {"v", velocity(p)},
-          {"v", over_nodes([&](double u) { return velocity(body(u)); })},
-          {"F", over_nodes([&](double u) { return force(position(body(u))); })},
-          {R"(\imath)", {1, 0}},
-          {R"(\jmath)", {0, 1}}};
+  TypesetIn<T> letters{{"x", x},
+                       {"y", y},
+                       {R"(\theta)", theta},
+                       {R"(\dot x)", vx},
+                       {R"(\dot y)", vy},
+                       {R"(\dot\theta)", w},
+                       {"c", {x, y}},
+                       {R"(\dot c)", {vx, vy}},
+                       {"L", p[0]},
+                       {"b", {p[0], p[1]}},
+                       {"b_0", p[0]},
+                       {"b_1", p[1]},
+                       {"R", {C, -S, S, C}},
+                       {R"(R(\theta))", {C, -S, S, C}},
+                       {R"(\frac{dR}{d\theta})", {-S, -C, C, -S}},
+                       {R"(\mu_0)", mu0},
+                       {R"(\mu_2)", mu2()}};
+  if constexpr (std::same_as<T, double>) {
+    const TypesetLetters along{{"ds", over_nodes([&](double u) { return weight_of(u); })},
+                               {R"(\delta)", over_nodes([&](double u) { return wire.density(u); })},
+                               {"b", over_nodes([&](double u) { return body(u); })},
+                               {"v", velocity(p)},
+                               {"v", over_nodes([&](double u) { return velocity(body(u)); })},
+                               {"F", over_nodes([&](double u) { return force(position(body(u))); })},
+                               {R"(\imath)", {1, 0}},
+                               {R"(\jmath)", {0, 1}}};
+    letters.insert(letters.end(), along.begin(), along.end());
+  }
+  return letters;
 }
 
 namespace {
@@ -233,40 +236,6 @@ PointOf<T> turned(const SampleOf<T>& s, const PointOf<T>& p, double sign = 1) {
 }
 
 // ---- the text's formulas ----------------------------------------------------------------------------------
-
-template <class T>
-PointOf<T> placed(const SampleOf<T>& s, const PointOf<T>& p, double sign = 1) {
-  return {s.x + cos(s.theta) * p[0] - sign * sin(s.theta) * p[1],
-          s.y + sign * sin(s.theta) * p[0] + cos(s.theta) * p[1]};
-}
-Reader at_point(const std::string& text, double sign, double across = 1) {
-  return {text, [=]<class T>(const SampleOf<T>& s) {
-            return placed(s, PointOf<T>{s.b()[0], across * s.b()[1]}, sign);
-          }};
-}
-
-/// v with factors of theta' and of b1 sin and b1 cos.
-Reader moved(const std::string& text, double turning, double sign, bool rate = true) {
-  return {text, [=]<class T>(const SampleOf<T>& s) {
-            const PointOf<T> b = s.b();
-            const T w = turning * (rate ? s.w : T(1));
-            return values(s.vx - w * (b[0] * sin(s.theta) + sign * b[1] * cos(s.theta)),
-                          s.vy + w * (b[0] * cos(s.theta) - sign * b[1] * sin(s.theta)));
-          }};
-}
-
-Reader squared(const std::string& text, double cross) {
-  return {text, [cross](const auto& s) {
-            const auto b = s.b(), d = turned(s, b);
-            return s.vx * s.vx + s.vy * s.vy + s.w * s.w * (b[0] * b[0] + b[1] * b[1]) +
-                   cross * 2 * s.w * (s.vx * d[0] + s.vy * d[1]);
-          }};
-}
-
-template <class T>
-T energy(const SampleOf<T>& s, const std::type_identity_t<T>& mu2) {
-  return s.mu0 / 2 * (s.vx * s.vx + s.vy * s.vy) + mu2 / 2 * s.w * s.w;
-}
 
 template <class T>
 T integrated_energy(const SampleOf<T>& s, double factor) {
@@ -361,35 +330,18 @@ Check friction_at_speed(const std::string& by, double seed, double speed, double
 
 const std::string cross_term = "cross term left out", at_rest = "friction at rest";
 
-Reader on_rod(const std::string& text, bool swapped) {
-  return {text, [swapped](const auto& s) {
-            const auto L = s.b()[0], C = L * cos(s.theta), S = L * sin(s.theta);
-            return values(s.x + (swapped ? S : C), s.y + (swapped ? C : S));
-          }};
-}
-
-Reader by_rows(const std::string& text, double sign) {
-  return {text, [sign](const auto& s) {
-            const auto C = cos(s.theta), S = sin(s.theta);
-            return values(-S, -sign * C, sign * C, -S);
-          }};
-}
+const std::string by_angle = R"($(x,y)+L(\cos\theta,\sin\theta)$)", by_matrix = R"($(x,y)+R\,(L,0)$)",
+                  derivative_by_rows = R"($(-\sin\theta,-\cos\theta;\ \cos\theta,-\sin\theta)$)";
 
 void at_a_point(Table& table, const std::vector<Sample>& samples) {
   const std::string complex = "complex multiplication", by_dual = "dual numbers in the time";
   const Reader rod{complex, []<class T>(const SampleOf<T>& s) { return s.position({s.b()[0], T(0)}); }};
-  table.formula("thin_rod", 2791,
-                R"(A point of the rod, $L$ from its center, is at $(x,y)+L(\cos\theta,\sin\theta)$)", samples,
-                {.quantity = "a point of the rod, $L$ from its center $(x,y)$",
-                 .truth = rod,
-                 .printed = on_rod(R"($(x,y)+L(\cos\theta,\sin\theta)$)", false),
-                 .near_misses = {R"($(x,y)+L(\sin\theta,\cos\theta)$)"}});
+  table.formula(
+      "thin_rod", 2791, R"(A point of the rod, $L$ from its center, is at $(x,y)+L(\cos\theta,\sin\theta)$)",
+      samples,
+      {.quantity = "a point of the rod, $L$ from its center $(x,y)$", .truth = rod, .printed = by_angle});
   table.formula("thin_rod_matrix", 2795, R"(In matrix form the point of the rod is $(x,y)+R\,(L,0)$)",
-                samples,
-                {.quantity = "the same by the matrix $R$",
-                 .truth = rod,
-                 .printed = at_point("$(x,y)+R\\,(L,0)$", 1, 0),
-                 .near_misses = {"$(x,y)+R^T(L,0)$"}});
+                samples, {.quantity = "the same by the matrix $R$", .truth = rod, .printed = by_matrix});
   table.formula("rotates_about_origin", 2823,
                 R"(The matrix $R(\theta)$ rotates the body about the origin of body space)", samples,
                 {.quantity = "the point $b$ turned, and its distance from the origin",
@@ -398,25 +350,18 @@ void at_a_point(Table& table, const std::vector<Sample>& samples) {
                              const auto z = turned_by(s.theta, s.b());
                              return values(z[0], z[1], hypot(s.b()[0], s.b()[1]));
                            }},
-                 .printed = {"$(Rb,\\ |Rb|)$",
-                             [](const auto& s) {
-                               const auto r = placed(s, s.b(), 1);
-                               return values(r[0] - s.x, r[1] - s.y, hypot(r[0] - s.x, r[1] - s.y));
-                             }},
-                 .near_misses = {"$(R^Tb,\\ |R^Tb|)$"}});
+                 .printed = R"($(Rb,\ |Rb|)$)",
+                 .changes_that_hold = "a rotation keeps lengths"});
   table.formula("position", 2827, R"(The position is $r=c+R(\theta)b$, $c$ being the center of mass)",
                 samples,
                 {.quantity = "the position $r$ of the point $b$, $c$ the center of mass",
                  .truth = {complex, [](const auto& s) { return s.position(s.b()); }},
-                 .printed = at_point(R"($c+R(\theta)b$)", 1),
-                 .near_misses = {R"($c+R(-\theta)b$)"}});
+                 .printed = R"($c+R(\theta)b$)"});
   const Reader velocity{by_dual, [](const auto& s) { return s.velocity(s.b()); }};
-  table.formula(
-      "velocity", 2831, R"(The velocity is $v=\dot c+\dot\theta\frac{dR}{d\theta}b$)", samples,
-      {.quantity = "its velocity $v$",
-       .truth = velocity,
-       .printed = moved(R"($\dot c+\dot\theta\frac{dR}{d\theta}b$)", 1, 1),
-       .near_misses = {R"($\dot c-\dot\theta\frac{dR}{d\theta}b$)", R"($\dot c+\frac{dR}{d\theta}b$)"}});
+  table.formula("velocity", 2831, R"(The velocity is $v=\dot c+\dot\theta\frac{dR}{d\theta}b$)", samples,
+                {.quantity = "its velocity $v$",
+                 .truth = velocity,
+                 .printed = R"($\dot c+\dot\theta\frac{dR}{d\theta}b$)"});
   table.formula("dR_dtheta", 2847,
                 R"($\frac{dR}{d\theta}$ has the rows $(-\sin\theta,-\cos\theta;\ \cos\theta,-\sin\theta)$)",
                 samples,
@@ -426,8 +371,7 @@ void at_a_point(Table& table, const std::vector<Sample>& samples) {
                              const Dual<T> angle(s.theta, 1), C = cos(angle), S = sin(angle);
                              return values(C.slope, -S.slope, S.slope, C.slope);
                            }},
-                 .printed = by_rows(R"($(-\sin\theta,-\cos\theta;\ \cos\theta,-\sin\theta)$)", 1),
-                 .near_misses = {by_rows("its transpose", -1)}});
+                 .printed = derivative_by_rows});
   table.formula(
       "velocity_components", 2857,
       R"($v=(\dot x-\dot\theta(b_0\sin\theta+b_1\cos\theta),\ \dot )"
@@ -435,12 +379,8 @@ void at_a_point(Table& table, const std::vector<Sample>& samples) {
       samples,
       {.quantity = "$v$ by components",
        .truth = velocity,
-       .printed = moved(
-           R"($(\dot x-\dot\theta(b_0\sin\theta+b_1\cos\theta),\ \dot y+\dot\theta(b_0\cos\theta-b_1\sin\theta))$)",
-           1, 1),
-       .near_misses = {moved("with the sign of $b_1$ flipped", 1, -1)}});
-  const std::string sum = R"($|v|^2=\dot x^2+\dot y^2+\dot\theta^2(b_0^2+b_1^2))",
-                    cross = R"(2\dot\theta\,(\dot x,\dot y)\cdot\frac{dR}{d\theta}b$)";
+       .printed = R"($(\dot x-\dot\theta(b_0\sin\theta+b_1\cos\theta),\ \dot y+\dot\theta(b_0\cos\theta)"
+                  R"(-b_1\sin\theta))$)"});
   table.formula(
       "speed_squared", 2901, R"(Each point has $|v|^2=\dot x^2+\dot y^2+\dot\theta^2(b_0^2+b_1^2)$)", samples,
       {.quantity = "$|v|^2$",
@@ -449,9 +389,9 @@ void at_a_point(Table& table, const std::vector<Sample>& samples) {
                    const auto v = s.velocity(s.b());
                    return v[0] * v[0] + v[1] * v[1];
                  }},
-       .printed = squared(sum + "$", 0),
-       .corrected = squared(sum + "+" + cross, 1),
-       .near_misses = {squared(sum + "-" + cross, -1)},
+       .printed = R"($\dot x^2+\dot y^2+\dot\theta^2(b_0^2+b_1^2)$)",
+       .corrected = R"($\dot x^2+\dot y^2+\dot\theta^2(b_0^2+b_1^2))"
+                    R"(+2\dot\theta\,(\dot x,\dot y)\cdot\frac{dR}{d\theta}b$)",
        .kind = Fault::formula,
        .root = cross_term,
        .why = filled(
@@ -507,18 +447,11 @@ void over_the_wire(Table& table, const std::vector<Sample>& samples) {
                  .truth = {"of the curve as it is", [](const auto& s) { return s.mu2(); }},
                  .printed = reoriented("turned by 1 radian", 0),
                  .near_misses = {reoriented("turned by 1 radian and shifted by 0.1", 0.1)}});
-  table.formula(
-      "kinetic_energy_formula", 2905, R"($T=\frac{\mu_0}2(\dot x^2+\dot y^2)+\frac{\mu_2}2\dot\theta^2$)",
-      samples,
-      {.quantity = "$T$",
-       .truth = by_integral,
-       .printed = {R"($\frac{\mu_0}2(\dot x^2+\dot y^2)+\frac{\mu_2}2\dot\theta^2$)",
-                   [](const auto& s) { return energy(s, s.mu2()); }},
-       .near_misses = {{R"($\mu_2$ about the start of the curve)",
-                        [](const auto& s) {
-                          return energy(s, s.mu2({-s.center[0], -s.center[1]}));
-                        }},
-                       {R"($\mu_2$ for $\mu_2/2$)", [](const auto& s) { return energy(s, 2 * s.mu2()); }}}});
+  table.formula("kinetic_energy_formula", 2905,
+                R"($T=\frac{\mu_0}2(\dot x^2+\dot y^2)+\frac{\mu_2}2\dot\theta^2$)", samples,
+                {.quantity = "$T$",
+                 .truth = by_integral,
+                 .printed = R"($\frac{\mu_0}2(\dot x^2+\dot y^2)+\frac{\mu_2}2\dot\theta^2$)"});
   table.formula("only_differences", 2923, R"($T$ is a rod's, with other $\mu_0$ and $\mu_2$)", samples,
                 {.quantity = "$T$",
                  .truth = by_integral,
@@ -561,11 +494,6 @@ void claim_force_theta(Claims& claims, const std::vector<Sample>& samples) {
   claims.add("force_theta", 2939, R"($F_\theta=\int F\cdot\frac{dR}{d\theta}b\,\delta\,ds$, $F$ as before)",
              {.printed = moment,
               .near_misses = {
-                  against_slope(turning(R"($\int F\cdot Rb\,\delta\,ds$)",
-                                        []<class T>(const SampleOf<T>& s, const PointOf<T>& p) {
-                                          const PointOf<T> r = placed(s, p);
-                                          return PointOf<T>{r[0] - s.x, r[1] - s.y};
-                                        })),
                   against_slope(turning(R"($\frac{dR}{d\theta}$ at $-\theta$)",
                                         [](const auto& s, const auto& p) { return turned(s, p, -1); }))}});
 }
@@ -674,7 +602,7 @@ Provable rod_by_matrix(const ForAll<SampleOf>& all) {
   return {"3.29-thin_rod_matrix",
           "it is the point of the rod that the line before gives",
           {{"printed", all.letters, all.given,
-            equal(at_point("", 1, 0).recorded(all.any), on_rod("", false).recorded(all.any)), "ring"}}};
+            equal(Reader(by_matrix).recorded(all.any), Reader(by_angle).recorded(all.any)), "ring"}}};
 }
 
 Provable derivative_of_R(const ForAll<SampleOf>& all) {
@@ -688,7 +616,7 @@ Provable derivative_of_R(const ForAll<SampleOf>& all) {
           {{"printed",
             "(theta : R)",
             {},
-            equal(derivatives, by_rows("", 1).recorded(all.any)),
+            equal(derivatives, Reader(derivative_by_rows).recorded(all.any)),
             "apply is_derive_unique; (auto_derive; [trivial | ring])"}}};
 }
 
