@@ -30,11 +30,11 @@ std::vector<double> sizes_of(const Quantity& motion) {
   return motion.errors(Value(std::move(still)));
 }
 
-/// A search, and the answer to be given of it.
-class Answer {
+/// A search, and what it recommends.
+class Recommendation {
  public:
-  Answer(const Task& task, const Need& need, const Reference& truth, const Price& price,
-         const Progress& progress, std::shared_ptr<const PartJudged> part)
+  Recommendation(const Task& task, const Need& need, const Reference& truth, const Price& price,
+                 const Progress& progress, std::shared_ptr<const PartJudged> part)
       : task_(task), need_(need), search_(task, need, truth, price, progress, std::move(part)) {}
 
   Choice choice() {
@@ -289,7 +289,7 @@ Choice choose(const Task& task, const Need& need, const Reference& truth, const 
   Choice choice = [&] {
     const Stopwatch watch(all);
     return in_time(need.time_limit, "a shorter horizon, a lower frame rate or fewer methods (--only)",
-                   [&] { return Answer(task, need, truth, price, progress, part).choice(); });
+                   [&] { return Recommendation(task, need, truth, price, progress, part).choice(); });
   }();
   Explanation& took = choice.explanation;
   took.rest = all - took.truths - took.search - took.timing - took.tests;

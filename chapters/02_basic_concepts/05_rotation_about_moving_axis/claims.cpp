@@ -293,6 +293,16 @@ void matrices_by_images(Statements& claims, const Moments& moments) {
                        [](const auto& m) { return std::pow(m.size, 3); }};
     return compare(text, shifted, {"0", [](M) { return 0.0; }}, moments.all);
   };
+  const Form invariants{
+      R"($|\mathbf w|$ times the trace of $\dot RR^T$, and the sum of its principal minors)",
+      [](M m) {
+        const auto minor = [&](std::size_t i, std::size_t j) {
+          return m.W(i, i) * m.W(j, j) - m.W(i, j) * m.W(j, i);
+        };
+        return values(length(m.w) * (m.W(0, 0) + m.W(1, 1) + m.W(2, 2)),
+                      minor(0, 1) + minor(0, 2) + minor(1, 2));
+      },
+      of_squares};
   const Form from_images{"$AU^T$", [](const auto& m) { return m.W * m.U * transpose(m.U); },
                          &Moment::frame_size};
   const Form from_shifted_images{"$AU^T$", [](const auto& m) { return (m.W + m.I) * m.U * transpose(m.U); },
@@ -307,6 +317,9 @@ void matrices_by_images(Statements& claims, const Moments& moments) {
                                    })}},
        .corrected = {R"($\dot RR^T$ is singular, and determined by its images all the same)",
                      {determinants(R"($\det\dot RR^T$)", 0),
+                      compare(R"(with it, what makes the eigenvalues $0,\pm i|\mathbf w|$)", invariants,
+                              {R"($(0,|\mathbf w|^2)$)", [](M m) { return values(0, dot(m.w, m.w)); }},
+                              moments.all),
                       compare(R"($\dot RR^T$ from its images, $AU^T$)", from_images,
                               {R"($\dot RR^T$)", [](const auto& m) { return m.W; }}, moments.unit_speed)}},
        .in_view = {R"(for an invertible matrix, such as $\dot RR^T+I$)",

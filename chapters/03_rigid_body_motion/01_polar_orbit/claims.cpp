@@ -376,6 +376,8 @@ Line on_the_axis(std::string text, double factor) {
   return written(std::move(text), [=](const auto& p) { return two(factor * p.c(), 0); });
 }
 
+const Point shown{{0.625, 1.5}, 0, 0, 0, 1};
+
 const Line all_apart = written(R"($r(0)+r(\pi)$)", [](const auto& p) { return p.nearest() + p.farthest(); });
 
 Line foci(std::string text, double other) {
@@ -454,9 +456,10 @@ void about_the_ellipse(Table& t) {
        .near_misses = {foci("at $(-c,0)$", -1)},
        .kind = Fault::formula,
        .root = "the sign of the center",
-       .why =
-           R"(The distances to the origin and $(2c,0)$ add up to $2a+4c$ at the aphelion and, for $e<1/3$, to )"
-           R"($2a-4c$ at the perihelion; those to the origin and $(-2c,0)$ add up to $2a$ everywhere.)"});
+       .why = filled(
+           R"(For $e=0.625$, $\rho=1.5$ the distances to the origin and $(2c,0)$ add up to @3 at the aphelion. Those )"
+           R"(to the origin and $(-2c,0)$ add up to $2a$ there and everywhere, which is @3.)",
+           {2 * (shown.farthest() + shown.c()), 2 * shown.half_length()})});
 }
 
 Table table(double seed) {
@@ -471,7 +474,6 @@ Table table(double seed) {
 std::vector<Claim> claims(double seed) { return table(seed).claims.in_order(); }
 
 std::vector<Root> roots() {
-  const Point shown{{0.625, 1.5}, 0, 0, 0, 1};
   const double near = shown.nearest(), far = shown.farthest(), a = shown.half_length();
   return {
       {"the mirror image",
