@@ -231,7 +231,7 @@ void check_printed(const std::vector<Case>& cases) {
 std::vector<Case> cases_at_frames(std::initializer_list<std::string_view> scenes) {
   std::vector<Case> all;
   Need need = need_of_a_second();
-  need.frame_times = frame_times({.jitter = 0.3, .drop = 0.1}, frames_per_second, need.horizon);
+  need.frame_times = oddity::frame_times({.jitter = 0.3, .drop = 0.1}, frames_per_second, need.horizon);
   for (const std::string_view scene : scenes) {
     const Task task(properties::entry_of(scene));
     const Quantity second = motion_at_frames(*task.entry->exercise.scene, task.parameters, horizon_of(need),

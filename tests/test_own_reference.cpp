@@ -15,7 +15,7 @@ struct Swing {
   std::array<double, 1> observe(const State& x, double) const { return {x[0]}; }
 };
 
-constexpr Horizon horizon{2.0};
+const Horizon horizon{2.0};
 
 Answer by_steps(double step) { return observe_integrated<ode::RungeKutta4>(Swing{}, horizon, step); }
 
