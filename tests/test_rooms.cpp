@@ -82,7 +82,6 @@ TEST_CASE("the floors of report know those before them alone", "[rooms]") {
   for (std::size_t i = 0; i < floors.size(); ++i) {
     std::vector<std::string> known{"chapters", "solvers", "reference"};
     for (std::size_t k = 0; k <= i; ++k) known.push_back("report/" + floors[k]);
-    if (floors[i] == "pages" || floors[i] == "site") known.push_back("extras/lanes/price.hpp");
     if (i > 0) known.push_back("formula");
     may_know("report/" + floors[i],
              i > 0 ? known : std::vector<std::string>{"report/text", "reference", "formula"});
