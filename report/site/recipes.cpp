@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <sstream>
 
 #include "chapters/contents.hpp"
 #include "reference/bad_input.hpp"
@@ -285,6 +286,14 @@ std::string engines_of(const EngineContest& contest) {
          html::folded("Their errors, in what is allowed", element("ul", "", items));
 }
 
+/// Its lines stay apart.
+std::string lines_in_xml(const std::string& code) {
+  std::string text;
+  std::istringstream lines(code);
+  for (std::string line; std::getline(lines, line);) text += in_xml(line) + "\n";
+  return text;
+}
+
 std::string code_text(const ExerciseResult& e, const CheapestModel& game) {
   const Entry* entry = entry_of(e.number);
   try {
@@ -292,7 +301,7 @@ std::string code_text(const ExerciseResult& e, const CheapestModel& game) {
                                      to_string(e.number) + " " + e.title + ": " + game.least->model + " by " +
                                          game.least->algorithm + "\n\nThe observables at every frame.");
     return html::folded(std::to_string(std::ranges::count(code, '\n')) + " lines of C++ that do it",
-                        element("pre", " class=\"code\" tabindex=\"0\"", in_xml(code)));
+                        element("pre", " class=\"code\" tabindex=\"0\"", lines_in_xml(code)));
   } catch (const BadInput& error) {
     return element("p", " class=\"none\"", "No code: " + in_xml(error.what()) + ".");
   }

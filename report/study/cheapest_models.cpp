@@ -157,13 +157,17 @@ std::optional<Candidate> again_in_float(const std::vector<Start>& start, const C
   return evaluate(start, *single, found.setting, need);
 }
 
-CheapestModel cheapest_model(std::vector<Start>& start, const std::string& says, const Need& need) {
+/// Models that their page shows to be wrong are left out.
+CheapestModel cheapest_model(std::vector<Start>& start, const Scene& scene, const std::string& says,
+                             const Need& need) {
   Quantity& motion = start.front().motion;
   motion.needs = needs_of(need, motion);
   motion.need.allowed = *std::ranges::min_element(motion.needs);
-  for (const std::string& model : models_of(motion))
+  for (const std::string& model : models_of(motion)) {
+    if (std::ranges::find(scene.faulted, model) != scene.faulted.end()) continue;
     if (auto found = cheapest(start, model, need))
       return {says, need, found, again_in_float(start, *found, need)};
+  }
   return {says, need, {}};
 }
 
@@ -403,8 +407,9 @@ std::optional<CheapestModels> cheapest_models(const Task& task, const Reference&
   for (std::string_view unit : motion.units()) cheapest_models.units.emplace_back(unit);
   const Solvers solvers = solvers_of(motion);
   const Along along(task, game, truth, truest_model(motion, solvers), solvers);
-  cheapest_models.least.push_back(cheapest_model(start, game_in_words(motion), game));
-  cheapest_models.least.push_back(cheapest_model(start, "10 digits", digits));
+  cheapest_models.least.push_back(
+      cheapest_model(start, *task.entry->exercise.scene, game_in_words(motion), game));
+  cheapest_models.least.push_back(cheapest_model(start, *task.entry->exercise.scene, "10 digits", digits));
   for (const std::string& model : models_of(motion)) {
     auto found = along.break_evens(model);
     std::ranges::move(found, std::back_inserter(cheapest_models.break_evens));

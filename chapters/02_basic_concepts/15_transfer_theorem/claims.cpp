@@ -282,7 +282,7 @@ void statements(Claims& claims, const Samples& samples) {
   };
   vanish(
       "first_moments", 771,
-      R"(The first moments about the center of mass are zero: $\sum m_ix_i'=\sum m_iy_i'=\sum m_iz_i'=0$.)",
+      R"(The first moments about the center of mass are zero: $\sum m_iy_i'=\sum m_i(y_i-c_y)=0$, and so for $x$ and $z$.)",
       "first moments", 3, [](S s, V) { return first_moments(s); });
   const auto terms = [](std::size_t first) {
     return [=](S s, V A) {
