@@ -221,15 +221,16 @@ TEST_CASE("A state is filled up with unknowns at rest, which change nothing", "[
   std::string equations, start, falling, from;
   for (int i = 1; i <= 10; ++i) {
     const std::string y = "y" + std::to_string(i), rate = std::to_string(i);
-    equations += (i > 1 ? ", " : "") + ("\"" + y) + "'' = -" + rate + "^2 " + y + "\"";
+    equations += (i > 1 ? ", " : "") + ("\"" + y) + "'' = -(" + rate + " w)^2 " + y + "\"";
     start += (i > 1 ? ", " : "") + y + " = \"a\", \"" + y + "'\" = 0";
-    falling += (i > 1 ? ", " : "") + ("\"" + y) + "' = -" + rate + " " + y + "\"";
+    falling += (i > 1 ? ", " : "") + ("\"" + y) + "' = -" + rate + " w " + y + "\"";
     from += (i > 1 ? ", " : "") + y + " = \"a\"";
   }
   const auto numbers_of = [](const std::string& model) {
-    const auto file = read("test.toml", "title = \"x\"\n[parameters]\na = \"1\"\n[model.one]\n" + model +
-                                            "[observe]\ny3 = \"1\"\n");
-    return Model(*file, file->models[0]).with({1.5});
+    const auto file =
+        read("test.toml", "title = \"x\"\n[parameters]\na = \"1\"\nw = \"1 1/s\"\n[model.one]\n" + model +
+                              "[observe]\ny3 = \"1\"\n[need]\nerror = \"1\"\n");
+    return Model(*file, file->models[0]).with({1.5, 1});
   };
   const std::array<double, 2> times{0, 2};
   const Numbers swinging = numbers_of("equations = [" + equations + "]\nstart = { " + start + " }\n");
