@@ -151,7 +151,7 @@ TEST_CASE("every verb that is about an exercise takes one of one's own", "[walk]
 }
 
 TEST_CASE("the engine of extras/engines/README.md throws as its page says", "[walk]") {
-  const std::string engine = std::string(ODDITY_WALK_FOLDER) + "/engines/engine_euler";
+  const std::string engine = std::string(ODDITY_WALK_FOLDER) + "/engines/engine_walked";
   const ScratchFolder scratch;
   const std::string page = text_of(fs::path(ODDITY_SOURCE) / "extras/engines/README.md");
   const auto begin = page.find("{\"variant\": \"defaults\""), end = page.find("```", begin);
