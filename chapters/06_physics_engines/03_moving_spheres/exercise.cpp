@@ -92,7 +92,7 @@ Quantity pairs(const Parameters& p) {
       "written and comparisons made",
       {"every pair in exact integers", exact_pairs(all, count)},
       0,
-      {0.5 * Pairs::of_number(all.size()), "whole pairs"},
+      {0.5 * Pairs::checksum_unit(all.size()), "whole pairs"},
       {},
       {}};
   const auto add = [&](const char* model, const char* algorithm, const Knob& knob, const auto& find,

@@ -40,10 +40,10 @@ struct Pairs {
   }
   void put(int i, int j, std::size_t n) {
     value[value.size() - 2] += 1;
-    value.back() += (i * static_cast<double>(n) + j) * of_number(n);
+    value.back() += (i * static_cast<double>(n) + j) * checksum_unit(n);
   }
-  /// A power of two, so that sums are exact.
-  static double of_number(std::size_t n) { return 1 / static_cast<double>(std::bit_ceil(n * n)); }
+  /// What the number of a pair counts in the checksum: a power of two, so that sums are exact.
+  static double checksum_unit(std::size_t n) { return 1 / static_cast<double>(std::bit_ceil(n * n)); }
 };
 
 Pairs by_all_pairs(const std::vector<Frame>&);
