@@ -412,7 +412,8 @@ int Horizon::count() const {
 
 std::vector<double> Horizon::times() const {
   std::vector<double> all{0};
-  for (int k = 1; k <= count(); ++k)
+  all.reserve(1 + static_cast<std::size_t>(count()));
+  for (int k = 1, last = count(); k <= last; ++k)
     all.push_back(frames                  ? (*frames)[static_cast<std::size_t>(k) - 1]
                   : frames_per_second > 0 ? k / frames_per_second
                                           : end * k / samples);

@@ -13,16 +13,15 @@ namespace oddity {
 
 namespace {
 
-/// Where an integration stops: at the horizon's times; with steps of one length at the two last ends of steps
-/// before each of them.
-std::vector<double> stops_of(const Horizon& horizon, double step) {
-  const std::vector<double> times = horizon.times();
-  if (horizon.stepping == Stepping::divided) return times;
+/// As a part of a time: a step that ends so little behind a frame ends with it.
+constexpr double step_rounding = 1e-12;
+
+/// The two last ends of steps of one length before each of the times.
+std::vector<double> ends_of_steps(std::span<const double> times, double step) {
   std::vector<double> stops{0};
   double last = 0;
-  for (const double t : std::span(times).subspan(1)) {
-    constexpr double rounding = 1e-12;
-    const double steps = std::floor(t / step * (1 + rounding));
+  for (const double t : times.subspan(1)) {
+    const double steps = std::floor(t / step * (1 + step_rounding));
     for (const double i : {steps - 1, steps})
       if (i > last) stops.push_back((last = i) * step);
   }
@@ -33,9 +32,12 @@ std::vector<double> stops_of(const Horizon& horizon, double step) {
 
 template <std::size_t n>
 Answer ModelInterfaceOf<n>::run(std::string_view algorithm, const Horizon& horizon, double setting) const {
-  Answer answer = observed(horizon.times(), moved(algorithm, horizon, setting));
+  const auto times = horizon.times();
+  Answer answer = observed(times, moved(algorithm, times, horizon.stepping, setting));
   if (answer.reached() && answer.drift > another_motion)
-    answer.comes_back = comes_back(algorithm, stops_of(horizon, setting), setting);
+    answer.comes_back = horizon.stepping == Stepping::divided
+                            ? comes_back(algorithm, times, setting)
+                            : comes_back(algorithm, ends_of_steps(times, setting), setting);
   return answer;
 }
 
@@ -67,19 +69,18 @@ auto ModelInterfaceOf<n>::moved(std::string_view algorithm, std::span<const doub
 }
 
 template <std::size_t n>
-auto ModelInterfaceOf<n>::moved(std::string_view algorithm, const Horizon& horizon, double setting) const
-    -> ode::Trajectory<State> {
-  const std::vector<double> stops = stops_of(horizon, setting);
+auto ModelInterfaceOf<n>::moved(std::string_view algorithm, std::span<const double> times, Stepping stepping,
+                                double setting) const -> ode::Trajectory<State> {
+  if (stepping == Stepping::divided) return moved(algorithm, times, setting);
+  const std::vector<double> stops = ends_of_steps(times, setting);
   auto motion = moved(algorithm, stops, setting);
-  if (horizon.stepping == Stepping::divided) return motion;
-  const std::vector<double> times = horizon.times();
   const std::vector<State> through = std::exchange(motion.value, {});
   for (std::size_t i = 0, end = 1; i < times.size(); ++i) {
-    while (end < stops.size() && stops[end] <= times[i] * (1 + 1e-12)) ++end;
+    while (end < stops.size() && stops[end] <= times[i] * (1 + step_rounding)) ++end;
     if (end > through.size()) break;  // it ended before
-    if (i > 0 && horizon.stepping == Stepping::extrapolated) ++motion.evaluations;
+    if (i > 0 && stepping == Stepping::extrapolated) ++motion.evaluations;
     motion.value.push_back(
-        drawn(times[i], std::span(stops).first(end), std::span(through).first(end), horizon.stepping));
+        drawn(times[i], std::span(stops).first(end), std::span(through).first(end), stepping));
   }
   return motion;
 }
@@ -104,7 +105,8 @@ auto ModelInterfaceOf<n>::drawn(double time, std::span<const double> ends, std::
 template <std::size_t n>
 double ModelInterfaceOf<n>::off_constraint(std::string_view algorithm, const Horizon& horizon,
                                            double setting) const {
-  return off_constraint(horizon.times(), moved(algorithm, horizon, setting).value);
+  const auto times = horizon.times();
+  return off_constraint(times, moved(algorithm, times, horizon.stepping, setting).value);
 }
 
 template <std::size_t n>
@@ -122,7 +124,8 @@ double ModelInterfaceOf<n>::off_constraint(std::span<const double> times,
 template <std::size_t n>
 Value ModelInterfaceOf<n>::places_and_rates(std::string_view algorithm, const Horizon& horizon,
                                             double setting) const {
-  return places_and_rates(horizon.times(), moved(algorithm, horizon, setting).value);
+  const auto times = horizon.times();
+  return places_and_rates(times, moved(algorithm, times, horizon.stepping, setting).value);
 }
 
 template <std::size_t n>

@@ -232,8 +232,9 @@ class ModelInterfaceOf : public ModelInterface, public ode::AnySystem<n> {
   /// Its motion with its events.
   ode::Trajectory<State> moved(std::string_view algorithm, std::span<const double> times,
                                double setting) const;
-  /// The same as it is drawn at the horizon's times.
-  ode::Trajectory<State> moved(std::string_view algorithm, const Horizon&, double setting) const;
+  /// The same as it is drawn at the times.
+  ode::Trajectory<State> moved(std::string_view algorithm, std::span<const double> times, Stepping,
+                               double setting) const;
   /// The state drawn at a time, of a motion through the steps' ends up to there.
   State drawn(double time, std::span<const double> ends, std::span<const State> motion, Stepping) const;
   /// The model's motion to eight digits, as far as it comes in 100,000 steps.
