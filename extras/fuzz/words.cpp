@@ -48,6 +48,18 @@ Words words_in(std::string_view input) {
       case 'n':
         all.need.bodies = word;
         break;
+      case 'j':
+        all.need.jitter = word;
+        break;
+      case 'D':
+        all.need.drop = word;
+        break;
+      case 'l':
+        all.need.longest_frame = word;
+        break;
+      case 'S':
+        all.need.frame_seed = word;
+        break;
       case 'c':
         all.need.criterion = word;
         break;
