@@ -8,6 +8,7 @@
 #include "report/cli/asked.hpp"
 #include "report/verify/catch.hpp"
 #include "tests/complaint.hpp"
+#include "tests/near.hpp"
 #include "tests/program.hpp"
 #include "tests/scratch_folder.hpp"
 
@@ -96,17 +97,46 @@ TEST_CASE("every number of a need has limits", "[arguments]") {
     asked.*member = text;
     return refused("3.5", asked);
   };
-  for (auto member :
-       {&AskedNeed::error, &AskedNeed::horizon, &AskedNeed::frames_per_second, &AskedNeed::budget,
-        &AskedNeed::restart_every, &AskedNeed::time_limit, &AskedNeed::bodies})
+  for (auto member : {&AskedNeed::error, &AskedNeed::horizon, &AskedNeed::frames_per_second,
+                      &AskedNeed::budget, &AskedNeed::restart_every, &AskedNeed::time_limit,
+                      &AskedNeed::bodies, &AskedNeed::jitter, &AskedNeed::drop, &AskedNeed::longest_frame})
     for (const char* far : {"1e-320", "5e-324", "1e-300", "1e300", "1e400", "0", "-1", "inf", "nan", ""}) {
-      if (*far == 0 && (member == &AskedNeed::budget || member == &AskedNeed::restart_every)) continue;
+      if (*far == 0 &&
+          (member == &AskedNeed::budget || member == &AskedNeed::restart_every ||
+           member == &AskedNeed::jitter || member == &AskedNeed::drop || member == &AskedNeed::longest_frame))
+        continue;
       INFO(far);
       CHECK(with(member, far) != "nothing");
     }
   CHECK(with(&AskedNeed::restart_every, "1e-300") ==
         "--restart-every goes from 3.255e-05 to 1.667e+04 s, and is 1e-300");
   for (const char* every : {"1ms", "20s", "1h"}) CHECK(with(&AskedNeed::restart_every, every) == "nothing");
+}
+
+TEST_CASE("frames are as they were recorded, or random by a seed", "[arguments][frames]") {
+  const ScratchFolder scratch;
+  scratch.file("trace", "# ms\n10ms\r\n\n30ms\n");
+  scratch.file("broken", "10ms\nsoon\n");
+  scratch.file("none", "# nothing\n");
+  const auto with = [&](const std::string& trace) {
+    AskedNeed asked{.error = "1deg"};
+    asked.trace = (scratch.path() / trace).string();
+    return asked;
+  };
+  const Need need = need_of(task_of("3.5", {}), with("trace"));
+  REQUIRE(need.frame_times);
+  CHECK(near(need.frame_times->at[2], 0.05, 1e-15));
+  CHECK(near(need.frames_per_second, 50, 0.1));
+  CHECK(refused("3.5", with("broken")).find("broken:2") != std::string::npos);
+  CHECK(refused("3.5", with("none")).find("has no frames") != std::string::npos);
+  CHECK(refused("3.5", with("absent")).find("cannot read") != std::string::npos);
+  AskedNeed seed{.error = "1deg"};
+  seed.frame_seed = "2";
+  CHECK(refused("3.5", seed) == "--frame-seed is of --jitter or --drop, and neither is asked for");
+  seed.jitter = "20%";
+  CHECK(refused("3.5", seed) == "nothing");
+  seed.bodies = "2";
+  CHECK(refused("3.5", seed) == "frames of different lengths are judged for one body");
 }
 
 TEST_CASE("an answer may take a minute unless asked otherwise", "[arguments]") {
@@ -227,7 +257,7 @@ TEST_CASE("a method of one's own has a name, a model and a step that there are",
     return method_of(task, asked, need_of(task, asked)).setting;
   };
   for (const char* sixtieth : {"RK4@60Hz", "RK4@1/60", "rk4@60/s", "RK4", "Runge-Kutta 4@1/60s"})
-    CHECK(step(sixtieth) == Approx(1.0 / 60));
+    CHECK(near_ulps(step(sixtieth), 1.0 / 60, 64));
   CHECK(step("Verlet@5ms") == 0.005);
 }
 

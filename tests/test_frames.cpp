@@ -105,12 +105,27 @@ TEST_CASE("frames are as long as was asked", "[frames]") {
   const auto capped = frame_times({.drop = 0.25, .longest = 0.02}, 60, 100);
   CHECK(capped->longest == 0.02);
 
+  CHECK(frame_times({.jitter = 0.2, .seed = 2}, 60, 100)->at != jittered->at);
+  CHECK(capped->says == "25 % dropped, none longer than 20 ms");
+  CHECK(frame_times({.longest = 0.02}, 60, 1, "yr")->says == "none longer than 0.02 yr");
   const auto traced = frame_times({.trace = {0.01, 0.03}}, 60, 0.1);
   const std::vector<double> expected{0.01, 0.04, 0.05, 0.08, 0.09};
   REQUIRE(traced->at.size() == expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) CHECK(near(traced->at[i], expected[i], 1e-12));
   CHECK_THROWS_AS(frame_times({.trace = {2.0}}, 60, 1), BadInput);
   CHECK_THROWS_AS(frame_times({.jitter = 0.1}, 1e6, 10), BadInput);
+}
+
+TEST_CASE("a setting is shown in the scene's unit of time", "[frames]") {
+  Need need = game_need();
+  need.frame_times = frame_times({.jitter = 0.2}, 60, 10, "yr");
+  const auto shown = [&](const std::string& algorithm, double step) {
+    return shown_setting(Candidate{"model", algorithm, "step", step}, need);
+  };
+  CHECK(shown("explicit Euler", need.frame_times->longest) == "1 step per frame");
+  CHECK(shown("explicit Euler", 0.01) == "steps up to 0.01 yr");
+  CHECK(shown("explicit Euler, last of fixed steps", 0.01) == "steps of 0.01 yr");
+  CHECK(shown_span(need, "yr") == "10 yr at 60 frames per yr, each up to 20 % longer or shorter");
 }
 
 TEST_CASE("a choice at frames of different lengths is judged where they are drawn", "[frames]") {
@@ -122,6 +137,16 @@ TEST_CASE("a choice at frames of different lengths is judged where they are draw
   const Choice choice = choose(task, need, truth, counted_price);
   REQUIRE(choice.chosen);
   CHECK(choice.chosen->error <= 1);
+  for (const double seed : {2, 3, 4, 5, 6}) {  // at other random frames
+    Need other = need;
+    other.frame_times =
+        frame_times({.jitter = 0.3, .drop = 0.02, .seed = seed}, need.frames_per_second, need.horizon);
+    const Quantity motion =
+        motion_at_frames(*task.entry->exercise.scene, task.parameters, horizon_of(other), truth);
+    const Method* chosen = method_of(motion, choice.chosen->model, choice.chosen->algorithm);
+    REQUIRE(chosen);
+    CHECK(run(motion, *chosen, choice.chosen->setting).error <= degree);
+  }
 
   // The last of fixed steps is up to a step old: the bob has moved on by its speed times that.
   const Quantity motion =

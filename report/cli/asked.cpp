@@ -503,8 +503,14 @@ void set_frame_times(Need& need, const AskedNeed& asked, const std::string& time
   if (!asked.longest_frame.empty())
     frames.longest = between("--max-frame", asked.longest_frame, time, 1e-9, 1e9);
   if (!asked.trace.empty()) frames.trace = trace_of(asked.trace, time);
-  need.frame_times = frame_times(frames, need.frames_per_second, need.horizon);
+  if (!asked.frame_seed.empty()) frames.seed = count_of("--frame-seed", asked.frame_seed, 0, 1'000'000'000);
+  if (!asked.frame_seed.empty() && frames.jitter == 0 && frames.drop == 0)
+    throw BadInput("--frame-seed is of --jitter or --drop, and neither is asked for");
+  need.frame_times = frame_times(frames, need.frames_per_second, need.horizon, time);
   if (!need.frame_times) return;
+  if (!frames.trace.empty())  // on average
+    need.frames_per_second =
+        *parse_number(format_significant(need.frames() / need.time_of(need.frames()), 4));
   if (need.bodies > 1) throw BadInput("frames of different lengths are judged for one body");
   for (const Criterion criterion : criteria_of(need))
     if (criterion == Criterion::period) throw BadInput("a period is judged at frames of one length");

@@ -34,7 +34,8 @@ std::vector<Task> scenes_of(const std::vector<std::string>& words);
 struct AskedNeed {
   std::string error = {}, digits = {}, horizon = "10", frames_per_second = "60", budget = {}, bodies = "1";
   std::string restart_every = {}, starts = "6";
-  std::string jitter = {}, drop = {}, trace = {}, longest_frame = {};  ///< frames of different lengths
+  std::string jitter = {}, drop = {}, trace = {}, longest_frame = {},
+              frame_seed = {};                            ///< of frames that differ
   std::string energy = {}, period = {}, constraint = {};  ///< the errors of criteria beside the first
   std::string criterion = "path", time_limit = "60s";     ///< or "none"
   bool criterion_is_given = false;                        ///< and not taken as usual

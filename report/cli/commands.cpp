@@ -226,8 +226,10 @@ void add_choose_frames(CLI::App& choose, AskedNeed& need) {
   add_value(choose, "--jitter", need.jitter, "PART",
             "frames are longer or shorter by up to this part, at random: 20%");
   add_value(choose, "--drop", need.drop, "PART", "so many frames are not drawn, at random: 1%");
+  add_value(choose, "--frame-seed", need.frame_seed, "N", "other random frames: 2");
   add_value(choose, "--frames", need.trace, "FILE",
-            "lengths of frames as they were recorded, one a line, 16.7ms; again and again");
+            "lengths of frames as they were recorded, one a line, 16.7ms; again and again")
+      ->excludes(choose.get_option("--fps"));
   add_value(choose, "--max-frame", need.longest_frame, "TIME",
             "a longer frame moves the clock on by no more than this: 100ms");
 }

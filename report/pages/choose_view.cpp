@@ -272,19 +272,6 @@ std::string next_cheaper_text(const Choice& choice) {
          ", error " + error_of(t, choice) + ".\n";
 }
 
-/// "10 s at 60 frames per second"; where the frames end elsewhere, how long is judged.
-std::string span_of(const Choice& choice) {
-  const Need& need = choice.need;
-  const std::string unit = choice.time_unit;
-  const double judged = need.time_of(need.frames());
-  const bool as_asked = need.frame_times || std::abs(judged - need.horizon) <= 1e-9 * need.horizon;
-  return (as_asked ? format_shortest(need.horizon) + " " + unit
-                   : format_shortest(need.frames()) + (need.frames() == 1 ? " frame, " : " frames, ") +
-                         format_significant(judged, 3) + " " + unit + ",") +
-         " at " + format_shortest(need.frames_per_second) + " frames per " + (unit == "s" ? "second" : unit) +
-         (need.frame_times ? ", " + need.frame_times->says : "");
-}
-
 /// A chaotic path that long double loses, too.
 bool is_beyond_double(const Choice& choice) { return choice.explanation.truth_until && choice.predictable; }
 
@@ -464,7 +451,7 @@ std::string what_holds(const Choice& choice, const std::string& when) {
 
 std::string asked_text(const Choice& choice) {
   const Need& need = choice.need;
-  return what_holds(choice) + ", over " + span_of(choice) +
+  return what_holds(choice) + ", over " + shown_span(choice.need, choice.time_unit) +
          (need.bodies == 1 ? "" : ", " + std::to_string(need.bodies) + " bodies") +
          (std::isfinite(need.restart_every)
               ? ", started anew every " + format_shortest(need.restart_every) + " " + choice.time_unit

@@ -48,7 +48,8 @@ std::string is_enough_text(const IsEnough& found, const Screen& screen) {
       screen.styled(best.holds() ? Style::good : Style::bad,
                     best.holds() ? "Good enough: " : "Not good enough: ") +
       best.algorithm + " at " + at + ", judged " + format_significant(found.need.frames_per_second, 4) +
-      " times a " + (found.time_unit == "s" ? "second" : found.time_unit) + " on " +
+      " times a " + (found.time_unit == "s" ? "second" : found.time_unit) +
+      (found.need.frame_times ? ", " + found.need.frame_times->says + "," : "") + " on " +
       std::to_string(found.starts.size()) + (found.starts.size() == 1 ? " start" : " starts") + ".\n";
   for (const Judgement& j : found.models) {
     const Candidate& run = j.run;

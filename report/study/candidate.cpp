@@ -5,7 +5,6 @@
 #include <atomic>
 #include <cmath>
 #include <exception>
-#include <functional>
 #include <optional>
 
 #include "reference/bad_input.hpp"
@@ -161,10 +160,11 @@ double add(const Start& start, Candidate& candidate, const OnStart& on) {
 std::vector<double> settings(const Method& method, const Need& need) {
   std::vector<double> all;
   if (method.knob.name == "step") {
-    if (need.frame_times && method.algorithm == without_stepping(method.algorithm))
-      all.push_back(need.frame_times->longest);
-    for (int steps : steps_per_frame) all.push_back(1 / (need.frames_per_second * steps));
-    std::ranges::stable_sort(all, std::greater());
+    const bool differ = need.frame_times && stepping_of(method.algorithm) == Stepping::divided;
+    if (differ) all.push_back(need.frame_times->longest);
+    for (int steps : steps_per_frame)
+      if (const double step = 1 / (need.frames_per_second * steps); !differ || step < all.front())
+        all.push_back(step);
   } else if (method.knob.name == "tolerance")
     all = tolerances(2, 13, 1).settings;
   else
@@ -235,10 +235,21 @@ std::string shown_setting(const Candidate& candidate, const Need& need) {
   if (candidate.knob != "step")
     return candidate.knob.empty() ? "-" : candidate.knob + " " + format_shortest(candidate.setting);
   if (need.frame_times && candidate.setting != need.frame_times->longest)
-    return (candidate.algorithm == without_stepping(candidate.algorithm) ? "steps up to " : "steps of ") +
-           format_significant(1000 * candidate.setting, 3) + " ms";
+    return (stepping_of(candidate.algorithm) == Stepping::divided ? "steps up to " : "steps of ") +
+           shown_length(candidate.setting, need.frame_times->unit);
   const double steps = need.frame_times ? 1 : std::round(1 / (candidate.setting * need.frames_per_second));
   return format_shortest(steps) + (steps == 1 ? " step" : " steps") + " per frame";
+}
+
+std::string shown_span(const Need& need, std::string_view time_unit) {
+  const std::string unit(time_unit);
+  const double judged = need.time_of(need.frames());
+  const bool as_asked = need.frame_times || std::abs(judged - need.horizon) <= 1e-9 * need.horizon;
+  return (as_asked ? format_shortest(need.horizon) + " " + unit
+                   : format_shortest(need.frames()) + (need.frames() == 1 ? " frame, " : " frames, ") +
+                         format_significant(judged, 3) + " " + unit + ",") +
+         " at " + format_shortest(need.frames_per_second) + " frames per " + (unit == "s" ? "second" : unit) +
+         (need.frame_times ? ", " + need.frame_times->says : "");
 }
 
 bool hopeless(const Candidate& candidate) {

@@ -19,24 +19,23 @@ constexpr std::array steppings{std::pair{Stepping::last_step, ", last of fixed s
 
 std::string percent(double part) { return format_significant(100 * part, 3) + " %"; }
 
-std::string says(const FramesAsked& asked) {
+std::string says(const FramesAsked& asked, const std::string& unit) {
   std::string text =
       asked.trace.empty() ? "" : "as in a trace of " + std::to_string(asked.trace.size()) + " frames";
   const auto add = [&](const std::string& one) { text += (text.empty() ? "" : ", ") + one; };
   if (asked.jitter > 0) add("each up to " + percent(asked.jitter) + " longer or shorter");
   if (asked.drop > 0) add(percent(asked.drop) + " dropped");
-  if (std::isfinite(asked.longest)) add("none longer than " + format_shortest(1000 * asked.longest) + " ms");
+  if (std::isfinite(asked.longest)) add("none longer than " + shown_length(asked.longest, unit));
   return text;
 }
 
 }  // namespace
 
 std::shared_ptr<const FrameTimes> frame_times(const FramesAsked& asked, double frames_per_second,
-                                              double horizon) {
-  FrameTimes frames{.at = {}, .says = says(asked)};
+                                              double horizon, const std::string& unit) {
+  FrameTimes frames{.at = {}, .says = says(asked, unit), .unit = unit};
   if (frames.says.empty()) return nullptr;
-  constexpr double seed = 60;
-  Random random(seed);
+  Random random(asked.seed);
   double last = 0, length = 0;
   for (std::size_t k = 0;; ++k) {
     const double usual = asked.trace.empty() ? 1 / frames_per_second : asked.trace[k % asked.trace.size()];
@@ -51,6 +50,10 @@ std::shared_ptr<const FrameTimes> frame_times(const FramesAsked& asked, double f
   }
   if (frames.at.empty()) throw BadInput("the horizon is shorter than a frame");
   return std::make_shared<const FrameTimes>(std::move(frames));
+}
+
+std::string shown_length(double time, const std::string& unit) {
+  return unit == "s" ? format_significant(1000 * time, 3) + " ms" : format_significant(time, 3) + " " + unit;
 }
 
 Horizon first_frames(const Need& need, int count) {

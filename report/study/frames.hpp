@@ -13,13 +13,18 @@ namespace oddity {
 struct FramesAsked {
   double jitter = 0;                                         ///< each is longer or shorter by up to this part
   double drop = 0;                                           ///< the part of them that is not drawn
-  double longest = std::numeric_limits<double>::infinity();  ///< the clock goes on by no more [s]
+  double longest = std::numeric_limits<double>::infinity();  ///< the clock goes on by no more
   std::vector<double> trace = {};  ///< lengths, again and again; empty: as the frame rate has them
+  double seed = 1;                 ///< of what is at random
 };
 
-/// The frames up to the horizon; null where all are of the same length. Throws BadInput where there are more
-/// than a need may have.
-std::shared_ptr<const FrameTimes> frame_times(const FramesAsked&, double frames_per_second, double horizon);
+/// The frames up to the horizon, in this unit of time; null where all are of the same length. Throws BadInput
+/// where there are none, or more than a need may have.
+std::shared_ptr<const FrameTimes> frame_times(const FramesAsked&, double frames_per_second, double horizon,
+                                              const std::string& unit = "s");
+
+/// A length of time: "16.7 ms", in other units than seconds "0.0167 yr".
+std::string shown_length(double time, const std::string& unit);
 
 /// The first of the need's frames.
 Horizon first_frames(const Need&, int count);
