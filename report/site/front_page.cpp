@@ -52,7 +52,7 @@ long trials_of(const Results& results) {
 std::string title() {
   return "<header class=\"title\">\n<h1>The solutions of <cite>Game Physics</cite>, checked by machine</h1>\n"
          "<p class=\"asks\">For students and teachers who use the solutions manual of the book’s second edition, and for "
-         "game programmers who need to know what moves a scene right.</p>\n</header>\n";
+         "game programmers who need to know what moves a scene correctly.</p>\n</header>\n";
 }
 
 std::string what_was_done(const Results& results, const SiteParts& parts) {

@@ -186,7 +186,7 @@ std::string in_the_book(const Results& results) {
              "open with methods of this lesson beside the true motion:") +
          element("ul", "", items) +
          element("p", " class=\"tries\"",
-                 "<b>Try:</b> press “break it” in a player, and look what it takes.") +
+                 "<b>Try:</b> press “break it” in a player, and see what it takes.") +
          "</div></li>\n";
 }
 

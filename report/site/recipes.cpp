@@ -1,6 +1,7 @@
 #include "report/site/recipes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -8,6 +9,7 @@
 #include <sstream>
 
 #include "chapters/contents.hpp"
+#include "chapters/scene.hpp"
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
 #include "report/charts/labels.hpp"
@@ -36,6 +38,19 @@ std::string scene_link(const ExerciseResult& e) {
 
 std::string unit_after(const std::string& unit) {
   return unit.empty() || unit == "1" ? "" : " " + in_xml(typeset_unit(unit));
+}
+
+/// What a game allows in these units: "1 cm and 1°".
+std::string allowed_text(const std::vector<std::string>& units) {
+  std::string text;
+  for (const std::string& unit : units) {
+    const double allowed = game_error(unit);
+    text += (text.empty() ? "" : " and ") +
+            (unit == "rad" ? format_significant(allowed / degree, 2) + "°"
+             : unit == "m" ? format_significant(allowed / centimeter, 2) + " cm"
+                           : with_powers(format_significant(allowed, 2)) + unit_after(unit));
+  }
+  return text;
 }
 
 std::string ends_of(const BreakEven& b) {
@@ -106,10 +121,11 @@ std::string for_games(const Results& results) {
   for (const ExerciseResult& e : results.exercises)
     if (e.cheapest_models && !e.cheapest_models->least.empty()) table.rows.push_back(game_row(e));
   if (table.rows.empty()) return "";
-  return "<section id=\"games\">\n<h2>What it means for games</h2>\n<p>The simplest model that stays within one "
-         "centimetre and one degree at every frame over 10 s at 60 frames per second, and the algorithm that needs the "
-         "least counted work for it; <code>oddity choose</code> takes the least time on its machine. The <a href=\"chooser.html\">chooser</a> answers for a start, an error and a budget of your "
-         "own.</p>\n" +
+  return "<section id=\"games\">\n<h2>What it means for games</h2>\n<p>The simplest model that stays within " +
+         allowed_text({"m", "rad"}) + " at every frame over " + shown_span(game_need(), "s") +
+         ", and the algorithm that needs the least counted work for it; <code>oddity choose</code> takes the least "
+         "time on its machine. The <a href=\"chooser.html\">chooser</a> answers for a start, an error and a budget "
+         "of your own.</p>\n" +
          html::table(table) + "</section>\n";
 }
 
@@ -180,9 +196,21 @@ std::vector<std::string> columns_of(const std::vector<Row>& rows) {
   return columns;
 }
 
-/// How many times the least work; its class is the shade.
+/// How many times the least work a shade goes to.
+constexpr std::array shades{std::pair{"best", 1.25}, std::pair{"near", 2.5}, std::pair{"dear", 10.0}};
 std::string shade_of(double ratio) {
-  return ratio <= 1.25 ? "best" : ratio <= 2.5 ? "near" : ratio <= 10 ? "dear" : "dearest";
+  const auto shade = std::ranges::find_if(shades, [&](const auto& one) { return ratio <= one.second; });
+  return shade == shades.end() ? "dearest" : shade->first;
+}
+std::string shades_legend() {
+  std::string items;
+  for (const auto& [shade, most] : shades)
+    items += element("li", " class=\"" + std::string(shade) + "\"",
+                     "up to " + format_shortest(most) + (items.empty() ? " times" : ""));
+  return element("ul", " class=\"shades\"",
+                 items +
+                     "<li class=\"dearest\">more</li><li class=\"fails\">× at no setting tried</li>"
+                     "<li>= a closed form, without steps</li>");
 }
 
 std::string cell_text(const Row& row, const std::string& column) {
@@ -223,11 +251,12 @@ std::string matrix(const Results& results) {
     body += element("tr", "", cells) + "\n";
   }
   return "<section id=\"matrix\">\n<h2>Scenes by methods</h2>\n<p>How many times the work of the best method with "
-         "steps each other one takes, in evaluations of the equations, until the motion is within 1 cm or 1° of the "
-         "true one at the times of its table. Each cell plays its trial.</p>\n<ul class=\"shades\">"
-         "<li class=\"best\">up to 1.25 times</li><li class=\"near\">up to 2.5</li><li class=\"dear\">up to 10</li>"
-         "<li class=\"dearest\">more</li><li class=\"fails\">× at no setting tried</li><li>= a closed form, without steps"
-         "</li></ul>\n<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Scenes by methods\">" +
+         "steps each other one takes, in evaluations of the equations, until the motion is within " +
+         allowed_text({"m", "rad"}) +
+         " of the true one at the times of its table, which are fewer than a game's frames. Each cell plays its "
+         "trial.</p>\n" +
+         shades_legend() +
+         "\n<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Scenes by methods\">" +
          element("table", " class=\"matrix\"",
                  element("thead", "", element("tr", "", head)) + "\n" + element("tbody", "", body)) +
          "</div>\n</section>\n";
@@ -235,16 +264,7 @@ std::string matrix(const Results& results) {
 
 // ---- a scene's recipe -------------------------------------------------------------------------------------
 
-std::string allowed_text(const CheapestModels& models) {
-  std::string text;
-  for (const std::string& unit : models.units)
-    text += (text.empty() ? "" : " and ") + std::string(unit == "rad" ? "1°"
-                                                        : unit == "m" ? "1 cm"
-                                                                      : "what a game allows in " + unit);
-  return text;
-}
-
-std::string answer(const CheapestModel& game, const CheapestModels& models) {
+std::string answer(const CheapestModel& game, const CheapestModels& models, std::string_view time_unit) {
   const Candidate& least = *game.least;
   std::string errors;
   for (std::size_t i = 0; i < least.errors.size() && i < models.units.size(); ++i)
@@ -256,11 +276,11 @@ std::string answer(const CheapestModel& game, const CheapestModels& models) {
                      (least.knob.empty() ? "" : ", " + in_xml(with_powers(shown_setting(least, game.need)))) +
                      ".") +
          element("p", "",
-                 "Within " + allowed_text(models) +
-                     " at every frame over 10 s at 60 frames per second, with the least "
-                     "counted work: " +
-                     format_significant(least.evaluations_per_frame, 3) + " evaluations per frame; off by " +
-                     errors + " at most. <a href=\"recipes.html\">All scenes</a>");
+                 "Within " + allowed_text(models.units) + " at every frame over " +
+                     shown_span(game.need, time_unit) +
+                     ", with the least counted work: " + format_significant(least.evaluations_per_frame, 3) +
+                     (least.evaluations_per_frame == 1 ? " evaluation" : " evaluations") +
+                     " per frame; off by " + errors + " at most. <a href=\"recipes.html\">All scenes</a>");
 }
 
 /// What other people's engines do at a step a frame with their defaults.
@@ -317,7 +337,8 @@ std::string recipe_section(const ExerciseResult& e, std::span<const EngineContes
   for (const EngineContest& contest : contests)
     if (contest.scene == to_string(e.number)) engines += engines_of(contest);
   return "<section id=\"recipe\" class=\"recipe\">\n<h2>What to use</h2>\n" +
-         answer(game, *e.cheapest_models) + engines + code_text(e, game) + "</section>\n";
+         answer(game, *e.cheapest_models, entry_of(e.number)->exercise.scene->axes.time) + engines +
+         code_text(e, game) + "</section>\n";
 }
 
 std::string recipes_page(const Results& results) {

@@ -57,12 +57,12 @@
     tell() {
       const { h, energies, shadows, given: { w } } = this;
       const parts = energies.map((e) => e / energies[0]).filter(Number.isFinite);
-      const least_part = Math.min(...parts), most = Math.max(...parts), last = parts[parts.length - 1];
+      const leastPart = Math.min(...parts), most = Math.max(...parts), last = parts[parts.length - 1];
       const text = [`h\u03c9 = ${written(h * w)}`];
       if (this.algorithm === circle[1]) text[0] = 'the energy stays';
       else if (shadows) {
         const off = Math.max(...shadows.map((s) => Math.abs(s / shadows[0] - 1)));
-        text.push(`energy \u00d7 ${written(least_part)} to ${written(most)}`, off < 1e-9 ? 'shadow energy kept' : `shadow energy off by ${written(off)}`);
+        text.push(`energy \u00d7 ${written(leastPart)} to ${written(most)}`, off < 1e-9 ? 'shadow energy kept' : `shadow energy off by ${written(off)}`);
         this.element.dataset.shadow = off;
       } else {
         text.push(`each step \u00d7 ${written(parts[1], 4)}`);
