@@ -25,6 +25,11 @@ inline Near near_ulps(double got, double expected, double ulps) {
   return {got, expected, ulps * std::abs(expected) * 0x1p-52};
 }
 
+/// Within a part of the expected number.
+inline Near near_part(double got, double expected, double part) {
+  return {got, expected, part * std::abs(expected)};
+}
+
 /// low <= got <= high, for CHECK: a failure prints the number.
 struct Within {
   double got, low, high;

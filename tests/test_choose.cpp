@@ -18,6 +18,7 @@
 #include "report/verify/catch.hpp"
 #include "solvers/ode/integrate.hpp"
 #include "tests/complaint.hpp"
+#include "tests/near.hpp"
 
 using namespace oddity;
 
@@ -475,11 +476,11 @@ TEST_CASE(
   });
   const Need need = asked(0.1, 10);
   const Candidate fails = evaluate(starts, q.methods[0], 0, need);
-  CHECK(fails.error == Approx(2));
+  CHECK(near_ulps(fails.error, 2, 64));
   CHECK(fails.evaluations_per_frame == 2);
   CHECK(made == 0);
   const Candidate holds_at_first = evaluate(starts, q.methods[1], 0, need);
-  CHECK(holds_at_first.error == Approx(5));
+  CHECK(near_ulps(holds_at_first.error, 5, 64));
   CHECK(holds_at_first.evaluations_per_frame == 3);
   CHECK(made == 1);
 }
@@ -546,18 +547,18 @@ TEST_CASE("what restarts cost a method counts as often as runs are ended", "[cho
     return *choice.chosen;
   };
   CHECK(chosen().model == "with a history");
-  CHECK(chosen().seconds_per_frame == Approx(1.03e-9));
+  CHECK(near_ulps(chosen().seconds_per_frame, 1.03e-9, 64));
   need.restart_every = 10;
   CHECK(chosen().model == "with a history");
-  CHECK(chosen().seconds_per_frame == Approx(1.03e-9 * (1 + 29.97 / 1.03 / 100)));
+  CHECK(near_ulps(chosen().seconds_per_frame, 1.03e-9 * (1 + 29.97 / 1.03 / 100), 64));
   const Choice noisy = choose(task, need, truth, [](const Method& m, double setting) -> Time {
     return {counted_cost(m, setting).seconds, 1e-7};
   });
   REQUIRE(noisy.chosen);
-  CHECK(noisy.chosen->spread == Approx(1e-10 * (1 + 29.97 / 1.03 / 100)));
+  CHECK(near_ulps(noisy.chosen->spread, 1e-10 * (1 + 29.97 / 1.03 / 100), 64));
   need.restart_every = 2;
   CHECK(chosen().model == "without");
-  CHECK(chosen().seconds_per_frame == Approx(2e-9));
+  CHECK(near_ulps(chosen().seconds_per_frame, 2e-9, 64));
 }
 
 TEST_CASE("a period is measured between passages of the mean, wherever the motion lies", "[choose]") {
@@ -584,10 +585,10 @@ TEST_CASE("a period is measured between passages of the mean, wherever the motio
   need.criterion = Criterion::period;
   const Choice choice = choose(Task(turning), need, truth, counted_cost);
   REQUIRE(choice.chosen);
-  CHECK(choice.chosen->error == Approx(0.5).epsilon(0.03));
+  CHECK(near_part(choice.chosen->error, 0.5, 0.03));
   const auto quick = std::ranges::find(choice.candidates, "quick", &Candidate::model);
   REQUIRE(quick != choice.candidates.end());
-  CHECK(quick->error == Approx(10).epsilon(0.03));  // of more passages
+  CHECK(near_part(quick->error, 10, 0.03));  // of more passages
 }
 
 TEST_CASE("a coarse model that fails beside the start asked for is not chosen", "[choose]") {
@@ -888,7 +889,7 @@ TEST_CASE("the next richer model holds at a higher cost, and is another", "[choo
   CHECK(choice.candidates.size() == 8);
   for (const Candidate& t : choice.candidates) {
     INFO(t.model);
-    CHECK(t.seconds_per_frame == Approx(t.evaluations_per_frame * 1e-9));
+    CHECK(near_ulps(t.seconds_per_frame, t.evaluations_per_frame * 1e-9, 64));
   }
 }
 
@@ -925,7 +926,7 @@ TEST_CASE("where a start beside the one asked for decides, the answer says what 
   CHECK_FALSE(choice.chosen);
   REQUIRE(choice.on_asked);
   CHECK(choice.on_asked->holds());
-  CHECK(choice.on_asked->seconds_per_frame == Approx(1e-9));
+  CHECK(near_ulps(choice.on_asked->seconds_per_frame, 1e-9, 64));
   REQUIRE(choice.beside_asked);
   CHECK(choice.beside_asked->outcome == Outcome::inaccurate);
   const std::string text = choice_text(choice, false);
@@ -978,8 +979,8 @@ TEST_CASE("what takes many evaluations is timed over its first frames", "[choose
              });
   CHECK(timed == std::vector<long>{3000, 100'000});  // all 30 frames, and one
   REQUIRE(choice.candidates.size() == 2);
-  CHECK(choice.candidates[0].seconds_per_frame == Approx(100e-9));
-  CHECK(choice.candidates[1].seconds_per_frame == Approx(100'000e-9));
+  CHECK(near_ulps(choice.candidates[0].seconds_per_frame, 100e-9, 64));
+  CHECK(near_ulps(choice.candidates[1].seconds_per_frame, 100'000e-9, 64));
 }
 
 namespace {
@@ -1017,11 +1018,11 @@ double chaotic(double t) { return std::min(1.0, 1e-9 * std::exp(3 * t)); }
 TEST_CASE("of what is lost in chaos it is told what it would have grown to", "[choose]") {
   const Parting parting = Neighbours(10, chaotic).parting();
   REQUIRE(parting.is_chaotic);
-  CHECK(parting.until.back() == Approx(100));  // as large as the motion, in needs
+  CHECK(near_ulps(parting.until.back(), 100, 64));  // as large as the motion, in needs
   // Half of what is asked after 3 s, and as large as the motion from then on.
   std::vector<double> until(100, 50);
   std::fill_n(until.begin(), 30, 0.5);
-  CHECK(parting.in_the_end(until) == Approx(0.5 * 100 / (1e-7 * std::exp(9)) / 16));
+  CHECK(near_ulps(parting.in_the_end(until), 0.5 * 100 / (1e-7 * std::exp(9)) / 16, 64));
   CHECK(parting.in_the_end(std::vector<double>(100, 0.5)) == 0.5);  // never lost
   CHECK(parting.in_the_end(std::vector<double>(100, 50)) == 50);    // never there
   CHECK(parting.in_the_end({0.5, 50}) == 50);                       // of other frames
@@ -1033,7 +1034,7 @@ TEST_CASE("a chaotic motion is told from a regular one, however long one watches
     const auto until = Neighbours(horizon, chaotic).told_until();
     INFO("over " << horizon);
     REQUIRE(until);
-    CHECK(*until == Approx(5.4));
+    CHECK(near_ulps(*until, 5.4, 64));
   }
   const auto soon = Neighbours(5, chaotic).told_until();
   REQUIRE(soon);
@@ -1062,7 +1063,8 @@ TEST_CASE("a choice says until when a chaotic path can be told, and nothing of a
     };
     const Choice choice = choose_at_5(scene, asked(1e-2, 10));
     CHECK(choice.predictable.has_value() == (rate > 0));
-    if (choice.predictable) CHECK(*choice.predictable == Approx(4.9));  // 5e-9 m grow to 1e-2 m in 4.84 s
+    if (choice.predictable)
+      CHECK(near_ulps(*choice.predictable, 4.9, 64));  // 5e-9 m grow to 1e-2 m in 4.84 s
   }
 }
 
@@ -1079,7 +1081,7 @@ TEST_CASE("each unit is lost by its own error", "[choose]") {
   both.motion.needs = {1e-2, 1e-7};  // the angle's is smaller, and kept
   both.beside = beside;
   REQUIRE(both.told_until());
-  CHECK(*both.told_until() == Approx(5.4));
+  CHECK(near_ulps(*both.told_until(), 5.4, 64));
   both.motion.needs = {1e-2, 1e-9};
   CHECK(*both.told_until() < 2);
   both.beside.pop_back();
@@ -1272,10 +1274,10 @@ TEST_CASE(
   CHECK(std::isnan(tries.expected_seconds(tries.candidates[0])));
   tries.candidates[0].seconds_per_frame = 5;
   CHECK(tries.expected_seconds(tries.candidates[0]) == 5);
-  CHECK(tries.expected_seconds(tries.candidates[3]) == Approx(5 * 64));
+  CHECK(near_ulps(tries.expected_seconds(tries.candidates[3]), 5 * 64, 64));
   tries.candidates[3].seconds_per_frame = 192;
-  CHECK(tries.expected_seconds(tries.candidates[1]) == Approx(10));
-  CHECK(tries.expected_seconds(tries.candidates[2]) == Approx(3 * 10));
+  CHECK(near_ulps(tries.expected_seconds(tries.candidates[1]), 10, 64));
+  CHECK(near_ulps(tries.expected_seconds(tries.candidates[2]), 3 * 10, 64));
 }
 
 TEST_CASE("what the next setting takes is expected by the work and time of the last", "[choose]") {
@@ -1287,8 +1289,8 @@ TEST_CASE("what the next setting takes is expected by the work and time of the l
   stepping.go_on(2, starts, need);
   REQUIRE(stepping.candidates.size() == 2);
   stepping.candidates.back().seconds_per_frame = 5;
-  CHECK(stepping.expected_evaluations() == Approx(3));
-  CHECK(stepping.expected_seconds() == Approx(5 * 1.5));
+  CHECK(near_ulps(stepping.expected_evaluations(), 3, 64));
+  CHECK(near_ulps(stepping.expected_seconds(), 5 * 1.5, 64));
 
   // Of 2 evaluations a frame at 0.01, and 4 at 0.0001.
   Ladder tolerant(starts[0].motion.methods[2], asked(1e-9, 10));
@@ -1296,8 +1298,8 @@ TEST_CASE("what the next setting takes is expected by the work and time of the l
   asked_more[0].motion.need.allowed = 1e-9;
   tolerant.go_on(2, asked_more, asked(1e-9, 10));
   REQUIRE(tolerant.candidates.size() == 2);
-  CHECK(tolerant.candidates.back().setting == Approx(1e-4));
-  CHECK(tolerant.expected_evaluations() == Approx(4 * std::sqrt(2)));  // at 0.00001
+  CHECK(near_ulps(tolerant.candidates.back().setting, 1e-4, 64));
+  CHECK(near_ulps(tolerant.expected_evaluations(), 4 * std::sqrt(2), 64));  // at 0.00001
 }
 
 TEST_CASE("where long double loses a motion no method is followed far", "[choose]") {

@@ -9,8 +9,6 @@
 #include <catch2/catch_all.hpp>
 #include <catch2/internal/catch_test_case_registry_impl.hpp>
 
-using Catch::Approx;  // as version 2 has it
-
 namespace oddity {
 
 inline const std::string& name_of(const Catch::TestCaseHandle& test) { return test.getTestCaseInfo().name; }
