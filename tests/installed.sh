@@ -164,7 +164,7 @@ if hidden true 2>/dev/null; then
   verb solve 0 3.5
   verb choose 0 3.5 --error 1deg
   verb choose 2 3.5 --error 1deg --engine bullet
-  verb engines 2 3.33 --hz 60
+  verb engines "$(ls "$prefix"/lib/oddity/engines/engine_* >/dev/null 2>&1 && echo 0 || echo 2)" 3.33 --hz 60
   verb verify 0 '[9.1]'
   verb stability 0 3.5 --out "$place/maps"
   verb chart 0 9.1 --out "$place/charts"
