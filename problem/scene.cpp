@@ -44,6 +44,7 @@ struct Kept {
 struct AllKept {
   std::mutex mutex;
   std::vector<std::unique_ptr<const Kept>> all;
+  std::map<std::pair<std::string, std::string>, const Entry*> by_source;  ///< name and text
 };
 AllKept& kept() {
   static AllKept here;
@@ -423,6 +424,11 @@ std::string stem_of(const std::string& name) {
 bool is_file(const std::string& word) { return word == "-" || word.ends_with(".toml") || is_ode_file(word); }
 
 const Entry& entry_of_text(const std::string& name, const std::string& text) {
+  {
+    const std::lock_guard lock(kept().mutex);
+    if (const auto known = kept().by_source.find({name, text}); known != kept().by_source.end())
+      return *known->second;
+  }
   auto made = std::make_unique<Kept>();
   made->file = file_of(name, text);
   made->of_text = name + " of " + std::to_string(std::hash<std::string>()(text));
@@ -446,7 +452,7 @@ const Entry& entry_of_text(const std::string& name, const std::string& text) {
       std::make_unique<Entry>(Entry{number_of_file(stem_of(name)), made->of_text, std::move(exercise)});
   const std::lock_guard lock(kept().mutex);
   kept().all.push_back(std::move(made));
-  return *kept().all.back()->entry;
+  return *(kept().by_source[{name, text}] = kept().all.back()->entry.get());
 }
 
 namespace {
@@ -468,6 +474,10 @@ const Entry& entry_of_file(const std::string& path) {
   if (entry) return *entry;
   if (path != "-") return *(entry = &entry_of_text(path, read_whole(path, most_of_a_file)));
   return *(entry = &entry_of_text("standard input", all_of(std::cin, "standard input")));
+}
+
+const Source& source_of(const Entry& entry) {
+  return kept_with(entry.exercise.parameters.data()).file->source;
 }
 
 const Verdicts& stated_by(const Entry& entry) {

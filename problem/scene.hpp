@@ -3,6 +3,7 @@
 #include <string>
 
 #include "chapters/contents.hpp"
+#include "problem/formula.hpp"
 #include "reference/verdicts.hpp"
 
 /// A problem's file as an exercise with a scene, which the rest of the program takes like one of its own.
@@ -14,8 +15,10 @@ bool is_file(const std::string& word);
 
 /// What the file asks; it stays as long as the program runs. Throws BadInput, or WrongFile.
 const Entry& entry_of_file(const std::string& path);
-/// The same of a text, whose name errors have.
+/// The same of a text, whose name errors have; once for each text.
 const Entry& entry_of_text(const std::string& name, const std::string& text);
+/// What it was read from.
+const Source& source_of(const Entry& entry);
 
 /// The verdicts that a file's claims have where all is as the file says.
 const Verdicts& stated_by(const Entry& entry);

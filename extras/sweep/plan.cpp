@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "chapters/scene.hpp"
+#include "problem/scene.hpp"
 #include "reference/bad_input.hpp"
 #include "reference/files.hpp"
 #include "reference/text.hpp"
@@ -36,20 +37,19 @@ constexpr long small_map = 4096;
 constexpr double most_cells = 2e9;
 constexpr int format = 1;
 
-const Entry& entry_of(const std::string& exercise) {
-  for (const Entry& entry : registry())
-    if (to_string(entry.number) == exercise) return entry;
-  throw BadInput("the sweep is of exercise " + exercise + ", which this program does not have");
+/// "exercise 3.5", or a file's name.
+std::string name_of(const Asked& asked) {
+  return asked.problem.empty() ? "exercise " + asked.exercise : asked.exercise;
 }
 
 const Scene& scene_of(const Asked& asked) {
-  const auto& scene = entry_of(asked.exercise).exercise.scene;
-  if (!scene) throw BadInput("exercise " + asked.exercise + " has no motion to sweep over");
+  const auto& scene = entry_of(asked).exercise.scene;
+  if (!scene) throw BadInput(name_of(asked) + " has no motion to sweep over");
   return *scene;
 }
 
 Task task_of(const Asked& asked) {
-  Task task(entry_of(asked.exercise));
+  Task task(entry_of(asked));
   for (const auto& [name, value] : asked.parameters) task.parameters.set(name, value);
   return task;
 }
@@ -301,7 +301,7 @@ void require_sense(const Asked& asked) {
     std::string names;
     for (const Method& m : seen.methods)
       names += "\n  --model \"" + m.model + "\" --algorithm \"" + m.algorithm + "\"";
-    throw BadInput("exercise " + asked.exercise + " has no method \"" + asked.model + ", " + asked.algorithm +
+    throw BadInput(name_of(asked) + " has no method \"" + asked.model + ", " + asked.algorithm +
                    "\"; it has:" + names);
   }
   for (const Axis& axis : asked.axes) require_axis(asked, axis, method);
@@ -324,6 +324,7 @@ Json from(const Axis& axis) {
 
 Json from(const Asked& asked) {
   Json json{{"exercise", asked.exercise}, {"parameters", Json::object()}};
+  if (!asked.problem.empty()) json["problem"] = asked.problem;
   for (const auto& [name, value] : asked.parameters) json["parameters"][name] = value;
   json["model"] = asked.model;
   json["algorithm"] = asked.algorithm;
@@ -349,6 +350,7 @@ Criterion criterion_in(const Json& json) {
 Asked asked_in(const Json& json) {
   Asked asked;
   asked.exercise = json.at("exercise");
+  asked.problem = json.value("problem", "");
   for (const auto& [name, value] : json.at("parameters").items()) asked.parameters.emplace_back(name, value);
   asked.model = json.at("model");
   asked.algorithm = json.at("algorithm");
@@ -377,6 +379,13 @@ std::vector<long> wholes(const Json& json) {
 }
 
 }  // namespace
+
+const Entry& entry_of(const Asked& asked) {
+  if (!asked.problem.empty()) return problem::entry_of_text(asked.exercise, asked.problem);
+  for (const Entry& entry : registry())
+    if (to_string(entry.number) == asked.exercise) return entry;
+  throw BadInput("the sweep is of exercise " + asked.exercise + ", which this program does not have");
+}
 
 double Axis::at(int cell) const {
   const double part = count < 2 ? 0 : static_cast<double>(cell) / (count - 1);
@@ -438,7 +447,9 @@ std::string to_json(const Plan& plan) {
 Plan plan_from_json(const std::string& text, const std::string& place) {
   try {
     Json json = Json::parse(text);
+    const std::string problem = json.at("asked").value("problem", "");  // whose lines are to stay
     show_controls(json);
+    if (!problem.empty()) json["asked"]["problem"] = problem;
     if (json.at("format") != format) throw std::runtime_error("of another format");
     Plan plan{asked_in(json.at("asked")), wholes(json.at("first_tile")), json.at("seconds"),
               json.at("fingerprint")};

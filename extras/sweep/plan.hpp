@@ -29,7 +29,8 @@ struct Axis {
 
 /// What is asked of every cell.
 struct Asked {
-  std::string exercise;
+  std::string exercise;      ///< its number, or the name of a problem's file
+  std::string problem = {};  ///< the text of that file, which is part of the plan
   std::vector<std::pair<std::string, double>> parameters;  ///< all of them
   std::string model, algorithm;  ///< empty: what is chosen at every cell, by counted evaluations
   double setting = 0;            ///< of the method's step or tolerance, where it is no axis
@@ -52,6 +53,9 @@ struct Plan {
   Cells tile(long) const;
   std::size_t chunks() const { return seconds.size(); }
 };
+
+/// The exercise that is swept over. Throws BadInput where this program does not have it.
+const Entry& entry_of(const Asked&);
 
 /// Whether no cell is guessed from its neighbours: where that is asked for, and on a small map.
 bool looks_at_every_cell(const Asked&);

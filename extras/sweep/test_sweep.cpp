@@ -453,3 +453,30 @@ TEST_CASE("sweeps that cannot be are refused with what would be right", "[sweep]
   CHECK(says(run("sweep paln x"), "did you mean 'plan'?"));
   CHECK(says(run("sweep run --thread 2 x"), "'./oddity sweep run --help' says more"));
 }
+
+TEST_CASE("a problem's file is swept over, and its plan needs no other file", "[sweep]") {
+  const ScratchFolder scratch;
+  const fs::path folder = scratch.path() / "springs", csv = scratch.path() / "springs.csv",
+                 file = scratch.path() / "car.toml";
+  const auto cells_by = [&](const std::string& method) {
+    fs::remove_all(folder);
+    fs::copy_file(fs::path(ODDITY_SOURCE) / "chapters/examples/problems/quarter_car.toml", file);
+    plan(folder, " " + quoted(file) + method);
+    fs::remove(file);  // the machine that runs it does not have it
+    REQUIRE(run("sweep run " + quoted(folder)).status == 0);
+    REQUIRE(run("sweep merge " + quoted(folder) + " --out " + quoted(csv)).status == 0);
+    return text_of(csv);
+  };
+  const std::string axes = " --over k=10kN/m..60kN/m:3 --over c=1..4:2";
+  const std::string chosen = cells_by(axes);
+  INFO(chosen);
+  CHECK(chosen.find("k [kN/m],c [kN s/m],ended,error in needs") == 0);
+  CHECK(chosen.find("\n10,1,\"body and wheel, ") != std::string::npos);
+  const std::string tried =
+      cells_by(" --model 'body and wheel' --algorithm 'explicit Euler' --setting 0.01" + axes);
+  INFO(tried);
+  CHECK(tried.find(",inaccurate,") != std::string::npos);
+  const Ran drawn = run("sweep draw " + quoted(folder));
+  CHECK(drawn.status == 0);
+  CHECK(text_of(folder / "map.svg").find("car.toml, body and wheel, explicit Euler") != std::string::npos);
+}

@@ -36,6 +36,7 @@ struct Words {
   std::vector<std::string> overrides = {}, over = {}, others = {};
   AskedNeed need = {};
   bool every_cell = false, json = false, csv = false, overwrite = false;
+  const CLI::App* plan = nullptr;
   int looks = 0, threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency())), slurm = 0;
   std::string shard = {}, out = {}, shown = "outcome";
 };
@@ -95,11 +96,19 @@ double setting_of(const Task& task, const Words& w) {
   return value_of("--setting", w.setting, method && method->knob.name != "step" ? "" : scene.axes.time);
 }
 
+/// What the command line does not say the problem's file does.
+void ask_as_file(AskedNeed& need, const Entry& entry, const CLI::App& plan) {
+  const problem::Asked asked = problem::asked_by(entry);
+  if (plan.get_option("--horizon")->count() == 0) need.horizon = asked.horizon;
+  if (plan.get_option("--fps")->count() == 0) need.frames_per_second = asked.frames_per_second;
+  if (need.error.empty() && need.criterion == "path") need.error = asked.error;
+}
+
 sweep::Asked asked_of(const Words& w) {
-  if (problem::is_file(w.exercise))
-    throw BadInput("a sweep is of an exercise, and " + w.exercise + " is a file: ask choose or stability");
+  const bool of_file = problem::is_file(w.exercise);
   const Task task = task_of(w.exercise, w.overrides);
-  if (!task.entry->exercise.scene) throw BadInput("exercise " + w.exercise + " has no motion to sweep over");
+  if (!task.entry->exercise.scene)
+    throw BadInput((of_file ? "" : "exercise ") + w.exercise + " has no motion to sweep over");
   if (w.model.empty() != w.algorithm.empty())
     throw BadInput(
         "--model and --algorithm go together; without both, what to choose is found at every cell");
@@ -109,12 +118,14 @@ sweep::Asked asked_of(const Words& w) {
         "' is a method's: say which with --model and --algorithm; without both, 'choose' takes the "
         "setting at every cell");
   sweep::Asked asked;
-  asked.exercise = to_string(task.entry->number);
+  asked.exercise = of_file ? problem::source_of(*task.entry).name : to_string(task.entry->number);
+  if (of_file) asked.problem = problem::source_of(*task.entry).text;
   asked.model = w.model;
   asked.algorithm = w.algorithm;
   for (const Parameter& p : task.parameters.declared())
     asked.parameters.emplace_back(p.name, task.parameters[p.name]);
   AskedNeed need = w.need;
+  if (of_file) ask_as_file(need, *task.entry, *w.plan);
   need.time_limit = "none";
   if (need.criterion != "path" && !w.model.empty())
     throw BadInput(
@@ -126,7 +137,7 @@ sweep::Asked asked_of(const Words& w) {
   if (need.error.empty() && need.criterion == "path") need.error = "1";
   asked.need = need_of(task, need);
   const Scene& scene = *task.entry->exercise.scene;
-  if (w.need.error.empty() && need.criterion == "path")
+  if (w.need.error.empty() && need.criterion == "path" && !of_file)
     for (std::string_view unit : motion(scene, task.parameters, Reference::nothing()).units())
       asked.need.errors[std::string(unit)] = game_error(unit);
   asked.looks = w.looks;
@@ -161,7 +172,7 @@ std::string shortened_steps(const sweep::Asked& asked) {
   constexpr double unnoticed = 0.01;
   const double part = sweep::most_shortened(asked);
   if (part <= unnoticed) return "";
-  const Scene& scene = *entry_of(asked.exercise).exercise.scene;
+  const Scene& scene = *sweep::entry_of(asked).exercise.scene;
   return "a step is shortened so that a whole number of them fills the " +
          format_significant(sweep::between_looks(asked), 3) + " " + std::string(scene.axes.time) +
          " between looks: by up to " + format_significant(100 * part, 2) + " %\n";
@@ -329,8 +340,9 @@ void add_plan(CLI::App& sweep, const std::shared_ptr<Words>& w) {
       "--over a=1deg..179deg:1000 --over step=1ms..2.5s:1000 --looks 4\n  oddity sweep plan /tmp/table 3.5 "
       "--over a=1deg..179deg:90 --over L=0.1..10:50:log --error 1deg",
       [w] { make_plan(*w); }, true);
+  w->plan = plan;
   add_folder(*plan, *w);
-  plan->add_option("exercise", w->exercise, "its number, such as 3.5")->required();
+  plan->add_option("exercise", w->exercise, "its number, such as 3.5, or a problem's file")->required();
   plan->add_option("overrides", w->overrides, "name=value for parameters that stay as they are");
   const auto value = [&](const char* name, std::string& to, const char* type, const char* says) {
     return add_value(*plan, name, to, type, says);
