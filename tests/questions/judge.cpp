@@ -72,6 +72,13 @@ Ended ask(const Question& question, const Program& program, const std::string& f
   return run(program, words, 10 * question.limit + 60);  // a hang is for ever, and a busy machine slow
 }
 
+std::string shown(Real x) {
+  std::ostringstream text;
+  text.precision(3);
+  text << x;
+  return text.str();
+}
+
 struct CannotBeJudged : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -112,9 +119,17 @@ int main() {)";
   return code;
 }
 
-/// The rows that the code prints, without the time. Throws std::runtime_error where it cannot be run, and
-/// CannotBeJudged where this machine is too busy for that.
-std::vector<Values> printed(const std::string& code, const Program& program) {
+using Rows = std::vector<Values>;
+
+/// What the code prints.
+struct Printed {
+  std::vector<double> times;
+  Rows rows;
+};
+
+/// Throws std::runtime_error where the code cannot be run, and CannotBeJudged where this machine is too busy
+/// for that.
+Printed printed(const std::string& code, const Program& program) {
   const std::string source = program.folder + "/asked.cpp", binary = program.folder + "/asked";
   std::ofstream(source) << code;
   const Ended compiled =
@@ -125,7 +140,7 @@ std::vector<Values> printed(const std::string& code, const Program& program) {
   const Ended ran = run(program, {binary}, 120);
   if (is_starved(ran)) throw CannotBeJudged("the machine is too busy to run the code");
   if (ran.code != 0) throw std::runtime_error("the code ends with " + std::to_string(ran.code));
-  std::vector<Values> rows;
+  Printed all;
   std::istringstream lines(ran.out);
   std::string line;
   std::getline(lines, line);  // names
@@ -134,15 +149,43 @@ std::vector<Values> printed(const std::string& code, const Program& program) {
     std::istringstream in(line);
     std::string cell;
     std::getline(in, cell, ',');
+    all.times.push_back(std::strtod(cell.c_str(), nullptr));
     while (std::getline(in, cell, ',')) row.push_back(std::strtold(cell.c_str(), nullptr));
-    rows.push_back(std::move(row));
+    all.rows.push_back(std::move(row));
   }
-  return rows;
+  return all;
+}
+
+/// What is wrong with the times that are drawn; empty where they are as was asked.
+std::string unlike_asked(const Question& q, const std::vector<double>& times) {
+  if (!q.frames_differ()) {
+    const auto expected = q.times();
+    if (times.size() != expected.size())
+      return std::to_string(times.size()) + " for " + std::to_string(expected.size());
+    for (std::size_t k = 0; k < times.size(); ++k)
+      if (std::abs(times[k] - expected[k]) > 1e-9 * expected[k])
+        return "frame " + std::to_string(k) + " is elsewhere";
+    return {};
+  }
+  const double least = std::min((1 - q.jitter) / q.rate, q.longest_frame),
+               most = q.drop > 0 ? q.longest_frame : std::min((1 + q.jitter) / q.rate, q.longest_frame);
+  double last = 0, sum = 0;
+  for (const double t : times) {
+    if (t - last < least * (1 - 1e-9) || t - last > most * (1 + 1e-9))
+      return "one takes " + shown(static_cast<Real>(t - last));
+    sum += t - last;
+    last = t;
+  }
+  if (times.empty() || last > q.horizon * (1 + 1e-9)) return "they end at " + shown(static_cast<Real>(last));
+  if (q.longest_frame < INFINITY) return {};
+  // Before any is dropped there are n of a mean length 1/rate, spread evenly; of these a part is drawn.
+  const double n = q.horizon * q.rate, drawn = static_cast<double>(times.size()),
+               spread = std::sqrt(n * (q.jitter * q.jitter / 3 + q.drop * (1 - q.drop)));
+  return std::abs(drawn - n * (1 - q.drop)) > 6 * spread + 3 ? std::to_string(times.size()) + " are drawn"
+                                                             : "";
 }
 
 // ---- the criteria, from their words -----------------------------------------------------------------------
-
-using Rows = std::vector<Values>;
 
 /// The largest distance from the truth, by unit; infinite where there is no number.
 std::map<std::string, Real> distances(const Scene& scene, const Rows& seen, const Rows& truth) {
@@ -189,13 +232,6 @@ Real off_period(const Rows& seen, const Rows& truth) {
 
 // ---- the verdict ------------------------------------------------------------------------------------------
 
-std::string shown(Real x) {
-  std::ostringstream text;
-  text.precision(3);
-  text << x;
-  return text.str();
-}
-
 /// An error measured, asked and said, in one unit.
 struct Compared {
   std::string criterion, unit;
@@ -237,8 +273,8 @@ Real said_of(const Json& chosen, const Json& need, const std::string& unit) {
 /// What the program did beside the truth, as far as that is known: to a tenth of what is asked.
 class Beside {
  public:
-  Beside(const Question& q, Rows seen, bool in_float, bool with_rates)
-      : q_(q), seen_(std::move(seen)), times_(q.times()), in_float_(in_float) {
+  Beside(const Question& q, Printed seen, bool in_float, bool with_rates)
+      : q_(q), seen_(std::move(seen.rows)), times_(std::move(seen.times)), in_float_(in_float) {
     Truth truth = truth_of(q.scene->motion(q.parameters), times_, 20, with_rates);
     for (const Values& row : truth.frames)
       for (Real x : row) largest_ = std::max(largest_, std::abs(x));
@@ -351,6 +387,7 @@ std::string contradiction(const Question& q, const Json& answer) {
   if (need["horizon"].value != q.horizon || need["frames_per_second"].value != q.rate ||
       need["criterion"].words != q.criterion)
     return "echo: another question was answered";
+  if (q.frames_differ() == need["frame_lengths"].words.empty()) return "echo: frames of other lengths";
   const bool in_float = chosen["precision"].words == "float";
   if (in_float ? !q.float_allowed : !q.double_allowed) return "precision: one that was not allowed";
   if (!q.only.empty() && !names(q.only, chosen)) return "only: a method that was not asked for";
@@ -427,7 +464,7 @@ Verdict judge_chosen(const Question& asked, const Program& program, const Ended&
                  ended);
 
   const bool with_energy = q.scene->energy && (q.criterion == "energy" || q.also.contains("energy"));
-  Rows seen;
+  Printed seen;
   try {
     seen = printed(with_energy ? with_rates(coded.out) : coded.out, program);
   } catch (const CannotBeJudged& why) {
@@ -435,9 +472,8 @@ Verdict judge_chosen(const Question& asked, const Program& program, const Ended&
   } catch (const std::runtime_error& error) {
     return wrong(std::string("code: ") + error.what(), ended);
   }
-  if (seen.size() != q.times().size())
-    return wrong("frames: " + std::to_string(seen.size()) + " for " + std::to_string(q.times().size()),
-                 ended);
+  if (const std::string off = unlike_asked(q, seen.times); !off.empty())
+    return wrong("frames: " + off, ended);
   const Beside beside(q, std::move(seen), chosen["precision"].words == "float", with_energy);
   try {
     std::string says = chosen["model"].words + " by " + chosen["algorithm"].words;

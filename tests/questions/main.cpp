@@ -123,6 +123,7 @@ int main(int argc, char** argv) {
       const std::string help = output_of(program, {"choose", "--help"});
       asks.starts = help.find("--starts") != std::string::npos;
       asks.also = help.find("--energy") != std::string::npos;
+      asks.frames = help.find("--frame-seed") != std::string::npos;
       if (words.size() > 4) asks.limit = std::stod(words[4]);
       Random random(std::stoull(words[3]));
       for (int i = 0; i < std::stoi(words[2]); ++i) court.hear(random_question(random, ranges, asks));

@@ -1,5 +1,6 @@
 #include "tests/questions/question.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -138,7 +139,13 @@ Question question_of(const std::vector<std::string>& words, const Ranges& ranges
       q.exclude.push_back(value);
     else if (word == "--starts")
       q.asked_alone = value == "1";
-    else if (word != "--budget" && word != "--bodies" && word != "--restart-every")
+    else if (word == "--jitter")
+      q.jitter = read(value).value;
+    else if (word == "--drop")
+      q.drop = read(value).value;
+    else if (word == "--max-frame")
+      q.longest_frame = read(value).value;
+    else if (word != "--budget" && word != "--bodies" && word != "--restart-every" && word != "--frame-seed")
       throw std::runtime_error("what is " + word + "?");
   }
   return q;
@@ -229,6 +236,15 @@ Question random_question(Random& random, const Ranges& ranges, const Asks& asks)
   if (random.chance(0.1)) add("--only", random.one_of(some));
   while (random.chance(0.25)) add("--exclude", random.one_of(some));
   if (asks.starts && random.chance(0.5)) add("--starts", "1");
+  // Those alone can be asked of frames that differ which are judged frame by frame of one body.
+  const auto has = [&](const char* option) { return std::ranges::find(words, option) != words.end(); };
+  if (asks.frames && random.chance(0.3) && criterion != "period" && criterion != "energy" &&
+      !has("--energy") && !has("--period") && !has("--bodies")) {
+    if (random.chance(0.7)) add("--jitter", shortest(rounded(random.by_size(1, 90), 2)) + "%");
+    if (random.chance(0.5)) add("--drop", shortest(rounded(random.by_size(0.2, 50), 2)) + "%");
+    if (random.chance(0.3)) add("--max-frame", shortest(rounded(random.between(0.5, 3) / rate, 3)));
+    if (has("--jitter") || has("--drop")) add("--frame-seed", std::to_string(random.bits() % 1000));
+  }
   add("--time-limit", shortest(asks.limit) + "s");
   Question question = question_of(words, ranges);
   question.beside = random.one_of<std::string>({"--csv", "", "-", "-"});

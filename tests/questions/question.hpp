@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -32,12 +33,14 @@ struct Question {
   std::map<std::string, double> also = {};  ///< criteria that have to hold beside it
   double limit = 60;                        ///< s
   bool float_allowed = false, double_allowed = true, one_step = false, asked_alone = false;
+  double jitter = 0, drop = 0, longest_frame = INFINITY;  ///< frames of different lengths
   std::vector<std::string> only = {}, exclude = {};
   std::string beside =
       "-";  ///< a format whose answer has to be the same: --csv, or none for text; "-": not asked
 
   std::string text() const;
-  std::vector<double> times() const;  ///< of the frames
+  std::vector<double> times() const;  ///< of frames of one length
+  bool frames_differ() const { return jitter > 0 || drop > 0 || longest_frame < INFINITY; }
   double error_in(const std::string& unit) const;
 };
 
@@ -64,8 +67,8 @@ class Random {
 
 /// What the program at hand can be asked.
 struct Asks {
-  bool starts = false, also = false;  ///< --starts 1; --energy, --period and --constraint
-  double limit = 3;                   ///< s, of a question
+  bool starts = false, also = false, frames = false;  ///< --starts 1; --energy and its like; --jitter
+  double limit = 3;                                   ///< s, of a question
   double most_frames = 2e4;
 };
 
