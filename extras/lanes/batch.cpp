@@ -1,6 +1,9 @@
 #include "extras/lanes/batch.hpp"
 
+#include <algorithm>
 #include <cstring>
+
+#include "solvers/stop.hpp"
 
 namespace oddity::lanes {
 
@@ -49,17 +52,22 @@ bool Batch::has(Fixed algorithm) const { return compiled(Registers::one).fixed[s
 
 void Batch::steps(Registers registers, Fixed algorithm, double t0, double h, long steps) {
   group(registers, Steps::fixed);
-  compiled(registers).fixed[static_cast<int>(algorithm)](groups(), t0, h, steps);
+  for_pieces([&](const Groups& piece, std::size_t) {
+    compiled(registers).fixed[static_cast<int>(algorithm)](piece, t0, h, steps);
+  });
   behind_ = true;
 }
 
 bool Batch::own_steps(Registers registers, double t0, double t1, double tolerance, double first_step,
                       std::vector<Ended>* each) {
   group(registers, Steps::own);
-  const Groups all = groups();
-  if (each) each->resize(all.count * grouping(*grouped_).bodies);
-  const bool reached =
-      compiled(registers).own_steps(all, t0, t1, tolerance, first_step, each ? each->data() : nullptr);
+  const std::size_t bodies = grouping(*grouped_).bodies;
+  if (each) each->resize(groups().count * bodies);
+  bool reached = true;
+  for_pieces([&](const Groups& piece, std::size_t first) {
+    Ended* ended = each ? each->data() + first * bodies : nullptr;
+    if (!compiled(registers).own_steps(piece, t0, t1, tolerance, first_step, ended)) reached = false;
+  });
   if (each) each->resize(bodies_);
   behind_ = true;
   return reached;
@@ -89,6 +97,19 @@ Groups Batch::groups() {
   const std::size_t each = grouping(*grouped_).bodies;
   return {reinterpret_cast<const std::byte*>(group_models_.data()),
           reinterpret_cast<std::byte*>(group_states_.data()), (bodies_ + each - 1) / each};
+}
+
+template <class Work>
+void Batch::for_pieces(const Work& work) {
+  constexpr std::size_t most = 64;
+  const Groups all = groups();
+  const Grouping& how = grouping(*grouped_);
+  for (std::size_t first = 0; first < all.count; first += most) {
+    check_stop();
+    work({all.models + first * how.model_bytes, all.states + first * how.state_bytes,
+          std::min(most, all.count - first)},
+         first);
+  }
 }
 
 void Batch::catch_up() const {

@@ -50,6 +50,9 @@ class Batch {
   const Grouping& grouping(const Grouped&) const;
   /// The groups that there are.
   Groups groups();
+  /// work(groups, the first one's number) for some after the others; looks at this thread's stop before each.
+  template <class Work>
+  void for_pieces(const Work& work);
   /// Where the groups have been moved, the bodies too.
   void catch_up() const;
 

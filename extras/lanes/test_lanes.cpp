@@ -14,6 +14,7 @@
 #include "report/plain/runge_kutta_4.hpp"
 #include "report/plain/velocity_verlet.hpp"
 #include "report/verify/catch.hpp"
+#include "solvers/stop.hpp"
 
 using namespace oddity;
 using lanes::Batch, lanes::Fixed, lanes::Registers, lanes::SceneInLanes;
@@ -214,6 +215,17 @@ TEST_CASE("a body that cannot come to the end says so, and the others do", "[lan
     CHECK(ended[i].reached == (i != 7));
     CHECK(ended[i].steps > 10);
   }
+}
+
+TEST_CASE("many bodies look at a stop on their way", "[lanes]") {
+  const SceneInLanes& scene = lanes::scene_in_lanes("3.5");
+  Batch batch(scene, 3, Precision::in_double, parameters_of(scene, 5000));
+  Stop stop;
+  const Stoppable here(&stop);
+  CHECK(batch.own_steps(lanes::widest(), 0, 0.1, 1e-6, 1e-3));
+  stop.request();
+  CHECK_THROWS_AS(batch.own_steps(lanes::widest(), 0.1, 0.2, 1e-6, 1e-3), Stopped);
+  CHECK_THROWS_AS(batch.steps(lanes::widest(), lanes::Fixed::runge_kutta_4, 0.1, 0.01, 10), Stopped);
 }
 
 TEST_CASE("bodies asked to go back in time, to no time or nowhere end at once", "[lanes]") {
