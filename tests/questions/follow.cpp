@@ -188,14 +188,13 @@ class Follower {
     Values seen = motion_.observe(q.data(), t);
     if (!way_.rates) return seen;
     constexpr Real h = 1e-6L;
-    Values before = q, after = q;
-    for (std::size_t i = 0; i < n_; ++i) {
-      before[i] -= h * v[i];
-      after[i] += h * v[i];
-    }
-    before = motion_.observe(before.data(), t - h);
-    after = motion_.observe(after.data(), t + h);
-    for (std::size_t i = 0; i < before.size(); ++i) seen.push_back((after[i] - before[i]) / (2 * h));
+    const auto moved = [&](Real by) {
+      Values x = q;
+      for (std::size_t i = 0; i < n_; ++i) x[i] += by * v[i];
+      return motion_.observe(x.data(), t + by);
+    };
+    const Values a = moved(-2 * h), b = moved(-h), c = moved(h), d = moved(2 * h);
+    for (std::size_t i = 0; i < a.size(); ++i) seen.push_back((8 * (c[i] - b[i]) - (d[i] - a[i])) / (12 * h));
     return seen;
   }
 
