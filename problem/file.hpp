@@ -40,6 +40,9 @@ struct EventText {
 struct ModelText {
   Quoted name;
   std::vector<Quoted> equations = {}, constraints = {};
+  std::vector<Quoted> conditions =
+      {};  ///< formulas that stay zero, of unknowns without an equation of their own
+  std::vector<std::string> found = {};  ///< these unknowns, whose start is near what is given for it
   std::optional<Quoted> lagrangian = {}, dissipation = {}, kinetic = {}, potential = {};
   Named forces = {}, start = {}, closed = {}, observe = {};
   std::vector<EventText> events = {};

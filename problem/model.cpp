@@ -234,6 +234,7 @@ class Model::Making {
                    std::to_string(text_.constraints.size()) + " constraints leave " +
                        std::to_string(orders_.size()) + " unknowns no motion");
     for (const Quoted& text : text_.constraints) constraints_.push_back(equation(source_, text, letters_));
+    for (const Quoted& text : text_.conditions) conditions_.push_back(formula(text));
     for (const Equation& one : constraints_)
       for (const Formula* side : {&one.left, &one.right})
         side->any([&](const Letter& letter) {
@@ -258,10 +259,14 @@ class Model::Making {
     }
     for (const Equation& one : equations_)
       for (const Formula* side : {&one.left, &one.right}) see_orders(*side, 0);
+    for (const Formula& one : conditions_) see_orders(one, 1);
     for (std::size_t i = 0; i < orders_.size(); ++i)
-      if (orders_[i] == 0)
-        source_.fail(text_.name.place, "no equation has a rate of " + letters_.unknowns[i]);
-    if (!equations_.empty() && equations_.size() != orders_.size())
+      if (orders_[i] == 0) {
+        const bool is_found = std::ranges::find(text_.found, letters_.unknowns[i]) != text_.found.end();
+        source_.fail(text_.name.place,
+                     (is_found ? "no condition has " : "no equation has a rate of ") + letters_.unknowns[i]);
+      }
+    if (!equations_.empty() && equations_.size() + conditions_.size() != orders_.size())
       source_.fail(text_.equations.back().place, std::to_string(equations_.size()) + " equations for " +
                                                      std::to_string(orders_.size()) + " unknowns");
   }
@@ -356,15 +361,16 @@ class Model::Making {
   void from_equations(Rows& matrix, std::vector<Expression>& right) {
     std::map<int, Expression> none;
     for (std::size_t i = 0; i < orders_.size(); ++i) none.emplace(highest(i), 0);
-    for (const Equation& one : equations_) {
-      const Expression off = value(one.left) - value(one.right);
+    std::vector<std::pair<Expression, const Formula*>> zeros;
+    for (const Equation& one : equations_) zeros.emplace_back(value(one.left) - value(one.right), &one.left);
+    for (const Formula& one : conditions_) zeros.emplace_back(rate(value(one)), &one);
+    for (const auto& [off, where] : zeros) {
       std::vector<Expression>& row = matrix.emplace_back();
       for (std::size_t i = 0; i < orders_.size(); ++i) {
         row.push_back(slope(off, highest(i)));
         for (const int key : keys_of(std::span(&row.back(), 1)))
           if (none.contains(key))
-            one.left.fail({},
-                          "the equation is not linear in " + highest_name(i) + ", which it is solved for");
+            where->fail({}, "the equation is not linear in " + highest_name(i) + ", which it is solved for");
       }
       right.push_back(Expression(0) - replaced(std::span(&off, 1), none)[0]);
     }
@@ -572,6 +578,34 @@ class Model::Making {
       }
       model_.start_.push_back(at_zero);
     }
+    if (!conditions_.empty()) find_start();
+  }
+
+  /// Newton's method, from the start that is given. What it changes last has to be nothing.
+  void find_start() {
+    constexpr int iterations = 40;
+    std::vector<Expression> off;
+    for (const Formula& one : conditions_) off.push_back(value(one));
+    std::vector<std::size_t> found;  // of the state
+    for (const std::string& name : text_.found) {
+      const auto i = std::ranges::find(letters_.unknowns, name) - letters_.unknowns.begin();
+      const auto place = std::ranges::find(model_.state_, key_of(static_cast<std::size_t>(i), 0));
+      found.push_back(static_cast<std::size_t>(place - model_.state_.begin()));
+    }
+    Rows slopes_of;
+    for (const Expression& one : off) {
+      std::vector<Expression>& row = slopes_of.emplace_back();
+      for (const std::size_t i : found) row.push_back(slope(one, model_.state_[i]));
+    }
+    for (int k = 0; k < iterations; ++k) {
+      std::map<int, Expression> now{{of_time, 0}};
+      for (std::size_t i = 0; i < model_.state_.size(); ++i) now.emplace(model_.state_[i], model_.start_[i]);
+      Rows matrix;
+      for (const auto& row : slopes_of) matrix.push_back(replaced(row, now));
+      model_.still_changing_ = solved(matrix, replaced(off, now));
+      for (std::size_t i = 0; i < found.size(); ++i)
+        model_.start_[found[i]] = model_.start_[found[i]] - model_.still_changing_[i];
+    }
   }
 
   // ---- what is observed and conserved --------------------------------------------------------------------
@@ -704,6 +738,7 @@ class Model::Making {
   std::vector<std::size_t> orders_;
   std::vector<std::optional<Measure>> units_;
   std::vector<Equation> equations_, constraints_;
+  std::vector<Formula> conditions_;
   std::optional<Formula> lagrangian_, dissipation_;
   std::map<int, Formula> starts_;
 };
@@ -731,6 +766,15 @@ void require_on_constraints(const Numbers& numbers) {
                      " constraint " + std::to_string(i % (off.size() / 2) + 1) + " by " +
                      format_significant(static_cast<double>(std::abs(off[i])), 2) +
                      (2 * i < off.size() ? "" : " a second"));
+}
+
+/// `changes`: the last ones of Newton's method.
+void require_conditions(const Numbers& numbers, const std::vector<Expression>& changes) {
+  long double size = 1;
+  for (const long double x : numbers.start) size = std::max(size, std::abs(x));
+  for (const Expression& one : changes)
+    if (!(std::abs(one.number()) <= 1e-12L * size))
+      throw BadInput("at the start the conditions are not met near what is given for their unknowns");
 }
 
 /// Unknowns that rest, as many as a state has fewer than the next number that the algorithms are compiled
@@ -823,6 +867,7 @@ Numbers Model::with(const std::vector<double>& parameters) const {
   numbers.afterwards = Program(padding.with(made(afterwards_), rest), of_state);
   numbers.off = Program(made(off_), of_state);
   require_on_constraints(numbers);
+  require_conditions(numbers, made(still_changing_));
   std::vector<Expression> both = rates;
   both.insert(both.end(), guards.begin(), guards.end());
   numbers.rates_and_guards = Program(both, of_state);

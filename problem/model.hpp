@@ -56,7 +56,7 @@ class Model {
   /// Those that know nothing outside their rows, for each place where one is asked.
   const std::vector<std::shared_ptr<const Table>>& tables() const { return tables_; }
   /// With these values of the parameters, in their units. Throws BadInput where the start is off a
-  /// constraint.
+  /// constraint, or where conditions are not met near it.
   Numbers with(const std::vector<double>& parameters) const;
 
   /// A struct of C++ whose members are the parameters it needs, for the loops of `choose --code`.
@@ -76,7 +76,8 @@ class Model {
   std::vector<std::string> unknowns_;
   std::vector<long double> sizes_;  ///< of the parameters' units
   std::shared_ptr<Graph> graph_ = std::make_shared<Graph>();
-  std::vector<int> state_, rate_of_;  ///< keys of the unknowns, in the state's order
+  std::vector<int> state_, rate_of_;        ///< keys of the unknowns, in the state's order
+  std::vector<Expression> still_changing_;  ///< by how much the starts that conditions find have changed last
   std::vector<Expression> start_, rates_, observed_, conserved_, guards_, afterwards_, off_, looked_up_;
   std::vector<std::shared_ptr<const Table>> tables_;
   std::vector<Follows> events_;

@@ -533,7 +533,19 @@ class Writer {
 
 // ---- statements ------------------------------------------------------------------------------------------
 
-enum class Keyword { parameters, constants, starts, aux, event, boundary, ends, ignored, refused, files };
+enum class Keyword {
+  parameters,
+  constants,
+  starts,
+  found,
+  aux,
+  event,
+  boundary,
+  ends,
+  ignored,
+  refused,
+  files
+};
 
 struct Word {
   std::string_view word;
@@ -556,7 +568,7 @@ constexpr Word words[]{
     {"t", Keyword::refused, tables}, {"tab", Keyword::refused, tables}, {"table", Keyword::refused, tables},
     {"tabular", Keyword::refused, tables}, {"special", Keyword::refused, "sums over tables and networks"},
     {"v", Keyword::refused, integrals}, {"volt", Keyword::refused, integrals}, {"volterra", Keyword::refused, integrals},
-    {"solv", Keyword::refused, "algebraic conditions"}, {"solve", Keyword::refused, "algebraic conditions"},
+    {"solv", Keyword::found}, {"solve", Keyword::found},
     {"export", Keyword::files}, {"o", Keyword::files}, {"option", Keyword::files}, {"options", Keyword::files}};
 // clang-format on
 
@@ -584,7 +596,11 @@ class Making {
   }
 
   void make() {
-    if (names_.all(Role::variable).empty()) source_.fail({1, 1}, "no equation: add one such as x' = -x");
+    if (equations_.empty()) source_.fail({1, 1}, "no equation: add one such as x' = -x");
+    if (conditions_.size() != found_.size())
+      source_.fail(conditions_.empty() ? equations_.front().place : conditions_.back().place,
+                   "conditions (0 = ...) are " + std::to_string(conditions_.size()) +
+                       ", and the unknowns that solve names for them " + std::to_string(found_.size()));
     names_.begins = begins_;
     Writer writer(source_, names_);
     ModelText& model = file_.models.emplace_back();
@@ -593,6 +609,8 @@ class Making {
       return Quoted{head + writer.written(one.formula).text, one.place, true};
     };
     for (const Defined& one : equations_) model.equations.push_back(text(one, one.name + "' = "));
+    for (const Defined& one : conditions_) model.conditions.push_back(text(one, ""));
+    model.found = found_;
     for (const Event& one : events_) model.events.push_back(written(one, writer));
     std::map<std::string, Quoted> fixed;
     for (const Defined& one : fixed_) fixed.emplace(one.name, text(one, ""));
@@ -694,6 +712,12 @@ class Making {
         });
       case Keyword::starts:
         return list(r, [&](const std::string& name, double value, Place at) { start(name, value, at); });
+      case Keyword::found:
+        return list(r, [&](const std::string& name, double value, Place at) {
+          add(name, Role::variable, at);
+          found_.push_back(name);
+          start(name, value, at);
+        });
       case Keyword::aux: {
         while (r.next() != '=' && r.next() != '\0') r.go_to(r.at() + 1);
         r.expect("=");
@@ -753,7 +777,11 @@ class Making {
   void definition(Reader& r) {
     const std::size_t begin = r.at();
     const Place place = r.place();
-    if (r.next() == '0') refuse(place, "algebraic conditions");
+    if (r.take("0")) {
+      r.expect("=");
+      conditions_.push_back({"", r.formula(), place});
+      return r.end();
+    }
     if (r.take("d") && begins_name(r.next())) {
       const std::string name = r.name();
       if (r.take("/") && r.take("dt")) return define(r, name, Role::variable, place);
@@ -876,6 +904,7 @@ class Making {
     std::set<std::string> used;
     std::vector<const Quoted*> left;
     for (const Quoted& one : model.equations) left.push_back(&one);
+    for (const Quoted& one : model.conditions) left.push_back(&one);
     for (const EventText& event : model.events) {
       left.push_back(&event.when);
       for (const auto& [name, formula] : event.then) left.push_back(&formula);
@@ -909,9 +938,10 @@ class Making {
       while (names_.roles.contains(letter)) letter += '_';
       const auto start = starts_.find(name);
       const double value = start == starts_.end() ? 0 : start->second.first;
-      parameter(letter, name + " at the start", value);
+      const bool is_found = std::ranges::find(found_, name) != found_.end();
+      parameter(letter, is_found ? "near which " + name + " is at the start" : name + " at the start", value);
       model.start.push_back({{name, model.name.place, true}, {letter, model.name.place, true}});
-      if (value != 0) moved.push_back(letter);
+      if (value != 0 && !is_found) moved.push_back(letter);
     }
     for (const auto& [name, start] : starts_)
       if (const auto role = names_.roles.find(name);
@@ -933,7 +963,8 @@ class Making {
   Names names_;
   std::vector<std::pair<std::string, double>> parameters_;
   std::map<std::string, std::pair<double, Place>> starts_;
-  std::vector<Defined> equations_, fixed_, unused_;
+  std::vector<Defined> equations_, conditions_, fixed_, unused_;
+  std::vector<std::string> found_;  ///< unknowns that conditions find
   std::vector<Event> events_;
   double total_ = 20, step_ = 0.05, rows_ = 1, begins_ = 0;
   std::size_t statements_ = 0;

@@ -157,7 +157,8 @@ void require_start(const File& file, const ModelText& text, const Model& model) 
   try {
     model.with(values);
   } catch (const BadInput& error) {
-    file.source.fail(text.constraints.front().place, error.what());
+    file.source.fail((text.constraints.empty() ? text.conditions : text.constraints).front().place,
+                     error.what());
   }
 }
 
@@ -345,6 +346,7 @@ void ask_by_motion(File& file) {
   const Model model(file, file.models.front());
   std::vector<double> values;
   for (const ParameterText& p : file.parameters) values.push_back(p.value);
+  if (!file.models.front().conditions.empty()) require_start(file, file.models.front(), model);
   const Numbers numbers = model.with(values);
   Numbers disturbed = numbers;
   for (long double& x : disturbed.start) x += 1e-12L * (x == 0 ? 1 : std::abs(x));
@@ -441,7 +443,8 @@ const Entry& entry_of_text(const std::string& name, const std::string& text) {
         {1, 1}, "no parameters: what may differ from start to start has a letter in [parameters]");
   for (std::size_t i = 0; i < made->models.size(); ++i)
     if (const Model& model = made->models[i]; !model.is_closed()) {
-      if (model.is_constrained()) require_start(*made->file, made->file->models[i], model);
+      if (const ModelText& its = made->file->models[i]; !its.constraints.empty() || !its.conditions.empty())
+        require_start(*made->file, its, model);
       require_conserved(*made->file, made->file->models[i], model);
     }
   for (const Model& model : made->models) made->constructions.push_back(construction_of(model, *made->file));

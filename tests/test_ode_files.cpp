@@ -123,7 +123,6 @@ TEST_CASE("What is missing here is refused with its place", "[problem][ode-files
   CHECK(refusal("u(t)=1+int{exp(-t)#u}") == "test.ode:1:8: there are no integral equations here");
   CHECK(refusal("u(t)=1-int[.5]{u}") == "test.ode:1:8: there are no integral equations here");
   CHECK(refusal("x'=1\nbndry x-1") == "test.ode:2:1: there are no boundary values here");
-  CHECK(refusal("x'=y\n0=x+y") == "test.ode:2:1: there are no algebraic conditions here");
   CHECK(refusal("x(t+1)=x/2") == "test.ode:1:1: there are no maps here, whose time goes in steps");
   CHECK(refusal("x'=x/2\n@ meth=discrete") ==
         "test.ode:2:8: there are no maps here, whose time goes in steps");
@@ -201,6 +200,23 @@ TEST_CASE("The parts of an event follow each other, as in xppaut", "[problem][od
   CHECK(state_at(numbers, 1) == std::vector<long double>{1, 4, 4});
   const Numbers ends = numbers_of("x'=1\nglobal 1 {x-.5} {arret=1}");
   CHECK(near(static_cast<double>(state_at(ends, 1)[0]), 0.5, 1e-15));
+}
+
+TEST_CASE("Conditions find their unknowns, at the start and along the motion", "[problem][ode-files]") {
+  const Numbers numbers = numbers_of("x'=-x\n0=y-x^2\n0=z^3+z-y\nsolv y=3,z=.5\ninit x=1");
+  CHECK(near(static_cast<double>(numbers.start[1]), 1, 1e-15));
+  CHECK(near(static_cast<double>(numbers.start[2]), 0.68232780382801933, 1e-15));
+  const auto later = state_at(numbers, 1);
+  const long double y = std::exp(-2.0L), z = later[2];
+  CHECK(near(static_cast<double>(later[1]), static_cast<double>(y), 1e-14));
+  CHECK(near(static_cast<double>(z * z * z + z), static_cast<double>(y), 1e-14));
+
+  CHECK(refusal("x'=y\n0=x+y") ==
+        "test.ode:2:1: conditions (0 = ...) are 1, and the unknowns that solve names for them 0");
+  CHECK(refusal("x'=-x\n0=y^2+1+x^2\nsolve y=1") ==
+        "test.ode:2:1: at the start the conditions are not met near what is given for their unknowns");
+  CHECK(refusal("0=y-1\nsolve y") == "test.ode:1:1: no equation: add one such as x' = -x");
+  CHECK(refusal("x'=-x\n0=x-1\nsolve y") == "test.ode:1:1: no condition has y");
 }
 
 TEST_CASE("Jumps of mod and flr are found in time", "[problem][ode-files]") {
