@@ -13,6 +13,7 @@
 #include "report/study/embedded.hpp"
 #include "report/study/frames.hpp"
 #include "report/text/readable.hpp"
+#include "report/text/used_code.hpp"
 
 namespace oddity {
 
@@ -100,17 +101,19 @@ class Joined {
       if (line.starts_with("#include \""))
         add(line.substr(10, line.find('"', 10) - 10));
       else if (line.starts_with("#include <"))
-        standard_.insert(line);
+        standard_.insert(line.substr(10, line.find('>') - 10));
       else if (line != "#pragma once" && !(line.empty() && own.ends_with("\n\n")))
         own += line + "\n";
     }
     text_ += "\n" + own.substr(own.find_first_not_of('\n'));
   }
-  void add_standard(const std::string& header) { standard_.insert("#include <" + header + ">"); }
+  void add_standard(const std::string& header) { standard_.insert(header); }
 
-  std::string includes() const {
+  /// Those that the code needs.
+  std::string includes(std::string_view code) const {
     std::string text;
-    for (const std::string& line : standard_) text += line + "\n";
+    for (const std::string& name : standard_)
+      if (needs_standard(name, code)) text += "#include <" + name + ">\n";
     return text;
   }
   const std::string& text() const { return text_; }
@@ -329,10 +332,12 @@ std::string code_of(const Task& task, const Candidate& chosen, const Need& need,
                       ? ", but for the observables' roundings: oddity observes a motion in float in double."
                   : listing.text || need.frame_times ? ", but for roundings."
                                                      : ".");
-  return with_lines_apart(as_comment(about + compiled) + "\n" + headers.includes() + headers.text() + "\n" +
-                          (listing.text ? listing.text(task.parameters, chosen.model) + "\n" : "") +
+  const std::string own = (listing.text ? listing.text(task.parameters, chosen.model) + "\n" : "") +
                           model_text(task, model, single ? "float" : "double") + std::string(print_row) +
-                          main_text(task, need, algorithm, chosen.setting, stepping_of(chosen.algorithm)));
+                          main_text(task, need, algorithm, chosen.setting, stepping_of(chosen.algorithm));
+  std::string code = used_code(headers.text(), own) + "\n" + own;
+  code.erase(1, code.find_first_not_of('\n') - 1);
+  return with_lines_apart(as_comment(about + compiled) + "\n" + headers.includes(code) + code);
 }
 
 std::string code_of(const Task& task, const Choice& choice, const std::string& command) {
