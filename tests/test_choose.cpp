@@ -11,6 +11,7 @@
 
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
+#include "report/charts/labels.hpp"
 #include "report/pages/choose_view.hpp"
 #include "report/study/choose.hpp"
 #include "report/study/initial_conditions.hpp"
@@ -891,6 +892,32 @@ TEST_CASE("the next richer model holds at a higher cost, and is another", "[choo
     INFO(t.model);
     CHECK(near_ulps(t.seconds_per_frame, t.evaluations_per_frame * 1e-9, 64));
   }
+}
+
+TEST_CASE("it is said what a rollback takes", "[choose]") {
+  const auto scene = [](const Parameters& p, const Horizon& horizon, const Reference&) {
+    Quantity q = staying(p["a"], horizon);
+    add(q, "one", "explicit Euler", 1e-10, 300);
+    return q;
+  };
+  Need need = asked(1e-3, 3);
+  Choice choice = choose_at_5(scene, need);
+  REQUIRE(choice.chosen);
+  choice.chosen->state_size = 4;
+  const double frame = choice.chosen->seconds_per_frame;
+  CHECK(
+      answer_text(choice).ends_with("  rollback: 32 bytes of state to save; from there 8 frames again take " +
+                                    shown_time(8 * frame) + ".\n"));
+  choice.restart = 2 * choice.chosen->evaluations_per_frame;  // a history that is begun anew
+  CHECK(answer_text(choice).ends_with(" take " + shown_time(10 * frame) + ".\n"));
+  need.bodies = 10;
+  choice.need = need;
+  CHECK(answer_text(choice).find("rollback: 320 bytes") != std::string::npos);
+  choice.chosen->precision = Precision::in_float;
+  CHECK(answer_text(choice).find("rollback: 160 bytes") != std::string::npos);
+  choice.chosen->state_size = 0;
+  CHECK(answer_text(choice).ends_with(
+      "  rollback: there is no state to save, and any frame is computed at once.\n"));
 }
 
 TEST_CASE("an engine's steps are tried at 60, 120 and 240 Hz, or as soon above as fills a frame",

@@ -297,7 +297,7 @@ void add_choose(CLI::App& app, Session& s) {
       "of the horizon was judged.\n"
       "Columns: model, algorithm, precision, setting, error [unit] (one for each unit; of what "
       "fails on the first start where it does), holds (1 or 0), outcome, evaluations per frame, seconds per frame, chosen (1 or 0); a row for each method.\n"
-      "Keys of the JSON: need (judged_over: the part of its horizon), chosen (null when nothing is), in_float, ties, candidates (followed: false where finer "
+      "Keys of the JSON: need (judged_over: the part of its horizon), chosen (null when nothing is; rollback: to take eight frames again), in_float, ties, candidates (followed: false where finer "
       "settings were not tried), on_asked (when nothing is chosen, what holds on the start asked for), engine, "
       "predictable, chosen_on, tested_on, failing_beside, left_out (starts beside that are another kind of motion), "
       "in_chaos (how many unseen starts hold, with bounds), times, explanation.\n"

@@ -239,6 +239,26 @@ std::string on_asked_text(const Choice& choice) {
          (std::isfinite(beside.error) ? ": error " + error_of(beside, choice) : "") + ".\n";
 }
 
+/// What a game that rolls back for inputs that come late does about as often as that.
+constexpr int frames_again = 8;
+
+/// Seconds to take the chosen one from a saved state through these frames.
+double rollback_seconds(const Choice& choice) {
+  const Candidate& best = *choice.chosen;
+  const double restart = best.evaluations_per_frame > 0 ? choice.restart / best.evaluations_per_frame
+                                                        : 0;  // of a method with a history
+  return best.seconds_per_frame * (best.state_size == 0 ? 1 : frames_again + restart);
+}
+
+std::string rollback_text(const Choice& choice) {
+  const Candidate& best = *choice.chosen;
+  if (best.state_size == 0)
+    return "  rollback: there is no state to save, and any frame is computed at once.\n";
+  const auto bytes = bytes_of_state(best) * static_cast<std::size_t>(choice.need.bodies);
+  return "  rollback: " + std::to_string(bytes) + " bytes of state to save; from there " +
+         std::to_string(frames_again) + " frames again take " + shown_time(rollback_seconds(choice)) + ".\n";
+}
+
 std::string miss_text(const Choice& choice, const Screen& screen) {
   const std::string text = screen.styled(Style::bad, "Nothing here meets that.") + "\n";
   if (!choice.nearest_miss) return text;
@@ -491,7 +511,7 @@ std::string answer_text(const Choice& choice, const Screen& screen) {
     text += "  next richer: " + described(*richer, choice.need) + ", " + cost_of(*richer) + ": " +
             times_as(richer->seconds_per_frame / best.seconds_per_frame) + " the cost, error " +
             error_of(*richer, choice) + ".\n";
-  return text;
+  return text + rollback_text(choice);
 }
 
 std::string choice_text(const Choice& choice, bool all_rows, const Screen& screen) {
@@ -565,6 +585,7 @@ std::string choice_json(const Choice& choice) {
     json["chosen"]["margin"] = is_measured(choice) ? from(choice.margin()) : Json(nullptr);
     json["chosen"]["restart_evaluations"] = choice.restart;
     json["chosen"]["by_objective"] = choice.by_objective;
+    json["chosen"]["rollback"] = {{"frames", frames_again}, {"seconds", from(rollback_seconds(choice))}};
     json["chosen"]["lanes"] = choice.registers.empty() ? Json(nullptr) : Json(choice.registers);
   }
   json["in_float"] = choice.in_float ? from(*choice.in_float, choice) : Json(nullptr);
