@@ -8,6 +8,7 @@
 
 #include "reference/bad_input.hpp"
 #include "report/study/choose.hpp"
+#include "report/study/run.hpp"
 #include "report/verify/catch.hpp"
 #include "solvers/ode/explicit_euler.hpp"
 #include "tests/near.hpp"
@@ -126,6 +127,24 @@ TEST_CASE("a setting is shown in the scene's unit of time", "[frames]") {
   CHECK(shown("explicit Euler", 0.01) == "steps up to 0.01 yr");
   CHECK(shown("explicit Euler, last of fixed steps", 0.01) == "steps of 0.01 yr");
   CHECK(shown_span(need, "yr") == "10 yr at 60 frames per yr, each up to 20 % longer or shorter");
+}
+
+TEST_CASE("a scene is studied at the frames that a task has", "[frames]") {
+  const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
+  Task task(properties::entry_of("3.5"));
+  Need need = game_need();
+  need.frame_times = frame_times({.drop = 0.25}, need.frames_per_second, need.horizon);
+  task.frames = horizon_of(need);
+  task.frames_say = shown_rate(need, "s");
+  const Results results = run(std::span(&task, 1), truth, false);
+  REQUIRE(results.exercises[0].quantities.size() == 1);
+  const QuantityResult& swing = results.exercises[0].quantities[0];
+  CHECK(swing.says.ends_with(", at 60 frames per second, 25 % dropped"));
+  CHECK(swing.reference.value.size() == need.frame_times->at.size());
+  CHECK(results.exercises[0].claims.empty());
+  CHECK(std::ranges::any_of(swing.methods, [](const MethodResult& method) {
+    return method.trials[0].algorithm == "Runge-Kutta 4, fixed steps interpolated";
+  }));
 }
 
 TEST_CASE("a choice at frames of different lengths is judged where they are drawn", "[frames]") {

@@ -564,6 +564,19 @@ Need need_of(const Task& task, const AskedNeed& asked) {
   return need;
 }
 
+std::vector<Task> tasks_at_frames(const std::vector<std::string>& exercises, const AskedNeed& asked) {
+  if (!asked.frames_are_given) return tasks_of(exercises);
+  std::vector<Task> tasks = tasks_of(exercises, true);
+  AskedNeed of_frames = asked;
+  of_frames.criterion = "bounded";  // which asks for no error
+  for (Task& task : tasks) {
+    const Need need = need_of(task, of_frames);
+    task.frames = horizon_of(need);
+    task.frames_say = shown_rate(need, std::string(scene_of(*task.entry).axes.time));
+  }
+  return tasks;
+}
+
 namespace {
 
 /// "60Hz", "16ms", "1/60": a step in the scene's unit of time.

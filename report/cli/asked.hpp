@@ -39,6 +39,7 @@ struct AskedNeed {
   std::string energy = {}, period = {}, constraint = {};  ///< the errors of criteria beside the first
   std::string criterion = "path", time_limit = "60s";     ///< or "none"
   bool criterion_is_given = false;                        ///< and not taken as usual
+  bool frames_are_given = false;                          ///< of a chart: those above, or the horizon
   std::vector<std::string> only = {}, exclude = {};
   std::string says = {};                ///< why this error and horizon, where a problem's file asks for none
   std::string method = {}, model = {};  ///< what someone runs: "semi-implicit Euler@60Hz"
@@ -54,6 +55,8 @@ struct AskedNeed {
 std::string accuracy_option(const AskedNeed&);
 /// For an exercise that has a motion, at the task's parameters.
 Need need_of(const Task&, const AskedNeed&);
+/// As tasks_of; where frames are given, scenes at these.
+std::vector<Task> tasks_at_frames(const std::vector<std::string>& exercises, const AskedNeed&);
 
 // The one grammar of numbers on the command line, by what option they are of. What it does not use of a text
 // it refuses.

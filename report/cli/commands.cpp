@@ -222,7 +222,7 @@ void add_choose_need(CLI::App& choose, AskedNeed& need) {
   add_criteria(choose, need);
 }
 
-void add_choose_frames(CLI::App& choose, AskedNeed& need) {
+void add_frames(CLI::App& choose, AskedNeed& need) {
   add_value(choose, "--jitter", need.jitter, "PART",
             "frames are longer or shorter by up to this part, at random: 20%");
   add_value(choose, "--drop", need.drop, "PART", "so many frames are not drawn, at random: 1%");
@@ -320,7 +320,7 @@ void add_choose(CLI::App& app, Session& s) {
       true);
   add_one_exercise(*choose, s);
   add_choose_need(*choose, s.need);
-  add_choose_frames(*choose, s.need);
+  add_frames(*choose, s.need);
   add_choose_methods(*choose, s.need);
   add_choose_own(*choose, s.need);
   choose->add_flag("--all", s.all_rows, "show all rows of the table");
@@ -371,16 +371,24 @@ void add_chart(CLI::App& app, Session& s) {
   auto* chart = add_verb(
       app, "chart", "Draw error against work and against time, with the tables behind the charts.",
       columns_of_trials() +
-          "Of scenes that engines have run on, their pictures as well.\nExamples:\n  oddity chart 3.5 2.13 --out /tmp/charts\n  oddity chart 3.5 --csv",
+          "Of scenes that engines have run on, their pictures as well. Where frames are asked for, a scene's motion is charted "
+          "at these, with the ways in which steps of one length meet them.\nExamples:\n  oddity chart 3.5 2.13 --out /tmp/charts\n  oddity chart 3.5 --csv\n  "
+          "oddity chart 3.5 --jitter 20% --drop 1% --out /tmp/uneven",
       [&] {
+        const CLI::App& asked = *app.get_subcommand("chart");
+        for (const char* option : {"--horizon", "--fps", "--jitter", "--drop", "--frames", "--max-frame"})
+          if (asked.get_option(option)->count() > 0) s.need.frames_are_given = true;
         if (s.format() == verbs::Format::text)
-          verbs::chart(s.folder, s.exercises, s.need.time_limit, s.all_rows ? Curves::all : Curves::few,
-                       s.chart_out, s.overwrite, s.extras.engines);
+          verbs::chart(s.folder, s.exercises, s.need, s.all_rows ? Curves::all : Curves::few, s.chart_out,
+                       s.overwrite, s.extras.engines);
         else
-          verbs::chart_table(s.folder, s.exercises, s.need.time_limit, s.format());
+          verbs::chart_table(s.folder, s.exercises, s.need, s.format());
       });
   add_exercises(*chart, s, "numbers, such as 3.5, or problems' files; all exercises when none is given");
   chart->add_flag("--all", s.all_rows, "every method's curve, not eight at most");
+  add_value(*chart, "--horizon", s.need.horizon, "TIME", "of scenes: the motion up to there, at every frame");
+  add_value(*chart, "--fps", s.need.frames_per_second, "RATE", "of scenes: frames per second: 60, 60Hz");
+  add_frames(*chart, s.need);
   add_formats(*chart, s, "the trials, with nothing drawn");
   add_time_limit(*chart, s.need.time_limit, ", for each exercise");
   set_apart(*chart, add_path(*chart, "--out", s.chart_out, "the folder to write to"), {"--json", "--csv"});

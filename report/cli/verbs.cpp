@@ -432,22 +432,23 @@ void publish(const fs::path& folder, const fs::path& report_out, const fs::path&
       output());
 }
 
-void chart(const fs::path& folder, const std::vector<std::string>& exercises, const std::string& time_limit,
+void chart(const fs::path& folder, const std::vector<std::string>& exercises, const AskedNeed& asked,
            Curves curves, const fs::path& out, bool overwrite, const OtherEngines& engines) {
-  const std::vector<Task> tasks = tasks_of(exercises);
+  const std::vector<Task> tasks = tasks_at_frames(exercises, asked);
   take_to_write(out, overwrite);
   make_folder(out);
-  const Results results = trials_of(folder, tasks, time_limit);
+  const Results results = trials_of(folder, tasks, asked.time_limit);
   const auto pages =
       with_progress([&](const Progress& progress) { return write_charts(results, curves, out, progress); });
   for (const fs::path& page : pages) std::cout << page.string() << "\n";
+  if (asked.frames_are_given) return;  // engines ran at frames of one length
   for (const fs::path& picture : engines.draw(tasks, Reference(folder, motions_folder()), out))
     std::cout << picture.string() << "\n";
 }
 
-void chart_table(const fs::path& folder, const std::vector<std::string>& exercises,
-                 const std::string& time_limit, Format format) {
-  print(trials_table(trials_of(folder, tasks_of(exercises), time_limit)), format);
+void chart_table(const fs::path& folder, const std::vector<std::string>& exercises, const AskedNeed& asked,
+                 Format format) {
+  print(trials_table(trials_of(folder, tasks_at_frames(exercises, asked), asked.time_limit)), format);
 }
 
 void stability(const fs::path& folder, const AskedStability& asked, const fs::path& out, bool overwrite) {

@@ -241,6 +241,12 @@ std::string shown_setting(const Candidate& candidate, const Need& need) {
   return format_shortest(steps) + (steps == 1 ? " step" : " steps") + " per frame";
 }
 
+std::string shown_rate(const Need& need, std::string_view time_unit) {
+  return "at " + format_shortest(need.frames_per_second) + " frames per " +
+         (time_unit == "s" ? "second" : std::string(time_unit)) +
+         (need.frame_times ? ", " + need.frame_times->says : "");
+}
+
 std::string shown_span(const Need& need, std::string_view time_unit) {
   const std::string unit(time_unit);
   const double judged = need.time_of(need.frames());
@@ -248,8 +254,7 @@ std::string shown_span(const Need& need, std::string_view time_unit) {
   return (as_asked ? format_shortest(need.horizon) + " " + unit
                    : format_shortest(need.frames()) + (need.frames() == 1 ? " frame, " : " frames, ") +
                          format_significant(judged, 3) + " " + unit + ",") +
-         " at " + format_shortest(need.frames_per_second) + " frames per " + (unit == "s" ? "second" : unit) +
-         (need.frame_times ? ", " + need.frame_times->says : "");
+         " " + shown_rate(need, time_unit);
 }
 
 bool hopeless(const Candidate& candidate) {

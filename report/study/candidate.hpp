@@ -35,6 +35,8 @@ void go_through(std::span<const Start>, Candidate&, const Need&);
 /// "2 steps per frame", "tolerance 1e-06", "-".
 std::string shown_setting(const Candidate&, const Need&);
 
+/// "at 60 frames per second, 1 % dropped".
+std::string shown_rate(const Need&, std::string_view time_unit);
 /// "10 s at 60 frames per second"; where the frames end elsewhere, how long is judged.
 std::string shown_span(const Need&, std::string_view time_unit);
 

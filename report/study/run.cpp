@@ -7,6 +7,7 @@
 #include "reference/ledger.hpp"
 #include "report/study/failure.hpp"
 #include "report/study/findings.hpp"
+#include "report/study/frames.hpp"
 #include "report/study/parallel.hpp"
 #include "report/study/time.hpp"
 #include "report/study/trajectory.hpp"
@@ -47,8 +48,16 @@ struct Work {
 
 Studied study(const Task& task, const Reference& truth) {
   Studied studied{&task, {}, {}};
-  studied.failure =
-      failure_of([&] { studied.findings = task.entry->exercise.study(task.parameters, truth); });
+  const Exercise& exercise = task.entry->exercise;
+  studied.failure = failure_of([&] {
+    if (!task.frames) {
+      studied.findings = exercise.study(task.parameters, truth);
+      return;
+    }
+    Quantity motion = motion_at_frames(*exercise.scene, task.parameters, *task.frames, truth);
+    motion.says += ", " + task.frames_say;
+    studied.findings.quantities = {std::move(motion)};
+  });
   return studied;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 
 #include "reference/reference.hpp"
@@ -18,6 +19,8 @@ namespace oddity {
 struct Task {
   const Entry* entry;
   Parameters parameters;
+  std::optional<Horizon> frames = {};  ///< of a scene: nothing but its motion is studied, at these times
+  std::string frames_say = {};         ///< "at 60 frames per second, 1 % dropped"
 
   explicit Task(const Entry& e) : entry(&e), parameters(e.exercise.parameters) {}
 };
