@@ -175,8 +175,7 @@ std::string in_the_book(const Results& results) {
     const auto e = std::ranges::find(results.exercises, number, &ExerciseResult::number);
     if (e == results.exercises.end()) continue;
     const std::string to = link_to_players(*e, {explicit_euler, symplectic_euler, runge_kutta}, 1. / 60);
-    items += element("li", "",
-                     html::link(to, std::string(name)) + ": " + to_string(number) + ", " + in_xml(e->title));
+    items += element("li", "", html::link(to, std::string(name)) + ", " + to_string(number));
   }
   return "<li data-name=\"book\" data-algorithm=\"" + std::string(explicit_euler) +
          "\" data-step=\"0.25\" data-shown=\"0\">\n<div>" + element("h2", "", "What it means for a game") +
