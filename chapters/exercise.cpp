@@ -208,17 +208,16 @@ Knob halving(std::string name, double first, int count) {
 
 namespace {
 
-/// "4/3" where the number is this fraction, of a small denominator, and its digits would not say so; else
-/// empty.
+/// "4/3" where the number is this fraction to within roundings, of a small denominator, and its digits would
+/// not say so; else empty.
 std::string simple_fraction(double x, int digits, bool in_formula) {
   constexpr double largest = 20;
   const double size = std::abs(x);
+  const auto is = [size](double y) { return std::abs(size - y) <= 16 * epsilon * size; };
+  if (is(*parse_number(format_significant(size, digits)))) return "";
   for (int denominator = 2; denominator <= 12; ++denominator) {
     const double numerator = std::round(size * denominator);
-    if (numerator < 1 || numerator > largest ||
-        std::abs(size - numerator / denominator) > 16 * epsilon * size)
-      continue;
-    if (*parse_number(format_significant(size, digits)) == size) return "";
+    if (numerator < 1 || numerator > largest || !is(numerator / denominator)) continue;
     const std::string above = format_significant(numerator, 2), below = std::to_string(denominator);
     return (x < 0 ? "-" : "") + (in_formula ? R"(\frac{)" + above + "}{" + below + "}" : above + "/" + below);
   }

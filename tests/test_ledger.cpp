@@ -3,6 +3,7 @@
 #include "reference/ledger.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "chapters/claims.hpp"
@@ -118,6 +119,8 @@ TEST_CASE("numbers are filled into a text, each in its place", "[claims]") {
         R"($5\cdot10^{-11}$, $-1.2\cdot10^{12}$, $10^{-7}$ and 1e-07)");
   CHECK(filled("@2, $@2$, @1, @2 and @3", {4.0 / 3, -2.0 / 3, 0.75, 0.75, 1.333}) ==
         R"(4/3, $-\frac{2}{3}$, 3/4, 0.75 and 1.33)");
+  CHECK(filled("@1, $@1$ and @2", {std::nextafter(2.0, 1.0), -std::nextafter(2.0, 3.0), 0.1 + 0.2}) ==
+        "2, $-2$ and 0.3");
   CHECK_THROWS_AS(filled("@2", {}), std::logic_error);
   CHECK_THROWS_AS(filled("none", {1}), std::logic_error);
   CHECK_THROWS_AS(filled("@x", {1}), std::logic_error);

@@ -101,7 +101,7 @@ void angles(Table& table, const std::vector<Sample>& all) {
            R"(The bars above the roots are lost in the text at hand: $x=\cos t/\sqrt{1+t^2}$. As products they )"
            R"(leave the sphere: at $t=1$, $|(x,y,z)|$ is @1.)",
            {sqrt(2.0) * hypot(cos(1.0), sin(1.0), 1.0)})});
-  table.formula("sine_of_phi", 201, R"($\sin\phi=1/\sqrt{1+t^2}$, positive)", all,
+  table.formula("sine_of_phi", 201, R"($\sin\phi=1/\sqrt{1+t^2}$)", all,
                 {.quantity = R"($\sin\phi$)",
                  .truth = at(
                      by_angles, [](const auto& k) { return sin(k.phi[0]); }, unity),
@@ -111,7 +111,7 @@ void angles(Table& table, const std::vector<Sample>& all) {
     return [=](const auto& k) { return values(cos(k.t), sin(sign * k.t)); };
   };
   table.formula(
-      "theta", 201, R"($\cos\theta=\cos t$ and $\sin\theta=\sin t$: $\theta=t$)", all,
+      "theta", 201, R"($\cos\theta=\cos t$ and $\sin\theta=\sin t$, so that $\theta=t$ may be chosen)", all,
       {.quantity = R"($(\cos\theta,\sin\theta)$)",
        .truth = at(
            by_angles, [](const auto& k) { return values(cos(k.theta[0]), sin(k.theta[0])); }, unity),
@@ -161,16 +161,16 @@ void angles(Table& table, const std::vector<Sample>& all) {
       "derivative_of_z", 219, R"($z=t\,\sqrt{1+t^2}$ has $\dot z=(1+t^2)^{-3/2}$)", all,
       {.quantity = R"($\dot z-(1+t^2)^{-3/2}$)",
        .truth = at("zero", [](const auto&) { return 0.0; }),
-       .printed = at(R"($t\,\sqrt{1+t^2}$ in dual numbers)",
+       .printed = at(R"($\frac{d}{dt}(t\,\sqrt{1+t^2})=(1+t^2)^{-3/2}$, by dual numbers)",
                      [](const auto& k) {
                        using T = std::decay_t<decltype(k.t)>;
                        const Dual<T> t(k.t, T(1.0));
                        return (t * sqrt(Dual<T>(1.0) + t * t)).slope - half_power(k.d, -1.5);
                      }),
-       .meant = at(R"($t/\sqrt{1+t^2}$ in dual numbers)",
+       .meant = at(R"($\frac{d}{dt}(t/\sqrt{1+t^2})=(1+t^2)^{-3/2}$, by dual numbers)",
                    [](const auto& k) { return k.m.v[2] - half_power(k.d, -1.5); },
                    [](const auto& k) { return 1 / sqrt(k.d); }),
-       .near_misses = {at(R"($t/\sqrt{1+t^2}$ in dual numbers, with $(1+t^2)^{-1/2}$)",
+       .near_misses = {at(R"($\frac{d}{dt}(t/\sqrt{1+t^2})=(1+t^2)^{-1/2}$, by dual numbers)",
                           [=](const auto& k) { return k.m.v[2] - power(-0.5)(k); })},
        .kind = Fault::lost_typography,
        .why = filled(
@@ -325,10 +325,12 @@ void velocity_and_acceleration(Table& table, const std::vector<Sample>& all) {
 
 // ---- where it ends ----------------------------------------------------------------------------------------
 
+constexpr int turns = 50;
+
 /// At how many times `size` has grown since the time before; and the angle turned about the axis.
 template <class F>
 std::vector<Check> spiral(const std::string& what, double turned, const F& size) {
-  constexpr int turns = 50, steps = 40 * turns;
+  constexpr int steps = 40 * turns;
   long growing = 0;
   double angle = 0;
   for (int i = 1; i <= steps; ++i) {
@@ -381,7 +383,8 @@ void ends(Claims& claims, const std::vector<Sample>& later, const std::vector<Sa
              {.printed = at_end("to 0", distance, 1, 0, from_axis),
               .near_misses = {at_end("to 1", distance, 1, 1, from_axis)}});
   claims.add(
-      "spiral_in_the_plane", 285, "In the $xy$-plane the path is a spiral into the origin.",
+      "spiral_in_the_plane", 285,
+      filled("In the $xy$-plane the path is a spiral into the origin (our check: over @2 turns).", {turns}),
       {.printed = {"the distance from the axis shrinks, turning on",
                    spiral("distance from the axis", 100 * pi, from_axis)},
        .near_misses = {{"turning the other way", spiral("distance from the axis", -100 * pi, from_axis)},
@@ -404,7 +407,8 @@ void ends(Claims& claims, const std::vector<Sample>& later, const std::vector<Sa
              {.printed = at_end(R"(to 1 as $t\to\infty$)", "$z$", 1, 1, z),
               .near_misses = {at_end(R"(as $t\to-\infty$ as well: there it is $-1$)", "$z$", -1, 1, z)}});
   const std::string to_pole = "distance from the pole";
-  claims.add("spiral_to_the_pole", 311, "On the sphere the helix spirals about $(0,0,1)$.",
+  claims.add("spiral_to_the_pole", 311,
+             filled("On the sphere the helix spirals about $(0,0,1)$ (our check: over @2 turns).", {turns}),
              {.printed = {"nearer and nearer to the pole, turning on", spiral(to_pole, 100 * pi, from_pole)},
               .near_misses = {{"turning the other way", spiral(to_pole, -100 * pi, from_pole)},
                               {"nearer and nearer to the other pole",

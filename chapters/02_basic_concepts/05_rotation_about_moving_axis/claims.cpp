@@ -252,7 +252,7 @@ void rotation_and_derivative(Statements& claims, const Moments& moments) {
           },
           &Moment::size},
          {"no_power_rule", 325,
-          R"(The derivative of $S^2$ is $S\dot S+\dot SS$, and generally not $2S\dot S$.)",
+          R"($\frac{d}{dt}S^2$ is not generally $2S\dot S$ (our check: it is $S\dot S+\dot SS$).)",
           R"($\frac{d}{dt}S^2$)", [](const auto& m) { return m.S2_dot; },
           [](const auto& m, double k) { return (2 - k) * (m.S * m.S_dot) + k * (m.S_dot * m.S); },
           &Moment::size, "dual numbers", 0}});

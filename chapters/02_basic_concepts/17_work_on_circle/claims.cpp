@@ -144,12 +144,12 @@ void formulas(Table& table, const Samples& samples) {
   line("antiderivative", 815, R"($r(\cos\omega t+\sin\omega t)$ has the derivative $F\cdot v$)", power_1,
        R"($\frac{d}{dt}(r(\cos\omega t+\sin\omega t))$)");
   equation("work", 815, R"($W(T)=r(\cos\omega T+\sin\omega T-1)$)", work_1);
-  equation("growing_integral", 829,
+  equation("growing_integral", 831,
            R"($W=\int_0^T(t,t,1)\cdot(-r\omega\sin\omega t,\,r\omega\cos\omega t,\,0)\,dt$)", gain_t);
   line("growing_power", 835, R"($(t,t,1)\cdot v=r\omega t(\cos\omega t-\sin\omega t)$)", power_t,
        R"($r\omega t(\cos\omega t-\sin\omega t)$)");
-  equation("by_parts", 839, R"($W=Tr(\cos\omega T+\sin\omega T)-\int_0^Tr(\cos\omega t+\sin\omega t)\,dt$)",
-           work_t);
+  const std::string parts = R"($W=Tr(\cos\omega T+\sin\omega T)-\int_0^Tr(\cos\omega t+\sin\omega t)\,dt$)";
+  line("by_parts", 839, "The integration may be performed by parts (our formula): " + parts, work_t, parts);
   line("growing_derivative", 841, R"($W'(T)=r\omega T(\cos\omega T-\sin\omega T)$ for $(t,t,1)$)", slope_t,
        R"($r\omega T(\cos\omega T-\sin\omega T)$)");
   line("magnitude", 849, R"($|(t,t,1)|=\sqrt{2t^2+1}$)", force_t, R"($\sqrt{2t^2+1}$)");
@@ -349,9 +349,10 @@ void extrema(Claims& claims, const Samples& samples) {
                     }),
        .near_misses = {peaks("where $W'=0$ there is a minimum", constant, 0, 1, -1, -1)},
        .kind = Fault::counterexample,
-       .why = "$W'=0$ is necessary and not sufficient: every other such time, $\\omega T=5\\pi/4, "
-              "13\\pi/4,\\ldots$, is a minimum, $W=-r(\\sqrt2+1)$. The text means that: two sentences on it "
-              "has half of these times as minima."});
+       .why = filled("$W'=0$ is necessary and not sufficient: every other such time, $\\omega T=5\\pi/4, "
+                     "13\\pi/4,\\ldots$, is a minimum, $W=-r(\\sqrt2+1)=@3\\,r$. The text means that: two "
+                     "sentences on it has half of these times as minima.",
+                     {work_of(Force::constant, Motion{1, 1, 5 * pi / 4})})});
   claims.statement<Sample>(
       "halves", 823, "Half of these times lead to a minimum, the other half to a maximum.", samples.cases,
       {.printed = peaks("even $k$: maximum, odd $k$: minimum", constant, -6, 1, 1, -1),
@@ -401,7 +402,7 @@ void values_at_maxima(Claims& claims, const Samples& samples) {
     const auto W = [=](M m, double x) { return work_of(Force::growing, m.at(when(m, x))); };
     return Reading{text,
                    {compare(R"($W$ at $x=\pi/4+2n\pi$)", at_maxima(text, f),
-                            at_maxima("$W$ at $" + at + "=x$ by quadrature", W), samples.forward)}};
+                            at_maxima(R"(quadrature of $F\cdot v$ to $)" + at + "=x$", W), samples.forward)}};
   };
   const auto less = [](double d) { return [=](M m, double x) { return m.r / m.w * (x * sqrt2 - d); }; };
   claims.add(

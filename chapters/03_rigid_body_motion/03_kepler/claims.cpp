@@ -476,7 +476,7 @@ void equations_of_motion(Table& table, const std::vector<Moment>& moments) {
                    return k.parts(k.r_dot_dot + k.r * k.w * k.w, k.r * k.w_dot + 2 * k.r_dot * k.w);
                  })}});
   table.formula(
-      "equation_number", 949, "Equation (3.2) is the polar form of any acceleration.", moments,
+      "equation_number", 947, "Equation (3.2) is the polar form of any acceleration.", moments,
       {.quantity = R"($\mathbf a$)",
        .truth = acceleration,
        .printed = pushed(R"($-(GM/r^2)\mathbf R$, which follows from equation (3.2))",
@@ -490,7 +490,7 @@ void equations_of_motion(Table& table, const std::vector<Moment>& moments) {
                               })},
        .kind = Fault::number,
        .why =
-           R"(Exercise 3.1 (857) and the end of this one (1229) give the number (3.2) to the orbit, )"
+           R"(Exercise 3.1 (855) and the end of this one (1229) give the number (3.2) to the orbit, )"
            R"($r=e\rho/(1+e\cos\theta)$, which knows no acceleration but $-GM/r^2$ towards the sun. The polar )"
            R"(form is another equation of the book: whoever looks (3.2) up for it finds the orbit.)"});
   const auto pull = [](double sign, int power) {
@@ -655,7 +655,7 @@ void equation_of_the_potential(Table& table, const std::vector<Moment>& moments)
            R"(and $\alpha$ belong to different masses; the orbit depends on neither, only a display of energies )"
            R"(in joules is off by the factor $m$.)"});
   table.formula(
-      "power_rule", 1017, R"($\dot r=\frac{d}{dt}(-GM\,V)=(GM/V^2)\,dV/dt$)", moments,
+      "power_rule", 1013, R"($\dot r=\frac{d}{dt}(-GM\,V)=(GM/V^2)\,dV/dt$)", moments,
       {.quantity = R"($\dot r$)",
        .truth = r_dot_twice,
        .printed = along(
@@ -671,7 +671,7 @@ void equation_of_the_potential(Table& table, const std::vector<Moment>& moments)
            R"(The fraction bar of $-GM/V$ is lost. The product $-GMV=G^2M^2/r$ is no distance, and shrinks where )"
            R"(the distance grows.)"});
   table.formula(
-      "chain_rule", 1023, R"($\dot r=GM\,V^2\,(dV/d\theta)\,\dot\theta$)", moments,
+      "chain_rule", 1021, R"($\dot r=GM\,V^2\,(dV/d\theta)\,\dot\theta$)", moments,
       {.quantity = R"($\dot r$)",
        .truth = r_dot,
        .printed =
@@ -1167,83 +1167,104 @@ void any_start(Claims& claims, double seed) {
 
 // ---- solved numerically: lines 47 and 1007 ----------------------------------------------------------------
 
-/// A planet after ten turns from its aphelion, where it is again, by Runge-Kutta 4 with 365 steps a turn: how
-/// far off it is by (3.1) in Cartesian coordinates, by (2) and by (7), over half the axis.
-struct TenTurns {
+/// A planet after some turns from its aphelion, where it is again, by Runge-Kutta 4 with equal steps: how far
+/// off it is by (3.1) in Cartesian coordinates, by (2) and by (7), over half the axis.
+struct Turned {
+  static constexpr double turns = 10, steps = 365, fine_steps = 3650;
   double e, direct, distance, angle;
-  double fine_angle;  ///< by (7) with ten times as many steps
+  double fine_angle;  ///< by (7) with the fine steps
 
-  TenTurns(Random& random, double eccentricity) : e(eccentricity) {
+  Turned(Random& random, double eccentricity) : e(eccentricity) {
     const double G = abs(random.magnitude(0.2, 5)), M = abs(random.magnitude(0.2, 5)), a = 1 / (1 + e);
     const double at_aphelion = sqrt(G * M / a * (1 - e) / (1 + e));
     const Start start{G, M, 1, 0, random.between(-pi, pi), at_aphelion};
     const auto q = start.position();
     const double turn = 2 * pi * sqrt(a * a * a / (G * M));
-    const auto off = [&](const auto& model, double steps) {
+    const auto off = [&](const auto& model, double steps_a_turn) {
       const auto end =
-          ode::integrate<ode::RungeKutta4>(model, model.start(), 0, 10 * turn, turn / steps).value;
+          ode::integrate<ode::RungeKutta4>(model, model.start(), 0, turns * turn, turn / steps_a_turn).value;
       const auto seen = model.observe(end, 0.0);
       return hypot(seen[0] - q[0], seen[1] - q[1]) / a;
     };
-    direct = off(Cartesian<double>{start}, 365);
-    distance = off(Distance<double>{start}, 365);
-    angle = off(OneAngle<double>(start), 365);
-    fine_angle = off(OneAngle<double>(start), 3650);
+    direct = off(Cartesian<double>{start}, steps);
+    distance = off(Distance<double>{start}, steps);
+    angle = off(OneAngle<double>(start), steps);
+    fine_angle = off(OneAngle<double>(start), fine_steps);
   }
   std::string where() const { return "$e$ = " + format_significant(e, 3); }
 };
 /// NaN is lost, too.
 bool is_lost(double off) { return !(off < 0.1); }
 
+constexpr double earths_eccentricity = 0.0167;
+
 void solved_numerically(Claims& claims, double seed) {
-  using K = const TenTurns&;
+  using K = const Turned&;
+  constexpr double turns = Turned::turns, steps = Turned::steps, fine_steps = Turned::fine_steps;
+  constexpr double comets_from = 0.94, comets_to = 0.96, most = 0.95, closest = 0.99, round_to = 0.7;
   Random random(seed);
-  std::vector<TenTurns> comets, all, close;
-  for (int i = 0; i < 20; ++i) comets.emplace_back(random, random.between(0.94, 0.96));
-  for (int i = 0; i < 20; ++i) all.emplace_back(random, random.between(0, 0.95));
-  for (int i = 0; i < 20; ++i) close.emplace_back(random, random.between(0.95, 0.99));
-  const TenTurns earth(random, 0.0167);
-  const auto lost = [](const std::vector<TenTurns>& of) {
+  std::vector<Turned> comets, all, close;
+  for (int i = 0; i < 20; ++i) comets.emplace_back(random, random.between(comets_from, comets_to));
+  for (int i = 0; i < 20; ++i) all.emplace_back(random, random.between(0, most));
+  for (int i = 0; i < 20; ++i) close.emplace_back(random, random.between(most, closest));
+  const Turned earth(random, earths_eccentricity);
+  const auto lost = [](const std::vector<Turned>& of) {
     return static_cast<double>(std::ranges::count_if(of, [](K k) { return is_lost(k.direct); }));
   };
-  std::vector<TenTurns> any = all;
+  std::vector<Turned> any = all;
   any.push_back(earth);
   std::ranges::copy(comets, std::back_inserter(any));
-  claims.statement<TenTurns>(
+  claims.statement<Turned>(
       "direct_solution", 47,
       R"(A solver that is given (3.1), $\ddot{\mathbf r}=-GM\,\mathbf r/r^3$, directly will likely have severe problems with stability.)",
       any,
-      {.printed = {"Runge-Kutta 4 with 365 steps a turn loses the planet by (3.1) within ten turns",
+      {.printed = {filled("Runge-Kutta 4 with @3 steps a turn loses the planet by (3.1) within @2 turns",
+                          {steps, turns}),
                    [](K k) { return is_lost(k.direct); }},
        .corrected =
-           {"it loses the planet where $0.94<e<0.96$, and comes round to a hundredth of the orbit where $e<0.7$",
-            [](K k) { return (k.e <= 0.94 || is_lost(k.direct)) && (k.e >= 0.7 || k.direct < 1e-2); }},
+           {filled(
+                "it loses the planet where $@2<e<@2$, and comes round to a hundredth of the orbit where $e<@1$",
+                {comets_from, comets_to, round_to}),
+            [](K k) {
+              return (k.e <= comets_from || is_lost(k.direct)) && (k.e >= round_to || k.direct < 1e-2);
+            }},
        .near_misses = {{"it loses every planet with $e>0.5$",
                         [](K k) { return k.e <= 0.5 || is_lost(k.direct); }}},
        .kind = Fault::counterexample,
        .root = "any orbit for an eccentric one",
        .why = filled(
-           "The Earth, which the text speaks of, comes round: with 365 steps a turn Runge-Kutta 4 on (3.1) has it "
-           "off by @2 millionths of the orbit after ten turns. Of @2 orbits with $e<0.95$ it loses @1. Trouble comes with the "
-           "eccentricity, where equal steps are too long at the perihelion: of @2 orbits with $0.94<e<0.96$ it "
-           "loses @2.",
-           {1e6 * earth.direct, static_cast<double>(all.size()), lost(all),
-            static_cast<double>(comets.size()), lost(comets)})});
-  std::vector<TenTurns> to_close = all;
+           "The Earth, which the text speaks of, comes round: with @3 steps a turn Runge-Kutta 4 on (3.1) has it "
+           "off by @2 millionths of the orbit after @2 turns. Of @2 orbits with $e<@2$ it loses @1. Trouble comes "
+           "with the eccentricity, where equal steps are too long at the perihelion: of @2 orbits with "
+           "$@2<e<@2$ it loses @2.",
+           {steps, 1e6 * earth.direct, turns, static_cast<double>(all.size()), most, lost(all),
+            static_cast<double>(comets.size()), comets_from, comets_to, lost(comets)})});
+  std::vector<Turned> to_close = all;
   std::ranges::copy(close, std::back_inserter(to_close));
-  claims.statement<TenTurns>(
+  claims.statement<Turned>(
       "stable_reformulation", 47,
-      "Reformulated, as (7), the problem can be solved in a numerically stable manner.", to_close,
+      filled(
+          "Reformulated, as (7), the problem can be solved in a numerically stable manner (our conditions: with "
+          "$e<@2$, or with shorter steps up to $e=@2$).",
+          {most, closest}),
+      to_close,
       {.printed =
-           {R"(Runge-Kutta 4 on (7) is off by less than a hundredth of the orbit after ten turns: with 365 steps a turn where $e<0.95$, and with 3650 up to $e=0.99$ (our conditions))",
-            [](K k) { return (k.e > 0.95 || k.angle < 1e-2) && k.fine_angle < 1e-2; }},
+           {filled(
+                "Runge-Kutta 4 on (7) is off by less than a hundredth of the orbit after @2 turns: with @3 "
+                "steps a turn where $e<@2$, and with @4 up to $e=@2$ (our conditions)",
+                {turns, steps, most, fine_steps, closest}),
+            [](K k) { return (k.e > most || k.angle < 1e-2) && k.fine_angle < 1e-2; }},
        .near_misses = {{"on (3.1) likewise", [](K k) { return k.direct < 1e-2; }},
-                       {"with 365 steps a turn up to $e=0.99$", [](K k) { return k.angle < 1e-2; }}}});
-  claims.statement<TenTurns>(
+                       {filled("with @3 steps a turn up to $e=@2$", {steps, closest}),
+                        [](K k) { return k.angle < 1e-2; }}}});
+  claims.statement<Turned>(
       "singular_in_practice", 1007, "The singularity of (2) at $r=0$ can cause problems for a solver.",
       comets,
       {.printed =
-           {R"(for instance: where $0.94<e<0.96$ Runge-Kutta 4 with 365 steps a turn loses the planet by (2), and does not by (7))",
+           {filled(
+                "for instance: where $@2<e<@2$ Runge-Kutta 4 with @3 steps a turn loses the planet by (2), and "
+                "does not by (7)",
+                {comets_from, comets_to, steps}),
             [](K k) { return is_lost(k.distance) && !is_lost(k.angle); }},
        .near_misses = {{"it loses it by (7) too", [](K k) { return is_lost(k.angle); }}}});
 }
@@ -1624,6 +1645,7 @@ std::vector<Root> roots() {
   };
   const OneAngle<double> right(near_earth), printed(near_earth, near_earth.mu() / near_earth.r0);
   const Elements<double> drawn({eccentric, {}, 0, 0, 0, 0});
+  constexpr double early = 0.25;
   constexpr double fast = 45;
   const double e_of_fast = pow(fast / earths_speed, 2) - 1;
   Random random(1);
@@ -1636,8 +1658,8 @@ std::vector<Root> roots() {
       {"sign of the potential at the start",
        filled(
            R"(The scene's planet slows down instead of going round: it has turned by $@2^\circ$ instead of )"
-           R"($@2^\circ$ after three months, and by $@2^\circ$ after the year in which it should be back.)",
-           {turned(printed, 0.25), turned(right, 0.25), turned(printed, 1)})},
+           R"($@2^\circ$ after @2 years, and by $@2^\circ$ after the year in which it should be back.)",
+           {turned(printed, early), turned(right, early), early, turned(printed, 1)})},
       {"a start without angular momentum",
        filled(
            "A planet let go at rest at the Earth's distance, which should be in the sun after @2 days, is at "
@@ -1660,9 +1682,9 @@ std::vector<Root> roots() {
            {earths_speed})},
       {"any orbit for an eccentric one",
        filled(
-           "With 365 steps a year the Earth comes round by (3.1) to within @2 millionths of its orbit after ten "
+           "With @3 steps a year the Earth comes round by (3.1) to within @2 millionths of its orbit after @2 "
            "years: no stability is missing there.",
-           {1e6 * TenTurns(random, 0.0167).direct})}};
+           {Turned::steps, 1e6 * Turned(random, earths_eccentricity).direct, Turned::turns})}};
 }
 
 /// The distance as one letter, and the angle's cosine and sine by it; the rate on a circle as another.

@@ -301,8 +301,9 @@ Answer turn_by(const Model& model, std::size_t angle, double limit, double setti
 }
 
 Quantity period(const std::string& name, const std::string& says, const Start& s, const Reference& truth) {
+  constexpr double need = 1e-9, seconds_per_year = 365.25 * 86400;
   Quantity T = quantity(name, "yr", "period, " + says, truth("03_03_period", inputs(s)),
-                        {1e-9, "a thirtieth of a second"});
+                        {need, filled("@1 s", {need * seconds_per_year})});
   const Ellipse<double> orbit = ellipse(s);
   const OneAngle<double> seven(s);
   const auto slowness = [=](double theta) {

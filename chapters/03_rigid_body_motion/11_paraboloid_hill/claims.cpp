@@ -437,8 +437,10 @@ Provables proofs() {
 }
 
 std::vector<Root> roots() {
-  const Case<double> slow = along_both(0.75);
-  const auto end = ode::integrate<ode::Fehlberg78>(in_plane(slow), in_plane(slow).start(), 0, 2, 1e-10).value;
+  constexpr double factor = 0.75, span = 2;
+  const Case<double> slow = along_both(factor);
+  const auto end =
+      ode::integrate<ode::Fehlberg78>(in_plane(slow), in_plane(slow).start(), 0, span, 1e-10).value;
   return {
       {"a particle at rest",
        filled(
@@ -447,10 +449,10 @@ std::vector<Root> roots() {
            {std::sqrt(10 / 2.0)})},
       {"straight at any speed",
        filled(
-           R"(On the default hill, at three quarters of the right speed, a ball sent off along $(1,1)$ strays @2 m )"
-           R"(from its line within two seconds, one along an axis not at all: a game that takes the sentence for a )"
+           R"(On the default hill, at @2 times the right speed, a ball sent off along $(1,1)$ strays @2 m )"
+           R"(from its line within @1 s, one along an axis not at all: a game that takes the sentence for a )"
            R"(test bends the path of a ball that rolls straight down a ridge.)",
-           {abs(end[0] - end[1]) / std::sqrt(2.0)})}};
+           {factor, abs(end[0] - end[1]) / std::sqrt(2.0), span})}};
 }
 
 }  // namespace oddity::ex03_11

@@ -395,7 +395,8 @@ void on_the_chute(ChuteTable& table, const std::vector<OnChute>& samples) {
   const std::string bracket = "$d_1(x_3-p_3)-d_3x_1$";
   table.formula(
       "two_roots", 1647,
-      R"($d_1(x_3-p_3)-d_3x_1=\pm\sqrt{R^2-x_2^2}$: the lower half has plus, the upper minus)", samples,
+      R"($d_1(x_3-p_3)-d_3x_1=\pm\sqrt{R^2-x_2^2}$ (our check: the lower half has plus, the upper minus))",
+      samples,
       {.quantity = bracket + " on the two halves of the cylinder",
        .truth = {"points of the lower half and of the upper, turned about the axis",
                  [](const auto& s) { return values(s.bracket(s.on_it()), s.bracket(s.on_it(true))); }},
@@ -610,7 +611,7 @@ void statements(Claims& claims, const std::vector<OnChute>& samples) {
                                  const double a = s.on_center().accelerations()[0];
                                  return values(a, a > 0);
                                }},
-                              {"at another, and yes",
+                              {R"($\ddot x_1$ at another place and speed, and that it is positive)",
                                [=](S s) {
                                  OnChute other = s.on_center();
                                  other.x1 = 1 - s.x1;
@@ -927,23 +928,25 @@ Provables proofs() {
 }
 
 std::vector<Root> roots() {
-  const double a = 9.81 * 0.6 * 0.8;  // x1'' on the default chute's center line
+  constexpr double g = 9.81, up = 0.8, steep = 75, low = 15, seconds = 1, k = 0.5, late = 10;
+  const double a = g * 0.6 * 0.8;  // x1'' on the default chute's center line
+  const auto covers = [](double degrees) { return g / 4 * sin(2 * degrees * pi / 180) * seconds * seconds; };
   return {
       {"a ball sent up",
        filled(
-           R"(On the default chute's center line a ball with $\dot x_1(0)=-0.8$ m/s first climbs for @2 s, @1 cm along )"
+           R"(On the default chute's center line a ball with $\dot x_1(0)=@1$ m/s first climbs for @2 s, @1 cm along )"
            R"($x_1$, and is back at its start after @2 s.)",
-           {0.8 / a, 100 * 0.8 * 0.8 / (2 * a), 2 * 0.8 / a})},
+           {-up, up / a, 100 * up * up / (2 * a), 2 * up / a})},
       {"beyond 45 degrees",
        filled(
-           R"(Seen from above, as on a map of a game's level, the ball in a chute of $75^\circ$ looks as slow as that )"
-           R"(in one of $15^\circ$: both cover @3 m in the first second.)",
-           {9.81 / 4 * sin(pi / 6)})},
+           R"(Seen from above, as on a map of a game's level, the ball in a chute of $@2^\circ$ looks as slow as that )"
+           R"(in one of $@2^\circ$: they cover @3 m and @3 m in the first @1 s.)",
+           {steep, low, covers(steep), covers(low), seconds})},
       {"friction across",
        filled(
            R"(Programmed as $\ddot x_2=Sx_2$ with the $S$ of before, a ball swings across the chute for ever; with )"
-           R"($k=0.5$ s$^{-1}$ a small swing is down to @1 % after ten seconds.)",
-           {100 * std::exp(-0.5 / 2 * 10)})}};
+           R"($k=@1$ s$^{-1}$ a small swing is down to @1 % after @2 s.)",
+           {k, 100 * std::exp(-k / 2 * late), late})}};
 }
 
 }  // namespace oddity::ex03_13

@@ -202,13 +202,14 @@ void geometry(Table& table, const Samples& samples) {
                  .truth = {"$(a,0,a)$ over its length",
                            [](const auto& s) { return times(1 / length(s.segment()), s.segment()); }},
                  .printed = {R"($(1,0,1)/\sqrt2$)"}});
-  table.formula("towards", 1745,
-                R"(The segment turns towards the $(x_2,x_3)$-plane: after a quarter turn it is in it, along )"
-                R"($(0,1,1)/\sqrt2$)",
-                samples,
-                {.quantity = "the direction after a quarter turn",
-                 .truth = {rodrigues, [](const auto& s) { return direction(s.pi() / 2); }},
-                 .printed = R"($(0,1,1)/\sqrt2$)"});
+  table.formula(
+      "towards", 1745,
+      R"(The segment turns towards the $(x_2,x_3)$-plane (our check: after a quarter turn it is in it, )"
+      R"(along $(0,1,1)/\sqrt2$))",
+      samples,
+      {.quantity = "the direction after a quarter turn",
+       .truth = {rodrigues, [](const auto& s) { return direction(s.pi() / 2); }},
+       .printed = R"($(0,1,1)/\sqrt2$)"});
   table.formula("direction", 1747, R"($D(t)=(\cos\omega t,\sin\omega t,1)/\sqrt2$)", samples,
                 {.quantity = "$D(t)$",
                  .truth = {rodrigues, [](const auto& s) { return direction(s.w * s.t); }},
@@ -469,21 +470,38 @@ void formulas(Claims& claims, Table& table, const Samples& samples) {
 
 // ---- the motion -------------------------------------------------------------------------------------------
 
-/// How many states of the motion up to t = 2 from lambda = s are not on the segment of length 4.
+/// A start from rest at lambda = s, on a spring of this stiffness, on the segment of length 4.
+struct Launch {
+  static constexpr double segment = 4;
+  double s, K;
+
+  double part() const { return s / segment; }
+  std::string text() const {
+    return "from " + format_shortest(part()) + " of the segment with $K=" + format_shortest(K) + "$";
+  }
+};
+/// On the first the mass leaves the upper end, on the second the lower one.
+constexpr Launch weak{3, 1}, stiff{1, 20};
+/// Where the mass starts in another motion of the listing's parameters.
+constexpr double other_start = 1;
+
+/// How many states of the motion up to t = 2 from lambda = s are not on the segment.
 Check stays_on(const std::string& start, double s, double K, double w = quarter) {
   const auto rod = along(s, 1, K, w);
   const auto states =
       ode::integrate<ode::DormandPrince54>(rod, rod.start(), Horizon{2, 200}.times(), 1e-10).value;
-  const auto off = [](const auto& x) { return !(0 <= x[0] && x[0] <= 4); };
+  const auto off = [](const auto& x) { return !(0 <= x[0] && x[0] <= Launch::segment); };
   return no_violations(R"($0\le\lambda\le L$ )" + start, std::ranges::count_if(states, off),
                        static_cast<long>(states.size()));
 }
 
+Check stays_on(const Launch& launch) { return stays_on(launch.text(), launch.s, launch.K); }
+
 /// An end of the segment is passed at the time named.
-Check passes(double end, double s, double K, const std::string& time) {
+Check passes(double end, const Launch& from, const std::string& time) {
   return as_written(R"(the time at which $\lambda=$ )" + format_shortest(end) + R"(, from $\lambda=$ )" +
-                        format_shortest(s) + " with $K=$ " + format_shortest(K),
-                    time, {"the equation of motion and its event", time_of(end, s, K)});
+                        format_shortest(from.s) + " with $K=$ " + format_shortest(from.K),
+                    time, {"the equation of motion and its event", time_of(end, from.s, from.K)});
 }
 
 void motion(Claims& claims, const Value& end) {
@@ -493,22 +511,21 @@ void motion(Claims& claims, const Value& end) {
   const Check middle = stays_on("from the middle with $K=10$, as in the listing", 2, 10);
   claims.add(
       "on_the_segment", 1755, R"(The mass is on the segment: $0\le\lambda(t)\le L$)",
-      {.printed = {"at any time, from any start",
-                   {middle, stays_on("from 3/4 of the segment with $K=1$", 3, 1),
-                    stays_on("from 1/4 of the segment with $K=20$", 1, 20)}},
+      {.printed = {"at any time, from any start", {middle, stays_on(weak), stays_on(stiff)}},
        .corrected = {"in the listing's motion; the equations themselves know no end of the segment",
-                     {middle, passes(4, 3, 1, "1.700"), passes(0, 1, 20, "1.892")}},
+                     {middle, passes(Launch::segment, weak, "1.700"), passes(0, stiff, "1.892")}},
        .in_view = {"in the listing's motion", {middle}},
        .near_misses = {{R"(at any speed, such as $1.5\sqrt{2K/m}$)",
                         {stays_on(R"(from the middle at $\omega=1.5\sqrt{2K/m}$)", 2, 10,
                                   1.5 * sqrt(20.0))}}},
        .why = filled(
            R"(Nothing in the equation of motion stops the mass at $0$ or at $L$. With the listing's $L=4$, )"
-           R"($c=m=1$ a weak spring, $K=1$, lets it slide off the upper end after @3 s when it starts at )"
-           R"(three quarters of the segment, and $\lambda(2)=@3$. A stiff one, $K=20$, draws it through the )"
-           R"(lower end after @3 s when it starts at a quarter, and $\lambda(2)=@2$. A game has to look for )"
-           R"(both events.)",
-           {time_of(4, 3, 1), lambda_at_2(along(3, 1, 1)), time_of(0, 1, 20), lambda_at_2(along(1, 1, 20))}),
+           R"($c=m=1$ a weak spring, $K=@1$, lets it slide off the upper end after @3 s when it starts at @2 of )"
+           R"(the segment, and $\lambda(2)=@3$. A stiff one, $K=@2$, draws it through the lower end after @3 s )"
+           R"(when it starts at @2 of the segment, and $\lambda(2)=@2$. A game has to look for both events.)",
+           {weak.K, time_of(Launch::segment, weak.s, weak.K), weak.part(),
+            lambda_at_2(along(weak.s, 1, weak.K)), stiff.K, time_of(0, stiff.s, stiff.K), stiff.part(),
+            lambda_at_2(along(stiff.s, 1, stiff.K))}),
        .kind = Fault::left_out,
        .root = "a segment without ends"});
 
@@ -574,11 +591,11 @@ void motion(Claims& claims, const Value& end) {
                      {1e-8, "ten tolerances of the integration"}}}},
        .near_misses = {same("$b$, $c$ and $K$", R"($L=8$, $m=3$, $K=10$, $b=\sqrt2$)", half, 3, 10)},
        .why = filled(
-           R"(The start $b$ is missing, on which $\lambda(0)=bL/a=\sqrt2\,b$ and $\ell$ depend. From a )"
-           R"(quarter of the segment instead of its middle, with the same $L$, $c$, $m$ and $K$, $\lambda(2)$ )"
-           R"(is @3 and not @3. The length $L$ decides nothing else, and $m$ and $K$ only by $K/m$. The )"
-           R"(listing has $b$ as the initial `lambda`.)",
-           {lambda_at_2(along(1, 1, 10)), lambda_at_2()}),
+           R"(The start $b$ is missing, on which $\lambda(0)=bL/a=\sqrt2\,b$ and $\ell$ depend. From @2 of )"
+           R"(the segment instead of its middle, with the same $L$, $c$, $m$ and $K$, $\lambda(2)$ is @3 and )"
+           R"(not @3. The length $L$ decides nothing else, and $m$ and $K$ only by $K/m$. The listing has $b$ )"
+           R"(as the initial `lambda`.)",
+           {other_start / Launch::segment, lambda_at_2(along(other_start, 1, book.K)), lambda_at_2()}),
        .kind = Fault::left_out,
        .root = "the start is no parameter"});
 }
@@ -837,31 +854,33 @@ constexpr const char* by_rate = R"(
   match goal with |- ?x <> 0 => replace x with 8 by (ring [two circle]); lra end)";
 
 std::vector<Root> roots() {
-  const double by_listing = listing(root_half<double>()).lambda.back();
+  constexpr double frames = 60;
+  const auto [lambdas, last_time] = listing(root_half<double>());
+  const double by_listing = lambdas.back();
   return {
       {"`aux[0]` for `aux[1]`",
        filled(
-           "The listing puts the mass @2 cm too far out on the segment after two seconds, at @4 m instead of "
-           "@3 m.",
-           {100 * (by_listing - lambda_at_2()), by_listing, lambda_at_2()})},
+           "The listing puts the mass @2 cm too far out on the segment after @1 s, at @4 m instead of @3 m.",
+           {100 * (by_listing - lambda_at_2()), last_time, by_listing, lambda_at_2()})},
       {"at rest in space",
        filled(
-           "A mass started at rest in space is @2 cm off the segment after the first sixtieth of a second: the "
+           "A mass started at rest in space is @2 cm off the segment after the first of @2 frames a second: the "
            "segment leaves it at @3 m/s.",
-           {100 * quarter * book.s0 / sqrt2 / 60, quarter * book.s0 / sqrt2})},
+           {100 * quarter * book.s0 / sqrt2 / frames, frames, quarter * book.s0 / sqrt2})},
       {"a spring that always pulls",
        filled("A spring that pulls where it is compressed has the mass @2 mm off at the end of the motion.",
               {1e3 * abs(lambda_at_2(AlwaysPulls{}) - lambda_at_2())})},
       {"a segment without ends",
        filled(
-           "On a spring of 1 N/m, started at three quarters of the segment, the mass leaves its upper end after "
-           "@3 s and is drawn @2 m beyond it at the end.",
-           {time_of(4, 3, 1), lambda_at_2(along(3, 1, 1)) - 4})},
+           "On a spring of @1 N/m, started at @2 of the segment, the mass leaves its upper end after @3 s and is "
+           "drawn @2 m beyond it at the end.",
+           {weak.K, weak.part(), time_of(Launch::segment, weak.s, weak.K),
+            lambda_at_2(along(weak.s, 1, weak.K)) - Launch::segment})},
       {"the start is no parameter",
        filled(
-           "Started at a quarter of the segment instead of its middle, all parameters named being the same, the "
-           "mass arrives at @3 m for @3 m.",
-           {lambda_at_2(along(1, 1, 10)), lambda_at_2()})},
+           "Started at @2 of the segment instead of its middle, all parameters named being the same, the mass "
+           "arrives at @3 m for @3 m.",
+           {other_start / Launch::segment, lambda_at_2(along(other_start, 1, book.K)), lambda_at_2()})},
       {"a clock set to zero",
        filled(
            R"(Whoever loads a motion saved at $t=1$ and $\lambda=2$ sees the mass jump by @3 m, as the segment is turned )"

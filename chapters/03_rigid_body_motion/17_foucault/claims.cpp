@@ -242,7 +242,7 @@ void geometry(Table& table, const Samples& samples) {
                   R"(mL^2(\ddot\phi-\dot\theta^2\sin\phi\cos\phi))$)"});
   const auto six = [](const auto& a, const auto& b) { return values(a[0], a[1], a[2], b[0], b[1], b[2]); };
   table.formula(
-      "dR", 2257, R"($\partial R/\partial\theta$ and $\partial R/\partial\phi$ are $\sin\phi\,P$ and $-Q$)",
+      "dR", 2253, R"($\partial R/\partial\theta$ and $\partial R/\partial\phi$ are $\sin\phi\,P$ and $-Q$)",
       samples,
       {.quantity = R"($\partial R/\partial\theta$ and $\partial R/\partial\phi$)",
        .truth =
@@ -255,7 +255,7 @@ void geometry(Table& table, const Samples& samples) {
 
 void forces(Table& table, const Samples& samples) {
   table.formula(
-      "force", 2241,
+      "force", 2243,
       R"(The turning axes add $-2w\times\dot r$ to the acceleration by gravity and rod, to first order )"
       R"(in $\omega$ (our condition))",
       samples,
@@ -283,7 +283,7 @@ void forces(Table& table, const Samples& samples) {
        .meant = {"$D^2r/Dt^2$"},
        .kind = Fault::formula,
        .why =
-           R"(The square of $Dt$ is missing, here and in lines 2263 and 2273: the acceleration is )"
+           R"(The square of $Dt$ is missing, here and in lines 2259 and 2271: the acceleration is )"
            R"($D^2r/Dt^2$. A second difference over a single $Dt$ has the unit of a velocity, and goes to zero )"
            R"(with $Dt$.)"});
   const auto with_earth = [](double west, double north) {
@@ -311,7 +311,7 @@ void forces(Table& table, const Samples& samples) {
   const std::string b = R"(, $b=-\cos\lambda\sin\theta\sin\phi+\sin\lambda\cos\phi$)";
   const std::string by_lagrange =
       R"(Lagrange's equations on the turning Earth less their kinetic part, linear in $\omega$)";
-  table.formula("force_theta", 2257, R"($F_\theta=(mL\sin\phi)\,2L\omega\dot\phi\,b$)" + b, samples,
+  table.formula("force_theta", 2261, R"($F_\theta=(mL\sin\phi)\,2L\omega\dot\phi\,b$)" + b, samples,
                 {.quantity = R"(the generalized force on $\theta$)",
                  .truth = {by_lagrange, [](const auto& s) { return s.generalized_force()[0]; }},
                  .printed = R"($(mL\sin\phi)\,2L\omega\dot\phi\,b$)"});
@@ -824,15 +824,16 @@ void tensor(ConeTable& table, const Cones& cones) {
       });
     };
   };
-  table.formula("J_world", 2417,
-                "In world coordinates $J=I_{xx}(PP^T+QQ^T)+I_{zz}RR^T$ (about the base's center)", cones,
-                {.quantity = "$J$ in world coordinates, about the base's center",
-                 .truth = {"quadrature over the turned cone",
-                           [=](const auto& s) {
-                             return six(s, [&](const auto& u, const auto& v) { return s.inertia(u, v); });
-                           }},
-                 .printed = {"the entries of $I_{xx}(PP^T+QQ^T)+I_{zz}RR^T$", by_axes(false)},
-                 .near_misses = {{"those of $I_{zz}(PP^T+QQ^T)+I_{xx}RR^T$", by_axes(true)}}});
+  table.formula(
+      "J_world", 2417,
+      "In world coordinates $J=I_{xx}(PP^T+QQ^T)+I_{zz}RR^T$ (our condition: about the base's center)", cones,
+      {.quantity = "$J$ in world coordinates, about the base's center",
+       .truth = {"quadrature over the turned cone",
+                 [=](const auto& s) {
+                   return six(s, [&](const auto& u, const auto& v) { return s.inertia(u, v); });
+                 }},
+       .printed = {"the entries of $I_{xx}(PP^T+QQ^T)+I_{zz}RR^T$", by_axes(false)},
+       .near_misses = {{"those of $I_{zz}(PP^T+QQ^T)+I_{xx}RR^T$", by_axes(true)}}});
   const std::string turned = R"(the same for $(P+R)/\sqrt2$ and $(P-R)/\sqrt2$ in place of $P$ and $R$)";
   table.formula("principal", 2297, "The cone's axis is along $R$, and is a principal direction", cones,
                 {.quantity = R"($P\cdot JR$ and $Q\cdot JR$, zero for a principal direction $R$)",
@@ -1095,28 +1096,29 @@ Provables cone_proofs() {
 }
 
 std::vector<Root> roots() {
-  // the default cone has h = r, and its moments are of a unit mass
-  const double h = 1.25, base = 5 * h * h / 20, center = 15 * h * h / 80;
+  const Cone cone{1.25, 1.25};  // the default one
+  const auto book = book_cone(cone);
+  constexpr double swings = 10;
   return {
       {"division at the lowest point",
        filled(
-           "A pendulum pushed from its lowest point has NaN in the first step; the Pantheon's, 67 m long and let "
-           "go at rest 3 m aside, passes the point at @1 mm.",
-           {1e3 * 3 * 7.292115e-5 * sin(0.8526) * sqrt(67 / 9.81)})},
+           "A pendulum pushed from its lowest point has NaN in the first step; the Pantheon's, @2 m long and let "
+           "go at rest @1 m aside, passes the point at @1 mm.",
+           {pantheon.L, let_go_aside(), 1e3 * passes_at()})},
       {"a center of mass that halves the volume",
        filled(
            "The default cone, @3 m high, is drawn with its center of mass @2 cm too far below the joint, at "
            "@2 m instead of @2 m.",
-           {h, 100 * h * (printed_length<double>() - 0.75), h * printed_length<double>(), 0.75 * h})},
+           {cone.h, 100 * (book.L - cone.L()), book.L, cone.L()})},
       {"moments about the base",
        filled(
            "Thrown, the default cone would turn end over end as if it were @2 % heavier to turn: with @2 kg "
            "m$^2$ per kilogram instead of @2.",
-           {100 * (base / center - 1), base, center})},
+           {100 * (book.Ixx / cone.across() - 1), book.Ixx, cone.across()})},
       {"the cone's own turning",
        filled(
-           "The default cone swings @2 % too fast: when it has swung ten times, the published one has swung @3 times.",
-           {100 * (too_fast() - 1), 10 * too_fast()})}};
+           "The default cone swings @2 % too fast: when it has swung @2 times, the published one has swung @3 times.",
+           {100 * (too_fast() - 1), swings, swings * too_fast()})}};
 }
 
 }  // namespace oddity::ex03_17

@@ -34,6 +34,14 @@ Space<T> axis_velocity(const Two<T>& q, const Two<T>& v) {
   return {axes.R[0].slope, axes.R[1].slope, axes.R[2].slope};
 }
 
+/// Foucault's own pendulum, in the Pantheon, let go at rest.
+inline constexpr Given<double> pantheon{0.8526, 67, 7.292115e-5, 9.81, 0.5, 0.0447, 0, 0};
+/// m, how far aside it is let go, and how far from its lowest point it passes.
+inline double let_go_aside() { return pantheon.L * std::sin(pantheon.phi); }
+inline double passes_at() {
+  return let_go_aside() * pantheon.omega * std::sin(pantheon.lambda) / std::sqrt(pantheon.g / pantheon.L);
+}
+
 /// A cone of unit mass that hangs by its vertex: its center of mass at L, moments of inertia about that.
 template <class T>
 struct ConeOf {

@@ -99,17 +99,15 @@ Quantity bob(const Given<double>& p, const Horizon& horizon, const Reference& tr
                 {p.omega, 2 * std::numbers::pi / p.omega, error_of(Side::broken), horizon.end}});
 }
 
-/// Foucault's own pendulum: the Pantheon's 67 m, let go at rest 3 m aside.
-constexpr Given<double> pantheon{0.8526, 67, 7.292115e-5, 9.81, 0.5, 0.0447, 0, 0};
-
 Quantity bob_on_earth(const Horizon& horizon, const Reference& truth) {
-  Quantity q =
-      quantity("bob_on_earth", "m", "the same for the Pantheon's pendulum: 67 m, let go 3 m aside",
-               trajectory(truth, "03_17_bob", pantheon.inputs(), horizon),
-               {1e-5, filled(R"(a hundredth of a millimetre; the centrifugal force is worth @2 of it, )"
-                             R"($2\omega^2L^2\sin\lambda\cos\lambda/g$)",
-                             {pantheon.omega * pantheon.omega * pantheon.L * pantheon.L *
-                              std::sin(2 * pantheon.lambda) / pantheon.g / 1e-5})});
+  Quantity q = quantity(
+      "bob_on_earth", "m",
+      filled("the same for the Pantheon's pendulum: @2 m, let go @1 m aside", {pantheon.L, let_go_aside()}),
+      trajectory(truth, "03_17_bob", pantheon.inputs(), horizon),
+      {1e-5, filled(R"(a hundredth of a millimetre; the centrifugal force is worth @2 of it, )"
+                    R"($2\omega^2L^2\sin\lambda\cos\lambda/g$)",
+                    {pantheon.omega * pantheon.omega * pantheon.L * pantheon.L *
+                     std::sin(2 * pantheon.lambda) / pantheon.g / 1e-5})});
   SceneMethods(q, horizon, halving("step", 0.125, 8), tolerances(3, 11))
       .closed_form("averaged", SmallAngle<double>{pantheon, true}, Outcome::inaccurate, small)
       .closed_form("small angle", SmallAngle<double>{pantheon}, Outcome::inaccurate, small)
@@ -124,7 +122,8 @@ Quantity push(Given<double> p, const Horizon& horizon, const Reference& truth) {
   p.phi = p.theta_dot = 0;
   p.phi_dot = 0.75;
   Quantity q =
-      quantity("pushed_from_below", "m", R"(the same, pushed from the lowest point by $\dot\phi=0.75$ rad/s)",
+      quantity("pushed_from_below", "m",
+               filled(R"(the same, pushed from the lowest point by $\dot\phi=@2$ rad/s)", {p.phi_dot}),
                trajectory(truth, "03_17_bob", p.inputs(), horizon), {1e-6, "a micrometre"});
   const std::string why = R"(at the lowest point the first equation is divided by $\sin\phi=0$)";
   SceneMethods(q, horizon, halving("step", 0.125, 8), tolerances(3, 11))
@@ -144,7 +143,8 @@ Quantity hours(const Reference& truth) {
   constexpr double degrees = 180 / std::numbers::pi;
   Quantity q =
       quantity("plane_of_swing", "rad",
-               "direction of the Pantheon's pendulum (67 m, 3 m aside, at rest) after an hour",
+               filled("direction of the Pantheon's pendulum (@2 m, @1 m aside, at rest) after an hour",
+                      {pantheon.L, let_go_aside()}),
                trajectory(truth, "03_17_axis", pantheon.inputs(), horizon),
                {1e-3, filled(R"(@1 degrees; theory: $\omega\sin\lambda$, @3 degrees an hour)",
                              {1e-3 * degrees, 3600 * pantheon.omega * std::sin(pantheon.lambda) * degrees})});
@@ -160,8 +160,7 @@ Quantity hours(const Reference& truth) {
       .by<ode::RungeKutta4>(angles, two, Outcome::non_finite, turns_at_once);
   SceneMethods(q, horizon, steps, tolerances(7, 7)).by<ode::Fehlberg78>(angles, two);
   // A small ellipse, whose halves are as the turning of the plane to the swing.
-  const double swing = std::sqrt(pantheon.g / pantheon.L), aside = pantheon.L * std::sin(pantheon.phi),
-               nearest = aside * pantheon.omega * std::sin(pantheon.lambda) / swing, fastest = aside * swing;
+  const double nearest = passes_at(), fastest = let_go_aside() * std::sqrt(pantheon.g / pantheon.L);
   return q.add(
       Breakdown{R"(Let go at rest, the bob passes the lowest point at a distance of @1 mm, where $\theta$ )"
                 "changes by half a turn within about @1 ms. Steps that serve the swing overflow there; "

@@ -164,10 +164,17 @@ double tension_at_start() {
   two_pulleys::TwoCoordinates<double>{standard}.acceleration(y, a);
   return standard.c2 * standard.stretch2(y) + standard.inertia_over_square_2() * (a[1] - a[0]);
 }
-/// The depth of their small pulley after a second.
-double depth_after_a_second(double lever) {
+/// The default start with a longer upper rope, and how much shorter than at rest its spring is.
+constexpr two_pulleys::Given<double> let_loose = [] {
+  auto p = standard;
+  p.K1 = -0.5;
+  return p;
+}();
+double loose() { return -let_loose.stretch1(std::array{let_loose.y2, let_loose.y3}); }
+/// The depth of their small pulley after this time.
+double depth_after(double time, double lever) {
   const two_pulleys::TwoCoordinates<double> model{standard, lever};
-  return ode::integrate<ode::Fehlberg78>(model, model.start(), 0, 1, 1e-10).value[0];
+  return ode::integrate<ode::Fehlberg78>(model, model.start(), 0, time, 1e-10).value[0];
 }
 /// The squares of their frequencies: the mean of the two, and that less the one, squared.
 std::array<double, 2> squares_of_frequencies(double lever) {
@@ -371,10 +378,10 @@ void compression(Table& table, const Samples& samples) {
        .root = "a rope that pushes",
        .why = filled(
            "Between spring and pulley is a wire, and a wire cannot push: where $S_1<L_1$ it hangs slack and "
-           "the force is $m_2g$ alone; the same holds for $S_2<L_2$. With $K_1=-0.5$ m the default pulley "
-           "starts at $S_1=0.5$ m, pushed down with @2 N that are not there. The equations are valid as "
+           "the force is $m_2g$ alone; the same holds for $S_2<L_2$. With $K_1=@1$ m the default pulley "
+           "starts at $S_1=@1$ m, pushed down with @2 N that are not there. The equations are valid as "
            "long as both wires are taut.",
-           {standard.c1 * (standard.L1 - 0.5)})});
+           {let_loose.K1, let_loose.L1 - loose(), let_loose.c1 * loose()})});
 }
 
 /// What `compression` says of pressed springs, said of stretched ones.
@@ -395,8 +402,8 @@ void forces(Table& table, Table& in_motion, const Samples& samples, const Sample
   Samples stretched;
   for (const Sample& s : samples) stretched.push_back(s.stretched());
   table.formula(
-      "stretched", 2517, "$S_1>L_1$ is stretching: the first spring then pulls the small pulley up",
-      stretched,
+      "stretched", 2517,
+      "$S_1>L_1$ is stretching (our check: the first spring then pulls the small pulley up)", stretched,
       {.quantity = "the first spring's part of the force on the small pulley",
        .truth = {R"(what $-\partial V/\partial y_2$ has for $c_1$ and not for $c_1=0$, by dual numbers)",
                  [](const auto& s) {
@@ -596,11 +603,12 @@ Provables proofs() {
 }
 
 std::vector<Root> roots() {
+  constexpr double shown_after = 1;
   return {
       {"the second spring on the pulley",
        filled("By the published equations the small pulley of the default start is @2 m above the ceiling "
-              "after one second, where it should hang @2 m below it.",
-              {-depth_after_a_second(0), depth_after_a_second(2)})},
+              "after @1 s, where it should hang @2 m below it.",
+              {-depth_after(shown_after, 0), shown_after, depth_after(shown_after, 2)})},
       {"the small pulley's inertia",
        filled(
            "A rope that breaks at 25 N holds the default mass at the start, as its tension is @3 N; by the "
@@ -608,8 +616,8 @@ std::vector<Root> roots() {
            {tension_at_start(), standard.c2 * standard.stretch2(std::array{standard.y2, standard.y3})})},
       {"a rope that pushes",
        filled(
-           "Started with 0.5 m of slack ($K_1=-0.5$ m), the small pulley is pushed down by its rope with @2 N.",
-           {standard.c1 * (standard.L1 - 0.5)})}};
+           "Started with @1 m of slack ($K_1=@1$ m), the small pulley is pushed down by its rope with @2 N.",
+           {loose(), let_loose.K1, let_loose.c1 * loose()})}};
 }
 
 }  // namespace oddity::ex03_19

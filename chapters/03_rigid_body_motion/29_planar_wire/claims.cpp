@@ -135,10 +135,8 @@ struct SampleOf {
       });
     }
   }
-  T mu2(const Point& about = {0, 0}) const {
-    return integrated([&](const auto& p, const auto&) {
-      return (p[0] - about[0]) * (p[0] - about[0]) + (p[1] - about[1]) * (p[1] - about[1]);
-    });
+  T mu2() const {
+    return integrated([](const auto& p, const auto&) { return p[0] * p[0] + p[1] * p[1]; });
   }
 };
 
@@ -255,11 +253,11 @@ T energy_of_rod(const SampleOf<T>& s, const std::type_identity_t<T>& l) {
     return gauss_legendre(f, -l / 2, l / 2, 4).value;
 }
 
-/// mu0 or mu2 by integration against the primitives, density uniform.
-Reading against_primitives(const std::string& text, std::size_t component, bool centered, bool by_length,
-                           double seed) {
+/// mu0 by integration over the arc length, or over the curve's parameter, against its primitive, density
+/// uniform.
+Reading against_primitive(const std::string& text, bool by_length, double seed) {
   Random random(seed);
-  WorstSample worst(component == 0 ? R"($\mu_0$)" : R"($\mu_2$)", text, "primitives of the moments");
+  WorstSample worst(R"($\mu_0$)", text, "the primitive of the mass");
   std::vector<std::pair<TypesetLetters, Value>> computed;
   for (int i = 0; i < 60; ++i) {
     Sample s(random);
@@ -269,10 +267,8 @@ Reading against_primitives(const std::string& text, std::size_t component, bool 
     const double mass =
         by_length ? s.wire.over_mass([](double) { return 1; })
                   : gauss_legendre([&](double u) { return s.wire.density(u); }, 0, s.wire.end(), 32).value;
-    const double moment =
-        component == 0 ? mass : s.mu2(centered ? Point{} : Point{-s.center[0], -s.center[1]});
-    worst.add(moment, exact[component], 1 + s.size(), s.where());
-    if (i < 8) computed.emplace_back(s.typeset(), moment);
+    worst.add(mass, exact[0], 1 + s.size(), s.where());
+    if (i < 8) computed.emplace_back(s.typeset(), mass);
   }
   return {text, {worst.check()}, is_as_typeset(compare_typeset(text, computed))};
 }
@@ -680,8 +676,9 @@ Provables proofs() {
   return proved;
 }
 
-/// Friction of 1 N a kilogram on a turning rod of 1 m and 2 kg, about its center, in N m.
-constexpr double moment_of_rod = 2 * (2 * 0.5 * 0.5 / 2);
+/// A rod that turns about its center, in m, kg and N a kilogram, and the moment of its friction, in N m.
+constexpr double length_of_rod = 1, mass_of_rod = 2, friction_of_rod = 1,
+                 moment_of_rod = friction_of_rod * mass_of_rod * length_of_rod / 4;
 
 std::vector<Claim> claims(double seed) {
   const auto samples = draw<Sample>(200, seed);
@@ -714,20 +711,16 @@ std::vector<Claim> claims(double seed) {
                           const Point a = s.wire.point(0), b = s.wire.point(s.wire.end());
                           return std::hypot(b[0] - a[0], b[1] - a[1]);
                         }}}});
-  claims.add("mass", 2867, R"(The total mass is $\mu_0=\int\delta\,ds$)",
-             {.printed = against_primitives(R"($\mu_0=\int\delta\,ds$)", 0, true, true, seed),
-              .near_misses = {against_primitives(R"($\mu_0=\int\delta\,du$, $u$ not the arc length)", 0, true,
-                                                 false, seed)}});
+  claims.add(
+      "mass", 2867, R"(The total mass is $\mu_0=\int\delta\,ds$)",
+      {.printed = against_primitive(R"($\mu_0=\int\delta\,ds$)", true, seed),
+       .near_misses = {against_primitive(R"($\mu_0=\int\delta\,du$, $u$ not the arc length)", false, seed)}});
   claims.add("kinetic_energy", 2883, R"(The kinetic energy is $T=\int\frac12|v|^2\delta\,ds$)",
              {.printed = of_particles(R"($T=\int\frac12|v|^2\delta\,ds$)", 0.5, seed),
               .near_misses = {of_particles(R"($T=\int|v|^2\delta\,ds$)", 1, seed)}});
-  claims.add("mu2", 2915, R"($\mu_2=\int|b|^2\delta\,ds$)",
-             {.printed = against_primitives(R"($\mu_2=\int|b|^2\delta\,ds$, $b$ from the center of mass)", 3,
-                                            true, true, seed),
-              .near_misses = {against_primitives(
-                  R"($\mu_2=\int|b|^2\delta\,ds$, $b$ from the start of the curve)", 3, false, true, seed)}});
   claims.add("numerical_integration", 2945,
-             "Numerical integration applies to the generalized forces of rough friction (on a moving wire)",
+             "Numerical integration applies to the generalized forces of rough friction (our condition: on a "
+             "moving wire)",
              {.printed = friction_moment(seed, 1 << 15), .near_misses = {friction_moment(seed, 2)}});
   claims.add(
       "friction_at_rest", 2945,
@@ -741,30 +734,31 @@ std::vector<Claim> claims(double seed) {
                         {friction_at_speed("half as fast", seed, 0.5, 0.5)}}},
        .why = filled(
            "Rough friction has the direction $-v/|v|$, and a wire at rest has none: every rule that "
-           "evaluates the integrand returns NaN. Nor is there a limit: friction of 1 N a kilogram on a rod "
-           "of 1 m and 2 kg that turns about its center has a moment of $-@2$ or $+@2$ N m, by the sense of "
+           "evaluates the integrand returns NaN. Nor is there a limit: friction of @1 N a kilogram on a rod "
+           "of @1 m and @1 kg that turns about its center has a moment of $-@2$ or $+@2$ N m, by the sense of "
            "the turn, however slow it is. At rest it takes what holds the rod, up to a bound: that is "
            "static friction, which the integral does not have.",
-           {moment_of_rod, moment_of_rod}),
+           {friction_of_rod, length_of_rod, mass_of_rod, moment_of_rod, moment_of_rod}),
        .kind = Fault::left_out,
        .root = at_rest});
   return claims.in_order();
 }
 
 std::vector<Root> roots() {
+  constexpr double rolling = 1;
   return {
       {cross_term,
        filled(
-           R"(The lowest point of a wheel that rolls at 1 m/s rests on the ground; by the published formula it slides )"
-           R"(at $\sqrt2=@3$ m/s, and a game that leaves skid marks by the speed of contact has every rolling wheel )"
-           R"(leave them.)",
-           {std::sqrt(2.0)})},
+           R"(The lowest point of a wheel that rolls at @1 m/s rests on the ground; by the published formula it slides )"
+           R"(at $\sqrt2=@3$ times that, and a game that leaves skid marks by the speed of contact has every rolling )"
+           R"(wheel leave them.)",
+           {rolling, std::sqrt(rolling * rolling + rolling * rolling) / rolling})},
       {at_rest,
        filled(
-           R"(A rod of 1 m and 2 kg that lies still on ground of 1 N a kilogram gets NaN for its moment in the first )"
+           R"(A rod of @1 m and @1 kg that lies still on ground of @1 N a kilogram gets NaN for its moment in the first )"
            R"(frame; one whose turn has all but stopped gets @2 N m to one side or the other, whichever way its last )"
            R"(rounding error turns it.)",
-           {moment_of_rod})}};
+           {length_of_rod, mass_of_rod, friction_of_rod, moment_of_rod})}};
 }
 
 }  // namespace oddity::ex03_29

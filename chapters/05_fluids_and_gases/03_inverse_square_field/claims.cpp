@@ -142,7 +142,8 @@ std::vector<Claim> claims(const Random& random, const Reference& truth) {
        .kind = Fault::formula});
   derivatives(
       "common_denominator", 3239,
-      R"($\nabla\cdot(\mathbf x/|\mathbf x|^3)=\sum_i(|\mathbf x|^2-3x_i^2)/|\mathbf x|^5$ over the common denominator)",
+      R"($\nabla\cdot(\mathbf x/|\mathbf x|^3)=\sum_i(|\mathbf x|^2-3x_i^2)/|\mathbf x|^5$ over the common denominator )"
+      "(our check: summand by summand, as the sum is zero)",
       1e55, R"($(|\mathbf x|^2-3x_0^2,\ |\mathbf x|^2-3x_1^2,\ |\mathbf x|^2-3x_2^2)/|\mathbf x|^5$)");
   Random digits = random;
   std::vector<Whole> whole;

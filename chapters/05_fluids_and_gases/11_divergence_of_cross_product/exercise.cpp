@@ -60,7 +60,7 @@ Proof proof_of_lines(Random random) {
              {{"fxg0", "f1 g2 - f2 g1"}, {"fxg1", "f2 g0 - f0 g2"}, {"fxg2", "f0 g1 - f1 g0"}},
              R"(determinants of $\mathbf f$, $\mathbf g$ and a unit vector, by LU)");
   proof.line(
-      "definition", 3409,
+      "definition", 3411,
       R"(the divergence is the sum of the three brackets' derivatives, with $\mathbf h=\mathbf f\times\mathbf g$)",
       {{"div_fxg", "h0,0 + h1,1 + h2,2"}}, whole);
   proof.line("product_rule_0", 3419, "the first bracket's derivative with respect to $x_0$ has four terms",

@@ -186,11 +186,14 @@ void costs(Claims& claims, const Parameters& p, const std::vector<Lattice>& sphe
          }},
         {{0.25}, {0.5}, {1.0}, {2.0}, {3.0}});
   };
-  claims.add("typically_less", 3737, "the subset of bins is typically a lot less than the total number",
-             {.printed = {R"(below a fiftieth while $r\le h$; $(1+2r/h)^3$ less what the border cuts off)",
-                          {small(1), mean("$(1+2r/h)^3$", 2)}},
-              .near_misses = {{"for spheres of up to 8 bins' radius too", {small(8)}},
-                              {"$(1+r/h)^3$ less what the border cuts off", {mean("$(1+r/h)^3$", 1)}}}});
+  claims.add(
+      "typically_less", 3737,
+      "the subset of bins is typically a lot less than the total number (our reading: below a fiftieth "
+      "of $16^3$ bins while $r\\le h$)",
+      {.printed = {R"(below a fiftieth while $r\le h$; $(1+2r/h)^3$ less what the border cuts off)",
+                   {small(1), mean("$(1+2r/h)^3$", 2)}},
+       .near_misses = {{"for spheres of up to 8 bins' radius too", {small(8)}},
+                       {"$(1+r/h)^3$ less what the border cuts off", {mean("$(1+r/h)^3$", 1)}}}});
 
   const auto everything = [](double widths) {
     return [=](const Center& center) {
@@ -200,7 +203,8 @@ void costs(Claims& claims, const Parameters& p, const std::vector<Lattice>& sphe
   };
   claims
       .statement<Center>("unless_large", 3737,
-                         "the subset is not less than the total number where the sphere is really large",
+                         "the subset is not less than the total number where the sphere is really large (our "
+                         "reading: $r$ the grid's width)",
                          draw<Center>(400, p["seed"]),
                          {.printed = {"every bin for $r$ the grid's width", everything(1)},
                           .near_misses = {{"every bin for $r$ half the width", everything(0.5)}}})
@@ -252,10 +256,12 @@ void costs(Claims& claims, const Parameters& p, const std::vector<Lattice>& sphe
   };
   claims.add(
       "constant_cost", 3737,
-      "with a good choice of bin size the number of tests is about constant, $O(1)$ instead of $O(n)$",
+      "with a good choice of bin size (our reading: $h=2r$) the number of tests is about constant, $O(1)$ "
+      "instead of $O(n)$",
       {.printed = {"8 less what the border cuts off, at $r=h/2$",
                    {tests("$(2-1/N)^3$ for $N$ bins an axis", closed, rounding(8)),
-                    tests("8", constant, {8 * 3 / 16.0, "the border cuts off $3/(2N)$ of 8, $N=8$"})}},
+                    tests("8, whatever $N$ is", constant,
+                          {8 * 3 / 16.0, "the border cuts off $3/(2N)$ of 8, $N=8$"})}},
        .near_misses = {{"proportional to $n$", {tests("proportional to $n$", linear, {1.5, "as above"})}}}});
 }
 

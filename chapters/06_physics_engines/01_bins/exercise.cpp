@@ -4,6 +4,9 @@
 // integers: the squared distance to the box against r^2. The mean length of an index range is 1 + 2r/h: an
 // interval of length 2r, laid at random, crosses 2r/h of the bins' ends.
 
+#include <bit>
+#include <cmath>
+
 #include "chapters/06_physics_engines/01_bins/bins.hpp"
 #include "chapters/06_physics_engines/shared/bins.hpp"
 
@@ -21,34 +24,40 @@ constexpr Parameter parameters[] = {
 
 // ---- quantities -------------------------------------------------------------------------------------------
 
-/// A list of bins as two numbers: how many, and the sum of their ids.
-void put(std::vector<double>& value, const std::vector<long>& ids) {
+/// What a bin's id counts in the checksum: a power of two, so that sums are exact.
+double checksum_unit(const Grid& grid) {
+  return 1 / static_cast<double>(std::bit_ceil(static_cast<unsigned long>(grid.count())));
+}
+
+/// A list of bins as two numbers: how many, and a checksum of their ids.
+void put(std::vector<double>& value, const std::vector<long>& ids, const Grid& grid) {
   double sum = 0;
-  for (long id : ids) sum += static_cast<double>(id);
+  for (long id : ids) sum += static_cast<double>(id) * checksum_unit(grid);
   value.push_back(static_cast<double>(ids.size()));
   value.push_back(sum);
 }
+Tolerance whole_bins(const Grid& grid) { return {0.5 * checksum_unit(grid), "whole bins"}; }
 
 Quantity bins_of(std::string name, std::string says, const std::vector<Lattice>& spheres, const Grid& grid) {
   std::vector<double> value;
-  for (const Lattice& s : spheres) put(value, exact_ids(s, grid, hit_exactly));
+  for (const Lattice& s : spheres) put(value, exact_ids(s, grid, hit_exactly), grid);
   return {std::move(name),
-          "1",
+          "bins",
           std::move(says),
           {"every bin in exact integers", value},
           0,
-          {0.5, "whole numbers"},
+          whole_bins(grid),
           {},
           {}};
 }
 
 template <class Find>
-Answer answer_for(const std::vector<Sphere>& spheres, const Find& find) {
+Answer answer_for(const std::vector<Sphere>& spheres, const Grid& grid, const Find& find) {
   std::vector<double> value;
   long tests = 0;
   for (const Sphere& s : spheres) {
     const Candidates found = find(s);
-    put(value, found.ids);
+    put(value, found.ids, grid);
     tests += found.tests;
   }
   return {Value(std::move(value)), tests};
@@ -61,7 +70,7 @@ Method by(std::string model, std::string algorithm, const std::vector<Sphere>& s
           std::move(algorithm),
           no_knob(),
           [=](double) {
-            return answer_for(spheres, [&](const Sphere& s) { return hits(s, grid, range, test); });
+            return answer_for(spheres, grid, [&](const Sphere& s) { return hits(s, grid, range, test); });
           },
           expected,
           std::move(why)};
@@ -77,8 +86,7 @@ Quantity all_cases(const Parameters& p) {
   const Grid grid{1, static_cast<int>(p["half"])};
   const auto lattice = test_spheres(p);
   const auto spheres = real(lattice);
-  Quantity q =
-      bins_of("bins", "bins hit by each sphere: their number and the sum of their ids", lattice, grid);
+  Quantity q = bins_of("bins", "bins hit by each sphere: their number and a checksum", lattice, grid);
   const std::string test = "sphere-box test";
   const Outcome wrong = Outcome::inaccurate;
   q.add(by("all bins", test, spheres, grid, every_bin, touches));
@@ -86,7 +94,7 @@ Quantity all_cases(const Parameters& p) {
   q.add(by("index range", "no test", spheres, grid, reach, always, wrong,
            "the box has corners, a sphere none"));
   q.add({"index range of each row", "no test", no_knob(), [=](double) {
-           return answer_for(spheres, [&](const Sphere& s) { return hits_by_rows(s, grid); });
+           return answer_for(spheres, grid, [&](const Sphere& s) { return hits_by_rows(s, grid); });
          }});
   q.add(by("index range by floor alone", test, spheres, grid, reach_by_floor, touches, wrong,
            "a bin that ends where the interval begins is touched, and left out"));
@@ -117,9 +125,10 @@ Quantity huge_tangent() {
   const Grid grid{1, 8};
   const Lattice s{{8 * unit + (1LL << 36), 32, 32}, 1LL << 36};
   const std::vector<Sphere> one{s.sphere()};
-  Quantity q =
-      bins_of("huge_tangent", "bins hit by a sphere of $2^{30}$ bins' radius that touches the grid's face",
-              {s}, grid);
+  Quantity q = bins_of("huge_tangent",
+                       filled("bins hit by a sphere of $2^{@2}$ bins' radius that touches the grid's face",
+                              {std::log2(one[0].r / grid.h)}),
+                       {s}, grid);
   q.add(by("all bins", "squared distance", one, grid, every_bin, touches, Outcome::diverged,
            filled("the gap of half a bin is lost when its square is added to $2^{@2}$",
                   {2 * std::log2(one[0].r)})));
@@ -139,17 +148,17 @@ Quantity by_hand(std::string name, std::string says, std::string because, const 
   std::vector<double> value;
   std::vector<long> ids;
   for (const Index& i : hit) ids.push_back(grid.id(i));
-  put(value, ids);
-  return {
-      std::move(name), "1", std::move(says), {std::move(because), value}, 0, {0.5, "whole numbers"}, {}, {}};
+  put(value, ids, grid);
+  return {std::move(name), "bins", std::move(says), {std::move(because), value}, 0, whole_bins(grid), {}, {}};
 }
 
 Quantity tiny_sphere() {
   const Grid grid{1, 4};
-  const std::vector<Sphere> one{{{-1e-190, 0.5, 0.5}, 1e-200}};
-  Quantity q =
-      by_hand("tiny_sphere", "bins hit by a sphere of radius $10^{-200}$ at $10^{-190}$ below a boundary",
-              "the boundary is $10^{10}$ radii away", grid, {{-1, 0, 0}});
+  constexpr double below = 1e-190, radius = 1e-200;
+  const std::vector<Sphere> one{{{-below, 0.5, 0.5}, radius}};
+  Quantity q = by_hand(
+      "tiny_sphere", filled("bins hit by a sphere of radius $@1$ at $@1$ below a boundary", {radius, below}),
+      filled("the boundary is $@1$ radii away", {below / radius}), grid, {{-1, 0, 0}});
   q.add(by("all bins", "sphere-box test", one, grid, every_bin, touches, Outcome::inaccurate,
            R"(both squares underflow to 0, and $0\le0$)"));
   q.add(by("index range", "sphere-box test", one, grid, reach, touches));
@@ -226,7 +235,7 @@ Answer query(const std::vector<Lattice>& all, const std::vector<Sphere>& spheres
   return counts;
 }
 
-constexpr int objects = 512;
+constexpr int objects = 512, questions = 8;
 
 Quantity objects_held(const Parameters& p) {
   Random random(p["seed"]);
@@ -236,7 +245,7 @@ Quantity objects_held(const Parameters& p) {
   };
   const long long r = std::llround(p["ratio"] * unit);
   for (int n = 0; n < objects; ++n) all.push_back({{coordinate(), coordinate(), coordinate()}, 0});
-  for (int n = 0; n < 8; ++n) queries.push_back({{coordinate(), coordinate(), coordinate()}, r});
+  for (int n = 0; n < questions; ++n) queries.push_back({{coordinate(), coordinate(), coordinate()}, r});
   all.front().c = queries.front().c;  // so that the first is not in vain
   std::vector<double> held;
   for (const Lattice& s : queries) {
@@ -250,11 +259,12 @@ Quantity objects_held(const Parameters& p) {
   }
   const auto spheres = real(queries);
   Quantity q{"objects_held",
-             "1",
-             "objects inside each of 8 spheres, 512 objects in a world of side 16",
+             "objects",
+             filled("objects inside each of @1 spheres, @3 objects in a world of side @2",
+                    {questions, objects, world}),
              {"every object in exact integers", held},
              0,
-             {0.5, "whole numbers"},
+             {0.5, "whole objects"},
              {},
              {}};
   const Knob across = doubling("bins an axis", 2, 5);

@@ -403,7 +403,8 @@ void solutions(Claims& claims, const Random& random) {
   clear(second, first, 0);
   clear(first, second, 1);
   claims.statement<Residues>(
-      "zero_pivot", 3793, "no pivot is ever zero: each row can be divided by its diagonal entry", all,
+      "zero_pivot", 3793,
+      "each row can be divided by its diagonal entry (our reading: no pivot is ever zero)", all,
       {.printed = {"the rows as they stand", [](const Residues& s) { return s.solved_with(0); }},
        .corrected = {"rows exchanged where a pivot is zero",
                      [](const Residues& s) { return s.solved_with(s.n()); }},
@@ -454,18 +455,19 @@ std::array<double, 2> small_matrices() {
 }  // namespace
 
 std::vector<Root> roots() {
-  const double printed = printed_total(10.0).mu, made = Counts(10).total().mu;
+  constexpr unsigned many = 10, few = 2;
+  const double printed = printed_total<double>(many).mu, made = Counts(many).total().mu;
   const auto [invertible, failing] = small_matrices();
   return {
       {"diagonal entries above the pivot",
-       filled("A table of costs has @3 multiplications for ten unknowns, where the program makes @4; one "
+       filled("A table of costs has @3 multiplications for @2 unknowns, where the program makes @4; one "
               "that leaves out the @2 gets a wrong solution.",
-              {printed, made, made - printed})},
+              {printed, many, made, made - printed})},
       {"lost additions",
        filled(
-           "For two unknowns the factored difference charges full elimination with @2 of an addition, where it "
+           "For @1 unknowns the factored difference charges full elimination with @2 of an addition, where it "
            "needs @1 more.",
-           {factored(2).alpha, Counts(2).excess().alpha})},
+           {few, factored(few).alpha, Counts(few).excess().alpha})},
       {"no exchange of rows",
        filled(R"(Of the @5 invertible $3\times3$ matrices with entries $-1$, 0 and 1, @4 have a zero pivot: )"
               R"(@2 % of them are answered with NaN.)",

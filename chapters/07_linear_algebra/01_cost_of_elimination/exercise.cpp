@@ -16,7 +16,7 @@ constexpr auto parameters =
                         Parameter{"N", 32, "", "unknowns of the larger system", 16, 96, whole_number},
                         Parameter{"seed", 1, "", "seed of the random systems", 0, 1e9, whole_number}},
              numbers<12>(entries_of_own, {1.3, 0.7, -0.2, 1.7, 1.1, 0.9, 0.4, 3.1, 2.7, 1.3, -0.3, 2.9}, "",
-                         "entry of an augmented matrix of one's own", 1e30));
+                         "entry of an augmented matrix that you choose", 1e30));
 
 Findings study(const Parameters& p, const Reference& truth) {
   const Random random(p["seed"]);

@@ -127,7 +127,7 @@ void lines(Table& of_any, Table& of_closed, const std::vector<Edges>& open,
   of_closed.formula(
       "closed_walk", 3853,
       "as $u+v+w=0$, a walk along the edges ends at the vertex where it starts: the net distance traveled "
-      "(a displacement) is zero",
+      "(our reading: the displacement) is zero",
       closed,
       {.quantity = "from a corner $P$ to the end of the walk $u$, $v$, $w$",
        .truth = zero,
@@ -247,7 +247,8 @@ void geometry(Claims& claims, const std::vector<Edges>& open, const std::vector<
                        .near_misses = {times_length(16)}})
       .statement<Edges>(
           "triangle", 3853,
-          R"(vectors with the sum zero may be viewed as edges of a triangle, with the normal vector $u\times v$)",
+          R"(vectors with the sum zero may be viewed as edges of a triangle (our reading: of one that has the )"
+          R"(normal vector $u\times v$))",
           some_on_a_line(closed),
           {.printed = {"wherever $u+v+w=0$", [](const Edges& s) { return s.normal() != Vector3<double>{}; }},
            .corrected = {"$u+v+w=0$, $u$ and $v$ not parallel",

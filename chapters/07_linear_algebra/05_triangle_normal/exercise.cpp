@@ -28,7 +28,7 @@ constexpr auto parameters = together(
                Parameter{"h", 1e-3, "", "height of the flat triangle over a base of about one", 1e-8, 1},
                Parameter{"s", 1e-10, "", "short side of the needle, the others about one", 1e-15, 1},
                Parameter{"seed", 1, "", "seed of the random vectors", 0, 1e9, whole_number}},
-    numbers<3>({"px", "py", "pz"}, {0, 0, 0}, "", "vertex $P$ of a triangle of one's own", 1e100),
+    numbers<3>({"px", "py", "pz"}, {0, 0, 0}, "", "vertex $P$ of a triangle that you choose", 1e100),
     numbers<3>({"qx", "qy", "qz"}, {1.08231, 0.73914, -0.31277}, "", "vertex $Q$", 1e100),
     numbers<3>({"rx", "ry", "rz"}, {1.08231 + 1e-3, 0.73914 - 2 * 1e-3, -0.31277 + 1e-3 / 3}, "",
                "vertex $R$", 1e100));

@@ -60,7 +60,7 @@ std::vector<Planted> samples(Random random, bool dual) {
     return a;
   };
   while (all.size() < 300) {
-    Planted s{vector(), vector(), vector(), digit(), digit(), digit(), {}, {3, -1, 4}};
+    Planted s{vector(), vector(), vector(), digit(), digit(), digit(), {}, vector()};
     if (all.size() % 5 == 4) s.w = s.u + s.v + Vector3<double>{1, 0, 0};
     if (s.volume() == 0) continue;
     s.p = dual ? s.dual_combination() : s.combination();
@@ -109,7 +109,8 @@ void over_basis(Table& table, const std::vector<Planted>& samples) {
              {"z_again", 3891, z, R"(\frac{u\cdot v\times p}{u\cdot v\times w})"}});
   table.formula(
       "combination", 3857,
-      R"(any vector is a combination: $(u\cdot v\times w)\,q=(q\cdot v\times w)u+(q\cdot w\times u)v+(q\cdot u\times v)w$)",
+      R"(any vector may be written as $p=xu+yv+zw$ (our check: )"
+      R"($(u\cdot v\times w)\,q=(q\cdot v\times w)u+(q\cdot w\times u)v+(q\cdot u\times v)w$ for any vector $q$))",
       samples,
       {.quantity = "any vector $q$ over $u$, $v$, $w$, times their volume",
        .truth = volume_times_q,
@@ -132,8 +133,9 @@ void over_products(Table& table, const std::vector<Planted>& samples) {
              {"dual_z", 3923, z, R"(\frac{v\cdot p}{v\cdot w\times u})"}});
   table.formula(
       "dual_combination", 3897,
-      R"(any vector is a combination: )"
-      R"($(u\cdot v\times w)\,q=(w\cdot q)\,u\times v+(u\cdot q)\,v\times w+(v\cdot q)\,w\times u$)",
+      R"(any vector may be written as $p=x\,u\times v+y\,v\times w+z\,w\times u$ (our check: )"
+      R"($(u\cdot v\times w)\,q=(w\cdot q)\,u\times v+(u\cdot q)\,v\times w+(v\cdot q)\,w\times u$ for any )"
+      R"(vector $q$))",
       samples,
       {.quantity = R"(any vector $q$ over $u\times v$, $v\times w$, $w\times u$, times the volume)",
        .truth = volume_times_q,

@@ -29,7 +29,7 @@ constexpr auto parameters =
                                   1, 300, whole_number},
                         Parameter{"seed", 1, "", "seed of the random matrices", 0, 1e9, whole_number}},
              numbers<16>(letters, {4, 1, -2, 2, 1, 2, 0, 1, -2, 0, 3, -2, 2, 1, -2, -1}, "",
-                         "entry of a matrix of one's own", 1e70));
+                         "entry of a matrix that you choose", 1e70));
 
 // ---- the methods ------------------------------------------------------------------------------------------
 

@@ -30,7 +30,7 @@ constexpr auto parameters = together(
                Parameter{"e", 60, "", "exponent of two in its diagonal entries", 0, 300, whole_number},
                Parameter{"seed", 1, "", "seed of the random matrices", 0, 1e9, whole_number}},
     numbers<10>(letters, {3, -1, 0.5, 2, -0.25, 4, 1, 7, -2, 0.125}, "",
-                "entry of a triangular matrix of one's own", 1e70));
+                "entry of a triangular matrix that you choose", 1e70));
 
 // ---- the claims -------------------------------------------------------------------------------------------
 
@@ -85,33 +85,8 @@ Matrix<Whole> bordered(const Matrix<Whole>& m) {
                        [&](int r, int c) { return r < m.n && c < m.n ? m(r, c) : Whole{r == c ? 2 : 0}; });
 }
 
-/// The matrix with the first `columns` columns cleared below the diagonal, without a remainder (Bareiss
-/// 1968).
-Matrix<Whole> eliminated(Matrix<Whole> m, int columns) {
-  Whole previous = 1;
-  for (int k = 0; k < columns; ++k) {
-    int pivot = k;
-    while (pivot + 1 < m.n && m(pivot, k) == 0) ++pivot;
-    for (int c = k; c < m.n; ++c) std::swap(m(k, c), m(pivot, c));
-    const Matrix<Whole> before = m;
-    if (before(k, k) == 0) continue;
-    for (int r = k + 1; r < m.n; ++r)
-      for (int c = k; c < m.n; ++c)
-        m(r, c) = (before(k, k) * before(r, c) - before(r, k) * before(k, c)) / previous;
-    previous = before(k, k);
-  }
-  return m;
-}
-
 Formula<Sample> in_whole(std::string text, const std::function<Whole(const Matrix<Whole>&)>& of) {
   return {std::move(text), [=](const Sample& s) { return values(of(s.m)); }};
-}
-
-/// The squares of the last row's entries before its last.
-Whole first_entries(const Matrix<Whole>& m) {
-  Whole sum = 0;
-  for (int c = 0; c + 1 < m.n; ++c) sum += m(m.n - 1, c) * m(m.n - 1, c);
-  return sum;
 }
 
 /// The squares of the entries below the diagonal.
@@ -148,26 +123,18 @@ std::vector<Claim> claims(const Random& random) {
                  return sum;
                }),
       in_whole("its last term alone", [](M m) { return cofactor_term(m, m.n - 1); }));
-  add("zeros", 3965, R"(the first $n-1$ entries of the last row are zero: $u_{n1}=\ldots=u_{n,n-1}=0$)", full,
-      R"($u_{n1}^2+\ldots+u_{n,n-1}^2$)", zero,
-      in_whole("$U$, left by an elimination", [](M m) { return first_entries(eliminated(m, m.n - 1)); }),
-      in_whole("$U$ with the first entry of its last row not zero", [](M m) {
-        Matrix<Whole> u = eliminated(m, m.n - 1);
-        u(m.n - 1, 0) = 5;
-        return first_entries(u);
-      }));
   add("only_contribution", 3965, "only the entry $u_{nn}$ contributes to the determinant", upper,
-      "elimination's determinant less the expansion's last term", zero, in_whole("$U$ as it is", others),
-      in_whole("$U$ with one entry not zero below the diagonal", [](Matrix<Whole> m) {
+      "elimination's determinant less the expansion's last term", zero,
+      in_whole(R"(elimination's determinant less $u_{nn}\det U'$)", others),
+      in_whole("the same with one entry not zero below the diagonal", [](Matrix<Whole> m) {
         m(m.n - 1, 0) = 5;
         return others(m);
       }));
   add("submatrix", 3965, "the submatrix $U'$ of the first $n-1$ rows and columns is upper triangular too",
-      full, "sum of squares below the diagonal", zero,
-      in_whole("$U$, left by an elimination, without the last row and column",
-               [](M m) { return below(minor_of(eliminated(m, m.n - 1), m.n - 1)); }),
-      in_whole("without the last row and the first column",
-               [](M m) { return below(minor_of(eliminated(m, m.n - 1), 0)); }));
+      upper, "sum of squares below the diagonal", zero,
+      in_whole("$U$ without its last row and column, its squares below the diagonal",
+               [](M m) { return below(minor_of(m, m.n - 1)); }),
+      in_whole("without the last row and the first column", [](M m) { return below(minor_of(m, 0)); }));
   add("recursion", 3967, R"($\det U=u_{nn}\det U'$)", upper, R"($\det U$)", det,
       in_whole(R"($u_{nn}\det U'$)", [](M m) { return m(m.n - 1, m.n - 1) * bareiss(minor_of(m, m.n - 1)); }),
       in_whole(R"($u_{11}\det U'$)", [](M m) { return m(0, 0) * bareiss(minor_of(m, m.n - 1)); }));

@@ -122,18 +122,16 @@ void in_coordinates(Table& table, const std::vector<Sample>& all) {
                 {.truth = {"signed areas over the triangle's",
                            [](const auto& x) { return areas(x.w, x.w.at(x.other_s(), x.other_t())); }},
                  .printed = R"($(1-s-t,\ s,\ t)$)"});
-  table.formula(
-      "expansion", 4047,
-      R"($f=|sE_1+tE_2+D|^2=|E_1|^2s^2+2E_1\cdot E_2\,st+|E_2|^2t^2+2E_1\cdot D\,s+2E_2\cdot D\,t+|D|^2$)",
-      all,
-      {.quantity = "$f(s,t)$, twice",
-       .truth = {"$|V(s,t)-P|^2$",
-                 [](const auto& x) {
-                   const auto f = squared_distance(x, x.other_s(), x.other_t());
-                   return values(f, f);
-                 }},
-       .printed = R"($((sE_1+tE_2+D)\cdot(sE_1+tE_2+D),\ E_1\cdot E_1\,s^2+2E_1\cdot E_2\,st)"
-                  R"(+E_2\cdot E_2\,t^2+2E_1\cdot D\,s+2E_2\cdot D\,t+D\cdot D)$)"});
+  const ProvableFormula<SampleOf> f{
+      "$|V(s,t)-P|^2$", [](const auto& x) { return squared_distance(x, x.other_s(), x.other_t()); }};
+  table.formula("squared", 4047, "$f=|sE_1+tE_2+D|^2$", all,
+                {.quantity = "$f(s,t)$", .truth = f, .printed = R"($(sE_1+tE_2+D)\cdot(sE_1+tE_2+D)$)"});
+  table.formula("expansion", 4049,
+                R"($f=|E_1|^2s^2+2E_1\cdot E_2\,st+|E_2|^2t^2+2E_1\cdot D\,s+2E_2\cdot D\,t+|D|^2$)", all,
+                {.quantity = "$f(s,t)$",
+                 .truth = f,
+                 .printed = R"($E_1\cdot E_1\,s^2+2E_1\cdot E_2\,st+E_2\cdot E_2\,t^2+2E_1\cdot D\,s)"
+                            R"(+2E_2\cdot D\,t+D\cdot D$)"});
   table.formula(
       "coefficients", 4051, "$f=a_{00}s^2+2a_{01}st+a_{11}t^2+2b_0s+2b_1t+c$", all,
       {.quantity = "$(a_{00},a_{01},a_{11},b_0,b_1,c)$",
@@ -203,20 +201,10 @@ Check same_distance(const std::vector<Sample>& all, std::string by, const Distan
 }
 
 void minimum(Claims& claims, const std::vector<Sample>& all) {
-  const Distance unconstrained = [](const auto& w, const auto& p) {
-    const Vec<double> n = cross(w.v[1] - w.v[0], w.v[2] - w.v[0]);
-    return std::abs(dot(n, p - w.v[0])) / length(n);
-  };
-  claims.add(
-      "minimum", 4043,
-      "the distance from $P$ to the triangle is the least distance from $P$ to any of its points $V(s,t)$",
-      {.printed = {"least over the triangle",
-                   {same_distance(all, "least $|V(s,t)-P|$, by regions", region_distance<double>)}},
-       .near_misses = {
-           {"least over all $s$ and $t$", {same_distance(all, "distance to the plane", unconstrained)}}}});
   claims.add(
       "least_square", 4043,
-      "$s$ and $t$ are those of the least squared distance $f$: no other point $V(s,t)$ is closer to $P$",
+      "$s$ and $t$ are those of the least squared distance $f$ (our check: no other point $V(s,t)$ is closer "
+      "to $P$)",
       {.printed = {"where $f$ is least over the triangle", {none_closer(all, region_distance<double>)}},
        .near_misses = {{"where it is least over the edges", {none_closer(all, edges_distance<double>)}}}});
 
@@ -459,11 +447,6 @@ Provables proofs() {
          area_is(by_areas[0], "1 - s - t") + area_is(by_areas[1], "s") + area_is(by_areas[2], "t") +
              "intuition lra"}}});
   proved.push_back(seven_regions(any, names, area));
-  proved.push_back({"9.1-minimum",
-                    "there is a place of any triangle where the square is least",
-                    {proved.back().lemmas.at(0), proved.back().lemmas.at(2)},
-                    0,
-                    least_in_coq});
   proved.push_back({"9.1-least_square",
                     "where the square is least, no other point of the triangle is closer",
                     {nearest(any, names)}});
