@@ -8,11 +8,14 @@
 /// Definite integrals of a recording number, and how Coq finds them from antiderivatives.
 namespace oddity {
 
-/// Of f over the letter t.
+/// Of f over the letter t, or t' where f has an integral over t in it.
 template <class F>
 Shortened recorded_integral(const F& f, const Shortened& from, const Shortened& to) {
-  return integral([&](const Expression& t) { return Shortened(f(Shortened(t))).expression(); },
-                  from.expression(), to.expression(), "t");
+  const auto integrand = [&](const Expression& t) { return Shortened(f(Shortened(t))).expression(); };
+  std::string name = "t";
+  while (integrand(Expression::letter(name)).coq().find("(fun " + name + " =>") != std::string::npos)
+    name += "'";
+  return integral(integrand, from.expression(), to.expression(), name);
 }
 
 /// The same for formula::Evaluation, which finds it by its arguments.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "chapters/integral_proofs.hpp"
+#include "chapters/particle_sums.hpp"
 #include "formula/evaluate.hpp"
 
 namespace oddity {
@@ -36,20 +37,47 @@ Shortened pow(const Shortened& x, const Shortened& exponent) {
   return below ? 1.0 / power : power;
 }
 
-Expressions recorded_text(const std::string& text, const TypesetIn<Shortened>& letters) {
+namespace {
+
+/// The formula with a letter for each sum.
+formula::Tree with_totals(formula::Tree x, std::vector<formula::Matrix<Shortened>>& values,
+                          const std::string& particle) {
+  if (x.kind() == formula::Kind::sum_over) {
+    formula::Matrix<Shortened> total = formula::evaluate(x, values);
+    for (Shortened& one : total.entries)
+      one = Shortened::letter("(total l (fun " + particle + " => " + one.expression().coq() + "))");
+    values.push_back(std::move(total));
+    return formula::Tree({.kind = formula::Kind::letter,
+                          .entries = {{.indices = {}, .rates = {static_cast<int>(values.size()) - 1}}}});
+  }
+  for (std::size_t i = 0; i < x->children.size(); ++i)
+    x = x.with_child(i, with_totals(x.child(i), values, particle));
+  return x;
+}
+
+}  // namespace
+
+Expressions recorded_sums(const std::string& text, const TypesetIn<Shortened>& letters,
+                          const std::string& particle) {
   formula::Names names;
   std::vector<formula::Matrix<Shortened>> values;
   for (const auto& [name, value] : letters) {
     names.push_back(name);
     values.push_back(formula::of_letter(value.all));
   }
-  const std::vector<formula::Tree> sides = TypesetFormula(text).sides(names);
+  std::vector<formula::Tree> sides = TypesetFormula(text).sides(names);
+  if (!particle.empty())
+    for (formula::Tree& side : sides) side = with_totals(side, values, particle);
   formula::Matrix<Shortened> all = formula::evaluate(sides.at(0), values);
   if (sides.size() > 1 && !formula::is_number(sides[1], "0"))
     all = formula::added(std::move(all), formula::evaluate(sides[1], values), true);
   Expressions recorded;
   for (const Shortened& one : all.entries) recorded.push_back(one.expression());
   return recorded;
+}
+
+Expressions recorded_text(const std::string& text, const TypesetIn<Shortened>& letters) {
+  return recorded_sums(text, letters, "");
 }
 
 std::string quantified(const std::vector<std::string>& names) {

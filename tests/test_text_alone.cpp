@@ -4,6 +4,7 @@
 
 #include "chapters/claims.hpp"
 #include "chapters/near_misses.hpp"
+#include "chapters/particle_sums.hpp"
 #include "chapters/provable_claims.hpp"
 #include "report/verify/catch.hpp"
 
@@ -116,6 +117,16 @@ TEST_CASE("a text is recorded for proofs with its functions and powers", "[claim
   CHECK(recorded("x^{-1/2}") == "1 / (sqrt (x)) ^ 1");
   CHECK(recorded("x^{1/3}") == "exp (1 / 3 * ln (x))");
   CHECK(recorded("0=x-1") == "x - 1");
+  CHECK(recorded(R"(\int_0^1u\,du)") == "(RInt (fun t => t) (0) (1))");
+  CHECK(recorded(R"(\int_0^1\int_0^uuv\,dv\,du)") ==
+        "(RInt (fun t' => (RInt (fun t => t' * t) (0) (t'))) (0) (1))");
+}
+
+TEST_CASE("sums of a text are recorded over any number of particles", "[claims][proofs]") {
+  const TypesetIn<Shortened> letters{
+      {"c", Shortened::letter("c")}, {"m_{1}", Shortened::letter("m")}, {"x_{1}", Shortened::letter("x")}};
+  CHECK(recorded_sums(R"($c\sum m_ix_i-\sum m_i$)", letters, "m x")[0].coq() ==
+        "c * (total l (fun m x => m * x)) - (total l (fun m x => m))");
 }
 
 TEST_CASE("an equation's value is what its sides differ by, but for a name on the left", "[claims]") {

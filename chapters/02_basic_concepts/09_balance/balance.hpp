@@ -32,10 +32,12 @@ inline Integral by_sectors(const Rule& rule, double k, std::size_t which) {
       0, pi, [](double) { return 0.0; }, [](double) { return 1.0; });
 }
 
-struct Particle {
-  double m;
-  basic_vectors::Vector r;  ///< in the plane z = 0
+template <class T>
+struct ParticleOf {
+  T m;
+  std::array<T, 3> r;  ///< in the plane z = 0
 };
+using Particle = ParticleOf<double>;
 
 /// `k`: the growth of the half disc's density.
 std::vector<Claim> claims(double seed, double k);
