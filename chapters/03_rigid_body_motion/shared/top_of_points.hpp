@@ -11,7 +11,7 @@
 #include "chapters/03_rigid_body_motion/33_heavy_top/models.hpp"
 #include "chapters/03_rigid_body_motion/shared/lagrange.hpp"
 #include "chapters/03_rigid_body_motion/shared/top_proofs.hpp"
-#include "chapters/claims.hpp"
+#include "chapters/provable_claims.hpp"
 #include "reference/text.hpp"
 #include "solvers/dual.hpp"
 
@@ -114,14 +114,22 @@ struct SampleOf {
         accelerations, t);
   }
 
-  /// R^T R' of the motion, in which the angular velocity in body coordinates stands.
-  Matrix<T> body_spin() const {
+  /// R and R' of the motion.
+  std::array<Matrix<T>, 2> turning() const {
     using D = Dual<T>;
     const auto r = rotation(D(q[0], v[0]), D(q[1], v[1]), D(q[2], v[2]));
+    std::array<Matrix<T>, 2> both{};
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < 3; ++k) both[0][i][k] = r[i][k].value, both[1][i][k] = r[i][k].slope;
+    return both;
+  }
+  /// R^T R', in which the angular velocity in body coordinates stands.
+  Matrix<T> body_spin() const {
+    const auto [r, rate] = turning();
     Matrix<T> w{};
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j)
-        for (std::size_t k = 0; k < 3; ++k) w[i][j] += r[k][i].value * r[k][j].slope;
+        for (std::size_t k = 0; k < 3; ++k) w[i][j] += r[k][i] * rate[k][j];
     return w;
   }
   Vector<T> body_rates() const {
@@ -152,35 +160,52 @@ struct SampleOf {
         1 + l + body.A + (mu1 + mu3) * rates + m * (l + 1) * (body.g + shaken + shaken * shaken);
     return terms + (terms + std::sqrt(dot(truth, truth))) / (std::min({1.0, mu1, mu3}) * sine * sine);
   }
-  TypesetLetters typeset() const {
-    const auto force = [&](std::size_t k) {
-      return -by_angle(*this, k, [&](const auto& x, const auto&) {
-        return body.potential(x, std::remove_cvref_t<decltype(x[0])>(t));
-      });
-    };
-    const auto slope = [&](std::size_t k) {
+  TypesetIn<T> typeset() const {
+    using std::cos;
+    const auto slope = [&](std::size_t k, const auto& f) {
       return by_angle(*this, k, [&](const auto& x, const auto& dx) {
-        return body.kinetic(x, dx, std::remove_cvref_t<decltype(x[0])>(t));
+        return f(x, dx, std::remove_cvref_t<decltype(x[0])>(t));
       });
     };
-    TypesetLetters all{{"m", m},
-                       {"g", body.g},
-                       {R"(\ell)", l},
-                       {R"(\mu_1)", mu1},
-                       {R"(\mu_3)", mu3},
-                       {R"(\mathbf w)", Value(body_rates())},
-                       {"J", {mu1, 0, 0, 0, mu1, 0, 0, 0, mu3}},
-                       {"c", v[2] + v[0] * std::cos(q[1])},
-                       {R"(\alpha)", m * body.g * l / mu1}};
+    const auto rows = [](const Matrix<T>& r) {
+      std::array<T, 9> all;
+      for (std::size_t i = 0; i < 9; ++i) all[i] = r[i / 3][i % 3];
+      return all;
+    };
+    const auto [r, rate] = turning();
+    const T zero(0);
+    TypesetIn<T> all{{"m", m},
+                     {"g", body.g},
+                     {R"(\ell)", l},
+                     {R"(\mu_1)", mu1},
+                     {R"(\mu_3)", mu3},
+                     {R"(\mathbf w)", body_rates()},
+                     {"J", std::array<T, 9>{mu1, zero, zero, zero, mu1, zero, zero, zero, mu3}},
+                     {"R", rows(r)},
+                     {R"(\dot R)", rows(rate)},
+                     {"c", v[2] + v[0] * cos(q[1])},
+                     {R"(\alpha)", m * body.g * l / mu1}};
     const std::array<std::string, 3> angles{R"(\theta)", R"(\phi)", R"(\psi)"};
     for (std::size_t k = 0; k < 3; ++k) {
       all.emplace_back(angles[k], q[k]);
       all.emplace_back(R"(\dot)" + angles[k], v[k]);
       all.emplace_back(R"(\ddot)" + angles[k], a[k]);
-      all.emplace_back("F_" + angles[k], force(k));
-      all.emplace_back(R"(\partial T/\partial)" + angles[k], slope(k));
+      all.emplace_back("F_" + angles[k], -slope(k, [&](const auto& x, const auto&, const auto& time) {
+                         return body.potential(x, time);
+                       }));
+      all.emplace_back(R"(\partial T/\partial)" + angles[k],
+                       slope(k, [&](const auto& x, const auto& dx, const auto& time) {
+                         return body.kinetic(x, dx, time);
+                       }));
+      all.emplace_back(R"(\partial\mathbf r/\partial)" + angles[k], arm(k));
     }
     return all;
+  }
+  /// The derivative of the center of mass l R k by an angle.
+  Vector<T> arm(std::size_t k) const {
+    const auto x = toward(q, k);
+    const auto r = rotation(x[0], x[1], x[2]);
+    return {l * r[0][2].slope, l * r[1][2].slope, l * r[2][2].slope};
   }
   std::string where() const {
     return R"($\theta,\phi,\psi$ = )" + format_significant(q[0], 4) + ", " + format_significant(q[1], 4) +

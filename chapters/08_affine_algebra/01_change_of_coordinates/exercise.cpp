@@ -52,16 +52,12 @@ using Vector2 = Eigen::Matrix<T, 2, 1>;
 template <class T>
 using Matrix2 = Eigen::Matrix<T, 2, 2>;
 
+/// As it is meant.
 template <class T>
-Matrix2<T> rows_of(double a, double b, double c, double d) {
+Matrix2<T> printed_matrix() {
   Matrix2<T> m;
-  m << T(a), T(b), T(c), T(d);
-  return m;
-}
-/// As it is meant, times a number.
-template <class T>
-Matrix2<T> printed_matrix(double times = 1) {
-  return rows_of<T>(times, times, -times, times) / sqrt(T(2.0));
+  m << T(1.0), T(1.0), T(-1.0), T(1.0);
+  return m / sqrt(T(2.0));
 }
 
 /// The columns are the axes: 1 and i turned by this share of pi.
@@ -113,33 +109,11 @@ struct PointOf {
   explicit PointOf(Random& random) : a1(random.magnitude(1e-3, 1e3)), a2(random.magnitude(1e-3, 1e3)) {}
   std::array<T*, 2> letters() { return {&a1, &a2}; }
   Vector2<T> a() const { return {a1, a2}; }
-  TypesetLetters typeset() const { return {{"a", {a1, a2}}}; }
+  TypesetIn<T> typeset() const { return {{"a", {a1, a2}}}; }
   std::string where() const {
     return "$a$ = (" + format_significant(a1, 4) + ", " + format_significant(a2, 4) + ")";
   }
 };
-
-template <class Of>
-ProvableFormula<PointOf> times(std::string text, const Of& matrix) {
-  return {std::move(text), [=]<class T>(const PointOf<T>& p) { return Vector2<T>(matrix(p) * p.a()); }};
-}
-
-/// The rotation that takes 1 to exp(i angle) and i to i exp(i angle), transposed: row by row.
-template <class T>
-std::array<T, 4> by_columns(const Matrix2<T>& m) {
-  return {m(0, 0), m(1, 0), m(0, 1), m(1, 1)};
-}
-template <class T>
-std::array<T, 4> by_rows(const Matrix2<T>& m) {
-  return {m(0, 0), m(0, 1), m(1, 0), m(1, 1)};
-}
-Reading transpose_of_rotation(const std::string& text, double share) {
-  return {text,
-          {{"entries, row by row",
-            {R"($\frac1{\sqrt2}\begin{pmatrix}1&1\\-1&1\end{pmatrix}$)", by_rows(printed_matrix<double>())},
-            {text + ": the columns of $R$ as turned axes", by_columns(turned_axes<double>(share))},
-            rounding(1)}}};
-}
 
 struct Tables {
   ProvableClaims<FramesOf> frames;
@@ -155,39 +129,41 @@ void formulas(Tables& tables, const std::vector<FramesOf<double>>& frames,
        .truth = {"$(0,0)$", []<class T>(const FramesOf<T>&) { return Vector2<T>(T(0.0), T(0.0)); }},
        .printed = constants("equal origins", 0),
        .near_misses = {constants("origins a thousandth apart", 1e-3)}});
+  const std::string transposed = R"($\frac1{\sqrt2}\begin{pmatrix}1&1\\-1&1\end{pmatrix}a$)",
+                    clockwise = R"($\frac1{\sqrt2}\begin{pmatrix}1&-1\\1&1\end{pmatrix}a$)";
   tables.points.formula(
       "matrix", 3981, R"($b=\frac1{\sqrt2}\begin{pmatrix}1&1\\-1&1\end{pmatrix}a$, the fraction bar lost)",
       points,
       {.quantity = "$(b_1,b_2)$",
        .truth = {R"(elimination on axes turned by $\pi/4$)",
                  []<class T>(const PointOf<T>& p) { return on_axes<T>(turned_axes<T>(0.25), p.a()); }},
-       .printed = times(R"($1\,\sqrt2\begin{pmatrix}1&1\\-1&1\end{pmatrix}a$, a product)",
-                        []<class T>(const PointOf<T>&) { return printed_matrix<T>(2); }),
-       .meant = times(R"($\frac1{\sqrt2}\begin{pmatrix}1&1\\-1&1\end{pmatrix}a$)",
-                      []<class T>(const PointOf<T>&) { return printed_matrix<T>(); }),
-       .near_misses = {times(R"($\frac1{\sqrt2}\begin{pmatrix}1&-1\\1&1\end{pmatrix}a$)",
-                             []<class T>(const PointOf<T>&) {
-                               return Matrix2<T>(printed_matrix<T>().transpose());
-                             }),
-                       times(R"($\begin{pmatrix}1&1\\-1&1\end{pmatrix}a$)",
-                             []<class T>(const PointOf<T>&) { return rows_of<T>(1, 1, -1, 1); })},
+       .printed = R"($1\,\sqrt2\begin{pmatrix}1&1\\-1&1\end{pmatrix}a$)",
+       .meant = transposed,
+       .near_misses = {clockwise},
        .kind = Fault::lost_typography,
        .why = filled(
            R"(The fraction bar is lost in the text at hand: $\tfrac1{\sqrt2}$. With the product the matrix )"
            R"(is no rotation, and every point is @1 times as far from the origin.)",
-           {(printed_matrix<double>(2) * Vector2d(1, 0)).norm()})});
+           {(2 * printed * Vector2d(1, 0)).norm()})});
+  tables.points.formula(
+      "transpose", 3991,
+      R"($\frac1{\sqrt2}\begin{pmatrix}1&1\\-1&1\end{pmatrix}=R^T$, $R$ the counterclockwise rotation by $\pi/4$)",
+      points,
+      {.quantity = "$R^Ta$ for a random $a$",
+       .truth = {R"(dot products with the columns of $R$, the axes turned by $\pi/4$)",
+                 []<class T>(const PointOf<T>& p) {
+                   const Matrix2<T> axes = turned_axes<T>(0.25);
+                   return values(axes(0, 0) * p.a1 + axes(1, 0) * p.a2,
+                                 axes(0, 1) * p.a1 + axes(1, 1) * p.a2);
+                 }},
+       .printed = transposed,
+       .near_misses = {clockwise, R"($\begin{pmatrix}0&1\\-1&0\end{pmatrix}a$)"}});
 }
 
 std::vector<Claim> claims(double seed) {
   Claims claims("8.1");
   Tables tables(claims);
   formulas(tables, draw<FramesOf<double>>(100, seed), draw<PointOf<double>>(100, seed));
-  claims.add(
-      "transpose", 3991,
-      R"($\frac1{\sqrt2}\begin{pmatrix}1&1\\-1&1\end{pmatrix}=R^T$, $R$ the counterclockwise rotation by $\pi/4$)",
-      {.printed = transpose_of_rotation(R"($R^T$, counterclockwise by $\pi/4$)", 0.25),
-       .near_misses = {transpose_of_rotation(R"($R^T$, clockwise by $\pi/4$)", -0.25),
-                       transpose_of_rotation(R"($R^T$, counterclockwise by $\pi/2$)", 0.5)}});
   return claims.in_order();
 }
 
@@ -212,14 +188,6 @@ Provables proofs() {
                          .says = "it holds of any point"};
   at_any.example.a1 = at_any.example.a2 = 1;
   for (Provable& p : tables.points.proofs("8.1", at_any)) proved.push_back(std::move(p));
-  proved.push_back({"8.1-transpose",
-                    "it is the transpose of the rotation, entry by entry",
-                    {{"printed",
-                      "",
-                      {},
-                      equal(detail::recorded_value(by_rows(printed_matrix<Shortened>())),
-                            detail::recorded_value(by_columns(turned_axes<Shortened>(0.25)))),
-                      by_root}}});
   return proved;
 }
 

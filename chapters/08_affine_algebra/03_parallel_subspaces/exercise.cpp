@@ -163,7 +163,7 @@ Reading ranks(std::string text, double rank) {
 /// A point (1 + t, 4) of A1 = (1, 4) + V1; A2 is the line x = -2.
 struct Walker {
   double t;
-  std::string where() const { return "$t$ = " + format_shortest(t); }
+  TypesetLetters typeset() const { return {{"t", t}}; }
   double distance() const {
     const MatrixXd x = column({1, 4}) + t * axes.first - column({-2, 7});
     const auto along = solve(Factorization::householder_qr, axes.second, x.col(0));
@@ -206,13 +206,12 @@ std::vector<Claim> claims(double seed) {
   claims.add(
       "neither", 3999, R"(neither $V_1\subseteq V_2$ nor $V_2\subseteq V_1$)",
       {.printed = ranks("rank 2 both ways", 2), .near_misses = {ranks("rank 1, one in the other", 1)}});
-  claims.formula<Walker>(
-      "not_parallel", 3999, "the affine subspaces $A_1$ and $A_2$, with these directions, are not parallel",
-      {{-3}, {0}, {2}, {5}},
-      {.quantity = "distance of $(1+t,4)$ from the line $x=-2$",
-       .truth = {"least squares", &Walker::distance},
-       .printed = {"$|3+t|$: it changes along the line", [](const Walker& w) { return std::abs(3 + w.t); }},
-       .near_misses = {{"$3$: it is constant", [](const Walker&) { return 3.0; }}}});
+  claims.formula<Walker>("not_parallel", 3999,
+                         "the affine subspaces $A_1$ and $A_2$, with these directions, are not parallel",
+                         {{-5}, {-3}, {0}, {2}, {5}},
+                         {.quantity = "distance of $(1+t,4)$ from the line $x=-2$, which changes with $t$",
+                          .truth = {"least squares", &Walker::distance},
+                          .printed = {"$|3+t|$"}});
   claims.statement<Judged>(
       "criterion", 3999,
       R"(affine subspaces are parallel just when $V_1\subseteq V_2$ or $V_2\subseteq V_1$)",

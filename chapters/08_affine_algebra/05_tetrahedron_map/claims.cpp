@@ -20,22 +20,12 @@ struct SampleOf {
     return triple<T>(t.p[1] - p, t.p[2] - p, t.p[3] - p) / triple(t.edge(1), t.edge(2), t.edge(3));
   }
   Vector<T> v() const { return p - t.p[0]; }
-  /// `first` times c0 for the first vertex, and c1, c2, c3 times what each of the others has.
-  auto combined(const T& first, const auto& of) const {
-    const Vector<T> weights = c();
-    auto sum = of(t.p[0]);
-    sum *= first;
-    for (std::size_t i = 1; i < 4; ++i) sum += weights[static_cast<long>(i) - 1] * of(t.p[i]);
-    return sum;
-  }
-
-  /// What the volumes' cancellations can do to a sum over the coefficients: it is the same whatever the
-  /// letters are, and they do not show it.
-  double cancelling(const auto& size_of_vertex) const {
-    double sum = std::abs(c0()) * size_of_vertex(t.p[0]);
-    for (std::size_t i = 1; i < 4; ++i)
-      sum += std::abs(c()[static_cast<long>(i) - 1]) * size_of_vertex(t.p[i]);
-    return condition * sum;
+  /// Of sums that the coefficients weigh: these are quotients of volumes, which cancel, and not all of their
+  /// terms show in the sum, which is the same whatever the letters are.
+  Tolerance tolerance(double size) const {
+    double terms = std::abs(c0()) * t.p[0].norm();
+    for (long i = 0; i < 3; ++i) terms += std::abs(c()[i]) * t.p[static_cast<std::size_t>(i) + 1].norm();
+    return rounding(condition * terms / p.norm() * size);
   }
 
   std::vector<T*> letters() {
@@ -44,14 +34,16 @@ struct SampleOf {
       for (int i = 0; i < 3; ++i) all.push_back(&(*x)[i]);
     return all;
   }
-  TypesetLetters typeset() const {
-    TypesetLetters all{{"c_0", c0()}, {"f_0", f(t.p[0])}, {"V", Value(v())}, {"P", Value(p)}};
+  TypesetIn<T> typeset() const {
+    const auto numbers = [](const Vector<T>& x) { return std::array<T, 3>{x[0], x[1], x[2]}; };
+    TypesetIn<T> all{
+        {"c_0", c0()}, {"f_0", f(t.p[0])}, {"P_0", numbers(t.p[0])}, {"P", numbers(p)}, {"V", numbers(v())}};
     for (std::size_t i = 1; i < 4; ++i) {
       const std::string index = "_" + std::to_string(i);
       all.emplace_back("c" + index, c()[static_cast<long>(i) - 1]);
       all.emplace_back("f" + index, f(t.p[i]));
-      all.emplace_back("V" + index, Value(t.edge(i)));
-      all.emplace_back("P" + index, Value(t.p[i]));
+      all.emplace_back("V" + index, numbers(t.edge(i)));
+      all.emplace_back("P" + index, numbers(t.p[i]));
     }
     return all;
   }
@@ -61,7 +53,6 @@ struct SampleOf {
 namespace {
 
 using Sample = SampleOf<double>;
-using OfSample = ProvableFormula<SampleOf>;
 using Table = ProvableClaims<SampleOf>;
 
 Vector3d vector(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
@@ -83,104 +74,37 @@ std::vector<Sample> samples(double seed, double height, double most) {
   return all;
 }
 
-OfSample sums(std::string text, double sign_of_c0) {
-  const auto point = []<class T>(const Vector<T>& x) {
-    return Eigen::Matrix<T, 4, 1>(x[0], x[1], x[2], T(1.0));
-  };
-  return {std::move(text), [=](const auto& s) { return s.combined(sign_of_c0 * s.c0(), point); },
-          [=](const Sample& s) {
-            return s.cancelling([=](const Vector3d& x) { return point(x).cwiseAbs().maxCoeff(); });
-          }};
-}
-
-/// f, with or without a quadratic term.
-template <class T>
-T bent(const SampleOf<T>& s, const Vector<T>& x, double bend) {
-  return s.f(x) + bend * x.dot(x);
-}
-
-/// f(P) by the vertices, c0 f0 times a factor.
-OfSample by_vertices(double with_c0, double bend) {
-  return {with_c0 == 0 ? "$c_1f_1+c_2f_2+c_3f_3$" : "$c_0f_0+c_1f_1+c_2f_2+c_3f_3$",
-          [=]<class T>(const SampleOf<T>& s) {
-            return s.combined(with_c0 * s.c0(), [&](const Vector<T>& x) { return bent(s, x, bend); });
-          },
-          [=](const Sample& s) {
-            return s.cancelling(
-                [&](const Vector3d& x) { return s.f.a.cwiseAbs().dot(x.cwiseAbs()) + std::abs(s.f.b); });
-          }};
-}
-OfSample the_map(double bend) {
-  return {"the map itself", [=](const auto& s) { return bent(s, s.p, bend); }};
-}
-Reading values_by_vertices(std::string text, const std::vector<Sample>& all, double with_c0, double bend) {
-  OfSample sum = by_vertices(with_c0, bend);
-  sum.text = text;
-  return {std::move(text),
-          {compare<Sample>("$f(P)$", by_vertices(with_c0, bend), the_map(bend), all)},
-          is_as_typeset(compare_typeset<Sample>(sum, all))};
-}
-
-/// The system at the coefficients by volumes.
-OfSample left_sides(double off_diagonal) {
-  return {R"($\sum_j(V_i\cdot V_j)c_j$)", [=]<class T>(const SampleOf<T>& s) {
-            Eigen::Matrix<T, 3, 3> products = s.t.edges().transpose() * s.t.edges();
-            for (int i = 0; i < 3; ++i)
-              for (int j = 0; j < 3; ++j)
-                if (i != j) products(i, j) *= off_diagonal;
-            return Vector<T>(products * s.c());
-          }};
-}
-OfSample right_sides(bool from_origin) {
-  return {from_origin ? R"($V_i\cdot P$)" : R"($V_i\cdot V$)", [=]<class T>(const SampleOf<T>& s) {
-            return Vector<T>(s.t.edges().transpose() * (from_origin ? s.p : s.v()));
-          }};
-}
-Reading rows(std::string text, const std::vector<Sample>& all, double off_diagonal, bool from_origin) {
-  const OfSample left = left_sides(off_diagonal), right = right_sides(from_origin);
-  OfSample both = left;
-  both.text = text;
-  both.of = [left, right](const Sample& s) {
-    std::vector<double> sides;
-    for (const OfSample* side : {&left, &right})
-      for (const double x : side->of(s)) sides.push_back(x);
-    return Value(sides);
-  };
-  return {std::move(text),
-          {compare<Sample>("the system's rows at ratios of volumes", left, right, all)},
-          is_as_typeset(compare_typeset<Sample>(both, all))};
-}
-
-void coefficients(Table& table, const std::vector<Sample>& all) {
+void formulas(Table& table, const std::vector<Sample>& all) {
   table.formula("barycentric", 4003, "$P=c_0P_0+c_1P_1+c_2P_2+c_3P_3$ with $c_0+c_1+c_2+c_3=1$", all,
                 {.quantity = R"($\sum c_iP_i$ and $\sum c_i$, the $c_i$ ratios of volumes)",
                  .truth = {"$P$ and 1", [](const auto& s) { return values(s.p[0], s.p[1], s.p[2], 1); }},
-                 .printed = sums(R"($P=\sum c_iP_i$, $\sum c_i=1$)", 1),
-                 .near_misses = {sums("$c_0$ of the other sign", -1)}});
+                 .printed = R"($(c_0P_0+c_1P_1+c_2P_2+c_3P_3,\ c_0+c_1+c_2+c_3)$)"});
+  table.formula(
+      "affine", 4007, "$f(P)=c_0f_0+c_1f_1+c_2f_2+c_3f_3$: the coefficients give the value", all,
+      {.quantity = "$f(P)$",
+       .truth = {"the map itself", [](const auto& s) { return s.f(s.p); }},
+       .printed = "$c_0f_0+c_1f_1+c_2f_2+c_3f_3$",
+       .near_misses = {"$c_0(f_0+|P_0|^2)+c_1(f_1+|P_1|^2)+c_2(f_2+|P_2|^2)+c_3(f_3+|P_3|^2)-|P|^2$"}});
   table.formula("first_coefficient", 4011, "$c_0-1=-c_1-c_2-c_3$", all,
                 {.truth = {R"($-c_1-c_2-c_3$ by the volumes over three faces)",
                            [](const auto& s) { return -s.c().sum(); }},
-                 .printed = {"$c_0-1$ by the volume over the face opposite to $P_0$",
-                             [](const auto& s) { return s.c0() - 1; }},
-                 .near_misses = {{"$c_0+1$"}}});
+                 .printed = "$c_0-1$"});
   table.formula("edge_sum", 4013, "$V=c_1V_1+c_2V_2+c_3V_3$", all,
                 {.truth = {"$V=P-P_0$", [](const auto& s) { return s.v(); }},
-                 .printed = {"$c_1V_1+c_2V_2+c_3V_3$",
-                             []<class T>(const SampleOf<T>& s) { return Vector<T>(s.t.edges() * s.c()); }},
-                 .near_misses = {{"$c_1P_1+c_2P_2+c_3P_3$"}}});
-}
-
-void map_and_system(Claims& claims, const std::vector<Sample>& all) {
-  claims
-      .add("affine", 4007, "$f(P)=c_0f_0+c_1f_1+c_2f_2+c_3f_3$: the coefficients give the value",
-           {.printed = values_by_vertices(R"($f(P)=\sum c_if_i$)", all, 1, 0),
-            .near_misses = {values_by_vertices("without $c_0f_0$", all, 0, 0),
-                            values_by_vertices("for $f$ with a quadratic term", all, 1, 1)}})
-      .add("normal_equations", 4015,
-           R"($\sum_j(V_i\cdot V_j)c_j=V_i\cdot V$ for $i=1,2,3$ is a linear system for $c_1,c_2,c_3$)",
-           {.printed = rows(R"($\sum_j(V_i\cdot V_j)c_j=V_i\cdot V$)", all, 1, false),
-            .near_misses = {rows(R"($\sum_j(V_i\cdot V_j)c_j=V_i\cdot P$)", all, 1, true),
-                            rows("the signs off the diagonal flipped", all, -1, false)}});
+                 .printed = "$c_1V_1+c_2V_2+c_3V_3$",
+                 .near_misses = {"$c_1P_1+c_2P_2+c_3P_3$"}});
+  table.formula(
+      "normal_equations", 4015,
+      R"($\sum_j(V_i\cdot V_j)c_j=V_i\cdot V$ for $i=1,2,3$ is a linear system for $c_1,c_2,c_3$)", all,
+      {.quantity = "what the sides of the system's rows differ by at ratios of volumes",
+       .truth = {"zero", []<class T>(const SampleOf<T>&) { return Vector<T>(T(0.0), T(0.0), T(0.0)); }},
+       .printed = R"($\sum_j(V_i\cdot V_j)c_j=V_i\cdot V$)",
+       .near_misses = {R"($\sum_j(V_i\cdot V_j)c_j=V_i\cdot P$)",
+                       {"the signs off the diagonal flipped", [](const Sample& s) {
+                          const Matrix3d v = s.t.edges(), products = v.transpose() * v,
+                                         diagonal = products.diagonal().asDiagonal();
+                          return Vector3d((2 * diagonal - products) * s.c() - v.transpose() * s.v());
+                        }}}});
 }
 
 /// A tetrahedron's three edges from one vertex, of whole numbers.
@@ -236,6 +160,10 @@ struct WholeEdges {
     for (std::size_t a = 0; a < 3; ++a) flat[2][a] = 2 * v[0][a] - v[1][a];
     return flat;
   }
+  TypesetLetters typeset() const {
+    return {{R"(\det[V_i\cdot V_j])", static_cast<double>(det_of_products(v))},
+            {R"(\det[V_1V_2V_3])", static_cast<double>(det(v))}};
+  }
   std::string where() const { return R"($\det$ = )" + std::to_string(det(v)); }
 };
 
@@ -282,23 +210,15 @@ std::vector<Claim> claims(double seed) {
   Claims claims("8.5");
   const auto fair = samples(seed, 1, 50);
   Table table(claims);
-  coefficients(table, fair);
-  map_and_system(claims, fair);
+  formulas(table, fair);
   const auto tetrahedra = draw<WholeEdges>(500, seed);
-  claims.statement<WholeEdges>(
-      "invertible", 4035, R"(the matrix $[V_i\cdot V_j]$ is invertible)", tetrahedra,
-      {.printed = {R"($\det[V_i\cdot V_j]=(\det[V_1V_2V_3])^2>0$, six volumes squared)",
-                   [](const WholeEdges& e) {
-                     const long long all = WholeEdges::det_of_products(e.v), volumes = WholeEdges::det(e.v);
-                     return all == volumes * volumes && all > 0;
-                   }},
-       .near_misses = {
-           {R"($\det[V_i\cdot V_j]=|\det[V_1V_2V_3]|$, six volumes)",
-            [](const WholeEdges& e) {
-              return WholeEdges::det_of_products(e.v) == std::abs(WholeEdges::det(e.v));
-            }},
-           {R"($\det[V_i\cdot V_j]>0$ for four vertices in a plane too)",
-            [](const WholeEdges& e) { return WholeEdges::det_of_products(e.flattened()) > 0; }}}});
+  claims.statement<WholeEdges>("invertible", 4035, R"(the matrix $[V_i\cdot V_j]$ is invertible)", tetrahedra,
+                               {.printed = {R"($\det[V_i\cdot V_j]=(\det[V_1V_2V_3])^2>0$)"},
+                                .near_misses = {{R"($\det[V_i\cdot V_j]=|\det[V_1V_2V_3]|$)"},
+                                                {R"($\det[V_i\cdot V_j]>0$ for four vertices in a plane too)",
+                                                 [](const WholeEdges& e) {
+                                                   return WholeEdges::det_of_products(e.flattened()) > 0;
+                                                 }}}});
   claims.statement<WholeEdges>(
       "independent", 4035, "the edges $V_1$, $V_2$ and $V_3$ of a tetrahedron are linearly independent",
       tetrahedra,
@@ -383,7 +303,7 @@ Provables proofs() {
   const SampleOf<Shortened> any = lettered<SampleOf>(names);
   Claims claims("8.5");
   Table table(claims);
-  coefficients(table, {});
+  formulas(table, {});
   const ForAll<SampleOf> all{
       .any = any,
       .letters = quantified(names),
@@ -391,27 +311,24 @@ Provables proofs() {
       .tactic = "field; exact H",
       .says = "it holds of any tetrahedron and any point"};
   Provables proved = table.proofs("8.5", all);
-  proved.push_back({"8.5-affine",
-                    "it holds of any affine map, any tetrahedron and any point",
-                    {{"printed", all.letters, all.given,
-                      equal(by_vertices(1, 0).recorded(any), the_map(0).recorded(any)), all.tactic}}});
   const Vector<Shortened> d(Shortened::letter("d1"), Shortened::letter("d2"), Shortened::letter("d3"));
   const Eigen::Matrix<Shortened, 3, 3> products = any.t.edges().transpose() * any.t.edges();
-  const Expressions right = right_sides(false).recorded(any);
+  const Vector<Shortened> right = any.t.edges().transpose() * any.v();
   std::vector<Proposition> solved = all.given;
-  for (const Proposition& row : equal(detail::recorded_value(Vector<Shortened>(products * d)), right))
+  for (const Proposition& row :
+       equal(detail::recorded_value(Vector<Shortened>(products * d)), detail::recorded_value(right)))
     solved.push_back(row);
   std::vector<std::string> with_d = names;
   for (const char* name : {"d1", "d2", "d3"}) with_d.emplace_back(name);
   const Lemma no_other{"no_other", quantified(with_d), solved,
                        equal(detail::recorded_value(d), detail::recorded_value(any.c())),
                        "no_other x0 y0 z0 x1 y1 z1 x2 y2 z2 x3 y3 z3 px py pz d1 d2 d3"};
-  proved.push_back(
-      {"8.5-normal_equations",
-       "they solve it, of any tetrahedron and any point, and nothing else does",
-       {{"printed", all.letters, all.given, equal(left_sides(1).recorded(any), right), all.tactic}, no_other},
-       0,
-       no_other_in_coq});
+  for (Provable& p : proved) {
+    if (p.claim != "8.5-normal_equations") continue;
+    p.says = "they solve it, of any tetrahedron and any point, and nothing else does";
+    p.lemmas.push_back(no_other);
+    p.preamble = no_other_in_coq;
+  }
   Eigen::Matrix<Shortened, 3, 3> m;
   const auto letter = [](const char* name) { return Shortened::letter(name); };
   m << letter("m00"), letter("m01"), letter("m02"), letter("m01"), letter("m11"), letter("m12"),
