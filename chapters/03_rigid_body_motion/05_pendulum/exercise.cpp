@@ -209,22 +209,22 @@ Scene scene() {
 
 // ---- the claims -------------------------------------------------------------------------------------------
 
-double arcsine(double epsilon) { return std::asin(1 - epsilon * cos(book_angle) / sin(book_angle)); }
+const std::string to_epsilon = R"(\int_0^{a-\epsilon}\frac{d\psi}{\sqrt{\cos\psi-\cos a}})";
 
-/// The integral to a - epsilon and `tail` against the whole; they differ by the remainder's next term at
-/// most.
-Reading in_two_parts(const std::string& text, const Reference& truth, double (*tail)(double epsilon)) {
-  const double a = book_angle, whole = truth("03_05_quarter_period", {a}).value[0];
-  WorstSample worst(R"($I(a)$, cut at $\epsilon=10^{-2},10^{-3}$)", "with QAG: " + text,
-                    R"($\sqrt2\,K$ by the arithmetic-geometric mean)");
-  for (double epsilon : {1e-2, 1e-3}) {
-    const double next_term = std::pow(epsilon, 2.5) / (30 * sqrt(sin(a)));
-    worst.add(qag(singular_integrand(a), 0, a - epsilon, 1e-13).value + tail(epsilon), whole,
-              {2 * next_term + 1e-12, R"(twice the first term left out, $\epsilon^{5/2}/(30\sqrt{\sin a})$)"},
-              1, R"($\epsilon$ = )" + format_shortest(epsilon));
+/// A place to cut the integral at, which is known up to it.
+struct Cut {
+  double epsilon, first_part;
+  explicit Cut(double at)
+      : epsilon(at), first_part(qag(singular_integrand(book_angle), 0, book_angle - at, 1e-13).value) {}
+  TypesetLetters typeset() const {
+    return {{R"(\epsilon)", epsilon}, {"a", book_angle}, {to_epsilon, first_part}};
   }
-  return {text, {worst.check()}};
-}
+  Tolerance tolerance(double) const {
+    const double next_term = std::pow(epsilon, 2.5) / (30 * sqrt(sin(book_angle)));
+    return {2 * next_term + 1e-12, R"(twice the first term left out, $\epsilon^{5/2}/(30\sqrt{\sin a})$)"};
+  }
+  std::string where() const { return R"($\epsilon$ = )" + format_shortest(epsilon); }
+};
 
 /// A node of the listing's sum.
 struct Node {
@@ -244,26 +244,25 @@ std::vector<Claim> claims(const Reference& truth) {
   const double a = book_angle, listed = listed_integral(a, a, book_panels);
 
   const auto split = [](const std::string& factor, const std::string& quarter) {
-    return R"(\int_0^{a-\epsilon}\frac{d\psi}{\sqrt{\cos\psi-\cos a}}+)" + factor + R"(\left()" + quarter +
-           R"(-\sin^{-1}\left(1-\frac{\epsilon\cos a}{\sin a}\right)\right))";
+    return "$" + to_epsilon + "+" + factor + R"(\left()" + quarter +
+           R"(-\sin^{-1}\left(1-\frac{\epsilon\cos a}{\sin a}\right)\right)$)";
   };
   const std::string root = R"(\sqrt{\frac2{\cos a}})";
-  claims.add(
-      "split_formula", 1273, R"($T\approx)" + split(root, "2") + R"($, $a=\pi/6$)",
-      {.printed =
-           in_two_parts("the sum $" + split(root, "2") + "$", truth,
-                        [](double epsilon) { return sqrt(2 / cos(book_angle)) * (2 - arcsine(epsilon)); }),
-       .meant = in_two_parts("the sum $" + split(root, R"(\frac\pi2)") + "$", truth,
-                             [](double epsilon) { return remainder(book_angle, epsilon); }),
-       .near_misses = {in_two_parts(
-           "the sum $" + split(R"(\frac{\sqrt2}{\cos a})", R"(\frac\pi2)") + "$", truth,
-           [](double epsilon) { return remainder(book_angle, epsilon) / sqrt(cos(book_angle)); })},
+  claims.formula<Cut>(
+      "split_formula", 1273, R"($T\approx)" + split(root, "2").substr(1) + R"(, $a=\pi/6$)",
+      {Cut(1e-2), Cut(1e-3)},
+      {.quantity = R"($I(a)$, cut at $\epsilon=10^{-2},10^{-3}$)",
+       .truth = {R"($\sqrt2\,K$ by the arithmetic-geometric mean)",
+                 [whole = truth("03_05_quarter_period", {a}).value](const Cut&) { return whole; }},
+       .printed = {split(root, "2")},
+       .meant = {split(root, R"(\frac\pi2)")},
+       .near_misses = {{split(R"(\frac{\sqrt2}{\cos a})", R"(\frac\pi2)")}},
+       .kind = Fault::lost_typography,
        .why = filled(
            R"(The $\pi$ of $\pi/2$ and the fraction bars are lost: read as it stands, the remainder does not )"
            R"(vanish with $\epsilon$, and the time is @2 too long. The listing has `HALF_PI`, and )"
            R"($\sqrt{2/\cos a}$.)",
-           {sqrt(2 / cos(a)) * (2 - pi / 2)}),
-       .kind = Fault::lost_typography});
+           {sqrt(2 / cos(a)) * (2 - pi / 2)})});
 
   const auto shifted = [](double psi) { return 1 / sqrt(cos(psi) - book_angle); };
   const auto by_rule = [&](const std::string& rule, const Solved<double>& sum) {
@@ -299,12 +298,9 @@ std::vector<Claim> claims(const Reference& truth) {
                   R"(`fmax` (lines 1315, 1317) have the same slip.)",
                   {a, cos(a)})});
 
-  claims.statement<Node>("positive_root", 1333, "The argument of the root is positive at every node.",
-                         nodes(),
-                         {.printed = {R"($\cos\psi-\pi/6>0$, the angle subtracted)",
-                                      [](const Node& n) { return cos(n.psi) > book_angle; }},
-                          .near_misses = {{R"($\cos\psi-\cos(\pi/12)>0$)",
-                                           [](const Node& n) { return cos(n.psi) > cos(book_angle / 2); }}}});
+  claims.statement<Node>(
+      "positive_root", 1333, "The argument of the root is positive at every node.", nodes(),
+      {.printed = {R"($\cos\psi-\pi/6>0$)"}, .near_misses = {{R"($\cos\psi-\cos(\pi/12)>0$)"}}});
 
   const auto last = [&](const std::string& text, double from) {
     // psi = a - s^2, and the difference of the cosines as a product

@@ -32,8 +32,18 @@ struct SampleOf {
     return {&m, &L, &mu2, &mu3, &phi, &g, &q[0], &q[1], &v[0], &v[1], &F[0], &F[1], &F[2]};
   }
   TypesetIn<T> typeset() const {
-    return {{"m", m}, {"L", L}, {R"(\mu_2)", mu2},   {R"(\phi)", phi},
-            {"F", F}, {"g", g}, {R"(\theta)", q[0]}, {"F_\\theta", force()}};
+    return {{"m", m},
+            {"L", L},
+            {R"(\mu_2)", mu2},
+            {R"(\mu_3)", mu3},
+            {R"(\phi)", phi},
+            {"F", F},
+            {"g", g},
+            {R"(\theta)", q[0]},
+            {R"(F_\theta)", force()},
+            {R"(\imath)", {1, 0, 0}},
+            {"k", {0, 0, 1}},
+            {R"(\partial X/\partial\theta)", lever()}};
   }
   T inertia(const T& moment) const { return (m * L * L + moment) * sin(phi) * sin(phi); }
   double size() const {
@@ -143,36 +153,18 @@ void equations(Table& table, const std::vector<Sample>& samples) {
   const ProvableFormula<SampleOf> nothing{"zero",
                                           []<class T>(const SampleOf<T>&) { return values(T(0), T(0)); }};
 
-  const auto mu2 = [](const auto& s) { return s.mu2; };
-  const auto quotient = [](const auto& moment, int power = 2) {
-    return [=](const auto& s) { return s.force() / s.inertia(moment(s)) * pow(sin(s.phi), 2 - power); };
-  };
   table.formula("theta", 2559,
                 R"(The pipe's acceleration is $\ddot\theta=F_\theta/((mL^2+\mu_2)\sin^2\phi)$)", samples,
                 {.quantity = R"(the pipe's angular acceleration $\ddot\theta$)",
                  .truth = {lagrange, [](const auto& s) { return s.accelerations(s.force(), 0)[0]; }},
-                 .printed = {R"($F_\theta/((mL^2+\mu_2)\sin^2\phi)$)"},
-                 .near_misses = {{R"($\mu_3$, the moment about the pipe, for $\mu_2$)",
-                                  quotient([](const auto& s) { return s.mu3; })},
-                                 {R"($\sin\phi$ for its square)", quotient(mu2, 1)}}});
-
-  const auto turned_back = [=](double sign) {
-    return [=](const auto& s) { return sign * quotient(mu2)(s) * cos(s.phi); };
-  };
+                 .printed = R"($F_\theta/((mL^2+\mu_2)\sin^2\phi)$)",
+                 .near_misses = {R"($F_\theta/((mL^2+\mu_3)\sin^2\phi)$)"}});
   table.formula("psi", 2561,
                 R"(The disk's acceleration is $\ddot\psi=-F_\theta\cos\phi/((mL^2+\mu_2)\sin^2\phi)$)",
                 samples,
                 {.quantity = R"(the disk's angular acceleration $\ddot\psi$)",
                  .truth = {lagrange, [](const auto& s) { return s.accelerations(s.force(), 0)[1]; }},
-                 .printed = {R"($-F_\theta\cos\phi/((mL^2+\mu_2)\sin^2\phi)$)"},
-                 .near_misses = {{"the same without the minus", turned_back(1)}, {"zero", turned_back(0)}}});
-
-  const auto product = [](double sign, double third) {
-    return [=](const auto& s) {
-      const auto sine = sin(s.phi), c = cos(s.q[0]), w = sin(s.q[0]);
-      return s.L * (-sign * s.F[0] * w * sine + s.F[1] * c * sine + third * s.F[2] * cos(s.phi));
-    };
-  };
+                 .printed = R"($-F_\theta\cos\phi/((mL^2+\mu_2)\sin^2\phi)$)"});
   table.formula(
       "force", 2569,
       R"(The generalized force on $\theta$ is $F\cdot L(-\sin\theta\sin\phi,\ \cos\theta\sin\phi,\ 0)$)",
@@ -180,18 +172,14 @@ void equations(Table& table, const std::vector<Sample>& samples) {
       {.quantity = R"(the generalized force on $\theta$)",
        .truth = {R"($F\cdot\partial X/\partial\theta$ of the center $X$, by dual numbers)",
                  [](const auto& s) { return s.force(); }},
-       .printed = {R"($F\cdot L(-\sin\theta\sin\phi,\ \cos\theta\sin\phi,\ 0)$)"},
-       .near_misses = {{R"(with $+\sin\theta$)", product(-1, 0)},
-                       {R"($\cos\phi$ as the third component)", product(1, 1)}}});
-  const auto weight = [](std::size_t axis) {
-    return [=](const auto& s) { return -s.m * s.g * s.lever()[axis]; };
-  };
+       .printed = R"($F\cdot L(-\sin\theta\sin\phi,\ \cos\theta\sin\phi,\ 0)$)"});
   table.formula("gravity_force", 2571,
                 R"(Gravity has no generalized force on $\theta$: $F_\theta=0$ for all time)", samples,
                 {.quantity = R"($F_\theta$)",
                  .truth = {"zero", []<class T>(const SampleOf<T>&) { return values(T(0)); }},
-                 .printed = {R"($-mgk\cdot\partial X/\partial\theta$, by dual numbers)", weight(2)},
-                 .near_misses = {{R"(the same with gravity along $-\imath$)", weight(0)}}});
+                 .printed = R"($-mgk\cdot\partial X/\partial\theta$)",
+                 .near_misses = {R"($-mg\imath\cdot\partial X/\partial\theta$)"},
+                 .changes_that_hold = R"($k$ and $\partial X/\partial\theta$ are perpendicular)"});
   const auto under_gravity = [](double force) {
     return [=](const auto& s) { return s.accelerations(force, s.g); };
   };
