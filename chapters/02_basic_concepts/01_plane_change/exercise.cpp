@@ -130,7 +130,7 @@ struct SampleOf {
   T t;
   int of = after;  ///< the piece, where t is a letter
   std::array<T*, 1> letters() { return {&t}; }
-  TypesetLetters typeset() const {
+  TypesetIn<T> typeset() const {
     const auto r = piece(side())(t);
     return {{"t", t}, {"x", r[0]}, {"y", r[1]}, {"z", r[2]}};
   }
@@ -146,11 +146,6 @@ struct SampleOf {
 using Sample = SampleOf<double>;
 using Table = ProvableClaims<SampleOf>;
 using OfTime = ProvableFormula<SampleOf>;
-
-template <class T>
-T root(const T& t) {
-  return sqrt(1 + 9 * t * t * t * t);
-}
 
 constexpr auto r_at = [](int side, const auto& t) { return local(side, t).r; };
 constexpr auto v_at = [](int side, const auto& t) { return local(side, t).v; };
@@ -170,25 +165,14 @@ constexpr auto normals_apart = [](double sign, const auto& t) {
 constexpr auto cosine = [](const auto& normal, const auto& t) { return dot(normal(t), N_at(before, -t)); };
 constexpr auto N_after = [](const auto& t) { return N_at(after, t); };
 
-template <class T>
-Vector<T> normal_formula(int side, const T& t) {
-  return 1 / root(t) * in_plane<T>(side, -3 * t * t, T(1.0));
-}
-
 template <class At>
-OfTime by_duals(std::string text, const At& at) {
-  return {std::move(text), [=](const auto& s) { return at(s.side(), s.t); }};
+OfTime by_duals(const At& at) {
+  return {"dual numbers", [=](const auto& s) { return at(s.side(), s.t); }};
 }
-/// (x, y, 0) or (x, 0, y).
-template <class Y>
-OfTime components(std::string text, double x, const Y& y) {
-  return {std::move(text), [=]<class T>(const SampleOf<T>& s) { return in_plane<T>(s.side(), x, y(s.t)); }};
-}
-OfTime velocity_components(std::string text, double k) {
-  return components(std::move(text), 1, [=](const auto& t) { return k * t * t; });
-}
-OfTime acceleration_components(std::string text, double k) {
-  return components(std::move(text), 0, [=](const auto& t) { return k * t; });
+OfTime velocity(int side) { return side < 0 ? "$(1,3t^2,0)$" : "$(1,0,3t^2)$"; }
+OfTime acceleration(int side) { return side < 0 ? "$(0,6t,0)$" : "$(0,0,6t)$"; }
+OfTime normal(int side) {
+  return std::string(side < 0 ? "$(-3t^2,1,0)" : "$(-3t^2,0,1)") + R"(/\sqrt{1+9t^4}$)";
 }
 
 /// What the vector f(side, t) does as t goes to 0 from these sides, by Richardson's extrapolation.
@@ -216,7 +200,7 @@ class Limits {
   Reading normal_at(double t) const {
     Reading reading{R"($\mathbf N$ at $t=)" + format_shortest(t) + "$", {}};
     for (int side : {before, after})
-      reading.checks.push_back(limit(R"($\mathbf N$)", normal_formula(side, t), h_,
+      reading.checks.push_back(limit(R"($\mathbf N$)", computed<Sample>(normal(side)).of({t}), h_,
                                      [=](double s) { return N_at(side, side * s); }));
     return reading;
   }
@@ -232,50 +216,34 @@ class Limits {
 };
 
 void frames(Table& table, int side, const std::vector<Sample>& samples) {
-  const auto tangent = [](double k, int power) {
-    return [=]<class T>(const SampleOf<T>& s) {
-      return pow(root(s.t), power) * in_plane<T>(s.side(), T(1.0), k * s.t * s.t);
-    };
-  };
-  const auto normal = [](double k, int power) {
-    return [=]<class T>(const SampleOf<T>& s) {
-      const Vector<T> n = pow(root(s.t), power) * in_plane<T>(s.side(), -k * s.t * s.t, T(1.0));
-      return values(n[0], n[1], n[2], length(n), dot(n, T_at(s.side(), s.t)));
-    };
-  };
-  const std::string range = side < 0 ? " before 0" : " from 0 on", T = side < 0 ? "(1,3t^2,0)" : "(1,0,3t^2)",
-                    N = side < 0 ? "(-3t^2,1,0)" : "(-3t^2,0,1)", by_root = R"(\sqrt{1+9t^4})";
-  const auto is = [](const std::string& what, const std::string& value) {
-    return "$" + what + "=" + value + "$";
-  };
+  const std::string range = side < 0 ? " before 0" : " from 0 on",
+                    T = side < 0 ? "$(1,3t^2,0)" : "$(1,0,3t^2)",
+                    N = side < 0 ? "$(-3t^2,1,0)" : "$(-3t^2,0,1)", times = R"(\,\sqrt{1+9t^4}$)";
+  const Value at_1 = TypesetFormula(T + times)({{"t", 1}});
   const std::string why = filled(
       R"(The bar above the root is lost in the text at hand: the root divides. As it stands the vector is )"
       R"(multiplied by it, and at $t=\pm1$ its length is @2, not 1.)",
-      {root(1.0) * length(in_plane(side, 1.0, 3.0))});
+      {std::hypot(at_1[0], at_1[1], at_1[2])});
   table.formula(side < 0 ? "tangent_before" : "tangent_after", side < 0 ? 135 : 161,
-                is(R"(\mathbf T)", T + R"(\,)" + by_root) + range, samples,
+                R"($\mathbf T=)" + T.substr(1) + times + range, samples,
                 {.quantity = R"($\mathbf T$)",
-                 .truth = by_duals(R"($\mathbf v/|\mathbf v|$ by dual numbers)", T_at),
-                 .printed = {"$" + T + R"(\,)" + by_root + "$", tangent(3, 1)},
-                 .meant = {"$" + T + "/" + by_root + "$", tangent(3, -1)},
-                 .near_misses = {{R"(the quotient with $-3t^2$)", tangent(-3, -1)}},
+                 .truth = by_duals(T_at),
+                 .printed = T + times,
+                 .meant = T + R"(/\sqrt{1+9t^4}$)",
                  .kind = Fault::lost_typography,
                  .why = why});
-  table.formula(
-      side < 0 ? "normal_before" : "normal_after", side < 0 ? 141 : 167,
-      is(R"(\mathbf N)", N + R"(\,)" + by_root) + " is a unit normal" + range, samples,
-      {.quantity = R"($\mathbf N$, $|\mathbf N|$ and $\mathbf N\cdot\mathbf T$)",
-       .truth = {std::string(side < 0 ? "minus " : "") + "the principal normal by dual numbers, 1 and 0",
-                 [](const auto& s) {
-                   const auto l = s.local();
-                   const auto n = double(s.side()) * unit(cross(cross(l.v, l.a), l.v));
-                   return values(n[0], n[1], n[2], 1, 0);
-                 }},
-       .printed = {"the vector $" + N + R"(\,)" + by_root + "$", normal(3, 1)},
-       .meant = {"the vector $" + N + "/" + by_root + "$", normal(3, -1)},
-       .near_misses = {{R"(the quotient with $+3t^2$)", normal(-3, -1)}},
-       .kind = Fault::lost_typography,
-       .why = why});
+  table.formula(side < 0 ? "normal_before" : "normal_after", side < 0 ? 141 : 167,
+                R"($\mathbf N=)" + N.substr(1) + times + " is a unit normal" + range, samples,
+                {.quantity = R"($\mathbf N$)",
+                 .truth = {std::string(side < 0 ? "minus " : "") + "the principal normal by dual numbers",
+                           [](const auto& s) {
+                             const auto l = s.local();
+                             return double(s.side()) * unit(cross(cross(l.v, l.a), l.v));
+                           }},
+                 .printed = N + times,
+                 .meant = normal(side),
+                 .kind = Fault::lost_typography,
+                 .why = why});
 }
 
 void on_both_pieces(Table& table, const std::vector<Sample>& all) {
@@ -288,12 +256,10 @@ void on_both_pieces(Table& table, const std::vector<Sample>& all) {
                  .truth = {"the curve", [](const auto& s) { return piece(s.side())(s.t); }},
                  .printed = through("the cubic through four of its points", 4),
                  .near_misses = {through("the parabola through three of its points", 3)}});
-  const auto speed = [](double k) { return [=](const auto& s) { return sqrt(1 + k * pow(s.t, 4)); }; };
   table.formula("speed", 123, R"(The speed is $\sqrt{1+9t^4}$ for all $t$.)", all,
                 {.quantity = R"($|\mathbf v|$)",
                  .truth = {"dual numbers", [](const auto& s) { return s.local().speed; }},
-                 .printed = {R"($\sqrt{1+9t^4}$)", speed(9)},
-                 .near_misses = {{R"($\sqrt{1+3t^4}$)"}}});
+                 .printed = R"($\sqrt{1+9t^4}$)"});
 }
 
 std::vector<Claim> claims(double h, double seed) {
@@ -307,35 +273,33 @@ std::vector<Claim> claims(double h, double seed) {
   all.insert(all.end(), right.begin(), right.end());
   const Limits limits(h);
   const Vector3 none{0, 0, 0}, x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
-  const std::string R = R"(\mathbf r)", V = R"(\mathbf v)", A = R"(\mathbf a)", normal = R"(\mathbf N)";
+  const std::string R = R"(\mathbf r)", V = R"(\mathbf v)", A = R"(\mathbf a)", N = R"(\mathbf N)";
   Claims claims("2.1");
   Table table(claims);
   on_both_pieces(table, all);
 
-  const auto with_limit = [&](const std::string& what, const OfTime& formula, const OfTime& truth,
+  /// A formula on either piece, and a limit at 0.
+  const auto with_limit = [&](std::string_view slug, int line, const std::string& says,
+                              const std::string& what, OfTime (*formula)(int side), const OfTime& truth,
                               Reading at_0) {
-    at_0.text = formula.text;
-    at_0.as_typeset = false;
-    at_0.checks.insert(at_0.checks.begin(), compare(what, formula, truth, all));
-    return at_0;
+    Claim claim{.printed = std::move(at_0)};
+    claim.printed.text = "these, and " + claim.printed.text;
+    claim.printed.as_typeset = false;
+    for (int side : {after, before}) {
+      const auto& samples = side < 0 ? left : right;
+      claim.printed.checks.insert(claim.printed.checks.begin(),
+                                  compare<Sample>(what, computed<Sample>(formula(side)), truth, samples));
+      std::ranges::move(single_changes<Sample>(what, formula(side), truth, samples, ""),
+                        std::back_inserter(claim.near_misses));
+    }
+    claims.add(slug, line, says, std::move(claim));
   };
-  const auto near = [&](const std::string& what, const OfTime& formula, const OfTime& truth) {
-    return Reading{formula.text, {compare(what, formula, truth, all)}};
-  };
-  const std::string dual = "dual numbers";
-  const OfTime velocity = by_duals(dual, v_at), acceleration = by_duals(dual, a_at);
-  claims.add(
-      "velocity", 69, R"($\mathbf v=(1,3t^2,0)$ before 0 and $(1,0,3t^2)$ from 0 on)",
-      {.printed = with_limit("$" + V + "$",
-                             velocity_components("these, and 1 along $x$ at 0 from both sides", 3), velocity,
-                             limits.tends(R"((\mathbf r(t)-\mathbf r(0))/t)", {before, after}, x, r_slope)),
-       .near_misses = {near("$" + V + "$", velocity_components(R"($2t^2$ for $3t^2$)", 2), velocity)}});
-  claims.add(
-      "acceleration", 77, R"($\mathbf a=(0,6t,0)$ before 0 and $(0,0,6t)$ from 0 on)",
-      {.printed = with_limit(
-           "$" + A + "$", acceleration_components("these, and 0 at 0 from both sides", 6), acceleration,
-           limits.tends(R"((\mathbf v(t)-\mathbf v(0))/t)", {before, after}, none, v_slope)),
-       .near_misses = {near("$" + A + "$", acceleration_components(R"($3t$ for $6t$)", 3), acceleration)}});
+  with_limit("velocity", 69, R"($\mathbf v=(1,3t^2,0)$ before 0 and $(1,0,3t^2)$ from 0 on)", "$" + V + "$",
+             velocity, by_duals(v_at),
+             limits.tends(R"((\mathbf r(t)-\mathbf r(0))/t)", {before, after}, x, r_slope));
+  with_limit("acceleration", 77, R"($\mathbf a=(0,6t,0)$ before 0 and $(0,0,6t)$ from 0 on)", "$" + A + "$",
+             acceleration, by_duals(a_at),
+             limits.tends(R"((\mathbf v(t)-\mathbf v(0))/t)", {before, after}, none, v_slope));
   claims.add("position_from_below", 87, R"($\mathbf r$ tends to $(0,0,0)$ from below.)",
              {.printed = limits.tends(R, {before}, none, r_at),
               .near_misses = {limits.tends(R, {before}, 1e-6 * y, r_at)}});
@@ -348,28 +312,22 @@ std::vector<Claim> claims(double h, double seed) {
   claims.add("acceleration_limit", 121, R"($\mathbf a$ tends to $(0,0,0)$ from both sides.)",
              {.printed = limits.tends(A, {before, after}, none, a_at),
               .near_misses = {limits.tends(A, {before, after}, 6.0 * y, a_at)}});
-  const auto plane = [&](const std::string& text, std::size_t i) -> Statement<Sample> {
-    return {text, [i](const Sample& s) { return piece(s.side())(s.t)[i] == 0; }};
-  };
-  const Statement<Sample> in_xy = plane("$z=0$", 2), in_xz = plane("$y=0$", 1);
   claims.statement<Sample>("xy_plane", 133, "The piece before 0 lies in the $xy$-plane.", left,
-                           {.printed = in_xy, .near_misses = {in_xz}});
+                           {.printed = {"$z=0$"}, .near_misses = {{"$y=0$"}}});
   claims.statement<Sample>("xz_plane", 159, "The piece from 0 on lies in the $xz$-plane.", right,
-                           {.printed = in_xz, .near_misses = {in_xy}});
+                           {.printed = {"$y=0$"}, .near_misses = {{"$z=0$"}}});
   frames(table, before, left);
-  claims.add(
-      "normal_from_below", 147, R"($\mathbf N$ tends to $(0,1,0)$ from below.)",
-      {.printed = limits.tends(normal, {before}, y, N_at),
-       .near_misses = {limits.tends(normal, {before}, z, N_at), limits.tends(normal, {before}, -y, N_at)}});
+  claims.add("normal_from_below", 147, R"($\mathbf N$ tends to $(0,1,0)$ from below.)",
+             {.printed = limits.tends(N, {before}, y, N_at),
+              .near_misses = {limits.tends(N, {before}, z, N_at), limits.tends(N, {before}, -y, N_at)}});
   claims.add(
       "normal_by_evaluation", 155,
       R"(The limit of $\mathbf N$ is computed by evaluating its components at 0, as they are continuous.)",
       {.printed = limits.normal_at(0), .near_misses = {limits.normal_at(1e-3)}});
   frames(table, after, right);
-  claims.add(
-      "normal_from_above", 173, R"($\mathbf N$ tends to $(0,0,1)$ from above.)",
-      {.printed = limits.tends(normal, {after}, z, N_at),
-       .near_misses = {limits.tends(normal, {after}, y, N_at), limits.tends(normal, {after}, -z, N_at)}});
+  claims.add("normal_from_above", 173, R"($\mathbf N$ tends to $(0,0,1)$ from above.)",
+             {.printed = limits.tends(N, {after}, z, N_at),
+              .near_misses = {limits.tends(N, {after}, y, N_at), limits.tends(N, {after}, -z, N_at)}});
   claims.add(
       "no_sign_helps", 181,
       R"(The one-sided limits of $\mathbf N$ are different, even with a change of sign on one of them.)",
@@ -497,8 +455,8 @@ Provable limit_of(const std::string& slug, const F& f, std::initializer_list<int
   return proved;
 }
 template <class F>
-Provable derivative_of(const std::string& slug, const OfTime& formula, const OfTime& truth, const F& slope,
-                       const Vector<Shortened>& at_0) {
+Provable derivative_of(const std::string& slug, OfTime (*formula)(int side), const OfTime& truth,
+                       const F& slope, const Vector<Shortened>& at_0) {
   Provable proved{"2.1-" + slug,
                   "it holds on both pieces, and at 0 it is the limit of slopes from both sides"};
   for (int side : {before, after})
@@ -506,7 +464,7 @@ Provable derivative_of(const std::string& slug, const OfTime& formula, const OfT
         {"printed",
          "(t : R)",
          {},
-         equal(formula.recorded({t(), side}), truth.recorded({t(), side})),
+         equal(formula(side).recorded({t(), side}), truth.recorded({t(), side})),
          "ring"});
   add_limits(proved.lemmas, slope, {before, after}, at_0);
   return proved;
@@ -524,9 +482,8 @@ Provables proofs() {
   const Vector<Shortened> none{0, 0, 0}, x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
   Provables proved = proofs_on_both_pieces();
   for (int side : {before, after}) std::ranges::move(proofs_of_frame(side), std::back_inserter(proved));
-  proved.push_back(derivative_of("velocity", velocity_components("", 3), by_duals("", v_at), r_slope, x));
-  proved.push_back(
-      derivative_of("acceleration", acceleration_components("", 6), by_duals("", a_at), v_slope, none));
+  proved.push_back(derivative_of("velocity", velocity, by_duals(v_at), r_slope, x));
+  proved.push_back(derivative_of("acceleration", acceleration, by_duals(a_at), v_slope, none));
   proved.push_back(limit_of("position_from_below", r_at, {before}, none));
   proved.push_back(limit_of("position_from_above", r_at, {after}, none));
   proved.push_back(limit_of("velocity_limit", v_at, {before, after}, x));
@@ -534,8 +491,10 @@ Provables proofs() {
   proved.push_back(limit_of("normal_from_below", N_at, {before}, y));
   proved.push_back(limit_of("normal_from_above", N_at, {after}, z));
   Provable evaluated{"2.1-normal_by_evaluation", "they are the limits from both sides"};
-  for (int side : {before, after})
-    add_limits(evaluated.lemmas, N_at, {side}, normal_formula(side, Shortened(0.0)));
+  for (int side : {before, after}) {
+    const Expressions n = normal(side).recorded({0, side});
+    add_limits(evaluated.lemmas, N_at, {side}, {n[0], n[1], n[2]});
+  }
   proved.push_back(evaluated);
   const Shortened root_2 = sqrt(Shortened(2));
   proved.push_back(limit_of_number("no_sign_helps", "both jumps have this limit",

@@ -46,34 +46,26 @@ struct SampleOf {
     return R"($\theta$ = )" + format_significant(theta, 6) + R"(, $\mathbf w$ = )" + shown(w);
   }
 
-  TypesetLetters typeset() const {
-    TypesetLetters all{{"c", c()}, {"s", s()}, {R"(\mathbf u)", u}, {R"(\mathbf v)", v}, {R"(\mathbf w)", w}};
-    const auto x = rotated({1, 0, 0}), y = rotated({0, 1, 0}), z = rotated({0, 0, 1});
-    all.emplace_back("R", Value{x[0], y[0], z[0], x[1], y[1], z[1], x[2], y[2], z[2]});
-    for (const auto& [letter, of] : {std::pair{"a_", alpha()}, {"b_", beta()}, {"g_", gamma()}})
+  TypesetIn<T> typeset() const {
+    TypesetIn<T> all{{"c", c()},
+                     {"s", s()},
+                     {R"(\mathbf u)", u},
+                     {R"(\mathbf v)", v},
+                     {R"(\mathbf w)", w},
+                     {R"(R\mathbf u)", rotated(u)},
+                     {R"(R\mathbf v)", rotated(v)},
+                     {R"(R\mathbf w)", rotated(w)},
+                     {R"(R\mathbf a)", rotated(a)},
+                     {R"(R\mathbf b)", rotated(b)}};
+    for (const auto& [letter, of] : {std::pair{"a_", in(a)}, {"b_", in(b)}, {"g_", in(cross(a, b))}})
       for (std::size_t i = 0; i < 3; ++i) all.emplace_back(letter + std::to_string(i), of[i]);
     return all;
   }
   T c() const { return cos(theta); }
   T s() const { return sin(theta); }
   Vector rotated(const Vector& r) const { return quaternion(w, theta)(r); }
-  /// Components along the frame, and back.
+  /// Components along the frame.
   Vector in(const Vector& r) const { return {dot(u, r), dot(v, r), dot(w, r)}; }
-  Vector out(const Vector& x) const { return x[0] * u + x[1] * v + x[2] * w; }
-  Vector alpha() const { return in(a); }
-  Vector beta() const { return in(b); }
-  Vector gamma() const { return in(cross(a, b)); }
-  /// (c x0 - s x1, s x0 + c x1, x2).
-  Vector turned(const Vector& x, double sign = 1) const {
-    return {c() * x[0] - sign * s() * x[1], sign * s() * x[0] + c() * x[1], x[2]};
-  }
-  /// The printed expansion of the product of the rotated vectors; `sign` belongs before the first s.
-  Vector expanded(double sign) const {
-    const auto [a0, a1, a2] = alpha();
-    const auto [b0, b1, b2] = beta();
-    const T first = a1 * b2 - a2 * b1, second = a2 * b0 - a0 * b2;
-    return {c() * first - sign * s() * second, c() * second + s() * first, a0 * b1 - a1 * b0};
-  }
   /// The dot products of a, b and a x b, of unit length, and their volume, after the map.
   template <class Rotation>
   std::array<T, 7> gram(const Rotation& R) const {
@@ -92,38 +84,15 @@ std::array<T, 9> stacked(const std::array<T, 3>& a, const std::array<T, 3>& b, c
 }
 
 /// A vector by its components in the frame, turned, and by the turned frame.
-template <class Components>
 void sums(Table& table, const std::vector<Sample>& all, int line, const std::string& slug,
-          const std::string& vector, const std::string& x, const Components& components,
-          const Rotated& truth) {
-  const auto turned = [=](double sign) {
-    return [=](const auto& m) { return m.out(m.turned(components(m), sign)); };
+          const std::string& vector, const std::string& x, const Rotated& truth) {
+  const auto is = [&](const std::string& way, const std::string& text) {
+    table.formula(way + "_" + slug, line, "$R" + vector + "=" + text.substr(1), all,
+                  {.quantity = "$R" + vector + "$", .truth = truth, .printed = text});
   };
-  const auto combined = [=](double sign) {
-    return [=](const auto& m) {
-      const auto k = components(m);
-      return k[0] * m.rotated(m.u) + sign * k[1] * m.rotated(m.v) + k[2] * m.rotated(m.w);
-    };
-  };
-  const auto by_frame = [&](const char* first, const char* second) {
-    return "$(c" + x + "_0" + first + "s" + x + R"(_1)\mathbf u+()" + second + "s" + x + "_0+c" + x +
-           R"(_1)\mathbf v+)" + x + R"(_2\mathbf w$)";
-  };
-  const auto by_rotated = [&](const char* sign) {
-    return "$" + x + R"(_0R\mathbf u)" + sign + x + R"(_1R\mathbf v+)" + x + R"(_2R\mathbf w$)";
-  };
-  const std::string R = "$R" + vector + "$";
-  const auto is = [&](const std::string& what) { return "$R" + vector + "=" + what.substr(1); };
-  table.formula("rotated_" + slug, line, is(by_frame("-", "")), all,
-                {.quantity = R,
-                 .truth = truth,
-                 .printed = {by_frame("-", ""), turned(1)},
-                 .near_misses = {{by_frame("+", "-"), turned(-1)}}});
-  table.formula("linear_" + slug, line, is(by_rotated("+")), all,
-                {.quantity = R,
-                 .truth = truth,
-                 .printed = {by_rotated("+"), combined(1)},
-                 .near_misses = {{by_rotated("-"), combined(-1)}}});
+  is("rotated", "$(c" + x + "_0-s" + x + R"(_1)\mathbf u+(s)" + x + "_0+c" + x + R"(_1)\mathbf v+)" + x +
+                    R"(_2\mathbf w$)");
+  is("linear", "$" + x + R"(_0R\mathbf u+)" + x + R"(_1R\mathbf v+)" + x + R"(_2R\mathbf w$)");
 }
 
 void proof(Table& table, const std::vector<Sample>& all) {
@@ -141,13 +110,8 @@ void proof(Table& table, const std::vector<Sample>& all) {
        .near_misses = {{"after a rotation and a reflection",
                         [](const Sample& m) { return m.gram(mirrored(quaternion(m.w, m.theta))); }}}});
   const Rotated rotated_product{by_quaternion, [](const auto& m) { return m.rotated(cross(m.a, m.b)); }};
-  table.formula(
-      "identity", 623, R"($R(\mathbf a\times\mathbf b)=(R\mathbf a)\times(R\mathbf b)$)", all,
-      {.truth = {of_rotated + " " + by_quaternion,
-                 [](const auto& m) { return cross(m.rotated(m.a), m.rotated(m.b)); }},
-       .printed = {product + " for a rotation", [](const auto& m) { return m.rotated(cross(m.a, m.b)); }},
-       .near_misses = {{product + " for a rotation and a mirror",
-                        [](const auto& m) { return -1.0 * m.rotated(cross(m.a, m.b)); }}}});
+  table.formula("identity", 623, R"($R(\mathbf a\times\mathbf b)=(R\mathbf a)\times(R\mathbf b)$)", all,
+                {.quantity = product, .truth = rotated_product, .printed = of_rotated});
   table.formula(
       "frame", 627,
       R"($\mathbf u=\mathbf v\times\mathbf w$, $\mathbf v=\mathbf w\times\mathbf u$, $\mathbf w=\mathbf u\times\mathbf v$)",
@@ -155,16 +119,7 @@ void proof(Table& table, const std::vector<Sample>& all) {
       {.quantity = R"($\mathbf u$, $\mathbf v$ and $\mathbf w$)",
        .truth = {"random right-handed orthonormal frames",
                  [](const auto& m) { return stacked(m.u, m.v, m.w); }},
-       .printed = {"the three products",
-                   [](const auto& m) { return stacked(cross(m.v, m.w), cross(m.w, m.u), cross(m.u, m.v)); }},
-       .near_misses = {{"the products of a left-handed frame", [](const auto& m) {
-                          return stacked(cross(m.w, m.v), cross(m.u, m.w), cross(m.v, m.u));
-                        }}}});
-  const auto turned_frame = [](double sign) {
-    return [=](const auto& m) {
-      return stacked(m.c() * m.u + sign * m.s() * m.v, m.c() * m.v - sign * m.s() * m.u, m.w);
-    };
-  };
+       .printed = R"($(\mathbf v\times\mathbf w,\ \mathbf w\times\mathbf u,\ \mathbf u\times\mathbf v)$)"});
   table.formula(
       "rotated_frame", 629,
       R"($R\mathbf u=c\mathbf u+s\mathbf v$, $R\mathbf v=-s\mathbf u+c\mathbf v$, $R\mathbf w=\mathbf w$)",
@@ -172,80 +127,50 @@ void proof(Table& table, const std::vector<Sample>& all) {
       {.quantity = R"($R\mathbf u$, $R\mathbf v$ and $R\mathbf w$)",
        .truth = {by_quaternion,
                  [](const auto& m) { return stacked(m.rotated(m.u), m.rotated(m.v), m.rotated(m.w)); }},
-       .printed = {"the three sums", turned_frame(1)},
-       .near_misses = {{R"(the sums with $-s$ for $s$)", turned_frame(-1)}}});
+       .printed = R"($(c\mathbf u+s\mathbf v,\ -s\mathbf u+c\mathbf v,\ \mathbf w)$)"});
   table.formula(
       "components", 635,
       R"($\mathbf a=a_0\mathbf u+a_1\mathbf v+a_2\mathbf w$, $\mathbf b=b_0\mathbf u+b_1\mathbf v+b_2\mathbf w$, )"
       R"($\mathbf a\times\mathbf b=g_0\mathbf u+g_1\mathbf v+g_2\mathbf w$)",
       all,
-      {.truth = {"the vectors", [](const auto& m) { return stacked(m.a, m.b, cross(m.a, m.b)); }},
-       .printed = {"the sums",
-                   [](const auto& m) {
-                     return stacked(m.out(m.alpha()), m.out(m.beta()), m.out(m.gamma()));
-                   }},
-       .near_misses = {
-           {R"(the sums with $a_0$ and $a_1$ exchanged)", [](const auto& m) {
-              return stacked(m.out({m.alpha()[1], m.alpha()[0], m.alpha()[2]}), m.b, cross(m.a, m.b));
-            }}}});
-  table.formula(
-      "product_components", 641, R"($(g_0,g_1,g_2)=(a_1b_2-a_2b_1,a_2b_0-a_0b_2,a_0b_1-a_1b_0)$)", all,
-      {.truth = {R"(the components of $\mathbf a\times\mathbf b$)", [](const auto& m) { return m.gamma(); }},
-       .printed = {R"(the product of the triples of $\mathbf a$ and $\mathbf b$)",
-                   [](const auto& m) { return cross(m.alpha(), m.beta()); }},
-       .near_misses = {{R"(the product of those of $\mathbf b$ and $\mathbf a$)",
-                        [](const auto& m) { return cross(m.beta(), m.alpha()); }}}});
-  sums(table, all, 645, "a", R"(\mathbf a)", "a", [](const auto& m) { return m.alpha(); },
+      {.quantity = R"($\mathbf a$, $\mathbf b$ and $\mathbf a\times\mathbf b$)",
+       .truth = {"the vectors", [](const auto& m) { return stacked(m.a, m.b, cross(m.a, m.b)); }},
+       .printed = R"($(a_0\mathbf u+a_1\mathbf v+a_2\mathbf w,\ b_0\mathbf u+b_1\mathbf v+b_2\mathbf w,\ )"
+                  R"(g_0\mathbf u+g_1\mathbf v+g_2\mathbf w)$)"});
+  table.formula("product_components", 641, R"($(g_0,g_1,g_2)=(a_1b_2-a_2b_1,a_2b_0-a_0b_2,a_0b_1-a_1b_0)$)",
+                all,
+                {.quantity = R"(the components of $\mathbf a\times\mathbf b$)",
+                 .truth = {R"(the components of $\mathbf a\times\mathbf b$)",
+                           [](const auto& m) { return m.in(cross(m.a, m.b)); }},
+                 .printed = "$(a_1b_2-a_2b_1,a_2b_0-a_0b_2,a_0b_1-a_1b_0)$"});
+  sums(table, all, 645, "a", R"(\mathbf a)", "a",
        {by_quaternion, [](const auto& m) { return m.rotated(m.a); }});
-  sums(table, all, 647, "b", R"(\mathbf b)", "b", [](const auto& m) { return m.beta(); },
+  sums(table, all, 647, "b", R"(\mathbf b)", "b",
        {by_quaternion, [](const auto& m) { return m.rotated(m.b); }});
-  sums(
-      table, all, 649, "product", R"((\mathbf a\times\mathbf b))", "g",
-      [](const auto& m) { return m.gamma(); }, rotated_product);
+  sums(table, all, 649, "product", R"((\mathbf a\times\mathbf b))", "g", rotated_product);
 
+  const auto line = [&](const std::string& slug, int number, const std::string& what, const std::string& text,
+                        const Rotated& truth, const std::string& in_words = "") {
+    table.formula(slug, number, what.substr(0, what.size() - 1) + "=" + text.substr(1) + in_words, all,
+                  {.quantity = "components of " + what, .truth = truth, .printed = text});
+  };
   const Rotated product_of_rotated{by_quaternion,
                                    [](const auto& m) { return m.in(cross(m.rotated(m.a), m.rotated(m.b))); }};
   const Rotated in_frame{by_quaternion, [](const auto& m) { return m.in(m.rotated(cross(m.a, m.b))); }};
-  const auto triples = [](double sign) {
-    return [=](const auto& m) { return cross(m.turned(m.alpha()), m.turned(m.beta(), sign)); };
-  };
-  table.formula(
-      "coordinates", 653,
-      R"($(R\mathbf a)\times(R\mathbf b)=(ca_0-sa_1,sa_0+ca_1,a_2)\times(cb_0-sb_1,sb_0+cb_1,b_2)$ in the frame)",
-      all,
-      {.quantity = "components of " + of_rotated,
-       .truth = product_of_rotated,
-       .printed = {"the product of the turned triples", triples(1)},
-       .near_misses = {{"the product with the second turned back", triples(-1)}}});
-  const Rotated expansion{
-      R"($(c(a_1b_2-a_2b_1)-s(a_2b_0-a_0b_2),\;s(a_1b_2-a_2b_1)+c(a_2b_0-a_0b_2),\;a_0b_1-a_1b_0)$)",
-      [](const auto& m) { return m.expanded(1); }};
-  const Rotated flipped{R"(the same with $+s(a_2b_0-a_0b_2)$ in the first)",
-                        [](const auto& m) { return m.expanded(-1); }};
-  const auto expanded = [&](std::string_view slug, int line, const std::string& says, const std::string& what,
-                            const Rotated& truth) {
-    table.formula(slug, line, says, all,
-                  {.quantity = "components of " + what,
-                   .truth = truth,
-                   .printed = expansion,
-                   .near_misses = {flipped}});
-  };
-  const auto is = [&](const std::string& what) {
-    return what.substr(0, what.size() - 1) + "=" + expansion.text.substr(1);
-  };
-  expanded("expanded", 655, is(of_rotated), of_rotated, product_of_rotated);
-  table.formula(
-      "turned_gamma", 659, R"($R(\mathbf a\times\mathbf b)=(cg_0-sg_1,sg_0+cg_1,g_2)$)", all,
-      {.quantity = "components of " + product,
-       .truth = in_frame,
-       .printed = {R"($(cg_0-sg_1,sg_0+cg_1,g_2)$)", [](const auto& m) { return m.turned(m.gamma()); }},
-       .near_misses = {{R"($(cg_0+sg_1,-sg_0+cg_1,g_2)$)"}}});
-  expanded("product_expanded", 661, is(product), product, in_frame);
+  const std::string turned = R"($(ca_0-sa_1,sa_0+ca_1,a_2)\times(cb_0-sb_1,sb_0+cb_1,b_2)$)";
+  const std::string expansion =
+      R"($(c(a_1b_2-a_2b_1)-s(a_2b_0-a_0b_2),\;s(a_1b_2-a_2b_1)+c(a_2b_0-a_0b_2),\;a_0b_1-a_1b_0)$)";
+  line("coordinates", 653, of_rotated, turned, product_of_rotated, " in the frame");
+  line("expanded", 655, of_rotated, expansion, product_of_rotated);
+  line("turned_gamma", 659, product, "$(cg_0-sg_1,sg_0+cg_1,g_2)$", in_frame);
+  line("product_expanded", 661, product, expansion, in_frame);
   table.formula("equal", 663, "The two expressions are equal.", all,
                 {.truth = {R"(the product of the triples of $\mathbf a$ and $\mathbf b$, turned)",
-                           [](const auto& m) { return m.turned(cross(m.alpha(), m.beta())); }},
-                 .printed = expansion,
-                 .near_misses = {{"its negative", [](const auto& m) { return -1.0 * m.expanded(1); }}}});
+                           [](const auto& m) {
+                             const auto [x, y, z] = cross(m.in(m.a), m.in(m.b));
+                             return std::array{m.c() * x - m.s() * y, m.s() * x + m.c() * y, z};
+                           }},
+                 .printed = expansion});
 }
 
 /// Two unit vectors, or a vector and minus its double.

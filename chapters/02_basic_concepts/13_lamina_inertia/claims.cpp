@@ -1,21 +1,18 @@
 // The claims of exercise 2.13: the text's integrals by columns, against the definition by rows.
 
-#include "chapters/claims.hpp"
 #include "chapters/integral_proofs.hpp"
-#include "chapters/provable.hpp"
+#include "chapters/provable_claims.hpp"
 
 #include <string>
 #include <vector>
 
 #include "chapters/02_basic_concepts/13_lamina_inertia/lamina_inertia.hpp"
-#include "solvers/dual.hpp"
 
 namespace oddity::lamina_inertia {
 
 namespace {
 
 using Fraction = std::array<long, 2>;
-using InSpace = double (*)(double x, double y, double z);
 
 const Rule sixteen = gauss_rule(16);
 
@@ -34,47 +31,63 @@ std::array<Fraction, 6> in_rationals() {
 }
 
 /// The lamina cut off at x = left, at the height z.
-struct Cut {
-  double left, z;
-  std::array<double*, 2> letters() { return {&left, &z}; }
-  std::string where() const { return "left = " + format_shortest(left) + ", $z$ = " + format_shortest(z); }
+template <class T>
+struct CutOf {
+  T left, z;
+  std::array<T*, 2> letters() { return {&left, &z}; }
+  TypesetIn<T> typeset() const { return {{"a", left}, {"z", z}}; }
 };
+using Cut = CutOf<double>;
 std::vector<Cut> cuts(double seed, double up = 1) {
   Random random(seed);
   std::vector<Cut> all;
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < 4; ++i) {
     const double left = random.between(-1, 0.8);
     all.push_back({left, up * random.magnitude(0.1, 3)});
   }
   return all;
 }
-Formula<Cut> by_columns(const std::string& text, InSpace f) {
-  return {text + ", by columns", [=](const Cut& c) {
-            return columns(
-                       sixteen, [&](double x, double y) { return f(x, y, c.z); }, c.left)
-                .value;
-          }};
-}
-Formula<Cut> by_definition(std::size_t k) {
-  return {R"($\mathbf r\times(\mathbf w\times\mathbf r)$ by rows over $\sqrt y$)",
-          [=](const Cut& c) {
-            const auto at = [&](double x, double y) { return inertia_by_definition(k, {x, y, c.z}); };
-            return rows(sixteen, at, c.left, true).value;
+
+/// Component k by its definition: by rows, or as Coq states it.
+template <class T>
+T by_definition(std::size_t k, const CutOf<T>& c) {
+  if constexpr (std::same_as<T, Shortened>) {
+    const auto column = [&](const T& x) {
+      return recorded_integral(
+          [&](const T& y) {
+            return inertia_component(k, std::array{x, y, c.z});
           },
+          pow(x, 2), 1);
+    };
+    return recorded_integral(column, c.left, 1);
+  } else {
+    const auto at = [&](double x, double y) { return inertia_by_definition(k, {x, y, c.z}); };
+    return rows(sixteen, at, c.left, true).value;
+  }
+}
+ProvableFormula<CutOf> definition(std::size_t k) {
+  return {R"($\mathbf r\times(\mathbf w\times\mathbf r)$ by rows over $\sqrt y$)",
+          [=](const auto& c) { return by_definition(k, c); },
           [](const Cut& c) { return (1 + c.z * c.z) * (1 - c.left); }};
 }
 
-/// A component with its printed integrand and value, and a near miss of each; `exact`: by rows, in rational
+/// A component with its printed integrand and value, and a near miss of this; `exact`: by rows, in rational
 /// numbers.
 struct Component {
   std::string letters;
   int integrand_line, value_line;
   std::string integrand;
-  InSpace printed;
-  std::string near_integrand;
-  InSpace near;
   Fraction value, near_value, exact;
 };
+std::array<Component, 6> components() {
+  const auto by_rows = in_rationals();
+  return {{{"xx", 669, 699, "(y^2+z^2)", {4, 7}, {2, 7}, by_rows[0]},
+           {"yy", 703, 707, "(x^2+z^2)", {4, 15}, {4, 5}, by_rows[1]},
+           {"zz", 711, 715, "(x^2+y^2)", {88, 105}, {32, 105}, by_rows[2]},
+           {"xy", 719, 723, "(xy)", {0, 1}, {1, 6}, by_rows[3]},
+           {"xz", 727, 731, "(xz)", {0, 1}, {1, 4}, by_rows[4]},
+           {"yz", 735, 735, "(yz)", {0, 1}, {4, 5}, by_rows[5]}}};
+}
 
 Reading value_of(const Component& c, std::size_t k, const Fraction& value) {
   const double size = 4.0 / 3;  // the area
@@ -96,16 +109,29 @@ Reading value_of(const Component& c, std::size_t k, const Fraction& value) {
           is_as_typeset(compare_typeset(text, {{TypesetLetters{}, Value(decimal)}}))};
 }
 
-void component(Claims& claims, const Component& c, std::size_t k, double seed) {
+/// The integral of this over the lamina from x = `left` on.
+std::string over_lamina(const std::string& left, const std::string& integrand) {
+  return R"(\int_)" + left + R"(^1\int_{x^2}^1)" + integrand + R"(\,dy\,dx$)";
+}
+void integral(ProvableClaims<CutOf>& table, const std::string& slug, int line, const std::string& says,
+              const std::string& integrand, std::size_t k, const std::vector<Cut>& samples) {
+  table.formula(slug, line, says + over_lamina("{-1}", integrand), samples,
+                {.quantity = "$I_{" + components()[k].letters + "}$ of laminas from $x=a$ on",
+                 .truth = definition(k),
+                 .printed = "$" + over_lamina("a", integrand)});
+}
+void integrands(ProvableClaims<CutOf>& table, const std::vector<Cut>& samples) {
+  const auto all = components();
+  for (std::size_t k = 0; k < 6; ++k)
+    integral(table, "i" + all[k].letters + "_integrand", all[k].integrand_line,
+             "$I_{" + all[k].letters + "}=", all[k].integrand, k, samples);
+}
+void without_z(ProvableClaims<CutOf>& table, const std::vector<Cut>& samples) {
+  integral(table, "ixx_without_z", 677, "With $z=0$: $I_{xx}=", "y^2", 0, samples);
+}
+
+void value(Claims& claims, const Component& c, std::size_t k) {
   const std::string slug = "i" + c.letters, name = "I_{" + c.letters + "}";
-  claims.formula(slug + "_integrand", c.integrand_line,
-                 "$" + name + R"(=\int_{-1}^1\int_{x^2}^1()" + c.integrand.substr(1, c.integrand.size() - 2) +
-                     R"()\,dy\,dx$)",
-                 cuts(seed),
-                 {.quantity = "$" + name + "$ of random laminas",
-                  .truth = by_definition(k),
-                  .printed = by_columns(c.integrand, c.printed),
-                  .near_misses = {by_columns(c.near_integrand, c.near)}});
   const Reading value = value_of(c, k, c.value), near = value_of(c, k, c.near_value);
   if (k > 0) {
     claims.add(slug, c.value_line, "$" + name + "=" + value.text.substr(1),
@@ -128,86 +154,56 @@ void component(Claims& claims, const Component& c, std::size_t k, double seed) {
 template <class T>
 struct ColumnOf {
   T x;
+  std::array<T*, 1> letters() { return {&x}; }
+  TypesetIn<T> typeset() const { return {{"x", x}}; }
+  /// The integral of y^2 from x^2 to 1.
+  T inner() const {
+    const auto square = [](const auto& y) { return y * y; };
+    if constexpr (std::same_as<T, Shortened>)
+      return recorded_integral(square, pow(x, 2), 1);
+    else
+      return sixteen(square, x * x, 1).value;
+  }
+  /// What the columns from 0 to x make of it.
+  T up_to_here() const {
+    if constexpr (std::same_as<T, Shortened>)
+      return recorded_integral([](const T& at) { return ColumnOf{at}.inner(); }, 0, x);
+    else
+      return sixteen([](double at) { return ColumnOf{at}.inner(); }, 0, x).value;
+  }
 };
-struct Column : ColumnOf<double> {
-  explicit Column(Random& random) : ColumnOf{random.between(-1, 1)} {}
-  std::array<double*, 1> letters() { return {&x}; }
-  TypesetLetters typeset() const { return {{"x", x}}; }
-  std::string where() const { return "$x$ = " + format_shortest(x); }
-};
-const Formula<Column> inner_integral{"Gauss-Legendre of $y^2$ from $x^2$ to 1", [](const Column& c) {
-                                       return sixteen([](double y) { return y * y; }, c.x * c.x, 1).value;
-                                     }};
-
-/// The inner integral, and the antiderivative of what it makes.
-constexpr auto between = [](const auto& c, double divisor) {
-  using std::pow;
-  return (1 - pow(c.x * c.x, 3)) / divisor;
-};
-constexpr auto power = [](const auto& c, int n) {
-  using std::pow;
-  return (1 - pow(c.x, n)) / 3;
-};
-constexpr auto antiderivative = [](const auto& x, double seventh, double over) {
-  return (x - x * x * x * x * x * x * x / seventh) / over;
-};
-
-/// What the components integrate by the text.
-constexpr auto y_squared = [](auto, auto y, auto) { return y * y; };
-constexpr auto xx = [](auto x, auto, auto z) { return x * x + z * z; };
-constexpr auto yy = [](auto, auto y, auto z) { return y * y + z * z; };
-constexpr auto zz = [](auto x, auto y, auto) { return x * x + y * y; };
-constexpr auto xy = [](auto x, auto y, auto) { return x * y; };
-constexpr auto xz = [](auto x, auto, auto z) { return x * z; };
-constexpr auto yz = [](auto, auto y, auto z) { return y * z; };
+using Column = ColumnOf<double>;
+using OfColumn = ProvableFormula<ColumnOf>;
 
 /// The lines that lead to Ixx.
-void steps(Claims& claims, double seed) {
-  const auto columns_of = draw<Column>(50, seed);
-  const auto flat = [&](const std::string& text, double up) {
-    return Reading{text,
-                   {compare("$I_{xx}$ of random laminas", by_columns("$y^2$", y_squared), by_definition(0),
-                            cuts(seed, up))}};
-  };
-  claims.add("ixx_without_z", 677, R"(With $z=0$: $I_{xx}=\int_{-1}^1\int_{x^2}^1y^2\,dy\,dx$)",
-             {.printed = flat("$y^2$ at $z=0$", 0), .near_misses = {flat("$y^2$ at another height", 1)}});
-  const auto cube = [](double divisor) { return [=](const Column& c) { return between(c, divisor); }; };
-  claims.formula("ixx_inner", 681, "The inner integral of $I_{xx}$ is $y^3/3$ between $x^2$ and 1.",
-                 columns_of,
-                 {.quantity = "the inner integral",
-                  .truth = inner_integral,
-                  .printed = {"$y^3/3$ between $x^2$ and 1", cube(3)},
-                  .near_misses = {{"$y^3/2$ between $x^2$ and 1", cube(2)}}});
-  claims.formula("ixx_outer", 689, R"($I_{xx}=\int_{-1}^1\frac{1-x^6}3\,dx$)", columns_of,
-                 {.quantity = "the inner integral", .truth = inner_integral, .printed = {"$(1-x^6)/3$"}});
-
-  const double by_rows = nested(
-                             sixteen, [](double, double y) { return y * y; }, -1, 1, parabola, top)
-                             .value;
-  const auto primitive = [&](const std::string& text, double seventh, double over) {
-    const auto f = [=](const auto& x) { return antiderivative(x, seventh, over); };
-    return Reading{
-        text,
-        {compare("the inner integral",
-                 {"the derivative of " + text, [=](const Column& c) { return derivative(f, c.x); }},
-                 inner_integral, columns_of),
-         {"$I_{xx}$",
-          {text + " between $-1$ and 1", f(1.0) - f(-1.0)},
-          {"Gauss-Legendre by rows", by_rows},
-          rounding(1)}},
-        is_as_typeset(
-            compare_typeset(Formula<Column>{text, [=](const Column& c) { return f(c.x); }}, columns_of))};
-  };
-  claims.add(
-      "ixx_antiderivative", 695, "$I_{xx}$ is $x-x^7/73$ between $-1$ and 1.",
-      {.printed = primitive("$x-x^7/73$", 73, 1),
-       .meant = primitive("$(x-x^7/7)/3$", 7, 3),
-       .near_misses = {primitive("$(x-x^7/6)/3$", 6, 3)},
+void inner_integral(ProvableClaims<ColumnOf>& table, const std::vector<Column>& columns) {
+  const OfColumn truth{"Gauss-Legendre of $y^2$ from $x^2$ to 1", [](const auto& c) { return c.inner(); }};
+  table.formula("ixx_inner", 681, "The inner integral of $I_{xx}$ is $y^3/3$ between $x^2$ and 1.", columns,
+                {.quantity = "the inner integral", .truth = truth, .printed = "$1^3/3-(x^2)^3/3$"});
+  table.formula("ixx_outer", 689, R"($I_{xx}=\int_{-1}^1\frac{1-x^6}3\,dx$)", columns,
+                {.quantity = "the inner integral", .truth = truth, .printed = "$(1-x^6)/3$"});
+}
+const OfColumn from_columns{"Gauss-Legendre, nested", [](const auto&c) { return c.up_to_here(); }},
+    printed = "$x-x^7/73$", meant = "$(x-x^7/7)/3$";
+template <class T>
+auto between_ends(const OfColumn& f) {
+  if constexpr (std::same_as<T, Shortened>)
+    return f.recorded({1.0})[0] - f.recorded({-1.0})[0];
+  else
+    return computed<Column>(f).of({1})[0] - computed<Column>(f).of({-1})[0];
+}
+void antiderivative(ProvableClaims<ColumnOf>& table, const std::vector<Column>& columns) {
+  table.formula(
+      "ixx_antiderivative", 695, "$I_{xx}$ is $x-x^7/73$ between $-1$ and 1.", columns,
+      {.quantity = "the inner integral's integral from 0 to $x$",
+       .truth = from_columns,
+       .printed = printed,
+       .meant = meant,
+       .kind = Fault::lost_typography,
        .why = filled(
            "The bar above the 3 is lost in the text at hand: $(x-x^7/7)/3$, whose difference is @4, the integral. "
            "As it stands it is @4.",
-           {by_rows, antiderivative(1.0, 73, 1) - antiderivative(-1.0, 73, 1)}),
-       .kind = Fault::lost_typography});
+           {between_ends<double>(meant), between_ends<double>(printed)})});
 }
 
 struct Point {
@@ -253,20 +249,19 @@ void region_and_order(Claims& claims, double seed) {
 }  // namespace
 
 std::vector<Claim> claims(double seed) {
-  const InSpace minus_xy = [](double x, double y, double) { return -x * y; };
-  const auto by_rows = in_rationals();
-  const Component all[] = {
-      {"xx", 669, 699, "$y^2+z^2$", yy, "$x^2+z^2$", xx, {4, 7}, {2, 7}, by_rows[0]},
-      {"yy", 703, 707, "$x^2+z^2$", xx, "$x^2+y^2$", zz, {4, 15}, {4, 5}, by_rows[1]},
-      {"zz", 711, 715, "$x^2+y^2$", zz, "$y^2+z^2$", yy, {88, 105}, {32, 105}, by_rows[2]},
-      {"xy", 719, 723, "$xy$", xy, "$-xy$", minus_xy, {0, 1}, {1, 6}, by_rows[3]},
-      {"xz", 727, 731, "$xz$", xz, "$yz$", yz, {0, 1}, {1, 4}, by_rows[4]},
-      {"yz", 735, 735, "$yz$", yz, "$xz$", xz, {0, 1}, {4, 5}, by_rows[5]},
-  };
   Claims claims("2.13");
   region_and_order(claims, seed);
-  for (std::size_t k = 0; k < 6; ++k) component(claims, all[k], k, seed);
-  steps(claims, seed);
+  ProvableClaims<CutOf> of_cuts(claims);
+  integrands(of_cuts, cuts(seed));
+  without_z(of_cuts, cuts(seed, 0));
+  const auto all = components();
+  for (std::size_t k = 0; k < 6; ++k) value(claims, all[k], k);
+  std::vector<Column> columns{{-1}, {1}};
+  Random random(seed);
+  for (int i = 0; i < 50; ++i) columns.push_back({random.between(-1, 1)});
+  ProvableClaims<ColumnOf> of_columns(claims);
+  inner_integral(of_columns, columns);
+  antiderivative(of_columns, columns);
   return claims.in_order();
 }
 
@@ -289,7 +284,7 @@ Qed.
 Ltac derived := intros; auto_derive; solve [repeat split; trivial | field].
 Ltac nest F G :=
   match goal with |- RInt (fun x => RInt (fun y => @?f x y) _ _) _ _ = _ =>
-    rewrite (nested_by F f G (fun x => x * x) (fun _ => 1));
+    rewrite (nested_by F f G (fun x => x ^ 2) (fun _ => 1));
       [| derived | intros; apply @ex_derive_continuous; auto_derive; solve [repeat split; trivial]
        | derived | intros; apply @ex_derive_continuous; auto_derive; solve [repeat split; trivial]] end;
   match goal with |- ?x = ?y => change (@eq R x y) end; field.
@@ -304,32 +299,8 @@ constexpr const char* antiderivatives[] = {
     "nest (fun x y : R => 0 * x * y) (fun x : R => 0 * x)",
     "nest (fun x y : R => 0 * x * y) (fun x : R => 0 * x)"};
 
-/// The component's integral over the lamina by its definition.
-Expression component_integral(std::size_t k) {
-  const auto letter = [](const char* name) { return Shortened::letter(name); };
-  const std::array<Shortened, 3> r{letter("x"), letter("y"), Shortened(0.0)};
-  const std::string integrand = inertia_component(k, r).expression().coq();
-  return Expression::letter("(RInt (fun x => RInt (fun y => " + integrand + ") (x * x) 1) (-1) 1)");
-}
-Proposition is_integral(std::size_t k, const Fraction& value) {
-  return component_integral(k) ==
-         Expression(static_cast<double>(value[0])) / Expression(static_cast<double>(value[1]));
-}
-
-/// One is the other at every point, and so are their integrals over a lamina that is cut off anywhere.
-std::vector<Lemma> integrates(const Shortened& printed, const Shortened& definition) {
-  const auto over_lamina = [](const Shortened& f) {
-    return Expression::letter("RInt (fun x => RInt (fun y => " + f.expression().coq() +
-                              ") (x * x) 1) left 1");
-  };
-  return {{"integrand", "(x y z : R)", {}, {printed.expression() == definition.expression()}, "ring"},
-          {"integral",
-           "(left z : R)",
-           {},
-           {over_lamina(printed) == over_lamina(definition)},
-           "apply RInt_ext; intros; apply RInt_ext; intros; cbv beta;\n"
-           "  match goal with |- ?x = ?y => change (@eq R x y) end; ring"}};
-}
+/// The component's integral over the whole lamina.
+Expression component_integral(std::size_t k) { return by_definition<Shortened>(k, {-1.0, 0.0}).expression(); }
 
 }  // namespace
 
@@ -340,7 +311,9 @@ Provables proofs() {
   Provables proved;
   std::vector<Lemma> similar;
   for (std::size_t k = 0; k < 6; ++k) {
-    similar.push_back({names[k], "", {}, {is_integral(k, by_rows[k])}, antiderivatives[k]});
+    const auto [over, under] = by_rows[k];
+    const Expression value = Expression(static_cast<double>(over)) / Expression(static_cast<double>(under));
+    similar.push_back({names[k], "", {}, {component_integral(k) == value}, antiderivatives[k]});
     proved.push_back({"2.13-i" + std::string(names[k]),
                       "the integral of its definition is this value",
                       {similar.back()},
@@ -363,40 +336,43 @@ Provables proofs() {
   proved.push_back({"2.13-similar", "the six components are these two integrals of their definitions",
                     similar, 0, preamble});
 
-  const Shortened x = Shortened::letter("x"), y = Shortened::letter("y"), z = Shortened::letter("z");
-  const std::array integrands{yy(x, y, z), xx(x, y, z), zz(x, y, z), xy(x, y, z), xz(x, y, z), yz(x, y, z)};
-  for (std::size_t k = 0; k < 6; ++k)
-    proved.push_back({"2.13-i" + std::string(names[k]) + "_integrand",
-                      "it is that of the definition, everywhere and so over any lamina",
-                      integrates(integrands[k], inertia_component(k, std::array{x, y, z})), 0, preamble});
-  proved.push_back(
-      {"2.13-ixx_without_z", "it is that of the definition at z = 0, everywhere and so over any lamina",
-       integrates(y_squared(x, y, z), inertia_component(0, std::array{x, y, Shortened(0.0)})), 0, preamble});
-
-  const ColumnOf<Shortened> at{x};
-  const Expression inner = Expression::letter("(RInt (fun y => y * y) (x * x) 1)");
-  const std::string by_cube = "integrate (fun y : R => y ^ 3 / 3); field";
-  for (const auto& [slug, printed] : {std::pair("ixx_inner", between(at, 3)), {"ixx_outer", power(at, 6)}})
-    proved.push_back({"2.13-" + std::string(slug),
-                      "it is the integral of a column, wherever it is",
-                      {{"printed", "(x : R)", {}, {printed.expression() == inner}, "symmetry; " + by_cube}},
-                      0,
-                      preamble});
-  const auto f = [](const Shortened& at_x, double seventh, double over) {
-    return antiderivative(at_x, seventh, over).expression();
+  const auto letter = [](const char* name) { return Shortened::letter(name); };
+  const std::string by_column =
+      "apply RInt_ext; intros; apply RInt_ext; intros; cbv beta;\n"
+      "  match goal with |- ?x = ?y => change (@eq R x y) end; ring";
+  const std::string by_cube = "symmetry; integrate (fun y : R => y ^ 3 / 3); field";
+  Claims claims("2.13");
+  const auto add = [&](const Provables& more) {
+    for (const Provable& one : more) proved.push_back(one), proved.back().preamble = preamble;
   };
-  const Expression ends = f(1.0, 7, 3) - f(-1.0, 7, 3), printed_ends = f(1.0, 73, 1) - f(-1.0, 73, 1);
+  ProvableClaims<CutOf> of_cuts(claims), flat(claims);
+  integrands(of_cuts, {});
+  without_z(flat, {});
+  add(of_cuts.proofs("2.13", {.any = {letter("left"), letter("z")},
+                              .letters = "(left z : R)",
+                              .tactic = by_column,
+                              .says = "it is that of the definition over any lamina"}));
+  add(flat.proofs("2.13", {.any = {letter("left"), 0.0},
+                           .letters = "(left : R)",
+                           .tactic = by_column,
+                           .says = "it is that of the definition at z = 0 over any lamina"}));
+  ProvableClaims<ColumnOf> of_columns(claims);
+  inner_integral(of_columns, {});
+  const ColumnOf<Shortened> at{letter("x")};
+  add(of_columns.proofs("2.13", {.any = at,
+                                 .letters = "(x : R)",
+                                 .tactic = by_cube,
+                                 .says = "it is the integral of a column, wherever it is"}));
   proved.push_back(
       {"2.13-ixx_antiderivative",
-       "as meant its derivative is the integral of a column, and its ends make the whole; as printed they do not",
-       {{"meant_derivative",
+       "as meant it is the integral up to any column, and its ends make the whole; as printed they do not",
+       {{"meant",
          "(x : R)",
          {},
-         {Expression::letter("(Derive (fun x => " + f(at.x, 7, 3).coq() + ") x)") == inner},
-         "replace (RInt (fun y => y * y) (x * x) 1) with ((1 - x ^ 6) / 3) by (symmetry; " + by_cube +
-             "); apply is_derive_unique; auto_derive; solve [trivial | field]"},
-        {"meant_ends", "", {}, {component_integral(0) == ends}, antiderivatives[0]},
-        off(printed_ends, 1.4)},
+         equal(meant.recorded(at), from_columns.recorded(at)),
+         "symmetry; " + std::string(antiderivatives[0])},
+        {"meant_ends", "", {}, {component_integral(0) == between_ends<Shortened>(meant)}, antiderivatives[0]},
+        off(between_ends<Shortened>(printed), 1.4)},
        1.4,
        preamble});
   return proved;
