@@ -165,12 +165,9 @@ void proof(Table& table, const std::vector<Sample>& all) {
   line("turned_gamma", 659, product, "$(cg_0-sg_1,sg_0+cg_1,g_2)$", in_frame);
   line("product_expanded", 661, product, expansion, in_frame);
   table.formula("equal", 663, "The two expressions are equal.", all,
-                {.truth = {R"(the product of the triples of $\mathbf a$ and $\mathbf b$, turned)",
-                           [](const auto& m) {
-                             const auto [x, y, z] = cross(m.in(m.a), m.in(m.b));
-                             return std::array{m.c() * x - m.s() * y, m.s() * x + m.c() * y, z};
-                           }},
-                 .printed = expansion});
+                {.quantity = "components of " + of_rotated + ", by those of " + product,
+                 .truth = product_of_rotated,
+                 .printed = "$(cg_0-sg_1,sg_0+cg_1,g_2)$"});
 }
 
 /// Two unit vectors, or a vector and minus its double.
