@@ -90,8 +90,8 @@ Changes changes_of(const TypesetFormula& formula, const std::vector<TypesetSampl
       Sides sides = right;
       sides[i] = mutant.tree;
       const double off = roundings(sides, letters, truth, sizes);
-      // Forms of one quantity, in a row, are equal.
-      if (off < is_rounding && mutant.change == "components exchanged")
+      // Forms of one quantity, in a row, are equal: each of them where the truth is one number.
+      if (mutant.change == "components exchanged" && (truth[0].size() == 1 || off < is_rounding))
         ++changes.equal;
       else if (off < is_rounding && !any.empty() &&
                roundings(sides, any, right_at_any, sizes_at_any) < is_rounding)
