@@ -74,7 +74,8 @@ TEST_CASE("what a program mentions stays with what that mentions", "[code]") {
         "Given(const T& x) : a{x}, b(x) {}", " private:", "int count_ = twice();", "int twice()",
         "/// Of all.\nnamespace oddity {\n\ntemplate <class T>\nstruct Given {\n  T a"})
     CHECK(has(used, part));
-  for (const char* part : {"other()", "half", "square", "unused", "is_new", "std::sin", "Way", "Alone", "apart"})
+  for (const char* part :
+       {"other()", "half", "square", "unused", "is_new", "std::sin", "Way", "Alone", "apart"})
     CHECK_FALSE(has(used, part));
 }
 

@@ -44,10 +44,10 @@ void require_room_for_all(const fs::path& report_out, const fs::path& site_out);
 void publish(const fs::path& folder, const fs::path& report_out, const fs::path& site_out, bool as_on_record,
              const std::function<double()>& seconds);
 /// Of all exercises when there are none.
-void chart(const fs::path& folder, const std::vector<std::string>& exercises, const AskedNeed&, Curves, const fs::path& out, bool overwrite, const OtherEngines&);
+void chart(const fs::path& folder, const std::vector<std::string>& exercises, const AskedNeed&, Curves,
+           const fs::path& out, bool overwrite, const OtherEngines&);
 /// The trials that the charts show, with nothing drawn.
-void chart_table(const fs::path& folder, const std::vector<std::string>& exercises, const AskedNeed&,
-                 Format);
+void chart_table(const fs::path& folder, const std::vector<std::string>& exercises, const AskedNeed&, Format);
 struct AskedStability {
   std::vector<std::string> words;  ///< scenes by number, one of them with other parameters; none: all
   std::string horizon;             ///< empty: the scenes' own
