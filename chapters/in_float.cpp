@@ -135,10 +135,8 @@ void add_in_float(Quantity& motion, const std::vector<std::string_view>& names,
     throw std::logic_error(motion.name + " has no Runge-Kutta 4 in float");
   const double finest = richest->knob.settings.back();
   const std::string model = richest->model;
-  motion.add(Breakdown{
-      "In float every step rounds: Runge-Kutta 4 is not within the need at the finest step here, in "
-      "double it is.",
-      model + ", " + algorithm, finest, at_finest, model + ", Runge-Kutta 4", finest});
+  motion.add(Breakdown{"In float, Runge-Kutta 4 misses the need at its finest step.",
+                       model + ", " + algorithm, finest, at_finest, model + ", Runge-Kutta 4", finest});
 }
 
 }  // namespace oddity::detail

@@ -100,6 +100,7 @@ TEST_CASE("standard headers stay where something of them is mentioned", "[code]"
   CHECK(needs_standard("array", "std::array<int, 2> a;"));
   CHECK_FALSE(needs_standard("array", "int array;"));
   CHECK(needs_standard("cmath", "x = sqrt(2);"));
+  CHECK(needs_standard("cmath", "std::fmax(1, std::ceil(x))"));
   CHECK_FALSE(needs_standard("tuple", "int a;"));
   CHECK(needs_standard("valarray", ""));  // one that is not known
 }

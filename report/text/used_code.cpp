@@ -265,7 +265,7 @@ bool needs_standard(std::string_view name, std::string_view code) {
       {"array", std::regex(R"(std::array\b)")},
       {"cmath",
        std::regex(
-           R"(\b(abs|sqrt|hypot|exp|log|sin|cos|tan|asin|acos|atan2?|sinh|cosh|asinh|pow|floor|round|isfinite|remainder|copysign|expm1|std::(min|max))\b)")},
+           R"(\b(f?abs|sqrt|cbrt|hypot|exp2?|expm1|log|log2|log10|log1p|sinh?|cosh?|tanh?|asinh?|acosh?|atanh?|atan2|pow|floor|ceil|trunc|l?l?round|rint|fmax|fmin|fma|fmod|remainder|copysign|isfinite|isnan|isinf|signbit|ldexp|nextafter)\b)")},
       {"concepts", std::regex(R"(std::(same_as|convertible_to|floating_point|integral)\b)")},
       {"cstddef", std::regex(R"(\bsize_t\b)")},
       {"numbers", std::regex(R"(std::numbers\b)")},

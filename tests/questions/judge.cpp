@@ -251,12 +251,13 @@ struct Compared {
 };
 
 /// Empty where all is true, as far as that is seen: an error said may be of what is not.
-std::string untrue(const Compared& c, const Question& question, double seen_until) {
+/// `truth`: what the program's own truth may be off by, which an error said is never below.
+std::string untrue(const Compared& c, const Question& question, double seen_until, Real truth) {
   if (!(c.measured - c.uncertain <= c.asked * 1.0001L)) return c.criterion + " not held: " + c.text();
   // the error said is the worst of the starts that it was chosen on
   if (!(c.measured - c.uncertain <= 1.1L * c.said)) return c.criterion + " error understated: " + c.text();
-  if (question.asked_alone && seen_until == 1 && c.measured + c.uncertain < 0.9L * c.said &&
-      c.said > 1e-3L * c.asked)
+  if (question.asked_alone && seen_until == 1 && c.said > 1.1L * truth * c.asked &&
+      c.measured + c.uncertain < 0.9L * c.said && c.said > 1e-3L * c.asked)
     return c.criterion + " error overstated: " + c.text();
   return {};
 }
@@ -495,8 +496,9 @@ Verdict judge_chosen(const Question& asked, const Program& program, const Ended&
   const Beside beside(q, std::move(seen), chosen["precision"].words == "float", with_energy);
   try {
     std::string says = chosen["model"].words + " by " + chosen["algorithm"].words;
+    const auto truth = static_cast<Real>(answer["explanation"]["truths"]["error_in_needs"].value);
     for (const Compared& c : beside.all(chosen, answer["need"])) {
-      if (const std::string off = untrue(c, q, beside.until()); !off.empty())
+      if (const std::string off = untrue(c, q, beside.until(), truth); !off.empty())
         return wrong(off, ended, beside.until());
       says += "; " + c.text();
     }

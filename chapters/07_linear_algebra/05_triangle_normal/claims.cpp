@@ -1,9 +1,10 @@
 #include <cmath>
+#include <functional>
+#include <string>
 
 #include "chapters/07_linear_algebra/05_triangle_normal/triangle_normal.hpp"
 #include "chapters/07_linear_algebra/shared/vectors.hpp"
 #include "chapters/provable_claims.hpp"
-#include "chapters/recorded.hpp"
 #include "reference/text.hpp"
 
 namespace oddity::ex07_05 {
@@ -11,6 +12,24 @@ namespace oddity::ex07_05 {
 namespace {
 
 using namespace vectors;
+
+Expressions expressions(const Expression& x) { return {x}; }
+template <class Range>
+Expressions expressions(const Range& all) {
+  return {all.begin(), all.end()};
+}
+
+/// A formula in the letters of a sample that is generic in its number type: computed in double, and recorded
+/// for proofs.
+template <template <class> class Sample>
+struct Recorded {
+  std::string text;
+  std::function<Value(const Sample<double>&)> of;
+  std::function<Expressions(const Sample<Expression>&)> recorded;
+  std::function<double(const Sample<double>&)> terms = {};
+
+  operator Formula<Sample<double>>() const { return {text, of, terms}; }
+};
 
 /// Whole numbers of 128 bits.
 __extension__ typedef __int128 Whole;
