@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <string>
 
 #include "chapters/random.hpp"
 #include "formula/magnitude.hpp"
@@ -59,6 +61,17 @@ std::vector<Letters> at_random(const Letters& letters) {
   return all;
 }
 
+/// The same components, as those of a row.
+bool are_in_another_order(const formula::Tree& a, const formula::Tree& b) {
+  if (a.kind() != formula::Kind::tuple || b.kind() != formula::Kind::tuple) return false;
+  const auto texts = [](const formula::Tree& tuple) {
+    std::multiset<std::string> all;
+    for (const formula::Tree& one : tuple->children) all.insert(formula::tex(one));
+    return all;
+  };
+  return texts(a) == texts(b);
+}
+
 }  // namespace
 
 Changes changes_of(const TypesetFormula& formula, const std::vector<TypesetSample>& samples) {
@@ -90,8 +103,9 @@ Changes changes_of(const TypesetFormula& formula, const std::vector<TypesetSampl
       Sides sides = right;
       sides[i] = mutant.tree;
       const double off = roundings(sides, letters, truth, sizes);
-      // Forms of one quantity, in a row, are equal: each of them where the truth is one number.
-      if (mutant.change == "components exchanged" && (truth[0].size() == 1 || off < is_rounding))
+      // Forms of one quantity, in a row, are equal.
+      const bool is_row = truth[0].size() == 1 && are_in_another_order(right[i], mutant.tree);
+      if (mutant.change == "components exchanged" && (is_row || off < is_rounding))
         ++changes.equal;
       else if (off < is_rounding && !any.empty() &&
                roundings(sides, any, right_at_any, sizes_at_any) < is_rounding)

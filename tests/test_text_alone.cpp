@@ -1,5 +1,6 @@
 // Readings that are stated as text alone: their value, their single changes, and what is refused.
 
+#include <algorithm>
 #include <string>
 
 #include "chapters/claims.hpp"
@@ -69,6 +70,14 @@ TEST_CASE("changes that are no change are not counted", "[claims]") {
   const Changes changes = changes_of(TypesetFormula("$x+x$"), samples);
   CHECK(changes.equal == 0);
   CHECK(changes_of(TypesetFormula("$(1,1)\\cdot(x,x)$"), samples).equal == 2);  // components exchanged
+  // Of a row they are equal, however roundly its forms are; within a product they are not.
+  const Changes row = changes_of(TypesetFormula("$(x+x,\\ 2x)$"), samples);
+  const auto exchanged = [](const ChangedFormula& changed) {
+    return changed.change == "components exchanged";
+  };
+  CHECK(std::ranges::none_of(row.hardest_first, exchanged));
+  const Changes product = changes_of(TypesetFormula("$(2,0)\\cdot(x,y)$"), samples);
+  CHECK(std::ranges::any_of(product.hardest_first, exchanged));
   for (const ChangedFormula& changed : changes.hardest_first) CHECK(changed.roundings > 1e6);
   CHECK(changes_of(TypesetFormula("$x$"), {}).hardest_first.empty());
 }
