@@ -1,6 +1,7 @@
 // The lesson's oscillator: its closed form, and the orders of its methods beside it.
 
 #include "chapters/examples/oscillator/scene.hpp"
+#include "report/study/results.hpp"
 #include "report/verify/catch.hpp"
 #include "tests/near.hpp"
 

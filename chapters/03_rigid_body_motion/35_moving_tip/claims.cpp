@@ -8,6 +8,7 @@
 #include "chapters/03_rigid_body_motion/35_moving_tip/moving_tip.hpp"
 #include "chapters/03_rigid_body_motion/shared/top_of_points.hpp"
 #include "chapters/provable_claims.hpp"
+#include "chapters/scene.hpp"
 
 namespace oddity::ex03_35 {
 
