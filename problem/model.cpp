@@ -583,7 +583,7 @@ class Model::Making {
 
   /// Newton's method, from the start that is given. What it changes last has to be nothing.
   void find_start() {
-    constexpr int iterations = 40;
+    constexpr int iterations = 12;  // each doubles the digits
     std::vector<Expression> off;
     for (const Formula& one : conditions_) off.push_back(value(one));
     std::vector<std::size_t> found;  // of the state
