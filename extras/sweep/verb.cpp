@@ -96,14 +96,6 @@ double setting_of(const Task& task, const Words& w) {
   return value_of("--setting", w.setting, method && method->knob.name != "step" ? "" : scene.axes.time);
 }
 
-/// What the command line does not say the problem's file does.
-void ask_as_file(AskedNeed& need, const Entry& entry, const CLI::App& plan) {
-  const problem::Asked asked = problem::asked_by(entry);
-  if (plan.get_option("--horizon")->count() == 0) need.horizon = asked.horizon;
-  if (plan.get_option("--fps")->count() == 0) need.frames_per_second = asked.frames_per_second;
-  if (need.error.empty() && need.criterion == "path") need.error = asked.error;
-}
-
 sweep::Asked asked_of(const Words& w) {
   const bool of_file = problem::is_file(w.exercise);
   const Task task = task_of(w.exercise, w.overrides);
@@ -125,7 +117,9 @@ sweep::Asked asked_of(const Words& w) {
   for (const Parameter& p : task.parameters.declared())
     asked.parameters.emplace_back(p.name, task.parameters[p.name]);
   AskedNeed need = w.need;
-  if (of_file) ask_as_file(need, *task.entry, *w.plan);
+  need.horizon_is_given = w.plan->get_option("--horizon")->count() > 0;
+  need.rate_is_given = w.plan->get_option("--fps")->count() > 0;
+  if (of_file) ask_as_file(need, *task.entry);
   need.time_limit = "none";
   if (need.criterion != "path" && !w.model.empty())
     throw BadInput(

@@ -564,12 +564,29 @@ Need need_of(const Task& task, const AskedNeed& asked) {
   return need;
 }
 
+void ask_as_file(AskedNeed& need, const Entry& of_file) {
+  const problem::Asked asked = problem::asked_by(of_file);
+  if (!need.horizon_is_given) need.horizon = asked.horizon;
+  if (!need.rate_is_given) need.frames_per_second = asked.frames_per_second;
+  const bool by_path = need.criterion == "path" && need.digits.empty() && !need.as_engines;
+  const bool has_error = by_path && need.error.empty();
+  if (has_error) need.error = asked.error;
+  if (has_error && !asked.error_says.empty())
+    need.says = "an error of " + asked.error + ", " + asked.error_says;
+  if (!need.horizon_is_given && !asked.horizon_says.empty())
+    need.says += (need.says.empty() ? "" : "; ") + asked.horizon_says;
+}
+
 std::vector<Task> tasks_at_frames(const std::vector<std::string>& exercises, const AskedNeed& asked) {
   if (!asked.frames_are_given) return tasks_of(exercises);
   std::vector<Task> tasks = tasks_of(exercises, true);
-  AskedNeed of_frames = asked;
-  of_frames.criterion = "bounded";  // which asks for no error
   for (Task& task : tasks) {
+    AskedNeed of_frames = asked;
+    of_frames.criterion = "bounded";  // which asks for no error
+    const auto is_its_file = [&](const std::string& word) {
+      return problem::is_file(word) && &entry_of(word) == task.entry;
+    };
+    if (std::ranges::any_of(exercises, is_its_file)) ask_as_file(of_frames, *task.entry);
     const Need need = need_of(task, of_frames);
     task.frames = horizon_of(need);
     task.frames_say = shown_rate(need, std::string(scene_of(*task.entry).axes.time));

@@ -39,7 +39,8 @@ struct AskedNeed {
   std::string energy = {}, period = {}, constraint = {};  ///< the errors of criteria beside the first
   std::string criterion = "path", time_limit = "60s";     ///< or "none"
   bool criterion_is_given = false;                        ///< and not taken as usual
-  bool frames_are_given = false;                          ///< of a chart: those above, or the horizon
+  bool horizon_is_given = false, rate_is_given = false;
+  bool frames_are_given = false;  ///< of a chart: those above, or the horizon
   std::vector<std::string> only = {}, exclude = {};
   std::string says = {};                ///< why this error and horizon, where a problem's file asks for none
   std::string method = {}, model = {};  ///< what someone runs: "semi-implicit Euler@60Hz"
@@ -55,6 +56,9 @@ struct AskedNeed {
 std::string accuracy_option(const AskedNeed&);
 /// For an exercise that has a motion, at the task's parameters.
 Need need_of(const Task&, const AskedNeed&);
+/// What the command line does not say a problem's file does: the horizon, the frames and, of a path, the
+/// error.
+void ask_as_file(AskedNeed&, const Entry& of_file);
 /// As tasks_of; where frames are given, scenes at these.
 std::vector<Task> tasks_at_frames(const std::vector<std::string>& exercises, const AskedNeed&);
 

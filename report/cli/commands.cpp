@@ -271,19 +271,10 @@ void add_choose_methods(CLI::App& choose, AskedNeed& need) {
                   "question gets the same answer");
 }
 
-/// What the command line does not say the problem's file does.
-void ask_as_file(const CLI::App& choose, Session& s) {
-  const problem::Asked asked = problem::asked_by(problem::entry_of_file(s.exercise));
-  const bool by_file = choose.get_option("--horizon")->count() == 0;
-  if (by_file) s.need.horizon = asked.horizon;
-  if (choose.get_option("--fps")->count() == 0) s.need.frames_per_second = asked.frames_per_second;
-  const bool by_path = s.need.criterion == "path" && s.need.digits.empty() && !s.need.as_engines;
-  const bool has_error = by_path && s.need.error.empty();
-  if (has_error) s.need.error = asked.error;
-  if (has_error && !asked.error_says.empty())
-    s.need.says = "an error of " + asked.error + ", " + asked.error_says;
-  if (by_file && !asked.horizon_says.empty())
-    s.need.says += (s.need.says.empty() ? "" : "; ") + asked.horizon_says;
+/// Which of the need's values are given.
+void see_what_is_given(AskedNeed& need, const CLI::App& verb) {
+  need.horizon_is_given = verb.get_option("--horizon")->count() > 0;
+  need.rate_is_given = verb.get_option("--fps")->count() > 0;
 }
 
 void add_choose(CLI::App& app, Session& s) {
@@ -313,7 +304,8 @@ void add_choose(CLI::App& app, Session& s) {
       "  oddity choose 3.5 --error 1deg --method 'semi-implicit Euler@60Hz'",
       [&] {
         s.need.as_engines = !s.engine.empty();
-        if (problem::is_file(s.exercise)) ask_as_file(*app.get_subcommand("choose"), s);
+        see_what_is_given(s.need, *app.get_subcommand("choose"));
+        if (problem::is_file(s.exercise)) ask_as_file(s.need, entry_of(s.exercise));
         s.status = verbs::choose(s.folder, s.exercise, s.overrides, s.need, s.format(), s.all_rows, s.engine,
                                  s.command, s.extras);
       },
@@ -376,7 +368,9 @@ void add_chart(CLI::App& app, Session& s) {
           "oddity chart 3.5 --jitter 20% --drop 1% --out /tmp/uneven",
       [&] {
         const CLI::App& asked = *app.get_subcommand("chart");
-        for (const char* option : {"--horizon", "--fps", "--jitter", "--drop", "--frames", "--max-frame"})
+        see_what_is_given(s.need, asked);
+        for (const char* option :
+             {"--horizon", "--fps", "--jitter", "--drop", "--frame-seed", "--frames", "--max-frame"})
           if (asked.get_option(option)->count() > 0) s.need.frames_are_given = true;
         if (s.format() == verbs::Format::text)
           verbs::chart(s.folder, s.exercises, s.need, s.all_rows ? Curves::all : Curves::few, s.chart_out,
