@@ -14,6 +14,7 @@
 #include "report/site/lesson.hpp"
 #include "report/site/page.hpp"
 #include "report/site/script.hpp"
+#include "report/site/single.hpp"
 #include "report/site/site.hpp"
 #include "report/study/embedded.hpp"
 #include "report/study/settings.hpp"
@@ -293,6 +294,32 @@ TEST_CASE("every page lets its own files alone run, and has nothing of them with
               "'wasm-unsafe-eval'; style-src 'self'; ") != std::string::npos);
     CHECK_FALSE(std::regex_search(page, within));
   }
+}
+
+TEST_CASE("a page as one file has all that it runs, and leads nowhere else", "[site]") {
+  std::set<std::string> taken;
+  const std::string page =
+      in_one_file(site_pages(sample_with_findings()).at("3.5.html"), [&](const std::string& file) {
+        taken.insert(file);
+        return "/* " + file + " */\n";
+      });
+  static const std::regex elsewhere("<link rel=\"stylesheet|<script[^>]* src=|<a [^>]*href=\"(?!#|http)");
+  CHECK_FALSE(std::regex_search(page, elsewhere));
+  static const std::regex nonces(
+      "script-src 'nonce-([0-9a-f]{16})' 'wasm-unsafe-eval'; style-src 'nonce-([0-9a-f]{16})'");
+  std::smatch nonce;
+  REQUIRE(std::regex_search(page, nonce, nonces));
+  CHECK(nonce.str(1) == nonce.str(2));
+  for (const char* file :
+       {"assets/page.js", "assets/engine.js", "assets/models.js", "assets/drawing.css", "data/3.5.js"}) {
+    INFO(file);
+    CHECK(taken.contains(file));
+    const std::string element = std::string(file).ends_with(".css") ? "style" : "script";
+    CHECK(page.find("<" + element + " nonce=\"" + nonce.str(1) + "\">\n/* " + file + " */\n</" + element +
+                    ">") != std::string::npos);
+  }
+  CHECK_FALSE(taken.contains("assets/search.js"));
+  CHECK_THROWS_AS(in_one_file(page, {}), std::logic_error);  // it is one
 }
 
 TEST_CASE("the site of the last run is whole, typeset and small", "[site]") {

@@ -50,7 +50,7 @@ struct Session : Formats {
   std::string engine = {}, horizon = {};
   AskedNeed need = {};
   NewExercise begun = {};
-  std::string outside = {}, from_exercise = {};
+  std::string outside = {}, from_exercise = {}, single = {};
   bool schema = false;
   bool scene = false, identity = false;
   std::string command = {};  ///< as it would be typed
@@ -353,9 +353,16 @@ void add_site(CLI::App& app, Session& s) {
       app, "site", "Write the report that runs: one folder, for a browser.",
       "Open its index.html with a double click; it needs no network. The last results are "
       "taken; an exercise whose code or tables have changed runs first.\n"
-      "Examples:\n  oddity site\n  oddity site --out /tmp/site",
-      [&] { verbs::site(s.folder, s.site_out, s.overwrite); }, true);
-  add_path(*site, "--out", s.site_out, "the folder to write to");
+      "Examples:\n  oddity site\n  oddity site --out /tmp/site\n"
+      "  oddity site --single 3.5 --out /tmp/pendulum.html",
+      [&s] {
+        if (s.single.empty()) return verbs::site(s.folder, s.site_out, s.overwrite);
+        const bool is_default = s.site_out == site_folder().string();
+        verbs::single(s.folder, s.single, is_default ? s.single + ".html" : s.site_out, s.overwrite);
+      },
+      true);
+  add_value(*site, "--single", s.single, "N.M", "one exercise as one file, to mail: N.M.html");
+  add_path(*site, "--out", s.site_out, "the folder to write to, or the file");
   add_overwrite(*site, s);
 }
 

@@ -245,11 +245,13 @@ fs::path report_of(const Results& results, const fs::path& folder, Edition editi
   });
 }
 
+std::vector<EngineContest> kept_contests() {
+  return fs::exists(engines_file()) ? read_engines(engines_file()) : std::vector<EngineContest>();
+}
+
 fs::path site_of(const Results& results, const fs::path& folder, const fs::path& out) {
-  const std::vector<EngineContest> kept =
-      fs::exists(engines_file()) ? read_engines(engines_file()) : std::vector<EngineContest>();
   return with_progress([&](const Progress& progress) {
-    return write_site(results, Reference(folder, motions_folder()), out, progress, kept,
+    return write_site(results, Reference(folder, motions_folder()), out, progress, kept_contests(),
                       read_proofs(folder / "approved"));
   });
 }
@@ -402,15 +404,38 @@ void trust(const fs::path& folder, Format format) {
   std::cout << trust_text(results, on_record, output());
 }
 
+namespace {
+
+void say_what_it_lacks() {
+  const SiteParts parts = parts_at_hand();
+  for (const std::string& one : lacks(parts)) std::cerr << "oddity: this copy lacks " << one << "\n";
+  if (!lacks(parts).empty()) std::cerr << "oddity: a whole one is made by: " << command_for(parts) << "\n";
+}
+
+}  // namespace
+
 void site(const fs::path& folder, const fs::path& out, bool overwrite) {
   require_room_for_site(out, overwrite);
   if (needs_are_all(needs_of_site())) return;
   require_writable(results_file());
   const Results results = last_results(folder, true);
   std::cout << "the report that runs is in " << site_of(results, folder, out).string() << "\n";
-  const SiteParts parts = parts_at_hand();
-  for (const std::string& one : lacks(parts)) std::cerr << "oddity: this copy lacks " << one << "\n";
-  if (!lacks(parts).empty()) std::cerr << "oddity: a whole one is made by: " << command_for(parts) << "\n";
+  say_what_it_lacks();
+}
+
+void single(const fs::path& folder, const std::string& exercise, const fs::path& out, bool overwrite) {
+  const Task task = task_of(exercise, {});
+  if (fs::exists(out) && !overwrite)
+    throw BadInput(out.string() + " is there: name a new file by --out, or write over it by --overwrite");
+  require_writable(out);
+  if (needs_are_all(needs_of_site())) return;
+  require_writable(results_file());
+  const Results results = last_results(folder, true);
+  const auto one = std::ranges::find(results.exercises, task.entry->number, &ExerciseResult::number);
+  write_whole(out, single_page(results, *one, Reference(folder, motions_folder()), kept_contests(),
+                               read_proofs(folder / "approved")));
+  std::cout << "the page is " << out.string() << "\n";
+  say_what_it_lacks();
 }
 
 Needs needs_of_site() { return {packages_of_models(), {}, {"models_module"}}; }

@@ -36,6 +36,8 @@ void report(const fs::path& folder, const std::string& chapter, Edition, const f
 void trust(const fs::path& folder, Format);
 /// The report that runs, of all exercises.
 void site(const fs::path& folder, const fs::path& out, bool overwrite);
+/// The page of one exercise as a file.
+void single(const fs::path& folder, const std::string& exercise, const fs::path& out, bool overwrite);
 /// The compiler of its models.
 Needs needs_of_site();
 /// Throws BadInput when the report, the site or the results could not be written, before a run.

@@ -1,6 +1,8 @@
 #include "report/site/site.hpp"
 
+#include <algorithm>
 #include <map>
+#include <stdexcept>
 
 #include "reference/files.hpp"
 #include "report/charts/drawing.hpp"
@@ -14,6 +16,7 @@
 #include "report/site/page.hpp"
 #include "report/site/players.hpp"
 #include "report/site/recipes.hpp"
+#include "report/site/single.hpp"
 #include "report/study/embedded.hpp"
 
 namespace oddity {
@@ -33,6 +36,22 @@ std::map<std::string, std::string> site_pages(const Results& results, const Prov
   if (!lacks(parts).empty())
     for (auto& [name, page] : pages) html::tell(page, lacks(parts), command_for(parts));
   return pages;
+}
+
+std::string single_page(const Results& results, const ExerciseResult& e, const Reference& truth,
+                        std::span<const EngineContest> contests, const ProvedClaims& proved) {
+  std::string page = exercise_page(results, e, proved, contests);
+  const SiteParts parts = parts_at_hand();
+  if (!lacks(parts).empty()) html::tell(page, lacks(parts), command_for(parts));
+  return in_one_file(page, [&](const std::string& file) {
+    if (file.starts_with("data/")) return exercise_data(e, truth, Styles(results), !has_module(), contests);
+    if (file == "assets/drawing.css") return std::string(drawing_style());
+    if (file == "assets/models.js") return module_script();
+    const auto asset =
+        std::ranges::find(embedded_assets(), file.substr(file.find('/') + 1), &EmbeddedFile::path);
+    if (asset == embedded_assets().end()) throw std::logic_error("the site has no file " + file);
+    return std::string(asset->text);
+  });
 }
 
 fs::path write_site(const Results& results, const Reference& truth, const fs::path& folder,

@@ -33,6 +33,10 @@ std::map<std::string, std::string> site_pages(const Results&, const ProvedClaims
                                               const SiteParts& = parts_at_hand(),
                                               std::span<const EngineContest> = {});
 
+/// An exercise's page as one file that can be mailed.
+std::string single_page(const Results&, const ExerciseResult&, const Reference&,
+                        std::span<const EngineContest> contests = {}, const ProvedClaims& = {});
+
 /// Writes the site into `folder`, with what engines did on its scenes, and returns the page to open first.
 /// Each file is whole or not there. Throws BadInput when the folder cannot be written.
 std::filesystem::path write_site(const Results&, const Reference&, const std::filesystem::path& folder,

@@ -11,7 +11,7 @@ import puppeteer from 'puppeteer-core';
 
 const here = path.dirname(fileURLToPath(import.meta.url));
 export const site = path.resolve(process.env.SITE ?? path.join(here, '../../build/site'));
-const program = path.resolve(process.env.ODDITY ?? path.join(here, '../../build/release/oddity'));
+export const program = path.resolve(process.env.ODDITY ?? path.join(here, '../../build/release/oddity'));
 export const pages = fs.readdirSync(site).filter((name) => name.endsWith('.html')).sort();
 export const scenes = fs.readdirSync(path.join(site, 'data'))
   .filter((name) => /^(\d+\.\d+|bouncing_ball)\.js$/.test(name) && unpacked(path.join(site, 'data', name)).scene)
@@ -36,8 +36,9 @@ export const launch = () => puppeteer.launch({
 });
 
 /// Whether the page has its data, and its players.
-function isWhole() {
-  const given = [...document.scripts].some((script) => script.src.includes('/data/') && !script.src.endsWith('/search.js'));
+export function isWhole() {
+  const given = [...document.scripts].some((script) =>
+    (script.src.includes('/data/') && !script.src.endsWith('/search.js')) || script.text.startsWith('\noddity.exercise('));
   return (!given || window.oddity.data || window.oddity.allScenes)
     && !(window.oddity.data?.scene && document.querySelector('.player:not(:has(.player-clock))'));
 }
