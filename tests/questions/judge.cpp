@@ -336,8 +336,16 @@ class Beside {
     return q_.digits ? std::pow(Real(10), -static_cast<Real>(*q_.digits)) * largest_
                      : static_cast<Real>(q_.error_in(unit));
   }
-  /// Of a number of the program's; a motion in float is observed in float by the code alone.
-  Real rounding() const { return (in_float_ ? 0x1p-22L : 0x1p-50L) * largest_; }
+  /// Of a number of the program's of this size; a motion in float is observed in float by the code alone.
+  Real rounding(Real size) const { return (in_float_ ? 0x1p-22L : 0x1p-50L) * size; }
+  Real rounding() const { return rounding(largest_); }
+  /// What is seen may go farther than the true motion.
+  Real largest_seen() const {
+    Real most = 0;
+    for (const Values& row : seen_)
+      for (Real x : row) most = std::isfinite(x) ? std::max(most, std::abs(x)) : INFINITY;
+    return most;
+  }
 
   /// Rates are differences of the eighth order, of places that are rounded: as a part of the fastest, twice,
   /// as energy goes with the square.
@@ -369,13 +377,10 @@ class Beside {
         const Real off = q_.scene->off(q_.parameters, seen_[k], static_cast<Real>(times_[k]));
         most = std::isfinite(off) ? std::max(most, off) : INFINITY;
       }
-      return {criterion, "m", most, allowed, said, rounding()};
+      return {criterion, "m", most, allowed, said, rounding(largest_seen())};
     }
     if (until() < 1) throw CannotBeJudged("the truth's size is not known to the end");
-    Real most = 0;
-    for (const Values& row : seen_)
-      for (Real x : row) most = std::isfinite(x) ? std::max(most, std::abs(x)) : INFINITY;
-    return {criterion, "of ten times the truth's size", most / (10 * largest_), allowed, said, 0};
+    return {criterion, "of ten times the truth's size", largest_seen() / (10 * largest_), allowed, said, 0};
   }
 
   const Question& q_;
