@@ -336,8 +336,9 @@ class Beside {
     return q_.digits ? std::pow(Real(10), -static_cast<Real>(*q_.digits)) * largest_
                      : static_cast<Real>(q_.error_in(unit));
   }
-  /// Of a number of the program's of this size; a motion in float is observed in float by the code alone.
-  Real rounding(Real size) const { return (in_float_ ? 0x1p-22L : 0x1p-50L) * size; }
+  /// Of a number of the program's of this size. A motion in float is observed in float by the code alone: a
+  /// few roundings, of terms that may be larger than their sum.
+  Real rounding(Real size) const { return (in_float_ ? 0x1p-21L : 0x1p-50L) * size; }
   Real rounding() const { return rounding(largest_); }
   /// What is seen may go farther than the true motion.
   Real largest_seen() const {
