@@ -477,6 +477,8 @@ struct Listing {
   std::vector<std::pair<std::string_view, std::string_view>> not_printable = {};
   /// Those of them that have events, with their expressions: the page's players search for these.
   std::vector<std::pair<std::string_view, std::string_view>> with_events = {};
+  /// Those that take their steps by themselves (`step`), each as "model, algorithm".
+  std::vector<std::pair<std::string_view, std::string_view>> with_own_steps = {};
   /// The model of this name in C++, with these parameters, where it is in no header. Its numbers are the
   /// program's but for roundings. Null: all are in headers.
   std::string (*text)(const Parameters&, std::string_view model) = nullptr;

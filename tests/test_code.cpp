@@ -290,9 +290,11 @@ TEST_CASE("every model of a scene can be printed, or says why not", "[code]") {
       INFO(to_string(entry.number) << ", " << m.model << ", " << m.algorithm);
       const auto algorithms = printable_algorithms();
       if (std::ranges::find(algorithms, m.algorithm) != algorithms.end())
-        CHECK(has(listing.models, m.model) + has(listing.not_printable, m.model) == 1);
+        CHECK(has(listing.models, m.model) + has(listing.not_printable, m.model) +
+                  has(listing.with_own_steps, m.model + ", " + m.algorithm) ==
+              1);
     }
-    for (const auto& pairs : {listing.models, listing.not_printable})
+    for (const auto& pairs : {listing.models, listing.not_printable, listing.with_own_steps})
       for (const auto& [name, what] : pairs) {
         INFO(to_string(entry.number) << " has no model '" << name << "'");
         CHECK(std::ranges::any_of(second.methods, [&, &name = name](const Method& m) {
@@ -338,9 +340,11 @@ TEST_CASE("what cannot be printed is said, with what can", "[code]") {
   CHECK(of({2, 7}, "matrix, orthonormalized", "Runge-Kutta 4")
             .find("'matrix, orthonormalized', which repairs the orientation after each step; there is for: "
                   "frame; ") != std::string::npos);
-  CHECK(of({3, 19}, "normal modes", "closed form")
-            .ends_with("which needs GSL's eigenvalues; there is for: two coordinates; four coordinates with "
-                       "tensions (choose among these with --only)"));  // and not: published equations
+  CHECK(of({3, 31}, "stopped by event", "Runge-Kutta 4")
+            .find("which needs a search for events; there is for: ") != std::string::npos);
+  CHECK(of({3, 19}, "no such model", "Runge-Kutta 4").find("published equations") == std::string::npos);
+  CHECK(of({3, 19}, "normal modes", "closed form") == "nothing");
+  CHECK(of({3, 31}, "steps with a stick test", "explicit midpoint") == "nothing");
   CHECK(of({3, 5}, "one angle", "Runge-Kutta 4") == "nothing");
 }
 

@@ -34,6 +34,7 @@ constexpr Plain plain_algorithms[] = {
     {"McLachlan 4", "report/plain/mclachlan_4.hpp", "McLachlan4"},
     {"Adams-Bashforth 4", "report/plain/adams_bashforth_4.hpp", "AdamsBashforth4"},
 };
+constexpr Plain own_steps{"", "report/plain/own_steps.hpp", "OwnSteps"};
 constexpr std::string_view closed_form = "closed form";
 
 std::string listed(const std::vector<std::string_view>& names) {
@@ -66,6 +67,7 @@ std::string in_double(const std::string& algorithm) {
 Printed printed(const Scene& scene, const std::string& model, const std::string& algorithm) {
   const Listing& listing = scene.listing;
   if (const auto* own = find(listing.models, model + ", " + algorithm)) return {*own, nullptr};
+  if (const auto* own = find(listing.with_own_steps, model + ", " + algorithm)) return {*own, &own_steps};
   const Plain* found = std::ranges::find(plain_algorithms, algorithm, &Plain::algorithm);
   if (algorithm != closed_form && found == std::end(plain_algorithms))
     throw BadInput("there is no code to print for the algorithm " + algorithm +

@@ -52,47 +52,14 @@ Given<double> asked(const Parameters& p) {
 
 // ---- the normal modes -------------------------------------------------------------------------------------
 
-Eigen::Matrix2d mass_matrix(const Given<double>& p) {
-  Eigen::Matrix2d m;
-  m << p.m2 + p.inertia_over_square_1() + p.inertia_over_square_2(), -p.inertia_over_square_2(),
-      -p.inertia_over_square_2(), p.m3 + p.inertia_over_square_2();
-  return m;
-}
-Eigen::Matrix2d stiffness(const Given<double>& p) {
-  Eigen::Matrix2d k;
-  k << p.c1 + 4 * p.c2, -2 * p.c2, -2 * p.c2, p.c2;
-  return k;
+Eigen::Matrix2d as_eigen(const Given<double>::Matrix& a) {
+  return Eigen::Matrix2d{{a[0][0], a[0][1]}, {a[1][0], a[1][1]}};
 }
 
-/// The depths at rest: c2 (S2 - L2) = m3 g, c1 (S1 - L1) = (m2 + 2 m3) g.
-std::array<double, 2> at_rest(const Given<double>& p) {
-  const double down = p.L1 - p.K1 + (p.m2 + 2 * p.m3) * p.g / p.c1;
-  return {down, p.L2 - p.K2 + p.m3 * p.g / p.c2 + 2 * down};
+std::array<double, 2> frequencies(const Given<double>& p) {
+  const Eigen::VectorXd w = modes(as_eigen(p.stiffness()), as_eigen(p.mass_matrix())).squares.cwiseSqrt();
+  return {w[0], w[1]};
 }
-
-/// Oscillations about the equilibrium in the directions that diagonalize M and K.
-class NormalModes {
- public:
-  explicit NormalModes(const Given<double>& p) : rest_(at_rest(p)[0], at_rest(p)[1]) {
-    const Modes both = modes(stiffness(p), mass_matrix(p));
-    w_ = both.squares.cwiseSqrt();
-    shapes_ = both.shapes;
-    const Eigen::Matrix2d to_modes = shapes_.transpose() * mass_matrix(p);
-    position_ = to_modes * (Eigen::Vector2d(p.y2, p.y3) - rest_);
-    velocity_ = to_modes * Eigen::Vector2d(p.v2, p.v3);
-  }
-  std::array<double, 2> frequencies() const { return {w_[0], w_[1]}; }
-  std::array<double, 2> at(double t) const {
-    Eigen::Vector2d y = rest_;
-    for (int k = 0; k < 2; ++k)
-      y += (position_[k] * std::cos(w_[k] * t) + velocity_[k] / w_[k] * std::sin(w_[k] * t)) * shapes_.col(k);
-    return {y[0], y[1]};
-  }
-
- private:
-  Eigen::Vector2d w_, rest_, position_, velocity_;
-  Eigen::Matrix2d shapes_;
-};
 
 /// One of the two frequencies of the published equations, the growing one if they are complex: from the two
 /// by two matrix of the accelerations, which are linear in the depths.
@@ -123,8 +90,8 @@ Quantity swing(const Parameters& given, const Horizon& horizon, const Reference&
                trajectory(truth, "03_19_pulleys", inputs, horizon), {1e-8, "a hundredth of a micrometre"});
   const std::string published = "published equations", why = "the second spring does not pull the pulley";
   SceneMethods(y, horizon, halving("step", 0.125, 11), tolerances(3, 11))
-      .closed_form("normal modes", NormalModes(p))
-      .closed_form("normal modes, pulleys without inertia", NormalModes(without_inertia(p)),
+      .closed_form("normal modes", two_pulleys::Modes<double>(p))
+      .closed_form("normal modes, pulleys without inertia", two_pulleys::Modes<double>(without_inertia(p)),
                    Outcome::inaccurate, "the pulleys' inertia slows the oscillation")
       .by_engine_integrators("two coordinates", TwoCoordinates<double>{p}, Outcome::drifted,
                              Outcome::inaccurate)
@@ -157,9 +124,9 @@ Quantity swing(const Parameters& given, const Horizon& horizon, const Reference&
 /// The roots of a s^2 - b s + c by the formula of the textbooks, the smaller from the difference or, by
 /// Vieta, from the product; c = c1 c2 without subtraction.
 std::array<double, 2> by_quadratic(const Given<double>& p, bool vieta) {
-  const Eigen::Matrix2d m = mass_matrix(p), k = stiffness(p);
-  const double a = m(0, 0) * m(1, 1) - m(0, 1) * m(1, 0),
-               b = m(0, 0) * k(1, 1) + m(1, 1) * k(0, 0) - 2 * m(0, 1) * k(0, 1), c = p.c1 * p.c2,
+  const auto m = p.mass_matrix(), k = p.stiffness();
+  const double a = m[0][0] * m[1][1] - m[0][1] * m[1][0],
+               b = m[0][0] * k[1][1] + m[1][1] * k[0][0] - 2 * m[0][1] * k[0][1], c = p.c1 * p.c2,
                root = std::sqrt(b * b - 4 * a * c), larger = (b + root) / (2 * a);
   return {std::sqrt(vieta ? c / (a * larger) : (b - root) / (2 * a)), std::sqrt(larger)};
 }
@@ -175,7 +142,7 @@ Quantity frequencies(const std::string& name, const std::string& says, const Giv
   const Outcome small = graded ? Outcome::inaccurate : Outcome::ok;
   const std::string why = graded ? "it errs by roundings of the larger eigenvalue" : "";
   q.add({"generalized eigenproblem", "GSL, self-adjoint", no_knob(),
-         [=](double) { return ratios(NormalModes(p).frequencies()); }, small, why});
+         [=](double) { return ratios(frequencies(p)); }, small, why});
   q.add({"det(K - s M) = 0", "quadratic formula", no_knob(),
          [=](double) { return ratios(by_quadratic(p, false)); }, small, why});
   q.add({"det(K - s M) = 0", "larger root and product", no_knob(),
@@ -229,9 +196,11 @@ Scene scene() {
              "two_pulleys::FourCoordinates<double>{{m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, v2, v3}}"},
             {"published equations",
              "two_pulleys::TwoCoordinates<double>{{m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, "
-             "v2, v3}, 0}"}},
-           {{"normal modes", "which needs GSL's eigenvalues"},
-            {"normal modes, pulleys without inertia", "which needs GSL's eigenvalues"}}},
+             "v2, v3}, 0}"},
+            {"normal modes",
+             "two_pulleys::Modes<double>({m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, v2, v3})"},
+            {"normal modes, pulleys without inertia",
+             "two_pulleys::Modes<double>({m2, m3, 0, 0, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, v2, v3})"}}},
       .draw = two_pulleys::draw<Parameters>,
       .staging = staging,
       .laws = {energy},

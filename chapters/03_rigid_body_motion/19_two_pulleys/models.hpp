@@ -3,6 +3,7 @@
 #include <array>
 #include <tuple>
 
+#include "chapters/modes.hpp"
 #include "chapters/numbers.hpp"
 
 /// The models of exercise 3.19: a pulley of mass m2 at the depth y2, which a spring holds by a rope over a
@@ -39,6 +40,32 @@ struct Given {
     const T t = inertia_over_square_2(), small = m2 + inertia_over_square_1() + t, large = m3 + t,
             det = small * large - t * t;
     return {(large * force[0] + t * force[1]) / det, (t * force[0] + small * force[1]) / det};
+  }
+  using Matrix = std::array<std::array<T, 2>, 2>;
+  Matrix mass_matrix() const {
+    const T t = inertia_over_square_2();
+    return {{{m2 + inertia_over_square_1() + t, -t}, {-t, m3 + t}}};
+  }
+  Matrix stiffness() const { return {{{c1 + 4 * c2, -2 * c2}, {-2 * c2, c2}}}; }
+  /// The depths at rest: c2 (S2 - L2) = m3 g, c1 (S1 - L1) = (m2 + 2 m3) g.
+  std::array<T, 2> at_rest() const {
+    const T down = L1 - K1 + (m2 + 2 * m3) * g / c1;
+    return {down, L2 - K2 + m3 * g / c2 + 2 * down};
+  }
+};
+
+/// Oscillations about the depths at rest in the directions that diagonalize both matrices.
+template <class T>
+struct Modes {
+  std::array<T, 2> rest;
+  NormalModes<T, 2> about_rest;
+
+  explicit Modes(const Given<T>& p)
+      : rest(p.at_rest()),
+        about_rest(p.stiffness(), p.mass_matrix(), {p.y2 - rest[0], p.y3 - rest[1]}, {p.v2, p.v3}) {}
+  std::array<T, 2> at(const T& t) const {
+    const auto x = about_rest.at(t);
+    return {rest[0] + x[0], rest[1] + x[1]};
   }
 };
 

@@ -113,8 +113,10 @@ Scene scene() {
              "theta3}, {omega1, omega2, omega3}}}"},
             {"tensions",
              "chain::Angles<double, chain::Equations::tensions>{{{m1, m2, m3}, {r1, r2, r3}, g, h, {theta1, theta2, "
-             "theta3}, {omega1, omega2, omega3}}}"}},
-           {{"normal modes", "which needs GSL's eigenvalues"}}},
+             "theta3}, {omega1, omega2, omega3}}}"},
+            {"normal modes",
+             "chain::Modes<double>({{m1, m2, m3}, {r1, r2, r3}, g, h, {theta1, theta2, theta3}, {omega1, omega2, "
+             "omega3}})"}}},
       .draw = chain::draw<Parameters>,
       .staging = staging,
       .laws = {energy, off},

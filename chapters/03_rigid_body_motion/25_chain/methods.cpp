@@ -32,33 +32,14 @@ std::vector<double> inputs(const Triple& c) {
           c.h,    c.theta[0], c.theta[1], c.theta[2], c.omega[0], c.omega[1], c.omega[2]};
 }
 
-/// K e = w^2 M e at small angles: K = diag(mu_i g r_i), M_ij = mu_max(i,j) r_i r_j.
-struct NormalModes {
-  Triple p;
-  Eigen::Vector3d w, cosine, sine;
-  Eigen::Matrix3d shape;
+using SmallAngles = chain::Modes<double>;
 
-  explicit NormalModes(const Triple& triple) : p(triple) {
-    Eigen::Matrix3d M, K = Eigen::Matrix3d::Zero();
-    const auto mu = mass_from_here_on(p.m);
-    for (int i = 0; i < 3; ++i) {
-      const auto a = static_cast<std::size_t>(i);
-      K(i, i) = mu[a] * p.g * p.r[a];
-      for (int j = 0; j < 3; ++j)
-        M(i, j) = mu[static_cast<std::size_t>(std::max(i, j))] * p.r[a] * p.r[static_cast<std::size_t>(j)];
-    }
-    const Modes all = modes(K, M);
-    w = all.squares.cwiseSqrt();
-    shape = all.shapes;
-    cosine = shape.transpose() * M * Eigen::Map<const Eigen::Vector3d>(p.theta.data());
-    sine = (shape.transpose() * M * Eigen::Map<const Eigen::Vector3d>(p.omega.data())).cwiseQuotient(w);
-  }
-  std::array<double, 6> at(double t) const {
-    const Eigen::Vector3d now =
-        shape * (cosine.array() * (w.array() * t).cos() + sine.array() * (w.array() * t).sin()).matrix();
-    return p.positions(Three{now(0), now(1), now(2)});
-  }
-};
+Eigen::Matrix3d as_eigen(const SmallAngles::Matrix& a) {
+  Eigen::Matrix3d whole;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) whole(i, j) = a[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+  return whole;
+}
 
 constexpr Triple chaotic{{1, 0.75, 0.5}, {1, 0.75, 0.5}, 9.8125, 2.5, {2, 2.5, 3}, {0, 0, 0}};
 
@@ -70,7 +51,7 @@ Quantity small_swing(const Triple& like, const Reference& truth) {
   Quantity q = quantity("small_swing", "m", "the same from angles of a thousandth",
                         trajectory(truth, "03_25_chain", inputs(start), horizon), {1e-6, "a micrometre"});
   SceneMethods(q, horizon, halving("step", 0x1p-4, 7), tolerances(3, 9))
-      .closed_form("normal modes", NormalModes(start))
+      .closed_form("normal modes", SmallAngles(start))
       .by<ode::RungeKutta4>("tensions", Tensions{start})
       .by<ode::DormandPrince54>("tensions", Tensions{start});
   return q;
@@ -84,7 +65,9 @@ Quantity mode_frequencies(const Triple& c, const Reference& truth) {
   Quantity q = quantity("mode_frequencies", "rad/s", "angular frequencies of the three small oscillations",
                         known, {1e-10 * size, "ten digits of the fastest"});
   q.add({"dense pair (K, M)", "GSL, Cholesky and QR", no_knob(), [=](double) {
-           return Answer{Value(NormalModes(c).w), 1};
+           const oddity::Modes all =
+               modes(as_eigen(SmallAngles::stiffness(c)), as_eigen(SmallAngles::mass_matrix(c)));
+           return Answer{Value(all.squares.cwiseSqrt()), 1};
          }});
   q.add(
       {"tensions at rest", "one link's accelerations by dual numbers, then GSL's QR", no_knob(), [=](double) {
@@ -435,7 +418,7 @@ Quantity hanging(const Triple& start, const Horizon& horizon, const Reference& t
   Quantity q = quantity("motion", "m", "positions of the masses at four times",
                         trajectory(truth, "03_25_chain", inputs(start), horizon), {1e-6, "a micrometre"});
   SceneMethods(q, horizon, halving("step", 0x1p-4, 9), tolerances(3, 11))
-      .closed_form("normal modes", NormalModes(start), inaccurate, "the angles are not small")
+      .closed_form("normal modes", SmallAngles(start), inaccurate, "the angles are not small")
       .by_engine_integrators("dense mass matrix", Dense{start}, inaccurate, ok)
       .by_engine_integrators("tensions", Tensions{start}, inaccurate, ok)
       .by_remaining_integrators(

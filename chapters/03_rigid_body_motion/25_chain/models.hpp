@@ -7,6 +7,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include "chapters/modes.hpp"
 #include "chapters/numbers.hpp"
 
 /// The models of exercise 3.25: n masses on massless rods that hang from a pivot at (0, h), theta_k the angle
@@ -181,6 +182,32 @@ struct Angles {
       potential += p.m[k] * p.g * y;
     }
     return energy_of<T>(kinetic, potential);
+  }
+};
+
+/// Small angles: K = diag(mu_i g r_i), M_ij = mu_max(i,j) r_i r_j.
+template <class T>
+struct Modes {
+  using Matrix = std::array<std::array<T, 3>, 3>;
+  Given<T> p;
+  NormalModes<T, 3> small;
+
+  explicit Modes(const Given<T>& given)
+      : p(given), small(stiffness(given), mass_matrix(given), given.theta, given.omega) {}
+  std::array<T, 6> at(const T& t) const { return p.positions(small.at(t)); }
+
+  static Matrix stiffness(const Given<T>& p) {
+    const auto mu = Links<T, Equations::dense>(p).mass_from_here_on;
+    Matrix K{};
+    for (std::size_t i = 0; i < 3; ++i) K[i][i] = mu[i] * p.g * p.r[i];
+    return K;
+  }
+  static Matrix mass_matrix(const Given<T>& p) {
+    const auto mu = Links<T, Equations::dense>(p).mass_from_here_on;
+    Matrix M{};
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) M[i][j] = mu[std::max(i, j)] * p.r[i] * p.r[j];
+    return M;
   }
 };
 

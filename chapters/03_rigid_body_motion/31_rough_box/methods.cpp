@@ -67,37 +67,19 @@ Solved<Pose> through_the_stop(const Box& b, double softness, double setting) {
   return rest;
 }
 
-/// One step with a test whether friction can stop the box within it; if so, the pose in which it rests.
-enum class Stepping { semi_implicit_euler, midpoint };
-std::optional<Pose> step_or_stop(const InTime<double>& box, Stepping rule, double t, double h,
-                                 InTime<double>::State& x, long& evaluations) {
-  const auto rhs = counted_calls(box, evaluations);
-  InTime<double>::State rate{}, half{};
-  rhs(x, rate, t);
-  const double now = box.p.speed(x[3], x[4], x[5]);
-  const double braking = -(x[3] * rate[3] + x[4] * rate[4] + box.p.J() * x[5] * rate[5]) / now;
-  if (now <= h * braking) return coasted(box, t, x);
-  if (rule == Stepping::midpoint) {
-    for (std::size_t i = 0; i < 6; ++i) half[i] = x[i] + h / 2 * rate[i];
-    rhs(half, rate, t + h / 2);
-    for (std::size_t i = 0; i < 6; ++i) x[i] += h * rate[i];
-  } else {
-    for (std::size_t i = 3; i < 6; ++i) x[i] += h * rate[i];
-    for (std::size_t i = 0; i < 3; ++i) x[i] += h * x[i + 3];
-  }
-  return {};
-}
-
 Solved<Pose> with_stick_test(const Box& b, double h) {
-  const InTime<double> box{b};
+  const WithStickTest<double> box(b, true);
   InTime<double>::State x = box.start();
   Solved<Pose> rest;
+  const auto rates = counted_calls(box, rest.evaluations);
   const double too_long = box.p.long_enough();
-  for (double t = 0; t < too_long; t += h)
-    if (const auto pose = step_or_stop(box, Stepping::midpoint, t, h, x, rest.evaluations)) {
-      rest.value = *pose;
+  for (double t = 0; t < too_long; t += h) {
+    const auto before = x;
+    if (box.step(rates, x, t, h)) {
+      rest.value = coasted(box, t, before);
       return rest;
     }
+  }
   rest.ending = Ending::stalled;
   rest.message = "the box has not come to rest";
   return rest;
@@ -205,21 +187,19 @@ Answer slide_in_stretched_time(const Box& b, const Horizon& horizon, double sett
 }
 
 /// By equal steps, none of which takes the box through its stop.
-Answer slide_with_stick_test(const Box& b, Stepping rule, const Horizon& horizon, double step, Seen what) {
-  const InTime<double> box{b};
+Answer slide_with_stick_test(const WithStickTest<double>& box, const Horizon& horizon, double step,
+                             Seen what) {
   InTime<double>::State x = box.start();
   bool rests = false;
   Answer answer;
+  const auto rates = counted_calls(box, answer.evaluations);
   std::vector<double> seen;
   const auto go_on = [&](double from, double to) {
     const double n = ode::steps_in(from, to, step), h = (to - from) / n;
     for (double k = 0; k < n && !rests; ++k) {
       if (answer.evaluations > ode::most_evaluations)
         return fail(answer, Ending::stalled, "the budget of evaluations is spent");
-      if (const auto rest = step_or_stop(box, rule, from + k * h, h, x, answer.evaluations)) {
-        x = {(*rest)[1], (*rest)[2], (*rest)[3], 0, 0, 0};
-        rests = true;
-      }
+      rests = box.step(rates, x, from + k * h, h);
     }
     return true;
   };
@@ -276,16 +256,18 @@ Quantity slide(const Box& box, const Horizon& horizon, const Reference& truth) {
     method.places_and_rates = [=](double setting) { return seen(setting, Seen::places_and_rates).value; };
     q.add(std::move(method));
   };
-  const auto by_steps = [=](Stepping rule) {
-    return [=](double h, Seen what) { return slide_with_stick_test(box, rule, horizon, h, what); };
+  const auto by_steps = [=](bool by_midpoint) {
+    return [=](double h, Seen what) {
+      return slide_with_stick_test(WithStickTest<double>(box, by_midpoint), horizon, h, what);
+    };
   };
   const auto by_stretched = [=]<class Algorithm>(std::type_identity<Algorithm>) {
     return [=](double setting, Seen what) {
       return slide_in_stretched_time<Algorithm>(box, horizon, setting, what);
     };
   };
-  add(sticks, "semi-implicit Euler", steps, by_steps(Stepping::semi_implicit_euler), inaccurate, order);
-  add(sticks, midpoint, steps, by_steps(Stepping::midpoint), ok, "");
+  add(sticks, "semi-implicit Euler", steps, by_steps(false), inaccurate, order);
+  add(sticks, midpoint, steps, by_steps(true), ok, "");
   SceneMethods(q, horizon, steps, tolerances())
       .by<ode::RungeKutta4>(event, UntilRest<double>{{box}})
       .by<ode::DormandPrince54>(event, UntilRest<double>{{box}})

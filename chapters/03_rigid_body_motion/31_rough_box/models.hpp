@@ -181,6 +181,37 @@ struct UntilRest : InTime<T> {
   Happening<State> at_event(std::size_t, const State& x, const T&) const { return {this->coasted(x), true}; }
 };
 
+/// In time by steps of its own, each with a test whether friction can stop the box within it.
+template <class T>
+struct WithStickTest : InTime<T> {
+  bool by_midpoint;  ///< or by semi-implicit Euler
+  using typename InTime<T>::State;
+
+  WithStickTest(const Given<T>& given, bool midpoint) : InTime<T>{given}, by_midpoint(midpoint) {}
+  /// Its right side is `rates`, which may be counted. Returns whether it rests from then on.
+  template <class Rates>
+  bool step(const Rates& rates, State& x, T t, T h) const {
+    const T now = this->speed(x);
+    if (now == T(0)) return true;
+    State rate{}, middle{};
+    rates(x, rate, t);
+    const T braking = -(x[3] * rate[3] + x[4] * rate[4] + this->p.J() * x[5] * rate[5]) / now;
+    if (now <= h * braking) {
+      x = this->coasted(x);
+      return true;
+    }
+    if (by_midpoint) {
+      for (std::size_t i = 0; i < 6; ++i) middle[i] = x[i] + h / 2 * rate[i];
+      rates(middle, rate, t + h / 2);
+      for (std::size_t i = 0; i < 6; ++i) x[i] += h * rate[i];
+    } else {
+      for (std::size_t i = 3; i < 6; ++i) x[i] += h * rate[i];
+      for (std::size_t i = 0; i < 3; ++i) x[i] += h * x[i + 3];
+    }
+    return false;
+  }
+};
+
 /// (x, y, theta, u, v, w, t) in the stretched time s, dt = speed ds: rest is approached as exp(-mu g s).
 template <class T>
 struct Stretched {
