@@ -178,7 +178,7 @@ constexpr Pattern patterns[] = {
     {R"(a third of each|a sixth of|half side squared|twice the first term|twice the pull|the plain one twice)",
      by_theory},
     {R"(10\^\{-6\}|10\^\{-8\}|less than 3 by)", given},
-    {R"(10\^\{-2k\}|10\^\{-5\}|half a turn|condition \$10\^4\$|seven times only|[Tt]wo points|32 bits|four decimals of)",
+    {R"(10\^\{-2k\}|10\^\{-5\}|half a turn|condition \$10\^4\$|[Tt]wo points|32 bits|four decimals of)",
      by_theory},
     {R"(\b[01]\b(?!\.\d))", zero_or_one}};
 

@@ -130,10 +130,7 @@ struct SampleOf {
   T t;
   int of = after;  ///< the piece, where t is a letter
   std::array<T*, 1> letters() { return {&t}; }
-  TypesetIn<T> typeset() const {
-    const auto r = piece(side())(t);
-    return {{"t", t}, {"x", r[0]}, {"y", r[1]}, {"z", r[2]}};
-  }
+  TypesetIn<T> typeset() const { return {{"t", t}}; }
   std::string where() const { return "$t$ = " + format_shortest(t); }
   int side() const {
     if constexpr (std::same_as<T, double>)
@@ -215,17 +212,19 @@ class Limits {
   double h_;
 };
 
-void frames(Table& table, int side, const std::vector<Sample>& samples) {
+/// `samples` are off 0, where there is no principal normal.
+void frames(Table& table, int side, const std::vector<Sample>& with_0, const std::vector<Sample>& samples) {
   const std::string range = side < 0 ? " before 0" : " from 0 on",
                     T = side < 0 ? "$(1,3t^2,0)" : "$(1,0,3t^2)",
                     N = side < 0 ? "$(-3t^2,1,0)" : "$(-3t^2,0,1)", times = R"(\,\sqrt{1+9t^4}$)";
-  const Value at_1 = TypesetFormula(T + times)({{"t", 1}});
+  constexpr double shown = 1;
+  const Value multiplied = TypesetFormula(T + times)({{"t", shown}});
   const std::string why = filled(
       R"(The bar above the root is lost in the text at hand: the root divides. As it stands the vector is )"
-      R"(multiplied by it, and at $t=\pm1$ its length is @2, not 1.)",
-      {std::hypot(at_1[0], at_1[1], at_1[2])});
+      R"(multiplied by it, and at $t=\pm@1$ its length is @2, not 1.)",
+      {shown, std::hypot(multiplied[0], multiplied[1], multiplied[2])});
   table.formula(side < 0 ? "tangent_before" : "tangent_after", side < 0 ? 135 : 161,
-                R"($\mathbf T=)" + T.substr(1) + times + range, samples,
+                R"($\mathbf T=)" + T.substr(1) + times + range, with_0,
                 {.quantity = R"($\mathbf T$)",
                  .truth = by_duals(T_at),
                  .printed = T + times,
@@ -251,12 +250,12 @@ void on_both_pieces(Table& table, const std::vector<Sample>& all) {
     return OfTime{std::move(text), [=](const auto& s) { return interpolated(s.side(), s.t, points); },
                   [](const Sample& s) { return 10 * (1 + std::abs(s.t * s.t * s.t)); }};
   };
-  table.formula("polynomials", 103, "The components are polynomials in $t$, hence continuous.", all,
+  table.formula("polynomials", 103, "The components are polynomials in $t$.", all,
                 {.quantity = R"($\mathbf r$)",
                  .truth = {"the curve", [](const auto& s) { return piece(s.side())(s.t); }},
                  .printed = through("the cubic through four of its points", 4),
                  .near_misses = {through("the parabola through three of its points", 3)}});
-  table.formula("speed", 123, R"(The speed is $\sqrt{1+9t^4}$ for all $t$.)", all,
+  table.formula("speed", 129, R"(The speed is $\sqrt{1+9t^4}$ for all $t$.)", all,
                 {.quantity = R"($|\mathbf v|$)",
                  .truth = {"dual numbers", [](const auto& s) { return s.local().speed; }},
                  .printed = R"($\sqrt{1+9t^4}$)"});
@@ -269,8 +268,9 @@ std::vector<Claim> claims(double h, double seed) {
     const Sample s{random.magnitude(1e-3, 1e2)};
     (s.t < 0 ? left : right).push_back(s);
   }
-  std::vector<Sample> all = left;
-  all.insert(all.end(), right.begin(), right.end());
+  std::vector<Sample> with_0 = right, all = left;
+  with_0.push_back({0});
+  all.insert(all.end(), with_0.begin(), with_0.end());
   const Limits limits(h);
   const Vector3 none{0, 0, 0}, x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
   const std::string R = R"(\mathbf r)", V = R"(\mathbf v)", A = R"(\mathbf a)", N = R"(\mathbf N)";
@@ -286,7 +286,7 @@ std::vector<Claim> claims(double h, double seed) {
     claim.printed.text = "these, and " + claim.printed.text;
     claim.printed.as_typeset = false;
     for (int side : {after, before}) {
-      const auto& samples = side < 0 ? left : right;
+      const auto& samples = side < 0 ? left : with_0;
       claim.printed.checks.insert(claim.printed.checks.begin(),
                                   compare<Sample>(what, computed<Sample>(formula(side)), truth, samples));
       std::ranges::move(single_changes<Sample>(what, formula(side), truth, samples, ""),
@@ -312,11 +312,7 @@ std::vector<Claim> claims(double h, double seed) {
   claims.add("acceleration_limit", 121, R"($\mathbf a$ tends to $(0,0,0)$ from both sides.)",
              {.printed = limits.tends(A, {before, after}, none, a_at),
               .near_misses = {limits.tends(A, {before, after}, 6.0 * y, a_at)}});
-  claims.statement<Sample>("xy_plane", 133, "The piece before 0 lies in the $xy$-plane.", left,
-                           {.printed = {"$z=0$"}, .near_misses = {{"$y=0$"}}});
-  claims.statement<Sample>("xz_plane", 159, "The piece from 0 on lies in the $xz$-plane.", right,
-                           {.printed = {"$y=0$"}, .near_misses = {{"$z=0$"}}});
-  frames(table, before, left);
+  frames(table, before, left, left);
   claims.add("normal_from_below", 147, R"($\mathbf N$ tends to $(0,1,0)$ from below.)",
              {.printed = limits.tends(N, {before}, y, N_at),
               .near_misses = {limits.tends(N, {before}, z, N_at), limits.tends(N, {before}, -y, N_at)}});
@@ -324,7 +320,7 @@ std::vector<Claim> claims(double h, double seed) {
       "normal_by_evaluation", 155,
       R"(The limit of $\mathbf N$ is computed by evaluating its components at 0, as they are continuous.)",
       {.printed = limits.normal_at(0), .near_misses = {limits.normal_at(1e-3)}});
-  frames(table, after, right);
+  frames(table, after, with_0, right);
   claims.add("normal_from_above", 173, R"($\mathbf N$ tends to $(0,0,1)$ from above.)",
              {.printed = limits.tends(N, {after}, z, N_at),
               .near_misses = {limits.tends(N, {after}, y, N_at), limits.tends(N, {after}, -z, N_at)}});
@@ -335,7 +331,9 @@ std::vector<Claim> claims(double h, double seed) {
        .near_misses = {{"the limits are equal", {limits.jump(1, 0)}},
                        {"they are opposite", {limits.jump(-1, 0)}}}});
   claims.add(
-      "no_continuous_normal", 181, "It is not possible to define a continuous normal of the curve at $t=0$.",
+      "no_continuous_normal", 181,
+      "It is not possible to define a continuous normal of the curve at $t=0$ (our reading: in the curve's "
+      "own plane, of either sign).",
       {.printed = limits.right_angle(
            "the normal in the curve's own plane, of either sign: a right angle remains", N_after),
        .near_misses = {limits.right_angle(
@@ -405,7 +403,7 @@ ForAll<SampleOf> at_all_times(int side, std::string says) {
 Provables proofs_of_frame(int side) {
   Claims claims("2.1");
   Table table(claims);
-  frames(table, side, {});
+  frames(table, side, {}, {});
   ForAll<SampleOf> tangent = at_all_times(side, "it holds at all times"), normal = tangent;
   tangent.without = {"normal_before", "normal_after"};
   normal.without = {"tangent_before", "tangent_after"};

@@ -91,6 +91,7 @@ const std::string perpendicular = R"($\mathbf r\cdot\dot{\mathbf r}=0$)";
 
 void curve_and_frame(Table& table, const std::vector<Sample>& all) {
   const std::string numbers = R"(((1-t^2)\cos\pi t,(1-t^2)\sin\pi t,t^2))", root = R"(\sqrt{(1-t^2)^2+t^4})";
+  constexpr double outside = 2;
   table.formula(
       "position", 481,
       R"(The position is $((1-t^2)\cos\pi t,(1-t^2)\sin\pi t,t^2)$ times $\sqrt{(1-t^2)^2+t^4}$.)", all,
@@ -107,8 +108,8 @@ void curve_and_frame(Table& table, const std::vector<Sample>& all) {
        .why = filled(
            R"(The bar above the root is lost in the text at hand: the three numbers are divided by their length. )"
            R"(Multiplied by it they leave the unit sphere, of which the next lines speak, at every $t$ but 0 and )"
-           R"($\pm1$: at $t=2$ they are @2 from the origin.)",
-           {pow(1 - pow(2, 2), 2) + pow(2, 4)})});
+           R"($\pm1$: at $t=@1$ they are @2 from the origin.)",
+           {outside, pow(1 - pow(outside, 2), 2) + pow(outside, 4)})});
   table.formula("on_the_sphere", 485, R"($|\mathbf r|=1$ for all $t$)", all,
                 {.quantity = R"($|\mathbf r|$)",
                  .truth = {"the unit sphere", [](const auto&) { return 1.0; }},
@@ -120,7 +121,7 @@ void curve_and_frame(Table& table, const std::vector<Sample>& all) {
                                 .changes_that_hold = "a multiple of zero is zero"});
   table.claims.statement<Sample>(
       "velocity_not_zero", 485,
-      R"(Another column is $\mathbf u=\dot{\mathbf r}/|\dot{\mathbf r}|$, for which $\dot{\mathbf r}$ must not be zero.)",
+      R"(Another column is $\mathbf u=\dot{\mathbf r}/|\dot{\mathbf r}|$ (our check: $\dot{\mathbf r}$ is not zero).)",
       all, {.printed = {R"($|\dot{\mathbf r}|>0$)"}, .near_misses = {{R"($|\dot{\mathbf r}|>2$)"}}});
   const auto rotation = [](double sign) {
     return [=]<class T>(const SampleOf<T>& s) {
@@ -130,7 +131,9 @@ void curve_and_frame(Table& table, const std::vector<Sample>& all) {
     };
   };
   table.formula(
-      "rotation", 485, R"($R=[\mathbf r\ \mathbf u\ \mathbf r\times\mathbf u]$ is a rotation matrix.)", all,
+      "rotation", 485,
+      R"($R=[\mathbf r\ \mathbf u\ \mathbf r\times\mathbf u]$ is an orientation matrix (our reading: a rotation).)",
+      all,
       {.quantity = R"($R^TR$ and $\det R$)",
        .truth = {"the unit matrix and 1", [](const auto&) { return joined(identity(), 1); }},
        .printed = {R"(those of $[\mathbf r\ \mathbf u\ \mathbf r\times\mathbf u]$)", rotation(1)},
@@ -192,7 +195,7 @@ void derivative_of_frame(Table& table, const std::vector<Sample>& all) {
                  .printed = R"($\mathrm{Unskew}()" + products + ")$"});
   table.formula(
       "only_r_v_a", 537,
-      R"(Functions for $\mathbf r$, $\dot{\mathbf r}$ and $\ddot{\mathbf r}$ are all that $\mathbf w$ needs.)",
+      R"(Functions for $\mathbf r$, $\dot{\mathbf r}$ and $\ddot{\mathbf r}$ are all that $\mathbf w$ needs (our formula has these alone).)",
       all,
       {.quantity = R"($\mathbf w$)",
        .truth = {R"($\mathrm{Unskew}(\dot RR^T)$, the frame by dual numbers)",
@@ -201,6 +204,9 @@ void derivative_of_frame(Table& table, const std::vector<Sample>& all) {
 }
 
 // ---- the listing ------------------------------------------------------------------------------------------
+
+/// At which the listing's errors are shown.
+constexpr double shown_time = 0.75;
 
 /// The listing's two functions, WFunction with the call mended.
 void compute_terms(double t, Vector3& R, Vector3& V, Vector3& U, Vector3& UDot) {
@@ -227,24 +233,40 @@ double along_velocity(double t) {
   const auto m = space::motion_of(position, t);
   return dot(m.a, m.v);
 }
-double stationary_speed(double after) {
-  return brent(along_velocity, after, after + std::copysign(0.1, after), 1e-15).value;
+/// The times at which the speed is stationary, ascending: by Brent's method between the points of a grid over
+/// arctan t.
+std::vector<double> stationary_times() {
+  constexpr int points = 1000;
+  const auto point = [](int i) { return std::tan(std::numbers::pi * ((i + 0.5) / points - 0.5)); };
+  std::vector<double> all;
+  for (int i = 1; i < points; ++i)
+    if (const double from = point(i - 1), to = point(i); along_velocity(from) * along_velocity(to) < 0)
+      all.push_back(brent(along_velocity, from, to, 1e-15).value);
+  return all;
 }
 /// The printed listing's W less w.
 Vector3 error_of_listing(double t) { return w_function(t) - angular_velocity(space::motion_of(position, t)); }
 
-/// The times at which the printed listing returns w: zeros of its error, by Brent's method, against the
-/// numbers named.
-Check right_at_seven_times() {
-  std::vector<double> zeros{-1, 0, 1}, errors;
-  for (double after : {-1.2, -0.6, 0.6, 1.2}) zeros.push_back(stationary_speed(after));
-  std::ranges::sort(zeros);
-  for (double t : zeros) errors.push_back(length(error_of_listing(t)));
-  return {R"(error of the printed listing at $t=0,0.6851,1,1.2289$ and their negatives)",
+/// The size of the terms that the printed listing's W is the sum of.
+double terms_of_listing(double t) {
+  const auto m = space::motion_of(position, t);
+  return length(m.v) + 2 * length(listed_u_dot(m, false));
+}
+/// The printed listing returns w where the speed is stationary, and at the pole.
+Check right_where_stationary(const std::vector<double>& stationary) {
+  std::vector<double> times = stationary, errors;
+  times.insert(times.end(), {-1, 1});
+  double terms = 0;
+  for (double t : times) {
+    errors.push_back(length(error_of_listing(t)));
+    terms = std::max(terms, terms_of_listing(t));
+  }
+  return {filled(R"(error of the printed listing at $t=0$, $\pm@4$, $\pm@4$ and $\pm1$)",
+                 {std::abs(stationary.front()), std::abs(stationary[1])}),
           {"the listing's arithmetic", errors},
-          {"zero", std::vector<double>(7)},
-          rounding(40),
-          3};
+          {"zero", std::vector<double>(times.size())},
+          rounding(terms),
+          terms};
 }
 
 /// The letters by which a sentence calls the position, the velocity and the acceleration.
@@ -275,9 +297,11 @@ AtTime with_error() {
 }
 
 void listing(Table& table, const std::vector<Sample>& all) {
-  const Sample shown(0.75);
+  const Sample shown(shown_time);
   const Vector3 shown_by_listing = w_function(shown.t);
-  const double first = stationary_speed(0.6), last = stationary_speed(1.2);
+  const std::vector<double> stationary = stationary_times();
+  const double right = static_cast<double>(stationary.size()) + 2, last = stationary.back(),
+               first = stationary[stationary.size() - 2];
   double most = 0;
   for (double t = -last; t < last; t += 0.001) most = std::max(most, length(error_of_listing(t)));
   table.claims.add(
@@ -290,7 +314,7 @@ void listing(Table& table, const std::vector<Sample>& all) {
            R"(What looks like the name of a typesetting command, Vector, is printed before its letter: one )"
            R"(of the three functions is that of the velocity $\mathbf v=\dot{\mathbf r}$, `VFunction` in the )"
            R"(listing.)",
-       .kind = Fault::lost_typography});
+       .kind = Fault::term});
   const auto u_dot = [](bool mended) { return [=](const auto& s) { return listed_u_dot(s.m, mended); }; };
   table.formula(
       "listing_u_dot", 561, R"(The listing's `UDot = (A - R.Dot(U)*U)/length` is $\dot{\mathbf u}$.)", all,
@@ -304,10 +328,11 @@ void listing(Table& table, const std::vector<Sample>& all) {
        .root = "R.Dot(U) for A.Dot(U)",
        .why = filled(
            R"(The formula above the listing takes the acceleration's component, )"
-           R"($(\ddot{\mathbf r}\cdot\mathbf u)\mathbf u$. The listing takes the position's, which is zero: its )"
-           R"(`UDot` is $\ddot{\mathbf r}/|\dot{\mathbf r}|$, not even perpendicular to $\mathbf u$: at $t=0.75$ the )"
-           R"(two have the dot product $@2$. It should read `A.Dot(U)`.)",
-           {dot(listed_u_dot(shown.m, false), shown.u)})});
+           R"($(\ddot{\mathbf r}\cdot\mathbf u)\mathbf u$. The listing takes the position's, which is zero (its `R` is )"
+           R"($\mathbf r$, not the orientation matrix $R$): its `UDot` is $\ddot{\mathbf r}/|\dot{\mathbf r}|$, not )"
+           R"(even perpendicular to $\mathbf u$: at $t=@2$ the two have the dot product $@2$. It should read )"
+           R"(`A.Dot(U)`.)",
+           {shown.t, dot(listed_u_dot(shown.m, false), shown.u)})});
   using Out = Vector3&;
   table.claims.add(
       "listing_call", 571, "`WFunction` can call `ComputeTerms(t, R, V, A, U, UDot)`.",
@@ -334,7 +359,7 @@ void listing(Table& table, const std::vector<Sample>& all) {
   };
   Reading corrected = read("with `A.Dot(U)`", mended("`W` with `A.Dot(U)`", 1));
   corrected.checks.push_back(compare("`W` as printed", listed(), with_error(), all));
-  corrected.checks.push_back(right_at_seven_times());
+  corrected.checks.push_back(right_where_stationary(stationary));
   table.claims.add(
       "listing_result", 585, "`WFunction` returns the angular velocity.",
       {.printed = read("as printed", listed()),
@@ -345,12 +370,12 @@ void listing(Table& table, const std::vector<Sample>& all) {
            R"(The signs and the pairing of the components are right, but `UDot` is not (see `2.7-listing_u_dot`). )"
            R"(What it adds to $\dot RR^T$ is symmetric, so that the three entries picked are no longer those of a skew )"
            R"(matrix: the result is off by $c\,(r_yr_z,-r_xr_z,r_xr_y)$, )"
-           R"($c=\ddot{\mathbf r}\cdot\mathbf u/|\dot{\mathbf r}|$. At $t=0.75$ the listing gives )"
-           R"($(@4,@5,@5)$, and $\mathbf w=(@5,@5,@5)$. It is right at seven times only: )"
+           R"($c=\ddot{\mathbf r}\cdot\mathbf u/|\dot{\mathbf r}|$. At $t=@2$ the listing gives )"
+           R"($(@4,@5,@5)$, and $\mathbf w=(@5,@5,@5)$. It is right at @1 times only: )"
            R"(where the speed is stationary, $c=0$ at $t=0$, $\pm@4$ and $\pm@5$, and at the pole, )"
            R"($\mathbf r=\mathbf k$ at $t=\pm1$; between them it is off by up to @2.)",
-           {shown_by_listing[0], shown_by_listing[1], shown_by_listing[2], shown.w[0], shown.w[1], shown.w[2],
-            first, last, most}),
+           {shown.t, shown_by_listing[0], shown_by_listing[1], shown_by_listing[2], shown.w[0], shown.w[1],
+            shown.w[2], right, first, last, most}),
        .kind = Fault::listing,
        .root = "R.Dot(U) for A.Dot(U)"});
 }
@@ -370,14 +395,14 @@ std::vector<Claim> claims(double seed) {
 }
 
 std::vector<Root> roots() {
-  const double off = length(error_of_listing(0.75)),
-               rate = length(angular_velocity(space::motion_of(position, 0.75)));
+  const double off = length(error_of_listing(shown_time)),
+               rate = length(angular_velocity(space::motion_of(position, shown_time)));
   return {
       {"R.Dot(U) for A.Dot(U)",
        filled(
-           R"(A sphere turned by the listing leaves its curve: at $t=0.75$ the angular velocity is off by @2 in )"
+           R"(A sphere turned by the listing leaves its curve: at $t=@2$ the angular velocity is off by @2 in )"
            R"(@3, up to $@2^\circ$ for every radian that the sphere turns.)",
-           {off, rate, 180 / std::numbers::pi * off / rate})}};
+           {shown_time, off, rate, 180 / std::numbers::pi * off / rate})}};
 }
 
 // ---- what is proved ---------------------------------------------------------------------------------------

@@ -134,9 +134,10 @@ Quantity angular_velocity_at(double t, const Reference& truth) {
 Quantity orientation(const Parameters& p, const Horizon& horizon, const Reference& truth) {
   const double pace = p["pace"];
   const Knob steps = halving("step", 0.125, 8);
-  Quantity q =
-      quantity("orientation", "1", "$R$ at four times, carried on from $t=0$",
-               true_orientation(pace, horizon, truth), {1e-8, "a five hundredth of a second of arc"});
+  constexpr double need = 1e-8;
+  Quantity q = quantity("orientation", "1", "$R$ at four times, carried on from $t=0$",
+                        true_orientation(pace, horizon, truth),
+                        {need, filled("@1 seconds of arc", {3600 * 180 / std::numbers::pi * need})});
   const AsMatrix<double> as_matrix{{{pace}}}, as_listed{{{pace}, true}};
   const AsQuaternion<double> as_quaternion{{{pace}}};
   SceneMethods(q, horizon, steps, tolerances())

@@ -264,10 +264,11 @@ void about_lines(Claims& claims, const Plates& plates, double k) {
                  p.tilted_torque(1)};
   };
   const std::string at_tilts = "the torque at five tilts", in_all = "moments about 32 lines";
-  claims.add("balance", 615,
-             "As the first moment is zero, the plate must balance on the fulcrum (we tilt it as well).",
-             {.printed = vanishes(at_tilts, "about a line through the center", plates.center, tilts),
-              .near_misses = {vanishes(at_tilts, "about a line beside the center", plates.beside, tilts)}});
+  claims.add(
+      "balance", 615,
+      "As the first moment is zero, the plate must balance on the fulcrum (our check: tilted as well).",
+      {.printed = vanishes(at_tilts, "about a line through the center", plates.center, tilts),
+       .near_misses = {vanishes(at_tilts, "about a line beside the center", plates.beside, tilts)}});
   const auto directions = [](const Plate& p) {
     std::vector<double> all;
     const auto step = quaternion({0, 0, 1}, pi / 16);
@@ -279,7 +280,7 @@ void about_lines(Claims& claims, const Plates& plates, double k) {
   regardless.checks.push_back(lamina_in_all_directions("through its center", k, false).checks[0]);
   claims.add(
       "regardless", 617,
-      R"(This is true whatever the direction of the line, as specified by $N$ (we try a lamina as well).)",
+      R"(This is true whatever the direction of the line, as specified by $N$ (our check: of a lamina as well).)",
       {.printed = regardless,
        .near_misses = {vanishes(in_all, "through another point", plates.beside, directions),
                        lamina_in_all_directions("through the center of a uniform half disc", k, true)}});
@@ -424,13 +425,15 @@ Provables proofs() {
 }
 
 std::vector<Root> roots() {
-  const Plate pair{.particles = {{1, {0, 1, 0}}, {1, {0, -1, 0}}}, .N = {0, 1, 0}};
+  constexpr double weight = 1, aside = 1;
+  const Plate pair{.particles = {{weight, {0, aside, 0}}, {weight, {0, -aside, 0}}}, .N = {0, 1, 0}};
   return {
       {"distance for coordinate",
        filled(
-           "Two equal weights 1 m either side of a fulcrum balance; with distances their moment is @1 kg m "
-           "for 1 kg each, and an editor calls the plate unbalanced.",
-           {pair.sum([&](double m, const Vector& r) { return m * std::abs(dot(pair.N, r)); })})}};
+           "Two equal weights @1 m either side of a fulcrum balance; with distances their moment is @1 kg m "
+           "for @1 kg each, and an editor calls the plate unbalanced.",
+           {aside, pair.sum([&](double m, const Vector& r) { return m * std::abs(dot(pair.N, r)); }),
+            weight})}};
 }
 
 }  // namespace oddity::balance

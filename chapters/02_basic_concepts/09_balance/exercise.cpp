@@ -90,23 +90,29 @@ Quantity half_disc(double k, double phi, double seed, const Reference& truth) {
 
 /// Five particles whose center is exact, 2^30 m from the origin.
 Quantity far_balance() {
-  const Vector center{0x1p30, -0x1p29, 0};
+  constexpr double away = 0x1p30;
+  const Vector center{away, -away / 2, 0};
   const std::vector<Particle> particles{{3, center + Vector{5, 1, 0}},
                                         {5, center + Vector{-3, 2, 0}},
                                         {7, center + Vector{2, -3, 0}},
                                         {1, center + Vector{-14, 8, 0}},
                                         {11, center}};
+  double mass = 0;
+  for (const Particle& p : particles) mass += p.m;
   std::vector<double> beside;
-  for (int j = 0; j < 8; ++j) beside.push_back(-27 * j);
-  Quantity q{"far_balance",
-             "kg m",
-             "first moments of five particles about eight lines, $j=0,1,\\ldots$ m beside their center, "
-             "$2^{30}$ m away",
-             {"$-27j$: the particles are placed so", beside},
-             0,
-             {1e-12, "rounding of ten products"},
-             {},
-             {}};
+  for (int j = 0; j < 8; ++j) beside.push_back(-mass * j);
+  constexpr double need = 1e-12;
+  Quantity q{
+      "far_balance",
+      "kg m",
+      filled("first moments of five particles about eight lines, $j=0,1,\\ldots$ m beside their center, "
+             "$2^{@2}$ m away",
+             {std::log2(away)}),
+      {filled("$-@2j$: the particles are placed so", {mass}), beside},
+      0,
+      {need, filled("@2 roundings of the largest moment", {need / (0x1p-52 * std::abs(beside.back()))})},
+      {},
+      {}};
   const auto add = [&](const std::string& model, const std::string& algorithm, bool relative) {
     const auto moments = [=]<class T>(T all_mass) {
       std::vector<T> all;
@@ -121,13 +127,13 @@ Quantity far_balance() {
       }
       return all;
     };
-    const long work = operations_of([&] { return moments(Counted<double>(27)); }).all_but_additions();
+    const long work = operations_of([&] { return moments(Counted<double>(mass)); }).all_but_additions();
     q.add({model, algorithm, no_knob(),
            [=](double) {
-             return Answer{moments(27.0), work};
+             return Answer{moments(mass), work};
            },
            relative ? Outcome::ok : Outcome::inaccurate,
-           relative ? "" : filled("terms of size $@1$ cancel", {27 * size_of(center)})});
+           relative ? "" : filled("terms of size $@1$ cancel", {mass * size_of(center)})});
   };
   add("positions relative to the center", "sum of m N . (P - C)", true);
   add("positions from the origin", "sum of m N . P - m N . C", false);

@@ -19,11 +19,17 @@ using namespace rotation;
 
 constexpr Parameter parameters[] = {
     {"theta", 2, "rad", "angle of the rotation", -6.5, 6.5},
-    {"gap", 1, "", "distance of the triangle's two edge vectors", 0x1p-20, 1},
+    {"gap", 1, "", "distance of the triangle's two edge vectors", least_gap, 1},
     {"seed", 11, "", "of the random samples", 0, 1e9, whole_number},
 };
 
 // ---- the claims -------------------------------------------------------------------------------------------
+
+/// Of three columns, along the first.
+double determinant(const Vector& a, const Vector& b, const Vector& c) {
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
+         a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
 
 /// A rotation about the third axis of a right-handed frame, and two vectors.
 template <class T>
@@ -36,7 +42,16 @@ struct SampleOf {
   SampleOf() = default;
   /// The first ones turn by 0, 90, 180 and 270 degrees.
   SampleOf(Random& random, int i) : w(random.direction()) {
-    u = unit(cross(w, random.direction())), v = cross(w, u);
+    // Gram and Schmidt, without a cross product, which is what the frame is asked for.
+    const auto across = [](Vector r, const auto&... others) {
+      for (int twice = 0; twice < 2; ++twice) {
+        r = unit(r);
+        ((r = r - dot(r, others) * others), ...);
+      }
+      return unit(r);
+    };
+    u = across(random.direction(), w), v = across(random.direction(), w, u);
+    if (determinant(u, v, w) < 0) v = -1.0 * v;
     const double large = std::abs(random.magnitude(0.1, 100)), small = std::abs(random.magnitude(0.1, 100));
     theta = i < 4 ? i * std::numbers::pi / 2 : random.between(-7, 7);
     a = random.point(large), b = random.point(small);
@@ -101,7 +116,8 @@ void proof(Table& table, const std::vector<Sample>& all) {
                     of_rotated = R"($(R\mathbf a)\times(R\mathbf b)$)";
   table.formula(
       "rigid", 623,
-      R"(A rotation preserves all the relationships among $\mathbf a$, $\mathbf b$ and $\mathbf a\times\mathbf b$.)",
+      R"(A rotation preserves all the relationships among $\mathbf a$, $\mathbf b$ and $\mathbf a\times\mathbf b$ (our )"
+      R"(reading: their dot products and their volume).)",
       all,
       {.quantity = "their dot products and their volume",
        .truth = {"before the rotation",
@@ -137,12 +153,13 @@ void proof(Table& table, const std::vector<Sample>& all) {
        .truth = {"the vectors", [](const auto& m) { return stacked(m.a, m.b, cross(m.a, m.b)); }},
        .printed = R"($(a_0\mathbf u+a_1\mathbf v+a_2\mathbf w,\ b_0\mathbf u+b_1\mathbf v+b_2\mathbf w,\ )"
                   R"(g_0\mathbf u+g_1\mathbf v+g_2\mathbf w)$)"});
-  table.formula("product_components", 641, R"($(g_0,g_1,g_2)=(a_1b_2-a_2b_1,a_2b_0-a_0b_2,a_0b_1-a_1b_0)$)",
-                all,
-                {.quantity = R"(the components of $\mathbf a\times\mathbf b$)",
-                 .truth = {R"(the components of $\mathbf a\times\mathbf b$)",
-                           [](const auto& m) { return m.in(cross(m.a, m.b)); }},
-                 .printed = "$(a_1b_2-a_2b_1,a_2b_0-a_0b_2,a_0b_1-a_1b_0)$"});
+  table.formula(
+      "product_components", 641, R"($(g_0,g_1,g_2)=(a_1b_2-a_2b_1,a_2b_0-a_0b_2,a_0b_1-a_1b_0)$)", all,
+      {.quantity = R"(the components of $\mathbf a\times\mathbf b$)",
+       .truth =
+           {R"($\mathbf a\times\mathbf b$ in world coordinates, times $\mathbf u$, $\mathbf v$, $\mathbf w$)",
+            [](const auto& m) { return m.in(cross(m.a, m.b)); }},
+       .printed = "$(a_1b_2-a_2b_1,a_2b_0-a_0b_2,a_0b_1-a_1b_0)$"});
   sums(table, all, 645, "a", R"(\mathbf a)", "a",
        {by_quaternion, [](const auto& m) { return m.rotated(m.a); }});
   sums(table, all, 647, "b", R"(\mathbf b)", "b",
@@ -177,12 +194,7 @@ struct Edges {
 
   std::string where() const { return R"($\mathbf a$ = )" + shown(a) + R"(, $\mathbf b$ = )" + shown(b); }
   /// The determinant of a, b and a x b, which is |a x b|^2.
-  bool independent() const {
-    const Vector n = cross(a, b);
-    return a[0] * (b[1] * n[2] - b[2] * n[1]) - a[1] * (b[0] * n[2] - b[2] * n[0]) +
-               a[2] * (b[0] * n[1] - b[1] * n[0]) >
-           1e-12;
-  }
+  bool independent() const { return determinant(a, b, cross(a, b)) > 1e-12; }
 };
 
 std::vector<Claim> claims(double seed) {

@@ -85,8 +85,8 @@ std::array<Component, 6> components() {
            {"yy", 703, 707, "(x^2+z^2)", {4, 15}, {4, 5}, by_rows[1]},
            {"zz", 711, 715, "(x^2+y^2)", {88, 105}, {32, 105}, by_rows[2]},
            {"xy", 719, 723, "(xy)", {0, 1}, {1, 6}, by_rows[3]},
-           {"xz", 727, 731, "(xz)", {0, 1}, {1, 4}, by_rows[4]},
-           {"yz", 735, 735, "(yz)", {0, 1}, {4, 5}, by_rows[5]}}};
+           {"xz", 725, 729, "(xz)", {0, 1}, {1, 4}, by_rows[4]},
+           {"yz", 731, 735, "(yz)", {0, 1}, {4, 5}, by_rows[5]}}};
 }
 
 Reading value_of(const Component& c, std::size_t k, const Fraction& value) {
@@ -127,7 +127,7 @@ void integrands(ProvableClaims<CutOf>& table, const std::vector<Cut>& samples) {
              "$I_{" + all[k].letters + "}=", all[k].integrand, k, samples);
 }
 void without_z(ProvableClaims<CutOf>& table, const std::vector<Cut>& samples) {
-  integral(table, "ixx_without_z", 677, "With $z=0$: $I_{xx}=", "y^2", 0, samples);
+  integral(table, "ixx_without_z", 675, "With $z=0$: $I_{xx}=", "y^2", 0, samples);
 }
 
 void value(Claims& claims, const Component& c, std::size_t k) {
@@ -242,7 +242,8 @@ void region_and_order(Claims& claims, double seed) {
   };
   claims.add(
       "similar", 701,
-      "The constructions are similar for the other components: the same two integrals, $dy$ then $dx$.",
+      "The constructions are similar for the other components (our reading: the same two integrals, $dy$ then "
+      "$dx$).",
       {.printed = from("from $x^2$ to 1", parabola), .near_misses = {from("from $|x|$ to 1", wedge)}});
 }
 

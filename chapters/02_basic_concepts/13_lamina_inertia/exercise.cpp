@@ -83,8 +83,10 @@ Quantity inertia(std::string name, std::string says, const Lamina& l, double see
 Findings study(const Parameters& p, const Reference& truth) {
   Quantity whole = inertia("inertia", "$I_{xx}$, $I_{yy}$, $I_{zz}$, $I_{xy}$, $I_{xz}$, $I_{yz}$",
                            {p["left"], p["z"], p["rho"]}, p["seed"], truth);
-  Quantity cut = inertia("cut_inertia", "the same of the lamina cut off at $x=-0.625$, at $z=1.5$",
-                         {-0.625, 1.5, 1}, p["seed"], truth);
+  constexpr Lamina lifted{-0.625, 1.5, 1};
+  Quantity cut = inertia(
+      "cut_inertia", filled("the same of the lamina cut off at $x=@3$, at $z=@2$", {lifted.left, lifted.z}),
+      lifted, p["seed"], truth);
   cut.add(
       Breakdown{"@2 Gauss points, exact for the columns, keep @1 digits by rows: the width of a row, "
                 R"($2\sqrt y$, has no derivative at the vertex. Over $u=\sqrt y$ the integrand is a )"

@@ -121,8 +121,9 @@ Sum definition(const std::vector<std::size_t>& which) {
 /// A line that states its formula.
 auto lines(Table& table, const std::string& quantity, const Sum& truth) {
   return [&table, quantity, truth](const std::string& slug, int line, const std::string& text,
-                                   bool at_center = false) {
-    table.add(slug, line, text, at_center, {.quantity = quantity, .truth = truth, .printed = sum_of(text)});
+                                   bool at_center = false, const std::string& ours = "") {
+    table.add(slug, line, text + ours, at_center,
+              {.quantity = quantity, .truth = truth, .printed = sum_of(text)});
   };
 }
 
@@ -131,7 +132,8 @@ void moments_of_inertia(Table& table) {
   ixx("ixx", 747, R"($I_{xx}=\sum m_i(y_i^2+z_i^2)$)");
   ixx("ixx_shifted", 751, R"($I_{xx}=\sum m_i\bigl((y_i'+c_y)^2+(z_i'+c_z)^2\bigr)$)");
   ixx("ixx_split", 753, R"($I_{xx}=\sum m_i(y_i'^2+z_i'^2)+\sum m_i(2y_i'c_y+c_y^2+2z_i'c_z+c_z^2)$)");
-  ixx("ixx_collected", 759, R"($I_{xx}=I_{xx}'+2c_y\sum m_iy_i'+2c_z\sum m_iz_i'+(c_y^2+c_z^2)\sum m_i$)");
+  ixx("ixx_collected", 759, R"($I_{xx}=I_{xx}'+2c_y\sum m_iy_i'+2c_z\sum m_iz_i'+(c_y^2+c_z^2)\sum m_i$)",
+      false, R"( (we write $I_{xx}'$ for the first sum, $\sum m_i(y_i'^2+z_i'^2)$).)");
   ixx("ixx_transfer", 769, "$I_{xx}=I_{xx}'+m(c_y^2+c_z^2)$", true);
 }
 
@@ -141,22 +143,24 @@ void products_of_inertia(Table& table) {
   ixy("ixy", 779, R"($I_{xy}=\sum m_ix_iy_i$)");
   ixy("ixy_shifted", 781, R"($I_{xy}=\sum m_i(x_i'+c_x)(y_i'+c_y)$)");
   const std::string massless = R"($I_{xy}=\sum x_i'y_i')", with_mass = R"($I_{xy}=\sum m_ix_i'y_i')";
+  constexpr double mass = 2, place = 1;
   const auto of_pair = [](const std::string& text) {
-    const Sample pair{{{2, {1, 1, 0}}, {2, {-1, -1, 0}}}};
+    const Sample pair{{{mass, {place, place, 0}}, {mass, {-place, -place, 0}}}};
     return TypesetFormula(text + "$")(pair.typeset())[0];
   };
   const auto without_mass = [&](const std::string& slug, int line, const std::string& rest) {
-    table.add(slug, line, massless + rest, false,
-              {.quantity = "$I_{xy}$",
-               .truth = truth,
-               .printed = sum_of(massless + rest),
-               .meant = sum_of(with_mass + rest),
-               .kind = Fault::formula,
-               .why = filled(
-                   "The mass $m_i$ is left out of the first sum, $\\sum m_i\\,x'_iy'_i$, of lines 783 and "
-                   "787; lines 779 and 781, before them, have it. As it stands the sum has another "
-                   "unit: for two masses of 2 kg at $\\pm(1,1)$ m it is @1, where $I_{xy}$ is @1 kg m$^2$.",
-                   {of_pair(massless), of_pair(with_mass)})});
+    table.add(
+        slug, line, massless + rest, false,
+        {.quantity = "$I_{xy}$",
+         .truth = truth,
+         .printed = sum_of(massless + rest),
+         .meant = sum_of(with_mass + rest),
+         .kind = Fault::formula,
+         .why = filled(
+             "The mass $m_i$ is left out of the first sum, $\\sum m_i\\,x'_iy'_i$, of lines 783 and "
+             "787; lines 779 and 781, before them, have it. As it stands the sum has another "
+             "unit: for two masses of @1 kg at $\\pm(@1,@1)$ m it is @1, where $I_{xy}$ is @1 kg m$^2$.",
+             {mass, place, place, of_pair(massless), of_pair(with_mass)})});
   };
   without_mass("ixy_split", 783, R"(+\sum m_i(c_xy_i'+c_yx_i'+c_xc_y)$)");
   without_mass("ixy_collected", 787, R"(+c_x\sum m_iy_i'+c_y\sum m_ix_i'+c_xc_y\sum m_i$)");
@@ -173,7 +177,7 @@ void about_center(Table& table) {
   };
   vanish(
       "first_moments", 771,
-      R"(The first moments about the center of mass are zero: $\sum m_iy_i'=\sum m_i(y_i-c_y)=0$, and so for $x$ and $z$.)",
+      R"(The first moments about the center of mass are zero: $\sum m_iy_i'=\sum m_i(y_i-c_y)=0$ (our check: for $x$ and $z$ as well).)",
       R"($\sum m_i(x_i-c_x,\ y_i-c_y,\ z_i-c_z)=0$)");
   vanish("middle_terms", 771,
          R"(The middle two terms of $I_{xx}$, $2c_y\sum m_iy_i'$ and $2c_z\sum m_iz_i'$, are zero.)",

@@ -53,7 +53,7 @@ Check limit(std::string what, const Value& said, double h, const F& f) {
   return {std::move(what),
           zero ? extrapolated : Route{"the value as it is written", said},
           zero ? Route{"zero", said} : extrapolated,
-          {found.error_estimate + 1e-15, "the extrapolation's error estimate, and one rounding"},
+          {found.error_estimate + 0x1p-52, "the extrapolation's error estimate, and one rounding of 1"},
           1};
 }
 

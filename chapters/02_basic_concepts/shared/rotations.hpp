@@ -97,6 +97,9 @@ inline std::vector<Way> ways(const Vector& w, double theta) {
 
 const Vector axis{1.0 / 3, 2.0 / 3, 2.0 / 3};
 
+/// Of the triangle's edges, that may be asked for.
+constexpr double least_gap = 0x1p-20;
+
 /// The edges of a triangle; for gap = 2^-k, k <= 30, b is exact.
 struct Triangle {
   Vector a{47436513 * 0x1p-25, 25959777 * 0x1p-25, -12996065 * 0x1p-25}, d;
@@ -119,10 +122,10 @@ std::array<T, 3> unit(const std::array<T, 3>& a) {
 }
 
 inline Quantity rotated_normal(double theta, double gap, const Reference& truth) {
-  Quantity q = quantity("rotated_normal", "",
-                        R"(unit normal of a rotated triangle with edges $\mathbf a$, $\mathbf b$)",
-                        truth("02_11_rotated_normal", {theta, gap}),
-                        {1e-9, filled("nine digits: edges $2^{@2}$ apart have no more", {std::log2(gap)})});
+  Quantity q = quantity(
+      "rotated_normal", "", R"(unit normal of a rotated triangle with edges $\mathbf a$, $\mathbf b$)",
+      truth("02_11_rotated_normal", {theta, gap}),
+      {1e-9, filled("nine digits: edges $2^{@2}$ apart, the closest, have no more", {std::log2(least_gap)})});
   const Triangle t(gap);
   for (const Way& way : ways(axis, theta)) {
     const bool mirror = way.name == "rotation and mirror";
@@ -142,15 +145,17 @@ inline Quantity rotated_normal(double theta, double gap, const Reference& truth)
 }
 
 inline Quantity identity_gap(double theta) {
+  constexpr double need = 1e-12;
+  const Triangle t(1);
   Quantity q{"identity",
              "",
              R"($R\mathbf a\times R\mathbf b-R(\mathbf a\times\mathbf b)$ for the triangle with gap 1)",
              {"zero, for every rotation", Vector{}},
              0,
-             {1e-12, "rounding of a few hundred products"},
+             {need, filled(R"(@4 roundings of $|\mathbf a||\mathbf b|$)",
+                           {need / (0x1p-52 * length(t.a) * length(t.b()))})},
              {},
              {}};
-  const Triangle t(1);
   for (const Way& way : ways(axis, theta))
     q.add({way.name, "both ways", way.knob,
            [=](double n) {
@@ -166,19 +171,21 @@ inline Quantity identity_gap(double theta) {
 }
 
 inline Quantity sliver_normal(const Reference& truth) {
-  Quantity q = quantity("sliver_normal", "", "the same, edges $2^{-30}$ apart, rotated by 2 rad",
-                        truth("02_11_rotated_normal", {2, 0x1p-30}), {1e-12, "twelve digits"});
-  const Triangle t(0x1p-30);
+  constexpr double theta = 2, gap = 0x1p-30;
+  Quantity q = quantity("sliver_normal", "",
+                        filled("the same, edges $2^{@2}$ apart, rotated by @2 rad", {std::log2(gap), theta}),
+                        truth("02_11_rotated_normal", {theta, gap}), {1e-12, "twelve digits"});
+  const Triangle t(gap);
   const auto add = [&](const std::string& model, const std::string& algorithm, const auto& normal,
                        const std::string& why = "") {
     q.add({model, algorithm, no_knob(),
-           [=, f = rodrigues(axis, 2)](double) {
+           [=, f = rodrigues(axis, theta)](double) {
              return mapped([&](const Map& R) { return unit(normal(R)); }, f);
            },
            why.empty() ? Outcome::ok : Outcome::inaccurate, why});
   };
   const std::string cancels =
-      filled(R"(@1 digits of $\mathbf a\times\mathbf b$ cancel)", {std::round(-std::log10(0x1p-30))});
+      filled(R"(@1 digits of $\mathbf a\times\mathbf b$ cancel)", {std::round(-std::log10(gap))});
   add(
       "edges a, b", "rotated, then product", [=](const Map& R) { return cross(R(t.a), R(t.b())); }, cancels);
   add(

@@ -195,17 +195,18 @@ const Line to_middle_of_apsides{R"(from the origin to the middle of the apsides,
 void to_the_ellipse(Table& t) {
   t.equation("moved", 883, "", On::both, {R"(4e^4\rho^2x^2)", R"([e^2(\rho^2+x^2)-r^2]^2)"});
   t.equation("root", 885, "", On::both, {R"(\pm2e^2\rho x)", R"(e^2(\rho^2+x^2)-r^2)"},
-             " ($+$ on the orbit, $-$ on its mirror image)");
+             " (our reading, here and below: $+$ on the orbit, $-$ on its mirror image)");
   t.equation("collected", 889, "", On::both,
              {R"((1-e^2)x^2\pm2e^2\rho x+y^2)", R"(r^2-e^2x^2\pm2e^2\rho x)", R"(e^2\rho^2)"});
-  t.equation("divided", 891, "Divided by $1-e^2$: ", On::both,
+  t.equation("divided", 893, "Divided by $1-e^2$ (our condition: $0<e<1$): ", On::both,
              {R"(x^2\pm\frac{2e^2\rho}{1-e^2}x+\frac{y^2}{1-e^2})", R"(\frac{e^2\rho^2}{1-e^2})"});
   t.equation("completed", 905, "The square completed: ", On::both,
              {R"(\left(x\pm\frac{e^2\rho}{1-e^2}\right)^2+\frac{y^2}{1-e^2})",
               R"(\frac{e^2\rho^2}{1-e^2}+\frac{e^4\rho^2}{(1-e^2)^2})", R"(\frac{e^2\rho^2}{(1-e^2)^2})"});
   t.claims.formula<Point>(
       "axes", 927,
-      R"($a=e\rho/(1-e^2)$ and $b=a\sqrt{1-e^2}$ are half the length and half the height of the orbit.)",
+      R"(The book defines $a=e\rho/(1-e^2)$ and $b=a\sqrt{1-e^2}$ (our check: they are half the length and half )"
+      R"(the height of the orbit).)",
       t.orbit_alone, {.truth = half_sizes, .printed = semi_axes});
   t.claims.formula<Point>("ratio", 929, "$a^2/b^2=1/(1-e^2)$", t.orbit_alone,
                           {.truth = square_of_sizes, .printed = square_of_axes});
@@ -219,7 +220,9 @@ void to_the_ellipse(Table& t) {
                           t.orbit_alone);
   };
   t.claims.add(
-      "two_solutions", 887, R"(The sign in $\pm2e^2\rho x$ indicates that there are two possible solutions.)",
+      "two_solutions", 887,
+      R"(The sign in $\pm2e^2\rho x$ indicates that there are two possible solutions (our reading: of the polar )"
+      R"(equation, the orbit).)",
       {.printed = {R"($\pm2e^2\rho x=e^2(\rho^2+x^2)-r^2$ is the orbit with either sign)",
                    {fits(1), fits(-1)}},
        .corrected = {R"($2e^2\rho x=e^2(\rho^2+x^2)-r^2$, the plus sign alone, is the orbit)", {fits(1)}},
@@ -250,11 +253,9 @@ const Line printed_axes = "$(a,b)$", axes = "$(2a,2b)$";
 void about_the_ellipse(Table& t) {
   Claims& claims = t.claims;
   const std::vector<Point>& samples = t.orbit_alone;
-  claims.statement<Point>("divisor", 891, "One can divide by $1-e^2$ ($0<e<1$ is our condition).", samples,
-                          {.printed = {"$1-e^2>0$"}, .near_misses = {{"$1-2e^2>0$"}}});
   claims.statement<Point>(
       "positive", 941,
-      "The ellipse has $a>0$ and $b>0$ ($0<e<1$ is our condition: for $e=0$ the polar equation "
+      "The ellipse has $a>0$ and $b>0$ (our condition: $0<e<1$; for $e=0$ the polar equation "
       "is $r=0$, and from $e=1$ on its curve is no ellipse).",
       samples, {.printed = {"$(a,b)>0$"}, .near_misses = {{R"($(a-\rho,b)>0$)"}, {"$(a,b-c)>0$"}}});
   claims.formula<Point>(
@@ -293,9 +294,9 @@ void about_the_ellipse(Table& t) {
        .kind = Fault::formula,
        .root = "the sign of the center",
        .why = filled(
-           R"(For $e=0.625$, $\rho=1.5$ the distances to the origin and $(2c,0)$ add up to @3 at the aphelion. Those )"
+           R"(For $e=@3$, $\rho=@2$ the distances to the origin and $(2c,0)$ add up to @3 at the aphelion. Those )"
            R"(to the origin and $(-2c,0)$ add up to $2a$ there and everywhere, which is @3.)",
-           {2 * (shown.farthest() + shown.c()), 2 * shown.half_length()})});
+           {shown.e, shown.rho, 2 * (shown.farthest() + shown.c()), 2 * shown.half_length()})});
 }
 
 Table table(double seed) {
@@ -314,19 +315,17 @@ std::vector<Root> roots() {
   return {
       {"the mirror image",
        filled(
-           R"(For $e=0.625$, $\rho=1.5$ the minus sign puts the planet @2 from the sun at $\theta=0$, where it )"
+           R"(For $e=@3$, $\rho=@2$ the minus sign puts the planet @2 from the sun at $\theta=0$, where it )"
            R"(should be at its nearest, @3.)",
-           {far, near})},
+           {shown.e, shown.rho, far, near})},
       {"the sign of the center",
-       filled(
-           R"(An ellipse drawn about $(c,0)$ has the sun in the wrong focus: for $e=0.625$, $\rho=1.5$ its )"
-           R"(perihelion is @3 too far out, at @2 instead of @3.)",
-           {far - near, far, near})},
+       filled(R"(An ellipse drawn about $(c,0)$ has the sun in the wrong focus: for $e=@3$, $\rho=@2$ its )"
+              R"(perihelion is @3 too far out, at @2 instead of @3.)",
+              {shown.e, shown.rho, far - near, far, near})},
       {"axes for semi-axes",
-       filled(
-           R"(Drawn with a major axis of length $a$ the orbit is half as large: for $e=0.625$, $\rho=1.5$ it )"
-           R"(is @3 long instead of @3.)",
-           {a, 2 * a})}};
+       filled(R"(Drawn with a major axis of length $a$ the orbit is half as large: for $e=@3$, $\rho=@2$ it )"
+              R"(is @3 long instead of @3.)",
+              {shown.e, shown.rho, a, 2 * a})}};
 }
 
 }  // namespace oddity::ex03_01

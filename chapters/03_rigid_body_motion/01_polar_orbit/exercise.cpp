@@ -82,9 +82,10 @@ std::vector<Quantity> radii(const Parameters& p, const Reference& truth) {
   const double almost = 1 - 0x1p-30;
   const Outcome ok = Outcome::ok, lost = Outcome::inaccurate, none = Outcome::non_finite;
   const std::string cure = "before the division, root without cancellation";
-  const std::string no_ellipse = "$a$ is not positive, and $b$ the root of a negative number";
+  const std::string no_ellipse = "$a$ is negative, and $b$ has the root of a negative number",
+                    no_division = "$1-e^2=0$ is divided by";
   Quantity any = radius("radius", R"(distance from the focus at the angle $\theta$)", asked, truth,
-                        {ok, ok, asked.e < 1 ? ok : none, no_ellipse});
+                        {ok, ok, asked.e < 1 ? ok : none, asked.e > 1 ? no_ellipse : no_division});
   any.add({"ellipse of the minus sign", "root without cancellation", no_knob(),
            [=](double) {
              return Answer{by_standard_ellipse(asked, -1), 1};
@@ -116,7 +117,7 @@ std::vector<Quantity> radii(const Parameters& p, const Reference& truth) {
                 {center / radius_there, digits_of(Side::broken)}});
   Quantity parabola =
       radius("radius_of_parabola", "$e=1$, close to the axis", {1, 1, 1, 0x1p-10}, truth,
-             {ok, lost, none, "$1-e^2=0$ is divided by; the textbook root subtracts what is nearly equal"});
+             {ok, lost, none, no_division + "; the textbook root subtracts what is nearly equal"});
   parabola.add(Breakdown{
       "At $e=1$ the division by $1-e^2$ is one by zero: no center, no ellipse. The line before it is the "
       "parabola.",
