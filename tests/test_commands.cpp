@@ -139,6 +139,8 @@ TEST_CASE("every verb has help with an example", "[commands]") {
     CHECK(run("help " + verb).output == ran.output);
   }
   CHECK(run("help").output == run("--help").output);
+  CHECK(says(run("--help"), "\nStart with:\n  oddity list\n"));
+  CHECK(says(run("choose --help"), "\nScenes: 2.7, "));
   CHECK(run("-v").output == run("--version").output);
 }
 

@@ -137,7 +137,7 @@ TEST_CASE("a results file is read as it was written, and not where a figure or a
   CHECK(has(said(whole.substr(0, whole.size() / 2)), "not a results file"));
   Json without = Json::parse(whole);
   without.erase("seal");
-  CHECK(has(said(without.dump()), "not a results file"));
+  CHECK(has(said(without.dump()), "results.json: not a results file: key 'seal' not found"));
 }
 
 TEST_CASE("a results file sends no control characters to whoever reads it", "[forged]") {

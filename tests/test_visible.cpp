@@ -15,6 +15,8 @@ TEST_CASE("control characters are shown, and letters and colours are not", "[vis
   CHECK(visible("\xc2\x9b"
                 "31m \xff \xc3 \xc0\xaf \xe2\x82") == "\\xc2\\x9b31m \\xff \\xc3 \\xc0\\xaf \\xe2\\x82");
   CHECK(visible(std::string("a\0b", 3)) == "a\\x00b");
+  CHECK(visible("a\u202eb\u2066c\u200fd") == "a\\xe2\\x80\\xaeb\\xe2\\x81\\xa6c\\xe2\\x80\\x8fd");
+  CHECK(visible("a\u061cb\u2013c\u2060d") == "a\\xd8\\x9cb\u2013c\u2060d");
   std::ostringstream stream;
   {
     const VisibleOutput output(stream, true);

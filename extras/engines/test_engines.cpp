@@ -379,7 +379,24 @@ TEST_CASE("what engines did is read as it was written", "[engines]") {
   std::ofstream(file) << without;
   CHECK(std::isnan(read_engines(file)[0].series[0].trials[0].momentum));
 
+  const auto refused = [&](const char* key, double value, const char* why) {
+    write({contest}, file);
+    auto forged = nlohmann::json::parse(std::ifstream(file));
+    forged[0]["series"][0]["trials"][3][key] = value;
+    std::ofstream(file) << forged;
+    CHECK(complaint([&] { read_engines(file); }).find(why) != std::string::npos);
+  };
+  refused("in_needs", 0.1, "its errors and its error in needs contradict each other");
+  refused("in_needs", 1.5, "is ok with an error above the need");
+  write({contest}, file);
+  auto turned = nlohmann::json::parse(std::ifstream(file));
+  turned[0]["series"][0]["trials"][4]["outcome"] = "inaccurate";
+  std::ofstream(file) << turned;
+  CHECK(complaint([&] { read_engines(file); }).find("is inaccurate with an error within the need") !=
+        std::string::npos);
+
   std::ofstream(file) << "[{\"scene\": 1}]";
+  CHECK(complaint([&] { read_engines(file); }).find("json.exception") == std::string::npos);
   CHECK(complaint([&] { read_engines(file); }).find("not what './oddity engines' writes") !=
         std::string::npos);
 }

@@ -466,7 +466,7 @@ Plan plan_from_json(const std::string& text, const std::string& place) {
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
-    throw BadInput(place + " is no plan of a sweep: " + error.what());
+    throw BadInput(place + " is no plan of a sweep: " + without_exception_name(error.what()));
   }
 }
 

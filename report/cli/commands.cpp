@@ -277,6 +277,14 @@ void see_what_is_given(AskedNeed& need, const CLI::App& verb) {
   need.rate_is_given = verb.get_option("--fps")->count() > 0;
 }
 
+/// "2.7, 3.3, 3.5".
+std::string numbers_of_scenes() {
+  std::vector<std::string> numbers;
+  for (const Entry& entry : registry())
+    if (entry.exercise.scene) numbers.push_back(to_string(entry.number));
+  return joined(numbers);
+}
+
 void add_choose(CLI::App& app, Session& s) {
   auto* choose = add_verb(
       app, "choose", "Choose the model, the algorithm and the step that a scene needs.",
@@ -298,10 +306,13 @@ void add_choose(CLI::App& app, Session& s) {
       "Where frames differ in length, fixed steps meet them in four ways, which are methods of their own: each frame is "
       "divided into steps; or an accumulator makes steps of one length, and the last one is drawn, or one between the "
       "last two, or one ahead of it.\n"
-      "Examples:\n  oddity choose 3.5 a=60deg --error 1deg --budget 5us\n  oddity choose 3.5 --error 1deg --jitter 20% --drop 1%\n  oddity choose 3.33 --error 1deg "
-      "--horizon 2 --fps 120\n  oddity choose 3.25 --criterion bounded --precision float\n  oddity choose 3.5 "
-      "--error 1deg --exclude closed --code\n  oddity choose 3.5 --error 1deg --bodies 10000 --budget 1ms\n"
-      "  oddity choose 3.5 --error 1deg --method 'semi-implicit Euler@60Hz'",
+      "Scenes: " +
+          numbers_of_scenes() +
+          "\n"
+          "Examples:\n  oddity choose 3.5 a=60deg --error 1deg --budget 5us\n  oddity choose 3.5 --error 1deg --jitter 20% --drop 1%\n  oddity choose 3.33 --error 1deg "
+          "--horizon 2 --fps 120\n  oddity choose 3.25 --criterion bounded --precision float\n  oddity choose 3.5 "
+          "--error 1deg --exclude closed --code\n  oddity choose 3.5 --error 1deg --bodies 10000 --budget 1ms\n"
+          "  oddity choose 3.5 --error 1deg --method 'semi-implicit Euler@60Hz'",
       [&] {
         s.need.as_engines = !s.engine.empty();
         see_what_is_given(s.need, *app.get_subcommand("choose"));
@@ -628,6 +639,8 @@ int command_line(int argc, char** argv, const Suite& suite, const Extras& extras
       "oddity");
   app.formatter(help_for(screen_of(STDOUT_FILENO)));
   app.footer(
+      "Start with:\n  oddity list\n  oddity solve 3.5\n  oddity choose 3.5 a=60deg --error 1deg\n  oddity verify "
+      "'[3.5]'\n  oddity help choose\n"
       "Tables fit the terminal, and are complete in a pipe. There is colour on a terminal; NO_COLOR=1 takes it "
       "away, CLICOLOR_FORCE=1 turns it on in a pipe too.\n"
       "Exit codes: 0 green, 1 something differs from what is on record (or nothing meets the need), 2 bad input "

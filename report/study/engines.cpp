@@ -142,7 +142,19 @@ void require_trials(const EngineSeries& s) {
     if (t.outcome == Outcome::ok && !(t.in_needs <= 1))
       throw std::runtime_error("a trial of " + s.engine + ", " + s.variant +
                                " is ok with an error above the need");
+    if (t.outcome == Outcome::inaccurate && t.in_needs <= 1)
+      throw std::runtime_error("a trial of " + s.engine + ", " + s.variant +
+                               " is inaccurate with an error within the need");
   }
+}
+
+/// Whether the error in needs is the largest of the errors, each in its need, where all are known.
+bool follows(double in_needs, const std::vector<double>& errors, const std::vector<double>& needs) {
+  const bool known = !errors.empty() && !std::isnan(in_needs) &&
+                     std::ranges::none_of(errors, [](double e) { return std::isnan(e); });
+  double largest = 0;
+  for (std::size_t i = 0; known && i < errors.size(); ++i) largest = std::max(largest, errors[i] / needs[i]);
+  return !known || in_needs == largest;
 }
 
 /// Every error has its unit, and there are frames.
@@ -162,6 +174,11 @@ void require_sense(const EngineContest& c) {
   }
   if (!all)
     throw std::runtime_error("an error of " + c.scene + " without its unit, or a unit without its need");
+  for (const EngineSeries& s : c.series)
+    for (const EngineTrial& t : s.trials)
+      if (!follows(t.in_needs, t.errors, c.needs))
+        throw std::runtime_error("a trial of " + s.engine + ", " + s.variant +
+                                 ": its errors and its error in needs contradict each other");
 }
 
 }  // namespace
@@ -219,8 +236,9 @@ std::vector<EngineContest> read_engines(const fs::path& file) {
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
-    throw BadInput(file.string() + ": not what '" + program_as_typed() + " engines' writes: " + error.what() +
-                   "; remove it, and '" + program_as_typed() + " engines' makes it anew");
+    throw BadInput(file.string() + ": not what '" + program_as_typed() +
+                   " engines' writes: " + without_exception_name(error.what()) + "; remove it, and '" +
+                   program_as_typed() + " engines' makes it anew");
   }
 }
 

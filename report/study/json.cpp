@@ -644,7 +644,7 @@ Results understood(const std::string& place, const Read& read) {
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
-    throw BadInput(place + ": not a results file: " + error.what());
+    throw BadInput(place + ": not a results file: " + without_exception_name(error.what()));
   }
 }
 

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -19,6 +21,13 @@ Int whole(const nlohmann::ordered_json& json) {
   if (json.is_number_integer() && !json.is_number_unsigned() && std::in_range<Int>(json.get<std::int64_t>()))
     return static_cast<Int>(json.get<std::int64_t>());
   throw std::runtime_error("no whole number that fits: " + json.dump());
+}
+
+/// What is wrong, without the library's name and number before it: "[json.exception.out_of_range.403] key
+/// ...".
+inline std::string without_exception_name(std::string_view says) {
+  const auto end = says.starts_with("[json.exception.") ? says.find("] ") : says.npos;
+  return std::string(end == says.npos ? says : says.substr(end + 2));
 }
 
 /// Has every text of a file show its control characters, where it would send them to whoever reads it.

@@ -10,6 +10,14 @@ unsigned char byte_at(std::string_view text, std::size_t at) {
   return at < text.size() ? static_cast<unsigned char>(text[at]) : 0;
 }
 
+/// Whether the text begins with a mark that turns the direction of the letters after it: what is read is then
+/// not what stands there [Unicode's Bidi_Control].
+bool turns_direction(std::string_view text) {
+  constexpr std::string_view marks[]{"\u061c", "\u200e", "\u200f", "\u202a", "\u202b", "\u202c",
+                                     "\u202d", "\u202e", "\u2066", "\u2067", "\u2068", "\u2069"};
+  return std::ranges::any_of(marks, [&](std::string_view mark) { return text.starts_with(mark); });
+}
+
 /// The bytes of the letter that the text begins with; 0 where it is a control character or not UTF-8.
 std::size_t letter_size(std::string_view text) {
   const unsigned char first = byte_at(text, 0);
@@ -23,7 +31,7 @@ std::size_t letter_size(std::string_view text) {
   const bool control = first == 0xc2 && byte_at(text, 1) < 0xa0;
   const bool too_long =
       (first == 0xe0 && byte_at(text, 1) < 0xa0) || (first == 0xf0 && byte_at(text, 1) < 0x90);
-  return control || too_long ? 0 : size;
+  return control || too_long || turns_direction(text) ? 0 : size;
 }
 
 /// The bytes of a change of colour, "\x1b[0;31m", that the text begins with; 0 where it is none.

@@ -223,7 +223,9 @@
       const right = richest || null;
       const printed = models.filter(oddity.isPublished).map(finestOf);
       if (!printed.length) return null;
-      return right ? [asRow(find(right.model, right.algorithm), 1e-9), ...printed].slice(0, 4) : printed.slice(0, 4);
+      if (!right) return printed.slice(0, 4);
+      const method = find(right.model, right.algorithm);
+      return [asRow(method, method.knob === 'tolerance' ? 1e-9 : right.setting), ...printed].slice(0, 4);
     }
 
     /** Other people's engines, the worst of them and the best, beside what is enough; null where none was run. */
