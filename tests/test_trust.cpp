@@ -8,6 +8,7 @@
 #include "reference/reference.hpp"
 #include "report/pages/markdown.hpp"
 #include "report/site/claims_section.hpp"
+#include "report/site/evidence_pages.hpp"
 #include "report/verify/catch.hpp"
 #include "tests/complaint.hpp"
 #include "tests/sample_results.hpp"
@@ -120,5 +121,19 @@ TEST_CASE("what is proved says so in the report and on the site", "[trust]") {
   CHECK(page.find("`9.9-y`** (line 2, proved)") != std::string::npos);
   CHECK(page.find("1 confirmed claim, 1 proved (†)") != std::string::npos);
   CHECK(exercise_page_text(results, results.exercises[0]).find("Coq") == std::string::npos);
-  CHECK(claims_section(results.exercises[0], proved).find("<small>line 1, Coq</small>") != std::string::npos);
+  CHECK(claims_section(results.exercises[0], proved).find("<small>line 1, proved</small>") !=
+        std::string::npos);
+}
+
+TEST_CASE("the site's page of trust says what each of its words means", "[trust]") {
+  const std::string page = trust_html(sample(), read_trust(reference_folder()));
+  for (const char* part : {"judged", "proved", "enclosed", "agreed", "as typeset", "witnessed", "killed",
+                           "fuzzed", "survived"}) {
+    INFO(part);
+    CHECK(page.find("<th scope=\"row\">" + std::string(part) + "</th>") != std::string::npos);
+  }
+  CHECK(page.find("<td></td><td>Coq") == std::string::npos);  // a row without a meaning
+  for (auto at = page.find("<tr><th scope=\"row\">"); at != std::string::npos;
+       at = page.find("<tr><th scope=\"row\">", at + 1))
+    CHECK(page.substr(at, page.find("</tr>", at) - at).find("<td></td><td>") == std::string::npos);
 }

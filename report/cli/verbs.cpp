@@ -252,7 +252,7 @@ std::vector<EngineContest> kept_contests() {
 fs::path site_of(const Results& results, const fs::path& folder, const fs::path& out) {
   return with_progress([&](const Progress& progress) {
     return write_site(results, Reference(folder, motions_folder()), out, progress, kept_contests(),
-                      read_proofs(folder / "approved"));
+                      read_trust(folder));
   });
 }
 

@@ -72,7 +72,9 @@ std::string comparison_of(const Reading& reading, bool with_values, const Check*
 
 std::string near_misses_of(const Claim& claim) {
   const auto n = static_cast<long>(claim.near_misses.size());
-  return n == 0 ? "" : " " + counted(n, "near miss fails.", "near misses fail.");
+  return n == 0 ? ""
+                : " " + counted(n, "wrong variant", "wrong variants") + ", tried beside it, " +
+                      (n == 1 ? "fails, as it must." : "fail, as they must.");
 }
 
 std::string sentence(std::string text) {
@@ -133,9 +135,9 @@ std::string sides(const JudgedClaim& judged) {
   return element("dl", " class=\"sides\"", text);
 }
 
-/// What Coq has proved says so.
-std::string mark_of(const Claim& claim, const ProvedClaims& proved) {
-  return proved.contains(claim.id) ? ", Coq" : "";
+/// What Coq has proved says so; a summary's link would be taken for its own.
+std::string mark_of(const Claim& claim, const ProvedClaims& proved, bool links = true) {
+  return !proved.contains(claim.id) ? "" : links ? ", " + html::link("trust.html", "proved") : ", proved";
 }
 
 std::string finding_text(const JudgedClaim& judged, const ProvedClaims& proved) {
@@ -188,7 +190,7 @@ std::string claim_text(const JudgedClaim& judged, const ProvedClaims& proved) {
                  (judged.verdict == Verdict::confirmed ? "" : " class=\"" + class_of(judged.verdict) + "\""),
              element("summary", "",
                      html::text(claim.says) + formula_of(claim) + " <small>" + html::text(place_of(claim)) +
-                         mark_of(claim, proved) + "</small>") +
+                         mark_of(claim, proved, false) + "</small>") +
                  element("p", "", evidence_of(judged))) +
          "\n";
 }
@@ -221,13 +223,16 @@ std::string claims_section(const ExerciseResult& e, const ProvedClaims& proved) 
   for (const JudgedClaim& c : e.claims)
     if (!is_finding(c.verdict)) text += claim_text(c, proved), confirmed += c.verdict == Verdict::confirmed;
   if (text.empty()) return "";
-  const bool marks = text.find(", Coq</small>") != std::string::npos;
+  const bool marks = text.find(", proved</small>") != std::string::npos;
   return "<section id=\"claims\">\n<h2>" +
          std::string(confirmed == 0 ? "What cannot be checked" : "What is confirmed") + "</h2>\n<p>" +
-         (confirmed == 0 ? std::string("Open a claim to see why.")
-                         : counted(confirmed, "claim", "claims") + " of the solution, each with its line" +
-                               (marks ? ", and Coq where that has proved it" : "") +
-                               ". Open one to see what it was compared with.") +
+         (confirmed == 0
+              ? std::string("Open a claim to see why.")
+              : counted(confirmed, "claim", "claims") + " of the solution, each with its line" +
+                    (marks ? ", and <em>proved</em> where " +
+                                 html::link("trust.html", "the proof assistant Coq") + " has checked a proof"
+                           : "") +
+                    ". Open one to see what it was compared with.") +
          "</p>\n<div class=\"claims\">\n" + text + "</div>\n</section>\n";
 }
 

@@ -134,6 +134,9 @@ void add_pages(IndexRows& all) {
   add("chooser.html", "Chooser", "The method for your own start, error, frame rate and budget");
   add("algorithms.html", "Algorithms",
       "The catalog of integrators with their orders and limits of stability");
+  add("trust.html", "Trust", "What stands behind the verdicts: proofs by Coq, references, mutants, fuzzing");
+  add("stability.html", "Stability", "Up to which step each method is stable, on every scene");
+  add("engines.html", "Engines", "What Box2D, Bullet, MuJoCo and other physics engines do on the scenes");
   add("errata.html", "Errata sheet", "Everything that is wrong in the book, to print");
 }
 

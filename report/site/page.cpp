@@ -129,7 +129,10 @@ std::string whole(const Page& page) {
                      " data-program=\"" + program + "\">\n" + std::string(banner) + std::string(main_begins) +
                      page.body + "</main>\n<footer class=\"foot\"><p>Written by <code>" + program +
                      " site</code> from the results of a run. Every number can be made again: <code>" +
-                     program + " verify</code>.</p></footer>\n";
+                     program +
+                     " verify</code>.</p><p>More: <a href=\"trust.html\">what stands behind it</a>, "
+                     "<a href=\"stability.html\">which steps are stable</a>, "
+                     "<a href=\"engines.html\">what engines do</a>.</p></footer>\n";
   std::vector<std::string> scripts{"assets/page.js", "assets/search.js"};
   scripts.insert(scripts.end(), page.scripts.begin(), page.scripts.end());
   for (const std::string& script : scripts) text += "<script src=\"" + script + "\"></script>\n";

@@ -8,6 +8,7 @@
 #include "report/charts/drawing.hpp"
 #include "report/site/data.hpp"
 #include "report/site/errata.hpp"
+#include "report/site/evidence_pages.hpp"
 #include "report/site/example.hpp"
 #include "report/site/exercise_page.hpp"
 #include "report/site/front_page.hpp"
@@ -24,12 +25,14 @@ namespace oddity {
 namespace fs = std::filesystem;
 
 std::map<std::string, std::string> site_pages(const Results& results, const ProvedClaims& proved,
-                                              const SiteParts& parts,
-                                              std::span<const EngineContest> contests) {
+                                              const SiteParts& parts, std::span<const EngineContest> contests,
+                                              const Trust& trust) {
   std::map<std::string, std::string> pages{
-      {"index.html", front_page(results, parts)},     {"errata.html", errata_page(results)},
-      {"chooser.html", chooser_page(results, parts)}, {"lesson.html", lesson_page(results, parts)},
-      {"recipes.html", recipes_page(results)},        {"algorithms.html", algorithms_page()}};
+      {"index.html", front_page(results, parts)},       {"errata.html", errata_page(results)},
+      {"chooser.html", chooser_page(results, parts)},   {"lesson.html", lesson_page(results, parts)},
+      {"recipes.html", recipes_page(results)},          {"algorithms.html", algorithms_page()},
+      {"trust.html", trust_html(results, trust)},       {"stability.html", stability_html(results)},
+      {"engines.html", engines_html(results, contests)}};
   for (const ExerciseResult& e : results.exercises)
     pages[to_string(e.number) + ".html"] = exercise_page(results, e, proved, contests);
   pages[example_name + std::string(".html")] = example_page(example_result());
@@ -55,10 +58,10 @@ std::string single_page(const Results& results, const ExerciseResult& e, const R
 }
 
 fs::path write_site(const Results& results, const Reference& truth, const fs::path& folder,
-                    const Progress& progress, std::span<const EngineContest> contests,
-                    const ProvedClaims& proved) {
+                    const Progress& progress, std::span<const EngineContest> contests, const Trust& trust) {
+  const ProvedClaims& proved = trust.standings.proved();
   for (const char* room : {"", "assets", "data"}) require_writable_folder(folder / room);
-  for (const auto& [name, text] : site_pages(results, proved, parts_at_hand(), contests))
+  for (const auto& [name, text] : site_pages(results, proved, parts_at_hand(), contests, trust))
     write_whole(folder / name, text);
   write_whole(folder / "errata.json", errata_json(results));
   write_whole(folder / "errata.schema.json", errata_schema());

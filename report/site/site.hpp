@@ -12,6 +12,7 @@
 #include "report/study/embedded.hpp"
 #include "report/study/engines.hpp"
 #include "report/study/run.hpp"
+#include "report/study/trust.hpp"
 
 /// The report that runs: one folder, opened by double click, which asks nothing of the net. Pages, scripts
 /// and data are files beside one another; scripts are classic ones and data are scripts too, as a browser
@@ -31,7 +32,7 @@ std::span<const EmbeddedFile> embedded_assets();
 /// All pages by the names of their files. Claims that are proved say so; what the copy lacks, each page says.
 std::map<std::string, std::string> site_pages(const Results&, const ProvedClaims& = {},
                                               const SiteParts& = parts_at_hand(),
-                                              std::span<const EngineContest> = {});
+                                              std::span<const EngineContest> = {}, const Trust& = {});
 
 /// An exercise's page as one file that can be mailed.
 std::string single_page(const Results&, const ExerciseResult&, const Reference&,
@@ -41,6 +42,6 @@ std::string single_page(const Results&, const ExerciseResult&, const Reference&,
 /// Each file is whole or not there. Throws BadInput when the folder cannot be written.
 std::filesystem::path write_site(const Results&, const Reference&, const std::filesystem::path& folder,
                                  const Progress& progress = {}, std::span<const EngineContest> contests = {},
-                                 const ProvedClaims& = {});
+                                 const Trust& = {});
 
 }  // namespace oddity
