@@ -72,10 +72,10 @@ double listed_integral(double a, double shift, int panels) {
 
 Quantity quarter_period(double a, const Reference& truth) {
   const Known known = truth("03_05_quarter_period", {a});
-  constexpr double milliseconds_a_year = 365.25 * 86400 * 1e3;
+  constexpr double milliseconds_a_year = 365.25 * 86400 * 1e3, need = 1e-10;
   Quantity quarter =
       quantity("quarter_period", "sqrt(L/2g)", "time from release to the lowest point", known,
-               {1e-10, filled("ten decimals: @1 ms a year", {1e-10 / known.value[0] * milliseconds_a_year})});
+               {need, filled("ten decimals: @1 ms a year", {need / known.value[0] * milliseconds_a_year})});
   const Knob panels = doubling("panels", 4, 9), points = doubling("points", 2, 6);
   Knob to_roundoff = tolerances();
   to_roundoff.settings.push_back(1e-13);
@@ -105,13 +105,14 @@ Quantity quarter_period(double a, const Reference& truth) {
                                static_cast<long>(n) + 1};
                },
                Outcome::inaccurate, "it subtracts the angle where the text subtracts the angle's cosine"});
-  quarter.add({"listing with the text's integrand", "Simpson", doubling("panels", 64, 6),
-               [=](double n) {
-                 return Answer{listed_integral(a, cos(a), static_cast<int>(n)) + remainder(a, book_epsilon),
-                               static_cast<long>(n) + 1};
-               },
-               Outcome::inaccurate,
-               "Simpson's rule cannot follow the integrand to $10^{-8}$ of its singularity"});
+  quarter.add(
+      {"listing with the text's integrand", "Simpson", doubling("panels", 64, 6),
+       [=](double n) {
+         return Answer{listed_integral(a, cos(a), static_cast<int>(n)) + remainder(a, book_epsilon),
+                       static_cast<long>(n) + 1};
+       },
+       Outcome::inaccurate,
+       filled("Simpson's rule cannot follow the integrand to $@1$ of its singularity", {book_epsilon})});
   quarter.add({substituted, "Simpson", panels,
                [=](double n) { return answer(simpson(smooth, 0, pi / 2, static_cast<int>(n))); }});
   quarter.add({substituted, "trapezoid", panels,
@@ -128,9 +129,10 @@ Quantity quarter_period(double a, const Reference& truth) {
 Quantity swing(const Parameters& p, const Horizon& horizon, const Reference& truth) {
   using namespace pendulum;
   const Given<double> given{p["a"], p["L"], p["g"]};
+  constexpr double need = 1e-6;
   Quantity angle = quantity("swing", "rad", "angle at " + times_up_to(horizon),
                             trajectory(truth, "03_05_swing", {given.a, given.L, given.g}, horizon),
-                            {1e-6, "a fifth of a second of arc"});
+                            {need, filled("@1 seconds of arc", {3600 * need / degree})});
   SceneMethods(angle, horizon, halving("step", 0.125, 9), tolerances())
       .closed_form("small angle", SmallAngle<double>{given}, Outcome::inaccurate,
                    "the period grows with the amplitude")
@@ -150,18 +152,18 @@ Quantity swing(const Parameters& p, const Horizon& horizon, const Reference& tru
     return angles.size() == 0 ? std::nan("")
                               : std::floor((std::abs(angles[angles.size() - 1]) + pi) / (2 * pi));
   });
-  angle.add(
-      Breakdown{"Explicit Euler gains energy at every step: at @2 steps a second the pendulum, let go at "
-                "@3 degrees, has turned over the top @2 times within @2 seconds. The cure is any method "
-                "whose stability reaches up the imaginary axis; classical Runge-Kutta follows the swing at "
-                "@3 steps a second.",
-                "one angle, explicit Euler",
-                0.125,
-                Outcome::diverged,
-                "one angle, Runge-Kutta 4",
-                0.015625,
-                {steps_in_one(Side::broken), given.a / degree, turns_over_the_top, horizon.end,
-                 steps_in_one(Side::cured)}});
+  angle.add(Breakdown{
+      "Explicit Euler gains energy swing after swing: at @2 steps a second the pendulum, let go at "
+      "@3 degrees, has turned over the top @2 times within @2 seconds. The cure is any method "
+      "whose region of stability reaches up the imaginary axis; classical Runge-Kutta follows the swing at "
+      "@3 steps a second.",
+      "one angle, explicit Euler",
+      0.125,
+      Outcome::diverged,
+      "one angle, Runge-Kutta 4",
+      0.015625,
+      {steps_in_one(Side::broken), given.a / degree, turns_over_the_top, horizon.end,
+       steps_in_one(Side::cured)}});
   return with_float(std::move(angle), horizon, given,
                     {"small angle", "amplitude-corrected", "Jacobi's function by its Fourier series",
                      "one angle", "Cartesian with constraint"});
@@ -211,17 +213,39 @@ Scene scene() {
 
 const std::string to_epsilon = R"(\int_0^{a-\epsilon}\frac{d\psi}{\sqrt{\cos\psi-\cos a}})";
 
+/// The integral's tolerance in QAG.
+constexpr double by_qag = 1e-13;
+
+/// From a - to until a - from, by psi = a - s^2; the difference of the cosines as a product.
+double part_of_integral(double from, double to) {
+  const double a = book_angle;
+  const auto smooth = [a](double s) {
+    return s == 0 ? 2 / sqrt(sin(a)) : 2 * s / sqrt(2 * sin(a - s * s / 2) * sin(s * s / 2));
+  };
+  return qag(smooth, sqrt(from), sqrt(to), by_qag).value;
+}
+
+/// What a few roundings of the arc sine's argument, which is nearly 1, make of the remainder.
+double roundings_of_remainder(double epsilon) {
+  constexpr double roundings = 4, unit = 0x1p-53;
+  const double slope = 1 / sqrt(2 * epsilon * cos(book_angle) / sin(book_angle));
+  return sqrt(2 / cos(book_angle)) * slope * roundings * unit;
+}
+
 /// A place to cut the integral at, which is known up to it.
 struct Cut {
   double epsilon, first_part;
-  explicit Cut(double at)
-      : epsilon(at), first_part(qag(singular_integrand(book_angle), 0, book_angle - at, 1e-13).value) {}
+  explicit Cut(double at) : epsilon(at), first_part(part_of_integral(at, book_angle)) {}
   TypesetLetters typeset() const {
     return {{R"(\epsilon)", epsilon}, {"a", book_angle}, {to_epsilon, first_part}};
   }
   Tolerance tolerance(double) const {
     const double next_term = std::pow(epsilon, 2.5) / (30 * sqrt(sin(book_angle)));
-    return {2 * next_term + 1e-12, R"(twice the first term left out, $\epsilon^{5/2}/(30\sqrt{\sin a})$)"};
+    constexpr double quadratures = 10 * by_qag;
+    return {
+        2 * next_term + quadratures + roundings_of_remainder(epsilon),
+        R"(twice the first term left out, $\epsilon^{5/2}/(30\sqrt{\sin a})$, with the quadrature's error )"
+        R"(and roundings under the arc sine's root)"};
   }
   std::string where() const { return R"($\epsilon$ = )" + format_shortest(epsilon); }
 };
@@ -250,8 +274,8 @@ std::vector<Claim> claims(const Reference& truth) {
   const std::string root = R"(\sqrt{\frac2{\cos a}})";
   claims.formula<Cut>(
       "split_formula", 1273, R"($T\approx)" + split(root, "2").substr(1) + R"(, $a=\pi/6$)",
-      {Cut(1e-2), Cut(1e-3)},
-      {.quantity = R"($I(a)$, cut at $\epsilon=10^{-2},10^{-3}$)",
+      {Cut(1e-2), Cut(1e-3), Cut(book_epsilon)},
+      {.quantity = R"($I(a)$, cut at $a-\epsilon$)",
        .truth = {R"($\sqrt2\,K$ by the arithmetic-geometric mean)",
                  [whole = truth("03_05_quarter_period", {a}).value](const Cut&) { return whole; }},
        .printed = {split(root, "2")},
@@ -303,16 +327,13 @@ std::vector<Claim> claims(const Reference& truth) {
       {.printed = {R"($\cos\psi-\pi/6>0$)"}, .near_misses = {{R"($\cos\psi-\cos(\pi/12)>0$)"}}});
 
   const auto last = [&](const std::string& text, double from) {
-    // psi = a - s^2, and the difference of the cosines as a product
-    const auto smooth = [a](double s) {
-      return s == 0 ? 2 / sqrt(sin(a)) : 2 * s / sqrt(2 * sin(a - s * s / 2) * sin(s * s / 2));
-    };
     return Reading{
         text,
         {{"the listing's `remainder`",
           {R"($\sqrt{2/\cos a}\,(\pi/2-\arcsin(1-\epsilon\cos a/\sin a))$)", remainder(a, book_epsilon)},
-          {"QAG of the text's integrand, $\\psi=a-s^2$", qag(smooth, 0, sqrt(from), 1e-13).value},
-          {1e-11, "the roundings of $1-\\epsilon\\cos a/\\sin a$ under the arc sine's root"}}}};
+          {"QAG of the text's integrand, $\\psi=a-s^2$", part_of_integral(0, from)},
+          {roundings_of_remainder(book_epsilon),
+           "the roundings of $1-\\epsilon\\cos a/\\sin a$ under the arc sine's root"}}}};
   };
   claims.add("remainder_interval", 1357,
              R"(The remainder is the term of $[\pi/6-\epsilon,\pi/6]$, for the text's integrand.)",
@@ -325,7 +346,8 @@ std::vector<Claim> claims(const Reference& truth) {
                  .near_misses = {"0.800276"}});
 
   claims.number(
-      "value", 1373, R"(The value of the time, the integral from $30^\circ$, is 0.800275.)",
+      "value", 1373,
+      R"(The value of `pendulumTime` (our reading: of the integral from $30^\circ$) is 0.800275.)",
       {.truth = {R"($\sqrt2\,K(\sin\frac{\pi}{12})$ by the arithmetic-geometric mean)",
                  truth("03_05_quarter_period", {a}).value},
        .printed = "0.800275",
@@ -335,9 +357,9 @@ std::vector<Claim> claims(const Reference& truth) {
        .root = "angle for its cosine",
        .why =
            R"(The listing subtracts `initialAngle` where the text's integrand has $\cos(\pi/6)$: it integrates )"
-           R"($1/\sqrt{\cos\psi-\pi/6}$, which is finite everywhere, and adds a remainder for a singularity that )"
-           R"(is not there. To replace the one term is not enough: Simpson's rule then hits the singularity )"
-           R"((see the methods below).)"});
+           R"($1/\sqrt{\cos\psi-\pi/6}$, which is finite on all of $[0,\pi/6]$, and adds a remainder for a )"
+           R"(singularity that is not there. To replace the one term is not enough: Simpson's rule then takes )"
+           R"(the integrand next to its singularity (see the methods below).)"});
 
   const Route tail{R"($2\sqrt{\epsilon/\sin a}$, the remainder to leading order)", to_leading_order(a)};
   claims.add(
@@ -346,9 +368,11 @@ std::vector<Claim> claims(const Reference& truth) {
        .meant = {"0.000282..., cut off", {as_cut_off("the remainder", "0.000282", tail)}},
        .near_misses = {{"0.000281..., cut off", {as_cut_off("the remainder", "0.000281", tail)}},
                        {"0.000284", {as_written("the remainder", "0.000284", tail)}}},
-       .why = filled("The remainder is @5...: the digits printed are cut off, where those of the time are "
-                     "rounded. The listing adds the unrounded remainder; its time is not affected.",
-                     {tail.value[0]}),
+       .why = filled(
+           "The remainder is @5...: the digits printed are cut off, not rounded. Those of the time, @7, "
+           "are the same either way. The listing adds the unrounded remainder; its time is not "
+           "affected.",
+           {tail.value[0], listed + remainder(a, book_epsilon)}),
        .kind = Fault::number});
   return claims.in_order();
 }
@@ -370,32 +394,33 @@ Provables proofs() {
 }
 
 std::vector<Root> roots() {
-  constexpr double meter = 1, g = 9.81;
-  const double a = book_angle, unit = sqrt(meter / (2 * g)),
+  constexpr double length = 1, g = 9.81;
+  const double a = book_angle, unit = sqrt(length / (2 * g)),
                quarter = std::numbers::sqrt2 * std::comp_ellint_1(sin(a / 2)),
                published = listed_integral(a, a, book_panels) + remainder(a, book_epsilon);
-  const double come = a - pendulum::FourierSeries<double>({a, meter, g}).at(unit * published)[0];
+  const double come = a - pendulum::FourierSeries<double>({a, length, g}).at(unit * published)[0];
   return {
       {"angle for its cosine",
        filled(
-           R"(A pendulum of one metre takes @3 s to its lowest point, $\sqrt2\,K(\sin15^\circ)=@7$ units of )"
+           R"(A pendulum of @1 m takes @3 s to its lowest point, $\sqrt2\,K(\sin@2^\circ)=@7$ units of )"
            R"($\sqrt{L/2g}$, not @3 s: an engine that takes the published number as its cue strikes when the bob )"
            R"(has come @2 of its @2 degrees.)",
-           {unit * quarter, quarter, unit * published, come / degree, a / degree})}};
+           {length, unit * quarter, a / 2 / degree, quarter, unit * published, come / degree, a / degree})}};
 }
 
 Findings study(const Parameters& p, const Reference& truth) {
   Quantity quarter = quarter_period(p["a"], truth);
-  quarter.add(
-      Breakdown{"With the text's integrand the listing is still wrong: one panel of Simpson's rule takes "
-                "the integrand at $@1$ from its singularity, where it is @5, with full weight. The "
-                "substitution removes the singularity, and @2 panels of the trapezoid rule are enough.",
-                "listing with the text's integrand, Simpson",
-                1024,
-                Outcome::inaccurate,
-                "Legendre's substitution, trapezoid",
-                16,
-                {book_epsilon, singular_integrand(p["a"])(p["a"] - book_epsilon), setting_of(Side::cured)}});
+  const double at_end = singular_integrand(p["a"])(p["a"] - book_epsilon);
+  quarter.add(Breakdown{
+      "With the text's integrand the listing is still wrong: one panel of Simpson's rule takes "
+      "the integrand at $@1$ from its singularity, where it is @5, and so adds @2 to the time. The "
+      "substitution removes the singularity, and @2 panels of the trapezoid rule are enough.",
+      "listing with the text's integrand, Simpson",
+      book_panels,
+      Outcome::inaccurate,
+      "Legendre's substitution, trapezoid",
+      16,
+      {book_epsilon, at_end, at_end * (p["a"] - book_epsilon) / book_panels / 3, setting_of(Side::cured)}});
   return {
       claims(truth),
       {quarter, motion(scene(), p, truth)},

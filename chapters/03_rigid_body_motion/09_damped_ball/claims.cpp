@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "chapters/03_rigid_body_motion/09_damped_ball/damped_ball.hpp"
+#include "chapters/03_rigid_body_motion/shared/lagrange.hpp"
 #include "chapters/provable_claims.hpp"
 #include "reference/text.hpp"
 #include "solvers/dual.hpp"
@@ -40,19 +41,35 @@ struct AnywhereOf {
   }
   std::array<T*, 7> letters() { return {&m, &c, &a, &x1, &x2, &v1, &v2}; }
   TypesetIn<T> typeset() const {
-    return {{"m", m}, {"c", c}, {"a", a}, {"x", {x1, x2}}, {R"(\dot x)", {v1, v2}}};
+    return {{"m", m},
+            {"c", c},
+            {"a", a},
+            {"x", {x1, x2}},
+            {R"(\dot x)", {v1, v2}},
+            {R"(\ddot x)", accelerations()}};
   }
   std::string where() const { return "$a$ = " + format_significant(a, 4); }
-  /// m x'' from the two energies.
-  std::array<T, 2> derived() const {
-    const auto lagrangian = [this](const auto& q1, const auto& q2) {
-      return 0.5 * m * (v1 * v1 + v2 * v2) - 0.5 * c * (q1 * q1 + q2 * q2);
-    };
+  /// Of spring and friction, from the potential and Rayleigh's dissipation.
+  Two<T> forces() const {
+    const auto potential = [this](const auto& q1, const auto& q2) { return 0.5 * c * (q1 * q1 + q2 * q2); };
+    const Two<T> friction = friction_by_dissipation();
+    using Along = Dual<T>;
+    const T one = 1;
+    return {friction[0] - potential(Along(x1, one), Along(x2)).slope,
+            friction[1] - potential(Along(x1), Along(x2, one)).slope};
+  }
+  Two<T> friction_by_dissipation() const {
     const auto dissipation = [this](const auto& u1, const auto& u2) { return 0.5 * a * (u1 * u1 + u2 * u2); };
     using Along = Dual<T>;
     const T one = 1;
-    return {lagrangian(Along(x1, one), Along(x2)).slope - dissipation(Along(v1, one), Along(v2)).slope,
-            lagrangian(Along(x1), Along(x2, one)).slope - dissipation(Along(v1), Along(v2, one)).slope};
+    return {-dissipation(Along(v1, one), Along(v2)).slope, -dissipation(Along(v1), Along(v2, one)).slope};
+  }
+  /// By Lagrange's equations with the friction.
+  Two<T> accelerations() const {
+    const auto lagrangian = [this]<class X>(const Two<X>& q, const Two<X>& u) {
+      return X(m / 2) * (u[0] * u[0] + u[1] * u[1]) - X(c / 2) * (q[0] * q[0] + q[1] * q[1]);
+    };
+    return lagrange_accelerations(lagrangian, Two<T>{x1, x2}, Two<T>{v1, v2}, friction_by_dissipation());
   }
 };
 using Anywhere = AnywhereOf<double>;
@@ -198,6 +215,27 @@ struct Constants {
   }
 };
 
+/// An over-damped ball thrown at the origin, and its first coordinate's K1 exp(r1 t) + K2 exp(r2 t).
+struct Passing {
+  Ball ball{1, 4, 5, 1, 2, -9, -18};
+  struct Terms {
+    double r1, r2, k1, k2;
+  } terms;
+
+  Passing() {
+    const auto& [m, c, a, p1, p2, v1, v2] = ball;
+    const double root = sqrt(a * a - 4 * m * c), r1 = (-a + root) / (2 * m), r2 = (-a - root) / (2 * m),
+                 k1 = (v1 - r2 * p1) / (r1 - r2);
+    terms = {r1, r2, k1, p1 - k1};
+  }
+  double factor() const { return ball.v1 / ball.p1; }  ///< of p, which v is
+  double time() const { return std::log(-terms.k2 / terms.k1) / (terms.r1 - terms.r2); }
+  double speed() const {  ///< over |p|, when it passes
+    const auto& [r1, r2, k1, k2] = terms;
+    return abs(k1 * r1 * std::exp(r1 * time()) + k2 * r2 * std::exp(r2 * time())) / abs(ball.p1);
+  }
+};
+
 /// More friction, and still more.
 struct Frictions {
   double a, b;
@@ -205,17 +243,18 @@ struct Frictions {
   std::string where() const {
     return "$a$ = " + format_significant(a, 4) + " and " + format_significant(b, 4);
   }
-  /// How far from the origin a ball let go at rest is after 5 s.
-  static double left(double friction) { return left_after(friction, 5); }
+  static constexpr double m = 1, c = 4, seconds = 5, nearly = 0.01;
+  /// How far from the origin a ball let go at rest is after some seconds.
+  static double left(double friction) { return left_after(friction, seconds); }
   static double left_after(double friction, double t) {
-    return abs(OneForm<double>{{1, 4, friction, 1, 1, 0, 0}}.at(t)[0]);
+    return abs(OneForm<double>{{m, c, friction, 1, 1, 0, 0}}.at(t)[0]);
   }
-  /// When it is within a hundredth of its way, of strong friction.
+  /// When it is nearly at the origin, of strong friction.
   static double home_after(double friction) {
     double early = 0, late = 1000;
     for (int i = 0; i < 60; ++i) {
       const double t = (early + late) / 2;
-      (left_after(friction, t) > 0.01 ? early : late) = t;
+      (left_after(friction, t) > nearly ? early : late) = t;
     }
     return late;
   }
@@ -360,13 +399,13 @@ void equations(Tables& tables, const std::vector<Anywhere>& samples) {
       R"(The generalized forces of spring and friction are $-cx-a\dot x$ for each coordinate)", samples,
       {.quantity = R"($(F_{x_1},F_{x_2})$)",
        .truth = {"the spring's potential and Rayleigh's dissipation by dual numbers",
-                 [](const auto& s) { return s.derived(); }},
+                 [](const auto& s) { return s.forces(); }},
        .printed = R"($-cx-a\dot x$)"});
-  tables.anywhere.formula("equations", 1449, R"(Each coordinate obeys $m\ddot x=-cx-a\dot x$)", samples,
-                          {.quantity = R"($m\ddot x$)",
-                           .truth = {"the Lagrangian and Rayleigh's dissipation by dual numbers",
-                                     [](const auto& s) { return s.derived(); }},
-                           .printed = R"($-cx-a\dot x$)"});
+  tables.anywhere.formula("equations", 1449, R"(Each coordinate obeys $m\ddot x+a\dot x+cx=0$)", samples,
+                          {.quantity = R"($m\ddot x+a\dot x+cx$, the accelerations by Lagrange's equations)",
+                           .truth = {"zero", []<class T>(const AnywhereOf<T>&) { return values(T(0)); }},
+                           .printed = R"($m\ddot x+a\dot x+cx=0$)",
+                           .changes_that_hold = "a factor of zero may have any size and sign"});
 }
 
 void characteristic_roots(ProvableClaims<PolynomialOf>& table, const std::vector<Polynomial>& polynomials) {
@@ -395,9 +434,34 @@ void characteristic_roots(ProvableClaims<PolynomialOf>& table, const std::vector
 }
 
 void solutions(Claims& claims, const std::vector<Polynomial>& polynomials, double seed, Random& random) {
+  const auto both = [](const Polynomial& s, const auto& has) { return has(s.root(1)) && has(s.root(-1)); };
+  const auto are_zeros = [=](const Polynomial& s) {
+    return both(s, [&](const auto& root) {
+      const std::complex<double> r(root.re, root.im);
+      const double terms = s.m * std::norm(r) + s.a * abs(r) + s.c;
+      return abs((s.m * r + s.a) * r + s.c) <= rounding(terms).allowed;
+    });
+  };
+  const auto negative = [=](const Polynomial& s) { return both(s, [](const auto& r) { return r.re < 0; }); };
+  const auto are_real = [=](const Polynomial& s) { return both(s, [](const auto& r) { return r.im == 0; }); };
+  std::vector<Polynomial> with_double_root = polynomials;
+  with_double_root.emplace_back();
+  with_double_root.back().m = 1, with_double_root.back().c = with_double_root.back().a = 4;
   claims.statement<Polynomial>(
-      "negative_roots", 1461, "The roots are real and negative, or complex with negative real part",
-      polynomials, {.printed = {R"($\mathrm{Re}\,r<0$)"}, .near_misses = {{R"($\mathrm{Re}\,r>0$)"}}});
+      "negative_roots", 1461,
+      R"(Both roots are real and negative when $a^2-4mc\ge0$, and complex with negative real parts when )"
+      R"($a^2-4mc<0$)",
+      with_double_root,
+      {.printed = {"the text's roots are zeros of the polynomial, and are such",
+                   [=](const Polynomial& s) {
+                     return are_zeros(s) && negative(s) && are_real(s) == (s.a * s.a - 4 * s.m * s.c >= 0);
+                   }},
+       .near_misses = {
+           {R"(roots with $\mathrm{Re}\,r>0$)",
+            [=](const Polynomial& s) { return both(s, [](const auto& r) { return r.re > 0; }); }},
+           {"real and negative for any $a$", [=](const Polynomial& s) { return negative(s) && are_real(s); }},
+           {"real when $a^2-2mc\\ge0$",
+            [=](const Polynomial& s) { return are_real(s) == (s.a * s.a - 2 * s.m * s.c >= 0); }}}});
 
   const Ball critical{1, 4, 4, 1, 0.5, 0, 1.5};
   const auto at_double_root = [&](const std::string& by, const Value& x) {
@@ -431,13 +495,17 @@ void solutions(Claims& claims, const std::vector<Polynomial>& polynomials, doubl
        .root = "the double root"});
 
   claims.statement<Constants>(
-      "limit", 1471, "Whatever $K_1$ and $K_2$, $x(t)$ tends to zero", next<Constants>(random, 200),
+      "limit", 1471,
+      "Whatever $K_1$ and $K_2$, $x(t)$ tends to zero (our check: at $t=500$, with $m=1$ and $c=4$)",
+      next<Constants>(random, 200),
       {.printed = {"$|x(500)|<10^{-12}$"},
        .near_misses = {{R"(without the spring, $c=0$, $|x(500)|<10^{-12}$)",
                         [](const Constants& s) { return abs(s.k1 + s.k2 * std::exp(-s.a * 500)) < 1e-12; }},
                        {"$|x(100)|<10^{-12}$"}}});
 
-  const Ball thrown{1, 4, 5, 1, 2, -9, -18};
+  const Passing throw_in;
+  const Ball& thrown = throw_in.ball;
+  const auto& [r1, r2, k1, k2] = throw_in.terms;
   const auto passes = [&](std::string text, double time) -> Reading {
     return {std::move(text),
             {{"$x$ at $t=" + format_significant(time, 3) + "$",
@@ -446,24 +514,27 @@ void solutions(Claims& claims, const std::vector<Polynomial>& polynomials, doubl
               rounding(2),
               2}}};
   };
-  const double third = std::log(8.0 / 5.0) / 3;
   claims.add(
       "overdamped_never_arrives", 1477,
-      "With real roots the ball reaches the origin only after infinite time",
+      "With real roots the ball reaches the origin after an infinite time (our reading: and not before)",
       {.printed = {"$|x|>0$ for all $t$",
-                   {no_violations("$x_1(1)$ has changed its sign: the origin is passed by then",
-                                  OneForm<double>{thrown}.at(1)[0] < 0, 1,
-                                  "$m=1$, $c=4$, $a=5$, $p=(1,2)$, $v=-9p$")}},
+                   {no_violations(
+                       "$x_1(1)$ has changed its sign: the origin is passed by then",
+                       OneForm<double>{thrown}.at(1)[0] < 0, 1,
+                       filled("$m=@1$, $c=@1$, $a=@1$, $p=(@1,@1)$, $v=@1p$",
+                              {thrown.m, thrown.c, thrown.a, thrown.p1, thrown.p2, throw_in.factor()}))}},
        .corrected = passes("a ball thrown at the origin faster than $|r_2||p|$ passes it once, at "
                            "$e^{(r_1-r_2)t}=-K_2/K_1$",
-                           third),
-       .near_misses = {passes("at $e^{(r_1-r_2)t}=K_2/K_1$", -third),
-                       passes("at $e^{r_1t}=-K_2/K_1$", 3 * third)},
+                           throw_in.time()),
+       .near_misses = {passes("at $e^{(r_1-r_2)t}=-K_1/K_2$", std::log(-k1 / k2) / (r1 - r2)),
+                       passes("at $e^{r_1t}=-K_2/K_1$", std::log(-k2 / k1) / r1)},
        .why = filled(
            R"(With $p$ and $v$ parallel both coordinates vanish together once if $v$ points to the origin and )"
-           R"($|v|>|r_2||p|$. For $m=1$, $c=4$, $a=5$ the roots are $-1$ and $-4$; from $p$ with $v=-9p$, )"
-           R"($x=\frac13(-5e^{-t}+8e^{-4t})\,p$ is zero at $t=\frac13\ln\frac85=@3$.)",
-           {third}),
+           R"($|v|>|r_2||p|$. For $m=@1$, $c=@1$, $a=@1$ the roots are $@1$ and $@1$; from $p$ with $v=@1p$, )"
+           R"($x=(K_1e^{r_1t}+K_2e^{r_2t})\,p$ with $K_1=@3$ and $K_2=@3$ is zero at )"
+           R"($t=\ln(-K_2/K_1)/(r_1-r_2)=@3$.)",
+           {thrown.m, thrown.c, thrown.a, r1, r2, throw_in.factor(), k1 / thrown.p1, k2 / thrown.p1,
+            throw_in.time()}),
        .kind = Fault::counterexample,
        .root = "a fast throw"});
 
@@ -471,7 +542,8 @@ void solutions(Claims& claims, const std::vector<Polynomial>& polynomials, doubl
       "larger_friction_sooner", 1477,
       "With real roots, the larger the friction, the sooner the ball is nearly at the origin",
       next<Frictions>(random, 100),
-      {.printed = {"the distance left after 5 s, let go at rest, falls with $a$",
+      {.printed = {filled("the distance left after @1 s, let go at rest, falls with $a$",
+                          {Frictions::seconds}),
                    [](const Frictions& s) { return s.left(s.b) < s.left(s.a); }},
        .corrected = {R"(it grows with $a$ beyond the critical $2\sqrt{mc}$)",
                      [](const Frictions& s) { return s.left(s.b) > s.left(s.a); }},
@@ -498,7 +570,7 @@ void oscillations(Tables& tables, const std::vector<Oscillation>& samples,
                   R"(+\alpha e^{\alpha t}(K_1\cos\beta t+K_2\sin\beta t)$)"});
   tables.oscillation.formula(
       "arrival_conditions", 1501,
-      R"(A coordinate is zero where $K_1\cos\beta t+K_2\sin\beta t$ is, as the exponential is never zero)",
+      R"(A coordinate is zero where $K_1\cos\beta t+K_2\sin\beta t$ is, as the exponential is not zero for finite time)",
       samples,
       {.quantity = R"($x/e^{\alpha t}$)",
        .truth = {R"($x$, divided by its exponential)",
@@ -573,6 +645,9 @@ struct Start {
   }
   Tolerance tolerance(double) const { return found.known; }
 };
+/// The ball of the examples, with little friction.
+constexpr Ball weak(double p1, double p2, double v1, double v2) { return {1, 4, 0.4, p1, p2, v1, v2}; }
+
 /// Such a ball when it is at the origin.
 struct AtOrigin : Start {
   Tolerance tolerance(double size) const {
@@ -673,8 +748,8 @@ void arrivals(Claims& claims, double seed) {
   }
   claims.formula<Start>(
       "arrival_quotient", 1517,
-      R"(The quotient in the arrival's arctangent, $-\beta p_1/(v_1-\alpha p_1)$, is a number unless it )"
-      R"(is $0/0$)",
+      R"(The quotient in the arrival's arctangent, $-\beta p_1/(v_1-\alpha p_1)$, is a number (our reading: )"
+      R"(unless it is $0/0$))",
       on_axis,
       {.quantity = when,
        .truth = by_bisection,
@@ -707,18 +782,19 @@ void arrivals(Claims& claims, double seed) {
     }
     return {std::move(text), {worst.check()}};
   };
-  const Ball away{1, 4, 0.4, 1, 2, 1, 2}, aside{1, 4, 0.4, 1, 2, 1, 1};
-  const auto [w1, w2] = OneForm<double>{away}.at(first_passage(away).time);
-  claims.add("finite_time", 1523, "For $p$ and $v$ parallel the ball reaches the origin in finite time",
+  const Ball away = weak(1, 2, 1, 2), aside = weak(1, 2, 1, 1);
+  const Reading returns = passing("$p$ and $v$ parallel, in either direction", {{away, "$v=p$"}});
+  claims.add("finite_time", 1525, "For $p$ and $v$ parallel the ball reaches the origin in finite time",
              {.printed = passing("it passes through the origin", directions),
               .near_misses = {passing("so it does for any $v$", {{aside, "$v=(1,1)$"}})}});
   claims.add(
       "velocity_points_to_origin", 1525,
       "A ball that reaches the origin has a velocity that points to the origin at the start",
       {.printed = {R"($p\cdot v<0$ in every start that arrives)",
-                   {no_violations(R"($p\cdot v\ge0$ though the ball arrives, $p=(1,2)$, $v=p$)",
-                                  size_of({w1, w2}) < 1e-9, 1)}},
-       .corrected = passing("$p$ and $v$ parallel, in either direction", {{away, "$v=p$"}}),
+                   {no_violations(filled(R"($p\cdot v\ge0$ though the ball arrives, $p=(@1,@1)$, $v=p$)",
+                                         {away.p1, away.p2}),
+                                  returns.holds(), 1)}},
+       .corrected = returns,
        .near_misses = {passing("any direction", {{aside, "$v=(1,1)$"}})},
        .why =
            "Parallel is enough: a ball that moves straight away from the origin turns round and comes back "
@@ -726,6 +802,8 @@ void arrivals(Claims& claims, double seed) {
        .kind = Fault::counterexample,
        .root = "a ball that turns back"});
 
+  const Start at_rest{weak(1, 0, 0, 0), ""};
+  const Ball& b = at_rest.ball;
   std::vector<AtOrigin> starts;
   any = Random(seed);
   for (int i = 0; i < 100; ++i) {
@@ -745,15 +823,18 @@ void arrivals(Claims& claims, double seed) {
        .kind = Fault::lost_typography,
        .why = filled(
            "The fraction bar is lost in the text at hand, here and in line 1529; lines 1505 and 1511 have "
-           "it. For $m=1$, $c=4$, $a=0.4$ and $p=1$ at rest the pair is $(1,@2)$, and $(1,@2)$ with the "
+           "it. For $m=@1$, $c=@1$, $a=@1$ and $p=@1$ at rest the pair is $(@1,@2)$, and $(@1,@2)$ with the "
            "product.",
-           {0.2 / sqrt(3.96), 0.2 * sqrt(3.96)})});
+           {b.m, b.c, b.a, b.p1, b.p1, -at_rest.alpha() * b.p1 / at_rest.beta(), b.p1,
+            -at_rest.alpha() * b.p1 * at_rest.beta()})});
 }
 
 void not_parallel(Tables& tables, const std::vector<Pairs>& pairs, const std::vector<Aside>& samples) {
   tables.pairs.formula(
       "both_zero_parallel", 1541,
-      R"(Where both coordinates are zero, $p$ and $(v-\alpha p)/\beta$ are parallel)", pairs,
+      R"(Where both coordinates are zero, $p$ and $(v-\alpha p)/\beta$ are parallel (the text has `beta` )"
+      R"(for the letter))",
+      pairs,
       {.quantity = R"($p_1k_2-p_2k_1$, $k=(v-\alpha p)/\beta$)",
        .truth = {"the vectors' product", [](const auto& s) { return s.p1 * s.k2 - s.p2 * s.k1; }},
        .printed = R"($(p_1\cos\beta t+k_1\sin\beta t)(k_2\cos\beta t-p_2\sin\beta t))"
@@ -776,7 +857,8 @@ void comes_to_rest(Claims& claims, const std::vector<UnderDamped>& samples) {
   };
   claims.statement<UnderDamped>(
       "infinite_time", 1541,
-      R"(The ball reaches the origin in infinite time, since $e^{\alpha t}$ tends to zero for $\alpha<0$)",
+      R"(The ball reaches the origin in infinite time, since $e^{\alpha t}$ tends to zero for $\alpha<0$ (our )"
+      R"(check: at $t=40/|\alpha|$))",
       samples,
       {.printed = near_zero(R"($|x|<10^{-12}$ at $t=40/|\alpha|$)", 1),
        .near_misses = {near_zero(R"($|x|<10^{-12}$ then without friction, $\alpha=0$)", 0)}});
@@ -955,7 +1037,10 @@ Provables proofs() {
       all.push_back(std::move(proof));
     }
   };
-  take(tables.anywhere, any<AnywhereOf>({"m", "c", "a", "x1", "x2", "v1", "v2"}, "field"));
+  auto anywhere =
+      any<AnywhereOf>({"m", "c", "a", "x1", "x2", "v1", "v2"}, "field; repeat split; apply Rgt_not_eq; nra");
+  anywhere.given = positive({anywhere.any.m});
+  take(tables.anywhere, anywhere);
   auto polynomial = any<PolynomialOf>({"m", "c", "a", "r"}, "by_parts_of_the_root m c a");
   const auto& k = polynomial.any;
   polynomial.given = positive({k.m, k.c, k.a});
@@ -987,44 +1072,52 @@ Provables proofs() {
 }
 
 std::vector<Root> roots() {
-  // beta of m = 1, c = 4, a = 0.4, whose alpha is -0.2, and what the formula says of a start at rest
-  const double beta = sqrt(3.96), at_rest = std::atan(-beta / 0.2) / beta, throw_time = std::log(1.6) / 3;
+  using F = Frictions;
+  constexpr double second = 1;
+  const double critical = 2 * sqrt(F::m * F::c), stronger = 2 * critical, strong = 10 * critical;
+  const Passing thrown;
+  const Start at_rest{weak(1, 0, 0, 0), ""}, across{weak(0, 1, 0, 0), ""};
+  const double alpha = at_rest.alpha();
+  const Start cosine{weak(1, 0, alpha, 0), ""}, away{weak(1, 2, 1, 2), ""};
+  const auto& [m, c, a, p1, p2, v1, v2] = away.ball;
+  const double by_formula = std::atan(-at_rest.beta() / -alpha) / at_rest.beta();
   return {
       {"the double root",
        filled(
            R"(A door closer with the friction $2\sqrt{mc}$, which shuts it fastest without swinging, gets NaN for its )"
-           R"(position; for $m=1$, $c=4$ the door, let go at rest, is at @2 of its start after a second.)",
-           {Frictions::left_after(4, 1)})},
+           R"(position; for $m=@1$, $c=@1$ the door, let go at rest, is at @2 of its start after @1 s.)",
+           {F::m, F::c, F::left_after(critical, second), second})},
       {"a fast throw",
        filled(
-           R"(A game that rules the hit out for strong friction lets a ball, thrown from $p$ with $v=-9p$ at $m=1$, )"
-           R"($c=4$, $a=5$, through its goal after @3 s, at @2 $|p|$ a second, unseen.)",
-           {throw_time, (32 * std::exp(-4 * throw_time) - 5 * std::exp(-throw_time)) / 3})},
+           R"(A game that rules the hit out for strong friction lets a ball, thrown from $p$ with $v=@1p$ at $m=@1$, )"
+           R"($c=@1$, $a=@1$, through its goal after @3 s, at @2 $|p|$ a second, unseen.)",
+           {thrown.factor(), thrown.ball.m, thrown.ball.c, thrown.ball.a, thrown.time(), thrown.speed()})},
       {"too much friction",
        filled(
-           R"(Whoever turns the friction up to have the ball home sooner waits longer: for $m=1$, $c=4$ it is within a )"
-           R"(hundredth of its way after @2 s with $a=4$, after @2 s with $a=8$, and after @2 s with $a=40$.)",
-           {Frictions::home_after(4), Frictions::home_after(8), Frictions::home_after(40)})},
+           R"(Whoever turns the friction up to have the ball home sooner waits longer: for $m=@1$, $c=@1$ it is within )"
+           R"(@1 of its way after @2 s with $a=@1$, after @2 s with $a=@1$, and after @2 s with $a=@2$.)",
+           {F::m, F::c, F::nearly, F::home_after(critical), critical, F::home_after(stronger), stronger,
+            F::home_after(strong), strong})},
       {"the first equation alone",
        filled(
-           R"(A ball that swings along the $x_2$-axis gets NaN for its time: let go at rest with $m=1$, $c=4$, )"
-           R"($a=0.4$ it reaches the origin after @3 s all the same.)",
-           {at_rest + pi / beta})},
+           R"(A ball that swings along the $x_2$-axis gets NaN for its time: let go at rest with $m=@1$, $c=@1$, )"
+           R"($a=@1$ it reaches the origin after @3 s all the same.)",
+           {m, c, a, across.found.time})},
       {"the arctangent's branch",
        filled(
-           R"(For $m=1$, $c=4$, $a=0.4$ and a start at rest the formula says $@3$ s, not @3 s: a game that )"
+           R"(For $m=@1$, $c=@1$, $a=@1$ and a start at rest the formula says $@3$ s, not @3 s: a game that )"
            R"(schedules the hit for that moment has it in the past, and the event never fires.)",
-           {at_rest, at_rest + pi / beta})},
+           {m, c, a, by_formula, at_rest.found.time})},
       {"a zero denominator",
        filled(
-           R"(With $m=1$, $c=4$, $a=0.4$ and $v=-0.2\,p$ the ball is at the origin after @3 s, and a program that )"
+           R"(With $m=@1$, $c=@1$, $a=@1$ and $v=@1\,p$ the ball is at the origin after @3 s, and a program that )"
            R"(divides depends on what it makes of $p_1/0$.)",
-           {pi / (2 * beta)})},
+           {m, c, a, alpha, cosine.found.time})},
       {"a ball that turns back",
        filled(
-           R"(With $m=1$, $c=4$, $a=0.4$, a ball sent off from $(1,2)$ m at $(1,2)$ m/s is back at the origin after )"
-           R"(@3 s: a game that tests $p\cdot v<0$ leaves this hit out.)",
-           {forward(std::atan(-beta / 1.2)) / beta})}};
+           R"(With $m=@1$, $c=@1$, $a=@1$, a ball sent off from $(@1,@1)$ m at $(@1,@1)$ m/s is back at the origin )"
+           R"(after @3 s: a game that tests $p\cdot v<0$ leaves this hit out.)",
+           {m, c, a, p1, p2, v1, v2, away.found.time})}};
 }
 
 }  // namespace oddity::ex03_09

@@ -15,6 +15,8 @@ Quantity path(const std::string& name, const std::string& says, const Ball&, con
               const Reference&);
 /// Let go at rest with friction below the critical.
 Quantity first_arrival(const Ball& at_rest);
+/// Of the critical friction, what is above it.
+constexpr double above_critical = 1e-13;
 /// Friction just above critical: the closed forms alone.
 Quantity near_critical_path(const Ball&, const Horizon&, const Reference&);
 Quantity stability_limit(const Ball&);

@@ -61,9 +61,12 @@ Findings study(const Parameters& p, const Reference& truth) {
   const Horizon horizon{scene().horizon};
   const Ball ball = asked(p);
   Ball near_critical = ball, stiff = ball;
-  near_critical.a = 2 * std::sqrt(ball.m * ball.c) * (1 + 1e-13);
-  stiff.a = 20 * std::sqrt(ball.m * ball.c);
-  Quantity fast = path("stiff", "the same with ten times the critical friction", stiff, horizon, truth);
+  constexpr double times_critical = 10;
+  const double critical = 2 * std::sqrt(ball.m * ball.c);
+  near_critical.a = critical * (1 + above_critical);
+  stiff.a = times_critical * critical;
+  Quantity fast = path("stiff", filled("the same with @2 times the critical friction", {times_critical}),
+                       stiff, horizon, truth);
   const double fast_root = -(stiff.a + std::sqrt(stiff.a * stiff.a - 4 * stiff.m * stiff.c)) / (2 * stiff.m);
   fast.add(
       Breakdown{"The fast root is @2 per second: explicit Euler diverges for steps above @1 s, though the "
@@ -77,8 +80,7 @@ Findings study(const Parameters& p, const Reference& truth) {
   std::vector<Quantity> quantities{motion(scene(), p, truth),
                                    near_critical_path(near_critical, horizon, truth), fast,
                                    stability_limit(stiff)};
-  if (const double critical = 2 * std::sqrt(ball.m * ball.c);
-      ball.a < 0.9 * critical && (ball.p1 != 0 || ball.p2 != 0))
+  if (ball.a < 0.9 * critical && (ball.p1 != 0 || ball.p2 != 0))
     quantities.push_back(first_arrival({ball.m, ball.c, ball.a, ball.p1, ball.p2, 0, 0}));
   return {
       claims(p["seed"]), quantities, roots(),

@@ -64,9 +64,9 @@ Quantity first_arrival(const Ball& at_rest) {
 }
 
 Quantity near_critical_path(const Ball& b, const Horizon& horizon, const Reference& truth) {
-  Quantity q =
-      quantity("near_critical", "m", "the same with friction $10^{-13}$ of itself above the critical",
-               true_path(b, horizon, truth), {1e-12, "twelve decimals"});
+  Quantity q = quantity("near_critical", "m",
+                        filled("the same with friction $@1$ of itself above the critical", {above_critical}),
+                        true_path(b, horizon, truth), {1e-12, "twelve decimals"});
   SceneMethods(q, horizon, no_knob(), no_knob())
       .closed_form("one form for all regimes", OneForm<double>{b})
       .closed_form("two exponentials", TwoExponentials<double>{b}, Outcome::inaccurate,

@@ -101,8 +101,9 @@ struct SampleOf {
     const auto pipe = axes(Dual<T>(q[0], v[0]), Dual<T>(q[1]))[2];
     return {v[1] * pipe[0].slope, v[1] * pipe[1].slope, v[1] * pipe[2].slope};
   }
-  /// (theta, psi, theta', psi') after 2 s under gravity and a force along x.
-  std::array<double, 4> after_two_seconds(double along_x) const {
+  static constexpr double span = 2;  ///< s
+  /// (theta, psi, theta', psi') after the span under gravity and a force along x.
+  std::array<double, 4> after_the_span(double along_x) const {
     const auto rhs = [&](const std::array<double, 4>& x, std::array<double, 4>& dxdt, double) {
       SampleOf now = *this;
       now.q = {x[0], x[1]};
@@ -110,7 +111,7 @@ struct SampleOf {
       const Pair a = now.accelerations(along_x * now.lever()[0], g);
       dxdt = {x[2], x[3], a[0], a[1]};
     };
-    return ode::integrate<ode::RungeKutta4>(rhs, std::array{q[0], q[1], v[0], v[1]}, 0, 2, 0.05).value;
+    return ode::integrate<ode::RungeKutta4>(rhs, std::array{q[0], q[1], v[0], v[1]}, 0, span, 0.05).value;
   }
 };
 using Sample = SampleOf<double>;
@@ -120,14 +121,15 @@ namespace {
 
 using S = const Sample&;
 
-/// Two of (theta, psi, theta', psi') after 2 s against their values at the start.
+/// Two of (theta, psi, theta', psi') after the span against their values at the start.
 Reading unchanged(const std::string& text, const std::string& what, double seed, std::size_t first,
                   double along_x = 0) {
   const Formula<Sample> later{"Lagrange's equations under gravity, integrated", [=](S s) {
-                                const auto x = s.after_two_seconds(along_x);
+                                const auto x = s.after_the_span(along_x);
                                 return values(x[first], x[first + 1]);
                               }};
-  WorstSample worst(what + " after 2 s", what + " at the start", what + " after 2 s: " + later.text, 512);
+  const std::string after = what + filled(" after @1 s", {Sample::span});
+  WorstSample worst(after, what + " at the start", after + ": " + later.text, 512);
   for (const Sample& s : draw<Sample>(20, seed)) {
     const std::array start{s.q[0], s.q[1], s.v[0], s.v[1]};
     worst.add({start[first], start[first + 1]}, later.of(s), size_of_terms(later, s), s.where());
@@ -189,7 +191,8 @@ void equations(Table& table, const std::vector<Sample>& samples) {
                  .printed = {"Lagrange's equations under gravity", under_gravity(0)},
                  .near_misses = {{R"(the same with a force of 0.1 on $\theta$)", under_gravity(0.1)}}});
   table.formula(
-      "angular_accelerations", 2575, "Pipe and disk have no angular acceleration, each about its own axis",
+      "angular_accelerations", 2575,
+      "Pipe and disk have no angular acceleration (our reading: the pipe about the vertical, the disk about the pipe)",
       samples,
       {.quantity = "the angular acceleration",
        .truth = {"zero", []<class T>(const SampleOf<T>&) { return values(T(0), T(0), T(0)); }},
@@ -218,9 +221,12 @@ void upright(Claims& claims, const std::vector<Sample>& samples) {
             {compare<Sample>("Lagrange's left sides of an upright pipe under gravity",
                              {text, [=](S s) { return Value(left(s)); }}, zero, samples)}};
   };
+  auto steep = usual;
+  steep.phi = nearly_upright;
   const std::string quotient = R"($\ddot\theta=F_\theta/((mL^2+\mu_2)\sin^2\phi))";
   claims.add(
-      "upright", 2559, quotient + R"($, and so without a force zero, for a pipe of any inclination)",
+      "upright", 2559,
+      quotient + R"($, and so without a force zero (our reading: for a pipe of any inclination))",
       {.printed = reading(quotient + R"($ at every $\phi$, 0 as well)", [](S up) { return quotients(up); }),
        .corrected = reading(quotient + R"($ where $\sin\phi\ne0$; for $\phi=0$ it is any number, and )"
                                        R"($\ddot\psi=-\ddot\theta$)",
@@ -238,9 +244,9 @@ void upright(Claims& claims, const std::vector<Sample>& samples) {
        .why = filled(
            R"(An upright pipe has $\sin\phi=0$: the quotient is 0/0 without any force, and a program that )"
            R"(divides has NaN in its first step. Both angles turn the disk about the same line then, and )"
-           R"(the equations fix their sum alone. At $\phi=0.01$ the default disk has only @2 kg m$^2$ under )"
+           R"(the equations fix their sum alone. At $\phi=@1$ the default disk has only @2 kg m$^2$ under )"
            R"(the bar, and a small force already makes large accelerations.)",
-           {(4 + 1.0 / 16) * pow(std::sin(0.01), 2)}),
+           {steep.phi, steep.inertia()}),
        .kind = Fault::left_out,
        .root = "division by an upright pipe"});
 }
@@ -255,7 +261,7 @@ void turning_axis(Claims& claims, const std::vector<Sample>& samples) {
                              {"zero", [](S) { return values(0, 0); }}, samples)}};
   };
   claims.add(
-      "disk_vector", 2575, "The angular acceleration of the disk is zero",
+      "disk_vector", 2575, "The angular acceleration of the disk (our reading: the vector) is zero",
       {.printed = {R"(the vector $\dot\theta k+\dot\psi u$ is constant, $u$ being the pipe's direction)",
                    {compare<Sample>(R"(the rate of $\dot\theta k+\dot\psi u$)",
                                     {"dual numbers", [](S s) { return Value(s.angular_acceleration()); }},
@@ -266,7 +272,7 @@ void turning_axis(Claims& claims, const std::vector<Sample>& samples) {
            R"(The text means the two angles' second derivatives. The disk's angular velocity, )"
            R"($\dot\theta k+\dot\psi u$, turns with the pipe: its rate is $\dot\theta\dot\psi\,k\times u$, )"
            R"(of the size @3 rad/s$^2$ in the default motion, and the bearings have to bring the torque for it.)",
-           {0.5 * 10 * std::sin(1.0)}),
+           {usual.theta_dot * usual.psi_dot * std::sin(usual.phi)}),
        .kind = Fault::term});
 }
 
@@ -423,7 +429,7 @@ std::vector<Root> roots() {
        filled(
            "Stand the default disk's pipe upright, and a program that divides has NaN for both angles after its "
            "first step: the disk is gone from the screen, where it should spin on at @3 rad/s.",
-           {10 + 0.5})}};
+           {usual.psi_dot + usual.theta_dot})}};
 }
 
 }  // namespace oddity::ex03_21

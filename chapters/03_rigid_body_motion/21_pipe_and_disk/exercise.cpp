@@ -24,15 +24,15 @@ namespace ex03_21 {
 using namespace pipe_and_disk;
 
 constexpr Parameter parameters[] = {
-    {"m", 1, "kg", "mass of the disk", 1e-3, 1e5},
-    {"L", 2, "m", "length of the pipe", 1e-3, 1e4},
-    {"r", 0.5, "m", "radius of the disk", 1e-3, 1e4},
-    {"phi", 1, "rad", "inclination of the pipe from the vertical", 0.01, 3.14},
-    {"f", 3, "N", "horizontal force on the disk's center", 1e-6, 1e6},
-    {"k", 0.2, "N s/m", "friction of the disk's center", 0, 1e4},
-    {"theta", 2, "rad", "start: angle of the pipe from the force", -3.14, 3.14},
-    {"theta_dot", 0.5, "rad/s", "start: its speed", -1e3, 1e3},
-    {"psi_dot", 10, "rad/s", "start: the disk's speed about the pipe", -1e5, 1e5},
+    {"m", usual.m, "kg", "mass of the disk", 1e-3, 1e5},
+    {"L", usual.L, "m", "length of the pipe", 1e-3, 1e4},
+    {"r", usual.r, "m", "radius of the disk", 1e-3, 1e4},
+    {"phi", usual.phi, "rad", "inclination of the pipe from the vertical", 0.01, 3.14},
+    {"f", usual.f, "N", "horizontal force on the disk's center", 1e-6, 1e6},
+    {"k", usual.k, "N s/m", "friction of the disk's center", 0, 1e4},
+    {"theta", usual.theta, "rad", "start: angle of the pipe from the force", -3.14, 3.14},
+    {"theta_dot", usual.theta_dot, "rad/s", "start: its speed", -1e3, 1e3},
+    {"psi_dot", usual.psi_dot, "rad/s", "start: the disk's speed about the pipe", -1e5, 1e5},
     {"seed", 321, "", "seed of the random samples", 0, 1e9, whole_number},
 };
 
@@ -168,9 +168,10 @@ Findings study(const Parameters& p, const Reference& truth) {
   const Horizon horizon{seconds};
   Given<double> free = pushed, frictionless = pushed, steep = pushed;
   free.f = free.k = frictionless.k = 0;
-  steep.phi = 0.01;
-  Quantity fast = under_force("nearly_upright", "the same with the pipe at 0.01 rad from the vertical", steep,
-                              horizon, truth);
+  steep.phi = nearly_upright;
+  Quantity fast =
+      under_force("nearly_upright", filled("the same with the pipe at @1 rad from the vertical", {steep.phi}),
+                  steep, horizon, truth);
   fast.add(
       Breakdown{R"(Where the pipe is nearly upright the division by $\sin^2\phi$ makes a slow swing a quick )"
                 "one: explicit Euler at @2 steps a second gains energy and whirls round. Runge-Kutta's "

@@ -155,15 +155,15 @@ void state(Table& table, const std::vector<Sample>& samples) {
        .kind = Fault::lost_typography,
        .why = filled(
            R"(The fraction bar is lost in the text at hand: $1-\ell/\sqrt{\dots}$. As a product it subtracts )"
-           R"(an area from a number. At the level bar of the scene, $h=0.8$ m and $\ell=1$ m, it is @2 for )"
+           R"(an area from a number. At the level bar of the scene, $h=@1$ m and $\ell=@1$ m, it is @2 for )"
            R"($@2$: the pressed spring, which holds the bar up, would pull it down.)",
-           {1 - 1 * 0.8, 1 - 1 / 0.8})});
+           {usual.h, usual.ell, 1 - usual.ell * usual.h, 1 - usual.ell / usual.h})});
 
   const std::string condition = R"($mgr+cs(h-\ell)$)";
   table.formula(
       "equilibrium_terms", 2623,
-      R"(The level bar is in equilibrium when all terms at $\theta=0$ but that in $\ddot\theta$ add up )"
-      R"(to zero: they are $mgr+cs(h-\ell)$)",
+      R"(The level bar is in equilibrium when all terms at $\theta=0$ but that in $\ddot\theta$ evaluate to )"
+      R"(zero (our reading: their sum, which is $mgr+cs(h-\ell)$))",
       samples,
       {.quantity = R"(the condition of equilibrium has all terms at $\theta=0$ but the one in $\ddot\theta$)",
        .truth = {R"($-mr^2\ddot\theta$ of the level bar at rest, by Lagrange's equation)",

@@ -7,6 +7,9 @@
 
 namespace oddity::ex03_23 {
 
+/// The exercise's parameters where nothing else is asked.
+constexpr spring_bar::Given<double> usual{1, 1, 0.5, 98.1, 0.8, 9.81, 1, 0.3, 0};
+
 std::vector<Claim> claims(double seed);
 
 }  // namespace oddity::ex03_23

@@ -10,6 +10,11 @@ namespace oddity::two_bodies {
 
 using Bodies = Given<double>;
 
+/// The exercise's parameters where nothing else is asked.
+constexpr Bodies usual{1, 2, 1, 1, 0.25, 0.5, 1.5};
+constexpr double seconds = 4;  ///< of the motion
+constexpr double need = 1e-6;  ///< m
+
 /// Of the table of paths, but for the time.
 std::vector<double> inputs(const Bodies&);
 

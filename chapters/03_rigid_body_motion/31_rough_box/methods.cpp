@@ -87,6 +87,9 @@ Solved<Pose> with_stick_test(const Box& b, double h) {
 
 // ---- the quantities ---------------------------------------------------------------------------------------
 
+constexpr double need_of_place = 1e-6;  ///< m and rad
+std::string says_need() { return filled("a micrometre, @1 seconds of arc", {3600 * need_of_place / degree}); }
+
 Value place(const Pose& rest) { return {rest[1], rest[2], rest[3]}; }
 Value moment(const Pose& rest) { return rest[0]; }
 
@@ -133,7 +136,7 @@ Quantity rest(const Box& box, const Reference& truth) {
   Known known = true_rest(box, truth);
   known.value.erase(known.value.begin());
   Quantity q = quantity("rest", "m, m, rad", "position and angle at which the box comes to rest", known,
-                        {1e-6, "a micrometre, a fifth of a second of arc"});
+                        {need_of_place, says_need()});
   add_stopping(q, box, place);
   const Knob softness{"softness", {0.3, 0.1, 0.03, 0.01, 0.003, 0.001, 0.0003, 0.0001}};
   q.add({in_time, "Runge-Kutta 4", halving("step", 0.0625, 6),
@@ -216,12 +219,13 @@ Quantity slide(const Box& box, const Horizon& horizon, const Reference& truth) {
   Quantity q = quantity("slide", "m, m, rad", "position and angle at four times, the last after the stop",
                         trajectory(truth, "03_31_slide",
                                    {box.foot.a, box.foot.b, box.mu, box.g, box.u0, box.v0, box.w0}, horizon),
-                        {1e-6, "a micrometre, a fifth of a second of arc"});
+                        {need_of_place, says_need()});
   const Knob steps = halving("step", 0.0625, 10), stretched_steps = halving("step", 0.5, 8);
-  const InTime<double> full{box}, softened{box, 0.01};
+  constexpr double softness = 0.01;
+  const InTime<double> full{box}, softened{box, softness};
   const std::string soft_1 = "friction regularized at 1 cm/s", order = "its order is too low for this need",
                     trembles = "at the stop friction changes its sign at every step: the box trembles",
-                    creeps = "below a centimetre a second friction is too weak";
+                    creeps = filled("below @1 cm/s friction is too weak", {softness / centimeter});
   SceneMethods(q, horizon, steps, tolerances(2, 4, 1))
       .closed_form("sliding and spinning apart", Uncoupled<double>{box},
                    box.w0 == 0 || box.sliding_time() == 0 ? ok : inaccurate,
