@@ -164,15 +164,6 @@ void equations(Table& table, const std::vector<Sample>& samples) {
            R"(the first one should be @2 times what it was, and is @2 times that.)",
            {wider.first_term(false) / narrow.first_term(false),
             wider.first_term(true) / narrow.first_term(true)})});
-
-  table.formula(
-      "free_fall", 1581,
-      R"(On $(v_1t,v_2t)$ the hill pushes upward with $g-2(v_1^2/a_1^2+v_2^2/a_2^2)$ a unit mass, which is )"
-      R"(nothing at the condition (our check))",
-      samples,
-      {.quantity = "the hill's vertical force over the mass on $(v_1t,v_2t)$",
-       .truth = {R"($g+\ddot x_3$ by dual numbers)", [](const auto& s) { return s.push(); }},
-       .printed = {"$g-2(v_1^2/a_1^2+v_2^2/a_2^2)$"}});
 }
 
 /// On the default hill along (1, 1), at this part of the speed with which the line is straight.
@@ -252,13 +243,22 @@ void conditions(Claims& claims, double seed) {
   const auto in_starts = [&](std::string text, const std::function<bool(const FromTop&)>& holds) -> Reading {
     return {text, {in_all(text, samples, holds)}};
   };
+  Reading exactly =
+      in_starts("exactly if " + half + ", or if the particle is at rest on the top",
+                [](const FromTop& s) { return s.both() == (s.condition() || (s.v[0] == 0 && s.v[1] == 0)); });
+  exactly.checks.push_back(compare<FromTop>(
+      "the hill's vertical force over the mass on $(v_1t,v_2t)$",
+      {"$g-2(v_1^2/a_1^2+v_2^2/a_2^2)$, nothing at the condition",
+       [](const FromTop& s) { return Value(s.g - 2 * s.K()); }},
+      {R"($g+\ddot x_3$ by dual numbers)", [](const FromTop& s) { return Value(s.push()); }}, samples));
+  exactly.checks.push_back(in_all<Faster>(
+      "a particle that is faster than the condition has it is above the hill at all times in free fall",
+      draw<Faster>(200, seed), [](const Faster& s) { return s.above(s.factor); }));
   claims.add(
       "only_way", 1581, "$(v_1t,v_2t)$ is a solution only if " + half,
       {.printed =
            in_starts("of all $v_1$ and $v_2$", [](const FromTop& s) { return !s.both() || s.condition(); }),
-       .corrected = in_starts(
-           "exactly if " + half + ", or if the particle is at rest on the top",
-           [](const FromTop& s) { return s.both() == (s.condition() || (s.v[0] == 0 && s.v[1] == 0)); }),
+       .corrected = exactly,
        .in_view = in_starts(
            "of a particle that moves",
            [](const FromTop& s) { return !s.both() || s.condition() || (s.v[0] == 0 && s.v[1] == 0); }),
@@ -274,15 +274,6 @@ void conditions(Claims& claims, double seed) {
            {-twice_as_fast.push() / twice_as_fast.g}),
        .kind = Fault::left_out,
        .root = "a particle at rest"});
-  claims.statement<Faster>(
-      "flies_off", 1581,
-      "A particle that is faster than the condition has it flies off, above the hill and along the same "
-      "straight line (our check)",
-      draw<Faster>(200, seed),
-      {.printed = {"in free fall it is above the hill at all times",
-                   [](const Faster& s) { return s.above(s.factor); }},
-       .near_misses = {
-           {"a slower one is above the hill too", [](const Faster& s) { return s.above(1 / s.factor); }}}});
 }
 
 // ---- straight paths ---------------------------------------------------------------------------------------

@@ -290,9 +290,10 @@ Quantity struck_upright(const Top& top, const Reference& truth) {
   upright.dphi = 0.5;
   upright.dpsi = 16;
   const Horizon horizon{4};
-  Quantity q = quantity("struck_upright", "1",
-                        "axis of the same top struck while it stands upright with a spin of 16 rad/s",
-                        true_axis(upright, horizon, truth), {1e-7, "a fiftieth of a second of arc"});
+  Quantity q = quantity(
+      "struck_upright", "1",
+      filled("axis of the same top struck while it stands upright with a spin of @2 rad/s", {upright.dpsi}),
+      true_axis(upright, horizon, truth), {1e-7, "a fiftieth of a second of arc"});
   SceneMethods(q, horizon, halving("step", 0.03125, 8), tolerances(3, 11))
       .by<ode::RungeKutta4>(euler_angles, EulerAngles<double>{{upright}}, Outcome::non_finite, divides)
       .by<ode::DormandPrince54>(euler_angles, EulerAngles<double>{{upright}}, Outcome::non_finite, divides)
@@ -386,7 +387,8 @@ std::vector<Quantity> quantities(const Top& top, const Reference& truth) {
   }
   Top hanging = top;
   hanging.phi = 2;
-  const std::string of_hanging = " rate of the same top at a tilt of 2 rad, below its tip, total spin dpsi";
+  const std::string of_hanging =
+      filled(" rate of the same top at a tilt of @2 rad, below its tip, total spin dpsi", {hanging.phi});
   for (Rate root : {Rate::slow, Rate::fast}) {
     const std::string name = root == Rate::slow ? "slow" : "fast";
     all.push_back(

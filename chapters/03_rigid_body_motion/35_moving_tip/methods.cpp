@@ -71,7 +71,8 @@ Quantity nearly_upright(Top top, const Reference& truth) {
   top.A /= 16;
   const Horizon horizon{ex03_33::duration};
   Quantity q =
-      quantity("nearly_upright", "1", "axis of the same top let go one degree off the vertical, A / 16",
+      quantity("nearly_upright", "1",
+               filled("axis of the same top let go @2 degrees off the vertical, A / 16", {top.phi / degree}),
                trajectory(truth, "03_35_axis", inputs(top), horizon),
                {1e-4, "twenty seconds of arc: nothing that is seen"});
   SceneMethods(q, horizon, halving("step", 0.03125, 8), tolerances(3, 9))
@@ -101,7 +102,7 @@ double angle_between(const Vector<double>& a, const Vector<double>& b) {
   return std::atan2(std::sqrt(dot(normal, normal)), dot(a, b));
 }
 
-constexpr double observed_after = 4;
+constexpr double observed_after = ex03_33::duration;
 
 template <class Algorithm, class Model>
 Answer followed_deviation(const Top& top, double tolerance) {
@@ -142,8 +143,11 @@ Quantity deviation(const Top& top, const Reference& truth) {
   }
   Quantity q = quantity(
       "deviation", "rad",
-      R"(angle after 4 s between the axis and that of the same top with its tip fixed, for $(A,\lambda)$, )"
-      R"($(A/8,\lambda)$, $(A,2\lambda)$ and $A$ at the frequency of nutation and precession together)",
+      filled(
+          R"(angle after @1 s between the axis and that of the same top with its tip fixed, for )"
+          R"($(A,\lambda)$, $(A/8,\lambda)$, $(A,2\lambda)$ and $A$ at about the frequency of nutation and )"
+          R"(precession together)",
+          {observed_after}),
       known, {1e-6, "a fifth of a second of arc"});
   q.add({fixed_tip, "no difference", no_knob(),
          [](double) {
@@ -187,8 +191,8 @@ std::vector<Quantity> quantities(const Top& top, const Reference& truth) {
   strong.lambda += 5;
   const Horizon horizon{ex03_33::duration};
   return {shaken_axis("near_resonance",
-                      "the same with A / 8 at the frequency of nutation and precession together", resonant,
-                      horizon, truth),
+                      "the same with A / 8 at about the frequency of nutation and precession together",
+                      resonant, horizon, truth),
           shaken_axis("strong_shaking", "the same with $4A$, 5 rad/s faster", strong, horizon, truth),
           nearly_upright(top, truth), deviation(top, truth)};
 }

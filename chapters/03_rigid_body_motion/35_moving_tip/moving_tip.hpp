@@ -16,7 +16,7 @@ std::vector<Quantity> quantities(const Top&, const Reference&);
 /// The frequency at which a top nutates about its steady precession, seen from the world, to a 64th.
 double nutation_frequency(const Top&);
 
-/// The angle after 4 s between the top's axis and that of the same top with its tip fixed.
+/// The angle after ex03_33::duration between the top's axis and that of the same top with its tip fixed.
 struct Deviation {
   double as_asked, twice_the_frequency, at_nutation;
 

@@ -187,38 +187,31 @@ void costs(Claims& claims, const std::vector<Counts>& sizes) {
            R"($(2\mu+\alpha)(n+1)-3(\mu+\alpha)=(2\mu+\alpha)n-\mu-2\alpha$: the $2\alpha$ was lost. For )"
            R"($n=2$ the difference is $@2\mu+@2\alpha$, and as factored in print $@2\mu+@2\alpha$.)",
            {printed_difference(2.0).mu, printed_difference(2.0).alpha, factored(2).mu, factored(2).alpha})});
-  claim("excess", 3805,
-        R"(full elimination costs $C'-C=[n(n-1)/6][(2\mu+\alpha)n-\mu]$ more than forward elimination)",
-        {.truth = counted("the difference of the counts", &Counts::excess),
-         .printed = with_rest(R"(-\mu)", printed_rest<double>()),
-         .corrected = with_rest(R"(+2\mu-2\alpha)", rest_of_counts<double>()),
-         .near_misses = {with_rest(R"(+\mu-2\alpha)", mu - 2 * alpha)},
-         .kind = Fault::formula,
-         .root = uncounted,
-         .why = filled(
-             R"(The multiplied diagonal entries add $\mu\,n(n-1)/2$, and the factoring loses $2\alpha$. For )"
-             R"($n=3$ the excess is $@2\mu+@2\alpha$, not $@2\mu+@2\alpha$.)",
-             {of_three.excess().mu, of_three.excess().alpha, factored(3).mu, factored(3).alpha})});
+  claim(
+      "excess", 3805,
+      R"(full elimination costs $C'-C=[n(n-1)/6][(2\mu+\alpha)n-\mu]$ more than forward elimination)",
+      {.truth = counted("the difference of the counts", &Counts::excess),
+       .printed = with_rest(R"(-\mu)", printed_rest<double>()),
+       .corrected = with_rest(R"(+2\mu-2\alpha)", rest_of_counts<double>()),
+       .near_misses = {with_rest(R"(+\mu-2\alpha)", mu - 2 * alpha)},
+       .kind = Fault::formula,
+       .root = uncounted,
+       .why = filled(
+           R"(The multiplied diagonal entries add $\mu\,n(n-1)/2$, and the factoring loses $2\alpha$. For )"
+           R"($n=3$ the excess is $@2\mu+@2\alpha$, not $@2\mu+@2\alpha$. The bracket is negative for no whole )"
+           R"($n>1$, so that what the text concludes from it stands.)",
+           {of_three.excess().mu, of_three.excess().alpha, factored(3).mu, factored(3).alpha})});
 }
 
 // ---- which costs more -------------------------------------------------------------------------------------
 
-/// Six times the excess at a real n: the cubic through the counts at n = 1, 2, 3, 4 by Newton;
-/// exact for dyadic n.
-Cost six_excess(const std::vector<Counts>& sizes, double n) {
-  std::array<Cost, 4> d{};
-  for (std::size_t i = 0; i < 4; ++i) d[i] = sizes[sizes.size() - 1 - i].excess();
-  for (std::size_t order = 1; order < 4; ++order)
-    for (std::size_t i = 3; i >= order; --i) d[i] = d[i] - d[i - 1];
-  return 6 * d[0] + (n - 1) * (6 * d[1] + (n - 2) * (3 * d[2] + (n - 3) * d[3]));
-}
-
-/// Prices, and a number of unknowns above 1, whole or not.
+/// Prices, and a number of unknowns.
 struct Prices {
   double mu, alpha, n;
-  Cost six_excess;
+  Cost excess;
 
-  bool full_costs_more() const { return six_excess.mu * mu + six_excess.alpha * alpha >= 0; }
+  double bound() const { return mu / (2 * mu + alpha); }
+  double costs_more() const { return excess.mu * mu + excess.alpha * alpha; }
   std::string where() const {
     return R"($\mu$ = )" + format_shortest(mu) + R"(, $\alpha$ = )" + format_shortest(alpha) +
            ", $n$ = " + format_shortest(n);
@@ -229,36 +222,22 @@ void comparisons(Claims& claims, const std::vector<Counts>& sizes) {
   std::vector<Prices> prices;
   for (double m = 1; m <= 12; ++m)
     for (double a = 1; a <= 12; ++a)
-      for (double n = 1.125; n <= 6; n += 0.125) prices.push_back({m, a, n, six_excess(sizes, n)});
+      for (const Counts& c : sizes)
+        if (c.n <= 12) prices.push_back({m, a, c.n, c.excess()});
 
   claims.statement<Counts>(
       "factor_positive", 3807, "$n(n-1)/6$ is positive for $n>1$", sizes,
       {.printed = {"for $n>1$", [](const Counts& c) { return c.n <= 1 || c.n * (c.n - 1) / 6 > 0; }},
        .near_misses = {{R"(for $n\ge1$)", [](const Counts& c) { return c.n * (c.n - 1) / 6 > 0; }}}});
 
-  // Of (2 mu + alpha) n and this rest, at the prices 1 and 12.
-  const auto zero_of = [](const Cost& rest) { return -(rest.mu + 12 * rest.alpha) / (2 + 12); };
-  const auto exactly_from = [](double alphas) {
-    return [=](const Prices& p) {
-      return (p.n * (2 * p.mu + p.alpha) >= alphas * (p.alpha - p.mu)) == p.full_costs_more();
-    };
-  };
   claims.statement<Prices>(
       "threshold", 3807, R"($C'\ge C$ when $n\ge\mu/(2\mu+\alpha)$)", prices,
-      {.printed = {R"($n\ge\mu/(2\mu+\alpha)$ is enough, $n>1$)",
-                   [](const Prices& p) {
-                     return !(p.n * (2 * p.mu + p.alpha) >= p.mu) || p.full_costs_more();
-                   }},
-       .corrected = {R"(exactly when $n\ge2(\alpha-\mu)/(2\mu+\alpha)$, $n>1$)", exactly_from(2)},
-       .near_misses = {{R"(exactly when $n\ge(\alpha-\mu)/(2\mu+\alpha)$, $n>1$)", exactly_from(1)}},
-       .kind = Fault::formula,
-       .root = "lost additions",
-       .why =
-           filled(R"(The bracket is $(2\mu+\alpha)n-\mu-2\alpha$ by the printed totals and )"
-                  R"($(2\mu+\alpha)n+2\mu-2\alpha$ by the count. With $\mu=1$, $\alpha=12$ the latter is )"
-                  R"(negative up to $n=@3$, and not only up to $@2$. Its zero is below 2 for all prices, so )"
-                  R"(that no whole $n>1$ is affected.)",
-                  {zero_of(rest_of_counts<double>()), zero_of(printed_rest<double>())})});
+      {.printed = {R"($n\ge\mu/(2\mu+\alpha)$ is enough, $n$ being whole)",
+                   [](const Prices& p) { return p.n < p.bound() || p.costs_more() >= 0; }},
+       .near_misses = {{R"(it is enough for $C'>C$)",
+                        [](const Prices& p) { return p.n < p.bound() || p.costs_more() > 0; }},
+                       {R"($C'\ge C$ only when $n\ge(2\mu+\alpha)/\mu$)",
+                        [](const Prices& p) { return p.n * p.bound() >= 1 || p.costs_more() < 0; }}}});
   claims.statement<Prices>(
       "half", 3807, R"($\mu/(2\mu+\alpha)$ is smaller than $\tfrac12$)", prices,
       {.printed = {R"(below $\tfrac12$)", [](const Prices& p) { return 2 * p.mu < 2 * p.mu + p.alpha; }},
@@ -266,10 +245,9 @@ void comparisons(Claims& claims, const std::vector<Counts>& sizes) {
            {R"(below $\tfrac13$)", [](const Prices& p) { return 3 * p.mu < 2 * p.mu + p.alpha; }}}});
   claims.statement<Prices>(
       "whole_from_one", 3807, R"(the whole numbers $n\ge\mu/(2\mu+\alpha)$ are those from 1)", prices,
-      {.printed = {"1 is the least of them",
-                   [](const Prices& p) { return std::ceil(p.mu / (2 * p.mu + p.alpha)) == 1; }},
-       .near_misses = {{"2 is the least of them",
-                        [](const Prices& p) { return std::ceil(p.mu / (2 * p.mu + p.alpha)) == 2; }}}});
+      {.printed = {"1 is the least of them", [](const Prices& p) { return std::ceil(p.bound()) == 1; }},
+       .near_misses = {
+           {"2 is the least of them", [](const Prices& p) { return std::ceil(p.bound()) == 2; }}}});
   claims.statement<Counts>(
       "all_n", 3807, R"($C'\ge C$ for all $n\ge1$)", sizes,
       {.printed = {"coefficient by coefficient, whatever the prices",

@@ -29,6 +29,7 @@ constexpr Parameter parameters[] = {
     {"seed", 1, "", "of the random points", 0, 1e9, whole_number},
 };
 
+constexpr double four_decimals = 0.7071;  ///< of 1/sqrt(2)
 constexpr double quarter = std::numbers::pi / 4;
 
 Matrix2d rows(double a, double b, double c, double d) {
@@ -124,7 +125,10 @@ struct Tables {
 void formulas(Tables& tables, const std::vector<FramesOf<double>>& frames,
               const std::vector<PointOf<double>>& points) {
   tables.frames.formula(
-      "origin", 3977, "with equal origins $(c_1,c_2)=(0,0)$, and nothing else changes", frames,
+      "origin", 3977,
+      "with equal origins $(c_1,c_2)=(0,0)$, and nothing else changes in example 8.1 (our reading, as that is not "
+      "in the solutions: in $b=R^Ta+(c_1,c_2)$)",
+      frames,
       {.quantity = R"($(c_1,c_2)=b-R^Ta$ for a random point, $b$ by elimination)",
        .truth = {"$(0,0)$", []<class T>(const FramesOf<T>&) { return Vector2<T>(T(0.0), T(0.0)); }},
        .printed = constants("equal origins", 0),
@@ -132,7 +136,9 @@ void formulas(Tables& tables, const std::vector<FramesOf<double>>& frames,
   const std::string transposed = R"($\frac1{\sqrt2}\begin{pmatrix}1&1\\-1&1\end{pmatrix}a$)",
                     clockwise = R"($\frac1{\sqrt2}\begin{pmatrix}1&-1\\1&1\end{pmatrix}a$)";
   tables.points.formula(
-      "matrix", 3981, R"($b=\frac1{\sqrt2}\begin{pmatrix}1&1\\-1&1\end{pmatrix}a$, the fraction bar lost)",
+      "matrix", 3981,
+      R"($b=\frac1{\sqrt2}\begin{pmatrix}1&1\\-1&1\end{pmatrix}a$, the fraction bar lost (our reading, as )"
+      R"(example 8.1 is not in the solutions: of axes that are turned counterclockwise by $\pi/4$))",
       points,
       {.quantity = "$(b_1,b_2)$",
        .truth = {R"(elimination on axes turned by $\pi/4$)",
@@ -230,8 +236,8 @@ Quantity coordinates_of(const Vector2d& a, int exponent, const Reference& truth,
     return Vector2<T>((x[0] + x[1]) * root, (x[1] - x[0]) * root);
   });
   add(
-      "matrix", "entries 0.7071", [](const auto& x) { return by_entries(x, 0.7071); }, Outcome::inaccurate,
-      R"(four decimals of $1/\sqrt2$)");
+      "matrix", "entries 0.7071", [](const auto& x) { return by_entries(x, four_decimals); },
+      Outcome::inaccurate, R"(four decimals of $1/\sqrt2$)");
   q.add({"frames", "elimination", no_knob(), [=](double) {
            Answer b = answer(elimination_on_turned_axes(scale * a, quarter));
            for (std::size_t i = 0; i < 2; ++i) b.value[i] /= scale;
@@ -256,15 +262,16 @@ Quantity coordinates_of(const Vector2d& a, int exponent, const Reference& truth,
 }
 
 /// Eight changes of pi/4 are none; two more, a quarter turn, show that any were made. The point is one for
-/// which rounding does not fall into a cycle, as it does for many: (2, 1/2) stays within 3e-14 for ever.
+/// which rounding does not fall into a cycle, as it does for many, such as (2, 1/2).
 Quantity full_turns() {
-  const Vector2d a(1234.567, -0.3333);
+  const Vector2d a(1234.567, -0.3333), in_a_cycle(2, 0.5);
   constexpr long quarter_turn = 2;
   Quantity q{
       "full_turns",
       "m",
-      "coordinates of $(1234.567,-0.3333)$ after full turns of eight changes each, and a quarter turn of two "
-      "more",
+      filled(
+          "coordinates of $(@7,@4)$ after full turns of eight changes each, and a quarter turn of two more",
+          {a[0], a[1]}),
       {"$(a_2,-a_1)$", Value{a[1], -a[0]}},
       0,
       {1e-12 * a.norm(), "a few thousand roundings"},
@@ -272,7 +279,7 @@ Quantity full_turns() {
       {}};
   const Knob changes{"changes", {8, 256, 8192, 262144}};
   const auto add = [&](const char* model, const char* algorithm, const auto& step, Outcome expected,
-                       const char* why) {
+                       const std::string& why) {
     using Number = Counted<double>;
     const long each = operations_of([&] { return step(Vector2<Number>(a[0], a[1])); }).all_but_additions();
     q.add({model, algorithm, changes,
@@ -289,8 +296,9 @@ Quantity full_turns() {
       "matrix", "entries 1/sqrt(2)", [](const auto& x) { return by_entries(x, printed(0, 0)); },
       Outcome::inaccurate, R"($1/\sqrt2$ is rounded, and the length shrinks with every change)");
   add(
-      "matrix", "entries 0.7071", [](const auto& x) { return by_entries(x, 0.7071); }, Outcome::inaccurate,
-      "each change shortens by $10^{-5}$");
+      "matrix", "entries 0.7071", [](const auto& x) { return by_entries(x, four_decimals); },
+      Outcome::inaccurate,
+      filled("each change shortens by $@1$ of the length", {1 - four_decimals * std::sqrt(2.0)}));
   add(
       "matrix", "length restored",
       [=]<class T>(const Vector2<T>& x) {
@@ -306,22 +314,22 @@ Quantity full_turns() {
            return Answer{Value(x), 0};
          }});
   const double entry = printed(0, 0);
-  const auto shrinkage = [&](double x, double y) {
-    Vector2d p(x, y);
+  const auto shrinkage = [&](const Vector2d& from) {
+    Vector2d p = from;
     for (double n = 0; n < changes.settings.back(); ++n) p = by_entries(p, entry);
-    return std::abs(1 - p.norm() / std::hypot(x, y));
+    return std::abs(1 - p.norm() / from.norm());
   };
-  q.add(Breakdown{
-      R"(The square of the double $1/\sqrt2$ is $@1$ too small, and the length shrinks in every )"
-      R"(change, unless the roundings fall into a cycle that hides it: of $(2,1/2)$ it has )"
-      "changed by $@1$ of itself after @6 changes, of this point by $@1$. Two changes are a "
-      "quarter turn, which rounds nothing.",
-      "matrix, entries 1/sqrt(2)",
-      262144,
-      Outcome::inaccurate,
-      "two changes at once, (b1, b2) = (a2, -a1)",
-      262144,
-      {std::fma(-entry, entry, 0.5), shrinkage(2, 0.5), changes.settings.back(), shrinkage(a[0], a[1])}});
+  q.add(Breakdown{R"(The square of the double $1/\sqrt2$ is $@1$ too small, and the length shrinks in every )"
+                  R"(change, unless the roundings fall into a cycle that hides it: of $(@1,@1)$ it has )"
+                  "changed by $@1$ of itself after @6 changes, of this point by $@1$. Two changes are a "
+                  "quarter turn, which rounds nothing.",
+                  "matrix, entries 1/sqrt(2)",
+                  262144,
+                  Outcome::inaccurate,
+                  "two changes at once, (b1, b2) = (a2, -a1)",
+                  262144,
+                  {std::fma(-entry, entry, 0.5), in_a_cycle[0], in_a_cycle[1], shrinkage(in_a_cycle),
+                   changes.settings.back(), shrinkage(a)}});
   return q;
 }
 

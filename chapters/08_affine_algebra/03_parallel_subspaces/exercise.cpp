@@ -206,28 +206,35 @@ std::vector<Claim> claims(double seed) {
   claims.add(
       "neither", 3999, R"(neither $V_1\subseteq V_2$ nor $V_2\subseteq V_1$)",
       {.printed = ranks("rank 2 both ways", 2), .near_misses = {ranks("rank 1, one in the other", 1)}});
-  claims.formula<Walker>("not_parallel", 3999,
-                         "the affine subspaces $A_1$ and $A_2$, with these directions, are not parallel",
-                         {{-5}, {-3}, {0}, {2}, {5}},
-                         {.quantity = "distance of $(1+t,4)$ from the line $x=-2$, which changes with $t$",
-                          .truth = {"least squares", &Walker::distance},
-                          .printed = {"$|3+t|$"}});
-  claims.statement<Judged>(
-      "criterion", 3999,
-      R"(affine subspaces are parallel just when $V_1\subseteq V_2$ or $V_2\subseteq V_1$)",
-      judged_pairs(seed),
-      {.printed = {R"(points are equally far just when $V_1\subseteq V_2$ or $V_2\subseteq V_1$)",
-                   [](const Judged& j) { return by_rank(j.pair, exact_rank) == j.equally_far; }},
-       .near_misses = {{"just when $V_1=V_2$",
-                        [](const Judged& j) {
-                          const long dimension = j.pair.first.cols();
-                          return (dimension == j.pair.second.cols() &&
-                                  exact_rank(j.pair.both()) == dimension) == j.equally_far;
-                        }},
-                       {"just when they have a direction in common", [](const Judged& j) {
-                          const long dimensions = j.pair.first.cols() + j.pair.second.cols();
-                          return (exact_rank(j.pair.both()) < dimensions) == j.equally_far;
-                        }}}});
+  const std::vector<Walker> walk{{-5}, {-3}, {0}, {2}, {5}};
+  const std::string quantity = "distance of $(1+t,4)$ from the line $x=-2$, which changes with $t$";
+  const Formula<Walker> stated = computed(Formula<Walker>{"$|3+t|$"}),
+                        truth{"least squares", &Walker::distance};
+  const auto pairs = judged_pairs(seed);
+  const auto just_when = [&](const std::string& when, const std::function<bool(const Judged&)>& contained) {
+    return in_all<Judged>("points are equally far just when " + when, pairs,
+                          [=](const Judged& j) { return contained(j) == j.equally_far; });
+  };
+  Claim not_parallel{.printed = {stated.text,
+                                 {compare(quantity, stated, truth, walk),
+                                  just_when(R"($V_1\subseteq V_2$ or $V_2\subseteq V_1$)",
+                                            [](const Judged& j) { return by_rank(j.pair, exact_rank); })},
+                                 is_as_typeset(compare_typeset(stated, walk))},
+                     .near_misses = single_changes(quantity, stated, truth, walk, "")};
+  const auto near_miss = [&](const std::string& when, const auto& contained) {
+    not_parallel.near_misses.push_back({"parallel just when " + when, {just_when(when, contained)}});
+  };
+  near_miss("$V_1=V_2$", [](const Judged& j) {
+    const long dimension = j.pair.first.cols();
+    return dimension == j.pair.second.cols() && exact_rank(j.pair.both()) == dimension;
+  });
+  near_miss("they have a direction in common", [](const Judged& j) {
+    return exact_rank(j.pair.both()) < j.pair.first.cols() + j.pair.second.cols();
+  });
+  claims.add("not_parallel", 3999,
+             "the affine subspaces are not parallel (our reading, as they are not in the solutions: lines in "
+             "these directions, through points that we choose)",
+             std::move(not_parallel));
   return claims.in_order();
 }
 
@@ -308,15 +315,15 @@ Findings study(const Parameters& p, const Reference&) {
                              "the determinants $-1$ and 0", nearly_parallel(), ok, wrong,
                              "an angle of $10^{-2k}$, below any tolerance that rounding allows");
   constexpr double large = 1e8, determinant = large * 1 - (large + 1) * 1;
-  nearly.add(
-      Breakdown{"$(10^8,1)$ and $(10^8+1,1)$ have the determinant $@1$ and the sine $@1$: to singular "
-                "values, at any tolerance, they are parallel. Whole numbers are decided in whole numbers.",
-                "ranks, singular values",
-                1e-12,
-                wrong,
-                "ranks, elimination in integers",
-                0,
-                {determinant, std::abs(determinant) / (std::hypot(large, 1) * std::hypot(large + 1, 1))}});
+  nearly.add(Breakdown{
+      "$(10^8,1)$ and $(10^8+1,1)$ have the determinant $@1$ and the sine $@1$: to singular "
+      "values, at any tolerance above rounding, they are parallel. Whole numbers are decided in whole numbers.",
+      "ranks, singular values",
+      1e-12,
+      wrong,
+      "ranks, elimination in integers",
+      0,
+      {determinant, std::abs(determinant) / (std::hypot(large, 1) * std::hypot(large + 1, 1))}});
   Quantity rounded =
       parallel("rounded_multiples", "are $v$ and its rounded multiple parallel?", "as they were made",
                rounded_multiples(p["seed"]), wrong, ok, "the multiple is rounded, and exactness is no help");

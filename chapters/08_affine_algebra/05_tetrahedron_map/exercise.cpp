@@ -24,7 +24,7 @@ constexpr auto parameters = together(
                Parameter{"c2", 0.375, "", "barycentric coordinate of $P$ at $P_2$", -4, 4},
                Parameter{"c3", 0.125, "", "barycentric coordinate of $P$ at $P_3$", -4, 4},
                Parameter{"seed", 1, "", "of the random tetrahedra", 0, 1e9, whole_number}},
-    numbers<3>({"p0x", "p0y", "p0z"}, {1, 2, -1}, "", "vertex $P_0$ of a tetrahedron of one's own", 1e3),
+    numbers<3>({"p0x", "p0y", "p0z"}, {1, 2, -1}, "", "vertex $P_0$ of a tetrahedron that you choose", 1e3),
     numbers<3>({"p1x", "p1y", "p1z"}, {5, 2, -1}, "", "vertex $P_1$", 1e3),
     numbers<3>({"p2x", "p2y", "p2z"}, {3, 6, 1}, "", "vertex $P_2$", 1e3),
     numbers<3>({"p3x", "p3y", "p3z"}, {2, 3, 4}, "", "vertex $P_3$", 1e3));
@@ -215,9 +215,13 @@ std::vector<Quantity> quantities(const Parameters& p) {
     own.p[i] = Vector3d(vertex[0], vertex[1], vertex[2]);
   }
   all.push_back(
-      values_of("value_in_own", "the same in a tetrahedron $P_0P_1P_2P_3$ of one's own", own, x, {}));
-  all.push_back(values_of("sliver_value", "the same, the apex $2^{-20}$ above its base", tetrahedron(0x1p-20),
-                          x, {bad, bad, bad, ok, "products lose what is small in the sliver"}));
+      values_of("value_in_own", "the same in a tetrahedron $P_0P_1P_2P_3$ that you choose", own, x, {}));
+  constexpr double thin = 0x1p-20, thinner = 0x1p-30;
+  const auto sliver = [](double height) {
+    return filled("the same, the apex $2^{@2}$ above its base", {std::log2(height)});
+  };
+  all.push_back(values_of("sliver_value", sliver(thin), tetrahedron(thin), x,
+                          {bad, bad, bad, ok, "products lose what is small in the sliver"}));
   all.back().add(
       Breakdown{"The normal equations square the condition number, and $f(P)$ is off by rounding over "
                 "height, $@1$, where the edges themselves err by $@1$: there a stable solve leaves a "
@@ -228,8 +232,7 @@ std::vector<Quantity> quantities(const Parameters& p) {
                 "edges, LU, partial pivoting",
                 0,
                 {error_of(Side::broken), error_of(Side::cured)}});
-  constexpr double thinner = 0x1p-30;
-  all.push_back(values_of("sliver_30", "the same, the apex $2^{-30}$ above its base", tetrahedron(thinner), x,
+  all.push_back(values_of("sliver_30", sliver(thinner), tetrahedron(thinner), x,
                           {bad, raised, bad, ok, "products lose what is small in the sliver"}));
   all.back().add(
       Breakdown{"At $2^{@2}$ the square of the height is below rounding: the matrix that cannot be "
