@@ -168,6 +168,29 @@ TEST_CASE("an energy that is asked for below what is known is refused", "[criter
         std::string::npos);
 }
 
+TEST_CASE("a step out of range is refused with the scene's unit of time", "[criterion][is_enough]") {
+  AskedNeed asked;
+  asked.error = "0.01";
+  asked.method = "semi-implicit Euler@60Hz";
+  const Task task = task_of("3.3", {});
+  const Need need = need_of(task, asked);
+  CHECK(complaint([&] { method_of(task, asked, need); }).find("time is in yr: a step is @60/yr or @1/60") !=
+        std::string::npos);
+  asked.method = "semi-implicit Euler@60/yr";
+  CHECK(near_ulps(method_of(task, asked, need).setting, 1.0 / 60, 64));
+}
+
+TEST_CASE("a period or a constraint that is asked for below what is known is refused", "[criterion]") {
+  AskedNeed asked = asked_by("path", "1cm", "4");
+  asked.only = {"angle about the axis"};
+  asked.constraint = "1e-20m";
+  CHECK(complaint([&] { chosen("3.13", asked); }).find("what is held is seen to") == 0);
+  asked.constraint = "";
+  asked.period = "1e-20";
+  CHECK(complaint([&] { chosen("3.13", asked); }).find("of its size, and the error of its period") !=
+        std::string::npos);
+}
+
 TEST_CASE("several criteria hold at once, and the worst of them decides", "[criterion]") {
   AskedNeed asked;
   asked.error = "0.5deg";
