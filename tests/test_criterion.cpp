@@ -9,8 +9,11 @@
 #include "chapters/scene.hpp"
 #include "report/cli/asked.hpp"
 #include "report/pages/choose_view.hpp"
+#include "report/pages/is_enough_view.hpp"
 #include "report/study/choose.hpp"
 #include "report/study/criterion.hpp"
+#include "report/study/findings.hpp"
+#include "report/study/is_enough.hpp"
 #include "report/verify/catch.hpp"
 #include "tests/complaint.hpp"
 #include "tests/near.hpp"
@@ -159,12 +162,42 @@ TEST_CASE("what is bounded stays within ten times the true motion's size", "[cri
   seen.samples = 2;
   CHECK(off_by_observed(Criterion::bounded, seen, Value{20, 0}, {}).error == 1);
   CHECK(off_by_observed(Criterion::bounded, seen, Value{0, -30}, {}).error == 1.5);
+  Choice choice;
+  choice.need.criterion = Criterion::bounded;
+  Candidate candidate;
+  candidate.by[Criterion::bounded] = 1;
+  CHECK(shown_errors(candidate, choice) == "bounded");
+  candidate.by[Criterion::bounded] = 1.5;
+  CHECK(shown_errors(candidate, choice) == "not bounded");
 }
 
 TEST_CASE("an energy that is asked for below what is known is refused", "[criterion]") {
   CHECK(complaint([] { chosen("3.5", asked_by("energy", "1e-24", "1")); }).find("energy is known to") !=
         std::string::npos);
   CHECK(complaint([] { chosen("2.7", asked_by("energy", "0.01", "1")); }).find("does not tell an energy") !=
+        std::string::npos);
+}
+
+TEST_CASE("a step out of range is refused with the scene's unit of time", "[criterion][is_enough]") {
+  AskedNeed asked;
+  asked.error = "0.01";
+  asked.method = "semi-implicit Euler@60Hz";
+  const Task task = task_of("3.3", {});
+  const Need need = need_of(task, asked);
+  CHECK(complaint([&] { method_of(task, asked, need); }).find("time is in yr: a step is @60/yr or @1/60") !=
+        std::string::npos);
+  asked.method = "semi-implicit Euler@60/yr";
+  CHECK(near_ulps(method_of(task, asked, need).setting, 1.0 / 60, 64));
+}
+
+TEST_CASE("a period or a constraint that is asked for below what is known is refused", "[criterion]") {
+  AskedNeed asked = asked_by("path", "1cm", "4");
+  asked.only = {"angle about the axis"};
+  asked.constraint = "1e-20m";
+  CHECK(complaint([&] { chosen("3.13", asked); }).find("what is held is seen to") == 0);
+  asked.constraint = "";
+  asked.period = "1e-20";
+  CHECK(complaint([&] { chosen("3.13", asked); }).find("of its size, and the error of its period") !=
         std::string::npos);
 }
 
@@ -221,7 +254,40 @@ TEST_CASE("a model that its scene's page shows to be wrong is not chosen", "[cri
   asked.only = {"two angles as published"};
   const Choice none = chosen("3.17", asked, {"omega=0.001"});
   CHECK_FALSE(none.chosen);
+  CHECK_FALSE(none.nearest_miss);
+  CHECK_FALSE(none.on_asked);
   CHECK(choice_text(none, true).find("its page shows it wrong") != std::string::npos);
+  CHECK(choice_text(none, true).find("holds here, but the scene's page shows that it is wrong") !=
+        std::string::npos);
+}
+
+TEST_CASE("a model that its page shows to be wrong makes no method good enough", "[criterion][is_enough]") {
+  AskedNeed asked;
+  asked.error = "0.1m";
+  asked.horizon = "1";
+  asked.starts = "1";
+  asked.method = "RK4@60Hz";
+  const Task task = task_of("3.17", {"omega=0.001"});
+  const Need need = need_of(task, asked);
+  const Price price = [](const Method& m, double setting) { return counted(m, setting); };
+  const IsEnough found = is_enough(task, need, method_of(task, asked, need), tables(), price);
+  CHECK(found.models.size() > 1);
+  CHECK_FALSE(found.models.front().faulted);
+  CHECK(found.models.back().faulted);
+  CHECK(is_enough_text(found).find("two angles as published, which its page shows to be wrong: holds") !=
+        std::string::npos);
+}
+
+TEST_CASE("a model of the book's that its page shows to be wrong is known as such", "[criterion]") {
+  for (const Entry& entry : registry()) {
+    if (!entry.exercise.scene) continue;
+    const Scene& scene = *entry.exercise.scene;
+    for (const Method& m : motion_of(to_string(entry.number), {scene.horizon}, Reference::nothing()).methods)
+      if (is_published(m.model)) {
+        INFO(to_string(entry.number) << ": " << m.model);
+        CHECK(std::ranges::find(scene.faulted, m.model) != scene.faulted.end());
+      }
+  }
 }
 
 TEST_CASE("starts beside an ellipse are ellipses, and what is left out is said", "[criterion]") {

@@ -235,5 +235,6 @@ TEST_CASE("The chooser knows the parameters, units and exact models of each scen
   CHECK(scenes[0]["norms"][0]["components"] == json::array({0}));
   CHECK(scenes[0]["exact"] ==
         json::array({"Jacobi's function by its Fourier series", "one angle", "Cartesian with constraint"}));
+  CHECK(scenes[0]["faulted"] == json::array());
   CHECK(scenes[0]["knobs"]["step"][0] == 0.125);
 }

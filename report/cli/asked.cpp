@@ -598,8 +598,14 @@ namespace {
 
 /// "60Hz", "16ms", "1/60": a step in the scene's unit of time.
 double step_of(const std::string& text, const std::string& time) {
-  const auto within = [](const std::string& part, const std::string& unit) {
-    return between("--method", part, unit, 1e-9, 1e9);
+  const auto within = [&](const std::string& part, const std::string& unit) {
+    try {
+      return between("--method", part, unit, 1e-9, 1e9);
+    } catch (const BadInput& error) {
+      if (time == "s") throw;
+      throw BadInput(std::string(error.what()) + "; the scene's time is in " + time + ": a step is @60/" +
+                     time + " or @1/60");
+    }
   };
   if (text.starts_with("1/")) {
     const std::string rate = text.substr(2);

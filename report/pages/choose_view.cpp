@@ -71,7 +71,7 @@ std::string error_by(Criterion criterion, const Candidate& candidate, const Choi
     case Criterion::constraint:
       return is_held(candidate, choice) ? "held by construction" : off_constraint(own, choice);
     case Criterion::bounded:
-      return "bounded";
+      return own <= 1 ? "bounded" : "not bounded";
     default:
       return percent(own);
   }
@@ -259,8 +259,21 @@ std::string rollback_text(const Choice& choice) {
          std::to_string(frames_again) + " frames again take " + shown_time(rollback_seconds(choice)) + ".\n";
 }
 
+bool is_faulted(const Candidate& t, const Choice& choice) {
+  return std::ranges::find(choice.faulted, t.model) != choice.faulted.end();
+}
+
+/// What would meet the need, and is not chosen.
+std::string faulted_text(const Choice& choice) {
+  for (const Candidate& t : choice.candidates)
+    if (t.holds() && is_faulted(t, choice) && !(t.seconds_per_frame > choice.need.budget))
+      return "  " + described(t, choice.need) + " holds here, but the scene's page shows that it is wrong.\n";
+  return "";
+}
+
 std::string miss_text(const Choice& choice, const Screen& screen) {
-  const std::string text = screen.styled(Style::bad, "Nothing here meets that.") + "\n";
+  const std::string text =
+      screen.styled(Style::bad, "Nothing here meets that.") + "\n" + faulted_text(choice);
   if (!choice.nearest_miss) return text;
   const Candidate& miss = *choice.nearest_miss;
   const double budgets = miss.seconds_per_frame / choice.need.budget;
@@ -269,10 +282,6 @@ std::string miss_text(const Choice& choice, const Screen& screen) {
   if (!(budgets > 1)) return text + on_asked_text(choice);
   return text + "  nearest miss: " + described(miss, choice.need) + " is as accurate, but costs " +
          cost_of(miss) + ", " + times_as(budgets) + " the budget.\n" + on_asked_text(choice);
-}
-
-bool is_faulted(const Candidate& t, const Choice& choice) {
-  return std::ranges::find(choice.faulted, t.model) != choice.faulted.end();
 }
 
 /// What was cheaper and tried, and why it was passed over.

@@ -53,7 +53,8 @@ std::string is_enough_text(const IsEnough& found, const Screen& screen) {
       std::to_string(found.starts.size()) + (found.starts.size() == 1 ? " start" : " starts") + ".\n";
   for (const Judgement& j : found.models) {
     const Candidate& run = j.run;
-    text += "  " + run.model + ": " + std::string(run.holds() ? "holds" : name_of(run.outcome)) +
+    text += "  " + run.model + (j.faulted ? ", which its page shows to be wrong: " : ": ") +
+            std::string(run.holds() ? "holds" : name_of(run.outcome)) +
             (std::isfinite(run.error) ? ", error " + shown_errors(run, choice) : "") +
             (run.holds() ? "" : ", the worst at " + run.where) + ", " + shown_time(run.seconds_per_frame) +
             " per frame";

@@ -36,8 +36,9 @@
 //                setting}
 //
 // And of all scenes, as oddity.scenes([{number, title, parameters, units, styles, horizon, time_unit, close,
-// observables, norms, exact, knobs: {knob: [setting]}}, ...]); `exact` are the models whose motion is ok in
-// the book's case, the truest first.
+// observables, norms, exact, faulted, knobs: {knob: [setting]}}, ...]); `exact` are the models whose motion
+// is ok in the book's case, the truest first, and `faulted` those that the scene's own page shows to be
+// wrong.
 
 #include "report/site/data.hpp"
 
@@ -475,6 +476,7 @@ std::string scenes_data(const Results& results, const Styles& styles) {
                       {"observables", scene.axes.observables},
                       {"norms", norms_of(scene)},
                       {"exact", exact_models(*moving->trajectory)},
+                      {"faulted", scene.faulted},
                       {"knobs", knobs_of(*moving)}});
   }
   return packed_call("scenes", scenes);

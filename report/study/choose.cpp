@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <ranges>
 #include <set>
 #include <span>
 #include <utility>
@@ -100,10 +101,13 @@ class Recommendation {
   }
 
   /// What comes nearest to a need that nothing meets: within the budget the smallest error, but what holds
-  /// and costs too much comes first.
-  std::optional<Candidate> miss(std::vector<Candidate>& all) const {
+  /// and costs too much comes first. Models that their page shows to be wrong are left out.
+  std::optional<Candidate> miss(std::vector<Candidate>& candidates) const {
+    auto all = candidates | std::views::filter([&](const Candidate& t) { return !picker().is_faulted(t); });
     if (all.empty() || starts().seen().empty()) return {};
-    if (auto held = cheapest(all, [](const Candidate& t) { return t.holds(); })) return held;
+    if (auto held =
+            cheapest(candidates, [&](const Candidate& t) { return t.holds() && !picker().is_faulted(t); }))
+      return held;
     const std::span hardest(in_order(starts().seen(), search_.hardest_starts()).front(), 1);
     std::set<const Candidate*> been_on_hardest, been_on_all;
     while (true) {
@@ -201,7 +205,7 @@ class Recommendation {
   std::vector<Candidate> maybe_holding_on_asked() const {
     std::vector<Candidate> held;
     for (const Candidate& t : search_.all_tried())
-      if (t.where != starts().asked().says) held.push_back(t);
+      if (t.where != starts().asked().says && !picker().is_faulted(t)) held.push_back(t);
     std::ranges::stable_sort(held, {}, &Candidate::evaluations_per_frame);
     return held;
   }

@@ -229,16 +229,25 @@ Start InitialConditions::as_long_as_known(const Start& whole, const Parameters& 
 }
 
 Start InitialConditions::required(Start start) const {
-  const bool by_motion = need_.criterion == Criterion::path || need_.criterion == Criterion::period;
-  if (by_motion && start.motion.need.allowed < start.motion.reference_error)
-    throw BadInput("the true motion is known to " + format_significant(start.motion.reference_error, 2) +
+  const double error = start.motion.reference_error,
+               part = error == 0 ? 0 : error / size_of(start.motion.reference.value);
+  if (need_.criterion == Criterion::path && start.motion.need.allowed < error)
+    throw BadInput("the true motion is known to " + format_significant(error, 2) +
                    ", and the error asked for is smaller");
+  if (needs_period() && need_.error_by(Criterion::period) < part)
+    throw BadInput("the true motion is known to " + format_significant(part, 2) +
+                   " of its size, and the error of its period that is asked for is smaller");
   if (!is_comparable(start))
     throw BadInput("the motion has no two periods within the horizon: ask for a longer one");
   if (start.energy && need_.error_by(Criterion::energy) < (**start.energy).known_to)
     throw BadInput("the true motion's energy is known to " +
                    format_significant((**start.energy).known_to, 2) +
                    " of what moves in it, and the change asked for is smaller");
+  const double rounding = rounding_of(Criterion::constraint, start.motion);
+  if (std::ranges::count(criteria_of(need_), Criterion::constraint) > 0 &&
+      need_.error_by(Criterion::constraint) < rounding)
+    throw BadInput("what is held is seen to " + format_significant(rounding, 2) +
+                   " m, for roundings, and the length asked for is smaller");
   return start;
 }
 

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "chapters/scene.hpp"
 #include "reference/bad_input.hpp"
@@ -105,7 +106,9 @@ class Judge {
   Judgement operator()(const Method& method, double setting) const {
     check_stop();
     const Quantity& motion = starts_.front().motion;
-    Judgement judged{evaluate(starts_, method, setting, need_)};
+    const auto& faulted = task_.entry->exercise.scene->faulted;
+    Judgement judged{evaluate(starts_, method, setting, need_),
+                     std::ranges::find(faulted, method.model) != faulted.end()};
     for (const Start& start : starts_)
       judged.failing += !evaluate(std::span(&start, 1), method, setting, need_).holds();
     const Trial trial = oddity::run(motion, method, setting);
@@ -168,7 +171,8 @@ IsEnough is_enough(const Task& task, const Need& asked, const MethodAsked& metho
         found.models.push_back(judge(m, method.setting));
         stage.add();
       }
-    std::ranges::stable_sort(found.models, {}, [](const Judgement& j) { return j.run.error; });
+    std::ranges::stable_sort(found.models, {},
+                             [](const Judgement& j) { return std::pair(j.faulted, j.run.error); });
     return found;
   });
 }

@@ -22,6 +22,7 @@ std::vector<std::string> algorithms_meant(const std::string& name, const std::ve
 /// How the method does on one model of the scene.
 struct Judgement {
   Candidate run;                 ///< on all starts, and its time
+  bool faulted = false;          ///< the scene's own page shows the model to be wrong
   int failing = 0;               ///< of the starts
   double growth = not_a_number;  ///< from half the time to the end, of the error on the start asked for
   double drift = not_a_number;   ///< there, of what the model conserves, as a part of what moves in it
@@ -33,7 +34,7 @@ struct IsEnough {
   Need need;  ///< as asked, at so many frames a second that the step divides a frame, or is one
   std::string exercise, time_unit;
   std::vector<std::string> units = {};   ///< of the motion's errors
-  std::vector<Judgement> models = {};    ///< from the smallest error on
+  std::vector<Judgement> models = {};    ///< from the smallest error on; those shown to be wrong are last
   std::vector<std::string> starts = {};  ///< the first is the one asked for
 
   bool holds() const { return models.front().run.holds(); }

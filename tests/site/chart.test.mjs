@@ -295,6 +295,7 @@ const pendulum = {
   observables: ['theta'],
   norms: [{ unit: 'rad', components: [0] }],
   exact: ['one angle'],
+  faulted: [],
   styles,
   parameters: [{ name: 'a', value: 0.5, unit: 'rad', says: 'angle', least: 0.001, most: 3.14, whole: false }],
 };
@@ -407,6 +408,9 @@ test('a simple method with a margin is taken before what is cheapest, and of nea
   assert.equal(choosing.pick(rows, 2.2e-9).row.algorithm, 'velocity Verlet');
   assert.equal(choosing.pick(rows, 1.2e-9).row.algorithm, 'Fehlberg 7(8)');
   assert.equal(choosing.pick(rows, 1e-10), null);
+  const faulted = { ...row('closed form', '', 1e-10, 1e-6), faulted: true };
+  assert.equal(choosing.pick([faulted, ...rows], null).row.algorithm, 'Runge-Kutta 4');
+  assert.equal(choosing.pick([faulted], null), null);
 });
 
 // A pendulum's small angle as an engine, exact and by two steppers.

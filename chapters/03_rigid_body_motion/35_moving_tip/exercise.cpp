@@ -62,6 +62,7 @@ Scene scene() {
       .draw = moving_tip::draw<Parameters>,
       .staging = staged,
       .laws = {heavy_top::energy<Parameters>, heavy_top::off<Parameters>},
+      .faulted = {"fixed tip, as proposed"},
   };
 }
 

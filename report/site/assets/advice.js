@@ -34,7 +34,7 @@
   function answer(state, found) {
     const chosen = pick(found.rows, state.budget ? state.budget.value : null);
     if (!chosen) {
-      const held = found.rows.filter((r) => r.holds).sort((a, b) => a.seconds - b.seconds)[0];
+      const held = found.rows.filter((r) => r.holds && !r.faulted).sort((a, b) => a.seconds - b.seconds)[0];
       if (held)
         return [
           'Nothing here holds within the budget.',

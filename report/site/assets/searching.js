@@ -109,18 +109,17 @@
     for (const model of engine.scene(state.scene.number).models)
       for (const algorithm of model.algorithms) {
         const knob = knobOf(engine, algorithm);
+        const faulted = state.scene.faulted.includes(model.name);
         const listed = engine.algorithms.find((a) => a.name === algorithm);
         if (state.precision !== 'float')
-          all.push({ model: model.name, algorithm, knob, precision: 'double' });
+          all.push({ model: model.name, algorithm, knob, faulted, precision: 'double' });
         if (state.precision !== 'double' && !model.events && (!listed || listed.inFloat))
-          all.push({ model: model.name, algorithm, knob, precision: 'float' });
+          all.push({ model: model.name, algorithm, knob, faulted, precision: 'float' });
       }
     return all;
   }
 
   const isMultistep = (name) => /^(Adams-|GSL ms|CVODE)/.test(name);
-  /** Models that have the book's errors in them are tried, and not advised. */
-  const isPublished = (row) => oddity.isPublished(row.model);
   const isSimple = (row) => row.knob !== 'tolerance' && !isMultistep(row.algorithm);
 
   /** How long a run takes: the least of three batches, each long enough for the page's coarse clock. */
@@ -189,9 +188,10 @@
   }
 
   /** As `oddity choose` picks: a simple method that holds with the margin, else what holds; of those the
-   *  cheapest, of near ties the most accurate. {row, ties, simple} or null. */
+   *  cheapest, of near ties the most accurate. Models that their page shows to be wrong are tried, and not
+   *  advised. {row, ties, simple} or null. */
   function pick(rows, budget) {
-    const within = rows.filter((r) => r.holds && !isPublished(r) && (budget === null || r.seconds <= budget));
+    const within = rows.filter((r) => r.holds && !r.faulted && (budget === null || r.seconds <= budget));
     for (const simple of [true, false]) {
       const able = simple ? within.filter((r) => isSimple(r) && r.error <= 1 / margin) : within;
       if (!able.length) continue;
