@@ -17,17 +17,17 @@ namespace {
 using html::element;
 
 /// How a whole solution fared.
-struct Standing {
+struct TileClass {
   std::string_view kind, words;
 };
-constexpr Standing stands_wrong{"wrong", "wrong"}, stands_incomplete{"incomplete", "incomplete"},
+constexpr TileClass stands_wrong{"wrong", "wrong"}, stands_incomplete{"incomplete", "incomplete"},
     stands_misprint{"misprint", "misprints only"}, stands_unsettled{"unsettled", "unsettled"},
     stands_right{"right", "nothing wrong"};
 constexpr std::array standings{stands_right, stands_misprint, stands_incomplete, stands_wrong,
                                stands_unsettled};
 
 /// By the worst of its claims. What our copy has lost is no fault of the book.
-Standing standing_of(const ExerciseResult& e) {
+TileClass standing_of(const ExerciseResult& e) {
   const Counts counts = counts_of(e);
   if (counts.contains(Verdict::wrong)) return stands_wrong;
   if (counts.contains(Verdict::incomplete)) return stands_incomplete;
@@ -36,7 +36,7 @@ Standing standing_of(const ExerciseResult& e) {
 }
 
 std::string tile(const ExerciseResult& e) {
-  const Standing standing = standing_of(e);
+  const TileClass standing = standing_of(e);
   const std::string number = to_string(e.number);
   return element(
       "a",
@@ -58,7 +58,7 @@ std::string chapter_tiles(const Results& results, const Chapter& chapter) {
 
 std::string standings_legend(const Results& results) {
   std::string items;
-  for (const Standing& standing : standings) {
+  for (const TileClass& standing : standings) {
     const auto count = std::ranges::count_if(
         results.exercises, [&](const ExerciseResult& e) { return standing_of(e).kind == standing.kind; });
     if (count > 0)
