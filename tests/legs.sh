@@ -253,6 +253,13 @@ leg_questions() {  # choose: QUESTIONS (100) random questions of SECONDS_EACH (3
   return $false
 }
 
+leg_lockstep() {  # choose --lockstep: its programs by g++ and clang, for x86-64 with and without FMA, WebAssembly, arm64 and i386, have the same bits; SCENES for a part
+  tools clang lld nodejs wasi-libc libc++-dev-wasm32 libclang-rt-dev-wasm32 g++-aarch64-linux-gnu g++-i686-linux-gnu qemu-user
+  build release oddity
+  # shellcheck disable=SC2086
+  tests/lockstep.sh build/release/oddity ${SCENES:-}
+}
+
 leg_same() {  # one thread and another order: the same bits; functions that err otherwise, and programs of the presets in BUILDS: a green suite, and what differs listed; SUITE for a part
   build release oddity oddity_same shaken_libm
   local same=build/release/extras/oddity_same found seed preset

@@ -528,6 +528,7 @@ Need need_of(const Task& task, const AskedNeed& asked) {
   need.only = asked.only;
   need.exclude = asked.exclude;
   need.one_step = asked.one_step;
+  need.lockstep = asked.lockstep;
   need.thorough = asked.thorough;
   require_one_of("--precision", asked.precision, {"float", "double", "any"});
   require_known_words(task, asked);

@@ -46,6 +46,7 @@ struct AskedNeed {
   std::string method = {}, model = {};  ///< what someone runs: "semi-implicit Euler@60Hz"
   std::string precision = "double";
   bool cheapest = false, one_step = false;
+  bool lockstep = false;    ///< bits that are the same everywhere
   bool measure = false;     ///< what earlier runs measured is measured anew
   bool as_engines = false;  ///< unless an error is asked for, 1 cm and 1 degree as a game asks
   bool enclosed = false;    ///< the truth's error is proved

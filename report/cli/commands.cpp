@@ -250,6 +250,10 @@ void add_choose_own(CLI::App& choose, AskedNeed& need) {
 
 void add_choose_methods(CLI::App& choose, AskedNeed& need) {
   choose.add_flag("--cheapest", need.cheapest, "take whatever is cheapest, however complicated");
+  choose.add_flag(
+      "--lockstep", need.lockstep,
+      "only methods whose bits are the same by every compiler and on every processor: --code prints "
+      "such a program, with elementary functions of its own and a hash of the whole motion");
   choose.add_flag("--one-step", need.one_step, "take no method that needs a history");
   add_value(choose, "--precision", need.precision, "WORD",
             "the numbers to compute in: float, double or any; in float there are closed forms and the "
@@ -299,7 +303,7 @@ void add_choose(CLI::App& app, Session& s) {
       "Keys of the JSON: need (judged_over: the part of its horizon), chosen (null when nothing is; rollback: to take eight frames again), in_float, ties, candidates (followed: false where finer "
       "settings were not tried), on_asked (when nothing is chosen, what holds on the start asked for), engine, "
       "predictable, chosen_on, tested_on, failing_beside, left_out (starts beside that are another kind of motion), "
-      "in_chaos (how many unseen starts hold, with bounds), times, explanation.\n"
+      "in_chaos (how many unseen starts hold, with bounds), lockstep (null unless asked; functions of its own, times_usual: its time in the usual program's, left_out by reason), times, explanation.\n"
       "Columns with --method: exercise, model, algorithm, knob, setting, holds (1 or 0), outcome, where, error_in_needs, "
       "starts, failing, growth (of the error, from half the time to the end), drift (of what the model conserves), energy (how far what is seen is off its true one), stable_to, "
       "evaluations_per_frame, seconds_per_frame, frames_per_second; a row for each model.\n"
@@ -311,7 +315,7 @@ void add_choose(CLI::App& app, Session& s) {
           "\n"
           "Examples:\n  oddity choose 3.5 a=60deg --error 1deg --budget 5us\n  oddity choose 3.5 --error 1deg --jitter 20% --drop 1%\n  oddity choose 3.33 --error 1deg "
           "--horizon 2 --fps 120\n  oddity choose 3.25 --criterion bounded --precision float\n  oddity choose 3.5 "
-          "--error 1deg --exclude closed --code\n  oddity choose 3.5 --error 1deg --bodies 10000 --budget 1ms\n"
+          "--error 1deg --exclude closed --code\n  oddity choose 3.5 --error 1deg --lockstep --code\n  oddity choose 3.5 --error 1deg --bodies 10000 --budget 1ms\n"
           "  oddity choose 3.5 --error 1deg --method 'semi-implicit Euler@60Hz'",
       [&] {
         s.need.as_engines = !s.engine.empty();
@@ -337,6 +341,7 @@ void add_choose(CLI::App& app, Session& s) {
   set_apart(*choose, engine, {"--json", "--csv", "--code"});
   set_apart(*choose, choose->get_option("--method"),
             {"--engine", "--code", "--explain", "--all", "--enclosed"});
+  set_apart(*choose, choose->get_option("--lockstep"), {"--method", "--engine", "--bodies"});
 }
 
 CLI::Option* add_overwrite(CLI::App& verb, Session& s) {

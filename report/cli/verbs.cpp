@@ -23,6 +23,7 @@
 #include "report/pages/code.hpp"
 #include "report/pages/held_steps_view.hpp"
 #include "report/pages/is_enough_view.hpp"
+#include "report/pages/lockstep.hpp"
 #include "report/pages/markdown.hpp"
 #include "report/pages/pictures.hpp"
 #include "report/pages/stability_view.hpp"
@@ -356,7 +357,7 @@ int choose(const fs::path& folder, const std::string& exercise, const std::vecto
            const AskedNeed& asked, Format format, bool all_rows, const std::string& engine,
            const std::string& command, const Extras& extras) {
   const Task task = task_of(exercise, overrides);
-  const Need need = need_of(task, asked);
+  const Need need = asked.lockstep ? in_lockstep(need_of(task, asked), task) : need_of(task, asked);
   if (!asked.method.empty()) return judge_own(folder, task, asked, need, format, extras.bodies);
   if (need.frame_times && !engine.empty())
     throw BadInput(
@@ -367,7 +368,8 @@ int choose(const fs::path& folder, const std::string& exercise, const std::vecto
       engine.empty() ? OtherEngines::Answer() : extras.engines.named(engine, task);
   const Reference truth = truth_of(folder, asked.enclosed, motions_folder());
   if (!of_the_book(task.entry->number)) require_truth(task, truth);
-  const Choice choice = choice_in_time(task, need, truth, asked.measure, extras.bodies);
+  Choice choice = choice_in_time(task, need, truth, asked.measure, extras.bodies);
+  if (asked.lockstep) choice.lockstep = lockstep_of(task, choice);
   if (format == Format::text && !asked.says.empty())
     std::cout << exercise << " does not say what it needs, so it is asked for " << asked.says << "\n";
   if (format == Format::csv || (format == Format::code && choice.chosen)) std::cerr << part_text(choice);

@@ -135,9 +135,9 @@ std::string strays_text(const Choice& choice) {
   return "";
 }
 
-std::string listed(const std::vector<std::string>& starts) {
+std::string listed(const std::vector<std::string>& all, const std::string& between = "; ") {
   std::string text;
-  for (const std::string& start : starts) text += (text.empty() ? "" : "; ") + start;
+  for (const std::string& one : all) text += (text.empty() ? "" : between) + one;
   return text;
 }
 
@@ -214,6 +214,29 @@ std::string in_float_text(const Choice& choice) {
   return "  in float: " + std::string(name_of(single.outcome)) +
          (std::isfinite(single.error) ? ", error " + error_of(single, choice) : "") + " at " + single.where +
          ": fails.\n";
+}
+
+/// What was not asked, as it has no such program: by name where that is short.
+std::string left_out_of_lockstep(const InLockstep& lockstep) {
+  std::string text;
+  for (const auto& [why, names] : lockstep.left_out)
+    text += (text.empty() ? "  left out: what " : "; what ") + why + " (" +
+            (names.size() < 3 ? listed(names, ", ") : std::to_string(names.size()) + " algorithms") + ")";
+  return text.empty() ? "" : text + ".\n";
+}
+
+/// Of what the same bits are made, and what they cost.
+std::string lockstep_text(const Choice& choice) {
+  if (!choice.lockstep) return "";
+  const InLockstep& lockstep = *choice.lockstep;
+  return "  lockstep: its program has the same bits by every compiler and on every processor, of +, -, *, /, "
+         "square roots" +
+         (lockstep.functions.empty() ? "" : " and its own " + listed(lockstep.functions, ", ")) + "; " +
+         (lockstep.times_usual ? "a frame takes " + times_as(*lockstep.times_usual) +
+                                     " what it takes the usual program (" + lockstep.measured + ")"
+                               : lockstep.measured) +
+         ". It is judged by the usual functions, from which these differ by a few units in the last place.\n" +
+         left_out_of_lockstep(lockstep);
 }
 
 std::string ties_text(const Choice& choice) {
@@ -463,6 +486,15 @@ Json need_of(const Choice& choice) {
           {"objective", choice.need.objective == Objective::simple ? "simple" : "cheapest"}};
 }
 
+Json lockstep_json(const Choice& choice) {
+  if (!choice.lockstep) return nullptr;
+  const InLockstep& lockstep = *choice.lockstep;
+  return {{"functions", lockstep.functions},
+          {"times_usual", lockstep.times_usual ? Json(*lockstep.times_usual) : Json(nullptr)},
+          {"measured", lockstep.measured},
+          {"left_out", lockstep.left_out}};
+}
+
 std::string csv_cell(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string quoted = "\"";
@@ -504,8 +536,8 @@ std::string answer_text(const Choice& choice, const Screen& screen) {
                      screen.styled(Style::heading, described(best, choice.need)) + ": " + cost_of(best);
   if (std::isfinite(choice.need.budget))
     text += ", " + percent(best.seconds_per_frame / choice.need.budget) + " of the budget";
-  text += ".\n" + rule_text(choice) + bodies_text(choice) + margin_text(choice) + in_float_text(choice) +
-          ties_text(choice);
+  text += ".\n" + rule_text(choice) + bodies_text(choice) + margin_text(choice) + lockstep_text(choice) +
+          in_float_text(choice) + ties_text(choice);
   if (!choice.by_objective)
     text +=
         "  no one-step method of fixed step and no closed form holds with a margin of three: this is the "
@@ -614,6 +646,7 @@ std::string choice_json(const Choice& choice) {
                         {"holding", choice.holding_in_chaos},
                         {"least", choice.share_in_chaos().first},
                         {"most", choice.share_in_chaos().second}};
+  json["lockstep"] = lockstep_json(choice);
   json["times"] = choice.prices_are;
   const Explanation& e = choice.explanation;
   json["explanation"] = {{"truths",

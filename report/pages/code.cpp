@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -14,6 +15,7 @@
 #include "report/study/frames.hpp"
 #include "report/text/readable.hpp"
 #include "report/text/used_code.hpp"
+#include "solvers/ode/catalog.hpp"
 
 namespace oddity {
 
@@ -36,6 +38,7 @@ constexpr Plain plain_algorithms[] = {
 };
 constexpr Plain own_steps{"", "report/plain/own_steps.hpp", "OwnSteps"};
 constexpr std::string_view closed_form = "closed form";
+constexpr std::string_view lockstep_header = "report/plain/lockstep.hpp";
 
 std::string listed(const std::vector<std::string_view>& names) {
   std::string all;
@@ -170,6 +173,47 @@ void print_row(double t, const Observables& observables) {
 }
 )";
 
+/// Keeps what is printed, and every state, as a hash of their bits.
+constexpr std::string_view print_row_in_lockstep = R"(
+oddity::BitsHash all;
+
+template <class Observables>
+void print_row(oddity::Lockstep<double> t, const Observables& observables) {
+  std::printf("%.17g", t.value());
+  for (const auto& x : observables) std::printf(",%.17g", static_cast<double>(x.value()));
+  std::printf("\n");
+  all.add(observables);
+}
+)";
+constexpr std::string_view ask_machine =
+    R"(  if (!oddity::is_in_lockstep()) {
+    std::fputs("compiled such that operations are not rounded each for itself: leave out -ffp-contract=fast\n", stderr);
+    return 1;
+  }
+)";
+constexpr std::string_view print_hash =
+    R"(  std::printf("bits of all states and observables, as FNV-1a: %016llx\n", all.value());
+)";
+
+/// Before all else: what no compiler may be told, and what all of them have to be.
+constexpr std::string_view one_rounding_each =
+    R"(#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(_M_FP_FAST)
+#error "the bits of this program are those of IEEE 754: compile it without -ffast-math and its parts"
+#endif
+#if defined(__clang__)
+#pragma STDC FP_CONTRACT OFF
+#elif defined(__GNUC__)
+#pragma GCC optimize("fp-contract=off")
+#elif defined(_MSC_VER)
+#pragma fp_contract(off)
+#endif
+
+)";
+constexpr std::string_view no_wider_numbers =
+    R"(static_assert(FLT_EVAL_METHOD == 0 && std::numeric_limits<double>::is_iec559,
+              "every operation has to round to its type: on i386 compile with -msse2 -mfpmath=sse");
+)";
+
 /// The words with a dollar are placeholders.
 constexpr std::string_view closed_form_main = R"(
 int main() {
@@ -195,7 +239,7 @@ int main() {
   for (int frame = 1; frame <= frames; ++frame) {
     const double t0 = (frame - 1) / frames_per_second, t1 = frame / frames_per_second;
     const double h = (t1 - t0) / steps_per_frame;
-    for (int i = 0; i < steps_per_frame; ++i) algorithm.step(model, x, Number(t0 + i * h), Number(h));
+    for (int i = 0; i < steps_per_frame; ++i) algorithm.step(model, x, Number(t0 + i * h), Number(h))$seen;
     print_row(t1, model.observe(x, Number(t1)));
   }
 }
@@ -219,14 +263,14 @@ constexpr std::string_view before_steps = R"(  constexpr double step = $step;
 )";
 constexpr std::string_view divided =
     R"(    const double steps = std::fmax(1, std::ceil((t - before) * (1 - 1e-12) / step)), h = (t - before) / steps;
-    for (int i = 0; i < steps; ++i) algorithm.step(model, x, Number(before + i * h), Number(h));
+    for (int i = 0; i < steps; ++i) algorithm.step(model, x, Number(before + i * h), Number(h))$seen;
     print_row(t, model.observe(x, Number(t)));
     before = t;
 )";
 constexpr std::string_view accumulated =
     R"(    for (; static_cast<double>(done + 1) * step <= t * (1 + 1e-12); ++done) {
       before = x;
-      algorithm.step(model, x, Number(static_cast<double>(done) * step), Number(step));
+      algorithm.step(model, x, Number(static_cast<double>(done) * step), Number(step))$seen;
     }
     [[maybe_unused]] const double late = t - static_cast<double>(done) * step;
     auto drawn = x;
@@ -238,6 +282,70 @@ constexpr std::string_view extrapolated = R"(    auto rate = x;
     model(x, rate, Number(t - late));
     for (std::size_t i = 0; i < x.size(); ++i) drawn[i] += Number(late) * rate[i];
 )";
+
+/// Prints the seconds of the processor that a frame takes, the best of several times: what is computed has to
+/// be seen.
+constexpr std::string_view timed_main = R"(
+template <class Numbers>
+bool seen(const Numbers& numbers) {
+  auto sum = numbers[0];
+  for (std::size_t i = 1; i < numbers.size(); ++i) sum = sum + numbers[i];
+  return sum < 0;
+}
+
+int main() {
+  using oddity::asked::Number;
+  volatile bool kept = false;
+  double best = 1;
+  long passes = 1;
+  for (int trial = 0; trial < 9;) {
+    const std::clock_t begun = std::clock();
+    for (long pass = 0; pass < passes; ++pass) {
+      const auto model = oddity::asked::model();
+$pass    }
+    const double seconds = static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
+    if (seconds < 0.005) {
+      passes *= 2;
+      continue;
+    }
+    ++trial;
+    best = std::fmin(best, seconds / static_cast<double>(passes));
+  }
+  std::printf("%.17g\n", best / $frames);
+}
+)";
+constexpr std::string_view timed_steps = R"(      auto x = model.start();
+      oddity::plain::$algorithm<std::remove_const_t<decltype(model)>> algorithm;
+      for (int i = 0; i < $all_steps; ++i) algorithm.step(model, x, Number($step) * Number(i), Number($step));
+      kept = seen(x);
+)";
+constexpr std::string_view timed_closed_form =
+    R"(      for (int i = 1; i <= $frames; ++i) kept = seen(model.at(Number($step) * Number(i)));
+)";
+
+/// A word of C++ everywhere in it, comments aside.
+std::string with_word(const std::string& code, const std::string& word, const std::string& in_its_place) {
+  std::string text;
+  std::istringstream lines(code);
+  const std::regex whole(word);
+  for (std::string line; std::getline(lines, line);)
+    text += (line.starts_with("///") ? line : std::regex_replace(line, whole, in_its_place)) + "\n";
+  return text;
+}
+
+/// What is written in double, in lockstep's numbers and by its functions.
+std::string in_lockstep_numbers(const std::string& code) {
+  return with_word(with_word(code, R"(\bdouble\b)", "oddity::Lockstep<double>"),
+                   R"(\bstd::(?=(?!printf)\w+\())", "oddity::lockstep::");
+}
+
+/// Headers without the C library's functions by name, which mention all of them: lockstep's are found by
+/// their arguments.
+std::string without_library_functions(std::string headers) {
+  if (const auto at = headers.find("using std::abs, "); at != headers.npos)
+    headers.erase(at, headers.find(';', at) + 1 - at);
+  return headers;
+}
 
 std::string before_text(Stepping stepping) {
   return std::string(before_steps) + (stepping == Stepping::divided
@@ -262,18 +370,41 @@ std::string times_text(const Need& need) {
   return times;
 }
 
+std::string timed_text(const Need& need, const Plain* algorithm, double step) {
+  const int steps =
+      algorithm ? std::max(1, static_cast<int>(std::round(1 / (step * need.frames_per_second)))) : 1;
+  const int frames = static_cast<int>(std::min(need.frames(), 1000.0));
+  std::string text(timed_main);
+  const auto put = [&](const std::string& placeholder, const std::string& what) {
+    for (auto at = text.find(placeholder); at != std::string::npos; at = text.find(placeholder))
+      text.replace(at, placeholder.size(), what);
+  };
+  put("$pass", std::string(algorithm ? timed_steps : timed_closed_form));
+  put("$frames", std::to_string(frames));
+  put("$all_steps", std::to_string(frames * steps));
+  put("$step", format_shortest(1 / (need.frames_per_second * steps)));
+  if (algorithm) put("$algorithm", std::string(algorithm->type));
+  return text;
+}
+
 std::string main_text(const Task& task, const Need& need, const Plain* algorithm, double step,
                       Stepping stepping) {
   const bool differ = need.frame_times != nullptr;
-  std::string text(differ ? frames_main : algorithm ? stepping_main : closed_form_main);
+  const auto in_its_numbers = [&](const std::string& code) {
+    return need.lockstep ? in_lockstep_numbers(code) : code;
+  };
+  std::string text = in_its_numbers(std::string(differ      ? frames_main
+                                                : algorithm ? stepping_main
+                                                            : closed_form_main));
   const auto put = [&](const std::string& placeholder, const std::string& what) {
     text.replace(text.find(placeholder), placeholder.size(), what);
   };
   put("$names", header_line(*task.entry->exercise.scene));
   if (differ) {
     put("$times", times_text(need));
-    put("$before", algorithm ? before_text(stepping) : "");
-    put("$frame", algorithm ? frame_text(stepping) : "    print_row(t, model.at(Number(t)));\n");
+    put("$before", algorithm ? in_its_numbers(before_text(stepping)) : "");
+    put("$frame",
+        algorithm ? in_its_numbers(frame_text(stepping)) : "    print_row(t, model.at(Number(t)));\n");
   } else {
     put("$frames", format_shortest(need.frames()));
     put("$rate", format_shortest(need.frames_per_second));
@@ -285,7 +416,13 @@ std::string main_text(const Task& task, const Need& need, const Plain* algorithm
     put("$steps", format_shortest(std::round(1 / (step * need.frames_per_second))));
     put("$algorithm", std::string(algorithm->type));
   }
-  return text;
+  if (algorithm) put("$seen", need.lockstep ? ", all.add(x)" : "");
+  if (!need.lockstep) return text;
+  const std::string started = "  auto x = model.start();\n";
+  if (algorithm) text.insert(text.find(started) + started.size(), "  all.add(x);\n");
+  const std::string_view begun = "int main() {\n";
+  text.insert(text.find(begun) + begun.size(), ask_machine);
+  return text.insert(text.rfind('}'), print_hash);
 }
 
 }  // namespace
@@ -314,7 +451,10 @@ std::vector<std::string_view> printable_algorithms() {
   return all;
 }
 
-std::string code_of(const Task& task, const Candidate& chosen, const Need& need, const std::string& about) {
+namespace {
+
+/// A program without its comment.
+std::string program_of(const Task& task, const Candidate& chosen, const Need& need, bool is_timed) {
   const Exercise& exercise = task.entry->exercise;
   const Listing& listing = exercise.scene->listing;
   const bool single = chosen.precision == Precision::in_float;
@@ -323,23 +463,117 @@ std::string code_of(const Task& task, const Candidate& chosen, const Need& need,
   const auto [model, algorithm] =
       printed(*exercise.scene, chosen.model, in_double(std::string(without_stepping(chosen.algorithm))));
   Joined headers;
+  if (need.lockstep) headers.add(lockstep_header);
   for (std::string_view header : listing.headers) headers.add(header);
   if (algorithm) headers.add(algorithm->header);
   headers.add_standard("cstdio");
   if (need.frame_times) headers.add_standard("cmath"), headers.add_standard("cstddef");
   if (listing.text) headers.add_standard("array"), headers.add_standard("cmath");
-  const std::string compiled =
-      "\nCompiled by c++ -std=c++20 -O2 -ffp-contract=off it prints oddity's own numbers" +
-      std::string(single
-                      ? ", but for the observables' roundings: oddity observes a motion in float in double."
-                  : listing.text || need.frame_times ? ", but for roundings."
-                                                     : ".");
-  const std::string own = (listing.text ? listing.text(task.parameters, chosen.model) + "\n" : "") +
-                          model_text(task, model, single ? "float" : "double") + std::string(print_row) +
-                          main_text(task, need, algorithm, chosen.setting, stepping_of(chosen.algorithm));
-  std::string code = used_code(headers.text(), own) + "\n" + own;
+  if (need.lockstep) headers.add_standard("cfloat");
+  if (is_timed)
+    for (const char* header : {"cmath", "cstddef", "ctime", "type_traits"}) headers.add_standard(header);
+  std::string of_file = listing.text ? listing.text(task.parameters, chosen.model) + "\n" : "";
+  if (need.lockstep) of_file = in_lockstep_numbers(of_file);
+  const std::string number = single ? "float" : "double";
+  std::string own =
+      of_file + model_text(task, model, need.lockstep ? "oddity::Lockstep<" + number + ">" : number);
+  if (is_timed)
+    own += timed_text(need, algorithm, chosen.setting);
+  else
+    own += std::string(need.lockstep ? print_row_in_lockstep : print_row) +
+           main_text(task, need, algorithm, chosen.setting, stepping_of(chosen.algorithm));
+  if (need.lockstep) own = std::string(no_wider_numbers) + "\n" + own;
+  const std::string all = need.lockstep ? without_library_functions(headers.text()) : headers.text();
+  std::string code = used_code(all, own) + "\n" + own;
   code.erase(1, code.find_first_not_of('\n') - 1);
-  return with_lines_apart(as_comment(about + compiled) + "\n" + headers.includes(code) + code);
+  return std::string(need.lockstep ? one_rounding_each : "") + headers.includes(code) + code;
+}
+
+/// How the program is to be compiled, and what it then prints.
+std::string compiling_of(const Listing& listing, const Candidate& chosen, const Need& need) {
+  if (need.lockstep)
+    return "\nCompiled by any compiler for C++20, whatever its optimization, it prints the same hash of its bits on "
+           "every machine.\nCompile it without -ffast-math, and for i386 with -msse2 -mfpmath=sse.";
+  return "\nCompiled by c++ -std=c++20 -O2 -ffp-contract=off it prints oddity's own numbers" +
+         std::string(
+             chosen.precision == Precision::in_float
+                 ? ", but for the observables' roundings: oddity observes a motion in float in double."
+             : listing.text || need.frame_times ? ", but for roundings."
+                                                : ".");
+}
+
+/// The elementary functions of <cmath> that lockstep has none of its own for.
+const std::regex& not_in_lockstep() {
+  static const std::regex names(
+      R"(\b(pow|cbrt|atan|tanh|acosh|atanh|exp2|log2|log10|log1p|fma|erfc?|[tl]gamma|ellint_\w+|complex)\s*[(<])");
+  return names;
+}
+
+/// What the model's program has of its own, and of the headers that it needs.
+std::string model_code_of(const Task& task, std::string_view model, std::string_view expression) {
+  const Listing& listing = task.entry->exercise.scene->listing;
+  Joined headers;
+  for (std::string_view header : listing.headers) headers.add(header);
+  const std::string own = (listing.text ? listing.text(task.parameters, std::string(model)) : "") +
+                          "auto model = " + std::string(expression) +
+                          "; model.start(), model.observe, model.at, model.acceleration;";
+  return used_code(headers.text(), own) + own;
+}
+
+/// Names of functions that are called in code, each once.
+std::vector<std::string> called_in(const std::string& code, const std::regex& names) {
+  std::set<std::string> all;
+  std::istringstream lines(code);
+  for (std::string line; std::getline(lines, line);) {
+    const std::string statement = line.substr(0, line.find("//"));
+    for (std::sregex_iterator found(statement.begin(), statement.end(), names), end; found != end; ++found)
+      all.insert((*found)[1].str());
+  }
+  return {all.begin(), all.end()};
+}
+
+}  // namespace
+
+std::string why_not_in_lockstep(const Task& task, const std::string& model, const std::string& algorithm) {
+  const std::string plainly = in_double(std::string(without_stepping(algorithm)));
+  const Listing& listing = task.entry->exercise.scene->listing;
+  if (listing.text && plainly != without_stepping(algorithm))
+    return "is in float, in which a problem's file has no code";
+  const auto* expression = find(listing.models, model + ", " + plainly);
+  if (!expression) {
+    const auto algorithms = printable_algorithms();
+    if (std::ranges::find(algorithms, plainly) == algorithms.end()) {
+      const auto known = std::ranges::find(ode::catalog(), plainly, &ode::CatalogEntry::name);
+      if (known == ode::catalog().end()) return "has a loop that --code does not print";
+      if (known->library == ode::Facts::own) return "has a loop that --code does not print";
+      return "calls " + std::string(known->library);
+    }
+    expression = find(listing.models, model);
+    const auto* why = find(listing.not_printable, model);
+    if (!expression) return "has a model " + (why ? std::string(*why) : "that --code does not print");
+  }
+  const std::vector<std::string> foreign =
+      called_in(model_code_of(task, model, *expression), not_in_lockstep());
+  return foreign.empty() ? "" : "has a model that calls the C library's " + foreign.front();
+}
+
+std::vector<std::string> functions_in_lockstep(const Task& task, const Candidate& chosen) {
+  static const std::regex names(
+      R"(\b(sin|cos|tan|asin|acos|atan2|exp|expm1|log|sinh|cosh|asinh|hypot)\s*\()");
+  const auto [model, algorithm] = printed(*task.entry->exercise.scene, chosen.model,
+                                          in_double(std::string(without_stepping(chosen.algorithm))));
+  return called_in(model_code_of(task, chosen.model, model), names);
+}
+
+std::string timing_code_of(const Task& task, const Candidate& chosen, Need need, bool lockstep) {
+  need.lockstep = lockstep;
+  return program_of(task, chosen, need, true);
+}
+
+std::string code_of(const Task& task, const Candidate& chosen, const Need& need, const std::string& about) {
+  const std::string program = program_of(task, chosen, need, false);
+  return with_lines_apart(
+      as_comment(about + compiling_of(task.entry->exercise.scene->listing, chosen, need)) + "\n" + program);
 }
 
 std::string code_of(const Task& task, const Choice& choice, const std::string& command) {

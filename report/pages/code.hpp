@@ -24,4 +24,16 @@ std::string code_of(const Task&, const Choice&, const std::string& command);
 /// The same of a candidate, headed by a comment about it.
 std::string code_of(const Task&, const Candidate&, const Need&, const std::string& about);
 
+// Where a need asks for lockstep, the program has the same bits by every compiler and on every processor: its
+// numbers are those of report/plain/lockstep.hpp.
+
+/// Why there is no such program of this model and algorithm, which may be in float: "calls GSL". Empty:
+/// there is.
+std::string why_not_in_lockstep(const Task&, const std::string& model, const std::string& algorithm);
+/// The elementary functions that such a program has of its own: "sin".
+std::vector<std::string> functions_in_lockstep(const Task&, const Candidate&);
+/// A program that prints the seconds that a frame of the candidate takes, in lockstep or as usual. Frames of
+/// different lengths are timed as if they were not.
+std::string timing_code_of(const Task&, const Candidate&, Need, bool lockstep);
+
 }  // namespace oddity

@@ -18,8 +18,9 @@ struct AdamsBashforth4 {
   Number last = 0;               ///< step
 
   void step(const Model& model, State& x, Number t, Number h) {
+    using std::abs;
     constexpr double rounding = sizeof(Number) == sizeof(float) ? 0x1p-22 : 1e-10;
-    if (std::abs(h - last) > rounding * std::abs(h)) known = 0;
+    if (abs(h - last) > Number(rounding) * abs(h)) known = 0;
     last = h;
     f3 = f2, f2 = f1, f1 = f0;
     model(x, f0, t);

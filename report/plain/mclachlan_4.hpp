@@ -14,7 +14,8 @@ struct McLachlan4 {
   using Number = typename State::value_type;
 
   void step(const Model& model, State& x, Number, Number h) {
-    static const Number half = Number(1) / 2, third = Number(1) / 3, z = std::sqrt(Number(7) / 8) / 3;
+    using std::sqrt;
+    static const Number half = Number(1) / 2, third = Number(1) / 3, z = sqrt(Number(7) / 8) / 3;
     static const Number drifts[] = {half - z, -third + z, 2 * third, -third + z, half - z};
     static const Number kicks[] = {1, -half, -half, 1};
     Halves<State> halves(x);

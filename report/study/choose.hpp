@@ -30,6 +30,14 @@ struct Explanation {
   int rounds = 0;        ///< of tests, the last of which held if anything is chosen
 };
 
+/// A choice whose bits are asked to be the same everywhere, as a program of one's own.
+struct InLockstep {
+  std::vector<std::string> functions;      ///< its own instead of the C library's: "sin"
+  std::optional<double> times_usual = {};  ///< what a frame takes, in what the usual program takes
+  std::string measured = {};               ///< by what compiler, or why it is not
+  std::map<std::string, std::vector<std::string>> left_out;  ///< what was not asked, by the reason
+};
+
 struct Choice {
   Need need;
   /// Where the need's horizon is only a part of the one that was asked for: that one. Nothing that is asked
@@ -73,6 +81,7 @@ struct Choice {
   int failing_beside = 0;  ///< of those unseen, where they need not hold: the start asked for alone was asked
   std::string prices_are = {};  ///< where they come from
   std::string registers = {};   ///< that the bodies of the chosen one are side by side in; empty: none
+  std::optional<InLockstep> lockstep = {};
   Explanation explanation = {};
 
   bool was_followed(const Candidate&) const;

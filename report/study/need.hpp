@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
@@ -60,6 +61,9 @@ struct Need {
   std::map<Criterion, double> also = {};  ///< other criteria that have to hold as well, with their errors
   Objective objective = Objective::cheapest;
   std::vector<std::string> only = {}, exclude = {};  ///< words of models and algorithms
+  /// Which of these models and algorithms may be taken, of those named above; null: all.
+  std::function<bool(const std::string& model, const std::string& algorithm)> takes = {};
+  bool lockstep = false;  ///< a program whose bits are the same by every compiler and on every processor
   int starts = 6;  ///< on which it has to hold: the one asked for, two beside it, others that it is tested on
   bool one_step = false;  ///< no method that needs a history
   bool thorough = false;  ///< every method at every setting, against truths of as many digits as there are

@@ -28,13 +28,14 @@ bool named_by(const std::vector<std::string>& words, const Method& method) {
   });
 }
 
+}  // namespace
+
 bool is_wanted(const Need& need, const Method& method) {
   if (!(method.precision == Precision::in_float ? need.in_float : need.in_double)) return false;
   if (!need.only.empty() && !named_by(need.only, method)) return false;
+  if (need.takes && !need.takes(method.model, method.algorithm)) return false;
   return !named_by(need.exclude, method) && !(need.one_step && is_multistep(method.algorithm));
 }
-
-}  // namespace
 
 Search::Search(const Task& task, const Need& need, const Reference& truth, const Price& price,
                const Progress& progress, std::shared_ptr<const PartJudged> part)

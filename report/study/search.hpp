@@ -12,6 +12,9 @@
 
 namespace oddity {
 
+/// By its precision, its words and what the need takes.
+bool is_wanted(const Need&, const Method&);
+
 /// The search of a choice: each method climbs its ladder of settings, with ever more work allowed, until one
 /// holds that the objective wants; the picker takes the cheapest; unseen starts test it. A choice that they
 /// refute is dropped, and the search goes on with these starts as well.
