@@ -54,14 +54,18 @@ struct MomentOf {
   TypesetIn<T> typeset() const;
 };
 
+/// The same moment under the other acceleration.
+template <class T>
+struct PushedOf : MomentOf<T> {
+  TypesetIn<T> typeset() const;
+};
+
 /// r, theta and V = -GM/r at a moment: along the path in time by dual numbers of second order, and from there
 /// V', V'' along the angle.
 template <class T>
 struct AlongOf {
   T G, M, m, mu, x, y, vx, vy, ax, ay, r, r_dot, r_dot_dot, angle, w, w_dot, c, s, h, alpha;
   T V, V_dot, V1, V1_dot, V2;  ///< V1 = V', V2 = V''
-  T speed, factor;             ///< alpha/(G M^2)
-  Dual<T> distance, potential;
 
   AlongOf(const MomentOf<T>& k, bool pushed)
       : G(k.G), M(k.M), m(k.m), mu(G * M), x(k.x), y(k.y), vx(k.vx), vy(k.vy) {
@@ -73,44 +77,60 @@ struct AlongOf {
                 along_y = y + t * (Twice(vy) + t * Twice(ay / 2));
     const Twice R = sqrt(along_x * along_x + along_y * along_y), theta = atan2(along_y, along_x);
     const Twice energy = -mu / R;
-    r = R.value.value, r_dot = R.slope.value, r_dot_dot = R.slope.slope, distance = {r, r_dot};
+    r = R.value.value, r_dot = R.slope.value, r_dot_dot = R.slope.slope;
     angle = theta.value.value, w = theta.slope.value, w_dot = theta.slope.slope;
-    c = cos(angle), s = sin(angle), h = r * r * w, alpha = M * h, speed = hypot(vx, vy);
-    V = energy.value.value, V_dot = energy.slope.value, potential = {V, V_dot}, V1 = V_dot / w;
+    c = cos(angle), s = sin(angle), h = r * r * w, alpha = M * h;
+    V = energy.value.value, V_dot = energy.slope.value, V1 = V_dot / w;
     V1_dot = (energy.slope.slope * w - V_dot * w_dot) / (w * w), V2 = V1_dot / w;
-    factor = alpha / (G * M * M);
   }
   T mean() const { return pow(G * M * M / alpha, 2); }  ///< G^2 M^4/alpha^2
-  /// A vector by its parts along R and P.
-  auto parts(const T& along_R, const T& along_P) const {
-    return values(along_R * c - along_P * s, along_R * s + along_P * c);
+  /// `\alpha_c` is that of the circle through the place.
+  TypesetIn<T> typeset() const {
+    return {{"G", G},
+            {"M", M},
+            {"m", m},
+            {"r", r},
+            {R"(\dot r)", r_dot},
+            {R"(\ddot r)", r_dot_dot},
+            {R"(\dot\theta)", w},
+            {R"(\ddot\theta)", w_dot},
+            {R"(\mathbf r)", {x, y, 0}},
+            {R"(\mathbf R)", {c, s, 0}},
+            {R"(\mathbf P)", {-s, c, 0}},
+            {R"(\mathbf k)", {0, 0, 1}},
+            {R"(\alpha)", alpha},
+            {R"(\alpha_c)", M * sqrt(mu * r)},
+            {"V", V},
+            {"V'", V1},
+            {"V''", V2},
+            {R"(\dot V)", V_dot},
+            {"dV/dt", V_dot},
+            {"dV'/dt", V1_dot},
+            {R"(dV/d\theta)", V1},
+            {"dV/dr", derivative([&](auto z) { return -mu / z; }, r)}};
   }
-  // The size of the terms, whatever the letters are: of r'', of r theta'', of V''.
+  // The size of the terms, whatever the letters are: of r'', of r theta'', of V'', of the velocity's moment.
   double of_radial() const { return r * w * w + mu / (r * r) + 4 * r_dot * r_dot / r; }
-  double of_transverse() const { return speed * speed / r; }
+  double of_transverse() const { return (vx * vx + vy * vy) / r; }
   double of_bend() const { return of_radial() * mu / pow(r * w, 2) + abs(V); }
+  double of_moment() const { return vx * vx + vy * vy; }
 };
 
-/// Of the path, but for the angle's acceleration: that is under the other one.
+template <class T>
+AlongOf<T> motion_at(const MomentOf<T>& k) {
+  return {k, false};
+}
+template <class T>
+AlongOf<T> motion_at(const PushedOf<T>& k) {
+  return {k, true};
+}
 template <class T>
 TypesetIn<T> MomentOf<T>::typeset() const {
-  const AlongOf<T> k(*this, false);
-  return {{"G", G},
-          {"M", M},
-          {"m", m},
-          {"r", k.r},
-          {R"(\dot r)", k.r_dot},
-          {R"(\ddot r)", k.r_dot_dot},
-          {R"(\dot\theta)", k.w},
-          {R"(\ddot\theta)", AlongOf<T>(*this, true).w_dot},
-          {R"(\mathbf R)", {k.c, k.s}},
-          {R"(\mathbf P)", {-k.s, k.c}},
-          {R"(\alpha)", k.alpha},
-          {"V", k.V},
-          {"V'", k.V1},
-          {"V''", k.V2},
-          {"dV/dt", k.V_dot},
-          {"dV/dr", k.mu / (k.r * k.r)}};
+  return motion_at(*this).typeset();
+}
+template <class T>
+TypesetIn<T> PushedOf<T>::typeset() const {
+  return motion_at(*this).typeset();
 }
 
 namespace {
@@ -118,8 +138,10 @@ namespace {
 using std::numbers::pi;
 using Moment = MomentOf<double>;
 using Along = AlongOf<double>;
+using Pushed = PushedOf<double>;
 using OfMoment = ProvableFormula<MomentOf>;
 using Table = ProvableClaims<MomentOf>;
+using PushedTable = ProvableClaims<PushedOf>;
 using Terms = double (Along::*)() const;
 
 // For what a why tells of the Earth, in astronomical units, years and solar masses.
@@ -130,22 +152,25 @@ constexpr double earths_speed = 2 * pi * 149597870.7 / (days_per_year * 86400);
 /// From rest at the Earth's distance into the sun.
 const double days_of_fall = days_per_year * pi / (2 * sqrt(2)) / sqrt(four_pi_squared);
 
-template <class T>
-AlongOf<T> motion_at(const MomentOf<T>& k, bool pushed) {
-  return {k, pushed};
-}
-template <class Of>
-OfMoment along(std::string text, const Of& of, Terms terms = nullptr, bool pushed = false) {
-  OfMoment formula{std::move(text), [=](const auto& k) -> decltype(of(motion_at(k, pushed))) {
-                     return of(motion_at(k, pushed));
-                   }};
-  if (terms) formula.terms = [=](const Moment& k) { return (Along(k, pushed).*terms)(); };
+template <template <class> class Of = MomentOf, class F>
+ProvableFormula<Of> along(std::string text, const F& of, Terms terms = nullptr) {
+  ProvableFormula<Of> formula{std::move(text),
+                              [=](const auto& k) -> decltype(of(motion_at(k))) { return of(motion_at(k)); }};
+  if (terms) formula.terms = [=](const Of<double>& k) { return (motion_at(k).*terms)(); };
   return formula;
 }
-/// Under the other acceleration.
-template <class Of>
-OfMoment pushed(std::string text, const Of& of) {
-  return along(std::move(text), of, &Along::of_transverse, true);
+/// For an equation, which is what its sides differ by.
+OfMoment zero(Terms terms) {
+  return along(
+      "zero", []<class T>(const AlongOf<T>&) { return T(0); }, terms);
+}
+
+/// A vector of the orbit's plane, so many times.
+template <class T>
+std::vector<T> in_plane(const T& x, const T& y, int times = 1) {
+  std::vector<T> all;
+  for (int i = 0; i < times; ++i) all.insert(all.end(), {x, y, T(0)});
+  return all;
 }
 
 }  // namespace
@@ -452,105 +477,79 @@ void motion_in_a_plane(Claims& claims, const std::vector<Later>& orbits, double 
                         }}}});
 }
 
-void equations_of_motion(Table& table, const std::vector<Moment>& moments) {
-  const auto acceleration = pushed(R"($(\ddot x,\ddot y)$, any acceleration in Cartesian coordinates)",
-                                   [](const auto& k) { return values(k.ax, k.ay); });
-  const auto polar = [](const auto& k) {
-    return k.parts(k.r_dot_dot - k.r * k.w * k.w, k.r * k.w_dot + 2 * k.r_dot * k.w);
-  };
-  table.formula(
-      "unit_vector", 945,
-      R"($\mathbf r=r\mathbf R$, and $\mathbf R$ is of length 1 and points from the sun to the planet.)",
-      moments,
-      {.quantity = R"($\mathbf r$)",
-       .truth = along("the planet's coordinates", [](const auto& k) { return values(k.x, k.y); }),
-       .printed = R"($r\mathbf R$)",
-       .near_misses = {R"($r\mathbf P$)"}});
-  table.formula("acceleration", 949,
-                R"($\mathbf a=(\ddot r-r\dot\theta^2)\mathbf R+(r\ddot\theta+2\dot r\dot\theta)\mathbf P$)",
-                moments,
-                {.quantity = R"($\mathbf a$)",
-                 .truth = acceleration,
-                 .printed = pushed("its polar form, derivatives by dual numbers", polar),
-                 .near_misses = {pushed(R"(the polar form with $+r\dot\theta^2$)", [](const auto& k) {
-                   return k.parts(k.r_dot_dot + k.r * k.w * k.w, k.r * k.w_dot + 2 * k.r_dot * k.w);
-                 })}});
+void polar_acceleration(PushedTable& table, const std::vector<Pushed>& moments) {
+  const auto acceleration =
+      along<PushedOf>(R"($\ddot{\mathbf r}$, any acceleration in Cartesian coordinates)",
+                      [](const auto& k) { return in_plane(k.ax, k.ay); }, &Along::of_transverse);
+  const std::string polar =
+      R"($\mathbf a=(\ddot r-r\dot\theta^2)\mathbf R+(r\ddot\theta+2\dot r\dot\theta)\mathbf P$)";
+  table.formula("acceleration", 949, polar, moments,
+                {.quantity = R"($\mathbf a$)", .truth = acceleration, .printed = polar});
   table.formula(
       "equation_number", 947, "Equation (3.2) is the polar form of any acceleration.", moments,
-      {.quantity = R"($\mathbf a$)",
+      {.quantity = R"($\mathbf a$, which is $-(GM/r^2)\mathbf R$ by equation (3.2))",
        .truth = acceleration,
-       .printed = pushed(R"($-(GM/r^2)\mathbf R$, which follows from equation (3.2))",
-                         [](const auto& k) { return k.parts(-k.mu / (k.r * k.r), 0); }),
-       .meant = pushed(
-           R"(another equation: $(\ddot r-r\dot\theta^2)\mathbf R+(r\ddot\theta+2\dot r\dot\theta)\mathbf P$)",
-           polar),
-       .near_misses = {pushed(R"(that other equation, $\dot r\dot\theta$ without its 2)",
-                              [](const auto& k) {
-                                return k.parts(k.r_dot_dot - k.r * k.w * k.w, k.r * k.w_dot + k.r_dot * k.w);
-                              })},
+       .printed = R"($-(GM/r^2)\mathbf R$)",
+       .meant = polar,
        .kind = Fault::number,
        .why =
            R"(Exercise 3.1 (855) and the end of this one (1229) give the number (3.2) to the orbit, )"
            R"($r=e\rho/(1+e\cos\theta)$, which knows no acceleration but $-GM/r^2$ towards the sun. The polar )"
            R"(form is another equation of the book: whoever looks (3.2) up for it finds the orbit.)"});
-  const auto pull = [](double sign, int power) {
-    return [=](const auto& k) {
-      const auto f = sign * k.mu * pow(k.r, 3 * power), g = sign * k.mu * pow(k.r, 2 * power);
-      return values(f * k.x, f * k.y, g * k.c, g * k.s);
-    };
-  };
+  table.formula(
+      "areal", 973,
+      R"($r(r\ddot\theta+2\dot r\dot\theta)=r^2\ddot\theta+2r\dot r\dot\theta=\frac{d}{dt}(r^2\dot\theta)$)",
+      moments,
+      {.truth = along<PushedOf>(R"($x\ddot y-y\ddot x$)",
+                                [](const auto& k) { return k.x * k.ay - k.y * k.ax; }, &Along::of_moment),
+       .printed = R"($(r(r\ddot\theta+2\dot r\dot\theta),\ r^2\ddot\theta+2r\dot r\dot\theta,)"
+                  R"(\ \frac{d}{dt}(r^2\dot\theta))$)"});
+}
+
+/// An equation, as printed and as meant.
+void equation(Table& table, std::string_view slug, int line, const std::vector<Moment>& moments, Terms terms,
+              const std::string& printed, const std::string& meant = {}, std::string why = {}) {
+  table.formula(slug, line, printed, moments,
+                {.quantity = "what the sides differ by",
+                 .truth = zero(terms),
+                 .printed = printed,
+                 .meant = meant,
+                 .kind = meant.empty() ? Fault::none : Fault::lost_typography,
+                 .why = std::move(why)});
+}
+
+void equations_of_motion(Table& table, const std::vector<Moment>& moments) {
+  table.formula(
+      "unit_vector", 945,
+      R"($\mathbf r=r\mathbf R$, and $\mathbf R$ is of length 1 and points from the sun to the planet.)",
+      moments,
+      {.quantity = R"($\mathbf r$)",
+       .truth = along("the planet's coordinates", [](const auto& k) { return in_plane(k.x, k.y); }),
+       .printed = R"($\mathbf r=r\mathbf R$)"});
   table.formula(
       "gravity", 953,
       R"($\mathbf a=-GM\,r^3\,\mathbf r$ (the distance cubed, times the vector) )"
       R"($=-GM\,r^2\,\mathbf R=-(GM/r^2)\mathbf R+0\,\mathbf P$)",
       moments,
-      {.quantity = R"($\mathbf a$, twice)",
+      {.quantity = R"($\mathbf a$, three times)",
        .truth = along(R"(the slope of $GM/|\mathbf r|$ by dual numbers)",
-                      [](const auto& k) { return values(k.ax, k.ay, k.ax, k.ay); }),
-       .printed = along(R"($-GM\,r^3\,\mathbf r$ and $-GM\,r^2\,\mathbf R$)", pull(-1, 1)),
-       .meant = along(R"($-(GM/r^3)\,\mathbf r$ and $-(GM/r^2)\,\mathbf R$)", pull(-1, -1)),
-       .near_misses = {along(R"($+(GM/r^3)\,\mathbf r$ and $+(GM/r^2)\,\mathbf R$)", pull(1, -1))},
+                      [](const auto& k) { return in_plane(k.ax, k.ay, 3); }),
+       .printed = R"($(-GM\,r^3\,\mathbf r,\ -GM\,r^2\,\mathbf R,\ -(GM/r^2)\mathbf R+0\,\mathbf P)$)",
+       .meant = R"($(-(GM/r^3)\,\mathbf r,\ -(GM/r^2)\,\mathbf R,\ -(GM/r^2)\mathbf R+0\,\mathbf P)$)",
        .kind = Fault::lost_typography,
        .why = filled(
            R"(The fraction bars are lost. Read as they stand, the first form makes a planet twice as far away feel )"
            R"(@2 times the pull and the second @1 times, instead of @2 of it. The last form of the line has its )"
            R"(bar.)",
            {pow(2, 4), pow(2, 2), pow(2, -2)})});
-  table.formula(
-      "radial", 967, R"($\ddot r-r\dot\theta^2=-GM\,r^2$)", moments,
-      {.quantity = R"($\ddot r-r\dot\theta^2$)",
-       .truth = along(R"($\ddot r-r\dot\theta^2$ by dual numbers)",
-                      [](const auto& k) { return k.r_dot_dot - k.r * k.w * k.w; }, &Along::of_radial),
-       .printed = along(R"($-GM\,r^2$)", [](const auto& k) { return -k.mu * k.r * k.r; }),
-       .meant = along(R"($-GM/r^2$)", [](const auto& k) { return -k.mu / (k.r * k.r); }),
-       .near_misses = {R"($-GM/r^3$)"},
-       .kind = Fault::lost_typography,
-       .why = "The fraction bar is lost; equation (2), made from this line, has it."});
-  table.formula(
-      "transverse", 967, R"($r\ddot\theta+2\dot r\dot\theta=0$)", moments,
-      {.quantity = R"($r\ddot\theta$)",
-       .truth = along(R"($r\ddot\theta$ by dual numbers)", [](const auto& k) { return k.r * k.w_dot; },
-                      &Along::of_transverse),
-       .printed = along(R"($-2\dot r\dot\theta$)", [](const auto& k) { return -2 * k.r_dot * k.w; }),
-       .near_misses = {R"($-\dot r\dot\theta$)"}});
-  const auto areal = [](double two) {
-    return [=](const auto& k) {
-      const auto rate = k.r * k.r * k.w_dot + two * k.r * k.r_dot * k.w;
-      return values(rate, rate);
-    };
-  };
-  OfMoment moment_of_push =
-      pushed(R"($r$ times the transverse acceleration, and $x\ddot y-y\ddot x$)", [](const auto& k) {
-        return values(k.r * (k.r * k.w_dot + 2 * k.r_dot * k.w), k.x * k.ay - k.y * k.ax);
-      });
-  moment_of_push.terms = [](const Moment& k) { return k.vx * k.vx + k.vy * k.vy; };
-  table.formula(
-      "areal", 973,
-      R"($r(r\ddot\theta+2\dot r\dot\theta)=r^2\ddot\theta+2r\dot r\dot\theta=\frac{d}{dt}(r^2\dot\theta)$)",
-      moments,
-      {.truth = moment_of_push,
-       .printed = pushed(R"($r^2\ddot\theta+2r\dot r\dot\theta$)", areal(2)),
-       .near_misses = {pushed(R"($r^2\ddot\theta+r\dot r\dot\theta$)", areal(1))}});
+  equation(table, "radial", 967, moments, &Along::of_radial, R"($\ddot r-r\dot\theta^2=-GM\,r^2$)",
+           R"($\ddot r-r\dot\theta^2=-GM/r^2$)",
+           "The fraction bar is lost; equation (2), made from this line, has it.");
+  table.formula("transverse", 967, R"($r\ddot\theta+2\dot r\dot\theta=0$)", moments,
+                {.quantity = "the left side",
+                 .truth = zero(&Along::of_transverse),
+                 .printed = R"($r\ddot\theta+2\dot r\dot\theta=0$)",
+                 .changes_that_hold = "a multiple of zero is zero"});
   table.formula(
       "angular_momentum", 979, R"($\alpha=Mr^2\dot\theta$ is the angular momentum.)", moments,
       {.quantity = R"($\partial L/\partial\dot\theta$ of a planet of mass $m$)",
@@ -561,9 +560,8 @@ void equations_of_motion(Table& table, const std::vector<Moment>& moments) {
                         };
                         return derivative(lagrangian, k.w);
                       }),
-       .printed = along(R"($Mr^2\dot\theta$)", [](const auto& k) { return k.alpha; }),
-       .corrected = along(R"($mr^2\dot\theta$)", [](const auto& k) { return k.m * k.h; }),
-       .near_misses = {R"($mr\dot\theta$)"},
+       .printed = R"($Mr^2\dot\theta$)",
+       .corrected = R"($mr^2\dot\theta$)",
        .kind = Fault::formula,
        .root = "the sun's mass for the planet's",
        .why = filled(
@@ -572,24 +570,11 @@ void equations_of_motion(Table& table, const std::vector<Moment>& moments) {
            R"(the mass of the planet, for the Earth 1/@6 of it. $\alpha$ is constant all the same, and every )"
            R"(later line uses no more than that: only $\alpha/M=r^2\dot\theta$ ever enters.)",
            {suns_per_earth})});
-  const auto radial = [](double sign) {
-    return [=](const auto& k) {
-      const auto M2 = k.M * k.M, r3 = k.r * k.r * k.r;
-      return values(k.r_dot_dot + sign * k.r * k.w * k.w,
-                    k.r_dot_dot + sign * k.r * pow(k.alpha / (k.M * k.r * k.r), 2),
-                    k.r_dot_dot + sign * k.alpha * k.alpha / (M2 * r3));
-    };
-  };
   table.formula(
       "radial_equation", 995,
       R"($-GM/r^2=\ddot r-r\dot\theta^2=\ddot r-r(\alpha/(Mr^2))^2=\ddot r-\alpha^2/(M^2r^3)$ (2))", moments,
-      {.truth = along(R"($-GM/r^2$)",
-                      [](const auto& k) {
-                        const auto a = -k.mu / (k.r * k.r);
-                        return values(a, a, a);
-                      }),
-       .printed = along(R"(the other three forms, $\ddot r$ by dual numbers)", radial(-1), &Along::of_radial),
-       .near_misses = {along(R"($\ddot r+\alpha^2/(M^2r^3)$)", radial(1), &Along::of_radial)}});
+      {.truth = along(R"($-GM/r^2$)", [](const auto& k) { return -k.mu / (k.r * k.r); }, &Along::of_radial),
+       .printed = R"($(\ddot r-r\dot\theta^2,\ \ddot r-r(\alpha/(Mr^2))^2,\ \ddot r-\alpha^2/(M^2r^3))$)"});
 }
 
 void singularity(Claims& claims, const std::vector<Moment>& moments) {
@@ -630,23 +615,13 @@ auto bent_by(const std::array<T, 2>& lambda, const AlongOf<T>& k) {
 }
 
 void equation_of_the_potential(Table& table, const std::vector<Moment>& moments) {
-  const auto twice = [](const auto& of) { return [=](const auto& k) { return values(of(k), of(k)); }; };
-  const auto r_dot = along(R"($\dot r$ by dual numbers)", [](const auto& k) { return k.r_dot; });
-  const auto r_dot_twice = along(R"($\dot r$ by dual numbers)", twice([](const auto& k) { return k.r_dot; }));
-  const auto r_dot_dot_twice = along(R"($\ddot r$ by dual numbers)",
-                                     twice([](const auto& k) { return k.r_dot_dot; }), &Along::of_radial);
-
-  const auto force = [](const auto& k) { return derivative([&](auto z) { return k.mu / z; }, k.r); };
   table.formula(
       "potential_energy", 1009, R"($V=-GM/r$ is the potential energy.)", moments,
-      {.quantity = R"(the force on a planet of mass $m$)",
+      {.quantity = R"(the force on a planet of mass $m$, with $dV/dr$ of this $V$ by dual numbers)",
        .truth = along(R"($m$ times the slope of $GM/|\mathbf r|$ by dual numbers)",
                       [](const auto& k) { return k.m * (k.ax * k.c + k.ay * k.s); }),
-       .printed = along(R"($V=-GM/r$, the force being $-dV/dr$)", force),
-       .corrected =
-           along(R"($V=-GMm/r$, the force being $-dV/dr$)", [=](const auto& k) { return k.m * force(k); }),
-       .near_misses = {along(R"($V=-GMm/(2r)$, the force being $-dV/dr$)",
-                             [=](const auto& k) { return k.m / 2 * force(k); })},
+       .printed = "$-dV/dr$",
+       .corrected = R"($-m\,dV/dr$)",
        .kind = Fault::formula,
        .root = "the sun's mass for the planet's",
        .why =
@@ -654,145 +629,68 @@ void equation_of_the_potential(Table& table, const std::vector<Moment>& moments)
            R"($\alpha=Mr^2\dot\theta$ the text divides the momentum by $m$ and multiplies it by $M$, so that $V$ )"
            R"(and $\alpha$ belong to different masses; the orbit depends on neither, only a display of energies )"
            R"(in joules is off by the factor $m$.)"});
-  table.formula(
-      "power_rule", 1013, R"($\dot r=\frac{d}{dt}(-GM\,V)=(GM/V^2)\,dV/dt$)", moments,
-      {.quantity = R"($\dot r$)",
-       .truth = r_dot_twice,
-       .printed = along(
-           R"($\frac{d}{dt}(-GM\,V)$ by dual numbers, and $(GM/V^2)\,dV/dt$)",
-           [](const auto& k) { return values((-k.mu * k.potential).slope, k.mu / (k.V * k.V) * k.V_dot); }),
-       .meant = along(
-           R"($\frac{d}{dt}(-GM/V)$ by dual numbers, and $(GM/V^2)\,dV/dt$)",
-           [](const auto& k) { return values((-k.mu / k.potential).slope, k.mu / (k.V * k.V) * k.V_dot); }),
-       .near_misses = {along(R"($(GM/V)\,dV/dt$)",
-                             twice([](const auto& k) { return k.mu / k.V * k.V_dot; }))},
-       .kind = Fault::lost_typography,
-       .why =
-           R"(The fraction bar of $-GM/V$ is lost. The product $-GMV=G^2M^2/r$ is no distance, and shrinks where )"
-           R"(the distance grows.)"});
-  table.formula(
-      "chain_rule", 1021, R"($\dot r=GM\,V^2\,(dV/d\theta)\,\dot\theta$)", moments,
-      {.quantity = R"($\dot r$)",
-       .truth = r_dot,
-       .printed =
-           along(R"($GM\,V^2V'\dot\theta$)", [](const auto& k) { return k.mu * k.V * k.V * k.V1 * k.w; }),
-       .meant =
-           along(R"($(GM/V^2)V'\dot\theta$)", [](const auto& k) { return k.mu / (k.V * k.V) * k.V1 * k.w; }),
-       .near_misses = {R"($(GM/V^2)V'$)"},
-       .kind = Fault::lost_typography,
-       .why = filled(
-           R"(The fraction bar is lost; the line before has it. For the Earth, in astronomical units and years, )"
-           R"(the product $GMV^2$ is @5 where the quotient is @2.)",
-           {pow(four_pi_squared, 3), 1 / four_pi_squared})});
-  table.formula(
-      "r_dot", 1031, R"($\dot r=GM\,(-GM/r)^2\,V'\,(\alpha\,Mr^2)=\alpha V'/(GM^2)$)", moments,
-      {.quantity = R"($\dot r$)",
-       .truth = r_dot_twice,
-       .printed = along(R"($GM\,(-GM/r)^2V'\,\alpha\,Mr^2$, and $\alpha V'/(GM^2)$)",
-                        [](const auto& k) {
-                          return values(k.mu * pow(k.mu / k.r, 2) * k.V1 * (k.alpha * k.M * k.r * k.r),
-                                        k.factor * k.V1);
-                        }),
-       .meant = along(R"($GM/(-GM/r)^2\,V'\,\alpha/(Mr^2)$, and $\alpha V'/(GM^2)$)",
-                      [](const auto& k) {
-                        return values(k.mu / pow(k.mu / k.r, 2) * k.V1 * k.alpha / (k.M * k.r * k.r),
-                                      k.factor * k.V1);
-                      }),
-       .near_misses = {along(R"($\alpha V'/(GM)$)",
-                             twice([](const auto& k) { return k.alpha * k.V1 / k.mu; }))},
-       .kind = Fault::lost_typography,
-       .why =
-           R"(The bars of the first form's two fractions are lost. As products the powers of $r$ cancel as well, )"
-           R"(and what is left is $G^3M^4\alpha V'$ for $\alpha V'/(GM^2)$.)"});
-  table.formula(
-      "second_chain_rule", 1041, R"($\ddot r=\alpha\,GM^2\,dV'/dt=\alpha\,GM^2\,V''\dot\theta$)", moments,
-      {.quantity = R"($\ddot r$)",
-       .truth = r_dot_dot_twice,
-       .printed = along(R"($\alpha\,GM^2\,dV'/dt$ and $\alpha\,GM^2\,V''\dot\theta$)",
-                        [](const auto& k) {
-                          const auto product = k.alpha * k.mu * k.M;
-                          return values(product * k.V1_dot, product * k.V2 * k.w);
-                        }),
-       .meant = along(R"($\alpha/(GM^2)\,dV'/dt$ and $\alpha/(GM^2)\,V''\dot\theta$)",
-                      [](const auto& k) { return values(k.factor * k.V1_dot, k.factor * k.V2 * k.w); }),
-       .near_misses = {along(R"($\alpha/(GM^2)\,V'\dot\theta$)",
-                             twice([](const auto& k) { return k.factor * k.V1 * k.w; }))},
-       .kind = Fault::lost_typography,
-       .why =
-           "The fraction bar is lost, here and in line 1049: line 1037, which is differentiated, has it."});
-  const auto bent = [](const auto& k) { return k.alpha * k.alpha * k.V2; };
-  table.formula(
-      "r_dot_dot", 1055, R"($\ddot r=\alpha\,GM^2\,V''\,(\alpha\,Mr^2)=\alpha^2V''/(GM^3r^2)$)", moments,
-      {.quantity = R"($\ddot r$)",
-       .truth = r_dot_dot_twice,
-       .printed = along(R"($\alpha\,GM^2\,V''\,\alpha\,Mr^2$, and $\alpha^2V''/(GM^3r^2)$)",
-                        [=](const auto& k) {
-                          return values(k.mu * k.M * k.M * k.r * k.r * bent(k),
-                                        bent(k) / (k.mu * k.M * k.M * k.r * k.r));
-                        }),
-       .meant = along(R"($\alpha/(GM^2)\,V''\,\alpha/(Mr^2)$, and $\alpha^2V''/(GM^3r^2)$)",
-                      [=](const auto& k) {
-                        return values(k.factor * k.V2 * (k.alpha / (k.M * k.r * k.r)),
-                                      bent(k) / (k.mu * k.M * k.M * k.r * k.r));
-                      }),
-       .near_misses = {along(R"($\alpha^2V''/(GM^2r^2)$)",
-                             twice([=](const auto& k) { return bent(k) / (k.mu * k.M * k.r * k.r); }))},
-       .kind = Fault::lost_typography,
-       .why =
-           R"(The bars of $\alpha/(GM^2)$ and of $\dot\theta=\alpha/(Mr^2)$ are lost; the last form of the line )"
-           R"(has one for both.)"});
-  const auto by_V = [=](const auto& k) { return bent(k) * k.V * k.V / (pow(k.G, 3) * pow(k.M, 5)); };
-  table.formula(
-      "r_dot_dot_by_V", 1063, R"($\ddot r=\alpha^2V''/(GM^3(-GM/V)^2)=\alpha^2V''V^2/(G^3M^5)$)", moments,
-      {.quantity = R"($\ddot r$)",
-       .truth = r_dot_dot_twice,
-       .printed = along("the two forms",
-                        [=](const auto& k) {
-                          return values(bent(k) / (k.mu * k.M * k.M * pow(-k.mu / k.V, 2)), by_V(k));
-                        }),
-       .near_misses = {
-           along(R"($\alpha^2V''V^2/(G^3M^4)$)", twice([=](const auto& k) { return k.M * by_V(k); }))}});
-  const auto pull_alone = [](int power) { return [=](const auto& k) { return -k.mu * pow(k.r, power); }; };
-  table.formula("radial_equation_again", 1073, R"($-GM\,r^2=\ddot r-\alpha^2/(M^2r^3)$)", moments,
-                {.truth = along(R"($\ddot r-\alpha^2/(M^2r^3)$, $\ddot r$ by dual numbers)",
-                                [](const auto& k) {
-                                  return k.r_dot_dot - k.alpha * k.alpha / (k.M * k.M * k.r * k.r * k.r);
-                                },
-                                &Along::of_radial),
-                 .printed = along(R"($-GM\,r^2$)", pull_alone(2)),
-                 .meant = along(R"($-GM/r^2$)", pull_alone(-2)),
-                 .near_misses = {R"($-GM/r$)"},
-                 .kind = Fault::lost_typography,
-                 .why = "The fraction bar is lost; equation (2), which the line repeats, has it."});
-  table.formula(
-      "substituted", 1077, R"($-GM\,(-GM/V)^2=\alpha^2V''V^2/(G^3M^5)-\alpha^2/(M^2(-GM/V)^3)$)", moments,
-      {.truth = along(
-           R"($\alpha^2V''V^2/(G^3M^5)-\alpha^2/(M^2(-GM/V)^3)$, $V''$ by dual numbers)",
-           [=](const auto& k) { return by_V(k) - k.alpha * k.alpha / (k.M * k.M * pow(-k.mu / k.V, 3)); },
-           &Along::of_radial),
-       .printed = along(R"($-GM\,(-GM/V)^2$)", [](const auto& k) { return -k.mu * pow(k.mu / k.V, 2); }),
-       .meant = along(R"($-GM/(-GM/V)^2$)", [](const auto& k) { return -k.mu / pow(k.mu / k.V, 2); }),
-       .near_misses = {R"($+GM/(-GM/V)^2$)"},
-       .kind = Fault::lost_typography,
-       .why =
-           R"(The bar of the left side is lost, as at line 953: $GM(-GM/V)^2$ is $GMr^2$, a pull that grows with )"
-           R"(the distance. The next line, $-V^2/(GM)$, is the quotient.)"});
-  const auto simplified = [=](double sign) {
-    return [=](const auto& k) {
-      return by_V(k) + sign * pow(k.alpha, 2) * pow(k.V, 3) / (pow(k.G, 3) * pow(k.M, 5));
+  const auto r_dot = along(R"($\dot r$ by dual numbers)", [](const auto& k) { return k.r_dot; });
+  const auto r_dot_dot =
+      along(R"($\ddot r$ by dual numbers)", [](const auto& k) { return k.r_dot_dot; }, &Along::of_radial);
+  /// A rate of r, as printed and as meant, in one form or two.
+  const auto rate = [&](std::string_view slug, int line, const OfMoment& truth, const std::string& left,
+                        const std::vector<std::string>& printed, const std::vector<std::string>& meant = {},
+                        std::string why = {}) {
+    const auto row = [](const std::vector<std::string>& forms) {
+      return forms.empty()       ? ""
+             : forms.size() == 1 ? "$" + forms[0] + "$"
+                                 : "$(" + forms[0] + R"(,\ )" + forms[1] + ")$";
     };
+    std::string says = left;
+    for (const std::string& form : printed) says += "=" + form;
+    table.formula(slug, line, "$" + says + "$", moments,
+                  {.quantity = "$" + left + "$",
+                   .truth = truth,
+                   .printed = row(printed),
+                   .meant = row(meant),
+                   .kind = meant.empty() ? Fault::none : Fault::lost_typography,
+                   .why = std::move(why)});
   };
-  table.formula("simplified", 1083, R"($-V^2/(GM)=\alpha^2V''V^2/(G^3M^5)+\alpha^2V^3/(G^3M^5)$)", moments,
-                {.truth = along(R"($-V^2/(GM)$)", [](const auto& k) { return -k.V * k.V / k.mu; }),
-                 .printed = along(R"(the sum of the other two terms, $V''$ by dual numbers)", simplified(1),
-                                  &Along::of_radial),
-                 .near_misses = {along("their difference", simplified(-1), &Along::of_radial)}});
-  table.formula(
-      "potential_equation", 1091, R"($-G^2M^4/\alpha^2=V''+V$)", moments,
-      {.truth = along(R"($-G^2M^4/\alpha^2$)", [](const auto& k) { return -k.mean(); }),
-       .printed = along(R"($V''+V$, $V''$ by dual numbers)", [](const auto& k) { return k.V2 + k.V; },
-                        &Along::of_bend),
-       .near_misses = {along(R"($V''-V$)", [](const auto& k) { return k.V2 - k.V; }, &Along::of_bend)}});
+  rate(
+      "power_rule", 1013, r_dot, R"(\dot r)", {R"(\frac{d}{dt}(-GM\,V))", R"((GM/V^2)\,dV/dt)"},
+      {R"(\frac{d}{dt}(-GM/V))", R"((GM/V^2)\,dV/dt)"},
+      R"(The fraction bar of $-GM/V$ is lost. The product $-GMV=G^2M^2/r$ is no distance, and shrinks where )"
+      R"(the distance grows.)");
+  rate(
+      "chain_rule", 1021, r_dot, R"(\dot r)", {R"(GM\,V^2\,(dV/d\theta)\,\dot\theta)"},
+      {R"((GM/V^2)\,(dV/d\theta)\,\dot\theta)"},
+      filled(
+          R"(The fraction bar is lost; the line before has it. For the Earth, in astronomical units and years, )"
+          R"(the product $GMV^2$ is @5 where the quotient is @2.)",
+          {pow(four_pi_squared, 3), 1 / four_pi_squared}));
+  rate(
+      "r_dot", 1031, r_dot, R"(\dot r)", {R"(GM\,(-GM/r)^2\,V'\,(\alpha\,Mr^2))", R"(\alpha V'/(GM^2))"},
+      {R"(GM/(-GM/r)^2\,V'\,(\alpha/(Mr^2)))", R"(\alpha V'/(GM^2))"},
+      R"(The bars of the first form's two fractions are lost. As products the powers of $r$ cancel as well, )"
+      R"(and what is left is $G^3M^4\alpha V'$ for $\alpha V'/(GM^2)$.)");
+  rate("second_chain_rule", 1041, r_dot_dot, R"(\ddot r)",
+       {R"(\alpha\,GM^2\,dV'/dt)", R"(\alpha\,GM^2\,V''\dot\theta)"},
+       {R"(\alpha/(GM^2)\,dV'/dt)", R"(\alpha/(GM^2)\,V''\dot\theta)"},
+       "The fraction bar is lost, here and in line 1049: line 1037, which is differentiated, has it.");
+  rate("r_dot_dot", 1055, r_dot_dot, R"(\ddot r)",
+       {R"(\alpha\,GM^2\,V''\,(\alpha\,Mr^2))", R"(\alpha^2V''/(GM^3r^2))"},
+       {R"(\alpha/(GM^2)\,V''\,(\alpha/(Mr^2)))", R"(\alpha^2V''/(GM^3r^2))"},
+       R"(The bars of $\alpha/(GM^2)$ and of $\dot\theta=\alpha/(Mr^2)$ are lost; the last form of the line )"
+       R"(has one for both.)");
+  rate("r_dot_dot_by_V", 1063, r_dot_dot, R"(\ddot r)",
+       {R"(\alpha^2V''/(GM^3(-GM/V)^2))", R"(\alpha^2V''V^2/(G^3M^5))"});
+  equation(table, "radial_equation_again", 1073, moments, &Along::of_radial,
+           R"($-GM\,r^2=\ddot r-\alpha^2/(M^2r^3)$)", R"($-GM/r^2=\ddot r-\alpha^2/(M^2r^3)$)",
+           "The fraction bar is lost; equation (2), which the line repeats, has it.");
+  equation(
+      table, "substituted", 1077, moments, &Along::of_radial,
+      R"($-GM\,(-GM/V)^2=\alpha^2V''V^2/(G^3M^5)-\alpha^2/(M^2(-GM/V)^3)$)",
+      R"($-GM/(-GM/V)^2=\alpha^2V''V^2/(G^3M^5)-\alpha^2/(M^2(-GM/V)^3)$)",
+      R"(The bar of the left side is lost, as at line 953: $GM(-GM/V)^2$ is $GMr^2$, a pull that grows with )"
+      R"(the distance. The next line, $-V^2/(GM)$, is the quotient.)");
+  equation(table, "simplified", 1083, moments, &Along::of_radial,
+           R"($-V^2/(GM)=\alpha^2V''V^2/(G^3M^5)+\alpha^2V^3/(G^3M^5)$)");
+  equation(table, "potential_equation", 1091, moments, &Along::of_bend, R"($-G^2M^4/\alpha^2=V''+V$)");
   const auto by_roots = [](double real, double imaginary) {
     return [=]<class T>(const AlongOf<T>& k) {
       const auto up = bent_by(std::array<T, 2>{real, imaginary}, k),
@@ -810,32 +708,24 @@ void equation_of_the_potential(Table& table, const std::vector<Moment>& moments)
        .near_misses = {along(R"($\lambda^2(V+G^2M^4/\alpha^2)$ with $\lambda=1$)", by_roots(1, 0))}});
   table.formula("independent", 1095,
                 R"($\sin\theta$ and $\cos\theta$ are linearly independent solutions of $V''+V=0$.)", moments,
-                {.quantity = "Wronski's determinant",
+                {.quantity = "Wronski's determinant, which must not be zero",
                  .truth = along("the determinant by dual numbers",
                                 [](const auto& k) {
                                   const auto sine = [](auto z) { return sin(z); };
                                   const auto cosine = [](auto z) { return cos(z); };
                                   return k.s * derivative(cosine, k.angle) - k.c * derivative(sine, k.angle);
                                 }),
-                 .printed = along(R"($-1$, which is not zero)", [](const auto&) { return -1.0; }),
-                 .near_misses = {along(R"(zero, as of $\sin\theta$ and $\sin(\theta+\pi)$)",
-                                       [](const auto&) { return 0.0; })}});
-  const auto particular = [](double sign) {
-    return [=](const auto& k) {
-      return values(sign * k.G * k.G * pow(k.M, 4) / pow(k.M * sqrt(k.mu * k.r), 2), 0, 0);
-    };
-  };
+                 .printed = "$-1$"});
   table.formula(
       "particular", 1101, R"($V_p=-G^2M^4/\alpha^2$ has $V_p''+V_p=0-G^2M^4/\alpha^2$)", moments,
-      {.quantity = R"($(V,V',V'')$ on a circle, where $V$ is constant)",
+      {.quantity = R"($(V,V',V'')$ on a circle, where $V$ is constant and $\alpha$ is $\alpha_c$)",
        .truth = along("$V$, $V'$ and $V''$ on a circle, by dual numbers",
                       []<class T>(const AlongOf<T>& k) {
-                        const auto rate = sqrt(k.mu / (k.r * k.r * k.r)), x = k.r * k.c, y = k.r * k.s;
-                        const AlongOf<T> circle({k.G, k.M, k.m, x, y, -rate * y, rate * x, 0, 0, {}}, false);
+                        const auto w = sqrt(k.mu / (k.r * k.r * k.r)), x = k.r * k.c, y = k.r * k.s;
+                        const AlongOf<T> circle({k.G, k.M, k.m, x, y, -w * y, w * x, 0, 0, {}}, false);
                         return values(circle.V, circle.V1, circle.V2);
                       }),
-       .printed = along(R"($(-G^2M^4/\alpha^2,0,0)$, $\alpha$ the circle's)", particular(-1)),
-       .near_misses = {along(R"($(+G^2M^4/\alpha^2,0,0)$, $\alpha$ the circle's)", particular(1))}});
+       .printed = R"($(-G^2M^4/\alpha_c^2,\ 0,\ 0)$)"});
 }
 
 // ---- from the start to a later moment: lines 979 to 1227 --------------------------------------------------
@@ -915,7 +805,7 @@ void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
       "potential_slope", 1113, R"($V'=c_0\cos\theta-c_1\sin\theta$)", orbits,
       {.quantity = R"($V'$)",
        .truth = {R"($\dot V/\dot\theta$ later on the path, by dual numbers)",
-                 [](const auto& k) { return motion_at(k.now, false).V1; }},
+                 [](const auto& k) { return motion_at(k.now).V1; }},
        .printed = {R"($c_0\cos\theta-c_1\sin\theta$)", [](const auto& k) { return k.slope(k.theta); }},
        .near_misses = {{R"($c_0\cos\theta+c_1\sin\theta$)"}}});
 
@@ -1333,61 +1223,43 @@ void momentum(Claims& claims, const std::vector<Later>& orbits) {
 }
 
 void moments_of_the_velocity(Table& table, const std::vector<Moment>& moments) {
-  const auto rate =
-      along(R"($\dot\theta$ by dual numbers)", [](const auto& k) { return values(k.w, k.w, k.w); });
-  table.formula(
-      "rate_by_V", 1201, R"($\dot\theta=\alpha/(Mr^2)=\alpha/(M(-GM/V)^2)=\alpha V^2/(G^2M^3)$ (6))", moments,
-      {.truth = rate,
-       .printed = along("the three forms",
-                        [](const auto& k) {
-                          return values(k.alpha / (k.M * k.r * k.r), k.alpha / (k.M * pow(-k.mu / k.V, 2)),
-                                        k.alpha * k.V * k.V / (k.mu * k.mu * k.M));
-                        }),
-       .near_misses = {along(R"($\alpha V^2/(G^2M^2)$)", [](const auto& k) {
-         const auto wrong = k.alpha * k.V * k.V / (k.mu * k.mu);
-         return values(wrong, wrong, wrong);
-       })}});
-  const auto velocity = [](double sign) {
-    return [=](const auto& k) { return k.parts(k.r_dot, sign * k.r * k.w); };
-  };
-  table.formula(
-      "velocity", 1235, R"($\mathbf v=\dot r\mathbf R+r\dot\theta\mathbf P$)", moments,
-      {.quantity = R"($\mathbf v$)",
-       .truth = along("the path's velocity", [](const auto& k) { return values(k.vx, k.vy); }),
-       .printed = along(R"(its polar form, $\dot r$ and $\dot\theta$ by dual numbers)", velocity(1)),
-       .near_misses = {R"($\dot r\mathbf R-r\dot\theta\mathbf P$)"}});
+  table.formula("rate_by_V", 1201,
+                R"($\dot\theta=\alpha/(Mr^2)=\alpha/(M(-GM/V)^2)=\alpha V^2/(G^2M^3)$ (6))", moments,
+                {.quantity = R"($\dot\theta$)",
+                 .truth = along(R"($\dot\theta$ by dual numbers)", [](const auto& k) { return k.w; }),
+                 .printed = R"($(\alpha/(Mr^2),\ \alpha/(M(-GM/V)^2),\ \alpha V^2/(G^2M^3))$)"});
+  table.formula("velocity", 1235, R"($\mathbf v=\dot r\mathbf R+r\dot\theta\mathbf P$)", moments,
+                {.quantity = R"($\mathbf v$)",
+                 .truth = along("the path's velocity", [](const auto& k) { return in_plane(k.vx, k.vy); }),
+                 .printed = R"($\mathbf v=\dot r\mathbf R+r\dot\theta\mathbf P$)"});
   table.formula(
       "moment", 1237,
       R"($\mathbf r\times\mathbf v=(r\mathbf R)\times(\dot r\mathbf R+r\dot\theta\mathbf P)=r^2\dot\theta\,\mathbf k$)",
       moments,
-      {.truth = along(R"($x\dot y-y\dot x$)",
-                      [](const auto& k) { return values(k.x * k.vy - k.y * k.vx, k.x * k.vy - k.y * k.vx); }),
-       .printed = along("the product of the polar forms, and the last form",
-                        [=](const auto& k) {
-                          const auto v = velocity(1)(k);
-                          return values(k.r * k.c * v[1] - k.r * k.s * v[0], k.h);
-                        }),
-       .near_misses = {along(R"($r\dot\theta$ along $\mathbf k$)",
-                             [](const auto& k) { return values(k.r * k.w, k.r * k.w); })}});
-  const auto turned = [](double sign) {
-    return [=](const auto& k) {
-      const auto v = k.parts(k.r_dot, k.r * k.w), last = k.parts(k.r * k.w * k.h, sign * -k.r_dot * k.h);
-      return values(v[1] * k.h, -v[0] * k.h, last[0], last[1]);
-    };
-  };
+      {.quantity = R"($\mathbf r\times\mathbf v$, twice)",
+       .truth = along(R"($(0,0,x\dot y-y\dot x)$)",
+                      [](const auto& k) {
+                        const auto h = k.x * k.vy - k.y * k.vx;
+                        return values(0, 0, h, 0, 0, h);
+                      }),
+       .printed =
+           R"($((r\mathbf R)\times(\dot r\mathbf R+r\dot\theta\mathbf P),\ r^2\dot\theta\,\mathbf k)$)"});
   table.formula(
       "v_cross_c0", 1245,
       R"($\mathbf v\times\mathbf c_0=(\dot r\mathbf R+r\dot\theta\mathbf P)\times(r^2\dot\theta)\mathbf k=)"
       R"((r^2\dot r\dot\theta)\mathbf R\times\mathbf k+(r^3\dot\theta^2)\mathbf P\times\mathbf k=)"
       R"(-(r^2\dot r\dot\theta)\mathbf P+(r^3\dot\theta^2)\mathbf R$)",
       moments,
-      {.truth = along(R"($\mathbf v\times\mathbf c_0$ in Cartesian coordinates)",
+      {.quantity = R"($\mathbf v\times\mathbf c_0$, three times)",
+       .truth = along(R"($\mathbf v\times\mathbf c_0$ in Cartesian coordinates)",
                       [](const auto& k) {
                         const auto h = k.x * k.vy - k.y * k.vx;
-                        return values(k.vy * h, -k.vx * h, k.vy * h, -k.vx * h);
+                        return in_plane(k.vy * h, -k.vx * h, 3);
                       }),
-       .printed = along("the product of the polar forms, and the last form", turned(1)),
-       .near_misses = {along(R"($+(r^2\dot r\dot\theta)\mathbf P$ in the last form)", turned(-1))}});
+       .printed =
+           R"($((\dot r\mathbf R+r\dot\theta\mathbf P)\times(r^2\dot\theta)\mathbf k,)"
+           R"(\ (r^2\dot r\dot\theta)\mathbf R\times\mathbf k+(r^3\dot\theta^2)\mathbf P\times\mathbf k,)"
+           R"(\ -(r^2\dot r\dot\theta)\mathbf P+(r^3\dot\theta^2)\mathbf R)$)"});
 }
 
 void vectors(LaterTable& table, const std::vector<Later>& orbits) {
@@ -1611,13 +1483,16 @@ void inputs_of_the_orbit(Claims& claims, const std::vector<Later>& orbits, doubl
 std::vector<Claim> claims(double seed) {
   const std::vector<Later> all = orbits(seed);
   std::vector<Moment> moments;
-  for (const Later& k : all) moments.push_back(k.now);
+  std::vector<Pushed> pushed;
+  for (const Later& k : all) moments.push_back(k.now), pushed.push_back({k.now});
   Claims claims("3.3");
   Table table(claims);
+  PushedTable pushed_table(claims);
   SpaceTable in_space(claims);
   LaterTable later(claims);
   plane(in_space, draw<InSpaceOf<double>>(100, seed));
   motion_in_a_plane(claims, all, seed);
+  polar_acceleration(pushed_table, pushed);
   equations_of_motion(table, moments);
   singularity(claims, moments);
   equation_of_the_potential(table, moments);
@@ -1687,39 +1562,6 @@ std::vector<Root> roots() {
            {Turned::steps, 1e6 * Turned(random, earths_eccentricity).direct, Turned::turns})}};
 }
 
-/// The distance as one letter, and the angle's cosine and sine by it; the rate on a circle as another.
-constexpr const char* by_distance = R"(
-  rename H1 into off_center;
-  rewrite ?(cos_atan2 y x off_center), ?(sin_atan2 y x off_center);
-  pose proof (sqrt_lt_R0 _ off_center) as far;
-  assert (root : sqrt (x * x + y * y) * sqrt (x * x + y * y) = x * x + y * y) by (apply sqrt_sqrt; lra);
-  remember (sqrt (x * x + y * y)) as r eqn:is_r;
-  replace (r * (x / r)) with x by (field; lra); replace (r * (y / r)) with y by (field; lra);
-  rewrite <- ?is_r; clear is_r;
-  assert (up : y * y = r * r - x * x) by lra;
-  assert (pull : G * M > 0 /\ r * r * r > 0) by (split; repeat apply Rmult_lt_0_compat; lra);
-  try (match goal with |- context [sqrt ?q] =>
-    assert (turns : q > 0) by (first [apply Rdiv_lt_0_compat | apply Rmult_lt_0_compat]; lra);
-    pose proof (sqrt_lt_R0 _ turns); pose proof (sqrt_sqrt _ (Rlt_le _ _ turns)) as square;
-    set (w := sqrt q) in *; clearbody w;
-    first [replace G with (w * w * (r * r * r) / M) by (rewrite square; field; lra)
-          | replace G with (w * w / (M * r)) by (rewrite square; field; lra)] end);
-  field [up]; repeat split; nra)";
-
-constexpr const char* by_factors = R"([ nra
-  | intuition; assert (E : (b - 1) * (b + 1) = 0) by nra; destruct (Rmult_integral _ _ E); lra
-  | intuition; subst; lra | intuition; subst; lra ])";
-
-constexpr const char* by_circle = R"(
-  match goal with |- context [sqrt ?x] => replace x with 0 by (rewrite H2, H3; ring) end; rewrite sqrt_0;
-  try reflexivity;
-  match goal with |- context [Rabs ?w] =>
-    assert (k : Rabs w * Rabs w = w * w) by (rewrite <- Rabs_mult; apply Rabs_right, Rle_ge, Rle_0_sqr) end;
-  replace (r0 * r0 * Rabs w0 * (r0 * r0 * Rabs w0)) with (r0 * (r0 * r0 * r0 * w0 * w0)) by ring [k];
-  rewrite H3; field; repeat split; lra)";
-
-constexpr const char* by_bounds = "rewrite ?cos_atan2, ?sin_atan2 by interval; interval";
-
 /// Of lambda^2 + 1 = 0: its roots in complex numbers, and V'' by any of them.
 Provable proof_of_roots(const ForAll<MomentOf>& all) {
   const std::array lambda{Shortened::letter("a"), Shortened::letter("b")};
@@ -1743,25 +1585,34 @@ Provable proof_of_roots(const ForAll<MomentOf>& all) {
           {std::move(roots), std::move(bent)}};
 }
 
-Provables proofs_at_a_moment() {
-  Claims claims("3.3");
-  Table table(claims);
-  equations_of_motion(table, {});
-  equation_of_the_potential(table, {});
-  moments_of_the_velocity(table, {});
+/// Of a table at any moment.
+template <template <class> class Of>
+Provables at_any_moment(const ProvableClaims<Of>& table, ForAll<Of>& all) {
   const std::vector<std::string> names{"G", "M", "m", "x", "y", "vx", "vy", "px", "py"};
-  ForAll<MomentOf> all{.any = lettered<MomentOf>(names),
-                       .letters = quantified(names),
-                       .tactic = by_distance,
-                       .says = "it holds at any moment of any orbit"};
+  all.any = lettered<Of>(names), all.letters = quantified(names), all.tactic = by_distance;
+  all.says = "it holds at any moment of any orbit";
   const auto& k = all.any;
   all.given = {above(k.G.expression(), 0), above(k.M.expression(), 0),
                above((k.x * k.x + k.y * k.y).expression(), 0),
                not_zero((k.x * k.vy - k.y * k.vx).expression())};
-  all.without = {"characteristic"};
   double x = 0;
   for (double* letter : all.example.letters()) *letter = x += 0.25;
-  Provables proved = table.proofs("3.3", all);
+  return table.proofs("3.3", all);
+}
+
+Provables proofs_at_a_moment() {
+  Claims claims("3.3");
+  Table table(claims);
+  PushedTable pushed(claims);
+  polar_acceleration(pushed, {});
+  equations_of_motion(table, {});
+  equation_of_the_potential(table, {});
+  moments_of_the_velocity(table, {});
+  ForAll<MomentOf> all;
+  all.without = {"characteristic"};
+  ForAll<PushedOf> all_pushed;
+  Provables proved = at_any_moment(table, all);
+  std::ranges::move(at_any_moment(pushed, all_pushed), std::back_inserter(proved));
   proved.push_back(proof_of_roots(all));
   for (Provable& p : proved) {
     p.preamble = std::string(root_in_coq) + atan2_in_coq;

@@ -99,8 +99,13 @@ inline Solved<double> lagrange_series(double e, double M, int terms) {
 std::vector<Claim> claims(double seed);
 std::vector<Root> roots();
 
-// in_coq.cpp, for proofs: of motion by Newton's law and of the constants of its path, of an ellipse and its
-// turn, of the time by the angle
+// in_coq.cpp, for proofs: by a moment's distance, of the characteristic roots, of a circle, within bounds; of
+// motion by Newton's law and of the constants of its path, of an ellipse and its turn, of the time by the
+// angle
+extern const char* const by_distance;
+extern const char* const by_factors;
+extern const char* const by_circle;
+extern const char* const by_bounds;
 extern const char* const orbits_in_coq;
 std::string turns_in_coq();
 std::string times_in_coq();
