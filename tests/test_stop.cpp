@@ -218,9 +218,13 @@ TEST_CASE("frames of n steps have n, however late they are", "[stop][steps]") {
 TEST_CASE("theory's limits are looked for until they are asked to stop", "[stop][stability]") {
   Stop stop;
   const Stoppable here(&stop);
+  // x'' = -x, of which the second unknown is a velocity
+  const ode::Spectrum oscillation{10, {{{0, 1}, {0, -1}}}, {{0, 1, -1, 0}}, {false, true}};
   CHECK(ode::growth("Runge-Kutta 4", {-1, 0}) < 0);
+  CHECK(ode::stable_step("semi-implicit Euler", oscillation) > 1.9);
   stop.request();
   CHECK_THROWS_AS(ode::growth("Runge-Kutta 4", {-1, 0}), Stopped);
+  CHECK_THROWS_AS(ode::stable_step("semi-implicit Euler", oscillation), Stopped);
 }
 
 TEST_CASE("limits and trials end with the time that they may take", "[stop][stability]") {

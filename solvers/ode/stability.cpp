@@ -178,6 +178,7 @@ std::vector<Tongue> scan(const Excess& excess, double near) {
   bool unstable = false;
   double last = finest / 2, r = last;
   while (r < largest) {
+    check_stop();
     const double here = excess(r);
     if ((here > 0) != unstable) {
       unstable = !unstable;
