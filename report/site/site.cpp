@@ -11,6 +11,7 @@
 #include "report/site/front_page.hpp"
 #include "report/site/further_pages.hpp"
 #include "report/site/lesson.hpp"
+#include "report/site/own_page.hpp"
 #include "report/site/page.hpp"
 #include "report/site/players.hpp"
 #include "report/site/recipes.hpp"
@@ -23,10 +24,13 @@ namespace fs = std::filesystem;
 std::map<std::string, std::string> site_pages(const Results& results, const ProvedClaims& proved,
                                               const SiteParts& parts,
                                               std::span<const EngineContest> contests) {
-  std::map<std::string, std::string> pages{
-      {"index.html", front_page(results, parts)},     {"errata.html", errata_page(results)},
-      {"chooser.html", chooser_page(results, parts)}, {"lesson.html", lesson_page(results, parts)},
-      {"recipes.html", recipes_page(results)},        {"algorithms.html", algorithms_page()}};
+  std::map<std::string, std::string> pages{{"index.html", front_page(results, parts)},
+                                           {"errata.html", errata_page(results)},
+                                           {"chooser.html", chooser_page(results, parts)},
+                                           {"lesson.html", lesson_page(results, parts)},
+                                           {"recipes.html", recipes_page(results)},
+                                           {"algorithms.html", algorithms_page()},
+                                           {"own.html", own_page(parts)}};
   for (const ExerciseResult& e : results.exercises)
     pages[to_string(e.number) + ".html"] = exercise_page(results, e, proved, contests);
   pages[example_name + std::string(".html")] = example_page(example_result());
@@ -58,6 +62,8 @@ fs::path write_site(const Results& results, const Reference& truth, const fs::pa
     write_whole(folder / "assets" / asset.path, std::string(asset.text));
   write_whole(folder / "assets" / "drawing.css", std::string(drawing_style()));
   write_whole(folder / "assets" / "models.js", module_script());
+  write_whole(folder / "assets" / "own.js", own_script());
+  write_whole(folder / "data" / "problems.js", own_examples());
   return folder / "index.html";
 }
 

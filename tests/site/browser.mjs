@@ -38,7 +38,8 @@ export const launch = () => puppeteer.launch({
 /// Whether the page has its data, and its players.
 function isWhole() {
   const given = [...document.scripts].some((script) => script.src.includes('/data/') && !script.src.endsWith('/search.js'));
-  return (!given || window.oddity.data || window.oddity.allScenes)
+  const own = document.querySelector('.own');
+  return (!given || window.oddity.data || window.oddity.allScenes || own) && !(own && !own.dataset.ready)
     && !(window.oddity.data?.scene && document.querySelector('.player:not(:has(.player-clock))'));
 }
 
