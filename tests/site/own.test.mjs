@@ -71,13 +71,11 @@ test('its motions are those of the program', async () => {
     ['double_pendulum.toml', null, 'Dormand-Prince 5(4)'], ['elastic_pendulum.toml', null, 'velocity Verlet'],
     ['gyroscope.toml', null, 'Runge-Kutta 4'], ['bouncing_ball.toml', null, 'Runge-Kutta 4'], ['rope.toml', null, 'symplectic Euler']]) {
     await type(page, textOf(name));
-    const { quantity, method, trial } = programs(name, model, algorithm);
+    const { trial, times } = programs(name, model, algorithm);
     const mine = await page.evaluate((asked) => {
       const { player } = document.querySelector('.own').oddity;
-      const { engine } = window.oddity;
-      const motion = engine.run({ scene: 'own', parameters: player.parameters, precision: 'double', ...asked });
-      return [...motion.observed];
-    }, { model: method.model, algorithm, setting: trial.setting, times: [0, ...quantity.trajectory.times] });
+      return [...window.oddity.engine.run({ scene: 'own', parameters: player.parameters, precision: 'double', ...asked }).observed];
+    }, { model: trial.model, algorithm, setting: trial.knob, times: [0, ...times] });
     const theirs = trial.value;
     const size = Math.max(...theirs.map(Math.abs));
     const after = mine.slice(mine.length - theirs.length);
@@ -86,12 +84,12 @@ test('its motions are those of the program', async () => {
   await page.close();
 });
 
-/// A trial of the program's own, the finest that got to the end.
+/// A trial of the program's own, the finest that got to the end, and the times of its values.
 function programs(name, model, algorithm) {
-  const quantity = solved(path.join(problems, name));
-  const method = quantity.methods.find((m) => m.algorithm === algorithm && (!model || m.model === model) && m.precision !== 'float');
-  const trial = method.trials.filter((one) => one.value).at(-1);
-  return { quantity, method, trial };
+  const { trials, trajectory } = solved(path.join(problems, name));
+  const trial = trials.filter((one) => one.algorithm === algorithm && (!model || one.model === model)
+    && one.precision === 'double' && one.outcome === 'ok').at(-1);
+  return { trial, times: trajectory.judged_at };
 }
 
 test('it answers a key within a tenth of a second', async (t) => {
