@@ -9,7 +9,7 @@ set(CMAKE_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
 install(TARGETS oddity RUNTIME)
 install(DIRECTORY reference/ DESTINATION ${oddity_data}/reference
   FILES_MATCHING PATTERN "*.csv" PATTERN make EXCLUDE)
-install(FILES ${PROJECT_BINARY_DIR}/models.js DESTINATION ${oddity_data} OPTIONAL)
+install(FILES ${PROJECT_BINARY_DIR}/models.js ${PROJECT_BINARY_DIR}/own.js DESTINATION ${oddity_data} OPTIONAL)
 
 # ---- the models and loops, and the headers that they include ------------------------------------------------
 

@@ -1,5 +1,6 @@
-# The scenes' models as a WebAssembly module, for the players in the page: the target models_module makes models.js,
-# which is assets/models.js of the site. The algorithms are those of Odeint, as the program has them.
+# Two WebAssembly modules for the page, which the target models_module makes: models.js has the scenes' models, for the
+# players, and own.js reads and runs problems' files. Both are assets of the site. The algorithms are those of Odeint,
+# as the program has them.
 set(ODDITY_MODULE AUTO CACHE STRING "The scenes' models as WebAssembly, for the page: ON, OFF, or AUTO: where clang can")
 set_property(CACHE ODDITY_MODULE PROPERTY STRINGS AUTO ON OFF)
 if(NOT ODDITY_MODULE)
@@ -10,7 +11,7 @@ find_program(WASM_CXX NAMES clang++ clang++-14 clang++-16 clang++-18 clang++-19)
 find_program(GZIP gzip)
 find_program(BASE64 base64)
 set(module ${PROJECT_BINARY_DIR}/module)
-set(wasm_flags --target=wasm32-wasi -ffp-contract=off -fignore-exceptions -fno-rtti -fvisibility=hidden -mmutable-globals
+set(wasm_flags --target=wasm32-wasi -ffp-contract=off -fno-rtti -fvisibility=hidden -mmutable-globals
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wno-missing-braces -Wno-implicit-float-conversion)
 if(WASM_CXX AND GZIP AND BASE64)
   # With the linker, the standard library and the runtime.
@@ -69,15 +70,19 @@ foreach(home IN LISTS own_homes)
   list(APPEND module_includes -I${home})
 endforeach()
 set(module_objects "")
-# Compiles a source to an object of the module.
+# Compiles a source, with these flags, to an object of the list `objects`.
+function(compile_to objects object source)
+  add_custom_command(OUTPUT ${object}
+    COMMAND ${WASM_CXX} ${wasm_flags} ${ARGN} ${module_includes}
+      -isystem ${module}/include -MD -MF ${object}.d -c ${source} -o ${object}
+    DEPENDS ${source} DEPFILE ${object}.d VERBATIM)
+  set(${objects} ${${objects}} ${object} PARENT_SCOPE)
+endfunction()
+# Nothing in the scenes' models is caught.
 function(compile_for_module source level standard)
   cmake_path(GET source STEM name)
-  set(object ${module}/${name}.o)
-  add_custom_command(OUTPUT ${object}
-    COMMAND ${WASM_CXX} ${wasm_flags} ${level} -std=${standard} ${module_includes}
-      -isystem ${module}/include -MD -MF ${object}.d -c ${source} -o ${object}
-    DEPENDS ${source} ${ARGN} DEPFILE ${object}.d VERBATIM)
-  set(module_objects ${module_objects} ${object} PARENT_SCOPE)
+  compile_to(module_objects ${module}/${name}.o ${source} -fignore-exceptions ${level} -std=${standard})
+  set(module_objects ${module_objects} PARENT_SCOPE)
 endfunction()
 
 foreach(file events in_float integrate precompiled raw_problem)
@@ -90,6 +95,8 @@ endforeach()
 foreach(file at_time exports scene)
   compile_for_module(${PROJECT_SOURCE_DIR}/report/site/module/${file}.cpp -Os c++20)
 endforeach()
+set(shared_objects ${module_objects})  # what moves a model, whatever it is
+compile_for_module(${PROJECT_SOURCE_DIR}/report/site/module/no_catch.cpp -Os c++20)
 
 # The models themselves, for speed, in as many files as compile well side by side.
 add_executable(write_players report/site/module/write.cpp)
@@ -103,18 +110,41 @@ foreach(file IN LISTS player_files)
   compile_for_module(${file} -O3 c++20)
 endforeach()
 
-# Links the objects to `name`.js, with one of the tests' and its options.
-function(link_module name object)
+# Links these objects and options to `name`.js. What overflows the stack, which comes first, ends there.
+function(link_module name)
+  set(objects ${ARGN})
+  list(FILTER objects INCLUDE REGEX "[.]o$")
   add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/${name}.js
-    COMMAND ${WASM_CXX} ${wasm_flags} -mexec-model=reactor -Wl,--gc-sections -Wl,--strip-all
+    COMMAND ${WASM_CXX} ${wasm_flags} -mexec-model=reactor -Wl,--gc-sections -Wl,--strip-all -Wl,--stack-first
       -Wl,-z,stack-size=1048576 -Wl,--export=malloc -Wl,--export=free -Wl,--export=__stack_pointer
-      ${module_objects} ${object} ${ARGN} -o ${module}/${name}.wasm
+      ${ARGN} -o ${module}/${name}.wasm
     COMMAND ${CMAKE_COMMAND} -DMODULE=${module}/${name}.wasm -DGZIP=${GZIP} -DBASE64=${BASE64}
       -DOUT=${PROJECT_BINARY_DIR}/${name}.js -P ${PROJECT_SOURCE_DIR}/cmake/pack.cmake
-    DEPENDS ${module_objects} ${object} ${PROJECT_SOURCE_DIR}/cmake/pack.cmake VERBATIM)
+    DEPENDS ${objects} ${PROJECT_SOURCE_DIR}/cmake/pack.cmake VERBATIM)
 endfunction()
-link_module(models "")
+link_module(models ${module_objects})
+
+# ---- problems' files, for the page in which one types them --------------------------------------------------
+
+# What is wrong in a file is thrown and caught, by the instructions that browsers have for it.
+set(own ${PROJECT_SOURCE_DIR}/report/site/module/own)
+set(own_flags -fwasm-exceptions -Os -std=c++20 -include ${own}/lacking.hpp)
+file(CREATE_LINK ${TOML}/toml++ ${module}/include/toml++ SYMBOLIC)
+set(own_objects ${shared_objects})
+file(MAKE_DIRECTORY ${module}/own)
+foreach(file
+    formula/differentiate formula/evaluate formula/gauss formula/letters formula/parse formula/signs formula/tokens
+    formula/tree formula/unreadable problem/code problem/expression problem/file problem/formula problem/keys
+    problem/measure problem/model reference/quantity_text reference/similar report/site/module/own/own
+    report/site/module/own/played report/site/module/own/tables report/site/module/own/thrown)
+  string(REPLACE "/" "_" name ${file})
+  compile_to(own_objects ${module}/own/${name}.o ${PROJECT_SOURCE_DIR}/${file}.cpp ${own_flags})
+endforeach()
+link_module(own ${own_objects})
+
+add_custom_target(own_module ALL DEPENDS ${PROJECT_BINARY_DIR}/own.js)
 add_custom_target(models_module ALL DEPENDS ${PROJECT_BINARY_DIR}/models.js)
+add_dependencies(models_module own_module)  # whose objects it shares
 
 # ---- the program's trials replayed by the module ----------------------------------------------------------
 
@@ -129,7 +159,7 @@ foreach(function IN LISTS functions)
 endforeach()
 compile_for_module(${PROJECT_SOURCE_DIR}/tests/site/nudged.cpp -Os c++20)
 list(REMOVE_ITEM module_objects ${module}/nudged.o)
-link_module(models_nudged ${module}/nudged.o ${wraps})
+link_module(models_nudged ${module_objects} ${module}/nudged.o ${wraps})
 add_custom_target(models_nudged ALL DEPENDS ${PROJECT_BINARY_DIR}/models_nudged.js)
 add_executable(write_trials tests/site/trials.cpp)
 target_link_libraries(write_trials PRIVATE oddity_report)

@@ -140,6 +140,16 @@ Written written(const Program& program, const std::vector<std::string>& names, c
   return Writer(program, names, indent).all();
 }
 
+std::string comment_of(const File& file, const ModelText& model) {
+  std::string about = "/// " + file.title + ": " + model.name.text + ".\n";
+  for (const Quoted& one : model.equations) about += "///   " + one.text + "\n";
+  if (model.equations.empty() && model.lagrangian) about += "///   L = " + model.lagrangian->text + "\n";
+  for (const auto& [name, formula] : model.closed)
+    about += "///   " + name.text + " = " + formula.text + "\n";
+  for (const auto& [name, formula] : file.given) about += "///   " + name.text + " = " + formula.text + "\n";
+  return about;
+}
+
 std::string type_name(const std::string& called) {
   std::string name;
   bool begins = true;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "problem/expression.hpp"
+#include "problem/file.hpp"
 
 /// A program's operations as lines of C++.
 namespace oddity::problem {
@@ -16,6 +17,9 @@ struct Written {
 
 /// `names` are of the inputs, in their order. `indent` goes before each line.
 Written written(const Program&, const std::vector<std::string>& names, const std::string& indent);
+
+/// A model's equations as a comment above its code.
+std::string comment_of(const File&, const ModelText&);
 
 /// The name of a type for what is called so: "spring and friction" is SpringAndFriction.
 std::string type_name(const std::string& called);

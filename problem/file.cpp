@@ -591,7 +591,7 @@ class Reader {
 std::unique_ptr<const File> read(const std::string& name, const std::string& text) {
   auto file = std::make_unique<File>();
   file->source = {name, text};
-  if (text.size() > 1'000'000) throw BadInput(name + ": a problem's file has at most a megabyte");
+  if (text.size() > most_of_a_file) throw BadInput(name + ": a problem's file has at most a megabyte");
   try {
     const toml::table table = toml::parse(std::string_view(text), std::string_view(name));
     Reader(*file).all(table);
@@ -601,6 +601,12 @@ std::unique_ptr<const File> read(const std::string& name, const std::string& tex
     file->source.fail(place_of(error.source()), std::string(error.description()));
   }
   return file;
+}
+
+void require_parameters(const File& file) {
+  if (file.parameters.empty() && !file.models.empty())
+    file.source.fail({1, 1},
+                     "no parameters: what may differ from start to start has a letter in [parameters]");
 }
 
 }  // namespace oddity::problem

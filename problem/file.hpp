@@ -107,5 +107,7 @@ struct File {
 
 /// Reads a text; throws WrongFile.
 std::unique_ptr<const File> read(const std::string& name, const std::string& text);
+/// Throws WrongFile where there is a motion and nothing that may differ from start to start.
+void require_parameters(const File&);
 
 }  // namespace oddity::problem

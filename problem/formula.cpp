@@ -363,7 +363,9 @@ std::string shown(const std::string& text, Place place) {
 
 WrongFile::WrongFile(const std::string& file, const std::string& text, Place place, const std::string& reason)
     : BadInput(file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) + ": " + reason +
-               shown(text, place)) {}
+               shown(text, place)),
+      place_(place),
+      reason_(reason) {}
 
 Formula::Formula(const Source& source, Quoted text, const Letters& known)
     : source_(&source), text_(std::move(text)) {

@@ -24,6 +24,13 @@ struct Place {
 class WrongFile : public BadInput {
  public:
   WrongFile(const std::string& file, const std::string& text, Place place, const std::string& reason);
+
+  Place place() const { return place_; }
+  const std::string& reason() const { return reason_; }
+
+ private:
+  Place place_;
+  std::string reason_;
 };
 
 /// A file's text, to point at. It outlives what was read from it.

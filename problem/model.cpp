@@ -1002,4 +1002,16 @@ Model::Code Model::code(const File& file, bool partitioned) const {
   return Coding(*this, file).code(partitioned);
 }
 
+void require_start(const File& file, const ModelText& text, const Model& model) {
+  if (text.constraints.empty() && text.conditions.empty()) return;
+  std::vector<double> values;
+  for (const ParameterText& p : file.parameters) values.push_back(p.value);
+  try {
+    model.with(values);
+  } catch (const BadInput& error) {
+    file.source.fail((text.constraints.empty() ? text.conditions : text.constraints).front().place,
+                     error.what());
+  }
+}
+
 }  // namespace oddity::problem

@@ -85,4 +85,8 @@ class Model {
   bool is_linear_ = true;
 };
 
+/// Throws WrongFile where the model's start is off a constraint, or not near its conditions, at the file's
+/// own values.
+void require_start(const File&, const ModelText&, const Model&);
+
 }  // namespace oddity::problem

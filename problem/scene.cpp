@@ -13,6 +13,7 @@
 #include "chapters/asked_file.hpp"
 #include "chapters/own_reference.hpp"
 #include "problem/claims.hpp"
+#include "problem/code.hpp"
 #include "problem/file.hpp"
 #include "problem/interpreted.hpp"
 #include "problem/model.hpp"
@@ -148,18 +149,6 @@ Known true_motion(const Model& model, const Numbers& numbers, std::span<const do
   }
   known.error = most + rounding;
   return known;
-}
-
-/// At the file's own values.
-void require_start(const File& file, const ModelText& text, const Model& model) {
-  std::vector<double> values;
-  for (const ParameterText& p : file.parameters) values.push_back(p.value);
-  try {
-    model.with(values);
-  } catch (const BadInput& error) {
-    file.source.fail((text.constraints.empty() ? text.conditions : text.constraints).front().place,
-                     error.what());
-  }
 }
 
 /// What the file says is conserved has to be so along the motion.
@@ -298,13 +287,7 @@ std::string code_of(const Parameters& p, std::string_view model) {
   const Kept& here = kept_with(p.declared().data());
   const auto its = std::ranges::find(here.models, model, &Model::name);
   const ModelText& text = here.file->models[static_cast<std::size_t>(its - here.models.begin())];
-  std::string about = "/// " + here.file->title + ": " + text.name.text + ".\n";
-  for (const Quoted& one : text.equations) about += "///   " + one.text + "\n";
-  if (text.equations.empty() && text.lagrangian) about += "///   L = " + text.lagrangian->text + "\n";
-  for (const auto& [name, formula] : text.closed) about += "///   " + name.text + " = " + formula.text + "\n";
-  for (const auto& [name, formula] : here.file->given)
-    about += "///   " + name.text + " = " + formula.text + "\n";
-  return "namespace oddity::problem {\n\n" + about +
+  return "namespace oddity::problem {\n\n" + comment_of(*here.file, text) +
          its->code(*here.file, its->with(values_of(p)).partitioned).text +
          "\n}  // namespace oddity::problem\n";
 }
@@ -346,7 +329,7 @@ void ask_by_motion(File& file) {
   const Model model(file, file.models.front());
   std::vector<double> values;
   for (const ParameterText& p : file.parameters) values.push_back(p.value);
-  if (!file.models.front().conditions.empty()) require_start(file, file.models.front(), model);
+  require_start(file, file.models.front(), model);
   const Numbers numbers = model.with(values);
   Numbers disturbed = numbers;
   for (long double& x : disturbed.start) x += 1e-12L * (x == 0 ? 1 : std::abs(x));
@@ -438,13 +421,10 @@ const Entry& entry_of_text(const std::string& name, const std::string& text) {
   for (const ParameterText& p : made->file->parameters)
     made->parameters.push_back({p.name, p.value, p.unit, p.says, p.least, p.most, p.whole});
   made->parameters.reserve(1);  // views find a file by where these are
-  if (made->parameters.empty() && !made->models.empty())
-    made->file->source.fail(
-        {1, 1}, "no parameters: what may differ from start to start has a letter in [parameters]");
+  require_parameters(*made->file);
   for (std::size_t i = 0; i < made->models.size(); ++i)
     if (const Model& model = made->models[i]; !model.is_closed()) {
-      if (const ModelText& its = made->file->models[i]; !its.constraints.empty() || !its.conditions.empty())
-        require_start(*made->file, its, model);
+      require_start(*made->file, made->file->models[i], model);
       require_conserved(*made->file, made->file->models[i], model);
     }
   for (const Model& model : made->models) made->constructions.push_back(construction_of(model, *made->file));

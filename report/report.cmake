@@ -36,9 +36,14 @@ embed(embedded_scenes report/cli/new_exercise.hpp ${PROJECT_SOURCE_DIR} "${scene
 file(GLOB asset_paths CONFIGURE_DEPENDS report/site/assets/*)
 file(GLOB asset_files RELATIVE ${PROJECT_SOURCE_DIR}/report/site/assets CONFIGURE_DEPENDS report/site/assets/*)
 embed(embedded_assets report/site/site.hpp ${PROJECT_SOURCE_DIR}/report/site/assets "${asset_files}" ON ${asset_paths})
+file(GLOB problem_paths CONFIGURE_DEPENDS chapters/examples/problems/*.toml)
+file(GLOB problem_texts RELATIVE ${PROJECT_SOURCE_DIR}/chapters/examples/problems CONFIGURE_DEPENDS
+  chapters/examples/problems/*.toml)
+embed(embedded_problems report/site/site.hpp ${PROJECT_SOURCE_DIR}/chapters/examples/problems "${problem_texts}" ON
+  ${problem_paths})
 add_library(oddity_report STATIC ${report_files} ${PROJECT_BINARY_DIR}/embedded_headers.cpp
   ${PROJECT_BINARY_DIR}/embedded_templates.cpp ${PROJECT_BINARY_DIR}/embedded_scenes.cpp
-  ${PROJECT_BINARY_DIR}/embedded_assets.cpp)
+  ${PROJECT_BINARY_DIR}/embedded_assets.cpp ${PROJECT_BINARY_DIR}/embedded_problems.cpp)
 target_link_libraries(oddity_report PUBLIC oddity_problem oddity_chapters CLI11::CLI11 nlohmann_json::nlohmann_json TBB::tbb
   ${CMAKE_DL_LIBS})
 target_compile_options(oddity_report PRIVATE ${least})

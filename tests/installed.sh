@@ -99,6 +99,7 @@ printf 'no library\n' | tee "$prefix/liboddity_lanes.so" >"$prefix/bin/liboddity
 check "without it, one body as JSON" has "$("$oddity" choose 3.5 --error 1deg --json)" '"lanes": null'
 check "without it, what is missing" has "$("$oddity" choose 3.5 --error 1deg --bodies 1000 2>&1)" "without its models in lanes: in a clone of oddity's sources './oddity' builds them"
 [ ! -f "$build/models.js" ] || check "the page's models" cmp -s "$build/models.js" "$prefix/share/oddity/models.js"
+[ ! -f "$build/own.js" ] || check "the page's reader of files" cmp -s "$build/own.js" "$prefix/share/oddity/own.js"
 cp -r "$prefix/share/oddity/reference" "$place/others"
 find "$place/others" -name 03_05_quarter_period.csv -delete
 check "it asks others for theirs" has "$("$oddity" --reference "$place/others" solve 3.5 2>&1)" "$place/others/tables/03_05_quarter"

@@ -16,7 +16,7 @@ has() { grep -qF -- "$2" <<<"$1"; }
 
 files=$(dpkg-deb --contents "$package")
 for file in bin/oddity share/man/man1/oddity.1 share/bash-completion/completions/oddity share/oddity/models.js \
-            share/oddity/reference/tables/03_05_swing.csv share/oddity/reference/approved/proofs.csv \
+            share/oddity/own.js share/oddity/reference/tables/03_05_swing.csv share/oddity/reference/approved/proofs.csv \
             share/oddity/reference/trust/fuzz.csv liboddity_lanes.so share/cmake/oddity/oddityConfig.cmake; do
   check "it has $file" has "$files" "$file"
 done

@@ -53,7 +53,9 @@ Installed::Installed(fs::path root) : root_(std::move(root)) {
   copy_as_it_is(ODDITY_MAKER, root_ / "bin/make_reference");
   for (const char* room : {"tables", "approved"})
     copy_as_it_is(ODDITY_SOURCE "/reference/" + std::string(room), tables() / room);
-  if (fs::exists(ODDITY_MODULE)) copy_as_it_is(ODDITY_MODULE, root_ / "share/oddity/models.js");
+  if (fs::exists(ODDITY_MODULE))
+    for (const char* module : {"models.js", "own.js"})
+      copy_as_it_is(fs::path(ODDITY_MODULE).replace_filename(module), root_ / "share/oddity" / module);
   write_program(root_ / "lib/oddity/engines/engine_dying", dying_engine);
   write_program(root_ / "tools/coqc", believing_coqc);
 }

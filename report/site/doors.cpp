@@ -96,6 +96,12 @@ std::string use_door() {
       "other method costs.");
 }
 
+std::string own_door() {
+  return door(
+      "own.html", "And my own equations?",
+      "Type them, with units. The page moves them, shows what each method errs, and says which one is enough.");
+}
+
 std::string picture_door(const Results& results) {
   const ExerciseResult* e = exercise_in_motion(results);
   if (!e) return "";
@@ -115,7 +121,7 @@ const ExerciseResult* exercise_in_motion(const Results& results) {
 
 std::string doors(const Results& results) {
   return "<div class=\"doors\">\n" + exercises_door(results) + picture_door(results) + euler_door() +
-         use_door() + "</div>\n";
+         use_door() + own_door() + "</div>\n";
 }
 
 }  // namespace oddity

@@ -132,6 +132,7 @@ void add_pages(IndexRows& all) {
   add("recipes.html", "What do I use?",
       "For each scene the least model and algorithm in a game, and a matrix of scenes by methods");
   add("chooser.html", "Chooser", "The method for your own start, error, frame rate and budget");
+  add("own.html", "Your own", "Type the equations of your own motion, and see which method is enough");
   add("algorithms.html", "Algorithms",
       "The catalog of integrators with their orders and limits of stability");
   add("trust.html", "Trust", "What stands behind the verdicts: proofs by Coq, references, mutants, fuzzing");

@@ -59,7 +59,7 @@ constexpr std::string_view banner =
     R"(<a class="skip" href="#main">To the content</a>
 <header class="banner">
 <a class="home" href="index.html">oddity</a>
-<nav aria-label="The site"><a href="index.html#wrong">What is wrong</a><a href="index.html#exercises">Exercises</a><a href="lesson.html">Why Euler fails</a><a href="recipes.html">What to use</a><a href="chooser.html">Chooser</a><a href="algorithms.html">Algorithms</a><a href="errata.html">Errata sheet</a></nav>
+<nav aria-label="The site"><a href="index.html#wrong">What is wrong</a><a href="index.html#exercises">Exercises</a><a href="lesson.html">Why Euler fails</a><a href="recipes.html">What to use</a><a href="chooser.html">Chooser</a><a href="own.html">Your own</a><a href="algorithms.html">Algorithms</a><a href="errata.html">Errata sheet</a></nav>
 </header>
 )";
 

@@ -138,12 +138,20 @@ std::vector<std::string> module_source(std::size_t files) {
   return texts;
 }
 
-bool has_module() { return std::filesystem::exists(module_file()); }
+namespace {
 
-std::string module_script() {
+std::filesystem::path own_file() { return module_file().replace_filename("own.js"); }
+
+std::string script_of(const std::filesystem::path& file) {
   if (!has_module()) return "oddity.module(null);\n";
-  require_own(module_file());
-  return read_whole(module_file());
+  require_own(file);
+  return read_whole(file);
 }
+
+}  // namespace
+
+bool has_module() { return std::filesystem::exists(module_file()) && std::filesystem::exists(own_file()); }
+std::string module_script() { return script_of(module_file()); }
+std::string own_script() { return script_of(own_file()); }
 
 }  // namespace oddity

@@ -14,6 +14,7 @@
 #include "report/site/front_page.hpp"
 #include "report/site/further_pages.hpp"
 #include "report/site/lesson.hpp"
+#include "report/site/own_page.hpp"
 #include "report/site/page.hpp"
 #include "report/site/players.hpp"
 #include "report/site/recipes.hpp"
@@ -28,11 +29,11 @@ std::map<std::string, std::string> site_pages(const Results& results, const Prov
                                               const SiteParts& parts, std::span<const EngineContest> contests,
                                               const Trust& trust) {
   std::map<std::string, std::string> pages{
-      {"index.html", front_page(results, parts)},       {"errata.html", errata_page(results)},
-      {"chooser.html", chooser_page(results, parts)},   {"lesson.html", lesson_page(results, parts)},
-      {"recipes.html", recipes_page(results)},          {"algorithms.html", algorithms_page()},
-      {"trust.html", trust_html(results, trust)},       {"stability.html", stability_html(results)},
-      {"engines.html", engines_html(results, contests)}};
+      {"index.html", front_page(results, parts)},        {"errata.html", errata_page(results)},
+      {"chooser.html", chooser_page(results, parts)},    {"lesson.html", lesson_page(results, parts)},
+      {"recipes.html", recipes_page(results)},           {"algorithms.html", algorithms_page()},
+      {"trust.html", trust_html(results, trust)},        {"stability.html", stability_html(results)},
+      {"engines.html", engines_html(results, contests)}, {"own.html", own_page(parts)}};
   for (const ExerciseResult& e : results.exercises)
     pages[to_string(e.number) + ".html"] = exercise_page(results, e, proved, contests);
   pages[example_name + std::string(".html")] = example_page(example_result());
@@ -80,6 +81,8 @@ fs::path write_site(const Results& results, const Reference& truth, const fs::pa
     write_whole(folder / "assets" / asset.path, std::string(asset.text));
   write_whole(folder / "assets" / "drawing.css", std::string(drawing_style()));
   write_whole(folder / "assets" / "models.js", module_script());
+  write_whole(folder / "assets" / "own.js", own_script());
+  write_whole(folder / "data" / "problems.js", own_examples());
   return folder / "index.html";
 }
 

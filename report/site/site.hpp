@@ -21,6 +21,8 @@
 ///   errata.json                 what is wrong, for programs, with errata.schema.json
 ///   assets/*.js, *.css          report/site/assets, as they are
 ///   assets/models.js            the models, compiled (players.hpp); without the module it has none
+///   assets/own.js               what reads and runs problems' files, compiled, for own.html (own_page.hpp)
+///   data/problems.js            files to begin with there
 ///   data/search.js              what the search looks through
 ///   bouncing_ball.html          an example that is no exercise (example.hpp)
 ///   data/3.5.js                 an exercise's methods, trials, limits and motions (data.hpp)
@@ -28,6 +30,8 @@ namespace oddity {
 
 /// The files of report/site/assets.
 std::span<const EmbeddedFile> embedded_assets();
+/// Those of chapters/examples/problems.
+std::span<const EmbeddedFile> embedded_problems();
 
 /// All pages by the names of their files. Claims that are proved say so; what the copy lacks, each page says.
 std::map<std::string, std::string> site_pages(const Results&, const ProvedClaims& = {},

@@ -39,7 +39,8 @@ export const launch = () => puppeteer.launch({
 export function isWhole() {
   const given = [...document.scripts].some((script) =>
     (script.src.includes('/data/') && !script.src.endsWith('/search.js')) || script.text.startsWith('\noddity.exercise('));
-  return (!given || window.oddity.data || window.oddity.allScenes)
+  const own = document.querySelector('.own');
+  return (!given || window.oddity.data || window.oddity.allScenes || own) && !(own && !own.dataset.ready)
     && !(window.oddity.data?.scene && document.querySelector('.player:not(:has(.player-clock))'));
 }
 

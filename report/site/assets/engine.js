@@ -15,12 +15,17 @@
 //   draw(number, parameters, t, observed)   {space, primitives: [{kind, points: [[x, y, z]], size, letter, trail}]},
 //                or null where the scene does not say how it looks
 // Parameters that are not given have their defaults.
+//   take(text)   of the module that reads problems' files (own.js), which has no scene before: resolves to {file}, the
+//                text as it is understood, whose scene is 'own' from then on; or to {wrong: {line, column, reason,
+//                message}}, line and column 0 where the place is not known. Then the scene is what it was
+//   code(model)  the place of a model among the file's: its C++, or nothing where it has none to print
 (function (oddity) {
   'use strict';
 
   const endings = ['reached', 'non-finite', 'stalled', 'raised', 'chattering', 'grazing'];
   const closedForm = {name: 'closed form', kind: 'closed form', order: 0, knob: '', inFloat: true};
 
+  let compiled = null;
   let wasm = null;        // the module's exports
   let scenes = new Map();
   let kinds = [];         // of primitives, by name
@@ -48,12 +53,16 @@
     return imports;
   }
 
-  async function start(base64) {
-    const module = await WebAssembly.compile(await unpacked(bytesOf(base64)));
-    const instance = await WebAssembly.instantiate(module, noSystem(module));
+  async function begin() {
+    const instance = await WebAssembly.instantiate(compiled, noSystem(compiled));
     wasm = instance.exports;
     wasm._initialize();
     describe(JSON.parse(text(wasm.describe())));
+  }
+
+  async function start(base64) {
+    compiled = await WebAssembly.compile(await unpacked(bytesOf(base64)));
+    await begin();
   }
 
   oddity.module = function (base64) {
@@ -66,6 +75,7 @@
   function describe(all) {
     engine.algorithms = all.algorithms.concat([closedForm]);
     kinds = all.kinds;
+    scenes = new Map();
     all.scenes.forEach((scene, index) => scenes.set(scene.number, known(scene, index)));
   }
 
@@ -180,6 +190,34 @@
     }, message => nothing(scene, asked, 'raised', message));
   }
 
+  // ---- a problem's file ---------------------------------------------------------------------------------------
+
+  let taken = null;       // the last text that was understood
+
+  function takenBy(module, string) {
+    const bytes = new TextEncoder().encode(string);
+    const address = module.malloc(bytes.length + 1);
+    new Uint8Array(module.memory.buffer).set(bytes, address);
+    const result = JSON.parse(text(module.take(address, bytes.length)));
+    module.free(address);
+    if (result.file) describe(JSON.parse(text(module.describe())));
+    return result;
+  }
+
+  // What is nested too deeply, or does not fit into the memory, ends the module: there is a new one, with what was there.
+  async function take(string) {
+    try {
+      const result = takenBy(wasm, string);
+      if (result.file) taken = string;
+      return result;
+    } catch (error) {
+      await begin();
+      if (taken !== null) takenBy(wasm, taken);
+      const reason = 'this is more than the page can read';
+      return {wrong: {line: 0, column: 0, reason, message: reason}};
+    }
+  }
+
   // ---- a drawing ----------------------------------------------------------------------------------------------
 
   // Hundreds of these are made whenever a parameter moves: plain loops, as destructuring takes many times as long.
@@ -205,6 +243,8 @@
     algorithms: [],
     scene: number => scenes.get(number) || null,
     run,
+    take,
+    code: model => text(wasm.code(model)),
     draw: (number, parameters, t, observed) =>
       scenes.has(number) ? drawing(scenes.get(number), parameters, t, observed) : null
   };

@@ -47,15 +47,15 @@
   const bestTrial = (method) => method.trials.reduce((best, t) => (t[1] !== null && isOk(t[5]) && !(best && best[1] <= t[1]) ? t : best), null);
 
   /** By the module. */
-  function computable(data, engine) {
-    const own = engine.scene(data.number);
+  oddity.computable = function (number, engine) {
+    const own = engine.scene(number);
     if (!own) return [];
     const facts = new Map(engine.algorithms.map((a) => [a.name, a]));
     return own.models.flatMap(({ name, algorithms, events }) => algorithms.map((algorithm) => {
       const fact = facts.get(algorithm) || { knob: '', inFloat: false };
       return { model: name, algorithm, knob: fact.knob, precisions: fact.inFloat && !events ? ['double', 'float'] : ['double'] };
     }));
-  }
+  };
 
   /** Recorded ones at their one setting, of what the module does not have. */
   function recordedMethods(paths, others) {
@@ -75,7 +75,7 @@
     const count = scene.observables.length;
     const defaults = Object.fromEntries(data.parameters.map((p) => [p.name, p.value]));
     const tried = methodsOf(quantity);
-    const computed = engine ? computable(data, engine) : [];
+    const computed = engine ? oddity.computable(data.number, engine) : [];
     const methods = [...computed, ...recordedMethods(scene.paths, computed)];
     const cache = new Map();
     const isDefault = (parameters) => data.parameters.every((p) => parameters[p.name] === p.value);

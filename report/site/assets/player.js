@@ -22,17 +22,21 @@
     };
   };
 
+  /** What a link to a player may name of these motions. */
+  oddity.nameable = (motions, parameters) => ({ parameters: motions.recordedOnly ? [] : parameters, methods: motions.methods,
+    horizon: motions.scene.horizon, speeds: oddity.speeds, units: motions.data.units, space: motions.space });
+
   class Player {
-    constructor(element, data, engine) {
+    constructor(element, motions, begin = null) {
       this.element = element;
-      this.motions = oddity.motions(data, engine);
+      this.motions = motions;
       this.scene = this.motions.scene;
       this.rows = [];
       this.clock = oddity.clock({ scene: this.scene, frame: this.motions.frame, show: () => this.paint() });
       this.build();
       this.picture = oddity.picture(this.canvas, this.motions);
       this.look();
-      this.restart(this.fromLink() || this.usual());
+      this.restart(begin || this.fromLink() || this.usual());
       this.follow();
     }
 
@@ -44,8 +48,7 @@
 
     /** What a link may name. */
     known() {
-      return { parameters: this.motions.recordedOnly ? [] : this.sliding(), methods: this.motions.methods,
-        horizon: this.scene.horizon, speeds: oddity.speeds, units: this.motions.data.units, space: this.motions.space,
+      return { ...oddity.nameable(this.motions, this.sliding()),
         missing: this.motions.recordedOnly ? 'is not recorded, and the models are not in this copy of the page' : 'this scene does not have' };
     }
 
@@ -179,7 +182,7 @@
       const one = units.length === 1;
       const shown = this.shown();
       const common = { end: scene.horizon, ticks: this.ticks(), timeUnit: scene.time_unit };
-      this.errorName.textContent = one ? `error [${units[0]}]` : `error, in parts of ${oddity.needName(scene.close)}`;
+      this.errorName.textContent = one ? `error${units[0] && ` [${units[0]}]`}` : `error, in parts of ${oddity.needName(scene.close)}`;
       this.errorLines.set({ ...common, need: one ? scene.close[units[0]] : 1, needName: oddity.needName(scene.close),
         floor: one ? floors[0] : Math.max(...floors.map((x, u) => x / scene.close[units[u]])),
         ceiling: 1e4 * Math.max(...sizes.map((x, u) => (one ? x : x / scene.close[units[u]]))),
@@ -203,6 +206,7 @@
     /** What the ghost is, and how far its two makers differ. */
     tellTruth() {
       const { motions } = this;
+      if (motions.aboutTruth) return this.tell(motions.aboutTruth(this.parameters));
       const { richest } = motions;
       if (this.truth === motions.reference && !richest) return this.tell('The ghost is the true motion: the reference, kept to seven digits.');
       const { knob } = motions.find(richest.model, richest.algorithm);
@@ -272,7 +276,7 @@
       doing.push(worded('as it opened', 'parameters and methods as the page has them first', () => this.preset(motions.opening(), 'As it opened')));
       if (!motions.recordedOnly) doing.push(worded('break it', 'the smallest step with which the first method breaks', () => this.breakIt()));
       const copying = [worded('copy link', 'an address that opens the player as it is now', () => this.link())];
-      for (const verb of motions.data.example ? [] : ['solve', 'choose'])
+      for (const verb of motions.data.example || motions.data.file ? [] : ['solve', 'choose'])
         copying.push(worded(`copy oddity ${verb}`, verb === 'solve' ? 'the command that runs every method at these parameters'
           : 'the command that chooses a method for these parameters', () => this.command(verb)));
       return make('div', { class: 'player-actions' }, make('div', {}, ...doing), make('div', {}, ...copying));
@@ -483,29 +487,46 @@
 
     /** What happens outside: sizes and colours, links, trials of charts, and whether it is seen. */
     follow() {
+      this.ending = new AbortController();
+      const { signal } = this.ending;
       const again = () => {
         this.look();
         this.compute();
       };
-      const sizes = new ResizeObserver(again);
-      [this.canvas, this.errorCanvas].forEach((canvas) => sizes.observe(canvas));
-      window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', again);
-      window.addEventListener('hashchange', () => {
-        if (window.location.hash === this.linked || !window.location.hash.startsWith('#play&')) return;
-        this.clock.pause();
-        const state = this.fromLink();
-        this.restart(state || this.usual());
-        if (state) this.say('The player is as the link has it.');
-      });
-      document.addEventListener('oddity:play', (event) => this.trial(event.detail || {}));
-      new IntersectionObserver((entries) => this.clock.seen(entries[entries.length - 1].isIntersecting), { threshold: 0.3 })
-        .observe(this.canvas);
+      this.sizes = new ResizeObserver(again);
+      [this.canvas, this.errorCanvas].forEach((canvas) => this.sizes.observe(canvas));
+      window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', again, { signal });
+      window.addEventListener('hashchange', () => this.goTo(), { signal });
+      document.addEventListener('oddity:play', (event) => this.trial(event.detail || {}), { signal });
+      this.sight = new IntersectionObserver((entries) => this.clock.seen(entries[entries.length - 1].isIntersecting), { threshold: 0.3 });
+      this.sight.observe(this.canvas);
+    }
+
+    /** To what the address has. */
+    goTo() {
+      if (window.location.hash === this.linked || !window.location.hash.startsWith('#play&')) return;
+      this.clock.pause();
+      const state = this.fromLink();
+      this.restart(state || this.usual());
+      if (state) this.say('The player is as the link has it.');
+    }
+
+    /** Another takes its place. */
+    end() {
+      this.clock.pause();
+      clearTimeout(this.saying);
+      cancelAnimationFrame(this.pending);
+      this.ending.abort();
+      this.sizes.disconnect();
+      this.sight.disconnect();
     }
   }
 
+  oddity.Player = Player;
+
   oddity.player = async function (element) {
     const running = oddity.engine && (await oddity.engine.ready);
-    return new Player(element, oddity.data, running ? oddity.engine : null);
+    return new Player(element, oddity.motions(oddity.data, running ? oddity.engine : null));
   };
 
   if (typeof document !== 'undefined')

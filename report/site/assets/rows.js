@@ -6,7 +6,7 @@
   const { written } = oddity;
 
   /** 0.12 rad; 0.003 m, 0.12 rad. */
-  oddity.amounts = (values, units, digits = 2) => units.map((unit, u) => `${written(values[u], digits)} ${unit}`).join(', ');
+  oddity.amounts = (values, units, digits = 2) => units.map((unit, u) => `${written(values[u], digits)} ${unit}`.trim()).join(', ');
 
   oddity.needName = (close, joined = ' and ') => Object.entries(close).map(([unit, x]) => oddity.nameOfNeed(unit, x)).join(joined);
 

@@ -109,6 +109,6 @@
   oddity.nameOfNeed = function (unit, allowed) {
     if (unit === 'm' && Math.abs(allowed - 0.01) < 1e-12) return '1 cm';
     if (unit === 'rad' && Math.abs(allowed - Math.PI / 180) < 1e-12) return '1\u00b0';
-    return oddity.written(allowed) + ' ' + unit;
+    return `${oddity.written(allowed)} ${unit}`.trim();
   };
 })(window.oddity = window.oddity || {});

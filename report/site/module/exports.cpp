@@ -2,12 +2,10 @@
 // the addresses that the other functions return, before it calls again.
 
 #include <algorithm>
-#include <cstdlib>
 
+#include "report/site/module/json.hpp"
 #include "report/site/module/scene.hpp"
 #include "solvers/ode/all.hpp"
-
-#define ODDITY_EXPORT(name) extern "C" __attribute__((export_name(#name)))
 
 namespace oddity::module {
 
@@ -22,11 +20,12 @@ struct Made {
   std::vector<double> parameters;
   std::unique_ptr<const Model> model;
 };
+std::vector<std::vector<Made>> kept;
 
 const Model& made(std::size_t scene, std::size_t index, std::span<const double> parameters) {
-  static std::vector<std::vector<Made>> all(scenes().size());
-  all[scene].resize(scenes()[scene].models.size());
-  Made& last = all[scene][index];
+  kept.resize(scenes().size());
+  kept[scene].resize(scenes()[scene].models.size());
+  Made& last = kept[scene][index];
   if (!last.model || !std::equal(parameters.begin(), parameters.end(), last.parameters.begin()))
     last = {{parameters.begin(), parameters.end()}, scenes()[scene].models[index].with(parameters)};
   return *last.model;
@@ -38,23 +37,7 @@ std::vector<double> defaults(const Scene& scene) {
   return values;
 }
 
-// ---- the description, as JSON -----------------------------------------------------------------------------
-
-std::string quoted(std::string_view text) {
-  std::string quoted = "\"";
-  for (char c : text) {
-    if (c == '"' || c == '\\') quoted += '\\';
-    quoted += c;
-  }
-  return quoted + '"';
-}
-
-template <class Range, class Text>
-std::string listed(const Range& range, const Text& text) {
-  std::string all;
-  for (const auto& entry : range) all += (all.empty() ? "" : ",") + text(entry);
-  return '[' + all + ']';
-}
+// ---- the description --------------------------------------------------------------------------------------
 
 std::string_view name_of(ode::Kind kind) {
   switch (kind) {
@@ -99,22 +82,18 @@ std::vector<Algorithm> algorithms() {
   return all;
 }
 
-std::string text_of(bool yes) { return yes ? "true" : "false"; }
-
 std::string text_of(const Algorithm& a) {
   return "{\"name\":" + quoted(a.name) + ",\"kind\":" + quoted(name_of(a.kind)) +
          ",\"order\":" + std::to_string(a.order) +
          ",\"knob\":" + quoted(ode::has_tolerance(a.kind) ? "tolerance" : "step") +
-         ",\"inFloat\":" + text_of(a.in_float) + "}";
+         ",\"inFloat\":" + flag(a.in_float) + "}";
 }
 
 std::string text_of(const Listed& listed, const Model& model) {
   return "{\"name\":" + quoted(listed.name) + ",\"algorithm\":" + quoted(listed.algorithm) +
-         ",\"closedForm\":" + text_of(model.closed_form()) +
-         ",\"partitioned\":" + text_of(model.partitioned()) +
-         ",\"velocities\":" + text_of(model.has_velocities()) +
-         ",\"constrained\":" + text_of(model.constrained()) + ",\"events\":" + text_of(model.has_events()) +
-         "}";
+         ",\"closedForm\":" + flag(model.closed_form()) + ",\"partitioned\":" + flag(model.partitioned()) +
+         ",\"velocities\":" + flag(model.has_velocities()) + ",\"constrained\":" + flag(model.constrained()) +
+         ",\"events\":" + flag(model.has_events()) + "}";
 }
 
 std::string text_of(std::size_t index) {
@@ -124,21 +103,22 @@ std::string text_of(std::size_t index) {
   for (std::size_t i = 0; i < scene.models.size(); ++i)
     models += (i ? "," : "") + text_of(scene.models[i], made(index, i, parameters));
   return "{\"number\":" + quoted(scene.number) + ",\"observables\":" + std::to_string(scene.observables) +
-         ",\"drawn\":" + text_of(scene.draw != nullptr) +
+         ",\"drawn\":" + flag(scene.draw != nullptr) +
          ",\"parameters\":" + listed(scene.letters, [](const Letter& l) { return quoted(l.name); }) +
          ",\"models\":[" + models + "]}";
 }
 
 }  // namespace
 
+void forget_models() { kept.clear(); }
+
 ODDITY_EXPORT(describe) const char* describe() {
-  static const std::string text = [] {
-    std::string all;
-    for (std::size_t i = 0; i < scenes().size(); ++i) all += (i ? "," : "") + text_of(i);
-    return "{\"algorithms\":" + listed(algorithms(), [](const Algorithm& a) { return text_of(a); }) +
-           ",\"kinds\":" + listed(Drawing::kind_names, [](std::string_view name) { return quoted(name); }) +
-           ",\"scenes\":[" + all + "]}";
-  }();
+  static std::string text;
+  std::string all;
+  for (std::size_t i = 0; i < scenes().size(); ++i) all += (i ? "," : "") + text_of(i);
+  text = "{\"algorithms\":" + listed(algorithms(), [](const Algorithm& a) { return text_of(a); }) +
+         ",\"kinds\":" + listed(Drawing::kind_names, [](std::string_view name) { return quoted(name); }) +
+         ",\"scenes\":[" + all + "]}";
   return text.c_str();
 }
 
@@ -193,9 +173,3 @@ ODDITY_EXPORT(draw) const double* draw(std::size_t index) {
 }
 
 }  // namespace oddity::module
-
-// Nothing here catches: what is thrown ends the call, and the page makes a new instance.
-extern "C" {
-void* __cxa_allocate_exception(std::size_t size) { return std::malloc(size); }
-[[noreturn]] void __cxa_throw(void*, void*, void (*)(void*)) { __builtin_trap(); }
-}

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
@@ -178,7 +179,8 @@ std::unique_ptr<const Model> model(const InDouble& in_double, const InFloat& in_
         in_double, in_float);
 }
 
-// ---- what is written of a scene's listing (players.cpp) ---------------------------------------------------
+// ---- what is written of a scene's listing (players.cpp), or read from a problem's file (own/own.cpp)
+// ---------------------------------------------------
 
 struct Letter {
   std::string_view name;
@@ -188,7 +190,7 @@ struct Letter {
 struct Listed {
   std::string_view name;
   std::string_view algorithm;  ///< of a closed form that has one of its own
-  std::unique_ptr<const Model> (*with)(std::span<const double> parameters);
+  std::function<std::unique_ptr<const Model>(std::span<const double> parameters)> with;
 };
 
 /// A scene's parameters by name, as its drawing asks for them.
@@ -213,5 +215,8 @@ struct Scene {
 };
 
 const std::vector<Scene>& scenes();
+
+/// Forgets the models that were made: the scenes are others now (exports.cpp).
+void forget_models();
 
 }  // namespace oddity::module

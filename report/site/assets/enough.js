@@ -1,0 +1,63 @@
+// The cheapest method that is enough for a problem's file, looked for piece by piece while one types.
+
+(function (oddity) {
+  'use strict';
+
+  const steps = [1, 2, 4, 8, 16, 32, 64];     // to a frame
+  const tolerances = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10];
+  const safe = 0.1;                           // of the need, how well the truth has to be known
+
+  const settingsOf = (motions, { knob }) =>
+    (knob === 'step' ? steps.map((n) => motions.frame / n) : knob === 'tolerance' ? tolerances : [0]);
+
+  function settingText(motions, { algorithm, model, setting }) {
+    const { knob } = motions.find(model, algorithm);
+    if (knob === 'tolerance') return ` at a tolerance of ${oddity.written(setting)}`;
+    if (knob !== 'step') return '';
+    const count = Math.round(motions.frame / setting);
+    return count === 1 ? ' with a step a frame' : ` with ${count} steps a frame`;
+  }
+
+  /** Why no answer can be given; nothing where one can. */
+  function doubts(motions, parameters) {
+    const { ending, message } = motions.truth(parameters);
+    if (ending !== 'reached') return `No method is judged, as the true motion is not known to the end: ${message || ending}.`;
+    const apart = motions.apart(parameters);
+    const needs = apart.map((x, u) => x / motions.scene.close[motions.units[u]]);
+    if (needs.every((x) => x <= safe)) return '';
+    return `No method is judged, as the two makers of the truth differ by ${oddity.amounts(apart, motions.units)}: `
+      + 'that is not far below what the file needs.';
+  }
+
+  function told(motions, best) {
+    const { method, judged, motion } = best;
+    const cost = motion.evaluations === 1 ? 'one evaluation' : `${motion.evaluations} evaluations`;
+    const by = motions.find(method.model, method.algorithm).knob ? `${oddity.sentence(method.algorithm)} on ${method.model}`
+      : `The closed form of ${method.model}`;
+    return `${by}${settingText(motions, method)} is enough: at ${motions.frames} frames it is `
+      + `${oddity.amounts(judged.worst, judged.units)} off at most, for ${cost}.`;
+  }
+
+  /** Yields {text, done} after each piece of work, the last with `done`. */
+  oddity.enough = function* (motions, parameters) {
+    const why = doubts(motions, parameters);
+    if (why) return yield { text: why, done: true };
+    let best = null;
+    let tried = 0;
+    for (const found of motions.methods) {
+      for (const setting of settingsOf(motions, found)) {
+        const method = { model: found.model, algorithm: found.algorithm, precision: 'double', setting };
+        const { motion, judged } = motions.judgedByFrame(parameters, method);
+        const dear = best && motion.evaluations >= best.motion.evaluations;
+        const holds = motion.ending === 'reached' && judged.broken === null && judged.since === null;
+        if (holds && !dear) best = { method, motion, judged };
+        if (holds || dear) break;
+      }
+      tried += 1;
+      yield { text: `${best ? told(motions, best) : 'Nothing is enough so far.'} ${tried} of ${motions.methods.length} methods are tried.`, done: false };
+    }
+    const need = oddity.needName(motions.scene.close);
+    yield { text: best ? `${told(motions, best)} Nothing that the page has is within ${need} for fewer.`
+      : `Nothing that the page has is within ${need} up to ${steps[steps.length - 1]} steps a frame.`, done: true, best };
+  };
+})(window.oddity = window.oddity || {});

@@ -1,0 +1,264 @@
+// The page in which one types a problem's file: what is wrong in it, its motions, what is enough, and the code.
+
+(function (oddity) {
+  'use strict';
+
+  const { make } = oddity;
+  const patience = 40;        // ms after a key
+  const slice = 12;           // ms of looking for what is enough, at a time
+
+  /** A player whose link has the file. */
+  class OwnPlayer extends oddity.Player {
+    constructor(element, motions, begin, typing) {
+      super(element, motions, begin);
+      this.typing = typing;
+    }
+    fromLink() { return null; }
+    goTo() {}                 // the page reads the address
+    async link() {
+      const hash = await oddity.fileLink.format(this.typing.text, oddity.permalink.format(this.state()));
+      this.typing.linked = hash;
+      window.location.hash = hash;
+      this.copy(window.location.href, 'Copied');
+    }
+    compute() {
+      super.compute();
+      if (this.typing) this.typing.look();
+    }
+  }
+
+  class Typing {
+    constructor(place) {
+      this.place = place;
+      place.oddity = this;
+      this.text = '';
+      this.turn = 0;          // of what was typed: what is asked for an earlier one is not shown
+      this.build();
+      window.addEventListener('hashchange', () => this.fromAddress());
+    }
+
+    build() {
+      this.area = make('textarea', { id: 'own-file', class: 'own-file', spellcheck: 'false', autocomplete: 'off', wrap: 'off',
+        'aria-describedby': 'own-wrong', input: () => this.later(), scroll: () => this.mark() });
+      this.menu = make('select', { id: 'own-example', change: () => this.example() });
+      this.line = make('div', { class: 'own-line', hidden: true, 'aria-hidden': 'true' });
+      this.wrong = make('pre', { id: 'own-wrong', class: 'own-wrong', role: 'status', 'aria-live': 'polite', tabindex: '0', hidden: true });
+      this.says = make('p', { class: 'own-says', role: 'status', 'aria-live': 'polite' });
+      this.asks = make('p', { class: 'own-asks' });
+      this.answer = make('p', { class: 'own-answer', 'aria-live': 'polite' });
+      this.alone = make('p', { class: 'own-alone', hidden: true }, 'Judged for this start alone, by the page\u2019s own truth. ',
+        make('code', {}, `${oddity.program} choose FILE`), ' tries others, by true motions in more digits.');
+      this.figure = make('section', { class: 'player', 'aria-label': 'Player' });
+      this.code = make('pre', { class: 'code own-code', tabindex: '0' });
+      this.codeOf = make('select', { id: 'own-code-of', change: () => this.showCode() });
+      this.copied = make('button', { type: 'button', click: () => this.copyCode() }, 'Copy');
+      this.coding = make('details', { class: 'own-coding', hidden: true }, make('summary', {}, 'Its code in C++'),
+        make('p', {}, make('label', { for: 'own-code-of' }, 'Model '), this.codeOf, ' ', this.copied), this.code);
+      this.place.replaceChildren(
+        make('div', { class: 'own-typed' },
+          make('p', {}, make('label', { for: 'own-example' }, 'Begin with '), this.menu),
+          make('label', { for: 'own-file', class: 'own-name' }, 'The file'),
+          make('div', { class: 'own-paper' }, this.line, this.area), this.wrong, this.says),
+        make('div', { class: 'own-shown' }, this.asks, this.answer, this.alone, this.figure, this.coding));
+    }
+
+    // ---- the text -----------------------------------------------------------------------------------------
+
+    offer(examples) {
+      this.examples = examples;
+      this.menu.replaceChildren(...examples.map(({ title }, i) => make('option', { value: i }, title)));
+    }
+
+    example() {
+      this.set(this.examples[this.menu.value].text);
+    }
+
+    set(text, play = '') {
+      this.area.value = text;
+      this.area.scrollTop = 0;
+      this.keeps = false;
+      return this.read(play);
+    }
+
+    later() {
+      clearTimeout(this.waiting);
+      this.waiting = setTimeout(() => this.read(), patience);
+    }
+
+    async fromAddress() {
+      if (window.location.hash === this.linked) return false;
+      const read = await oddity.fileLink.parse(window.location.hash);
+      if (!read) return false;
+      if (read.problem) {
+        this.says.textContent = `${read.problem} This is the page as it opens.`;
+        return false;
+      }
+      await this.set(read.text, read.play);
+      return true;
+    }
+
+    async read(play = '') {
+      clearTimeout(this.waiting);
+      const turn = this.turn += 1;
+      const began = performance.now();
+      const text = this.area.value;
+      this.says.textContent = '';
+      this.menu.selectedIndex = this.examples.findIndex((one) => one.text === text);
+      const result = text.length > oddity.fileLink.longest
+        ? { wrong: { line: 0, column: 0, message: `The page takes files of up to ${oddity.fileLink.longest} characters.` } }
+        : await oddity.engine.take(text);
+      if (turn !== this.turn) return;
+      if (result.wrong) this.refuse(result.wrong);
+      else this.show(text, result.file, play);
+      this.place.dataset.took = (performance.now() - began).toFixed(1);
+      this.place.dataset.read = String(turn);
+    }
+
+    /** What is shown is of another text. */
+    refuse({ line, message }) {
+      this.wrong.textContent = message;
+      this.wrong.hidden = false;
+      this.area.setAttribute('aria-invalid', 'true');
+      this.wrongLine = line;
+      this.mark();
+      this.figure.classList.add('stale');
+      this.stop();
+      this.answer.textContent = '';
+      this.alone.hidden = true;
+      this.coding.hidden = true;
+    }
+
+    mark() {
+      this.line.hidden = !this.wrongLine;
+      if (!this.wrongLine) return;
+      const style = getComputedStyle(this.area);
+      const top = parseFloat(style.paddingTop) + (this.wrongLine - 1) * parseFloat(style.lineHeight) - this.area.scrollTop;
+      this.line.style.transform = `translateY(${top}px)`;
+      this.line.hidden = top < 0 || top > this.area.clientHeight;
+    }
+
+    // ---- what it makes ------------------------------------------------------------------------------------
+
+    show(text, file, play) {
+      this.text = text;
+      this.wrongLine = 0;
+      this.mark();
+      this.wrong.hidden = true;
+      this.area.removeAttribute('aria-invalid');
+      this.figure.classList.remove('stale');
+      this.asks.textContent = file.question;
+      this.stop();
+      const moves = oddity.engine.scene('own') !== null;
+      this.figure.hidden = this.coding.hidden = !moves;
+      if (!moves) {
+        this.drop();
+        this.alone.hidden = true;
+        this.answer.textContent = `It has ${file.claims === 1 ? 'a claim' : `${file.claims} claims`} and no motion: ${oddity.program} verify FILE judges them.`;
+        return;
+      }
+      this.play(oddity.problem(file, oddity.engine), play);
+      const models = oddity.engine.scene('own').models.map((m) => m.name);
+      this.codeOf.replaceChildren(...models.map((name, i) => make('option', { value: i }, name)));
+      this.codeOf.value = models.length - 1;
+      this.showCode();
+    }
+
+    drop() {
+      if (this.player) this.player.end();
+      this.player = null;
+      this.figure.replaceChildren();
+    }
+
+    /** What a link has; else the methods and the time stay as far as the file still has them. */
+    begin(motions, link) {
+      const usual = { parameters: {}, rows: motions.opening(), time: 0, speed: 1 };
+      const missing = 'the file does not have';
+      const read = link ? oddity.permalink.parse(link, { ...oddity.nameable(motions, motions.data.parameters), missing }) : null;
+      if (read && read.problem) this.says.textContent = `${read.problem} The rest is as the link has it.`;
+      const before = this.player && this.keeps ? { ...this.player.state(), parameters: {} } : usual;
+      const state = read && read.state ? read.state : before;
+      const rows = state.rows.filter((row) => motions.find(row.model, row.algorithm));
+      return { ...state, rows: rows.length ? rows : usual.rows, view: null };
+    }
+
+    play(motions, link) {
+      const begin = this.begin(motions, link);
+      const moves = this.player && this.keeps && this.player.clock.playing;
+      this.drop();
+      this.keeps = true;
+      this.player = new OwnPlayer(this.figure, motions, begin, this);
+      this.look();
+      if (moves) this.player.clock.play();
+    }
+
+    showCode() {
+      const text = oddity.engine.code(Number(this.codeOf.value));
+      this.code.textContent = text ? `#include <array>\n#include <cmath>\n\n${text}`
+        : 'This model has no code to print: it has events, or letters that C++ has another meaning for.';
+      this.copied.disabled = !text;
+    }
+
+    async copyCode() {
+      try {
+        await navigator.clipboard.writeText(this.code.textContent);
+        this.copied.textContent = 'Copied';
+      } catch (error) {
+        getSelection().selectAllChildren(this.code);
+        this.copied.textContent = 'Selected';
+      }
+    }
+
+    // ---- what is enough -----------------------------------------------------------------------------------
+
+    stop() {
+      clearTimeout(this.looking);
+      delete this.place.dataset.answered;
+    }
+
+    /** In pieces, between which the page is free. */
+    look() {
+      const { player } = this;
+      if (!player || this.figure.classList.contains('stale')) return;
+      const { motions, parameters } = player;
+      const key = JSON.stringify(parameters);
+      if (this.lookedFor && this.lookedFor.motions === motions && this.lookedFor.key === key) return;
+      this.lookedFor = { motions, key };
+      this.stop();
+      this.answer.textContent = 'Which method is enough is being looked for.';
+      this.alone.hidden = true;
+      const pieces = oddity.enough(motions, parameters);
+      const next = () => {
+        const end = performance.now() + slice;
+        let last = pieces.next();
+        while (!last.value.done && performance.now() < end) last = pieces.next();
+        this.answer.textContent = last.value.text;
+        this.alone.hidden = !last.value.best;
+        player.tellTruth();
+        if (last.value.done) this.place.dataset.answered = 'yes';
+        else this.looking = setTimeout(next, 0);
+      };
+      this.looking = setTimeout(next, slice);
+    }
+  }
+
+  async function start(place) {
+    if (!(await oddity.engine.ready)) {
+      place.textContent = 'This browser cannot run the page\u2019s reader of files: it has no exceptions in WebAssembly.';
+      return;
+    }
+    const typing = new Typing(place);
+    typing.offer(oddity.allExamples);
+    if (!(await typing.fromAddress())) {
+      const { textContent } = typing.says;
+      await typing.set(oddity.allExamples[0].text);
+      typing.says.textContent = textContent;
+    }
+    place.dataset.ready = 'yes';
+  }
+
+  /** Called by data/problems.js. */
+  oddity.problems = async function (packed) {
+    oddity.allExamples = await oddity.unpacked(packed);
+    document.querySelectorAll('.own').forEach((place) => { start(place); });
+  };
+})(window.oddity = window.oddity || {});
