@@ -32,6 +32,7 @@ struct Solid {
 
   explicit Solid(Random& random) : c(random.point(10)), r(std::abs(random.magnitude(1e-3, 1e3))) {}
   std::array<double*, 4> letters() { return {&c[0], &c[1], &c[2], &r}; }
+  TypesetLetters typeset() const { return {{"x_c", c[0]}, {"y_c", c[1]}, {"z_c", c[2]}, {"r", r}}; }
   std::string where() const { return "$r$ = " + format_shortest(r); }
 
   /// On each axis two planes, `distance` from the center.
@@ -70,6 +71,7 @@ struct Center {
 struct Size {
   static constexpr bool whole = true;
   int half;
+  TypesetLetters typeset() const { return {{"n", std::pow(2 * half, 3)}}; }
   std::string where() const { return std::to_string(2 * half) + " bins an axis"; }
 };
 
@@ -90,10 +92,6 @@ void ranges(Claims& claims, const Parameters& p, const std::vector<Lattice>& sph
        .near_misses = {
            {"tests of all bins but the first find it", of_those([](long id) { return id != 0; })}}});
 
-  const auto ends = [](const std::string& text, double stretch) {
-    return Formula<Solid>{"$" + text + "$ on each axis",
-                          [=](const Solid& s) { return s.planes(stretch * s.r); }};
-  };
   claims.formula<Solid>(
       "projections", 3737,
       "the sphere's projections on the axes are $[x_c-r,x_c+r]$, $[y_c-r,y_c+r]$ and $[z_c-r,z_c+r]$",
@@ -104,8 +102,7 @@ void ranges(Claims& claims, const Parameters& p, const std::vector<Lattice>& sph
                    const auto left = [&](double offset) { return s.r * s.r - offset * offset; };
                    return s.planes(brent(left, 0, 3 * s.r, 1e-15 * s.r).value);
                  }},
-       .printed = ends("[c-r,c+r]", 1),
-       .near_misses = {ends(R"([c-r/\sqrt3,c+r/\sqrt3])", 1 / std::sqrt(3.0)), ends("[c-2r,c+2r]", 2)}});
+       .printed = {R"($(x_c-r,\ x_c+r,\ y_c-r,\ y_c+r,\ z_c-r,\ z_c+r)$)"}});
 
   /// The range has the bins that meet the box, and tests in it find what n tests find.
   const auto by = [&](std::string text, Range range) {
@@ -125,9 +122,6 @@ void ranges(Claims& claims, const Parameters& p, const std::vector<Lattice>& sph
                        by("truncation at both ends", reach_by_truncation),
                        by("converted to 32 bits, then clamped", reach_converted_first)}});
 
-  const auto divisions = [](std::string text, double said) {
-    return Formula<Size>{std::move(text), [=](const Size&) { return Value{said, said}; }};
-  };
   claims.formula<Size>(
       "few_computations", 3737,
       "the indices require only a few computations (our reading: as many for any number of bins)",
@@ -141,8 +135,7 @@ void ranges(Claims& claims, const Parameters& p, const std::vector<Lattice>& sph
                    });
                    return values(operations.divisions, operations.functions);
                  }},
-       .printed = divisions("six of each", 6),
-       .near_misses = {divisions("three of each", 3)}});
+       .printed = {R"($(6,\ 6)$)"}});
 }
 
 /// The mean number of bins in the range, over centers evenly spread over an axis of the grid, cubed.

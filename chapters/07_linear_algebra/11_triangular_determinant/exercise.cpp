@@ -34,6 +34,8 @@ constexpr auto parameters = together(
 
 // ---- the claims -------------------------------------------------------------------------------------------
 
+constexpr int largest = 8;  ///< size
+
 /// A random matrix M of whole numbers, or U, zero below its diagonal; one of each is all zero.
 struct Sample {
   static constexpr bool whole = true;
@@ -45,7 +47,7 @@ struct Sample {
 
 std::vector<Sample> matrices_of_whole_numbers(Random random, bool triangular) {
   std::vector<Sample> all;
-  for (int n = 8; n >= 1; --n)
+  for (int n = largest; n >= 1; --n)
     for (int sample = 0; sample < 10; ++sample)
       all.push_back({filled<Whole>(n, [&](int r, int c) {
         const Whole size = 1 + random.below(9), x = random.unit() < 0.5 ? -size : size;
@@ -59,24 +61,22 @@ std::vector<Sample> matrices_of_whole_numbers(Random random, bool triangular) {
 Matrix<Whole> minor_of(const Matrix<Whole>& m, int column) {
   return filled<Whole>(m.n - 1, [&](int r, int c) { return m(r, c + (c >= column)); });
 }
+/// Smaller matrices have zeros further on in the last row, and ones down the diagonal.
 TypesetLetters Sample::typeset() const {
-  return {{"n", m.n},
-          {"u_{11}", static_cast<double>(m(0, 0))},
-          {"u_{nn}", static_cast<double>(m(m.n - 1, m.n - 1))},
-          {R"(\det M)", static_cast<double>(bareiss(m))},
-          {R"(\det U')", static_cast<double>(bareiss(minor_of(m, m.n - 1)))}};
-}
-
-/// Of u_n1, ..., u_nn the term `column` of the cofactor expansion.
-Whole cofactor_term(const Matrix<Whole>& m, int column) {
-  const Whole term = m(m.n - 1, column) * bareiss(minor_of(m, column));
-  return (m.n - 1 + column) % 2 == 0 ? term : -term;
-}
-
-Whole product_of(const Matrix<Whole>& m, int last) {
-  Whole product = 1;
-  for (int k = m.n - 1; k >= last; --k) product *= m(k, k);
-  return product;
+  const auto number = [](Whole x) { return static_cast<double>(x); };
+  TypesetLetters all{{"n", m.n},
+                     {"u_{nn}", number(m(m.n - 1, m.n - 1))},
+                     {R"(\det M)", number(bareiss(m))},
+                     {R"(\det U)", number(bareiss(m))},
+                     {R"(\det U')", number(bareiss(minor_of(m, m.n - 1)))}};
+  for (int k = 0; k < largest; ++k) {
+    const std::string at = std::to_string(k + 1);
+    const bool inside = k < m.n;
+    all.emplace_back("u_{" + at + at + "}", inside ? number(m(k, k)) : 1.0);
+    all.emplace_back("u_{n" + at + "}", inside ? number(m(m.n - 1, k)) : 0.0);
+    all.emplace_back(R"(\det U_{n)" + at + "}", inside ? number(bareiss(minor_of(m, k))) : 0.0);
+  }
+  return all;
 }
 
 /// M bordered by a last row and column that are zero but for their common entry 2.
@@ -97,17 +97,19 @@ Whole below(const Matrix<Whole>& m) {
   return sum;
 }
 
-/// How much of the determinant the last term of the last row's expansion misses.
-Whole others(const Matrix<Whole>& m) { return bareiss(m) - cofactor_term(m, m.n - 1); }
-
 std::vector<Claim> claims(const Random& random) {
   Claims claims("7.11");
   const auto full = matrices_of_whole_numbers(random, false), upper = matrices_of_whole_numbers(random, true);
+  using Of = Formula<Sample>;
   const auto add = [&](const char* slug, int line, const char* says, const std::vector<Sample>& samples,
-                       const char* quantity, const Formula<Sample>& truth, const Formula<Sample>& printed,
-                       const Formula<Sample>& near) {
+                       const char* quantity, const Of& truth, const Of& printed,
+                       const std::vector<Of>& near_misses = {}, const char* others_hold = "") {
     claims.formula<Sample>(slug, line, says, samples,
-                           {.quantity = quantity, .truth = truth, .printed = printed, .near_misses = {near}});
+                           {.quantity = quantity,
+                            .truth = truth,
+                            .printed = printed,
+                            .near_misses = near_misses,
+                            .changes_that_hold = others_hold});
   };
   using M = const Matrix<Whole>&;
   const auto zero = in_whole("zero", [](M) { return Whole{0}; }),
@@ -115,38 +117,21 @@ std::vector<Claim> claims(const Random& random) {
 
   add("expansion", 3965,
       R"($\det U$ is its cofactor expansion by the last row, $\sum_c(-1)^{n+c}u_{nc}\det U_{nc}$)", full,
-      R"($\det M$)", det,
-      in_whole("sum over the last row",
-               [](M m) {
-                 Whole sum = 0;
-                 for (int c = 0; c < m.n; ++c) sum += cofactor_term(m, c);
-                 return sum;
-               }),
-      in_whole("its last term alone", [](M m) { return cofactor_term(m, m.n - 1); }));
+      R"($\det M$)", det, {R"($\sum_c(-1)^{n+c}u_{nc}\det U_{nc}$)"}, {}, "an exponent of $-1$ has no sign");
   add("only_contribution", 3965, "only the entry $u_{nn}$ contributes to the determinant", upper,
-      "elimination's determinant less the expansion's last term", zero,
-      in_whole(R"(elimination's determinant less $u_{nn}\det U'$)", others),
-      in_whole("the same with one entry not zero below the diagonal", [](Matrix<Whole> m) {
-        m(m.n - 1, 0) = 5;
-        return others(m);
-      }));
+      "elimination's determinant less the expansion's last term", zero, {R"($\det U=u_{nn}\det U'$)"});
   add("submatrix", 3965, "the submatrix $U'$ of the first $n-1$ rows and columns is upper triangular too",
       upper, "sum of squares below the diagonal", zero,
       in_whole("$U$ without its last row and column, its squares below the diagonal",
                [](M m) { return below(minor_of(m, m.n - 1)); }),
-      in_whole("without the last row and the first column", [](M m) { return below(minor_of(m, 0)); }));
-  add("recursion", 3967, R"($\det U=u_{nn}\det U'$)", upper, R"($\det U$)", det,
-      in_whole(R"($u_{nn}\det U'$)", [](M m) { return m(m.n - 1, m.n - 1) * bareiss(minor_of(m, m.n - 1)); }),
-      in_whole(R"($u_{11}\det U'$)", [](M m) { return m(0, 0) * bareiss(minor_of(m, m.n - 1)); }));
+      {in_whole("without the last row and the first column", [](M m) { return below(minor_of(m, 0)); })});
+  add("recursion", 3967, R"($\det U=u_{nn}\det U'$)", upper, R"($\det U$)", det, {R"($u_{nn}\det U'$)"});
   add("sign", 3969, "the sign of $u_{nn}$ in the expansion is $+1$ for every $n$", full,
       R"(half the determinant of $M$ bordered by $0,\ldots,0,2$)",
       in_whole("elimination of the bordered matrix", [](M m) { return bareiss(bordered(m)) / 2; }),
-      in_whole(R"(half of it is $+\det M$)", bareiss),
-      in_whole(R"($(-1)^{n+1}\det M$)", [](M m) { return m.n % 2 == 0 ? -bareiss(m) : bareiss(m); }));
+      {R"($\det M$)"}, {{R"($(-1)^{n+1}\det M$)"}});
   add("product", 3971, R"($\det U=u_{nn}u_{n-1,n-1}\cdots u_{11}$, the product of the diagonal entries)",
-      upper, R"($\det U$)", det,
-      in_whole(R"(the product $u_{nn}\cdots u_{11}$)", [](M m) { return product_of(m, 0); }),
-      in_whole(R"(the product $u_{nn}\cdots u_{22}$)", [](M m) { return product_of(m, 1); }));
+      upper, R"($\det U$)", det, {"$u_{88}u_{77}u_{66}u_{55}u_{44}u_{33}u_{22}u_{11}$"});
   return claims.in_order();
 }
 
