@@ -21,17 +21,21 @@ template <class T>
 struct SampleOf {
   T t;
   std::array<T*, 1> letters() { return {&t}; }
-  TypesetLetters typeset() const {
-    const T u = t / std::sqrt(1 + t * t);
-    const T phi = std::acos(u);
-    const std::array<double, 3> P{-sin(t), cos(t), 0}, R{cos(t) * sin(phi), sin(t) * sin(phi), cos(phi)};
+  TypesetIn<T> typeset() const {
+    const AtOf<T> k(t);
+    const T s = sin(k.phi[0]), c = cos(k.phi[0]);
+    const Vector<T> P{-sin(t), cos(t), T(0.0)}, R{cos(t) * s, sin(t) * s, c}, Q = cross(R, P);
     return {{"t", t},
-            {"u", u},
-            {R"(\phi)", phi},
-            {R"(\dot\phi)", -1 / (1 + t * t)},
-            {R"(\mathbf P)", P},
-            {R"(\mathbf Q)", cross(R, P)},
-            {R"(\mathbf R(\theta,\phi))", R}};
+            {R"(\dot t)", T(1.0)},
+            {"u", k.m.r[2]},
+            {R"(\phi)", k.phi[0]},
+            {R"(\dot\phi)", k.phi[1]},
+            {R"(\ddot\phi)", k.phi[2]},
+            {R"(\mathbf v)", k.m.v.e},
+            {R"(\mathbf P)", P.e},
+            {R"(\mathbf Q)", Q.e},
+            {R"(\mathbf R)", R.e},
+            {R"(\mathbf R(\theta,\phi))", R.e}};
   }
   std::string where() const { return "$t$ = " + format_shortest(t); }
 };
@@ -53,17 +57,6 @@ double steepness(const At& k) { return sqrt(k.d); }
 double of_velocity(const At& k) { return 1 + k.speed; }
 double of_acceleration(const At& k) { return 1 + k.pull; }
 
-/// Spherical coordinates as a position.
-template <class T>
-Vector<T> at_angles(const T& theta, const T& phi) {
-  return {cos(theta) * sin(phi), sin(theta) * sin(phi), cos(phi)};
-}
-/// P, Q and R of the angles, weighted.
-template <class T>
-Vector<T> of_angles(const T& theta, const T& phi, const Vector<T>& x) {
-  const Vector<T> P{-sin(theta), cos(theta), T(0.0)}, R = at_angles(theta, phi);
-  return x[0] * P + x[1] * cross(R, P) + x[2] * R;
-}
 template <class T>
 T slope_of_acos(const T& u) {
   const Dual<T> x(u, T(1.0));
@@ -71,20 +64,13 @@ T slope_of_acos(const T& u) {
 }
 
 void angles(Table& table, const std::vector<Sample>& all) {
-  const std::string by_angles = "atan2 of the position, in dual numbers";
-  const auto length = [](double power) {
-    return [=](const auto& k) { return hypot(cos(k.t), sin(k.t), k.t) * half_power(k.d, power); };
+  const auto by_angles = [](const auto& of, double (*terms)(const At&) = unity) {
+    return at("atan2 of the position, in dual numbers", of, terms);
   };
   table.formula("on_the_sphere", 191, R"($\rho=1$ for all $t$)", all,
                 {.quantity = R"($\rho$)",
                  .truth = at("the unit sphere", [](const auto&) { return 1.0; }),
-                 .printed = at(R"($|(\cos t,\sin t,t)|/\sqrt{1+t^2}$)", length(-0.5)),
-                 .near_misses = {R"($|(\cos t,\sin t,t)|/(1+t^2)$)"}});
-  const auto given = [](double power) {
-    return [=](const auto& k) {
-      return half_power(k.d, power) * Vector<decltype(k.t)>{cos(k.t), sin(k.t), k.t};
-    };
-  };
+                 .printed = R"($|(\cos t,\sin t,t)|/\sqrt{1+t^2}$)"});
   table.formula(
       "spherical_coordinates", 193,
       R"($x=\cos\theta\sin\phi$, $y=\sin\theta\sin\phi$, $z=\cos\phi$, with $x=\cos t\,\sqrt{1+t^2}$, )"
@@ -92,10 +78,13 @@ void angles(Table& table, const std::vector<Sample>& all) {
       all,
       {.quantity = R"($(x,y,z)$)",
        .truth = at(R"(the products, $\theta$ and $\phi$ being atan2 of the position)",
-                   [](const auto& k) { return at_angles(k.theta[0], k.phi[0]); }, unity),
-       .printed = at(R"($(\cos t,\sin t,t)\,\sqrt{1+t^2}$)", given(0.5)),
-       .meant = at(R"($(\cos t,\sin t,t)/\sqrt{1+t^2}$)", given(-0.5)),
-       .near_misses = {R"($(-\cos t,-\sin t,t)/\sqrt{1+t^2}$)"},
+                   [](const auto& k) {
+                     const auto s = sin(k.phi[0]);
+                     return values(cos(k.theta[0]) * s, sin(k.theta[0]) * s, cos(k.phi[0]));
+                   },
+                   unity),
+       .printed = R"($(\cos t,\sin t,t)\,\sqrt{1+t^2}$)",
+       .meant = R"($(\cos t,\sin t,t)/\sqrt{1+t^2}$)",
        .kind = Fault::lost_typography,
        .why = filled(
            R"(The bars above the roots are lost in the text at hand: $x=\cos t/\sqrt{1+t^2}$. As products they )"
@@ -103,119 +92,76 @@ void angles(Table& table, const std::vector<Sample>& all) {
            {sqrt(2.0) * hypot(cos(1.0), sin(1.0), 1.0)})});
   table.formula("sine_of_phi", 201, R"($\sin\phi=1/\sqrt{1+t^2}$)", all,
                 {.quantity = R"($\sin\phi$)",
-                 .truth = at(
-                     by_angles, [](const auto& k) { return sin(k.phi[0]); }, unity),
-                 .printed = at(R"($1/\sqrt{1+t^2}$)", [](const auto& k) { return 1 / sqrt(k.d); }),
-                 .near_misses = {R"($-1/\sqrt{1+t^2}$)"}});
-  const auto turned = [](double sign) {
-    return [=](const auto& k) { return values(cos(k.t), sin(sign * k.t)); };
-  };
-  table.formula(
-      "theta", 201, R"($\cos\theta=\cos t$ and $\sin\theta=\sin t$, so that $\theta=t$ may be chosen)", all,
-      {.quantity = R"($(\cos\theta,\sin\theta)$)",
-       .truth = at(
-           by_angles, [](const auto& k) { return values(cos(k.theta[0]), sin(k.theta[0])); }, unity),
-       .printed = at(R"($(\cos t,\sin t)$)", turned(1)),
-       .near_misses = {R"($(\cos t,-\sin t)$)"}});
-  const auto phi = [](double sign) { return [=](const auto& k) { return sign * acos(k.t / sqrt(k.d)); }; };
+                 .truth = by_angles([](const auto& k) { return sin(k.phi[0]); }),
+                 .printed = R"($1/\sqrt{1+t^2}$)"});
+  table.formula("theta", 201,
+                R"($\cos\theta=\cos t$ and $\sin\theta=\sin t$, so that $\theta=t$ may be chosen)", all,
+                {.quantity = R"($(\cos\theta,\sin\theta)$)",
+                 .truth = by_angles([](const auto& k) { return values(cos(k.theta[0]), sin(k.theta[0])); }),
+                 .printed = R"($(\cos t,\sin t)$)"});
   table.formula(
       "phi", 205, R"($\phi=\cos^{-1}(t\,\sqrt{1+t^2})$, in $[0,\pi]$)", all,
       {.quantity = R"($\phi$)",
-       .truth = at(
-           by_angles, [](const auto& k) { return k.phi[0]; }, steepness),
-       .printed = at(R"($\cos^{-1}(t\,\sqrt{1+t^2})$)", [](const auto& k) { return acos(k.t * sqrt(k.d)); }),
-       .meant = at(R"($\cos^{-1}(t/\sqrt{1+t^2})$)", phi(1)),
-       .near_misses = {R"($-\cos^{-1}(t/\sqrt{1+t^2})$)"},
+       .truth = by_angles([](const auto& k) { return k.phi[0]; }, steepness),
+       .printed = R"($\cos^{-1}(t\,\sqrt{1+t^2})$)",
+       .meant = R"($\cos^{-1}(t/\sqrt{1+t^2})$)",
        .kind = Fault::lost_typography,
        .why =
            filled(R"(The bar is lost in the text at hand: $\phi=\cos^{-1}(t/\sqrt{1+t^2})$. As a product, )"
                   R"($t\sqrt{1+t^2}$, it is above 1 from $t=@2$ on, and no cosine.)",
                   {sqrt((sqrt(5.0) - 1) / 2)})});
-  table.formula("rates_of_rho_and_theta", 209, R"($\dot\rho=\ddot\rho=0$, $\dot\theta=1$, $\ddot\theta=0$)",
-                all,
-                {.quantity = R"($(\dot\rho,\ddot\rho,\dot\theta,\ddot\theta)$)",
-                 .truth = at(
-                     by_angles,
-                     [](const auto& k) { return values(k.rho[1], k.rho[2], k.theta[1], k.theta[2]); }, unity),
-                 .printed = at(R"($(0,0,1,0)$)", [](const auto&) { return values(0, 0, 1, 0); }),
-                 .near_misses = {R"($(0,0,-1,0)$)"}});
-  const auto by_root = [](double sign, double power) {
-    return [=](const auto& k) { return sign * half_power((1 - k.m.r[2]) * (1 + k.m.r[2]), power); };
-  };
+  table.formula(
+      "rates_of_rho_and_theta", 209, R"($\dot\rho=\ddot\rho=0$, $\dot\theta=1$, $\ddot\theta=0$)", all,
+      {.quantity = R"($(\dot\rho,\ddot\rho,\dot\theta,\ddot\theta)$)",
+       .truth = by_angles([](const auto& k) { return values(k.rho[1], k.rho[2], k.theta[1], k.theta[2]); }),
+       .printed = "$(0,0,1,0)$"});
   table.formula(
       "derivative_of_acos", 211, R"($\frac{d}{du}\cos^{-1}u=-1\,\sqrt{1-u^2}$)", all,
       {.quantity = R"(the slope of $\cos^{-1}$ at $u=z$)",
        .truth = at(R"(atan2 of $\sqrt{1-u^2}$ and $u$ in dual numbers)",
                    [](const auto& k) { return slope_of_acos(k.m.r[2]); },
                    [](const auto& k) { return k.d * sqrt(k.d); }),
-       .printed = at(R"($-\sqrt{1-u^2}$)", by_root(-1, 0.5)),
-       .meant = at(R"($-1/\sqrt{1-u^2}$)", by_root(-1, -0.5)),
-       .near_misses = {R"($+1/\sqrt{1-u^2}$)"},
+       .printed = R"($-\sqrt{1-u^2}$)",
+       .meant = R"($-1/\sqrt{1-u^2}$)",
        .kind = Fault::lost_typography,
        .why =
            filled(R"(The bar is lost in the text at hand: $-1/\sqrt{1-u^2}$. At $u=0.6$ that is $@3$, the )"
                   R"(product $@1$.)",
                   {slope_of_acos(0.6), -sqrt(1 - 0.6 * 0.6)})});
-  const auto power = [](double n) { return [=](const auto& k) { return half_power(k.d, n); }; };
   table.formula(
       "derivative_of_z", 219, R"($z=t\,\sqrt{1+t^2}$ has $\dot z=(1+t^2)^{-3/2}$)", all,
       {.quantity = R"($\dot z-(1+t^2)^{-3/2}$)",
        .truth = at("zero", [](const auto&) { return 0.0; }),
-       .printed = at(R"($\frac{d}{dt}(t\,\sqrt{1+t^2})=(1+t^2)^{-3/2}$, by dual numbers)",
-                     [](const auto& k) {
-                       using T = std::decay_t<decltype(k.t)>;
-                       const Dual<T> t(k.t, T(1.0));
-                       return (t * sqrt(Dual<T>(1.0) + t * t)).slope - half_power(k.d, -1.5);
-                     }),
-       .meant = at(R"($\frac{d}{dt}(t/\sqrt{1+t^2})=(1+t^2)^{-3/2}$, by dual numbers)",
-                   [](const auto& k) { return k.m.v[2] - half_power(k.d, -1.5); },
-                   [](const auto& k) { return 1 / sqrt(k.d); }),
-       .near_misses = {at(R"($\frac{d}{dt}(t/\sqrt{1+t^2})=(1+t^2)^{-1/2}$, by dual numbers)",
-                          [=](const auto& k) { return k.m.v[2] - power(-0.5)(k); })},
+       .printed = R"($\frac{d}{dt}(t\,\sqrt{1+t^2})=(1+t^2)^{-3/2}$)",
+       .meant = R"($\frac{d}{dt}(t/\sqrt{1+t^2})=(1+t^2)^{-3/2}$)",
        .kind = Fault::lost_typography,
        .why = filled(
            R"(The bar is lost in the text at hand: $z=t/\sqrt{1+t^2}$. The derivative of the product is )"
            R"($(1+2t^2)/\sqrt{1+t^2}$, @3 at $t=1$ for @3.)",
            {3 / sqrt(2.0), pow(2.0, -1.5)})});
-  const auto chain = [](double sign, double root) {
-    return
-        [=](const auto& k) { return sign * half_power(1 - k.t * k.t / k.d, root) * half_power(k.d, -1.5); };
-  };
-  const auto phi_dot = at(
-      by_angles, [](const auto& k) { return k.phi[1]; }, unity);
+  const OfTime phi_dot = by_angles([](const auto& k) { return k.phi[1]; });
   table.formula(
       "chain_rule", 229, R"($\dot\phi=-1\,\sqrt{1-t^2/(1+t^2)}\,(1+t^2)^{-3/2}$ by the chain rule)", all,
       {.quantity = R"($\dot\phi$)",
        .truth = phi_dot,
-       .printed = at(R"($-\sqrt{1-t^2/(1+t^2)}\,(1+t^2)^{-3/2}$)", chain(-1, 0.5)),
-       .meant = at(R"($-(1+t^2)^{-3/2}/\sqrt{1-t^2/(1+t^2)}$)", chain(-1, -0.5)),
-       .near_misses = {R"($+(1+t^2)^{-3/2}/\sqrt{1-t^2/(1+t^2)}$)"},
+       .printed = R"($-\sqrt{1-t^2/(1+t^2)}\,(1+t^2)^{-3/2}$)",
+       .meant = R"($-(1+t^2)^{-3/2}/\sqrt{1-t^2/(1+t^2)}$)",
        .kind = Fault::lost_typography,
        .why = filled(
            R"(The bar above the root is lost in the text at hand; the root divides. At $t=1$ the quotient is )"
            R"($@1$, the product $@2$.)",
            {-pow(2.0, -1.5) / sqrt(0.5), -pow(2.0, -1.5) * sqrt(0.5)})});
   table.formula("phi_dot", 229, R"($\dot\phi=-1/(1+t^2)$)", all,
-                {.quantity = R"($\dot\phi$)",
-                 .truth = phi_dot,
-                 .printed = at(R"($-1/(1+t^2)$)", [](const auto& k) { return -1 / k.d; }),
-                 .near_misses = {R"($+1/(1+t^2)$)"}});
-  table.formula(
-      "phi_double_dot", 251, R"($\ddot\phi=2t/(1+t^2)^2$)", all,
-      {.quantity = R"($\ddot\phi$)",
-       .truth = at(
-           by_angles, [](const auto& k) { return k.phi[2]; }, unity),
-       .printed = at(R"($2t/(1+t^2)^2$)", [](const auto& k) { return 2 * k.t / half_power(k.d, 2); }),
-       .near_misses = {R"($2t/(1+t^2)$)"}});
+                {.quantity = R"($\dot\phi$)", .truth = phi_dot, .printed = R"($-1/(1+t^2)$)"});
+  table.formula("phi_double_dot", 251, R"($\ddot\phi=2t/(1+t^2)^2$)", all,
+                {.quantity = R"($\ddot\phi$)",
+                 .truth = by_angles([](const auto& k) { return k.phi[2]; }),
+                 .printed = R"($2t/(1+t^2)^2$)"});
   table.formula("position", 257, R"($\mathbf r=\mathbf R(\theta,\phi)$)", all,
                 {.quantity = R"($\mathbf r$)",
                  .truth = at(
                      "the position", [](const auto& k) { return k.m.r; }, steepness),
-                 .printed = at(R"($\mathbf R(\theta,\phi)$)",
-                               [=](const auto& k) {
-                                 return of_angles(k.t, phi(1)(k), {0, 0, 1});
-                               }),
-                 .near_misses = {R"($-\mathbf R(\theta,\phi)$)"}});
+                 .printed = R"($\mathbf R(\theta,\phi)$)"});
 }
 
 /// A component along P, Q or R.
@@ -229,28 +175,19 @@ OfTime part_of_acceleration(std::size_t i) {
 }
 
 void velocity_and_acceleration(Table& table, const std::vector<Sample>& all) {
-  const auto velocity = [](double sign) {
-    return [=](const auto& k) {
-      return of_angles(k.theta[0], k.phi[0], {sin(k.phi[0]), sign * k.phi[1], 0});
-    };
-  };
-  const auto cartesian_v = at(
-      "Cartesian dual numbers", [](const auto& k) { return k.m.v; }, of_velocity);
+  const std::string cartesian = "Cartesian dual numbers";
+  const OfTime velocity = at(
+      cartesian, [](const auto& k) { return k.m.v; }, of_velocity);
   table.formula("velocity_formula", 261, R"($\mathbf v=\sin\phi\,\mathbf P-\dot\phi\,\mathbf Q$)", all,
                 {.quantity = R"($\mathbf v$)",
-                 .truth = cartesian_v,
-                 .printed = at(R"($\sin\phi\,\mathbf P-\dot\phi\,\mathbf Q$)", velocity(-1)),
-                 .near_misses = {R"($\sin\phi\,\mathbf P+\dot\phi\,\mathbf Q$)"}});
-  const auto power = [](double sign, double n) {
-    return [=](const auto& k) { return sign * half_power(k.d, n); };
-  };
+                 .truth = velocity,
+                 .printed = R"($\sin\phi\,\mathbf P-\dot\phi\,\mathbf Q$)"});
   table.formula(
       "velocity_p", 261, R"($\mathbf v$ has the component $1\,\sqrt{1+t^2}$ along $\mathbf P$.)", all,
       {.quantity = R"($\mathbf v\cdot\mathbf P$)",
        .truth = part_of_velocity(0),
-       .printed = at(R"($\sqrt{1+t^2}$)", power(1, 0.5)),
-       .meant = at(R"($1/\sqrt{1+t^2}$)", power(1, -0.5)),
-       .near_misses = {R"($1/(1+t^2)$)"},
+       .printed = R"($\sqrt{1+t^2}$)",
+       .meant = R"($1/\sqrt{1+t^2}$)",
        .kind = Fault::lost_typography,
        .why = filled(
            R"(The bar above the root is lost in the text at hand: $\mathbf P/\sqrt{1+t^2}$. As it stands the speed )"
@@ -260,9 +197,8 @@ void velocity_and_acceleration(Table& table, const std::vector<Sample>& all) {
       "velocity_q", 261, R"($\mathbf v$ has the component $-1/(1+t^2)$ along $\mathbf Q$.)", all,
       {.quantity = R"($\mathbf v\cdot\mathbf Q$)",
        .truth = part_of_velocity(1),
-       .printed = at(R"($-1/(1+t^2)$)", power(-1, -1)),
-       .corrected = at(R"($+1/(1+t^2)$)", power(1, -1)),
-       .near_misses = {R"($+1/(1+t^2)^{3/2}$)"},
+       .printed = R"($-1/(1+t^2)$)",
+       .corrected = R"($+1/(1+t^2)$)",
        .kind = Fault::formula,
        .root = R"(sign of the velocity along $\mathbf Q$)",
        .why = filled(
@@ -270,57 +206,63 @@ void velocity_and_acceleration(Table& table, const std::vector<Sample>& all) {
            R"($\dot\phi=-1/(1+t^2)$ is negative: $\mathbf v=\mathbf P/\sqrt{1+t^2}+\mathbf Q/(1+t^2)$. At $t=0$ )"
            R"(the helix rises with $\dot z=@1$ and $\mathbf Q=\mathbf k$; the printed velocity falls.)",
            {At(0.0).m.v[2]})});
-  const auto along_R = [](double part) {
-    return [=](const auto& k) { return of_angles(k.theta[0], k.phi[0], {k.v[0], k.v[1], part}); };
-  };
   table.formula("velocity_r", 261, R"($\mathbf v$ has no component along $\mathbf R$.)", all,
-                {.quantity = R"($\mathbf v$)",
-                 .truth = cartesian_v,
-                 .printed = at(R"(its parts along $\mathbf P$ and $\mathbf Q$)", along_R(0)),
-                 .near_misses = {at(R"(these and $\mathbf R$)", along_R(1))}});
-  const auto acceleration = [](double sign) {
-    return [=](const auto& k) {
-      const auto s = sin(k.phi[0]), c = cos(k.phi[0]), w = k.phi[1];
-      return of_angles(k.theta[0], k.phi[0], {2 * w * c, s * c + sign * k.phi[2], -(w * w + s * s)});
-    };
-  };
-  table.formula(
-      "acceleration_formula", 277,
-      R"($\mathbf a=2\dot\phi\cos\phi\,\mathbf P+(\sin\phi\cos\phi-\ddot\phi)\mathbf Q-(\dot\phi^2+\sin^2\phi)\mathbf R$)",
-      all,
-      {.quantity = R"($\mathbf a$)",
-       .truth = at(
-           "Cartesian dual numbers", [](const auto& k) { return k.m.a; }, of_acceleration),
-       .printed = at("this sum", acceleration(-1)),
-       .near_misses = {at(R"(this sum with $+\ddot\phi$)", acceleration(1))}});
-  table.formula(
-      "acceleration_p", 277, R"($\mathbf a$ has the component $-2t/(1+t^2)^{3/2}$ along $\mathbf P$.)", all,
-      {.quantity = R"($\mathbf a\cdot\mathbf P$)",
-       .truth = part_of_acceleration(0),
-       .printed = at(R"($-2t/(1+t^2)^{3/2}$)", [](const auto& k) { return -2 * k.t / half_power(k.d, 1.5); }),
-       .near_misses = {R"($-2t/(1+t^2)^2$)"}});
-  const auto along_Q = [](double one) {
-    return [=](const auto& k) { return k.t * (k.t * k.t + one) / (k.d * k.d); };
-  };
+                {.quantity = R"($\mathbf v$, by its parts along $\mathbf P$ and $\mathbf Q$)",
+                 .truth = velocity,
+                 .printed = R"($(\mathbf v\cdot\mathbf P)\mathbf P+(\mathbf v\cdot\mathbf Q)\mathbf Q$)"});
+  const std::string acceleration =
+      R"(2\dot\phi\cos\phi\,\mathbf P+(\sin\phi\cos\phi-\ddot\phi)\mathbf Q-(\dot\phi^2+\sin^2\phi)\mathbf R$)";
+  table.formula("acceleration_formula", 277, R"($\mathbf a=)" + acceleration, all,
+                {.quantity = R"($\mathbf a$)",
+                 .truth = at(
+                     cartesian, [](const auto& k) { return k.m.a; }, of_acceleration),
+                 .printed = "$" + acceleration});
+  table.formula("acceleration_p", 277,
+                R"($\mathbf a$ has the component $-2t/(1+t^2)^{3/2}$ along $\mathbf P$.)", all,
+                {.quantity = R"($\mathbf a\cdot\mathbf P$)",
+                 .truth = part_of_acceleration(0),
+                 .printed = R"($-2t/(1+t^2)^{3/2}$)"});
   table.formula(
       "acceleration_q", 277, R"($\mathbf a$ has the component $-t/(1+t^2)$ along $\mathbf Q$.)", all,
       {.quantity = R"($\mathbf a\cdot\mathbf Q$)",
        .truth = part_of_acceleration(1),
-       .printed = at(R"($-t/(1+t^2)$)", [](const auto& k) { return -k.t / k.d; }),
-       .corrected = at(R"($t(t^2-1)/(1+t^2)^2$)", along_Q(-1)),
-       .near_misses = {R"($t(t^2+1)/(1+t^2)^2$)"},
+       .printed = R"($-t/(1+t^2)$)",
+       .corrected = R"($t(t^2-1)/(1+t^2)^2$)",
        .kind = Fault::formula,
        .root = R"(square forgotten in $\ddot\phi$)",
        .why = filled(
            R"($\sin\phi\cos\phi-\ddot\phi=t/(1+t^2)-2t/(1+t^2)^2=t(t^2-1)/(1+t^2)^2$; the printed value forgets the )"
            R"(square in $\ddot\phi$. At $t=2$ it is $@2$, not $@1$; for $|t|>1$ even the sign is wrong.)",
            {At(2.0).a[1], -2 / 5.0})});
+  table.formula("acceleration_r", 277,
+                R"($\mathbf a$ has the component $-(2+t^2)/(1+t^2)^2$ along $\mathbf R$.)", all,
+                {.quantity = R"($\mathbf a\cdot\mathbf R$)",
+                 .truth = part_of_acceleration(2),
+                 .printed = R"($-(2+t^2)/(1+t^2)^2$)"});
   table.formula(
-      "acceleration_r", 277, R"($\mathbf a$ has the component $-(2+t^2)/(1+t^2)^2$ along $\mathbf R$.)", all,
-      {.quantity = R"($\mathbf a\cdot\mathbf R$)",
-       .truth = part_of_acceleration(2),
-       .printed = at(R"($-(2+t^2)/(1+t^2)^2$)", [](const auto& k) { return -(1.0 + k.d) / (k.d * k.d); }),
-       .near_misses = {R"($-(1+t^2)/(1+t^2)^2$)"}});
+      "distance_from_axis", 285, R"($x^2+y^2=1/(1+t^2)$)", all,
+      {.quantity = R"($x^2+y^2$)",
+       .truth = at("the position", [](const auto& k) { return k.m.r[0] * k.m.r[0] + k.m.r[1] * k.m.r[1]; }),
+       .printed = R"($1/(1+t^2)$)"});
+}
+
+/// Of times above zero.
+void height(Table& table, const std::vector<Sample>& later) {
+  const std::string others = R"(,\ \sqrt{t^2/(1+t^2)},\ \sqrt{1-1/(1+t^2)})$)";
+  table.formula(
+      "height_rewritten", 287,
+      R"($t\,\sqrt{1+t^2}=\sqrt{t^2/(1+t^2)}=\sqrt{1-1/(1+t^2)}$ on the way to infinity)", later,
+      {.quantity = "$z$, for $t>0$",
+       .truth = at(
+           "the position", [](const auto& k) { return k.m.r[2]; },
+           [](const At& k) { return sqrt(k.d) / std::abs(k.t); }),
+       .printed = R"($(t\,\sqrt{1+t^2})" + others,
+       .meant = R"($(t/\sqrt{1+t^2})" + others,
+       .kind = Fault::lost_typography,
+       .why = filled(
+           R"(The bar above the first root is lost in the text at hand: $t/\sqrt{1+t^2}$, as the next root has it )"
+           R"(squared. The product has no limit; at $t=10$ it is @3, and the quotient @3.)",
+           {10 * sqrt(101.0), 10 / sqrt(101.0)})});
 }
 
 // ---- where it ends ----------------------------------------------------------------------------------------
@@ -350,34 +292,11 @@ Reading at_end(const std::string& text, const std::string& what, double sign, do
   return {text, {limits::limit(what, said, 0.5, [=](double s) { return f(Vector3(helix(sign / s))); })}};
 }
 
-void distance(Table& table, const std::vector<Sample>& all) {
-  const auto power = [](double n) { return [=](const auto& k) { return half_power(k.d, n); }; };
-  table.formula(
-      "distance_from_axis", 285, R"($x^2+y^2=1/(1+t^2)$)", all,
-      {.quantity = R"($x^2+y^2$)",
-       .truth = at("the position", [](const auto& k) { return k.m.r[0] * k.m.r[0] + k.m.r[1] * k.m.r[1]; }),
-       .printed = at(R"($1/(1+t^2)$)", power(-1)),
-       .near_misses = {R"($1/\sqrt{1+t^2}$)"}});
-}
-
-OfTime height() {
-  return at(
-      "the position", [](const auto& k) { return values(k.m.r[2], k.m.r[2], k.m.r[2]); },
-      [](const At& k) { return sqrt(k.d) / std::abs(k.t); });
-}
-/// The first with this power of 1 + t^2.
-OfTime three_forms(double n) {
-  return at("the three forms", [=](const auto& k) {
-    return values(k.t * half_power(k.d, n), sqrt(k.t * k.t / k.d), sqrt(1 - 1 / k.d));
-  });
-}
-
 constexpr auto from_axis = [](const auto& r) { return distance_from_axis(r); };
 constexpr auto z = [](const auto& r) { return r[2]; };
 
-void ends(Claims& claims, const std::vector<Sample>& later, const std::vector<Sample>& earlier) {
+void ends(Claims& claims) {
   const auto from_pole = [](const Vector3& r) { return length(r - pole); };
-  const auto from_other_pole = [](const Vector3& r) { return length(r + pole); };
   const std::string distance = R"($\sqrt{x^2+y^2}$)";
   claims.add("distance_vanishes", 285, R"(As $t$ becomes infinite, the distance from the axis goes to zero.)",
              {.printed = at_end("to 0", distance, 1, 0, from_axis),
@@ -387,22 +306,7 @@ void ends(Claims& claims, const std::vector<Sample>& later, const std::vector<Sa
       filled("In the $xy$-plane the path is a spiral into the origin (our check: over @2 turns).", {turns}),
       {.printed = {"the distance from the axis shrinks, turning on",
                    spiral("distance from the axis", 100 * pi, from_axis)},
-       .near_misses = {{"turning the other way", spiral("distance from the axis", -100 * pi, from_axis)},
-                       {R"($z$ shrinks)", spiral("height", 100 * pi, z)}}});
-  const auto read = [&](const std::string& text, double n, const std::vector<Sample>& samples) {
-    return Reading{text, {compare(R"($z$, three times)", three_forms(n), height(), samples)}};
-  };
-  claims.add(
-      "height_rewritten", 287,
-      R"($t\,\sqrt{1+t^2}=\sqrt{t^2/(1+t^2)}=\sqrt{1-1/(1+t^2)}$ on the way to infinity)",
-      {.printed = read(R"($t\,\sqrt{1+t^2}$ in the first form, for $t>0$)", 0.5, later),
-       .meant = read(R"($t/\sqrt{1+t^2}$ in the first form, for $t>0$)", -0.5, later),
-       .near_misses = {read(R"($t/\sqrt{1+t^2}$ in the first form, for $t<0$ as well)", -0.5, earlier)},
-       .why = filled(
-           R"(The bar above the first root is lost in the text at hand: $t/\sqrt{1+t^2}$, as the next root has it )"
-           R"(squared. The product has no limit; at $t=10$ it is @3, and the quotient @3.)",
-           {10 * sqrt(101.0), 10 / sqrt(101.0)}),
-       .kind = Fault::lost_typography});
+       .near_misses = {{"turning the other way", spiral("distance from the axis", -100 * pi, from_axis)}}});
   claims.add("height_limit", 287, R"($z$ tends to 1 as $t$ becomes infinite.)",
              {.printed = at_end(R"(to 1 as $t\to\infty$)", "$z$", 1, 1, z),
               .near_misses = {at_end(R"(as $t\to-\infty$ as well: there it is $-1$)", "$z$", -1, 1, z)}});
@@ -410,9 +314,9 @@ void ends(Claims& claims, const std::vector<Sample>& later, const std::vector<Sa
   claims.add("spiral_to_the_pole", 311,
              filled("On the sphere the helix spirals about $(0,0,1)$ (our check: over @2 turns).", {turns}),
              {.printed = {"nearer and nearer to the pole, turning on", spiral(to_pole, 100 * pi, from_pole)},
-              .near_misses = {{"turning the other way", spiral(to_pole, -100 * pi, from_pole)},
-                              {"nearer and nearer to the other pole",
-                               spiral("distance from the other pole", 100 * pi, from_other_pole)}}});
+              .near_misses = {{"nearer and nearer to the other pole",
+                               spiral("distance from the other pole", 100 * pi,
+                                      [](const Vector3& r) { return length(r + pole); })}}});
   claims.add("pole_in_the_limit", 311, R"(The helix tends to $(0,0,1)$ as $t$ becomes infinite.)",
              {.printed = at_end(R"(to 0 as $t\to\infty$)", to_pole, 1, 0, from_pole),
               .near_misses = {
@@ -423,16 +327,15 @@ void ends(Claims& claims, const std::vector<Sample>& later, const std::vector<Sa
 
 std::vector<Claim> claims(double seed) {
   Random random(seed);
-  std::vector<Sample> all{{0.75}, {-0.75}, {0}, {50}, {-50}}, later, earlier;
+  std::vector<Sample> all{{0.75}, {-0.75}, {0}, {50}, {-50}}, later;
   for (int i = 0; i < 200; ++i) all.push_back({i % 2 ? random.between(-50, 50) : random.magnitude(1e-3, 50)});
-  for (const Sample& s : all)
-    if (s.t != 0) (s.t > 0 ? later : earlier).push_back(s);
+  std::ranges::copy_if(all, std::back_inserter(later), [](const Sample& s) { return s.t > 0; });
   Claims claims("2.3");
   Table table(claims);
   angles(table, all);
   velocity_and_acceleration(table, all);
-  distance(table, all);
-  ends(claims, later, earlier);
+  height(table, later);
+  ends(claims);
   return claims.in_order();
 }
 
@@ -441,7 +344,7 @@ std::vector<Root> roots() {
   return {
       {R"(sign of the velocity along $\mathbf Q$)",
        filled("At $t=0$ a model of the point sinks at speed @1 where the point itself climbs at speed @1.",
-              {-of_angles<double>(start.theta[0], start.phi[0], {1, -1, 0})[2], start.m.v[2]})},
+              {in_frame(start.m.r, Vector3{0, 0, 1})[1] / start.d, start.m.v[2]})},
       {R"(square forgotten in $\ddot\phi$)",
        filled(R"(In a table the northward acceleration at $t=2$ stands as $@1$; it is $@2$.)",
               {-2 / 5.0, At(2.0).a[1]})}};
@@ -488,7 +391,7 @@ Ltac helix_angles t q circle square inside :=
 )";
 
 constexpr const char* by_helix = R"(
-  helix t; helix_roots t q circle square; helix_angles t q circle square inside;
+  rewrite <- ?(Rsqr_pow2 t); unfold Rsqr; helix t; helix_roots t q circle square; helix_angles t q circle square inside;
   field [circle square]; repeat split; nra)";
 
 /// Beyond t = 1/eps, 1/q is below eps.
@@ -528,36 +431,21 @@ Provables proofs_of_limits() {
            {tends("distance", from_axis(r), 0), tends("height", z(r), 1)}}};
 }
 
-Provable proof_of_forms(const ForAll<SampleOf>& all) {
-  const Value printed = three_forms(0.5).of(all.example), truth = height().of(all.example);
-  const SampleOf<Shortened> recorded{all.example.t};
-  Lemma meant{"meant",
-              all.letters,
-              {above(all.any.t.expression(), 0)},
-              equal(three_forms(-0.5).recorded(all.any), height().recorded(all.any)),
-              by_helix};
-  double margin = 0;
-  Lemma off = off_at(three_forms(0.5).recorded(recorded), height().recorded(recorded),
-                     {printed[0] - truth[0], printed[1] - truth[1], printed[2] - truth[2]}, margin);
-  return {"2.3-height_rewritten",
-          "as meant it holds at all times above zero; as printed it is off at an example",
-          {meant, off},
-          margin};
-}
-
 Provables proofs() {
   Claims claims("2.3");
-  Table table(claims);
+  Table table(claims), above_zero(claims);
   angles(table, {});
   velocity_and_acceleration(table, {});
-  distance(table, {});
-  const ForAll<SampleOf> all{.any = lettered<SampleOf>({"t"}),
-                             .letters = "(t : R)",
-                             .tactic = by_helix,
-                             .says = "it holds at all times",
-                             .example = {0.5}};
+  height(above_zero, {});
+  ForAll<SampleOf> all{.any = lettered<SampleOf>({"t"}),
+                       .letters = "(t : R)",
+                       .tactic = by_helix,
+                       .says = "it holds at all times",
+                       .example = {0.5}};
   Provables proved = table.proofs("2.3", all);
-  proved.push_back(proof_of_forms(all));
+  all.given = {above(all.any.t.expression(), 0)};
+  all.says += " above zero";
+  std::ranges::move(above_zero.proofs("2.3", all), std::back_inserter(proved));
   std::ranges::move(proofs_of_limits(), std::back_inserter(proved));
   for (Provable& p : proved) {
     p.preamble = std::string(root_in_coq) + atan2_in_coq + helix_in_coq;
