@@ -610,16 +610,9 @@ std::size_t PlainReader::letters() const { return letters_->size(); }
 Tree PlainReader::operator()(std::string_view text) const { return parsed(text, *letters_, true); }
 
 Sides sides_of(std::string_view text) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 10> relations{{{R"(\le)", R"(\le)"},
-                                                                                     {R"(\ge)", R"(\ge)"},
-                                                                                     {R"(\ne)", R"(\ne)"},
-                                                                                     {R"(\to)", "="},
-                                                                                     {"<=", R"(\le)"},
-                                                                                     {">=", R"(\ge)"},
-                                                                                     {"!=", R"(\ne)"},
-                                                                                     {"=", "="},
-                                                                                     {"<", "<"},
-                                                                                     {">", ">"}}};
+  constexpr std::pair<std::string_view, std::string_view> relations[]{
+      {R"(\le)", R"(\le)"}, {R"(\ge)", R"(\ge)"}, {R"(\ne)", R"(\ne)"}, {R"(\to)", "="}, {"<=", R"(\le)"},
+      {">=", R"(\ge)"},     {"!=", R"(\ne)"},     {"=", "="},           {"<", "<"},      {">", ">"}};
   Sides found;
   int depth = 0;
   while (!text.empty()) {
@@ -630,7 +623,7 @@ Sides sides_of(std::string_view text) {
                            std::isalpha(static_cast<unsigned char>(text[n])) != 0;
       return depth == 0 && text.starts_with(relation.first) && !goes_on;
     });
-    if (one == relations.end()) {
+    if (one == std::end(relations)) {
       found.sides.back() += text.front();
       text.remove_prefix(1);
     } else {

@@ -55,16 +55,16 @@ Tokens without_single_groups(const Tokens& tokens) {
   return kept;
 }
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 26> words{
-    {{"sin", R"(\sin)"},       {"cos", R"(\cos)"},        {"tan", R"(\tan)"},
-     {"asin", R"(\arcsin)"},   {"acos", R"(\arccos)"},    {"atan", R"(\arctan)"},
-     {"arcsin", R"(\arcsin)"}, {"arccos", R"(\arccos)"},  {"arctan", R"(\arctan)"},
-     {"sinh", R"(\sinh)"},     {"cosh", R"(\cosh)"},      {"tanh", R"(\tanh)"},
-     {"asinh", R"(\arsinh)"},  {"acosh", R"(\arcosh)"},   {"atanh", R"(\artanh)"},
-     {"exp", R"(\exp)"},       {"log", R"(\ln)"},         {"ln", R"(\ln)"},
-     {"sqrt", R"(\sqrt)"},     {"abs", R"(\abs)"},        {"max", R"(\max)"},
-     {"min", R"(\min)"},       {"dot", R"(\dotproduct)"}, {"cross", R"(\crossproduct)"},
-     {"<=", R"(\le)"},         {">=", R"(\ge)"}}};
+constexpr std::pair<std::string_view, std::string_view> words[]{
+    {"sin", R"(\sin)"},       {"cos", R"(\cos)"},        {"tan", R"(\tan)"},
+    {"asin", R"(\arcsin)"},   {"acos", R"(\arccos)"},    {"atan", R"(\arctan)"},
+    {"arcsin", R"(\arcsin)"}, {"arccos", R"(\arccos)"},  {"arctan", R"(\arctan)"},
+    {"sinh", R"(\sinh)"},     {"cosh", R"(\cosh)"},      {"tanh", R"(\tanh)"},
+    {"asinh", R"(\arsinh)"},  {"acosh", R"(\arcosh)"},   {"atanh", R"(\artanh)"},
+    {"exp", R"(\exp)"},       {"log", R"(\ln)"},         {"ln", R"(\ln)"},
+    {"sqrt", R"(\sqrt)"},     {"abs", R"(\abs)"},        {"max", R"(\max)"},
+    {"min", R"(\min)"},       {"dot", R"(\dotproduct)"}, {"cross", R"(\crossproduct)"},
+    {"<=", R"(\le)"},         {">=", R"(\ge)"}};
 
 std::size_t length_of_plain(std::string_view text) {
   const char c = text[0];
@@ -129,8 +129,9 @@ Tokens plain_tokens(std::string_view text,
     Token token{std::string(text.substr(at, n)), at, at + n};
     at += n;
     if (among(token.text, {" ", "\t", "\n"})) continue;
-    const auto* word = std::ranges::find(words, token.text, &decltype(words)::value_type::first);
-    if (word != words.end())
+    const auto* word =
+        std::ranges::find(words, token.text, &std::pair<std::string_view, std::string_view>::first);
+    if (word != std::end(words))
       token.text = word->second;
     else if (token.text == "**")
       token.text = "^";

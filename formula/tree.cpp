@@ -8,24 +8,17 @@ namespace oddity::formula {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 14> inverses{{{R"(\sin)", R"(\arcsin)"},
-                                                                                  {R"(\cos)", R"(\arccos)"},
-                                                                                  {R"(\tan)", R"(\arctan)"},
-                                                                                  {R"(\arcsin)", R"(\sin)"},
-                                                                                  {R"(\arccos)", R"(\cos)"},
-                                                                                  {R"(\arctan)", R"(\tan)"},
-                                                                                  {R"(\sinh)", R"(\arsinh)"},
-                                                                                  {R"(\cosh)", R"(\arcosh)"},
-                                                                                  {R"(\tanh)", R"(\artanh)"},
-                                                                                  {R"(\arsinh)", R"(\sinh)"},
-                                                                                  {R"(\arcosh)", R"(\cosh)"},
-                                                                                  {R"(\artanh)", R"(\tanh)"},
-                                                                                  {R"(\exp)", R"(\ln)"},
-                                                                                  {R"(\ln)", R"(\exp)"}}};
+constexpr std::pair<std::string_view, std::string_view> inverses[]{
+    {R"(\sin)", R"(\arcsin)"},  {R"(\cos)", R"(\arccos)"},  {R"(\tan)", R"(\arctan)"},
+    {R"(\arcsin)", R"(\sin)"},  {R"(\arccos)", R"(\cos)"},  {R"(\arctan)", R"(\tan)"},
+    {R"(\sinh)", R"(\arsinh)"}, {R"(\cosh)", R"(\arcosh)"}, {R"(\tanh)", R"(\artanh)"},
+    {R"(\arsinh)", R"(\sinh)"}, {R"(\arcosh)", R"(\cosh)"}, {R"(\artanh)", R"(\tanh)"},
+    {R"(\exp)", R"(\ln)"},      {R"(\ln)", R"(\exp)"}};
 
 const std::pair<std::string_view, std::string_view>* found(std::string_view function) {
-  const auto* one = std::ranges::find(inverses, function, &decltype(inverses)::value_type::first);
-  return one == inverses.end() ? nullptr : one;
+  const auto* one =
+      std::ranges::find(inverses, function, &std::pair<std::string_view, std::string_view>::first);
+  return one == std::end(inverses) ? nullptr : one;
 }
 
 }  // namespace

@@ -93,13 +93,8 @@ std::string use_door() {
   return door(
       "recipes.html", "What do I use?",
       "For each scene the model, the algorithm and the step that are enough for a game, and what every "
-      "other method costs.");
-}
-
-std::string own_door() {
-  return door(
-      "own.html", "And my own equations?",
-      "Type them, with units. The page moves them, shows what each method errs, and says which one is enough.");
+      "other method costs. " +
+          html::link("own.html", "Or type your own equations") + ".");
 }
 
 std::string picture_door(const Results& results) {
@@ -121,7 +116,7 @@ const ExerciseResult* exercise_in_motion(const Results& results) {
 
 std::string doors(const Results& results) {
   return "<div class=\"doors\">\n" + exercises_door(results) + picture_door(results) + euler_door() +
-         use_door() + own_door() + "</div>\n";
+         use_door() + "</div>\n";
 }
 
 }  // namespace oddity

@@ -94,7 +94,8 @@ std::string limit_cell(const Stability& s, const std::string& model, const std::
       s.limits, [&](const Limit& l) { return l.model == model && l.algorithm == algorithm; });
   if (found == s.limits.end()) return "";
   return in_xml(shown_step(*found)) + "<br><small>" +
-         (found->within ? "enough to " + format_significant(found->within->setting, 3) : "never enough") +
+         (found->within ? "enough to " + with_powers(format_significant(found->within->setting, 3))
+                        : "never enough") +
          "</small>";
 }
 
