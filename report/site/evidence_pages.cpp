@@ -59,7 +59,7 @@ std::string text_of(const Cell& cell) {
 }
 
 std::string trust_rows(const Results& results, const Trust& trust) {
-  html::Table table{"What stands behind the verdicts", {"what", "how many", "of", "", "means", "rests on"}};
+  html::Table table{"What stands behind the verdicts", {"what", "how many", "of", "subject", "means", "rests on"}};
   std::string part;
   for (const auto& row : trust_table(results, trust).rows) {
     if (std::get<std::string>(row[0]) == part) continue;  // the shares of one that has its row

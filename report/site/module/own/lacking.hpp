@@ -5,6 +5,32 @@
 
 #include <version>
 
+#ifdef _LIBCPP_HAS_NO_FILESYSTEM
+#include <cstddef>
+#include <istream>
+#include <string>
+
+namespace std {
+
+/// What toml++ names to open files, which the page never does: LLVM 19, of Debian 13, does without files.
+template <>
+class basic_ifstream<char> : public basic_istream<char> {
+ public:
+  basic_ifstream() : basic_istream<char>(nullptr) {}
+  struct Buffer {
+    void pubsetbuf(char*, size_t) {}
+  };
+  Buffer* rdbuf() { return &buffer_; }
+  void open(const string&, ios_base::openmode) {}
+  bool is_open() const { return false; }
+
+ private:
+  Buffer buffer_;
+};
+
+}  // namespace std
+#endif
+
 #if _LIBCPP_VERSION < 15000
 #include <algorithm>
 #include <functional>
