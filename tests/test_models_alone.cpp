@@ -122,6 +122,10 @@ TEST_CASE("The models of 3.19 stand alone, and are listed", "[models]") {
           {m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, v2, v3}});
   HAS("published equations", two_pulleys::TwoCoordinates<double>{
                                  {m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, v2, v3}, 0});
+  HAS("normal modes",
+      two_pulleys::Modes<double>({m2, m3, I1, I2, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, v2, v3}));
+  HAS("normal modes, pulleys without inertia",
+      two_pulleys::Modes<double>({m2, m3, 0, 0, R1, R2, c1, c2, L1, L2, K1, K2, g, y2, y3, v2, v3}));
   listed.have_all();
 }
 
@@ -161,6 +165,9 @@ TEST_CASE("The models of 3.25 stand alone, and are listed", "[models]") {
   HAS("tensions",
       chain::Angles<double, chain::Equations::tensions>{
           {{m1, m2, m3}, {r1, r2, r3}, g, h, {theta1, theta2, theta3}, {omega1, omega2, omega3}}});
+  HAS("normal modes",
+      chain::Modes<double>(
+          {{m1, m2, m3}, {r1, r2, r3}, g, h, {theta1, theta2, theta3}, {omega1, omega2, omega3}}));
   listed.have_all();
 }
 

@@ -41,6 +41,7 @@ const std::map<std::string, std::string>& meanings() {
        "letters."},
       {"provable", "A proof could be had; nobody has written it yet."},
       {"computed", "Two independent computations agree at random samples, and changed formulas do not."},
+      {"unclassed", "Nobody has said yet whether it can be proved."},
       {"wording", "The claim is about words; it was read."},
       {"enclosed", "An interval that is computed with all its roundings holds the value."},
       {"agreed", "No such interval is known: two methods that share nothing agree in 60 digits."},
@@ -59,7 +60,8 @@ std::string text_of(const Cell& cell) {
 }
 
 std::string trust_rows(const Results& results, const Trust& trust) {
-  html::Table table{"What stands behind the verdicts", {"what", "how many", "of", "subject", "means", "rests on"}};
+  html::Table table{"What stands behind the verdicts",
+                    {"what", "how many", "of", "subject", "means", "rests on"}};
   std::string part;
   for (const auto& row : trust_table(results, trust).rows) {
     if (std::get<std::string>(row[0]) == part) continue;  // the shares of one that has its row
