@@ -175,7 +175,7 @@ TEST_CASE("what engines did is refused where an error has no unit", "[hostile]")
       R"({"steps_per_frame": 1, "outcome": "ok", "message": "", "errors": [1], "in_needs": 1,
     "energy": null, "momentum": null, "off_joint": 0, "seconds_per_frame": 1e-6, "spread": 0, "same_bits": true, "restored": ""})";
   const std::string kept =
-      R"([{"scene": "free body", "title": "", "units": ["m"], "needs": [0.01], "horizon": 10,
+      R"([{"scene": "free body", "title": "", "units": ["m"], "needs": [1], "horizon": 10,
     "frames_per_second": 60, "least": null, "series": [{"engine": "E", "version": "1", "precision": "double",
     "variant": "v", "says": "", "defaults": true, "webassembly": false, "stated_order": 1, "cannot": "", "trials": [)" +
       trial + "]}]}]";
@@ -186,14 +186,14 @@ TEST_CASE("what engines did is refused where an error has no unit", "[hostile]")
   CHECK(said("[]") == "nothing");
   using Changed = std::vector<std::pair<std::string, std::string>>;
   for (const auto& [old, fresh] : Changed{{"\"errors\": [1]", "\"errors\": [1, 2]"},
-                                          {"\"needs\": [0.01]", "\"needs\": []"},
+                                          {"\"needs\": [1]", "\"needs\": []"},
                                           {"\"steps_per_frame\": 1", "\"steps_per_frame\": 0"},
                                           {"\"steps_per_frame\": 1", "\"steps_per_frame\": 1e300"},
                                           {"\"stated_order\": 1", "\"stated_order\": 1e300"},
                                           {trial, ""},
                                           {"\"horizon\": 10", "\"horizon\": 1e300"},
                                           {"\"frames_per_second\": 60", "\"frames_per_second\": 0"},
-                                          {"\"needs\": [0.01]", "\"needs\": [-1]"},
+                                          {"\"needs\": [1]", "\"needs\": [-1]"},
                                           {"\"in_needs\": 1", "\"in_needs\": null"},
                                           {"\"in_needs\": 1", "\"in_needs\": 1.5"},
                                           {"\"seconds_per_frame\": 1e-6", "\"seconds_per_frame\": -1"},

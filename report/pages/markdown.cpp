@@ -125,8 +125,8 @@ std::string ways(const Results& results, const ExerciseResult& e) {
   const auto link = [](const ExerciseResult& other, const std::string& before, const std::string& after) {
     return "[" + before + to_string(other.number) + after + "](" + exercise_file(other.number) + ")";
   };
-  return (here > 0 ? link(all[here - 1], "← ", "") + " · " : "") + "[index](README.md)" +
-         (here + 1 < all.size() ? " · " + link(all[here + 1], "", " →") : "") + "\n";
+  return (here > 0 ? link(all[here - 1], "← ", "") + " " : "") + "[index](README.md)" +
+         (here + 1 < all.size() ? " " + link(all[here + 1], "", " →") : "") + "\n";
 }
 
 // ---- the front page ---------------------------------------------------------------------------------------

@@ -209,7 +209,7 @@ std::string expected_failures(const ExerciseResult& e) {
              ": " + escaped(r.why, false) + ".\n";
     count += r.methods;
   }
-  return "<details><summary>" + counted(count, "method is expected to fail", "methods are expected to fail") +
+  return "<details><summary>" + counted(count, "method fails as expected", "methods fail as expected") +
          "</summary>\n\n" + lines + "\n</details>\n\n";
 }
 
