@@ -146,11 +146,10 @@ TEST_CASE("a run ends with a screen of what was checked, what is wrong and what 
   INFO(plain);
   CHECK(plain.find('\x1b') == std::string::npos);
   CHECK(plain.find("...") == std::string::npos);  // how a finding shows is told to its end
-  for (const char* part :
-       {"48 exercises, 823 claims, 186 quantities in",
-        "56 wrong, 21 incomplete, 38 misprints, 60 lost in our",
-        "\n  3.5   A pendulum of 1 m takes 0.51 s", "and 47 others", "/site/index.html",
-        "/report/README.md", "All as on record, after 1 minute 2 seconds."})
+  for (const char* part : {"48 exercises, 823 claims, 186 quantities in",
+                           "56 wrong, 21 incomplete, 38 misprints, 60 lost in our",
+                           "\n  3.5   A pendulum of 1 m takes 0.51 s", "and 47 others", "/site/index.html",
+                           "/report/README.md", "All as on record, after 1 minute 2 seconds."})
     CHECK(plain.find(part) != std::string::npos);
   Results scenes = results;
   Candidate candidate{};
