@@ -105,9 +105,7 @@ Changes changes_of(const TypesetFormula& formula, const std::vector<TypesetSampl
       const double off = roundings(sides, letters, truth, sizes);
       // Forms of one quantity, in a row, are equal.
       const bool is_row = truth[0].size() == 1 && are_in_another_order(right[i], mutant.tree);
-      // What is zero in every sample has no sign.
-      const bool is_of_zero = mutant.change.starts_with("the sign of the component") && off < is_rounding;
-      if (is_of_zero || (mutant.change == "components exchanged" && (is_row || off < is_rounding)))
+      if (mutant.change == "components exchanged" && (is_row || off < is_rounding))
         ++changes.equal;
       else if (off < is_rounding && !any.empty() &&
                roundings(sides, any, right_at_any, sizes_at_any) < is_rounding)

@@ -116,9 +116,6 @@ class Mutation {
       case Kind::tuple:
         for (std::size_t i = 0; i + 1 < x->children.size(); ++i)
           change(x.with_child(i, x.child(i + 1)).with_child(i + 1, x.child(i)), "components exchanged");
-        for (std::size_t i = 0; i < x->children.size(); ++i)
-          if (x.child(i).kind() != Kind::sum)
-            change(x.with_child(i, negative(x.child(i))), "the sign of the component " + shown(x.child(i)));
         return;
       default:
         return;
