@@ -1,5 +1,6 @@
 // Programs in lockstep: the accuracy of their functions, and the same bits however they are compiled.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -9,7 +10,9 @@
 #include <vector>
 
 #include "chapters/random.hpp"
+#include "chapters/scene.hpp"
 #include "extras/lanes/lanes.hpp"
+#include "report/pages/lockstep.hpp"
 #include "report/plain/lockstep.hpp"
 #include "report/verify/catch.hpp"
 #include "tests/program.hpp"
@@ -248,6 +251,7 @@ TEST_CASE("a program in lockstep has the same bits however it is compiled, and t
           "[lockstep][commands]") {
   check_same_bits("3.5 --error 1deg --horizon 2 --exclude closed");
   check_same_bits("3.9 --error 1mm --horizon 2");
+  check_same_bits("3.31 --error 1cm,1deg --horizon 2 --only stick");  // a model that takes its own steps
 }
 
 TEST_CASE("without its guard the program's bits depend on the compiler's options", "[lockstep][commands]") {
@@ -281,4 +285,18 @@ TEST_CASE("choose says what the same bits are made of and what they leave out", 
   const program::Ran none = program::run("choose 3.5 --error 1deg --lockstep --only Fehlberg");
   CHECK(none.status == 2);
   CHECK(program::says(none, "--lockstep leaves no method: Fehlberg 7(8) calls Boost.Odeint"));
+}
+
+TEST_CASE("where the time limit leaves nothing, what the same bits cost is not measured", "[lockstep]") {
+  const Entry& pendulum = *std::ranges::find(registry(), Number{3, 5}, &Entry::number);
+  Choice choice;
+  choice.need.lockstep = true;
+  choice.need.horizon = 1;
+  choice.need.frames_per_second = 60;
+  choice.chosen = Candidate{"one angle", "Runge-Kutta 4", "step"};
+  choice.chosen->setting = 1 / 60.0;
+  const InLockstep found = lockstep_of(Task(pendulum), choice, 0);
+  CHECK(found.measured == "what that costs is not measured, as the time limit left no more");
+  CHECK_FALSE(found.times_usual);
+  CHECK(found.functions == std::vector<std::string>{"sin"});
 }

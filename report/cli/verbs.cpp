@@ -369,7 +369,7 @@ int choose(const fs::path& folder, const std::string& exercise, const std::vecto
   const Reference truth = truth_of(folder, asked.enclosed, motions_folder());
   if (!of_the_book(task.entry->number)) require_truth(task, truth);
   Choice choice = choice_in_time(task, need, truth, asked.measure, extras.bodies);
-  if (asked.lockstep) choice.lockstep = lockstep_of(task, choice);
+  if (asked.lockstep) choice.lockstep = lockstep_of(task, choice, in_what_is_left(need).time_limit);
   if (format == Format::text && !asked.says.empty())
     std::cout << exercise << " does not say what it needs, so it is asked for " << asked.says << "\n";
   if (format == Format::csv || (format == Format::code && choice.chosen)) std::cerr << part_text(choice);
@@ -427,7 +427,10 @@ void site(const fs::path& folder, const fs::path& out, bool overwrite) {
 
 void single(const fs::path& folder, const std::string& exercise, const fs::path& out, bool overwrite) {
   const Task task = task_of(exercise, {});
-  if (fs::exists(out) && !overwrite)
+  if (task.entry->number.chapter == 0)
+    throw BadInput("--single takes an exercise, and " + exercise +
+                   " is a problem's file: the site's page own.html opens it");
+  if (fs::exists(fs::symlink_status(out)) && !overwrite)
     throw BadInput(out.string() + " is there: name a new file by --out, or write over it by --overwrite");
   require_writable(out);
   if (needs_are_all(needs_of_site())) return;

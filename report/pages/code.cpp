@@ -516,7 +516,7 @@ std::string model_code_of(const Task& task, std::string_view model, std::string_
   for (std::string_view header : listing.headers) headers.add(header);
   const std::string own = (listing.text ? listing.text(task.parameters, std::string(model)) : "") +
                           "auto model = " + std::string(expression) +
-                          "; model.start(), model.observe, model.at, model.acceleration;";
+                          "; model.start(), model.observe, model.at, model.acceleration, model.step;";
   return used_code(headers.text(), own) + own;
 }
 
@@ -540,6 +540,7 @@ std::string why_not_in_lockstep(const Task& task, const std::string& model, cons
   if (listing.text && plainly != without_stepping(algorithm))
     return "is in float, in which a problem's file has no code";
   const auto* expression = find(listing.models, model + ", " + plainly);
+  if (!expression) expression = find(listing.with_own_steps, model + ", " + plainly);
   if (!expression) {
     const auto algorithms = printable_algorithms();
     if (std::ranges::find(algorithms, plainly) == algorithms.end()) {

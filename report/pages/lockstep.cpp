@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
+#include <limits>
 #include <system_error>
 
 #include "chapters/scene.hpp"
@@ -12,6 +14,7 @@
 #include "report/pages/code.hpp"
 #include "report/study/run_program.hpp"
 #include "report/study/search.hpp"
+#include "solvers/stop.hpp"
 
 namespace oddity {
 
@@ -94,12 +97,18 @@ Need in_lockstep(Need need, const Task& task) {
                  "; only what --code prints has the same bits everywhere");
 }
 
-InLockstep lockstep_of(const Task& task, const Choice& choice) {
+InLockstep lockstep_of(const Task& task, const Choice& choice, double seconds) {
   InLockstep found;
   found.left_out = left_out(task, choice.need);
   if (!choice.chosen) return found;
   found.functions = functions_in_lockstep(task, *choice.chosen);
-  measure(task, choice, found);
+  const Stop stop(seconds);
+  const Stoppable here(&stop);
+  try {
+    measure(task, choice, found);
+  } catch (const Stopped&) {
+    found.measured = "what that costs is not measured, as the time limit left no more";
+  }
   return found;
 }
 

@@ -10,7 +10,8 @@ namespace oddity {
 Need in_lockstep(Need, const Task&);
 
 /// What the choice's program has of its own, what its steps take in those of the usual program, and what was
-/// left out. Both programs are compiled and run here; where no compiler is, it says so.
-InLockstep lockstep_of(const Task&, const Choice&);
+/// left out. Both programs are compiled and run here; where no compiler is, or these seconds are not enough,
+/// it says so.
+InLockstep lockstep_of(const Task&, const Choice&, double seconds);
 
 }  // namespace oddity
