@@ -11,8 +11,8 @@
 namespace oddity {
 
 /// A number whose bits are the same on every machine and by every compiler: of what IEEE 754 rounds
-/// correctly, each operation apart, and of the functions below. A sum must not be contracted with a product
-/// in it, which is the compiler's to be told.
+/// correctly, each operation apart, and of the functions below. A sum must not be fused with a product in it:
+/// no pragma of g++ forbids that everywhere, so each product goes through a register by hand.
 template <class T>
 class Lockstep {
  public:
@@ -29,13 +29,13 @@ class Lockstep {
 
   friend constexpr Lockstep operator+(const Lockstep& a, const Lockstep& b) { return a.x_ + b.x_; }
   friend constexpr Lockstep operator-(const Lockstep& a, const Lockstep& b) { return a.x_ - b.x_; }
-  friend constexpr Lockstep operator*(const Lockstep& a, const Lockstep& b) { return a.x_ * b.x_; }
+  friend Lockstep operator*(const Lockstep& a, const Lockstep& b) { return apart(a.x_ * b.x_); }
   friend constexpr Lockstep operator/(const Lockstep& a, const Lockstep& b) { return a.x_ / b.x_; }
   friend constexpr Lockstep operator-(const Lockstep& a) { return -a.x_; }
   friend constexpr Lockstep operator+(const Lockstep& a) { return a; }
   constexpr Lockstep& operator+=(const Lockstep& b) { return *this = *this + b; }
   constexpr Lockstep& operator-=(const Lockstep& b) { return *this = *this - b; }
-  constexpr Lockstep& operator*=(const Lockstep& b) { return *this = *this * b; }
+  Lockstep& operator*=(const Lockstep& b) { return *this = *this * b; }
   constexpr Lockstep& operator/=(const Lockstep& b) { return *this = *this / b; }
   friend constexpr bool operator<(const Lockstep& a, const Lockstep& b) { return a.x_ < b.x_; }
   friend constexpr bool operator>(const Lockstep& a, const Lockstep& b) { return a.x_ > b.x_; }
@@ -44,6 +44,19 @@ class Lockstep {
   friend constexpr bool operator==(const Lockstep& a, const Lockstep& b) { return a.x_ == b.x_; }
 
  private:
+  static T apart(T product) {
+#if defined(__GNUC__) && !defined(__clang__)
+#if defined(__SSE2_MATH__)
+    asm("" : "+x"(product));
+#elif defined(__aarch64__)
+    asm("" : "+w"(product));
+#else
+    asm("" : "+m"(product));
+#endif
+#endif
+    return product;
+  }
+
   T x_;
 };
 
