@@ -9,6 +9,7 @@
 #include "report/charts/chart.hpp"
 #include "report/site/claims_section.hpp"
 #include "report/site/errata.hpp"
+#include "report/site/evidence_pages.hpp"
 #include "report/site/formulas.hpp"
 #include "report/site/further_pages.hpp"
 #include "report/site/lesson.hpp"
@@ -294,6 +295,25 @@ TEST_CASE("every page lets its own files alone run, and has nothing of them with
               "'wasm-unsafe-eval'; style-src 'self'; ") != std::string::npos);
     CHECK_FALSE(std::regex_search(page, within));
   }
+}
+
+TEST_CASE("the page of engines has each engine's error by its coarsest steps, and what is needed", "[site]") {
+  EngineContest contest{"3.5", "Pendulum", {"m"}, {0.01}, 10, 60, {}};
+  EngineSeries moves, stands;
+  moves.engine = "Some", stands.engine = "Other";
+  moves.trials.resize(2);
+  moves.trials[0].steps_per_frame = 2, moves.trials[0].outcome = Outcome::inaccurate;
+  moves.trials[1].steps_per_frame = 4;
+  moves.trials[0].in_needs = 3.5, moves.trials[1].in_needs = 0.5;
+  stands.cannot = "it has no joints";
+  contest.series = {moves, stands};
+  const std::string page = engines_html(sample(), std::span(&contest, 1));
+  for (const char* part : {"Needed: 0.01 m.", "3.5</td><td class=\"n\">120</td><td class=\"n\">240 Hz",
+                           "cannot: it has no joints", "<a href=\"3.5.html#recipe\">"}) {
+    INFO(page);
+    CHECK(page.find(part) != std::string::npos);
+  }
+  CHECK(engines_html(sample(), {}).find("No engine has run for this copy") != std::string::npos);
 }
 
 TEST_CASE("a page as one file has all that it runs, and leads nowhere else", "[site]") {

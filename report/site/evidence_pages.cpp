@@ -37,8 +37,8 @@ const std::map<std::string, std::string>& meanings() {
        "The solutions were read line by line. Each assertion has its claims here, or a reason why none "
        "judges it."},
       {"proved",
-       "A computer-checked proof: the proof assistant Coq has followed each step, for all values of the "
-       "letters."},
+       "A computer-checked proof: the proof assistant Coq has followed each step, for all values that the "
+       "statement allows."},
       {"provable", "A proof could be had; nobody has written it yet."},
       {"computed", "Two independent computations agree at random samples, and changed formulas do not."},
       {"unclassed", "Nobody has said yet whether it can be proved."},
@@ -101,9 +101,13 @@ std::string limit_cell(const Stability& s, const std::string& model, const std::
          "</small>";
 }
 
+std::string amount(double size, const std::string& unit) {
+  return with_powers(format_significant(size, 3)) + (unit.empty() || unit == "1" ? "" : " " + in_xml(unit));
+}
+
 std::string stability_rows(const Results& results) {
   const std::vector<std::string> algorithms = common_algorithms(results);
-  html::Table table{"The longest stable steps", {"scene", "model", "unit"}};
+  html::Table table{"The longest stable steps", {"scene", "model", "steps in", "needed"}};
   for (const std::string& name : algorithms) table.head.push_back(in_xml(name));
   for (const ExerciseResult& e : results.exercises) {
     if (!e.stability) continue;
@@ -112,7 +116,8 @@ std::string stability_rows(const Results& results) {
       if (std::ranges::find(models, l.model) == models.end()) models.push_back(l.model);
     for (const std::string& model : models) {
       std::vector<std::string> cells{page_link(e, "stability"), html::text(model),
-                                     in_xml(e.stability->time_unit)};
+                                     in_xml(e.stability->time_unit),
+                                     amount(e.stability->close, e.stability->unit)};
       for (const std::string& name : algorithms) cells.push_back(limit_cell(*e.stability, model, name));
       table.rows.push_back(html::row(cells));
     }
@@ -127,30 +132,32 @@ std::string times_the_need(double error) {
 }
 
 std::string engine_rows(const Results& results, const EngineContest& contest) {
-  html::Table table{
-      contest.title,
-      {"engine", "settings", "error at " + format_shortest(contest.frames_per_second) + " Hz, in needs",
-       "enough from"}};
+  html::Table table{contest.title, {"engine", "settings", "error in needs", "steps a second", "enough from"}};
   for (const EngineSeries& series : contest.series) {
     if (series.trials.empty()) {
       table.rows.push_back(html::row({in_xml(series.engine + " " + series.version), in_xml(series.variant),
-                                      "cannot: " + html::text(series.cannot), ""}));
+                                      "cannot: " + html::text(series.cannot), "", ""}));
       continue;
     }
     const EngineTrial* enough = series.first_enough();
     table.rows.push_back(html::row(
         {in_xml(series.engine + " " + series.version), in_xml(series.variant),
          times_the_need(series.trials.front().in_needs),
+         format_shortest(series.trials.front().steps_per_frame * contest.frames_per_second),
          enough ? format_shortest(enough->steps_per_frame * contest.frames_per_second) + " Hz" : "never"},
-        "23"));
+        "234"));
   }
+  std::string needed;
+  for (std::size_t i = 0; i < contest.needs.size(); ++i)
+    needed += (i == 0 ? "" : ", ") + amount(contest.needs[i], contest.units[i]);
   const auto scene = std::ranges::find_if(
       results.exercises, [&](const ExerciseResult& e) { return to_string(e.number) == contest.scene; });
   return "<section>\n" +
          element("h2", "",
                  scene == results.exercises.end() ? in_xml(contest.title) : page_link(*scene, "recipe")) +
-         "\n" + (contest.differs.empty() ? "" : element("p", "", html::text(contest.differs))) +
-         html::table(table) + "</section>\n";
+         "\n" + element("p", "", "Needed: " + needed + ".") +
+         (contest.differs.empty() ? "" : element("p", "", html::text(contest.differs))) + html::table(table) +
+         "</section>\n";
 }
 
 }  // namespace
@@ -171,8 +178,8 @@ std::string stability_html(const Results& results) {
        title(
            "Up to which step methods are stable",
            "Below its limit a method lets no small disturbance grow. Its motion may be far from the truth there: "
-           "<em>enough</em> is up to where it is within a centimeter or a degree. Each scene's own page has "
-           "theory, maps and cures.") +
+           "<em>enough</em> is up to where it is within what is needed. Each scene's own page has theory, maps and "
+           "cures.") +
            "<section>\n" + stability_rows(results) + "</section>\n",
        {}});
 }
@@ -190,8 +197,8 @@ std::string engines_html(const Results& results, std::span<const EngineContest> 
       {"Engines - oddity",
        title(
            "What physics engines do on the book’s scenes",
-           "Engines that games use, with the scenes’ own numbers, by their own steps. An error is given in needs: "
-           "above 1 it is more than a centimeter or a degree.") +
+           "Engines that games use, with the scenes’ own numbers, by their own steps. An error above 1 is more than "
+           "is needed.") +
            sections,
        {}});
 }

@@ -65,6 +65,17 @@ test('each file to begin with is in the menu, moves, and is answered', async (t)
   await page.close();
 });
 
+test('of a long motion the first frames are judged, at the rate of the file, and the page says so', async () => {
+  const { page } = await open(browser, 'own.html', { reduced: true });
+  await type(page, textOf('quarter_car.toml').replace(/horizon = "[^"]*"/, 'horizon = "100 s"'));
+  await answered(page);
+  const { truth, answer } = await seen(page);
+  assert.match(truth, /The page looks at the first 33\.3 s of 100 s\./);
+  assert.match(answer, /at 2000 frames, the first 33\.3 s of 100 s, it is/);
+  assert.ok(Math.abs(await page.$eval('.own', (place) => place.oddity.player.motions.frame) - 1 / 60) < 1e-12);
+  await page.close();
+});
+
 test('its motions are those of the program', async () => {
   const { page } = await open(browser, 'own.html', { reduced: true });
   for (const [name, model, algorithm] of [['quarter_car.toml', 'body and wheel', 'Runge-Kutta 4'],

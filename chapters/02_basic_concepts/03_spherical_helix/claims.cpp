@@ -306,7 +306,8 @@ void ends(Claims& claims) {
       filled("In the $xy$-plane the path is a spiral into the origin (our check: over @2 turns).", {turns}),
       {.printed = {"the distance from the axis shrinks, turning on",
                    spiral("distance from the axis", 100 * pi, from_axis)},
-       .near_misses = {{"turning the other way", spiral("distance from the axis", -100 * pi, from_axis)}}});
+       .near_misses = {{"turning the other way", spiral("distance from the axis", -100 * pi, from_axis)},
+                       {R"($z$ shrinks)", spiral("height", 100 * pi, z)}}});
   claims.add("height_limit", 287, R"($z$ tends to 1 as $t$ becomes infinite.)",
              {.printed = at_end(R"(to 1 as $t\to\infty$)", "$z$", 1, 1, z),
               .near_misses = {at_end(R"(as $t\to-\infty$ as well: there it is $-1$)", "$z$", -1, 1, z)}});
@@ -314,7 +315,8 @@ void ends(Claims& claims) {
   claims.add("spiral_to_the_pole", 311,
              filled("On the sphere the helix spirals about $(0,0,1)$ (our check: over @2 turns).", {turns}),
              {.printed = {"nearer and nearer to the pole, turning on", spiral(to_pole, 100 * pi, from_pole)},
-              .near_misses = {{"nearer and nearer to the other pole",
+              .near_misses = {{"turning the other way", spiral(to_pole, -100 * pi, from_pole)},
+                              {"nearer and nearer to the other pole",
                                spiral("distance from the other pole", 100 * pi,
                                       [](const Vector3& r) { return length(r + pole); })}}});
   claims.add("pole_in_the_limit", 311, R"(The helix tends to $(0,0,1)$ as $t$ becomes infinite.)",

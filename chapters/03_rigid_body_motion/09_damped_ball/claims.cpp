@@ -434,9 +434,35 @@ void characteristic_roots(ProvableClaims<PolynomialOf>& table, const std::vector
 }
 
 void solutions(Claims& claims, const std::vector<Polynomial>& polynomials, double seed, Random& random) {
+  const auto both = [](const Polynomial& s, const auto& has) { return has(s.root(1)) && has(s.root(-1)); };
+  const auto are_zeros = [=](const Polynomial& s) {
+    return both(s, [&](const auto& root) {
+      const std::complex<double> r(root.re, root.im);
+      // -a and the square root, which may cancel, leave roundings of a/m in r, and the slope is at most a
+      const double terms = s.m * std::norm(r) + s.a * abs(r) + s.c + s.a * s.a / s.m;
+      return abs((s.m * r + s.a) * r + s.c) <= rounding(terms).allowed;
+    });
+  };
+  const auto negative = [=](const Polynomial& s) { return both(s, [](const auto& r) { return r.re < 0; }); };
+  const auto are_real = [=](const Polynomial& s) { return both(s, [](const auto& r) { return r.im == 0; }); };
+  std::vector<Polynomial> with_double_root = polynomials;
+  with_double_root.emplace_back();
+  with_double_root.back().m = 1, with_double_root.back().c = with_double_root.back().a = 4;
   claims.statement<Polynomial>(
-      "negative_roots", 1461, "The roots are real and negative, or complex with negative real part",
-      polynomials, {.printed = {R"($\mathrm{Re}\,r<0$)"}, .near_misses = {{R"($\mathrm{Re}\,r>0$)"}}});
+      "negative_roots", 1461,
+      R"(Both roots are real and negative when $a^2-4mc\ge0$, and complex with negative real parts when )"
+      R"($a^2-4mc<0$)",
+      with_double_root,
+      {.printed = {"the text's roots are zeros of the polynomial, and are such",
+                   [=](const Polynomial& s) {
+                     return are_zeros(s) && negative(s) && are_real(s) == (s.a * s.a - 4 * s.m * s.c >= 0);
+                   }},
+       .near_misses = {
+           {R"(roots with $\mathrm{Re}\,r>0$)",
+            [=](const Polynomial& s) { return both(s, [](const auto& r) { return r.re > 0; }); }},
+           {"real and negative for any $a$", [=](const Polynomial& s) { return negative(s) && are_real(s); }},
+           {"real when $a^2-2mc\\ge0$",
+            [=](const Polynomial& s) { return are_real(s) == (s.a * s.a - 2 * s.m * s.c >= 0); }}}});
 
   const Ball critical{1, 4, 4, 1, 0.5, 0, 1.5};
   const auto at_double_root = [&](const std::string& by, const Value& x) {

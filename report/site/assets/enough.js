@@ -34,7 +34,7 @@
     const cost = motion.evaluations === 1 ? 'one evaluation' : `${motion.evaluations} evaluations`;
     const by = motions.find(method.model, method.algorithm).knob ? `${oddity.sentence(method.algorithm)} on ${method.model}`
       : `The closed form of ${method.model}`;
-    return `${by}${settingText(motions, method)} is enough: at ${motions.frames} frames it is `
+    return `${by}${settingText(motions, method)} is enough: at ${motions.frames} frames${motions.part && `, the first ${motions.part},`} it is `
       + `${oddity.amounts(judged.worst, judged.units)} off at most, for ${cost}.`;
   }
 

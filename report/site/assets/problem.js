@@ -32,11 +32,14 @@
     const close = Object.fromEntries(units.map((unit, u) => [unit, file.errors[u]]));
     const wanted = Math.max(1, Math.round(file.horizon * file.fps));
     const frames = Math.min(wanted, most);
-    const frame = file.horizon / frames;
-    const times = oddity.frameTimes(file.horizon, frames);
+    const frame = file.horizon / wanted;
+    const horizon = frames * frame;         // of a long motion the page judges the first frames
+    const times = oddity.frameTimes(horizon, frames);
+    /** "33.3 s of 100 s"; nothing where it is all. */
+    const part = frames < wanted ? `${oddity.written(horizon)} s of ${oddity.written(file.horizon)} s` : '';
     const norms = normsOf(observables);
-    const scene = { observables: observables.map((o) => o.name), horizon: file.horizon, time_unit: 's',
-      truth: { frames, end: file.horizon }, norms, close, varied: file.sweep, paths: [] };
+    const scene = { observables: observables.map((o) => o.name), horizon, time_unit: 's',
+      truth: { frames, end: horizon }, norms, close, varied: file.sweep, paths: [] };
     const quantity = { name: 'motion', samples: looks, methods: [] };
     const data = { number: 'own', title: file.title, parameters: file.parameters, units: file.units, scene,
       quantities: [quantity], file };
@@ -62,7 +65,7 @@
     function run(parameters, method) {
       return cached(keyOf(parameters, method), () => {
         if (find(method.model, method.algorithm).knob !== 'step') return computed(times, { parameters, ...method });
-        const steps = oddity.stepTimes(file.horizon, looks, frame, method.setting);
+        const steps = oddity.stepTimes(horizon, looks, frame, method.setting);
         return computed(steps.times, { parameters, ...method, setting: steps.step });
       });
     }
@@ -98,7 +101,7 @@
     const knownApart = (parameters) => cache.get(JSON.stringify(['apart', parameters])) || null;
 
     function aboutTruth(parameters) {
-      const shown = frames < wanted ? ` The page looks at ${frames} of ${wanted} frames.` : '';
+      const shown = part ? ` The page looks at the first ${part}.` : '';
       if (isClosed) return `The ghost is the closed form of ${last}, which is taken for true.${shown}`;
       const { ending, message } = truth(parameters);
       const by = `${last} by ${makers[0]} at a tolerance of ${oddity.written(tight)}`;
@@ -139,7 +142,7 @@
     function placesAt(parameters, t, seen) {
       const size = reach(parameters);
       if (points.length) return points.map(({ components: [x, y] }) => [seen[x], seen[y], 0]);
-      return [...seen].map((x, k) => [4 * t / file.horizon, x / size[k], 0]);
+      return [...seen].map((x, k) => [4 * t / horizon, x / size[k], 0]);
     }
     const ways = (parameters) => cached(['ways', parameters], () => {
       const { observed } = truth(parameters);
@@ -163,6 +166,6 @@
     return { data, scene, quantity, frame, looks, defaults, models, methods, find, algorithmsOf, usual, run, truth, judge, floors,
       floorsOf: (motion, floor) => floor, richest, reference: null, seeTruth: oddity.between, apart, aboutTruth, isDefault, opening,
       asPublished: () => null, asEngines: () => null, drawing, recordedOnly: false, space: false,
-      units, judgedByFrame, frames, isClosed, pointsAreDrawn: points.length > 0 };
+      units, judgedByFrame, frames, part, isClosed, pointsAreDrawn: points.length > 0 };
   };
 })(window.oddity = window.oddity || {});

@@ -179,8 +179,7 @@ std::unique_ptr<const Model> model(const InDouble& in_double, const InFloat& in_
         in_double, in_float);
 }
 
-// ---- what is written of a scene's listing (players.cpp), or read from a problem's file (own/own.cpp)
-// ---------------------------------------------------
+// ---- of a scene's listing (players.cpp), or of a problem's file (own/own.cpp) -----------------------------
 
 struct Letter {
   std::string_view name;
