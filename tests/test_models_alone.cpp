@@ -200,7 +200,7 @@ TEST_CASE("The models of 3.31 stand alone, and are listed", "[models]") {
                v0 = listed["v0"], w0 = listed["w0"];
   HAS("sliding and spinning apart", rough_box::Uncoupled<double>{{{a, b}, mu, g, u0, v0, w0}});
   HAS("friction at full speed only", rough_box::InTime<double>{{{a, b}, mu, g, u0, v0, w0}});
-  HAS("friction regularized at 1 cm/s", rough_box::InTime<double>{{{a, b}, mu, g, u0, v0, w0}, 0.01});
+  HAS("friction regularized at 1 cm/s", rough_box::InTime<double>{{{a, b}, mu, g, u0, v0, w0}, double(0.01)});
   listed.have_all();
 }
 

@@ -89,7 +89,7 @@ Scene scene() {
            {{"sliding and spinning apart", "rough_box::Uncoupled<double>{{{a, b}, mu, g, u0, v0, w0}}"},
             {"friction at full speed only", "rough_box::InTime<double>{{{a, b}, mu, g, u0, v0, w0}}"},
             {"friction regularized at 1 cm/s",
-             "rough_box::InTime<double>{{{a, b}, mu, g, u0, v0, w0}, 0.01}"}},
+             "rough_box::InTime<double>{{{a, b}, mu, g, u0, v0, w0}, double(0.01)}"}},
            {{"stopped by event", "which needs a search for events"},
             {"time stretched by the speed", "which needs Newton's method for the time of every frame"}},
            {{"stopped by event", "rough_box::UntilRest<double>{{{{a, b}, mu, g, u0, v0, w0}}}"}},
