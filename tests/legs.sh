@@ -63,6 +63,16 @@ leg_format() {  # clang-format: every source is as .clang-format has it
   sources '*.cpp' '*.hpp' | xargs -d '\n' clang-format --dry-run -Werror
 }
 
+leg_prose() {  # comments, texts and pages: their wording, their spelling, and the length of commits' subjects
+  tools g++ codespell
+  mkdir -p build
+  g++ -std=c++20 -O1 -I. tests/prose/prose.cpp tests/prose/main.cpp -o build/prose
+  git ls-files | build/prose .
+  sources '*.md' '*.cpp' '*.hpp' '*.js' '*.mjs' '*.sh' '*.cmake' | grep -v ^report/book/ |
+    xargs -d '\n' codespell --quiet-level 3 --ignore-words tests/prose/spelling.txt
+  ! git log -30 --no-merges --format=%s | grep -E '.{73}' || { echo "these subjects are longer than 72 letters"; return 1; }
+}
+
 leg_site() {  # chromium: every page and player of the site, opened from their files
   tools chromium
   command -v npm >/dev/null || tools nodejs npm
