@@ -38,6 +38,7 @@ TEST_CASE("the linter reads comments and long texts, not code", "[prose]") {
         Texts{"# Head", "One paragraph.", "- item", "- item"});
   CHECK(texts_in("a.sh", "#!/bin/sh\n# A comment\n# goes on\nrun  # behind code\n") ==
         Texts{"A comment goes on", "behind code"});
+  CHECK(texts_in("a.cpp", R"(f("Lemma a : (f x = g x) -> (x = 0).");)").empty());
   CHECK(texts_in("a.bin", "# nothing").empty());
 }
 

@@ -163,8 +163,16 @@ class Scanner {
     text_part_.text += text;
   }
 
+  /// Four words or more, with few signs among them, unlike code.
+  static bool is_prose(const std::string& text) {
+    const auto signs = std::ranges::count_if(text, [](char c) {
+      return std::string_view("()[]{}<>=*+^\\_;&|").find(c) != std::string_view::npos;
+    });
+    return std::ranges::count(text, ' ') >= 3 && signs * 20 < std::ssize(text);
+  }
+
   void finish_quoted() {
-    if (std::ranges::count(text_part_.text, ' ') >= 3) quoted_.push_back(text_part_);
+    if (is_prose(text_part_.text)) quoted_.push_back(text_part_);
     text_part_ = {};
   }
 
