@@ -200,7 +200,7 @@ Excess excess_along(std::string_view algorithm, std::complex<double> unit, doubl
   return [=](double r) { return growth(algorithm, r * unit) - r * allowed; };
 }
 
-/// The edge nearest to `at`, an edge of a neighbouring direction; nothing if there is none within a tenth.
+/// The edge nearest to `at`, an edge of a neighbouring direction; nothing if it moved by more than a tenth.
 std::optional<double> moved_edge(const Excess& excess, double at) {
   if (at == 0 || std::isinf(at)) return at;
   for (double part : {1e-3, 1e-2, 1e-1}) {
