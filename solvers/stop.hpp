@@ -5,7 +5,7 @@
 
 /// Cooperative cancellation: one token that every loop checks.
 ///   const Stop stop(60);              // s; or stop.request() from any thread
-///   const Stoppable here(&stop);      // this thread's work, and that of in_parallel inside, now looks at it
+///   const Stoppable here(&stop);      // this thread's work, and that of in_parallel inside, now checks it
 ///   ... check_stop(); ...             // between pieces of work
 namespace oddity {
 

@@ -62,7 +62,7 @@ std::optional<truth::Truth> enclosed_truth(std::string_view table) {
   return truth;
 }
 
-/// Throws Undecided where the balls are too wide.
+/// Throws Undecided if the balls are too wide.
 double distance(const truth::Numbers& balls, std::span<const double> values, double part) {
   double size = 0, distance = 0;
   for (const Ball& x : balls) size = std::max(size, truth::greatest_size(x));

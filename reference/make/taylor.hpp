@@ -32,7 +32,7 @@ class TaylorProblem {
     std::vector<Numbers> series;  ///< one per unknown, from order 0 on
     Numbers at(const Number& t) const;
   };
-  /// The longest step from (x, t) towards t1 whose remainder is below 10^-digits. Throws as `solve`.
+  /// The longest step from (x, t) towards t1 whose remainder is below 10^-digits. Throws like `solve`.
   Step step(const Numbers& x, const Number& t, const Number& t1, int digits);
 
  private:
