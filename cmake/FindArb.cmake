@@ -1,4 +1,5 @@
-# Arb, ball arithmetic: ARB_LIBRARIES, ARB_INCLUDE_DIR. A library of its own (Debian's libflint-arb), or FLINT 3's.
+# Arb, ball arithmetic: ARB_LIBRARIES, ARB_INCLUDE_DIR. A separate library (Debian's libflint-arb), or part of
+# FLINT 3.
 find_path(ARB_INCLUDE_DIR arb.h PATH_SUFFIXES flint)
 find_library(ARB_LIBRARY NAMES flint-arb arb flint)
 find_library(FLINT_LIBRARY flint)

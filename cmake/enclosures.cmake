@@ -1,4 +1,4 @@
-# The makers in balls, under another name, for whoever makes tables: where Arb is installed.
+# The generators in ball arithmetic, under another name, for making tables; only if Arb is installed.
 
 list(APPEND CMAKE_MODULE_PATH ${PROJECT_SOURCE_DIR}/cmake)
 find_optional(ODDITY_ARB "Enclosures in the tables that are made" Arb)

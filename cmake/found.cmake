@@ -1,6 +1,7 @@
-# What is found in folders and in a list, and what is refused there: else it would be in no register, in silence.
+# Finds sources in folders and algorithms in a list. Rejects misplaced ones, which would be silently missing
+# from the registers.
 
-# Refuses a folder of an exercise that has sources and no exercise.cpp: they would be in no register.
+# Rejects an exercise's folder that has sources and no exercise.cpp: they would be missing from the registers.
 function(require_exercises)
   foreach(file IN LISTS ARGN)
     cmake_path(GET file PARENT_PATH folder)
@@ -12,7 +13,8 @@ function(require_exercises)
   endforeach()
 endfunction()
 
-# Refuses a folder that CMake would read as more than a name, that is not there, or that has its exercises elsewhere.
+# Rejects a folder whose name has characters special to CMake, that does not exist, or that has misplaced
+# exercises.
 function(require_own home)
   if("${home}" MATCHES "[][*?$\"\\,|\t\r\n]")
     message(FATAL_ERROR "ODDITY_OWN: the folder ${home} has a character in its name that CMake takes for more than "
@@ -30,7 +32,8 @@ function(require_own home)
   endforeach()
 endfunction()
 
-# What these folders hold: `own_exercises`, the other `own_sources` of these, and `own_makers` with what they share.
+# Finds `own_exercises` in these folders, their other sources `own_sources`, and `own_makers`: the generators
+# with their shared sources.
 macro(find_own)
   set(own_exercises "")
   set(own_sources "")
@@ -43,7 +46,7 @@ macro(find_own)
     if(exercises)
       list(REMOVE_ITEM sources ${exercises})
     endif()
-    # Of these files alone, so that no other is compiled again for them.
+    # For these files only, so that no other is recompiled because of them.
     set_source_files_properties(${exercises} ${sources} ${makers} PROPERTIES INCLUDE_DIRECTORIES "${home}")
     list(APPEND own_exercises ${exercises})
     list(APPEND own_sources ${sources})
@@ -51,11 +54,11 @@ macro(find_own)
   endforeach()
 endmacro()
 
-# The entries F(Algorithm, header) of a header, as `output`. Refuses what begins like one and is not.
+# Lists the entries F(Algorithm, header) of a header as `output`. Rejects malformed entries.
 function(list_algorithms output file)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
   file(READ ${file} text)
-  # A line's end, and what a list of CMake would take for its own.
+  # Replaces characters that are special in CMake lists.
   string(REGEX REPLACE "[][;]" "_" text "${text}")
   string(REGEX MATCHALL "[^\n]*\n" lines "${text}")
   set(entries "")

@@ -1,8 +1,8 @@
-# What `cmake --install` puts in place: the program with its tables, manual page and completion, and the models'
-# headers as the target oddity::models of find_package(oddity).
+# Installs the program with its tables, manual page and completion, and the models' headers as the target
+# oddity::models of find_package(oddity).
 include(CMakePackageConfigHelpers)
 
-# Folders that are made have this mode whatever the umask: the program runs nothing that others can write to.
+# Mode of created folders, whatever the umask: the program runs nothing that others can write to.
 set(CMAKE_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 
@@ -13,7 +13,7 @@ install(FILES ${PROJECT_BINARY_DIR}/models.js ${PROJECT_BINARY_DIR}/own.js DESTI
 
 # ---- the models and loops, and the headers that they include ------------------------------------------------
 
-# Installs these headers of the tree with all that they include.
+# Installs these headers of the tree and all headers that they include.
 function(install_headers)
   set(all "")
   while(ARGN)
@@ -39,14 +39,14 @@ target_compile_features(oddity_models INTERFACE cxx_std_20)
 target_include_directories(oddity_models INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/oddity>)
 
-set(package ${CMAKE_INSTALL_DATADIR}/cmake/oddity)  # headers alone: for any machine
+set(package ${CMAKE_INSTALL_DATADIR}/cmake/oddity)  # headers only: for any machine
 install(TARGETS oddity_models EXPORT oddity)
 install(EXPORT oddity NAMESPACE oddity:: DESTINATION ${package} FILE oddityConfig.cmake)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/oddityConfigVersion.cmake
   COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 install(FILES ${PROJECT_BINARY_DIR}/oddityConfigVersion.cmake DESTINATION ${package})
 
-# ---- the manual page and the completion, which the program writes of its own verbs and options -------------
+# ---- the manual page and the completion, which the program writes ------------------------------------------
 
 foreach(text manual completion)
   install(CODE "execute_process(COMMAND \"$<TARGET_FILE:oddity>\" --${text}
@@ -56,7 +56,7 @@ install(FILES ${PROJECT_BINARY_DIR}/manual DESTINATION ${CMAKE_INSTALL_MANDIR}/m
 install(FILES ${PROJECT_BINARY_DIR}/completion DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
   RENAME oddity)
 
-# ---- a package for Debian, of what is installed: ./oddity package -----------------------------------------
+# ---- a package for Debian of the installed files: ./oddity package ----------------------------------------
 
 if(NOT PROJECT_IS_TOP_LEVEL)
   return()
@@ -68,6 +68,6 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "solutions of Game Physics, 2nd edition, c
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "coq, libcoq-interval, libcoq-coquelicot")  # check what `oddity prove` writes
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "coq, libcoq-interval, libcoq-coquelicot")  # check the output of `oddity prove`
 set(CPACK_DEBIAN_PACKAGE_SECTION math)
 include(CPack)

@@ -1,12 +1,13 @@
-# cmake -P: writes OUT, a line for each exercise of TREE and HOMES (folders, separated by commas): its number, and a hash
-# of the compiled code that its results are made from. That is all of OBJECTS (a file with a list of object files), except
-# the exercises' own objects and those of a chapter's shared/, of which it has those of the folders that it includes; and
-# except what is no part of a run: the report's other floors, and the registers.
+# cmake -P: writes OUT, a line for each exercise of TREE and HOMES (folders, separated by commas): its number,
+# and a hash of the compiled code that its results depend on. This covers OBJECTS (a file with a list of
+# object files), with these exceptions. Of objects of exercises and of a chapter's shared/, it covers those
+# whose headers the exercise includes. It leaves out code that no run uses: the other layers of the report,
+# and the registers.
 cmake_minimum_required(VERSION 3.25)
 string(REPLACE "," ";" homes "${HOMES}")
 file(READ "${OBJECTS}" objects)
 
-# The path of a file within the tree or a home; empty: it is in neither.
+# The path of a file within the tree or a home; empty if it is in neither.
 function(within output file)
   set(${output} "" PARENT_SCOPE)
   foreach(folder IN LISTS homes TREE)
@@ -19,7 +20,7 @@ function(within output file)
   endforeach()
 endfunction()
 
-# NN_topic/MM_slug or NN_topic/shared of a path within the tree or a home; empty: it is in no such folder.
+# NN_topic/MM_slug or NN_topic/shared of a path within the tree or a home; empty if it is in no such folder.
 function(folder_of output path)
   set(${output} "" PARENT_SCOPE)
   if(path MATCHES "^chapters/([^/]+/[^/]+)/")
@@ -27,7 +28,7 @@ function(folder_of output path)
   endif()
 endfunction()
 
-# The files that a file includes: their whole paths, where they are in the tree or a home.
+# The full paths of the files that a file includes, of those in the tree or a home.
 function(files_included output file)
   cmake_path(GET file PARENT_PATH beside)
   file(READ "${file}" text)
@@ -45,7 +46,7 @@ function(files_included output file)
   set(${output} "${found}" PARENT_SCOPE)
 endfunction()
 
-# The folders of chapters whose headers these files include; of a home also by way of its headers elsewhere.
+# The folders of chapters whose headers these files include; in a home also through its headers elsewhere.
 function(folders_included output)
   set(queue "${ARGN}")
   set(seen "")
@@ -72,8 +73,8 @@ function(folders_included output)
   set(${output} "${found}" PARENT_SCOPE)
 endfunction()
 
-# The sources of an object, several where they are compiled together: their paths within the tree, behind "own:" within a
-# home; else what is known of them.
+# The sources of an object; several if they are compiled together. Paths are within the tree, or within a home
+# with "own:" before them; otherwise as much of the path as is known.
 function(sources_of output object)
   string(REGEX REPLACE "[.]o(bj)?$" "" source "${object}")
   set(found "")
@@ -87,7 +88,7 @@ function(sources_of output object)
   else()
     cmake_path(NORMAL_PATH source)
     string(REGEX REPLACE "^.*/CMakeFiles/[^/]+[.]dir/" "" found "${source}")
-    foreach(file IN ITEMS "/${found}" "${TREE}/${found}")  # a home's
+    foreach(file IN ITEMS "/${found}" "${TREE}/${found}")  # a source of a home
       within(inside "${file}")
       if(inside AND NOT inside STREQUAL found AND EXISTS "${file}")
         set(found "own:${inside}")
@@ -98,7 +99,7 @@ function(sources_of output object)
   set(${output} "${found}" PARENT_SCOPE)
 endfunction()
 
-# ---- each object's hash, where it counts -------------------------------------------------------------------
+# ---- hashes of the objects ---------------------------------------------------------------------------------
 
 set(of_all "")
 set(of_own_makers "")
@@ -109,7 +110,7 @@ foreach(object IN LISTS objects)
     continue()
   endif()
   set(folders "")
-  set(runs OFF)  # of what is always part of a run
+  set(runs OFF)  # whether a source is part of every run
   foreach(source IN LISTS sources)
     set(is_own OFF)
     if(source MATCHES "^own:(.*)")
@@ -122,7 +123,7 @@ foreach(object IN LISTS objects)
     elseif(is_own AND source MATCHES "^reference/make/")
       list(APPEND folders makers)
       if(source MATCHES "/([0-9][0-9])_([0-9][0-9])_[^/]*$")
-        # For an exercise of the tree.
+        # A generator for an exercise of the tree.
         set(exercise "")
         foreach(home IN LISTS homes)
           file(GLOB found "${home}/chapters/${CMAKE_MATCH_1}_*/${CMAKE_MATCH_2}_*/exercise.cpp")
@@ -144,7 +145,7 @@ foreach(object IN LISTS objects)
   endforeach()
 endforeach()
 
-# ---- who includes whom -------------------------------------------------------------------------------------
+# ---- includes of the folders -------------------------------------------------------------------------------
 
 set(folders "")
 foreach(home IN LISTS TREE homes)
@@ -166,7 +167,7 @@ foreach(folder IN LISTS folders)
   folders_included(includes_${folder} ${files_${folder}})
 endforeach()
 
-# What is always part of a run includes models alone, which have no source beside them [tests/test_rooms.cpp].
+# Code that is part of every run includes only models, which have no source file [tests/test_rooms.cpp].
 file(GLOB files "${TREE}/chapters/*.[ch]pp" "${TREE}/problem/*.[ch]pp" "${TREE}/report/text/*.[ch]pp"
   "${TREE}/report/study/*.[ch]pp")
 set(by_all "")

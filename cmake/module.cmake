@@ -1,6 +1,6 @@
-# Two WebAssembly modules for the page, which the target models_module makes: models.js has the scenes' models, for the
-# players, and own.js reads and runs problems' files. Both are assets of the site. The algorithms are those of Odeint,
-# as the program has them.
+# Two WebAssembly modules for the page, made by the target models_module. models.js has the scenes' models,
+# for the players; own.js reads and runs problem files. Both are assets of the site. They have Odeint's
+# algorithms, as in the program.
 set(ODDITY_MODULE AUTO CACHE STRING "The scenes' models as WebAssembly, for the page: ON, OFF, or AUTO: where clang can")
 set_property(CACHE ODDITY_MODULE PROPERTY STRINGS AUTO ON OFF)
 if(NOT ODDITY_MODULE)
@@ -14,7 +14,7 @@ set(module ${PROJECT_BINARY_DIR}/module)
 set(wasm_flags --target=wasm32-wasi -ffp-contract=off -fno-rtti -fvisibility=hidden -mmutable-globals
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wno-missing-braces -Wno-implicit-float-conversion)
 if(WASM_CXX AND GZIP AND BASE64)
-  # With the linker, the standard library and the runtime.
+  # Tests the linker, the standard library and the runtime.
   file(CONFIGURE OUTPUT ${module}/tried.cpp CONTENT "#include <string>\nstd::string tried() { return {}; }\n")
   execute_process(COMMAND ${WASM_CXX} ${wasm_flags} -std=c++20 -mexec-model=reactor tried.cpp -o tried.wasm
     WORKING_DIRECTORY ${module} RESULT_VARIABLE wasm_fails OUTPUT_QUIET ERROR_QUIET)
@@ -30,13 +30,13 @@ if(wasm_fails)
 endif()
 message(STATUS "The scenes' models are compiled for the page by ${WASM_CXX}")
 
-# The headers of Boost without the machine's others,
+# Include folder: Boost's headers without the machine's others,
 file(MAKE_DIRECTORY ${module}/include)
 get_target_property(boost Boost::headers INTERFACE_INCLUDE_DIRECTORIES)
 file(CREATE_LINK ${boost}/boost ${module}/include/boost SYMBOLIC)
 # the numbers of unknowns,
 file(COPY ${PROJECT_BINARY_DIR}/generated/solvers/ode/unknowns.hpp DESTINATION ${module}/include/solvers/ode)
-# and a register of Odeint's algorithms and of our own that need no series.
+# and a register of Odeint's algorithms and of ours without series.
 list_algorithms(entries ${PROJECT_SOURCE_DIR}/solvers/ode/algorithms.hpp)
 set(calls "")
 set(algorithms "")
@@ -64,13 +64,13 @@ void for_each_algorithm(const F& f) {
 }  // namespace oddity::ode
 ]] @ONLY)
 
-# One's own models lie outside the tree.
+# Folders of exercises outside the tree.
 set(module_includes -I${PROJECT_SOURCE_DIR})
 foreach(home IN LISTS own_homes)
   list(APPEND module_includes -I${home})
 endforeach()
 set(module_objects "")
-# Compiles a source, with these flags, to an object of the list `objects`.
+# Compiles a source with these flags to an object, and adds it to the list `objects`.
 function(compile_to objects object source)
   add_custom_command(OUTPUT ${object}
     COMMAND ${WASM_CXX} ${wasm_flags} ${ARGN} ${module_includes}
@@ -78,7 +78,7 @@ function(compile_to objects object source)
     DEPENDS ${source} DEPFILE ${object}.d VERBATIM)
   set(${objects} ${${objects}} ${object} PARENT_SCOPE)
 endfunction()
-# Nothing in the scenes' models is caught.
+# The scenes' models catch no exceptions.
 function(compile_for_module source level standard)
   cmake_path(GET source STEM name)
   compile_to(module_objects ${module}/${name}.o ${source} -fignore-exceptions ${level} -std=${standard})
@@ -95,10 +95,10 @@ endforeach()
 foreach(file at_time exports scene)
   compile_for_module(${PROJECT_SOURCE_DIR}/report/site/module/${file}.cpp -Os c++20)
 endforeach()
-set(shared_objects ${module_objects})  # what moves a model, whatever it is
+set(shared_objects ${module_objects})  # code that steps any model
 compile_for_module(${PROJECT_SOURCE_DIR}/report/site/module/no_catch.cpp -Os c++20)
 
-# The models themselves, for speed, in as many files as compile well side by side.
+# The models themselves, for speed, in a number of files that compile well in parallel.
 add_executable(write_players report/site/module/write.cpp)
 target_link_libraries(write_players PRIVATE oddity_report)
 set(player_files "")
@@ -110,7 +110,7 @@ foreach(file IN LISTS player_files)
   compile_for_module(${file} -O3 c++20)
 endforeach()
 
-# Links these objects and options to `name`.js. What overflows the stack, which comes first, ends there.
+# Links these objects and options to `name`.js. The stack comes first in memory, so that an overflow traps.
 function(link_module name)
   set(objects ${ARGN})
   list(FILTER objects INCLUDE REGEX "[.]o$")
@@ -124,9 +124,9 @@ function(link_module name)
 endfunction()
 link_module(models ${module_objects})
 
-# ---- problems' files, for the page in which one types them --------------------------------------------------
+# ---- problem files, for the page in which users type them ---------------------------------------------------
 
-# What is wrong in a file is thrown and caught, by the instructions that browsers have for it.
+# Errors in a file are thrown and caught, by the browsers' instructions for exceptions.
 set(own ${PROJECT_SOURCE_DIR}/report/site/module/own)
 set(own_flags -fwasm-exceptions -Os -std=c++20 -include ${own}/lacking.hpp)
 file(CREATE_LINK ${TOML}/toml++ ${module}/include/toml++ SYMBOLIC)
@@ -144,7 +144,7 @@ link_module(own ${own_objects})
 
 add_custom_target(own_module ALL DEPENDS ${PROJECT_BINARY_DIR}/own.js)
 add_custom_target(models_module ALL DEPENDS ${PROJECT_BINARY_DIR}/models.js)
-add_dependencies(models_module own_module)  # whose objects it shares
+add_dependencies(models_module own_module)  # it shares that module's objects
 
 # ---- the program's trials replayed by the module ----------------------------------------------------------
 

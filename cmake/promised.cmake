@@ -1,6 +1,6 @@
-# cmake -P: refuses a file of those that FILES lists without the function that its name promises to a register: an
-# exercise.cpp its exercise_N_M(), the maker of a table its truth_NAME(). Writes OUT. Else the linker would complain, and
-# name no file.
+# cmake -P: rejects a file in FILES without the function that its name promises to a register: exercise_N_M()
+# in an exercise.cpp, truth_NAME() in a table's generator. Writes OUT. Without this check the linker would
+# fail without naming a file.
 file(READ "${FILES}" files)
 foreach(file IN LISTS files)
   if(file MATCHES "/0?([0-9]+)_[^/]*/0?([0-9]+)_[^/]*/exercise[.]cpp$")

@@ -1,7 +1,8 @@
-# Registers made from file names, so that nothing else is edited when a file is added: of exercises, makers of tables,
-# proofs, algorithms, and the numbers of unknowns that these are compiled for.
+# Registers made from file names, so that a new file needs no other edit: exercises, generators of tables,
+# proofs, algorithms, and the numbers of unknowns for which these are compiled.
 
-# The register of these exercises, as `output`. Files of the tree are within it, others have their whole paths.
+# Writes the register of these exercises to `output`. Files of the tree have relative paths, others full
+# paths.
 function(register_exercises output)
   set(exercise_declarations "")
   set(exercise_entries "")
@@ -42,7 +43,7 @@ std::span<const Entry> registry() {
 ]] @ONLY)
 endfunction()
 
-# The register of these makers of tables, as `output`.
+# Writes the register of these generators of tables to `output`.
 function(register_truths output)
   set(truth_declarations "")
   set(truth_entries "")
@@ -74,7 +75,7 @@ const std::vector<Entry>& registry() {
 ]] @ONLY)
 endfunction()
 
-# The register of what is proved: each `Provables proofs_N_M() {` of these files, as `output`.
+# Writes the register of proofs to `output`: each `Provables proofs_N_M() {` of these files.
 function(register_proofs output)
   set(proof_declarations "")
   set(proof_calls "")
@@ -105,8 +106,9 @@ Provables provables() {
 ]] @ONLY)
 endfunction()
 
-# Writes files NAME_0.cpp, NAME_1.cpp ... in the folder that compile these entries F(Algorithm, header), four in each, as
-# Odeint's headers take longer to read than one of them to compile. `output` has the files, `output`_includes the headers.
+# Writes files NAME_0.cpp, NAME_1.cpp ... in the folder, each of which compiles four of these entries
+# F(Algorithm, header): reading Odeint's headers takes longer than compiling an algorithm. `output` lists the
+# files, `output`_includes the headers.
 function(write_algorithms output folder name)
   set(includes "")
   set(all "")
@@ -140,8 +142,8 @@ namespace oddity::ode {
   set(${output}_includes "${all}" PARENT_SCOPE)
 endfunction()
 
-# Of solvers/ode/algorithms.hpp: solvers/ode/all.hpp in the folder `generated`, and as `output` the files that
-# compile the algorithms.
+# Writes solvers/ode/all.hpp from solvers/ode/algorithms.hpp in the folder `generated`. `output` lists the
+# files that compile the algorithms.
 function(register_algorithms generated output)
   list_algorithms(entries ${PROJECT_SOURCE_DIR}/solvers/ode/algorithms.hpp)
   if(NOT SUNDIALS_FOUND)
@@ -153,9 +155,9 @@ function(register_algorithms generated output)
   set(${output} ${files} PARENT_SCOPE)
 endfunction()
 
-# Of the models, in these folders of chapters: solvers/ode/unknowns.hpp in the folder `generated`, the numbers of
-# unknowns that the algorithms are compiled for. Those of the solvers' tests and of problems' files, and each that a
-# State is declared with.
+# Writes solvers/ode/unknowns.hpp in the folder `generated`: the numbers of unknowns for which the algorithms
+# are compiled. These are the numbers of the solvers' tests and of problem files, and each size of a State
+# declared in these folders of chapters.
 function(register_unknowns generated)
   set(numbers 1 2 3 4 5 6 7 8 9 16 24)
   foreach(home IN LISTS ARGN)

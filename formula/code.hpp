@@ -10,12 +10,12 @@
 #include "formula/parse.hpp"
 #include "formula/tokens.hpp"
 
-/// Formulas as code: numbers that record how a language writes what is computed with them. Sums over indices,
+/// Formulas as code: a number type whose operations record their text in another language. Sums over indices,
 /// products of matrices and derivatives are written out.
 namespace oddity::formula {
 
 struct Cpp {
-  static std::string number(double);  ///< 2.0, so that 1/2 is no division of integers
+  static std::string number(double);  ///< 2.0, so that 1/2 is not a division of integers
   static std::string function(std::string_view name, const std::string& x);
   static std::string power(const std::string& x, int exponent);
   static constexpr std::string_view pi = "std::numbers::pi";
@@ -33,7 +33,7 @@ struct Coq {
   static constexpr std::string_view pi = "PI";
 };
 
-/// A term of a language. Zeros and ones that add or multiply nothing are left out.
+/// A term of a language. Omits zeros in sums and ones in products.
 template <class Language>
 class Code {
  public:
@@ -75,7 +75,7 @@ class Code {
   }
 
  private:
-  /// What binds stronger comes first.
+  /// From the strongest binding to the weakest.
   enum class Level { atom, power, sign, product, sum };
   static constexpr bool spaced = std::same_as<Language, Coq>;
 
@@ -115,7 +115,7 @@ struct Constants<Code<Language>> {
   static Code<Language> pi() { return Code<Language>::term(std::string(Language::pi)); }
 };
 
-/// A formula's components in a language. Letters that are numbers have the names given, or else their plain
+/// A formula's components in a language. Letters that are numbers have the given names, or else their plain
 /// names with _dot for a prime.
 std::string code_name(std::string_view letter);
 template <class Language>

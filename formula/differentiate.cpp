@@ -21,7 +21,7 @@ Tree function(std::string name, const Tree& x) { return made(Kind::function, {x}
 Tree one_plus(const Tree& x, char sign) { return sum({number("1"), x}, std::string("+") + sign); }
 Tree over(const Tree& a, const Tree& b) { return made(Kind::fraction, {a, b}); }
 
-/// A function's slope at x.
+/// Derivative of a function at x.
 Tree slope_of(const std::string& name, const Tree& x) {
   if (name == R"(\sin)") return function(R"(\cos)", x);
   if (name == R"(\cos)") return negative(function(R"(\sin)", x));
@@ -39,7 +39,7 @@ Tree slope_of(const std::string& name, const Tree& x) {
   return name == R"(\arccos)" ? negative(over(number("1"), root)) : over(number("1"), root);
 }
 
-/// No tree stands for zero.
+/// Derivatives of a tree. No tree means zero.
 class Derivative {
  public:
   explicit Derivative(const Slope& slope) : slope_(slope) {}
@@ -158,7 +158,7 @@ class Derivative {
     if (const Maybe slope = of(x.child(i))) return x.with_child(i, *slope);
     return std::nullopt;
   }
-  /// A component that does not change is zero of its shape.
+  /// A component with zero derivative becomes zero in its own shape.
   Maybe componentwise(const Tree& x) {
     std::vector<Tree> all;
     bool changes = false;

@@ -16,8 +16,7 @@
 
 namespace oddity::formula {
 
-/// A formula's pi and fractions for numbers that know these better than a double does. A type may specialize
-/// it.
+/// Pi and fractions for number types that have more digits than double. A type may specialize it.
 template <class T>
 struct Constants {
   static T pi() { return T(std::numbers::pi); }
@@ -29,7 +28,7 @@ struct Constants<long double> {
 
 namespace detail {
 
-/// 2.5 as 25 over 10, so that decimals are as exact as the number is.
+/// Computes 2.5 as 25 over 10, so that decimals are as exact as the number type.
 template <class T>
 T of_digits(const std::string& digits) {
   double whole = 0, power = 1;
@@ -66,8 +65,8 @@ T whole_power(const T& x, int n) {
 
 }  // namespace detail
 
-/// A function of one number by its name; the type's own, found by its arguments. Throws NoValue where it has
-/// none.
+/// A function of one number by its name; the type's own version, found by argument-dependent lookup. Throws
+/// NoValue if the type lacks it.
 template <class T>
 T function_of(std::string_view name, const T& x) {
   using std::sin, std::cos, std::tan, std::asin, std::acos, std::atan, std::sinh, std::cosh, std::tanh,
@@ -92,7 +91,7 @@ T function_of(std::string_view name, const T& x) {
   ODDITY_FUNCTION(R"(\sqrt)", sqrt)
   ODDITY_FUNCTION(R"(\abs)", abs)
 #undef ODDITY_FUNCTION
-  // By others that it has.
+  // By other functions of the type.
   if (name == R"(\tan)") return function_of(R"(\sin)", x) / function_of(R"(\cos)", x);
   if constexpr (requires { exp(x); }) {
     if (name == R"(\sinh)") return (exp(x) - exp(-x)) / T(2);
@@ -102,9 +101,9 @@ T function_of(std::string_view name, const T& x) {
   throw NoValue("this kind of number has no " + std::string(name));
 }
 
-/// A formula's value in any number type that has + - * / and functions. Integrals are by Gauss's rule, unless
-/// the type has an integral_over(f, from, to). Letters are in the order of the names that the formula was
-/// read with.
+/// A formula's value in any number type that has + - * / and functions. Integrals use Gauss's rule, unless
+/// the type has an integral_over(f, from, to). Letters are in the order of the names with which the formula
+/// was read.
 template <class T>
 class Evaluation {
  public:
@@ -223,7 +222,7 @@ class Evaluation {
     return {std::vector<T>(first, first + static_cast<std::ptrdiff_t>(size))};
   }
 
-  /// A lone 0 is zero of any kind.
+  /// A lone 0 is a zero of any shape.
   Matrix<T> of_sum(const Tree& x) {
     std::optional<Matrix<T>> total;
     for (std::size_t i = 0; i < x->children.size(); ++i) {

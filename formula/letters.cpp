@@ -12,7 +12,7 @@ using Texts = std::vector<std::string>;
 
 bool is_digit(const std::string& token) { return token.size() == 1 && token[0] >= '0' && token[0] <= '9'; }
 
-/// Whether a name of plain text may have it.
+/// Whether a plain-text name may contain c.
 bool is_in_name(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
          c == '\'' || static_cast<unsigned char>(c) >= 0x80;
@@ -24,7 +24,7 @@ Texts texts(const Tokens& tokens) {
   return all;
 }
 
-/// x as \dot x, \dot x as \ddot x; or with a prime more.
+/// Name of the rate: \dot x for x, \ddot x for \dot x; in plain text, one more prime.
 Texts rate_of(Texts letter, bool plain) {
   if (plain)
     letter.front() += "'";
@@ -35,7 +35,7 @@ Texts rate_of(Texts letter, bool plain) {
   return letter;
 }
 
-/// Compares a letter's tokens with those of the text, digits with indices.
+/// Compares a letter's tokens with those of the text, and digits with indices.
 class Comparison {
  public:
   Comparison(const Tokens& text, const std::vector<Index>& indices) : text_(text), indices_(indices) {}
@@ -56,7 +56,7 @@ class Comparison {
   const std::vector<std::pair<std::size_t, int>>& values() const { return values_; }
 
  private:
-  /// An index of the text in place of a digit, or of two in braces.
+  /// Matches an index of the text with one digit of the letter, or with two in braces.
   bool index(const Texts& letter, std::size_t& k) {
     int value = 0;
     std::size_t length = 1;
@@ -70,7 +70,7 @@ class Comparison {
       return false;
     }
     for (const Index& one : indices_) {
-      // Braces around a single index are none around a digit.
+      // Braces around a single index are ignored.
       const std::size_t n = one.tokens.size();
       const bool braced = text_[at_].text == "{" && is_at(one, at_ + 1) && at_ + n + 1 < text_.size() &&
                           text_[at_ + n + 1].text == "}";

@@ -9,8 +9,8 @@
 
 namespace oddity::formula {
 
-/// A number with the size of the terms that it was added up from: the sum of their absolute values. Roundings
-/// are of this size, whatever cancels.
+/// A number with the size of its terms: the sum of their absolute values. Roundings are of this size, even if
+/// the terms cancel.
 struct Sized {
   double value = 0, size = 0;
 
@@ -29,7 +29,7 @@ struct Sized {
   friend bool operator<(Sized a, Sized b) { return a.value < b.value; }
 };
 
-/// A function grows what its argument is off by, by its slope.
+/// A function multiplies its argument's error by its slope.
 inline Sized with_slope(double value, double slope, const Sized& x) {
   return {value, std::abs(value) + std::abs(slope) * x.size};
 }

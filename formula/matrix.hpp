@@ -9,7 +9,7 @@
 
 namespace oddity::formula {
 
-/// A number, a column, a row (as x^T) or a matrix. Operations throw NoValue where shapes do not fit.
+/// A number, a column, a row (as x^T) or a matrix. Operations throw NoValue if shapes do not fit.
 template <class T>
 struct Matrix {
   std::vector<T> entries;  ///< row by row
@@ -19,7 +19,7 @@ struct Matrix {
   bool is_number() const { return entries.size() == 1; }
 };
 
-/// A letter's numbers: four or nine of them are a square matrix.
+/// A letter's numbers as a matrix: four or nine form a square one.
 template <class T>
 Matrix<T> of_letter(std::vector<T> entries) {
   const std::size_t n = entries.size();
@@ -53,7 +53,7 @@ Matrix<T> negated(Matrix<T> x) {
   return x;
 }
 
-/// Adds or subtracts what has the same shape.
+/// Adds or subtracts matrices of the same shape.
 template <class T>
 Matrix<T> added(Matrix<T> a, const Matrix<T>& b, bool subtract) {
   if (a.entries.size() != b.entries.size()) throw NoValue("a sum of different shapes");
@@ -119,7 +119,7 @@ Matrix<T> diagonal_of(const std::vector<T>& x) {
   return y;
 }
 
-/// The matrix of x times.
+/// The matrix of the cross product with x.
 template <class T>
 Matrix<T> skew_of(const std::vector<T>& x) {
   if (x.size() != 3) throw NoValue("Skew of what is not in three dimensions");
@@ -131,7 +131,7 @@ Matrix<T> unskew_of(const Matrix<T>& x) {
   return {{x.entries[7], x.entries[2], x.entries[3]}};
 }
 
-/// One above the other.
+/// a above b.
 template <class T>
 Matrix<T> stacked(const Matrix<T>& a, const Matrix<T>& b) {
   if (a.columns != b.columns) throw NoValue("rows of different lengths");
@@ -140,7 +140,7 @@ Matrix<T> stacked(const Matrix<T>& a, const Matrix<T>& b) {
   y.columns = columns;
   return y;
 }
-/// Side by side.
+/// a and b side by side.
 template <class T>
 Matrix<T> abreast(const Matrix<T>& a, const Matrix<T>& b) {
   if (a.rows() != b.rows()) throw NoValue("columns of different lengths");

@@ -12,7 +12,7 @@ namespace oddity::formula {
 
 namespace {
 
-/// Of all mutants together, which bounds their memory.
+/// Limits for all mutants together, which bound their memory.
 constexpr std::size_t most_nodes = 10'000'000, most = 20'000;
 
 std::size_t nodes_of(const Tree& x) {

@@ -13,10 +13,11 @@ struct Mutant {
   std::string change;  ///< in words: "$g$ for $m_2$", "the sign of $mg$", "$2$ dropped"
 };
 
-/// Every sign flipped; every term and factor dropped, doubled and halved; every digit one more and one less;
-/// every letter exchanged for each other in the formula, and for its rate; indices exchanged; quotients made
-/// products and turned over; powers, roots, bars and functions left out; functions exchanged for neighbours;
-/// the order of cross products and components.
+/// Mutants of a formula. Every sign is flipped. Every term and factor is dropped, doubled and halved. Every
+/// digit is raised and lowered by one. Every letter is exchanged for each other letter of the formula, and
+/// for its rate. Indices are exchanged. Quotients become products and are inverted. Powers, roots, bars and
+/// functions are left out, and functions exchanged for similar ones. The order of cross products and
+/// components is changed.
 std::vector<Mutant> mutants(const Tree&);
 
 }  // namespace oddity::formula

@@ -11,7 +11,7 @@ class NameWriter {
  public:
   virtual ~NameWriter() = default;
   std::string of(const std::string& name);
-  /// What is behind a base that is printed already: _{12}''.
+  /// Prints the indices and primes behind a base that is already printed: _{12}''.
   std::string behind(const std::string& base, const std::string& scripts);
 
  protected:

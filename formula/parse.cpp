@@ -25,7 +25,7 @@ bool among(std::string_view token, std::initializer_list<std::string_view> all) 
 }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// The index that begins there in index notation, if one does: i, or j_2.
+/// The index that begins there in index notation, i or j_2; else empty.
 std::vector<std::string> index_at(const Tokens& tokens, std::size_t at) {
   const std::string& letter = tokens[at].text;
   if (!among(letter, {"i", "j", "k", "l", "m", "r", "c"})) return {};
@@ -35,7 +35,7 @@ std::vector<std::string> index_at(const Tokens& tokens, std::size_t at) {
   return {letter};
 }
 
-/// How often each index occurs in _{...} or behind _, without those that a \sum has.
+/// Counts each index in _{...} or behind _, except those of a \sum.
 std::map<std::vector<std::string>, int> indices_in(const Tokens& tokens) {
   std::map<std::vector<std::string>, int> counts;
   bool inside = false;
@@ -53,7 +53,7 @@ std::map<std::vector<std::string>, int> indices_in(const Tokens& tokens) {
   return counts;
 }
 
-/// Adds the values of an index at which the letters below have entries; false if there is no letter with it.
+/// Adds the values of an index for which the letters below have entries; false if no letter has this index.
 bool values_of_index(const Tree& tree, std::size_t slot, std::optional<std::set<int>>& all) {
   const auto place = std::ranges::find(tree->slots, slot);
   bool uses = tree.kind() == Kind::index && place != tree->slots.end();
@@ -74,7 +74,7 @@ bool values_of_index(const Tree& tree, std::size_t slot, std::optional<std::set<
   return uses;
 }
 
-/// The first of the values and those that follow it without a gap.
+/// The first value and those that follow it without a gap.
 std::vector<int> run_of(const std::set<int>& values) {
   std::vector<int> run;
   for (const int value : values)
@@ -155,7 +155,7 @@ void Parser::expect(std::string_view token) {
 }
 
 std::size_t Parser::bind(std::vector<std::string> tokens) {
-  // The longest first: j_2 is not j.
+  // Longest first: j_2 is not j.
   const std::size_t slot = slots_++;
   if (slot > 40) fail("too many indices");
   const auto place =

@@ -14,7 +14,7 @@
 
 namespace oddity::formula {
 
-/// The grammar of parse.hpp, by recursive descent. shown.cpp has another reading of its letters.
+/// The grammar of parse.hpp, by recursive descent. shown.cpp reads letters in a different way.
 class Parser {
  public:
   Parser(std::string_view text, Tokens tokens, const Vocabulary& letters, bool plain)
@@ -23,13 +23,13 @@ class Parser {
 
   Tree all();
 
-  /// f_i is a vector by the one index that occurs once, or a matrix by r and c. Of a product e_{ijk}g_jf_k
-  /// each index that occurs twice is summed over 0, 1, 2.
+  /// f_i is a vector over the one index that occurs once, or a matrix over r and c. In a product
+  /// e_{ijk}g_jf_k, indices that occur twice are summed over 0, 1, 2.
   Tree in_index_notation();
 
  protected:
   [[noreturn]] void fail(std::string reason) const;
-  /// Keeps trees so low that recursion over them is safe.
+  /// Limits the height of trees, so that recursion over them is safe.
   void limit(std::size_t levels) const;
   const std::string& next(std::size_t ahead = 0) const;
   bool take(std::string_view token);
@@ -39,14 +39,14 @@ class Parser {
   void unbind(std::size_t slot);
 
   Tree sum_of_terms();
-  /// Zero where there is none. Where both are written a letter says which.
+  /// The sign here, or zero. For \pm, a letter chooses.
   virtual char sign();
 
-  /// u . v x w is that of u and v x w.
+  /// u . v x w is the product of u and v x w.
   Tree dot_products();
   Tree cross_products();
   Tree factors();
-  /// What joins a factor to the one before it: * or /, or zero where there is none.
+  /// The sign that joins a factor to the one before it, * or /; zero without a factor.
   virtual char joint();
   virtual bool begins_factor() const;
   virtual bool begins_function() const;
@@ -54,19 +54,19 @@ class Parser {
   Tree power();
   virtual Tree base_with_powers();
 
-  /// \sin^2 x is (\sin x)^2, and \sin^{-1} x the inverse function's.
+  /// \sin^2 x is (\sin x)^2, and \sin^{-1} x is the inverse function.
   virtual Tree of_function();
-  /// \sin\omega t, and up to where something else begins.
+  /// Reads the argument of \sin\omega t, up to the next term, function or other end.
   Tree argument_of_function();
 
-  /// \sum_i m_ix_i, or \sum m_ix_i, is over all that there are letters of, and of one product.
+  /// Reads \sum_i m_ix_i, or \sum m_ix_i: over all values that the letters have, of one product.
   Tree sum_over_index();
   std::string first_index() const;
-  /// Of all that follows. \sigma(k) is the k-th, and \varepsilon_\sigma -1 where an odd number of pairs is
-  /// out of order.
+  /// Reads a sum over permutations, of all factors that follow. \sigma(k) is the k-th element, and
+  /// \varepsilon_\sigma is -1 if an odd number of pairs is out of order.
   Tree sum_over_permutations();
 
-  /// What stands behind \frac, \sqrt and ^: a group, or one token.
+  /// The argument of \frac, \sqrt or ^: a group, or one token.
   virtual Tree argument();
   std::string first_digit();
 
@@ -76,28 +76,28 @@ class Parser {
 
   virtual Tree base();
   Tree numeral();
-  /// Names the letter, and others that are known.
+  /// Throws with the unknown letter and similar known ones.
   [[noreturn]] void unknown() const;
   Tree between_bars();
-  /// A sum, or several with commas between them: a tuple; with semicolons between rows.
+  /// A sum, or a tuple of sums with commas between them, and semicolons between rows.
   virtual Tree closed_by(std::string_view end);
   /// \max(a,b), and in plain text dot(a, b).
   Tree of_all(Kind kind);
 
-  /// Up to \end{pmatrix}, of numbers, columns or matrices.
+  /// Reads up to \end{pmatrix}: numbers, columns or matrices.
   Tree matrix();
   Tree row();
 
-  /// Of what follows, along the rates of its letters.
+  /// The time derivative of the next factor, along the rates of its letters.
   Tree time_derivative();
 
-  /// \int_0^T f\,dt.
+  /// Reads \int_0^T f\,dt.
   Tree integral();
-  /// The \, before the differential, but of integrals within this one.
+  /// The \, before the differential, skipping integrals within this one.
   std::size_t end_of_integrand() const;
-  /// The sum that ends there.
+  /// Reads the sum that ends there.
   Tree up_to(std::size_t end);
-  /// \int f\,ds, by the nodes that ds has weights of.
+  /// Reads \int f\,ds, over the nodes for which ds has weights.
   Tree along_curve();
 
   std::string_view text_;

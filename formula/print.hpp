@@ -6,22 +6,22 @@
 
 namespace oddity::formula {
 
-/// A formula as a page has it, with the parentheses that it needs. parse_tex() reads the same tree's value.
+/// A formula in TeX, with the parentheses that it needs. parse_tex() reads a tree of the same value.
 std::string tex(const Tree&);
-/// As one types it. parse_plain() reads it where it has no sums over indices, integrals or matrices.
+/// The formula as typed text. parse_plain() reads it unless it has sums over indices, integrals or matrices.
 std::string plain(const Tree&);
 /// Presentation MathML, without the <math> around it.
 std::string mathml(const Tree&);
-/// In pieces, each in its own <math>, between which a line may end: before relations and signs, and after
-/// commas, of what is long.
+/// MathML in pieces, each in its own <math>, between which a line may break: before relations and signs, and
+/// after commas, of long formulas.
 std::string mathml_in_pieces(const Tree&);
-/// What stands around the places of Kind::marked.
+/// Text before and after the places of Kind::marked.
 struct Marks {
   std::string begin, end;
 };
-/// In Unicode's signs, as a terminal shows it: θ'² ≤ (1/2)√(g/L).
+/// In Unicode, as a terminal shows it: θ'² ≤ (1/2)√(g/L).
 std::string unicode(const Tree&, const Marks& = {});
-/// A formula that is shown with each operand in brackets of its own, as the grammar reads it: a/bc as (a/b)c.
+/// The shown formula with brackets around each operand, as the grammar reads it: a/bc as (a/b)c.
 Tree with_all_brackets(const Tree&);
 
 }  // namespace oddity::formula

@@ -25,7 +25,7 @@ std::string escaped(const std::string& text) {
   return all;
 }
 
-/// Elements at the top of a text of MathML.
+/// Number of top-level elements in a text of MathML.
 std::size_t count_of(const std::string& inside) {
   std::size_t count = 0;
   int depth = 0;
@@ -37,10 +37,10 @@ std::size_t count_of(const std::string& inside) {
     }
   return count;
 }
-/// One element, where an element has a fixed number of them.
+/// Combines the elements into one, for parents with a fixed number of children.
 std::string single(const std::string& inside) { return count_of(inside) == 1 ? inside : tag("mrow", inside); }
 
-/// Where the last of these elements begins.
+/// Position of the last of these elements.
 std::size_t last_of(const std::string& inside) {
   std::size_t last = 0;
   int depth = 0;
@@ -52,7 +52,7 @@ std::size_t last_of(const std::string& inside) {
     }
   return last;
 }
-/// An exponent is of the last element, as of a closing bracket. Behind an index it is above that.
+/// Attaches the exponent to the last element, such as a closing bracket; behind an index, above it.
 std::string raised(const std::string& base, const std::string& exponent) {
   const std::size_t last = last_of(base);
   const std::string own = base.substr(last);
@@ -61,23 +61,23 @@ std::string raised(const std::string& base, const std::string& exponent) {
   return base.substr(0, last) + tag("msup", own + exponent);
 }
 
-/// What its brackets grow with.
+/// Whether brackets around it have to grow.
 bool is_tall(const std::string& inside) {
   return std::ranges::any_of(std::array{"<mfrac", "<mtable"},
                              [&](const char* what) { return inside.find(what) != std::string::npos; });
 }
-/// What grows is told by its place, first or last in a row, whether it opens.
+/// A bracket that grows is an operator, which opens as the first of its row and closes as the last.
 std::string bracket(const std::string& sign, bool tall) { return tag(tall ? "mo" : "mi", sign); }
 
 std::string shown(const std::string& command) {
-  // The two phis are two letters.
+  // The two forms of phi (and epsilon) are different letters.
   if (command == R"(\phi)") return "ϕ";
   if (command == R"(\epsilon)") return "ϵ";
   const Sign* sign = sign_of(command);
   return escaped(sign ? std::string(sign->shown) : command.starts_with('\\') ? command.substr(1) : command);
 }
 
-/// Bold letters are characters of their own.
+/// Bold letters are separate characters.
 std::string in_font(const std::string& letter, const std::string& font) {
   const char32_t c = code_point(letter);
   if (font != R"(\mathbf)" && font != R"(\boldsymbol)") return letter;
@@ -93,7 +93,7 @@ std::string in_font(const std::string& letter, const std::string& font) {
   return letter;
 }
 
-/// Of letters without a font.
+/// Whether a letter without a font is upright.
 bool is_upright(const std::string& token) {
   return token == R"(\partial)" || token == R"(\nabla)" || token == R"(\ell)" ||
          (token.size() > 1 && token[1] >= 'A' && token[1] <= 'Z');
@@ -160,7 +160,7 @@ class MathMl : public Writer {
                                                   : name;
     return prefix ? "<mo form=\"prefix\">" + own + "</mo>" : tag("mo", own);
   }
-  /// The name of a function has a thin space before it.
+  /// Puts a thin space before the name of a function.
   std::string side_by_side(const std::string& left, const std::string& right) override {
     const bool function = right.starts_with("<mi>\u2061") || right.starts_with("<msup><mi>\u2061");
     return left + (function ? thin : "") + right;
@@ -178,7 +178,7 @@ class MathMl : public Writer {
     return raised(base, single(of(exponent)));
   }
   std::string transposed(const std::string& base) override { return raised(base, tag("mi", "T")); }
-  /// A mark that is not seen tells the name of a function from a letter.
+  /// An invisible mark distinguishes the name of a function from a letter.
   std::string function(const std::string& name, const std::string& exponent, const Tree& x) override {
     const bool apart =
         exponent.empty() && is_plain_argument(x) && x.kind() != Kind::group && x.kind() != Kind::nothing;
@@ -273,8 +273,8 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
     text.replace(at, from.size(), to);
 }
 
-/// Shorter, and without the marks of functions: a name has its spaces, brackets and texts side by side are
-/// one, and what is first in a row is a prefix anyway.
+/// Shortens the text and removes the marks of functions. A name gets its spaces, adjacent brackets and texts
+/// are merged, and the first sign in a row is a prefix anyway.
 std::string finished(std::string text) {
   replace_all(text, "<mtext>\u2009</mtext><mi>\u2061", "<mi>\u2009");
   replace_all(text, "\u2061", "");

@@ -92,7 +92,7 @@ class Plain : public Writer {
   bool fraction_is_factor() const override { return false; }
 
  public:
-  /// A sign that begins a sum has no spaces.
+  /// Removes the spaces around a sign that begins a sum.
   static std::string trimmed(std::string text) {
     if (text.starts_with(" - ")) text = "-" + text.substr(3);
     return text;
@@ -103,7 +103,7 @@ class Plain : public Writer {
 
 std::string plain(const Tree& x) {
   std::string text = Plain().of(x);
-  // Signs behind a bracket or a comma begin a sum as well.
+  // Signs after a bracket or a comma begin a sum as well.
   for (const char* const before : {"( - ", ", - ", "; - "})
     for (std::size_t at = text.find(before); at != std::string::npos; at = text.find(before, at + 1))
       text.replace(at, 4, std::string(before).substr(0, before[0] == '(' ? 1 : 2) + "-");

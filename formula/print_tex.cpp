@@ -8,7 +8,7 @@ namespace {
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// Whether a text ends with a command, to which a letter would belong.
+/// Whether a text ends with a command, which a following letter would extend.
 bool ends_in_command(const std::string& text) {
   std::size_t n = text.size();
   while (n > 0 && is_letter(text[n - 1])) --n;

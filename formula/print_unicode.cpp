@@ -10,16 +10,17 @@ namespace oddity::formula {
 
 namespace {
 
-/// Where a word needs a space beside letters, and where an index ends, behind which a letter needs one.
+/// Marks a place where a word needs a space next to letters, and the end of an index, after which a letter
+/// needs one.
 constexpr char beside_word = '\x01', behind_index = '\x02';
-/// Around what differs.
+/// Marks around a difference.
 constexpr char differs = '\x03', differs_no_more = '\x04';
 
 bool is_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || static_cast<unsigned char>(c) >= 0x80;
 }
 
-/// In raised or lowered signs, where there is one for each; else empty.
+/// The text in raised or lowered characters; empty if one is missing.
 std::string in_signs(const std::string& text, const std::string& from, const std::vector<std::string>& to) {
   std::string all;
   for (const char c : text) {
@@ -98,7 +99,7 @@ class Unicode : public Writer {
                 ? of(below)
                 : written(below, below.kind() == Kind::function ? Level::base : Level::factor));
   }
-  /// dt, \partial\dot q.
+  /// Whether x is a differential: dt, \partial\dot q.
   static bool is_differential(const Tree& x) {
     return x.kind() == Kind::product && x->children.size() == 2 && x.child(0).kind() == Kind::letter &&
            (x.child(0)->text == "d" || x.child(0)->text == R"(\partial)") &&
@@ -222,7 +223,7 @@ std::string unicode(const Tree& x, const Marks& marks) {
 
 namespace {
 
-/// A letter with what it is of: W(T), K(m,n).
+/// Whether a letter and a group form a function's value: W(T), K(m,n).
 bool is_value_at(const Tree& letter, const Tree& group) {
   if (letter.kind() != Kind::letter || group.kind() != Kind::group) return false;
   const Tree& inside = group.child(0);
@@ -234,7 +235,7 @@ Tree grouped(Tree x) { return made(Kind::group, {std::move(x)}, "( )"); }
 
 Tree as_operand(const Tree& x);
 
-/// From left to right: a/bc is (a/b)c.
+/// Groups factors from left to right: a/bc is (a/b)c.
 Tree read_product(const Tree& x) {
   std::vector<Tree> factors;
   std::string marks;

@@ -10,11 +10,11 @@ namespace oddity::formula {
 
 class Vocabulary;
 
-/// Reads many texts in the same letters, by parse_plain(). The letters' names are sorted out once.
+/// Reads many texts in the same letters, by parse_plain(). Prepares the letters' names once.
 class PlainReader {
  public:
   explicit PlainReader(const Names&);
-  std::size_t letters() const;  ///< how many
+  std::size_t letters() const;  ///< number of letters
   Tree operator()(std::string_view text) const;
 
  private:

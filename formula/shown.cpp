@@ -44,7 +44,7 @@ class ShownParser : public Parser {
   }
 
  private:
-  /// Sides, relations and commas, up to what closes them.
+  /// Reads sides, relations and commas, up to a closing token.
   Tree line() {
     limit(++depth_);
     std::vector<Tree> parts;
@@ -69,7 +69,7 @@ class ShownParser : public Parser {
     if (text == "," && space_before()) text += " ";
     return made(Kind::sign, {}, std::move(text));
   }
-  /// Whether TeX has a space there that it prints.
+  /// Whether TeX prints a space there.
   bool space_before() const {
     if (at_ == 0 || at_ >= tokens_.size()) return false;
     const std::size_t begin = tokens_[at_ - 1].end;
@@ -127,7 +127,7 @@ class ShownParser : public Parser {
                                                         : made(Kind::nothing, {}));
     return made(Kind::function, std::move(children), std::move(name));
   }
-  /// A group, a number's first digit, or one letter without what stands behind it.
+  /// Reads a group, a number's first digit, or one letter without its scripts.
   Tree argument() override {
     const std::string token = next();
     if (take("{")) return closed_by("}");
@@ -141,7 +141,7 @@ class ShownParser : public Parser {
     return base();
   }
 
-  /// Where a letter, an accent with what it is over, or a group ends; `at` itself where there is none.
+  /// End of a letter, an accent with its base, or a group; else `at` itself.
   std::size_t end_of_atom(std::size_t at) const {
     if (at >= tokens_.size()) return at;
     const std::string& token = tokens_[at].text;
@@ -241,7 +241,7 @@ class ShownParser : public Parser {
     expect("]");
     return made(Kind::root, {argument(), degree});
   }
-  /// \sum_{k\le n}^m.
+  /// Reads \sum_{k\le n}^m.
   Tree large() {
     std::string name = next();
     ++at_;
@@ -258,7 +258,7 @@ class ShownParser : public Parser {
     }
     return made(Kind::large, std::move(limits), std::move(name));
   }
-  /// A name, or a unit as kg m^2/s.
+  /// Reads a name, or a unit such as kg m^2/s.
   Tree upright() {
     if (next() != "{") {
       std::string text = next();
@@ -276,7 +276,7 @@ class ShownParser : public Parser {
     }
     return made(Kind::words, {closed_by("}")});
   }
-  /// With their spaces.
+  /// Reads words with their spaces.
   Tree words() {
     if (next() != "{") return made(Kind::words, {argument()});
     const std::size_t begin = tokens_[at_].end, end = end_of_atom(at_);
@@ -311,7 +311,7 @@ using Pair = std::pair<Tree, Tree>;
 
 Tree marked(Tree x, std::string what = "") { return made(Kind::marked, {std::move(x)}, std::move(what)); }
 
-/// A list's children, or a single one. What joins a factor to the one before it belongs to it.
+/// A list's children, or a single one. The sign that joins a factor to the one before it belongs to it.
 struct Items {
   Items(const Tree& x, Kind kind) {
     const bool whole = x.kind() == kind;
@@ -331,7 +331,7 @@ struct Items {
 
 Pair compared(const Tree& a, const Tree& b);
 
-/// Marks the signs of two terms where they differ.
+/// Marks the signs of two terms if they differ.
 void compare_signs(Items& a, std::size_t i, Items& b, std::size_t j, Kind kind) {
   if (kind != Kind::sum || a.marks[i] == b.marks[j]) return;
   a.trees[i] = marked(a.trees[i], "sign");
@@ -354,7 +354,7 @@ void compare_between(Items& a, std::size_t a0, std::size_t a1, Items& b, std::si
   }
 }
 
-/// What both have in the same order stays.
+/// Does not mark the longest common subsequence.
 Pair compared_lists(const Tree& left, const Tree& right, Kind kind) {
   Items a(left, kind), b(right, kind);
   const std::size_t n = a.trees.size(), m = b.trees.size();

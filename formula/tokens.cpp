@@ -30,7 +30,7 @@ std::size_t length_of_number(std::string_view text) {
   return n;
 }
 
-/// Commands that only move or stretch, but for the space that ends a function's argument.
+/// Commands that only move or stretch, except the space that ends a function's argument.
 bool says_nothing(std::string_view token) {
   return among(token, {R"(\left)",  R"(\right)", R"(\bigl)",         R"(\bigr)",   R"(\Bigl)",  R"(\Bigr)",
                        R"(\big)",   R"(\Big)",   R"(\bigg)",         R"(\Bigg)",   R"(\biggl)", R"(\biggr)",
@@ -38,7 +38,7 @@ bool says_nothing(std::string_view token) {
                        R"(\;)",     R"(\:)",     R"(\quad)",         R"(\qquad)"});
 }
 
-/// {x} as x, but {15}, of which a fraction would take the 1.
+/// Replaces {x} by x, but not {15}, of which a fraction would take only the 1.
 Tokens without_single_groups(const Tokens& tokens) {
   Tokens kept;
   for (const Token& token : tokens) {

@@ -6,7 +6,7 @@ namespace oddity::formula {
 
 namespace {
 
-/// The place's surroundings in one line, and a caret below it.
+/// The text around the place in one line, and a caret below it.
 std::string shown(std::string_view text, std::size_t place, const std::string& reason) {
   constexpr std::size_t before = 60, after = 30;
   const std::size_t begin = place > before ? place - before : 0;

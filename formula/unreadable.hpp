@@ -7,12 +7,12 @@
 
 namespace oddity::formula {
 
-/// A text that is no formula of the letters given. what() shows the text and, by a caret, the place.
+/// A text that is not a formula in the given letters. what() returns the text with a caret under the place.
 class Unreadable : public std::invalid_argument {
  public:
   Unreadable(std::string_view text, std::size_t place, std::string reason);
 
-  std::size_t place() const { return place_; }  ///< in bytes from the beginning
+  std::size_t place() const { return place_; }  ///< byte offset
   const std::string& reason() const { return reason_; }
 
  private:
@@ -20,7 +20,7 @@ class Unreadable : public std::invalid_argument {
   std::string reason_;
 };
 
-/// A formula that has no value: shapes that do not fit, or a number type that lacks a function.
+/// A formula without a value: shapes that do not fit, or a number type that lacks a function.
 class NoValue : public std::domain_error {
  public:
   using std::domain_error::domain_error;

@@ -71,7 +71,7 @@ std::string Writer::sum(const Tree& x) {
   return all;
 }
 
-/// A sum over an index takes all that follows it, and a function does so as well.
+/// A sum over an index takes everything that follows it, as does a function.
 std::string Writer::product(const Tree& x) {
   std::string all;
   const std::size_t n = x->children.size();
@@ -120,7 +120,7 @@ std::string Writer::bare(const Tree& x) {
     case Kind::fraction:
       return fraction(x.child(0), x.child(1));
     case Kind::power:
-      // \sin^{-1} is another function.
+      // \sin^{-1} is a different function.
       if (x.child(0).kind() == Kind::function && x.child(1).kind() != Kind::sum)
         return function(x.child(0)->text, of(x.child(1)), x.child(0).child(0));
       return power(written(x.child(0), Level::base), x.child(1));
@@ -152,7 +152,7 @@ std::string Writer::bare(const Tree& x) {
     case Kind::unskew:
       return named("Unskew", of(x.child(0)));
     case Kind::sum_over:
-      // Summed over 0, 1, 2 without a sign of it, in index notation.
+      // In index notation, a sum over 0, 1, 2 without a sign.
       return x->text.empty() ? bare(x.child(0))
                              : sum_over(x->text, x->children.size() > 1 ? of(x.child(1)) : "",
                                         written(x.child(0), Level::product));

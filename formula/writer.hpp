@@ -7,20 +7,21 @@
 
 namespace oddity::formula {
 
-/// Prints a tree from its parts in one notation. What binds weaker than its place is put in parentheses.
+/// Prints a tree from its parts in one notation. Puts parentheses around parts that bind weaker than their
+/// place.
 class Writer {
  public:
   virtual ~Writer() = default;
   std::string of(const Tree& x) { return written(x, Level::sum); }
 
  protected:
-  /// What binds weaker comes first.
+  /// From the weakest binding to the strongest.
   enum class Level { sum, cross, product, factor, base };
   using Parts = std::vector<std::string>;
 
   virtual std::string number(const std::string& digits) = 0;
   virtual std::string letter(const std::string& name) = 0;
-  /// pm, mp, dot, cross, pi, comma, semicolon, or a sign itself. `prefix` is one that begins a sum.
+  /// pm, mp, dot, cross, pi, comma, semicolon, or a sign itself. `prefix`: it begins a sum.
   virtual std::string sign(const std::string& name, bool prefix = false) = 0;
   virtual std::string side_by_side(const std::string& left, const std::string& right) = 0;
   virtual std::string apart(const std::string& left, const std::string& right) { return left + " " + right; }
@@ -31,7 +32,7 @@ class Writer {
   virtual std::string function(const std::string& name, const std::string& exponent, const Tree& x) = 0;
   /// `degree` is empty for a square root.
   virtual std::string root(const Tree& x, const std::string& degree) = 0;
-  /// Double bars where `twice`.
+  /// Double bars if `twice`.
   virtual std::string bars(const Tree& x, bool twice) = 0;
   virtual std::string parentheses(const std::string& inside) = 0;
   virtual std::string matrix(const std::vector<Parts>& rows, const std::string& environment) = 0;
@@ -41,7 +42,7 @@ class Writer {
   virtual std::string integral(const Tree& x) = 0;
   virtual std::string along_curve(const Tree& x) = 0;
   virtual std::string time_derivative(const std::string& x) = 0;
-  // Of what is only shown. Commands are TeX's.
+  // For shown formulas only. Commands are TeX's.
   virtual std::string brackets(const std::string& opening, const std::string& inside,
                                const std::string& closing) = 0;
   virtual std::string indexed(const std::string& base, const std::string& scripts) = 0;
@@ -55,9 +56,9 @@ class Writer {
   virtual bool fraction_is_factor() const = 0;
 
   std::string written(const Tree& x, Level place);
-  /// Whether a function of it needs no brackets of its own: \sin\omega t, and what is in brackets.
+  /// Whether a function needs no brackets around it: \sin\omega t, or arguments in brackets.
   static bool is_plain_argument(const Tree& x);
-  /// A sign of a sum before a term, which may be the place that differs.
+  /// The sign before a term of a sum, which may be marked as different.
   std::string sign_of_term(const Tree& sum, std::size_t term);
   std::string term(const Tree& x);
 

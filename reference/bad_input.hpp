@@ -4,13 +4,13 @@
 
 namespace oddity {
 
-/// What was given cannot be used, or the result cannot be put where it was asked for: the message says what,
-/// where, and what would be right. Exit code 2.
+/// Input that cannot be used, or a result that cannot be written to the given place. The message states the
+/// problem, its place, and the remedy. Exit code 2.
 struct BadInput : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The time that the user gave is over.
+/// The user's time limit has passed.
 struct OutOfTime : BadInput {
   using BadInput::BadInput;
 };

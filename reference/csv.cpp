@@ -19,7 +19,7 @@ double CsvRow::number(std::size_t i) const {
 
 namespace {
 
-/// Whether a quotation mark is left open, which Boost's tokenizer does not mind.
+/// Whether a quotation mark is left open, which Boost's tokenizer accepts.
 bool quote_is_open(const std::string& line) {
   bool open = false;
   for (std::size_t i = 0; i < line.size(); ++i) {

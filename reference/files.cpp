@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What the system says of its last failure.
+/// The system's message for its last failure.
 std::string last_failure() { return std::error_code(errno, std::generic_category()).message(); }
 
 [[noreturn]] void refuse(const fs::path& file, const std::string& why) {
@@ -36,7 +36,7 @@ void require(bool written, const fs::path& file) {
   if (!written) refuse(file, last_failure());
 }
 
-/// An open file, closed with this.
+/// An open file, closed by the destructor.
 class Descriptor {
  public:
   explicit Descriptor(int number) : number_(number) {}
@@ -65,7 +65,7 @@ std::string target_of(int link) {
   return target;
 }
 
-/// What of the folder's path is still to be gone, the last first.
+/// Adds the steps of the folder's path, last first.
 void add_steps(std::vector<std::string>& ahead, const fs::path& path) {
   std::vector<std::string> steps;
   for (const fs::path& step : path.relative_path())
@@ -75,8 +75,8 @@ void add_steps(std::vector<std::string>& ahead, const fs::path& path) {
 
 constexpr int any_step = O_PATH | O_NOFOLLOW | O_CLOEXEC;
 
-/// The folder, opened, and made where it is not there. Each step is taken from the folder before, and through
-/// a link only where root or this user made it: nobody else leads what is written elsewhere.
+/// Opens the folder, and creates it if it is missing. Each step starts from the previous folder. Links are
+/// followed only if root or this user made them, so that nobody else can redirect output.
 Descriptor opened_folder(const fs::path& folder) {
   const auto start = [](const fs::path& path) { return open(path.is_absolute() ? "/" : ".", any_step); };
   Descriptor at(start(folder));
@@ -105,7 +105,7 @@ Descriptor opened_folder(const fs::path& folder) {
   return at;
 }
 
-/// Once in a run.
+/// Removes leftovers once per run.
 void tidy(const fs::path& folder, int opened) {
   static std::mutex alone;
   static std::set<fs::path> tidied;
@@ -113,8 +113,9 @@ void tidy(const fs::path& folder, int opened) {
   if (tidied.insert(folder).second) remove_leftovers(opened);
 }
 
-/// Where a file is to be: its folder, which is made, and its name. Throws BadInput when that cannot be, or
-/// when something else than a file has the name. A link that has it is replaced, and never followed.
+/// Place of a file to be written: its folder, which is created, and its name. Throws BadInput if that is
+/// impossible, or if the name belongs to something other than a file. A link of this name is replaced, never
+/// followed.
 struct Place {
   explicit Place(const fs::path& file)
       : folder(opened_folder(file.parent_path())), name(file.filename().string()) {
@@ -138,7 +139,7 @@ bool took_all(int descriptor, std::string_view text) {
     if (written < 0 && errno != EINTR) return false;
     text.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
   }
-  const int other = dup(descriptor);  // a disk on the net may say only as a file is closed that it is full
+  const int other = dup(descriptor);  // a network disk may report only on closing a file that it is full
   return other >= 0 && close(other) == 0;
 }
 
@@ -203,7 +204,7 @@ void write_sealed(const fs::path& file, const std::string& text) {
 void keep_sealed(const fs::path& file, const std::string& text) {
   try {
     write_sealed(file, text);
-  } catch (const BadInput&) {  // it will be made again
+  } catch (const BadInput&) {  // it will be computed again
   }
 }
 
@@ -211,11 +212,11 @@ std::optional<std::string> read_sealed(const fs::path& file, Whose whose) {
   std::string all;
   try {
     all = text_of(file, most_read, O_NOFOLLOW, whose);
-  } catch (const BadInput&) {  // it will be made again
+  } catch (const BadInput&) {  // it will be computed again
     return {};
   }
   if (all.size() < 2 || all.back() != '\n') return {};
-  const std::size_t seal = all.rfind('\n', all.size() - 2) + 1;  // 0 where there is one line alone
+  const std::size_t seal = all.rfind('\n', all.size() - 2) + 1;  // 0 for a single line
   const std::string text = all.substr(0, seal);
   if (all.substr(seal) != checksum(text) + "\n") return {};
   return text;
@@ -237,7 +238,7 @@ void write_to_device(const fs::path& path, const std::string& text) {
 }
 
 void require_private(const fs::path& folder, const std::string& name) {
-  std::error_code cannot;  // then nothing is there, and nothing is kept
+  std::error_code cannot;  // then the folder is missing, and nothing is cached
   fs::create_directories(folder.parent_path(), cannot);
   mkdir(folder.c_str(), 0700);
   const Descriptor opened(open(folder.c_str(), any_step));
@@ -262,7 +263,7 @@ void take_folder(const fs::path& folder, bool over_others) {
   require_writable(mark);
   try {
     if (read_whole(mark) == text) return;
-  } catch (const BadInput&) {  // it is not there
+  } catch (const BadInput&) {  // the mark is missing
   }
   for (const auto& entry : fs::directory_iterator(folder))
     if (const std::string name = entry.path().filename(); !over_others && !name.starts_with(".oddity"))

@@ -14,7 +14,7 @@ namespace oddity {
 
 namespace {
 
-/// What the tick throws is not the routes'.
+/// An exception of the tick, as opposed to one of the routes.
 struct Ended {
   std::exception_ptr by;
 };
@@ -30,7 +30,7 @@ truth::Tick watched(const std::function<void(double)>& tick) {
   };
 }
 
-/// By the first route alone, time after time.
+/// Values by the first route alone, one time after another.
 truth::Numbers by_first_route(const truth::Truth& table, std::vector<double> inputs,
                               const std::vector<double>& times, int digits, const truth::Tick& tick) {
   truth::Motions motions(tick);
@@ -44,9 +44,9 @@ truth::Numbers by_first_route(const truth::Truth& table, std::vector<double> inp
   return all;
 }
 
-/// Up to each time. Where roundings grow, the second route's may be a thousand times the first's. That of the
-/// start is the same in all repeats, and one step's no smaller: of 100 chaotic chains none was off by
-/// more than 0.7 of what six repeats are.
+/// Error bound up to each time. If roundings grow, the second route's may be a thousand times the first's.
+/// The start's rounding is the same in all repeats, and no larger than that of one step. Of 100 chaotic
+/// chains none was off by more than 0.7 of the spread of six repeats.
 truth::Numbers error_by_repeats(const truth::Truth& table, const std::vector<double>& inputs,
                                 const std::vector<double>& times, const truth::Tick& tick,
                                 const truth::Numbers& value) {
@@ -69,7 +69,7 @@ truth::Numbers error_by_repeats(const truth::Truth& table, const std::vector<dou
   return error_until;
 }
 
-/// As long as both routes tell one motion.
+/// Lowers the bounds for times at which both routes still agree on the motion.
 void bound_by_repeats(truth::Made& made, const truth::Numbers& error_until) {
   const truth::Number one_motion = 1e-2L * truth::size_of(made.value);
   for (std::size_t k = 0; k < error_until.size(); ++k)

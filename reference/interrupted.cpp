@@ -38,7 +38,7 @@ struct Name {
   bool operator==(const Name&) const = default;
 };
 
-/// Files and programs at work. Never destroyed: an interruption may come when the program ends.
+/// Unfinished files and running programs. Never destroyed: an interruption may come while the program ends.
 struct Register {
   std::atomic_flag busy = ATOMIC_FLAG_INIT;
   std::vector<Name> files;
@@ -49,7 +49,7 @@ Register& at_work() {
   return all;
 }
 
-/// The bits that files made by this run do not get.
+/// Mode bits that new files do not get.
 const mode_t mask = [] {
   const mode_t bits = umask(0);
   umask(bits);
@@ -77,7 +77,8 @@ bool is_name_of_chance(std::string_view name) {
          name.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
 
-/// The register for one thread, which no interruption stops meanwhile: its handler may wait for it.
+/// Access to the register for one thread. Blocks interruptions meanwhile, as their handler may wait for the
+/// register.
 class Access {
  public:
   Access() {
@@ -97,7 +98,7 @@ class Access {
   sigset_t before_{};
 };
 
-/// Only calls that a signal's handler may make.
+/// Makes only calls that are safe in a signal handler.
 extern "C" void tidy(int signal) {
   tidy_up();
   if (signal == SIGINT) {
@@ -116,7 +117,7 @@ extern "C" void tidy(int signal) {
 
 }  // namespace
 
-/// The register stays closed.
+/// Leaves the register locked.
 void tidy_up() {
   Register& all = at_work();
   while (all.busy.test_and_set(std::memory_order_acquire)) {
@@ -156,7 +157,7 @@ Unfinished::Unfinished(int folder) : folder_(folder) {
 
 bool Unfinished::rename(const std::string& name) {
   const Access access;
-  fchmod(descriptor_, 0666 & ~mask);  // where there are no modes, none is needed
+  fchmod(descriptor_, 0666 & ~mask);  // a file system without modes needs none
   if (renameat(folder_, name_.c_str(), folder_, name.c_str()) != 0) return false;
   std::erase(at_work().files, Name{folder_, name_.c_str()});
   finished_ = true;

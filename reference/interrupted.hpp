@@ -4,31 +4,31 @@
 
 #include <string>
 
-/// What a run that is interrupted takes with it.
+/// Cleanup after an interruption of a run.
 namespace oddity {
 
-/// From now on an interruption (SIGINT, SIGTERM, SIGHUP) ends the programs and removes the files below, and
-/// then the run, as it would have.
+/// From now on an interruption (SIGINT, SIGTERM, SIGHUP) first ends the programs below and removes the files,
+/// and then ends the run as usual.
 void tidy_when_interrupted();
 
-/// The same at once, for a run that can go no further: nothing new begins. It takes no memory.
+/// Does the same at once, for a run that cannot continue: nothing new begins. Allocates no memory.
 void tidy_up();
 
-/// A file that is written for this run alone, under a name of chance that was not there before. It is gone at
-/// the end, and when an interruption comes, unless it was renamed.
+/// A file that only this run writes, under a random name that did not exist before. It is removed at the end
+/// or by an interruption, unless it was renamed.
 class Unfinished {
  public:
-  /// Makes and opens it in the open folder, which stays open: nobody else may read or write it. Not open
-  /// where that cannot be: errno says why.
+  /// Creates and opens it in the open folder, which stays open; nobody else may read or write it. If that
+  /// fails it is not open, and errno has the reason.
   explicit Unfinished(int folder);
   Unfinished(const Unfinished&) = delete;
   Unfinished& operator=(const Unfinished&) = delete;
   ~Unfinished();
 
-  /// -1 where it is not open.
+  /// -1 if it is not open.
   int descriptor() const { return descriptor_; }
-  /// Finished, it takes this name in its folder, in place of what has it, and the mode of new files. False
-  /// where it cannot: errno says why.
+  /// Renames the finished file in its folder, replacing an existing file, and gives it the mode of new files.
+  /// False if that fails: errno has the reason.
   bool rename(const std::string& name);
 
  private:
@@ -40,11 +40,10 @@ class Unfinished {
   bool finished_ = false;
 };
 
-/// Removes from the open folder what runs of this user that were killed have left unfinished: it is a day
-/// old.
+/// Removes from the open folder unfinished files that are a day old, left by killed runs of this user.
 void remove_leftovers(int folder);
 
-/// A program that an interruption ends, before it removes the files that the program may be writing.
+/// A program that an interruption ends before it removes the files that the program may be writing.
 class Running {
  public:
   explicit Running(pid_t program);

@@ -13,7 +13,7 @@ double step_in(const CsvRow& row, std::size_t i) {
   return step;
 }
 
-/// Stars and dots, one for each of the outcomes, or nothing.
+/// Stars and dots, one for each outcome; or empty.
 std::string marks_in(const CsvRow& row, std::size_t i, const std::string& outcomes) {
   const std::string& marks = row.cells[i];
   const bool one_each = marks.size() == outcomes.size() && marks.find_first_not_of(".*") == std::string::npos;

@@ -43,7 +43,7 @@ std::string unlike(const A& stored, const B& made) {
   return text.str();
 }
 
-/// The inputs, component and unit are the maker's words.
+/// Texts from the generator: the inputs, component and unit.
 std::vector<std::string> words_of(const Truth& truth, std::size_t row, std::size_t component) {
   std::vector<std::string> words;
   for (const double input : truth.rows[row]) words.push_back(format_shortest(input));
@@ -52,9 +52,10 @@ std::vector<std::string> words_of(const Truth& truth, std::size_t row, std::size
   return words;
 }
 
-/// How far two right routes may be apart: by what so many digits leave open, or, where a table's are apart by
-/// more than its digits, by as many powers of ten more; in chaos that is no bound, and there by ten times the
-/// table's, or by 1e-10 of the size: the chaotic chain's last row is apart by 3e-12.
+/// Largest distance of two correct routes: the rounding to `digits_again` digits, or more if the table's
+/// routes differ by more than its digits. That distance grows by one power of ten for each digit less. In
+/// chaos this is no bound; there the limit is ten times the table's distance, or 1e-10 of the size. The
+/// chaotic chain's last row has 3e-12.
 Number most_apart(const Number& stored, const Number& size) {
   const Number ten = 10, in_chaos = std::max<Number>(ten * stored, size * pow(ten, -10));
   return std::max<Number>(size * pow(ten, 2 - digits_again),
@@ -74,8 +75,8 @@ void MadeAgain::make(std::size_t row) {
   }
 }
 
-/// The value agrees with the made one within both errors, of which the stored one is not the larger; and the
-/// two routes agree as far as fewer digits let them.
+/// Checks that the stored value agrees with the new one within both errors, that the stored error is not the
+/// larger one, and that the two routes agree as far as fewer digits allow.
 std::vector<std::string> MadeAgain::row_differences(const std::vector<std::string>& cells, std::size_t row,
                                                     std::size_t component) const {
   std::vector<std::string> all;

@@ -8,11 +8,11 @@
 
 namespace oddity::truth {
 
-/// A value is read as a double, of 16 digits: made again with 18 by two routes that share nothing, a wrong
-/// one differs by more than the errors. 42 digits take several times as long.
+/// A value is read as a double, of 16 digits. Computed again with 18 by two independent routes, a wrong one
+/// differs by more than the errors. 42 digits take several times as long.
 constexpr int digits_again = 18;
 
-/// A table's rows made again, by both routes.
+/// A table's rows computed again, by both routes.
 class MadeAgain {
  public:
   explicit MadeAgain(const Entry&);
@@ -20,7 +20,7 @@ class MadeAgain {
   std::size_t rows() const { return made_.size(); }
   void make(std::size_t row);
 
-  /// What is not as it is in the table's text, once every row is made; none: nothing.
+  /// Differences from the table's text, once every row is computed; empty: none.
   std::vector<std::string> differences(std::istream& stored) const;
 
  private:
@@ -30,7 +30,7 @@ class MadeAgain {
   std::string name_;
   Truth truth_;
   std::vector<Made> made_;
-  std::vector<std::string> failures_;  ///< of each row; empty: none
+  std::vector<std::string> failures_;  ///< one per row; empty: success
 };
 
 }  // namespace oddity::truth

@@ -7,21 +7,21 @@
 
 namespace oddity {
 
-/// What is on record of a claim that Coq has proved.
+/// Approved record of a claim that Coq has proved.
 struct ProvedClaim {
-  std::string hash;    ///< of the file that was checked
-  std::string proved;  ///< in words
-  double margin = 0;   ///< by which the printed value is off at the least; 0 where there is none
+  std::string hash;    ///< hash of the checked file
+  std::string proved;  ///< the proved statement in words
+  double margin = 0;   ///< lower bound of the printed value's error; 0: none
 };
-/// By claim id.
+/// Proved claims by claim id.
 using ProvedClaims = std::map<std::string, ProvedClaim, std::less<>>;
 
-/// Of a file: 64 bits by FNV-1a, the same everywhere.
+/// Hash of a file: 64 bits by FNV-1a, the same on all machines.
 std::string proof_hash(std::string_view file);
 
-/// Reads proofs.csv in `folder`. Throws BadInput naming file and line when it is missing or broken.
+/// Reads proofs.csv in `folder`. Throws BadInput with file and line if it is missing or broken.
 ProvedClaims read_proofs(const std::filesystem::path& folder);
-/// Its text.
+/// Text of proofs.csv.
 std::string proofs_csv(const ProvedClaims&);
 
 }  // namespace oddity

@@ -15,7 +15,7 @@ namespace oddity {
 
 namespace {
 
-// The double: 30deg is then the double of the tables and of pi / 6 in the code.
+// The double: 30deg then equals the double of the tables and of pi / 6 in the code.
 constexpr long double pi = std::numbers::pi;
 constexpr long double day = 86400, metres_in_au = 149597870700;
 
@@ -26,7 +26,7 @@ struct Powers {
   bool operator==(const Powers&) const = default;
 };
 
-/// How many of its base units a unit is, and the powers of those.
+/// Size of a unit in its base units, and their powers.
 struct Unit {
   long double size = 1;
   Powers powers = {};
@@ -98,7 +98,7 @@ std::optional<Unit> named(std::string_view name) {
   return std::nullopt;
 }
 
-/// Reads "AU^3/(yr^2 solar mass)": factors side by side or with '*' are multiplied, a '/' divides by the
+/// Reads "AU^3/(yr^2 solar mass)": adjacent factors, or those with '*', are multiplied; a '/' divides by the
 /// next.
 class UnitReader {
  public:
@@ -137,7 +137,7 @@ class UnitReader {
     }
   }
 
-  /// A one stands before a '/' alone, as in 1/s.
+  /// Reads a factor. A 1 is allowed only before a '/', as in 1/s.
   std::optional<Unit> factor(bool is_first) {
     if (take("(")) {
       if (++open_ > most_open) return std::nullopt;
@@ -159,7 +159,7 @@ class UnitReader {
     return name;
   }
 
-  /// 1 where none is written; it is never written.
+  /// The exponent; 1 if omitted. Rejects a written 0 or 1.
   std::optional<int> exponent() {
     if (take("²")) return 2;
     if (take("³")) return 3;
@@ -171,7 +171,7 @@ class UnitReader {
     return power != 0 && power != 1 && std::abs(power) <= 9 ? std::optional(power) : std::nullopt;
   }
 
-  static constexpr int most_open = 4;  // parentheses: so no power is beyond what an int holds
+  static constexpr int most_open = 4;  // parentheses; keeps powers within the range of int
   std::string_view left_;
   int open_ = 0;
 };
@@ -187,7 +187,7 @@ std::string fitting(std::string_view unit) {
   return names.empty() ? std::string(unit) : names;
 }
 
-/// A declared unit; nothing and "1" are those of pure numbers.
+/// A declared unit; empty and "1" mean pure numbers.
 std::optional<Unit> declared(std::string_view unit) {
   return unit.empty() || unit == "1" ? Unit() : UnitReader(unit).whole();
 }

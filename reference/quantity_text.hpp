@@ -10,25 +10,25 @@
 namespace oddity {
 
 /// The text as a number in `unit`: "0.5", "30deg", "5 us", "9.81 m/s^2", "9.81m/s2". A number without a unit
-/// is in `unit` already. Units are m, s, g, A, N, J, W, Pa, V, Ohm, H,
-/// Hz and rad with the prefixes p to G; min, h, d, yr
-/// (365.25 days), AU, deg, rpm, "solar mass", bins, %; and their products, quotients and powers. Throws
-/// BadInput, with the units that fit, when the text is no number or its unit measures something else.
+/// is in `unit` already. Units are m, s, g, A, N, J, W, Pa, V, Ohm, H, Hz and rad with the prefixes p to G;
+/// min, h, d, yr (365.25 days), AU, deg, rpm, "solar mass", bins, %; and their products, quotients and
+/// powers. Throws BadInput if the text is not a number, or, with the units that fit, if its unit measures
+/// something else.
 double in_unit(std::string_view text, std::string_view unit);
 
-/// How many of its base units a unit is, and the powers of m, s, kg, A, rad, solar mass and bins in it.
+/// Size of a unit in its base units, and the powers of m, s, kg, A, rad, solar mass and bins in it.
 struct UnitText {
   long double size;
   std::array<int, 7> powers;
 };
-/// Nothing where the text is no unit.
+/// Empty if the text is not a unit.
 std::optional<UnitText> unit_of(std::string_view text);
 
-/// Whether in_unit takes this for a unit; nothing is one of pure numbers.
+/// Whether in_unit accepts this as a unit; empty: pure numbers.
 bool is_unit(std::string_view text);
-/// The usual units that fit, by their names, and how many of `unit` each is.
+/// The usual units that fit, by their names, with the size of each in `unit`.
 std::vector<std::pair<std::string_view, double>> units_like(std::string_view unit);
-/// A text as a number and the unit behind it, which may be none. Throws BadInput when it begins with no
+/// A text as a number and the unit behind it, which may be empty. Throws BadInput if it does not begin with a
 /// number.
 struct Written {
   double number;
@@ -36,8 +36,8 @@ struct Written {
 };
 Written written(std::string_view text);
 
-/// A count as it is written: decimal digits alone, without a sign, and without a zero before others. Nothing
-/// where the text is another, or is too large.
+/// A count: decimal digits only, without a sign or a leading zero. Empty if the text is anything else, or too
+/// large.
 std::optional<int> parse_count(std::string_view text);
 
 }  // namespace oddity

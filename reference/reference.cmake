@@ -1,4 +1,5 @@
-# The tables of true values and what makes them: oddity_reference, and the program make_reference.
+# The tables of true values and the code that generates them: oddity_reference, and the program
+# make_reference.
 
 file(GLOB route_files CONFIGURE_DEPENDS reference/make/[a-z]*.cpp)
 list(REMOVE_ITEM route_files ${PROJECT_SOURCE_DIR}/reference/make/main.cpp)
@@ -7,7 +8,7 @@ set(table_files
   reference/proofs.cpp
   reference/quantity_text.cpp reference/reference.cpp
   reference/similar.cpp reference/table_text.cpp reference/truth.cpp reference/verdicts.cpp)
-# Motions that are kept from run to run are made again when a maker changes, or what runs it.
+# Cached motions are computed again if a generator changes, or the code that runs it.
 file(GLOB maker_sources CONFIGURE_DEPENDS
   reference/*.cpp reference/*.hpp reference/make/*.cpp reference/make/*.hpp)
 set(rooms_of_reference ${PROJECT_SOURCE_DIR}/reference)
@@ -26,8 +27,8 @@ compile_headers_once(oddity_reference reference/make/routes.hpp reference/make/t
 compile_files_together(oddity_reference GROUP)
 group_by_name(makers 4 ${route_files} ${truth_files})
 
-# The makers of motions, whose last input is the time, once more: in long double, and under another name. But for
-# the growth of small differences, which no less than 38 digits show.
+# The generators of motions, whose last input is the time, also in long double, under another name. Excludes
+# the growth of small differences, which needs more digits.
 set(motion_files "")
 foreach(file IN LISTS truth_files own_truths)
   file(READ ${file} text)

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The columns of a table: its inputs, then these.
+/// The columns of a table: the inputs, then the fixed ones.
 std::vector<std::string> columns_of(const truth::Truth& truth) {
   std::vector<std::string> columns = truth.inputs;
   for (const char* column : {"component", "value", "error", "bound", "unit"}) columns.emplace_back(column);
@@ -85,7 +85,7 @@ const truth::Entry* maker_of(std::string_view table) {
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
-/// Nothing is known yet: what would have to be done.
+/// No values, and the step to take as their source.
 Known without_table(std::string_view name) {
   const std::string table(name);
   return {{no_number},
@@ -102,7 +102,7 @@ std::string source_of(const truth::Truth& truth) {
   return "computed on the spot: " + truth.first_route + "; and " + truth.second_route;
 }
 
-/// "3.5" of 03_05_swing.
+/// Number of the exercise: "3.5" for 03_05_swing.
 std::string exercise_of(std::string_view table) {
   const auto number = [&](std::size_t at) {
     return format_shortest(parse_number(table.substr(at, 2)).value_or(no_number));
@@ -110,7 +110,7 @@ std::string exercise_of(std::string_view table) {
   return number(0) + "." + number(3);
 }
 
-/// Whose values are made on the spot where there is no table.
+/// Whether it belongs to a reader's own exercise, whose values are computed on demand if there is no table.
 bool of_ones_own(std::string_view table) {
   const auto number = [&](std::size_t at) {
     return static_cast<int>(parse_number(table.substr(at, 2)).value());
@@ -118,7 +118,7 @@ bool of_ones_own(std::string_view table) {
   return !is_published(number(0), number(3));
 }
 
-/// "a = 0.5, t = 1".
+/// The inputs with their names: "a = 0.5, t = 1".
 std::string named(const truth::Truth& truth, const std::vector<double>& inputs) {
   std::string all;
   for (std::size_t i = 0; i < inputs.size(); ++i)
@@ -126,7 +126,8 @@ std::string named(const truth::Truth& truth, const std::vector<double>& inputs) 
   return all;
 }
 
-/// What `make`, given a tick, makes for the table at the inputs. What the tick throws is no bad input.
+/// Value computed by `make`, which takes a tick, for the table at the inputs. Exceptions of the tick are not
+/// turned into bad input.
 template <class Make>
 Known on_the_spot(std::string_view table, const truth::Truth& truth, const std::vector<double>& inputs,
                   const truth::Tick& tick, const Make& make) {
@@ -164,16 +165,16 @@ Known on_the_spot(std::string_view table, const truth::Truth& truth, const std::
 
 namespace {
 
-/// Where the table of a maker is: in the folder, or beside the exercises of one's own.
+/// Place of a generator's table: in the folder, or next to the exercises outside the tree.
 fs::path file_of(const truth::Entry& maker, const fs::path& folder) {
   const fs::path room = maker.home.empty() ? folder : fs::path(maker.home) / "reference";
   return room / "tables" / (std::string(maker.name) + ".csv");
 }
 
-/// At how many of its times a motion's second route is compared with the first.
+/// Number of times at which a motion's second route is compared with the first.
 constexpr std::size_t compared_times = 48;
 
-/// All that a motion made on the spot depends on.
+/// Everything on which a motion computed on demand depends.
 std::string motion_key(std::string_view table, const std::vector<double>& inputs,
                        std::span<const double> times, int digits) {
   return std::string(table) + " " + std::string(truth::fingerprint_of_makers) + " " + "MPFR " +
@@ -185,9 +186,9 @@ fs::path kept_file(const fs::path& cache, const std::string& key) {
   return cache / (key.substr(0, key.find(' ')) + "_" + checksum(key) + ".txt");
 }
 
-/// The motion kept under the key: a line with the key, one with the error, one with each of `count` values.
-/// Nothing where the file is none that this program writes. Its seal has no key: who may write in the cache
-/// can seal what he likes, so what is kept is looked at again by other means where there are some.
+/// The motion cached under the key: a line with the key, one with the error, one with each of `count` values.
+/// Empty if the file is not one that this program writes. Its seal has no key: anybody who can write to the
+/// cache can seal anything. So cached values are checked in other ways where possible.
 std::optional<Known> kept_motion(const fs::path& cache, const std::string& key, std::size_t count) {
   const auto text = read_sealed(kept_file(cache, key));
   if (!text || !text->starts_with(key + "\n")) return {};
@@ -202,8 +203,8 @@ std::optional<Known> kept_motion(const fs::path& cache, const std::string& key, 
   return Known{{numbers.begin() + 1, numbers.end()}, numbers.front(), ""};
 }
 
-/// Whether both may be the same motion: at no time do they differ by more than both are in error, and the one
-/// of more digits is no worse known.
+/// Whether both may be the same motion: they never differ by more than the sum of their errors, and the one
+/// of more digits has no larger error.
 bool may_be(const Known& kept, const Known& of_fewer_digits) {
   const std::size_t parts = kept.value.size() / of_fewer_digits.error_until.size();
   for (std::size_t i = 0; i < kept.value.size(); ++i)
@@ -219,7 +220,7 @@ void keep_motion(const fs::path& cache, const std::string& key, const Known& kno
   keep_sealed(kept_file(cache, key), text);
 }
 
-/// Rows that a table has, one a time; none when one is missing.
+/// The table's rows for all these times; empty if one is missing.
 template <class Table>
 std::optional<Known> tabulated(const Table& rows, std::vector<double> inputs, std::span<const double> times) {
   Known all;

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-/// True values, from the tables or computed on the spot.
+/// True values, from the tables or computed on demand.
 ///
 ///   const Reference truth("reference");
 ///   const Known quarter = truth("03_05_quarter_period", {1.5});
@@ -21,65 +21,64 @@ namespace oddity {
 struct Known {
   std::vector<double> value;
   double error = 0;
-  std::string source;  ///< which table, or by which route it was computed on the spot
-  /// Of a motion, at each of its times: a bound up to there. Empty: `error` is all that is known.
+  std::string source;  ///< the table, or the route by which it was computed on demand
+  /// For a motion, error bounds up to each of its times. Empty: only `error` is known.
   std::vector<double> error_until = {};
 };
 
-/// How far the exact values may be from those asked about, proved; or infinity, and why it is not.
+/// Proved bound on the distance of the exact values from the given ones; or infinity, and the reason.
 struct Enclosed {
   double distance = std::numeric_limits<double>::infinity();
   std::string by;  ///< "enclosed by ...", "not enclosed: ..."
 };
 
-/// Values of a table of which a proof is asked: at the inputs, or, if there are times, which are the last
-/// input, at all of these one after the other.
+/// Values of a table that are to be enclosed: at the inputs, or, if there are times (the last input), at all
+/// of these in turn.
 struct ToEnclose {
   std::string_view table;
   const std::vector<double>& inputs;
   std::span<const double> times;
   std::span<const double> values;
-  int digits;  ///< to which the distance matters
+  int digits;  ///< digits to which the distance matters
 };
 using Enclosing = std::function<Enclosed(const ToEnclose&, const std::function<void(double done)>& tick)>;
 
-/// What is true. Values come from the CSV tables; where a table has no row for the inputs asked for, they are
-/// computed on the spot by the table's own generator, in high precision and by two routes. A copy shares the
-/// tables.
+/// Reference values, from the CSV tables. If a table has no row for the inputs, its own generator computes
+/// them on demand, in high precision and by two routes. A copy shares the tables.
 class Reference {
  public:
-  /// Reads every table in `folder`/tables. Motions made on the spot are kept in `cache`, if it is named and
-  /// can be written. Throws BadInput naming file and line when a table is missing or broken.
+  /// Reads every table in `folder`/tables. Motions computed on demand are kept in `cache`, if it is given and
+  /// writable. Throws BadInput with file and line if a table is missing or broken.
   explicit Reference(const std::filesystem::path& folder, std::filesystem::path cache = {});
 
-  /// The folder that it was read from; empty where it knows nothing.
+  /// The folder that was read; empty for nothing().
   const std::filesystem::path& folder() const { return folder_; }
 
-  /// Knows nothing: every value is NaN, so that nothing judged by it is ok. For motions that are only looked
-  /// at.
+  /// Has no values: every value is NaN, so that no result judged by it is ok. For motions that are only
+  /// displayed.
   static Reference nothing() { return {}; }
 
-  /// The same, which calls `tick` between pieces of its work, with the part of a motion that is done; what
-  /// that throws ends it.
+  /// A copy that calls `tick` between pieces of its work, with the finished part of a motion; an exception of
+  /// `tick` ends the work.
   Reference watched(std::function<void(double done)> tick) const;
 
-  /// The same, with so many digits in what is computed on the spot.
+  /// A copy that computes values on demand with this many digits.
   Reference to_digits(int digits) const;
-  /// The same in long double, the error of motions bounded by repeats (reference/in_long_double.hpp).
+  /// A copy that computes in long double, with the error of motions bounded by repeats
+  /// (reference/in_long_double.hpp).
   Reference repeated() const;
 
-  /// The same, in which the error of what is computed on the spot is its proved distance from the exact
-  /// values, where there is an enclosure; each source says by what.
+  /// A copy in which the error of values computed on demand is their proved distance from the exact values,
+  /// if there is an enclosure; each source names it.
   Reference enclosed_by(Enclosing) const;
 
-  /// The value of `table` at `inputs` (in the order of the table's columns).
-  /// One NaN, its source saying what to write, when there is no such table. Throws BadInput when the inputs
-  /// are not as many as the table's or not finite, and when they are not tabulated and have no value that
-  /// could be computed.
+  /// The value of `table` at `inputs` (in the order of the table's columns). If there is no such table, a
+  /// single NaN, with the file to write as its source. Throws BadInput if the number of inputs is wrong or
+  /// they are not finite, and if they are not tabulated and their value cannot be computed.
   Known operator()(std::string_view table, const std::vector<double>& inputs) const;
 
-  /// The values of `table` at ascending times, which are its last input, one after the other: from its rows
-  /// where it has all of them, or else by one integration. Throws as above.
+  /// The values of `table` at ascending times (the last input) in turn: from its rows if it has all of them,
+  /// or else by one integration. Throws as above.
   Known motion(std::string_view table, const std::vector<double>& inputs_but_time,
                std::span<const double> times) const;
 

@@ -8,11 +8,11 @@ namespace {
 
 char small(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
-/// As typing_errors, or most + 1 where there are more.
+/// Like typing_errors, but most + 1 if there are more.
 std::size_t errors_up_to(std::size_t most, std::string_view a, std::string_view b) {
   const auto same = [](char x, char y) { return small(x) == small(y); };
-  // Between the first i letters of a and the first j of b: the last three rows, as far as i and j are no
-  // further apart than `most`.
+  // errors(i, j): between the first i letters of a and the first j of b. Keeps the last three rows, for i and
+  // j that differ by at most `most`.
   const std::size_t columns = b.size() + 1;
   std::vector<std::size_t> rows(3 * columns, most + 1);
   const auto errors = [&](std::size_t i, std::size_t j) -> std::size_t& { return rows[i % 3 * columns + j]; };

@@ -11,13 +11,13 @@ std::string digits_of(const Number& x, int digits) {
   return x == 0 ? "0" : x.str(digits, std::ios_base::fmtflags(0));
 }
 
-/// A component as the table has it.
+/// A component in the table.
 struct Cell {
   std::string value, error, bound;
 };
 
-/// The errors are distances from the enclosure where there is one, or else the disagreement of the routes;
-/// and no less than what the digits leave open of the largest component.
+/// The errors are distances from the enclosure if there is one, or else the disagreement of the routes, and
+/// at least the rounding of the largest component.
 std::vector<Cell> cells(const Truth& truth, const std::vector<double>& row, const Distances& distances) {
   const Made made = make_row(truth, row, table_digits);
   std::vector<Cell> all;

@@ -21,7 +21,7 @@ inline std::string format_significant(double x, int digits) {
   return {buffer, end};
 }
 
-/// The whole text as a number, or nothing. A leading '+' is accepted.
+/// The whole text as a number; empty for anything else. A leading '+' is accepted.
 inline std::optional<double> parse_number(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
   double x{};

@@ -5,10 +5,10 @@
 #include <string_view>
 #include <vector>
 
-/// What `oddity new` leaves to be written, marked such that the suite names it and its place.
+/// Unwritten parts left by `oddity new`, marked so that the suite lists them with their place.
 namespace oddity {
 
-/// Before the place, or before what is missing.
+/// Precedes the place, or the name of the missing part.
 inline constexpr std::string_view to_write_mark = "still to be written: ";
 
 inline std::string to_write_at(const char* file, int line) {
@@ -17,7 +17,7 @@ inline std::string to_write_at(const char* file, int line) {
 
 namespace truth {
 
-/// What a maker's route throws until it is written: nothing is known by it.
+/// Thrown by a generator's route until it is written.
 struct StillToWrite : std::logic_error {
   explicit StillToWrite(const std::vector<double>& /*inputs*/, const char* file = __builtin_FILE(),
                         int line = __builtin_LINE())

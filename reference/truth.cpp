@@ -12,9 +12,9 @@ namespace oddity::truth {
 
 namespace {
 
-/// Boost 1.74 makes the limits of its numbers at their first use, and says that they are made before they
-/// are: another thread takes half of one for the whole ("numeric overflow" out of Jacobi's functions). So
-/// they are made before there is a second thread.
+/// Initializes the limits of Boost's numbers before there is a second thread. Boost 1.74 does it at first
+/// use, and marks them as ready too early: another thread may read a half-written one ("numeric overflow" in
+/// Jacobi's functions).
 [[maybe_unused]] const bool limits_are_made = [] {
   using Limits = std::numeric_limits<Number>;
   for (const Number& limit :
@@ -39,8 +39,8 @@ Number size_of(const Numbers& value) {
 
 namespace {
 
-/// Both routes at the same inputs: raises `error` to their disagreement, and to what so many digits leave
-/// open of the largest component.
+/// Raises `error` to the disagreement of both routes at the same inputs, and to the rounding of the largest
+/// component to `digits`.
 void compare(const Truth& truth, const Numbers& first, const Numbers& second, int digits, Number& error) {
   if (first.size() != truth.components.size() || second.size() != first.size())
     throw std::logic_error("a route made " + std::to_string(second.size()) + " components of " +
@@ -65,7 +65,7 @@ Made make_row(const Truth& truth, const std::vector<double>& inputs, int digits)
 
 namespace {
 
-/// A route at those of the times, each with as many components as it has; nothing at the others.
+/// Values of a route at the selected times, each with all its components; empty at the others.
 std::vector<Numbers> along(const Route& route, std::vector<double> inputs, const std::vector<double>& times,
                            int digits, const std::function<bool(std::size_t)>& at, const Tick& tick) {
   Motions motions(tick);

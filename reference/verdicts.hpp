@@ -6,10 +6,10 @@
 
 namespace oddity {
 
-/// The verdicts on record: claim id -> verdict.
+/// The approved verdicts: claim id -> verdict.
 using Verdicts = std::map<std::string, std::string, std::less<>>;
 
-/// Reads verdicts.csv in `folder`. Throws BadInput naming file and line when it is missing or broken.
+/// Reads verdicts.csv in `folder`. Throws BadInput with file and line if it is missing or broken.
 Verdicts read_verdicts(const std::filesystem::path& folder);
 
 }  // namespace oddity

@@ -4,11 +4,11 @@
 #include <compare>
 #include <utility>
 
-/// A number that counts what an algorithm does with it.
+/// A number that counts the operations of an algorithm.
 namespace oddity {
 
 struct Operations {
-  long additions = 0;  ///< and subtractions
+  long additions = 0;  ///< additions and subtractions
   long multiplications = 0;
   long divisions = 0;
   long functions = 0;  ///< roots, sines and the like; roundings to whole numbers
@@ -22,7 +22,7 @@ inline thread_local Operations operations;
 
 }  // namespace detail
 
-/// The operations of run() on counted numbers of any kind, in this thread.
+/// Operations of run() on counted numbers of any type, in this thread.
 template <class Run>
 Operations operations_of(const Run& run) {
   const Operations before = std::exchange(detail::operations, {});

@@ -4,7 +4,7 @@
 
 namespace oddity {
 
-/// The function f, which outlives it, with each of its calls counted.
+/// Wraps f, which must outlive the wrapper, and counts its calls.
 template <class F>
 auto counted_calls(const F& f, long& calls) {
   return [&f, &calls](auto&&... x) -> decltype(auto) {

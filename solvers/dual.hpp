@@ -125,23 +125,23 @@ Dual<T> asinh(const Dual<T>& a) {
   using std::asinh, std::sqrt;
   return chained(a, T(asinh(a.value)), T(T(1.0) / sqrt(T(1.0) + a.value * a.value)));
 }
-/// Constant between the jumps, where it has no slope.
+/// The sign is constant between its jumps, which have no derivative.
 template <class T>
 Dual<T> copysign(const Dual<T>& a, const Dual<T>& sign) {
   return (a.value < T(0)) == (sign.value < T(0)) ? a : -a;
 }
-/// a - n b with the whole number n of the values.
+/// a - n b, with the integer n of the values' remainder.
 template <class T>
 Dual<T> remainder(const Dual<T>& a, const Dual<T>& b) {
   using std::remainder;
   const T rest = remainder(a.value, b.value);
   return {rest, a.slope - (a.value - rest) / b.value * b.slope};
 }
-/// A constant power.
+/// a to a constant power.
 template <class T>
 Dual<T> pow(const Dual<T>& a, double exponent) {
   using std::pow;
-  if (exponent == 0) return Dual<T>(1.0);  // its slope is zero even at a = 0
+  if (exponent == 0) return Dual<T>(1.0);  // the slope is zero even at a = 0
   return chained(a, T(pow(a.value, exponent)), T(exponent * pow(a.value, exponent - 1)));
 }
 

@@ -9,11 +9,10 @@
 
 namespace oddity {
 
-/// GSL's default handler aborts the process; this replaces it, once, with none. Every solver over GSL calls
-/// it.
+/// GSL's default error handler aborts the process; this turns it off, once. Every solver over GSL calls it.
 void disable_gsl_abort();
 
-/// Deletes what a C library has allocated.
+/// Deleter for an object that a C library has allocated.
 template <auto free>
 struct Free {
   template <class T>
@@ -22,14 +21,14 @@ struct Free {
   }
 };
 
-/// What a C library has allocated, or std::bad_alloc where it could not.
+/// Returns the object, or throws std::bad_alloc if the C library could not allocate it.
 template <class T>
 T* allocated(T* object) {
   if (!object) throw std::bad_alloc();
   return object;
 }
 
-/// A function of one number, by reference: no copy, no allocation, the shape that GSL wants.
+/// A function of one number, by reference: no copy, no allocation, in GSL's form.
 class FunctionOfOne {
  public:
   FunctionOfOne(double (*f)(double))
@@ -52,9 +51,9 @@ class FunctionOfOne {
   double (*call_)(const FunctionOfOne&, double);
 };
 
-/// Counts the calls of a function, and hands them on in GSL's form. An exception must not pass through C: it
-/// is kept for `rethrow`, and the function is the largest number from there on, whose error estimate
-/// overflows: that ends every algorithm soon.
+/// Counts the calls of a function and passes them on in GSL's form. An exception must not pass through C, so
+/// it is kept for `rethrow`. From there on the function returns the largest double: its error estimate
+/// overflows, which soon ends every algorithm.
 struct CountedFunction {
   FunctionOfOne f;
   long calls = 0;

@@ -22,11 +22,11 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// ---- what they cost, counted where each is done once as published -----------------------------------------
+// ---- costs, by counting one run of each algorithm as published --------------------------------------------
 
 using Number = Counted<double>;
 
-/// Of numbers that count, row by row; none of the factorizations finds it singular.
+/// A matrix of counted numbers, row by row, which is singular for none of the factorizations.
 struct Numbers {
   long m, n;
   std::vector<Number> entries;
@@ -45,7 +45,7 @@ void eliminate(Numbers& a) {
     }
 }
 
-/// L D L^T in place of the lower half.
+/// Overwrites the lower half with L D L^T.
 void factorize_symmetric(Numbers& a) {
   for (long k = 0; k < a.n; ++k) {
     Numbers scaled(1, k + 1);
@@ -57,7 +57,7 @@ void factorize_symmetric(Numbers& a) {
   }
 }
 
-/// Takes the reflection in column k of `a`, below whose first entry its vector stands, to column j of `b`.
+/// Applies the reflection of column k of `a`, whose vector is below the first entry, to column j of `b`.
 void reflect(Numbers& a, long k, const Number& tau, Numbers& b, long j) {
   Number along = b(k, j);
   for (long i = k + 1; i < a.m; ++i) along += a(i, k) * b(i, j);
@@ -66,7 +66,7 @@ void reflect(Numbers& a, long k, const Number& tau, Numbers& b, long j) {
   for (long i = k + 1; i < a.m; ++i) b(i, j) -= a(i, k) * along;
 }
 
-/// R above the reflections' vectors; `right` is reflected as well.
+/// Overwrites `a` with R above the reflections' vectors, and reflects `right`.
 void reflect_all(Numbers& a, Numbers& right) {
   for (long k = 0; k < a.n; ++k) {
     Number squares = 0.0;
@@ -80,7 +80,7 @@ void reflect_all(Numbers& a, Numbers& right) {
   }
 }
 
-/// By a lower triangle with ones on its diagonal.
+/// Substitutes with a lower triangle that has ones on its diagonal.
 void substitute_forward(Numbers& l, Numbers& x) {
   for (long i = 0; i < l.n; ++i)
     for (long j = 0; j < i; ++j) x(i, 0) -= l(i, j) * x(j, 0);
@@ -121,7 +121,7 @@ long counted_once(Factorization how, long m, long n) {
   return all.all_but_additions();
 }
 
-/// Multiplications, divisions and roots; a size is counted once in a thread.
+/// Multiplications, divisions and roots of a solution. Each thread counts a size once.
 long work(Factorization how, long m, long n) {
   if (m < n || n < 1) return 0;
   thread_local std::map<std::tuple<Factorization, long, long>, long> known;
@@ -130,7 +130,7 @@ long work(Factorization how, long m, long n) {
   return found->second;
 }
 
-/// Of the triangular factors, and the product of the pivots.
+/// Work for the triangular factors and the product of the pivots.
 long work_of_determinant(long n) {
   thread_local std::map<long, long> known;
   const auto [found, is_new] = known.try_emplace(n);
@@ -168,14 +168,13 @@ GslVector copied(const VectorXd& b) {
 GslVector vector_of(std::size_t n) { return GslVector(allocated(gsl_vector_alloc(n))); }
 GslMatrix square(std::size_t n) { return GslMatrix(allocated(gsl_matrix_alloc(n, n))); }
 
-/// The same read by rows as by columns, but for the roundings of two sums of a row's terms in another order.
+/// Whether a equals its transpose, up to the rounding of two sums of a row's terms in different order.
 bool symmetric(const MatrixXd& a) {
   const double roundings = 4 * static_cast<double>(a.rows()) * std::numeric_limits<double>::epsilon();
   return (a - a.transpose()).cwiseAbs().maxCoeff() <= roundings * a.cwiseAbs().maxCoeff();
 }
 
-/// The solution by Householder's reflections, and whether the triangle they leave has no zero on its
-/// diagonal.
+/// The solution by Householder's reflections, and whether their triangle has no zero on its diagonal.
 std::pair<VectorXd, bool> least_squares(const MatrixXd& a, const VectorXd& b) {
   disable_gsl_abort();
   const GslMatrix qr = copied(a);
@@ -205,7 +204,7 @@ std::pair<VectorXd, bool> solution(Factorization how, const MatrixXd& a, const V
     case Factorization::householder_qr:
       return least_squares(a, b);
     case Factorization::cholesky: {
-      if (!symmetric(a))  // of which Eigen would read one half only
+      if (!symmetric(a))  // Eigen would read one half only
         return {VectorXd::Constant(a.cols(), std::numeric_limits<double>::quiet_NaN()), false};
       const Eigen::LDLT<MatrixXd> ldlt(a);
       return {ldlt.solve(b), ldlt.info() == Eigen::Success && ldlt.vectorD().minCoeff() > 0};
@@ -214,8 +213,8 @@ std::pair<VectorXd, bool> solution(Factorization how, const MatrixXd& a, const V
   return {};
 }
 
-/// From the largest on, by one-sided Jacobi rotations, which keep the digits of the small ones. None when
-/// they do not converge.
+/// Singular values, largest first, by one-sided Jacobi rotations, which keep the digits of the small ones.
+/// Empty if they do not converge.
 std::vector<double> singular_values(const MatrixXd& a) {
   disable_gsl_abort();
   const GslMatrix tall = copied(a.rows() < a.cols() ? MatrixXd(a.transpose()) : a);

@@ -16,11 +16,11 @@ namespace {
 
 constexpr std::size_t intervals = 1000;
 
-/// Most evaluations that CQUAD may take: it has no limit of its own, and took 265 million on 1/x over [-1,
+/// The most evaluations that CQUAD may take. It has no limit itself, and took 265 million on 1/x over [-1,
 /// 2].
 constexpr long cquad_budget = 1'000'000;
 
-/// What a status, a value and an estimate amount to.
+/// The integral with its ending, from GSL's status, the value and the estimate.
 Integral with_ending(int status, double value, double estimate, double tolerance, long evaluations) {
   Integral integral{value, evaluations, estimate};
   if (!std::isfinite(value)) {
@@ -95,7 +95,7 @@ Integral qagp(FunctionOfOne f, std::vector<double> points, double tolerance) {
 }
 
 Integral cquad(FunctionOfOne f, double a, double b, double tolerance) {
-  if (b < a) {  // where GSL's estimate would be negative, and so below any request
+  if (b < a) {  // GSL's estimate would be negative, and so below any tolerance
     Integral reversed = cquad(f, b, a, tolerance);
     reversed.value = -reversed.value;
     return reversed;
@@ -107,7 +107,7 @@ Integral cquad(FunctionOfOne f, double a, double b, double tolerance) {
   bool undefined = false, spent = false;
   const auto watched = [&](double x) -> double {
     spent = spent || evaluations == cquad_budget;
-    if (spent) return std::numeric_limits<double>::max();  // whose error estimate overflows: CQUAD ends
+    if (spent) return std::numeric_limits<double>::max();  // its error estimate overflows, which ends CQUAD
     ++evaluations;
     const double y = f(x);
     undefined = undefined || (std::isnan(y) && x != a && x != b);
@@ -135,9 +135,9 @@ Integral cquad(FunctionOfOne f, double a, double b, double tolerance) {
 
 namespace {
 
-/// GSL computes the weights of those sizes that it has no table for to ten digits only, by the slope before
-/// its last correction of the node. Newton's method on the Legendre polynomial, from its nodes, gives all of
-/// them. Weights by [Abramowitz, Stegun 25.4.29].
+/// Improves the weights of sizes for which GSL has no table. GSL computes these to ten digits only, from the
+/// slope before its last correction of the node. Newton's method on the Legendre polynomial, from GSL's
+/// nodes, gives all digits. Weights by [Abramowitz, Stegun 25.4.29].
 void polish(gsl_integration_glfixed_table& table) {
   const auto n = static_cast<double>(table.n);
   for (std::size_t node = 0; node < (table.n + 1) / 2; ++node) {
@@ -156,7 +156,7 @@ void polish(gsl_integration_glfixed_table& table) {
   }
 }
 
-/// The rule of so many points. A thread keeps those that it has used: nested integrals ask for them again and
+/// The rule with this number of points. Each thread caches its rules, as nested integrals use them again and
 /// again.
 const gsl_integration_glfixed_table& rule_of(int points) {
   thread_local std::map<

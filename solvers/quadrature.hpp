@@ -7,8 +7,8 @@
 #include "solvers/solved.hpp"
 
 /// Integrals over a finite interval. The adaptive rules take one tolerance, absolute and relative (the larger
-/// counts); they end `raised` with GSL's own words when it reports an error, `stalled` when their estimate
-/// stays above the request (GSL may call that a success), `non_finite` when the result is no number.
+/// counts). They end `raised` with GSL's message if it reports an error; `stalled` if their estimate stays
+/// above the tolerance, even where GSL calls that a success; `non_finite` if the result is not finite.
 ///
 ///   const Integral area = qags([](double x) { return 1 / std::sqrt(x); }, 0, 1, 1e-10);
 ///   if (area.reached()) std::cout << area.value << " +- " << area.error_estimate;  // 2
@@ -18,13 +18,13 @@ using Integral = Solved<double>;
 
 /// Adaptive Gauss-Kronrod, 21 points. For smooth or mildly difficult integrands.
 Integral qag(FunctionOfOne f, double a, double b, double tolerance);
-/// Adaptive Gauss-Kronrod with Wynn's epsilon extrapolation. For integrable singularities, at best at the
+/// Adaptive Gauss-Kronrod with Wynn's epsilon extrapolation. For integrable singularities, preferably at the
 /// ends.
 Integral qags(FunctionOfOne f, double a, double b, double tolerance);
-/// QAGS with known points of difficulty: `points` are the ends and all that lies between, ascending.
+/// QAGS with known points of difficulty: `points` are the ends and the points between, ascending.
 Integral qagp(FunctionOfOne f, std::vector<double> points, double tolerance);
-/// Doubly adaptive Clenshaw-Curtis. Evaluates the ends; leaves out points where f is infinite, and ends where
-/// it is NaN. NaN inside ends `non_finite`, a million evaluations `stalled`.
+/// Doubly adaptive Clenshaw-Curtis. Evaluates the ends. Leaves out points where f is infinite, and ends where
+/// it is NaN. A NaN inside ends `non_finite`, a million evaluations `stalled`.
 Integral cquad(FunctionOfOne f, double a, double b, double tolerance);
 
 /// Fixed Gauss-Legendre with n >= 1 points: exact for polynomials up to degree 2n-1. No error estimate.

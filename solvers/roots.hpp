@@ -9,10 +9,10 @@
 ///   if (root.reached()) std::cout << root.value;  // 0.739085
 namespace oddity {
 
-/// A root of f in [a, b] by GSL's Brent-Dekker, f being continuous and f(a) and f(b) of opposite sign (or
-/// zero). Ends when the bracket is no wider than `tolerance` or holds no number inside; its width is the
-/// error estimate. `raised` when there is no bracket, when f is not finite, or when the sign changes at a
-/// pole; `stalled` after 200 iterations. A jump across zero counts as a root.
+/// A root of f in [a, b] by GSL's Brent-Dekker, for continuous f with f(a) and f(b) of opposite sign (or
+/// zero). Ends when the bracket is no wider than `tolerance` or contains no number inside; its width is the
+/// error estimate. `raised` if there is no bracket, f is not finite, or the sign changes at a pole; `stalled`
+/// after 200 iterations. A jump across zero counts as a root.
 Solved<double> brent(FunctionOfOne f, double a, double b, double tolerance);
 
 }  // namespace oddity

@@ -3,17 +3,17 @@
 #include <atomic>
 #include <chrono>
 
-/// Cooperative cancellation: one token that every loop looks at.
+/// Cooperative cancellation: one token that every loop checks.
 ///   const Stop stop(60);              // s; or stop.request() from any thread
-///   const Stoppable here(&stop);      // this thread's work, and that of in_parallel inside, now looks at it
+///   const Stoppable here(&stop);      // this thread's work, and that of in_parallel inside, now checks it
 ///   ... check_stop(); ...             // between pieces of work
 namespace oddity {
 
-/// Thrown by work that was asked to stop. No std::exception, so that nothing that collects failures takes it
-/// for one: what was stopped has no result.
+/// Thrown by work that was stopped, which has no result. Not a std::exception, so that code that collects
+/// failures does not catch it.
 struct Stopped {};
 
-/// Requested by a call, by the end of its time, or because the one around it is.
+/// A stop is requested by a call, by the end of its time, or by the stop around it.
 class Stop {
  public:
   Stop() = default;
@@ -34,7 +34,7 @@ class Stop {
 
  private:
   using Clock = std::chrono::steady_clock;
-  static constexpr double for_ever = 1e9;  // s, which a clock can still add
+  static constexpr double for_ever = 1e9;  // s; a clock can still add it
 
   std::atomic<bool> is_requested_ = false;
   bool has_end_ = false;
@@ -42,10 +42,10 @@ class Stop {
   const Stop* around_ = nullptr;
 };
 
-/// What this thread's work looks at; null: nothing stops it.
+/// The stop that this thread's work checks; null: nothing stops it.
 inline thread_local const Stop* stop_here = nullptr;
 
-/// This thread looks at that stop while this lives.
+/// Makes this thread check the stop during its lifetime.
 class Stoppable {
  public:
   explicit Stoppable(const Stop* stop) : before_(stop_here) { stop_here = stop; }
@@ -57,14 +57,14 @@ class Stoppable {
   const Stop* before_;
 };
 
-/// Throws Stopped when this thread's work was asked to stop. Takes some 30 ns.
+/// Throws Stopped if this thread's work was stopped. Takes some 30 ns.
 inline void check_stop() {
-#ifndef __wasm__  // the page's module has neither a clock nor exceptions, and nothing stops it
+#ifndef __wasm__  // the WebAssembly module has neither a clock nor exceptions, and nothing stops it
   if (stop_here && stop_here->is_requested()) throw Stopped();
 #endif
 }
 
-/// For loops whose turns take less than a microsecond: looks at the stop at every 64th call.
+/// For loops with iterations below a microsecond: checks the stop at every 64th call.
 inline void check_stop_at_times() {
   thread_local unsigned calls = 0;
   if (stop_here && ++calls % 64 == 0) check_stop();

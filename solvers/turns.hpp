@@ -4,7 +4,7 @@
 
 #include "solvers/world.hpp"
 
-/// Vectors, turns by unit quaternions, and points of bodies.
+/// Vectors, rotations by unit quaternions, and points of bodies.
 namespace oddity::engines {
 
 inline Vector operator+(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
@@ -15,13 +15,13 @@ inline Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// By an angle [rad] about a unit vector.
+/// Rotation by an angle [rad] about a unit vector.
 inline Quaternion about(const Vector& axis, double angle) {
   const double s = std::sin(angle / 2);
   return {std::cos(angle / 2), s * axis[0], s * axis[1], s * axis[2]};
 }
 inline Quaternion inverse(const Quaternion& q) { return {q[0], -q[1], -q[2], -q[3]}; }
-/// First b, then a.
+/// Rotation by b, then by a.
 inline Quaternion product(const Quaternion& a, const Quaternion& b) {
   return {a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
           a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
@@ -33,7 +33,7 @@ inline Vector turned(const Quaternion& q, const Vector& a) {
   return a + q[0] * twice + cross(u, twice);
 }
 
-/// A point that belongs to a body, or to the ground.
+/// A point that is fixed to a body, or to the ground.
 struct Point {
   int body;
   Vector in_body;

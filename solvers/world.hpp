@@ -6,15 +6,15 @@
 #include <string>
 #include <vector>
 
-/// A scene as other people's engines are given it, once for all of them: SI units, right-handed axes.
+/// A scene in the one form that is given to all third-party engines: SI units, right-handed axes.
 ///
-/// A scene in a plane lies in x and y, and turns about z: engines of the plane take those alone.
+/// A plane scene lies in x and y, and rotates about z: 2D engines take only these.
 namespace oddity::engines {
 
 using Vector = std::array<double, 3>;
 using Quaternion = std::array<double, 4>;  ///< w, x, y, z: from the body's axes to the world's
 
-/// Of a body's center of mass, along the world's axes.
+/// State of a body's center of mass, along the world's axes.
 struct State {
   Vector position{};
   Quaternion orientation{1, 0, 0, 0};
@@ -22,7 +22,7 @@ struct State {
   Vector spin{};
 };
 
-/// What touches the floor: a ball of radius half[0], or a box.
+/// Shape that touches the floor: a ball of radius half[0], or a box.
 struct Shape {
   enum Kind { none, ball, box };
   Kind kind = none;
@@ -36,17 +36,17 @@ struct Body {
   Shape shape = {};
 };
 
-/// Instead of a body: what does not move.
+/// In place of a body: the ground, which does not move.
 inline constexpr int ground = -1;
 
-/// Points and axes are in the world at the start.
+/// A joint. Points and axes are in world coordinates at the start.
 struct Joint {
   enum Kind {
     hinge,     ///< b turns about `axis` through `at`
     ball,      ///< b turns about the point `at`
     cylinder,  ///< b turns about `axis` through `at`, and slides along it
     slide,     ///< b moves along `axis`, and does not turn
-    rod,  ///< the distance of `at` on a and `end` on b stays; neither turns a body where it is its center
+    rod,       ///< keeps the distance of `at` on a and `end` on b; turns no body that it holds at the center
   };
   Kind kind = hinge;
   int a = ground;
@@ -54,10 +54,10 @@ struct Joint {
   Vector at{};
   Vector axis{0, 0, 1};
   Vector end{};
-  double wheel = 0;  ///< of a slide: moment of inertia over radius^2 of what it turns [kg]
+  double wheel = 0;  ///< for a slide: moment of inertia over radius^2 of the wheel that it turns [kg]
 };
 
-/// From `at` on a to `end` on b.
+/// A spring from `at` on a to `end` on b.
 struct Spring {
   int a = ground;
   int b = 0;
@@ -71,10 +71,10 @@ struct Spring {
 struct Rope {
   struct Part {
     int body;
-    double factor;  ///< by how much the body's slide lengthens the spring
+    double factor;  ///< lengthening of the spring per displacement of the body's slide
   };
   std::vector<Part> parts;
-  double length = 0;     ///< of the spring at the start [m]
+  double length = 0;     ///< length of the spring at the start [m]
   double stiffness = 0;  ///< N/m
   double rest = 0;       ///< m
 };
@@ -85,21 +85,21 @@ struct World {
   std::vector<Joint> joints = {};
   std::vector<Spring> springs = {};
   std::vector<Rope> ropes = {};
-  Vector floor{};          ///< the normal of what fills all below the plane through the origin; zero: none
-  double friction = 0;     ///< between any two
+  Vector floor{};       ///< normal of the floor through the origin, which is solid below it; zero: no floor
+  double friction = 0;  ///< between any two bodies
   double restitution = 0;  ///< likewise
-  /// Gravity has `shaking` sin(`frequency` t) added, as seen from a place that is shaken.
+  /// Added to gravity as `shaking` sin(`frequency` t): the frame is shaken.
   Vector shaking = {};
   double frequency = 0;
-  /// The axes turn about the origin at this rate: with Coriolis's and the centrifugal force.
+  /// Angular velocity of the axes about the origin: adds the Coriolis and the centrifugal force.
   Vector turning = {};
 };
 
-/// A world, and what a scene observes of its bodies.
+/// A world, and the quantities that a scene observes of its bodies.
 struct Staging {
   World world;
   std::function<std::vector<double>(std::span<const State>, double t)> observe;
-  std::string differs = {};  ///< what no fine step takes away, where engines have it other than the scene
+  std::string differs = {};  ///< how the world differs from the scene, for engines and at any step size
 };
 
 }  // namespace oddity::engines

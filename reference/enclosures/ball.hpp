@@ -10,23 +10,23 @@
 #include <type_traits>
 #include <utility>
 
-/// Numbers that are known to within a radius (Arb): what is computed with them holds what is computed with
-/// any numbers in them.
+/// Numbers known to within a radius (Arb). A result computed from balls contains the result for any numbers
+/// in them.
 namespace oddity::truth {
 
-/// Two balls overlap where it must be known which number is the greater: with more bits they may not.
+/// Two balls overlap in a comparison: with more bits they may not.
 struct Undecided : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The route is no enclosure.
+/// The route is not an enclosure.
 struct NotEnclosed : std::logic_error {
   using std::logic_error::logic_error;
 };
 
 class Ball {
  public:
-  /// The bits of the midpoints that are computed.
+  /// Precision of the computed midpoints in bits.
   static inline thread_local slong bits = 256;
 
   Ball() { arb_init(x_); }
@@ -35,7 +35,7 @@ class Ball {
     arb_init(x_);
     arb_set_si(x_, static_cast<slong>(n));
   }
-  /// The double itself.
+  /// The exact value of the double.
   Ball(double x) {
     arb_init(x_);
     arb_set_d(x_, x);
@@ -58,7 +58,7 @@ class Ball {
   }
   ~Ball() { arb_clear(x_); }
 
-  /// Of a whole number that is known exactly, as those of ceil() are.
+  /// The integer, if it is known exactly, as from ceil().
   explicit operator int() const { return static_cast<int>(arf_get_si(arb_midref(x_), ARF_RND_NEAR)); }
 
   arb_ptr data() { return x_; }
@@ -94,14 +94,15 @@ class Ball {
     return decided(arb_eq(a.x_, b.x_), arb_ne(a.x_, b.x_));
   }
 
-  /// What f computes in the ball that it is given.
+  /// The ball that f writes to its argument.
   template <class F>
   static Ball made(const F& f) {
     Ball y;
     f(y.x_);
     return y;
   }
-  /// The same; throws Undecided where it is no number, as beyond a border that the operand may be on.
+  /// The ball that f writes. Throws Undecided if it is not finite, as at a singularity that the operand may
+  /// contain.
   template <class F>
   static Ball finite(const F& f, const char* operand) {
     Ball y = made(f);
@@ -118,19 +119,19 @@ class Ball {
   arb_t x_;
 };
 
-/// A double no less than the bound, whose 30 bits a double holds.
+/// A double that is not less than the bound. It represents the bound's 30 bits.
 double from_above(const mag_t);
-/// The double next to its midpoint.
+/// The double nearest to its midpoint.
 double middle_of(const Ball&);
-/// No less than any of its numbers' size.
+/// A bound on the absolute value of its numbers.
 double greatest_size(const Ball&);
-/// Its midpoint alone.
+/// Its midpoint, without the radius.
 Ball midpoint(const Ball&);
 /// All numbers within `radius` of x.
 Ball within(const Ball& x, const Ball& radius);
-/// All numbers of both and between them.
+/// The union of both, with the numbers between them.
 Ball between(const Ball& a, const Ball& b);
-/// The decimal as it is written. Throws std::invalid_argument.
+/// The exact value of a decimal. Throws std::invalid_argument.
 Ball decimal(const std::string&);
 
 Ball abs(const Ball&);

@@ -11,8 +11,8 @@ namespace oddity::truth {
 
 namespace {
 
-constexpr slong coarse = 64;  ///< bits
-/// More than the roundings of a few operations in doubles.
+constexpr slong coarse = 64;  ///< precision in bits
+/// Exceeds the rounding of a few operations in doubles.
 constexpr double upwards = 1 + 0x1p-48;
 
 struct Box {
@@ -22,7 +22,7 @@ struct Box {
   Box& operator=(const Box&) = delete;
   ~Box() { acb_clear(z); }
 
-  /// All complex numbers within the distance of x.
+  /// Set to all complex numbers within the distance of x.
   void set(const Number& x, double distance) {
     acb_set_arb(z, x.data());
     acb_set_round(z, z, coarse);
@@ -44,14 +44,14 @@ struct Box {
 
 using Op = Tape::Op;
 
-/// The right-hand side of boxes.
+/// The right-hand side over boxes.
 class Picard {
  public:
   Picard(const Recorded& problem, const Numbers& x0, const Number& t0)
       : problem_(problem), x0_(x0), t0_(t0), boxes_(problem.tape.nodes().size()) {}
 
-  /// Bounds on the derivatives' sizes over |x - x0| <= reach, |t - t0| <= radius; none where the right-hand
-  /// side may not be analytic.
+  /// Bounds on the derivatives' sizes over |x - x0| <= reach, |t - t0| <= radius; none if the right-hand side
+  /// may not be analytic there.
   std::optional<std::vector<double>> speeds(const std::vector<double>& reach, double radius) {
     for (std::size_t i = 0; i < x0_.size(); ++i) at(problem_.unknowns[i]).set(x0_[i], reach[i]);
     at(problem_.time).set(t0_, radius);
@@ -114,8 +114,8 @@ bool Picard::evaluate(std::size_t i) {
   return false;
 }
 
-/// Where motions are that keep within `from` until the radius, after a stride more: a set that Picard's
-/// operator maps into itself, along every ray.
+/// The set reached after a further stride by motions that stay within `from` up to the radius. Picard's
+/// operator maps it into itself, along every ray.
 std::optional<std::vector<double>> after(Picard& picard, const std::vector<double>& from, double radius,
                                          double stride) {
   std::vector<double> guess = from;

@@ -2,30 +2,30 @@
 
 #include "reference/make/recorded.hpp"
 
-/// How far a motion is analytic, by Picard's operator in the complex plane.
+/// The disc on which a motion is analytic, by Picard's operator in the complex plane.
 namespace oddity::truth {
 
-/// What the terms beyond an order may come to.
+/// Limit for the sum of the terms beyond an order.
 struct Limit {
   int order;
   double tolerance;
 };
 
-/// On the disc |t - t0| <= radius every motion that starts within `apart` of x0, in complex numbers too,
-/// exists, is analytic, and keeps within reach[i] of x0[i]. So no coefficient of its series of the order k >
-/// 0 is larger than reach/radius^k (Cauchy).
+/// On the disc |t - t0| <= radius every motion that starts within `apart` of x0, also in complex numbers,
+/// exists, is analytic, and stays within reach[i] of x0[i]. So no coefficient of its series of order k > 0
+/// exceeds reach/radius^k (Cauchy).
 struct Disc {
   double radius = 0;
   std::vector<double> reach;
 
-  /// The step after which all limits hold.
+  /// The longest step that satisfies all limits.
   double step(const std::vector<Limit>&) const;
-  /// A bound on what the terms beyond the order come to after the step h.
+  /// A bound on the sum of the terms beyond the order after the step h.
   double remainder(std::size_t unknown, double h, int order) const;
 };
 
-/// The disc that allows the longest step; begins to look for it at the radius `guess`. Throws Undecided where
-/// none is found.
+/// The disc that allows the longest step; the search begins at the radius `guess`. Throws Undecided if it
+/// finds none.
 Disc disc_about(const Recorded&, const Numbers& x0, const Number& t0, double apart,
                 const std::vector<Limit>& limits, double guess);
 

@@ -13,16 +13,16 @@ namespace {
 
 using truth::Ball;
 
-/// The radii wanted and needed, over the largest component and over the component itself.
+/// The wanted and the required radius, relative to the largest component and to the component itself.
 constexpr double wanted = 1e-41, needed = 1e-20;
-/// Components of which none is larger are zero as far as a table shows, and give no scale.
+/// If all components are at most this large, they are zero in a table's digits, and give no scale.
 constexpr double vanishing = 1e-48;
 
 struct Effort {
   slong bits;
   int digits;
 };
-/// What the first one does not decide, or leaves too wide, the next one may.
+/// Tried in turn, as long as the result is undecided or too wide.
 constexpr Effort efforts[] = {{224, 46}, {352, 72}, {640, 120}, {2048, 120}};
 
 double radius_of(const Ball& x) { return truth::greatest_size(x - truth::midpoint(x)); }
@@ -52,7 +52,7 @@ truth::Numbers enclosed(const truth::Truth& truth, const std::vector<double>& in
                            " bits: " + reason);
 }
 
-/// Nothing where the table says no route that encloses it.
+/// Empty if the table has no route that encloses it.
 std::optional<truth::Truth> enclosed_truth(std::string_view table) {
   const auto& all = truth::registry();
   const auto found = std::ranges::find(all, table, &truth::Entry::name);
@@ -62,7 +62,7 @@ std::optional<truth::Truth> enclosed_truth(std::string_view table) {
   return truth;
 }
 
-/// Throws Undecided where the balls are too wide.
+/// Throws Undecided if the balls are too wide.
 double distance(const truth::Numbers& balls, std::span<const double> values, double part) {
   double size = 0, distance = 0;
   for (const Ball& x : balls) size = std::max(size, truth::greatest_size(x));

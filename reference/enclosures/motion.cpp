@@ -10,7 +10,7 @@ namespace oddity::truth {
 
 namespace {
 
-/// What is only as large as the enclosure is wide needs few bits.
+/// Reduces the bits for numbers that are only as large as the enclosure is wide.
 struct FewerBits {
   slong all = Ball::bits;
   FewerBits() { Ball::bits = 128; }
@@ -19,7 +19,7 @@ struct FewerBits {
   ~FewerBits() { Ball::bits = all; }
 };
 
-/// What the slopes need of a motion's order, where the states lie close together.
+/// Order of the slopes' series, if the states are close together.
 constexpr int order_of_slopes(int order) { return 8 + order / 6; }
 constexpr double largest_error_of_slopes = 1e-3;
 constexpr long most_strides = 300'000;
@@ -54,8 +54,8 @@ Numbers Stride::image(const Number& t) const {
   return x;
 }
 
-/// Of the remainder of the center's polynomial, beyond the order to which slopes are computed, the slopes are
-/// bounded by the disc, too.
+/// The disc also bounds the slopes of the remainder of the center's polynomial, beyond the order of the
+/// slopes' series.
 Rows Stride::slopes_at(const Number& t) const {
   const FewerBits few;
   const Number h = t - from;
@@ -83,8 +83,8 @@ std::vector<std::vector<Numbers>> TaylorProblem::slopes(const Numbers& hull, con
   return all;
 }
 
-/// x(t + h) = P(x(t)) + R(x(t)), P the Taylor polynomial. P is taken by its mean value form; R is bounded by
-/// the disc on which all motions from near the center are analytic.
+/// x(t + h) = P(x(t)) + R(x(t)), with the Taylor polynomial P. P is taken in its mean value form; R is
+/// bounded by the disc on which all motions from near the center are analytic.
 Stride TaylorProblem::stride(const Parallelepiped& states, const Number& t, const Number& t1, int digits,
                              double& radius) const {
   check_stop();
@@ -159,7 +159,7 @@ Numbers TaylorProblem::solve(const Numbers& x, const Number& t0, const Number& t
 
 Numbers enclosed_motion(const TaylorProblem& problem, const Numbers& x0, const Number& t0, const Number& t1,
                         int digits) {
-  thread_local std::map<int, Followed> all;  // the last one of each number of digits
+  thread_local std::map<int, Followed> all;  // the latest motion for each number of digits
   auto found = all.find(digits);
   if (found != all.end() && !found->second.leads_to(problem, x0, t0, t1)) {
     all.erase(found);

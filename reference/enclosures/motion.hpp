@@ -7,28 +7,28 @@
 #include "reference/make/dual.hpp"
 #include "reference/make/recorded.hpp"
 
-/// Initial value problems by Taylor series whose remainders are bounded, in balls.
+/// Initial value problems by Taylor series with bounded remainders, in balls.
 namespace oddity::truth {
 
-/// The polynomials of a motion about a time, and of its slopes by the start, as far as what they leave out
-/// is small.
+/// The polynomials of a motion about a time, and of its slopes with respect to the start, for times at which
+/// their remainders are small.
 struct Stride {
   Number from;
-  double length;  ///< how far, with its sign
+  double length;  ///< with its sign
   Disc disc;
-  double apart;                              ///< of the starts in the disc, from the center
-  std::vector<Numbers> center;               ///< a series an unknown
-  std::vector<std::vector<Numbers>> slopes;  ///< row i, column j: of d x_i / d x_j
+  double apart;                              ///< largest distance of starts in the disc from the center
+  std::vector<Numbers> center;               ///< one series per unknown
+  std::vector<std::vector<Numbers>> slopes;  ///< row i, column j: series of d x_i / d x_j
 
   bool holds(const Number& t) const;
-  /// Of the center, at the time.
+  /// Image of the center at the time.
   Numbers image(const Number& t) const;
-  /// By all starts in the set that it was made for.
+  /// Slopes over all starts in the set for which it was made.
   Rows slopes_at(const Number& t) const;
 };
 
-/// An initial value problem recorded on two tapes: of the motion, and of it with its slopes by one of the
-/// unknowns. rhs(x, t) returns the derivatives of x.
+/// An initial value problem recorded on two tapes: the motion, and the motion with its slopes with respect to
+/// one of the unknowns. rhs(x, t) returns the derivatives of x.
 class TaylorProblem {
  public:
   template <class Rhs>
@@ -37,16 +37,16 @@ class TaylorProblem {
     record_slopes(rhs, dimension);
   }
 
-  /// The longest stride of these states at t, in the direction of t1. What it leaves out is below 10^-digits
-  /// of the state's size. `radius` is how far the motion was found to be analytic: the last stride's as a
-  /// guess. Throws Undecided where the states are too far apart, or the stride too short.
+  /// The longest stride of these states at t, towards t1, with a remainder below 10^-digits of the state's
+  /// size. `radius` is the radius of the motion's disc; the last stride's serves as a guess. Throws Undecided
+  /// if the states are too far apart, or the stride too short.
   Stride stride(const Parallelepiped& states, const Number& t, const Number& t1, int digits,
                 double& radius) const;
 
   /// The state at t1 from that at t0. Throws as Followed::at.
   Numbers solve(const Numbers& x, const Number& t0, const Number& t1, int digits) const;
 
-  /// Whether both tapes are alike.
+  /// Whether both tapes are equal.
   bool operator==(const TaylorProblem&) const;
 
  private:
@@ -69,16 +69,16 @@ class TaylorProblem {
   mutable Recorded motion_, slopes_;
 };
 
-/// A motion that is followed, by strides that do not end where it is asked for.
+/// A motion that is followed by strides, which do not end at the requested times.
 class Followed {
  public:
   Followed(TaylorProblem problem, const Numbers& x0, const Number& t0, int digits)
       : problem_(std::move(problem)), x0_(x0), t0_(t0), digits_(digits), states_(x0) {}
 
-  /// The state at a time that is no nearer to the start than the last one asked for. Throws Undecided where
-  /// the enclosure becomes too wide, or a stride too short.
+  /// The state at a time that is not before the last requested one. Throws Undecided if the enclosure becomes
+  /// too wide, or a stride too short.
   Numbers at(const Number& t1);
-  /// Whether it is the motion of this problem from this start, and t1 lies ahead.
+  /// Whether this is the motion of this problem from this start, and t1 lies ahead.
   bool leads_to(const TaylorProblem&, const Numbers& x0, const Number& t0, const Number& t1) const;
 
  private:
@@ -89,12 +89,12 @@ class Followed {
   Number t0_;
   int digits_;
   slong bits_ = Ball::bits;
-  Parallelepiped states_;  ///< where the stride begins
+  Parallelepiped states_;  ///< states at the beginning of the stride
   std::optional<Stride> stride_;
   double radius_ = 0;
 };
 
-/// The state at t1. A motion that is asked for at one time after the other is followed once.
+/// The state at t1. A motion that is requested at successive times is followed once.
 Numbers enclosed_motion(const TaylorProblem&, const Numbers& x0, const Number& t0, const Number& t1,
                         int digits);
 

@@ -50,7 +50,7 @@ Rows inverse(const Rows& a) {
   return b;
 }
 
-/// Axes at right angles, the first along the longest of the edges. Any would do; these lose little.
+/// Orthogonal axes, the first along the longest of the edges. Any axes are valid; these lose little.
 Rows square_axes(const Rows& edges, const Numbers& sides) {
   const auto n = static_cast<Eigen::Index>(edges.size());
   Eigen::MatrixXd all(n, n);

@@ -3,14 +3,14 @@
 #include "reference/make/even_limit.hpp"
 #include "reference/make/extrapolation.hpp"
 
-// What the makers' routes are made with, in balls: what is no enclosure throws NotEnclosed.
+// Tools of the generators' routes, in balls. Tools that are not enclosures throw NotEnclosed.
 namespace oddity::truth {
 
 Number pi() {
   return Ball::made([](arb_ptr y) { arb_const_pi(y, Ball::bits); });
 }
 
-/// pi/(2 M(1, sqrt(1 - k^2))), M the arithmetic-geometric mean [DLMF 19.8.5].
+/// pi/(2 M(1, sqrt(1 - k^2))), with the arithmetic-geometric mean M [DLMF 19.8.5].
 Number elliptic_k(const Number& k) {
   const Number other = sqrt(1 - k * k);
   return pi() / (2 * Ball::made([&](arb_ptr y) { arb_agm(y, Number(1).data(), other.data(), Ball::bits); }));

@@ -2,8 +2,8 @@
 
 #include "reference/make/even_limit.hpp"
 
-// The curve lies on the unit sphere, its polar angle is t and its colatitude phi has cot(phi) = t. The second
-// route knows the positions alone.
+// The curve lies on the unit sphere; its polar angle is t and its colatitude phi has cot(phi) = t. The second
+// route uses only the positions.
 namespace oddity::truth {
 
 namespace motion_02_03 {

@@ -2,7 +2,7 @@
 
 // w of the rotation by the angle nu t about D = (sin(alpha) cos(Omega t), sin(alpha) sin(Omega t),
 // cos(alpha)). The first route differentiates the unit quaternion (cos(theta/2), sin(theta/2) D), the second
-// knows the matrices alone.
+// uses only the matrices.
 namespace oddity::truth {
 
 namespace angular_velocity_02_05 {

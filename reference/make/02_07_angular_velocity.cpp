@@ -1,6 +1,6 @@
 #include "reference/make/curve_on_sphere.hpp"
 
-// w has the component |r'| along r x u, none along u and kappa = r.(r' x r'')/|r'|^2 along r. With the
+// w has the components |r'| along r x u, zero along u and kappa = r.(r' x r'')/|r'|^2 along r. With the
 // velocity's and the acceleration's components along east and north, v_e = pi cos(psi), v_n = psi':
 //   r x r' = v_e north - v_n east,  r.(r' x r'') = v_e a_n - v_n a_e,
 //   a_e = -2 pi psi' sin(psi),  a_n = psi'' + pi^2 sin(psi) cos(psi)
@@ -16,7 +16,7 @@ Numbers by_angles(const std::vector<double>& in, int) {
   return numbers(sum(scaled(kappa, a.r), sum(scaled(east, a.north), scaled(-north, a.east))));
 }
 
-/// Six digits go where the frames are subtracted, at steps down to 2^-20.
+/// Six digits are lost by subtracting the frames, at steps down to 2^-20.
 Numbers by_positions(const std::vector<double>& in, int digits) {
   const auto frame = [&](const Number& t) { return curve_on_sphere::frame_by_positions(t, digits + 6); };
   return angular_velocity(frame, Number(in[0]), digits);

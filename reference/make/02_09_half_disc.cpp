@@ -2,15 +2,15 @@
 
 // Columns of the half disc x^2 + y^2 <= 1, y >= 0 with the density exp(k x):
 //   mass = int e^(kx) sqrt(1 - x^2) = pi I1(k)/k, first moments pi I2(k)/k and 2 (k cosh k - sinh k)/k^3
-//   [DLMF 10.32.2]. Sectors: polar coordinates, the radius by a power series. [DLMF] NIST Digital Library of
-// Mathematical Functions.
+// [DLMF 10.32.2; DLMF is the NIST Digital Library of Mathematical Functions].
+// Sectors: polar coordinates, the radius by a power series.
 namespace oddity::truth {
 
 namespace half_disc_02_09 {
 
 Numbers centered(const Number& mass, const Number& x, const Number& y) { return {mass, x / mass, y / mass}; }
 
-/// I_n(k) [DLMF 10.25.2]; no term is negative, and those left out are less than half the one before.
+/// I_n(k) [DLMF 10.25.2]; no term is negative, and the omitted ones are less than half the previous one.
 Number bessel_i(int n, const Number& k) {
   Number term = 1, sum = 0;
   for (int m = 1; m <= n; ++m) term *= k / (2 * m);
@@ -28,7 +28,7 @@ Numbers by_bessel(const std::vector<double>& in, int) {
                   2 * (k * cosh(k) - sinh(k)) / (k * k * k));
 }
 
-/// With q = k cos t: int_0^1 r^p e^(qr) dr = sum of q^n / (n! (n + p + 1)), integrated over the angle t.
+/// int_0^1 r^p e^(qr) dr = sum of q^n / (n! (n + p + 1)) with q = k cos t, integrated over the angle t.
 Numbers by_sectors(const std::vector<double>& in, int digits) {
   const Number k = in[0];
   const auto radial = [&](const Number& q, int power) -> Number {

@@ -10,7 +10,7 @@ Number power_integral(const Number& a, const Number& b, int n) {
   return (pow(b, n + 1) - pow(a, n + 1)) / (n + 1);
 }
 
-/// From the moments of x^p y^q.
+/// Components from the moments of x^p y^q.
 Numbers by_columns(const std::vector<double>& in, int) {
   const Number left = in[0], z = in[1], rho = in[2];
   const auto moment = [&](int p, int q) -> Number {
@@ -25,7 +25,7 @@ Numbers by_columns(const std::vector<double>& in, int) {
           rho * z * Number(moment(0, 1))};
 }
 
-/// Each component as it is defined: the integral over a row from x1 to x2, then over y.
+/// Each component by its definition: the integral over a row from x1 to x2, then over y.
 Numbers by_rows(const std::vector<double>& in, int digits) {
   const Number left = in[0], z = in[1], rho = in[2], corner = left * left;
   const auto over_rows = [&](const auto& row) -> Number {

@@ -1,8 +1,8 @@
 #include "reference/make/routes.hpp"
 
-// The particle is at (r cos wt, r sin wt, 0); the power is r w (cos wt - sin wt) under (1, 1, 1), and t times
-// that under (t, t, 1). With x = w T: the works are r (cos x + sin x - 1) and r/w (x (cos x + sin x) + cos x
-// - sin x - 1).
+// The particle is at (r cos wt, r sin wt, 0). The power is r w (cos wt - sin wt) under (1, 1, 1), and t times
+// that under (t, t, 1). With x = w T, the works are r (cos x + sin x - 1) and
+// r/w (x (cos x + sin x) + cos x - sin x - 1).
 namespace oddity::truth {
 
 namespace work_02_17 {

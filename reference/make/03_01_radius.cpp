@@ -2,9 +2,9 @@
 
 #include "reference/make/routes.hpp"
 
-// The conic with focus at the origin, eccentricity e and semi-latus rectum p, met by the ray at angle theta:
-// r = p/(1 + e cos theta). The second route knows the curve only as the points whose distance to the focus is
-// e times that to the directrix x = p/e, squared: x^2 + y^2 = (p - e x)^2.
+// The conic with focus at the origin, eccentricity e and semi-latus rectum p, on the ray at angle theta:
+// r = p/(1 + e cos theta). The second route uses only the condition that the distance to the focus is e times
+// that to the directrix x = p/e, squared: x^2 + y^2 = (p - e x)^2.
 namespace oddity::truth {
 
 namespace radius_03_01 {
@@ -14,7 +14,7 @@ Numbers by_polar_equation(const std::vector<double>& in, int) {
 }
 
 /// The first zero along the ray of r^2 - (p - e x)^2, which is negative at the focus. Every later zero is on
-/// a hyperbola's other branch, beyond the directrix, where p - e x < 0.
+/// a hyperbola's other branch, beyond the directrix, with p - e x < 0.
 Numbers by_bisection(const std::vector<double>& in, int digits) {
   const Number e = in[0], p = in[1], c = cos(Number(in[2])), s = sin(Number(in[2]));
   const auto outside = [&](const Number& r) {

@@ -23,8 +23,8 @@ Numbers by_kepler(const std::vector<double>& in, Precision digits) {
   return by_universal_kepler(a.mu, {a.x, a.y, a.vx, a.vy}, in[6], digits);
 }
 
-/// The time next to zero at which an ellipse is where it is at t: t less whole periods, by the third law. The
-/// time itself on any other orbit.
+/// The time nearest to zero at which an ellipse is at the same point as at t: t less whole periods, by the
+/// third law. For other orbits, t itself.
 Number within_a_turn(const Start& a, const Number& t) {
   const Number axis = 1 / (2 / a.r0 - (a.vx * a.vx + a.vy * a.vy) / a.mu);
   if (!(axis > 0)) return t;

@@ -1,10 +1,10 @@
 #include "reference/make/routes.hpp"
 
 // The period of a bound orbit. First route: 2 pi a sqrt(a/(G M)), a = G M/(-2 E), E the energy of the start.
-// The second one knows neither a nor the apsides: with h = r0^2 theta0' the path in u = 1/r is
-//   u = G M/h^2 + A cos(phi) + B sin(phi),   A = u(0) - G M/h^2,   B = u'(0) = -r0'/h,   phi = theta -
-//   theta0,
-// and T is the integral of 1/(h u^2) over a turn, by the trapezoidal rule (converging geometrically).
+// The second one uses neither a nor the apsides: with h = r0^2 theta0' the path in u = 1/r is
+//   u = G M/h^2 + A cos(phi) + B sin(phi),   A = u(0) - G M/h^2,   B = u'(0) = -r0'/h,
+// with phi = theta - theta0. T is the integral of 1/(h u^2) over a turn, by the trapezoidal rule (converging
+// geometrically).
 namespace oddity::truth {
 
 namespace period_03_03 {

@@ -4,7 +4,7 @@
 #include "reference/make/routes.hpp"
 
 // With sin(t/2) = k sin(u), k = sin(a/2), the integral is sqrt(2) K(k) [DLMF 19.2.8]. The second route keeps
-// the singular integrand, written as 2 sin((a+t)/2) sin((a-t)/2) so that nothing cancels at its end.
+// the singular integrand, written as 2 sin((a+t)/2) sin((a-t)/2) to avoid cancellation at its end.
 namespace oddity::truth {
 
 namespace quarter_period_03_05 {

@@ -1,7 +1,7 @@
 #include "reference/make/03_07_bead.hpp"
 
-// The time at which the bead let go at q0 is at the origin. The first route keeps the singular integrand,
-// written in the distance x = q0 - q from its end so that nothing cancels there.
+// The time at which the bead released at q0 reaches the origin. The first route keeps the singular integrand,
+// written in the distance x = q0 - q from its end to avoid cancellation there.
 namespace oddity::truth {
 
 namespace arrival_03_07 {

@@ -4,11 +4,11 @@
 #include "reference/make/routes.hpp"
 #include "reference/make/taylor.hpp"
 
-/// The bead on the curve (q, q^2, q^3) let go at rest at q0, in two ways that share nothing.
+/// The bead on the curve (q, q^2, q^3), released at rest at q0, by two independent routes.
 namespace oddity::truth {
 
-/// (x, y, z, x', y', z') as a point under gravity held by y - x^2 = 0 and z - x^3 = 0: both constraints
-/// differentiated twice, their two multipliers by Cramer's rule.
+/// (x, y, z, x', y', z') as a point under gravity held by y - x^2 = 0 and z - x^3 = 0. Both constraints are
+/// differentiated twice; Cramer's rule gives their two multipliers.
 struct HeldBead {
   Number g;
 
@@ -24,7 +24,7 @@ struct HeldBead {
   }
 };
 
-/// dt/du on the energy's level, q = q0 (1 - u^2): smooth where the bead starts.
+/// dt/du by conservation of energy, q = q0 (1 - u^2): smooth at the bead's start.
 template <class T>
 T seconds_per_u(const Number& q0, const Number& g, const T& u) {
   const T q = q0 * (1 - u * u);

@@ -1,6 +1,6 @@
 #include "reference/make/03_07_bead.hpp"
 
-// The position of the bead let go at q0 after the time t.
+// The position at time t of the bead released at q0.
 namespace oddity::truth {
 
 namespace slide_03_07 {

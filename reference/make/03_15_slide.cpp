@@ -2,9 +2,9 @@
 #include "reference/make/routes.hpp"
 #include "reference/make/taylor.hpp"
 
-// A mass m on a rod that turns with the speed w about the x3-axis at 45 degrees to it, from the (x1,
-// x3)-plane on; a spring of stiffness K joins it to (c, 0, 0). It starts at the distance s from the axis'
-// foot, at rest on the rod, the spring unstretched.
+// A mass m on a rod that turns with the speed w about the x3-axis, inclined at 45 degrees to it, starting in
+// the (x1, x3)-plane. A spring of stiffness K joins it to (c, 0, 0). It starts at the distance s from the
+// foot of the axis, at rest on the rod, with the spring unstretched.
 namespace oddity::truth {
 
 namespace slide_03_15 {
@@ -15,7 +15,8 @@ struct Rod {
   Number rest_length() const { return sqrt(s * s - sqrt(Number(2)) * c * s + c * c); }
 };
 
-/// s'' = w^2 s / 2 - (K / m) (1 - ell / r) (s - p), p the projection of (c, 0, 0) on the rod, r the length.
+/// s'' = w^2 s / 2 - (K / m) (1 - ell / r) (s - p), with the projection p of (c, 0, 0) on the rod, and the
+/// spring's length r.
 Numbers by_taylor(const std::vector<double>& in, Precision digits) {
   const Rod rod(in);
   const Number ell = rod.rest_length(), K_over_m = rod.K / rod.m, centrifugal = rod.w * rod.w / 2;
@@ -30,8 +31,8 @@ Numbers by_taylor(const std::vector<double>& in, Precision digits) {
   return {s * cos(rod.w * t), s * sin(rod.w * t), s};
 }
 
-/// The mass in space, held by x . n1 = x . n2 = 0, twice differentiated; n1 and n2 turn with the rod and are
-/// normal to it and to each other.
+/// The mass in space, constrained by x . n1 = x . n2 = 0, differentiated twice. n1 and n2 turn with the rod
+/// and are normal to it and to each other.
 Numbers by_extrapolation(const std::vector<double>& in, Precision digits) {
   const Rod rod(in);
   const Number ell = rod.rest_length(), h = sqrt(Number(0.5)), w = rod.w, w2 = rod.w * rod.w;

@@ -1,8 +1,8 @@
 #include "reference/make/03_17_foucault.hpp"
 #include "reference/make/routes.hpp"
 
-// The bob's ellipse at small amplitude, from position and velocity: x + i y = a exp(i w t) + b exp(-i w t), w
-// = sqrt(g/L), whose major axis has the direction of sqrt(a b).
+// The bob's ellipse at small amplitude, from position and velocity: x + i y = a exp(i w t) + b exp(-i w t),
+// w = sqrt(g/L). Its major axis has the direction of sqrt(a b).
 namespace oddity::truth {
 
 namespace axis_03_17 {
@@ -18,7 +18,7 @@ Numbers by_product(const std::vector<double>& in, Precision digits) {
   return from_the_product(in, foucault::by_taylor(in, digits));
 }
 
-/// The mean of the directions of a and of b, brought to within a quarter turn.
+/// The mean of the directions of a and b, reduced to within a quarter turn.
 Numbers from_the_circles(const std::vector<double>& in, const Numbers& s) {
   const Number w = sqrt(Number(in[3]) / Number(in[1])), half_turn = pi();
   const Number a = atan2(Number(s[1] - s[3] / w), Number(s[0] + s[4] / w));

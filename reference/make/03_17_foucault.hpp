@@ -6,8 +6,8 @@
 #include "reference/make/taylor.hpp"
 
 /// The Foucault pendulum of exercise 3.17 by two routes. Inputs: latitude lambda, L, omega, g, the angles
-/// theta and phi, their rates, and the time. Axes x to the west, y to the north, z down, turning with the
-/// Earth; the pivot's weight direction is z, g includes what the Earth's rotation does there.
+/// theta and phi, their rates, and the time. Axes: x west, y north, z down, turning with the Earth. z is the
+/// direction of the weight at the pivot, so g includes the effect of the Earth's rotation there.
 namespace oddity::truth::foucault {
 
 inline const std::vector<std::string> inputs{"lambda", "L",         "omega",   "g", "theta",
@@ -22,8 +22,9 @@ inline Numbers start(const std::vector<double>& in) {
           -outward * sp};
 }
 
-/// Turning axes: Coriolis and centrifugal force, and the rod's tension from |r| = L, differentiated twice. By
-/// r.r, not by L^2: an error of |r| grows then as the time, and not exponentially while the rod pushes.
+/// Turning axes: Coriolis and centrifugal force, and the rod's tension from |r| = L, differentiated twice.
+/// Divides by r.r, not by L^2: an error of |r| then grows linearly, and not exponentially while the rod
+/// pushes.
 inline Numbers by_taylor(const std::vector<double>& in, Precision digits) {
   const Number wy = in[2] * cos(Number(in[0])), wz = -in[2] * sin(Number(in[0])), g = in[3];
   const Number two = 2, square = wy * wy + wz * wz;
@@ -39,7 +40,7 @@ inline Numbers by_taylor(const std::vector<double>& in, Precision digits) {
   return solve_taylor(rhs, start(in), 0, Number(in[8]), digits + 4);
 }
 
-/// The same by the angular velocity: theta' about z, phi' about the level axis that theta has turned.
+/// The start from the angular velocity: theta' about z, phi' about the horizontal axis turned by theta.
 inline Numbers start_by_rotation(const std::vector<double>& in) {
   const Number L = in[1], theta = in[4], phi = in[5], turn = in[6], tilt = in[7];
   const Number x = L * sin(phi) * cos(theta), y = L * sin(phi) * sin(theta), z = L * cos(phi);
@@ -47,8 +48,8 @@ inline Numbers start_by_rotation(const std::vector<double>& in) {
   return {x, y, z, wy * z - turn * y, turn * x - wx * z, wx * y - wy * x};
 }
 
-/// Axes that do not turn: gravity turns instead, and the rod pulls; no other force. Seen in the turning axes
-/// at the end.
+/// Inertial axes: gravity turns, and the rod pulls; there is no other force. The result is converted to the
+/// turning axes.
 inline Numbers by_extrapolation(const std::vector<double>& in, Precision digits) {
   const Number w = in[2], c = cos(Number(in[0])), s = sin(Number(in[0])), g = in[3], t = in[8];
   const auto turned = [&](const Number& x, const Number& y, const Number& z, const Number& angle) {
@@ -72,7 +73,7 @@ inline Numbers by_extrapolation(const std::vector<double>& in, Precision digits)
         q[3], q[4], q[5], down[0] - tension * q[0], down[1] - tension * q[1], down[2] - tension * q[2]};
   };
   const int pieces =
-      digits.kept ? 1 : 1 + static_cast<int>(in[8] / std::sqrt(in[1] / in[3]));  // of a radian of swing
+      digits.kept ? 1 : 1 + static_cast<int>(in[8] / std::sqrt(in[1] / in[3]));  // each a radian of swing
   for (int i = 0; i < pieces; ++i)
     x = solve_extrapolation(rhs, x, t * i / pieces, t * (i + 1) / pieces, digits + 6);
   const Numbers r = turned(x[0], x[1], x[2], -w * t), u = turned(x[3], x[4], x[5], -w * t);

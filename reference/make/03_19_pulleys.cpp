@@ -2,10 +2,10 @@
 
 #include "reference/make/taylor.hpp"
 
-// M x'' + K (x - e) = 0 about the equilibrium e: with A = M^-1 K of eigenvalues s1 < s2, every function of it
-// is f(A) = f(s1) 1 + (f(s2) - f(s1))/(s2 - s1) (A - s1 1), and x = e + cos(sqrt(A) t) (x0 - e) +
-// sin(sqrt(A) t)/sqrt(A) v0. The second route integrates Newton's laws with the tensions that the ropes have
-// on the far sides of their pulleys.
+// M x'' + K (x - e) = 0 about the equilibrium e. A function f of A = M^-1 K, with eigenvalues s1 < s2, is
+// f(A) = f(s1) 1 + (f(s2) - f(s1))/(s2 - s1) (A - s1 1). Then
+// x = e + cos(sqrt(A) t) (x0 - e) + sin(sqrt(A) t)/sqrt(A) v0.
+// The second route integrates Newton's laws with the tensions of the ropes on the far sides of their pulleys.
 namespace oddity::truth {
 
 namespace pulleys_03_19 {

@@ -1,9 +1,9 @@
 #include "reference/make/taylor.hpp"
 
-// A disk of radius r on an upright pipe: theta and psi both turn it about the vertical, and all of it that is
-// seen is a mark on its rim, at the angle theta + psi. Its momentum about the vertical is constant. The
-// second route turns a rigid body by its quaternion under Euler's equations, moments r^2/4 across and r^2/2
-// about the axis over the mass.
+// A disk of radius r on an upright pipe. theta and psi both turn it about the vertical, so only a mark on its
+// rim shows the motion, at the angle theta + psi. Its angular momentum about the vertical is constant. The
+// second route turns a rigid body by its quaternion under Euler's equations, with moments over mass of r^2/4
+// across and r^2/2 about the axis.
 namespace oddity::truth {
 
 namespace upright_03_21 {

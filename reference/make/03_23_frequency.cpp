@@ -1,7 +1,7 @@
 #include "reference/make/even_limit.hpp"
 
-// A bar without mass about the origin, a mass m at r, and at s a spring (c, ell) that stands on (s, -h):
-// m r^2 w^2 = V''(0) = c s^2, whatever h, g and ell are.
+// A massless bar about the origin, a mass m at r, and at s a spring (c, ell) with its foot at (s, -h).
+// m r^2 w^2 = V''(0) = c s^2, for any h, g and ell.
 namespace oddity::truth {
 
 namespace frequency_03_23 {

@@ -1,8 +1,9 @@
 #include "reference/make/extrapolation.hpp"
 #include "reference/make/taylor.hpp"
 
-// A bar without mass about the origin, a mass m at r, and at s a spring of constant c and rest length ell
-// that stands on (s, -h); where the mass is, t after it was let go at the angle theta0 with angular speed w0.
+// A massless bar about the origin, a mass m at r, and at s a spring of constant c and rest length ell with
+// its foot at (s, -h). Position of the mass at time t after its release at the angle theta0 with angular
+// speed w0.
 namespace oddity::truth {
 
 namespace swing_03_23 {
@@ -13,7 +14,8 @@ struct Bar {
       : m(in[0]), r(in[1]), s(in[2]), c(in[3]), h(in[4]), g(in[5]), ell(in[6]), theta0(in[7]), w0(in[8]) {}
 };
 
-/// The spring's square length is h^2 + 2 s^2 + 2 s (h sin - s cos); half its derivative is s (s sin + h cos).
+/// The spring's squared length is h^2 + 2 s^2 + 2 s (h sin - s cos); half its derivative is s (s sin + h
+/// cos).
 Numbers by_taylor(const std::vector<double>& in, Precision digits) {
   const Bar b(in);
   const Number inertia = b.m * b.r * b.r, torque = b.m * b.g * b.r;
@@ -27,7 +29,8 @@ Numbers by_taylor(const std::vector<double>& in, Precision digits) {
   return {b.r * cos(theta), b.r * sin(theta)};
 }
 
-/// The mass in the plane, held by |x| = r, twice differentiated; the spring acts through the lever s/r.
+/// The mass in the plane, constrained by |x| = r, differentiated twice; the spring acts through the lever
+/// s/r.
 Numbers by_extrapolation(const std::vector<double>& in, Precision digits) {
   const Bar b(in);
   const Number lever = b.s / b.r;

@@ -1,9 +1,9 @@
 #include "reference/make/03_25_chain.hpp"
 
-// Angular accelerations at the first, the middle and the last of n links whose masses, lengths, angles and
-// speeds run through dyadic patterns. First route: tensions, eliminated from the pivot on. Second route: the
-// articulated recursion [Featherstone, Rigid Body Dynamics Algorithms, ch. 7], from the free end: the chain
-// beyond a joint resists its acceleration a by the force A a + b.
+// Angular accelerations of the first, the middle and the last of n links whose masses, lengths, angles and
+// speeds follow dyadic patterns. First route: tensions, eliminated from the pivot on. Second route: the
+// articulated-body recursion [Featherstone, Rigid Body Dynamics Algorithms, ch. 7], from the free end: the
+// chain beyond a joint resists its acceleration a by the force A a + b.
 namespace oddity::truth {
 
 namespace accelerations_03_25 {

@@ -6,14 +6,14 @@
 #include "reference/make/extrapolation.hpp"
 #include "reference/make/taylor.hpp"
 
-// Positions of the triple pendulum's masses after the time t. Neighbouring trajectories diverge
-// exponentially: both routes work with digits to spare.
+// Positions of the triple pendulum's masses at time t. Neighbouring trajectories diverge exponentially, so
+// both routes work with extra digits.
 namespace oddity::truth {
 
 namespace chain_03_25 {
 
-/// Past 4 s neighbouring trajectories of the large-angle start diverge so fast that 42 digits would take
-/// minutes a row.
+/// After 4 s neighbouring trajectories of the large-angle start diverge so fast that 42 digits would take
+/// minutes per row.
 Precision digits_at(double t, Precision asked) {
   return {t > 4 ? std::min(asked.digits, 32) : asked.digits, asked.kept};
 }

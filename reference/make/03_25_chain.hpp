@@ -5,9 +5,9 @@
 
 #include "reference/truth.hpp"
 
-/// A hanging chain of n point masses on massless rods, by two sets of equations that share nothing: angles
-/// with the dense mass matrix, and Cartesian coordinates with the tensions. theta is counted from the
-/// downward vertical.
+/// A hanging chain of n point masses on massless rods, by two independent sets of equations: angles with the
+/// dense mass matrix, and Cartesian coordinates with the tensions. theta is measured from the downward
+/// vertical.
 namespace oddity::truth {
 
 struct ChainData {
@@ -15,8 +15,8 @@ struct ChainData {
   Number g, h;
 };
 
-/// (theta, omega): M(theta) theta'' = f, M_ij = mu_max(i,j) r_i r_j cos(theta_i - theta_j), mu_k the mass
-/// from k on; Gauss's elimination without pivots (M is positive definite).
+/// (theta, omega): M(theta) theta'' = f, M_ij = mu_max(i,j) r_i r_j cos(theta_i - theta_j), with mu_k the
+/// mass from k on. Gaussian elimination without pivoting (M is positive definite).
 struct ChainAngles {
   const ChainData& c;
 
@@ -27,7 +27,7 @@ struct ChainAngles {
     for (std::size_t k = n - 1; k-- > 0;) mu[k] += mu[k + 1];
     std::vector<T> f, C, S;
     for (std::size_t i = 0; i < n; ++i) {
-      const T angle = x[i];  // so that the compiler sees one argument, which takes half the time
+      const T angle = x[i];  // a single argument for the compiler, which halves the time
       C.push_back(cos(angle));
       S.push_back(sin(angle));
       f.push_back(S[i] * Number(-mu[i] * c.g * c.r[i]));
@@ -68,8 +68,8 @@ struct ChainAngles {
   }
 };
 
-/// (d_1, ..., d_n, d_1', ..., d_n'), d_k = (x, y) of mass k seen from mass k-1. With s_k the tension over the
-/// length, each rod's length twice differentiated is a row of a tridiagonal system.
+/// (d_1, ..., d_n, d_1', ..., d_n'), with d_k = (x, y) of mass k relative to mass k-1. With s_k the tension
+/// over the length, each rod's length differentiated twice is a row of a tridiagonal system.
 struct ChainTensions {
   const ChainData& c;
 
@@ -128,7 +128,7 @@ struct ChainTensions {
   }
 };
 
-/// m1 m2 m3 r1 r2 r3 g h theta1 theta2 theta3 omega1 omega2 omega3, of a table's row.
+/// Start from a table's row: m1 m2 m3 r1 r2 r3 g h theta1 theta2 theta3 omega1 omega2 omega3.
 struct TripleStart {
   ChainData chain;
   std::vector<double> theta, omega;

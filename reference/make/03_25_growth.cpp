@@ -3,15 +3,15 @@
 #include "reference/make/extrapolation.hpp"
 #include "reference/make/taylor.hpp"
 
-// How fast a change of theta1 at the start grows: log of the largest |d(position)/d(theta1)| in m/rad after
-// the time t, over t. Both routes take central differences of two trajectories, so near each other that they
-// are still near after 12 s, when they are 10^16 times as far apart: fewer digits would not do, whatever is
-// asked.
+// Growth rate of a change of theta1 at the start: log of the largest |d(position)/d(theta1)| in m/rad after
+// the time t, over t. Both routes take central differences of two trajectories that start so close together
+// that they are still close after 12 s, when they are 10^16 times as far apart. This needs the fixed number
+// of digits, whatever is requested.
 namespace oddity::truth {
 
 namespace growth_03_25 {
 
-/// start(apart) -> the start moved by it; advance(x, t0, t1) -> the state at t1.
+/// start(apart) -> the start displaced by it; advance(x, t0, t1) -> the state at t1.
 template <class Rhs, class Start, class Advance>
 Numbers rate(Checkpoints& kept, const Rhs& rhs, const std::vector<double>& in, int digits,
              const Number& apart, const Start& start, const Advance& advance) {

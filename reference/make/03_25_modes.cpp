@@ -1,8 +1,8 @@
 #include "reference/make/routes.hpp"
 
 // The triple pendulum's small oscillations. First route: the cubic det(K - lambda M) = 0, its three real
-// roots by the cosine of a third of an angle. Second route: the rods' tensions at rest hold the masses as a
-// string; Sturm's sign count on that tridiagonal matrix, bisected.
+// roots by the cosine of a third of an angle. Second route: the masses on a string with the rods' tensions at
+// rest; bisection by Sturm's sign count on that tridiagonal matrix.
 namespace oddity::truth {
 
 namespace modes_03_25 {

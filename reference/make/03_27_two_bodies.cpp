@@ -2,8 +2,8 @@
 #include "reference/make/taylor.hpp"
 #include "reference/make/universal_kepler.hpp"
 
-// Two bodies that attract each other by G m1 m2/r^2, the second seen from the first. The first route solves
-// Kepler's equation in universal variables with mu = G (m1 + m2); the second moves both bodies.
+// Two bodies that attract each other by G m1 m2/r^2: the second one relative to the first. The first route
+// solves Kepler's equation in universal variables with mu = G (m1 + m2); the second moves both bodies.
 namespace oddity::truth {
 
 namespace two_bodies_03_27 {

@@ -1,9 +1,9 @@
 #include "reference/make/03_29_wire.hpp"
 #include "reference/make/taylor.hpp"
 
-// A wire along y = x^2 from 0 to q is thrown with its center of mass at the origin and the velocity (u, v),
-// turning with w; its mark is its first end. The second route has two particles of mu0/2 each, at the
-// distance k = sqrt(mu2/mu0) from the center of mass; a massless rod holds them.
+// A wire along y = x^2 from 0 to q is thrown with its center of mass at the origin, the velocity (u, v) and
+// the angular velocity w; its mark is its first end. The second route has two particles of mu0/2 each, at the
+// distance k = sqrt(mu2/mu0) from the center of mass, joined by a massless rod.
 namespace oddity::truth {
 
 namespace fall_03_29 {

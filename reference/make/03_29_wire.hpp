@@ -2,13 +2,13 @@
 
 #include "reference/make/routes.hpp"
 
-/// A uniform wire of the size q and the density d: 0, from (0, 0) to (q, 0); 1, the upper half circle of
-/// radius q; 2, y = x^2 from 0 to q.
+/// A uniform wire of size q and density d. Shape 0: from (0, 0) to (q, 0); 1: the upper half circle of radius
+/// q; 2: y = x^2 from 0 to q.
 namespace oddity::truth::wire {
 
 enum Shape { straight, semicircle, parabola };
 
-/// mu0, the center of mass, mu2 about it.
+/// mu0, the center of mass, and mu2 about it.
 struct Inertia {
   Number mu0, x, y, mu2;
   Inertia(const Number& m, const Number& mx, const Number& my, const Number& m2)
@@ -21,8 +21,8 @@ inline Inertia by_primitives(int shape, const Number& q, const Number& d) {
   if (shape == semicircle) return {pi() * q * d, 0, 2 * q * q * d, pi() * q * q * q * d};
   const Number q2 = q * q, root = sqrt(1 + 4 * q2), log_end = log(2 * q + root);
   const Number length = q * root / 2 + log_end / 4;
-  const Number second = q * root * (1 + 8 * q2) / 32 - log_end / 64;    // of x^2 ds
-  const Number fourth = q * q2 * root * root * root / 24 - second / 8;  // of x^4 ds
+  const Number second = q * root * (1 + 8 * q2) / 32 - log_end / 64;    // x^2 ds
+  const Number fourth = q * q2 * root * root * root / 24 - second / 8;  // x^4 ds
   return {d * length, d * (root * root * root - 1) / 12, d * second, d * (second + fourth)};
 }
 

@@ -6,9 +6,9 @@
 #include "reference/make/checkpoints.hpp"
 #include "reference/make/extrapolation.hpp"
 
-/// A box of half sides a and b slides and turns on a rough level plane under the friction mu, its pressure
-/// uniform, in two ways. Both stretch the time as dt = speed ds, in which rest is never reached but
-/// approached exponentially. Inputs: a, b, mu, g and the velocities u, v, w at the start.
+/// A box of half sides a and b slides and turns on a rough level plane with friction mu and uniform pressure,
+/// by two routes. Both stretch the time as dt = speed ds: rest is then approached exponentially, and never
+/// reached. Inputs: a, b, mu, g and the initial velocities u, v, w.
 namespace oddity::truth::rough_box {
 
 struct Box {
@@ -19,15 +19,15 @@ struct Box {
   Number inertia() const { return (a * a + b * b) / 3; }
 };
 
-/// Where the instantaneous centre crosses an edge the friction has a singularity of the kind k^2 log k: the
-/// steps shrink towards it and grow again, and every digit costs many of them. So a table has 31, and a value
-/// made on the spot 15. Both ways err alike there, by more than they differ: the second one works to two
-/// digits less, and their disagreement bounds the first one's error.
+/// When the instantaneous center crosses an edge, the friction has a singularity of the kind k^2 log k. The
+/// steps shrink towards it and grow again, and every digit costs many of them. So a table has 31 digits, and
+/// a value computed on demand 15. Both routes have similar errors there, larger than their difference. So the
+/// second one works to two digits less, and their disagreement bounds the first one's error.
 inline Precision worked_to(Precision asked) {
   return {asked.digits > spot_digits ? 31 : std::min(asked.digits, 15), asked.kept};
 }
 
-/// The integral of the distance from a point along an edge that it sees at the distance k, from y1 to y2.
+/// The integral of the distance from a point along an edge at the distance k, from y1 to y2.
 inline Number along_edge(const Number& k, const Number& y1, const Number& y2) {
   const Number r1 = sqrt(k * k + y1 * y1), r2 = sqrt(k * k + y2 * y2);
   const Number twice = y2 * r2 - y1 * r1;
@@ -37,7 +37,7 @@ inline Number along_edge(const Number& k, const Number& y1, const Number& y2) {
   return (k == 0 ? twice : Number(twice + k * k * log(above(y2, r2) / above(y1, r1)))) / 2;
 }
 
-/// The means over the box of the unit velocity and of its moment, in the box's own axes.
+/// The means over the box of the unit velocity and of its moment, in the box's axes.
 inline Numbers unit_means(const Box& box, const Number& u, const Number& v, const Number& w) {
   if (w == 0) {
     const Number speed = sqrt(u * u + v * v);
@@ -53,9 +53,9 @@ inline Numbers unit_means(const Box& box, const Number& u, const Number& v, cons
   return {-over * y, over * x, over * (r + cx * x + cy * y)};
 }
 
-/// Until rest, or until the component `clock` of x, the time, has come to t. The speed falls at least as
-/// exp(-0.85 mu g s). In pieces, which are kept, so short that the first steps tried stay finite; the last
-/// one's length by Newton's method, which comes from below, the speed falling.
+/// Integrates until rest, or until the component `clock` of x, the time, reaches t. The speed falls at least
+/// as fast as exp(-0.85 mu g s). The pieces are cached, and so short that the first steps tried stay finite.
+/// Newton's method finds the length of the last piece; it converges from below, as the speed falls.
 template <class Rhs>
 Numbers until(const Number& t, const Rhs& rhs, const Numbers& start, std::size_t clock, const Box& box,
               Precision digits, Checkpoints& kept) {
@@ -85,13 +85,13 @@ Numbers until(const Number& t, const Rhs& rhs, const Numbers& start, std::size_t
   return x;
 }
 
-/// Along the first velocity, of a box that does not turn.
+/// Displacement along the initial velocity, for a box that does not turn.
 inline Numbers slid(const Box& box, const Number& time, const Number& speed, const Number& distance) {
   if (speed == 0) return {time, 0, 0, 0};
   return {time, box.u / speed * distance, box.v / speed * distance, 0};
 }
 
-/// A box that starts without turning slides straight: it slows down by mu g, and its path is the mean of the
+/// A box that starts without rotation slides straight. It slows down by mu g, and its path is the mean of the
 /// first and the last speed times the time.
 inline Numbers slid_by_mean_speed(const Box& box, const Number& t) {
   const Number speed = sqrt(box.u * box.u + box.v * box.v);
@@ -99,14 +99,14 @@ inline Numbers slid_by_mean_speed(const Box& box, const Number& t) {
   return slid(box, time, speed, (speed + (speed - box.mu_g * time)) / 2 * time);
 }
 
-/// The same by energy: the path is the loss of half the speed's square, over mu g.
+/// Its motion by energy: the path is the loss of half the squared speed, over mu g.
 inline Numbers slid_by_energy(const Box& box, const Number& t) {
   const Number speed = sqrt(box.u * box.u + box.v * box.v), later = speed - box.mu_g * t;
   if (later <= 0) return slid(box, speed / box.mu_g, speed, speed * speed / (2 * box.mu_g));
   return slid(box, t, speed, (speed * speed - later * later) / (2 * box.mu_g));
 }
 
-/// (t, x, y, theta): velocities in space.
+/// (t, x, y, theta), with velocities in space.
 inline Numbers velocity_in_space(const std::vector<double>& in, const Number& t, Precision digits) {
   static Checkpoints kept;
   const Box box(in);
@@ -128,8 +128,8 @@ inline Numbers velocity_in_space(const std::vector<double>& in, const Number& t,
   return {x[6], x[0], x[1], x[2]};
 }
 
-/// (t, x, y, theta): velocities along the box's axes, scaled: (u, v, w) = speed (p, q, r), and the speed's
-/// logarithm.
+/// (t, x, y, theta), with scaled velocities along the box's axes, (u, v, w) = speed (p, q, r), and the
+/// logarithm of the speed.
 inline Numbers velocity_in_the_box(const std::vector<double>& in, const Number& t, Precision digits) {
   static Checkpoints kept;
   const Box box(in);
@@ -140,7 +140,7 @@ inline Numbers velocity_in_the_box(const std::vector<double>& in, const Number& 
     const Number &p = x[3], &q = x[4], &r = x[5];
     const Number speed = exp(x[6]), C = cos(x[2]), S = sin(x[2]);
     const Numbers e = unit_means(box, p, q, r);
-    const Number norm = p * p + q * q + J * r * r;  // 1; divided by, it stays so
+    const Number norm = p * p + q * q + J * r * r;  // 1; dividing by it keeps it so
     const Number loss = box.mu_g * (e[0] * p + e[1] * q + e[2] * r) / norm;
     const Number turn = speed * speed;
     return Numbers{speed * speed * (C * p - S * q),

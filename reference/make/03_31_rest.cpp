@@ -2,7 +2,7 @@
 
 #include "reference/make/03_31_box.hpp"
 
-// When, where and at which angle does a box come to rest that slides and turns on a rough level plane?
+// Time, place and angle at which a box that slides and turns on a rough level plane comes to rest.
 namespace oddity::truth {
 
 namespace rest_03_31 {

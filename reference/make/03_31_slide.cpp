@@ -1,6 +1,6 @@
 #include "reference/make/03_31_box.hpp"
 
-// Where a box is that slides and turns on a rough level plane, the time t after its start. At rest it stays.
+// Position at time t of a box that slides and turns on a rough level plane. After coming to rest it stays.
 namespace oddity::truth {
 
 namespace slide_03_31 {

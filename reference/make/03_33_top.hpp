@@ -7,7 +7,7 @@
 #include "reference/make/routes.hpp"
 #include "reference/make/taylor.hpp"
 
-/// The axis of a heavy symmetric top whose tip is at (A sin(lambda t), 0, 0), in two ways that share nothing.
+/// The axis of a heavy symmetric top whose tip is at (A sin(lambda t), 0, 0), by two independent routes.
 /// Inputs: m, l, mu1, mu3, g, theta, phi, psi, theta', phi', psi', A, lambda, t.
 namespace oddity::truth {
 
@@ -30,7 +30,7 @@ struct ShakenTop {
         lambda(in[12]) {}
 };
 
-/// (d, L): the axis and the angular momentum about the tip, in the world's coordinates.
+/// (d, L): the axis and the angular momentum about the tip, in world coordinates.
 inline Numbers axis_by_momentum(const std::vector<double>& in, Precision digits) {
   const ShakenTop s(in);
   const Number st = sin(s.theta), ct = cos(s.theta), sp = sin(s.phi), cp = cos(s.phi);

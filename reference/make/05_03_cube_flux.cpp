@@ -1,14 +1,14 @@
 #include "reference/make/routes.hpp"
 
-// A face at the distance z, seen over x1..x2 and y1..y2, has the flux atan(x y / (z r)), r = |(x, y, z)|,
-// summed over its corners with alternating signs. The second route integrates over x what is left of the
-// flux density once y is integrated, z y / ((x^2 + z^2) r).
+// A face at the distance z, over x1..x2 and y1..y2, has the flux atan(x y / (z r)), r = |(x, y, z)|, summed
+// over its corners with alternating signs. The second route integrates over x the flux density after its
+// integral over y, z y / ((x^2 + z^2) r).
 namespace oddity::truth {
 
 namespace cube_flux_05_03 {
 
 /// The sum of `face(z, from, to)` over the six faces: z is the distance along the outward normal, from and to
-/// are the face's corners in its own plane.
+/// are the face's corners in its plane.
 template <class Face>
 Number over_faces(const std::vector<double>& in, const Face& face) {
   const Number h = in[0];

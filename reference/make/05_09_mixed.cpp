@@ -1,11 +1,11 @@
 #include "reference/make/fields.hpp"
 
-// Each mixed derivative of phi in both orders: the inner derivative is taken as a field of its own.
+// Each mixed derivative of phi in both orders: the inner derivative is taken as a separate field.
 namespace oddity::truth {
 
 namespace mixed_05_09 {
 
-/// The components: which derivative is taken first, which second.
+/// The components: the first and the second variable of differentiation.
 constexpr std::array<std::array<std::size_t, 2>, 6> orders{{{1, 2}, {2, 1}, {2, 0}, {0, 2}, {0, 1}, {1, 0}}};
 
 Numbers by_differences(const std::vector<double>& in, int) {

@@ -2,7 +2,7 @@
 
 #include "reference/make/fields.hpp"
 
-// F(x) = p sin(k.x + 1/2) + q exp(l.x), the wave vectors k and l in proportion to w. The first route is the
+// F(x) = p sin(k.x + 1/2) + q exp(l.x), with wave vectors k and l proportional to w. The first route is the
 // closed form: a curl turns p sin into (k x p) cos. The second expands F about x as a power series in three
 // variables and differentiates its coefficients.
 namespace oddity::truth {

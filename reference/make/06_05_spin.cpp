@@ -2,9 +2,9 @@
 
 #include "reference/make/routes.hpp"
 
-// A box of sides a, b, c stands on the edge along x, turned by the angle theta about it; an impulse f along
-// z, spread evenly over l0 <= x <= l1 of the edge, changes its angular velocity. The second route integrates
-// over the segment, in the box's own axes, where the inertia tensor is diagonal.
+// A box of sides a, b, c rests on the edge along x, turned by the angle theta about it. An impulse f along z,
+// spread evenly over l0 <= x <= l1 of the edge, changes its angular velocity. The second route integrates
+// over the segment, in the box's axes, in which the inertia tensor is diagonal.
 namespace oddity::truth {
 
 namespace spin_06_05 {
@@ -21,7 +21,7 @@ struct Box {
   }
 };
 
-/// J^-1 (r x f e_z) at the midpoint, J in the world's axes and solved by Cramer's rule.
+/// J^-1 (r x f e_z) at the midpoint, with J in the world's axes and Cramer's rule.
 Numbers by_midpoint(const std::vector<double>& in, int) {
   const Box box(in);
   const Number x = (box.l0 + box.l1) / 2;

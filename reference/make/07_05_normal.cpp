@@ -30,13 +30,13 @@ Numbers by_vertices(const std::vector<double>& in, int) {
   return sum;
 }
 
-/// Height about h over a base of about 1, at the distance d.
+/// A triangle of height about h over a base of about 1, at the distance d.
 std::vector<double> flat(double d, double h) {
   return {
       d, d / 3, -d / 7, d + 1.1, d / 3 + 0.7, -d / 7 - 0.3, d + 0.66, d / 3 + 0.42 + h, -d / 7 - 0.18 + h};
 }
 
-/// Two sides of about 1, the third of about s.
+/// A triangle with two sides of about 1, the third of about s.
 std::vector<double> needle(double s) {
   return {0, 0, 0, 1.08231, 0.73914, -0.31277, 1.08231 + s, 0.73914 - 2 * s, -0.31277 + s / 3};
 }

@@ -22,7 +22,7 @@ Numbers over(const Numbers& a, const Numbers& b, const Numbers& c, const Numbers
   return {dot(p, cross(b, c)) / volume, dot(p, cross(c, a)) / volume, dot(p, cross(a, b)) / volume};
 }
 
-/// The same by elimination with exchange of rows.
+/// The coefficients by elimination with row exchanges.
 Numbers solved(const Numbers& a, const Numbers& b, const Numbers& c, const Numbers& p) {
   std::vector<Numbers> m;
   for (std::size_t i = 0; i < 3; ++i) m.push_back({a[i], b[i], c[i], p[i]});

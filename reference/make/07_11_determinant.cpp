@@ -2,8 +2,8 @@
 
 #include "reference/truth.hpp"
 
-// A triangular matrix with u_k = s_k m_k 2^e in its first half and s_k m_k 2^-e in its second, m_k = 1 +
-// (37 k mod 64)/64, s_k = -1 for every third k: the powers of two cancel in the product.
+// A triangular matrix with u_k = s_k m_k 2^e in its first half and s_k m_k 2^-e in its second. The powers of
+// two cancel in the product. m_k = 1 + (37 k mod 64)/64, and s_k = -1 for every third k.
 namespace oddity::truth {
 
 namespace determinant_07_11 {

@@ -1,6 +1,6 @@
 #include "reference/make/routes.hpp"
 
-// Coordinates with respect to axes turned counterclockwise by a quarter of pi, the origin staying.
+// Coordinates with respect to axes turned counterclockwise by pi/4, with the same origin.
 namespace oddity::truth {
 
 namespace coordinates_08_01 {
@@ -10,7 +10,7 @@ Numbers by_projection(const std::vector<double>& in, int) {
   return {(x + y) / root, (y - x) / root};
 }
 
-/// The polar angle, less a quarter of pi.
+/// By the polar angle, less pi/4.
 Numbers by_angle(const std::vector<double>& in, int) {
   const Number x = in[0], y = in[1], radius = sqrt(x * x + y * y), angle = atan2(y, x) - pi() / 4;
   return {radius * cos(angle), radius * sin(angle)};

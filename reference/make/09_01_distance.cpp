@@ -3,7 +3,7 @@
 #include "reference/truth.hpp"
 
 // The distance from a point to a triangle. The second route minimizes the squared distance over t in closed
-// form and over s by bisection of the derivative: it knows nothing of edges and regions.
+// form and over s by bisection of the derivative, without edges and regions.
 namespace oddity::truth {
 
 namespace distance_09_01 {

@@ -10,7 +10,7 @@
 
 namespace oddity::truth {
 
-/// What this thread's numbers have kept for themselves, such as pi, is freed with it.
+/// Frees this thread's caches of constants such as pi when it ends.
 struct Caches {
   ~Caches() {
 #if !defined(ODDITY_LONG_DOUBLE) && !defined(ODDITY_BALLS)
@@ -19,13 +19,13 @@ struct Caches {
   }
 };
 
-/// What is made by another thread meanwhile, which ends when this does; where there can be no other, by this
-/// one when it is asked for.
+/// A value computed by another thread in the meantime, which ends with this object. If no thread can be
+/// started, get() computes it.
 template <class Made>
 class Aside {
  public:
-  /// `make` takes a tick, to be called between pieces of its work, if there is one to call here: `tick`, in
-  /// this thread.
+  /// `make` takes a tick to call between pieces of its work; it is empty if `tick`, called in this thread,
+  /// is.
   Aside(const Tick& tick, std::function<Made(const Tick&)> make)
       : tick_(tick), make_(std::move(make)), made_(std::async([this] { return make_in_its_thread(); })) {}
   Aside(const Aside&) = delete;
@@ -33,7 +33,7 @@ class Aside {
   ~Aside() { over_.request(); }
 
   bool is_ready() const { return made_.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }
-  /// Once. Throws what making it threw.
+  /// The value; may be called once. Throws the exceptions of `make`.
   Made get() {
     constexpr std::chrono::milliseconds a_while(20);
     while (made_.wait_for(a_while) == std::future_status::timeout) {

@@ -9,18 +9,18 @@
 
 #include "reference/truth.hpp"
 
-/// Motions sampled at many times are integrated only once.
+/// Motions sampled at many times, integrated only once.
 namespace oddity::truth {
 
-/// States along motions, kept from call to call. For many threads.
+/// States along motions, kept between calls. Safe for many threads.
 class Checkpoints {
  public:
-  /// State number k of a motion, the start being number 0, each made from the one before. `motion` tells the
-  /// motions apart: all that `start` and `next` depend on.
+  /// State number k of a motion, the start being number 0; each is computed from the one before. `motion`
+  /// identifies the motion: everything that `start` and `next` depend on.
   Numbers state(std::size_t k, const std::vector<double>& motion, const std::function<Numbers()>& start,
                 const std::function<Numbers(const Numbers& x, std::size_t k)>& next);
 
-  /// The state at t >= 0, through those at whole seconds.
+  /// The state at t >= 0, via the states at whole seconds.
   Numbers at(double t, const std::vector<double>& motion, const std::function<Numbers()>& start,
              const std::function<Numbers(const Numbers& x, const Number& t0, const Number& t1)>& advance);
 
@@ -35,7 +35,7 @@ class Checkpoints {
   std::map<std::vector<double>, std::shared_ptr<Motion>> motions_;
 };
 
-/// What tells motions apart: the inputs, and the digits in the place of the time, the last of them.
+/// Identifies a motion: its inputs, with the digits in place of the time, which is the last of them.
 inline std::vector<double> motion_of(std::vector<double> inputs, int digits) {
   inputs.back() = digits;
   return inputs;

@@ -9,7 +9,7 @@ namespace oddity::truth::curve_on_sphere {
 
 /// Latitude psi and longitude pi t of r: cos(psi) = (1 - t^2)/sqrt(d), of any sign, sin(psi) = t^2/sqrt(d).
 struct Angles {
-  Number cosine, sine, rate, rate_dot;  ///< of psi: cos, sin, psi', psi''
+  Number cosine, sine, rate, rate_dot;  ///< cos(psi), sin(psi), psi', psi''
   Vector r, north, east;  ///< unit vectors: position, along growing psi, along growing longitude
 
   explicit Angles(const Number& t) {
@@ -39,7 +39,7 @@ inline Vector position(const Number& t) {
   const Number s = t * t, c = 1 - s;
   return scaled(1 / sqrt(c * c + s * s), Vector{c * cos_pi(t), c * sin_pi(t), s});
 }
-/// The velocity's direction from positions alone.
+/// The frame from positions alone.
 inline Matrix frame_by_positions(const Number& t, int digits) {
   const Numbers v = even_limit(
       [&](const Number& h) {

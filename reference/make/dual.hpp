@@ -2,8 +2,8 @@
 
 #include "reference/truth.hpp"
 
-/// First derivatives by dual numbers x + dx e, e^2 = 0: of numbers, of what is recorded on a tape, and of
-/// dual numbers, whose derivatives are then second ones.
+/// First derivatives by dual numbers x + dx e, e^2 = 0: of numbers, of numbers recorded on a tape, and of
+/// dual numbers, which gives second derivatives.
 namespace oddity::truth {
 
 template <class T>

@@ -5,11 +5,11 @@
 
 #include "reference/truth.hpp"
 
-/// Derivatives in high precision from values alone.
+/// Derivatives in high precision from function values alone.
 namespace oddity::truth {
 
-/// The limit of f(h), h -> 0, of an f with even powers of h only, such as a central difference: from the
-/// steps 1/32, 1/64, ..., extrapolated (Aitken-Neville) until two columns agree to `digits` digits.
+/// The limit of f(h) for h -> 0, with f even in h, such as a central difference. Starts from the steps 1/32,
+/// 1/64, ... and extrapolates (Aitken-Neville) until two columns agree to `digits` digits.
 Numbers even_limit(const std::function<Numbers(const Number& h)>& f, int digits);
 
 // ---- vectors and matrices, row by row ---------------------------------------------------------------------
@@ -25,7 +25,7 @@ inline Vector scaled(const Number& s, const Vector& a) { return {s * a[0], s * a
 inline Vector sum(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 inline Numbers numbers(const Vector& a) { return {a[0], a[1], a[2]}; }
 
-/// The angular velocity of a rotation R(t): what is skew in R(t + h) R(t - h)^T, over 2h, in the limit.
+/// The angular velocity of a rotation R(t): the skew part of R(t + h) R(t - h)^T, over 2h, in the limit.
 template <class Rotation>
 Numbers angular_velocity(const Rotation& R, const Number& t, int digits) {
   return even_limit(

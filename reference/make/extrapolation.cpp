@@ -15,8 +15,8 @@ namespace {
 
 using Rhs = std::function<Numbers(const Numbers& x, const Number& t)>;
 
-/// The modified midpoint rule (Gragg) over one big step in n substeps, n even; its error has even powers
-/// only.
+/// The modified midpoint rule (Gragg) over one big step in n substeps, n even. Its error has only even
+/// powers.
 Numbers modified_midpoint(const Rhs& rhs, const Numbers& x0, const Number& t, const Number& big, int n) {
   const Number h = big / n;
   const auto moved = [](const Numbers& x, const Number& by, const Numbers& v) {
@@ -36,21 +36,21 @@ Numbers modified_midpoint(const Rhs& rhs, const Numbers& x0, const Number& t, co
   return smoothed;
 }
 
-/// With many digits a step settles a few columns before the last, as one that does not settle costs as much
-/// as one that does: measured on a pendulum at 26 to 50 digits. In long double, where every column adds its
-/// roundings, early: measured on Foucault's pendulum over ten minutes.
+/// With many digits a step should settle a few columns before the last, as a step that does not settle costs
+/// as much as one that does (measured on a pendulum at 26 to 50 digits). In long double it should settle
+/// early, as every column adds its roundings (measured on Foucault's pendulum over ten minutes).
 constexpr bool has_many_digits = std::numeric_limits<Number>::digits10 > 30;
 constexpr int columns = has_many_digits ? 24 : 12, wanted = has_many_digits ? 21 : 8;
 
-/// To what a state of this size can settle at best.
+/// The smallest change at which a state of this size can settle.
 Number roundings(const Numbers& x) {
   Number size = 0;
   for (const Number& component : x) size = std::max<Number>(size, abs(component));
   return 256 * std::numeric_limits<Number>::epsilon() * size;
 }
 
-/// One big step, extrapolated to zero substep (Aitken-Neville in h^2), until it changes by no more than the
-/// tolerance, or by roundings. The column at which it settled; more than there are when it does not.
+/// One big step, extrapolated to zero substep (Aitken-Neville in h^2), until the change is within the
+/// tolerance or the roundings. Returns the column at which it settled; columns + 1 if it did not.
 int extrapolated_step(const Rhs& rhs, Numbers& x, const Number& t, const Number& big,
                       const Number& tolerance) {
   const Number enough = std::max(tolerance, roundings(x));
@@ -89,12 +89,12 @@ namespace {
 
 Number first_step(const Number& t0, const Number& t1) { return (t1 - t0) / 4; }
 
-/// Right-hand sides, counted.
+/// Counted right-hand sides.
 struct Budget {
   long all, spent = 0;
 };
 
-/// `big` is the step to begin with, and then that to go on with.
+/// `big` is the step to try first, and afterwards the one to continue with.
 Numbers advance(const Rhs& rhs, Numbers x, Number t0, const Number& t1, int digits, Budget& budget,
                 Number& big) {
   const Number tolerance = pow(Number(10), -digits - 3);
@@ -129,10 +129,10 @@ Numbers solve_extrapolation(const Rhs& rhs, Numbers x, Number t0, const Number& 
 
 namespace {
 
-/// Right-hand sides that a motion may cost which nobody watches: some twenty seconds of work.
+/// Budget of right-hand sides for a motion that nobody watches: some twenty seconds of work.
 constexpr long most_of_a_motion = 1'000'000;
 
-/// A motion by the states at the times asked for.
+/// A motion by its states at the requested times.
 struct ExtrapolatedPath : Path {
   struct State {
     Number t;

@@ -8,10 +8,9 @@
 #include "reference/make/dual.hpp"
 #include "reference/make/routes.hpp"
 
-/// Derivatives of fields in high precision by two routes that know no rule of differentiation:
-/// extrapolated differences on the line, and Cauchy's integral on a circle around the point in the complex
-/// plane. A third one, by dual numbers, encloses them. Fields are entire functions, generic in their number
-/// type.
+/// Derivatives of fields in high precision by two routes that use no rule of differentiation: extrapolated
+/// differences on the line, and Cauchy's integral on a circle around the point in the complex plane. A third
+/// route, by dual numbers, encloses them. Fields are entire functions, generic in their number type.
 namespace oddity::truth {
 
 #ifdef ODDITY_BALLS
@@ -21,7 +20,7 @@ inline Complex complex(const Number&, const Number& = 0) {
 }
 inline Number real(const Complex& z) { return z; }
 #else
-/// Boost's complex numbers want their parts on the heap.
+/// Boost's complex numbers need their parts on the heap.
 using Part = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<working_digits>,
                                            boost::multiprecision::et_off>;
 using Complex = boost::multiprecision::number<boost::multiprecision::complex_adaptor<Part::backend_type>,
@@ -113,12 +112,12 @@ Triple<T> slope_by_dual_numbers(const Field& h, const Triple<T>& x, std::size_t 
 /// Row j: the slopes of a field along x_j.
 using Slopes = Triple<Triple<Number>>;
 
-/// Inside this radius neither route meets a frequency of the fields that it cannot follow.
+/// Within this radius both routes can resolve the fields' frequencies.
 inline Number radius_for(const Number& w) { return 1 / (1 + w * w); }
 
 /// A table of first derivatives. `field(waves, inputs)` is the field h to be differentiated, generic in its
-/// number; `combine(slopes, waves, x)` makes the components of its slopes at x. Inputs: w, x0, x1, x2, and
-/// what the field takes besides.
+/// number type. `combine(slopes, waves, x)` computes the components from its slopes at x. Inputs: w, x0, x1,
+/// x2, and the field's additional ones.
 template <class Field, class Combine>
 Truth field_truth(std::string quantity, std::string formula, std::vector<std::string> components,
                   const std::string& unit, std::vector<std::string> more_inputs,
@@ -170,7 +169,7 @@ Truth field_truth(std::string quantity, std::string formula, std::vector<std::st
   return truth;
 }
 
-/// The rows that the tables of one point hold: gentle, far out, quick, slow.
+/// The rows of the tables at one point: gentle, far out, quick, slow.
 inline std::vector<std::vector<double>> field_rows() {
   return {{1, 0.3, -0.7, 0.9}, {1, -1, 1, 0.125}, {16, 0.3, -0.7, 0.9}, {0.0625, 0.3, -0.7, 0.9}};
 }

@@ -26,7 +26,7 @@ bool registered(const std::string& name) {
   return std::ranges::any_of(registry(), [&](const Entry& entry) { return entry.name == name; });
 }
 
-/// From the enclosures of this table, where Arb is installed.
+/// Distances by the table's enclosure, if Arb is installed.
 Distances distances([[maybe_unused]] const std::string& name) {
 #ifdef ODDITY_ARB
   return [name](const std::vector<double>& inputs, const std::vector<std::string>& decimals) {
@@ -37,7 +37,7 @@ Distances distances([[maybe_unused]] const std::string& name) {
 #endif
 }
 
-/// Whether the table in the folder is what its maker makes; says what is not.
+/// Whether the table in the folder equals the generator's output; prints the differences.
 bool as_made_again(const fs::path& file, const Entry& entry) {
   MadeAgain again(entry);
   for (std::size_t row = 0; row < again.rows(); ++row) again.make(row);
@@ -50,7 +50,7 @@ bool as_made_again(const fs::path& file, const Entry& entry) {
 }  // namespace
 
 /// make_reference FOLDER [TABLE...]: makes the named tables, or all of them, in FOLDER/tables. With --again
-/// they are made to fewer digits, and compared with those that are there.
+/// it computes them to fewer digits, and compares them with the existing ones.
 int main(int argc, char** argv) {
   oddity::tidy_when_interrupted();
   const bool again = argc > 1 && std::string_view(argv[1]) == "--again";
@@ -66,7 +66,7 @@ int main(int argc, char** argv) {
   for (const Entry& entry : registry()) {
     const std::string name(entry.name);
     if (!wanted.empty() && std::ranges::find(wanted, name) == wanted.end()) continue;
-    if (wanted.empty() && !entry.home.empty()) continue;  // whose tables are not the tree's
+    if (wanted.empty() && !entry.home.empty()) continue;  // these tables are not in the tree
     const fs::path file = folder / "tables" / (name + ".csv");
     try {
       if (again) {

@@ -7,21 +7,21 @@
 
 #include "reference/truth.hpp"
 
-/// A motion that is asked for at many times is integrated once.
+/// Integrates a motion once for many requested times.
 namespace oddity::truth {
 
-/// A motion as far as it has been integrated.
+/// A motion, integrated up to some time.
 struct Path {
   virtual ~Path() = default;
 };
 
-/// The paths of one request, by what tells them apart: the type of the right-hand side (whose parameters are
-/// the request's), start, digits and direction.
+/// The paths of one request. Their key is the type of the right-hand side (whose parameters are those of the
+/// request), start, digits and direction.
 class Motions {
  public:
   explicit Motions(Tick tick = {}) : tick_(std::move(tick)) {}
 
-  /// The path from (t0, x0) towards t1; make() begins one that is not there yet.
+  /// The path from (t0, x0) towards t1; make() begins a new one.
   template <class Make>
   auto& path(std::type_index rhs, const Numbers& x0, const Number& t0, const Number& t1, int digits,
              const Make& make) {
@@ -29,13 +29,13 @@ class Motions {
     if (!path) path = make();
     return static_cast<typename decltype(make())::element_type&>(*path);
   }
-  /// By how much a motion may cost more than a solution that nobody watches: who watches may end it.
+  /// Factor by which a motion may exceed the budget of an unwatched solution: a watcher can end it.
   long allowance() const { return tick_ ? 50 : 1; }
-  /// To be called between pieces of work.
+  /// Call it between pieces of work.
   void tick() const {
     if (tick_) tick_(done_);
   }
-  /// So large a part of the request is done.
+  /// Records the finished part of the request.
   void come_to(double part) {
     done_ = part;
     tick();

@@ -6,7 +6,7 @@
 
 namespace oddity::truth {
 
-/// A right-hand side on its tape, and the nodes of its unknowns, of their derivatives and of the time.
+/// A right-hand side on its tape, and the nodes of its unknowns, their derivatives and the time.
 struct Recorded {
   Tape tape;
   std::vector<int> unknowns, derivatives;

@@ -2,7 +2,7 @@
 
 #include "reference/truth.hpp"
 
-/// Tools that several tables are made with.
+/// Tools shared by several tables.
 namespace oddity::truth {
 
 Number pi();
@@ -19,12 +19,12 @@ Number cos_pi(const Number& x);
 Number sin_pi(const Number& x);
 
 #ifndef ODDITY_BALLS
-/// A sum whose terms left out come to no more than `rest`: in balls that widens it.
+/// A sum whose omitted terms are at most `rest`; a ball is widened by it.
 inline Number within(const Number& sum, const Number& rest) {
   static_cast<void>(rest);
   return sum;
 }
-/// A root that is known to lie between the two: in balls all that does.
+/// A root that lies between the two; as a ball, everything between them.
 inline Number between(const Number& low, const Number& high) { return (low + high) / 2; }
 #endif
 

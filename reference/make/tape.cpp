@@ -11,7 +11,7 @@ Jet unary(Op op, Jet a) { return {a.tape, a.tape->put({op, a.node})}; }
 Jet scaled(Jet a, const Number& factor) { return {a.tape, a.tape->put({Op::scale, a.node, -1, factor})}; }
 Jet constant(Tape* tape, const Number& x) { return {tape, tape->put({Op::constant, -1, -1, x})}; }
 
-/// Sine and cosine need each other's series, so both are put, the sine first.
+/// Adds sine and cosine, which need each other's series, the sine first.
 int sine_node(Jet a) {
   const int sine = a.tape->put({Op::sine, a.node});
   a.tape->put({Op::cosine, a.node, sine});
@@ -34,7 +34,7 @@ Number convolution(const Numbers& a, const Numbers& b, int k, int from, int to) 
   });
 }
 #else
-/// MPFR's own calls: with a new number for every product this would take twice the time.
+/// Direct MPFR calls: a new number for every product would take twice the time.
 Number convolution(const Numbers& a, const Numbers& b, int k, int from, int to) {
   Number sum = 0, product;
   for (int j = from; j <= to; ++j) {
@@ -46,7 +46,7 @@ Number convolution(const Numbers& a, const Numbers& b, int k, int from, int to) 
 }
 #endif
 
-/// Coefficient k of a square, which has each product of two twice.
+/// Coefficient k of a square, where each product of two different coefficients occurs twice.
 Number square(const Numbers& a, int k) {
   const Number twice = 2 * convolution(a, a, k, 0, (k + 1) / 2 - 1);
   const Number& middle = a[static_cast<std::size_t>(k / 2)];
@@ -85,7 +85,7 @@ int Tape::put(Node node) {
 
 void Tape::resize(int order) {
   const auto terms = static_cast<std::size_t>(order) + 1;
-  // Series of the same length are written over: every term is, before it is read.
+  // Series of the same length are overwritten: every term is written before it is read.
   if (!series_.empty() && series_.front().size() == terms) return;
   series_.assign(nodes_.size(), Numbers(terms));
 }

@@ -6,7 +6,7 @@
 
 #include "reference/truth.hpp"
 
-/// Right-hand sides recorded once on a tape, whose nodes then give the coefficients of their Taylor series,
+/// Right-hand sides recorded once on a tape. Its nodes then give the coefficients of their Taylor series,
 /// order by order.
 namespace oddity::truth {
 
@@ -29,13 +29,13 @@ class Tape {
   struct Node {
     Op op;
     int a = -1;  ///< operand
-    int b = -1;  ///< second operand; for sine and cosine the other one of the pair
+    int b = -1;  ///< second operand; for sine and cosine, the other of the pair
     Number constant = 0;
   };
 
-  /// The node's place; where it has no constant, that of one put before of the same operands.
+  /// Index of the node. Without a constant, returns an earlier node with the same operands if there is one.
   int put(Node node);
-  /// Computes coefficient k of every node, those below k being known.
+  /// Computes coefficient k of every node from those below k.
   void advance(int k);
   void set(int node, int k, Number x) {
     series_[static_cast<std::size_t>(node)][static_cast<std::size_t>(k)] = std::move(x);
@@ -50,11 +50,11 @@ class Tape {
  private:
   Number coefficient(std::size_t node, int k) const;
   std::vector<Node> nodes_;
-  std::map<std::tuple<Op, int, int>, int> computed_;  ///< places of those without one
+  std::map<std::tuple<Op, int, int>, int> computed_;  ///< indices of nodes without a constant
   std::vector<Numbers> series_;
 };
 
-/// A number on a tape; right-hand sides are generic in their number type and take these as well as Number.
+/// A number on a tape; right-hand sides are generic in their number type and accept it as well as Number.
 struct Jet {
   Tape* tape = nullptr;
   int node = -1;

@@ -13,9 +13,10 @@ namespace oddity::truth {
 
 namespace {
 
-/// The step that the last quarter of the terms allows: of fewer all may vanish, as of exp(t^5) about zero.
+/// The step allowed by the last quarter of the terms: fewer terms might all vanish, as for exp(t^5) about
+/// zero.
 Number length_of(const std::vector<Numbers>& series, int order, const Number& tolerance) {
-  double growth = 0;  // of the coefficients, from order to order
+  double growth = 0;  // growth of the coefficients per order
   for (int k = order - order / 4; k <= order; ++k) {
     Number largest = 0;
     for (const Numbers& one : series)

@@ -11,7 +11,7 @@
 /// Initial value problems by Taylor series in high precision.
 namespace oddity::truth {
 
-/// Expansions that one solution may cost: some ten seconds of work.
+/// Budget of expansions for one solution: some ten seconds of work.
 constexpr long most_expansions = 6'000;
 
 /// An initial value problem recorded on a tape: rhs(x, t) returns the derivatives of x.
@@ -22,17 +22,17 @@ class TaylorProblem {
     recorded_.record(rhs, dimension);
   }
 
-  /// The state at t1 from the state at t0, each step's remainder below 10^-digits. Throws std::runtime_error
-  /// when a pole stops it, BudgetSpent when it takes more expansions.
+  /// The state at t1 from the state at t0, with each step's remainder below 10^-digits. Throws
+  /// std::runtime_error if a pole stops it, BudgetSpent if it needs more expansions.
   Numbers solve(Numbers x, Number t0, const Number& t1, int digits, long budget = most_expansions);
 
-  /// One step of a motion: its polynomials about t0, good for |t - t0| <= length.
+  /// One step of a motion: its polynomials about t0, valid for |t - t0| <= length.
   struct Step {
     Number t0, length;
-    std::vector<Numbers> series;  ///< an unknown each, from order 0 on
+    std::vector<Numbers> series;  ///< one per unknown, from order 0 on
     Numbers at(const Number& t) const;
   };
-  /// The longest step from (x, t) towards t1 whose remainder is below 10^-digits. Throws as `solve`.
+  /// The longest step from (x, t) towards t1 whose remainder is below 10^-digits. Throws like `solve`.
   Step step(const Numbers& x, const Number& t, const Number& t1, int digits);
 
  private:
@@ -45,7 +45,7 @@ class TaylorPath final : public Path {
   TaylorPath(TaylorProblem problem, Numbers x0, Number t0, int digits)
       : problem_(std::move(problem)), x_(std::move(x0)), t_(std::move(t0)), digits_(digits) {}
 
-  /// The state at t, integrating further where t is beyond what is known. Throws BudgetSpent.
+  /// The state at t; integrates further if necessary. Throws BudgetSpent.
   Numbers at(const Number& t, const Motions& request);
 
  private:

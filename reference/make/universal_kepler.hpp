@@ -5,15 +5,15 @@
 
 #include "reference/make/routes.hpp"
 
-/// A body's path about a fixed center that attracts it by mu/r^2, by Kepler's equation in universal
+/// A body's path about a fixed center with the attraction mu/r^2, by Kepler's equation in universal
 /// variables, z = alpha chi^2, alpha = 2/r0 - v0^2/mu [Bate, Mueller, White, Fundamentals of Astrodynamics,
 /// ch. 4]:
 ///   sqrt(mu) t = chi^3 C3(z) + s chi^2 C2(z) + r0 chi (1 - z C3(z)),   s = r0 . v0/sqrt(mu),
 /// with Stumpff's functions C2, C3. It holds for ellipse, parabola and hyperbola, and needs no perihelion.
 namespace oddity::truth {
 
-/// C_k(z) = sum over j of (-z)^j / (2j + k)!, k = 2 or 3; for small z each term is less than half the one
-/// before.
+/// C_k(z) = sum over j of (-z)^j / (2j + k)!, k = 2 or 3; for small z each term is less than half the
+/// previous one.
 inline Number stumpff(int k, const Number& z) {
   if (abs(z) > 1) {
     const Number w = sqrt(abs(z)), s = z > 0 ? sin(w) : sinh(w), c = z > 0 ? cos(w) : cosh(w);
@@ -27,12 +27,12 @@ inline Number stumpff(int k, const Number& z) {
   return within(sum, abs(term));
 }
 
-/// Place and velocity in the plane.
+/// Position and velocity in the plane.
 struct Orbiter {
   Number x, y, vx, vy;
 };
 
-/// The place at the time t > 0 after the start.
+/// The position at the time t > 0 after the start.
 inline Numbers by_universal_kepler(const Number& mu, const Orbiter& a, const Number& t, int digits) {
   const Number root = sqrt(mu), r0 = sqrt(a.x * a.x + a.y * a.y);
   const Number s = (a.x * a.vx + a.y * a.vy) / root, alpha = 2 / r0 - (a.vx * a.vx + a.vy * a.vy) / mu;

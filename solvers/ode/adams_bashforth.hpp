@@ -10,9 +10,9 @@
 
 namespace oddity::ode {
 
-/// Order 4, one evaluation per step, after three steps of Runge-Kutta 4, as Odeint's default starter has
-/// order 1 in place; these again whenever the step changes. Stable to h |lambda| = 0.3 on the negative real
-/// axis and 0.430 on the imaginary axis.
+/// Order 4, one evaluation per step, after three steps of Runge-Kutta 4: Odeint's default starter has order 1
+/// here. A change of step restarts it. Stable to h |lambda| = 0.3 on the negative real axis and 0.430 on the
+/// imaginary axis.
 struct AdamsBashforth4 {
   static constexpr std::string_view name = "Adams-Bashforth 4";
   static constexpr Kind kind = Kind::fixed;

@@ -16,7 +16,7 @@ template <int steps>
 struct AdamsBashforthMoulton {
   static constexpr Kind kind = Kind::fixed;
   static constexpr int order = steps;
-  /// Odeint's own starter is Runge-Kutta 4, whose few steps leave an error of order 5 on all of the motion.
+  /// Odeint's own starter is Runge-Kutta 4. Its few steps leave an error of order 5 on the whole motion.
   template <class State, class Starter = boost::numeric::odeint::runge_kutta_fehlberg78<State>>
   static auto stepper() {
     namespace odeint = boost::numeric::odeint;
@@ -39,9 +39,9 @@ struct AdamsBashforthMoulton {
 
 }  // namespace detail
 
-/// Adams-Bashforth predicts, Adams-Moulton corrects once, and the derivative is taken again (PECE): order 6,
-/// two evaluations per step, after five steps of Fehlberg 7(8); these again whenever the step changes. Stable
-/// to h |lambda| = 0.698 on the negative real axis and 0.526 on the imaginary axis.
+/// Adams-Bashforth predicts, Adams-Moulton corrects once, and the derivative is evaluated again (PECE): order
+/// 6, two evaluations per step, after five steps of Fehlberg 7(8). A change of step restarts it. Stable to h
+/// |lambda| = 0.698 on the negative real axis and 0.526 on the imaginary axis.
 struct AdamsBashforthMoulton6 : detail::AdamsBashforthMoulton<6> {
   static constexpr std::string_view name = "Adams-Bashforth-Moulton 6";
   static constexpr Facts facts{.library = Facts::odeint,

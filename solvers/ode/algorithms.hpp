@@ -2,11 +2,10 @@
 
 #include <string_view>
 
-/// The algorithms of this folder: each is the struct of the header named beside it, which has all that is
-/// known of it. From these lists CMake makes all.hpp and compiles each algorithm once for every number of
-/// unknowns.
+/// The algorithms of this folder: each is a struct in the header named next to it. From these lists CMake
+/// makes all.hpp and compiles each algorithm once for every number of unknowns.
 ///
-/// The explicit algorithms that engines use, from the plainest on.
+/// The explicit algorithms that engines use, simplest first.
 #define ODDITY_COMMON_ALGORITHMS(F)         \
   F(ExplicitEuler, explicit_euler)          \
   F(SymplecticEuler, symplectic_euler)      \
@@ -30,7 +29,7 @@
   F(Msbdf, msbdf)                                    \
   F(Bsimp, bsimp)                                    \
   F(Taylor, taylor)
-/// Those that are there only where CMake has found SUNDIALS.
+/// Algorithms that are built only if CMake has found SUNDIALS.
 #define ODDITY_SUNDIALS_ALGORITHMS(F)       \
   F(CvodeAdams, cvode_adams)                \
   F(CvodeBdf, cvode_bdf)                    \
@@ -51,7 +50,7 @@ inline constexpr bool has_sundials = true;
 inline constexpr bool has_sundials = false;
 #endif
 
-/// The names of ODDITY_SUNDIALS_ALGORITHMS, where the build does without these.
+/// Names of ODDITY_SUNDIALS_ALGORITHMS, for builds without these.
 inline constexpr std::string_view optional_algorithms[] = {"CVODE Adams", "CVODE BDF",
                                                            "ARKODE Zonneveld 4(3)", "ARKODE Verner 6(5)"};
 
@@ -62,7 +61,7 @@ void for_each_common_algorithm(const F& f) {
   ODDITY_COMMON_ALGORITHMS(ODDITY_CALL)
 }
 
-/// For each of the rest that this build has.
+/// Calls f for each remaining algorithm of this build.
 template <class F>
 void for_each_other_algorithm(const F& f) {
   ODDITY_OTHER_ALGORITHMS(ODDITY_CALL)

@@ -16,8 +16,8 @@ class Motion;
 
 namespace oddity::ode {
 
-/// A system of n unknowns behind virtual calls: the one for which an algorithm can be compiled once and for
-/// all. What that costs, `oddity bench` shows. T is float or double.
+/// A system of n unknowns behind virtual calls, for which an algorithm is compiled once and for all. `oddity
+/// bench` measures the cost. T is float or double.
 template <std::size_t n, class T = double>
 class AnySystem {
  public:
@@ -28,36 +28,36 @@ class AnySystem {
   virtual void operator()(const State& x, State& dxdt, T t) const = 0;
   /// Throws std::logic_error for a system that is not partitioned.
   virtual void acceleration(const Half& q, Half& a) const = 0;
-  /// Which unknowns are velocities; known of none by default.
+  /// Which unknowns are velocities; unknown by default.
   virtual Velocities<n> velocities() const { return {}; }
   virtual bool differentiable() const = 0;
-  /// As ode::jacobian. Throws std::logic_error for a system that is not differentiable, or not in double.
+  /// See ode::jacobian. Throws std::logic_error for a system that is not differentiable, or not in double.
   virtual long jacobian(const State& x, double* matrix, double* dfdt, double t) const = 0;
-  /// It can be recorded for Taylor series.
+  /// Whether the system can be recorded for Taylor series.
   virtual bool analytic() const { return false; }
   /// Throws std::logic_error for a system that is not analytic, or not in double.
   virtual taylor::Recording recording() const {
     throw std::logic_error("the system is not generic in its number type, or not analytic");
   }
-  /// The motion by Taylor series that whoever looks for events keeps; null: nobody does.
+  /// The Taylor series kept by a search for events; null: no search is under way.
   virtual taylor::Motion* kept_motion() const { return nullptr; }
 
-  // Its events (events.hpp); a system need not have any.
+  // Events (events.hpp); optional.
   virtual std::size_t guard_count() const { return 0; }
   virtual void guards(const State&, double, double*) const {}
-  /// What the event of guard i makes of x.
+  /// Changes x by the event of guard i.
   enum class Next { go_on, end, pass };
   virtual Next happen(std::size_t, State&, double) const { return Next::pass; }
 };
 
-/// It has events: guards(x, t) -> array of numbers, and at_event(i, x, t) -> {after, ends, passes}.
+/// Has events: guards(x, t) -> array of numbers, and at_event(i, x, t) -> {after, ends, passes}.
 template <class System, class State>
 concept Eventful = requires(const System& system, const State& x) {
   system.guards(x, typename State::value_type{});
   system.at_event(std::size_t{}, x, typename State::value_type{}).after;
 };
 
-/// (q, v) with q' = v, and the forces depend on q alone.
+/// (q, v) with q' = v, and forces that depend on q alone.
 template <class System, class State>
 concept Partitioned = (std::tuple_size_v<State> % 2 == 0) &&
                       requires(const System& system,
@@ -65,8 +65,8 @@ concept Partitioned = (std::tuple_size_v<State> % 2 == 0) &&
   system.acceleration(half, half);
 };
 
-/// Its right-hand side is generic in its number type and analytic, and can be recorded.
-#ifdef __wasm__  // The page's module has no Taylor series, for its size.
+/// Has a right-hand side that is generic in its number type and analytic, and so can be recorded.
+#ifdef __wasm__  // The WebAssembly module omits Taylor series, for its size.
 template <class System, class State>
 concept Analytic = false;
 #else
@@ -80,7 +80,7 @@ concept Analytic = std::same_as<typename State::value_type, double> &&
 };
 #endif
 
-/// A system as one of `Base`, which is an AnySystem; `Kept` is the system's type or a reference to it.
+/// Wraps a system as a `Base`, which is an AnySystem; `Kept` is the system's type or a reference to it.
 template <class Base, class Kept>
 class Adapted : public Base {
  public:

@@ -8,8 +8,8 @@
 namespace oddity::ode {
 
 /// Verner's order 6 with an embedded order 5 for the step control, as in SUNDIALS's ARKODE: eight evaluations
-/// a step. Stable to h |lambda| = 4.064 on the negative real axis and 1.306 on the imaginary axis. Its table
-/// is repaired (sundials_driver.cpp).
+/// per step. Stable to h |lambda| = 4.064 on the negative real axis and 1.306 on the imaginary axis. We
+/// repair its table (sundials_driver.cpp).
 struct ArkodeVerner65 : detail::Sundials<detail::SundialsMethod::verner> {
   static constexpr std::string_view name = "ARKODE Verner 6(5)";
   static constexpr int order = 6;

@@ -8,8 +8,8 @@
 namespace oddity::ode {
 
 /// Bader and Deuflhard's extrapolation of the linearly implicit midpoint rule: for stiff problems to high
-/// accuracy. Each step takes a Jacobian with the derivative by time: by dual numbers (n + 1 evaluations)
-/// where the system is Differentiable, else by central differences (2 n + 2).
+/// accuracy. Each step takes a Jacobian and the time derivative: by dual numbers (n + 1 evaluations) if the
+/// system is Differentiable, else by central differences (2 n + 2).
 struct Bsimp : detail::Gsl<detail::GslStep::bsimp> {
   static constexpr std::string_view name = "GSL bsimp";
   static constexpr int order = 12;

@@ -10,8 +10,8 @@ namespace oddity::ode {
 
 namespace detail {
 
-/// Odeint weighs its orders by their cost over the signed step, and so picks the most expensive when time
-/// runs backward: here time itself is turned round instead.
+/// Odeint weighs its orders by cost over the signed step, and so picks the most expensive one when time runs
+/// backward. Here time itself is reversed instead.
 template <class State>
 struct BulirschStoerEitherWay {
   boost::numeric::odeint::bulirsch_stoer<State> forward;
@@ -32,12 +32,12 @@ struct BulirschStoerEitherWay {
 
 }  // namespace detail
 
-/// Extrapolation of the modified midpoint rule with controlled step and order.
+/// Extrapolation of the modified midpoint rule with controlled step size and order.
 struct BulirschStoer {
   static constexpr std::string_view name = "Bulirsch-Stoer";
   static constexpr Kind kind = Kind::controlled;
   static constexpr Facts facts{.library = Facts::odeint};
-  static constexpr double first_step = 1e-2;  ///< of the whole span
+  static constexpr double first_step = 1e-2;  ///< fraction of the whole span
   static constexpr auto success = boost::numeric::odeint::success;
   template <class State>
   static auto stepper(double tolerance) {

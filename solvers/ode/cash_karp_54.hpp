@@ -9,8 +9,8 @@
 
 namespace oddity::ode {
 
-/// Order 5 with an embedded order 4 for the step control, six evaluations per step. Stable to h |lambda|
-/// = 3.734 on the negative real axis, on the imaginary axis nowhere: undamped oscillations grow, slowly, as
+/// Order 5 with an embedded order 4 for the step control, six evaluations per step. Stable to h |lambda| =
+/// 3.734 on the negative real axis. Not stable on the imaginary axis: undamped oscillations grow slowly, as
 /// h^6.
 struct CashKarp54 {
   static constexpr std::string_view name = "Cash-Karp 5(4)";
@@ -21,7 +21,7 @@ struct CashKarp54 {
                                .real_limit = 3.734360,
                                .imaginary_limit = 0,
                                .theory = Facts::polynomial};
-  static constexpr double first_step = 1e-3;  ///< of the whole span
+  static constexpr double first_step = 1e-3;  ///< fraction of the whole span
   static constexpr auto success = boost::numeric::odeint::success;
   /// The method without its step control.
   template <class State>

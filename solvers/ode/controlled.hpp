@@ -4,12 +4,12 @@
 
 namespace oddity::ode::detail {
 
-/// An embedded Runge-Kutta method under Odeint's step control. Not by make_controlled, which compiles without
-/// generation_controlled_runge_kutta.hpp and then takes the relative tolerance for the largest step.
+/// An embedded Runge-Kutta method under Odeint's step control. Does not use make_controlled, which compiles
+/// without generation_controlled_runge_kutta.hpp and then takes the relative tolerance for the largest step.
 template <class Plain>
 auto controlled(double tolerance) {
   using Controlled = boost::numeric::odeint::controlled_runge_kutta<Plain>;
-  static const Plain blank;  // static, and so zero: compilers object to a copy of scratch not yet written
+  static const Plain blank;  // static, so zero: compilers reject a copy of unwritten scratch memory
   return Controlled(typename Controlled::error_checker_type(tolerance, tolerance),
                     typename Controlled::step_adjuster_type(), blank);
 }

@@ -9,8 +9,8 @@
 
 namespace oddity::ode::detail {
 
-/// A system as the libraries behind the seam want it, its evaluations counted: one past the budget is not
-/// made. The Jacobian comes from dual numbers where the system is Differentiable, else from central
+/// A system in the form that the libraries take, with its evaluations counted. Refuses evaluations beyond the
+/// budget. The Jacobian comes from dual numbers if the system is Differentiable, else from central
 /// differences.
 template <class System, class State>
 struct CountedProblem {
@@ -46,7 +46,7 @@ struct CountedProblem {
   RawProblem view() const { return {std::tuple_size_v<State>, this, &rhs, &jacobian}; }
 };
 
-/// A library's driver on a system.
+/// A library's driver with the system that it integrates.
 template <class Driver, class System, class State>
 struct Driven {
   CountedProblem<System, State> problem;

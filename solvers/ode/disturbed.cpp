@@ -17,7 +17,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::string_view judge = "Dormand-Prince 5(4)";
-constexpr double first_distance = 1e-6;  ///< of the two motions, in units of their size
+constexpr double first_distance = 1e-6;  ///< initial distance of the two motions, in units of their size
 
 template <std::size_t n>
 double distance(const std::array<double, n>& a, const std::array<double, n>& b,
@@ -27,11 +27,11 @@ double distance(const std::array<double, n>& a, const std::array<double, n>& b,
   return std::sqrt(sum);
 }
 
-/// The step next to this one that divides the span.
+/// The step nearest to this one that divides the span.
 double dividing(double span, double step) { return span / steps_in(0, span, step); }
 
-/// In steps of h, which divides the span, watched at each. Events come between: the steps' ends are the same
-/// for two motions whose events are not.
+/// Integrates in steps of h, which must divide the span, and calls `watch` after each. Events do not shift
+/// the ends of steps, so that two motions with different events can be compared.
 template <std::size_t n>
 Trajectory<std::array<double, n>> in_steps(std::string_view algorithm, const AnySystem<n>& system,
                                            const std::array<double, n>& start, double t0, double t1, double h,
@@ -48,7 +48,7 @@ Trajectory<std::array<double, n>> in_steps(std::string_view algorithm, const Any
   return motion;
 }
 
-/// A part of the disturbance in every component.
+/// Disturbs every component.
 template <std::size_t n>
 std::array<double, n> disturbed(std::array<double, n> x, const std::array<double, n>& unit) {
   std::array<double, n> d{};
@@ -67,7 +67,7 @@ Disturbed<n>::Disturbed(const AnySystem<n>& system, const State& start, double s
   constexpr double tolerance = 1e-10;
   for (std::size_t i = 0; i < pieces; ++i) times_.push_back(span * static_cast<double>(i) / pieces);
   times_.push_back(span);
-  long steps = 0;  // a model that chatters about rest would take millions
+  long steps = 0;  // a model that chatters near rest would take millions
   const auto enough = [&](double, const State&, double, const State& x) {
     for (std::size_t k = 0; k < n; ++k) sizes_[k] = std::max(sizes_[k], std::abs(x[k]));
     return ++steps > 100'000;
@@ -134,7 +134,7 @@ StateOf<n> added(StateOf<n> x, double part, const StateOf<n>& d) {
   return x;
 }
 
-/// The disturbance of a motion that is known at even times, as a system of its own: d' = J(x(t)) d.
+/// The disturbance of a motion known at equally spaced times, as a system: d' = J(x(t)) d.
 template <std::size_t n>
 class Disturbance final : public AnySystem<n> {
  public:
@@ -163,7 +163,7 @@ class Disturbance final : public AnySystem<n> {
   }
   Velocities<n> velocities() const override {
     Velocities<n> same = system_.velocities();
-    same.of.fill(n);  // by differences no rate is equal to a velocity
+    same.of.fill(n);  // by differences, no rate equals a velocity exactly
     return same;
   }
   bool differentiable() const override { return false; }
@@ -172,7 +172,7 @@ class Disturbance final : public AnySystem<n> {
   }
 
  private:
-  /// By Hermite's cubic.
+  /// The motion at t, by Hermite's cubic.
   State at(double t) const {
     const auto i =
         static_cast<std::size_t>(std::clamp(t / apart_, 0.0, static_cast<double>(motion_.size()) - 1.5));

@@ -9,8 +9,9 @@
 
 namespace oddity::ode {
 
-/// Order 5 with an embedded order 4 for the step control, seven evaluations per step of which the last is the
-/// next step's first. Stable to h |lambda| = 3.307 on the negative real axis and 0.997 on the imaginary axis.
+/// Order 5 with an embedded order 4 for the step control, seven evaluations per step, the last of which is
+/// the next step's first. Stable to h |lambda| = 3.307 on the negative real axis and 0.997 on the imaginary
+/// axis.
 struct DormandPrince54 {
   static constexpr std::string_view name = "Dormand-Prince 5(4)";
   static constexpr Kind kind = Kind::controlled;
@@ -20,7 +21,7 @@ struct DormandPrince54 {
                                .real_limit = 3.306568,
                                .imaginary_limit = 0.997189,
                                .theory = Facts::polynomial};
-  static constexpr double first_step = 1e-3;  ///< of the whole span
+  static constexpr double first_step = 1e-3;  ///< fraction of the whole span
   static constexpr auto success = boost::numeric::odeint::success;
   /// The method without its step control.
   template <class State>

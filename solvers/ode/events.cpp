@@ -24,13 +24,13 @@ State hermite(const State& x0, const State& d0, const State& x1, const State& d1
 
 bool same_side(double f, double g) { return (f < 0 && g < 0) || (f > 0 && g > 0); }
 
-/// The bracket of a root, as Brent (Algorithms for Minimization without Derivatives, 1973, ch. 4) narrows it:
-/// by a secant or an inverse parabola where these help, else by halves. Steps for step that of
-/// solvers/roots.hpp, but without GSL, since the page's module looks for events too.
+/// The bracket of a root, narrowed by Brent's method (Algorithms for Minimization without Derivatives, 1973,
+/// ch. 4): by a secant or an inverse parabola where these help, else by bisection. Takes the same steps as
+/// solvers/roots.hpp, but without GSL, since the WebAssembly module searches for events too.
 struct Bracket {
-  double a, fa;  ///< the place before
-  double b, fb;  ///< the best
-  double c, fc;  ///< on the other side of the root
+  double a, fa;  ///< previous point
+  double b, fb;  ///< best point
+  double c, fc;  ///< point on the other side of the root
   double step, step_before;
 
   Bracket(double low, double f_low, double high, double f_high)
@@ -38,7 +38,7 @@ struct Bracket {
 
   double other() const { return same_side(fb, fc) ? a : c; }
 
-  /// Moves to where the root may be next; false where it is already.
+  /// Moves to the next estimate of the root; false if the bracket has converged.
   bool move() {
     bool secant = false;
     if (same_side(fb, fc)) {
@@ -60,7 +60,7 @@ struct Bracket {
   }
 
  private:
-  /// Whether that shortens the bracket by more than halves would.
+  /// Interpolates if this shortens the bracket by more than bisection would.
   bool interpolate(double half, double little, bool secant) {
     const double s = fb / fa, u = fa / fc, r = fb / fc;
     double p = secant ? 2 * half * s : s * (2 * half * u * (u - r) - (b - a) * (r - 1));
@@ -72,7 +72,7 @@ struct Bracket {
   }
 };
 
-/// A root of f between a and b, as `brent` of solvers/roots.hpp has it.
+/// A root of f between a and b, by the same method as `brent` of solvers/roots.hpp.
 template <class F>
 Solved<double> root_between(const F& f, double a, double b, double tolerance) {
   const double fa = f(a), fb = f(b), size_at_ends = std::max(std::abs(fa), std::abs(fb));
@@ -121,7 +121,7 @@ Solved<Event<std::array<double, n>>> find_event(
     return x;
   };
 
-  double before = g(start, t0);  // g where it last was not zero
+  double before = g(start, t0);  // the last value of g that was not zero
   double at_start = before;      // g at the start of the step
 
   const auto watch = [&](double t, const State& x, double t_next, const State& x_next) {
@@ -156,7 +156,7 @@ Solved<Event<std::array<double, n>>> find_event(
       if ((before < 0 && now >= 0) || (before > 0 && now <= 0)) {
         found = refine(left, s) || (left != 0 && at_start != 0 && refine(0, s));
         if (found) return true;
-        now = miss(s);  // what the cubic saw is not there
+        now = miss(s);  // the cubic crossed zero, but g does not
       }
       if (now != 0) before = now;
       left = s;
@@ -187,7 +187,7 @@ namespace oddity::ode {
 
 namespace {
 
-/// What the search for events needs of an algorithm.
+/// The functions of an algorithm that the search for events uses.
 template <std::size_t n>
 struct Stepping {
   Integrate<n>* through = nullptr;
@@ -209,8 +209,8 @@ Stepping<n> stepping(std::string_view algorithm) {
   return found;
 }
 
-/// The fraction of a step at which a cubic of these values and slopes (per step) at its ends is least, the
-/// first slope falling and the second rising.
+/// The fraction of a step at which the cubic with these values and slopes (per step) at its ends is smallest.
+/// The first slope must be falling and the second rising.
 double least_at(double g0, double slope0, double g1, double slope1) {
   const double a = 3 * (slope0 + slope1 - 2 * (g1 - g0)), b = 6 * (g1 - g0) - 4 * slope0 - 2 * slope1;
   double low = 0, high = 1;
@@ -221,7 +221,7 @@ double least_at(double g0, double slope0, double g1, double slope1) {
   return high;
 }
 
-/// Looks for events in one step after the other, from the start of a motion or from an event on.
+/// Searches one step after another for events, from the start of a motion or from an event on.
 template <std::size_t n>
 class Lookout {
  public:
@@ -238,8 +238,8 @@ class Lookout {
         on_(guards_) {}
 
   Seen seen = Seen::nothing;
-  Happened<State> event;  ///< or the graze
-  long evaluations = 0;   ///< those inside steps
+  Happened<State> event;  ///< or the grazing point
+  long evaluations = 0;   ///< evaluations inside steps
 
   void start(const State& x, double t) {
     const auto g = guards(x, t);
@@ -249,7 +249,8 @@ class Lookout {
     }
   }
 
-  /// Goes on after `event` happened. Another guard that was above zero and no longer is happens at once.
+  /// Continues after `event`. Returns another guard that was above zero and no longer is: its event happens
+  /// at once.
   std::optional<std::size_t> go_on(bool passed) {
     const auto before = guards(event.before, event.time), after = guards(event.after, event.time);
     std::optional<std::size_t> next;
@@ -266,7 +267,7 @@ class Lookout {
     return next;
   }
 
-  /// After a step: true when there is something in it.
+  /// Searches a step; true if it ends the piece: an event, a grazing guard or a failure.
   bool operator()(double t, const State& x, double t_next, const State& x_next) {
     step_ = {t, t_next - t, x, x_next};
     State d0{}, d1{};
@@ -308,7 +309,7 @@ class Lookout {
     ++evaluations;
     system_(x, dxdt, t);
   }
-  /// By the algorithm itself, from the step's start.
+  /// The state after s, computed by the algorithm itself from the step's start.
   State state_after(double s) {
     if (s == step_.h) return step_.x_next;
     State x = step_.x;
@@ -330,7 +331,7 @@ class Lookout {
                            step_.t + part(k));
   }
 
-  /// When guard i, above zero at the step's start, first falls through it.
+  /// The time in the step at which guard i, above zero at its start, first falls through zero.
   std::optional<double> fall(std::size_t i, const State& d0, const State& d1) {
     const double low = !on_[i] ? least(i, d0, d1) : nowhere;
     if (seen != Seen::nothing) return {};
@@ -341,7 +342,7 @@ class Lookout {
     }
     return {};
   }
-  /// The same of one that has to rise first.
+  /// The time in the step at which guard i falls through zero after it has risen above it.
   std::optional<double> climb_and_fall(std::size_t i) {
     bool above = false;
     for (std::size_t k = 1; k <= pieces; ++k) {
@@ -352,13 +353,15 @@ class Lookout {
     return {};
   }
 
-  /// Where guard i has a least value inside the step, below zero. Ends all when nobody can say so.
+  /// The time in the step at which guard i has a minimum below zero. Ends the search if the sign of the
+  /// minimum is within the error (grazing).
   double least(std::size_t i, const State& d0, const State& d1) {
     const double t = step_.t, h = step_.h, g0 = samples_.front()[i], g1 = samples_.back()[i];
     const double slope0 = slope(i, step_.x, d0, t), slope1 = slope(i, step_.x_next, d1, t + h);
     if (!(slope0 < 0 && slope1 > 0)) return nowhere;
     const double u = least_at(g0, slope0, g1, slope1), s = u * h;
-    constexpr double near = 0.125;  // of what it falls by: an error that large leaves no digit of the guard
+    constexpr double near =
+        0.125;  // fraction of the guard's fall: an error that large leaves no correct digit
     const double cubic = g0 * (1 + 2 * u) * (1 - u) * (1 - u) + slope0 * u * (1 - u) * (1 - u) +
                          g1 * u * u * (3 - 2 * u) - slope1 * u * u * (1 - u);
     if (cubic > near * std::max(g0, g1)) return nowhere;
@@ -381,7 +384,7 @@ class Lookout {
     }
     return (guards(ahead, t + little)[i] - guards(behind, t - little)[i]) / 2e-6;
   }
-  /// How far guard i is off after s for what the step is off.
+  /// Error of guard i after s, from the step's error.
   double error_of(std::size_t i, double s) {
     State one = step_.x, two = step_.x;
     const double t = step_.t, h = step_.h;
@@ -403,8 +406,8 @@ class Lookout {
     return error;
   }
 
-  /// The root of guard i between `left` and `right`, after which it is no longer above zero; none when only
-  /// the cubic has seen it. On the guard itself the motion first has to leave it: 0 when it does not.
+  /// The root of guard i between `left` and `right`, after which it is no longer above zero; none if only the
+  /// cubic crosses zero. A motion that starts on the guard has to leave it first: 0 if it does not.
   std::optional<double> locate(std::size_t i, double left, double right) {
     const bool on_guard = on_[i];
     if (left != 0 || !on_guard) {
@@ -428,8 +431,8 @@ class Lookout {
   Stepping<n> algorithm_;
   double setting_, time_rounding_;
   std::size_t guards_;
-  std::vector<bool> above_;  ///< it can fall
-  std::vector<bool> on_;     ///< it starts from there: what is above, or below, is rounding
+  std::vector<bool> above_;  ///< the guard can fall
+  std::vector<bool> on_;     ///< the motion starts on the guard: its sign there is rounding
   struct {
     double t, h;
     State x, x_next;
@@ -437,7 +440,7 @@ class Lookout {
   std::array<std::vector<double>, pieces + 1> samples_;
 };
 
-/// Events in a row while the time does not move.
+/// Whether the last 16 events for each guard happened without the time moving.
 template <class State>
 bool accumulate(const std::vector<Happened<State>>& events, std::size_t guards, double time_rounding) {
   const std::size_t many = 16 * guards;
@@ -465,7 +468,7 @@ MotionWithEvents<std::array<double, n>> integrate_with_events(
   const double time_rounding = std::numeric_limits<double>::epsilon() * latest;
   Lookout<n> lookout(system, by, setting, time_rounding);
   Happened<State>& event = lookout.event;
-  bool stopped = false;  // by the watch
+  bool stopped = false;  // by `watch`
   const auto on_step = [&](double t, const State& x, double t_next, const State& x_next) {
     const bool seen = lookout(t, x, t_next, x_next);
     stopped = seen ? watch(t, x, event.time, event.before) : watch(t, x, t_next, x_next);
@@ -480,12 +483,13 @@ MotionWithEvents<std::array<double, n>> integrate_with_events(
     return all;
   };
   State x = start;
-  std::vector<double> left(times.begin(), times.end());  // where it is, and the times to come
+  std::vector<double> left(times.begin(), times.end());  // the current time, and the times to come
   if (!left.empty()) lookout.start(x, left[0]);
   for (;;) {
     const auto piece = by.through(system, x, left, setting, Watch<n>(on_step));
     whole.evaluations += piece.evaluations + std::exchange(lookout.evaluations, 0);
-    const auto known = piece.value.end() - (lookout.seen == Seen::nothing ? 0 : 1);  // not the event's step
+    const auto known =
+        piece.value.end() - (lookout.seen == Seen::nothing ? 0 : 1);  // without the event's step
     const auto first = piece.value.begin() + (whole.value.empty() ? 0 : 1);
     if (first < known) whole.value.insert(whole.value.end(), first, known);
     if (lookout.seen == Seen::nothing) {

@@ -9,7 +9,7 @@
 
 #include "solvers/ode/integrate.hpp"
 
-/// Motions with events: the states at the times asked for, and where a guard falls through zero.
+/// Motions with events: the states at the requested times, and the times at which a guard falls through zero.
 ///
 ///   const bouncing_ball::Ball<double> ball{{1, 9.81, 0.7}};  // has guards(x, t) and at_event(i, x, t)
 ///   const auto motion = integrate_with_events<RungeKutta4>(ball, ball.start(), times, 0.01);
@@ -39,10 +39,10 @@ Solved<Event<std::array<double, n>>> find_event(
 }  // namespace detail
 
 /// The first time after t0 and up to t1 at which g(x, t), continuous, becomes zero or changes its sign, and
-/// the state there. Each step is sampled inside by its cubic, so that a double crossing is seen when it lasts
-/// a quarter of a step; the time is then found by Brent's method on states that the algorithm itself computes
-/// from the step's start (by one step of its plain stepper where it has one), and has their accuracy: there
-/// is no error estimate. `raised` when g keeps its sign; the value then is t1 and the state there.
+/// the state there. Each step is sampled inside by its cubic: a double crossing is found if it lasts a
+/// quarter of a step. Brent's method then finds the time, on states that the algorithm itself computes from
+/// the step's start (by one step of its plain stepper if it has one). The time has their accuracy, without an
+/// error estimate. `raised` if g keeps its sign; the value is then t1 and the state there.
 template <class Algorithm, class System, std::size_t n, class G>
 Solved<Event<std::array<double, n>>> find_event(const System& system, const std::array<double, n>& start,
                                                 double t0, double t1, double setting, const G& g) {
@@ -55,8 +55,8 @@ Solved<Event<std::array<double, n>>> find_event(const System& system, const std:
 
 // ---- a system's own events --------------------------------------------------------------------------------
 
-/// One of a system's guards has fallen through zero, at a time at which the event takes the state from
-/// `before` to `after`.
+/// One of a system's guards has fallen through zero at `time`, and the event takes the state from `before` to
+/// `after`.
 template <class State>
 struct Happened {
   std::size_t guard = 0;
@@ -72,23 +72,22 @@ struct MotionWithEvents {
   std::vector<Happened<State>> events = {};
 };
 
-/// The states at `times`, which go forward, by the algorithm of this name. Where a guard falls through zero
-/// the system says what happens, and the algorithm starts anew, history and all; where the motion ends, its
-/// state stays at all later times. The event is found as find_event finds it. A guard that is zero at the
-/// start counts as above it; so does one whose event does not pass: if it then falls, it happens again at
-/// once. After an event that passes, the guard has to rise before it can fall again. A system without guards
-/// moves as by `integrate`. `watch` is called after each step, and for the part of a step that ends in an
-/// event.
+/// The states at `times`, which go forward, by the algorithm of this name. When a guard falls through zero
+/// the system's event happens, and the algorithm restarts without its history. If the motion ends, its state
+/// stays the same at all later times. Events are found as by find_event. A guard that is zero at the start
+/// counts as above it, as does one whose event does not pass: if it then falls, it happens again at once.
+/// After an event that passes, the guard has to rise before it can fall again. A system without guards moves
+/// as by `integrate`. `watch` is called after each step, and for the part of a step that ends in an event.
 ///
 /// `chattering`: 16 events for each guard in a row, in which the time moves by no more than 64 of its
-/// roundings. No number tells their times apart any more, and no step leads beyond them: the flights of a
-/// ball that comes to rest shrink in proportion, and what is left of their sum is of that size. The state and
-/// the last event are those of the end. Whoever puts the state back onto the guard exactly gets there by all
-/// digits; where the state is off by d, flights of height d are the last.
+/// roundings. Floating point cannot separate their times any more, and no step leads beyond them. The flights
+/// of a ball that comes to rest shrink geometrically, and the rest of their sum is of that size. The state
+/// and the last event are those of the end. A model that puts the state back onto the guard exactly gets
+/// there to all digits. If the state is off by d, the last flights have height d.
 ///
-/// `grazing`: inside a step, the guard has a least value that is nearer to zero than the step's own error
-/// of it: the tolerance, or else the difference between one step and two of half the size. The algorithm
-/// cannot tell then whether the event happens, and what follows depends on it.
+/// `grazing`: inside a step, the guard has a minimum closer to zero than the step's own error of it: the
+/// tolerance, or else the difference between one step and two of half the size. The algorithm cannot decide
+/// then whether the event happens, and the rest of the motion depends on it.
 template <std::size_t n>
 MotionWithEvents<std::array<double, n>> integrate_with_events(std::string_view algorithm,
                                                               const AnySystem<n>& system,
@@ -106,7 +105,7 @@ MotionWithEvents<std::array<double, n>> integrate_with_events(const System& syst
   return integrate_with_events<n>(info<Algorithm>().name, any, start, times, setting, {}, most_events);
 }
 
-/// The first event after t0 and up to t1; `raised` when none happens, with t1 and the state there.
+/// The first event after t0 and up to t1; `raised` if none happens, with t1 and the state there.
 template <class Algorithm, class System, std::size_t n>
 Solved<Happened<std::array<double, n>>> first_event(const System& system, const std::array<double, n>& start,
                                                     double t0, double t1, double setting) {

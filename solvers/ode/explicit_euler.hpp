@@ -8,8 +8,8 @@
 
 namespace oddity::ode {
 
-/// Order 1, one evaluation per step. Stable on the negative real axis to h |lambda| = 2, on the imaginary
-/// axis nowhere: every undamped oscillation grows.
+/// Order 1, one evaluation per step. Stable on the negative real axis to h |lambda| = 2. Not stable on the
+/// imaginary axis: every undamped oscillation grows.
 struct ExplicitEuler {
   static constexpr std::string_view name = "explicit Euler";
   static constexpr Kind kind = Kind::fixed;

@@ -5,8 +5,7 @@
 
 namespace oddity::ode {
 
-/// What an algorithm's type does not say by itself. The tests measure its order, its evaluations and its
-/// limits.
+/// Facts that an algorithm's type does not show. The tests measure order, evaluations and limits.
 struct Facts {
   static constexpr double everywhere = std::numeric_limits<double>::infinity();
   static constexpr double not_applicable = std::numeric_limits<double>::quiet_NaN();
@@ -19,15 +18,16 @@ struct Facts {
 
   std::string_view library;
   bool in_float = false;  ///< compiled for states of float too
-  int evaluations = 0;    ///< of the right-hand side, or of the forces, a step; 0: it depends
-  bool jacobian = false;  ///< and a Jacobian, in each step or now and then
-  bool history = false;   ///< it goes on from several steps past
-  /// Its error estimate is zero for what changes at a rate of time alone, whatever the tolerance.
+  int evaluations = 0;    ///< right-hand sides, or forces, per step; 0: it depends
+  bool jacobian = false;  ///< takes a Jacobian, in each step or now and then
+  bool history = false;   ///< uses several past steps
+  /// Its error estimate is zero for unknowns whose rates depend on time alone, whatever the tolerance.
   bool blind_to_time = false;
   /// The largest h |lambda| at which y' = lambda y does not grow, on the negative real and on the imaginary
-  /// axis, by theory: 0: none. It does not apply without a fixed step, or, partitioned, to damping.
+  /// axis, by theory; 0: none. Not applicable without a fixed step, or, for partitioned algorithms, to
+  /// damping.
   double real_limit = not_applicable, imaginary_limit = not_applicable;
-  std::string_view theory = "no fixed step";  ///< where the limits come from
+  std::string_view theory = "no fixed step";  ///< source of the limits
 };
 
 }  // namespace oddity::ode

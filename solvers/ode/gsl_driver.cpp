@@ -14,7 +14,7 @@ namespace oddity::ode::detail {
 
 namespace {
 
-/// GSL takes GSL_EBADFUNC for the end, and any other error as a reason to halve the step.
+/// GSL stops at GSL_EBADFUNC, and halves the step at any other error.
 int status_of(Call call) {
   return call == Call::ok ? GSL_SUCCESS : call == Call::not_finite ? GSL_FAILURE : GSL_EBADFUNC;
 }
@@ -82,7 +82,7 @@ GslDriver::GslDriver(GslDriver&&) noexcept = default;
 const char* GslDriver::advance(const RawProblem& problem, double* x, double& t, double t1) {
   driver_->take(problem);
   driver_->face(t1 - t);
-  // GSL lands on t1 itself only when the step would go beyond.
+  // GSL reaches t1 exactly only if the step would go beyond.
   const bool last = std::abs(driver_->h) >= std::abs(t1 - t);
   const double beyond = 2 * (t1 - t);
   double tried = last ? beyond : driver_->h;

@@ -11,16 +11,16 @@ namespace detail {
 
 enum class GslStep { rk8pd, msadams, msbdf, bsimp };
 
-/// GSL's step, step control and evolution behind the seam.
+/// GSL's step, step control and evolution, behind raw pointers.
 class GslDriver {
  public:
   GslDriver(GslStep, std::size_t n, double tolerance, double first_step);
   ~GslDriver();
   GslDriver(GslDriver&&) noexcept;
 
-  /// One accepted step from t, not beyond t1. The error's message, or null.
+  /// Makes one accepted step from t, not beyond t1. Returns the error's message, or null.
   const char* advance(const RawProblem&, double* x, double& t, double t1);
-  /// One step of h without control; x is not finite when it fails.
+  /// Makes one step of h without step control; x is not finite if it fails.
   void plain_step(const RawProblem&, double* x, double t, double h);
 
  private:
@@ -28,12 +28,12 @@ class GslDriver {
   std::unique_ptr<Driver> driver_;
 };
 
-/// An algorithm of GSL under GSL's own driver. GSL integrates through a NaN as if all were well, as its step
-/// control takes it for no error: here a derivative that is not finite fails the step, and GSL halves it.
+/// An algorithm of GSL under GSL's own driver. GSL integrates through a NaN, as its step control treats it as
+/// zero error. Here a derivative that is not finite fails the step, and GSL halves it.
 template <GslStep step>
 struct Gsl {
   static constexpr Kind kind = Kind::self_stepping;
-  static constexpr double first_step = 1e-3;  ///< of the whole span
+  static constexpr double first_step = 1e-3;  ///< fraction of the whole span
   template <class State, class System>
   static auto stepper(const System& system, long& evaluations, double tolerance, double first) {
     return Driven<GslDriver, System, State>{{system, evaluations},

@@ -1,5 +1,5 @@
 // Compiled as C++17: see implicit.hpp.
-#define BOOST_UBLAS_NDEBUG 1  // uBLAS checks by printing to standard error
+#define BOOST_UBLAS_NDEBUG 1  // uBLAS's checks print to standard error
 #include "solvers/ode/implicit.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ using Matrix = boost::numeric::ublas::matrix<double>;
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
-/// What a call that failed may have left as it was. uBLAS gives it no value.
+/// Fills the values of a failed call, which uBLAS leaves uninitialized, with NaN.
 void fill_if_failed(Call call, double* values, std::size_t count) {
   if (call != Call::ok) std::fill_n(values, count, no_number);
 }
@@ -39,9 +39,9 @@ struct Jacobian {
   }
 };
 
-/// The problem with its time as one more unknown, t' = 1. Odeint's rosenbrock4 (Boost 1.74) has its
-/// coefficient d4 with the wrong sign, and so is of order 1 where the right-hand side knows the time; of
-/// order 4 where it does not.
+/// The problem with its time as one more unknown, t' = 1. Odeint's rosenbrock4 (Boost 1.74) has the wrong
+/// sign in its coefficient d4. So it has order 1 if the right-hand side depends on time, and order 4 if it
+/// does not.
 struct AutonomousRhs {
   const RawProblem& problem;
   void operator()(const Vector& x, Vector& dxdt, double) const {

@@ -4,8 +4,8 @@
 
 #include "solvers/ode/raw_problem.hpp"
 
-/// Odeint's implicit steppers keep their states in uBLAS and compile only as C++17 (with Boost 1.74). Odeint
-/// stands behind the seam in implicit.cpp.
+/// Odeint's implicit steppers keep their states in uBLAS and compile only as C++17 (with Boost 1.74). Only
+/// implicit.cpp includes them.
 namespace oddity::ode::detail {
 
 /// Rosenbrock's method of order 4 with Odeint's step control.
@@ -15,7 +15,7 @@ class Rosenbrock {
   ~Rosenbrock();
   Rosenbrock(Rosenbrock&&) noexcept;
 
-  /// Whether the step was accepted; x, t and h are Odeint's to change.
+  /// Whether the step was accepted. Odeint updates x, t and h.
   bool try_step(const RawProblem&, double* x, double& t, double& h);
 
  private:
@@ -23,8 +23,8 @@ class Rosenbrock {
   std::unique_ptr<Stepper> stepper_;
 };
 
-/// One step of the backward Euler method, its equation solved by one Newton step. Odeint would iterate, but
-/// from the second iteration on it factorizes the matrix that it has factorized before.
+/// One step of the backward Euler method, its equation solved by one Newton step. Odeint could iterate, but
+/// from the second iteration on it factorizes a matrix that is already factorized.
 void implicit_euler_step(const RawProblem&, double* x, double t, double h);
 
 }  // namespace oddity::ode::detail

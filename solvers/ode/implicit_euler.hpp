@@ -8,9 +8,9 @@
 
 namespace oddity::ode {
 
-/// Order 1, stable for every step on the left half-plane (L-stable). One evaluation and one Jacobian a step,
-/// by dual numbers (n evaluations) where the system is Differentiable, else by central differences (2 n): the
-/// step's equation is solved by one Newton step.
+/// Order 1, stable for every step on the left half-plane (L-stable). One evaluation and one Jacobian per
+/// step: by dual numbers (n evaluations) if the system is Differentiable, else by central differences (2 n).
+/// One Newton step solves the step's equation.
 struct ImplicitEuler {
   static constexpr std::string_view name = "linearly implicit Euler";
   static constexpr Kind kind = Kind::implicit_fixed;

@@ -7,9 +7,9 @@
 
 #include "solvers/ode/integrate.hpp"
 
-/// Precision as a dimension of an algorithm: the explicit algorithms of fixed step in float, as games
-/// compute. Each is compiled once for each number of unknowns, as in double. Those that choose their steps by
-/// a tolerance, the implicit ones and those of GSL and SUNDIALS are in double only.
+/// The explicit algorithms of fixed step in float, as games compute. Each is compiled once for each number of
+/// unknowns, as in double. Algorithms with a tolerance, implicit ones and those of GSL and SUNDIALS are in
+/// double only.
 namespace oddity::ode {
 
 template <std::size_t n>
@@ -17,7 +17,7 @@ using IntegrateInFloat = Trajectory<std::array<float, n>>(const AnySystem<n, flo
                                                           const std::array<float, n>& start,
                                                           std::span<const double> times, double step);
 
-/// The algorithm of this name in float; null where it is in double only.
+/// The algorithm of this name in float; null if it is in double only.
 template <std::size_t n>
 IntegrateInFloat<n>* in_float(std::string_view algorithm);
 

@@ -5,7 +5,7 @@ namespace oddity::ode::detail {
 double first_step(std::span<const double> times, double part) {
   const auto [low, high] = std::minmax_element(times.begin(), times.end());
   const double step = std::max((*high - *low) * part, 0x1p-50 * std::max(std::abs(*low), std::abs(*high)));
-  return step > 0 ? step : 1;  // at the time 0 alone no step is made
+  return step > 0 ? step : 1;  // no step is made if all times are 0
 }
 
 const char* invalid_arguments(std::span<const double> times, double setting) {

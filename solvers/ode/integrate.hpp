@@ -17,9 +17,9 @@
 /// system.acceleration(q, a): forces that depend on positions alone.
 ///
 /// An algorithm is a type of this folder. Its `setting` is a step (fixed, partitioned) or a tolerance,
-/// absolute and relative (controlled, driven). Time may run backward. No algorithm hangs or returns NaN as a
-/// success: a state that is not finite ends `non_finite`, a step too small to move the time or a spent budget
-/// ends `stalled`.
+/// absolute and relative (controlled, self-stepping). Time may run backward. No algorithm hangs or returns
+/// NaN as a success. A state that is not finite ends `non_finite`. A step too small to move the time, or a
+/// spent budget, ends `stalled`.
 ///
 ///   const auto swing = [](const auto& x, auto& dxdt, const auto&) { dxdt = {x[1], -x[0]}; };
 ///   const std::array times{0.0, 1.0, 2.0};
@@ -27,8 +27,8 @@
 ///   if (path.reached()) std::cout << path.value.back()[0];  // cos(2)
 namespace oddity::ode {
 
-/// A velocities-first one steps the unknowns that are velocities, and then the others. A self-stepping
-/// algorithm has a driver of its own, which chooses its steps and repeats those that fail.
+/// A velocities-first algorithm steps the velocities, and then the other unknowns. A self-stepping one has
+/// its own driver, which chooses its steps and repeats those that fail.
 enum class Kind {
   fixed,
   partitioned,
@@ -39,7 +39,7 @@ enum class Kind {
   self_stepping
 };
 
-/// Its stepper is constructed with the system, of which it asks for more than the rates.
+/// Its stepper is constructed with the system, because it needs more than the rates.
 constexpr bool holds_system(Kind kind) {
   return kind == Kind::partitioned || kind == Kind::velocities_first || kind == Kind::implicit_fixed;
 }
@@ -49,8 +49,8 @@ constexpr bool has_tolerance(Kind kind) {
   return kind == Kind::controlled || kind == Kind::implicit_controlled || kind == Kind::self_stepping;
 }
 
-/// Most evaluations of the right-hand side that one integration may take: on this thread fewer while a limit
-/// lives.
+/// The most evaluations of the right-hand side that one integration may take. An EvaluationLimit lowers it on
+/// its thread while it lives.
 constexpr long budget = 20'000'000;
 inline thread_local long most_evaluations = budget;
 
@@ -86,7 +86,7 @@ struct NeverStop {
   }
 };
 
-/// A function like NeverStop of whatever type, by reference; or none.
+/// A reference to a function like NeverStop of any type; or none.
 template <std::size_t n>
 class Watch {
  public:
@@ -109,9 +109,9 @@ class Watch {
   bool (*call_)(const void*, double, const State&, double, const State&) = nullptr;
 };
 
-/// Every algorithm is compiled once for each number of unknowns that a model has (CMake reads them from the
-/// declarations `using State = std::array<T, 4>` of the chapters), in the solvers' own files, and sees a
-/// system as AnySystem: who calls it needs no more than its declaration (algorithms.hpp).
+/// Every algorithm is compiled once for each number of unknowns that a model has, in the solvers' own files,
+/// and sees a system as AnySystem. A caller needs only its declaration (algorithms.hpp). CMake reads the
+/// numbers from the declarations `using State = std::array<T, 4>` of the chapters.
 template <class State>
 inline constexpr bool is_precompiled = false;
 #define ODDITY_IS_PRECOMPILED(n, value) \
@@ -126,34 +126,34 @@ Trajectory<std::array<double, n>> integrate_precompiled(const AnySystem<n>& syst
                                                         std::span<const double> times, double setting,
                                                         const Watch<n>& watch);
 
-/// One step of h, by the algorithm's plain stepper where it has one; whether it got there.
+/// Makes one step of h, by the algorithm's plain stepper if it has one; false if it did not reach t + h.
 template <class Algorithm, std::size_t n>
 bool step_precompiled(const AnySystem<n>& system, std::array<double, n>& x, double t, double h,
                       double setting, long& evaluations);
 
-/// The system with its series, which then are not expanded anew for what is inside a step; null: the
-/// algorithm has no series.
+/// The system with its series, so that states inside a step need no new expansion; null: the algorithm has no
+/// series.
 template <class Algorithm, std::size_t n>
 std::unique_ptr<const AnySystem<n>> with_series_precompiled(const AnySystem<n>& system, double setting);
 
-/// As `integrate`, system and algorithm always compiled into one: for the innermost loop of a game.
+/// Like `integrate`, with system and algorithm always compiled into one: for the innermost loop of a game.
 template <class Algorithm, class System, class State, class OnStep = NeverStop>
 Trajectory<State> integrate_inlined(const System& system, const State& start, std::span<const double> times,
                                     double setting, const OnStep& on_step = {});
 
-/// What a caller may ask of an algorithm that it does not see.
+/// Facts of an algorithm for callers that do not see its type.
 struct AlgorithmInfo {
   std::string_view name;
   Kind kind;
-  bool by_series = false;      ///< of an analytic system, and the state inside a step costs no new one
-  bool blind_to_time = false;  ///< as Facts has it
+  bool by_series = false;      ///< uses series of an analytic system: a state inside a step needs no new one
+  bool blind_to_time = false;  ///< see Facts
 };
 template <class Algorithm>
 AlgorithmInfo info();
 
-/// The states at `times`, the first of which is the start's; they may go back and forth. The value ends with
-/// the last state reached. Throws std::logic_error when a partitioned algorithm is asked for a system that is
-/// not partitioned.
+/// The states at `times`, which may go back and forth; the first is the time of `start`. The value ends with
+/// the last state reached. Throws std::logic_error for a partitioned algorithm on a system that is not
+/// partitioned.
 template <class Algorithm, class System, class State, class OnStep = NeverStop>
 Trajectory<State> integrate(const System& system, const State& start, std::span<const double> times,
                             double setting, const OnStep& on_step = {}) {
@@ -175,7 +175,7 @@ using Integrate = Trajectory<std::array<double, n>>(const AnySystem<n>& system,
                                                     std::span<const double> times, double setting,
                                                     const Watch<n>& watch);
 
-/// The algorithm of this name. Throws std::logic_error when there is none.
+/// The algorithm of this name. Throws std::logic_error if there is no such algorithm.
 template <std::size_t n>
 Integrate<n>& precompiled(std::string_view algorithm);
 

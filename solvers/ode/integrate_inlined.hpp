@@ -12,12 +12,12 @@
 #include "solvers/ode/steps_in.hpp"
 #include "solvers/stop.hpp"
 
-/// How every algorithm is driven through the times, compiled into its caller.
+/// The loop that drives every algorithm through the times, compiled into its caller.
 namespace oddity::ode {
 
 namespace detail {
 
-/// `what`, at which time.
+/// The message `what`, with the time.
 std::string at_time(const char* what, double t);
 
 template <class State>
@@ -34,15 +34,17 @@ bool check_budget(long evaluations, Trajectory<State>& solved, double t) {
          fail(solved, Ending::stalled, "the budget of evaluations is spent", t);
 }
 
-/// What time is to a right-hand side: float where the state is.
+/// Type of the time in a right-hand side: float if the state is in float.
 template <class State>
 using TimeOf = std::conditional_t<std::is_same_v<typename State::value_type, float>, float, double>;
 
-/// Steps that can be copied with all that they remember: such a one is kept in registers, and made again.
+/// Steppers that can be copied with all their memory: these are kept in registers, and their steps can be
+/// repeated.
 template <class DoStep>
 constexpr bool copied = std::is_copy_assignable_v<DoStep>;
 
-/// Steps first to last of size h. A function of its own, so that nothing around its loop takes registers.
+/// Makes steps first to last of size h. A separate function, so that the code around its loop takes no
+/// registers.
 template <class DoStep, class State>
 [[gnu::noinline]] void steps_in_registers(DoStep& do_step, State& x, double t0, double h, long first,
                                           long last) {
@@ -55,12 +57,11 @@ template <class DoStep, class State>
   if constexpr (copied<DoStep>) do_step = step;
 }
 
-/// Steps of equal size from t0 to t1, no longer than `step`; false when the integration is over. The state is
-/// stepped in a local copy, which the compiler can keep in registers. The steps are counted and their times
-/// computed in double, whatever the state is in: a state in float sees time and step rounded to float, and
-/// its time does not drift.
-/// The state is looked at after every 16 steps. Those that can be copied go on for 256; where these end in
-/// what is no state, or beyond the budget, they are made again, by 16.
+/// Makes steps of equal size from t0 to t1, no longer than `step`; false if the integration is over. The
+/// state is stepped in a local copy, which the compiler can keep in registers. Counts steps and computes
+/// their times in double: a state in float sees time and step rounded to float, and its time does not drift.
+/// Checks the state after every 16 steps. Copyable steppers make 256 at once; if these end in a state that is
+/// not finite, or beyond the budget, they are repeated by 16.
 template <class DoStep, class State, class OnStep>
 [[gnu::always_inline]] inline bool equal_steps(DoStep& do_step, State& x, double t0, double t1, double step,
                                                long& evaluations, Trajectory<State>& solved,
@@ -107,8 +108,8 @@ template <class DoStep, class State, class OnStep>
   return true;
 }
 
-/// Steps chosen by the stepper's error control from t to t1; `h` is the step to try, its size goes on from
-/// call to call.
+/// Makes steps chosen by the stepper's error control from t to t1. `h` is the step to try; its size carries
+/// over from call to call.
 template <class TryStep, class State, class OnStep>
 bool controlled_steps(TryStep& try_step, State& x, double t, double t1, double& h, const long& evaluations,
                       Trajectory<State>& solved, const OnStep& on_step) {
@@ -136,8 +137,8 @@ bool controlled_steps(TryStep& try_step, State& x, double t, double t1, double& 
   return true;
 }
 
-/// Steps that a library's driver chooses, from t to t1: advance(x, t, t1) makes one of them, not beyond t1,
-/// and says the error's message, or null.
+/// Makes steps chosen by a library's driver from t to t1. advance(x, t, t1) makes one of them, not beyond t1,
+/// and returns the error's message, or null.
 template <class Advance, class State, class OnStep>
 bool driven_steps(Advance& advance, State& x, double t, double t1, const long& evaluations,
                   Trajectory<State>& solved, const OnStep& on_step) {
@@ -155,10 +156,10 @@ bool driven_steps(Advance& advance, State& x, double t, double t1, const long& e
   return true;
 }
 
-/// The step that a controlled algorithm tries first: a part of the whole span, but enough to move the time.
+/// The first step that a controlled algorithm tries: a part of the whole span, but enough to move the time.
 double first_step(std::span<const double> times, double part);
 
-/// What is wrong with the times or the step or tolerance; null: nothing.
+/// Message for invalid times, step or tolerance; null if all are valid.
 const char* invalid_arguments(std::span<const double> times, double setting);
 
 /// A system whose evaluations are counted.
@@ -173,7 +174,7 @@ struct Counted {
   }
 };
 
-/// A step of an algorithm that remembers none.
+/// A step of an algorithm without memory.
 template <class Algorithm, class System>
 struct StepAlone {
   const System* system;
@@ -207,7 +208,7 @@ Trajectory<State> integrate_inlined(const System& system, const State& start, st
     solved.message = what;
     return solved;
   }
-  long evaluations = 0;  // not `solved`'s: a local stays in a register
+  long evaluations = 0;  // a local, as it stays in a register
   const detail::Counted<System, State> counted{system, evaluations};
   if constexpr (Algorithm::kind == Kind::fixed) {
     const auto by = [&](auto& do_step) {
@@ -216,7 +217,7 @@ Trajectory<State> integrate_inlined(const System& system, const State& start, st
             return detail::equal_steps(do_step, x, t0, t1, setting, evaluations, solved, on_step);
           });
     };
-    if constexpr (requires { &Algorithm::recurrence; }) {  // it remembers earlier steps
+    if constexpr (requires { &Algorithm::recurrence; }) {  // a multistep method
       auto stepper = Algorithm::template stepper<State>();
       auto do_step = [&](State& x, auto t, auto h) { stepper.do_step(counted, x, t, h); };
       by(do_step);

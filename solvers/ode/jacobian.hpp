@@ -8,8 +8,8 @@
 
 namespace oddity::ode {
 
-/// A system whose right-hand side is generic in its number type: it can be differentiated exactly. Of any
-/// other the Jacobian is taken by central differences (raw_problem.hpp).
+/// A system whose right-hand side is generic in its number type, and so can be differentiated exactly. For
+/// all others, central differences give the Jacobian (raw_problem.hpp).
 template <class System, class State>
 concept Differentiable = requires(const System& system,
                                   const std::array<Dual<double>, std::tuple_size_v<State>>& x,
@@ -17,8 +17,8 @@ concept Differentiable = requires(const System& system,
   system(x, dxdt, t);
 };
 
-/// d(dxdt)/dx by rows into `matrix` and, unless it is null, d(dxdt)/dt into `dfdt`, exact to rounding.
-/// Returns its evaluations: n, or n + 1.
+/// Writes d(dxdt)/dx by rows into `matrix` and, unless it is null, d(dxdt)/dt into `dfdt`, exact to rounding.
+/// Returns the number of evaluations: n, or n + 1.
 template <class System, class State>
 long jacobian(const System& system, const State& x, double* matrix, double* dfdt, double t) {
   constexpr std::size_t n = std::tuple_size_v<State>;

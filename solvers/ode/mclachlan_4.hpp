@@ -27,7 +27,8 @@ struct McLachlan4 {
     return [&system, &evaluations](State& x, Number t, Number h) {
       int stage = 0;
       const auto force = [&](const Half& q, Half& a) {
-        if (++stage == 5) return void(a = {});  // Odeint asks once more, and takes the answer times zero
+        if (++stage == 5)
+          return void(a = {});  // Odeint evaluates once more, and multiplies the result by zero
         ++evaluations;
         system.acceleration(q, a);
       };

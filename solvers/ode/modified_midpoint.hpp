@@ -8,9 +8,9 @@
 
 namespace oddity::ode {
 
-/// Gragg's rule, of which Bulirsch and Stoer extrapolate: order 2, two substeps and three evaluations per
-/// step. Stable to h |lambda| = 3.087 on the negative real axis, on the imaginary axis nowhere: undamped
-/// oscillations grow, slowly, as h^6.
+/// Gragg's rule, which Bulirsch and Stoer extrapolate: order 2, two substeps and three evaluations per step.
+/// Stable to h |lambda| = 3.087 on the negative real axis. Not stable on the imaginary axis: undamped
+/// oscillations grow slowly, as h^6.
 struct ModifiedMidpoint {
   static constexpr std::string_view name = "modified midpoint";
   static constexpr Kind kind = Kind::fixed;

@@ -7,14 +7,14 @@
 
 namespace oddity::ode {
 
-/// What a multistep method makes of y' = lambda y, z = h lambda: y[n+1] = c[0] y[n] + c[1] y[n-1] + ...
+/// Recurrence of a multistep method for y' = lambda y, z = h lambda: y[n+1] = c[0] y[n] + c[1] y[n-1] + ...
 using Recurrence = std::vector<std::complex<double>>;
 
 namespace detail {
 
-/// An Odeint multistep method whose history starts anew when the step changes: Odeint would go on as if the
-/// past steps had been as long as this one. A step that differs by rounding alone, of float or of the times
-/// in double, is the same.
+/// An Odeint multistep method that restarts its history when the step changes. Odeint itself would treat the
+/// past steps as if they had the new length. Steps that differ by rounding only, of float or of the times in
+/// double, count as equal.
 template <class Multistep>
 struct Restarting {
   Multistep multistep;

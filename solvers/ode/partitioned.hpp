@@ -7,14 +7,15 @@
 
 namespace oddity::ode::detail {
 
-/// A state (q, v) in its two halves.
+/// The two halves of a state (q, v).
 template <class State>
 struct Halves {
   static constexpr std::size_t size = std::tuple_size_v<State> / 2;
   using Half = std::array<typename State::value_type, size>;
   Half q, v;
 
-  // Number by number: std::copy moves them through integers, six cycles in the chain from step to step.
+  // Copied number by number: std::copy moves them through integer registers, six cycles in the chain from
+  // step to step.
   explicit Halves(const State& x) {
     for (std::size_t i = 0; i < size; ++i) q[i] = x[i], v[i] = x[size + i];
   }

@@ -3,11 +3,11 @@
 #include <cstddef>
 #include <exception>
 
-/// The seam between templates and the libraries that are compiled on their own: raw pointers. C++17, as
+/// Interface of raw pointers between templates and the libraries that are compiled separately. C++17, as
 /// implicit.cpp is.
 namespace oddity::ode::detail {
 
-/// What a library is told of a call of the right-hand side.
+/// Outcome of a call of the right-hand side.
 enum class Call { ok, not_finite, budget_spent };
 
 /// An initial value problem of n unknowns. `jacobian` fills d(dxdt)/dx by rows and, unless it is null,
@@ -19,8 +19,8 @@ struct RawProblem {
   Call (*jacobian)(const void* object, const double* x, double* matrix, double* dfdt, double t);
 };
 
-/// A problem on its way through C, which an exception must not pass through: it is kept for later.
-/// `status_of` is what the library calls a Call; a throw ends it as a spent budget does.
+/// A problem that is called through C, which exceptions must not cross: they are kept for later. `status_of`
+/// gives the library's status for a Call; an exception ends the integration like a spent budget.
 template <int (*status_of)(Call)>
 struct GuardedProblem {
   const RawProblem* problem = nullptr;
@@ -41,7 +41,7 @@ struct GuardedProblem {
 };
 
 /// The Jacobian of problem.rhs by central differences, good to ten digits: 2 n evaluations, and two more for
-/// dfdt unless it is null. The first call that was not ok ends it.
+/// dfdt unless it is null. Stops at the first call that is not ok.
 Call differences(const RawProblem& problem, const double* x, double* matrix, double* dfdt, double t);
 
 }  // namespace oddity::ode::detail

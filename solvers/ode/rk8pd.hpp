@@ -7,9 +7,9 @@
 
 namespace oddity::ode {
 
-/// Prince and Dormand's order 8 with an embedded order 7 for the step control, thirteen evaluations per step
-/// of which the last is the next step's first. Stable to h |lambda| = 5.166 on the negative real axis, on the
-/// imaginary axis nowhere: undamped oscillations grow, slowly, as h^10.
+/// Prince and Dormand's order 8 with an embedded order 7 for the step control, thirteen evaluations per step,
+/// the last of which is the next step's first. Stable to h |lambda| = 5.166 on the negative real axis. Not
+/// stable on the imaginary axis: undamped oscillations grow slowly, as h^10.
 struct Rk8pd : detail::Gsl<detail::GslStep::rk8pd> {
   static constexpr std::string_view name = "GSL rk8pd";
   static constexpr int order = 8;

@@ -8,10 +8,10 @@
 
 namespace oddity::ode {
 
-/// Order 1: the velocities first, v += h v'(q, v, t), then the positions with the new ones, q += h q'(q, v,
-/// t + h), as game engines do it for forces that know velocities too. One evaluation per step where the
-/// positions' rates are velocities, else two. Where the forces depend on positions alone it is symplectic
-/// Euler. Of q'' = -2 r q' - r^2 q it is stable to h r = 2 (sqrt(2) - 1), of q'' = -r^2 q to h r = 2.
+/// Order 1: the velocities first, v += h v'(q, v, t), then the positions with the new ones, q += h q'(q, v, t
+/// + h), as game engines do for forces that depend on velocities too. One evaluation per step if the
+/// positions' rates are velocities, else two. If the forces depend on positions alone it is symplectic Euler.
+/// For q'' = -2 r q' - r^2 q it is stable to h r = 2 (sqrt(2) - 1), for q'' = -r^2 q to h r = 2.
 struct SemiImplicitEuler {
   static constexpr std::string_view name = "semi-implicit Euler";
   static constexpr Kind kind = Kind::velocities_first;

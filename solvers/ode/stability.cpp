@@ -26,7 +26,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 using Plane = std::array<double, 2>;
 
-/// y' = z y in its real and imaginary parts, and, partitioned, q'' = Re(z^2) q.
+/// y' = z y in its real and imaginary parts; for partitioned algorithms, q'' = Re(z^2) q.
 struct LinearProblem {
   std::complex<double> z;
 
@@ -64,9 +64,9 @@ double log_radius(const Plane& a, const Plane& b) {
                           : std::log(std::abs(half_trace) + std::sqrt(discriminant));
 }
 
-/// The root next to 1 of the recurrence's characteristic polynomial, by Newton's method, where it is certain
-/// to be the largest: with b[1], b[2], ... the coefficients of what the polynomial leaves when divided by it,
-/// the others are smaller where sum |b[k]| / |root|^k < 1 (Cauchy).
+/// The root nearest to 1 of the recurrence's characteristic polynomial, by Newton's method, if it is certain
+/// to be the largest. With the coefficients b[1], b[2], ... of the polynomial divided by its linear factor,
+/// the others are smaller if sum |b[k]| / |root|^k < 1 (Cauchy).
 std::optional<std::complex<double>> principal_root(const Recurrence& c) {
   std::complex<double> root = 1;
   for (int i = 0; i < 10; ++i) {
@@ -86,8 +86,8 @@ std::optional<std::complex<double>> principal_root(const Recurrence& c) {
   return std::nullopt;
 }
 
-/// ln of the largest root of the recurrence's characteristic polynomial: by its companion matrix, a complex
-/// number x + i y being the real matrix (x, -y; y, x).
+/// ln of the largest root of the recurrence's characteristic polynomial, by its companion matrix. The real
+/// matrix (x, -y; y, x) represents a complex number x + i y.
 double log_radius(const Recurrence& c) {
   if (const auto root = principal_root(c)) return std::log(std::abs(*root));
   const auto n = static_cast<Eigen::Index>(2 * c.size());
@@ -147,21 +147,21 @@ bool takes_velocities_first(std::string_view algorithm) {
   return found;
 }
 
-/// Beside each eigenvalue lambda a partitioned algorithm also has -lambda.
+/// Growth rate in the reference. A partitioned algorithm has -lambda next to each eigenvalue lambda.
 double growth_in_truth(std::string_view algorithm, const std::complex<double>& lambda) {
   return is_partitioned(algorithm) ? std::abs(lambda.real()) : std::max(0.0, lambda.real());
 }
 
-/// The fastest growth that does not count as unstable, of a disturbance of this eigenvalue.
+/// The fastest growth of a disturbance of this eigenvalue that does not count as unstable.
 double allowed_growth(std::string_view algorithm, const std::complex<double>& lambda, double negligible) {
   const double fades = is_partitioned(algorithm) ? 0 : std::max(0.0, -lambda.real());
   return 2 * growth_in_truth(algorithm, lambda) + std::max(0.0, negligible * std::abs(lambda) - fades);
 }
 
-/// Growth in a step of r / |lambda|, beyond what is allowed.
+/// Growth in a step of r / |lambda|, beyond the allowed growth.
 using Excess = std::function<double(double)>;
 
-/// Where the excess changes its sign between the two, which differ in it.
+/// The step between `low` and `high` at which the excess changes its sign.
 double edge(const Excess& excess, double low, double high) {
   const bool unstable = excess(high) > 0;
   while (high - low > 1e-10 * high) {
@@ -171,7 +171,7 @@ double edge(const Excess& excess, double low, double high) {
   return high;
 }
 
-/// The tongues up to `largest`; near an edge the next step is longer by the part `near`.
+/// The tongues up to `largest`. Near an edge the next step is longer by the fraction `near`.
 std::vector<Tongue> scan(const Excess& excess, double near) {
   constexpr double largest = 30;
   std::vector<Tongue> tongues;
@@ -194,13 +194,13 @@ std::vector<Tongue> scan(const Excess& excess, double near) {
   return tongues;
 }
 
-/// In the direction of the unit.
+/// Excess along the direction of `unit`.
 Excess excess_along(std::string_view algorithm, std::complex<double> unit, double negligible) {
   const double allowed = allowed_growth(algorithm, unit, negligible);
   return [=](double r) { return growth(algorithm, r * unit) - r * allowed; };
 }
 
-/// The edge next to this one, of a direction next to that which has it; nothing: it is not within a tenth.
+/// The edge nearest to `at`, an edge of a neighbouring direction; nothing if it moved by more than a tenth.
 std::optional<double> moved_edge(const Excess& excess, double at) {
   if (at == 0 || std::isinf(at)) return at;
   for (double part : {1e-3, 1e-2, 1e-1}) {
@@ -210,8 +210,8 @@ std::optional<double> moved_edge(const Excess& excess, double at) {
   return std::nullopt;
 }
 
-/// In the direction of lambda, as multiples of 1 / |lambda|: a scan in its direction rounded to a thousandth
-/// of a radian, which is made once, and from there the edges in its own.
+/// Tongues in the direction of lambda, as multiples of 1 / |lambda|. Scans its direction rounded to a
+/// thousandth of a radian once, and from there moves the edges to the exact direction.
 std::vector<Tongue> tongues_along(std::string_view algorithm, const std::complex<double>& lambda,
                                   double negligible) {
   static std::map<std::tuple<std::string, long, double>, std::vector<Tongue>> known;
@@ -241,7 +241,7 @@ std::vector<Tongue> tongues_along(std::string_view algorithm, const std::complex
   return *tongues;
 }
 
-/// ln of the spectral radius of a step of h of x' = J x that takes the velocities first.
+/// ln of the spectral radius of a step of h of x' = J x by an algorithm that takes the velocities first.
 double growth_velocities_first(const std::vector<double>& jacobian, const std::vector<bool>& velocities,
                                double h) {
   const auto n = static_cast<Eigen::Index>(velocities.size());
@@ -258,8 +258,9 @@ double growth_velocities_first(const std::vector<double>& jacobian, const std::v
   return std::log(largest);
 }
 
-/// At this point of the spectrum, as multiples of 1 / |lambda| of its largest eigenvalue. What all its
-/// eigenvalues are allowed together each of them is; roundings of a double root count as no growth.
+/// Tongues at this point of the spectrum, as multiples of 1 / |lambda| of its largest eigenvalue. Each
+/// eigenvalue may grow as fast as the largest growth allowed for any of them. The rounding of a double root
+/// counts as no growth.
 std::vector<Tongue> tongues_velocities_first(const Spectrum& spectrum, std::size_t point, double size,
                                              std::string_view algorithm, double no_motion,
                                              double negligible) {
@@ -301,7 +302,7 @@ std::vector<double> jacobian_at(const std::function<void(const double*, double*,
 Eigenvalues eigenvalues_of(const std::vector<double>& matrix) {
   const auto n = static_cast<Eigen::Index>(std::lround(std::sqrt(static_cast<double>(matrix.size()))));
   const Eigen::MatrixXd transposed = Eigen::Map<const Eigen::MatrixXd>(matrix.data(), n, n);
-  return eigenvalues(transposed);  // they are those of the matrix
+  return eigenvalues(transposed);  // same as those of the matrix
 }
 
 double growth(std::string_view algorithm, std::complex<double> z) {
@@ -330,7 +331,8 @@ std::vector<Tongue> unstable_steps(std::string_view algorithm, const Spectrum& s
     if (by_matrix) continue;
     for (const auto& lambda : spectrum.at[i]) {
       const double size = std::abs(lambda);
-      if (lambda.imag() < 0 || size < no_motion) continue;  // a real Jacobian's come in pairs that grow alike
+      if (lambda.imag() < 0 || size < no_motion)
+        continue;  // a real Jacobian has conjugate pairs of equal growth
       add(tongues_along(algorithm, lambda, negligible), size);
     }
   }

@@ -1,4 +1,4 @@
-// Empty where CMake did not find SUNDIALS.
+// Empty if CMake did not find SUNDIALS.
 #ifdef ODDITY_SUNDIALS
 
 #include "solvers/ode/sundials_driver.hpp"
@@ -20,7 +20,7 @@ namespace oddity::ode::detail {
 
 namespace {
 
-/// SUNDIALS takes a negative status for the end, and a positive one as a reason to shorten the step.
+/// SUNDIALS stops at a negative status, and shortens the step at a positive one.
 int status_of(Call call) { return call == Call::ok ? 0 : call == Call::not_finite ? 1 : -1; }
 
 using Guarded = GuardedProblem<status_of>;
@@ -51,9 +51,9 @@ T* made(T* object) {
 }
 
 /// The method of SUNDIALS's table with the end of the step as one more stage. ERKStep (6.4) takes the last
-/// stage for the next step's first whenever it stands at the end of the step, also where, as in Verner's
-/// method, it is another state there: of order 6 it leaves 3 (llnl/sundials#311). So the last stage is that
-/// end itself, and costs nothing.
+/// stage at the end of the step for the next step's first. In Verner's method that stage is a different
+/// state, which reduces the order from 6 to 3 (llnl/sundials#311). The added stage is the end itself, and
+/// costs nothing.
 ARKodeButcherTable with_its_end(ARKODE_ERKTableID id) {
   const ARKodeButcherTable given = made(ARKodeButcherTable_LoadERK(id));
   const int stages = given->stages;
@@ -106,7 +106,7 @@ struct SundialsDriver::Driver {
 
   bool cvode() const { return method == SundialsMethod::adams || method == SundialsMethod::bdf; }
 
-  /// At t, with the state in x; again whenever time turns round.
+  /// Starts at t with the state in x; called again whenever time is reversed.
   void start(double t) {
     if (!cvode())
       start_erkstep(t);
@@ -116,7 +116,7 @@ struct SundialsDriver::Driver {
       start_cvode(t);
   }
 
-  /// Made anew each time: ERKStepReInit does not turn round.
+  /// Created again each time: ERKStepReInit does not reverse time.
   void start_erkstep(double t) {
     if (memory) ERKStepFree(&memory);
     memory = made(ERKStepCreate(rhs, t, x, context));

@@ -11,16 +11,16 @@ namespace detail {
 
 enum class SundialsMethod { adams, bdf, zonneveld, verner };
 
-/// CVODE and ARKODE's ERKStep behind the seam.
+/// CVODE and ARKODE's ERKStep, behind raw pointers.
 class SundialsDriver {
  public:
   SundialsDriver(SundialsMethod, std::size_t n, double tolerance);
   ~SundialsDriver();
   SundialsDriver(SundialsDriver&&) noexcept;
 
-  /// One accepted step from t, not beyond t1. The error's message, or null.
+  /// Makes one accepted step from t, not beyond t1. Returns the error's message, or null.
   const char* advance(const RawProblem&, double* x, double& t, double t1);
-  /// One step of h of an ARKODE method without control; x is not finite when it fails.
+  /// Makes one step of h of an ARKODE method without step control; x is not finite if it fails.
   void plain_step(const RawProblem&, double* x, double t, double h);
 
  private:

@@ -8,8 +8,8 @@
 
 namespace oddity::ode {
 
-/// Order 1, one evaluation of the forces per step: v += h a(q), then q += h v, as game engines do it. Stable
-/// on the imaginary axis to h |lambda| = 2, where energy oscillates but does not drift. Odeint moves its
+/// Order 1, one evaluation of the forces per step: v += h a(q), then q += h v, as in game engines. Stable on
+/// the imaginary axis to h |lambda| = 2, where energy oscillates but does not drift. Odeint moves its
 /// coordinate first: here that is v, and q is its momentum.
 struct SymplecticEuler {
   static constexpr std::string_view name = "symplectic Euler";

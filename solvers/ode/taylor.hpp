@@ -15,7 +15,7 @@ namespace oddity::ode {
 
 namespace detail {
 
-/// A motion by its series, or one that goes on with the series that somebody keeps.
+/// A motion by its own series, or by the series that the system keeps.
 template <class State>
 class TaylorSteps {
  public:
@@ -77,15 +77,15 @@ class WithSeries final : public AnySystem<n> {
 
 }  // namespace detail
 
-/// Taylor series of the motion, their order and step chosen by the tolerance. The right-hand side is recorded
-/// once an integration. Evaluations are the operations made, over those of the right-hand side: an addition
-/// or multiplication counts as 1, a division or root as 4, a sine or an exponential as 8.
+/// Taylor series of the motion, with order and step chosen by the tolerance. Records the right-hand side once
+/// per integration. Evaluations are the operations made, over those of the right-hand side: an addition or
+/// multiplication counts as 1, a division or root as 4, a sine or an exponential as 8.
 struct Taylor {
   static constexpr std::string_view name = "Taylor series";
   static constexpr Kind kind = Kind::self_stepping;
   static constexpr Facts facts{.library = "our own"};
-  static constexpr double first_step = 1;  ///< not used: the series says how far it is good
-  /// A system that keeps them, so that the state inside a step is the series' own.
+  static constexpr double first_step = 1;  ///< not used: the series itself gives its step
+  /// A system that keeps its series, which then gives the states inside a step.
   template <std::size_t n>
   using WithSeries = detail::WithSeries<n>;
   template <class State, class System>

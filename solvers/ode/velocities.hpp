@@ -10,10 +10,10 @@ namespace oddity::ode {
 template <std::size_t n>
 struct Velocities {
   std::array<bool, n> is{};         ///< unknown i is a velocity
-  std::array<std::size_t, n> of{};  ///< the velocity that is the rate of unknown i; n: none is
-  bool known = false;               ///< the system has velocities, or says that it has none
+  std::array<std::size_t, n> of{};  ///< the velocity that is the rate of unknown i; n: none
+  bool known = false;               ///< the system has velocities, or declares that it has none
 
-  /// Every unknown that is no velocity changes at the rate of one.
+  /// Every unknown that is not a velocity has one as its rate.
   bool are_all_rates() const {
     for (std::size_t i = 0; i < n; ++i)
       if (!is[i] && of[i] == n) return false;
@@ -23,7 +23,7 @@ struct Velocities {
 
 namespace detail {
 
-/// One of two states that have no component in common.
+/// Returns one of two states that have no component in common.
 template <class State>
 State some_state(std::size_t which) {
   State x{};
@@ -35,7 +35,7 @@ State some_state(std::size_t which) {
   return x;
 }
 
-/// An unknown is a velocity if the rate of another is equal to it at two states.
+/// Finds velocities by the rates: an unknown is one if the rate of another is equal to it at two states.
 template <class State, class System>
 auto velocities_seen(const System& system) {
   constexpr std::size_t n = std::tuple_size_v<State>;
@@ -55,8 +55,8 @@ auto velocities_seen(const System& system) {
 
 }  // namespace detail
 
-/// Those that the system declares in `static constexpr std::array<std::size_t, m> velocities`, with m = 0 if
-/// they are known functions of time; else those that its rates show.
+/// The velocities that the system declares in `static constexpr std::array<std::size_t, m> velocities`, with
+/// m = 0 if they are known functions of time; else those that its rates show.
 template <class State, class System>
 auto velocities_of(const System& system) {
   constexpr std::size_t n = std::tuple_size_v<State>;
@@ -73,7 +73,7 @@ auto velocities_of(const System& system) {
   }
 }
 
-/// Whether the rate of some unknown changes with time, and with nothing else.
+/// Whether the rate of some unknown depends on time alone.
 template <class State, class System>
 bool has_rates_of_time(const System& system) {
   using T = typename State::value_type;

@@ -19,7 +19,8 @@ struct VelocityVerlet {
                                .evaluations = 1,
                                .imaginary_limit = 2,
                                .theory = Facts::trace};
-  /// Odeint's, with the acceleration here: its own is behind an address, five cycles from step to step.
+  /// Odeint's step, with the acceleration kept here: Odeint's own is behind a pointer, five cycles from step
+  /// to step.
   template <class State, class System>
   class Step {
    public:

@@ -6,20 +6,19 @@
 
 #include "solvers/taylor/tape.hpp"
 
-/// How the coefficient of order k of an operation follows from those of its operands up to order k and its
-/// own below. The order is a constant of the compiler's, and so every sum is straight code, added up in
-/// pairs, and last what has the newest coefficients. T is double, or a number that counts.
+/// Computes coefficient k of an operation from those of its operands up to order k and its own of lower
+/// order. The order is a compile-time constant, so every sum is straight-line code, added up in pairs; terms
+/// with the newest coefficients are added last. T is double, or a counted number.
 namespace oddity::taylor {
 
-/// Two numbers beside each other.
+/// Two adjacent numbers.
 using Two = double __attribute__((vector_size(16)));
 
-/// Where coefficient k is from the place that a row is known by, its eighth: so the first sixteen are within
-/// the byte by which an instruction can say it shortest.
+/// Offset of coefficient k from the row's address, which is its eighth coefficient. So the first sixteen are
+/// within the one-byte displacement of an instruction.
 constexpr long place(int k) { return 2L * (k - 8); }
 
-/// The coefficients of a number, or of two. Two numbers' rows are interleaved, so that both may be had at
-/// once.
+/// The coefficients of a number, or of two. Two numbers' rows are interleaved, so that both load at once.
 template <class T>
 struct Row {
   T* eighth = nullptr;
@@ -40,13 +39,13 @@ struct Pairs {
   }
 };
 using Both = Pairs<double>;
-/// One number, twice.
+/// A number twice.
 constexpr Two twice(double x) { return Two{x, x}; }
 struct Twice {
   double* eighth;
   Two operator[](int k) const { return twice(eighth[place(k)]); }
 };
-/// A row whose coefficient k is at hand.
+/// A row whose coefficient k is in a register.
 template <int k, class Row, class T>
 struct Newest {
   Row row;
@@ -54,17 +53,17 @@ struct Newest {
   T operator[](int j) const { return j == k ? newest : T(row[j]); }
 };
 
-/// The rows of coefficients that an operation has to do with.
+/// The rows of coefficients that an operation uses.
 template <class T, class A = Row<T>, class B = Row<T>>
 struct Rows {
   A a;
   B b;
   Row<T> result;
-  Row<T> second;  ///< of a sine, its cosine
-  Row<T> spare;   ///< to work in
+  Row<T> second;  ///< for a sine, the cosine
+  Row<T> spare;   ///< scratch memory
 };
 
-/// The sum of term(j) over the n numbers j from `first` on.
+/// Sum of term(j) over n numbers j from `first` on.
 template <int first, int n, class Term>
 [[gnu::always_inline]] inline auto sum(const Term& term) {
   if constexpr (n == 1)
@@ -73,7 +72,7 @@ template <int first, int n, class Term>
     return sum<first, n / 2>(term) + sum<first + n / 2, n - n / 2>(term);
 }
 
-/// The same, every second number apart: those from `first` on, and those from the next.
+/// Sum of the same terms, but every second one separately: those from `first` on, and those from the next.
 template <int first, int n, class Term>
 [[gnu::always_inline]] inline auto sum_by_parity(const Term& term) {
   constexpr int pairs = n / 2;
@@ -89,13 +88,13 @@ template <int first, int n, class Term>
   }
 }
 
-/// The sum of a_j b_(k-j) over 0 < j < k.
+/// Sum of a_j b_(k-j) over 0 < j < k.
 template <int k, class A, class B>
 [[gnu::always_inline]] inline auto inside(const A& a, const B& b) {
   return sum<1, k - 1>([=](int j) { return a[j] * b[k - j]; });
 }
 
-/// The same of a with itself.
+/// Sum of a_j a_(k-j) over 0 < j < k.
 template <int k, class A>
 [[gnu::always_inline]] inline auto inside(const A& a) {
   if constexpr (k == 2) {
@@ -109,7 +108,8 @@ template <int k, class A>
   }
 }
 
-/// Coefficient k of a b, and of a a. The newest coefficient, b's, joins last: the others do not wait for it.
+/// Coefficient k of a b, and of a a. The newest coefficient, b's, is added last: the other terms do not wait
+/// for it.
 template <int k, class A, class B>
 [[gnu::always_inline]] inline auto product(const A& a, const B& b) {
   if constexpr (k == 0)
@@ -217,7 +217,7 @@ template <int k, class Rows>
   }
 }
 
-/// The same of alpha t + gamma, of which no order above the first is left.
+/// Sine and cosine of alpha t + gamma, which has no order above the first.
 template <int k, class Rows>
 [[gnu::always_inline]] inline auto turn(const Node& node, const Rows& rows) {
   using std::cos, std::sin;
@@ -253,7 +253,7 @@ template <int k, class Rows>
   }
 }
 
-/// Coefficient k of the operation, unless it is linear; it goes into its row.
+/// Coefficient k of the operation, unless it is linear; also stored in its row.
 template <int k, class Rows>
 [[gnu::always_inline]] inline auto compute(Operation operation, const Node& node, const Rows& rows) {
   auto& result = rows.result[k];
@@ -280,10 +280,9 @@ template <int k, class Rows>
   return result;
 }
 
-// ---- with pairs of numbers, in the bits of the above
-// -------------------------------------------------------
+// ---- with pairs of numbers, bitwise the same as above ----------------------------------------------------
 
-/// r = a^e as above, with rows of a_(j-1), a_j and of r_j, r_(j-1).
+/// r = a^e as above, from rows of the pairs (a_(j-1), a_j) and (r_j, r_(j-1)).
 template <int k, class Rows>
 [[gnu::always_inline]] inline double inverse_cube_by_pairs(const Node& node, const Rows& rows,
                                                            const Both& rising, const Both& falling) {
@@ -307,7 +306,7 @@ template <int k, class Rows>
   return newest;
 }
 
-/// Sine and cosine, whose rows are interleaved; the spare row has the slope twice.
+/// Sine and cosine, with interleaved rows; the spare row has the slope twice.
 template <int k, class A>
 [[gnu::always_inline]] inline Two sine_with_cosine(const A& a, const Both& both, const Both& slope) {
   using std::cos, std::sin;
@@ -322,7 +321,7 @@ template <int k, class A>
   }
 }
 
-/// The same of alpha t + gamma.
+/// Sine and cosine of alpha t + gamma.
 template <int k>
 [[gnu::always_inline]] inline Two turn_both(const Node& node, const Row<double>& time, const Both& both) {
   using std::cos, std::sin;

@@ -12,11 +12,11 @@ namespace oddity::taylor {
 
 namespace {
 
-/// Of a point on the series, in even powers and odd ones.
+/// Cost of a point on the series, in even and odd powers.
 long cost_of_point(const Program& program, int order) {
   return static_cast<long>(program.unknowns()) * (2 * order + 2) + 1;
 }
-/// Of the coefficients, and of the reach from the last four.
+/// Cost of the coefficients, and of the reach from the last four.
 long cost_of_expansion(const Program& program, int order) {
   return program.cost(order) + 5 * Weights::function + 5 * Weights::division +
          static_cast<long>(program.unknowns()) *
@@ -25,7 +25,7 @@ long cost_of_expansion(const Program& program, int order) {
 
 constexpr int digits = 52, bias = 1023;
 
-/// Of a normal number within 1e-5, and exactly where it is whole.
+/// log2 of a normal number within 1e-5; exact if it is an integer.
 double binary_logarithm(double x) {
   const auto bits = std::bit_cast<std::uint64_t>(x);
   const auto fraction = bits & ((std::uint64_t(1) << digits) - 1);
@@ -35,9 +35,9 @@ double binary_logarithm(double x) {
   const double odd = -0.7203587726758489 - z * (0.30163800973561455 + z * 0.033822045969140305);
   return static_cast<double>(static_cast<int>(bits >> digits) - bias) + f * (even + f * odd);
 }
-/// 2^x within 4e-6, between normal numbers.
+/// 2^x within 4e-6, if the result is a normal number.
 double power_of_two(double x) {
-  constexpr double shift = 0x3p51;  // beyond which there are whole numbers only
+  constexpr double shift = 0x3p51;  // beyond it, all doubles are integers
   const double n = (x + shift) - shift, f = x - n, z = f * f;
   const auto scale = static_cast<std::uint64_t>(static_cast<int>(n) + bias) << digits;
   const double even = 1 + z * (0.24022349038020308 + z * 0.00966636851538722);
@@ -45,7 +45,7 @@ double power_of_two(double x) {
   return std::bit_cast<double>(scale) * (even + f * odd);
 }
 
-/// No looser than a series is of use, and with a logarithm.
+/// The tolerance, limited to values that suit a series and have a logarithm.
 double within_reason(double tolerance) { return std::clamp(tolerance, 1e-300, 0.1); }
 
 double share_of_radius(double tolerance, int order) {
@@ -95,8 +95,8 @@ bool Motion::covers(std::span<const double> x, double t) {
   return std::ranges::equal(x, compared_);
 }
 
-/// From the steepest of the last four coefficients, as one or two may vanish by accident, or all of one
-/// parity by symmetry; where all four are zero, from those before.
+/// Uses the steepest of the last four coefficients, as one or two may vanish by accident, or all of one
+/// parity by symmetry. If all four are zero, uses earlier ones.
 double Motion::reach() const {
   constexpr int last = 4;
   constexpr double none = -std::numeric_limits<double>::infinity();
@@ -104,7 +104,7 @@ double Motion::reach() const {
   for (int k = order_; k > 2 && (k > order_ - last || steepest == none); --k)
     if (const double size = series_.largest(k, scale_.data()); size > 0)
       steepest = std::max(steepest, binary_logarithm(size) / k);
-  return share_ * (steepest == none ? -none : power_of_two(-steepest));  // infinite, of a polynomial
+  return share_ * (steepest == none ? -none : power_of_two(-steepest));  // infinite for a polynomial
 }
 
 bool Motion::expand(std::span<const double> x, double t) {

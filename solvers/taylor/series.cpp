@@ -18,10 +18,10 @@ Node in_rows(Node node, const std::vector<int>& rows) {
   return node;
 }
 
-/// Whether two rows are interleaved with each other, in this order.
+/// Whether the two rows are interleaved, in this order.
 bool beside(int row, int next) { return row >= 0 && row % 2 == 0 && next == row + 1; }
 
-/// Whether two products can be had at once.
+/// How two products can be computed together; `one` if they cannot.
 Products at_once(const Node& x, const Node& y) {
   if (y.a < 0 || y.b < 0 || (x.a == x.b) != (y.a == y.b)) return Products::one;
   if (beside(x.a, y.a) && beside(x.b, y.b)) return Products::of_both;
@@ -30,8 +30,8 @@ Products at_once(const Node& x, const Node& y) {
   return Products::one;
 }
 
-/// The recording's nodes, those turned that are the sine of a multiple of the time, which is the node after
-/// the unknowns'.
+/// The recording's nodes, with `turning` in place of each sine of a linear function of time. Time is the node
+/// after the unknowns.
 std::vector<Node> with_turning(const Recording& recording) {
   std::vector<Node> nodes = recording.tape.nodes();
   const auto time = static_cast<int>(recording.derivatives.size());
@@ -49,7 +49,7 @@ bool is_sine(const Node& node) {
   return node.operation == Operation::sine || node.operation == Operation::turning;
 }
 
-/// The nodes that others need.
+/// The nodes that the derivatives need.
 std::vector<bool> needed_of(const Recording& recording, const std::vector<Node>& nodes) {
   std::vector<bool> all(nodes.size());
   const auto need = [&](int node) {
@@ -61,7 +61,7 @@ std::vector<bool> needed_of(const Recording& recording, const std::vector<Node>&
   return all;
 }
 
-/// What the right-hand side costs when it is written by hand, its repetitions and constants taken out.
+/// Cost of the right-hand side written by hand, without repeated operations and constants.
 long cost_of_all_by_hand(const Recording& recording) {
   const std::vector<Node>& nodes = recording.tape.nodes();
   const std::vector<bool> needed = needed_of(recording, nodes);
@@ -73,7 +73,7 @@ long cost_of_all_by_hand(const Recording& recording) {
   return std::max(sum, 1L);
 }
 
-/// The nodes that are a factor of several products.
+/// The nodes that are factors of several products.
 std::vector<bool> factors_of(const std::vector<Node>& nodes, const std::vector<bool>& needed) {
   std::vector<int> products(nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -84,7 +84,7 @@ std::vector<bool> factors_of(const std::vector<Node>& nodes, const std::vector<b
   return all;
 }
 
-/// One operation of each kind, and what all orders below another cost.
+/// One operation of each kind, and its total cost below each order.
 constexpr std::array<Node, 9> one_of_kind{{{Operation::multiply, 0, 1},
                                            {Operation::multiply, 0, 0},
                                            {Operation::divide, 0, 1},
@@ -115,12 +115,12 @@ std::size_t kind_of(const Node& node) {
 
 }  // namespace
 
-/// A program on its way from a recording.
+/// A program under construction from a recording.
 struct Program::Making {
   const std::vector<Node>& nodes;
   std::vector<bool> needed, factors;
-  std::vector<int> rows;             ///< of the nodes that have been put; else -1
-  std::vector<bool> doubled_rows{};  ///< as many as are known
+  std::vector<int> rows;             ///< row of each finished node; else -1
+  std::vector<bool> doubled_rows{};  ///< may be shorter than the number of rows
 
   bool is_doubled(int row) const {
     const auto i = static_cast<std::size_t>(row);
@@ -154,7 +154,7 @@ Program::Program(const Recording& recording) {
     for (int i = 0; i < (instruction.products == Products::one ? 1 : 2); ++i) count(instruction.node);
 }
 
-/// Two rows that are interleaved, of which this is the first.
+/// Adds two interleaved rows and returns the first.
 int Program::two_rows() {
   rows_ += rows_ % 2;
   return std::exchange(rows_, rows_ + 2);
@@ -170,7 +170,7 @@ void Program::put_sine_and_cosine(Making& making, std::size_t i) {
   making.rows[i + 1] = both + 1;
 }
 
-/// An operation with a row of its own, which it fills twice where it is to be multiplied with pairs.
+/// Adds an operation with its own row, filled twice if it is multiplied with pairs.
 void Program::put_one(Making& making, std::size_t i) {
   const bool is_doubled = making.factors[i];
   Instruction instruction{.node = in_rows(making.nodes[i], making.rows),
@@ -189,8 +189,8 @@ void Program::put_one(Making& making, std::size_t i) {
   instructions_.push_back(instruction);
 }
 
-/// A product, at once with one of the next operations where that one's operands are there and lie beside its
-/// own; whether there is such a one.
+/// Adds a product together with one of the next operations, whose operands must be ready and next to its own;
+/// false if it finds no such operation.
 bool Program::put_two(Making& making, std::size_t i) {
   constexpr std::size_t next = 16;
   const auto& [nodes, needed, factors, rows, doubled_rows] = making;
@@ -250,14 +250,14 @@ template <class Pair>
                               : twice(handed[from == From::second ? 1 : 0]);
 }
 
-/// Goes on with the next operation: a jump in each kernel's own place, which the processor foresees.
+/// Jumps to the next operation's kernel. Each kernel has its own jump, which the processor can predict.
 template <int k>
 [[gnu::always_inline]] inline void go_on(const Step& step, Two newest) {
   const Step& next = (&step)[1];
   next.kernels[k](next, newest);
 }
 
-/// What is left to do with a number's newest coefficient, and with those of two.
+/// Stores the newest coefficient of one number, or of two, and goes on.
 template <int k>
 [[gnu::always_inline]] inline void finish(const Step& step, double newest) {
   const Two both = twice(newest);
@@ -296,7 +296,7 @@ struct InverseCube {
     finish<k>(step, inverse_cube_by_pairs<k>(step.node, rows, Both{spare.eighth}, Both{second.eighth}));
   }
 };
-/// Of one operand and of two, their scales multiplied without asking whether they are 1.
+/// Linear operations of one operand and of two. Multiplying by a scale of 1 is faster than a test.
 struct Multiple {
   template <int k>
   static void compute(const Step& step, Two handed) {
@@ -350,7 +350,7 @@ struct TwoProducts {
                                Newest<k, B, Two>{b, newest_of(step.b, b, k, handed)}));
   }
 };
-/// An unknown's next coefficient, and those of two, where the derivatives are no operation's.
+/// The next coefficient of an unknown, or of two, whose derivative no operation stores.
 struct Next {
   template <int k>
   static void compute(const Step& step, Two handed) {
@@ -377,7 +377,7 @@ struct End {
   static void compute(const Step&, Two) {}
 };
 
-/// A kernel of every order.
+/// A kernel for every order.
 template <class Kernel>
 constexpr auto kernels = []<int... k>(std::integer_sequence<int, k...>) {
   return std::array<Step::Kernel, most_orders>{&Kernel::template compute<k>...};
@@ -426,7 +426,7 @@ const Step::Kernel* kernels_of(const Node& node, Products products) {
   return nullptr;
 }
 
-/// What a step hands over: a row, or two.
+/// The rows that a step hands over: one, or two.
 struct Handed {
   int row = -1;
   bool two = false, is_doubled = false;
@@ -439,23 +439,23 @@ struct Handed {
 
 }  // namespace
 
-/// The steps of a series in the making.
+/// The steps of a series under construction.
 struct Series::Making {
   Series& series;
-  std::vector<bool> has_next{};  ///< of the unknowns
+  std::vector<bool> has_next{};  ///< whether an unknown's derivative is placed
   Handed handed{};
 
   Row<double> row(int i) { return i < 0 ? Row<double>() : series.row(i); }
 
-  /// The factors over k + 1, by k.
+  /// factors / (k + 1), by k.
   const Two* shares(Two factors) {
     if (factors[0] == 1 && factors[1] == 1) return shares_of_one.data();
     Shares& made = series.shares_.emplace_back();
     for (std::size_t k = 0; k < made.size(); ++k) made[k] = factors * shares_of_one[k];
     return made.data();
   }
-  /// For the step, an unknown whose derivative is this row's multiple, or two whose derivatives are its and
-  /// the next one's; whether there is one.
+  /// Lets the step also compute an unknown whose derivative is a multiple of this row, or two for this row
+  /// and the next; false if no unknown has such a derivative.
   bool take_unknown(Step& step, int from, bool two) {
     const auto& all = series.program_.derivatives_;
     const std::size_t n = two ? 2 : 1;
@@ -487,7 +487,8 @@ struct Series::Making {
       step.node.gamma = all[i].constant;
     }
   }
-  /// The operation, with the plain sum of its two results where that comes next.
+  /// Adds the operation, including the plain sum of its two results if that is the next operation; true in
+  /// that case.
   bool put(const Program::Instruction& instruction, const Program::Instruction* next) {
     const auto& [node, result, second, spare, products, is_doubled] = instruction;
     const bool two = products != Products::one || is_sine(node);
@@ -547,7 +548,7 @@ void Series::expand(const double* x, double t, int order) {
   (std::make_integer_sequence<int, most_orders>());
 }
 
-/// In even powers and odd ones.
+/// Sums even and odd powers separately.
 void Series::at(double h, double* x) const {
   const Two square = twice(h * h);
   const std::size_t n = program_.unknowns();

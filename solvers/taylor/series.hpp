@@ -13,14 +13,14 @@
 /// The Taylor series of a motion, from a recorded right-hand side.
 namespace oddity::taylor {
 
-/// What an operation costs, in additions: the weights of the Livermore loops [McMahon, UCRL-53745, 1986].
+/// Costs of operations in additions: the weights of the Livermore loops [McMahon, UCRL-53745, 1986].
 struct Weights {
   static constexpr long addition = 1, multiplication = 1, division = 4, root = 4, function = 8;
 };
 
 inline constexpr int most_orders = 32;
 
-/// What an operation costs by hand, and what its coefficient k costs.
+/// Cost of an operation written by hand, and cost of its coefficient k.
 constexpr long by_hand(const Node& node) {
   const auto times = [](double scale) { return scale == 1 || scale == -1 ? 0 : Weights::multiplication; };
   switch (node.operation) {
@@ -78,20 +78,20 @@ constexpr long cost_of(const Node& node, int k) {
   return 0;
 }
 
-/// A product, or two at once, of two rows that are interleaved: with two such rows, or with one.
+/// A product, or two at once of interleaved rows: with two other such rows, or with a single row.
 enum class Products { one, of_both, of_first_with_both, of_both_with_second };
 
-/// What is left of a recording when nothing is computed that is not needed, in the order of computation.
+/// The needed operations of a recording, in the order of computation.
 class Program {
  public:
   explicit Program(const Recording&);
 
   std::size_t unknowns() const { return derivatives_.size(); }
-  /// What the right-hand side costs when it is written by hand, its repetitions and constants taken out.
+  /// Cost of the right-hand side written by hand, without repeated operations and constants.
   long cost_by_hand() const { return by_hand_; }
-  /// What the series up to an order cost.
+  /// Cost of the series up to an order.
   long cost(int order) const;
-  /// What it takes to get from operation to operation, in additions as well: it decides nothing but the
+  /// Cost of getting from operation to operation, in additions as well. Used only for the choice of the
   /// order.
   long overhead(int order) const { return 20L * order * operations_; }
 
@@ -101,9 +101,9 @@ class Program {
     Node node;
     int result, second = -1, spare = -1;  ///< rows
     Products products = Products::one;
-    bool is_doubled = false;  ///< the row beside the result has the same coefficients
+    bool is_doubled = false;  ///< the row next to the result has the same coefficients
   };
-  /// An unknown's derivative: a row's multiple, or else a constant.
+  /// An unknown's derivative: a multiple of a row, or else a constant.
   struct Derivative {
     int row;
     double factor, constant;
@@ -116,40 +116,41 @@ class Program {
   bool put_two(Making&, std::size_t i);
   void count(const Node& node);
 
-  std::vector<Instruction> instructions_;  ///< their nodes' operands are rows
+  std::vector<Instruction> instructions_;  ///< operands of their nodes are rows
   std::vector<Derivative> derivatives_;
-  /// Operations of one kind cost alike, but for linear ones.
+  /// Operations of one kind have equal costs, except linear ones.
   static constexpr std::size_t kinds = 9;
   std::array<long, kinds> of_kind_{};
-  long linear_at_0_ = 0, linear_later_ = 0;  ///< what linear ones cost
+  long linear_at_0_ = 0, linear_later_ = 0;  ///< costs of linear operations
   long operations_ = 0;
-  int rows_ = 0;  ///< of which the unknowns' are the first, and the time's the next
+  int rows_ = 0;  ///< the first are the unknowns', the next is the time's
   long by_hand_ = 0;
 };
 
-/// Where the newest coefficient of an operand, or of two, is had from: its row, or what the step before hands
-/// over, which a row would have late.
+/// Source of the newest coefficient of an operand, or of two: its row, or the value handed over by the step
+/// before, which arrives sooner.
 enum class From { row, first, second, both };
 
-/// By k, what makes an unknown's coefficient k + 1 of its derivative's coefficient k; for two unknowns.
+/// By k, the factor from a derivative's coefficient k to its unknown's coefficient k + 1; for two unknowns.
 using Shares = std::array<Two, most_orders>;
 
-/// An operation, or unknowns' next coefficients from their derivatives'. Its kernel goes on with the next
-/// step's.
+/// An operation, or the next coefficients of unknowns from their derivatives. Each kernel calls that of the
+/// next step.
 struct Step {
   using Kernel = void (*)(const Step&, Two newest);
 
   const Kernel* kernels = nullptr;  ///< by k
   Rows<double> rows = {};
-  Row<double> unknown = {};  ///< whose derivative is the result's multiple; of two results, the first of two
-  const Two* shares = nullptr;  ///< of the result's coefficients in that one's next, by k
-  Row<double> sum = {};         ///< of two results, or none
+  Row<double> unknown =
+      {};  ///< its derivative is a multiple of the result; with two results, the first of two unknowns
+  const Two* shares = nullptr;  ///< from the result's coefficients to the unknown's next ones, by k
+  Row<double> sum = {};         ///< sum of two results, or none
   From a = From::row, b = From::row;
   bool is_doubled = false;
   Node node = {};
 };
 
-/// The series of a motion about one of its points. All coefficients lie in one piece of memory.
+/// The series of a motion about one of its points. All coefficients are in one block of memory.
 class Series {
  public:
   explicit Series(Program program);
@@ -157,14 +158,14 @@ class Series {
   Series(Series&&) = default;
 
   const Program& program() const { return program_; }
-  /// The coefficients of x up to `order` about the state x at t.
+  /// Computes the coefficients of x up to `order` about the state x at t.
   void expand(const double* x, double t, int order);
   int order() const { return order_; }
   double time() const { return row(static_cast<int>(program_.unknowns()))[0]; }
   double coefficient(std::size_t unknown, int k) const { return row(static_cast<int>(unknown))[k]; }
-  /// Whether the state and the last coefficients are.
+  /// Whether the state and the last coefficients are finite.
   bool is_finite() const;
-  /// The largest coefficient of order k, each in its unknown's scale.
+  /// The largest coefficient of order k, each multiplied by its unknown's scale.
   double largest(int k, const double* scale) const {
     double most = 0;
     for (std::size_t i = 0, n = program_.unknowns(); i < n; i += 2) {
@@ -178,7 +179,7 @@ class Series {
   void at(double h, double* x) const;
 
  private:
-  /// Of two rows, which are interleaved.
+  /// Size of two interleaved rows.
   static constexpr std::size_t stride = 2UL * (most_orders + 1);
 
   struct Making;
@@ -189,16 +190,16 @@ class Series {
   }
   Row<double> row(int i) { return Row<double>::from(memory_.get() + start(i)); }
   Row<const double> row(int i) const { return Row<const double>::from(memory_.get() + start(i)); }
-  /// Of an unknown and of the next one, or of the time.
+  /// Rows of an unknown and of the next one, or of the time.
   Pairs<const double> both(std::size_t i) const {
     return Pairs<const double>::from(memory_.get() + i / 2 * stride);
   }
 
   Program program_;
   std::vector<Step> steps_;
-  std::vector<Shares> shares_;  ///< of multiples
+  std::vector<Shares> shares_;  ///< for derivatives that are multiples
   int order_ = 0;
-  /// What the time's row has is known; other rows are written before they are read.
+  /// Only the time's row is initialized; other rows are written before they are read.
   std::unique_ptr<double[]> memory_;
 };
 

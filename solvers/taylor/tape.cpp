@@ -14,7 +14,7 @@ const Node* operation(const Tape& tape, int node, Operation operation) {
   return n.operation == operation ? &n : nullptr;
 }
 
-/// Of a node that is c sqrt(c), the node c; else none.
+/// The node c, if the given node is c sqrt(c); else -1.
 int under_three_halves(const Tape& tape, int node) {
   const Node* product = operation(tape, node, Operation::multiply);
   if (!product) return -1;
@@ -64,14 +64,15 @@ int Recorded::node_of(double factor, double term) const {
       {Operation::linear, n.a, n.b, factor * n.alpha, factor * n.beta, factor * n.gamma + term});
 }
 
-/// With its term for one of the unit factor, which others may share.
+/// Combines the term with the node for a unit factor, which other numbers may share.
 Recorded Recorded::multiple() const {
   if (is_constant() || term_ == 0) return *this;
   const double of_one = term_ / factor_;
   return std::isfinite(of_one) ? Recorded(*tape_, node_of(1, of_one), factor_) : Recorded(*tape_, whole());
 }
 
-/// The lower node comes first, and factors of one size are the sum's, so that it is found again.
+/// The lower node comes first, and factors of equal size are taken out of the sum, so that a repeated sum is
+/// found.
 Recorded Recorded::sum(const Recorded& a, const Recorded& b) {
   if (a.is_constant()) return b.plus(a.term_);
   if (b.is_constant()) return a.plus(b.term_);

@@ -6,21 +6,21 @@
 #include <type_traits>
 #include <vector>
 
-/// Taylor series of a right-hand side by recording it once: each operation becomes a node, and the
-/// coefficients of order k of all nodes follow, in their order, from those of lower order [Moore, Interval
-/// Analysis, 1966, chapter 11; Jorba and Zou, Experimental Mathematics 14 (2005), 99-117].
+/// Taylor series of a right-hand side by recording it once. Each operation becomes a node. The coefficients
+/// of order k of all nodes follow, in their order, from those of lower order [Moore, Interval Analysis, 1966,
+/// chapter 11; Jorba and Zou, Experimental Mathematics 14 (2005), 99-117].
 namespace oddity::taylor {
 
 enum class Operation {
   unknown,
   linear,        ///< alpha a + beta b + gamma; b may be none
   multiply,      ///< a b
-  divide,        ///< a / b; where a is none, gamma / b
-  inverse_cube,  ///< gamma / (a sqrt(a)), a mass's pull where a is the distance's square
+  divide,        ///< a / b; gamma / b without an a
+  inverse_cube,  ///< gamma / (a sqrt(a)): a mass's pull, with a the distance squared
   square_root,
-  sine,     ///< of a; the next node is its cosine
-  cosine,   ///< of a; the node before is its sine
-  turning,  ///< the sine of alpha a + gamma, where a is the time; a program has it, no tape
+  sine,     ///< sine of a; the next node is its cosine
+  cosine,   ///< cosine of a; the node before is its sine
+  turning,  ///< sine of alpha a + gamma, with a the time; in programs only, not on tapes
   exponential
 };
 
@@ -33,14 +33,14 @@ struct Node {
   bool operator==(const Node&) const = default;
 };
 
-/// The operations of a right-hand side in their order, each that is repeated once, constants computed.
+/// The operations of a right-hand side in their order, without repeats, constants computed.
 class Tape {
  public:
-  /// The node, or the one that is there already.
+  /// The node's index; adds the node if it is new.
   int put(const Node& node);
-  /// A new unknown's.
+  /// Adds an unknown's node.
   int unknown();
-  /// The sine's node; the cosine's is the next.
+  /// Adds both; returns the sine's node, which the cosine's follows.
   int sine_and_cosine(int of);
   const std::vector<Node>& nodes() const { return nodes_; }
 
@@ -48,8 +48,8 @@ class Tape {
   std::vector<Node> nodes_;
 };
 
-/// A multiple of a number on a tape, and a term beside it, neither of which takes an operation before another
-/// needs it; or a constant.
+/// A multiple of a node plus a term, which become operations only when another operation needs them; or a
+/// constant.
 class Recorded {
  public:
   Recorded() = default;
@@ -60,7 +60,7 @@ class Recorded {
   int node() const { return node_; }  ///< -1: a constant
   double factor() const { return factor_; }
   double term() const { return term_; }
-  /// The same as a multiple, or as a constant.
+  /// This number without a term: a multiple of a node, or a constant.
   Recorded multiple() const;
 
   friend Recorded operator+(const Recorded& a, const Recorded& b) { return sum(a, b); }
@@ -91,9 +91,9 @@ class Recorded {
   bool is_constant() const { return node_ < 0; }
   Recorded times(double scale) const;
   Recorded plus(double term) const;
-  /// The node of factor * it + term.
+  /// The node of factor * node + term.
   int node_of(double factor, double term) const;
-  /// The node of all of it.
+  /// The node of the whole number.
   int whole() const { return node_of(factor_, term_); }
   Recorded under(Operation operation) const { return {*tape_, tape_->put({operation, whole()})}; }
 
@@ -106,13 +106,13 @@ class Recorded {
   double factor_ = 0, term_ = 0;
 };
 
-/// A right-hand side as it was recorded: its unknowns are the tape's first nodes, time the next.
+/// A recorded right-hand side: the tape's first nodes are its unknowns, the next is time.
 struct Recording {
   Tape tape;
   std::vector<Recorded> derivatives;  ///< multiples of nodes, or constants
 };
 
-/// rhs(x, dxdt, t) of n unknowns, which is generic in its number type.
+/// Records rhs(x, dxdt, t) of n unknowns, which is generic in its number type.
 template <std::size_t n, class Rhs>
 Recording record(const Rhs& rhs) {
   Recording made;
