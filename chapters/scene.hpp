@@ -222,8 +222,7 @@ class ModelInterfaceOf : public ModelInterface, public ode::AnySystem<n> {
   /// largest change exceeds the earlier one by at most a quarter, and their smallest is at most half the
   /// largest.
   bool comes_back(std::string_view algorithm, std::span<const double> times, double setting) const;
-  /// m, the largest violation of the constraint by the states at the times; NaN if one is NaN or there is
-  /// none.
+  /// m, the largest violation of the constraint at the times; NaN for NaN states or without states.
   double off_constraint(std::span<const double> times, std::span<const State> motion) const;
   /// Places and rates of the states at the times, the rates by the model's own equations.
   Value places_and_rates(std::span<const double> times, std::span<const State> motion) const;
