@@ -5,7 +5,7 @@
 #include "chapters/03_rigid_body_motion/13_tilted_chute/models.hpp"
 #include "chapters/scene.hpp"
 
-/// What the files of exercise 3.13 share.
+/// Shared by the files of exercise 3.13.
 namespace oddity::ex03_13 {
 
 using Ball = tilted_chute::Given<double>;
