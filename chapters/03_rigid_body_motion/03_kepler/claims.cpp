@@ -1159,7 +1159,7 @@ void solved_numerically(Claims& claims, double seed) {
        .near_misses = {{"it loses it by (7) too", [](K k) { return is_lost(k.angle); }}}});
 }
 
-/// The same initial position with four times the mass and twice the velocity.
+/// Compares with a start at the same position with four times the mass and twice the velocity.
 void timing(Claims& claims, const std::vector<Later>& orbits) {
   const auto same_orbit = [](const Later& k, double ratio) {
     Later fast = k;
@@ -1624,7 +1624,7 @@ Provables proofs_at_a_moment() {
 
 /// An ellipse with its start at theta = 0, a quarter of a turn later; the time is not used.
 const Later quarter_of_a_turn{{2, 5, 1, 1, 0, 2}, {2, 5, 1, 0, 0.5, -4, -3, 0, 0, {}}, 0, pi / 2, 5, 15};
-/// The same ellipse with its start at theta = pi/2, half a turn later.
+/// This ellipse with its start at theta = pi/2, half a turn later.
 const Later half_a_turn{{2, 5, 1, 1, pi / 2, 2}, {2, 5, 1, 0, -0.25, 8, 1, 0, 0, {}}, 0, 3 * pi / 2, 15, -5};
 
 /// Proofs on the path from any initial condition to any moment, at the angle `theta`; c0 and c1 are

@@ -132,12 +132,12 @@ Quantity planet(const Parameters& p, const Horizon& horizon, const Reference& tr
                      "Cartesian"});
 }
 
-/// Time in years instead of seconds. From the aphelion the angle's rate determines the eccentricity: 0.1,
-/// 0.5, 0.9, 0.975, 0.99. The tolerance is one degree of the Earth's orbit, in AU.
 Energy energy(const Parameters& p, std::span<const double> x) { return orbit_energy(p["G"] * p["M"], x); }
 
 std::string_view kind(const Parameters& p) { return asked(p).energy() < 0 ? "an ellipse" : "a hyperbola"; }
 
+/// Time in years instead of seconds. From the aphelion the angle's rate determines the eccentricity: 0.1,
+/// 0.5, 0.9, 0.975, 0.99. The tolerance is one degree of the Earth's orbit, in AU.
 Scene scene() {
   return {
       .motion = planet,

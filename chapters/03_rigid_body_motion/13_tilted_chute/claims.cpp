@@ -186,7 +186,7 @@ struct OnChuteOf {
   Three<T> on_it(bool other_half = false) const {
     return chute.position(way, other_half ? phi + pi_of<T>() : phi);
   }
-  /// The same chute with such a point as its position.
+  /// A copy with such a point as its position.
   OnChuteOf placed() const {
     OnChuteOf there = *this;
     const Three<T> x = on_it();
@@ -201,7 +201,7 @@ struct OnChuteOf {
     };
     return chute.height(x(1, x1), x(2, x2)).slope.slope;
   }
-  /// The same chute and ball on the center line, without sideways speed.
+  /// A copy with the ball on the center line, without sideways speed.
   OnChuteOf on_center() const {
     OnChuteOf there = *this;
     there.x2 = there.v2 = 0;
@@ -635,7 +635,7 @@ void statements(Claims& claims, const std::vector<OnChute>& samples) {
       "always_positive", 1733, R"(The acceleration along $x_1$ is always positive: $\ddot x_1>0$)", samples,
       {.printed = always(R"($\ddot x_1>0$)", 0), .near_misses = {always(R"($\ddot x_2>0$)", 1)}});
 
-  /// (x1, x1') on the center line a millisecond later, to see what increases at that instant.
+  /// (x1, x1') on the center line a millisecond later, to check which quantities increase.
   const auto then = [](S s) {
     const double a = s.g * s.chute.s() * s.cosine(), t = 1e-3;
     return Pair{s.x1 + s.v1 * t + a * t * t / 2, s.v1 + a * t};

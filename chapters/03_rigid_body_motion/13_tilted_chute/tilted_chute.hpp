@@ -20,8 +20,8 @@ Quantity from_rim(const Ball&, const Horizon&, const Reference&);
 std::vector<Claim> claims(double seed);
 std::vector<Root> roots();
 
-// in_coq.cpp, for proofs: of points on a cylinder; of the roots and angles of a chute's slope and of a place
-// in it, and of second derivatives that are zero
+// Lemmas and tactics of in_coq.cpp: points on a cylinder; roots and angles of a chute's slope and of a
+// position in it, and zero second derivatives.
 extern const char* const cylinder_in_coq;
 extern const char* const chute_in_coq;
 
