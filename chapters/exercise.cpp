@@ -166,7 +166,7 @@ bool has_readings(const Claim& claim) {
                              [](const Reading* r) { return !r->text.empty() || !r->checks.empty(); });
 }
 
-/// Without a reading of the cases that the author had in mind, the kind of the fault decides.
+/// Where no reading says what the author had in view, the kind of the fault decides.
 bool holds_in_view(const Claim& claim) {
   return claim.in_view.checks.empty() ? claim.kind == Fault::left_out : claim.in_view.holds();
 }

@@ -221,8 +221,8 @@ enum class Stepping {
   extrapolated,  ///< as last_step, but extrapolated from the last state along its rates
 };
 
-/// The times at which a motion is sampled: `samples` times, evenly spaced, the last at `end`. With a frame
-/// rate it is every frame; with `frames`, the first `samples` of these. Every method must reach them.
+/// When a motion is looked at: at `samples` times, evenly spaced, the last at `end`; with a frame rate, at
+/// every frame; with frames, at the first `samples` of these. Every method has to be there.
 struct Horizon {
   double end;
   int samples = 4;

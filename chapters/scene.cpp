@@ -16,7 +16,7 @@ namespace {
 /// Relative to a time: a step that ends this little after a frame counts as ending with it.
 constexpr double step_rounding = 1e-12;
 
-/// The ends of the last two fixed-length steps before each of the times.
+/// The two last ends of steps of one length before each of the times.
 std::vector<double> ends_of_steps(std::span<const double> times, double step) {
   std::vector<double> stops{0};
   double last = 0;

@@ -230,15 +230,15 @@ class ModelInterfaceOf : public ModelInterface, public ode::AnySystem<n> {
  private:
   /// The eigenvalues at these states, each for an equal part of the time.
   ode::Spectrum spectrum_along(std::span<const double> times, std::span<const State> states) const;
-  /// The motion with its events.
+  /// Its motion with its events.
   ode::Trajectory<State> moved(std::string_view algorithm, std::span<const double> times,
                                double setting) const;
-  /// The motion as it is drawn at the times.
+  /// The same as it is drawn at the times.
   ode::Trajectory<State> moved(std::string_view algorithm, std::span<const double> times, Stepping,
                                double setting) const;
-  /// The state drawn at a time, from a motion at the ends of the steps so far.
+  /// The state drawn at a time, of a motion through the steps' ends up to there.
   State drawn(double time, std::span<const double> ends, std::span<const State> motion, Stepping) const;
-  /// The model's motion to eight digits, for at most 100,000 steps.
+  /// The model's motion to eight digits, as far as it comes in 100,000 steps.
   ode::Trajectory<State> accurate_motion(std::span<const double> times) const;
   /// The largest change of the conserved quantities along a motion, each relative to its moving part.
   double drift(std::span<const double> times, std::span<const State> motion) const;

@@ -90,7 +90,7 @@ struct Top : Given<T> {
   }
 };
 
-// ---- models that observe the axis or its height -----------------------------------------------------------
+// ---- each observes the axis, or its height ----------------------------------------------------------------
 
 /// The tilt is constant, and the precession has the rate m g l/(mu3 c) of a fast top.
 template <class T>
