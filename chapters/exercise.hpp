@@ -201,7 +201,7 @@ struct Claim {
   std::string why = {};            ///< unless confirmed: the fault, the right version, and how it shows
   std::string not_checkable = {};  ///< why it cannot be judged; it has no readings then
   Fault kind = Fault::none;        ///< unless confirmed
-  /// Of an erratum: the name of its root cause, which it may share with others of its exercise; empty: it
+  /// Name of an erratum's root cause, which it may share with others of its exercise; empty: it
   /// shares none.
   std::string root = {};
 };
@@ -231,7 +231,7 @@ struct Horizon {
   Stepping stepping = Stepping::divided;
 
   std::vector<double> times() const;  ///< zero and the sample times
-  int count() const;                  ///< of the sample times
+  int count() const;                  ///< number of sample times
 };
 
 /// The resolution of a method, which trades cost for accuracy: its settings from coarse to fine.
@@ -434,7 +434,7 @@ struct Trial {
   std::vector<double> errors;  ///< the largest in each of the quantity's units
   double error;                ///< the largest of these
   double final_error;          ///< at the last time alone
-  double in_needs;             ///< the largest error, each in units of its own tolerance
+  double in_needs;             ///< the largest error, in units of the tolerances
   Outcome outcome;
   Precision precision = Precision::in_double;
 };

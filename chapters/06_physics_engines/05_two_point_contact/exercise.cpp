@@ -2,8 +2,8 @@
 // N over both by the average of two delta functions:
 //   v+ = v- + f N / m,   w+ = w- + J^-1 r(M) x f N,   M = (P0 + P1)/2
 // The independent route is the motion itself, by Runge-Kutta, under half a short pulse of force at each of
-// the two material points. The box of the tables stands on an edge, rotated by theta about it; l0, l1 are the
-// ends of the contact on the edge, measured from its middle. (6.88), (6.89) and (6.91) are the book's
+// the two material points. The box of the tables is balanced on an edge, rotated by theta about it; l0, l1
+// are the ends of the contact on the edge, measured from its middle. (6.88), (6.89) and (6.91) are the book's
 // equations.
 
 #include "chapters/06_physics_engines/05_two_point_contact/two_point_contact.hpp"

@@ -87,7 +87,8 @@ inline bool touches(const Sphere& s, const Index& i, double h) {
   return squared <= s.r * s.r;
 }
 
-/// The same test with the largest gap moved to the other side: r^2 - d^2 = (r - d)(r + d) does not cancel.
+/// An equivalent test with the largest gap moved to the other side: r^2 - d^2 = (r - d)(r + d) does not
+/// cancel.
 inline bool touches_factored(const Sphere& s, const Index& i, double h) {
   std::array<double, 3> d;
   for (std::size_t a = 0; a < 3; ++a) d[a] = gap(s.c[a], i[a], h);

@@ -61,7 +61,7 @@ struct Quadratic {
 template <class T>
 struct Place {
   T s, t;
-  int region;  ///< of the unconstrained minimum: 0 inside, then 1 to 6 around the triangle
+  int region;  ///< region of the unconstrained minimum: 0 inside, then 1 to 6 around the triangle
 };
 
 /// n/d clamped to [0, 1], divided only if needed.
