@@ -6,7 +6,7 @@
 
 namespace oddity {
 
-/// A number for what a file asks, which is in no chapter: to_string() gives the name in its place.
+/// Number for the exercise in a file, which belongs to no chapter; to_string() returns the given name for it.
 Number number_of_file(std::string name);
 
 }  // namespace oddity

@@ -7,10 +7,10 @@
 
 #include "chapters/expression.hpp"
 
-/// Functions that compare what they compute with, recorded as a tree of all the ways through them.
+/// Records a function that compares its values, as a tree of all its execution paths.
 namespace oddity {
 
-/// One way through: what was asked, in Coq's decisions, and what was answered.
+/// One execution path: the comparisons, as Coq's decisions, and the outcome of each.
 struct Way {
   struct Answer {
     std::string asked;
@@ -23,7 +23,7 @@ struct Way {
     if (next == answers.size()) answers.push_back({std::move(asked), true});
     return answers[next++].yes;
   }
-  /// The next of all ways; false after the last.
+  /// Moves on to the next path; false after the last one.
   bool turn() {
     while (!answers.empty() && !answers.back().yes) answers.pop_back();
     next = 0;
@@ -33,7 +33,7 @@ struct Way {
   }
 };
 
-/// A recording number on its way.
+/// A recording number on one path.
 class Branching {
  public:
   Branching(double x) : x_(x) {}
@@ -61,7 +61,7 @@ class Branching {
   Way* way_ = nullptr;
 };
 
-/// What f(way) returns as Coq's text, with an `if` wherever it compares.
+/// The result of f(way) as Coq text, with an `if` for each comparison.
 template <class F>
 std::string tree_of(const F& f) {
   std::string text, closing;

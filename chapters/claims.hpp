@@ -15,22 +15,20 @@
 #include "chapters/random.hpp"
 #include "chapters/typeset.hpp"
 
-/// How an exercise states its claims: as formulas, as statements and as numbers, each reading beside what it
-/// computes. A sample is a struct of the exercise's letters:
+/// Tables of an exercise's claims: formulas, statements and numbers, each reading next to the code that
+/// computes it. A sample is a struct of the exercise's letters:
 ///   Sample(Random&)                        draws one
-///   where() const -> std::string           tells its letters, where the first of typeset() are not enough
-///   letters() -> array of double*          where all else follows from these: the size of a formula's terms
-///                                          is found by changing each a little
-///   size() const -> double                 the size of terms that cancel, where a quantity is to be zero
-///   conditioning() const -> double         where there are no letters: how much larger the terms are than
-///                                          the largest value
-///   whole                                  a static constant, where all is in whole numbers that a double
-///                                          holds: they have to be equal
-///   typeset() -> TypesetLetters            its letters as a page has them: where a reading's text is a
-///   formula
-///                                          of these, what is typeset has to be what is computed
-///   tolerance(double size) -> Tolerance    where its numbers are no better than what made them, such as a
-///                                          quadrature: what they may differ by, for terms of this size
+///   where() const -> std::string           lists its values, if the first of typeset() are not enough
+///   letters() -> array of double*          the independent letters: changing each a little gives the size of
+///                                          a formula's terms
+///   size() const -> double                 size of the terms that cancel in a quantity that should be zero
+///   conditioning() const -> double         without letters(): the terms' size relative to the largest value
+///   whole                                  a static constant, if all values are whole numbers that a double
+///                                          holds: they must be equal
+///   typeset() -> TypesetLetters            its letters as a page shows them: a reading that is a formula of
+///                                          these must agree with the code
+///   tolerance(double size) -> Tolerance    allowed difference for terms of this size, if the numbers have a
+///                                          less accurate source such as a quadrature
 ///
 /// chapters/README.md shows a claim.
 namespace oddity {
@@ -60,10 +58,9 @@ Value values(Numbers... x) {
 
 // ---- formulas ---------------------------------------------------------------------------------------------
 
-/// A way to write a quantity as a formula in the letters of a sample. Without `of` it has the value of its
-/// text,
-/// "$m_2g-c_1(S_1-L_1)$", in the sample's typeset() letters. `terms` is the size of terms that
-/// cancel whatever the letters are, where there are such.
+/// A quantity written as a formula in the letters of a sample. Without `of`, its value is that of its text,
+/// "$m_2g-c_1(S_1-L_1)$", in the sample's typeset() letters. `terms` is the size of those terms that cancel
+/// for any letters, if there are such.
 template <class Sample>
 struct Formula {
   std::string text;
@@ -71,13 +68,13 @@ struct Formula {
   std::function<double(const Sample&)> terms = {};
 };
 
-/// Whether it is a text alone, which is computed as it is typeset, in the letters of a sample's typeset().
+/// Whether the formula is a text alone, computed as it is typeset in the letters of a sample's typeset().
 template <class Sample>
 bool is_text(const Formula<Sample>& formula) {
   return !formula.of && !formula.text.empty();
 }
 
-/// The formula with its value: that of its text, if nothing else says it.
+/// The formula with its `of`; by default this evaluates the text.
 template <class Sample>
 Formula<Sample> computed(Formula<Sample> formula) {
   if (!is_text(formula)) return formula;
@@ -91,8 +88,8 @@ Formula<Sample> computed(Formula<Sample> formula) {
   return formula;
 }
 
-/// The size of a formula's terms at a sample: the sum over its letters of how much the value changes with a
-/// letter's relative change. Terms that cancel in the value do not cancel here.
+/// Size of a formula's terms at a sample: the sum over its letters of the change of its value per relative
+/// change of the letter. Terms that cancel in the value do not cancel here.
 template <class Sample>
 double size_of_terms(const Formula<Sample>& formula, const Sample& sample) {
   constexpr double change = 0x1p-20;
@@ -106,7 +103,7 @@ double size_of_terms(const Formula<Sample>& formula, const Sample& sample) {
   return size;
 }
 
-/// The same for a function of an array of letters.
+/// Size of the terms of a function of an array of letters.
 template <std::size_t n, class F>
 double size_of_terms(const F& f, const std::array<double, n>& letters) {
   constexpr double change = 0x1p-20;
@@ -120,7 +117,7 @@ double size_of_terms(const F& f, const std::array<double, n>& letters) {
   return size;
 }
 
-/// Two functions of the same letters at one sample, with the size of their terms.
+/// Adds two functions of the same letters at one sample, with the size of their terms.
 template <std::size_t n, class Left, class Right>
 void see(WorstSample& worst, const Left& left, const Right& right, const std::array<double, n>& letters,
          const std::string& where) {
@@ -128,10 +125,10 @@ void see(WorstSample& worst, const Left& left, const Right& right, const std::ar
             std::max(size_of_terms(left, letters), size_of_terms(right, letters)), where);
 }
 
-/// Two formulas of a quantity over the samples, the worst of them shown. A lone number is compared with each
-/// of several. Where one of them is zero, the terms are what cancels, of which a sample's size() is the sum.
-/// Else their size is found from a sample's letters() where it has them, and is that of the largest value
-/// where it has not, times the sample's conditioning() if it has one.
+/// Compares two formulas over the samples and keeps the worst. A single number is compared with each of
+/// several. If one side is zero throughout, the scale is the sample's size(), if it has one. Otherwise it is
+/// the size of the terms, found from the sample's letters(). Without letters() it is the largest value, times
+/// the sample's conditioning() if it has one.
 template <class Sample>
 Check compare(std::string quantity, const Formula<Sample>& left, const Formula<Sample>& right,
               const std::vector<Sample>& samples) {
@@ -173,7 +170,7 @@ Check compare(std::string quantity, const Formula<Sample>& left, const Formula<S
   return worst.check();
 }
 
-/// The formula's text beside what it computes.
+/// Compares the formula's text with the values it computes.
 template <class Sample>
 Typesetting compare_typeset(const Formula<Sample>& formula, const std::vector<Sample>& samples) {
   if constexpr (requires(const Sample& s) { s.typeset(); }) {
@@ -187,7 +184,7 @@ Typesetting compare_typeset(const Formula<Sample>& formula, const std::vector<Sa
   return {};
 }
 
-/// The cases that the author of a claim had in view, in words, and whether a sample is one of them.
+/// Cases that the author of a claim had in mind, in words, and whether a sample is one of them.
 template <class Sample>
 struct InView {
   std::string text;  ///< "for $n\ge2$"
@@ -200,8 +197,8 @@ struct InView {
   }
 };
 
-/// The single change of a right formula that is hardest to see, of all; with it those that hold as well,
-/// unless these are known: then `known` says why.
+/// Single changes of a right formula, each as a near miss: the one that is hardest to detect, and all those
+/// that hold as well. `known` is the reason why some may hold; then these are only counted.
 template <class Sample>
 std::vector<Reading> single_changes(const std::string& quantity, const Formula<Sample>& right,
                                     const Formula<Sample>& truth, const std::vector<Sample>& samples,
@@ -236,20 +233,19 @@ std::vector<Reading> single_changes(const std::string& quantity, const Formula<S
   return readings;
 }
 
-/// What a claim about a formula consists of: the same quantity by a route of its own, the readings, and
-/// formulas that must not pass for it. Where the right reading is a text alone, its single changes are near
-/// misses as well.
+/// A claim about a formula: the same quantity by an independent route, the readings, and formulas that must
+/// fail. If the right reading is a text alone, its single changes are near misses too.
 template <class Sample>
 struct FormulaClaim {
-  std::string quantity = {};  ///< what is compared; empty: what the claim says
+  std::string quantity = {};  ///< the compared quantity; empty: the claim's text
   Formula<Sample> truth;
-  std::vector<Formula<Sample>> other_routes = {};  ///< to the same, for each reading
+  std::vector<Formula<Sample>> other_routes = {};  ///< further independent routes, checked for each reading
   Formula<Sample> printed;
   Formula<Sample> meant = {};
   Formula<Sample> corrected = {};
-  InView<Sample> in_view = {};  ///< of what is incomplete: where the printed formula holds
+  InView<Sample> in_view = {};  ///< for an incomplete claim: the cases in which the printed formula holds
   std::vector<Formula<Sample>> near_misses = {};
-  std::string changes_that_hold = {};  ///< why single changes of a text may hold as well
+  std::string changes_that_hold = {};  ///< why some single changes of a text hold as well
   Fault kind = Fault::none;
   std::string root = {};
   std::string why = {};
@@ -257,7 +253,7 @@ struct FormulaClaim {
 
 // ---- statements -------------------------------------------------------------------------------------------
 
-/// A sentence, and whether a sample bears it out. Without `holds` it is a relation, "$\ddot q<0$", in the
+/// A sentence, and whether a sample satisfies it. Without `holds` it is a relation, "$\ddot q<0$", in the
 /// sample's typeset() letters.
 template <class Sample>
 struct Statement {
@@ -265,7 +261,7 @@ struct Statement {
   std::function<bool(const Sample&)> holds = {};
 };
 
-/// The statement with what decides it: its relation, if nothing else does.
+/// The statement with its `holds`; by default this evaluates the relation.
 template <class Sample>
 Statement<Sample> computed(Statement<Sample> statement) {
   if (statement.holds || statement.text.empty()) return statement;
@@ -293,7 +289,7 @@ Check in_all(const std::string& text, const std::vector<Sample>& samples,
   return no_violations(text + ": cases against it", violations, static_cast<long>(samples.size()), where);
 }
 
-/// The sentence, where it is an inequality or an equation, beside whether the samples bear it out.
+/// Compares the sentence, if it is an inequality or an equation, with `holds` over the samples.
 template <class Sample>
 Typesetting compare_typeset(const Statement<Sample>& statement, const std::vector<Sample>& samples) {
   if constexpr (requires(const Sample& s) { s.typeset(); }) {
@@ -306,13 +302,13 @@ Typesetting compare_typeset(const Statement<Sample>& statement, const std::vecto
   return {};
 }
 
-/// What a claim that something is so in every case consists of.
+/// A claim that a statement is true in every case.
 template <class Sample>
 struct StatementClaim {
   Statement<Sample> printed;
   Statement<Sample> meant = {};
   Statement<Sample> corrected = {};
-  InView<Sample> in_view = {};  ///< of what is incomplete: where the printed statement holds
+  InView<Sample> in_view = {};  ///< for an incomplete claim: the cases in which the printed statement holds
   std::vector<Statement<Sample>> near_misses = {};
   Fault kind = Fault::none;
   std::string root = {};
@@ -321,10 +317,10 @@ struct StatementClaim {
 
 // ---- numbers ----------------------------------------------------------------------------------------------
 
-/// What a claim about a number consists of. The readings are the numbers as written, such as "0.800275" or
-/// "$-1.5$"; each may be off by half a unit of its last decimal.
+/// A claim about a number. The readings are the numbers as written, such as "0.800275" or "$-1.5$". Each may
+/// be off by half a unit of its last decimal.
 struct NumberClaim {
-  std::string quantity = {};  ///< what is compared; empty: what the claim says
+  std::string quantity = {};  ///< the compared quantity; empty: the claim's text
   Route truth;
   std::string printed;
   std::string meant = {};
@@ -335,9 +331,9 @@ struct NumberClaim {
   std::string why = {};
 };
 
-/// A number as written against a route. Throws std::logic_error where `written` is no number.
+/// Compares a number as written with a route. Throws std::logic_error if `written` is not a number.
 Check as_written(std::string quantity, const std::string& written, const Route& truth);
-/// The same of digits that are cut off, not rounded: the middle of what they leave open.
+/// Compares a number whose digits are cut off, not rounded: by the middle of the interval they leave open.
 Check as_cut_off(std::string quantity, const std::string& written, const Route& truth);
 
 // ---- the table of claims ----------------------------------------------------------------------------------
@@ -397,11 +393,10 @@ class Claims {
 
   Claims& number(std::string_view slug, int line, std::string says, const NumberClaim& parts);
 
-  /// Any other claim: readings with checks of their own. Its id and its exercise are the table's.
+  /// Any other claim: readings with their own checks. The table sets its id and its exercise.
   Claims& add(std::string_view slug, int line, std::string says, Claim parts);
 
-  /// All, in the order of their lines. Throws std::logic_error where a formula is typeset that is not what is
-  /// computed.
+  /// All claims, ordered by line. Throws std::logic_error if a typeset formula differs from the computed one.
   std::vector<Claim> in_order() const;
 
  private:

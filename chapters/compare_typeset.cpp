@@ -1,4 +1,4 @@
-// What is typeset beside what is computed under it.
+// Compares typeset formulas with the values computed for them.
 
 #include <algorithm>
 #include <functional>
@@ -20,7 +20,7 @@ std::string written(const Value& x) {
 
 bool is_zero(const Value& x) { return x.size() == 1 && x[0] == 0; }
 
-/// A lone 0 is zero of any kind.
+/// a - b; a single 0 is a zero of any size.
 std::optional<Value> difference(const std::optional<Value>& a, const std::optional<Value>& b) {
   if (!a || !b) return std::nullopt;
   if (is_zero(*b)) return a;
@@ -32,10 +32,10 @@ std::optional<Value> difference(const std::optional<Value>& a, const std::option
 
 using Values = std::vector<std::optional<Value>>;
 
-/// What a formula or an equation may stand for.
+/// Possible values of a formula or an equation.
 struct Meanings {
-  Values sides;   ///< each, but not the letter that it is called by on the left
-  Values others;  ///< what two sides differ by, and sides in a row
+  Values sides;   ///< one for each side, except a single letter on the left that names the rest
+  Values others;  ///< differences of two sides, and several sides in a row
 
   Values all() const {
     Values both = sides;
@@ -53,7 +53,7 @@ std::optional<Value> in_a_row(const Values& sides, std::size_t first, std::size_
   return all;
 }
 
-/// The sides of an equation, or of another relation, read once for all samples that have these letters.
+/// The sides of an equation or another relation, parsed once for all samples that have these letters.
 class Sides {
  public:
   Sides(const std::string& formula, formula::Names names)
@@ -72,7 +72,7 @@ class Sides {
     return all;
   }
 
-  /// Of equations alone.
+  /// For equations only.
   Meanings meanings(const TypesetLetters& letters) const {
     Values all = values(letters);
     const std::size_t n = all.size();
@@ -92,7 +92,7 @@ class Sides {
   std::vector<std::optional<formula::Tree>> trees_;
 };
 
-/// The sides of an equation in the letters of one sample after another.
+/// Caches the parsed sides of an equation, for samples that have the same letters.
 class InLetters {
  public:
   explicit InLetters(std::string formula) : formula_(std::move(formula)) {}
@@ -106,7 +106,7 @@ class InLetters {
   std::optional<Sides> sides_;
 };
 
-/// The size of the terms that are added up: how much a value changes with the letters' relative change.
+/// Size of the terms that are added up: the change of a value per relative change of its letters.
 template <class F>
 double size_of_terms(const F& value_in, const TypesetLetters& letters) {
   constexpr double change = 0x1p-20;
@@ -124,7 +124,7 @@ double size_of_terms(const F& value_in, const TypesetLetters& letters) {
 
 enum class Match { same, unread, other };
 
-/// A number that is computed several times over is one number.
+/// A single number if all components are equal, as they are if a number is computed several times.
 Value once(const Value& computed, double allowed) {
   const Value repeated(std::vector<double>(computed.size(), computed[0]));
   return distance(computed, repeated) <= allowed ? Value(computed[0]) : computed;
@@ -153,8 +153,8 @@ Typesetting compare_typeset(const std::string& text,
   double largest = 0;
   for (const auto& [letters, value] : computed)
     if (finite(value)) largest = std::max(largest, size_of(value));
-  // What is added up in another order differs by roundings of terms that may cancel; another formula by far
-  // more.
+  // Terms added in another order differ by roundings, which may be larger than the sum. Another formula
+  // differs by far more.
   constexpr double precision = 1e-9;
   const double allowed = precision * largest;
   std::string formula = text.substr(1, text.size() - 2);

@@ -14,7 +14,7 @@ namespace oddity {
 
 namespace {
 
-/// The names that problems' files have in place of a number.
+/// Names of the problems' files, in place of exercise numbers.
 struct Names {
   std::mutex mutex;
   std::deque<std::string> all;

@@ -18,7 +18,7 @@ struct Number {
 };
 
 std::string to_string(Number);
-/// "3.5" as a number, or nothing.
+/// Parses "3.5"; nullopt if it is not an exercise number.
 std::optional<Number> exercise_number(std::string_view text);
 
 struct Chapter {
@@ -27,13 +27,13 @@ struct Chapter {
   int last_odd;  ///< its odd exercises are 1, 3, ..., last_odd; 0: the solutions have none
 };
 
-/// The book's fourteen chapters, and those that only exercises of one's own are in, by number.
+/// The book's fourteen chapters and those of the user's own exercises, ordered by number.
 std::span<const Chapter> chapters();
 
-/// Whether it is one of the 48 that the published solutions are about, and not one of one's own.
+/// Whether it is one of the 48 exercises of the published solutions, and not the user's own.
 bool of_the_book(Number);
 
-/// An encoded exercise, and the file that encodes it.
+/// An encoded exercise and its file.
 struct Entry {
   Number number;
   std::string_view file;

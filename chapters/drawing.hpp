@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-/// What a scene looks like at one time, in a dozen primitives: from these come the drawing of the set-up, the
-/// strip of frames, and the player in the page. Needs the standard library alone.
+/// A picture of a scene at one time, as a few kinds of primitives. The drawing of the set-up, the strip of
+/// frames and the page's player are made from it. Needs only the standard library.
 namespace oddity {
 
-/// In the plane x is to the right and y is up; in space z is up. In the unit of the scene's lengths.
+/// In the unit of the scene's lengths. In the plane x points right and y up; in space z points up.
 struct Place {
   double x = 0, y = 0, z = 0;
 };
@@ -28,7 +28,7 @@ std::vector<Place> sampled(double from, double to, std::size_t n, const At& at) 
     all.push_back(at(from + (to - from) * static_cast<double>(i) / static_cast<double>(n)));
   return all;
 }
-/// Level.
+/// Horizontal circle.
 inline std::vector<Place> circle(const Place& center, double radius) {
   return sampled(0, 2 * std::numbers::pi, 48, [&](double u) {
     return center + radius * Place{std::cos(u), std::sin(u), 0};
@@ -38,26 +38,26 @@ inline std::vector<Place> circle(const Place& center, double radius) {
 class Drawing {
  public:
   enum class Kind {
-    body,     ///< a ball at a point, of radius `size`: what moves, in the colour of its method
+    body,     ///< a ball at a point, of radius `size`: a moving body, in the colour of its method
     rod,      ///< from point to point
     spring,   ///< from point to point, of width `size`
     rope,     ///< a thin line through the points
-    track,    ///< a line through the points that is there from the start: a wire, a hill, the ground
-    guide,    ///< a dashed line through the points, to see by
-    disc,     ///< about the first point, of radius `size`, square to the way to the second
-    sphere,   ///< its outline, about a point, of radius `size`
+    track,    ///< a fixed line through the points: a wire, a hill, the ground
+    guide,    ///< a dashed auxiliary line through the points
+    disc,     ///< about the first point, of radius `size`, perpendicular to the line to the second point
+    sphere,   ///< outline about a point, of radius `size`
     plate,    ///< the polygon of the points, filled
-    support,  ///< what holds: a point that does not move, or a line hatched to its right
-    axis,     ///< an arrow of a system of coordinates, from point to point, with its letter
+    support,  ///< a support: a fixed point, or a line hatched to its right
+    axis,     ///< an arrow of a coordinate system, from point to point, with its letter
     arrow,    ///< a vector, from point to point
-    anchor,   ///< a point that stays in the middle of the picture; without one the picture stands still
-    // Of the drawing of the set-up alone:
+    anchor,   ///< a point kept in the middle of the picture; without one the view is fixed
+    // Only in the drawing of the set-up:
     angle,      ///< at the first point, from the second to the third, with its letter
-    length,     ///< from point to point, measured on the left of that way, with its letter
-    direction,  ///< an arrow from point to point, a velocity at the start or gravity, with its letter
+    length,     ///< from point to point, with its letter; measured on the left of this line
+    direction,  ///< an arrow from point to point, an initial velocity or gravity, with its letter
     label,      ///< a letter at a point
   };
-  /// In their order, as scripts call them.
+  /// Names in the scripts, in the order of `Kind`.
   static constexpr std::array<std::string_view, 17> kind_names{
       "body",    "rod",  "spring", "rope",   "track", "guide",  "disc",      "sphere", "plate",
       "support", "axis", "arrow",  "anchor", "angle", "length", "direction", "label"};
@@ -65,8 +65,8 @@ class Drawing {
     Kind kind;
     std::vector<Place> points;
     double size = 0;
-    std::string_view letter = {};  ///< digits at its end are an index
-    bool leaves_trail = false;     ///< of a body: the way that it has come is drawn
+    std::string_view letter = {};  ///< trailing digits are a subscript
+    bool leaves_trail = false;     ///< draw a body's past path
   };
 
   void body(const Place& at, double radius, std::string_view letter = {}) {
@@ -110,7 +110,7 @@ class Drawing {
   }
   void label(const Place& at, std::string_view letter) { add({Kind::label, {at}, 0, letter}); }
 
-  /// Once, first: the drawing is of space, and can be turned.
+  /// Call once, first, if the drawing is in space and can be turned.
   void in_space() { in_space_ = true; }
   bool is_in_space() const { return in_space_; }
   const std::vector<Primitive>& primitives() const { return primitives_; }

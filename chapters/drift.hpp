@@ -10,14 +10,14 @@
 
 namespace oddity {
 
-/// No change of a conserved quantity at all, but for the rounding of its terms.
+/// Whether a conserved quantity has changed only by the rounding of its terms.
 inline bool is_rounding(double change, const Conserved<double>& at_start) {
   constexpr double roundings = 256 * std::numeric_limits<double>::epsilon();
   return change <= roundings * (std::abs(at_start.value) + at_start.moving);
 }
 
-/// By how much the conserved quantities have changed since the start, at most, each by what moves in it; NaN
-/// when one is NaN.
+/// Largest change of the conserved quantities since the start, each relative to the part that moves in it;
+/// NaN if one is NaN.
 inline double drift(std::span<const Conserved<double>> at_start, std::span<const Conserved<double>> now,
                     std::span<const double> moving) {
   double drift = 0;

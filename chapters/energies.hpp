@@ -5,7 +5,7 @@
 
 #include "chapters/exercise.hpp"
 
-/// Energies of what is seen, of which scenes state theirs.
+/// Energies of the observed motion, for the laws of scenes.
 namespace oddity {
 
 inline Energy energy_seen(double kinetic, double potential) { return {kinetic + potential, kinetic}; }
@@ -16,12 +16,12 @@ inline double half_square(std::span<const double> x) {
   return sum;
 }
 
-/// Of a unit mass in space, the third coordinate upward: its place and its velocity.
+/// Energy of a unit mass in space with the third coordinate upward, from its position and velocity.
 inline Energy point_energy(double g, std::span<const double> x) {
   return energy_seen(half_square(x.subspan(3)), g * x[2]);
 }
 
-/// Of a unit mass in the plane about a center that attracts with mu/r^2.
+/// Energy of a unit mass in the plane, attracted with mu/r^2 by a center.
 inline Energy orbit_energy(double mu, std::span<const double> x) {
   return energy_seen(half_square(x.subspan(2)), -mu / std::hypot(x[0], x[1]));
 }

@@ -24,7 +24,7 @@ std::string names_of(std::span<const Parameter> parameters) {
   return names.empty() ? "none" : names;
 }
 
-/// "exercise 3.5 (its file): " of whose parameters these are; empty: of none in the register.
+/// "exercise 3.5 (its file): ", from the exercise that declares these parameters; empty if none does.
 std::string owner_of(std::span<const Parameter> parameters) {
   for (const Entry& entry : registry())
     if (!parameters.empty() && entry.exercise.parameters.data() == parameters.data())
@@ -208,8 +208,8 @@ Knob halving(std::string name, double first, int count) {
 
 namespace {
 
-/// "4/3" where the number is this fraction to within roundings, of a small denominator, and its digits would
-/// not say so; else empty.
+/// "4/3" if the number is this fraction to within roundings, with a small denominator, and its digits would
+/// not show it; otherwise empty.
 std::string simple_fraction(double x, int digits, bool in_formula) {
   constexpr double largest = 20;
   const double size = std::abs(x);
@@ -224,7 +224,7 @@ std::string simple_fraction(double x, int digits, bool in_formula) {
   return "";
 }
 
-/// The number as text; in a formula, a power of ten as one.
+/// The number as text. In a formula, with its exponent as a power of ten.
 std::string number_in_text(double x, int digits, bool in_formula) {
   if (const std::string fraction = simple_fraction(x, digits, in_formula); !fraction.empty()) return fraction;
   const std::string written = format_significant(x, digits);
@@ -335,11 +335,11 @@ std::vector<Quantity> in_operations(std::vector<Quantity> quantities) {
 
 namespace {
 
-/// A result is off the scale when it is ten times as far from the truth as the truth is from zero.
+/// A result is off the scale if its error is ten times the size of the true value.
 constexpr double far_away = 10;
 
-/// Whether the error of a motion grows: its largest in the later half of the times looked at is above that in
-/// the earlier. A value that is looked at once is taken to.
+/// Whether the error of a motion grows: its maximum over the later half of the sample times exceeds that over
+/// the earlier half. True for a single time.
 bool grows(const Quantity& quantity, const Value& value) {
   const auto looks = static_cast<std::size_t>(quantity.samples);
   const Value& truth = quantity.reference.value;
@@ -373,7 +373,7 @@ double largest(const std::vector<double>& errors) {
   return largest;
 }
 
-/// Where nothing is known, nothing is within the need, and no other fault of a finite answer can be told but
+/// Without a reference no answer is accurate, and the only fault of a finite answer that can be detected is
 /// its drift.
 Outcome judge(const Quantity& quantity, const Answer& answer, double error, double in_needs) {
   switch (answer.ending) {

@@ -10,9 +10,9 @@
 
 namespace oddity {
 
-/// The quantity's method of this model by this algorithm is expected to end so at its finest setting, and
-/// why. For one of a whole group, such as SceneMethods::by_engine_integrators adds. Throws std::logic_error
-/// when there is no such method.
+/// Sets the expected outcome at the finest setting, and its reason, of the method with this model and
+/// algorithm. For a single method of a group, such as SceneMethods::by_engine_integrators adds. Throws
+/// std::logic_error if there is no such method.
 inline void expect_failure(Quantity& quantity, std::string_view model, std::string_view algorithm,
                            Outcome expected, std::string why) {
   const auto found = std::ranges::find_if(

@@ -9,7 +9,7 @@ namespace oddity {
 
 namespace {
 
-/// The decimal as a whole number, or as one over a power of ten.
+/// The decimal as a whole number or a fraction over a power of ten.
 std::string fraction(double x) {
   char buffer[400];
   char* const end = std::to_chars(buffer, buffer + sizeof buffer, x, std::chars_format::fixed).ptr;

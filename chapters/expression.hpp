@@ -7,17 +7,17 @@
 #include <utility>
 #include <vector>
 
-/// A number that records what is computed with it, as the proof assistant Coq writes it. A formula that is
-/// generic in its number type is checked in double and proved as it is recorded.
+/// A number that records its computation in the syntax of the proof assistant Coq. So one formula, generic in
+/// its number type, is both checked in double and proved.
 namespace oddity {
 
 class Expression {
  public:
   Expression() : Expression(0.0) {}
   /// The shortest decimal that reads back as the same double, as an exact fraction. Throws std::logic_error
-  /// where it is not finite.
+  /// if it is not finite.
   Expression(double);
-  /// A letter, or a term that Coq reads as one.
+  /// A letter, or a term with the precedence of a letter.
   static Expression letter(std::string name) { return {std::move(name), Level::atom}; }
 
   const std::string& coq() const { return text_; }
@@ -32,10 +32,10 @@ class Expression {
   friend Expression function(std::string_view name, const Expression&);
 
  private:
-  /// What binds stronger comes first.
+  /// From the strongest binding to the weakest.
   enum class Level { atom, power, sign, product, sum };
   Expression(std::string text, Level level) : text_(std::move(text)), level_(level) {}
-  /// In parentheses unless it binds as strongly as this.
+  /// The text, in parentheses unless it binds at least as strongly as this level.
   std::string within(Level) const;
 
   std::string text_;
@@ -50,13 +50,13 @@ inline Expression log(const Expression& x) { return function("ln", x); }
 inline Expression atan(const Expression& x) { return function("atan", x); }
 inline Expression abs(const Expression& x) { return function("Rabs", x); }
 
-/// Of a number above zero.
+/// For a positive number.
 inline Expression cbrt(const Expression& x) {
   return Expression::letter("(Rpower (" + x.coq() + ") (1 / 3))");
 }
 inline Expression pi_in_coq() { return Expression::letter("PI"); }
 
-/// The integral over the letter `name` of what `integrand` makes of it.
+/// The integral of `integrand` over the letter `name`.
 template <class F>
 Expression integral(const F& integrand, const Expression& from, const Expression& to,
                     const std::string& name) {
@@ -65,8 +65,7 @@ Expression integral(const F& integrand, const Expression& from, const Expression
                             "))");
 }
 
-/// An expression without the terms that are zero and the factors that are one, of which dual numbers make
-/// many.
+/// An expression without terms that are zero and factors that are one, of which dual numbers make many.
 class Shortened {
  public:
   Shortened() = default;
@@ -109,7 +108,7 @@ class Shortened {
   Expression all_;
 };
 
-/// Pi, exactly where numbers are expressions.
+/// Pi; exact if numbers are expressions.
 template <class T>
 T pi_of() {
   if constexpr (std::same_as<T, Shortened>)

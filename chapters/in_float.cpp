@@ -14,8 +14,7 @@ namespace {
 template <std::size_t n>
 using Motion = ode::Trajectory<std::array<double, n>>;
 
-/// To twelve digits, as far as it comes in 100,000 steps: a model that chatters about rest would take
-/// millions.
+/// Motion to twelve digits, for at most 100,000 steps. A model that chatters around rest would take millions.
 template <std::size_t n>
 Motion<n> accurate(const ModelInterfaceOf<n>& model, const std::array<double, n>& start,
                    std::span<const double> times) {
@@ -25,7 +24,7 @@ Motion<n> accurate(const ModelInterfaceOf<n>& model, const std::array<double, n>
   return ode::precompiled<n>("Fehlberg 7(8)")(model, start, times, 1e-12, ode::Watch<n>(enough));
 }
 
-/// How far two motions are apart at most, as each is observed; infinity where one of them ends early.
+/// Largest difference between the observables of two motions; infinity if one of them ends early.
 template <std::size_t n>
 double apart(const ModelInterfaceOf<n>& model, const Motion<n>& a, const Motion<n>& b,
              std::span<const double> times) {

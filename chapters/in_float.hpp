@@ -16,7 +16,7 @@
 /// A scene's models in float, as games compute.
 namespace oddity {
 
-/// A scene's parameters, which are nothing but numbers, each rounded to the other number type.
+/// A scene's parameters, a struct of numbers only, each rounded to the other number type.
 template <class To, class From, template <class> class Given>
 Given<To> rounded_to(const Given<From>& given) {
   constexpr std::size_t n = sizeof(Given<From>) / sizeof(From);
@@ -27,36 +27,36 @@ Given<To> rounded_to(const Given<From>& given) {
   return std::bit_cast<Given<To>>(rounded);
 }
 
-/// What roundings do to a motion, as the model in double shows it.
+/// Effect of roundings on a motion, measured with the model in double.
 struct Roundings {
-  double of_parameters = 0;  ///< how far the motion from parameters rounded to float is off
-  double of_each_step = 0;   ///< to what one rounding of each unknown grows; of a closed form, of its terms
+  double of_parameters = 0;  ///< error of the motion with the parameters rounded to float
+  double of_each_step = 0;   ///< final size of one rounding of each unknown; for a closed form, of its terms
 
-  /// The most that they may add in so many steps, each with at most eight roundings of an unknown, or in a
-  /// formula with at most 16.
+  /// Bound for this number of steps, each with at most eight roundings per unknown. For a formula, the bound
+  /// for at most 16 roundings.
   double at_most(double steps) const { return of_parameters + 8 * steps * of_each_step; }
   double at_most() const { return of_parameters + 16 * of_each_step; }
 };
 
-/// One model in float beside itself in double, which observes it and computes its conserved quantities: a
-/// rounding of these is not taken for an error of the motion.
+/// A model in float, together with the same model in double. The latter computes the observables and
+/// conserved quantities, so that their roundings are not mistaken for errors of the motion.
 class ModelInFloat {
  public:
   explicit ModelInFloat(const Horizon& horizon) : horizon_(horizon) {}
   virtual ~ModelInFloat() = default;
-  /// False where the algorithm is in double only.
+  /// False if the algorithm exists in double only.
   virtual bool has(std::string_view algorithm) const = 0;
   virtual Answer run(std::string_view algorithm, double setting) const = 0;
-  /// As Method has them.
+  /// See Method.
   virtual Value places_and_rates(std::string_view algorithm, double setting) const = 0;
   virtual bool constrained() const { return false; }
   virtual double off_constraint(std::string_view, double) const { return 0; }
-  /// What roundings may add to the observables' errors at most; infinity where the motion cannot be followed.
+  /// Bound on the errors that roundings add to the observables; infinity if the motion cannot be computed.
   virtual double roundings(double setting) const = 0;
 
  protected:
   const Horizon& horizon() const { return horizon_; }
-  /// As measured at the first call.
+  /// Measured at the first call.
   const Roundings& measured() const {
     std::call_once(once_, [this] { roundings_ = measure(); });
     return roundings_;
@@ -88,7 +88,7 @@ class IntegratedInFloat : public ModelInFloat {
 
  private:
   Roundings measure() const final;
-  /// The motion's states in double.
+  /// The motion's states, converted to double.
   ode::Trajectory<std::array<double, n>> widened(std::string_view algorithm, double setting) const;
   virtual const ode::AnySystem<n, float>& system() const = 0;
   virtual std::array<float, n> start() const = 0;
@@ -111,7 +111,7 @@ class Integrated final : public IntegratedInFloat<std::tuple_size_v<typename InD
   ode::Adapted<ode::AnySystem<n, float>, InFloat> model_;
 };
 
-/// A closed form's observables are of its formula and in float.
+/// A closed form computes its observables by its formula in float.
 template <class InFloat, class InDouble>
 class ClosedFormInFloat final : public ModelInFloat {
  public:
@@ -125,7 +125,7 @@ class ClosedFormInFloat final : public ModelInFloat {
       return model_.at(static_cast<float>(t));
     });
   }
-  /// The rates are those of the formula with its parameters rounded.
+  /// The rates come from the formula with rounded parameters.
   Value places_and_rates(std::string_view, double) const override {
     const std::size_t times = static_cast<std::size_t>(horizon().count());
     Value seen = places_and_rates_of(rounded_, horizon());
@@ -168,12 +168,12 @@ void add_in_float(Quantity&, const std::vector<std::string_view>& names,
 
 }  // namespace detail
 
-/// A scene's motion with its models in float too, each by every algorithm in float of those that the model of
-/// its name has in double, at the same settings. `names` are those that the motion gives to models(given), in
-/// their order: a model's, "model, algorithm" for a closed form with an algorithm of its own, empty for one
-/// that it leaves out. `at_finest` is how Runge-Kutta 4 on the richest model is expected to end in float at
-/// its finest step; unless ok, that is a breakdown, with double as its cure. Throws std::logic_error for a
-/// name under which nothing is found.
+/// A scene's motion with its models in float added. Each model gets the algorithms in float of those that the
+/// model of its name has in double, at the same settings. `names` lists the names of models(given) in the
+/// motion, in order: the model's, or "model, algorithm" for a closed form with its own algorithm; empty for a
+/// model that the motion omits. `at_finest` is the expected outcome of Runge-Kutta 4 in float on the richest
+/// model at its finest step. Unless ok, it makes a breakdown with double as its cure. Throws std::logic_error
+/// for a name that is not found.
 template <template <class> class Given>
 Quantity with_float(Quantity motion, const Horizon& horizon, const Given<double>& given,
                     const std::vector<std::string_view>& names, Outcome at_finest = Outcome::inaccurate) {

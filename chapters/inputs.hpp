@@ -6,11 +6,11 @@
 
 #include "chapters/exercise.hpp"
 
-/// Points and matrices of one's own as parameters of an exercise. Every number has a name, as "v0x"; the
-/// command line takes those that begin alike at once, too: v0=1,2,-1.
+/// User's points and matrices as parameters of an exercise. Each number has a name, such as "v0x". The
+/// command line can also set all those with the same beginning at once: v0=1,2,-1.
 namespace oddity {
 
-/// Parameters that differ in name and value alone, each from -size to size.
+/// Parameters that differ only in name and value, each from -size to size.
 template <std::size_t n>
 constexpr std::array<Parameter, n> numbers(const std::array<std::string_view, n>& names,
                                            const std::array<double, n>& values, std::string_view unit,
@@ -20,7 +20,7 @@ constexpr std::array<Parameter, n> numbers(const std::array<std::string_view, n>
   return all;
 }
 
-/// One after the other.
+/// Concatenates lists of parameters.
 template <std::size_t... n>
 constexpr auto together(const std::array<Parameter, n>&... parts) {
   std::array<Parameter, (n + ...)> all{};

@@ -5,10 +5,10 @@
 
 #include "chapters/expression.hpp"
 
-/// Definite integrals of a recording number, and how Coq finds them from antiderivatives.
+/// Definite integrals of a recording number, proved in Coq from antiderivatives.
 namespace oddity {
 
-/// Of f over the letter t, or t' where f has an integral over t in it.
+/// Integral of f over the letter t, or over t' if f itself contains an integral over t.
 template <class F>
 Shortened recorded_integral(const F& f, const Shortened& from, const Shortened& to) {
   const auto integrand = [&](const Expression& t) { return Shortened(f(Shortened(t))).expression(); };
@@ -18,13 +18,13 @@ Shortened recorded_integral(const F& f, const Shortened& from, const Shortened& 
   return integral(integrand, from.expression(), to.expression(), name);
 }
 
-/// The same for formula::Evaluation, which finds it by its arguments.
+/// Overload under the name that formula::Evaluation finds by argument-dependent lookup.
 template <class F>
 Shortened integral_over(const F& f, const Shortened& from, const Shortened& to) {
   return recorded_integral(f, from, to);
 }
 
-/// integrate F takes the first integral that F is the antiderivative of.
+/// The tactic `integrate F` evaluates the first integral whose integrand has the antiderivative F.
 inline constexpr const char* integrals_in_coq = R"(
 From Coquelicot Require Import Continuity AutoDerive RInt_analysis.
 

@@ -4,14 +4,14 @@
 
 #include "chapters/exercise.hpp"
 
-/// How a trial is judged, step by step: for what reads trials and computes their outcomes again.
+/// The steps of judging a trial, for code that reads trials and recomputes their outcomes.
 namespace oddity {
 
 /// The last of `samples` equal parts.
 Value last_of(const Value&, int samples);
-/// The largest error; NaN when one is NaN.
+/// The largest error; NaN if one is NaN.
 double largest(const std::vector<double>& errors);
-/// How an answer of this error ended.
+/// The outcome of an answer with this error.
 Outcome judge(const Quantity&, const Answer&, double error, double in_needs);
 
 }  // namespace oddity

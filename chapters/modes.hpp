@@ -8,8 +8,9 @@
 /// Small oscillations in closed form.
 namespace oddity {
 
-/// M x'' + K x = 0 from x and v, for symmetric matrices of which M is positive definite: each mode swings
-/// alone. Cholesky's factors of M make one symmetric matrix of the two, and Jacobi's rotations its axes.
+/// Solves M x'' + K x = 0 from x and v, for symmetric matrices with M positive definite: each mode oscillates
+/// independently. The Cholesky factor of M reduces the two matrices to one symmetric matrix, which Jacobi
+/// rotations diagonalize.
 template <class T, std::size_t n>
 class NormalModes {
  public:
@@ -43,7 +44,7 @@ class NormalModes {
   }
 
  private:
-  /// M = L L^T.
+  /// Cholesky factor: M = L L^T.
   void factor(const Matrix& M) {
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j <= i; ++j) {
@@ -67,8 +68,8 @@ class NormalModes {
       for (std::size_t j = 0; j < n; ++j) B[i][j] = A[j][i];
     return B;
   }
-  /// One turn in each plane in which A is not diagonal to rounding; false where it is in all. The rows of
-  /// `axes` turn along.
+  /// One rotation in each plane in which A is not diagonal to rounding; false if there is no such plane. The
+  /// rows of `axes` are rotated too.
   static bool rotated(Matrix& A, Matrix& axes) {
     bool turned = false;
     for (std::size_t p = 0; p < n; ++p)
@@ -88,7 +89,7 @@ class NormalModes {
       }
     return turned;
   }
-  /// How much of x is along the mode of this axis: axis . L^T x.
+  /// Component of x along the mode of this axis: axis . L^T x.
   T along(const Vector& axis, const Vector& x) const {
     T sum(0);
     for (std::size_t i = 0; i < n; ++i)

@@ -30,7 +30,7 @@ std::string text_of(const std::string& before, const Sides& sides) {
   return "$" + text + "$";
 }
 
-/// The largest difference, in roundings; infinite where there is no value.
+/// The largest difference, in roundings; infinite if a value is undefined.
 double roundings(const Sides& sides, const std::vector<Letters>& letters, const std::vector<Value>& values,
                  const std::vector<double>& sizes) {
   double largest = 0;
@@ -49,7 +49,7 @@ double roundings(const Sides& sides, const std::vector<Letters>& letters, const 
   return largest;
 }
 
-/// Letters of any size and sign, each on its own, whatever they are of each other in a sample.
+/// Letters of any size and sign, independent of each other, unlike those of a sample.
 std::vector<Letters> at_random(const Letters& letters) {
   Random random(7);
   std::vector<Letters> all;
@@ -61,7 +61,7 @@ std::vector<Letters> at_random(const Letters& letters) {
   return all;
 }
 
-/// The same components, as those of a row.
+/// Whether two rows have the same components.
 bool are_in_another_order(const formula::Tree& a, const formula::Tree& b) {
   if (a.kind() != formula::Kind::tuple || b.kind() != formula::Kind::tuple) return false;
   const auto texts = [](const formula::Tree& tuple) {
@@ -86,7 +86,7 @@ Changes changes_of(const TypesetFormula& formula, const std::vector<TypesetSampl
     truth.push_back(sample.truth);
     sizes.push_back(std::max(magnitude_of(right, letters.back()), size_of(sample.truth)));
   }
-  // Where the formula has a value: a root has none of just any letters.
+  // Only where the formula is defined: roots are not for all letters.
   std::vector<Letters> any;
   std::vector<Value> right_at_any;
   std::vector<double> sizes_at_any;
@@ -103,7 +103,7 @@ Changes changes_of(const TypesetFormula& formula, const std::vector<TypesetSampl
       Sides sides = right;
       sides[i] = mutant.tree;
       const double off = roundings(sides, letters, truth, sizes);
-      // Forms of one quantity, in a row, are equal.
+      // The forms of one quantity in a row are equal.
       const bool is_row = truth[0].size() == 1 && are_in_another_order(right[i], mutant.tree);
       if (mutant.change == "components exchanged" && (is_row || off < is_rounding))
         ++changes.equal;

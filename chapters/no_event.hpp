@@ -4,7 +4,7 @@
 
 namespace oddity {
 
-/// The message of a motion that has come to its end without any of its model's events.
+/// Message for a motion that has reached its end without any event of its model.
 inline constexpr std::string_view no_event =
     "no event has happened: none of the model's guards has fallen through zero";
 

@@ -2,8 +2,8 @@
 
 namespace oddity {
 
-/// While it lives, `filled` leaves the places of a text in it, on this thread. A test sees so which of a
-/// text's numbers are filled in and which are typed.
+/// While an object of this class lives, `filled` leaves the places in texts unfilled on this thread. So a
+/// test can distinguish the numbers that are filled in from those that are typed.
 class PlacesKept {
  public:
   PlacesKept();

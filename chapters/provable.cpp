@@ -6,7 +6,7 @@ namespace oddity {
 
 namespace {
 
-/// A line of Coq that no proof takes longer than; in seconds.
+/// Coq line that limits each proof, in seconds.
 const std::string limit = "Timeout 20 ";
 
 std::string size_of_difference(const Expression& a, const Expression& b) { return abs(a - b).coq(); }
@@ -17,7 +17,7 @@ std::string joined(const std::vector<Proposition>& all, const std::string& betwe
   return text;
 }
 
-/// "3.5-value" as value_, which begins names.
+/// "3.5-value" as claim_3_5_value, a prefix of names in Coq.
 std::string name_of(const std::string& claim) {
   std::string name = "claim_" + claim;
   for (char& c : name)

@@ -19,7 +19,7 @@ struct Constants<Shortened> {
 
 }  // namespace formula
 
-// Functions that texts have. Half of a whole number as an exponent is a power of the root.
+// Functions used in texts. Half of a whole number as an exponent is a power of the root.
 Shortened log(const Shortened& x) { return log(x.expression()); }
 Shortened tan(const Shortened& x) { return function("tan", x.expression()); }
 Shortened asin(const Shortened& x) { return function("asin", x.expression()); }
@@ -39,7 +39,7 @@ Shortened pow(const Shortened& x, const Shortened& exponent) {
 
 namespace {
 
-/// The formula with a letter for each sum.
+/// The formula with a letter in place of each sum.
 formula::Tree with_totals(formula::Tree x, std::vector<formula::Matrix<Shortened>>& values,
                           const std::string& particle) {
   if (x.kind() == formula::Kind::sum_over) {

@@ -14,10 +14,10 @@
 #include "chapters/claims.hpp"
 #include "chapters/provable.hpp"
 
-/// Claims whose formulas are generic in their number type, stated once: computed over samples of doubles, and
-/// proved for all values of the letters. A sample is `template <class T> struct Of` with letters() that
-/// returns an array of T*, or quantities() that does, where the sizes of terms are not to be found from them,
-/// or with recorded() that returns its numbers as Of<Shortened>.
+/// Claims whose formulas are generic in their number type. Each formula is stated once, computed over samples
+/// of doubles, and proved for all values of the letters. A sample is `template <class T> struct Of` with one
+/// of these: letters(), which returns an array of T*; quantities(), the same where the sizes of terms cannot
+/// be found from them; or recorded(), which returns its numbers as Of<Shortened>.
 namespace oddity {
 
 template <class... Numbers>
@@ -48,7 +48,7 @@ auto letters_of(Sample& sample) {
 
 }  // namespace detail
 
-/// The numbers of a letter, in expressions.
+/// The numbers of a letter, as expressions.
 struct ShortenedValue {
   std::vector<Shortened> all;
   ShortenedValue(Shortened x) : all{std::move(x)} {}
@@ -57,7 +57,7 @@ struct ShortenedValue {
   template <std::size_t n>
   ShortenedValue(const std::array<Shortened, n>& xs) : all(xs.begin(), xs.end()) {}
 };
-/// What typeset() returns, in doubles or expressions.
+/// Return type of typeset(), in doubles or expressions.
 template <class T>
 using TypesetIn = std::conditional_t<std::same_as<T, Shortened>,
                                      std::vector<std::pair<std::string, ShortenedValue>>, TypesetLetters>;
@@ -65,8 +65,8 @@ using TypesetIn = std::conditional_t<std::same_as<T, Shortened>,
 /// The value of a formula or an equation that is stated as text alone.
 Expressions recorded_text(const std::string& text, const TypesetIn<Shortened>& letters);
 
-/// A formula that is recorded as well where it takes a sample of expressions, or is a text in the letters of
-/// such a sample.
+/// A formula that is also recorded for Coq if it accepts a sample of expressions, or is a text in the letters
+/// of such a sample.
 template <template <class> class Of>
 struct ProvableFormula : Formula<Of<double>> {
   std::function<Expressions(const Of<Shortened>&)> recorded;
@@ -101,19 +101,19 @@ struct ProvableClaim {
   std::string why = {};
 };
 
-/// What proofs of an exercise's formulas have in common.
+/// Common data of the proofs of an exercise's formulas.
 template <template <class> class Of>
 struct ForAll {
   Of<Shortened> any;
   std::string letters;                    ///< "(x y : R)"
-  std::vector<Proposition> given = {};    ///< of them
-  std::string tactic;                     ///< that proves the right formulas
+  std::vector<Proposition> given = {};    ///< assumptions about the letters
+  std::string tactic;                     ///< proves the right formulas
   std::string says;                       ///< "it holds for any ..."
-  Of<double> example{};                   ///< where printed formulas are off
+  Of<double> example{};                   ///< where printed formulas are wrong
   std::vector<std::string> without = {};  ///< claims left out
 };
 
-/// The sample of these letters, in their order.
+/// The sample with these letters, in their order.
 template <template <class> class Of>
 Of<Shortened> lettered(const std::vector<std::string>& names) {
   Of<Shortened> any{};
@@ -123,18 +123,18 @@ Of<Shortened> lettered(const std::vector<std::string>& names) {
 }
 std::string quantified(const std::vector<std::string>& names);
 
-/// A lone number beside several, of forms of one quantity in a row, is each of them.
+/// A single number next to several is repeated, as those are forms of one quantity in a row.
 void in_a_row(Expressions& a, Expressions& b);
 
-/// The difference's largest component at an example, for a proof that there is one.
+/// The difference's largest component at an example, to prove that the two differ.
 Lemma off_at(const Expressions& printed, const Expressions& truth, const Value& difference, double& margin);
 
-/// Decides that a sum of products of what is above zero is not zero.
+/// Tactic: a sum of products of positive factors is not zero.
 inline constexpr const char* by_positive_terms =
     "try (apply Rgt_not_eq; ring_simplify; "
     "repeat apply Rplus_lt_0_compat; repeat apply Rmult_lt_0_compat; try apply pow_lt; lra)";
 
-/// The squares of these angles' sines by their cosines, and a field's or ring's equation that uses them.
+/// Tactic: replaces the squares of these angles' sines by cosines, then solves by `field` or `ring`.
 std::string by_angles(const std::vector<std::string>& angles, const std::string& field = "field");
 
 template <template <class> class Of>
@@ -161,7 +161,7 @@ class ProvableClaims {
     stated_.emplace_back(slug, c);
   }
 
-  /// Of all whose formulas are recorded, and say more than x = x. `exercise`: "3.5".
+  /// Proofs of all recorded claims that are not trivially x = x. `exercise`: "3.5".
   Provables proofs(const std::string& exercise, const ForAll<Of>& all) const {
     Provables proved;
     for (const auto& [slug, claim] : stated_)

@@ -7,8 +7,8 @@
 
 namespace oddity {
 
-/// Random samples that are the same on every machine: SplitMix64 [Steele, Lea, Flood, OOPSLA 2014] and
-/// distributions of our own.
+/// Random samples that are the same on every machine: SplitMix64 [Steele, Lea, Flood, OOPSLA 2014] with our
+/// own distributions.
 class Random {
  public:
   explicit Random(double seed) : state_(static_cast<std::uint64_t>(seed)) {}
@@ -24,7 +24,7 @@ class Random {
   double between(double low, double high) { return low + (high - low) * unit(); }
   /// In 0, ..., n-1.
   int below(int n) { return static_cast<int>(unit() * n); }
-  /// A size between low and high, all orders of magnitude alike; of either sign.
+  /// A size between low and high, log-uniform, of either sign.
   double magnitude(double low, double high) {
     const double size = std::exp(between(std::log(low), std::log(high)));
     return unit() < 0.5 ? -size : size;

@@ -13,7 +13,7 @@ namespace oddity {
 
 namespace {
 
-/// As a part of a time: a step that ends so little behind a frame ends with it.
+/// Relative to a time: a step that ends this little after a frame counts as ending with it.
 constexpr double step_rounding = 1e-12;
 
 /// The two last ends of steps of one length before each of the times.
@@ -77,7 +77,7 @@ auto ModelInterfaceOf<n>::moved(std::string_view algorithm, std::span<const doub
   const std::vector<State> through = std::exchange(motion.value, {});
   for (std::size_t i = 0, end = 1; i < times.size(); ++i) {
     while (end < stops.size() && stops[end] <= times[i] * (1 + step_rounding)) ++end;
-    if (end > through.size()) break;  // it ended before
+    if (end > through.size()) break;  // the motion ended earlier
     if (i > 0 && stepping == Stepping::extrapolated) ++motion.evaluations;
     motion.value.push_back(
         drawn(times[i], std::span(stops).first(end), std::span(through).first(end), stepping));
@@ -174,7 +174,7 @@ double ModelInterfaceOf<n>::drift(std::span<const double> times, std::span<const
 
 template <std::size_t n>
 auto ModelInterfaceOf<n>::accurate_motion(std::span<const double> times) const -> ode::Trajectory<State> {
-  long steps = 0;  // a model that chatters about rest would take millions
+  long steps = 0;  // a model that chatters around rest would take millions
   const auto enough = [&](double, const State&, double, const State&) { return ++steps > 100'000; };
   constexpr std::string_view algorithm = "Dormand-Prince 5(4)";
   return ode::integrate_with_events<n>(algorithm, *this, start(), times, 1e-8, ode::Watch<n>(enough))
@@ -232,7 +232,7 @@ Disturbances ModelInterfaceOf<n>::disturbances(std::string_view algorithm, doubl
   bool goes_on = later > end && fastest > 0 && ode::largest(spectrum(longest)) <= 1.05 * ode::largest(shown);
   if (goes_on) {
     const auto long_run = std::make_shared<const ode::Disturbed<n>>(*this, start(), longest, criteria);
-    goes_on = long_run->span() == longest;  // it grows no more than in proportion to the time
+    goes_on = long_run->span() == longest;  // the size grows no faster than the time
     for (std::size_t i = 0; i < n; ++i)
       goes_on = goes_on && long_run->sizes()[i] <= 1.5 * longest / end * disturbed->sizes()[i];
     if (goes_on) disturbed = long_run;

@@ -26,23 +26,23 @@
 
 /// Exercises with motion: a ladder of models, each mapping its own state to the same observables.
 ///
-/// A closed form offers            at(t) -> array of observables, and place(t), as below.
+/// A closed form offers at(t) -> array of observables, and optionally place(t), as below.
 /// A model to be integrated offers State, start() -> State, operator()(x, dxdt, t), observe(x, t) ->
-/// observables, and, where there are any,       conserved(x, t) -> array of Conserved;
-///                                 place(x, t), where a scene's laws need more than the observables;
-///                                 acceleration(q, a), for x = (q, v) with forces of position alone;
-///                                 off_constraint(x, t) -> m, how far redundant coordinates are off what
-///                                 holds them;
-///                                 guards(x, t) -> array, at_event(i, x, t) -> Happening: an event is where
-///                                 a guard falls through zero.
+/// observables, and optionally
+///   conserved(x, t) -> array of Conserved
+///   place(x, t)                  if a scene's laws need more than the observables
+///   acceleration(q, a)           for x = (q, v) with forces that depend on position alone
+///   off_constraint(x, t) -> m    violation of the constraint by redundant coordinates
+///   guards(x, t) -> array, at_event(i, x, t) -> Happening
+///                                an event is where a guard falls through zero
 ///
-/// chapters/examples/bouncing_ball/scene.hpp is a whole scene in 50 lines.
+/// chapters/examples/bouncing_ball/scene.hpp is a complete scene in 50 lines.
 namespace oddity {
 
-/// What a game asks of a position [m] and of an angle [rad].
+/// Tolerances of a game for a position [m] and an angle [rad].
 inline constexpr double centimeter = 0.01, degree = std::numbers::pi / 180;
 
-/// The scene's motion, its observables judged by its norms.
+/// The scene's motion, with its observables judged by its norms.
 inline Quantity motion(const Scene& scene, const Parameters& parameters, const Horizon& horizon,
                        const Reference& truth) {
   Quantity seen = scene.motion(parameters, horizon, truth);
@@ -59,7 +59,7 @@ inline Quantity motion(const Scene& scene, const Parameters& parameters, const H
     };
   return seen;
 }
-/// As the book has it.
+/// With the book's horizon.
 inline Quantity motion(const Scene& scene, const Parameters& parameters, const Reference& truth) {
   return motion(scene, parameters, {scene.horizon}, truth);
 }
@@ -84,8 +84,8 @@ concept Placed = requires(const Model& model, const State& x) {
   model.place(x, 0.0)[0];
 };
 
-/// The rates of what `at`(h) gives at h = 0, by central differences of the sixth order: at `step` from one to
-/// the next their error is (w step)^6/140 of a rate with the frequency w, beside a rounding over the step.
+/// Rates of `at`(h) at h = 0, by sixth-order central differences. At a spacing of `step` their error is (w
+/// step)^6/140 of a rate of frequency w, plus a rounding over the step.
 template <class At>
 std::vector<double> rates(const At& at, double step) {
   constexpr double weights[]{0.75, -0.15, 1.0 / 60};
@@ -97,16 +97,16 @@ std::vector<double> rates(const At& at, double step) {
   }
   return rates;
 }
-/// In a scene's unit of time: right to 1e-10 where a body turns by a hundred rad in it.
+/// In a scene's unit of time: the rates are right to 1e-10 if a body turns by a hundred rad in it.
 inline constexpr double step_of_rates = 1.0 / 2048;
 
-/// Adds places and their rates.
+/// Appends places and their rates.
 inline void add_placed(const auto& places, const std::vector<double>& rates, std::vector<double>& to) {
   to.insert(to.end(), places.begin(), places.end());
   to.insert(to.end(), rates.begin(), rates.end());
 }
 
-/// The true observables at a scene's times: the table `name`, whose last input is the time, at these inputs.
+/// The true observables at a scene's times, from the table `name`, whose last input is the time.
 inline Known trajectory(const Reference& truth, std::string_view name, const std::vector<double>& inputs,
                         const Horizon& horizon) {
   const auto times = horizon.times();
@@ -119,8 +119,8 @@ inline std::string times_up_to(const Horizon& horizon, const std::string& unit =
   return std::to_string(horizon.count()) + times + format_shortest(horizon.end) + " " + unit;
 }
 
-/// A method that needs no steps: see(t, answer) gives the observables at each of the horizon's times, and
-/// counts its work in `answer`, which it may also end.
+/// Runs a method that needs no steps. see(t, answer) returns the observables at a time, and counts its work
+/// in `answer`, which it may also end.
 template <class See>
 Answer observe_at_times(const Horizon& horizon, const See& see) {
   const auto times = horizon.times();
@@ -135,7 +135,7 @@ Answer observe_at_times(const Horizon& horizon, const See& see) {
   return answer;
 }
 
-/// Its cost is one evaluation per time.
+/// Costs one evaluation per time.
 template <ClosedForm Model>
 Answer observe_closed_form(const Model& model, const Horizon& horizon) {
   return observe_at_times(horizon, [&](double t, Answer& answer) {
@@ -161,34 +161,34 @@ Value places_and_rates_of(const auto& model, const Horizon& horizon) {
   return Value(std::move(seen));
 }
 
-/// A method of its own that gives the place at a time.
+/// A separate method that computes the place at a time.
 template <class At>
 struct AtTimes {
   At at;
 };
 
-/// A model as the precompiled algorithms see it.
+/// A model's interface for the precompiled algorithms.
 class ModelInterface {
  public:
   virtual ~ModelInterface() = default;
   virtual std::size_t unknowns() const = 0;
   virtual bool partitioned() const = 0;
-  /// Some of its unknowns are velocities, or it declares them to be functions of time.
+  /// Whether some of its unknowns are velocities, or it declares them to be functions of time.
   virtual bool has_velocities() const = 0;
-  /// One of its unknowns, or more, changes at a rate that is a function of time alone.
+  /// Whether at least one of its unknowns changes at a rate that is a function of time alone.
   virtual bool has_rates_of_time() const = 0;
   virtual bool constrained() const = 0;
-  /// It can be recorded for Taylor series.
+  /// Whether it can be recorded for Taylor series.
   virtual bool analytic() const = 0;
-  /// Its motion by a precompiled algorithm.
+  /// Runs a precompiled algorithm.
   virtual Answer run(std::string_view algorithm, const Horizon&, double setting) const = 0;
-  /// m, how far that motion is off the model's constraint at most; NaN when it is nowhere.
+  /// m, the largest violation of the model's constraint along that motion; NaN if there is no motion.
   virtual double off_constraint(std::string_view algorithm, const Horizon&, double setting) const = 0;
   /// Places and rates of that motion.
   virtual Value places_and_rates(std::string_view algorithm, const Horizon&, double setting) const = 0;
-  /// The eigenvalues of its Jacobian along its motion.
+  /// The eigenvalues of the Jacobian along the motion.
   virtual ode::Spectrum spectrum(double end) const = 0;
-  /// What becomes of small disturbances of its motion. The model must outlive the result.
+  /// Treatment of small disturbances of the motion. The model must outlive the result.
   virtual Disturbances disturbances(std::string_view algorithm, double end, const ode::Criteria&) const = 0;
 };
 
@@ -202,13 +202,13 @@ class ModelInterfaceOf : public ModelInterface, public ode::AnySystem<n> {
   bool has_velocities() const final { return this->velocities().known; }
   bool has_rates_of_time() const final { return ode::has_rates_of_time<State>(*this); }
   virtual State start() const = 0;
-  /// Adds the observables to those seen.
+  /// Appends the observables to `seen`.
   virtual void observe(const State& x, double t, std::vector<double>& seen) const = 0;
-  /// The places that a scene's laws are about.
+  /// The places that the scene's laws refer to.
   virtual std::vector<double> place(const State& x, double t) const = 0;
-  /// None where the model has none.
+  /// Empty if the model conserves nothing.
   virtual std::vector<Conserved<double>> conserved(const State& x, double t) const = 0;
-  /// 0 where the model has no constraint.
+  /// 0 if the model has no constraint.
   virtual double off_constraint_at(const State& x, double t) const = 0;
 
   Answer run(std::string_view algorithm, const Horizon&, double setting) const final;
@@ -216,18 +216,19 @@ class ModelInterfaceOf : public ModelInterface, public ode::AnySystem<n> {
   Value places_and_rates(std::string_view algorithm, const Horizon&, double setting) const final;
   ode::Spectrum spectrum(double end) const final;
   Disturbances disturbances(std::string_view algorithm, double end, const ode::Criteria&) const final;
-  /// A motion through the times, observed there, the conserved quantities watched.
+  /// Observes a motion at the times and measures the drift of its conserved quantities.
   Answer observed(std::span<const double> times, const ode::Trajectory<State>&) const;
-  /// Whether the conserved quantities come back, watched at every step: in the later half of the time their
-  /// change is no larger than before by a quarter, and at one step less than half as large.
+  /// Whether the conserved quantities come back, watched at every step. In the later half of the time their
+  /// largest change exceeds the earlier one by at most a quarter, and their smallest is at most half the
+  /// largest.
   bool comes_back(std::string_view algorithm, std::span<const double> times, double setting) const;
-  /// m, how far states at the times are off the constraint at most; NaN when one is nowhere.
+  /// m, the largest violation of the constraint at the times; NaN for NaN states or without states.
   double off_constraint(std::span<const double> times, std::span<const State> motion) const;
-  /// Of states at the times, the rates along the model's own.
+  /// Places and rates of the states at the times, the rates by the model's own equations.
   Value places_and_rates(std::span<const double> times, std::span<const State> motion) const;
 
  private:
-  /// The eigenvalues at these states, which stand for the whole time evenly.
+  /// The eigenvalues at these states, each for an equal part of the time.
   ode::Spectrum spectrum_along(std::span<const double> times, std::span<const State> states) const;
   /// Its motion with its events.
   ode::Trajectory<State> moved(std::string_view algorithm, std::span<const double> times,
@@ -239,9 +240,9 @@ class ModelInterfaceOf : public ModelInterface, public ode::AnySystem<n> {
   State drawn(double time, std::span<const double> ends, std::span<const State> motion, Stepping) const;
   /// The model's motion to eight digits, as far as it comes in 100,000 steps.
   ode::Trajectory<State> accurate_motion(std::span<const double> times) const;
-  /// By how much the conserved quantities change along a motion, at most, each by what moves in it.
+  /// The largest change of the conserved quantities along a motion, each relative to its moving part.
   double drift(std::span<const double> times, std::span<const State> motion) const;
-  /// The most that moves in each conserved quantity along the model's own motion up to `end`.
+  /// The largest moving part of each conserved quantity along the model's own motion up to `end`.
   std::vector<double> moving(double end) const;
 
   mutable std::mutex mutex_;
@@ -299,17 +300,17 @@ std::shared_ptr<const TypeErased<Model>> type_erased(const Model& model) {
   return std::make_shared<const TypeErased<Model>>(model);
 }
 
-/// The model's motion by one algorithm.
+/// Runs one algorithm on the model.
 template <class Algorithm, class Model>
 Answer observe_integrated(const Model& model, const Horizon& horizon, double setting) {
   return type_erased(model)->run(ode::info<Algorithm>().name, horizon, setting);
 }
 
-/// One of those that SceneMethods::by_remaining_integrators tries.
+/// Whether SceneMethods::by_remaining_integrators tries this algorithm.
 bool is_other_algorithm(std::string_view name);
 
-/// A scene's models and algorithms as the methods of one quantity. A model with a rate of time alone is not
-/// tried by an algorithm whose error estimate cannot see it.
+/// A scene's models and algorithms as the methods of one quantity. A model with a rate that depends on time
+/// alone is not tried by an algorithm whose error estimate cannot detect it.
 class SceneMethods {
  public:
   SceneMethods(Quantity& quantity, Horizon horizon, Knob steps, Knob tolerances)
@@ -329,15 +330,15 @@ class SceneMethods {
     return *this;
   }
 
-  /// The model by one algorithm.
+  /// Adds the model with one algorithm.
   template <class Algorithm, class Model>
   SceneMethods& by(std::string name, const Model& model, Outcome expected = Outcome::ok,
                    std::string why = {}) {
     return by<Algorithm>(std::move(name), any(model), expected, std::move(why));
   }
 
-  /// The model by the explicit algorithms that engines use, as far as it allows them, with what those of
-  /// order 1 and of order 2 are expected to end as.
+  /// Adds the model with the explicit algorithms that engines use, as far as it allows them. `first_order`
+  /// and `second_order` are the expected outcomes for those of order 1 and 2.
   template <class Model>
   SceneMethods& by_engine_integrators(const std::string& name, const Model& model,
                                       Outcome first_order = Outcome::inaccurate,
@@ -345,7 +346,7 @@ class SceneMethods {
     return by_engine_integrators(name, any(model), first_order, second_order);
   }
 
-  /// The same without Cash-Karp and Bulirsch-Stoer.
+  /// Adds the same methods without Cash-Karp and Bulirsch-Stoer.
   template <class Model>
   SceneMethods& by_core_integrators(const std::string& name, const Model& model,
                                     Outcome first_order = Outcome::inaccurate,
@@ -353,15 +354,15 @@ class SceneMethods {
     return by_core_integrators(name, any(model), first_order, second_order);
   }
 
-  /// An algorithm that is not expected to end ok at its finest setting.
+  /// An algorithm that is expected to fail at its finest setting.
   struct ExpectedFailure {
     std::string_view algorithm;
     Outcome expected;
     std::string why;
   };
 
-  /// The model by the rest of the catalog, as far as it allows it: expected to end ok, but for the
-  /// exceptions. Throws std::logic_error for an exception that names none of these algorithms.
+  /// Adds the model with the rest of the catalog, as far as it allows it. All are expected to end ok, except
+  /// the exceptions. Throws std::logic_error for an exception that names none of these algorithms.
   template <class Model>
   SceneMethods& by_remaining_integrators(const std::string& name, const Model& model,
                                          const std::vector<ExpectedFailure>& exceptions = {}) {

@@ -5,8 +5,8 @@
 
 namespace oddity {
 
-/// For methods that keep their own time: advance(from, to) from one of the horizon's times to the next, until
-/// it returns false, and look(t) at each.
+/// Runs a method that keeps its own time: advance(from, to) from one of the horizon's times to the next, then
+/// look(to), until advance returns false.
 template <class Advance, class Look>
 void through_times(const Horizon& horizon, const Advance& advance, const Look& look) {
   const auto times = horizon.times();

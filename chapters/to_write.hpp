@@ -6,15 +6,15 @@
 #include "chapters/claims.hpp"
 #include "reference/to_write.hpp"
 
-/// The place of a claim's independent route until it is written: `to_write()` stands for any of them, is not
-/// a number, and names its file and line.
+/// Placeholder for a claim's independent route until it is written. `to_write()` converts to any kind of
+/// route, has the value NaN, and names its file and line.
 namespace oddity {
 
 class ToWrite {
  public:
   ToWrite(const char* file, int line) : by_(to_write_at(file, line)) {}
 
-  /// The same; of what it can be written.
+  /// Lists the ingredients that the route can be written from.
   template <class... Ingredients>
   const ToWrite& from(const Ingredients&...) const {
     return *this;

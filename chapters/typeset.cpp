@@ -133,7 +133,7 @@ double TypesetFormula::cancelling(const TypesetLetters& letters) const {
 
 Value TypesetFormula::operator()(const TypesetLetters& letters) const {
   const Read& known = read(letters);
-  // A sample has many letters, and this is called often.
+  // Only used letters: a sample has many, and this is called often.
   std::vector<formula::Matrix<double>> values(letters.size());
   for (std::size_t i = 0; i < letters.size(); ++i)
     if (known.used[i])

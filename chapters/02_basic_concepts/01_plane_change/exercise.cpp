@@ -1,10 +1,9 @@
-// Exercise 2.1: which of r, v, a, speed, T and N of r(t) = (t, t^3, 0) for t < 0, (t, 0, t^3) for t >= 0 pass
-// continuously through t = 0?
-// The formulas of the text are held against dual numbers, its limits against Richardson's extrapolation from
-// a distance. N is T turned by a right angle in the plane of its piece (the book's (2.5)); the other route to
-// it is the principal normal, along (v x a) x v [do Carmo, Differential Geometry of Curves and Surfaces,
-// 1-5], which is -N before 0. A unit normal out of that plane need not jump [Bishop, Amer. Math. Monthly 82
-// (1975) 246].
+// Exercise 2.1: which of r, v, a, speed, T and N of r(t) = (t, t^3, 0) for t < 0, (t, 0, t^3) for t >= 0 are
+// continuous at t = 0?
+// The text's formulas are checked by dual numbers, its limits by Richardson extrapolation. N is T rotated by
+// a right angle in the plane of its piece (the book's (2.5)). The independent route is the principal normal,
+// along (v x a) x v [do Carmo, Differential Geometry of Curves and Surfaces, 1-5], which is -N before 0. A
+// unit normal not in that plane need not jump [Bishop, Amer. Math. Monthly 82 (1975) 246].
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +35,7 @@ constexpr Parameter parameters[] = {
 
 constexpr int before = -1, after = 1;
 
-/// (x, y, 0) in the plane of the piece before 0, (x, 0, y) in that of the piece after.
+/// (x, y, 0) in the plane of the piece before 0, (x, 0, y) in the plane of the piece after 0.
 template <class T>
 Vector<T> in_plane(int side, const T& x, const T& y) {
   return side < 0 ? Vector<T>{x, y, T(0.0)} : Vector<T>{x, T(0.0), y};
@@ -71,7 +70,7 @@ LocalOf<Number> local(int side, const Number& t) {
 }
 Value all_of(const Local& l) { return joined(l.r, l.v, l.a, l.speed, l.T, l.N); }
 
-/// From positions alone: differences of step h, on the side of the limit or across 0.
+/// v and a from positions alone: differences of step h, on one side of 0 or across it.
 Value from_positions(int side, double h, bool across) {
   const auto r = [&](double t) { return piece(t < 0 || (t == 0 && side < 0) ? before : after)(t); };
   const double s = side * h;
@@ -128,7 +127,7 @@ Quantity one_sided_limits(double h) {
 template <class T>
 struct SampleOf {
   T t;
-  int of = after;  ///< the piece, where t is a letter
+  int of = after;  ///< the piece, if t is a letter
   std::array<T*, 1> letters() { return {&t}; }
   TypesetIn<T> typeset() const { return {{"t", t}}; }
   std::string where() const { return "$t$ = " + format_shortest(t); }
@@ -150,7 +149,7 @@ constexpr auto a_at = [](int side, const auto& t) { return local(side, t).a; };
 constexpr auto T_at = [](int side, const auto& t) { return local(side, t).T; };
 constexpr auto N_at = [](int side, const auto& t) { return local(side, t).N; };
 
-/// From the values at 0.
+/// Difference quotients from the value at 0.
 constexpr auto r_slope = [](int side, const auto& t) { return r_at(side, t) / t; };
 constexpr auto v_slope = [](int side, const auto& t) {
   using T = std::decay_t<decltype(t)>;
@@ -172,7 +171,7 @@ OfTime normal(int side) {
   return std::string(side < 0 ? "$(-3t^2,1,0)" : "$(-3t^2,0,1)") + R"(/\sqrt{1+9t^4}$)";
 }
 
-/// What the vector f(side, t) does as t goes to 0 from these sides, by Richardson's extrapolation.
+/// Checks of the limits of f(side, t) as t goes to 0, by Richardson extrapolation.
 class Limits {
  public:
   explicit Limits(double h) : h_(h) {}
@@ -193,7 +192,7 @@ class Limits {
     return limit(sign > 0 ? R"($|\mathbf N_+-\mathbf N_-|$)" : R"($|\mathbf N_++\mathbf N_-|$)", said, h_,
                  [=](double s) { return normals_apart(sign, s); });
   }
-  /// The formulas of N at t for the limits from both sides.
+  /// The formulas of N at t, checked against the limits from both sides.
   Reading normal_at(double t) const {
     Reading reading{R"($\mathbf N$ at $t=)" + format_shortest(t) + "$", {}};
     for (int side : {before, after})
@@ -212,7 +211,7 @@ class Limits {
   double h_;
 };
 
-/// `samples` are off 0, where there is no principal normal.
+/// `samples` exclude 0, where there is no principal normal.
 void frames(Table& table, int side, const std::vector<Sample>& with_0, const std::vector<Sample>& samples) {
   const std::string range = side < 0 ? " before 0" : " from 0 on",
                     T = side < 0 ? "$(1,3t^2,0)" : "$(1,0,3t^2)",
@@ -278,7 +277,7 @@ std::vector<Claim> claims(double h, double seed) {
   Table table(claims);
   on_both_pieces(table, all);
 
-  /// A formula on either piece, and a limit at 0.
+  /// Claims a formula on both pieces and a limit at 0.
   const auto with_limit = [&](std::string_view slug, int line, const std::string& says,
                               const std::string& what, OfTime (*formula)(int side), const OfTime& truth,
                               Reading at_0) {
@@ -342,7 +341,7 @@ std::vector<Claim> claims(double h, double seed) {
   return claims.in_order();
 }
 
-// ---- what is proved ---------------------------------------------------------------------------------------
+// ---- proofs -----------------------------------------------------------------------------------------------
 
 constexpr const char* limits_in_coq = R"(
 Ltac roots_at_zero :=
@@ -369,7 +368,7 @@ Ltac tends :=
   end.
 )";
 
-/// The root of 1 + 9 t^4 as the letter q, and all others in it.
+/// Replaces the root of 1 + 9 t^4, also within other roots, by the letter q.
 constexpr const char* by_root = R"(
   pose proof (Rle_0_sqr (t * t)) as fourth; unfold Rsqr in fourth;
   assert (above : 0 < 1 + 9 * t * t * t * t) by lra;
@@ -399,7 +398,7 @@ ForAll<SampleOf> at_all_times(int side, std::string says) {
           .example = {side * 0.5}};
 }
 
-/// Where the sign of t matters.
+/// Proofs in which the sign of t matters.
 Provables proofs_of_frame(int side) {
   Claims claims("2.1");
   Table table(claims);
@@ -467,7 +466,7 @@ Provable derivative_of(const std::string& slug, OfTime (*formula)(int side), con
   add_limits(proved.lemmas, slope, {before, after}, at_0);
   return proved;
 }
-/// From above.
+/// A limit from above.
 Provable limit_of_number(const std::string& slug, std::string says,
                          std::initializer_list<std::pair<Shortened, Shortened>> numbers) {
   Lemma limit{.name = "limit", .tactic = "intros; tends"};

@@ -1,5 +1,4 @@
-// The claims of exercise 2.3: components against Cartesian dual numbers, angles against atan2 of the
-// position.
+// The claims of exercise 2.3: components checked by Cartesian dual numbers, angles by atan2 of the position.
 
 #include "chapters/provable_claims.hpp"
 
@@ -45,7 +44,7 @@ using OfTime = ProvableFormula<SampleOf>;
 
 namespace {
 
-/// A formula in what is known at a time; `terms` are those that cancel whatever the time is.
+/// A formula in the quantities at a time; `terms` are those that cancel for any time.
 template <class Of>
 OfTime at(std::string text, const Of& of, double (*terms)(const At&) = nullptr) {
   OfTime formula(std::move(text), [=]<class T>(const SampleOf<T>& s) { return of(AtOf<T>(s.t)); });
@@ -246,7 +245,7 @@ void velocity_and_acceleration(Table& table, const std::vector<Sample>& all) {
        .printed = R"($1/(1+t^2)$)"});
 }
 
-/// Of times above zero.
+/// `later` has only times above zero.
 void height(Table& table, const std::vector<Sample>& later) {
   const std::string others = R"(,\ \sqrt{t^2/(1+t^2)},\ \sqrt{1-1/(1+t^2)})$)";
   table.formula(
@@ -269,7 +268,7 @@ void height(Table& table, const std::vector<Sample>& later) {
 
 constexpr int turns = 50;
 
-/// At how many times `size` has grown since the time before; and the angle turned about the axis.
+/// Checks that `size` grows in no step of the helix, and the angle turned about the axis.
 template <class F>
 std::vector<Check> spiral(const std::string& what, double turned, const F& size) {
   constexpr int steps = 40 * turns;
@@ -352,7 +351,7 @@ std::vector<Root> roots() {
               {-2 / 5.0, At(2.0).a[1]})}};
 }
 
-/// The root of 1 + t^2 as the letter q, and all other roots in it.
+/// Replaces the root of 1 + t^2, also within other roots, by the letter q.
 constexpr const char* helix_in_coq = R"(
 Ltac helix t :=
   assert (above : 0 < 1 + t * t) by nra;
@@ -412,7 +411,7 @@ constexpr const char* by_distance = R"(
             rewrite Rinv_l by lra; nra);
       rewrite Rabs_left1; lra ])";
 
-/// The angles of an example by functions of which the tactic knows bounds.
+/// Rewrites the angles of an example with functions for which the tactic has bounds.
 constexpr const char* by_bounds = R"(
   rewrite ?cos_atan2, ?sin_atan2 by interval;
   try (unfold atan2; destruct (Rle_dec _ _) as [| below]; [| contradict below; apply sqrt_pos];

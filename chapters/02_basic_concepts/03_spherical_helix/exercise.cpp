@@ -1,8 +1,8 @@
 // Exercise 2.3: the motion r(t) = (cos t, sin t, t)/sqrt(1 + t^2) in spherical coordinates.
-//   R = r, P = k x R/|k x R|, Q = R x P: east is P, the pole lies towards Q; phi is the angle from the pole
+//   R = r, P = k x R/|k x R|, Q = R x P: P points east, Q towards the pole; phi is the angle from the pole
 //   v = sin(phi) P - phi' Q,  a = 2 phi' cos(phi) P + (sin(phi) cos(phi) - phi'') Q - (phi'^2 + sin^2(phi)) R
-// The other route has no angle: Cartesian derivatives by dual numbers, projected on the frame of the
-// position. Where the text speaks of angles, the other route is atan2 of the coordinates in dual numbers.
+// The independent route uses no angle: Cartesian derivatives by dual numbers, projected on the frame of the
+// position. For the text's angles it is atan2 of the coordinates in dual numbers.
 
 #include "chapters/02_basic_concepts/03_spherical_helix/spherical_helix.hpp"
 

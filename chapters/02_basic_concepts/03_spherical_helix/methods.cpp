@@ -12,7 +12,7 @@ namespace {
 
 using std::sqrt, std::pow, std::numbers::pi, limits::joined, limits::limit_at_zero;
 
-/// v and a of the text; `corrected`: with the components along Q as they are.
+/// v and a by the text's formulas; `corrected`: with the right components along Q.
 Answer by_the_text(double t, bool corrected) {
   const double d = 1 + t * t;
   return {{1 / sqrt(d), corrected ? 1 / d : -1 / d, 0, -2 * t / pow(d, 1.5),

@@ -9,7 +9,7 @@
 #include "chapters/02_basic_concepts/shared/space.hpp"
 #include "chapters/exercise.hpp"
 
-/// Exercise 2.3: the spherical helix, and what the files of the exercise share.
+/// Exercise 2.3: the spherical helix; shared by the files of the exercise.
 namespace oddity::spherical_helix {
 
 using space::Vector, space::Vector3;
@@ -24,7 +24,7 @@ T distance_from_axis(const Vector<T>& r) {
 }
 inline constexpr Vector3 pole{0, 0, 1};
 
-/// The frame of a position, and a vector's components P, Q, R in it.
+/// The components P, Q, R of a vector in the frame of a position.
 template <class T>
 Vector<T> in_frame(const Vector<T>& position, const Vector<T>& x) {
   const Vector<T> k{T(0.0), T(0.0), T(1.0)}, R = unit(position), P = unit(cross(k, R));
@@ -37,7 +37,7 @@ Vector<T> differentiated(const Dual<Dual<T>>& x) {
   return {x.value.value, x.value.slope, x.slope.slope};
 }
 
-/// The motion at one time, by the route without the text: Cartesian dual numbers on the frame of the
+/// The motion at one time, independent of the text: Cartesian dual numbers projected on the frame of the
 /// position, and its angles as atan2 of the position.
 template <class T>
 struct AtOf {

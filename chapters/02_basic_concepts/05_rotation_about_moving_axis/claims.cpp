@@ -1,7 +1,7 @@
-// The claims of exercise 2.5: every line of the proof against the quaternion and dual numbers, at moments
-// with |D'| = 1, which the proof takes for granted, and with any |D'|.
-//   U1 = D, U2 = D', U3 = D x D', S = Skew(D), sigma = sin(theta), gamma = cos(theta), lambda = |D'|, W = R'
-//   R^T
+// The claims of exercise 2.5: every line of the proof checked by the quaternion and dual numbers, at moments
+// with |D'| = 1, which the proof assumes, and with any |D'|.
+//   U1 = D, U2 = D', U3 = D x D', S = Skew(D), sigma = sin(theta), gamma = cos(theta), lambda = |D'|,
+//   W = R' R^T
 
 #include "chapters/claims.hpp"
 #include "chapters/provable_claims.hpp"
@@ -44,7 +44,7 @@ struct MomentOf {
   T theta, theta_dot, sigma, gamma, lambda;
   Vector<T> U1, U2, U3, w;
   Matrix<T> I = identity<T>(), U, S, S_dot, S2_dot, R, R_dot,
-            W;  ///< R of the quaternion; derivatives by dual numbers
+            W;  ///< R from the quaternion, derivatives by dual numbers
 
   MomentOf(const Vector<Dual<T>>& axis, const Dual<T>& angle) {
     using std::cos, std::sin;
@@ -57,7 +57,7 @@ struct MomentOf {
     R = value_of(turned), R_dot = slope_of(turned), W = R_dot * transpose(R);
   }
 
-  /// All numbers in a row.
+  /// Concatenates the numbers of all parts.
   template <class... Parts>
   static std::vector<T> row(const Parts&... parts) {
     std::vector<T> all;
@@ -75,10 +75,10 @@ struct MomentOf {
 struct Moment : MomentOf<double> {
   double t;
   Solved<Value> S_slope;  ///< S' by differences, extrapolated
-  double size;            ///< of the terms in R' R^T, on unit vectors
-  double frame_size;      ///< of the same on the vectors U
+  double size;            ///< size of the terms in R' R^T, on unit vectors
+  double frame_size;      ///< size of these terms on the vectors U
 
-  /// At t, the clock running `rate` times as fast.
+  /// The moment `at`, with time running `rate` times as fast.
   Moment(const Turning& turning_axis, double at, double rate)
       : MomentOf(turning_axis.axis(Dual<double>(at, rate)), turning_axis.angle(Dual<double>(at, rate))),
         t(at) {
@@ -92,7 +92,7 @@ struct Moment : MomentOf<double> {
     S_slope = limits::limit_at_zero(difference, step, 8);
     S_slope.error_estimate += 0x1p-48 * std::ldexp(1 / step, 8);
   }
-  /// None: the sizes of terms are given.
+  /// Empty: the sizes of terms are given instead.
   std::array<double*, 0> letters() { return {}; }
   TypesetLetters typeset() const { return {{"R", R}, {R"(\dot R)", R_dot}, {R"(\dot{\mathbf D})", U2}}; }
   std::string where() const {
@@ -102,13 +102,13 @@ struct Moment : MomentOf<double> {
 };
 using M = const Moment&;
 
-/// The same, its numbers no better than the differences.
+/// Moments whose tolerance is the error of the differences.
 struct Differenced : Moment {
   Tolerance tolerance(double) const { return {S_slope.error_estimate, "the extrapolation's error estimate"}; }
 };
 
-/// Moments of random motions: with any |D'|, with the clock set for |D'| = 1, both of these, and all with
-/// those about a fixed axis.
+/// Moments of random motions: with any |D'|; with time scaled so that |D'| = 1; both of these; and all
+/// including those about a fixed axis.
 struct Moments {
   std::vector<Moment> any, unit_speed, moving, all;
   explicit Moments(double seed) {
@@ -137,7 +137,7 @@ using Form = Formula<Moment>;
 double of_turn(M m) { return 1 + std::abs(m.theta); }
 double of_squares(M m) { return m.size * m.size; }
 
-/// A formula in the letters of a moment, and perhaps a number k: computed, and recorded for proofs.
+/// A formula in the letters of a moment and optionally a number k: computed, and recorded for proofs.
 struct InLetters {
   std::function<Value(M, double k)> of;
   std::function<Expressions(const MomentOf<Shortened>&, double k)> recorded;
@@ -158,7 +158,7 @@ struct InLetters {
   }
 };
 
-/// A line with a number k in it, which is 1 as printed.
+/// A line that contains a number k, which is 1 as printed.
 struct Line {
   std::string_view slug;
   int number;
@@ -175,13 +175,13 @@ Reading reading(const Line& line, const std::string& text, double k, const std::
   return {text, {compare(line.quantity, with_k, truth, moments)}};
 }
 
-/// The claims, and of which lines there are proofs.
+/// The claims, and the lines that have proofs.
 struct Statements : Claims {
   using Claims::Claims;
   std::vector<Line> for_any, for_unit_speed;
 };
 
-/// Lines that hold at all these moments.
+/// Claims lines that hold at all these moments.
 void lines(Statements& claims, const std::vector<Moment>& moments, const std::vector<Line>& all,
            bool unit_speed = false) {
   for (const Line& line : all) {
@@ -194,7 +194,7 @@ void lines(Statements& claims, const std::vector<Moment>& moments, const std::ve
     (unit_speed ? claims.for_unit_speed : claims.for_any).push_back(line);
   }
 }
-/// Lines that need |D'| = 1.
+/// Claims lines that need |D'| = 1.
 void unit_lines(Statements& claims, const Moments& moments, const std::vector<Line>& all) {
   claims.for_unit_speed.insert(claims.for_unit_speed.end(), all.begin(), all.end());
   for (const Line& line : all)
@@ -258,7 +258,7 @@ void rotation_and_derivative(Statements& claims, const Moments& moments) {
           &Moment::size, "dual numbers", 0}});
 }
 
-/// The matrix from the images of a, b and c.
+/// Reconstructs the matrix from its images of a, b and c.
 template <class T>
 Matrix<T> from_images(const Matrix<T>& matrix, const Vector<T>& a, const Vector<T>& b, const Vector<T>& c,
                       double k) {
@@ -339,7 +339,7 @@ void matrices_by_images(Statements& claims, const Moments& moments) {
        .root = "a singular matrix"});
 }
 
-/// D, D' and D x D', the last two perhaps over |D'|.
+/// D, D' and D x D', the last two optionally divided by |D'|.
 template <class T>
 Matrix<T> frame_of(const MomentOf<T>& m, bool second, bool third) {
   const T one = 1.0;
@@ -471,7 +471,7 @@ void images_of_the_frame(Statements& claims, const Moments& moments) {
         }}});
 }
 
-/// R' R^T U by the text, columns.
+/// The columns of R' R^T U by the text's formulas.
 template <class T>
 Matrix<T> columns_of_the_text(const MomentOf<T>& m, double k) {
   const T g = 1 - m.gamma, s = m.sigma, w = m.theta_dot;
@@ -581,8 +581,8 @@ Statements stated(const Moments& moments) {
   return claims;
 }
 
-/// Half the angle in place of the whole; and what products of an axis' letters and its rate's are, as
-/// rewriting needs it (Groebner bases, d2 > e2 > d1 > e1 > d0 > e0).
+/// Replaces the angle by its half, and products of the letters of an axis and its rate, as needed for
+/// rewriting (Groebner bases, d2 > e2 > d1 > e1 > d0 > e0).
 constexpr const char* turnings_in_coq = R"(
 From Coq Require Import Nsatz.
 Local Open Scope R_scope.
@@ -615,7 +615,7 @@ Ltac products :=
          end.
 )";
 
-/// Where H and H0 are what is given.
+/// H and H0 are the assumptions.
 constexpr const char* by_halves = R"(
   destruct (halves theta) as (sine & cosine & circle); rewrite ?sine, ?cosine;
   pose proof (axis_squared _ _ _ H) as a; pose proof (axis_by_rate _ _ _ _ _ _ H0) as b;
@@ -626,7 +626,7 @@ constexpr const char* by_halves_and_rate = R"(
   field_simplify_eq [circle a b]; try ring; clear a b circle;
   generalize (cos (5 / 10 * theta)) (sin (5 / 10 * theta)); intros; products; nsatz)";
 
-/// Of any axis that has a rate, any matrix, and any axis that moves.
+/// Proofs for any differentiable axis, any matrix, and any moving axis.
 Provables by_hand(const MomentOf<Shortened>& any, const std::string& letters,
                   std::vector<Proposition> given) {
   const auto vector = [](const std::string& x, const std::string& y, const std::string& z) {
@@ -685,7 +685,7 @@ Provables by_hand(const MomentOf<Shortened>& any, const std::string& letters,
        turnings_in_coq}};
 }
 
-/// The axis and its rate as letters, at right angles.
+/// The axis and its rate are letters, perpendicular to each other.
 Provables proved_of(const Statements& claims) {
   const auto lettered = [](const std::string& name) {
     return Vector<Shortened>{
@@ -700,7 +700,7 @@ Provables proved_of(const Statements& claims) {
   const std::string letters = "(d0 d1 d2 e0 e1 e2 theta omega : R)";
   const auto prove = [&](const std::vector<Line>& lines, const std::string& says, const char* tactic) {
     for (const Line& line : lines) {
-      if (line.slug == "determined_by_images") continue;  // by_hand() has it of any vectors
+      if (line.slug == "determined_by_images") continue;  // by_hand() proves it for any vectors
       proved.push_back({"2.5-" + std::string(line.slug),
                         says,
                         {{"printed", letters, given,

@@ -1,7 +1,7 @@
 // Exercise 2.5: the angular velocity of a rotation by theta(t) about a unit axis D(t),
 //   w = theta' D + sin(theta) D' + (1 - cos(theta)) D x D'        (Skew(w) = R' R^T)
-// The other route never meets Rodrigues' formula: R is the matrix of the unit quaternion
-// (cos(theta/2), sin(theta/2) D), derivatives are dual numbers, and w is the vector part of 2 q' q*
+// The independent route does not use Rodrigues' formula: R is the matrix of the unit quaternion
+// (cos(theta/2), sin(theta/2) D), derivatives are by dual numbers, and w is the vector part of 2 q' q*
 // [Kuipers, Quaternions and Rotation Sequences, 11.4].
 
 #include "chapters/02_basic_concepts/05_rotation_about_moving_axis/rotating_axis.hpp"

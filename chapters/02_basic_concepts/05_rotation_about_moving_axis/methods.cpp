@@ -38,7 +38,7 @@ Quantity angular_velocity(const Parameters& p, const Reference& truth) {
                         {1e-10, "ten decimals"});
   using D1 = Dual<double>;
   const Knob steps{"h", {0x1p-1, 0x1p-4, 0x1p-7, 0x1p-10, 0x1p-13, 0x1p-16, 0x1p-19, 0x1p-22, 0x1p-25}};
-  // w from R near t, whose calls are counted.
+  // w from R near t, counting its evaluations.
   const auto from_rotations = [=](const auto& estimate) {
     return [=](double h) {
       long calls = 0;

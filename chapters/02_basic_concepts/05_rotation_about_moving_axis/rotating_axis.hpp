@@ -4,7 +4,7 @@
 
 #include "chapters/exercise.hpp"
 
-/// Exercise 2.5: what the files of the exercise share.
+/// Exercise 2.5: shared by the files of the exercise.
 namespace oddity::rotating_axis {
 
 Quantity angular_velocity(const Parameters&, const Reference&);

@@ -33,7 +33,7 @@ struct SampleOf {
 
   explicit SampleOf(double time)
       : SampleOf(time, space::motion_of(position, time), frame(Dual<double>(time, 1))) {}
-  /// Of any motion.
+  /// A sample of any motion.
   SampleOf(const T& time, const Motion<T>& any)
       : SampleOf(time, any, frame(moving(any.r, any.v), moving(any.v, any.a))) {}
   SampleOf(const T& time, const Motion<T>& motion, const Matrix<Dual<T>>& both)
@@ -51,7 +51,7 @@ struct SampleOf {
             {"R", R.e},
             {R"(\dot R)", R_dot.e}};
   }
-  /// Of the terms of r . r'.
+  /// Size of the terms of r . r'.
   T size() const { return speed; }
   std::string where() const { return "$t$ = " + format_shortest(t); }
 };
@@ -61,7 +61,7 @@ using FrameClaim = ProvableClaim<SampleOf>;
 
 namespace {
 
-/// Claims that are stated of the exercise's curve, and proved of any on the sphere.
+/// Claims that are stated for the exercise's curve, and proved for any curve on the sphere.
 struct Table {
   Claims& claims;
   std::vector<std::pair<std::string, FrameClaim>> stated = {};
@@ -79,7 +79,7 @@ const AtTime w_by_frame{
     R"(|\dot{\mathbf r}|^2)\,\mathbf r$)",
     [](const auto& s) { return s.w; }};
 
-/// All numbers in a row.
+/// Concatenates the numbers of all parts.
 template <class T, class... Parts>
 std::vector<T> in_a_row(const Parts&... parts) {
   std::vector<T> all;
@@ -205,10 +205,10 @@ void derivative_of_frame(Table& table, const std::vector<Sample>& all) {
 
 // ---- the listing ------------------------------------------------------------------------------------------
 
-/// At which the listing's errors are shown.
+/// The time at which the listing's errors are shown.
 constexpr double shown_time = 0.75;
 
-/// The listing's two functions, WFunction with the call mended.
+/// The listing's two functions, WFunction with its call corrected.
 void compute_terms(double t, Vector3& R, Vector3& V, Vector3& U, Vector3& UDot) {
   const auto m = space::motion_of(position, t);
   R = m.r, V = m.v, U = V / length(V), UDot = listed_u_dot(m, false);
@@ -233,8 +233,7 @@ double along_velocity(double t) {
   const auto m = space::motion_of(position, t);
   return dot(m.a, m.v);
 }
-/// The times at which the speed is stationary, ascending: by Brent's method between the points of a grid over
-/// arctan t.
+/// Times of stationary speed, ascending: by Brent's method between the points of a grid over arctan t.
 std::vector<double> stationary_times() {
   constexpr int points = 1000;
   const auto point = [](int i) { return std::tan(std::numbers::pi * ((i + 0.5) / points - 0.5)); };
@@ -244,15 +243,15 @@ std::vector<double> stationary_times() {
       all.push_back(brent(along_velocity, from, to, 1e-15).value);
   return all;
 }
-/// The printed listing's W less w.
+/// The error of the printed listing's W.
 Vector3 error_of_listing(double t) { return w_function(t) - angular_velocity(space::motion_of(position, t)); }
 
-/// The size of the terms that the printed listing's W is the sum of.
+/// Size of the terms whose sum is the printed listing's W.
 double terms_of_listing(double t) {
   const auto m = space::motion_of(position, t);
   return length(m.v) + 2 * length(listed_u_dot(m, false));
 }
-/// The printed listing returns w where the speed is stationary, and at the pole.
+/// Checks that the printed listing returns w where the speed is stationary, and at the pole.
 Check right_where_stationary(const std::vector<double>& stationary) {
   std::vector<double> times = stationary, errors;
   times.insert(times.end(), {-1, 1});
@@ -269,7 +268,7 @@ Check right_where_stationary(const std::vector<double>& stationary) {
           terms};
 }
 
-/// The letters by which a sentence calls the position, the velocity and the acceleration.
+/// The letters of a sentence for the position, the velocity and the acceleration.
 Reading letters(const std::string& text, const std::vector<std::string>& names) {
   const std::vector<std::string> vectors{"r", "v", "a"};
   long other = 0;
@@ -405,7 +404,7 @@ std::vector<Root> roots() {
            {shown_time, off, rate, 180 / std::numbers::pi * off / rate})}};
 }
 
-// ---- what is proved ---------------------------------------------------------------------------------------
+// ---- proofs -----------------------------------------------------------------------------------------------
 
 /// The speed as the letter l, the velocity l u, and the acceleration in the frame of r, u and b.
 constexpr const char* by_frame = R"(
@@ -488,7 +487,7 @@ constexpr const char* by_constant = R"(
   specialize (unit t); generalize dependent (x t); intros x'; generalize dependent (y t); intros y';
   generalize dependent (z t); intros z' *; nsatz)";
 
-/// The root is no zero.
+/// The root is not zero.
 constexpr const char* by_length = R"(
   replace ((1 - t ^ 2) ^ 2 + t ^ 4) with (t * t * (t * t) + (1 - t * t) * (1 - t * t)) by ring;
   assert (positive : 0 < t * t * (t * t) + (1 - t * t) * (1 - t * t)) by nra;
@@ -513,7 +512,7 @@ Vector<Shortened> lettered(const std::array<std::string, 3>& names) {
   return {Shortened::letter(names[0]), Shortened::letter(names[1]), Shortened::letter(names[2])};
 }
 
-/// What is given of a motion, and where the printed formulas are off.
+/// Assumptions about a motion, and an example for which the printed formulas are wrong.
 struct Of {
   Any any;
   std::string letters;

@@ -6,7 +6,7 @@
 #include "chapters/02_basic_concepts/shared/rotation_matrices.hpp"
 #include "chapters/exercise.hpp"
 
-/// Exercise 2.7: the frame by dual numbers, and what the files of the exercise share.
+/// Exercise 2.7: the frame by dual numbers; shared by the files of the exercise.
 namespace oddity::curve_on_sphere {
 
 template <class T>
@@ -21,8 +21,7 @@ Matrix<T> frame(const T& t) {
 
 Quantity angular_velocity_at(double t, const Reference&);
 Quantity orientation(const Parameters&, const Horizon&, const Reference&);
-/// The same trials, but for the rest of the catalog, asked only whether what they end with is a rotation:
-/// R^T R at T.
+/// The same trials without the rest of the catalog, judged by R^T R at T: is the result a rotation?
 Quantity orthogonality(const Quantity& orientation);
 
 std::vector<Claim> claims(double seed);

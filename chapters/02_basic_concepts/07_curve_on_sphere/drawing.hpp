@@ -9,7 +9,7 @@
 
 namespace oddity::curve_on_sphere {
 
-/// How the frame on its sphere looks: `observed` is the matrix [r u r x u], row by row.
+/// Draws the frame on its sphere; `observed` is the matrix [r u r x u], row by row.
 template <class Parameters>
 void draw(const Parameters& p, double, std::span<const double> observed, Drawing& drawing) {
   const auto column = [&](std::size_t i) { return Place{observed[i], observed[3 + i], observed[6 + i]}; };

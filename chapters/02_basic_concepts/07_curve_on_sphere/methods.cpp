@@ -1,4 +1,4 @@
-// The quantities of exercise 2.7: w at a time, and ways to carry an orientation along the curve's frame.
+// The quantities of exercise 2.7: w at a time, and integration of an orientation along the curve's frame.
 
 #include "chapters/02_basic_concepts/07_curve_on_sphere/curve_on_sphere.hpp"
 #include "chapters/in_float.hpp"
@@ -15,7 +15,7 @@ namespace {
 
 // ---- orientation as a scene -------------------------------------------------------------------------------
 
-/// The nearest thing to R by Gram and Schmidt, first column first.
+/// Orthonormalizes R by Gram-Schmidt, first column first.
 void repair(std::array<double, 9>& x) {
   const Matrix3 R{x};
   const Vector3 r = unit(R.column(0)), u = unit(R.column(1) - dot(R.column(1), r) * r);
@@ -26,7 +26,7 @@ void repair(Quaternion<double>& q) {
   for (double& x : q) x /= size;
 }
 
-/// Calls advance(x, t, h) -> evaluations through the horizon and observes.
+/// Steps through the horizon with advance(x, t, h) -> evaluations and observes.
 template <class Model, class State, class Step>
 Answer observe_steps(const Model& model, State x, const Horizon& horizon, double step, const Step& advance) {
   Answer answer;
@@ -48,7 +48,7 @@ Answer observe_steps(const Model& model, State x, const Horizon& horizon, double
   return answer;
 }
 
-/// Integrated by a fixed step, the orientation repaired after each.
+/// Integrates by a fixed step, and repairs the orientation after each.
 template <class Algorithm, class Model>
 Answer observe_repaired(const Model& model, const Horizon& horizon, double step) {
   return observe_steps(model, model.start(), horizon, step, [&](auto& x, double t, double h) {

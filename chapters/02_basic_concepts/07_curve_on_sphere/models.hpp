@@ -9,12 +9,12 @@
 #include "chapters/numbers.hpp"
 
 /// A curve on the unit sphere with its frame R = [r u r x u], u = r'/|r'|, the frame's angular velocity w,
-/// and an orientation carried along R' = Skew(w) R.
+/// and an orientation integrated by R' = Skew(w) R.
 namespace oddity::curve_on_sphere {
 
 using space::Matrix, space::Motion, space::Vector;
 
-/// The first of the exercise's parameters: the curve is run through at `pace` units of its time a second.
+/// The first of the exercise's parameters: the curve's own time advances at `pace` units a second.
 template <class T>
 struct Given {
   T pace;
@@ -26,7 +26,7 @@ inline constexpr auto position = [](const auto& t) {
   return Vector<T>{flat * cos(turn), flat * sin(turn), height} / sqrt(flat * flat + height * height);
 };
 
-/// The curve's, from those of n = ((1 - t^2) cos(pi t), (1 - t^2) sin(pi t), t^2) and n's length s.
+/// The curve's motion, from that of n = ((1 - t^2) cos(pi t), (1 - t^2) sin(pi t), t^2) and n's length s.
 template <class T>
 Motion<T> motion(const T& t) {
   const T pi = T(std::numbers::pi), height = t * t, flat = 1 - height, c = cos(pi * t), s = sin(pi * t);
@@ -47,7 +47,7 @@ Vector<T> angular_velocity(const Motion<T>& m) {
   return cross(m.r, m.v) + dot(m.r, cross(m.v, m.a)) / dot(m.v, m.v) * m.r;
 }
 
-/// The listing's UDot and W, in its arithmetic; `mended`: with A.Dot(U) in the place of R.Dot(U).
+/// The listing's UDot and W, in its arithmetic; `mended`: with A.Dot(U) in place of R.Dot(U).
 template <class T>
 Vector<T> listed_u_dot(const Motion<T>& m, bool mended) {
   const T speed = length(m.v);
@@ -72,7 +72,7 @@ struct Frame {
   }
 };
 
-/// The largest entry of R^T R - I; NaN where one is.
+/// The largest entry of R^T R - I; NaN if one is NaN.
 template <class T>
 T departure(const Matrix<T>& R) {
   T most(0), nothing(0);
@@ -96,7 +96,7 @@ struct Turning {
   }
 };
 
-/// R, row by row. What is conserved is |R^T R - I|, the departure from a rotation.
+/// R, row by row. The conserved quantity is |R^T R - I|, the departure from a rotation.
 template <class T>
 struct AsMatrix : Turning<T> {
   using State = std::array<T, 9>;
@@ -111,7 +111,7 @@ struct AsMatrix : Turning<T> {
   }
 };
 
-/// q with q' = (0, w) q / 2, read as a matrix by the formula for unit quaternions.
+/// q with q' = (0, w) q / 2, converted to a matrix by the formula for unit quaternions.
 template <class T>
 struct AsQuaternion : Turning<T> {
   using State = space::Quaternion<T>;
@@ -127,7 +127,7 @@ struct AsQuaternion : Turning<T> {
   }
 };
 
-/// From the least to the richest.
+/// From the simplest to the richest.
 template <class T>
 auto models(const Given<T>& p) {
   return std::tuple{AsMatrix<T>{{p, true}}, Frame<T>{p}, AsMatrix<T>{{p}}, AsQuaternion<T>{{p}}};

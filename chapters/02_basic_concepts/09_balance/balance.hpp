@@ -6,8 +6,7 @@
 
 #include "chapters/02_basic_concepts/shared/bodies.hpp"
 
-/// Exercise 2.9: the half disc x^2 + y^2 <= 1, y >= 0 with the density exp(k x), and what the files of the
-/// exercise share.
+/// Exercise 2.9: the half disc x^2 + y^2 <= 1, y >= 0 with the density exp(k x); shared by its files.
 namespace oddity::balance {
 
 using std::cos, std::sin, std::numbers::pi;
@@ -16,7 +15,7 @@ using Moments = std::array<double, 3>;  // mass, and the first moments in x and 
 
 inline Moments moments_of(double density, double x, double y) { return {density, density * x, density * y}; }
 
-/// Columns at x = sin u, as high as cos u and cos u du wide.
+/// Columns at x = sin u, of height cos u and width cos u du.
 inline Integral by_sine(const Rule& rule, double k, std::size_t which) {
   return nested(
       rule, [=](double u, double y) { return cos(u) * moments_of(std::exp(k * sin(u)), sin(u), y)[which]; },
@@ -39,7 +38,7 @@ struct ParticleOf {
 };
 using Particle = ParticleOf<double>;
 
-/// `k`: the growth of the half disc's density.
+/// `k` is the exponent of the half disc's density.
 std::vector<Claim> claims(double seed, double k);
 std::vector<Root> roots();
 

@@ -1,5 +1,4 @@
-// The claims of exercise 2.9, on random plates of particles: the text's sums against the torque of the
-// weights.
+// The claims of exercise 2.9, on random plates of particles: the text's sums checked by torques.
 
 #include "chapters/particle_sums.hpp"
 
@@ -18,7 +17,7 @@ namespace {
 using namespace basic_vectors;
 using rotation::quaternion;
 
-/// s and t of what is at r from a point of the line: r = s D + t N by Cramer's rule.
+/// s and t of the position r relative to a point of the line: r = s D + t N by Cramer's rule.
 template <class T>
 std::array<T, 2> solved_by_cramer(const std::array<T, 3>& D, const std::array<T, 3>& N,
                                   const std::array<T, 3>& r) {
@@ -26,12 +25,12 @@ std::array<T, 2> solved_by_cramer(const std::array<T, 3>& D, const std::array<T,
   return {(r[0] * N[1] - r[1] * N[0]) / det, (D[0] * r[1] - D[1] * r[0]) / det};
 }
 
-/// Particles, and a line on which they may balance. Recorded, there is one particle, and a sum is over any
-/// number of such.
+/// Particles, and a line on which they may balance. Recorded for Coq there is one particle, and a sum is over
+/// any number of them.
 template <class T>
 struct PlateOf {
   std::vector<ParticleOf<T>> particles;
-  std::array<T, 3> A{}, D{}, N{};  ///< a point of the fulcrum, its direction, its normal
+  std::array<T, 3> A{}, D{}, N{};  ///< a point of the fulcrum, its direction and its normal
 
   template <class F>
   T sum(const F& f) const {
@@ -42,7 +41,7 @@ struct PlateOf {
     else
       return all;
   }
-  /// The sums of m x and m y, counted from A.
+  /// The sums of m x and m y, relative to A.
   std::array<T, 3> moment() const {
     return {sum([](const T& m, const auto& r) { return m * r[0]; }),
             sum([](const T& m, const auto& r) { return m * r[1]; }), T(0.0)};
@@ -50,14 +49,14 @@ struct PlateOf {
   T mass() const {
     return sum([](const T& m, const auto&) { return m; });
   }
-  /// The torque of the weights (0, 0, -m), positive where it turns the side of N down.
+  /// The torque of the weights (0, 0, -m), positive if it turns the side of N down.
   T level_torque() const {
     const std::array<T, 3> axis = cross(std::array<T, 3>{0.0, 0.0, 1.0}, N);
     return sum([&](const T& m, const auto& r) {
       return dot(axis, cross(r, std::array<T, 3>{0.0, 0.0, -m}));
     });
   }
-  /// The torque about -D of one of them, the plate turned about the fulcrum by `tilt`.
+  /// The torque about -D of one particle, with the plate turned about the fulcrum by `tilt`.
   T torque_of(const T& m, const std::array<T, 3>& r, const T& tilt) const {
     return -dot(D, cross(quaternion(D, tilt)(r), std::array<T, 3>{0.0, 0.0, -m}));
   }
@@ -69,7 +68,7 @@ struct PlateOf {
     for (auto& [m, r] : particles) all.insert(all.end(), {&m, &r[0], &r[1]});
     return all;
   }
-  /// All in the plane.
+  /// Vectors in the plane.
   TypesetIn<T> typeset() const {
     TypesetIn<T> all{{"D", {D[0], D[1]}},
                      {"N", {N[0], N[1]}},
@@ -92,8 +91,7 @@ struct PlateOf {
 };
 using Plate = PlateOf<double>;
 
-/// Random plates on lines through their centers of mass, through the means of their positions, and beside
-/// both.
+/// Random plates on lines through their center of mass, through the mean of their positions, or neither.
 struct Plates {
   std::vector<Plate> center, mean, beside;
 
@@ -123,7 +121,7 @@ struct Plates {
   }
 };
 
-/// A particle's place in the plane, and a line.
+/// A particle's position in the plane, and a line.
 template <class T>
 struct PlaceOf {
   std::array<T, 3> C{}, D{}, N{}, P{};
@@ -139,14 +137,14 @@ struct PlaceOf {
 using Place = PlaceOf<double>;
 using OfPlace = ProvableFormula<PlaceOf>;
 
-/// The solution of N . (P - C) = 0, or of N . P = 0, with one of the coordinates of the place.
+/// The solution of N . (P - C) = 0, or of N . P = 0, given one coordinate of P.
 Vector solution(const Place& p, bool from_origin) {
   const std::size_t i = std::abs(p.N[0]) > std::abs(p.N[1]) ? 0 : 1, given = 1 - i;
   Vector solved = p.P;
   solved[i] = ((from_origin ? 0 : dot(p.N, p.C)) - p.N[given] * p.P[given]) / p.N[i];
   return solved;
 }
-/// The place on the line that is nearest to one.
+/// The point of the line nearest to `at`.
 constexpr auto foot = [](const auto& p, const auto& at) { return p.C + dot(p.D, at - p.C) * p.D; };
 
 const OfPlace on_line = R"($N\cdot(C+s_iD-C)=0$)", size_of_t = "$|t_i|$",
@@ -201,7 +199,7 @@ void line_and_distance(Claims& claims, const std::vector<Place>& places) {
            R"($\sum m_i|t_i|$, which is positive as soon as one particle is off the line.)"});
 }
 
-/// The half disc's moments about 32 lines through its center by another rule, or that of a uniform one.
+/// The half disc's moments about 32 lines through its center by another rule, or a uniform one's center.
 Reading lamina_in_all_directions(const std::string& text, double k, bool uniform) {
   const auto moments = [k](auto integral) {
     return bodies::all_of(3, [&](std::size_t which) { return integral(bodies::gauss_rule(32), k, which); })
@@ -323,7 +321,7 @@ Lemma total_of_two : forall l a b f g,
   total l (fun m x y => a * f m x y + b * g m x y) = a * total l f + b * total l g.
 Proof. intros. unfold total. induction l as [|[[m x] y] l h]; simpl; [|rewrite h]; ring. Qed.
 )";
-/// What is left of m (x - c) is the sum of m x less c times the mass.
+/// The sum of m (x - c) is the sum of m x minus c times the mass.
 constexpr const char* by_sums =
     "first [ apply total_ext; intros; first [ring | replace (d0 * d0 - d1 * - d1) with 1 by lra; field]\n"
     "  | rewrite <- ?total_of_two, ?Rmult_0_l, ?Rplus_0_r; first [ring | apply total_ext; intros; ring] ]";

@@ -1,9 +1,8 @@
 // Exercise 2.9: a plate of particles balances on every line through its center of mass C.
 //   P = C + s D + t N, s = D . (P - C), t = N . (P - C);  M = sum of m t = N . sum of m (P - C) = 0
-// The other route is the torque of the weights about the fulcrum in space, (k x N) . sum of (P - A) x (0, 0,
-// -m), and knows no coordinate t. The lines of the derivation are algebra about any point A of the fulcrum:
-// there they are checked about a random one, where M is not zero. The lamina is a half disc with the density
-// exp(k x).
+// The independent route is the torque of the weights about the fulcrum in space, (k x N) . sum of (P - A) x
+// (0, 0, -m), which uses no coordinate t. The lines of the derivation hold for any point A of the fulcrum, so
+// they are checked at a random one, where M is not zero. The lamina is a half disc with the density exp(k x).
 
 #include "chapters/02_basic_concepts/09_balance/balance.hpp"
 #include "reference/reference.hpp"
@@ -88,7 +87,7 @@ Quantity half_disc(double k, double phi, double seed, const Reference& truth) {
   return q;
 }
 
-/// Five particles whose center is exact, 2^30 m from the origin.
+/// Five particles with an exact center, 2^30 m from the origin.
 Quantity far_balance() {
   constexpr double away = 0x1p30;
   const Vector center{away, -away / 2, 0};

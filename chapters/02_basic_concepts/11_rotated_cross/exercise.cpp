@@ -1,8 +1,7 @@
 // Exercise 2.11: R (a x b) = (R a) x (R b) for every rotation R.
 //   R r = c r + s w x r + (1 - c) w (w . r),  c = cos theta, s = sin theta, |w| = 1   (Rodrigues)
-// The text computes in an orthonormal frame {u, v, w} along the axis. The other route is the quaternion
-// product q r q* in world coordinates, which has the half angle and no frame. Frames, angles and vectors are
-// random.
+// The text computes in an orthonormal frame {u, v, w} along the axis. The independent route is the quaternion
+// product q r q* in world coordinates, which uses the half angle and no frame. All samples are random.
 
 #include <numbers>
 
@@ -25,7 +24,7 @@ constexpr Parameter parameters[] = {
 
 // ---- the claims -------------------------------------------------------------------------------------------
 
-/// Of three columns, along the first.
+/// Determinant of three columns, expanded along the first.
 double determinant(const Vector& a, const Vector& b, const Vector& c) {
   return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
          a[2] * (b[0] * c[1] - b[1] * c[0]);
@@ -40,9 +39,9 @@ struct SampleOf {
   Vector a, b;
 
   SampleOf() = default;
-  /// The first ones turn by 0, 90, 180 and 270 degrees.
+  /// The first four angles are 0, 90, 180 and 270 degrees.
   SampleOf(Random& random, int i) : w(random.direction()) {
-    // Gram and Schmidt, without a cross product, which is what the frame is asked for.
+    // Gram-Schmidt without a cross product, which is the claim to be checked.
     const auto across = [](Vector r, const auto&... others) {
       for (int twice = 0; twice < 2; ++twice) {
         r = unit(r);
@@ -81,7 +80,7 @@ struct SampleOf {
   Vector rotated(const Vector& r) const { return quaternion(w, theta)(r); }
   /// Components along the frame.
   Vector in(const Vector& r) const { return {dot(u, r), dot(v, r), dot(w, r)}; }
-  /// The dot products of a, b and a x b, of unit length, and their volume, after the map.
+  /// The dot products of the images of a, b and a x b, normalized, and their volume.
   template <class Rotation>
   std::array<T, 7> gram(const Rotation& R) const {
     const Vector p = R(unit(a)), q = R(unit(b)), r = R(cross(unit(a), unit(b)));
@@ -98,7 +97,7 @@ std::array<T, 9> stacked(const std::array<T, 3>& a, const std::array<T, 3>& b, c
   return {a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2]};
 }
 
-/// A vector by its components in the frame, turned, and by the turned frame.
+/// Claims the image of a vector from its components, rotated, and from the rotated frame.
 void sums(Table& table, const std::vector<Sample>& all, int line, const std::string& slug,
           const std::string& vector, const std::string& x, const Rotated& truth) {
   const auto is = [&](const std::string& way, const std::string& text) {
@@ -187,7 +186,7 @@ void proof(Table& table, const std::vector<Sample>& all) {
                  .printed = "$(cg_0-sg_1,sg_0+cg_1,g_2)$"});
 }
 
-/// Two unit vectors, or a vector and minus its double.
+/// Two unit vectors, or a vector and -2 times it.
 struct Edges {
   Vector a, b;
   bool parallel;
@@ -229,10 +228,10 @@ Findings study(const Parameters& p, const Reference& truth) {
           {rotated_normal(p["theta"], p["gap"], truth), identity_gap(p["theta"]), sliver_normal(truth)}};
 }
 
-// ---- what is proved ---------------------------------------------------------------------------------------
+// ---- proofs -----------------------------------------------------------------------------------------------
 
-/// Vectors are p u + q v + s w, S and C are sine and cosine of half the angle; products and rotations of such
-/// are again such.
+/// Vectors are p u + q v + s w; S and C are sine and cosine of half the angle. Products and rotations of such
+/// vectors have this form again.
 constexpr const char* frame_in_coq = R"(
 Ltac product ui vi wi uj vj wj uk vk wk S C x y z :=
   match goal with

@@ -1,4 +1,4 @@
-// The claims of exercise 2.13: the text's integrals by columns, against the definition by rows.
+// The claims of exercise 2.13: the text's integrals by columns, checked by the definition by rows.
 
 #include "chapters/integral_proofs.hpp"
 #include "chapters/provable_claims.hpp"
@@ -16,12 +16,12 @@ using Fraction = std::array<long, 2>;
 
 const Rule sixteen = gauss_rule(16);
 
-/// The integral of x^p y^q over the lamina, that over a row being 2 y^(q+(p+1)/2) / (p+1) for p even; both
-/// factors are odd then, and the fraction is in lowest terms.
+/// The integral of x^p y^q over the lamina. That over a row is 2 y^(q+(p+1)/2) / (p+1) for even p. Both
+/// factors of the denominator are odd then, so the fraction is in lowest terms.
 Fraction moment(long p, long q) {
   return p % 2 == 0 ? Fraction{4, (p + 1) * (p + 2 * q + 3)} : Fraction{0, 1};
 }
-/// In lowest terms where the denominators have no factor in common.
+/// In lowest terms if the denominators have no common factor.
 Fraction sum(Fraction a, Fraction b) { return {a[0] * b[1] + b[0] * a[1], a[1] * b[1]}; }
 
 /// The components xx, yy, zz, xy, xz, yz of the lamina, where z = 0; by rows.
@@ -48,7 +48,7 @@ std::vector<Cut> cuts(double seed, double up = 1) {
   return all;
 }
 
-/// Component k by its definition: by rows, or as Coq states it.
+/// Component k by its definition: by rows, or as a statement in Coq.
 template <class T>
 T by_definition(std::size_t k, const CutOf<T>& c) {
   if constexpr (std::same_as<T, Shortened>) {
@@ -71,8 +71,8 @@ ProvableFormula<CutOf> definition(std::size_t k) {
           [](const Cut& c) { return (1 + c.z * c.z) * (1 - c.left); }};
 }
 
-/// A component with its printed integrand and value, and a near miss of this; `exact`: by rows, in rational
-/// numbers.
+/// A component with its printed integrand and value, and a near miss of the value. `exact` is by rows, in
+/// rational numbers.
 struct Component {
   std::string letters;
   int integrand_line, value_line;
@@ -109,7 +109,7 @@ Reading value_of(const Component& c, std::size_t k, const Fraction& value) {
           is_as_typeset(compare_typeset(text, {{TypesetLetters{}, Value(decimal)}}))};
 }
 
-/// The integral of this over the lamina from x = `left` on.
+/// The integral of `integrand` over the lamina for x >= `left`.
 std::string over_lamina(const std::string& left, const std::string& integrand) {
   return R"(\int_)" + left + R"(^1\int_{x^2}^1)" + integrand + R"(\,dy\,dx$)";
 }
@@ -164,7 +164,7 @@ struct ColumnOf {
     else
       return sixteen(square, x * x, 1).value;
   }
-  /// What the columns from 0 to x make of it.
+  /// The integral of inner() over the columns from 0 to x.
   T up_to_here() const {
     if constexpr (std::same_as<T, Shortened>)
       return recorded_integral([](const T& at) { return ColumnOf{at}.inner(); }, 0, x);
@@ -175,7 +175,7 @@ struct ColumnOf {
 using Column = ColumnOf<double>;
 using OfColumn = ProvableFormula<ColumnOf>;
 
-/// The lines that lead to Ixx.
+/// Claims the lines that lead to Ixx.
 void inner_integral(ProvableClaims<ColumnOf>& table, const std::vector<Column>& columns) {
   const OfColumn truth{"Gauss-Legendre of $y^2$ from $x^2$ to 1", [](const auto& c) { return c.inner(); }};
   table.formula("ixx_inner", 681, "The inner integral of $I_{xx}$ is $y^3/3$ between $x^2$ and 1.", columns,
@@ -210,7 +210,7 @@ struct Point {
   double x, y;
   explicit Point(Random& random) : x(random.between(-2, 2)), y(random.between(-1, 2)) {}
   std::string where() const { return "$(x,y)$ = (" + format_shortest(x) + ", " + format_shortest(y) + ")"; }
-  /// The point is in the lamina and in |x| <= bound, low(x) <= y <= 1, or in neither.
+  /// Whether the lamina and the region |x| <= bound, low(x) <= y <= 1 both contain the point, or neither.
   bool alike(double bound, double (*low)(double)) const {
     return (x * x <= y && y <= 1) == (abs(x) <= bound && low(x) <= y && y <= 1);
   }
@@ -291,7 +291,7 @@ Ltac nest F G :=
   match goal with |- ?x = ?y => change (@eq R x y) end; field.
 )";
 
-/// The antiderivatives by y and, of what they make of the ends, by x.
+/// The antiderivatives by y, and those by x of their differences.
 constexpr const char* antiderivatives[] = {
     "nest (fun x y : R => y ^ 3 / 3) (fun x : R => (x - x ^ 7 / 7) / 3)",
     "nest (fun x y : R => x ^ 2 * y) (fun x : R => x ^ 3 / 3 - x ^ 5 / 5)",

@@ -1,8 +1,8 @@
 // Exercise 2.13: the six inertia components of the lamina x^2 <= y <= 1, z = 0, of density 1.
 //   J w = int r x (w x r) dm;  Ixx = ex . J ex, ..., Ixy = -ex . J ey, ...   the definition
 //   int x^p y^q over the lamina = 4 / ((p+1)(p+2q+3)) for p even, 0 for p odd   by rows of constant y
-// The text integrates columns (dy dx). The other routes integrate rows (dx dy), where no formula of the text
-// occurs: exactly in rational numbers, or numerically from the definition. For the integrands the lamina is
+// The text integrates columns (dy dx). The independent routes integrate rows (dx dy), which use no formula of
+// the text: exactly in rational numbers, or numerically from the definition. For the integrands the lamina is
 // also cut off at x = left and moved to the height z, so that no component vanishes.
 
 #include "chapters/02_basic_concepts/13_lamina_inertia/lamina_inertia.hpp"
@@ -21,8 +21,8 @@ constexpr Parameter parameters[] = {
     {"seed", 13, "", "of the random samples", 0, 1e9, whole_number},
 };
 
-/// Green's theorem: the integral of f is that of Q dy around the edge, dQ/dx = f. The top has dy = 0; the
-/// parabola has dy = 2 x dx.
+/// Green's theorem: the integral of f is that of Q dy around the boundary, with dQ/dx = f. The top has dy =
+/// 0, the parabola dy = 2 x dx.
 Integral edge(const Rule& rule, const Lamina& l, std::size_t k) {
   const double corner = l.left * l.left;
   const Integral below = rule([&](double x) { return 2 * x * l.primitive(x, x * x)[k]; }, l.left, 1);

@@ -2,8 +2,7 @@
 
 #include "chapters/02_basic_concepts/shared/bodies.hpp"
 
-/// The lamina x^2 <= y <= 1, left <= x <= 1: its inertia by columns and by rows, and what
-/// the files of exercise 2.13 share.
+/// The lamina x^2 <= y <= 1, left <= x <= 1, and its inertia by columns and by rows; shared by 2.13's files.
 namespace oddity::lamina_inertia {
 
 using namespace bodies;

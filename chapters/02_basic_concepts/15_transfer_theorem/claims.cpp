@@ -1,6 +1,5 @@
-// The claims of exercise 2.15, on random systems of particles: the text's sums against the definition. The
-// lines up to the last are algebra about any point: there they are checked about a random one, where no term
-// is zero.
+// The claims of exercise 2.15, on random systems of particles: the text's sums checked by the definition. The
+// lines before the last hold for any point, so they are checked at a random one, where no term is zero.
 
 #include "chapters/particle_sums.hpp"
 
@@ -20,14 +19,14 @@ struct ParticleOf {
   std::array<T, 3> r;
 };
 
-/// Particles, and a point A in the place of their center of mass. Recorded, there is one particle, and a sum
-/// is over any number of such.
+/// Particles, and a point A in place of their center of mass. Recorded for Coq there is one particle, and a
+/// sum is over any number of them.
 template <class T>
 struct SampleOf {
   std::vector<ParticleOf<T>> particles;
   std::array<T, 3> A{};
 
-  /// Of m times what f makes of a place.
+  /// The sum of m f(r).
   template <class F>
   T sum(const F& f) const {
     T all(0.0);
@@ -68,7 +67,7 @@ using Sample = SampleOf<double>;
 using Sum = ProvableFormula<SampleOf>;
 Sum sum_of(const std::string& text) { return over_particles<SampleOf>(text, "m x y z"); }
 
-/// Systems with A in their center, and with A anywhere.
+/// Systems with A at their center, and with A at any point.
 struct Samples {
   std::vector<Sample> center, any_point;
 
@@ -88,7 +87,7 @@ struct Samples {
   }
 };
 
-/// The claims, with what is proved of them.
+/// The claims, with their proofs' formulas.
 struct Table {
   struct Line {
     std::string slug;
@@ -107,7 +106,7 @@ struct Table {
   }
 };
 
-/// Components about the origin.
+/// The components about the origin by their definition.
 Sum definition(const std::vector<std::size_t>& which) {
   return {
       R"($\sum m_i\,\mathbf r_i\times(\mathbf w\times\mathbf r_i)$, the angular momentum of a turn $\mathbf w$)",
@@ -118,7 +117,7 @@ Sum definition(const std::vector<std::size_t>& which) {
       }};
 }
 
-/// A line that states its formula.
+/// Claims lines that state their formula.
 auto lines(Table& table, const std::string& quantity, const Sum& truth) {
   return [&table, quantity, truth](const std::string& slug, int line, const std::string& text,
                                    bool at_center = false, const std::string& ours = "") {
@@ -222,7 +221,7 @@ Ltac by_particles l :=
   first [rewrite <- h; ring | rewrite h; ring].
 )";
 
-/// The first moments about the center: H, H0 and H1 say where it is.
+/// The first moments about the center, which H, H0 and H1 define.
 constexpr const char* first_moments_vanish = R"(
   assert (f0 : total l (fun m x y z => m * (x - c0)) = 0)
     by (transitivity (total l (fun m x y z => m * x) - c0 * total l (fun m x y z => m));
@@ -235,8 +234,8 @@ constexpr const char* first_moments_vanish = R"(
         [clear -l; by_particles l | rewrite H1; ring]);
   )";
 
-/// A component about the origin has besides its transfer these multiples of the first moments t0, t1, t2
-/// about the center.
+/// A component about the origin exceeds its transfer by these multiples of the first moments about the
+/// center, t0, t1, t2.
 std::string by_center() {
   std::string tactic = std::string(first_moments_vanish) + "first [rewrite ?f0, ?f1, ?f2; ring";
   for (const std::string rest :

@@ -1,6 +1,6 @@
 // Exercise 2.15: the inertia components about any origin from those about the center of mass c.
 //   Ixx = Ixx' + m (cy^2 + cz^2),  Ixy = Ixy' + m cx cy,  with ' about the center of mass
-// The other route is the definition, J w = sum of m r x (w x r), which no formula of the text enters. The
+// The independent route is the definition, J w = sum of m r x (w x r), which uses no formula of the text. The
 // solid is a tetrahedron, with moments m/20 (sum of the vertices' + 16 times the center's).
 
 #include "chapters/02_basic_concepts/15_transfer_theorem/transfer_theorem.hpp"

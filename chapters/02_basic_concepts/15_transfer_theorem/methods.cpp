@@ -48,7 +48,7 @@ Known tetrahedron_truth(const Tetrahedron& t, const Reference& truth) {
   return truth("02_15_tetrahedron", {a, b, c, x, y, z, t.rho});
 }
 
-/// Sums about the origin with the rounding of each addition carried on (Neumaier).
+/// Sums about the origin, compensated for the rounding of each addition (Neumaier).
 Six compensated_about_origin(const System& system) {
   Six sum{}, lost{};
   for (const Particle& p : system) {
@@ -63,7 +63,7 @@ Six compensated_about_origin(const System& system) {
   return sum + lost;
 }
 
-/// One pass: mass, center and inertia about it, brought up to date by each particle's transfer.
+/// One pass: mass, center and inertia about it, updated by each particle's transfer.
 Six running(const System& system) {
   double mass = 0;
   Vector center{};

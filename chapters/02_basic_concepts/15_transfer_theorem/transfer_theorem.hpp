@@ -4,7 +4,7 @@
 
 #include "chapters/02_basic_concepts/shared/bodies.hpp"
 
-/// Exercise 2.15: systems of particles, and what the files of the exercise share.
+/// Exercise 2.15: systems of particles; shared by the files of the exercise.
 namespace oddity::transfer_theorem {
 
 using namespace bodies;

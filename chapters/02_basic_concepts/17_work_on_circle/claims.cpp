@@ -1,6 +1,6 @@
-// The claims of exercise 2.17, at random r and w of either sign or away from 1, so that no factor of w can
-// hide: the text's formulas against quadrature of F . v and dual numbers, which know the path alone; its
-// maxima and minima against a scan of the power, or works compared.
+// The claims of exercise 2.17, at random r and w of either sign or away from 1, so that a wrong power of w is
+// detected. The text's formulas are checked by quadrature of F . v and dual numbers, which use the path
+// alone. Its maxima and minima are checked by a scan of the power, or by comparing works.
 
 #include "chapters/02_basic_concepts/17_work_on_circle/work_on_circle.hpp"
 #include "chapters/02_basic_concepts/shared/recorded_functions.hpp"
@@ -10,12 +10,12 @@
 
 namespace oddity::work_on_circle {
 
-/// A motion, and which of its times.
+/// A motion, and the index of one of its times.
 template <class G>
 struct SampleOf : MotionOf<G> {
   int k = 0;
   std::array<G*, 3> letters() { return {&this->r, &this->w, &this->T}; }
-  double size() const { return abs(this->r) * (10 + abs(this->x())); }  // of the work of a turn
+  double size() const { return abs(this->r) * (10 + abs(this->x())); }  // the work of a turn
   TypesetIn<G> typeset() const {
     return {
         {"r", this->r},   {R"(\omega)", this->w},       {"T", this->T}, {"t", this->T}, {R"(\dot t)", 1.0},
@@ -33,8 +33,8 @@ using Form = ProvableFormula<SampleOf>;
 using Table = ProvableClaims<SampleOf>;
 using OfMotion = std::function<Value(M)>;
 
-/// Motions with x = omega T up to 12: with r and omega of either sign, and with both positive and omega away
-/// from 1; of these, cases with k = 0, ..., 11.
+/// Motions with x = omega T up to 12: with r and omega of either sign; with both positive and omega away from
+/// 1; and the latter with k = 0, ..., 11.
 struct Samples {
   std::vector<Sample> any, forward, cases;
 
@@ -75,7 +75,7 @@ template <class G>
 G work_of(Force force, const MotionOf<G>& m, const std::type_identity_t<G>& start = 0) {
   return integral([&](const G& t) { return power(force, m, t); }, start, m.T);
 }
-/// The size of the terms that cancel in it when T is small.
+/// Size of the terms that cancel in the work if T is small.
 double of_work(const Sample& m) { return abs(m.r); }
 double of_growing_work(const Sample& m) { return abs(m.r) * (abs(m.T) + 1 / abs(m.w)); }
 
@@ -157,7 +157,7 @@ void formulas(Table& table, const Samples& samples) {
 
 const std::string of_zero = "a multiple of zero is zero";
 
-/// The work of (1, 1, 1) or (t, t, 1), which is to be zero.
+/// Claims that the work of (1, 1, 1) or (t, t, 1) is zero.
 std::string work(const std::string& from, const std::string& to, const std::string& force) {
   return R"($\int_)" + from + "^" + to + "(" + force + "," + force +
          R"(,1)\cdot(-r\omega\sin\omega t,\,r\omega\cos\omega t,\,0)\,dt=0$)";
@@ -203,7 +203,7 @@ void misprints(Table& table, const Samples& samples) {
 
 // ---- conservation -----------------------------------------------------------------------------------------
 
-/// The work of a field of positions from the path's start to its end; `detour` leaves the circle by a loop.
+/// The work of a field of positions from the path's start to its end; `detour` adds a loop off the circle.
 template <class Field>
 Form along(const std::string& text, double detour, const Field& field) {
   const auto rate = [=](M m, double u) {
@@ -243,7 +243,7 @@ void conservation(Claims& claims, Table& table, const Samples& samples) {
 
 // ---- maxima and minima ------------------------------------------------------------------------------------
 
-/// Whether W is larger at T than a little before and after; with `sign` -1, smaller.
+/// Whether W is larger at T than shortly before and after; with `sign` -1, smaller.
 bool is_peak(Force force, M m, double T, int sign = 1) {
   const double h = 0.01 / m.w;
   return sign * work_of(force, m.at(T), T - h) > 0 && sign * work_of(force, m.at(T + h), T) < 0;
@@ -331,7 +331,7 @@ void zeros_of_the_power(Claims& claims, const Samples& samples) {
 
 void extrema(Claims& claims, const Samples& samples) {
   const auto constant = Force::constant;
-  // At the stationary times `first` + `step` k; the last two: 1 for maxima, -1 for minima.
+  // At the stationary times `first` + `step` k; the last two are 1 for maxima, -1 for minima.
   const auto peaks = [](const std::string& text, Force force, int first, int step, int even, int odd) {
     return all(text, [=](M m, int k) {
       return is_peak(force, m, stationary(m, first + step * k), k % 2 == 0 ? even : odd);
@@ -383,7 +383,7 @@ void extrema(Claims& claims, const Samples& samples) {
        .near_misses = {peaks("odd $k$: maximum", Force::growing, 1, 2, 1, 1)}});
 }
 
-/// When a value of x is reached: at the time x as printed, or where w T is x.
+/// The time for a value of x: the time x as printed, or the time at which w T = x.
 using When = double (*)(M, double x);
 double as_time(M, double x) { return x; }
 double as_angle(M m, double x) { return x / m.w; }
@@ -431,7 +431,7 @@ void growth(Claims& claims, const Samples& samples) {
     });
   };
   const double maxima = pi / 4, minima = 5 * pi / 4;
-  const auto later_by = [](double w) {  // of r = 1
+  const auto later_by = [](double w) {  // for r = 1
     return work_of(Force::growing, Motion{1, w, pi / 4 + 2 * pi}, pi / 4);
   };
   claims.statement<Sample>(
@@ -482,7 +482,7 @@ std::vector<Claim> claims(double seed) {
   return claims.in_order();
 }
 
-/// Antiderivatives of the powers and of their integrals' terms, by t or by a part u of the time.
+/// Antiderivatives of the powers and of the terms of their integrals, by t or by a fraction u of the time.
 constexpr const char* extrema_in_coq = R"(
 Lemma sum_of_shifted : forall x, cos x - sin x = sqrt 2 * sin (PI / 4 - x).
 Proof.
@@ -503,7 +503,7 @@ Proof.
 Qed.
 )";
 
-/// Where the power of (1, 1, 1) is zero, what its work is at most, and that it has a potential.
+/// For (1, 1, 1): the zeros of its power, the maximum of its work, and its potential.
 Provables about_extrema(const ForAll<SampleOf>& all) {
   const auto& any = all.any;
   const Shortened power_then = power<Shortened>(Force::constant, any, any.T);

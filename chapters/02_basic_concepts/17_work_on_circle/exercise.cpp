@@ -1,8 +1,8 @@
 // Exercise 2.17: the work of the forces (1, 1, 1) and (t, t, 1) on a particle at (r cos wt, r sin wt, 0).
 //   W(T) = r (cos x + sin x - 1)  and  r/w (x (cos x + sin x) + cos x - sin x - 1),  x = w T
 //   both are stationary at x = pi/4 + k pi, the second at T = 0 as well
-// The other route knows the path alone: its velocity by dual numbers, the work by Gauss-Legendre quadrature
-// of F . v.
+// The independent route uses the path alone: its velocity by dual numbers, the work by Gauss-Legendre
+// quadrature of F . v.
 
 #include "chapters/02_basic_concepts/17_work_on_circle/work_on_circle.hpp"
 

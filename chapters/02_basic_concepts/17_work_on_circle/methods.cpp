@@ -9,13 +9,13 @@ namespace oddity::work_on_circle {
 
 namespace {
 
-/// The antiderivatives; the growing force's has the factor r/w, of which the book prints r w.
+/// The antiderivatives. That of the growing force has the factor r/w, which the book prints as r w.
 double closed_form(Force force, const Motion& m, double factor) {
   const double c = cos(m.x()), s = sin(m.x());
   return force == Force::constant ? m.r * (c + s - 1) : factor * (-1 + c - s + m.x() * (c + s));
 }
 
-/// The sum of F at mid-time, times the chord.
+/// The sum of F at mid-time times the chord.
 Integral by_chords(Force force, const Motion& m, int n) {
   double sum = 0;
   for (int i = 0; i < n; ++i) {
@@ -26,13 +26,13 @@ Integral by_chords(Force force, const Motion& m, int n) {
   return {sum, n};
 }
 
-/// Both forces' works as one answer.
+/// The works of both forces as one answer.
 template <class F>
 Answer both_works(const F& one) {
   return all_of(2, [&](std::size_t k) { return one(static_cast<Force>(k)); });
 }
 
-/// How GSL's adaptive rules end when asked for 1e-12.
+/// Expected outcomes of GSL's adaptive rules at a tolerance of 1e-12.
 struct AtTwelveDigits {
   Outcome qags = Outcome::ok, cquad = Outcome::ok;
   std::string why = {};
@@ -74,7 +74,7 @@ Quantity work_quantity(std::string name, std::string says, const Motion& m, cons
   return q;
 }
 
-/// A maximum of f in [a, b] by golden sections down to the width `tolerance`.
+/// A maximum of f in [a, b] by golden section search down to the width `tolerance`.
 template <class F>
 Solved<double> golden_section(const F& of, double a, double b, double tolerance) {
   long evaluations = 0;

@@ -6,8 +6,8 @@
 #include "chapters/02_basic_concepts/shared/bodies.hpp"
 #include "solvers/dual.hpp"
 
-/// Exercise 2.17: a particle at (r cos wt, r sin wt, 0), the power of the forces (1, 1, 1) and (t, t, 1) on
-/// it, and what the files of the exercise share.
+/// Exercise 2.17: a particle at (r cos wt, r sin wt, 0) and the power of the forces (1, 1, 1) and (t, t, 1)
+/// on it; shared by the files of the exercise.
 namespace oddity::work_on_circle {
 
 using namespace bodies;
@@ -43,9 +43,9 @@ Number power(Force force, const MotionOf<G>& m, const Number& t) {
 
 Quantity work(const Motion&, const Reference&);
 Quantity late_work(const Reference&);
-/// The growing force's work in a short time, where the closed form is a difference of nearly equal numbers.
+/// The growing force's work in a short time, for which the closed form subtracts nearly equal numbers.
 Quantity early_work(const Reference&);
-/// The maximum that comes after a number of whole turns.
+/// The maximum after a number of whole turns.
 Quantity maximum(const Motion&, double turn, const Reference&);
 
 std::vector<Claim> claims(double seed);

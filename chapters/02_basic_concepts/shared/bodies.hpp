@@ -17,7 +17,7 @@ using namespace basic_vectors;
 
 // ---- center of mass ---------------------------------------------------------------------------------------
 
-/// Of particles with a mass m at r: particle by particle, each dividing the way to it by the lever rule.
+/// The center of particles with a mass m at r, updated by the lever rule for each particle.
 template <class Particles>
 Vector center_by_lever_rule(const Particles& particles) {
   Vector center{};
@@ -31,8 +31,8 @@ Vector center_by_lever_rule(const Particles& particles) {
 
 // ---- inertia ----------------------------------------------------------------------------------------------
 
-/// Ixx, Iyy, Izz and the products of inertia Ixy, Ixz, Iyz; the inertia tensor has -Ixy, -Ixz, -Iyz beside
-/// its diagonal.
+/// Ixx, Iyy, Izz and the products of inertia Ixy, Ixz, Iyz; the off-diagonal elements of the inertia tensor
+/// are -Ixy, -Ixz, -Iyz.
 using Six = std::array<double, 6>;
 constexpr const char* inertia_names[] = {"Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"};
 
@@ -75,7 +75,7 @@ inline Rule cquad_rule(double tolerance) {
   return [=](FunctionOfOne f, double a, double b) { return cquad(f, a, b, tolerance); };
 }
 
-/// The integral over two parts: the first failure is the whole's.
+/// The integral over two parts; its ending is that of the first failure.
 inline Integral operator+(Integral a, const Integral& b) {
   a.value += b.value;
   a.evaluations += b.evaluations;
@@ -87,8 +87,8 @@ inline Integral operator+(Integral a, const Integral& b) {
   return a;
 }
 
-/// `count` integrals, integrate(0), integrate(1), ..., as one answer: the work of all, the largest of the
-/// error estimates, the first failure.
+/// `count` integrals, integrate(0), integrate(1), ..., as one answer: their total work, the largest error
+/// estimate and the first failure.
 template <class Integrate>
 Answer all_of(std::size_t count, const Integrate& integrate) {
   Answer all{Value(std::vector<double>(count)), 0, 0};
@@ -107,7 +107,7 @@ Answer all_of(std::size_t count, const Integrate& integrate) {
 
 // ---- points in a box --------------------------------------------------------------------------------------
 
-/// The digits of i in the base, mirrored at the point (van der Corput's sequence).
+/// The digits of i in the base, mirrored at the point (van der Corput sequence).
 inline double mirrored(long i, int base) {
   double x = 0;
   for (double digit = 1.0 / base; i > 0; i /= base, digit /= base) x += digit * static_cast<double>(i % base);
@@ -150,7 +150,7 @@ Answer over_unit_box(Points kind, long n, double seed, const F& f) {
   return all;
 }
 
-/// The three ways to choose the points, as methods that are too slow for the need.
+/// Adds the three choices of points as methods that are too inaccurate to pass.
 template <std::size_t dimension, class F>
 void add_box_methods(Quantity& quantity, const std::vector<double>& samples, double seed, const F& f) {
   const auto add = [&](Points kind, const std::string& name, const std::string& why) {

@@ -1,10 +1,9 @@
 #pragma once
 
-/// What Coq has to know of orthonormal frames.
+/// Facts about orthonormal frames for Coq.
 namespace oddity {
 
-/// Two orthonormal vectors r and u and their product b: what they are in products with each other, and any
-/// vector in their frame.
+/// For orthonormal r and u and their product b: their mutual products, and any vector in their frame.
 inline constexpr const char* orthonormal_in_coq = R"(
 From Coq Require Import Nsatz.
 Local Open Scope R_scope.

@@ -2,21 +2,21 @@
 
 #include "chapters/provable.hpp"
 
-/// Limits as Coq states them, of a function that is recorded with the letter t.
+/// Limits in Coq of a function that is recorded with the letter t.
 namespace oddity {
 
 inline Proposition tends_at_infinity(const Expression& f, const Expression& limit) {
   return {"(forall eps, eps > 0 -> exists far, forall t, t > far -> " + abs(f - limit).coq() + " < eps)"};
 }
 
-/// As t goes to 0 from the side of this sign.
+/// As t goes to 0 from the given side.
 inline Proposition tends_at_zero(const Expression& f, int side, const Expression& limit) {
   const std::string within = side < 0 ? "- near < t < 0" : "0 < t < near";
   return {"(forall eps, eps > 0 -> exists near, near > 0 /\\ forall t, " + within + " -> " +
           abs(f - limit).coq() + " < eps)"};
 }
 
-/// A function has the limit that one has that is continuous there, if they are equal elsewhere.
+/// A function has the limit of a function that is continuous there, if both are equal elsewhere.
 inline constexpr const char* limit_at_zero_in_coq = R"(
 From Coquelicot Require Import AutoDerive.
 

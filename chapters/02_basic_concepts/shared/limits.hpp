@@ -7,10 +7,10 @@
 
 #include "chapters/exercise.hpp"
 
-/// A limit at zero, and numbers in a row.
+/// Limits at zero, and concatenated numbers.
 namespace oddity::limits {
 
-/// All numbers in a row.
+/// Concatenates the numbers of all parts.
 template <class... Parts>
 Value joined(const Parts&... parts) {
   std::vector<double> all;
@@ -19,9 +19,9 @@ Value joined(const Parts&... parts) {
   return Value(std::move(all));
 }
 
-/// The limit of f(h), h -> 0, from f(h), f(h/2), ..., by Richardson's extrapolation in all powers of h.
-/// `error_estimate` is the last change, and the roundings that the extrapolation's weights (sum of sizes
-/// below 9) let through.
+/// The limit of f(h), h -> 0, from f(h), f(h/2), ..., by Richardson extrapolation in all powers of h.
+/// `error_estimate` is the last change plus the roundings amplified by the extrapolation's weights (sum of
+/// absolute values below 9).
 template <class F>
 Solved<Value> limit_at_zero(const F& f, double h, int halvings) {
   Solved<Value> limit;
@@ -43,8 +43,8 @@ Solved<Value> limit_at_zero(const F& f, double h, int halvings) {
   return limit;
 }
 
-/// What the text says is the limit of f(h), h -> 0, against Richardson's extrapolation from the distance h. A
-/// limit of zero stands on the right.
+/// Checks the text's limit of f(h), h -> 0, by Richardson extrapolation from the distance h. A limit of zero
+/// is on the right.
 template <class F>
 Check limit(std::string what, const Value& said, double h, const F& f) {
   const auto found = limit_at_zero([&](double x) { return Value(f(x)); }, h, 10);

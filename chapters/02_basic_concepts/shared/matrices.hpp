@@ -102,7 +102,7 @@ Matrix<T> skew(const Vector<T>& w) {
   const T o(0.0);
   return {o, -w[2], w[1], w[2], o, -w[0], -w[1], w[0], o};
 }
-/// The w of a matrix's skew part.
+/// The w of a matrix's skew-symmetric part.
 template <class T>
 Vector<T> unskew(const Matrix<T>& m) {
   return T(0.5) * Vector<T>{m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1)};

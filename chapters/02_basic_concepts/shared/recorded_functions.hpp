@@ -5,11 +5,11 @@
 
 #include "chapters/expression.hpp"
 
-/// Functions of a recording number beside those that every proof has, and what Coq has to know of them.
+/// Further functions of a recording number, with the facts about them that Coq needs.
 namespace oddity {
 
 inline Shortened acos(const Shortened& x) { return function("acos", x.expression()); }
-/// With atan2_in_coq in the preamble.
+/// Needs atan2_in_coq in the preamble.
 inline Shortened atan2(const Shortened& y, const Shortened& x) {
   return Expression::letter("(atan2 (" + y.expression().coq() + ") (" + x.expression().coq() + "))");
 }
@@ -17,7 +17,7 @@ inline Shortened hypot(const Shortened& x, const Shortened& y, const Shortened& 
   return sqrt(x * x + y * y + z * z);
 }
 
-/// x^n, x being above zero and n a multiple of one half.
+/// x^n for x > 0 and n a multiple of one half.
 template <class T>
 T half_power(const T& x, double n) {
   if constexpr (std::same_as<T, Shortened>)
@@ -26,7 +26,7 @@ T half_power(const T& x, double n) {
     return std::pow(x, n);
 }
 
-/// For roots that are known: sqrt x = y.
+/// For known roots: sqrt x = y.
 inline constexpr const char* root_in_coq = R"(
 Lemma root_is : forall x y, 0 <= y -> x = y * y -> sqrt x = y.
 Proof. intros x y H ->. exact (sqrt_square y H). Qed.

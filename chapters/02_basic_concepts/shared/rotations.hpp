@@ -4,7 +4,7 @@
 #include "chapters/exercise.hpp"
 #include "reference/reference.hpp"
 
-/// Rotations by the angle theta about a unit axis w, and what comes close to one.
+/// Rotations by the angle theta about a unit axis w, and approximations.
 namespace oddity::rotation {
 
 using namespace basic_vectors;
@@ -28,7 +28,7 @@ auto quaternion(const std::array<T, 3>& w, const std::type_identity_t<T>& theta)
 }
 inline Map quaternion(const Vector& w, double theta) { return quaternion<double>(w, theta); }
 
-/// n steps of r + h w x r: no rotation, lengths grow by sqrt(1 + h^2) a step.
+/// n steps of r + h w x r: not a rotation, as lengths grow by sqrt(1 + h^2) a step.
 inline Map euler_steps(const Vector& w, double theta, int n) {
   return [=](Vector r) {
     for (int i = 0; i < n; ++i) r = r + theta / n * cross(w, r);
@@ -36,7 +36,7 @@ inline Map euler_steps(const Vector& w, double theta, int n) {
   };
 }
 
-/// n steps of Cayley's transform, (1 - k)^-1 (1 + k) with k = h/2 w x: rotations by 2 atan(h/2).
+/// n Cayley transforms, (1 - k)^-1 (1 + k) with k = h/2 w x: rotations by 2 atan(h/2).
 inline Map cayley_steps(const Vector& w, double theta, int n) {
   return [=](Vector r) {
     const double k = theta / n / 2;
@@ -76,8 +76,8 @@ struct Way {
   std::string name;
   Knob knob;
   std::function<Map(int setting)> map;
-  bool rotates = true, by_theta = true;  ///< at the finest setting: by any angle, and by the right one
-  std::string why = {};                  ///< unless both
+  bool rotates = true, by_theta = true;  ///< at the finest setting: a rotation, by the right angle
+  std::string why = {};                  ///< unless both are true
 };
 
 inline std::vector<Way> ways(const Vector& w, double theta) {
@@ -97,7 +97,7 @@ inline std::vector<Way> ways(const Vector& w, double theta) {
 
 const Vector axis{1.0 / 3, 2.0 / 3, 2.0 / 3};
 
-/// Of the triangle's edges, that may be asked for.
+/// The smallest gap of the triangle's edges that a user may set.
 constexpr double least_gap = 0x1p-20;
 
 /// The edges of a triangle; for gap = 2^-k, k <= 30, b is exact.
@@ -107,7 +107,7 @@ struct Triangle {
   Vector b() const { return a + d; }
 };
 
-/// What f makes of the map, and how many vectors it maps, each in so many steps or terms.
+/// The value of f for the map. Work is the count of mapped vectors times the steps or terms of each.
 template <class F>
 Answer mapped(const F& f, const Map& map, double setting = 0) {
   long vectors = 0;

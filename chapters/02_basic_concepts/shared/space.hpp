@@ -29,13 +29,13 @@ Matrix<T> slope_of(const Matrix<Dual<T>>& a) {
   return out;
 }
 
-/// r'(t), r being generic in its number type.
+/// r'(t) of a curve that is generic in its number type.
 template <class Curve, class T>
 Vector<T> derivative_of(const Curve& r, const T& t) {
   return slope_of(r(Dual<T>(t, T(1.0))));
 }
 
-/// The motion along a curve r(t), which is generic in its number type.
+/// The motion along a curve r(t) that is generic in its number type.
 template <class Curve, class T>
 Motion<T> motion_of(const Curve& r, const T& t) {
   using D = Dual<T>;

@@ -8,7 +8,7 @@
 #include "chapters/numbers.hpp"
 #include "reference/text.hpp"
 
-/// Vectors of three numbers; sums and multiples of any number.
+/// Vectors of three numbers; sums and multiples for any number type.
 namespace oddity::basic_vectors {
 
 using Vector = std::array<double, 3>;

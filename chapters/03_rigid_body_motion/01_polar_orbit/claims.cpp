@@ -1,7 +1,7 @@
-// The claims of exercise 3.1. The published algebra squares twice. It is judged line by line at points
-// computed from the polar equation; its result also by what no line of it uses: the sum of the distances to
-// the foci, the apsides, the highest point of the orbit (d(r sin theta)/d theta = 0 by dual numbers and
-// Brent's method).
+// The claims of exercise 3.1. The published algebra squares twice. It is checked line by line at points
+// computed from the polar equation. Its result is also checked by properties that no line uses: the sum of
+// the distances to the foci, the apsides, and the orbit's highest point (d(r sin theta)/d theta = 0 by dual
+// numbers and Brent's method).
 
 #include <algorithm>
 #include <cmath>
@@ -19,8 +19,8 @@ namespace oddity::ex03_01 {
 
 using std::abs, std::atan2, std::cos, std::hypot, std::pow, std::sin, std::sqrt, std::numbers::pi;
 
-/// A point of sign 1 lies on the orbit, of sign -1 on the mirror image r = e rho / (1 - e cos theta), of sign
-/// 0 anywhere: there only rewritings hold.
+/// A point of sign 1 is on the orbit, of sign -1 on the mirror image r = e rho / (1 - e cos theta), of sign 0
+/// anywhere: there only rewritten lines hold.
 template <class T>
 struct PointOf : EllipseOf<T> {
   using EllipseOf<T>::e, EllipseOf<T>::rho;
@@ -53,7 +53,7 @@ struct PointOf : EllipseOf<T> {
   T slope_of_height(const T& theta) const {
     return derivative([&](const auto& angle) { return height(angle); }, theta);
   }
-  /// r sin theta where its derivative is zero, which proofs have at the angle `top`.
+  /// r sin theta at the zero of its derivative; in proofs this is at the angle `top`.
   T half_height() const {
     if constexpr (std::same_as<T, Shortened>)
       return height(T::letter("top"));
@@ -109,8 +109,8 @@ struct Table {
                                            : anywhere,
                           {.quantity = std::move(quantity), .truth = truth, .printed = printed});
   }
-  /// A line of the page at points that the polar equation has: two sides are equal, and of more the first is
-  /// equal to each. `first` is the first side by another way.
+  /// Claims a line of the page at points from the polar equation: two sides are equal, or the first equals
+  /// each of several. `first` is an independent route to the first side.
   void equation(const std::string& slug, int at, const std::string& before, On on,
                 const std::vector<std::string>& sides, const std::string& after = {},
                 const Line& first = {}) {
@@ -143,7 +143,7 @@ void to_the_second_squaring(Table& t) {
               [](const Point& p) { return pow(p.e * p.e * (p.rho * p.rho - p.x * p.x), 2) + pow(p.r, 4); }});
 }
 
-/// Lines that rewrite the one before: anywhere they are one product, which is zero on both curves.
+/// Lines that rewrite the one before: everywhere they are one product, which is zero on both curves.
 void rewritten(Table& t) {
   std::ranges::copy(t.both, std::back_inserter(t.anywhere));
   const Line both_curves{R"($(e^2\rho^2-(r+ex)^2)(e^2\rho^2-(r-ex)^2)$)", [](const auto& p) {
@@ -174,7 +174,7 @@ const Line square_of_sizes{"the apsides and the highest point by Brent's method"
                            [](const auto& p) { return pow(p.half_length() / p.half_height(), 2); }};
 const Line square_of_axes = "$1/(1-e^2)$";
 
-/// The ellipse's point at the eccentric anomaly of which x/r is the cosine.
+/// The ellipse's point at the eccentric anomaly whose cosine is x/r.
 template <class T>
 std::array<T, 2> on_ellipse(const PointOf<T>& p, double sign) {
   return {-sign * p.c() + p.a() * p.x / p.r, p.b() * p.y / p.r};
@@ -338,7 +338,7 @@ namespace ex03_01 {
 
 namespace {
 
-/// With r by the polar equation of its curve.
+/// A point with r from the polar equation of its curve.
 PointOf<Shortened> any_point(double sign) {
   const auto letter = Shortened::letter;
   PointOf<Shortened> p{{letter("e"), letter("rho")}, letter("r"), letter("x"), letter("y"), sign};
@@ -346,10 +346,10 @@ PointOf<Shortened> any_point(double sign) {
   return p;
 }
 
-/// Denominators are (1 - e) (1 + e), which is known to be above zero.
+/// Denominators are (1 - e) (1 + e), which is positive.
 const std::string by_factors = "try replace (1 - e ^ 2) with ((1 - e) * (1 + e)) by ring;\n  ";
 
-/// A field's equation, knowing y^2 and the square of the root of 1 - e^2.
+/// Solves an equation by `field`, with y^2 and the square of the root of 1 - e^2 known.
 std::string by_squares(const Expression& q) {
   const std::string root = sqrt(q).coq(), positive = "sqrt_lt_R0, Rmult_lt_0_compat; lra);\n  ";
   return by_factors + "assert (root : " + root + " * " + root + " = " + q.coq() +
@@ -361,7 +361,7 @@ Proposition is(const Shortened& left, const Shortened& right) {
   return left.expression() == right.expression();
 }
 
-/// A lone right side is equal to each of the left.
+/// A single right side is equal to each of the left sides.
 std::vector<Proposition> in_rows(Expressions left, Expressions right) {
   in_a_row(left, right);
   return equal(left, right);
@@ -441,7 +441,7 @@ Provable proof_of_center() {
       0.6};
 }
 
-/// Of the ellipse's focus, at a point of e = 1/2 and rho = 1.
+/// Proof for the ellipse's other focus, with an example at a point of e = 1/2 and rho = 1.
 Provable proof_of_other_focus() {
   const PointOf<Shortened> p{{0.5, 1}, 0.375, 0.25, sqrt(Shortened(5.0) / 64), 1};
   return {"3.1-other_focus",
@@ -453,7 +453,7 @@ Provable proof_of_other_focus() {
           0.45};
 }
 
-/// For claims about the highest point, of the angle `top`.
+/// Lemmas for claims about the highest point, at the angle `top`.
 const std::string heights_in_coq = R"(
 Lemma on_orbits : forall e t, e > 0 -> 1 - e > 0 ->
   1 + e * cos t > 0 /\ sin t * sin t = 1 - cos t * cos t.
@@ -526,7 +526,7 @@ Lemma at_the_top(std::string name, const Line& left, const Line& right) {
   return lemma;
 }
 
-/// That there is a highest point.
+/// Proves that there is a highest point.
 Lemma top_there_is() {
   const PointOf<Shortened> p = any_orbit();
   const Shortened top = acos(-p.e), angle = Shortened::letter("theta");

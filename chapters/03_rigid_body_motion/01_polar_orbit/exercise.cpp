@@ -25,7 +25,7 @@ struct Conic {
   double e, rho, p, theta;
 };
 
-/// The positive root of A r^2 + B r = C, the least where there are two.
+/// The positive root of A r^2 + B r = C, the smaller if there are two.
 double textbook_root(double A, double B, double C) { return (-B + sqrt(B * B + 4 * A * C)) / (2 * A); }
 double stable_root(double A, double B, double C) {
   return B > 0 ? 2 * C / (B + sqrt(B * B + 4 * A * C)) : textbook_root(A, B, C);
@@ -35,7 +35,7 @@ double by_conic(const Conic& k, double (*root)(double, double, double)) {
   const double x = cos(k.theta), y = sin(k.theta);
   return root((1 - k.e * k.e) * x * x + y * y, 2 * k.e * k.p * x, k.p * k.p);
 }
-/// The ellipse of center (-sign c, 0).
+/// The radius from the ellipse with center (-sign c, 0).
 double by_standard_ellipse(const Conic& k, double sign) {
   const Ellipse p{k.e, k.rho};
   const double x = cos(k.theta), y = sin(k.theta), a2 = p.a() * p.a();

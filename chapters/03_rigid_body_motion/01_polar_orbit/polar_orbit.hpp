@@ -5,7 +5,7 @@
 
 #include "chapters/exercise.hpp"
 
-/// What the files of exercise 3.1 share.
+/// Shared by the files of exercise 3.1.
 namespace oddity::ex03_01 {
 
 template <class T, class Angle>

@@ -1,7 +1,7 @@
-// The published lines of exercise 3.3, judged on random orbits. What is true comes from Newton's law alone:
-// the path is integrated in Cartesian coordinates, its acceleration is the slope of G M/|r| by dual numbers,
-// and r, theta, V with their derivatives are taken along it by second-order dual numbers. The constants of
-// equation (3) are found from two later positions on the path, not from the start.
+// The published lines of exercise 3.3, checked on random orbits. The reference uses Newton's law alone: the
+// path is integrated in Cartesian coordinates, its acceleration is the slope of G M/|r| by dual numbers, and
+// r, theta, V and their derivatives follow from it by second-order dual numbers. The constants of equation
+// (3) come from two later positions on the path, not from the initial condition.
 
 #include "chapters/provable_claims.hpp"
 
@@ -43,7 +43,7 @@ std::array<T, n> gravity(const T& mu, const std::array<T, n>& q) {
   return a;
 }
 
-/// A planet of mass m at one moment, and another acceleration than gravity's.
+/// A planet of mass m at one moment, and an acceleration other than gravity's.
 template <class T>
 struct MomentOf {
   T G, M, m, x, y, vx, vy, push_x, push_y;
@@ -54,14 +54,14 @@ struct MomentOf {
   TypesetIn<T> typeset() const;
 };
 
-/// The same moment under the other acceleration.
+/// The moment with the other acceleration acting.
 template <class T>
 struct PushedOf : MomentOf<T> {
   TypesetIn<T> typeset() const;
 };
 
-/// r, theta and V = -GM/r at a moment: along the path in time by dual numbers of second order, and from there
-/// V', V'' along the angle.
+/// r, theta and V = -GM/r at a moment. Time derivatives along the path are by second-order dual numbers; V',
+/// V'' by the angle follow from these.
 template <class T>
 struct AlongOf {
   T G, M, m, mu, x, y, vx, vy, ax, ay, r, r_dot, r_dot_dot, angle, w, w_dot, c, s, h, alpha;
@@ -84,7 +84,7 @@ struct AlongOf {
     V1_dot = (energy.slope.slope * w - V_dot * w_dot) / (w * w), V2 = V1_dot / w;
   }
   T mean() const { return pow(G * M * M / alpha, 2); }  ///< G^2 M^4/alpha^2
-  /// `\alpha_c` is that of the circle through the place.
+  /// `\alpha_c` is alpha of the circular orbit through the position.
   TypesetIn<T> typeset() const {
     return {{"G", G},
             {"M", M},
@@ -109,7 +109,7 @@ struct AlongOf {
             {R"(dV/d\theta)", V1},
             {"dV/dr", derivative([&](auto z) { return -mu / z; }, r)}};
   }
-  // The size of the terms, whatever the letters are: of r'', of r theta'', of V'', of the velocity's moment.
+  // Sizes of the terms for any letters: of r'', of r theta'', of V'', of the velocity's moment.
   double of_radial() const { return r * w * w + mu / (r * r) + 4 * r_dot * r_dot / r; }
   double of_transverse() const { return (vx * vx + vy * vy) / r; }
   double of_bend() const { return of_radial() * mu / pow(r * w, 2) + abs(V); }
@@ -144,12 +144,12 @@ using Table = ProvableClaims<MomentOf>;
 using PushedTable = ProvableClaims<PushedOf>;
 using Terms = double (Along::*)() const;
 
-// For what a why tells of the Earth, in astronomical units, years and solar masses.
+// For the Earth in a `why`, in astronomical units, years and solar masses.
 constexpr double days_per_year = 365.25;
-constexpr double suns_per_earth = 1.32712440018e20 / 3.986004418e14;  // of G times the mass, m^3/s^2
+constexpr double suns_per_earth = 1.32712440018e20 / 3.986004418e14;  // ratio of G times mass, m^3/s^2
 /// 2 pi AU a year, in km/s.
 constexpr double earths_speed = 2 * pi * 149597870.7 / (days_per_year * 86400);
-/// From rest at the Earth's distance into the sun.
+/// The fall from rest at the Earth's distance into the sun.
 const double days_of_fall = days_per_year * pi / (2 * sqrt(2)) / sqrt(four_pi_squared);
 
 template <template <class> class Of = MomentOf, class F>
@@ -159,13 +159,13 @@ ProvableFormula<Of> along(std::string text, const F& of, Terms terms = nullptr) 
   if (terms) formula.terms = [=](const Of<double>& k) { return (motion_at(k).*terms)(); };
   return formula;
 }
-/// For an equation, which is what its sides differ by.
+/// For an equation, which is checked as a difference of its sides.
 OfMoment zero(Terms terms) {
   return along(
       "zero", []<class T>(const AlongOf<T>&) { return T(0); }, terms);
 }
 
-/// A vector of the orbit's plane, so many times.
+/// A vector of the orbit's plane, repeated.
 template <class T>
 std::vector<T> in_plane(const T& x, const T& y, int times = 1) {
   std::vector<T> all;
@@ -175,13 +175,13 @@ std::vector<T> in_plane(const T& x, const T& y, int times = 1) {
 
 }  // namespace
 
-/// A random orbit, from its start to a later moment.
+/// A random orbit at its initial condition and at a later moment.
 template <class T>
 struct LaterOf {
   Given<T> start;
   MomentOf<T> now;
-  T t, theta;  ///< the angle goes on beyond a turn
-  T c0, c1;    ///< of equation (3), from two other positions
+  T t, theta;  ///< the angle is not reduced to one turn
+  T c0, c1;    ///< from equation (3) at two other positions
 
   std::array<T*, 14> letters() {
     auto& [G, M, r0, r0_dot, theta0, theta0_dot] = start;
@@ -210,7 +210,7 @@ struct LaterOf {
     else
       return qag(slowness, from, to, 1e-13).value;
   }
-  /// The time of a turn.
+  /// The period.
   T turn() const {
     const auto slowness = [&](const T& angle) { return pow(distance(angle), 2) / abs(start.h()); };
     if constexpr (std::same_as<T, Shortened>)
@@ -218,7 +218,7 @@ struct LaterOf {
     else
       return trapezoid(slowness, 0, 2 * std::numbers::pi, 512).value;
   }
-  /// The moment of the start.
+  /// The initial moment.
   AlongOf<T> first() const {
     const auto q = start.position(), v = start.velocity();
     return AlongOf<T>({start.G, start.M, 1, q[0], q[1], v[0], v[1], 0, 0, {}}, false);
@@ -228,12 +228,12 @@ struct LaterOf {
     const T pull = start.mu() / r();
     return values(now.vy * h() - pull * now.x, -now.vx * h() - pull * now.y);
   }
-  /// A vector by its parts along R0 and P0.
+  /// A vector from its components along R0 and P0.
   auto parts(const T& along_R, const T& along_P) const {
     const T c = cos(start.theta0), s = sin(start.theta0);
     return values(along_R * c - along_P * s, along_R * s + along_P * c);
   }
-  /// All its numbers, those of the angles in exact parts of pi.
+  /// All numbers of the sample, with angles as exact multiples of pi.
   LaterOf<Shortened> recorded() const requires std::same_as<T, double> {
     const auto angle = [](double x) { return pi_of<Shortened>() * (x / std::numbers::pi); };
     const auto& [G, M, m, x, y, vx, vy, push_x, push_y, orbit] = now;
@@ -246,7 +246,7 @@ struct LaterOf {
   }
 };
 
-/// The orbit's elements by the lines from the start.
+/// The orbit's elements by the lines that use the initial condition.
 template <class T>
 struct Elements {
   T mu, squared, tilted;  ///< r0^3 theta0'^2, r0^2 r0' theta0'
@@ -283,7 +283,7 @@ TypesetLetters LaterOf<T>::typeset() const {
           {R"(\omega)", of.omega}};
 }
 
-/// A place and a velocity in space, and drag beside gravity.
+/// A position and a velocity in space, with drag in addition to gravity.
 template <class T>
 struct InSpaceOf {
   T mu;
@@ -314,7 +314,7 @@ using OfStart = ProvableFormula<LaterOf>;
 using LaterTable = ProvableClaims<LaterOf>;
 using SpaceTable = ProvableClaims<InSpaceOf>;
 
-/// The distances at the apsides, by the energy and the angular momentum of the later moment.
+/// The distances of the apsides, from the energy and the angular momentum of the later moment.
 template <class T>
 struct Apsides {
   T nearest, farthest, half_axis;
@@ -327,7 +327,7 @@ struct Apsides {
   }
 };
 
-/// A start at `transverse` and `radial` times the circular speed.
+/// Initial condition with `transverse` and `radial` times the circular speed.
 Start random_start(Random& random, double transverse, double radial) {
   const double G = abs(random.magnitude(0.2, 5)), M = abs(random.magnitude(0.2, 5));
   const double r0 = abs(random.magnitude(0.3, 3)), circular = sqrt(G * M / r0);
@@ -341,7 +341,7 @@ std::string letters_of(const Start& s) {
          format_shortest(s.theta0_dot);
 }
 
-/// Bound orbits of eccentricity up to 0.95, of either sense, each followed in so many pieces.
+/// Bound orbits of eccentricity up to 0.95, in either sense, each split into this many pieces.
 constexpr std::size_t pieces = 64;
 
 std::vector<Later> orbits(double seed) {
@@ -384,7 +384,7 @@ std::vector<Later> orbits(double seed) {
   return all;
 }
 
-/// A start, at so many times the circular speed across and along.
+/// An initial condition with multiples of the circular speed across and along the radius.
 struct AnyStart {
   double across, along;
   Start start;
@@ -396,7 +396,7 @@ struct AnyStart {
   std::string where() const { return letters_of(start); }
   double size() const { return 2 + 2 / (across * across); }
 
-  /// r reaches a thousandth of r0.
+  /// Whether r falls to a thousandth of r0.
   bool falls() const {
     const auto system = [&](const std::array<double, 2>& z, std::array<double, 2>& d, double) {
       d = {z[1], start.h() * start.h() / pow(z[0], 3) - start.mu() / (z[0] * z[0])};
@@ -416,7 +416,7 @@ struct AnyStart {
   }
 };
 
-/// Every other one of them goes round the other way.
+/// Random initial conditions, every other one with the opposite sense.
 std::vector<AnyStart> starts(int count, double seed, double least, double most, double most_along) {
   Random random(seed);
   std::vector<AnyStart> all;
@@ -428,7 +428,7 @@ std::vector<AnyStart> starts(int count, double seed, double least, double most, 
   return all;
 }
 
-/// The same, and every tenth of them once more without angular momentum, half of these at rest.
+/// Adds every tenth again without angular momentum, half of these at rest.
 std::vector<AnyStart> and_straight(std::vector<AnyStart> all) {
   for (std::size_t i = 0, count = all.size(); i < count; i += 10) {
     AnyStart k = all[i];
@@ -506,7 +506,7 @@ void polar_acceleration(PushedTable& table, const std::vector<Pushed>& moments) 
                   R"(\ \frac{d}{dt}(r^2\dot\theta))$)"});
 }
 
-/// An equation, as printed and as meant.
+/// Claims an equation, as printed and as meant.
 void equation(Table& table, std::string_view slug, int line, const std::vector<Moment>& moments, Terms terms,
               const std::string& printed, const std::string& meant = {}, std::string why = {}) {
   table.formula(slug, line, printed, moments,
@@ -600,13 +600,13 @@ void singularity(Claims& claims, const std::vector<Moment>& moments) {
 
 // ---- the potential as a function of the angle: lines 1009 to 1101 -----------------------------------------
 
-/// Of a complex number.
+/// Square of a complex number.
 template <class T>
 std::array<T, 2> squared(const std::array<T, 2>& z) {
   return {z[0] * z[0] - z[1] * z[1], z[0] * z[1] + z[1] * z[0]};
 }
 
-/// lambda^2 (V + G^2 M^4/alpha^2), which is V'' where lambda^2 + 1 = 0.
+/// lambda^2 (V + G^2 M^4/alpha^2), which is V'' if lambda^2 + 1 = 0.
 template <class T>
 auto bent_by(const std::array<T, 2>& lambda, const AlongOf<T>& k) {
   const auto square = squared(lambda);
@@ -632,7 +632,7 @@ void equation_of_the_potential(Table& table, const std::vector<Moment>& moments)
   const auto r_dot = along(R"($\dot r$ by dual numbers)", [](const auto& k) { return k.r_dot; });
   const auto r_dot_dot =
       along(R"($\ddot r$ by dual numbers)", [](const auto& k) { return k.r_dot_dot; }, &Along::of_radial);
-  /// A rate of r, as printed and as meant, in one form or two.
+  /// Claims a rate of r, as printed and as meant, in one form or two.
   const auto rate = [&](std::string_view slug, int line, const OfMoment& truth, const std::string& left,
                         const std::vector<std::string>& printed, const std::vector<std::string>& meant = {},
                         std::string why = {}) {
@@ -934,7 +934,7 @@ void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
            R"(The fraction bar is lost here, at line 1171 and at line 1187; line 1143, which is put in, has it. )"
            R"(The sign of $V_0$ is wrong in all of them.)"});
 
-  /// (4) or (5), by the signs of GM/r0 and of the last term.
+  /// (4) or (5), with the given sign of GM/r0 and of the last term.
   const auto constant = [=](bool fourth, double sign, double last) {
     return [=](const auto& k) {
       const auto bracket = sign * k.start.mu() / k.start.r0 + squares(k), angle = k.start.theta0;
@@ -1015,7 +1015,7 @@ void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
            {180 / pi * acos(printed_circle.mean / hypot(printed_circle.c0, printed_circle.c1))})});
 }
 
-/// The potential at the start by (3), (4) and (5), which is -GM/r0, over GM/r0; plus 1.
+/// Relative error of the initial potential by (3), (4) and (5), which should be -GM/r0.
 template <class T>
 T off_at_start(const Given<T>& start, double sign) {
   const T V0 = start.mu() / start.r0;
@@ -1057,8 +1057,8 @@ void any_start(Claims& claims, double seed) {
 
 // ---- solved numerically: lines 47 and 1007 ----------------------------------------------------------------
 
-/// A planet after some turns from its aphelion, where it is again, by Runge-Kutta 4 with equal steps: how far
-/// off it is by (3.1) in Cartesian coordinates, by (2) and by (7), over half the axis.
+/// A planet after a whole number of turns from its aphelion, by Runge-Kutta 4 with equal steps: the error of
+/// its position by (3.1) in Cartesian coordinates, by (2) and by (7), relative to the semi-major axis.
 struct Turned {
   static constexpr double turns = 10, steps = 365, fine_steps = 3650;
   double e, direct, distance, angle;
@@ -1083,7 +1083,7 @@ struct Turned {
   }
   std::string where() const { return "$e$ = " + format_significant(e, 3); }
 };
-/// NaN is lost, too.
+/// NaN is lost as well.
 bool is_lost(double off) { return !(off < 0.1); }
 
 constexpr double earths_eccentricity = 0.0167;
@@ -1159,7 +1159,7 @@ void solved_numerically(Claims& claims, double seed) {
        .near_misses = {{"it loses it by (7) too", [](K k) { return is_lost(k.angle); }}}});
 }
 
-/// The same start under four times the mass, twice as fast.
+/// Compares with a start at the same position with four times the mass and twice the velocity.
 void timing(Claims& claims, const std::vector<Later>& orbits) {
   const auto same_orbit = [](const Later& k, double ratio) {
     Later fast = k;
@@ -1562,7 +1562,7 @@ std::vector<Root> roots() {
            {Turned::steps, 1e6 * Turned(random, earths_eccentricity).direct, Turned::turns})}};
 }
 
-/// Of lambda^2 + 1 = 0: its roots in complex numbers, and V'' by any of them.
+/// For lambda^2 + 1 = 0: its complex roots, and V'' from each of them.
 Provable proof_of_roots(const ForAll<MomentOf>& all) {
   const std::array lambda{Shortened::letter("a"), Shortened::letter("b")};
   const auto square = squared(lambda);
@@ -1585,7 +1585,7 @@ Provable proof_of_roots(const ForAll<MomentOf>& all) {
           {std::move(roots), std::move(bent)}};
 }
 
-/// Of a table at any moment.
+/// Proofs of a table's claims at any moment.
 template <template <class> class Of>
 Provables at_any_moment(const ProvableClaims<Of>& table, ForAll<Of>& all) {
   const std::vector<std::string> names{"G", "M", "m", "x", "y", "vx", "vy", "px", "py"};
@@ -1622,13 +1622,13 @@ Provables proofs_at_a_moment() {
   return proved;
 }
 
-/// An ellipse from its start at theta = 0, a quarter of a turn later; the time does not matter.
+/// An ellipse with its start at theta = 0, a quarter of a turn later; the time is not used.
 const Later quarter_of_a_turn{{2, 5, 1, 1, 0, 2}, {2, 5, 1, 0, 0.5, -4, -3, 0, 0, {}}, 0, pi / 2, 5, 15};
-/// The same from theta = pi/2, half a turn later.
+/// This ellipse with its start at theta = pi/2, half a turn later.
 const Later half_a_turn{{2, 5, 1, 1, pi / 2, 2}, {2, 5, 1, 0, -0.25, 8, 1, 0, 0, {}}, 0, 3 * pi / 2, 15, -5};
 
-/// Of the path from any start to any moment, at the angle `theta`; c0 and c1 are what two other places make
-/// them.
+/// Proofs on the path from any initial condition to any moment, at the angle `theta`; c0 and c1 are
+/// determined by two other positions.
 ForAll<LaterOf> on_any_path(const std::string& theta) {
   ForAll<LaterOf> all{
       .any = lettered<LaterOf>(
@@ -1678,7 +1678,7 @@ Provables proofs_from_a_start() {
   constants_of_motion(table, {});
   vectors(table, {});
   ForAll<LaterOf> all = on_any_path("th");
-  // as printed they are right a quarter of a turn later, and V0_put_in wherever r0 = 1
+  // as printed they are right a quarter of a turn later, and V0_put_in is right if r0 = 1
   const std::vector<std::string> half_a_turn_alone{"c0", "constants_of_rate", "last_term_of_c1"};
   all.without = half_a_turn_alone;
   all.without.push_back("V0_put_in");
@@ -1690,7 +1690,7 @@ Provables proofs_from_a_start() {
   return with_orbits(std::move(proved));
 }
 
-/// Of orbits that have a perihelion.
+/// For orbits that have a perihelion.
 Provables proofs_of_the_orbit() {
   Claims claims("3.3");
   LaterTable table(claims);
@@ -1710,7 +1710,7 @@ Provables proofs_of_the_orbit() {
   return with_orbits(std::move(proved), turns_in_coq());
 }
 
-/// Where the angle is a function of the time.
+/// The angle is a function of the time.
 Provables proofs_of_the_time() {
   Claims claims("3.3");
   LaterTable table(claims);
@@ -1724,7 +1724,7 @@ Provables proofs_of_the_time() {
   return with_orbits(table.proofs("3.3", all), times_in_coq());
 }
 
-/// Where what is printed divides by zero.
+/// The printed formulas divide by zero.
 Provables proofs_of_divisors() {
   const ForAll<LaterOf> all = on_any_path("th");
   const LaterOf<Shortened>& k = all.any;

@@ -7,19 +7,19 @@
 
 namespace oddity::kepler {
 
-/// How the planet and its orbit look: `observed` is the planet's place [AU], the sun at the origin.
+/// Draws the planet and its orbit; `observed` is the planet's position [AU], with the sun at the origin.
 template <class Parameters>
 void draw(const Parameters& p, double, std::span<const double> observed, Drawing& drawing) {
   const double r0 = p["r0"], mu = p["G"] * p["M"], start = p["theta0"];
   const Place planet{observed[0], observed[1]}, first{r0 * std::cos(start), r0 * std::sin(start)};
   const Place across{-first.y, first.x};
   const double turn = p["theta0_dot"], h = r0 * r0 * turn, rate = p["r0_dot"];
-  // The orbit r = q/(1 + e cos nu), as far as it stays near.
+  // The part of the orbit r = q/(1 + e cos nu) that stays near.
   const double q = h * h / mu, e_cos = q / r0 - 1, e_sin = rate * h / mu, e = std::hypot(e_cos, e_sin);
   const double least = q / (6 * r0) - 1, nu0 = std::atan2(e_sin, e_cos);
   const double end = least > -e ? std::acos(std::fmax(-1, std::fmin(1, least / e))) : std::numbers::pi;
   drawing.track(sampled(-end, end, 120, [&](double nu) {
-    // Of a very eccentric orbit the angle's roundings are much of the distance.
+    // On a very eccentric orbit the angle's roundings change the distance considerably.
     const double r = q / std::fmax(1 + e * std::cos(nu), q / (6 * r0)), angle = start + nu - nu0;
     return Place{r * std::cos(angle), r * std::sin(angle)};
   }));

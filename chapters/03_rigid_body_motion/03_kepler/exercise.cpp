@@ -2,8 +2,8 @@
 // equation for the angle, (7), by the potential as a function of the angle, (3):
 //   V = -GM/r = c0 sin(theta) + c1 cos(theta) - G^2 M^4/alpha^2,   theta' = alpha V^2/(G^2 M^3),
 //   alpha = M r0^2 theta0'.
-// claims.cpp judges the derivation against Newton's law, models.hpp has the models. The reference is
-// Kepler's equation in universal variables and the Taylor series of the Cartesian equations, in 60 digits.
+// claims.cpp checks the derivation by Newton's law; models.hpp contains the models. The reference is Kepler's
+// equation in universal variables and the Taylor series of the Cartesian equations, in 60 digits.
 
 #include "chapters/03_rigid_body_motion/03_kepler/drawing.hpp"
 #include "chapters/03_rigid_body_motion/03_kepler/kepler.hpp"
@@ -37,7 +37,7 @@ std::vector<double> inputs(const Start& s) { return {s.G, s.M, s.r0, s.r0_dot, s
 
 // ---- the path ---------------------------------------------------------------------------------------------
 
-/// Raised unless the orbit is an ellipse.
+/// Ends as `raised` unless the orbit is an ellipse.
 template <class Solve>
 Answer by_keplers_equation(const Start& start, const Horizon& horizon, const Solve& solve) {
   const Ellipse<double> orbit = ellipse(start);
@@ -51,7 +51,7 @@ Answer by_keplers_equation(const Start& start, const Horizon& horizon, const Sol
   });
 }
 
-/// How the methods of equal steps end at the finest one.
+/// Expected outcomes of fixed-step methods at the finest setting.
 struct EqualSteps {
   Outcome euler = Outcome::inaccurate, runge_kutta = Outcome::ok;
 };
@@ -132,12 +132,12 @@ Quantity planet(const Parameters& p, const Horizon& horizon, const Reference& tr
                      "Cartesian"});
 }
 
-/// In years for seconds. From the aphelion the angle's rate sets the eccentricity: 0.1, 0.5, 0.9, 0.975,
-/// 0.99. Close is one degree of the Earth's orbit, in AU.
 Energy energy(const Parameters& p, std::span<const double> x) { return orbit_energy(p["G"] * p["M"], x); }
 
 std::string_view kind(const Parameters& p) { return asked(p).energy() < 0 ? "an ellipse" : "a hyperbola"; }
 
+/// Time in years instead of seconds. From the aphelion the angle's rate determines the eccentricity: 0.1,
+/// 0.5, 0.9, 0.975, 0.99. The tolerance is one degree of the Earth's orbit, in AU.
 Scene scene() {
   return {
       .motion = planet,
@@ -287,8 +287,8 @@ std::vector<Quantity> eccentric_anomalies(const Parameters& p, const Reference& 
 
 // ---- the period -------------------------------------------------------------------------------------------
 
-/// Integrates until the angle has gone on by a turn. The event's bracket says nothing of the integration's
-/// error.
+/// Integrates until the angle has advanced by a turn. The event's bracket contains no information on the
+/// integration's error.
 template <class Algorithm, class Model>
 Answer turn_by(const Model& model, std::size_t angle, double limit, double setting) {
   const double sense = model.p.theta0_dot < 0 ? -1 : 1;

@@ -2,7 +2,8 @@
 
 namespace oddity::kepler {
 
-/// The distance as one letter, and the angle's cosine and sine by it; the rate on a circle as another.
+/// Replaces the distance by a letter and the angle's cosine and sine by quotients, and the rate on a circle
+/// by another.
 const char* const by_distance = R"(
   rename H1 into off_center;
   rewrite ?(cos_atan2 y x off_center), ?(sin_atan2 y x off_center);
@@ -199,7 +200,7 @@ Ltac by_start :=
     first [reflexivity | equation | f_equal; equation] end.
 )";
 
-/// What a section supposes of a path.
+/// Hypotheses of a section about a path.
 static const std::string from_a_start = R"(Hypothesis pulled : mu > 0.
 Hypothesis far : r0 > 0.
 Hypothesis turns : w0 <> 0.

@@ -12,19 +12,19 @@
 #include "solvers/roots.hpp"
 #include "solvers/solved.hpp"
 
-/// Ways to solve Kepler's equation.
+/// Methods to solve Kepler's equation.
 namespace oddity::kepler {
 
 using Start = Given<double>;
 
 /// G times the mass of the sun, in AU^3/yr^2.
 inline constexpr double four_pi_squared = 39.47841760435743;
-/// The starts of the scenes.
+/// Initial conditions of the scenes.
 inline constexpr Start near_earth{four_pi_squared, 1, 1, 0.09375, 1.75, 6.25};
 inline constexpr Start eccentric{four_pi_squared, 1, 1.75, 1.7862, -2, 0.8943};
 inline constexpr Start very_eccentric{four_pi_squared, 2, 1.75, -3.28124, 0.75, 0.409303};
 
-/// Throws unless the start's orbit is an ellipse.
+/// Throws std::domain_error unless the orbit is an ellipse.
 inline Ellipse<double> ellipse(const Start& start) {
   if (!(start.energy() < 0)) throw std::domain_error("the orbit is no ellipse: the start is too fast");
   return Ellipse<double>(start);
@@ -32,7 +32,7 @@ inline Ellipse<double> ellipse(const Start& start) {
 
 // ---- Kepler's equation E - e sin E = M, 0 <= M <= pi ------------------------------------------------------
 
-/// Newton's method from E0; `stalled` when the last correction is not small after so many iterations.
+/// Newton's method from E0; `stalled` if the last of this many corrections is not small.
 inline Solved<double> by_newton(double e, double M, double E0, int iterations) {
   const auto found = newton(e, M, E0, iterations);
   Solved<double> E{found.E, found.corrections};
@@ -42,7 +42,7 @@ inline Solved<double> by_newton(double e, double M, double E0, int iterations) {
   return E;
 }
 
-/// E <- M + e sin E; its error shrinks by e cos E.
+/// E <- M + e sin E; each iteration multiplies its error by e cos E.
 inline Solved<double> fixed_point(double e, double M, int iterations) {
   double E = M;
   for (int i = 0; i < iterations; ++i) E = M + e * std::sin(E);
@@ -61,15 +61,15 @@ inline Solved<double> bessel_series(double e, double M, int terms) {
   return {E, terms};
 }
 
-/// What the terms of the series in Bessel functions fall as the powers of, at this eccentricity
-/// [Watson, Bessel Functions, 1944, 8.7].
+/// The terms of the series in Bessel functions decrease as the powers of this number [Watson, Bessel
+/// Functions, 1944, 8.7].
 inline double power_of_terms(double e) {
   const double root = std::sqrt((1 - e) * (1 + e));
   return e * std::exp(root) / (1 + root);
 }
 
-/// The eccentricity up to which the power series in e converges for all M: e exp(root)/(1 + root) is 1 there,
-/// root = sqrt(1 + e^2).
+/// The eccentricity up to which the power series in e converges for all M, where e exp(root)/(1 + root) = 1
+/// with root = sqrt(1 + e^2).
 inline double laplace_limit() {
   double below = 0, above = 1;
   while (true) {
@@ -79,8 +79,8 @@ inline double laplace_limit() {
   }
 }
 
-/// The power series in e: E = M + sum of e^n/n! d^(n-1)/dM^(n-1) sin^n M, the powers of the sine written as
-/// sums of sines. Converges for all M only up to laplace_limit().
+/// The power series in e: E = M + sum of e^n/n! d^(n-1)/dM^(n-1) sin^n M, with the powers of the sine as sums
+/// of sines. Converges for all M only up to laplace_limit().
 inline Solved<double> lagrange_series(double e, double M, int terms) {
   double E = M;
   const auto log_factorial = [](int n) { return boost::math::lgamma(n + 1.0); };
@@ -95,13 +95,12 @@ inline Solved<double> lagrange_series(double e, double M, int terms) {
 
 // ---- the claims of exercise 3.3 ---------------------------------------------------------------------------
 
-/// Judged on random orbits.
+/// Checked on random orbits.
 std::vector<Claim> claims(double seed);
 std::vector<Root> roots();
 
-// in_coq.cpp, for proofs: by a moment's distance, of the characteristic roots, of a circle, within bounds; of
-// motion by Newton's law and of the constants of its path, of an ellipse and its turn, of the time by the
-// angle
+// Tactics and lemmas of in_coq.cpp: a moment's distance, the characteristic roots, a circle, bounds; then
+// motion by Newton's law and the constants of its path, an ellipse and its turn, the time by the angle.
 extern const char* const by_distance;
 extern const char* const by_factors;
 extern const char* const by_circle;

@@ -6,18 +6,18 @@
 
 #include "chapters/numbers.hpp"
 
-/// One body about a fixed sun: the start, the orbit by Kepler's equation, and the models that exercise 3.3
-/// integrates. Position (r, theta), GM = mu, h = r^2 theta' (a constant), V = -GM/r.
+/// One body about a fixed sun: the initial condition, the orbit by Kepler's equation, and the models that
+/// exercise 3.3 integrates. Position (r, theta), GM = mu, h = r^2 theta' (a constant), V = -GM/r.
 namespace oddity::kepler {
 
-/// The exercise's parameters, and what follows from them.
+/// The exercise's parameters, and quantities that follow from them.
 template <class T>
 struct Given {
   T G, M, r0, r0_dot, theta0, theta0_dot;
 
   T mu() const { return G * M; }
   T h() const { return r0 * r0 * theta0_dot; }
-  /// Per unit mass of the planet; the orbit is an ellipse where it is negative.
+  /// Per unit mass of the planet; negative for an ellipse.
   T energy() const { return (r0_dot * r0_dot + r0 * r0 * theta0_dot * theta0_dot) / 2 - mu() / r0; }
   std::array<T, 2> position() const { return {r0 * cos(theta0), r0 * sin(theta0)}; }
   std::array<T, 2> velocity() const {
@@ -26,7 +26,7 @@ struct Given {
   }
 };
 
-/// What Newton's method has come to.
+/// State of Newton's method.
 template <class T>
 struct Iterate {
   T E;
@@ -34,11 +34,11 @@ struct Iterate {
   bool settled;  ///< the last correction was small
 };
 
-/// Newton's method for E - e sin E = M from E0, with so many corrections at most.
+/// Newton's method for E - e sin E = M from E0, with at most `most` corrections.
 template <class T>
 Iterate<T> newton(const T& e, const T& M, const T& E0, int most) {
   Iterate<T> now{E0, 0, false};
-  T moving(1);  // of several numbers each stays where it has settled
+  T moving(1);  // each of several numbers stops moving when it has settled
   while (!now.settled && now.corrections < most) {
     const T slope = 1 - e * cos(now.E), correction = (now.E - e * sin(now.E) - M) / slope;
     now.E -= select(moving > T(0), correction, T(0));
@@ -50,7 +50,7 @@ Iterate<T> newton(const T& e, const T& M, const T& E0, int most) {
   return now;
 }
 
-/// The elements of an elliptic orbit, from its start; of any other orbit they are NaN.
+/// The elements of an elliptic orbit from its initial condition; NaN for any other orbit.
 template <class T>
 struct Ellipse {
   T a, e, n, M0, perihelion, turn;  ///< turn: the sense of rotation, +1 or -1
@@ -78,7 +78,7 @@ struct Ellipse {
   T minor;
 };
 
-/// The position at t by Kepler's equation, solved by Newton's method from Danby's start.
+/// The position at t by Kepler's equation, solved by Newton's method from Danby's initial value.
 template <class T>
 struct ByKeplersEquation : Ellipse<T> {
   explicit ByKeplersEquation(const Given<T>& p) : Ellipse<T>(p) {}
@@ -90,9 +90,8 @@ struct ByKeplersEquation : Ellipse<T> {
 
 // ---- models -----------------------------------------------------------------------------------------------
 
-/// (theta): equation (7), and V from equation (3). `V0` is the potential at the start that c0 and c1 take.
-/// On an ellipse V never changes its sign; at the aphelion it is (1 - e) times its mean, so that r loses as
-/// much.
+/// (theta): equation (7), with V from equation (3). `V0` is the initial potential in c0 and c1. On an ellipse
+/// V never changes its sign. At the aphelion it is (1 - e) times its mean, so r loses as many digits.
 template <class T>
 struct OneAngle {
   Given<T> p;
@@ -123,7 +122,8 @@ struct OneAngle {
   }
 };
 
-/// Equation (7) with (4) and (5) as printed, V0 = +GM/r0; r from the polar equation, perihelion at theta = 0.
+/// Equation (7) with (4) and (5) as printed, V0 = +GM/r0; r from the polar equation with perihelion at theta
+/// = 0.
 template <class T>
 struct OneAngleAsPrinted : OneAngle<T> {
   using MovesAs = OneAngle<T>;
@@ -155,7 +155,7 @@ struct Distance {
   }
 };
 
-/// (r, theta, r', theta'): Item 1's two equations.
+/// (r, theta, r', theta'): the two equations of Item 1.
 template <class T>
 struct Polar {
   Given<T> p;
@@ -193,14 +193,14 @@ struct Cartesian {
     dxdt = {x[2], x[3], a[0], a[1]};
   }
   std::array<T, 2> observe(const State& x, const T&) const { return {x[0], x[1]}; }
-  /// The energy and the angular momentum, of which at most distance times speed could move.
+  /// The energy and the angular momentum, whose moving part is distance times speed.
   std::array<Conserved<T>, 2> conserved(const State& x, const T&) const {
     const T r = hypot(x[0], x[1]), square = x[2] * x[2] + x[3] * x[3];
     return {{{square / 2 - p.mu() / r, square / 2}, {x[0] * x[3] - x[1] * x[2], r * sqrt(square)}}};
   }
 };
 
-/// From the least to the richest.
+/// From the simplest to the richest.
 template <class T>
 auto models(const Given<T>& p) {
   return std::tuple{

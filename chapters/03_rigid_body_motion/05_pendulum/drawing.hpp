@@ -7,7 +7,7 @@
 
 namespace oddity::pendulum {
 
-/// How the pendulum looks: `observed` is the angle [rad].
+/// Draws the pendulum at the angle `observed` [rad].
 template <class Parameters>
 void draw(const Parameters& p, double, std::span<const double> observed, Drawing& drawing) {
   const double L = p["L"];

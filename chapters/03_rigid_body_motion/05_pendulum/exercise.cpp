@@ -1,11 +1,11 @@
-// Exercise 3.5: the quarter period of a pendulum let go at rest from the angle a, in units of sqrt(L/2g), and
-// the pendulum itself.
+// Exercise 3.5: the quarter period of a pendulum released at rest from the angle a, in units of sqrt(L/2g),
+// and the pendulum itself.
 //   I(a) = int_0^a dt / sqrt(cos t - cos a) = sqrt(2) K(k), k = sin(a/2)   by sin(t/2) = k sin u
 //   [DLMF 19.2.8]
-// The reference is the arithmetic-geometric mean; no method below uses it. The swing's reference is Jacobi's
-// cd. The book splits off the last eps of the integral, where cos t - cos a is nearly s u - c u^2/2 in u = a
-// - t, s = sin a, c = cos a, and takes the rest by Simpson's rule. [DLMF] NIST Digital Library of
-// Mathematical Functions.
+// The reference is the arithmetic-geometric mean, which no method below uses. The swing's reference is
+// Jacobi's cd. The book splits off the last eps of the integral, where cos t - cos a is nearly s u - c u^2/2
+// in u = a - t, s = sin a, c = cos a, and integrates the rest by Simpson's rule. [DLMF] NIST Digital Library
+// of Mathematical Functions.
 
 #include <cmath>
 #include <numbers>
@@ -31,7 +31,7 @@ using std::cos, std::sin, std::sqrt, std::numbers::pi;
 constexpr double book_angle = pi / 6;
 constexpr double book_epsilon = 1e-8;
 
-/// The remainder beyond a - epsilon.
+/// The remainder of the integral beyond a - epsilon.
 template <class T>
 T to_leading_order(const T& a) {
   return 2 * sqrt(book_epsilon / sin(a));
@@ -62,7 +62,7 @@ double remainder(double a, double epsilon) {
   return sqrt(2 / cos(a)) * (pi / 2 - std::asin(1 - epsilon * cos(a) / sin(a)));
 }
 
-/// The listing's arithmetic, in the listing's order; `shift` is what it subtracts from the cosine.
+/// The listing's arithmetic, in the listing's order; `shift` is subtracted from the cosine.
 double listed_integral(double a, double shift, int panels) {
   const double amax = a - book_epsilon, h = amax / panels;
   double sum = 1 / sqrt(cos(0.0) - shift) + 1 / sqrt(cos(amax) - shift);
@@ -169,7 +169,7 @@ Quantity swing(const Parameters& p, const Horizon& horizon, const Reference& tru
                      "one angle", "Cartesian with constraint"});
 }
 
-/// A rod of one and a half times the length, hinged at its end, which has the same equation.
+/// A rod of 1.5 times the length, hinged at its end, which has the same equation of motion.
 engines::Staging staging(const Parameters& p) {
   using namespace engines;
   const double a = p["a"], L = p["L"], d = 0.75 * L, across = 0.1875 * L * L;
@@ -182,7 +182,7 @@ engines::Staging staging(const Parameters& p) {
           }};
 }
 
-/// Of the bob, seen by the rod's angle.
+/// Energy of the bob, from the rod's angle.
 Energy energy(const Parameters& p, std::span<const double> x) {
   const double half = std::sin(x[0] / 2), speed = p["L"] * x[1];
   return energy_seen(speed * speed / 2, 2 * p["g"] * p["L"] * half * half);
@@ -216,7 +216,8 @@ const std::string to_epsilon = R"(\int_0^{a-\epsilon}\frac{d\psi}{\sqrt{\cos\psi
 /// The integral's tolerance in QAG.
 constexpr double by_qag = 1e-13;
 
-/// From a - to until a - from, by psi = a - s^2; the difference of the cosines as a product.
+/// The integral from a - to until a - from, by psi = a - s^2, with the difference of the cosines as a
+/// product.
 double part_of_integral(double from, double to) {
   const double a = book_angle;
   const auto smooth = [a](double s) {
@@ -225,14 +226,14 @@ double part_of_integral(double from, double to) {
   return qag(smooth, sqrt(from), sqrt(to), by_qag).value;
 }
 
-/// What a few roundings of the arc sine's argument, which is nearly 1, make of the remainder.
+/// Error of the remainder from a few roundings of the arc sine's argument, which is nearly 1.
 double roundings_of_remainder(double epsilon) {
   constexpr double roundings = 4, unit = 0x1p-53;
   const double slope = 1 / sqrt(2 * epsilon * cos(book_angle) / sin(book_angle));
   return sqrt(2 / cos(book_angle)) * slope * roundings * unit;
 }
 
-/// A place to cut the integral at, which is known up to it.
+/// A point that splits the integral, with the integral up to it.
 struct Cut {
   double epsilon, first_part;
   explicit Cut(double at) : epsilon(at), first_part(part_of_integral(at, book_angle)) {}

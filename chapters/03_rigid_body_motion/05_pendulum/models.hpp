@@ -6,7 +6,7 @@
 
 #include "chapters/numbers.hpp"
 
-/// The models of exercise 3.5: a pendulum of length L let go at rest from the angle a.
+/// The models of exercise 3.5: a pendulum of length L released at rest from the angle a.
 namespace oddity::pendulum {
 
 /// The exercise's parameters.
@@ -21,16 +21,16 @@ struct SmallAngle {
   std::array<T, 1> at(const T& t) const { return {p.a * cos(sqrt(p.g / p.L) * t)}; }
 };
 
-/// The small angle's cosine at the frequency of amplitude a, to order a^2.
+/// The small-angle cosine with the frequency of amplitude a, to order a^2.
 template <class T>
 struct AmplitudeCorrected {
   Given<T> p;
   std::array<T, 1> at(const T& t) const { return {p.a * cos(sqrt(p.g / p.L) * (1 - p.a * p.a / 16) * t)}; }
 };
 
-/// Exact: theta = sum over n of (-1)^n 8 q^(n+1/2) / ((2n+1) (1 + q^(2n+1))) cos((2n+1) w t) with the nome
-/// q = exp(-pi K'/K), w = pi/(2K) sqrt(g/L). It is the integral of 2 k cn u, term by term [DLMF 22.11.2],
-/// seen from a quarter period later. The coefficients are made once.
+/// Exact: theta = sum over n of (-1)^n 8 q^(n+1/2) / ((2n+1) (1 + q^(2n+1))) cos((2n+1) w t) with the nome q
+/// = exp(-pi K'/K), w = pi/(2K) sqrt(g/L). It is the integral of 2 k cn u, term by term [DLMF 22.11.2],
+/// shifted by a quarter period. The coefficients are computed once.
 template <class T>
 struct FourierSeries {
   T w;
@@ -96,7 +96,7 @@ struct CartesianWithConstraint {
   T off_constraint(const State& x, const T&) const { return abs(hypot(x[0], x[1]) - p.L); }
 };
 
-/// From the least to the richest.
+/// From the simplest to the richest.
 template <class T>
 auto models(const Given<T>& p) {
   return std::tuple{SmallAngle<T>{p}, AmplitudeCorrected<T>{p}, FourierSeries<T>{p}, OneAngle<T>{p},

@@ -7,15 +7,16 @@
 #include "chapters/scene.hpp"
 #include "solvers/ode/events.hpp"
 
-/// What the files of exercise 3.7 share.
+/// Shared by the files of exercise 3.7.
 namespace oddity::ex03_07 {
 
-/// Longer than any arrival takes: at rest the bead is heaviest, and int_0^1 ds / std::sqrt(1 - s^3) = 1.402.
+/// An upper bound of the arrival: at rest the bead's metric is largest, and int_0^1 ds / std::sqrt(1 - s^3) =
+/// 1.402.
 inline double latest(const bead_on_cubic::Given<double>& bead) {
   return 1.5 * std::sqrt(bead_on_cubic::metric(bead.q0) / (2 * bead.g * bead.q0));
 }
 
-/// When and how a model comes to the origin.
+/// Time and state at which a model arrives at the origin.
 template <class Algorithm, class Model>
 Solved<ode::Happened<typename Model::State>> event_of(const Model& model, double setting) {
   return ode::first_event<Algorithm>(bead_on_cubic::ToTheOrigin<Model>{model}, model.start(), 0,

@@ -1,6 +1,6 @@
 // The claims of exercise 3.7. The equations are compared with Lagrange's, whose Lagrangian is differentiated
-// by dual numbers from the curve alone, and with the wire's forces in Cartesian coordinates; the statements
-// about the motion with the book's own run.
+// by dual numbers from the curve alone, and with the wire's forces in Cartesian coordinates. Statements about
+// the motion are compared with the book's own run.
 
 #include "chapters/provable_claims.hpp"
 
@@ -44,7 +44,7 @@ struct Lagrangian {
   }
 };
 
-/// A bead somewhere on the curve, and any q''.
+/// A bead at any point of the curve, and any q''.
 template <class T>
 struct SampleOf {
   T m, g, q, v, a;
@@ -69,7 +69,7 @@ struct SampleOf {
     const auto u = velocity(along, speed);
     return {u[0].slope, u[1].slope, u[2].slope};
   }
-  /// The power of the force on the bead, each of its terms taken as `of` it.
+  /// The power of the force on the bead, with `of` applied to each of its terms.
   template <class Of>
   T power(const Of& of) const {
     const auto x = acceleration(), u = velocity(q, v);
@@ -208,7 +208,7 @@ std::vector<State> book_run() {
   return run;
 }
 
-/// One of its steps.
+/// A step of the book's run.
 struct Step {
   int number;
   State from, to;
@@ -222,7 +222,7 @@ struct Step {
 double force(const State& x) { return lagrange_acceleration(Lagrangian<double>{1, 1}, x[0], x[1]); }
 TypesetLetters Step::typeset() const { return {{"q", from[0]}, {R"(\ddot q)", force(from)}}; }
 
-/// A second of the book's bead.
+/// The book's bead at a whole second.
 struct Second {
   std::size_t number;
   State at;
@@ -231,7 +231,7 @@ struct Second {
 
 constexpr int last_second = 1000;
 
-/// Those from `first` up to the last.
+/// The seconds from `first` to the last one.
 std::vector<Second> seconds(std::size_t first) {
   const OneCoordinate<double> bead{{1, 1}};
   const auto run = ode::integrate<ode::DormandPrince54>(bead, bead.start(),
@@ -457,7 +457,7 @@ std::vector<Claim> claims(double seed, const Reference& truth) {
   return all.in_order();
 }
 
-/// What is divided by is 1 + 4 q^2 + 9 q^4, or m times it.
+/// Divisors are 1 + 4 q^2 + 9 q^4, or m times it.
 constexpr const char* by_positive_metric = R"(
   assert (0 <= q * q) by (apply Rle_0_sqr); assert (0 <= q * q * (q * q)) by (apply Rle_0_sqr);
   field; repeat split; lra)";

@@ -7,7 +7,7 @@
 
 namespace oddity::bead_on_cubic {
 
-/// How the bead on its wire looks: `observed` is its place [m].
+/// Draws the bead on its wire; `observed` is its position [m].
 template <class Parameters>
 void draw(const Parameters& p, double, std::span<const double> observed, Drawing& drawing) {
   const double q0 = p["q0"];

@@ -1,11 +1,10 @@
-// Exercise 3.7: when is a bead, let go at rest at q = 1 on the frictionless curve (q, q^2, q^3), at the
-// origin?
+// Exercise 3.7: when does a bead, released at rest at q = 1 on the frictionless curve (q, q^2, q^3), reach
+// the origin?
 //   one coordinate   (1 + 4q^2 + 9q^4) q'' = -(3g q^2 + 2q (2 + 9q^2) q'^2)
 //   energy           (1 + 4q^2 + 9q^4) q'^2 = 2g (q0^3 - q^3)
-// The equations judged are compared with Lagrange's equation, whose Lagrangian is differentiated by dual
-// numbers from the curve alone, and with the wire's forces in Cartesian coordinates. On the energy's level
-// q = q0 for ever is a solution too, and the time's integrand is infinite at q0; with q = q0 (1 - u^2)
-// neither is so.
+// The equations are compared with Lagrange's equation, whose Lagrangian is differentiated by dual numbers
+// from the curve alone, and with the wire's forces in Cartesian coordinates. The energy equation also has the
+// constant solution q = q0, and the integrand for the time is infinite at q0; q = q0 (1 - u^2) avoids both.
 
 #include "chapters/03_rigid_body_motion/07_bead_on_cubic/bead_on_cubic.hpp"
 #include "chapters/03_rigid_body_motion/07_bead_on_cubic/drawing.hpp"
@@ -31,7 +30,7 @@ Quantity position(const Parameters& p, const Horizon& horizon, const Reference& 
 
 Energy energy(const Parameters& p, std::span<const double> x) { return point_energy(p["g"], x); }
 
-/// From the wire's point of the same x.
+/// Distance from the wire's point with the same x.
 double off(const Parameters&, std::span<const double> x, double) {
   const auto wire = bead_on_cubic::curve(x[0]);
   return std::hypot(x[1] - wire[1], x[2] - wire[2]);

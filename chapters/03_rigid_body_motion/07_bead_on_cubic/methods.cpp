@@ -1,5 +1,5 @@
-// The quantities of exercise 3.7. On the energy's level q = q0 for ever is a solution too, and the time's
-// integrand is infinite at q0; with q = q0 (1 - u^2) neither is so.
+// The quantities of exercise 3.7. The energy equation also has the constant solution q = q0, and the
+// integrand for the time is infinite at q0; q = q0 (1 - u^2) avoids both.
 
 #include "chapters/03_rigid_body_motion/07_bead_on_cubic/bead_on_cubic.hpp"
 #include "solvers/quadrature.hpp"
@@ -85,7 +85,7 @@ Quantity arrival(const Given<double>& bead, const Reference& truth) {
   return time;
 }
 
-/// The position at a time from the energy integral over u: Brent's method on a Gauss rule.
+/// The position at a time from the energy integral over u, by Brent's method on a Gauss rule.
 std::array<double, 3> by_inverted_integral(const EnergyInU<double>& bead, double t, int points,
                                            Answer& answer) {
   const auto late = [&](double u) {

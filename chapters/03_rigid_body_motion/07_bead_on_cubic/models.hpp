@@ -7,8 +7,8 @@
 
 #include "chapters/numbers.hpp"
 
-/// The models of exercise 3.7: a bead on the frictionless curve (q, q^2, q^3) under gravity along -z, let go
-/// at rest at q0. The observables are the position.
+/// The models of exercise 3.7: a bead on the frictionless curve (q, q^2, q^3) under gravity along -z,
+/// released at rest at q0. The observables are the position.
 namespace oddity::bead_on_cubic {
 
 template <class T>
@@ -39,7 +39,7 @@ struct StraightTangent {
   }
 };
 
-/// q alone, its speed from the energy.
+/// q alone, with its speed from the energy.
 template <class T>
 struct EnergyInQ {
   Given<T> p;
@@ -58,7 +58,7 @@ struct EnergyInQ {
   std::array<T, 3> observe(const State& x, const T&) const { return curve(x[0]); }
 };
 
-/// u alone, q = q0 (1 - u^2): the same energy, regular at the start.
+/// u alone, with q = q0 (1 - u^2): the same energy, regular at the initial condition.
 template <class T>
 struct EnergyInU {
   Given<T> p;
@@ -97,8 +97,8 @@ struct OneCoordinate {
   }
 };
 
-/// (x, y, z, x', y', z'); the wire's force m1 (-2x, 1, 0) + m2 (-3x^2, 0, 1) keeps y - x^2 and z - x^3
-/// without acceleration.
+/// (x, y, z, x', y', z'); the wire's force m1 (-2x, 1, 0) + m2 (-3x^2, 0, 1) keeps the second derivatives of
+/// y - x^2 and z - x^3 zero.
 template <class T>
 struct CartesianWithConstraints {
   Given<T> p;
@@ -117,14 +117,14 @@ struct CartesianWithConstraints {
   auto conserved(const State& s, const T&) const {
     return energy_of<T>((s[3] * s[3] + s[4] * s[4] + s[5] * s[5]) / 2, p.g * s[2]);
   }
-  /// From the wire's point of the same x: the wire itself may be nearer.
+  /// Distance from the wire's point with the same x; the wire itself may be nearer.
   T off_constraint(const State& s, const T&) const {
     const auto wire = curve(s[0]);
     return hypot(s[1] - wire[1], s[2] - wire[2]);
   }
 };
 
-/// A model whose motion ends in the origin.
+/// A model whose motion ends at the origin.
 template <class Model>
 struct ToTheOrigin : Model {
   using typename Model::State;
@@ -138,7 +138,7 @@ struct ToTheOrigin : Model {
   }
 };
 
-/// From the least to the richest.
+/// From the simplest to the richest.
 template <class T>
 auto models(const Given<T>& p) {
   return std::tuple{StraightTangent<T>{p},

@@ -1,7 +1,7 @@
-// The claims of exercise 3.9. The equations are derived again from L = m|x'|^2/2 - c|x|^2/2 and Rayleigh's
-// dissipation a|x'|^2/2 by dual numbers; the published solutions are put into the differential equation,
-// their derivatives taken by dual numbers. Letters: r1 > r2 the real roots of m r^2 + a r + c; alpha, beta
-// the parts of the complex ones.
+// The claims of exercise 3.9. The equations are derived from L = m|x'|^2/2 - c|x|^2/2 and Rayleigh's
+// dissipation a|x'|^2/2 by dual numbers. The published solutions are substituted in the differential
+// equation, with their derivatives by dual numbers. Letters: r1 > r2 are the real roots of m r^2 + a r + c;
+// alpha, beta are the parts of the complex ones.
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ namespace oddity::ex03_09 {
 using namespace damped_ball;
 using std::abs, std::sqrt, std::numbers::pi;
 
-/// The next samples of a stream that goes on from claim to claim.
+/// Draws the next samples from a stream shared by all claims.
 template <class Sample>
 std::vector<Sample> next(Random& random, int count) {
   std::vector<Sample> samples;
@@ -29,7 +29,7 @@ std::vector<Sample> next(Random& random, int count) {
 
 // ---- the equation and its solutions -----------------------------------------------------------------------
 
-/// A ball somewhere, with any velocity.
+/// A ball at any position, with any velocity.
 template <class T>
 struct AnywhereOf {
   T m, c, a, x1, x2, v1, v2;
@@ -49,7 +49,7 @@ struct AnywhereOf {
             {R"(\ddot x)", accelerations()}};
   }
   std::string where() const { return "$a$ = " + format_significant(a, 4); }
-  /// Of spring and friction, from the potential and Rayleigh's dissipation.
+  /// The forces of spring and friction, from the potential and Rayleigh's dissipation.
   Two<T> forces() const {
     const auto potential = [this](const auto& q1, const auto& q2) { return 0.5 * c * (q1 * q1 + q2 * q2); };
     const Two<T> friction = friction_by_dissipation();
@@ -64,7 +64,7 @@ struct AnywhereOf {
     const T one = 1;
     return {-dissipation(Along(v1, one), Along(v2)).slope, -dissipation(Along(v1), Along(v2, one)).slope};
   }
-  /// By Lagrange's equations with the friction.
+  /// The accelerations by Lagrange's equations with friction.
   Two<T> accelerations() const {
     const auto lagrangian = [this]<class X>(const Two<X>& q, const Two<X>& u) {
       return X(m / 2) * (u[0] * u[0] + u[1] * u[1]) - X(c / 2) * (q[0] * q[0] + q[1] * q[1]);
@@ -85,7 +85,7 @@ struct ComplexOf {
   friend ComplexOf operator*(const T& a, const ComplexOf& b) { return {a * b.re, a * b.im}; }
 };
 
-/// The characteristic polynomial's coefficients, and its roots by the text; any number.
+/// The characteristic polynomial's coefficients, its roots by the text, and any number r.
 template <class T>
 struct PolynomialOf {
   T m, c, a, r;
@@ -107,7 +107,7 @@ struct PolynomialOf {
     const T square = a * a - factor * m * c, size = abs(square);
     return {(-a + sign * sqrt((size + square) / 2)) / (2 * m), sign * sqrt((size - square) / 2) / (2 * m)};
   }
-  /// Of m (r - r1) (r - r2) the real part; the imaginary one is zero.
+  /// The real part of m (r - r1) (r - r2); the imaginary part is zero.
   T by_roots() const {
     const ComplexOf<T> x = root(1), y = root(-1);
     return m * ((r - x.re) * (r - y.re) - x.im * y.im);
@@ -119,7 +119,7 @@ struct PolynomialOf {
 };
 using Polynomial = PolynomialOf<double>;
 
-/// One coordinate from p with velocity v, at a later time; friction in parts of the critical.
+/// One coordinate from p with velocity v, at a later time; friction is a fraction of the critical one.
 template <class T>
 struct Coordinate {
   T m, c, p, v, a, t;
@@ -181,7 +181,7 @@ auto damped_oscillation(const std::type_identity_t<T>& m, const std::type_identi
   return oscillation(alpha, beta, p, T((v - sign * alpha * p) / beta));
 }
 
-/// A solution put into the differential equation, and its start.
+/// A solution substituted in the differential equation and in the initial conditions.
 template <template <class> class Of, class Form>
 ProvableFormula<Of> put_in(std::string text, const Form& form) {
   return {std::move(text),
@@ -199,7 +199,7 @@ const std::string put_in_quantity = R"($(m\ddot x+a\dot x+cx,\;x(0),\;\dot x(0))
 template <template <class> class Of>
 const ProvableFormula<Of> as_asked{"$(0,p,v)$", [](const auto& s) { return values(0, s.p, s.v); }};
 
-/// Two real roots' constants; the mass is 1, the spring 4.
+/// Constants of the solution for two real roots; the mass is 1, the spring 4.
 struct Constants {
   double a, k1, k2;
   explicit Constants(Random& random)
@@ -215,7 +215,7 @@ struct Constants {
   }
 };
 
-/// An over-damped ball thrown at the origin, and its first coordinate's K1 exp(r1 t) + K2 exp(r2 t).
+/// An overdamped ball thrown towards the origin, and its first coordinate's K1 exp(r1 t) + K2 exp(r2 t).
 struct Passing {
   Ball ball{1, 4, 5, 1, 2, -9, -18};
   struct Terms {
@@ -228,15 +228,15 @@ struct Passing {
                  k1 = (v1 - r2 * p1) / (r1 - r2);
     terms = {r1, r2, k1, p1 - k1};
   }
-  double factor() const { return ball.v1 / ball.p1; }  ///< of p, which v is
+  double factor() const { return ball.v1 / ball.p1; }  ///< v = factor() p
   double time() const { return std::log(-terms.k2 / terms.k1) / (terms.r1 - terms.r2); }
-  double speed() const {  ///< over |p|, when it passes
+  double speed() const {  ///< relative to |p|, when it passes the origin
     const auto& [r1, r2, k1, k2] = terms;
     return abs(k1 * r1 * std::exp(r1 * time()) + k2 * r2 * std::exp(r2 * time())) / abs(ball.p1);
   }
 };
 
-/// More friction, and still more.
+/// Strong friction, and stronger friction.
 struct Frictions {
   double a, b;
   explicit Frictions(Random& random) : a(random.between(4.5, 60)), b(a * random.between(1.05, 3)) {}
@@ -244,12 +244,12 @@ struct Frictions {
     return "$a$ = " + format_significant(a, 4) + " and " + format_significant(b, 4);
   }
   static constexpr double m = 1, c = 4, seconds = 5, nearly = 0.01;
-  /// How far from the origin a ball let go at rest is after some seconds.
+  /// Distance from the origin of a ball some seconds after its release at rest.
   static double left(double friction) { return left_after(friction, seconds); }
   static double left_after(double friction, double t) {
     return abs(OneForm<double>{{m, c, friction, 1, 1, 0, 0}}.at(t)[0]);
   }
-  /// When it is nearly at the origin, of strong friction.
+  /// The time to come near the origin, for strong friction.
   static double home_after(double friction) {
     double early = 0, late = 1000;
     for (int i = 0; i < 60; ++i) {
@@ -293,7 +293,7 @@ struct StartOfOneOf {
   std::string where() const {
     return R"($\alpha$ = )" + format_significant(alpha, 4) + R"(, $\beta$ = )" + format_significant(beta, 4);
   }
-  /// K1 and K2, of which x(0) = p and x'(0) = v are linear equations.
+  /// K1 and K2 from the linear equations x(0) = p and x'(0) = v.
   std::array<T, 2> constants() const {
     const auto cosine = oscillation(alpha, beta, T(1), T(0)), sine = oscillation(alpha, beta, T(0), T(1));
     const T c = cosine(T(0)), s = sine(T(0)), c_rate = derivative(cosine, T(0)),
@@ -304,7 +304,7 @@ struct StartOfOneOf {
 };
 using StartOfOne = StartOfOneOf<double>;
 
-/// Any two vectors, and any parts of a root.
+/// Any two vectors, and any real and imaginary part of a root.
 template <class T>
 struct VectorsOf {
   T p1, p2, v1, v2, alpha, beta;
@@ -324,7 +324,7 @@ struct VectorsOf {
 };
 using Vectors = VectorsOf<double>;
 
-/// A ball that does not start towards the origin; mass 1, spring 4.
+/// A ball that does not start towards the origin; the mass is 1, the spring 4.
 template <class T>
 struct AsideOf {
   T p1, p2, v1, v2, a, t;
@@ -349,7 +349,7 @@ struct AsideOf {
 };
 using Aside = AsideOf<double>;
 
-/// Where the pairs (p_i, k_i) of both coordinates take the angle beta t.
+/// The pairs (p_i, k_i) of both coordinates, and the angle beta t.
 template <class T>
 struct PairsOf {
   T p1, p2, k1, k2, angle;
@@ -366,7 +366,7 @@ struct PairsOf {
 };
 using Pairs = PairsOf<double>;
 
-/// The claims that are proved.
+/// The claims with proofs.
 struct Tables {
   ProvableClaims<AnywhereOf> anywhere;
   ProvableClaims<PolynomialOf> polynomial;
@@ -438,7 +438,8 @@ void solutions(Claims& claims, const std::vector<Polynomial>& polynomials, doubl
   const auto are_zeros = [=](const Polynomial& s) {
     return both(s, [&](const auto& root) {
       const std::complex<double> r(root.re, root.im);
-      // -a and the square root, which may cancel, leave roundings of a/m in r, and the slope is at most a
+      // the roundings of -a and the square root, which may cancel, change r by roundings of a/m; the slope is
+      // at most a
       const double terms = s.m * std::norm(r) + s.a * abs(r) + s.c + s.a * s.a / s.m;
       return abs((s.m * r + s.a) * r + s.c) <= rounding(terms).allowed;
     });
@@ -604,14 +605,14 @@ void oscillations(Tables& tables, const std::vector<Oscillation>& samples,
 
 // ---- the arrival ------------------------------------------------------------------------------------------
 
-/// When a ball is at the origin, and how well doubles can tell: the terms of the coordinate that is zero
-/// there, by its slope.
+/// The time when a ball is at the origin, and its uncertainty in double: roundings of the terms that cancel
+/// there, divided by the slope.
 struct Passage {
   double time;
   Tolerance known;
 };
 
-/// First positive time at the origin, found by marching and bisection on the way along p.
+/// First positive time at the origin, found by marching and bisection on the projection along p.
 Passage first_passage(const Ball& b) {
   const auto x = [&](double t) {
     const auto at = OneForm<double>{b}.at(t);
@@ -629,7 +630,7 @@ Passage first_passage(const Ball& b) {
   return {low, rounding(low + terms / abs(slope))};
 }
 
-/// An under-damped ball with p and v parallel.
+/// An underdamped ball with p and v parallel.
 struct Start {
   Ball ball;
   std::string told;
@@ -649,7 +650,7 @@ struct Start {
 /// The ball of the examples, with little friction.
 constexpr Ball weak(double p1, double p2, double v1, double v2) { return {1, 4, 0.4, p1, p2, v1, v2}; }
 
-/// Such a ball when it is at the origin.
+/// Such a ball at the time of its passage.
 struct AtOrigin : Start {
   Tolerance tolerance(double size) const {
     return {beta() * found.known.allowed * size + rounding(size).allowed,
@@ -657,7 +658,7 @@ struct AtOrigin : Start {
   }
 };
 
-/// A ball at p whose velocity is `speed` times p, its friction anywhere between none and the critical.
+/// A ball at p whose velocity is `speed` times p, with any friction below the critical.
 Start start_at(Random& any, double p1, double p2, double speed) {
   const double m = any.between(0.3, 3), c = any.between(0.3, 4),
                a = 2 * sqrt(m * c) * any.between(0.03, 0.95);
@@ -688,7 +689,7 @@ const std::string printed_pair = R"($(p_1,\ v_1-\alpha p_1\beta)\cdot(\cos\beta 
                   pair = R"($(p_1,\ (v_1-\alpha p_1)/\beta)\cdot(\cos\beta t,\ \sin\beta t)=0$)";
 
 void arrivals(Claims& claims, double seed) {
-  // In all directions, some along an axis, where the other coordinate is zero for ever.
+  // In all directions; some are along an axis, so the other coordinate is always zero.
   std::vector<Start> directions;
   Random any(seed);
   for (int i = 0; i < 60; ++i) {
@@ -892,7 +893,7 @@ ForAll<Of> any(const std::vector<std::string>& names, const std::string& tactic)
           .says = "it holds for any ball"};
 }
 
-/// Above zero in any of them.
+/// Assumes that all are above zero.
 std::vector<Proposition> positive(std::initializer_list<Shortened> all) {
   std::vector<Proposition> given;
   for (const Shortened& x : all) given.push_back(above(x.expression(), 0));
@@ -999,7 +1000,7 @@ Provables by_hand() {
 
 }  // namespace
 
-/// The real and the imaginary part of a number's root: one of them is zero.
+/// The real and the imaginary part of the square root of a number; one of them is zero.
 constexpr const char* parts_in_coq = R"(
 Lemma parts : forall d, let x := sqrt ((Rabs d + d) / 2) in let y := sqrt ((Rabs d - d) / 2) in
   x * x = d + y * y /\ x * y = 0 /\ 0 <= x /\ 0 <= y /\ (d >= 0 -> y = 0) /\ (d < 0 -> x = 0).

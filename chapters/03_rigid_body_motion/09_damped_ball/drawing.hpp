@@ -7,7 +7,7 @@
 
 namespace oddity::damped_ball {
 
-/// How the ball on its spring looks: `observed` is its place [m].
+/// Draws the ball on its spring; `observed` is its position [m].
 template <class Parameters>
 void draw(const Parameters& p, double, std::span<const double> observed, Drawing& drawing) {
   const Place ball{observed[0], observed[1]}, first{p["p1"], p["p2"]}, velocity{p["v1"], p["v2"]};

@@ -15,7 +15,7 @@ struct Given {
   T m, c, a, p1, p2, v1, v2;
 };
 
-/// The book's case 1: K1 exp(r1 t) + K2 exp(r2 t), as written; no number where the roots are complex.
+/// The book's case 1: K1 exp(r1 t) + K2 exp(r2 t), as written; NaN for complex roots.
 template <class T>
 struct TwoExponentials {
   Given<T> p;
@@ -30,8 +30,8 @@ struct TwoExponentials {
   }
 };
 
-/// The three regimes in one form, without cancellation where they meet: exp(-h t)(p C + (v + h p) S).
-/// Over-damped, the slow exponential is taken out of C and S; its rate h - w is (c/m)/(h + w).
+/// The three regimes in one form, without cancellation where they meet: exp(-h t)(p C + (v + h p) S). In the
+/// overdamped case the slow exponential is factored out of C and S; its rate h - w is (c/m)/(h + w).
 template <class T>
 struct OneForm {
   Given<T> p;
@@ -62,7 +62,7 @@ struct Plane {
   std::array<T, 2> observe(const State& x, const T&) const { return {x[0], x[1]}; }
 };
 
-/// (x1, x2, x1', x2', work lost to friction): with it the energy is conserved.
+/// (x1, x2, x1', x2', work lost to friction), for which the energy is conserved.
 template <class T>
 struct PlaneWithWork {
   Given<T> p;
@@ -79,7 +79,7 @@ struct PlaneWithWork {
   }
 };
 
-/// From the least to the richest, but for the two exponentials, which have no number for every friction.
+/// From the simplest to the richest, without the two exponentials, which are NaN for some frictions.
 template <class T>
 auto models(const Given<T>& p) {
   return std::tuple{OneForm<T>{p}, Plane<T>{p}, PlaneWithWork<T>{p}};

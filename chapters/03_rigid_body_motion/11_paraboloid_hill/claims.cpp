@@ -1,5 +1,5 @@
-// The claims of exercise 3.11. The text's equations are compared with Lagrange's, the Lagrangian
-// differentiated by nested dual numbers from the hill's height alone; its statements about paths are tried on
+// The claims of exercise 3.11. The text's equations are compared with Lagrange's, whose Lagrangian is
+// differentiated by nested dual numbers from the hill's height alone. Its statements about paths are tried on
 // integrated motions.
 
 #include "chapters/provable_claims.hpp"
@@ -17,7 +17,7 @@ using std::abs;
 
 // ---- the equations ----------------------------------------------------------------------------------------
 
-/// A hill, a place, a velocity, an acceleration, and a time.
+/// A hill, a position, a velocity, an acceleration, and a time.
 template <class T>
 struct SampleOf {
   Hill<T> hill;
@@ -54,27 +54,28 @@ struct SampleOf {
   T A1() const { return hill.a1 * hill.a1; }
   T A2() const { return hill.a2 * hill.a2; }
   T K() const { return v[0] * v[0] / A1() + v[1] * v[1] / A2(); }
-  /// Zero by Lagrange's equations.
+  /// The left side of Lagrange's equations, zero for a motion.
   Two<T> lagrange(const Two<T>& at, const Two<T>& acceleration) const {
     return lagrange_left_side(height_field::Lagrangian<Hill<T>, T>{hill, g}, at, v, acceleration);
   }
-  /// The first term of the first equation on (v1 t, v2 t); or as it stands, its fractions multiplied out.
+  /// The first term of the first equation on (v1 t, v2 t); `as_products`: as printed, with its fractions
+  /// multiplied out.
   T first_term(bool as_products) const {
     return as_products ? 4 * v[0] * t * A1() * (v[0] * v[0] * A1() + v[1] * v[1] * A2())
                        : 4 * v[0] * t / A1() * K();
   }
   Two<T> on_line() const { return lagrange({v[0] * t, v[1] * t}, {T(0), T(0)}); }
-  /// The hill's vertical force over the mass on (v1 t, v2 t).
+  /// The hill's vertical force per mass on (v1 t, v2 t).
   T push() const {
     return g + second_derivative([this](const auto& s) { return hill.height(v[0] * s, v[1] * s); }, t);
   }
-  /// The acceleration at the point t v where the hill pushes with `push` a unit mass upward.
+  /// The acceleration at the point t v if the hill pushes a unit mass upward with `push`.
   Two<T> acceleration(const T& push) const {
     const Two<T> slope{-2 * v[0] * t / A1(), -2 * v[1] * t / A2()};
     const T along = -push / (1 + slope[0] * slope[0] + slope[1] * slope[1]);
     return {along * slope[0], along * slope[1]};
   }
-  /// The velocity along v with which the line is straight.
+  /// The velocity along v that makes the path straight.
   Two<T> right() const { return from_the_top<T>({hill.a1, hill.a2, g, v[0], v[1], T(1)}).v; }
 };
 using Sample = SampleOf<double>;
@@ -106,7 +107,7 @@ void equations(Table& table, const std::vector<Sample>& samples) {
   const std::string lagrange =
       R"($\frac d{dt}\frac{\partial L}{\partial\dot x_1}-\frac{\partial L}{\partial x_1}$ )"
       "by nested dual numbers";
-  /// `power` of a1 below 4 x1; `squares` of the speeds in the bracket.
+  /// `power` is that of a1 below 4 x1; `squares` is the factor of the squared speeds in the bracket.
   const auto equation = [](std::string text, double sign, int power,
                            double squares) -> ProvableFormula<SampleOf> {
     return {std::move(text), [=](const auto& s) {
@@ -166,12 +167,12 @@ void equations(Table& table, const std::vector<Sample>& samples) {
             wider.first_term(true) / narrow.first_term(true)})});
 }
 
-/// On the default hill along (1, 1), at this part of the speed with which the line is straight.
+/// On the default hill along (1, 1), at this fraction of the speed that makes the path straight.
 Case<double> along_both(double part) { return from_the_top<double>({1, 2, 10, 1, 1, part}); }
 
-// ---- what follows from them -------------------------------------------------------------------------------
+// ---- consequences -----------------------------------------------------------------------------------------
 
-/// Starts from the top: any direction or along either axis, at the condition or off it; or at rest.
+/// Starts at the top: in any direction or along an axis, with the condition satisfied or not; or at rest.
 struct FromTop : Sample {
   explicit FromTop(Random& random) : Sample(random) {
     const int kind = random.below(4);
@@ -179,7 +180,7 @@ struct FromTop : Sample {
     if (kind == 2 || kind == 3) v[1] = 0;
     if (kind != 3 && random.unit() < 0.5) v = right();
   }
-  /// Whether this is g/2.
+  /// Whether `left` is g/2.
   bool is_half_g(double left) const { return abs(left - g / 2) <= rounding(left + g / 2).allowed; }
   bool condition() const { return is_half_g(K()); }
   /// Whether (v1 t, v2 t) satisfies equation i.
@@ -196,7 +197,7 @@ struct FromTop : Sample {
   bool both() const { return satisfied(0) && satisfied(1); }
 };
 
-/// Flies off along (v1 t, v2 t): faster than the condition has it, by this factor.
+/// Flies off along (v1 t, v2 t), faster than the condition by this factor.
 struct Faster : Sample {
   double factor;
   explicit Faster(Random& random) : Sample(random), factor(random.between(1.01, 2)) {}
@@ -278,8 +279,8 @@ void conditions(Claims& claims, double seed) {
 
 // ---- straight paths ---------------------------------------------------------------------------------------
 
-/// A path from the top, on the hill by the equations of motion: how far it strays at most from the line of
-/// its first velocity, over the way from the top.
+/// A path from the top, on the hill by the equations of motion. `stray` is its largest deviation from the
+/// line of its initial velocity, relative to the distance from the top.
 struct Path {
   Hill<double> hill;
   double g;

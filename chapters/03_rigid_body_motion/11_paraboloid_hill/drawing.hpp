@@ -7,7 +7,7 @@
 
 namespace oddity::paraboloid_hill {
 
-/// How the particle on its hill looks: `observed` is its place [m].
+/// Draws the particle on its hill; `observed` is its position [m].
 template <class Parameters>
 void draw(const Parameters& p, double, std::span<const double> observed, Drawing& drawing) {
   const double a1 = p["a1"], a2 = p["a2"], v1 = p["v1"], v2 = p["v2"];

@@ -1,7 +1,7 @@
-// Exercise 3.11: when does a particle, sliding without friction on a paraboloid hill, follow (v1 t, v2 t)?
-//   hill       x3 = -x1^2/a1^2 - x2^2/a2^2 (lengths over the metre), K = v1^2/a1^2 + v2^2/a2^2
+// Exercise 3.11: when does a particle that slides without friction on a paraboloid hill follow (v1 t, v2 t)?
+//   hill       x3 = -x1^2/a1^2 - x2^2/a2^2 (lengths in metres), K = v1^2/a1^2 + v2^2/a2^2
 //   equations  x_i'' + (4 x_i/a_i^2) ((x1 x1'' + x1'^2)/a1^2 + (x2 x2'' + x2'^2)/a2^2) - 2 g x_i/a_i^2 = 0
-// Along a straight path x3'' = -2K: at K = g/2 it is a free fall, and the hill pushes with g - 2K = 0.
+// Along a straight path x3'' = -2K. For K = g/2 it is a free fall, and the hill's push g - 2K is zero.
 
 #include <string>
 
@@ -55,7 +55,7 @@ Quantity path(const std::string& name, const std::string& says, const Case<doubl
   return position;
 }
 
-/// From the top at this part of the straight path's speed.
+/// From the top at this fraction of the straight path's speed.
 Case<double> asked(const Parameters& p, double factor) {
   return from_the_top<double>({p["a1"], p["a2"], p["g"], p["v1"], p["v2"], factor});
 }
@@ -79,7 +79,7 @@ Quantity slower(const Parameters& p, const Horizon& horizon, const Reference& tr
 
 Energy energy(const Parameters& p, std::span<const double> x) { return point_energy(p["g"], x); }
 
-/// Above or below the hill.
+/// Vertical distance from the hill.
 double off(const Parameters& p, std::span<const double> x, double) {
   return std::abs(x[2] - paraboloid_hill::Hill<double>{p["a1"], p["a2"]}.height(x[0], x[1]));
 }

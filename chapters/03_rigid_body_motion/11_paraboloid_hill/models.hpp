@@ -5,11 +5,11 @@
 
 #include "chapters/03_rigid_body_motion/shared/height_field_models.hpp"
 
-/// The models of exercise 3.11: a particle on the frictionless hill x3 = -x1^2/a1^2 - x2^2/a2^2 (lengths over
-/// the metre). The observables are the position.
+/// The models of exercise 3.11: a particle on the frictionless hill x3 = -x1^2/a1^2 - x2^2/a2^2 (lengths in
+/// metres). The observables are the position.
 namespace oddity::paraboloid_hill {
 
-/// The exercise's parameters: from the top along (v1, v2), at `factor` times the speed with which the line is
+/// The exercise's parameters: from the top along (v1, v2), at `factor` times the speed that makes the path
 /// straight.
 template <class T>
 struct Given {
@@ -40,13 +40,13 @@ struct Hill {
   }
 };
 
-/// v1^2/a1^2 + v2^2/a2^2: half of what the hill bends down along v.
+/// v1^2/a1^2 + v2^2/a2^2: half of the hill's downward second derivative along v.
 template <class T>
 T steepening(const Hill<T>& hill, const std::array<T, 2>& v) {
   return -hill.bend(v, v) / 2;
 }
 
-/// A start at p with velocity v in the plane.
+/// Initial condition: at p with velocity v in the plane.
 template <class T>
 struct Case {
   Hill<T> hill;
@@ -107,11 +107,11 @@ struct InSpace {
   auto conserved(const State& x, const T&) const {
     return energy_of<T>((x[3] * x[3] + x[4] * x[4] + x[5] * x[5]) / 2, of.g * x[2]);
   }
-  /// Upright: the hill itself may be nearer.
+  /// Vertical distance; the hill itself may be nearer.
   T off_constraint(const State& x, const T&) const { return abs(x[2] - of.hill.height(x[0], x[1])); }
 };
 
-/// From the least to the richest.
+/// From the simplest to the richest.
 template <class T>
 auto models(const Given<T>& p) {
   const Case<T> start = from_the_top(p);

@@ -1,7 +1,7 @@
-// The claims of exercise 3.13. The cylinder's formulas are tried on points made by walking along the axis and
-// turning about it; partial derivatives are taken by dual numbers; the equations of motion are Lagrange's,
-// the Lagrangian differentiated by nested dual numbers, in the plane's coordinates and in those of the
-// cylinder, s along its axis and phi about it.
+// The claims of exercise 3.13. The cylinder's formulas are tried on points constructed by moving along the
+// axis and rotating about it. Partial derivatives are by dual numbers. The equations of motion are
+// Lagrange's, with the Lagrangian differentiated by nested dual numbers, in the plane's coordinates and in
+// those of the cylinder, s along its axis and phi about it.
 
 #include <cmath>
 #include <numbers>
@@ -21,13 +21,13 @@ using Point = Three<double>;
 
 inline Shortened asin(const Shortened& x) { return function("asin", x.expression()); }
 inline Shortened tan(const Shortened& x) { return function("tan", x.expression()); }
-/// The angle whose tangent is rise over run, of run > 0.
+/// The angle whose tangent is rise / run, for run > 0.
 inline Shortened slope_angle(const Shortened& rise, const Shortened& run) {
   return function("atan", (rise / run).expression());
 }
 inline double slope_angle(double rise, double run) { return std::atan2(rise, run); }
 
-/// The Lagrangian of a unit mass in the distance along the axis and the angle about it, of the position
+/// The Lagrangian of a unit mass in the distance along the axis and the angle about it, from the position
 /// alone.
 template <class G>
 struct AlongAndAbout {
@@ -60,7 +60,8 @@ T quadratic(const Three<T>& y, const Three<T>& d, double sign = -1) {
   return total;
 }
 
-/// A point X of a cylinder about P + t D: along the axis, then R away from it. U, V, D are orthonormal.
+/// A point X of a cylinder about P + t D, constructed along the axis and then at distance R from it. U, V, D
+/// are orthonormal.
 template <class T>
 struct OnCylinderOf {
   T R, t;
@@ -97,7 +98,7 @@ struct OnCylinderOf {
 };
 using OnCylinder = OnCylinderOf<double>;
 
-/// A chute, a place and a velocity in the plane, a friction, an angle and a way along the axis.
+/// A chute, a position and a velocity in the plane, a friction, an angle and a distance along the axis.
 template <class T>
 struct OnChuteOf {
   Chute<T> chute;
@@ -151,7 +152,7 @@ struct OnChuteOf {
            ", $x_2$ = " + format_significant(x2, 4) + ", $v$ = (" + format_significant(v1, 4) + ", " +
            format_significant(v2, 4) + ")";
   }
-  /// (x1'', x2'') from the Lagrangian of the height, with friction and a side wind over the mass.
+  /// (x1'', x2'') from the Lagrangian of the height, with friction and a side wind per mass.
   Two<T> accelerations(const T& friction = 0, const T& wind = 0) const {
     using D = Dual<T>;
     const T n1 = chute.height(D(x1, T(1)), D(x2)).slope, n2 = chute.height(D(x1), D(x2, T(1))).slope;
@@ -160,7 +161,7 @@ struct OnChuteOf {
     return lagrange_accelerations(height_field::Lagrangian<Chute<T>, T>{chute, g}, Two<T>{x1, x2}, {v1, v2},
                                   force);
   }
-  /// The same without forces from the Lagrangian in the way along the axis and the angle about it.
+  /// (x1'', x2'') without forces, from the Lagrangian in the distance along the axis and the angle about it.
   Two<T> accelerations_about_axis() const {
     const T angle = asin(x2 / chute.R), turning = v2 / (chute.R * cos(angle));
     const T along = (x1 - chute.R * (1 - cos(angle)) * chute.s()) / chute.c();
@@ -179,13 +180,13 @@ struct OnChuteOf {
   T d1() const { return -cosine(); }
   T d3() const { return chute.H / chute.L; }
   T p3() const { return chute.R / cosine(); }
-  /// Any point against the cylinder.
+  /// The cylinder's equation at any point: left side minus right side.
   T excess() const { return quadratic<T>({x1, x2, x3 - p3()}, {d1(), 0, d3()}) - chute.R * chute.R; }
-  /// A point of the chute's half of the cylinder, or, turned by pi, of the other.
+  /// A point of the chute's half of the cylinder, or, rotated by pi, of the other half.
   Three<T> on_it(bool other_half = false) const {
     return chute.position(way, other_half ? phi + pi_of<T>() : phi);
   }
-  /// The same chute with such a point for the place.
+  /// A copy with such a point as its position.
   OnChuteOf placed() const {
     OnChuteOf there = *this;
     const Three<T> x = on_it();
@@ -200,19 +201,19 @@ struct OnChuteOf {
     };
     return chute.height(x(1, x1), x(2, x2)).slope.slope;
   }
-  /// The same chute and ball with no place and no speed across.
+  /// A copy with the ball on the center line, without sideways speed.
   OnChuteOf on_center() const {
     OnChuteOf there = *this;
     there.x2 = there.v2 = 0;
     return there;
   }
-  /// x1'' on the center line of a chute of another angle.
+  /// x1'' on the center line of a chute at another angle.
   T at_angle(double angle) const {
     OnChuteOf there = on_center();
     there.chute.H = chute.L * sin(angle);
     return there.accelerations()[0];
   }
-  /// The published accelerations; `square` stands for x2'^2 and `slope` for h_x1.
+  /// The published accelerations, with `square` for x2'^2 and `slope` for h_x1.
   Two<T> published(const T& square, const T& slope) const {
     const T R2 = chute.R * chute.R, c = cosine(), r = depth(), tangent = chute.H / (chute.L * c);
     const T above = R2 * square / (r * r * r * c) + g;
@@ -220,7 +221,7 @@ struct OnChuteOf {
     return {factor * slope, factor * x2 / (r * c)};
   }
   T slope() const { return -chute.H / (chute.L * cosine()); }
-  /// The first form of x1'' on the center line, its numerator a product.
+  /// The first form of x1'' on the center line, with its numerator as a product.
   T center_as_printed() const { return g * (chute.H * chute.L * cosine()) / (1 + slope() * slope()); }
   T depth() const { return sqrt(chute.R * chute.R - x2 * x2); }
 
@@ -389,7 +390,7 @@ void solved(ChuteTable& table, const std::vector<OnChute>& samples) {
                  .printed = R"($+\sqrt{R^2-0}$)"});
 }
 
-/// Of points on the chute.
+/// Claims about points on the chute.
 void on_the_chute(ChuteTable& table, const std::vector<OnChute>& samples) {
   using Form = ProvableFormula<OnChuteOf>;
   const std::string bracket = "$d_1(x_3-p_3)-d_3x_1$";
@@ -420,14 +421,14 @@ void on_the_chute(ChuteTable& table, const std::vector<OnChute>& samples) {
 
 // ---- the height's derivatives -----------------------------------------------------------------------------
 
-/// What is to vanish, and the size of what cancels in it.
+/// A quantity that should vanish, and the size of its terms, which cancel.
 struct Vanishing {
   double value, terms;
   std::string place;
   double size() const { return terms; }
   std::string where() const { return place; }
 };
-/// zero at every sample against value and size by `of`.
+/// Compares value and size by `of` with zero at every sample.
 template <class Of>
 Check vanishes(std::string quantity, std::string by, const std::vector<OnChute>& samples, const Of& of) {
   std::vector<Vanishing> all;
@@ -573,11 +574,11 @@ void center_motion(ChuteTable& table, const std::vector<OnChute>& samples) {
        .near_misses = {moves(R"(of $x_1(0)+\dot x_1(0)t+\frac{g\sin2\theta}2t^2$)", 0.5)}});
 }
 
-// ---- what is said about it --------------------------------------------------------------------------------
+// ---- statements about the motion --------------------------------------------------------------------------
 
 void statements(Claims& claims, const std::vector<OnChute>& samples) {
   using S = const OnChute&;
-  /// x2'' where there is no speed across, with a side wind and, if there is some, friction k.
+  /// x2'' without sideways speed, with a side wind and friction `friction` * k.
   const auto at_rest = [&](std::string text, double x2, double wind, double friction) -> Reading {
     return {std::move(text), {vanishes(R"($\ddot x_2$)", "Lagrange's equations", samples, [=](OnChute s) {
               s.x2 = x2;
@@ -634,7 +635,7 @@ void statements(Claims& claims, const std::vector<OnChute>& samples) {
       "always_positive", 1733, R"(The acceleration along $x_1$ is always positive: $\ddot x_1>0$)", samples,
       {.printed = always(R"($\ddot x_1>0$)", 0), .near_misses = {always(R"($\ddot x_2>0$)", 1)}});
 
-  /// (x1, x1') on the center line a millisecond later: what increases at that instant.
+  /// (x1, x1') on the center line a millisecond later, to check which quantities increase.
   const auto then = [](S s) {
     const double a = s.g * s.chute.s() * s.cosine(), t = 1e-3;
     return Pair{s.x1 + s.v1 * t + a * t * t / 2, s.v1 + a * t};
@@ -755,7 +756,8 @@ std::vector<Claim> claims(double seed) {
 
 namespace {
 
-/// The axis' direction D, U and the way W out to the point are unit vectors, U and W at right angles to D.
+/// The axis' direction D, U and the direction W to the point are unit vectors; U and W are perpendicular to
+/// D.
 ForAll<OnCylinderOf> any_cylinder() {
   const std::vector<std::string> names{"R",  "t",  "p1", "p2", "p3", "d1", "d2",
                                        "d3", "u1", "u2", "u3", "w1", "w2", "w3"};
@@ -808,7 +810,7 @@ Provable provable(const std::string& slug, std::vector<Lemma> lemmas) {
   return {"3.13-" + slug, any_chute().says, std::move(lemmas)};
 }
 
-/// The derivatives along x1 and along x2 of the slope along x1 are zero.
+/// The derivatives of the slope along x1, by x1 and by x2, are zero.
 Provables bends() {
   const ForAll<OnChuteOf> all = any_chute();
   const auto& s = all.any;
@@ -828,7 +830,7 @@ Provables bends() {
                                 "bends_of (fun x y => " + height("x", "y") + ") (" + slope + ") x1 x2"}})};
 }
 
-/// The printed formula at the example, its letters numbers.
+/// The printed formula at the example, with numbers for its letters.
 Lemma printed_off(const ForAll<OnChuteOf>& all, const auto& printed, const auto& truth, double& margin) {
   OnChute s = all.example;
   OnChuteOf<Shortened> recorded;
@@ -895,13 +897,13 @@ Provables of_center() {
 
 }  // namespace
 
-/// What texts have as powers of two, as products.
+/// Writes squares of texts as products.
 constexpr const char* in_products = "rewrite <- ?Rsqr_pow2; unfold Rsqr; ";
-/// The length of a vector, squared.
+/// Squares of the lengths of vectors.
 constexpr const char* of_lengths =
     "rewrite ?pow2_sqrt by (repeat apply Rplus_le_le_0_compat; apply Rle_0_sqr); ";
 
-/// At an example, where cosines are of angles that sines are known of.
+/// At an example, for cosines of angles with known sines.
 constexpr const char* by_bounds = "rewrite ?cos_asin by lra; unfold Rsqr; interval";
 
 Provables proofs() {

@@ -8,8 +8,7 @@
 
 namespace oddity::tilted_chute {
 
-/// How the ball in its chute looks: `observed` is its place [m]. The picture runs along with the
-/// ball down the axis.
+/// Draws the ball in its chute; `observed` is its position [m]. The picture follows the ball down the axis.
 template <class Parameters>
 void draw(const Parameters& p, double t, std::span<const double> observed, Drawing& drawing) {
   const double R = p["R"], L = p["L"], H = p["H"];

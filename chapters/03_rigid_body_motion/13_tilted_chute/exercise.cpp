@@ -38,7 +38,7 @@ Quantity swinging_ball(const Parameters& p, const Horizon& horizon, const Refere
                      "Cartesian with constraint"});
 }
 
-/// A rod of one and a half times the radius that turns about the chute's axis and slides along it.
+/// A rod of 1.5 times the radius that turns about the chute's axis and slides along it.
 engines::Staging staging(const Parameters& p) {
   using namespace engines;
   const tilted_chute::Given<double> ball = asked(p);
@@ -47,7 +47,7 @@ engines::Staging staging(const Parameters& p) {
   Body rod{1, {0.01 * R * R, across, across}};
   rod.start.position = middle + d * (sin(ball.phi) * side - cos(ball.phi) * n);
   rod.start.velocity = ball.u * e;
-  // its axis along n, its second axis to the side, both turned about e
+  // its axis along n, its second axis to the side, both rotated about e
   const Quaternion upright = engines::about(side, -std::asin(c));
   rod.start.orientation = product(engines::about(e, ball.phi), upright);
   return {{.gravity = {0, 0, -ball.g},
@@ -63,7 +63,7 @@ engines::Staging staging(const Parameters& p) {
 
 Energy energy(const Parameters& p, std::span<const double> x) { return point_energy(p["g"], x); }
 
-/// Off the distance R from the axis.
+/// Deviation from the distance R to the axis.
 double off(const Parameters& p, std::span<const double> x, double t) {
   return tilted_chute::InSpace<double>{asked(p)}.off_constraint({x[0], x[1], x[2], 0, 0, 0}, t);
 }

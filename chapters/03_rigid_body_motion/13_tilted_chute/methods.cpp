@@ -19,7 +19,7 @@ Quantity slide(const std::string& name, const std::string& says, const Given<dou
   return position;
 }
 
-/// The methods up to the angle; the height field and space are the caller's.
+/// Adds all methods except those in the height field, which differ between the quantities.
 SceneMethods swinging(Quantity& position, const Given<double>& c, const Horizon& horizon) {
   SceneMethods methods(position, horizon, halving("step", 0.125, 10), tolerances(3, 11));
   methods

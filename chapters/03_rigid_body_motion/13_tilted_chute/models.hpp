@@ -6,7 +6,7 @@
 #include "chapters/03_rigid_body_motion/05_pendulum/models.hpp"
 #include "chapters/03_rigid_body_motion/shared/height_field_models.hpp"
 
-/// The models of exercise 3.13: a ball in a cylindrical chute whose axis falls. The observables are the
+/// The models of exercise 3.13: a ball in a cylindrical chute with a tilted axis. The observables are the
 /// position.
 namespace oddity::tilted_chute {
 
@@ -18,14 +18,14 @@ struct Chute {
   T c() const { return sqrt((L - H) * (L + H)) / L; }
   T s() const { return H / L; }
 
-  /// Where the distance `along` down the axis and the angle phi about it lead, from the origin.
+  /// The point at the distance `along` down the axis and the angle phi about it.
   template <class X>
   std::array<X, 3> position(const X& along, const X& phi) const {
     const X up = R * (1 - cos(phi));
     return {along * c() + up * s(), R * sin(phi), up * c() - along * s()};
   }
 
-  // The same as a height field.
+  // The chute as a height field.
   template <class X>
   X height(const X& x1, const X& x2) const {
     return (R - s() * x1 - sqrt(R * R - x2 * x2)) / c();
@@ -49,7 +49,7 @@ struct Chute {
   }
 };
 
-/// The exercise's parameters: let go at the angle phi from the lowest line, with the speed u down the axis.
+/// The exercise's parameters: released at the angle phi from the lowest line, with the speed u down the axis.
 template <class T>
 struct Given {
   T R, L, H, g, phi, u;
@@ -59,7 +59,7 @@ struct Given {
   T square() const { return g * chute().c() / R; }
 };
 
-/// The book's: x2 = 0.
+/// The book's model: x2 = 0.
 template <class T>
 struct CenterLine {
   Given<T> p;
@@ -90,7 +90,7 @@ struct EllipticAngle {
   std::array<T, 3> at(const T& t) const { return p.chute().position(p.along(t), angle.at(t)[0]); }
 };
 
-/// (phi, phi'); the way along the axis in closed form.
+/// (phi, phi'), with the distance along the axis in closed form.
 template <class T>
 struct Angle {
   Given<T> p;
@@ -119,7 +119,7 @@ InPlane<T> in_plane(const Given<T>& p) {
   return {chute, p.g, {x[0], x[1], p.u * chute.c(), T(0)}};
 }
 
-/// (x1, x2, x3, x1', x2', x3') with the chute's force along the way to its axis.
+/// (x1, x2, x3, x1', x2', x3') with the chute's force towards its axis.
 template <class T>
 struct InSpace {
   Given<T> p;
@@ -143,14 +143,14 @@ struct InSpace {
   auto conserved(const State& x, const T&) const {
     return energy_of<T>((x[3] * x[3] + x[4] * x[4] + x[5] * x[5]) / 2, p.g * x[2]);
   }
-  /// Of the distance R from the axis.
+  /// Deviation from the distance R to the axis.
   T off_constraint(const State& x, const T&) const {
     const T c = p.chute().c(), s = p.chute().s(), z = x[2] - p.R / c, way = c * x[0] - s * z;
     return abs(hypot(hypot(x[0] - way * c, x[1]), z + way * s) - p.R);
   }
 };
 
-/// From the least to the richest.
+/// From the simplest to the richest.
 template <class T>
 auto models(const Given<T>& p) {
   return std::tuple{CenterLine<T>{p}, SmallAngle<T>{p}, EllipticAngle<T>(p),

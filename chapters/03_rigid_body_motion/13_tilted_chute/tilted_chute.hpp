@@ -5,7 +5,7 @@
 #include "chapters/03_rigid_body_motion/13_tilted_chute/models.hpp"
 #include "chapters/scene.hpp"
 
-/// What the files of exercise 3.13 share.
+/// Shared by the files of exercise 3.13.
 namespace oddity::ex03_13 {
 
 using Ball = tilted_chute::Given<double>;
@@ -20,8 +20,8 @@ Quantity from_rim(const Ball&, const Horizon&, const Reference&);
 std::vector<Claim> claims(double seed);
 std::vector<Root> roots();
 
-// in_coq.cpp, for proofs: of points on a cylinder; of the roots and angles of a chute's slope and of a place
-// in it, and of second derivatives that are zero
+// Lemmas and tactics of in_coq.cpp: points on a cylinder; roots and angles of a chute's slope and of a
+// position in it, and zero second derivatives.
 extern const char* const cylinder_in_coq;
 extern const char* const chute_in_coq;
 

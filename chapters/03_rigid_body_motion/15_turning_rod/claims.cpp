@@ -37,7 +37,7 @@ SpaceOf<T> times(const std::type_identity_t<T>& factor, const SpaceOf<T>& x) {
   return {factor * x[0], factor * x[1], factor * x[2]};
 }
 
-/// The listing's motion from elsewhere, and on another spring.
+/// The listing's motion with another initial condition and another spring.
 AlongTheRod<double> along(double s, double m, double K, double w = quarter) {
   return {{{m, book.c, K, w, s}}};
 }
@@ -54,7 +54,8 @@ double time_of(double end, double s, double K) {
   return ode::find_event<ode::Fehlberg78>(rod, rod.start(), 0, 3, 1e-12, beyond).value.time;
 }
 
-/// The listing's mass on a spring that pulls with its force's size, however short it is.
+/// The listing's mass on a spring that always pulls, with the same strength as the listing's, even if it is
+/// short.
 struct AlwaysPulls {
   std::array<double, 2> start() const { return {book.s0, 0}; }
   void operator()(const std::array<double, 2>& x, std::array<double, 2>& dxdt, double t) const {
@@ -65,7 +66,7 @@ struct AlwaysPulls {
 
 // ---- the Lagrangian ---------------------------------------------------------------------------------------
 
-/// The rod's direction after turning by an angle: Rodrigues' formula for (1, 0, 1)/sqrt(2) about k.
+/// The rod's direction after a rotation by `angle`: Rodrigues' formula for (1, 0, 1)/sqrt(2) about k.
 template <class T>
 SpaceOf<T> direction(const T& angle) {
   const T h = sqrt(T(2)) / 2, none = T(0);
@@ -100,7 +101,7 @@ SpaceOf<T> force_of(const Rod<T>& spring, const SpaceOf<T>& x) {
 
 }  // namespace
 
-/// A rod to (a, 0, a), a spring of any rest length, a start (b, 0, b), and a mass anywhere, with any s''.
+/// A rod to (a, 0, a), a spring of any rest length, a start at (b, 0, b), and a mass anywhere, with any s''.
 template <class T>
 struct SampleOf {
   T m, a, b, c, K, w, ell, s, v, A, t;
@@ -167,12 +168,12 @@ struct SampleOf {
   SpaceOf<T> from_end() const { return {x()[0] - c, x()[1], x()[2]}; }
   T spring_length() const { return length(from_end()); }
   SpaceOf<T> velocity() const { return ex03_15::velocity(s, v, t, w); }
-  /// At rest on the segment, at the start.
+  /// The text's initial condition: at rest on the segment.
   SpaceOf<T> start_velocity() const { return ex03_15::velocity(T(root2() * b), T(0), T(0), T(pi() / 4)); }
   SpaceOf<T> segment() const { return {a, T(0), a}; }
   SpaceOf<T> start() const { return {b, T(0), b}; }
 
-  // What the text prints, letter by letter.
+  // Formulas exactly as printed.
   /// The projection of (c, 0, 0) on the rod.
   T p() const { return c * cos(w * t) / root2(); }
   /// The generalized force.
@@ -470,7 +471,7 @@ void formulas(Claims& claims, Table& table, const Samples& samples) {
 
 // ---- the motion -------------------------------------------------------------------------------------------
 
-/// A start from rest at lambda = s, on a spring of this stiffness, on the segment of length 4.
+/// A start from rest at lambda = s on the segment of length 4, with a spring of stiffness K.
 struct Launch {
   static constexpr double segment = 4;
   double s, K;
@@ -480,12 +481,12 @@ struct Launch {
     return "from " + format_shortest(part()) + " of the segment with $K=" + format_shortest(K) + "$";
   }
 };
-/// On the first the mass leaves the upper end, on the second the lower one.
+/// From the first the mass leaves over the upper end, from the second over the lower one.
 constexpr Launch weak{3, 1}, stiff{1, 20};
-/// Where the mass starts in another motion of the listing's parameters.
+/// Another initial lambda for the listing's parameters.
 constexpr double other_start = 1;
 
-/// How many states of the motion up to t = 2 from lambda = s are not on the segment.
+/// Checks that the motion from lambda = s stays on the segment up to t = 2.
 Check stays_on(const std::string& start, double s, double K, double w = quarter) {
   const auto rod = along(s, 1, K, w);
   const auto states =
@@ -497,7 +498,7 @@ Check stays_on(const std::string& start, double s, double K, double w = quarter)
 
 Check stays_on(const Launch& launch) { return stays_on(launch.text(), launch.s, launch.K); }
 
-/// An end of the segment is passed at the time named.
+/// Checks that the mass passes an end of the segment at the stated time.
 Check passes(double end, const Launch& from, const std::string& time) {
   return as_written(R"(the time at which $\lambda=$ )" + format_shortest(end) + R"(, from $\lambda=$ )" +
                         format_shortest(from.s) + " with $K=$ " + format_shortest(from.K),
@@ -566,7 +567,7 @@ void motion(Claims& claims, const Value& end) {
   claims.add("only_hope", 1847, "A numerical approach is the only hope",
              {.not_checkable = "numbers do not show that there is no other way"});
 
-  // the segment's length is of no account but for the start b
+  // the segment's length only matters through the start b
   const auto same = [&](const std::string& text, const std::string& another, double b, double m,
                         double K) -> Reading {
     const auto end_of = [](double start, double mass, double stiffness) {
@@ -619,7 +620,7 @@ Run listing(double factor) {
   return run;
 }
 
-/// The cosine of x next to pi/2 as FCOS gives it: the distance from its own pi/2, which has 66 bits.
+/// cos(x) near pi/2 as computed by FCOS: the distance from its own pi/2, which has 66 bits.
 double fcos_near_half_pi(double x) { return 0x234Cp-67 - (x - pi / 2); }
 
 void output(Claims& claims, const Value& end) {
@@ -769,7 +770,7 @@ std::vector<Claim> claims(double seed, const Reference& truth) {
   return claims.in_order();
 }
 
-/// The root of 2 and the circle's equation, the spring's length as one letter, and then a field's equation.
+/// Uses the root of 2, the circle's equation and a letter for the spring's length, then solves by `field`.
 constexpr const char* by_rod = R"(
   assert (two : sqrt 2 * sqrt 2 = 2) by (apply sqrt_sqrt; lra);
   assert (sqrt 2 > 0) by (apply sqrt_lt_R0; lra);
@@ -810,12 +811,12 @@ constexpr const char* by_rod = R"(
   first [field [two circle_w circle] | unfold r2; field [two circle_w circle]];
   repeat split; try lra; try (apply Rgt_not_eq; unfold r2 in *; lra))";
 
-/// The spring at the start: where the rod has not turned yet.
+/// The spring at the start, when the rod has not turned yet.
 constexpr const char* by_start = R"(
   assert (two : sqrt 2 * sqrt 2 = 2) by (apply sqrt_sqrt; lra);
   rewrite ?cos_0, ?sin_0; f_equal; field [two])";
 
-/// A spring at its rest length pulls nowhere.
+/// A spring at its rest length does not pull.
 constexpr const char* by_rest = R"(
   try reflexivity; assert (0 < b * b) by (apply Rmult_lt_0_compat; lra);
   assert (0 < sqrt ((b - c) * (b - c) + b * b))
@@ -828,7 +829,7 @@ constexpr const char* by_half_right_angle = R"(
   |rewrite cos_PI4; replace (a * a + a * a) with (2 * (a * a)) by ring;
    rewrite (sqrt_mult_alt 2), (sqrt_square a) by lra; field; repeat split; first [lra | apply Rgt_not_eq, sqrt_lt_R0; lra]])";
 
-/// As by_rod, every root, angle and rate a letter, before the equation is one of fractions.
+/// As by_rod, with a letter for each root, angle and rate before solving an equation of fractions.
 constexpr const char* by_rate = R"(
   rewrite <- ?Rsqr_pow2; unfold Rsqr;
   replace (PI * t / 4) with (PI / 4 * t) by field;

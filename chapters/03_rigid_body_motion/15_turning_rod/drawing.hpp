@@ -7,7 +7,7 @@
 
 namespace oddity::turning_rod {
 
-/// How the mass on its rod looks: `observed` is its place [m].
+/// Draws the mass on its rod; `observed` is its position [m].
 template <class Parameters>
 void draw(const Parameters& p, double t, std::span<const double> observed, Drawing& drawing) {
   const double s = p["s"], c = p["c"], turned = p["w"] * t, half = std::numbers::sqrt2 / 2;

@@ -1,11 +1,10 @@
-// Exercise 3.15: a mass slides on a rod from the origin to (a, 0, a) that turns about the x3-axis; a spring
-// joins it to (c, 0, 0). Where does it arrive in the (x2, x3)-plane?
+// Exercise 3.15: a mass slides on a rod from the origin to (a, 0, a) that rotates about the x3-axis; a spring
+// connects it to (c, 0, 0). Where does it reach the (x2, x3)-plane?
 //   s'' = w^2 s / 2 - (K/m) (1 - ell/r) (s - p),  p = c cos(w t) / sqrt(2),  r^2 = s^2 - 2 p s + c^2
 // The book's lambda is s here, and its constant angular speed, pi/4, is w. Every formula of the text is
 // compared with the Lagrangian, which is built from Rodrigues' rotation and the spring's energy and
-// differentiated by dual numbers. Energy is not conserved, the rod being driven: the balance with the work
-// done is what is watched. The cosine in the last line printed is that of the x87's FCOS, whose pi has 66
-// bits
+// differentiated by dual numbers. The rod is driven, so the models monitor the balance of energy and work.
+// The cosine in the last printed line is that of the x87's FCOS, whose pi has 66 bits
 //   [Intel 64 and IA-32 Architectures Software Developer's Manual, vol. 1, 8.3.8].
 
 #include <cmath>
@@ -69,7 +68,7 @@ Quantity slide(const Parameters& p, const Horizon& horizon, const Reference& tru
                      "in the turning plane", "Cartesian with constraints"});
 }
 
-/// The same rod with a stiff spring: a geometric motion and a tremor about it.
+/// The rod with a stiff spring: a geometric motion with a vibration about it.
 Quantity stiff_spring(const Given<double>& rod, const Horizon& horizon, const Reference& truth) {
   Quantity place = quantity("stiff_spring", "m", "position at " + times_up_to(horizon) + ", the spring stiff",
                             trajectory(truth, "03_15_slide", inputs(rod), horizon), {1e-3, "a millimetre"});
@@ -105,7 +104,7 @@ Answer late_rate(const AlongTheRod<double>& rod, double rate, double foldings, d
                 [](const AlongTheRod<double>::State& x) { return x[1] / x[0]; });
 }
 
-/// Beyond w = sqrt(2K/m) the centrifugal force grows faster along the rod than the spring's.
+/// Beyond w = sqrt(2K/m) the centrifugal force increases faster along the rod than the spring's.
 Quantity runaway(const Given<double>& rod) {
   const double rate = std::sqrt(rod.w * rod.w / 2 - rod.K / rod.m);
   Quantity growth{"runaway",
@@ -128,17 +127,17 @@ Quantity runaway(const Given<double>& rod) {
   return growth;
 }
 
-/// The horizon is a quarter turn at the book's speed. From w = sqrt(2K/m) = 4.47 on the mass runs away.
 Energy energy(const Parameters& p, std::span<const double> x) {
   return energy_seen(p["m"] * half_square(x.subspan(3)),
                      Rod<double>{asked(p)}.energy(std::array{x[0], x[1], x[2]}));
 }
 
-/// Off the rod.
+/// Distance from the rod.
 double off(const Parameters& p, std::span<const double> x, double t) {
   return CartesianWithConstraints<double>{{asked(p)}}.off_constraint({x[0], x[1], x[2]}, t);
 }
 
+/// The horizon is a quarter turn at the book's speed. For w above sqrt(2K/m) = 4.47 the mass runs away.
 Scene scene() {
   return {
       .motion = slide,

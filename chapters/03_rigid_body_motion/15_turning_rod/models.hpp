@@ -5,8 +5,8 @@
 
 #include "chapters/numbers.hpp"
 
-/// The models of exercise 3.15: a mass on a rod that turns about the x3-axis at 45 degrees to it, starting in
-/// the (x1, x3)-plane, and a spring from (c, 0, 0) to the mass. The observables are its position.
+/// The models of exercise 3.15: a mass on a rod that rotates about the x3-axis at 45 degrees to it, starting
+/// in the (x1, x3)-plane, and a spring from (c, 0, 0) to the mass. The observables are its position.
 ///   s  distance from the origin along the rod (the book's lambda)    w  angular speed of the rod
 ///   K  stiffness and  ell  rest length of the spring                 r  length of the spring
 namespace oddity::turning_rod {
@@ -16,12 +16,12 @@ T root_half() {
   return T(std::numbers::sqrt2 / 2);
 }
 
-/// The exercise's parameters; s0 is the start.
+/// The exercise's parameters; s0 is the initial s.
 template <class T>
 struct Given {
   T m, c, K, w, s0;
 
-  /// The spring's length at the start.
+  /// The spring's initial length.
   T spring() const { return sqrt(s0 * s0 - T(std::numbers::sqrt2) * c * s0 + c * c); }
 };
 
@@ -39,7 +39,7 @@ struct Rod : Given<T> {
   X length(const X& s, const X& p) const {
     return sqrt(s * s - 2 * p * s + this->c * this->c);
   }
-  /// s'' there, the spring's length being r.
+  /// s'' there, if the spring's length is r.
   template <class X>
   X acceleration(const X& s, const X& p, const X& r) const {
     return this->w * this->w / 2 * s - pull * (1 - ell / r) * (s - p);
@@ -63,7 +63,7 @@ struct NoSpring {
   std::array<T, 3> at(const T& t) const { return rod.place(rod.s0 * cosh(rod.w * root_half<T>() * t), t); }
 };
 
-/// The spring's fixed end at the origin: linear.
+/// The spring's fixed end moved to the origin: linear.
 template <class T>
 struct EndOnTheAxis {
   Rod<T> rod;
@@ -75,8 +75,8 @@ struct EndOnTheAxis {
   }
 };
 
-/// The spring a bar of its rest length: the distance along the rod is a matter of geometry. NaN where the bar
-/// does not reach the rod.
+/// The spring replaced by a bar of its rest length: geometry alone determines the distance along the rod. NaN
+/// if the bar does not reach the rod.
 template <class T>
 struct RigidSpring {
   Rod<T> rod;
@@ -86,7 +86,7 @@ struct RigidSpring {
   }
 };
 
-/// (lambda, lambda'), the listing's arithmetic; `factor` is what it multiplies the time by inside the cosine.
+/// (lambda, lambda') in the listing's arithmetic; `factor` multiplies the time inside the cosine.
 template <class T>
 struct AsListed {
   Rod<T> rod;
@@ -106,7 +106,7 @@ struct AsListed {
   std::array<T, 3> observe(const State& x, const T& t) const { return rod.place(x[0], t); }
 };
 
-/// With the rest length sqrt((b-c)^2 + c^2), the rod's turning mended.
+/// With the rest length sqrt((b-c)^2 + c^2), and the rod's rotation corrected.
 template <class T>
 AsListed<T> listed_with_other_rest_length(const Given<T>& p) {
   const T b = root_half<T>() * p.s0;
@@ -127,8 +127,8 @@ struct AlongTheRod {
   std::array<T, 3> observe(const State& x, const T& t) const { return rod.place(x[0], t); }
 };
 
-/// (s, s', work): for the rod the spring's end turns, and does this work; the energy seen from the rod less
-/// it is conserved.
+/// (s, s', work). In the rod's frame the spring's end rotates and does this work; the energy in this frame
+/// minus the work is conserved.
 template <class T>
 struct AlongTheRodWithWork {
   Rod<T> rod;
@@ -148,16 +148,16 @@ struct AlongTheRodWithWork {
   }
 };
 
-/// (s, y, s', y', work) in the plane that turns with the rod and holds it and the horizontal across it:
-/// centrifugal and Coriolis force, and the rod's push across that keeps y without acceleration. The spring's
-/// end turns backward, and does the work.
+/// (s, y, s', y', work) in the rotating plane of the rod and the horizontal across it, with centrifugal and
+/// Coriolis forces. The rod's force across it keeps y'' zero. The spring's end rotates backward and does the
+/// work.
 template <class T>
 struct InTheTurningPlane {
   Rod<T> rod;
   using State = std::array<T, 5>;
   State start() const { return {rod.s0, T(0), T(0), T(0), T(0)}; }
-  /// From the spring's end to (s, y), along the rod, across it, and out of the plane, when the cosine and the
-  /// sine of the turn are C and S.
+  /// From the spring's end to (s, y): along the rod, across it, and out of the plane, for the cosine C and
+  /// the sine S of the rotation.
   template <class X>
   std::array<X, 3> spring(const X& s, const X& y, const X& C, const X& S) const {
     const X p = rod.foot * C;
@@ -189,7 +189,8 @@ struct InTheTurningPlane {
   T off_constraint(const State& x, const T&) const { return abs(x[1]); }
 };
 
-/// (x, x', work): two forces normal to the rod keep x . n1 and x . n2 without acceleration, and do this work.
+/// (x, x', work): two forces normal to the rod keep the second derivatives of x . n1 and x . n2 zero and do
+/// this work.
 template <class T>
 struct CartesianWithConstraints {
   Rod<T> rod;
@@ -226,14 +227,14 @@ struct CartesianWithConstraints {
     return energy_of<T>(rod.m * (x[3] * x[3] + x[4] * x[4] + x[5] * x[5]) / 2,
                         rod.energy(observe(x, t)) - x[6]);
   }
-  /// From the rod: across it in the level, and in its upright plane.
+  /// Distance from the rod: across it horizontally, and in its vertical plane.
   T off_constraint(const State& x, const T& t) const {
     const T C = cos(rod.w * t), S = sin(rod.w * t), outward = C * x[0] + S * x[1];
     return hypot(C * x[1] - S * x[0], root_half<T>() * (outward - x[2]));
   }
 };
 
-/// From the least to the richest.
+/// From the simplest to the richest.
 template <class T>
 auto models(const Given<T>& p) {
   const Rod<T> rod{p};

@@ -18,7 +18,8 @@ using std::numbers::pi;
 
 // ---- the point mass ---------------------------------------------------------------------------------------
 
-/// T - V of a mass m at L R(q) in axes that turn with omega k: |r' + w x r| is its speed in axes that do not.
+/// T - V of a mass m at L R(q) in axes that rotate with omega k; |r' + w x r| is its speed in axes that do
+/// not.
 template <class N>
 struct Lagrangian {
   Given<N> p;
@@ -33,7 +34,7 @@ struct Lagrangian {
   }
 };
 
-/// T in the turning axes alone.
+/// T in the rotating axes alone.
 template <class N>
 struct KineticEnergy {
   N m, L;
@@ -53,7 +54,7 @@ T square(const T& x) {
   return x * x;
 }
 
-/// A pendulum anywhere in any motion.
+/// A pendulum at any position in any motion.
 template <class T>
 struct SampleOf {
   Given<T> p;
@@ -78,7 +79,7 @@ struct SampleOf {
             &v[0],      &v[1],      &a[0],      &a[1],      &free_r[0], &free_r[1], &free_r[2],
             &free_v[0], &free_v[1], &free_v[2], &free_a[0], &free_a[1], &free_a[2]};
   }
-  /// The terms of the equations, added up, also after their division by sin phi.
+  /// Size of the equations' terms, also after division by sin phi.
   double size() const {
     const double rates = abs(v[0]) + abs(v[1]) + p.omega, size = p.L * (1 + p.L);
     const double accelerations = abs(a[0]) + abs(a[1]) + rates * rates + p.g / p.L;
@@ -126,19 +127,19 @@ struct SampleOf {
   T b() const { return -cos(p.lambda) * sin(q[0]) * sin_phi() + sin(p.lambda) * cos_phi(); }
 
   KineticEnergy<T> kinetic() const { return {m, p.L}; }
-  /// Lagrange's equations, left side less right side, at a multiple of omega.
+  /// Lagrange's equations at a multiple of omega: left side minus right side.
   Two<T> equations(double times) const {
     Lagrangian<T> turned{p, m};
     turned.p.omega *= times;
     return lagrange_left_side(turned, q, v, a);
   }
-  /// The same without the terms in omega^2: they are quadratic in omega, and the odd part is the linear one.
+  /// Lagrange's equations without the terms in omega^2: the odd part is the linear one.
   Two<T> to_first_order() const {
     const Two<T> still = equations(0), there = equations(1), back = equations(-1);
     return {still[0] + (there[0] - back[0]) / 2, still[1] + (there[1] - back[1]) / 2};
   }
   Two<T> generalized_force() const { return less(lagrange_left_side(kinetic(), q, v, a), to_first_order()); }
-  /// The second time derivative of r(t), given in the turning axes, in axes that do not turn.
+  /// The second time derivative, in axes that do not rotate, of r(t) given in the rotating axes.
   Space<T> inertial_acceleration(double times) const {
     using Along = Dual<T>;
     using Twice = Dual<Along>;
@@ -152,7 +153,7 @@ struct SampleOf {
                          r[2] * co - c * r[0] * si - s * along};
     return {x[0].slope.slope, x[1].slope.slope, x[2].slope.slope};
   }
-  /// Its part linear in omega, times `sign`.
+  /// The part of inertial_acceleration() linear in omega, times `sign`.
   Space<T> coriolis_acceleration(double sign) const {
     return ex03_17::times(
         0.5, sum(inertial_acceleration(sign), ex03_17::times(-1.0, inertial_acceleration(-sign))));
@@ -321,18 +322,18 @@ void forces(Table& table, const Samples& samples) {
                  .printed = R"($-mL(2L\omega\dot\theta\sin\phi\,b+g\sin\phi)$)"});
 }
 
-/// The first equation, left side less right side; theta'' times this power of sin phi.
+/// The first equation, left side minus right side, with theta'' times this power of sin phi.
 auto first_equation(const auto& s, double sign = 1, int power = 1) {
   return s.a[0] * pow(s.sin_phi(), power) + 2 * s.v[0] * s.v[1] * s.cos_phi() -
          sign * 2 * s.p.omega * s.v[1] * s.b();
 }
-/// The second one, with g/L or what stands for it.
+/// The second equation, with `pull` for g/L.
 auto second_equation(const auto& s, const auto& pull, double sign = 1) {
   return s.a[1] - s.v[0] * s.v[0] * s.sin_phi() * s.cos_phi() +
          sign * 2 * s.p.omega * s.v[0] * s.sin_phi() * s.b() + pull * s.sin_phi();
 }
 
-/// A motion that obeys the first equation before its sine is canceled, unless it is at the lowest point.
+/// A motion that satisfies the first equation before its sine is canceled, unless it is at the lowest point.
 struct Passing : Sample {
   double rounded_off;
   Passing(Random& random, bool lowest) : Sample(random), rounded_off(1e-10 * size()) {
@@ -343,7 +344,7 @@ struct Passing : Sample {
 };
 
 void cancellation(Claims& claims, double seed) {
-  // every fourth motion at the lowest point, if asked for
+  // every fourth motion is at the lowest point if `lowest_too`
   const auto cancelled = [seed](const std::string& text, bool lowest_too, int power) -> Reading {
     Random random(seed);
     std::vector<Passing> passing;
@@ -413,25 +414,25 @@ void equations(Table& table, const Samples& samples) {
 
 }  // namespace
 
-/// A density at a place as Coq has it.
+/// A density as a Coq function of position.
 template <class F>
 std::string in_coq(const F& density) {
   const auto letter = [](const char* name) { return Shortened::letter(name); };
   const Shortened there = density(letter("x"), letter("y"), letter("z"));
   return "(fun x y z => " + there.expression().coq() + ")";
 }
-/// Of f over the letter `name`.
+/// Integral of f over the letter `name`.
 template <class F>
 Shortened recorded_integral(const F& f, const Shortened& from, const Shortened& to, const std::string& name) {
   return integral([&](const Expression& x) { return Shortened(f(Shortened(x))).expression(); },
                   from.expression(), to.expression(), name);
 }
 
-/// Its base is on the plane z = 0 about the origin, its vertex is at (0, 0, h), and its density is one.
+/// A cone with its base in the plane z = 0 about the origin, its vertex at (0, 0, h), and density one.
 template <class T>
 struct ConeSampleOf {
   ConeOf<T> cone;
-  T height;  ///< any, of a plane across
+  T height;  ///< a random horizontal plane
   SampleOf<T> motion;
   double relative = 1e-13;
 
@@ -466,7 +467,7 @@ struct ConeSampleOf {
   }
   T rho(const T& z) const { return radius(r(), h(), z); }
 
-  /// Over the cone from z = low on, in cylindrical coordinates by Gauss's rule.
+  /// Integral over the cone for z >= low, in cylindrical coordinates by Gauss-Legendre.
   template <class F>
   T integral(const F& f, const T& low = T(0.0)) const {
     if constexpr (std::same_as<T, Shortened>) {
@@ -480,7 +481,7 @@ struct ConeSampleOf {
           .value;
     }
   }
-  /// The same in the book's Cartesian limits by QAGS.
+  /// Integral in the book's Cartesian limits, by QAGS.
   template <class F>
   T cartesian_integral(const F& f) const {
     if constexpr (std::same_as<T, Shortened>)
@@ -488,7 +489,7 @@ struct ConeSampleOf {
     else
       return cartesian_integral(f, [&](double z, double y) { return width(z, y); });
   }
-  /// With another half of the width in x.
+  /// Integral with `half` in place of the half width in x.
   double cartesian_integral(const auto& f, const auto& half) const {
     const Rule rule = [](FunctionOfOne g, double a, double b) { return qags(g, a, b, 1e-12); };
     return nested(
@@ -518,7 +519,7 @@ struct ConeSampleOf {
     else
       return qags(f, -rho(z), rho(z), 1e-12).value;
   }
-  /// Over the distance s from the axis.
+  /// Integral over the distance s from the axis.
   template <class F>
   T out_to_edge(const T& z, const F& f) const {
     if constexpr (std::same_as<T, Shortened>)
@@ -543,14 +544,15 @@ struct ConeSampleOf {
     const auto A = motion.axes();
     return sum(sum(times(a, A.P), times(b, A.Q)), times(c, A.R));
   }
-  /// u.J v about the base's center, the cone's axis along R.
+  /// u.J v about the base's center, with the cone's axis along R.
   T inertia(const Space<T>& u, const Space<T>& v) const {
     return integral([&](const T& x, const T& y, const T& z) {
       const auto at = in_world(x, y, z);
       return dot(at, at) * dot(u, v) - dot(at, u) * dot(at, v);
     });
   }
-  /// Of the swing about the vertex, the cone not turning about its own axis, in the turning axes.
+  /// Kinetic energy of the swing about the vertex in the rotating axes, if the cone does not spin about its
+  /// axis.
   T kinetic_energy() const {
     const auto spin = cross(motion.axes().R, axis_velocity(motion.q, motion.v));
     return integral([&](const T& x, const T& y, const T& z) {
@@ -575,7 +577,7 @@ using OfCone = ProvableFormula<ConeSampleOf>;
 using C = const ConeSample&;
 using Cones = std::vector<ConeSample>;
 
-/// How many times as fast as the true cone the published one swings, of r = h.
+/// Factor by which the published cone swings faster than the true one, for r = h.
 double too_fast() { return sqrt((0.8 + 0.2) / printed_length<double>()); }
 
 void center_of_mass(ConeTable& table, const Cones& cones) {
@@ -661,7 +663,7 @@ void decimals(Claims& claims) {
                  .near_misses = {"0.7938"}});
 }
 
-/// The integrals of lines 2329 to 2341 meet QAGS.
+/// Claims the integrals of lines 2329 to 2341, checked by QAGS.
 void moments(ConeTable& table, const Cones& cones, const Cones& by_qags) {
   const OfCone Ixx{"quadrature in cylindrical coordinates", [](const auto& s) { return s.Ixx(); }};
   const auto across = [](const auto&, const auto& y, const auto& z) { return y * y + z * z; };
@@ -945,7 +947,7 @@ void tensor(ConeTable& table, const Cones& cones) {
 
 }  // namespace
 
-/// A cone in any motion, compared within the roundings of its equations.
+/// A cone in any motion, compared to within the roundings of its equations.
 template <class T>
 struct SwingingOf : ConeSampleOf<T> {
   using ConeSampleOf<T>::ConeSampleOf;

@@ -7,7 +7,7 @@
 
 namespace oddity::foucault {
 
-/// How the bob looks: `observed` is its place to the west and to the north of the lowest point [m].
+/// Draws the bob; `observed` is its position west and north of the lowest point [m].
 template <class Parameters>
 void draw(const Parameters& p, double, std::span<const double> observed, Drawing& drawing) {
   const double L = p["L"], x = observed[0], y = observed[1];

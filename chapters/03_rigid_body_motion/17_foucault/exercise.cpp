@@ -2,9 +2,9 @@
 // vertex.
 //   theta'' sin phi + 2 theta' phi' cos phi = 2 omega phi' b,   b = sin lambda cos phi - cos lambda sin theta
 //   sin phi phi'' - theta'^2 sin phi cos phi = -2 omega theta' sin phi b - (g/L) sin phi
-// These hold to first order in omega. They are compared with Lagrange's equations whose kinetic energy is
-// that of axes which do not turn, |r' + w x r|^2/2, by dual numbers; its part linear in omega is half the
-// difference of two Earths that turn the opposite ways. The cone's integrals are taken by quadrature over its
+// These hold to first order in omega. They are compared with Lagrange's equations by dual numbers. The
+// kinetic energy is that in axes that do not rotate, |r' + w x r|^2/2. Its part linear in omega is half the
+// difference for Earths that rotate in opposite directions. The cone's integrals are by quadrature over its
 // points.
 
 #include "chapters/03_rigid_body_motion/17_foucault/drawing.hpp"
@@ -44,7 +44,7 @@ Quantity swinging_bob(const Parameters& p, const Horizon& horizon, const Referen
       {"averaged", "small angle", "two angles as published", "two angles", "Cartesian with constraint"});
 }
 
-/// Its axes are the book's, z down.
+/// The axes are the book's, with z down.
 engines::Staging staging(const Parameters& p) {
   using namespace engines;
   const foucault::Given<double> start = asked(p);
@@ -61,15 +61,15 @@ engines::Staging staging(const Parameters& p) {
           }};
 }
 
-/// The slower it starts about the vertical, the closer the bob passes the lowest point, where theta is no
-/// coordinate.
-/// In the axes that turn.
+/// Energy in the rotating axes.
 Energy energy(const Parameters& p, std::span<const double> x) {
   const auto conserved =
       foucault::Cartesian<double>{asked(p)}.conserved({x[0], x[1], x[2], x[3], x[4], x[5]}, 0);
   return {conserved[0].value, conserved[0].moving};
 }
 
+/// The slower the initial rotation about the vertical, the closer the bob passes the lowest point, where
+/// theta is undefined.
 Scene scene() {
   return {
       .motion = swinging_bob,

@@ -10,7 +10,7 @@
 #include "chapters/exercise.hpp"
 #include "chapters/provable.hpp"
 
-/// What the methods and the claims of exercise 3.17 share: the cone, and the published energy and force.
+/// Shared by the methods and claims of exercise 3.17: the cone, and the published energy and force.
 namespace oddity::ex03_17 {
 
 using foucault::Axes, foucault::Given;
@@ -34,22 +34,22 @@ Space<T> axis_velocity(const Two<T>& q, const Two<T>& v) {
   return {axes.R[0].slope, axes.R[1].slope, axes.R[2].slope};
 }
 
-/// Foucault's own pendulum, in the Pantheon, let go at rest.
+/// Foucault's own pendulum in the Pantheon, released at rest.
 inline constexpr Given<double> pantheon{0.8526, 67, 7.292115e-5, 9.81, 0.5, 0.0447, 0, 0};
-/// m, how far aside it is let go, and how far from its lowest point it passes.
+/// m, the initial distance from the vertical, and the distance at which it passes the lowest point.
 inline double let_go_aside() { return pantheon.L * std::sin(pantheon.phi); }
 inline double passes_at() {
   return let_go_aside() * pantheon.omega * std::sin(pantheon.lambda) / std::sqrt(pantheon.g / pantheon.L);
 }
 
-/// A cone of unit mass that hangs by its vertex: its center of mass at L, moments of inertia about that.
+/// A cone of unit mass that hangs by its vertex: center of mass at L, moments of inertia about it.
 template <class T>
 struct ConeOf {
   T h, r;
   T L() const { return 3 * h / 4; }
   T across() const { return 3 * (4 * r * r + h * h) / 80; }
   T along() const { return 3 * r * r / 10; }
-  /// The length of the point mass that swings alike: (L^2 + Ixx)/L.
+  /// Length of the point-mass pendulum with the same swing: (L^2 + Ixx)/L.
   T equivalent_length() const { return 4 * h / 5 + r * r / (5 * h); }
 };
 using Cone = ConeOf<double>;
@@ -66,12 +66,12 @@ BookConeOf<T> book_cone(const ConeOf<T>& c) {
   return {c.h / cbrt(T(2)), (2 * c.h * c.h + 3 * c.r * c.r) / 20, c.along()};
 }
 
-/// Kinetic energy (per mass) as published, J being that of (Ixx, Ixx, Izz): |v|^2/2 + w.J w/2.
+/// Published kinetic energy (per mass), |v|^2/2 + w.J w/2, with J of (Ixx, Ixx, Izz).
 template <class N>
 struct BookEnergyOf : BookConeOf<N> {
   using BookConeOf<N>::L, BookConeOf<N>::Ixx, BookConeOf<N>::Izz;
   Space<N> w;
-  N swing = 0;  ///< of the energy of the cone's own turning R x R', which the text has not
+  N swing = 0;  ///< share of the energy of the cone's own rotation R x R', which the text omits
   template <class T>
   T operator()(const Two<T>& q, const Two<T>& v) const {
     const Axes<T> a(q);
@@ -98,13 +98,13 @@ Quantity cone_swing(Given<double>, const Cone&, const Horizon&, const Reference&
 Quantity inertia(const Cone&);
 
 std::vector<Claim> claims(double seed);
-/// Of what is claimed of the point mass.
+/// Proofs of claims about the point mass.
 Provables pendulum_proofs();
-/// Of what is claimed of the cone.
+/// Proofs of claims about the cone.
 Provables cone_proofs();
 std::vector<Root> roots();
 
-// in_coq.cpp, for proofs: of integrals over the cone, besides integrals_in_coq
+// Lemmas and tactics of in_coq.cpp: integrals over the cone, in addition to integrals_in_coq.
 extern const char* const cone_in_coq;
 
 }  // namespace oddity::ex03_17

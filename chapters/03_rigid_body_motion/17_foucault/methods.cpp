@@ -21,9 +21,9 @@ double major_axis(const std::array<double, 4>& s, double seconds_squared) {
                           s[0] * s[0] - s[1] * s[1] + seconds_squared * (s[2] * s[2] - s[3] * s[3]));
 }
 
-/// The axis of a pendulum let go at rest turns at omega sin lambda; to order phi^2 the ellipse that the
-/// release gives it (its minor axis is phi omega sin lambda / sqrt(g/L)) turns it back by 3/8 phi^2 of that
-/// [Airy 1851].
+/// The swing's axis of a pendulum released at rest turns at omega sin lambda. The release makes the swing an
+/// ellipse with the minor axis phi omega sin lambda / sqrt(g/L). To order phi^2 it turns the axis back by 3/8
+/// phi^2 of that rate [Airy 1851].
 struct AxisTurning : Given<double> {
   double back = 0;
   std::array<double, 1> at(double t) const {
@@ -56,7 +56,7 @@ struct BookSwing : Given<double> {
   }
 };
 
-/// A point mass whose direction is seen.
+/// A point mass that observes only its direction.
 struct Direction : Cartesian<double> {
   Pair observe(const State& s, double) const { return {s[0] / p.L, s[1] / p.L}; }
 };
@@ -117,7 +117,7 @@ Quantity bob_on_earth(const Horizon& horizon, const Reference& truth) {
   return q;
 }
 
-/// Pushed from the lowest point, where theta is no coordinate.
+/// Pushed from the lowest point, where theta is undefined.
 Quantity push(Given<double> p, const Horizon& horizon, const Reference& truth) {
   p.phi = p.theta_dot = 0;
   p.phi_dot = 0.75;
@@ -159,7 +159,7 @@ Quantity hours(const Reference& truth) {
       .by<ode::Fehlberg78>(cartesian, full)
       .by<ode::RungeKutta4>(angles, two, Outcome::non_finite, turns_at_once);
   SceneMethods(q, horizon, steps, tolerances(7, 7)).by<ode::Fehlberg78>(angles, two);
-  // A small ellipse, whose halves are as the turning of the plane to the swing.
+  // A small ellipse; its half axes have the ratio of the rates of precession and swing.
   const double nearest = passes_at(), fastest = let_go_aside() * std::sqrt(pantheon.g / pantheon.L);
   return q.add(
       Breakdown{R"(Let go at rest, the bob passes the lowest point at a distance of @1 mm, where $\theta$ )"
@@ -193,7 +193,7 @@ Quantity cone_swing(Given<double> p, const Cone& cone, const Horizon& horizon, c
   return q;
 }
 
-/// Ixx and Izz about the base's center, by the text's limits (x inside, z outside) or in cylindrical
+/// Ixx and Izz about the base's center, in the text's limits (x inside, z outside) or in cylindrical
 /// coordinates.
 Answer cone_moments(const Cone& cone, bool cartesian_limits, const Rule& rule) {
   const auto rho = [=](double z) { return cone.r * (1 - z / cone.h); };

@@ -6,9 +6,9 @@
 
 #include "chapters/numbers.hpp"
 
-/// The models of exercise 3.17: a pendulum of length L at the latitude lambda of an Earth that turns at
-/// omega. Axes x to the west, y to the north, z down; w = omega (0, cos lambda, -sin lambda). The angle theta
-/// is about the vertical, from west to north; phi from the lower vertical.
+/// The models of exercise 3.17: a pendulum of length L at the latitude lambda of an Earth that rotates at
+/// omega. Axes: x west, y north, z down; w = omega (0, cos lambda, -sin lambda). The angle theta is about the
+/// vertical, from west to north; phi is measured from the downward vertical.
 namespace oddity::foucault {
 
 /// The book's three axes; the bob is at L R.
@@ -40,8 +40,8 @@ struct Given {
   }
 };
 
-/// z'' = 2i W z' - (g/L) z for z = x + iy, W = omega sin lambda: exp(iWt)(A cos nt + B sin nt), n^2 = g/L +
-/// W^2; averaged: n^2 = g/L, the free ellipse in axes that turn with W.
+/// z'' = 2i W z' - (g/L) z for z = x + iy, W = omega sin lambda. The solution is exp(iWt)(A cos nt + B sin
+/// nt) with n^2 = g/L + W^2. Averaged, n^2 = g/L: the free ellipse in axes that rotate with W.
 template <class T>
 struct SmallAngle {
   Given<T> p;
@@ -53,14 +53,14 @@ struct SmallAngle {
     const T along = s[0] * C + (s[3] + W * s[1]) / n * S, across = s[1] * C + (s[4] - W * s[0]) / n * S;
     return {c * along - d * across, c * across + d * along};
   }
-  /// Below the pivot, as it is drawn.
+  /// Relative to the pivot, for the drawing.
   std::array<T, 3> place(const T& t) const {
     const auto [x, y] = at(t);
     return {x, y, sqrt(p.L * p.L - x * x - y * y)};
   }
 };
 
-/// (theta, phi, theta', phi'); with centrifugal = 0 the published equations.
+/// (theta, phi, theta', phi'); the published equations if `centrifugal` is 0.
 template <class T>
 struct TwoAngles {
   Given<T> p;
@@ -97,7 +97,7 @@ struct TwoAngles {
   }
 };
 
-/// Position and velocity in the turning axes, the rod's tension from |r| = L.
+/// Position and velocity in the rotating axes, with the rod's tension from |r| = L.
 template <class T>
 struct Cartesian {
   Given<T> p;
@@ -107,7 +107,7 @@ struct Cartesian {
   State start() const { return p.cartesian(); }
   template <class X>
   void operator()(const std::array<X, 6>& s, std::array<X, 6>& dsdt, const X&) const {
-    // -2 w x r' - w x (w x r) + g, of which what is along y and z has one factor in common
+    // -2 w x r' - w x (w x r) + g, whose parts along y and z have a common factor
     const X across = w[2] * s[1] - w[1] * s[2] - 2 * s[3];
     const X ax = 2 * (w[2] * s[4] - w[1] * s[5]) + square * s[0], ay = w[2] * across,
             az = p.g - w[1] * across;
@@ -126,7 +126,7 @@ struct Cartesian {
   T off_constraint(const State& s, const T&) const { return abs(hypot(s[0], s[1], s[2]) - p.L); }
 };
 
-/// From the least to the richest.
+/// From the simplest to the richest.
 template <class T>
 auto models(const Given<T>& p) {
   return std::tuple{SmallAngle<T>{p, true}, SmallAngle<T>{p}, TwoAngles<T>{p, T(0)}, TwoAngles<T>{p},

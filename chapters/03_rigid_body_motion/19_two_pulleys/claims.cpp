@@ -20,7 +20,8 @@ inline Shortened of_two(const char* function, const Shortened& a, const Shortene
 inline Shortened max(const Shortened& a, const Shortened& b) { return of_two("Rmax", a, b); }
 inline Shortened min(const Shortened& a, const Shortened& b) { return of_two("Rmin", a, b); }
 
-/// Any two pulleys in any motion, hung between a ceiling and a floor at depth `floor`; y1 is the large one's.
+/// Two random pulleys in motion, between a ceiling and a floor at depth `floor`; y1 is the depth of the large
+/// one.
 template <class T>
 struct SampleOf {
   two_pulleys::Given<T> p;
@@ -44,7 +45,7 @@ struct SampleOf {
     return {&p.m2, &p.m3, &p.I1, &p.I2, &p.R1, &p.R2, &p.c1, &p.c2, &p.L1,  &p.L2, &p.K1,
             &p.K2, &p.g,  &q[0], &q[1], &v[0], &v[1], &a[0], &a[1], &floor, &y1,   &delta};
   }
-  /// The terms of lengths, energies and forces, added up, the accelerations being the forces over a mass.
+  /// Size of the terms of lengths, energies and forces; accelerations are forces divided by a mass.
   double size() const {
     const double mass = p.m2 + p.m3 + p.inertia_over_square_1() + 2 * p.inertia_over_square_2(),
                  speed = abs(v[0]) + abs(v[1]);
@@ -83,13 +84,14 @@ struct SampleOf {
   }
   std::string where() const { return told(typeset(), 15); }
 
-  /// The springs between floor and rope, from the ropes' lengths alone.
+  /// Lengths of the springs between floor and rope, from the ropes' lengths alone.
   template <class X>
   Two<X> springs(const Two<X>& y) const {
     const T rope1 = floor - 2 * y1 - p.K1, rope2 = floor - p.K2;
     return {(floor - y1) - (rope1 - (y[0] - y1)), (floor - y[0]) - (rope2 - (y[1] - y[0]))};
   }
-  /// What the ropes grow by, less what stays of them over the pulleys, their springs given by y - K.
+  /// Changes of the ropes' lengths without their parts over the pulleys, for springs of lengths given by y
+  /// and K.
   Two<T> ropes_after(const T& down2, const T& down3) const {
     const auto lengths = [&](const T& d2, const T& d3) {
       const T S1 = q[0] + d2 + p.K1, S2 = q[1] + d3 - 2 * (q[0] + d2) + p.K2;
@@ -102,18 +104,18 @@ struct SampleOf {
     const Two<T> before = springs(q), after = springs(Two<T>{q[0] + down2, q[1] + down3});
     return {after[0] - before[0], after[1] - before[1]};
   }
-  /// Rope that runs over each pulley's rim toward the far side, seen on the spring's side.
+  /// Speed of the rope over each pulley's rim toward the far side, from the rope on the spring's side.
   Two<T> rim_speeds() const {
     const auto s = springs(moving(q, v));
     return {s[0].slope, s[1].slope + v[0]};
   }
-  /// The same with a first spring whose length at rest is less than its length, or more.
+  /// A copy whose first spring is stretched, or compressed if `by` is negative.
   SampleOf stretched(double by = 1) const {
     SampleOf other = *this;
     other.p.L1 = springs(q)[0] - by * abs(delta);
     return other;
   }
-  /// T from the ropes' lengths alone: the pulleys turn as the rope on the springs' side runs.
+  /// T from the ropes' lengths alone: the pulleys turn with the rope on the springs' side.
   auto kinetic() const {
     return [*this]<class X>(const Two<X>& y, const Two<X>& dy) {
       const auto s = springs(Two<Dual<X>>{Dual<X>(y[0], dy[0]), Dual<X>(y[1], dy[1])});
@@ -128,7 +130,7 @@ struct SampleOf {
   auto lagrangian() const {
     return [p = p](const auto& y, const auto& dy) { return p.kinetic_energy(dy) - p.potential_energy(y); };
   }
-  /// Generalized, from the potential energy.
+  /// Generalized forces, from the potential energy.
   Two<T> forces() const {
     return df_dq([&](const auto& y, const auto&) { return -p.potential_energy(y); }, q, v);
   }
@@ -140,7 +142,7 @@ struct SampleOf {
     pulleys(x, rate, T(0));
     return {rate[4], rate[5]};
   }
-  /// With these accelerations.
+  /// A copy with these accelerations.
   SampleOf in_motion(const Two<T>& accelerations) const {
     SampleOf other = *this;
     other.a = accelerations;
@@ -157,26 +159,27 @@ using Table = ProvableClaims<SampleOf>;
 /// The default pulleys.
 constexpr two_pulleys::Given<double> standard{1, 2, 0.5, 0.25, 0.5, 0.5, 40,   30,  1,
                                               1, 1, 1.5, 9.81, 1,   2.5, 0.25, -0.5};
-/// The tension of the second rope on the mass at their start.
+/// The tension of the second rope on the mass at the standard initial condition.
 double tension_at_start() {
   std::array<double, 2> a;
   const std::array y{standard.y2, standard.y3};
   two_pulleys::TwoCoordinates<double>{standard}.acceleration(y, a);
   return standard.c2 * standard.stretch2(y) + standard.inertia_over_square_2() * (a[1] - a[0]);
 }
-/// The default start with a longer upper rope, and how much shorter than at rest its spring is.
+/// The standard initial condition with a longer upper rope; loose() is the compression of its spring.
 constexpr two_pulleys::Given<double> let_loose = [] {
   auto p = standard;
   p.K1 = -0.5;
   return p;
 }();
 double loose() { return -let_loose.stretch1(std::array{let_loose.y2, let_loose.y3}); }
-/// The depth of their small pulley after this time.
+/// The depth of the standard small pulley after this time.
 double depth_after(double time, double lever) {
   const two_pulleys::TwoCoordinates<double> model{standard, lever};
   return ode::integrate<ode::Fehlberg78>(model, model.start(), 0, time, 1e-10).value[0];
 }
-/// The squares of their frequencies: the mean of the two, and that less the one, squared.
+/// The squared frequencies of the standard pulleys: the mean of both, and their squared distance from the
+/// mean.
 std::array<double, 2> squares_of_frequencies(double lever) {
   const auto& p = standard;
   const double c = p.c1 + 2 * lever * p.c2, d = -lever * p.c2;
@@ -187,7 +190,7 @@ std::array<double, 2> squares_of_frequencies(double lever) {
 
 // ---- the ropes --------------------------------------------------------------------------------------------
 
-/// What the ropes and springs grow by when y2 and y3 grow by multiples of Delta; the text has it `by` Delta.
+/// Changes of ropes and springs as y2 and y3 change by multiples of Delta; the text's change is `by` Delta.
 struct Move {
   std::size_t rope;
   double down2, down3, by;
@@ -206,7 +209,7 @@ struct Move {
   }
 };
 
-/// Where the text has a string stretched or compressed it is the spring that is: its rope keeps its length.
+/// For a string that the text stretches or compresses: its spring does so, and the rope keeps its length.
 Claim string_for_spring(const Samples& samples, const Move& move, const std::array<std::string, 3>& readings,
                         std::string why) {
   const auto spring = [&](double factor) {
@@ -229,7 +232,7 @@ void kinematics(Claims& claims, Table& table, const Samples& samples) {
                            [](const auto& s) { return s.rim_speeds(); }},
                  .printed = R"($(\dot y_2,\ \dot y_3-\dot y_2)$)"});
   const auto freedoms = [](const std::string& text, int count, bool fixed) -> Reading {
-    Eigen::MatrixXd ties(fixed ? 5 : 4, 7);  // of y1, y2, y3, S1, S2, theta1, theta2; R1 = 2, R2 = 3
+    Eigen::MatrixXd ties(fixed ? 5 : 4, 7);  // y1, y2, y3, S1, S2, theta1, theta2; R1 = 2, R2 = 3
     ties.topRows(4) << -2, 1, 0, -1, 0, 0, 0, /**/ 0, 2, -1, 0, 1, 0, 0, /**/ 1, -1, 0, 0, 0, 2, 0, /**/ 0, 1,
         -1, 0, 0, 0, 3;
     if (fixed) ties.row(4) << 1, 0, 0, 0, 0, 0, 0;
@@ -351,8 +354,8 @@ void energies(Table& table, const Samples& samples) {
 
 // ---- the forces -------------------------------------------------------------------------------------------
 
-/// A rope pulls or hangs slack: its tension and its slack are not negative, and one of them is zero. `of` has
-/// the tension by the spring's pull.
+/// A rope is taut or slack: tension and slack are not negative, and one of them is zero. `of` returns the
+/// tension from the spring's pull.
 template <class T, class Tension>
 auto negative_or_both(const SampleOf<T>& s, const Tension& of) {
   const SampleOf<T> pressed = s.stretched(-1);
@@ -384,7 +387,7 @@ void compression(Table& table, const Samples& samples) {
            {let_loose.K1, let_loose.L1 - loose(), let_loose.c1 * loose()})});
 }
 
-/// What `compression` says of pressed springs, said of stretched ones.
+/// The statement of `compression`, for stretched springs instead of compressed ones.
 Reading in_stretching(const Samples& samples) {
   const Formula<Sample> tension{"the rope's tension is $c_1(S_1-L_1)$", [](S s) {
                                   const Sample stretched = s.stretched();
@@ -481,7 +484,7 @@ std::string of_frequencies() {
        sqrt(sum + sqrt(difference))});
 }
 
-/// The equations' two sides differ by nothing in a motion: by Lagrange's equations, or by the ropes'
+/// Left minus right side of the equations is zero in a motion, by Lagrange's equations or by the ropes'
 /// tensions.
 void equations(Table& in_motion, const Samples& motions) {
   const ProvableFormula<SampleOf> zero{"zero", [](const auto&) { return 0.0; }};

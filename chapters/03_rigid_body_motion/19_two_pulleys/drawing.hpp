@@ -9,13 +9,12 @@
 
 namespace oddity::two_pulleys {
 
-/// How the machine looks: `observed` are the depths of the small pulley and of the mass below the level 0
-/// [m].
+/// Draws the machine; `observed` are the depths of the small pulley and of the mass below the level 0 [m].
 template <class Parameters>
 void draw(const Parameters& p, double, std::span<const double> observed, Drawing& drawing) {
   const double R1 = p["R1"], R2 = p["R2"], y2 = observed[0], y3 = observed[1];
   const double S1 = y2 + p["K1"], S2 = y3 - 2 * y2 + p["K2"];
-  // At rest, and so much about it that pulleys, springs and floor keep clear of one another.
+  // Depths at rest, with enough room around them to keep pulleys, springs and floor apart.
   const double rest2 = p["L1"] - p["K1"] + (p["m2"] + 2 * p["m3"]) * p["g"] / p["c1"],
                rest3 = p["L2"] - p["K2"] + p["m3"] * p["g"] / p["c2"] + 2 * rest2;
   const double high = std::fmin(p["y2"], rest2), low2 = std::fmax(p["y2"], rest2),

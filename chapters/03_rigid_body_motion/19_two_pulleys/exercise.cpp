@@ -3,8 +3,8 @@
 //   S1 = y2 + K1, S2 = y3 - 2 y2 + K2                          (the ropes' lengths)
 //   (m2 + I1/R1^2 + I2/R2^2) y2'' - I2/R2^2 y3'' = m2 g - c1 (S1 - L1) + 2 c2 (S2 - L2)
 //   (m3 + I2/R2^2) y3'' - I2/R2^2 y2'' = m3 g - c2 (S2 - L2)
-// What the text derives is compared with Lagrange's equations from the two energies, by dual numbers, and
-// with Newton's laws for each body and the tensions of the ropes' four ends.
+// The text's derivation is compared with Lagrange's equations from the two energies, by dual numbers, and
+// with Newton's laws for each body and the tensions at the ropes' four ends.
 
 #include <Eigen/Core>
 #include <cmath>
@@ -61,8 +61,8 @@ std::array<double, 2> frequencies(const Given<double>& p) {
   return {w[0], w[1]};
 }
 
-/// One of the two frequencies of the published equations, the growing one if they are complex: from the two
-/// by two matrix of the accelerations, which are linear in the depths.
+/// One of the two frequencies of the published equations; if they are complex, that of the growing mode. From
+/// the matrix of the accelerations, which are linear in the depths.
 std::complex<double> published_frequency(const Given<double>& p) {
   const TwoCoordinates<double> published{p, 0};
   std::array<double, 2> none, first, second;
@@ -121,8 +121,8 @@ Quantity swing(const Parameters& given, const Horizon& horizon, const Reference&
                     {published, "two coordinates", "four coordinates with tensions"});
 }
 
-/// The roots of a s^2 - b s + c by the formula of the textbooks, the smaller from the difference or, by
-/// Vieta, from the product; c = c1 c2 without subtraction.
+/// The roots of a s^2 - b s + c by the textbook formula, with the smaller one by subtraction or, by Vieta,
+/// from the product; c = c1 c2 without subtraction.
 std::array<double, 2> by_quadratic(const Given<double>& p, bool vieta) {
   const auto m = p.mass_matrix(), k = p.stiffness();
   const double a = m[0][0] * m[1][1] - m[0][1] * m[1][0],
@@ -131,7 +131,7 @@ std::array<double, 2> by_quadratic(const Given<double>& p, bool vieta) {
   return {std::sqrt(vieta ? c / (a * larger) : (b - root) / (2 * a)), std::sqrt(larger)};
 }
 
-/// Ratios to the true frequencies; `graded`: the springs are so unlike that the frequencies are, too.
+/// Ratios to the true frequencies; `graded`: very different springs, so that the frequencies differ as much.
 Quantity frequencies(const std::string& name, const std::string& says, const Given<double>& p, bool graded,
                      const Reference& truth) {
   const Known w = truth("03_19_frequencies", {p.m2, p.m3, p.I1, p.I2, p.R1, p.R2, p.c1, p.c2});
@@ -150,7 +150,7 @@ Quantity frequencies(const std::string& name, const std::string& says, const Giv
   return q;
 }
 
-/// The pulleys' turns are inertia of the two slides: the small pulley's, and the mass's upon it.
+/// The pulleys' rotations become inertia of two sliders: the small pulley, and the mass relative to it.
 engines::Staging staging(const Parameters& given) {
   using namespace engines;
   const Given<double> p = asked(given);

@@ -6,8 +6,8 @@
 #include "chapters/modes.hpp"
 #include "chapters/numbers.hpp"
 
-/// The models of exercise 3.19: a pulley of mass m2 at the depth y2, which a spring holds by a rope over a
-/// fixed pulley, and a mass m3 at the depth y3, which another spring holds by a rope over the first.
+/// The models of exercise 3.19. A pulley of mass m2 at the depth y2 is held by a spring and a rope over a
+/// fixed pulley. A mass m3 at the depth y3 is held by another spring and a rope over the first pulley.
 namespace oddity::two_pulleys {
 
 template <class T>
@@ -34,7 +34,7 @@ struct Given {
     const X s1 = stretch1(y), s2 = stretch2(y);
     return (c1 * s1 * s1 + c2 * s2 * s2) / 2 - g * (m2 * y[0] + m3 * y[1]);
   }
-  /// The accelerations of the two depths by generalized forces on them.
+  /// Accelerations of the two depths for generalized forces on them.
   template <class X>
   std::array<X, 2> accelerations(const std::array<X, 2>& force) const {
     const T t = inertia_over_square_2(), small = m2 + inertia_over_square_1() + t, large = m3 + t,
@@ -69,8 +69,8 @@ struct Modes {
   }
 };
 
-/// (y2, y3, y2', y3'). `lever` is what the second spring's pull counts on the small pulley: twice, and not at
-/// all in the published equations.
+/// (y2, y3, y2', y3'). `lever` is the factor of the second spring's pull on the small pulley: 2, and 0 in the
+/// published equations.
 template <class T>
 struct TwoCoordinates {
   Given<T> p;
@@ -94,8 +94,8 @@ struct TwoCoordinates {
   }
 };
 
-/// Depths and pulley angles, free of one another; the ropes' tensions on the far sides of the pulleys keep
-/// them from slipping. The springs are known by the rope that has run over their pulley.
+/// Depths and pulley angles as independent coordinates; the ropes' tensions on the far sides of the pulleys
+/// keep them from slipping. The springs' lengths follow from the rope that has run over their pulley.
 template <class T>
 struct FourCoordinates {
   Given<T> p;
@@ -123,13 +123,13 @@ struct FourCoordinates {
   auto conserved(const State& x, const T&) const {
     return energy_of<T>(p.kinetic_energy(std::array{x[4], x[5]}), p.potential_energy(std::array{x[0], x[1]}));
   }
-  /// What the ropes have slipped on their pulleys.
+  /// Slip of the ropes on their pulleys.
   T off_constraint(const State& x, const T&) const {
     return hypot(x[0] - p.R1 * x[2], x[1] - x[0] - p.R2 * x[3]);
   }
 };
 
-/// From the least to the richest.
+/// From the simplest to the richest.
 template <class T>
 auto models(const Given<T>& p) {
   return std::tuple{TwoCoordinates<T>{p, T(0)}, TwoCoordinates<T>{p}, FourCoordinates<T>{p}};

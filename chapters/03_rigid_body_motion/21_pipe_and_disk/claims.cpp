@@ -22,7 +22,7 @@ struct SampleOf {
       : m(random.between(0.2, 3)),
         L(random.between(0.3, 3)),
         mu2(random.between(0.1, 2)),
-        mu3(mu2 * random.between(0.1, 2)),  // 2 of a flat disk, less of a longer one
+        mu3(mu2 * random.between(0.1, 2)),  // 2 for a flat disk, less for a longer one
         phi(random.between(0.2, 2.9)),
         g(random.between(0.5, 20)),
         q{random.between(-3, 3), random.between(-3, 3)},
@@ -72,7 +72,7 @@ struct SampleOf {
     }
     return {e, f, pipe};
   }
-  /// Gravity being `weight` over the mass.
+  /// The Lagrangian, with `weight` as gravity per mass.
   auto lagrangian(const T& weight) const {
     return [*this, weight]<class X>(const Two<X>& at, const Two<X>& speed) {
       const auto r = axes(Dual<X>(at[0], speed[0]), Dual<X>(at[1], speed[1]));
@@ -90,19 +90,19 @@ struct SampleOf {
   Two<T> accelerations(const T& force, const T& weight) const {
     return lagrange_accelerations(lagrangian(weight), q, v, {force, T(0)});
   }
-  /// dX/dtheta, X the center.
+  /// dX/dtheta of the center X.
   Vector<T> lever() const {
     const auto pipe = axes(Dual<T>(q[0], T(1)), Dual<T>(q[1]))[2];
     return {L * pipe[0].slope, L * pipe[1].slope, L * pipe[2].slope};
   }
   T force() const { return dot(F, lever()); }
-  /// d/dt of the disk's angular velocity theta' k + psi' u, both speeds constant.
+  /// d/dt of the disk's angular velocity theta' k + psi' u, with both speeds constant.
   Vector<T> angular_acceleration() const {
     const auto pipe = axes(Dual<T>(q[0], v[0]), Dual<T>(q[1]))[2];
     return {v[1] * pipe[0].slope, v[1] * pipe[1].slope, v[1] * pipe[2].slope};
   }
   static constexpr double span = 2;  ///< s
-  /// (theta, psi, theta', psi') after the span under gravity and a force along x.
+  /// (theta, psi, theta', psi') after the span, under gravity and a force along x.
   std::array<double, 4> after_the_span(double along_x) const {
     const auto rhs = [&](const std::array<double, 4>& x, std::array<double, 4>& dxdt, double) {
       SampleOf now = *this;
@@ -121,7 +121,7 @@ namespace {
 
 using S = const Sample&;
 
-/// Two of (theta, psi, theta', psi') after the span against their values at the start.
+/// Compares two of (theta, psi, theta', psi') after the span with their initial values.
 Reading unchanged(const std::string& text, const std::string& what, double seed, std::size_t first,
                   double along_x = 0) {
   const Formula<Sample> later{"Lagrange's equations under gravity, integrated", [=](S s) {
@@ -139,7 +139,7 @@ Reading unchanged(const std::string& text, const std::string& what, double seed,
 
 }  // namespace
 
-/// The two accelerations that an upright pipe may have.
+/// Two accelerations that an upright pipe may have.
 inline constexpr auto any_turn = []<class T>(const SampleOf<T>& up) { return Two<T>{up.F[0], -up.F[0]}; };
 
 /// Left sides of Lagrange's equations for an upright pipe under gravity.
@@ -207,7 +207,7 @@ void equations(Table& table, const std::vector<Sample>& samples) {
                         [](const auto& s) { return s.angular_acceleration(); }}}});
 }
 
-/// The quotients without a force, zero by a number that is zero for an upright pipe.
+/// The quotients without a force; for an upright pipe they divide zero by zero.
 Two<double> quotients(const Sample& s) {
   const double a = -s.m * s.g * s.lever()[2] / s.inertia(s.mu2);
   return {a, -a * cos(s.phi)};
@@ -320,7 +320,7 @@ Ltac on_pipe phi theta psi :=
   repeat apply Rplus_lt_0_compat; repeat apply Rmult_lt_0_compat; try apply pow_lt; lra.
 )";
 
-/// What has no derivative is constant.
+/// A function with zero derivative is constant.
 constexpr const char* motions_in_coq = R"(
 From Coquelicot Require Import AutoDerive.
 
@@ -331,7 +331,7 @@ Proof.
 Qed.
 )";
 
-/// Its weight has no lever: the derivative of the center's place.
+/// The weight has no lever: the derivative of the center's height is zero.
 Provable weightless(const SampleOf<Shortened>& s, const std::string& letters) {
   const auto pipe = s.axes(s.q[0], s.q[1])[2], lever = s.lever();
   const auto derivative = [](const Shortened& of, const Shortened& is) -> Proposition {
@@ -349,7 +349,7 @@ Provable weightless(const SampleOf<Shortened>& s, const std::string& letters) {
       motions_in_coq};
 }
 
-/// Of all functions of time that Lagrange's equations have for their second derivatives.
+/// For all functions of time whose second derivatives satisfy Lagrange's equations.
 Provables along_motions() {
   const std::vector<std::string> names{"m",       "L",         "mu2",      "mu3", "phi", "g", "(theta t)",
                                        "(psi t)", "(omega t)", "(spin t)", "f1",  "f2",  "f3"};

@@ -7,8 +7,7 @@
 
 namespace oddity::pipe_and_disk {
 
-/// How the disk on its pipe looks: `observed` are its center's x and y [m] and its angle about the pipe
-/// [rad].
+/// Draws the disk on its pipe; `observed` are its center's x and y [m] and its angle about the pipe [rad].
 template <class Parameters>
 void draw(const Parameters& p, double, std::span<const double> observed, Drawing& drawing) {
   const double L = p["L"], r = p["r"], phi = p["phi"], psi = observed[2];

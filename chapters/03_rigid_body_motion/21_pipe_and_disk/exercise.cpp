@@ -1,11 +1,11 @@
-// Exercise 3.21: a disk of mass m turns about a pipe of length L, whose other end is a joint and whose
-// inclination phi is held; psi is the disk's angle about the pipe, theta the pipe's about the vertical. What
-// does gravity do?
+// Exercise 3.21: a disk of mass m turns about a pipe of length L. The pipe's other end is a joint, and its
+// inclination phi is fixed; psi is the disk's angle about the pipe, theta the pipe's about the vertical. What
+// is the effect of gravity?
 //   theta'' = F_theta/((m L^2 + mu2) sin(phi)^2), psi'' = -F_theta cos(phi)/((m L^2 + mu2) sin(phi)^2)
-// The equations judged are compared with Lagrange's for the rigid disk: its kinetic energy is taken from the
-// motion of its center and of its rotation matrix, tr(R' J R'^T)/2, differentiated by nested dual numbers.
-// mu2 is the moment about a diameter, mu3 that about the pipe; J has the second moments of mass, (mu3/2,
-// mu3/2, mu2 - mu3/2). It takes phi constant; with phi free gravity would turn the pipe like a top.
+// These equations are compared with Lagrange's for the rigid disk. Its kinetic energy is that of its center
+// plus tr(R' J R'^T)/2 of its rotation matrix, differentiated by nested dual numbers. mu2 is the moment about
+// a diameter, mu3 that about the pipe; J has the second moments of mass, (mu3/2, mu3/2, mu2 - mu3/2). If phi
+// were free, gravity would turn the pipe like a top.
 
 #include "chapters/03_rigid_body_motion/21_pipe_and_disk/drawing.hpp"
 #include "chapters/03_rigid_body_motion/21_pipe_and_disk/pipe_and_disk.hpp"
@@ -86,7 +86,7 @@ Quantity under_force(const std::string& name, const std::string& says, const Giv
   return motion;
 }
 
-/// What is seen of a disk on an upright pipe: a mark on its rim, at the angle theta + psi.
+/// Observes a mark on the rim of a disk on an upright pipe, at the angle theta + psi.
 template <class Model>
 struct RimMark : Model {
   std::array<double, 2> mark(double angle) const {
@@ -126,7 +126,7 @@ Quantity wind(const Parameters& p, const Horizon& horizon, const Reference& trut
       horizon, asked(p), {constant, one, two, cartesian});
 }
 
-/// Seen are the center (x, y) and psi.
+/// The observables are the center (x, y) and psi.
 Energy energy(const Parameters& p, std::span<const double> x) {
   const Given<double> d = asked(p);
   const double turning = (x[0] * x[4] - x[1] * x[3]) / (x[0] * x[0] + x[1] * x[1]),
@@ -135,7 +135,7 @@ Energy energy(const Parameters& p, std::span<const double> x) {
                      -d.f * x[0]);
 }
 
-/// Off the center's circle.
+/// Distance from the center's circle.
 double off(const Parameters& p, std::span<const double> x, double) {
   return std::abs(std::hypot(x[0], x[1]) - asked(p).radius());
 }

@@ -5,9 +5,9 @@
 
 #include "chapters/numbers.hpp"
 
-/// The models of exercise 3.21. Mass m and radius r of the disk, length L and inclination phi of the pipe; on
-/// the center act a force f along x and friction -k times its velocity. At the start theta, theta', psi = 0
-/// and psi'.
+/// The models of exercise 3.21. Mass m and radius r of the disk, length L and inclination phi of the pipe. A
+/// force f along x and friction -k times its velocity act on the center. Initial values are theta, theta',
+/// psi = 0 and psi'.
 namespace oddity::pipe_and_disk {
 
 template <class T>
@@ -31,7 +31,7 @@ struct ConstantSpeeds {
   std::array<T, 3> at(const T& t) const { return p.seen(p.theta + p.theta_dot * t, p.psi_dot * t); }
 };
 
-/// (theta, theta'), psi from the conserved spin.
+/// (theta, theta'), with psi from the conserved spin.
 template <class T>
 struct OneAngle {
   Given<T> p;
@@ -92,7 +92,7 @@ struct Center {
   T off_constraint(const State& s, const T&) const { return abs(hypot(s[0], s[1]) - p.radius()); }
 };
 
-/// From the least to the richest.
+/// From the simplest to the richest.
 template <class T>
 auto models(const Given<T>& p) {
   return std::tuple{ConstantSpeeds<T>{p}, OneAngle<T>{p}, TwoAngles<T>{p}, Center<T>{p}};

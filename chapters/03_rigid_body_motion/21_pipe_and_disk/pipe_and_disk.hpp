@@ -7,7 +7,7 @@
 
 namespace oddity::ex03_21 {
 
-/// The exercise's parameters where nothing else is asked.
+/// The exercise's default parameters.
 constexpr pipe_and_disk::Given<double> usual{1, 2, 0.5, 1, 3, 0.2, 2, 0.5, 10};
 constexpr double nearly_upright = 0.01;  ///< rad
 

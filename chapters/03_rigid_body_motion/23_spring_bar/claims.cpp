@@ -48,7 +48,7 @@ struct SampleOf {
            format_significant(v, 4) + ", " + format_significant(a, 4);
   }
 
-  /// Moments about the origin of the forces at the ends of their arms.
+  /// Moments about the origin, as arm times force.
   T moment_of_weight(const T& angle) const { return r * cos(angle) * (-m * g); }
   T moment_of_spring(const T& angle) const {
     const T x = s * cos(angle), y = s * sin(angle), across = x - s, up = y + h;
@@ -56,7 +56,7 @@ struct SampleOf {
     return (x * up - y * across) / d * pull;
   }
   T moments(const T& angle) const { return moment_of_weight(angle) + moment_of_spring(angle); }
-  /// What has to be done against a moment from the level to q.
+  /// Work against a moment from the level position to q.
   T work(T (SampleOf::*moment)(const T&) const) const {
     const auto at = [&](const T& angle) { return (this->*moment)(angle); };
     if constexpr (std::same_as<T, Shortened>)
@@ -65,7 +65,7 @@ struct SampleOf {
       return -qag(at, 0, q, 1e-14).value;
   }
   spring_bar::Given<T> bar() const { return {m, r, s, c, h, g, ell, T(0), T(0)}; }
-  /// T + sign V by the positions.
+  /// T + sign V, from the positions.
   auto energies(double sign) const {
     return [*this, sign](const auto& angle, const auto& rate, const auto&) {
       const auto vx = -r * sin(angle) * rate, vy = r * cos(angle) * rate;
@@ -85,7 +85,7 @@ namespace {
 using Sample = SampleOf<double>;
 using Table = ProvableClaims<SampleOf>;
 
-/// The rest length that puts the level bar in equilibrium: the moments are linear in it.
+/// The rest length that balances the level bar; the moments are linear in it.
 constexpr auto balancing_length = [](auto x) {
   x.ell = 0;
   const auto without = x.moments(0);
@@ -193,7 +193,7 @@ std::vector<Claim> claims(double seed) {
   return claims.in_order();
 }
 
-/// The bar's end never meets the spring's foot.
+/// The bar's end never touches the spring's foot.
 constexpr const char* foot_in_coq = R"(
 Lemma above_foot : forall s h t, s > 0 -> h > 0 ->
   0 < (s * cos t - s) * (s * cos t - s) + (s * sin t + h) * (s * sin t + h).
@@ -207,7 +207,7 @@ Proof.
 Qed.
 )";
 
-/// All square roots are the spring's length, which is h on the level bar.
+/// All square roots are the spring's length, which is h for the level bar.
 constexpr const char* by_one_root = R"(
   assert (circle : sin q * sin q = 1 - cos q * cos q) by (pose proof (sin2_cos2 q) as all; unfold Rsqr in all; lra);
   assert (far : 0 < (s * cos q - s) * (s * cos q - s) + (s * sin q + h) * (s * sin q + h))
@@ -227,7 +227,7 @@ constexpr const char* by_one_root = R"(
     assert (sqrt x > 0) by (apply sqrt_lt_R0; nra); set (d := sqrt x) in *; clearbody d end);
   field [circle]; repeat split; apply Rgt_not_eq; nra)";
 
-/// The works of weight and spring, then `rest`.
+/// Tactic: the works of weight and spring, then `rest`.
 std::string by_potentials(const std::string& rest) {
   return R"(
   assert (positive : forall t, 0 < (s * cos t - s) * (s * cos t - s) + (s * sin t + h) * (s * sin t + h))

@@ -7,7 +7,7 @@
 
 namespace oddity::spring_bar {
 
-/// How the bar on its spring looks: `observed` is the place of the mass [m].
+/// Draws the bar on its spring; `observed` is the position of the mass [m].
 template <class Parameters>
 void draw(const Parameters& p, double, std::span<const double> observed, Drawing& drawing) {
   const double r = p["r"], s = p["s"], h = p["h"], size = std::fmax(r, s);

@@ -1,11 +1,11 @@
-// Exercise 3.23: a bar without mass turns about the origin; at r it carries a mass m, at s it stands on a
-// spring of constant c and rest length ell from (s, -h). Its equation of motion, and when is it at rest
+// Exercise 3.23: a massless bar turns about the origin. At r it carries a mass m, at s it rests on a spring
+// of constant c and rest length ell based at (s, -h). What is its equation of motion, and when is it at rest
 // level?
 //   m r^2 theta'' + m g r cos theta + c (1 - ell/d) (s^2 (1 - cos) sin + s (h + s sin) cos) = 0
 //   d^2 = s^2 (cos theta - 1)^2 + (h + s sin theta)^2
 // The energies are compared with the work of the forces in the plane, the equation with the Lagrangian,
 // differentiated by dual numbers, and with the moments of the forces. Small oscillations have the frequency
-// (s/r) sqrt(c/m), in which neither gravity nor the spring's length appears.
+// (s/r) sqrt(c/m), which depends neither on gravity nor on the spring's length.
 
 #include "chapters/03_rigid_body_motion/23_spring_bar/drawing.hpp"
 #include "chapters/03_rigid_body_motion/23_spring_bar/spring_bar.hpp"
@@ -88,8 +88,8 @@ Quantity stiff_swing(const Given<double>& bar, const Reference& truth) {
   return mass;
 }
 
-/// A whole period of the swing that passes theta = 0 with the speed w amplitude, on the spring whose rest
-/// length balances the bar there: without it, the swing would be about another angle.
+/// A whole period of the swing that passes theta = 0 with the speed w amplitude. The spring's rest length
+/// balances the bar there, since otherwise the swing would be about another angle.
 Answer frequency_by_events(Given<double> bar, double amplitude) {
   bar.ell = bar.h + bar.m * bar.g * bar.r / (bar.c * bar.s);
   bar.w0 = amplitude * bar.frequency();
@@ -162,7 +162,7 @@ Energy energy(const Parameters& p, std::span<const double> x) {
   return {conserved[0].value, conserved[0].moving};
 }
 
-/// Off the mass's circle.
+/// Distance from the mass's circle.
 double off(const Parameters& p, std::span<const double> x, double) {
   return std::abs(std::hypot(x[0], x[1]) - p["r"]);
 }

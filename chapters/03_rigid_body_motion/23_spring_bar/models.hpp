@@ -5,16 +5,16 @@
 
 #include "chapters/numbers.hpp"
 
-/// The models of exercise 3.23: a bar without mass that turns about the origin, a mass m at the distance r,
-/// and at the distance s a spring of constant c and rest length ell that stands on (s, -h). It starts at
-/// theta0 with angular speed w0.
+/// The models of exercise 3.23: a massless bar that turns about the origin, a mass m at the distance r, and
+/// at the distance s a spring of constant c and rest length ell based at (s, -h). It starts at theta0 with
+/// angular speed w0.
 namespace oddity::spring_bar {
 
 template <class T>
 struct Given {
   T m, r, s, c, h, g, ell, theta0, w0;
 
-  /// Built from the positions alone.
+  /// From the positions alone.
   template <class X>
   X potential(const X& q) const {
     const X dx = s * cos(q) - s, dy = s * sin(q) + h;
@@ -22,7 +22,7 @@ struct Given {
     return m * g * r * sin(q) + c / 2 * stretch * stretch;
   }
   std::array<T, 2> position(const T& angle) const { return {r * cos(angle), r * sin(angle)}; }
-  /// At theta = 0, where the spring is upright: V'' = c s^2 whatever h, ell and g are.
+  /// At theta = 0, with the spring vertical: V'' = c s^2 for any h, ell and g.
   T frequency() const { return s / r * sqrt(c / m); }
   /// The rest length for which theta = 0 is an equilibrium.
   T balancing_rest_length() const { return h + m * g * r / (c * s); }
@@ -64,8 +64,8 @@ struct OneAngle {
   }
 };
 
-/// (x, y, x', y') of the mass; the spring's force reaches it through the lever, s/r of it, and the bar holds
-/// it by x^2 + y^2 = r^2, twice differentiated.
+/// (x, y, x', y') of the mass. The lever passes s/r of the spring's force to it, and the bar keeps the second
+/// derivative of x^2 + y^2 = r^2 zero.
 template <class T>
 struct CartesianWithConstraint {
   Given<T> p;
@@ -74,7 +74,7 @@ struct CartesianWithConstraint {
     const auto [x, y] = p.position(p.theta0);
     return {x, y, -p.r * p.w0 * sin(p.theta0), p.r * p.w0 * cos(p.theta0)};
   }
-  /// Force on the mass over m, without the bar's hold.
+  /// Force on the mass per m, without the bar's constraint.
   template <class X>
   std::array<X, 2> pushed(const X& x, const X& y) const {
     const T lever = p.s / p.r;
@@ -97,7 +97,7 @@ struct CartesianWithConstraint {
   T off_constraint(const State& x, const T&) const { return abs(hypot(x[0], x[1]) - p.r); }
 };
 
-/// From the least to the richest.
+/// From the simplest to the richest.
 template <class T>
 auto models(const Given<T>& p) {
   return std::tuple{SmallOscillation<T>{p}, OneAngle<T>{p}, CartesianWithConstraint<T>{p}};

@@ -7,7 +7,7 @@
 
 namespace oddity::ex03_23 {
 
-/// The exercise's parameters where nothing else is asked.
+/// The exercise's default parameters.
 constexpr spring_bar::Given<double> usual{1, 1, 0.5, 98.1, 0.8, 9.81, 1, 0.3, 0};
 
 std::vector<Claim> claims(double seed);

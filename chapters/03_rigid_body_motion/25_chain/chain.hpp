@@ -17,7 +17,7 @@ Lengths mass_from_here_on(Lengths m) {
   return m;
 }
 
-/// n links whose masses, lengths, angles and speeds run through dyadic patterns.
+/// n links with masses, lengths, angles and speeds in dyadic patterns.
 struct Pattern {
   std::vector<double> m, r, theta, omega;
 
@@ -35,8 +35,8 @@ Quantity hanging(const Triple&, const Horizon&, const Reference&);
 std::vector<Quantity> quantities(const Triple&, const Reference&);
 std::vector<Claim> claims(double seed);
 
-// in_coq.cpp, for proofs: of Newton's law by the rods' tensions, and of what two solutions of Lagrange's
-// equations differ by
+// Lemmas and tactics of in_coq.cpp: Newton's law with the rods' tensions, and the difference of two solutions
+// of Lagrange's equations.
 extern const char* const tensions_in_coq;
 
 }  // namespace oddity::ex03_25

@@ -1,4 +1,4 @@
-// The claims of exercise 3.25. Positions are turned rods; velocities, forces and Lagrange's equations come
+// The claims of exercise 3.25. Positions are rotated rods. Velocities, forces and Lagrange's equations follow
 // from the positions alone by nested dual numbers.
 
 #include <Eigen/Core>
@@ -61,7 +61,7 @@ struct SampleOf {
            format_significant(omega[0], 4) + ", ...)";
   }
 
-  /// The rod k pointing down, turned by theta.
+  /// The rod k, rotated by theta from the downward direction.
   std::array<T, 2> rod(std::size_t k) const {
     const T angle = theta[k] - pi_of<T>() / 2;
     return {r[k] * cos(angle), r[k] * sin(angle)};
@@ -104,8 +104,7 @@ struct SampleOf {
     for (std::size_t k = 0; k < m.size(); ++k) V += X(m[k] * g) * p[2 * k + 1];
     return V;
   }
-  /// The kinetic energy as that of the center of mass and of the masses' speeds relative to each other
-  /// [Koenig].
+  /// The kinetic energy from the center of mass and the masses' relative speeds [Koenig].
   T kinetic_by_pairs() const {
     const auto v = velocities();
     T all = 0, px = 0, py = 0, pairs = 0;
@@ -160,7 +159,7 @@ struct SampleOf {
     chain::by_tensions(m, r, g, theta, omega, alpha);
     return alpha;
   }
-  /// The work of gravity on the way of the angles from zero, all in proportion.
+  /// Work of gravity as all angles grow in proportion from zero.
   T work_of_gravity() const {
     const auto power = [&](const T& s) {
       std::vector<T> q = theta;
@@ -186,7 +185,7 @@ T square(const T& x) {
   return x * x;
 }
 
-/// Two routes to n accelerations. Solving loses what the mass matrix's condition allows.
+/// Compares two routes to n accelerations. Solving loses digits according to the mass matrix's condition.
 template <class Left, class Right>
 Check accelerations(const std::string& left, const std::string& right, double seed, int least, int most,
                     const Left& by_left, const Right& by_right) {
@@ -204,7 +203,7 @@ Check accelerations(const std::string& left, const std::string& right, double se
   return worst.check();
 }
 
-/// The pattern's accelerations, its tail mass taken from the later of the two links, or from the earlier one.
+/// Accelerations by the pattern, with the tail mass of the later of two links, or of the earlier one.
 std::vector<double> by_pattern(const Sample& s, bool later, double sine_sign) {
   const auto n = static_cast<Eigen::Index>(s.m.size());
   const auto mu = mass_from_here_on(s.m);
@@ -224,7 +223,7 @@ std::vector<double> by_pattern(const Sample& s, bool later, double sine_sign) {
   return {alpha.begin(), alpha.end()};
 }
 
-/// The coordinates that the rods' constraints leave free.
+/// The number of coordinates that the rods' constraints leave free.
 int free_coordinates(const Sample& s) {
   Eigen::MatrixXd constraints = Eigen::MatrixXd::Zero(3, 6);  // gradients of |p_k - p_(k-1)|^2
   for (int k = 0; k < 3; ++k) {
@@ -245,7 +244,7 @@ std::array<T, 2> three_rods(const SampleOf<T>& s) {
   const auto a = s.rod(0), b = s.rod(1), c = s.rod(2);
   return {a[0] + b[0] + c[0], a[1] + b[1] + c[1]};
 }
-/// Of the chain that hangs straight down, the level h being zero.
+/// Potential energy of the chain hanging straight down, relative to the level h.
 template <class T>
 T potential_at_rest(const SampleOf<T>& s) {
   T V = 0, depth = 0;
@@ -411,7 +410,7 @@ SampleOf<Shortened> three_links() {
 
 }  // namespace
 
-/// Newton's accelerations satisfy Lagrange's equations, and no others do.
+/// Newton's accelerations are the only ones that satisfy Lagrange's equations.
 Provable proof_of_equations(const SampleOf<Shortened>& s) {
   const auto letters = [](const std::string& name) {
     return std::vector{Shortened::letter(name + "1"), Shortened::letter(name + "2"),

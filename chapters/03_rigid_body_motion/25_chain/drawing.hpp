@@ -9,7 +9,7 @@
 
 namespace oddity::chain {
 
-/// How the three masses look: `observed` are their places [m], from the pivot on.
+/// Draws the three masses; `observed` are their positions [m], starting at the pivot.
 template <class Parameters>
 void draw(const Parameters& p, double, std::span<const double> observed, Drawing& drawing) {
   constexpr std::string_view masses[] = {"m1", "m2", "m3"}, rods[] = {"r1", "r2", "r3"},

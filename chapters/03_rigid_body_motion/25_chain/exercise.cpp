@@ -1,13 +1,13 @@
-// Exercise 3.25: three masses on rigid massless rods, hung one from the other: energies, equations of motion;
-// and a chain of n masses.
+// Exercise 3.25: three masses on rigid massless rods, hung one from the other, with energies and equations of
+// motion; and a chain of n masses.
 //   pattern    sum_j mu_max(i,j) r_i r_j (cos(theta_i - theta_j) theta_j'' + sin(theta_i - theta_j)
 //   theta_j'^2)
 //                = -mu_i g r_i sin(theta_i),   mu_k the mass from k on
 //   tensions   (1/m_k + 1/m_(k-1)) t_k - c_k t_(k-1)/m_(k-1) - c_(k+1) t_(k+1)/m_k = r_k theta_k'^2 (+ g cos
 //              theta_1 for k = 1), c_k = cos(theta_k - theta_(k-1)): tridiagonal, so linear in n
-// methods.cpp has the quantities, claims.cpp the claims. References: 60-digit Taylor series in Cartesian
-// coordinates against extrapolation in the angles. Masses, lengths and starts are dyadic, so that every
-// precision starts from the same state.
+// methods.cpp contains the quantities, claims.cpp the claims. References: 60-digit Taylor series in Cartesian
+// coordinates, confirmed by extrapolation in the angles. Masses, lengths and initial values are dyadic, so
+// that all precisions start from the same state.
 
 #include "chapters/03_rigid_body_motion/25_chain/chain.hpp"
 #include "chapters/03_rigid_body_motion/25_chain/drawing.hpp"
@@ -86,7 +86,7 @@ Energy energy(const Parameters& p, std::span<const double> x) {
   return energy_seen(kinetic, potential);
 }
 
-/// Off the rods' lengths.
+/// Largest error of the rods' lengths.
 double off(const Parameters& p, std::span<const double> x, double) {
   const double r[]{p["r1"], p["r2"], p["r3"]};
   double most = 0, above_x = 0, above_y = p["h"];

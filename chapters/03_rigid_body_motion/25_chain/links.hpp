@@ -9,14 +9,14 @@
 /// Chains of any number of links, in motion.
 namespace oddity::chain {
 
-/// The angles and their rates. Numbers is a vector of double, or one that counts what it takes.
+/// The angles and their rates. Numbers is a vector of double or of counting numbers.
 template <class Numbers>
 struct Motion {
   Numbers theta, omega;
 };
 
-/// One step of h by Runge-Kutta 4 with the accelerations from the rods' tensions: the work and the memory are
-/// in proportion to the number of links.
+/// One step h of Runge-Kutta 4 with the accelerations from the rods' tensions. Work and memory are
+/// proportional to the number of links.
 template <class Numbers>
 void runge_kutta_4(const Numbers& m, const Numbers& r, double g, Motion<Numbers>& x, double h) {
   const std::size_t n = m.size();
@@ -36,10 +36,10 @@ void runge_kutta_4(const Numbers& m, const Numbers& r, double g, Motion<Numbers>
   x = sum;
 }
 
-/// The largest zero of the Laguerre polynomial of degree n: the largest eigenvalue of its recurrence's
-/// matrix, which has 2 k + 1 on the diagonal and k beside it, by halves, counting the eigenvalues below. The
-/// small oscillations of n equal links have the squares of their angular frequencies at g/r times its zeros
-/// [Daniel Bernoulli 1732; Szego, Orthogonal Polynomials, 1939, 6.31: below 4 n + 2].
+/// The largest zero of the Laguerre polynomial of degree n, by bisection. It is the largest eigenvalue of the
+/// recurrence's matrix, with 2 k + 1 on the diagonal and k off it; eigenvalues below a number are counted.
+/// Small oscillations of n equal links have squared angular frequencies of g/r times its zeros [Daniel
+/// Bernoulli 1732; Szego, Orthogonal Polynomials, 1939, 6.31: below 4 n + 2].
 inline double largest_laguerre_zero(int n) {
   const auto all_below = [n](double x) {
     double pivot = 1 - x;
@@ -51,19 +51,19 @@ inline double largest_laguerre_zero(int n) {
   return high;
 }
 
-/// The largest step with which Runge-Kutta 4 lets no small oscillation of n equal links grow: it is stable to
-/// h w = sqrt(8), and the fastest w is sqrt(g/r) times the root of that zero. In the limit h = sqrt(2 r/(n
+/// The largest step for which no small oscillation of n equal links grows under Runge-Kutta 4. It is stable
+/// to h w = sqrt(8), and the fastest w is sqrt(g/r) times the root of that zero. In the limit h = sqrt(2 r/(n
 /// g)).
 inline double stable_step_of_links(int n, double g, double r) {
   return std::sqrt(8 * r / (g * largest_laguerre_zero(n)));
 }
 
-/// By what factor n equal links' small oscillations grow within some hundred steps, from speeds in which
-/// every mode has its part.
+/// Growth factor of small oscillations of n equal links over some hundred steps, from speeds that excite
+/// every mode.
 inline double growth_of_links(int n, double g, double r, double step, int steps) {
   using Numbers = std::vector<double>;
   const auto links = static_cast<std::size_t>(n);
-  constexpr double little = 1e-30;  // so small that sines are their angles and squares vanish
+  constexpr double little = 1e-30;  // so small that sines equal their angles and squares vanish
   const Numbers m(links, 1.0), lengths(links, r);
   Motion<Numbers> x{Numbers(links), Numbers(links)};
   for (std::size_t k = 0; k < links; ++k)

@@ -90,7 +90,7 @@ Quantity mode_frequencies(const Triple& c, const Reference& truth) {
 // ---- in other precisions ----------------------------------------------------------------------------------
 
 /// Gragg's modified midpoint rule with 2, 4, ..., 20 substeps, extrapolated: order 20 in the number type T,
-/// and 120 evaluations per step. What is left of the error is rounding.
+/// and 120 evaluations per step. The remaining error is rounding.
 template <class T, std::size_t N, class Rhs>
 void extrapolated_step(const Rhs& system, std::array<T, N>& x, T step, long& evaluations) {
   const auto rhs = counted_calls(system, evaluations);
@@ -121,7 +121,7 @@ void extrapolated_step(const Rhs& system, std::array<T, N>& x, T step, long& eva
   x = table[0];
 }
 
-/// Positions at the horizon's times, the state carried in T.
+/// Positions at the horizon's times, with the state in T.
 template <class T>
 Answer in_precision(const Triple& c, const Horizon& horizon, double step) {
   const Tensions model{c};
@@ -142,8 +142,8 @@ Answer in_precision(const Triple& c, const Horizon& horizon, double step) {
   return answer;
 }
 
-/// The time at which the positions in T, at whole seconds, have come to be `close` off the true ones: the
-/// error's logarithm is taken as linear from one second to the next.
+/// The time at which the positions in T, at whole seconds, have an error of `close`. The error's logarithm is
+/// interpolated linearly between seconds.
 template <class T>
 double predicted_until(const Triple& c, const Horizon& seconds, const Value& truth, double close, double step,
                        long& evaluations) {
@@ -163,7 +163,7 @@ double predicted_until(const Triple& c, const Horizon& seconds, const Value& tru
 }
 
 /// Seconds that each decimal digit adds to the prediction, from the precision A to B: the mean over several
-/// steps next to this one, since each rounds in its own way.
+/// steps next to this one, since each has different roundings.
 template <class A, class B>
 Answer seconds_per_digit(const Triple& c, const Horizon& seconds, const Value& truth, double close,
                          double step) {
@@ -181,10 +181,9 @@ Answer seconds_per_digit(const Triple& c, const Horizon& seconds, const Value& t
   return answer;
 }
 
-// ---- how fast neighbours diverge
-// -----------------------------------------------------------------------------
+// ---- how fast neighbours diverge --------------------------------------------------------------------------
 
-/// The state and its derivative by theta1(0), carried along by dual numbers.
+/// The state and its derivative by theta1(0), integrated by dual numbers.
 struct Variational {
   Tensions along;
   using State = std::array<double, 12>;
@@ -231,7 +230,7 @@ Answer growth_by_neighbours(const Triple& c, double t, double apart) {
 
 // ---- chaos ------------------------------------------------------------------------------------------------
 
-/// How each precision ends when all that is left of its error is rounding.
+/// Expected outcome of each precision if its only error is rounding.
 struct Predicts {
   Outcome in_float, in_double, in_long_double;
 };
@@ -256,7 +255,7 @@ Quantity prediction(double t, const Reference& truth, const Predicts& expected,
   return q;
 }
 
-/// log |d(position)/d(theta1)| of the chaotic start at t.
+/// log |d(position)/d(theta1)| of the chaotic initial condition at t.
 Known parting(double t, const Reference& truth) {
   std::vector<double> at = inputs(chaotic);
   at.push_back(t);
@@ -265,7 +264,8 @@ Known parting(double t, const Reference& truth) {
   return known;
 }
 
-/// What the digits from the precision A to B buy, against the rate at which neighbours diverge from t0 to t1.
+/// The time gained by each digit from the precision A to B, compared with the rate of divergence from t0 to
+/// t1.
 template <class A, class B>
 Quantity horizon_by_digits(const std::string& name, const std::string& from_A_to_B, double t0, double t1,
                            const Reference& truth) {
@@ -289,7 +289,7 @@ Quantity horizon_by_digits(const std::string& name, const std::string& from_A_to
   return q;
 }
 
-/// How each algorithm ends at its finest setting.
+/// Expected outcome of each algorithm at its finest setting.
 struct AlgorithmsPredict {
   Outcome runge_kutta, dormand_prince, fehlberg, bulirsch_stoer;
 };
@@ -353,7 +353,7 @@ Solved<Eigen::VectorXd> by_factorization(Factorization how, const std::vector<do
   return solve(how, M, f);
 }
 
-/// The first, the middle and the last.
+/// The first, the middle and the last acceleration.
 template <class Accelerations>
 Value chosen(const Accelerations& alpha, int n) {
   const auto i = static_cast<decltype(alpha.size())>(n);
@@ -362,7 +362,7 @@ Value chosen(const Accelerations& alpha, int n) {
 
 std::vector<Counted<double>> counted(const std::vector<double>& x) { return {x.begin(), x.end()}; }
 
-/// What it costs to write down the dense equations, and to solve the tridiagonal ones.
+/// Cost of assembling the dense equations, and of solving the tridiagonal ones.
 Operations work_of_assembly(const Pattern& p, double g) {
   const auto mu = counted(mass_from_here_on(p.m)), r = counted(p.r), theta = counted(p.theta),
              omega = counted(p.omega);

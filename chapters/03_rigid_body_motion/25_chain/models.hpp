@@ -10,27 +10,27 @@
 #include "chapters/modes.hpp"
 #include "chapters/numbers.hpp"
 
-/// The models of exercise 3.25: n masses on massless rods that hang from a pivot at (0, h), theta_k the angle
-/// of rod k from the downward vertical, mu_k the mass from k on.
+/// The models of exercise 3.25: n masses on massless rods that hang from a pivot at (0, h); theta_k is the
+/// angle of rod k from the downward vertical, mu_k the mass from k on.
 namespace oddity::chain {
 
 // ---- accelerations, for any containers of the constants and of the angles ---------------------------------
 
-/// r theta'' from Newton's law for each mass and the rods' tensions: each rod's length, twice differentiated,
-/// is a row of a tridiagonal system.
+/// r theta'' from Newton's law for each mass and the rods' tensions. The second derivative of each rod's
+/// length is a row of a tridiagonal system.
 template <class Numbers, class Lengths, class G, class Angles>
 void across_by_tensions(const Numbers& inverse_mass, const Lengths& r, const G& g, const Angles& theta,
                         const Angles& omega, Angles& alpha) {
   using X = std::decay_t<decltype(theta[0])>;
   const std::size_t n = theta.size();
   const X gravity = X(g);
-  // Sines and cosines first: so what comes after stays in registers, where n is known.
+  // Sines and cosines first, so that all later values stay in registers if n is known.
   Angles normal = theta;
   const X across = -gravity * sin(theta[0]), along = gravity * cos(theta[0]);
   for (std::size_t k = 1; k < n; ++k) {
     const X turn = theta[k] - theta[k - 1];
     normal[k] = inverse_mass[k - 1] * sin(turn);
-    alpha[k] = inverse_mass[k - 1] * cos(turn);  // couples k to the one before
+    alpha[k] = inverse_mass[k - 1] * cos(turn);  // couples k to its predecessor
   }
   Angles diagonal = theta, tension = theta;
   diagonal[0] = X(inverse_mass[0]);
@@ -74,8 +74,9 @@ void dense_row(std::size_t i, const Lengths& mu, const Lengths& r, const G& g, c
   }
 }
 
-/// theta'' from the dense mass matrix by Gauss's elimination: M is positive definite and needs no pivots. Of
-/// what is symmetric the upper half; a sine and a cosine per link, those of differences by their theorem.
+/// theta'' from the dense mass matrix by Gaussian elimination. M is positive definite and needs no pivoting;
+/// only its upper half is stored. A sine and a cosine per link; those of differences follow by the addition
+/// theorem.
 template <std::size_t n, class T, class X>
 void by_mass_matrix(const std::array<T, n>& mu, const std::array<T, n>& r, const T& g,
                     const std::array<X, n>& theta, const std::array<X, n>& omega, std::array<X, n>& alpha) {
@@ -131,7 +132,7 @@ struct Given {
 
 enum class Equations { dense, tensions };
 
-/// What the equations take of masses and lengths alone.
+/// Constants of the equations that depend only on masses and lengths.
 template <class T, Equations how>
 struct Links;
 template <class T>
@@ -152,7 +153,7 @@ template <class T, Equations how>
 struct Angles {
   Given<T> p;
   Links<T, how> links = Links<T, how>(p);
-  /// In lanes the tensions, all of which are held at once, go by single registers.
+  /// One SIMD register per number: all tensions are in use at once, and two registers each would spill.
   static constexpr bool fills_registers = how == Equations::tensions;
   using State = std::array<T, 6>;
   State start() const { return {p.theta[0], p.theta[1], p.theta[2], p.omega[0], p.omega[1], p.omega[2]}; }
@@ -165,13 +166,13 @@ struct Angles {
     } else if constexpr (std::same_as<X, T>) {
       across_by_tensions(links.inverse_mass, p.r, p.g, q, v, a);
       for (std::size_t k = 0; k < 3; ++k) a[k] *= links.inverse_length[k];
-    } else {  // a number of more digits has reciprocals of its own
+    } else {  // a number type with more digits computes its own reciprocals
       by_tensions(p.m, p.r, p.g, q, v, a);
     }
     dxdt = {x[3], x[4], x[5], a[0], a[1], a[2]};
   }
   std::array<T, 6> observe(const State& x, const T&) const { return p.positions(x); }
-  /// The energy, the heights counted from the pivot.
+  /// The energy, with heights relative to the pivot.
   auto conserved(const State& x, const T&) const {
     T kinetic(0), potential(0), vx(0), vy(0), y(0);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -211,7 +212,7 @@ struct Modes {
   }
 };
 
-/// From the least to the richest.
+/// From the simplest to the richest.
 template <class T>
 auto models(const Given<T>& p) {
   return std::tuple{Angles<T, Equations::dense>{p}, Angles<T, Equations::tensions>{p}};

@@ -1,6 +1,6 @@
-// The claims of exercise 3.27. The equations are derived again from T and V of the two bodies in space, whose
-// positions are written in the book's coordinates P = x2 - x1 = r (sin phi cos theta, sin phi sin theta, cos
-// phi) and differentiated by nested dual numbers; whole motions are compared with Cartesian coordinates.
+// The claims of exercise 3.27. The equations are derived from T and V of the two bodies in space by nested
+// dual numbers. Positions are in the book's coordinates, P = x2 - x1 = r (sin phi cos theta, sin phi sin
+// theta, cos phi). Whole motions are compared with Cartesian coordinates.
 
 #include "chapters/provable_claims.hpp"
 
@@ -30,7 +30,7 @@ struct SampleOf {
         q{random.between(0.5, 2), random.between(-3, 3), random.between(0.4, 2.7)},
         v{random.between(-2, 2), 0, random.between(-2, 2)} {}
   std::array<T*, 8> letters() { return {&G, &m1, &m2, &q[0], &q[1], &q[2], &v[0], &v[2]}; }
-  /// The terms of the equations over r and theta's inertia, which is r^2 sin^2 phi.
+  /// Size of the equations' terms divided by r and by theta's inertia, which is r^2 sin^2 phi.
   double size() const {
     const double r = q[0], speed = std::abs(v[0]) + r * std::abs(v[2]), sine = std::sin(q[2]);
     const double forces = speed * speed / r + gamma() / (r * r) + m1 + m2 + G * m1 * m2;
@@ -54,7 +54,7 @@ struct SampleOf {
            ", $r$ = " + format_significant(q[0], 4) + R"(, $\dot\varphi$ = )" + format_significant(v[2], 4);
   }
 
-  /// Of r'', before what cancels whatever the letters are.
+  /// Size of the terms of r'' that do not always cancel.
   double terms() const {
     const double speed = std::abs(v[0]) + q[0] * std::abs(v[2]);
     return speed * speed / q[0] + gamma() / (q[0] * q[0]);
@@ -62,7 +62,7 @@ struct SampleOf {
   T beta() const { return q[0] * q[0] * v[2]; }
   T gamma() const { return G * (m1 + m2); }
 
-  /// Both bodies' positions, the centre of mass in the origin.
+  /// Both bodies' positions, with the centre of mass at the origin.
   template <class X>
   std::array<X, 6> bodies(const std::array<X, 3>& at) const {
     const std::array<X, 3> P{at[0] * sin(at[2]) * cos(at[1]), at[0] * sin(at[2]) * sin(at[1]),
@@ -92,7 +92,7 @@ struct SampleOf {
         [this](const auto& at, const auto& rates) { return this->kinetic(at, rates) - this->potential(at); },
         q, speed);
   }
-  /// In how many independent ways the positions move with r, theta and phi.
+  /// The number of independent directions in which r, theta and phi move the positions.
   int freedoms() const {
     Eigen::MatrixXd by(6, 3);
     for (int j = 0; j < 3; ++j) {
@@ -110,11 +110,11 @@ using Table = ProvableClaims<SampleOf>;
 
 namespace {
 
-/// Of the integrations that are compared.
+/// Tolerance of the compared integrations.
 constexpr double integrated_to = 1e-13;
 const Tolerance by_integration{1000 * integrated_to, "a thousand tolerances of the integration"};
 
-/// (x, y, u) at t = 1 by the published system with other letters, or with its bars over r^2 lost.
+/// (x, y, u) at t = 1 by the published system with other constants, or without its fraction bars over r^2.
 Value by_system(const Bodies& b, double beta, double gamma, bool bars = true) {
   const auto rhs = [=](const std::array<double, 3>& x, std::array<double, 3>& dxdt, double) {
     const double square = x[0] * x[0], over = bars ? 1 / square : square;
@@ -125,7 +125,8 @@ Value by_system(const Bodies& b, double beta, double gamma, bool bars = true) {
   return {x[0] * std::cos(x[2]), x[0] * std::sin(x[2]), x[1]};
 }
 
-/// A start like the default one, and both bodies a second later in Cartesian coordinates.
+/// A random initial condition similar to the default, and both bodies a second later in Cartesian
+/// coordinates.
 struct Later {
   Bodies b;
   double dx, dy, vx, vy;
@@ -145,8 +146,9 @@ struct Later {
   }
 };
 
-/// A start in space on the meridian theta0, near one of the poles, which it passes; the second body seen from
-/// the first a second later in Cartesian coordinates, and in the plane of the published system.
+/// An initial condition in space on the meridian theta0, near one of the poles, which it passes. The second
+/// body relative to the first a second later, in Cartesian coordinates and in the plane of the published
+/// system.
 struct PastThePole {
   double theta0;
   Bodies b;
@@ -196,7 +198,7 @@ void accelerations(Table& table, const std::vector<Sample>& all) {
                  .printed = R"($\ddot\varphi=\frac{d}{dt}(\beta/r^2)$)"});
 }
 
-/// What T and V say of the constants.
+/// Claims about the constants in T and V.
 void constants(Table& table, const std::vector<Sample>& all) {
   const auto c1 = [](const auto& k) {
     const auto along = [&](const auto& x) {
@@ -253,8 +255,8 @@ void equations(Claims& claims, const std::vector<Sample>& all, const std::vector
       running = R"($\theta=\theta_0$ also beyond a pole, $\varphi$ running on below 0 or above $\pi$)",
       kept = R"($\varphi$ kept between 0 and $\pi$)";
   const auto on_theta0 = [](const PastThePole& k) { return k.on_meridian(k.theta0, k.flat[1]); };
-  // The text's "theta_0 = 0" has lost its overdot: theta counts round the pole, and the plane is any
-  // meridian.
+  // The text's "theta_0 = 0" has lost its overdot: theta is the angle about the pole, and the plane can be
+  // any meridian.
   claims.add(
       "theta_constant", 2755, R"(With $\dot\theta=0$ at the start $\theta$ keeps its value)",
       {.printed = {R"($\ddot\theta=0$ where $\dot\theta=0$)", {stays(0), in_space(running, on_theta0)}},
@@ -317,8 +319,8 @@ void motions(Claims& claims, const std::vector<Later>& all) {
            R"(parts of each fraction on two lines.)"});
 }
 
-/// The three unknowns from the data that the text lists, beta and gamma computed from them, against the
-/// tabulated path, which knows neither.
+/// The three unknowns from the data that the text lists, with beta and gamma computed from them, compared
+/// with the tabulated path, which uses neither.
 void state_and_data(Claims& claims, const Reference& truth) {
   constexpr Bodies b = usual;
   constexpr double tolerance = 1e-12;
@@ -345,7 +347,7 @@ void state_and_data(Claims& claims, const Reference& truth) {
        .near_misses = {from(R"($\gamma$ with the reduced mass for the sum)", reduced),
                        from(R"(without the rate $\dot r_0$)", still)}});
 
-  // the files as the solution of 3.15 lists them: a state of numbers, and equal steps of Runge-Kutta 4
+  // the program as the solution of 3.15 lists it: a state of numbers, and fixed steps of Runge-Kutta 4
   const auto in_steps = [&](double step) {
     const std::string by = "Runge-Kutta 4 in steps of " + format_shortest(step) + " s";
     return Reading{by,

@@ -7,8 +7,7 @@
 
 namespace oddity::two_bodies {
 
-/// How the two bodies look from their common center of mass: `observed` is the second seen from the first
-/// [m].
+/// Draws the two bodies relative to their center of mass; `observed` is the second relative to the first [m].
 template <class Parameters>
 void draw(const Parameters& p, double, std::span<const double> observed, Drawing& drawing) {
   const double m1 = p["m1"], m2 = p["m2"], r0 = p["r0"], phi0 = p["phi0"], m = m1 + m2;

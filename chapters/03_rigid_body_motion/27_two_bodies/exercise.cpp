@@ -1,7 +1,7 @@
 // Exercise 3.27: two bodies of masses m1 and m2 that attract each other, as the first-order system
 //   r' = u,  u' = beta^2/r^3 - gamma/r^2,  phi' = beta/r^2,   beta = r0^2 phi0', gamma = G (m1 + m2)
-// claims.cpp derives them again. References: Kepler's equation in universal variables against Taylor series
-// of both bodies.
+// claims.cpp derives the equations. References: Kepler's equation in universal variables, confirmed by Taylor
+// series of both bodies.
 
 #include "chapters/03_rigid_body_motion/27_two_bodies/two_bodies.hpp"
 
@@ -39,8 +39,8 @@ constexpr Parameter parameters[] = {
 
 // ---- methods that do not take equal steps in time ---------------------------------------------------------
 
-/// x + i y = w^2 and dt = r ds turn the relative motion into w'' = (E/2) w, E the energy per reduced mass
-/// [Levi-Civita 1920]: nothing is singular at r = 0. The state is (w, w', t).
+/// x + i y = w^2 and dt = r ds transform the relative motion into w'' = (E/2) w, where E is the energy per
+/// reduced mass [Levi-Civita 1920]. Nothing is singular at r = 0. The state is (w, w', t).
 struct LeviCivita {
   using State = std::array<double, 5>;
   double half_energy;
@@ -56,7 +56,7 @@ struct LeviCivita {
   }
 };
 
-/// By Kepler's equation at every stop. Throws std::domain_error when the orbit is no ellipse.
+/// Solves Kepler's equation at every stop. Throws std::domain_error if the orbit is not an ellipse.
 Answer by_kepler(const kepler::Start& start, const Horizon& horizon) {
   const auto orbit = kepler::ellipse(start);
   Answer answer;
@@ -76,7 +76,7 @@ Answer by_kepler(const kepler::Start& start, const Horizon& horizon) {
   return answer;
 }
 
-/// Equal steps of s up to each stop; with the rates behind each place where they are asked for.
+/// Equal steps of s up to each stop; optionally with the rates after each position.
 Answer by_levi_civita(const kepler::Start& start, const Horizon& horizon, double step, bool with_rates) {
   const auto p = start.position(), v = start.velocity();
   const auto w = std::sqrt(std::complex(p[0], p[1])), rate = std::conj(w) * std::complex(v[0], v[1]) / 2.0;
@@ -201,7 +201,7 @@ Scene scene() {
   };
 }
 
-/// The time of a turn of phi, against Kepler's third law with the sum of the masses.
+/// The period of phi, compared with Kepler's third law for the sum of the masses.
 Quantity period(const Bodies& b) {
   const kepler::Start s = b.relative();
   const double a = -s.mu() / (2 * s.energy()), turn = 2 * std::numbers::pi * a * std::sqrt(a / s.mu());

@@ -8,7 +8,8 @@
 #include "chapters/03_rigid_body_motion/03_kepler/models.hpp"
 #include "chapters/numbers.hpp"
 
-/// The models of exercise 3.27: two bodies that attract each other, the second seen from the first.
+/// The models of exercise 3.27: two bodies that attract each other, with the second observed relative to the
+/// first.
 namespace oddity::two_bodies {
 
 /// The exercise's parameters.
@@ -16,7 +17,7 @@ template <class T>
 struct Given {
   T G, m1, m2, r0, r0_dot, phi0, phi0_dot;
 
-  /// The second body seen from the first: one body about a fixed sun of the mass of both.
+  /// Relative motion: one body about a fixed sun of the total mass.
   kepler::Given<T> relative() const { return {G, m1 + m2, r0, r0_dot, phi0, phi0_dot}; }
 };
 
@@ -31,7 +32,7 @@ struct ByKeplersEquation : kepler::Ellipse<T> {
   }
 };
 
-/// (r, u, phi), as published. What is conserved is the energy per reduced mass; beta cannot drift.
+/// (r, u, phi), as published. The conserved quantity is the energy per reduced mass; beta cannot drift.
 template <class T>
 struct Published {
   Given<T> p;
@@ -50,7 +51,7 @@ struct Published {
   }
 };
 
-/// The same for one turn of phi.
+/// The published system, ending after one turn of phi.
 template <class T>
 struct OneTurn : Published<T> {
   using MovesAs = Published<T>;
@@ -61,7 +62,7 @@ struct OneTurn : Published<T> {
   Happening<State> at_event(std::size_t, const State& x, const T&) const { return {x, true}; }
 };
 
-/// (x1, y1, x2, y2 and their rates), the centre of mass at rest in the origin.
+/// (x1, y1, x2, y2 and their rates), with the centre of mass at rest at the origin.
 template <class T>
 struct BothBodies {
   Given<T> p;
@@ -94,7 +95,7 @@ struct BothBodies {
   }
 };
 
-/// From the least to the richest.
+/// From the simplest to the richest.
 template <class T>
 auto models(const Given<T>& p) {
   return std::tuple{ByKeplersEquation<T>(p), Published<T>{p}, OneTurn<T>{{p}}, BothBodies<T>{p}};

@@ -1,6 +1,6 @@
 // The claims of exercise 3.29. Positions are compared with complex multiplication, derivatives with dual
-// numbers, integrals with the primitives for three wires, the energy with a sum over particles, forces with
-// the slope of the total potential energy.
+// numbers, integrals with antiderivatives for three wires, the energy with a sum over particles, and forces
+// with the slope of the total potential energy.
 
 #include <concepts>
 
@@ -25,8 +25,8 @@ PointOf<T> turned_by(const T& angle, const PointOf<T>& z) {
   return {C * z[0] - S * z[1], C * z[1] + S * z[0]};
 }
 
-/// A wire in a motion, here random ones, and a point of it at the parameter at. Recorded, the wire is any
-/// curve (b0 s, b1 s) of the density delta s, and the point is any.
+/// A random wire in motion, and a point of it at the parameter `at`. Recorded for Coq, the wire is any curve
+/// (b0 s, b1 s) of the density delta s, and the point is arbitrary.
 template <class T>
 struct SampleOf {
   Wire wire;
@@ -34,8 +34,8 @@ struct SampleOf {
   double at = 0;
   Point center{};
   T mu0;
-  T turn = T(1);       ///< of the curve in body space
-  PointOf<T> point{};  ///< of what is recorded
+  T turn = T(1);       ///< rotation of the curve in body space
+  PointOf<T> point{};  ///< the recorded point
 
   SampleOf() = default;
   explicit SampleOf(Random& random)
@@ -51,7 +51,7 @@ struct SampleOf {
         center(wire.center()),
         mu0(wire.over_mass([](double) { return 1; })) {}
 
-  /// The terms of lengths, velocities, energies and forces, added up.
+  /// Size of the terms of lengths, velocities, energies and forces.
   double size() const {
     const double extent = wire.q + wire.q * wire.q, reach = std::abs(x) + std::abs(y) + extent,
                  speed = std::abs(vx) + std::abs(vy) + std::abs(w) * extent;
@@ -66,7 +66,7 @@ struct SampleOf {
            format_significant(theta, 4);
   }
   TypesetIn<T> typeset() const;
-  /// Where integrals over the wire look, and with what weights.
+  /// Nodes of integrals over the wire; weight_of() returns their weights.
   std::vector<double> nodes() const {
     std::vector<double> all;
     wire.along([&](double u) { return all.push_back(u), 0; });
@@ -93,19 +93,19 @@ struct SampleOf {
     else
       return body(at);
   }
-  /// Its numbers.
+  /// The sample's numbers, as expressions.
   SampleOf<Shortened> recorded() const {
     SampleOf<Shortened> same;
     same.x = x, same.y = y, same.theta = theta, same.vx = vx, same.vy = vy, same.w = w;
     same.point = {b()[0], b()[1]};
     return same;
   }
-  /// Position by complex numbers c + exp(i theta) p; p is the body's point.
+  /// Position by complex numbers, c + exp(i theta) p, where p is the point in the body.
   PointOf<T> position(const PointOf<T>& p) const {
     const PointOf<T> z = turned_by(theta, p);
     return {x + z[0], y + z[1]};
   }
-  /// By dual numbers in the time.
+  /// Velocity by dual numbers in the time.
   PointOf<T> velocity(const PointOf<T>& p) const {
     const Dual<T> angle(theta, w);
     return {(Dual<T>(x, vx) + p[0] * cos(angle) - p[1] * sin(angle)).slope,
@@ -122,7 +122,7 @@ struct SampleOf {
     }
     return sum;
   }
-  /// Of a function of the body's points and their velocities, over the mass.
+  /// Mass integral of a function of the body's points and their velocities.
   template <class F>
   T integrated(const F& of) const {
     if constexpr (std::same_as<T, Shortened>) {
@@ -156,7 +156,7 @@ PointOf<double> force(const PointOf<double>& r) {
   return {-0.5 * r[0] * r[1] - cos(r[0]), -0.25 * r[0] * r[0] - 10};
 }
 
-// Recorded, it is any potential with the slopes Ux and Uy.
+// Recorded for Coq, it is any potential with the slopes Ux and Uy.
 Shortened of_place(const char* name, const PointOf<Shortened>& r) {
   return Expression::letter("(" + std::string(name) + " (" + r[0].expression().coq() + ") (" +
                             r[1].expression().coq() + "))");
@@ -253,8 +253,8 @@ T energy_of_rod(const SampleOf<T>& s, const std::type_identity_t<T>& l) {
     return gauss_legendre(f, -l / 2, l / 2, 4).value;
 }
 
-/// mu0 by integration over the arc length, or over the curve's parameter, against its primitive, density
-/// uniform.
+/// Compares mu0, by integration over the arc length or over the curve's parameter, with its antiderivative,
+/// for uniform density.
 Reading against_primitive(const std::string& text, bool by_length, double seed) {
   Random random(seed);
   WorstSample worst(R"($\mu_0$)", text, "the primitive of the mass");
@@ -273,7 +273,7 @@ Reading against_primitive(const std::string& text, bool by_length, double seed) 
   return {text, {worst.check()}, is_as_typeset(compare_typeset(text, computed))};
 }
 
-/// A multiple of the integral of |v|^2 against the energy of 2000 particles.
+/// Compares a multiple of the integral of |v|^2 with the energy of 2000 particles.
 Reading of_particles(const std::string& text, double factor, double seed) {
   Random random(seed);
   WorstSample worst("$T$", text, "2000 particles");
@@ -287,7 +287,7 @@ Reading of_particles(const std::string& text, double factor, double seed) {
   return {text, {worst.check()}, is_as_typeset(compare_typeset(text, computed))};
 }
 
-/// Rough friction of size 1 a mass against the velocity of every point, its velocities times `speed`: the
+/// Rough friction of size 1 per mass against the velocity of every point, with velocities times `speed`: the
 /// integrand of its moment about the center of mass.
 double friction_at(const Sample& s, double u, double speed) {
   const Point p = s.body(u), v = s.velocity(p), d = turned(s, p);
@@ -309,7 +309,8 @@ Reading friction_moment(double seed, int panels) {
   return {text, {worst.check()}};
 }
 
-/// The moment at a multiple of the sample's velocities against `part` of that at the velocities themselves.
+/// Compares the moment at a multiple of the sample's velocities with `part` of that at the velocities
+/// themselves.
 Check friction_at_speed(const std::string& by, double seed, double speed, double part) {
   Random random(seed);
   WorstSample worst("moment of rough friction", by + ", by Gauss and Legendre",
@@ -533,7 +534,7 @@ Proof. intro t. assert (e := sin2_cos2 t). unfold Rsqr in e. lra. Qed.
 Ltac in_reals := match goal with |- ?x = ?y => change (@eq R x y) end.
 )";
 
-/// The energy's integral i by its moments, and what is left.
+/// The energy's integral i as a sum of moments; the rest vanishes.
 const std::string by_moments = R"(match goal with |- _ = _ * ?i => assert (e : i
     = (vx * vx + vy * vy) * RInt (fun s => 1 * delta s) 0 L
       + w * w * RInt (fun s => (b0 s * b0 s + b1 s * b1 s) * delta s) 0 L)
@@ -576,7 +577,7 @@ ForAll<SampleOf> any_point() {
           .example = end_of_rod};
 }
 
-/// Of a curve with its center of mass at zero.
+/// For any curve with its center of mass at zero.
 ForAll<SampleOf> any_curve() {
   ForAll<SampleOf> all = any_point();
   SampleOf<Shortened>& any = all.any;
@@ -593,7 +594,8 @@ ForAll<SampleOf> any_curve() {
   return all;
 }
 
-/// Recorded, the matrix and the complex product are the same: it is what the line before says.
+/// Recorded, the matrix and the complex product are equal, so this claim is the same as that of the line
+/// before.
 Provable rod_by_matrix(const ForAll<SampleOf>& all) {
   return {"3.29-thin_rod_matrix",
           "it is the point of the rod that the line before gives",
@@ -622,7 +624,7 @@ const char* const by_slope = R"(match goal with |- _ = - ?i => change (- i) with
     replace (y + (cos theta * b1 t + sin theta * b0 t)) with (y + sin theta * b0 t + cos theta * b1 t) by ring;
     ring)";
 
-/// A generalized force against the slope of the potential energy, where the integral of the slope exists.
+/// Compares a generalized force with the slope of the potential energy, if the integral of the slope exists.
 Lemma force_lemma(const std::string& reading, const Reader& force, int coordinate, ForAll<SampleOf> all) {
   const Expressions truth = slope(coordinate).recorded(all.any);
   const std::string text = truth[0].coq();
@@ -676,7 +678,7 @@ Provables proofs() {
   return proved;
 }
 
-/// A rod that turns about its center, in m, kg and N a kilogram, and the moment of its friction, in N m.
+/// A rod that turns about its center, in m, kg and N per kg, and the moment of its friction, in N m.
 constexpr double length_of_rod = 1, mass_of_rod = 2, friction_of_rod = 1,
                  moment_of_rod = friction_of_rod * mass_of_rod * length_of_rod / 4;
 

@@ -9,14 +9,13 @@
 
 namespace oddity::planar_wire {
 
-/// How the thrown wire looks: `observed` is the place of its mark [m], the end of the parabola where it is
-/// flat.
+/// Draws the thrown wire; `observed` is the position of its mark [m], the end of the parabola at its vertex.
 template <class Parameters>
 void draw(const Parameters& p, double t, std::span<const double> observed, Drawing& drawing) {
   const double q = p["q"], u = p["u"], v = p["v"], g = p["g"];
   const auto b = thrown(Given<double>{q, p["d"], u, v, p["w"], g}).b;
   const auto flight = [&](double s) { return Place{u * s, v * s - g * s * s / 2}; };
-  // Turned so that the mark is where it is seen from the center.
+  // Rotated so that the mark is at its observed position relative to the center.
   const Place mark{observed[0], observed[1]}, seen = mark - flight(t);
   const double turned = std::atan2(seen.y, seen.x) - std::atan2(b[1], b[0]);
   const double C = std::cos(turned), S = std::sin(turned);

@@ -3,7 +3,7 @@
 //   r = c + R(theta) b(s), int b delta ds = 0;  T = mu0/2 |c'|^2 + mu2/2 theta'^2, mu2 = int |b|^2 delta ds
 //   |r'|^2 = |c'|^2 + theta'^2 |b|^2 + 2 theta' c'.(dR/dtheta b), whose last term vanishes only in the
 //   integral
-// methods.cpp has the quantities, claims.cpp the claims.
+// methods.cpp contains the quantities, claims.cpp the claims.
 
 #include "chapters/03_rigid_body_motion/29_planar_wire/drawing.hpp"
 #include "chapters/03_rigid_body_motion/29_planar_wire/planar_wire.hpp"
@@ -45,7 +45,7 @@ engines::Staging staging(const Parameters& p) {
           }};
 }
 
-/// Places are the center of mass and the angle.
+/// The places are the center of mass and the angle.
 Energy energy(const Parameters& p, std::span<const double> x) {
   const auto wire = planar_wire::thrown(asked(p));
   return energy_seen(wire.mu0 * half_square(x.subspan(3, 2)) + wire.mu2 * half_square(x.subspan(5)),

@@ -1,4 +1,4 @@
-// The quantities of exercise 3.29: what a wire weighs and how it is spread, and how it falls.
+// The quantities of exercise 3.29: mass and inertia of a wire, and its fall.
 
 #include <array>
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace oddity::ex03_29 {
 
-/// By the primitives of the moments, the density uniform.
+/// From antiderivatives of the moments, for uniform density.
 Inertia by_primitives(const Wire& w) {
   const double q = w.q;
   if (w.shape == Shape::straight)
@@ -50,7 +50,7 @@ Answer inertia_by(const Rule& rule, double a, double b, double d0, const Positio
   return answer;
 }
 
-/// The usual rules for a curve's parametrization.
+/// Adds the usual rules for a curve's parametrization.
 template <class Position, class Stretch>
 void add_rules(Quantity& quantity, const std::string& name, double a, double b, double d0, const Position& at,
                const Stretch& stretch, std::array<Outcome, 3> expected, const std::string& why = {}) {

@@ -26,25 +26,25 @@ Inertia<T> about_center(const T& m0, const T& mx, const T& my, const T& m2) {
   return {m0, cx, cy, m2 - m0 * (cx * cx + cy * cy)};
 }
 
-/// Of y = x^2 from 0 to q, the density d uniform, by the primitives of the moments.
+/// Inertia of y = x^2 from 0 to q with the uniform density d, from antiderivatives of the moments.
 template <class T>
 Inertia<T> inertia_of_parabola(const T& q, const T& d) {
   const T z = 2 * q, root = sqrt(1 + z * z), arsinh = asinh(z);
-  const T z2 = (z * (2 * z * z + 1) * root - arsinh) / 8;    // of z^2 sqrt(1 + z^2)
-  const T z4 = z * z * z * root * root * root / 6 - z2 / 2;  // of z^4 sqrt(1 + z^2)
+  const T z2 = (z * (2 * z * z + 1) * root - arsinh) / 8;    // integral of z^2 sqrt(1 + z^2)
+  const T z4 = z * z * z * root * root * root / 6 - z2 / 2;  // integral of z^4 sqrt(1 + z^2)
   return about_center<T>(d * (z * root + arsinh) / 4, d * (root * root * root - 1) / 12, d * z2 / 8,
                          d * (z2 / 8 + z4 / 32));
 }
 
-/// The exercise's parameters: the parabola from 0 to q, its density, how its center is thrown, and how it
-/// turns.
+/// The exercise's parameters: the parabola from 0 to q, its density, its center's initial velocity, and its
+/// angular velocity.
 template <class T>
 struct Given {
   T q, d, u, v, w, g;
 };
 
-/// A wire thrown from the center with velocity (u, v), turning with w from the angle 0. Its mark, at b in
-/// the body, is what is looked at.
+/// A wire thrown from the origin with velocity (u, v), rotating with w from the angle 0. The observable is
+/// its mark, at b in the body.
 template <class T>
 struct Thrown {
   T mu0, mu2, u, v, w, g;
@@ -63,7 +63,7 @@ Thrown<T> thrown(const Given<T>& p) {
   return {i[0], i[3], p.u, p.v, p.w, p.g, {-i[1], -i[2]}};
 }
 
-/// The wire as its center of mass alone.
+/// The wire's center of mass alone.
 template <class T>
 struct PointMass {
   Thrown<T> p;
@@ -100,8 +100,8 @@ struct Generalized {
   }
 };
 
-/// Two particles of mu0/2 with the same moments, (x1, y1, x2, y2) and velocities, at the distance 2 sqrt(mu2
-/// / mu0) that a massless rod holds: the constraint, twice differentiated.
+/// Two particles of mu0/2 with the same moments, (x1, y1, x2, y2) and velocities. A massless rod keeps their
+/// distance at 2 sqrt(mu2 / mu0): the second derivative of the constraint is zero.
 template <class T>
 struct TwoParticles {
   Thrown<T> p;
@@ -128,7 +128,7 @@ struct TwoParticles {
   T off_constraint(const State& x, const T&) const { return abs(hypot(x[0] - x[2], x[1] - x[3]) - 2 * k()); }
 };
 
-/// From the least to the richest.
+/// From the simplest to the richest.
 template <class T>
 auto models(const Given<T>& p) {
   const Thrown<T> wire = thrown(p);

@@ -17,7 +17,7 @@ using Inertia = planar_wire::Inertia<double>;
 
 enum class Shape { straight, semicircle, parabola };
 
-/// A wire of the size q: from (0, 0) to (q, 0); the upper half circle of radius q; y = x^2 from 0 to q. Its
+/// A wire of size q: from (0, 0) to (q, 0); the upper half circle of radius q; y = x^2 from 0 to q. Its
 /// density is d0 (1 + k s/L) at the arc length s from its start.
 struct Wire {
   Shape shape = Shape::straight;
@@ -46,7 +46,7 @@ struct Wire {
   }
   double density(double u) const { return d0 * (1 + k * arc_length(u) / arc_length(end())); }
 
-  /// The integral of f(u) ds by Gauss and Legendre with 32 points.
+  /// The integral of f(u) ds by Gauss-Legendre with 32 points.
   template <class F>
   double along(const F& f) const {
     return gauss_legendre([&](double u) { return f(u) * stretch(u); }, 0, end(), 32).value;
@@ -62,11 +62,11 @@ struct Wire {
   }
 };
 
-/// By the primitives of the moments, the density uniform.
+/// From antiderivatives of the moments, for uniform density.
 Inertia by_primitives(const Wire&);
 
 Quantity fall(const Given&, const Horizon&, const Reference&);
-/// Of the three wires.
+/// Inertias of the three wires.
 std::vector<Quantity> inertias(const Given&, const Reference&);
 std::vector<Claim> claims(double seed);
 std::vector<Root> roots();

@@ -7,7 +7,7 @@
 
 namespace oddity::rough_box {
 
-/// How the box looks from above: `observed` is its place [m] and its angle [rad].
+/// Draws the box from above; `observed` is its position [m] and its angle [rad].
 template <class Parameters>
 void draw(const Parameters& p, double, std::span<const double> observed, Drawing& drawing) {
   const double a = p["a"], b = p["b"], C = std::cos(observed[2]), S = std::sin(observed[2]);

@@ -1,4 +1,4 @@
-// The quantities of exercise 3.31: when and where the box comes to rest, and its way there and after.
+// The quantities of exercise 3.31: when and where the box comes to rest, and its path until then and after.
 
 #include <algorithm>
 #include <array>
@@ -28,7 +28,7 @@ Pose uncoupled(const Box& box) {
   return {std::max(slide, spin), box.u0 * slide / 2, box.v0 * slide / 2, box.w0 * spin / 2};
 }
 
-/// The same when it is decelerated steadily from this time and state on.
+/// Pose at rest after a steady deceleration from this time and state.
 Pose coasted(const InTime<double>& box, double t, const InTime<double>::State& x) {
   const auto rest = box.coasted(x);
   return {t + box.time_left(x), rest[0], rest[1], rest[2]};
@@ -55,7 +55,8 @@ Solved<Pose> in_stretched_time(const Box& b, double setting) {
   return rest;
 }
 
-/// In time through the stop and on; `softness` 0 is friction that knows no rest. It gives no time of rest.
+/// Integrates in time through the stop and beyond; `softness` 0 is friction without rest. It gives no time of
+/// rest.
 template <class Algorithm>
 Solved<Pose> through_the_stop(const Box& b, double softness, double setting) {
   const InTime<double> box{b, softness};
@@ -97,7 +98,7 @@ const std::string in_time = "friction at full speed only", soft = "regularized f
                   stretched = "time stretched by the speed", event = "stopped by event",
                   sticks = "steps with a stick test", midpoint = "explicit midpoint";
 
-/// The methods that know a time of rest, seen through `see`.
+/// Adds the methods that compute a time of rest, with `see` applied to their poses.
 template <class See>
 void add_stopping(Quantity& q, const Box& box, const See& see) {
   const Knob steps = halving("step", 0.0625, 10), stretched_steps = halving("step", 0.5, 8);
@@ -159,10 +160,10 @@ bool fail(Answer& answer, Ending ending, std::string message) {
   return false;
 }
 
-/// How many of a state's numbers are seen: its places, or its places and rates.
+/// The number of a state's observed components: its places, or its places and rates.
 enum class Seen { places = 3, places_and_rates = 6 };
 
-/// From stop to stop in the stretched time. How much of it a stop needs is found by Newton's method, from
+/// From stop to stop in the stretched time. The stretched time to each stop is found by Newton's method, from
 /// below, as the speed falls.
 template <class Algorithm>
 Answer slide_in_stretched_time(const Box& b, const Horizon& horizon, double setting, Seen what) {
@@ -189,7 +190,7 @@ Answer slide_in_stretched_time(const Box& b, const Horizon& horizon, double sett
   return answer;
 }
 
-/// By equal steps, none of which takes the box through its stop.
+/// By equal steps, none of which passes through the box's stop.
 Answer slide_with_stick_test(const WithStickTest<double>& box, const Horizon& horizon, double step,
                              Seen what) {
   InTime<double>::State x = box.start();

@@ -7,21 +7,21 @@
 
 #include "chapters/numbers.hpp"
 
-/// The models of exercise 3.31: a box that slides and turns on a rough level plane.
+/// The models of exercise 3.31: a box that slides and rotates on a rough level plane.
 namespace oddity::rough_box {
 
 template <class T>
 using Three = std::array<T, 3>;
 
-/// The foot of a box, 2a by 2b, under uniform pressure.
+/// The base of a box, 2a by 2b, under uniform pressure.
 template <class T>
 struct Contact {
   T a, b;
 
   T gyration() const { return sqrt((a * a + b * b) / 3); }
 
-  /// The means over the foot of the unit velocity n and of its moment rho x n, when the center moves with
-  /// (u, v) along the foot's axes and turns with w. Zero at rest.
+  /// The means over the base of the unit velocity n and of its moment rho x n, if the center moves with (u,
+  /// v) along the base's axes and rotates with w. Zero at rest.
   template <class X>
   Three<X> means(const X& u, const X& v, const X& w) const {
     const X slide = sqrt(u * u + v * v), turn = abs(w) * select(a < b, b, a);
@@ -36,8 +36,8 @@ struct Contact {
         });
   }
 
-  /// About the instantaneous center c the velocity is w k x (rho - c); the integrals of the distance r from
-  /// c and of its gradient are, by the divergence theorem, those of r along the four edges.
+  /// About the instantaneous center c the velocity is w k x (rho - c). The integrals of the distance r from c
+  /// and of its gradient are, by the divergence theorem, those of r along the four edges.
   template <class X>
   Three<X> by_edges(const X& u, const X& v, const X& w) const {
     const X cx = -v / w, cy = u / w;
@@ -50,8 +50,8 @@ struct Contact {
     return {-over * y, over * x, over * (r + cx * x + cy * y)};
   }
 
-  /// Eight by eight points of Gauss and Legendre: exact to rounding when c is far outside the foot, where the
-  /// edges' terms cancel.
+  /// Eight by eight Gauss-Legendre points: exact to rounding if c is far outside the base, where the edges'
+  /// terms cancel.
   template <class X>
   Three<X> by_points(const X& u, const X& v, const X& w) const {
     const std::array x{T(0.1834346424956498), T(0.5255324099163290), T(0.7966664774136267),
@@ -113,11 +113,11 @@ struct Given {
   T spinning_time() const {
     return abs(w0) / abs(friction(T(0), T(0), T(0), select(abs(w0) > T(0), w0, T(1)))[2]);
   }
-  /// Longer than the motion lasts.
+  /// An upper bound of the motion's duration.
   T long_enough() const { return T(1.5) * (sliding_time() + spinning_time()); }
 };
 
-/// Sliding and spinning, each alone and at a steady deceleration until it is over.
+/// Sliding and spinning, each alone and at a steady deceleration to rest.
 template <class T>
 struct Uncoupled {
   Given<T> p;
@@ -157,20 +157,20 @@ struct InTime {
     dxdt = {x[3], x[4], x[5], f[0] * share, f[1] * share, f[2] * share};
   }
   T speed(const State& x) const { return p.speed(x[3], x[4], x[5]); }
-  /// How long it takes to rest when it is decelerated steadily from now on.
+  /// Time to rest at a steady deceleration from now on.
   T time_left(const State& x) const {
     const Three<T> f = p.friction(x[2], x[3], x[4], x[5]);
     const T now = speed(x);
     return now * now / -(x[3] * f[0] + x[4] * f[1] + p.J() * x[5] * f[2]);
   }
-  /// At rest then.
+  /// The state at rest after that time.
   State coasted(const State& x) const {
     const T left = time_left(x);
     return {x[0] + x[3] * left / 2, x[1] + x[4] * left / 2, x[2] + x[5] * left / 2, T(0), T(0), T(0)};
   }
 };
 
-/// In time until a two-thousandth of the speed is left, and from there at a steady deceleration to rest.
+/// In time until a two-thousandth of the speed remains, then at a steady deceleration to rest.
 template <class T>
 struct UntilRest : InTime<T> {
   using MovesAs = InTime<T>;
@@ -181,14 +181,15 @@ struct UntilRest : InTime<T> {
   Happening<State> at_event(std::size_t, const State& x, const T&) const { return {this->coasted(x), true}; }
 };
 
-/// In time by steps of its own, each with a test whether friction can stop the box within it.
+/// In time by its own steps, each of which tests whether friction can stop the box within it.
 template <class T>
 struct WithStickTest : InTime<T> {
-  bool by_midpoint;  ///< or by semi-implicit Euler
+  bool by_midpoint;  ///< otherwise by semi-implicit Euler
   using typename InTime<T>::State;
 
   WithStickTest(const Given<T>& given, bool midpoint) : InTime<T>{given}, by_midpoint(midpoint) {}
-  /// Its right side is `rates`, which may be counted. Returns whether it rests from then on.
+  /// Makes a step with the right side `rates`, which may count calls. Returns whether the box rests from then
+  /// on.
   template <class Rates>
   bool step(const Rates& rates, State& x, T t, T h) const {
     const T now = this->speed(x);
@@ -230,7 +231,7 @@ struct Stretched {
   }
 };
 
-/// From the least to the richest.
+/// From the simplest to the richest.
 template <class T>
 auto models(const Given<T>& p) {
   return std::tuple{Uncoupled<T>{p}, InTime<T>{p, T(0.01)}, InTime<T>{p}, UntilRest<T>{{p}}, Stretched<T>{p}};

@@ -11,7 +11,7 @@ namespace oddity::ex03_31 {
 using Box = rough_box::Given<double>;
 
 Quantity slide(const Box&, const Horizon&, const Reference&);
-/// When and where the box comes to rest.
+/// Time and position at which the box comes to rest.
 std::vector<Quantity> at_rest(const Box&, const Reference&);
 
 }  // namespace oddity::ex03_31

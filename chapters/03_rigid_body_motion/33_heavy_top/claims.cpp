@@ -1,5 +1,5 @@
-// The claims of exercise 3.33, judged against tops made of point masses, whose energies and forces come from
-// the points' positions by dual numbers.
+// The claims of exercise 3.33, checked on tops made of point masses, whose energies and forces come from the
+// points' positions by dual numbers.
 
 #include <map>
 #include <string>
@@ -22,9 +22,9 @@ using Reader = ProvableFormula<SampleOf>;
 using Table = ProvableClaims<SampleOf>;
 using Samples = std::vector<Sample>;
 
-// ---- the points' ------------------------------------------------------------------------------------------
+// ---- sums over the points ---------------------------------------------------------------------------------
 
-/// Their kinetic energy's derivative by an angle or by its rate.
+/// The derivative of the points' kinetic energy by an angle or by its rate.
 Reader slope_of_T(std::size_t k, bool rate) {
   return {"the points' $T$, by dual numbers", [=](const auto& s) {
             return by_angle(
@@ -41,7 +41,7 @@ Reader arm(std::size_t k) {
   return {R"(derivative of $\ell R\mathbf k$, by dual numbers)", [k](const auto& s) { return s.arm(k); }};
 }
 
-/// The generalized force of gravity on every point.
+/// The generalized force of gravity on all points.
 Reader force(std::size_t k) {
   return {"minus the slope of the points' potential", [k](const auto& s) {
             return -by_angle(s, k, [&](const auto& q, const auto&) {
@@ -55,8 +55,7 @@ const Reader points_T{R"($\sum m|\dot{\mathbf x}|^2/2$ over the points)",
     zero{"zero", []<class T>(const SampleOf<T>&) { return T(0); }},
     none{"zero", []<class T>(const SampleOf<T>&) { return values(T(0), T(0), T(0)); }};
 
-// ---- what several formulas have
-// ----------------------------------------------------------------------------
+// ---- shared by several formulas ---------------------------------------------------------------------------
 
 const std::string about_axis = R"(\mu_3(\dot\psi+\dot\theta\cos\phi))",
                   spin = R"(\dot\psi+\dot\theta\cos\phi)",
@@ -256,7 +255,7 @@ void claim_forces(Table& table, const Samples& tops) {
 
 // ---- the motion -------------------------------------------------------------------------------------------
 
-/// (c, gamma) of the rigid body after `duration` against the start's, by the text's formulas.
+/// Compares (c, gamma) of the rigid body after `duration` with their initial values, by the text's formulas.
 Check along_the_motion(const Top& start) {
   constexpr double tolerance = 1e-12;
   const heavy_top::RigidBody<double> body{{start}};
@@ -272,7 +271,7 @@ Check along_the_motion(const Top& start) {
           {10 * tolerance * std::abs(c), "ten tolerances of the integration"}};
 }
 
-/// Euler's third equation, the moments and the torque of gravity summed over the points.
+/// Euler's third equation, with the moments and the torque of gravity summed over the points.
 template <class T>
 T spin_rate_by_euler(const SampleOf<T>& s, const Vector<T>& w) {
   const auto r = rotation(s.q[0], s.q[1], s.q[2]);
@@ -303,7 +302,7 @@ void claim_vertical_constant(Claims& claims, const Samples& tops, const Top& sta
       {.printed = both, .near_misses = {conserved(math(rate(R"(\mu_1\dot\theta\sin^2\phi)") + "=0"))}});
 }
 
-/// With these accelerations.
+/// Samples with the accelerations of Lagrange's equations.
 Samples along_lagrange(Samples tops) {
   for (Sample& s : tops) s.a = s.truth;
   return tops;
@@ -386,7 +385,7 @@ ForAll<SampleOf> all_tops() {
           .example = example()};
 }
 
-/// How what is said of the motion follows from Lagrange's equations of theta, phi and psi: times what.
+/// Factors of Lagrange's equations of theta, phi and psi whose sum is the claim.
 const std::map<std::string, std::array<std::string, 3>> from_equations{
     {"3.33-motion_theta", {"1", "", ""}},
     {"3.33-motion_phi", {"", "1", ""}},
@@ -409,7 +408,7 @@ void follow_from_equations(Provable& p, const SampleOf<Shortened>& any) {
   p.says = "it follows from Lagrange's equations of any top of rings of points";
 }
 
-/// In what is recorded of the potential no theta stands.
+/// The recorded potential does not contain theta.
 Provable no_force_of_theta(const ForAll<SampleOf>& all) {
   const Shortened V = all.any.body.potential(all.any.q, all.any.t);
   const Expression force = Expression::letter("(- Derive (fun theta => " + V.expression().coq() + ") theta)");

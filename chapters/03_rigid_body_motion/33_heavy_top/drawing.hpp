@@ -7,7 +7,7 @@
 
 namespace oddity::heavy_top {
 
-/// A top with its tip there and its axis in that direction, of length 1.
+/// Draws a top with its tip at `tip` and its axis in the direction `axis`, of length 1.
 template <class Parameters>
 void draw_top(const Parameters& p, const Place& tip, const Place& axis, Drawing& drawing) {
   const double l = p["l"], end = 2 * l, phi = p["phi"], theta = p["theta"];
@@ -28,7 +28,7 @@ void draw_top(const Parameters& p, const Place& tip, const Place& axis, Drawing&
   drawing.length(at(l), tip, "ℓ");
 }
 
-/// How the top looks: `observed` is the direction of its axis.
+/// Draws the top; `observed` is the direction of its axis.
 template <class Parameters>
 void draw(const Parameters& p, double, std::span<const double> observed, Drawing& drawing) {
   const double size = 2.5 * p["l"];

@@ -2,7 +2,7 @@
 //   T = mu1/2 (phi'^2 + theta'^2 sin^2 phi) + mu3/2 (psi' + theta' cos phi)^2,   V = m g l cos phi
 //   psi' + theta' cos phi = c,   mu1 theta' sin^2 phi + c mu3 cos phi = gamma,   u = cos phi:
 //   u'^2 = (e - 2 alpha u)(1 - u^2) - (b - a u)^2,   alpha = m g l/mu1, a = mu3 c/mu1, b = gamma/mu1
-// methods.cpp has the quantities, claims.cpp the claims.
+// methods.cpp contains the quantities, claims.cpp the claims.
 
 #include "chapters/03_rigid_body_motion/33_heavy_top/drawing.hpp"
 #include "chapters/03_rigid_body_motion/33_heavy_top/heavy_top.hpp"

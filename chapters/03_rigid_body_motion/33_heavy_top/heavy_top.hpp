@@ -11,15 +11,15 @@ namespace oddity::ex03_33 {
 
 using Top = heavy_top::Given<double>;
 
-inline constexpr double duration = 4;  ///< s, for which the axis is looked at
+inline constexpr double duration = 4;  ///< s, of the axis' motion
 
 Quantity axis(const Top&, const Horizon&, const Reference&);
 std::vector<Quantity> quantities(const Top&, const Reference&);
 std::vector<Claim> claims(double seed, const Top& start);
 std::vector<Root> roots(const Top&);
-/// How often the axis of a top goes down and up.
+/// Frequency of the nutation of a top's axis.
 double nods_a_second(const Top&);
-/// Throws BadInput where no body has such moments.
+/// Throws BadInput if no body has these moments.
 engines::Staging staging(const heavy_top::Top<double>&);
 
 }  // namespace oddity::ex03_33

@@ -5,16 +5,16 @@
 
 #include "chapters/energies.hpp"
 
-/// Laws of a top that is seen by its axis.
+/// Laws of a top whose axis is observed.
 namespace oddity::heavy_top {
 
-/// All of it but the spin's, which no force changes.
+/// The energy without that of the spin, which no force changes.
 template <class Parameters>
 Energy energy(const Parameters& p, std::span<const double> x) {
   return energy_seen(p["mu1"] * half_square(x.subspan(3)), p["m"] * p["g"] * p["l"] * x[2]);
 }
 
-/// The center of mass off the distance l from the tip.
+/// Deviation of the center of mass from the distance l to the tip.
 template <class Parameters>
 double off(const Parameters& p, std::span<const double> x, double) {
   return p["l"] * std::abs(std::hypot(x[0], x[1], x[2]) - 1);

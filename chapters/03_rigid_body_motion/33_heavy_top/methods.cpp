@@ -39,7 +39,7 @@ struct HeightCubic {
   explicit HeightCubic(const Top& t)
       : alpha(t.alpha()), a(t.a()), b(t.b()), e(HeightAlone<double>{t}.e), u0(std::cos(t.phi)) {}
   double operator()(double u) const { return (e - 2 * alpha * u) * (1 - u * u) - (b - a * u) * (b - a * u); }
-  /// Its three roots in ascending order, the last beyond 1, by Viete's angles.
+  /// The three roots of f in ascending order, the last one beyond 1, by Viete's angles.
   Vector<double> roots() const {
     const double lead = 2 * alpha, third = -(e + a * a) / lead / 3, p1 = (2 * a * b - lead) / lead,
                  p0 = (e - b * b) / lead;
@@ -112,7 +112,7 @@ Quantity height(const Top& top, const Reference& truth) {
   return q;
 }
 
-/// The least and the greatest height, from the first two turns of a motion.
+/// The minimum and maximum height, from the first two turning points of a motion.
 Answer followed_turns(const Top& top, double tolerance) {
   const AxisAndMomentum<double> model{{top}};
   const auto climbing = [&](const AxisAndMomentum<double>::State& x, double) {
@@ -128,7 +128,7 @@ Answer followed_turns(const Top& top, double tolerance) {
     bounds.message = event.message;
     if (!event.reached()) return bounds;
     bounds.value[static_cast<std::size_t>(turn)] = event.value.state[2];
-    // Half a thousandth of a second further, so that the same turn is not found again.
+    // Half a millisecond further, so that the same turning point is not found again.
     const double on = event.value.time + 5e-4;
     const auto next =
         ode::integrate<ode::Fehlberg78>(model, event.value.state, event.value.time, on, tolerance);
@@ -167,11 +167,11 @@ Quantity nutation_bounds(const Top& top, const Reference& truth) {
 // ---- steady precession ------------------------------------------------------------------------------------
 
 bool has_steady_precession(const Top& t, double c) {
-  const double u = std::cos(t.phi);  // below its tip a top has both rates at any spin, the fast one backward
+  const double u = std::cos(t.phi);  // below the tip both rates exist at any spin, the fast one backward
   return std::abs(u) > 1e-6 && std::pow(t.mu3 * c, 2) > 4 * t.mu1 * t.m * t.g * t.l * u;
 }
 
-/// The rate of the precession that the rigid body goes through one radian with, started at the given rate.
+/// The precession rate of the rigid body, measured over about one radian, started at the given rate.
 Answer followed_precession(Top top, double c, double rate, double tolerance) {
   top.theta = top.psi = top.dphi = 0;
   top.dtheta = rate;
@@ -185,14 +185,14 @@ Answer followed_precession(Top top, double c, double rate, double tolerance) {
 
 enum class Rate { slow, fast };
 
-/// A rate of steady precession at the start's tilt, with the total spin c.
+/// A rate of steady precession at the initial tilt, with the total spin c.
 Quantity steady_precession(const std::string& name, const std::string& says, const Top& top, double c,
                            Rate which, const Reference& truth) {
   const bool slow = which == Rate::slow;
   Quantity q = quantity(name, "rad/s", says,
                         truth("03_33_steady", {top.m, top.l, top.mu1, top.mu3, top.g, top.phi, c}), {});
   q.reference.value = Value{q.reference.value[slow ? 0 : 1]};
-  q.reference_error = 0x1p-53 * size_of(q.reference.value);  // the table's decimals are many more
+  q.reference_error = 0x1p-53 * size_of(q.reference.value);  // the table has many more decimals
   q.need = {1e-9 * size_of(q.reference.value), "nine digits"};
   const double across = top.mu1 * std::cos(top.phi), momentum = top.mu3 * c, weight = top.m * top.g * top.l;
   const double root = std::sqrt(momentum * momentum - 4 * across * weight);
@@ -230,8 +230,8 @@ Quantity steady_precession(const std::string& name, const std::string& says, con
 
 // ---- the sleeping top -------------------------------------------------------------------------------------
 
-/// The least spin at which a top, let go a millionth off the vertical, stays there for the given time: its
-/// tilt does not grow with the time. Bisection.
+/// The lowest spin at which a top, released a millionth off the vertical, stays there for the given time: its
+/// tilt does not grow with the time. By bisection.
 Answer observed_threshold(Top top, double seconds) {
   constexpr double tilt = 1e-6, step = 0.045;  // the step in units of 1/sqrt(alpha)
   top.phi = tilt;

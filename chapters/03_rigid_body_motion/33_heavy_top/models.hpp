@@ -6,8 +6,8 @@
 
 #include "chapters/numbers.hpp"
 
-/// The models of exercise 3.33, the heavy symmetric top, of which 3.35 moves the tip. Euler angles: R =
-/// Rz(theta) Rx(phi) Rz(psi) takes body to world coordinates; mu1, mu3 are the moments about the tip.
+/// The models of exercise 3.33, the heavy symmetric top; 3.35 moves its tip. Euler angles: R = Rz(theta)
+/// Rx(phi) Rz(psi) takes body to world coordinates; mu1, mu3 are the moments about the tip.
 namespace oddity::heavy_top {
 
 template <class T>
@@ -24,7 +24,7 @@ Matrix<T> product(const Matrix<T>& a, const Matrix<T>& b) {
   return c;
 }
 
-/// Rz(theta) Rx(phi) Rz(psi), multiplied out by machine; its last column is the top's axis.
+/// Rz(theta) Rx(phi) Rz(psi), expanded by a program; its last column is the top's axis.
 template <class T>
 Matrix<T> rotation(const T& theta, const T& phi, const T& psi) {
   const T zero(0), one(1);
@@ -35,13 +35,13 @@ Matrix<T> rotation(const T& theta, const T& phi, const T& psi) {
   return product(product(about_z(theta), about_x), about_z(psi));
 }
 
-/// The axis of the angles.
+/// The axis for these angles.
 template <class T>
 Vector<T> axis_of(const T& theta, const T& phi) {
   return {sin(theta) * sin(phi), -cos(theta) * sin(phi), cos(phi)};
 }
 
-/// The exercise's parameters: a top, and its angles and their rates at the start.
+/// The exercise's parameters: a top, and its initial angles and rates.
 template <class T>
 struct Given {
   T m, l, mu1, mu3, g, theta, phi, psi, dtheta, dphi, dpsi;
@@ -59,7 +59,7 @@ struct Given {
   }
 };
 
-/// What the tilt alone decides; the constants of the motion are made once.
+/// Rates that depend on the tilt alone; the constants of the motion are computed once.
 template <class T>
 struct ByTilt {
   T a, b, alpha;
@@ -73,7 +73,8 @@ struct ByTilt {
   }
 };
 
-/// A top whose tip is at (A sin(lambda t), 0, 0). Seen from it, the forces on the center of mass are -m g k -
+/// A top whose tip is at (A sin(lambda t), 0, 0). Relative to it, the forces on the center of mass are -m g k
+/// - m p''.
 /// m p''.
 template <class T>
 struct Top : Given<T> {
@@ -91,7 +92,7 @@ struct Top : Given<T> {
 
 // ---- each observes the axis, or its height ----------------------------------------------------------------
 
-/// The tilt stays, and the precession has the rate m g l/(mu3 c) of a fast top.
+/// The tilt is constant, and the precession has the rate m g l/(mu3 c) of a fast top.
 template <class T>
 struct MeanPrecession {
   Given<T> p;
@@ -122,7 +123,7 @@ struct Nutation {
   }
 };
 
-/// (u, u'), u = cos(phi): u'' is a polynomial, and the vertical is a point like any other.
+/// (u, u'), u = cos(phi): u'' is a polynomial, and the vertical is not singular.
 template <class T>
 struct HeightAlone {
   Given<T> p;
@@ -174,7 +175,7 @@ struct EulerAngles {
     dxdt = {x[3], x[4], x[5], turning, tilting, x[3] * x[4] * s - turning * c};
   }
   Vector<T> observe(const State& x, const T&) const { return axis_of(x[0], x[1]); }
-  /// The spin momentum; with a tip at rest the energy too, of which the axis' part moves.
+  /// The spin momentum; for a fixed tip also the energy, whose moving part is that of the axis.
   std::array<Conserved<T>, 2> conserved(const State& x, const T&) const {
     const T s = sin(x[1]), c = cos(x[1]), total = x[5] + x[3] * c;
     const T across = p.mu1 * hypot(x[4], x[3] * s), spin = p.mu3 * total;
@@ -222,7 +223,7 @@ struct RigidBody {
     return {2 * (x[1] * x[3] + x[0] * x[2]) / norm, 2 * (x[2] * x[3] - x[0] * x[1]) / norm,
             1 - 2 * (x[1] * x[1] + x[2] * x[2]) / norm};
   }
-  /// The quaternion's square; with a tip at rest the energy too, of which the axis' part moves.
+  /// The quaternion's square; for a fixed tip also the energy, whose moving part is that of the axis.
   std::array<Conserved<T>, 2> conserved(const State& x, const T& t) const {
     const T kinetic = p.mu1 * (x[4] * x[4] + x[5] * x[5]) / 2;
     const auto moves = abs(p.A) > T(0);
@@ -260,13 +261,13 @@ struct AxisAndMomentum {
   std::array<Conserved<T>, 1> conserved(const State& x, const T&) const {
     return {{{x[0] * x[3] + x[1] * x[4] + x[2] * x[5], sqrt(x[3] * x[3] + x[4] * x[4] + x[5] * x[5])}}};
   }
-  /// Of the center of mass, which is to stay at the distance l from the tip.
+  /// Deviation of the center of mass from the distance l to the tip.
   T off_constraint(const State& x, const T&) const {
     return p.l * abs(sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]) - 1);
   }
 };
 
-/// From the least to the richest.
+/// From the simplest to the richest.
 template <class T>
 auto models(const Given<T>& p) {
   return std::tuple{MeanPrecession<T>{p}, Nutation<T>{p},    HeightAlone<T>{p},      OneAngle<T>{p},

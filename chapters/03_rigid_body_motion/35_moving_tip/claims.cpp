@@ -1,5 +1,5 @@
-// The claims of exercise 3.35, judged against tops made of point masses, whose Lagrangian with a moving tip
-// is differentiated by nested dual numbers.
+// The claims of exercise 3.35, checked on tops made of point masses, whose Lagrangian with a moving tip is
+// differentiated by nested dual numbers.
 
 #include <array>
 #include <string>
@@ -51,7 +51,7 @@ Vector<T> less(const Vector<T>& a, const Vector<T>& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-/// The rate of the angular momentum about a point moving with the body, as seen from it.
+/// The rate of the angular momentum about, and relative to, a point that moves with the body.
 template <class T>
 Vector<T> momentum_rate_about(const SampleOf<T>& s, const Vector<T>& body_point) {
   const Moving<T> center = motion_of(s, body_point);
@@ -67,8 +67,8 @@ Vector<T> tip(const SampleOf<T>& s) {
   return {s.body.A * sin(s.body.lambda * s.t), T(0), T(0)};
 }
 
-/// `sign` times the torque about the center of mass of the force on the tip: mass times the acceleration of
-/// the center of mass, less the weight.
+/// `sign` times the torque about the center of mass of the force on the tip. This force is mass times the
+/// acceleration of the center of mass, minus the weight.
 template <class T>
 auto torque_of_tip(const SampleOf<T>& s, double sign) {
   const Moving<T> c = motion_of(s, center(s));
@@ -76,7 +76,7 @@ auto torque_of_tip(const SampleOf<T>& s, double sign) {
   const Vector<T> torque = cross(less(tip(s), c.x), force);
   return values(sign * torque[0], sign * torque[1], sign * torque[2]);
 }
-/// The rate of the angular momentum about the center of mass, less that.
+/// The rate of the angular momentum about the center of mass, minus that torque.
 template <class T>
 auto unexplained(const SampleOf<T>& s, double sign) {
   const Vector<T> rate = momentum_rate_about(s, center(s));
@@ -84,14 +84,14 @@ auto unexplained(const SampleOf<T>& s, double sign) {
   return values(rate[0] - torque[0], rate[1] - torque[1], rate[2] - torque[2]);
 }
 
-/// The rates of the state of a model at the start that it has.
+/// The rates of a model's state at its initial condition.
 template <class Model, class T>
 typename Model::State rates_of(const Model& model, const T& t) {
   typename Model::State rates;
   model(model.start(), rates, t);
   return rates;
 }
-/// (theta'', phi'', psi'') of the equations of the angles, and (w1', w2', w3') of Euler's.
+/// (theta'', phi'', psi'') from the equations of the angles, and (w1', w2', w3') from Euler's equations.
 template <class T>
 auto model_accelerations(const heavy_top::Top<T>& top, const T& t) {
   const auto rates = rates_of(moving_tip::EulerAngles<T>{top}, t);
@@ -140,7 +140,7 @@ const Reader about_center{rate_of_momentum, [](const auto& s) { return momentum_
 Reader less_torque(double sign) {
   return {rate_of_momentum + ", less the torque", [=](const auto& s) { return unexplained(s, sign); }};
 }
-/// About the center of mass, of the force on the tip.
+/// The torque about the center of mass of the force on the tip.
 Reader about_center_by_tip(const std::string& text, double sign) {
   return {text, [=](const auto& s) { return torque_of_tip(s, sign); },
           [](const Sample& s) { return s.size(); }};
@@ -221,7 +221,7 @@ void claim_tip(Table& table, const std::vector<Sample>& tops) {
 
 // ---- proofs -----------------------------------------------------------------------------------------------
 
-/// The model has half angles, of which the others are sums.
+/// The model uses half angles; theta, phi and psi are sums of these.
 constexpr const char* half_angles_in_coq = R"(
 Ltac by_half_angles theta phi psi :=
   let u := fresh "u" in let s := fresh "s" in let d := fresh "d" in
@@ -234,7 +234,7 @@ Ltac by_half_angles theta phi psi :=
   field [(circle u) (circle s) (circle d)]; positive.
 )";
 
-/// Euler's equations with the torque by the rotation matrix, where the model has it by a quaternion.
+/// Euler's equations with the torque by the rotation matrix; the model uses a quaternion instead.
 template <class T>
 auto euler_by_matrix(const SampleOf<T>& s) {
   const auto r = rotation(s.q[0], s.q[1], s.q[2]);
@@ -246,7 +246,7 @@ auto euler_by_matrix(const SampleOf<T>& s) {
                 ((s.mu3 - s.mu1) * w[2] * w[0] + s.l * f[0]) / s.mu1, T(0));
 }
 
-/// By Lagrange's equations, where no angle changes at the time.
+/// Lagrange's accelerations if all angles are at rest.
 template <class T>
 Vector<T> accelerations_from_rest(const SampleOf<T>& s) {
   const T S = sin(s.q[1]),
@@ -256,7 +256,7 @@ Vector<T> accelerations_from_rest(const SampleOf<T>& s) {
           -turning * cos(s.q[1])};
 }
 
-/// Four points around the axis, not turning.
+/// Four points around the axis, at rest.
 template <class T>
 SampleOf<T> example() {
   SampleOf<T> s;
@@ -270,11 +270,11 @@ SampleOf<T> example() {
 }
 
 const std::vector<std::string> all_angles{"theta", "phi", "psi", "lambda * t"};
-/// Times Lagrange's equations of theta, phi and psi.
+/// Factors of Lagrange's equations of theta, phi and psi.
 using Factors = std::array<std::string, 3>;
 using OfVector = std::array<Factors, 3>;
 
-/// The rate of the angular momentum about the tip less the torque.
+/// For the rate of the angular momentum about the tip minus the torque.
 const OfVector torques{{{"- sin theta * cos phi / sin phi", "cos theta", "sin theta / sin phi"},
                         {"cos theta * cos phi / sin phi", "sin theta", "- cos theta / sin phi"},
                         {"1", "", ""}}};
@@ -319,7 +319,7 @@ class MovingTip {
     }
     return lemmas;
   }
-  /// At the example, whose accelerations are those of Lagrange's equations.
+  /// Lemmas at the example, whose accelerations satisfy Lagrange's equations.
   std::vector<Lemma> off(const Reader& printed, const Reader& truth, double& margin) const {
     const SampleOf<Shortened> s = example<Shortened>();
     Value difference = printed.of(example<double>());
@@ -335,7 +335,7 @@ class MovingTip {
          "assert (sin 1 <> 0) by interval; field [(circle (5 / 10)) (circle 1) (circle (25 / 100))]; trivial"},
         off_at(printed.recorded(s), truth.recorded(s), difference, margin)};
   }
-  /// Of a vector that has Euler's equations of the model in it: by the matrix instead.
+  /// For a vector that contains the model's Euler equations: replaces them by those of euler_by_matrix().
   std::string by_matrix() const {
     const Expressions model = euler.recorded(any);
     std::string replaced;
@@ -391,7 +391,7 @@ Provables proofs() {
       margin));
   off = tops.off(angles_of_fixed, lagrange, margin);
   auto by_angles = tops.follow("corrected", angles_of_moved.recorded(any), lagrange.recorded(any), of_angles);
-  // The third has the first in it.
+  // The third equation contains the first.
   by_angles[2].tactic = "assert (turning : " + angles_of_moved.recorded(any)[0].coq() + " = ddtheta) by (" +
                         by_equations(all_angles, {turning[0], turning[2]}, 5) + ");\n  rewrite turning; " +
                         by_equations(all_angles, {"- 1 / (2 * A)"}, 6);

@@ -8,7 +8,7 @@
 
 namespace oddity::moving_tip {
 
-/// How the top on its moving tip looks: `observed` is the direction of its axis.
+/// Draws the top on its moving tip; `observed` is the direction of its axis.
 template <class Parameters>
 void draw(const Parameters& p, double t, std::span<const double> observed, Drawing& drawing) {
   const double A = p["A"], size = 2.5 * p["l"];

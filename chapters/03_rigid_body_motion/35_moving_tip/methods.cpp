@@ -86,7 +86,7 @@ Quantity nearly_upright(Top top, const Reference& truth) {
   return q;
 }
 
-// ---- how far the fixed-tip motion is from the truth -------------------------------------------------------
+// ---- error of the fixed-tip motion ------------------------------------------------------------------------
 
 /// (A, lambda), (A/8, lambda), (A, 2 lambda), and A at the nutation's frequency.
 std::array<Top, 4> shakings(const Top& top) {

@@ -7,7 +7,8 @@
 
 #include "chapters/03_rigid_body_motion/33_heavy_top/models.hpp"
 
-/// The models of exercise 3.35, the top of 3.33 whose tip is moved: those that 3.33 has for it, and two more.
+/// The models of exercise 3.35, the top of 3.33 with a moving tip: the models of 3.33 that support it, and
+/// two more.
 namespace oddity::moving_tip {
 
 using heavy_top::AxisAndMomentum, heavy_top::EulerAngles, heavy_top::RigidBody, heavy_top::Vector;
@@ -16,7 +17,7 @@ using heavy_top::AxisAndMomentum, heavy_top::EulerAngles, heavy_top::RigidBody, 
 template <class T>
 struct Given : heavy_top::Top<T> {};
 
-/// The same top with its tip left where it is: what the solution proposes for the axis.
+/// The top with its tip at rest: the solution's proposal for the axis.
 template <class T>
 heavy_top::Top<T> with_fixed_tip(heavy_top::Top<T> top) {
   top.A = T(0);
@@ -30,10 +31,11 @@ struct SmallTilt {
   heavy_top::Top<T> p;
   Vector<T> at(const T& t) const {
     const T a = p.a(), alpha = p.alpha(), square = p.lambda * p.lambda;
-    // The answer to the shaking: (f + b) sin(lambda t) + i (b - f) cos(lambda t).
+    // The response to the shaking: (f + b) sin(lambda t) + i (b - f) cos(lambda t).
     const T kick = p.m * p.l * p.A * square / p.mu1 / 2;
     const T f = kick / (-square + a * p.lambda - alpha), b = kick / (-square - a * p.lambda - alpha);
-    // What is left at the start, turning with a/2: y = exp(-i a t/2) (z - answer), y'' = (alpha - a^2/4) y.
+    // The rest of the initial state, rotating with a/2: y = exp(-i a t/2) (z - response), y'' = (alpha -
+    // a^2/4) y.
     const AxisAndMomentum<T> model{p};
     typename AxisAndMomentum<T>::State rate;
     model(model.start(), rate, T(0));
@@ -50,8 +52,8 @@ struct SmallTilt {
   }
 };
 
-/// The motion with the tip fixed, and its answer to the shaking to first order in A:
-/// (d, L, delta d, delta L).
+/// The motion with the tip fixed, and its response to the shaking to first order in A: (d, L, delta d, delta
+/// L).
 template <class T>
 struct FirstOrderInA {
   heavy_top::Top<T> p;
@@ -83,7 +85,7 @@ struct FirstOrderInA {
   }
 };
 
-/// From the least to the richest.
+/// From the simplest to the richest.
 template <class T>
 auto models(const Given<T>& p) {
   return std::tuple{AxisAndMomentum<T>{with_fixed_tip<T>(p)},

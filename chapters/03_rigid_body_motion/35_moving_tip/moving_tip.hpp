@@ -13,14 +13,14 @@ using Top = heavy_top::Top<double>;
 Quantity axis(const Top&, const Horizon&, const Reference&);
 std::vector<Quantity> quantities(const Top&, const Reference&);
 
-/// The frequency at which a top nutates about its steady precession, seen from the world, to a 64th.
+/// The frequency at which a top nutates about its steady precession, relative to the world, to within 1/64.
 double nutation_frequency(const Top&);
 
-/// The angle after ex03_33::duration between the top's axis and that of the same top with its tip fixed.
+/// The angle after ex03_33::duration between the top's axis and that of the top with a fixed tip.
 struct Deviation {
   double as_asked, twice_the_frequency, at_nutation;
 
-  /// From those that `quantities` end with.
+  /// From the last of the `quantities`.
   explicit Deviation(const std::vector<Quantity>&);
 };
 

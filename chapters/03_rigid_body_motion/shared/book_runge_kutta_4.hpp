@@ -6,7 +6,7 @@
 namespace oddity {
 
 /// One step of the classical Runge-Kutta method in the arithmetic of the book's solver, OdeRungeKutta4, whose
-/// clock is the sum of its steps. The sums are in its order, so that digits printed by it come out again.
+/// clock is the sum of its steps. The sums are in its order, so that its printed digits are reproduced.
 template <class System, std::size_t N>
 void listed_step(const System& system, std::array<double, N>& x, double& t, double h) {
   using State = std::array<double, N>;

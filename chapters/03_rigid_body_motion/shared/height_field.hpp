@@ -5,7 +5,7 @@
 
 namespace oddity::height_field {
 
-/// The Lagrangian of a point on a surface, for a unit mass, of the height alone.
+/// The Lagrangian of a unit point mass on a surface, from the height alone.
 template <class Surface, class G = double>
 struct Lagrangian {
   Surface surface;

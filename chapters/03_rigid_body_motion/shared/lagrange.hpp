@@ -7,8 +7,8 @@
 #include "chapters/numbers.hpp"
 #include "solvers/dual.hpp"
 
-/// Lagrange's equations of n coordinates q with v = q'. A function f(q, v), or f(q, v, t) of the time too, is
-/// generic in its number type; its derivatives are taken by dual numbers.
+/// Lagrange's equations for n coordinates q with v = q'. A function f(q, v), or f(q, v, t), is generic in its
+/// number type; its derivatives are by dual numbers.
 namespace oddity {
 
 template <class T>
@@ -44,7 +44,7 @@ X value_of(const F& f, const std::array<X, n>& q, const std::array<X, n>& v, con
     return f(q, v);
 }
 
-/// x with m x = b, m symmetric, by Cramer's rule.
+/// The solution x of m x = b for symmetric m, by Cramer's rule.
 template <class T>
 std::array<T, 1> solved(const std::array<std::array<T, 1>, 1>& m, const std::array<T, 1>& b) {
   return {b[0] / m[0][0]};

@@ -26,7 +26,7 @@ struct PointOf {
 };
 
 /// T and V of the points, for angles q = (theta, phi, psi), rates v and time t. Recorded without points, they
-/// are those of any top that is made of rings.
+/// are those of any top made of rings.
 template <class T>
 struct PointsOf {
   std::vector<PointOf<T>> points;
@@ -40,7 +40,7 @@ struct PointsOf {
     at[0] = at[0] + A * sin(lambda * t);
     return at;
   }
-  /// What `add` adds of each point to a number or to an array of numbers.
+  /// Sums over the points; add(all, point) adds a point's contribution to a number or an array.
   template <class X, class Add>
   X sum(const Add& add) const {
     X all{};
@@ -67,7 +67,7 @@ struct PointsOf {
   }
 };
 
-/// A top, here a random one, at an instant of a motion with any accelerations, away from the vertical.
+/// A random top at an instant of a motion with any accelerations, away from the vertical.
 template <class T>
 struct SampleOf {
   PointsOf<T> body;
@@ -123,7 +123,7 @@ struct SampleOf {
       for (std::size_t k = 0; k < 3; ++k) both[0][i][k] = r[i][k].value, both[1][i][k] = r[i][k].slope;
     return both;
   }
-  /// R^T R', in which the angular velocity in body coordinates stands.
+  /// R^T R', which contains the angular velocity in body coordinates.
   Matrix<T> body_spin() const {
     const auto [r, rate] = turning();
     Matrix<T> w{};
@@ -136,7 +136,7 @@ struct SampleOf {
     const auto w = body_spin();
     return {w[2][1], w[0][2], w[1][0]};
   }
-  /// Its numbers, with the accelerations of this sample.
+  /// The sample's numbers as expressions, with its accelerations.
   SampleOf<Shortened> recorded() const {
     const auto of = [](const Vector<T>& x) { return Vector<Shortened>{x[0], x[1], x[2]}; };
     SampleOf<Shortened> same;
@@ -150,9 +150,9 @@ struct SampleOf {
     return {{m, l, mu1, mu3, body.g, q[0], q[1], q[2], v[0], v[1], v[2]}, body.A, body.lambda};
   }
 
-  /// By how much the equations for the accelerations, once solved, enlarge roundings.
+  /// Amplification of roundings by solving the equations for the accelerations.
   double conditioning() const { return 1 / (std::sin(q[1]) * std::sin(q[1])); }
-  /// The terms of lengths, rates, energies and forces, added up, and the accelerations that they make.
+  /// Size of the terms of lengths, rates, energies and forces, and of the resulting accelerations.
   double size() const {
     const double sine = std::sin(q[1]), shaken = body.A * body.lambda * (1 + body.lambda);
     const double rates = 1 + dot(v, v) + std::sqrt(dot(a, a));

@@ -10,7 +10,7 @@
 
 namespace oddity {
 
-/// The parameters of a heavy symmetric top, and after them the exercise's own.
+/// The parameters of a heavy symmetric top, followed by the exercise's own.
 template <std::size_t n>
 constexpr std::array<Parameter, 11 + n> top_parameters(const Parameter (&own)[n]) {
   std::array<Parameter, 11 + n> all{
@@ -29,8 +29,8 @@ constexpr std::array<Parameter, 11 + n> top_parameters(const Parameter (&own)[n]
   return all;
 }
 
-/// Throws BadInput where no body has such moments: one about an axis is never larger than the sum of the
-/// others, about the center of mass.
+/// Throws BadInput if no body has these moments: about the center of mass, the moment about an axis never
+/// exceeds the sum of the others.
 inline void require_a_body(double m, double l, double mu1, double mu3) {
   const double across = mu1 - m * l * l;
   if (!(across > 0 && 2 * across >= mu3))

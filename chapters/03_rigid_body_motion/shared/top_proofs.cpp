@@ -16,7 +16,7 @@ std::string by_points(const std::vector<std::string>& angles) { return "by_point
 
 namespace {
 
-/// What is given is summed up; and then what is to be shown is a sum of it.
+/// Sums up the assumptions, then proves the goal as a linear combination of them.
 std::array<std::string, 2> steps(const std::vector<std::string>& angles,
                                  const std::vector<std::string>& factors, std::size_t first) {
   std::string summed, matched, ends, sum, used;

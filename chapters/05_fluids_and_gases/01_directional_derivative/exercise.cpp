@@ -1,6 +1,7 @@
-// Exercise 5.1: (f.grad) x = f, x being the position.
-// The operator f.grad is taken by dual numbers along a frame turned at random, sum_k (u_k.f) (u_k.grad), and
-// compared with each published line. Since most derivatives of the position are zero, the operator's index
+// Exercise 5.1: (f.grad) x = f, where x is the position.
+// The operator f.grad is computed by dual numbers along a randomly rotated frame, sum_k (u_k.f) (u_k.grad),
+// and compared with each published line. Since most derivatives of the position are zero, the operator's
+// index form is also compared on random fields g, where every index matters.
 // form is compared on random fields g as well, where every index is seen.
 
 #include "chapters/05_fluids_and_gases/shared/differentiation.hpp"

@@ -12,7 +12,7 @@ namespace {
 
 using namespace fields;
 
-/// The derivatives of the components by their own coordinates, summed from a turned frame.
+/// The derivatives of the components by their own coordinates, summed over a rotated frame.
 Point own_slopes(const Point& x, const Frame& frame) {
   Point slopes{};
   for (const Point& u : frame) {
@@ -22,7 +22,8 @@ Point own_slopes(const Point& x, const Frame& frame) {
   return slopes;
 }
 
-/// A point at any distance from the origin, a turned frame, and how fast a field's slopes fall.
+/// A point at any distance from the origin, a rotated frame, and the exponent of the decay of a field's
+/// slopes.
 struct Away {
   Point x;
   Frame frame;
@@ -36,7 +37,7 @@ struct Away {
   std::string where() const { return R"($|\mathbf x|$ = )" + format_shortest(length(x)); }
 };
 
-/// Sizes within `range` of 1 either way.
+/// Points whose size is between 1/range and range.
 std::vector<Away> samples(Random random, double range, double power = 3) {
   std::vector<Away> all;
   for (int n = 0; n < 256; ++n) {
@@ -50,7 +51,7 @@ std::vector<Away> samples(Random random, double range, double power = 3) {
 const Formula<Away> differentiated{"dual numbers along a turned frame",
                                    [](const Away& a) { return own_slopes(a.x, a.frame); }};
 
-/// The three derivatives that are summed: by x0 of x_i / |x|^3, by x1 of x_1 / |x|^3, by x2 of x_2 / |x|^3.
+/// The three summed derivatives: by x0 of x_i / |x|^3, by x1 of x_1 / |x|^3, by x2 of x_2 / |x|^3.
 Check summands(std::size_t i, const Random& random) {
   return compare<Away>("the derivatives that make up the divergence",
                        {"the three that are printed, $x_i$ being $x_" + std::to_string(i) + "$",
@@ -61,7 +62,7 @@ Check summands(std::size_t i, const Random& random) {
                        differentiated, samples(random, 1e30));
 }
 
-/// The divergence of x / |x|^power.
+/// Checks that the divergence of x / |x|^power is zero.
 Check divergence_is_zero(const std::string& field, const std::function<double(const Away&)>& of,
                          const std::vector<Away>& all) {
   return compare<Away>(R"($\nabla\cdot()" + field + ")$", {"dual numbers along a turned frame", of},
@@ -83,7 +84,7 @@ Reading divergence_of_power(int power, const Random& random) {
               samples(random, 1e40, power))}};
 }
 
-/// A point of whole coordinates.
+/// A point with whole coordinates.
 struct Whole {
   long x, y, z;
   explicit Whole(Random& random)
@@ -99,7 +100,7 @@ struct Whole {
     return {
         {R"(\mathbf x)", {real(x), real(y), real(z)}}, {"x_0", real(x)}, {"x_1", real(y)}, {"x_2", real(z)}};
   }
-  /// The brackets |x|^2 - factor x_i^2 add up to zero.
+  /// Whether the brackets |x|^2 - factor x_i^2 add up to zero.
   bool cancels(long factor) const { return sum_of_brackets(Triple<long>{x, y, z}, factor) == 0; }
 };
 

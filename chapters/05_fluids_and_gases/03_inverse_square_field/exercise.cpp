@@ -1,7 +1,7 @@
 // Exercise 5.3: div (x / |x|^3) = 0 away from the origin.
-// Left side: the field is differentiated as it stands, x over the cube of sqrt(x.x), by dual numbers along a
-// frame turned at random. Right side: the published quotients of powers of x.x. Sizes of x run over a hundred
-// orders of magnitude. What happens at the origin shows in the flux through closed surfaces.
+// Left side: the field, x over the cube of sqrt(x.x), is differentiated by dual numbers along a randomly
+// rotated frame. Right side: the published quotients of powers of x.x. Sizes of x range over a hundred orders
+// of magnitude. The flux through closed surfaces shows the effect of the origin.
 
 #include "chapters/05_fluids_and_gases/03_inverse_square_field/inverse_square_field.hpp"
 #include "reference/bad_input.hpp"

@@ -18,13 +18,13 @@ inline constexpr auto inverse_square = []<class T>(const Triple<T>& x) {
   return Triple<T>{x[0] / cube, x[1] / cube, x[2] / cube};
 };
 
-/// A published formula for the three derivatives; s is x.x, x one of the coordinates.
+/// A published formula for the three derivatives; s is x.x, x is one of the coordinates.
 template <double (*derivative)(double s, double x)>
 Point each(const Point& x) {
   const double s = dot(x, x);
   return {derivative(s, x[0]), derivative(s, x[1]), derivative(s, x[2])};
 }
-/// The power of s by half of that.
+/// s to the power of exponent / 2.
 template <class T>
 T half_power(const T& s, int exponent) {
   if constexpr (std::same_as<T, double>)
@@ -57,7 +57,7 @@ T sum_of_brackets(const Triple<T>& x, T factor) {
 std::vector<Claim> claims(const Random&, const Reference&);
 std::vector<Root> roots();
 
-/// How differences with an absolute step are expected to end.
+/// Expected outcomes of differences with an absolute step.
 struct Steps {
   Outcome second = Outcome::inaccurate, fourth = Outcome::inaccurate;
   std::string why = "rounding grows as $1/h$: the finest step is not the best";
@@ -66,11 +66,11 @@ struct Steps {
 Quantity partials(const std::string& name, const std::string& says, const Point& x, const Reference&,
                   Outcome quotient_ends, const Steps& absolute);
 
-/// The flux through a spheroid of semi-axes a, a, b, its centre d along b, by several rules; `peaked`: the
-/// origin is so close to the surface that rules with fixed points miss the peak of the density.
+/// The flux through a spheroid of semi-axes a, a, b, with its centre d along b, by several rules. `peaked`:
+/// the origin is so close to the surface that rules with fixed points miss the peak of the density.
 Quantity spheroid_flux(const std::string& name, const std::string& says, double a, double b, double d,
                        const Reference&, bool peaked = false);
-/// The flux through a cube of half side h, its centre at (h/4, -h/2, h/8).
+/// The flux through a cube of half side h with its centre at (h/4, -h/2, h/8).
 Quantity cube_flux(double h, const Reference&);
 
 }  // namespace oddity::ex05_03

@@ -67,12 +67,12 @@ namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 
-/// Semi-axes a, a, b; the centre is d along b. The axis of b is no axis of the integration.
+/// Semi-axes a, a, b; the centre is d along b. The axis b is not along an axis of the integration.
 struct Spheroid {
   double a, b, d;
   Point axis{2.0 / 3, 1.0 / 3, 2.0 / 3};
 
-  /// x.dS / |x|^3 for each unit of u = cos(theta) and phi: with x = d axis + A n, dS = det(A) A^-1 n du dphi.
+  /// x.dS / |x|^3 per unit of u = cos(theta) and phi: with x = d axis + A n, dS = det(A) A^-1 n du dphi.
   double density(double u, double phi) const {
     const double s = std::sqrt(std::max(0.0, 1 - u * u));
     const Point n{s * std::cos(phi), s * std::sin(phi), u};
@@ -92,7 +92,7 @@ struct Cube {
   double h;
   Point c;
 
-  /// The sum of `face(density, ranges)` over the faces: the density is x.dS / |x|^3 in the face's
+  /// The sum of `face(density, ranges)` over the faces, where the density is x.dS / |x|^3 in the face's
   /// coordinates.
   template <class Face>
   Integral over_faces(const Face& face) const {

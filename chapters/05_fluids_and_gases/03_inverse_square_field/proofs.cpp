@@ -1,5 +1,5 @@
-// The field's slopes at any point but the origin, its divergence along any frame, its flux through any
-// sphere.
+// Proofs of the field's slopes anywhere but at the origin, its divergence along any frame, and its flux
+// through spheres.
 #include "chapters/05_fluids_and_gases/03_inverse_square_field/inverse_square_field.hpp"
 #include "chapters/05_fluids_and_gases/shared/smooth_fields.hpp"
 #include "chapters/integral_proofs.hpp"
@@ -110,7 +110,7 @@ Expressions own_slopes(const Letters& x) {
   return all;
 }
 
-/// The sum over the frame r of its vectors by the derivatives along them.
+/// The sum over the frame r of each vector's dot product with the derivative along it.
 Expression divergence_in_frame(const Letters& x) {
   Shortened sum;
   for (const Letters& u : {numbers("r 0%nat"), numbers("r 1%nat"), numbers("r 2%nat")}) {
@@ -122,7 +122,7 @@ Expression divergence_in_frame(const Letters& x) {
   return sum.expression();
 }
 
-/// Through the sphere of this radius around the origin, over both angles.
+/// The flux through the sphere of this radius around the origin, integrated over both angles.
 Expression flux(const Shortened& radius) {
   const Shortened theta = letter("theta"), phi = letter("phi");
   const Letters n{sin(theta) * cos(phi), sin(theta) * sin(phi), cos(theta)};

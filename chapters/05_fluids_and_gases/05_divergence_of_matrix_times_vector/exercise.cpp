@@ -1,8 +1,8 @@
 // Exercise 5.5: div (M f) = (M^T grad).f for a constant matrix M.
-// Left side: M f is differentiated as one field by dual numbers along a frame turned at random. Right side:
-// the published index expressions, their sums written out. Products of M with a vector are taken by Eigen,
-// except within the field that is differentiated.
-// The operator M^T grad has the components "derivative along a column of M", which are taken as such.
+// Left side: M f is differentiated as one field by dual numbers along a randomly rotated frame. Right side:
+// the published index expressions, with their sums written out. Products of M with a vector are computed by
+// Eigen, except in the differentiated field.
+// The operator M^T grad has the components "derivative along a column of M", and is computed from these.
 
 #include <Eigen/Core>
 
@@ -175,7 +175,7 @@ Ltac in_turned_frame r f H :=
   intros ? ? ? <- <- <-; ring.
 )";
 
-/// What turns with its factors: any matrix and vectors in any frame r.
+/// Proofs that quantities rotate with their factors, for any matrix and vectors in any frame r.
 Provables proofs_of_turned(const Proof& proof) {
   const std::array r{numbers("r 0%nat"), numbers("r 1%nat"), numbers("r 2%nat")},
       m{numbers("m 0%nat"), numbers("m 1%nat"), numbers("m 2%nat")};

@@ -1,8 +1,8 @@
 // Exercise 5.9: curl grad phi = 0.
-// Left side: the curl of the gradient by nested dual numbers along a frame turned at random. Right side: the
-// published components: each printed second derivative against the slope of the gradient along the turned
-// frame, and the pattern of indices against the curl of any field. The condition that the solution names is
-// tried on Peano's function.
+// Left side: the curl of the gradient by nested dual numbers along a randomly rotated frame. Right side: the
+// published components. Each printed second derivative is compared with the slope of the gradient along the
+// rotated frame, and the pattern of indices with the curl of any field. The condition that the solution
+// states is tried on Peano's function.
 
 #include "chapters/05_fluids_and_gases/shared/differentiation.hpp"
 #include "chapters/05_fluids_and_gases/shared/meanings.hpp"
@@ -46,8 +46,8 @@ constexpr auto peano = []<class T>(const Triple<T>& x) {
   return x[0] * x[1] * (a - b) / (a + b);
 };
 
-/// Difference quotients of Peano's slopes at the origin, by x of dp/dy and by y of dp/dx, down to 2^-350,
-/// before their cubes underflow.
+/// Difference quotients of the slopes of Peano's function at the origin, by x of dp/dy and by y of dp/dx, for
+/// steps down to 2^-350, above which their cubes do not underflow.
 Check peano_orders() {
   WorstSample worst("second derivatives at the origin", "by $y$, then by $x$", "by $x$, then by $y$");
   for (int k = 10; k <= 350; k += 10) {
@@ -125,13 +125,13 @@ std::vector<Claim> claims(Random random, const Known& mixed) {
   return proof.claims.in_order();
 }
 
-/// Along the axes, the derivatives in one order.
+/// Along the axes, with derivatives in one order.
 constexpr const char* in_axes =
     "pose proof (smooth_less 1 phi H0) as once; rewrite ?along_twice by assumption;\n"
     "  unfold dot_field, dot, sum; rewrite ?curl_is by auto using gradient_smooth; simpl; unfold plus_times;\n"
     "  rewrite ?gradient_is by auto; rewrite ?(d_swap phi 1 0), ?(d_swap phi 2 0), ?(d_swap phi 2 1) by auto; ring";
 
-/// Of any fields v and phi; the gradient and the curl are taken along any frame r.
+/// For any fields v and phi, with the gradient and the curl along any frame r.
 Provables proofs() {
   const auto at_the_point = [](const std::string& field) {
     return Expression::letter("(" + field + " x0 x1 x2)");

@@ -1,8 +1,8 @@
 // Exercise 5.11: div (f x g) = curl f . g - curl g . f.
-// Left side: the product is differentiated as one field by dual numbers along a frame turned at random,
-// div h = sum_k u_k.(u_k.grad) h, which has none of the proof's index lists. Right side: each published line
-// read as it is printed, from partial derivatives along the axes. The components of the cross product itself
-// are compared with determinants by LU.
+// Left side: the product is differentiated as one field by dual numbers along a randomly rotated frame, div h
+// = sum_k u_k.(u_k.grad) h, which shares no index lists with the proof. Right side: each published line as
+// printed, from partial derivatives along the axes. The components of the cross product itself are compared
+// with determinants by LU.
 
 #include "chapters/05_fluids_and_gases/shared/differentiation.hpp"
 #include "chapters/05_fluids_and_gases/shared/meanings.hpp"

@@ -1,7 +1,7 @@
 // Exercise 5.13: grad (f.g) = f x curl g + g x curl f + (f.grad) g + (g.grad) f, the book's equation (5.21).
 // Left side: f.g is differentiated as one field, and each of the four terms by its operator, by dual numbers
-// along a frame turned at random. Right side: the published components read as they are printed, from
-// partial derivatives along the axes. The sum is also compared as an expression, term by term.
+// along a randomly rotated frame. Right side: the published components as printed, from partial derivatives
+// along the axes. The sum is also compared as an expression, term by term.
 
 #include "chapters/05_fluids_and_gases/shared/differentiation.hpp"
 #include "chapters/05_fluids_and_gases/shared/meanings.hpp"
@@ -43,7 +43,7 @@ void fill(Sample& s, const Drawn& d) {
   s.put_vector("g", d.g, d.x);
 }
 
-/// A line as a polynomial: how often each product of symbols occurs, zeros left out.
+/// A line as a polynomial: the coefficient of each product of symbols, without zeros.
 std::map<std::vector<std::size_t>, double> polynomial(const std::string& line, const Sample& symbols) {
   std::map<std::vector<std::size_t>, double> counts;
   for (Term& t : read_terms(line, symbols)) {
@@ -54,7 +54,7 @@ std::map<std::vector<std::size_t>, double> polynomial(const std::string& line, c
   return counts;
 }
 
-/// Terms that cancel, and the sum as an expression: component by component, no numbers in it.
+/// Compares terms that cancel, and the sum as an expression, component by component and without numbers.
 std::vector<Check> cancellation(const Sample& symbols, bool with_fourth) {
   long differing = 0;
   Value cancelled{0.0, 0.0, 0.0};

@@ -1,5 +1,5 @@
-// Every index expression as it is written, evaluated from derivatives along the axes, against curls nested in
-// one another by dual numbers along a frame turned at random.
+// Every index expression as printed, evaluated from derivatives along the axes, and compared with curls
+// nested by dual numbers along a randomly rotated frame.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <iterator>
@@ -20,7 +20,7 @@ struct Sampled {
   std::map<std::string, Point> left;
 };
 
-/// The field that an index expression of f's derivatives of one order is.
+/// The field that an index expression of f's derivatives of one order defines.
 template <int order, class Field>
 auto contracted(const Field& f, const IndexExpression& expression) {
   return [f, expression]<class T>(const Triple<T>& x) {
@@ -106,7 +106,7 @@ std::string typeset(const std::string& expression) {
   return tex;
 }
 
-/// The left side, its free index with it.
+/// The left side, including its free index.
 std::string typeset_left(const Said& said) {
   static const std::map<std::string, std::string> names{
       {"g x f", R"((\mathbf g\times\mathbf f))"},
@@ -123,14 +123,14 @@ std::string typeset_left(const Said& said) {
   return names.at(said.left) + "_{" + typeset_index(said.free) + "}";
 }
 
-/// How the left side is computed.
+/// Description of how the left side is computed.
 std::string route_to(const Said& said) {
   if (said.left.starts_with("g x f")) return "Eigen's cross product";
   if (said.left.starts_with("f along")) return "derivatives along given vectors, by nested dual numbers";
   return "curls along a turned frame, by dual numbers";
 }
 
-/// Of the components: f_{0,12}.
+/// Letters of the components: f_{0,12}.
 TypesetLetters letters_of(const Tensors<double>& tensors) {
   TypesetLetters letters;
   for (const auto& [tensor, components] : tensors)
@@ -160,7 +160,7 @@ class Tensorial {
     }
     return worst.check();
   }
-  /// Of the first draws.
+  /// Compares the typeset right side with the values at the first draws.
   bool is_right_side_as_typeset(const Said& said) const {
     const IndexExpression expression(said.right, said.free);
     std::vector<std::pair<TypesetLetters, Value>> computed;
@@ -188,12 +188,12 @@ class Tensorial {
   std::vector<Sampled> samples_;
 };
 
-/// Only the free index occurs once, every other one twice.
+/// Checks that the free index occurs once and every other index twice.
 Check well_formed(const std::string& expression, const std::string& free) {
   return no_violations("indices that occur once or thrice, but the free one",
                        IndexExpression(expression, free).ill_formed(), 1);
 }
-/// The indices that occur so many times in it are these and no others.
+/// Claims that the indices that occur `times` times in the expression are exactly these.
 Claim occurring(int times, const std::set<std::string>& these, const std::string& expression,
                 const std::string& near) {
   const auto reading = [&](const std::string& text) {

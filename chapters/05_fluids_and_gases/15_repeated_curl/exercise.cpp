@@ -1,8 +1,8 @@
 // Exercise 5.15: the curl applied n times, by the permutation tensor e:
 //   ((curl)^n f)_i = e(i jn kn) e(kn j(n-1) k(n-1)) ... e(k2 j1 k1) f(k1, j1 ... jn)
-// Every published index expression is evaluated as it is written, from derivatives along the axes, and
-// compared with curls nested in one another by dual numbers along a frame turned at random. The quantity's
-// reference is the closed form for plane waves, whose curl is k x p cos.
+// Every published index expression is evaluated as printed, from derivatives along the axes, and compared
+// with curls nested by dual numbers along a randomly rotated frame. The quantity's reference is the closed
+// form for plane waves, whose curl is k x p cos.
 
 #include "chapters/05_fluids_and_gases/15_repeated_curl/repeated_curl.hpp"
 

@@ -1,4 +1,4 @@
-// The curl of plane waves, applied up to four times: nested, by the terms of the tensors' formula, and by
+// The curl of plane waves, applied up to four times: nested, term by term by the tensors' formula, and by
 // differences.
 #include "chapters/05_fluids_and_gases/15_repeated_curl/repeated_curl.hpp"
 
@@ -29,14 +29,14 @@ Triple<T> derivative_along(const Field& f, const Triple<T>& x, const std::array<
     return derivative_along<n, l + 1>(partial(f, js[l]), x, js);
 }
 
-/// A sum, and how many of its terms were taken.
+/// A sum and the number of evaluated terms.
 struct Sum {
   double value = 0;
   long terms = 0;
 };
 
-/// The sum over j_l, k_l and all below, `up` being k_(l+1): each term takes a derivative of its own.
-/// Terms whose sign is zero are taken too, or left out as soon as it is known.
+/// The sum over j_l, k_l and all below, where `up` is k_(l+1). Each term computes its own derivative. Terms
+/// whose sign is zero are either evaluated too, or skipped as soon as the sign is known.
 template <int n, int l = n, class Field>
 Sum sum_of_terms(const Field& f, const Point& x, bool zeros_too, std::size_t up, double sign = 1,
                  std::array<std::size_t, n> js = {}) {
@@ -63,7 +63,7 @@ Answer by_terms(const Field& f, const Point& x, bool zeros_too) {
   return {Value{c0.value, c1.value, c2.value}, c0.terms + c1.terms + c2.terms};
 }
 
-/// Curls of curls by one way of differentiation; `way` is copied for each level.
+/// Nested curls by one way of differentiation; `way` is copied for each level.
 template <int n, class Way, class Field>
 Point curls_by(const Way& way, const Field& f, const Point& x) {
   if constexpr (n == 0) {

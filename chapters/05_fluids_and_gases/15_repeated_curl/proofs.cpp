@@ -1,4 +1,4 @@
-// The index expressions of the claims, recorded component by component: of any fields, along any frame r.
+// The index expressions of the claims, recorded component by component, for any fields and any frame r.
 #include "chapters/05_fluids_and_gases/15_repeated_curl/repeated_curl.hpp"
 #include "chapters/05_fluids_and_gases/shared/smooth_fields.hpp"
 #include "chapters/provable.hpp"
@@ -24,7 +24,7 @@ Letters point(const std::string& name) {
 }
 FrameOf<Shortened> frame() { return {numbers("r 0%nat"), numbers("r 1%nat"), numbers("r 2%nat")}; }
 
-// ---- fields, by what Coq calls them -----------------------------------------------------------------------
+// ---- fields by their names in Coq -------------------------------------------------------------------------
 
 Shortened at(const Letters& x, const std::string& field) {
   std::string text = "(" + field;
@@ -37,11 +37,11 @@ Shortened at(const Letters& x, const std::string& field) {
 Letters at(const Letters& x, const Triple<std::string>& fields) {
   return each([&](std::size_t i) { return at(x, fields[i]); });
 }
-/// What is computed at the point y, as fields.
+/// The values at the point y, as functions of y.
 Triple<std::string> of_y(const Letters& values) {
   return each([&](std::size_t i) { return "fun y0 y1 y2 => " + values[i].expression().coq(); });
 }
-/// The derivatives of an order at x: m, j1 ... jn, of which j1 comes first.
+/// The derivatives of an order at x, with the indices m, j1 ... jn; j1 is applied first.
 std::vector<Shortened> derivatives_at(const Letters& x, const Triple<std::string>& fields, int order) {
   std::vector<std::string> all{fields.begin(), fields.end()};
   for (int n = 0; n < order; ++n) {
@@ -81,7 +81,7 @@ Tensors<Shortened> tensors_at(const Letters& x) {
   return tensors;
 }
 
-/// How often f is differentiated, and the left side.
+/// The number of differentiations of f, and the left side.
 std::pair<int, Letters> left_at(const Letters& x, const std::string& name) {
   const auto nested = [&](int n) { return at(x, components("curls " + std::to_string(n) + " r f")); };
   const auto along = [&](const std::string& before, const std::string& after) {

@@ -12,16 +12,16 @@
 #include "chapters/expression.hpp"
 #include "chapters/random.hpp"
 
-/// Index notation, read and evaluated, and the curl applied n times: nested, and by the general formula of
-/// the permutation tensor,
+/// Index notation, parsed and evaluated, and the curl applied n times: nested, and by the general formula
+/// with the permutation tensor,
 ///   ((curl)^n f)_i = e(i jn kn) e(kn j(n-1) k(n-1)) ... e(k2 j1 k1) f(k1, j1 ... jn).
 namespace oddity::fields {
 
-/// Tensors by name and rank, their components in the order of the indices.
+/// Tensors by name and rank, with their components in the order of the indices.
 template <class T>
 using Tensors = std::map<std::pair<std::string, std::size_t>, std::vector<T>>;
 
-/// The sign of the permutation (i j k) of (0 1 2), by its inversions; 0 when two agree.
+/// The sign of the permutation (i j k) of (0 1 2), by its inversions; 0 if two indices are equal.
 constexpr double permutation_sign(std::size_t i, std::size_t j, std::size_t k) {
   if (i == j || j == k || i == k) return 0;
   return ((i > j) + (j > k) + (i > k)) % 2 == 0 ? 1 : -1;
@@ -53,7 +53,7 @@ std::vector<T> derivatives(const Field& f, const Triple<T>& x) {
 
 class IndexExpression {
  public:
-  /// Every index but the free one is summed over 0, 1, 2.
+  /// Every index except the free one is summed over 0, 1, 2.
   IndexExpression(std::string text, const std::string& free) : text_(std::move(text)), indices_{free} {
     std::string spaced;
     for (char c : text_) spaced += c == '(' ? ' ' : c == ',' ? ' ' : c == ')' ? ';' : c;
@@ -68,7 +68,7 @@ class IndexExpression {
 
   const std::string& text() const { return text_; }
 
-  /// The indices that occur so many times.
+  /// The indices that occur this many times.
   std::set<std::string> occurring(int times) const {
     std::map<std::size_t, int> counts;
     for (const Factor& factor : factors_)
@@ -79,7 +79,8 @@ class IndexExpression {
     return all;
   }
 
-  /// Violations of the convention: the free index not once, another one not twice.
+  /// Violations of the convention: a free index that does not occur once, or another that does not occur
+  /// twice.
   long ill_formed() const {
     std::vector<int> counts(indices_.size());
     for (const Factor& factor : factors_)
@@ -89,7 +90,8 @@ class IndexExpression {
     return violations;
   }
 
-  /// The size of the terms that are added up: the largest product of components, times how many are not zero.
+  /// Size of the terms that are added up: the largest product of components, times the number of nonzero
+  /// terms.
   double size(Tensors<double> tensors) const {
     for (auto& [name, components] : tensors) {
       if (name.first == "e") continue;
@@ -100,7 +102,7 @@ class IndexExpression {
     return size_of(Value(value(tensors)));
   }
 
-  /// The three components that the free index gives.
+  /// The three components for the values of the free index.
   template <class T>
   Triple<T> value(const Tensors<T>& tensors) const {
     std::vector<const std::vector<T>*> found;
@@ -163,7 +165,7 @@ auto repeated_curl(const Field& f, const Frame& frame = axes) {
     return curl(repeated_curl<n - 1>(f, frame), frame);
 }
 
-/// `use` with the constants 1, ..., most_curls.
+/// Calls `use` with the constants 1, ..., most_curls.
 template <class Use>
 void for_each_order(const Use& use) {
   [&]<int... n>(std::integer_sequence<int, n...>) { (use.template operator()<n + 1>(), ...); }
@@ -172,7 +174,7 @@ void for_each_order(const Use& use) {
 
 inline std::string numbered(const char* letter, int n) { return letter + std::to_string(n); }
 
-/// The factors e(free jn kn) ... e(k2 j1 k1), the first one last; `link` writes one from its three indices.
+/// The factors e(free jn kn) ... e(k2 j1 k1), the first one last; `link` formats one from its three indices.
 using Link = std::string (*)(const std::string& up, const std::string& j, const std::string& k);
 inline std::string chain(int n, const std::string& free, Link link) {
   std::string text;
@@ -197,7 +199,7 @@ inline std::string derivative_of_f(int n, const std::string& component = "k1",
   return text + ")";
 }
 
-// ---- in the coordinates of a turned frame -----------------------------------------------------------------
+// ---- in the coordinates of a rotated frame ----------------------------------------------------------------
 
 template <class T>
 using FrameOf = std::array<Triple<T>, 3>;
@@ -221,11 +223,11 @@ auto turned_field(const Field& f, const FrameOf<R>& r) {
 
 namespace oddity::ex05_15 {
 
-/// What an index expression is said to equal.
+/// A published equation of index expressions.
 struct Said {
   std::string left, right, free = "i";
 };
-/// The claims, and which lines they state as printed, by slug.
+/// The claims, and the lines that they state as printed, by slug.
 struct Lines {
   Claims claims{"5.15"};
   std::vector<std::pair<std::string, std::vector<Said>>> printed = {};

@@ -7,8 +7,8 @@
 #include "reference/reference.hpp"
 #include "solvers/counted_calls.hpp"
 
-/// Ways to differentiate a field at a point, their calls of the field counted, and the quantities of this
-/// chapter computed by all of them.
+/// Methods to differentiate a field at a point, with their calls of the field counted, and the quantities of
+/// this chapter by all of these methods.
 namespace oddity::fields {
 
 /// The parameters of an identity: the fixed fields, the point, and the random fields of the claims.
@@ -45,7 +45,7 @@ inline Point combined(double s, const Point& a, double t, const Point& b) {
   return {s * a[0] + t * b[0], s * a[1] + t * b[1], s * a[2] + t * b[2]};
 }
 
-/// Dual numbers: one call a direction, exact to rounding.
+/// Dual numbers: one call per direction, exact to rounding.
 struct ByDuals {
   long calls = 0;
 
@@ -56,8 +56,8 @@ struct ByDuals {
   }
 };
 
-/// Central differences of order 2 and 4: two and four calls a direction. Truncation shrinks as h^2 (h^4),
-/// rounding grows as eps/h, so that the best steps are near eps^(1/3) and eps^(1/5).
+/// Central differences of order 2 and 4: two and four calls per direction. Truncation shrinks as h^2 (h^4)
+/// and rounding grows as eps/h, so the best steps are near eps^(1/3) and eps^(1/5).
 template <int order>
 requires(order == 2 || order == 4) struct ByDifferences {
   double h;
@@ -114,8 +114,9 @@ inline Tolerance nine_digits(const Value& of) {
   return {1e-9 * std::max(size_of(of), 1e-6), "nine digits of the largest component"};
 }
 
-/// Adds a model by every way: `compute` takes a way and returns the value. Costs count calls of the factors,
-/// of which each differentiated field has `factors`. Differences are expected to end `finest` at 2^-31.
+/// Adds a model by every method of differentiation: `compute` takes a method and returns the value. Cost
+/// counts the calls of the factors; each differentiated field has `factors` of them. `finest` is the expected
+/// outcome of differences at 2^-31.
 template <class Compute>
 void add_ways(Quantity& q, const std::string& model, long factors, const Compute& compute,
               Outcome finest = Outcome::inaccurate,
@@ -131,9 +132,9 @@ void add_ways(Quantity& q, const std::string& model, long factors, const Compute
          why});
 }
 
-/// The two ends of the V of differences: what a fine step and a coarse one lose, and what cures it.
+/// Both ends of the V-shaped error of differences: failures at a fine and a coarse step, and their cures.
 inline void add_breakdowns(Quantity& q, const std::string& model) {
-  constexpr double bits = -52;  // the logarithm of epsilon to base 2
+  constexpr double bits = -52;  // base-2 logarithm of epsilon
   const std::string second = model + ", central differences 2", fourth = model + ", central differences 4";
   q.add(Breakdown{R"(At a step of $2^{@2}$ the rounding $\varepsilon/h$ has eaten the difference; the best )"
                   R"(step of order 2 is near $\varepsilon^{1/3} \approx 2^{@2}$.)",

@@ -8,9 +8,9 @@
 #include "chapters/random.hpp"
 #include "solvers/dual.hpp"
 
-/// Scalar and vector fields over space, generic in their number type, and the operators of vector calculus.
-/// A scalar field maps Triple<T> to T, a vector field to Triple<T>; an operator maps a field to a field, so
-/// operators nest, each one adding a level of dual numbers.
+/// Scalar and vector fields over space, generic in their number type, and the operators of vector calculus. A
+/// scalar field maps Triple<T> to T, a vector field to Triple<T>. An operator maps a field to a field, so
+/// operators nest, each adding a level of dual numbers.
 namespace oddity::fields {
 
 template <class T>
@@ -26,7 +26,7 @@ constexpr Frame axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
 inline double length(const Point& x) { return std::hypot(x[0], x[1], x[2]); }
 
-/// A frame turned at random.
+/// A randomly rotated frame.
 inline Frame random_frame(Random& random) {
   const Point u = random.direction(), v = cross(u, random.direction());
   const Point w{v[0] / length(v), v[1] / length(v), v[2] / length(v)};
@@ -35,7 +35,7 @@ inline Frame random_frame(Random& random) {
 
 // ---- random fields ----------------------------------------------------------------------------------------
 
-/// A sum of terms (p + q.x) sin(k.x + c) exp(l.x), all coefficients random.
+/// A sum of terms (p + q.x) sin(k.x + c) exp(l.x) with random coefficients.
 class ScalarField {
  public:
   ScalarField() = default;
@@ -115,9 +115,9 @@ Matrix<T> jacobian(const Field& f, const Triple<T>& x) {
   return m;
 }
 
-/// Sum over an orthonormal frame of u_k o (u_k.grad) f, o being multiplication (gradient), dot (divergence)
-/// or cross (curl): true in every frame, so that a turned one shares no list of indices with a published
-/// proof.
+/// Sum over an orthonormal frame of u_k o (u_k.grad) f, where o is multiplication (gradient), dot
+/// (divergence) or cross (curl). It is the same in every frame, and a rotated one shares no index lists with
+/// a published proof.
 template <class Field>
 auto gradient(Field f, Frame frame = axes) {
   return [f = std::move(f), frame]<class T>(const Triple<T>& x) {

@@ -1,7 +1,7 @@
 #include "chapters/05_fluids_and_gases/shared/meanings.hpp"
 
-/// Fields as Coq has them. Derivatives are Coquelicot's, taken along the axes; that a derivative of a sum and
-/// of a product is what it is, Coq proves.
+/// Fields in Coq. Derivatives are Coquelicot's along the axes; Coq proves the rules for derivatives of sums
+/// and products.
 namespace oddity::fields {
 
 namespace {

@@ -3,10 +3,10 @@
 #include "chapters/05_fluids_and_gases/shared/proof.hpp"
 #include "chapters/provable.hpp"
 
-/// What published lines say of any fields, for Coq: the same lines that are computed at samples.
+/// Statements of published lines for any fields, in Coq, from the same lines that are computed at samples.
 namespace oddity::fields {
 
-/// A field, which Coq has as a function of three coordinates: its value at any point, as an expression.
+/// A field, which is a function of three coordinates in Coq: its value at any point, as an expression.
 struct CoqField {
   std::function<Expression(const std::array<std::string, 3>&)> at;
 };
@@ -26,17 +26,17 @@ CoqVector times(const CoqField&, const CoqVector&);
 /// (f.grad) g.
 CoqVector advected(const CoqVector& f, const CoqVector& g);
 
-/// What lemmas about lines have in common.
+/// Common data of lemmas about lines.
 struct Stated {
   std::string letters;
   std::vector<Proposition> given;
   std::string tactic, says, preamble;
 };
 
-/// What the symbols of lines stand for at a point, in terms of differentiable fields.
+/// The values of the lines' symbols at a point, in terms of differentiable fields.
 class Meanings {
  public:
-  /// A field that may be any.
+  /// An arbitrary field.
   CoqField any_scalar(const std::string& name);
   CoqVector any_vector(const std::string& name);
   CoqVector any_numbers(const std::string& name);
@@ -45,12 +45,12 @@ class Meanings {
   void put(const std::string& name, const Expression& at_the_point) { meanings_[name] = at_the_point; }
   void put(const std::string& name, const CoqField&);
   void put(const std::string& name, const CoqVector&);
-  /// With the slopes, as Sample has them.
+  /// Also sets the slopes, as Sample does.
   void put_scalar(const std::string& name, const CoqField&);
   void put_vector(const std::string& name, const CoqVector&);
 
-  /// A lemma for each line whose symbols all have a meaning. Where all sides of a line are the same by their
-  /// definitions nothing is to be proved, and it has none.
+  /// A lemma for each line whose symbols all have a meaning. A line whose sides are all equal by definition
+  /// has none, as there is nothing to prove.
   Provables proofs(const std::string& exercise, const Proof&) const;
   Provables proofs(const std::string& exercise, const Proof&, const Stated&) const;
 

@@ -40,7 +40,7 @@ std::vector<Sample> sampled(Random random, const std::function<void(Sample&, con
 
 namespace {
 
-/// All products of a term of one with a term of the other.
+/// All products of a term of `one` with a term of `other`.
 Terms expanded(const Terms& one, const Terms& other) {
   Terms all;
   for (const Term& a : one)
@@ -77,7 +77,7 @@ double value_of(const Terms& terms, const Sample& s) {
   }
   return sum;
 }
-/// The size of the terms that are added up.
+/// Size of the terms that are added up.
 double size_of(const Terms& terms, const Sample& s) {
   double sum = 0;
   for (const Term& t : terms) {
@@ -151,7 +151,7 @@ std::string written(const std::vector<Row>& rows, const Names& names) {
 
 namespace {
 
-/// A lone row's right side as it is typeset is what is computed.
+/// Whether the typeset right side of a single row agrees with its computed value.
 bool is_as_typeset(const std::string& text, const Terms& right, const std::vector<Sample>& samples,
                    const Names& names) {
   constexpr std::size_t enough = 3;
@@ -176,7 +176,7 @@ Reading Proof::reading(const std::vector<Row>& rows, const std::string& by) cons
     quantity += (quantity.empty() ? "$" : ", $") + typeset(row.left, names) + "$";
   }
   const bool zero =
-      std::ranges::all_of(rows, [&](const Row& row) { return row.right == "zero"; });  // stands on the right
+      std::ranges::all_of(rows, [&](const Row& row) { return row.right == "zero"; });  // zero is on the right
   WorstSample worst(quantity, zero ? by : "the line as it is written", zero ? "zero" : by);
   for (const Sample& s : samples) {
     std::vector<double> left, right;
@@ -195,7 +195,7 @@ Reading Proof::reading(const std::vector<Row>& rows, const std::string& by) cons
 
 namespace {
 
-/// Every line that differs from this one by a single sign.
+/// All lines that differ from this one by a single sign.
 std::vector<std::string> signs_flipped(const std::string& line) {
   std::vector<std::string> all;
   if (line[0] != '-') all.push_back("- " + line);
@@ -203,7 +203,7 @@ std::vector<std::string> signs_flipped(const std::string& line) {
     if (line[i] == '+' || line[i] == '-') (all.emplace_back(line))[i] = line[i] == '+' ? '-' : '+';
   return all;
 }
-/// Every line that differs from this one by a single index.
+/// All lines that differ from this one by a single index.
 std::vector<std::string> indices_changed(const std::string& line) {
   std::vector<std::string> all;
   for (std::size_t i = 0; i < line.size(); ++i)
@@ -212,7 +212,7 @@ std::vector<std::string> indices_changed(const std::string& line) {
   return all;
 }
 
-/// Of all single changes to one row, the one that is hardest to see.
+/// The single change to one row that is hardest to detect.
 Reading hardest_to_see(const std::string& kind, const Proof& proof, const std::vector<Row>& rows,
                        const std::string& by, std::vector<std::string> (*changes)(const std::string&)) {
   Reading hardest;

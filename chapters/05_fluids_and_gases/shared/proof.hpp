@@ -7,9 +7,9 @@
 #include "chapters/claims.hpp"
 #include "formula/reader.hpp"
 
-/// Published lines of index calculus, evaluated as they are written: `f2,1` is the derivative of f2 by x1,
-/// `phi,12` the derivative by x1, then by x2. What a report shows is what was computed, and every single sign
-/// and index of a line is changed to see that it matters.
+/// Published lines of index calculus, evaluated as printed: `f2,1` is the derivative of f2 by x1, `phi,12`
+/// the derivative by x1, then by x2. The report shows the same lines that are computed. Every single sign and
+/// index of a line is changed to check that it matters.
 namespace oddity::fields {
 
 inline std::string digit(std::size_t i) { return std::string(1, static_cast<char>('0' + i)); }
@@ -21,7 +21,7 @@ struct Sample {
   std::string where;
   std::vector<std::string> names = {};
   std::vector<double> values = {}, sizes = {};
-  mutable std::shared_ptr<const formula::PlainReader> reader = nullptr;  ///< of lines in these names
+  mutable std::shared_ptr<const formula::PlainReader> reader = nullptr;  ///< parser for lines in these names
 
   void put(std::string name, double value, double size);
   void put(std::string name, double value);
@@ -46,8 +46,8 @@ struct Sample {
   }
 };
 
-/// Fields, a point, a turned frame and a matrix, all at random; sizes and wave numbers of the fields over
-/// orders of magnitude.
+/// Random fields, point, rotated frame and matrix; sizes and wave numbers of the fields range over orders of
+/// magnitude.
 struct Drawn {
   ScalarField phi;
   VectorField f, g;
@@ -56,12 +56,12 @@ struct Drawn {
   Matrix<double> m;
 };
 
-/// `fill(sample, drawn)` at 64 draws.
+/// Calls `fill(sample, drawn)` for 64 draws.
 std::vector<Sample> sampled(Random random, const std::function<void(Sample&, const Drawn&)>& fill);
 
 // ---- lines ------------------------------------------------------------------------------------------------
 
-/// A signed product of symbols, by their places in a sample.
+/// A signed product of symbols, given by their indices in a sample.
 struct Term {
   double sign = 1;
   std::vector<std::size_t> factors = {};
@@ -73,28 +73,28 @@ Terms read_terms(std::string_view line, const Sample& symbols);
 
 // ---- claims -----------------------------------------------------------------------------------------------
 
-/// What a published line is said to equal, and the line.
+/// The left side that a published line is claimed to equal, and the line.
 struct Row {
   std::string left, right;
 };
 
-/// A published line, by the slug of its claim.
+/// A published line with the slug of its claim.
 struct Line {
   std::string slug;
   std::vector<Row> rows;
   std::string reading = "printed";
 };
 
-/// A row for each component, which `#` stands for.
+/// A row for each component, with `#` replaced by its index.
 std::vector<Row> each_component(const std::string& left, const std::string& right);
 
-/// What names of more than a letter are in TeX: "curl_f" of `curl_f2`, "e0" of `e01`.
+/// TeX for names of more than one letter: "curl_f" of `curl_f2`, "e0" of `e01`.
 using Names = std::map<std::string, std::string>;
 
 /// A line such as "phi (f2,1 - f1,2)" in TeX, without the dollars.
 std::string typeset(std::string_view line, const Names& names);
 
-/// The lines of one exercise, and the claims that come of them.
+/// The lines of one exercise, and the claims made from them.
 class Proof {
  public:
   Proof(const std::string& exercise, std::vector<Sample> at, Names in_tex)
@@ -103,17 +103,20 @@ class Proof {
   Claims claims;
   const std::vector<Sample> samples;
   const Names names;
-  std::vector<Line> lines = {};  ///< those that hold
+  std::vector<Line> lines = {};  ///< the confirmed lines
 
-  /// All rows, as one vector, at every sample, against the way that the left sides are come `by`.
+  /// All rows as one vector, at every sample, compared with the left sides, which are computed `by` this
+  /// method.
   Reading reading(const std::vector<Row>& rows, const std::string& by) const;
-  /// Of all single signs and of all single indices of the rows, the one whose change is hardest to see.
+  /// The changed signs and the changed indices of the rows: of each kind, the change that is hardest to
+  /// detect.
   std::vector<Reading> single_changes(const std::vector<Row>& rows, const std::string& by) const;
 
-  /// Published lines hold; the near misses change each single sign and index. A lone line is told in full.
+  /// Claims that the line holds. The near misses change each single sign and index. A single line is shown in
+  /// full.
   void line(const std::string& slug, int at, std::string says, const std::vector<Row>& rows,
             const std::string& by);
-  /// Published lines hold; the near misses are the lines given.
+  /// Claims that the line holds, with the given lines as near misses.
   void line(const std::string& slug, int at, std::string says, const std::vector<Row>& rows,
             const std::string& by, const std::vector<std::vector<Row>>& near_misses);
 };

@@ -5,15 +5,15 @@
 
 #include "chapters/expression.hpp"
 
-/// Fields with continuous derivatives and operators along turned frames, for Coq.
+/// Fields with continuous derivatives, and operators along rotated frames, in Coq.
 namespace oddity::fields {
 
-/// Right-handed orthonormal frames; it takes Lia and Nsatz.
+/// Right-handed orthonormal frames; needs Lia and Nsatz.
 std::string frames_in_coq();
-/// Fields up to the n-th derivatives, `smooth`; the derivatives d by the coordinates and `along` vectors,
-/// their rules and their order; the gradient and curls along a frame.
+/// Fields that are `smooth` up to the n-th derivatives, derivatives d by the coordinates and `along` vectors
+/// with their rules and order, and the gradient and curls along a frame.
 std::string smooth_fields_in_coq();
-/// After that: vector fields in the coordinates of a turned frame, and curls as sums over the permutation
+/// To follow it: vector fields in the coordinates of a rotated frame, and curls as sums over the permutation
 /// tensor.
 std::string repeated_curls_in_coq();
 

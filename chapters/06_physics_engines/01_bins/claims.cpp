@@ -6,7 +6,7 @@
 #include "solvers/counted.hpp"
 #include "solvers/roots.hpp"
 
-/// What the book says about bins: each by counting, or in exact integers.
+/// The book's claims about bins, checked by counting or in exact integers.
 namespace oddity::ex06_01 {
 
 namespace {
@@ -35,7 +35,7 @@ struct Solid {
   TypesetLetters typeset() const { return {{"x_c", c[0]}, {"y_c", c[1]}, {"z_c", c[2]}, {"r", r}}; }
   std::string where() const { return "$r$ = " + format_shortest(r); }
 
-  /// On each axis two planes, `distance` from the center.
+  /// On each axis, the two planes at `distance` from the center.
   Value planes(double distance) const {
     return {c[0] - distance, c[0] + distance, c[1] - distance,
             c[1] + distance, c[2] - distance, c[2] + distance};
@@ -52,7 +52,8 @@ struct Center {
            ")";
   }
 
-  /// For r = 4 in a world of 16, the bins' side from 1/4 to 4: what the range costs never rises.
+  /// Whether, for r = 4 in a world of 16, the cost of the range never rises as the bins' side grows from 1/4
+  /// to 4.
   bool never_rises(bool as_fraction) const {
     double before = std::numeric_limits<double>::infinity();
     for (int half = 32; half >= 2; half /= 2) {
@@ -67,7 +68,7 @@ struct Center {
   }
 };
 
-/// A grid of 2 half bins an axis.
+/// A grid with 2 half bins along each axis.
 struct Size {
   static constexpr bool whole = true;
   int half;
@@ -104,7 +105,7 @@ void ranges(Claims& claims, const Parameters& p, const std::vector<Lattice>& sph
                  }},
        .printed = {R"($(x_c-r,\ x_c+r,\ y_c-r,\ y_c+r,\ z_c-r,\ z_c+r)$)"}});
 
-  /// The range has the bins that meet the box, and tests in it find what n tests find.
+  /// The range contains exactly the bins that meet the box, and tests in it find the same bins as n tests.
   const auto by = [&](std::string text, Range range) {
     return Statement<Lattice>{
         std::move(text), [=](const Lattice& s) {
@@ -138,7 +139,7 @@ void ranges(Claims& claims, const Parameters& p, const std::vector<Lattice>& sph
        .printed = {R"($(6,\ 6)$)"}});
 }
 
-/// The mean number of bins in the range, over centers evenly spread over an axis of the grid, cubed.
+/// The mean number of bins in the range for centers evenly spread along an axis of the grid, cubed.
 double mean_tests(double ratio, int half) {
   const Grid grid{1, half};
   const int samples = 64 * half;
@@ -148,14 +149,14 @@ double mean_tests(double ratio, int half) {
   return std::pow(sum / samples, 3);
 }
 
-/// In an endless grid 1 + 2 ratio on an axis; bin number i from the border misses the centers outside.
+/// In an infinite grid it is 1 + 2 ratio on an axis; bin number i from the border lacks the centers outside.
 double mean_in_closed_form(double ratio, int half) {
   double lost = 0;
   for (int i = 0; i < 2 * half; ++i) lost += 2 * std::max(0.0, ratio - i);
   return std::pow(1 + 2 * ratio - lost / (2 * half), 3);
 }
 
-/// A sphere's radius over the bin's side.
+/// A sphere's radius divided by the bin's side.
 struct Ratio {
   double ratio;
   std::string where() const { return "$r/h$ = " + format_shortest(ratio); }

@@ -1,8 +1,8 @@
 // Exercise 6.1: which bins of a regular grid does a sphere hit? The book tests all n bins, or only those
-// whose indices lie in the projections of the sphere, i = ceil((x - r)/h) - 1, ..., floor((x + r)/h) on each
-// axis. Centers and radii are whole 64ths of a bin, so that the other route decides every bin in exact
-// integers: the squared distance to the box against r^2. The mean length of an index range is 1 + 2r/h: an
-// interval of length 2r, laid at random, crosses 2r/h of the bins' ends.
+// whose indices are in the projections of the sphere, i = ceil((x - r)/h) - 1, ..., floor((x + r)/h) on each
+// axis. Centers and radii are multiples of 1/64 of a bin, so the independent route decides every bin in exact
+// integers: the squared distance to the box is compared with r^2. The mean length of an index range is 1 +
+// 2r/h, as an interval of length 2r at a random place contains 2r/h bin boundaries.
 
 #include <bit>
 #include <cmath>
@@ -24,12 +24,12 @@ constexpr Parameter parameters[] = {
 
 // ---- quantities -------------------------------------------------------------------------------------------
 
-/// What a bin's id counts in the checksum: a power of two, so that sums are exact.
+/// The weight of a bin's id in the checksum: a power of two, so that sums are exact.
 double checksum_unit(const Grid& grid) {
   return 1 / static_cast<double>(std::bit_ceil(static_cast<unsigned long>(grid.count())));
 }
 
-/// A list of bins as two numbers: how many, and a checksum of their ids.
+/// Appends a list of bins as two numbers: their count, and a checksum of their ids.
 void put(std::vector<double>& value, const std::vector<long>& ids, const Grid& grid) {
   double sum = 0;
   for (long id : ids) sum += static_cast<double>(id) * checksum_unit(grid);
@@ -120,7 +120,7 @@ Quantity all_cases(const Parameters& p) {
   return q;
 }
 
-/// So large that in double precision its surface is a plane.
+/// A sphere so large that in double precision its surface is a plane.
 Quantity huge_tangent() {
   const Grid grid{1, 8};
   const Lattice s{{8 * unit + (1LL << 36), 32, 32}, 1LL << 36};
@@ -142,7 +142,7 @@ Quantity huge_tangent() {
   return q;
 }
 
-/// A known answer: `hit` and no other bin.
+/// A known answer: exactly the bins in `hit`.
 Quantity by_hand(std::string name, std::string says, std::string because, const Grid& grid,
                  const std::vector<Index>& hit) {
   std::vector<double> value;
@@ -186,7 +186,7 @@ Quantity rounded_boundary() {
   return q;
 }
 
-// ---- what the bins are for --------------------------------------------------------------------------------
+// ---- queries of objects -----------------------------------------------------------------------------------
 
 constexpr int world = 16;  ///< the world's side
 
@@ -213,7 +213,7 @@ bool inside(const Sphere& s, const Point& x) {
   return squared <= s.r * s.r;
 }
 
-/// How many objects each sphere holds; tests of bins and of objects count alike.
+/// Counts the objects in each sphere. Tests of bins and of objects have the same cost.
 template <class Find>
 Answer query(const std::vector<Lattice>& all, const std::vector<Sphere>& spheres, int across,
              const Find& find) {
@@ -246,7 +246,7 @@ Quantity objects_held(const Parameters& p) {
   const long long r = std::llround(p["ratio"] * unit);
   for (int n = 0; n < objects; ++n) all.push_back({{coordinate(), coordinate(), coordinate()}, 0});
   for (int n = 0; n < questions; ++n) queries.push_back({{coordinate(), coordinate(), coordinate()}, r});
-  all.front().c = queries.front().c;  // so that the first is not in vain
+  all.front().c = queries.front().c;  // so that the first query finds an object
   std::vector<double> held;
   for (const Lattice& s : queries) {
     int count = 0;

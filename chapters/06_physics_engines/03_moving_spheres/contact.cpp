@@ -1,8 +1,8 @@
-// Two moving spheres that you choose: when do they first touch? Centers d apart that part at v touch where
-// |d + t v| is the sum R of the radii:
+// The user's two moving spheres: when do they first touch? With relative position d and relative velocity v
+// they touch when |d + t v| is the sum R of the radii:
 //   v.v t^2 + 2 d.v t + d.d - R^2 = 0
-// The other route is geometry, in long double: the path of d passes the origin at |d x v| / |v|, and from
-// there half a chord of the sphere R leads back to the contact.
+// The independent route is geometry, in long double: the path of d passes the origin at |d x v| / |v|, and
+// the contact is half a chord of the sphere R before that.
 
 #include <cmath>
 #include <limits>
@@ -22,7 +22,7 @@ T dot(const Vector<T>& a, const Vector<T>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// How the second center lies and moves, seen from the first, and the sum of the radii.
+/// Relative position and velocity of the second center, and the sum of the radii.
 template <class T>
 struct Approach {
   Vector<T> d, v;
@@ -46,7 +46,7 @@ Approach<T> approach(const Parameters& p) {
   return a;
 }
 
-/// No number: they never touch. 0: they do from the start.
+/// NaN: they never touch. 0: they touch from the start.
 long double by_geometry(const Approach<long double>& a) {
   if (a.gap_at(0) <= 0) return 0;
   const Vector<long double> across{a.d[1] * a.v[2] - a.d[2] * a.v[1], a.d[2] * a.v[0] - a.d[0] * a.v[2],

@@ -1,7 +1,7 @@
-// Exercise 6.3: left open by the published solutions, which only say that there are many ways. Taken here,
-// after 6.1, as: which of n moving spheres overlap, frame after frame, found with bins whose contents follow
-// the motion, or without bins. Centers and velocities are whole 64ths, so that the reference tests every pair
-// in exact integers.
+// Exercise 6.3: left open by the published solutions, which only state that there are many ways. Following
+// 6.1, the question here is which of n moving spheres overlap in each frame, found with bins whose contents
+// follow the motion, or without bins. Centers and velocities are multiples of 1/64, so the reference tests
+// every pair in exact integers.
 
 #include "chapters/06_physics_engines/03_moving_spheres/moving_spheres.hpp"
 #include "chapters/claims.hpp"
@@ -31,8 +31,8 @@ constexpr double world = 16;
 
 Grid grid_of(double across) { return {world / across, static_cast<int>(across) / 2}; }
 
-/// Meeting from afar, tangent in passing and at rest, nearly tangent, one in another, points, on boundaries,
-/// outside, around all.
+/// Spheres that meet from afar, are tangent in passing or at rest, nearly tangent, inside another, points, on
+/// boundaries, outside, or around all others.
 const std::vector<Mover> edge_cases{
     {{-300, 100, 100}, {50, 0, 0}, 10},   {{-100, 100, 100}, {0, 0, 0}, 10},
     {{-80, 0, 0}, {5, 0, 0}, 20},         {{0, 0, 0}, {0, 0, 0}, 20},
@@ -43,7 +43,7 @@ const std::vector<Mover> edge_cases{
     {{500, -500, -500}, {7, -7, -7}, 30}, {{540, -540, -500}, {7, -7, -7}, 30},
     {{0, 0, 0}, {0, 0, 0}, 800}};
 
-/// All but the last of them, whose size has every bin of centers searched.
+/// All except the last, which is so large that all bins would be searched for centers.
 const std::vector<Mover> edge_cases_of_a_size(edge_cases.begin(), edge_cases.end() - 1);
 
 std::vector<Mover> movers(const Parameters& p, std::vector<Mover> all = edge_cases) {
@@ -64,7 +64,7 @@ std::vector<Frame> frames_of(const std::vector<Mover>& all, int count) {
   return frames;
 }
 
-/// Every pair of every frame in integers.
+/// Tests every pair of every frame in integers.
 std::vector<double> exact_pairs(const std::vector<Mover>& all, int count) {
   Pairs found;
   for (int k = 0; k < count; ++k) {
@@ -133,7 +133,7 @@ Quantity pairs(const Parameters& p) {
   return q;
 }
 
-/// Ten frames of random spheres, and their pairs by every pair in integers.
+/// Ten frames of random spheres, with the overlapping pairs from integer tests of all pairs.
 struct Filmed {
   std::vector<Frame> frames;
   std::vector<double> pairs;

@@ -23,7 +23,7 @@ Pairs by_all_pairs(const std::vector<Frame>& frames) {
 
 namespace {
 
-/// Where a sphere lies in the grid; what is outside belongs to the bins of the border.
+/// The bins that a sphere occupies; spheres outside the grid belong to the bins at the border.
 struct Block {
   Index low, high;
 

@@ -8,12 +8,12 @@
 #include "chapters/06_physics_engines/shared/bins.hpp"
 #include "chapters/exercise.hpp"
 
-/// Which spheres overlap while all of them move: several ways to find the pairs, frame by frame.
+/// Which spheres overlap while all of them move: several methods to find the pairs, frame by frame.
 namespace oddity::ex06_03 {
 
 using bins::Grid, bins::Lattice, bins::Sphere;
 
-/// A sphere in 64ths of a unit that moves by v a frame.
+/// A sphere in 64ths of a unit with velocity v per frame.
 struct Mover {
   std::array<long long, 3> c, v;
   long long r;
@@ -23,8 +23,8 @@ struct Mover {
 
 using Frame = std::vector<Sphere>;
 
-/// The pairs of every frame as two numbers a frame: their count, and the sum of i n + j as a fraction that
-/// stays below one a pair. And the work: pairs tested, and bin entries or comparisons to find them.
+/// The pairs of every frame as two numbers: their count, and the sum of i n + j, scaled to below one per
+/// pair. Also the work: pairs tested, and bin entries or comparisons to find them.
 struct Pairs {
   std::vector<double> value = {};
   long tested = 0, upkeep = 0;
@@ -42,27 +42,28 @@ struct Pairs {
     value[value.size() - 2] += 1;
     value.back() += (i * static_cast<double>(n) + j) * checksum_unit(n);
   }
-  /// What the number of a pair counts in the checksum: a power of two, so that sums are exact.
+  /// The weight of a pair's number in the checksum: a power of two, so that sums are exact.
   static double checksum_unit(std::size_t n) { return 1 / static_cast<double>(std::bit_ceil(n * n)); }
 };
 
 Pairs by_all_pairs(const std::vector<Frame>&);
 
-/// How the bins follow the motion; `rebuilt_inside` leaves out spheres whose centers are outside the grid.
+/// How the bins follow the motion; `rebuilt_inside` omits spheres whose centers are outside the grid.
 enum class Follow { rebuilt, rebuilt_inside, updated, never };
 
-/// Bins that list every sphere whose box they meet. A pair is tested in the least bin that both lie in.
+/// Bins that list every sphere whose box they meet. A pair is tested in the lowest bin that contains both.
 Pairs by_bins(const std::vector<Frame>&, const Grid&, Follow);
 
-/// Bins that list centers. Around a sphere all bins within its radius and the largest are searched, or,
-/// wrongly, its own bin alone.
+/// Bins that list centers. For each sphere all bins within its radius plus the largest are searched, or,
+/// wrongly, only its own bin.
 Pairs by_center_bins(const std::vector<Frame>&, const Grid&, bool own_bin_alone);
 
-/// Along x: spheres in the order of their least x; each is tested with those that have not ended before it
-/// begins. The order is sorted anew in every frame, or put right by insertion from the frame before.
+/// Sweep along x: spheres are ordered by their minimum x, and each is tested with those that have not ended
+/// before it begins. The order is sorted again in every frame, or updated by insertion from the previous
+/// frame.
 Pairs by_sweep(const std::vector<Frame>&, bool keep_order);
 
-/// When the two spheres that you choose first touch; nothing where they do from the start, or never.
+/// The time when the user's two spheres first touch; nullopt if they touch from the start, or never.
 std::optional<Quantity> first_contact(const Parameters&);
 
 }  // namespace oddity::ex06_03

@@ -17,7 +17,7 @@ struct NumTraits<oddity::Shortened> : GenericNumTraits<oddity::Shortened> {
 
 }  // namespace Eigen
 
-/// The displayed lines of the two-point contact, and what the book concludes from them, on random bodies.
+/// The displayed lines of the two-point contact, and the book's conclusions from them, on random bodies.
 namespace oddity::ex06_05 {
 
 namespace {
@@ -32,7 +32,7 @@ Matrix3d random_rotation(Random& random) {
   return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
 }
 
-/// A box of constant density, anywhere and turned anyhow.
+/// A box of constant density at a random position and orientation.
 Body random_box(Random& random) {
   const double mass = random.between(0.5, 2);
   const Matrix3d r = random_rotation(random);
@@ -42,7 +42,7 @@ Body random_box(Random& random) {
           vector(random.point())};
 }
 
-/// Eight unequal masses: a body whose density is anything but constant.
+/// Eight unequal masses: a body of very uneven density.
 Body random_masses(Random& random) {
   std::array<Vector3d, 8> at;
   std::array<double, 8> masses;
@@ -68,11 +68,11 @@ struct Sample {
   double f;
 
   Vector3d arm(const Vector3d& p) const { return p - body.center; }
-  /// What the impulse does to v, and at most to w.
+  /// Change of v by the impulse, and bounds for that of w.
   double kick() const { return std::abs(f) / body.mass; }
   double twist() const { return yielding() * angular_impulse(); }
   double angular_impulse() const { return std::abs(f) * std::max(arm(hit.p0).norm(), arm(hit.p1).norm()); }
-  /// The size of J^-1.
+  /// Size of J^-1.
   double yielding() const { return inverse(body.inertia).cwiseAbs().sum(); }
 
   std::vector<double*> letters() {
@@ -99,7 +99,7 @@ struct Sample {
   std::string where() const { return "$f$ = " + format_significant(f, 6); }
 };
 
-/// The coordinates of the points of contact are within it.
+/// Bound of the coordinates of the points of contact.
 constexpr double reach = 2;
 
 std::vector<Sample> samples(double seed, int count, Body (*make_body)(Random&)) {
@@ -114,7 +114,7 @@ std::vector<Sample> samples(double seed, int count, Body (*make_body)(Random&)) 
   return all;
 }
 
-/// What a sample has, as letters; of the inertia it has the inverse.
+/// A sample's quantities as letters, with the inverse of the inertia.
 using LetterVector = Eigen::Matrix<Shortened, 3, 1>;
 using LetterMatrix = Eigen::Matrix<Shortened, 3, 3>;
 struct Lettered {
@@ -162,7 +162,7 @@ Formula<Sample> formula(std::string text, const OfSample& of) {
 
 constexpr double width = 1e-3;
 
-/// The mean of g over a cube of half side `width` about p, by Gauss-Legendre: a delta function in the making.
+/// The mean of g over a cube of half side `width` about p, by Gauss-Legendre: an approximate delta function.
 template <class G>
 double near_point(const G& g, const Vector3d& p) {
   const Rule rule = [](FunctionOfOne f, double a, double b) { return gauss_legendre(f, a, b, 2); };
@@ -176,7 +176,7 @@ double near_point(const G& g, const Vector3d& p) {
   return integral.value / volume;
 }
 
-/// Over a cube of any half side h.
+/// The mean over a cube of any half side h.
 template <class G>
 Shortened near_point(const G& g, const LetterVector& p) {
   const Expression h = Expression::letter("h");
@@ -188,7 +188,7 @@ Shortened near_point(const G& g, const LetterVector& p) {
   return over(0, over(1, over(2, Shortened(g(x)).expression(), "z"), "y"), "x") / (8.0 * h * h * h);
 }
 
-/// The integral of g with `weight` of a delta function at either point.
+/// The integral of g times `weight` delta functions at each point.
 template <class G, class Hit>
 auto sifted(const G& g, const Hit& hit, double weight = 0.5) {
   return weight * near_point(g, hit.p0) + weight * near_point(g, hit.p1);
@@ -196,7 +196,7 @@ auto sifted(const G& g, const Hit& hit, double weight = 0.5) {
 
 double smooth(const Vector3d& x) { return std::exp(0.5 * x[0]) * std::cos(x[1]) + x[2] * x[2] * x[0]; }
 double size_of_smooth(const Vector3d& x) { return std::exp(0.5 * x[0]) + x[2] * x[2] * std::abs(x[0]); }
-/// The most that its Laplacian, -3/4 exp(x/2) cos y + 2x, can be within reach.
+/// A bound of its Laplacian, -3/4 exp(x/2) cos y + 2x, within reach.
 double curving() { return 0.75 * std::exp(0.5 * reach) + 2 * reach; }
 
 Reading property(const std::string& text, const std::vector<Sample>& all, double weight, bool at_midpoint) {
@@ -220,7 +220,7 @@ Reading property(const std::string& text, const std::vector<Sample>& all, double
 
 constexpr double pulse = 1e-6;
 
-/// What a pulse shared evenly by the two points, moving with the body, does to v (from 0) or to w (from 3).
+/// v (from 0) or w (from 3) after a pulse shared by the two points, which move with the body.
 Vector3d by_motion(const Sample& s, std::size_t from, double first = 0.5) {
   Contact hit = s.hit;
   hit.first = first;
@@ -228,13 +228,13 @@ Vector3d by_motion(const Sample& s, std::size_t from, double first = 0.5) {
   return {after[from], after[from + 1], after[from + 2]};
 }
 
-/// What the pulse's 128 steps leave out of its integral, by the first term of Simpson's error at the half
-/// steps: 630 t^4 (1 - t)^4 has the fifth derivatives -+302400 at its ends.
+/// Error of the pulse's integral by 128 steps, from the first term of Simpson's error at the half steps: 630
+/// t^4 (1 - t)^4 has the fifth derivatives -+302400 at its ends.
 constexpr double steps_leave = 604800 / 1512.0 * 0x1p-48;
 constexpr double rounded_ends = 64 * 0x1p-52 / width;
 constexpr double roundings = 16;
 
-/// A pulse turns no velocity: what differs is its integral, and the narrow cubes' rounded bounds.
+/// A pulse does not rotate v: the error is that of its integral, and the rounded bounds of the narrow cubes.
 Tolerance of_v(const Sample& s) {
   return {
       (steps_leave + rounded_ends) * s.kick() + roundings * 0x1p-52 * s.body.v.norm(),
@@ -243,8 +243,8 @@ Tolerance of_v(const Sample& s) {
              {steps_leave, rounded_ends, roundings})};
 }
 
-/// While the pulse acts the body turns by no more than |w| and the impulse make of its length, and arms and
-/// inertia turn with it.
+/// During the pulse the body turns at most by the pulse's length times |w| plus the impulse's change of it.
+/// Arms and inertia turn with the body.
 Tolerance of_w(const Sample& s) {
   const double turn = pulse * (s.body.w.norm() + s.twist());
   const double momentum = (s.body.inertia * s.body.w).norm() + s.angular_impulse();
@@ -256,7 +256,7 @@ Tolerance of_w(const Sample& s) {
              {pulse})};
 }
 
-/// A formula for v+ (from 0) or w+ (from 3) against the motion.
+/// Compares a formula for v+ (from 0) or w+ (from 3) with the motion.
 Check against_motion(const std::vector<Sample>& all, const Formula<Sample>& by, std::size_t from) {
   WorstSample worst(from == 0 ? "$v^+$" : "$w^+$", by.text, "motion under half the pulse at either point");
   for (const Sample& s : all) {
@@ -271,7 +271,7 @@ VectorOf<S> linear(const S& s, double impulses) {
   return s.body.v + impulses * s.f * s.normal / s.body.mass;
 }
 
-/// The double integral of the first line, the delta functions narrow.
+/// The double integral of the first line, with narrow delta functions.
 template <class S>
 VectorOf<S> linear_integral(const S& s, double weight) {
   VectorOf<S> v = s.body.v;
@@ -289,7 +289,7 @@ VectorOf<S> angular_integral(const S& s, double weight) {
   return s.body.w + turned(s.body.inertia, momentum);
 }
 
-/// w+ by the torques at the two points, with this share of their sum, and this normal at P1.
+/// w+ by the torques at the two points, with this share of their sum and this normal at P1.
 template <class S>
 VectorOf<S> by_torques(const S& s, double share, const VectorOf<S>& second) {
   const VectorOf<S> both = torque(s, s.arm(s.hit.p0), s.normal) + torque(s, s.arm(s.hit.p1), second);
@@ -297,7 +297,7 @@ VectorOf<S> by_torques(const S& s, double share, const VectorOf<S>& second) {
 }
 constexpr auto mean_torque = [](const auto& s) { return by_torques(s, 0.5, s.normal); };
 
-/// w+ by one impulse at this arm.
+/// w+ by a single impulse at this arm.
 template <class S>
 VectorOf<S> at(const S& s, const VectorOf<S>& arm) {
   return s.body.w + turned(s.body.inertia, torque(s, arm, s.normal));
@@ -427,7 +427,7 @@ Check as_segment(const std::vector<Sample>& all, const std::string& bodies, doub
                  all);
 }
 
-/// A plane quadrilateral at P0, P1 with sides a, b there: P0, P1, P1 + b, P0 + a.
+/// A plane quadrilateral at P0, P1 with the sides a, b there: P0, P1, P1 + b, P0 + a.
 template <class S>
 struct Quadrilateral {
   using V = VectorOf<S>;
@@ -437,19 +437,19 @@ struct Quadrilateral {
   V point(const T& u, const T& v) const {
     return p0 + u * (p1 - p0) + v * ((1 - u) * a + u * b);
   }
-  /// The area's element for each du dv, as a vector.
+  /// The area element per du dv, as a vector.
   template <class T>
   V element(const T& u, const T& v) const {
     return product(V(p1 - p0 + v * (b - a)), V((1 - u) * a + u * b));
   }
 };
-/// The side opposite to P0 P1 is parallel to it and `ratio` as long; 0 makes a triangle.
+/// The side opposite to P0 P1 is parallel to it and `ratio` times as long; 0 gives a triangle.
 template <class S, class T>
 Quadrilateral<S> trapezoid_of(const S& s, const VectorOf<S>& a, const T& ratio) {
   return {s.hit.p0, s.hit.p1, a, a + (ratio - 1) * (s.hit.p1 - s.hit.p0)};
 }
 
-/// w+ for the impulse spread evenly over it.
+/// w+ for the impulse spread evenly over `area`.
 Vector3d over_area(const Sample& s, const Quadrilateral<Sample>& area) {
   const Rule rule = [](FunctionOfOne f, double low, double high) { return gauss_legendre(f, low, high, 4); };
   const auto integral = [&](const auto& g) {
@@ -473,7 +473,7 @@ VectorOf<S> at_corners(const S& s, const VectorOf<S>& a, double ratio) {
   return at(s, s.arm(ratio == 0 ? three : four));
 }
 
-/// Equal impulses at the corners against the area's even one.
+/// Compares equal impulses at the corners with an even impulse over the area.
 Check as_area(const std::vector<Sample>& all, const std::string& shape, double ratio) {
   const auto side = [](const Sample& s) {
     const Vector3d e = s.hit.p1 - s.hit.p0;
@@ -486,11 +486,11 @@ Check as_area(const std::vector<Sample>& all, const std::string& shape, double r
 }
 
 void what_follows(Claims& claims, double seed) {
-  // Of a trapezoid with the parallel sides 2 and 1, over its height.
+  // For a trapezoid with the parallel sides 2 and 1, over its height.
   const double mean = (0 + 0 + 1 + 1) / 4.0, centroid = over_unit([](double v) { return v * (2 - v); }) /
                                                         over_unit([](double v) { return 2 - v; });
   const auto boxes = samples(seed, 40, random_box);
-  auto bodies = samples(seed, 40, random_masses);  // of any density, and constant
+  auto bodies = samples(seed, 40, random_masses);  // bodies of any density, including constant
   bodies.insert(bodies.begin(), boxes.begin(), boxes.end());
   const std::string of_any = "boxes and unequal masses";
   const Check segment = as_segment(bodies, of_any, 0), triangles = as_area(boxes, "triangles", 0),
@@ -628,7 +628,7 @@ Ltac over_squares := repeat match goal with |- context [RInt (fun u => RInt (fun
   rewrite (over_square g) by (intros; field) end; cbv beta.
 )";
 
-/// w+ for the impulse spread over a trapezoid with the area's element in parts of P0P1 x a.
+/// w+ for the impulse spread over a trapezoid, with the area element as a fraction of P0P1 x a.
 LetterVector over_trapezoid(const Lettered& s, const LetterVector& a, double ratio) {
   const auto area = trapezoid_of(s, a, ratio);
   const auto integral = [&](const auto& g) {
@@ -651,7 +651,7 @@ LetterVector letters(const std::string& name) {
   return {letter(0), letter(1), letter(2)};
 }
 
-/// What the pulse adds to momentum and angular momentum, the arms as they are when it begins.
+/// The pulse's integral of f for momentum and angular momentum, with the arms at its begin.
 template <class F>
 LetterVector over_pulse(const F& f) {
   LetterVector all;
@@ -665,8 +665,8 @@ LetterVector over_pulse(const F& f) {
   return all;
 }
 
-/// That the corners of triangles and parallelograms, like the ends of a segment, replace the whole; those of
-/// a trapezoid do not.
+/// Proves that impulses at the corners of triangles and parallelograms, as at the ends of a segment, replace
+/// the whole; those of a trapezoid do not.
 Provable finite_set(const Lettered& s, const std::string& names, Lemma segment) {
   const auto all = [](const LetterVector& v) {
     return Expressions{v[0].expression(), v[1].expression(), v[2].expression()};

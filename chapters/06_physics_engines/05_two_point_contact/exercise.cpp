@@ -1,9 +1,10 @@
-// Exercise 6.5: two bodies touch at the points P0, P1 with one normal N. The book spreads the impulse f N
-// over both by a delta function that is the average of two:
+// Exercise 6.5: two bodies touch at the points P0, P1 with the same normal N. The book spreads the impulse f
+// N over both by the average of two delta functions:
 //   v+ = v- + f N / m,   w+ = w- + J^-1 r(M) x f N,   M = (P0 + P1)/2
-// The other route is the motion itself: half a short pulse of force at each of the two material points, by
-// Runge-Kutta. The box of the tables stands on an edge, turned by theta about it; l0, l1 are the ends of the
-// contact on the edge, counted from its middle. (6.88), (6.89) and (6.91) are the book's equations.
+// The independent route is the motion itself, by Runge-Kutta, under half a short pulse of force at each of
+// the two material points. The box of the tables is balanced on an edge, rotated by theta about it; l0, l1
+// are the ends of the contact on the edge, measured from its middle. (6.88), (6.89) and (6.91) are the book's
+// equations.
 
 #include "chapters/06_physics_engines/05_two_point_contact/two_point_contact.hpp"
 #include "reference/reference.hpp"
@@ -29,14 +30,14 @@ constexpr Parameter parameters[] = {
 
 const Vector3d up(0, 0, 1);
 
-/// A spin that is needed to within one turn of so many years.
+/// A tolerance for a spin: one turn in many years.
 Tolerance slow_turn(double spin) {
   return {spin, filled("a turn in @3 years", {2 * std::numbers::pi / spin / (86400 * 365.25)})};
 }
 
 struct Box {
   Body body;
-  Vector3d edge;  ///< the edge's middle, from the center
+  Vector3d edge;  ///< the edge's middle, relative to the center
   double l0, l1, f;
 
   explicit Box(const Parameters& p) : l0(p["l0"]), l1(p["l1"]), f(p["f"]) {
@@ -54,7 +55,7 @@ struct Box {
   }
 };
 
-/// Torques per unit length along the contact, each component by the rule.
+/// Integrates torques per unit length along the contact, component by component.
 Answer along_edge(const Box& box, const Rule& rule) {
   Vector3d momentum;
   long torques = 0;
@@ -107,13 +108,13 @@ Quantity spin(const Parameters& p, const Reference& truth) {
   return q;
 }
 
-/// How fast a unit impulse at x makes the point at y rise.
+/// Upward velocity of the point at y after a unit impulse at x.
 double response(const Box& box, double x, double y) {
   return 1 / box.body.mass + cross(turned(box.body.inertia, cross(box.at(x), up)), box.at(y)).dot(up);
 }
 
-/// The box falls without turning, and both ends are to leave the ground at e times its speed. Then the whole
-/// edge does: the box turns about the edge alone, as under one impulse F at the edge's middle.
+/// The box falls without rotation, and both ends should rebound at e times its speed. Then the whole edge
+/// rebounds: the box rotates about the edge's direction alone, as under one impulse F at the edge's middle.
 Quantity rebound(const Parameters& p) {
   const Box box(p);
   const double gain = (1 + p["e"]) * p["speed"], y = box.edge[1];
@@ -123,7 +124,7 @@ Quantity rebound(const Parameters& p) {
              "rad/s",
              "angular velocity after a fall on the edge, both ends rebounding by $e$",
              {"$Fy/J_x$, the edge staying level", Value{middle * y / jx, 0, 0}},
-             16 * 0x1p-52 * std::abs(middle * y / jx),  // 16 roundings in all
+             16 * 0x1p-52 * std::abs(middle * y / jx),  // 16 roundings in total
              slow_turn(1e-9),
              {},
              {}};
@@ -160,7 +161,7 @@ Quantity rebound(const Parameters& p) {
   return q;
 }
 
-/// A box that lies flat on a trapezoid with parallel sides 1 and 1/2 of a, as deep as b, at a corner.
+/// A box that lies flat on a trapezoid with parallel sides a and a/2 and depth b, at a corner.
 Quantity patch(const Parameters& p) {
   const double w = p["a"], h = p["b"], f = p["f"];
   const Matrix3d inertia = box_inertia(p["m"], p["a"], p["b"], p["c"]);

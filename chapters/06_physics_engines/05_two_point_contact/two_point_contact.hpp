@@ -11,7 +11,7 @@
 #include "solvers/ode/algorithms.hpp"
 #include "solvers/ode/integrate.hpp"
 
-/// A rigid body that is hit: what an impulse leaves behind, and the motion while a short force acts.
+/// A rigid body under an impulse: the velocities after it, and the motion while a short force acts.
 namespace oddity::ex06_05 {
 
 using Eigen::Matrix3d;
@@ -42,7 +42,7 @@ struct Body {
   Vector3d center, v, w;
 };
 
-/// The impulse f N shared by two points: `first` of it at P0, the rest at P1.
+/// The impulse f N shared by two points: the fraction `first` at P0, the rest at P1.
 struct Contact {
   Vector3d p0, p1, impulse;
   double first = 0.5;
@@ -85,7 +85,7 @@ struct Pulse {
   }
 };
 
-/// (v+, w+) after a pulse of the given length, by Runge-Kutta steps of a 128th of it.
+/// (v+, w+) after a pulse of this length, by Runge-Kutta steps of 1/128 of it.
 inline Solved<std::array<double, 6>> after_pulse(const Body& body, const Contact& hit, double length) {
   const Pulse pulse{body, hit, length};
   const auto end = ode::integrate<ode::RungeKutta4>(pulse, pulse.start(), 0, 1, 1.0 / 128);

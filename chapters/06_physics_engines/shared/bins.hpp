@@ -10,9 +10,9 @@
 #include "chapters/exercise.hpp"
 #include "chapters/random.hpp"
 
-/// Solid spheres and a cube of cubic bins: bin (i, j, k) is the closed box [i h, (i+1) h] x [j h, (j+1) h] x
-/// ..., -half <= i, j, k < half. What touches counts as hit. Spheres whose centers and radii are whole 64ths
-/// of a bin are decided in exact integers.
+/// Solid spheres and a cube of cubic bins. Bin (i, j, k) is the closed box [i h, (i+1) h] x [j h, (j+1) h] x
+/// ..., -half <= i, j, k < half. Touching counts as a hit. Spheres whose centers and radii are multiples of
+/// 1/64 of a bin are decided in exact integers.
 namespace oddity::bins {
 
 using Point = std::array<double, 3>;
@@ -40,7 +40,7 @@ struct Span {
 
 inline Span all_of(const Grid& grid) { return {-grid.half, grid.half - 1}; }
 
-/// Clamped as numbers: only what fits is ever converted to int.
+/// Clamped before the conversion to int, so that it always fits.
 inline Span clamped(double low, double high, const Grid& grid) {
   const double n = grid.half;
   return {static_cast<int>(std::clamp(low, -n, n)), static_cast<int>(std::clamp(high, -n - 1, n - 1))};
@@ -56,23 +56,23 @@ Span reach_of(const T& x, const T& r, const Grid& grid) {
 }
 inline Span reach(double x, double r, const Grid& grid) { return reach_of(x, r, grid); }
 
-/// What misjudges a range: floor at both ends forgets a bin that ends where the interval begins.
+/// A wrong range: floor at both ends misses a bin that ends where the interval begins.
 inline Span reach_by_floor(double x, double r, const Grid& grid) {
   return clamped(std::floor((x - r) / grid.h), std::floor((x + r) / grid.h), grid);
 }
 
-/// Truncation merges the two bins beside zero, and rounds every negative coordinate the wrong way.
+/// Truncation merges the two bins next to zero, and rounds every negative coordinate the wrong way.
 inline Span reach_by_truncation(double x, double r, const Grid& grid) {
   return clamped(std::trunc((x - r) / grid.h), std::trunc((x + r) / grid.h), grid);
 }
 
-/// Converted to 32 bits before it is clamped, as x86 does it: what does not fit becomes the least int.
+/// Converted to 32 bits before clamping, as on x86: a value that does not fit becomes the lowest int.
 inline Span reach_converted_first(double x, double r, const Grid& grid) {
   const auto convert = [](double y) { return std::abs(y) < 0x1p31 ? y : -0x1p31; };
   return clamped(convert(std::ceil((x - r) / grid.h) - 1), convert(std::floor((x + r) / grid.h)), grid);
 }
 
-/// One bin wider on both sides: safe where (i h) / h rounds to less than i.
+/// One bin wider on both sides: safe if (i h) / h rounds to less than i.
 inline Span reach_widened(double x, double r, const Grid& grid) {
   return clamped(std::ceil((x - r) / grid.h) - 2, std::floor((x + r) / grid.h) + 1, grid);
 }
@@ -80,14 +80,15 @@ inline Span reach_widened(double x, double r, const Grid& grid) {
 /// The distance from x to bin i on one axis.
 inline double gap(double x, int i, double h) { return std::max({i * h - x, 0.0, x - (i + 1) * h}); }
 
-/// Is the squared distance to the box at most r^2 (Arvo, Graphics Gems, 1990, p. 335)?
+/// Whether the squared distance to the box is at most r^2 (Arvo, Graphics Gems, 1990, p. 335).
 inline bool touches(const Sphere& s, const Index& i, double h) {
   double squared = 0;
   for (std::size_t a = 0; a < 3; ++a) squared += gap(s.c[a], i[a], h) * gap(s.c[a], i[a], h);
   return squared <= s.r * s.r;
 }
 
-/// The same with the largest gap taken over to the other side: r^2 - d^2 = (r - d)(r + d) loses nothing.
+/// An equivalent test with the largest gap moved to the other side: r^2 - d^2 = (r - d)(r + d) does not
+/// cancel.
 inline bool touches_factored(const Sphere& s, const Index& i, double h) {
   std::array<double, 3> d;
   for (std::size_t a = 0; a < 3; ++a) d[a] = gap(s.c[a], i[a], h);
@@ -102,7 +103,7 @@ struct Candidates {
   long tests = 0;              ///< sphere-box tests
 };
 
-/// Every bin of the range, put to the test.
+/// Tests every bin of the range.
 template <class BroadPhaseRange, class Test>
 Candidates hits(const Sphere& s, const Grid& grid, const BroadPhaseRange& range, const Test& test) {
   Candidates found;
@@ -118,7 +119,7 @@ Candidates hits(const Sphere& s, const Grid& grid, const BroadPhaseRange& range,
 
 inline Span every_bin(double, double, const Grid& grid) { return all_of(grid); }
 
-/// No test at all: row by row, the interval that the sphere leaves in it. `tests` counts the rows.
+/// Row by row, the interval of bins within the sphere, without tests of bins; `tests` counts the rows.
 inline Candidates hits_by_rows(const Sphere& s, const Grid& grid) {
   Candidates found;
   const Span x = reach(s.c[0], s.r, grid), y = reach(s.c[1], s.r, grid);
@@ -137,14 +138,14 @@ inline Candidates hits_by_rows(const Sphere& s, const Grid& grid) {
 // ---- exact ------------------------------------------------------------------------------------------------
 
 __extension__ typedef __int128 Wide;
-constexpr long long unit = 64;  ///< parts of a bin
+constexpr long long unit = 64;  ///< units per bin
 
 /// A sphere in 64ths of a bin.
 struct Lattice {
   std::array<long long, 3> c;
   long long r;
 
-  static constexpr bool whole = true;  // in a claim: what is counted of it
+  static constexpr bool whole = true;  // the counts of a claim are whole numbers
   std::string where() const {
     return "$c$ = (" + std::to_string(c[0]) + ", " + std::to_string(c[1]) + ", " + std::to_string(c[2]) +
            ")/64, $r$ = " + std::to_string(r) + "/64";
@@ -192,7 +193,7 @@ inline std::vector<Lattice> random_spheres(double seed, int count, int half, dou
   return all;
 }
 
-/// Tangent to corners, edges and faces, on boundaries, outside, of negative coordinates, a point, huge.
+/// Tangent to corners, edges and faces, on boundaries, outside, with negative coordinates, a point, huge.
 inline std::vector<Lattice> edge_cases(int half) {
   const long long end = half * unit, huge = 1LL << 40;
   std::vector<Lattice> all{{{3, 4, 12}, 13},

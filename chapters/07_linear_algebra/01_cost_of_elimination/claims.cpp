@@ -24,7 +24,7 @@ Cost counted_cost(const Run& run) {
           static_cast<double>(counted.divisions)};
 }
 
-/// What the parts of crosswise elimination cost a system of n unknowns, by running them on counted numbers.
+/// Costs of the parts of crosswise elimination for n unknowns, measured on counting numbers.
 struct Counts {
   double n = 0;
   Cost one_row = {};                                           ///< one entry of the first column cleared
@@ -33,7 +33,7 @@ struct Counts {
   Cost forward_and_back = {};
 
   static constexpr bool whole = true;
-  /// Prices are vectors of what is counted.
+  /// Each price is a unit vector in the counts.
   TypesetLetters typeset() const {
     return {{"n", n}, {R"(\mu)", {1, 0, 0}}, {R"(\alpha)", {0, 1, 0}}, {R"(\delta)", {0, 0, 1}}};
   }
@@ -69,7 +69,7 @@ Formula<Counts> priced(std::string text, const std::function<Cost(double n)>& co
   return counted(std::move(text), [=](const Counts& c) { return cost(c.n); });
 }
 
-/// A sixth of whole numbers that six divides, where the formula is right.
+/// For the right formula, the bracket is a whole number divisible by six.
 Formula<Counts> with_rest(const std::string& rest, Cost last) {
   return priced("$[n(n-1)/6][(2\\mu+\\alpha)n" + rest + "]$", [=](double n) {
     const Cost six = six_times_bracket(n, last);
@@ -77,10 +77,10 @@ Formula<Counts> with_rest(const std::string& rest, Cost last) {
   });
 }
 
-/// The printed difference as the text factors it.
+/// The printed difference in the text's factored form.
 Cost factored(double n) { return 1 / 6.0 * six_times_bracket(n, printed_rest<double>()); }
 
-/// Multiplications of diagonal entries that are put off to the end.
+/// Multiplications of diagonal entries that are postponed to the end.
 double saved_up(std::size_t n) {
   const Rows<Counted<double>> rows(n, std::vector<Counted<double>>(n + 1, 1.0));
   const auto multiplications = [&](Diagonal diagonal) {
@@ -205,7 +205,7 @@ void costs(Claims& claims, const std::vector<Counts>& sizes) {
 
 // ---- which costs more -------------------------------------------------------------------------------------
 
-/// Prices, and a number of unknowns.
+/// Prices, and the number of unknowns.
 struct Prices {
   double mu, alpha, n;
   Cost excess;
@@ -268,7 +268,7 @@ void comparisons(Claims& claims, const std::vector<Counts>& sizes) {
                         [](const Counts& c) { return c.n <= 1 || c.excess().alpha > 0; }}}});
 }
 
-// ---- whether it solves ------------------------------------------------------------------------------------
+// ---- correctness ------------------------------------------------------------------------------------------
 
 /// The integers modulo the prime 2^31 - 1: exact, without growth.
 struct Residue {
@@ -293,7 +293,7 @@ struct Residues {
   std::size_t n() const { return rows.size(); }
   std::string where() const { return "$n$ = " + std::to_string(n()) + ", modulo $2^{31}-1$"; }
 
-  /// Every equation holds.
+  /// Whether x solves every equation.
   bool solved_by(const std::vector<Residue>& x) const {
     bool all = true;
     for (const auto& row : rows) {
@@ -304,7 +304,7 @@ struct Residues {
     return all;
   }
 
-  /// Elimination by whole rows leaves no entry off the diagonal, and no zero on it.
+  /// Whether elimination by whole rows leaves zeros off the diagonal and none on it.
   bool made_diagonal(bool above) const {
     auto m = rows;
     for (std::size_t k = 0; k < n(); ++k)
@@ -319,7 +319,8 @@ struct Residues {
     return all;
   }
 
-  /// Full elimination, rows exchanged for a zero pivot in the first `exchanged` columns, gives the solution.
+  /// Whether full elimination solves the system, with rows exchanged for a zero pivot in the first
+  /// `exchanged` columns.
   bool solved_with(std::size_t exchanged) const {
     auto m = rows;
     for (std::size_t k = 0; k < n(); ++k) {
@@ -341,7 +342,7 @@ std::vector<Residues> systems(Random random) {
   return all;
 }
 
-/// The first or the second pivot is zero as long as the rows stay where they are.
+/// Systems whose first or second pivot is zero unless rows are exchanged.
 std::vector<Residues> systems_without_pivot(const Random& random) {
   auto all = systems(random);
   for (auto& [m] : all) {
@@ -401,7 +402,7 @@ void solutions(Claims& claims, const Random& random) {
 }  // namespace
 
 std::vector<Claim> claims(const Random& random) {
-  std::vector<Counts> sizes;  // every size to 64, and some beyond; the largest first
+  std::vector<Counts> sizes;  // all sizes up to 64, and some larger; the largest is first
   for (std::size_t n : {200u, 150u, 100u}) sizes.emplace_back(n);
   for (std::size_t n = 64; n > 1; --n) sizes.emplace_back(n);
   Claims claims("7.1");
@@ -414,7 +415,8 @@ std::vector<Claim> claims(const Random& random) {
 
 namespace {
 
-/// Invertible 3 x 3 matrices with entries -1, 0 and 1, and those of them that elimination in order fails on.
+/// Counts of the invertible 3 x 3 matrices with entries -1, 0 and 1, and of those for which elimination in
+/// order fails.
 std::array<double, 2> small_matrices() {
   std::array<double, 2> count{};
   for (int code = 0; code < 19683; ++code) {

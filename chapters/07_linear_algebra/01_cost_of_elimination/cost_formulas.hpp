@@ -1,10 +1,10 @@
 #pragma once
 
-/// The formulas of 7.1 for what elimination of n unknowns costs, generic in their number type: evaluated by
-/// the claims, and recorded for their proofs.
+/// The formulas of 7.1 for the cost of elimination with n unknowns, generic in their number type: evaluated
+/// by the claims, and recorded for their proofs.
 namespace oddity::ex07_01 {
 
-/// What operations cost: so many multiplications, additions (and subtractions), divisions.
+/// Cost as counts of multiplications, additions (and subtractions) and divisions.
 template <class T>
 struct CostOf {
   T mu = 0, alpha = 0, delta = 0;
@@ -23,7 +23,7 @@ template <class T>
 constexpr CostOf<T> cost(int m, int a, int d) {
   return {T(m), T(a), T(d)};
 }
-/// To clear one entry of a row crosswise.
+/// Cost of clearing one entry of a row crosswise.
 template <class T>
 constexpr CostOf<T> entry_cost() {
   return cost<T>(2, 1, 0);
@@ -59,12 +59,12 @@ CostOf<T> printed_difference(const T& n) {
   return (n - 1) * n * (n + 1) / 6 * entry_cost<T>() - n * (n - 1) / 2 * cost<T>(1, 1, 0);
 }
 
-/// Six times [n(n-1)/6][(2 mu + alpha) n + rest], so that all stays whole.
+/// Six times [n(n-1)/6][(2 mu + alpha) n + rest], a whole number.
 template <class T>
 CostOf<T> six_times_bracket(const T& n, const CostOf<T>& rest) {
   return n * (n - 1) * (n * entry_cost<T>() + rest);
 }
-/// The rest as printed, as the printed totals have it, and as the counts have it.
+/// The rest as printed, as in the printed totals, and as in the counts.
 template <class T>
 CostOf<T> printed_rest() {
   return cost<T>(-1, 0, 0);

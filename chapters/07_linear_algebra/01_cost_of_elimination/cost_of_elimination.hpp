@@ -8,8 +8,8 @@
 #include "chapters/exercise.hpp"
 #include "chapters/random.hpp"
 
-/// Row reduction of an augmented n x (n+1) matrix without exchange of rows, generic in its number type: the
-/// same code solves and is counted.
+/// Row reduction of an augmented n x (n+1) matrix without row exchange, generic in its number type. The same
+/// code solves and counts.
 namespace oddity::ex07_01 {
 
 template <class T>
@@ -23,13 +23,13 @@ auto random_rows(std::size_t n, const Number& number) {
   return m;
 }
 
-/// How a row is cleared: crosswise, pivot row - entry pivot_row, or by ratio, row - (entry/pivot) pivot_row.
+/// Clears a row crosswise, pivot * row - entry * pivot_row, or by ratio, row - (entry/pivot) * pivot_row.
 enum class Clearing { crosswise, by_ratio };
 
 /// When a crosswise clearing multiplies the diagonal entry of a row above its pivot.
 enum class Diagonal { row_by_row, at_the_end, never };
 
-/// Clears column k of a row; the zero itself is not written, as nothing reads it.
+/// Clears column k of a row, without writing the zero itself, as nothing reads it.
 template <class T>
 void clear(Rows<T>& m, std::size_t row, std::size_t k, Clearing clearing) {
   const T pivot = m[k][k], entry = m[row][k];
@@ -96,15 +96,15 @@ std::vector<T> solve_full(Rows<T> m, Clearing clearing, Diagonal diagonal) {
 std::vector<Claim> claims(const Random&);
 std::vector<Root> roots();
 
-/// A random system of n equations solved by every elimination; in a `large` one the numbers of crosswise
-/// clearing leave their range.
+/// A random system of n equations, solved by every elimination. In a `large` one the numbers of crosswise
+/// clearing overflow.
 Quantity solution(const std::string& name, std::size_t n, bool large, const Random&);
 
-/// The entries of a system of one's own, its right-hand side in the last column.
+/// The entries of the user's system, with the right-hand side in the last column.
 inline constexpr std::array<std::string_view, 12> entries_of_own{"a11", "a12", "a13", "a14", "a21", "a22",
                                                                  "a23", "a24", "a31", "a32", "a33", "a34"};
 
-/// Its solution by every elimination. Throws BadInput where it has none, or more than one.
+/// The solution of the user's system by every elimination. Throws BadInput unless there is exactly one.
 Quantity own_solution(const Parameters&, const Reference&);
 
 }  // namespace oddity::ex07_01

@@ -1,8 +1,9 @@
-// Exercise 7.1: what full elimination (every column cleared below and above its pivot) costs more than
+// Exercise 7.1: how much more full elimination (every column cleared below and above its pivot) costs than
 // forward elimination with back substitution; mu, alpha, delta are the prices of a multiplication, an
-// addition and a division. The book clears crosswise, row_i <- a_kk row_i - a_ik row_k, which is 2 mu + alpha
-// an entry. The counts come from eliminations run on counted numbers, never from a formula, and are compared
-// exactly, as coefficients of mu, alpha and delta; that the eliminations are right is seen modulo a prime.
+// addition and a division. The book clears crosswise, row_i <- a_kk row_i - a_ik row_k, which costs 2 mu +
+// alpha per entry. The counts are measured by elimination on counting numbers, never taken from a formula.
+// They are compared exactly, as coefficients of mu, alpha and delta. Arithmetic modulo a prime shows that the
+// eliminations are right.
 
 #include "chapters/07_linear_algebra/01_cost_of_elimination/cost_of_elimination.hpp"
 #include "chapters/inputs.hpp"

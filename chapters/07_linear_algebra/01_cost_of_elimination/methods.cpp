@@ -19,7 +19,7 @@ struct System {
   std::vector<double> x;
 };
 
-/// Entries in 64ths from -1 to 1 and a solution of digits: the right-hand side is exact.
+/// Entries in 64ths from -1 to 1 and a solution of single digits, so the right-hand side is exact.
 System random_system(std::size_t n, Random random) {
   System s{random_rows(n, [&] { return (random.below(129) - 64) / 64.0; }), {}};
   for (std::size_t i = 0; i < n; ++i) s.x.push_back(1 + random.below(9));
@@ -40,7 +40,7 @@ Rows<T> rows_of(const Rows<From>& rows, const auto& number) {
   return all;
 }
 
-/// Multiplications and divisions counted beforehand, so that what is timed is the bare arithmetic.
+/// Multiplications and divisions are counted beforehand, so that only the bare arithmetic is timed.
 Method elimination_method(std::string model, std::string algorithm, const Rows<double>& rows,
                           const auto& solve, Outcome expected = Outcome::ok, std::string why = {}) {
   const auto numbers = rows_of<Counted<double>>(rows, [](double x) { return x; });
@@ -56,7 +56,7 @@ Method elimination_method(std::string model, std::string algorithm, const Rows<d
           std::move(why)};
 }
 
-/// Every elimination of the rows.
+/// Adds every elimination of the rows.
 void add_methods(Quantity& q, const Rows<double>& s, bool large) {
   const Outcome crosswise = large ? Outcome::non_finite : Outcome::ok;
   const std::string squares =
@@ -115,7 +115,7 @@ Quantity solution(const std::string& name, std::size_t n, bool large, const Rand
   return q;
 }
 
-/// True is Cramer's rule, in determinants that know no elimination of these rows.
+/// The reference is Cramer's rule, whose determinants do not use elimination of these rows.
 Quantity own_solution(const Parameters& p, const Reference& truth) {
   Rows<double> rows(3), columns(4);
   for (std::size_t i = 0; i < entries_of_own.size(); ++i) {

@@ -18,12 +18,12 @@ Lemma equal_costs(std::string reading, const Recorded& left, const Recorded& rig
           .follows = equal({left.mu, left.alpha, left.delta}, {right.mu, right.alpha, right.delta})};
 }
 
-/// Printed and counted differ by this margin, or more.
+/// The printed and the counted cost differ by at least `margin`.
 Lemma differ(const Expression& counted, const Expression& printed, double margin) {
   return {.name = "printed_differs", .follows = {apart(counted, printed, margin)}, .tactic = by_arithmetic};
 }
 
-/// Multiplications, counted, for three unknowns.
+/// Count of multiplications for three unknowns.
 template <class Run>
 Expression multiplications(const Run& run) {
   Rows<Counted<double>> rows(3, std::vector<Counted<double>>(4, 1.0));

@@ -1,8 +1,8 @@
 // Exercise 7.3: (AB)^T = B^T A^T, line by line, with a'_rc = a_cr, b'_rc = b_cr and m_rc = sum_k a_rk b_kc.
-// The other route never forms a product of matrices: column r of AB is A(B e_r), and a transpose is what
-// moves a matrix to the other side of a scalar product, y.(M x) = (M^T y).x. All of it in whole numbers,
-// exact. In floating point both sides have the same bits when their sums run in the same order, fused or not:
-// a b = b a is exact, a + (b + c) = (a + b) + c is not.
+// The independent route never forms a product of matrices: column r of AB is A(B e_r), and a transpose moves
+// a matrix to the other side of a scalar product, y.(M x) = (M^T y).x. All numbers are whole, so it is exact.
+// In floating point both sides have the same bits if their sums run in the same order, fused or not: a b = b
+// a is exact, but a + (b + c) = (a + b) + c is not.
 
 #include <cmath>
 #include <map>
@@ -79,8 +79,8 @@ Value by_columns(const Sample& s) {
   return all;
 }
 
-/// Of the matrices a i and b j the product AB is k times ab; B^T A^T, the sum with its factors exchanged, is
-/// as many times k.
+/// For the matrices a i and b j the product AB is k times ab. B^T A^T, the sum with its factors exchanged, is
+/// k times the same.
 Value exchanged_in_quaternions(const Sample& s) {
   const auto times = [](const Matrix<double>& m, const Quaternion& unit) {
     return filled<Quaternion>(m.n, [&](int r, int c) { return Quaternion{m(c, r)} * unit; });
@@ -93,7 +93,7 @@ Value exchanged_in_quaternions(const Sample& s) {
 
 std::vector<Claim> claims(Random random) {
   Claims claims("7.3");
-  // Single changes of a text are tried on the first sixteen, which are of one size.
+  // Single changes of a text are tried on the first sixteen, which have the same size.
   std::vector<Sample> samples;
   for (int n = 8; n >= 1; --n)
     for (int sample = 0; sample < 16; ++sample) samples.emplace_back(n, random);
@@ -141,13 +141,13 @@ std::vector<Claim> claims(Random random) {
 
 // ---- in floating point ------------------------------------------------------------------------------------
 
-/// The operations of a product of two matrices; those of one sum are as many in any order.
+/// Operations of a product of two matrices, the same for any order of the sums.
 long work_of_product(int n) {
   const Matrix<Counted<double>> factor{n};
   return operations_of([&] { return product(factor, factor, Order::ascending); }).all_but_additions();
 }
 
-/// How many entries of (AB)^T and B^T A^T are not the same double.
+/// Counts entries of (AB)^T and B^T A^T that are not the same double.
 template <class T>
 Answer differing(int n, double decades, Random random, Order left, Order right, long work) {
   const auto entry = [&](int, int) {
@@ -171,7 +171,7 @@ Quantity same_bits(double decades, const Random& random) {
              {},
              {}};
   const Knob sizes = doubling("n", 2, 5);
-  std::map<double, long> work;  // of both sides
+  std::map<double, long> work;  // for both sides
   for (double n : sizes.settings) work[n] = 2 * work_of_product(static_cast<int>(n));
   const auto add = [&]<class T>(T, std::string model, std::string algorithm, Order left, Order right,
                                 Outcome expected, std::string why) {

@@ -41,15 +41,15 @@ T gram_determinant(const Vector3<T>& a, const Vector3<T>& b) {
   return dot(a, a) * dot(b, b) - dot(a, b) * dot(a, b);
 }
 
-/// Three corners of a triangle and three vectors, of whole numbers. The vectors are its edges where their sum
-/// is zero.
+/// Three corners of a triangle and three vectors, in whole numbers. The vectors are its edges if their sum is
+/// zero.
 template <class T>
 struct EdgesOf {
   static constexpr bool whole = true;
   Vector3<T> u, v, w, p, q, r;
 
   Vector3<T> normal() const { return cross(u, v); }
-  /// u and v, in whole numbers.
+  /// Whether u and v are independent, in whole numbers.
   bool independent() const { return gram_determinant(cast<Whole>(u), cast<Whole>(v)) != 0; }
   double size() const { return 1 + dot(u, u) + dot(v, v) + dot(w, w); }
   std::array<T*, 18> quantities() {
@@ -67,7 +67,8 @@ namespace {
 
 using Edges = EdgesOf<double>;
 
-/// Of all sizes up to a million, every tenth v nearly parallel to u; w is the third edge or is random.
+/// Samples of all sizes up to a million, with every tenth v nearly parallel to u; w is the third edge or
+/// random.
 std::vector<Edges> samples(Random random, bool closed) {
   std::vector<Edges> all;
   const auto vector = [&] {
@@ -86,7 +87,7 @@ std::vector<Edges> samples(Random random, bool closed) {
   return all;
 }
 
-/// The same with every tenth on a line, or v even zero: triples without a normal.
+/// Puts every tenth sample on a line, or sets v to zero: triples without a normal.
 std::vector<Edges> some_on_a_line(std::vector<Edges> all) {
   for (std::size_t i = 0; i < all.size(); i += 10) {
     Edges& s = all[i];
@@ -161,7 +162,7 @@ std::vector<Whole> listed(const std::array<Whole, n>& all) {
   return {all.begin(), all.end()};
 }
 
-/// Formulas in whole numbers of 128 bits, each as two halves of 52 bits.
+/// Formulas in 128-bit integers, each as two halves of 52 bits.
 Line in_whole(std::string text, const auto& of) {
   return {std::move(text),
           [=](const Edges& s) {
@@ -318,7 +319,7 @@ Lemma holds(std::string name, const Line& left, const Line& right) {
   return holds(std::move(name), equal(left.recorded(s), right.recorded(s)));
 }
 
-/// Vectors on one line have no normal; where the Gram determinant is not zero, there is one.
+/// Vectors on one line have no normal; if the Gram determinant is not zero, there is one.
 Provable proof_of_triangle() {
   const Letters on_a_line{{1, 0, 0}, {2, 0, 0}, {-3, 0, 0}, {}, {}, {}}, s = any_closed();
   Lemma normal = holds("corrected", {not_zero(squared.recorded(s)[0])});

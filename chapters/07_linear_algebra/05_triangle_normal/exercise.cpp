@@ -1,8 +1,8 @@
-// Exercise 7.5: u + v + w = 0 makes u x v = v x w = w x u, the triangle's normal, as long as twice its area.
-// The lines of the proof are checked in whole numbers, exactly, each for vectors as general as it allows; the
-// area comes from the lengths of the sides alone, 16 area^2 = 2(a^2 b^2 + b^2 c^2 + c^2 a^2) - a^4 - b^4 -
-// c^4 (Heron), in which no cross product occurs. Kahan, Miscalculating area and angles of a needle-like
-// triangle.
+// Exercise 7.5: u + v + w = 0 implies u x v = v x w = w x u, the triangle's normal, whose length is twice its
+// area. The lines of the proof are checked exactly in whole numbers, each for the most general vectors that
+// it allows. The area is computed from the lengths of the sides alone, without a cross product: 16 area^2 =
+// 2(a^2 b^2 + b^2 c^2 + c^2 a^2) - a^4 - b^4 - c^4 (Heron). Kahan, Miscalculating area and angles of a
+// needle-like triangle.
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +40,7 @@ struct Triangle {
   std::vector<double> inputs() const { return {p[0], p[1], p[2], q[0], q[1], q[2], r[0], r[1], r[2]}; }
 };
 
-/// Height about h over a base of about 1, at the distance d.
+/// A triangle with a height of about h over a base of about 1, at the distance d.
 Triangle flat(double d, double h) {
   return {{d, d / 3, -d / 7},
           {d + 1.1, d / 3 + 0.7, -d / 7 - 0.3},
@@ -52,14 +52,14 @@ Triangle needle(double s) {
   return {{0, 0, 0}, {1.08231, 0.73914, -0.31277}, {1.08231 + s, 0.73914 - 2 * s, -0.31277 + s / 3}};
 }
 
-/// What f multiplies, divides and roots, the vertices of t being its arguments.
+/// Count of multiplications, divisions and roots of f, with the vertices of t as arguments.
 long work_of(const Triangle& t, const auto& f) {
   using Number = Counted<double>;
   return operations_of([&] { return f(cast<Number>(t.p), cast<Number>(t.q), cast<Number>(t.r)); })
       .all_but_additions();
 }
 
-/// A formula for the normal in p, q, r, in 53 and in 106 bits.
+/// A formula for the normal from p, q, r, in 53 and in 106 bits.
 Method formula(std::string model, std::string algorithm, const Triangle& t, const auto& f) {
   return {
       std::move(model),
@@ -95,7 +95,7 @@ T length(const Vector3<T>& x) {
   return sqrt(dot(x, x));
 }
 
-/// The lengths of the sides, the largest first.
+/// The lengths of the sides, largest first.
 template <class T>
 Vector3<T> sides(const Vector3<T>& p, const Vector3<T>& q, const Vector3<T>& r) {
   Vector3<T> abc{length(q - p), length(r - q), length(p - r)};

@@ -13,7 +13,7 @@ namespace {
 using namespace vectors;
 using vectors::operator*;
 
-/// A basis, p put together from the vectors or from their cross products, and any vector q.
+/// A basis, p as a combination of its vectors or of their cross products, and any vector q.
 template <class T>
 struct LettersOf {
   static constexpr bool whole = true;
@@ -42,14 +42,14 @@ using Planted = LettersOf<double>;
 using Table = ProvableClaims<LettersOf>;
 using Route = ProvableFormula<LettersOf>;
 
-/// Twice the unit vectors, and p of the coefficients one.
+/// Twice the unit vectors, and p with all coefficients one.
 Planted twice_the_unit_vectors() {
   Planted s{{2, 0, 0}, {0, 2, 0}, {0, 0, 2}, 1, 1, 1, {}, {3, -1, 4}};
   s.p = s.dual_combination();
   return s;
 }
 
-/// Of whole numbers, every fifth basis nearly dependent; `dual`: p = x u x v + y v x w + z w x u.
+/// In whole numbers, with every fifth basis nearly dependent; `dual`: p = x u x v + y v x w + z w x u.
 std::vector<Planted> samples(Random random, bool dual) {
   std::vector<Planted> all;
   const auto digit = [&] { return static_cast<double>(1 + random.below(99)); };
@@ -73,7 +73,7 @@ const Route x{"$x$", [](const auto&s) { return s.x; }}, y{"$y$", [](const auto&s
     z{"$z$", [](const auto&s) { return s.z; }},
     volume_times_q{R"($(u\cdot v\times w)\,q$)", [](const auto&s) { return s.volume() * s.q; }};
 
-/// An equation whose right side is the reading.
+/// An equation whose right side is the checked reading.
 struct Equation {
   std::string_view slug;
   int line;
@@ -87,7 +87,7 @@ void equations(Table& table, const std::vector<Planted>& samples, const std::vec
                   samples, {.truth = e.left, .printed = "$" + e.right + "$"});
 }
 
-/// Where p is put together from the basis.
+/// Equations for p as a combination of the basis.
 void over_basis(Table& table, const std::vector<Planted>& samples) {
   equations(table, samples,
             {{"x_equation",
@@ -117,7 +117,7 @@ void over_basis(Table& table, const std::vector<Planted>& samples) {
        .printed = R"($(q\cdot v\times w)u+(q\cdot w\times u)v+(q\cdot u\times v)w$)"});
 }
 
-/// Where p is put together from the cross products.
+/// Equations for p as a combination of the cross products.
 void over_products(Table& table, const std::vector<Planted>& samples) {
   equations(table, samples,
             {{"dual_x_equation",
@@ -184,7 +184,7 @@ std::vector<Claim> claims(const Random& random) {
   return claims.in_order();
 }
 
-/// For every basis: what `field` asks not to be zero is the volume, written another way.
+/// For every basis: the nonzero condition of `field` is on the volume, in another form.
 Provables proofs() {
   Claims claims("7.7");
   Table basis(claims), products(claims);

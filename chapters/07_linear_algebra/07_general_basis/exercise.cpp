@@ -1,7 +1,7 @@
 // Exercise 7.7: the coefficients of p over a basis u, v, w, and over u x v, v x w, w x u, by triple products:
 //   p = x u + y v + z w,             x = p.v x w / D, y = p.w x u / D, z = p.u x v / D,   D = u.v x w
 //   p = x u x v + y v x w + z w x u, x = w.p / D,     y = u.p / D,     z = v.p / D
-// The coefficients are planted: p is put together from whole numbers, and every line has to give them back,
+// The coefficients are known in advance: p is combined with whole numbers, and every line must return them
 // exactly. Triple products are Cramer's rule; Higham, Accuracy and Stability, 2nd ed., 1.10.1.
 
 #include <string>
@@ -33,7 +33,7 @@ struct Basis {
   Vector3<double> a, b, c, p;
 };
 
-/// u, v, and w off their plane by about the gap.
+/// A basis u, v, w, with w out of the plane of u and v by about the gap.
 Basis nearly_dependent(double gap) {
   return {{0.83, -0.41, 0.57},
           {0.29, 0.91, -0.33},
@@ -41,7 +41,7 @@ Basis nearly_dependent(double gap) {
           {0.71, 0.37, 1.13}};
 }
 
-/// Over a, b, c.
+/// Coefficients over a, b, c.
 template <class T>
 Vector3<T> cramer(const Vector3<T>& a, const Vector3<T>& b, const Vector3<T>& c, const Vector3<T>& q) {
   const Vector3<T> bc = cross(b, c);
@@ -49,7 +49,7 @@ Vector3<T> cramer(const Vector3<T>& a, const Vector3<T>& b, const Vector3<T>& c,
   return {dot(q, bc) / d, dot(q, cross(c, a)) / d, dot(q, cross(a, b)) / d};
 }
 
-/// Over a x b, b x c, c x a.
+/// Coefficients over a x b, b x c, c x a.
 template <class T>
 Vector3<T> dual_cramer(const Vector3<T>& a, const Vector3<T>& b, const Vector3<T>& c, const Vector3<T>& q) {
   const T d = triple(a, b, c);
@@ -72,18 +72,18 @@ Eigen::MatrixXd columns(const Vector3<double>& a, const Vector3<double>& b, cons
   return m;
 }
 
-/// What is left of p, in the number type T.
+/// The residual of p, in the number type T.
 template <class T>
 Vector3<T> residual_in(const Basis& s, const Eigen::VectorXd& k) {
   const auto term = [](double factor, const Vector3<double>& a) { return T(factor) * cast<T>(a); };
   return cast<T>(s.p) - term(k[0], s.a) - term(k[1], s.b) - term(k[2], s.c);
 }
-/// In twice the digits.
+/// The residual in twice the digits.
 Vector3<double> residual(const Basis& s, const Eigen::VectorXd& k) {
   return cast<double>(residual_in<DoubleDouble>(s, k));
 }
 
-/// LU, and corrections by the residual in twice the digits.
+/// LU, with corrections from the residual in twice the digits.
 Answer refined(const Basis& s, int corrections) {
   const Eigen::MatrixXd m = columns(s.a, s.b, s.c);
   auto solved = solve(Factorization::partial_pivot_lu, m, dense(s.p));
@@ -147,7 +147,7 @@ Quantity dual_coefficients(double gap, const Reference& truth) {
   return q;
 }
 
-/// What the coefficients leave of p: it can be small though the coefficients are wrong.
+/// The residual of p for the coefficients: it can be small although they are wrong.
 Quantity left_over(double gap, const Reference& truth) {
   const Basis s = nearly_dependent(gap);
   const Eigen::MatrixXd m = columns(s.a, s.b, s.c);

@@ -54,8 +54,8 @@ std::vector<Term> printed_terms() {
 
 namespace {
 
-/// Fraction-free elimination with exchange of rows (Bareiss 1968): every division leaves no remainder. For
-/// whole numbers with entries below 2000.
+/// Fraction-free elimination with row exchange (Bareiss 1968), whose divisions leave no remainder. For whole
+/// numbers with entries below 2000.
 Whole by_bareiss(Matrix4<Whole> m) {
   Whole previous = 1, sign = 1;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -70,7 +70,7 @@ Whole by_bareiss(Matrix4<Whole> m) {
   return sign * m[3][3];
 }
 
-/// A matrix of whole numbers, a tenth of them singular, one of them zero.
+/// A matrix of whole numbers; a tenth are singular, one is zero.
 struct Sample {
   static constexpr bool whole = true;
   Matrix4<Whole> m;
@@ -101,7 +101,7 @@ std::vector<Sample> full_matrices(Random random) {
   return all;
 }
 
-/// Whole numbers at the four places that a permutation asks for, zero elsewhere.
+/// Whole numbers at the four places of a permutation, zero elsewhere.
 std::vector<Sample> matrices_of(std::string_view permutation, Random random) {
   std::vector<Sample> all;
   for (int sample = 0; sample < 8; ++sample) {
@@ -116,7 +116,7 @@ Formula<Sample> in_whole(std::string text, const std::function<Whole(const Matri
   return {std::move(text), [=](const Sample& s) { return values(of(s.m)); }};
 }
 
-/// In every number that can be negated.
+/// For all number types with negation.
 template <class T>
 T sum_of(const std::vector<Term>& all, const Matrix4<T>& m) {
   T sum = 0;
@@ -130,7 +130,7 @@ Formula<Sample> terms(std::string text, const std::vector<Term>& all) {
 
 const Formula<Sample> elimination = in_whole("fraction-free elimination", by_bareiss);
 
-/// The sum over all permutations, their order found by counting inversions.
+/// The sum over all permutations, whose parity is found by counting inversions.
 template <class T>
 T sum_over_permutations(const Matrix4<T>& m) {
   std::array<std::size_t, 4> s{0, 1, 2, 3};
@@ -168,7 +168,7 @@ void add_row(Claims& claims, const Row& row, const Random& random) {
        .printed = {tex}});
 }
 
-/// Of the 4^4 maps of {1, 2, 3, 4} into itself, those that reach every number.
+/// Counts those of the 4^4 maps of {1, 2, 3, 4} into itself that reach every number.
 double onto_maps() {
   int count = 0;
   for (int code = 0; code < 256; ++code)
@@ -259,7 +259,7 @@ Matrix4<Expression> letters_at(const auto& is_there, std::string& letters) {
   return m;
 }
 
-/// Of every matrix of numbers, by cofactors of the first row.
+/// For every matrix, by cofactors of the first row.
 Lemma determinant_is(std::string name, const auto& sum, const auto& is_there) {
   Lemma lemma{.name = std::move(name), .tactic = "ring"};
   const Matrix4<Expression> m = letters_at(is_there, lemma.letters);

@@ -12,7 +12,7 @@ namespace oddity::ex07_09 {
 template <class T>
 using Matrix4 = std::array<std::array<T, 4>, 4>;
 
-/// Whole numbers of 128 bits: exact for every 4 x 4 matrix with entries below 2^30.
+/// 128-bit integers: exact for every 4 x 4 matrix with entries below 2^30.
 __extension__ typedef __int128 Whole;
 
 template <class T, class From>
@@ -42,13 +42,13 @@ T term_of(const Term& t, const Matrix4<T>& m) {
          m[t.rows[3]][t.columns[3]];
 }
 
-/// Rows r and s, columns c and d.
+/// The minor of rows r and s and columns c and d.
 template <class T>
 T minor_2(const Matrix4<T>& m, std::size_t r, std::size_t s, std::size_t c, std::size_t d) {
   return m[r][c] * m[s][d] - m[r][d] * m[s][c];
 }
 
-/// Along the first row, and along the first rows of its minors.
+/// Expands along the first row, and along the first rows of its minors.
 template <class T>
 T by_cofactors(const Matrix4<T>& m) {
   const auto minor_3 = [&](std::size_t c, std::size_t d, std::size_t e) {

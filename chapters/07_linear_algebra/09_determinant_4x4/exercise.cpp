@@ -1,7 +1,7 @@
 // Exercise 7.9: the determinant of a 4 x 4 matrix as a sum over permutations, and the table of its 24 terms:
 //   det A = sum_s e_s a_s(1)1 a_s(2)2 a_s(3)3 a_s(4)4, e_s = +1 for an even permutation s, -1 for an odd one.
-// Every row of the table is judged by the determinant of whole numbers put at its four places, zero
-// elsewhere, by fraction-free elimination, which knows nothing of permutations. All of that is exact.
+// Every row of the table is checked by the determinant of whole numbers at its four places and zeros
+// elsewhere, by fraction-free elimination, which is independent of permutations. All of this is exact.
 
 #include <algorithm>
 #include <cmath>
@@ -53,7 +53,7 @@ Matrix4<Whole> product(const Matrix4<Whole>& a, const Matrix4<Whole>& b) {
   return m;
 }
 
-/// Triangular, of whole numbers, with ones on the diagonal.
+/// A triangular matrix of whole numbers with ones on the diagonal.
 Matrix4<Whole> triangular(Random& random, int size, bool upper) {
   Matrix4<Whole> m = random_matrix(random, size);
   for (std::size_t i = 0; i < 4; ++i)
@@ -62,7 +62,7 @@ Matrix4<Whole> triangular(Random& random, int size, bool upper) {
   return m;
 }
 
-/// An expansion in numbers of 24, 53 or 106 bits; its multiplications counted beforehand.
+/// An expansion in numbers of 24, 53 or 106 bits, with its multiplications counted beforehand.
 Method expansion(std::string algorithm, const Matrix4<double>& m, const auto& determinant,
                  std::string why = {}) {
   const auto numbers = cast<Counted<double>>(m, [](double x) { return x; });
@@ -82,7 +82,7 @@ Method expansion(std::string algorithm, const Matrix4<double>& m, const auto& de
           std::move(why)};
 }
 
-/// Every expansion, `terms` among them, and elimination.
+/// Adds all expansions, including `terms`, and elimination.
 void add_methods(Quantity& q, const Matrix4<double>& m, const auto& terms, Outcome of_elimination,
                  const std::string& why) {
   q.add(expansion("24 terms", m, terms));
@@ -114,13 +114,13 @@ auto printed_sum() {
   return [terms = printed_terms()](const auto& m) { return by_terms(terms, m); };
 }
 
-/// The determinant of a matrix of one's own. Its terms may cancel: what is needed is nine digits of them.
+/// The determinant of the user's matrix. Its terms may cancel, so the tolerance is nine digits of them.
 Quantity own_determinant(const Parameters& p, const Reference& truth) {
   Matrix4<double> m;
   std::vector<double> given;
   for (std::string_view name : letters) given.push_back(p[name]);
   for (std::size_t i = 0; i < 16; ++i) m[i / 4][i % 4] = given[i];
-  double terms = 1;  // no smaller than the largest of the 24
+  double terms = 1;  // at least as large as the largest of the 24
   for (const auto& row : m)
     terms *= std::abs(*std::ranges::max_element(row, {}, [](double x) { return std::abs(x); }));
   Quantity q = quantity("determinant", "", "determinant of the matrix of the entries a11 to a44",

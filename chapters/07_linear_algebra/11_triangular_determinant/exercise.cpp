@@ -1,7 +1,7 @@
-// Exercise 7.11: the determinant of an upper triangular matrix, by cofactors of its last row over and over,
-// is the product of its diagonal entries, u_nn ... u_11. The other route is fraction-free elimination in
-// whole numbers (Bareiss 1968), which knows neither cofactors nor, since it is given full matrices too,
-// triangles. Higham, Accuracy and Stability, 2nd ed., 14.6.
+// Exercise 7.11: the determinant of an upper triangular matrix, by repeated cofactors of its last row, is the
+// product of its diagonal entries, u_nn ... u_11. The independent route is fraction-free elimination in whole
+// numbers (Bareiss 1968). It uses no cofactors and is also given full matrices. Higham, Accuracy and
+// Stability, 2nd ed., 14.6.
 
 #include <algorithm>
 #include <array>
@@ -36,7 +36,7 @@ constexpr auto parameters = together(
 
 constexpr int largest = 8;  ///< size
 
-/// A random matrix M of whole numbers, or U, zero below its diagonal; one of each is all zero.
+/// A random matrix M of whole numbers, or U, which is zero below its diagonal; one of each is all zero.
 struct Sample {
   static constexpr bool whole = true;
   Matrix<Whole> m;
@@ -57,11 +57,11 @@ std::vector<Sample> matrices_of_whole_numbers(Random random, bool triangular) {
   return all;
 }
 
-/// Without the last row and one column.
+/// The matrix without its last row and one column.
 Matrix<Whole> minor_of(const Matrix<Whole>& m, int column) {
   return filled<Whole>(m.n - 1, [&](int r, int c) { return m(r, c + (c >= column)); });
 }
-/// Smaller matrices have zeros further on in the last row, and ones down the diagonal.
+/// For smaller matrices, missing entries of the last row are zero and missing diagonal entries are one.
 TypesetLetters Sample::typeset() const {
   const auto number = [](Whole x) { return static_cast<double>(x); };
   TypesetLetters all{{"n", m.n},
@@ -79,7 +79,7 @@ TypesetLetters Sample::typeset() const {
   return all;
 }
 
-/// M bordered by a last row and column that are zero but for their common entry 2.
+/// M with an additional last row and column, zero except for their common entry 2.
 Matrix<Whole> bordered(const Matrix<Whole>& m) {
   return filled<Whole>(m.n + 1,
                        [&](int r, int c) { return r < m.n && c < m.n ? m(r, c) : Whole{r == c ? 2 : 0}; });
@@ -89,7 +89,7 @@ Formula<Sample> in_whole(std::string text, const std::function<Whole(const Matri
   return {std::move(text), [=](const Sample& s) { return values(of(s.m)); }};
 }
 
-/// The squares of the entries below the diagonal.
+/// Sum of the squares of the entries below the diagonal.
 Whole below(const Matrix<Whole>& m) {
   Whole sum = 0;
   for (int r = 0; r < m.n; ++r)
@@ -151,7 +151,7 @@ double product(const std::vector<double>& u) {
   return all;
 }
 
-/// A number as mantissa and power of two, so that no product leaves the range.
+/// A number as mantissa and power of two, so that products do not overflow.
 struct Scaled {
   double mantissa = 1;
   long exponent = 0;
@@ -179,7 +179,7 @@ double sign_of(const std::vector<double>& u) {
   return sign;
 }
 
-/// The largest with the smallest, the second largest with the second smallest, ...
+/// The largest next to the smallest, the second largest next to the second smallest, ...
 std::vector<double> paired(std::vector<double> u) {
   std::ranges::sort(u, {}, [](double x) { return std::abs(x); });
   std::vector<double> all;
@@ -254,7 +254,7 @@ Quantity determinant_quantity(int n, int e, const Reference& truth) {
   return q;
 }
 
-/// The diagonal under random entries, as a full matrix.
+/// A full matrix with this diagonal and random entries above it.
 Eigen::MatrixXd triangular(const std::vector<double>& u, Random random) {
   const auto n = static_cast<Eigen::Index>(u.size());
   Eigen::MatrixXd m = Eigen::MatrixXd::Zero(n, n);
@@ -299,7 +299,7 @@ Quantity log_determinant(int n, int e, const Reference& truth, const Random& ran
   return q;
 }
 
-/// The determinant of a triangular matrix of one's own.
+/// The determinant of the user's triangular matrix.
 Quantity own_determinant(const Parameters& p, const Reference& truth) {
   std::vector<double> entries, u;
   Eigen::MatrixXd m = Eigen::MatrixXd::Zero(4, 4);

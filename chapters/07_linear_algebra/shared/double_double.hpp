@@ -5,8 +5,8 @@
 namespace oddity {
 
 /// A number of 106 significant bits as the sum of two doubles, the second below half a unit in the last place
-/// of the first. Products are exact to 2^-104 or so, sums to 2^-104 of their result: Dekker (1971) with the
-/// exact product of std::fma; sums in the accurate form, Joldes, Muller and Popescu (2017), algorithm 6.
+/// of the first. Relative errors are about 2^-104 for products and sums. Products: Dekker (1971) with the
+/// exact product of std::fma. Sums: the accurate form, Joldes, Muller and Popescu (2017), algorithm 6.
 struct DoubleDouble {
   double high = 0, low = 0;
 

@@ -6,12 +6,12 @@
 #include <utility>
 #include <vector>
 
-/// Square matrices, generic in their entries, and their products with the sums run in a given order.
+/// Square matrices, generic in their entries, and their products with sums in a given order.
 namespace oddity::matrices {
 
 __extension__ typedef __int128 Whole;
 
-/// Numbers that do not commute.
+/// Quaternions, whose products do not commute.
 struct Quaternion {
   double w = 0, x = 0, y = 0, z = 0;
   friend Quaternion operator+(const Quaternion& a, const Quaternion& b) {
@@ -54,8 +54,8 @@ std::vector<T> applied(const Matrix<T>& m, const std::vector<T>& x) {
   return y;
 }
 
-/// The determinant by fraction-free elimination with exchange of rows (Bareiss 1968): no division leaves a
-/// remainder. Its numbers are minors of the matrix.
+/// The determinant by fraction-free elimination with row exchange (Bareiss 1968): no division leaves a
+/// remainder. All intermediate numbers are minors of the matrix.
 inline Whole bareiss(Matrix<Whole> m) {
   Whole previous = 1, sign = 1;
   for (int k = 0; k + 1 < m.n; ++k) {

@@ -1,4 +1,5 @@
-// Exercise 8.1: two frames of the plane with one origin, the second's axes turned by pi/4. The book's
+// Exercise 8.1: two frames of the plane with the same origin, the axes of the second rotated by pi/4. The
+// book's
 //   b = R^T a,   R^T = 1/sqrt(2) (1 1; -1 1),   R the counterclockwise rotation by pi/4
 // is checked against the frames themselves: P = O + a1 u1 + a2 u2 = O + b1 v1 + b2 v2, v1 and v2 the powers
 // exp(i pi/4), i exp(i pi/4), and b by elimination. Example 8.1 itself, with c = (c1, c2), is not in the
@@ -29,7 +30,7 @@ constexpr Parameter parameters[] = {
     {"seed", 1, "", "of the random points", 0, 1e9, whole_number},
 };
 
-constexpr double four_decimals = 0.7071;  ///< of 1/sqrt(2)
+constexpr double four_decimals = 0.7071;  ///< precision of the printed 1/sqrt(2)
 constexpr double quarter = std::numbers::pi / 4;
 
 Matrix2d rows(double a, double b, double c, double d) {
@@ -40,7 +41,7 @@ Matrix2d rows(double a, double b, double c, double d) {
 
 const Matrix2d printed = rows(1, 1, -1, 1) / std::sqrt(2.0);
 
-/// Coordinates of a vector on axes turned by `angle`, by elimination.
+/// Coordinates of a vector on axes rotated by `angle`, by elimination.
 Solved<Eigen::VectorXd> elimination_on_turned_axes(const Vector2d& vector, double angle) {
   const Complex v1 = std::polar(1.0, angle), v2 = v1 * Complex(0, 1);
   return solve(Factorization::partial_pivot_lu, rows(v1.real(), v2.real(), v1.imag(), v2.imag()), vector);
@@ -53,7 +54,7 @@ using Vector2 = Eigen::Matrix<T, 2, 1>;
 template <class T>
 using Matrix2 = Eigen::Matrix<T, 2, 2>;
 
-/// As it is meant.
+/// The printed matrix as it is meant.
 template <class T>
 Matrix2<T> printed_matrix() {
   Matrix2<T> m;
@@ -61,7 +62,7 @@ Matrix2<T> printed_matrix() {
   return m / sqrt(T(2.0));
 }
 
-/// The columns are the axes: 1 and i turned by this share of pi.
+/// Columns are the axes: 1 and i rotated by `share` times pi.
 template <class T>
 Matrix2<T> turned_axes(double share) {
   const T angle = pi_of<T>() * share, c = cos(angle), s = sin(angle);
@@ -69,7 +70,7 @@ Matrix2<T> turned_axes(double share) {
   axes << c, -s, s, c;
   return axes;
 }
-/// By elimination, the first axis not being along the second coordinate.
+/// By elimination; the first axis must not be along the second coordinate.
 template <class T>
 Vector2<T> on_axes(const Matrix2<T>& axes, const Vector2<T>& vector) {
   const T multiple = axes(1, 0) / axes(0, 0);
@@ -77,7 +78,7 @@ Vector2<T> on_axes(const Matrix2<T>& axes, const Vector2<T>& vector) {
   return {(vector[0] - axes(0, 1) * second) / axes(0, 0), second};
 }
 
-/// A point, and two frames whose origins differ by as much as the claim says of `offset`.
+/// A point, and two frames whose origins differ by a multiple of `offset` that each claim sets.
 template <class T>
 struct FramesOf {
   double largest = 0;
@@ -92,7 +93,7 @@ struct FramesOf {
   std::string where() const { return "size " + format_significant(largest, 3); }
 };
 
-/// The coordinates of the first frame's origin on the second's axes, the two origins `apart`.
+/// Coordinates of the first frame's origin on the axes of the second. The origins differ by apart * offset.
 ProvableFormula<FramesOf> constants(std::string text, double apart) {
   return {std::move(text), [=]<class T>(const FramesOf<T>& f) {
             const Vector2<T> second = f.origin + T(apart) * f.offset;
@@ -173,7 +174,7 @@ std::vector<Claim> claims(double seed) {
   return claims.in_order();
 }
 
-/// The eighth of a turn by the root of two, a letter whose square is known.
+/// Sine and cosine of pi/4 through the square root of two, a letter with a known square.
 constexpr const char* by_root =
     R"(replace (PI * (25 / 100)) with (PI / 4) by field; rewrite ?cos_PI4, ?sin_PI4;
   pose proof (sqrt_lt_R0 2 ltac:(lra)); pose proof (sqrt_sqrt 2 ltac:(lra)) as square;
@@ -261,8 +262,8 @@ Quantity coordinates_of(const Vector2d& a, int exponent, const Reference& truth,
   return q;
 }
 
-/// Eight changes of pi/4 are none; two more, a quarter turn, show that any were made. The point is one for
-/// which rounding does not fall into a cycle, as it does for many, such as (2, 1/2).
+/// Eight changes by pi/4 give the identity; two more, a quarter turn, show that changes were made at all. The
+/// point is one for which roundings do not fall into a cycle, as they do for many, such as (2, 1/2).
 Quantity full_turns() {
   const Vector2d a(1234.567, -0.3333), in_a_cycle(2, 0.5);
   constexpr long quarter_turn = 2;

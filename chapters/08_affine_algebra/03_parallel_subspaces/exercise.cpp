@@ -1,7 +1,7 @@
-// Exercise 8.3: affine subspaces A1 = P1 + V1 and A2 = P2 + V2 are parallel when V1 contains V2 or V2
-// contains V1, that is when rank [V1 V2] = max(rank V1, rank V2). The book's are lines with the directions of
-// the x-axis and of the y-axis. The reference for random ones is how they were made; exact ranks are by
-// elimination in integers.
+// Exercise 8.3: affine subspaces A1 = P1 + V1 and A2 = P2 + V2 are parallel if V1 contains V2 or V2 contains
+// V1, that is if rank [V1 V2] = max(rank V1, rank V2). The book's are lines along the x-axis and the y-axis.
+// The reference for random subspaces is how they were constructed. Exact ranks are by elimination in
+// integers.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -30,7 +30,7 @@ __extension__ typedef __int128 Wide;
 
 struct Pair {
   MatrixXd first, second;
-  bool parallel;  ///< as made
+  bool parallel;  ///< by construction
 
   MatrixXd both() const {
     MatrixXd m(first.rows(), first.cols() + second.cols());
@@ -41,8 +41,8 @@ struct Pair {
   const MatrixXd& smaller() const { return first.cols() >= second.cols() ? second : first; }
 };
 
-/// The rank of a matrix of whole numbers, without a division that leaves a remainder [Bareiss, Math. Comp.
-/// 22, 1968, p. 565].
+/// The rank of a matrix of whole numbers, by divisions without remainder [Bareiss, Math. Comp. 22, 1968, p.
+/// 565].
 int exact_rank(const MatrixXd& a) {
   const auto rows = static_cast<std::size_t>(a.rows()), columns = static_cast<std::size_t>(a.cols());
   std::vector<std::vector<Wide>> m(rows, std::vector<Wide>(columns));
@@ -66,7 +66,7 @@ int exact_rank(const MatrixXd& a) {
   return static_cast<int>(r);
 }
 
-/// Gaussian elimination with complete pivoting; pivots below `relative` times the first are taken for zero.
+/// Gaussian elimination with complete pivoting; pivots below `relative` times the first count as zero.
 int eliminated_rank(MatrixXd a, double relative) {
   const double first = a.cwiseAbs().maxCoeff();
   int r = 0;
@@ -82,13 +82,13 @@ int eliminated_rank(MatrixXd a, double relative) {
   return r;
 }
 
-/// Does either contain the other? Together they span no more than the larger does.
+/// Whether one contains the other: together they span no more than the larger does.
 template <class Rank>
 bool by_rank(const Pair& pair, const Rank& rank_of) {
   return rank_of(pair.both()) == std::max(rank_of(pair.first), rank_of(pair.second));
 }
 
-/// The smaller's columns projected on the larger, until something is left of one.
+/// Projects the smaller's columns on the larger, until one leaves a residual.
 bool by_projection(const Pair& pair, double relative, long& projections) {
   const MatrixXd& basis = pair.larger();
   for (long j = 0; j < pair.smaller().cols(); ++j) {
@@ -116,8 +116,8 @@ MatrixXd independent(Random& random, long rows, long columns) {
   }
 }
 
-/// Pairs in dimensions 2 to 5: contained, coincident, and with at least one direction outside (a column of
-/// full rank beside the larger's).
+/// Pairs in dimensions 2 to 5: contained, coincident, and with at least one direction outside (a column that
+/// increases the larger's rank).
 std::vector<Pair> random_pairs(double seed, int count) {
   Random random(seed);
   std::vector<Pair> all;
@@ -171,8 +171,8 @@ struct Walker {
   }
 };
 
-/// A pair of vector spaces, and whether points of the smaller are equally far from the larger, by least
-/// squares: parallel to the eye.
+/// A pair of vector spaces, and whether points of the smaller are equally far from the larger by least
+/// squares, so that they look parallel.
 struct Judged {
   Pair pair;
   bool equally_far;
@@ -240,7 +240,7 @@ std::vector<Claim> claims(double seed) {
 
 // ---- methods ----------------------------------------------------------------------------------------------
 
-/// 1 for parallel, 0 for not, pair by pair. A rank or a projection is one evaluation.
+/// 1 for parallel, 0 for not, pair by pair. A rank or a projection counts as one evaluation.
 template <class Judge>
 Answer judged(const std::vector<Pair>& pairs, const Judge& judge) {
   Answer answer;
@@ -283,7 +283,7 @@ Quantity parallel(std::string name, std::string says, std::string because, const
   return q;
 }
 
-/// Directions (10^k, 1), once with (10^k + 1, 1), once with three times itself.
+/// Directions (10^k, 1), each paired with (10^k + 1, 1) and with three times itself.
 std::vector<Pair> nearly_parallel() {
   std::vector<Pair> all;
   for (int k = 1; k <= 12; ++k) {
@@ -294,7 +294,7 @@ std::vector<Pair> nearly_parallel() {
   return all;
 }
 
-/// Directions and their multiples by factors that round, in 2^-52 as unit, so that they are whole numbers.
+/// Directions and their multiples by factors that round, in units of 2^-52, so that they are whole numbers.
 std::vector<Pair> rounded_multiples(double seed) {
   Random random(seed);
   std::vector<Pair> all;

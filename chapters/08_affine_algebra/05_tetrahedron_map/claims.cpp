@@ -4,7 +4,7 @@
 #include "reference/text.hpp"
 #include "solvers/linear.hpp"
 
-/// The lines of the book's derivation on random tetrahedra, coefficients by volumes.
+/// The book's derivation line by line on random tetrahedra, with the coefficients from volumes.
 namespace oddity::ex08_05 {
 
 template <class T>
@@ -20,8 +20,8 @@ struct SampleOf {
     return triple<T>(t.p[1] - p, t.p[2] - p, t.p[3] - p) / triple(t.edge(1), t.edge(2), t.edge(3));
   }
   Vector<T> v() const { return p - t.p[0]; }
-  /// Of sums that the coefficients weigh: these are quotients of volumes, which cancel, and not all of their
-  /// terms show in the sum, which is the same whatever the letters are.
+  /// For sums weighted by the coefficients. These are quotients of volumes, whose terms cancel, so the size
+  /// of the terms does not show in the sum.
   Tolerance tolerance(double size) const {
     double terms = std::abs(c0()) * t.p[0].norm();
     for (long i = 0; i < 3; ++i) terms += std::abs(c()[i]) * t.p[static_cast<std::size_t>(i) + 1].norm();
@@ -57,7 +57,8 @@ using Table = ProvableClaims<SampleOf>;
 
 Vector3d vector(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
 
-/// Random tetrahedra of edges' condition below `most`, the apex let down to `height`, P inside and outside.
+/// Random tetrahedra whose edges' condition is below `most`, with the apex lowered to `height`, and P inside
+/// and outside.
 std::vector<Sample> samples(double seed, double height, double most) {
   Random random(seed);
   std::vector<Sample> all;
@@ -107,7 +108,7 @@ void formulas(Table& table, const std::vector<Sample>& all) {
                         }}}});
 }
 
-/// A tetrahedron's three edges from one vertex, of whole numbers.
+/// A tetrahedron's three edges from one vertex, in whole numbers.
 struct WholeEdges {
   using Row = std::array<long long, 3>;
   using Rows = std::array<Row, 3>;
@@ -119,14 +120,14 @@ struct WholeEdges {
         for (long long& x : row) x = random.below(201) - 100;
     while (flat(v));
   }
-  /// The common vertex, at the origin, is in the plane of the other three.
+  /// Whether the common vertex, at the origin, is in the plane of the other three.
   static bool flat(const Rows& m) {
     const auto less = [](const Row& a, const Row& b) { return Row{a[0] - b[0], a[1] - b[1], a[2] - b[2]}; };
     const Row a = less(m[1], m[0]), b = less(m[2], m[0]);
     const Row normal{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
     return normal[0] * m[0][0] + normal[1] * m[0][1] + normal[2] * m[0][2] == 0;
   }
-  /// How many rows elimination in whole numbers leaves that are not zero.
+  /// The number of rows left nonzero by elimination in whole numbers.
   static int rank(Rows m) {
     std::size_t done = 0;
     for (std::size_t column = 0; column < 3; ++column) {
@@ -154,7 +155,7 @@ struct WholeEdges {
         products[i][j] = e[i][0] * e[j][0] + e[i][1] * e[j][1] + e[i][2] * e[j][2];
     return det(products);
   }
-  /// The third edge in the plane of the other two.
+  /// The edges with the third one moved into the plane of the other two.
   Rows flattened() const {
     Rows flat = v;
     for (std::size_t a = 0; a < 3; ++a) flat[2][a] = 2 * v[0][a] - v[1][a];
@@ -167,7 +168,7 @@ struct WholeEdges {
   std::string where() const { return R"($\det$ = )" + std::to_string(det(v)); }
 };
 
-/// What elimination without exchange of rows divides by, and what it finds.
+/// The pivots and the solution of elimination without row exchange.
 template <class T>
 struct Eliminated {
   Vector<T> pivots, x;
@@ -187,8 +188,8 @@ Eliminated<T> eliminated(Eigen::Matrix<T, 3, 3> a, Vector<T> b) {
   return {a.diagonal(), b};
 }
 
-/// The printed system by elimination, allowed the roundings that `power` of the condition number makes of
-/// one.
+/// Checks the printed system by elimination. The tolerance is a rounding times the condition number to this
+/// `power`.
 Reading elimination(std::string text, const std::vector<Sample>& all, double power) {
   WorstSample exchanging("$c_1,c_2,c_3$", "elimination of the normal equations", "ratios of volumes"),
       in_order("$c_1,c_2,c_3$", "elimination without exchange of rows", "ratios of volumes");
@@ -244,8 +245,8 @@ std::vector<Claim> claims(double seed) {
 
 namespace {
 
-/// The matrix of the dot products has leading minors above zero, and elimination none but their quotients to
-/// divide by.
+/// The matrix of the dot products has positive leading minors, and elimination divides only by their
+/// quotients.
 constexpr const char* pivots_in_coq = R"(
 Lemma some_length : forall x y z, ~ (x = 0 /\ y = 0 /\ z = 0) -> x * x + y * y + z * z > 0.
 Proof. intros x y z H. apply Rnot_le_gt; intro; apply H; repeat split; nra. Qed.
@@ -271,7 +272,7 @@ Ltac quotient n d :=
 Ltac pivots := match goal with P : ?p > 0, Q : ?q > 0, S : ?s > 0 |- _ => solve [lra | quotient q p | quotient s q] end.
 )";
 
-/// Dot products with every edge are those of nothing else than the vector itself.
+/// A vector is determined by its dot products with all edges.
 constexpr const char* no_other_in_coq = R"(
 Lemma other_factor : forall d x, d <> 0 -> d * x = 0 -> x = 0.
 Proof. intros d x D H. destruct (Rmult_integral _ _ H); [contradiction | assumption]. Qed.

@@ -2,9 +2,9 @@
 //   P = sum c_i P_i, sum c_i = 1, f(P) = sum c_i f_i, and with V_i = P_i - P_0, V = P - P_0
 //   [V_i . V_j] c = [V_i . V]                                the book's normal equations
 //   [V_1 V_2 V_3] c = V                                      the edges themselves
-// The other routes: ratios of signed volumes; the map f(P) = A . P + b itself; exact integers. The matrix of
-// the normal equations has the square of the edges' condition [Higham, Accuracy and Stability, 2nd ed., ch.
-// 20].
+// Independent routes: ratios of signed volumes; the map f(P) = A . P + b itself; exact integers. The
+// condition of the normal equations' matrix is the square of the edges' [Higham, Accuracy and Stability, 2nd
+// ed., ch. 20].
 
 #include <limits>
 #include <string>
@@ -31,14 +31,14 @@ constexpr auto parameters = together(
 
 // ---- f(P) -------------------------------------------------------------------------------------------------
 
-/// Vertices and map of few binary digits, so that vertices, points and values are exact.
+/// Vertices and map with few binary digits, so that vertices, points and values are exact.
 Tetrahedron tetrahedron(double height) {
   const Vector3d p0(1.0625, 2.3125, -0.9375), v1 = Vector3d(3217, 1021, 2053) / 1024,
                                               v2 = Vector3d(-1171, 2237, 997) / 1024;
   return {{p0, p0 + v1, p0 + v2, p0 + 0.5 * v1 + 0.25 * v2 + height * Vector3d(-0.75, -1.25, 2)}};
 }
 
-/// All four vertices in a plane, and every elimination exact: the last pivot is 0 and not about 0.
+/// All four vertices in a plane, and every elimination exact: the last pivot is exactly 0.
 Tetrahedron flat() {
   const Vector3d p0(1, 2, -1), v1(4, 0, 0), v2(2, 4, 2);
   return {{p0, p0 + v1, p0 + v2, p0 + 0.5 * v1 + 0.25 * v2}};
@@ -65,7 +65,7 @@ using Number = Counted<double>;
 
 Vector<Number> counted(const Vector3d& x) { return x.cast<Number>(); }
 
-/// f at every point from three coordinates that `find` solves for; `extra` multiplications a point.
+/// f at all points, from three coordinates found by `find`, with `extra` multiplications per point.
 template <class Find>
 Answer values(const Problem& problem, long extra, const Find& find) {
   const auto& p = problem.t.p;
@@ -138,7 +138,7 @@ Answer by_gradient(const Problem& problem) {
   return all;
 }
 
-/// The base alone: two coordinates from the areas over the face, none at the apex.
+/// Uses the base alone: two coordinates from areas over the face, none for the apex.
 Answer by_base(const Problem& problem) {
   const auto areas = []<class T>(const Vector<T>& v, const Vector<T>& v1, const Vector<T>& v2) {
     const Vector<T> n = cross(v1, v2);
@@ -156,7 +156,7 @@ std::vector<Vector3d> points(const Parameters& p) {
   return {{p["c1"], p["c2"], p["c3"]}, {0.25, 0.25, 0.25}, {0.5, 0.375, 0}, {0, 0, 1}, {1.5, -0.25, 0.125}};
 }
 
-/// How the methods are expected to end.
+/// Expected outcomes of the methods.
 struct Expected {
   Outcome normal = Outcome::ok, cholesky = Outcome::ok, volumes = Outcome::ok, edges = Outcome::ok;
   std::string why = {};
@@ -166,7 +166,7 @@ Quantity values_of(std::string name, std::string says, const Tetrahedron& tetra,
                    const std::vector<Vector3d>& coordinates, const Expected& expected) {
   const Problem problem(tetra, coordinates);
   std::vector<double> truth;
-  double terms = 0;  // of A . P + b, the largest sum of their sizes
+  double terms = 0;  // largest size of the terms of A . P + b
   bool exact = true;
   for (const Vector3d& x : problem.points) {
     truth.push_back(map(x));

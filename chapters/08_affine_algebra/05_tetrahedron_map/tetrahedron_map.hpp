@@ -47,7 +47,7 @@ struct AffineOf {
 };
 using Affine = AffineOf<double>;
 
-/// (c1, c2, c3) by the volumes of the tetrahedra that P makes with the faces.
+/// (c1, c2, c3) from the volumes of the tetrahedra between P and the faces.
 template <class T>
 Vector<T> by_volumes(const Vector<T>& v, const Vector<T>& v1, const Vector<T>& v2, const Vector<T>& v3) {
   return Vector<T>(triple(v, v2, v3), triple(v1, v, v3), triple(v1, v2, v)) / triple(v1, v2, v3);

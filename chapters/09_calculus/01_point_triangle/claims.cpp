@@ -7,10 +7,10 @@
 #include "reference/text.hpp"
 #include "solvers/dual.hpp"
 
-/// What the book says about the squared distance, on random triangles and points.
+/// The book's claims about the squared distance, on random triangles and points.
 namespace oddity::ex09_01 {
 
-/// The region by coordinates.
+/// The region, from the signs of the coordinates.
 template <class T>
 int region_of(const T& s, const T& t) {
   if (s + t <= 1) return s < 0 ? (t < 0 ? 4 : 3) : t < 0 ? 5 : 0;
@@ -29,7 +29,7 @@ struct SampleOf {
       for (T& x : *point) all.push_back(&x);
     return all;
   }
-  /// Of s and t somewhere else than below P.
+  /// Values of s and t at a point other than that below P.
   T other_s() const { return 3 - t; }
   T other_t() const { return s - 1; }
   TypesetIn<T> typeset() const {
@@ -50,7 +50,7 @@ using Sample = SampleOf<double>;
 using OfSample = ProvableFormula<SampleOf>;
 using Table = ProvableClaims<SampleOf>;
 
-/// Fair triangles of sizes 0.01 to 100: the sine squared between the edges is above a twentieth.
+/// Well-shaped triangles of sizes 0.01 to 100: the squared sine between the edges is above a twentieth.
 std::vector<Sample> samples(double seed) {
   Random random(seed);
   std::vector<Sample> all;
@@ -73,7 +73,7 @@ OfSample weighted(std::string text, const std::array<std::size_t, 3>& order) {
           }};
 }
 
-/// The signed areas that a point of the plane makes with the edges, over the triangle's.
+/// Signed areas of the triangles between a point of the plane and the edges, relative to the triangle's area.
 template <class T>
 Vec<T> areas(const Triangle<T>& w, const Vec<T>& x) {
   const auto& v = w.v;
@@ -84,7 +84,7 @@ Vec<T> areas(const Triangle<T>& w, const Vec<T>& x) {
   return {area(1, 2), area(2, 0), area(0, 1)};
 }
 
-/// The triangle as the points with s, t >= 0 and s + t at most `most`.
+/// The triangle as the points with s, t >= 0 and s + t <= `most`.
 Statement<Sample> domain(std::string text, double most) {
   return {std::move(text), [=](const Sample& x) {
             const Vec<double> a = areas(x.w, x.w.at(x.s, x.t));
@@ -267,8 +267,8 @@ std::string area_is(const Expression& area, const std::string& weight) {
   return "replace (" + area.coq() + ")\n    with (" + weight + ") in * by (field; exact H); ";
 }
 
-/// How the regions' minimum is seen to be one: a convex quadratic is least where no direction into the domain
-/// leads down.
+/// Why the minimum found in each region is one: a convex quadratic has its minimum where no direction into
+/// the domain leads down.
 constexpr const char* least_in_coq = R"(
 Lemma least : forall a b c d e f s t u v, a > 0 -> a * c - b * b > 0 ->
   (a * s + b * t + d) * (u - s) + (b * s + c * t + e) * (v - t) >= 0 ->
@@ -334,7 +334,7 @@ Ltac of_edges x0 y0 z0 x1 y1 z1 x2 y2 z2 :=
             assert (a1 = 0) by nra; assert (b1 = 0) by nra; assert (c1 = 0) by nra; subst; apply area; ring] end.
 )";
 
-/// Where the square is least, no sum of the vertices with weights that add up to one is closer.
+/// At the minimum of the square, no sum of the vertices with weights that add up to one is closer.
 Lemma nearest(const SampleOf<Shortened>& any, std::vector<std::string> names) {
   const auto letter = [](const char* name) { return Shortened::letter(name); };
   const auto f = [&](const Shortened& s, const Shortened& t) {
@@ -356,7 +356,7 @@ Lemma nearest(const SampleOf<Shortened>& any, std::vector<std::string> names) {
           "eapply Rle_trans; [apply (H0 k1 k2); lra | right; ring] end"};
 }
 
-/// Of any quadratic that has a least value, which a triangle's has.
+/// For any quadratic that has a minimum, as a triangle's has.
 Provable seven_regions(const SampleOf<Shortened>& any, std::vector<std::string> names,
                        const std::vector<Proposition>& area) {
   const std::vector<std::string> letters{"a00", "a01", "a11", "b0", "b1", "c"};

@@ -1,9 +1,9 @@
-// Exercise 9.1: the distance from a point P to a triangle, as the least value of a quadratic on s, t >= 0,
-// s + t <= 1:
+// Exercise 9.1: the distance from a point P to a triangle, as the minimum of a quadratic on s, t >= 0, s + t
+// <= 1:
 //   f(s, t) = |s E1 + t E2 + D|^2 = a00 s^2 + 2 a01 s t + a11 t^2 + 2 b0 s + 2 b1 t + c,
 //   E1 = V1 - V0, E2 = V2 - V0, D = V0 - P
-// The coefficients' other route is differentiation of |V(s, t) - P|^2 by dual numbers; the minimum's are the
-// perpendicular and the edges, and for the tables a bisection that knows no regions.
+// Independent routes: for the coefficients, derivatives of |V(s, t) - P|^2 by dual numbers; for the minimum,
+// the perpendicular and the edges; for the tables, a bisection that uses no regions.
 
 #include "chapters/09_calculus/01_point_triangle/point_triangle.hpp"
 #include "chapters/inputs.hpp"
@@ -25,7 +25,7 @@ constexpr auto parameters =
 
 // ---- distances --------------------------------------------------------------------------------------------
 
-/// A triangle and points to measure from, all of it times 2^exponent, in which unit distances are given back.
+/// A triangle and query points, scaled by 2^exponent; distances are returned unscaled.
 struct Case {
   Triangle<double> w;
   std::vector<Point> points;
@@ -37,7 +37,7 @@ constexpr Point v0{1, 2, -1}, v1{4, 3, 0};
 const Triangle<double> fair{{v0, v1, {0, 4, 1}}}, line{{v0, v1, {2.5, 2.5, -0.5}}},
     needle{{v0, v1, {2.5 - thin, 2.5 + 2 * thin, -0.5 + thin}}}, twice{{v0, v0, v1}};
 
-/// One point in each of the fair triangle's regions.
+/// One point in each region of the well-shaped triangle.
 const std::vector<Point> around{{1.25, 2.25, 1.25},  {2.5, 4.75, 0.75},  {-2.5, 5.25, 2.75},
                                 {-1.75, 1.25, 0.25}, {0.25, -0.5, -2.5}, {3, 2.5, -2.5},
                                 {7.5, 2.5, 0.5}};
@@ -74,8 +74,8 @@ Quantity distance_quantity(std::string name, std::string says, const Case& at, c
                   std::move(says), known, {1e-12, "a few thousand roundings of the triangle's size"});
 }
 
-/// Adds a method to a quantity: `f(triangle, point, setting)` is generic in the number type, and what it
-/// multiplies, divides and roots is counted beforehand.
+/// Adds a method to a quantity. `f(triangle, point, setting)` is generic in the number type; its
+/// multiplications, divisions and roots are counted beforehand.
 template <class F>
 void add_counted(Quantity& q, const Case& at, Method method, const F& f) {
   std::vector<std::pair<double, long>> work;

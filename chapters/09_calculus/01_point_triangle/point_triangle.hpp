@@ -51,7 +51,7 @@ struct Quadratic {
     b0 = dot(e1, d), b1 = dot(e2, d), c = dot(d, d);
   }
   T determinant() const { return a00 * a11 - a01 * a01; }
-  /// Where it is least of all, times the determinant.
+  /// Its unconstrained minimum, times the determinant.
   std::array<T, 2> least_of_all() const { return {a01 * b1 - a11 * b0, a01 * b0 - a00 * b1}; }
   T operator()(const T& s, const T& t) const {
     return (a00 * s + b0 + b0) * s + (a11 * t + b1 + b1) * t + (a01 + a01) * s * t + c;
@@ -61,17 +61,17 @@ struct Quadratic {
 template <class T>
 struct Place {
   T s, t;
-  int region;  ///< of the unconstrained minimum: 0 inside, then 1 to 6 around the triangle
+  int region;  ///< region of the unconstrained minimum: 0 inside, then 1 to 6 around the triangle
 };
 
-/// n/d kept in [0, 1], the division only where it is needed.
+/// n/d clamped to [0, 1], divided only if needed.
 template <class T>
 T fraction(const T& n, const T& d) {
   return n <= T(0.0) ? T(0.0) : n >= d ? T(1.0) : n / d;
 }
 
-/// The minimum over s, t >= 0, s + t <= 1: where the unconstrained one lies decides which edges can hold it
-/// [Schneider and Eberly, Geometric Tools for Computer Graphics, 2003, 10.3.2].
+/// The minimum over s, t >= 0, s + t <= 1. The position of the unconstrained minimum decides which edges can
+/// contain it [Schneider and Eberly, Geometric Tools for Computer Graphics, 2003, 10.3.2].
 template <class T>
 Place<T> by_regions(const Quadratic<T>& q) {
   const T zero = 0.0, one = 1.0;
@@ -96,7 +96,7 @@ Place<T> by_regions(const Quadratic<T>& q) {
   return on_slant(1);
 }
 
-/// The regions at the corners taken for the corners: the mistake that the sub-cases are there for.
+/// Takes the regions at the corners for the corners: the mistake that the sub-cases avoid.
 template <class T>
 Place<T> by_regions_without_sub_cases(const Quadratic<T>& q) {
   const Place<T> place = by_regions(q);
@@ -106,7 +106,7 @@ Place<T> by_regions_without_sub_cases(const Quadratic<T>& q) {
   return place;
 }
 
-/// The value of the quadratic at its minimum, rooted.
+/// The square root of the quadratic's minimum.
 template <class T>
 T quadratic_distance(const Triangle<T>& w, const Vec<T>& p) {
   using std::sqrt;
@@ -116,7 +116,7 @@ T quadratic_distance(const Triangle<T>& w, const Vec<T>& p) {
   return squared < T(0.0) ? T(0.0) : sqrt(squared);
 }
 
-/// The distance to the point that the minimum's place names.
+/// The distance to the point at the minimum's parameters.
 template <class T>
 T region_distance(const Triangle<T>& w, const Vec<T>& p) {
   const Place<T> place = by_regions(Quadratic<T>(w, p));
@@ -161,7 +161,8 @@ T edges_distance(const Triangle<T>& w, const Vec<T>& p) {
                   [](const T& x, const T& y) { return x < y; });
 }
 
-/// The plane where the foot of the perpendicular is on the inner side of all edges, else the nearest edge.
+/// The distance to the plane if the foot of the perpendicular is on the inner side of all edges, otherwise to
+/// the nearest edge.
 template <class T>
 T plane_distance(const Triangle<T>& w, const Vec<T>& p) {
   using std::abs;
@@ -175,8 +176,8 @@ T plane_distance(const Triangle<T>& w, const Vec<T>& p) {
   return (above < T(0.0) ? -above : above) / length(n);
 }
 
-/// Least squares by modified Gram-Schmidt, the point appended to the edges as a third column: s and t keep
-/// their digits in thin triangles. Then the nearest edge, if it is nearer or s and t lie outside.
+/// Least squares by modified Gram-Schmidt, with the point appended to the edges as a third column, so that s
+/// and t keep their digits in thin triangles. Then the nearest edge, if it is nearer or s and t lie outside.
 template <class T>
 T orthogonal_distance(const Triangle<T>& w, const Vec<T>& p) {
   const T zero = 0.0;
@@ -196,7 +197,7 @@ T orthogonal_distance(const Triangle<T>& w, const Vec<T>& p) {
   return inside < nearest ? inside : nearest;
 }
 
-/// Everything from P, in units of the power of two below the largest coordinate; then back.
+/// Computes relative to P, in units of the power of two below the largest coordinate, and scales back.
 template <class T>
 T scaled_distance(const Triangle<T>& w, const Vec<T>& p) {
   double largest = 0;
@@ -242,7 +243,7 @@ T golden_distance(const Triangle<T>& w, const Vec<T>& p, int steps) {
   return sqrt(golden_section<T>(best, T(0.0), T(1.0), steps));
 }
 
-/// The least of a triangular grid of points, n an edge.
+/// The minimum over a triangular grid of points, n per edge.
 template <class T>
 T sampled_distance(const Triangle<T>& w, const Vec<T>& p, int n) {
   using std::sqrt;
@@ -257,7 +258,7 @@ T sampled_distance(const Triangle<T>& w, const Vec<T>& p, int n) {
   return sqrt(least);
 }
 
-/// Steepest descent on the quadratic, each step brought back to the domain.
+/// Steepest descent on the quadratic, projected back to the domain after each step.
 template <class T>
 T gradient_distance(const Triangle<T>& w, const Vec<T>& p, int steps) {
   const Quadratic<T> q(w, p);

@@ -6,8 +6,8 @@
 
 namespace oddity::bouncing_ball {
 
-/// How the ball looks: `observed` is its height. It is drawn as moving on steadily, so that its flights lie
-/// side by side.
+/// Draws the ball at the height `observed`. It moves sideways at a constant speed, so that its flights lie
+/// next to each other.
 template <class Parameters>
 void draw(const Parameters& p, double t, std::span<const double> observed, Drawing& drawing) {
   const double y0 = p["y0"], radius = y0 / 24;

@@ -6,15 +6,15 @@
 
 #include "chapters/numbers.hpp"
 
-/// A ball falls from y0 to a floor that returns the part e of its speed. Its flights shrink in proportion,
-/// and infinitely many of them are over after a finite time.
+/// A ball falls from y0 to a floor and bounces with the fraction e of its speed. Its flights shrink
+/// geometrically, so infinitely many of them end in a finite time.
 namespace oddity::bouncing_ball {
 
 template <class T>
 struct Given {
   T y0, g, e;
   T fall() const { return sqrt(2 * y0 / g); }
-  T rest() const { return fall() * (1 + 2 * e / (1 - e)); }  ///< when the bounces are over
+  T rest() const { return fall() * (1 + 2 * e / (1 - e)); }  ///< the time when the bounces end
 };
 
 template <class T>
@@ -42,7 +42,7 @@ struct Ball {
   Happening<State> at_event(std::size_t, const State& x, T) const { return {{T(0), -p.e * x[1]}}; }
 };
 
-/// As engines have it: from a centimetre a second down the ball stays where it is.
+/// As in engines: below a centimetre a second the ball stays at rest.
 template <class T>
 struct ComingToRest : Ball<T> {
   using typename Ball<T>::State;

@@ -6,8 +6,8 @@
 
 namespace oddity::oscillator {
 
-/// How the mass on its spring looks: `observed` is its place [m] and velocity. The wall is where no start
-/// brings the mass.
+/// Draws the mass on its spring; `observed` is its position [m] and velocity. The wall is beyond the reach of
+/// the mass from any initial condition.
 template <class Parameters>
 void draw(const Parameters&, double, std::span<const double> observed, Drawing& drawing) {
   constexpr double wall = -2.2, height = 0.3;

@@ -5,8 +5,8 @@
 
 #include "chapters/numbers.hpp"
 
-/// A unit mass on a spring of frequency w, x'' = -w^2 x, from x0 with velocity v0. Methods are taught on it:
-/// it is linear, and a step multiplies (x, v/w) by one matrix.
+/// A unit mass on a spring of frequency w, x'' = -w^2 x, from x0 with velocity v0. Used to explain methods:
+/// the equation is linear, and a step multiplies (x, v/w) by a matrix.
 namespace oddity::oscillator {
 
 template <class T>
@@ -14,7 +14,7 @@ struct Given {
   T w, x0, v0;
 };
 
-/// (x, v/w) goes round a circle.
+/// (x, v/w) moves on a circle.
 template <class T>
 struct Circle {
   Given<T> p;

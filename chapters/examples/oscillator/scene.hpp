@@ -5,7 +5,7 @@
 #include "chapters/own_reference.hpp"
 #include "chapters/scene.hpp"
 
-/// The scene of the lesson on the site: how each method turns the circle of an oscillator.
+/// The scene of the site's lesson: how each method maps the circle of an oscillator.
 namespace oddity::oscillator {
 
 inline constexpr Parameter parameters[] = {{"w", 2, "1/s", "frequency of the spring", 0.5, 8},
