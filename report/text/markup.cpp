@@ -17,8 +17,8 @@ std::string raised(char c) {
   return c == '-' ? "⁻" : digits[static_cast<std::size_t>(c - '0')];
 }
 
-/// A formula in GitHub's form, in which Markdown leaves backslashes alone. In a cell, where a bar would end
-/// the cell, bars become TeX's words for them.
+/// A formula in GitHub's form $`...`$, in which Markdown leaves backslashes alone. In a cell, bars become
+/// \vert or \Vert, as a bar would end the cell.
 std::string formula(std::string_view tex, bool in_cell) {
   std::string out = "$`";
   for (std::size_t i = 0; i < tex.size(); ++i) {
@@ -35,7 +35,7 @@ std::string formula(std::string_view tex, bool in_cell) {
   return out + "`$";
 }
 
-/// Text with its $formulas$ and `code`; of all else the characters in `markup` are escaped.
+/// Keeps $formulas$ and `code`; escapes the characters in `markup` in all other text.
 std::string marked_up(std::string_view text, std::string_view markup, bool in_cell) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -58,7 +58,7 @@ std::string marked_up(std::string_view text, std::string_view markup, bool in_ce
   return out;
 }
 
-/// The text with each bar escaped that is not yet, and in one line.
+/// The text in one line, with unescaped bars escaped.
 std::string as_cell(const std::string& text) {
   std::string out;
   std::size_t backslashes = 0;

@@ -2,12 +2,12 @@
 
 #include <string>
 
-/// Numbers as a reader takes them in.
+/// Numbers as text for readers.
 namespace oddity {
 
-/// Without an exponent where people do without one: "0.12", "350".
+/// Two significant digits; whole numbers from 100 to a million have no exponent: "0.12", "350".
 std::string two_digits(double);
-/// A part of a whole: "12 %".
+/// A fraction as a percentage: "12 %".
 std::string percent(double part);
 
 }  // namespace oddity

@@ -9,7 +9,8 @@ namespace oddity {
 
 namespace {
 
-/// The text with its formulas printed, and `code` without its marks. What is no formula stays as it is.
+/// The text with its formulas printed and without the marks of `code`. An unreadable formula keeps its
+/// source.
 template <class Print>
 std::string with_formulas(std::string_view text, const Print& print) {
   std::string out;

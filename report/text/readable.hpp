@@ -9,15 +9,16 @@
 
 namespace oddity {
 
-/// Text of the exercises as a terminal or a chart's title can show it: $formulas$ in signs of Unicode, `code`
-/// without its marks. "$\dot\theta^2\le\frac12\sqrt{g/L}$" is "θ'² ≤ (1/2)√(g/L)".
+/// Text of the exercises for a terminal or a chart's title: $formulas$ in Unicode, `code` without its marks.
+/// "$\dot\theta^2\le\frac12\sqrt{g/L}$" becomes "θ'² ≤ (1/2)√(g/L)".
 std::string readable(const std::string& text);
-/// Two texts, each of one formula, with marks around the places in which they differ; nothing of others.
+/// Two formulas with marks around the places where they differ; nullopt if the texts are equal or not both
+/// one formula.
 std::optional<std::pair<std::string, std::string>> formulas_that_differ(const std::string&,
                                                                         const std::string&,
                                                                         const formula::Marks&,
                                                                         const formula::Marks&);
-/// As one types it: "theta'^2 <= (1/2) sqrt(g/L)".
+/// Formulas as one types them: "theta'^2 <= (1/2) sqrt(g/L)".
 std::string typed(std::string_view text);
 
 }  // namespace oddity

@@ -36,7 +36,7 @@ std::size_t width_of_terminal(int descriptor) {
 
 constexpr std::string_view escape = "\x1b[", reset = "\x1b[0m";
 
-/// One piece of a text: a letter with its accents, or a change of colour.
+/// One piece of a text: a character with its accents, or a change of colour.
 struct Piece {
   std::string_view bytes;
   std::size_t columns;
@@ -44,7 +44,7 @@ struct Piece {
 
 bool is_continued(char c) { return (c & 0xC0) == 0x80; }
 
-/// Whether a combining accent stands there (U+0300 to U+036F).
+/// Whether the text begins with a combining accent (U+0300 to U+036F).
 bool is_accent(std::string_view text) {
   return text.starts_with('\xCC') || (text.size() > 1 && text[0] == '\xCD' && text[1] <= '\xAF');
 }
@@ -56,7 +56,7 @@ Piece first_of(std::string_view text) {
   return {text.substr(0, size), 1};
 }
 
-/// As many letters as fit, and all changes of colour.
+/// As many characters as fit, and all changes of colour.
 std::string first_columns(std::string_view text, std::size_t columns) {
   std::string kept;
   while (!text.empty()) {

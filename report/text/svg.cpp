@@ -12,7 +12,7 @@ namespace oddity {
 
 namespace {
 
-/// A page's background comes with the picture, so that it can be read on any other.
+/// The picture brings a background, so that it is legible on any page.
 constexpr std::string_view style =
     R"(.paper{fill:#fff}.t{fill:#24292f}.dim{fill:#57606a}.b{font-weight:bold}.big{font-size:15px}.small{font-size:11px}
 .halo{paint-order:stroke;stroke:#fff;stroke-width:3px;stroke-linejoin:round}
@@ -46,8 +46,7 @@ double distance_from_chord(Pixel p, Pixel a, Pixel b) {
   return std::abs((p.x - a.x) * dy - (p.y - a.y) * dx) / length;
 }
 
-/// Which of the points from the first to the last are needed to be within the tolerance of all: Douglas and
-/// Peucker's way.
+/// Marks the points needed to approximate the curve within the tolerance, by Douglas and Peucker's algorithm.
 void keep_needed(const std::vector<Pixel>& points, std::size_t first, std::size_t last,
                  std::vector<bool>& kept) {
   constexpr double tolerance = 0.2;  // pixels
@@ -62,7 +61,7 @@ void keep_needed(const std::vector<Pixel>& points, std::size_t first, std::size_
   keep_needed(points, farthest, last, kept);
 }
 
-/// "M10 20l1.5 2 3 4" of the points that are needed.
+/// Path data of the points that are needed: "M10 20l1.5 2 3 4".
 std::string polyline(const std::vector<Pixel>& points) {
   if (points.size() < 2) return "";
   std::vector<bool> kept(points.size());
@@ -82,7 +81,7 @@ std::string polyline(const std::vector<Pixel>& points) {
   return data;
 }
 
-/// A mark about a place, as the rest of a path's data.
+/// Marks centred at the current point, as the rest of a path's data.
 constexpr std::array<std::string_view, svg_slots> mark_shapes{
     "m-3 0a3 3 0 106 0a3 3 0 10-6 0z",
     "m-2.8-2.8h5.6v5.6h-5.6z",
@@ -186,7 +185,7 @@ std::string shortened(const std::string& text, std::size_t most) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const bool begins = (text[i] & 0xC0) != 0x80;
     if (begins && ++letters > most) {
-      std::size_t end = i;  // the letters before the last of those that fit
+      std::size_t end = i;  // drops the last character that fits
       while (end > 0 && (text[--end] & 0xC0) == 0x80) {
       }
       return text.substr(0, end) + "…";

@@ -30,7 +30,7 @@ using Rows = std::vector<std::vector<std::string>>;
 
 constexpr std::size_t indent = 2, between = 2;
 
-/// Of the columns; what stands alone in its row is in none.
+/// Widths of the columns; a row of one cell belongs to none.
 std::vector<std::size_t> widths_of(const Rows& rows) {
   std::vector<std::size_t> widths;
   for (const auto& row : rows)
@@ -41,7 +41,7 @@ std::vector<std::size_t> widths_of(const Rows& rows) {
   return widths;
 }
 
-/// A column that is shortened keeps so much: enough of a name, and of a sentence its beginning.
+/// The least width of a column that may be shortened: enough for a name or the beginning of a sentence.
 std::size_t least_of(std::size_t width) { return std::clamp<std::size_t>(width / 4, 14, 20); }
 
 std::size_t total(const std::vector<std::size_t>& widths) {
@@ -54,8 +54,7 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-/// Widths that the screen has, from which only columns to be shortened may differ: the widest of them gives
-/// way first.
+/// Widths that fit the screen. Only columns in `shorten` shrink, always the widest of them first.
 std::vector<std::size_t> fitted(const std::vector<std::size_t>& natural, const Rows& rows,
                                 const Screen& screen, const Fitting& fit) {
   std::vector<std::size_t> widths = natural;
@@ -76,7 +75,7 @@ void remove_column(Rows& rows, std::size_t column) {
     if (column < row.size()) row.erase(row.begin() + static_cast<std::ptrdiff_t>(column));
 }
 
-/// The first column's values as lines of their own, each above the rows that have it.
+/// Moves the first column's values to separate lines above their rows.
 void set_first_above(Rows& rows, const Screen& screen) {
   Rows all;
   std::string above;
@@ -145,7 +144,7 @@ std::string to_csv(const Table& table) {
 }
 
 std::string to_json(const Table& table) {
-  using Json = nlohmann::ordered_json;  // writes what is not finite as null
+  using Json = nlohmann::ordered_json;  // writes numbers that are not finite as null
   Json rows = Json::array();
   for (const auto& row : table.rows) {
     Json& object = rows.emplace_back(Json::object());

@@ -17,7 +17,7 @@ using Words = std::set<std::string, std::less<>>;
 
 bool in_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-/// Comments and literals as spaces.
+/// The code with comments and literals replaced by spaces.
 std::string blanked(std::string_view code) {
   std::string plain(code);
   const auto blank = [&](std::size_t from, std::size_t to) {
@@ -54,18 +54,18 @@ bool shares(const Words& a, const Words& b) {
   return std::ranges::any_of(a, [&](const std::string& word) { return b.contains(word); });
 }
 
-/// A declaration with what stands before it, in a namespace, a type, or none.
+/// A declaration and the text before it.
 struct Declaration {
   enum class Is { leaf, type, name_space };
   Is is = Is::leaf;
-  std::string before, head, after;  ///< after: of a type or a namespace, what stands behind its members
+  std::string before, head, after;  ///< after: text behind the members of a type or a namespace
   std::vector<Declaration> members = {};
-  bool stays = false;  ///< where what it stands in does
+  bool stays = false;  ///< kept whenever the enclosing declaration is
   Words names = {}, mentions = {};
   bool is_kept = false;
 };
 
-/// Text within <> and within parentheses taken out of a declaration's head.
+/// A declaration's head without the text inside <> and parentheses.
 std::string outline(std::string_view head) {
   std::string text;
   int angles = 0, parentheses = 0;
@@ -83,7 +83,7 @@ std::string outline(std::string_view head) {
   return text;
 }
 
-/// What a head declares; `stays` where that is not known by name.
+/// Finds the names that a declaration introduces; sets `stays` if it cannot be selected by name.
 void name(Declaration& piece, const std::string& plain, const std::string& type_around) {
   static const std::regex type(R"(\b(?:struct|class|enum|concept|union)\s+(?:class\s+)?(\w+))"),
       alias(R"(\busing\s+(\w+)\s*=)"), called(R"((\w+)\s*\()"),
@@ -116,7 +116,7 @@ void name(Declaration& piece, const std::string& plain, const std::string& type_
   }
 }
 
-/// Reads declarations one after the other; nothing where the braces do not close.
+/// Reads a sequence of declarations; nullopt if braces do not match.
 class DeclarationReader {
  public:
   DeclarationReader(std::string_view code, std::string_view plain, std::string type)
@@ -188,7 +188,7 @@ class DeclarationReader {
     return piece;
   }
 
-  /// A body's end, behind which nothing of the same declaration stands.
+  /// Whether a closing brace ends the declaration.
   bool ends_here() const {
     std::size_t next = at_ + 1;
     while (next < plain_.size() && std::isspace(static_cast<unsigned char>(plain_[next]))) ++next;
@@ -210,11 +210,11 @@ class DeclarationReader {
   }
 
   std::string_view code_, plain_;
-  std::string type_;  ///< whose members they are
+  std::string type_;  ///< enclosing type; empty outside of types
   std::size_t at_ = 0;
 };
 
-/// Whether anything more is kept than before.
+/// Keeps declarations whose names are needed; returns whether it kept more than before.
 bool keep(std::vector<Declaration>& all, Words& needed) {
   bool more = false;
   for (Declaration& piece : all) {
@@ -235,7 +235,7 @@ void write(const std::vector<Declaration>& all, Declaration::Is around, std::str
   for (const Declaration& piece : all) {
     if (!piece.is_kept) continue;
     std::string before = piece.before;
-    if (is_first) {  // as the first one in its place stood
+    if (is_first) {  // spaced as the first declaration of its scope
       const std::string_view line = around == Declaration::Is::type ? "\n" : "\n\n";
       before = std::string(line) + before.substr(std::min(before.find_first_not_of('\n'), before.size()));
     }

@@ -10,15 +10,15 @@ unsigned char byte_at(std::string_view text, std::size_t at) {
   return at < text.size() ? static_cast<unsigned char>(text[at]) : 0;
 }
 
-/// Whether the text begins with a mark that turns the direction of the letters after it: what is read is then
-/// not what stands there [Unicode's Bidi_Control].
+/// Whether the text begins with a bidirectional control [Unicode's Bidi_Control], which would change the
+/// order in which text is shown.
 bool turns_direction(std::string_view text) {
   constexpr std::string_view marks[]{"\u061c", "\u200e", "\u200f", "\u202a", "\u202b", "\u202c",
                                      "\u202d", "\u202e", "\u2066", "\u2067", "\u2068", "\u2069"};
   return std::ranges::any_of(marks, [&](std::string_view mark) { return text.starts_with(mark); });
 }
 
-/// The bytes of the letter that the text begins with; 0 where it is a control character or not UTF-8.
+/// Size in bytes of the first character; 0 for control characters and bytes that are not UTF-8.
 std::size_t letter_size(std::string_view text) {
   const unsigned char first = byte_at(text, 0);
   if (first < 0x80) return (first >= 0x20 && first != 0x7f) || first == '\n' || first == '\t' ? 1 : 0;
@@ -34,7 +34,7 @@ std::size_t letter_size(std::string_view text) {
   return control || too_long || turns_direction(text) ? 0 : size;
 }
 
-/// The bytes of a change of colour, "\x1b[0;31m", that the text begins with; 0 where it is none.
+/// Size in bytes of a change of colour, "\x1b[0;31m", at the start of the text; 0 otherwise.
 std::size_t colour_size(std::string_view text) {
   if (!text.starts_with("\x1b[")) return 0;
   const std::size_t end = text.find('m');
@@ -51,7 +51,7 @@ std::size_t colour_size(std::string_view text) {
   return end + 1;
 }
 
-/// The text with what is neither a letter nor passed as a number; `passed` says how many bytes are.
+/// Replaces bytes that are not printable by "\xNN". `passed` returns the number of bytes to keep in any case.
 template <class Passed>
 std::string shown_but(std::string_view text, const Passed& passed) {
   constexpr std::string_view digits = "0123456789abcdef";
@@ -81,7 +81,7 @@ VisibleOutput::VisibleOutput(std::ostream& stream, bool colours, std::string_vie
 VisibleOutput::~VisibleOutput() {
   sync();
   const auto state = stream_.rdstate();
-  stream_.rdbuf(to_);  // which clears it
+  stream_.rdbuf(to_);  // clears the state
   stream_.clear(state);
 }
 

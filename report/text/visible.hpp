@@ -6,16 +6,15 @@
 #include <string>
 #include <string_view>
 
-/// What comes from a file, an argument or another program may hold control characters, by which a terminal is
-/// told what to do: they are shown, and never sent.
+/// Text from a file, an argument or another program may contain control characters, which a terminal obeys.
+/// They are shown, and never sent.
 namespace oddity {
 
-/// The text with each control character but a line's end and a tab as "\x1b", and each byte that is not
-/// UTF-8.
+/// The text with control characters (except newline and tab) and bytes that are not UTF-8 as "\x1b".
 std::string visible(std::string_view text);
 
-/// While it lives, what goes to the stream goes there visibly. Colours pass where there are some, and the
-/// characters in `also`.
+/// During its lifetime, makes control characters written to the stream visible. Lets the characters in `also`
+/// pass, and changes of colour if `colours`.
 class VisibleOutput : private std::streambuf {
  public:
   VisibleOutput(std::ostream&, bool colours, std::string_view also = "");
@@ -33,8 +32,8 @@ class VisibleOutput : private std::streambuf {
   std::streambuf* to_;
   bool colours_;
   std::string_view also_;
-  std::string line_;  ///< as far as it has come
-  std::mutex mutex_;  ///< progress is shown by a thread of its own
+  std::string line_;  ///< buffered until the line is complete
+  std::mutex mutex_;  ///< a separate thread shows progress
 };
 
 }  // namespace oddity
