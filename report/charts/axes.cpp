@@ -59,7 +59,7 @@ std::string tick_label(const Scale& s, double tick) {
 }
 
 void add_axes(Svg& svg, const Plot& plot, const std::string& across, const std::string& upward) {
-  constexpr double letter = 4;  // pixels below a line's middle
+  constexpr double letter = 4;  // pixels from a line's middle to the baseline
   for (double tick : ticks(plot.y, std::max(2, static_cast<int>(plot.height() / 30)))) {
     const double y = plot.y(tick);
     svg.line({plot.x.from, y}, {plot.x.to, y}, "grid");

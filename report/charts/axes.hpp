@@ -8,7 +8,7 @@
 /// Scales and axes of a plot.
 namespace oddity {
 
-/// Numbers from `low` to `high` on pixels from `from` to `to`.
+/// Maps numbers from `low` to `high` to pixels from `from` to `to`.
 struct Scale {
   double low, high;
   double from, to;
@@ -17,9 +17,9 @@ struct Scale {
   double operator()(double x) const;
 };
 
-/// Round numbers on a scale, about so many: decades, or 1, 2 and 5 of each.
+/// Round numbers on a scale, about `about` of them: powers of ten, or 1, 2 and 5 times these.
 std::vector<double> ticks(const Scale&, int about);
-/// "10⁻⁶" for a power of ten on a logarithmic scale; else as numbers are written.
+/// "10⁻⁶" for a power of ten on a logarithmic scale, otherwise a plain number.
 std::string tick_label(const Scale&, double tick);
 
 /// The rectangle of a plot.
@@ -31,7 +31,8 @@ struct Plot {
   double height() const { return y.from - y.to; }
 };
 
-/// Grid, axes with numbers, and their names. Without a name the axis across has no numbers.
+/// Draws the grid and both axes with numbers and names. If `across` is empty, the horizontal axis has no
+/// numbers.
 void add_axes(Svg&, const Plot&, const std::string& across, const std::string& upward);
 
 }  // namespace oddity

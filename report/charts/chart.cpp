@@ -20,14 +20,14 @@ namespace {
 
 // ---- parts of a chart -------------------------------------------------------------------------------------
 
-/// A curve of a chart, under its own colour and mark.
+/// A curve with its colour, mark and label.
 struct Curve {
   const MethodResult* method;
   int slot;
   std::string label;
 };
 
-/// The points as they can be seen, to one part in fifty.
+/// The points as text, rounded to about 2 %: curves with equal texts look the same.
 std::string seen(const Frame& frame, const MethodResult& m) {
   std::string text;
   const auto place = [](double x) { return std::to_string(std::lround(100 * std::log10(x))) + " "; };
@@ -35,7 +35,8 @@ std::string seen(const Frame& frame, const MethodResult& m) {
   return text;
 }
 
-/// The first of each family has the same colour in every chart; the others have what is left.
+/// The first method of each family has the family's colour in every chart; the others get the remaining
+/// colours.
 std::vector<int> slots_of(const std::vector<const MethodResult*>& methods) {
   constexpr int none = -1;
   std::vector<int> slots(methods.size(), none);
@@ -43,7 +44,7 @@ std::vector<int> slots_of(const std::vector<const MethodResult*>& methods) {
   for (std::size_t i = 0; i < methods.size(); ++i)
     if (const int own = static_cast<int>(family_of(methods[i]->algorithm)) - 1; own != none && !is_taken(own))
       slots[i] = own;
-  int next = 0;  // beyond the last, colours begin anew
+  int next = 0;  // colours repeat after the last
   for (int& slot : slots)
     if (slot == none) {
       while (next < svg_slots && is_taken(next)) ++next;
@@ -52,7 +53,7 @@ std::vector<int> slots_of(const std::vector<const MethodResult*>& methods) {
   return slots;
 }
 
-/// A curve that lies on another says so.
+/// Curves with their labels; the label of a curve that coincides with an earlier one names it.
 std::vector<Curve> curves_of(const QuantityResult& q, const Frame& frame,
                              const std::vector<std::size_t>& chosen) {
   std::vector<const MethodResult*> methods;
@@ -96,7 +97,7 @@ std::vector<Pixel> places(const Frame& frame, const Plot& plot, const MethodResu
   return points;
 }
 
-/// A line of the chart with its name at its left end, above it.
+/// Draws a horizontal line with its name above the left end.
 void add_level(Svg& svg, const Plot& plot, double level, const std::string& name, std::string_view line,
                std::string_view text) {
   if (level <= plot.y.low || level >= plot.y.high) return;
@@ -104,7 +105,7 @@ void add_level(Svg& svg, const Plot& plot, double level, const std::string& name
   svg.text({plot.x.from + 5, plot.y(level) - 4}, name, text);
 }
 
-/// The front as steps to the right edge; where it ends.
+/// Draws the front as steps up to the right edge; returns the y of its end.
 std::optional<double> add_front(Svg& svg, const QuantityResult& q, const Frame& frame, const Plot& plot) {
   if (frame.across == Across::setting) return std::nullopt;
   const std::vector<bool> front = pareto_front(q, cost_of(frame.across));
@@ -125,8 +126,8 @@ std::optional<double> add_front(Svg& svg, const QuantityResult& q, const Frame& 
   return steps.back().y;
 }
 
-/// What the calls through the seam alone would take of a scene's methods, for the least calls that an error
-/// needs; where it ends.
+/// Draws the time of a scene's type-erased calls alone, with the fewest calls that reach each error. Returns
+/// the line's end.
 std::optional<Pixel> add_seam(Svg& svg, const QuantityResult& q, const Frame& frame, const Plot& plot,
                               double seam) {
   if (frame.across != Across::time || !q.trajectory || !(seam > 0)) return std::nullopt;
@@ -175,7 +176,7 @@ void add_curve(Svg& svg, const Frame& frame, const Plot& plot, const Curve& curv
                "t small");
 }
 
-/// The letters of the failures that are shown, and what they say; what else has to be said of the marks.
+/// Legend of the marks: the letters of the failures shown, and the number of methods not drawn.
 std::string key_of(const std::vector<Curve>& curves, std::size_t left_out) {
   std::string text;
   bool open = false;
@@ -196,7 +197,7 @@ std::string key_of(const std::vector<Curve>& curves, std::size_t left_out) {
   return text;
 }
 
-/// What is counted, as far as the knobs tell.
+/// Names the evaluations that are counted, judging by the methods' settings.
 std::string counted(const QuantityResult& q) {
   if (q.in_operations) return "multiplications, divisions and functions";
   bool steps = false, nodes = false, differences = false;

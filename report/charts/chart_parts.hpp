@@ -10,7 +10,7 @@
 #include "report/charts/chart.hpp"
 #include "report/text/svg.hpp"
 
-/// What the charts of trials share: where things stand, ranges, and names at the ends of curves.
+/// Shared parts of the charts of trials: layout, ranges, and names at the ends of curves.
 namespace oddity {
 
 // Pixels.
@@ -23,7 +23,7 @@ struct Range {
 
   void see(double x) { low = std::min(low, x), high = std::max(high, x); }
   bool empty() const { return high == 0; }
-  /// The whole decades around, at least one.
+  /// The enclosing whole decades, at least one.
   Range decades() const {
     const double from = std::floor(std::log10(low) + 1e-9), to = std::ceil(std::log10(high) - 1e-9);
     return {std::pow(10, from), std::pow(10, std::max(to, from + 1))};
@@ -32,17 +32,17 @@ struct Range {
 };
 
 Cost cost_of(Across);
-/// The knob of a chart over settings: the one of most methods, a tolerance only if there is no other.
+/// The kind of setting in a chart over settings: that of most methods, a tolerance only if there is no other.
 std::string main_knob(const QuantityResult&);
 
-/// Where a quantity's trials lie: the range of what they are drawn against, and the decades of error up to a
-/// thousand times the true value's size or ten times the need.
+/// Ranges of a quantity's chart. Errors are shown up to a thousand times the size of the true value or ten
+/// times the need, whichever is larger.
 struct Frame {
   Across across;
   std::string knob;
   double floor;
   Range abscissas, errors;
-  bool linear = false;   ///< the abscissa: a count over a short range
+  bool linear = false;   ///< linear abscissa, for a count over a short range
   bool strip = false;    ///< some trials have no number or are off the scale
   bool floored = false;  ///< some errors are below the floor
 
@@ -52,14 +52,14 @@ struct Frame {
     if (across != Across::setting) return cost(t, cost_of(across));
     return t.knob == knob ? t.setting : std::numeric_limits<double>::quiet_NaN();
   }
-  /// A method without a knob is a line across a chart over settings.
+  /// Whether the method has no setting: it is a horizontal line in a chart over settings.
   bool is_line(const MethodResult& m) const {
     return across == Across::setting && m.trials.front().knob.empty();
   }
   bool shows(const MethodResult& m) const {
     return across != Across::setting || is_line(m) || m.trials.front().knob == knob;
   }
-  /// Within the strip, `part` of its height up.
+  /// The ordinate at a fraction of the strip's height.
   double above(double part) const { return errors.high * std::pow(10, 0.075 * part * errors.count()); }
   double top() const { return strip ? above(1) : errors.high; }
   double x(const TimedTrial& t) const {
@@ -70,15 +70,15 @@ struct Frame {
   double y(const TimedTrial& t) const { return within(t) ? std::max(t.error, floor) : above(0.5); }
 };
 
-/// A name beside the end of its curve.
+/// A name next to the end of its curve.
 struct Label {
   Pixel end;
   std::string text;
-  int slot;  ///< -1: of no curve
+  int slot;  ///< -1: not the name of a curve
 };
-inline constexpr std::size_t longest_label = 50;  // letters
+inline constexpr std::size_t longest_label = 50;  // characters
 
-/// The names one beneath the other, each with a thin line to its end.
+/// Draws the names one below another, each with a thin line to its end.
 void add_labels(Svg&, const std::vector<Label>&, double top, double bottom);
 
 /// "Runge-Kutta 4 (one angle)".

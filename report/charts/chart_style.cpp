@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::size_t all_colours = 11;
 
-/// Marks that stay apart when small, by the numbers that they have in gnuplot, and the dashes that tell those
-/// apart that share one. A slot is a mark and a kind of dashes.
+/// Marks that are distinct even when small, by their numbers in gnuplot. Dashes distinguish algorithms that
+/// share a mark. A slot is a mark with a kind of dashes.
 constexpr std::array marks{7, 5, 9, 11, 13, 15, 6, 4, 8, 10, 12, 14};
 constexpr std::array dashes{1, 2, 4};
 constexpr std::size_t all_slots = marks.size() * dashes.size();
@@ -69,7 +69,7 @@ const OwnMark* own_mark(std::string_view algorithm) {
   return found == std::end(own_marks) ? nullptr : found;
 }
 
-/// Names that stand beside each other, in the order of first appearance.
+/// Names that appear together, in the order of first appearance.
 class Neighbours {
  public:
   void add(const std::vector<std::string>& together) {
@@ -78,7 +78,8 @@ class Neighbours {
       beside_[name].insert(together.begin(), together.end());
     }
   }
-  /// The first of `slots` for each name that none beside it has, unless it is fixed; else the first.
+  /// The slot of each name: its fixed one, otherwise the first of `slots` that no neighbour has, or slot 0 if
+  /// all are taken.
   template <class Fixed>
   std::map<std::string, std::size_t> slots(std::size_t slots, const Fixed& fixed) const {
     std::map<std::string, std::size_t> chosen;
@@ -101,7 +102,7 @@ class Neighbours {
   std::map<std::string, std::set<std::string>> beside_;
 };
 
-/// In the order of the enumeration.
+/// In the order of `Outcome`.
 constexpr std::array<std::string_view, 10> outcome_colours{"#009E73", "#F0E442", "#56B4E9", "#D55E00",
                                                            "#000000", "#CCCCCC", "#0072B2", "#4D4D4D",
                                                            "#9900FF", "#000055"};

@@ -48,15 +48,15 @@ double scale_to(const Box& content, double width, double height) {
   return std::isfinite(scale) ? scale : 1;
 }
 
-/// At least so wide, about its middle, and with a margin.
+/// The box with a margin, at least `least_width` wide, about the same middle.
 Box framed(const Box& box, double least_width, double margin) {
-  if (!(box.width() >= 0)) return {0, 0, least_width, 2 * margin};  // of nothing
+  if (!(box.width() >= 0)) return {0, 0, least_width, 2 * margin};  // an empty drawing
   const double beside = margin + std::max(0.0, (least_width - box.width()) / 2 - margin);
   return {box.left - beside, box.top - margin, box.right + beside, box.bottom + margin};
 }
 
 std::string title_of(const Entry& e, const std::string& what) {
-  const std::string number = e.number.chapter == 0 ? "" : to_string(e.number) + " ";  // of an example: none
+  const std::string number = e.number.chapter == 0 ? "" : to_string(e.number) + " ";  // examples have none
   return number + std::string(e.exercise.title) + ": " + what;
 }
 
@@ -69,7 +69,7 @@ Drawing drawn(const Scene& scene, const Parameters& p, double t, std::span<const
 }  // namespace
 
 std::vector<double> observed_at_start(const Scene& scene, const Parameters& parameters) {
-  // After a time that is too short to see.
+  // The observables after a time that is too short to see.
   const Quantity soon = scene.motion(parameters, {1e-9 * scene.horizon, 1}, Reference::nothing());
   std::vector<double> start;
   for (const Method& m : soon.methods) {

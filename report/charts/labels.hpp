@@ -4,19 +4,19 @@
 
 #include "report/study/results.hpp"
 
-/// How a trial's numbers are written.
+/// Formats of a trial's numbers.
 namespace oddity {
 
-/// "2.26011409398565", "(0.1, 0.2, 0.3)", long values cut short.
+/// "2.26011409", "(0.1, 0.2, 0.3)"; of more than four components, only the first four.
 std::string shown(const Value&, int digits = 9);
 /// "2.3e-14"; "0" for zero.
 std::string shown_error(double error);
 /// "12.3 us".
 std::string shown_time(double seconds);
-/// "step 0.001", "no knob".
+/// "step 0.001"; "-" for a method without a setting.
 std::string shown_knob(const TimedTrial&);
 
-// As cells of a table in Markdown.
+// Cells of a Markdown table.
 std::string error_cell(double error);
 std::string knob_cell(const TimedTrial& t);
 std::string value_cell(const Value& value, int digits);

@@ -1,4 +1,4 @@
-// The work of a quantity at growing sizes.
+// Charts of the work at growing sizes.
 
 #include <algorithm>
 #include <charconv>
@@ -17,7 +17,7 @@ namespace {
 long size_in_name(const std::string& name) {
   const std::size_t digits = name.find_last_not_of("0123456789") + 1;
   if (digits == 0 || digits == name.size() || name[digits - 1] != '_') return 0;
-  long size = 0;  // stays so where there are too many digits
+  long size = 0;  // stays 0 if there are too many digits
   std::from_chars(name.data() + digits, name.data() + name.size(), size);
   return size;
 }

@@ -26,11 +26,11 @@ Place cross(const Place& a, const Place& b) {
 }
 Place middle(const Place& a, const Place& b) { return 0.5 * (a + b); }
 
-/// Along a way, of length 1; where there is no way, as `otherwise` says.
+/// The vector scaled to length 1; `otherwise` for a zero vector.
 Spot unit(const Spot& a, const Spot& otherwise = {1, 0}) {
   return length(a) > 1e-9 ? 1 / length(a) * a : otherwise;
 }
-/// To its left, where y is down.
+/// The vector turned to its left; y is down.
 Spot left_of(const Spot& a) { return {a.y, -a.x}; }
 
 std::string number(double x) {
@@ -51,7 +51,7 @@ std::string faded(double opacity) { return opacity < 1 ? " opacity=\"" + number(
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// A letter and its index; a text that begins with a digit is a number.
+/// A letter and its index, or a number if the text begins with a digit.
 struct Written {
   std::string_view base, index;
   bool upright;
@@ -77,7 +77,7 @@ bool overlap(const Box& a, const Box& b) {
   return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 }
 
-/// The order in the plane, from what is behind to what is before.
+/// Drawing order in the plane, from back to front.
 int order_of(Kind kind) {
   constexpr Kind all[] = {Kind::plate, Kind::disc,    Kind::spring, Kind::rope,
                           Kind::rod,   Kind::support, Kind::arrow,  Kind::body};
@@ -262,7 +262,7 @@ void Sketch::draw(const Primitive& p, int order) {
   }
 }
 
-/// In pieces, of which some may be before another thing and some behind it.
+/// Draws the rod in pieces, so that another thing may hide part of it.
 void Sketch::rod(const Primitive& p, int order) {
   if (!in_space_) return stroke(thing, at(p.points), "l", order);
   const auto pieces = sampled(0, 1, 12, [&](double u) { return (1 - u) * p.points[0] + u * p.points[1]; });
@@ -379,7 +379,7 @@ void Sketch::angle(const Primitive& p) {
   letter(p.letter, {arc}, unit(arc - at(p.points[0])), 3);
 }
 
-/// Where a line of the drawing is as long, the letter beside it is enough.
+/// Draws a dimension line, unless the drawing has the same line; then a letter next to that is enough.
 void Sketch::measure(const Primitive& p, const Drawing& drawing) {
   const Spot from = at(p.points[0]), to = at(p.points[1]), way = to - from, aside = left_of(unit(way));
   const auto same = [&](const Place& a, const Place& b) { return length(at(a) - at(b)) < 0.5; };

@@ -10,10 +10,10 @@
 
 #include "chapters/drawing.hpp"
 
-/// A drawing as seen by a fixed camera, in the elements of SVG.
+/// A drawing seen by a fixed camera, as SVG elements.
 namespace oddity {
 
-/// On paper, in its pixels: y is down.
+/// A point on paper; y is down.
 struct Spot {
   double x = 0, y = 0;
 };
@@ -31,18 +31,18 @@ struct Box {
   void add(const Box&);
 };
 
-/// How space is laid on paper: axonometric, seen from the azimuth and the elevation. A drawing of the plane
-/// is seen from above, with x to the right.
+/// Axonometric projection from the azimuth and the elevation. A drawing in the plane is seen from above, with
+/// x to the right.
 class Camera {
  public:
   explicit Camera(bool in_space);
 
-  /// In the scene's lengths, y down.
+  /// The projected point, in the scene's lengths; y is down.
   Spot at(const Place& x) const;
-  /// How near: larger is nearer to who looks.
+  /// Depth: larger is nearer to the viewer.
   double near(const Place&) const;
 
-  /// Of all that is drawn of a drawing, but for what belongs to the set-up alone, seen from its anchor.
+  /// Bounding box of a drawing, relative to its anchor, without the parts that only the set-up shows.
   Box extent(const Drawing&) const;
 
  private:
@@ -50,17 +50,17 @@ class Camera {
   Place right_, up_, toward_;
 };
 
-/// The point that the picture moves with.
+/// The point that the picture follows.
 Place anchor_of(const Drawing&);
 
-/// Draws on paper at a scale, in pixels, about the anchor.
+/// Draws on paper in pixels, at a scale, relative to the anchor.
 class Sketch {
  public:
   Sketch(const Camera& camera, double scale) : camera_(camera), scale_(scale) {}
 
   enum class With { letters, motion_alone };
   void add(const Drawing&, With);
-  /// A way that a body has come, in the drawing's frame; what is older is paler.
+  /// A body's path so far, in the drawing's frame; older parts are paler.
   void add_trail(const std::vector<Place>& way, const Place& anchor);
 
   std::string elements() const;
@@ -70,7 +70,7 @@ class Sketch {
   using Kind = Drawing::Kind;
   using Primitive = Drawing::Primitive;
   using Line = std::vector<Spot>;
-  /// Drawn in the order of layers, and in a layer from what is far to what is near.
+  /// Pieces are drawn in the order of layers, and within a layer from far to near.
   struct Piece {
     int layer;
     double near;
@@ -80,7 +80,7 @@ class Sketch {
   Spot at(const Place& x) const { return scale_ * camera_.at(x - anchor_); }
   Line at(const std::vector<Place>&) const;
   double near(const Place& x) const { return camera_.near(x - anchor_); }
-  /// From 0.4, far, to 1, near.
+  /// Opacity, from 0.4 (far) to 1 (near).
   double presence(double near) const;
 
   void put(int layer, double near, std::string element);
@@ -89,7 +89,7 @@ class Sketch {
   void ball(int layer, const Spot&, double radius, std::string_view style, double near);
   void shaft(int layer, Spot from, const Spot& to, std::string_view style, double near);
   void head(int layer, const Spot& tip, const Spot& along, std::string_view style, double near, double size);
-  /// A line in space, its far parts paler.
+  /// A line in space whose far parts are paler.
   void deep_line(int layer, const std::vector<Place>&, std::string_view style);
 
   void draw(const Primitive&, int order);
@@ -101,7 +101,8 @@ class Sketch {
   void angle(const Primitive&);
   void measure(const Primitive&, const Drawing&);
 
-  /// The letter where it hides least: about a spot, from `off` pixels on, best in the direction `toward`.
+  /// Writes a letter where it hides least: near one of the spots, at least `off` pixels away, preferably in
+  /// the direction `toward`.
   void letter(std::string_view, const std::vector<Spot>& about, Spot toward, double off);
   double hidden(const Box&) const;
 
@@ -111,7 +112,7 @@ class Sketch {
   bool in_space_ = false;
   double nearest_ = 0, farthest_ = 0;
   std::vector<Piece> pieces_;
-  std::vector<Spot> inked_;  ///< every few pixels of each line
+  std::vector<Spot> inked_;  ///< points every few pixels along the lines
   std::vector<Box> written_;
   Box extent_;
 };

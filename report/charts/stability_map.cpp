@@ -16,19 +16,19 @@ namespace oddity {
 
 namespace {
 
-// Pixels. The picture is as wide as the column of a page, so that its letters are read in their own size.
+// Pixels. The picture is as wide as a page's column, so that its letters are not scaled.
 constexpr int map_width = 900, cell_width = 38, cell_height = 17, panel_gap = 16;
 constexpr int left_edge = 76, upper_edge = 112, model_height = 44, axis_height = 40;
 
-/// A method's panel: the values across and the steps down.
+/// A method's panel: parameter values across, steps down.
 struct Panel {
   std::vector<const MapRow*> columns;
   int across, down;  ///< its upper left corner
-  bool first;        ///< of its line: it names the steps
+  bool first;        ///< in its line: it labels the steps
 };
 
-/// The panels in lines. A model's stand together under its name, after those of the model before where all of
-/// them fit.
+/// The panels in lines. A model's panels are together under its name, in the line of the model before if all
+/// of them fit.
 struct Layout {
   std::vector<Panel> panels;
   struct Name {
@@ -82,7 +82,7 @@ struct Layout {
   }
 };
 
-/// The cells of a map have the colours of their outcomes, on a dark page too.
+/// Styles that give the cells the colours of their outcomes, on dark pages too.
 std::string cell_styles() {
   std::string css;
   for (Outcome outcome : outcomes_of_a_map)
@@ -96,7 +96,7 @@ double middle_of(int edge, std::size_t place, int size) {
   return edge + size * (static_cast<double>(place) + 0.5);
 }
 
-/// A panel's cells of one outcome as rectangles, with their letters.
+/// Draws a panel's cells of one outcome, with their letters.
 void add_cells(Svg& svg, const Panel& p, const Stability& s, Outcome outcome) {
   const char letter = letter_of(outcome);
   std::vector<Pixel> places;
@@ -114,13 +114,13 @@ void add_cells(Svg& svg, const Panel& p, const Stability& s, Outcome outcome) {
   if (outcome != Outcome::ok) svg.letters(places, letter, std::string("on-") + letter);
 }
 
-/// A corner of the cell whose upper right corner this is, in the colour of the letter.
+/// Marks a cell, given its upper right corner, in the colour of its letter.
 void add_corner(Svg& svg, Pixel at, Outcome outcome) {
   constexpr double side = 6;
   svg.area({{at.x - side, at.y}, at, {at.x, at.y + side}}, std::string("on-") + letter_of(outcome));
 }
 
-/// The cells that roundings decide have a corner.
+/// Marks the cells whose outcome rounding errors decide.
 void add_corners(Svg& svg, const Panel& p) {
   for (std::size_t column = 0; column < p.columns.size(); ++column)
     for (std::size_t k = 0; k < p.columns[column]->fragile.size(); ++k)
@@ -131,7 +131,7 @@ void add_corners(Svg& svg, const Panel& p) {
                    p.columns[column]->outcomes[k]);
 }
 
-/// Theory's limits as lines, those beyond the steps shown along the edge.
+/// Theory's limits as lines; limits beyond the steps shown are drawn along the edge.
 std::string theory_lines(const Panel& p, const Stability& s) {
   std::string data;
   for (std::size_t column = 0; column < p.columns.size(); ++column) {
@@ -167,7 +167,7 @@ void add_panel(Svg& svg, const Panel& p, const Stability& s, int height) {
   svg.upward_text({14, p.down + height / 2.0}, axis_name("step", s.time_unit), "t");
 }
 
-/// How a cell ends that roundings decide, if there is one.
+/// Outcome of the first cell that rounding errors decide, if there is one.
 std::optional<Outcome> first_fragile(const Stability& s) {
   for (const MapRow& row : s.map)
     for (std::size_t k = 0; k < row.fragile.size(); ++k)
@@ -175,7 +175,7 @@ std::optional<Outcome> first_fragile(const Stability& s) {
   return std::nullopt;
 }
 
-/// The outcomes that the map has, in a line above the panels.
+/// Draws the legend of the map's outcomes in a line above the panels.
 void add_legend(Svg& svg, const Stability& s) {
   constexpr double y = 76, wide = 100;
   double x = 12;
@@ -201,7 +201,7 @@ void add_legend(Svg& svg, const Stability& s) {
   }
 }
 
-/// The longest step from which on a method ends ok at every value of the parameter; 0: none.
+/// The longest step up to which a method ends ok at every value of the parameter; 0 if none does.
 double longest_ok(const Panel& p, const Stability& s) {
   double longest = 0;
   for (std::size_t k = s.steps.size(); k-- > 0; longest = s.steps[k])

@@ -13,7 +13,7 @@ namespace oddity {
 
 namespace {
 
-/// Names of the observables, each with its unit; a quantity's unit is one for all or a list.
+/// Names of the observables with their units; a quantity has one unit for all or a list.
 std::vector<std::string> axis_labels(const QuantityResult& q, std::size_t count) {
   std::vector<std::string> units;
   for (std::size_t from = 0; from <= q.unit.size();) {
@@ -31,19 +31,19 @@ std::vector<std::string> axis_labels(const QuantityResult& q, std::size_t count)
   return labels;
 }
 
-/// The span of the true motion in one observable.
+/// Range of the true motion in one observable.
 struct Span {
   double low = INFINITY, high = -INFINITY;
 
   void see(double x) { low = std::min(low, x), high = std::max(high, x); }
-  /// With a quarter of it on either side.
+  /// Widened by a quarter on either side.
   Span widened() const {
     const double margin = high > low ? (high - low) / 4 : std::max(std::abs(high), 1e-9) / 4;
     return {low - margin, high + margin};
   }
 };
 
-/// The paths from the truest to the most wrong, which is drawn on top of all.
+/// Indices of the paths: first the most accurate, last the least accurate, which is drawn on top.
 std::vector<std::size_t> by_error(const Trajectory& t) {
   std::vector<std::size_t> order(t.paths.size());
   std::iota(order.begin(), order.end(), 0);
@@ -54,7 +54,7 @@ std::vector<std::size_t> by_error(const Trajectory& t) {
   return order;
 }
 
-/// How far apart two motions are on the whole, in parts of the span of each observable.
+/// Largest difference of two motions, relative to the range of each observable.
 double apart(const Value& a, const Value& b, const std::vector<Span>& spans) {
   double largest = 0;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
@@ -64,7 +64,7 @@ double apart(const Value& a, const Value& b, const std::vector<Span>& spans) {
   return a.size() == b.size() ? largest : INFINITY;
 }
 
-/// A path that hides another, because the eye cannot tell them apart: the first drawn after it.
+/// The first later path that hides this one, as the eye cannot distinguish them; nullptr otherwise.
 const Path* cover_of(const Trajectory& t, const std::vector<std::size_t>& order, std::size_t place,
                      const std::vector<Span>& spans) {
   constexpr double width_of_a_line = 0.003;
@@ -74,8 +74,8 @@ const Path* cover_of(const Trajectory& t, const std::vector<std::size_t>& order,
   return nullptr;
 }
 
-/// A path's largest error: over all times drawn, as far as its seven digits tell, and at the reference's. NaN
-/// where the motion broke off.
+/// A path's largest error, at the drawn times (as far as seven digits show it) and at the reference's. NaN if
+/// the motion broke off.
 double largest_error(const Trajectory& t, const Path& p) {
   const Value& truth = t.paths[t.truest].value;
   const double drawn = distance(p.value, truth);
@@ -89,7 +89,7 @@ std::string how_wrong(const Trajectory& t, const Path& p, const std::string& uni
                               : std::string(name_of(p.outcome));
 }
 
-/// What the legend says of a path: how true it is, and what it is hidden by.
+/// Legend of a path: its accuracy, and the path that hides it.
 std::string said_of(const Trajectory& t, const std::vector<std::size_t>& order, std::size_t place,
                     const std::vector<Span>& spans) {
   const Path& p = t.paths[order[place]];
@@ -110,16 +110,16 @@ constexpr double picture_width = 960, motion_left = 70, motion_right = 600, lege
                  entry_height = 40;
 constexpr double under_axis = 46;
 
-/// The true motion is broad and has no colour; a place has its colour among the others.
+/// The true motion is drawn broad and without colour; the others take the colours in turn.
 int slot_of(std::size_t place) { return static_cast<int>(place) - 1; }
 
-/// A motion's picture under way.
+/// A motion's picture being drawn.
 struct Frames {
   const QuantityResult& q;
   const Trajectory& t;
   std::vector<std::size_t> order;
   std::vector<Span> spans;
-  std::size_t count;  ///< of observables
+  std::size_t count;  ///< number of observables
 
   explicit Frames(const QuantityResult& quantity) : q(quantity), t(*quantity.trajectory), order(by_error(t)) {
     const Value& truth = t.paths[t.truest].value;
@@ -130,7 +130,7 @@ struct Frames {
 
   std::size_t times_of(const Path& p) const { return std::min(t.times.size(), p.value.size() / count); }
 
-  /// An observable over another, or, where that is none, over time; within the plot and a little beyond.
+  /// Points of an observable over another, or over time if `across` is empty; not finite outside the plot.
   std::vector<Pixel> way(const Path& p, const Plot& plot, std::optional<std::size_t> across,
                          std::size_t upward) const {
     std::vector<Pixel> points;
@@ -182,7 +182,7 @@ std::string path_svg(const Frames& f, const std::string& title) {
   const double whole = std::max(height, f.legend_height());
   Svg svg(picture_width, whole + 66 + under_axis, title + ". " + motion_finding(f.q));
   const double top = svg.headline(motion_finding(f.q), title), bottom = whole + 66;
-  if (to_scale) {  // the narrower one is widened
+  if (to_scale) {  // widen the narrower one
     const double per_x = (motion_right - motion_left) / (x.high - x.low),
                  per_y = (bottom - top) / (y.high - y.low);
     Span& wide = per_x > per_y ? x : y;
@@ -216,7 +216,7 @@ std::string panels_svg(const Frames& f, const std::string& title) {
   return svg.str();
 }
 
-/// How far a path is from the truest at one of the times: of all observables the largest distance.
+/// Largest distance of a path from the most accurate one at one time, over all observables.
 double distance_at(const Frames& f, const Path& p, std::size_t i) {
   const Value& truth = f.t.paths[f.t.truest].value;
   double largest = 0;
@@ -227,7 +227,7 @@ double distance_at(const Frames& f, const Path& p, std::size_t i) {
   return largest;
 }
 
-/// Paths are kept to seven digits: what differs by less is not drawn.
+/// Paths are stored with seven digits, so smaller distances are not drawn.
 std::string distance_svg(const Frames& f, const std::string& title) {
   const double whole = std::max(360.0, f.legend_height());
   const double least = 1e-6 * size_of(f.t.paths[f.t.truest].value);

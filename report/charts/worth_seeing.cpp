@@ -1,4 +1,4 @@
-// Which charts, and which curves in them, are worth seeing.
+// Selects the charts that are worth seeing, and the curves in them.
 
 #include <algorithm>
 #include <cmath>
@@ -13,13 +13,13 @@ namespace {
 
 constexpr std::size_t most_curves = 8;
 
-/// Two points of the front that the eye takes for one.
+/// Whether two points of the front look the same.
 bool look_alike(const Frame& frame, const TimedTrial& a, const TimedTrial& b) {
   return std::abs(std::log10(frame.x(a) / frame.x(b))) < 0.05 &&
          std::abs(std::log10(frame.y(a) / frame.y(b))) < 0.3;
 }
 
-/// The front's trials, the preferable ones first, each with its method; of those that look alike one.
+/// The methods of the front's trials, preferable trials first. Of trials that look the same it takes one.
 std::vector<std::size_t> methods_on_front(const QuantityResult& q, const Frame& frame, Cost kind) {
   const std::vector<bool> front = pareto_front(q, kind);
   std::vector<std::pair<const TimedTrial*, std::size_t>> seen;
@@ -36,7 +36,7 @@ std::vector<std::size_t> methods_on_front(const QuantityResult& q, const Frame& 
   return methods;
 }
 
-/// The best method of each key, in the order of first appearance.
+/// The best method of each key, in order of first appearance.
 template <class Key>
 std::vector<std::size_t> best_of_each(const QuantityResult& q, const std::vector<std::size_t>& among,
                                       Cost kind, const Key& key) {
