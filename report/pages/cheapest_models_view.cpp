@@ -26,7 +26,7 @@ std::string error_of(const Candidate& candidate, const Need& need, const Cheapes
   return text;
 }
 
-/// What it errs by in float, and whether that holds.
+/// The model's error in float, and whether it is within the need.
 std::string in_float(const CheapestModel& row, const CheapestModels& cheapest_models) {
   if (!row.in_float) return "in double only";
   return error_of(*row.in_float, row.need, cheapest_models) +
@@ -53,9 +53,9 @@ std::string interval_text(const Interval& enough, const BreakEven& b) {
          with_unit(format_significant(enough.to, 4), b.parameter_unit);
 }
 
-/// What speaks against the ends that were found: the model's errors there by the reference.
+/// Objections to the borders found: errors by the reference that disagree with them.
 std::string reservations(const BreakEven& b) {
-  constexpr double roundings = 0.02;  // of an end that is known to one in a thousand
+  constexpr double roundings = 0.02;  // relative; borders are known to one in a thousand
   std::string text;
   const auto disagree = [&](const char* side, double error) {
     text += " The reference disagrees: where the model " + std::string(side) + ", its error is " +

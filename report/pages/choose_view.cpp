@@ -25,7 +25,7 @@ std::string described(const Candidate& candidate, const Need& need) {
   return candidate.model + " by " + candidate.algorithm + (setting == "-" ? "" : ", " + setting);
 }
 
-/// The unit asked in, or the motion's own.
+/// The unit in which the need was stated, otherwise the motion's.
 ShownUnit shown_unit(const std::string& unit, const Choice& choice) {
   const auto shown = choice.need.shown.find(unit);
   return shown == choice.need.shown.end() ? ShownUnit{unit, 1} : shown->second;
@@ -42,7 +42,7 @@ std::string errors_of(const std::vector<double>& errors, const Choice& choice) {
   return text;
 }
 
-/// The unit in which what is held is off: that asked in.
+/// The unit for distances from a constraint.
 ShownUnit length_unit(const Choice& choice) { return shown_unit("m", choice); }
 
 std::string off_constraint(double off, const Choice& choice) {
@@ -50,18 +50,18 @@ std::string off_constraint(double off, const Choice& choice) {
   return shown_error(off / unit.size) + " " + unit.symbol;
 }
 
-/// By a criterion that was asked for, in its own unit; infinite where it has none.
+/// The error by one criterion, in its unit; infinite if it was not judged.
 double own_error(const Candidate& candidate, Criterion criterion) {
   const auto found = candidate.by.find(criterion);
   return found == candidate.by.end() ? std::numeric_limits<double>::infinity() : found->second;
 }
 
-/// Off by no more than rounding.
+/// Whether the constraint holds up to rounding.
 bool is_held(const Candidate& candidate, const Choice& choice) {
   return own_error(candidate, Criterion::constraint) <= choice.rounding;
 }
 
-/// The error by one criterion: of the path in its units, of energy and period as a part, of what is held as a
+/// The error by one criterion: the path's in its units, energy and period as fractions, constraints as a
 /// length.
 std::string error_by(Criterion criterion, const Candidate& candidate, const Choice& choice) {
   if (criterion == Criterion::path) return errors_of(candidate.errors, choice);
@@ -77,7 +77,7 @@ std::string error_by(Criterion criterion, const Candidate& candidate, const Choi
   }
 }
 
-/// By all that were asked for.
+/// The errors by all criteria asked for.
 std::string error_of(const Candidate& candidate, const Choice& choice) {
   std::string text = error_by(choice.need.criterion, candidate, choice);
   for (const auto& [criterion, error] : choice.need.also)
@@ -118,8 +118,7 @@ std::string holds_by(Criterion criterion, const Choice& choice, const std::strin
   return "bounded";
 }
 
-/// What a criterion that looks at no path has let pass: a path that is off by more than a tenth of the
-/// motion.
+/// Warns if a criterion that ignores the path accepts one that is off by more than a tenth of the motion.
 std::string strays_text(const Choice& choice) {
   constexpr double part = 0.1;
   const Criterion criterion = choice.need.criterion;
@@ -145,7 +144,7 @@ std::size_t bytes_of_state(const Candidate& candidate) {
   return candidate.state_size * (candidate.precision == Precision::in_float ? sizeof(float) : sizeof(double));
 }
 
-/// How the bodies that were asked for are computed, where there are several.
+/// How several bodies are computed.
 std::string bodies_text(const Choice& choice) {
   if (choice.need.bodies == 1) return "";
   const Candidate& best = *choice.chosen;
@@ -157,21 +156,21 @@ std::string bodies_text(const Choice& choice) {
          " each.\n";
 }
 
-/// Of what is bounded, or held by construction, nothing is so many times better than asked.
+/// Whether a margin can be measured: not for bounded motions, nor for constraints that hold by construction.
 bool is_measured(const Choice& choice) {
   return choice.need.criterion != Criterion::bounded &&
          (choice.need.criterion != Criterion::constraint || !choice.need.also.empty() ||
           !is_held(*choice.chosen, choice));
 }
 
-/// How the chosen one does where it need not hold.
+/// Result of the chosen method on other starts, where it need not hold.
 std::string beside_text(const Choice& choice) {
   const std::string others = std::to_string(choice.unseen.size()) + " others up to a tenth off";
   if (choice.failing_beside == 0) return "; it holds on " + others + ", too";
   return "; of " + others + " it fails on " + std::to_string(choice.failing_beside);
 }
 
-/// By which rule the chosen one was picked.
+/// The rule that picked the chosen method.
 std::string rule_text(const Choice& choice) {
   const bool simple = choice.need.objective == Objective::simple && choice.by_objective;
   return std::string("  rule: least time on this machine of ") +
@@ -181,7 +180,7 @@ std::string rule_text(const Choice& choice) {
          "; of those within a quarter of it the most accurate.\n";
 }
 
-/// Of a motion in chaos, where a margin on a few starts says little.
+/// Share of starts on which the method holds in chaos, where a margin on a few starts means little.
 std::string share_text(const Choice& choice) {
   const auto [least, most] = choice.share_in_chaos();
   return "  in chaos: it holds on " + std::to_string(choice.holding_in_chaos) + " of " +
@@ -216,7 +215,7 @@ std::string in_float_text(const Choice& choice) {
          ": fails.\n";
 }
 
-/// What was not asked, as it has no such program: by name where that is short.
+/// Methods left out because they have no program in lockstep, by name if they are few.
 std::string left_out_of_lockstep(const InLockstep& lockstep) {
   std::string text;
   for (const auto& [why, names] : lockstep.left_out)
@@ -225,7 +224,7 @@ std::string left_out_of_lockstep(const InLockstep& lockstep) {
   return text.empty() ? "" : text + ".\n";
 }
 
-/// Of what the same bits are made, and what they cost.
+/// How the program gets the same bits everywhere, and its cost.
 std::string lockstep_text(const Choice& choice) {
   if (!choice.lockstep) return "";
   const InLockstep& lockstep = *choice.lockstep;
@@ -251,7 +250,7 @@ std::string ties_text(const Choice& choice) {
   return text.empty() ? "" : text + ".\n";
 }
 
-/// Of what holds on the start asked for alone.
+/// A method that holds on the start asked for, but not on starts near it.
 std::string on_asked_text(const Choice& choice) {
   if (!choice.on_asked || !choice.beside_asked) return "";
   const Candidate &there = *choice.on_asked, &beside = *choice.beside_asked;
@@ -262,14 +261,15 @@ std::string on_asked_text(const Choice& choice) {
          (std::isfinite(beside.error) ? ": error " + error_of(beside, choice) : "") + ".\n";
 }
 
-/// What a game that rolls back for inputs that come late does about as often as that.
+/// Frames that a rollback game typically computes again when inputs arrive late.
 constexpr int frames_again = 8;
 
-/// Seconds to take the chosen one from a saved state through these frames.
+/// Seconds to compute these frames with the chosen method from a saved state.
 double rollback_seconds(const Choice& choice) {
   const Candidate& best = *choice.chosen;
-  const double restart = best.evaluations_per_frame > 0 ? choice.restart / best.evaluations_per_frame
-                                                        : 0;  // of a method with a history
+  const double restart = best.evaluations_per_frame > 0
+                             ? choice.restart / best.evaluations_per_frame
+                             : 0;  // only methods with a history have a cost to restart
   return best.seconds_per_frame * (best.state_size == 0 ? 1 : frames_again + restart);
 }
 
@@ -286,7 +286,7 @@ bool is_faulted(const Candidate& t, const Choice& choice) {
   return std::ranges::find(choice.faulted, t.model) != choice.faulted.end();
 }
 
-/// What would meet the need, and is not chosen.
+/// A method that would meet the need, but whose model is shown to be wrong.
 std::string faulted_text(const Choice& choice) {
   for (const Candidate& t : choice.candidates)
     if (t.holds() && is_faulted(t, choice) && !(t.seconds_per_frame > choice.need.budget))
@@ -307,7 +307,7 @@ std::string miss_text(const Choice& choice, const Screen& screen) {
          cost_of(miss) + ", " + times_as(budgets) + " the budget.\n" + on_asked_text(choice);
 }
 
-/// What was cheaper and tried, and why it was passed over.
+/// The next cheaper method tried, and why it was rejected.
 std::string next_cheaper_text(const Choice& choice) {
   if (!choice.next_cheaper) return "";
   const Candidate& t = *choice.next_cheaper;
@@ -324,15 +324,15 @@ std::string next_cheaper_text(const Choice& choice) {
          ", error " + error_of(t, choice) + ".\n";
 }
 
-/// A chaotic path that long double loses, too.
+/// Whether even long double loses the chaotic path.
 bool is_beyond_double(const Choice& choice) { return choice.explanation.truth_until && choice.predictable; }
 
-/// Why not all methods were followed to their finest settings.
+/// Why some methods were not tried at finer settings.
 std::string_view why_left(const Choice& choice) {
   return is_beyond_double(choice) ? "as none can hold" : "as they cost too much already";
 }
 
-/// What the table's rows are.
+/// Describes the table's rows.
 std::string rows_text(const Choice& choice) {
   std::string text = "\nEach method at its cheapest setting that holds";
   if (choice.need.margin() > 1) text += " with a margin of three, else at its cheapest that holds";
@@ -385,7 +385,7 @@ std::string verdict_of(const Candidate& candidate, const Choice& choice) {
   return candidate.seconds_per_frame > choice.need.budget ? "over the budget" : "holds";
 }
 
-/// The starts drawn that are not comparable.
+/// Starts that were drawn but are not comparable.
 std::string left_out_text(const Choice& choice) {
   std::string text;
   for (const auto& [kind, count] : choice.left_out)
@@ -394,7 +394,7 @@ std::string left_out_text(const Choice& choice) {
   return text;
 }
 
-/// The rows that a reader looks for first: those that hold, the chosen one among them.
+/// The most useful rows: first methods that hold, with the chosen one among them.
 std::vector<Candidate> rows_of(const Choice& choice, bool all_rows) {
   if (all_rows) return choice.candidates;
   std::vector<Candidate> rows;
@@ -410,7 +410,7 @@ std::vector<Candidate> rows_of(const Choice& choice, bool all_rows) {
 
 Json from(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
 
-/// In the units asked in: a number where there is one, else by unit.
+/// Errors in the need's units: a number if there is one unit, otherwise an object by unit.
 Json from(const std::vector<double>& errors, const Choice& choice) {
   Json json = Json::object();
   for (std::size_t i = 0; i < errors.size(); ++i) {
@@ -442,7 +442,7 @@ Json base_of(const Candidate& t, const Choice& choice) {
           {"spread", from(t.spread)}};
 }
 
-/// Errors by criteria other than path are parts, and lengths in m.
+/// Errors by criteria other than the path are fractions, or lengths in m.
 Json from(const Candidate& t, const Choice& choice) {
   const Criterion criterion = choice.need.criterion;
   Json json = base_of(t, choice);

@@ -5,22 +5,22 @@
 #include "report/study/choose.hpp"
 #include "report/text/screen.hpp"
 
-/// A choice, as text and for other programs.
+/// A choice as text, JSON and CSV.
 namespace oddity {
 
-/// What has to hold: "angle within 1 deg at every frame; with its energy right to 5 % ..."; or at other
-/// times.
+/// The need's tolerances: "angle within 1 deg at every frame; with its energy right to 5 % ...".
 std::string what_holds(const Choice&, const std::string& when = "at every frame");
-/// What was asked, and the answer with its margin.
+/// The need in a sentence.
 std::string asked_text(const Choice&);
-/// Over what part of the horizon asked for it is; empty: all of it.
+/// The part of the horizon that was judged; empty if all of it was.
 std::string part_text(const Choice&);
+/// The chosen method, with its rule, margin and alternatives.
 std::string answer_text(const Choice&, const Screen& = {});
-/// The choice as a sentence and a table, for a terminal; the table's first rows, or all.
+/// The choice for a terminal, with the table's first rows or all.
 std::string choice_text(const Choice&, bool all_rows, const Screen& = {});
-/// How well the true motion is known, and by what.
+/// The accuracy of the true motion, and its source.
 std::string truth_text(const Choice&, const Screen& = {});
-/// What was tried and where the time went.
+/// The methods tried, and the time spent on each stage.
 std::string explanation_text(const Choice&);
 /// An error by the need's criterion, in the units asked in.
 std::string shown_errors(const Candidate&, const Choice&);

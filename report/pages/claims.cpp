@@ -32,7 +32,7 @@ std::string difference_of(const Check& c) {
          ", allowed " + shown_error(c.tolerance.allowed);
 }
 
-/// How much of its tolerance a check uses up; one that fails comes before all that hold.
+/// The part of its tolerance that a check uses; failing checks rank above those that pass.
 double tightness(const Check& c) {
   const double infinity = std::numeric_limits<double>::infinity();
   const double used = c.tolerance.allowed > 0 ? c.difference() / c.tolerance.allowed : 0;
@@ -43,7 +43,7 @@ const Check& tightest(const Reading& reading) {
   return *std::ranges::max_element(reading.checks, {}, tightness);
 }
 
-/// Of the reading's checks the one of the same quantity as `other`, where there is one.
+/// The reading's check of the same quantity as `other`, otherwise its tightest check.
 const Check& beside(const Check& other, const Reading& reading) {
   const auto same = std::ranges::find(reading.checks, other.quantity, &Check::quantity);
   return same != reading.checks.end() ? *same : tightest(reading);
@@ -72,8 +72,8 @@ std::string without_off(const std::string& deviation) {
   return deviation.starts_with("off ") ? deviation.substr(4) : deviation;
 }
 
-/// "√2 K by the arithmetic-geometric mean (2.260114): print off by 1.5, correction by 9.4×10⁻⁸." The
-/// value is shown of a single sample. Where what was meant is plain, that says enough.
+/// "√2 K by the arithmetic-geometric mean (2.260114): print off by 1.5, correction by 9.4×10⁻⁸." Shows the
+/// value only for a single sample. Empty if the meaning was plain.
 std::string numbers_of(const JudgedClaim& judged) {
   const Claim& claim = judged.claim;
   if (claim.printed.checks.empty() || was_meant(judged.verdict)) return "";
@@ -92,7 +92,7 @@ std::string numbers_of(const JudgedClaim& judged) {
 
 // ---- claims -----------------------------------------------------------------------------------------------
 
-/// Where the links to a claim lead: its id, but for what an anchor cannot hold.
+/// A claim's anchor: its id, with '-' for characters that anchors cannot have.
 std::string anchor_of(const Claim& claim) {
   std::string anchor;
   for (char c : claim.id)
@@ -106,17 +106,17 @@ std::string title_of(Verdict verdict) {
   return name;
 }
 
-/// An equation in what a claim says is its formula.
+/// Whether the claim's sentence contains its formula.
 bool has_equation(const Claim& claim) { return claim.says.find('=') != std::string::npos; }
 
-/// What claims and headings say already needs no second time.
+/// Whether the claim's sentence already contains the reading.
 bool is_told(const Claim& claim, const Reading& reading) {
   std::string text = reading.text;
   if (text.size() > 2 && text.front() == '$' && text.back() == '$') text = text.substr(1, text.size() - 2);
   return text.empty() || claim.says.find(text) != std::string::npos;
 }
 
-/// What is wrong, what is right unless a table has it already, and how it shows.
+/// An erratum: the right reading unless a table shows it, the reason, and the numbers.
 std::string in_full(const JudgedClaim& judged, bool in_table, const ProvedClaims& proved) {
   const Claim& claim = judged.claim;
   const std::string kind = claim.kind == Fault::none ? "" : std::string(name_of(claim.kind)) + ", ";
@@ -135,8 +135,8 @@ std::string in_full(const JudgedClaim& judged, bool in_table, const ProvedClaims
          numbers_of(judged);
 }
 
-/// What a confirmed claim was compared with: another route, or samples. Of what is zero it is the route to
-/// it.
+/// The other side of a confirmed claim's comparison: a route, or samples. For a comparison with zero, the
+/// route to the value.
 std::string compared_with(const JudgedClaim& judged) {
   const Reading& reading = right_reading(judged);
   if (reading.checks.empty()) return "";
@@ -172,7 +172,7 @@ std::string folded(const std::string& summary, const std::string& text) {
   return "<details><summary>" + summary + "</summary>\n\n" + text + "</details>\n\n";
 }
 
-/// The routes of all its checks give the same doubles in every sample, though roundings are allowed.
+/// Whether all checks agree in every bit in every sample, although roundings are allowed.
 bool bit_equal(const JudgedClaim& judged) {
   const auto& checks = right_reading(judged).checks;
   return !checks.empty() && std::ranges::all_of(checks, [](const Check& c) {

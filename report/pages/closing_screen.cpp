@@ -53,7 +53,7 @@ std::string by_verdict(const Counts& found, const Screen& screen) {
   return text;
 }
 
-/// The same as a bar, each claim with its share.
+/// The counts as a bar, in proportion to the claims.
 std::string bar(const Counts& found, const Screen& screen) {
   if (!screen.colour || found.empty()) return "";
   const long all = sum_of(found);
@@ -71,7 +71,7 @@ std::string bar(const Counts& found, const Screen& screen) {
 
 // ---- what is wrong ----------------------------------------------------------------------------------------
 
-/// The worst erratum of each scene that says how it shows.
+/// The worst erratum of each scene whose visible effect is described.
 std::vector<Finding> worst_of_scenes(const Results& results) {
   std::vector<Finding> worst;
   for (Finding& f : errata_worst_first(results))
@@ -131,7 +131,7 @@ std::string what_a_game_may_use(const Results& results, const std::string& progr
                         screen, 2);
 }
 
-/// What the site is without, and how to have it whole.
+/// The parts that the site lacks, and the command that makes a complete one.
 std::string lacks_text(const Closing& closing, const Screen& screen) {
   if (closing.lacks.empty()) return "";
   std::string text;

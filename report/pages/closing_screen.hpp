@@ -9,17 +9,17 @@
 
 namespace oddity {
 
-/// What a whole run has done beside its results.
+/// Outcome of a whole run, apart from its results.
 struct Closing {
-  bool as_on_record;  ///< the suite is green
-  double seconds;     ///< that it took
+  bool as_on_record;  ///< the suite passed
+  double seconds;     ///< duration of the run
   std::filesystem::path site, report;
-  std::string program = "oddity";       ///< as it is typed
-  std::vector<std::string> lacks = {};  ///< by the site: what, and how it shows
-  std::string command = {};             ///< that makes a whole one
+  std::string program = "oddity";       ///< as typed
+  std::vector<std::string> lacks = {};  ///< missing parts of the site, with their effect
+  std::string command = {};             ///< makes a complete site
 };
 
-/// What was checked, what is wrong, what a game may use, and what to open.
+/// Summary of a run: the checks, the worst errata, methods for games, and the files to open.
 std::string closing_screen(const Results&, const Closing&, const Screen&);
 
 }  // namespace oddity

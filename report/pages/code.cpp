@@ -21,7 +21,7 @@ namespace oddity {
 
 namespace {
 
-/// One that report/plain has.
+/// An algorithm with a loop in report/plain.
 struct Plain {
   std::string_view algorithm, header, type;
 };
@@ -46,7 +46,7 @@ std::string listed(const std::vector<std::string_view>& names) {
   return all.empty() ? "none" : all;
 }
 
-/// How a method is printed: the expression that constructs its model, and its algorithm; none for a closed
+/// The code of a method: an expression that constructs the model, and the algorithm; nullptr for a closed
 /// form.
 struct Printed {
   std::string_view model;
@@ -60,13 +60,13 @@ const std::string_view* find(const Pairs& pairs, std::string_view name) {
   return nullptr;
 }
 
-/// Without " in float".
+/// The algorithm's name without " in float".
 std::string in_double(const std::string& algorithm) {
   const std::string_view suffix = " in float";
   return algorithm.ends_with(suffix) ? algorithm.substr(0, algorithm.size() - suffix.size()) : algorithm;
 }
 
-/// Of models that are shown to be wrong there is none to choose.
+/// Throws BadInput if there is no code; the message does not suggest models that are shown to be wrong.
 Printed printed(const Scene& scene, const std::string& model, const std::string& algorithm) {
   const Listing& listing = scene.listing;
   if (const auto* own = find(listing.models, model + ", " + algorithm)) return {*own, nullptr};
@@ -95,7 +95,7 @@ std::string_view text_of(std::string_view path) {
   throw std::logic_error("the program does not carry " + std::string(path));
 }
 
-/// Headers put one behind the other, each once, after those that it includes.
+/// Headers joined into one text, each once, after the headers that it includes.
 class Joined {
  public:
   void add(std::string_view path) {
@@ -114,7 +114,7 @@ class Joined {
   }
   void add_standard(const std::string& header) { standard_.insert(header); }
 
-  /// Those that the code needs.
+  /// #include lines of the standard headers that the code needs.
   std::string includes(std::string_view code) const {
     std::string text;
     for (const std::string& name : standard_)
@@ -128,7 +128,7 @@ class Joined {
   std::string text_;
 };
 
-/// A backslash at the end of a comment, which may be anybody's text, would join the next line to it.
+/// Separates lines that a backslash at the end of a comment would join; comments may contain any text.
 std::string with_lines_apart(std::string code) {
   for (auto at = code.find("\\\n"); at != std::string::npos; at = code.find("\\\n", at))
     code.insert(at + 1, ".");
@@ -146,7 +146,7 @@ std::string literal(double x, const std::string& number) {
   return number == "double" ? format_shortest(x) : number + "(" + format_shortest(x) + ")";
 }
 
-/// The parameters and the model that they make.
+/// The parameters and the model made of them.
 std::string model_text(const Task& task, std::string_view expression, const std::string& number) {
   std::string text = "namespace oddity::asked {\n\nusing Number = " + number + ";\n\n";
   for (const Parameter& p : task.entry->exercise.parameters)
@@ -173,7 +173,7 @@ void print_row(double t, const Observables& observables) {
 }
 )";
 
-/// Keeps what is printed, and every state, as a hash of their bits.
+/// Prints a row, and keeps a hash of the bits of all rows and states.
 constexpr std::string_view print_row_in_lockstep = R"(
 oddity::BitsHash all;
 
@@ -195,7 +195,7 @@ constexpr std::string_view print_hash =
     R"(  std::printf("bits of all states and observables, as FNV-1a: %016llx\n", all.value());
 )";
 
-/// Before all else: what no compiler may be told, and what all of them have to be.
+/// Rejects compiler options that break IEEE 754, and turns contraction off.
 constexpr std::string_view one_rounding_each =
     R"(#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(_M_FP_FAST)
 #error "the bits of this program are those of IEEE 754: compile it without -ffast-math and its parts"
@@ -212,7 +212,7 @@ constexpr std::string_view no_wider_numbers =
               "every operation has to round to its type: on i386 compile with -msse2 -mfpmath=sse");
 )";
 
-/// The words with a dollar are placeholders.
+/// Words with a dollar are placeholders.
 constexpr std::string_view closed_form_main = R"(
 int main() {
   constexpr int frames = $frames;
@@ -243,7 +243,7 @@ int main() {
 }
 )";
 
-/// Frames of different lengths: a program of one's own has its clock's in their place.
+/// For frames of different lengths; a game would use the times of its clock instead.
 constexpr std::string_view frames_main = R"(
 const double frames[] = {$times};
 
@@ -281,8 +281,8 @@ constexpr std::string_view extrapolated = R"(    auto rate = x;
     for (std::size_t i = 0; i < x.size(); ++i) drawn[i] += Number(late) * rate[i];
 )";
 
-/// Prints the seconds of the processor that a frame takes, the best of several times: what is computed has to
-/// be seen.
+/// Prints the CPU time of a frame, the best of several trials. seen() uses the results, so that no compiler
+/// drops their computation.
 constexpr std::string_view timed_main = R"(
 template <class Numbers>
 bool seen(const Numbers& numbers) {
@@ -321,7 +321,7 @@ constexpr std::string_view timed_closed_form =
     R"(      for (int i = 1; i <= $frames; ++i) kept = seen(model.at(Number($step) * Number(i)));
 )";
 
-/// A word of C++ everywhere in it, comments aside.
+/// Replaces a word of C++, except in comments.
 std::string with_word(const std::string& code, const std::string& word, const std::string& in_its_place) {
   std::string text;
   std::istringstream lines(code);
@@ -331,14 +331,14 @@ std::string with_word(const std::string& code, const std::string& word, const st
   return text;
 }
 
-/// What is written in double, in lockstep's numbers and by its functions.
+/// Replaces double and the functions of std by those of lockstep.
 std::string in_lockstep_numbers(const std::string& code) {
   return with_word(with_word(code, R"(\bdouble\b)", "oddity::Lockstep<double>"),
                    R"(\bstd::(?=(?!printf)\w+\())", "oddity::lockstep::");
 }
 
-/// Headers without the C library's functions by name, which mention all of them: lockstep's are found by
-/// their arguments.
+/// Headers without using-declarations of the C library's functions, which mention all of them. Lockstep's are
+/// found by their arguments.
 std::string without_library_functions(std::string headers) {
   if (const auto at = headers.find("using std::abs, "); at != headers.npos)
     headers.erase(at, headers.find(';', at) + 1 - at);
@@ -351,7 +351,7 @@ std::string before_text(Stepping stepping) {
                                           : "  long done = 0;\n  auto before = x;\n");
 }
 
-/// The loop's body for the way in which steps meet frames.
+/// Body of the loop over frames, for a way to fit steps to frames.
 std::string frame_text(Stepping stepping) {
   if (stepping == Stepping::divided) return std::string(divided);
   return std::string(accumulated) +
@@ -451,7 +451,7 @@ std::vector<std::string_view> printable_algorithms() {
 
 namespace {
 
-/// A program without its comment.
+/// The program without its heading comment.
 std::string program_of(const Task& task, const Candidate& chosen, const Need& need, bool is_timed) {
   const Exercise& exercise = task.entry->exercise;
   const Listing& listing = exercise.scene->listing;
@@ -487,7 +487,7 @@ std::string program_of(const Task& task, const Candidate& chosen, const Need& ne
   return std::string(need.lockstep ? one_rounding_each : "") + headers.includes(code) + code;
 }
 
-/// How the program is to be compiled, and what it then prints.
+/// How to compile the program, and how exactly it reproduces oddity's numbers.
 std::string compiling_of(const Listing& listing, const Candidate& chosen, const Need& need) {
   if (need.lockstep)
     return "\nCompiled by any compiler for C++20, whatever its optimization, it prints the same hash of its bits on "
@@ -500,14 +500,14 @@ std::string compiling_of(const Listing& listing, const Candidate& chosen, const 
                                                 : ".");
 }
 
-/// The elementary functions of <cmath> that lockstep has none of its own for.
+/// Functions of <cmath> that lockstep does not implement.
 const std::regex& not_in_lockstep() {
   static const std::regex names(
       R"(\b(pow|cbrt|atan|tanh|acosh|atanh|exp2|log2|log10|log1p|fma|erfc?|[tl]gamma|ellint_\w+|complex)\s*[(<])");
   return names;
 }
 
-/// What the model's program has of its own, and of the headers that it needs.
+/// The model's code, with the parts of the headers that it needs.
 std::string model_code_of(const Task& task, std::string_view model, std::string_view expression) {
   const Listing& listing = task.entry->exercise.scene->listing;
   Joined headers;

@@ -27,13 +27,13 @@ std::string code_of(const Task&, const Candidate&, const Need&, const std::strin
 // Where a need asks for lockstep, the program has the same bits by every compiler and on every processor: its
 // numbers are those of report/plain/lockstep.hpp.
 
-/// Why there is no such program of this model and algorithm, which may be in float: "calls GSL". Empty:
-/// there is.
+/// Reason why the model and the algorithm, which may be in float, have no such program: "calls GSL". Empty if
+/// they have one.
 std::string why_not_in_lockstep(const Task&, const std::string& model, const std::string& algorithm);
-/// The elementary functions that such a program has of its own: "sin".
+/// Elementary functions that such a program implements: "sin".
 std::vector<std::string> functions_in_lockstep(const Task&, const Candidate&);
-/// A program that prints the seconds that a frame of the candidate takes, in lockstep or as usual. Frames of
-/// different lengths are timed as if they were not.
+/// A program that prints the candidate's seconds per frame, in lockstep or as usual. It ignores differences
+/// in the lengths of frames.
 std::string timing_code_of(const Task&, const Candidate&, Need, bool lockstep);
 
 }  // namespace oddity

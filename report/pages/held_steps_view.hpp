@@ -7,11 +7,11 @@
 #include "report/text/screen.hpp"
 #include "report/text/table_text.hpp"
 
-/// Limits of stability next to the steps up to which each method meets what was asked, where something was.
+/// Limits of stability, next to the longest steps that meet a need, if there is one.
 namespace oddity {
 
 std::string stability_text(const ExerciseResult&, const HeldSteps&, const Screen& = {});
-/// Those of each exercise in turn; none: nothing was asked.
+/// One entry per exercise; an empty span if nothing was asked.
 Table limits_table(const Results&, std::span<const HeldSteps>);
 
 }  // namespace oddity

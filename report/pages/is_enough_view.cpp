@@ -36,7 +36,7 @@ std::string limit_text(const Judgement& j, const std::string& unit) {
 }  // namespace
 
 std::string is_enough_text(const IsEnough& found, const Screen& screen) {
-  Choice choice;  // whose units errors are shown in
+  Choice choice;  // only for the units of errors
   choice.need = found.need;
   choice.units = found.units;
   const Candidate& best = found.models.front().run;

@@ -9,7 +9,7 @@
 namespace oddity {
 
 std::string is_enough_text(const IsEnough&, const Screen& = {});
-/// A row for each model.
+/// A row per model.
 Table is_enough_table(const IsEnough&);
 
 }  // namespace oddity

@@ -24,7 +24,7 @@ using namespace std::chrono_literals;
 
 constexpr const char* compiler = "c++";
 
-/// The algorithms and models that the need would allow, each with the reason why it has no program.
+/// Algorithms and models that the need allows but that have no program in lockstep, by reason.
 std::map<std::string, std::vector<std::string>> left_out(const Task& task, Need need) {
   need.takes = nullptr;
   std::map<std::string, std::vector<std::string>> all;
@@ -40,14 +40,14 @@ std::map<std::string, std::vector<std::string>> left_out(const Task& task, Need 
   return all;
 }
 
-/// Seconds that a program prints; none where it does not.
+/// Seconds printed by the program; nullopt if it fails.
 std::optional<double> printed_by(const std::string& program) {
   const Ended ran = run_program({program}, "", 60s);
   const auto end = ran.output.find('\n');
   return ran.ok && end != std::string::npos ? parse_number(ran.output.substr(0, end)) : std::nullopt;
 }
 
-/// In lockstep and as usual, by turns, so that what disturbs one disturbs the other as well.
+/// Times both programs alternately, so that disturbances affect both.
 void measure(const Task& task, const Choice& choice, InLockstep& found) {
   if (program_on_path(compiler).empty()) {
     found.measured = "what that costs is not measured, as there is no c++ here";

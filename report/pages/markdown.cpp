@@ -27,7 +27,7 @@ std::vector<const ExerciseResult*> of_chapter(const Results& results, int chapte
 
 std::string own_mark(Number number) { return of_the_book(number) ? "" : " (own)"; }
 
-/// The book's exercises that have no file here, of the chapters that the results have.
+/// Exercises of the book that are not encoded, in the chapters of the results.
 std::string not_encoded(const Results& results) {
   std::string missing;
   for (const Chapter& chapter : chapters())
@@ -51,7 +51,7 @@ std::string exercises_counted(const Results& results) {
 
 std::string name_of(const ExerciseResult& e) { return to_string(e.number) + " " + escaped(e.title); }
 
-/// GitHub's anchor of an exercise's heading, on a page of several.
+/// GitHub's anchor of an exercise's heading, on a page with several.
 std::string heading_anchor(const ExerciseResult& e) {
   std::string text;
   for (char c : to_string(e.number) + " " + e.title) {
@@ -72,7 +72,7 @@ std::string link_to(const ExerciseResult& e, Links links) {
 
 // ---- an exercise ------------------------------------------------------------------------------------------
 
-/// The letters and their values; what seeds random samples is no letter of the book's.
+/// The parameters and their values, except the seed of random samples.
 std::string parameters_text(const ExerciseResult& e) {
   std::string text;
   for (const ParameterValue& p : e.parameters)
@@ -84,7 +84,7 @@ std::string parameters_text(const ExerciseResult& e) {
   return text.empty() ? "" : "Parameters: " + text + ".\n\n";
 }
 
-/// What a game needs of the scene, in a sentence.
+/// The model that is enough for a game, in a sentence.
 std::string for_games(const ExerciseResult& e) {
   if (!e.cheapest_models || e.cheapest_models->least.empty()) return "";
   const CheapestModel& row = e.cheapest_models->least.front();
@@ -103,7 +103,7 @@ std::string question(const ExerciseResult& e) {
          "\n\n" + parameters_text(e);
 }
 
-/// All beneath an exercise's question; the sections' headings are of this level.
+/// Everything below an exercise's question; `level` is that of the headings.
 std::string body(const ExerciseResult& e, const std::string& level, bool pages, const ProvedClaims& proved) {
   if (!e.failure.empty()) return "**The study failed:** " + escaped(e.failure, false) + "\n\n";
   std::string text;
@@ -117,7 +117,7 @@ std::string body(const ExerciseResult& e, const std::string& level, bool pages, 
   return text + expected_failures(e);
 }
 
-/// The exercises before and after, and the index.
+/// Links to the previous exercise, the index and the next exercise.
 std::string ways(const Results& results, const ExerciseResult& e) {
   const auto& all = results.exercises;
   const auto here =
@@ -180,7 +180,7 @@ std::string exercises_table(const std::vector<const ExerciseResult*>& exercises,
       "123456");
 }
 
-/// A row for each exercise, folded up by chapter.
+/// A row per exercise, folded up by chapter.
 std::string by_chapter(const Results& results, Links links) {
   std::string text;
   for (const Chapter& chapter : chapters()) {
@@ -198,7 +198,7 @@ std::string by_chapter(const Results& results, Links links) {
   return text;
 }
 
-/// The errata that matter most, in a row each.
+/// The worst errata, one per row.
 std::string worst_errata(const Results& results, Links links) {
   constexpr std::size_t most = 8;
   std::vector<std::vector<std::string>> rows;
@@ -211,7 +211,7 @@ std::string worst_errata(const Results& results, Links links) {
   return rows.empty() ? "" : table({"erratum", "what one sees"}, rows);
 }
 
-/// What is enough for a game, a row a scene.
+/// The model that is enough for a game, a row per scene.
 std::string scenes_table(const Results& results, Links links) {
   std::vector<std::vector<std::string>> rows;
   for (const ExerciseResult& e : results.exercises) {
@@ -226,7 +226,7 @@ std::string scenes_table(const Results& results, Links links) {
                 table({"scene", "model", "algorithm", "evaluations per frame"}, rows, "3"));
 }
 
-/// Roots of which a claim is wrong, and those of which all are incomplete.
+/// Counts the roots with a wrong claim, and those whose claims are all incomplete.
 std::string causes_of_errata(const Results& results) {
   int wrong = 0, incomplete = 0;
   for (const ExerciseResult& e : results.exercises)

@@ -5,32 +5,30 @@
 #include "reference/proofs.hpp"
 #include "report/study/results.hpp"
 
-/// Markdown for GitHub, drawn from results alone. Every page but the one of times is the same from run to
-/// run.
+/// Markdown for GitHub, from results alone. All pages except that of times are the same in every run.
 namespace oddity {
 
-/// The whole report, or the copy of it that is kept with the sources: without times.
+/// The whole report, or the copy kept with the sources, which has no times.
 enum class Edition { whole, book };
 
-/// The report's front page, of one screen: what was found, the errata that matter most, and what can be
-/// unfolded: an answer for each scene, a row for each exercise.
+/// The report's front page, one screen long: counts, the worst errata, and, folded up, a row per exercise and
+/// per scene.
 std::string index_page(const Results&, Edition = Edition::whole);
-/// An exercise's page: the question, the answer, the findings, the claims, what is computed. Claims that are
-/// proved say so.
+/// An exercise's page: question, answer, findings, claims, computed quantities. Marks proved claims.
 std::string exercise_page_text(const Results&, const ExerciseResult&, const ProvedClaims& = {});
-/// All errata by root, the misprints by number.
+/// All errata by root, and misprints by number.
 std::string errata_page_text(const Results&);
-/// For each quantity the fastest method within the need, in the run at hand.
+/// The fastest method within the need for each quantity, in this run.
 std::string times_page(const Results&);
-/// An exercise's charts, by evaluations and by time, each with the table of all its trials beneath.
+/// An exercise's charts, each with a table of its trials.
 std::string charts_page(const ExerciseResult&);
-/// The front page and all exercises in one, without charts.
+/// The front page and all exercises in one page, without charts.
 std::string single_page(const Results&);
 
 /// "3.5.md".
 std::string exercise_file(Number);
 
-/// What speaks for a claim's verdict: each check of the reading that decided, one a line.
+/// Evidence for a claim's verdict: the checks of all its readings and near misses, one per line.
 std::string claims_evidence(const JudgedClaim&);
 
 }  // namespace oddity

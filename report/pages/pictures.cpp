@@ -27,13 +27,13 @@ const Entry* entry_of(const ExerciseResult& e) {
   return found == registry().end() ? nullptr : &*found;
 }
 
-/// The set-up with its letters, as SVG; empty where a scene does not say how it looks.
+/// The set-up with its letters, as SVG; empty if the scene has no drawing.
 std::string setup_picture(const ExerciseResult& e) {
   const Entry* entry = entry_of(e);
   return entry ? setup_svg(*entry) : "";
 }
 
-/// The motion in a strip of frames, as SVG; empty where a scene does not say how it looks.
+/// The motion as a strip of frames, as SVG; empty if the scene has no drawing.
 std::string frames_picture(const ExerciseResult& e) {
   const Entry* entry = entry_of(e);
   const Trajectory* t = trajectory_of(e);

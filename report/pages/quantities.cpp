@@ -37,8 +37,8 @@ std::string method_name(const QuantityResult& q, const TimedTrial& t) {
   return escaped(of_one_model(q) ? t.algorithm : t.model + ", " + t.algorithm, false);
 }
 
-/// Of each family of algorithms, or, of what is no motion, of each model, the cheapest trial within the need;
-/// the cheapest of these first.
+/// The cheapest trials within the need, cheapest first: one per family of algorithms, or per model for
+/// algorithms without a family. At most three for a motion, otherwise one.
 std::vector<const TimedTrial*> cheapest_within(const QuantityResult& q) {
   const std::size_t most = q.trajectory ? 3 : 1;
   std::vector<std::pair<std::string, const TimedTrial*>> best;
@@ -83,7 +83,7 @@ std::string methods_text(const QuantityResult& q) {
                  : "";
 }
 
-/// What differs from what is expected: nothing in a green run.
+/// Methods that do not end as expected: none in a green run.
 std::string surprises(const QuantityResult& q) {
   std::string text;
   for (const MethodResult& m : q.methods)
@@ -104,7 +104,7 @@ std::string breakdown_text(const BreakdownResult& b) {
   return "**Breaks.** " + prose(b.says) + "\n\n- " + end(b.broken) + "\n- cure: " + end(b.cured) + "\n\n";
 }
 
-/// How many of the settings that hold in double hold in float.
+/// How many settings within the need in double are within it in float.
 std::string lost_in_float(const QuantityResult& q) {
   int held = 0, lost = 0;
   for (const FloatResult& m : q.in_float)
@@ -125,7 +125,7 @@ std::string lost_in_float(const QuantityResult& q) {
              : std::to_string(held - lost) + within + (held - lost == 1 ? "stays" : "stay") + " within it";
 }
 
-/// Where float's floor lies.
+/// The least error in float.
 std::string in_float_text(const QuantityResult& q) {
   const TimedTrial* least = nullptr;
   const TimedTrial* like = nullptr;
@@ -143,7 +143,7 @@ std::string in_float_text(const QuantityResult& q) {
          ".\n\n";
 }
 
-/// Beneath the last of a series, its chart.
+/// The chart of a series, below its last quantity.
 std::string series_link(const ExerciseResult& e, const QuantityResult& q) {
   for (const auto& series : series_of(e))
     if (series.back() == &q) return image("work over size", series_file(e, *series.front()));

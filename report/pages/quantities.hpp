@@ -5,25 +5,24 @@
 #include "report/charts/chart.hpp"
 #include "report/study/results.hpp"
 
-/// What is computed, as Markdown.
+/// Computed quantities, as Markdown.
 namespace oddity {
 
-/// What a quantity is, its true value and how well it is needed.
+/// A quantity's description, true value and need.
 std::string quantity_head(const QuantityResult&);
 
-/// A quantity: its head, one chart if it is to have any, the cheapest methods within the need, what float
-/// makes of it, and where it breaks.
+/// A quantity: head, a chart if `charts`, the cheapest methods within the need, results in float, breakdowns.
 std::string quantity_text(const ExerciseResult&, const QuantityResult&, bool charts);
-/// Why methods are expected to fail at their finest setting, folded up: a line a reason.
+/// Reasons why methods are expected to fail at their finest setting, folded up, one per line.
 std::string expected_failures(const ExerciseResult&);
 
-/// Links to the charts by evaluations or setting, and by time.
+/// Links to all charts of the quantity.
 std::string chart_links(const ExerciseResult&, const QuantityResult&);
-/// A link to the drawn motion of a scene.
+/// A link to the picture of the motion.
 std::string motion_link(const ExerciseResult&, const QuantityResult&);
-/// Every trial with all that the charts show of it.
+/// A row per trial, with all values that the charts show.
 std::string trials_table(const QuantityResult&);
-/// The power laws that methods follow, and where.
+/// Fitted power laws of the methods, and their ranges.
 std::string fits_table(const QuantityResult&);
 
 /// "charts/3.5_swing.svg", "charts/3.5_swing_time.svg", "charts/3.5_swing_over_step.svg".

@@ -62,7 +62,7 @@ std::vector<std::string> limit_cells(const Stability& s, const HeldSteps& held, 
   return all;
 }
 
-/// The limits in columns, each model named above its own.
+/// The limits as columns, each model's below its name.
 std::string limits_text(const Stability& s, const HeldSteps& held, const Screen& screen) {
   const auto names = header(s, held);
   std::vector<std::vector<std::string>> rows{{names.begin() + 1, names.end()}};
@@ -79,7 +79,7 @@ std::string limits_text(const Stability& s, const HeldSteps& held, const Screen&
   return aligned(rows, screen, {{n[0], how, cure}, {cure, how, n[3], n[2], n[4]}});
 }
 
-/// Reasons why theory and measurement differ, the same ones together.
+/// Reasons why theory and measurement differ, each with the methods concerned.
 std::vector<std::pair<std::string, std::string>> reasons(const Stability& s) {
   std::vector<std::pair<std::string, std::string>> all;
   for (const Limit& l : s.limits) {
@@ -95,9 +95,7 @@ std::vector<std::pair<std::string, std::string>> reasons(const Stability& s) {
   return all;
 }
 
-/// "0.0481 to 0.0641".
-
-/// Which limits have no sharp value, and which hold for the time shown only; one sentence each.
+/// A sentence for each limit that is not sharp, or that holds only for the time shown.
 std::vector<std::string> reservations(const Stability& s) {
   std::vector<std::string> all;
   for (const Limit& l : s.limits) {
@@ -123,7 +121,7 @@ std::string letters_and_theory(const MapRow& row, const std::vector<double>& ste
   return text.insert(static_cast<std::size_t>(above), "|");
 }
 
-/// The cells that roundings decide, in a sentence; empty: none.
+/// The cells that rounding errors decide, in a sentence; empty without such cells.
 std::string fragile_text(const Stability& s) {
   std::string cells;
   for (const MapRow& row : s.map)
@@ -154,7 +152,8 @@ std::string map_text(const Stability& s, const Screen& screen) {
          wrapped(fragile_text(s), screen, 4);
 }
 
-/// "0.676 (0.639)": measured, and by theory where it differs; "~" before what is not sharp.
+/// "0.676 (0.639)": measured, with theory's limit in brackets if it differs. "~" marks a limit that is not
+/// sharp, "≥" a lower bound.
 std::string limit_text(const Limit& l) {
   const std::string measured = std::isinf(l.step()) ? "every step"
                                : l.stable == 0      ? "none"
@@ -169,14 +168,14 @@ std::string limit_text(const Limit& l) {
   return with_powers(sign + measured + (theory == measured ? "" : " (" + theory + ")"));
 }
 
-/// The limit, the error there, and the longest step that is good enough, a line each.
+/// The limit, the error there, and the longest step that is good enough, on separate lines.
 std::string limit_lines(const Limit& l) {
   return limit_text(l) + (l.at ? "<br>error " + with_powers(shown_error(l.at->error)) : "") +
          (l.within ? "<br>good to " + with_powers(format_significant(l.within->setting, 3))
                    : "<br>good nowhere");
 }
 
-/// A row a model, a column an algorithm.
+/// A row per model, a column per algorithm.
 std::string limits_table(const Stability& s) {
   std::vector<std::string> algorithms, models;
   const auto see = [](std::vector<std::string>& names, const std::string& name) {
@@ -197,7 +196,7 @@ std::string limits_table(const Stability& s) {
   return table(columns, rows);
 }
 
-/// What a game asks: "0.0175 rad"; in several units in words.
+/// A game's tolerance, "0.0175 rad"; in words if there are several units.
 std::string game_need(const Stability& s) {
   if (s.unit.find(',') != std::string::npos) return "one centimetre and one degree";
   return in_unit(with_powers(format_significant(s.close, 3)), typeset_unit(s.unit));
@@ -213,7 +212,7 @@ std::string stability_of_scene(const ExerciseResult& e) {
   return text + (reasons(s).empty() ? "" : "\n");
 }
 
-/// How many limits differ from theory's, and for how many of them a reason was computed.
+/// Counts the limits that are not sharp, that differ from theory, and that are not explained.
 std::string differences(const Results& results) {
   long all = 0, slow = 0, differ = 0, open = 0;
   for (const ExerciseResult& e : results.exercises)

@@ -6,17 +6,16 @@
 #include "report/study/run.hpp"
 #include "report/text/table_text.hpp"
 
-/// What the program finds, as tables for other programs.
+/// Results as tables for other programs.
 namespace oddity {
 
-/// A row for each parameter; one without a name where an exercise has none.
+/// A row per parameter; for an exercise without parameters, one row without a name.
 Table parameters_table(std::span<const Task>);
-/// A row for each claim, with its verdict on record.
+/// A row per claim, with its approved verdict.
 Table claims_table(const Results&, const Verdicts& on_record);
-/// A row for each trial of each method, in double and in float. A value of several components is a text with
-/// blanks between them.
+/// A row per trial, in double and in float. Components of a value are separated by blanks.
 Table trials_table(const Results&);
-/// A row for each method of fixed step, of exercises with a motion.
+/// A row per method of fixed step, for exercises with a motion.
 Table limits_table(const Results&);
 
 }  // namespace oddity

@@ -33,7 +33,7 @@ Style style_of(Verdict verdict) {
 
 namespace {
 
-/// For a narrow column.
+/// Short enough for a narrow column.
 std::string short_name_of(Verdict verdict) {
   return verdict == Verdict::lost ? "lost" : std::string(name_of(verdict));
 }
@@ -46,7 +46,7 @@ std::string claims_text(const ExerciseResult& e, const Screen& screen) {
   return rows.size() == 1 ? "" : "\n" + aligned(rows, screen, {{"the solution says", "claim"}, {}});
 }
 
-/// Marks of one colour, or brackets that no formula has.
+/// Marks in the style's colour, or brackets that no formula contains.
 formula::Marks marks(const Screen& screen, Style style) {
   if (!screen.colour) return {"⟦", "⟧"};
   const std::string styled = screen.styled(style, "|");
@@ -54,7 +54,7 @@ formula::Marks marks(const Screen& screen, Style style) {
   return {styled.substr(0, bar), styled.substr(bar + 1)};
 }
 
-/// What is printed wrongly and what is right, where both are formulas, with the places that differ.
+/// Printed and right formulas of errata and misprints, with their differences marked.
 std::string differences_text(const ExerciseResult& e, const Screen& screen) {
   std::string text;
   for (const JudgedClaim& c : e.claims) {
@@ -83,7 +83,7 @@ std::vector<std::string> trial_row(const TimedTrial& t, const Screen& screen) {
           shown(t.outcome, screen) + (t.message.empty() ? "" : ": " + t.message)};
 }
 
-/// The trials of several methods, each of them a row.
+/// A row per trial of the methods.
 std::string trials_text(const auto& methods, const Screen& screen) {
   std::vector<std::vector<std::string>> rows{trial_columns};
   for (const auto& m : methods)

@@ -11,15 +11,15 @@ namespace oddity {
 std::string text_view(const ExerciseResult&, const Screen& = {});
 /// "Exercise 3.5: Pendulum from 30 degrees", as a heading.
 std::string heading_of(const ExerciseResult&, const Screen&);
-/// How a verdict is shown.
+/// Colour of a verdict.
 Style style_of(Verdict);
-/// The outcome's name, in the colour of how good it is.
+/// The outcome's name, coloured by how good it is.
 std::string shown(Outcome, const Screen&);
 
-/// A claim's words as a sentence: with a full stop, unless they end in one.
+/// A claim's text with a full stop at the end.
 std::string as_sentence(std::string says);
 
-/// Decimal numbers of more than nine digits within a text, each rounded to six.
+/// Rounds decimal numbers of more than nine digits in a text to six.
 std::string with_short_numbers(const std::string& text);
 
 }  // namespace oddity

@@ -13,7 +13,7 @@ namespace oddity {
 
 namespace {
 
-/// So many of so many.
+/// A count out of a total.
 struct Share {
   std::string subject;
   long count = 0, of = 0;
@@ -63,7 +63,7 @@ std::string printed_off(const Results& results, const ProvedClaims& proved) {
   return off == 0 ? "" : counted(off, "printed value is", "printed values are") + " proved wrong";
 }
 
-/// For each standing how many claims have it, and why they are not proved.
+/// Claims counted by standing, and by the reason why they are not proved.
 Parts claims_by_standing(const Results& results, const Standings& standings) {
   std::map<Standing, std::map<std::string, long>> whys;
   long all = 0;
@@ -87,7 +87,7 @@ Parts claims_by_standing(const Results& results, const Standings& standings) {
   return parts;
 }
 
-/// Of the readings that are one formula, those that have been read, and are what is computed.
+/// Formulas of the readings, and how many of them the reader of TeX has confirmed.
 Part formulas_as_typeset(const Results& results) {
   long formulas = 0, read = 0;
   for (const ExerciseResult& e : results.exercises)
@@ -100,7 +100,7 @@ Part formulas_as_typeset(const Results& results) {
   return {"as typeset", {"formulas of claims", read, formulas}, "a reader of TeX, at samples"};
 }
 
-/// Of what the solutions assert, what claims judge.
+/// Assertions of the solutions, and how many of them claims judge.
 Part assertions_judged(const std::vector<Assertion>& assertions) {
   const auto judged = std::ranges::count_if(assertions, [](const Assertion& a) { return !a.claims.empty(); });
   return {
@@ -141,7 +141,7 @@ Part errata_witnessed(const Results& results, const Witnessed& w) {
            {"at letters of their own", at_others, errata}}};
 }
 
-/// The shares of a record, added up.
+/// Adds up the shares of a record.
 Part recorded(std::string name, const std::string& subject, std::string rests_on, std::vector<Share> shares) {
   Part part{std::move(name), {subject}, std::move(rests_on), std::move(shares)};
   for (const Share& s : part.shares) part.all.count += s.count, part.all.of += s.of;
@@ -210,7 +210,7 @@ std::string when(const Share& s) {
   return s.date.empty() ? "" : s.date + ", " + (one ? s.commit.substr(0, 7) : s.commit);
 }
 
-/// "derivatives 200, limits 11, others 3".
+/// ": derivatives 200; limits 11; others 3".
 std::string largest(const std::vector<Share>& shares) {
   constexpr std::size_t most = 2;
   if (shares.size() < 2) return "";
