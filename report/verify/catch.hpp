@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-/// Catch2, version 2 or 3: the one place that knows the difference.
+/// Catch2, version 2 or 3. Only this file knows the difference.
 #if __has_include(<catch2/catch_all.hpp>)
 
 #include <catch2/catch_all.hpp>
@@ -17,7 +17,7 @@ inline void use_colour(Catch::ConfigData& data, bool colour) {
   data.defaultColourMode = colour ? Catch::ColourMode::ANSI : Catch::ColourMode::None;
 }
 
-/// Every file that Catch2 is to write goes where `elsewhere` says instead.
+/// Redirects each of Catch2's output files to the path that `elsewhere` returns for it.
 template <class F>
 void redirect_outputs(Catch::ConfigData& data, const F& elsewhere) {
   const auto is_file = [](const std::string& name) {
@@ -30,13 +30,13 @@ void redirect_outputs(Catch::ConfigData& data, const F& elsewhere) {
                                  spec.customOptions());
 }
 
-/// A test case as the registry takes it.
+/// A test case in the form that the registry takes.
 template <class Invoker>
 auto owned(const Invoker& invoker) {
   return Catch::Detail::make_unique<Invoker>(invoker);
 }
 
-/// A streaming reporter's base, with its stream as out().
+/// Base of a streaming reporter, with its stream as out().
 class MarkdownReporterBase : public Catch::StreamingReporterBase {
  public:
   using StreamingReporterBase::StreamingReporterBase;
@@ -88,7 +88,7 @@ class MarkdownReporterBase : public Catch::StreamingReporterBase<MarkdownReporte
 
 namespace oddity {
 
-/// A test case made while the program runs, as many as there are.
+/// A test case created at run time.
 class TestOf : public Catch::ITestInvoker {
  public:
   explicit TestOf(std::function<void()> body) : body_(std::move(body)) {}

@@ -1,4 +1,4 @@
-// Catch2's implementation, where version 2 has it in its header, and all that needs to see a whole session.
+// Catch2's implementation, which version 2 has in its header, and the code that needs a whole session.
 #if !__has_include(<catch2/catch_all.hpp>)
 #define CATCH_CONFIG_RUNNER
 #endif
@@ -15,8 +15,8 @@ namespace oddity {
 
 namespace {
 
-/// Catch2 reads names of tests from a file, whatever it is: -f FILE, -sf FILE, --input-file FILE, or with =
-/// or : instead of the blank.
+/// Requires that a file of test names can be read: -f FILE, -sf FILE, --input-file FILE, or with = or :
+/// instead of the blank.
 void require_readable_names(const std::vector<std::string>& words) {
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::size_t end = words[i].find_first_of("=:");
@@ -31,22 +31,22 @@ void require_readable_names(const std::vector<std::string>& words) {
   }
 }
 
-/// A filter as it was typed: Catch2 3.7 puts a name into quotes.
+/// The filter as it was typed: Catch2 3.7 puts names into quotes.
 std::string without_quotes(const std::string& filter) {
   return filter.size() > 1 && filter.front() == '"' && filter.back() == '"'
              ? filter.substr(1, filter.size() - 2)
              : filter;
 }
 
-/// Whether a '~' there negates what follows, and is no letter of a name.
+/// Whether the '~' at this place negates the next part, and does not belong to a name.
 bool negates(const std::string& text, std::size_t at) {
   const auto before = text.find_last_not_of(' ', at == 0 ? text.npos : at - 1);
   return at == 0 || before == text.npos ||
          std::string_view("],\"~").find(text[before]) != std::string_view::npos;
 }
 
-/// The tags of a test specification, "[ch3]~[scene],name*". Throws BadInput where a part of it is none or is
-/// not whole, of which Catch2 leaves out what it does not understand.
+/// The tags of a test specification, "[ch3]~[scene],name*". Throws BadInput for empty or incomplete parts,
+/// which Catch2 would ignore.
 std::vector<std::string> tags_in(const std::string& specification) {
   const auto refuse = [&](const std::string& why) {
     throw BadInput("the test specification '" + specification + "' " + why);
@@ -139,7 +139,7 @@ std::vector<std::string> CatchSession::selected() const {
 
 int CatchSession::run() {
   const int failed = session_->catch2.run();
-  session_.reset();  // which flushes what it has to write
+  session_.reset();  // flushes its output
   for (Collected& output : outputs_) output.deliver();
   return failed;
 }

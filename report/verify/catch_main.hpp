@@ -8,28 +8,29 @@
 
 namespace oddity {
 
-/// A session of Catch2 in two steps, so that work can be done between the choice of test cases and their run.
+/// A session of Catch2 in two steps, so that work can be done between the selection of test cases and their
+/// run.
 class CatchSession {
  public:
-  /// The command line without the program's name. `accepted` is false when Catch2 does not take it.
+  /// Takes the arguments without the program's name. accepted() is false if Catch2 rejects them.
   explicit CatchSession(const std::vector<std::string>& arguments);
   ~CatchSession();
 
   bool accepted() const;
-  /// Help or a list is asked for, and no test case will run.
+  /// Whether the arguments ask for help or a list, so that no test case will run.
   bool only_lists() const;
-  /// The tags that the command line names, "[3.5]". Throws BadInput where a part of it would select nothing.
+  /// The tags in the arguments, "[3.5]". Throws BadInput for a part that would select nothing.
   std::vector<std::string> tags() const;
-  /// The names of the test cases that the command line selects. Throws BadInput when a part of it selects
-  /// none, or when Catch2 cannot open the file that its output is to go to.
+  /// Names of the test cases that the arguments select. Throws BadInput if a part selects none, or if Catch2
+  /// cannot open its output file.
   std::vector<std::string> selected() const;
-  /// The number of failures. Catch2's files are written now, whole; throws BadInput when one cannot be. To be
-  /// called once, and nothing after it.
+  /// Runs the test cases and returns the number of failures. Writes Catch2's files whole; throws BadInput if
+  /// one cannot be written. Call it once, and last.
   int run();
 
  private:
   struct Session;
-  std::vector<Collected> outputs_;  // which wait for the session to close its streams
+  std::vector<Collected> outputs_;  // written after the session has closed its streams
   std::unique_ptr<Session> session_;
 };
 

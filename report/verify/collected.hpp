@@ -6,19 +6,18 @@
 
 namespace oddity {
 
-/// What another's stream, which does not notice a full disk, writes to a file: collected in memory, and then
-/// written whole.
+/// Output of a stream that does not notice a full disk: collected in memory, then written whole.
 class Collected {
  public:
-  /// Throws BadInput when the file could not be written.
+  /// Throws BadInput if the file cannot be written.
   explicit Collected(std::filesystem::path file);
   Collected(Collected&& other) noexcept;
   Collected& operator=(Collected&&) = delete;
-  /// The stream must be closed.
+  /// Requires that the stream is closed.
   ~Collected();
-  /// The path to write to in place of the file.
+  /// The path to write to instead of the file.
   std::string collector() const;
-  /// Writes the file once the stream is closed. Throws BadInput when it cannot be written.
+  /// Writes the file after the stream is closed. Throws BadInput if it cannot be written.
   void deliver();
 
  private:

@@ -39,7 +39,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What the test cases judge. Catch2's test functions take no arguments, so it stands here.
+/// Input of the test cases; global, because Catch2's test functions take no arguments.
 struct Judged {
   fs::path tables;
   Results results;
@@ -58,17 +58,16 @@ const ExerciseResult& result_of(Number number) {
   throw std::logic_error("exercise " + to_string(number) + " was not run");
 }
 
-/// A path as it is within the tree, if it is.
+/// A path relative to the source tree, if it is inside.
 std::string without_tree(std::string path) {
   const std::string tree = source_folder().string() + "/";
   return tree.size() > 1 && path.starts_with(tree) ? path.substr(tree.size()) : path;
 }
 
-/// What is wrong with an exercise, said in one block, however much it is: kind by kind, of each the first
-/// few.
+/// Collects an exercise's failures into one report, by kind, with the first few of each.
 class Complaints {
  public:
-  /// One assertion; `says` is called for its sentence where it does not hold.
+  /// One assertion; calls `says` for the message if it fails.
   template <class Says>
   void expect(bool holds, const std::string& kind, const Says& says) {
     if (holds)
@@ -80,7 +79,7 @@ class Complaints {
     const auto known = std::ranges::find(kinds_, kind, &Kind::name);
     (known == kinds_.end() ? kinds_.emplace_back(Kind{kind, {}}) : *known).sentences.push_back(sentence);
   }
-  /// Narrow, as Catch2 would break a longer line wherever it can, in numbers too.
+  /// Wraps the text, as Catch2 would break longer lines anywhere, even within numbers.
   void report() const {
     if (kinds_.empty()) return;
     std::string text;
@@ -124,18 +123,19 @@ void verify_claim(const JudgedClaim& judged, Complaints& complaints) {
     complaints.add("numbers of claims that could be others", unnoticed);
 }
 
-/// Whether a method gives the reference in every bit at every setting: it may be where the reference is from.
+/// Whether a method gives the reference in every bit at every setting: it may be the source of the reference.
 bool equals_reference(const MethodResult& m, const QuantityResult& q) {
   return std::ranges::all_of(
       m.trials, [&](const TimedTrial& t) { return std::ranges::equal(t.value, q.reference.value); });
 }
 
-/// A table is made by two routes of its own, and what is known without an error is a matter of whole numbers.
+/// Whether the reference cannot come from a method: tables have two routes, and exact values are whole
+/// numbers.
 bool independent_by_nature(const QuantityResult& q) {
   return q.reference.by.find("table ") != std::string::npos || q.reference_error == 0;
 }
 
-/// In float a method errs by what double does and by roundings, at every setting.
+/// At every setting the error in float is at most that in double plus roundings.
 void verify_in_float(const QuantityResult& q, const FloatResult& m, Complaints& complaints) {
   const std::vector<TimedTrial>& in_double = q.methods[m.in_double].trials;
   for (std::size_t i = 0; i < m.trials.size(); ++i)
@@ -155,7 +155,7 @@ bool fails_in_float(const QuantityResult& q) {
          q.methods[richest->in_double].trials.back().outcome == Outcome::ok;
 }
 
-/// "ended as ok, not as inaccurate: error 1e-7, needed 1e-6; what the method says"
+/// "ended as ok, expected as inaccurate: error 1e-7, needed 1e-6; the method's message"
 std::string ended(const TimedTrial& t, Outcome expected, const QuantityResult& q) {
   return "ended as " + std::string(name_of(t.outcome)) + ", expected as " + std::string(name_of(expected)) +
          ": error " + shown_error(t.error) + ", needed " + shown_error(q.need.allowed) +
@@ -196,7 +196,7 @@ void verify_quantity(const QuantityResult& q, Complaints& complaints) {
   }
 }
 
-/// A row of records without the end of its line.
+/// A row of the records without its newline.
 std::string line(std::string row) {
   while (row.ends_with('\n')) row.pop_back();
   return row;
@@ -216,8 +216,8 @@ void verify_limit(const ExerciseResult& e, const Limit& limit, Complaints& compl
   });
 }
 
-/// A letter may differ from its record where that hangs on the last bits: where it did when it was recorded,
-/// and is marked so, or where it does here.
+/// An outcome may differ from the approved one only if rounding errors decide it: if the record marks it so,
+/// or if a start perturbed by roundings ends as approved.
 void verify_map(const ExerciseResult& e, const MapRow& row, Complaints& complaints) {
   const auto approved = std::ranges::find_if(suite->maps, [&](const ApprovedMap& a) {
     return a.exercise == to_string(e.number) && a.model == row.model && a.algorithm == row.algorithm &&
@@ -240,7 +240,7 @@ void verify_map(const ExerciseResult& e, const MapRow& row, Complaints& complain
   });
 }
 
-/// Every limit and every row of the map is the one on record, and none on record is missing.
+/// Compares limits and map with the approved records, and finds records without a method.
 void verify_stability(const ExerciseResult& e, Complaints& complaints) {
   const std::string number = to_string(e.number);
   const auto is_ours = [&](const auto& row) { return row.exercise == number; };
@@ -268,7 +268,7 @@ void verify_stability(const ExerciseResult& e, Complaints& complaints) {
   for (const MapRow& row : e.stability->map) verify_map(e, row, complaints);
 }
 
-/// Everything is as far off as is on record, and nothing is on record that is not there.
+/// Compares errors with the approved records, and finds records without an error.
 void verify_errors(const ExerciseResult& e, Complaints& complaints) {
   const std::string number = to_string(e.number);
   std::set<std::string> seen;
@@ -285,8 +285,7 @@ void verify_errors(const ExerciseResult& e, Complaints& complaints) {
       complaints.add("rows on record that are about nothing", without_tree(row.place) + ": " + row.of);
 }
 
-/// Every row that the records have to have of the exercise is there; of one's own exercises, no errors need
-/// be.
+/// Requires that the records have all rows of the exercise; exercises outside the book need none for errors.
 void verify_records(const ExerciseResult& e, Complaints& complaints) {
   const std::string number = to_string(e.number);
   const std::string kind = "rows that are not on record yet, where " + program_as_typed() +
@@ -321,13 +320,13 @@ void verify_records(const ExerciseResult& e, Complaints& complaints) {
     });
 }
 
-/// "file:line" of what is still to be written, as a route says; else nothing.
+/// The place still to be written, "file:line", if the route is marked so.
 std::optional<std::string> place_to_write(const std::string& by) {
   if (!by.starts_with(to_write_mark)) return {};
   return without_tree(by.substr(to_write_mark.size()));
 }
 
-/// What is still to be written before the exercise can be judged, and where.
+/// Everything that must be written before the exercise can be judged, with its place.
 std::vector<std::string> still_to_write(const ExerciseResult& e) {
   const std::string number = to_string(e.number);
   std::vector<std::string> all;
@@ -363,7 +362,7 @@ void judge(const ExerciseResult& e, Complaints& complaints) {
       return std::string(p.name) + ": '" + std::string(p.unit) + "', in " +
              without_tree(std::string(entry.file));
     });
-  if (!of_the_book(e.number)) {  // of the book's, a unit test asks so
+  if (!of_the_book(e.number)) {  // a unit test checks the book's
     const std::string exchanged = exchanged_letters(entry);
     complaints.expect(exchanged.empty(), "letters of Given in another order than the parameters",
                       [&] { return exchanged; });
@@ -383,7 +382,7 @@ void judge(const ExerciseResult& e, Complaints& complaints) {
     verify_claim(claim, complaints);
   }
   for (const QuantityResult& q : e.quantities) verify_quantity(q, complaints);
-  // What is judged by no truth has no limits that could be on record.
+  // Without a truth there are no limits to compare.
   if (!std::ranges::all_of(e.quantities, [](const QuantityResult& q) { return finite(q.reference.value); }))
     return;
   verify_records(e, complaints);
@@ -403,7 +402,8 @@ void verify_exercise(Number number) {
   complaints.report();
 }
 
-/// Every odd exercise of the book is encoded, and every verdict on record belongs to a claim.
+/// Requires that every odd exercise of the book is encoded, and that every approved verdict belongs to a
+/// claim.
 void verify_register() {
   for (const Chapter& chapter : chapters())
     for (int index = 1; index <= chapter.last_odd; index += 2) {
@@ -447,7 +447,7 @@ void register_tests(const Verdicts& approved) {
   register_test(verify_register, std::string(register_name), "[register]");
 }
 
-/// The exercises whose test cases are selected.
+/// Exercises whose test cases are selected.
 std::vector<Task> tasks_of(const std::vector<std::string>& test_names) {
   std::vector<Task> tasks;
   for (const Entry& entry : registry())
@@ -455,7 +455,7 @@ std::vector<Task> tasks_of(const std::vector<std::string>& test_names) {
   return tasks;
 }
 
-/// Prints nothing of Catch2's events: when the run ends it writes the finished results as one Markdown page.
+/// Ignores Catch2's events; when the run ends, writes the results as one Markdown page.
 class MarkdownReporter : public MarkdownReporterBase {
  public:
   using MarkdownReporterBase::MarkdownReporterBase;
@@ -468,7 +468,7 @@ class MarkdownReporter : public MarkdownReporterBase {
 
 CATCH_REGISTER_REPORTER("markdown", MarkdownReporter)
 
-/// The same with the claims as a table.
+/// Writes the claims as a table when the run ends.
 template <std::string (*Text)(const Table&)>
 class ClaimsReporter : public MarkdownReporterBase {
  public:
@@ -489,7 +489,7 @@ CATCH_REGISTER_REPORTER("claims-json", ClaimsJson)
 
 namespace {
 
-/// Adds the records of exercises from outside the tree, those that have some.
+/// Adds the records of exercises outside the tree, if they have any.
 void add_own(Judged& judged) {
   std::set<fs::path> folders;
   for (const Entry& e : registry()) folders.insert(own_reference_folder(e.file));
@@ -514,7 +514,7 @@ Judged on_record(const fs::path& folder) {
   return judged;
 }
 
-/// Writes what agrees with the results into the files of records, and says what that changed.
+/// Updates the approved records to the results, and prints the changes.
 void approve(const Results& results, const fs::path& folder) {
   const auto changes = approvals(results, folder);
   for (const Approval& change : changes) write_whole(change.file, change.text);
@@ -524,8 +524,7 @@ void approve(const Results& results, const fs::path& folder) {
             << std::flush;
 }
 
-/// What could be done about a red suite: what is still to be written, and the rows of its records, each in
-/// one line, to be pasted.
+/// Prints possible remedies for failures: parts still to be written, and rows of the records to paste.
 void suggest(const Results& results, const fs::path& folder) {
   const auto changes = approvals(results, folder);
   for (const ExerciseResult& e : results.exercises)
@@ -536,7 +535,7 @@ void suggest(const Results& results, const fs::path& folder) {
               << text_of(changes);
 }
 
-/// Each tag that is named is one that a test case may have.
+/// Throws BadInput for a tag that no test case can have.
 void require_known(const std::vector<std::string>& named, const Verdicts& approved) {
   std::vector<std::string> tags{"[own]", "[register]", "[erratum]", "[misprint]"};
   for (const Entry& e : registry()) {
@@ -553,7 +552,7 @@ void require_known(const std::vector<std::string>& named, const Verdicts& approv
   }
 }
 
-/// Of a run, or of the files that are to be judged instead.
+/// Results of a run, or of the files that were given instead.
 Results results_of(const SuiteRequest& request, const std::vector<Task>& tasks) {
   if (!request.from.empty()) {
     std::vector<Number> numbers;
