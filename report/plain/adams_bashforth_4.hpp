@@ -7,15 +7,15 @@
 
 namespace oddity::plain {
 
-/// Order 4, one evaluation per step, after three steps of Runge-Kutta 4; these again whenever the step
-/// changes.
+/// Order 4, one evaluation per step. The first three steps, and three after each change of step, are by
+/// Runge-Kutta 4.
 template <class Model>
 struct AdamsBashforth4 {
   using State = typename Model::State;
   using Number = typename State::value_type;
-  State f0{}, f1{}, f2{}, f3{};  ///< derivatives at the last states, the newest first
-  int known = 0;                 ///< how many of them are
-  Number last = 0;               ///< step
+  State f0{}, f1{}, f2{}, f3{};  ///< derivatives at the last states, newest first
+  int known = 0;                 ///< number of derivatives known
+  Number last = 0;               ///< last step
 
   void step(const Model& model, State& x, Number t, Number h) {
     using std::abs;

@@ -6,7 +6,7 @@
 
 namespace oddity::plain {
 
-/// A state (q, v) in its two halves.
+/// A state (q, v), split into its halves.
 template <class State>
 struct Halves {
   static constexpr std::size_t size = std::tuple_size_v<State> / 2;

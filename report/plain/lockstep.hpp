@@ -10,9 +10,9 @@
 
 namespace oddity {
 
-/// A number whose bits are the same on every machine and by every compiler: of what IEEE 754 rounds
-/// correctly, each operation apart, and of the functions below. A sum must not be fused with a product in it:
-/// no pragma of g++ forbids that everywhere, so each product goes through a register by hand.
+/// A number with the same bits on every machine and by every compiler. It uses only operations that IEEE 754
+/// rounds correctly, each rounded separately, and the functions below. Sums and products must not be fused:
+/// no pragma of g++ forbids that everywhere, so each product goes through a register.
 template <class T>
 class Lockstep {
  public:
@@ -60,7 +60,7 @@ class Lockstep {
   T x_;
 };
 
-/// What the functions are made of, in double: each is within four units in the last place.
+/// The functions in double, each within four units in the last place.
 namespace lockstep {
 
 using Real = Lockstep<double>;
@@ -75,7 +75,7 @@ inline Real with_sign(const Real& size, const Real& sign) {
   return std::copysign(size.value(), sign.value());
 }
 
-/// Added to a number, it leaves it rounded to a whole one in its last bits.
+/// Added to a number, rounds it to a whole one in the last bits of the sum.
 inline constexpr double shift = 0x1.8p52;
 inline Real rounded(const Real& x) { return (x + shift) - shift; }
 
@@ -86,7 +86,7 @@ inline Real polynomial(const Real& x, const auto& coefficients) {
 }
 
 // clang-format off
-/// Interpolations at Chebyshev's nodes; their errors are below 2^-56.5:
+/// Interpolations at Chebyshev nodes with errors below 2^-56.5:
 /// (sin r / r - 1) / r^2 in r^2, r up to pi/4
 inline constexpr std::array sine_series{
     -0x1.5555555555555p-3, 0x1.1111111111110p-7, -0x1.a01a01a0198dep-13, 0x1.71de3a5455b9ap-19, -0x1.ae64540000f84p-26,
@@ -118,36 +118,36 @@ inline constexpr std::array<std::uint32_t, 38> quarters_per_radian{
     0x3d0739f7, 0x8a5292ea, 0x6bfb5fb1, 0x1f8d5d08, 0x56033046, 0xfc7b6bab};
 // clang-format on
 
-// pi/2 and log 2 in parts, of which whole multiples of all but the last are exact
+// pi/2 and log 2 as sums of parts; whole multiples of all parts except the last are exact
 inline constexpr std::array quarter{0x1.921fb544p+0, 0x1.0b4611a6p-34, 0x1.3198a2e037073p-69};
 inline constexpr std::array half_quarter{0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55};
 inline constexpr std::array octave{0x1.62e42fefa38p-1, 0x1.ef35793c76730p-45};
 
-/// Of an angle, how many right angles, up to a multiple of four, and what is left of it.
+/// An angle as a number of right angles, modulo four, and a rest.
 struct Reduced {
   std::int64_t quarters;
   Real rest;
 };
-/// The nearest right angles are taken off in three parts [W. J. Cody and W. Waite, Software Manual for the
-/// Elementary Functions, 1980].
+/// Subtracts the nearest multiple of a right angle in three parts [W. J. Cody and W. Waite, Software Manual
+/// for the Elementary Functions, 1980].
 inline Reduced reduced_near(const Real& x) {
   const Real n = rounded(x * 0x1.45f306dc9c883p-1);
   return {bits(n + shift), x - n * quarter[0] - n * quarter[1] - n * quarter[2]};
 }
-/// x = m 2^e times 192 bits of 2/pi, from the first that makes no multiple of four [M. H. Payne and R. N.
-/// Hanek, SIGNUM Newsletter 18 (1983) 19].
+/// Multiplies x = m 2^e by 192 bits of 2/pi, from the first that gives no multiple of four [M. H. Payne and
+/// R. N. Hanek, SIGNUM Newsletter 18 (1983) 19].
 inline Reduced reduced_far(const Real& x) {
   const std::int64_t all = bits(size_of(x)), exponent = (all >> 52) - 1075;
   const std::uint64_t m = (static_cast<std::uint64_t>(all) & 0xfffffffffffff) | 0x10000000000000;
   const std::uint32_t halves[]{static_cast<std::uint32_t>(m), static_cast<std::uint32_t>(m >> 32)};
-  const auto bits_from = [](std::int64_t first) {  // 32 of them; the first behind the point is number 0
+  const auto bits_from = [](std::int64_t first) {  // 32 bits; bit 0 is the first after the point
     const auto word = [](std::int64_t i) -> std::uint64_t {
       return i < 0 || i > 37 ? 0 : quarters_per_radian[static_cast<std::size_t>(i)];
     };
     const std::int64_t at = first >> 5, off = first & 31;
     return static_cast<std::uint32_t>(((word(at) << 32 | word(at + 1)) << off) >> 32);
   };
-  std::array<std::uint32_t, 6> product{};  // the lowest first
+  std::array<std::uint32_t, 6> product{};  // lowest word first
   for (std::size_t i = 0; i < 2; ++i) {
     std::uint64_t carried = 0;
     for (std::size_t j = 0; i + j < 6; ++j) {
@@ -161,7 +161,7 @@ inline Reduced reduced_far(const Real& x) {
   std::int64_t quarters = top >> 30;
   const bool is_over_half = (top >> 29 & 1) != 0;
   product[5] &= 0x3fffffff;
-  if (is_over_half) {  // less than none: two's complement of 190 bits
+  if (is_over_half) {  // a negative rest: two's complement of 190 bits
     ++quarters;
     std::uint64_t carried = 1;
     for (auto& word : product) {
@@ -171,7 +171,7 @@ inline Reduced reduced_far(const Real& x) {
     }
     product[5] &= 0x3fffffff;
   }
-  Real fraction = 0;  // of a right angle, from the smallest part on
+  Real fraction = 0;  // in right angles; adds the smallest part first
   for (std::size_t i = 0; i < 6; ++i)
     fraction =
         fraction + Real(product[i]) * from_bits((1023 - 190 + 32 * static_cast<std::int64_t>(i)) << 52);
@@ -180,7 +180,7 @@ inline Reduced reduced_far(const Real& x) {
   return {is_negative ? -quarters : quarters, is_over_half != is_negative ? -rest : rest};
 }
 
-/// The sine of x and so many right angles.
+/// The sine of x plus a number of right angles.
 inline Real sine_from(const Real& x, std::int64_t quarters) {
   const Real size = size_of(x);
   if (!(size < std::numeric_limits<double>::infinity())) return x - x;
@@ -195,7 +195,7 @@ inline Real sin(const Real& x) { return sine_from(x, 0); }
 inline Real cos(const Real& x) { return sine_from(x, 1); }
 inline Real tan(const Real& x) { return sin(x) / cos(x); }
 
-/// 2^n of a whole n between the exponents of normal numbers.
+/// 2^n for a whole n between the exponents of normal numbers.
 inline Real power_of_two(const Real& n) { return from_bits((bits(n + shift) << 52) + bits(1)); }
 /// x = n ln 2 + r: n, and exp(r) - 1.
 struct Split {
@@ -205,13 +205,13 @@ inline Split split(const Real& x) {
   const Real n = rounded(x * 0x1.71547652b82fep+0), r = x - n * octave[0] - n * octave[1];
   return {n, r + r * r * polynomial(r, exponential_series)};
 }
-/// NaN stays.
+/// Keeps NaN.
 inline Real clamped(const Real& x, double least, double most) {
   return x < least ? Real(least) : x > most ? Real(most) : x;
 }
 inline Real exp(const Real& x) {
   const auto [n, rest] = split(clamped(x, -746, 710));
-  const Real half = rounded(n / 2);  // 2^n itself may be no normal number
+  const Real half = rounded(n / 2);  // 2^n itself may not be a normal number
   return (1 + rest) * power_of_two(half) * power_of_two(n - half);
 }
 inline Real expm1(const Real& x) {
@@ -234,7 +234,7 @@ inline Real log(const Real& x) {
   if (!(x > 0) || !(x < infinity)) return x == 0 ? Real(-infinity) : x > 0 ? x : (x - x) / 0;
   const bool is_normal = x >= std::numeric_limits<double>::min();
   const std::int64_t root_half = bits(0x1.6a09e667f3bcdp-1), one = bits(1);
-  const std::int64_t up = bits(is_normal ? x : x * 0x1p52) - root_half + one;  // its exponent is n's
+  const std::int64_t up = bits(is_normal ? x : x * 0x1p52) - root_half + one;  // its exponent is n
   const Real n = ((up >> 52) - (one >> 52)) - (is_normal ? 0 : 52);
   const Real m = from_bits((up & 0xfffffffffffff) + root_half), s = (m - 1) / (m + 1), z = s * s;
   return n * octave[0] + (2 * s + (s * z * polynomial(z, logarithm_series) + n * octave[1]));
@@ -266,7 +266,7 @@ inline Real acos(const Real& x) { return atan2(sqrt((1 - x) * (1 + x)), x); }
 
 }  // namespace lockstep
 
-// As models call them. In float each is that in double, rounded.
+// The functions that models call. In float they round the results in double.
 
 template <class T>
 Lockstep<T> abs(const Lockstep<T>& x) {
@@ -280,12 +280,12 @@ template <class T>
 Lockstep<T> copysign(const Lockstep<T>& size, const Lockstep<T>& sign) {
   return std::copysign(size.value(), sign.value());
 }
-/// IEEE 754 has it exact.
+/// Exact by IEEE 754.
 template <class T>
 Lockstep<T> remainder(const Lockstep<T>& x, const Lockstep<T>& y) {
   return std::remainder(x.value(), y.value());
 }
-/// The root of the sum of squares, with its range.
+/// Overflows if a square does, unlike std::hypot.
 template <class T>
 Lockstep<T> hypot(const Lockstep<T>& x, const Lockstep<T>& y) {
   return sqrt(x * x + y * y);
@@ -343,16 +343,16 @@ Lockstep<T> atan2(const Lockstep<T>& y, const Lockstep<T>& x) {
   return Lockstep<T>(lockstep::atan2(lockstep::Real(y), lockstep::Real(x)));
 }
 
-/// Whether this program's operations are rounded each for itself, and small numbers kept: a compiler may have
-/// been told otherwise. With a = 1 + 2^-30, the rounding of a^2 is 2^-60.
+/// Whether this program rounds each operation separately and keeps subnormal numbers, which compiler options
+/// may change. With a = 1 + 2^-30, rounding a^2 drops 2^-60.
 inline bool is_in_lockstep() {
   volatile double given = 1 + 0x1p-30, least = std::numeric_limits<double>::min();
   const Lockstep<double> a = given, tiny = least;
   return a * a - (1 + 0x1p-29) == 0 && tiny / 2 > 0;
 }
 
-/// A hash of the bits of numbers, FNV-1a with 64 bits, each number's lowest byte first. Of NaN, whose bits
-/// machines choose, it takes ones.
+/// FNV-1a hash, in 64 bits, of the bits of numbers, lowest byte first. NaNs, whose bits depend on the
+/// machine, count as ones.
 class BitsHash {
  public:
   void add(const auto& numbers) {

@@ -6,8 +6,8 @@
 
 namespace oddity::plain {
 
-/// McLachlan's symmetric composition of five drifts and four kicks: order 4, four evaluations of the forces a
-/// step.
+/// McLachlan's symmetric composition of five drifts and four kicks: order 4, four evaluations of the forces
+/// per step.
 template <class Model>
 struct McLachlan4 {
   using State = typename Model::State;

@@ -2,7 +2,7 @@
 
 namespace oddity::plain {
 
-/// Of a model that takes its steps by itself.
+/// For a model with a step function.
 template <class Model>
 struct OwnSteps {
   using State = typename Model::State;

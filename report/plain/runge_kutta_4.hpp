@@ -16,7 +16,7 @@ struct RungeKutta4 {
     step(model, x, k1, t, h);
   }
 
-  /// With the derivative k1 at x.
+  /// Takes a step from x, given the derivative k1 there.
   void step(const Model& model, State& x, const State& k1, Number t, Number h) {
     const Number half = h / 2, third = h / 3, sixth = h / 6;
     State y{}, k2{}, k3{}, k4{};

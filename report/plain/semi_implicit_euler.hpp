@@ -6,8 +6,8 @@
 
 namespace oddity::plain {
 
-/// Order 1: the velocities first, then the positions with the new ones. One evaluation per step where the
-/// positions' rates are velocities, else two.
+/// Order 1: the velocities first, then the positions with the new velocities. One evaluation per step if the
+/// positions' rates are velocities, otherwise two.
 template <class Model>
 struct SemiImplicitEuler {
   using State = typename Model::State;

@@ -4,8 +4,8 @@
 
 namespace oddity::plain {
 
-/// Order 2, one evaluation of the forces per step, and one to start. Who changes the state between two steps
-/// sets `started` to false.
+/// Order 2, one evaluation of the forces per step, and one at the start. If you change the state between two
+/// steps, set `started` to false.
 template <class Model>
 struct VelocityVerlet {
   using State = typename Model::State;
