@@ -1,5 +1,5 @@
-// Exercise 99.97: here stands in one sentence what is asked, why the other route is independent, and the
-// sources with page. What follows is the law of cosines, to be replaced:
+// Exercise 99.97: replace this by the question in one sentence, the reason why the other route is
+// independent, and the sources with page. The law of cosines is an example, to be replaced:
 //   c^2 = a^2 + b^2 - 2 a b cos gamma
 
 #include "chapters/claims.hpp"

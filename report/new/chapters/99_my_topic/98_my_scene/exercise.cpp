@@ -1,5 +1,5 @@
-// Exercise 99.98: here stands in one sentence what is asked, and the sources with page. What follows is a
-// mass on a spring, to be replaced.
+// Exercise 99.98: replace this by the question in one sentence, and the sources with page. The mass on a
+// spring is an example, to be replaced.
 
 #include "chapters/energies.hpp"
 #include "chapters/scene.hpp"
@@ -15,7 +15,7 @@ constexpr Parameter parameters[] = {{"c", 40, "N/m", "spring constant", 1, 1e4},
                                     {"m", 1, "kg", "mass", 0.1, 100},
                                     {"x0", 0.125, "m", "stretch when it is let go", 0.01, 1}};
 
-/// Of the place that is seen, and its rate.
+/// Energy of the observed place x[0] and its rate x[1].
 Energy energy(const Parameters& p, std::span<const double> x) {
   return energy_seen(p["m"] * x[1] * x[1] / 2, p["c"] * x[0] * x[0] / 2);
 }

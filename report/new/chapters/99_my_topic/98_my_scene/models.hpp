@@ -5,7 +5,7 @@
 
 #include "chapters/numbers.hpp"
 
-/// The models of exercise 99.98: a mass m on a spring of constant c, let go at rest with the stretch x0.
+/// The models of exercise 99.98: a mass m on a spring of constant c, released at rest with the stretch x0.
 namespace oddity::ex99_98 {
 
 /// The exercise's parameters, in their order.
@@ -30,7 +30,7 @@ struct MassOnSpring {
   }
 };
 
-/// From the least to the richest.
+/// From the simplest to the richest.
 template <class T>
 auto models(const Given<T>& p) {
   return std::tuple{MassOnSpring<T>{p}};
