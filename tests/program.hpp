@@ -33,7 +33,7 @@ inline Ran shell(const std::string& command) {
 /// Runs the program with these arguments.
 inline Ran run(const std::string& arguments) { return shell("$oddity " + arguments); }
 
-/// The same without standard error, which shows progress on a busy machine.
+/// Like `run`, without standard error, which shows progress on a busy machine.
 inline Ran printed(const std::string& arguments) { return run("2>/dev/null " + arguments); }
 
 /// Like `run`, on a terminal of this many columns, with these settings of the environment.
