@@ -208,8 +208,7 @@ TEST_CASE("Adams-Bashforth 4 is stable up to 0.3 on the real axis", "[solvers]")
 }
 
 TEST_CASE(
-    "linearly implicit Euler is stable on all of the left half-plane, damps fast modes, and also some that should grow"
-    "some of what should grow",
+    "linearly implicit Euler is stable on the left half-plane, and damps fast modes and some growing ones",
     "[solvers]") {
   for (double r : {1e-3, 0.1, 1.0, 10.0, 1e3, 1e6})
     for (double angle : {90.0, 100.0, 135.0, 180.0}) {

@@ -230,10 +230,8 @@ TEST_CASE("implicit methods refuse an invalid setting, and end where the problem
   CHECK_FALSE(ode::integrate<ode::Rosenbrock4>(root, std::array{1.0}, 0, 5, 1e-6).reached());
 }
 
-TEST_CASE(
-    "linear theory's growth by implicit Euler is that of its steps, and its stable step has no limit where the true motion decays"
-    "the truth decays",
-    "[solvers]") {
+TEST_CASE("implicit Euler grows as in linear theory, and has no largest stable step for a decaying motion",
+          "[solvers]") {
   for (const Spiral& z : {Spiral{-1, 0}, {-10, 5}, {0.5, 0.25}, {0, 2}}) {
     const auto step = ode::integrate<ode::ImplicitEuler>(z, std::array{1.0, 0.0}, 0, 1, 1).value;
     CHECK(near(ode::growth(ode::ImplicitEuler::name, {z.re, z.im}), std::log(std::hypot(step[0], step[1])),
