@@ -1,4 +1,4 @@
-// At parameters that nobody chose, a method must succeed if its record at the book's parameters says so.
+// At parameters that nobody chose, a method must succeed if it does in its record at the book's parameters.
 // Where a parameter is 1, many a wrong formula is right. A method that is barely accurate enough there may
 // have a larger error here, up to 2.4 tolerances as observed; the error of a wrong formula is far more than
 // three.

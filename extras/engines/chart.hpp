@@ -8,7 +8,7 @@
 /// Charts of the engines' results, as SVG text.
 namespace oddity {
 
-/// The error of each engine's defaults over its steps a second, and of our own models. Engines with similar
+/// The error of each engine's defaults over its steps a second, and of our models. Engines with similar
 /// errors share a curve. Of more than eight curves those with the smallest error at their finest step are
 /// drawn.
 std::string engine_rates_svg(const EngineContest&, const std::vector<OwnSteps>&);

@@ -17,7 +17,7 @@ struct Surprise {
 /// Surprises of a folder, described by the first lines of its files.
 std::vector<Surprise> surprises_in(const std::filesystem::path& folder);
 
-/// Results of our own models at an engine's steps, by scene.
+/// Results of our models at an engine's steps, by scene.
 using OwnByScene = std::map<std::string, std::vector<OwnSteps>>;
 
 /// An overview of all scenes, and the surprises. Pictures and trials are in `engines/` next to the page;

@@ -148,7 +148,7 @@ struct AskedEngines : Formats {
   bool rows = false;                     ///< prints the rows of the approved records instead
   bool kept = false;                     ///< shows the results kept of earlier runs; runs nothing
   bool page = false;                     ///< writes the page as well
-  std::string horizon = {};              ///< of exercises; empty: their own
+  std::string horizon = {};              ///< exercises only; empty: their own
   AskedNeed need = {};                   ///< its errors and criteria, of exercises
   std::string time_limit = "none";       ///< per scene
 };

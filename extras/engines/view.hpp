@@ -10,7 +10,7 @@
 /// Results of third-party engines on the scenes, and the models that replace them.
 namespace oddity {
 
-/// A table per scene, of each engine's defaults and its best variant, or of all variants: the worst error at
+/// A table per scene, of each engine's defaults and best variant, or of all variants. Columns: worst error at
 /// these rates [1/s], the rate from which it is sufficient, its order, and its cost there compared with the
 /// cheapest model.
 std::string engines_text(const std::vector<EngineContest>&, const std::vector<double>& rates, bool all,

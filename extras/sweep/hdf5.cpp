@@ -40,7 +40,7 @@ void add_dataset(hid_t file, const std::string& name, hid_t type, const std::vec
                  const std::vector<T>& values) {
   const Open space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, name);
   const Open how(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, name);
-  H5Pset_obj_track_times(how, false);  // the same cells give the same file
+  H5Pset_obj_track_times(how, false);  // equal cells give equal files
   H5Pset_chunk(how, static_cast<int>(shape.size()), shape.data());
   H5Pset_shuffle(how);
   H5Pset_deflate(how, 6);

@@ -45,7 +45,7 @@ struct Plan {
   Asked asked;
   std::vector<long> first_tile;  ///< first tile of each chunk; the last entry is the number of tiles
   std::vector<double> seconds;   ///< estimate for each chunk
-  std::string fingerprint;       ///< of program, tables and question
+  std::string fingerprint;       ///< program, tables and question
 
   int width() const { return asked.axes[0].count; }
   int height() const { return asked.axes.size() < 2 ? 1 : asked.axes[1].count; }

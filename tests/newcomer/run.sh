@@ -117,7 +117,7 @@ read_page CONTRIBUTING.md
 read_page $engines_page  # its scene for engines is the spring of CONTRIBUTING.md
 read_on CONTRIBUTING.md
 
-# The same user, once everything is installed.
+# That user again, once everything is installed.
 $place afresh "$suite"
 if [ -n "$chroot" ]; then
   run_step 'no root' '' 'chown -R reader . && su reader -c "./oddity solve 3.5 && ./oddity verify [3.5]"' ''

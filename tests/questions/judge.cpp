@@ -430,7 +430,7 @@ std::string contradiction(const Question& q, const Json& answer) {
   return {};
 }
 
-/// Evidence of the judge's own motion against a reason; empty if there is none.
+/// Evidence of the judge's own motion against a reason; empty without any.
 std::string unfounded(const Question& q, const std::string& reason) {
   const bool no_period = reason.find("no two periods") != std::string::npos,
              not_held = reason.find("constraint to be off") != std::string::npos;
