@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# The report is short enough to read, and report/book is its copy without times, byte for byte:
+# Checks that the report is short enough to read, and that report/book is its copy without times, byte for
+# byte:
 #   tests/book.sh PROGRAM
-# The program's last results serve where they are fresh; else it runs everything first.
+# Uses the program's last results if they are fresh; otherwise runs everything first.
 set -euo pipefail
 program=$1
 kept=$(cd "$(dirname "${BASH_SOURCE[0]}")/../report/book" && pwd)
@@ -16,6 +17,6 @@ echo "the report has $words words and $bytes bytes"
 
 status=0
 "$program" report --book --out "$out/book" || status=$?
-[ "$status" -ne 2 ] || exit 77  # a build with SUNDIALS, as the program said
+[ "$status" -ne 2 ] || exit 77  # a build with SUNDIALS, as the program has reported
 diff -r --exclude=.oddity "$out/book" "$kept" ||
   { echo "report/book is another report: './oddity report --book --out report/book' writes it anew"; exit 1; }

@@ -4,7 +4,7 @@
 
 #include "reference/bad_input.hpp"
 
-/// What the call complains of; "nothing" when it does not.
+/// The message of the call's exception; "nothing" without one.
 template <class Call>
 std::string complaint(const Call& call) {
   try {

@@ -1,4 +1,4 @@
-// Motions in balls. Compiled as the makers in balls are (tests/CMakeLists.txt).
+// Motions in balls. Compiled like the generators in balls (tests/CMakeLists.txt).
 
 #include "reference/enclosures/motion.hpp"
 #include "report/verify/catch.hpp"
@@ -26,7 +26,7 @@ TEST_CASE("an oscillation is enclosed for fifty turns, and backwards", "[enclosu
   }
 }
 
-TEST_CASE("a box of starts goes to a box that holds all their ends, and little more", "[enclosures]") {
+TEST_CASE("a box of starts is enclosed by a box of ends that is hardly larger than needed", "[enclosures]") {
   Ball::bits = 256;
   const Numbers start{within(Ball(1), Ball(1e-12)), within(Ball(0), Ball(1e-12))};
   const Numbers x = TaylorProblem(oscillator, 2).solve(start, 0, 100, 30);
@@ -37,7 +37,7 @@ TEST_CASE("a box of starts goes to a box that holds all their ends, and little m
   CHECK(radius_of(x[0]) < 3e-12);
 }
 
-TEST_CASE("nothing is said beyond a pole, and what comes near it is right", "[enclosures]") {
+TEST_CASE("beyond a pole no result is given, and results near it are right", "[enclosures]") {
   Ball::bits = 256;
   CHECK(holds(solve_taylor(with_a_pole, {1}, 0, 0.75, 46)[0], Ball(4)));
   CHECK_THROWS_AS(solve_taylor(with_a_pole, {1}, 0, 2, 20), Undecided);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-/// The strings of a JSON text, each by its place, and others in their places.
+/// The strings of a JSON text by their places, and functions that replace them.
 namespace hostile {
 
 using Json = nlohmann::ordered_json;
@@ -25,7 +25,7 @@ inline Places strings_of(const Json& json) {
   return places;
 }
 
-/// Those of one key together, but for the names of quantities, as two of one name are refused.
+/// Groups places by key, except names of quantities, as two of one name are refused.
 inline std::map<std::string, Places> by_key(const Places& places) {
   std::map<std::string, Places> all;
   for (const auto& place : places)

@@ -9,7 +9,7 @@
 
 namespace oddity {
 
-/// A whole number that the environment may have; else BadInput, as a word would be taken for none.
+/// A whole number from the environment. Throws BadInput for anything else, as a word would count as none.
 inline int in_environment(const char* name, int usual) {
   const char* text = std::getenv(name);
   if (!text || !*text) return usual;

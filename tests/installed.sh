@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs a build into a folder of its own, and checks what is there, as another project and a user find it.
+# Installs a build into a separate folder, and checks the result as another project and a user find it.
 #   tests/installed.sh BUILD
 set -euo pipefail
 build=$(realpath "${1:?the build to install}")
@@ -18,7 +18,7 @@ has() { grep -qF -- "$2" <<<"$1"; }
 lacks() { ! has "$@"; }
 
 cmake --install "$build" --prefix "$place/first" >/dev/null
-mv "$place/first" "$prefix"  # what is installed finds its own, wherever it is
+mv "$place/first" "$prefix"  # an installed program finds its own files, wherever it is
 
 # ---- a program of another project, with its own loop ------------------------------------------------------
 
@@ -105,9 +105,9 @@ find "$place/others" -name 03_05_quarter_period.csv -delete
 check "it asks others for theirs" has "$("$oddity" --reference "$place/others" solve 3.5 2>&1)" "$place/others/tables/03_05_quarter"
 check "what it keeps is the user's" has "$("$oddity" chart --help)" "$HOME/.cache/oddity"
 
-# ---- what it keeps is its user's alone ---------------------------------------------------------------------
+# ---- kept files belong to their user alone -----------------------------------------------------------------
 
-# refused WHY COMMAND...: it ends with 2, and says that.
+# refused WHY COMMAND...: it ends with 2, and prints WHY.
 refused() {
   local said code=0
   said=$("${@:2}" 2>&1) || code=$?
@@ -135,10 +135,10 @@ check "a report without a home" refused "--out names another" env -i "$oddity" r
 (cd "$place/elsewhere" && HOME=home XDG_CACHE_HOME=cache "${choose[@]}" >/dev/null)
 check "folders that are relative are none" test -z "$(ls "$place/elsewhere")"
 
-# ---- without the tree, in whose place somebody has put programs of his own ---------------------------------
+# ---- without the tree, in whose place somebody has put other programs --------------------------------------
 
 tree=$(dirname "$(dirname "$build")")
-# hidden COMMAND...: with the planted tree in its place.
+# hidden COMMAND...: runs it with the planted tree in the tree's place.
 hidden() {
   unshare --mount ${rootless:+--map-root-user} sh -c 'mount --bind "$0" "$1" && shift && exec "$@"' "$place/planted" "$tree" "$@"
 }
@@ -150,7 +150,7 @@ chmod +x "$place/tools/node"
 rootless=
 hidden true 2>/dev/null || rootless=1
 if hidden true 2>/dev/null; then
-  # verb VERB STATUS ARGUMENTS...: it ends so, and says nothing of the tree.
+  # verb VERB STATUS ARGUMENTS...: it ends with this status, and does not mention the tree.
   verb() {
     local said code=0
     said=$(PATH=$place/tools:$PATH hidden "$oddity" "$1" "${@:3}" 2>&1) || code=$?
@@ -194,7 +194,7 @@ manual=$(cat "$prefix/share/man/man1/oddity.1")
 for verb in ${verbs/help/}; do check "the manual on $verb" has "$manual" ".SS $verb"; done
 check "the manual knows no folder of the build" lacks "$manual" "$(dirname "$(dirname "$build")")/"
 
-# completed WORD...: what the last word may become.
+# completed WORD...: the completions of the last word.
 completed() {
   COMP_WORDS=(oddity "$@") COMP_CWORD=$# COMPREPLY=()
   _oddity

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# What CI checks, each leg by its name, alone or several:
-#   tests/legs.sh NAME ...      runs these, says how long each took, and ends with 1 where one is red
+# CI jobs, by name, one or several:
+#   tests/legs.sh NAME ...      runs these, shows how long each took, and ends with 1 if one is red
 #   tests/legs.sh               shows the names
-# LAST_BEGINS=MINUTES: no leg begins later, but is said to be not run.
-# On Debian each installs what it needs. A leg that builds has its own folder under build/. Warnings are errors.
+# LAST_BEGINS=MINUTES: a job that would begin later is reported as not run. On Debian each job installs its
+# packages. A job that builds has its own folder under build/. Warnings are errors.
 set -euo pipefail
 export CI=${CI:-true}
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -15,12 +15,13 @@ build() {
   cmake --build "build/$1" --parallel "$jobs" --target "${@:2}"
 }
 
-# Where a tool of one leg cannot be had, as without a net, that leg is not run, and says so.
+# If a tool of a job cannot be installed, for example offline, the job is reported as not run.
 tools() { ./oddity packages "$@" || { echo "not run: $* cannot be installed"; exit 77; }; }
 
 sources() { git ls-files -- "$@"; }
 
-# on_record FILE <ROWS: these rows, with date and commit before, instead of those of the same subjects (the first cell).
+# on_record FILE <ROWS: replaces the rows of the same subjects (the first cell) by these, preceded by date and
+# commit.
 on_record() {
   local head rows
   rows=$(sed "s/^/$(date -u +%F),$(git rev-parse --short HEAD),/")
@@ -32,9 +33,9 @@ on_record() {
   mv "$1.part" "$1"
 }
 
-# ---- legs -------------------------------------------------------------------------------------------------
+# ---- jobs -------------------------------------------------------------------------------------------------
 
-leg_newcomer() {  # the commands of README.md, of the help's examples, of CONTRIBUTING.md and of the rooms' READMEs, in a bare Debian 12; SUITE=trixie for 13; SLOW=1 for those that take minutes; RECORD=1 puts the README's times on record
+leg_newcomer() {  # the commands of README.md, of the help's examples, of CONTRIBUTING.md and of the rooms' READMEs, in a bare Debian 12; SUITE=trixie for 13; SLOW=1 for those that take minutes; RECORD=1 records the README's times
   local suite=${SUITE:-bookworm} processor
   tests/newcomer/run.sh "$suite"
   [ -n "${RECORD:-}" ] || return 0
@@ -49,16 +50,16 @@ leg_tests() {  # g++: all tests
   ./oddity test
 }
 
-leg_report() {  # g++: everything verified, and the report and the site written
+leg_report() {  # g++: verifies everything, and writes the report and the site
   ./oddity
 }
 
-leg_book() {  # g++: report/book is what this machine writes, byte for byte
+leg_book() {  # g++: report/book is this machine's output, byte for byte
   ./oddity report >/dev/null
   ctest --test-dir build/release --build-config book --tests-regex '^book$' --output-on-failure
 }
 
-leg_format() {  # clang-format: every source is as .clang-format has it
+leg_format() {  # clang-format: every source follows .clang-format
   tools clang-format
   sources '*.cpp' '*.hpp' | xargs -d '\n' clang-format --dry-run -Werror
 }
@@ -83,12 +84,12 @@ leg_site() {  # chromium: every page and player of the site, opened from their f
   printf '%s\n' tests/site/*.test.mjs | xargs -P "$jobs" -n 1 node --test
 }
 
-leg_engines() {  # other people's engines do on the scenes what is on record of them
+leg_engines() {  # third-party engines on the scenes match the approved records
   ./oddity engines --finest 1 3.5 >/dev/null  # installs and builds them
   ctest --test-dir build/release --build-config engines --tests-regex '^engines$' --output-on-failure
 }
 
-leg_witness() {  # PARI/GP says of the errata what is on record
+leg_witness() {  # PARI/GP's results on the errata match the approved records
   tools pari-gp
   tests/witness.sh
 }
@@ -107,19 +108,19 @@ leg_namespaces() {  # a sweep by Open MPI on four network namespaces, the same a
   extras/sweep/namespaces.sh build/release/oddity
 }
 
-leg_slurm() {  # a sweep by the array script that it writes for Slurm, whose daemons are started for it, and killed on the way
+leg_slurm() {  # a sweep by its array script for Slurm, whose daemons are started for it, killed on the way
   tools munge slurmctld slurmd slurm-client
   ./oddity list >/dev/null
   extras/sweep/slurm.sh build/release/oddity
 }
 
-leg_ode-files() {  # xppaut: its package's examples are answered or refused, and each motion is compared with its own
+leg_ode-files() {  # xppaut: its package's examples are answered or refused, and each motion is compared with xppaut's
   tools xppaut
   build release oddity
   tests/ode_files.sh build/release/oddity
 }
 
-leg_prove() {  # Coq: every proof on record, checked anew
+leg_prove() {  # Coq: every recorded proof, checked again
   tools coq libcoq-interval libcoq-coquelicot
   ./oddity prove
 }
@@ -129,14 +130,15 @@ leg_syntax() {  # g++: every source alone, without precompiled headers; compile_
   build developer generated_sources
   local listed missing
   listed=$(sed -n 's|^ *"file": "'"$PWD"'/\(.*\)".*|\1|p' build/developer/compile_commands.json | sort -u)
-  # but those of the page's module, which another compiler makes, and of engines, libclang, MPI and Arb, which may not be here
+  # except those of the page's module, which another compiler makes, and of engines, libclang, MPI and Arb,
+  # which may be missing
   missing=$(comm -23 <(sources '*.cpp' ':!report/site/module/*' ':!tests/site/nudged.cpp' ':!extras/engines/adapters/*' ':!extras/mutation/*' ':!extras/sweep/mpi/*' ':!reference/enclosures/*' ':!tests/enclosed_motions.cpp' | sort) <(echo "$listed"))
   [ -z "$missing" ] || { echo "not in compile_commands.json: $missing"; return 1; }
   sed -n 's|^ *"command": "\(.*\)",$|\1|p' build/developer/compile_commands.json | sed 's|\\"|"|g; s|\\\\|\\|g' |
     (cd build/developer && xargs -d '\n' -P "$jobs" -n 1 bash -c 'eval "$0 -fsyntax-only"')
 }
 
-leg_tidy() {  # clang-tidy: the solvers and the tables are clean, Arb's part aside; TIDY='files' asks for others
+leg_tidy() {  # clang-tidy: the solvers and the tables are clean, except Arb's part; TIDY='files' selects others
   tools clang-tidy
   cmake --preset developer >/dev/null
   # without g++'s flags that clang does not know
@@ -152,7 +154,7 @@ leg_libcxx() {  # clang with libc++, without exceptions: every scene's models
   tests/models_with_libcxx.sh
 }
 
-leg_install() {  # what is installed works, a program of another project finds the models, and a package installs on a bare Debian
+leg_install() {  # an installed build works, a program of another project finds the models, and a package installs on a bare Debian
   ./oddity packages debootstrap || true
   rm -f build/oddity_*.deb
   ./oddity package
@@ -160,7 +162,7 @@ leg_install() {  # what is installed works, a program of another project finds t
   tests/packaged.sh build/oddity_*.deb
 }
 
-leg_clang() {  # clang: the tests, but for the tables made again and the page's module
+leg_clang() {  # clang: the tests, except the tables made again and the page's module
   tools clang
   build clang all
   ctest --test-dir build/clang --output-on-failure --parallel "$jobs" --exclude-regex tables_made_again
@@ -172,14 +174,14 @@ leg_sanitize() {  # address and undefined-behaviour sanitizers: the suite
   build/sanitize/oddity verify ${SUITE:+"$SUITE"}
 }
 
-leg_thread() {  # thread sanitizer: a part of the suite in parallel, and choices in which something throws (ODDITY_THROWS, 6, in each scene)
+leg_thread() {  # thread sanitizer: a part of the suite in parallel, and choices that throw (ODDITY_THROWS, 6, in each scene)
   ./oddity packages
   build thread oddity oddity_stops
   TSAN_OPTIONS=halt_on_error=1 build/thread/oddity verify "${SUITE:-[3.5],[3.1],[2.13],[7.1]}"
   TSAN_OPTIONS=halt_on_error=1 ODDITY_THROWS=${ODDITY_THROWS:-6} build/thread/tests/oddity_stops '[stop]'
 }
 
-leg_mutate() {  # libclang: mutants of a chapter, drawn by the commit's name, of which the suite has to notice as many as on record; SAMPLE (300), MINUTES (12), PATHS
+leg_mutate() {  # libclang: mutants of a chapter, drawn by the commit's name; the suite has to notice as many as recorded; SAMPLE (300), MINUTES (12), PATHS
   ./oddity packages libclang-dev || exit 77
   build release oddity_mutate
   local recorded chapter
@@ -188,14 +190,15 @@ leg_mutate() {  # libclang: mutants of a chapter, drawn by the commit's name, of
   build/release/extras/oddity_mutate --sample "${SAMPLE:-300}" --minutes "${MINUTES:-12}" ${PATHS:-$chapter}
 }
 
-# read_on_record READER INPUTS SECONDS: added to those on record, where RECORD is set. A crash has ended the leg before.
+# read_on_record READER INPUTS SECONDS: adds them to the record if RECORD is set. A crash would have ended the
+# job before.
 read_on_record() {
   [ -z "${RECORD:-}" ] || awk -F, -v name="$1" -v inputs="$2" -v seconds="$3" '
       $3 == name { inputs += $4; seconds += $5 }
       END { printf "%s,%d,%d,0\n", name, inputs, seconds }' reference/trust/fuzz.csv | on_record reference/trust/fuzz.csv
 }
 
-leg_fuzz() {  # libFuzzer, and links by our own: every reader (FUZZ) for FUZZ_SECONDS (60), or with FUZZ_INPUTS, with sanitizers, from the inputs in extras/fuzz/corpus; RECORD=1 adds these to those on record
+leg_fuzz() {  # libFuzzer, and our own fuzzer of links: every reader (FUZZ) for FUZZ_SECONDS (60), or with FUZZ_INPUTS, with sanitizers, from the inputs in extras/fuzz/corpus; RECORD=1 adds these to the record
   tools clang
   build release fuzz
   local target name found inputs seconds longest ran=0 until=-max_total_time=${FUZZ_SECONDS:-60}
@@ -208,9 +211,9 @@ leg_fuzz() {  # libFuzzer, and links by our own: every reader (FUZZ) for FUZZ_SE
     mkdir -p "$found/$name"
     seconds=$SECONDS
     longest=4096
-    case $name in words | quantity) longest=256 ;; esac  # what somebody types
-    # Without the stacks of what is allocated, with little kept of what is freed, and without weighing inputs by how
-    # rare their paths are: several times the inputs.
+    case $name in words | quantity) longest=256 ;; esac  # typed by users
+    # Without stacks of allocations, with a small quarantine of freed memory, and without weighing inputs by
+    # the rarity of their paths: several times as many inputs.
     ASAN_OPTIONS=malloc_context_size=0:quarantine_size_mb=1 "$target" $until -max_len=$longest -entropic=0 -timeout=60 -rss_limit_mb=1024 -print_final_stats=1 -verbosity=0 \
       -artifact_prefix="build/fuzz_$name-" "$found/$name" "extras/fuzz/corpus/$name" 2>&1 | tee "$found/said"
     inputs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$found/said")
@@ -228,7 +231,7 @@ leg_fuzz() {  # libFuzzer, and links by our own: every reader (FUZZ) for FUZZ_SE
   read_on_record links $((2 * inputs)) $((SECONDS - seconds))
 }
 
-leg_faults() {  # kills, full disks, too little memory and more, at every verb that writes (FAULTS); ODDITY_KILLS (20); RECORD=1
+leg_faults() {  # kills, full disks, too little memory and more, at every command that writes (FAULTS); ODDITY_KILLS (20); RECORD=1
   build release oddity_faults
   local table ended=0
   table=$(mktemp)
@@ -238,12 +241,12 @@ leg_faults() {  # kills, full disks, too little memory and more, at every verb t
   return $ended
 }
 
-leg_properties() {  # what holds at all parameters, at ODDITY_SETS (1000) random ones of every scene
+leg_properties() {  # properties of all parameters, at ODDITY_SETS (1000) random ones of every scene
   build release oddity_tests
   ODDITY_SETS=${ODDITY_SETS:-1000} build/release/tests/oddity_tests '[properties]'
 }
 
-leg_choices() {  # choose: its usual answers to ODDITY_NEEDS (200) random needs and eight of chaos beside the thorough ones, which take a quarter of an hour; RECORD=1
+leg_choices() {  # choose: usual answers to ODDITY_NEEDS (200) random needs and eight of chaos, compared with thorough ones, in a quarter of an hour; RECORD=1
   build release oddity_tests
   local table
   table=$(mktemp)
@@ -254,7 +257,7 @@ leg_choices() {  # choose: its usual answers to ODDITY_NEEDS (200) random needs 
   rm "$table"
 }
 
-leg_questions() {  # choose: QUESTIONS (100) random questions of SECONDS_EACH (3) seconds by SEED (48), and those once answered falsely, judged by a program of its own
+leg_questions() {  # choose: QUESTIONS (100) random questions of SECONDS_EACH (3) seconds by SEED (48), and those once answered falsely, judged by a separate program
   build release oddity oddity_lanes oddity_questions
   local judge=build/release/tests/oddity_questions false=0
   "$judge" tables reference/tables
@@ -270,11 +273,11 @@ leg_lockstep() {  # choose --lockstep: its programs by g++ and clang, for x86-64
   tests/lockstep.sh build/release/oddity ${SCENES:-}
 }
 
-leg_same() {  # one thread and another order: the same bits; functions that err otherwise, and programs of the presets in BUILDS: a green suite, and what differs listed; SUITE for a part
+leg_same() {  # one thread and another order: the same bits; functions with other rounding errors, and programs of the presets in BUILDS: a green suite, and differences listed; SUITE for a part
   build release oddity oddity_same shaken_libm
   local same=build/release/extras/oddity_same found seed preset
   found=$(mktemp -d)
-  # results NAME COMMAND...: what the command's suite finds
+  # results NAME COMMAND...: results of the command's suite
   results() { "${@:2}" verify ${SUITE:+"$SUITE"} --results "$found/$1.json" >"$found/suite" || { cat "$found/suite"; return 1; }; }
   beside_usual() {
     local ended=0
@@ -291,7 +294,7 @@ leg_same() {  # one thread and another order: the same bits; functions that err 
     results shaken env LD_PRELOAD="$PWD/build/release/extras/libshaken_libm.so" ODDITY_SEED=$seed build/release/oddity
     beside_usual shaken
   done
-  # glibc's other variants of its functions, as a processor without AVX and FMA has them
+  # glibc's variants of its functions for a processor without AVX and FMA
   results without_fma env GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX512F,-AVX2,-AVX,-FMA,-FMA4 build/release/oddity
   beside_usual without_fma
   for preset in ${BUILDS:-}; do
@@ -308,7 +311,7 @@ leg_odr() {  # link-time optimization: no name has two definitions in the progra
   build odr oddity oddity_lanes
 }
 
-leg_turn() {  # one of the legs that take long, by the commit's name
+leg_turn() {  # one of the long jobs, by the commit's name
   local long=(thread odr witness clang tidy syntax sanitize fuzz) name
   name=${long[0x$(git rev-parse --short=6 HEAD | cut -c1-6) % ${#long[@]}]}
   echo "it is the turn of $name"
@@ -334,7 +337,7 @@ for name in "$@"; do
     echo "not run: after $LAST_BEGINS minutes no leg begins"
     ended=77
   fi
-  # In a shell of its own, so that its first failure ends the leg.
+  # Runs in a separate shell, so that its first failure ends the job.
   [ $ended -ne 0 ] || JOBS=$jobs bash -c 'set -euo pipefail; '"$(declare -p jobs; declare -f)"'; leg_'"$name" || ended=$?
   case $ended in
     0) verdict=green passed=$((passed + 1)) ;;

@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
-# Programs of `choose --lockstep --code` have the same bits by every compiler, at every optimization, on every machine.
+# Programs of `choose --lockstep --code` have the same bits by every compiler, at every optimization, on every
+# machine.
 #   tests/lockstep.sh PROGRAM [SCENE...]       a scene is an exercise's number or a problem's file
-# Of each scene three: what is chosen, what is chosen without closed forms, and the second in float. Each is compiled by
-# g++ and clang++ for x86-64 with and without FMA, for WebAssembly, arm64 and i386, the last two run by qemu-user; the
-# hashes that they print are compared. What a scene cannot it has to say in one sentence.
+# Each scene gives three programs: its choice, its choice without closed forms, and the second in float. Each
+# is compiled by g++ and clang++ for x86-64 with and without FMA, for WebAssembly, arm64 and i386, the last
+# two run by qemu-user. The hashes that they print are compared. A scene without such a program must report it
+# in one sentence.
 set -euo pipefail
 program=$(realpath "$1")
 shift
@@ -27,7 +29,7 @@ const module = await WebAssembly.compile(await readFile(process.argv[2]));
 wasi.start(await WebAssembly.instantiate(module, wasi.getImportObject()));
 JS
 
-# A line each: the name, how to compile, how to run.
+# A line each: name, compile command, run command.
 ways() {
   local compiler level
   for compiler in g++ clang++; do
@@ -43,7 +45,7 @@ ways() {
   done
 }
 
-# compare CODE: a line "FILE: HASH in N ways", or what differs, and 1
+# compare CODE: prints a line "FILE: HASH in N ways", or the differences and returns 1
 compare() {
   local file=$1 name compile run hash first= count=0
   while IFS='|' read -r name compile run; do
@@ -71,7 +73,7 @@ for scene in "$@"; do
     name=$(basename "$scene" .toml)${more:+ without closed forms}
     [[ $more != *float ]] || name+=' in float'
     ended=0
-    # a pick for which three digits are too many is no program: a scene that moves more is asked for less
+    # if three digits are too many, no program is printed: a fast scene is asked for less
     for digits in 3 2 1; do
       ended=0
       "$program" choose "$scene" --digits $digits --starts 1 --lockstep --code $more >"$folder/$name.cpp" 2>"$folder/why" || ended=$?

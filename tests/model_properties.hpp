@@ -6,10 +6,10 @@
 #include "tests/models_in_numbers.hpp"
 #include "tests/properties.hpp"
 
-/// What holds of every model of a scene at all of its parameters.
+/// Properties of every model of a scene at all of its parameters.
 namespace oddity::models_test {
 
-/// Observed are all unknowns. What the model conserves is no matter here.
+/// Observes all unknowns, and ignores conserved quantities.
 template <class Model>
 struct Bare {
   using State = typename Model::State;
@@ -19,7 +19,7 @@ struct Bare {
   State observe(const State& x, double) const { return x; }
 };
 
-/// x' = -f(x, end - t) from the state in which the model is at the end.
+/// The motion backwards: x' = -f(x, end - t) from the state of the model at the end.
 template <class Model>
 struct FromTheEnd {
   using State = typename Model::State;
@@ -34,13 +34,13 @@ struct FromTheEnd {
   State observe(const State& x, double) const { return x; }
 };
 
-/// Not Fehlberg 7(8): where hardly a force acts, the right-hand side is as good as a function of time alone,
-/// and its error estimate, a difference of stages at the same times, sees nothing of that. Nor does it see
-/// where 3.23's bar carries the spring past its foot, within millimetres of no length: there a tolerance of
-/// 1e-12 lets a thousandth of the energy go.
+/// Fehlberg 7(8) is unsuitable. Where hardly any force acts, the right-hand side is almost a function of time
+/// alone, and its error estimate, a difference of stages at the same times, misses that. It also misses that
+/// 3.23's bar carries the spring past its foot, within millimetres of zero length: there a tolerance of 1e-12
+/// loses a thousandth of the energy.
 inline constexpr std::string_view algorithm = "Dormand-Prince 5(4)";
 
-/// How long a motion is looked at: the scene's horizon, or as far as a few thousand evaluations go.
+/// Length of the motion that is tested: the scene's horizon, or as far as a few thousand evaluations reach.
 template <class Model>
 double affordable(const Model& model, double horizon) {
   const auto any = type_erased(model);
@@ -53,7 +53,7 @@ double affordable(const Model& model, double horizon) {
   return end;
 }
 
-/// Where the model's motion by the tolerance is at the end; nothing where the algorithm does not get there.
+/// The model's state at the end with this tolerance; nullopt if the algorithm does not get there.
 template <class Model>
 std::optional<typename Model::State> there(const Model& model, double end, double tolerance) {
   const Answer answer = type_erased(Bare<Model>{model})->run(algorithm, {end, 1}, tolerance);
@@ -63,7 +63,7 @@ std::optional<typename Model::State> there(const Model& model, double end, doubl
   return last;
 }
 
-/// Back from there to the start.
+/// Integrates back from there to the start.
 template <class Model>
 std::optional<Value> back(const Model& model, double end, const typename Model::State& last,
                           double tolerance) {
@@ -72,15 +72,15 @@ std::optional<Value> back(const Model& model, double end, const typename Model::
   return answer.value;
 }
 
-/// Each component by a thousand roundings up or down, in one of the patterns that are orthogonal to one
-/// another: a motion along which a state is only scaled would hide what becomes of others.
+/// Changes each component by a thousand roundings up or down, in one of several orthogonal patterns: a motion
+/// along which one state is only scaled would hide changes of others.
 template <class State>
 State nudged(State x, unsigned pattern) {
   for (unsigned i = 0; i < x.size(); ++i) x[i] *= 1 + (std::popcount(i & pattern) % 2 ? -0x1p-42 : 0x1p-42);
   return x;
 }
 
-/// The published equations of 3.19 leave out a force, and so the energy changes: an erratum on record.
+/// The published equations of 3.19 leave out a force, and so the energy changes: a recorded erratum.
 template <class Model>
 bool lacks_a_force(const Model& model) {
   if constexpr (requires { model.lever; }) return model.lever == 0;
@@ -112,7 +112,7 @@ class AtRandom {
   void check(const std::string& says, const Wrong& wrong) const {
     properties::check(entry_, says, 4, [&](const Parameters& parameters) {
       motion(*entry_.exercise.scene, parameters, {1},
-             Reference::nothing());  // refuses what does not go together
+             Reference::nothing());  // throws for parameters that do not go together
       std::string all_wrong;
       int place = 0;
       const auto look = [&](const auto& model) {
@@ -125,9 +125,9 @@ class AtRandom {
     });
   }
 
-  /// A tolerance that is much coarser errs at least as much, unless both take the same steps: then what was
-  /// asked for is what a step may err. So does a thousand roundings at the end, whatever the motion makes of
-  /// either.
+  /// Motion to the end and back must return to the start. Allowed is the error at a much coarser tolerance,
+  /// and the effect of a thousand roundings at the end, however the motion magnifies either. If both
+  /// tolerances take the same steps, the tolerance itself is allowed.
   template <class Model>
   std::string not_back(const Model& model) const {
     if constexpr (
@@ -152,7 +152,7 @@ class AtRandom {
     return "";
   }
 
-  /// What is lost by a method becomes less with its tolerance, and what is lost by a model does not.
+  /// Loss of a method shrinks with its tolerance; loss of a model does not.
   template <class Model>
   std::string not_conserved(const Model& model) const {
     if constexpr (Integrable<Model> && Conservative<Model>) {

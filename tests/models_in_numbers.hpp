@@ -17,14 +17,14 @@
 #include "solvers/ode/jacobian.hpp"
 #include "solvers/taylor/series.hpp"
 
-/// Every model of a scene in every number type, each judged by the same model in double.
+/// Every model of a scene in every number type, each compared with the same model in double.
 namespace oddity::models_test {
 
-/// Encloses the exact result of what is computed with it.
+/// Interval that encloses the exact result of a computation.
 using Interval = boost::multiprecision::number<boost::multiprecision::mpfi_float_backend<18>,
                                                boost::multiprecision::et_off>;
 
-/// A scene's parameters: the first of the exercise's.
+/// A scene's parameters: the first ones of the exercise.
 template <template <class> class Given, class T, class Number>
 Given<T> given(const std::vector<Number>& values) {
   constexpr std::size_t n = sizeof(Given<double>) / sizeof(double);
@@ -52,8 +52,8 @@ auto joined(const std::array<T, n>&... parts) {
   return all;
 }
 
-/// What the model observes at the end: a closed form at once, else by Runge-Kutta 4. Of one with events also
-/// its guards there, and what the first event would make of it.
+/// The model's observables at the end: of a closed form at once, otherwise by Runge-Kutta 4. For a model with
+/// events also its guards there, and the state after the first event.
 template <class T, class Model>
 auto at_end(const Model& model, double end, int steps = 8) {
   if constexpr (Integrable<Model>) {
@@ -109,7 +109,7 @@ class Scene {
   auto seen(const std::vector<T>& values) const {
     return at_end<T>(std::get<i>(all(values)), end_);
   }
-  /// The parameters, all of them changed by this share.
+  /// The parameters, all changed by this share.
   std::vector<double> changed(double share) const {
     std::vector<double> values = values_;
     for (double& x : values) x += share * x;
@@ -157,7 +157,7 @@ class Scene {
       const double slope = (up[k] - down[k]) / (2 * share);
       const double bend = (up[k] - 2 * expected[k] + down[k]) / (share * share);
       CHECK(std::abs(one[k].slope - slope) <= 1e-6 * (scale + std::abs(slope)));
-      // At a kink the second derivative need not exist, and a scene may start at one.
+      // At a kink there may be no second derivative, and a scene may start at one.
       if constexpr (!requires { Model::not_analytic; })
         CHECK(std::abs(two[k].slope.slope - bend) <= 1e-4 * (scale + std::abs(bend)));
     }
@@ -191,7 +191,7 @@ class Scene {
     }
   }
 
-  /// By Taylor series, against many small steps.
+  /// Compares Taylor series with many small steps.
   template <std::size_t i>
   void on_tape(double scale) const {
     const auto model = std::get<i>(all(values_));

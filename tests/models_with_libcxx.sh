@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Compiles every scene's models with clang and libc++ and without exceptions, as a WebAssembly toolchain would.
+# Compiles every scene's models with clang and libc++ and without exceptions, like a WebAssembly toolchain.
 #   tests/models_with_libcxx.sh      needs clang, libc++-dev and libc++abi-dev
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

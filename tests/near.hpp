@@ -5,8 +5,8 @@
 
 #include "reference/text.hpp"
 
-/// got == expected within `allowed`, for CHECK: a failure prints both numbers with every digit. NaN is never
-/// near.
+/// got == expected within `allowed`, for CHECK: a failure prints both numbers with every digit. Fails for
+/// NaN.
 struct Near {
   double got, expected, allowed;
   explicit operator bool() const { return std::abs(got - expected) <= allowed; }
@@ -25,7 +25,7 @@ inline Near near_ulps(double got, double expected, double ulps) {
   return {got, expected, ulps * std::abs(expected) * 0x1p-52};
 }
 
-/// Within a part of the expected number.
+/// Within this part of the expected number.
 inline Near near_part(double got, double expected, double part) {
   return {got, expected, part * std::abs(expected)};
 }

@@ -3,10 +3,10 @@
 #include "solvers/ode/all.hpp"
 #include "tests/ode_problems.hpp"
 
-/// What the certificates ask of an algorithm's type.
+/// Properties of an algorithm's type that the certificates need.
 namespace oddity::ode {
 
-/// It has a method of fixed order behind its step control.
+/// Has a method of fixed order behind its step control.
 template <class Algorithm>
 concept HasPlain = requires {
   typename Algorithm::template Plain<problems::State>;
@@ -15,7 +15,7 @@ concept HasPlain = requires {
 template <class Algorithm>
 constexpr bool partitioned = Algorithm::kind == Kind::partitioned;
 
-/// It solves systems of the form (q, v) with q' = v.
+/// Solves systems of the form (q, v) with q' = v.
 template <class Algorithm>
 constexpr bool of_positions_and_velocities =
     partitioned<Algorithm> || Algorithm::kind == Kind::velocities_first;
@@ -40,13 +40,13 @@ std::vector<problems::State> fixed_steps(const problems::System& system, problem
   return states;
 }
 
-/// Its steps depend on those before, and so do its errors.
+/// Its steps and their errors depend on previous steps.
 template <class Algorithm>
 constexpr bool multistep = requires {
   Algorithm::recurrence(0.0);
 };
 
-/// It begins with low order and few digits, which stay in the rest of the motion.
+/// Begins with low order and few digits, and the early errors stay in the rest of the motion.
 template <class Algorithm>
 constexpr bool changes_order =
     Algorithm::kind == Kind::self_stepping && !HasPlain<Algorithm> && !std::is_same_v<Algorithm, Taylor>;

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# XPPAUT's own example files, as its package brings them: each is answered, or refused in one sentence, and each motion
-# is compared with what xppaut itself makes of the file.
+# Runs XPPAUT's own example files, from its package. Each is answered, or refused in one sentence, and each
+# motion is compared with xppaut's own.
 #   tests/ode_files.sh PROGRAM [FILE...]
-# At four times of oddity's horizon, in parts of the error that it asks for (a thousandth of the widest range). xppaut
-# runs the classical Runge-Kutta method at 20,000 and at 80,000 steps; its output has eight digits. Where oddity and
-# xppaut differ by more than a tenth, xppaut is right if its own two runs agree with each other; if they do not, neither is
-# refuted: oddity's motion is then held by its own two routes alone.
+# Compares at four times of oddity's horizon, relative to the requested error (a thousandth of the widest
+# range). xppaut runs the classical Runge-Kutta method at 20,000 and at 80,000 steps; its output has eight
+# digits. If oddity and xppaut differ by more than a tenth, xppaut is right if its own two runs agree.
+# Otherwise neither is refuted, and only oddity's own two routes check its motion.
 set -euo pipefail
 program=$(realpath "$1")
 shift
@@ -14,9 +14,9 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
 
-# by_xppaut FILE HORIZON STEPS: time and variables at the start and at four times
+# by_xppaut FILE HORIZON STEPS: prints time and variables at the start and at four times
 by_xppaut() {
-  # A set of parameters would be run of its own.
+  # A set of parameters would be a separate run.
   awk 'tolower($1) == "done" || tolower($0) ~ /^d[ \t\r]*$/ { exit }
        tolower($1) == "only" || tolower($1) == "set" || goes_on { goes_on = /\\[ \t\r]*$/; next }
        { print }' "$1" >copy.ode
@@ -81,6 +81,6 @@ for file in "$@"; do
   esac
 done
 echo "$# files: $answered answered, of which $moving move; $refused refused; $late not answered in time; $differing differ as xppaut does from itself, $wrong are wrong"
-# One that is back where it began at all four times counts as one that rests. Of the package's 120, as many have to be
-# answered as ever were: 44 that move, and two too late.
+# A motion that is back at its start at all four times counts as resting. Of the package's 120 files, as many
+# must be answered as ever were: 44 that move, and two too late.
 [ $wrong -eq 0 ] && { [ $# -lt 100 ] || { [ $moving -ge 44 ] && [ $late -le 2 ]; }; }

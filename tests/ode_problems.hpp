@@ -12,8 +12,8 @@ namespace problems {
 
 using State = std::array<double, 2>;
 
-/// A right-hand side by function pointer that counts its calls; as (q, v) it is also a partitioned system. On
-/// numbers of a tape it is the same, where it was made of a generic function.
+/// A right-hand side by function pointer that counts its calls; as (q, v) it is also a partitioned system. If
+/// made from a generic function, it also accepts numbers of a tape.
 struct System {
   using Number = oddity::taylor::Recorded;
   using Numbers = std::array<Number, 2>;
@@ -79,7 +79,7 @@ inline const Problem driven{generic([](const auto& x, auto& dxdt, auto t) {
                               return {std::exp(std::sin(t)), std::exp(std::cos(t))};
                             }};
 
-/// Two integrals over time: what an embedded estimator that compares stages at the same times cannot see.
+/// Two integrals over time: invisible to an embedded estimator that compares stages at the same times.
 inline const Problem clocked{generic([](const auto&, auto& dxdt, auto t) {
                                using std::cos, std::exp;
                                dxdt = {cos(t), exp(-t)};
@@ -97,7 +97,7 @@ inline const Problem pushed{generic([](const auto& x, auto& dxdt, auto t) {
                               return {-std::cos(t), std::sin(t)};
                             }};
 
-/// q'' = -q' - q, from q = 1: forces that know the velocity.
+/// q'' = -q' - q, from q = 1: forces that depend on the velocity.
 inline const Problem damped{
     generic([](const auto& x, auto& dxdt, auto) {
       dxdt = {x[1], -x[0] - x[1]};

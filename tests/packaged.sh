@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Checks a package that ./oddity package has made: what is in it, and that it installs and answers on a bare Debian.
+# Checks a package made by ./oddity package: its contents, and that it installs and answers on a bare Debian.
 #   tests/packaged.sh oddity_0.1.0_amd64.deb
-# Without root, or a mirror to make such a Debian from, that last part is left out, and it says so.
+# Without root, or a mirror to make such a Debian from, the last part is skipped with a message.
 set -euo pipefail
 package=$(realpath "${1:?the package}")
 place=$(mktemp -d)
@@ -33,8 +33,8 @@ if [ "$(id -u)" -ne 0 ] || ! command -v debootstrap >/dev/null ||
   echo "packaged: no bare Debian can be made here ($(tail -n 1 "$place/log" 2>/dev/null || echo "it takes root and debootstrap")): not installed"
   exit
 fi
-# on_bare COMMAND...: as who is on it, with /proc, which goes with the command. In a chroot / is no mount that could be made
-# private, and need not be.
+# on_bare COMMAND...: runs it as its root, with a /proc that disappears with the command. In a chroot / is not
+# a mount that could be made private, and need not be.
 on_bare() {
   env -i PATH=/usr/bin:/bin:/usr/sbin:/sbin HOME=/home/reader \
     unshare --mount --propagation unchanged --pid --fork sh -c '

@@ -12,7 +12,7 @@
 
 #include "report/verify/catch.hpp"
 
-/// What report/site/script.hpp packs, unpacked.
+/// Unpacks scripts packed by report/site/script.hpp.
 namespace oddity {
 
 inline std::string bytes_of(std::string base64) {
@@ -31,7 +31,7 @@ inline std::uint32_t number_at(const std::string& bytes, std::size_t at, std::si
   return bits;
 }
 
-/// As RFC 1952 has it: a head, the text deflated, its sum and its size.
+/// RFC 1952: a head, the deflated text, its checksum and its size.
 inline std::string unpacked(const std::string& base64) {
   namespace zlib = boost::beast::zlib;
   constexpr std::size_t head = 10, tail = 8;
@@ -55,7 +55,7 @@ inline std::string unpacked(const std::string& base64) {
   return text;
 }
 
-/// What a script's one call is given.
+/// The argument of a script's only call.
 inline nlohmann::json argument(const std::string& function, const std::string& script) {
   const std::string before = "oddity." + function + "(\"", after = "\");\n";
   REQUIRE(script.starts_with(before));

@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <string>
 
-/// The program as a user has it.
+/// The program, run like a user does.
 namespace program {
 
 struct Ran {
@@ -33,10 +33,10 @@ inline Ran shell(const std::string& command) {
 /// Runs the program with these arguments.
 inline Ran run(const std::string& arguments) { return shell("$oddity " + arguments); }
 
-/// The same without standard error, on which progress shows where the machine is busy.
+/// Like `run`, without standard error, which shows progress on a busy machine.
 inline Ran printed(const std::string& arguments) { return run("2>/dev/null " + arguments); }
 
-/// The same as `run` on a terminal of so many columns, with these settings of the environment before.
+/// Like `run`, on a terminal of this many columns, with these settings of the environment.
 inline Ran on_terminal(int columns, const std::string& arguments, const std::string& environment = "") {
   return shell("TERM=xterm COLUMNS=" + std::to_string(columns) + " " + environment +
                " script -qec \"$oddity " + arguments + "\" /dev/null");

@@ -11,16 +11,15 @@
 #include "report/verify/catch.hpp"
 #include "tests/in_environment.hpp"
 
-/// What has to hold at all usual parameters, tried at random ones; where it does not, the
-/// simplest parameters that are found are printed as a command. ODDITY_SETS says at how many, ODDITY_SEED at
-/// which.
+/// Properties that must hold at all usual parameters, tried at random ones. On failure the simplest failing
+/// parameters found are printed as a command. ODDITY_SETS is the number of trials, ODDITY_SEED their seed.
 namespace oddity::properties {
 
-/// What is wrong at these parameters; empty where the property holds.
+/// Returns the failure at these parameters; empty if the property holds.
 using Property = std::function<std::string(const Parameters&)>;
 
-/// Within a factor of ten of the usual value, or two beside zero, and of all sizes alike: a range ends where
-/// a model does, and there roundings may be all that is left of a motion.
+/// Within a factor of ten of the usual value (up to 2 for a zero), uniform by size. A range ends where a
+/// model does, and there roundings may be all that is left of a motion.
 inline double random_value(const Parameter& p, Random& random) {
   const double reach = p.value == 0 ? 2 : 10 * std::abs(p.value);
   const double least = std::max(p.least, p.least > 0 ? p.value / 10 : -reach), most = std::min(p.most, reach);
@@ -28,7 +27,7 @@ inline double random_value(const Parameter& p, Random& random) {
   return std::clamp(p.whole ? std::round(x) : least > 0 ? std::abs(x) : x, least, most);
 }
 
-/// Seeds of the checks' own samples stay.
+/// Seeds of the checks' own samples stay the same.
 inline Parameters random_parameters(const Exercise& exercise, Random& random) {
   Parameters parameters(exercise.parameters);
   for (const Parameter& p : exercise.parameters)
@@ -36,7 +35,7 @@ inline Parameters random_parameters(const Exercise& exercise, Random& random) {
   return parameters;
 }
 
-/// Nothing where the parameters do not go together, which the exercise refuses: these are counted.
+/// Empty for parameters that the exercise refuses as they do not go together: these are counted.
 inline std::string wrong_at(const Parameters& parameters, const Property& property, int& refused) {
   try {
     return property(parameters);
@@ -46,7 +45,7 @@ inline std::string wrong_at(const Parameters& parameters, const Property& proper
   }
 }
 
-/// Each parameter as the book has it, or else with fewer digits, as long as something is wrong.
+/// Resets each parameter to the book's value, or else to fewer digits, as long as the property fails.
 inline Parameters shrunk(Parameters failing, const Property& property) {
   int refused = 0;
   for (const Parameter& p : failing.declared())
@@ -71,8 +70,8 @@ inline std::string command(const Entry& entry, const Parameters& parameters) {
   return words;
 }
 
-/// Tries the property at so many parameters, unless the environment says at how many; shows the first that
-/// fails.
+/// Tries the property at this many parameters, unless the environment gives another number; prints the first
+/// failure.
 inline void check(const Entry& entry, const std::string& says, int usual, const Property& property) {
   Random random(in_environment("ODDITY_SEED", 1) * 1e4 + entry.number.chapter * 100 + entry.number.index);
   const int sets = in_environment("ODDITY_SETS", usual);

@@ -2,7 +2,7 @@
 
 #include "report/study/results.hpp"
 
-/// Results that were not run.
+/// Made-up results, without a run.
 namespace oddity {
 
 inline JudgedClaim judged(Check check) {
@@ -15,7 +15,7 @@ inline Check one_against_one(double allowed, double scale = 0) {
   return {"x", {"a", 1}, {"b", 1}, {allowed, "a test"}, scale};
 }
 
-/// Every kind of value that results can hold.
+/// Contains every kind of value in results.
 inline Results sample() {
   ExerciseResult e;
   e.number = {3, 5};

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <string>
 
-/// A folder of our own in the system's temporary one, gone at the end.
+/// A separate temporary folder, removed at the end.
 class ScratchFolder {
  public:
   ScratchFolder() {
@@ -35,7 +35,7 @@ class ScratchFolder {
   std::filesystem::path path_;
 };
 
-/// All that is in a file; nothing where there is none.
+/// The contents of a file; empty if it does not exist.
 inline std::string text_of(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};

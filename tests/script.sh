@@ -1,18 +1,18 @@
 #!/usr/bin/env bash
-# The script ./oddity on machines that are not this one: what it installs, builds and says, and when. Its tools are
-# pretended, and write down what they are asked.
+# Tests the script ./oddity on other machines: its installations, builds and messages. Its tools are fakes
+# that log their calls.
 set -euo pipefail
 tree=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 place=$(mktemp -d)
 trap 'rm -rf "$place"' EXIT
 cd "$place"
 
-# pretend NAME <SCRIPT: a tool of that name, which writes down its words.
+# pretend NAME <SCRIPT: a fake tool of that name, which logs its words.
 pretend() {
   { echo '#!/bin/bash'; echo "echo \"$1 \$*\" >>$place/calls"; cat; } >"$place/bin/$1"
   chmod +x "$place/bin/$1"
 }
-# The machine anew: a tree with nothing built, and tools.
+# Resets the machine: a tree with nothing built, and tools.
 machine() {
   rm -rf "$place"/*
   mkdir -p tree bin

@@ -55,7 +55,7 @@ TEST_CASE("an error is one number, or one with its unit for each unit of the mot
   CHECK(of("3.31", "1cm,5deg,7").find("'7' in '1cm,5deg,7' has no unit") != std::string::npos);
   CHECK(of("3.31", "1,1cm,1deg").find("'1' in '1,1cm,1deg' has no unit") != std::string::npos);
   CHECK(need_of(task_of("3.5", {}), {.error = "+1deg"}).shown.at("rad").symbol == "deg");
-  // a number without a unit has the quantity's own
+  // a number without a unit has the quantity's unit
   CHECK(need_of(task_of("3.7", {}), {.error = "1e-3", .constraint = "0.001"}).shown.at("m").symbol == "m");
 }
 
@@ -80,7 +80,7 @@ TEST_CASE("an exercise has one number", "[arguments]") {
     CHECK_FALSE(exercise_number(none));
 }
 
-TEST_CASE("a unit has no part that means nothing", "[arguments]") {
+TEST_CASE("a unit has no meaningless part", "[arguments]") {
   for (const char* wrong : {"1deg1", "1deg^1", "1rad0", "2 1", "21 1", "5 1 1"})
     CHECK(complaint([&] { in_unit(wrong, "rad"); }).find("is not a number, nor one with a unit") !=
           std::string::npos);
@@ -113,7 +113,7 @@ TEST_CASE("every number of a need has limits", "[arguments]") {
   for (const char* every : {"1ms", "20s", "1h"}) CHECK(with(&AskedNeed::restart_every, every) == "nothing");
 }
 
-TEST_CASE("frames are as they were recorded, or random by a seed", "[arguments][frames]") {
+TEST_CASE("frames are as recorded, or random by a seed", "[arguments][frames]") {
   const ScratchFolder scratch;
   scratch.file("trace", "# ms\n10ms\r\n\n30ms\n");
   scratch.file("broken", "10ms\nsoon\n");
@@ -139,7 +139,7 @@ TEST_CASE("frames are as they were recorded, or random by a seed", "[arguments][
   CHECK(refused("3.5", seed) == "frames of different lengths are judged for one body");
 }
 
-TEST_CASE("an answer may take a minute unless asked otherwise", "[arguments]") {
+TEST_CASE("the time limit of an answer is a minute by default", "[arguments]") {
   const auto limit = [](AskedNeed asked) {
     asked.error = "1deg";
     return need_of(task_of("3.5", {}), asked).time_limit;
@@ -150,7 +150,7 @@ TEST_CASE("an answer may take a minute unless asked otherwise", "[arguments]") {
   CHECK(says(program::run("choose --help"), "--time-limit TIME=60s"));
 }
 
-TEST_CASE("what the command line does not use is refused", "[arguments]") {
+TEST_CASE("unused parts of the command line are refused", "[arguments]") {
   check_refused({
       {"choose 3.5 --error 1 --error 2", "--error is given twice"},
       {"choose 3.5 --error 1deg --json --json", "--json is given twice"},
@@ -179,7 +179,7 @@ TEST_CASE("what the command line does not use is refused", "[arguments]") {
   CHECK(says(program::run("help sweep plan"), "--looks"));
 }
 
-TEST_CASE("a sweep's plan uses all that it is told", "[arguments]") {
+TEST_CASE("a sweep's plan uses all of its arguments", "[arguments]") {
   const ScratchFolder scratch;
   const std::string plan = "sweep plan " + scratch.path().string() +
                            " 3.5 --model 'one angle' --algorithm 'Runge-Kutta 4' --over a=1deg..179deg:10 ";
@@ -214,7 +214,7 @@ TEST_CASE("a part of a test specification that selects nothing is refused", "[ar
   CHECK(program::run("verify '9.1*'").status == 0);
 }
 
-TEST_CASE("what someone runs is judged at its step", "[arguments][is_enough]") {
+TEST_CASE("a user's method is judged at its step", "[arguments][is_enough]") {
   const std::string ask = "choose 3.5 --error 1deg --horizon 4 ";
   const program::Ran good = program::printed(ask + "--method RK4@60Hz --model 'one angle'");
   INFO(good.output);
@@ -238,7 +238,7 @@ TEST_CASE("what someone runs is judged at its step", "[arguments][is_enough]") {
   CHECK(says(rows, ",step,0.016,"));
 }
 
-TEST_CASE("a method of one's own has a name, a model and a step that there are", "[arguments][is_enough]") {
+TEST_CASE("a user's method needs a name, a model and a step that exist", "[arguments][is_enough]") {
   const std::string ask = "choose 3.5 --error 1deg ";
   check_refused({
       {ask + "--method 'Runge-Kuta 4@60Hz'", "did you mean 'Runge-Kutta 4'?"},
@@ -261,7 +261,7 @@ TEST_CASE("a method of one's own has a name, a model and a step that there are",
   CHECK(step("Verlet@5ms") == 0.005);
 }
 
-TEST_CASE("the start asked for may be judged alone", "[arguments]") {
+TEST_CASE("the requested start may be judged alone", "[arguments]") {
   const program::Ran ran = program::printed(
       "choose 3.3 r0=1 r0_dot=0 theta0=0 theta0_dot=7.5 --error 0.01 --only Kepler --starts 1");
   INFO(ran.output);
@@ -269,19 +269,19 @@ TEST_CASE("the start asked for may be judged alone", "[arguments]") {
   CHECK(says(ran, "on the start asked for alone it is "));
 }
 
-TEST_CASE("an hour of chaos is answered, up to where the motion is known", "[arguments][choose]") {
+TEST_CASE("an hour of chaos is answered, up to the time until which the motion is known",
+          "[arguments][choose]") {
   const program::Ran ran = program::run("choose 3.25 theta1=1.5 --error 1cm --horizon 1h");
   INFO(ran.output);
   CHECK(ran.status == 1);
   CHECK(says(ran, "the true motion is known up to "));
 }
 
-TEST_CASE("a horizon whose first part has no two periods is judged all the same", "[arguments][choose]") {
+TEST_CASE("a horizon whose first part has no two periods is judged as well", "[arguments][choose]") {
   CHECK(program::run("choose 3.5 --criterion period --error 1% --horizon 20 --fps 1000").status == 0);
 }
 
-TEST_CASE("stability shows up to which step a criterion holds, where one is asked for",
-          "[arguments][stability]") {
+TEST_CASE("stability shows the largest step at which a requested criterion holds", "[arguments][stability]") {
   using program::printed;
   const std::string energy = "stability 3.5 --horizon 5s --criterion energy --error 5%";
   const program::Ran csv = printed(energy + " --csv"), json = printed(energy + " --json");
@@ -340,7 +340,7 @@ TEST_CASE("stability has all columns of its table, at other parameters and over 
   });
 }
 
-TEST_CASE("moments that no body has are refused", "[arguments]") {
+TEST_CASE("moments of inertia that no body can have are refused", "[arguments]") {
   check_refused({{"choose 3.33 mu3=0.126 --error 1deg",
                   "no body has these moments: mu1 - m l^2, which is 0.0625 kg m^2"},
                  {"choose 3.33 m=2 --error 1deg", "must be positive, and half of mu3 at least"},
@@ -348,7 +348,7 @@ TEST_CASE("moments that no body has are refused", "[arguments]") {
                  {"solve 3.33 mu1=0.07", "no body has these moments"}});
 }
 
-TEST_CASE("a sweep of what to choose takes a criterion", "[arguments]") {
+TEST_CASE("a sweep of choices accepts a criterion", "[arguments]") {
   const ScratchFolder scratch;
   const std::string map = scratch.path().string();
   const program::Ran plan = program::run(

@@ -3,7 +3,7 @@
 
 using namespace oddity;
 
-TEST_CASE("the factored test of a sphere and a bin finds what whole numbers find", "[6.1]") {
+TEST_CASE("the factored test of a sphere and a bin finds the same as whole numbers", "[6.1]") {
   using namespace bins;
   const Grid grid{1, 8};
   std::vector<Lattice> spheres = edge_cases(grid.half);
@@ -14,7 +14,7 @@ TEST_CASE("the factored test of a sphere and a bin finds what whole numbers find
   }
 }
 
-TEST_CASE("the widened range has a bin more at either end", "[6.1]") {
+TEST_CASE("the widened range has one more bin at either end", "[6.1]") {
   using namespace bins;
   const Grid grid{0.5, 16};
   for (const Lattice& lattice : random_spheres(1, 40, 8, 2)) {

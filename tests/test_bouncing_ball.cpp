@@ -1,5 +1,5 @@
-// A scene with events, driven as the book's are: trials, the cheapest method, limits, the map. Nothing of it
-// is told that there are events but the model.
+// A scene with events, used like the book's scenes: trials, the cheapest method, limits, the map. Only the
+// model knows of the events.
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +30,7 @@ Quantity ball(const Horizon& horizon, double e = 0.5) {
   return motion(bouncing_ball::scene(1), p, horizon, Reference::nothing());
 }
 
-/// A nanosecond an evaluation.
+/// One nanosecond per evaluation.
 Time counted_cost(const Method& m, double setting) {
   return {static_cast<double>(m.run(setting).evaluations) * 1e-9, 0};
 }
@@ -61,8 +61,7 @@ TEST_CASE("every method of the scene bounces, at every frame", "[events]") {
   }
 }
 
-TEST_CASE("bounces without end are an outcome of the scene, and so is its ball that never rests",
-          "[events]") {
+TEST_CASE("endless bounces are an outcome of the scene, and so is its ball that never rests", "[events]") {
   const Quantity beyond = ball({2});  // at rest after 1.355 s
   for (const Method& m : beyond.methods) {
     INFO(m.model << ", " << m.algorithm);
@@ -75,9 +74,9 @@ TEST_CASE("bounces without end are an outcome of the scene, and so is its ball t
       if (first_order) CHECK(near(run(beyond, m, 2 * m.knob.settings.back()).error / trial.error, 2, 0.1));
       CHECK(*std::prev(trial.answer.value.end()) == 0);
     } else {
-      // GSL's bsimp weighs errors by the state alone, and finds no step when that is nearly nothing.
+      // GSL's bsimp weighs errors by the state alone, and finds no step when the state is almost zero.
       CHECK(trial.outcome == (m.algorithm == "GSL bsimp" ? Outcome::stalled : Outcome::chattering));
-      const bool first_order = m.algorithm.ends_with("Euler");  // a step off for each bounce
+      const bool first_order = m.algorithm.ends_with("Euler");  // each bounce is off by a step
       CHECK(trial.answer.message.find(first_order ? "at t = 1.3" : "at t = 1.35") != std::string::npos);
     }
   }
@@ -101,7 +100,7 @@ TEST_CASE("the cheapest method is chosen for a scene with events", "[events]") {
   CHECK(euler->error > stepped.chosen->error * 1e3);
 }
 
-TEST_CASE("limits and maps are those of the ball that bounces", "[events]") {
+TEST_CASE("limits and maps are those of the bouncing ball", "[events]") {
   const Task task(entry);
   const Results results = with_stability(run(std::span(&task, 1), Reference::nothing(), false),
                                          std::span(&task, 1), Reference::nothing());

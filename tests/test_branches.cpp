@@ -14,7 +14,7 @@ Branching letter(const char* name, Way& way) { return {Expression::letter(name),
 
 }  // namespace
 
-TEST_CASE("a function that compares is recorded as a tree of all ways through it", "[branches]") {
+TEST_CASE("a function with comparisons is recorded as a tree of all its branches", "[branches]") {
   const auto of_two = [](Way& way) { return larger(letter("x", way), letter("y", way)).expression().coq(); };
   CHECK(tree_of(of_two) == "(if Rlt_dec (x) (y)\n  then y else x)");
   const auto of_three = [](Way& way) {
@@ -25,6 +25,6 @@ TEST_CASE("a function that compares is recorded as a tree of all ways through it
         "(if Rlt_dec (x) (z)\n  then z else x))");
 }
 
-TEST_CASE("what compares nothing is a leaf", "[branches]") {
+TEST_CASE("a function without comparisons is a leaf", "[branches]") {
   CHECK(tree_of([](Way& way) { return (letter("x", way) + 1).expression().coq(); }) == "x + 1");
 }

@@ -1,5 +1,5 @@
-// Where the page of cheapest models says that a model stops being enough for a game, against formulas and
-// integrations of this file's own, at every frame.
+// The limits up to which a model is sufficient for a game, from the page of cheapest models, compared with
+// this file's own formulas and integrations, at every frame.
 
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <cmath>
@@ -34,7 +34,7 @@ std::optional<BreakEven> break_even(Number number, const std::string& model, con
   return {};
 }
 
-/// The value at which f crosses `limit` between low and high.
+/// The argument at which f crosses `limit`, between low and high.
 double crossing(const std::function<double(double)>& f, double limit, double low, double high) {
   const bool rising = f(high) > limit;
   for (int i = 0; i < 50; ++i) {
@@ -44,8 +44,8 @@ double crossing(const std::function<double(double)>& f, double limit, double low
   return (low + high) / 2;
 }
 
-/// The page's intervals are where the largest error at any frame is within the limit, but for 0.2 % beside
-/// their ends.
+/// Within the page's intervals the largest error at any frame is within the limit, except for 0.2 % at their
+/// ends.
 void check_intervals(const BreakEven& found, const std::function<double(double)>& largest_error,
                      double limit) {
   constexpr int parts = 150;
@@ -68,7 +68,7 @@ void check_intervals(const BreakEven& found, const std::function<double(double)>
 
 // ---- 3.5 --------------------------------------------------------------------------------------------------
 
-/// theta = 2 asin(k cd(w t, k)) less a cosine of this part of w.
+/// theta = 2 asin(k cd(w t, k)) minus a cosine with this part of w.
 double off_a_cosine(double a, double part) {
   const double w = std::sqrt(9.81), k = std::sin(a / 2);
   double largest = 0;
@@ -83,7 +83,7 @@ double amplitude_corrected(double a) { return off_a_cosine(a, 1 - a * a / 16); }
 
 // ---- 3.23 -------------------------------------------------------------------------------------------------
 
-/// The mass of the bar at its own values, against its motion linearized about the level.
+/// The mass of the bar at its own values, compared with its motion linearized about the level.
 struct LoadedBar {
   double theta0;
   using State = std::array<double, 2>;
@@ -183,7 +183,7 @@ double fixed_tip(double lambda) {
 
 }  // namespace
 
-TEST_CASE("where a pendulum's closed forms stop being enough", "[cheapest]") {
+TEST_CASE("limits up to which a pendulum's closed forms are sufficient", "[cheapest]") {
   for (const auto& [model, error, low, high] :
        {std::tuple("small angle", &small_angle, 0.1, 0.5),
         std::tuple("amplitude-corrected", &amplitude_corrected, 0.5, 2.0)}) {
@@ -196,13 +196,13 @@ TEST_CASE("where a pendulum's closed forms stop being enough", "[cheapest]") {
   }
 }
 
-TEST_CASE("where a small oscillation stops being enough", "[cheapest]") {
+TEST_CASE("limits up to which a small oscillation is sufficient", "[cheapest]") {
   const auto found = break_even({3, 23}, "small oscillation", "theta0");
   REQUIRE(found);
   check_intervals(*found, small_oscillation, centimeter);
 }
 
-TEST_CASE("a mean precession is nowhere enough for good", "[cheapest]") {
+TEST_CASE("a mean precession is nowhere sufficient for good", "[cheapest]") {
   const auto found = break_even({3, 33}, "mean precession", "dpsi");
   if (found && found->parameter == "dpsi") {
     check_intervals(*found, mean_precession, degree);

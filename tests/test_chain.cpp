@@ -14,7 +14,7 @@ namespace {
 
 long most_bytes = 0, bytes = 0;
 
-/// Counts the bytes that are held.
+/// Allocator that counts the bytes in use.
 template <class T>
 struct Counting {
   using value_type = T;
@@ -32,8 +32,8 @@ struct Counting {
   bool operator==(const Counting&) const = default;
 };
 
-/// Operations of the accelerations of n links, by the tensions or by the dense matrix written down and
-/// eliminated, and the most bytes held at once.
+/// Operations of the accelerations of n links, by the tensions or by the dense matrix filled in and
+/// eliminated, and the largest number of bytes in use.
 struct Work {
   double operations, bytes;
 };
@@ -75,7 +75,7 @@ Work by_mass_matrix_of() {
 
 }  // namespace
 
-TEST_CASE("the work and the memory of a chain of up to 10,000 links are in proportion to their number",
+TEST_CASE("the work and the memory of a chain of up to 10,000 links are proportional to their number",
           "[chain]") {
   std::vector<double> links, operations, held;
   for (int n : {10, 30, 100, 300, 1000, 3000, 10'000}) {
@@ -95,7 +95,7 @@ TEST_CASE("the work and the memory of a chain of up to 10,000 links are in propo
   CHECK(by_mass_matrix_of<16>().operations > 5 * by_tensions_of(16).operations);
 }
 
-TEST_CASE("a chain moves alike by its tensions and by the dense matrix", "[chain]") {
+TEST_CASE("a chain has the same motion by its tensions and by the dense matrix", "[chain]") {
   const ex03_25::Pattern p(24);
   std::array<double, 24> mu{}, r{}, theta{}, omega{}, dense{};
   std::ranges::copy(ex03_25::mass_from_here_on(p.m), mu.begin());
@@ -120,7 +120,7 @@ TEST_CASE("the zeros of Laguerre's polynomials are the squares of a chain's freq
   }
 }
 
-TEST_CASE("a chain's largest stable step falls with the root of the number of links, as theory has it",
+TEST_CASE("a chain's largest stable step falls with the root of the number of links, as in theory",
           "[chain]") {
   constexpr double g = 9.81, r = 0.25;
   for (int n : {1, 2, 3, 10, 30, 100, 300}) {
@@ -132,7 +132,7 @@ TEST_CASE("a chain's largest stable step falls with the root of the number of li
   CHECK(near(chain::stable_step_of_links(10'000, g, r) / std::sqrt(2 * r / (10'000 * g)), 1, 0.005));
 }
 
-TEST_CASE("a chain's accelerations cost the same for each link beyond the first", "[chain]") {
+TEST_CASE("a chain's accelerations cost the same for each link after the first", "[chain]") {
   const auto cost = [](int n) {
     const ex03_25::Pattern p(n);
     const auto counted = [](const std::vector<double>& x) {

@@ -1,7 +1,7 @@
-// Needs at random over all scenes, each answered as usual and thoroughly: every method at every setting,
-// judged by truths of 24 digits. Takes a quarter of an hour, so it runs when asked: oddity_tests '[choices]',
-// of ODDITY_NEEDS (200) those from ODDITY_FIRST (0) on. The table goes to the file ODDITY_CHOICES_TABLE as
-// CSV, a row as soon as it is there.
+// Random needs over all scenes, each answered both as usual and thoroughly: every method at every setting,
+// judged by references of 24 digits. Takes a quarter of an hour, so it runs only on request: oddity_tests
+// '[choices]', for ODDITY_NEEDS (200) needs from ODDITY_FIRST (0) on. The table goes to the file
+// ODDITY_CHOICES_TABLE as CSV, each row as soon as it is known.
 
 #include <algorithm>
 #include <array>
@@ -23,7 +23,7 @@ using namespace oddity;
 
 namespace {
 
-/// As words of the command line, so that anyone can ask the same.
+/// In words of the command line, so that anyone can ask the same.
 struct Question {
   std::string exercise;
   std::vector<std::string> overrides;
@@ -45,7 +45,7 @@ std::vector<const Entry*> scenes() {
   return all;
 }
 
-/// From a hundredth to ten times what a game asks, in every unit.
+/// From a hundredth to ten times the tolerance of a game, in every unit.
 std::string random_error(const Scene& scene, const Parameters& parameters, Random& random) {
   const double times = std::abs(random.magnitude(0.01, 10));
   std::string all;
@@ -73,7 +73,7 @@ Question random_question(const Entry& entry, Random& random) {
   return question;
 }
 
-/// An evaluation costs 1 to 4 ns, as the method's name says: on every machine and in every run the same.
+/// An evaluation costs 1 to 4 ns, depending on the method's name: the same on every machine and in every run.
 Time price_by_name(const Method& method, double setting) {
   double seed = 0;
   for (const char letter : method.model + method.algorithm)
@@ -85,7 +85,7 @@ Time price_by_name(const Method& method, double setting) {
 struct Answered {
   std::string says;
   double nanoseconds = not_a_number;  ///< a frame, by its price
-  double cpu = 0;                     ///< s, that the answer took
+  double cpu = 0;                     ///< s of CPU time for the answer
 };
 
 Answered answered(const Question& question, bool thorough, const Reference& truth) {
@@ -130,8 +130,8 @@ void compare(int number, const Question& question) {
         << format_significant(thorough.cpu, 3) << "\n";
 }
 
-/// Of the chain, where neighbours part a millionfold and more: long double's routes disagree by up to what is
-/// asked, and some starts no double can follow.
+/// Needs on the chain, where neighbours diverge a millionfold and more: routes in long double disagree by up
+/// to the tolerance, and some starts no double can follow.
 std::vector<Question> chaotic() {
   std::vector<Question> all;
   for (const auto& [start, error, horizon] : {std::array{"2", "0.01m", "10"},
@@ -153,7 +153,7 @@ std::vector<Question> chaotic() {
 
 }  // namespace
 
-TEST_CASE("the usual answer is the thorough one, or another as good", "[.][choices]") {
+TEST_CASE("the usual answer is the thorough one, or as good", "[.][choices]") {
   const auto all = scenes();
   const int first = in_environment("ODDITY_FIRST", 0);
   const int needs = in_environment("ODDITY_NEEDS", 200);

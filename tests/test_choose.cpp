@@ -1,4 +1,4 @@
-// Choosing, on a made-up scene whose truth is a = x(t) for all t and whose methods err by known amounts.
+// Choosing, on a made-up scene whose true motion is a = x(t) for all t, with methods of known errors.
 
 #include <algorithm>
 #include <chrono>
@@ -27,7 +27,7 @@ namespace {
 
 constexpr Parameter parameters[] = {{"a", 1, "m", "where it stays", 0, 10}};
 
-/// x = a (1 + error) at one frame in the middle, and a at the others, of that many evaluations.
+/// x = a (1 + error) at one frame in the middle, and a at the others, with this many evaluations.
 Method method(std::string model, std::string algorithm, Knob knob, double a, int frames,
               std::function<double(double)> error, std::function<long(double)> evaluations) {
   return {std::move(model), std::move(algorithm), std::move(knob), [=](double setting) {
@@ -37,8 +37,8 @@ Method method(std::string model, std::string algorithm, Knob knob, double a, int
           }};
 }
 
-/// "coarse": off by a tenth of (a - 1). "stepping": off by its step, in float by 0.02 at least. "rich":
-/// right, at a hundred evaluations.
+/// "coarse": off by a tenth of (a - 1). "stepping": off by its step, in float by at least 0.02. "rich":
+/// exact, at a hundred evaluations.
 Quantity place(const Parameters& p, const Horizon& horizon, const Reference&) {
   const double a = p["a"];
   const auto everywhere = static_cast<std::size_t>(horizon.count());
@@ -69,7 +69,7 @@ const Entry entry{{3, 99},
                   {"made up", "", parameters,
                    Scene{place, 10, 0.01, "a", {1, 2}, {"a"}, {{"x"}, "s", {{"m", {0}}}}}, nullptr}};
 
-/// A nanosecond an evaluation.
+/// One nanosecond per evaluation.
 Time counted_cost(const Method& m, double setting) {
   return {static_cast<double>(m.run(setting).evaluations) * 1e-9, 0};
 }
@@ -90,7 +90,7 @@ Choice choose_for(const Need& need, double a = 1, const Price& price = counted_c
 
 }  // namespace
 
-TEST_CASE("the cheapest method that holds is chosen, and tested elsewhere", "[choose]") {
+TEST_CASE("the cheapest method that holds is chosen, and tested on other starts", "[choose]") {
   const Choice choice = choose_for(asked(0.05, 10));
   REQUIRE(choice.chosen);
   CHECK(choice.chosen->model == "coarse");
@@ -105,11 +105,11 @@ TEST_CASE("the cheapest method that holds is chosen, and tested elsewhere", "[ch
   std::set<std::pair<std::string, std::string>> methods;
   for (const Candidate& c : choice.candidates) CHECK(methods.emplace(c.model, c.algorithm).second);
   CHECK(methods.size() >= 2);
-  for (std::size_t i = 1; i < choice.candidates.size(); ++i)  // what takes no time is last
+  for (std::size_t i = 1; i < choice.candidates.size(); ++i)  // methods without a time come last
     CHECK_FALSE(choice.candidates[i - 1].seconds_per_frame > choice.candidates[i].seconds_per_frame);
 }
 
-TEST_CASE("how far it is, is told of every stage to its end", "[choose]") {
+TEST_CASE("every stage reports progress up to 100 %", "[choose]") {
   std::mutex telling;
   std::map<std::string, std::pair<double, std::size_t>> last;
   const Progress progress = [&](const std::string& stage, double done, std::size_t all) {
@@ -125,7 +125,7 @@ TEST_CASE("how far it is, is told of every stage to its end", "[choose]") {
   }
 }
 
-TEST_CASE("what may tie with the chosen one is followed to twice its cost, and is not the next cheaper",
+TEST_CASE("a possible tie is refined up to twice the cost of the chosen one, and is not the next cheaper",
           "[choose]") {
   Need need = asked(0.0056, 10);  // 20 steps a frame; 16 are tried at once
   need.exclude = {"coarse"};
@@ -141,13 +141,13 @@ TEST_CASE("what may tie with the chosen one is followed to twice its cost, and i
     return {m.model == "rich" ? 2.2e-6 : counted_cost(m, setting).seconds, 0};
   };
   const Choice tie = choose_for(need, 1, cheaper);
-  CHECK(tie.chosen->model == "rich");  // as it is more accurate
+  CHECK(tie.chosen->model == "rich");  // being more accurate
   CHECK(tie.ties.size() == 1);
   REQUIRE(tie.next_cheaper);
   CHECK_FALSE(tie.next_cheaper->holds());
 }
 
-TEST_CASE("a simple method is followed to its margin where another holds at less work", "[choose]") {
+TEST_CASE("a simple method is refined to its margin where another holds at less work", "[choose]") {
   Need need = asked(0.017, 10);  // with a margin of three 20 steps a frame; 16 are tried at once
   need.exclude = {"coarse"};
   need.objective = Objective::simple;
@@ -158,7 +158,7 @@ TEST_CASE("a simple method is followed to its margin where another holds at less
   CHECK(std::lround(1 / (10 * choice.chosen->setting)) == 20);
 }
 
-TEST_CASE("a method that does not hold says on which start it errs most", "[choose]") {
+TEST_CASE("a method that does not hold names the start with its largest error", "[choose]") {
   std::vector<Start> starts;
   for (int a : {2, 5, 3}) {
     Parameters p(entry.exercise.parameters);
@@ -183,7 +183,7 @@ TEST_CASE("starts are tried in the order of those named, and then in their own",
   CHECK(order == "harder hard asked easy ");
 }
 
-TEST_CASE("an exception on a start counts where those before it hold", "[choose]") {
+TEST_CASE("an exception on a start counts if the starts before it hold", "[choose]") {
   std::vector<Start> starts;
   for (const std::string says : {"holds", "fails", "throws"}) {
     Quantity q = place(Parameters(parameters), {10, 100}, Reference::nothing());
@@ -203,7 +203,7 @@ TEST_CASE("an exception on a start counts where those before it hold", "[choose]
   CHECK(complaint([&] { tried({"holds", "throws"}); }) == "not known any better");
 }
 
-TEST_CASE("of the settings that hold the first is found, and the first that does with a margin", "[choose]") {
+TEST_CASE("the first setting that holds is found, and the first that holds with a margin", "[choose]") {
   Need need = asked(0.1, 10);
   need.objective = Objective::simple;  // with a margin of three
   const Horizon horizon{need.horizon, static_cast<int>(need.frames())};
@@ -222,10 +222,9 @@ TEST_CASE("of the settings that hold the first is found, and the first that does
 
 namespace {
 
-constexpr double far_off = 300;  // of the need, as far as the motion goes
+constexpr double far_off = 300;  // in tolerances, up to the motion's size
 
-/// Errors that grow with the step to the power `order`, as far as the motion goes; beyond `limit` it is
-/// unstable.
+/// Errors that grow with the step to the power `order`, up to the motion's size; unstable beyond `limit`.
 struct Converging {
   std::string algorithm;
   double order, error_at_a_frame;
@@ -263,33 +262,32 @@ struct Converging {
 
 }  // namespace
 
-TEST_CASE("settings that cannot hold, as errors fall by no more than the order has it, are skipped",
-          "[choose]") {
+TEST_CASE("settings that cannot hold by the algorithm's order are skipped", "[choose]") {
   using Steps = std::vector<long>;
-  // 300 times too far off: by a fifth power and a luck of four, a 2.4th of the step at least.
+  // Errors 300 times too large: with a fifth power and a safety factor of four, the step must shrink 2.4
+  // times at least.
   CHECK(Converging{"Runge-Kutta 4", 4, 1e5}.tried() == Steps{1, 3, 8, 12, 16, 20});
-  // What an unstable step skips is looked through when a finer one holds.
+  // Steps skipped because of instability are tried when a finer one holds.
   CHECK(Converging{"Runge-Kutta 4", 4, 0.5, 0.3}.tried() == Steps{1, 3, 4});
   CHECK(Converging{"Runge-Kutta 4", 4, 0.5, 0.5}.tried() == Steps{1, 2});
-  // The finest is tried before anyone says that nothing holds.
+  // The finest is tried before the answer is that nothing holds.
   CHECK(Converging{"explicit Euler", 0, 1e5}.tried() == Steps{1, 10, 96, 512});
-  // Between what was skipped and what holds with a margin, the coarsest that does.
+  // Between the skipped steps and one that holds with a margin, the coarsest that does is found.
   Converging with_margin{"Runge-Kutta 4", 4, 200, 0.3};
   with_margin.need.objective = Objective::simple;
   CHECK(with_margin.tried() == Steps{1, 3, 4, 5});
-  // Of what is not finite nobody knows how far off it is.
+  // An error that is not finite has no size.
   CHECK(Converging{"Runge-Kutta 4", 4, 0.5, 0.3, std::numeric_limits<double>::infinity()}.tried() ==
         Steps{1, 2, 3, 4});
-  // Of an unknown order, or thoroughly, all are tried.
+  // With an unknown order, or thoroughly, all are tried.
   CHECK(Converging{"by hand", 4, 1e3}.tried() == Steps{1, 2, 3, 4, 5, 6});
   Converging thorough{"Runge-Kutta 4", 4, 1e3};
   thorough.need.thorough = true;
   CHECK(thorough.tried() == Steps{1, 2, 3, 4, 5, 6});
 }
 
-TEST_CASE("in chaos an error that is as large as the motion tells how much finer a step has to be",
-          "[choose]") {
-  // Errors and disturbances grow by so much each frame, and are no larger than the motion.
+TEST_CASE("in chaos an error as large as the motion shows how much finer a step has to be", "[choose]") {
+  // Errors and disturbances grow by this factor each frame, up to the size of the motion.
   Need need = asked(0.1, 10);
   const auto tried = [&](double by, double at_first, bool is_chaotic) {
     const auto grown = [by](double from, int frame) { return std::min(3.0, from * std::pow(by, frame)); };
@@ -311,9 +309,10 @@ TEST_CASE("in chaos an error that is as large as the motion tells how much finer
     return steps;
   };
   using Steps = std::vector<long>;
-  // 0.001 grow to 125 times what is asked, of which a 16th is less than the 30 seen.
+  // 0.001 grows to 125 times the tolerance, of which a 16th is less than the 30 seen.
   CHECK(tried(1.1, 0.001, true) == tried(1.1, 0.001, false));
-  // 0.09 grow to 11,270 times: by a second power and a luck of four, a 13th of the step at least.
+  // 0.09 grows to 11,270 times: with a second power and a safety factor of four, the step must shrink 13
+  // times at least.
   CHECK(tried(1.1, 0.09, false) == Steps{1, 3, 10, 32, 96, 384, 512});
   CHECK(tried(1.1, 0.09, true) == Steps{1, 16, 64, 192, 512});
   // To 62 million times: not even 512 steps a frame can hold.
@@ -321,7 +320,7 @@ TEST_CASE("in chaos an error that is as large as the motion tells how much finer
   CHECK(tried(1.2, 0.09, true) == Steps{1});
 }
 
-TEST_CASE("what holds with the margin at no setting does not on more starts", "[choose]") {
+TEST_CASE("a method that holds with the margin at no setting does not do so on more starts", "[choose]") {
   Need need = asked(0.1, 10);
   need.objective = Objective::simple;  // with a margin of three
   const auto tried = [&](double finest_error) {
@@ -344,7 +343,7 @@ TEST_CASE("what holds with the margin at no setting does not on more starts", "[
   CHECK_FALSE(tried(0.09));
 }
 
-TEST_CASE("a method that does not listen to its tolerance is not asked again", "[choose]") {
+TEST_CASE("a method that ignores its tolerance is not tried again", "[choose]") {
   Need need = asked(0.1, 10);
   need.objective = Objective::simple;  // with a margin of three
   Quantity q = place(Parameters(parameters), {10, 100}, Reference::nothing());
@@ -361,10 +360,10 @@ TEST_CASE("a method that does not listen to its tolerance is not asked again", "
     return tries.candidates.size();
   };
   CHECK(settings_tried(starts[0].motion.methods[0]) == 2);
-  CHECK(settings_tried(starts[0].motion.methods[1]) == 3);  // what fails is tried at the finest, too
+  CHECK(settings_tried(starts[0].motion.methods[1]) == 3);  // a failing method is tried at the finest, too
 }
 
-TEST_CASE("what fails on a start is tried there first at the next setting", "[choose]") {
+TEST_CASE("a start on which a method fails is tried first at the next setting", "[choose]") {
   std::vector<std::string> seen;
   std::vector<Start> starts;
   for (const char* says : {"easy", "hard"}) {
@@ -384,7 +383,7 @@ TEST_CASE("what fails on a start is tried there first at the next setting", "[ch
   CHECK(std::vector(seen.begin(), seen.begin() + 3) == std::vector<std::string>{"easy", "hard", "hard"});
 }
 
-TEST_CASE("the start that is the hardest to others is tried first, unless another failed the method",
+TEST_CASE("the start that is hardest for others is tried first, unless another one failed the method",
           "[choose]") {
   std::vector<std::string> seen;
   std::mutex seeing;
@@ -392,7 +391,7 @@ TEST_CASE("the start that is the hardest to others is tried first, unless anothe
   for (const std::string says : {"asked", "hard", "harder"}) {
     Quantity q = place(Parameters(parameters), {10, 100}, Reference::nothing());
     q.need.allowed = 0.01;
-    // By one step a frame all fail; by two the last one alone.
+    // With one step a frame all starts fail; with two only the last one.
     q.methods = {{"model", "by hand", halving("step", 1, 3), [&, says](double h) {
                     const std::lock_guard lock(seeing);
                     seen.push_back(says);
@@ -408,7 +407,7 @@ TEST_CASE("the start that is the hardest to others is tried first, unless anothe
   CHECK(seen == std::vector<std::string>{"hard", "hard", "asked", "harder", "harder", "asked", "hard"});
 }
 
-TEST_CASE("a better known truth is asked where the one at hand does not decide", "[choose]") {
+TEST_CASE("a better known reference is requested where the present one does not decide", "[choose]") {
   const auto start_of = [](double truth, double known_to) {
     Quantity q = place(Parameters(parameters), {10, 100}, Reference::nothing());
     q.need.allowed = 1;
@@ -433,7 +432,7 @@ TEST_CASE("a better known truth is asked where the one at hand does not decide",
     evaluate(starts, m, 0, need);
     return evaluate(starts, m, 0, need);
   };
-  CHECK(judged(3, 1.9).error == 3);  // fails, whatever the truth is
+  CHECK(judged(3, 1.9).error == 3);  // fails for any true value
   CHECK(made == 0);
   CHECK(judged(0.8, 0.1).holds());
   CHECK(made == 0);
@@ -441,18 +440,18 @@ TEST_CASE("a better known truth is asked where the one at hand does not decide",
   CHECK(made == 1);
   CHECK(judged(3, 2.1).error == 0.25);
   CHECK(made == 1);
-  judged(0.4, 0.1, Objective::simple);  // with a margin of three, or without
+  judged(0.4, 0.1, Objective::simple);  // holds with a margin of three, or only without
   CHECK(made == 1);
   judged(0.4, 0.01, Objective::simple);
   CHECK(made == 0);
-  judged(0.95, 0.1, Objective::simple);  // without the margin, if it holds
+  judged(0.95, 0.1, Objective::simple);  // decides without the margin
   CHECK(made == 1);
-  judged(1.0 / 3, 1e-3, Objective::simple);  // of a margin a thousandth decides nothing
+  judged(1.0 / 3, 1e-3, Objective::simple);  // a thousandth does not decide about a margin
   CHECK(made == 0);
 }
 
 TEST_CASE(
-    "what fails where a truth is known fails on the whole, and what holds there is judged by a better one",
+    "a method that fails on the known part fails on the whole, and one that holds there is judged by a better reference",
     "[choose]") {
   int made = 0;
   Quantity q = place(Parameters(parameters), {10, 100}, Reference::nothing());
@@ -486,7 +485,7 @@ TEST_CASE(
   CHECK(made == 1);
 }
 
-TEST_CASE("what was tried on a start is not tried again, unless it ran out of evaluations", "[choose]") {
+TEST_CASE("a start that was tried is not tried again, unless it ran out of evaluations", "[choose]") {
   int runs = 0;
   Ending ending = Ending::reached;
   Quantity q = place(Parameters(parameters), {10, 100}, Reference::nothing());
@@ -521,8 +520,8 @@ TEST_CASE("one step a frame is one, and two are several", "[choose]") {
   CHECK(shown_setting(candidate, asked(1, 1, 10)) == "2 steps per frame");
 }
 
-TEST_CASE("what restarts cost a method counts as often as runs are ended", "[choose]") {
-  // One evaluation a frame after 30 to begin with; the other takes two, from the first frame on.
+TEST_CASE("the cost of restarting a method counts once per restart", "[choose]") {
+  // One evaluation a frame after 30 at the beginning; the other method takes two from the first frame on.
   const auto scene = [](const Parameters& p, const Horizon& horizon, const Reference&) {
     const auto frames = static_cast<std::size_t>(horizon.count());
     Quantity q{"place", "m",        "", {"exact", Value(std::vector<double>(frames, p["a"]))},
@@ -543,7 +542,7 @@ TEST_CASE("what restarts cost a method counts as often as runs are ended", "[cho
   Need need = asked(0.01, 100);
   const auto chosen = [&] {
     const Choice choice = choose(task, need, truth, counted_cost);
-    std::set<std::string> models;  // of one algorithm, each listed once
+    std::set<std::string> models;  // each listed once per algorithm
     for (const Candidate& c : choice.candidates) CHECK(models.insert(c.model).second);
     return *choice.chosen;
   };
@@ -562,8 +561,8 @@ TEST_CASE("what restarts cost a method counts as often as runs are ended", "[cho
   CHECK(near_ulps(chosen().seconds_per_frame, 2e-9, 64));
 }
 
-TEST_CASE("a period is measured between passages of the mean, wherever the motion lies", "[choose]") {
-  // Once a second about 5; the method is slower by a hundredth.
+TEST_CASE("a period is measured between passages of the mean, wherever the motion is", "[choose]") {
+  // One period a second about 5; the method's is longer by a hundredth.
   const auto scene = [](const Parameters& p, const Horizon& horizon, const Reference&) {
     const auto turning = [&](double period) {
       std::vector<double> x;
@@ -589,10 +588,10 @@ TEST_CASE("a period is measured between passages of the mean, wherever the motio
   CHECK(near_part(choice.chosen->error, 0.5, 0.03));
   const auto quick = std::ranges::find(choice.candidates, "quick", &Candidate::model);
   REQUIRE(quick != choice.candidates.end());
-  CHECK(near_part(quick->error, 10, 0.03));  // of more passages
+  CHECK(near_part(quick->error, 10, 0.03));  // over more passages
 }
 
-TEST_CASE("a coarse model that fails beside the start asked for is not chosen", "[choose]") {
+TEST_CASE("a coarse model that fails next to the requested start is not chosen", "[choose]") {
   const Choice choice = choose_for(asked(0.005, 1));
   REQUIRE(choice.chosen);
   CHECK(choice.chosen->model == "rich");
@@ -625,8 +624,9 @@ TEST_CASE("a simple method is one of fixed step or closed form that holds with a
   CHECK(rich.chosen->model == "rich");
 }
 
-TEST_CASE("of what costs the same within a quarter the most accurate is chosen, and the tie is told",
-          "[choose]") {
+TEST_CASE(
+    "among methods with equal cost within a quarter the most accurate is chosen, and the tie is reported",
+    "[choose]") {
   const auto price = [](const Method& m, double) -> Time {
     return {m.model == "coarse" ? 1e-6 : m.model == "rich" ? 1.2e-6 : 1, 0};
   };
@@ -645,7 +645,7 @@ TEST_CASE("of what costs the same within a quarter the most accurate is chosen, 
   CHECK(choose_for(asked(0.05, 10), 1, noisy).chosen->model == "rich");
 }
 
-TEST_CASE("what came to an end has a cost to compare", "[choose]") {
+TEST_CASE("a run that came to an end has a cost to compare", "[choose]") {
   for (const Outcome outcome : {Outcome::ok, Outcome::inaccurate, Outcome::drifted, Outcome::diverged}) {
     Candidate t;
     t.outcome = outcome;
@@ -659,7 +659,7 @@ TEST_CASE("what came to an end has a cost to compare", "[choose]") {
   }
 }
 
-TEST_CASE("a motion is known well to a millionth of the least need", "[choose]") {
+TEST_CASE("a motion is known well if its error is a millionth of the smallest need", "[choose]") {
   Quantity q = place(Parameters(parameters), {1, 10}, Reference::nothing());
   q.needs = {3, 0.01};
   q.reference_error = 0.9e-8;
@@ -668,7 +668,7 @@ TEST_CASE("a motion is known well to a millionth of the least need", "[choose]")
   CHECK_FALSE(is_known_well(q));
 }
 
-TEST_CASE("only, exclude: words of models and algorithms", "[choose]") {
+TEST_CASE("--only and --exclude select by words of models and algorithms", "[choose]") {
   Need need = asked(0.05, 10);
   need.exclude = {"coarse"};
   CHECK(choose_for(need).chosen->model == "rich");
@@ -692,7 +692,7 @@ TEST_CASE("a need relative to the motion is the same at any size", "[choose]") {
   }
 }
 
-TEST_CASE("a need that nothing meets is said, with the nearest miss", "[choose]") {
+TEST_CASE("a need that nothing meets is reported, with the nearest miss", "[choose]") {
   Need need = asked(1e-9, 10);
   need.budget = 1e-9;
   const Choice poor = choose_for(need);
@@ -709,8 +709,9 @@ TEST_CASE("a need that nothing meets is said, with the nearest miss", "[choose]"
   CHECK(choice_text(impossible, false).find("Nothing here meets that") != std::string::npos);
 }
 
-TEST_CASE("the nearest miss is the one that misses least on its worst start", "[choose]") {
-  // At a = 5 the one that errs with the distance from there is nearer, on the starts beside it the other.
+TEST_CASE("the nearest miss is the method that misses least on its worst start", "[choose]") {
+  // At a = 5 the method whose error grows with the distance from there is nearer, on the neighbouring starts
+  // the other.
   const auto scene = [](const Parameters& p, const Horizon& horizon, const Reference&) {
     const double a = p["a"];
     Quantity q = place(p, horizon, Reference::nothing());
@@ -748,7 +749,7 @@ Quantity staying(double a, const Horizon& horizon) {
   return q;
 }
 
-/// What to choose for a scene of it at a = 5.
+/// The choice for such a scene at a = 5.
 Choice choose_at_5(Quantity (*motion)(const Parameters&, const Horizon&, const Reference&),
                    const Need& need) {
   const Entry staying_there{
@@ -762,7 +763,7 @@ Choice choose_at_5(Quantity (*motion)(const Parameters&, const Horizon&, const R
   return choose(task, need, truth, counted_cost);
 }
 
-/// Model and algorithm, error and evaluations; at whatever start and setting.
+/// Adds a method with this model, algorithm, error and number of evaluations, for any start and setting.
 void add(Quantity& q, const std::string& model, const std::string& algorithm, double error,
          long evaluations) {
   const int frames = q.samples;
@@ -774,7 +775,8 @@ void add(Quantity& q, const std::string& model, const std::string& algorithm, do
 
 }  // namespace
 
-TEST_CASE("of what is as fast and as accurate the simpler is chosen, in the catalog's order", "[choose]") {
+TEST_CASE("among equally fast and accurate methods the simpler is chosen, in the catalog's order",
+          "[choose]") {
   const auto scene = [](const Parameters& p, const Horizon& horizon, const Reference&) {
     Quantity q = staying(p["a"], horizon);
     for (const char* algorithm : {"Runge-Kutta 4", "explicit Euler", "closed form"})
@@ -787,10 +789,10 @@ TEST_CASE("of what is as fast and as accurate the simpler is chosen, in the cata
   CHECK(choose_at_5(scene, need).chosen->algorithm == "explicit Euler");
 }
 
-TEST_CASE("where what was picked fails its test, its starts are seen and others are made", "[choose]") {
+TEST_CASE("when a pick fails its test, the test's starts are added and others are made", "[choose]") {
   const auto scene = [](const Parameters& p, const Horizon& horizon, const Reference&) {
     Quantity q = staying(p["a"], horizon);
-    add(q, "up to 5", "explicit Euler", std::max(0.0, p["a"] - 5), 1);  // which those seen first are
+    add(q, "up to 5", "explicit Euler", std::max(0.0, p["a"] - 5), 1);  // the first starts are among these
     add(q, "everywhere", "Runge-Kutta 4", 1e-5, 10);
     return q;
   };
@@ -805,7 +807,7 @@ TEST_CASE("where what was picked fails its test, its starts are seen and others 
   CHECK(starts.size() == 9);
 }
 
-TEST_CASE("what the objective wants is looked for within the budget where something else is cheaper",
+TEST_CASE("the objective's method is searched within the budget where something else is cheaper",
           "[choose]") {
   const auto scene = [](const Parameters& p, const Horizon& horizon, const Reference&) {
     Quantity q = staying(p["a"], horizon);
@@ -837,7 +839,7 @@ TEST_CASE("what the objective wants is looked for within the budget where someth
   CHECK(choice.chosen->model == "stepping");
 }
 
-TEST_CASE("what is as accurate within a tenth is as accurate", "[choose]") {
+TEST_CASE("errors within 10 % count as equal", "[choose]") {
   const auto scene = [](const Parameters& p, const Horizon& horizon, const Reference&) {
     Quantity q = staying(p["a"], horizon);
     add(q, "right", "Runge-Kutta 4", 1e-5, 10);
@@ -848,7 +850,7 @@ TEST_CASE("what is as accurate within a tenth is as accurate", "[choose]") {
   CHECK(choose_at_5(scene, asked(1e-3, 3)).chosen->algorithm == "explicit Euler");
 }
 
-TEST_CASE("methods with a history are left out when one step is asked for", "[choose]") {
+TEST_CASE("methods with a history are left out when one step at a time is requested", "[choose]") {
   const auto scene = [](const Parameters& p, const Horizon& horizon, const Reference&) {
     Quantity q = staying(p["a"], horizon);
     for (const char* algorithm : {"Adams-Bashforth 4", "GSL msadams", "GSL msbdf", "explicit Euler"})
@@ -864,7 +866,7 @@ TEST_CASE("methods with a history are left out when one step is asked for", "[ch
   CHECK(choose_at_5(scene, need).chosen->algorithm == "explicit Euler");
 }
 
-TEST_CASE("the next richer model holds at a higher cost, and is another", "[choose]") {
+TEST_CASE("the next richer model holds at a higher cost, and is another model", "[choose]") {
   const auto scene = [](const Parameters& p, const Horizon& horizon, const Reference&) {
     Quantity q = staying(p["a"], horizon);
     add(q, "with a history", "Adams-Bashforth 4", 1e-9, 50);
@@ -894,7 +896,7 @@ TEST_CASE("the next richer model holds at a higher cost, and is another", "[choo
   }
 }
 
-TEST_CASE("it is said what a rollback takes", "[choose]") {
+TEST_CASE("the answer reports the cost of a rollback", "[choose]") {
   const auto scene = [](const Parameters& p, const Horizon& horizon, const Reference&) {
     Quantity q = staying(p["a"], horizon);
     add(q, "one", "explicit Euler", 1e-10, 300);
@@ -908,7 +910,7 @@ TEST_CASE("it is said what a rollback takes", "[choose]") {
   CHECK(
       answer_text(choice).ends_with("  rollback: 32 bytes of state to save; from there 8 frames again take " +
                                     shown_time(8 * frame) + ".\n"));
-  choice.restart = 2 * choice.chosen->evaluations_per_frame;  // a history that is begun anew
+  choice.restart = 2 * choice.chosen->evaluations_per_frame;  // a history that is restarted
   CHECK(answer_text(choice).ends_with(" take " + shown_time(10 * frame) + ".\n"));
   need.bodies = 10;
   choice.need = need;
@@ -920,7 +922,7 @@ TEST_CASE("it is said what a rollback takes", "[choose]") {
       "  rollback: there is no state to save, and any frame is computed at once.\n"));
 }
 
-TEST_CASE("an engine's steps are tried at 60, 120 and 240 Hz, or as soon above as fills a frame",
+TEST_CASE("an engine's steps are tried at 60, 120 and 240 Hz, or at the next higher rates that fill a frame",
           "[choose]") {
   const auto scene = [](const Parameters& p, const Horizon& horizon, const Reference&) {
     Quantity q = staying(p["a"], horizon);
@@ -938,8 +940,9 @@ TEST_CASE("an engine's steps are tried at 60, 120 and 240 Hz, or as soon above a
   CHECK(rates(120) == std::vector<long>{120, 240});
 }
 
-TEST_CASE("where a start beside the one asked for decides, the answer says what holds on that", "[choose]") {
-  // Right at a = 5, and off by the distance from there.
+TEST_CASE("where a neighbouring start decides, the answer names the method for the requested start",
+          "[choose]") {
+  // Exact at a = 5, and off by the distance from there.
   const auto scene = [](const Parameters& p, const Horizon& horizon, const Reference&) {
     const double a = p["a"];
     Quantity q = staying(a, horizon);
@@ -964,8 +967,8 @@ TEST_CASE("where a start beside the one asked for decides, the answer says what 
   CHECK_FALSE(choose_at_5(scene, need).on_asked);
 }
 
-TEST_CASE("what fails on the start asked for is not said to hold there", "[choose]") {
-  // Off by more the smaller a is, and one of them everywhere.
+TEST_CASE("a method that fails on the requested start is not reported to hold there", "[choose]") {
+  // The smaller a is, the larger the error; one method has the same error everywhere.
   const auto scene = [](const Parameters& p, const Horizon& horizon, const Reference&) {
     const double a = p["a"];
     Quantity q = staying(a, horizon);
@@ -983,7 +986,7 @@ TEST_CASE("what fails on the start asked for is not said to hold there", "[choos
   CHECK(choice.on_asked->holds());
 }
 
-TEST_CASE("what takes many evaluations is timed over its first frames", "[choose]") {
+TEST_CASE("a method with many evaluations is timed over its first frames", "[choose]") {
   const auto scene = [](const Parameters& p, const Horizon& horizon, const Reference&) {
     Quantity q = staying(p["a"], horizon);
     for (const long each : {100L, 100'000L})
@@ -1012,7 +1015,7 @@ TEST_CASE("what takes many evaluations is timed over its first frames", "[choose
 
 namespace {
 
-/// At 10 frames a second, in metres: a true path, and the same with its start off by `off(t)`.
+/// At 10 frames a second, in metres: a true path, and the same from a start that is off by `off(t)`.
 struct Neighbours {
   Quantity motion{"place", "m", "", {"exact", Value(std::vector<double>())}, 1e-16, {1e-2, ""}, {}, {}};
   std::vector<double> truth, beside;
@@ -1042,21 +1045,21 @@ double chaotic(double t) { return std::min(1.0, 1e-9 * std::exp(3 * t)); }
 
 }  // namespace
 
-TEST_CASE("of what is lost in chaos it is told what it would have grown to", "[choose]") {
+TEST_CASE("in chaos a saturated error is extrapolated", "[choose]") {
   const Parting parting = Neighbours(10, chaotic).parting();
   REQUIRE(parting.is_chaotic);
-  CHECK(near_ulps(parting.until.back(), 100, 64));  // as large as the motion, in needs
-  // Half of what is asked after 3 s, and as large as the motion from then on.
+  CHECK(near_ulps(parting.until.back(), 100, 64));  // as large as the motion, in tolerances
+  // Half the tolerance up to 3 s, and as large as the motion from then on.
   std::vector<double> until(100, 50);
   std::fill_n(until.begin(), 30, 0.5);
   CHECK(near_part(parting.in_the_end(until), 0.5 * 100 / (1e-7 * std::exp(9)) / 16, 1e-11));
   CHECK(parting.in_the_end(std::vector<double>(100, 0.5)) == 0.5);  // never lost
   CHECK(parting.in_the_end(std::vector<double>(100, 50)) == 50);    // never there
-  CHECK(parting.in_the_end({0.5, 50}) == 50);                       // of other frames
+  CHECK(parting.in_the_end({0.5, 50}) == 50);                       // with another number of frames
   CHECK(Neighbours(10, [](double t) { return 1e-9 * t; }).parting().in_the_end(until) == 50);
 }
 
-TEST_CASE("a chaotic motion is told from a regular one, however long one watches", "[choose]") {
+TEST_CASE("a chaotic motion is distinguished from a regular one, over any horizon", "[choose]") {
   for (double horizon : {7.0, 10.0, 20.0, 100.0}) {
     const auto until = Neighbours(horizon, chaotic).told_until();
     INFO("over " << horizon);
@@ -1073,7 +1076,8 @@ TEST_CASE("a chaotic motion is told from a regular one, however long one watches
   }
 }
 
-TEST_CASE("a choice says until when a chaotic path can be told, and nothing of a regular one", "[choose]") {
+TEST_CASE("a choice reports until when a chaotic path is predictable, and nothing for a regular one",
+          "[choose]") {
   for (double rate : {3.0, 0.0}) {
     INFO("grows by e to the " << rate << " a second");
     static double growth;
@@ -1095,7 +1099,7 @@ TEST_CASE("a choice says until when a chaotic path can be told, and nothing of a
   }
 }
 
-TEST_CASE("each unit is lost by its own error", "[choose]") {
+TEST_CASE("each unit loses the path by its own error", "[choose]") {
   const Neighbours one(10, chaotic), other(10, [](double t) { return 1e-9 * t; });
   Neighbours both = one;
   std::vector<double> truth, beside;
@@ -1115,9 +1119,7 @@ TEST_CASE("each unit is lost by its own error", "[choose]") {
   CHECK_FALSE(both.told_until());
 }
 
-TEST_CASE(
-    "without a path that is asked for nothing is said of chaos, and without a size nothing of exactness",
-    "[choose]") {
+TEST_CASE("without a requested path chaos is not reported, and without a size no exactness", "[choose]") {
   Need need = asked(1, 10);
   need.criterion = Criterion::bounded;
   const Choice choice = choose_for(need);
@@ -1129,7 +1131,7 @@ TEST_CASE(
   CHECK(choice_json(choice).find("\"margin\": null") != std::string::npos);
 }
 
-TEST_CASE("how long was judged is said where the frames end elsewhere", "[choose]") {
+TEST_CASE("the judged time is reported where the frames do not fill the horizon", "[choose]") {
   CHECK(
       asked_text(choose_for(asked(0.05, 0.1, 26))).find("over 3 frames, 0.115 s, at 26 frames per second") !=
       std::string::npos);
@@ -1137,7 +1139,7 @@ TEST_CASE("how long was judged is said where the frames end elsewhere", "[choose
         std::string::npos);
 }
 
-TEST_CASE("the next cheaper one that was tried may hold without the margin", "[choose]") {
+TEST_CASE("the next cheaper one tried may hold without the margin", "[choose]") {
   Need need = asked(0.1, 0.3);
   need.objective = Objective::simple;
   need.only = {"stepping"};
@@ -1151,9 +1153,8 @@ TEST_CASE("the next cheaper one that was tried may hold without the margin", "[c
   CHECK(answer_text(choice).find("instead of 3") != std::string::npos);
 }
 
-TEST_CASE("what came to an end where it failed first is not the next cheaper one if it does not elsewhere",
-          "[choose]") {
-  // The cheaper one is inaccurate everywhere, and below a = 5 not finite.
+TEST_CASE("a method that fails with a non-finite result on one start is not the next cheaper", "[choose]") {
+  // The cheaper one is inaccurate everywhere, and not finite below a = 5.
   const auto scene = [](const Parameters& p, const Horizon& horizon, const Reference&) {
     const double a = p["a"];
     Quantity q = staying(a, horizon);
@@ -1172,7 +1173,7 @@ TEST_CASE("what came to an end where it failed first is not the next cheaper one
   CHECK_FALSE(choice.next_cheaper);
 }
 
-TEST_CASE("an error is shown in the unit asked in", "[choose]") {
+TEST_CASE("an error is shown in the requested unit", "[choose]") {
   Need need = asked(0.05, 10);
   need.shown = {{"m", {"cm", 0.01}}};
   const Choice choice = choose_for(need);
@@ -1181,7 +1182,7 @@ TEST_CASE("an error is shown in the unit asked in", "[choose]") {
   CHECK(choice_csv(choice).find("error [cm]") != std::string::npos);
 }
 
-TEST_CASE("a precision is asked for, and what is chosen in double is tried in float", "[choose]") {
+TEST_CASE("a precision can be requested, and a method chosen in double is tried in float", "[choose]") {
   Need need = asked(0.05, 10, 100);
   need.only = {"stepping"};
   const auto precisions = [](const Choice& choice) {
@@ -1217,7 +1218,7 @@ TEST_CASE("a precision is asked for, and what is chosen in double is tried in fl
   CHECK(answer_text(choose_for(need)).find("in double only") != std::string::npos);
 }
 
-TEST_CASE("what fails at a higher cost than the chosen one's is not followed to finer settings", "[choose]") {
+TEST_CASE("a method that fails at a higher cost than the chosen one's is not refined", "[choose]") {
   Need need = asked(5e-4, 10);
   const auto steps_of = [](const Choice& choice) {
     const auto stepping = std::ranges::find(choice.candidates, "stepping", &Candidate::model);
@@ -1243,7 +1244,7 @@ TEST_CASE("what fails at a higher cost than the chosen one's is not followed to 
   CHECK(steps_of(followed) == 256);
 }
 
-TEST_CASE("what fails at a lower cost than the chosen one's is followed", "[choose]") {
+TEST_CASE("a method that fails at a lower cost than the chosen one's is refined", "[choose]") {
   const auto price = [](const Method& m, double setting) -> Time {
     return {m.model == "stepping" ? 1e-9 / setting : 1, 0};
   };
@@ -1252,8 +1253,7 @@ TEST_CASE("what fails at a lower cost than the chosen one's is followed", "[choo
   CHECK(choice.chosen->model == "stepping");
 }
 
-TEST_CASE("a setting that takes far more work than is expected is given up until so much is allowed",
-          "[choose]") {
+TEST_CASE("a setting with far more work than expected is given up until that much is allowed", "[choose]") {
   const Need need = asked(0.05, 10);  // 100 frames
   const Horizon horizon{need.horizon, static_cast<int>(need.frames())};
   Quantity q = place(Parameters(parameters), horizon, Reference::nothing());
@@ -1286,9 +1286,8 @@ TEST_CASE("a setting that takes far more work than is expected is given up until
   CHECK_FALSE(tries.is_given_up());
 }
 
-TEST_CASE(
-    "a setting that was not timed is expected to take what its evaluations take at the nearest that was",
-    "[choose]") {
+TEST_CASE("a setting that was not timed is expected to cost the same per evaluation as the nearest timed one",
+          "[choose]") {
   const Need need = asked(0.05, 10);
   const Quantity q =
       place(Parameters(parameters), {need.horizon, static_cast<int>(need.frames())}, Reference::nothing());
@@ -1307,7 +1306,7 @@ TEST_CASE(
   CHECK(near_ulps(tries.expected_seconds(tries.candidates[2]), 3 * 10, 64));
 }
 
-TEST_CASE("what the next setting takes is expected by the work and time of the last", "[choose]") {
+TEST_CASE("the cost of the next setting is estimated from the work and time of the last", "[choose]") {
   const Need need = asked(1e-3, 10);
   const std::vector<Start> starts{
       {"here",
@@ -1319,7 +1318,7 @@ TEST_CASE("what the next setting takes is expected by the work and time of the l
   CHECK(near_ulps(stepping.expected_evaluations(), 3, 64));
   CHECK(near_ulps(stepping.expected_seconds(), 5 * 1.5, 64));
 
-  // Of 2 evaluations a frame at 0.01, and 4 at 0.0001.
+  // 2 evaluations a frame at 0.01, and 4 at 0.0001.
   Ladder tolerant(starts[0].motion.methods[2], asked(1e-9, 10));
   std::vector<Start> asked_more = starts;
   asked_more[0].motion.need.allowed = 1e-9;
@@ -1329,7 +1328,7 @@ TEST_CASE("what the next setting takes is expected by the work and time of the l
   CHECK(near_ulps(tolerant.expected_evaluations(), 4 * std::sqrt(2), 64));  // at 0.00001
 }
 
-TEST_CASE("where long double loses a motion no method is followed far", "[choose]") {
+TEST_CASE("where long double loses a motion no method is refined far", "[choose]") {
   Task task(*std::ranges::find(registry(), Number{3, 25}, &Entry::number));
   task.parameters.set("theta1", 2.5);
   Need need = game_need();
@@ -1353,12 +1352,12 @@ TEST_CASE("where long double loses a motion no method is followed far", "[choose
         std::string::npos);
 
   task.parameters.set("theta1", 3);
-  need.horizon = 10.35;  // lost by what the routes disagree by, and known by repeats
+  need.horizon = 10.35;  // the routes disagree too much, but repeats know it
   CHECK_FALSE(choose(task, need, Reference(std::string(ODDITY_SOURCE) + "/reference"), counted_cost)
                   .explanation.truth_until);
 }
 
-TEST_CASE("an answer says until when the true motion is known", "[choose]") {
+TEST_CASE("an answer reports until when the true motion is known", "[choose]") {
   Choice choice = choose_for(asked(0.05, 10));
   CHECK(choice_text(choice, true).find("known up to") == std::string::npos);
   choice.explanation.truth_until = 5;
@@ -1371,7 +1370,7 @@ TEST_CASE("an answer says until when the true motion is known", "[choose]") {
   CHECK(explanation_text(choice).find("as none can hold") != std::string::npos);
 }
 
-TEST_CASE("an answer explains what was tried and where its time went", "[choose]") {
+TEST_CASE("an answer explains which methods were tried and where its time went", "[choose]") {
   const Choice choice = choose_for(asked(0.05, 10));
   const Explanation& e = choice.explanation;
   CHECK(e.starts == 6);
@@ -1388,7 +1387,7 @@ TEST_CASE("an answer explains what was tried and where its time went", "[choose]
   CHECK(choice_json(choice).find("\"explanation\"") != std::string::npos);
 }
 
-TEST_CASE("the parts of the time that an answer takes are no more than all of it", "[choose]") {
+TEST_CASE("the parts of an answer's time add up to no more than all of it", "[choose]") {
   const auto slow_price = [](const Method& m, double setting) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
     return counted_cost(m, setting);
@@ -1408,7 +1407,7 @@ TEST_CASE("an answer that takes too long is no answer", "[choose]") {
   CHECK_THROWS_AS(choose_for(need), OutOfTime);
 }
 
-TEST_CASE("what cannot be chosen for is refused", "[choose]") {
+TEST_CASE("an impossible need is refused", "[choose]") {
   CHECK(complaint([] { choose_for(asked(0, 10)); }).find("the error must be positive") != std::string::npos);
   CHECK(complaint([] { choose_for(asked(0.1, 1e-3)); }).find("shorter than a frame") != std::string::npos);
   CHECK(complaint([] { choose_for(asked(1e-30, 10)); }).find("known to") != std::string::npos);
@@ -1422,7 +1421,7 @@ TEST_CASE("what cannot be chosen for is refused", "[choose]") {
 
 namespace {
 
-/// Over its parts, each price asked for by `price_over`.
+/// Chooses over parts of the horizon, each price from `price_over`.
 Choice choose_in_parts(const Need& need, const PriceOver& price_over, double a = 1) {
   static const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
   Task task(entry);
@@ -1432,7 +1431,7 @@ Choice choose_in_parts(const Need& need, const PriceOver& price_over, double a =
 
 }  // namespace
 
-TEST_CASE("a long horizon has the answer that it has without its parts", "[choose]") {
+TEST_CASE("a long horizon has the same answer with and without parts", "[choose]") {
   for (const double error : {1e-3, 0.02, 1.0}) {
     const Need need = asked(error, 2400);
     const Choice whole = choose_for(need),
@@ -1447,7 +1446,7 @@ TEST_CASE("a long horizon has the answer that it has without its parts", "[choos
   }
 }
 
-TEST_CASE("where the time ends before a long horizon does, the answer is over a part, and says so",
+TEST_CASE("if the time ends before a long horizon does, the answer covers a part, and reports it",
           "[choose]") {
   const Need need = asked(0.02, 2400);
   std::vector<double> horizons;
@@ -1467,7 +1466,7 @@ TEST_CASE("where the time ends before a long horizon does, the answer is over a 
   CHECK_THROWS_AS(choose_in_parts(need, [](const Need&) -> Price { throw OutOfTime("over"); }), OutOfTime);
 }
 
-TEST_CASE("what nothing holds for over a part, nothing holds for over the whole", "[choose]") {
+TEST_CASE("if nothing holds over a part, nothing holds over the whole", "[choose]") {
   Need need = asked(1e-3, 2400);
   need.only = {"coarse"};
   std::vector<double> horizons;

@@ -17,20 +17,20 @@ using V = Formula<TwoLetters>;
 
 }  // namespace
 
-TEST_CASE("the size of a formula's terms is that of the terms, though they cancel", "[claims]") {
+TEST_CASE("the size of a formula's terms does not shrink when they cancel", "[claims]") {
   const V difference{"x - y", [](const TwoLetters& s) { return Value(s.x - s.y); }};
   CHECK(std::abs(size_of_terms(difference, TwoLetters(1000, 1000)) - 2000) < 1);
   const V small{"x y", [](const TwoLetters& s) { return Value(s.x * s.y); }};
   CHECK(std::abs(size_of_terms(small, TwoLetters(1e-3, 1)) - 3e-3) < 1e-6);
 }
 
-TEST_CASE("terms that cancel whatever the letters are have a size where it is given", "[claims]") {
+TEST_CASE("terms that always cancel have a size if one is given", "[claims]") {
   const auto zero = [](const TwoLetters& s) { return Value(s.x - s.x); };
   CHECK(size_of_terms(V{"x - x", zero}, TwoLetters(5, 1)) == 0);
   CHECK(size_of_terms(V{"x - x", zero, [](const TwoLetters& s) { return s.x; }}, TwoLetters(5, 1)) == 5);
 }
 
-TEST_CASE("a comparison allows roundings of its own terms, not of the exercise's largest", "[claims]") {
+TEST_CASE("a comparison allows roundings of its terms, not of the exercise's largest", "[claims]") {
   const V one{"x", [](const TwoLetters& s) { return Value(s.x); }};
   const V off{"x (1 + 1e-12)", [](const TwoLetters& s) { return Value(s.x * (1 + 1e-12)); }};
   const auto samples = draw<TwoLetters>(200, 1);

@@ -32,7 +32,7 @@ const Quantity& quantity_of(const Findings& findings, std::string_view name) {
   return *std::ranges::find(findings.quantities, name, &Quantity::name);
 }
 
-/// The reading that the verdict is from.
+/// The reading that decides the verdict.
 const Reading& deciding(const Claim& claim) {
   const Verdict v = verdict(claim);
   return v == Verdict::misprint || v == Verdict::lost ? claim.meant
@@ -40,13 +40,13 @@ const Reading& deciding(const Claim& claim) {
                                                       : claim.printed;
 }
 
-/// What doubles can tell of the terms that a check compares.
+/// Resolution of doubles for the terms that a check compares.
 double resolution(const Check& check) {
   const double larger = std::max(size_of(check.left.value), size_of(check.right.value));
   return std::numeric_limits<double>::epsilon() * (check.scale > 0 ? check.scale : larger);
 }
 
-/// No tolerance is ten thousand times wider than what is observed, or than rounding.
+/// No tolerance may be ten thousand times wider than the observed difference, or than rounding.
 void check_tolerances(const Claim& claim) {
   for (const Check& check : deciding(claim).checks) {
     INFO(claim.id << ", " << check.quantity << ": " << check.tolerance.reason);
@@ -55,7 +55,8 @@ void check_tolerances(const Claim& claim) {
   }
 }
 
-/// A reading that is one formula is read from the page, and is what is computed; no other says that it is.
+/// A reading that is one formula is read from the page, and equals the computed one; no other reading claims
+/// that.
 void check_readings(const Claim& claim) {
   for_each_reading(claim, [&](const std::string& name, const Reading& reading) {
     INFO(claim.id << ", " << name << ": " << reading.text);
@@ -63,7 +64,7 @@ void check_readings(const Claim& claim) {
   });
 }
 
-/// A near miss fails by a thousand tolerances, but where what is printed is no finer.
+/// A near miss must fail by a thousand tolerances, except where the printed digits are no finer.
 void check_near_misses(const Claim& claim) {
   const auto as_printed = [](const Tolerance& t) {
     return t.reason.starts_with("half ") || t.reason == "the way of one step";
@@ -80,8 +81,8 @@ void check_near_misses(const Claim& claim) {
   }
 }
 
-/// A finding has a kind that its verdict goes with, an erratum a root that is told with a number, and a root
-/// its errata.
+/// A finding's kind must fit its verdict. An erratum has a root, which is described with a number, and a root
+/// has errata.
 void check_roots(const Findings& findings) {
   for (const Claim& claim : findings.claims) {
     const Verdict v = verdict(claim);
@@ -133,13 +134,13 @@ TEST_CASE("no verdict depends on the seed of the samples", "[claims][slow]") {
   }
 }
 
-TEST_CASE("6.5: a reference that is computed in doubles states its own rounding", "[claims][6.5]") {
+TEST_CASE("6.5: a reference that is computed in doubles states its own rounding error", "[claims][6.5]") {
   const Findings findings = studied(entry_of({6, 5}), {{"b", 0.3}, {"c", 0.7}, {"theta", 0.31}});
   CHECK(quantity_of(findings, "rebound").reference_error > 1e-15);
   CHECK(quantity_of(findings, "patch").reference_error > 1e-15);
 }
 
-TEST_CASE("6.5: segments, triangles and parallelograms are compared, each on its own", "[claims][6.5]") {
+TEST_CASE("6.5: segments, triangles and parallelograms are compared separately", "[claims][6.5]") {
   const Findings findings = studied(entry_of({6, 5}), {});
   const Claim& claim = *std::ranges::find(findings.claims, "6.5-finite_set", &Claim::id);
   const std::vector<Check>& shapes = claim.corrected.checks;
@@ -148,10 +149,10 @@ TEST_CASE("6.5: segments, triangles and parallelograms are compared, each on its
     CHECK(distance(shapes[i].left.value, shapes[(i + 1) % 3].left.value) > 1e-9);
 }
 
-TEST_CASE("8.5: a reference that is computed in doubles states its own rounding", "[claims][8.5]") {
+TEST_CASE("8.5: a reference that is computed in doubles states its own rounding error", "[claims][8.5]") {
   const auto error = [](double c1, double height) {
     return quantity_of(studied(entry_of({8, 5}), {{"c1", c1}, {"height", height}}), "value").reference_error;
   };
   CHECK(within(error(0.3, 0.3), 1e-15, 1e-13));
-  CHECK(within(error(0.3, 1), 1e-15, 1e-13));  // the first of five points alone is rounded
+  CHECK(within(error(0.3, 1), 1e-15, 1e-13));  // only the first of five points is rounded
 }

@@ -1,4 +1,4 @@
-// The code that `choose --code` prints, compiled and run beside the program itself.
+// The code printed by `choose --code`, compiled, run and compared with the program.
 
 #include <algorithm>
 #include <charconv>
@@ -29,7 +29,7 @@ struct Case {
   Task task;
   Choice choice;
   Value value;             ///< by the program
-  double allowed = 1e-12;  ///< of the largest so far
+  double allowed = 1e-12;  ///< relative to the largest value so far
 };
 
 std::string says(const Case& c) {
@@ -66,7 +66,7 @@ std::string complaint_of(const Task& task, const Method& method) {
 
 bool steps_equally(const Method& m) { return m.knob.name.empty() || m.knob.name == "step"; }
 
-/// The parameters all changed a little, so that no two are alike.
+/// The parameters all changed a little, by different amounts.
 Task task_beside(const Entry& entry) {
   Task task(entry);
   double part = 0;
@@ -91,7 +91,7 @@ std::vector<const Entry*> all_scenes() {
   return all;
 }
 
-/// The largest difference of two motions, as a part of the largest value so far.
+/// The largest difference of two motions, relative to the largest value so far.
 double largest_difference(const Value& one, std::span<const double> other) {
   double size = 0, worst = 0;
   for (std::size_t k = 0; k < one.size(); ++k) {
@@ -102,7 +102,7 @@ double largest_difference(const Value& one, std::span<const double> other) {
   return worst;
 }
 
-/// What the roundings of a file's parameters may have grown to: its code computes in another order.
+/// Possible growth of roundings of a file's parameters: its code computes in another order.
 double grown_rounding(const Case& c, const Method& method) {
   Task nudged = c.task;
   for (const Parameter& p : nudged.entry->exercise.parameters)
@@ -142,7 +142,7 @@ std::vector<Case> all_cases() {
   return all;
 }
 
-/// The file in a namespace of its own, with what it includes apart.
+/// The file in a separate namespace, without its includes.
 struct Part {
   std::set<std::string> includes;
   std::string text;
@@ -174,7 +174,7 @@ std::string program(const std::vector<Case>& cases) {
   return all + text + "int main() {\n" + calls + "}\n";
 }
 
-/// What the command prints.
+/// Output of the command.
 std::string output_of(const std::string& command) {
   std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
   std::string output;
@@ -191,7 +191,7 @@ std::string compiled(const std::filesystem::path& file, const std::string& optio
                    " -o " + file.string() + ".out " + file.string());
 }
 
-/// The observables of each case: all numbers of a row but the first.
+/// The observables of each case: all numbers of a row except the first.
 std::vector<std::vector<double>> observables(const std::string& output) {
   std::vector<std::vector<double>> all;
   std::istringstream lines(output);
@@ -209,7 +209,7 @@ std::vector<std::vector<double>> observables(const std::string& output) {
   return all;
 }
 
-/// The printed code of each has its value.
+/// Requires that the printed code of each case has its value.
 void check_printed(const std::vector<Case>& cases) {
   const ScratchFolder scratch;
   const auto file = scratch.path() / "all.cpp";
@@ -226,7 +226,7 @@ void check_printed(const std::vector<Case>& cases) {
   }
 }
 
-/// Every method of the scenes that can be printed, at frames of different lengths, in a step a frame and in
+/// Every printable method of the scenes at frames of different lengths, with one step a frame and with
 /// shorter ones.
 std::vector<Case> cases_at_frames(std::initializer_list<std::string_view> scenes) {
   std::vector<Case> all;
@@ -278,7 +278,7 @@ TEST_CASE("headers that are printed need the standard library only", "[code]") {
   }
 }
 
-TEST_CASE("every model of a scene can be printed, or says why not", "[code]") {
+TEST_CASE("every model of a scene can be printed, or gives a reason", "[code]") {
   for (const Entry* of_scene : all_scenes()) {
     const Entry& entry = *of_scene;
     const Listing& listing = entry.exercise.scene->listing;
@@ -304,7 +304,7 @@ TEST_CASE("every model of a scene can be printed, or says why not", "[code]") {
   }
 }
 
-TEST_CASE("the printed file stands alone, with the question, the answer and the command", "[code]") {
+TEST_CASE("the printed file is complete, with the question, the answer and the command", "[code]") {
   const ScratchFolder scratch;
   const auto file = scratch.path() / "pendulum.cpp";
   const std::string code = output_of(std::string(ODDITY_PROGRAM) +
@@ -328,7 +328,7 @@ TEST_CASE("the printed file stands alone, with the question, the answer and the 
   CHECK(std::ranges::count(rows, '\n') == 61);
 }
 
-TEST_CASE("what cannot be printed is said, with what can", "[code]") {
+TEST_CASE("a request for code that cannot be printed is refused with the methods that can", "[code]") {
   const auto of = [](const Number& exercise, const std::string& model, const std::string& algorithm) {
     const Entry& entry = *std::ranges::find(registry(), exercise, &Entry::number);
     Method method{model, algorithm, no_knob(), {}};
@@ -348,7 +348,7 @@ TEST_CASE("what cannot be printed is said, with what can", "[code]") {
   CHECK(of({3, 5}, "one angle", "Runge-Kutta 4") == "nothing");
 }
 
-TEST_CASE("a comment that ends in a backslash does not swallow the line behind it", "[code]") {
+TEST_CASE("a comment that ends in a backslash does not swallow the next line", "[code]") {
   const std::string name = "test.toml";
   const Entry& entry = problem::entry_of_text(name, R"toml(title = "x"
 [parameters]

@@ -11,7 +11,7 @@ using namespace program;
 
 namespace {
 
-/// A copy of the reference tables to break.
+/// A copy of the reference tables, to be damaged.
 fs::path tables(const ScratchFolder& scratch) {
   for (const char* room : {"tables", "approved"})
     fs::copy(fs::path(ODDITY_SOURCE) / "reference" / room, scratch.path() / room,
@@ -46,7 +46,7 @@ TEST_CASE("list shows exercises with their parameters", "[commands]") {
   CHECK_FALSE(says(about, "3.7"));
 }
 
-TEST_CASE("list finds exercises by what people call things", "[commands][about]") {
+TEST_CASE("list finds exercises by the usual names of things", "[commands][about]") {
   const std::vector<std::array<std::string, 2>> cases{{"cone", "3.17"},
                                                       {"free", "3.33"},
                                                       {"bounc", "6.3"},
@@ -99,7 +99,7 @@ TEST_CASE("list and stability come as CSV and as JSON", "[commands]") {
   CHECK(says(run("stability 3.5 --json"), "\"algorithm\": \"velocity Verlet\""));
 }
 
-TEST_CASE("the same question gets the same answer, and says where its times come from", "[commands]") {
+TEST_CASE("a repeated question gets the same answer, with the source of its times", "[commands]") {
   const std::string question = "choose 3.5 --error 1deg --horizon 1 --all";
   const Ran anew = printed(question + " --measure");
   CHECK(anew.status == 0);
@@ -111,7 +111,7 @@ TEST_CASE("the same question gets the same answer, and says where its times come
   for (int i = 0; i < 3; ++i) CHECK(printed(question).output == kept.output);
 }
 
-TEST_CASE("choose takes no method with a history where none is wanted", "[commands]") {
+TEST_CASE("choose takes no method with a history when none is wanted", "[commands]") {
   const std::string asked = "choose 3.5 --error 1e-9 --all --csv";
   for (const char* multistep : {"Adams-Bashforth", "Adams-Bashforth-Moulton", "GSL msadams", "GSL msbdf"}) {
     INFO(multistep);
@@ -120,7 +120,7 @@ TEST_CASE("choose takes no method with a history where none is wanted", "[comman
   }
 }
 
-TEST_CASE("choose asks for what is held as a length", "[commands]") {
+TEST_CASE("choose asks for a constraint's error as a length", "[commands]") {
   const Ran ran = run("choose 3.5 --criterion constraint --error 1mm --horizon 1 --only Cartesian");
   CHECK(ran.status == 0);
   CHECK(says(ran, "swing with what is held off by 1 mm at most, at every frame"));
@@ -129,7 +129,7 @@ TEST_CASE("choose asks for what is held as a length", "[commands]") {
   CHECK(says(free, "no model here has a constraint"));
 }
 
-TEST_CASE("every verb has help with an example", "[commands]") {
+TEST_CASE("every command has help with an example", "[commands]") {
   for (const std::string verb : {"list", "verify", "solve", "chart", "report", "site", "stability", "choose",
                                  "bench", "engines", "sweep", "prove", "trust", "new"}) {
     const Ran ran = run(verb + " --help");
@@ -144,7 +144,7 @@ TEST_CASE("every verb has help with an example", "[commands]") {
   CHECK(run("-v").output == run("--version").output);
 }
 
-TEST_CASE("solve takes parameters and says where its reference comes from", "[commands]") {
+TEST_CASE("solve accepts parameters and names the source of its reference", "[commands]") {
   const Ran tabulated = run("solve 3.5");
   CHECK(tabulated.status == 0);
   CHECK(says(tabulated, "table 03_05_quarter_period.csv"));
@@ -168,7 +168,7 @@ TEST_CASE("stability shows the limits and draws the maps", "[commands]") {
   CHECK(says(rows, "3.5,one angle,velocity Verlet,0.676,0.639,from 0.639,,,0.99,0.0521,diverged,"));
 }
 
-TEST_CASE("bad input is named and ends with 2", "[commands]") {
+TEST_CASE("bad input is named and ends with exit code 2", "[commands]") {
   const std::vector<std::array<std::string, 2>> cases{
       {"solve 3.6", "no exercise '3.6'; chapter 3 has 3.1, 3.3"},
       {"solve 3.50", "no exercise '3.50'; chapter 3 has 3.1, 3.3"},
@@ -288,7 +288,7 @@ TEST_CASE("bad input is named and ends with 2", "[commands]") {
   }
 }
 
-TEST_CASE("numbers take units wherever they go", "[commands]") {
+TEST_CASE("numbers accept units everywhere", "[commands]") {
   CHECK(says(run("solve 3.5 a=30deg L=50cm g=981cm/s^2"), "a = 0.5235987755982988 rad"));
   CHECK(says(run("solve 3.5 a=30deg L=50cm"), "L = 0.5 m"));
   const Ran chosen = run("choose 3.5 --error 1deg --horizon 2000ms --fps 60Hz --budget 5µs");
@@ -316,7 +316,7 @@ TEST_CASE("lost output is an error", "[commands]") {
   CHECK(shell("$oddity verify '[9.1]' --results " + folder + "/r.json >&-").status == 2);
 }
 
-TEST_CASE("output of the suite that a file does not take is an error", "[commands]") {
+TEST_CASE("output of the suite that a file cannot take is an error", "[commands]") {
   const ScratchFolder scratch;
   const std::string file = scratch.file("out", "before").string();
   for (const std::string reporter : {"console -s", "junit", "markdown"}) {
@@ -334,12 +334,12 @@ TEST_CASE("output of the suite that a file does not take is an error", "[command
   CHECK(run("verify '[9.1]' -o /dev/null").status == 0);
 }
 
-TEST_CASE("an interrupted run leaves nothing that is not whole", "[commands]") {
+TEST_CASE("an interrupted run leaves only complete files", "[commands]") {
   for (const auto& [signal, code] :
        std::array<std::array<std::string, 2>, 3>{{{"INT", "130"}, {"TERM", "143"}, {"HUP", "129"}}}) {
     const ScratchFolder scratch;
     const std::string folder = scratch.path().string();
-    // On a busy machine it may have ended before that is seen: then once more.
+    // On a busy machine the run may end before it is interrupted: then it is repeated.
     const Ran ran = shell(
         "for time in 1 2 3; do rm -rf " + folder +
         "/charts; env --default-signal=INT nice -n 19 $oddity chart --out " + folder + " & until ls " +
@@ -353,7 +353,7 @@ TEST_CASE("an interrupted run leaves nothing that is not whole", "[commands]") {
   }
 }
 
-TEST_CASE("nothing of an option runs", "[commands]") {
+TEST_CASE("nothing in an option is executed", "[commands]") {
   const ScratchFolder scratch;
   for (const std::string out : {"|touch canary", "$(touch canary)", "`touch canary`", "it'\\''s"}) {
     const Ran ran = shell("cd " + scratch.path().string() + " && $oddity chart 9.1 9.1 --out '" + out + "'");
@@ -363,7 +363,7 @@ TEST_CASE("nothing of an option runs", "[commands]") {
   }
 }
 
-TEST_CASE("no verb writes over files of others, unless that is asked for", "[commands]") {
+TEST_CASE("no command overwrites files of others, unless requested", "[commands]") {
   const ScratchFolder scratch;
   const std::string swept =
       " 3.5 --model 'one angle' --algorithm 'Runge-Kutta 4' --over a=1..2:2 --setting 0.1 --looks 4";
@@ -387,10 +387,10 @@ TEST_CASE("no verb writes over files of others, unless that is asked for", "[com
   const fs::path chart = scratch.path() / "chart";
   CHECK(run("chart 9.1 --overwrite --out " + chart.string()).status == 0);
   CHECK(text_of(chart / "9.1.md") != "mine");
-  CHECK(run("chart 9.1 --out " + chart.string()).status == 0);  // its own now
+  CHECK(run("chart 9.1 --out " + chart.string()).status == 0);  // its own files now
 }
 
-TEST_CASE("what is no regular file is refused at once", "[commands]") {
+TEST_CASE("anything but a regular file is refused at once", "[commands]") {
   const ScratchFolder scratch;
   const std::string pipe = (scratch.path() / "pipe").string();
   REQUIRE(shell("mkfifo " + pipe).status == 0);
@@ -405,7 +405,7 @@ TEST_CASE("what is no regular file is refused at once", "[commands]") {
   }
 }
 
-TEST_CASE("a folder that cannot be written is named and ends with 2", "[commands]") {
+TEST_CASE("a folder that cannot be written is named and ends with exit code 2", "[commands]") {
   const Ran ran = run("report --out /proc/no/such/folder");
   CHECK(ran.status == 2);
   CHECK(says(ran, "/proc/no/such/folder"));
@@ -427,7 +427,7 @@ TEST_CASE("chart draws both charts of a quantity and writes their page", "[comma
     CHECK(fs::file_size(scratch.path() / file) > 1000);
 }
 
-TEST_CASE("a broken table is named with its line and ends with 2", "[commands]") {
+TEST_CASE("a broken table is named with its line and ends with exit code 2", "[commands]") {
   const ScratchFolder scratch;
   const fs::path folder = tables(scratch);
   replace_in(folder / "tables/03_05_quarter_period.csv", "1,I,2.3687", "1,I,x2.3687");
@@ -440,7 +440,7 @@ TEST_CASE("a broken table is named with its line and ends with 2", "[commands]")
   CHECK(says(missing, "03_05_quarter_period.csv"));
 }
 
-TEST_CASE("a verdict that differs from the one on record makes the suite red", "[commands]") {
+TEST_CASE("a verdict that differs from the approved one makes the suite red", "[commands]") {
   const ScratchFolder scratch;
   const fs::path folder = tables(scratch);
   replace_in(folder / "approved/verdicts.csv", "3.5-value,wrong", "3.5-value,confirmed");
@@ -449,7 +449,7 @@ TEST_CASE("a verdict that differs from the one on record makes the suite red", "
   CHECK(says(red, "3.5-value: wrong"));
 }
 
-TEST_CASE("a limit that moves, and a method that no longer breaks as on record, make the suite red",
+TEST_CASE("a limit that moves, and a method that no longer breaks down as approved, make the suite red",
           "[commands]") {
   for (const auto& [old, fresh] : std::array<std::array<std::string, 2>, 4>{
            {{"velocity Verlet,0.676", "velocity Verlet,0.72"},
@@ -472,7 +472,8 @@ TEST_CASE("a map that changes makes the suite red", "[commands]") {
   CHECK(run("--reference " + folder.string() + " verify '[3.5]'").status == 1);
 }
 
-TEST_CASE("an error, a count, a line or a near miss other than on record makes the suite red", "[commands]") {
+TEST_CASE("an error, a count, a line or a near miss that differs from the approved one makes the suite red",
+          "[commands]") {
   for (const auto& [old, fresh] :
        std::array<std::array<std::string, 2>, 5>{{{"swing: one angle, explicit Euler\",step 0.125 0.0625",
                                                    "swing: one angle, explicit Euler\",step 0.125 0.06"},
@@ -489,14 +490,14 @@ TEST_CASE("an error, a count, a line or a near miss other than on record makes t
   }
 }
 
-TEST_CASE("a true value that changes makes the suite red", "[commands]") {
+TEST_CASE("a reference value that changes makes the suite red", "[commands]") {
   const ScratchFolder scratch;
   const fs::path folder = tables(scratch);
   replace_in(folder / "tables/03_05_quarter_period.csv", "I,2.2601140", "I,2.2601240");
   CHECK(run("--reference " + folder.string() + " verify '[3.5]'").status == 1);
 }
 
-TEST_CASE("the suite's Markdown, JUnit and results come out whole", "[commands]") {
+TEST_CASE("the suite's Markdown, JUnit and results are complete", "[commands]") {
   const ScratchFolder scratch;
   const std::string file = (scratch.path() / "out").string();
   CHECK(run("verify '[3.5]' -r markdown -o " + file).status == 0);
@@ -507,7 +508,7 @@ TEST_CASE("the suite's Markdown, JUnit and results come out whole", "[commands]"
   CHECK(std::distance(fs::directory_iterator(scratch.path()), fs::directory_iterator()) == 1);
 }
 
-TEST_CASE("nothing of a table runs or breaks out", "[commands]") {
+TEST_CASE("nothing in a table is executed or breaks out of its cell", "[commands]") {
   const std::array<std::array<std::string, 3>, 6> places{
       {{"approved/limits.csv", ",not explained", ",HOSTILE"},
        {"approved/limits.csv", "3.5,one angle,Runge-Kutta 4", "3.5,HOSTILE,Runge-Kutta 4"},
@@ -536,7 +537,7 @@ TEST_CASE("nothing of a table runs or breaks out", "[commands]") {
     }
 }
 
-TEST_CASE("parts of the suite's results are put together and judged as a whole", "[commands]") {
+TEST_CASE("parts of the suite's results are merged and judged as a whole", "[commands]") {
   const ScratchFolder scratch;
   const std::string one = (scratch.path() / "1.json").string(), two = (scratch.path() / "2.json").string(),
                     all = (scratch.path() / "all.json").string(), both = "verify '[2.1],[5.7]'";
@@ -558,7 +559,7 @@ TEST_CASE("parts of the suite's results are put together and judged as a whole",
   CHECK(says(run("verify --shard 2/7e87 --list-tests"), "a part of the whole"));  // found by a fuzzer
 }
 
-TEST_CASE("without /proc it says so", "[commands]") {
+TEST_CASE("without /proc a sentence explains it", "[commands]") {
   const std::string alone = "unshare --user --map-root-user --mount sh -c 'mount -t tmpfs none /proc && ";
   if (program::shell(alone + "true'").status != 0) {
     WARN("not run: /proc cannot be hidden here");

@@ -1,4 +1,4 @@
-// What holds a motion in redundant coordinates: how far each method lets it go.
+// Constraints of motions in redundant coordinates: how much each method violates them.
 
 #include <array>
 #include <cmath>
@@ -24,14 +24,14 @@ Quantity motion_of(const std::string& exercise, const Horizon& horizon) {
   return motion(*entry.exercise.scene, Parameters(entry.exercise.parameters), horizon, Reference::nothing());
 }
 
-/// The pendulum of 3.5 on its rod by the classical Runge-Kutta rule, written anew: how far the rod is off at
-/// most at `frames` times, with one step between them.
+/// The pendulum of 3.5 on its rod by a separate classical Runge-Kutta rule: largest error of the rod at
+/// `frames` times, with one step between them.
 double rod_off(double h, int frames) {
   constexpr double g = 9.81, L = 1;
   using State = std::array<double, 4>;
   const auto slope = [](const State& x) -> State {
     const double along =
-        (x[2] * x[2] + x[3] * x[3] - g * x[1]) / (x[0] * x[0] + x[1] * x[1]);  // of the rod's pull
+        (x[2] * x[2] + x[3] * x[3] - g * x[1]) / (x[0] * x[0] + x[1] * x[1]);  // the rod's pull
     return {x[2], x[3], -along * x[0], -along * x[1] - g};
   };
   const auto moved = [](State x, double by, const State& v) {
@@ -65,7 +65,7 @@ Choice chosen(std::vector<std::string> only, const std::string& exercise, const 
 
 }  // namespace
 
-TEST_CASE("the rod of a pendulum is off by what an integration of one's own says", "[constraint]") {
+TEST_CASE("the error of a pendulum's rod matches a separate integration", "[constraint]") {
   const Quantity swing = motion_of("3.5", {2, 1, 20});
   const Method* cartesian = method_of(swing, "Cartesian with constraint", "Runge-Kutta 4");
   REQUIRE(cartesian);
@@ -78,7 +78,7 @@ TEST_CASE("the rod of a pendulum is off by what an integration of one's own says
 
 namespace {
 
-/// The models that are off something.
+/// The models that can violate a constraint.
 const std::map<std::string, std::set<std::string>> constrained{
     {"3.5", {"Cartesian with constraint"}},
     {"3.7", {"Cartesian with constraints"}},
@@ -101,7 +101,7 @@ void keeps_to_its_constraint(const std::string& number) {
     found.insert(method.model);
     INFO(method.model << " by " << method.algorithm);
     if (method.algorithm == "Fehlberg 7(8)") CHECK(method.off_constraint(1e-13) < 1e-9);
-    // A line through the states is kept by any algorithm, but for rounding.
+    // Any algorithm keeps states on a line, except for rounding.
     const bool line = number == "3.19" || method.model == "in the turning plane";
     if (method.algorithm == "explicit Euler") CHECK((method.off_constraint(1.0 / 16) < 1e-12) == line);
   }
@@ -122,7 +122,7 @@ void keeps_to_its_constraint(const std::string& number) {
 
 }  // namespace
 
-TEST_CASE("choosing by what is held: a length at every frame, or by construction", "[constraint]") {
+TEST_CASE("choosing by a constraint: a length at every frame, or by construction", "[constraint]") {
   const Choice held = chosen({"Cartesian"}, "3.5", "1mm");
   REQUIRE(held.chosen);
   CHECK(held.chosen->by.at(Criterion::constraint) > held.rounding);
@@ -142,7 +142,7 @@ TEST_CASE("choosing by what is held: a length at every frame, or by construction
   CHECK(choice_json(all).find("\"criterion\": \"constraint\"") != std::string::npos);
 }
 
-TEST_CASE("a constraint that is not there, or without a length, is refused", "[constraint]") {
+TEST_CASE("a constraint that does not exist, or has no length, is refused", "[constraint]") {
   CHECK(complaint([] { chosen({}, "3.27", "1mm"); }).find("no model here has a constraint") !=
         std::string::npos);
   CHECK(complaint([] { chosen({"one angle"}, "3.5", "1mm"); }).find("no model left has a constraint") !=

@@ -28,7 +28,7 @@ TEST_CASE("counted numbers have the values of plain ones", "[counted]") {
   CHECK((x > Real(2) && x == Real(3)));
 }
 
-TEST_CASE("a count neither sees another thread's operations nor loses those around it", "[counted]") {
+TEST_CASE("a count neither includes another thread's operations nor loses those around it", "[counted]") {
   const Real a = 3;
   const Operations outer = operations_of([&] {
     const Real before = a * a;

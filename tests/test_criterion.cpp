@@ -1,4 +1,4 @@
-// What a criterion means, by the motion that is seen.
+// Definitions of the criteria, by the observed motion.
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +37,7 @@ Choice chosen(const std::string& exercise, const AskedNeed& asked,
   return choose(task, need_of(task, asked), tables(), counted);
 }
 
-/// By a criterion, at its error, over a horizon in the scene's unit of time.
+/// A need by a criterion, at its error, over a horizon in the scene's unit of time.
 AskedNeed asked_by(const std::string& criterion, const std::string& error, const std::string& horizon) {
   AskedNeed asked;
   asked.criterion = criterion;
@@ -63,7 +63,7 @@ const Method& required(const Quantity& seen, std::string_view model, std::string
   return *found;
 }
 
-/// What is right by its path is right by all that its scene's laws say.
+/// A model with the right path must satisfy all laws of its scene.
 void keeps_its_laws(const Entry& entry) {
   const Scene& scene = *entry.exercise.scene;
   const Quantity seen = motion(scene, Parameters(entry.exercise.parameters),
@@ -95,7 +95,7 @@ void keeps_its_laws(const Entry& entry) {
 
 }  // namespace
 
-TEST_CASE("a straight tangent leaves its wire, though it has no constraint of its own", "[criterion]") {
+TEST_CASE("a straight tangent leaves its wire, though the model has no constraint", "[criterion]") {
   const Quantity seen = motion_of("3.7", {10, 1, 60}, tables());
   const Method& tangent = required(seen, "straight tangent", "closed form");
   CHECK_FALSE(tangent.off_constraint);
@@ -105,7 +105,7 @@ TEST_CASE("a straight tangent leaves its wire, though it has no constraint of it
   CHECK(held.chosen->model != "straight tangent");
 }
 
-TEST_CASE("in float redundant coordinates have a constraint as in double", "[criterion]") {
+TEST_CASE("in float redundant coordinates have the same constraint as in double", "[criterion]") {
   for (const std::string exercise : {"3.5", "3.23"}) {
     const Quantity seen = motion_of(exercise, {10, 1, 60}, tables());
     const Method &in_double = required(seen, "Cartesian with constraint", "explicit Euler"),
@@ -117,7 +117,7 @@ TEST_CASE("in float redundant coordinates have a constraint as in double", "[cri
   }
 }
 
-TEST_CASE("a true energy is constant where nothing takes of it, and known everywhere", "[criterion]") {
+TEST_CASE("a true energy is constant where nothing takes any, and known everywhere", "[criterion]") {
   for (const Entry& entry : registry()) {
     if (!of_the_book(entry.number) || !entry.exercise.scene || !entry.exercise.scene->laws.energy) continue;
     const std::string number = to_string(entry.number);
@@ -132,16 +132,16 @@ TEST_CASE("a true energy is constant where nothing takes of it, and known everyw
   }
 }
 
-TEST_CASE("a top's energy is all of it, whatever a model conserves of its own", "[criterion]") {
+TEST_CASE("a top's energy is the whole one, whatever a model itself conserves", "[criterion]") {
   const Quantity seen = motion_of("3.33", {10, 1, 30}, tables());
   const TrueEnergy energy = true_energy(seen);
   const Method& momentum = required(seen, "axis and angular momentum", "Runge-Kutta 4");
   const double error = off(Criterion::energy, seen, momentum, 1.0 / 30, &energy);
   CHECK(momentum.run(1.0 / 30).drift < 1e-4);
-  CHECK(near(error, 7.9e-3, 2e-4));  // of what moves in it; as tests/questions measures it
+  CHECK(near(error, 7.9e-3, 2e-4));  // relative to the kinetic energy; as tests/questions measures it
 }
 
-TEST_CASE("a swing that grows is not met by its period", "[criterion]") {
+TEST_CASE("a growing swing does not meet a need by its period", "[criterion]") {
   const auto swing = [](double growth) {
     std::vector<double> x;
     for (int k = 1; k <= 600; ++k)
@@ -157,7 +157,7 @@ TEST_CASE("a swing that grows is not met by its period", "[criterion]") {
   CHECK(std::isinf(off_by_observed(Criterion::period, seen, swing(-0.8), {}).error));
 }
 
-TEST_CASE("what is bounded stays within ten times the true motion's size", "[criterion]") {
+TEST_CASE("a bounded motion stays within ten times the true motion's size", "[criterion]") {
   Quantity seen{"x", "m", "", {"by hand", Value{1, -2}}, 1e-16, {0.1, ""}};
   seen.samples = 2;
   CHECK(off_by_observed(Criterion::bounded, seen, Value{20, 0}, {}).error == 1);
@@ -171,7 +171,7 @@ TEST_CASE("what is bounded stays within ten times the true motion's size", "[cri
   CHECK(shown_errors(candidate, choice) == "not bounded");
 }
 
-TEST_CASE("an energy that is asked for below what is known is refused", "[criterion]") {
+TEST_CASE("an energy error below the known accuracy is refused", "[criterion]") {
   CHECK(complaint([] { chosen("3.5", asked_by("energy", "1e-24", "1")); }).find("energy is known to") !=
         std::string::npos);
   CHECK(complaint([] { chosen("2.7", asked_by("energy", "0.01", "1")); }).find("does not tell an energy") !=
@@ -190,7 +190,7 @@ TEST_CASE("a step out of range is refused with the scene's unit of time", "[crit
   CHECK(near_ulps(method_of(task, asked, need).setting, 1.0 / 60, 64));
 }
 
-TEST_CASE("a period or a constraint that is asked for below what is known is refused", "[criterion]") {
+TEST_CASE("a period or a constraint error below the known accuracy is refused", "[criterion]") {
   AskedNeed asked = asked_by("path", "1cm", "4");
   asked.only = {"angle about the axis"};
   asked.constraint = "1e-20m";
@@ -201,7 +201,7 @@ TEST_CASE("a period or a constraint that is asked for below what is known is ref
         std::string::npos);
 }
 
-TEST_CASE("several criteria hold at once, and the worst of them decides", "[criterion]") {
+TEST_CASE("several criteria must hold at once, and the worst of them decides", "[criterion]") {
   AskedNeed asked;
   asked.error = "0.5deg";
   asked.horizon = "4";
@@ -223,7 +223,7 @@ TEST_CASE("several criteria hold at once, and the worst of them decides", "[crit
   CHECK(complaint([&] { chosen("3.5", asked); }).find("--energy is what --criterion asks for") == 0);
 }
 
-TEST_CASE("a criterion that a motion meets which nobody wants says so first", "[criterion]") {
+TEST_CASE("a criterion that a useless motion would meet comes with a warning first", "[criterion]") {
   AskedNeed asked = asked_by("constraint", "1mm", "10");
   asked.starts = "1";
   const Choice swing = chosen("3.5", asked, {"a=60deg"});
@@ -231,7 +231,7 @@ TEST_CASE("a criterion that a motion meets which nobody wants says so first", "[
   CHECK(answer_text(swing).find("By constraint alone this motion holds, but its path is off by") == 0);
 }
 
-TEST_CASE("the column of errors has the criterion's own", "[criterion]") {
+TEST_CASE("the column of errors shows the criterion's own", "[criterion]") {
   AskedNeed asked = asked_by("energy", "1%", "2");
   asked.only = {"Runge-Kutta 4"};
   const Choice choice = chosen("3.33", asked);
@@ -278,7 +278,7 @@ TEST_CASE("a model that its page shows to be wrong makes no method good enough",
         std::string::npos);
 }
 
-TEST_CASE("a model of the book's that its page shows to be wrong is known as such", "[criterion]") {
+TEST_CASE("a model of the book that its page shows to be wrong is known as such", "[criterion]") {
   for (const Entry& entry : registry()) {
     if (!entry.exercise.scene) continue;
     const Scene& scene = *entry.exercise.scene;
@@ -290,7 +290,7 @@ TEST_CASE("a model of the book's that its page shows to be wrong is known as suc
   }
 }
 
-TEST_CASE("starts beside an ellipse are ellipses, and what is left out is said", "[criterion]") {
+TEST_CASE("starts next to an ellipse are ellipses, and omissions are reported", "[criterion]") {
   AskedNeed asked;
   asked.error = "0.01";
   asked.horizon = "1";
@@ -302,7 +302,7 @@ TEST_CASE("starts beside an ellipse are ellipses, and what is left out is said",
   CHECK(choice_text(choice, false).find("beside it whose motion is a hyperbola") != std::string::npos);
 }
 
-TEST_CASE("a start beside that shows no two periods is left out, and drawn again", "[criterion]") {
+TEST_CASE("a neighbouring start without two periods is left out, and drawn again", "[criterion]") {
   AskedNeed asked = asked_by("period", "0.01", "10");
   asked.frames_per_second = "144";
   asked.only = {"Kepler"};
@@ -316,14 +316,14 @@ TEST_CASE("a start beside that shows no two periods is left out, and drawn again
         }).find("no two periods") != std::string::npos);
 }
 
-TEST_CASE("a linear motion is not chaotic, however long", "[criterion]") {
+TEST_CASE("a linear motion is not chaotic, over any horizon", "[criterion]") {
   AskedNeed asked;
   asked.error = "1cm";
   asked.horizon = "15";
   CHECK_FALSE(chosen("3.19", asked).predictable);
 }
 
-TEST_CASE("the share of starts in chaos has its confidence", "[criterion]") {
+TEST_CASE("the share of starts that hold in chaos has its confidence interval", "[criterion]") {
   Choice choice;
   choice.tried_in_chaos = choice.holding_in_chaos = 3;
   CHECK(near(choice.share_in_chaos().first, 0.4385, 1e-3));

@@ -1,5 +1,5 @@
-// The true motion at every frame: against integrations that share nothing with its makers, against the
-// tables, and as it is kept from run to run.
+// The true motion at every frame: compared with integrations that share nothing with its generators, compared
+// with the tables, and kept from run to run.
 
 #include <algorithm>
 #include <array>
@@ -35,9 +35,9 @@ const Reference& known() {
   return all;
 }
 
-// ---- against integrations ---------------------------------------------------------------------------------
+// ---- compared with integrations ---------------------------------------------------------------------------
 
-/// The scene's parameters, each of its starts up to a tenth off.
+/// The scene's parameters, with each number of its start up to a tenth off.
 Parameters beside(const Exercise& exercise, Random& random) {
   Parameters p(exercise.parameters);
   for (std::string_view name : exercise.scene->perturbed_parameters) {
@@ -48,18 +48,18 @@ Parameters beside(const Exercise& exercise, Random& random) {
   return p;
 }
 
-/// A start of a scene, and how the model that comes nearest to the truth does so.
+/// A start of a scene, and the model that comes nearest to the reference.
 struct Case {
   const Entry* entry;
   Parameters parameters;
   Horizon horizon{0, 1, 60};
   std::string nearest = "none";
-  double error = std::numeric_limits<double>::infinity();  ///< the largest at any frame
-  double known_to = 0;       ///< what the two integrations differ by, and the reference's own error
+  double error = std::numeric_limits<double>::infinity();  ///< largest error at any frame
+  double known_to = 0;       ///< difference of the two integrations, plus the reference's own error
   double one_frame_off = 0;  ///< the error of the same motion read a frame late
 };
 
-/// The same motion, each frame shown what belongs to the one before.
+/// The motion shifted by one frame.
 Value late(const Value& motion, int frames) {
   const std::size_t parts = motion.size() / static_cast<std::size_t>(frames);
   Value shifted = motion;
@@ -67,9 +67,9 @@ Value late(const Value& motion, int frames) {
   return shifted;
 }
 
-/// The model that Fehlberg 7(8) at 1e-13 brings nearest. By how much it differs from the same model by
-/// Dormand-Prince 5(4) at 1e-9 is the error of the coarser one, and bounds that of the finer one, but for a
-/// rounding per frame.
+/// Finds the model that Fehlberg 7(8) at 1e-13 brings nearest. Its difference from the same model by
+/// Dormand-Prince 5(4) at 1e-9 is the error of the coarser one. That bounds the error of the finer one,
+/// except for a rounding per frame.
 void follow(Case& c) {
   const Quantity dense = motion(*c.entry->exercise.scene, c.parameters, c.horizon, known());
   Value nearest;
@@ -103,7 +103,7 @@ std::vector<Case> two_starts_of_each_scene() {
 
 }  // namespace
 
-TEST_CASE("at every frame the true motion is where a model comes to that shares nothing with it", "[truth]") {
+TEST_CASE("at every frame the true motion agrees with a model that shares nothing with it", "[truth]") {
   std::vector<Case> cases = two_starts_of_each_scene();
   parallel_for_each(cases, follow);
   for (const Case& c : cases) {
@@ -114,14 +114,15 @@ TEST_CASE("at every frame the true motion is where a model comes to that shares 
   }
 }
 
-// ---- against integrations of our own: none of the program's equations, none of its algorithms -------------
+// ---- compared with separate integrations: none of the program's equations, none of its algorithms
+// ----------
 
 namespace {
 
 using State = std::vector<double>;
 using Slope = std::function<State(const State&)>;
 
-/// Classical Runge-Kutta, 256 steps a frame and from frame to frame extrapolated with half as many: order 5.
+/// Classical Runge-Kutta with 256 steps a frame, extrapolated at each frame with half as many: order 5.
 State next_frame(const Slope& slope, const State& from, double frame) {
   const auto moved = [](State x, double by, const State& v) {
     for (std::size_t i = 0; i < x.size(); ++i) x[i] += by * v[i];
@@ -143,7 +144,7 @@ State next_frame(const Slope& slope, const State& from, double frame) {
   return fine;
 }
 
-/// A table's motion as physics has it.
+/// A table's motion by its physics.
 struct Physics {
   std::string table;
   State inputs, start;
@@ -161,7 +162,7 @@ Physics pendulum(double a, double L, double g) {
           [](const State& x) -> State { return {x[0]}; }};
 }
 
-/// By its energy m r^2 w^2/2 + m g r sin + c/2 (d - ell)^2, d^2 = h^2 + 2 s^2 + 2 s (h sin - s cos).
+/// From its energy m r^2 w^2/2 + m g r sin + c/2 (d - ell)^2, d^2 = h^2 + 2 s^2 + 2 s (h sin - s cos).
 Physics bar(double m, double r, double s, double c, double h, double g, double ell, double angle, double w) {
   const auto slope = [=](const State& x) -> State {
     const double C = std::cos(x[0]), S = std::sin(x[0]);
@@ -174,7 +175,7 @@ Physics bar(double m, double r, double s, double c, double h, double g, double e
           }};
 }
 
-/// The second body as the first one sees it, in complex numbers.
+/// The second body relative to the first one, in complex numbers.
 Physics two_bodies(double G, double m1, double m2, double r, double dr, double phi, double dphi) {
   using Plane = std::complex<double>;
   const Plane z = std::polar(r, phi), dz = Plane(dr, r * dphi) * std::polar(1.0, phi);
@@ -191,7 +192,7 @@ Physics two_bodies(double G, double m1, double m2, double r, double dr, double p
           }};
 }
 
-/// A direction, and its rate across it. Else what rounding adds along it would grow tenfold in a third of a
+/// A direction, and its rate across it. Otherwise rounding along it would grow tenfold in a third of a
 /// second.
 std::pair<std::array<double, 3>, std::array<double, 3>> on_the_sphere(const State& x) {
   const double size = std::hypot(x[0], x[1], x[2]);
@@ -225,7 +226,7 @@ Physics top(double m, double l, double mu1, double mu3, double g, const std::arr
           }};
 }
 
-/// The largest difference at 180 frames, 60 a second.
+/// The largest difference over 180 frames, at 60 a second.
 double differs(const Physics& physics) {
   constexpr int frames = 180;
   constexpr double frame = 1.0 / 60;
@@ -247,7 +248,7 @@ double differs(const Physics& physics) {
 
 }  // namespace
 
-TEST_CASE("at every frame the true motion is where an integration of our own comes to", "[truth]") {
+TEST_CASE("at every frame the true motion agrees with a separate integration", "[truth]") {
   std::vector<std::pair<Physics, double>> all{
       {pendulum(2.7, 1.3, 9.7), 0},
       {bar(1.1, 0.9, 0.6, 90, 0.75, 9.7, 1.05, 0.35, -0.5), 0},
@@ -260,20 +261,20 @@ TEST_CASE("at every frame the true motion is where an integration of our own com
   }
 }
 
-// ---- against the tables -----------------------------------------------------------------------------------
+// ---- compared with the tables -----------------------------------------------------------------------------
 
 namespace {
 
-/// A motion of a table: its inputs but the time, and the times it has rows for.
+/// A motion of a table: its inputs without the time, and the times of its rows.
 struct Tabulated {
   const truth::Entry* entry;
   std::vector<double> inputs, times;
 };
 
-/// A chaotic motion asks for many digits, and one with friction for extrapolation: they take a minute.
+/// A chaotic motion needs many digits, and one with friction needs extrapolation: these take a minute.
 const std::set<std::string_view> slow_tables{"03_25_growth", "03_31_slide"};
 
-/// The motions of which a table has several times, at most `most` of each table.
+/// The motions with several times in a table, at most `most` of each table.
 std::vector<Tabulated> tabulated_motions(std::size_t most) {
   std::vector<Tabulated> all;
   for (const truth::Entry& entry : truth::registry()) {
@@ -294,7 +295,7 @@ std::vector<Tabulated> tabulated_motions(std::size_t most) {
   return all;
 }
 
-/// Each time, and, so that the motion is none of the table's, those halfway between.
+/// The times, and those halfway between, so that the motion is not the table's.
 std::vector<double> with_those_between(const std::vector<double>& times) {
   std::vector<double> all;
   for (double t : times) {
@@ -304,7 +305,7 @@ std::vector<double> with_those_between(const std::vector<double>& times) {
   return all;
 }
 
-/// How far a motion made anew is off the table's rows, in the sum of their errors.
+/// Largest difference of a new motion from the table's rows, in units of the sum of their errors.
 double off_the_rows(const Tabulated& motion) {
   const Known dense = known().motion(motion.entry->name, motion.inputs, with_those_between(motion.times));
   if (dense.source.find("on the spot") == std::string::npos) return std::nan("");
@@ -333,14 +334,14 @@ void require_on_the_rows(const std::vector<Tabulated>& motions) {
 
 }  // namespace
 
-TEST_CASE("a motion made anew goes through the rows of its table", "[truth]") {
+TEST_CASE("a motion that is computed again goes through the rows of its table", "[truth]") {
   std::vector<Tabulated> motions = tabulated_motions(1);
   std::erase_if(motions, [](const Tabulated& motion) { return slow_tables.contains(motion.entry->name); });
   CHECK(motions.size() >= 18);
   require_on_the_rows(motions);
 }
 
-TEST_CASE("every tabulated motion made anew goes through its rows", "[truth][slow]") {
+TEST_CASE("every tabulated motion that is computed again goes through its rows", "[truth][slow]") {
   require_on_the_rows(tabulated_motions(1000));
 }
 
@@ -361,7 +362,7 @@ std::vector<fs::path> files_in(const fs::path& folder) {
   return files;
 }
 
-/// A cache with the one motion in it.
+/// A cache that contains this one motion.
 struct Kept {
   ScratchFolder folder;
   Reference reference{tables, folder.path()};
@@ -369,7 +370,7 @@ struct Kept {
   fs::path file = files_in(folder.path()).at(0);
   std::string text = text_of(file);
 
-  /// What is read when the file has this text.
+  /// The values read when the file has this text.
   std::vector<double> read(const std::string& changed) const {
     folder.file(file.filename().string(), changed);
     return swing(reference).value;
@@ -392,7 +393,7 @@ TEST_CASE("a motion read back is the motion made, in every bit", "[truth]") {
   CHECK(ticks > 0);
 }
 
-TEST_CASE("a kept motion that is damaged anywhere is made again", "[truth]") {
+TEST_CASE("a kept motion that is damaged anywhere is computed again", "[truth]") {
   const Kept kept;
   for (std::size_t length = 0; length < kept.text.size(); length += 7) {
     INFO("cut after " << length << " of " << kept.text.size());
@@ -408,7 +409,7 @@ TEST_CASE("a kept motion that is damaged anywhere is made again", "[truth]") {
   CHECK(kept.read(kept.text) == kept.made.value);
 }
 
-TEST_CASE("a motion of other inputs, times or makers is kept apart", "[truth]") {
+TEST_CASE("a motion of other inputs, times or generators is kept separately", "[truth]") {
   const Kept kept;
   const auto count = [&] { return files_in(kept.folder.path()).size(); };
   CHECK(count() == 1);
@@ -431,13 +432,13 @@ TEST_CASE("a motion of other inputs, times or makers is kept apart", "[truth]") 
   CHECK(text_of(kept.file) == kept.text);
 }
 
-TEST_CASE("a motion to other digits is kept apart", "[truth]") {
+TEST_CASE("a motion to other digits is kept separately", "[truth]") {
   const Kept kept;
   swing(kept.reference.to_digits(20));
   CHECK(files_in(kept.folder.path()).size() == 2);
 }
 
-TEST_CASE("a kept motion that is changed and sealed anew is made again where long double sees another",
+TEST_CASE("a kept motion that is changed and sealed again is recomputed where long double disagrees",
           "[truth][forged]") {
   const Kept kept;
   const std::string key = kept.text.substr(0, kept.text.find('\n') + 1);
@@ -475,13 +476,13 @@ TEST_CASE("a kept motion that is changed and sealed anew is made again where lon
   for (double none : {0.0, -1.0, 1.0, infinity, std::nan("")}) CHECK(is_made_again(none, made));
 }
 
-TEST_CASE("a cache that cannot be written is done without", "[truth]") {
+TEST_CASE("a cache that cannot be written is not used", "[truth]") {
   const ScratchFolder folder;
   const fs::path no_folder = folder.file("a file", "");
   CHECK(swing(Reference(tables, no_folder)).value == swing(known()).value);
 }
 
-TEST_CASE("the fingerprint covers whatever makes a motion", "[truth]") {
+TEST_CASE("the fingerprint covers everything that makes a motion", "[truth]") {
   const ScratchFolder scratch;
   const fs::path room = scratch.path() / "reference", print = scratch.path() / "print.cpp";
   fs::create_directories(room / "make");
@@ -505,9 +506,9 @@ TEST_CASE("the fingerprint covers whatever makes a motion", "[truth]") {
   }
 }
 
-// ---- watched ----------------------------------------------------------------------------------------------
+// ---- progress ---------------------------------------------------------------------------------------------
 
-TEST_CASE("what a watch throws ends the making of a motion, and nothing is kept", "[truth]") {
+TEST_CASE("an exception of a watch ends the computation of a motion, and nothing is kept", "[truth]") {
   const ScratchFolder folder;
   const Reference reference(tables, folder.path());
   struct Enough {};
@@ -527,7 +528,7 @@ TEST_CASE("what a watch throws ends the making of a motion, and nothing is kept"
   CHECK(files_in(folder.path()).empty());
 }
 
-TEST_CASE("a long integration is watched on its way", "[truth]") {
+TEST_CASE("a long integration reports progress on its way", "[truth]") {
   int ticks = 0;
   const std::vector<double> top{1, 0.25, 0.125, 0.0625, 9.81, 0.25, 0.5, 0.75, 0.5, 0.25, 31};
   known().watched([&](double) { ++ticks; }).motion("03_33_axis", top, std::vector{2.0});

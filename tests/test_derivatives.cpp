@@ -1,4 +1,4 @@
-// Dual numbers against closed derivatives at random points, and differences by their orders.
+// Dual numbers compared with closed derivatives at random points, and orders of differences.
 
 #include "chapters/random.hpp"
 #include "report/study/fit.hpp"
@@ -12,7 +12,7 @@ using std::cos, std::sin, std::exp, std::log, std::sqrt, std::tan, std::pow;
 
 namespace {
 
-/// f' and f'' by dual numbers against their closed forms at random points between low and high.
+/// Compares f' and f'' by dual numbers with their closed forms at random points between low and high.
 template <class F, class First, class Second>
 void check_derivatives(const F& f, const First& first, const Second& second, double low, double high) {
   Random random(1);

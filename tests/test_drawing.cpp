@@ -1,5 +1,5 @@
-// How the scenes look: each draws itself wherever its motion leads, what is rigid stays so, and the pictures
-// are whole.
+// Drawings of the scenes: each is drawn wherever its motion leads, rigid parts stay rigid, and the pictures
+// are complete.
 
 #include <algorithm>
 #include <map>
@@ -39,7 +39,7 @@ Drawing drawn(const Entry& e, double t, const Observed& observed) {
   return drawing;
 }
 
-/// Its motion by Runge-Kutta 4 at its smallest step.
+/// The exercise's motion by Runge-Kutta 4 at its smallest step.
 struct Motion {
   std::vector<double> times;
   std::vector<Observed> observed;
@@ -82,7 +82,7 @@ std::vector<double> ways(const Drawing& drawing, Kind kind) {
   return all;
 }
 
-/// So many points has one of this kind; 0: any number from two on.
+/// Number of points of a shape of this kind; 0: any number from two on.
 std::size_t points_of(Kind kind) {
   static const std::map<Kind, std::size_t> many{{Kind::body, 1},   {Kind::rod, 2},    {Kind::spring, 2},
                                                 {Kind::disc, 2},   {Kind::sphere, 1}, {Kind::axis, 2},
@@ -100,7 +100,7 @@ bool finite(const Drawing& drawing) {
   });
 }
 
-/// "θ1" as its parameter is named.
+/// "θ1" under its parameter's name.
 std::string name_of(std::string_view letter) {
   std::string name(letter);
   for (const auto& [sign, word] : std::map<std::string, std::string>{
@@ -117,7 +117,7 @@ bool known(const Entry& e, std::string_view letter) {
          std::ranges::count(e.exercise.scene->axes.observables, name) > 0;
 }
 
-/// Whether the text is one element of XML, with nothing in it that its tags do not close.
+/// Whether the text is one element of XML in which all tags are closed.
 bool well_formed(std::string_view text) {
   std::stack<std::string_view> open;
   std::size_t roots = 0;
@@ -220,7 +220,7 @@ TEST_CASE("A drawing is finite at all parameters", "[drawing]") {
       Parameters p(e->exercise.parameters);
       for (const Parameter& x : p.declared()) {
         if (x.whole) continue;
-        const int end = random.below(4);  // its least, its most, or between
+        const int end = random.below(4);  // its least, its largest, or one in between
         p.set(x.name, end == 0 ? x.least : end == 1 ? x.most : random.between(x.least, x.most));
         INFO(x.name << " = " << p[x.name]);
       }
@@ -235,7 +235,7 @@ TEST_CASE("A drawing is finite at all parameters", "[drawing]") {
   }
 }
 
-TEST_CASE("What a scene shows at its start is its start", "[drawing]") {
+TEST_CASE("The start that a scene shows is its start", "[drawing]") {
   const auto start = [](const char* number) {
     const Entry& e = entry(number);
     return observed_at_start(*e.exercise.scene, Parameters(e.exercise.parameters));
@@ -248,11 +248,11 @@ TEST_CASE("What a scene shows at its start is its start", "[drawing]") {
   for (std::size_t k = 0; k < 9; ++k) CHECK(near(frame[k], k % 4 == 0 ? 1 : 0, 1e-6));
 }
 
-TEST_CASE("What is rigid has the same length at every time", "[drawing]") {
+TEST_CASE("Rigid parts have the same length at every time", "[drawing]") {
   struct Rigid {
     const char* number;
     Kind kind;
-    std::vector<double> lengths;  ///< of its first ones
+    std::vector<double> lengths;  ///< lengths of the first ones of this kind
   };
   const std::vector<Rigid> all{
       {"3.5", Kind::rod, {1}},         {"3.17", Kind::rope, {1}},           {"3.21", Kind::rod, {2}},
@@ -291,7 +291,7 @@ TEST_CASE("The machine's ropes keep their lengths, and its springs have those of
   }
 }
 
-TEST_CASE("Two bodies are drawn about their center of mass, a box and a wire as they are", "[drawing]") {
+TEST_CASE("Two bodies are drawn about their center of mass, a box and a wire in their shapes", "[drawing]") {
   const Motion orbit(entry("3.27")), box(entry("3.31")), wire(entry("3.29"));
   for (std::size_t i = 0; i < orbit.times.size(); ++i) {
     const auto bodies = of(drawn(entry("3.27"), orbit.times[i], orbit.observed[i]), Kind::body);
@@ -307,13 +307,13 @@ TEST_CASE("Two bodies are drawn about their center of mass, a box and a wire as 
     CHECK(near_part(std::accumulate(pieces.begin(), pieces.end(), 0.0), 1.4789428, 1e-3));
     const Place mark = of(thrown, Kind::body).at(0).points[0];
     CHECK(length(of(thrown, Kind::rod).at(0).points[0] - mark) < 1e-12);
-    // Its center flies as a thrown stone.
+    // Its center flies like a thrown stone.
     const double t = wire.times[i];
     CHECK(length(of(thrown, Kind::disc).at(0).points[0] - Place{2 * t, 5 * t - 9.81 / 2 * t * t}) < 1e-5);
   }
 }
 
-TEST_CASE("The pictures of every scene are whole", "[drawing]") {
+TEST_CASE("The pictures of every scene are complete", "[drawing]") {
   for (const Entry* e : scenes()) {
     INFO(to_string(e->number));
     const std::string setup = setup_svg(*e);
@@ -346,7 +346,7 @@ TEST_CASE("The pictures of every scene are whole", "[drawing]") {
   CHECK(setup_svg(entry("2.1")).empty());
 }
 
-TEST_CASE("A drawing's letters and titles are text, whatever they are", "[drawing]") {
+TEST_CASE("A drawing's letters and titles are text, whatever they contain", "[drawing]") {
   Drawing drawing;
   drawing.body({1, 0}, 0.1, "<script>alert(1)</script>");
   drawing.label({}, "a&b\"'>");
@@ -358,7 +358,7 @@ TEST_CASE("A drawing's letters and titles are text, whatever they are", "[drawin
   CHECK(has(picture, "a&amp;b"));
 }
 
-TEST_CASE("What is drawn badly still gives a picture", "[drawing]") {
+TEST_CASE("A bad drawing still gives a picture", "[drawing]") {
   Drawing nothing, point, dot;
   point.body({}, 0);
   dot.rod({1, 1}, {1, 1});

@@ -1,4 +1,4 @@
-// The tables' enclosures, made again: the printed digits lie in them, and a wrong digit does not.
+// The tables' enclosures, computed again: they contain the printed digits, and exclude a wrong digit.
 
 #ifdef ODDITY_ARB
 
@@ -54,8 +54,8 @@ const std::vector<Table>& tables() {
   return all;
 }
 
-/// Friction has no Taylor series where the instantaneous center crosses an edge of the box; and the slopes of
-/// the chain's motion take hours.
+/// Friction has no Taylor series where the instantaneous center crosses an edge of the box. The slopes of the
+/// chain's motion take hours.
 const std::set<std::string> not_enclosed{"03_25_growth", "03_31_rest", "03_31_slide"};
 /// Motions: an enclosure takes up to a minute.
 const std::set<std::string> slow{"03_17_axis", "03_25_chain"};
@@ -67,8 +67,8 @@ bool has_motions(const std::string& table) {
              .contains(table);
 }
 
-/// The decimal with its digit of this number, the first that is not zero being 1, one more or, a nine, one
-/// less.
+/// The decimal with one digit changed: this number, the first nonzero one being 1. It is one more or, for a
+/// nine, one less.
 std::string with_wrong_digit(std::string decimal, int number) {
   int seen = 0;
   for (char& c : decimal) {
@@ -90,7 +90,7 @@ std::vector<double> distances(const Table& table, const Row& row, const std::vec
 
 }  // namespace
 
-TEST_CASE("every value is enclosed but those known not to be", "[enclosures]") {
+TEST_CASE("every value is enclosed except those known not to be", "[enclosures]") {
   for (const Table& table : tables())
     for (const Row& row : table.rows) {
       INFO(table.name);
@@ -102,7 +102,7 @@ TEST_CASE("every value is enclosed but those known not to be", "[enclosures]") {
     }
 }
 
-TEST_CASE("printed digits lie in the enclosures made again", "[enclosures]") {
+TEST_CASE("enclosures computed again contain the printed digits", "[enclosures]") {
   for (const Table& table : tables()) {
     if (not_enclosed.contains(table.name)) {
       CHECK_FALSE(distances_from_exact(table.name, table.rows.front().inputs, table.rows.front().decimals));
@@ -118,7 +118,7 @@ TEST_CASE("printed digits lie in the enclosures made again", "[enclosures]") {
   }
 }
 
-TEST_CASE("a wrong digit lies in no enclosure", "[enclosures]") {
+TEST_CASE("no enclosure contains a wrong digit", "[enclosures]") {
   for (const Table& table : tables()) {
     if (not_enclosed.contains(table.name) || slow.contains(table.name)) continue;
     const Row& row = table.rows.front();
@@ -137,7 +137,7 @@ TEST_CASE("a table that does not exist has no enclosure", "[enclosures]") {
   CHECK_FALSE(distances_from_exact("03_05_nothing", {1}, {"1"}));
 }
 
-TEST_CASE("what is computed on the spot is enclosed, and what is wrong is found to be so", "[enclosures]") {
+TEST_CASE("a motion computed on the spot is enclosed, and a wrong one is detected", "[enclosures]") {
   const std::vector<double> swing{0.7, 1, 9.81}, times{0.1, 0.5, 1, 5, 10};
   const Known known = Reference(ODDITY_SOURCE "/reference")
                           .to_digits(digits_in_long_double)
@@ -153,13 +153,13 @@ TEST_CASE("what is computed on the spot is enclosed, and what is wrong is found 
   CHECK(enclosed().distance < 1.01e-9);
 }
 
-TEST_CASE("an enclosure is had in the digits that are asked for", "[enclosures]") {
+TEST_CASE("an enclosure is computed to the requested digits", "[enclosures]") {
   const std::vector<double> at{0.7, 1, 9.81, 1}, none;
   const Known known = Reference(ODDITY_SOURCE "/reference")("03_05_swing", at);
   CHECK(enclosed_on_demand({"03_05_swing", at, none, known.value, 30}, {}).distance < 1e-16);
 }
 
-TEST_CASE("what has no enclosure says so, and who waits may end the wait", "[enclosures]") {
+TEST_CASE("a motion without an enclosure is reported, and the wait can be ended", "[enclosures]") {
   const std::vector<double> at{1}, values{0}, times{1};
   const Enclosed none = enclosed_on_demand({"03_31_rest", at, times, values, 14}, {});
   CHECK(std::isinf(none.distance));
@@ -170,7 +170,7 @@ TEST_CASE("what has no enclosure says so, and who waits may end the wait", "[enc
       std::bad_alloc);
 }
 
-TEST_CASE("a choice says by what its truth is enclosed", "[enclosures]") {
+TEST_CASE("a choice reports how its reference is enclosed", "[enclosures]") {
   const program::Ran ran = program::run("choose 3.5 a=0.7 --error 0.01 --enclosed");
   CHECK(ran.status == 0);
   CHECK(program::says(ran, "enclosed by the second route, the remainders bounded"));
@@ -183,7 +183,7 @@ TEST_CASE("a choice says by what its truth is enclosed", "[enclosures]") {
 #include "report/verify/catch.hpp"
 #include "tests/program.hpp"
 
-TEST_CASE("without Arb nothing is enclosed, and the program says how to have it", "[enclosures]") {
+TEST_CASE("without Arb nothing is enclosed, and the program names the package", "[enclosures]") {
   const program::Ran ran = program::run("choose 3.5 --error 0.01 --enclosed");
   CHECK(ran.status == 2);
   CHECK(program::says(ran, "libflint-arb-dev"));

@@ -5,7 +5,8 @@ using namespace oddity;
 
 namespace {
 
-/// A place at rest and a rate at two times, with the energy of that rate: truly 1, here at most 1.004.
+/// A place at rest and a rate at two times, with the energy of that rate: the true one is 1, here it is at
+/// most 1.004.
 Quantity moving() {
   Quantity q{"x", "m", "a length", {"by hand", Value{1, 1}}, 1e-12, {0.1, "a test"}};
   q.samples = 2;
@@ -18,7 +19,7 @@ Quantity moving() {
 
 }  // namespace
 
-TEST_CASE("by its energy a method holds as far as that is off its true value by no more than is asked",
+TEST_CASE("a method holds by its energy if that is within the requested error of its true value",
           "[choose]") {
   std::vector<Start> starts{{"here", moving()}};
   starts[0].energy = std::make_shared<Lazy<TrueEnergy>>([] { return TrueEnergy{{1, 1}, 2, 1e-12}; });

@@ -15,8 +15,8 @@ ErrorsOnRecord row(std::vector<std::optional<double>> errors, std::vector<std::o
   return {"3.5", "swing: one angle, Runge-Kutta 4", std::move(at), std::move(errors), std::move(work)};
 }
 
-/// A claim, rounded to a thousandth, and a quantity 1 by a method of two trials that err by a tenth and by
-/// nothing but roundings, and a breakdown of them.
+/// A claim, rounded to a thousandth. A quantity of 1 by a method of two trials, one off by a tenth and one by
+/// roundings only, and a breakdown of them.
 ExerciseResult an_exercise() {
   TimedTrial coarse, fine;
   coarse.model = fine.model = "model";
@@ -70,7 +70,7 @@ TEST_CASE("wrong readings, wide tolerances, needs, trials and breakdowns have a 
   CHECK(texts_of(unsettled) == std::vector(rows.begin() + 2, rows.end()));
 }
 
-TEST_CASE("whether there is a row at all may hang on the last bits", "[errors]") {
+TEST_CASE("the last bits may decide whether there is a row at all", "[errors]") {
   ErrorsOnRecord narrow = row({std::nullopt}, {}, "");
   narrow.of = "claim value: tolerances";
   CHECK(is_left_to_last_bits(narrow));
@@ -80,14 +80,14 @@ TEST_CASE("whether there is a row at all may hang on the last bits", "[errors]")
   ExerciseResult e = an_exercise();
   const std::string kept = "3.5,claim value: tolerances,,~,";
   CHECK(error_rows(e, {narrow})[1] == kept);
-  e.claims[0].claim.printed.checks[0].tolerance.allowed = 1e-12;  // no more than roundings
+  e.claims[0].claim.printed.checks[0].tolerance.allowed = 1e-12;  // only roundings
   e.claims[0].claim.printed.checks[0].left.value = Value{1};
   CHECK(texts_of(e).size() == 4);
   CHECK(error_rows(e, {narrow}).back() == kept);
   CHECK(error_rows(e, {}).size() == 4);
 }
 
-TEST_CASE("errors agree within 2 %, work exactly or within 10 % of a tolerance's, last bits with all",
+TEST_CASE("errors agree within 2 %, work exactly or within 10 % for a tolerance, last bits always",
           "[errors]") {
   const ErrorsOnRecord kept = row({0.1, std::nullopt}, {10, 20});
   CHECK(agree(row({0.1019, 7}, {10, 20}), kept));
@@ -104,7 +104,7 @@ TEST_CASE("errors agree within 2 %, work exactly or within 10 % of a tolerance's
   CHECK_FALSE(agree(row({0.1}, {111}, "tolerance 1e-3"), by_tolerance));
 }
 
-TEST_CASE("what is put on record keeps rows that agree, and what last bits decide", "[errors]") {
+TEST_CASE("a new record keeps rows that agree, and those that last bits decide", "[errors]") {
   const ExerciseResult e = an_exercise();
   std::vector<ErrorsOnRecord> kept = errors_of(e);
   kept[3].errors = {0.1011, std::nullopt};
@@ -113,7 +113,7 @@ TEST_CASE("what is put on record keeps rows that agree, and what last bits decid
   CHECK(error_rows(e, kept)[3] == "3.5,\"swing: model, algorithm\",step 0.5 0.25,0.1 ~,3 6");
 }
 
-TEST_CASE("errors on record are read, broken ones named by line", "[errors]") {
+TEST_CASE("recorded errors are read, broken ones named by line", "[errors]") {
   const ScratchFolder folder;
   const std::string head = "exercise,of,at,errors,work\n";
   const std::string file =

@@ -1,4 +1,5 @@
-// Events with a known time, and what happens when there is none. An event is to be as exact as the states.
+// Events with a known time, and the result when there is no event. An event must be as accurate as the
+// states.
 
 #include <numbers>
 
@@ -42,7 +43,7 @@ TEST_CASE("every algorithm finds a pendulum's and an oscillator's crossing, forw
   });
 }
 
-TEST_CASE("an event shrinks with the step by the algorithm's order", "[solvers]") {
+TEST_CASE("an event's error shrinks with the step by the algorithm's order", "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
     if constexpr (!has_tolerance(Algorithm::kind)) {
@@ -55,7 +56,7 @@ TEST_CASE("an event shrinks with the step by the algorithm's order", "[solvers]"
   });
 }
 
-TEST_CASE("an event is in proportion to the tolerance", "[solvers]") {
+TEST_CASE("an event's error is proportional to the tolerance", "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
     if constexpr (has_tolerance(Algorithm::kind)) {
@@ -81,7 +82,7 @@ TEST_CASE("a parabola is exact for every algorithm of order two and more", "[sol
 }
 
 TEST_CASE("a ball bounces: event after event, each with half of the height", "[solvers]") {
-  // From height 2, restitution sqrt(1/2): the flights last T, 2T/sqrt 2, 2T/2, ... with T = sqrt(4/g).
+  // From height 2 with restitution sqrt(1/2): the flights last T, 2T/sqrt 2, 2T/2, ... with T = sqrt(4/g).
   double t = 0, expected = std::sqrt(4 / 9.81);
   State x{2, 0};
   for (int bounce = 0; bounce < 8; ++bounce) {
@@ -94,7 +95,7 @@ TEST_CASE("a ball bounces: event after event, each with half of the height", "[s
   }
 }
 
-TEST_CASE("an event at the start is not the one looked for", "[solvers]") {
+TEST_CASE("an event at the start is not reported", "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
     const auto event = find_event<Algorithm>(oscillator.system, State{0, 1}, 0, 10, fine<Algorithm>, height);
@@ -115,7 +116,7 @@ TEST_CASE("an event just after the start is found to its last digits, also at la
   });
 }
 
-TEST_CASE("an event on a step's end or on a sample is found", "[solvers]") {
+TEST_CASE("an event at a step's end or at a sample is found", "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
     for (double event_time : {0.5, 0.3, 0.25, 0.1, 1.0}) {
@@ -128,8 +129,8 @@ TEST_CASE("an event on a step's end or on a sample is found", "[solvers]") {
   });
 }
 
-TEST_CASE("a double crossing on the very edge of rounding is found", "[solvers]") {
-  // g = 0 at 2.99 and 3.01, both of which are ends of steps.
+TEST_CASE("a double crossing at the limit of rounding is found", "[solvers]") {
+  // g = 0 at 2.99 and 3.01, which are both ends of steps.
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
     const auto dip = [](const State&, double t) { return (t - 3) * (t - 3) - 1e-4; };
@@ -142,7 +143,7 @@ TEST_CASE("a double crossing on the very edge of rounding is found", "[solvers]"
   });
 }
 
-TEST_CASE("a double crossing is seen when it lasts a quarter of a step, and may be missed below",
+TEST_CASE("a double crossing is found if it lasts a quarter of a step, and may be missed below",
           "[solvers]") {
   const auto dip = [](double width) {
     return [=](const State&, double t) { return (t - 0.55) * (t - 0.55) - width * width / 4; };
@@ -156,7 +157,7 @@ TEST_CASE("a double crossing is seen when it lasts a quarter of a step, and may 
         Ending::raised);
 }
 
-TEST_CASE("without an event in the time given, every algorithm raises and says so", "[solvers]") {
+TEST_CASE("without an event in the given time, every algorithm reports it", "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
     const auto none = crossing<Algorithm>(oscillator, 0, 1, fine<Algorithm>);
@@ -166,7 +167,8 @@ TEST_CASE("without an event in the time given, every algorithm raises and says s
   });
 }
 
-TEST_CASE("a change of sign is seen also where the product of both sides is no normal number", "[solvers]") {
+TEST_CASE("a change of sign is found even if the product of both sides underflows or overflows",
+          "[solvers]") {
   const auto usual = [](const State& x, double) { return x[0]; };
   const auto tiny = [](const State& x, double) { return 0x1p-700 * x[0]; };
   for_each_algorithm([&]<class Algorithm>() {
@@ -188,7 +190,7 @@ TEST_CASE("a change of sign at a pole of g is not an event", "[solvers]") {
   });
 }
 
-TEST_CASE("a g that is NaN, a bad setting and a motion that fails find no event", "[solvers]") {
+TEST_CASE("a g of NaN, a bad setting and a motion that fails find no event", "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
     const auto undefined = [](const State&, double) { return std::numeric_limits<double>::quiet_NaN(); };
@@ -201,8 +203,7 @@ TEST_CASE("a g that is NaN, a bad setting and a motion that fails find no event"
   });
 }
 
-TEST_CASE("the evaluations of an event are all the calls that were made, those inside steps too",
-          "[solvers]") {
+TEST_CASE("the evaluations of an event are all calls made, including those inside steps", "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
     if (info<Algorithm>().by_series) return;                // it makes none

@@ -5,7 +5,7 @@
 using namespace oddity;
 using namespace program;
 
-TEST_CASE("the examples of the help are listed once each, and every mark is one's", "[commands]") {
+TEST_CASE("the help's examples are each listed once, and every mark belongs to one", "[commands]") {
   const Ran examples = run("--examples");
   CHECK(examples.status == 0);
   CHECK(examples.output.starts_with("-\toddity list\n"));

@@ -1,4 +1,4 @@
-// Chapter 5: how lines of index calculus are typeset, and what flows out of a cube around the origin.
+// Chapter 5: typesetting of lines of index calculus, and flux out of a cube around the origin.
 
 #include <algorithm>
 #include <numbers>
@@ -20,14 +20,13 @@ TEST_CASE("a line is typeset with every digit as an index once", "[5.7]") {
   CHECK(fields::typeset("- curl_f0 e01 + f0,12", names) == R"(-C_{0}\,E_{1}+f_{0,12})");
 }
 
-TEST_CASE("a letter that has no name in TeX stands for itself, and digits alone are its indices", "[5.7]") {
+TEST_CASE("a letter without a name in TeX is typeset as itself, and only digits are its indices", "[5.7]") {
   CHECK(fields::typeset("f2,1 e", {{"e0", "E"}}) == R"(f_{2,1}\,e)");
   CHECK(fields::typeset("phi", {}) == R"(\varphi)");
   CHECK(fields::typeset("div", {}) == "div");
 }
 
-TEST_CASE("a product of sums is read as the sum of its products, and what is not closed is refused",
-          "[5.7]") {
+TEST_CASE("a product of sums is read as the sum of its products, and an unclosed one is refused", "[5.7]") {
   fields::Sample symbols;
   for (const char* name : {"a", "b", "c", "d"}) symbols.put(name, 1);
   const fields::Terms all = fields::read_terms("a (b - c) d - b", symbols);
@@ -41,7 +40,7 @@ TEST_CASE("a product of sums is read as the sum of its products, and what is not
     CHECK_THROWS(fields::read_terms(ill, symbols));
 }
 
-TEST_CASE("the field of 5.3 is refused at the origin alone", "[5.3]") {
+TEST_CASE("the field of 5.3 is refused only at the origin", "[5.3]") {
   const Exercise& exercise = std::ranges::find(registry(), Number{5, 3}, &Entry::number)->exercise;
   const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
   Parameters p(exercise.parameters);

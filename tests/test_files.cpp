@@ -29,7 +29,8 @@ std::size_t files_in(const fs::path& folder) {
 
 }  // namespace
 
-TEST_CASE("a file that cannot be written whole is as it was, and nothing is left beside it", "[files]") {
+TEST_CASE("a file that cannot be written completely stays as it was, and nothing is left next to it",
+          "[files]") {
   const ScratchFolder scratch;
   const fs::path file = scratch.file("results", "before");
   rlimit before{};
@@ -45,7 +46,7 @@ TEST_CASE("a file that cannot be written whole is as it was, and nothing is left
   CHECK(files_in(scratch.path()) == 1);
 }
 
-TEST_CASE("what is no file is not written over", "[files]") {
+TEST_CASE("only a file can be overwritten", "[files]") {
   const ScratchFolder scratch;
   CHECK(complaint([&] { write_whole(scratch.path(), "x"); }).find("it is a folder") != std::string::npos);
   CHECK(complaint([&] { write_whole("/dev/full", "x"); }).find("not a regular file") != std::string::npos);
@@ -65,7 +66,7 @@ TEST_CASE("a place where nothing can be written is named before the run", "[file
   CHECK(files_in(scratch.path() / "new") == 0);
 }
 
-TEST_CASE("a table may end its lines as Windows does, and holds no control characters", "[files]") {
+TEST_CASE("a table may have Windows line ends, and no control characters", "[files]") {
   const ScratchFolder scratch;
   CHECK(read_csv(scratch.file("a.csv", "x,y\r\n1,2\r\n")).rows.at(0).number(1) == 2);
   const auto refused = complaint([&] { read_csv(scratch.file("b.csv", "x,y\n1,\x1b[31m\n")); });
@@ -73,7 +74,7 @@ TEST_CASE("a table may end its lines as Windows does, and holds no control chara
   CHECK(complaint([&] { read_csv(scratch.path()); }).find("cannot read") == 0);
 }
 
-TEST_CASE("only a regular file of some size is read, and nothing is waited for", "[files]") {
+TEST_CASE("only a regular file of limited size is read, without waiting", "[files]") {
   const ScratchFolder scratch;
   const fs::path pipe = scratch.path() / "pipe", large = scratch.file("large", ""),
                  link = scratch.path() / "link";
@@ -99,7 +100,7 @@ TEST_CASE("only a regular file of some size is read, and nothing is waited for",
   CHECK_FALSE(read_sealed(link));
 }
 
-TEST_CASE("nothing is written through what was there", "[files]") {
+TEST_CASE("nothing is written through an existing link or file", "[files]") {
   const ScratchFolder scratch, other;
   const fs::path victim = other.file("victim", "before"), file = scratch.path() / "file";
   fs::create_symlink(victim, scratch.path() / "file.part");
@@ -108,7 +109,7 @@ TEST_CASE("nothing is written through what was there", "[files]") {
   CHECK(text_of(victim) == "before");
   CHECK(fs::is_regular_file(fs::symlink_status(file)));
   CHECK(text_of(file) == "whole");
-  CHECK(fs::status(file).permissions() == fs::status(victim).permissions());  // as the umask has it
+  CHECK(fs::status(file).permissions() == fs::status(victim).permissions());  // by the umask
   fs::remove(file);
   fs::create_symlink(other.path() / "none", file);
   require_writable(file);
@@ -121,7 +122,7 @@ TEST_CASE("nothing is written through what was there", "[files]") {
       complaint([&] { write_whole(scratch.path() / "pipe", "x"); }).ends_with(": it is not a regular file"));
 }
 
-TEST_CASE("a link on the way to a file is gone where root or we made it, and by nobody else", "[files]") {
+TEST_CASE("a link in a file's path is followed if root or we made it, and no other user's", "[files]") {
   const ScratchFolder scratch;
   fs::create_directory(scratch.path() / "real");
   fs::create_symlink("real", scratch.path() / "link");
@@ -135,7 +136,7 @@ TEST_CASE("a link on the way to a file is gone where root or we made it, and by 
   CHECK_FALSE(fs::exists(scratch.path() / "real/file"));
 }
 
-TEST_CASE("what killed runs left is removed when it is a day old and ours", "[files]") {
+TEST_CASE("leftovers of killed runs are removed when they are a day old and ours", "[files]") {
   const ScratchFolder scratch;
   const fs::path old = scratch.file(".oddity-0123456789abcdef.part", ""),
                  fresh = scratch.file(".oddity-0123456789abcdee.part", ""),
@@ -148,7 +149,7 @@ TEST_CASE("what killed runs left is removed when it is a day old and ours", "[fi
   CHECK(fs::exists(named));
 }
 
-TEST_CASE("a folder that is kept is its user's alone, or nothing is kept", "[files]") {
+TEST_CASE("a folder for kept files belongs to its user alone, or nothing is kept", "[files]") {
   const ScratchFolder scratch;
   const fs::path kept = scratch.path() / "cache/oddity";
   const auto refused = [&] { return complaint([&] { require_private(kept, "motions"); }); };
@@ -183,7 +184,7 @@ TEST_CASE("a folder that is kept is its user's alone, or nothing is kept", "[fil
   CHECK(complaint([] { require_private("/proc/none/oddity", "motions"); }) == "nothing");  // nothing is there
 }
 
-TEST_CASE("a folder with files of others is taken where that is asked for", "[files]") {
+TEST_CASE("a folder with files of others is used on request", "[files]") {
   const ScratchFolder scratch;
   const fs::path ours = scratch.path() / "ours", others = scratch.path() / "others";
   take_folder(ours, false);
@@ -202,7 +203,7 @@ TEST_CASE("a folder with files of others is taken where that is asked for", "[fi
   CHECK(complaint([&] { take_folder(scratch.path() / "marked", false); }) != "nothing");
 }
 
-TEST_CASE("programs are found on PATH, and not in the folder one stands in", "[files]") {
+TEST_CASE("programs are found on PATH, and not in the current folder", "[files]") {
   CHECK(program_on_path("sh").starts_with('/'));
   CHECK(program_on_path("./sh") == "./sh");
   const ScratchFolder scratch;

@@ -12,7 +12,7 @@ using namespace oddity;
 
 namespace {
 
-/// A method with one trial at each setting, its error and evaluations as given.
+/// A method with one trial at each setting, with this error and number of evaluations.
 MethodResult method(const std::string& knob, const std::vector<double>& settings,
                     const std::function<double(double)>& error) {
   MethodResult m{"model", "algorithm", Outcome::ok, "", {}};
@@ -48,7 +48,7 @@ TimedTrial trial(long evaluations, double error, double seconds, Outcome outcome
 
 }  // namespace
 
-TEST_CASE("the order of a step is the slope between saturation and rounding", "[fit]") {
+TEST_CASE("the order in the step is the slope between saturation and rounding", "[fit]") {
   const auto m = method("step", steps, [](double h) { return std::min(2.0, 3 * std::pow(h, 4)) + 2e-11; });
   const auto f = fitted(m);
   REQUIRE(f);
@@ -58,7 +58,7 @@ TEST_CASE("the order of a step is the slope between saturation and rounding", "[
   CHECK(m.trials[f->last].error > 2e-10);
 }
 
-TEST_CASE("the coarse trials that follow another law are left out", "[fit]") {
+TEST_CASE("coarse trials that follow another law are left out", "[fit]") {
   const auto m = method("step", steps, [](double h) { return 0.1 * h * std::exp(10 * h); });
   const auto f = fitted(m);
   REQUIRE(f);
@@ -77,7 +77,7 @@ TEST_CASE("trials over less than a factor of four have no order", "[fit]") {
   CHECK(!law_over(3.9));
 }
 
-TEST_CASE("a count has its order in 1/n", "[fit]") {
+TEST_CASE("the order in a count is that in 1/n", "[fit]") {
   const auto m = method("panels", doubling("panels", 4, 6).settings, [](double n) { return 5 / (n * n); });
   const auto f = fitted(m);
   REQUIRE(f);
@@ -86,7 +86,7 @@ TEST_CASE("a count has its order in 1/n", "[fit]") {
   CHECK(shown_fit(m, f) == "order 2.00");
 }
 
-TEST_CASE("errors that may scatter have a law where half of them follow it", "[fit]") {
+TEST_CASE("errors that may scatter have a law if half of them follow it", "[fit]") {
   const auto law_over_first = [](int count) {
     return fitted(method("tolerance", halving("tolerance", 1e-3, 10).settings, [&](double tolerance) {
       return 20 * std::max(tolerance, 1e-3 * std::pow(0.5, count - 1));
@@ -96,7 +96,7 @@ TEST_CASE("errors that may scatter have a law where half of them follow it", "[f
   CHECK(!law_over_first(4));
 }
 
-TEST_CASE("a tolerance has exponent and factor, and may scatter", "[fit]") {
+TEST_CASE("a tolerance has an exponent and a factor, and may scatter", "[fit]") {
   Random random(1);
   const auto m = method("tolerance", tolerances().settings,
                         [&](double tol) { return 20 * tol * std::exp(random.between(-0.7, 0.7)); });
@@ -112,7 +112,7 @@ TEST_CASE("samples scatter, and have no order", "[fit]") {
   CHECK(shown_fit(m, fitted(m)) == "error ~ (1/samples)^0.50");
 }
 
-TEST_CASE("a power law through points is their logarithms' straight line", "[fit]") {
+TEST_CASE("a power law through points is the straight line of their logarithms", "[fit]") {
   const std::vector<double> x{1, 2, 8}, y{3, 12, 192};
   const PowerLaw law = power_law(x, y);
   CHECK(std::abs(law.exponent - 2) < 1e-14);
@@ -121,16 +121,16 @@ TEST_CASE("a power law through points is their logarithms' straight line", "[fit
 }
 
 TEST_CASE("a slope that is still changing is no order", "[fit]") {
-  // The higher power leads, and gives way, as an energy's error of order 5 does to a path's of order 4.
+  // The higher power dominates first, as an energy's error of order 5 does before a path's of order 4.
   CHECK_FALSE(fitted(method("step", steps, [](double h) { return std::pow(h, 5) + 0.02 * std::pow(h, 4); })));
-  // A third of the last error is the model's own.
+  // A third of the last error is the model's.
   const std::vector<double> six(steps.begin(), steps.begin() + 6);
   CHECK_FALSE(fitted(method("step", six, [](double h) { return 0.1 * h + 0.001; })));
   // Three trials may agree by accident.
   CHECK_FALSE(fitted(method("step", {0.5, 0.25, 0.125}, [](double h) { return h; })));
 }
 
-TEST_CASE("the order is told well above what the method cannot go below", "[fit]") {
+TEST_CASE("the order is reported well above the method's floor", "[fit]") {
   const auto m = method("step", steps, [](double h) { return h * h + 1e-5; });
   const auto f = fitted(m);
   REQUIRE(f);
@@ -139,7 +139,7 @@ TEST_CASE("the order is told well above what the method cannot go below", "[fit]
   CHECK(m.trials[f->last + 1].error < 3e-4);
 }
 
-TEST_CASE("in chapter 3, what is shown as an algorithm's order is its order", "[fit]") {
+TEST_CASE("in chapter 3, the order shown for an algorithm is its order", "[fit]") {
   const Reference truth(std::filesystem::path(ODDITY_SOURCE) / "reference");
   std::vector<Task> chapter;
   for (const Entry& entry : registry())
@@ -160,7 +160,7 @@ TEST_CASE("in chapter 3, what is shown as an algorithm's order is its order", "[
   CHECK(shown > 100);
 }
 
-TEST_CASE("there is no fit where there is no power law", "[fit]") {
+TEST_CASE("without a power law there is no fit", "[fit]") {
   CHECK_FALSE(fitted(method("step", {0.5, 0.25}, [](double h) { return h; })));
   CHECK_FALSE(fitted(method("", {0}, [](double) { return 1e-3; })));
   CHECK_FALSE(fitted(method("step", steps, [](double) { return 1e-3; })));
@@ -181,7 +181,7 @@ TEST_CASE("failed trials are no part of a fit", "[fit]") {
   CHECK_FALSE(fitted(m));
 }
 
-TEST_CASE("the Pareto front holds what nothing beats", "[fit]") {
+TEST_CASE("the Pareto front contains the trials that nothing beats", "[fit]") {
   const MethodResult a{
       "a", "x", Outcome::ok, "", {trial(10, 1e-2, 3e-6), trial(20, 1e-4, 2e-6), trial(40, 1e-3, 1e-6)}};
   const MethodResult b{

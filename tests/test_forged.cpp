@@ -1,5 +1,4 @@
-// Files that somebody has changed: what follows from something else is computed again, and what does not is
-// under a seal.
+// Files that somebody has changed. Redundant values are computed again; the others are under a seal.
 
 #include <cctype>
 #include <functional>
@@ -24,7 +23,7 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 
 std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }
 
-/// The same under the seal that it should have: as a forger would write it who knows this program.
+/// The JSON with a valid seal, as a forger who knows this program would write it.
 std::string sealed(Json json) {
   json.erase("seal");
   json["seal"] = checksum(json.dump(1, ' ', false, Json::error_handler_t::replace));
@@ -51,7 +50,7 @@ struct Forgery {
 
 const Json::json_pointer first_quantity("/exercises/0/quantities/0");
 
-/// What can be told from the results alone.
+/// Forgeries that the results alone reveal.
 const std::vector<Forgery> contradictions{
     {"checks that do not hold",
      [](Json& j) { for_each_of(j, "holds", [](Json& x) { x = !x.get<bool>(); }); }},
@@ -79,7 +78,7 @@ const std::vector<Forgery> contradictions{
        trials.push_back(Json(trials[0]));
      }}};
 
-/// What takes the exercises to be told.
+/// Forgeries that only the exercises reveal.
 const std::vector<Forgery> of_a_scene{
     {"no trajectory", [](Json& j) { for_each_of(j, "trajectory", [](Json& x) { x = nullptr; }); }},
     {"no motion", [](Json& j) { j["exercises"][0]["quantities"] = Json::array(); }},
@@ -93,7 +92,7 @@ const std::vector<Forgery> of_a_scene{
 
 }  // namespace
 
-TEST_CASE("results that contradict themselves are refused, whatever their seal", "[forged]") {
+TEST_CASE("results that contradict themselves are refused, even with a valid seal", "[forged]") {
   const Json whole = Json::parse(to_json(sample()));
   CHECK(complaint([&] { results_from_json(whole.dump(), "here"); }) == "nothing");
   for (const Forgery& forgery : contradictions) {
@@ -105,7 +104,8 @@ TEST_CASE("results that contradict themselves are refused, whatever their seal",
   }
 }
 
-TEST_CASE("least models that have gone, or hold with an error above what is asked, are refused", "[forged]") {
+TEST_CASE("least models that do not exist, or hold with an error above the requested one, are refused",
+          "[forged]") {
   const Json whole = Json::parse(to_json(sample()));
   const auto said = [&](const std::string& place, const Json& value) {
     Json forged = whole;
@@ -116,7 +116,7 @@ TEST_CASE("least models that have gone, or hold with an error above what is aske
   CHECK(has(said("/least/0/least/error_in_needs", 1.5), "errs by more than asked"));
 }
 
-TEST_CASE("a results file is read as it was written, and not where a figure or a word of it is changed",
+TEST_CASE("a results file is read as it was written, and refused if a figure or a word of it is changed",
           "[forged]") {
   const ScratchFolder scratch;
   const std::string whole = to_json(sample());
@@ -140,7 +140,7 @@ TEST_CASE("a results file is read as it was written, and not where a figure or a
   CHECK(has(said(without.dump()), "results.json: not a results file: key 'seal' not found"));
 }
 
-TEST_CASE("a results file sends no control characters to whoever reads it", "[forged]") {
+TEST_CASE("a results file sends no control characters to its reader", "[forged]") {
   Results results = sample();
   results.exercises[0].claims[0].claim.says = "x\x1b]52;c;AAAA\x07 is 1";
   const ScratchFolder scratch;
@@ -185,7 +185,7 @@ TEST_CASE("results are judged by the program, the tables and the parameters that
   CHECK(run("verify '[3.5]' --from " + quoted(forged)).status == 2);
 }
 
-TEST_CASE("results of other tables are not taken, however new they are", "[forged]") {
+TEST_CASE("results of other tables are not used, however new they are", "[forged]") {
   const ScratchFolder scratch;
   const fs::path file = scratch.path() / "one.json", other = scratch.path() / "reference";
   const fs::path here = fs::path(ODDITY_SOURCE) / "reference";
@@ -195,7 +195,7 @@ TEST_CASE("results of other tables are not taken, however new they are", "[forge
   }
   REQUIRE(run("verify '[5.7]' --results " + quoted(file)).status == 0);
   const std::string from = "--reference " + quoted(other) + " verify '[5.7]' --from " + quoted(file);
-  CHECK(run(from).status == 0);  // a copy says the same
+  CHECK(run(from).status == 0);  // a copy gives the same
   const fs::path table = other / "tables/09_01_distance.csv";
   std::string text = text_of(table);
   const std::size_t digit = text.find_first_of("123456789", text.find('\n'));

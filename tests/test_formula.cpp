@@ -46,7 +46,7 @@ double value(const Tree& tree) { return evaluate(tree, values).entries.at(0); }
 double tex_value(const char* text) { return value(parse_tex(text, names)); }
 double plain_value(const char* text) { return value(parse_plain(text, names)); }
 
-/// What is said of a text that is not read.
+/// The message for a text that cannot be read.
 std::string refusal(const char* text, bool plain = false) {
   try {
     plain ? parse_plain(text, names) : parse_tex(text, names);
@@ -80,7 +80,7 @@ constexpr const char* formulas[] = {"m_2g-m(m_2-y_2+1)",
 
 }  // namespace
 
-TEST_CASE("text as one types it is read like the page's", "[formula]") {
+TEST_CASE("typed text is read like the page's", "[formula]") {
   CHECK(plain_value("theta'' + g/m sin(theta)") == tex_value(R"(\ddot\theta+g/m\sin\theta)"));
   CHECK(plain_value("m y_2' - m*g*(y_2 - 1)") == tex_value(R"(m\dot y_2-mg(y_2-1))"));
   CHECK(plain_value("2 m/m_2 g") == tex_value("2m/m_2g"));
@@ -97,7 +97,7 @@ TEST_CASE("text as one types it is read like the page's", "[formula]") {
   CHECK(tex(parse_plain("theta'' + 2 m", {"theta", "theta'", "theta''", "m"})) == R"(\ddot\theta+2m)");
 }
 
-TEST_CASE("names that are known may have commas in them", "[formula]") {
+TEST_CASE("known names may contain commas", "[formula]") {
   const Names fields{"phi", "phi,1", "f2", "f2,1", "a"};
   const PlainReader reader(fields);
   CHECK(reader.letters() == 5);
@@ -107,7 +107,7 @@ TEST_CASE("names that are known may have commas in them", "[formula]") {
   CHECK_THROWS_AS(reader("f2,2"), Unreadable);
 }
 
-TEST_CASE("what is printed is read as the same", "[formula]") {
+TEST_CASE("a printed formula is read as the same", "[formula]") {
   for (const char* formula : formulas) {
     const Tree tree = parse_tex(formula, names);
     INFO(formula << " as " << tex(tree));
@@ -125,7 +125,7 @@ TEST_CASE("what is printed is read as the same", "[formula]") {
   CHECK(tex(parse_plain("-g/m sin(theta)", names)) == R"(-g/m\sin(\theta))");
 }
 
-TEST_CASE("a formula is code in three languages", "[formula]") {
+TEST_CASE("a formula is printed as code in three languages", "[formula]") {
   const Tree tree = parse_tex(R"(\frac12m\dot y_2^2-m_2\sin\theta)", names);
   const Names scalars{"m", "m_2", "g", R"(\theta)", R"(\dot\theta)", R"(\ddot\theta)", "y_2", R"(\dot y_2)"};
   const Tree own = parse_tex(R"(\frac12m\dot y_2^2-m_2\sin\theta)", scalars);
@@ -139,7 +139,7 @@ TEST_CASE("a formula is code in three languages", "[formula]") {
   CHECK(code<Cpp>(parse_plain("m - (g - m)", scalars), scalars, {"a", "b", "c"})[0] == "a - (c - a)");
 }
 
-TEST_CASE("derivatives are those of differences", "[formula]") {
+TEST_CASE("derivatives agree with differences", "[formula]") {
   for (const char* formula :
        {"g^2m/g^3", R"(\sin^3g\cos(2g))", R"(\sqrt{1+g^2}/g)", R"(g^{m/g})", R"(\exp(-g/9)\ln g)",
         R"(\arctan g+\tanh(g/9))", R"(|ug-v|)", R"(\sum_i(x_i-g)^2)", R"(\arcsin(g/20)-\arccos(g/30))",
@@ -160,7 +160,7 @@ TEST_CASE("derivatives are those of differences", "[formula]") {
   CHECK_THROWS_AS(differentiate(parse_tex(R"(\max(g,1))", names), "g"), NoValue);
 }
 
-TEST_CASE("other numbers have a formula's value as well", "[formula]") {
+TEST_CASE("other number types give a formula's value as well", "[formula]") {
   for (const char* formula : {"m_2g-m(m_2-y_2+0.1)", R"(\sqrt{m}\sin\theta/\pi)", "g^{-3}+m^{1/2}"}) {
     const Tree tree = parse_tex(formula, names);
     std::vector<Matrix<long double>> longer;
@@ -176,13 +176,13 @@ TEST_CASE("other numbers have a formula's value as well", "[formula]") {
   }
 }
 
-TEST_CASE("a formula's magnitude is that of its terms, though they cancel", "[formula]") {
+TEST_CASE("a formula's magnitude is that of its terms, even if they cancel", "[formula]") {
   CHECK(magnitude(parse_tex("m-m", names), values) == 4);
   CHECK(magnitude(parse_tex("m(g-g)", names), values) == 2 * 2 * 9.81);
   CHECK(magnitude(parse_tex("(m,m_2-m_2)", names), values) == 6);
 }
 
-TEST_CASE("a formula is changed at every place", "[formula]") {
+TEST_CASE("a formula is mutated at every place", "[formula]") {
   const Tree tree = parse_tex(R"(m_2g-\frac12m\sin\theta)", names);
   const auto changed = mutants(tree);
   const auto has = [&](const char* text) {
@@ -198,14 +198,14 @@ TEST_CASE("a formula is changed at every place", "[formula]") {
         R"(2(m_2g-\frac12m\sin\theta))", R"(m_2-\frac12m\sin\theta)"})
     CHECK(has(text));
   for (const Mutant& mutant : changed) CHECK_FALSE(mutant.change.empty());
-  // A derivative's changes are of what is differentiated.
+  // A derivative's mutants change its argument.
   const Tree rate = parse_tex(R"(\frac{d}{dt}(m\sin\theta))", names);
   CHECK(std::ranges::any_of(mutants(rate), [&](const Mutant& mutant) {
     return std::abs(value(mutant.tree) - 2 * std::sin(0.7) * 1.3) < 1e-12;
   }));
 }
 
-TEST_CASE("a text that is not read is shown with the place and what would be right", "[formula]") {
+TEST_CASE("an unreadable text is shown with the place of the fault and a suggestion", "[formula]") {
   CHECK(refusal("m_2g-m(m_3+g)") ==
         "cannot read this formula:\n  m_2g-m(m_3+g)\n         ^ no letter m_3 here; m_2, m?");
   CHECK(refusal("m+") == "cannot read this formula:\n  m+\n    ^ expected a factor");
@@ -248,7 +248,7 @@ TEST_CASE("shapes that do not fit have no value", "[formula]") {
     CHECK_THROWS(value(parse_tex(text, names)));
 }
 
-TEST_CASE("a relation is its sides", "[formula]") {
+TEST_CASE("a relation consists of its sides", "[formula]") {
   const Relation relation = parse_tex_relation(R"(m<m_2\le \sum_{k\le 2}x_k)", names);
   CHECK(relation.relations == std::vector<std::string>{"<", R"(\le)"});
   CHECK(relation.sides.size() == 3);

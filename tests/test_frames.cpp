@@ -1,5 +1,5 @@
-// Frames of different lengths, and the four ways in which steps of one length meet them, beside loops by
-// hand.
+// Frames of different lengths, and the four ways to combine them with steps of one length, compared with
+// loops by hand.
 
 #include "report/study/frames.hpp"
 
@@ -35,7 +35,7 @@ State after(long steps, double h) {
   return x;
 }
 
-/// What is drawn at the times, in steps of h.
+/// The values drawn at the times, in steps of h.
 std::vector<double> by_hand(const std::vector<double>& times, double h, Stepping stepping) {
   std::vector<double> drawn;
   State divided{1, 0};
@@ -60,14 +60,14 @@ std::vector<double> by_hand(const std::vector<double>& times, double h, Stepping
   return drawn;
 }
 
-/// A nanosecond an evaluation.
+/// One nanosecond per evaluation.
 Time counted_price(const Method& m, double setting) {
   return {static_cast<double>(m.run(setting).evaluations) * 1e-9, 0};
 }
 
 }  // namespace
 
-TEST_CASE("fixed steps meet frames of different lengths as loops by hand do", "[frames]") {
+TEST_CASE("fixed steps meet frames of different lengths like loops by hand", "[frames]") {
   const auto frames = std::make_shared<const std::vector<double>>(
       std::vector<double>{0.004, 0.03, 0.031, 0.05, 0.11, 0.1201, 0.2, 0.2});
   for (const Stepping stepping :
@@ -83,7 +83,7 @@ TEST_CASE("fixed steps meet frames of different lengths as loops by hand do", "[
     }
 }
 
-TEST_CASE("frames are as long as was asked", "[frames]") {
+TEST_CASE("frames have the requested lengths", "[frames]") {
   CHECK(frame_times({}, 60, 10) == nullptr);
 
   const auto jittered = frame_times({.jitter = 0.2}, 60, 100);
@@ -129,7 +129,7 @@ TEST_CASE("a setting is shown in the scene's unit of time", "[frames]") {
   CHECK(shown_span(need, "yr") == "10 yr at 60 frames per yr, each up to 20 % longer or shorter");
 }
 
-TEST_CASE("a scene is studied at the frames that a task has", "[frames]") {
+TEST_CASE("a scene is studied at the task's frames", "[frames]") {
   const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
   Task task(properties::entry_of("3.5"));
   Need need = game_need();
@@ -167,7 +167,7 @@ TEST_CASE("a choice at frames of different lengths is judged where they are draw
     CHECK(run(motion, *chosen, choice.chosen->setting).error <= degree);
   }
 
-  // The last of fixed steps is up to a step old: the bob has moved on by its speed times that.
+  // The last of fixed steps is up to one step old: the bob has moved on by its speed times that.
   const Quantity motion =
       motion_at_frames(*task.entry->exercise.scene, task.parameters, horizon_of(need), truth);
   const auto error_of = [&](const std::string& algorithm) {

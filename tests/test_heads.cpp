@@ -1,4 +1,4 @@
-// The lines of use at the heads of public headers: each is compiled and run here, as it stands there.
+// Examples at the heads of public headers: each is compiled and run here, word for word.
 
 #include <algorithm>
 #include <array>
@@ -29,7 +29,7 @@ using namespace oddity::ode;
 
 namespace {
 
-/// Text that was written to standard output since this was made.
+/// Text written to standard output during the lifetime of this.
 class Output {
  public:
   Output() : before_(std::cout.rdbuf(written_.rdbuf())) {}
@@ -46,7 +46,7 @@ class Output {
 
 }  // namespace
 
-TEST_CASE("a motion and its events are as the heads of their headers show", "[texts]") {
+TEST_CASE("a motion and its events run as in the examples of their headers", "[texts]") {
   const Output output;
   const auto swing = [](const auto& x, auto& dxdt, const auto&) { dxdt = {x[1], -x[0]}; };
   const std::array times{0.0, 1.0, 2.0};
@@ -64,7 +64,7 @@ TEST_CASE("a motion and its events are as the heads of their headers show", "[te
   CHECK(output.has("\nRunge-Kutta 4 4 2.82843\n"));
 }
 
-TEST_CASE("integrals, roots, slopes and equations are as the heads of their headers show", "[texts]") {
+TEST_CASE("integrals, roots, slopes and equations run as in the examples of their headers", "[texts]") {
   const Output output;
   const Integral area = qags([](double x) { return 1 / std::sqrt(x); }, 0, 1, 1e-10);
   if (area.reached()) std::cout << area.value << " +- " << area.error_estimate;  // 2
@@ -85,7 +85,7 @@ TEST_CASE("integrals, roots, slopes and equations are as the heads of their head
   CHECK(output.has("0.2 0.6 by "));
 }
 
-TEST_CASE("a true value, a run and a choice are as the heads of their headers show", "[texts]") {
+TEST_CASE("a reference value, a run and a choice run as in the examples of their headers", "[texts]") {
   const Output output;
   const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
   const Known quarter = truth("03_05_quarter_period", {1.5});
@@ -109,7 +109,7 @@ TEST_CASE("a true value, a run and a choice are as the heads of their headers sh
   CHECK(output.has(" by closed form"));
 }
 
-TEST_CASE("the lines of use at the heads of headers are those that run here", "[texts]") {
+TEST_CASE("the examples at the heads of headers are those that run here", "[texts]") {
   const std::filesystem::path tree = ODDITY_SOURCE;
   std::istringstream here(text_of(tree / "tests/test_heads.cpp"));
   std::set<std::string> lines;
@@ -127,7 +127,7 @@ TEST_CASE("the lines of use at the heads of headers are those that run here", "[
       if (line.starts_with("///   ")) {
         INFO(header << ": " << line);
         ++uses;
-        // The folder's path is of whoever runs it.
+        // The folder's path depends on the user.
         CHECK((lines.contains(without_margin(line.substr(3))) ||
                line.find("truth(\"reference\")") != line.npos));
       }

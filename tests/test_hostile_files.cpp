@@ -1,5 +1,5 @@
-// What the fuzzers found in files and words, each in its least form: refused by what is wrong, and nothing
-// worse.
+// Fuzzers' findings in files and words, each in its smallest form: refused with the right message, and
+// nothing worse.
 
 #include <limits>
 
@@ -34,7 +34,7 @@ sweep::Plan small_plan() {
   return {asked, {0, 1}, {1}, "fingerprint"};
 }
 
-/// What is said of a chunk of the small plan with these lines, sealed.
+/// The message for a chunk of the small plan with these lines, sealed.
 std::string complaint_of_chunk(const std::string& lines) {
   const ScratchFolder scratch;
   write_sealed(sweep::chunk_file(scratch.path(), 0), "fingerprint\nchunk 0\n" + lines);
@@ -52,7 +52,7 @@ TEST_CASE("a unit of a hundred thousand parentheses, or of powers of powers, is 
   CHECK(has(complaint([] { in_unit("1e308km", "m"); }), "is beyond what a number can hold"));
 }
 
-TEST_CASE("a plan whose numbers do not fit is none", "[hostile]") {
+TEST_CASE("a plan whose numbers do not fit is refused", "[hostile]") {
   const std::string plan = to_json(small_plan());
   CHECK(to_json(sweep::plan_from_json(plan, "plan")) == plan);
   for (const auto& changed : {std::pair{"\"count\": 7", "\"count\": 1e300"},
@@ -68,7 +68,7 @@ TEST_CASE("a plan whose numbers do not fit is none", "[hostile]") {
   CHECK(has(complaint([&] { sweep::plan_from_json(to_json(without), "it"); }), "it is no plan of a sweep: "));
 }
 
-TEST_CASE("a plan of what cannot be swept over is refused in one sentence, whoever wrote it",
+TEST_CASE("a plan for an impossible sweep is refused in one sentence, whoever wrote it",
           "[hostile][forged]") {
   const auto said = [](const auto& change) {
     sweep::Plan plan = small_plan();
@@ -111,7 +111,7 @@ TEST_CASE("a chunk whose lines are not those of its cells is refused", "[hostile
     CHECK(has(complaint_of_chunk(lines), ": no chunk as a sweep writes it: "));
 }
 
-TEST_CASE("a chunk that holds what no cell ends with is refused with its line", "[hostile][forged]") {
+TEST_CASE("a chunk with a value that no cell can have is refused with its line", "[hostile][forged]") {
   CHECK(complaint_of_chunk("tile 3 1\n1 0.5 12 ok\n30 - - inaccurate\n4 - - truth not known\n") == "nothing");
   CHECK(complaint_of_chunk("tile 0 0\n1 nan 12 raised\n34 - - ok\n") == "nothing");
   const std::string megabytes(10'000'000, 'x');
@@ -139,7 +139,8 @@ TEST_CASE("a chunk that holds what no cell ends with is refused with its line", 
   }
 }
 
-TEST_CASE("a chunk of choices has names of methods, and no formula of a spreadsheet", "[hostile][forged]") {
+TEST_CASE("a chunk of choices contains names of methods, and no formula of a spreadsheet",
+          "[hostile][forged]") {
   sweep::Plan plan = small_plan();
   plan.asked.model = plan.asked.algorithm = "";
   const auto said = [&](const std::string& as) {
@@ -156,7 +157,7 @@ TEST_CASE("a chunk of choices has names of methods, and no formula of a spreadsh
   CHECK(has(said("a, " + std::string(1'000'000, 'b')), "000000.txt:4: no chunk"));
 }
 
-TEST_CASE("results whose whole numbers do not fit are none", "[hostile]") {
+TEST_CASE("results whose whole numbers do not fit are refused", "[hostile]") {
   const std::string results = to_json(sample());
   CHECK(to_json(results_from_json(results, "it")) == results);
   const auto at = results.find("\"samples\": ");
@@ -169,7 +170,7 @@ TEST_CASE("results whose whole numbers do not fit are none", "[hostile]") {
               "it: not a results file: "));
 }
 
-TEST_CASE("what engines did is refused where an error has no unit", "[hostile]") {
+TEST_CASE("results of engines are refused if an error has no unit", "[hostile]") {
   const ScratchFolder scratch;
   const std::string trial =
       R"({"steps_per_frame": 1, "outcome": "ok", "message": "", "errors": [1], "in_needs": 1,

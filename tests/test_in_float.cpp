@@ -1,4 +1,4 @@
-// Methods in float: the algorithms, how they are driven, and what roundings may cost.
+// Methods in float: the algorithms, how they are driven, and the possible effect of roundings.
 
 #include <cctype>
 #include <cmath>
@@ -17,7 +17,7 @@ using namespace oddity;
 
 namespace {
 
-/// x' = 1 and the times at which it was asked.
+/// x' = 1, with a record of the times of its calls.
 struct Clock {
   mutable std::vector<float> asked = {};
   void operator()(const std::array<float, 2>&, std::array<float, 2>& dxdt, float t) const {
@@ -48,7 +48,7 @@ Quantity pendulum_motion(const Horizon& horizon) {
 
 std::string source(std::string_view file) { return text_of(std::filesystem::path(ODDITY_SOURCE) / file); }
 
-/// What stands between the bracket at `open` and its end, split at its own commas. There are no comparisons.
+/// The text between the bracket at `open` and its end, split at its own commas. Assumes no comparisons.
 std::vector<std::string> parts(std::string_view text, std::size_t open) {
   std::vector<std::string> all(1);
   int depth = 0;
@@ -67,7 +67,7 @@ std::vector<std::string> parts(std::string_view text, std::size_t open) {
   return all;
 }
 
-/// The model that an expression constructs, in no number type of its own: "OneAngle" of
+/// The model that an expression constructs, without its number type: "OneAngle" for
 /// "pendulum::OneAngle<double>{{a, L, g}}".
 std::string constructed(const std::string& expression) {
   static const std::regex space("\\b[a-z_]+::"), number("double"), alone("<T>");
@@ -77,7 +77,7 @@ std::string constructed(const std::string& expression) {
   return std::regex_replace(name, alone, "");
 }
 
-/// What the listing constructs of a model in float; nothing where it has none of its name.
+/// The listing's expression for a model in float; empty if it has none of this name.
 std::string listed(const Listing& listing, const std::string& name) {
   const auto found = std::ranges::find_if(listing.models, [&](const auto& model) {
     return model.first == name || model.first.starts_with(name + ", ");
@@ -103,7 +103,7 @@ TEST_CASE("a parser of calls splits them at their own commas", "[in_float]") {
   CHECK(constructed("chain::Angles<double, chain::Equations::dense>{p}") == "Angles<T, Equations::dense>");
 }
 
-TEST_CASE("the name of a model in float stands for the model that is listed under it", "[in_float]") {
+TEST_CASE("the name of a model in float belongs to the model that is listed under it", "[in_float]") {
   const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
   for (const Entry& entry : registry()) {
     if (!entry.exercise.scene) continue;
@@ -133,7 +133,7 @@ TEST_CASE("the name of a model in float stands for the model that is listed unde
   }
 }
 
-TEST_CASE("in float an algorithm does what it does in double, to a rounding a step", "[in_float]") {
+TEST_CASE("in float an algorithm does the same as in double, to a rounding per step", "[in_float]") {
   const ode::Adapted<Any<double>, Swing<double>> in_double{Swing<double>{}};
   const ode::Adapted<Any<float>, Swing<float>> in_float{Swing<float>{}};
   const std::vector<double> times{0, 1, 2, 3, 4};
@@ -153,7 +153,7 @@ TEST_CASE("in float an algorithm does what it does in double, to a rounding a st
   }
 }
 
-TEST_CASE("what is in double only has no counterpart in float", "[in_float]") {
+TEST_CASE("algorithms for double only have no counterpart in float", "[in_float]") {
   for (const char* name : {"Fehlberg 7(8)", "Bulirsch-Stoer", "GSL msbdf", "linearly implicit Euler"})
     CHECK_FALSE(ode::in_float<2>(name));
 }
@@ -177,7 +177,7 @@ TEST_CASE("a scene's parameters are rounded one by one", "[in_float]") {
   CHECK(rounded_to<double>(single).a == static_cast<double>(0.1F));
 }
 
-TEST_CASE("each method in float stands beside one in double, and is judged by it", "[in_float]") {
+TEST_CASE("each method in float is next to one in double, and is judged by it", "[in_float]") {
   const Quantity swing = pendulum_motion({10});
   REQUIRE(swing.methods_in_float.size() > 10);
   for (const Method& m : swing.methods_in_float) {
@@ -192,7 +192,7 @@ TEST_CASE("each method in float stands beside one in double, and is judged by it
   }
 }
 
-TEST_CASE("an error beyond what roundings allow is seen", "[in_float]") {
+TEST_CASE("an error beyond the possible effect of roundings is detected", "[in_float]") {
   const Quantity swing = pendulum_motion({10});
   const Method& single = *method_of(swing, "one angle", "Runge-Kutta 4 in float");
   const double step = single.knob.settings[4];
@@ -210,7 +210,7 @@ TEST_CASE("an error beyond what roundings allow is seen", "[in_float]") {
   CHECK(in_float.roundings < 0.02);
 }
 
-TEST_CASE("a name under which a scene has nothing is refused", "[in_float]") {
+TEST_CASE("a name that a scene does not have is refused", "[in_float]") {
   Quantity swing = pendulum_motion({10});
   const pendulum::Given<double> given{0.5, 1, 9.81};
   CHECK_THROWS_AS(with_float(swing, {10}, given, {"small angel", "", "", "", ""}), std::logic_error);

@@ -1,4 +1,4 @@
-// Motions in long double: through the rows of the tables, and as far off as they say.
+// Motions in long double: they go through the rows of the tables, within their stated errors.
 
 #include <algorithm>
 #include <map>
@@ -23,7 +23,7 @@ const Reference& known() {
   return all;
 }
 
-/// A motion that a table has rows of.
+/// A motion with rows in a table.
 struct Rows {
   std::string table;
   std::vector<double> inputs, times;
@@ -44,7 +44,7 @@ std::vector<Rows> motions_of(const truth::Entry& entry) {
   return all;
 }
 
-/// Up to `count` random ones of every table that long double has.
+/// Up to `count` random motions of every table that long double can compute.
 std::vector<Rows> random_motions(int count) {
   Random random(15);
   std::vector<Rows> all;
@@ -64,10 +64,10 @@ std::vector<Rows> random_motions(int count) {
 
 struct Compared {
   bool made = false;
-  double off = 0, error = 0, size = 0;  ///< the largest
+  double off = 0, error = 0, size = 0;  ///< largest values
 };
 
-/// With the rows; `off` in the sum of both errors.
+/// Compares with the rows; `off` is in units of the sum of both errors.
 Compared with_the_rows(const Rows& motion, BoundedBy bound = BoundedBy::routes) {
   const auto made = motion_in_long_double(motion.table, motion.inputs, motion.times, compared, {}, bound);
   if (!made) return {};
@@ -102,7 +102,7 @@ TEST_CASE("random motions in long double go through the rows of their tables", "
   CHECK(exact >= 36);
 }
 
-TEST_CASE("every scene's motion is had in long double", "[truth]") {
+TEST_CASE("every scene's motion is available in long double", "[truth]") {
   for (const Entry& entry : registry()) {
     if (!entry.exercise.scene) continue;
     const Quantity seen = motion(*entry.exercise.scene, Parameters(entry.exercise.parameters), {1, 1, 60},
@@ -113,7 +113,7 @@ TEST_CASE("every scene's motion is had in long double", "[truth]") {
   }
 }
 
-TEST_CASE("what long double cannot follow is known by the error", "[truth]") {
+TEST_CASE("a motion that long double cannot follow has a large stated error", "[truth]") {
   const Rows wide{"03_25_chain",
                   {1, 0.75, 0.5, 1, 0.75, 0.5, 9.8125, 2.5, 2, 2.5, 3, 0, 0, 0},
                   {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}};
@@ -122,10 +122,10 @@ TEST_CASE("what long double cannot follow is known by the error", "[truth]") {
   CHECK(all.off <= 1);
   CHECK(all.error > 1e-9);
   CHECK(by_repeats.off <= 1);
-  CHECK(by_repeats.error == all.error);  // at the end the routes do not tell one motion
+  CHECK(by_repeats.error == all.error);  // at the end the routes disagree
 }
 
-TEST_CASE("repeats bound roundings on chaotic chains of any start", "[truth]") {
+TEST_CASE("repeats bound roundings on chaotic chains from any start", "[truth]") {
   Random random(5);
   const std::vector<double> times{6, 7, 8};
   for (int i = 0; i < 3; ++i) {
@@ -145,13 +145,13 @@ TEST_CASE("repeats bound roundings on chaotic chains of any start", "[truth]") {
   }
 }
 
-TEST_CASE("no motion in long double where there is none", "[truth]") {
+TEST_CASE("an unknown or impossible motion has no result in long double", "[truth]") {
   CHECK_FALSE(motion_in_long_double("04_99_nothing", {1}, std::vector{1.0}, compared, {}));
   // A hill without a second half axis.
   CHECK_FALSE(motion_in_long_double("03_11_hill", {1, 0, 10, 0, 0, 2, 2}, std::vector{1.0}, compared, {}));
 }
 
-TEST_CASE("what the tick throws ends a motion in long double", "[truth]") {
+TEST_CASE("an exception of the tick ends a motion in long double", "[truth]") {
   const auto over = [](double) { throw OutOfTime("over"); };
   CHECK_THROWS_AS(motion_in_long_double("03_05_swing", {0.7, 1, 9.81}, std::vector{1.0}, compared, over),
                   OutOfTime);

@@ -1,4 +1,4 @@
-// The ledger of what the solutions assert, beside the claims that judge it.
+// The ledger of the solutions' assertions, compared with the claims that judge them.
 
 #include "reference/ledger.hpp"
 
@@ -30,7 +30,7 @@ std::string said_of(const std::string& rows) {
 
 }  // namespace
 
-TEST_CASE("a ledger is read, and a row that says nothing is refused", "[ledger]") {
+TEST_CASE("a ledger is read, and a row without content is refused", "[ledger]") {
   const ScratchFolder folder;
   folder.file(
       "ledger/1.1.csv",
@@ -84,7 +84,7 @@ TEST_CASE("a claim's line is that of one of its assertions in the ledger", "[led
   }
 }
 
-TEST_CASE("a misprint is what the solution itself has right: in a confirmed claim or on another line",
+TEST_CASE("a misprint is right elsewhere in the solution: in a confirmed claim or on another line",
           "[ledger]") {
   const Verdicts approved = read_verdicts(tables + "/approved");
   std::set<std::string> shown;

@@ -1,4 +1,4 @@
-// What the compiler does not see of an exercise's parameters: two of them exchanged in the models, or one
+// Errors in an exercise's parameters that the compiler misses: two of them exchanged in the models, or one
 // that nothing uses.
 
 #include <algorithm>
@@ -21,7 +21,7 @@ std::string exchanged(const std::string& members) {
       "template <class T>\nstruct Given {\n" + members + "\n  T h() const { T K1, I1; }\n};\n", pulleys);
 }
 
-/// A motion x = a t, and b that nothing uses.
+/// A motion x = a t, and a parameter b that nothing uses.
 constexpr Parameter of_a_line[] = {{"a", 1, "m/s", "", 0, 10}, {"b", 2, "m", "", 0, 10}};
 
 struct Line {
@@ -37,7 +37,7 @@ Quantity line(const Parameters& p, const Horizon& horizon, const Reference&) {
 
 }  // namespace
 
-TEST_CASE("letters of Given in another order than the parameters' are seen", "[parameters]") {
+TEST_CASE("letters of Given in another order than the parameters' are detected", "[parameters]") {
   CHECK(exchanged("  T I1, L1, L2, K1;") == "");
   CHECK(exchanged("  T I1, L2, L1, K1;") == "L2 before L1");
   CHECK(exchanged("  T I1;\n  T other, K1;\n  std::array<T, 2> L;") == "K1 before L1");
@@ -61,8 +61,7 @@ TEST_CASE("no scene's letters are exchanged", "[parameters]") {
   CHECK(exchanged_letters(two_pulleys) == "L1 before L2");
 }
 
-TEST_CASE("no quantity of the book is in another unit than its table, and one that is is seen",
-          "[parameters]") {
+TEST_CASE("every quantity of the book has its table's unit, and another unit is detected", "[parameters]") {
   const Reference truth(source_folder() / "reference");
   for (const Entry& e : registry())
     if (e.exercise.scene)
@@ -78,7 +77,7 @@ TEST_CASE("no quantity of the book is in another unit than its table, and one th
   CHECK(other_units(pendulum, found).back() == "swing is in deg, its table 03_05_swing in rad");
 }
 
-TEST_CASE("a parameter that nothing uses is seen", "[parameters]") {
+TEST_CASE("a parameter that nothing uses is detected", "[parameters]") {
   Scene scene;
   scene.motion = line;
   scene.horizon = 1;
@@ -94,7 +93,7 @@ TEST_CASE("every parameter of every exercise is used", "[parameters]") {
   for (const Entry& e : registry()) {
     INFO(to_string(e.number));
     std::vector<std::string> unused;
-    // What is beside its diagonal does not change a triangular matrix's determinant: that is what 7.11 shows.
+    // Off-diagonal numbers do not change a triangular matrix's determinant, as 7.11 shows.
     if (e.number == Number{7, 11}) unused = {"u12", "u13", "u14", "u23", "u24", "u34"};
     CHECK(unused_parameters(e, truth) == unused);
   }

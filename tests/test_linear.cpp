@@ -84,7 +84,7 @@ TEST_CASE("a pivot of zero raises", "[solvers]") {
   }
 }
 
-TEST_CASE("full pivoting alone finds a singular matrix whose pivots round to something", "[solvers]") {
+TEST_CASE("only full pivoting detects a singular matrix whose pivots are nonzero by rounding", "[solvers]") {
   const MatrixXd a = matrix(3, {1, 2, 3, 4, 5, 6, 7, 8, 9});
   const VectorXd b = a * VectorXd::Ones(3);
   CHECK(solve(Factorization::full_pivot_lu, a, b).ending == Ending::raised);
@@ -94,7 +94,7 @@ TEST_CASE("full pivoting alone finds a singular matrix whose pivots round to som
   CHECK(condition(a) > 1e15);
 }
 
-TEST_CASE("Cholesky refuses what is not symmetric and positive definite", "[solvers]") {
+TEST_CASE("Cholesky refuses a matrix that is not symmetric and positive definite", "[solvers]") {
   const VectorXd b = VectorXd::Ones(2);
   CHECK(solve(Factorization::cholesky, matrix(2, {2, 1, 1, 2}), b).reached());
   CHECK(solve(Factorization::cholesky, matrix(2, {2, 1, 0, 2}), b).ending == Ending::raised);
@@ -134,7 +134,7 @@ TEST_CASE("NaN and infinity end non_finite", "[solvers]") {
             .ending == Ending::non_finite);
 }
 
-TEST_CASE("the work counted is the published number of multiplications", "[solvers]") {
+TEST_CASE("the counted work is the published number of multiplications", "[solvers]") {
   const MatrixXd a = MatrixXd::Identity(6, 6);
   const VectorXd b = VectorXd::Ones(6);
   CHECK(solve(Factorization::partial_pivot_lu, a, b).evaluations == 6 * 35 / 3 + 36);
@@ -188,7 +188,7 @@ TEST_CASE("condition and rank of matrices without a size or a scale", "[solvers]
   CHECK(rank(random_matrix(3, 5, 1)) == 3);
 }
 
-TEST_CASE("modes of what is no oscillator are raised, and no number of them is one", "[solvers]") {
+TEST_CASE("modes of a system that is no oscillator raise, with NaN for all numbers", "[solvers]") {
   const MatrixXd one = MatrixXd::Identity(2, 2), indefinite = matrix(2, {1, 2, 2, 1}),
                  lopsided = matrix(2, {2, 1, 0, 2}), tall = MatrixXd::Ones(3, 2);
   const auto why = [](const Modes& m) {

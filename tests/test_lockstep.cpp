@@ -26,7 +26,7 @@ using Real = Lockstep<double>;
 using Single = Lanes<double, lanes::One, 1>;
 using Ranges = std::initializer_list<std::pair<double, double>>;
 
-/// How far it is off, in units of the last place.
+/// Error in units of the last place.
 double units_off(double got, long double expected) {
   int exponent = 0;
   std::frexp(expected, &exponent);
@@ -37,7 +37,7 @@ double units_off(double got, long double expected) {
 
 constexpr int arguments = 25'000;  // in each range: a million in all
 
-/// The worst over a range.
+/// The largest error over a range.
 double worst(double from, double to, const auto& ours, const auto& library) {
   Random random(7);
   double most = 0;
@@ -56,7 +56,7 @@ void check(const char* name, const auto& ours, const auto& library, Ranges range
   }
 }
 
-/// Its printed rows, and the line with the hash.
+/// The printed rows of a program, and the line with the hash.
 struct Printed {
   std::vector<double> observables;
   std::string hash;
@@ -80,7 +80,7 @@ Printed read(const std::string& output) {
   return printed;
 }
 
-/// A program of this text, compiled so and run.
+/// A program with this text, compiled with options and run.
 class Compiled {
  public:
   explicit Compiled(const std::string& text) { scratch_.file("program.cpp", text); }
@@ -104,7 +104,7 @@ bool has_fma() {
 #endif
 }
 
-/// By optimization, and with fused operations where the processor has them.
+/// Compiler options: levels of optimization, and fused operations if the processor has them.
 std::vector<std::string> ways() {
   std::vector<std::string> all{"-O0", "-O2", "-O3 -ffp-contract=on"};
   if (has_fma()) all.insert(all.end(), {"-O2 -march=x86-64-v3", "-O3 -march=x86-64-v3"});
@@ -169,9 +169,8 @@ TEST_CASE("the functions of lockstep are within four units in the last place", "
   }
 }
 
-TEST_CASE("angles that are nearly whole right angles are reduced as exactly as others", "[lockstep]") {
-  // of all doubles the nearest to a multiple of pi/2 [J.-M. Muller, Elementary Functions, 2nd edition, table
-  // 9.1]
+TEST_CASE("angles close to whole right angles are reduced as exactly as others", "[lockstep]") {
+  // the double nearest to a multiple of pi/2 [J.-M. Muller, Elementary Functions, 2nd edition, table 9.1]
   const double nearest = 6381956970095103 * std::ldexp(1.0, 797);
   CHECK(units_off(cos(Real(nearest)).value(), std::cos(static_cast<long double>(nearest))) <= 4);
   CHECK(units_off(cos(Real(-nearest)).value(), std::cos(static_cast<long double>(nearest))) <= 4);
@@ -205,7 +204,7 @@ TEST_CASE("the functions of lockstep have the limits of the library's", "[lockst
     CHECK(std::isnan(x.value()));
 }
 
-TEST_CASE("a function of lockstep has the bits that it has in lanes", "[lockstep][lanes]") {
+TEST_CASE("a function of lockstep has the same bits as in lanes", "[lockstep][lanes]") {
   Random random(11);
   for (int i = 0; i < 2000; ++i) {
     const double x = random.between(-20, 20), y = random.between(-20, 20), part = random.between(-1, 1);
@@ -230,9 +229,9 @@ TEST_CASE("a function of lockstep has the bits that it has in lanes", "[lockstep
   }
 }
 
-TEST_CASE("the hash is FNV-1a of the bytes, and of any NaN the same", "[lockstep]") {
-  // of the eight bytes of 1.0, by the definition: 0xcbf29ce484222325, then for each an exclusive or and a
-  // product
+TEST_CASE("the hash is FNV-1a of the bytes, and the same for any NaN", "[lockstep]") {
+  // hash of the eight bytes of 1.0 by definition: 0xcbf29ce484222325, then an exclusive or and a product for
+  // each byte
   unsigned long long expected = 0xcbf29ce484222325;
   for (const unsigned byte : {0u, 0u, 0u, 0u, 0u, 0u, 0xf0u, 0x3fu})
     expected = (expected ^ byte) * 0x100000001b3;
@@ -247,7 +246,7 @@ TEST_CASE("the hash is FNV-1a of the bytes, and of any NaN the same", "[lockstep
   CHECK(quiet.value() != number.value());
 }
 
-TEST_CASE("a program in lockstep has the same bits however it is compiled, and the usual one's motion",
+TEST_CASE("a program in lockstep has the same bits with any compiler options, and the usual program's motion",
           "[lockstep][commands]") {
   check_same_bits("3.5 --error 1deg --horizon 2 --exclude closed");
   check_same_bits("3.9 --error 1mm --horizon 2");
@@ -269,7 +268,7 @@ TEST_CASE("without its guard the program's bits depend on the compiler's options
 #endif
 }
 
-TEST_CASE("choose says what the same bits are made of and what they leave out", "[lockstep][commands]") {
+TEST_CASE("choose lists the assumptions and the limits of lockstep", "[lockstep][commands]") {
   const program::Ran text =
       program::printed("choose 3.5 --error 1deg --horizon 2 --exclude closed --lockstep");
   INFO(text.output);
@@ -287,7 +286,7 @@ TEST_CASE("choose says what the same bits are made of and what they leave out", 
   CHECK(program::says(none, "--lockstep leaves no method: Fehlberg 7(8) calls Boost.Odeint"));
 }
 
-TEST_CASE("where the time limit leaves nothing, what the same bits cost is not measured", "[lockstep]") {
+TEST_CASE("if the time limit leaves nothing, the cost of lockstep is not measured", "[lockstep]") {
   const Entry& pendulum = *std::ranges::find(registry(), Number{3, 5}, &Entry::number);
   Choice choice;
   choice.need.lockstep = true;

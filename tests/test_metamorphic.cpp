@@ -1,5 +1,5 @@
-// What must not matter: where a potential is counted from, in which units numbers are, which way the time
-// runs, how the axes lie.
+// Changes that must not matter: the zero of a potential, the units of numbers, the direction of time, the
+// direction of the axes.
 
 #include <algorithm>
 #include <bit>
@@ -39,7 +39,7 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 // ---- the models -------------------------------------------------------------------------------------------
 
 /// Calls see(exercise, model's name, model, horizon) for every model with a conserved quantity, at its
-/// exercise's own parameters.
+/// exercise's default parameters.
 template <class See>
 void for_each_model(const See& see) {
   using std::numbers::pi;
@@ -103,7 +103,8 @@ void for_each_model(const See& see) {
   }
 }
 
-/// The cheapest and the richest algorithms that any model takes, at steps and tolerances from coarse to fine.
+/// The cheapest and the richest algorithms that every model accepts, at steps and tolerances from coarse to
+/// fine.
 const std::vector<std::pair<std::string_view, double>> runs{
     {"explicit Euler", 0x1p-4}, {"explicit Euler", 0x1p-7},    {"Runge-Kutta 4", 0x1p-3},
     {"Runge-Kutta 4", 0x1p-6},  {"Dormand-Prince 5(4)", 1e-2}, {"Dormand-Prince 5(4)", 1e-6},
@@ -111,7 +112,7 @@ const std::vector<std::pair<std::string_view, double>> runs{
 
 // ---- another zero of the potential ------------------------------------------------------------------------
 
-/// The same motion; each conserved quantity is counted from elsewhere.
+/// The motion with another zero of each conserved quantity.
 template <class Model>
 struct CountedFrom : Model {
   double elsewhere;
@@ -122,7 +123,8 @@ struct CountedFrom : Model {
   }
 };
 
-/// The most that moves in a model's conserved quantities, the least of them first where it has several.
+/// The largest kinetic part of a model's conserved quantities; if there are several, of the one where it is
+/// least.
 template <class Model>
 double least_moving(const Model& model, double end) {
   const auto times = Horizon{end, 128}.times();
@@ -155,7 +157,7 @@ void check_counted_from(const Model& model, double end, double elsewhere, double
 
 }  // namespace
 
-TEST_CASE("where a potential is counted from changes no drift", "[metamorphic]") {
+TEST_CASE("the zero of a potential changes no drift", "[metamorphic]") {
   for_each_model([](const char* exercise, const char* name, const auto& model, double end) {
     const double moving = least_moving(model, end), first = model.conserved(model.start(), 0)[0].value;
     for (double elsewhere : {-first, 1000 * moving, -1e-3 * moving}) {
@@ -169,11 +171,11 @@ TEST_CASE("where a potential is counted from changes no drift", "[metamorphic]")
 
 namespace {
 
-/// Scenes whose motion cannot be run backward, or none of whose models is above, and why.
+/// Scenes whose motion cannot be run backward, or that have no model above, with the reason.
 const std::map<std::string, std::string> one_way{
     {"3.31", "dry friction: a box at rest has come from many motions"}};
 
-/// x' = -f(x, end - t) from the state in which the model is at the end.
+/// The motion backwards: x' = -f(x, end - t) from the state of the model at the end.
 template <class Model>
 struct Backward {
   using State = typename Model::State;
@@ -194,14 +196,14 @@ typename Model::State state_at(const Model& model, double end, double tolerance)
   return ode::integrate<Algorithm>(model, model.start(), 0, end, tolerance).value;
 }
 
-/// Where the motion from the end back begins.
+/// End of the motion back from the end, which should be the start.
 template <class Algorithm, class Model>
 Value there_and_back(const Model& model, double end, double tolerance) {
   const Backward<Model> back{model, end, state_at<Algorithm>(model, end, tolerance)};
   return state_at<Algorithm>(back, end, tolerance);
 }
 
-/// The motion seen at eight times, judged by the best run of the other direction.
+/// The motion observed at eight times, judged by the best run of the other direction.
 Outcome judged(const Answer& answer, const Value& truth) {
   Quantity q{"", "", "", {"", truth}, 0, {1e-3 * size_of(truth), ""}};
   q.samples = 8;
@@ -217,7 +219,7 @@ Value reversed(const Value& seen) {
   return all;
 }
 
-/// The last of eight is the start.
+/// Appends the start as the last of eight times.
 template <class Model>
 Value with_start(const Model& model, const Value& seven) {
   std::vector<double> all(seven.begin(), seven.end());
@@ -227,7 +229,7 @@ Value with_start(const Model& model, const Value& seven) {
 
 }  // namespace
 
-TEST_CASE("a motion run backward from its end comes back to its start", "[metamorphic]") {
+TEST_CASE("a motion run backward from its end returns to its start", "[metamorphic]") {
   std::set<std::string> seen;
   for_each_model([&](const char* exercise, const char* name, const auto& model, double end) {
     using Model = std::decay_t<decltype(model)>;
@@ -259,7 +261,7 @@ TEST_CASE("a motion run backward from its end comes back to its start", "[metamo
 
 namespace {
 
-/// How many of the new units are in one of the old: powers of two, so that nothing is rounded.
+/// Number of new units in one of the old ones: powers of two, so that nothing is rounded.
 struct Units {
   std::string says;
   double length = 1, mass = 1, time = 1;
@@ -272,7 +274,7 @@ struct Units {
     if (name == "rad" || name == "1" || name.empty()) return 1;
     throw std::logic_error("what is a " + std::string(name) + "?");
   }
-  /// Of "kg m^2", "N s/m", "AU^3/(yr^2 solar mass)".
+  /// The factor of a unit such as "kg m^2", "N s/m", "AU^3/(yr^2 solar mass)".
   double operator()(std::string_view unit) const {
     double factor = 1;
     for (bool divide = false; !unit.empty();) {
@@ -304,29 +306,29 @@ struct Units {
 
 const Units heavier{"mass", 1, 8, 1}, longer{"length", 16, 1, 1}, slower{"time", 1, 1, 0.25};
 
-/// Where lengths have no unit of their own.
+/// Scenes in which lengths have a fixed unit.
 const std::map<std::string, std::string> fixed_lengths{
     {"3.7", "the wire is y = x^2, z = x^3 in metres"},
     {"3.11", "the half axes are those one metre below the top"},
     {"3.29", "the wire is y = x^2 in metres"}};
 
-/// Models with a number in them that has a unit.
+/// Models that contain a number with a unit.
 const std::map<std::string, std::string> fixed_units{
     {"friction regularized at 1 cm/s", "a speed"},
     {"listing as printed", "the book's angular speed, squared"},
     {"listing with the other rest length", "the book's angular speed, squared"}};
 
-/// What one step is a step of.
+/// Unit of a model's step.
 double step_in(const Units& units, const std::string& model) {
   if (model == "Levi-Civita's coordinates") return units("s/m");      // dt = r ds
   if (model == "time stretched by the speed") return units("s^2/m");  // dt = speed ds
   return units.time;
 }
 
-/// Its Jacobian by differences takes increments that do not scale: its values agree to fewer digits.
+/// Its Jacobian by differences uses increments that do not scale: its values agree to fewer digits.
 bool by_differences(const Method& method) { return method.algorithm == "linearly implicit Euler"; }
 
-/// An exercise with the same numbers in other units, and no ranges.
+/// An exercise with the same numbers in other units, and without ranges.
 struct Converted {
   std::vector<Parameter> parameters;
   Entry entry;
@@ -358,8 +360,8 @@ Value converted(Value value, const std::vector<double>& factors) {
   return value;
 }
 
-/// Every method of fixed step and every closed form. A tolerance is an absolute error too, in the units that
-/// are used.
+/// Checks every method with a fixed step and every closed form. A tolerance is also an absolute error, which
+/// depends on the units.
 void check_units(const Entry& entry, const Units& units) {
   const Scene& scene = *entry.exercise.scene;
   static const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
@@ -441,7 +443,7 @@ const std::vector<Turned> isotropic{
     {27, [](Parameters& p, double angle) { p.set("phi0", p["phi0"] + angle); }},
     {33, [](Parameters& p, double angle) { p.set("theta", p["theta"] + angle); }}};
 
-/// Why no other scene can be turned.
+/// Why the other scenes cannot be turned.
 const std::map<int, std::string> has_a_direction{
     {5, "gravity"},        {7, "the wire"},          {11, "the hill's half axes differ"},
     {13, "the chute"},     {15, "the spring's end"}, {17, "the Earth's axis"},
@@ -449,7 +451,7 @@ const std::map<int, std::string> has_a_direction{
     {25, "gravity"},       {29, "gravity"},          {31, "the box starts along its own axes"},
     {35, "the tip's line"}};
 
-/// The first two observables of each time turned.
+/// Turns the first two observables of each time.
 Value turned(Value value, std::size_t parts, double angle) {
   for (std::size_t i = 0; i < value.size(); i += parts) {
     const double a = value[i], b = value[i + 1];
@@ -526,7 +528,7 @@ void check_same(const Choice& a, const Choice& b, double time) {
 
 }  // namespace
 
-TEST_CASE("a pendulum let go where its energy is zero is chosen for as any other", "[metamorphic]") {
+TEST_CASE("a pendulum let go where its energy is zero gets a choice like any other", "[metamorphic]") {
   const Choice level = chosen_in({""}, 5, {{"a", std::numbers::pi / 2}});
   for (const Candidate& candidate : level.candidates) {
     if (candidate.algorithm != "Fehlberg 7(8)") continue;

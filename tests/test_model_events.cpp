@@ -1,4 +1,4 @@
-// A system's own events: found by every algorithm of the catalog as accurately as its motion, and the two
+// Events of a system: every algorithm of the catalog finds them as accurately as its motion. Also the two
 // ways in which they end it.
 
 #include <array>
@@ -22,7 +22,7 @@ namespace {
 
 using State = std::array<double, 2>;
 
-/// q'' = -g - k q over a floor that returns the part e of the speed.
+/// q'' = -g - k q above a floor that returns the part e of the speed.
 struct Bouncing {
   double g, k, e;
   mutable long calls = 0;
@@ -47,7 +47,7 @@ MotionWithEvents<State> moved(std::string_view algorithm, const System& system, 
   return integrate_with_events<2>(algorithm, any, start, times, setting, {}, most);
 }
 
-/// (v, which way friction points)
+/// (v, direction of friction)
 struct Sliding {
   template <class X>
   void operator()(const std::array<X, 2>& x, std::array<X, 2>& dxdt, const X&) const {
@@ -57,7 +57,7 @@ struct Sliding {
   Happening<State> at_event(std::size_t, const State& x, double) const { return {{x[0], -x[1]}}; }
 };
 
-/// With k = 1: about -g it swings as a cosine. Let go at rest at 1, then from bounce to bounce.
+/// With k = 1: it swings about -g as a cosine. Let go at rest at 1, then from bounce to bounce.
 std::vector<double> trampoline_bounces(double g, double e, int count) {
   std::vector<double> times{std::acos(g / (1 + g))};
   double v = std::sqrt((1 + g) * (1 + g) - g * g);
@@ -95,21 +95,22 @@ TEST_CASE("the time of a third bounce shrinks with the step by the algorithm's o
   }
 }
 
-TEST_CASE("the time of a third bounce is as good as the tolerance, and no better", "[events]") {
+TEST_CASE("the error of a third bounce's time is proportional to the tolerance", "[events]") {
   for (const CatalogEntry& a : catalog()) {
     INFO(a.name);
     if (!has_tolerance(a.kind)) continue;
-    // Those that change their order start from the lowest at every bounce.
+    // Algorithms that change their order start from the lowest at every bounce.
     for (double tolerance : {1e-4, 1e-6, 1e-8, 1e-10}) {
       INFO(tolerance);
       CHECK(bounce_error(a.name, tolerance, 3) < (changes_order(a.name) ? 3 * 200 : 10) * tolerance);
     }
-    if (a.name != "GSL bsimp")  // whose first steps are exact here
+    if (a.name != "GSL bsimp")  // its first steps are exact here
       CHECK(bounce_error(a.name, 1e-3, 3) > 20 * bounce_error(a.name, 1e-10, 3));
   }
 }
 
-TEST_CASE("a motion after its bounces is observed where it is asked for, all calls counted", "[events]") {
+TEST_CASE("a motion after its bounces is observed at the requested times, and all calls are counted",
+          "[events]") {
   for (const CatalogEntry& a : catalog()) {
     INFO(a.name);
     const Bouncing ball{1, 1, 0.75};
@@ -129,19 +130,19 @@ TEST_CASE("a motion after its bounces is observed where it is asked for, all cal
 
 // ---- Zeno -------------------------------------------------------------------------------------------------
 
-TEST_CASE("bounces that accumulate end where their times add up to", "[events]") {
+TEST_CASE("bounces that accumulate end at the sum of their times", "[events]") {
   const double g = 9.81, fall = std::sqrt(2 / g);
   for (double e : {0.0, 0.25, 0.5, 0.9}) {
     INFO(e);
     const double rest = fall * (1 + 2 * e / (1 - e));
     for (const CatalogEntry& a : catalog()) {
       INFO(a.name);
-      if (a.order == 1 || lost_near_zero(a.name)) continue;  // a parabola of order 1 is none
+      if (a.order == 1 || lost_near_zero(a.name)) continue;  // with order 1 there is no parabola
       const double setting = has_tolerance(a.kind) ? 1e-9 : 0x1p-6;
       const auto motion = moved(a.name, Bouncing{g, 0, e}, {1, 0}, {0, 1, 10}, setting);
       CHECK(motion.trajectory.ending == Ending::chattering);
       CHECK(motion.trajectory.message.find("events without end") == 0);
-      // A parabola is exact by order two. Else flights that are no higher than the error are lost.
+      // A parabola is exact from order two on. Otherwise flights that are no higher than the error are lost.
       const bool exact = a.order > 1 && a.kind != Kind::implicit_controlled;
       const double error = changes_order(a.name) ? 200e-9 : 10e-9;
       CHECK(near(motion.events.back().time, rest,
@@ -162,7 +163,7 @@ TEST_CASE("explicit Euler's ball never comes to rest: each flight is a step too 
   }
 }
 
-TEST_CASE("the ball of the other Eulers comes to rest a step too early for every bounce that it makes",
+TEST_CASE("with the other Eulers the ball comes to rest one step too early for each of its bounces",
           "[events]") {
   for (const char* name : {"linearly implicit Euler", "symplectic Euler"}) {
     const auto steps_off = [&](int halvings) {
@@ -172,7 +173,7 @@ TEST_CASE("the ball of the other Eulers comes to rest a step too early for every
       return (3 * std::sqrt(2 / 9.81) - motion.events.back().time) / h;
     };
     INFO(name);
-    CHECK(steps_off(6) > 1);  // of half the step a bounce more, and with its speed 1 + 2e / (1 - e) steps
+    CHECK(steps_off(6) > 1);  // half the step means one bounce more, and its speed 1 + 2e / (1 - e) steps
     CHECK(near(steps_off(9) - steps_off(6), 9, 0.5));
     CHECK(near(steps_off(12) - steps_off(9), 9, 0.5));
   }
@@ -210,10 +211,10 @@ auto against_the_ceiling(std::string_view algorithm, double beyond, double setti
 
 }  // namespace
 
-TEST_CASE("a guard that only touches zero ends as grazing, above and below it does not", "[events]") {
+TEST_CASE("a guard that only touches zero ends as grazing, one above or below it does not", "[events]") {
   for (const CatalogEntry& a : catalog()) {
     INFO(a.name);
-    if (a.order == 1 || changes_order(a.name)) continue;  // it is off by more than it says
+    if (a.order == 1 || changes_order(a.name)) continue;  // its error is larger than reported
     const double setting = has_tolerance(a.kind) ? 1e-8 : 0x1p-5;
     const auto grazed = against_the_ceiling(a.name, 0, setting);
     CHECK(grazed.trajectory.ending == Ending::grazing);
@@ -229,7 +230,7 @@ TEST_CASE("a guard that only touches zero ends as grazing, above and below it do
   }
 }
 
-TEST_CASE("what cannot be told from a graze shrinks as the error of a step", "[events]") {
+TEST_CASE("the heights that count as grazing shrink like the error of a step", "[events]") {
   for (const char* name : {"explicit Euler", "symplectic Euler"}) {
     INFO(name);
     const auto untold = [&](double step) {
@@ -295,7 +296,7 @@ struct Marked {
 
 }  // namespace
 
-TEST_CASE("an event that passes is seen once, and one that rises is none", "[events]") {
+TEST_CASE("an event that passes is found once, and a rising guard is no event", "[events]") {
   for (const CatalogEntry& a : catalog()) {
     INFO(a.name);
     const auto motion = moved(a.name, Marked{}, {1, 0}, {0, 21}, fine(a.kind));

@@ -7,7 +7,7 @@
 #include "chapters/03_rigid_body_motion/29_planar_wire/models.hpp"
 #include "chapters/03_rigid_body_motion/31_rough_box/models.hpp"
 #include "chapters/03_rigid_body_motion/35_moving_tip/models.hpp"
-// These stand alone, and so the rest comes after them.
+// These headers are self-contained, so the others come after them.
 #include <algorithm>
 #include <set>
 #include <string>
@@ -29,7 +29,7 @@ State moved(State x, double h, const State& dx) {
   return x;
 }
 
-/// What a model observes at h, after one step of Runge-Kutta 4 where it is no closed form.
+/// A model's observables at h, after one step of Runge-Kutta 4 unless it is a closed form.
 template <class Model>
 Value observed(const Model& model, double h) {
   if constexpr (requires { model.at(h); }) {
@@ -53,7 +53,7 @@ std::string without_spaces(std::string_view text) {
   return rest;
 }
 
-/// A scene, and those of its listed models that have been tried.
+/// A scene, and its listed models that have been tried.
 class Listed {
  public:
   explicit Listed(std::string_view number)
@@ -62,7 +62,7 @@ class Listed {
 
   double operator[](std::string_view name) const { return parameters_[name]; }
 
-  /// The model is listed with this expression, and moves as the scene's does.
+  /// Requires that the model is listed with this expression, and moves like the scene's.
   template <class Model>
   void have(const std::string& name, const std::string& expression, const Model& model) {
     INFO(exercise_.title << ", " << name);
@@ -94,7 +94,7 @@ class Listed {
 
 }  // namespace
 
-TEST_CASE("The models of 3.17 stand alone, and are listed", "[models]") {
+TEST_CASE("The models of 3.17 are self-contained and listed", "[models]") {
   Listed listed("3.17");
   const double lambda = listed["lambda"], L = listed["L"], omega = listed["omega"], g = listed["g"],
                theta = listed["theta"], phi = listed["phi"], theta_dot = listed["theta_dot"],
@@ -109,7 +109,7 @@ TEST_CASE("The models of 3.17 stand alone, and are listed", "[models]") {
   listed.have_all();
 }
 
-TEST_CASE("The models of 3.19 stand alone, and are listed", "[models]") {
+TEST_CASE("The models of 3.19 are self-contained and listed", "[models]") {
   Listed listed("3.19");
   const double m2 = listed["m2"], m3 = listed["m3"], I1 = listed["I1"], I2 = listed["I2"], R1 = listed["R1"],
                R2 = listed["R2"], c1 = listed["c1"], c2 = listed["c2"], L1 = listed["L1"], L2 = listed["L2"],
@@ -129,7 +129,7 @@ TEST_CASE("The models of 3.19 stand alone, and are listed", "[models]") {
   listed.have_all();
 }
 
-TEST_CASE("The models of 3.21 stand alone, and are listed", "[models]") {
+TEST_CASE("The models of 3.21 are self-contained and listed", "[models]") {
   Listed listed("3.21");
   const double m = listed["m"], L = listed["L"], r = listed["r"], phi = listed["phi"], f = listed["f"],
                k = listed["k"], theta = listed["theta"], theta_dot = listed["theta_dot"],
@@ -142,7 +142,7 @@ TEST_CASE("The models of 3.21 stand alone, and are listed", "[models]") {
   listed.have_all();
 }
 
-TEST_CASE("The models of 3.23 stand alone, and are listed", "[models]") {
+TEST_CASE("The models of 3.23 are self-contained and listed", "[models]") {
   Listed listed("3.23");
   const double m = listed["m"], r = listed["r"], s = listed["s"], c = listed["c"], h = listed["h"],
                g = listed["g"], ell = listed["ell"], theta0 = listed["theta0"], w0 = listed["w0"];
@@ -153,7 +153,7 @@ TEST_CASE("The models of 3.23 stand alone, and are listed", "[models]") {
   listed.have_all();
 }
 
-TEST_CASE("The models of 3.25 stand alone, and are listed", "[models]") {
+TEST_CASE("The models of 3.25 are self-contained and listed", "[models]") {
   Listed listed("3.25");
   const double m1 = listed["m1"], m2 = listed["m2"], m3 = listed["m3"], r1 = listed["r1"], r2 = listed["r2"],
                r3 = listed["r3"], g = listed["g"], h = listed["h"], theta1 = listed["theta1"],
@@ -171,7 +171,7 @@ TEST_CASE("The models of 3.25 stand alone, and are listed", "[models]") {
   listed.have_all();
 }
 
-TEST_CASE("The models of 3.27 stand alone, and are listed", "[models]") {
+TEST_CASE("The models of 3.27 are self-contained and listed", "[models]") {
   Listed listed("3.27");
   const double G = listed["G"], m1 = listed["m1"], m2 = listed["m2"], r0 = listed["r0"],
                r0_dot = listed["r0_dot"], phi0 = listed["phi0"], phi0_dot = listed["phi0_dot"];
@@ -182,7 +182,7 @@ TEST_CASE("The models of 3.27 stand alone, and are listed", "[models]") {
   listed.have_all();
 }
 
-TEST_CASE("The models of 3.29 stand alone, and are listed", "[models]") {
+TEST_CASE("The models of 3.29 are self-contained and listed", "[models]") {
   Listed listed("3.29");
   const double q = listed["q"], d = listed["d"], u = listed["u"], v = listed["v"], w = listed["w"],
                g = listed["g"];
@@ -194,7 +194,7 @@ TEST_CASE("The models of 3.29 stand alone, and are listed", "[models]") {
   listed.have_all();
 }
 
-TEST_CASE("The models of 3.31 stand alone, and are listed", "[models]") {
+TEST_CASE("The models of 3.31 are self-contained and listed", "[models]") {
   Listed listed("3.31");
   const double a = listed["a"], b = listed["b"], mu = listed["mu"], g = listed["g"], u0 = listed["u0"],
                v0 = listed["v0"], w0 = listed["w0"];
@@ -204,7 +204,7 @@ TEST_CASE("The models of 3.31 stand alone, and are listed", "[models]") {
   listed.have_all();
 }
 
-TEST_CASE("The models of 3.33 stand alone, and are listed", "[models]") {
+TEST_CASE("The models of 3.33 are self-contained and listed", "[models]") {
   Listed listed("3.33");
   const double m = listed["m"], l = listed["l"], mu1 = listed["mu1"], mu3 = listed["mu3"], g = listed["g"],
                theta = listed["theta"], phi = listed["phi"], psi = listed["psi"], dtheta = listed["dtheta"],
@@ -222,7 +222,7 @@ TEST_CASE("The models of 3.33 stand alone, and are listed", "[models]") {
   listed.have_all();
 }
 
-TEST_CASE("The models of 3.35 stand alone, and are listed", "[models]") {
+TEST_CASE("The models of 3.35 are self-contained and listed", "[models]") {
   Listed listed("3.35");
   const double m = listed["m"], l = listed["l"], mu1 = listed["mu1"], mu3 = listed["mu3"], g = listed["g"],
                theta = listed["theta"], phi = listed["phi"], psi = listed["psi"], dtheta = listed["dtheta"],

@@ -1,4 +1,4 @@
-// Normal modes in plain C++, beside the library's.
+// Normal modes in plain C++, compared with the library's.
 
 #include "chapters/modes.hpp"
 #include "chapters/random.hpp"
@@ -21,7 +21,7 @@ Eigen::MatrixXd as_eigen(const Rows<n>& rows) {
   return whole;
 }
 
-/// Symmetric, with a diagonal that outweighs its rows.
+/// A symmetric matrix, diagonally dominant.
 template <std::size_t n>
 Rows<n> definite(Random& random) {
   Rows<n> a{};
@@ -55,12 +55,12 @@ void check(Random& random) {
 
 }  // namespace
 
-TEST_CASE("normal modes in plain C++ are the library's", "[modes]") {
+TEST_CASE("normal modes in plain C++ agree with the library's", "[modes]") {
   Random random(1);
   for (int i = 0; i < 50; ++i) check<1>(random), check<2>(random), check<3>(random), check<5>(random);
 }
 
-TEST_CASE("modes of matrices that are diagonal already, and of one frequency twice", "[modes]") {
+TEST_CASE("modes of diagonal matrices, and of a double frequency", "[modes]") {
   const NormalModes<double, 2> apart({{{4, 0}, {0, 9}}}, {{{1, 0}, {0, 1}}}, {1, 2}, {2, 3});
   CHECK(near(apart.at(0.5)[0], std::cos(1.0) + std::sin(1.0), 1e-14));
   CHECK(near(apart.at(0.5)[1], 2 * std::cos(1.5) + std::sin(1.5), 1e-14));

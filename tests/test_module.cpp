@@ -24,7 +24,7 @@ std::string literal(std::string_view text) { return "R\"oddity(" + std::string(t
 
 }  // namespace
 
-TEST_CASE("the module has each scene with all models of its listing, in however many files", "[module]") {
+TEST_CASE("the module has each scene with all models of its listing, in any number of files", "[module]") {
   for (std::size_t files : {1u, 4u}) {
     REQUIRE(module_source(files).size() == files);
     const std::string source = together(files);
@@ -44,14 +44,14 @@ TEST_CASE("the module has each scene with all models of its listing, in however 
   }
 }
 
-TEST_CASE("the module's models are in double and in float, and a closed form's own algorithm is its own",
+TEST_CASE("the module's models are in double and in float, and a closed form keeps its algorithm",
           "[module]") {
   const std::string source = together(1);
   CHECK(count(source, "return pendulum::OneAngle<double>{{a, L, g}};") == 1);
   CHECK(count(source, "return pendulum::OneAngle<float>{{a, L, g}};") == 1);
   CHECK(count(source, "{" + literal("one angle") + ", " + literal("") + ", model_3_5_") == 1);
   CHECK(count(source, literal("Kepler's equation") + ", " + literal("Newton from pi")) == 1);
-  // Its name has a comma, and is no algorithm.
+  // Its name contains a comma, but no algorithm.
   CHECK(count(source, literal("matrix, w of the printed listing") + ", " + literal("")) == 1);
 }
 

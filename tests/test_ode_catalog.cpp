@@ -1,5 +1,5 @@
-// The catalog against measurement: the stability of every fixed step on both axes, against its theory and
-// against one step of the library; and the libraries' multistep methods as they are mended here.
+// The catalog compared with measurements: the stability of every fixed step on both axes, with theory and
+// with one step of the library; and the libraries' multistep methods as repaired here.
 
 #include "solvers/ode/catalog.hpp"
 
@@ -62,11 +62,11 @@ Limits measured() {
             limit([](double r) { return growth(Algorithm::name, r * imaginary_axis); })};
 }
 
-/// A growth that begins with the sixth power is seen late: where the limit is 0 the measured one is this.
+/// A growth that begins with the sixth power is noticed late: where the limit is 0 this is measured.
 constexpr double as_good_as_none = 0.5;
 
-/// The stability polynomial of a Runge-Kutta method: 1 + z + ... + z^order/order! and what follows, from
-/// sum b A^k 1 of its tableau in exact fractions.
+/// The stability polynomial of a Runge-Kutta method: 1 + z + ... + z^order/order! and higher terms, from sum
+/// b A^k 1 of its tableau in exact fractions.
 struct Polynomial {
   std::string_view name;
   int order;
@@ -94,7 +94,7 @@ double log_of(const Polynomial& p, Complex z) {
   return std::log(std::abs(sum));
 }
 
-/// Equal to six decimals, or both infinite; a theory of none is none at all.
+/// Equal to six decimals, or both infinite; a theory of 0 means no stability at all.
 bool agree(double measured, double theory) {
   if (theory == 0) return measured < as_good_as_none;
   return measured == theory || std::abs(measured - theory) < 2e-6;
@@ -140,7 +140,7 @@ TEST_CASE("the limits of stability in the catalog are the roots of the stability
   }
 }
 
-TEST_CASE("a step of each Runge-Kutta method is its stability polynomial", "[solvers]") {
+TEST_CASE("a step of each Runge-Kutta method agrees with its stability polynomial", "[solvers]") {
   for (const char* name : {"explicit Euler", "modified midpoint", "Runge-Kutta 4"})
     for (Complex z : {Complex(-0.5, 0), Complex(0, 1), Complex(0.3, 0.7), Complex(-2, 1.5)}) {
       const auto p = std::ranges::find(polynomials, name, &Polynomial::name);
@@ -160,7 +160,7 @@ TEST_CASE("where the imaginary axis is unstable, growth begins with a high power
   CHECK(near(power("GSL rk8pd", 0.25), 10, 0.4));
 }
 
-TEST_CASE("half the trace of McLachlan's step leaves -1 at the limit of the catalog", "[solvers]") {
+TEST_CASE("half the trace of McLachlan's step reaches -1 at the limit in the catalog", "[solvers]") {
   // Five drifts a h and four kicks b h of q'' = -q.
   const double z = std::sqrt(7.0 / 8) / 3;
   const double a[] = {0.5 - z, -1.0 / 3 + z, 2.0 / 3, -1.0 / 3 + z, 0.5 - z}, b[] = {1, -0.5, -0.5, 1};
@@ -181,7 +181,7 @@ TEST_CASE("half the trace of McLachlan's step leaves -1 at the limit of the cata
   CHECK(std::abs(half_trace(at + 1e-5)) > 1);
 }
 
-TEST_CASE("a multistep method grows, over many steps, as its largest root", "[solvers]") {
+TEST_CASE("over many steps a multistep method grows like its largest root", "[solvers]") {
   // y' = lambda y in one equation: lambda is real, and the largest root is alone.
   const auto grown = []<class Algorithm>(double z) {
     const auto system = [z](const auto& x, auto& dxdt, double) { dxdt[0] = z * x[0]; };
@@ -203,13 +203,12 @@ TEST_CASE("a multistep method grows, over many steps, as its largest root", "[so
   }
 }
 
-TEST_CASE("Adams-Bashforth 4 is stable to three tenths on the real axis", "[solvers]") {
+TEST_CASE("Adams-Bashforth 4 is stable up to 0.3 on the real axis", "[solvers]") {
   CHECK(near(measured<AdamsBashforth4>().real, 0.3, 1e-9));
 }
 
 TEST_CASE(
-    "linearly implicit Euler is stable on all of the left half-plane, damps what is fast, and also "
-    "some of what should grow",
+    "linearly implicit Euler is stable on the left half-plane, and damps fast modes and some growing ones",
     "[solvers]") {
   for (double r : {1e-3, 0.1, 1.0, 10.0, 1e3, 1e6})
     for (double angle : {90.0, 100.0, 135.0, 180.0}) {
@@ -223,11 +222,12 @@ TEST_CASE(
   CHECK(growth("linearly implicit Euler", {1, 1.1}) < 0);  // outside
 }
 
-// ---- how the libraries are mended -------------------------------------------------------------------------
+// ---- repairs of the libraries
+// ------------------------------------------------------------------------------
 
 namespace {
 
-/// The order that halving 32 steps of the oscillator measures.
+/// The order measured by halving 32 steps of the oscillator.
 template <int steps>
 double order_of_adams() {
   const auto error = [](int n) {
@@ -245,12 +245,12 @@ double order_of_adams() {
 
 }  // namespace
 
-TEST_CASE("started by Fehlberg 7(8), Adams-Bashforth-Moulton has its own order", "[solvers]") {
+TEST_CASE("started by Fehlberg 7(8), Adams-Bashforth-Moulton has its nominal order", "[solvers]") {
   CHECK(near(order_of_adams<6>(), 6, 0.2));
   CHECK(near(order_of_adams<8>(), 8, 0.6));
 }
 
-TEST_CASE("a multistep method starts anew when its step changes", "[solvers]") {
+TEST_CASE("a multistep method restarts when its step changes", "[solvers]") {
   // Ten steps of 0.1 and ten of 0.05: with the old history the change costs digits.
   const auto restarted = [&](auto stepper, bool anew) {
     State x = oscillator.exact(0);

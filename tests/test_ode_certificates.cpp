@@ -1,6 +1,7 @@
-// Every algorithm's certificate: its order measured, from both sides, on problems with and without explicit
-// time, forward and backward; where it controls its step, the error in proportion to the tolerance, and the
-// cost of a stiff problem. A new algorithm in solvers/ode/algorithms.hpp is certified without a line here.
+// Every algorithm's certificate: its order is measured, from both sides, on problems with and without
+// explicit time, forward and backward. If it controls its step, the error must be proportional to the
+// tolerance, and the cost of a stiff problem is checked. A new algorithm in solvers/ode/algorithms.hpp is
+// certified without a line here.
 
 #include "report/study/fit.hpp"
 #include "report/verify/catch.hpp"
@@ -16,7 +17,7 @@ struct Span {
   double from, to;
 };
 
-/// The largest error along the way: at the end alone it may vanish by accident.
+/// The largest error over the motion: at the end it may vanish by accident.
 template <class Algorithm>
 double error_of_fixed_steps(const Problem& problem, Span span, int n) {
   const auto states = fixed_steps<Algorithm>(problem.system, problem.exact(span.from), span.from, span.to, n);
@@ -27,13 +28,13 @@ double error_of_fixed_steps(const Problem& problem, Span span, int n) {
   return worst;
 }
 
-/// GSL's bsimp is of order 12, and has a test of its own.
+/// GSL's bsimp has order 12, and a separate test.
 template <class Algorithm>
 constexpr bool has_fixed_order = (!has_tolerance(Algorithm::kind) ||
                                   HasPlain<Algorithm>)&&!std::is_same_v<Algorithm, Bsimp>;
 
-/// The largest error at the end that a tolerance may have, in tolerances. Multistep drivers hold the error of
-/// a step, not of the motion, and start with the least order.
+/// Largest error allowed at the end, in tolerances. Multistep drivers control the error of a step, not of the
+/// motion, and start with the lowest order.
 template <class Algorithm>
 constexpr double most_tolerances = changes_order<Algorithm> ? 1000 : 50;
 template <class Algorithm>
@@ -41,7 +42,7 @@ constexpr double least_tolerances = changes_order<Algorithm>              ? 0.5
                                     : Algorithm::kind == Kind::controlled ? 0.05
                                                                           : 0.01;
 
-/// Halves a step with which the error is small, but still far above rounding.
+/// Halves a step at which the error is small, but still far above rounding.
 template <class Algorithm>
 double measured_order(const Problem& problem, Span span, int times = 1) {
   constexpr int order = Algorithm::order;
@@ -51,7 +52,7 @@ double measured_order(const Problem& problem, Span span, int times = 1) {
                    error_of_fixed_steps<Algorithm>(problem, span, n));
 }
 
-/// The slope of log(error at the end) against log(tolerance).
+/// The slope of log(error at the end) over log(tolerance).
 template <class Algorithm>
 double proportionality(const Problem& problem, Span span) {
   std::vector<double> tolerances, errors;
@@ -67,7 +68,7 @@ double proportionality(const Problem& problem, Span span) {
   return oddity::power_law(tolerances, errors).exponent;
 }
 
-/// Explicit, under step control, of fixed order or nearly so.
+/// Explicit, with step control, of fixed order or almost.
 template <class Algorithm>
 constexpr bool is_explicit = Algorithm::kind == Kind::controlled ||
                              (HasPlain<Algorithm> && !std::is_same_v<Algorithm, Bsimp>);
@@ -79,7 +80,7 @@ TEST_CASE("every fixed step has its order without explicit time, forward and bac
     INFO(Algorithm::name);
     if constexpr (has_fixed_order<Algorithm>) {
       for (Span span : {Span{0, 5}, Span{0, -5}})
-        if (std::is_same_v<Algorithm, Rk8pd>)  // of a linear problem's error the next term is the larger one
+        if (std::is_same_v<Algorithm, Rk8pd>)  // the next term of a linear problem's error is larger
           CHECK(within(measured_order<Algorithm>(oscillator, span), 7.9, 9.1));
         else
           CHECK(near(measured_order<Algorithm>(oscillator, span), Algorithm::order, 0.15));
@@ -99,14 +100,14 @@ TEST_CASE("every fixed step has its order with explicit time, forward and backwa
   });
 }
 
-TEST_CASE("semi-implicit Euler has order 1 where forces know velocity and time, forward and backward",
+TEST_CASE("semi-implicit Euler has order 1 if forces depend on velocity and time, forward and backward",
           "[solvers]") {
   for (const Problem* problem : {&damped, &pushed})
     for (double end : {5.0, -5.0})
       CHECK(near(measured_order<SemiImplicitEuler>(*problem, {0, end}), 1, 0.05));
 }
 
-TEST_CASE("where rates are functions of time every estimator sees its error, or says that it does not",
+TEST_CASE("if rates are functions of time every estimator sees its error, or reports that it does not",
           "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
@@ -130,7 +131,7 @@ TEST_CASE("where rates are functions of time every estimator sees its error, or 
   });
 }
 
-TEST_CASE("every controlled step has an error in proportion to its tolerance", "[solvers]") {
+TEST_CASE("every controlled step has an error proportional to its tolerance", "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
     if constexpr (has_tolerance(Algorithm::kind) && !std::is_same_v<Algorithm, Bsimp>) {
@@ -157,7 +158,7 @@ TEST_CASE("every controlled step costs the same forward and backward", "[solvers
   });
 }
 
-TEST_CASE("a controlled step on a stiff problem is as small as its stability asks", "[solvers]") {
+TEST_CASE("a controlled step on a stiff problem is as small as stability requires", "[solvers]") {
   // The attraction at the rate 1000 over two seconds needs 2000 / 3.3 steps of Dormand-Prince's six new
   // evaluations; a looser tolerance saves nothing.
   for_each_algorithm([]<class Algorithm>() {
@@ -205,7 +206,7 @@ TEST_CASE("a fixed step on a stiff problem holds below its stability limit and e
   CHECK(error.operator()<RungeKutta4>(2.84) > 1e3);
 }
 
-TEST_CASE("bsimp has order 12, forward and backward, whatever its tolerance", "[solvers]") {
+TEST_CASE("bsimp has order 12, forward and backward, for any tolerance", "[solvers]") {
   for (double direction : {1.0, -1.0}) {
     CHECK(near(std::log2(error_of_fixed_steps<Bsimp>(oscillator, {0, 5 * direction}, 2) /
                          error_of_fixed_steps<Bsimp>(oscillator, {0, 5 * direction}, 4)),
@@ -228,7 +229,7 @@ TEST_CASE("bsimp's error is below 200 tolerances, and at a loose tolerance far b
                  separatrix.exact(1.5)) < 1e-9);
 }
 
-TEST_CASE("every algorithm comes back to where it started", "[solvers]") {
+TEST_CASE("every algorithm returns to its start", "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
     const auto there = integrate<Algorithm>(separatrix.system, separatrix.exact(0), 0, 1, fine<Algorithm>);

@@ -1,4 +1,4 @@
-// How integrations end: at the times asked for, with the work counted, or with the reason why not.
+// Endings of integrations: at the requested times with the work counted, or with the reason why not.
 
 #include "report/verify/catch.hpp"
 #include "solvers/ode/catalog.hpp"
@@ -14,7 +14,7 @@ namespace {
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Evaluations of n fixed steps of two unknowns: those of the catalog, those of a start, and those of a
+/// Evaluations of n fixed steps of two unknowns: those in the catalog, those of a starter, and those of a
 /// Jacobian by differences.
 template <class Algorithm>
 long evaluations_of(long n) {
@@ -38,7 +38,7 @@ ode::Trajectory<State> through(const Problem& problem, std::vector<double> times
 
 // ---- reached ----------------------------------------------------------------------------------------------
 
-TEST_CASE("a fixed step costs its stages, some a start, and an implicit one its Jacobian", "[solvers]") {
+TEST_CASE("a fixed step costs its stages, some a starter, and an implicit one its Jacobian", "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
     if constexpr (!has_tolerance(Algorithm::kind)) {
@@ -68,18 +68,19 @@ TEST_CASE("a controlled step costs its stages, Dormand-Prince's last stage being
 TEST_CASE("the evaluations reported are the calls that were made", "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
-    if (info<Algorithm>().by_series) return;  // it makes none: solvers/taylor's own tests count
+    if (info<Algorithm>().by_series) return;  // it makes none: the tests of solvers/taylor count
     const System system{oscillator.system.f};
     const std::vector<double> times{0, 1, 1, 2.5};
     const auto solved =
         integrate<Algorithm>(system, State{1, 0}, std::span<const double>(times), fine<Algorithm>);
     CHECK(solved.reached());
-    const int before = Algorithm::kind == Kind::velocities_first ? 2 : 0;  // to look for the velocities
+    const int before = Algorithm::kind == Kind::velocities_first ? 2 : 0;  // calls that look for the
+                                                                           // velocities
     CHECK(solved.evaluations + before == system.calls);
   });
 }
 
-TEST_CASE("every time asked for is hit exactly, in steps that join", "[solvers]") {
+TEST_CASE("every requested time is reached exactly, in steps that join", "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
     for (const std::vector<double>& times : {std::vector{0.1, 0.35, 0.7, 1.2}, {1.2, 0.7, 0.35, 0.1}}) {
@@ -102,7 +103,7 @@ TEST_CASE("every time asked for is hit exactly, in steps that join", "[solvers]"
   });
 }
 
-TEST_CASE("times may repeat, turn back, or be one", "[solvers]") {
+TEST_CASE("times may repeat, turn back, or be a single one", "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
     const auto repeated = through<Algorithm>(separatrix, {0, 0, 1, 1, 1}, fine<Algorithm>);
@@ -126,7 +127,7 @@ TEST_CASE("times may repeat, turn back, or be one", "[solvers]") {
   });
 }
 
-TEST_CASE("far from zero, where time is coarse, the algorithms still move", "[solvers]") {
+TEST_CASE("far from zero, where time is coarse, the algorithms still advance", "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
     const double t0 = 1e12;  // one unit in the last place is 1e-4
@@ -137,7 +138,7 @@ TEST_CASE("far from zero, where time is coarse, the algorithms still move", "[so
   });
 }
 
-TEST_CASE("a watcher ends the integration where it says so", "[solvers]") {
+TEST_CASE("a watcher can end the integration", "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
     int steps = 0;
@@ -169,7 +170,7 @@ TEST_CASE("no algorithm that engines use gets past a pole", "[solvers]") {
   });
 }
 
-TEST_CASE("no other algorithm gets past a pole, but linearly implicit Euler", "[solvers]") {
+TEST_CASE("no other algorithm gets past a pole, except linearly implicit Euler", "[solvers]") {
   // A tolerance of 1e-4 may miss the pole's time by 0.3 %.
   for_each_other_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
@@ -187,14 +188,13 @@ TEST_CASE("no other algorithm gets past a pole, but linearly implicit Euler", "[
   });
 }
 
-TEST_CASE("a fixed step that is too long for the pole passes it, with a number off every scale",
-          "[solvers]") {
+TEST_CASE("a fixed step that is too long for the pole passes it, with an absurd number", "[solvers]") {
   const auto solved = integrate<ExplicitEuler>(pole.system, pole.exact(0), 0, 2, 0.1);
   CHECK(solved.reached());
   CHECK(solved.value[0] > 1e30);
 }
 
-TEST_CASE("a right-hand side that is NaN is never reached through", "[solvers]") {
+TEST_CASE("a right-hand side of NaN is never passed", "[solvers]") {
   const System system = generic([](const auto& x, auto& dxdt, auto) {
     using std::sqrt;
     dxdt = {x[1], -sqrt(x[0])};
@@ -206,13 +206,13 @@ TEST_CASE("a right-hand side that is NaN is never reached through", "[solvers]")
   });
 }
 
-TEST_CASE("a Jacobian that cannot be had leads nowhere, whatever the memory held before", "[solvers]") {
+TEST_CASE("without a Jacobian there is no result, whatever the memory contained before", "[solvers]") {
   const auto root = [](const State& x, State& dxdt, double) { dxdt = {-std::sqrt(x[0]), 0}; };
   CHECK(integrate<ImplicitEuler>(root, State{1e-6, 0}, 0, 1e-3, 1e-3).ending == Ending::non_finite);
   CHECK_FALSE(integrate<Rosenbrock4>(root, State{1e-6, 0}, 0, 1e-3, 1e-6).reached());
 }
 
-TEST_CASE("where no time passes nothing moves", "[solvers]") {
+TEST_CASE("without time nothing moves", "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
     for (const double t : {0.0, 2.0}) {
@@ -224,7 +224,7 @@ TEST_CASE("where no time passes nothing moves", "[solvers]") {
   });
 }
 
-TEST_CASE("a state that is not finite at the start is not reached", "[solvers]") {
+TEST_CASE("a start that is not finite gives no result", "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
     for (double bad : {no_number, infinity})
@@ -232,7 +232,7 @@ TEST_CASE("a state that is not finite at the start is not reached", "[solvers]")
   });
 }
 
-TEST_CASE("a step or tolerance that is zero, negative or no number is refused", "[solvers]") {
+TEST_CASE("a step or tolerance that is zero, negative or not finite is refused", "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
     for (double setting : {0.0, -0.1, no_number, infinity}) {
@@ -243,7 +243,7 @@ TEST_CASE("a step or tolerance that is zero, negative or no number is refused", 
   });
 }
 
-TEST_CASE("times that are no numbers, and no times, are refused", "[solvers]") {
+TEST_CASE("times that are not finite, and no times, are refused", "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
     for (double bad : {no_number, infinity, -infinity})
@@ -267,14 +267,14 @@ TEST_CASE("a fixed step beyond the budget is refused before it starts", "[solver
   });
 }
 
-TEST_CASE("the budget of evaluations ends an integration that goes on", "[solvers]") {
+TEST_CASE("the budget of evaluations ends an endless integration", "[solvers]") {
   const auto at_rest = [](const State&, State& dxdt, double) { dxdt = {0, 0}; };
   const auto solved = integrate<RungeKutta4>(at_rest, State{1, 0}, 0, 1, 1.0 / (budget / 2));
   CHECK(solved.ending == Ending::stalled);
   CHECK(within(static_cast<double>(solved.evaluations), budget, budget + 100));
 }
 
-TEST_CASE("a limit lowers the budget while it lives", "[solvers]") {
+TEST_CASE("a limit lowers the budget during its lifetime", "[solvers]") {
   const auto ended = [] {
     return integrate<RungeKutta4>(oscillator.system, State{1, 0}, 0, 1, 1.0 / 500);  // 2000 evaluations
   };
@@ -298,11 +298,11 @@ TEST_CASE("a tolerance below rounding stalls or is met, and always ends", "[solv
   });
 }
 
-TEST_CASE("an exception of the right-hand side comes out of every algorithm, and leaves nothing behind",
+TEST_CASE("an exception of the right-hand side passes through every algorithm, and leaves nothing behind",
           "[solvers]") {
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
-    if (info<Algorithm>().by_series) return;  // which sees no numbers
+    if (info<Algorithm>().by_series) return;  // it sees no numbers
     const System system{[](const State& x, State& dxdt, double) {
       if (x[0] < 0.5) throw std::domain_error("beyond the wall");
       dxdt = {x[1], -x[0]};

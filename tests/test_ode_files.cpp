@@ -1,4 +1,4 @@
-// XPPAUT's .ode files: how they are read, and that what is missing here is refused with its place.
+// XPPAUT's .ode files: how they are read, and that unsupported features are refused with their place.
 
 #include <array>
 #include <cmath>
@@ -40,12 +40,12 @@ double rate_of(const std::string& statements, double t = 0) {
   numbers.rates.run(x.data(), t, rates.data());
   return rates[0];
 }
-/// The same of a formula at x = 1.5, with the parameters a = 2, b = -3.
+/// The value of a formula at x = 1.5, with the parameters a = 2, b = -3.
 double value_of(const std::string& formula) {
   return rate_of("x'=" + formula + "\ninit x=1.5\npar a=2,b=-3");
 }
 
-/// The state at a time, which both routes to a true motion agree on.
+/// The state at a time, on which both routes to a true motion must agree.
 std::vector<long double> state_at(const Numbers& numbers, double t) {
   const std::array<double, 2> times{0, t};
   const TrueMotion one = by_series(numbers, times), other = by_extrapolation(numbers, times);
@@ -62,8 +62,8 @@ const std::string pendulum =
 
 }  // namespace
 
-TEST_CASE("Formulas have the value that xppaut gives them", "[problem][ode-files]") {
-  // Seen in xppaut 6.11.
+TEST_CASE("Formulas have the same value as in xppaut", "[problem][ode-files]") {
+  // Observed in xppaut 6.11.
   CHECK(value_of("-2^2") == -4);
   CHECK(value_of("2^3^2") == 64);
   CHECK(value_of("8/4/2-3-4") == -6);
@@ -75,7 +75,7 @@ TEST_CASE("Formulas have the value that xppaut gives them", "[problem][ode-files
   CHECK(value_of("heav(0)+10*sign(0)+100*heav(-x)") == 1);
   CHECK(value_of("if(1<a&a<3)then(5)else(6)") == 5);
   CHECK(value_of("if(a<1|not(x>2))then(5)else(6)") == 5);
-  CHECK(value_of("3*2<7") == 3);  // a comparison is as strong as a power
+  CHECK(value_of("3*2<7") == 3);  // a comparison binds like a power
   CHECK(value_of("1<2+3") == 4);
   CHECK(value_of("-1<2") == -1);
   CHECK(value_of("5>3>2") == 0);
@@ -93,21 +93,21 @@ TEST_CASE("Formulas have the value that xppaut gives them", "[problem][ode-files
   CHECK(near(value_of("exp(-x^2)*tanh(x)"), std::exp(-2.25) * std::tanh(1.5), 1e-15));
 }
 
-TEST_CASE("Names of a file are read whatever their case and order", "[problem][ode-files]") {
+TEST_CASE("Names in a file are read in any case and order", "[problem][ode-files]") {
   CHECK(near(rate_of("x'=f(x,Q)\nf(u,a)=u*a+g(a)\ng(x)=x+B\nq=2*b\n!b=c/4\nnumber c=12\ninit X=5"),
              5 * 6 + 6 + 3, 1e-15));
   CHECK(rate_of("x'=T\n@ t0=3", 2) == 5);
   CHECK(rate_of("x(0)=4\ndx/dt=x*p\nnumber p=-1.5") == -6);
-  // A function's letters are its own.
+  // A function's letters are local.
   CHECK(rate_of("x'=f(2)\nf(x)=g(3)\ng(u)=x+u\ninit x=10") == 13);
-  // x[1..3]' are three equations; [j] is a number, and behind a name its end.
+  // x[1..3]' are three equations; [j] is a number, or the end of a name.
   const std::string chain =
       "x0'=0\n%[1..2]\nx[j]'=x[j-1]+[j]+k[j]\ny[j]'=0\n%\nx3'=sum(0,2)of(shift(x0,i'))\nk[1..2]=[j]*10\ninit x[0..2]=7";
   const Numbers numbers = numbers_of(chain);
   REQUIRE(numbers.unknowns == 6);
   std::vector<double> x(numbers.start.begin(), numbers.start.end()), rates(6);
   numbers.rates.run(x.data(), 0.0, rates.data());
-  CHECK(rates == std::vector<double>{0, 18, 0, 29, 0, 7 + 7 + 0});  // shift goes by the equations' order
+  CHECK(rates == std::vector<double>{0, 18, 0, 29, 0, 7 + 7 + 0});  // shift follows the equations' order
   const auto file = read_ode("folder/test.ode", pendulum);
   CHECK(file->title == "a pendulum");
   CHECK(file->parameters.size() == 4);
@@ -115,7 +115,7 @@ TEST_CASE("Names of a file are read whatever their case and order", "[problem][o
   CHECK((file->horizon == "5" && file->frames_per_second == "10"));
 }
 
-TEST_CASE("What is missing here is refused with its place", "[problem][ode-files]") {
+TEST_CASE("Unsupported features are refused with their place", "[problem][ode-files]") {
   CHECK(refusal("x'=-delay(x,2)") == "test.ode:1:5: there are no delays here");
   CHECK(refusal("x'=w\nwiener w") == "test.ode:2:1: there are no random numbers here");
   CHECK(refusal("x'=ran(1)") == "test.ode:1:4: there are no random numbers here");
@@ -129,7 +129,7 @@ TEST_CASE("What is missing here is refused with its place", "[problem][ode-files
   CHECK(refusal("table w % 3 0 1 t") == "test.ode:1:1: there are no tables here");
   CHECK(refusal("x'=besselj(0,x)") == "test.ode:1:4: there are no Bessel functions here");
   CHECK(refusal("x[0..29]'=1").find("test.ode:1:1: model as written has 30 unknowns") == 0);
-  // Nothing that a file names is opened.
+  // No file named in it is opened.
   CHECK(refusal("#include /etc/passwd") == "test.ode:1:1: other files are not opened");
   CHECK(refusal("options /etc/passwd") == "test.ode:1:1: other files are not opened");
   CHECK(refusal("x'=y\nexport {x} {y}") == "test.ode:2:1: other files are not opened");
@@ -137,7 +137,7 @@ TEST_CASE("What is missing here is refused with its place", "[problem][ode-files
   CHECK(refusal("x'=-x\ninit x=1\nb x-x'") == "nothing");
 }
 
-TEST_CASE("What is wrong in an .ode file is said with its place", "[problem][ode-files]") {
+TEST_CASE("An error in an .ode file is reported with its place", "[problem][ode-files]") {
   CHECK(refusal("") == "test.ode:1:1: no equation: add one such as x' = -x");
   CHECK(refusal("x'=-drg*x\npar drag=1") == "test.ode:1:5: no letter drg; did you mean 'drag'?");
   CHECK(refusal("x'=-x\naux y=foo(x)") == "test.ode:2:7: no function foo");
@@ -161,7 +161,7 @@ TEST_CASE("What is wrong in an .ode file is said with its place", "[problem][ode
   CHECK(refusal("x'=1\ninitial x=2") == "nothing");
   CHECK(refusal("x'=1\nparm k=2").find("did you mean 'par'") != std::string::npos);
   CHECK(refusal("x'=x^2\ninit x=1").find("the true motion ends at 1: ") != std::string::npos);
-  // Writing out functions comes to an end.
+  // Expansion of functions comes to an end.
   std::string doubling = "f0(x)=x+x\n";
   for (int i = 1; i < 60; ++i)
     doubling +=
@@ -195,14 +195,14 @@ TEST_CASE("Garbled .ode files are refused or read, and nothing else happens", "[
   }
 }
 
-TEST_CASE("The parts of an event follow each other, as in xppaut", "[problem][ode-files]") {
+TEST_CASE("The parts of an event are executed in order, as in xppaut", "[problem][ode-files]") {
   const Numbers numbers = numbers_of("x'=1\ny'=0\nz'=0\nglobal 1 x-.5 {y=y+1;z=y}\ninit y=3");
   CHECK(state_at(numbers, 1) == std::vector<long double>{1, 4, 4});
   const Numbers ends = numbers_of("x'=1\nglobal 1 {x-.5} {arret=1}");
   CHECK(near(static_cast<double>(state_at(ends, 1)[0]), 0.5, 1e-15));
 }
 
-TEST_CASE("Conditions find their unknowns, at the start and along the motion", "[problem][ode-files]") {
+TEST_CASE("Conditions determine their unknowns, at the start and along the motion", "[problem][ode-files]") {
   const Numbers numbers = numbers_of("x'=-x\n0=y-x^2\n0=z^3+z-y\nsolv y=3,z=.5\ninit x=1");
   CHECK(near(static_cast<double>(numbers.start[1]), 1, 1e-15));
   CHECK(near(static_cast<double>(numbers.start[2]), 0.68232780382801933, 1e-15));
@@ -220,7 +220,7 @@ TEST_CASE("Conditions find their unknowns, at the start and along the motion", "
 }
 
 TEST_CASE("Jumps of mod and flr are found in time", "[problem][ode-files]") {
-  // x' = mod(t, 1): a half for each whole.
+  // x' = mod(t, 1): a half per unit of time.
   CHECK(near(static_cast<double>(state_at(numbers_of("x'=mod(t,1)"), 3.5)[0]), 1.5 + 0.125, 1e-14));
   CHECK(near(static_cast<double>(state_at(numbers_of("x'=flr(2*t)\ninit x=1"), 1.75)[0]),
              1 + 0.5 * (1 + 2) + 0.75, 1e-14));
@@ -228,9 +228,9 @@ TEST_CASE("Jumps of mod and flr are found in time", "[problem][ode-files]") {
              1e-14));
 }
 
-TEST_CASE("A true motion goes on where a guard rests at zero, and where two choices turn at once",
+TEST_CASE("A true motion goes on where a guard rests at zero, and where two choices change at once",
           "[problem][ode-files]") {
-  // Thrown up, stopped where it would pass 1/2, from where it falls from rest: 1/2 - g (t - s)^2/2.
+  // Thrown up, stopped where it would pass 1/2, and falling from there from rest: 1/2 - g (t - s)^2/2.
   const Numbers stopped = numbers_of("y'=v\nv'=-10\nglobal 1 y-.5 {v=0}\ninit v=4");
   const double s = (4 - std::sqrt(16 - 10.0)) / 10;
   const auto fallen = state_at(stopped, 1);
@@ -241,7 +241,8 @@ TEST_CASE("A true motion goes on where a guard rests at zero, and where two choi
   CHECK(near(static_cast<double>(open[1] + open[2] + open[3] + open[4]), 30, 1e-11));
 }
 
-TEST_CASE("The program takes an .ode file's name in an exercise's place", "[problem][ode-files][commands]") {
+TEST_CASE("The program accepts an .ode file's name in place of an exercise",
+          "[problem][ode-files][commands]") {
   const ScratchFolder scratch;
   const std::string file = scratch.file("mine.ode", pendulum).string();
   const auto chosen = program::printed("choose " + file);

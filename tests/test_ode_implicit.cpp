@@ -10,7 +10,7 @@ using namespace oddity;
 
 namespace {
 
-/// x' = -k (x - cos t), a stiff relaxation to a slow motion; starts on the slow motion's solution.
+/// x' = -k (x - cos t), a stiff relaxation to a slow motion; starts on the slow motion.
 struct Relaxation {
   double k;
   template <class X, class T>
@@ -80,7 +80,7 @@ TEST_CASE("Rosenbrock 4 keeps its error near the tolerance, stiff and not, with 
   }
 }
 
-TEST_CASE("Rosenbrock 4 works as a method of order 4 does: its work grows as the fourth root of its accuracy",
+TEST_CASE("Rosenbrock 4's work grows as the fourth root of its accuracy, as for a method of order 4",
           "[solvers]") {
   const Relaxation system{1};
   const auto work = [&](double tolerance) {
@@ -107,8 +107,8 @@ TEST_CASE("Rosenbrock 4 does not step over a pole", "[solvers]") {
 
 namespace {
 
-/// theta'' = -sin(theta) between its unstable equilibria, and an equation with explicit time beside it:
-/// theta = 2 asin(tanh t), y = exp(sin t).
+/// theta'' = -sin(theta) between its unstable equilibria, together with an equation with explicit time: theta
+/// = 2 asin(tanh t), y = exp(sin t).
 struct Both {
   using State = std::array<double, 3>;
   template <class X, class T>
@@ -123,7 +123,7 @@ struct Both {
   }
 };
 
-/// The error of the pendulum and of the equation with time, from `from` to `to`.
+/// The errors of the pendulum and of the equation with time, from `from` to `to`.
 template <class Algorithm>
 std::array<double, 2> errors(double from, double to, double setting) {
   const auto solved = ode::integrate<Algorithm>(Both(), Both::exact(from), from, to, setting);
@@ -144,7 +144,7 @@ TEST_CASE("implicit Euler has order 1 forward and backward", "[solvers]") {
   }
 }
 
-TEST_CASE("Rosenbrock 4 has an error in proportion to its tolerance, forward and backward", "[solvers]") {
+TEST_CASE("Rosenbrock 4 has an error proportional to its tolerance, forward and backward", "[solvers]") {
   for (double direction : {1.0, -1.0}) {
     std::vector<double> tolerances, pendulum, driven;
     for (double tolerance : {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10}) {
@@ -158,7 +158,7 @@ TEST_CASE("Rosenbrock 4 has an error in proportion to its tolerance, forward and
   }
 }
 
-TEST_CASE("implicit Euler's step is 1/(1 + h k), however stiff", "[solvers]") {
+TEST_CASE("implicit Euler's step is 1/(1 + h k), for any stiffness", "[solvers]") {
   for (double k : {0.5, 10.0, 1e3, 1e9}) {
     const auto decay = [k](const auto& x, auto& dxdt, const auto&) { dxdt[0] = -k * x[0]; };
     const auto solved = ode::integrate<ode::ImplicitEuler>(decay, std::array{1.0}, 0, 1, 1);
@@ -215,7 +215,7 @@ TEST_CASE("linearly implicit Euler steps over a pole, onto the solution's other 
   }
 }
 
-TEST_CASE("implicit methods refuse a setting that is none, and end where the problem does", "[solvers]") {
+TEST_CASE("implicit methods refuse an invalid setting, and end where the problem does", "[solvers]") {
   const auto root = [](const auto& x, auto& dxdt, const auto&) {
     using std::sqrt;
     dxdt[0] = -1 - sqrt(x[0]);
@@ -230,10 +230,8 @@ TEST_CASE("implicit methods refuse a setting that is none, and end where the pro
   CHECK_FALSE(ode::integrate<ode::Rosenbrock4>(root, std::array{1.0}, 0, 5, 1e-6).reached());
 }
 
-TEST_CASE(
-    "linear theory's growth by implicit Euler is that of its steps, and its stable step has no limit where "
-    "the truth decays",
-    "[solvers]") {
+TEST_CASE("implicit Euler grows as in linear theory, and has no largest stable step for a decaying motion",
+          "[solvers]") {
   for (const Spiral& z : {Spiral{-1, 0}, {-10, 5}, {0.5, 0.25}, {0, 2}}) {
     const auto step = ode::integrate<ode::ImplicitEuler>(z, std::array{1.0, 0.0}, 0, 1, 1).value;
     CHECK(near(ode::growth(ode::ImplicitEuler::name, {z.re, z.im}), std::log(std::hypot(step[0], step[1])),

@@ -1,5 +1,5 @@
-// What symplectic Euler and velocity Verlet are for: over a long time the energy oscillates and does not
-// drift, the area in phase space is kept, and Verlet can be run back step by step.
+// Purpose of symplectic Euler and velocity Verlet: over a long time the energy oscillates and does not drift,
+// the area in phase space is conserved, and Verlet can be run back step by step.
 
 #include "report/verify/catch.hpp"
 #include "tests/near.hpp"
@@ -24,7 +24,7 @@ struct Kepler {
     a = {-q[0] / (r * r * r), -q[1] / (r * r * r)};
   }
 
-  /// At the near end of an orbit of semi-axis 1.
+  /// Start at the near end of an orbit of semi-axis 1.
   static Orbit start(double eccentricity) {
     return {1 - eccentricity, 0, 0, std::sqrt((1 + eccentricity) / (1 - eccentricity))};
   }
@@ -75,7 +75,7 @@ TEST_CASE("explicit Euler's energy drifts over the same time", "[solvers]") {
   CHECK(euler.second_half > 0.3);
 }
 
-TEST_CASE("the symplectic methods keep the angular momentum to rounding", "[solvers]") {
+TEST_CASE("the symplectic methods conserve the angular momentum to rounding", "[solvers]") {
   CHECK(drift<VelocityVerlet>(0.01).momentum < 1e-12);
   CHECK(drift<SymplecticEuler>(0.01).momentum < 1e-12);
   CHECK(drift<McLachlan4>(0.01).momentum < 1e-12);
@@ -103,8 +103,8 @@ TEST_CASE("Verlet and McLachlan run back step by step to their start; symplectic
   CHECK(there_and_back.operator()<SymplecticEuler>() > 1e-4);
 }
 
-TEST_CASE("a symplectic step keeps the area in phase space, explicit Euler's grows", "[solvers]") {
-  // The determinant of a pendulum's step by differences of its map.
+TEST_CASE("a symplectic step conserves the area in phase space, explicit Euler's grows", "[solvers]") {
+  // The determinant of a pendulum's step, by differences of its map.
   const auto area = []<class Algorithm>() {
     const double d = 1e-5;
     const auto step = [](double q, double v) {

@@ -1,5 +1,5 @@
-// The limits of stability that the algorithms' docstrings give, measured: the largest h |lambda| up to which
-// one step of a linear problem has no eigenvalue outside of the unit circle.
+// The limits of stability in the algorithms' docstrings, measured: the largest h |lambda| up to which one
+// step of a linear problem has no eigenvalue outside of the unit circle.
 
 #include "solvers/ode/stability.hpp"
 
@@ -70,7 +70,8 @@ TEST_CASE("explicit Euler and Cash-Karp are nowhere stable on the imaginary axis
   CHECK(near(std::log2(growth / less), 6, 0.1));
 }
 
-TEST_CASE("an oscillation stays for a thousand steps below the limit and is lost above", "[solvers]") {
+TEST_CASE("an oscillation stays bounded for a thousand steps below the limit and is lost above",
+          "[solvers]") {
   const auto amplitude = []<class Algorithm>(double h) {
     double most = 0;
     for (const State& x : fixed_steps<Algorithm>(oscillator.system, {1, 0}, 0, 1000 * h, 1000))
@@ -97,7 +98,7 @@ const std::complex<double> turning(0, 1), parting(1, 0), fading(-1, 0), ringing(
 
 }  // namespace
 
-TEST_CASE("where linear theory first loses stability, and every tongue beyond", "[solvers]") {
+TEST_CASE("linear theory's first loss of stability, and every tongue beyond", "[solvers]") {
   const auto first = [](std::string_view algorithm, std::complex<double> lambda) {
     return stable_step(algorithm, {10, {{lambda}}});
   };
@@ -118,7 +119,7 @@ TEST_CASE("where linear theory first loses stability, and every tongue beyond", 
     const double middle = i == 2 ? found[2].from + 1 : (found[i].from + found[i].to) / 2;
     CHECK(growth("McLachlan 4", middle * turning) > 0.01);
   }
-  for (double h = 0.05; h < 12; h += 0.0037) {  // evenly, where the scan is not
+  for (double h = 0.05; h < 12; h += 0.0037) {  // in even steps, unlike the scan
     const bool listed = std::ranges::any_of(found, [&](const Tongue& t) { return t.from < h && h < t.to; });
     const bool grows = growth("McLachlan 4", h * turning) > negligible_growth * h;
     INFO("h = " << h);
@@ -128,9 +129,9 @@ TEST_CASE("where linear theory first loses stability, and every tongue beyond", 
   }
 }
 
-TEST_CASE("where a disturbance fades in truth, the limit is where it is neither damped nor grows",
+TEST_CASE("if a disturbance decays in the true motion, the limit is where it neither decays nor grows",
           "[solvers][stability]") {
-  // -2 Re(lambda) / |lambda|^2 of explicit Euler; of the others |R(h lambda)| = 1 itself.
+  // For explicit Euler -2 Re(lambda) / |lambda|^2; for the others |R(h lambda)| = 1 itself.
   for (const std::complex<double> lambda :
        {std::complex<double>(-0.4, 2), {-1, 1}, {-0.05, 0.3}, {-3, 0.01}, {-0.02, 1}, {-7, 0}}) {
     INFO("lambda = " << lambda);
@@ -153,7 +154,7 @@ TEST_CASE("where a disturbance fades in truth, the limit is where it is neither 
 
 namespace {
 
-/// Two oscillations that a magnetic field couples, as Foucault's pendulum, and damping.
+/// Two oscillations that a magnetic field couples, as in Foucault's pendulum, and damping.
 struct Gyroscopic {
   void operator()(const std::array<double, 4>& x, std::array<double, 4>& dxdt, double) const {
     dxdt = {x[2], x[3], -x[0] - 0.1 * x[2] + 0.5 * x[3], -2 * x[1] - 0.1 * x[3] - 0.5 * x[2]};
@@ -162,8 +163,7 @@ struct Gyroscopic {
 
 }  // namespace
 
-TEST_CASE("semi-implicit Euler's limit is that of its own step where velocities are coupled",
-          "[solvers][stability]") {
+TEST_CASE("semi-implicit Euler's limit is that of its step with coupled velocities", "[solvers][stability]") {
   const Adapted<AnySystem<4>, Gyroscopic> system{Gyroscopic{}};
   std::array<double, 4> zero{};
   const auto rhs = [&](const double* x, double* dxdt, double t) {
@@ -175,18 +175,19 @@ TEST_CASE("semi-implicit Euler's limit is that of its own step where velocities 
   Spectrum spectrum{10, {}, {jacobian_at(rhs, zero, 0)}, {false, false, true, true}};
   spectrum.at.push_back(eigenvalues_of(spectrum.jacobians[0]));
   const double limit = stable_step("semi-implicit Euler", spectrum);
-  const auto size_after = [&](double h) {  // of 100,000 steps from a motion in both modes
+  const auto size_after = [&](double h) {  // after 100,000 steps from a motion in both modes
     return integrate<SemiImplicitEuler>(system, std::array{1.0, 0.5, -0.3, 0.7}, 0, 100'000 * h, h).value;
   };
   const auto largest = [](const auto& x) {
     return std::abs(*std::ranges::max_element(x, {}, [](double y) { return std::abs(y); }));
   };
-  CHECK(within(limit, 0.1, 0.2 / 0.26));  // from where the velocities alone grow: |1 + h (-0.1 + 0.5 i)| = 1
+  CHECK(within(limit, 0.1, 0.2 / 0.26));  // larger than where the velocities alone grow: |1 + h (-0.1 + 0.5
+                                          // i)| = 1
   CHECK(largest(size_after(0.99 * limit)) < 1e-3);
   CHECK(largest(size_after(1.01 * limit)) > 1e3);
 }
 
-TEST_CASE("semi-implicit Euler is symplectic Euler where forces depend on positions alone", "[solvers]") {
+TEST_CASE("semi-implicit Euler is symplectic Euler where forces depend only on positions", "[solvers]") {
   for (double h : {0.1, 0.7}) {
     const auto a = integrate<SemiImplicitEuler>(separatrix.system, State{0.5, 1}, 0, 7, h);
     const auto b = integrate<SymplecticEuler>(separatrix.system, State{0.5, 1}, 0, 7, h);
@@ -197,7 +198,7 @@ TEST_CASE("semi-implicit Euler is symplectic Euler where forces depend on positi
 
 namespace {
 
-/// A turn about an axis at a rate that is an unknown: (cos, sin, rate), with friction.
+/// A rotation about an axis at a rate that is an unknown: (cos, sin, rate), with friction.
 struct Turning {
   static constexpr std::array<std::size_t, 1> velocities{2};
   void operator()(const std::array<double, 3>& x, std::array<double, 3>& dxdt, double) const {
@@ -225,21 +226,21 @@ TEST_CASE("semi-implicit Euler takes the new velocities, which a system declares
   CHECK_FALSE(velocities_of<State>(decay.system).known);
 }
 
-TEST_CASE("a rate of time alone is seen where there is one", "[solvers]") {
+TEST_CASE("a rate that depends only on time is detected", "[solvers]") {
   CHECK(has_rates_of_time<State>(clocked.system));
   CHECK(has_rates_of_time<State>(pushed.system));
   CHECK_FALSE(has_rates_of_time<State>(driven.system));
   CHECK_FALSE(has_rates_of_time<State>(damped.system));
 }
 
-TEST_CASE("in explicit Euler an undamped oscillation grows at the rate h omega^2 / 2", "[solvers]") {
+TEST_CASE("with explicit Euler an undamped oscillation grows at the rate h omega^2 / 2", "[solvers]") {
   for (double h : {1e-1, 1e-2, 1e-3}) {
     CHECK(growth("explicit Euler", h * turning) > 0);
     CHECK(near(growth("explicit Euler", h * turning) / h, h / 2, h * h * h));
   }
 }
 
-TEST_CASE("what parts in truth may part up to twice as fast", "[solvers]") {
+TEST_CASE("neighbours that diverge in the true motion may diverge up to twice as fast", "[solvers]") {
   for (std::string_view algorithm : {"explicit Euler", "velocity Verlet", "Runge-Kutta 4"})
     CHECK(tongues(algorithm, parting).empty());
   const auto found = tongues("linearly implicit Euler", parting);
@@ -260,7 +261,7 @@ struct Growth {
 
 }  // namespace
 
-TEST_CASE("two motions that start together part where theory says", "[solvers]") {
+TEST_CASE("two motions that start together diverge where theory predicts", "[solvers]") {
   const Adapted<AnySystem<2>, Oscillator> oscillation{Oscillator{}};
   const Disturbed<2> disturbed(oscillation, {1, 0}, 1000);
   CHECK(disturbed.span() == 1000);
@@ -281,13 +282,13 @@ TEST_CASE("two motions that start together part where theory says", "[solvers]")
   for (double h : {0.1, 1.0, 10.0}) CHECK(std::isinf(lost("linearly implicit Euler", h)));
 }
 
-TEST_CASE("a disturbance is watched to the very end of its span", "[solvers]") {
+TEST_CASE("a disturbance is followed to the very end of its span", "[solvers]") {
   const Adapted<AnySystem<2>, Oscillator> oscillation{Oscillator{}};
   for (double part : {1.0, 87.0, 129.0, 157.0, 174.0})  // 1000 / 87 * 1000 / 1000 is not 1000 / 87
     CHECK(Disturbed<2>(oscillation, {1, 0}, 1000 / part).span() == 1000 / part);
 }
 
-TEST_CASE("where the Jacobian stands still a disturbance of the true motion is lost where theory says",
+TEST_CASE("with a constant Jacobian a disturbance of the true motion is lost where theory predicts",
           "[solvers]") {
   const Adapted<AnySystem<2>, Oscillator> oscillation{Oscillator{}};
   const Disturbed<2> disturbed(oscillation, {1, 0}, 1000);
@@ -301,8 +302,9 @@ TEST_CASE("where the Jacobian stands still a disturbance of the true motion is l
   }
 }
 
-TEST_CASE("what grows in truth is lost at the step at which a method has made too much of it", "[solvers]") {
-  // x' = x parts by t in truth; implicit Euler makes 1 / (1 - h) of it in a step.
+TEST_CASE("a growing disturbance is lost at the step at which a method exaggerates it too much",
+          "[solvers]") {
+  // x' = x diverges by t in the true motion; implicit Euler by a factor of 1 / (1 - h) in a step.
   const Adapted<AnySystem<1>, Growth> growth{Growth{}};
   const Disturbed<1> disturbed(growth, {1}, 18);
   const double h = 0.9, in_a_step = -std::log(1 - h);
@@ -321,8 +323,9 @@ TEST_CASE("an oscillation's turns are counted", "[solvers]") {
                std::acos(1 - h * h / 2) / (2 * std::numbers::pi), 1e-2));
 }
 
-TEST_CASE("implicit Euler lets nothing grow that does not grow in truth, at any step", "[solvers]") {
-  // What "every step" on record rests on, beyond the steps that are scanned.
+TEST_CASE("implicit Euler makes nothing grow that does not grow in the true motion, at any step",
+          "[solvers]") {
+  // Justifies the recorded limit "every step" beyond the steps that are scanned.
   for (double direction = std::numbers::pi / 2; direction <= std::numbers::pi; direction += 0.01)
     for (double size = 1e-6; size < 1e9; size *= 3)
       CHECK(growth("linearly implicit Euler", std::polar(size, direction)) <= 1e-12);

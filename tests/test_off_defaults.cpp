@@ -16,7 +16,7 @@ using namespace oddity;
 
 namespace {
 
-/// Every real parameter a quarter larger, or smaller where its range ends; a seed is left alone.
+/// Every real parameter a quarter larger, or smaller where its range ends; a seed is not changed.
 Parameters off_defaults(const Entry& entry) {
   Parameters p(entry.exercise.parameters);
   for (const Parameter& letter : p.declared()) {
@@ -48,8 +48,8 @@ void ok_there(const Entry& entry, const Parameters& there) {
     }
 }
 
-/// At a parameter of 1 nobody sees whether a formula has it, its square or its inverse. Motions are left out:
-/// the properties have them at random parameters.
+/// At a parameter of 1 nobody sees whether a formula contains it, its square or its inverse. Motions are left
+/// out: the properties test them at random parameters.
 const bool registered = [] {
   for (const Entry& entry : registry())
     if (!entry.exercise.scene)
@@ -61,7 +61,7 @@ const bool registered = [] {
 
 }  // namespace
 
-TEST_CASE("2.17: the maximum after five turns is found as the first is, and the printed one is 2 % too large",
+TEST_CASE("2.17: the maximum after five turns is found like the first, and the printed one is 2 % too large",
           "[off_defaults][2.17]") {
   const Entry& entry = entry_of(2, 17);
   Parameters off = off_defaults(entry), p(entry.exercise.parameters);
@@ -74,7 +74,7 @@ TEST_CASE("2.17: the maximum after five turns is found as the first is, and the 
   CHECK(near(printed[2] / q.reference.value[2], 1.02, 5e-3));
 }
 
-TEST_CASE("2.7: steps of a rotation end where the evaluations granted are spent", "[off_defaults][2.7]") {
+TEST_CASE("2.7: steps of a rotation end when the granted evaluations are spent", "[off_defaults][2.7]") {
   const Entry& entry = entry_of(2, 7);
   const Findings found = entry.exercise.study(Parameters(entry.exercise.parameters), reference());
   const Quantity& q = *std::ranges::find(found.quantities, "orientation", &Quantity::name);
@@ -85,7 +85,7 @@ TEST_CASE("2.7: steps of a rotation end where the evaluations granted are spent"
   CHECK(answer.message == "the budget of evaluations is spent");
 }
 
-TEST_CASE("2.7: what is no number departs from a rotation by no number", "[off_defaults][2.7]") {
+TEST_CASE("2.7: the departure of a matrix of NaN from a rotation is NaN", "[off_defaults][2.7]") {
   space::Matrix3 turned = space::identity<double>();
   CHECK(curve_on_sphere::departure(turned) == 0);
   turned.e[4] = 2;
@@ -94,7 +94,7 @@ TEST_CASE("2.7: what is no number departs from a rotation by no number", "[off_d
   CHECK(std::isnan(curve_on_sphere::departure(turned)));
 }
 
-TEST_CASE("3.33: the axis is between its bounds whether it starts upward or downward",
+TEST_CASE("3.33: the axis is between its bounds, whether it starts upward or downward",
           "[off_defaults][3.33]") {
   const Entry& entry = entry_of(3, 33);
   for (const double dphi : {-0.4, 0.4}) {
@@ -107,7 +107,7 @@ TEST_CASE("3.33: the axis is between its bounds whether it starts upward or down
   }
 }
 
-TEST_CASE("7.11: the logarithm of a determinant in range is found by every method", "[off_defaults][7.11]") {
+TEST_CASE("7.11: every method finds the logarithm of a determinant in range", "[off_defaults][7.11]") {
   const Entry& entry = entry_of(7, 11);
   Parameters p(entry.exercise.parameters);
   p.set("e", 1);
@@ -121,7 +121,7 @@ TEST_CASE("7.11: the logarithm of a determinant in range is found by every metho
   }
 }
 
-TEST_CASE("7.1: a system of one's own is solved by every elimination, and one without a solution is refused",
+TEST_CASE("7.1: every elimination solves a user's system, and one without a solution is refused",
           "[off_defaults][7.1]") {
   const Entry& entry = entry_of(7, 1);
   const auto found = [&](const std::array<double, 12>& a) {
@@ -142,7 +142,7 @@ TEST_CASE("7.1: a system of one's own is solved by every elimination, and one wi
   CHECK_THROWS_AS(found({1, 2, 3, 1, 2, 4, 6, 1, 0, 1, 1, 1}), BadInput);
 }
 
-TEST_CASE("7.11: the determinant of a triangular matrix of one's own is the product of its diagonal",
+TEST_CASE("7.11: the determinant of a user's triangular matrix is the product of its diagonal",
           "[off_defaults][7.11]") {
   const Entry& entry = entry_of(7, 11);
   Parameters p(entry.exercise.parameters);

@@ -1,4 +1,4 @@
-// The lesson's oscillator: its closed form, and the orders of its methods beside it.
+// The lesson's oscillator: its closed form, and the orders of its methods compared with it.
 
 #include "chapters/examples/oscillator/scene.hpp"
 #include "report/study/results.hpp"
@@ -7,7 +7,8 @@
 
 using namespace oddity;
 
-TEST_CASE("the oscillator's circle has its energy, and methods reach it by their orders", "[oscillator]") {
+TEST_CASE("the oscillator's circle has its energy, and methods converge to it with their orders",
+          "[oscillator]") {
   const oscillator::Circle<double> circle{{2, 1, 3}};
   for (const double t : {0.0, 0.3, 5.0}) {
     const auto [x, v] = circle.at(t);

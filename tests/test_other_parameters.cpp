@@ -1,6 +1,7 @@
-// At parameters that nobody chose: what a method is on record to find at the book's, it finds there as well.
-// Where a parameter is 1, many a wrong formula is right. A method that is just accurate enough there may be
-// off by more here, by 2.4 needs at most as observed; a wrong formula is off by far more than three.
+// At parameters that nobody chose, a method must succeed if it does in its record at the book's parameters.
+// Where a parameter is 1, many a wrong formula is right. A method that is barely accurate enough there may
+// have a larger error here, up to 2.4 tolerances as observed; the error of a wrong formula is far more than
+// three.
 
 #include "chapters/contents.hpp"
 #include "reference/reference.hpp"
@@ -11,7 +12,7 @@ using namespace oddity;
 
 namespace {
 
-/// Each by another factor, kept in its range; numbers that are whole, and seeds, stay.
+/// Each parameter times another factor, kept in its range; whole numbers and seeds stay the same.
 Parameters others(const Exercise& exercise) {
   Parameters all(exercise.parameters);
   double factor = 1.05;

@@ -1,4 +1,4 @@
-// Exercises of one's own outside the tree: what the build refuses instead of leaving it out.
+// A user's exercises outside the tree: cases that the build refuses instead of leaving them out.
 
 #include <filesystem>
 #include <fstream>
@@ -14,7 +14,7 @@ namespace {
 
 const std::string cmake_files = std::string(ODDITY_SOURCE) + "/cmake/";
 
-/// What CMake says of it in a project without languages, on one line.
+/// CMake's messages in a project without languages, on one line.
 Ran configured(const ScratchFolder& scratch, const std::string& text) {
   scratch.file("project/CMakeLists.txt",
                "cmake_minimum_required(VERSION 3.25)\nproject(found NONE)\ninclude(" + cmake_files +
@@ -31,7 +31,7 @@ Ran found_in(const ScratchFolder& scratch, const std::string& home) {
 
 }  // namespace
 
-TEST_CASE("what an own folder has is found, whatever its name", "[own]") {
+TEST_CASE("the contents of an own folder are found, for any name", "[own]") {
   const ScratchFolder scratch;
   const std::string home = "it's (a) #folder & é";
   scratch.file(home + "/chapters/20_own/02_ball/exercise.cpp", "");
@@ -70,7 +70,7 @@ TEST_CASE("an own folder that would be left out is refused by name", "[own]") {
 TEST_CASE("the entry refuses an own folder that CMake would read as more than a name", "[own]") {
   for (const char* odd : {"a[b", "a*", "${HOME}", "a\"b", "a\\b", "a;b", "a\nb"}) {
     const ScratchFolder scratch;
-    // The folder's function alone: nothing is to be built.
+    // Only the function of the folder: nothing is to be built.
     const Ran ran = shell("odd=$(cat <<'END'\n" + std::string(odd) +
                           "\nEND\n); ODDITY_OWN=$odd bash -c 'eval \"$(sed -n \"/^own_folders() {/,/^}/p\" " +
                           ODDITY_SOURCE + "/oddity)\"; own_folders'");
@@ -95,7 +95,8 @@ TEST_CASE("a file without the function that its name promises is named", "[own]"
   CHECK(says(checked(maker, "Truth truth_20_02_bal() {"), "it must define Truth truth_20_02_ball()"));
 }
 
-TEST_CASE("an algorithm's line that CMake does not understand is an error, and no other is lost", "[own]") {
+TEST_CASE("an algorithm's line that CMake does not understand is an error, and no other line is lost",
+          "[own]") {
   const ScratchFolder scratch;
   const auto listed = [&](const std::string& text) {
     const std::string header = scratch.file("algorithms.hpp", "#define ALL(F) \\\n" + text + "\n").string();

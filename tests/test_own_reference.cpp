@@ -25,7 +25,7 @@ Value cosine() {
   return Value(values);
 }
 
-/// How Runge-Kutta at two steps ends against this reference.
+/// Outcomes of Runge-Kutta at two steps, judged by this reference.
 std::vector<Outcome> judged(const Known& known) {
   Quantity x = quantity("x", "1", "x", known, {1e-5, "a test"});
   x.add({"swing", "Runge-Kutta 4", {"step", {0.5, 0.01}}, by_steps});
@@ -34,7 +34,7 @@ std::vector<Outcome> judged(const Known& known) {
 
 }  // namespace
 
-TEST_CASE("a closed form judges, and says that it is not independent", "[own]") {
+TEST_CASE("a closed form judges, and is reported as not independent", "[own]") {
   const Known known = closed_form(cosine(), 1e-15);
   CHECK(known.value == std::vector<double>{std::cos(0.5), std::cos(1.0), std::cos(1.5), std::cos(2.0)});
   CHECK(known.error == 1e-15);
@@ -42,7 +42,7 @@ TEST_CASE("a closed form judges, and says that it is not independent", "[own]") 
   CHECK(judged(known) == std::vector{Outcome::inaccurate, Outcome::ok});
 }
 
-TEST_CASE("a finest run judges as a closed form does, within its own error", "[own]") {
+TEST_CASE("a finest run judges like a closed form, within its own error", "[own]") {
   const Answer finest = by_steps(1.0 / 1024), half_the_cost = by_steps(1.0 / 512);
   const double error = distance(finest.value, half_the_cost.value);
   const Known known = finest_run(finest, error, "Runge-Kutta 4 at 1/1024");

@@ -1,4 +1,4 @@
-// What a scene's author is told: by name, and where it is.
+// Messages for a scene's author: they name the scene and its place.
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +30,7 @@ struct Ball {
   Happening<State> at_event(std::size_t, const State& x, double) const { return {{floor, -x[1]}}; }
 };
 
-/// A table that is broken from a second on.
+/// A right-hand side that is broken from one second on.
 struct Broken : Ball {
   using Ball::State;
   void operator()(const State& x, State& dxdt, double t) const {
@@ -73,14 +73,14 @@ Trial trial(double floor) {
 
 }  // namespace
 
-TEST_CASE("a motion that is off for lack of an event says so", "[own]") {
+TEST_CASE("a motion that is wrong for lack of an event is reported as such", "[own]") {
   const Trial away = trial(-1000);
   CHECK(away.outcome == Outcome::diverged);
   CHECK(away.answer.message.starts_with("no event has happened"));
   CHECK(trial(0).answer.message.empty());
 }
 
-TEST_CASE("where nothing is known, a finite value is not called another", "[own]") {
+TEST_CASE("without a reference a finite value is not called wrong", "[own]") {
   Quantity y = height<Ball>(Parameters(parameters), {8}, Reference::nothing());
   y.reference.value = no_number;
   const Trial judged = run(y, y.methods[0], 0.125);
@@ -96,7 +96,7 @@ TEST_CASE("one method of a group may be expected to fail", "[own]") {
   CHECK_THROWS_AS(expect_failure(y, "ball", "Heun", Outcome::ok, ""), std::logic_error);
 }
 
-TEST_CASE("a parameter that is not there is missed in its exercise and file", "[own]") {
+TEST_CASE("a missing parameter is reported with its exercise and file", "[own]") {
   const Entry& pendulum = *std::ranges::find(registry(), Number{3, 5}, &Entry::number);
   CHECK(complaint([&] { static_cast<void>(Parameters(pendulum.exercise.parameters)["yo"]); }) ==
         "exercise 3.5 (chapters/03_rigid_body_motion/05_pendulum/exercise.cpp): no parameter 'yo'; the "
@@ -105,7 +105,7 @@ TEST_CASE("a parameter that is not there is missed in its exercise and file", "[
         "no parameter 'yo'; the parameters are: floor");
 }
 
-TEST_CASE("a parameter's own unit that is none is named where a unit is given", "[own]") {
+TEST_CASE("a parameter's invalid unit is named when a unit is given", "[own]") {
   CHECK(in_unit("9.81", "m/sec^2") == 9.81);
   CHECK(
       complaint([] { in_unit("9.81m/s^2", "m/sec^2"); }) ==
@@ -115,7 +115,7 @@ TEST_CASE("a parameter's own unit that is none is named where a unit is given", 
     for (const Parameter& p : e.exercise.parameters) CHECK(is_unit(p.unit));
 }
 
-TEST_CASE("a model that throws is its exercise's failure, by its name", "[own]") {
+TEST_CASE("a model that throws is a failure of its exercise, by name", "[own]") {
   const Entry broken = entry<Broken>();
   const std::vector<Task> tasks{Task(broken)};
   Results blank;
@@ -126,7 +126,7 @@ TEST_CASE("a model that throws is its exercise's failure, by its name", "[own]")
   CHECK(with_stability(blank, tasks, Reference::nothing()).exercises[0].failure == "it raised before");
 }
 
-TEST_CASE("a limit is compared with its record, and what differs is named with its number", "[own]") {
+TEST_CASE("a limit is compared with its record, and a difference is named with its number", "[own]") {
   Limit limit;
   limit.stable = 0.1;
   limit.unstable = 0.102;

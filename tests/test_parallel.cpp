@@ -1,4 +1,4 @@
-// How far work in parallel has come, as a progress display is told.
+// Progress of parallel work, as shown to a progress display.
 
 #include "chapters/contents.hpp"
 #include "report/study/parallel.hpp"
@@ -17,7 +17,7 @@ struct Heard {
 
 }  // namespace
 
-TEST_CASE("a stage tells of pieces that are done, and of those begun", "[parallel]") {
+TEST_CASE("a stage reports finished pieces, and those begun", "[parallel]") {
   std::vector<Heard> told;
   const Progress progress = [&](const std::string& stage, double done, std::size_t all) {
     told.push_back({stage, done, all});
@@ -38,7 +38,7 @@ TEST_CASE("a stage tells of pieces that are done, and of those begun", "[paralle
   Stage(nobody, "working", 1).add();
 }
 
-TEST_CASE("a run tells what it does, and whether it is timed", "[parallel]") {
+TEST_CASE("a run reports its work, and whether it is timed", "[parallel]") {
   const Entry& entry = *std::ranges::find(registry(), Number{8, 1}, &Entry::number);
   const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
   for (bool timed : {false, true}) {

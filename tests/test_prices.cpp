@@ -1,4 +1,4 @@
-// What methods cost, kept from run to run.
+// Costs of methods, kept from run to run.
 
 #include <fstream>
 #include <iterator>
@@ -19,13 +19,13 @@ namespace {
 const Method verlet{"one angle", "velocity Verlet", {"step", {}}, nullptr};
 const Method euler{"one angle", "symplectic Euler", {"step", {}}, nullptr};
 
-/// A clock that never shows the same twice.
+/// A clock that never shows the same value twice.
 struct Noisy {
   int* calls;
   Time operator()(const Method&, double) const { return {1e-6 * ++*calls, 1e-8}; }
 };
 
-/// Prices as a run of the program would have them.
+/// Prices, as used by a run of the program.
 struct Run {
   ScratchFolder folder;
   int calls = 0;
@@ -59,7 +59,7 @@ TEST_CASE("a price is measured once, and read back in every bit", "[prices]") {
   CHECK(fresh.source().starts_with("measured in this run"));
 }
 
-TEST_CASE("of two runs at once the first to keep a price decides it for those that follow", "[prices]") {
+TEST_CASE("when two runs measure at once, the first to keep a price decides it for later ones", "[prices]") {
   Run run;
   KeptPrices one = run.prices(), other = run.prices();
   const double first = one(verlet, 0.5).seconds;
@@ -73,7 +73,7 @@ TEST_CASE("of two runs at once the first to keep a price decides it for those th
   CHECK(run.calls == 3);
 }
 
-TEST_CASE("another setting, question, machine or program has prices of its own", "[prices]") {
+TEST_CASE("another setting, question, machine or program has separate prices", "[prices]") {
   Run run;
   const double first = run.ask();
   CHECK(run.ask(0.25) != first);
@@ -85,7 +85,7 @@ TEST_CASE("another setting, question, machine or program has prices of its own",
   const std::string key = price_key(swing, need);
   CHECK(key.find(machine_and_program()) != std::string::npos);
   CHECK(price_key(other, need) != key);
-  need.error = 0.02;  // is judged, and costs nothing
+  need.error = 0.02;  // it is judged, and does not change the cost
   CHECK(price_key(swing, need) == key);
   need.horizon = 20;
   CHECK(price_key(swing, need) != key);
@@ -94,7 +94,7 @@ TEST_CASE("another setting, question, machine or program has prices of its own",
   CHECK(price_key(swing, need) != key);
 }
 
-TEST_CASE("prices that are asked for anew take the place of those kept", "[prices]") {
+TEST_CASE("prices measured again on request replace those kept", "[prices]") {
   Run run;
   const double first = run.ask(), second = run.ask(0.5, "3.5 of a test", true);
   CHECK(second != first);
@@ -128,7 +128,7 @@ TEST_CASE("prices that are damaged anywhere are measured again", "[prices]") {
   CHECK_FALSE(is_measured_with(whole));
 }
 
-TEST_CASE("prices that no clock has shown are measured again, whoever sealed them", "[prices][forged]") {
+TEST_CASE("prices that no clock can show are measured again, whoever sealed them", "[prices][forged]") {
   Run run;
   run.ask();
   const fs::path file = run.prices().file();
@@ -150,7 +150,7 @@ TEST_CASE("prices that no clock has shown are measured again, whoever sealed the
   }
 }
 
-TEST_CASE("prices are done without where they cannot be kept", "[prices]") {
+TEST_CASE("prices that cannot be kept are not kept", "[prices]") {
   const ScratchFolder folder;
   int calls = 0;
   KeptPrices prices(folder.file("a file", ""), "3.5", false, Noisy{&calls});

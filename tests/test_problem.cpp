@@ -1,5 +1,5 @@
-// Problems' files: how they are read, what they make, and that a file's answers are those of the same scene
-// in C++.
+// Problems' files: how they are read, the scenes that they make, and that a file's answers are those of the
+// same scene in C++.
 
 #include <sys/stat.h>
 
@@ -58,7 +58,7 @@ std::string refusal(const std::string& text) {
 }
 std::string refusal_of(const std::string& equation) { return refusal(with(equation)); }
 
-/// What is said, less the line and the caret.
+/// The message without the line and the caret.
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 std::string text_of_example(const std::string& name) { return text_of(folder / (name + ".toml")); }
@@ -83,7 +83,7 @@ TEST_CASE("A unit follows a numeral, and only functions are called", "[problem]"
   CHECK(near(rate_of(R"(y'' = -\\frac{k}{m} y - \\frac{c}{m}\\dot y)"), (-k * y - c * v) / m, 1e-9));
 }
 
-TEST_CASE("What is wrong in a file is said with its line and column", "[problem]") {
+TEST_CASE("An error in a file is reported with its line and column", "[problem]") {
   CHECK(first_line(refusal_of("m y'' = -k y - c y")) == "test.toml:10:30: N and m kg/s do not add up");
   CHECK(first_line(refusal_of("y'' = -g + y'")) == "test.toml:10:26: m/s^2 and m/s do not add up");
   CHECK(first_line(refusal_of("m y'' = g")) ==
@@ -114,20 +114,20 @@ TEST_CASE("What is wrong in a file is said with its line and column", "[problem]
         std::string::npos);
   CHECK(refusal("title = [").find("test.toml:1:") == 0);
   CHECK(refusal("") == "test.toml:1:1: no title: add title = \"...\"\n  \n  ^");
-  // The caret is below the place.
+  // The caret is below the place of the error.
   std::istringstream shown(refusal_of("y'' = -mg"));
   std::string says, line, caret;
   std::getline(shown, says), std::getline(shown, line), std::getline(shown, caret);
   CHECK(line.substr(caret.find('^'), 2) == "mg");
 }
 
-TEST_CASE("A formula is no deeper and no wider than it may be", "[problem]") {
+TEST_CASE("A formula's depth and width are limited", "[problem]") {
   const auto repeated = [](const std::string& text, int times) {
     std::string all;
     for (int i = 0; i < times; ++i) all += text;
     return all;
   };
-  // The same refusal again and again: nothing is left over from the one before.
+  // Repeats a refusal: nothing must be left over from the one before.
   for (int i = 0; i < 40; ++i)
     CHECK(refusal_of("y'' = " + repeated("abs(", 40) + "g" + repeated(")", 40)).find("at most 30 calls") !=
           std::string::npos);
@@ -192,7 +192,7 @@ TEST_CASE("A Lagrangian gives the equations that it is written for", "[problem]"
   CHECK(refusal(model("")) == "nothing");
 }
 
-TEST_CASE("A program has one value in every number", "[problem]") {
+TEST_CASE("A program has the same value in every number type", "[problem]") {
   for (const std::string name :
        {"double_pendulum", "rope", "gyroscope", "cart_and_pole", "orbit_with_drag"}) {
     const auto file = read(name, text_of_example(name));
@@ -216,7 +216,7 @@ TEST_CASE("A program has one value in every number", "[problem]") {
   }
 }
 
-TEST_CASE("A state is filled up with unknowns at rest, which change nothing", "[problem]") {
+TEST_CASE("A state is padded with unknowns at rest, which change nothing", "[problem]") {
   // Ten oscillators with the rates 1 to 10, and ten numbers that fall.
   std::string equations, start, falling, from;
   for (int i = 1; i <= 10; ++i) {
@@ -262,7 +262,7 @@ TEST_CASE("The true motion of a file is that of the table", "[problem]") {
   }
 }
 
-TEST_CASE("Both routes to a true motion find where a choice changes", "[problem]") {
+TEST_CASE("Both routes to a true motion find the change of a choice", "[problem]") {
   // y'' = -1 above y = 0, +1 below, from y = 1/2 at rest: parabolas of a period of 4, known in closed form.
   const std::string text =
       "title = \"x\"\n[parameters]\nh = \"0.5 m\"\n[model.one]\nequations = [\"y'' = if(y > 0, -1 m/s^2, 1 m/s^2)\"]\n"
@@ -299,7 +299,7 @@ TrueMotion moved(const std::string& text, decltype(by_series)* route, std::span<
 }  // namespace
 
 TEST_CASE("Both routes to a true motion follow events", "[problem]") {
-  // From a height of 1/2 it lands at t = 1 with a speed of 1, then flies for 2 e, 2 e^2, ... as long.
+  // From a height of 1/2 it lands at t = 1 with a speed of 1, then flies for 2 e, 2 e^2, ...
   std::vector<double> times;
   for (int i = 0; i <= 58; ++i) times.push_back(0.05 * i);
   const auto height = [](double t) {
@@ -337,7 +337,7 @@ TEST_CASE("Both routes to a true motion follow events", "[problem]") {
   }
 }
 
-TEST_CASE("An event that leaves its guard alone happens once for each time that it falls", "[problem]") {
+TEST_CASE("An event that does not change its guard happens once for each fall of the guard", "[problem]") {
   // a counts the passages of a pendulum-like swing y'' = -y through zero: both ways, or upwards alone
   const auto counted = [](const std::string& direction, decltype(by_series)* route) {
     const std::string text =
@@ -368,7 +368,7 @@ std::string on_a_rod(const std::string& old = "", const std::string& now = "") {
 
 }  // namespace
 
-TEST_CASE("A constraint holds the motion that an angle has", "[problem]") {
+TEST_CASE("A constraint gives the motion that an angle has", "[problem]") {
   const std::string file = (folder / "pendulum_on_a_rod.toml").string();
   const Entry& entry = entry_of_file(file);
   const Quantity seen =
@@ -381,7 +381,7 @@ TEST_CASE("A constraint holds the motion that an angle has", "[problem]") {
     CHECK(near(one.answer.value[i], other.answer.value[i], 1e-8));
 }
 
-TEST_CASE("Constraints hold a bead on a hoop that turns, also where one of its coordinates is zero",
+TEST_CASE("Constraints hold a bead on a rotating hoop, also where one of its coordinates is zero",
           "[problem]") {
   const std::string text = R"toml(title = "x"
 [parameters]
@@ -419,7 +419,7 @@ z = "m"
   }
 }
 
-TEST_CASE("How far a model leaves its constraint is the distance that one sees", "[problem]") {
+TEST_CASE("How far a model leaves its constraint is the visible distance", "[problem]") {
   const std::string file = (folder / "pendulum_on_a_rod.toml").string();
   const Entry& entry = entry_of_file(file);
   const Quantity seen =
@@ -437,7 +437,7 @@ TEST_CASE("How far a model leaves its constraint is the distance that one sees",
   CHECK(near(held.off_constraint(1.0 / 64), most, 1e-12));
 }
 
-TEST_CASE("A constraint that cannot be is refused with its place", "[problem]") {
+TEST_CASE("An impossible constraint is refused with its place", "[problem]") {
   const auto says = [](const std::string& old, const std::string& now, const std::string& why) {
     INFO(now);
     const std::string said = refusal(on_a_rod(old, now));
@@ -450,7 +450,7 @@ TEST_CASE("A constraint that cannot be is refused with its place", "[problem]") 
   says("x^2 + y^2 = L^2", "x'^2 + y^2 = L^2", "a constraint is of places");
   says("x^2 + y^2 = L^2", "x^2 + y^2 = L", "the left side is m^2, and the right side m");
   says("x^2 + y^2 = L^2\"", "x^2 + y^2 = L^2\", \"2 x^2 + 2 y^2 = 2 L^2\"", "leave 2 unknowns no motion");
-  // twice the same, beside a third unknown
+  // a repeated one, with a third unknown
   const std::string twice = refusal(R"toml(title = "x"
 [parameters]
 L = "1 m"
@@ -465,7 +465,7 @@ x = "m"
   says("lagrangian = \"m/2 (x'", "equations = [\"x''=0\"]#", "constraints go with a lagrangian");
 }
 
-TEST_CASE("A file's model in float is off by roundings alone", "[problem]") {
+TEST_CASE("A file's model in float differs by roundings only", "[problem]") {
   for (const std::string name : {"quarter_car.toml", "elastic_pendulum.toml", "spring_animation.toml"}) {
     INFO(name);
     const std::string file = (folder / name).string();
@@ -490,7 +490,7 @@ TEST_CASE("A file's model in float is off by roundings alone", "[problem]") {
 
 namespace {
 
-/// What the printed code of a file's model has, or why there is none.
+/// Printed code of a file's model, or the reason why it cannot be printed.
 std::string code_of_text(const std::string& text) {
   const std::string name = "test.toml";
   const Entry& entry = entry_of_text(name, text);
@@ -501,14 +501,14 @@ std::string code_of_text(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("Printed numbers are no whole ones, which C++ would divide without a remainder",
+TEST_CASE("Printed numbers are never whole numbers, which C++ would divide without a remainder",
           "[problem][code]") {
   const std::string code = code_of_text(with("m y'' = -k y + if(t < 1 s, 1, 0) 1 N/2"));
   INFO(code);
   CHECK(code.find("? 1.0 : 0.0) / 2.0") != std::string::npos);
 }
 
-TEST_CASE("A letter or a model whose name means something in C++ does no harm", "[problem][code]") {
+TEST_CASE("A letter or a model whose name has a meaning in C++ does no harm", "[problem][code]") {
   const auto renamed = [](std::string text, const std::string& letter, const std::string& now) {
     for (auto at = text.find(letter); at != std::string::npos; at = text.find(letter, at + now.size()))
       text.replace(at, letter.size(), now);
@@ -521,7 +521,7 @@ TEST_CASE("A letter or a model whose name means something in C++ does no harm", 
         std::string::npos);
 }
 
-TEST_CASE("What is wrong in an event is said with its place", "[problem]") {
+TEST_CASE("An error in an event is reported with its place", "[problem]") {
   CHECK(refusal(ball(R"({ when = "y" })")).find("nothing happens in this event") != std::string::npos);
   CHECK(refusal(ball(R"({ then = { y = "0 m" } })")).find("goes through zero: when") != std::string::npos);
   CHECK(refusal(ball(R"({ when = "y", then = { y = "0 s" } })")).find("y is in m, and this is s") !=
@@ -537,7 +537,7 @@ TEST_CASE("What is wrong in an event is said with its place", "[problem]") {
   CHECK(refusal(ball(R"("y")")).find("events are tables") != std::string::npos);
 }
 
-TEST_CASE("A motion that ends is said to end", "[problem]") {
+TEST_CASE("A motion that ends is reported to end", "[problem]") {
   const std::string text =
       "title = \"x\"\n[parameters]\nv = \"1 m\"\n[model.one]\nequations = [\"y' = y^2/(1 m s)\"]\n"
       "start = { y = \"v\" }\n[observe]\ny = \"m\"\n";
@@ -550,7 +550,7 @@ TEST_CASE("A motion that ends is said to end", "[problem]") {
   CHECK(said.find("the true motion ends at 1") != std::string::npos);
 }
 
-TEST_CASE("The pendulum's file has the energy that 3.5 has", "[problem]") {
+TEST_CASE("The pendulum's file has the energy of 3.5", "[problem]") {
   const Entry& own = entry_of_file(pendulum);
   const Entry& book = *std::ranges::find(registry(), exercise_number("3.5"), &Entry::number);
   Parameters mine(own.exercise.parameters), theirs(book.exercise.parameters);
@@ -600,7 +600,7 @@ std::vector<Answered> answers_of(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("Each example's answers are so", "[problem]") {
+TEST_CASE("Each example's stated answers are true", "[problem]") {
   const Reference truth(std::filesystem::path(ODDITY_SOURCE) / "reference");
   int examples = 0;
   for (const auto& file : std::filesystem::directory_iterator(folder)) {
@@ -643,11 +643,11 @@ TEST_CASE("Each example's answers are so", "[problem]") {
   CHECK(examples >= 10);
 }
 
-TEST_CASE("The file that new writes runs as it is", "[problem]") {
+TEST_CASE("The file written by new runs unchanged", "[problem]") {
   CHECK(refusal(std::string(begun)) == "nothing");
 }
 
-TEST_CASE("The program takes a file's name in an exercise's place", "[problem][commands]") {
+TEST_CASE("The program accepts a file's name in place of an exercise", "[problem][commands]") {
   const ScratchFolder scratch;
   const std::string file = (scratch.path() / "mine.toml").string();
   const auto made = program::run("new " + file);
@@ -673,7 +673,7 @@ TEST_CASE("The program takes a file's name in an exercise's place", "[problem][c
             .status == 0);
 }
 
-TEST_CASE("Only a regular file of some size is read, and nothing is waited for", "[problem][commands]") {
+TEST_CASE("Only a regular file of limited size is read, without waiting", "[problem][commands]") {
   const ScratchFolder scratch;
   const auto refused = [&](const std::string& name, const std::string& why) {
     const auto ended = program::run("choose " + name);

@@ -1,4 +1,4 @@
-// Claims in problems' files: what is right is confirmed, what is not is found, and what cannot be judged is
+// Claims in problems' files: a right one is confirmed, a wrong one is found, and one that cannot be judged is
 // refused with its place.
 
 #include <algorithm>
@@ -32,7 +32,7 @@ const std::string letters = "letters = { a = \"0.1 to 3 m\", b = \"20 to 300 cm\
 
 }  // namespace
 
-TEST_CASE("A claim is judged by each kind of truth", "[problem][claims]") {
+TEST_CASE("A claim is judged by each kind of reference", "[problem][claims]") {
   CHECK(verdict_of(letters + "printed = \"a b + b^2\"\ntruth = \"b (a + b)\"") == "confirmed");
   CHECK(verdict_of(letters + "printed = \"A = a b - b^2\"\ntruth = \"b (a + b)\"") == "unsettled");
   CHECK(verdict_of(letters + R"(printed = '\frac{a^3}{3}'
@@ -63,7 +63,7 @@ truth = { sum = "k^2", over = "k", from = "1", to = "n" })") == "unsettled");
   CHECK(verdict_of("letters = { x = \"-9 to 9\" }\nprinted = \"x^2 > x\"") == "unsettled");
 }
 
-TEST_CASE("A claim has the verdict that its readings give", "[problem][claims]") {
+TEST_CASE("A claim's verdict follows from its readings", "[problem][claims]") {
   const std::string truth = "\ntruth = { integral = \"2 x\", over = \"x\", from = \"0 m\", to = \"a\" }";
   CHECK(verdict_of(letters + "printed = \"a^3/(1 m)\"\nmeant = \"a^2\"" + truth) == "misprint");
   CHECK(verdict_of(letters + "printed = \"a\"\nmeant = \"a^2\"\nlost = true" + truth) == "lost in our copy");
@@ -72,12 +72,11 @@ TEST_CASE("A claim has the verdict that its readings give", "[problem][claims]")
       verdict_of(
           "letters = { x = \"-3 to 3 m\" }\nprinted = \"x = sqrt(x^2)\"\ncorrected = \"abs(x) = sqrt(x^2)\"\n"
           "in_view = \"x > 0 m\"") == "incomplete");
-  // Units that do not fit are a fault of what is printed, and are named.
+  // Units that do not fit are a fault of the printed formula, and are named.
   const Claim amiss = claim_of(letters + "printed = \"a^2 + a\"\ncorrected = \"a^2\"" + truth);
   CHECK(name_of(verdict(amiss)) == "wrong");
   CHECK(amiss.why.find("m^2 and m do not add up") != std::string::npos);
-  // What is stated to be wrong and holds is none of a claim's verdicts: its correction differs from what
-  // holds.
+  // A claim stated to be wrong that holds has no such verdict: its correction differs from the true value.
   CHECK(verdict_of(letters + "printed = \"a a\"\ncorrected = \"2 a^2\"" + truth) == "unsettled");
 }
 
@@ -89,13 +88,13 @@ TEST_CASE("Each single change of a claim's formula is a near miss", "[problem][c
   CHECK(name_of(verdict(claim)) == "confirmed");
   REQUIRE(claim.near_misses.size() == 1);
   CHECK(claim.near_misses[0].text.find("the hardest to see of") != std::string::npos);
-  // A tolerance that does not tell the formula from its neighbours settles nothing.
+  // A tolerance that does not distinguish the formula from its neighbours settles nothing.
   CHECK(
       verdict_of("letters = { x = \"1\" }\nprinted = \"x + 2\"\ntruth = { value = \"3\", within = \"5\" }") ==
       "unsettled");
 }
 
-TEST_CASE("Letters are drawn from their ranges, and under conditions", "[problem][claims]") {
+TEST_CASE("Letters are drawn from their ranges, under conditions", "[problem][claims]") {
   const std::string claim =
       "printed = \"abs(a - b)\"\ntruth = { integral = \"1\", over = \"x\", from = \"b\", to = \"a\" }\n";
   CHECK(verdict_of(letters + claim) == "unsettled");
@@ -153,7 +152,7 @@ TEST_CASE("A claim that cannot be judged is refused with its place", "[problem][
         }).find("need is of a motion, and there is no model") != std::string::npos);
 }
 
-TEST_CASE("verify judges a file's claims, and its exit code says whether all are as stated",
+TEST_CASE("verify judges a file's claims, and its exit code reports whether all are as stated",
           "[problem][claims][commands]") {
   const ScratchFolder scratch;
   const std::string right = sheet(letters + "printed = \"a b + b^2\"\ntruth = \"b (a + b)\"");
@@ -176,7 +175,7 @@ TEST_CASE("verify judges a file's claims, and its exit code says whether all are
           .string());
   CHECK(marked.status == 0);
   CHECK(program::says(marked, "printed  b(a⟦-⟧b)"));
-  // What is said to be wrong and is not.
+  // A claim stated to be wrong that is not.
   CHECK(program::printed(
             "verify " +
             scratch

@@ -22,7 +22,7 @@ using namespace oddity;
 
 namespace {
 
-/// A scene, the models that its file has too, and other parameters to try.
+/// A scene, the models that its file also has, and other parameters to try.
 struct Twin {
   std::string number;
   std::vector<std::string> models;
@@ -72,7 +72,7 @@ std::set<std::string> algorithms(const Quantity& of, const std::string& model) {
 
 }  // namespace
 
-TEST_CASE("Each scene that is a file has the parameters, the horizon and the observables of its exercise",
+TEST_CASE("Each scene with a file has the parameters, the horizon and the observables of its exercise",
           "[problem][scenes]") {
   CHECK(twins().size() >= 12);
   CHECK(twins().size() == embedded_scenes().size());
@@ -128,8 +128,8 @@ TEST_CASE("A scene's file has its motion to twelve digits, and its methods' erro
             const Trial one = run(mine, method, setting), two = run(theirs, *same, setting);
             INFO(method.model << ", " << method.algorithm << ", " << setting);
             CHECK(one.outcome == two.outcome);
-            // A Taylor series takes its steps by the operations, which a file writes in another order; and
-            // where a method has lost the motion, roundings grow as well.
+            // A Taylor series chooses its steps by the operations, which a file writes in another order.
+            // Where a method has lost the motion, roundings grow as well.
             const bool comparable =
                 method.algorithm != "Taylor series" && two.error < size_of(theirs.reference.value) / 2;
             if (comparable) CHECK(near(one.error, two.error, 1e-3 * two.error + 1e-10));
@@ -139,9 +139,9 @@ TEST_CASE("A scene's file has its motion to twelve digits, and its methods' erro
     }
 }
 
-TEST_CASE("A scene's file is answered as its exercise is", "[problem][scenes]") {
+TEST_CASE("A scene's file gets the same answer as its exercise", "[problem][scenes]") {
   const Reference truth = tables();
-  // What costs what: evaluations, so that no clock decides.
+  // Costs in evaluations, so that no clock decides.
   const Price price = [](const Method& method, double setting) {
     return Time{static_cast<double>(method.run(setting).evaluations), 0};
   };
@@ -176,7 +176,7 @@ TEST_CASE("A scene's file is answered as its exercise is", "[problem][scenes]") 
         CHECK(mine_is.chosen->model == theirs_is.chosen->model);
         CHECK(mine_is.chosen->algorithm == theirs_is.chosen->algorithm);
         CHECK(mine_is.chosen->setting == theirs_is.chosen->setting);
-        // In needs, to three digits; below that each truth has a bound of its own, of 1e-12.
+        // In tolerances, to three digits; below that each reference has its own bound, of 1e-12.
         const double size = 1e-3 * theirs_is.chosen->error + 2e-12 / error;
         CHECK(near(mine_is.chosen->error, theirs_is.chosen->error, size));
       }

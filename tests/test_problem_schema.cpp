@@ -1,4 +1,5 @@
-// The schema of problems' files: all examples are of it, and what it refuses the reader refuses, too.
+// The schema of problems' files: all examples conform to it, and the reader refuses everything that it
+// refuses.
 
 #include <algorithm>
 #include <filesystem>
@@ -29,7 +30,7 @@ Json json_of(const std::string& text) {
   return Json::parse(out.str());
 }
 
-/// Whether the value is of the schema, as far as ours goes.
+/// Whether the value conforms to the schema, for the keywords that ours uses.
 bool is_of(const Json& value, const Json& schema, const Json& whole) {
   if (schema.contains("$ref")) {
     const std::string name = schema["$ref"].get<std::string>().substr(8);
@@ -67,7 +68,7 @@ bool is_of(const Json& value, const Json& schema, const Json& whole) {
 
 }  // namespace
 
-TEST_CASE("Every problem's file in the tree is of the schema", "[problem][schema]") {
+TEST_CASE("Every problem's file in the tree conforms to the schema", "[problem][schema]") {
   const Json schema = Json::parse(schema_of_problems());
   std::vector<std::string> texts{std::string(problem::begun)};
   for (const EmbeddedFile& file : embedded_scenes()) texts.emplace_back(file.text);
@@ -81,7 +82,7 @@ TEST_CASE("Every problem's file in the tree is of the schema", "[problem][schema
   }
 }
 
-TEST_CASE("What is not of the schema is refused by the reader", "[problem][schema]") {
+TEST_CASE("The reader refuses files that do not conform to the schema", "[problem][schema]") {
   const Json schema = Json::parse(schema_of_problems());
   const std::string motion =
       "title = \"x\"\n[parameters]\nm = \"1 kg\"\n[model.a]\nequations = [\"m y'' = -1 N\"]\nstart = { y = \"1 m\", \"y'\" = 0 }\n[observe]\ny = \"m\"\n";
@@ -96,7 +97,7 @@ TEST_CASE("What is not of the schema is refused by the reader", "[problem][schem
     CHECK_FALSE(is_of(json_of(motion + wrong), schema, schema));
     CHECK(complaint([&] { problem::entry_of_text("t.toml", motion + wrong); }).find("t.toml:") == 0);
   }
-  // Every key of every table has a type that the schema has.
+  // Every key of every table has a type from the schema.
   for (const auto& table : problem::all_keys())
     for (const problem::Key& key : table.keys) CHECK_FALSE(key.says.empty());
 }

@@ -1,5 +1,5 @@
-// Tables of numbers in problems' files: the curve is GSL's own, and a motion that it drives is that of the
-// formula which the rows are of.
+// Tables of numbers in problems' files: the curve is GSL's, and a motion driven by it is that of the formula
+// behind the rows.
 
 #include <gsl/gsl_spline.h>
 
@@ -23,7 +23,7 @@ using namespace oddity::problem;
 
 namespace {
 
-/// A mass that a table pushes: y'' = push(t), from rest.
+/// A mass pushed by a table: y'' = push(t), from rest.
 std::string pushed(const std::string& table, const std::string& more = "[need]\nhorizon = \"1 s\"\n",
                    const std::string& force = "push(t)") {
   return "title = \"x\"\n[parameters]\nm = \"1 kg\"\n[tables]\npush = " + table +
@@ -76,8 +76,8 @@ TEST_CASE("A table's curve and its slope are those of GSL", "[problem][tables]")
   }
 }
 
-TEST_CASE("Both routes to a true motion begin anew at a table's knots", "[problem][tables]") {
-  // A force of 0, 1, -1 N at 0, 0.3, 1 s, straight between: the place is a cubic on each piece.
+TEST_CASE("Both routes to a true motion restart at a table's knots", "[problem][tables]") {
+  // A force of 0, 1, -1 N at 0, 0.3, 1 s, linear between: the place is a cubic on each piece.
   const std::string text =
       pushed(R"({ x = "s", y = "N", spline = "linear", rows = [[0, 0], [0.3, 1], [1, -1]] })");
   const auto file = read("test.toml", text);
@@ -95,7 +95,7 @@ TEST_CASE("Both routes to a true motion begin anew at a table's knots", "[proble
   }
 }
 
-TEST_CASE("A motion by a table is that of the formula whose numbers it has", "[problem][tables]") {
+TEST_CASE("A motion driven by a table is that of the formula behind its numbers", "[problem][tables]") {
   // A cubic spline through a straight line is that line, in its units.
   const std::string line = R"(""" 0, 100
  50; 200
@@ -109,14 +109,14 @@ TEST_CASE("A motion by a table is that of the formula whose numbers it has", "[p
   const Quantity one = last(pushed("{ x = \"cs\", y = \"cN\", rows = " + line + " }"));
   CHECK(near(one.reference.value[0], 0.5 + 2.0 / 6, 1e-14));
   CHECK(one.reference_error < 1e-14);
-  // Its argument may be what moves, and its rate follows.
+  // Its argument may be an unknown, and its rate follows.
   const Quantity other =
       last(pushed(R"({ x = "m", y = "N", outside = "hold", rows = [[-9, 9], [0, 0], [9, -9]] })",
                   "[need]\nhorizon = \"1 s\"\n", "push(y) + 1 N"));
   CHECK(near(other.reference.value[0], 1 - std::cos(1), 1e-13));
 }
 
-TEST_CASE("What is wrong in a table is said with its place", "[problem][tables]") {
+TEST_CASE("An error in a table is reported with its place", "[problem][tables]") {
   CHECK(refusal(pushed(R"({ x = "s", y = "N", rows = [[0, 0], [1, 1], [2, 0]] })")) == "nothing");
   CHECK(
       refusal(pushed(R"({ x = "s", y = "N", rows = [[0, 0], [0.5, 1], [0.9, 0]] })")) ==
@@ -148,7 +148,7 @@ TEST_CASE("What is wrong in a table is said with its place", "[problem][tables]"
         std::string::npos);
 }
 
-TEST_CASE("Two hundred rows are answered within a second of computing", "[problem][tables]") {
+TEST_CASE("Two hundred rows are answered within a second of CPU time", "[problem][tables]") {
   std::string rows;
   for (int i = 0; i < 200; ++i)
     rows += (i > 0 ? ", [" : "[") + std::to_string(i) + "e-2, " + format_shortest(std::sin(i * 0.1)) + "]";
@@ -156,6 +156,6 @@ TEST_CASE("Two hundred rows are answered within a second of computing", "[proble
   const Entry& entry = entry_of_text("test.toml", pushed("{ x = \"s\", y = \"N\", rows = [" + rows + "] }"));
   const Quantity seen =
       motion(*entry.exercise.scene, Parameters(entry.exercise.parameters), {1, 1, 60}, truth);
-  // The spline's own distance from the sine is of the fourth order in its knots.
+  // The spline's distance from the sine is of fourth order in its knots.
   CHECK(near(seen.reference.value[seen.reference.value.size() - 1], 0.1 * (1 - std::sin(10.0) / 10), 1e-6));
 }

@@ -1,4 +1,4 @@
-// What is told of a run that takes long: nothing that cannot be so.
+// Progress of a long run: nothing impossible is shown.
 
 #include <thread>
 
@@ -8,7 +8,7 @@
 
 using namespace oddity;
 
-TEST_CASE("a time left is told where work goes on evenly", "[progress]") {
+TEST_CASE("the remaining time is shown while work advances evenly", "[progress]") {
   Pace pace;
   for (int i = 1; i <= 10; ++i) pace.come_to(i, i);
   CHECK(pace.line(40, 10) == "10 of 40, about 30 s left");
@@ -17,7 +17,7 @@ TEST_CASE("a time left is told where work goes on evenly", "[progress]") {
   CHECK(pace.line(10, 10) == "10 of 10, 10 s so far");
 }
 
-TEST_CASE("where one piece takes long no time left is told that grows", "[progress]") {
+TEST_CASE("the remaining time never grows while one piece takes long", "[progress]") {
   Pace pace;
   pace.come_to(1, 0.01);
   for (double now : {3, 10, 20, 40, 60, 80})
@@ -26,14 +26,14 @@ TEST_CASE("where one piece takes long no time left is told that grows", "[progre
   CHECK(pace.line(3, 100) == "2 of 3, 100 s so far");
 }
 
-TEST_CASE("what falls back is not told", "[progress]") {
+TEST_CASE("a step back is not shown", "[progress]") {
   Pace pace;
   pace.come_to(2, 1);
   pace.come_to(1, 2);
   CHECK(pace.line(3, 3) == "2 of 3, 3 s so far");
 }
 
-TEST_CASE("no more of a stage is done than there is, whatever threads begin", "[progress]") {
+TEST_CASE("the progress of a stage never exceeds its total, whatever threads begin", "[progress]") {
   double most = 0;
   const Progress progress = [&](const std::string&, double done, std::size_t) {
     most = std::max(most, done);
@@ -44,7 +44,7 @@ TEST_CASE("no more of a stage is done than there is, whatever threads begin", "[
   CHECK(most == 3);
 }
 
-TEST_CASE("what is made of a piece in several goes does not fall back", "[progress]") {
+TEST_CASE("a piece that is computed in several parts does not step back", "[progress]") {
   double last = 0;
   const Progress progress = [&](const std::string&, double done, std::size_t) { last = done; };
   Stage stage(progress, "making", 2);

@@ -9,7 +9,7 @@
 
 using namespace oddity;
 
-TEST_CASE("an expression is written as Coq reads it", "[proofs]") {
+TEST_CASE("an expression is written in Coq's syntax", "[proofs]") {
   const Expression x = Expression::letter("x"), y = Expression::letter("y");
   CHECK((x - (y - x)).coq() == "x - (y - x)");
   CHECK((x / (y * x)).coq() == "x / (y * x)");
@@ -25,7 +25,7 @@ TEST_CASE("an expression is written as Coq reads it", "[proofs]") {
   CHECK_THROWS(Expression(1.0 / 0.0));
 }
 
-TEST_CASE("every proof on record is of the formulas as they are now", "[proofs]") {
+TEST_CASE("every recorded proof is of the current formulas", "[proofs]") {
   const ProvedClaims record = read_proofs(std::string(ODDITY_SOURCE) + "/reference/approved");
   const Provables now = provables();
   CHECK(record.size() == now.size());
@@ -39,14 +39,14 @@ TEST_CASE("every proof on record is of the formulas as they are now", "[proofs]"
   }
 }
 
-TEST_CASE("what a proof may rest on", "[proofs]") {
+TEST_CASE("axioms that a proof may rest on", "[proofs]") {
   CHECK(unknown_axioms("Axioms:\nClassicalDedekindReals.sig_forall_dec\n  : forall P : nat -> Prop,\n")
             .empty());
   CHECK(unknown_axioms("Closed under the global context\n").empty());
   CHECK(unknown_axioms("Axioms:\nlie : 1 = 2\n") == std::vector<std::string>{"lie"});
 }
 
-TEST_CASE("coqc refuses near misses, what is admitted and what is assumed", "[proofs]") {
+TEST_CASE("coqc refuses near misses, admitted lemmas and assumptions", "[proofs]") {
   if (!coq_is_there()) {
     WARN("not run: Coq or one of its libraries is not installed");
     return;
@@ -81,7 +81,7 @@ TEST_CASE("coqc refuses near misses, what is admitted and what is assumed", "[pr
   CHECK(checked[5].message == "it rests on lie; ");
 }
 
-TEST_CASE("prove says what it cannot do", "[proofs]") {
+TEST_CASE("prove reports claims without a proof", "[proofs]") {
   const program::Ran none = program::run("prove 6.1");
   CHECK(none.status == 2);
   CHECK(program::says(none, "nothing is proved of exercise 6.1"));

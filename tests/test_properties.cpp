@@ -1,4 +1,4 @@
-// What holds at all parameters of a single scene: its limits and its symmetries.
+// Properties of single scenes at all parameters: their limits and symmetries.
 
 #include "chapters/03_rigid_body_motion/05_pendulum/models.hpp"
 #include "chapters/03_rigid_body_motion/09_damped_ball/models.hpp"
@@ -24,7 +24,7 @@ std::string more_than(double off, double allowed, double t) {
                               format_shortest(allowed);
 }
 
-/// The parameters, the time and the observables that make of a motion another one, each by its factor.
+/// Factors of the parameters, the time and the observables that map a motion to another.
 struct Map {
   std::vector<double> parameters;
   double time;
@@ -34,7 +34,7 @@ struct Map {
 /// Powers of the units of mass, length and time.
 using Dimensions = std::array<int, 3>;
 
-/// Of a power of two whose roots are powers of two as well, so that not a bit changes.
+/// A factor that is a power of two, with roots that are powers of two as well, so that not a bit changes.
 double in_other_units(const Dimensions& d) { return std::ldexp(1, 4 * d[0] + 8 * d[1] - 12 * d[2]); }
 
 Map other_units(const std::vector<Dimensions>& parameters, const std::vector<Dimensions>& observables) {
@@ -44,7 +44,7 @@ Map other_units(const std::vector<Dimensions>& parameters, const std::vector<Dim
   return map;
 }
 
-/// Every model of a scene makes of the mapped parameters the mapped motion, in every bit.
+/// Every model of a scene gives the mapped motion from the mapped parameters, in every bit.
 template <template <class> class Given>
 void check_map(std::string_view number, const std::string& says, const Map& map) {
   const Entry& entry = entry_of(number);
@@ -106,7 +106,7 @@ TEST_CASE("a mirrored start gives the mirrored motion, in every bit", "[properti
   check_map<two_bodies::Given>("3.27", says, {{1, 1, 1, 1, 1, -1, -1}, 1, {1, -1}});
 }
 
-TEST_CASE("a small swing is the small angle's, but for its longer period", "[properties]") {
+TEST_CASE("a small swing is the small angle's, except for its longer period", "[properties]") {
   properties::check(
       entry_of("3.5"), "a hundredth of the angle swings like a cosine", 100, [](const Parameters& p) {
         const double a = p["a"] / 100, w = std::sqrt(p["g"] / p["L"]);
@@ -115,7 +115,7 @@ TEST_CASE("a small swing is the small angle's, but for its longer period", "[pro
         const pendulum::SmallAngle<double> small{given};
         std::string wrong;
         for (double turns = 1; turns <= 64 && wrong.empty(); turns *= 1.7) {
-          // The frequency is less by the part a^2 / 16, the shape other by a^3 / 192.
+          // The frequency is lower by the part a^2 / 16, and the shape differs by a^3 / 192.
           const double allowed = 1.1 * a * a * a * (turns / 16 + 1.0 / 192) + 256 * epsilon * a * turns;
           wrong = more_than(std::abs(exact.at(turns / w)[0] - small.at(turns / w)[0]), allowed, turns / w);
         }
@@ -123,8 +123,7 @@ TEST_CASE("a small swing is the small angle's, but for its longer period", "[pro
       });
 }
 
-TEST_CASE("a small oscillation of the bar starts as the bar does, also where it is pushed",
-          "[properties][3.23]") {
+TEST_CASE("a small oscillation of the bar starts like the bar, also if it is pushed", "[properties][3.23]") {
   properties::check(
       entry_of("3.23"), "the same angle, angular speed and acceleration", 100, [](const Parameters& p) {
         const spring_bar::Given<double> given{
@@ -136,7 +135,7 @@ TEST_CASE("a small oscillation of the bar starts as the bar does, also where it 
         };
         const double before = angle(-dt), now = angle(0), after = angle(dt);
         const double pull = spring_bar::OneAngle<double>{given}.acceleration_at(given.theta0);
-        // The angles that are added up, and how fast and how much faster they change.
+        // The angles that are added, and their first and second derivatives.
         const double size = std::abs(pull) / (w * w) + std::abs(given.w0) / w + std::abs(given.theta0);
         std::string wrong = more_than(std::abs(now - given.theta0), 8 * epsilon * size, 0);
         if (wrong.empty())
@@ -171,7 +170,7 @@ TEST_CASE("without friction the ball goes round an ellipse, and from the other s
       });
 }
 
-TEST_CASE("a ball's bounces come in their order, each where the flights before it end", "[properties]") {
+TEST_CASE("a ball's bounces come in order, each where the flight before it ends", "[properties]") {
   Random random(in_environment("ODDITY_SEED", 1));
   for (int set = 0; set < in_environment("ODDITY_SETS", 20); ++set) {
     const bouncing_ball::Given<double> given{random.between(0.1, 10), random.between(0.5, 50),

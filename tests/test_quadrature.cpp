@@ -1,6 +1,6 @@
 // The quadrature rules one by one: exactness, order, and integrands with a closed form. P_n is the Legendre
-// polynomial: its integral over [-1, 1] is zero for n > 0, and a rule of degree d integrates P_d to zero and
-// P_(d+1) to something else.
+// polynomial: its integral over [-1, 1] is zero for n > 0. A rule of degree d integrates P_d to zero, and
+// P_(d+1) to another value.
 
 #include <numbers>
 
@@ -33,7 +33,7 @@ TEST_CASE("Gauss-Legendre with n points is exact to degree 2n-1 and no further",
   }
 }
 
-TEST_CASE("Gauss-Legendre keeps all digits at sizes that GSL has no table for", "[solvers]") {
+TEST_CASE("Gauss-Legendre keeps all digits at sizes for which GSL has no table", "[solvers]") {
   for (int n = 10; n <= 200; ++n) {
     INFO(n << " points");
     CHECK(near_ulps(gauss_legendre(exponential, 0, 1, n).value, e - 1, 16));
@@ -41,7 +41,7 @@ TEST_CASE("Gauss-Legendre keeps all digits at sizes that GSL has no table for", 
   CHECK(near_ulps(gauss_legendre(exponential, 0, 1, 1001).value, e - 1, 64));
 }
 
-TEST_CASE("Gauss-Legendre's error on x^(2n) is the one of theory", "[solvers]") {
+TEST_CASE("Gauss-Legendre's error on x^(2n) agrees with theory", "[solvers]") {
   // Over [0, 1]: (n!)^4 / ((2n+1) ((2n)!)^2) [Abramowitz, Stegun 25.4.30].
   for (int n = 1; n <= 5; ++n) {
     const double error =
@@ -60,7 +60,7 @@ TEST_CASE("Simpson's rule is exact to degree 3 and the trapezoid rule to degree 
 }
 
 TEST_CASE("one application of Gauss-Kronrod's 21 points is exact to degree 31 and no further", "[solvers]") {
-  // The slope makes the estimate relative to it, so that QAG accepts whatever its first application gives.
+  // The slope makes the estimate relative to it, so that QAG accepts its first application.
   const auto once = [](int degree) {
     return qag([p = legendre(degree)](double x) { return p(x) + 1000 * x; }, -1, 1, infinity);
   };
@@ -69,7 +69,7 @@ TEST_CASE("one application of Gauss-Kronrod's 21 points is exact to degree 31 an
   CHECK(once(32).evaluations == 21);
 }
 
-TEST_CASE("the trapezoid rule has order 2 and Simpson's order 4, by panels + 1 evaluations", "[solvers]") {
+TEST_CASE("the trapezoid rule has order 2 and Simpson's order 4, with panels + 1 evaluations", "[solvers]") {
   std::vector<double> steps, trapezoid_errors, simpson_errors;
   for (int panels : {8, 16, 32, 64}) {
     const Integral second = trapezoid(exponential, 0, 1, panels), fourth = simpson(exponential, 0, 1, panels);
@@ -83,7 +83,8 @@ TEST_CASE("the trapezoid rule has order 2 and Simpson's order 4, by panels + 1 e
   CHECK(near(power_law(steps, simpson_errors).exponent, 4, 0.01));
 }
 
-TEST_CASE("an integral changes its sign with its direction, and is zero over nothing", "[solvers]") {
+TEST_CASE("an integral changes its sign with its direction, and is zero over an empty interval",
+          "[solvers]") {
   for (const auto& [name, run] : adaptive()) {
     INFO(name);
     CHECK(run(exponential, 1, 1, 1e-10).value == 0);
@@ -128,7 +129,7 @@ TEST_CASE("QAG and CQUAD bisect a singular end, at ten times the cost", "[solver
   }
 }
 
-TEST_CASE("QAGP with the point of a kink or a logarithm given needs no search", "[solvers]") {
+TEST_CASE("QAGP needs no search if the point of a kink or a logarithm is given", "[solvers]") {
   const auto kink = [](double x) { return std::abs(x - 0.3); };
   const auto log = [](double x) { return std::log(std::abs(x - 0.3)); };
   const double kink_area = (0.3 * 0.3 + 0.7 * 0.7) / 2;

@@ -1,4 +1,4 @@
-// How the quadrature rules end when they fail, and where they are deceived.
+// Endings of the quadrature rules when they fail, and integrands that deceive them.
 
 #include <numbers>
 
@@ -20,7 +20,7 @@ double spike(double x) {
 
 }  // namespace
 
-TEST_CASE("an integrand that is NaN, somewhere or everywhere, never reaches", "[solvers]") {
+TEST_CASE("an integrand that is NaN, somewhere or everywhere, gives no result", "[solvers]") {
   const auto everywhere = [](double) { return no_number; };
   const auto in_a_part = [](double x) { return std::sqrt(x - 0.3); };
   const auto in_the_middle = [](double x) { return x == 0.5 ? no_number : 1.0; };
@@ -45,7 +45,7 @@ TEST_CASE("CQUAD leaves out an end where the integrand is 0/0 or infinite; Simps
   CHECK(trapezoid(inverse_root, 0, 1, 8).ending == Ending::non_finite);
 }
 
-TEST_CASE("a divergent integral is never reached", "[solvers]") {
+TEST_CASE("a divergent integral gives no result", "[solvers]") {
   const auto square = [](double x) { return 1 / x / x; };
   for (const auto& [name, run] : adaptive()) {
     INFO(name);
@@ -95,7 +95,7 @@ TEST_CASE("QAGS is deceived in the last digits by two singular ends", "[solvers]
   CHECK(near(integral.value, pi, 3e-13));
 }
 
-TEST_CASE("a tolerance that cannot be met is no success", "[solvers]") {
+TEST_CASE("a tolerance that cannot be met gives no success", "[solvers]") {
   for (const auto& [name, run] : adaptive()) {
     INFO(name);
     for (double tolerance : {0.0, -1.0}) {
@@ -110,7 +110,7 @@ TEST_CASE("a tolerance that cannot be met is no success", "[solvers]") {
   }
 }
 
-TEST_CASE("limits that are not finite never reach", "[solvers]") {
+TEST_CASE("limits that are not finite give no result", "[solvers]") {
   for (const auto& [name, run] : adaptive()) {
     INFO(name);
     CHECK_FALSE(run(exponential, 0, infinity, 1e-10).reached());
@@ -120,7 +120,7 @@ TEST_CASE("limits that are not finite never reach", "[solvers]") {
   CHECK_FALSE(gauss_legendre(exponential, no_number, 1, 8).reached());
 }
 
-TEST_CASE("settings that make no rule are refused", "[solvers]") {
+TEST_CASE("invalid settings of a rule are refused", "[solvers]") {
   for (int panels : {-2, 0, 1, 3}) CHECK(simpson(exponential, 0, 1, panels).ending == Ending::raised);
   for (int panels : {-1, 0}) CHECK(trapezoid(exponential, 0, 1, panels).ending == Ending::raised);
   for (int points : {-1, 0}) CHECK(gauss_legendre(exponential, 0, 1, points).ending == Ending::raised);
@@ -129,7 +129,7 @@ TEST_CASE("settings that make no rule are refused", "[solvers]") {
   CHECK(qagp(exponential, {0, 1, 0.5}, 1e-10).ending == Ending::raised);
 }
 
-TEST_CASE("an integrand's exception comes out of every rule, and the next integral is right", "[solvers]") {
+TEST_CASE("an integrand's exception passes through every rule, and the next integral is right", "[solvers]") {
   const auto thrower = [](double x) -> double {
     if (x > 0.7) throw std::domain_error("beyond 0.7");
     return x;

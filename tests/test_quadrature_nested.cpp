@@ -57,7 +57,7 @@ TEST_CASE("the volume of the ball by nested QAGS", "[solvers]") {
   CHECK(ball.evaluations > 21 * 21 * 21);
 }
 
-TEST_CASE("an inner integral that fails makes the outer one fail, and says so", "[solvers]") {
+TEST_CASE("an inner integral that fails makes the outer one fail, with a message", "[solvers]") {
   const auto rule = [](FunctionOfOne f, double a, double b) { return qags(f, a, b, 1e-10); };
   const auto area = nested(
       rule, [](double, double y) { return 1 / y; }, 0, 1, [](double) { return 0.0; },

@@ -57,7 +57,7 @@ TEST_CASE("a unit that does not fit is refused with those that do", "[reference]
   CHECK(refused("1e999", "m") == "'1e999' is beyond what a number can hold");
 }
 
-TEST_CASE("whether two words are nearly the same does not take counting all their errors", "[reference]") {
+TEST_CASE("comparing two words for similarity does not count all their errors", "[reference]") {
   std::mt19937 random(5);
   const auto word = [&] {
     std::string letters(random() % 9, 'a');
@@ -72,7 +72,7 @@ TEST_CASE("whether two words are nearly the same does not take counting all thei
   }
 }
 
-TEST_CASE("what was meant is found by the fewest typing errors", "[reference]") {
+TEST_CASE("the closest name is found by the fewest typing errors", "[reference]") {
   CHECK(typing_errors("solve", "sovle") == 1);
   CHECK(typing_errors("abc", "ABC") == 0);
   CHECK(typing_errors("", "abc") == 3);

@@ -1,4 +1,4 @@
-// Every parameter may be at either end of its range: a choice there is an answer, or a refusal with its
+// Every parameter may be at either end of its range: choosing there gives an answer, or a refusal with its
 // reason.
 
 #include "chapters/contents.hpp"
@@ -12,7 +12,7 @@ using namespace oddity;
 
 namespace {
 
-/// The reason where it is refused; what is thrown besides is no refusal.
+/// The reason of a refusal; any other exception is not a refusal.
 std::string refusal(const Task& task) {
   static const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
   Need need = game_need();

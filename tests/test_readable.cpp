@@ -43,7 +43,7 @@ std::vector<std::string> formulas_of(const std::string& text) {
   return all;
 }
 
-/// All that a reader is told of an exercise.
+/// All texts of an exercise for readers.
 std::vector<std::string> texts_of(const Exercise& exercise) {
   const std::filesystem::path tables = std::filesystem::path(ODDITY_SOURCE) / "reference";
   const Findings findings = exercise.study(Parameters(exercise.parameters), Reference(tables));
@@ -60,7 +60,7 @@ std::vector<std::string> texts_of(const Exercise& exercise) {
 
 }  // namespace
 
-TEST_CASE("a formula becomes signs of Unicode", "[readable]") {
+TEST_CASE("a formula becomes Unicode text", "[readable]") {
   const std::vector<std::pair<std::string, std::string>> cases{
       {R"($T=80$ s)", "T = 80 s"},
       {R"($\mathbf r\times\mathbf v$ and $\boldsymbol\xi_3$)", "r×v and ξ₃"},
@@ -80,14 +80,14 @@ TEST_CASE("a formula becomes signs of Unicode", "[readable]") {
   for (const auto& [text, plain] : cases) CHECK(readable(text) == plain);
 }
 
-TEST_CASE("what is no formula stays, and what is none of TeX's does no harm", "[readable]") {
+TEST_CASE("text that is no formula is unchanged, and invalid TeX does no harm", "[readable]") {
   for (const std::string text : {"", "5 $", "$$", "`", R"(a\b {c})", "x_1^2"}) CHECK(readable(text) == text);
   for (const std::string tex : {"}", "{", R"(\)", "^", "_", R"(\frac)", R"(\sqrt[)", R"(\text{)", R"(\left)",
                                 R"(\begin)", "}}a{{", R"(\dot)", "'", R"(a^{\frac{1}{)"})
     CHECK_NOTHROW(readable("$" + tex + "$"));
 }
 
-TEST_CASE("two formulas are readable with what differs in brackets, and prose is not", "[readable]") {
+TEST_CASE("two formulas are readable with their differences in brackets, and prose has none", "[readable]") {
   const formula::Marks marks{"[", "]"};
   const auto both = formulas_that_differ("$a-2b$", R"($a+2\beta$)", marks, marks);
   REQUIRE(both);
@@ -98,7 +98,7 @@ TEST_CASE("two formulas are readable with what differs in brackets, and prose is
   CHECK(typed(R"($\dot\theta^2\le\frac{g}{L}$ and `x`)") == "theta'^2 <= g/L and x");
 }
 
-TEST_CASE("nothing of TeX is left of what the exercises say", "[readable][claims]") {
+TEST_CASE("the readable texts of exercises contain no TeX", "[readable][claims]") {
   for (const Entry& entry : registry())
     for (const std::string& text : texts_of(entry.exercise)) {
       const std::string plain = readable(text);

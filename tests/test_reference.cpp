@@ -1,4 +1,4 @@
-// The reference tables: what they give, and what a broken one says of itself.
+// The reference tables: their values, and the messages for broken ones.
 
 #include "reference/reference.hpp"
 
@@ -23,7 +23,7 @@ const Reference& truth() {
   return all;
 }
 
-/// What reading the tables complains of when one of them has this text instead.
+/// The message of reading the tables when one of them has this text instead.
 std::string complaint_of(const std::string& table, const std::string& text) {
   const ScratchFolder folder;
   fs::copy(tables, folder.path(), fs::copy_options::recursive);
@@ -54,7 +54,8 @@ TEST_CASE("a table is read around its comments and empty lines", "[reference]") 
   CHECK(read(quarter, {0.75}).source == "table 03_05_quarter_period.csv");
 }
 
-TEST_CASE("a folder without tables says what is needed, and a missing table names its file", "[reference]") {
+TEST_CASE("a folder without tables is refused with the folders needed, and a missing table with its file",
+          "[reference]") {
   const ScratchFolder folder;
   const auto reading = [&] { Reference read(folder.path()); };
   CHECK(complaint(reading).find("a folder with tables/ and approved/ is needed") != std::string::npos);
@@ -64,7 +65,7 @@ TEST_CASE("a folder without tables says what is needed, and a missing table name
   CHECK(said.find(".csv: it is not there; build/release/make_reference ") != std::string::npos);
 }
 
-TEST_CASE("a broken line names file and line, and what would be right", "[reference]") {
+TEST_CASE("a broken line is reported with file, line and a suggestion", "[reference]") {
   const auto said = [](const std::string& text) { return complaint_of(quarter, text); };
   const std::string file = "03_05_quarter_period.csv";
   CHECK(said("a,value\n1,2\n") == file + ":1: the columns must be a,component,value,error,bound,unit");
@@ -86,7 +87,7 @@ TEST_CASE("a broken line names file and line, and what would be right", "[refere
   CHECK(said(header + "0.5,I\\x,2.25,1e-9,agreement,1\n").find(quote) == 0);
 }
 
-TEST_CASE("a number that is none, or a negative error, names file and line", "[reference]") {
+TEST_CASE("an invalid number or a negative error is reported with file and line", "[reference]") {
   const std::string complaint =
       "03_05_quarter_period.csv:4: inputs and value must be finite, error finite and positive";
   for (const char* row : {"0.5,I,2,0,agreement,1", "0.5,I,nan,1e-9,agreement,1", "0.5,I,inf,1e-9,agreement,1",
@@ -95,12 +96,12 @@ TEST_CASE("a number that is none, or a negative error, names file and line", "[r
     CHECK(complaint_of(quarter, header + row + "\n") == complaint);
 }
 
-TEST_CASE("a table without rows says so", "[reference]") {
+TEST_CASE("a table without rows is refused", "[reference]") {
   for (const std::string& text : {header, std::string("# a comment\n"), std::string()})
     CHECK(complaint_of(quarter, text) == "03_05_quarter_period.csv: the table has no rows");
 }
 
-TEST_CASE("a row with a component missing says which", "[reference]") {
+TEST_CASE("a row with a missing component is reported with its name", "[reference]") {
   std::ifstream in(tables / "tables/03_03_orbit.csv");
   std::string text, line;
   for (int rows = 0; std::getline(in, line); text += line + "\n")
@@ -109,14 +110,14 @@ TEST_CASE("a row with a component missing says which", "[reference]") {
             .find("03_03_orbit.csv: no row for component y at 39.47841760435743,1,1") == 0);
 }
 
-TEST_CASE("the repository's own tables and verdicts are read", "[reference]") {
+TEST_CASE("the repository's tables and verdicts are read", "[reference]") {
   CHECK_NOTHROW(truth());
   CHECK_NOTHROW(read_verdicts(tables / "approved"));
 }
 
 // ---- looking up -------------------------------------------------------------------------------------------
 
-TEST_CASE("a tabulated value is the double nearest to it", "[reference]") {
+TEST_CASE("a tabulated value is the nearest double", "[reference]") {
   const Known half = truth()(quarter, {pi / 2});
   CHECK(half.value ==
         std::vector{2.622057554292119773782374504926});  // sqrt(2) K(1/sqrt 2), the lemniscate's constant
@@ -124,7 +125,7 @@ TEST_CASE("a tabulated value is the double nearest to it", "[reference]") {
   CHECK(half.source == "table 03_05_quarter_period.csv");
 }
 
-TEST_CASE("what is not tabulated is computed on the spot, and the source says so", "[reference]") {
+TEST_CASE("a value without a table row is computed on the spot, as its source states", "[reference]") {
   const Known made = truth()(quarter, {0.75});
   CHECK(near_ulps(made.value.at(0), std::sqrt(2) * std::comp_ellint_1(std::sin(0.375)), 4));
   CHECK(within(made.error, 1e-17, 1e-15));
@@ -132,7 +133,7 @@ TEST_CASE("what is not tabulated is computed on the spot, and the source says so
   CHECK(made.source.find("; and double-exponential quadrature") != std::string::npos);
 }
 
-TEST_CASE("what is computed on the spot has the error that is proved, where one is", "[reference]") {
+TEST_CASE("a value computed on the spot has a proved error, if there is one", "[reference]") {
   const auto proved = [](double distance) {
     return truth().enclosed_by([=](const ToEnclose& asked, const auto&) {
       CHECK(asked.table == quarter);
@@ -146,7 +147,7 @@ TEST_CASE("what is computed on the spot has the error that is proved, where one 
   CHECK(proved(0.25)(quarter, {pi / 2}).error < 1e-15);  // from the table
 }
 
-TEST_CASE("a table asked with too few or too many inputs says how many it takes", "[reference]") {
+TEST_CASE("a table with too few or too many inputs is refused with their number", "[reference]") {
   const auto said = [](const std::vector<double>& inputs) {
     return complaint([&] { truth()("03_05_swing", inputs); });
   };
@@ -171,7 +172,7 @@ TEST_CASE("an unknown table is named", "[reference]") {
         "the exercise's chapters");
 }
 
-TEST_CASE("inputs that are not finite have no truth", "[reference]") {
+TEST_CASE("inputs that are not finite have no reference value", "[reference]") {
   for (double bad : {no_number, infinity, -infinity})
     CHECK(complaint([&] { truth()(quarter, {bad}); }).find("inputs must be finite") != std::string::npos);
 }

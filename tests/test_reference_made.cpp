@@ -1,4 +1,4 @@
-// How the tables are made, and that every tabulated value can be made again.
+// Generation of the tables. Every tabulated value can be computed again.
 
 #include "reference/truth.hpp"
 
@@ -35,7 +35,7 @@ truth::Route gives(const truth::Number& x) {
 
 }  // namespace
 
-TEST_CASE("a made row's error bounds the disagreement of its routes by a power of ten", "[reference]") {
+TEST_CASE("a new row's error bounds the disagreement of its routes by a power of ten", "[reference]") {
   const auto error = [](const truth::Number& first, const truth::Number& second) {
     return truth::make_row(two_routes(gives(first), gives(second)), {1}, 30).error;
   };
@@ -45,7 +45,7 @@ TEST_CASE("a made row's error bounds the disagreement of its routes by a power o
   CHECK(error(0, truth::Number("3e-20")) == pow(truth::Number(10), -19));
 }
 
-TEST_CASE("a made row's error goes with the size of its largest component", "[reference]") {
+TEST_CASE("a new row's error is relative to its largest component", "[reference]") {
   const truth::Number small("2e-13");
   const truth::Made made = truth::make_row(two_routes(gives(small), gives(small)), {1}, 24);
   CHECK(made.error < truth::Number("1e-35"));
@@ -62,7 +62,7 @@ TEST_CASE("a made row's error goes with the size of its largest component", "[re
   CHECK(truth::make_row(two_routes(gives(0), gives(0)), {1}, 24).error == pow(truth::Number(10), -24));
 }
 
-TEST_CASE("a small determinant made on the spot is known to as many digits as a large one", "[reference]") {
+TEST_CASE("a small determinant computed on the spot has as many digits as a large one", "[reference]") {
   const Reference stored(tables);
   std::vector<double> tiny(16, 0.0);
   for (std::size_t i = 0; i < 4; ++i) tiny[5 * i] = 0.001 * static_cast<double>(i + 1);
@@ -71,7 +71,7 @@ TEST_CASE("a small determinant made on the spot is known to as many digits as a 
   CHECK(known.error < 1e-26);
 }
 
-TEST_CASE("a route without a finite value makes no row", "[reference]") {
+TEST_CASE("a route without a finite value gives no row", "[reference]") {
   const truth::Number nan = std::numeric_limits<truth::Number>::quiet_NaN(),
                       inf = std::numeric_limits<truth::Number>::infinity();
   for (const truth::Number& bad : {nan, inf}) {
@@ -87,7 +87,7 @@ namespace {
 
 constexpr std::chrono::milliseconds moment(1);
 
-/// In pieces of a moment, for a minute at most.
+/// Sleeps in small pieces, for a minute at most.
 truth::Numbers dawdle(const std::vector<double>&, truth::Precision precision) {
   for (int piece = 0; piece < 60'000; ++piece) {
     std::this_thread::sleep_for(moment);
@@ -102,7 +102,7 @@ truth::Numbers break_down(const std::vector<double>&, truth::Precision) {
 
 }  // namespace
 
-TEST_CASE("a motion's error is what its routes disagree by up to each time that is compared", "[reference]") {
+TEST_CASE("a motion's error is the disagreement of its routes up to each time compared", "[reference]") {
   const truth::Route first = [](const auto& at, int) { return truth::Numbers{at[0]}; };
   const truth::Route second = [](const auto& at, int) {
     return truth::Numbers{at[0] + ldexp(truth::Number(1), -static_cast<int>(10 * (5 - at[0])))};
@@ -114,8 +114,7 @@ TEST_CASE("a motion's error is what its routes disagree by up to each time that 
   CHECK(made.error == ten(-3));
 }
 
-TEST_CASE("a motion ends by what either of its routes ends by, without waiting for the other",
-          "[reference]") {
+TEST_CASE("a motion ends by an exception of either route, without waiting for the other", "[reference]") {
   const std::vector<double> times{1, 2};
   const auto watched = [](double) {};
   for (const auto& two : {two_routes(break_down, dawdle), two_routes(dawdle, break_down)})
@@ -130,7 +129,7 @@ TEST_CASE("a motion ends by what either of its routes ends by, without waiting f
   }
 }
 
-TEST_CASE("what is made aside is had once, or ends when nobody wants it", "[reference]") {
+TEST_CASE("a background value is computed once, or ends when nobody needs it", "[reference]") {
   const truth::Tick none, watched = [](double) {};
   for (const truth::Tick& tick : {none, watched}) {
     truth::Aside<bool> is_watched(tick, [](const truth::Tick& own) { return static_cast<bool>(own); });
@@ -152,7 +151,7 @@ TEST_CASE("what is made aside is had once, or ends when nobody wants it", "[refe
   CHECK(was_ended);
 }
 
-TEST_CASE("a table's text is its provenance, its header and its rows", "[reference]") {
+TEST_CASE("a table's text consists of its provenance, its header and its rows", "[reference]") {
   CHECK(truth::table("00_00_test", two_routes(gives(truth::Number(1) / 3), gives(truth::Number(1) / 3))) ==
         "# a test\n"
         "# formula: x\n"
@@ -165,7 +164,7 @@ TEST_CASE("a table's text is its provenance, its header and its rows", "[referen
         "1,x,0.3333333333333333333333333333333333333333,1e-42,agreement,1\n");
 }
 
-TEST_CASE("a table's errors are distances from an enclosure where there is one", "[reference]") {
+TEST_CASE("a table's errors are distances from an enclosure, if there is one", "[reference]") {
   truth::Truth third = two_routes(gives(truth::Number(1) / 3), gives(truth::Number(1) / 3));
   third.enclosure = "a third";
   third.enclosed = third.first;
@@ -199,7 +198,7 @@ TEST_CASE("a row made on the spot agrees with the table's", "[reference]") {
 
 namespace {
 
-/// Every row of every table, the rows in parallel.
+/// Every row of every table, with the rows in parallel.
 std::vector<truth::MadeAgain> all_made_again() {
   std::vector<truth::MadeAgain> all(truth::registry().begin(), truth::registry().end());
   std::vector<std::pair<truth::MadeAgain*, std::size_t>> work;
@@ -211,7 +210,7 @@ std::vector<truth::MadeAgain> all_made_again() {
 
 }  // namespace
 
-TEST_CASE("every tabulated value made again is the value stored", "[reference][slow]") {
+TEST_CASE("every tabulated value computed again equals the stored value", "[reference][slow]") {
   const std::vector<truth::Entry>& all = truth::registry();
   const std::vector<truth::MadeAgain> again = all_made_again();
   for (std::size_t k = 0; k < all.size(); ++k) {
@@ -222,8 +221,7 @@ TEST_CASE("every tabulated value made again is the value stored", "[reference][s
   }
 }
 
-TEST_CASE("a table whose value, error, unit or rows are others differs from what is made again",
-          "[reference]") {
+TEST_CASE("a table with another value, error, unit or row differs from its recomputation", "[reference]") {
   const truth::Entry entry{"a_test", [] { return two_routes(gives(2), gives(2)); }};
   truth::MadeAgain again(entry);
   again.make(0);
@@ -241,7 +239,7 @@ TEST_CASE("a table whose value, error, unit or rows are others differs from what
   CHECK(differences("1,x,2\n") == 1);
 }
 
-TEST_CASE("a table made again needs two routes that agree", "[reference]") {
+TEST_CASE("a recomputed table needs two routes that agree", "[reference]") {
   const auto differences = [](const truth::Number& second, const std::string& error) {
     static truth::Number other;
     other = second;
@@ -254,11 +252,11 @@ TEST_CASE("a table made again needs two routes that agree", "[reference]") {
   const truth::Number two("2.00000000000001");
   CHECK(differences(2, "1e-40") == 0);
   CHECK(differences(two, "1e-40") == 1);
-  CHECK(differences(two, "1e-20") == 0);  // it has few digits with 42 as well
+  CHECK(differences(two, "1e-20") == 0);  // it has few digits at 42 as well
   CHECK(differences(3, "1e-6") == 1);
 }
 
-TEST_CASE("every table in the folder has a maker", "[reference]") {
+TEST_CASE("every table in the folder has a generator", "[reference]") {
   for (const auto& file : fs::directory_iterator(tables / "tables")) {
     const auto& all = truth::registry();
     INFO(file.path().string());

@@ -36,8 +36,8 @@ int count(const std::string& text, const std::string& part) {
 
 std::string page_of(const Results& results) { return exercise_page_text(results, results.exercises[0]); }
 
-/// Plain $formulas$ of a Markdown page in which it would take a backslash away, and lines whose formulas in
-/// GitHub's form are not closed.
+/// Plain $formulas$ of a Markdown page in which Markdown would remove a backslash, and lines with unclosed
+/// formulas in GitHub's form.
 std::vector<std::string> spoilt_formulas(const std::string& page) {
   std::vector<std::string> spoilt;
   std::istringstream lines(page);
@@ -72,7 +72,7 @@ std::vector<std::string> spoilt_formulas(const std::string& page) {
 
 }  // namespace
 
-TEST_CASE("results survive the way to JSON and back", "[report]") {
+TEST_CASE("results survive conversion to JSON and back", "[report]") {
   const Results results = sample();
   const std::string json = to_json(results);
   CHECK(to_json(results_from_json(json, "here")) == json);
@@ -80,7 +80,7 @@ TEST_CASE("results survive the way to JSON and back", "[report]") {
        {"\"number\": \"3.5\"", "\"claims\"", "\"verdict\": \"confirmed\"", "\"reference_error\"",
         "\"trials\"", "\"evaluations\": 42", "\"seconds\"", "\"outcome\": \"ok\"", "\"knob\": 0.5",
         "\"trajectory\"", "\"printed\": \"y = 1\"", "\"reading\": \"meant\"",
-        "\"readings\": {}"})  // of what is not checkable: none without a comparison
+        "\"readings\": {}"})  // for a claim that is not checkable: none without a comparison
     CHECK(json.find(key) != std::string::npos);
 }
 
@@ -92,7 +92,7 @@ TEST_CASE("numbers that are not finite become null and come back as NaN", "[repo
   CHECK(std::isnan(read.exercises[0].quantities[0].methods[0].trials[0].error_estimate));
 }
 
-TEST_CASE("what a model errs by at a border comes back as it was: none, no number and infinite", "[report]") {
+TEST_CASE("a model's error at a border survives conversion: none, NaN and infinite", "[report]") {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Results results = sample();
   BreakEven border{"one angle", "a", "rad", {0, 1}, {{0, 0.5}}};
@@ -109,7 +109,7 @@ TEST_CASE("what a model errs by at a border comes back as it was: none, no numbe
   CHECK(back.failing == border.failing);
 }
 
-TEST_CASE("what is no results file is refused with its place", "[report]") {
+TEST_CASE("a file that is no results file is refused with the place of the fault", "[report]") {
   CHECK_THROWS_AS(results_from_json("{}", "here"), BadInput);
   CHECK_THROWS_AS(results_from_json("{\"format\": 1, \"exercises\": [{}]}", "here"), BadInput);
   CHECK_THROWS_AS(results_from_json("not JSON", "here"), BadInput);
@@ -154,18 +154,18 @@ TEST_CASE("a perturbed result that a check does not notice is named", "[report]"
   Check rounded_zero = scaled_zero;
   rounded_zero.right.value = Value{1e-16};
   CHECK(unnoticed_perturbations(judged(rounded_zero)).empty());
-  const Check large_zero{"x", {"a", 0}, {"b", 1e-8}, {1e-3, "a test"}, 1e6};  // but for roundings as well
+  const Check large_zero{"x", {"a", 0}, {"b", 1e-8}, {1e-3, "a test"}, 1e6};  // except for roundings as well
   CHECK(unnoticed_perturbations(judged(large_zero)).empty());
 }
 
-TEST_CASE("a page escapes what Markdown would take for markup, but not mathematics", "[report]") {
+TEST_CASE("a page escapes everything that Markdown would take for markup, except mathematics", "[report]") {
   Results results = sample();
   results.exercises[0].claims[0].claim.says = "a_1 * |b| with $a_1 * b$";
   const std::string page = page_of(results);
   CHECK(page.find("a\\_1 \\* |b| with $`a_1 * b`$") != std::string::npos);
 }
 
-TEST_CASE("the page of errata lists claims whose routes never differ though they might", "[report]") {
+TEST_CASE("the page of errata lists claims whose routes never differ although they might", "[report]") {
   Results results = sample();
   JudgedClaim& claim = results.exercises[0].claims[0];
   const std::string says = "1 claim equal to the last bit";
@@ -176,7 +176,7 @@ TEST_CASE("the page of errata lists claims whose routes never differ though they
   CHECK(count(errata_page_text(results), says) == 0);
 }
 
-TEST_CASE("pages hold no times but the page of times", "[report]") {
+TEST_CASE("pages contain no times, except the page of times", "[report]") {
   Results slow = sample(), fast = sample();
   fast.exercises[0].quantities[0].methods[0].trials[0].time.seconds = 1e-9;
   CHECK(index_page(slow) == index_page(fast));
@@ -184,7 +184,7 @@ TEST_CASE("pages hold no times but the page of times", "[report]") {
   CHECK(times_page(slow) != times_page(fast));
 }
 
-TEST_CASE("a scene's chart of time has the seam as a line", "[report]") {
+TEST_CASE("a scene's chart of time shows the overhead of a call as a line", "[report]") {
   QuantityResult q = sample().exercises[0].quantities[0];
   for (TimedTrial& t : q.methods[0].trials) t.time = {20e-9 * static_cast<double>(t.evaluations), 0};
   q.methods[0].trials.back().evaluations *= 4;
@@ -199,7 +199,7 @@ TEST_CASE("a scene's chart of time has the seam as a line", "[report]") {
   CHECK(count(chart(Across::time, 15e-9), "the seam") == 0);
 }
 
-TEST_CASE("a chart says what work is counted, and where an error has no unit", "[report]") {
+TEST_CASE("a chart names its unit of work, and errors without a unit", "[report]") {
   QuantityResult q = sample().exercises[0].quantities[0];
   CHECK(count(chart_svg(q, "title", Across::evaluations), ">evaluations of the right-hand side</text>") == 1);
   q.in_operations = true;
@@ -209,7 +209,7 @@ TEST_CASE("a chart says what work is counted, and where an error has no unit", "
   CHECK(count(svg, ">error (dimensionless)</text>") == 1);
 }
 
-TEST_CASE("charts hold no times but the charts of time", "[report]") {
+TEST_CASE("charts contain no times, except the charts of time", "[report]") {
   Results slow = sample(), fast = sample();
   fast.exercises[0].quantities[0].methods[0].trials[0].time = {1e-9, 1e-10};
   const auto chart = [](const Results& results, Across across) {
@@ -227,7 +227,7 @@ std::string chart_of(const QuantityResult& q, Across across = Across::evaluation
   return chart_svg(q, "title", across, curves);
 }
 
-/// A method whose trials take 100, 200, 400 evaluations for errors that halve.
+/// A method whose trials take 100, 200, 400 evaluations, with halved errors.
 MethodResult method(const std::string& model, const std::string& algorithm, double error) {
   MethodResult m{model, algorithm, Outcome::ok, "", {}};
   for (int k = 0; k < 3; ++k) {
@@ -246,7 +246,7 @@ MethodResult method(const std::string& model, const std::string& algorithm, doub
 
 }  // namespace
 
-TEST_CASE("a chart shows every trial, those without a number too, and names each kind of failure once",
+TEST_CASE("a chart shows every trial, also those without a number, and names each kind of failure once",
           "[report]") {
   QuantityResult q = sample().exercises[0].quantities[0];
   q.methods = {method("a", "x", 0.1), method("a", "y", 0.2)};
@@ -280,7 +280,7 @@ TEST_CASE("no two of a chart's eight curves share a colour and a mark, and a fam
   CHECK(colour(svg, "velocity Verlet") == colour(chart_of(alone), "velocity Verlet"));
 }
 
-TEST_CASE("of many methods at most eight are drawn: of the front, of each model and family; all where asked",
+TEST_CASE("at most eight of many methods are drawn: from the front, of each model and family; all on request",
           "[report]") {
   QuantityResult q = sample().exercises[0].quantities[0];
   q.methods = {method("a", "best", 1e-3)};
@@ -291,12 +291,12 @@ TEST_CASE("of many methods at most eight are drawn: of the front, of each model 
   CHECK(count(svg, "9 methods are not drawn") == 1);
   CHECK(count(svg, "worse ") == 0);
   CHECK(count(svg, "alone") == 1);
-  CHECK(count(chart_of(q, Across::evaluations, Curves::all), "worse ") == 17);  // and eight lie on the first
+  CHECK(count(chart_of(q, Across::evaluations, Curves::all), "worse ") == 17);  // and eight are on the first
   for (int i = 0; i < 12; ++i) q.methods.push_back(method("model " + std::to_string(i), "x", 0.2));
   CHECK(worth_seeing(q, Across::evaluations).size() == 8);
 }
 
-TEST_CASE("a curve that lies on another says so", "[report]") {
+TEST_CASE("a curve that coincides with another is labelled so", "[report]") {
   QuantityResult q = sample().exercises[0].quantities[0];
   q.methods = {method("a", "first", 0.1), method("a", "second", 0.1), method("a", "third", 0.2)};
   const std::string svg = chart_of(q);
@@ -304,7 +304,7 @@ TEST_CASE("a curve that lies on another says so", "[report]") {
   CHECK(count(svg, ": as ") == 1);
 }
 
-TEST_CASE("labels stay in their order and apart", "[report]") {
+TEST_CASE("labels keep their order and do not overlap", "[report]") {
   CHECK(spread({10, 12, 50}, 5, 0, 100) == std::vector<double>{10, 15, 50});
   CHECK(spread({12, 10, 50}, 5, 0, 100) == std::vector<double>{15, 10, 50});
   CHECK(spread({98, 99}, 5, 0, 100) == std::vector<double>{95, 100});
@@ -323,7 +323,7 @@ TEST_CASE("a picture follows the page from light to dark", "[report]") {
   CHECK(count(svg, "<title>a &lt; b</title>") == 1);
 }
 
-TEST_CASE("a chart's title says what the trials found", "[report]") {
+TEST_CASE("a chart's title states the result of the trials", "[report]") {
   QuantityResult q = sample().exercises[0].quantities[0];
   q.methods = {method("a", "cheap", 2), method("b", "dear", 0.01)};
   q.methods[1].trials[0].evaluations = 12'345;
@@ -338,7 +338,7 @@ TEST_CASE("a chart's title says what the trials found", "[report]") {
         "Of the methods with a step, dear (b) is the most accurate: 0.0025 m at step 0.25");
 }
 
-TEST_CASE("no chart of single points or of answers that are right or wrong", "[report]") {
+TEST_CASE("there is no chart of single points or of answers that are right or wrong", "[report]") {
   QuantityResult q = sample().exercises[0].quantities[0];
   q.trajectory.reset();
   q.methods = {method("a", "x", 0.1), method("a", "y", 0.3)};
@@ -352,7 +352,7 @@ TEST_CASE("no chart of single points or of answers that are right or wrong", "[r
   CHECK(charts_of(points).empty());
 }
 
-TEST_CASE("where the work does not depend on the setting, the error is drawn over the setting", "[report]") {
+TEST_CASE("if the work does not depend on the setting, the error is drawn over the setting", "[report]") {
   QuantityResult q = sample().exercises[0].quantities[0];
   q.methods = {method("a", "x", 0.1), method("a", "y", 0.3)};
   CHECK(charts_of(q) == std::vector{Across::evaluations, Across::setting, Across::time});
@@ -367,7 +367,7 @@ TEST_CASE("where the work does not depend on the setting, the error is drawn ove
   CHECK(charts_of(q) == std::vector{Across::evaluations, Across::time});
 }
 
-TEST_CASE("a scene's charts have the line of what a game asks", "[report]") {
+TEST_CASE("a scene's charts have a line for the accuracy of a game", "[report]") {
   QuantityResult q = sample().exercises[0].quantities[0];
   q.methods = {method("a", "x", 0.1), method("a", "y", 0.3)};
   q.trajectory->close = 0.05;
@@ -387,8 +387,7 @@ TEST_CASE("a motion that is off between the reference's times is off", "[report]
   CHECK(motion_finding(q) == "All 2 models stay within 1 m of the truth for 1 s");
 }
 
-TEST_CASE("motions that the eye cannot tell apart name each other; flat ones are not drawn to scale",
-          "[report]") {
+TEST_CASE("motions that look the same name each other; flat ones are not drawn to scale", "[report]") {
   QuantityResult q = sample().exercises[0].quantities[0];
   q.trajectory->paths.push_back({"b", "algorithm", "step", 0.5, 0.26, Outcome::ok, {1.001, 2, 3, 4}});
   q.trajectory->paths.push_back({"c", "algorithm", "step", 0.5, 0.27, Outcome::ok, {1.001, 2.001, 3, 4}});
@@ -400,7 +399,7 @@ TEST_CASE("motions that the eye cannot tell apart name each other; flat ones are
   CHECK(count(trajectory_svg(q, "title"), "not to the scale of y") == 1);
 }
 
-TEST_CASE("a motion of many observables is drawn as its distance from the truth", "[report]") {
+TEST_CASE("a motion of many observables is drawn as its distance from the reference", "[report]") {
   QuantityResult q = sample().exercises[0].quantities[0];
   Trajectory& t = *q.trajectory;
   t.observables = {};
@@ -463,7 +462,7 @@ TEST_CASE("quantities of growing size share one chart", "[report]") {
   CHECK(series_of(e).empty());
 }
 
-TEST_CASE("colour-blind readers tell any two outcomes of a map apart", "[report]") {
+TEST_CASE("colour-blind readers can distinguish any two outcomes of a map", "[report]") {
   using Three = std::array<double, 3>;
   // Machado, Oliveira and Fernandes (2009), severity 1.
   const std::array<std::array<Three, 3>, 3> eyes{
@@ -503,7 +502,7 @@ TEST_CASE("colour-blind readers tell any two outcomes of a map apart", "[report]
       }
 }
 
-TEST_CASE("the check that fails is the one that is shown, NaN before all", "[report]") {
+TEST_CASE("the failing check is shown, NaN before all", "[report]") {
   JudgedClaim claim = judged(one_against_one(1e-9));
   const Check nan{"x", {"a", NAN}, {"the one that decides", 1}, {1e-9, "a test"}};
   const Check off{"x", {"a", 2}, {"the one that is off", 1}, {1e-9, "a test"}};
@@ -522,7 +521,7 @@ TEST_CASE("the check that fails is the one that is shown, NaN before all", "[rep
   CHECK(count(page({tight, off}), "the one that is off") == 1);
 }
 
-TEST_CASE("a finding says what it was compared with, and how the comparison ended", "[report]") {
+TEST_CASE("a finding names its comparison and the result", "[report]") {
   Results results = sample();
   const auto page = [&](const Check& printed) {
     JudgedClaim wrong = judged(printed);
@@ -538,7 +537,7 @@ TEST_CASE("a finding says what it was compared with, and how the comparison ende
   CHECK(count(page(no_violations("the sign is right", 49, 200)), "It fails in 49 of 200 samples.") == 1);
 }
 
-TEST_CASE("confirmed claims are a line each beneath what they were compared with", "[report]") {
+TEST_CASE("confirmed claims are a line each below their comparison", "[report]") {
   Results results = sample();
   JudgedClaim one = judged(one_against_one(1e-9)), other = one;
   other.claim.says = "x is still 1";
@@ -548,7 +547,7 @@ TEST_CASE("confirmed claims are a line each beneath what they were compared with
   CHECK(count(page, "*In 200 samples:*<br>x is 1\n") == 1);
 }
 
-TEST_CASE("long decimals of a sample are cut to what identifies it", "[report]") {
+TEST_CASE("long decimals of a sample are shortened as long as they identify it", "[report]") {
   CHECK(with_short_numbers("t = -0.0020877287373640423, n = 5760") == "t = -0.00208773, n = 5760");
   CHECK(with_short_numbers("x = 1.25, 123456789012 of 2.480000000001e+03") ==
         "x = 1.25, 123456789012 of 2480");
@@ -597,7 +596,7 @@ TEST_CASE("errata come first, each with an anchor, and confirmed claims are fold
   CHECK(count(errata, "[3.5-lost\\_bar](3.5.md#3.5-lost_bar)") == 1);
 }
 
-TEST_CASE("errata that break a scene come first, and of these wrong formulas before cases left out",
+TEST_CASE("errata that break a scene come first, and among these wrong formulas before missing cases",
           "[report]") {
   Results results = sample();
   ExerciseResult& scene = results.exercises[0];
@@ -662,7 +661,7 @@ TEST_CASE("an exercise's verdict is a sentence that agrees with its findings", "
   CHECK_THROWS_AS(said("{{a sign}} is wrong."), std::logic_error);
 }
 
-TEST_CASE("the errata whose motions go farthest wrong come first of all", "[report]") {
+TEST_CASE("the errata whose motions have the largest errors come first of all", "[report]") {
   Results results = sample();
   JudgedClaim wrong = judged({"x", {"a", 2}, {"b", 1}, {1e-9, "a test"}});
   wrong.claim.corrected = {"x = 1", {one_against_one(1e-9)}};
@@ -691,7 +690,7 @@ TEST_CASE("the errata whose motions go farthest wrong come first of all", "[repo
                                           "Beside gone", "Beside far off"});
 }
 
-TEST_CASE("a reason for failing is given only where failing is expected", "[report]") {
+TEST_CASE("a reason for failing is given only where failure is expected", "[report]") {
   Results results = sample();
   MethodResult& m = results.exercises[0].quantities[0].methods[0];
   m.why = "it is too coarse";
@@ -713,7 +712,7 @@ TEST_CASE("a scene's method of low order has a reason only where it is expected 
   }
 }
 
-TEST_CASE("a run does not depend on the number of threads, nor on what runs beside it", "[report]") {
+TEST_CASE("a run does not depend on the number of threads, nor on other runs", "[report]") {
   const Reference truth(std::filesystem::path(ODDITY_SOURCE) / "reference");
   const std::vector<Task> all(registry().begin(), registry().end());
   const auto by_threads = [&](std::size_t threads) {
@@ -728,7 +727,8 @@ TEST_CASE("a run does not depend on the number of threads, nor on what runs besi
   CHECK((alone == to_json(one_by_one)));
 }
 
-TEST_CASE("every scene's motion can be drawn, and its truest path goes through the reference", "[report]") {
+TEST_CASE("every scene's motion can be drawn, and its most accurate path agrees with the reference",
+          "[report]") {
   const Reference truth(std::filesystem::path(ODDITY_SOURCE) / "reference");
   std::vector<Task> scenes;
   for (const Entry& entry : registry())
@@ -752,7 +752,7 @@ TEST_CASE("every scene's motion can be drawn, and its truest path goes through t
   CHECK(drawn == static_cast<int>(scenes.size()));
 }
 
-TEST_CASE("Markdown takes nothing away from a formula", "[report]") {
+TEST_CASE("Markdown removes nothing from a formula", "[report]") {
   using Lines = std::vector<std::string>;
   CHECK(spoilt_formulas("$a\\,b$ and $`a\\,b`$ and `$a\\,b$`") == Lines{"a\\,b"});
   CHECK(spoilt_formulas("$`a\\,b$").size() == 1);
@@ -770,7 +770,7 @@ TEST_CASE("Markdown takes nothing away from a formula", "[report]") {
     }
 }
 
-TEST_CASE("exercise numbers read as they are written", "[report]") {
+TEST_CASE("exercise numbers are read as they are written", "[report]") {
   CHECK(exercise_number("3.5") == Number{3, 5});
   CHECK(exercise_number("13.25") == Number{13, 25});
   for (const char* wrong : {"", "3", "3.", ".5", "3.5x", "x", "3,5", "3.5.1"})
@@ -786,7 +786,7 @@ TEST_CASE("the book has 48 odd exercises", "[report]") {
   for (const Number n : {Number{2, 1}, {3, 35}, {9, 1}}) CHECK(of_the_book(n));
 }
 
-TEST_CASE("a motion says everywhere that it is judged at its instants alone", "[report]") {
+TEST_CASE("a motion is everywhere reported as judged only at its instants", "[report]") {
   const std::string says = "judged at these 4 times alone";
   Results results = sample();
   const auto count_in = [&](const std::string& text) {
@@ -795,7 +795,7 @@ TEST_CASE("a motion says everywhere that it is judged at its instants alone", "[
     return count;
   };
   ExerciseResult& e = results.exercises[0];
-  auto& trials = e.quantities[0].methods[0].trials;  // enough of them for a chart
+  auto& trials = e.quantities[0].methods[0].trials;  // enough trials for a chart
   for (double error : {0.1, 0.01, 0.001}) {
     trials.push_back(trials.front());
     trials.back().error = error;
@@ -810,7 +810,7 @@ TEST_CASE("a motion says everywhere that it is judged at its instants alone", "[
   CHECK(everywhere() == std::array<std::size_t, 4>{1, 1, 1, 1});
 }
 
-TEST_CASE("every motion knows at how many instants it is judged", "[report]") {
+TEST_CASE("every motion knows the number of instants at which it is judged", "[report]") {
   int motions = 0;
   for (const ExerciseResult& e : run_of_all().exercises)
     for (const QuantityResult& q : e.quantities) {

@@ -52,7 +52,7 @@ std::set<std::string> anchors_of(const std::string& page) {
   return anchors;
 }
 
-/// Links of a report's pages to what is not there, and pictures that no page shows.
+/// Links of a report's pages to missing targets, and pictures that no page shows.
 Lines broken_links(const fs::path& folder) {
   Lines broken;
   std::map<fs::path, std::set<std::string>> anchors;
@@ -104,7 +104,7 @@ TEST_CASE("all links of a report lead somewhere, and every picture is shown", "[
   CHECK(broken_links(book) == Lines());
 }
 
-TEST_CASE("links to nowhere are found", "[report]") {
+TEST_CASE("dead links are found", "[report]") {
   const ScratchFolder scratch;
   fs::create_directories(scratch.path() / "charts");
   scratch.file("charts/b.svg", "");
@@ -113,14 +113,13 @@ TEST_CASE("links to nowhere are found", "[report]") {
 }
 
 TEST_CASE("the book is short enough to read", "[report]") {
-  // As wc -w counts. The whole report has the engines' page and one of times beside it.
+  // Counted like wc -w. The whole report also has the engines' page and one of times.
   constexpr std::size_t times = 1'750;
   CHECK(words_of(book) + words_of(book.parent_path()) + times <= 65'000);
   CHECK(bytes_within(book) <= 8'000'000);
 }
 
-TEST_CASE("the book has a page for each exercise, and says each erratum and misprint once on it",
-          "[report]") {
+TEST_CASE("the book has a page for each exercise, which lists each erratum and misprint once", "[report]") {
   const std::string errata = text_of(book / "errata.md");
   for (const Entry& entry : registry())
     if (of_the_book(entry.number)) CHECK(fs::exists(book / exercise_file(entry.number)));

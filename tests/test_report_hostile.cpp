@@ -22,7 +22,7 @@ using hostile::Json;
 
 namespace {
 
-/// Markdown without what is escaped and what is code or a formula: all that is left is markup.
+/// Markdown without escaped text, code and formulas: only markup is left.
 std::string markup_of(const std::string& line) {
   std::string out;
   for (std::size_t at = 0; at < line.size();) {
@@ -32,7 +32,7 @@ std::string markup_of(const std::string& line) {
       at += 2;
     } else if (end != std::string::npos) {
       const std::string code = line.substr(at, end - at);
-      for (std::size_t i = 0; i < code.size(); ++i)  // a table's bars are looked for before its code
+      for (std::size_t i = 0; i < code.size(); ++i)  // a table's bars are found before its code
         if (code[i] == '|' && code[i - 1] != '\\') out += '|';
       at = end + fence;
     } else {
@@ -42,7 +42,7 @@ std::string markup_of(const std::string& line) {
   return out;
 }
 
-/// What has broken out of its place in a page.
+/// Parts of a page that have broken out of their place.
 std::vector<std::string> broken_out(const std::string& page) {
   std::vector<std::string> wrong;
   std::istringstream lines(page);
@@ -67,7 +67,7 @@ std::vector<std::string> broken_out(const std::string& page) {
 
 Json sample_as_json() { return Json::parse(to_json(sample())); }
 
-/// Results with these strings replaced, if that gives a results file.
+/// Results with these strings replaced; nullopt if that gives no valid results file.
 std::optional<Results> sample_with(const std::string& text, const hostile::Places& places) {
   try {
     return results_from_json(hostile::spoilt(sample_as_json(), places, text).dump(), "here");
@@ -76,7 +76,7 @@ std::optional<Results> sample_with(const std::string& text, const hostile::Place
   }
 }
 
-/// Pages with each string replaced in turn; how many could be.
+/// Makes pages with each string replaced in turn. Returns how many could be.
 int pages_with(const std::string& text) {
   int written = 0;
   for (const auto& place : hostile::strings_of(sample_as_json()))
@@ -92,7 +92,7 @@ int pages_with(const std::string& text) {
   return written;
 }
 
-/// Reports in `out` with all the strings of one key replaced; how many could be.
+/// Writes reports into `out` with all the strings of one key replaced. Returns how many could be.
 int reports_with(const std::string& text, const fs::path& out) {
   int written = 0;
   for (const auto& [key, same] : hostile::by_key(hostile::strings_of(sample_as_json())))
@@ -114,7 +114,7 @@ int reports_with(const std::string& text, const fs::path& out) {
 
 }  // namespace
 
-TEST_CASE("no string of a results file runs or breaks out of its place", "[report]") {
+TEST_CASE("no string of a results file is executed or breaks out of its place", "[report]") {
   const ScratchFolder scratch;
   const std::string canary = (scratch.path() / "canary").string();
   const std::string text = "`touch " + canary + "` $(touch " + canary + ") '; system('touch " + canary +
@@ -128,7 +128,7 @@ TEST_CASE("no string of a results file runs or breaks out of its place", "[repor
     CHECK(pages_with(other) > 50);
 }
 
-TEST_CASE("no folder's name runs or breaks out", "[report]") {
+TEST_CASE("no folder's name is executed or breaks out of its place", "[report]") {
   const ScratchFolder scratch;
   for (const std::string name : {"it's", "`touch canary`", "$(touch canary)", "|touch canary", "a\"b", "a b",
                                  "new\nline", "-d", "~root", "@x", "%s", "a\\", "a;touch canary", "µ"}) {
@@ -141,7 +141,7 @@ TEST_CASE("no folder's name runs or breaks out", "[report]") {
   CHECK_FALSE(fs::exists("canary"));
 }
 
-TEST_CASE("text, formulas and code are written such that Markdown shows them", "[report]") {
+TEST_CASE("text, formulas and code are written so that Markdown shows them", "[report]") {
   CHECK(escaped("a_1 < b & c [d] \\e | f\ng") == "a\\_1 \\< b \\& c \\[d\\] \\\\e \\| f g");
   CHECK(escaped("a | b", false) == "a | b");
   CHECK(escaped("so $a\\,b_1$ is") == "so $`a\\,b_1`$ is");
@@ -157,7 +157,7 @@ TEST_CASE("text, formulas and code are written such that Markdown shows them", "
         "| h |\n|---|\n| a\\|b c |\n| a\\|b |\n| a\\\\\\|b |\n\n");
 }
 
-TEST_CASE("powers and units are printed as readers write them", "[report]") {
+TEST_CASE("powers and units are printed in the usual notation", "[report]") {
   CHECK(with_powers("4.4e-16 of 1e+06, e-1") == "4.4×10⁻¹⁶ of 1×10⁶, e-1");
   CHECK(typeset_unit("AU^3/(yr^2 solar mass)") == "AU³/(yr² solar mass)");
   CHECK(typeset_unit("sqrt(L/2g)") == "√(L/2g)");

@@ -9,7 +9,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The files that a source file of ours includes between `open` and `close`: "" or <>.
+/// The names that a source file includes between `open` and `close`: "" or <>.
 std::set<std::string> includes(const fs::path& file, char open, char close) {
   std::ifstream in(file);
   const std::string start = std::string("#include ") + open;
@@ -30,7 +30,7 @@ std::vector<fs::path> sources(const std::string& room) {
   return files;
 }
 
-/// Every quoted include of the room's files starts with one of the rooms that it may know.
+/// Requires that every quoted include of the room's files starts with one of these rooms.
 void may_know(const std::string& room, const std::vector<std::string>& rooms) {
   const auto files = sources(room);
   REQUIRE_FALSE(files.empty());
@@ -45,7 +45,7 @@ void may_know(const std::string& room, const std::vector<std::string>& rooms) {
 
 }  // namespace
 
-TEST_CASE("each room knows only the rooms below it", "[rooms]") {
+TEST_CASE("each room includes only the rooms below it", "[rooms]") {
   may_know("formula", {"formula"});
   may_know("solvers", {"solvers"});
   may_know("reference", {"reference", "solvers/stop.hpp"});
@@ -67,7 +67,7 @@ TEST_CASE("each room knows only the rooms below it", "[rooms]") {
       }
 }
 
-TEST_CASE("a product of extras knows the core, itself and few others", "[rooms]") {
+TEST_CASE("a product of extras includes the core, itself and few others", "[rooms]") {
   const std::map<std::string, std::string> others{{"bench", "extras/lanes"}, {"fuzz", "extras/sweep"}};
   for (const auto& product : fs::directory_iterator(fs::path(ODDITY_SOURCE) / "extras"))
     if (product.is_directory()) {
@@ -78,7 +78,7 @@ TEST_CASE("a product of extras knows the core, itself and few others", "[rooms]"
     }
 }
 
-TEST_CASE("the floors of report know those before them alone", "[rooms]") {
+TEST_CASE("the floors of report include only those before them", "[rooms]") {
   const std::vector<std::string> floors{"text", "study", "charts", "pages", "site"};
   for (std::size_t i = 0; i < floors.size(); ++i) {
     std::vector<std::string> known{"chapters", "solvers", "reference"};
@@ -109,10 +109,9 @@ TEST_CASE("a header of the chapters has two includers or more, else it is a sour
       for (const std::string& included : ours(file)) ++includers[included];
   for (const fs::path& file : sources("chapters")) {
     const std::string name = file.lexically_relative(ODDITY_SOURCE).generic_string();
-    // How a scene looks and its models are also included by what CMake writes: the page and the models'
-    // tests.
+    // Drawings and models are also included by files written by CMake: the page and the models' tests.
     const bool for_the_page = file.filename() == "drawing.hpp" || file.filename() == "models.hpp";
-    const bool for_ones_own = file.filename() == "expect_failure.hpp";  // exercises outside the tree
+    const bool for_ones_own = file.filename() == "expect_failure.hpp";  // for exercises outside the tree
     INFO(name);
     CHECK((file.extension() != ".hpp" || for_the_page || for_ones_own || includers[name] >= 2));
   }

@@ -90,7 +90,7 @@ TEST_CASE("a bracket that does not close in 200 iterations stalls", "[solvers]")
   CHECK(near(root.value, 0, 1e-15));
 }
 
-TEST_CASE("an exception of the function comes out of Brent's method, from an end and from inside",
+TEST_CASE("an exception of the function passes through Brent's method, from an end and from inside",
           "[solvers]") {
   const auto at_an_end = [](double) -> double { throw std::domain_error("nowhere"); };
   const auto inside = [](double x) -> double {

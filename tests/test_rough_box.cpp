@@ -14,7 +14,7 @@ using namespace oddity::rough_box;
 
 namespace {
 
-/// The mean of v/|v| and of its moment by nested quadrature, the foot cut at the instantaneous centre.
+/// The mean of v/|v| and of its moment by nested quadrature, with the foot cut at the instantaneous centre.
 std::array<double, 3> by_quadrature(const Contact<double>& foot, double u, double v, double w) {
   const double cx = std::clamp(-v / w, -foot.a, foot.a), cy = std::clamp(u / w, -foot.b, foot.b);
   const Rule rule = [](FunctionOfOne f, double from, double to) {
@@ -40,7 +40,7 @@ std::array<double, 3> by_quadrature(const Contact<double>& foot, double u, doubl
 
 }  // namespace
 
-TEST_CASE("friction over the foot in closed form is the integral over its points", "[rough box]") {
+TEST_CASE("friction over the foot in closed form agrees with the integral over its points", "[rough box]") {
   Random random(31);
   for (int i = 0; i < 12; ++i) {
     const Contact<double> foot{random.between(0.2, 1), random.between(0.2, 1)};
@@ -50,7 +50,7 @@ TEST_CASE("friction over the foot in closed form is the integral over its points
   }
 }
 
-TEST_CASE("sliding alone and spinning alone end at the times and places of uniform deceleration",
+TEST_CASE("pure sliding and pure spinning end at the times and places of uniform deceleration",
           "[rough box]") {
   for (const auto& [u, w] : {std::pair(2.0, 0.0), std::pair(0.0, 10.0)}) {
     const Given<double> box{{0.3, 0.2}, 0.3, 9.81, u, 0, w};

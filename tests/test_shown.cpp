@@ -13,7 +13,7 @@ std::string shown(const char* text) { return mathml(parse_shown(text)); }
 std::string in_unicode(const char* text) { return unicode(parse_shown(text)); }
 std::string read(const char* text) { return unicode(with_all_brackets(parse_shown(text))); }
 
-/// Both with [ ] around what differs.
+/// Both formulas with [ ] around their differences.
 std::string differences(const char* a, const char* b) {
   const auto [left, right] = with_differences_marked(parse_shown(a), parse_shown(b));
   const Marks marks{"[", "]"};
@@ -32,7 +32,7 @@ std::string refusal(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("a formula in any letters is printed as it is written", "[formula]") {
+TEST_CASE("a formula in any letters is printed in the form in which it is written", "[formula]") {
   for (const char* text : {"x",
                            "m_2g-c_1(K_1-L_1+y_2)",
                            R"(\frac{a+b}{2c})",
@@ -98,7 +98,7 @@ TEST_CASE("a long formula may be broken before relations and signs", "[formula]"
   CHECK(pieces("aaaaaaaaaaaaaaa,b") == 2);
 }
 
-TEST_CASE("of two formulas what differs is marked", "[formula]") {
+TEST_CASE("the differences of two formulas are marked", "[formula]") {
   CHECK(differences("a-GM/r", "a+GM/r") == "a[-]GM/r | a[+]GM/r");
   CHECK(differences("m_2g", "m_2g+2c") == "m₂g | m₂g[+2c]");
   CHECK(differences(R"(\frac{GM}{r_0})", R"(\frac{Gm}{r_0})") == "G[M]/r₀ | G[m]/r₀");
@@ -110,7 +110,7 @@ TEST_CASE("of two formulas what differs is marked", "[formula]") {
   CHECK(differences("a+b", "a+b") == "a+b | a+b");
 }
 
-TEST_CASE("each operand has brackets as it is read", "[formula]") {
+TEST_CASE("each operand is bracketed as it is read", "[formula]") {
   CHECK(read("m_2g-c_1(K_1-L_1)") == "(m₂g)-(c₁(K₁-L₁))");
   CHECK(read("a/bc") == "(a/b)c");
   CHECK(read("ab/c") == "(ab)/c");
@@ -121,7 +121,7 @@ TEST_CASE("each operand has brackets as it is read", "[formula]") {
   CHECK(read(R"(\mathbf u\cdot\mathbf v\times\mathbf w)") == "u·(v×w)");
 }
 
-TEST_CASE("what cannot be shown is refused with its place", "[formula]") {
+TEST_CASE("a formula that cannot be shown is refused with the place of the fault", "[formula]") {
   CHECK(refusal(R"(\nonsense{x})") == R"(no command \nonsense is known)");
   CHECK(refusal("a^{b") == "expected }");
   CHECK(refusal("a}") == "nothing before this opens what it closes");

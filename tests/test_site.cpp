@@ -32,14 +32,14 @@ using hostile::Json;
 
 namespace {
 
-/// An opening tag as it stands in a page.
+/// An opening tag of a page.
 struct Tag {
   std::string name;
   std::map<std::string, std::string> attributes;
 };
 
-/// A page's tags in their order, and what is wrong with them: each one that is opened has to be closed, in
-/// order, and its attributes have to be written name="value".
+/// A page's tags in order, and their faults: each opened tag must be closed, in order, and attributes must be
+/// written name="value".
 struct Parsed {
   std::vector<Tag> tags;
   std::vector<std::string> wrong;
@@ -79,7 +79,7 @@ Parsed parsed(const std::string& page) {
   return made;
 }
 
-/// What a page has that none of our pages may have: scripts of its own, handlers, anything from elsewhere.
+/// Contents that no page of ours may have: inline scripts, handlers, anything from elsewhere.
 std::vector<std::string> foreign(const Parsed& page) {
   static const std::set<std::string> known{
       "html",    "head",    "meta",    "title",    "link",    "body",     "a",          "header",
@@ -114,20 +114,20 @@ std::vector<std::string> ids(const Parsed& page) {
   return all;
 }
 
-/// A page without the code that it shows.
+/// A page without the code listings.
 std::string without_listings(std::string page) {
   for (auto at = page.find("<pre"); at != std::string::npos; at = page.find("<pre", at))
     page.erase(at, page.find("</pre>", at) - at);
   return page;
 }
 
-/// What an address names in its page: what follows an & is the state of a player.
+/// The id in an address; an & starts the state of a player.
 std::string id_of(const std::string& address) {
   const std::string after = address.substr(address.find('#') + 1);
   return after.substr(0, after.find('&'));
 }
 
-/// Links of a site's pages that lead nowhere.
+/// Links of a site's pages with a missing target.
 std::vector<std::string> dead_links(const std::map<std::string, Parsed>& pages,
                                     const std::set<std::string>& files) {
   std::vector<std::string> dead;
@@ -148,7 +148,7 @@ std::vector<std::string> dead_links(const std::map<std::string, Parsed>& pages,
   return dead;
 }
 
-/// Headings begin with one h1, and none is deeper by more than one than the one before.
+/// Headings begin with one h1, and none is more than one level deeper than the previous one.
 bool headings_in_order(const Parsed& page) {
   int last = 0, first = 0;
   for (const Tag& tag : page.tags) {
@@ -187,7 +187,7 @@ void check_pages(const std::map<std::string, std::string>& pages, std::set<std::
 const std::set<std::string> files_of_sample{"errata.json",    "errata.schema.json",    "data/3.5.js",
                                             "data/search.js", "data/bouncing_ball.js", "assets/drawing.css"};
 
-/// What a JSON text has against a schema: required, type, enum, pattern, minimum, minLength, properties,
+/// Violations of a schema in a JSON text, for: required, type, enum, pattern, minimum, minLength, properties,
 /// items.
 void against(const Json& schema, const Json& value, const std::string& at, std::vector<std::string>& wrong) {
   const auto is = [&](const std::string& type) {
@@ -259,11 +259,11 @@ Results sample_with_findings() {
 
 }  // namespace
 
-TEST_CASE("the site's pages are whole, and all their links lead somewhere", "[site]") {
+TEST_CASE("the site's pages are complete, and all their links lead somewhere", "[site]") {
   check_pages(site_pages(sample_with_findings()), files_of_sample);
 }
 
-TEST_CASE("a copy of the site says what it lacks, and claims nothing that it has not", "[site]") {
+TEST_CASE("a copy of the site lists its missing parts, and does not claim to have them", "[site]") {
   const Results results = sample_with_findings();
   const auto whole = site_pages(results, {}, {true}), bare = site_pages(results, {}, {false});
   check_pages(bare, files_of_sample);
@@ -286,7 +286,7 @@ TEST_CASE("a copy of the site says what it lacks, and claims nothing that it has
   }
 }
 
-TEST_CASE("every page lets its own files alone run, and has nothing of them within it", "[site]") {
+TEST_CASE("every page runs only its own files, and has no inline code", "[site]") {
   static const std::regex within("<script(?![^>]* src=)|<style|\\sstyle=|\\son[a-z]+=");
   for (const auto& [name, page] : site_pages(sample_with_findings())) {
     INFO(name);
@@ -297,7 +297,8 @@ TEST_CASE("every page lets its own files alone run, and has nothing of them with
   }
 }
 
-TEST_CASE("the page of engines has each engine's error by its coarsest steps, and what is needed", "[site]") {
+TEST_CASE("the page of engines has each engine's error with its coarsest steps, and the sufficient steps",
+          "[site]") {
   EngineContest contest{"3.5", "Pendulum", {"m"}, {0.01}, 10, 60, {}};
   EngineSeries moves, stands;
   moves.engine = "Some", stands.engine = "Other";
@@ -316,7 +317,7 @@ TEST_CASE("the page of engines has each engine's error by its coarsest steps, an
   CHECK(engines_html(sample(), {}).find("No engine has run for this copy") != std::string::npos);
 }
 
-TEST_CASE("a page as one file has all that it runs, and leads nowhere else", "[site]") {
+TEST_CASE("a page as one file contains all its code, and leads nowhere else", "[site]") {
   std::set<std::string> taken;
   const std::string page =
       in_one_file(site_pages(sample_with_findings()).at("3.5.html"), [&](const std::string& file) {
@@ -339,10 +340,10 @@ TEST_CASE("a page as one file has all that it runs, and leads nowhere else", "[s
                     ">") != std::string::npos);
   }
   CHECK_FALSE(taken.contains("assets/search.js"));
-  CHECK_THROWS_AS(in_one_file(page, {}), std::logic_error);  // it is one
+  CHECK_THROWS_AS(in_one_file(page, {}), std::logic_error);  // it is one file already
 }
 
-TEST_CASE("the site of the last run is whole, typeset and small", "[site]") {
+TEST_CASE("the site of the last run is complete, typeset and small", "[site]") {
   const fs::path file = results_file();
   if (!fs::exists(file)) {
     WARN("there is no last run: " << file.string());
@@ -351,7 +352,7 @@ TEST_CASE("the site of the last run is whole, typeset and small", "[site]") {
   Results results;
   try {
     results = read_results(file);
-  } catch (const BadInput& error) {  // of this version it has to be readable
+  } catch (const BadInput& error) {  // results of this version must be readable
     if (std::string(error.what()).find("another") == std::string::npos) throw;
     WARN(error.what());
     return;
@@ -384,13 +385,13 @@ TEST_CASE("the site of the last run is whole, typeset and small", "[site]") {
     for (const CheapestModel& one : e.cheapest_models->least)
       if (one.least) CHECK(std::ranges::find(faulted, one.least->model) == faulted.end());
   }
-  CHECK(size < 2'600'000);  // of the 6 MB that the browser's tests allow all of the site
+  CHECK(size < 2'600'000);  // part of the 6 MB that the browser's tests allow for the whole site
   CHECK(against_schema(Json::parse(errata_json(results))) == std::vector<std::string>());
   CHECK(argument("index", search_index(results)).dump().find("\ufffd") ==
         std::string::npos);  // no letter is cut in two
 }
 
-TEST_CASE("a parser of pages notices what is wrong with them", "[site]") {
+TEST_CASE("a parser of pages notices faults", "[site]") {
   CHECK(parsed("<p>a<b>c</b></p>").wrong.empty());
   CHECK(parsed("<p>a<b>c</p></b>").wrong.size() == 2);
   CHECK(parsed("<p>").wrong.size() == 1);
@@ -402,7 +403,7 @@ TEST_CASE("a parser of pages notices what is wrong with them", "[site]") {
   CHECK(dead_links({{"a.html", parsed("<a href=\"#x\">a</a><a href=\"b.html\">b</a>")}}, {}).size() == 2);
 }
 
-TEST_CASE("the lesson's methods do to the energy what it says", "[site]") {
+TEST_CASE("the lesson's methods change the energy as its text claims", "[site]") {
   const double w = 2;
   const auto factors = [](const std::string& algorithm, double step) {
     const auto motion = lesson_motion(algorithm, step, 8);
@@ -435,7 +436,7 @@ TEST_CASE("the lesson's methods do to the energy what it says", "[site]") {
   };
   CHECK(ends("Runge-Kutta 4", 1.41) < 1);  // h w just below and above the root of 8
   CHECK(ends("Runge-Kutta 4", 1.42) > 1);
-  CHECK(ends("symplectic Euler", 0.99) < 300);  // and of 2
+  CHECK(ends("symplectic Euler", 0.99) < 300);  // h w just below and above 2
   CHECK(ends("symplectic Euler", 1.01) > 1e3);
   for (const LessonStep& told : lesson_steps()) {
     INFO(told.name);
@@ -443,7 +444,7 @@ TEST_CASE("the lesson's methods do to the energy what it says", "[site]") {
   }
 }
 
-TEST_CASE("a finding stands with its root, what is printed and what is right", "[site]") {
+TEST_CASE("a finding is shown with its root, the printed and the right formula", "[site]") {
   const Results results = sample_with_findings();
   const std::string page = findings_section(results.exercises[0]);
   for (const char* part :
@@ -461,7 +462,7 @@ TEST_CASE("formulas are MathML", "[site]") {
         "<math><mn>2</mn><mi>\u2009cos\u2009</mi><mi>x</mi></math>");
 }
 
-TEST_CASE("what is no formula stays as TeX", "[site]") {
+TEST_CASE("text that is no formula stays as TeX", "[site]") {
   CHECK(html::text("$\\nonsense{x}$") == "<code class=\"tex\">\\nonsense{x}</code>");
   CHECK(html::text("$a\x03<script>$") == "<code class=\"tex\">a &lt;script&gt;</code>");
   CHECK(html::text("a\x02"
@@ -472,7 +473,7 @@ TEST_CASE("what is no formula stays as TeX", "[site]") {
   CHECK(html::prose("*a `b*` c*") == "<em>a `b</em>` c*");
 }
 
-TEST_CASE("two formulas have the places marked in which they differ, and prose has none", "[site]") {
+TEST_CASE("two formulas are shown with their differences marked, and prose is not", "[site]") {
   const auto [printed, right] = html::texts_that_differ("$a-2b$", "$a+2c$");
   CHECK(printed ==
         "<math><mi>a</mi><mrow class=\"differs\"><mo>−</mo></mrow><mn>2</mn>"
@@ -485,7 +486,7 @@ TEST_CASE("two formulas have the places marked in which they differ, and prose h
   CHECK(html::texts_that_differ("$\\nonsense$", "$a$").second == html::text("$a$"));
 }
 
-TEST_CASE("what stands in a script does not end it", "[site]") {
+TEST_CASE("the contents of a script do not end it", "[site]") {
   const nlohmann::ordered_json text = {"</script><!--", "\u2028\u2029", std::string(100'000, '<')};
   const std::string script = packed_call("say", text);
   CHECK(argument("say", script) == nlohmann::json(text));
@@ -493,7 +494,7 @@ TEST_CASE("what stands in a script does not end it", "[site]") {
   CHECK(script == packed_call("say", text));
 }
 
-TEST_CASE("the errata are as their schema says, and all are there", "[site]") {
+TEST_CASE("the errata conform to their schema and are complete", "[site]") {
   const Results results = sample_with_findings();
   Json list = Json::parse(errata_json(results));
   CHECK(against_schema(list) == std::vector<std::string>());
@@ -533,7 +534,7 @@ TEST_CASE("no string of a results file breaks out of the site's pages", "[site]"
   REQUIRE(has_chart(quantity));
   const Json whole = Json::parse(to_json(charted));
   auto by_key = hostile::by_key(hostile::strings_of(whole));
-  by_key.erase("id");  // two of one are refused
+  by_key.erase("id");  // two equal ones are refused
   const auto check = [](const Json& json) {
     const Results results = results_from_json(json.dump(), "here");
     check_pages(site_pages(results), files_of_sample);

@@ -1,4 +1,4 @@
-// The data of the site's pages, read back and compared with the results that they were written of.
+// The data of the site's pages, read back and compared with the results that they come from.
 
 #include <algorithm>
 #include <bit>
@@ -27,7 +27,7 @@ const Reference& known() {
   return all;
 }
 
-/// The pendulum, run, with a map of stability that was not, and an exercise without a scene.
+/// The pendulum, run, with a made-up map of stability, and an exercise without a scene.
 const Results& results() {
   static const Results all = [] {
     const auto entry = [](Number number) { return *std::ranges::find(registry(), number, &Entry::number); };
@@ -55,7 +55,7 @@ std::vector<float> floats(const json& text) {
 
 }  // namespace
 
-TEST_CASE("The data of a page have every trial, in double and in float", "[site]") {
+TEST_CASE("The data of a page contain every trial, in double and in float", "[site]") {
   const json q = written(pendulum())["quantities"].back();
   REQUIRE(q["methods"].size() == swing().methods.size() + swing().in_float.size());
   REQUIRE(swing().methods.size() > 20);
@@ -92,7 +92,7 @@ TEST_CASE("The data of a page have every trial, in double and in float", "[site]
   }
 }
 
-TEST_CASE("The data of a page have every name's style and every outcome's letter", "[site]") {
+TEST_CASE("The data of a page contain every name's style and every outcome's letter", "[site]") {
   const json data = written(pendulum());
   for (const json& q : data["quantities"]) {
     for (const json& model : q["models"]) CHECK(data["styles"]["colours"].contains(model));
@@ -113,7 +113,7 @@ TEST_CASE("The true motion starts where the book's does and ends where the refer
   CHECK(near_part(angles[150], swing().reference.value[0], 1e-6));
 }
 
-TEST_CASE("A recorded motion is the one that was run, to one part in 65535 of its range", "[site]") {
+TEST_CASE("A recorded motion equals the computed one to one part in 65535 of its range", "[site]") {
   const json paths = written(pendulum())["scene"]["paths"];
   REQUIRE(paths.size() == swing().trajectory->paths.size());
   for (std::size_t i = 0; i < paths.size(); ++i) {
@@ -129,7 +129,8 @@ TEST_CASE("A recorded motion is the one that was run, to one part in 65535 of it
   }
 }
 
-TEST_CASE("What an engine did as it comes is a recorded motion, twenty times a second", "[site][engines]") {
+TEST_CASE("An engine's motion by its defaults is a recorded motion, at twenty times a second",
+          "[site][engines]") {
   EngineSeries series;
   series.engine = "Some";
   series.version = "1.2";
@@ -162,7 +163,7 @@ TEST_CASE("What an engine did as it comes is a recorded motion, twenty times a s
   CHECK(paths_of("3.7").empty());
 }
 
-TEST_CASE("Without models every motion that was recorded is there", "[site]") {
+TEST_CASE("Without models every recorded motion is there", "[site]") {
   const auto paths = [](bool recorded) {
     return argument("exercise",
                     exercise_data(pendulum(), known(), Styles(results()), recorded))["scene"]["paths"]
@@ -188,7 +189,7 @@ TEST_CASE("A map has a list of letters for each value of the parameter", "[site]
   CHECK(stability["limits"][0]["shown"] == shown_step(s.limits[0]));
 }
 
-TEST_CASE("No text ends the script that it stands in", "[site]") {
+TEST_CASE("No text ends the script that contains it", "[site]") {
   ExerciseResult e = results().exercises.back();
   e.title = "</script><script>alert(1)</script><!--<script>\u2028\u2029\"'\\\n";
   const std::string script = exercise_data(e, known(), Styles(results()), true);
@@ -197,7 +198,7 @@ TEST_CASE("No text ends the script that it stands in", "[site]") {
   CHECK(data["scene"].is_null());
 }
 
-TEST_CASE("The example is a scene with its truth and the rows that the player opens with", "[site]") {
+TEST_CASE("The example is a scene with its reference and the player's initial rows", "[site]") {
   const json data = argument("exercise", example_data(example_result(), true));
   CHECK(data["example"]["truth"]["model"] == "flights");
   REQUIRE(data["example"]["opening"].size() == 3);
@@ -216,7 +217,7 @@ TEST_CASE("The example is a scene with its truth and the rows that the player op
   CHECK(heights[240] == 0);  // it rests from 2.56 s on
 }
 
-TEST_CASE("The errors of a page are by the norms of its table", "[site]") {
+TEST_CASE("The errors of a page use the norms of its table", "[site]") {
   for (const bool by_norms : {true, false}) {
     ExerciseResult e = pendulum();
     for (QuantityResult& q : e.quantities)

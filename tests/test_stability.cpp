@@ -24,7 +24,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double interval = 2;  // s, between two looks at the motion
 
-/// A motion of size 1, looked at four times.
+/// A motion of size 1, observed at four times.
 Quantity motion() {
   Quantity quantity{"x", "m", "a length", {"exact", Value{1, 1, 1, 1}}, 0, {0.01, "close"}};
   quantity.samples = 4;
@@ -70,7 +70,7 @@ Limit found(const Method& m) { return limit_of(motion(), m, interval); }
 
 const std::filesystem::path reference_folder = std::filesystem::path(ODDITY_SOURCE) / "reference";
 
-/// A scene's motion over a horizon, with or without its truth.
+/// A scene's motion over a horizon, with or without its reference.
 Quantity scene(Number number, double horizon, const Reference& truth = Reference::nothing()) {
   for (const Entry& entry : registry())
     if (entry.number == number)
@@ -82,7 +82,7 @@ Limit limit_in(const Quantity& quantity, std::string_view model, std::string_vie
   return limit_of(quantity, *method_of(quantity, model, algorithm), horizon / quantity.samples);
 }
 
-/// A pendulum of 1 s from 1 rad, with a conserved energy and without.
+/// A pendulum of 1 s from 1 rad, with and without a conserved energy.
 struct Silent {
   using State = std::array<double, 2>;
   State start() const { return {1, 0}; }
@@ -101,7 +101,7 @@ struct Watched : Silent {
   auto conserved(const State& x, double) const { return energy_of(x[1] * x[1] / 2, -40 * std::cos(x[0])); }
 };
 
-/// An error of `a` at the step 1: at the game's centimetre by its last bit.
+/// An error of `a` at step 1: equal to the game's centimetre except for its last bit.
 constexpr Parameter at_an_edge[] = {{"a", 0.01, "m", "error at a step of 1", 0.001, 0.1}};
 Quantity error_of_a(const Parameters& p, const Horizon&, const Reference&) {
   Quantity q{"place", "m", "a place", {"zero", Value{0, 0, 0, 0}}, 0, {1e-6, "a micrometre"}};
@@ -156,7 +156,7 @@ TEST_CASE("steps beyond a tongue do not hide it", "[stability]") {
   CHECK(near(agreement(wrong_theory), 0.2 / 1.8, 0.001));
 }
 
-TEST_CASE("every step is said only where theory proves it", "[stability]") {
+TEST_CASE("the limit is every step only where theory proves it", "[stability]") {
   const auto never = [](double) { return false; };
   const Limit proved = found(method(never)), tried = found(method(never, {{3, infinity}}));
   CHECK(proved.step() == infinity);
@@ -182,7 +182,7 @@ TEST_CASE("a method that no step keeps stable has none", "[stability]") {
   CHECK_FALSE(limit.within);
 }
 
-TEST_CASE("McLachlan's tongues are known, in theory and as measured", "[stability]") {
+TEST_CASE("McLachlan's tongues are found, in theory and as measured", "[stability]") {
   const Quantity pulleys = scene({3, 19}, 8);
   const auto pulley = [&](std::string_view algorithm) {
     return limit_in(pulleys, "two coordinates", algorithm, 8);
@@ -211,10 +211,11 @@ TEST_CASE("explicit Euler has no stable step on an undamped pendulum", "[stabili
   CHECK(std::isfinite(limit.lost));
 }
 
-TEST_CASE("every step is on record only for implicit Euler, and where nothing can grow", "[stability]") {
+TEST_CASE("the recorded limit is every step only for implicit Euler, and where nothing can grow",
+          "[stability]") {
   for (const ApprovedLimit& a : read_limits(reference_folder / "approved")) {
     INFO(a.place);
-    // No mode at all, and of the two particles with a rod none that semi-implicit Euler's step lets grow.
+    // No mode at all; and none of the two particles with a rod that semi-implicit Euler's step makes grow.
     const bool free_fall =
         a.exercise == "3.29" && (a.model == "x, y, theta" || a.algorithm == "semi-implicit Euler");
     if (std::isinf(a.step)) CHECK((a.algorithm == "linearly implicit Euler" || free_fall));
@@ -223,7 +224,7 @@ TEST_CASE("every step is on record only for implicit Euler, and where nothing ca
   }
 }
 
-TEST_CASE("the page calls explicit Euler unconditionally unstable where its row has no stable step",
+TEST_CASE("the page calls explicit Euler unconditionally unstable if its row has no stable step",
           "[stability]") {
   const Limits all = read_limits(reference_folder / "approved");
   const auto row = std::ranges::find_if(all, [](const ApprovedLimit& a) {
@@ -234,7 +235,7 @@ TEST_CASE("the page calls explicit Euler unconditionally unstable where its row 
   CHECK(stability_page({}).find("explicit Euler is unconditionally unstable") != std::string::npos);
 }
 
-TEST_CASE("symplectic Euler loses the pendulum where four steps make a swing", "[stability]") {
+TEST_CASE("symplectic Euler loses the pendulum where four steps make one swing", "[stability]") {
   const double a = std::numbers::pi / 6, frequency = std::sqrt(9.81) * (1 - a * a / 16);
   const Limit limit = limit_in(scene({3, 5}, 10), "one angle", "symplectic Euler", 10);
   CHECK(
@@ -258,9 +259,8 @@ TEST_CASE("a limit does not depend on the horizon shown", "[stability]") {
   }
 }
 
-TEST_CASE("who watches longer, or to whom less is too large, has another limit, and that is marked",
-          "[stability]") {
-  // Lost after 1500 s beyond 0.4, and at once beyond 0.5; swollen to three times its size beyond 0.3.
+TEST_CASE("a limit that depends on the watched time or the allowed size is marked", "[stability]") {
+  // Lost after 1500 s beyond 0.4, and at once beyond 0.5; grown to three times its size beyond 0.3.
   const auto slowly = [](double step) {
     const double time = step > 0.5 ? 1 : step > 0.4 ? 1500 : infinity;
     return ode::Loss{time, {time, time, time}};
@@ -302,7 +302,7 @@ TEST_CASE("a limit does not depend on a conserved quantity", "[stability]") {
   CHECK((limits(Watched{}) == silent));
 }
 
-TEST_CASE("no step below a limit is unstable, nor one that divides no interval", "[stability]") {
+TEST_CASE("no step below a limit is unstable, nor one that does not divide an interval", "[stability]") {
   struct Case {
     Number number;
     const char* model;
@@ -329,7 +329,7 @@ TEST_CASE("no step below a limit is unstable, nor one that divides no interval",
   }
 }
 
-TEST_CASE("stability survives the way to JSON and back, infinite limits too", "[stability]") {
+TEST_CASE("stability survives conversion to JSON and back, with infinite limits", "[stability]") {
   Results results;
   ExerciseResult& e = results.exercises.emplace_back();
   e.number = {3, 5};
@@ -354,7 +354,7 @@ TEST_CASE("stability survives the way to JSON and back, infinite limits too", "[
   CHECK(map_rows(results) == "3.5,model,algorithm,0.1,Xo,*.\n");
 }
 
-TEST_CASE("limits and maps on record are read, broken ones named by line", "[stability]") {
+TEST_CASE("recorded limits and maps are read, broken ones named by line", "[stability]") {
   const ScratchFolder folder;
   const std::string head =
       "exercise,model,algorithm,step,theory,unstable,watched,soft,error,needed,beyond,why\n";
@@ -409,7 +409,7 @@ TEST_CASE("stability does not depend on the number of threads", "[stability]") {
   CHECK((examined(1) == examined(4)));
 }
 
-TEST_CASE("a letter of a map may be another's machine only where the last bits decide", "[stability]") {
+TEST_CASE("a letter of a map may differ on another machine only where the last bits decide", "[stability]") {
   const auto ends_so = [](double a, Outcome outcome) {
     const MapRow row{"model", "algorithm", a, infinity, {Outcome::ok}, {false}};
     return ends_so_within_roundings(Task(edge), row, 0, outcome, Reference::nothing());
@@ -436,7 +436,7 @@ TEST_CASE("a letter that roundings decide is marked, and no other", "[stability]
             .find("decide how these end: model, algorithm at 0.01 m, step 1 ") != std::string::npos);
 }
 
-TEST_CASE("roundings decide no more than one in a hundred letters on record", "[stability]") {
+TEST_CASE("roundings decide at most one in a hundred recorded letters", "[stability]") {
   std::ptrdiff_t letters = 0, marked = 0;
   for (const ApprovedMap& row : read_maps(std::filesystem::path(ODDITY_SOURCE) / "reference" / "approved")) {
     letters += std::ssize(row.outcomes);

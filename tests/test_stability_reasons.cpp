@@ -1,5 +1,5 @@
-// The reasons that limits.csv gives for limits which differ from linear theory's, each shown on its rows, and
-// the mark of limits that have no sharp value.
+// The reasons in limits.csv for limits that differ from linear theory's, each shown on its rows. Also the
+// mark of limits without a sharp value.
 
 #include <cmath>
 #include <numbers>
@@ -41,7 +41,7 @@ Limit limit_in(const Found& found, const ode::Criteria& criteria = {}) {
 
 bool same(double a, double b) { return a == b || std::abs(a - b) <= 0.05 * std::max(a, b); }
 
-/// Rows that are sharp, and rows that are not, with whose eyes they move.
+/// Rows with sharp limits, and rows without, with the observers who find other limits.
 const std::vector<Row> sharp{
     {{3, 23}, "one angle", "symplectic Euler"}, {{3, 5}, "one angle", "velocity Verlet"},
     {{3, 5}, "one angle", "Runge-Kutta 4"},     {{3, 5}, "one angle", "explicit Euler"},
@@ -61,8 +61,7 @@ const std::vector<Moved> soft{
 
 }  // namespace
 
-TEST_CASE("a limit that is sharp is the same for who watches half or twice as long or counts another size",
-          "[stability]") {
+TEST_CASE("a sharp limit is the same for half or twice the time, or for another size", "[stability]") {
   for (const Row& row : sharp) {
     const Found found = method_in(row);
     const Limit usual = limit_in(found);
@@ -76,7 +75,7 @@ TEST_CASE("a limit that is sharp is the same for who watches half or twice as lo
   }
 }
 
-TEST_CASE("a limit that another observer has elsewhere is marked, and his lies in what the mark says",
+TEST_CASE("a limit that differs for another observer is marked, and the other limit is in the marked range",
           "[stability]") {
   for (const auto& [row, by] : soft) {
     const Found found = method_in(row);
@@ -90,7 +89,7 @@ TEST_CASE("a limit that another observer has elsewhere is marked, and his lies i
   }
 }
 
-TEST_CASE("a motion that is lost in the second thousand radians alone has its limit marked", "[stability]") {
+TEST_CASE("a motion that is lost only in the second thousand radians has its limit marked", "[stability]") {
   const Found found = method_in({{3, 17}, "two angles", "linearly implicit Euler"});
   const Limit limit = limit_in(found);
   const Disturbances disturbances = found.method.disturbances({});
@@ -101,7 +100,7 @@ TEST_CASE("a motion that is lost in the second thousand radians alone has its li
   CHECK((lost > disturbances.span && lost <= disturbances.watched));
 }
 
-TEST_CASE("no sharp limit hangs on how far motions may part", "[stability]") {
+TEST_CASE("no sharp limit depends on how far motions may diverge", "[stability]") {
   const std::vector<ode::Criteria> others{{.granted = 50}, {.granted = 200}, {.as_fast = 1}, {.as_fast = 4}};
   for (const Row& row : sharp) {
     const Found found = method_in(row);
@@ -115,9 +114,9 @@ TEST_CASE("no sharp limit hangs on how far motions may part", "[stability]") {
 
 namespace {
 
-/// A row's limit for this reason, and the disturbances that it was measured by.
+/// A row's limit with this reason, and the disturbances that were used to measure it.
 struct Explained {
-  Found found;  ///< it has the model, which the disturbances refer to
+  Found found;  ///< owns the model that the disturbances refer to
   Limit limit;
   Disturbances disturbances;
 };
@@ -130,14 +129,14 @@ Explained because(const std::string& reason, const Row& row) {
   return e;
 }
 
-/// Whether a disturbance of the true motion is lost when the method makes its steps alone.
+/// Whether a disturbance of the true motion is lost if only the method's steps act on it.
 bool lost_along_truth(const Explained& e, double step) {
   return e.disturbances.lost_along_truth(step) <= e.disturbances.span;
 }
 
 }  // namespace
 
-TEST_CASE("reason: what theory has grow does not add up to a loss", "[stability]") {
+TEST_CASE("reason: the growth by theory does not add up to a loss", "[stability]") {
   const Explained slide =
       because("what theory has grow at some points", {{3, 7}, "one coordinate", "explicit Euler"});
   CHECK(slide.limit.step() > 10 * slide.limit.theory());
@@ -146,7 +145,7 @@ TEST_CASE("reason: what theory has grow does not add up to a loss", "[stability]
 }
 
 TEST_CASE("reason: theory freezes the motion", "[stability]") {
-  // Above theory, though its growth adds up; and below it, where nothing grows frozen.
+  // Above theory, although its growth adds up; and below it, where nothing grows on the frozen motion.
   const Explained slide = because("theory freezes", {{3, 7}, "one coordinate", "Adams-Bashforth 4"});
   CHECK(slide.limit.step() > 2 * slide.limit.theory());
   CHECK(slide.disturbances.added_growth(slide.limit.stable) > std::log(100));
@@ -160,7 +159,7 @@ TEST_CASE("reason: theory freezes the motion", "[stability]") {
   CHECK_FALSE(lost_along_truth(planet, 0.8 * planet.limit.stable));
 }
 
-TEST_CASE("reason: theory is right of the true motion, and the method makes another", "[stability]") {
+TEST_CASE("reason: theory holds for the true motion, but the method makes another", "[stability]") {
   for (const char* algorithm : {"explicit Euler", "modified midpoint"}) {
     const Explained disk = because("theory is right of the true motion", {{3, 21}, "one angle", algorithm});
     CHECK_FALSE(lost_along_truth(disk, 0.8 * disk.limit.theory()));
@@ -169,13 +168,13 @@ TEST_CASE("reason: theory is right of the true motion, and the method makes anot
   }
 }
 
-TEST_CASE("reason: resonance, where four steps of symplectic Euler make a swing", "[stability]") {
+TEST_CASE("reason: resonance, where four steps of symplectic Euler make one swing", "[stability]") {
   for (const Number number : {Number{3, 5}, Number{3, 23}}) {
     const Explained swing = because("resonance", {number, "one angle", "symplectic Euler"});
     CHECK(near(swing.disturbances.turns_in_a_step(0.995 * swing.limit.stable), 0.25, 0.002));
     CHECK(near(swing.disturbances.turns_in_a_step(swing.limit.stable / 2), 0.115, 0.01));
   }
-  // Verlet's orbit of the planet takes no whole number.
+  // Verlet's orbit of the planet does not take a whole number of steps.
   CHECK_FALSE(limit_in(method_in({{3, 3}, "Cartesian", "McLachlan 4"})).why.starts_with("resonance"));
 }
 
@@ -187,7 +186,7 @@ TEST_CASE("reason: the method's own motion becomes much faster than the true one
   CHECK(own(planet.limit.lost) < own(planet.limit.lost / 2));  // it spirals in
 }
 
-TEST_CASE("growth adds up along a motion, less what may grow", "[stability]") {
+TEST_CASE("growth adds up along a motion, minus the allowed growth", "[stability]") {
   const std::complex<double> i(0, 1);
   const ode::Spectrum half_unstable{1, {{i}, {0.0}}};
   CHECK(near(ode::added_growth("explicit Euler", half_unstable, 0.1, 10, 2),
@@ -196,8 +195,9 @@ TEST_CASE("growth adds up along a motion, less what may grow", "[stability]") {
              1e-12));
 }
 
-TEST_CASE("half or twice the negligible growth moves no limit of theory but the modified midpoint rule's",
-          "[stability]") {
+TEST_CASE(
+    "half or twice the negligible growth changes no limit of theory except the modified midpoint rule's",
+    "[stability]") {
   const ode::Spectrum turning{10, {{{0, 1}, {0, -1}}}};
   for (const char* algorithm : {"symplectic Euler", "velocity Verlet", "Runge-Kutta 4", "McLachlan 4",
                                 "Adams-Bashforth 4", "Adams-Bashforth-Moulton 6", "modified midpoint"}) {

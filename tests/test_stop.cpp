@@ -1,5 +1,5 @@
-// Work that is asked to stop, or in which something throws, ends, and what it did not do is never taken for
-// done.
+// Work that is asked to stop, or in which something throws, ends. Its unfinished part is never taken for
+// finished.
 
 #include <algorithm>
 #include <atomic>
@@ -33,7 +33,7 @@ namespace {
 
 struct Thrown {};
 
-/// Ends the whole program with a message where something waits for ever: a thread that hangs cannot be ended.
+/// Ends the whole program with a message if something waits forever: a hanging thread cannot be ended.
 template <class F>
 void must_end(const std::string& what, const F& f) {
   std::promise<void> over;
@@ -46,8 +46,7 @@ void must_end(const std::string& what, const F& f) {
   over.set_value();
 }
 
-/// Time that has passed, or that this process has worked: on a busy machine the one is long, and where
-/// threads only wait the other is short.
+/// Wall time and CPU time. On a busy machine wall time is long; if threads only wait, CPU time is short.
 struct Moment {
   std::chrono::steady_clock::time_point at = std::chrono::steady_clock::now();
   std::clock_t worked = std::clock();
@@ -58,7 +57,7 @@ struct Moment {
   }
 };
 
-/// Throws at its nth call, by whatever thread.
+/// Throws at its nth call, in any thread.
 class ThrowsAt {
  public:
   explicit ThrowsAt(long nth) : left_(nth) {}
@@ -68,7 +67,7 @@ class ThrowsAt {
     throw Thrown();
   }
   long calls_left() const { return left_; }
-  /// Since it threw.
+  /// Seconds since it threw.
   double seconds() const { return thrown_.seconds_since(); }
 
  private:
@@ -89,7 +88,7 @@ Need brief() {
   return need;
 }
 
-/// A choice in which `at` is called between pieces of work: with every progress, and for every price.
+/// A choice in which `at` is called between pieces of work: at every progress report and for every price.
 template <class At>
 void choose_with(const Entry& entry, const Need& need, const At& at) {
   static const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
@@ -109,7 +108,7 @@ std::vector<const Entry*> scenes() {
 
 }  // namespace
 
-TEST_CASE("a parallel loop runs whole, or throws", "[stop][parallel]") {
+TEST_CASE("a parallel loop runs completely, or throws", "[stop][parallel]") {
   for (int trial = 0; trial < 50; ++trial) {
     std::atomic<int> taken_for_done = 0;
     const auto inner = [&] {
@@ -130,7 +129,7 @@ TEST_CASE("a parallel loop runs whole, or throws", "[stop][parallel]") {
   }
 }
 
-TEST_CASE("a parallel loop hands its stop on to its threads", "[stop][parallel]") {
+TEST_CASE("a parallel loop passes its stop on to its threads", "[stop][parallel]") {
   Stop stop;
   const Stoppable here(&stop);
   std::atomic<int> begun = 0;
@@ -145,7 +144,7 @@ TEST_CASE("a parallel loop hands its stop on to its threads", "[stop][parallel]"
   CHECK_THROWS_AS(check_stop(), Stopped);
 }
 
-TEST_CASE("a stop ends with its time, and with the one around it", "[stop]") {
+TEST_CASE("a stop ends with its time, and with the enclosing one", "[stop]") {
   const Stop never;
   CHECK_FALSE(never.is_requested());
   CHECK(Stop(0.0).is_requested());
@@ -192,7 +191,7 @@ TEST_CASE("a choice ends with its time limit", "[stop][choose]") {
     }
 }
 
-TEST_CASE("no time that is left is none", "[stop][choose]") {
+TEST_CASE("a time limit of zero or less leaves no time", "[stop][choose]") {
   for (double left : {0.0, -1.0}) {
     Need need = brief();
     need.time_limit = left;
@@ -200,7 +199,7 @@ TEST_CASE("no time that is left is none", "[stop][choose]") {
   }
 }
 
-TEST_CASE("frames of n steps have n, however late they are", "[stop][steps]") {
+TEST_CASE("a frame of n steps has n, at any time", "[stop][steps]") {
   for (double rate : {24.0, 30.0, 50.0, 60.0, 90.0, 120.0, 144.0, 240.0, 1000.0, 1001.0})
     for (int n : {1, 2, 3, 4, 7, 12, 48, 512})
       for (long frame : {0L, 1L, 7L, 599L, 7'800L, 100'000L, 3'600'000L, 40'000'000L}) {
@@ -215,10 +214,10 @@ TEST_CASE("frames of n steps have n, however late they are", "[stop][steps]") {
   CHECK(ode::steps_in(0, 1, 1 - 1e-9) == 2);
 }
 
-TEST_CASE("theory's limits are looked for until they are asked to stop", "[stop][stability]") {
+TEST_CASE("the search for theory's limits can be stopped", "[stop][stability]") {
   Stop stop;
   const Stoppable here(&stop);
-  // x'' = -x, of which the second unknown is a velocity
+  // x'' = -x, whose second unknown is a velocity
   const ode::Spectrum oscillation{10, {{{0, 1}, {0, -1}}}, {{0, 1, -1, 0}}, {false, true}};
   CHECK(ode::growth("Runge-Kutta 4", {-1, 0}) < 0);
   CHECK(ode::stable_step("semi-implicit Euler", oscillation) > 1.9);
@@ -227,7 +226,7 @@ TEST_CASE("theory's limits are looked for until they are asked to stop", "[stop]
   CHECK_THROWS_AS(ode::stable_step("semi-implicit Euler", oscillation), Stopped);
 }
 
-TEST_CASE("limits and trials end with the time that they may take", "[stop][stability]") {
+TEST_CASE("limits and trials end with their time limit", "[stop][stability]") {
   const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
   for (const Entry* entry : scenes()) {
     const Task task(*entry);

@@ -1,5 +1,5 @@
-// The recorded tape and its series: what is recorded, the coefficients against known series, the work
-// counted, and the motion by steps whose order and length are chosen.
+// The recorded tape and its series: the recorded operations, the coefficients compared with known series, the
+// counted work, and the motion by steps of chosen order and length.
 
 #include "solvers/taylor/motion.hpp"
 
@@ -17,7 +17,7 @@ using namespace oddity::taylor;
 
 namespace {
 
-/// The coefficients of x from the initial value problem x' = rhs(x, t), x(t0) = x0, of one unknown.
+/// The coefficients of x in the initial value problem x' = rhs(x, t), x(t0) = x0, with one unknown.
 template <class Rhs>
 std::vector<double> series_of(const Rhs& rhs, double x0, double t0, int order) {
   Series series{Program(record<1>([&](const auto& x, auto& dxdt, const auto& t) { dxdt = {rhs(x[0], t)}; }))};
@@ -57,7 +57,7 @@ const auto swing = [](const auto& x, auto& dxdt, const auto&) {
 
 // ---- the tape ---------------------------------------------------------------------------------------------
 
-TEST_CASE("what repeats is recorded once, constants are computed, and what nobody needs is left out",
+TEST_CASE("repeated operations are recorded once, constants are computed, and unused operations are left out",
           "[taylor]") {
   const Program twice(record<1>([](const auto& x, auto& dxdt, const auto&) {
     [[maybe_unused]] const auto nobodys = exp(x[0]) * x[0];
@@ -84,7 +84,7 @@ TEST_CASE("sums of multiples are folded, and a mass's pull is one operation", "[
   CHECK(pull.cost_by_hand() == 1 + 4 + 1 + 4);
 }
 
-TEST_CASE("factors and terms take no operation before another needs them", "[taylor]") {
+TEST_CASE("factors and terms cost no operation until another one needs them", "[taylor]") {
   const auto cost = [](const auto& rhs) {
     return Program(record<1>([&](const auto& x, auto& dxdt, const auto&) { dxdt = {rhs(x[0])}; }))
         .cost_by_hand();
@@ -102,7 +102,7 @@ TEST_CASE("factors and terms take no operation before another needs them", "[tay
   CHECK(c == std::vector<double>{9, 8, 8, 8, 8, 8, 8, 8, 8, 8, 8, 8, 8});
 }
 
-TEST_CASE("a right-hand side of constants costs something, and its motion is a line", "[taylor]") {
+TEST_CASE("a constant right-hand side has a cost, and its motion is a line", "[taylor]") {
   const auto c = series_of([](const auto&, const auto&) { return 3.0; }, 2, 5, 6);
   CHECK(c == std::vector<double>{2, 3, 0, 0, 0, 0, 0});
 }
@@ -145,7 +145,7 @@ TEST_CASE("every operation has the coefficients of a known series", "[taylor]") 
   check(
       series_of([](const auto& x, const auto&) { return x + 3; }, 1, 0, order),
       [](int k) { return k == 0 ? 1 : 4 / std::tgamma(k + 1.0); }, 1e-15);
-  // x' = (x + 3)^2 from -2: 1/(1 - t) - 3; the constant is a part of what is multiplied
+  // x' = (x + 3)^2 from -2: 1/(1 - t) - 3; the constant is part of the factors
   check(
       series_of([](const auto& x, const auto&) { return (x + 3) * (x + 3); }, -2, 0, order),
       [](int k) { return k == 0 ? -2.0 : 1.0; }, 1e-14);
@@ -162,7 +162,7 @@ TEST_CASE("every operation has the coefficients of a known series", "[taylor]") 
       [](int k) { return std::cos(1 + k * std::numbers::pi / 2) / std::tgamma(k + 1.0); }, 1e-15);
 }
 
-TEST_CASE("a series is finite where each of its unknowns is", "[taylor]") {
+TEST_CASE("a series is finite if each of its unknowns is", "[taylor]") {
   Series series{Program(record<3>([](const auto& x, auto& dxdt, const auto&) {
     dxdt = {1 / x[0], 1 / x[1], 1 / x[2]};
   }))};
@@ -175,12 +175,12 @@ TEST_CASE("a series is finite where each of its unknowns is", "[taylor]") {
   }
 }
 
-TEST_CASE("a motion of zero, with products of what vanishes, has the series zero", "[taylor]") {
+TEST_CASE("a motion of zero, with products of zeros, has the series zero", "[taylor]") {
   for (double c : series_of([](const auto&x, const auto&) { return x * sin(x) + x * x * x; }, 0, 0, 12))
     CHECK(c == 0);
 }
 
-TEST_CASE("products that are computed two at once have the bits that each has alone", "[taylor]") {
+TEST_CASE("products that are computed in pairs have the same bits as alone", "[taylor]") {
   const auto slopes = [](const auto& x, const auto& y, const auto& u, const auto& v) {
     const auto xx = x * x, yy = y * y, pull = -1.0 / ((xx + yy) * sqrt(xx + yy));
     const auto xu = x * u, yv = y * v, before = pull * xu, and_after = pull * yv;
@@ -188,7 +188,7 @@ TEST_CASE("products that are computed two at once have the bits that each has al
   };
   Series two{Program(
       record<4>([&](const auto& s, auto& dsdt, const auto&) { dsdt = slopes(s[0], s[1], s[2], s[3]); }))};
-  // No two of these have rows that are interleaved: another unknown stands between.
+  // No two of these have interleaved rows, because of another unknown between them.
   Series one{Program(record<5>([&](const auto& s, auto& dsdt, const auto&) {
     const auto [x, y, u, v] = slopes(s[0], s[2], s[3], s[4]);
     dsdt = {x, 0, y, u, v};
@@ -201,7 +201,7 @@ TEST_CASE("products that are computed two at once have the bits that each has al
       CHECK(two.coefficient(i, k) == one.coefficient(i == 0 ? 0 : i + 1, k));
 }
 
-TEST_CASE("a sum and a quotient stay what they are beside a product of the rows next to theirs", "[taylor]") {
+TEST_CASE("a sum and a quotient are not changed by a product of the rows next to theirs", "[taylor]") {
   const auto slopes = [](const auto& x, const auto& y, const auto& u, const auto& v) {
     const auto sum = x + 2.0 * u, of_sum = y * v, quotient = u / x, of_quotient = v * y;
     return std::array{sum * 0.1, of_sum * 0.1, quotient * 0.1, of_quotient * 0.1};
@@ -219,7 +219,7 @@ TEST_CASE("a sum and a quotient stay what they are beside a product of the rows 
     for (std::size_t i = 0; i < 4; ++i) CHECK(beside.coefficient(i, k) == apart.coefficient(2 * i, k));
 }
 
-TEST_CASE("what is computed in pairs has the bits of the operation alone", "[taylor]") {
+TEST_CASE("operations that are computed in pairs have the same bits as alone", "[taylor]") {
   constexpr int order = 30;
   const auto alone = [](Operation operation, double x0) {
     std::vector<double> x(80, 0.0), result(80), second(80), spare(80);
@@ -242,7 +242,7 @@ TEST_CASE("what is computed in pairs has the bits of the operation alone", "[tay
 }
 
 TEST_CASE(
-    "the sine of a multiple of the time has the bits of that of an unknown that grows like the time, for less",
+    "the sine of a multiple of the time has the same bits as that of an unknown growing like the time, at less cost",
     "[taylor]") {
   const auto slope = [](const auto& x, const auto& t) {
     return cos(1.7 * t + 0.3) * x - sin(t) * sin(1.7 * t + 0.3);
@@ -260,7 +260,7 @@ TEST_CASE(
   CHECK(turning.program().cost(order) < growing.program().cost(order) / 2);
 }
 
-TEST_CASE("the cost stated is the operations made", "[taylor]") {
+TEST_CASE("the stated cost is the number of operations", "[taylor]") {
   using Number = Counted<double>;
   const auto made = [](Operation operation, int k, bool has_a, bool square) {
     std::vector<Number> a(80, 1.25), b(80, 0.75), result(80, 1.0), second(80, 0.5), spare(80, 0.25);
@@ -296,7 +296,8 @@ TEST_CASE("the cost stated is the operations made", "[taylor]") {
 
 // ---- steps ------------------------------------------------------------------------------------------------
 
-TEST_CASE("steps of one order have it, without explicit time and with, forward and backward", "[taylor]") {
+TEST_CASE("steps of one order have that order, with and without explicit time, forward and backward",
+          "[taylor]") {
   for (int order : {1, 2, 3, 4, 6, 8, 12}) {
     INFO("order " << order);
     for (const auto& [from, to] : {std::pair{-1.5, 1.3}, std::pair{1.5, -1.3}})
@@ -306,7 +307,7 @@ TEST_CASE("steps of one order have it, without explicit time and with, forward a
   }
 }
 
-TEST_CASE("the order grows with the digits asked for, and is the cheapest", "[taylor]") {
+TEST_CASE("the order grows with the requested digits, and is the cheapest", "[taylor]") {
   const Program program(record<2>(swing));
   int before = 0;
   for (double tolerance : {1e-2, 1e-4, 1e-6, 1e-9, 1e-12, 1e-15}) {
@@ -317,7 +318,7 @@ TEST_CASE("the order grows with the digits asked for, and is the cheapest", "[ta
   CHECK(within(best_order(program, 1e-12), 14, 24));
 }
 
-TEST_CASE("a tolerance looser than a tenth is a tenth, and a series of one order costs something",
+TEST_CASE("a tolerance looser than a tenth counts as a tenth, and a series of order one has a cost",
           "[taylor]") {
   const Program program(record<2>(swing));
   CHECK(program.cost(0) == 0);
@@ -340,7 +341,7 @@ TEST_CASE("a polynomial motion takes one step", "[taylor]") {
 }
 
 TEST_CASE("coefficients that vanish by symmetry do not lengthen the step", "[taylor]") {
-  // At rest the angle's series is even and the rate's odd: of two orders in a row one number says all.
+  // At rest the angle's series is even and the rate's odd: of two consecutive orders one contains everything.
   for (double angle = 0.05; angle < 3; angle += 0.05)
     for (double tolerance : {1e-6, 1e-9, 1e-12}) {
       Motion motion(Program(record<2>(swing)), tolerance);
@@ -352,7 +353,7 @@ TEST_CASE("coefficients that vanish by symmetry do not lengthen the step", "[tay
     }
 }
 
-TEST_CASE("times on the way and back cost points of the same series, not new ones", "[taylor]") {
+TEST_CASE("times on the way and back cost points of the same series, not new series", "[taylor]") {
   const auto evaluations = [](int parts) {
     Motion motion(Program(record<2>(swing)), 1e-9);
     std::array<double, 2> x{0.5, 0};
@@ -361,7 +362,7 @@ TEST_CASE("times on the way and back cost points of the same series, not new one
       while (t != i * 10.0 / parts) REQUIRE(motion.advance(x, t, i * 10.0 / parts) == nullptr);
     return motion.evaluations();
   };
-  // A point is 2 (2 p + 2) + 1 operations, of 9 each.
+  // A point takes 2 (2 p + 2) + 1 operations, and an evaluation 9.
   CHECK(evaluations(600) - evaluations(1) <= 600 * (4 * 20 + 5) / 9);
 
   Motion motion(Program(record<2>(swing)), 1e-9);
@@ -375,7 +376,7 @@ TEST_CASE("times on the way and back cost points of the same series, not new one
   CHECK(motion.evaluations() - once <= (4 * 20 + 5) / 9 + 1);
 }
 
-TEST_CASE("a state that is not on the series is expanded anew", "[taylor]") {
+TEST_CASE("a state that is not on the series is expanded again", "[taylor]") {
   Motion kept(Program(record<2>(swing)), 1e-12);
   std::array<double, 2> x{0.5, 0};
   double t = 0;
@@ -395,7 +396,7 @@ TEST_CASE("a system that cannot be recorded is refused", "[taylor]") {
                     "the system is not generic in its number type, or not analytic");
 }
 
-TEST_CASE("the pendulum takes few right-hand sides, and as many with dense output", "[taylor]") {
+TEST_CASE("the pendulum takes few right-hand sides, and the same number with dense output", "[taylor]") {
   const auto solved = [](std::vector<double> times) {
     return ode::integrate<ode::Taylor>(swing, std::array{std::numbers::pi / 6, 0.0},
                                        std::span<const double>(times), 1e-9);

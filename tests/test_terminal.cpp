@@ -15,7 +15,7 @@
 using namespace oddity;
 using namespace program;
 
-#ifndef SKIP  // which Catch2 has from 3.3 on
+#ifndef SKIP  // in Catch2 since 3.3
 #define SKIP(why) \
   do {            \
     WARN(why);    \
@@ -32,7 +32,7 @@ const Screen narrow{20, false}, coloured{40, true};
 
 std::size_t widest_line(const std::string& text) {
   std::string lines = text;
-  std::ranges::replace(lines, '\r', '\n');  // after which a line is written over
+  std::ranges::replace(lines, '\r', '\n');  // a carriage return overwrites a line
   std::istringstream in(lines);
   std::size_t widest = 0;
   for (std::string line; std::getline(in, line);) widest = std::max(widest, columns_of(line));
@@ -49,7 +49,7 @@ const std::vector<std::vector<std::string>> table{
     {"one angle", "velocity Verlet", "0.02", "ok"},
     {"two", "velocity Verlet", "0.02", "raised: it is at an end"}};
 
-/// The first line of a table of comma-separated values, by column.
+/// The columns of a table of comma-separated values, from its first line.
 std::vector<std::string> columns_in(const std::string& csv) {
   std::istringstream line(csv.substr(0, csv.find('\n')));
   std::vector<std::string> columns;
@@ -85,7 +85,7 @@ TEST_CASE("text is broken between words", "[terminal]") {
   CHECK(wrapped("unbreakable", {3, false}) == "unbreakable");
 }
 
-TEST_CASE("a table gives way where it is too wide", "[terminal]") {
+TEST_CASE("a table that is too wide is narrowed", "[terminal]") {
   const std::string whole = aligned(table);
   CHECK(whole ==
         "  model      algorithm        error  outcome\n"
@@ -115,7 +115,7 @@ TEST_CASE("a table gives way where it is too wide", "[terminal]") {
         "    velocity Verlet  0.02   raised: it is ...\n");
 }
 
-TEST_CASE("no text of the exercises keeps TeX on a terminal", "[terminal]") {
+TEST_CASE("no text of the exercises shows TeX on a terminal", "[terminal]") {
   for (const ExerciseResult& e : run_of_all().exercises) {
     for (const Root& root : e.roots) CHECK(readable(root.shows).find_first_of("\\{}") == std::string::npos);
     for (const JudgedClaim& c : e.claims) {
@@ -126,14 +126,14 @@ TEST_CASE("no text of the exercises keeps TeX on a terminal", "[terminal]") {
   }
 }
 
-TEST_CASE("an exercise of the book with a finding has a verdict by its author", "[terminal]") {
+TEST_CASE("every exercise of the book with a finding has a verdict by its author", "[terminal]") {
   for (const ExerciseResult& e : run_of_all().exercises) {
     INFO(to_string(e.number));
     CHECK((!e.verdict.empty() || findings_of(e).empty()));
   }
 }
 
-TEST_CASE("a run ends with a screen of what was checked, what is wrong and what to open", "[terminal]") {
+TEST_CASE("a run ends with a screen of checks, findings and files to open", "[terminal]") {
   const Results& results = run_of_all();
   const Closing closing{true, 61.5, "/site/index.html", "/report/README.md"};
   for (const std::size_t width : {50u, 60u, 80u, 100u, 200u}) {
@@ -145,7 +145,7 @@ TEST_CASE("a run ends with a screen of what was checked, what is wrong and what 
   const std::string plain = closing_screen(results, closing, {});
   INFO(plain);
   CHECK(plain.find('\x1b') == std::string::npos);
-  CHECK(plain.find("...") == std::string::npos);  // how a finding shows is told to its end
+  CHECK(plain.find("...") == std::string::npos);  // no finding is cut off
   for (const char* part : {"48 exercises, 823 claims, 186 quantities in",
                            "56 wrong, 21 incomplete, 38 misprints, 60 lost in our",
                            "\n  3.5   A pendulum of 1 m takes 0.51 s", "and 47 others", "/site/index.html",
@@ -179,7 +179,7 @@ TEST_CASE("a run ends with a screen of what was checked, what is wrong and what 
   CHECK(closing_screen({}, closing, {}).find("0 exercises, 0 claims") != std::string::npos);
 }
 
-TEST_CASE("what is printed fits the terminal", "[terminal]") {
+TEST_CASE("all output fits the terminal", "[terminal]") {
   if (!has_terminals()) SKIP(no_terminals);
   const ScratchFolder scratch;
   const std::string maps = scratch.path().string();
@@ -214,7 +214,7 @@ TEST_CASE("colour is for terminals, and off when the user wants none", "[termina
   }
 }
 
-TEST_CASE("tables come as CSV and as JSON, and help names their columns", "[terminal]") {
+TEST_CASE("tables are available as CSV and as JSON, and help names their columns", "[terminal]") {
   for (const std::string arguments : {"list 3.5", "verify '[3.5]'", "chart 3.5", "stability 3.5", "solve 3.5",
                                       "choose 3.5 --error 1deg --horizon 1"}) {
     INFO(arguments);
@@ -242,7 +242,7 @@ TEST_CASE("tables come as CSV and as JSON, and help names their columns", "[term
              "\n3.5,quarter_period,sqrt(L/2g),singular integrand,QAGS,double,tolerance,0.01,"));
 }
 
-TEST_CASE("what takes long says how far it is, on a terminal in one line", "[terminal]") {
+TEST_CASE("a long run reports its progress, on a terminal in one line", "[terminal]") {
   if (!has_terminals()) SKIP(no_terminals);
   const std::string question = "choose 3.25 --error 1mm --horizon 31 --fps 600 --thorough --time-limit 8s";
   const Ran terminal = on_terminal(40, question);
@@ -259,7 +259,8 @@ TEST_CASE("what takes long says how far it is, on a terminal in one line", "[ter
   CHECK_FALSE(says(run("list 3.5"), "oddity: "));
 }
 
-TEST_CASE("the completion knows the verbs, their options and the exercises, and runs nothing", "[terminal]") {
+TEST_CASE("the completion knows the commands, their options and the exercises, and runs nothing",
+          "[terminal]") {
   const auto completed = [](const std::string& words) {
     return shell("bash -c 'source <('$oddity' --completion); PATH=; COMP_WORDS=(/none/oddity " + words +
                  "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _oddity; echo ${COMPREPLY[*]}'")
@@ -275,7 +276,7 @@ TEST_CASE("the completion knows the verbs, their options and the exercises, and 
   CHECK(completed("sweep merge /tmp/map --o") == "--out\n");
 }
 
-TEST_CASE("the manual page has every verb and no path of this build", "[terminal]") {
+TEST_CASE("the manual page has every command and no path of this build", "[terminal]") {
   const Ran made = run("--manual");
   CHECK(made.status == 0);
   for (const char* verb : {"list", "verify", "solve", "chart", "stability", "choose", "bench", "engines",
@@ -285,7 +286,8 @@ TEST_CASE("the manual page has every verb and no path of this build", "[terminal
   CHECK_FALSE(says(made, ODDITY_SOURCE "/"));
 }
 
-TEST_CASE("a verb says what it needs once its arguments are found good, and does nothing", "[terminal]") {
+TEST_CASE("a command reports its missing needs once its arguments are valid, and does nothing",
+          "[terminal]") {
   const ScratchFolder scratch;
   const std::string out = (scratch.path() / "out").string();
   CHECK(run("--needs").output ==
@@ -317,7 +319,7 @@ TEST_CASE("a verb says what it needs once its arguments are found good, and does
 
 TEST_CASE("one body needs no lanes: every form of its answer comes from the program alone", "[terminal]") {
   namespace fs = std::filesystem;
-  const ScratchFolder scratch;  // as it is installed
+  const ScratchFolder scratch;  // as installed
   const fs::path prefix = scratch.path();
   fs::create_directories(prefix / "bin");
   fs::create_directories(prefix / "share/oddity");

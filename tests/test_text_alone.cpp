@@ -1,4 +1,4 @@
-// Readings that are stated as text alone: their value, their single changes, and what is refused.
+// Readings that are stated as text only: their value, their single changes, and refusals.
 
 #include <algorithm>
 #include <string>
@@ -35,7 +35,7 @@ double value(const std::string& text, const TypesetLetters& letters) {
 
 }  // namespace
 
-TEST_CASE("a reading of text alone has the value of its text", "[claims]") {
+TEST_CASE("a reading of text only has the value of its text", "[claims]") {
   const Claim right = claim({.truth = truth, .printed = {"$x^2-2y$"}});
   CHECK(verdict(right) == Verdict::confirmed);
   CHECK(right.printed.as_typeset);
@@ -49,7 +49,7 @@ TEST_CASE("every single change of a right text is a near miss, and the hardest t
   REQUIRE(right.near_misses.size() == 1);
   CHECK_FALSE(right.near_misses[0].holds());
   CHECK(right.near_misses[0].text.find("the hardest to see of ") != std::string::npos);
-  // Stated by a function, it has those alone that are given.
+  // If stated by a function, it has only the given ones.
   CHECK(claim({.truth = truth, .printed = {"$x^2-2y$", truth.of}}).near_misses.empty());
 }
 
@@ -64,13 +64,13 @@ TEST_CASE("a change that holds leaves a claim unsettled, unless the reason is kn
   CHECK(known.near_misses[0].text.ends_with("others hold: a factor of zero is free"));
 }
 
-TEST_CASE("changes that are no change are not counted", "[claims]") {
+TEST_CASE("changes without an effect are not counted", "[claims]") {
   std::vector<TypesetSample> samples;
   for (const Point& p : draw<Point>(4, 1)) samples.push_back({p.typeset(), 2 * p.x});
   const Changes changes = changes_of(TypesetFormula("$x+x$"), samples);
   CHECK(changes.equal == 0);
   CHECK(changes_of(TypesetFormula("$(1,1)\\cdot(x,x)$"), samples).equal == 2);  // components exchanged
-  // Of a row they are equal, however roundly its forms are; within a product they are not.
+  // In a row they are equal, however its forms are rounded; within a product they are not.
   const Changes row = changes_of(TypesetFormula("$(x+x,\\ 2x)$"), samples);
   const auto exchanged = [](const ChangedFormula& changed) {
     return changed.change == "components exchanged";
@@ -82,7 +82,7 @@ TEST_CASE("changes that are no change are not counted", "[claims]") {
   CHECK(changes_of(TypesetFormula("$x$"), {}).hardest_first.empty());
 }
 
-TEST_CASE("forms of one quantity may stand in any order", "[claims]") {
+TEST_CASE("forms of one quantity may be in any order", "[claims]") {
   const Formula<Point> twice{"by hand, twice", [](const Point& p) {
                                const double z = p.x * p.x - 2 * p.y;
                                return Value{z, z};
@@ -90,12 +90,12 @@ TEST_CASE("forms of one quantity may stand in any order", "[claims]") {
   CHECK(verdict(claim({.truth = twice, .printed = {"$(x^2-2y,\\ xx-y-y)$"}})) == Verdict::confirmed);
 }
 
-TEST_CASE("a lone number is compared with each of the forms in a row", "[claims]") {
+TEST_CASE("a single number is compared with each of the forms in a row", "[claims]") {
   CHECK(verdict(claim({.truth = truth, .printed = {"$(x^2-2y,\\ xx-y-y)$"}})) == Verdict::confirmed);
   CHECK(verdict(claim({.truth = truth, .printed = {"$(x^2-2y,\\ xx-y)$"}})) != Verdict::confirmed);
 }
 
-TEST_CASE("a statement of text alone is its relation", "[claims]") {
+TEST_CASE("a statement of text only is its relation", "[claims]") {
   const auto judge = [](const StatementClaim<Point>& parts) {
     Claims claims("9.9");
     claims.statement("text", 1, "text", draw<Point>(40, 1), parts);
@@ -138,7 +138,7 @@ TEST_CASE("sums of a text are recorded over any number of particles", "[claims][
         "c * (total l (fun m x => m * x)) - (total l (fun m x => m))");
 }
 
-TEST_CASE("an equation's value is what its sides differ by, but for a name on the left", "[claims]") {
+TEST_CASE("an equation's value is the difference of its sides, except with a name on the left", "[claims]") {
   const TypesetLetters letters{{"x", 3}, {"y", 5}};
   CHECK(value("$x+y$", letters) == 8);
   CHECK(value("$2x=y$", letters) == 1);

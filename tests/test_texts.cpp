@@ -1,4 +1,4 @@
-// The pages that a reader of the repository finds: their links, their length, and the counts that they name.
+// The pages for readers of the repository: their links, their length, and the counts that they state.
 
 #include <algorithm>
 #include <cctype>
@@ -18,7 +18,7 @@ namespace {
 
 const fs::path tree = ODDITY_SOURCE;
 
-/// Every page, but those that the program writes.
+/// All pages except those written by the program.
 std::vector<fs::path> pages() {
   std::vector<fs::path> found{tree / "README.md", tree / "ARCHITECTURE.md", tree / "CONTRIBUTING.md"};
   for (const char* room : {"chapters", "cmake", "docs", "extras", "reference", "report", "solvers", "tests"})
@@ -88,7 +88,7 @@ TEST_CASE("every link of the pages leads somewhere", "[texts]") {
   CHECK(links > 100);
 }
 
-TEST_CASE("the files that the pages' tables name are there", "[texts]") {
+TEST_CASE("the files named in the pages' tables exist", "[texts]") {
   const std::regex named(R"(`([a-z0-9_./]+\.(cpp|hpp|csv|cmake|mjs|js|json|sh|gp))`)");
   for (const fs::path& page : pages()) {
     if (page.filename() != "README.md") continue;
@@ -106,14 +106,14 @@ TEST_CASE("the files that the pages' tables name are there", "[texts]") {
   }
 }
 
-TEST_CASE("the way in is short", "[texts]") {
+TEST_CASE("the introduction is short", "[texts]") {
   const std::string first = text_of(tree / "README.md");
   CHECK(std::ranges::count(first, '\n') <= 150);
   CHECK(fs::file_size(tree / "ARCHITECTURE.md") <= 8192);
   CHECK(fs::file_size(tree / "CONTRIBUTING.md") <= 10240);
 }
 
-TEST_CASE("the first page has the counts on record", "[texts]") {
+TEST_CASE("the first page has the recorded counts", "[texts]") {
   const std::string page = words_of(text_of(tree / "README.md"));
   std::map<std::string, int> count;
   const auto verdicts = oddity::read_verdicts(tree / "reference/approved");
@@ -133,7 +133,7 @@ TEST_CASE("the first page has the counts on record", "[texts]") {
   CHECK(page.find(proved[1].str() + " proofs by Coq") != std::string::npos);
 }
 
-TEST_CASE("what trust is shown to print is on its page", "[texts]") {
+TEST_CASE("the output of trust shown in the README agrees with its page", "[texts]") {
   const std::string shown = text_of(tree / "report/README.md"), page = text_of(tree / "report/book/trust.md");
   const std::regex line(R"(\n  ([a-z]+) +(\d+ of \d+) )");
   const std::size_t begin = shown.find("$ ./oddity trust");
@@ -166,7 +166,7 @@ TEST_CASE("the findings on the first page have the numbers of their pages", "[te
         std::string::npos);
 }
 
-TEST_CASE("no engine follows the heavy top by its defaults, as the first page says", "[texts]") {
+TEST_CASE("no engine follows the heavy top by its defaults, as the first page states", "[texts]") {
   std::istringstream in(text_of(tree / "report/engines.md"));
   std::ptrdiff_t column = -1;
   int engines = 0;

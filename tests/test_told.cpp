@@ -1,4 +1,4 @@
-// What breakdowns say of their trials is read off these: no measured number is typed into a sentence.
+// Results in the texts of breakdowns come from their trials: no measured number is typed into a sentence.
 
 #include <array>
 #include <regex>
@@ -14,7 +14,7 @@ using namespace oddity;
 
 namespace {
 
-/// Numbers that stay typed, and why: none of them is measured.
+/// Typed numbers that are allowed, with the reason: none of them is measured.
 struct Stays {
   std::string_view words, because;
 };
@@ -66,10 +66,10 @@ constexpr Stays stays[] = {
     {"$10^{", in_radix},
 };
 
-/// The text without its places, without code, and without the numbers that stay.
+/// The text without placeholders, code and allowed numbers.
 std::string without_what_stays(std::string text, std::set<std::string_view>& seen) {
   text = std::regex_replace(text, std::regex("@[1-9]|`[^`]*`"), "");
-  // The longest first: some contain others.
+  // The longest first, as some contain others.
   std::vector<Stays> all(std::begin(stays), std::end(stays));
   std::ranges::stable_sort(all, std::greater{}, [](const Stays& s) { return s.words.size(); });
   for (const Stays& s : all)
@@ -80,8 +80,8 @@ std::string without_what_stays(std::string text, std::set<std::string_view>& see
   return text;
 }
 
-/// The first number that no formula has as a coefficient, an index or an exponent of one digit. A small
-/// number that is a word counts what the sentence names, unless it is of what one measures.
+/// The first number that is no coefficient, index or exponent of one digit in a formula. A small number in
+/// words counts things named in the sentence, unless a unit of measurement follows.
 std::string number_in(const std::string& text) {
   const std::regex in_formula(R"(\d[\d.]+|\\cdot\s*10)"),
       in_words(
@@ -110,7 +110,7 @@ std::vector<Breakdown> breakdowns() {
   return all;
 }
 
-/// What is said of an exercise beside its claims' readings, its places not filled in.
+/// Texts of an exercise apart from its claims' readings, with placeholders.
 struct Said {
   std::string where, text;
 };
@@ -133,7 +133,7 @@ std::vector<Said> said_unfilled() {
     }
     for (const Root& r : findings.roots) add(number + " " + r.name + ": shows", r.shows);
     for (const Quantity& q : findings.quantities) {
-      // Its first words are what is needed, which is set and not found.
+      // The text begins with the tolerance, which is set and not measured.
       const std::size_t set = std::min(q.need.reason.find_first_of(":;"), q.need.reason.size());
       add(number + " " + q.name + ": need", q.need.reason.substr(set));
       for (const auto* methods : {&q.methods, &q.methods_in_float})
@@ -146,7 +146,7 @@ std::vector<Said> said_unfilled() {
 
 }  // namespace
 
-/// Numbers of whys, roots' consequences, needs and tolerances that stay typed, and why.
+/// Allowed typed numbers in explanations, roots' consequences, needs and tolerances, with the reason.
 struct Pattern {
   const char* words;
   std::string_view because;
@@ -225,7 +225,7 @@ TEST_CASE("no measured number is typed into a why, a consequence, or the reason 
   }
 }
 
-TEST_CASE("a breakdown's numbers are those of its own trials", "[claims]") {
+TEST_CASE("a breakdown's numbers come from its trials", "[claims]") {
   Quantity q{"x", "m", "a length", {"known", 2.0}, 0, {}};
   Trial coarse{}, fine{};
   coarse.setting = 0.125, coarse.error = 0.021;
@@ -244,7 +244,7 @@ TEST_CASE("a breakdown's numbers are those of its own trials", "[claims]") {
   CHECK_THROWS_AS(text_of(b, q, coarse, fine), std::logic_error);
 }
 
-TEST_CASE("a breakdown tells of the parameters that were asked for", "[claims]") {
+TEST_CASE("a breakdown reports the requested parameters", "[claims]") {
   const auto pendulum =
       std::ranges::find_if(registry(), [](const Entry& e) { return to_string(e.number) == "3.5"; });
   Task task(*pendulum);

@@ -22,7 +22,7 @@ const std::filesystem::path tables = std::filesystem::path(ODDITY_SOURCE) / "ref
 constexpr const char* one_proof = "claim,hash,proved,margin\n9.9-y,0,\"it is two\",1\n";
 constexpr const char* header = "claims,stated,standing,why\n";
 
-/// The folder of the reference tables, with other records of the tests that take long.
+/// The folder of the reference tables, with other records of the long tests.
 struct WithRecords : ScratchFolder {
   WithRecords(std::initializer_list<std::pair<std::string, std::string>> records) {
     for (const auto& entry : std::filesystem::directory_iterator(tables))
@@ -44,7 +44,7 @@ Trust trust_with(const WithRecords& folder) {
 
 }  // namespace
 
-TEST_CASE("every claim is proved, or it is on record why not", "[trust]") {
+TEST_CASE("every claim is proved, or has a recorded reason why not", "[trust]") {
   const Standings standings(tables / "approved");
   const Reference truth(tables);
   std::set<std::string> asked;
@@ -77,7 +77,7 @@ TEST_CASE("a broken row of unproved.csv is named", "[trust]") {
   CHECK(said("1.1,cases,computed,so\n1.1,cases,provable,so\n") == ":3: a second row of 1.1 cases");
 }
 
-TEST_CASE("trust counts what is on record, and says what is not", "[trust]") {
+TEST_CASE("trust counts the records, and lists missing ones", "[trust]") {
   const Trust trust = trust_with(WithRecords{
       {"mutation.csv",
        "date,commit,room,mutants,tried,killed,with_reason,survived,first_tried,first_killed\n"
@@ -97,7 +97,7 @@ TEST_CASE("trust counts what is on record, and says what is not", "[trust]") {
   has("proved,claims,1,3,1 printed value is proved wrong");
   has("provable,so,1,3");
   has("wording,as said,1,3");
-  has("witnessed,errata,0,1");  // those of the book are not these results
+  has("witnessed,errata,0,1");  // the book's errata are not these results
   has("killed,mutants tried,26,30,23 of 31 as first drawn,2026-01-03");
   has("killed,chapters,17,20,\"2 survived with a reason, 1 without; as first drawn 15 of 21 killed; 30 in all\"");
   has("fuzzed,plan,999,1000,in 2.5 s,2026-01-02,abc");
@@ -114,7 +114,7 @@ TEST_CASE("a record without a column is named", "[trust]") {
   CHECK(complaint([&] { read_trust(folder.path()); }).ends_with("faults.csv:1: there is no column failures"));
 }
 
-TEST_CASE("what is proved says so in the report and on the site", "[trust]") {
+TEST_CASE("proofs are mentioned in the report and on the site", "[trust]") {
   const ProvedClaims proved{{"9.9-x", {"0", "it is one"}}, {"9.9-y", {"0", "it is two", 1}}};
   const Results results = sample();
   const std::string page = exercise_page_text(results, results.exercises[0], proved);
@@ -125,7 +125,7 @@ TEST_CASE("what is proved says so in the report and on the site", "[trust]") {
         std::string::npos);
 }
 
-TEST_CASE("the site's page of trust says what each of its words means", "[trust]") {
+TEST_CASE("the site's page of trust explains each of its words", "[trust]") {
   const std::string page =
       trust_html(sample(), read_trust(std::filesystem::path(ODDITY_SOURCE) / "reference"));
   for (const char* part :
@@ -133,7 +133,7 @@ TEST_CASE("the site's page of trust says what each of its words means", "[trust]
     INFO(part);
     CHECK(page.find("<th scope=\"row\">" + std::string(part) + "</th>") != std::string::npos);
   }
-  CHECK(page.find("<td></td><td>Coq") == std::string::npos);  // a row without a meaning
+  CHECK(page.find("<td></td><td>Coq") == std::string::npos);  // a row without an explanation
   for (auto at = page.find("<tr><th scope=\"row\">"); at != std::string::npos;
        at = page.find("<tr><th scope=\"row\">", at + 1))
     CHECK(page.substr(at, page.find("</tr>", at) - at).find("<td></td><td>") == std::string::npos);

@@ -1,4 +1,4 @@
-// The tools that the reference tables are made with, on problems whose solutions are known to 40 digits.
+// The tools for generating the reference tables, on problems with solutions known to 40 digits.
 
 #include <set>
 #include <string>
@@ -41,7 +41,7 @@ void check_solution(const Rhs& rhs, const Numbers& start, const Number& t0, cons
 
 }  // namespace
 
-TEST_CASE("Taylor and extrapolation: the exponential, forward, backward and not at all", "[reference]") {
+TEST_CASE("Taylor and extrapolation: the exponential, forward, backward and over no time", "[reference]") {
   const auto rhs = [](const auto& x, const auto&) { return std::vector{x[0]}; };
   check_solution(rhs, {1}, 0, 1, exp(Number(1)));
   check_solution(rhs, {1}, 0, -2, exp(Number(-2)));
@@ -72,7 +72,7 @@ TEST_CASE("Taylor and extrapolation: up to a pole, and not through it", "[refere
   CHECK_THROWS_AS(solve_extrapolation(rhs, {1}, 0, 2, digits), std::runtime_error);
 }
 
-TEST_CASE("extrapolation stops when its budget is spent, and says where", "[reference]") {
+TEST_CASE("extrapolation stops when its budget is spent, and reports where", "[reference]") {
   const auto fast = [](const Numbers& x, const Number&) {
     return Numbers{1000000 * x[1], Number(-1000000 * x[0])};
   };
@@ -85,7 +85,7 @@ TEST_CASE("extrapolation stops when its budget is spent, and says where", "[refe
   }
 }
 
-TEST_CASE("Taylor stops when its budget of expansions is spent, and says where", "[reference]") {
+TEST_CASE("Taylor stops when its budget of expansions is spent, and reports where", "[reference]") {
   const auto fast = [](const auto& x, const auto&) { return std::vector{1000000 * x[1], -1000000 * x[0]}; };
   const auto spent_by = [](const auto& solve) -> std::string {
     try {
@@ -98,7 +98,7 @@ TEST_CASE("Taylor stops when its budget of expansions is spent, and says where",
   const std::string alone = spent_by([&] { TaylorProblem(fast, 2).solve({1, 0}, 0, 100, 6, 100); });
   CHECK(alone.find("the budget of 100 expansions of the right-hand side is spent at t = ") !=
         std::string::npos);
-  // A motion has one budget for all its times, and more of it where it is watched.
+  // A motion has one budget for all its times, and a larger one if it is watched.
   for (bool watched : {false, true}) {
     const long allowed = most_expansions * (watched ? 50 : 1);
     long ticks = 0;
@@ -128,7 +128,7 @@ TEST_CASE("extrapolation has one budget for all times of a motion", "[reference]
       BudgetSpent);
 }
 
-TEST_CASE("a motion that takes too long to make is refused by its exercise, table and parameters",
+TEST_CASE("a motion that takes too long is refused with its exercise, table and parameters",
           "[reference][slow]") {
   const Reference stored(std::string(ODDITY_SOURCE) + "/reference");
   const std::vector<double> stiff{0.3, 0.4, 1.5, 900000, 2, 9.81, 2, 0.8, -2};
@@ -145,7 +145,7 @@ TEST_CASE("a motion that takes too long to make is refused by its exercise, tabl
   CHECK(says.find("Ask for ") != std::string::npos);
 }
 
-TEST_CASE("a bar that turns over and over on a strong spring keeps its constraint", "[reference]") {
+TEST_CASE("a bar that turns over repeatedly on a strong spring keeps its constraint", "[reference]") {
   const std::vector<double> start{0.3, 0.4, 1.5, 900, 2, 9.81, 0.5, 0.8, -2, 1};
   for (const Entry& entry : registry())
     if (entry.name == "03_23_swing") CHECK(make_row(entry.make(), start, 12).error < 1e-11);
@@ -189,7 +189,7 @@ TEST_CASE("a tape computes no sum, product, quotient or function twice", "[refer
   const Jet x = recorded.variable(), y = recorded.variable();
   const auto nodes = [&] { return recorded.tape.nodes().size(); };
   const Jet product = x * y, sine = sin(x);
-  CHECK(nodes() == 5);  // the cosine beside the sine
+  CHECK(nodes() == 5);  // the cosine next to the sine
   CHECK((x * y).node == product.node);
   CHECK(sin(x).node == sine.node);
   CHECK(cos(x).node == sine.node + 1);
@@ -201,7 +201,7 @@ TEST_CASE("a tape computes no sum, product, quotient or function twice", "[refer
 }
 
 TEST_CASE("Taylor: numbers on either side of every operator", "[reference]") {
-  // x' = (2 - (x - 1))/1 + 0 x - ... written to use each form once; x' = 3 - x: x = 3 - 2 exp(-t).
+  // x' = (2 - (x - 1))/1 + 0 x - ... uses each form once; x' = 3 - x: x = 3 - 2 exp(-t).
   const auto rhs = [](const auto& x, const auto&) {
     const Number one = 1, two = 2;
     return std::vector{(two - (x[0] - one)) / one + (x[0] * two - two * x[0]) + (one + x[0]) - (x[0] + one)};
@@ -215,7 +215,7 @@ TEST_CASE("Taylor: a problem can be solved from more than one start", "[referenc
   CHECK(agree(problem.solve({2}, 1, 0, digits)[0], 2 * exp(Number(-1))));
 }
 
-TEST_CASE("the number of digits asked for is the number that comes", "[reference]") {
+TEST_CASE("the result has the requested number of digits", "[reference]") {
   const auto rhs = [](const auto& x, const auto& t) { return std::vector{x[0] * cos(t)}; };
   for (int asked : {10, 20, 30, 42}) {
     const Number allowed = pow(Number(10), 2 - asked), exact = exp(sin(Number(3)));
@@ -261,7 +261,7 @@ TEST_CASE("double-exponential quadrature: smooth and singular integrands", "[ref
 
 namespace {
 
-/// What a route is named by, when it integrates a differential equation; "" for one that does not.
+/// Name of a route's algorithm, if it integrates a differential equation; otherwise "".
 std::string integrator(const std::string& route) {
   for (const char* name : {"Taylor", "extrapolated midpoint"})
     if (route.find(name) != std::string::npos) return name;

@@ -1,4 +1,4 @@
-// Formulas of TeX, read and computed.
+// Formulas in TeX, read and evaluated.
 
 #include <cmath>
 #include <limits>
@@ -29,7 +29,7 @@ bool unread(const char* formula) { return !typeset_value(formula, letters); }
 
 }  // namespace
 
-TEST_CASE("a formula of TeX is what a reader takes it for", "[typeset]") {
+TEST_CASE("a formula in TeX has its usual meaning", "[typeset]") {
   CHECK(number("2m+m_2") == 7);
   CHECK(number("-m^2t") == -2);
   CHECK(near_ulps(number("m/m_2t"), 2.0 / 3 * 0.5, 2));
@@ -44,7 +44,7 @@ TEST_CASE("a formula of TeX is what a reader takes it for", "[typeset]") {
   CHECK(number(R"(\pi)") == std::numbers::pi);
 }
 
-TEST_CASE("a function is of what follows it", "[typeset]") {
+TEST_CASE("a function applies to the factors after it", "[typeset]") {
   CHECK(near_ulps(number(R"(m\cos\omega t)"), 2 * std::cos(2), 2));
   CHECK(near_ulps(number(R"(\sin\theta\cos\theta)"), std::sin(0.3) * std::cos(0.3), 2));
   CHECK(near_ulps(number(R"(\sin\theta\,m)"), std::sin(0.3) * 2, 2));
@@ -91,7 +91,7 @@ TEST_CASE("matrices are letters of four or nine numbers", "[typeset]") {
   for (const char* formula : {"Db", "RD", "R^2", "|R|", "(0,1;2)"}) CHECK_FALSE(typeset_value(formula, all));
 }
 
-TEST_CASE("a sum is over all that has its index", "[typeset]") {
+TEST_CASE("a sum runs over all values of its index", "[typeset]") {
   TypesetLetters all{{"c", 10}};
   for (int i = 1; i <= 12; ++i) all.emplace_back("m_{" + std::to_string(i) + "}", i);
   all.insert(all.end(), {{"y_1'", 2}, {"y_2'", 3}, {"a_{11}", 1}, {"a_{21}", 5}, {"n_2", 2}});
@@ -109,7 +109,7 @@ TEST_CASE("a sum is over all that has its index", "[typeset]") {
     CHECK_FALSE(typeset_value(formula, all));
 }
 
-TEST_CASE("indices that no sum is written of are free, or twice in a product", "[typeset]") {
+TEST_CASE("indices without a sum are free, or summed if they occur twice in a product", "[typeset]") {
   const TypesetLetters all{{"f_0", 1},     {"f_1", 2},     {"f_2", 3},      {"g_0", 4},
                            {"g_1", 5},     {"g_2", 6},     {"h_{0,0}", 1},  {"h_{0,1}", 2},
                            {"h_{0,2}", 3}, {"h_{1,0}", 4}, {"h_{1,1}", 5},  {"h_{1,2}", 6},
@@ -128,7 +128,7 @@ TEST_CASE("indices that no sum is written of are free, or twice in a product", "
     CHECK_FALSE(typeset_value(formula, all));
 }
 
-TEST_CASE("derivatives are along the letters' rates, integrals between their bounds", "[typeset]") {
+TEST_CASE("derivatives use the letters' rates, integrals run between their bounds", "[typeset]") {
   const TypesetLetters all{{R"(\theta)", 0.7}, {R"(\dot\theta)", 3}, {R"(\ddot\theta)", -2}, {"m", 5},
                            {"T", 2},           {R"(\pm)", -1}};
   const auto near = [&](const char* formula, double value) {
@@ -144,7 +144,7 @@ TEST_CASE("derivatives are along the letters' rates, integrals between their bou
     CHECK_FALSE(typeset_value(formula, all));
 }
 
-TEST_CASE("an integral along a curve is over the nodes that its letters are known at", "[typeset]") {
+TEST_CASE("an integral along a curve is over the nodes of its letters", "[typeset]") {
   // x = s from 0 to 2 at 20 midpoints, on which F is (1, s)
   std::vector<double> ds, delta, F;
   for (int i = 0; i < 20; ++i) {
@@ -177,7 +177,7 @@ TEST_CASE("a sum over permutations has their signs", "[typeset]") {
     CHECK_FALSE(typeset_value(formula, all));
 }
 
-TEST_CASE("a sentence of a formula is so or not", "[typeset]") {
+TEST_CASE("a relation between formulas is true or false", "[typeset]") {
   const TypesetLetters all{{"x", -2}, {"y", 3}, {"z", {1, -1}}, {"o", {0, 0}}, {"u", 1e8}, {"v", 1e-9}};
   const auto so = [&](const char* formula) { return *typeset_relation(formula, all); };
   for (const char* formula : {"x<0", "0<y", "y>x", R"(x\le-2)", R"(y\ge3)", R"(x\ne y)", "x+y=1", "o=0",
@@ -199,13 +199,13 @@ TEST_CASE("a sentence of a formula is so or not", "[typeset]") {
   CHECK_FALSE(compare_typeset("$x<0$", Said{}).read);
 }
 
-TEST_CASE("what has another meaning is not read", "[typeset]") {
+TEST_CASE("text with another meaning is not read", "[typeset]") {
   for (const char* formula :
        {"q", "m_1", "m'", "I_x", R"(\sum m)", "m>0", "(m", "m)", "", "m^T", R"(\frac m)"})
     CHECK(unread(formula));
 }
 
-TEST_CASE("what is typeset has to be what is computed", "[typeset]") {
+TEST_CASE("a typeset formula must equal the computed one", "[typeset]") {
   const auto typeset = [](const char* text, double computed) {
     return compare_typeset(text, {{letters, Value(computed)}});
   };
@@ -213,7 +213,7 @@ TEST_CASE("what is typeset has to be what is computed", "[typeset]") {
   CHECK_FALSE(typeset("$m+1$", 3.001).read);
   CHECK(typeset("$m+1$", 3.001).difference == "$m+1$ is typeset, which is (3), and (3.001) is computed");
   CHECK(typeset("$m_2=m+1$", 3).read);
-  CHECK(typeset("$m_2=m$", 1).read);  // what the sides differ by
+  CHECK(typeset("$m_2=m$", 1).read);  // difference of the sides
   CHECK_FALSE(typeset("$m_2=m$", 4).difference.empty());
   CHECK(typeset("$q=m$", 2).read);
   for (const char* text : {"$q=m$", "the mass $m$", "$q$"}) {
@@ -231,7 +231,7 @@ TEST_CASE("what is typeset has to be what is computed", "[typeset]") {
   CHECK(compare_typeset("$m$", {{letters, Value(none)}, {letters, Value(2)}}).read);
 }
 
-TEST_CASE("an equation of which one side is computed has no other that is something else", "[typeset]") {
+TEST_CASE("an equation with one computed side must have no other value on the other side", "[typeset]") {
   const auto unequal = [](const char* text, const Value& computed) {
     const Typesetting typeset = compare_typeset(text, {{letters, computed}});
     CHECK(typeset.read);
@@ -240,14 +240,14 @@ TEST_CASE("an equation of which one side is computed has no other that is someth
   CHECK(unequal("$m+1=m_2+1$", 3));
   CHECK(unequal("$m+1=m_2=m_2+1$", 3));
   CHECK_FALSE(unequal("$m+1=m_2$", 3));
-  CHECK_FALSE(unequal("$m+1=q$", 3));  // which is not read
-  CHECK_FALSE(unequal("$m+1=0$", 3));  // which holds on some motion
-  CHECK_FALSE(unequal("$m=m_2$", 3));  // the letter that it is called by
-  CHECK_FALSE(unequal("$m_2=m$", 1));  // what the sides differ by
+  CHECK_FALSE(unequal("$m+1=q$", 3));  // not read
+  CHECK_FALSE(unequal("$m+1=0$", 3));  // it may hold on some motion
+  CHECK_FALSE(unequal("$m=m_2$", 3));  // the letter that names it
+  CHECK_FALSE(unequal("$m_2=m$", 1));  // difference of the sides
   CHECK_FALSE(unequal("$m+1=m_2+1$", {3, 4}));
 }
 
-TEST_CASE("several numbers are an equation's sides in a row, or one number over and over", "[typeset]") {
+TEST_CASE("several numbers are the sides of an equation in a row, or one number repeated", "[typeset]") {
   const auto typeset = [](const char* text, const Value& computed) {
     return compare_typeset(text, {{letters, computed}});
   };
@@ -257,7 +257,7 @@ TEST_CASE("several numbers are an equation's sides in a row, or one number over 
   CHECK(typeset("$m=m+1=2m_2$", {2, 3}).read);
   CHECK_FALSE(typeset("$m=m+1=2m_2$", {3, 7}).read);
   CHECK(typeset("$m+1$", {3, 3, 3}).read);
-  CHECK_FALSE(typeset("$q+1=m+1$", {3, 3}).read);  // both are computed, and one is not read
+  CHECK_FALSE(typeset("$q+1=m+1$", {3, 3}).read);  // both are computed, and one cannot be read
   CHECK_FALSE(typeset("$m+1$", {4, 4}).difference.empty());
   CHECK_FALSE(typeset("$m+1$", {3, 4}).read);
 }
@@ -271,13 +271,13 @@ TEST_CASE("terms that cancel are compared by their size", "[typeset]") {
   CHECK(typeset("$x-3y=0$", 1e-10).read);
 }
 
-TEST_CASE("one who asks whether a formula is as typeset is told what it is instead", "[typeset]") {
+TEST_CASE("a check that a formula is as typeset reports the actual formula", "[typeset]") {
   CHECK(is_as_typeset({true, "", ""}));
   CHECK_FALSE(is_as_typeset({false, "", ""}));
   CHECK_THROWS_AS(is_as_typeset({false, "another", ""}), std::logic_error);
 }
 
-TEST_CASE("letters are told as they are typeset", "[typeset]") {
+TEST_CASE("letters are listed as they are typeset", "[typeset]") {
   CHECK(told(letters, 3) == "$m$ = 2, $m_2$ = 3, $I_{xx}$ = 5");
   CHECK(told({{"u", {1, 0.5, -2}}}, 1) == "$u$ = (1, 0.5, -2)");
 }

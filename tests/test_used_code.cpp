@@ -1,4 +1,4 @@
-// Of code that is printed only what it needs stays.
+// Printed code contains only the parts that it needs.
 
 #include <string>
 
@@ -66,7 +66,7 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 
 }  // namespace
 
-TEST_CASE("what a program mentions stays with what that mentions", "[code]") {
+TEST_CASE("code that a program mentions stays, with everything that it mentions in turn", "[code]") {
   const std::string used = used_code(code, "Model<double> model; model.start();");
   INFO(used);
   for (const char* part :
@@ -90,13 +90,13 @@ TEST_CASE("overloads stay together, and comments and literals mention nothing", 
   CHECK(has(used_code(code, "Way::one"), "enum class Way { one, other };"));
 }
 
-TEST_CASE("what does not read as declarations stays as it is", "[code]") {
+TEST_CASE("text that does not parse as declarations is unchanged", "[code]") {
   for (const std::string text : {"struct A {", "}", "struct A {}; }", "int x", "namespace a {\nint y;"})
     CHECK(used_code(text, "") == text);
   CHECK(used_code("", "A").empty());
 }
 
-TEST_CASE("standard headers stay where something of them is mentioned", "[code]") {
+TEST_CASE("standard headers stay if something of them is mentioned", "[code]") {
   CHECK(needs_standard("array", "std::array<int, 2> a;"));
   CHECK_FALSE(needs_standard("array", "int array;"));
   CHECK(needs_standard("cmath", "x = sqrt(2);"));

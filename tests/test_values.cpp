@@ -6,7 +6,7 @@ using namespace oddity;
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-TEST_CASE("NaN, infinity and unlike sizes never compare", "[values]") {
+TEST_CASE("NaN, infinity and different sizes never compare", "[values]") {
   CHECK(std::isnan(distance(Value{1, no_number}, {1, 2})));
   CHECK(std::isnan(distance({infinity}, {infinity})));
   CHECK(std::isnan(distance({1, 2}, {1})));
@@ -14,7 +14,7 @@ TEST_CASE("NaN, infinity and unlike sizes never compare", "[values]") {
   CHECK(distance({1, 2}, {1, 4}) == 2);
 }
 
-TEST_CASE("a check holds within its tolerance and never on NaN, infinity or nothing", "[values]") {
+TEST_CASE("a check holds within its tolerance, and never for NaN, infinity or an empty value", "[values]") {
   const auto check = [](Value left, Value right, double allowed) {
     return Check{"x", {"a", std::move(left)}, {"b", std::move(right)}, {allowed, "a test"}}.holds();
   };
@@ -27,14 +27,14 @@ TEST_CASE("a check holds within its tolerance and never on NaN, infinity or noth
   CHECK_FALSE(check(Value(), Value(), 1));
 }
 
-TEST_CASE("statements about no sample do not hold", "[values]") {
+TEST_CASE("statements without samples do not hold", "[values]") {
   CHECK(no_violations("bad", 0, 10).holds());
   CHECK_FALSE(no_violations("bad", 1, 10).holds());
   CHECK_FALSE(no_violations("bad", 0, 0).holds());
   CHECK_FALSE(WorstSample("x", "a", "b").check().holds());
 }
 
-TEST_CASE("of samples that are as far off the first is kept, whatever roundings say", "[values]") {
+TEST_CASE("among samples with equal errors the first is kept, whatever the roundings", "[values]") {
   WorstSample worst("x", "a", "b");
   worst.add(1.0, 2.0, 1.0, "first");
   worst.add(1.0, 2.0 + 1e-12, 1.0, "off by a rounding more");
@@ -43,7 +43,7 @@ TEST_CASE("of samples that are as far off the first is kept, whatever roundings 
   CHECK(worst.check().where == "worst of 3: off by more");
 }
 
-TEST_CASE("a sample that is beyond its tolerance is not hidden by one that is hardly within", "[values]") {
+TEST_CASE("a sample beyond its tolerance is not hidden by one barely within", "[values]") {
   WorstSample worst("x", "a", "b");
   worst.add(0.0, 1.0, {1, "a test"}, 1, "within");
   CHECK(worst.check().holds());
@@ -80,7 +80,7 @@ TEST_CASE("the first reading that holds decides; a near miss that holds unsettle
   CHECK(judged(yes, none, none, {no, yes}) == Verdict::unsettled);
 }
 
-TEST_CASE("what our copy has lost is no misprint, and what holds in the cases in view is no wrong claim",
+TEST_CASE("text lost in our copy is no misprint, and a claim that holds in the considered cases is not wrong",
           "[values]") {
   const Reading yes{"", {{"x", {"a", 1}, {"b", 1}, exact()}}}, no{"", {{"x", {"a", 1}, {"b", 2}, exact()}}};
   Claim claim{.printed = no, .meant = yes, .kind = Fault::lost_typography};
@@ -102,7 +102,7 @@ TEST_CASE("what our copy has lost is no misprint, and what holds in the cases in
   CHECK(verdict(claim) == Verdict::confirmed);
 }
 
-TEST_CASE("a claim that cannot be judged says why and has no readings", "[values]") {
+TEST_CASE("a claim that cannot be judged has a reason and no readings", "[values]") {
   Claim claim{.id = "id", .line = 1, .says = "says"};
   CHECK(verdict(claim) == Verdict::unsettled);
   claim.not_checkable = "the program is not at hand";
@@ -148,7 +148,7 @@ TEST_CASE("outcomes are computed from value, estimate, drift and ending", "[valu
   CHECK(outcome_of(ended(Ending::grazing)) == Outcome::grazing);
 }
 
-TEST_CASE("diverged is what grows, and drifted what does not come back", "[values]") {
+TEST_CASE("a motion that grows has diverged, and one that does not come back has drifted", "[values]") {
   const auto looked_at = [](std::vector<double> seen, std::vector<double> truth) {
     Quantity q{"q", "1", "", {"truth", Value(std::move(truth))}, 0, {1e-3, "a test"}};
     q.samples = 4;
@@ -167,7 +167,7 @@ TEST_CASE("diverged is what grows, and drifted what does not come back", "[value
   CHECK(outcome_of(to_and_fro) == Outcome::ok);
 }
 
-TEST_CASE("a method that throws has raised", "[values]") {
+TEST_CASE("a method that throws has the outcome raised", "[values]") {
   Quantity q{"q", "1", "", {"truth", 1}, 0, {1, "a test"}};
   q.add({"model", "algorithm", no_knob(), [](double) -> Answer { throw std::runtime_error("no"); }});
   const Trial trial = run(q, q.methods[0], 0);

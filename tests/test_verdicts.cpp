@@ -14,7 +14,7 @@ TEST_CASE("verdicts are read by claim", "[reference]") {
   CHECK(verdicts.at("1.1-b") == "wrong");
 }
 
-TEST_CASE("broken verdicts name file and line, and what would be right", "[reference]") {
+TEST_CASE("broken verdicts are reported with file, line and a suggestion", "[reference]") {
   const auto said = [](const std::string& text) {
     const ScratchFolder folder;
     const std::string file = folder.file("verdicts.csv", text).string();

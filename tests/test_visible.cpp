@@ -7,7 +7,7 @@
 using namespace oddity;
 using namespace program;
 
-TEST_CASE("control characters are shown, and letters and colours are not", "[visible]") {
+TEST_CASE("control characters are escaped, and letters and colours are not", "[visible]") {
   CHECK(visible("a\x1b]52;c;AAAA\x07z") == "a\\x1b]52;c;AAAA\\x07z");
   CHECK(visible("one\r\ttwo\n") == "one\\x0d\ttwo\n");
   CHECK(visible("\x1b[31mred\x1b[0m\x7f\b") == "\\x1b[31mred\\x1b[0m\\x7f\\x08");

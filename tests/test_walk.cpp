@@ -1,6 +1,6 @@
-// The walks of CONTRIBUTING.md and of extras/engines/README.md, with what these pages fill in: from what
-// `new` writes to green exercises, and how an exercise of one's own is shown. What `new` writes is compiled
-// as it is into the same program.
+// The walks of CONTRIBUTING.md and of extras/engines/README.md, with the texts that these pages fill in: from
+// the files written by `new` to green exercises, and how a user's exercise is shown. The files written by
+// `new` are compiled unchanged into the same program.
 
 #include <algorithm>
 #include <filesystem>
@@ -17,7 +17,7 @@ using program::Ran, program::says, program::shell;
 
 namespace {
 
-/// The tables and records, without what is of 4.1, should somebody have taken the walk.
+/// The tables and records, without those of 4.1, in case somebody has taken the walk.
 void copy_tables(const fs::path& folder) {
   const fs::path source = fs::path(ODDITY_SOURCE) / "reference";
   for (const auto& entry : fs::recursive_directory_iterator(source)) {
@@ -31,7 +31,7 @@ void copy_tables(const fs::path& folder) {
   }
 }
 
-/// The number of the first line of the file that has the words.
+/// The number of the first line of the file that contains the words.
 std::string line_of(const std::string& file, const std::string& words) {
   std::ifstream in(fs::path(ODDITY_SOURCE) / file);
   std::string line;
@@ -72,7 +72,7 @@ TEST_CASE("the walks of CONTRIBUTING.md end green", "[walk]") {
   CHECK_FALSE(says(red, "raised"));
   std::size_t blocks = 0;
   for (std::size_t at = 0; (at = red.output.find("FAILED:", at)) != std::string::npos; ++at) ++blocks;
-  CHECK(blocks == 2);  // one an exercise
+  CHECK(blocks == 2);  // one per exercise
   CHECK(says(red, "    limits.csv lacks 1 of 1\n"));
   CHECK_FALSE(says(red, "write it in"));
   CHECK(rows("approved/verdicts.csv") == others);
@@ -107,7 +107,7 @@ TEST_CASE("the walks of CONTRIBUTING.md end green", "[walk]") {
   CHECK_FALSE(says(page, "The solutions have no exercises in this chapter"));
 }
 
-TEST_CASE("every verb that is about an exercise takes one of one's own", "[walk]") {
+TEST_CASE("every command about an exercise accepts a user's exercise", "[walk]") {
   const ScratchFolder scratch;
   copy_tables(scratch.path());
   const std::string out = " --out " + (scratch.path() / "out").string();
@@ -130,7 +130,7 @@ TEST_CASE("every verb that is about an exercise takes one of one's own", "[walk]
   takes(with_need, "Take ");
   takes(with_need + " --csv", "mass on a spring,Runge-Kutta 4,");
   takes(with_need + " --json", "\"mass on a spring\"");
-  // --code prints headers that are put into the program as it is built with ODDITY_OWN, which this one is
+  // --code prints headers that are put into the program when it is built with ODDITY_OWN, which this one is
   // not.
   const std::string map = (scratch.path() / "map").string();
   takes("sweep plan " + map +
@@ -150,7 +150,7 @@ TEST_CASE("every verb that is about an exercise takes one of one's own", "[walk]
   has_none("engines 9.2", "9.2");
 }
 
-TEST_CASE("the engine of extras/engines/README.md throws as its page says", "[walk]") {
+TEST_CASE("the engine of extras/engines/README.md throws as on its page", "[walk]") {
   const std::string engine = std::string(ODDITY_WALK_FOLDER) + "/engines/engine_walked";
   const ScratchFolder scratch;
   const std::string page = text_of(fs::path(ODDITY_SOURCE) / "extras/engines/README.md");
@@ -168,8 +168,9 @@ TEST_CASE("the engine of extras/engines/README.md throws as its page says", "[wa
   CHECK(near(last[1].get<double>(), 2.095 - 0.0204375, 1e-12));
 }
 
-TEST_CASE("what new writes runs as it is, from outside the tree, and says what is still to be written",
-          "[walk]") {
+TEST_CASE(
+    "the files written by new run unchanged, from outside the tree, and list the parts still to be written",
+    "[walk]") {
   const auto oddity = [&](const std::string& words) { return shell(std::string(ODDITY_WALK) + " " + words); };
   const std::string folder = "chapters/99_my_topic/";
   CHECK(says(oddity("list 99.97"), "99.97  My identity (own)\n"));
@@ -200,7 +201,7 @@ TEST_CASE("what new writes runs as it is, from outside the tree, and says what i
   CHECK(says(choice, "exercise 99.98 has no truth to judge by: still to be written: "));
 }
 
-TEST_CASE("new writes the files of the walks but for what they fill in", "[walk][new]") {
+TEST_CASE("new writes the files of the walks, without the texts to fill in", "[walk][new]") {
   const ScratchFolder scratch;
   const auto begin = [&](const std::string& words) {
     return program::run("new " + words + " --in " + scratch.path().string());
@@ -226,7 +227,7 @@ TEST_CASE("new writes the files of the walks but for what they fill in", "[walk]
   CHECK(says(scene, "\nODDITY_OWN=" + scratch.path().string() + " ./oddity verify '[44.2]'"));
 }
 
-TEST_CASE("new refuses what cannot be, and overwrites nothing", "[new]") {
+TEST_CASE("new refuses invalid names, and overwrites nothing", "[new]") {
   const ScratchFolder scratch;
   const auto begin = [&](const std::string& words) {
     return program::run("new " + words + " --in " + scratch.path().string());

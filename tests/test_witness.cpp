@@ -1,5 +1,5 @@
-// What PARI/GP says of the errata (reference/witness) beside what the suite says: tests/witness.sh has gp say
-// it again.
+// Compares the recorded results of PARI/GP on the errata (reference/witness) with those of the suite.
+// tests/witness.sh repeats them with gp.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -44,7 +44,7 @@ std::vector<std::string> words(const std::string& text) {
   return {std::istream_iterator<std::string>(in), {}};
 }
 
-/// Of a text of numbers; empty where one of its words is none.
+/// The numbers of a text; empty if one of its words is not a number.
 std::vector<double> numbers(const std::string& text) {
   std::vector<double> all;
   for (const std::string& word : words(text))
@@ -66,7 +66,8 @@ std::vector<double> letters(std::string_view where) {
   return all;
 }
 
-/// To ten digits of the largest component; a text that is no number, with what is not finite.
+/// Agreement to ten digits of the largest component; a text without numbers agrees with a value that is not
+/// finite.
 bool agree(const std::string& said, const Value& computed) {
   const Value value = numbers(said);
   if (value.size() == 0) return !finite(computed);
@@ -111,7 +112,7 @@ TEST_CASE("every erratum has a witness, or a reason why it has none", "[witness]
   CHECK(heard == errata);
 }
 
-TEST_CASE("the suite's numbers are the witness's, to ten digits", "[witness]") {
+TEST_CASE("the suite's numbers agree with the witness's to ten digits", "[witness]") {
   Suite suite;
   for (const Witness& witness : witnesses()) {
     if (witness.check.empty()) continue;
@@ -120,7 +121,7 @@ TEST_CASE("the suite's numbers are the witness's, to ten digits", "[witness]") {
                        << ": give the script in reference/witness these letters, and run "
                        << "tests/witness.sh --write");
     CHECK(letters(check.where) == numbers(witness.at));
-    // Some checks have what is right on their left.
+    // Some checks have the right value on their left.
     const bool turned = !agree(witness.right, check.right.value);
     const Value& right = turned ? check.left.value : check.right.value;
     const Value& printed = turned ? check.right.value : check.left.value;
@@ -130,7 +131,7 @@ TEST_CASE("the suite's numbers are the witness's, to ten digits", "[witness]") {
   }
 }
 
-TEST_CASE("a witness's digit that is wrong is noticed", "[witness]") {
+TEST_CASE("a wrong digit of a witness is noticed", "[witness]") {
   CHECK(agree("1.25 -3", Value{1.25, -3}));
   CHECK(!agree("1.25 -3", Value{1.25, -3.000000001}));
   CHECK(!agree("1.25", Value{1.25, -3}));

@@ -1,4 +1,5 @@
-# What `new` writes, and the exercises and the engine that pages walk through, in programs of their own.
+# Builds the files written by `new`, and the exercises and the engine of the pages' walks, in separate
+# programs.
 
 set(walk_pages CONTRIBUTING.md extras/engines/README.md)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${walk_pages} ${new_paths})
@@ -22,7 +23,7 @@ function(block_of variable line)
   endif()
   set(${variable} "${block}" PARENT_SCOPE)
 endfunction()
-# Puts what comes, by the pages, instead of what is `missing` in its place in the variable, if it is there.
+# Replaces `missing` in the variable, if it is there, by the block that the pages give for it.
 function(fill variable missing)
   string(FIND "${${variable}}" "${missing}" found)
   if(NOT found EQUAL -1)
@@ -31,7 +32,7 @@ function(fill variable missing)
     set(${variable} "${filled}" PARENT_SCOPE)
   endif()
 endfunction()
-# A file as `new` writes it with these words for its own, and then as the page has it filled in.
+# A file written by `new` with these words replaced, and then filled in by the page.
 function(walk_file file)
   file(READ report/new/${file} text)
   while(ARGN)
@@ -61,8 +62,8 @@ foreach(file IN LISTS new_files)
       98_my_scene 01_spring my_scene spring "My scene" Spring)
   endif()
 endforeach()
-# Its 4.1 and 9.2 are the only ones of their program, also when somebody has taken the walk, and are the tree's; what
-# `new` writes is from outside.
+# Its 4.1 and 9.2 are the only ones of their program, also when somebody has taken the walk, and belong to the
+# tree; the files written by `new` come from outside.
 list(FILTER exercise_files EXCLUDE REGEX "^chapters/(04_[a-z0-9_]+/01_|09_[a-z0-9_]+/02_)")
 list(FILTER truth_files EXCLUDE REGEX "/04_01_spring\\.cpp$")
 find_own(${walk})
@@ -77,7 +78,7 @@ find_own(${new_home})
 register_exercises(${walk}/registry.cpp ${walk_registered} ${own_exercises})
 register_truths(${walk}/truths.cpp ${truth_files} reference/make/04_01_spring.cpp ${own_makers})
 
-# Its registers stand before those of the libraries, and its names are not theirs.
+# Its registers come before those of the libraries, and its names differ from theirs.
 set(walk_names exercise_4_1=walk_exercise_4_1 ex04_01=walk_ex04_01 truth_04_01_spring=walk_truth_04_01_spring
   spring_04_01=walk_spring_04_01 exercise_9_2=walk_exercise_9_2 ex09_02=walk_ex09_02)
 add_library(walk_reference OBJECT ${walk_makers} ${own_makers} ${walk}/truths.cpp)
@@ -87,7 +88,7 @@ add_executable(walk_make_reference reference/make/main.cpp)
 target_link_libraries(walk_make_reference PRIVATE walk_reference oddity_reference)
 set_target_properties(walk_oddity PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${walk})
 
-# The engine of extras/engines/README.md, beside them.
+# The engine of extras/engines/README.md is built as well.
 block_of(adapter "// The semi-implicit Euler step of engines, without joints and contacts.")
 block_of(variants "  \"euler.cpp\": [")
 string(REGEX REPLACE ",$" "" variants "${variants}")

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The third witness: PARI/GP runs every script of reference/witness, and says what witness.csv has on record.
+# The third witness: compares PARI/GP's output for every script of reference/witness with witness.csv.
 #   tests/witness.sh            compares
 #   tests/witness.sh --write    writes the record
 set -euo pipefail

@@ -28,7 +28,7 @@ double seconds(const F& f) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Seconds a run. Both sides of a comparison run in turn, each first in half of the batches.
+/// Seconds per run. Both sides of a comparison run in turn, each first in half of the batches.
 constexpr double batch_seconds = 3e-4;
 
 template <class F>
@@ -46,7 +46,7 @@ double batch(const F& f, int runs) {
 
 // ---- races ------------------------------------------------------------------------------------------------
 
-/// One side of a race: what its batches took, a right-hand side.
+/// One side of a race: seconds per right-hand side of each batch.
 struct Side {
   const std::function<Run()>& run;
   Run once = run();
@@ -90,7 +90,8 @@ struct Timed {
 
 // ---- contests ---------------------------------------------------------------------------------------------
 
-/// A setting from which on, to the finest, error(setting) meets the need; NaN: there is none.
+/// The coarsest setting at which, and at all finer ones, error(setting) meets the tolerance; NaN if none
+/// does.
 template <class Error>
 double coarsest(const Method& method, double need, const Error& error) {
   double found = std::numeric_limits<double>::quiet_NaN();
@@ -101,7 +102,7 @@ double coarsest(const Method& method, double need, const Error& error) {
   return found;
 }
 
-/// The time of `work` for each of its `pieces`, and in units of one right-hand side by hand, in turn with it.
+/// Time per piece of `work`, also in units of one right-hand side by hand, measured in turn with it.
 template <class Work>
 void time_in_units(Entrant& entrant, const Race& hand, const Work& work, double pieces) {
   constexpr int batches = 200;
@@ -118,7 +119,7 @@ void time_in_units(Entrant& entrant, const Race& hand, const Work& work, double 
   entrant.units = spread_of(units);
 }
 
-/// The cheapest of all methods, each at the coarsest setting whose error meets the need.
+/// The cheapest of all methods, each at the coarsest setting whose error meets the tolerance.
 template <class Error>
 Entrant cheapest(const Contest& contest, const Race& hand, const Error& error) {
   Entrant best{"none", 0, 0, 0, 0, {}, {std::numeric_limits<double>::infinity(), 0}};
@@ -147,7 +148,7 @@ Entrant cheapest(const Contest& contest, const Race& hand, const Error& error) {
   return best;
 }
 
-/// One evaluation of the closed form: timed at a thousand times over the motion, judged at those known.
+/// One evaluation of the closed form: timed at a thousand times of the motion, judged at the known ones.
 Entrant closed_form(const Contest& contest, const Race& hand) {
   constexpr int count = 1000;
   Entrant entrant{contest.closed_form, 0, 1, 0, 0, {}, {}};
@@ -169,7 +170,7 @@ Entrant closed_form(const Contest& contest, const Race& hand) {
 
 // ---- the suite --------------------------------------------------------------------------------------------
 
-/// The work of run(), one piece after the other.
+/// Does the work of run(), one piece after the other.
 ExerciseTime time_exercise(const Entry& entry, const Reference& truth) {
   ExerciseTime result{to_string(entry.number), std::string(entry.exercise.title), 0, 0, 0, ""};
   Findings findings;
@@ -312,7 +313,7 @@ std::string chains_text(const ChainBench& bench, const Screen& screen) {
                  screen, 4);
 }
 
-/// Whether all limits hold, and which do not.
+/// Reports whether all limits hold, and lists those that do not.
 std::string verdict_text(const std::vector<Bound>& limits) {
   std::string not_held;
   for (const Bound& l : limits)

@@ -9,7 +9,7 @@
 #include "report/study/run.hpp"
 #include "report/text/table_text.hpp"
 
-/// How fast this build is on this machine, in this run: the integrators against loops written by hand, the
+/// Speed of this build on this machine, in this run: the integrators compared with loops written by hand, the
 /// best methods of two problems in units of a right-hand side written by hand, and the whole suite.
 namespace oddity {
 
@@ -19,8 +19,8 @@ struct Spread {
 };
 Spread spread_of(std::vector<double> measured);
 
-/// A measured number and its limit. Noise decides nothing: it holds, or is broken, when it is on that
-/// side of the limit by more than its spread.
+/// A measured number and its limit. Noise decides nothing: the limit holds or is broken only if the number is
+/// on that side by more than its spread.
 struct Bound {
   std::string says;
   Spread measured;
@@ -30,17 +30,17 @@ struct Bound {
   bool broken() const { return measured.median - measured.half_width > at_most; }
 };
 
-/// A race as it was run: seconds and instructions a right-hand side; instructions are NaN where the machine
-/// counts none.
+/// Result of a race: seconds and instructions per right-hand side. Instructions are NaN where the machine
+/// does not count them.
 struct RaceResult {
   std::string model;
   int states;
   std::string algorithm;
   double at_most;  ///< for the ratio; 0: there is no limit
   Spread by_hand, inlined, precompiled;
-  Spread ratio;  ///< of inlined to by hand
+  Spread ratio;  ///< ratio of inlined to by hand
   double instructions_by_hand, instructions_inlined;
-  double difference;  ///< the largest, between the two final states
+  double difference;  ///< largest difference between the two final states
 
   Bound bound() const { return {model + " by " + algorithm, ratio, at_most}; }
 };
@@ -48,7 +48,7 @@ struct RaceResult {
 /// Runs all sides in turn, in several rounds of all races, in batches of a fraction of a millisecond.
 std::vector<RaceResult> race(const std::vector<Race>&, const Progress& progress = {});
 
-/// A method that meets the need of a contest.
+/// A method that meets the tolerance of a contest.
 struct Entrant {
   std::string method;
   double setting;
@@ -61,9 +61,10 @@ struct Entrant {
 struct ContestResult {
   std::string says, hand;
   double need, unit_seconds;
-  Entrant at_end;      ///< the cheapest whose error at the end meets the need, at this and each finer setting
-  Entrant throughout;  ///< the same for the worst error on the way
-  double at_most;      ///< for the units of `at_end`
+  Entrant at_end;       ///< cheapest with the error at the end within the tolerance, here and at each finer
+                        ///< setting
+  Entrant throughout;   ///< likewise for the largest error over the motion
+  double at_most;       ///< for the units of `at_end`
   Entrant closed_form;  ///< for one time
   double closed_at_most;
 
@@ -87,9 +88,9 @@ struct ExerciseTime {
 struct SuiteTime {
   std::vector<ExerciseTime> exercises;  ///< in the book's order
   double one_thread;                    ///< wall time of the whole suite
-  Spread two_threads;                   ///< the same, of several runs
+  Spread two_threads;                   ///< likewise on two threads, over several runs
 
-  /// The longest study and then the longest trial: what no number of threads undercuts.
+  /// The longest study plus the longest trial: a lower bound for any number of threads.
   double critical_path() const;
   double speed_up() const { return one_thread / two_threads.median; }
   Bound bound() const;
@@ -109,12 +110,12 @@ struct Bench {
   bool broken() const;
 };
 
-/// All of it, alone on the machine if the numbers are to mean anything.
+/// Runs all of it. The numbers mean something only if nothing else runs on the machine.
 Bench bench(const Reference& truth, const Progress& progress = {});
 
-/// The tables for a terminal, each limit with whether it holds; the last line says whether all do.
+/// The tables for a terminal, each limit with its verdict; the last line is the verdict on all.
 std::string bench_view(const Bench&, const Screen& = {});
-/// A row for each measured number; those with a limit say whether it holds.
+/// A row for each measured number, with a verdict where there is a limit.
 Table bench_table(const Bench&);
 
 }  // namespace oddity

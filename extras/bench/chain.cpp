@@ -18,7 +18,7 @@ namespace {
 constexpr int chain_lengths[] = {10, 30, 100, 300, 1000, 3000, 10'000};
 constexpr double chain_gravity = 9.81, chain_link = 1, not_timed = std::numeric_limits<double>::quiet_NaN();
 
-/// Seconds a run, of the fastest of some batches.
+/// Seconds per run, the fastest of several batches.
 template <class F>
 double seconds(const F& f, int runs) {
   double least = std::numeric_limits<double>::infinity();
@@ -43,7 +43,7 @@ double time_of_tensions(int n) {
       std::max(1, 20'000 / n));
 }
 
-/// The matrix written down and eliminated.
+/// Time of the dense matrix, filled in and eliminated.
 template <std::size_t n>
 double time_of_dense() {
   const ex03_25::Pattern p(n);
@@ -72,7 +72,7 @@ double time_of_dense(int n) {
                     : not_timed;
 }
 
-/// By halves to half a percent.
+/// The largest stable step, by bisection to half a percent.
 double stable_step(int n) {
   constexpr int steps = 600;
   const double theory = chain::stable_step_of_links(n, chain_gravity, chain_link);

@@ -4,11 +4,11 @@
 
 #include "report/study/run.hpp"
 
-/// Chains of up to 10,000 links: what their accelerations cost by the rods' tensions and by the dense matrix,
-/// and the largest stable step of Runge-Kutta 4 beside theory's.
+/// Chains of up to 10,000 links: cost of their accelerations by the rods' tensions and by the dense matrix,
+/// and the largest stable step of Runge-Kutta 4 next to the theoretical one.
 namespace oddity {
 
-/// A chain of so many links.
+/// A chain with this number of links.
 struct ChainResult {
   int links;
   double tensions, dense;  ///< s, of the accelerations; NaN: not timed
@@ -18,7 +18,7 @@ struct ChainResult {
 
 struct ChainBench {
   std::vector<ChainResult> chains;
-  std::vector<double> slopes;  ///< of log(time) by the tensions against log(links), of each round
+  std::vector<double> slopes;  ///< slope of log(time) by the tensions over log(links), for each round
 };
 
 ChainBench bench_chains(const Progress& progress = {});

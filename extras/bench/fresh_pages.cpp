@@ -23,7 +23,7 @@ void move(std::uintptr_t begin, std::size_t bytes) {
 }
 
 int move_object(dl_phdr_info* object, std::size_t, void*) {
-  const std::string_view name = object->dlpi_name;  // the program has none
+  const std::string_view name = object->dlpi_name;  // empty for the program itself
   if (!name.empty() && name.find("/liboddity_") == name.npos) return 0;
   const std::uintptr_t page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
   for (int i = 0; i < object->dlpi_phnum; ++i) {

@@ -2,10 +2,10 @@
 
 namespace oddity {
 
-/// Moves the code of the program and of the libraries beside it to other pages of memory, at the addresses
-/// that it has; for as long as no other thread runs. On one machine a loop in one of 400 took three times
-/// its time for the pages that its file happened to lie on, and its usual time from any copy of the file:
-/// what is timed in rounds should lie elsewhere in each. Where the system does not allow it, code stays.
+/// Moves the code of the program and of its libraries to other pages of memory, at the same addresses. No
+/// other thread may run meanwhile. On one machine a loop in one of 400 took three times as long because of
+/// the pages on which its file happened to be, and its usual time from any copy of the file. So timed code
+/// should be on other pages in each round. Does nothing where the system does not allow it.
 void move_code_to_fresh_pages();
 
 }  // namespace oddity

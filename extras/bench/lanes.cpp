@@ -22,7 +22,7 @@ using lanes::Batch, lanes::Fixed, lanes::Registers, lanes::SceneInLanes, lanes::
 constexpr std::size_t bodies = 512;
 constexpr double apart = 1e-4;  // from body to body, in each parameter
 constexpr int frames = 15, steps_a_frame = 4, spans = 3;
-constexpr double part_of_start = 0.999;  // at its start a body may rest, and nothing be computed
+constexpr double part_of_start = 0.999;  // at its start a body may rest, and nothing would be computed
 constexpr double frame = 1.0 / 60;
 constexpr double of_fixed_steps = 0.9, of_own_steps = 0.8;
 
@@ -33,13 +33,13 @@ std::vector<Registers> wide_ones() {
   return all;
 }
 
-/// Of this thread, whatever else the machine does.
+/// CPU time of this thread, independent of the machine's load.
 double processor_seconds() {
   std::timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
-/// What passes between two looks at the clock, with nothing between them: a tenth of the shortest span.
+/// Time between two readings of the clock with nothing between them: a tenth of the shortest span.
 double seconds_of_looking() {
   static const double least = [] {
     double found = 1;
@@ -52,7 +52,7 @@ double seconds_of_looking() {
   return least;
 }
 
-/// A model by one algorithm, alone and in all kinds of registers in turn.
+/// A model by one algorithm, as single numbers and in all kinds of registers in turn.
 class Contestant {
  public:
   Contestant(const SceneInLanes& scene, std::size_t model, Precision precision, std::string algorithm,
@@ -97,7 +97,7 @@ class Contestant {
     std::size_t same = 0;
   };
 
-  /// The least of several spans from the same start, after one that is not timed.
+  /// The shortest of several spans from the same start, after one that is not timed.
   double seconds(Registers registers) {
     double least = std::numeric_limits<double>::infinity();
     for (int span = 0; span <= spans; ++span) {
@@ -120,7 +120,7 @@ class Contestant {
   std::map<Registers, Times> wide_;
 };
 
-/// The operations alone, of one precision in all kinds of registers in turn.
+/// The operations alone, of one precision, in all kinds of registers in turn.
 class ArithmeticAlone {
  public:
   explicit ArithmeticAlone(Precision precision) : precision_(precision) {}
@@ -192,13 +192,13 @@ std::string_view verdict_of(const LanesResult& r) {
 
 std::string in_nanoseconds(double seconds) { return format_significant(seconds * 1e9, 3); }
 
-/// "7.1 ns, 0.95", and how far that is from sure.
+/// "7.1 ns, 0.95 +- 0.01".
 std::string cell(const LanesResult& r) {
   return in_nanoseconds(r.in_lanes.median) + " ns, " + format_significant(r.share.median, 2) + " +- " +
          format_significant(r.share.half_width, 1);
 }
 
-/// How many of those of fixed or of own steps hold, on one kind of register.
+/// How many results with fixed steps and with their own steps hold, on one kind of register.
 std::string summary(const LanesBench& bench, Registers registers) {
   std::string text;
   for (bool own : {false, true}) {

@@ -16,7 +16,7 @@ namespace {
 
 // ---- by hand ------------------------------------------------------------------------------------------
 
-/// Calls f(0), ..., f(N - 1), with no loop left to the compiler.
+/// Calls f(0), ..., f(N - 1) with the loop unrolled.
 template <std::size_t N, class F>
 [[gnu::always_inline]] inline void unrolled(const F& f) {
   [&]<std::size_t... I>(std::index_sequence<I...>) { (f(I), ...); }
@@ -151,7 +151,7 @@ void velocity_verlet(const Hand& model, double* out, double h, long steps) {
   unrolled<n>([&](auto i) { out[i] = q[i], out[n + i] = v[i]; });
 }
 
-/// Fehlberg 7(8) with the step control of Odeint; the tableau's zeros are left out.
+/// Fehlberg 7(8) with Odeint's step control; the zeros of the tableau are left out.
 template <class Hand>
 long fehlberg_78(const Hand& model, double* out, double span, double tolerance) {
   constexpr std::size_t n = 2 * Hand::half;
@@ -288,7 +288,7 @@ namespace {
 
 constexpr int samples = 32;
 
-/// The observables at the horizon's times, one known value after the other; the times in parallel.
+/// Observables at the horizon's times, one known value after the other; the times are computed in parallel.
 template <class At>
 Known gathered(const Horizon& horizon, const At& at) {
   const auto times = horizon.times();
@@ -337,7 +337,7 @@ Quantity motion(const std::string& name, const Model& model, const Known& known,
   return quantity;
 }
 
-/// Of the known observables at all times, those at the last.
+/// The known observables at the last of all times.
 Known last_of(const Known& all, std::size_t observables) {
   return {
       {all.value.end() - static_cast<std::ptrdiff_t>(observables), all.value.end()}, all.error, all.source};
@@ -362,7 +362,7 @@ Contest pendulum_contest(const Reference& truth) {
           .end = through.end};
 }
 
-/// Semiaxis and G M are 1, the start is the perihelion; M = t is folded into [0, pi] for the table.
+/// Semiaxis and G M are 1, the motion starts at the perihelion; M = t is folded into [0, pi] for the table.
 Contest kepler_contest(const Reference& truth) {
   constexpr double e = 0.9, pi = std::numbers::pi;
   const double minor = std::sqrt(1 - e * e);

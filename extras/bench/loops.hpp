@@ -7,12 +7,11 @@
 #include "chapters/exercise.hpp"
 #include "reference/reference.hpp"
 
-/// The integrators beside loops written by hand: the same arithmetic on plain arrays, every loop over
-/// components unrolled, nothing counted or checked. Those
-/// two are compiled in one file with the same flags.
+/// The integrators compared with loops written by hand: the same arithmetic on plain arrays, every loop over
+/// components unrolled, nothing counted or checked. Both are compiled in one file with the same flags.
 namespace oddity {
 
-/// The state at the end, and how many right-hand sides it took.
+/// The state at the end, and the number of right-hand sides evaluated.
 struct Run {
   std::vector<double> state;
   long evaluations = 0;
@@ -24,7 +23,7 @@ struct Race {
   std::string model;
   int states = 0;
   std::string algorithm;
-  double limit = 0;  ///< the most that the ratio may be; 0: no limit is set
+  double limit = 0;  ///< largest ratio allowed; 0: no limit
   std::function<Run()> by_hand, inlined, precompiled;
 };
 
@@ -36,11 +35,12 @@ struct Contest {
   std::string says;
   std::string hand;  ///< the model of `races` whose right-hand side is the unit of cost
   Quantity to_end;   ///< integrated straight to the end: for the time and the final error
-  Quantity through;  ///< the same methods, judged at many times on the way: for the worst error
+  Quantity through;  ///< these methods judged at many times of the motion: for the worst error
   double limit;      ///< the most right-hand sides' time that the best method may take
   std::string closed_form;
-  std::function<double(double t)> at;  ///< the first observable by the closed form, made once for all times
-  double closed_limit;                 ///< the same, for one time
+  std::function<double(double t)> at;  ///< the first observable by the closed form, prepared once for all
+                                       ///< times
+  double closed_limit;                 ///< likewise for one time
   double end;                          ///< s
 };
 

@@ -5,7 +5,7 @@
 #include "chapters/scene.hpp"
 #include "extras/bench/loops.hpp"
 
-/// What is raced, and as the scenes run it.
+/// The timed models, and how the scenes run them.
 namespace oddity::raced {
 
 constexpr double step = 0x1p-9, span = 4, tolerance = 1e-10;

@@ -20,7 +20,7 @@ constexpr double series_error = 1e-12, no_ratio = std::numeric_limits<double>::q
 constexpr std::string_view taylor_series = "Taylor series";
 constexpr long most_of_series_race = 3'000'000;
 
-/// From coarse to fine: tolerances of half decades, or steps.
+/// Settings from coarse to fine: tolerances of half decades, or steps.
 std::vector<double> settings_to_try(const Method& method, double horizon) {
   std::vector<double> all;
   if (method.knob.name == "tolerance")
@@ -50,7 +50,7 @@ struct SeriesSide {
   }
 };
 
-/// The method at the coarsest setting from which on its error stays small enough.
+/// The method at the coarsest setting at which, and at all finer ones, its error is small enough.
 SeriesSide coarsest(const Quantity& motion, const Method& method, double allowed, double horizon) {
   SeriesSide side;
   for (double setting : settings_to_try(method, horizon)) {

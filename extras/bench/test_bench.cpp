@@ -1,4 +1,4 @@
-// What `oddity bench` computes, apart from the clock.
+// Results of `oddity bench` that do not depend on the clock.
 
 #include "extras/bench/bench.hpp"
 
@@ -59,7 +59,7 @@ TEST_CASE("the critical path is the longest study and then the longest trial", "
 
 namespace {
 
-/// A run whose one limited ratio is as given, and all else well.
+/// A run with this one limited ratio; everything else holds.
 Bench bench_of(const Spread& ratio) {
   const Entrant entrant{"Fehlberg 7(8), tolerance 1e-09", 1e-9, 1300, 5e-10, 6e-10, {2e-5, 1e-7}, {1760, 20}};
   const Entrant series{"series", 0, 1, 1e-16, 2e-16, {4e-8, 1e-9}, {3.6, 0.1}};
@@ -82,7 +82,7 @@ TEST_CASE("the view shows each limit and whether it held", "[bench]") {
   }
 }
 
-TEST_CASE("the last line says whether all limits hold", "[bench]") {
+TEST_CASE("the last line reports whether all limits hold", "[bench]") {
   const auto last_line = [](const Bench& bench) {
     const std::string view = bench_view(bench);
     return view.substr(view.rfind('\n', view.size() - 2) + 1);
@@ -96,7 +96,7 @@ TEST_CASE("the last line says whether all limits hold", "[bench]") {
   CHECK(bad.broken());
 }
 
-TEST_CASE("code that is moved lies on pages of no file, and does what it did", "[bench]") {
+TEST_CASE("code that is moved is on pages of no file, and does the same as before", "[bench]") {
   const auto here = reinterpret_cast<std::uintptr_t>(&move_code_to_fresh_pages);
   const auto lies_on_a_file = [&] {
     std::ifstream all("/proc/self/maps");

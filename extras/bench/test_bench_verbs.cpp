@@ -1,4 +1,4 @@
-// What verbs take, and how their work grows.
+// Cost of the commands, and how their work grows.
 
 #include <csignal>
 
@@ -9,25 +9,25 @@
 
 using namespace oddity;
 
-TEST_CASE("work that doubles with its amount grows by the power one", "[bench]") {
+TEST_CASE("work that doubles with its amount grows with exponent one", "[bench]") {
   CHECK(near_ulps(Growth{"by trials", {1, 2, 4}, {3, 6, 12}}.slope(), 1, 64));
   CHECK(near_ulps(Growth{"by cells", {1, 10, 100}, {2, 200, 20000}}.slope(), 2, 64));
 }
 
-TEST_CASE("a program reads what it is given, and what it says is had whole", "[bench]") {
+TEST_CASE("a program reads its input, and its whole output is returned", "[bench]") {
   const Ended said = run_program({"cat"}, "two\nlines", std::chrono::minutes(1));
   CHECK(said.ok);
   CHECK(said.output == "two\nlines");
   CHECK(said.words.empty());
 }
 
-TEST_CASE("a program that failed has failed, also where nobody is told of ended children", "[bench]") {
+TEST_CASE("a failed program is reported as failed, also where SIGCHLD is ignored", "[bench]") {
   const auto usual = std::signal(SIGCHLD, SIG_IGN);
   CHECK_FALSE(run_program({"false"}, "", std::chrono::minutes(1)).ok);
   std::signal(SIGCHLD, usual);
 }
 
-TEST_CASE("a verb's row has its time, its memory and how it failed; a growth has a row a point", "[bench]") {
+TEST_CASE("a command's row has its time, memory and failure; a growth has a row per point", "[bench]") {
   const VerbsBench bench{{{"list", 0.01, 0.02, 22e6, ""}, {"site", 1, 2, 82e6, "status 2"}},
                          {{"verify, by trials", {10, 20}, {1, 2}}}};
   const Table table = verbs_table(bench);
@@ -40,7 +40,7 @@ TEST_CASE("a verb's row has its time, its memory and how it failed; a growth has
   CHECK(view.find("to the power 1\n") != std::string::npos);
 }
 
-TEST_CASE("a program that ran tells what it took", "[bench]") {
+TEST_CASE("time and memory of a program that ran are measured", "[bench]") {
   const Ended ended = run_program({ODDITY_PROGRAM, "list"}, "", std::chrono::minutes(1));
   REQUIRE(ended.ok);
   CHECK(ended.cpu_seconds > 0);

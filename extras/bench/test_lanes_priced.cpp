@@ -1,4 +1,4 @@
-// What lanes cost: `bench --lanes` and `choose --bodies`, apart from the clock.
+// Cost of lanes: `bench --lanes` and `choose --bodies`, without the clock.
 
 #include "extras/bench/lanes.hpp"
 #include "extras/lanes/price.hpp"
@@ -28,7 +28,8 @@ Method method_of(std::string model, std::string algorithm, Precision precision =
 
 }  // namespace
 
-TEST_CASE("a share of the width holds or is broken by more than its spread, and by a single bit", "[lanes]") {
+TEST_CASE("a limit on the share of the width holds or is broken by more than its spread, and by a single bit",
+          "[lanes]") {
   const auto of = [](double share, std::size_t same = 512) {
     return measured(lanes::Registers::avx2, "Runge-Kutta 4", share, same);
   };
@@ -49,8 +50,9 @@ TEST_CASE("a share of the width holds or is broken by more than its spread, and 
   CHECK_FALSE(LanesBench{lanes::Registers::avx2, {of(0.92), of(0.905)}}.broken());
 }
 
-TEST_CASE("where a wider register's instructions take longer, its lanes owe what its arithmetic has",
-          "[lanes]") {
+TEST_CASE(
+    "where a wider register's instructions take longer, its lanes must reach the measured arithmetic only",
+    "[lanes]") {
   using lanes::Registers;
   const ArithmeticResult whole{
       Registers::avx2, Precision::in_double, 4, {{4.1, 0.1}, {4, 0.1}, {3, 0.1}, {3, 0.1}}};
@@ -71,7 +73,7 @@ TEST_CASE("where a wider register's instructions take longer, its lanes owe what
   CHECK(has(view, "AVX-512: adds 3.9, multiplies 4, divides 3.5, roots 4.3 at once, of 8 doubles"));
 }
 
-TEST_CASE("the view of lanes counts what holds, and the bits", "[lanes]") {
+TEST_CASE("the view of lanes counts the limits that hold, and the equal bits", "[lanes]") {
   using lanes::Registers;
   const LanesBench bench{
       Registers::avx512,
@@ -93,7 +95,8 @@ TEST_CASE("the view of lanes counts what holds, and the bits", "[lanes]") {
   CHECK(has(csv, ",holds,512,512"));
 }
 
-TEST_CASE("every model with steps is in the bench of lanes, and no body has other bits", "[lanes]") {
+TEST_CASE("every model with steps is in the benchmark of lanes, and every body has the bits of a single one",
+          "[lanes]") {
   const LanesBench bench = bench_lanes({"3.5"}, 1);
   const std::size_t kinds = 1 + lanes::can(lanes::Registers::avx2) + lanes::can(lanes::Registers::avx512);
   CHECK(bench.taken == lanes::widest());
@@ -135,7 +138,7 @@ TEST_CASE("a batch has a price, in lanes and one body after the other", "[lanes]
   CHECK(price(method_of("one angle", in_float("Runge-Kutta 4"), Precision::in_float), 1e-3).seconds > 0);
 }
 
-TEST_CASE("the choice says how many bodies go how", "[lanes]") {
+TEST_CASE("the choice lists how many bodies run in lanes", "[lanes]") {
   Choice choice;
   choice.exercise = "3.5", choice.time_unit = "s";
   choice.need.bodies = 10000;

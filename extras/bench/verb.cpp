@@ -23,7 +23,7 @@ struct Asked : Formats {
   std::vector<std::string> scenes = {};
 };
 
-/// 0 when no limit is broken, else 1.
+/// Returns 0 if no limit is broken, else 1.
 int time_build(const std::string& folder, Format format) {
   const Bench result = with_progress(
       [&](const Progress& progress) { return bench(Reference(folder, motions_folder()), progress); });

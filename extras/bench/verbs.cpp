@@ -40,7 +40,7 @@ VerbCost cost_of(const Words& words) {
   return cost;
 }
 
-/// Those that write do so in the folder; `report` and `site` take the last results.
+/// The commands. Those that write do so in the folder; `report` and `site` read the previous results.
 std::vector<Words> verbs_to_run(const PassingFolder& folder) {
   return {{"list"},
           {"solve", "3.5"},
@@ -58,14 +58,14 @@ std::vector<Words> verbs_to_run(const PassingFolder& folder) {
           {"site", "--out", folder / "site"}};
 }
 
-/// The same where it goes well: a growth is of work that was done.
+/// CPU time; throws if the command fails, since a growth is measured on finished work only.
 double cpu_seconds_of(const Words& words) {
   const VerbCost cost = cost_of(words);
   if (!cost.failure.empty()) throw std::runtime_error("oddity " + cost.words + " failed: " + cost.failure);
   return cost.cpu_seconds;
 }
 
-/// Every so many of the book's exercises, so that each part has some of all chapters.
+/// Every stride-th of the book's exercises, so that each part has some of all chapters.
 std::string every(std::size_t stride) {
   std::string tags;
   for (std::size_t i = 0; i < registry().size(); i += stride)

@@ -6,21 +6,21 @@
 #include "report/study/run.hpp"
 #include "report/text/table_text.hpp"
 
-/// `oddity bench --verbs`: what each verb takes, as a program of its own, and how its work grows.
+/// `oddity bench --verbs`: cost of each command, run as a separate program, and how its work grows.
 namespace oddity {
 
 struct VerbCost {
   std::string words;  ///< "sweep run": without folders and options
   double seconds, cpu_seconds, peak_bytes;
-  std::string failure;  ///< how it ended, unless with 0
+  std::string failure;  ///< how it ended, if not with exit code 0
 };
 
-/// CPU seconds against how much there was to do, from little to much.
+/// CPU seconds over the amount of work, from little to much.
 struct Growth {
   std::string of;  ///< "verify, by trials"
   std::vector<double> amounts, cpu_seconds;
 
-  /// Of log(seconds) against log(amount); 1 where twice as much takes twice as long.
+  /// Slope of log(seconds) over log(amount); 1 where twice the work takes twice as long.
   double slope() const;
 };
 
@@ -29,7 +29,7 @@ struct VerbsBench {
   std::vector<Growth> growth;
 };
 
-/// In a folder that is gone afterwards; nothing of the last run's is written to.
+/// Runs in a folder that is removed afterwards; does not write to the previous results.
 VerbsBench bench_verbs(const Progress& progress = {});
 
 std::string verbs_view(const VerbsBench&, const Screen& = {});

@@ -1,6 +1,6 @@
-# Other people's engines, each as a program of its own beside oddity, which needs none of them:
+# Third-party engines, each a separate program. oddity itself needs none of them:
 #   engines/engine_NAME of adapters/NAME.cpp, where its library is found; its settings are in variants.json.
-#   Of several SOURCES the first is the adapter.
+#   If there are several SOURCES, the first is the adapter.
 # `--target engines` builds all that were found. Nothing else depends on them.
 
 set(engine_programs "")
@@ -51,7 +51,7 @@ add_engine(chipmunk SOURCES chipmunk chipmunk_world HEADER chipmunk/chipmunk.h L
 add_engine(ode SOURCES ode ode_world HEADER ode/ode.h LIBRARIES ode)
 add_engine(mujoco SOURCES mujoco mujoco_model mujoco_xml HEADER mujoco/mujoco.h LIBRARIES mujoco)
 add_engine(simbody SOURCES simbody simbody_world HEADER Simbody.h INCLUDE simbody LIBRARIES SimTKsimbody SimTKmath SimTKcommon)
-add_engine(dart SOURCES dart dart_world HEADER Eigen/Dense INCLUDE eigen3 LIBRARIES dart)  # its headers lie beside eigen3
+add_engine(dart SOURCES dart dart_world HEADER Eigen/Dense INCLUDE eigen3 LIBRARIES dart)  # headers next to eigen3
 
-configure_file(adapters/variants.json ${PROJECT_BINARY_DIR}/engines/variants.json COPYONLY)  # beside the programs, which read it
+configure_file(adapters/variants.json ${PROJECT_BINARY_DIR}/engines/variants.json COPYONLY)  # read by the programs
 add_custom_target(engines DEPENDS ${engine_programs})

@@ -13,17 +13,17 @@ namespace oddity {
 
 namespace {
 
-constexpr double least_error = 1e-6;  ///< in needs; what is below stands there
+constexpr double least_error = 1e-6;  ///< in tolerances; smaller errors are drawn there
 constexpr std::size_t most_curves = svg_slots;
 
 struct NamedCurve {
   std::string name;
-  std::vector<std::pair<double, double>> points;  ///< error in needs over what it is drawn against
+  std::vector<std::pair<double, double>> points;  ///< error in tolerances over the abscissa
 
   double last() const { return points.back().second; }
 };
 
-/// At every rate within a tenth of each other.
+/// Whether the errors are within a tenth of each other at every rate.
 bool alike(const NamedCurve& a, const NamedCurve& b) {
   return std::ranges::equal(a.points, b.points, [](const auto& p, const auto& q) {
     return p.first == q.first && std::abs(p.second - q.second) <= 0.1 * std::max(p.second, q.second);
@@ -49,7 +49,7 @@ std::vector<NamedCurve> own_curves(const EngineContest& contest, const std::vect
   return curves;
 }
 
-/// Of the defaults, from the least error on.
+/// Curves of the defaults, in order of increasing error.
 std::vector<NamedCurve> default_curves(const EngineContest& contest) {
   std::vector<NamedCurve> curves;
   for (const EngineSeries& s : contest.series) {
@@ -71,7 +71,7 @@ std::size_t places(const std::vector<OwnSteps>& own, const EngineContest& contes
   return most_curves - std::min(most_curves, own_curves(contest, own).size());
 }
 
-/// Curves under what is enough, with their names at their ends.
+/// Curves below the tolerance, with their names at their ends.
 std::string drawn(const std::vector<NamedCurve>& curves, const std::string& says, const std::string& of,
                   const std::string& across) {
   Range abscissas, errors;
@@ -126,7 +126,7 @@ std::string engine_rates_svg(const EngineContest& contest, const std::vector<Own
 
 namespace {
 
-/// Those that are enough for the least time, then those that err least.
+/// Orders first those that meet the tolerance, by time, then the others by error.
 bool pays_less(const EngineSeries* a, const EngineSeries* b) {
   const auto price = [](const EngineSeries* s) {
     const EngineTrial* enough = s->first_enough();

@@ -27,7 +27,7 @@ std::chrono::milliseconds milliseconds(double seconds) {
   return std::chrono::milliseconds(std::lround(1000 * seconds));
 }
 
-/// The engine has no such world.
+/// The engine cannot build the world.
 struct CannotBeHad : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -52,7 +52,7 @@ EngineProgram about(std::vector<std::string> command) try {
   throw BadInput(command.back() + " --about: the engine does not say what it is: " + error.what());
 }
 
-/// As run_program; what cannot even be started has failed too.
+/// Like run_program; a program that cannot be started counts as failed.
 Ended answer(const std::vector<std::string>& command, const std::string& request,
              std::chrono::milliseconds limit, std::size_t most_memory) {
   try {
@@ -64,7 +64,7 @@ Ended answer(const std::vector<std::string>& command, const std::string& request
 
 // ---- the path ---------------------------------------------------------------------------------------------
 
-/// An angle alone is known up to whole turns: the one nearest to the truth.
+/// An angle is known up to whole turns: takes the one nearest to the reference.
 void unwind(std::vector<double>& seen, const Quantity& motion, std::size_t observables) {
   constexpr double turn = 2 * std::numbers::pi;
   for (const Norm& norm : motion.norms)
@@ -85,8 +85,8 @@ std::vector<double> observed(const EngineScene& contest,
   return seen;
 }
 
-/// By a criterion, in its own unit. The engine's own bodies tell its energy, where that is conserved, and how
-/// far its joints come apart.
+/// Error by a criterion, in its own unit. The energy, where it is conserved, and the distance in joints come
+/// from the engine's own bodies.
 double off_by(Criterion criterion, const EngineTrial& trial, const EngineScene& contest,
               const std::vector<double>& seen) {
   const double observed = off_by_observed(criterion, contest.motion, Value(seen), trial.errors).error;
@@ -102,7 +102,7 @@ Outcome outcome_of(const EngineTrial& trial, std::size_t frames, const EngineSce
 }
 
 void judge(EngineTrial& trial, const EngineScene& contest, const engines::Reply& reply) {
-  if (reply.frames.empty() || reply.seconds.empty()) {  // its start is no number
+  if (reply.frames.empty() || reply.seconds.empty()) {  // its start is not finite
     trial.outcome = Outcome::non_finite;
     return;
   }
@@ -127,7 +127,7 @@ void judge(EngineTrial& trial, const EngineScene& contest, const engines::Reply&
   trial.path = std::move(seen);
 }
 
-/// The adapters in JavaScript, by their settings.
+/// Names of the adapters in JavaScript, from their settings.
 std::vector<std::string> adapters_in(const fs::path& folder) {
   const fs::path settings = folder / "variants.json";
   const auto adapters = nlohmann::json::parse(read_whole(settings), nullptr, false);
@@ -203,14 +203,14 @@ EngineTrial run(const EngineProgram& engine, const EngineVariant& variant, const
 
 namespace {
 
-/// A variant on its way from coarse to fine.
+/// A variant that is refined from coarse to fine.
 struct Entrant {
   const EngineProgram* engine;
   const EngineVariant* variant;
   EngineSeries series;
 };
 
-/// Goes on with finer trials while they are at most `last` steps per frame.
+/// Runs finer trials while they are at most `last` steps per frame.
 void go_on(Entrant& entrant, const EngineScene& scene, int last, const EngineTask& task) {
   EngineSeries& series = entrant.series;
   if (!series.cannot.empty()) return;
@@ -226,7 +226,8 @@ void go_on(Entrant& entrant, const EngineScene& scene, int last, const EngineTas
   }
 }
 
-/// What the tables tell the price of: where it is finer than all that was timed, it runs once more, alone.
+/// Times the first sufficient trial, whose price the tables show: if it is finer than all timed ones, it runs
+/// once more, alone.
 void time_what_is_enough(Entrant& entrant, const EngineScene& scene, const EngineTask& task) {
   const EngineTrial* const enough = entrant.series.first_enough();
   if (!enough || enough->steps_per_frame <= last_timed) return;

@@ -7,16 +7,16 @@
 #include "extras/engines/scenes.hpp"
 #include "report/study/engines.hpp"
 
-/// Other people's engines on scenes. Each is a program of its own (adapters/), which runs as a child with
-/// limits of time and memory: what it does to itself is an outcome.
+/// Third-party engines on scenes. Each is a separate program (adapters/), run as a child process with limits
+/// of time and memory. A crash of it is an outcome.
 namespace oddity {
 
-/// A way to use an engine.
+/// An engine's settings.
 struct EngineVariant {
   std::string name, says;
-  int order = 0;  ///< as its manual has it; 0: not said
+  int order = 0;  ///< as stated in its manual; 0: not stated
   bool defaults = true;
-  std::string lasting = {}, friction = {};  ///< what no finer step takes away, and the same of its friction
+  std::string lasting = {}, friction = {};  ///< errors that no finer step removes, in general and in friction
 };
 
 struct EngineProgram {
@@ -26,15 +26,15 @@ struct EngineProgram {
   std::vector<EngineVariant> variants;
 };
 
-/// Those that `oddity engines` has built and installed: native ones in `folder`, those of node's by what is
-/// in `adapters`. Throws BadInput where others can write to these.
+/// Engines that `oddity engines` has built and installed: native ones in `folder`, those for node by the
+/// contents of `adapters`. Throws BadInput if other users can write to these.
 std::vector<EngineProgram> engines_found(const std::filesystem::path& folder,
                                          const std::filesystem::path& adapters);
 
-/// How far to go.
+/// Limits of a series.
 struct EngineTask {
   int finest = 32;  ///< steps per frame; from 1 on, by doubling
-  /// Runs of a trial of at most 4 steps per frame, and of the first that is enough; others run once.
+  /// Runs per trial of at most 4 steps per frame, and of the first sufficient one; others run once.
   int timed = 5;
   double limit = 60;  ///< s for one trial
 };
@@ -44,9 +44,9 @@ EngineTrial run(const EngineProgram&, const EngineVariant&, const EngineScene&, 
 EngineContest run(const std::vector<EngineProgram>&, const EngineScene&, const EngineTask&,
                   const Progress& = {});
 
-/// Why no rate tried is enough, as far as it can be told: what is said of its settings counts where another
-/// variant of the engine without that does better, and rounding where double does, or where finer steps err
-/// more. Empty where its error still falls; "not explained" where nothing is known.
+/// Why no rate tried is sufficient, as far as it is known. A property of its settings counts if another
+/// variant of the engine does better without it. Rounding counts if double does better, or if finer steps
+/// have larger errors. Empty where its error still falls; "not explained" where nothing is known.
 std::string why_never(const EngineContest&, const EngineSeries&);
 
 }  // namespace oddity

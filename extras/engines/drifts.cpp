@@ -16,7 +16,7 @@ double length(const Vector& a) { return std::hypot(a[0], a[1], a[2]); }
 
 // ---- energy -----------------------------------------------------------------------------------------------
 
-/// Energy is conserved in it.
+/// Whether energy is conserved in the world.
 bool conserves(const World& world) {
   return world.shaking == Vector{} && world.friction == 0 &&
          (world.floor == Vector{} || world.restitution == 1);
@@ -29,7 +29,7 @@ struct Energy {
 struct Slid {
   double distance, speed;
 };
-/// What the body has slid in its joint since the start.
+/// Distance slid and speed of the body in its joint since the start.
 Slid slid(const World& world, int body, const std::vector<State>& states) {
   const Joint& joint = *std::ranges::find(world.joints, body, &Joint::b);
   const auto moved = [&](int of) {
@@ -73,7 +73,7 @@ Energy energy(const World& world, const std::vector<State>& states) {
 
 // ---- momentum ---------------------------------------------------------------------------------------------
 
-/// A momentum, and what of it no force changes.
+/// A momentum, and the part of it that no force changes.
 struct Momentum {
   Vector whole, kept;
 };
@@ -94,7 +94,7 @@ Vector momentum(const World& world, const States& states) {
   return sum;
 }
 
-/// About a point that moves at `velocity`.
+/// Angular momentum about a point that moves at `velocity`.
 Vector angular_momentum(const World& world, const States& states, const Vector& point,
                         const Vector& velocity) {
   Vector sum{};
@@ -110,14 +110,14 @@ Vector angular_momentum(const World& world, const States& states, const Vector& 
 
 bool touches_ground(const auto& link) { return link.a == ground || link.b == ground; }
 
-/// The joints and springs that hold the bodies.
+/// Number of joints and springs that hold the bodies.
 int holds(const World& world) {
   return static_cast<int>(std::ranges::count_if(world.joints, touches_ground<Joint>) +
                           std::ranges::count_if(world.springs, touches_ground<Spring>) +
                           std::ssize(world.ropes));
 }
 
-/// The ball joint on which all bodies hang, if they do on one.
+/// The ball joint on which all bodies hang, if there is exactly one.
 const Joint* pivot(const World& world) {
   if (holds(world) != 1) return nullptr;
   const auto found = std::ranges::find_if(
@@ -125,7 +125,7 @@ const Joint* pivot(const World& world) {
   return found == world.joints.end() ? nullptr : &*found;
 }
 
-/// One body that turns about a point of the axis about which it is symmetric, its third.
+/// One body that turns about a point of its symmetry axis, its third.
 bool is_top(const World& world, const Joint& pivot) {
   if (world.bodies.size() != 1) return false;
   const Body& body = world.bodies[0];
@@ -133,7 +133,7 @@ bool is_top(const World& world, const Joint& pivot) {
   return body.inertia[0] == body.inertia[1] && std::hypot(tip[0], tip[1]) <= 1e-12 * std::abs(tip[2]);
 }
 
-/// All forces from outside but those of a pivot act along it; zero: there are none.
+/// Common direction of all external forces except those of a pivot: zero without forces, none if they differ.
 std::optional<Vector> direction_of_forces(const World& world) {
   if (world.turning != Vector{}) return std::nullopt;
   Vector direction{};
@@ -154,7 +154,7 @@ std::vector<Keeps> kept_when_free(const World& world, const Vector& direction) {
   };
   const auto angular = [&world, direction](const States& s) {
     const Vector velocity = 1 / mass_of(world) * momentum(world, s);
-    const Vector L = angular_momentum(world, s, {}, velocity);  // the same about any point that moves so
+    const Vector L = angular_momentum(world, s, {}, velocity);  // equal about all points with this velocity
     return Momentum{L, world.floor == Vector{} ? L : along(direction, L)};
   };
   return {linear, angular};
@@ -192,7 +192,7 @@ double drift(const Keeps& keeps, const std::vector<States>& frames) {
 
 // ---- joints -----------------------------------------------------------------------------------------------
 
-/// How far the joint's ends are apart, or a rod's length is off.
+/// Distance of the joint's ends, or error of a rod's length.
 double off(const World& world, const Joint& joint, const std::vector<State>& states) {
   const Vector a = Point(world, joint.a, joint.at).now(states);
   if (joint.kind == Joint::rod)

@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# Other people's engines do on the scenes what is on record of them:
+# Compares third-party engines on the scenes with the approved records:
 #   extras/engines/engines.sh PROGRAM [SCENE...]
-# without scenes on all but the chain of 100, which takes 25 minutes. Their measured orders are within a tenth, the
-# drifts of energy and momentum and the ends of joints within a tenth of themselves, or both below a millionth; all
-# else is the same letter by letter. What is not installed, or in another version, is not compared, and named.
+# Without scenes it runs all but the chain of 100, which takes 25 minutes. Measured orders must be within a
+# tenth; drifts of energy and momentum and the ends of joints within a tenth of themselves, or both below a
+# millionth; everything else must be equal letter by letter. Engines that are missing or have another version
+# are listed, not compared.
 set -euo pipefail
 program=$1
 shift

@@ -13,7 +13,7 @@ std::string full_name(const EngineSeries& s) {
 
 namespace {
 
-/// "3.4 cm", "0.12 deg": of errors in the motion's units, what a reader can picture.
+/// "3.4 cm", "0.12 deg": an error in units that a reader can picture.
 std::string of_one(double error, const std::string& unit) {
   if (!std::isfinite(error)) return "-";
   if (unit == "m") return two_digits(100 * error) + " cm";

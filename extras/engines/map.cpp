@@ -1,4 +1,4 @@
-// How each variant of an engine ends, over scenes and rates.
+// Outcome of each variant of an engine, over scenes and rates.
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ constexpr double map_names = 250, map_top = 150, map_row = 15, map_cell = 7, map
 
 constexpr std::string_view grades = "gnwx";
 
-/// How a trial ends: enough, within ten times that, worse, no answer.
+/// Grade of a trial: sufficient, within ten times the tolerance, worse, no answer.
 char grade(const EngineTrial& t) {
   if (!std::isfinite(t.in_needs)) return 'x';
   return t.in_needs <= 1 ? 'g' : t.in_needs <= 10 ? 'n' : 'w';
@@ -26,7 +26,7 @@ constexpr std::string_view map_style =
     ".g{fill:#0072b2}.n{fill:#e69f00}.w{fill:#f7dfae}.x{fill:#000}"
     "@media(prefers-color-scheme:dark){.w{fill:#6b5530}.x{fill:#fff}}";
 
-/// A variant over the scenes; null where it has none.
+/// A variant over the scenes; null for scenes without it.
 struct MapLine {
   std::string name;
   std::vector<const EngineSeries*> in_scene;
@@ -57,7 +57,7 @@ void add_map_legend(Svg& svg) {
   }
 }
 
-/// Where each scene's block begins, and where the last ends.
+/// Left edge of each scene's block, and right edge of the last.
 std::vector<double> blocks(const std::vector<EngineContest>& contests) {
   std::vector<double> left{map_names};
   for (const EngineContest& contest : contests) {

@@ -20,7 +20,7 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-/// The first row names the columns; those from `numbers` on are set to the right.
+/// The first row names the columns; those from `numbers` on are right-aligned.
 std::string as_table(const Rows& rows, std::size_t numbers) {
   std::string right;
   for (std::size_t i = numbers; i < rows.front().size(); ++i) right += static_cast<char>('0' + i);
@@ -41,7 +41,7 @@ std::string linked(const EngineContest& c) {
   return "[" + escaped(c.scene) + "](" + file_of(c.scene, ".svg") + ")";
 }
 
-/// "2.3/240": the error in needs at one step a frame, and the rate from which it is enough.
+/// "2.3/240": the error in tolerances at one step a frame, and the rate from which it is sufficient.
 std::string error_and_rate(const EngineContest& contest, const EngineSeries& s) {
   const EngineTrial& coarsest = s.trials.front();
   const std::string error = std::isfinite(coarsest.in_needs) ? two_digits(coarsest.in_needs)
@@ -51,7 +51,7 @@ std::string error_and_rate(const EngineContest& contest, const EngineSeries& s) 
   return error + (why_never(contest, s).empty() ? "/finer" : "/never");
 }
 
-using EngineName = std::pair<std::string, bool>;  ///< and whether it is behind WebAssembly
+using EngineName = std::pair<std::string, bool>;  ///< and whether it runs in WebAssembly
 
 std::vector<EngineName> engines_of(const std::vector<EngineContest>& contests) {
   std::vector<EngineName> engines;
@@ -65,7 +65,7 @@ std::vector<EngineName> engines_of(const std::vector<EngineContest>& contests) {
 
 using CellOf = std::function<std::string(const EngineContest&, const EngineSeries&)>;
 
-/// Engines with the same cells share a row; those without any have none.
+/// Engines with the same cells share a row; those without any are left out.
 std::string defaults_table(const std::vector<EngineContest>& contests, const CellOf& cell) {
   Rows rows{{"defaults of"}};
   for (const EngineContest& c : contests) rows[0].push_back(linked(c));
@@ -89,13 +89,13 @@ std::string defaults_table(const std::vector<EngineContest>& contests, const Cel
   return as_table(rows, 1);
 }
 
-/// "0.13/0.15": what of its energy and of a momentum is lost or won at one step a frame.
+/// "0.13/0.15": relative drift of its energy and of a momentum at one step a frame.
 std::string drifts(const EngineContest&, const EngineSeries& s) {
   const EngineTrial& coarsest = s.trials.front();
   return in_percent(coarsest.energy) + "/" + in_percent(coarsest.momentum);
 }
 
-/// Those in which some momentum stays that an engine does not keep.
+/// Scenes that conserve some momentum, but some engine does not.
 std::vector<EngineContest> with_momentum(const std::vector<EngineContest>& contests) {
   std::vector<EngineContest> those;
   for (const EngineContest& c : contests)
@@ -106,7 +106,7 @@ std::vector<EngineContest> with_momentum(const std::vector<EngineContest>& conte
   return those;
 }
 
-/// The native variant that is enough for the least time.
+/// The native variant that meets the tolerance in the least time.
 const EngineSeries* cheapest(const EngineContest& contest) {
   const EngineSeries* best = nullptr;
   for (const EngineSeries& s : contest.series)

@@ -1,4 +1,4 @@
-// Why an engine never comes to a scene.
+// Why an engine does not converge to a scene.
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,8 @@ bool errs_less(const EngineSeries& a, const EngineSeries& b) {
   return a.cannot.empty() && finest(a) < 0.75 * finest(b);
 }
 
-/// Another variant of the engine, without what lasts in this one, does better; nothing where there is none.
+/// Whether another variant of the engine without this one's lasting errors does better; nullopt if there is
+/// no such variant.
 std::optional<bool> better_without(const EngineContest& contest, const EngineSeries& s) {
   std::optional<bool> better;
   for (const EngineSeries& other : contest.series)
@@ -49,7 +50,7 @@ std::string why_never(const EngineContest& contest, const EngineSeries& s) {
   if (contest.rubs && !s.friction.empty()) return s.friction;
   if (is_rounding(contest, s)) return "rounding in float";
   if (!s.lasting.empty() && !better) return s.lasting;
-  return s.trials.size() > 1 ? "not explained" : "";  // from one rate it is not seen whether errors fall
+  return s.trials.size() > 1 ? "not explained" : "";  // a single rate does not show whether errors fall
 }
 
 }  // namespace oddity

@@ -23,7 +23,7 @@ namespace engines {
 
 namespace {
 
-/// A contest whose truth is see(t) at every frame, to `error`.
+/// A scene whose reference is see(t) at every frame, to `error`.
 template <class See>
 EngineScene at_every_frame(std::string name, std::string title, const Need& need, Staging staging,
                            std::vector<Norm> norms, const See& see, double error, const std::string& by) {
@@ -44,8 +44,9 @@ EngineScene at_every_frame(std::string name, std::string title, const Need& need
 
 // ---- a body that turns freely -----------------------------------------------------------------------------
 
-/// Moments 1 < 2 < 3, and a spin that takes it past its middle axis: it tumbles. Where the angular momentum,
-/// which stays, stands in the body: I w/|L|, by Jacobi's functions [Landau and Lifshitz, Mechanics, 37].
+/// Moments 1 < 2 < 3, and a spin that takes it past its middle axis: it tumbles. Observed is the direction of
+/// the constant angular momentum in the body, I w/|L|, by Jacobi's functions [Landau and Lifshitz, Mechanics,
+/// 37].
 EngineScene free_body(const Need& need) {
   constexpr double I1 = 1, I2 = 2, I3 = 3, w1 = 1.7, w3 = 1;
   constexpr double E2 = I1 * w1 * w1 + I3 * w3 * w3, L2 = I1 * I1 * w1 * w1 + I3 * I3 * w3 * w3;
@@ -71,7 +72,7 @@ EngineScene free_body(const Need& need) {
 
 // ---- a ball that bounces ----------------------------------------------------------------------------------
 
-/// Radius 0.1 m, let go 1 m above its first touch, with 0.8 of its speed returned.
+/// Radius 0.1 m, let go 1 m above its first touch; the floor returns 0.8 of its speed.
 EngineScene bouncing_ball(const Need& need) {
   constexpr double g = 9.81, returned = 0.8, radius = 0.1, fall = 1;
   Body ball{1, {0.004, 0.004, 0.004}};
@@ -95,9 +96,9 @@ EngineScene bouncing_ball(const Need& need) {
 
 // ---- a box on its corners ---------------------------------------------------------------------------------
 
-/// The box of exercise 3.31, with Coulomb's friction at its four corners instead of under its whole foot.
-/// They carry what is linear over the foot and balances the friction's moment, which acts `h` below the
-/// center: N = g/4 - h (Fx x/(4 a^2) + Fy y/(4 b^2)), for 1 kg and in the box's axes.
+/// The box of exercise 3.31, with Coulomb's friction at its four corners instead of under its whole foot. The
+/// friction acts `h` below the center. The corners' loads are linear over the foot and balance its moment: N
+/// = g/4 - h (Fx x/(4 a^2) + Fy y/(4 b^2)), for 1 kg and in the box's axes.
 class OnCorners {
  public:
   using State = std::array<double, 6>;  ///< x, y, theta, and their velocities
@@ -131,7 +132,7 @@ class OnCorners {
     dsdt = {s[3], s[4], s[5], c * Fx - i * Fy, i * Fx + c * Fy, moment / inertia};
   }
 
-  /// x, y and theta at every frame. It rests where a step would stop it.
+  /// x, y and theta at every frame. The box rests where a step would stop it.
   std::vector<double> seen(const Need& need, int steps_per_frame) const {
     boost::numeric::odeint::runge_kutta4<State> stepper;
     const double dt = 1 / (need.frames_per_second * steps_per_frame);
@@ -177,7 +178,7 @@ EngineScene box_on_corners(const Need& need) {
 
 // ---- chains of many links ---------------------------------------------------------------------------------
 
-/// n links of 1 m in all and 1 kg in all, straight at an angle from the vertical, let go.
+/// n links with 1 m and 1 kg in total, straight at an angle from the vertical, let go.
 class Chain {
  public:
   Chain(int n, double angle) : m_(static_cast<std::size_t>(n), 1.0 / n), r_(m_), start_(2 * m_.size(), 0.0) {
@@ -234,7 +235,7 @@ class Chain {
   std::vector<double> m_, r_, start_;
 };
 
-/// By two algorithms, which agree. From 0.5 rad a hundred links have their differences grow a millionfold
+/// By two algorithms, which must agree. From 0.5 rad the differences of a hundred links grow a millionfold
 /// between the seventh and the tenth second; from 0.3 rad they do not.
 EngineScene chain_of(int n, const Need& need) {
   namespace odeint = boost::numeric::odeint;

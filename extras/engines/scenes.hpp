@@ -9,9 +9,9 @@
 
 namespace oddity {
 
-/// A scene as engines have it, and what is true of it at every frame.
+/// A scene for engines, with its reference at every frame.
 struct EngineScene {
-  std::string scene;  ///< "3.5", or a name of its own
+  std::string scene;  ///< "3.5", or a name for further scenes
   std::string title;
   Need need;
   engines::Staging staging;
@@ -20,13 +20,13 @@ struct EngineScene {
 
 /// Whether the exercise has a scene for engines.
 bool has_engine_scene(const Entry&);
-/// Throws BadInput, naming those that have, where it has not.
+/// Throws BadInput with a list of those that have one, if it has none.
 void require_engine_scene(const Entry&);
 
-/// The exercise's scene. Throws BadInput where it has none for engines.
+/// The exercise's scene. Throws BadInput if it has none for engines.
 EngineScene engine_scene(const Task&, const Need&, const Reference&);
 
-/// Scenes that the book has not: "free body", "bouncing ball", "box on corners", "chain of 10", "chain of
+/// Scenes that are not in the book: "free body", "bouncing ball", "box on corners", "chain of 10", "chain of
 /// 100".
 std::vector<std::string> further_engine_scenes();
 /// One of these. Throws BadInput for another.

@@ -60,7 +60,7 @@ std::string shown(const EngineTrial* trial, const EngineContest& contest) {
   return std::string(name_of(trial->outcome));
 }
 
-/// The rate, or why none is known to be enough.
+/// The rate, or why none is known to be sufficient.
 std::string enough_from(const EngineSeries& series, const EngineContest& contest) {
   const auto rate = [&](const EngineTrial& t) {
     return format_significant(t.steps_per_frame * contest.frames_per_second, 6) + " Hz";
@@ -77,7 +77,7 @@ std::string order_of(const EngineSeries& series) {
   return (series.law ? format_significant(series.law->exponent, 2) : "-") + stated;
 }
 
-/// Of the coarsest trial that is enough, else of the coarsest.
+/// The coarsest sufficient trial, else the coarsest.
 const EngineTrial* priced(const EngineSeries& series) {
   if (const EngineTrial* first = series.first_enough()) return first;
   return series.trials.empty() ? nullptr : &series.trials.front();
@@ -89,7 +89,7 @@ std::string cheaper(const EngineSeries& series, const EngineContest& contest) {
   return two_digits(first->seconds_per_frame / contest.least->seconds_per_frame) + "x";
 }
 
-/// Whether someone who looks for accuracy takes a before b.
+/// Whether someone who looks for accuracy would prefer a to b.
 bool better(const EngineSeries& a, const EngineSeries& b) {
   const auto steps = [](const EngineSeries& s) {
     const EngineTrial* first = s.first_enough();
@@ -99,7 +99,7 @@ bool better(const EngineSeries& a, const EngineSeries& b) {
   return a.trials.front().in_needs < b.trials.front().in_needs / 2;
 }
 
-/// Of each engine its defaults, and what is best beside them where that is better; or all.
+/// Each engine's defaults, and its best variant where that is better; or all.
 std::vector<const EngineSeries*> shown_of(const EngineContest& contest, bool all) {
   std::vector<const EngineSeries*> shown;
   for (const EngineSeries& s : contest.series) {

@@ -6,15 +6,15 @@
 
 #include "report/study/engines.hpp"
 
-/// What the views of engines share: a scene's table, and what stands around it.
+/// Shared code of the engines' views: a scene's table and the texts around it.
 namespace oddity {
 
-/// By all criteria asked for: "3.4 cm, 0.12 deg and 29 % of its energy".
+/// By all requested criteria: "3.4 cm, 0.12 deg and 29 % of its energy".
 std::string error_text(const std::vector<double>& errors, const std::map<Criterion, double>& by,
                        const EngineContest&);
 
-/// The first row names the columns. Of each engine stand its defaults, and what is best beside them where
-/// that is better; or all variants.
+/// The first row names the columns. Each engine has a row for its defaults, and one for its best variant
+/// where that is better; or all variants are listed.
 std::vector<std::vector<std::string>> rows_of(const EngineContest&, const std::vector<double>& rates,
                                               bool all);
 std::string need_text(const EngineContest&);

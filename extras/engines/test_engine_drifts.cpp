@@ -14,7 +14,7 @@ using Frames = std::vector<std::vector<State>>;
 
 constexpr double g = 9.81;
 
-/// One body, by what its state is at t, every tenth of a second.
+/// One body, with state at(t), every tenth of a second.
 template <class At>
 Frames seen(const At& at) {
   Frames frames;
@@ -22,8 +22,8 @@ Frames seen(const At& at) {
   return frames;
 }
 
-/// A body of moments 1, 1, 2 that nothing turns: its axis and its spin go round its angular momentum, which
-/// is vertical.
+/// A body of moments 1, 1, 2 without torque: its axis and its spin go round its angular momentum, which is
+/// vertical.
 State spinning(double t) {
   constexpr double L = 10, tilt = 0.4;
   const Vector up{0, 0, 1};
@@ -35,7 +35,7 @@ State spinning(double t) {
   return s;
 }
 
-/// A top of moments 1, 1, 2 about its mass center, which is 1 m from its tip, that goes round steadily.
+/// A top of moments 1, 1, 2 about its mass center, which is 1 m from its tip, in steady precession.
 State precessing(double t) {
   constexpr double tilt = 0.5, round = 0.7;
   const Vector up{0, 0, 1};
@@ -56,7 +56,8 @@ World with(World world, const State& start) {
 
 }  // namespace
 
-TEST_CASE("what flies keeps its energy, its momentum across gravity, and its angular momentum", "[engines]") {
+TEST_CASE("a flying body keeps its energy, its momentum across gravity, and its angular momentum",
+          "[engines]") {
   const World world = with({.gravity = {0, 0, -g}, .bodies = {top()}}, spinning(0));
   const auto flying = [](double t) {
     State s = spinning(t);
@@ -83,7 +84,7 @@ TEST_CASE("what flies keeps its energy, its momentum across gravity, and its ang
   CHECK(energy_drift(world, seen(slowed)) > 0.01);
 }
 
-TEST_CASE("what turns the faster the deeper it is keeps its energy", "[engines]") {
+TEST_CASE("a body that spins faster the deeper it is keeps its energy", "[engines]") {
   const World world = with({.gravity = {0, 0, -g}, .bodies = {top()}}, spinning(0));
   const auto unwinding = [](double t) {  // about the axis of moment 2
     State s;
@@ -94,7 +95,7 @@ TEST_CASE("what turns the faster the deeper it is keeps its energy", "[engines]"
   CHECK(energy_drift(world, seen(unwinding)) < 1e-13);
 }
 
-TEST_CASE("what swings on a spring keeps its energy, and what turns a wheel on its way", "[engines]") {
+TEST_CASE("a body on a spring keeps its energy, and so does a falling body that turns a wheel", "[engines]") {
   const auto swinging = [](double t) {
     State s;
     s.position = {std::cos(2 * t), 0, 0};
@@ -105,7 +106,7 @@ TEST_CASE("what swings on a spring keeps its energy, and what turns a wheel on i
   World world = with({.bodies = {top()}, .springs = {spring}}, swinging(0));
   CHECK(energy_drift(world, seen(swinging)) < 1e-13);
 
-  // A kilogram falls with half of gravity's acceleration where it turns as much again.
+  // One kilogram falls with half of gravity's acceleration if it turns the same again.
   const auto falling = [](double t) {
     State s;
     s.position = {0, 0, -g * t * t / 4};
@@ -117,7 +118,7 @@ TEST_CASE("what swings on a spring keeps its energy, and what turns a wheel on i
   CHECK(energy_drift(world, seen(falling)) < 1e-13);
 }
 
-TEST_CASE("what hangs on a point keeps its angular momentum along gravity, a top that about its axis",
+TEST_CASE("bodies on a pivot keep their angular momentum along gravity, and a top that about its axis",
           "[engines]") {
   World world = with({.gravity = {0, 0, -g}, .bodies = {top()}, .joints = {{Joint::ball}}}, precessing(0));
   CHECK(momentum_drift(world, seen(precessing)) < 1e-13);
@@ -136,7 +137,7 @@ TEST_CASE("what hangs on a point keeps its angular momentum along gravity, a top
   };
   CHECK(momentum_drift(world, seen(slower_round)) > 0.01);
 
-  // Shaken aside, it keeps what is about its own axis alone: and that only if it is symmetric.
+  // Shaken sideways, a symmetric top keeps only the part about its own axis.
   world.shaking = {1, 0, 0};
   const auto pushed_round = [](double t) {
     State s = precessing(t);
@@ -149,7 +150,7 @@ TEST_CASE("what hangs on a point keeps its angular momentum along gravity, a top
   CHECK(std::isnan(momentum_drift(world, seen(precessing))));
 }
 
-TEST_CASE("a world that keeps nothing of a momentum or of its energy has no drift", "[engines]") {
+TEST_CASE("a world that conserves no momentum or no energy has no such drift", "[engines]") {
   const World flying = with({.gravity = {0, 0, -g}, .bodies = {top()}}, spinning(0));
   const Frames frames = seen(spinning);
   World hinged = flying, turning = flying, shaken = flying, rough = flying, inclined = flying,
@@ -172,7 +173,7 @@ TEST_CASE("a world that keeps nothing of a momentum or of its energy has no drif
   for (const World& world : {flying, turning, smooth}) CHECK(energy_drift(world, frames) < 1e-13);
 }
 
-TEST_CASE("a joint is off by how far its ends are apart, a rod by its length", "[engines]") {
+TEST_CASE("a joint is off by the distance of its ends, a rod by its length", "[engines]") {
   const auto at = [](const Vector& position) {
     return Frames{{State{.position = {1, 0, 0}}}, {State{.position = position}}};
   };

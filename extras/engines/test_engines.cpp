@@ -29,7 +29,7 @@ Need need_of(double horizon, double frames_per_second) {
           .errors = {{"m", centimeter}, {"rad", degree}}};
 }
 
-/// One that says of itself, and answers a request, by these shell commands.
+/// An engine that answers --about and a request with these shell commands.
 std::vector<EngineProgram> engines_that(const std::filesystem::path& folder, const std::string& about,
                                         const std::string& command) {
   const std::filesystem::path program = folder / "engine_fake";
@@ -40,7 +40,7 @@ std::vector<EngineProgram> engines_that(const std::filesystem::path& folder, con
   return engines_found(folder, folder);
 }
 
-/// An engine that answers a request by this shell command.
+/// An engine that answers a request with this shell command.
 EngineProgram engine_that(const std::filesystem::path& folder, const std::string& command) {
   const auto found = engines_that(folder,
                                   R"(echo '{"name": "Fake", "version": "1", "precision": "double",
@@ -59,14 +59,14 @@ EngineTrial trial_of(const std::string& command, double limit = 60) {
 
 }  // namespace
 
-TEST_CASE("the bouncing ball's truth falls freely before it is returned", "[engines]") {
+TEST_CASE("the bouncing ball's reference falls freely before it is returned", "[engines]") {
   const EngineScene scene = further_engine_scene("bouncing ball", need_of(0.1, 60));
   const Value& x = scene.motion.reference.value;
   for (std::size_t i = 3; i < 6; ++i)  // second differences of a fall
     CHECK(near_part((x[i] - 2 * x[i - 1] + x[i - 2]) * 3600, -9.81, 1e-9));
 }
 
-TEST_CASE("what an engine does to its process is an outcome", "[engines]") {
+TEST_CASE("a crash of an engine is an outcome", "[engines]") {
   const EngineTrial aborted = trial_of("kill -ABRT $$");
   CHECK(aborted.outcome == Outcome::raised);
   CHECK(aborted.message.find("signal 6") != std::string::npos);
@@ -83,7 +83,7 @@ TEST_CASE("what an engine does to its process is an outcome", "[engines]") {
   CHECK(babbling.message.find("no reply") != std::string::npos);
 }
 
-TEST_CASE("an engine that does not say what it is is bad input, by its name", "[engines]") {
+TEST_CASE("an engine without a valid description is bad input that names it", "[engines]") {
   const ScratchFolder scratch;
   for (const auto& [about, why] : {std::pair("echo I am an engine", "does not say what it is"),
                                    std::pair(R"(echo '{"name": "Fake"}')", "'version' not found"),
@@ -96,7 +96,7 @@ TEST_CASE("an engine that does not say what it is is bad input, by its name", "[
   }
 }
 
-TEST_CASE("an engine that is gone is an outcome", "[engines]") {
+TEST_CASE("an engine that has been removed is an outcome", "[engines]") {
   const ScratchFolder scratch;
   const EngineProgram engine = engine_that(scratch.path(), "exit");
   std::filesystem::remove(engine.command.front());
@@ -106,7 +106,7 @@ TEST_CASE("an engine that is gone is an outcome", "[engines]") {
   CHECK(trial.message.starts_with("not started"));
 }
 
-TEST_CASE("an engine whose numbers end before the motion does is judged so", "[engines]") {
+TEST_CASE("an engine whose finite numbers end before the motion does is judged non-finite", "[engines]") {
   const EngineTrial trial = trial_of(
       R"(echo '{"frames": [[{"position": [0,0,0], "orientation": [1,0,0,0], "velocity": [0,0,0], "spin": [1.7,0,1]}]],
                 "seconds": [0.1], "same_bits": true, "restored": "", "cannot": ""}')");
@@ -114,14 +114,14 @@ TEST_CASE("an engine whose numbers end before the motion does is judged so", "[e
   CHECK(std::isnan(trial.in_needs));
 }
 
-TEST_CASE("an engine whose start is no number is judged so", "[engines]") {
+TEST_CASE("an engine whose start is not finite is judged non-finite", "[engines]") {
   const EngineTrial trial =
       trial_of(R"(echo '{"frames": [], "seconds": [], "same_bits": true, "restored": "", "cannot": ""}')");
   CHECK(trial.outcome == Outcome::non_finite);
   CHECK(std::isnan(trial.in_needs));
 }
 
-TEST_CASE("an engine that has no such scene says why", "[engines]") {
+TEST_CASE("an engine that cannot build a scene gives the reason", "[engines]") {
   const ScratchFolder scratch;
   const EngineProgram engine = engine_that(
       scratch.path(),
@@ -139,7 +139,7 @@ const Reference& truth() {
   return tables;
 }
 
-/// A tenth more, and a tenth in place of zero, where that is in range.
+/// Parameters a tenth larger, and a tenth instead of zero, where that is in range.
 Parameters a_tenth_more(const Entry& entry) {
   Parameters p = Task(entry).parameters;
   for (const Parameter& declared : p.declared())
@@ -149,7 +149,7 @@ Parameters a_tenth_more(const Entry& entry) {
   return p;
 }
 
-/// As far as the velocities tell.
+/// Extrapolated with the velocities.
 engines::State moved(engines::State s, double seconds) {
   using engines::operator+, engines::operator*;
   const double spin = std::hypot(s.spin[0], s.spin[1], s.spin[2]);
@@ -159,7 +159,7 @@ engines::State moved(engines::State s, double seconds) {
   return s;
 }
 
-/// Of a scene that is looked at twice, a millisecond apart.
+/// Checks a scene at two frames, a millisecond apart.
 void check_its_first_milliseconds(const EngineScene& scene) {
   INFO(scene.scene);
   const Value& all = scene.motion.reference.value;
@@ -169,7 +169,7 @@ void check_its_first_milliseconds(const EngineScene& scene) {
     std::vector<engines::State> after;
     for (const auto& body : scene.staging.world.bodies) after.push_back(moved(body.start, t));
     const auto truth = all.begin() + static_cast<std::ptrdiff_t>((look - 1) * numbers);
-    // What accelerations of 200 m/s^2 or rad/s^2 add.
+    // Tolerance: the effect of accelerations of 200 m/s^2 or rad/s^2.
     CHECK(distance(Value(scene.staging.observe(after, t)),
                    Value(std::vector(truth, truth + static_cast<std::ptrdiff_t>(numbers)))) < 100 * t * t);
   }
@@ -192,7 +192,7 @@ void check_its_first_milliseconds(const EngineScene& scene) {
 
 }  // namespace
 
-TEST_CASE("further scenes start in engines where and as fast as they do here", "[engines]") {
+TEST_CASE("further scenes have the same initial positions and speeds in engines and here", "[engines]") {
   for (const std::string& name : further_engine_scenes())
     check_its_first_milliseconds(further_engine_scene(name, need_of(2e-3, 1e3)));
 }
@@ -204,7 +204,7 @@ TEST_CASE("engines have at least ten scenes of the book", "[engines]") {
 namespace {
 
 /// Where the box of 3.31 comes to rest on points that share its weight, with Coulomb's friction at each.
-/// Friction `h` below the center presses the points by what is linear over the foot.
+/// Friction `h` below the center adds loads that are linear over the foot.
 std::array<double, 3> rest_on(const std::vector<std::array<double, 2>>& points, double h) {
   constexpr double mu = 0.3, g = 9.81, inertia = (0.3 * 0.3 + 0.2 * 0.2) / 3, dt = 1e-4;
   using Box = std::array<double, 6>;
@@ -266,7 +266,8 @@ TEST_CASE("a box turns by 320 degrees on its whole foot, and by 176 on four corn
   for (std::size_t k = 0; k < 3; ++k) CHECK(near(on_corners[k], corners[k], 1e-3));
 }
 
-TEST_CASE("why an engine never comes to a scene is told where the trials show it", "[engines]") {
+TEST_CASE("the reason why an engine does not converge to a scene is given where the trials show it",
+          "[engines]") {
   const auto series = [](const std::string& variant, std::vector<double> errors) {
     EngineSeries s{"Fake", "1", "float", variant, ""};
     int steps = 1;
@@ -293,7 +294,7 @@ TEST_CASE("why an engine never comes to a scene is told where the trials show it
   CHECK(why_never(contest, rising) == "rounding in float");
   CHECK(why_never(contest, level) == "not explained");
   CHECK(why_never(contest, series("a", {9})).empty());
-  CHECK(why_never(contest, damped) == "damping");  // there is none without it
+  CHECK(why_never(contest, damped) == "damping");  // no variant without it
   contest.series = {damped, level};
   CHECK(why_never(contest, damped) == "not explained");  // without it, it is no better
   contest.series = {damped, good};
@@ -302,7 +303,7 @@ TEST_CASE("why an engine never comes to a scene is told where the trials show it
   CHECK(why_never(contest, damped) == "not the same scene");
 }
 
-TEST_CASE("an engine's order is told in its asymptotic range alone", "[engines]") {
+TEST_CASE("an engine's order is reported in its asymptotic range only", "[engines]") {
   const auto order = [](const std::vector<double>& errors) {
     EngineSeries s{"Fake", "1", "double", "defaults", ""};
     int steps = 1;
@@ -336,7 +337,7 @@ TEST_CASE("the free body's closed form is the solution of Euler's equations", "[
   }
 }
 
-TEST_CASE("a scene that is not set up for engines is named with those that are", "[engines]") {
+TEST_CASE("a scene that is not set up for engines is refused with a list of those that are", "[engines]") {
   const auto entry = std::ranges::find_if_not(registry(), has_engine_scene);
   const std::string says = complaint([&] { require_engine_scene(*entry); });
   CHECK(says.find("is not set up for engines; 3.5, ") != std::string::npos);
@@ -345,7 +346,7 @@ TEST_CASE("a scene that is not set up for engines is named with those that are",
         }).find("did you mean 'free body'?") != std::string::npos);
 }
 
-TEST_CASE("what engines did is read as it was written", "[engines]") {
+TEST_CASE("results of engines are read as they were written", "[engines]") {
   EngineSeries series{"Fake", "1", "float", "defaults", "nothing set"};
   for (int steps = 1; steps <= 16; steps *= 2) {
     EngineTrial trial{steps};
@@ -420,7 +421,7 @@ EngineSeries series_of(const std::string& engine, const std::vector<double>& err
 
 }  // namespace
 
-TEST_CASE("engines that err alike share a curve, and eight curves at most are drawn", "[engines]") {
+TEST_CASE("engines with similar errors share a curve, and eight curves at most are drawn", "[engines]") {
   EngineContest contest{"3.5", "Pendulum", {"rad"}, {degree}, 10, 60, {}};
   contest.series = {series_of("First", {2, 1, 0.5}), series_of("Second", {2.05, 1.02, 0.51}),
                     series_of("Third", {4, 2, 1})};
@@ -436,7 +437,7 @@ TEST_CASE("engines that err alike share a curve, and eight curves at most are dr
     CHECK((full.find("Worse " + std::to_string(i)) != std::string::npos) == (i < 6));
 }
 
-TEST_CASE("the engines' page has each engine's error and rate, and what was found", "[engines]") {
+TEST_CASE("the engines' page has each engine's error and rate, and the surprises", "[engines]") {
   const auto found = surprises_in(std::filesystem::path(ODDITY_SOURCE) / "extras/engines/adapters/found");
   for (const Surprise& s : found) {
     INFO(s.file);
@@ -469,7 +470,7 @@ TEST_CASE("an engine's adapter is a hundred lines at most", "[engines]") {
   }
 }
 
-TEST_CASE("engines are judged and shown by the criteria that are asked for", "[engines]") {
+TEST_CASE("engines are judged and shown by the requested criteria", "[engines]") {
   EngineContest contest{"3.5", "Pendulum", {"rad"}, {degree}, 10, 60, {series_of("First", {4, 0.5})}};
   contest.criteria = {{Criterion::energy, 0.05}, {Criterion::constraint, 1e-3}};
   contest.series[0].trials[0].by = {{Criterion::energy, 0.29}, {Criterion::constraint, 5e-4}};
@@ -489,7 +490,7 @@ TEST_CASE("engines are judged and shown by the criteria that are asked for", "[e
   CHECK(to_csv(engines_table({contest})).find("restored\n") != std::string::npos);
 }
 
-TEST_CASE("what an engine did is told in words, also where it gave no answer", "[engines]") {
+TEST_CASE("an engine's result is put into words, also where it gave no answer", "[engines]") {
   EngineContest contest{"3.5", "Pendulum", {"rad"}, {degree}, 10, 60, {}};
   contest.series = {series_of("First", {4, 0.5})};
   CHECK(engine_answer(contest, {}).find("it errs by 4 deg; 2 steps a frame bring 0.5 deg") !=

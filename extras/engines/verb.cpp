@@ -32,11 +32,11 @@ using verbs::Format, verbs::output;
 fs::path engines_folder() {
   return (own_tree().empty() ? own_code() : program_file().parent_path()) / "engines";
 }
-/// What runs those in JavaScript.
+/// The engines in JavaScript and their runner.
 fs::path adapters_folder() {
   return own_tree().empty() ? engines_folder() : own_tree() / "extras/engines/adapters";
 }
-/// Programs that show what was found of engines.
+/// Programs that show the surprises found in engines.
 fs::path surprises_folder() {
   return own_tree().empty() ? own_data() / "engines/found" : own_tree() / "extras/engines/adapters/found";
 }
@@ -71,7 +71,7 @@ std::optional<Instead> instead_of(const Choice& choice) {
       choice.chosen->errors, choice.chosen->seconds_per_frame, choice.chosen->by};
 }
 
-/// What `choose` takes for the scene, at the prices kept.
+/// The model that `choose` takes for the scene, at the prices kept.
 std::optional<Instead> instead(const Task& task, const Need& need, const Reference& truth,
                                const Progress& progress) {
   KeptPrices prices(prices_folder(), price_key(task, need), false);
@@ -84,7 +84,7 @@ std::vector<EngineContest> kept_engines() {
   return fs::exists(engines_file()) ? read_engines(engines_file()) : std::vector<EngineContest>();
 }
 
-/// These, and what earlier runs kept of other scenes, in the order in which all would run.
+/// These, and the kept results of other scenes, in the order in which all would run.
 std::vector<EngineContest> with_earlier(const std::vector<EngineContest>& contests) {
   const std::vector<EngineContest> earlier = kept_engines();
   std::vector<EngineContest> all;
@@ -98,7 +98,7 @@ std::vector<EngineContest> with_earlier(const std::vector<EngineContest>& contes
   return all;
 }
 
-/// By the algorithms that engines and their critics name, with the steps that engines are tried with.
+/// Runs the algorithms that engines and their critics name, at the steps that engines are tried with.
 std::vector<OwnSteps> own_steps(const Task& task, const Reference& truth) {
   const Need need = simple_need();
   const std::vector<Start> start{InitialConditions(task, need, truth).asked()};
@@ -138,21 +138,22 @@ void write_page(const std::vector<EngineContest>& contests, const Reference& tru
   std::cerr << "the page is " << page.string() << "\n";
 }
 
-/// What is asked on the command line.
+/// Options of the command line.
 struct AskedEngines : Formats {
-  std::vector<std::string> scenes = {};  ///< by number or name, one exercise with other parameters; none: all
+  std::vector<std::string> scenes = {};  ///< numbers or names, or one exercise with other parameters; none:
+                                         ///< all
   std::string rates = "60,240";          ///< 1/s, of the table
   int finest = 32;                       ///< steps per frame
   bool all = false;                      ///< every variant
-  bool rows = false;                     ///< what is put on record, instead
-  bool kept = false;                     ///< nothing is run: it is what earlier runs kept
-  bool page = false;                     ///< written as well
-  std::string horizon = {};              ///< of exercises, unless empty
+  bool rows = false;                     ///< prints the rows of the approved records instead
+  bool kept = false;                     ///< shows the results kept of earlier runs; runs nothing
+  bool page = false;                     ///< writes the page as well
+  std::string horizon = {};              ///< exercises only; empty: their own
   AskedNeed need = {};                   ///< its errors and criteria, of exercises
-  std::string time_limit = "none";       ///< of each scene
+  std::string time_limit = "none";       ///< per scene
 };
 
-/// What is asked of an exercise that is not usual: other parameters, another horizon, another need.
+/// The unusual settings of an exercise: other parameters, another horizon, another tolerance.
 struct AskedScenes {
   WithOverrides words;
   std::string horizon;
@@ -161,7 +162,7 @@ struct AskedScenes {
   std::string first_option() const { return horizon.empty() ? accuracy_option(need) : "--horizon"; }
   bool is_usual() const { return words.overrides.empty() && first_option().empty(); }
 
-  /// A centimetre and a degree, unless another error or criterion is asked for.
+  /// A centimetre and a degree, unless another error or criterion is requested.
   Need of(const Task& task) const {
     AskedNeed all = need;
     all.as_engines = true;
@@ -183,7 +184,7 @@ EngineContest engines_on(const std::string& scene, const AskedScenes& words,
   return result;
 }
 
-/// Those whose names begin so, whatever the case. Throws BadInput when there is none.
+/// Engines whose names begin with this, ignoring case. Throws BadInput if no name does.
 std::vector<EngineProgram> engines_named(const std::string& name) {
   const auto lower = [](std::string text) {
     std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -197,7 +198,7 @@ std::vector<EngineProgram> engines_named(const std::string& name) {
   return programs;
 }
 
-/// The engines of this name on the scene of a choice, with its need.
+/// Runs the engines of this name on the scene of a choice, with its tolerance.
 OtherEngines::Answer beside(const std::string& name, const Task& task) {
   return [task, programs = engines_named(name)](const Choice& choice, const Reference& truth) {
     EngineContest tried = with_progress([&](const Progress& progress) {
@@ -208,7 +209,7 @@ OtherEngines::Answer beside(const std::string& name, const Task& task) {
   };
 }
 
-/// Whichever of these can be had is judged.
+/// Any of these engines that is installed is judged.
 Needs needs_of_engines() {
   return {{"libode-dev", "libbullet-dev", "libbox2d-dev", "libchipmunk-dev", "libmujoco-dev",
            "libsimbody-dev", "libdart-dev"},
@@ -216,7 +217,7 @@ Needs needs_of_engines() {
           {"engines"}};
 }
 
-/// Before anything runs: it may take minutes.
+/// Checked before anything runs, since that may take minutes.
 void require_scenes(const std::vector<std::string>& scenes) {
   const std::vector<std::string> all = scenes_for_engines();
   for (const std::string& scene : scenes)
@@ -225,7 +226,7 @@ void require_scenes(const std::vector<std::string>& scenes) {
                      "; those that they have are: " + joined(all));
 }
 
-/// At others nothing is tried.
+/// Nothing is tried at other rates.
 void require_rates(const std::vector<double>& rates) {
   for (double rate : rates) {
     const double doublings = std::log2(rate / 60);
@@ -235,12 +236,12 @@ void require_rates(const std::vector<double>& rates) {
   }
 }
 
-/// What is asked, in the order asked: run anew, and kept as soon as it is there, unless it is of other
+/// Runs the requested scenes in order. Each result is kept as soon as it is there, unless it has other
 /// parameters or another horizon.
 std::vector<EngineContest> engines_run(const AskedEngines& asked, const AskedScenes& words,
                                        const std::vector<std::string>& scenes, const Reference& truth) {
   const double limit = time_limit_of(asked.time_limit);
-  kept_engines();  // what cannot be read is refused before anything is run
+  kept_engines();  // refuses an unreadable file before anything runs
   const std::vector<EngineProgram> programs = all_engines();
   std::vector<EngineContest> contests;
   for (const std::string& scene : scenes) {
@@ -254,14 +255,14 @@ std::vector<EngineContest> engines_run(const AskedEngines& asked, const AskedSce
   return contests;
 }
 
-/// The same of what earlier runs kept.
+/// The requested scenes from the results of earlier runs.
 std::vector<EngineContest> engines_kept(const std::vector<std::string>& scenes) {
   std::vector<EngineContest> contests = read_engines(engines_file());
   std::erase_if(contests, [&](const EngineContest& c) { return std::ranges::count(scenes, c.scene) == 0; });
   return contests;
 }
 
-/// Pictures of what earlier runs kept of the tasks' scenes, as the exercises have them.
+/// Charts of the kept results of the tasks' scenes, with the exercises' own parameters.
 std::vector<fs::path> draw_engines(const std::vector<Task>& tasks, const Reference& truth,
                                    const fs::path& folder) {
   const std::vector<EngineContest> kept = kept_engines();
@@ -297,7 +298,7 @@ void run_engines(const fs::path& folder, const AskedEngines& asked) {
                    (words.words.overrides.empty() ? option : words.words.overrides.front()) + "' out");
   if (scenes.empty()) {
     scenes = scenes_for_engines();
-    if (!asked.kept) std::erase(scenes, "chain of 100");  // it is there by its name
+    if (!asked.kept) std::erase(scenes, "chain of 100");  // only if requested by name
   }
   require_scenes(scenes);
   require_rates(rates);

@@ -6,7 +6,7 @@ namespace oddity {
 
 /// Adds `engines`.
 void add_engines(const CommandLine&);
-/// Other people's engines for the other verbs.
+/// Third-party engines for the other commands.
 OtherEngines other_engines();
 
 }  // namespace oddity

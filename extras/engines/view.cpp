@@ -36,7 +36,7 @@ std::string engines_text(const std::vector<EngineContest>& contests, const std::
 
 namespace {
 
-/// But the path.
+/// All criteria except the path.
 std::set<Criterion> criteria_of(const std::vector<EngineContest>& contests) {
   std::set<Criterion> all;
   for (const EngineContest& c : contests)
@@ -72,7 +72,7 @@ Table engines_table(const std::vector<EngineContest>& contests) {
 
 namespace {
 
-/// A cell that needs no quotes, for tests/engines.sh.
+/// Text of a cell without quotes, for extras/engines/engines.sh.
 std::string plain(std::string text) {
   std::ranges::replace(text, ',', ';');
   return text;
@@ -122,7 +122,7 @@ std::string did(const EngineTrial& t, const EngineContest& contest) {
   }
 }
 
-/// "8 steps a frame bring 0.75 deg", or that none are enough, and why.
+/// "8 steps a frame bring 0.75 deg", or that none is sufficient, and why.
 std::string with_more_steps(const EngineSeries& s, const EngineContest& contest) {
   if (const EngineTrial* enough = s.first_enough())
     return enough == &s.trials.front()

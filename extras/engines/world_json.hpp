@@ -4,7 +4,7 @@
 
 #include "solvers/world.hpp"
 
-/// A world as it is sent to an engine's program, and its states as they come back.
+/// A world as sent to an engine's program, and its states as returned.
 namespace oddity::engines {
 
 NLOHMANN_JSON_SERIALIZE_ENUM(Shape::Kind, {{Shape::none, "none"}, {Shape::ball, "ball"}, {Shape::box, "box"}})
@@ -23,25 +23,25 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Rope, parts, length, stiffness, rest)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(World, gravity, bodies, joints, springs, ropes, floor, friction,
                                    restitution, shaking, frequency, turning)
 
-/// What an engine's program is asked, as one line of JSON on its standard input.
+/// Request to an engine's program, as one line of JSON on its standard input.
 struct Request {
   World world;
   std::string variant;
   int frames = 0;
   double frames_per_second = 60;
   int steps_per_frame = 1;
-  int runs = 1;           ///< timed, each from the start
-  bool restored = false;  ///< one more, saved half way and gone on from there twice
+  int runs = 1;           ///< number of timed runs, each from the start
+  bool restored = false;  ///< adds a run that is saved half way and continued from there twice
 };
 
-/// What it answers, as one line.
+/// The reply, as one line.
 struct Reply {
   std::vector<std::vector<State>>
       frames;  ///< from the start on, as long as they are numbers; bodies in the world's order
-  std::vector<double> seconds;  ///< each run's, without its making
-  bool same_bits = true;        ///< all runs
+  std::vector<double> seconds;  ///< each run's, without its construction
+  bool same_bits = true;        ///< whether all runs have the same bits
   std::string restored;         ///< "same bits", "other bits", "not offered"; empty: not asked
-  std::string cannot;           ///< why the engine has no such world; empty: it has
+  std::string cannot;           ///< why the engine cannot build the world; empty: it can
 };
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Request, world, variant, frames, frames_per_second, steps_per_frame, runs,

@@ -1,9 +1,9 @@
-// A disk and a clock that fail, for a program that loads this before its libraries (LD_PRELOAD). ODDITY_FAULT
-// is
-//   full, readonly   from its ODDITY_FAULT_AT-th change on, the disk takes none: no space, no right
-//   kill             before that change the program is killed
+// A faulty disk and clock, for a program that loads this before its libraries (LD_PRELOAD). ODDITY_FAULT is
+// one of
+//   full, readonly   from the change ODDITY_FAULT_AT on, the disk refuses all: no space, no permission
+//   kill             the program is killed before that change
 //   clock            the time of day jumps by a year, on and back
-// How many changes were asked for is in the file ODDITY_FAULT_COUNT at the end.
+// At the end the file ODDITY_FAULT_COUNT contains the number of changes requested.
 
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -33,7 +33,7 @@ struct Fault {
   std::string kind = setting("ODDITY_FAULT"), count = setting("ODDITY_FAULT_COUNT");
   long at = std::atol(setting("ODDITY_FAULT_AT").c_str());
 
-  Fault() { unsetenv("LD_PRELOAD"); }  // it is this program's alone
+  Fault() { unsetenv("LD_PRELOAD"); }  // not for its child processes
   ~Fault() {
     if (count.empty()) return;
     const std::string line = std::to_string(changes) + "\n";
@@ -41,7 +41,7 @@ struct Fault {
     static_cast<void>(!syscall(SYS_write, file, line.data(), line.size()));
   }
 
-  /// Whether the disk takes one more change.
+  /// Whether the disk accepts one more change.
   bool lets_pass() const {
     const bool now = ++changes >= at && at > 0;
     if (now && kind == "kill") kill(getpid(), SIGKILL);

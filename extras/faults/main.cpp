@@ -1,6 +1,6 @@
-// Every verb that writes, under every fault: oddity_faults [VERB...] says what does not hold, and counts. The
-// table goes to the file ODDITY_FAULTS_TABLE as CSV; ODDITY_KILLS says how often chance is tried, ODDITY_SEED
-// which.
+// Runs every command that writes under every fault: oddity_faults [VERB...] prints failures and counts. The
+// table goes to the file ODDITY_FAULTS_TABLE as CSV. ODDITY_KILLS is the number of random trials, ODDITY_SEED
+// their seed.
 
 #include <iostream>
 

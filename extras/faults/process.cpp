@@ -29,7 +29,7 @@ fs::path new_file() {
   return scratch.path() / std::to_string(count++);
 }
 
-/// In the child.
+/// Runs in the child process.
 [[noreturn]] void become(const Command& command, const fs::path& said) {
   const int out =
       open((command.output.empty() ? said : command.output).c_str(), O_WRONLY | O_CREAT | O_APPEND, 0666);

@@ -7,18 +7,18 @@
 #include <string>
 #include <vector>
 
-/// Programs that are started, disturbed, and watched to their end.
+/// Programs that are started, disturbed, and awaited.
 namespace faults {
 
 struct Command {
   std::vector<std::string> words;
-  std::map<std::string, std::string> environment = {};  ///< beside that of this program
-  std::size_t memory = 0;                               ///< the most address space [bytes]; 0: any
-  std::filesystem::path output = {};                    ///< instead of a file of its own
+  std::map<std::string, std::string> environment = {};  ///< added to that of this program
+  std::size_t memory = 0;                               ///< limit of the address space [bytes]; 0: none
+  std::filesystem::path output = {};                    ///< empty: a temporary file
 };
 
 struct Ended {
-  int status;        ///< as a shell has it: 128 and the signal that ended it
+  int status;        ///< as in a shell: 128 plus the signal that ended it
   std::string said;  ///< standard output and standard error
   double seconds;
 };
@@ -30,7 +30,7 @@ class Process {
   Process& operator=(const Process&) = delete;
 
   void signal(int) const;
-  /// To be called once.
+  /// Must be called once.
   Ended wait();
 
  private:
@@ -40,7 +40,7 @@ class Process {
 };
 
 Ended run(const Command&);
-/// Gets the signal after so many seconds, where it has not ended before.
+/// Sends the signal after this many seconds, unless the program has ended before.
 Ended run_until(const Command&, double seconds, int signal);
 
 }  // namespace faults

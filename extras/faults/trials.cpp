@@ -22,7 +22,7 @@ bool says(const Ended& ended, const std::string& text) { return ended.said.find(
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-/// Of a file with times in it, whose whole text differs from run to run.
+/// For files that contain times, whose text differs from run to run.
 bool ends_like(const std::string& text, const std::string& other) {
   if (other.ends_with("</svg>\n")) return text.ends_with("</svg>\n");
   return text.ends_with('\n') && std::ranges::count(text, '\n') == std::ranges::count(other, '\n');
@@ -38,18 +38,18 @@ class Trials {
  private:
   using Disturbed = std::function<Ended(Command)>;
 
-  /// As it is before the verb, or as one whole run of it leaves it.
+  /// Resets the folder to its state before the command, or after one whole run of it.
   void reset(bool done);
   Command command(const std::string& fault = "", long at = 0) const;
-  /// How many writes the last run asked for that came to its end.
+  /// Number of writes of the last run that came to its end.
   long writes() const;
-  /// What is wrong with the folder; parts of files may be left only by a kill.
+  /// Faults found in the folder; only a kill may leave parts of files.
   std::vector<std::string> wrong(bool parts_allowed, bool complete) const;
   bool is_whole(const std::string& path, const std::string& text) const;
-  /// Notes what is wrong after a run, and with its end.
+  /// Notes the faults found after a run, and in how it ended.
   void judge(Cell& cell, const std::string& when, const Ended& ended, const std::set<int>& statuses,
              bool parts_allowed);
-  /// The verb goes on from what is there, and is done.
+  /// Checks that the command continues from the files left, and finishes.
   void goes_on(Cell& cell, const std::string& when);
   void note(Cell& cell, const std::string& when, const Ended& ended, std::vector<std::string> what);
   std::vector<long> some_writes() const;
@@ -151,7 +151,7 @@ void Trials::judge(Cell& cell, const std::string& when, const Ended& ended, cons
 }
 
 void Trials::goes_on(Cell& cell, const std::string& when) {
-  for (const auto& entry : fs::recursive_directory_iterator(folder_))  // as if it were days later
+  for (const auto& entry : fs::recursive_directory_iterator(folder_))  // pretends that days have passed
     if (entry.path().extension() == ".part")
       fs::last_write_time(entry, fs::last_write_time(entry) - std::chrono::hours(48));
   const Ended ended = run(command());
@@ -208,7 +208,7 @@ Cell Trials::read_only() {
   for (bool done : {false, true}) {
     reset(done);
     const Ended ended = run(command("readonly", 1));
-    const bool nothing_to_write = done && writes() == 0;  // as all is on record
+    const bool nothing_to_write = done && writes() == 0;  // everything is there already
     judge(cell, "read-only", ended, {verb_.keeps || nothing_to_write ? 0 : 2}, false);
     if (ended.status == 2 && !says(ended, "Read-only file system"))
       note(cell, "read-only", ended, {"it does not say why"});
@@ -239,7 +239,7 @@ Cell Trials::out_of_memory() {
     reset(megabytes % 20 == 0);
     Command little = command();
     little.memory = megabytes << 20;
-    // 127: no program begins. A status of 1 is of a verdict.
+    // 127: the program cannot start. Exit code 1 would be a verdict.
     judge(cell, std::to_string(megabytes) + " MB", run(little), {0, 2, 127}, false);
   }
   goes_on(cell, "out of memory");
@@ -276,7 +276,7 @@ Cell Trials::lost_output() {
   Command full = command();
   full.output = "/dev/full";
   const Ended ended = run(full);
-  const bool loses = !clean_.said.empty();  // what says nothing loses nothing
+  const bool loses = !clean_.said.empty();  // a command without output loses nothing
   judge(cell, "> /dev/full", ended, {loses ? 2 : 0}, false);
   if (loses && !says(ended, "cannot write to standard output"))
     note(cell, "> /dev/full", ended, {"it does not say why"});

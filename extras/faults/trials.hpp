@@ -6,12 +6,11 @@
 
 #include "extras/faults/verbs.hpp"
 
-/// One verb under faults: nothing that was whole is lost, nothing half-written is left, the exit code is
-/// right, and the message says what is wrong.
+/// One command under faults: no complete file is lost, no half-written one is left, the exit code is right,
+/// and the message names the fault.
 namespace faults {
 
-/// How often each fault of a kind that is left to chance is tried, and at how many of its writes one that is
-/// not.
+/// Number of trials of each random fault, and of writes at which each other fault is tried.
 struct Count {
   int random = 20, writes = 20;
 };
@@ -19,10 +18,10 @@ struct Count {
 struct Cell {
   std::string verb, fault;
   int runs = 0;
-  std::vector<std::string> broken = {};  ///< a sentence for each run of which something does not hold
+  std::vector<std::string> broken = {};  ///< a sentence for each run with a failure
 };
 
-/// A row of the table. Empty where this program lacks what the verb needs.
+/// A row of the table. Empty if this program is built without a library that the command needs.
 std::vector<Cell> try_faults(const Verb&, const Installed&, const Count&, unsigned seed);
 
 }  // namespace faults

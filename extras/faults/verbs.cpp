@@ -21,7 +21,7 @@ echo '{"name": "Dying", "version": "1", "precision": "double",
        "variants": [{"name": "defaults", "says": "", "order": 1, "defaults": true}]}'
 )";
 
-/// A proof assistant that takes its time and believes everything: what is looked at is what oddity writes.
+/// A slow proof assistant that accepts everything: the test is about oddity's own files.
 constexpr const char* believing_coqc = "#!/bin/sh\nsleep 0.05\necho Closed under the global context\n";
 
 void write_program(const fs::path& file, const char* text) {
@@ -39,7 +39,7 @@ void must(const Ended& ended) {
   if (ended.status != 0) throw std::runtime_error("cannot prepare: " + ended.said);
 }
 
-/// With the times at which they were written, by which the program knows what is stale.
+/// Keeps the times of writing, by which the program recognizes stale files.
 void copy_as_it_is(const fs::path& from, const fs::path& to) {
   fs::create_directories(to.parent_path());
   must(run({{"/bin/cp", "-a", from.string(), to.string()}}));
@@ -48,7 +48,7 @@ void copy_as_it_is(const fs::path& from, const fs::path& to) {
 }  // namespace
 
 Installed::Installed(fs::path root) : root_(std::move(root)) {
-  umask(022);  // a program runs nothing that others can write to
+  umask(022);  // the program runs nothing that others can write to
   copy_as_it_is(ODDITY_PROGRAM, root_ / "bin/oddity");
   copy_as_it_is(ODDITY_MAKER, root_ / "bin/make_reference");
   for (const char* room : {"tables", "approved"})
@@ -118,7 +118,7 @@ std::vector<Verb> verbs(const Installed& program) {
        .words = {"choose", "3.9", "--digits", "14", "--horizon", "1"},
        .timed = true,
        .keeps = true},
-      {.name = "sweep plan",  // so small that it is one chunk, however busy the machine that times it
+      {.name = "sweep plan",  // so small that it is one chunk, however busy the machine is
        .words = {"sweep", "plan", "{}/out", "3.5", "--model", "one angle", "--algorithm", "Runge-Kutta 4",
                  "--over", "a=1deg..179deg:40", "--looks", "4", "--setting", "0.1"},
        .timed = true},

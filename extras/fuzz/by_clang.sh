@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# by_clang.sh CLANG COMPILER ARGUMENT...: what the compiler is asked for, by clang with libFuzzer and sanitizers
+# by_clang.sh CLANG COMPILER ARGUMENT...: compiles by clang with libFuzzer and sanitizers instead
 set -euo pipefail
 arguments=()
 for one in "${@:3}"; do
   case $one in
     -Wl,*) arguments+=("$one") ;;
-    --param=* | -fpch-preprocess | -fno-tree-* | -W[a-z]*) ;;  # which clang does not know, or would have its own opinion of
+    --param=* | -fpch-preprocess | -fno-tree-* | -W[a-z]*) ;;  # options that clang does not know or
+                                                               # interprets otherwise
     *) arguments+=("$one") ;;
   esac
 done

@@ -1,4 +1,4 @@
-// A chunk of a sweep, behind its seal and its head.
+// A chunk of a sweep, after its seal and its head.
 #include "extras/sweep/chunks.hpp"
 
 #include "extras/fuzz/fuzz.hpp"

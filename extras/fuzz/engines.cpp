@@ -1,4 +1,4 @@
-// What engines did, as earlier runs kept it: what is read of it is written and read again.
+// Kept results of engines: if they can be read, they are written and read again.
 #include "report/study/engines.hpp"
 
 #include "extras/fuzz/fuzz.hpp"

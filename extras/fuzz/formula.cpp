@@ -1,4 +1,4 @@
-// A formula of TeX or of plain text, in letters of every shape: read, evaluated, printed, changed.
+// A formula in TeX or plain text, with letters of every kind: read, evaluated, printed, mutated.
 #include "extras/fuzz/fuzz.hpp"
 
 #include "formula/code.hpp"

@@ -14,8 +14,8 @@
 
 #include "reference/bad_input.hpp"
 
-/// What the targets share. A reader takes its input or refuses it by BadInput; whatever else happens is
-/// found.
+/// Shared code of the targets. A reader accepts its input or refuses it by BadInput; anything else is a
+/// finding.
 namespace fuzz {
 
 template <class Read>
@@ -26,12 +26,12 @@ void refused_or_read(const Read& read) {
   }
 }
 
-/// What must be so, whatever the input.
+/// Aborts if a property that must hold for every input does not.
 inline void require(bool holds) {
   if (!holds) std::abort();
 }
 
-/// A file of this process, in memory where there is such a folder.
+/// A file of this process, in memory if there is such a folder.
 inline std::filesystem::path file(const std::string& name, std::string_view text) {
   static const std::filesystem::path folder = [] {
     const std::filesystem::path memory = "/dev/shm";
@@ -46,7 +46,7 @@ inline std::filesystem::path file(const std::string& name, std::string_view text
   return folder / name;
 }
 
-/// A target's own.
+/// Defined by each target.
 void read(std::string_view input);
 
 }  // namespace fuzz
@@ -59,8 +59,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const Clock::time_point start = Clock::now();
   read();
   if (Clock::now() - start < std::chrono::seconds(1)) return 0;
-  // Again by its own time, which a busy machine does not stretch; to ask for it takes longer than most
-  // inputs do.
+  // Measures CPU time as well, which a busy machine does not stretch. Reading it takes longer than most
+  // inputs.
   const std::clock_t own = std::clock();
   read();
   fuzz::require(std::clock() - own < CLOCKS_PER_SEC);

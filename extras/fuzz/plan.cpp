@@ -1,4 +1,4 @@
-// The plan of a sweep: what is read of it is written and read again.
+// The plan of a sweep: if it can be read, it is written and read again.
 #include "extras/sweep/plan.hpp"
 
 #include "extras/fuzz/fuzz.hpp"

@@ -1,4 +1,4 @@
-// A problem's file, TOML or XPPAUT's: read, its models made, their rates computed once.
+// A problem's file, TOML or XPPAUT's: read, its models built, their rates computed once.
 #include "extras/fuzz/fuzz.hpp"
 
 #include "problem/claims.hpp"

@@ -1,4 +1,4 @@
-// A number with a unit, for each unit that a parameter or an option has.
+// A number with a unit, for each unit of a parameter or an option.
 #include "reference/quantity_text.hpp"
 
 #include <array>

@@ -1,4 +1,4 @@
-// What the suite is held to: verdicts, limits, errors or maps, by the first byte.
+// The approved records: verdicts, limits, errors or maps, by the first byte.
 #include "extras/fuzz/fuzz.hpp"
 #include "reference/errors.hpp"
 #include "reference/limits.hpp"

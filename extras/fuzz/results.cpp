@@ -1,4 +1,4 @@
-// A results file: what is read of it is written and read again.
+// A results file: if it can be read, it is written and read again.
 #include "report/study/results.hpp"
 
 #include "extras/fuzz/fuzz.hpp"

@@ -1,4 +1,4 @@
-// A table of true values.
+// A table of reference values.
 #include "reference/table.hpp"
 
 #include "extras/fuzz/fuzz.hpp"

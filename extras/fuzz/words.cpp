@@ -1,5 +1,5 @@
-// The words of a command line: an exercise, its parameters, a need, a share. The first line is the exercise,
-// or @ and a letter for its place; each further one is what its first letter says.
+// The words of a command line: an exercise, its parameters, a tolerance, a share. The first line is the
+// exercise, or @ and a letter for its place. The first letter of each further line selects its kind.
 #include <sstream>
 
 #include "extras/fuzz/fuzz.hpp"

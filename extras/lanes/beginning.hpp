@@ -3,7 +3,7 @@
 #include "extras/lanes/kernels.hpp"
 #include "extras/lanes/scenes.hpp"
 
-/// Models of single numbers, as bodies begin; for every machine.
+/// Models of single numbers that give the initial states of bodies; compiled for every machine.
 namespace oddity::lanes {
 
 template <class Model>

@@ -5,8 +5,8 @@
 namespace oddity::lanes {
 
 /// One step of J. R. Dormand and P. J. Prince's pair of orders 5 and 4 (A family of embedded Runge-Kutta
-/// formulae, 1980, table 2), each lane by its own h: from x, where the slope is k1, to y, where it is k7. Six
-/// right-hand sides; the last is the next step's first. Returns the error in units of what is allowed.
+/// formulae, 1980, table 2), each lane with its own h: from x with slope k1 to y with slope k7. Six
+/// right-hand sides; the last is the next step's first. Returns the error in units of the tolerance.
 template <class Model, class State, class Number>
 [[gnu::always_inline]] inline Number dormand_prince_54(const Model& model, const State& x, const State& k1,
                                                        const Number& t, const Number& h,
@@ -33,7 +33,7 @@ template <class Model, class State, class Number>
     const Number off = h * (a(71, 57600) * k1[i] - a(71, 16695) * k3[i] + a(71, 1920) * k4[i] - a(17253, 339200) * k5[i]
                             + a(22, 525) * k6[i] - a(1, 40) * k7[i]);
     const Number size = greater(abs(x[i]), abs(y[i]));
-    worst = larger_size(worst, abs(off / (tolerance + tolerance * size)));  // NaN is the worst
+    worst = larger_size(worst, abs(off / (tolerance + tolerance * size)));  // NaN counts as the largest
   }
   // clang-format on
   return worst;

@@ -2,11 +2,11 @@
 
 #include "extras/lanes/series.hpp"
 
-/// Elementary functions of registers, for lanes. A register of one takes the same operations in the same
-/// order as a wide one, none of them fused, so that a number has the same bits on every instruction set. Each
-/// is within three units in the last place in double and in float (test_lanes_functions.cpp), but for
-/// hypot, which is the root of the sum of squares, with its range, for asinh, where x^2 is no number, and for
-/// sinh and cosh, where e^|x| is none.
+/// Elementary functions of registers, for lanes. A register of one number takes the same operations in the
+/// same order as a wide one, none of them fused. So a number has the same bits on every instruction set. Each
+/// function is within three units in the last place in double and in float (test_lanes_functions.cpp).
+/// Exceptions: hypot is the root of the sum of squares, with its range; asinh fails where x^2 overflows, sinh
+/// and cosh where e^|x| does.
 namespace oddity::lanes {
 
 template <class V>
@@ -25,14 +25,14 @@ template <class V>
   constexpr auto kept = Series<Number<V>>::size_bits;
   return from_bits<V>((bits(size) & kept) | (bits(sign) & ~kept));
 }
-/// To the nearest whole number, where it is below a quarter of `shift`.
+/// The nearest whole number, if x is below a quarter of `shift`.
 template <class V>
 [[gnu::always_inline]] inline V rounded(const V& x) {
   constexpr auto shift = Series<Number<V>>::shift;
   return (x + shift) - shift;
 }
 
-/// The larger of two that are not negative, by their bits, of which those of NaN are the largest.
+/// The larger of two non-negative numbers, compared by their bits, of which those of NaN are the largest.
 template <class V>
 [[gnu::always_inline]] inline V larger_size(const V& x, const V& y) {
   return bits(x) > bits(y) ? x : y;
@@ -45,8 +45,8 @@ template <class V>
 
 // ---- sine and cosine --------------------------------------------------------------------------------------
 
-/// y, but the C library's where x is beyond `limit`. It touches no memory, and is said to: else what stands
-/// in a model would be read and computed anew after every sine.
+/// y, or the C library's value where x is beyond `limit`. Declared const, as it touches no memory: otherwise
+/// a model's stored values would be read and computed again after every sine.
 template <class V>
 [[gnu::noinline, gnu::cold, gnu::const]] V corrected_beyond(V y, V x, Number<V> limit,
                                                             Number<V> (*by_library)(Number<V>)) {
@@ -58,9 +58,9 @@ template <class V>
   return std::bit_cast<V>(out);
 }
 
-/// The sine of x and `quarters` right angles: of what is left of x when the nearest n right angles are
-/// taken off in three parts [W. J. Cody and W. Waite, Software Manual for the Elementary Functions, 1980]. n
-/// times each of the first two is exact up to the limit.
+/// The sine of x plus `quarters` right angles. The nearest n right angles are subtracted from x in three
+/// parts [W. J. Cody and W. Waite, Software Manual for the Elementary Functions, 1980]. n times each of the
+/// first two is exact up to the limit.
 template <class V>
 [[gnu::always_inline]] inline V sine_from(const V& x, Number<V> quarters) {
   using S = Series<Number<V>>;
@@ -96,13 +96,13 @@ template <class V>
 
 // ---- exponentials -----------------------------------------------------------------------------------------
 
-/// 2^n of a whole n between the exponents of normal numbers.
+/// 2^n for a whole n between the exponents of normal numbers.
 template <class V>
 [[gnu::always_inline]] inline V power_of_two(const V& n) {
   using S = Series<Number<V>>;
   return from_bits<V>((bits(V(n + S::shift)) << S::digits) + bits(all<V>(1)));
 }
-/// x = n ln 2 + r: n, and exp(r) - 1.
+/// x = n ln 2 + r; `rest` is exp(r) - 1.
 template <class V>
 struct Split {
   V n, rest;
@@ -113,7 +113,7 @@ template <class V>
   const V n = rounded(V(x * S::octaves_per_one)), r = x - n * S::octave[0] - n * S::octave[1];
   return {n, r + r * r * polynomial(r, S::exponential)};
 }
-/// NaN stays.
+/// Keeps NaN.
 template <class V>
 [[gnu::always_inline]] inline V clamped(const V& x, Number<V> least, Number<V> most) {
   const V low = x < least ? all<V>(least) : x;
@@ -124,7 +124,7 @@ template <class V>
 [[gnu::always_inline]] inline V exp(const V& x) {
   using S = Series<Number<V>>;
   const auto [n, rest] = split(clamped(x, S::least_exponent, S::most_exponent));
-  const V half = rounded(V(n / 2));  // 2^n itself may be no normal number
+  const V half = rounded(V(n / 2));  // 2^n itself may overflow or underflow
   return (1 + rest) * power_of_two(half) * power_of_two(V(n - half));
 }
 template <class V>
@@ -157,7 +157,7 @@ template <class V>
   constexpr T lift = T(std::uint64_t(1) << S::digits);
   const V normal = x < least ? x * lift : x;
   const auto root = bits(all<V>(S::root_half)), one = bits(all<V>(1));
-  const auto up = bits(normal) - root + one;  // its exponent is n's
+  const auto up = bits(normal) - root + one;  // has the exponent n
   const auto fraction = (up & ((Whole<T>(1) << S::digits) - 1)) + root;
   const auto exponent = (up >> S::digits) - (one >> S::digits);
   const V n =
@@ -202,13 +202,13 @@ template <class V>
   return atan2(x, sqrt(V((1 - x) * (1 + x))));
 }
 
-/// x^(-1/5) within a fiftieth, x from 1e-4 to 1e4: Newton's method once, from a logarithm between the powers
-/// of two drawn straight.
+/// x^(-1/5) within 1/50 for x from 1e-4 to 1e4: one step of Newton's method, from a logarithm that is linear
+/// between the powers of two.
 template <class V>
 [[gnu::always_inline]] inline V inverse_fifth_root(const V& x) {
   using T = Number<V>;
   using S = Series<T>;
-  constexpr int dropped = S::digits - 14;  // of the fraction's bits, so that the rest is below `shift`
+  constexpr int dropped = S::digits - 14;  // bits of the fraction, so that the rest is below `shift`
   constexpr T scale = T(std::int64_t(1) << (S::digits - dropped));
   const V exponent = from_bits<V>((bits(x) >> dropped) + bits(all<V>(S::shift))) - S::shift;
   const V wanted = T(1.2) * S::bias * scale - exponent * T(0.2);
@@ -217,8 +217,8 @@ template <class V>
   return y * (T(1.2) - T(0.2) * x * square * square * y);
 }
 
-/// x less the nearest whole multiple n of y, which is exact: the product by Dekker's splitting. n is less
-/// than 2^26, or than 2^12 of floats.
+/// x minus the nearest whole multiple n of y, exactly: the product by Dekker's splitting. n is below 2^26, or
+/// 2^12 for floats.
 template <class V>
 [[gnu::always_inline]] inline V remainder(const V& x, const V& y) {
   constexpr Number<V> splitter = (std::uint64_t(1) << (Series<Number<V>>::digits / 2 + 1)) + 1;

@@ -9,11 +9,11 @@
 #include "extras/lanes/compiled.hpp"
 #include "extras/lanes/dormand_prince_54.hpp"
 
-/// Many bodies of one model in lanes. A body is the model with its own parameters, and its state, both of
-/// single numbers; its motion has the same bits in lanes as alone.
+/// Many bodies of one model in lanes. A body is the model with its own parameters and a state, both of single
+/// numbers. Its motion has the same bits in lanes as alone.
 namespace oddity::lanes {
 
-/// A model of single numbers, and the same of lanes.
+/// A model of single numbers, and the same model of lanes.
 template <class Alone, class Together>
 struct Pair {
   using State = typename Together::State;
@@ -23,15 +23,15 @@ struct Pair {
   static constexpr std::size_t width = Number::size();
 };
 
-/// Room for a model, which is made lane by lane.
+/// Memory for a model that is filled lane by lane.
 template <class Model>
 union Room {
   Model model;
   Room() {}
 };
 
-/// Puts what is made of single numbers into a lane of what is made of lanes. What else both have, such as a
-/// flag, is the same for all, and is put with the first.
+/// Puts an object of single numbers into a lane of an object of lanes. Their other members, such as flags,
+/// are equal for all lanes, and are copied each time.
 template <class Number, class Together, class Alone>
 void put(Together& all, std::size_t lane, const Alone& one) {
   using T = typename Number::value_type;
@@ -45,7 +45,7 @@ void put(Together& all, std::size_t lane, const Alone& one) {
   if constexpr (left > 0)
     std::memcpy(to + whole * sizeof(Number), from + whole * sizeof(T), sizeof(Alone) - whole * sizeof(T));
 }
-/// Puts a lane of one into a lane of the other. What both have beside numbers is the same for all.
+/// Copies a lane of one object into a lane of another. Members that are not numbers are equal for all.
 template <class Number, class All>
 void copy_lane(All& to, std::size_t lane, const All& from, std::size_t of) {
   using T = typename Number::value_type;
@@ -54,7 +54,7 @@ void copy_lane(All& to, std::size_t lane, const All& from, std::size_t of) {
     std::memcpy(reinterpret_cast<std::byte*>(&to) + at + lane * sizeof(T),
                 reinterpret_cast<const std::byte*>(&from) + at + of * sizeof(T), sizeof(T));
 }
-/// The other way, of a state.
+/// Copies a lane of a state to a state of single numbers.
 template <class Number, class Alone, class Together>
 void take(Alone& one, const Together& all, std::size_t lane) {
   for (std::size_t i = 0; i < one.size(); ++i) one[i] = all[i][lane];
@@ -68,7 +68,7 @@ struct Grouped {
 
   static std::size_t groups(std::size_t bodies) { return (bodies + P::width - 1) / P::width; }
 
-  /// The last body stands in for those that there are not.
+  /// Copies of the last body fill up the last group.
   static void put_all(const Alone* models, const typename Alone::State* states, std::size_t bodies,
                       Room<Together>* models_in_lanes, typename P::State* states_in_lanes) {
     for (std::size_t i = 0; i < groups(bodies) * P::width; ++i) {
@@ -84,8 +84,8 @@ struct Grouped {
   }
 };
 
-/// Steps of the size h from t0; Stepper is such as those of report/plain. The time is counted in double. All
-/// is one piece of code, so that what is made of the model alone is made once, and states stay in registers.
+/// Steps of size h from t0; Stepper is one of report/plain. The time is counted in double. Everything is
+/// inlined, so that values that depend only on the model are computed once, and states stay in registers.
 template <class Stepper, class Together>
 [[gnu::flatten]] void fixed_steps(const Room<Together>* models, typename Together::State* states,
                                   std::size_t groups, double t0, double h, long steps) {
@@ -102,9 +102,9 @@ template <class Stepper, class Together>
   }
 }
 
-/// From t0 to t1 with the error of a step held at `tolerance` (relative, and absolute where a state is below
-/// 1), each body by its own steps. A lane whose body has come to the end waits for the others of its group,
-/// unless they have far to go: then these are late, and a group of late ones goes on together.
+/// Integrates from t0 to t1 with the error of a step within `tolerance` (relative, and absolute where a state
+/// is below 1), each body with its own steps. A lane that has reached the end waits for the others of its
+/// group, unless they have far to go. Then these are put aside as late, and late bodies continue as a group.
 template <class Together>
 class OwnSteps {
   using State = typename Together::State;
@@ -118,7 +118,7 @@ class OwnSteps {
   OwnSteps(T t0, T t1, T tolerance, T first_step)
       : t0_(t0), end_(t1), tolerance_(tolerance), first_step_(first_step) {}
 
-  /// Whether all have come to t1. `each`: how it ended for every body of the groups, or null.
+  /// Returns whether all have reached t1. `each`: one for every body of the groups, or null.
   bool run(const Room<Together>* models, State* states, std::size_t groups, Ended* each) {
     bool reached = true;
     for (std::size_t i = 0; i < groups; ++i) {
@@ -134,22 +134,22 @@ class OwnSteps {
   }
 
  private:
-  /// Where the lanes are, and by which steps they go on; `steps` are tried.
+  /// Times and next steps of the lanes; `steps` have been tried.
   struct Way {
     Number t, h;
     Mask going;
     long steps = 0;
   };
-  /// A body that goes on later.
+  /// A body that continues later.
   struct Late {
     std::size_t body = 0;
     long tried = 0;
     T t = 0, h = 0;
   };
 
-  /// `all` lanes, until none goes, or less than half of them, and these have far to go, or the steps are
-  /// `most`; then the way is where these are. Whether those that go no more have come to the end; `each` is
-  /// told of these.
+  /// Steps `all` lanes until none is going, or less than half of them are and have far to go, or `most` steps
+  /// are tried; then `way` is where these are. Returns whether the lanes that stopped have reached the end;
+  /// `each` receives how they ended.
   [[gnu::noinline]] bool go(const Together& model, State& states, Way& way, std::size_t all, long most,
                             Ended* each) const {
     State x = states, slope, ahead, slope_ahead;
@@ -168,8 +168,8 @@ class OwnSteps {
       const auto accurate = error <= Number(1), accepted = accurate & going;
       const Number then = select(last, end_, t + h);
       const auto moves = t + h > t;
-      // What follows a branch need not wait for the error; of several registers it would be one more piece of
-      // code.
+      // After a branch the next step need not wait for the error. With several registers this would add one
+      // more piece of code.
       if (Number::in_one_register && !any_of(!accepted)) {
         x = ahead;
         slope = slope_ahead;
@@ -202,7 +202,8 @@ class OwnSteps {
       if (over >> lane & 1) each[lane].steps = steps;
   }
 
-  /// Keeps the body of a lane that still goes, unless its steps are spent, which is said.
+  /// Puts aside the body of a lane that is still going. If its steps are spent, returns false and reports it
+  /// in `each`.
   bool leave(Late late, std::size_t lane, const Way& way, Ended* each) {
     late.tried += way.steps;
     if (late.tried < budget) {
@@ -213,8 +214,8 @@ class OwnSteps {
     return false;
   }
 
-  /// The next late bodies as a group. Their slopes are computed anew, and are those of the step before, to
-  /// the bit.
+  /// Continues the next late bodies as a group. Their slopes are computed again, and equal those of the step
+  /// before, to the bit.
   [[gnu::noinline, gnu::cold]] bool go_on(const Room<Together>* models, State* states, Ended* each) {
     Late now[width] = {};
     const std::size_t count = std::min(width, lates_);
@@ -246,8 +247,8 @@ class OwnSteps {
     return reached;
   }
 
-  /// By what the next step is longer, from the last one's error. Where no lane errs, as along a parabola, no
-  /// root is waited for.
+  /// Factor for the next step, from the error of the last. If no lane has an error, as along a parabola, the
+  /// root is not computed.
   Number factor_after(const Number& error) const {
     const Number most(T(1e4)), least(T(1e-4)), shortest(T(0.2));
     const auto errs = !(error < least);

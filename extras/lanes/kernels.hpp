@@ -8,8 +8,8 @@
 #include "report/plain/symplectic_euler.hpp"
 #include "report/plain/velocity_verlet.hpp"
 
-/// A scene's models compiled for an instruction set. What this header makes has the set in its name, so that
-/// none of it stands for what another file makes (extras/lanes/lanes_apart.sh).
+/// A scene's models compiled for an instruction set. All symbols of this header have the set in their names,
+/// so that the linker cannot take them for another file's (extras/lanes/lanes_apart.sh).
 namespace oddity::lanes {
 
 template <class T>
@@ -32,7 +32,8 @@ concept WithForces =
   model.acceleration(q, q);
 };
 
-/// What a model moves as, where it says so: another that has its right-hand side, and is not compiled again.
+/// The model that integrates in place of this one, if it declares one with the same right-hand side: it is
+/// compiled only once.
 template <class Model>
 struct MovedAs {
   using type = Model;
@@ -45,14 +46,14 @@ struct MovedAs<Model> {
                 std::is_standard_layout_v<Model>);
 };
 
-/// A model that says so: by twos what it computes would leave the machine's registers.
+/// A model that declares that two registers per number would not fit the machine's.
 template <class Model>
 concept FillsRegisters = Model::fills_registers;
 
 template <template <class> class Given>
 constexpr std::size_t parameter_count = sizeof(Given<double>) / sizeof(double);
 
-/// The parameters, the first of each exercise's, of which value(i) is the i-th.
+/// The exercise's first parameters, of which value(i) is the i-th.
 template <template <class> class Given, class Number, class Value>
 Given<Number> given(const Value& value) {
   return [&]<std::size_t... i>(std::index_sequence<i...>) { return Given<Number>{value(i)...}; }
@@ -99,7 +100,8 @@ struct Kernels {
   using Moving = typename MovedAs<Model<Given, Number, i>>::type;
   using Alone = Moving<Single<T>>;
 
-  /// In so many registers. Few unknowns leave the machine waiting; many would not stay in its registers.
+  /// With this many registers per number. Few unknowns leave the machine waiting; many would not stay in its
+  /// registers.
   template <int registers>
   using Together = InGroups<Alone, Moving<Lanes<T, Set, Set::bytes == 0 ? 1 : registers>>>;
 
@@ -126,8 +128,8 @@ struct Kernels {
     Compiled all{.width = Lanes<T, Set, 1>::size()};
     if constexpr (Integrated<Alone>) {
       constexpr std::size_t unknowns = std::tuple_size_v<typename Alone::State>;
-      constexpr bool many = unknowns > 10;  // to stay in registers by twos
-      // Forces have hardly a term to wait for, and of 16 registers two for each number leave too few.
+      constexpr bool many = unknowns > 10;  // to stay in registers with two each
+      // Forces have hardly a term to wait for, and with 16 registers two per number leave too few.
       constexpr bool light = WithForces<Alone> && unknowns > 4;
       using OfFixed = Together<unknowns <= 2 ? 4 : many || (light && Set::bytes <= 32) ? 1 : 2>;
       using OfOwn = Together<many || light || FillsRegisters<Alone> ? 1 : 2>;

@@ -8,7 +8,7 @@
 
 namespace oddity::lanes {
 
-/// A truth for each lane.
+/// A truth value for each lane.
 template <class T, class Set, int registers>
 struct Mask {
   using One =
@@ -54,8 +54,8 @@ struct Mask {
 };
 
 /// Several numbers side by side, as a number type for models: one, two or four registers of an instruction
-/// set. Several keep the machine busy while it waits for the one. What a lane becomes depends on that lane
-/// alone, and has the same bits in any number of lanes and on any instruction set; Lanes<T, One, 1> is a
+/// set. Several registers keep the machine busy while it waits for one. A lane's result depends on that lane
+/// alone, and has the same bits in any number of lanes and on any instruction set. Lanes<T, One, 1> is a
 /// single number.
 template <class T, class Set = Native, int registers = 1>
 class Lanes {
@@ -75,7 +75,7 @@ class Lanes {
   [[gnu::always_inline]] explicit(!std::integral<A> && !std::same_as<A, T>) Lanes(A x)
       : Lanes(made([&](int) { return all<Register>(static_cast<T>(x)); })) {}
 
-  /// From memory: g++ writes a whole register out for the one lane of it.
+  /// Read from memory: otherwise g++ writes out a whole register for one lane.
   T operator[](std::size_t lane) const {
     T x;
     std::memcpy(&x, reinterpret_cast<const std::byte*>(v_) + lane * sizeof(T), sizeof(T));
@@ -127,7 +127,7 @@ class Lanes {
   ODDITY_OF_TWO(atan2)
   ODDITY_OF_TWO(copysign)
   ODDITY_OF_TWO(remainder)
-  // Those of right-hand sides are compiled in place, where sine and cosine share their work.
+  // Functions used in right-hand sides are inlined, so that sine and cosine share their work.
   [[gnu::always_inline]] ODDITY_OF_ONE(abs)
   [[gnu::always_inline]] ODDITY_OF_ONE(sqrt)
   [[gnu::always_inline]] ODDITY_OF_TWO(larger_size)
@@ -152,13 +152,13 @@ class Lanes {
 #undef ODDITY_OPERATOR
 #undef ODDITY_IN_EACH
 
-  /// Lane by lane.
+  /// Selects lane by lane.
   [[gnu::always_inline]] friend Lanes select(const Mask& condition, const Lanes& yes, const Lanes& no) {
     return made([&](int r) __attribute__((always_inline)) { return condition.m[r] ? yes.v_[r] : no.v_[r]; });
   }
 
  private:
-  /// y, but the C library's where the angle is too large: asked once of all registers.
+  /// y, or the C library's value where the angle is too large: tested once for all registers.
   [[gnu::always_inline]] Lanes or_by_library(Lanes y, T (*by_library)(T)) const {
     constexpr T limit = Series<T>::angle_limit;
     if ((abs(*this) > Lanes(limit)).any()) [[unlikely]]
@@ -187,14 +187,14 @@ template <class T, class Set, int registers, std::size_t n>
   return no;
 }
 
-/// For a loop's condition, which goes on while it holds for any lane.
+/// Condition of a loop that continues while any lane needs it.
 template <class T, class Set, int registers>
 [[gnu::always_inline]] inline bool any_of(const Mask<T, Set, registers>& condition) {
   return condition.any();
 }
 
-/// What no lane needs is not computed. Each stands once in the code, of which there is much where one is
-/// within another.
+/// Skips a branch that no lane needs. Each branch occurs once in the code, since nested ones would multiply
+/// it.
 template <class T, class Set, int registers, class Yes, class No>
 [[gnu::always_inline]] inline auto either(const Mask<T, Set, registers>& condition, const Yes& yes,
                                           const No& no) {

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Of what is compiled for AVX2 and AVX-512 nothing may stand for what is compiled for every machine: each inline
-# function that these objects define, and that a linker might take for another's, has their registers in its name;
-# and nothing of it runs when the library is loaded, on whatever machine.
+# Checks that the linker cannot take code for AVX2 and AVX-512 for that of every machine. Each weak inline
+# function in these objects must have its registers in its name. Nothing of it may run when the library is
+# loaded, on any machine.
 #   extras/lanes/lanes_apart.sh BUILD
 set -euo pipefail
 build=${1:?the build}

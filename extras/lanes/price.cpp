@@ -15,7 +15,7 @@ struct InLanes {
   const SceneInLanes* scene;
   std::size_t model;
   Precision precision;
-  std::optional<Fixed> fixed;  ///< none: by their own steps
+  std::optional<Fixed> fixed;  ///< none: variable steps
 };
 
 std::optional<InLanes> in_lanes(std::string_view number, std::string_view model, std::string_view algorithm) {
@@ -36,7 +36,7 @@ std::optional<InLanes> in_lanes(std::string_view number, std::string_view model,
   return {};
 }
 
-/// Seconds of a frame of all bodies, of several frames the least disturbed ones.
+/// Seconds per frame of all bodies, from the least disturbed of several frames.
 Time time_a_frame(Batch& batch, const InLanes& method, double frame, double setting) {
   constexpr int frames = 9;
   std::vector<double> seconds;
@@ -51,7 +51,7 @@ Time time_a_frame(Batch& batch, const InLanes& method, double frame, double sett
     }
     seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
-  seconds.erase(seconds.begin());  // which brings the bodies into the caches
+  seconds.erase(seconds.begin());  // the first one brings the bodies into the caches
   std::ranges::sort(seconds);
   return {seconds[frames / 4], (seconds[frames / 2] - seconds.front()) / 2};
 }

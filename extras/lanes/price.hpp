@@ -7,16 +7,16 @@
 
 namespace oddity::lanes {
 
-/// The registers that a method's bodies go side by side in on this machine; none where it is no method of
-/// lanes: those have the models without events, by the algorithms of `Fixed` and by Dormand and Prince's.
+/// The registers for a method's bodies on this machine; none if the method has no lanes. Models without
+/// events have them, by the algorithms of `Fixed` and by Dormand and Prince's.
 std::optional<Registers> registers_of(std::string_view scene, std::string_view model,
                                       std::string_view algorithm);
 
 /// The library of the scenes' models in lanes.
 extern const Needs needs_of_lanes;
 
-/// What the need's bodies cost over the horizon, each frame of all of them after the one before: in lanes
-/// where there are such, else one body as often.
+/// Cost of all bodies over the horizon, frame after frame: in lanes if there are any, otherwise that of one
+/// body times their number.
 Price price_of_all(const Task&, const Need&);
 
 /// Bodies in lanes, for `choose --bodies`.

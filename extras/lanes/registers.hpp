@@ -12,16 +12,16 @@
 #include <immintrin.h>
 #endif
 
-/// Registers of several numbers, as GCC and clang have them, and what these lack. A plain float or double is
-/// a register of one.
+/// Registers of several numbers, as vectors of GCC and clang, and the operations that these lack. A plain
+/// float or double is a register of one.
 namespace oddity::lanes {
 
-/// The instruction sets that lanes are compiled for, each by its own type, so that no function made for one
-/// has the name of another's.
+/// The instruction sets that lanes are compiled for, each a separate type, so that functions made for
+/// different sets have different names.
 struct One {
   static constexpr std::size_t bytes = 0;
 };
-/// What every machine of the architecture has: SSE2 on x86-64.
+/// SSE2 on x86-64: available on every machine of the architecture.
 struct Baseline {
   static constexpr std::size_t bytes = 16;
 };
@@ -31,7 +31,7 @@ struct Avx2 {
 struct Avx512 {
   static constexpr std::size_t bytes = 64;
 };
-/// The widest for which this file is compiled.
+/// The widest set for which this file is compiled.
 #if defined(__AVX512DQ__) && defined(__AVX512VL__)
 using Native = Avx512;
 #elif defined(__AVX2__)
@@ -49,7 +49,7 @@ struct RegisterOf<T, 0> {
   using type = T;
 };
 
-/// The number type of a register, and the register of whole numbers that its comparisons give.
+/// The number type of a register, and the integer register that its comparisons return.
 template <class V>
 struct Of {
   using Number = std::remove_cvref_t<decltype(V()[0])>;
@@ -90,7 +90,7 @@ template <class V>
 
 inline double sqrt(double x) { return std::sqrt(x); }
 inline float sqrt(float x) { return std::sqrt(x); }
-/// a < b ? a : b, and a > b ? a : b, as x86 has them, so that the second stands where one is NaN.
+/// a < b ? a : b and a > b ? a : b, as on x86: the second if one is NaN.
 inline double lesser(double a, double b) { return a < b ? a : b; }
 inline float lesser(float a, float b) { return a < b ? a : b; }
 inline double greater(double a, double b) { return a > b ? a : b; }

@@ -34,7 +34,7 @@ double repeat_one(Arithmetic operation, long times) {
   return 0;
 }
 
-/// Of doubles, and of floats.
+/// For doubles and for floats.
 template <class Set>
 constexpr Repeated repeated[]{{count<typename RegisterOf<double, Set::bytes>::type>, repeat_one<double, Set>},
                               {count<typename RegisterOf<float, Set::bytes>::type>, repeat_one<float, Set>}};

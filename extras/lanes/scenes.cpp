@@ -28,7 +28,7 @@ struct Names {
   std::vector<std::string_view> models;
 };
 
-/// Of models() of each scene.
+/// Names of models() of each scene.
 const std::vector<Names>& all_names() {
   static const std::vector<Names> all{
       {"2.7", {"matrix, w of the printed listing", "frame", "matrix", "quaternion"}},

@@ -2,8 +2,8 @@
 
 #include "extras/lanes/registers.hpp"
 
-/// The numbers behind functions.hpp: interpolations at Chebyshev's nodes, in 60 digits, of what is left of
-/// each function when its first terms are taken off; their errors are below 2^-56.5 and, for float, 2^-28.
+/// Coefficients of functions.hpp: interpolations at Chebyshev's nodes, in 60 digits, of the remainder of each
+/// function after its first terms. Their errors are below 2^-56.5 and, for float, 2^-28.
 namespace oddity::lanes {
 
 template <class T>
@@ -17,7 +17,7 @@ template <>
 struct Series<double> {
   static constexpr int width = 64, digits = 52, bias = 1023;
   static constexpr std::int64_t size_bits = 0x7fff'ffff'ffff'ffff;
-  static constexpr double shift = 0x1.8p52;  ///< added, it leaves a number rounded to a whole one in its last bits
+  static constexpr double shift = 0x1.8p52;  ///< adding it rounds a number to a whole one in its last bits
   // pi/2 and log 2 in parts
   static constexpr std::array quarter{0x1.921fb544p+0, 0x1.0b4611a6p-34, 0x1.3198a2e037073p-69};
   static constexpr std::array half_quarter{0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55};

@@ -1,5 +1,5 @@
-// The scenes' models in lanes: a body moves as it does alone, to the bit, on each instruction set that this
-// machine has.
+// The scenes' models in lanes: a body moves as it does alone, to the bit, on each instruction set of this
+// machine.
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ using lanes::Batch, lanes::Fixed, lanes::Registers, lanes::SceneInLanes;
 
 namespace {
 
-constexpr std::size_t bodies = 37;  // a multiple of no width
+constexpr std::size_t bodies = 37;  // not a multiple of any width
 constexpr double a_bit = 1e-3;
 
 const Exercise& exercise_of(const SceneInLanes& scene) {
@@ -39,7 +39,7 @@ std::vector<Registers> wide_ones() {
   return all;
 }
 
-/// f(scene, model, precision, its batch): every model in both precisions.
+/// Calls f(scene, model, precision, its batch) for every model in both precisions.
 template <class F>
 void for_every_model(const F& f) {
   for (const SceneInLanes& scene : lanes::scenes_in_lanes()) {
@@ -53,7 +53,7 @@ void for_every_model(const F& f) {
   }
 }
 
-/// The bodies whose states are not those of `alone`.
+/// Number of bodies whose states differ from those of `alone`.
 std::size_t different(const Batch& together, const Batch& alone) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < alone.size(); ++i)
@@ -96,7 +96,7 @@ TEST_CASE("the scenes of lanes are those of the book, with their models", "[lane
   CHECK(lanes::can(lanes::widest()));
 }
 
-TEST_CASE("by fixed steps every body has the same bits in lanes as alone", "[lanes]") {
+TEST_CASE("with fixed steps every body has the same bits in lanes as alone", "[lanes]") {
   constexpr long steps = 8;
   int compared = 0;
   for_every_model([&](const SceneInLanes& scene, std::size_t model, Precision, Batch& batch) {
@@ -107,7 +107,7 @@ TEST_CASE("by fixed steps every body has the same bits in lanes as alone", "[lan
       INFO(lanes::name_of(algorithm));
       Batch alone = batch;
       alone.steps(Registers::one, algorithm, 0, h, steps);
-      // By the speed that its energy leaves it a bead let go at rest stays there.
+      // A bead let go at rest stays there by its energy equation.
       const bool rests = lanes::model_names(scene)[model] == "energy in q";
       CHECK(different(alone, batch) == (rests ? 0 : bodies));
       for (Registers registers : wide_ones()) {
@@ -122,7 +122,7 @@ TEST_CASE("by fixed steps every body has the same bits in lanes as alone", "[lan
   CHECK(compared >= 150 * static_cast<int>(wide_ones().size()));
 }
 
-TEST_CASE("bodies stay side by side from call to call, and are where they are also when seen between",
+TEST_CASE("bodies stay side by side from call to call, and have the same states when observed in between",
           "[lanes]") {
   for_every_model([&](const SceneInLanes&, std::size_t, Precision, Batch& batch) {
     if (batch.closed_form()) return;
@@ -134,7 +134,7 @@ TEST_CASE("bodies stay side by side from call to call, and are where they are al
     CHECK(different(together, batch) == different(alone, batch));
     together.steps(lanes::widest(), Fixed::runge_kutta_4, 3 * h, h, 2);
     CHECK(different(together, alone) == 0);
-    for (Batch* one : {&alone, &together}) {  // on from there by others, and from the start again
+    for (Batch* one : {&alone, &together}) {  // continues with other steps, and from the start again
       one->steps(Registers::baseline, Fixed::runge_kutta_4, 5 * h, h, 2);
       one->own_steps(Registers::one, 7 * h, 9 * h, 1e-5, h);
       one->steps(lanes::widest(), Fixed::runge_kutta_4, 9 * h, h, 1);
@@ -145,7 +145,7 @@ TEST_CASE("bodies stay side by side from call to call, and are where they are al
   });
 }
 
-TEST_CASE("by their own steps every body has the same bits in lanes as alone", "[lanes]") {
+TEST_CASE("with variable steps every body has the same bits in lanes as alone", "[lanes]") {
   for_every_model([&](const SceneInLanes& scene, std::size_t, Precision precision, Batch& batch) {
     if (batch.closed_form()) return;
     const double end = exercise_of(scene).scene->horizon / 40;
@@ -181,7 +181,7 @@ TEST_CASE("closed forms have the same bits in lanes as alone", "[lanes]") {
   });
 }
 
-TEST_CASE("a body does not feel what others in its register do", "[lanes]") {
+TEST_CASE("a body does not depend on the others in its register", "[lanes]") {
   constexpr std::size_t ill = 3;
   for_every_model([&](const SceneInLanes& scene, std::size_t model, Precision precision, Batch& well) {
     if (well.closed_form()) return;
@@ -204,7 +204,7 @@ TEST_CASE("a body does not feel what others in its register do", "[lanes]") {
   });
 }
 
-TEST_CASE("a body that cannot come to the end says so, and the others do", "[lanes]") {
+TEST_CASE("a body that cannot reach the end is reported, and the others reach it", "[lanes]") {
   const SceneInLanes& scene = lanes::scene_in_lanes("3.5");
   auto parameters = parameters_of(scene);
   parameters[7 * scene.parameters] = std::numeric_limits<double>::quiet_NaN();
@@ -217,7 +217,7 @@ TEST_CASE("a body that cannot come to the end says so, and the others do", "[lan
   }
 }
 
-TEST_CASE("many bodies look at a stop on their way", "[lanes]") {
+TEST_CASE("many bodies check for a stop on their way", "[lanes]") {
   const SceneInLanes& scene = lanes::scene_in_lanes("3.5");
   Batch batch(scene, 3, Precision::in_double, parameters_of(scene, 5000));
   Stop stop;
@@ -228,7 +228,7 @@ TEST_CASE("many bodies look at a stop on their way", "[lanes]") {
   CHECK_THROWS_AS(batch.steps(lanes::widest(), lanes::Fixed::runge_kutta_4, 0.1, 0.01, 10), Stopped);
 }
 
-TEST_CASE("bodies asked to go back in time, to no time or nowhere end at once", "[lanes]") {
+TEST_CASE("bodies with an end in the past, now or NaN end at once", "[lanes]") {
   const SceneInLanes& scene = lanes::scene_in_lanes("3.5");
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   for (Registers registers : {Registers::one, Registers::baseline, lanes::widest()})
@@ -246,7 +246,7 @@ TEST_CASE("bodies asked to go back in time, to no time or nowhere end at once", 
     }
 }
 
-TEST_CASE("no step is taken of which one number is NaN, whichever that is", "[lanes]") {
+TEST_CASE("no step is taken if any of its numbers is NaN", "[lanes]") {
   const auto check = []<class Number>(Number, std::size_t ill) {
     const OneIsNaN<Number> model{ill};
     lanes::OwnSteps<OneIsNaN<Number>> steps(0, 1, 1e-6, 0.125);
@@ -262,7 +262,7 @@ TEST_CASE("no step is taken of which one number is NaN, whichever that is", "[la
   }
 }
 
-/// A spring of its own stiffness, which counts how often it is asked.
+/// A spring with its own stiffness that counts its evaluations.
 template <class Number>
 struct CountedSpring {
   using State = std::array<Number, 2>;
@@ -274,7 +274,7 @@ struct CountedSpring {
   }
 };
 
-TEST_CASE("bodies that have far to go are put together, with the bits that each has alone", "[lanes]") {
+TEST_CASE("bodies that have far to go are regrouped, with the bits that each has alone", "[lanes]") {
   using Number = Lanes<double, lanes::Baseline, 2>;
   using Single = Lanes<double, lanes::One, 1>;
   using Together = CountedSpring<Number>;
@@ -283,7 +283,7 @@ TEST_CASE("bodies that have far to go are put together, with the bits that each 
   std::vector<Together::State> states(groups, {Number(1.0), Number(0.0)});
   for (std::size_t i = 0; i < groups; ++i) {
     models[i].model.stiffness = Number(1.0);
-    models[i].model.stiffness.set(i % width, 1e4 + static_cast<double>(i));  // one of each is late
+    models[i].model.stiffness.set(i % width, 1e4 + static_cast<double>(i));  // one of each group is late
   }
   std::vector<lanes::Ended> ended(groups * width);
   lanes::OwnSteps<Together> steps(0, 1, 1e-9, 0.01);
@@ -306,7 +306,7 @@ TEST_CASE("bodies that have far to go are put together, with the bits that each 
       most = std::max(most, one.steps);
     }
   CHECK(most > 500);
-  // Were each group to wait for its late one, they would be asked six times a step of it, times the groups.
+  // If each group waited for its late body, there would be six evaluations per step of it, times the groups.
   CHECK(Together::asked < 6 * most * static_cast<long>(groups) / 2);
 }
 
@@ -328,7 +328,7 @@ TEST_CASE("bodies in one register that take more and fewer steps wait for each o
   CHECK(steps.size() > 10);
 }
 
-TEST_CASE("few bodies, and one, are as many", "[lanes]") {
+TEST_CASE("a few bodies, or one, have the same bits as many", "[lanes]") {
   const SceneInLanes& scene = lanes::scene_in_lanes("3.3");
   for (std::size_t count : {1u, 2u, 15u, 16u, 17u, 33u}) {
     Batch alone(scene, 5, Precision::in_double, parameters_of(scene, count)), together = alone;
@@ -353,7 +353,7 @@ TEST_CASE("without elementary functions lanes have the bits of plain doubles", "
     for (std::size_t i = 0; i < bodies; ++i) {
       const double* p = &all[i * scene.parameters];
       const kepler::Cartesian<double> model{{p[0], p[1], p[2], p[3], p[4], p[5]}};
-      // The start has a sine and a cosine, which are the lanes' own.
+      // The start has a sine and a cosine, for which lanes have their own functions.
       auto x = model.start();
       std::memcpy(x.data(), begun.state(i).data(), sizeof x);
       Stepper stepper;
@@ -365,7 +365,7 @@ TEST_CASE("without elementary functions lanes have the bits of plain doubles", "
   check.operator()<plain::VelocityVerlet<kepler::Cartesian<double>>>(Fixed::velocity_verlet);
 }
 
-TEST_CASE("lanes move as the scenes' own methods do", "[lanes]") {
+TEST_CASE("lanes move like the scenes' own methods", "[lanes]") {
   int compared = 0;
   for (const SceneInLanes& scene : lanes::scenes_in_lanes()) {
     const Scene& moving = *exercise_of(scene).scene;

@@ -1,4 +1,4 @@
-// The elementary functions of lanes, against the C library's in long double.
+// The elementary functions of lanes, compared with the C library's in long double.
 
 #include <cmath>
 #include <limits>
@@ -14,7 +14,7 @@ namespace {
 template <class T>
 using Single = Lanes<T, lanes::One, 1>;
 
-/// How far it is off, in units of the last place.
+/// Error in units of the last place.
 template <class T>
 double units_off(T got, long double expected) {
   int exponent = 0;
@@ -24,8 +24,8 @@ double units_off(T got, long double expected) {
   return static_cast<double>(std::abs(static_cast<long double>(got) - expected) / unit);
 }
 
-/// The worst of both number types' functions over the range, and whether each lane has the bits of one
-/// number.
+/// The largest error of the number type's function over the range, and whether each lane has the bits of a
+/// single number.
 template <class T, class F, class G>
 double worst(T from, T to, const F& ours, const G& library) {
   using Wide = Lanes<T>;
@@ -120,7 +120,7 @@ TEST_CASE("the functions of lanes have the limits of the library's", "[lanes]") 
   at_the_ends<float>();
 }
 
-TEST_CASE("lanes are chosen from one by one, and what none needs is not computed", "[lanes]") {
+TEST_CASE("lanes are selected one by one, and a branch that none needs is not computed", "[lanes]") {
   using L = Lanes<double>;
   L x;
   for (std::size_t lane = 0; lane < L::size(); ++lane) x.set(lane, static_cast<double>(lane));

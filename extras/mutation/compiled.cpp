@@ -19,9 +19,9 @@ void shell(const std::string& command) {
   if (std::system(command.c_str()) != 0) throw BadInput("this failed: " + command);
 }
 
-/// Configures the mutated tree, at a level that costs the compiler little, and with the bounds of arrays
-/// checked. GCC 12 at -O1 takes a variable for unchanged that a lambda changes which has it by reference, by
-/// its analysis of memory that functions reach.
+/// Configures the mutated tree, with cheap optimization and checked array bounds. GCC 12 at -O1 with its
+/// analysis of memory that functions reach takes a variable for unchanged although a lambda changes it by
+/// reference.
 void configure(const Folders& folders, const std::string& rooms) {
   const std::string flags =
       "-O1 -fno-ipa-modref -fconcepts -w -D_GLIBCXX_ASSERTIONS -fsanitize=bounds "
@@ -35,7 +35,7 @@ void build_targets(const fs::path& build, const std::string& targets) {
   shell("cmake --build '" + build.string() + "' --target " + targets + " >&2");
 }
 
-/// The command by which the build links the program.
+/// The build's command for linking the program.
 std::string linking(const fs::path& built, const std::string& program) {
   const Ended told = run_program({"ninja", "-C", built.string(), "-t", "commands", program}, "", 600s);
   const std::string_view before = ": && ", after = " && :";
@@ -45,7 +45,7 @@ std::string linking(const fs::path& built, const std::string& program) {
   return told.output.substr(last + 1 + before.size(), end - last - 1 - before.size());
 }
 
-/// The same with this in place of that, which is there once.
+/// The text with `that`, which must occur once, replaced.
 std::string replaced(std::string text, const std::string& that, const std::string& by) {
   const auto at = text.find(that);
   if (at == std::string::npos) throw BadInput("there is no " + that + "in this: " + text);
@@ -60,9 +60,8 @@ std::vector<fs::path> objects_in(const fs::path& list) {
   return all;
 }
 
-/// Links the program anew: objects of the lists, which are those of libraries, before all others, then
-/// mutated tests, in place of those that the build has: of an inline function the linker takes the copy that
-/// comes first.
+/// Links the program again. Objects of the lists, which belong to libraries, come before all others; mutated
+/// tests replace the build's. Of several copies of an inline function the linker takes the first.
 void link(const Folders& folders, const std::string& program, const std::vector<std::string>& lists) {
   const std::string tests = "tests/CMakeFiles/", in_build = " " + tests + "oddity_tests.dir/";
   fs::path output = program;
@@ -84,7 +83,7 @@ void link(const Folders& folders, const std::string& program, const std::vector<
   shell("cd '" + folders.beside.string() + "' && " + line.insert(line.find(' '), first));
 }
 
-/// Lanes are not mutated; some answers that tests ask for have them, where they are built.
+/// Lanes are not mutated, but some answers that tests request contain them.
 void bring_lanes(const Folders& folders) {
   const fs::path lanes = folders.beside / "liboddity_lanes.so", here = folders.build / lanes.filename();
   if (fs::exists(lanes) && !fs::exists(here)) fs::create_symlink(lanes, here);
@@ -96,7 +95,7 @@ std::string joined(const std::set<std::string>& words, const std::string& betwee
   return text;
 }
 
-/// Whose sources are compiled where the room is mutated: of the solvers all, as most is in headers.
+/// The sources that are compiled with a mutated room: all of the solvers, as most of them is in headers.
 std::string compiled_with(const std::string& room) { return room.starts_with("solvers") ? "solvers" : room; }
 
 }  // namespace

@@ -8,20 +8,20 @@
 
 namespace oddity::mutation {
 
-/// What runs before have read, so that a unit is read again only when it has changed, or a file of the tree
-/// that it includes, or this program.
+/// Points read by earlier runs. A unit is read again only if it, a file of the tree that it includes, or this
+/// program has changed.
 class KeptPoints {
  public:
   struct Unit {
-    std::uint64_t text = 0;                         ///< a number of it
-    std::map<std::string, std::uint64_t> included;  ///< the tree's files that it is made of
-    std::vector<Mutable> shown;                     ///< what no unit before has shown
+    std::uint64_t text = 0;                         ///< a hash of it
+    std::map<std::string, std::uint64_t> included;  ///< the tree's files that it includes
+    std::vector<Mutable> shown;                     ///< not shown by any unit before
   };
 
-  /// Of this file, which need not be there.
+  /// Kept in this file, which may be missing.
   explicit KeptPoints(std::filesystem::path file);
 
-  /// The unit, if that and what it includes is as it was.
+  /// The unit, if it and its includes have not changed.
   const Unit* of(const std::string& unit, const std::string& text);
   void add(const std::string& unit, const std::string& text, const std::vector<std::string>& included,
            std::vector<Mutable> shown);

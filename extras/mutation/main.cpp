@@ -1,4 +1,4 @@
-// oddity_mutate: whether the suite notices when a formula, a constant or a condition is wrong.
+// oddity_mutate: whether the tests notice a wrong formula, constant or condition.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -29,8 +29,8 @@ struct Request {
   std::vector<std::string> paths{"chapters", "solvers", "report/study"};
   std::string in;      ///< "": anywhere
   int sample = 0;      ///< 0: all
-  int each = 0;        ///< of each room; 0: all
-  double minutes = 0;  ///< 0: as long as it takes
+  int each = 0;        ///< number per room; 0: all
+  double minutes = 0;  ///< time limit; 0: none
   std::string seed = "HEAD";
   std::string program;
   bool list = false, record = false, again = false;
@@ -40,19 +40,19 @@ const fs::path tree = ODDITY_SOURCE, built = ODDITY_BUILT, home = tree / "build/
 const fs::path scores_file = tree / "reference/trust/mutation.csv",
                survivors_file = tree / "extras/mutation/survivors.csv";
 
-/// Whether the path is the file, or a folder that it is in.
+/// Whether the path is the file, or a folder that contains it.
 bool within(const std::string& file, const std::string& path) {
   return file == path || file.starts_with(path.ends_with('/') ? path : path + "/");
 }
 
-/// The sources of the rooms, but for those that the suite does not run: drawings are for the page.
+/// The sources of the rooms, except those that the tests do not run: drawings are for the page.
 bool wanted(const Request& request, const std::string& file) {
   if (file.ends_with("drawing.hpp") || file == "reference/make/main.cpp") return false;
   return std::ranges::any_of(request.paths, [&](const std::string& path) { return within(file, path); });
 }
 
-/// In the order of a number that the seed and the mutant's name give: so a mutant is drawn whatever becomes
-/// of others, and what a run that is ended has tried is a fair sample too.
+/// Orders mutants by a hash of the seed and the mutant's name. So the draw of one does not depend on the
+/// others, and the mutants tried by an interrupted run are a fair sample too.
 std::vector<Mutant> in_order(std::vector<Mutant> all, const Request& request, const Survivors& known) {
   if (!request.in.empty()) std::erase_if(all, [&](const Mutant& m) { return !within(m.file, request.in); });
   if (all.empty())
@@ -65,7 +65,7 @@ std::vector<Mutant> in_order(std::vector<Mutant> all, const Request& request, co
   return all;
 }
 
-/// The first.
+/// The first mutants, as many as requested.
 std::vector<Mutant> drawn_of(std::vector<Mutant> all, const Request& request) {
   std::map<std::string, int> of_room;
   if (request.each > 0)
@@ -124,8 +124,8 @@ void list(const std::vector<Mutant>& drawn) {
     std::cout << m.number << " " << m.file << ":" << m.at << ": " << m.mutation << "\n";
 }
 
-/// Tries those drawn that have no outcome yet, several at once, and returns all that have one now: the first
-/// of those drawn.
+/// Tries the drawn mutants that have no outcome yet, several at once. Returns all that have one now: the
+/// first of those drawn.
 std::vector<Mutant> try_all(const std::vector<Mutant>& drawn, const Request& request, const Suite& suite,
                             Outcomes& outcomes) {
   const auto begin = std::chrono::steady_clock::now();
@@ -156,8 +156,8 @@ std::vector<Mutant> try_all(const std::vector<Mutant>& drawn, const Request& req
   return {drawn.begin(), drawn.begin() + static_cast<std::ptrdiff_t>(next)};
 }
 
-/// Rows of rooms that this run did not try stay as they are; where survivors alone were tried again, the
-/// score goes on.
+/// Rows of rooms that this run did not try stay as they are. If only survivors were tried again, the score is
+/// updated.
 void record(const Request& request, const std::vector<Mutable>& files, const std::vector<Mutant>& all,
             const std::vector<Mutant>& tried, const Outcomes& outcomes, const Survivors& known) {
   const Survivors survivors = updated(known, all, tried, outcomes);
@@ -210,7 +210,7 @@ int mutate(const Request& request) {
   const fs::path program = request.program.empty()
                                ? compiled_program({home / "tree", home / "build", built}, all)
                                : fs::path(request.program);
-  // What was found before holds for the sources and tests that it was found with.
+  // Earlier findings hold only for the sources and tests of their time.
   const auto stale = [&](const fs::path& found) {
     return changed || (fs::exists(found) && fs::last_write_time(found) < fs::last_write_time(program));
   };

@@ -1,5 +1,5 @@
 #pragma once
-#pragma GCC system_header  // whose mutants the compiler need not warn of
+#pragma GCC system_header  // the compiler need not warn of mutants
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -9,18 +9,18 @@
 #include <cstdlib>
 #include <type_traits>
 
-/// What sources call that extras/mutation/schemata.cpp has rewritten. Each function computes what stood
-/// there, or what the mutant makes of it whose number is in ODDITY_MUTANT. Mutants that another type would
-/// come of are not there for that type; nor is any where the compiler computes. As solvers/ode/implicit.cpp
-/// is, it is written in C++17, but for concepts.
+/// Functions called by sources that extras/mutation/schemata.cpp has rewritten. Each computes the original
+/// expression, or the mutant whose number is in ODDITY_MUTANT. Mutants that would change the type do not
+/// exist for that type, nor do any where the compiler computes. Written in C++17 plus concepts, as it is used
+/// in solvers/ode/implicit.cpp.
 namespace oddity::mutation {
 
-/// What a run has seen of a mutant: not its place, the mutant, or its place for types alone for which it does
-/// not exist.
+/// Whether a run has reached a mutant: not its place; the mutant; or its place only with types for which it
+/// does not exist.
 enum Seen : unsigned char { unseen, seen, seen_without_it };
 
-/// The mutant of this run, 0 for none, and what was seen of each: a file, one byte a mutant, named by
-/// ODDITY_MUTANTS_REACHED, which also a run that is killed leaves behind.
+/// The mutant of this run, 0 for none, and whether each was reached: a file with one byte per mutant, named
+/// by ODDITY_MUTANTS_REACHED. A killed run leaves it behind too.
 struct Run {
   int chosen = 0;
   unsigned char* reached = nullptr;
@@ -38,10 +38,10 @@ struct Run {
   }
 };
 
-/// Before all that is computed at the start of the program.
+/// Initialized before everything else at the start of the program.
 inline __attribute__((init_priority(101))) const Run run;
 
-/// Whether one of the `count` mutants from `first` on may be chosen, or is to be noted.
+/// Whether one of the `count` mutants from `first` on may be chosen, or has to be noted.
 constexpr bool among(int first, int count) {
   if (__builtin_is_constant_evaluated()) return false;
   return run.reached || static_cast<unsigned>(run.chosen - first) < static_cast<unsigned>(count);
@@ -49,12 +49,12 @@ constexpr bool among(int first, int count) {
 
 constexpr bool chosen(int mutant) {
   if (__builtin_is_constant_evaluated()) return false;
-  // Written once: threads that all wrote there would wait for each other.
+  // Written only once: otherwise threads would contend for the byte.
   if (run.reached && run.reached[mutant] != seen) run.reached[mutant] = seen;
   return run.chosen == mutant;
 }
 
-/// It is not there for these types.
+/// The mutant does not exist for these types.
 constexpr void absent(int mutant) {
   if (__builtin_is_constant_evaluated()) return;
   if (run.reached && run.reached[mutant] == unseen) run.reached[mutant] = seen_without_it;
@@ -65,12 +65,12 @@ using Bare = std::remove_cv_t<std::remove_reference_t<A>>;
 template <class A, class B>
 concept Same = std::is_same_v<Bare<A>, Bare<B>>;
 
-// Operators as functions, made where they stand in the source: their names are looked up there.
+// Operators as functions, defined at their place in the source, where their names are looked up.
 #define ODDITY_OPERATION(op) [](const auto& x, const auto& y) -> decltype(x op y) { return x op y; }
 #define ODDITY_ASSIGNMENT(op) [](auto&& x, const auto& y) -> decltype(x op y) { return x op y; }
 #define ODDITY_NEGATIVE [](const auto& x) -> decltype(-x) { return -x; }
 
-/// op(a, b): another operator, and either operand alone.
+/// op(a, b), with another operator, or either operand alone.
 template <class A, class B, class Op, class Other>
 constexpr auto operation(int first, const A& a, const B& b, const Op& op, const Other& other)
     -> decltype(op(a, b)) {
@@ -95,7 +95,7 @@ constexpr auto operation(int first, const A& a, const B& b, const Op& op, const 
   return op(a, b);
 }
 
-/// op(a, b) that changes a: another operator, and not at all.
+/// op(a, b) that changes a, with another operator, or left out.
 template <class A, class B, class Op, class Other>
 constexpr auto assignment(int first, A&& a, const B& b, const Op& op, const Other& other)
     -> decltype(op(a, b)) {
@@ -125,7 +125,7 @@ constexpr auto negative(int mutant, const A& a, const Op& op) -> decltype(op(a))
   return op(a);
 }
 
-// a op b as a condition: at the border, and the opposite.
+// a op b as a condition: with the border moved, or the opposite.
 #define ODDITY_MUTANT_COMPARISON(name, op, border, opposite)                       \
   template <class A, class B>                                                      \
   constexpr auto name(int first, const A& a, const B& b)->decltype(a op b) {       \
@@ -164,14 +164,14 @@ ODDITY_MUTANT_EQUALITY(equal, ==, !=)
 ODDITY_MUTANT_EQUALITY(unequal, !=, ==)
 #undef ODDITY_MUTANT_EQUALITY
 
-/// A whole number one larger, another twice as large; 0 becomes 1.
+/// A whole number plus one, another number doubled; 0 becomes 1.
 template <class A>
 constexpr A constant(int mutant, A a) {
   if (!chosen(mutant)) return a;
   return std::is_integral_v<A> || a == A(0) ? A(a + A(1)) : A(a + a);
 }
 
-/// The index before; 0 becomes 1.
+/// The index minus one; 0 becomes 1.
 template <class A>
 constexpr A index(int mutant, A a) {
   if (!chosen(mutant)) return a;

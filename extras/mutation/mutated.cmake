@@ -1,7 +1,7 @@
-# Of a mutated tree: the libraries' files of these rooms (a|b), which oddity_mutate links before another build's, and
-# the tests that it takes in place of that build's.
+# For a mutated tree: compiles the libraries' files of these rooms (a|b), which oddity_mutate links before
+# another build's, and the tests that replace that build's.
 add_custom_target(mutated)
-# What comes of the target, if it is there, as TARGET.objects.
+# Lists the target's objects, if it exists, in TARGET.objects.
 function(list_objects target)
   set(objects "")
   if(TARGET ${target})
@@ -10,7 +10,7 @@ function(list_objects target)
   endif()
   file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/${target}.objects CONTENT "$<JOIN:${objects},\n>\n")
 endfunction()
-# Those of the files that are in the rooms, compiled as this library's.
+# Compiles those files that are in the rooms with the flags of this library.
 function(add_mutated name mode library header)
   list(FILTER ARGN INCLUDE REGEX "(^|/)(${ODDITY_MUTATED})/")
   if(ARGN)

@@ -1,4 +1,4 @@
-# Of a mutated tree: the tests that have headers of its rooms in them, with those that are compiled together with these.
+# For a mutated tree: the tests that include headers of its rooms, and those compiled together with them.
 set(mutated_tests "")
 set(mutated_groups "")
 foreach(file IN LISTS unit_tests model_tests)

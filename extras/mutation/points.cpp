@@ -41,8 +41,8 @@ std::string trimmed(const std::string& s) {
 
 struct Operator {
   Shape shape;
-  std::string other;     ///< what it becomes
-  std::string function;  ///< of mutant.hpp
+  std::string other;     ///< the operator that it becomes
+  std::string function;  ///< its name in mutant.hpp
   std::vector<std::string> mutations(const std::string& op) const {
     const std::string to = op + " to " + other;
     switch (shape) {
@@ -58,7 +58,7 @@ struct Operator {
   }
 };
 
-/// The operators whose operands both are computed.
+/// The operators with both operands evaluated.
 const std::map<std::string, Operator> operators{
     {"+", {Shape::operation, "-", "operation"}},     {"-", {Shape::operation, "+", "operation"}},
     {"*", {Shape::operation, "/", "operation"}},     {"/", {Shape::operation, "*", "operation"}},
@@ -76,7 +76,7 @@ class Collector {
   Collector(const fs::path& tree, const std::function<bool(const std::string&)>& wanted)
       : tree_(tree.string() + "/"), wanted_(wanted) {}
 
-  /// Visits what the unit declares in files that no unit before has shown, and returns those.
+  /// Visits the unit's declarations in files that no earlier unit has shown, and returns these files.
   std::vector<Mutable> visit(CXTranslationUnit unit) {
     opened_ = {};
     seen_before_ = {};
@@ -88,7 +88,8 @@ class Collector {
     return shown;
   }
 
-  /// Takes what the unit has shown before; whether that is all that it has to show now.
+  /// Takes the files that the unit has shown in an earlier run. Returns whether these are all that it has to
+  /// show now.
   bool take(const KeptPoints::Unit& unit) {
     for (const Mutable& file : unit.shown) files_.try_emplace(file.file, file);
     return std::ranges::all_of(unit.included, [&](const auto& file) {
@@ -97,7 +98,7 @@ class Collector {
     });
   }
 
-  /// The tree's files that the unit is made of.
+  /// The tree's files that the unit includes.
   std::vector<std::string> included(CXTranslationUnit unit) const {
     std::pair<const std::string*, std::vector<std::string>> of_tree{&tree_, {}};
     clang_getInclusions(
@@ -129,14 +130,14 @@ class Collector {
     CXCursor parent = clang_getNullCursor();
     std::string function;
     bool compile_time = false;
-    bool free = false;  ///< whatever is written here, the suite has to say the same
+    bool free = false;  ///< whatever is written here, the results must be the same
   };
 
   static bool is(CXCursor c, std::initializer_list<CXCursorKind> kinds) {
     return std::ranges::find(kinds, clang_getCursorKind(c)) != kinds.end();
   }
 
-  /// The file that the cursor is written in, if that is wanted and this unit's to show.
+  /// The file of the cursor, if it is wanted and this unit has to show it.
   Mutable* file_of(CXCursor c) {
     CXFile file = nullptr;
     clang_getSpellingLocation(clang_getCursorLocation(c), &file, nullptr, nullptr, nullptr);
@@ -211,7 +212,7 @@ class Collector {
     if (is(c, {CXCursor_FunctionDecl, CXCursor_CXXMethod, CXCursor_Constructor, CXCursor_FunctionTemplate,
                CXCursor_ConversionFunction})) {
       around.function = text_of(clang_getCursorSpelling(c));
-      around.free |= around.function == "where";  // the text that names a sample
+      around.free |= around.function == "where";  // the text that describes a sample
     }
     Mutable* file = clang_isDeclaration(clang_getCursorKind(c)) ||
                             clang_isExpression(clang_getCursorKind(c)) ||
@@ -231,7 +232,7 @@ class Collector {
 
   static std::string name_of(CXCursor c) { return text_of(clang_getCursorSpelling(c)); }
 
-  /// What the cursor's text is, "" where a macro wrote it.
+  /// The cursor's text; "" if a macro wrote it.
   static std::string written(CXCursor c) {
     CXFile file = nullptr;
     clang_getSpellingLocation(clang_getCursorLocation(c), &file, nullptr, nullptr, nullptr);
@@ -242,8 +243,8 @@ class Collector {
     return text && e && e->end <= size ? std::string(text + e->begin, e->end - e->begin) : "";
   }
 
-  /// Whether the cursor's child is free: which samples are drawn and how many (what Random is asked for,
-  /// numbers beside a seed, the head of a loop over a `sample`), and a number that is only made into text.
+  /// Whether the cursor's child is free: the choice and number of samples (arguments of Random, numbers next
+  /// to a seed, the head of a loop over a `sample`), or a number that is only made into text.
   static bool free_below(CXCursor c, std::size_t child) {
     if (is(c, {CXCursor_ForStmt})) {
       const auto children = children_of(c);
@@ -270,8 +271,8 @@ class Collector {
            head.starts_with("inline constexpr ");
   }
 
-  /// Whether the text at this place is an argument of a template: between < and > without spaces, as
-  /// clang-format leaves them.
+  /// Whether the text at this place is a template argument: between < and > without spaces, as clang-format
+  /// writes them.
   static bool template_argument(const std::string& text, unsigned at) {
     int open = 0;
     for (unsigned i = at; i-- > 0;) {
@@ -347,7 +348,7 @@ class Collector {
     return std::pair(clang_Cursor_getArgument(c, 0), clang_Cursor_getArgument(c, 1));
   }
 
-  /// Whether values of this type may be numbers: of the language, of ours, or of a template's argument.
+  /// Whether values of this type may be numbers: built-in, our own, or of a template parameter.
   static bool number(CXCursor c) {
     const CXType type = clang_getCanonicalType(clang_getCursorType(c));
     if (type.kind == CXType_Pointer || type.kind == CXType_Enum) return false;
@@ -419,7 +420,7 @@ class Collector {
     if (is(c, {CXCursor_IfStmt}) && (condition->begin != e.begin + 4 || file.text[condition->end] != ')'))
       return;
     const CXCursorKind kind = clang_getCursorKind(children[0]);
-    if (kind == CXCursor_BinaryOperator || operands_of(children[0])) return;  // whose own mutants do as much
+    if (kind == CXCursor_BinaryOperator || operands_of(children[0])) return;  // its own mutants cover this
     if (clang_getCursorType(children[0]).kind != CXType_Bool) return;
     add(file, around, {Shape::condition, "", *condition, {}, {}, {}, {"the opposite condition"}});
   }
@@ -432,7 +433,8 @@ class Collector {
       return;
     const auto last = file.text.find_last_not_of(" \n", e.begin - 1);
     const char before = last == std::string::npos ? ';' : file.text[last];
-    const bool in_block = is(around.parent, {CXCursor_CompoundStmt});  // else it may be part of a loop's head
+    const bool in_block = is(around.parent, {CXCursor_CompoundStmt});  // otherwise it may be part of a loop's
+                                                                       // head
     if (before == ')' || (in_block && (before == ';' || before == '{' || before == '}')))
       add(file, around, {Shape::statement, "", e, {}, {}, {}, {"statement left out"}});
   }
@@ -441,10 +443,10 @@ class Collector {
   std::function<bool(const std::string&)> wanted_;
   std::map<std::string, Mutable> files_;
   std::set<std::string> seen_before_;
-  std::map<CXFile, Mutable*> opened_;  ///< this unit's files; none for those that are not wanted
+  std::map<CXFile, Mutable*> opened_;  ///< this unit's files; null for those that are not wanted
 };
 
-/// What clang has to know of a compile command: the language, the folders, the definitions.
+/// The arguments of a compile command that clang needs: language, folders, definitions.
 std::vector<std::string> arguments_of(const std::string& command) {
   std::istringstream words(command);
   std::vector<std::string> kept{"clang++", "-std=c++20", "-w"};
@@ -455,7 +457,7 @@ std::vector<std::string> arguments_of(const std::string& command) {
   return kept;
 }
 
-/// The headers that a unit has before its text: a fast build's, compiled once for all.
+/// The headers that a unit includes before its text: those of a fast build, compiled once for all.
 std::string included_before(const std::string& command) {
   std::istringstream words(command);
   std::string text;
@@ -464,7 +466,7 @@ std::string included_before(const std::string& command) {
   return text;
 }
 
-/// Whether a unit's own text, or what it includes at once, is wanted.
+/// Whether a unit's text, or a file that it includes directly, is wanted.
 bool shows_wanted(const std::string& file, const std::string& text, const std::string& tree,
                   const std::function<bool(const std::string&)>& wanted) {
   if (file.starts_with(tree) && wanted(file.substr(tree.size()))) return true;

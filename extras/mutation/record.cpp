@@ -27,7 +27,7 @@ std::string quoted(const std::string& cell) {
   return text + "\"";
 }
 
-/// The rows of a file that has these columns; none where there is no file.
+/// The rows of a file with these columns; empty if there is no file.
 std::vector<CsvRow> rows_of(const fs::path& file, const std::string& right) {
   if (!fs::exists(file)) return {};
   const CsvFile csv = read_csv(file);

@@ -18,10 +18,10 @@ namespace {
 
 constexpr std::string_view header = "#include \"extras/mutation/mutant.hpp\"\n";
 
-/// A change of a file's text: `removed` characters from `at` on give way to `text`.
+/// A change of a file's text: `removed` characters at `at` are replaced by `text`.
 struct Edit {
   unsigned at;
-  long rank;  ///< of those at one place: what ends, what begins, what is taken away
+  long rank;  ///< order at one place: ends, beginnings, removals
   unsigned removed;
   std::string text;
 };
@@ -50,7 +50,7 @@ class Edits {
 
  private:
   static constexpr long far = 1L << 40;
-  long depth_ = 0;  ///< what is within comes later
+  long depth_ = 0;  ///< inner edits come later
   std::vector<Edit> all_;
 };
 
@@ -103,7 +103,7 @@ std::string line_of(const std::string& text, unsigned at) {
   return text.substr(begin, end - begin);
 }
 
-/// The near misses of a file's claims. Braces within formulas' texts are in pairs.
+/// The near misses of a file's claims. Assumes that braces within formulas' texts are balanced.
 std::vector<Extent> near_misses_in(const std::string& text) {
   std::vector<Extent> all;
   for (auto at = text.find(".near_misses ="); at != text.npos; at = text.find(".near_misses =", at + 1)) {
@@ -118,7 +118,7 @@ std::vector<Extent> near_misses_in(const std::string& text) {
   return all;
 }
 
-/// The texts of the tree's files but for what is built.
+/// The texts of the tree's files except build products.
 std::vector<fs::path> sources_of(const fs::path& tree) {
   static const std::set<std::string> left_out{"build", ".git", "node_modules", "book"};
   std::vector<fs::path> files;
@@ -132,7 +132,7 @@ std::vector<fs::path> sources_of(const fs::path& tree) {
   return files;
 }
 
-/// Whether what the suite computes may depend on the file.
+/// Whether results of the tests may depend on the file.
 bool computed(const std::string& file) {
   static const std::set<std::string> rooms{"formula", "chapters", "solvers", "reference", "report"};
   return rooms.contains(file.substr(0, file.find('/')));

@@ -24,23 +24,23 @@ namespace {
 
 constexpr std::size_t memory = std::size_t{8} << 30;
 
-/// Of the unit tests those that are not about the sources' text, other people's libraries, or what programs
-/// print, and do not take minutes.
+/// The unit tests, except those about the sources' text, third-party libraries or printed output, and those
+/// that take minutes.
 constexpr const char* judges =
     "~[slow]~[.]~[properties]~[libraries]~[lanes]~[site]~[module]~[sweep]~[commands]~[code]~[rooms]~[readable]"
     "~[new]~[walk]~[terminal]~[hostile]~[bench]~[witness]~[proofs]~[mutation]";
-constexpr double longest_unit_test = 20;  ///< s of the processor; longer ones judge nothing
+constexpr double longest_unit_test = 20;  ///< s of CPU time; longer tests are not used
 
 std::string read(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// The program of the unit tests beside oddity, if they are compiled.
+/// The program of the unit tests next to oddity, if it is compiled.
 fs::path tests_of(const fs::path& program) { return program.parent_path() / "tests/oddity_tests"; }
 
-/// "3.5" of chapters/03_rigid_body_motion/05_pendulum/models.hpp, "3." of its chapter's other files, "table
-/// 03_05_swing" of its maker, "table " of what makers share, else "".
+/// "3.5" for chapters/03_rigid_body_motion/05_pendulum/models.hpp, "3." for other files of its chapter,
+/// "table 03_05_swing" for its generator, "table " for shared code of generators, else "".
 std::string home_of(const std::string& file) {
   static const std::regex chapter("chapters/0?([0-9]+)_[^/]*/(0?([0-9]+)_)?.*");
   static const std::regex maker("reference/make/([0-9]+_[0-9]+_[^/]*)\\.cpp");
@@ -50,8 +50,8 @@ std::string home_of(const std::string& file) {
   return file.starts_with("reference/make/") ? "table " : "";
 }
 
-/// Whether a mutant at home there may be reached by the test case: one of no chapter and no table, and what
-/// makers share, by every exercise and unit test.
+/// Whether a mutant with this home may be reached by the test case. One of no chapter and no table, or of the
+/// generators' shared code, may be reached by every exercise and unit test.
 bool may_reach(const std::string& home, const std::string& tag) {
   const bool of_a_table = tag.starts_with("table "), of_an_exercise = tag.starts_with("unit [");
   if (home.empty() || (home == "table " && !of_a_table)) return !of_a_table && !of_an_exercise;
@@ -59,13 +59,13 @@ bool may_reach(const std::string& home, const std::string& tag) {
   return home.ends_with('.') || home == "table " ? about.starts_with(home) : about == home;
 }
 
-/// What Catch2 takes for the test of this name, or for those of this tag, "[3.5]".
+/// Catch2's test specification for the test of this name, or for those of a tag, "[3.5]".
 std::string spec_of(const std::string& test) {
   if (test.starts_with('[')) return test;
   return std::regex_replace(test, std::regex(R"([\\,\[\]"*])"), R"(\$&)");
 }
 
-/// The names of the unit tests that judge, by Catch2 2 or 3.
+/// The names of the unit tests used, by Catch2 2 or 3.
 std::vector<std::string> unit_tests(const fs::path& program) {
   Ended listed = run_program({program.string(), judges, "--list-test-names-only"}, "", 600s);
   if (listed.output.empty())
@@ -77,8 +77,8 @@ std::vector<std::string> unit_tests(const fs::path& program) {
   return names;
 }
 
-/// `oddity verify` of one exercise, and of the register, which misses claims; or a unit test; or a table made
-/// again; or proofs written, which nothing checks as there is no Coq.
+/// `oddity verify` of one exercise, and of the register, which reports missing claims; or a unit test; or a
+/// table made again; or proofs written, which nothing checks without Coq.
 std::vector<std::string> command_of(const fs::path& program, const std::string& tag, const fs::path& proofs) {
   if (tag == "proofs") return {"env", "PATH=", program.string(), "prove", "--out", proofs.string()};
   if (tag.starts_with("unit ")) return {tests_of(program).string(), spec_of(tag.substr(5))};
@@ -95,9 +95,8 @@ bool as_on_record(const fs::path& proofs) {
          });
 }
 
-/// The test case with a mutant, 0 for none; which are reached is noted in the file of this name, if it is
-/// there. A limit of the processor's time, unlike one of the clock's, does not depend on what else the
-/// machine does.
+/// Runs the test case with a mutant, 0 for none. Mutants reached are noted in this file, if it exists. A
+/// limit of CPU time, unlike one of wall time, does not depend on the machine's load.
 Ended tried(const fs::path& program, const std::string& tag, int mutant, const fs::path& reached,
             double seconds) {
   const long most = std::lround(std::ceil(seconds));

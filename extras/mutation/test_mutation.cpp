@@ -1,4 +1,4 @@
-// What a mutated source computes: what stood there, or the mutant that the environment names; and how a
+// A mutated source computes the original expression, or the mutant named by the environment. Also how a
 // sample of mutants is judged.
 
 #include <array>
@@ -42,8 +42,9 @@ std::string output_of(const std::string& command) {
 
 }  // namespace
 
-TEST_CASE("a mutated source computes what stood there or its mutant, and notes the mutants that it reaches",
-          "[mutation]") {
+TEST_CASE(
+    "a mutated source computes the original expression or its mutant, and notes the mutants that it reaches",
+    "[mutation]") {
   const ScratchFolder scratch;
   const std::string source = scratch.file("schema.cpp", program).string(), compiled = source + ".out";
   REQUIRE(output_of(std::string(ODDITY_COMPILER) + " -std=c++20 -Wall -Wextra -Werror -I " + ODDITY_SOURCE +
@@ -54,12 +55,12 @@ TEST_CASE("a mutated source computes what stood there or its mutant, and notes t
   CHECK(with(0) == "3 2 1 0 1 0 -5 2 0.5 2");
   CHECK(with(1) == "-1 2 1 0 1 0 -5 2 0.5 2");  // += to -=
   CHECK(with(2) == "1 2 1 0 1 0 -5 2 0.5 2");   // += left out
-  CHECK(with(3) == with(0));                    // which the compiler computed
+  CHECK(with(3) == with(0));                    // computed by the compiler
   CHECK(with(6) == "3 18 1 0 1 0 -5 2 0.5 2");  // / to *
   CHECK(with(7) == "3 6 1 0 1 0 -5 2 0.5 2");   // / to its left
   CHECK(with(8) == "3 3 1 0 1 0 -5 2 0.5 2");   // / to its right
   CHECK(with(9) == "3 2 7 0 1 0 -5 2 0.5 2");   // - to +
-  CHECK(with(10) == with(0));                   // its left is a whole number, and its difference none
+  CHECK(with(10) == with(0));                   // its left is a whole number, and its difference is not
   CHECK(with(11) == "3 2 3 0 1 0 -5 2 0.5 2");  // - to its right
   CHECK(with(12) == "3 2 2 0 1 0 -5 2 0.5 2");  // constant 4
   CHECK(with(13) == "3 2 1 1 1 0 -5 2 0.5 2");  // < to <=
@@ -77,7 +78,7 @@ TEST_CASE("a mutated source computes what stood there or its mutant, and notes t
   CHECK(reached == ".xx...xxxx-xxxxxxxxx");
 }
 
-TEST_CASE("a sample of mutants is judged by the share that is on record", "[mutation]") {
+TEST_CASE("a sample of mutants is judged by the recorded share", "[mutation]") {
   const Scores on_record{{"a", {.tried = 990, .killed = 980, .first_tried = 1000, .first_killed = 900}}};
   const auto less = [&](const std::string& room, int killed) {
     return noticed_less({{room, {.first_tried = 100, .first_killed = killed}}}, on_record);
@@ -85,12 +86,12 @@ TEST_CASE("a sample of mutants is judged by the share that is on record", "[muta
   CHECK(less("a", 90).empty());
   CHECK(less("a", 81).empty());  // 90 +- 3.1
   CHECK(less("a", 80) == std::vector<std::string>{"a"});
-  CHECK(less("b", 100).empty());  // not on record
+  CHECK(less("b", 100).empty());  // without a record
   CHECK(less("b", 99) == std::vector<std::string>{"b"});
 }
 
 TEST_CASE(
-    "where survivors alone were tried again, those that are killed count, and those that are no more do not",
+    "when only survivors were tried again, those now killed count, and those that no longer exist do not",
     "[mutation]") {
   const Score before{
       .tried = 100, .killed = 80, .with_reason = 10, .survived = 4, .first_tried = 100, .first_killed = 77};
@@ -102,7 +103,7 @@ TEST_CASE(
   on_record["5"] = on_record["6"] = {"a", "a/x.cpp", "f: /", ""};
   const Score after = after_again(before, "a", on_record, left, {"4", "5"});
   CHECK(after.tried == 99);
-  CHECK(after.with_reason == 10);  // one that had none has been given one
+  CHECK(after.with_reason == 10);  // one that had no reason has one now
   CHECK(after.survived == 1);
   CHECK(after.killed == 82);
   CHECK(after.first_tried == 100);

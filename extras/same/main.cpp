@@ -1,12 +1,13 @@
-// oddity_same A.json B.json: what differs between two runs' results, as CSV; times aside. The rows are
+// oddity_same A.json B.json: lists the differences between two runs' results as CSV, without times. The rows
+// are
 //   verdict, holds   of a claim, of one of its checks
-//   expected         how a method's finest trial ends, or a breakdown's two
-//   outcome, count   of any other trial: how it ends, its evaluations
+//   expected         outcome of a method's finest trial, or the two of a breakdown
+//   outcome, count   of any other trial: its outcome, its evaluations
 //   letter           of a map
 //   limit            the largest stable step, by more than 5 %
-//   value            any number at all; the last column is by how much
-// Ends with 1 where a verdict, a check or what is expected differs; the others are fragile, and only listed.
-// With --bits, every number has to be the same, and any difference is an error.
+//   value            any number at all; the last column is the difference
+// The exit code is 1 if a verdict, a check or an expected outcome differs. The others are fragile, and only
+// listed. With --bits, every number has to be equal, and any difference is an error.
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
-// Elementary functions that err by one more unit in the last place, up or down or not at all, as another
-// C library's do, for a program that loads this before its libraries (LD_PRELOAD). A function stays a
-// function: the error hangs on ODDITY_SEED and the arguments alone. Exact values stay exact, and none leaves
-// the function's range.
+// Elementary functions with one more unit of error in the last place, up, down or none, like another C
+// library. For a program that loads this before its libraries (LD_PRELOAD). The error depends only on
+// ODDITY_SEED and the arguments, so a function stays a function. Exact values stay exact, and none leaves the
+// function's range.
 
 #include <dlfcn.h>
 
@@ -33,7 +33,7 @@ uint64_t seed() {
 uint64_t bits(double x) { return std::bit_cast<uint64_t>(x); }
 uint64_t bits(float x) { return std::bit_cast<std::uint32_t>(x); }
 
-/// Whole numbers are exact values, or at the end of a range: sin 0, exp 0, pow(2, 3), cos 0, acos 1.
+/// Whole numbers are exact values, or ends of a range: sin 0, exp 0, pow(2, 3), cos 0, acos 1.
 template <std::floating_point T>
 T shaken(T exact, uint64_t function, uint64_t arguments) {
   if (!std::isfinite(exact) || exact == std::round(exact)) return exact;

@@ -28,8 +28,8 @@ std::string head_of(const Plan& plan, std::size_t chunk) {
   return plan.fingerprint + "\nchunk " + std::to_string(chunk) + "\n";
 }
 
-/// A line for the tile; then from below, row after row, one for each cell looked at, and one for each run of
-/// the others.
+/// Adds a line for the tile; then from below, row after row, one for each computed cell, and one for each run
+/// of the others.
 void add(std::string& text, const Tile& tile) {
   const Cells& c = tile.cells;
   text += "tile " + std::to_string(tile.checked) + " " + std::to_string(tile.otherwise) + "\n";
@@ -51,7 +51,7 @@ void add(std::string& text, const Tile& tile) {
     }
 }
 
-/// A chunk's lines, one after the other, with their numbers.
+/// A chunk's lines in order, with their numbers.
 class Lines {
  public:
   Lines(const std::string& text, std::string place) : in_(text), place_(std::move(place)) {}
@@ -77,7 +77,7 @@ class Lines {
   long number_ = 0;
 };
 
-/// The next line: three words, and what follows.
+/// The next line: three words and the rest.
 struct Line {
   const Lines& lines;
   std::array<std::string, 3> words;
@@ -89,7 +89,7 @@ struct Line {
       if (!(text >> word)) in.refuse("the line is short");
     std::getline(text >> std::ws, rest);
   }
-  /// Not a number where a cell ends without one.
+  /// NaN if a cell ends without a number.
   double number(std::size_t i) const {
     const auto x = parse_number(words[i]);
     if (!x || *x < 0) lines.refuse("'" + cut(words[i], 40) + "' is no error and no count");
@@ -103,8 +103,7 @@ struct Line {
   }
 };
 
-/// How a cell may end: of a method the outcomes, else the name of what is chosen, which is a model's and an
-/// algorithm's.
+/// Whether a cell may end so: with an outcome of a method, or with the chosen model's and algorithm's name.
 bool is_ending(const Asked& asked, const std::string& as) {
   if (as == no_truth) return true;
   if (asked.algorithm.empty()) {
@@ -120,8 +119,8 @@ bool is_ending(const Asked& asked, const std::string& as) {
   return std::ranges::find(outcomes, as, [](Outcome o) { return name_of(o); }) != outcomes.end();
 }
 
-/// Whether a cell that ends so has such an error, in needs; an outcome follows from it, unless the method
-/// gave up.
+/// Whether a cell with this ending may have such an error, in tolerances. The outcome follows from the error,
+/// unless the method gave up.
 bool is_error_of(const Asked& asked, const std::string& as, double error) {
   if (as == no_truth || as == no_method || as == nothing_holds) return std::isnan(error);
   if (asked.algorithm.empty() || as == name_of(Outcome::ok)) return error <= 1;
@@ -188,7 +187,7 @@ void keep(const fs::path& folder, const Plan& plan, std::size_t chunk, const std
 
 std::optional<std::vector<Tile>> kept(const fs::path& folder, const Plan& plan, std::size_t chunk) {
   const fs::path file = chunk_file(folder, chunk);
-  const auto text = read_sealed(file, Whose::anybodys);  // several may share a sweep
+  const auto text = read_sealed(file, Whose::anybodys);  // several users may share a sweep
   if (!text) return {};
   const std::string head = head_of(plan, chunk);
   if (!text->starts_with(head)) throw BadInput(file.string() + " is of another sweep");

@@ -15,7 +15,7 @@ namespace oddity::sweep {
 
 namespace {
 
-/// Something of HDF5's that is open, and how it is closed.
+/// An open object of HDF5, and how to close it.
 class Open {
  public:
   Open(hid_t id, herr_t (*close)(hid_t), const std::string& what) : id_(id), close_(close) {
@@ -40,7 +40,7 @@ void add_dataset(hid_t file, const std::string& name, hid_t type, const std::vec
                  const std::vector<T>& values) {
   const Open space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, name);
   const Open how(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, name);
-  H5Pset_obj_track_times(how, false);  // the same cells are the same file
+  H5Pset_obj_track_times(how, false);  // equal cells give equal files
   H5Pset_chunk(how, static_cast<int>(shape.size()), shape.data());
   H5Pset_shuffle(how);
   H5Pset_deflate(how, 6);
@@ -82,7 +82,7 @@ void add_all(hid_t file, const Map& map) {
   add_text(file, "summary", summary(map));
 }
 
-/// The bytes of the file, which HDF5 makes in memory: of a full disk it does not always say.
+/// The bytes of the file, which HDF5 makes in memory: it does not always report a full disk.
 std::string bytes_of(hid_t file) {
   require(H5Fflush(file, H5F_SCOPE_LOCAL), "a file in memory");
   const ssize_t size = H5Fget_file_image(file, nullptr, 0);

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The folder that has it.
+/// The folder that contains the chunk.
 const fs::path& folder_of(const std::vector<fs::path>& folders, std::size_t chunk) {
   const fs::path* found = nullptr;
   for (const fs::path& folder : folders) {
@@ -40,7 +40,7 @@ void require_folders(const std::vector<fs::path>& folders) {
                      ": name those that have the sweep's chunks, each with its folder 'chunks'");
 }
 
-/// No folder has a chunk that the plan has not.
+/// Throws if a folder has a chunk that is not in the plan.
 void require_no_other(const Plan& plan, const std::vector<fs::path>& folders) {
   std::set<fs::path> names;
   for (std::size_t chunk = 0; chunk < plan.chunks(); ++chunk) names.insert(chunk_file({}, chunk).filename());
@@ -60,7 +60,7 @@ std::vector<Tile> tiles_of(const Plan& plan, const fs::path& folder, std::size_t
   return *std::move(tiles);
 }
 
-/// The places among the endings are those of their first cells until all are known.
+/// Until all endings are known, they are numbered in the order of their first cells.
 class Merging {
  public:
   explicit Merging(Map& map) : map_(map) {}

@@ -16,8 +16,8 @@ struct Map {
   std::string fingerprint;
   int width = 0, height = 0;
   std::vector<std::string> endings;        ///< in the alphabet's order
-  std::vector<std::uint16_t> ended;        ///< of each cell its place among them
-  std::vector<double> error, evaluations;  ///< NaN: not looked at
+  std::vector<std::uint16_t> ended;        ///< index of each cell's ending
+  std::vector<double> error, evaluations;  ///< NaN: not computed
   std::vector<std::uint8_t> looked;
   long checked = 0, otherwise = 0;
 
@@ -26,8 +26,8 @@ struct Map {
   }
 };
 
-/// The chunks of these folders, each of which has to be in one of them, and in one alone: throws BadInput for
-/// a folder that is not there, a hole, a double, and a chunk of another sweep, and names it.
+/// Merges the chunks of these folders. Each must be in exactly one of them. Throws BadInput, with its name,
+/// for a missing folder, a missing or duplicate chunk, and a chunk of another sweep.
 Map merged(const Plan&, const std::vector<std::filesystem::path>& folders);
 
 /// "1,000,000 cells, 1.6 % of them looked at; 3 of 985 checked between them ended otherwise".
@@ -35,7 +35,7 @@ std::string summary(const Map&);
 /// A row for each cell.
 Table cells_table(const Map&);
 /// An HDF5 file: /ended, /error, /evaluations and /looked by row and column, the endings' names, the axes'
-/// numbers, and what was asked. Throws BadInput where the program is built without HDF5.
+/// numbers, and the question. Throws BadInput if the program is built without HDF5.
 void write_hdf5(const Map&, const std::filesystem::path& file);
 
 enum class Shown { outcome, error, cost };

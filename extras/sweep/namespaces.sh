@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# A sweep on four machines, as far as one can have them: network namespaces that meet at a bridge, with Open MPI over
-# TCP between them, started as by ssh. One rank is killed on the way; what comes of it is what one thread makes.
+# Imitates a sweep on four machines: network namespaces that meet at a bridge, with Open MPI over TCP between
+# them, started as by ssh. One rank is killed on the way; the result must be that of one thread.
 #   extras/sweep/namespaces.sh PROGRAM
-# Ends with 77 where namespaces cannot be made.
+# Exits with 77 if namespaces cannot be made.
 set -euo pipefail
 program=$(realpath "$1")
 machines=4
 
-# In a network and a table of mounts of their own, which are gone with the last of these processes.
+# In a separate network and mount table, which disappear with the last of these processes.
 if [ -z "${ODDITY_APART:-}" ]; then
   as_root=()
   [ "$(id -u)" -eq 0 ] || as_root=(--map-root-user)
@@ -38,7 +38,7 @@ done
 
 cat >"$work/agent" <<'END'
 #!/bin/sh
-# As ssh: a machine's address, and a command.
+# Called like ssh: a machine's address, and a command.
 machine=machine${1##*.}
 shift
 exec ip netns exec "$machine" unshare --uts sh -c "hostname $machine; $*"

@@ -21,22 +21,22 @@ constexpr double picture_width = 900, left = 80, right = 620, legend_left = 644,
                  plot_size = 520, least_plot_height = 60;
 
 constexpr std::string_view unknown = "#8c959f";
-/// From dark to bright, evenly to the eye, also the colour-blind one [van der Walt and Smith's viridis,
-/// 2015].
+/// From dark to bright in perceptually even steps, also for the colour-blind [van der Walt and Smith's
+/// viridis, 2015].
 constexpr std::array<std::string_view, 10> shades{"#440154", "#482878", "#3e4989", "#31688e", "#26828e",
                                                   "#1f9e89", "#35b779", "#6ece58", "#b5de2b", "#fde725"};
-/// Of methods that are chosen.
+/// Colours of chosen methods.
 constexpr std::array<std::string_view, 10> hues{"#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9",
                                                 "#d55e00", "#f0e442", "#7a1f52", "#50565d", "#b2df8a"};
 
-/// A kind of cell: its colour, its words, and how many there are.
+/// A kind of cell: its colour, its text, and their number.
 struct Kind {
   std::string_view colour;
   std::string says;
   long cells = 0;
 };
 
-/// What each cell of a map is shown as.
+/// The kind of each cell of a map.
 struct Kinds {
   std::vector<Kind> kinds;
   std::vector<std::uint16_t> of_cell;
@@ -59,7 +59,7 @@ Kinds by_ending(const Map& map) {
   return all;
 }
 
-/// In at most ten steps, each a whole number of decades.
+/// At most ten kinds, each a whole number of decades.
 Kinds by_decades(const std::vector<double>& numbers) {
   double least = std::numeric_limits<double>::infinity(), most = -least;
   for (double x : numbers)
@@ -103,7 +103,7 @@ std::string name_of_axis(const Axis& axis) {
   return axis.name + (axis.unit.empty() || axis.unit == "1" ? "" : " [" + typeset_unit(axis.unit) + "]");
 }
 
-/// Runs of cells of one kind, in rows.
+/// Draws runs of cells of one kind, row by row.
 void add_cells(Svg& svg, const Map& map, const Kinds& kinds, double top, double height) {
   const double wide = (right - left) / map.width, high = height / map.height;
   std::vector<std::string> data(kinds.kinds.size());

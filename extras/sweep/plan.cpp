@@ -29,11 +29,11 @@ using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 constexpr int tile_side = 64;  // cells
-/// A map of no more cells is looked at everywhere: one cell in a thousand of so few says nothing about the
+/// Maps up to this size are computed completely: one cell in a thousand of so few predicts nothing about the
 /// others, and all of them take no longer than one tile of a large map.
 constexpr long small_map = 4096;
-/// A merged map takes 19 bytes a cell, all in memory: of so many 38 GB, and a year on a thread that takes 16
-/// ms for each.
+/// A merged map takes 19 bytes a cell, all in memory: this many take 38 GB, and a year on one thread at 16 ms
+/// each.
 constexpr double most_cells = 2e9;
 constexpr int format = 1;
 
@@ -59,10 +59,10 @@ Horizon horizon_of(const Asked& asked) {
                          : Horizon{asked.need.horizon, 1, asked.need.frames_per_second};
 }
 
-/// Of a method: step or tolerance.
+/// Whether the axis is a method's step or tolerance.
 bool is_setting(const Axis& axis) { return axis.name == "step" || axis.name == "tolerance"; }
 
-/// What a method costs, in evaluations.
+/// Cost of a method in evaluations.
 Time counted_price(const Method& method, double setting) {
   return {1e-9 * static_cast<double>(method.run(setting).evaluations), 0};
 }
@@ -88,7 +88,7 @@ class Looks {
       return asked_.algorithm.empty() ? chosen(task) : tried(task, key, setting);
     } catch (const OutOfTime&) {
       throw;
-    } catch (const std::bad_alloc&) {  // of this machine, not of the cell
+    } catch (const std::bad_alloc&) {  // lack of memory belongs to this machine, not to the cell
       throw;
     } catch (const std::exception&) {
       return {std::string(no_truth)};
@@ -135,11 +135,11 @@ double seconds_of(const std::function<void()>& work) {
 
 long tiles_of(int cells) { return (cells + tile_side - 1) / tile_side; }
 
-/// How long a tile at each height takes, and how long a column's truth does: by cells of a few columns, a row
-/// of tiles apart at most.
+/// Time of a tile at each height, and of a column's reference: from cells of a few columns, at most a row of
+/// tiles apart.
 struct Speed {
   std::vector<double> tiles;  ///< s, from below
-  double truth = 0;           ///< s for a column; for a cell where no axis is the method's setting
+  double truth = 0;           ///< s for a column, or for each cell if no axis is the method's setting
 
   Speed(const Asked& asked, const Reference& truth_source, int width, int height) {
     const auto look = looks_at(asked, truth_source);
@@ -150,7 +150,7 @@ struct Speed {
       const int y = probes == 1 ? height / 2 : static_cast<int>((height - 1) * probe / (probes - 1));
       const int x = static_cast<int>((2 * probe + 1) * width / (2 * probes));
       const double first = seconds_of([&] { look(x, y); });
-      const double again = seconds_of([&] { look(x, y); });  // its truth is there now
+      const double again = seconds_of([&] { look(x, y); });  // the reference is known now
       truth += std::max(0.0, first - again) / static_cast<double>(probes);
       at_probe.push_back(std::max(1e-9, shared ? again : first));
     }
@@ -164,7 +164,7 @@ struct Speed {
   }
 
  private:
-  /// At a part of the way from the first to the last, by a factor from one to the next: steps go by one.
+  /// Interpolates geometrically at a part of the way from the first to the last, as steps do.
   static double between(const std::vector<double>& seconds, double part) {
     const double place = part * static_cast<double>(seconds.size() - 1);
     const auto i = std::min(static_cast<std::size_t>(place), seconds.size() - 1);
@@ -183,7 +183,7 @@ void divide(Plan& plan, const Speed& speed, double seconds_a_chunk) {
   double seconds = 0;
   plan.first_tile = {0};
   for (long tile = 0; tile < columns * rows; ++tile) {
-    const bool enters = seconds == 0 || tile % rows == 0;  // a column, with truths to be found
+    const bool enters = seconds == 0 || tile % rows == 0;  // a new column, whose references have to be found
     seconds += speed.tiles[static_cast<std::size_t>(tile % rows)] + (enters ? tile_side * speed.truth : 0);
     if (seconds < most && tile + 1 < columns * rows) continue;
     plan.first_tile.push_back(tile + 1);
@@ -192,7 +192,7 @@ void divide(Plan& plan, const Speed& speed, double seconds_a_chunk) {
   }
 }
 
-// ---- what may be asked ------------------------------------------------------------------------------------
+// ---- what may be requested ------------------------------------------------------------------------------
 
 void require_axis(const Asked& asked, const Axis& axis, const Method* method) {
   const std::string name = "the axis " + axis.name;
@@ -215,7 +215,7 @@ void require_axis(const Asked& asked, const Axis& axis, const Method* method) {
   for (int cell = 0; cell < axis.count; ++cell) task.parameters.set(axis.name, axis.at(cell));
 }
 
-/// Of the scene's motion; null where what to choose is asked.
+/// The requested method of the scene's motion; null if cells show the chosen one.
 const Method* method_asked(const Asked& asked, const Quantity& seen) {
   return asked.algorithm.empty() ? nullptr : method_of(seen, asked.model, asked.algorithm);
 }
@@ -224,13 +224,13 @@ Quantity motion_asked(const Asked& asked) {
   return motion(scene_of(asked), task_of(asked).parameters, horizon_of(asked), Reference::nothing());
 }
 
-/// The method's steps end at each look, so that one twice as long as the time between two is shortened to
-/// it, and does the same work. Others step in a time of their own.
+/// Whether the method's steps end at each look. Then a step of twice the time between looks is shortened to
+/// it, and does the same work. Other methods step in another variable than time.
 bool ends_at_looks(const Quantity& seen, const Method& method, double between) {
   return run(seen, method, 2 * between).answer.evaluations == run(seen, method, between).answer.evaluations;
 }
 
-/// All steps of the cells; none for a method that has none.
+/// All steps of the cells; empty for a method without steps.
 std::vector<double> steps_of(const Asked& asked, const Method* method) {
   if (!method || method->knob.name != "step") return {};
   const auto axis = std::ranges::find_if(asked.axes, is_setting);
@@ -240,7 +240,7 @@ std::vector<double> steps_of(const Asked& asked, const Method* method) {
   return steps;
 }
 
-/// A longer step would be shortened, and stand in the map as what it is not.
+/// Refuses longer steps: they would be shortened, and the map would show them at the wrong place.
 void require_steps_between_looks(const Asked& asked, const Quantity& seen, const Method* method) {
   const std::vector<double> steps = steps_of(asked, method);
   if (steps.empty()) return;
@@ -259,7 +259,7 @@ void require_steps_between_looks(const Asked& asked, const Quantity& seen, const
 
 bool is_positive(double x) { return x > 0 && std::isfinite(x); }
 
-/// What may come from a file that was not made here: as the command line has it.
+/// Checks a need that may come from a file made elsewhere, like one from the command line.
 void require_need(const Asked& asked) {
   const Need& need = asked.need;
   const double frames = need.horizon * need.frames_per_second;
@@ -447,7 +447,7 @@ std::string to_json(const Plan& plan) {
 Plan plan_from_json(const std::string& text, const std::string& place) {
   try {
     Json json = Json::parse(text);
-    const std::string problem = json.at("asked").value("problem", "");  // whose lines are to stay
+    const std::string problem = json.at("asked").value("problem", "");  // its line breaks must stay
     show_controls(json);
     if (!problem.empty()) json["asked"]["problem"] = problem;
     if (json.at("format") != format) throw std::runtime_error("of another format");

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# The array script that `sweep run --slurm` writes, run by Slurm itself: a cluster of one machine, whose daemons are
-# started here with keys, ports and files of their own. What runs of an array is killed on its way, and the array run again.
+# Runs the array script of `sweep run --slurm` by Slurm itself: a cluster of one machine, whose daemons are
+# started here with separate keys, ports and files. The array's jobs are killed on their way, and the array
+# runs again.
 #   extras/sweep/slurm.sh PROGRAM
-# Ends with 77 where the daemons do not start.
+# Exits with 77 if the daemons do not start.
 set -euo pipefail
 program=$(realpath "$1")
 PATH=/usr/sbin:$(dirname "$program"):$PATH

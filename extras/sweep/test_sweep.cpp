@@ -22,18 +22,18 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Chunks of a few thousandths of a second, so that there are many of them.
+// Chunks of a few milliseconds, so that there are many of them.
 const std::string small =
     " 3.5 --model 'one angle' --algorithm 'velocity Verlet' --over a=10deg..170deg:200 --over step=5ms..1:200 "
     "--looks 4 --chunk-time 3ms";
-// More of them than there are shards, threads and ranks.
+// More chunks than shards, threads and ranks.
 const std::string many =
     " 3.5 --model 'one angle' --algorithm 'velocity Verlet' --over a=10deg..170deg:520 --over step=5ms..1:520 "
     "--looks 4 --chunk-time 0.5ms";
 
 std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }
 
-/// A plan in a folder, by the program.
+/// Makes a plan in a folder, by the program.
 void plan(const fs::path& folder, const std::string& asked = small) {
   const Ran ran = run("sweep plan " + quoted(folder) + asked);
   INFO(ran.output);
@@ -62,7 +62,7 @@ std::size_t chunks_in(const fs::path& folder) {
   return count;
 }
 
-/// When each chunk was made.
+/// The time at which each chunk was made.
 std::map<std::string, fs::file_time_type> chunk_times(const fs::path& folder) {
   std::map<std::string, fs::file_time_type> times;
   for (const auto& file : fs::directory_iterator(folder / "chunks"))
@@ -70,7 +70,7 @@ std::map<std::string, fs::file_time_type> chunk_times(const fs::path& folder) {
   return times;
 }
 
-/// Starts the program and kills it after so long: whether it had not ended before.
+/// Starts the program and kills it after this time. Returns whether it had not ended before.
 bool killed_after(std::chrono::duration<double> time, std::vector<std::string> arguments) {
   const pid_t child = fork();
   if (child == 0) {
@@ -114,8 +114,8 @@ TEST_CASE("a map is quartered where neighbours end differently", "[sweep]") {
   CHECK(few.checked > 100);
 }
 
-TEST_CASE("what is checked finds islands, and looks at them closely", "[sweep]") {
-  // Stripes that no corner of the whole meets.
+TEST_CASE("checked cells find islands, which are then divided closely", "[sweep]") {
+  // Stripes that miss all corners of the map.
   const Look stripes = [](int x, int) { return Ended{x / 40 % 3 == 1 ? "stripe" : "sea"}; };
   const Cells cells{0, 0, 255, 255};
   REQUIRE(stripes(0, 0).as == stripes(255, 255).as);
@@ -126,7 +126,7 @@ TEST_CASE("what is checked finds islands, and looks at them closely", "[sweep]")
   CHECK(wrong < 256 * 256 / 100);
 }
 
-TEST_CASE("axes go evenly or by a factor, and end where they are to", "[sweep]") {
+TEST_CASE("axes go evenly or by a factor, and end at the given values", "[sweep]") {
   const Axis even{"a", "rad", -1, 2, 7}, factor{"step", "s", 1e-3, 10, 5, true};
   CHECK(even.at(0) == -1);
   CHECK(even.at(2) == 0);
@@ -136,7 +136,7 @@ TEST_CASE("axes go evenly or by a factor, and end where they are to", "[sweep]")
   CHECK(factor.at(4) == 10);
 }
 
-TEST_CASE("a sweep is the same, byte for byte, whoever shares it", "[sweep]") {
+TEST_CASE("a sweep is the same, byte for byte, however it is shared", "[sweep]") {
   const ScratchFolder scratch;
   const fs::path one = scratch.path() / "one";
   plan(one, many);
@@ -172,7 +172,7 @@ TEST_CASE("a sweep is the same, byte for byte, whoever shares it", "[sweep]") {
       CHECK(text_of(out) == cells);
     }
   }
-  SECTION("by ranks of MPI, where there is one") {
+  SECTION("by ranks of MPI, if available") {
     if (shell("command -v mpirun").status == 0 &&
         fs::exists(fs::path(ODDITY_PROGRAM).parent_path() / "liboddity_mpi.so")) {
       for (int ranks : {2, 7, 64}) {
@@ -202,7 +202,7 @@ TEST_CASE("a sweep is the same, byte for byte, whoever shares it", "[sweep]") {
   }
 }
 
-TEST_CASE("a sweep that is killed time and again loses what it was at, and no more", "[sweep]") {
+TEST_CASE("a sweep that is killed repeatedly loses only the chunks under way", "[sweep]") {
   const ScratchFolder scratch;
   const fs::path whole = scratch.path() / "whole", killed = scratch.path() / "killed";
   plan(whole);
@@ -227,13 +227,13 @@ TEST_CASE("a sweep that is killed time and again loses what it was at, and no mo
     kills += was_killed;
     kills_of_resumed += was_killed && !before.empty();
     const auto after = chunk_times(killed);
-    // On a machine that is busier or less busy than it was.
+    // The machine may be busier or less busy than before.
     if (!was_killed) takes *= 0.8;
     if (was_killed && after.size() == before.size()) takes *= 1.25;
     for (const auto& [name, made] : before) CHECK(after.at(name) == made);
     for (const auto& [name, text] : files_in(killed / "chunks"))
       if (name.ends_with(".txt")) CHECK(text == chunks.at(name));
-    CHECK(files_in(killed / "chunks").size() <= after.size() + 1);  // and what it was writing
+    CHECK(files_in(killed / "chunks").size() <= after.size() + 1);  // and the one being written
     before = after;
   }
   CHECK(kills == most);
@@ -243,7 +243,7 @@ TEST_CASE("a sweep that is killed time and again loses what it was at, and no mo
   CHECK(run("sweep merge " + quoted(killed) + " --out " + quoted(scratch.path() / "k.csv")).status == 0);
 }
 
-TEST_CASE("merge refuses a hole, a double, damage and what is of another sweep", "[sweep]") {
+TEST_CASE("merge refuses missing, duplicate, damaged and foreign chunks", "[sweep]") {
   const ScratchFolder scratch;
   const fs::path one = scratch.path() / "one", out = scratch.path() / "out.csv";
   plan(one);
@@ -286,7 +286,7 @@ TEST_CASE("merge refuses a hole, a double, damage and what is of another sweep",
   CHECK(says(merge(quoted(one)), "999999.txt is no chunk of this sweep"));
 }
 
-TEST_CASE("a plan is that of its program, tables and question", "[sweep]") {
+TEST_CASE("a plan belongs to its program, tables and question", "[sweep]") {
   const ScratchFolder scratch;
   const fs::path folder = scratch.path() / "sweep";
   plan(folder);
@@ -325,7 +325,7 @@ TEST_CASE("a thousand million cells are planned and estimated", "[sweep]") {
   CHECK(says(ran, "on one thread"));
 }
 
-TEST_CASE("a small map has no cell that is guessed", "[sweep]") {
+TEST_CASE("no cell of a small map is guessed", "[sweep]") {
   const ScratchFolder scratch;
   const fs::path small_one = scratch.path() / "small", large = scratch.path() / "large";
   const auto merged = [&](const fs::path& folder, const std::string& cells) {
@@ -346,7 +346,7 @@ TEST_CASE("a small map has no cell that is guessed", "[sweep]") {
   CHECK(summary(map).ends_with("none of 3 checked between them ended otherwise"));
 }
 
-TEST_CASE("a fixed step is no longer than the time between two looks, and it is said where it is shortened",
+TEST_CASE("a fixed step is no longer than the time between two looks, and shortening it is reported",
           "[sweep]") {
   const ScratchFolder scratch;
   const auto planned = [&](const std::string& asked) {
@@ -378,7 +378,7 @@ TEST_CASE("a fixed step is no longer than the time between two looks, and it is 
   CHECK_FALSE(says(tolerance, "shortened"));
 }
 
-TEST_CASE("a step in a time of the method's own may be longer than the time between two looks", "[sweep]") {
+TEST_CASE("a step in another variable than time may be longer than the time between two looks", "[sweep]") {
   const ScratchFolder scratch;
   const Ran ran = run("sweep plan " + quoted(scratch.path()) +
                       " 3.31 --model 'time stretched by the speed' --algorithm 'Runge-Kutta 4' --over "
@@ -387,7 +387,7 @@ TEST_CASE("a step in a time of the method's own may be longer than the time betw
   CHECK(ran.status == 0);
 }
 
-TEST_CASE("what merges and draws names a folder that is not there, and an ending that is none", "[sweep]") {
+TEST_CASE("merge and draw refuse a missing folder and an unknown ending by name", "[sweep]") {
   const ScratchFolder scratch;
   const fs::path folder = scratch.path() / "sweep", nowhere = scratch.path() / "nowhere";
   plan(folder);
@@ -404,7 +404,7 @@ TEST_CASE("what merges and draws names a folder that is not there, and an ending
   CHECK_FALSE(fs::exists(folder / "map.png"));
 }
 
-TEST_CASE("each cell may be what to choose there", "[sweep]") {
+TEST_CASE("each cell may show the choice there", "[sweep]") {
   const ScratchFolder scratch;
   const fs::path folder = scratch.path() / "table", csv = scratch.path() / "table.csv";
   plan(folder, " 3.5 --over a=2deg..40deg:3 --error 1deg --horizon 2 --every-cell");
@@ -421,7 +421,7 @@ TEST_CASE("each cell may be what to choose there", "[sweep]") {
   CHECK(text_of(folder / "map.svg").find("what to choose") != std::string::npos);
 }
 
-TEST_CASE("sweeps that cannot be are refused with what would be right", "[sweep]") {
+TEST_CASE("impossible sweeps are refused with a suggestion", "[sweep]") {
   const ScratchFolder scratch;
   const auto refused = [&](const std::string& asked, const std::string& why) {
     const Ran ran = run("sweep plan " + quoted(scratch.path() / "no") + " " + asked);
@@ -454,7 +454,7 @@ TEST_CASE("sweeps that cannot be are refused with what would be right", "[sweep]
   CHECK(says(run("sweep run --thread 2 x"), "'./oddity sweep run --help' says more"));
 }
 
-TEST_CASE("a problem's file is swept over, and its plan needs no other file", "[sweep]") {
+TEST_CASE("a problem's file is swept like an exercise, and its plan needs no other file", "[sweep]") {
   const ScratchFolder scratch;
   const fs::path folder = scratch.path() / "springs", csv = scratch.path() / "springs.csv",
                  file = scratch.path() / "car.toml";
@@ -462,7 +462,7 @@ TEST_CASE("a problem's file is swept over, and its plan needs no other file", "[
     fs::remove_all(folder);
     fs::copy_file(fs::path(ODDITY_SOURCE) / "chapters/examples/problems/quarter_car.toml", file);
     plan(folder, " " + quoted(file) + method);
-    fs::remove(file);  // the machine that runs it does not have it
+    fs::remove(file);  // the machine that runs it has no such file
     REQUIRE(run("sweep run " + quoted(folder)).status == 0);
     REQUIRE(run("sweep merge " + quoted(folder) + " --out " + quoted(csv)).status == 0);
     return text_of(csv);

@@ -12,7 +12,7 @@ Tile blank(const Cells& cells) {
   return {cells, std::vector<Ended>(count), std::vector<bool>(count)};
 }
 
-/// One cell in a thousand, the same ones whoever asks [Steele, Lea and Flood's mixing of bits, 2014].
+/// One cell in a thousand, the same ones for every caller [Steele, Lea and Flood's mixing of bits, 2014].
 bool is_checked(int x, int y) {
   std::uint64_t bits = static_cast<std::uint64_t>(x) << 32 | static_cast<std::uint32_t>(y);
   bits = (bits + 0x9e3779b97f4a7c15) * 0xbf58476d1ce4e5b9;
@@ -39,13 +39,13 @@ class Quartering {
     return tile_.ended[place].as;
   }
 
-  /// How a corner ends; `closely`: whatever has been taken for granted.
+  /// Outcome of a corner; `closely`: computed even if it has been guessed.
   std::string ending(int x, int y, bool closely) {
     const std::size_t place = tile_.place(x, y);
     return taken_for_granted_[place] && !closely ? tile_.ended[place].as : look_at(x, y);
   }
 
-  /// A cell in the middle of so short a line ends as the line's ends do, where these are alike.
+  /// Guesses that the middle of a short line ends like the line's ends, if these are equal.
   void take_for_granted(int x, int y, const std::string& one_end, const std::string& other_end, int length) {
     constexpr int short_line = 4;
     const std::size_t place = tile_.place(x, y);
@@ -74,7 +74,7 @@ class Quartering {
     quarter(c, x, y, closely);
   }
 
-  /// The quarters share the lines between them.
+  /// Refines the quarters, which share the lines between them.
   void quarter(const Cells& c, int x, int y, bool closely) {
     const bool across = c.width() > 2, upward = c.height() > 2;
     const int last_x = across ? x : c.last_x, last_y = upward ? y : c.last_y;
@@ -84,7 +84,7 @@ class Quartering {
     if (across && upward) refine({x, y, c.last_x, c.last_y}, closely);
   }
 
-  /// Has the cells between end so; false when one that is known does not.
+  /// Gives all cells between this outcome; false if a known one has another.
   bool all_end(const Cells& c, const std::string& as) {
     for (int y = c.first_y; y <= c.last_y; ++y)
       for (int x = c.first_x; x <= c.last_x; ++x) {

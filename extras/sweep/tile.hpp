@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-/// The cells of a part of a map, of which those are looked at that tell how the others end.
+/// The cells of a part of a map. Only cells that determine the others' outcomes are computed.
 namespace oddity::sweep {
 
-/// How a cell ends: an outcome, or the method that is chosen; with its error in needs and its evaluations.
+/// Outcome of a cell, or the chosen method, with its error in tolerances and its evaluations.
 struct Ended {
   std::string as;
   double error = std::numeric_limits<double>::quiet_NaN();
@@ -26,9 +26,11 @@ struct Cells {
 struct Tile {
   Cells cells;
   std::vector<Ended> ended;  ///< row after row, from below
-  std::vector<bool> looked;  ///< at; the others lie between corners that end alike, and end so too
-  long checked = 0;          ///< of those between: one in a thousand is looked at all the same
-  long otherwise = 0;        ///< of those checked: what is around them is then divided further
+  std::vector<bool> looked;  ///< computed; the others are between corners with equal outcomes, which they
+                             ///< share
+  long checked = 0;          ///< one in a thousand of these others, computed nevertheless
+  long otherwise = 0;        ///< checked cells with another outcome: the cells around them are then divided
+                             ///< further
 
   std::size_t place(int x, int y) const {
     return static_cast<std::size_t>(y - cells.first_y) * static_cast<std::size_t>(cells.width()) +
@@ -38,9 +40,9 @@ struct Tile {
 
 using Look = std::function<Ended(int x, int y)>;
 
-/// Every cell looked at.
+/// Computes every cell.
 Tile all_looked_at(const Cells&, const Look&);
-/// Quartered until the corners of a quarter end alike, or are next to each other.
+/// Divides into quarters until a quarter's corners have the same outcome, or are next to each other.
 Tile quartered(const Cells&, const Look&);
 
 }  // namespace oddity::sweep

@@ -74,7 +74,7 @@ sweep::Axis axis_of(const Task& task, const std::string& text) {
   return axis;
 }
 
-/// What is swept over has no value besides.
+/// Refuses a second value for a number that is swept.
 void require_once(const Words& w, const std::vector<sweep::Axis>& axes) {
   for (std::size_t i = 0; i < axes.size(); ++i) {
     const bool setting = axes[i].name == "step" || axes[i].name == "tolerance";
@@ -88,11 +88,11 @@ void require_once(const Words& w, const std::vector<sweep::Axis>& axes) {
   }
 }
 
-/// A step has a time for its unit, a tolerance none.
+/// A step has the unit of time, a tolerance has none.
 double setting_of(const Task& task, const Words& w) {
   const Scene& scene = *task.entry->exercise.scene;
   const Quantity seen = motion(scene, task.parameters, Reference::nothing());
-  const Method* method = method_of(seen, w.model, w.algorithm);  // none: which is said of the whole plan
+  const Method* method = method_of(seen, w.model, w.algorithm);  // null: reported for the whole plan
   return value_of("--setting", w.setting, method && method->knob.name != "step" ? "" : scene.axes.time);
 }
 
@@ -138,7 +138,7 @@ sweep::Asked asked_of(const Words& w) {
   asked.every_cell = w.every_cell;
   for (const std::string& text : w.over) asked.axes.push_back(axis_of(task, text));
   require_once(w, asked.axes);
-  // The method's setting goes upward: the cells of a column share their truth.
+  // The method's setting goes upward, so that the cells of a column share their reference.
   if (asked.axes.size() == 2 && (asked.axes[0].name == "step" || asked.axes[0].name == "tolerance"))
     std::swap(asked.axes[0], asked.axes[1]);
   if (!w.setting.empty()) asked.setting = setting_of(task, w);
@@ -161,7 +161,7 @@ std::string cells_of(const Plan& plan) {
          with_commas(static_cast<long>(plan.chunks())) + (plan.chunks() == 1 ? " chunk" : " chunks");
 }
 
-/// What the map's axis would not tell; nothing where it is a hundredth or less.
+/// A note on shortened steps, which the map's axis does not show; empty up to a hundredth.
 std::string shortened_steps(const sweep::Asked& asked) {
   constexpr double unnoticed = 0.01;
   const double part = sweep::most_shortened(asked);
@@ -181,7 +181,7 @@ void make_plan(const Words& w) {
   const double seconds = between("--chunk-time", w.chunk_time, "s", 1e-6, 1e6);
   const Plan plan = sweep::planned(asked_of(w), Reference(w.reference), w.reference, seconds);
   take_folder(folder, w.overwrite);
-  // A program that is built anew for the merge would be another one than planned.
+  // A program that is rebuilt for the merge would not match the plan.
   if (needs_are_all(for_hdf5)) return;
   write_whole(sweep::plan_file(folder), to_json(plan));
   std::cout << sweep::plan_file(folder).string() << ": " << cells_of(plan) << ", about "
@@ -212,7 +212,8 @@ void print_slurm(const Words& w, const Plan& plan) {
   const std::string reference = fs::path(w.reference) == reference_folder()
                                     ? ""
                                     : "--reference " + for_shell(fs::absolute(w.reference).string()) + " ";
-  const double minutes = 2 * (sum(plan.seconds) / w.slurm + longest) / 60 + 1;  // estimates err
+  const double minutes = 2 * (sum(plan.seconds) / w.slurm + longest) / 60 + 1;  // a margin, as estimates have
+                                                                                // errors
   std::cout
       << "#!/bin/bash\n#SBATCH --job-name=oddity-sweep\n#SBATCH --array=1-" << w.slurm
       << "\n#SBATCH --cpus-per-task=1\n#SBATCH --time=" << static_cast<long>(std::ceil(minutes))
@@ -226,7 +227,7 @@ void run_by_mpi(const Words& w, const Plan& plan) {
   const Reference truth(w.reference);
   std::vector<std::size_t> left = sweep::missing(w.folder, plan);
   std::ranges::reverse(left);
-  const auto next = [&]() -> std::optional<std::size_t> {  // on the first rank alone
+  const auto next = [&]() -> std::optional<std::size_t> {  // only on the first rank
     if (left.empty()) return {};
     const std::size_t chunk = left.back();
     left.pop_back();
@@ -252,7 +253,7 @@ void run_chunks(const Words& w) {
   std::cout << how_far(plan, sweep::missing(w.folder, plan), w.folder);
 }
 
-// ---- what has come of it ----------------------------------------------------------------------------------
+// ---- results --------------------------------------------------------------------------------------------
 
 void status(const Words& w) {
   const Plan plan = plan_in(w);

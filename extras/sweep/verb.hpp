@@ -4,7 +4,7 @@
 
 namespace oddity {
 
-/// Adds `sweep` with its verbs: plan, run, status, merge and draw.
+/// Adds `sweep` with its subcommands: plan, run, status, merge and draw.
 void add_sweep(const CommandLine&);
 
 }  // namespace oddity

@@ -39,7 +39,7 @@ TEST_CASE("GSL's CQUAD reports success whatever its estimate is", "[libraries]")
   const Result backward = cquad(growing, nullptr, 1, 0, 1 - std::exp(1));
   shown.check("from 1 to 0 its estimate is below zero", backward.estimate < 0, backward.estimate);
   long calls = 0;
-  const auto pole = [](double x, void* count) {  // the largest number lets it end
+  const auto pole = [](double x, void* count) {  // ends with the largest number
     return ++*static_cast<long*>(count) > 1'000'000 ? std::numeric_limits<double>::max() : 1 / x;
   };
   cquad(pole, &calls, -1, 2, 0);

@@ -9,8 +9,8 @@
 
 namespace {
 
-/// By how much the weights of so many points miss their sum, 2, and the nodes a root of Legendre's
-/// polynomial.
+/// Errors of the weights for this many points: that of their sum, 2, and that of the nodes as roots of
+/// Legendre's polynomial.
 struct Miss {
   bool tabulated;
   double weights, nodes;

@@ -6,7 +6,7 @@
 #include "report/verify/catch.hpp"
 #include "tests/libraries/shown.hpp"
 
-TEST_CASE("Odeint's Adams-Bashforth goes on with its history when its step changes", "[libraries]") {
+TEST_CASE("Odeint's Adams-Bashforth keeps its history when its step changes", "[libraries]") {
   namespace odeint = boost::numeric::odeint;
   using State = std::array<double, 2>;
   using Stepper = odeint::adams_bashforth<4, State, double, State, double, odeint::array_algebra,

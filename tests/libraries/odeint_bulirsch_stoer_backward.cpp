@@ -6,11 +6,11 @@
 #include "report/verify/catch.hpp"
 #include "tests/libraries/shown.hpp"
 
-TEST_CASE("Odeint's Bulirsch-Stoer is dear backward in time", "[libraries]") {
+TEST_CASE("Odeint's Bulirsch-Stoer is expensive backward in time", "[libraries]") {
   namespace odeint = boost::numeric::odeint;
   using State = std::array<double, 2>;
   const Shown shown{"odeint_bulirsch_stoer_backward", BOOST_LIB_VERSION};
-  // d/dt (angle, speed), times `direction`: with -1 the motion of a time that is turned round.
+  // d/dt (angle, speed), times `direction`: -1 reverses time.
   const auto evaluations = [](double direction, double end) {
     long calls = 0;
     State x{0.5, 0};

@@ -7,7 +7,8 @@
 #include "report/verify/catch.hpp"
 #include "tests/libraries/shown.hpp"
 
-TEST_CASE("Odeint's Fehlberg 7(8) sees no error where the right-hand side knows time alone", "[libraries]") {
+TEST_CASE("Odeint's Fehlberg 7(8) sees no error where the right-hand side depends only on time",
+          "[libraries]") {
   namespace odeint = boost::numeric::odeint;
   using State = std::array<double, 1>;
   const Shown shown{"odeint_fehlberg78", BOOST_LIB_VERSION};

@@ -1,4 +1,4 @@
-// Compiled as C++17, as uBLAS of Boost 1.74 wants it.
+// Compiled as C++17, as uBLAS of Boost 1.74 requires.
 #define BOOST_UBLAS_NDEBUG 1
 #include <boost/numeric/odeint/stepper/implicit_euler.hpp>
 #include <boost/version.hpp>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double g = 9.81, start = 0.5, h = 0.3, enough = 1e-12;
 
-/// Newton's iteration for y = x + h f(y), f of the pendulum of 1 m, with the matrix of the start.
+/// Newton's iteration for y = x + h f(y), with f of the pendulum of 1 m and the matrix at the start.
 int evaluations_of_newtons_iteration() {
   double angle = start, speed = 0, change = 1;
   int count = 0;

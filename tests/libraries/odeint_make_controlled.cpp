@@ -6,9 +6,9 @@
 #include "report/verify/catch.hpp"
 #include "tests/libraries/shown.hpp"
 
-TEST_CASE("Odeint's make_controlled is another function without one of its headers", "[libraries]") {
+TEST_CASE("without one of its headers Odeint's make_controlled is another function", "[libraries]") {
   namespace odeint = boost::numeric::odeint;
-  // A state that no other file controls, as the same function with all its headers is another.
+  // A state that no other file uses, since with all headers the same function has another definition.
   struct State : std::array<double, 2> {};
   using Stepper = odeint::runge_kutta_dopri5<State, double, State, double, odeint::array_algebra>;
   using Controlled = odeint::controlled_runge_kutta<Stepper>;

@@ -1,4 +1,4 @@
-// Compiled as C++17, as uBLAS of Boost 1.74 wants it.
+// Compiled as C++17, as uBLAS of Boost 1.74 requires.
 #define BOOST_UBLAS_NDEBUG 1
 #include <boost/numeric/odeint/stepper/rosenbrock4.hpp>
 #include <boost/version.hpp>
@@ -18,7 +18,7 @@ struct Turned : AsItIs {
   const double d4 = -AsItIs::d4;
 };
 
-/// Of x' = x cos t, whose solution is exp(sin t), at t = 2.
+/// Error for x' = x cos t, with the solution exp(sin t), at t = 2.
 template <class Coefficients>
 double error(int n) {
   odeint::rosenbrock4<double, Coefficients> stepper;

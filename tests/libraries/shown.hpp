@@ -2,12 +2,12 @@
 
 #include <string>
 
-/// What the catalog says of a library, shown. Also for files that are compiled as C++17.
+/// Checks a finding of the catalog about a library. Also for files that are compiled as C++17.
 struct Shown {
-  const char* by;       ///< the test's file, which is the finding's `shown_by`
-  std::string version;  ///< of the library that is installed
+  const char* by;       ///< name of the test's file, as in the finding's `shown_by`
+  std::string version;  ///< version of the installed library
 
-  /// The finding says `words`, and, in the version that it was found in, they hold. With another version what
-  /// was measured is printed.
+  /// Requires that the finding contains `words`, and that they hold in the version in which it was found.
+  /// With another version the measured number is printed.
   void check(const std::string& words, bool hold, double measured) const;
 };

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# A place where nothing has run yet: a bare Debian in a chroot, or, where none can be had, a fresh clone on this machine.
-# It has the tracked files of this tree, as they are now.
-#   tests/newcomer/place.sh make SUITE          makes it anew, as build/newcomer/SUITE
+# A place where nothing has run yet: a bare Debian in a chroot, or, if none is available, a fresh clone on
+# this machine. It has the tracked files of this tree, in their current state.
+#   tests/newcomer/place.sh make SUITE          makes a new one, as build/newcomer/SUITE
 #   tests/newcomer/place.sh in SUITE COMMAND    runs a shell's command in its tree
-#   tests/newcomer/place.sh afresh SUITE        the tree as it came, but for what is built; nothing in /tmp and at home
-#   tests/newcomer/place.sh tree SUITE          says where the tree is from outside
-# What is mounted is so for one command alone, in namespaces of its own: nothing stays mounted, however it ends.
+#   tests/newcomer/place.sh afresh SUITE        restores the tree except its build; empties /tmp and the home folder
+#   tests/newcomer/place.sh tree SUITE          prints the tree's path from outside
+# Mounts are made for one command at a time, in separate namespaces: nothing stays mounted, however it ends.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 program=tests/newcomer/place.sh
@@ -18,14 +18,14 @@ packages=/var/cache/apt/archives
 
 isolated() { unshare --mount --pid --fork --kill-child "$@"; }
 
-# The mirror that this machine is set to.
+# The mirror configured on this machine.
 mirror() {
   local set_to
   set_to=$(apt-get indextargets --format '$(REPO_URI)' 'Origin: Debian' | grep '/debian/*$' | sort -u | tail -n 1) || true
   echo "${set_to:-http://deb.debian.org/debian}"
 }
 
-# Packages that are here already need not be fetched again, and those fetched there stay.
+# Uses packages that are here already, and keeps those fetched there.
 share() { cp -lu "$1$packages"/*.deb "$2$packages/" 2>/dev/null || cp -u "$1$packages"/*.deb "$2$packages/" 2>/dev/null || true; }
 
 bare_debian() {
@@ -38,7 +38,7 @@ bare_debian() {
   in_root 'cd / && useradd --create-home reader' </dev/null
 }
 
-# tree FOLDER: a clone there, with what is not committed yet.
+# tree FOLDER: makes a clone there, with uncommitted changes.
 tree() {
   git clone -q --no-hardlinks . "$1"
   git diff --quiet HEAD && return
@@ -66,7 +66,7 @@ make() {
   fi
 }
 
-# What a login finds, and CI where it is CI.
+# Environment of a login, and of CI if this is CI.
 clean() {
   env -i HOME="$1" PATH="$1/.local/bin:/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin" TERM=dumb \
     ${CI:+CI=$CI} ${NODE_EXTRA_CA_CERTS:+NODE_EXTRA_CA_CERTS=$NODE_EXTRA_CA_CERTS} "${@:2}"
@@ -90,7 +90,7 @@ case ${1:-} in
     if [ -e "$root" ]; then
       in_root "cd $home && $3"
     else
-      # /tmp is everybody's
+      # /tmp is shared with others
       mkdir -p "$place/home" "$place/tmp"
       command=${3//\/tmp\//$place/tmp/}
       { cd "$own" && clean "$place/home" bash -c "$command" 2> >(sed "s,$place/tmp/,/tmp/,g" >&2); } | sed "s,$place/tmp/,/tmp/,g"
@@ -98,10 +98,10 @@ case ${1:-} in
     ;;
   afresh)
     tree=$($program tree "$suite")
-    git -C "$tree" update-index -q --refresh || true  # what was not changed is not written again
+    git -C "$tree" update-index -q --refresh || true  # unchanged files are not written again
     git -C "$tree" checkout -q -- .
     git -C "$tree" clean -fdq
-    rm -rf "$root"/tmp/* "$root"/root/* "$place"/tmp/* "$place"/home/*  # what is hidden there is installed
+    rm -rf "$root"/tmp/* "$root"/root/* "$place"/tmp/* "$place"/home/*  # dotfiles stay: installed tools
     ;;
   tree) [ -e "$root" ] && echo "$root$home" || echo "$own" ;;
   *) sed -n 's/^#   //p' "${BASH_SOURCE[0]}" >&2; exit 2 ;;

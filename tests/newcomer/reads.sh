@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Checks how the leg newcomer reads a text, and that it sees where something else is printed than shown.
+# Checks how the job newcomer reads a text, and that it notices output that differs from the text.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 source tests/newcomer/texts.sh
@@ -78,7 +78,7 @@ run|30||./oddity apart|
 fill|34||hole()|whole(
 fill|40||into some/file.cpp|int i;" "$(read_steps "$place/page.md")"
 
-# The marks in the pages of the tree are known, and each stands before a block.
+# The marks in the pages of the tree are known, and each is before a block.
 for page in README.md CONTRIBUTING.md $(room_pages); do
   kinds=() wheres=() marks=() words=() shown=()
   read_page "$page"
@@ -94,7 +94,7 @@ for page in README.md CONTRIBUTING.md $(room_pages); do
     END { if (mark) print mark }' "$page")"
 done
 
-# differs SHOWN PRINTED [ANYWHERE]: "yes" or "no".
+# differs SHOWN PRINTED [ANYWHERE]: prints "yes" or "no".
 differs() {
   printf '%s\n' "$1" >"$place/shown"
   printf '%s\n' "$2" >"$place/printed"

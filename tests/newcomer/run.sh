@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# Runs what README.md, the help's examples, CONTRIBUTING.md and the rooms' READMEs have their reader do, in order,
-# where nothing else has run.
-#   tests/newcomer/run.sh [SUITE]    of Debian: bookworm unless named; with SLOW=1 also what takes minutes
-# Each text begins with the tree as it came, but for what is built, and nothing in /tmp. What was printed is in build/newcomer/SUITE/said.
+# Runs the commands in README.md, the help's examples, CONTRIBUTING.md and the rooms' READMEs, in order, where
+# nothing else has run.
+#   tests/newcomer/run.sh [SUITE]    of Debian: bookworm by default; SLOW=1 includes commands that take minutes
+# Each text begins with an unchanged tree, except its build, and with an empty /tmp. Output goes to
+# build/newcomer/SUITE/said.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 source tests/newcomer/texts.sh
@@ -38,7 +39,7 @@ run_step() {
   $place in "$suite" "$command" </dev/null >"$file.out" 2>"$file.err" || status=$?
   printf '%s' "$4" >"$file.shown"
   printf '%s  %s\n' "$1" "$3" >"$file.command"
-  # What is wrong is said on the other stream, beside what may be said of a build.
+  # Error messages are on the other stream, next to messages of a build.
   [ -s "$file.out" ] || { cp "$file.err" "$file.out"; anywhere=1; }
   if ! ends_as "$2" $status; then
     verdict RED $((SECONDS - start)) "$1" "$3"
@@ -52,8 +53,8 @@ run_step() {
   fi
 }
 
-# fill_step WHERE WHAT BLOCK: puts it there; "into FILE" behind the { of a .json, before the first call of the same
-# function, or at the end.
+# fill_step WHERE WHAT BLOCK: puts it there; "into FILE" means after the { of a .json, before the first call
+# of the same function, or at the end.
 fill_step() {
   local file files text at=
   if [[ $2 == 'into '* ]]; then
@@ -77,7 +78,7 @@ fill_step() {
   fi
 }
 
-# read_on TITLE: the steps that were read, in the tree as it came.
+# read_on TITLE: runs the steps read, in the unchanged tree.
 read_on() {
   local i
   [ ${#kinds[@]} -gt 0 ] || { verdict RED 0 "$1" 'it has no commands'; return; }
@@ -98,7 +99,7 @@ mkdir -p "$said"
 chroot=
 [[ $tree != */root/* ]] || chroot=1
 
-# Somebody who is no root and has no sudo, before anything is there.
+# A user without root and sudo, before anything is installed.
 [ -z "$chroot" ] || run_step 'no root' 'exit 2' 'su reader -c "./oddity list"' 'only root can install'
 
 read_page README.md
@@ -116,14 +117,14 @@ read_page CONTRIBUTING.md
 read_page $engines_page  # its scene for engines is the spring of CONTRIBUTING.md
 read_on CONTRIBUTING.md
 
-# The same person, once all is there.
+# That user again, once everything is installed.
 $place afresh "$suite"
 if [ -n "$chroot" ]; then
   run_step 'no root' '' 'chown -R reader . && su reader -c "./oddity solve 3.5 && ./oddity verify [3.5]"' ''
   $place in "$suite" 'chown -R root .'
 fi
 
-# Once more at the end, where whoever reads the last lines alone finds it.
+# Repeated at the end, for those who read only the last lines.
 for why in "$said"/*.why; do
   [ -s "$why" ] || continue
   echo "newcomer: red: $(cat "${why%.why}.command")"

@@ -1,13 +1,14 @@
-# What a text has its reader do, step by step: to be sourced. read_page FILE and read_help fill the arrays
+# Reads the steps that a text has its reader do: to be sourced. read_page FILE and read_help fill the arrays
 wheres=()  # file and line
-marks=()   # what the text says of how the step ends; tests/README.md explains it
-words=()   # the command, or what a block comes instead of, or "into FILE"
-shown=()   # what the text shows of the output, or the block's lines
+marks=()   # how the step should end, by the text's mark; tests/README.md explains it
+words=()   # the command, or the text that a block replaces, or "into FILE"
+shown=()   # the output in the text, or the block's lines
 kinds=()   # run or fill
 
 add() { kinds+=("$1") wheres+=("$2") marks+=("$3") words+=("$4") shown+=("${5:-}"); }
 
-# add_command WHERE MARK COMMAND SHOWN: where the mark has an exit code for each of a block's commands, with the next of these.
+# add_command WHERE MARK COMMAND SHOWN: if the mark has an exit code for each of a block's commands, takes the
+# next one.
 add_command() {
   local mark=$2
   if [[ $2 =~ ^exit(\ [0-9]+){2,}$ ]]; then
@@ -29,7 +30,7 @@ add_block() {
         command=
       done <<<"$4"
       ;;
-    '')  # a session: commands behind a $, each with what it prints
+    '')  # a session: commands after a $, each with its output
       while IFS= read -r line; do
         if [[ $line == '$ '* ]]; then
           [ -z "$command" ] || add_command "$1" "$2" "$command" "$output"
@@ -51,10 +52,10 @@ add_block() {
   esac
 }
 
-# The pages of the rooms, in their order: every README but the first page's and those of what the program writes.
+# The pages of the rooms, in order: every README except the first page and those written by the program.
 room_pages() { git ls-files -- '*README.md' | grep -v -x -e README.md -e 'report/book/.*'; }
 
-# Of a page the blocks, and what stands in those columns of its tables that are called "run".
+# Reads the blocks of a page, and the table columns named "run".
 read_page() {
   local line number=0 mark='' language block='' inside= column='' cells i from
   while IFS= read -r line; do
@@ -94,7 +95,7 @@ add_cell() {
   done
 }
 
-# The examples of the program's help: it says them a line each, with its mark before.
+# Reads the examples of the program's help: one per line, each after its mark.
 read_help() {
   local mark command
   while IFS=$'\t' read -r mark command; do add run --help "${mark#-}" "$command"; done

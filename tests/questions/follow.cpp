@@ -1,6 +1,6 @@
 // Collocation at Gauss's points: on each step the acceleration is a polynomial through its values at the
-// points, found by Picard's iteration, velocity first. The last coefficients in Legendre's polynomials show
-// what is left out, uniformly over the step, so that the polynomial is as good at frames as at the ends.
+// points, found by Picard's iteration, velocity first. The last coefficients in Legendre's polynomials
+// estimate the remainder uniformly over the step, so that the polynomial is as good at frames as at the ends.
 
 #include "tests/questions/follow.hpp"
 
@@ -86,7 +86,7 @@ class Follower {
   }
 
  private:
-  /// The polynomials of the next step, which is not too long; false where it would have to be too short.
+  /// Finds the polynomials of the next step, and shortens it if needed; false if it would become too short.
   bool step() {
     for (int tries = 0; tries < 200; ++tries) {
       const Real h = h_;
@@ -105,7 +105,7 @@ class Follower {
     return false;
   }
 
-  /// What the polynomials leave out, as a part of what moves; infinite where Picard's iteration does not end.
+  /// Remainder of the polynomials relative to the motion's size; infinite if Picard's iteration does not end.
   Real solve(Real h) {
     Values acceleration(n_);
     motion_.acceleration(q_.data(), v_.data(), t_, acceleration.data());
@@ -133,7 +133,7 @@ class Follower {
     return never;
   }
 
-  /// Component i at the points from its rate's; the largest change, as a part of its size.
+  /// Integrates component i at the points from its rate. Returns the largest change, relative to its size.
   Real integrate(const std::vector<Values>& rate, Real start, Real h, std::size_t i, std::vector<Values>& x,
                  Real size) const {
     Real change = 0, largest = std::max(size, std::abs(start));
@@ -175,7 +175,7 @@ class Follower {
     return most;
   }
 
-  /// x at the part `c` of the step, by its rate's modes.
+  /// x at the part `c` of the step, from its rate's modes.
   Values inside(Real c, Values x, const std::vector<Values>& modes) const {
     const Values I = integrals(way_.points, c);
     for (std::size_t k = 0; k < s_; ++k)
@@ -183,7 +183,7 @@ class Follower {
     return x;
   }
 
-  /// What is observed and, where that is asked for, its rates.
+  /// The observables and, on request, their rates.
   Values look(const Values& q, const Values& v, Real t) const {
     Values seen = motion_.observe(q.data(), t);
     if (!way_.rates) return seen;

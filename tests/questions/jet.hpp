@@ -23,7 +23,7 @@ struct Jet {
     jet.d[i] = 1;
     return jet;
   }
-  /// f of this, by f's value and derivatives.
+  /// f of this jet, from f's value and derivatives.
   Jet through(Real f, Real f1, Real f2) const {
     Jet r(f);
     for (std::size_t i = 0, k = 0; i < n; ++i) {

@@ -10,10 +10,10 @@
 
 namespace questions {
 
-/// What a text of JSON has. Whatever is not there is null.
+/// A JSON value. Missing members are null.
 struct Json {
   enum Kind { null, boolean, number, text, list, object } kind = null;
-  double value = 0;  ///< of a number or boolean
+  double value = 0;  ///< number or boolean
   std::string words = {};
   std::vector<Json> items = {};
   std::map<std::string, Json, std::less<>> members = {};
@@ -29,7 +29,7 @@ struct Json {
 class JsonReader {
  public:
   explicit JsonReader(std::string_view text) : left_(text) {}
-  /// Throws std::runtime_error where the text is no JSON.
+  /// Throws std::runtime_error if the text is no JSON.
   Json whole() {
     Json json = next();
     space();

@@ -43,7 +43,7 @@ double processor_seconds() {
   return in_seconds(used.ru_utime) + in_seconds(used.ru_stime);
 }
 
-/// It was ended before it had worked for half of its time.
+/// Ended before it had worked for half of its time.
 bool is_starved(const Ended& ended) { return ended.code < 0 && ended.processor_seconds < ended.seconds / 2; }
 
 std::string quoted(const std::string& word) {
@@ -69,7 +69,7 @@ Ended ask(const Question& question, const Program& program, const std::string& f
   Words words{program.oddity, "choose"};
   words.insert(words.end(), question.words.begin(), question.words.end());
   if (!format.empty()) words.push_back(format);
-  return run(program, words, 10 * question.limit + 60);  // a hang is for ever, and a busy machine slow
+  return run(program, words, 10 * question.limit + 60);  // a hang lasts forever, and a busy machine is slow
 }
 
 std::string shown(Real x) {
@@ -83,9 +83,9 @@ struct CannotBeJudged : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// ---- what the printed program does ------------------------------------------------------------------------
+// ---- output of the printed program ------------------------------------------------------------------------
 
-/// The code with the rates of what it observes printed after it, twice: by differences along the model's own
+/// The code with the rates of its observables printed after them, twice: by differences along the model's own
 /// rate, and by differences that are twice as wide.
 std::string with_rates(std::string code) {
   const std::string helper = R"(
@@ -129,14 +129,14 @@ int main() {)";
 
 using Rows = std::vector<Values>;
 
-/// What the code prints.
+/// Output of the code.
 struct Printed {
   std::vector<double> times;
   Rows rows;
 };
 
-/// Throws std::runtime_error where the code cannot be run, and CannotBeJudged where this machine is too busy
-/// for that.
+/// Throws std::runtime_error if the code cannot be run, and CannotBeJudged if this machine is too busy for
+/// that.
 Printed printed(const std::string& code, const Program& program) {
   const std::string source = program.folder + "/asked.cpp", binary = program.folder + "/asked";
   std::ofstream(source) << code;
@@ -164,7 +164,7 @@ Printed printed(const std::string& code, const Program& program) {
   return all;
 }
 
-/// What is wrong with the times that are drawn; empty where they are as was asked.
+/// A fault in the drawn times; empty if they are as requested.
 std::string unlike_asked(const Question& q, const std::vector<double>& times) {
   if (!q.frames_differ()) {
     const auto expected = q.times();
@@ -186,16 +186,16 @@ std::string unlike_asked(const Question& q, const std::vector<double>& times) {
   }
   if (times.empty() || last > q.horizon * (1 + 1e-9)) return "they end at " + shown(static_cast<Real>(last));
   if (q.longest_frame < INFINITY) return {};
-  // Before any is dropped there are n of a mean length 1/rate, spread evenly; of these a part is drawn.
+  // Before any is dropped there are n of a mean length 1/rate, spread evenly; a part of these is drawn.
   const double n = q.horizon * q.rate, drawn = static_cast<double>(times.size()),
                spread = std::sqrt(n * (q.jitter * q.jitter / 3 + q.drop * (1 - q.drop)));
   return std::abs(drawn - n * (1 - q.drop)) > 6 * spread + 3 ? std::to_string(times.size()) + " are drawn"
                                                              : "";
 }
 
-// ---- the criteria, from their words -----------------------------------------------------------------------
+// ---- the criteria, from their definitions -----------------------------------------------------------------
 
-/// The largest distance from the truth, by unit; infinite where there is no number.
+/// Largest distances from the reference, by unit; infinite for values that are not finite.
 std::map<std::string, Real> distances(const Scene& scene, const Rows& seen, const Rows& truth) {
   std::map<std::string, Real> most;
   for (const Norm& norm : scene.norms)
@@ -208,7 +208,7 @@ std::map<std::string, Real> distances(const Scene& scene, const Rows& seen, cons
   return most;
 }
 
-/// How far the energy is off its true value, as a part of the most that moves.
+/// Largest error of the energy, as a part of the largest kinetic energy.
 Real off_energy(const Scene& scene, const Parameters& p, const Rows& seen, const Rows& truth) {
   Real most = 0, moves = 0;
   for (std::size_t k = 0; k < truth.size(); ++k) {
@@ -220,7 +220,7 @@ Real off_energy(const Scene& scene, const Parameters& p, const Rows& seen, const
   return most / moves;
 }
 
-/// The mean time between the upward passages of what is seen first through this height, in frames; NaN for
+/// The mean time between the upward passages of the first observable through this height, in frames; NaN for
 /// fewer than two.
 Real period(const Rows& seen, Real height) {
   std::vector<Real> passages;
@@ -240,7 +240,7 @@ Real off_period(const Rows& seen, const Rows& truth) {
 
 // ---- the verdict ------------------------------------------------------------------------------------------
 
-/// An error measured, asked and said, in one unit.
+/// A measured, a requested and a stated error, in one unit.
 struct Compared {
   std::string criterion, unit;
   Real measured, asked, said, uncertain;
@@ -250,11 +250,11 @@ struct Compared {
   }
 };
 
-/// Empty where all is true, as far as that is seen: an error said may be of what is not.
-/// `truth`: what the program's own truth may be off by, which an error said is never below.
+/// Empty if everything is true, as far as it can be seen: a stated error may come from a later frame.
+/// `truth`: possible error of the program's own reference, below which it never states an error.
 std::string untrue(const Compared& c, const Question& question, double seen_until, Real truth) {
   if (!(c.measured - c.uncertain <= c.asked * 1.0001L)) return c.criterion + " not held: " + c.text();
-  // the error said is the worst of the starts that it was chosen on
+  // the stated error is the worst of the starts that were tried
   if (!(c.measured - c.uncertain <= 1.1L * c.said)) return c.criterion + " error understated: " + c.text();
   if (question.asked_alone && seen_until == 1 && c.said > 1.1L * truth * c.asked &&
       c.measured + c.uncertain < 0.9L * c.said && c.said > 1e-3L * c.asked)
@@ -263,7 +263,7 @@ std::string untrue(const Compared& c, const Question& question, double seen_unti
 }
 
 Real said_of(const Json& chosen, const Json& need, const std::string& unit) {
-  // what is shown may be in the unit asked in
+  // an error may be printed in the requested unit
   static const std::map<std::string, std::pair<std::string, Real>, std::less<>> shown_units{
       {"cm", {"m", 0.01L}},
       {"mm", {"m", 0.001L}},
@@ -280,7 +280,8 @@ Real said_of(const Json& chosen, const Json& need, const std::string& unit) {
   return NAN;
 }
 
-/// What the program did beside the truth, as far as that is known: to a tenth of what is asked.
+/// The program's motion compared with the reference, as far as that is known: to a tenth of the requested
+/// error.
 class Beside {
  public:
   Beside(const Question& q, Printed seen, bool in_float, bool with_rates)
@@ -305,10 +306,10 @@ class Beside {
     truth_ = std::move(truth.frames);
   }
 
-  /// The part of the motion up to which the truth is known.
+  /// The part of the motion for which the reference is known.
   double until() const { return static_cast<double>(truth_.size()) / static_cast<double>(times_.size()); }
 
-  /// By every criterion that was asked for. Throws CannotBeJudged.
+  /// Errors by every requested criterion. Throws CannotBeJudged.
   std::vector<Compared> all(const Json& chosen, const Json& need) const {
     if (truth_.empty()) throw CannotBeJudged("the judge's own truth is not known");
     std::vector<Compared> all;
@@ -336,11 +337,11 @@ class Beside {
     return q_.digits ? std::pow(Real(10), -static_cast<Real>(*q_.digits)) * largest_
                      : static_cast<Real>(q_.error_in(unit));
   }
-  /// Of a number of the program's of this size. A motion in float is observed in float by the code alone: a
-  /// few roundings, of terms that may be larger than their sum.
+  /// Rounding error of a number of this size in the program. Only the code observes a motion in float by
+  /// float: a few roundings, of terms that may be larger than their sum.
   Real rounding(Real size) const { return (in_float_ ? 0x1p-21L : 0x1p-50L) * size; }
   Real rounding() const { return rounding(largest_); }
-  /// What is seen may go farther than the true motion.
+  /// Largest observed size; observations may go farther than the reference.
   Real largest_seen() const {
     Real most = 0;
     for (const Values& row : seen_)
@@ -348,8 +349,8 @@ class Beside {
     return most;
   }
 
-  /// Rates are differences of the eighth order, of places that are rounded: as a part of the fastest, twice,
-  /// as energy goes with the square.
+  /// Uncertainty of the energy. Rates are eighth-order differences of rounded places: relative to the
+  /// fastest, and twice, as energy is quadratic.
   Real uncertain_energy() const {
     const Real apart = in_float_ ? 3e-3L : 1e-4L;
     Real fastest = 0;
@@ -406,7 +407,7 @@ bool names(const std::vector<std::string>& words, const Json& method) {
   });
 }
 
-/// What the answer says beside its error.
+/// Contradictions in the answer apart from its error.
 std::string contradiction(const Question& q, const Json& answer) {
   const Json &chosen = answer["chosen"], &need = answer["need"];
   if (need["horizon"].value != q.horizon || need["frames_per_second"].value != q.rate ||
@@ -429,7 +430,7 @@ std::string contradiction(const Question& q, const Json& answer) {
   return {};
 }
 
-/// What the judge's own motion says against a reason; empty where it says nothing.
+/// Evidence of the judge's own motion against a reason; empty without any.
 std::string unfounded(const Question& q, const std::string& reason) {
   const bool no_period = reason.find("no two periods") != std::string::npos,
              not_held = reason.find("constraint to be off") != std::string::npos;
@@ -442,7 +443,7 @@ std::string unfounded(const Question& q, const std::string& reason) {
              : "";
 }
 
-/// Whether the answer in another format has the same choice: in the row of what is chosen, or after "Take".
+/// Whether the answer in another format has the same choice: in its chosen row, or after "Take".
 bool same_choice(const Question& q, const std::string& text, const Json& chosen) {
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);)
@@ -452,7 +453,7 @@ bool same_choice(const Question& q, const std::string& text, const Json& chosen)
   return false;
 }
 
-/// The question over the part of its horizon that was judged before its time was over: that is asked then.
+/// The question over the part of its horizon that was judged before its time was over.
 Question over_part(Question q, double horizon) {
   std::array<char, 40> text;
   const std::string shortest(text.data(), std::to_chars(text.data(), text.data() + text.size(), horizon).ptr);
@@ -534,8 +535,8 @@ Verdict judge(const Question& q, const Program& program) {
   if (ended.code < 0) return wrong("hang: no end after " + shown(ended.seconds) + " s", ended);
   if (ended.code > 2)
     return wrong("crash: exit code " + std::to_string(ended.code) + " " + first_line(ended.err), ended);
-  // The limit, a tenth of it, and what it takes to begin and end; by the processor's time, too, as the
-  // machine may be busy with something else.
+  // Allows the limit, a tenth more, and time to begin and end. Counts CPU time too, as the machine may be
+  // busy.
   if (std::min(ended.seconds, ended.processor_seconds) > 1.1 * q.limit + 0.6)
     return wrong("limit: " + shown(ended.seconds) + " s for " + shown(q.limit), ended);
   if (ended.code == 2) {

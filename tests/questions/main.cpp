@@ -13,7 +13,7 @@ namespace {
 
 using namespace questions;
 
-/// Words as a shell has them, single quotes alone.
+/// Splits a line into words like a shell, with single quotes only.
 std::vector<std::string> words_of(const std::string& line) {
   std::vector<std::string> words;
   bool quoted = false, begun = false;
@@ -33,7 +33,7 @@ std::vector<std::string> words_of(const std::string& line) {
   return words;
 }
 
-/// Judges questions, prints a line for each that is false, or for all, and counts.
+/// Judges questions, prints a line for each false answer, or for all, and counts.
 class Court {
  public:
   Court(Program program, bool all) : program_(std::move(program)), all_(all) {}
@@ -55,7 +55,7 @@ class Court {
     if (verdict.kind == Verdict::wrong) ++kinds_[verdict.says.substr(0, verdict.says.find(':'))];
     return verdict;
   }
-  /// 0 when nothing was false.
+  /// Returns 0 if no answer was false.
   int close() const {
     int asked = 0;
     for (const auto& [kind, n] : count_) asked += n;
@@ -73,7 +73,7 @@ class Court {
   std::map<std::string, int> kinds_;
 };
 
-/// The questions of a file; how many did not end as the word before each says.
+/// Judges the questions of a file. Returns how many did not end as the word before each states.
 int hear_record(Court& court, const std::string& file, const Ranges& ranges) {
   std::ifstream in(file);
   if (!in) throw std::runtime_error("there is no file " + file);

@@ -9,23 +9,23 @@
 
 #include "tests/questions/jet.hpp"
 
-/// Equations of motion from what moves and what holds it.
+/// Equations of motion from masses, potentials and constraints.
 namespace questions {
 
 using Values = std::vector<Real>;
 
-/// A motion to be followed: q'' = acceleration(q, q', t). Without coordinates it is what is observed at a
+/// A motion to be integrated: q'' = acceleration(q, q', t). Without coordinates it is only observed at a
 /// time.
 struct Motion {
   Values q, v;  ///< at the start
   std::function<void(const Real* q, const Real* v, Real t, Real* a)> acceleration;
   std::function<Values(const Real* q, Real t)> observe;
-  /// It stays where it is once this holds.
+  /// It stays at rest once this holds.
   std::function<bool(const Real* v)> at_rest = [](const Real*) { return false; };
-  Real tolerance = 4e-18L;  ///< of a step, as a part of what moves
+  Real tolerance = 4e-18L;  ///< error of a step, relative to the motion's size
 };
 
-/// What has inertia: mass times u'^2/2 is its kinetic energy, friction times u' the force against it.
+/// Inertia: mass times u'^2/2 is its kinetic energy, friction times u' the force against it.
 template <class X>
 struct Moving {
   Real mass;
@@ -57,8 +57,8 @@ void solve(std::array<std::array<Real, m>, m>& a, std::array<Real, m>& b) {
 /// Lagrange's equations of a System: its n coordinates q, and, each a template in its number,
 ///   moving(q, t)    array of Moving: the kinetic energy is the sum of mass u'^2/2
 ///   potential(q, t)
-///   held(q, t)      array of what stays zero, if any (with `constraints` of them)
-///   push(q, v, t)   generalized forces that no potential has, if any, in Real.
+///   held(q, t)      array of `constraints` quantities that stay zero, if any
+///   push(q, v, t)   generalized forces without a potential, if any, in Real.
 /// With every u = u(q, t), u' and u'' follow from u's derivatives: d'Alembert's principle is then
 ///   sum over u of m u_q u'' = -V_q - sum of friction u_q u' + push + held_q^T lambda,  held'' = 0.
 template <class System>
@@ -76,7 +76,7 @@ void accelerate(const System& system, const Real* q, const Real* v, Real t, Real
     for (std::size_t i = 0; i <= n; ++i) sum += u.d[i] * rate[i];
     return sum;
   };
-  const auto second = [&](const X& u) {  // without what q'' adds
+  const auto second = [&](const X& u) {  // without the part of q''
     Real sum = 0;
     for (std::size_t i = 0, k = 0; i <= n; ++i)
       for (std::size_t j = 0; j <= i; ++j, ++k) sum += (i == j ? 1 : 2) * u.dd[k] * rate[i] * rate[j];

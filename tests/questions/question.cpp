@@ -11,7 +11,7 @@ namespace questions {
 
 namespace {
 
-/// By unit, the base unit and its size in that.
+/// Base unit and size in it, by unit.
 const std::map<std::string, std::pair<std::string, double>, std::less<>> units{
     {"", {"", 1}},
     {"m", {"m", 1}},
@@ -47,7 +47,7 @@ std::string shortest(double x) {
   std::array<char, 40> text;
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
 }
-/// With so few digits that a reader can say it again.
+/// With so few digits that a reader can retype it.
 double rounded(double x, int digits) {
   std::array<char, 40> text;
   const auto end =
@@ -162,8 +162,8 @@ double Random::by_size(double a, double b) { return std::exp(between(std::log(a)
 
 namespace {
 
-/// Near the usual one, within a decade of it, or anywhere in the range: a scene whose every parameter is
-/// extreme is mostly one whose motion nobody can follow.
+/// Near the usual value, within a decade of it, or anywhere in the range: a scene with only extreme
+/// parameters mostly has a motion that nobody can compute.
 double random_value(const Range& p, Random& random) {
   if (random.chance(0.03)) return random.chance(0.5) ? p.least : p.most;
   const double size = p.usual == 0 ? 1 : std::abs(p.usual);
@@ -206,7 +206,7 @@ Question random_question(Random& random, const Ranges& ranges, const Asks& asks)
   if (criterion != "path" || random.chance(0.1)) add("--criterion", criterion);
   const double error = rounded(random.by_size(1e-7, 0.1), 2);
   if (criterion == "bounded") {
-    if (random.chance(0.03)) add("--error", shortest(error));  // which it takes none of
+    if (random.chance(0.03)) add("--error", shortest(error));  // it accepts none
   } else if (criterion == "path" && random.chance(0.1)) {
     add("--digits", std::to_string(1 + random.bits() % 9));
   } else if (criterion == "path" && random.chance(0.3)) {
@@ -236,7 +236,7 @@ Question random_question(Random& random, const Ranges& ranges, const Asks& asks)
   if (random.chance(0.1)) add("--only", random.one_of(some));
   while (random.chance(0.25)) add("--exclude", random.one_of(some));
   if (asks.starts && random.chance(0.5)) add("--starts", "1");
-  // Those alone can be asked of frames that differ which are judged frame by frame of one body.
+  // Frames of different lengths are allowed only for questions that are judged frame by frame, for one body.
   const auto has = [&](const char* option) { return std::ranges::find(words, option) != words.end(); };
   if (asks.frames && random.chance(0.3) && criterion != "period" && criterion != "energy" &&
       !has("--energy") && !has("--period") && !has("--bodies")) {

@@ -12,7 +12,7 @@
 
 namespace questions {
 
-/// A parameter as `oddity list --json` has it.
+/// A parameter, from `oddity list --json`.
 struct Range {
   std::string name;
   double usual, least, most;
@@ -21,16 +21,16 @@ struct Range {
 using Ranges = std::map<std::string, std::vector<Range>, std::less<>>;  ///< by scene
 Ranges ranges_of(const Json& list);
 
-/// What is asked of `oddity choose`.
+/// A question to `oddity choose`.
 struct Question {
-  std::vector<std::string> words;  ///< after `choose`, but for a format
+  std::vector<std::string> words;  ///< after `choose`, without a format
   const Scene* scene;
   Parameters parameters;
   double horizon = 10, rate = 60;
   std::string criterion = "path";
   std::map<std::string, double> errors = {};  ///< by base unit; "": in all others
   std::optional<double> digits = {};
-  std::map<std::string, double> also = {};  ///< criteria that have to hold beside it
+  std::map<std::string, double> also = {};  ///< further criteria that have to hold
   double limit = 60;                        ///< s
   bool float_allowed = false, double_allowed = true, one_step = false, asked_alone = false;
   double jitter = 0, drop = 0, longest_frame = INFINITY;  ///< frames of different lengths
@@ -39,7 +39,7 @@ struct Question {
       "-";  ///< a format whose answer has to be the same: --csv, or none for text; "-": not asked
 
   std::string text() const;
-  std::vector<double> times() const;  ///< of frames of one length
+  std::vector<double> times() const;  ///< for frames of one length
   bool frames_differ() const { return jitter > 0 || drop > 0 || longest_frame < INFINITY; }
   double error_in(const std::string& unit) const;
 };
@@ -65,10 +65,10 @@ class Random {
   std::uint64_t state_;
 };
 
-/// What the program at hand can be asked.
+/// Options that the program under test supports.
 struct Asks {
   bool starts = false, also = false, frames = false;  ///< --starts 1; --energy and its like; --jitter
-  double limit = 3;                                   ///< s, of a question
+  double limit = 3;                                   ///< s per question
   double most_frames = 2e4;
 };
 

@@ -1,5 +1,5 @@
-// The 18 scenes, each by what moves in it, its potential energy, and what is seen: the exercises' words, and
-// none of the equations of motion that follow from them.
+// The 18 scenes, each by its masses, its potential energy, and its observables, in the exercises' words. None
+// of the equations of motion that follow from them is used.
 
 #include "tests/questions/scenes.hpp"
 
@@ -238,8 +238,9 @@ Motion foucault(const Parameters& p) {
   return motion_of(Foucault(p), q, v);
 }
 
-// 3.19: depths y2 of a pulley (m2, I2, R2) that hangs from a rope over a fixed pulley (I1, R1) to a spring
-// (c1, L1), and y3 of a mass (m3) on a rope over the first to a spring (c2, L2); the ropes do not slip.
+// 3.19: depth y2 of a pulley (m2, I2, R2) that hangs from a rope over a fixed pulley (I1, R1) to a spring
+// (c1, L1). Depth y3 of a mass (m3) on a rope over the first pulley to a spring (c2, L2). The ropes do not
+// slip.
 struct Pulleys : Coordinates<2> {
   Parameters p;
   explicit Pulleys(const Parameters& all) : p(all) {}
@@ -259,8 +260,9 @@ struct Pulleys : Coordinates<2> {
   Values observe(const Real* q, Real) const { return {q[0], q[1]}; }
 };
 
-// 3.21: a disk (m, r) at the end of a pipe of length L that turns (theta) about the vertical at a held
-// inclination phi, and turns (psi) about the pipe; a force f along x and friction k on its center.
+// 3.21: a disk (m, r) at the end of a pipe of length L at a fixed inclination phi. The pipe turns (theta)
+// about the vertical, the disk turns (psi) about the pipe; a force f along x and friction k act on its
+// center.
 struct Disk : Coordinates<2> {
   Real m, L, r, phi, f, k;
   explicit Disk(const Parameters& p)
@@ -281,7 +283,7 @@ struct Disk : Coordinates<2> {
   Values observe(const Real* q, Real) const { return {arm() * cos(q[0]), arm() * sin(q[0]), q[1]}; }
 };
 
-// 3.23: a mass at the distance r on a bar about the origin, which at s stands on a spring from (s, -h).
+// 3.23: a mass at the distance r on a bar about the origin; a spring from (s, -h) supports the bar at s.
 struct Bar : Coordinates<1> {
   Real m, r, s, c, h, g, ell;
   explicit Bar(const Parameters& p)
@@ -370,7 +372,7 @@ struct Wire : Coordinates<3> {
   }
 };
 
-// 3.31: a box of half sides a and b on a rough level plane under uniform pressure. Friction at a point is
+// 3.31: a box of half sides a and b on a rough level plane under uniform pressure. Friction at a point acts
 // against its velocity.
 struct Box : Coordinates<3> {
   Real a, b, mu_g;
@@ -406,8 +408,8 @@ struct Box : Coordinates<3> {
         }
       return mean;
     }
-    // The foot as four triangles from the center of turning c, signed: over one whose edge is at the distance
-    // k along its normal n, from y1 to y2 along s, an element is r dr dphi = r dr k dy/(k^2 + y^2), and the
+    // The foot as four signed triangles from the center of turning c. Over one whose edge is at the distance
+    // k along its normal n, from y1 to y2 along s, an element is r dr dphi = r dr k dy/(k^2 + y^2). The
     // direction is (k s - y n)/sqrt(k^2 + y^2).
     const Real cx = -v / w, cy = u / w;
     Real along_x = 0, along_y = 0, radial = 0;
@@ -437,12 +439,12 @@ Motion rough_box(const Parameters& p) {
   motion.at_rest = [speed, still = 1e-8L * speed(motion.v.data())](const Real* v) {
     return speed(v) <= still;
   };
-  motion.tolerance = 1e-14L;  // where the center of turning crosses an edge friction has no second derivative
+  motion.tolerance = 1e-14L;  // friction has no second derivative where the center of turning crosses an edge
   return motion;
 }
 
 // 3.33 and 3.35: the axis d of a top about its tip, which may be shaken along x as A sin(lambda t). Its spin
-// S about the axis stays; the rest of its inertia is that of a point mu1 at d, which S turns aside.
+// S about the axis is constant. The rest of its inertia is that of a point mass mu1 at d, which S deflects.
 struct Top : Coordinates<3> {
   static constexpr std::size_t constraints = 1;
   Real m, l, mu1, mu3, g, A = 0, lambda = 0, S = 0;
@@ -456,7 +458,8 @@ struct Top : Coordinates<3> {
     return point(mu1, d);
   }
   template <class X>
-  X potential(const Vector<X>& d, const X& t) const {  // weight, and what the tip's acceleration seems to be
+  X potential(const Vector<X>& d, const X& t) const {  // weight, and the force of inertia from the tip's
+                                                       // acceleration
     return X(m * l) * (X(g) * d[2] - X(A * lambda * lambda) * sin(X(lambda) * t) * d[0]);
   }
   template <class X>
@@ -484,7 +487,7 @@ Real distance(const Values& x, std::size_t i, Real from_x, Real from_y) {
   return std::hypot(x[i] - from_x, x[i + 1] - from_y);
 }
 
-/// Half the square of the rates that come after n observables, from the one on.
+/// Half the sum of squares of `count` rates, which come after n observables, starting at `from`.
 Real half_square(const Values& x, std::size_t n, std::size_t from, std::size_t count) {
   Real sum = 0;
   for (std::size_t i = n + from; i < n + from + count; ++i) sum += x[i] * x[i] / 2;
@@ -494,11 +497,11 @@ Energy energy(Real kinetic, Real potential) { return {kinetic + potential, kinet
 Energy orbit_energy(Real mu, const Values& x) {
   return energy(half_square(x, 2, 0, 2), -mu / std::hypot(x[0], x[1]));
 }
-/// Of a point in space.
+/// Energy of a point in space.
 Energy point_energy(const Parameters& p, const Values& x) {
   return energy(half_square(x, 3, 0, 3), p.at("g") * x[2]);
 }
-Energy top_energy(const Parameters& p, const Values& x) {  // the spin's stays
+Energy top_energy(const Parameters& p, const Values& x) {  // the spin's is constant
   return energy(p.at("mu1") * half_square(x, 3, 0, 3), p.at("m") * p.at("g") * p.at("l") * x[2]);
 }
 
@@ -525,7 +528,7 @@ const Scene all[] = {
      4,
      {{"m", {0, 1, 2}}},
      [](const P& p) { return motion_of(Bead(p.at("g")), {p.at("q0")}, {0}); },
-     [](const P&, const Values& x, Real) {  // from the curve's point of the same x
+     [](const P&, const Values& x, Real) {  // from the curve's point with the same x
        return std::hypot(x[1] - x[0] * x[0], x[2] - x[0] * x[0] * x[0]);
      },
      point_energy},

@@ -18,7 +18,7 @@ struct Norm {
   std::vector<std::size_t> parts;
 };
 
-/// What is kept, or changes as it truly does, and the kinetic part of it.
+/// An energy that is conserved or has a known change, and its kinetic part.
 struct Energy {
   Real whole, kinetic;
 };
@@ -28,9 +28,9 @@ struct Scene {
   double horizon;  ///< usual
   std::vector<Norm> norms;
   std::function<Motion(const Parameters&)> motion;
-  /// How far [m] what is seen is off what holds it; none where nothing seen is held.
+  /// Distance [m] of the observables from their constraint; empty if no observable is constrained.
   std::function<Real(const Parameters&, const Values& seen, Real t)> off = {};
-  /// Of what is seen and its rates, one after the other; none where what is seen does not tell it.
+  /// Energy from the observables followed by their rates; empty if they do not determine it.
   std::function<Energy(const Parameters&, const Values& seen)> energy = {};
 };
 

@@ -1,4 +1,4 @@
-// Whether the judge's own motions are those of the reference tables, which neither has seen of the other.
+// Compares the judge's own motions with the reference tables, which were made independently.
 
 #include <algorithm>
 #include <charconv>
@@ -35,7 +35,7 @@ std::string table_of(const std::string& scene) {
   return tables.at(scene);
 }
 
-/// A table's inputs as the scene's parameters; false where the scene has no such start.
+/// Renames a table's inputs to the scene's parameters; false if the scene has no such start.
 bool rename_inputs(const std::string& scene, Parameters& p) {
   if (scene == "2.7") p["pace"] = 1;
   if (scene == "3.31")
@@ -50,7 +50,7 @@ bool rename_inputs(const std::string& scene, Parameters& p) {
 
 }  // namespace
 
-/// Prints a row for each scene; how many differ.
+/// Prints a row for each scene. Returns how many differ.
 int compare_with_tables(const std::string& folder) {
   int differ = 0;
   for (const Scene& scene : scenes()) {

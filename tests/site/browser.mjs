@@ -1,4 +1,4 @@
-// A site in a headless browser: what the tests of pages, players and charts share.
+// A site in a headless browser, for the tests of pages, players and charts.
 //   SITE=FOLDER   the site (default: build/site)
 //   ODDITY=FILE   the program that players are compared with (default: build/release/oddity)
 //   SHOTS=FOLDER  where pictures of the pages go; none without it
@@ -17,7 +17,7 @@ export const scenes = fs.readdirSync(path.join(site, 'data'))
   .filter((name) => /^(\d+\.\d+|bouncing_ball)\.js$/.test(name) && unpacked(path.join(site, 'data', name)).scene)
   .map((name) => name.replace(/\.js$/, ''));
 
-/// What a file of data/ gives to the page.
+/// The data that a file of data/ gives to the page.
 function unpacked(file) {
   const [, packed] = fs.readFileSync(file, 'utf8').match(/^oddity\.\w+\("([A-Za-z0-9+/=]*)"\);\n$/);
   return JSON.parse(gunzipSync(Buffer.from(packed, 'base64')));
@@ -35,7 +35,7 @@ export const launch = () => puppeteer.launch({
   args: ['--no-sandbox', '--allow-file-access-from-files=false', '--disable-gpu'],
 });
 
-/// Whether the page has its data, and its players.
+/// Whether the page has its data and its players.
 export function isWhole() {
   const given = [...document.scripts].some((script) =>
     (script.src.includes('/data/') && !script.src.endsWith('/search.js')) || script.text.startsWith('\noddity.exercise('));
@@ -44,7 +44,7 @@ export function isWhole() {
     && !(window.oddity.data?.scene && document.querySelector('.player:not(:has(.player-clock))'));
 }
 
-/// Opens a page; `faults` grows by whatever it says on the console, throws, or asks of anything beside the site.
+/// Opens a page. `faults` collects console messages, exceptions, and requests outside the site.
 export async function open(browser, name, { width = 1200, height = 900, dark = false, reduced = false, scripts = true } = {}) {
   const page = await browser.newPage();
   page.setDefaultTimeout(0);
@@ -69,7 +69,7 @@ export async function open(browser, name, { width = 1200, height = 900, dark = f
   return { page, faults };
 }
 
-/// Pairs of texts in <main> that lie on each other, each text as far as it is seen.
+/// Pairs of texts in <main> that overlap, each text as far as it is visible.
 export function overlaps(page) {
   return page.evaluate(() => {
     const seen = [];
@@ -90,7 +90,7 @@ export function overlaps(page) {
   });
 }
 
-/// A picture of the whole page, where pictures are asked for.
+/// A picture of the whole page, if pictures are requested.
 export async function shoot(page, name) {
   if (!process.env.SHOTS) return;
   fs.mkdirSync(process.env.SHOTS, { recursive: true });

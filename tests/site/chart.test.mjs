@@ -90,7 +90,7 @@ test('numbers are as short as a reader can use', () => {
   assert.equal(charts.needOfGame(Math.PI / 180, 'rad'), '1°');
 });
 
-test('the front has what no other point beats', () => {
+test('the front has the points that no other point beats', () => {
   const front = charts.front(
     methods.flatMap((m) => m.points),
     'evaluations',
@@ -131,7 +131,7 @@ test('points of equal cost and error are on the front together, and errors below
   );
 });
 
-test('the frame is of whole decades, and what has no number is above it', () => {
+test('the frame has whole decades, and points without a number are above it', () => {
   const at = charts.frame(swing, methods, 'evaluations');
   assert.deepEqual([at.x.low, at.x.high, at.y.low, at.y.high], [0, 3, -9, 2]);
   assert.equal(at.strip, true);
@@ -140,7 +140,7 @@ test('the frame is of whole decades, and what has no number is above it', () => 
   assert.equal(charts.ticks({ low: -16, high: 0, log: true }, 4).length <= 5, true);
 });
 
-test('an error of none stands at the floor, or a decade below the least', () => {
+test('an error of zero is drawn at the floor, or a decade below the least', () => {
   const exact = {
     ...swing,
     methods: [
@@ -170,7 +170,7 @@ test('at most eight curves are in colour, those of the title among them', () => 
   assert.equal(chosen.has(all[29]), true);
 });
 
-test('the finding compares with explicit Euler, at what a game asks, in counted evaluations', () => {
+test('the finding compares with explicit Euler, at the accuracy of a game, in counted evaluations', () => {
   const found = charts.finding(swing, methods, 'evaluations', { error: Math.PI / 180, says: '1°' });
   assert.equal(
     found.says,
@@ -179,12 +179,12 @@ test('the finding compares with explicit Euler, at what a game asks, in counted 
   assert.deepEqual(plain(found.of.map((m) => m.algorithm)), ['velocity Verlet', 'explicit Euler']);
 });
 
-test('where explicit Euler does not come there the finding says so', () => {
+test('the finding reports where explicit Euler does not reach the accuracy', () => {
   const found = charts.finding(swing, methods, 'evaluations', { error: 1e-6, says: '10⁻⁶' });
   assert.match(found.says, /velocity Verlet needs 20 evaluations; explicit Euler does not come there\.$/);
 });
 
-test('the finding of what is no motion names the least work for the need, and its measure', () => {
+test('the finding of a quantity without motion names the least work for the tolerance, and its measure', () => {
   assert.equal(
     charts.finding(swing, methods, 'evaluations', null).says,
     'velocity Verlet (exact) reaches 10⁻⁶ rad with the least counted work: 20 evaluations; Runge-Kutta 4 (exact) needs 2 times as much.',
@@ -200,7 +200,7 @@ test('the finding of rows counts the methods that are right', () => {
   );
 });
 
-test('a point is described with all that is known of it', () => {
+test('a point is described with everything known about it', () => {
   const lines = charts.description(methods[1].points[0], swing, {
     outcomes: { X: 'diverged' },
     timeUnit: 's',
@@ -233,13 +233,13 @@ test('labels do not lie on each other', () => {
         );
 });
 
-test('a table sorts by a column, and what has no number stays last', () => {
+test('a table sorts by a column, and rows without a number stay last', () => {
   const points = [{ e: 3 }, { e: null }, { e: 1 }];
   assert.deepEqual(plain(trials.sorted(points, (p) => p.e, false).map((p) => p.e)), [1, 3, null]);
   assert.deepEqual(plain(trials.sorted(points, (p) => p.e, true).map((p) => p.e)), [3, 1, null]);
 });
 
-test("theory's border lies between the steps that it parts", () => {
+test("theory's border is between the steps that it separates", () => {
   const steps = [1, 0.5, 0.25, 0.125];
   assert.equal(map.border(null, steps), 0);
   assert.equal(map.border(0, steps), 4);
@@ -320,7 +320,7 @@ test('an error may have a unit', () => {
   assert.equal(choosing.asked('1; rm -rf', 'm'), null);
 });
 
-test('a link says what is asked and comes back as the same link', () => {
+test('a link contains the question and comes back as the same link', () => {
   const state = choosing.fromHash('#scene=3.31&error=2cm,3deg&fps=30&budget=5us&precision=any', [
     pendulum,
     rough,
@@ -350,7 +350,7 @@ test('one error without a unit is for all units, and each has its own in the com
   assert.deepEqual(plain(choosing.fromHash('#scene=3.31&error=3deg,2cm', [pendulum, rough]).errors.m), { value: 0.02, text: '2cm' });
 });
 
-test('a bad link is told what is wrong with it', () => {
+test('a bad link gets a message about its fault', () => {
   for (const [hash, message] of [
     ['#scene=9.9', /no scene "9.9"/],
     ['#scene=3.5&b=1', /no parameter "b"/],
@@ -388,7 +388,7 @@ test('errors are distances in each unit, and not a number where a motion broke o
   assert.equal(choosing.inNeeds({ m: NaN, rad: 0 }, state), Infinity);
 });
 
-test('a simple method with a margin is taken before what is cheapest, and of near ties the most accurate', () => {
+test('a simple method with a margin is preferred to the cheapest, and of near ties the most accurate', () => {
   const row = (algorithm, knob, seconds, error) => ({
     model: 'exact',
     algorithm,
@@ -453,7 +453,7 @@ const engine = {
   },
 };
 
-test('the search judges by the finest run and finds what holds', () => {
+test('the search judges by the finest run and finds methods that hold', () => {
   const state = choosing.usual(pendulum),
     found = { rows: [], tried: 0, all: 0, truth: null };
   for (const step of choosing.search(state, engine, found)) assert.equal(step, undefined);

@@ -1,4 +1,4 @@
-// The front page's doors: what a reader comes for, seen at once, and the field that goes to an exercise.
+// The front page's doors: readers' questions, visible at once, and the field that leads to an exercise.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { launch, open, overlaps, pages } from './browser.mjs';
@@ -7,7 +7,7 @@ let browser;
 before(async () => { browser = await launch(); });
 after(() => browser.close());
 
-test('three doors and a moving picture are seen at once on a laptop', async () => {
+test('three doors and a moving picture are visible at once on a laptop', async () => {
   const { page, faults } = await open(browser, 'index.html', { width: 1366, height: 768, reduced: true });
   const doors = await page.$$eval('.door', (all) => all.map((door) => ({ asks: door.querySelector('h2').textContent, bottom: door.getBoundingClientRect().bottom })));
   for (const asks of ['Is my exercise right?', 'Why does Euler fail?', 'What do I use?'])
@@ -18,7 +18,7 @@ test('three doors and a moving picture are seen at once on a laptop', async () =
   await page.close();
 });
 
-test('every exercise has a tile of the colour of its worst verdict', async () => {
+test('every exercise has a tile in the colour of its worst verdict', async () => {
   const front = await open(browser, 'index.html', { reduced: true });
   const tiles = await front.page.$$eval('.tile', (all) => all.map((tile) => ({ to: tile.getAttribute('href'), kind: tile.classList[1] })));
   await front.page.close();
@@ -43,7 +43,7 @@ for (const [typed, to] of [['3.17', /\/3\.17\.html/], ['3,17', /\/3\.17\.html/],
     await page.close();
   });
 
-test('the field says where there is no such exercise', async () => {
+test('the field reports an exercise that does not exist', async () => {
   const { page, faults } = await open(browser, 'index.html', { reduced: true });
   await page.type('.ask input', '3.18');
   await page.waitForFunction(() => /no page for 3\.18/.test(document.querySelector('.ask .said').textContent));

@@ -1,4 +1,4 @@
-// The lesson: all in one view, told step by step by keys, moved by a drag, and printed.
+// The lesson: one view, explained step by step with keys, moved by dragging, and printed.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { launch, open, overlaps, shoot } from './browser.mjs';
@@ -61,7 +61,7 @@ for (const [width, height] of [[1366, 768], [768, 1024], [390, 844]])
     await page.close();
   });
 
-test('the numbers are those of the formulas that are told', async () => {
+test('the numbers are those of the formulas in the text', async () => {
   const { page, faults } = await lesson('one-step');
   const of = (name) => page.$eval('.lesson', (all, key) => Number(all.dataset[key]), name);
   for (const h of [0.25, 0.125, 1]) {
@@ -83,7 +83,7 @@ test('the numbers are those of the formulas that are told', async () => {
   await page.close();
 });
 
-test('the mass is dragged, and so is the point on the circle', async () => {
+test('the mass can be dragged, and so can the point on the circle', async () => {
   const { page, faults } = await lesson('circle');
   const start = () => page.$eval('.lesson-controls input[aria-label="x0, place at the start, typed"]', (field) => Number(field.value));
   for (const place of ['.lesson-stage canvas', '.lesson-circle svg']) {

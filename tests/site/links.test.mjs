@@ -1,5 +1,6 @@
-// Links to players and to the chooser, whatever they say: a state, a problem in words, or no link. FUZZ_LINKS says how
-// many are tried, ODDITY_SEED which. Some are long: reading must not take the square of their length.
+// Any link to a player or to the chooser gives a state, a problem in words, or no link. FUZZ_LINKS is the
+// number of trials, ODDITY_SEED their seed. Some links are long: reading must not take the square of their
+// length.
 
 import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
@@ -25,7 +26,7 @@ const choosers = ['#scene=3.5&a=0.6&error=1deg&horizon=2&fps=120&budget=5us&prec
 const pieces = ['&', '=', '/', ',', '%', '%2', '%ff', '%F0%9F%92%A9', '+', '#', '1', '9'.repeat(40), '9'.repeat(100000), '1/0', '-', 'e9', 'e999', '.', ' ',
   'NaN', 'Infinity', '__proto__', 'constructor', 'p.__proto__=1', 'row=', 'view=', '\u0000', '\ud800', '°', 'µs', '<b>', ' x y'];
 
-// SplitMix64, as the program's own.
+// SplitMix64, like the program's own.
 function random(seed) {
   let state = BigInt(seed);
   const mask = (1n << 64n) - 1n;
@@ -38,7 +39,7 @@ function random(seed) {
   };
 }
 
-/** A few pieces put in, cut out or said twice. */
+/** A text with a few pieces inserted, cut out or repeated. */
 function mutated(text, below) {
   for (let left = 1 + below(4); left > 0; --left) {
     const at = below(text.length + 1), to = at + below(8);

@@ -1,4 +1,4 @@
-// What a player shows first, without a page: node --test tests/site
+// The first motions of a player, without a page: node --test tests/site
 
 import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
@@ -11,7 +11,7 @@ const { oddity } = globalThis;
 
 const base64 = (numbers) => Buffer.from(new Float64Array(numbers).buffer).toString('base64');
 
-/** A scene whose right model is best known by this algorithm, set by this knob. */
+/** A scene whose right model is best known by this algorithm, set by this `knob`. */
 function motionsOf(algorithm, knob) {
   const setting = knob === 'step' ? 0.05 : 1e-12;
   const models = [{ name: 'right', algorithms: [algorithm] }, { name: 'published equations', algorithms: ['Runge-Kutta 4'] }];
@@ -35,7 +35,7 @@ function motionsOf(algorithm, knob) {
   }
 }
 
-test('the right motion beside the published one has a setting of its own kind', () => {
+test('the right motion next to the published one has a setting of the right kind', () => {
   const rowOf = (motions) => motions.asPublished().find((row) => row.model === 'right');
   assert.equal(rowOf(motionsOf('Adams-Bashforth-Moulton 6', 'step')).setting, 0.05);
   assert.equal(rowOf(motionsOf('Fehlberg 7(8)', 'tolerance')).setting, 1e-9);

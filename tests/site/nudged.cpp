@@ -1,12 +1,12 @@
-// The functions of the C library, each off by one rounding this way or that, as those of another library may
-// be. The models' module linked with these shows which motions depend on them, and how far it takes them.
+// The functions of the C library, each off by one rounding up or down, as another library's may be. The
+// models' module linked with these shows which motions depend on them, and how much.
 
 #include <cstdint>
 #include <limits>
 
 namespace {
 
-/// Up or down by one rounding, in turn as a generator of Knuth's says: each run of a motion has others.
+/// Up or down by one rounding, in turn by a generator of Knuth's: each run of a motion has others.
 template <class T>
 T nudged(T x) {
   static std::uint64_t state = 1;
@@ -16,7 +16,7 @@ T nudged(T x) {
 
 }  // namespace
 
-// These names are the linker's (--wrap).
+// Names for the linker (--wrap).
 #define ODDITY_ONE(name, T)      \
   extern "C" T __real_##name(T); \
   extern "C" T __wrap_##name(T x) { return nudged(__real_##name(x)); }

@@ -1,4 +1,4 @@
-// The page in which one types a problem's file, in a browser.
+// The page for typing a problem's file, in a browser.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -15,7 +15,7 @@ let browser;
 before(async () => { browser = await launch(); });
 after(() => browser.close());
 
-/// Types a text, and waits until it is read.
+/// Types a text, and waits until it has been read.
 async function type(page, text) {
   await page.evaluate((typed) => {
     const area = document.querySelector('#own-file');
@@ -39,7 +39,7 @@ const seen = (page) => page.evaluate(() => ({
 }));
 const answered = (page) => page.waitForFunction(() => document.querySelector('.own').dataset.answered);
 
-test('each file to begin with is in the menu, moves, and is answered', async (t) => {
+test('each example file is in the menu, moves, and is answered', async (t) => {
   const { page, faults } = await open(browser, 'own.html', { reduced: true });
   const titles = await page.$$eval('#own-example option', (options) => options.map((o) => o.textContent));
   assert.equal(titles.length, files.length);
@@ -65,7 +65,7 @@ test('each file to begin with is in the menu, moves, and is answered', async (t)
   await page.close();
 });
 
-test('of a long motion the first frames are judged, at the rate of the file, and the page says so', async () => {
+test('a long motion is judged by its first frames, at the rate of the file, and the page reports it', async () => {
   const { page } = await open(browser, 'own.html', { reduced: true });
   await type(page, textOf('quarter_car.toml').replace(/horizon = "[^"]*"/, 'horizon = "100 s"'));
   await answered(page);
@@ -95,7 +95,7 @@ test('its motions are those of the program', async () => {
   await page.close();
 });
 
-/// A trial of the program's own, the finest that got to the end, and the times of its values.
+/// The program's own finest trial that got to the end, and the times of its values.
 function programs(name, model, algorithm) {
   const { trials, trajectory } = solved(path.join(problems, name));
   const trial = trials.filter((one) => one.algorithm === algorithm && (!model || one.model === model)
@@ -120,7 +120,7 @@ test('it answers a key within a tenth of a second', async (t) => {
   await page.close();
 });
 
-test('what is wrong is said with its line and a caret, and what was there stays', async () => {
+test('an error is shown with its line and a caret, and the page stays as it was', async () => {
   const { page, faults } = await open(browser, 'own.html', { reduced: true });
   const good = textOf('quarter_car.toml');
   await type(page, good);
@@ -221,7 +221,7 @@ test('a link brings back the file, its methods and a parameter', async () => {
   await page.close();
 });
 
-test('a link that is damaged is refused in a sentence', async () => {
+test('a damaged link is refused in a sentence', async () => {
   for (const hash of ['file=', 'file=z.', 'file=z.AAAA', 'file=z.%%%', 'file=q.abc', 'file=t.%E0%A4%A', 'file=z.' + 'A'.repeat(300000), 'file=t.' + 'a'.repeat(150000)]) {
     const { page, faults } = await open(browser, `own.html#${hash}`, { reduced: true });
     const { wrong } = await seen(page);

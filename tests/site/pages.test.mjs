@@ -14,7 +14,7 @@ test('the site is one folder of at most 6 MB', () => {
   assert.ok(bytes(site) <= 6e6, `${site} has ${bytes(site)} bytes`);
 });
 
-test('the front page, with all that it asks for at once, is at most 300 KB', () => {
+test('the front page, with all files that it loads at once, is at most 300 KB', () => {
   const text = fs.readFileSync(`${site}/index.html`, 'utf8');
   const files = [...text.matchAll(/(?:src|href)="((?:assets|data)\/[^"]+)"/g)].map(([, file]) => file);
   assert.ok(files.length >= 3);

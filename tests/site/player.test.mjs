@@ -1,4 +1,4 @@
-// What the player computes without a page: node --test tests/site
+// Computations of the player without a page: node --test tests/site
 
 import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
@@ -116,7 +116,7 @@ test('steps divide the intervals of a trial evenly and are seen at least once a 
 
 const sine = (times) => ({ times, count: 1, observed: Float64Array.from(times, Math.sin) });
 
-test('truth between its frames is known to far below what a game asks', () => {
+test('the reference between its frames is known far better than a game needs', () => {
   const motion = sine(oddity.frameTimes(10, 600));
   for (const t of [0.001, 0.02, 1.2345, 5, 9.999]) near(oddity.throughSix(motion, t)[0], Math.sin(t), 1e-12);
   motion.observed[0] = NaN;
@@ -167,7 +167,7 @@ const known = {
   missing: 'this scene does not have',
 };
 
-test('a permalink holds everything, and comes back the same', () => {
+test('a permalink contains everything, and comes back the same', () => {
   const state = {
     parameters: { a: 0.6, n: 3 },
     rows: [
@@ -182,7 +182,7 @@ test('a permalink holds everything, and comes back the same', () => {
     assert.deepEqual(oddity.permalink.parse(oddity.permalink.format({ ...state, view }), known), { state: { ...state, view } });
 });
 
-test('a bad permalink is a sentence, and other anchors are none', () => {
+test('a bad permalink gives a sentence, and other anchors give nothing', () => {
   const bad = [
     '#play&p.a=x', '#play&p.a=4', '#play&p.n=2.5', '#play&p.zeta=1', '#play&row=one angle', '#play&%zz=1',
     '#play&row=%zz/a/double/1', '#play&row=one angle/explicit Euler/half/1', '#play&speed=3', '#play&at=soon',

@@ -1,4 +1,4 @@
-// The players, charts and the chooser, used as a reader uses them.
+// The players, charts and the chooser, used like a reader does.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { launch, open, scenes, shoot, solved } from './browser.mjs';
@@ -71,13 +71,13 @@ test('a slider changes every method of its scene', async () => {
   await page.close();
 });
 
-/// The address that 'copy link' makes.
+/// The address made by 'copy link'.
 async function linked(page) {
   await page.$$eval('.player-actions button', (all) => all.find((b) => b.textContent === 'copy link').click());
   return page.evaluate(() => window.location.hash);
 }
 
-/// Of the norms' units, how far apart two places are.
+/// Distance of two places in each of the norms' units.
 function distances(a, b, norms) {
   const far = new Map();
   for (const { unit, components } of norms)
@@ -85,7 +85,7 @@ function distances(a, b, norms) {
   return [...far.values()];
 }
 
-// Not where a motion is chaotic, and magnifies what roundings differ by.
+// Without chaotic motions, which magnify differences of rounding.
 for (const scene of ['3.5', '3.7', '3.9', '3.11', '3.15', '3.19', '3.27', '3.29', '3.31', '3.33'])
   test(`${scene}: a slider's values and errors are the program's`, async (t) => {
     const { page, faults } = await open(browser, `${scene}.html`, { reduced: true });
@@ -113,7 +113,7 @@ for (const scene of ['3.5', '3.7', '3.9', '3.11', '3.15', '3.19', '3.27', '3.29'
     const apart = Math.max(...value.map((x, k) => Math.abs(x - shown.observed[k])));
     const errors = distances(value, there.reference.slice(-count), norms);
     const errorsApart = Math.max(...errors.map((x, u) => Math.abs(x - shown.errors[u])));
-    const known = Math.max(1e-9 * size, ...shown.floors);  // where no method of the page has nine digits, it says so
+    const known = Math.max(1e-9 * size, ...shown.floors);  // methods without nine digits report it
     t.diagnostic(`${changed[0]}: values ${(apart / size).toExponential(1)} apart, errors ${(errorsApart / size).toExponential(1)}, known to ${(known / size).toExponential(1)}`);
     assert.notDeepEqual(value, trial.value.slice(-count));
     assert.ok(apart <= 1e-9 * size, `${shown.observed} is not ${value}`);
@@ -185,7 +185,7 @@ for (const name of ['3.5', '2.7', 'bouncing_ball'])
     await page.close();
   });
 
-test('a trial of the chart plays, and its row lights', async () => {
+test('a trial of the chart plays, and its row is highlighted', async () => {
   const { page, faults } = await open(browser, '3.5.html', { reduced: true });
   const chart = await page.waitForSelector('figure.chart[data-quantity=swing]');
   await chart.scrollIntoView();
@@ -202,7 +202,7 @@ test('a trial of the chart plays, and its row lights', async () => {
   await page.close();
 });
 
-test('a row of the table plays, and its point in the chart lights', async () => {
+test('a row of the table plays, and its point in the chart is highlighted', async () => {
   const { page, faults } = await open(browser, '3.5.html', { reduced: true });
   const place = await page.waitForSelector('.trials[data-quantity=swing]');
   await place.scrollIntoView();
@@ -246,7 +246,7 @@ test('cells of the map that roundings decide are marked, and so is the legend', 
   await page.close();
 });
 
-test('engines play beside the models, where they have been run', async (t) => {
+test('engines play next to the models, if they have been run', async (t) => {
   const { page, faults } = await open(browser, '3.5.html', { reduced: true });
   await page.waitForSelector('.player-rows [data-end]');
   const pressed = await page.$$eval('.player-actions button', (all) => {
@@ -263,7 +263,7 @@ test('engines play beside the models, where they have been run', async (t) => {
   await page.close();
 });
 
-test('a player is worked by keys alone', async () => {
+test('a player can be operated by keys alone', async () => {
   const { page, faults } = await open(browser, '3.5.html', { reduced: true });
   await page.waitForSelector('.player-rows [data-end]');
   const at = () => page.evaluate(() => {
@@ -299,7 +299,7 @@ test('a player is worked by keys alone', async () => {
   await page.close();
 });
 
-test('a damaged link gives a message and the player as it opens', async () => {
+test('a damaged link gives a message and the player as it first opens', async () => {
   for (const hash of ['play&p.a=much', 'play&p.b=1', 'play&p.a=1e9', 'play&row=one%20angle/magic/double/0.1', 'play&row=%', 'play&at=<script>', 'play&view=1,2', 'play&%zz']) {
     const { page, faults } = await open(browser, `3.5.html#${hash}`, { reduced: true });
     await page.waitForSelector('.player-rows select');
@@ -317,7 +317,7 @@ test('the chooser answers with a command', async () => {
   await page.close();
 });
 
-/// Types into a field what is refused, and then what is not.
+/// Types a refused text into a field, and then an accepted one.
 async function refuse(page, field, shown, bad, good) {
   const type = async (text) => {
     await page.focus(field);

@@ -1,4 +1,4 @@
-// Nothing runs in a page but the site's own files, whatever got into its text.
+// A page runs only the site's own files, whatever has got into its text.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -14,7 +14,7 @@ after(async () => {
   await browser.close();
 });
 
-test('what is planted in a page does not run, and its own scripts do', async () => {
+test('scripts planted in a page do not run, and its own do', async () => {
   const text = fs.readFileSync(path.join(site, '3.5.html'), 'utf8');
   const bad = `<script>window.planted = 'script'</script><img src="data:,x" onerror="window.planted = 'handler'">`
     + `<script src="data:text/javascript,window.planted='data'"></script><style>body { --planted: style }</style>`

@@ -1,13 +1,13 @@
 // Replays every trial of every scene's motion by the page's engine, and compares it with the program's.
 //   node replay.mjs engine.js models.js models_nudged.js results.json      (of trials.cpp, or of verify --results)
-// The two libraries' sines may differ in their last digit, and nothing else may. What that can do, the second
-// module shows, whose functions of the C library are each off by one rounding (nudged.cpp). So a trial by steps of
-// fixed size that these leave as it is has nothing but + - * / and roots in it, and must be the program's bit for bit.
-// Of any other, in double, values are the program's to 1e-12 of their size; in float, whose roundings are 2^-24, to
-// 16 of these. A motion that magnifies roundings beyond that is apart, as chaos is, and may then be off by four
-// times what the nudged functions make of it, the most of eight runs. The work of fixed steps is the same, unless a
-// rounding changes it: the search for an event then ends a little sooner or later. Ends with 1 when a trial is off by
-// more, or when it cannot fail.
+// The two libraries' sines may differ in their last digit, and nothing else may. The second module shows the
+// effect: its functions of the C library are each off by one rounding (nudged.cpp). A trial with fixed steps
+// that these do not change uses only + - * / and roots, and must equal the program's bit for bit. In any
+// other trial, values in double must agree to 1e-12 of their size; in float, whose roundings are 2^-24, to 16
+// of these. A motion that magnifies roundings beyond that, as chaos does, may differ by four times the
+// largest effect of the nudged functions in eight runs. The work of fixed steps is the same, unless a
+// rounding makes the search for an event end a little sooner or later. The exit code is 1 if a trial differs
+// by more, or if it cannot fail.
 
 import { readFileSync } from 'node:fs';
 import { performance } from 'node:perf_hooks';
@@ -28,7 +28,7 @@ async function engineWith(models) {
 
 // ---- a trial ----------------------------------------------------------------------------------------------------
 
-// The method of a trial as the engine has it, or null.
+// The engine's method for a trial, or null.
 function asked(engine, number, quantity, trial) {
   const single = trial.algorithm.endsWith(inFloat);
   const algorithm = single ? trial.algorithm.slice(0, -inFloat.length) : trial.algorithm;
@@ -40,7 +40,7 @@ function asked(engine, number, quantity, trial) {
   };
 }
 
-// A run as the results file has it: values without the start, as far as it came, and the largest drift.
+// A run in the form of the results file: values without the start, as far as it came, and the largest drift.
 function replayed(engine, method, parameters = {}) {
   const each = engine.scene(method.scene).observables;
   const run = engine.run({...method, parameters});
@@ -53,7 +53,7 @@ function replayed(engine, method, parameters = {}) {
   return {value, drift, evaluations: run.evaluations, ending: run.ending};
 }
 
-// The program's file has null for what is not finite.
+// The program's file has null for numbers that are not finite.
 const number = x => (x === null || !Number.isFinite(x) ? NaN : x);
 
 function recorded(trial) {
@@ -71,7 +71,7 @@ function equal(a, b) {
     a.value.every((x, i) => same(number(x), number(b.value[i])));
 }
 
-// The largest difference in parts of the value's size; infinity where the two did not come as far.
+// The largest difference relative to the value's size; infinity if the two ended at different times.
 function apart(a, b) {
   if (a.ending !== b.ending || a.value.length !== b.value.length) return Infinity;
   const size = Math.max(...b.value.map(Math.abs).filter(Number.isFinite), Number.MIN_VALUE);
@@ -82,8 +82,8 @@ function apart(a, b) {
   return Number.isNaN(most) ? Infinity : most;
 }
 
-// A drift is a difference of sums: what counts is its change in parts of what moves. That of a motion that broke off
-// is not compared, as the file's is of the last state too.
+// A drift is a difference of sums: its change counts relative to the motion's size. It is not compared if the
+// motion broke off, as the file's drift includes the last state.
 function driftApart(a, b) {
   if (a.ending !== 'reached' || b.ending !== 'reached') return 0;
   if (same(number(a.drift), number(b.drift))) return 0;
@@ -114,7 +114,7 @@ function judged(engines, method, kind, trial) {
   return {verdict, arithmetic, difference, drift, far, farDrift, here, there};
 }
 
-// Whether the comparison sees a parameter that is off by a millionth.
+// Whether the comparison notices a parameter that is off by a millionth.
 function sees(engines, method, trial) {
   const scene = engines.plain.scene(method.scene);
   return scene.parameters.some(name => {

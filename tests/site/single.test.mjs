@@ -1,4 +1,4 @@
-// One page as one file, as it is mailed: alone in a folder, it plays and asks for nothing.
+// One page as one file, as it is mailed: alone in a folder, it plays and requests nothing.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';

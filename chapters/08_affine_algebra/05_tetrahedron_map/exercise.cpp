@@ -166,7 +166,7 @@ Quantity values_of(std::string name, std::string says, const Tetrahedron& tetra,
                    const std::vector<Vector3d>& coordinates, const Expected& expected) {
   const Problem problem(tetra, coordinates);
   std::vector<double> truth;
-  double terms = 0;  // largest size of the terms of A . P + b
+  double terms = 0;  // of A . P + b, the largest sum of their sizes
   bool exact = true;
   for (const Vector3d& x : problem.points) {
     truth.push_back(map(x));

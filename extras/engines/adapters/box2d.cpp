@@ -1,5 +1,5 @@
-// Box2D 2.4 [manual: box2d.org/documentation_v2_4]: the plane in float, joints held by velocities and then
-// put right in place.
+// Box2D 2.4 [manual: box2d.org/documentation_v2_4]: the plane in float, joints by velocity constraints with
+// position correction.
 
 #include "extras/engines/adapters/box2d_world.hpp"
 #include "extras/engines/adapters/plane.hpp"
@@ -34,7 +34,7 @@ class InBox2d final : public Simulation {
 
 }  // namespace
 
-/// b2_version is 2.4.0 in 2.4.1 too.
+/// Version from the file name, as b2_version is 2.4.0 in 2.4.1 too.
 Engine engine() { return {"Box2D", VERSION_OF_FILE, "float", true, make<InBox2d>}; }
 
 }  // namespace oddity::engines

@@ -1,5 +1,5 @@
-// Box2D 3 as box2d3-wasm 5.2 [manual: box2d.org/documentation]: the plane in float, bodies and joints held by
-// velocities in substeps.
+// Box2D 3 as box2d3-wasm 5.2 [manual: box2d.org/documentation]: the plane in float, bodies and joints by
+// velocity constraints in substeps.
 
 import initBox2d from 'box2d3-wasm';
 
@@ -10,9 +10,9 @@ import {
 const b2 = await initBox2d();
 
 const vector = ([x, y]) => new b2.b2Vec2(x, y);
-/// b2MakeRot has a sine of its own, off by up to 1.7e-3.
+/// Replaces b2MakeRot, whose sine is off by up to 1.7e-3.
 const turn = (angle) => Object.assign(new b2.b2Rot(), { c: Math.cos(angle), s: Math.sin(angle) });
-/// A value of Box2D's, which is ours to delete.
+/// Reads a value owned by Box2D, which we have to delete.
 function read(value, f) {
   const read = f(value);
   value.delete();

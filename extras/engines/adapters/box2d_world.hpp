@@ -8,7 +8,7 @@ namespace oddity::engines {
 
 inline b2Vec2 vector(const Vector& v) { return {static_cast<float>(v[0]), static_cast<float>(v[1])}; }
 
-/// A world in Box2D's terms. A fine one has no sleep and no skins, and what is slow bounces too.
+/// A world in Box2D's terms. With `fine` there is no sleep and no skin, and slow bodies bounce too.
 class Box2dWorld {
  public:
   Box2dWorld(const World&, bool fine);

@@ -1,4 +1,4 @@
-// Bullet 3.24's rigid bodies [manual: docs/Bullet_User_Manual.pdf of its repository]: held by impulses.
+// Bullet 3.24's rigid bodies [manual: docs/Bullet_User_Manual.pdf of its repository]: joints by impulses.
 
 #include "extras/engines/adapters/bullet.hpp"
 
@@ -38,7 +38,7 @@ class InBullet final : public BulletSimulation<btSequentialImpulseConstraintSolv
   btRigidBody& of(int body) const {
     return body == ground ? btTypedConstraint::getFixedBody() : *bodies_[static_cast<std::size_t>(body)];
   }
-  /// The joint's point and axis as the body has them; Bullet's hinges turn about z, its sliders about x.
+  /// The joint's point and axis in the body's frame; Bullet's hinges turn about z, its sliders about x.
   btTransform in(int body, const Joint& j) const {
     const btVector3 own = j.kind == Joint::cylinder ? btVector3(1, 0, 0) : btVector3(0, 0, 1);
     const btTransform in_world(shortestArcQuat(own, vector(j.axis)), vector(j.at));
@@ -60,7 +60,7 @@ class InBullet final : public BulletSimulation<btSequentialImpulseConstraintSolv
   }
   static auto cylinder(btRigidBody& a, btRigidBody& b, const btTransform& in_a, const btTransform& in_b) {
     auto slider = std::make_unique<btSliderConstraint>(a, b, in_a, in_b, true);
-    slider->setLowerAngLimit(1), slider->setUpperAngLimit(-1);  // none: the upper is below the lower
+    slider->setLowerAngLimit(1), slider->setUpperAngLimit(-1);  // no limit: the upper is below the lower
     return slider;
   }
   void add(const Joint& j) {

@@ -6,7 +6,7 @@
 
 #include "extras/engines/adapters/simulation.hpp"
 
-/// What Bullet's two kinds of bodies share.
+/// Code shared by Bullet's two kinds of bodies.
 namespace oddity::engines {
 
 inline btVector3 vector(const Vector& v) { return {btScalar(v[0]), btScalar(v[1]), btScalar(v[2])}; }
@@ -28,13 +28,13 @@ inline std::unique_ptr<btCollisionShape> shaped(const Shape& shape) {
   return std::make_unique<btEmptyShape>();
 }
 
-/// Of two bodies that touch, coefficients are multiplied.
+/// Square roots, as Bullet multiplies the coefficients of two touching bodies.
 inline void rub(btCollisionObject& object, const World& world) {
   object.setFriction(btScalar(std::sqrt(world.friction)));
   object.setRestitution(btScalar(std::sqrt(world.restitution)));
 }
 
-/// A plane; or a box, which another touches at four points in one step.
+/// A plane; or a box, which another box touches at four points in one step.
 inline std::unique_ptr<btRigidBody> floor_of(const World& world, bool box,
                                              std::vector<std::unique_ptr<btCollisionShape>>& shapes) {
   const btVector3 normal = vector(world.floor), half(50, 50, 50);
@@ -48,7 +48,7 @@ inline std::unique_ptr<btRigidBody> floor_of(const World& world, bool box,
   return floor;
 }
 
-/// A dynamics world, and what it is made of.
+/// A dynamics world, and the objects it consists of.
 template <class Solver, class Dynamics>
 class BulletSimulation : public Simulation {
  public:

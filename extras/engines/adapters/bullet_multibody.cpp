@@ -1,5 +1,5 @@
 // Bullet 3.24's btMultiBody [Featherstone's articulated bodies: BulletDynamics/Featherstone of its
-// repository]: joints hold exactly, by reduced coordinates, and bodies on joints are trees.
+// repository]: joints are exact, by reduced coordinates, and bodies on joints are trees.
 
 #include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
 #include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>

@@ -1,4 +1,4 @@
-// Links and joints of btMultiBody, with the speeds that they start with.
+// Links and joints of btMultiBody, with their initial speeds.
 
 #include "extras/engines/adapters/bullet_tree.hpp"
 

@@ -9,7 +9,7 @@
 
 namespace oddity::engines {
 
-/// A link as it is at the start. Those between two bodies' are without mass.
+/// A link at the start. Links between those of two bodies are massless.
 struct Link {
   btTransform place = btTransform::getIdentity();
   btVector3 velocity{0, 0, 0}, spin{0, 0, 0};
@@ -33,10 +33,10 @@ struct Link {
   btVector3 velocity_at(const btVector3& at) const { return velocity + spin.cross(at - place.getOrigin()); }
 };
 
-/// The limbs of each multibody: of a body that is free, or of one on the ground, with all that hangs on it.
+/// The limbs of each multibody: a free body, or one on the ground, with everything that hangs on it.
 std::vector<std::vector<Limb>> trees(const World&);
 
-/// A multibody that is being made.
+/// A multibody under construction.
 class BulletTree {
  public:
   BulletTree(const World&, const std::vector<Limb>&);

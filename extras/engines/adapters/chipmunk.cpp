@@ -1,4 +1,4 @@
-// Chipmunk 7 [manual: chipmunk-physics.net/release/ChipmunkLatest-Docs]: the plane in double, joints held by
+// Chipmunk 7 [manual: chipmunk-physics.net/release/ChipmunkLatest-Docs]: the plane in double, joints by
 // impulses.
 
 #include "extras/engines/adapters/chipmunk_world.hpp"

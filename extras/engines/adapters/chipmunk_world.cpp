@@ -37,7 +37,7 @@ void ChipmunkWorld::add(const Joint& j) {
   const cpVect at = vector(j.at);
   if (j.kind == Joint::rod) {
     add(cpPinJointNew(a, b, in(j.a, at), in(j.b, vector(j.end))), j.a, j.b);
-  } else if (j.kind == Joint::cylinder) {  // a point in a groove, and a turn of one is that of the other
+  } else if (j.kind == Joint::cylinder) {  // a point in a groove, and both bodies turn together
     const cpVect far = cpvmult(vector(j.axis), 1000);
     const cpVect from = in(j.a, cpvsub(at, far)), to = in(j.a, cpvadd(at, far));
     add(cpGrooveJointNew(a, b, from, to, in(j.b, at)), j.a, j.b);
@@ -58,7 +58,7 @@ void ChipmunkWorld::add(cpConstraint* constraint, int a, int b) {
   if (a != ground && b != ground) cpConstraintSetCollideBodies(constraint, cpFalse);
 }
 
-/// Of two shapes that touch, coefficients are multiplied.
+/// Chipmunk multiplies the coefficients of two touching shapes.
 void ChipmunkWorld::add(cpShape* shape) {
   shapes_.emplace_back(shape);
   cpSpaceAddShape(space(), shape);

@@ -31,7 +31,7 @@ class ChipmunkWorld {
   using Owned = std::vector<std::unique_ptr<T, Freed<free>>>;
 
   double friction_, restitution_;
-  // A space is freed before what is in it.
+  // The space must be freed before its contents.
   Owned<cpBody, cpBodyFree> owned_;
   Owned<cpShape, cpShapeFree> shapes_;
   Owned<cpConstraint, cpConstraintFree> constraints_;

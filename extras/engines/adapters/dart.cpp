@@ -1,4 +1,4 @@
-// DART 6.12 [dartsim.github.io]: reduced coordinates, contacts held by velocities, in double.
+// DART 6.12 [dartsim.github.io]: reduced coordinates, contacts by velocity constraints, in double.
 
 #include <dart/collision/dart/DARTCollisionDetector.hpp>
 #include <dart/constraint/ConstraintSolver.hpp>
@@ -47,7 +47,7 @@ class InDart final : public Simulation {
   }
 
  private:
-  /// The joints' velocities are those that the bodies' momenta give.
+  /// Sets the joints' velocities from the bodies' momenta.
   void start(const World& world) {
     for (const auto& s : world_.skeletons()) {
       Eigen::VectorXd p = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(s->getNumDofs()));

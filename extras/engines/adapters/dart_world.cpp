@@ -25,7 +25,7 @@ Isometry3d pose(const State& s) {
   return moved(s.position) * Eigen::Quaterniond(q[0], q[1], q[2], q[3]);
 }
 
-/// A joint whose frame is, at the start, in one place in the world as seen from both.
+/// A joint whose frames in both bodies coincide in the world at the start.
 template <class Kind>
 std::pair<Kind*, BodyNode*> hang(const SkeletonPtr& skeleton, BodyNode* parent, const Isometry3d& at,
                                  const Isometry3d& body) {
@@ -42,7 +42,7 @@ BodyNode* without_mass(BodyNode* link) {
   return link;
 }
 
-/// The lesser friction of two counts, and the product of their restitutions.
+/// DART takes the smaller friction of two bodies, and the product of their restitutions.
 void give(BodyNode* node, const ShapePtr& shape, const World& world) {
   auto* const surface =
       node->createShapeNodeWith<CollisionAspect, DynamicsAspect>(shape)->getDynamicsAspect();
@@ -71,7 +71,7 @@ void DartWorld::add(const Limb& limb, const World& world) {
   if (b.shape.kind == Shape::box) give(node, std::make_shared<BoxShape>(2 * half), world);
 }
 
-/// There is no cylinder joint and no rod: a link without mass is between two joints.
+/// DART has no cylinder joint and no rod: each is two joints with a massless link between them.
 BodyNode* DartWorld::join(const Limb& limb, const Isometry3d& body) {
   const SkeletonPtr& skeleton = skeletons_.back();
   BodyNode* parent = limb.parent == ground ? nullptr : (*this)[limb.parent];

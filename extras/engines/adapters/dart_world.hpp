@@ -10,7 +10,7 @@ namespace oddity::engines {
 
 inline Eigen::Vector3d vec(const Vector& a) { return {a[0], a[1], a[2]}; }
 
-/// A world in DART's terms: a skeleton of each tree of bodies on joints.
+/// A world in DART's terms: one skeleton for each tree of bodies on joints.
 class DartWorld {
  public:
   explicit DartWorld(const World&);

@@ -1,5 +1,5 @@
-// Jolt as jolt-physics 1.1 [manual: jrouwe.github.io/JoltPhysics]: bodies and joints held by velocities, in
-// float.
+// Jolt as jolt-physics 1.1 [manual: jrouwe.github.io/JoltPhysics]: bodies and joints by velocity constraints,
+// in float.
 
 import { Jolt, JoltWorld, place, vector } from './jolt_world.mjs';
 import { installedVersion } from './simulation.mjs';

@@ -1,12 +1,12 @@
-// Jolt's bodies, joints and shapes [manual: jrouwe.github.io/JoltPhysics]. The vectors and settings that a
-// world is made with are not destroyed: the program ends soon.
+// Jolt's bodies, joints and shapes [manual: jrouwe.github.io/JoltPhysics]. The vectors and settings that
+// build a world are not destroyed, since the program ends soon.
 
 import initJolt from 'jolt-physics';
 
 import { beside, ground, isZero, minus } from './simulation.mjs';
 
 export const Jolt = await initJolt();
-const layer = 0;  // all are in one, and touch each other
+const layer = 0;  // a single layer: all bodies touch each other
 
 export const vector = ([x, y, z]) => new Jolt.Vec3(x, y, z);
 export const place = ([x, y, z]) => new Jolt.RVec3(x, y, z);

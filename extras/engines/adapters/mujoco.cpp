@@ -41,7 +41,7 @@ class InMuJoCo final : public Simulation {
     const mjtNum *x = d_->xipos + 3 * i, *q = d_->xquat + 4 * i;
     mjtNum v[6];
     mj_objectVelocity(m_, d_, mjOBJ_BODY, i, v, 0);
-    // It starts anew from the world's start where it diverges, and warns.
+    // MuJoCo restarts from the world's start where it diverges, and warns.
     for (const int bad : {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC})
       if (d_->warning[bad].number) v[0] = std::numeric_limits<double>::quiet_NaN();
     return {{x[0], x[1], x[2]}, {q[0], q[1], q[2], q[3]}, {v[3], v[4], v[5]}, {v[0], v[1], v[2]}};
@@ -51,7 +51,7 @@ class InMuJoCo final : public Simulation {
   void restore() override { mj_copyData(d_, m_, saved_), seen_ = false; }
 
  private:
-  /// The joints' velocities are those that the bodies' momenta give.
+  /// Sets the joints' velocities from the bodies' momenta.
   void set_off(const World& world) {
     mj_forward(m_, d_);
     seen_ = true;
@@ -77,7 +77,7 @@ class InMuJoCo final : public Simulation {
     mj_applyFT(m_, d_, force.data(), torque.data(), at.data(), bodies_[static_cast<std::size_t>(body)],
                d_->qfrc_applied);
   }
-  /// After a step the bodies are where they were before it, until their places are asked for.
+  /// Updates the bodies' places, which lag a step behind otherwise.
   void see() const {
     if (!seen_) mj_kinematics(m_, d_), mj_comPos(m_, d_), mj_comVel(m_, d_);
     seen_ = true;

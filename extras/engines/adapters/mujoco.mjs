@@ -1,5 +1,5 @@
-// MuJoCo 3.14 [manual: mujoco.readthedocs.io]: a tree of bodies in the coordinates of its joints, contacts as
-// springs with dampers, in double.
+// MuJoCo 3.14 [manual: mujoco.readthedocs.io]: a tree of bodies in joint coordinates, contacts as springs
+// with dampers, in double.
 
 import loadMujoco from '@mujoco/mujoco';
 
@@ -10,7 +10,7 @@ const mujoco = await loadMujoco();
 const whole = mujoco.mjtState.mjSTATE_INTEGRATION.value, aBody = mujoco.mjtObj.mjOBJ_BODY.value,
   aJoint = mujoco.mjtObj.mjOBJ_JOINT.value;
 
-/// At the start.
+/// Speed of the slide at the start.
 function slideSpeed(world, { a, b, axis }) {
   return dot(axis, minus(start(world, b).velocity, start(world, a).velocity));
 }
@@ -31,7 +31,7 @@ class InMujoco {
 
   setGravity(g) { this.model.opt.gravity.set(g); }
   push(body, force, at) { this.apply(body, force, [0, 0, 0], at); }
-  /// Where a step diverges, the data start anew at time 0.
+  /// Where a step diverges, the data are reset to time 0.
   step() {
     const { time } = this.data;
     mujoco.mj_step(this.model, this.data);
@@ -62,7 +62,7 @@ class InMujoco {
     this.seen = false;
   }
 
-  /// The joints' velocities are those that give the bodies their momenta.
+  /// Sets the joints' velocities from the bodies' momenta.
   setOff(world) {
     const { model, data } = this;
     mujoco.mj_forward(model, data);
@@ -82,7 +82,7 @@ class InMujoco {
     this.see();
     mujoco.mj_applyFT(this.model, this.data, force, torque, at, this.ids[body], this.data.qfrc_applied);
   }
-  /// After a step the bodies are where they were before it, until their places are asked for.
+  /// Updates the bodies' places, which lag a step behind otherwise.
   see() {
     if (this.seen) return;
     for (const f of [mujoco.mj_kinematics, mujoco.mj_comPos, mujoco.mj_comVel]) f(this.model, this.data);

@@ -1,4 +1,4 @@
-// MuJoCo's compiler, which reads files [manual: mujoco.readthedocs.io, Virtual file system].
+// Calls MuJoCo's compiler, which reads files [manual: mujoco.readthedocs.io, Virtual file system].
 
 #include "extras/engines/adapters/mujoco_model.hpp"
 
@@ -12,7 +12,7 @@ namespace oddity::engines {
 
 namespace {
 
-/// As the manual's chapter on solver settings has them against slip.
+/// Options that the manual's chapter on solver settings recommends against slip.
 std::string options(const std::string& variant) {
   if (variant == "defaults") return "";
   return "integrator='" + variant + "' cone='elliptic' impratio='10' tolerance='1e-12'";

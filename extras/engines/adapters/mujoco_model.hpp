@@ -8,7 +8,7 @@
 
 namespace oddity::engines {
 
-/// A world as MuJoCo compiles it, with a variant's settings. Throws NotExpressible.
+/// The world compiled by MuJoCo, with a variant's settings. Throws NotExpressible.
 mjModel* mujoco_model(const World&, const std::string& variant);
 
 }  // namespace oddity::engines

@@ -21,11 +21,12 @@ std::string text(const std::array<double, n>& numbers) {
 }
 std::string text(double x) { return text(std::array{x}); }
 
-/// A slide's coordinate. A tendon's length of -1 would mean none given: here lengths are far from that.
+/// Initial coordinate of a slide. For MuJoCo a tendon length of -1 means none; these lengths are far from
+/// that.
 double slide_at_start(int body) { return 100.0 * (1 + body); }
 
-/// A rod is two hinges across it at its one end and a ball joint at its other, in series: it has no mass.
-/// What a slide turns is its armature.
+/// A rod has no mass: it is two hinges across it at one end and a ball joint at the other, in series. The
+/// wheel that a slide turns is the slide's armature.
 std::string joint(const Joint& j) {
   const std::string anchor = "pos=" + text(j.at), axis = anchor + "axis=" + text(j.axis);
   if (j.kind == Joint::hinge) return "<joint type='hinge' " + axis + "/>";
@@ -40,7 +41,7 @@ std::string joint(const Joint& j) {
          "axis=" + text(across.second) + "/><joint type='ball' pos=" + text(j.end) + "/>";
 }
 
-/// The springs' ends on a body.
+/// The ends of springs on a body.
 std::string sites(const World& world, int body) {
   std::string out;
   for (std::size_t i = 0; i < world.springs.size(); ++i) {
@@ -86,8 +87,8 @@ std::string body(const World& world, const Limb& limb) {
          "size=" + text(b.shape.half) + "friction=" + text(world.friction) + "/>";
 }
 
-/// All that hangs on a body. Elements may not be nested deeper than 100: what would be is in a file of its
-/// own.
+/// Everything that hangs on a body. Elements may not be nested deeper than 100: deeper ones go into a
+/// separate file.
 std::string limbs(const World& world, const std::vector<Limb>& all, int parent,
                   std::vector<std::string>& files, int depth = 1) {
   std::string out;

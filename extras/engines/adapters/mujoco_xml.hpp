@@ -7,7 +7,7 @@
 
 namespace oddity::engines {
 
-/// A world in MuJoCo's own language, as files that include each other; the last is the whole.
+/// A world in MuJoCo's own language, as files that include each other; the last is the root.
 std::vector<std::string> mujoco_xml(const World&, const std::string& options);
 
 }  // namespace oddity::engines

@@ -6,7 +6,7 @@ import {
 
 const numbers = (list) => list.join(' ');
 
-/// Which joint hangs each body on another or on the ground; none: it is free.
+/// The joint by which each body hangs on another or on the ground; bodies without one are free.
 function hangers(world) {
   const hangers = new Map(), open = [...world.joints];
   const grow = (parent) => {
@@ -31,11 +31,12 @@ function hangers(world) {
   return hangers;
 }
 
-/// A slide's coordinate. A tendon's length of -1 would mean none given: here lengths are far from that.
+/// Initial coordinate of a slide. For MuJoCo a tendon length of -1 means none; these lengths are far from
+/// that.
 const slideAtStart = (body) => 100 * (1 + body);
 
-/// What a slide turns is its armature. A rod is two hinges across it at its one end and a ball joint at its
-/// other: it has no mass.
+/// A rod has no mass: it is two hinges across it at one end and a ball joint at the other. The wheel that a
+/// slide turns is the slide's armature.
 function joints({ kind, b, at, axis, end, wheel }, s) {
   const one = (type, at, axis, more = '') =>
     `<joint type="${type}" ${more} pos="${numbers(pointIn(s, at))}"

@@ -1,4 +1,4 @@
-// Open Dynamics Engine [manual: ode.org/wiki/index.php/Manual]: joints held by velocities.
+// Open Dynamics Engine [manual: ode.org/wiki/index.php/Manual]: joints by velocity constraints.
 
 #include "extras/engines/adapters/ode_world.hpp"
 

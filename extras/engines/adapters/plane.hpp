@@ -5,11 +5,11 @@
 
 #include "extras/engines/adapters/simulation.hpp"
 
-/// What engines of the plane ask of a world, which has three dimensions. There a ball joint is a hinge, and
-/// on a cylinder joint nothing turns: no force in the plane has a moment about an axis in it.
+/// Checks for engines of the plane, as a world has three dimensions. In the plane a ball joint is a hinge,
+/// and on a cylinder joint nothing turns: no force in the plane has a moment about an axis in it.
 namespace oddity::engines {
 
-/// Throws NotExpressible where not all is in x and y, and turns about z.
+/// Throws NotExpressible unless everything is in x and y, and turns about z.
 inline void expect_in_plane(const World& world) {
   const auto flat = [](const Vector& v) { return v[2] == 0; };
   const auto upright = [](const Vector& v) { return v[0] == 0 && v[1] == 0; };

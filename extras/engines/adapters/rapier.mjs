@@ -1,5 +1,5 @@
-// Rapier 0.21 [manual: rapier.rs/docs]: bodies and joints held by velocities, or by joints as coordinates, in
-// float.
+// Rapier 0.21 [manual: rapier.rs/docs]: bodies and joints by velocity constraints, or joints as reduced
+// coordinates, in float.
 
 import RAPIER from '@dimforge/rapier3d-compat';
 

@@ -1,7 +1,7 @@
 // Rapier's bodies, joints and shapes [manual: rapier.rs/docs].
 //
-// A body's axes are here the world's at the start, and its moments have axes of their own: so a joint's axis
-// has the same numbers in both bodies.
+// A body's axes are the world's at the start, and its moments of inertia have separate axes. So a joint's
+// axis has the same components in both bodies.
 
 import RAPIER from '@dimforge/rapier3d-compat';
 
@@ -13,7 +13,7 @@ const { JointAxesMask, JointData } = RAPIER;
 export const xyz = ([x, y, z]) => ({ x, y, z });
 const wxyz = ([w, x, y, z]) => ({ w, x, y, z });
 
-/// Where a joint is in the axes of its two bodies.
+/// The joint's ends in the axes of its two bodies.
 const ends = (world, { a, b, at }, end = at) =>
   [minus(at, start(world, a).position), minus(end, start(world, b).position)].map(xyz);
 
@@ -54,7 +54,7 @@ export class RapierWorld {
     return body;
   }
 
-  /// A rod is a rope, the same while it is taut.
+  /// A rod becomes a rope, which is the same while it is taut.
   joint(world, joint) {
     const { LinX, LinY, LinZ, AngY, AngZ } = JointAxesMask, { kind, at, axis, end } = joint;
     if (kind === 'rod') return JointData.rope(Math.hypot(...minus(end, at)), ...ends(world, joint, end));

@@ -1,5 +1,5 @@
-// An engine as a program of its own: `--about` says what it is; else it reads one request (world_json.hpp)
-// and writes one reply. What an engine does to its process, by an abort or a loop without end, stays here.
+// An engine as a separate program. `--about` prints its description; otherwise it reads one request
+// (world_json.hpp) and writes one reply. An abort or an endless loop of the engine ends only this process.
 
 #include <unistd.h>
 
@@ -22,7 +22,7 @@ namespace {
 
 using nlohmann::json;
 
-/// What is not of an engine: the world's springs, and the forces of its axes.
+/// Forces that the engine does not compute: the world's springs, and the forces of its moving axes.
 class Pushes {
  public:
   explicit Pushes(const World& world) : world_(world) {
@@ -72,7 +72,7 @@ bool is_finite(const State& s) {
   return all(s.position) && all(s.orientation) && all(s.velocity) && all(s.spin);
 }
 
-/// One run of a request, seen at its frames.
+/// One run of a request, with its states at the frames.
 class Run {
  public:
   explicit Run(const Request& request)
@@ -83,7 +83,7 @@ class Run {
     see();
   }
 
-  /// As far as the states are numbers.
+  /// Continues as long as the states are finite.
   void to_frame(int frame) {
     for (; frame_ < frame && finite_; ++frame_) {
       const auto start = std::chrono::steady_clock::now();
@@ -182,7 +182,7 @@ json about() {
 int main(int count, char** words) {
   using namespace oddity::engines;
   std::FILE* const out = fdopen(dup(STDOUT_FILENO), "w");
-  if (!std::freopen("/dev/null", "w", stdout)) return 1;  // engines print there what they like
+  if (!std::freopen("/dev/null", "w", stdout)) return 1;  // engines may print anything there
   const bool asked_about = count == 2 && std::strcmp(words[1], "--about") == 0;
   const json answer = asked_about ? about() : json(reply(json::parse(std::cin).get<Request>()));
   std::fputs((answer.dump() + "\n").c_str(), out);

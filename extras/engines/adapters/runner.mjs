@@ -1,10 +1,9 @@
 // runner.cpp for the engines that run in WebAssembly:
-//   node runner.mjs rapier --about     what it is
+//   node runner.mjs rapier --about     its description
 //   node runner.mjs rapier             reads one request (world_json.hpp), writes one reply
-// An adapter, NAME.mjs, exports `about`, with `plane` and `ropes` where they are so, and
-// `make(world, variant, step)`, which gives a simulation as simulation.hpp has it, or throws NotExpressible.
-// Of hasSprings, save and restore it has what the engine has; and it has free(), as nothing else destroys
-// what is behind WebAssembly.
+// An adapter, NAME.mjs, exports `about`, with `plane` and `ropes` where they are true, and `make(world,
+// variant, step)`. `make` returns a simulation as in simulation.hpp, or throws NotExpressible. hasSprings,
+// save and restore are optional. free() is required, as nothing else destroys the WebAssembly objects.
 
 import { readFileSync } from 'node:fs';
 import { performance } from 'node:perf_hooks';
@@ -23,7 +22,7 @@ const whereNow = (simulation, { body, inBody }) => {
   return plus(position, turned(orientation, inBody));
 };
 
-/// What is not of an engine: the world's springs, and the forces of its axes.
+/// Forces that the engine does not compute: the world's springs, and the forces of its moving axes.
 class Pushes {
   constructor(world) {
     this.world = world;
@@ -57,7 +56,7 @@ class Pushes {
 
 const numbers = (frame) => frame.flatMap((s) => [...s.position, ...s.orientation, ...s.velocity, ...s.spin]);
 
-/// One run of a request, seen at its frames.
+/// One run of a request, with its states at the frames.
 class Run {
   constructor(make, request) {
     this.request = request;
@@ -70,7 +69,7 @@ class Run {
     this.see();
   }
 
-  /// As far as the states are numbers.
+  /// Continues as long as the states are finite.
   toFrame(frame) {
     const steps = this.request.steps_per_frame;
     for (; this.frame < frame && this.finite; ++this.frame) {
@@ -138,7 +137,7 @@ function reply(about, make, request) {
 }
 
 const write = console.log;
-console.log = console.error;  // what an engine says is no reply
+console.log = console.error;  // an engine's output is no reply
 const [name, aboutIt] = process.argv.slice(2);
 if (!engines.includes(name))
   throw new Error(`runner.mjs: no engine "${name}"; there are ${engines.join(', ')}`);

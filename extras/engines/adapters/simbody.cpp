@@ -59,7 +59,7 @@ class InSimbody final : public Simulation {
   void use_euler(const std::string& variant) {
     euler_ = std::make_unique<SimTK::SemiExplicitEulerTimeStepper>(world_.system());
     if (variant.ends_with("1e-9")) euler_->setConstraintTolerance(1e-9);
-    std::cout.setstate(std::ios::failbit);  // built without NDEBUG it writes a trace of each step
+    std::cout.setstate(std::ios::failbit);  // a library built without NDEBUG writes a trace of each step
   }
   void use_integrator(const std::string& variant, double step) {
     if (variant.starts_with("Verlet"))

@@ -19,7 +19,7 @@ Transform place(const World& world, int body) {
 }
 Vec3 in(const World& world, int body, const Vector& at) { return ~place(world, body) * vec(at); }
 
-/// Its frame in the world at the start, where both bodies' are one.
+/// The joint's frame in the world at the start, where the frames of both bodies coincide.
 Transform frame(const Joint& j) {
   const bool has_axis = j.kind == Joint::hinge || j.kind == Joint::cylinder;
   return {has_axis ? SimTK::Rotation(SimTK::UnitVec3(vec(j.axis)), SimTK::ZAxis) : SimTK::Rotation(),
@@ -91,7 +91,7 @@ void SimbodyWorld::lay(MobilizedBody& b, const Shape& shape, const World& world)
         }
 }
 
-/// The joints' velocities are those that the bodies' momenta give.
+/// Sets the joints' velocities from the bodies' momenta.
 SimTK::State SimbodyWorld::start(const World& world) const {
   SimTK::State s = system_.getDefaultState();
   system_.realize(s, SimTK::Stage::Position);

@@ -1,15 +1,14 @@
 #pragma once
 
-// Simbody's headers are C++17: in C++20 its indices have several == that fit equally well, unless this one is
-// there.
+// Simbody's headers are C++17: in C++20 several == fit its indices equally well, unless this one exists.
 namespace SimTK {
 template <class Index>
 requires requires(const Index& i) { i.isValidExtended(); }
 bool operator==(const Index& a, const Index& b) { return int(a) == int(b); }
 }  // namespace SimTK
 
-#undef NDEBUG  // Debian's library is built without it, and some of its objects are larger then
-#pragma GCC diagnostic ignored "-Warray-bounds"  // gcc 12 takes its matrices' rows for matrices
+#undef NDEBUG  // Debian's library is built without it, which makes some of its objects larger
+#pragma GCC diagnostic ignored "-Warray-bounds"  // gcc 12 takes rows of its matrices for matrices
 #include <Simbody.h>
 
 #include "extras/engines/adapters/simulation.hpp"
@@ -20,7 +19,7 @@ namespace oddity::engines {
 inline SimTK::Vec3 vec(const Vector& a) { return {a[0], a[1], a[2]}; }
 inline Vector vector(const SimTK::Vec3& a) { return {a[0], a[1], a[2]}; }
 
-/// A world in Simbody's terms: its topology is realized.
+/// A world in Simbody's terms, with its topology realized.
 class SimbodyWorld {
  public:
   explicit SimbodyWorld(const World&);
@@ -31,7 +30,7 @@ class SimbodyWorld {
   const SimTK::MobilizedBody& operator[](int body) const {
     return body == ground ? matter_.getGround() : bodies_[static_cast<std::size_t>(body)];
   }
-  /// The world's start, for an integrator.
+  /// Initial state for an integrator.
   SimTK::State start(const World&) const;
 
  private:

@@ -8,18 +8,19 @@
 
 #include "solvers/world.hpp"
 
-/// What an adapter gives of its engine. runner.cpp makes a program of it, which oddity runs as a child.
+/// Interface of an adapter to its engine. runner.cpp makes a program of it, which oddity runs as a child
+/// process.
 namespace oddity::engines {
 
 inline const Body& body_of(const World& world, int body) {
   return world.bodies[static_cast<std::size_t>(body)];
 }
-/// Where a body starts; the ground at the origin.
+/// Initial state of a body; the ground is at the origin.
 inline State start(const World& world, int body) {
   return body == ground ? State{} : body_of(world, body).start;
 }
 
-/// What an engine has for each of the bodies, and for the ground.
+/// An engine's handles of the bodies and of the ground.
 template <class T>
 class Handles {
  public:
@@ -33,28 +34,28 @@ class Handles {
   std::vector<T> bodies_;
 };
 
-/// A world in an engine's hands.
+/// A world simulated by an engine.
 class Simulation {
  public:
   Simulation() = default;
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
   virtual ~Simulation() = default;
-  /// m/s^2, from now on.
+  /// Sets gravity [m/s^2] from now on.
   virtual void set_gravity(const Vector&) = 0;
-  /// A force [N] on a point of the world that belongs to the body, during the next step alone.
+  /// A force [N] on a point of the world that belongs to the body, during the next step only.
   virtual void push(int body, const Vector& force, const Vector& at) = 0;
   virtual void step(double seconds) = 0;
   virtual State state(int body) const = 0;
-  /// The engine has the world's springs itself: nobody pushes for them.
+  /// Whether the engine simulates the world's springs itself. Otherwise the runner pushes for them.
   virtual bool has_springs() const { return false; }
-  /// Keeps what is needed to go on from here; false where the engine offers nothing for it.
+  /// Saves the state to continue from later; false if the engine has no snapshots.
   virtual bool save() { return false; }
-  /// Back to what was saved.
+  /// Restores the saved state.
   virtual void restore() {}
 };
 
-/// Throws NotExpressible. The variant is one of those that variants.json has of the engine.
+/// Throws NotExpressible. The variant is one of the engine's in variants.json.
 template <class In>
 std::unique_ptr<Simulation> make(const World& world, const std::string& variant, double step) {
   if constexpr (std::is_constructible_v<In, const World&, const std::string&, double>)
@@ -65,19 +66,19 @@ std::unique_ptr<Simulation> make(const World& world, const std::string& variant,
 
 struct Engine {
   std::string name;       ///< "Bullet"
-  std::string version;    ///< as the library says it
+  std::string version;    ///< as reported by the library
   std::string precision;  ///< "float", "double"
-  bool plane = false;     ///< it knows x and y alone
+  bool plane = false;     ///< it has only x and y
   std::unique_ptr<Simulation> (*make)(const World&, const std::string& variant, double step) = nullptr;
-  bool ropes = false;  ///< it has slides and ropes; else it is not asked for them
+  bool ropes = false;  ///< it has slides and ropes; otherwise it gets no such world
 };
 
-/// The engine lacks what the world asks for: "no joint that keeps a distance".
+/// The engine lacks a feature that the world needs: "no joint that keeps a distance".
 struct NotExpressible : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Each adapter defines it.
+/// Defined by each adapter.
 Engine engine();
 
 }  // namespace oddity::engines

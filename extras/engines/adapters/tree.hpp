@@ -8,7 +8,8 @@
 #include "extras/engines/adapters/simulation.hpp"
 #include "solvers/turns.hpp"
 
-/// A world for engines of reduced coordinates: every body hangs on the ground or on another by one joint.
+/// A world for engines with reduced coordinates: every body hangs on the ground or on another body by one
+/// joint.
 namespace oddity::engines {
 
 struct Limb {
@@ -17,7 +18,7 @@ struct Limb {
   std::optional<Joint> joint = {};  ///< a is the parent, b the body; none: the body is free
 };
 
-/// Depth first, parents before what hangs on them.
+/// Depth first, parents before their children.
 inline std::vector<Limb> tree(const World& world) {
   std::vector<Limb> limbs;
   std::vector<bool> used(world.joints.size());
@@ -41,8 +42,9 @@ inline std::vector<Limb> tree(const World& world) {
   return limbs;
 }
 
-/// Two axes across a rod and each other: about the first, which is z for a rod in the plane, and then about
-/// the second it turns to every direction; the two angles are singular where it lies along the first.
+/// Two axes across a rod and each other. Turning about the first, which is z for a rod in the plane, and then
+/// about the second reaches every direction. The two angles are singular where the rod is along the first
+/// axis.
 struct Universal {
   Vector along, first, second;
   explicit Universal(const Joint& rod) {

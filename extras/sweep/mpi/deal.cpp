@@ -1,5 +1,5 @@
-// Pieces of work dealt out by MPI. The first rank's main thread answers those who ask, and looks for them
-// every millisecond, while another thread of it works; that one calls MPI only to abort.
+// Deals out pieces of work by MPI. The first rank's main thread answers requests, which it polls every
+// millisecond, while another thread of it works; that one calls MPI only to abort.
 
 #include "extras/sweep/mpi/deal.h"
 

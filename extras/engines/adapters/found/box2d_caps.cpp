@@ -1,7 +1,7 @@
-// Box2D 2.4: what is fast is slowed for good.
+// Box2D 2.4: fast bodies are slowed for good.
 //
-// No body moves by more than 2 m or turns by more than a quarter in a step: what is faster is slowed for
-// good. And b2_version is 2.4.0 in 2.4.1.
+// No body moves by more than 2 m or turns by more than a quarter in a step: a faster one is slowed for good.
+// Also, b2_version is 2.4.0 in 2.4.1.
 //   g++ box2d_caps.cpp -lbox2d
 
 #include <box2d/box2d.h>

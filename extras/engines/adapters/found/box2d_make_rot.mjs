@@ -1,6 +1,6 @@
 // Box2D 3: b2MakeRot has an inexact sine.
 //
-// b2MakeRot has a sine and a cosine of its own: a body that is put at an angle stands at another.
+// b2MakeRot approximates sine and cosine, so a body that is put at an angle gets another.
 //   node found/box2d_make_rot.mjs
 
 import initBox2d from 'box2d3-wasm';

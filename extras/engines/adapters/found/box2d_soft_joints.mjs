@@ -1,7 +1,7 @@
 // Box2D 3: joints are springs, however short the step.
 //
-// A joint is a spring, of 60 Hz with the masses that it joins, whatever the step. A rod of 1 m has 1 kg at
-// its end, and 100 kg hang from that: it is 7 mm longer than it should be.
+// A joint is a spring of 60 Hz with the masses that it joins, whatever the step. Here a rod of 1 m carries 1
+// kg at its end, from which 100 kg hang: it is 7 mm too long.
 //   node found/box2d_soft_joints.mjs
 
 import { make } from '../box2d.mjs';

@@ -1,8 +1,8 @@
 // Bullet: balls bounce too little, or too fast.
 //
-// A ball that should leave the floor at 0.8 of its speed does not leave it where steps are fine: a contact
-// within 2 cm acts before it touches, and its bounce is less by distance / step. Where steps are coarse it
-// is found deep in, and leaves too fast.
+// A ball should leave the floor at 0.8 of its speed. With fine steps it does not leave it: a contact acts
+// from 2 cm away, and the bounce is less by distance / step. With coarse steps the ball is found deep inside
+// the floor, and leaves too fast.
 //   g++ bullet_bounce.cpp $(pkg-config --cflags --libs bullet)
 
 #include <btBulletDynamicsCommon.h>

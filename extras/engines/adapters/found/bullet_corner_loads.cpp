@@ -1,9 +1,9 @@
 // Bullet: a box's corners share its load unevenly.
 //
-// Statics leaves open how four corners share it: a part may move from one diagonal to the other. Bullet's
-// solver moves one, which changes in each step, however many its iterations are and however short the step.
-// With that part, as its contacts have it, Coulomb's friction at four corners turns a sliding, spinning box
-// as Bullet does; with an even share it turns it further.
+// Statics leaves open how four corners share a box's load: a part may move from one diagonal to the other.
+// Bullet's solver moves a part that changes in each step, for any number of iterations and any step. With the
+// parts read from its contacts, Coulomb's friction at four corners turns a sliding, spinning box as Bullet
+// does; with an even share the box turns further.
 //   g++ -O2 -DBT_USE_DOUBLE_PRECISION bullet_corner_loads.cpp $(pkg-config --cflags --libs bullet-float64)
 
 #include <btBulletDynamicsCommon.h>
@@ -14,7 +14,7 @@
 
 constexpr double a = 0.3, b = 0.2, h = 0.02, mu = 0.3, g = 9.81, dt = 1.0 / 1920;
 
-// The angle that Coulomb's friction turns the box by, where these parts of the load change diagonals.
+// Angle by which Coulomb's friction turns the box, with these parts of the load moved between the diagonals.
 double coulomb(const std::vector<double>& parts) {
   double theta = 0, u = 2, v = 0.5, spin = 10, N[4] = {g / 4, g / 4, g / 4, g / 4};
   constexpr int fine = 100;

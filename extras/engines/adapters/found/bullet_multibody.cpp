@@ -1,7 +1,7 @@
 // Bullet: multibodies are damped and capped unasked.
 //
-// A btMultiBody thrown at 50 m/s through nothing is damped, by 0.04/s and by 0.04 of its speed; and one
-// thrown at 200 m/s flies at 100 (setMaxCoordinateVelocity).
+// A btMultiBody thrown at 50 m/s without gravity or contact is damped, by 0.04/s and by 0.04 of its speed.
+// One thrown at 200 m/s flies at 100 (setMaxCoordinateVelocity).
 //   g++ bullet_multibody.cpp $(pkg-config --cflags --libs bullet)
 
 #include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>

@@ -1,6 +1,6 @@
 // Bullet: friction bends a multibody's straight slide.
 //
-// A box that slides without spin goes straight on, by Coulomb's law, for speed^2 / (2 friction g). As a
+// By Coulomb's law a box that slides without spin goes straight on, for speed^2 / (2 friction g). As a
 // btMultiBody it leaves its line, by 7 degrees at 45, and goes too far, however short the step.
 //   g++ -DBT_USE_DOUBLE_PRECISION bullet_multibody_friction.cpp $(pkg-config --cflags --libs bullet-float64)
 

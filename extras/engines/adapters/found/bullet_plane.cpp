@@ -1,7 +1,7 @@
 // Bullet: boxes sink into planes and rattle.
 //
-// A box that slides on btStaticPlaneShape at 60 Hz sinks in by 2 cm and rattles; on a large box it sinks
-// by 4 mm. A plane is touched at one point more in each step, another box at four at once.
+// A box that slides on btStaticPlaneShape at 60 Hz sinks in by 2 cm and rattles; on a large box it sinks in
+// by 4 mm. A plane gets one more contact point per step, another box gets four at once.
 //   g++ bullet_plane.cpp $(pkg-config --cflags --libs bullet)
 
 #include <btBulletDynamicsCommon.h>

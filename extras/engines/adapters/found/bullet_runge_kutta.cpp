@@ -1,7 +1,7 @@
 // Bullet: Runge-Kutta 4 is of order 1 on free bodies.
 //
-// useRK4Integration is of order 4 on hinges, 2 on a ball joint, 1 on a free body: the mean of four spins
-// is turned by at once. Here a free body of moments 1, 2, 3.
+// useRK4Integration has order 4 on hinges, 2 on a ball joint and 1 on a free body: it turns a body once, by
+// the mean of four spins. Here a free body of moments 1, 2, 3.
 //   g++ bullet_runge_kutta.cpp -DBT_USE_DOUBLE_PRECISION $(pkg-config --cflags --libs bullet-float64)
 
 #include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>

@@ -1,7 +1,7 @@
 // Bullet: a small pendulum falls asleep on its way.
 //
-// A pendulum let go at 0.1 rad swings for two seconds, and then hangs still where it is: all that is
-// slower than 0.8 m/s and 1 rad/s for so long is put to sleep, forces or not.
+// A pendulum let go at 0.1 rad swings for two seconds, and then stops where it is. Bodies slower than 0.8 m/s
+// and 1 rad/s for that long are put to sleep, forces or not.
 //   g++ bullet_sleep.cpp $(pkg-config --cflags --libs bullet)
 
 #include <btBulletDynamicsCommon.h>

@@ -1,8 +1,9 @@
 // Chipmunk 7: a bead leaves its groove.
 //
-// A bead in a groove, which a gear joint keeps from turning, is lost where the joint's point is 1 m from
-// the bead; with all of a joint's error put right in one step, at every step size. At the bead's center
-// the same joint holds. And Debian's library says on standard output that it is a debug build.
+// A gear joint keeps a bead in a groove from turning. The bead is lost if the groove joint's point is 1 m
+// from it, at every step size, even if all of a joint's error is corrected in one step. With the point at the
+// bead's center the same joint holds. Also, Debian's library writes to standard output that it is a debug
+// build.
 //   g++ chipmunk_groove.cpp -lchipmunk
 
 #include <chipmunk/chipmunk.h>

@@ -1,7 +1,7 @@
 // DART 6.12: balls are polyhedra.
 //
-// By default balls collide as polyhedra (FCL between meshes): one that should roll on at 5/7 of its speed
-// sinks in by millimetres, leaves its line and all but stops. DARTCollisionDetector has it round.
+// By default balls collide as polyhedra (FCL between meshes). One that should roll on at 5/7 of its speed
+// sinks in by millimetres, leaves its line and almost stops. With DARTCollisionDetector it is round.
 //   g++ -std=c++17 -O2 -I/usr/include/eigen3 dart_balls_are_polyhedra.cpp -ldart && ./a.out
 
 #include <cstdio>
@@ -33,7 +33,7 @@ int main() {
     world->addSkeleton(ball);
     world->addSkeleton(body(std::make_shared<BoxShape>(Eigen::Vector3d(9, 9, 1)), -0.5, false));
     ball->setVelocity(3, 1);
-    for (int i = 0; i < 2000; ++i) world->step();  // of 1 ms
+    for (int i = 0; i < 2000; ++i) world->step();  // 1 ms each
     const Eigen::Vector3d v = ball->getRootBodyNode()->getLinearVelocity();
     std::printf("%-15s: after 2 s its velocity is (%.3f, %.3f, %.3f) m/s, by Coulomb (0.714, 0, 0)\n",
                 native ? "DART's detector" : "defaults", v[0], v[1], v[2]);

@@ -1,7 +1,7 @@
 // DART 6.12: friction depends on the direction.
 //
-// Friction's two directions are limited each by itself: a box that slides along their diagonal stops after
-// 71 % of the way of one that slides along an axis.
+// Friction is limited in each of two directions separately: a box that slides along their diagonal stops
+// after 71 % of the distance of one that slides along an axis.
 //   g++ -std=c++17 -O2 -I/usr/include/eigen3 dart_friction_has_directions.cpp -ldart && ./a.out
 
 #include <cstdio>

@@ -1,8 +1,7 @@
 // Jolt 1.1: damping, a cap on spins, no gyroscopic forces.
 //
-// A body of moments 1, 2, 3 kg m^2 that spins freely about the middle one keeps its axis, as gyroscopic
-// forces are left out; it loses 5 % of its spin and of its speed each second; and it spins at 47 rad/s at
-// most.
+// A body of moments 1, 2, 3 kg m^2 that spins freely about the middle axis keeps it, as gyroscopic forces are
+// left out. It loses 5 % of its spin and of its speed each second, and spins at 47 rad/s at most.
 //   node found/jolt_defaults.mjs
 
 import { make } from '../jolt.mjs';

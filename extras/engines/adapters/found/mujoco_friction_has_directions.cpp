@@ -1,7 +1,7 @@
 // MuJoCo 2.2: friction depends on the direction.
 //
-// By default friction is a pyramid: a box that slides along the diagonal of its contact's axes goes 41 %
-// farther than one along an axis. cone="elliptic" cures it.
+// By default the friction cone is a pyramid: a box that slides along the diagonal of its contact's axes goes
+// 41 % farther than one along an axis. cone="elliptic" fixes it.
 //   g++ -std=c++20 mujoco_friction_has_directions.cpp -lmujoco && ./a.out
 
 #include <mujoco/mujoco.h>

@@ -1,8 +1,9 @@
 // MuJoCo 2.2: a box that slides and spins rests on changing corners.
 //
-// A box that slides hops (mujoco_sliding_hops.mjs), and touches with fewer than its four corners most of the
-// time, however short the step. A straight slide and a spin alone still come out as Coulomb has them, since
-// there only the sum of the corners' loads matters. Both together do not: which corner bears when is chance.
+// A sliding box hops (mujoco_sliding_hops.mjs), and most of the time touches with fewer than its four
+// corners, however short the step. A straight slide or a spin alone still follows Coulomb's law, since only
+// the sum of the corners' loads matters there. A slide with spin does not: it is chance which corner carries
+// the load.
 //   g++ -std=c++20 mujoco_hops_share_the_load.cpp -lmujoco && ./a.out
 
 #include <mujoco/mujoco.h>

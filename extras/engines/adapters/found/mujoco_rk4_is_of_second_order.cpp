@@ -1,7 +1,7 @@
 // MuJoCo 2.2: RK4 is of second order in space.
 //
-// "RK4" is of second order where bodies turn in space (free and ball joints); 4th with hinges. It averages
-// the stages' spins and turns the body once by them, as if turns commuted.
+// "RK4" has order 2 where bodies turn in space (free and ball joints), and order 4 with hinges. It averages
+// the stages' spins and turns the body once by the mean, as if rotations commuted.
 //   g++ -std=c++20 mujoco_rk4_is_of_second_order.cpp -lmujoco && ./a.out
 
 #include <mujoco/mujoco.h>

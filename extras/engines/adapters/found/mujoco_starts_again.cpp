@@ -1,7 +1,7 @@
 // MuJoCo 2.2: a motion that diverges starts again.
 //
-// Where a motion diverges, mj_step sets the world back to its start and goes on from there, with the time
-// at zero; what tells is a line in MUJOCO_LOG.TXT and d->warning. Here a spring is too stiff for a step.
+// Where a motion diverges, mj_step resets the world to its start and goes on from there at time zero. The
+// only signs are a line in MUJOCO_LOG.TXT and d->warning. Here a spring is too stiff for the step.
 //   g++ -std=c++20 mujoco_starts_again.cpp -lmujoco && ./a.out
 
 #include <mujoco/mujoco.h>

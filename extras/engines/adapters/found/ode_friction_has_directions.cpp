@@ -1,8 +1,8 @@
 // ODE 0.16: friction depends on the direction.
 //
-// Friction's two directions are limited each by itself, also where it is in proportion to the pressure
-// (dContactApprox1): a box that slides along their diagonal stops after 71 % of the way of one that slides
-// along an axis.
+// Friction is limited in each of two directions separately, also where it is proportional to the pressure
+// (dContactApprox1): a box that slides along their diagonal stops after 71 % of the distance of one that
+// slides along an axis.
 //   g++ ode_friction_has_directions.cpp -lode && ./a.out
 
 #include <ode/ode.h>

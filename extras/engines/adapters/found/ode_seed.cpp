@@ -1,8 +1,7 @@
 // ODE: quick steps do not repeat themselves.
 //
-// dWorldQuickStep gives other bits for the same world a second time: it goes through the joints in an
-// order drawn from one random generator for all worlds, which a new world does not start anew
-// (dRandSetSeed does).
+// dWorldQuickStep gives other bits when the same world runs again. It visits the joints in an order drawn
+// from one random generator for all worlds, which a new world does not reset (dRandSetSeed does).
 //   g++ ode_seed.cpp -lode
 
 #include <ode/ode.h>

@@ -1,6 +1,6 @@
 // ODE: fast bodies turn by less than they spin.
 //
-// A body of constant spin turns by 2 atan(spin h / 2) in a step, 7 % less at 60 rad/s and 60 Hz;
+// A body of constant spin turns by 2 atan(spin h / 2) in a step, 7 % too little at 60 rad/s and 60 Hz.
 // dBodySetFiniteRotationMode turns it by spin h.
 //   g++ ode_turn.cpp -lode
 

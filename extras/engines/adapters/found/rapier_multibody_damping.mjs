@@ -1,7 +1,7 @@
 // Rapier 0.21: joints as coordinates are damped unasked.
 //
-// A joint of its reduced coordinates damps by 0.1 N m s, which nobody asked for and JavaScript cannot
-// switch off. The same pendulum by both kinds of joints: its amplitude after each swing to and fro.
+// A joint in reduced coordinates damps by 0.1 N m s, which JavaScript cannot switch off. Prints the amplitude
+// of the same pendulum with both kinds of joints, after each swing to and fro.
 //   node found/rapier_multibody_damping.mjs
 
 import RAPIER from '@dimforge/rapier3d-compat';

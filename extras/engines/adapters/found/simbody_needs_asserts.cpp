@@ -1,7 +1,7 @@
 // Simbody 3.7: Debian's crashes programs that define NDEBUG.
 //
-// A program that defines NDEBUG, as release builds do, crashes where it sets a speed. The library was
-// built without it; headers and library then differ in a class by 56 bytes.
+// A program that defines NDEBUG, as release builds do, crashes when it sets a speed. The library was built
+// without it, and a class in headers and library then differs by 56 bytes.
 //   g++ -std=c++17 -O2 -w -I/usr/include/simbody simbody_needs_asserts.cpp -lSimTKsimbody -lSimTKmath
 //   -lSimTKcommon
 // prints 168 from ./a.out; with -DNDEBUG it is a segmentation fault.

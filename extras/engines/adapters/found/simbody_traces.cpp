@@ -1,7 +1,7 @@
 // Simbody 3.7: Debian's traces every step.
 //
-// Its time stepper for rigid contacts writes a trace of every step to the standard output: the library was
-// built without NDEBUG.
+// Its time stepper for rigid contacts writes a trace of every step to standard output: the library was built
+// without NDEBUG.
 //   g++ -std=c++17 -O2 -w -I/usr/include/simbody simbody_traces.cpp -lSimTKsimbody -lSimTKmath
 //   -lSimTKcommon
 

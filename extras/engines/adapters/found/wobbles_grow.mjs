@@ -1,8 +1,9 @@
 // Jolt 1.1, Rapier 0.21: the wobble of a stable spin grows.
 //
-// A body of moments 1, 1, 2 kg m^2 spins at S about the third, with 1 rad/s across it, and nothing touches it: both
-// stay as they are. Gyroscopic forces by explicit Euler multiply the part across by exp(S^2 h t/2) with steps of h
-// (Rapier's are a quarter of those asked for), until the spin has left the axis; the angular momentum is kept.
+// A body of moments 1, 1, 2 kg m^2 spins at S about the third axis, with 1 rad/s across it, without contact:
+// both should stay constant. With steps of h (Rapier's are a quarter of the given ones), gyroscopic forces by
+// explicit Euler multiply the part across by exp(S^2 h t/2), until the spin has left the axis. The angular
+// momentum is kept.
 //   node found/wobbles_grow.mjs
 
 import { make as makeJolt } from '../jolt.mjs';
@@ -14,7 +15,7 @@ const world = (spin) => ({
   bodies: [{ mass: 1, inertia: [1, 1, 2], shape: { kind: 'none' },
     start: { position: zero, orientation: [1, 0, 0, 0], velocity: zero, spin: [1, 0, spin] } }],
 });
-/// Along the body's third axis, and across it.
+/// Spin along the body's third axis, and across it.
 const parts = ({ orientation: [w, x, y, z], spin }) => {
   const third = [2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)];
   const along = spin.reduce((sum, s, i) => sum + s * third[i], 0);
