@@ -119,10 +119,10 @@ TEST_CASE("the first page has the recorded counts", "[texts]") {
   const auto verdicts = oddity::read_verdicts(tree / "reference/approved");
   for (const auto& [claim, verdict] : verdicts) ++count[verdict];
   std::ostringstream counts;
-  counts << "Of the manual's " << verdicts.size() << " claims, **" << count["confirmed"] << " are confirmed, "
-         << count["wrong"] << " wrong, " << count["incomplete"] << " incomplete and " << count["misprint"]
-         << " misprints**. Our plain-text copy has lost parts of another " << count["lost in our copy"]
-         << ", which is no fault of the book. " << count["not checkable"]
+  counts << "The manual makes " << verdicts.size() << " claims: **" << count["confirmed"]
+         << " are confirmed, " << count["wrong"] << " wrong, " << count["incomplete"] << " incomplete and "
+         << count["misprint"] << " misprints**. Our plain-text copy has lost parts of another "
+         << count["lost in our copy"] << ", which is no fault of the book. " << count["not checkable"]
          << " cannot be checked from the text. ";
   INFO(counts.str());
   CHECK(page.find(counts.str()) != std::string::npos);
