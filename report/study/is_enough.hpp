@@ -24,10 +24,8 @@ struct Judgement {
   bool faulted = false;          ///< the scene's own page shows the model to be wrong
   int failing = 0;               ///< number of failing starts
   double growth = not_a_number;  ///< of the error on the requested start, from half the time to the end
-  double drift =
-      not_a_number;  ///< on that start, of the model's conserved quantity, relative to its moving part
-  double energy =
-      not_a_number;  ///< on that start, error of the observables' energy, relative to its moving part
+  double drift = not_a_number;   ///< there, of the conserved quantity, relative to its moving part
+  double energy = not_a_number;  ///< there, error of the observed energy, relative to its moving part
   std::optional<double> stable_to = {};  ///< the longest stable step; 0: none; infinity: every one
 };
 

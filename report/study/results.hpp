@@ -50,8 +50,7 @@ struct TimedTrial {
   std::string message;
   Time time = {};
   Precision precision = Precision::in_double;
-  double roundings =
-      0;  ///< in float: bound on the error that roundings add to that of the same trial in double
+  double roundings = 0;     ///< in float: bound on the error added to that of the trial in double
   bool comes_back = false;  ///< the drift oscillates
 };
 

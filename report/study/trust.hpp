@@ -20,10 +20,9 @@ struct Bounds {
 
 /// Errata checked by PARI/GP.
 struct Witnessed {
-  std::set<std::string>
-      at_its_letters;  ///< claims: both sides agree to ten digits, or the right one if there is only one
-  std::set<std::string> at_others;  ///< claims, at other letters
-  std::set<std::string> words;      ///< claims without anything to compute
+  std::set<std::string> at_its_letters;  ///< claims: both sides to ten digits, or the right one
+  std::set<std::string> at_others;       ///< claims, at other letters
+  std::set<std::string> words;           ///< claims without anything to compute
 };
 
 /// A test campaign at a date and a commit.
