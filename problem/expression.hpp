@@ -113,7 +113,7 @@ template <class T>
 requires requires(const T& x) { x > T(0.0); }
 T choose_by(const T& condition, const T& yes, const T& no) { return condition > T(0.0) ? yes : no; }
 
-/// The operations of a graph that these outputs need, in order. Its registers are the constants, the inputs
+/// A graph's operations that these outputs need, in their order. Its registers are the constants, the inputs
 /// and then the results.
 class Program {
  public:
