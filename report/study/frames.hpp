@@ -26,7 +26,7 @@ std::shared_ptr<const FrameTimes> frame_times(const FramesAsked&, double frames_
 /// A length of time: "16.7 ms", in other units than seconds "0.0167 yr".
 std::string shown_length(double time, const std::string& unit);
 
-/// The first of the need's frames.
+/// The first `count` of the need's frames.
 Horizon first_frames(const Need&, int count);
 /// All of them.
 Horizon horizon_of(const Need&);

@@ -49,7 +49,7 @@ std::optional<Start> where_known(const std::function<Start()>& make) {
     throw;
   } catch (const std::bad_alloc&) {
     throw;
-  } catch (const std::exception&) {  // no reference there
+  } catch (const std::exception&) {  // no reference
     return {};
   }
 }
