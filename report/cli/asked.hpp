@@ -51,7 +51,7 @@ struct AskedNeed {
   bool as_engines = false;  ///< without a given error, use 1 cm and 1 degree as in a game
   bool enclosed = false;    ///< the reference's error is proved
   bool thorough = false;    ///< every method at every setting
-  bool explain = false;     ///< list what was tried, and the time spent
+  bool explain = false;     ///< list the trials, and the time spent
 };
 /// The first given option for an error or a criterion; empty: none.
 std::string accuracy_option(const AskedNeed&);

@@ -16,7 +16,7 @@ namespace {
 using html::element;
 using List = nlohmann::ordered_json;
 
-/// Version of errata.json. Version 2 separates wrong and incomplete claims, and what our copy has lost;
+/// Version of errata.json. Version 2 separates wrong and incomplete claims, and losses in our copy;
 /// version 1 called them errata and misprints.
 constexpr int errata_version = 2;
 

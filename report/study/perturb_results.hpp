@@ -10,7 +10,7 @@ namespace oddity {
 /// Self-test of the comparisons in a claim's checks. Replaces the left *result* of each passing check by a
 /// wrong one: the sign flipped or, for a value near zero, the size of its terms added; twice as large; ten
 /// tolerances away. The check must then fail, so its tolerance is narrower than the value and than its scale.
-/// No formula runs again: only the claim's near misses test what the check is sensitive to. Returns the
+/// No formula runs again: only the claim's near misses test the check's sensitivity. Returns the
 /// perturbations that went unnoticed, as "claim, quantity: what was done".
 std::vector<std::string> unnoticed_perturbations(const JudgedClaim&);
 
