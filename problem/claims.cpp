@@ -24,7 +24,7 @@ using Stated = oddity::Formula<struct Drawn>;
 
 // ---- letters ---------------------------------------------------------------------------------------------
 
-/// A name as a page has it: theta as \theta, m1 as m_1, mass as \mathrm{mass}.
+/// A name in TeX: theta as \theta, m1 as m_1, mass as \mathrm{mass}.
 std::string as_typeset(const std::string& name) {
   const std::size_t end = std::min(name.find_first_of("_0123456789"), name.size());
   std::string stem = formula::tex_name(name.substr(0, end)), index = name.substr(end);
@@ -38,15 +38,15 @@ std::string unit_as_typeset(std::string unit) {
   return R"(\mathrm{)" + unit + "}";
 }
 
-/// What a claim's formulas may have: its letters, one that an integral or a sum runs through, and units.
+/// Symbols of a claim's formulas: its letters, the variable of an integral or a sum, and units.
 struct Alphabet {
   std::vector<LetterText> letters;
-  std::string running = {};  ///< as typeset, unless empty
+  std::string running = {};  ///< as typeset; empty: none
   TypesetLetters units = {};
-  Tolerance besides = {};  ///< how far the truth itself may be off, in base units
+  Tolerance besides = {};  ///< error of the truth itself, in base units
 };
 
-/// A claim's letters at random.
+/// Random values of a claim's letters.
 struct Drawn {
   std::shared_ptr<const Alphabet> of;
   std::vector<double> x;  ///< in base units
@@ -61,7 +61,7 @@ struct Drawn {
     }
     return all;
   }
-  /// Those that can be changed a little.
+  /// The letters that can be changed a little.
   std::vector<double*> letters() {
     std::vector<double*> all;
     for (std::size_t i = 0; i < x.size(); ++i)
@@ -133,7 +133,7 @@ std::string trimmed(std::string text) {
   return text;
 }
 
-/// "9.81 m/s^2" as a number, if it is no more than that.
+/// "9.81 m/s^2" as a number; empty if there is anything else.
 std::optional<Written> number_in(const Quoted& text) {
   try {
     Written number = written(trimmed(text.text));
@@ -154,12 +154,12 @@ std::string opposite(const std::string& relation) {
 
 // ---- a claim ---------------------------------------------------------------------------------------------
 
-/// A reading's text as it is computed.
+/// A reading's text, parsed for evaluation.
 struct Read {
   std::string text;  ///< "$T=2\pi\sqrt{l/g}$"
   std::vector<std::string> sides, relations;
-  Measure measure;  ///< of the one that counts
-  Quoted of;        ///< that one
+  Measure measure;  ///< of the side that counts
+  Quoted of;        ///< the side that counts
   std::string units_amiss = {};
 };
 
@@ -185,7 +185,7 @@ class Reader {
     }
   }
 
-  /// The claim's letters have one value each.
+  /// Each of the claim's letters has only one value.
   bool is_fixed() const {
     return std::ranges::all_of(alphabet_->letters,
                                [](const LetterText& one) { return one.least == one.most; });
@@ -193,7 +193,7 @@ class Reader {
   Alphabet& alphabet() { return *alphabet_; }
   std::shared_ptr<const Alphabet> letters() const { return alphabet_; }
 
-  /// A letter that only an integral or a sum has.
+  /// Adds the variable of an integral or a sum.
   void add_running(const Quoted& name, const Measure& measure) {
     if (std::ranges::find(known_.parameters, name.text) != known_.parameters.end())
       file_.source.fail(name.place, name.text + " is a letter already; let it run through another");
@@ -225,7 +225,7 @@ class Reader {
     return formula::tex(of.tree(name, unit));
   }
 
-  /// A formula, a name with one (T = ...), or a relation.
+  /// Reads a formula, a named formula (T = ...), or a relation.
   Read read(const Quoted& text) {
     const Relation relation = relation_in(text);
     Read all;
@@ -295,7 +295,7 @@ class Reader {
   void require_letter(const Formula& of, const Letter& letter) const {
     if (letter.is == Letter::Is::time) of.fail(letter.span, "no letter t; add it to the claim's letters");
   }
-  /// T, T_1, \ddot x, v': what is no letter, and says only how the formula is called.
+  /// T, T_1, \ddot x, v': not a letter, but only the formula's name.
   bool is_only_name(const std::string& side) const {
     const std::string text = trimmed(side);
     if (std::ranges::find(known_.parameters, text) != known_.parameters.end()) return false;
@@ -330,11 +330,11 @@ class Reader {
 struct Truth {
   Stated formula;
   Measure measure;
-  std::string tex = {};  ///< of a formula: it may not be the one that it judges
+  std::string tex = {};  ///< for a formula, which may differ from the judged one
   bool takes_long = false;
 };
 
-/// The letters' values, with what runs, in long double.
+/// The letters' values and the running variable, in long double.
 class Running {
  public:
   Running(const Alphabet& of, const std::vector<std::string>& formulas) : place_(of.letters.size()) {
@@ -368,7 +368,7 @@ struct Summed {
   long double value = 0, size = 0;
 };
 
-/// By Gauss's rule on ever more parts, until nothing changes.
+/// Gauss's rule on ever more parts, until the result no longer changes.
 template <class F>
 Summed integrated(const F& f, long double from, long double to) {
   Summed before{std::numeric_limits<long double>::quiet_NaN()};
@@ -470,19 +470,19 @@ Truth truth_of(Reader& in, const TruthText& text) {
         "the true value is known to " + trimmed(text.within.text) +
             (text.source.empty() ? "" : ", by " + text.source)};
   }
-  truth.tex.clear();  // a value may be what it is compared with
+  truth.tex.clear();  // a value may come from the claim itself
   return truth;
 }
 
 // ---- what is judged --------------------------------------------------------------------------------------
 
-/// A claim's readings, those that it has.
+/// The readings that a claim has.
 struct Readings {
   std::optional<Read> printed, meant, corrected;
 };
 
-/// The formula or relation as TypesetFormula takes it: a letter on the left would be what the other side is
-/// called.
+/// The formula or relation for TypesetFormula. Swaps its sides if the left one is a single letter, which
+/// would count as the formula's name.
 std::string as_equation(const Read& read) {
   const bool letter = formula::tex_tokens(read.sides[0]).size() == 1;
   return letter ? "$" + read.sides[1] + "=" + read.sides[0] + "$" : read.text;
@@ -546,7 +546,7 @@ class Making {
            : text_.in_view                ? Fault::left_out
                                           : usual;
   }
-  /// The value at a sample, or why there is none.
+  /// Fails with the reason if there is no value at a sample.
   void require_value(const Stated& formula, const std::vector<Drawn>& samples, const Place& place,
                      bool at_all) const {
     try {
@@ -625,7 +625,7 @@ class Making {
     };
   }
 
-  /// Numbers as written, to half a unit of their last decimal, or as far as the truth itself is known.
+  /// Compares written numbers to half a unit of their last decimal, or to the accuracy of the truth.
   std::function<void(Claims&)> number() {
     const Written printed = *number_in(last_side(*text_.printed));
     const Truth truth = truth_of(in_, *text_.truth);

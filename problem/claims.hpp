@@ -8,12 +8,13 @@
 #include "problem/file.hpp"
 #include "reference/verdicts.hpp"
 
-/// The claims of a problem's file, put before the judge of the book's claims (chapters/claims.hpp).
+/// The claims of a problem's file, judged as the book's claims are (chapters/claims.hpp).
 namespace oddity::problem {
 
 class Sheet {
  public:
-  /// Reads all formulas. Throws WrongFile. `exercise` begins the claims' names. The file has to outlive it.
+  /// Reads all formulas. Throws WrongFile. `exercise` is the prefix of the claims' names. The file must
+  /// outlive it.
   Sheet(const File&, std::string exercise);
 
   std::vector<Claim> judged() const;

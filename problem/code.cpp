@@ -13,7 +13,7 @@ namespace oddity::problem {
 
 namespace {
 
-/// A piece of C++, and how strongly its operator binds: 1 a sum, 2 a product, 3 anything whole.
+/// A piece of C++, and the binding strength of its operator: 1 a sum, 2 a product, 3 anything whole.
 struct Piece {
   std::string text;
   int binds = 3;
@@ -21,7 +21,7 @@ struct Piece {
   std::string at_least(int strength) const { return binds < strength ? "(" + text + ")" : text; }
 };
 
-/// Never a whole number's: C++ would divide two of them without a remainder.
+/// A floating-point literal: C++ would divide two whole numbers without a remainder.
 std::string literal(double value) {
   if (!std::isfinite(value)) throw BadInput("one of its numbers is not finite");
   const std::string text = format_shortest(value);
@@ -112,7 +112,7 @@ class Writer {
     keep(at(one.result), piece(one));
     if (one.op == Op::sine_and_cosine) keep(at(one.result) + 1, called("std::cos", one.a));
   }
-  /// With a name of its own where it is used more than once, or would make a line too long to read.
+  /// Names an operation that is used more than once, or that would make a line too long to read.
   void keep(std::size_t result, Piece made) {
     constexpr std::size_t long_line = 90;
     if (uses_[result] > 1 || made.text.size() > long_line) {

@@ -73,14 +73,14 @@ Expression sin(const Expression& x) {
 Expression cos(const Expression& x) {
   return x.is_number() ? Expression(std::cos(x.value_)) : Expression::made(Op::cosine, x);
 }
-/// a where x is the logarithm of a.
+/// a if x is the logarithm of a.
 std::optional<Expression> Expression::antilogarithm() const {
   if (is_number()) return {};
   const Operation& one = graph_->operations()[static_cast<std::size_t>(place_)];
   return one.op == Op::logarithm ? std::optional(Expression(*graph_, one.a)) : std::nullopt;
 }
-/// A power of a whole or half number: by products and a root, so that it has its Taylor series and, where
-/// whole, a value below zero.
+/// A power with a whole or half exponent, by products and a root. It then has its Taylor series and, if the
+/// exponent is whole, values for negative numbers.
 std::optional<Expression> Expression::power() const {
   if (is_number()) return {};
   const Operation& one = graph_->operations()[static_cast<std::size_t>(place_)];
@@ -120,7 +120,7 @@ Expression input(Graph& graph, int key) { return {graph, graph.put({Op::input, k
 namespace {
 
 Graph* graph_of(std::span<const Expression> all, std::vector<int>& places) {
-  // A number is put into a graph of its own where there is no other.
+  // Numbers without another graph go into a graph for numbers.
   static thread_local Graph numbers;
   Graph* graph = &numbers;
   for (const Expression& one : all)
@@ -147,7 +147,7 @@ int operands_of(const Operation& one) {
   }
 }
 
-/// Which operations the places need. Those of a graph come after their operands.
+/// Marks the operations that the places need. Operations of a graph come after their operands.
 std::vector<bool> needed(const Graph& graph, const std::vector<int>& places) {
   std::vector<bool> all(graph.operations().size(), false);
   for (const int place : places) all[static_cast<std::size_t>(place)] = true;
@@ -174,7 +174,7 @@ Program::Program(std::span<const Expression> outputs, std::span<const int> input
     }
   in_double_.assign(constants_.begin(), constants_.end());
   int next = static_cast<int>(constants_.size() + inputs_);
-  std::map<int, int> sines;  // of an argument: where its sine is, beside which its cosine is
+  std::map<int, int> sines;  // argument to place of its sine, for a cosine of the same argument
   for (std::size_t i = 0; i < operations.size(); ++i) {
     const Operation& one = operations[i];
     if (!is_needed[i] || one.op == Op::constant) continue;
@@ -240,7 +240,7 @@ std::vector<T> run_again(std::span<const Expression> outputs, const std::vector<
   return results;
 }
 
-/// A graph's inputs are asked for by expressions of it.
+/// The graph of these expressions, in which inputs can be made.
 Graph* graph_of(std::span<const Expression> all) {
   std::vector<int> places;
   return graph_of(all, places);

@@ -10,12 +10,12 @@
 
 #include "solvers/dual.hpp"
 
-/// Formulas as operations, each of which is computed once. A formula is evaluated in Expression (formula/),
-/// which records it in a graph; a program runs a graph's operations in any number.
+/// Formulas as operations, each of which is computed once. Evaluating a formula (formula/) in Expression
+/// records it in a graph; a program runs a graph's operations in any number type.
 namespace oddity::problem {
 
 enum class Op : unsigned char {
-  input,     ///< a: its key
+  input,     ///< a is its key
   constant,  //
   add,
   subtract,
@@ -24,11 +24,11 @@ enum class Op : unsigned char {
   square_root,
   sine,
   cosine,
-  sine_and_cosine,  ///< a program's: the cosine is in the next register
+  sine_and_cosine,  ///< only in a program: the cosine is in the next register
   exponential,
   logarithm,
   arc,     ///< the angle of (b, a); c is a a + b b
-  choice,  ///< b where a is positive, else c
+  choice,  ///< b if a is positive, otherwise c
 };
 
 struct Operation {
@@ -36,13 +36,13 @@ struct Operation {
   int a = -1, b = -1, c = -1;
   long double value = 0;  ///< of a constant
 
-  /// NaN has no place among other numbers.
+  /// NaN has no order among numbers.
   auto key() const { return std::tuple(op, a, b, c, value != value, value != value ? 0 : value); }
 };
 
 class Graph {
  public:
-  /// The operation's place, or that of the one that is there already.
+  /// Place of the operation; of the existing one if it is there already.
   int put(const Operation& operation);
   const std::vector<Operation>& operations() const { return operations_; }
 
@@ -63,9 +63,9 @@ class Expression {
   long double number() const { return value_; }
   Graph* graph() const { return graph_; }
   bool is(int x) const { return is_number() && value_ == x; }
-  /// x where this is 0 - x.
+  /// x if this is 0 - x.
   std::optional<Expression> opposite() const;
-  /// Its place in the graph, to which a number is added.
+  /// Its place in the graph; adds a number to the graph.
   int in(Graph& graph) const;
 
   friend Expression operator+(const Expression& a, const Expression& b);
@@ -79,7 +79,7 @@ class Expression {
   friend Expression exp(const Expression& x);
   friend Expression log(const Expression& x);
   friend Expression atan2(const Expression& y, const Expression& x);
-  /// `yes` where the condition is positive, else `no`.
+  /// `yes` if the condition is positive, otherwise `no`.
   friend Expression choose_by(const Expression& condition, const Expression& yes, const Expression& no);
 
   friend Expression atan(const Expression& x) { return atan2(x, Expression(1)); }
@@ -126,7 +126,7 @@ class Program {
   /// `inputs` are keys, in the order in which run() takes them.
   Program(std::span<const Expression> outputs, std::span<const int> inputs);
 
-  /// Computes the outputs from inputs that lie in two pieces: all but the last, and the last.
+  /// Computes the outputs from inputs in two parts: all but the last, and the last.
   template <class T>
   void run(const T* inputs, const T& last, T* outputs) const {
     const auto by_sign = [](const Instruction&, const T& condition, const T& yes, const T& no) -> T {
@@ -145,7 +145,7 @@ class Program {
     std::vector<T> r(registers_);
     run_in(r.data(), inputs, last, outputs, by_sign);
   }
-  /// The same in these registers, with choices by choose(instruction, condition, yes, no).
+  /// As `run`, in these registers, with choices by choose(instruction, condition, yes, no).
   template <class T, class Choose>
   void run_in(T* r, const T* inputs, const T& last, T* outputs, const Choose& choose) const;
 
@@ -232,14 +232,14 @@ void Program::run_in(T* r, const T* inputs, const T& last, T* outputs, const Cho
   for (std::size_t i = 0; i < outputs_.size(); ++i) outputs[i] = r[outputs_[i]];
 }
 
-/// The same outputs in other expressions for the inputs, by their keys.
+/// The same outputs with other expressions for the inputs, given by key.
 std::vector<Expression> replaced(std::span<const Expression> outputs,
                                  const std::map<int, Expression>& inputs);
 
-/// How the outputs change along these slopes of the inputs; an input without one does not.
+/// Rates of the outputs for these rates of the inputs, by key; an input without one is constant.
 std::vector<Expression> slopes(std::span<const Expression> outputs, const std::map<int, Expression>& along);
 
-/// The inputs' keys that the outputs need.
+/// Keys of the inputs that the outputs need.
 std::vector<int> keys_of(std::span<const Expression> outputs);
 
 }  // namespace oddity::problem

@@ -7,8 +7,8 @@
 #include <set>
 #include <sstream>
 
-// What toml++ 3.3 takes for impossible hostile texts do: a key that begins with a comma, say. In a release it
-// would go on.
+// toml++ 3.3 has assertions that hostile texts can violate, such as a key that begins with a comma. A release
+// build would continue.
 #undef NDEBUG
 namespace oddity::problem {
 struct Impossible {};
@@ -77,7 +77,7 @@ class Reader {
     return all;
   }
 
-  /// The table's keys are among these.
+  /// Fails if the table has other keys than these.
   void only(const toml::table& table, const std::string& where, const std::vector<std::string>& known) const {
     for (const auto& [key, node] : in_order(&table))
       if (std::ranges::find(known, key.text) == known.end()) {
@@ -103,7 +103,7 @@ class Reader {
     return node->as_table();
   }
 
-  /// A text, or a number's. The place is that of its first character.
+  /// A text, or a number's text. The place is that of its first character.
   Quoted quoted(const toml::node& node) const {
     Place place = place_of(node);
     if (const auto* text = node.as_string()) {
@@ -136,7 +136,7 @@ class Reader {
     return all;
   }
 
-  /// A name that formulas can have.
+  /// A name for use in formulas.
   Quoted name(const Quoted& key) {
     require_name(key, false);
     if (!names_.insert(key.text).second) source_.fail(key.place, key.text + " is there twice");
@@ -235,7 +235,7 @@ class Reader {
     if (rest.find_first_not_of(" \t\r") != rest.npos) source_.fail(line.place, "a row has two numbers");
     return pair;
   }
-  /// An array of pairs, or lines as a file of comma-separated values has them.
+  /// An array of pairs, or lines of comma-separated values.
   std::vector<std::pair<std::array<double, 2>, Place>> pairs_of(const toml::node& node) const {
     std::vector<std::pair<std::array<double, 2>, Place>> all;
     if (const auto* array = node.as_array()) {
@@ -545,7 +545,7 @@ class Reader {
     return letter;
   }
 
-  /// A formula, or a table of another route.
+  /// A formula, or a table for another kind of truth.
   TruthText truth(const toml::node& node) const {
     const auto* table = node.as_table();
     if (!table) return {TruthText::Is::formula, quoted(node)};

@@ -10,10 +10,10 @@
 #include "problem/formula.hpp"
 #include "problem/table.hpp"
 
-/// A problem's file as it is written; README.md has the keys.
+/// The text of a problem's file, by key; README.md lists the keys.
 namespace oddity::problem {
 
-/// The most that is read of one [bytes].
+/// Size limit of a file [bytes].
 constexpr std::size_t most_of_a_file = 1'000'000;
 
 struct ParameterText {
@@ -29,26 +29,25 @@ using Named = std::vector<std::pair<Quoted, Quoted>>;  ///< in the file's order
 
 enum class Direction { falling, rising, both };
 
-/// What happens where a formula goes through zero.
+/// A change of state where a formula goes through zero.
 struct EventText {
   Quoted when;
   Direction direction = Direction::falling;
-  Named then = {};    ///< the state after it, of the state before; what is not named stays
-  bool ends = false;  ///< the motion stays as it is from there on
+  Named then = {};    ///< the state after it, by the state before; unnamed parts stay
+  bool ends = false;  ///< the motion stays constant from there on
 };
 
 struct ModelText {
   Quoted name;
   std::vector<Quoted> equations = {}, constraints = {};
-  std::vector<Quoted> conditions =
-      {};  ///< formulas that stay zero, of unknowns without an equation of their own
+  std::vector<Quoted> conditions = {};  ///< formulas that stay zero, for unknowns without an equation
   std::vector<std::string> found = {};  ///< these unknowns, whose start is near what is given for it
   std::optional<Quoted> lagrangian = {}, dissipation = {}, kinetic = {}, potential = {};
   Named forces = {}, start = {}, closed = {}, observe = {};
   std::vector<EventText> events = {};
 };
 
-/// A letter of a claim, drawn from its range; of one value where the ends are the same.
+/// A letter of a claim, drawn from its range; constant if both ends are the same.
 struct LetterText {
   std::string name, unit;
   double least, most;  ///< in its unit
@@ -57,16 +56,16 @@ struct LetterText {
   Measure measure = {};
 };
 
-/// What a claim is judged by.
+/// The basis for judging a claim.
 struct TruthText {
   enum class Is { formula, derivative, integral, sum, value };
   Is is = Is::formula;
-  Quoted what;     ///< the formula, or what is differentiated, integrated or added up
-  Quoted by = {};  ///< the letter that it is differentiated by, or runs
+  Quoted what;     ///< the formula or value; otherwise the differentiated, integrated or summed expression
+  Quoted by = {};  ///< the variable of the derivative, integral or sum
   Quoted from = {}, to = {};
-  int times = 1;            ///< that it is differentiated
-  Quoted within = {};       ///< of a value, how far it may be off; no text: not at all
-  std::string source = {};  ///< of a value: where it is from
+  int times = 1;            ///< order of the derivative
+  Quoted within = {};       ///< tolerance of a value; empty text: none
+  std::string source = {};  ///< source of a value
 };
 
 struct ClaimText {
@@ -75,7 +74,7 @@ struct ClaimText {
   std::optional<Quoted> printed = {}, meant = {}, corrected = {}, where = {}, in_view = {};
   std::optional<TruthText> truth = {};
   std::vector<LetterText> letters = {};
-  bool lost = false;  ///< the copy at hand has lost what was meant
+  bool lost = false;  ///< our copy has lost the intended formula
 };
 
 struct ObservableText {
@@ -96,18 +95,18 @@ struct File {
   std::vector<ObservableText> observables;
   std::vector<ClaimText> claims;
   std::string error, horizon = "10", frames_per_second = "60";  ///< as `choose` takes them
-  std::vector<double> errors;          ///< in the units of the observables, by their order
+  std::vector<double> errors;          ///< in the units of the observables, in their order
   double end = 10;                     ///< s
   std::vector<std::string> vary = {};  ///< parameters that differ from start to start
   std::string sweep = {};
   std::vector<double> sweep_values = {};
-  std::string error_says = {}, horizon_says = {};  ///< why these, where the file asks nothing
-  bool is_plain = false;                           ///< all numbers are pure, the time too
+  std::string error_says = {}, horizon_says = {};  ///< reasons for these, if the file does not give them
+  bool is_plain = false;                           ///< all numbers are pure, also the time
 };
 
 /// Reads a text; throws WrongFile.
 std::unique_ptr<const File> read(const std::string& name, const std::string& text);
-/// Throws WrongFile where there is a motion and nothing that may differ from start to start.
+/// Throws WrongFile if there is a motion and no parameter that may differ from start to start.
 void require_parameters(const File&);
 
 }  // namespace oddity::problem

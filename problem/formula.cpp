@@ -46,7 +46,7 @@ std::size_t end_of_numeral(std::string_view text, std::size_t at) {
   return at;
 }
 
-/// Where the unit ends that begins behind a numeral, blanks aside; there, if none does.
+/// End of the unit that begins behind a numeral, blanks aside; `numeral` if there is none.
 std::size_t end_of_unit(std::string_view text, std::size_t numeral) {
   std::size_t at = numeral, longest = numeral;
   const auto blanks = [&] {
@@ -73,7 +73,7 @@ std::size_t end_of_unit(std::string_view text, std::size_t numeral) {
   return longest;
 }
 
-/// Whether the numeral there is an exponent.
+/// Whether the numeral is an exponent.
 bool is_exponent(std::string_view text, std::size_t at) {
   const auto before = [&] {
     while (at > 0 && text[at - 1] == ' ') --at;
@@ -83,7 +83,7 @@ bool is_exponent(std::string_view text, std::size_t at) {
   return before() == '^';
 }
 
-/// Names of a length that no formula has, by their number: the parser tells by them where a letter stands.
+/// Names by number, of a length that no formula has: the parser finds letters' positions by them.
 std::string code_of(std::size_t number, std::size_t length) {
   constexpr std::string_view first = "abcdfghijklmnopqrstuvwxyzABCDFGHIJKLMNOPQRSTUVWXYZ",
                              second = "0123456789_";
@@ -100,7 +100,7 @@ std::string code_of(std::size_t number, std::size_t length) {
   return number == 0 ? code : "";
 }
 
-/// "m g" for mg, where these are letters.
+/// "m g" for mg, if these are letters.
 std::string as_product(std::string_view name, const std::vector<std::string>& letters) {
   for (const std::string& letter : letters) {
     if (name == letter) return letter;
@@ -246,7 +246,7 @@ class Reader {
   Formula part(std::size_t begin, std::size_t end) const {
     return {source_, {std::string(text_.substr(begin, end - begin)), quoted_.at(begin)}, known_};
   }
-  /// Two formulas, the first of which is to be the greater.
+  /// Two formulas; the condition is that the first is the greater.
   void condition(Letter& letter, std::size_t begin, std::size_t end) const {
     std::size_t sign = begin;
     for (int depth = 0; sign < end && (depth > 0 || (text_[sign] != '<' && text_[sign] != '>')); ++sign)
@@ -269,7 +269,7 @@ class Reader {
       names_.push_back(code);
       originals_.push_back(own);
       letters_->push_back(std::move(letter));
-    } else {  // Those of a length have run out: one that stands for the same.
+    } else {  // All codes of this length are used: one that means the same.
       const auto same = std::ranges::find(originals_, own);
       if (same == originals_.end()) fail(begin, "a formula of too many letters");
       code = names_[static_cast<std::size_t>(same - originals_.begin())];
@@ -302,7 +302,7 @@ class Reader {
     }
   }
 
-  /// A call within others, each of which has a reader of its own.
+  /// Counts nested calls, each with its own reader.
   struct Deeper {
     static inline thread_local int calls = 0;
     Deeper() { ++calls; }
@@ -319,7 +319,7 @@ class Reader {
   formula::Names names_;
   std::vector<std::string> originals_;
   std::vector<Letter>* letters_ = nullptr;
-  std::map<std::size_t, std::size_t> used_;  ///< codes, by their length
+  std::map<std::size_t, std::size_t> used_;  ///< number of codes used, by length
 };
 
 Measure choose_by(const Measure&, const Measure& yes, const Measure& no) { return yes + no; }

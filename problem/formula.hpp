@@ -11,16 +11,16 @@
 #include "problem/table.hpp"
 #include "reference/bad_input.hpp"
 
-/// Formulas of a problem's file: formula/'s plain text, with units behind numerals, if, abs, max, min and
-/// atan2, and letters that are declared.
+/// Formulas of a problem's file: the plain text of formula/, with units behind numerals, if, abs, max, min
+/// and atan2, and declared letters.
 namespace oddity::problem {
 
-/// Where a text is in a file. Lines and columns begin with 1.
+/// Place of a text in a file. Lines and columns begin with 1.
 struct Place {
   std::size_t line = 0, column = 0;
 };
 
-/// What is wrong in a file, with its line, its column, and a caret below.
+/// An error in a file, with its line and column, and a caret below.
 class WrongFile : public BadInput {
  public:
   WrongFile(const std::string& file, const std::string& text, Place place, const std::string& reason);
@@ -33,7 +33,7 @@ class WrongFile : public BadInput {
   std::string reason_;
 };
 
-/// A file's text, to point at. It outlives what was read from it.
+/// A file's text, for error messages. It must outlive everything read from it.
 struct Source {
   std::string name, text;
 
@@ -53,10 +53,10 @@ struct Quoted {
   }
 };
 
-/// The letters that formulas may have: parameters, unknowns with their rates, abbreviations.
+/// The letters that formulas may use: parameters, unknowns with their rates, abbreviations.
 struct Letters {
   std::vector<std::string> parameters, unknowns, given;
-  std::vector<std::shared_ptr<const Table>> tables = {};  ///< that are called like functions
+  std::vector<std::shared_ptr<const Table>> tables = {};  ///< called like functions
 };
 
 struct Letter;
@@ -66,20 +66,20 @@ class Formula {
   /// Throws WrongFile.
   Formula(const Source&, Quoted, const Letters&);
 
-  /// `of` is asked for the value of each letter but calls.
+  /// The value; `of` gives the value of each letter except calls.
   Expression value(const std::function<Expression(const Letter&)>& of) const;
-  /// Throws WrongFile where units do not fit.
+  /// Throws WrongFile if units do not fit.
   Measure measure(const std::function<Measure(const Letter&)>& of) const;
-  /// Whether such a letter is in it or in its calls.
+  /// Whether the formula or one of its calls has such a letter.
   bool any(const std::function<bool(const Letter&)>& is) const;
 
-  /// A tree of formula/ in letters of these names: each letter's own, and of a quantity, 5 cm, the unit's.
-  /// Throws WrongFile for calls that such trees do not have.
+  /// A tree of formula/ in letters of these names: each letter's own, and for a quantity such as 5 cm the
+  /// unit's. Throws WrongFile for calls that such trees do not have.
   formula::Tree tree(const std::function<std::string(const Letter&)>& name,
                      const std::function<std::string(const std::string& unit)>& unit_name) const;
 
   const Quoted& quoted() const { return text_; }
-  /// Where a unit has the name of a letter, that it may have been meant: "; write 2*m for the letter".
+  /// Hint if a unit may have been meant as a letter of the same name: "; write 2*m for the letter".
   std::string meant() const;
   [[noreturn]] void fail(const Span& span, const std::string& reason) const;
 
@@ -90,20 +90,20 @@ class Formula {
   const Source* source_;
   Quoted text_;
   std::vector<Letter> letters_;
-  std::vector<formula::Tree> tree_;  ///< one, unless it could not be read
+  std::vector<formula::Tree> tree_;  ///< one, or none if it could not be read
 };
 
-/// What a letter of a formula is.
+/// A letter of a formula.
 struct Letter {
   enum class Is { quantity, parameter, time, unknown, given, call };
   Is is = Is::time;
-  std::size_t index = 0, order = 0;  ///< which, and which rate of it
+  std::size_t index = 0, order = 0;  ///< its index, and the order of its rate
   long double value = 0;             ///< of a quantity such as 5 cm
-  Measure measure = {};              ///< the same
-  std::string function = {};         ///< of a call; of a quantity, what else it may have been meant for
+  Measure measure = {};              ///< of a quantity such as 5 cm
+  std::string function = {};         ///< of a call; for a quantity, another possible meaning
   std::vector<Formula> arguments = {};
   Span span = {};
-  std::shared_ptr<const Table> table = {};  ///< that is called
+  std::shared_ptr<const Table> table = {};  ///< the table that is called
 };
 
 /// An equation's two sides.

@@ -9,7 +9,7 @@ namespace oddity::problem {
 
 namespace {
 
-/// A file's model as the scene sees it.
+/// A file's model for the scene.
 template <std::size_t n>
 class Interpreted final : public SystemOf<n, ModelInterfaceOf<n>> {
   using Base = SystemOf<n, ModelInterfaceOf<n>>;

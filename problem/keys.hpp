@@ -3,12 +3,12 @@
 #include <span>
 #include <string_view>
 
-/// The keys that a problem's file may have: what the reader takes, and the schema says.
+/// The keys of a problem's file, for the reader and the schema.
 namespace oddity::problem {
 
 struct Key {
   std::string_view name, says;
-  /// text, texts (one or several), flag, number, rows, a table's name, or: "map X", names of one's own with
+  /// text, texts (one or several), flag, number, rows, a table's name, or: "map X", user-defined names with
   /// an X each; "list X"; "X or Y".
   std::string_view is;
   bool needed = false;
@@ -20,7 +20,7 @@ struct KeysOf {
 
 /// All tables, the file itself first.
 std::span<const KeysOf> all_keys();
-/// Those of one. Throws std::logic_error where there is none.
+/// The keys of one table. Throws std::logic_error if there is no such table.
 std::span<const Key> keys_of(std::string_view name);
 
 }  // namespace oddity::problem

@@ -8,10 +8,10 @@
 #include <string>
 #include <string_view>
 
-/// Units as numbers: a formula is evaluated in them, and a sum of metres and seconds has no value.
+/// Units as numbers: formulas are evaluated in them, and a sum of metres and seconds has no value.
 namespace oddity::problem {
 
-/// Of a text: from where to where.
+/// A range of a text.
 struct Span {
   std::size_t begin = std::string::npos, end = 0;
 
@@ -25,14 +25,14 @@ struct Span {
 /// The powers of m, s, kg, A, solar mass and bins; radians count as one.
 struct Measure {
   std::array<double, 6> powers = {};
-  bool fits_all = false;  ///< zero is of any unit
-  Span span = {};         ///< of the letters that it is of
+  bool fits_all = false;  ///< zero fits every unit
+  Span span = {};         ///< of the letters that it comes from
 
   Measure() = default;
   Measure(double x) : fits_all(x == 0) {}
 };
 
-/// Two that do not fit, or one that is no pure number where it should be.
+/// Two units that do not fit, or one where a pure number is required.
 struct Mismatch : std::runtime_error {
   Mismatch(std::string says, Span where) : std::runtime_error(std::move(says)), span(where) {}
   Span span;
@@ -40,7 +40,7 @@ struct Mismatch : std::runtime_error {
 
 /// "m/s^2"; "a pure number".
 std::string name_of(const Measure& measure);
-/// Of a unit's text; nothing where it is none.
+/// The measure of a unit's text; empty if it is no unit.
 std::optional<Measure> measure_of(std::string_view unit);
 bool fit(const Measure& a, const Measure& b);
 

@@ -95,7 +95,7 @@ class Model::Making {
  private:
   // ---- letters -------------------------------------------------------------------------------------------
 
-  /// The names that have a start, in its order; primes are of rates.
+  /// The names with a start, in order; primes denote rates.
   void find_unknowns() {
     for (const auto& [key, formula] : text_.start) {
       const std::string base = key.text.substr(0, key.text.find('\''));
@@ -118,7 +118,7 @@ class Model::Making {
     if (!given_[i]) given_[i] = formula(file_.given[i].second);
     return *given_[i];
   }
-  /// An abbreviation that knows itself has no value.
+  /// Refuses abbreviations that contain themselves, by the depth of nesting.
   class Inside {
    public:
     Inside(Making& making, const Formula& where) : depth_(making.depth_) {
@@ -132,7 +132,7 @@ class Model::Making {
     int& depth_;
   };
 
-  /// Notes where tables are asked that do not know all.
+  /// Notes the arguments of tables that do not extend beyond their rows.
   void see_tables(const Formula& of) {
     of.any([&](const Letter& letter) {
       if (!letter.table || letter.table->holds) return false;
@@ -179,7 +179,7 @@ class Model::Making {
     });
   }
   Measure measure(const Formula& of) {
-    if (file_.is_plain) return 0;  // of any unit
+    if (file_.is_plain) return 0;  // fits any unit
     return of.measure([&](const Letter& letter) -> Measure {
       switch (letter.is) {
         case Letter::Is::quantity:
@@ -214,7 +214,7 @@ class Model::Making {
   }
   Graph& graph() { return *model_.graph_; }
 
-  /// Along the motion.
+  /// Rate along the motion.
   Expression rate(const Expression& x) {
     std::map<int, Expression> along{{of_time, 1}};
     for (const int key : keys_of(std::span(&x, 1)))
@@ -283,7 +283,7 @@ class Model::Making {
     });
   }
 
-  /// The unknowns' units, of what is observed, or of their start.
+  /// The unknowns' units, from the observables or their start.
   void start_units() {
     units_.resize(orders_.size());
     for (std::size_t i = 0; i < units_.size(); ++i)
@@ -337,7 +337,7 @@ class Model::Making {
       dissipation_->fail({}, "a dissipation function is to be in " + name_of(per_time(energy, 1)));
   }
 
-  /// All unknowns, then all their rates.
+  /// Orders the state: all unknowns, then all their rates.
   void order_state() {
     for (std::size_t k = 0; k < most_orders; ++k)
       for (std::size_t i = 0; i < orders_.size(); ++i)
@@ -376,7 +376,8 @@ class Model::Making {
     }
   }
 
-  /// With the constraints' multipliers behind the unknowns, and a row for each: its second rate is none.
+  /// The multipliers of the constraints come behind the unknowns, with a row for each constraint: its second
+  /// rate is zero.
   void from_lagrangian(Rows& matrix, std::vector<Expression>& right) {
     const Expression L = value(*lagrangian_);
     std::map<int, Expression> along{{of_time, 1}};
@@ -406,7 +407,8 @@ class Model::Making {
     for (const Equation& one : constraints_) off.push_back(value(one.left) - value(one.right));
     return off;
   }
-  /// Each over the length of its gradient, which is a distance where the unknowns are lengths; and its rate.
+  /// Each constraint over the length of its gradient, which is a distance if the unknowns are lengths; and
+  /// its rate.
   void set_off() {
     std::vector<Expression> rates;
     for (const Expression& one : off_constraints()) {
@@ -423,7 +425,7 @@ class Model::Making {
 
   // ---- the highest rates ---------------------------------------------------------------------------------
 
-  /// Random numbers for the parameters' neighbourhood and the state, to tell zero from other numbers.
+  /// Random numbers near the parameters and for the state, to tell zero from other numbers.
   std::map<int, long double> some_state(Random& random) const {
     std::map<int, long double> values{{of_time, random.between(0.1, 1)}};
     for (std::size_t i = 0; i < file_.parameters.size(); ++i) {
@@ -449,7 +451,7 @@ class Model::Making {
   static int entries(const std::vector<Expression>& row, const std::vector<std::size_t>& columns) {
     return static_cast<int>(std::ranges::count_if(columns, [&](std::size_t c) { return !row[c].is(0); }));
   }
-  /// Of equations in any order: the largest next to its row, in the sparsest rows.
+  /// Pivot for equations in any order: the largest next to its row, in the sparsest rows.
   static Pivot strong_pivot(const Rows& a, const std::vector<std::size_t>& rows,
                             const std::vector<std::size_t>& columns,
                             const std::map<int, long double>& values) {
@@ -472,8 +474,8 @@ class Model::Making {
     }
     return best;
   }
-  /// Of masses, which are positive at every state, and then of the constraints' multipliers, which are not
-  /// singular where the constraints are independent: the sparsest row.
+  /// Pivot in the sparsest row: first masses, which are positive at every state, then the constraints'
+  /// multipliers, whose block is regular if the constraints are independent.
   Pivot diagonal_pivot(const Rows& a, const std::vector<std::size_t>& rows, std::vector<long double>& sizes,
                        const std::map<int, long double>& values) const {
     const bool masses = rows.front() < orders_.size();
@@ -489,8 +491,7 @@ class Model::Making {
     return best;
   }
 
-  /// By elimination, in the graph, in an order of pivots that is chosen once: by numbers, at a state that
-  /// nothing singles out.
+  /// Elimination in the graph. Chooses the order of pivots once, by numbers, at a generic state.
   std::vector<Expression> solved(Rows a, std::vector<Expression> b) {
     const std::size_t n = a.size();
     Random random(52);
@@ -559,7 +560,7 @@ class Model::Making {
     }
   }
 
-  /// No slope knows the state.
+  /// Linear if no slope depends on the state.
   void see_whether_linear() {
     for (const int key : model_.state_)
       for (const int other : keys_of(slopes(model_.rates_, {{key, 1}})))
@@ -581,12 +582,12 @@ class Model::Making {
     if (!conditions_.empty()) find_start();
   }
 
-  /// Newton's method, from the start that is given. What it changes last has to be nothing.
+  /// Newton's method from the given start. Its last change has to be zero.
   void find_start() {
     constexpr int iterations = 12;  // each doubles the digits
     std::vector<Expression> off;
     for (const Formula& one : conditions_) off.push_back(value(one));
-    std::vector<std::size_t> found;  // of the state
+    std::vector<std::size_t> found;  // indices in the state
     for (const std::string& name : text_.found) {
       const auto i = std::ranges::find(letters_.unknowns, name) - letters_.unknowns.begin();
       const auto place = std::ranges::find(model_.state_, key_of(static_cast<std::size_t>(i), 0));
@@ -630,7 +631,7 @@ class Model::Making {
       formula.fail({}, o.name + " is observed in " + name_of(o.measure) + ", and this is " + name_of(its));
     model_.observed_.push_back(of_state(formula, "what is observed") / Expression(o.size));
   }
-  /// The value of a formula of the state and the time.
+  /// The value of a formula that depends on the state and the time only.
   Expression of_state(const Formula& formula, const std::string& what) {
     const Expression x = value(formula);
     for (const int key : keys_of(std::span(&x, 1)))
@@ -702,7 +703,7 @@ class Model::Making {
     }
   }
 
-  /// A Lagrangian's energy, where nothing drives or brakes; or what the file says, which has to be so.
+  /// A Lagrangian's energy if nothing drives or brakes; or the file's own, which has to be conserved.
   void set_conserved() {
     if (text_.kinetic) {
       const Formula kinetic = formula(*text_.kinetic), potential = formula(*text_.potential);
@@ -731,10 +732,10 @@ class Model::Making {
   Letters letters_;
   int depth_ = 0;
   std::vector<std::optional<Formula>> given_, forces_;
-  // Of abbreviations, each computed once: their values with their rates, and their units.
+  // Abbreviations, each computed once: values with their rates, and units.
   std::map<std::size_t, std::vector<Expression>> values_of_given_;
   std::map<std::size_t, std::optional<Measure>> measures_of_given_;
-  std::set<std::pair<std::size_t, std::size_t>> seen_;  ///< with the orders that they add
+  std::set<std::pair<std::size_t, std::size_t>> seen_;  ///< with the order of the rate
   std::vector<std::size_t> orders_;
   std::vector<std::optional<Measure>> units_;
   std::vector<Equation> equations_, constraints_;
@@ -768,7 +769,7 @@ void require_on_constraints(const Numbers& numbers) {
                      (2 * i < off.size() ? "" : " a second"));
 }
 
-/// `changes`: the last ones of Newton's method.
+/// `changes`: the last changes of Newton's method.
 void require_conditions(const Numbers& numbers, const std::vector<Expression>& changes) {
   long double size = 1;
   for (const long double x : numbers.start) size = std::max(size, std::abs(x));
@@ -777,20 +778,19 @@ void require_conditions(const Numbers& numbers, const std::vector<Expression>& c
       throw BadInput("at the start the conditions are not met near what is given for their unknowns");
 }
 
-/// Unknowns that rest, as many as a state has fewer than the next number that the algorithms are compiled
-/// for.
+/// Unknowns at rest that fill a state up to the next size that the algorithms are compiled for.
 class Padding {
  public:
   explicit Padding(const std::vector<int>& rate_of) : count_(rate_of.size()) {
     if (count_ > 0) more_ = *std::ranges::lower_bound(compiled, count_) - count_;
-    // As many behind the places as behind the rates, where each place has a rate.
+    // As many behind the places as behind the rates, if each place has a rate.
     bool has_rates = count_ % 2 == 0 && more_ % 2 == 0;
     for (std::size_t i = 0; 2 * i < count_ && has_rates; ++i)
       has_rates = rate_of[i] == static_cast<int>(count_ / 2 + i);
     if (has_rates) places_ = count_ / 2;
   }
 
-  /// Keys of those that rest.
+  /// Keys of the unknowns at rest.
   std::vector<int> keys() const {
     std::vector<int> all(more_);
     std::iota(all.begin(), all.end(), of_rest);
@@ -805,14 +805,14 @@ class Padding {
     }
     return with(std::move(all), rest);
   }
-  /// The rates of those that rest, which are `unknowns`.
+  /// Rates of the unknowns at rest, which are `unknowns`.
   std::vector<Expression> rates(const std::vector<Expression>& unknowns) const {
     std::vector<Expression> rest(more_, 0);
     if (places_ > 0) std::copy(unknowns.begin() + half(), unknowns.end(), rest.begin());
     return rest;
   }
 
-  /// What belongs to a state, or to several one after the other, with what belongs to those that rest.
+  /// Pads the data of a state, or of several in a row, with data for the unknowns at rest.
   template <class T>
   std::vector<T> with(const std::vector<T>& all, const std::vector<T>& rest) const {
     std::vector<T> padded;
@@ -888,10 +888,10 @@ Numbers Model::with(const std::vector<double>& parameters) const {
 
 namespace {
 
-/// Names of C++ variables, none twice.
+/// Unique names of C++ variables.
 class Names {
  public:
-  /// This name, or the first free one behind it.
+  /// This name, followed by as many underscores as make it free.
   const std::string& add(std::string name) {
     while (is_taken_in_cpp(name) || std::ranges::find(all_, name) != all_.end()) name += '_';
     return all_.emplace_back(std::move(name));
@@ -904,7 +904,7 @@ class Names {
 
 }  // namespace
 
-/// Writes a model's member functions, and keeps which parameters they need.
+/// Writes a model's member functions, and notes the parameters that they need.
 class Model::Coding {
  public:
   Coding(const Model& model, const File& file) : model_(model), parameters_(file.parameters.size()) {
@@ -959,13 +959,13 @@ class Model::Coding {
     if (const auto at = text.find(placeholder); at != std::string::npos)
       text.replace(at, placeholder.size(), what);
   }
-  /// The same, with its constants computed.
+  /// `all` with its constants computed.
   std::vector<Expression> folded(std::span<const Expression> all) const {
     std::map<int, Expression> same;
     for (const int key : keys_) same.emplace(key, input(*model_.graph_, key));
     return replaced(all, same);
   }
-  /// Of places alone.
+  /// Accelerations in terms of places only.
   std::vector<Expression> accelerations() const {
     const std::size_t half = model_.state_.size() / 2;
     std::map<int, Expression> at_rest;

@@ -25,10 +25,10 @@ bool begins_name(char c) { return (c >= 'a' && c <= 'z') || c == '_'; }
 bool in_name(char c) { return begins_name(c) || is_digit(c); }
 bool among(std::string_view word, const auto& all) { return std::ranges::find(all, word) != std::end(all); }
 
-/// A statement in lower case: a line of the file, with those that continue it.
+/// A statement in lower case: a line of the file, with its continuation lines.
 struct Statement {
   std::string text;
-  std::vector<std::pair<std::size_t, Place>> pieces;  ///< from where on, and where that is in the file
+  std::vector<std::pair<std::size_t, Place>> pieces;  ///< start within the text, and place in the file
 
   Place at(std::size_t offset) const {
     auto piece = pieces.begin();
@@ -76,7 +76,7 @@ constexpr Function functions[]{
     {"sin", 1}, {"cos", 1}, {"tan", 1}, {"asin", 1}, {"acos", 1}, {"atan", 1}, {"sinh", 1}, {"cosh", 1}, {"tanh", 1},
     {"exp", 1}, {"ln", 1}, {"log", 1}, {"log10", 1}, {"sqrt", 1}, {"abs", 1}, {"heav", 1}, {"sign", 1}, {"flr", 1},
     {"ceil", 1}, {"not", 1}, {"atan2", 2}, {"max", 2}, {"min", 2}, {"mod", 2}, {"shift", 2}};
-/// Functions that are read by no one here, and what they would need.
+/// Unsupported functions, and the reason.
 constexpr std::pair<std::string_view, std::string_view> not_here[]{
     {"delay", "delays"}, {"del_shft", "delays"}, {"ran", "random numbers"}, {"normal", "random numbers"},
     {"poisson", "random numbers"}, {"int", "integral equations"}, {"hom_bcs", "boundary values"},
@@ -125,7 +125,7 @@ class Reader {
     if (!is_done()) fail("the statement ends before this");
   }
 
-  /// "x", "x[j-1]": its number is behind the name.
+  /// "x", "x[j-1]": the number is appended to the name.
   std::string name() {
     blanks();
     const std::size_t begin = at_;
@@ -142,7 +142,7 @@ class Reader {
     if (name.empty() || !begins_name(name[0])) fail(begin, "expected a name");
     return name;
   }
-  /// [j], [j+1], [3], and the range in [1..9], which stands for j.
+  /// [j], [j+1], [3], and the range in [1..9], which means j.
   long index() {
     const std::size_t begin = at_;
     expect("[");
@@ -323,9 +323,9 @@ class Reader {
   int depth_ = 0;
 };
 
-// ---- the same as formula/ reads them ---------------------------------------------------------------------
+// ---- in the notation of formula/ -------------------------------------------------------------------------
 
-/// Text, and how strongly its operator binds: 1 a sum, 2 a product, 3 a power, 4 anything whole.
+/// Text, and the binding strength of its operator: 1 a sum, 2 a product, 3 a power, 4 anything whole.
 struct Piece {
   std::string text;
   int binds = 4;
@@ -343,14 +343,14 @@ struct OwnFunction {
 /// The names of a file.
 struct Names {
   std::map<std::string, Role> roles;
-  std::vector<std::string> in_order[4];  ///< of each role
+  std::vector<std::string> in_order[4];  ///< by role
   std::map<std::string, OwnFunction> functions;
-  double begins = 0;  ///< the time
+  double begins = 0;  ///< start time
 
   const std::vector<std::string>& all(Role role) const { return in_order[static_cast<int>(role)]; }
 };
 
-/// What names stand for in a function or a sum.
+/// Texts to put for names in a function or a sum.
 using Meanings = std::map<std::string, Piece>;
 
 class Writer {
@@ -358,7 +358,7 @@ class Writer {
   Writer(const Source& source, const Names& names) : source_(source), names_(names) {}
 
   Piece written(const Node& node, const Meanings& meanings = {}) { return piece(node, meanings); }
-  /// From here on the name has this value, as in an event whose parts follow each other.
+  /// Sets the name's value from here on, as in an event whose parts follow each other.
   void set(const std::string& name, const Piece& value) { changed_.insert_or_assign(name, value); }
   void reset() { changed_.clear(); }
 
@@ -419,7 +419,7 @@ class Writer {
     return node.is == Node::Is::operation &&
            among(node.text, std::array<std::string_view, 8>{"<", ">", "<=", ">=", "==", "!=", "&", "|"});
   }
-  /// yes where the condition is not zero, else no.
+  /// `yes` if the condition is not zero, otherwise `no`.
   Piece branch(const Node& condition, const Piece& yes, const Piece& no, const Meanings& meanings) {
     const auto of = [&](const std::string& what, bool is_so) {
       return Piece{"if(" + what + "," + (is_so ? yes : no).text + "," + (is_so ? no : yes).text + ")"};
@@ -450,7 +450,7 @@ class Writer {
     }
     return {all, 1};
   }
-  /// A number that nothing changes.
+  /// A constant number.
   long whole(const Node& node, const Meanings& meanings) {
     if (node.is == Node::Is::number && node.text.size() < 7)
       if (const auto x = parse_number(node.text); x && *x == std::floor(*x)) return static_cast<long>(*x);
@@ -497,13 +497,13 @@ class Writer {
     if (node.text == "mod") return {y.at_least(2) + "*" + beyond_whole("(" + x + ")/" + y.at_least(3)), 2};
     return {node.text + "(" + x + "," + y.text + ")"};
   }
-  /// x less the whole number below it, by an arc that jumps where x is whole and nowhere else.
+  /// Fractional part of x, by an arc that jumps only where x is whole.
   static std::string beyond_whole(const std::string& x) {
     const std::string sine = "sin(pi*(" + x + "))", cosine = "cos(pi*(" + x + "))";
     return "(0.5+if(0 > " + sine + ",atan2(" + cosine + ",-" + sine + "),atan2(-" + cosine + "," + sine +
            "))/pi)";
   }
-  /// So many behind the name, in the order in which names of its kind are defined.
+  /// The name so many places later, in the order in which names of its kind are defined.
   Piece shift(const Node& node, const Meanings& meanings) {
     const Node& from = node.parts[0];
     const auto role = names_.roles.find(from.text);
@@ -572,7 +572,7 @@ constexpr Word words[]{
     {"export", Keyword::files}, {"o", Keyword::files}, {"option", Keyword::files}, {"options", Keyword::files}};
 // clang-format on
 
-/// A file's statements, and the File that they make.
+/// Makes a File from a file's statements.
 class Making {
  public:
   Making(const Source& source, File& file) : source_(source), file_(file) {}
@@ -742,7 +742,7 @@ class Making {
     source_.fail(place, none_here(missing));
   }
 
-  /// a=1, b=2 c=3; a name alone has the value 0.
+  /// a=1, b=2 c=3; a name without a value gets 0.
   void list(Reader& r, const auto& each) {
     while (!r.is_done()) {
       const Place at = r.place();
@@ -856,7 +856,7 @@ class Making {
     return text;
   }
 
-  /// x-x' asks for a period of the same motion; it is left aside, as xppaut does where it integrates.
+  /// x-x' asks for a period of the same motion; ignored, as in xppaut when it integrates.
   void boundary(Reader& r, Place place) {
     const std::size_t begin = r.at();
     if (begins_name(r.next())) {
@@ -899,7 +899,7 @@ class Making {
     if (name == "nout" || name == "njmp") rows_ = x;
   }
 
-  /// The fixed quantities and constants that the model knows.
+  /// Adds the fixed quantities and constants that the model uses.
   void add_used(const ModelText& model, const std::map<std::string, Quoted>& fixed) {
     std::set<std::string> used;
     std::vector<const Quoted*> left;
@@ -925,7 +925,7 @@ class Making {
       if (used.contains(one.name)) file_.given.push_back({{one.name, one.place, true}, fixed.at(one.name)});
   }
 
-  /// Those of the file, and each variable's start.
+  /// Adds the file's parameters, and one for each variable's start.
   void add_parameters(ModelText& model) {
     const double none = std::numeric_limits<double>::infinity();
     const auto parameter = [&](const std::string& name, const std::string& says, double value) {
@@ -948,7 +948,7 @@ class Making {
           role == names_.roles.end() || role->second != Role::variable)
         source_.fail(start.second, "no variable " + name + did_you_mean(name, names_.all(Role::variable)) +
                                        "; a start is of one");
-    // What varies from start to start: starts that are not zero, else parameters that are not.
+    // Starts that are not zero vary from start to start; without any, parameters that are not zero.
     for (const auto& [name, value] : parameters_) {
       if (value == 0) continue;
       all.push_back(name);
@@ -964,14 +964,14 @@ class Making {
   std::vector<std::pair<std::string, double>> parameters_;
   std::map<std::string, std::pair<double, Place>> starts_;
   std::vector<Defined> equations_, conditions_, fixed_, unused_;
-  std::vector<std::string> found_;  ///< unknowns that conditions find
+  std::vector<std::string> found_;  ///< unknowns that conditions determine
   std::vector<Event> events_;
   double total_ = 20, step_ = 0.05, rows_ = 1, begins_ = 0;
   std::size_t statements_ = 0;
   bool is_done_ = false;
 };
 
-/// The first comment that says something, else the file's name.
+/// The first comment with text, otherwise the file's name.
 std::string title_of(const std::string& name, const std::string& text) {
   const std::size_t slash = name.rfind('/');
   const std::string stem = slash == name.npos ? name : name.substr(slash + 1);

@@ -5,7 +5,7 @@
 
 #include "problem/file.hpp"
 
-/// XPPAUT's .ode files, as the same File that a TOML file is read as:
+/// Reads XPPAUT's .ode files into the same File as TOML:
 ///
 ///   x' = v
 ///   v' = -k*x - c*v
@@ -13,12 +13,12 @@
 ///   init x=1
 ///   @ total=30, dt=.02
 ///
-/// All numbers are pure. README.md has what is read, and what is refused.
+/// All numbers are pure. README.md lists the supported and the refused statements.
 namespace oddity::problem {
 
 bool is_ode_file(const std::string& name);
 
-/// Reads a text, and nothing that it names; throws WrongFile. The error asked for is left open.
+/// Reads a text, and no file that it names; throws WrongFile. Sets no error for the need.
 std::unique_ptr<File> read_ode(const std::string& name, const std::string& text);
 
 }  // namespace oddity::problem

@@ -26,18 +26,18 @@ namespace oddity::problem {
 
 namespace {
 
-/// "problem::Spring{m, k}", as printed code has it, or why that has none.
+/// "problem::Spring{m, k}" for printed code, or the reason why it cannot be printed.
 struct Construction {
   std::string code, why_not;
 };
 
-/// All that an entry's views look at.
+/// The data that an entry's views point to.
 struct Kept {
   std::unique_ptr<const File> file;
-  std::string of_text;  ///< tells files of one name apart
+  std::string of_text;  ///< distinguishes files of the same name
   std::vector<Model> models;
   std::vector<Parameter> parameters;
-  std::vector<Construction> constructions;  ///< of the models
+  std::vector<Construction> constructions;  ///< one per model
   std::unique_ptr<const Sheet> sheet;
   std::unique_ptr<Entry> entry;
 };
@@ -45,7 +45,7 @@ struct Kept {
 struct AllKept {
   std::mutex mutex;
   std::vector<std::unique_ptr<const Kept>> all;
-  std::map<std::pair<std::string, std::string>, const Entry*> by_source;  ///< name and text
+  std::map<std::pair<std::string, std::string>, const Entry*> by_source;  ///< by name and text
 };
 AllKept& kept() {
   static AllKept here;
@@ -75,7 +75,7 @@ std::vector<double> values_of(const Parameters& p) {
   return values;
 }
 
-/// The observables at each time but the first.
+/// The observables at each time except the first.
 std::vector<long double> observed(const Numbers& numbers, const TrueMotion& motion,
                                   std::span<const double> times) {
   std::vector<long double> seen;
@@ -87,7 +87,7 @@ std::vector<long double> observed(const Numbers& numbers, const TrueMotion& moti
   return seen;
 }
 
-/// Throws BadInput where a table is asked for what it does not know.
+/// Throws BadInput if a table is evaluated outside its rows.
 void require_known(const Model& model, const Numbers& numbers, const std::vector<long double>& state,
                    double t) {
   if (model.tables().empty()) return;
@@ -101,8 +101,8 @@ void require_known(const Model& model, const Numbers& numbers, const std::vector
                      format_significant(static_cast<double>(at[i]), 4) + ": add rows, or outside = \"hold\"");
 }
 
-/// The motion by both routes. The bound at a time is four times their largest difference up to the next time
-/// at which they are compared, and the rounding to double.
+/// The motion by both routes. The bound at a time is four times their largest difference up to the next
+/// compared time, plus the rounding to double.
 Known true_motion(const Model& model, const Numbers& numbers, std::span<const double> times) {
   const std::string by =
       "Taylor series of '" + model.name() + "', compared with extrapolation, both in long double";
@@ -121,7 +121,7 @@ Known true_motion(const Model& model, const Numbers& numbers, std::span<const do
   if (!motion.trouble.empty()) throw BadInput("model '" + model.name() + "': " + motion.trouble);
   for (std::size_t i = 0; i < motion.states.size(); ++i)
     require_known(model, numbers, motion.states[i], times[i]);
-  // Both routes at few of the times: the second has to end a step at each.
+  // Compares the routes at few of the times: the second has to end a step at each.
   constexpr std::size_t compared = 48;
   std::vector<double> few{times.front()};
   std::vector<std::size_t> places;
@@ -151,7 +151,7 @@ Known true_motion(const Model& model, const Numbers& numbers, std::span<const do
   return known;
 }
 
-/// What the file says is conserved has to be so along the motion.
+/// Checks that the file's conserved quantities are constant along the motion.
 void require_conserved(const File& file, const ModelText& text, const Model& model) {
   std::vector<double> values, times;
   for (const ParameterText& p : file.parameters) values.push_back(p.value);
@@ -173,7 +173,7 @@ void require_conserved(const File& file, const ModelText& text, const Model& mod
                                               format_shortest(file.end) + " s");
 }
 
-/// A power of two, so that steps of several files are comparable, about a hundredth of the time.
+/// About a hundredth of the time; a power of two, so that steps of several files are comparable.
 double longest_step(double end) { return std::exp2(std::floor(std::log2(end / 64))); }
 
 Quantity motion_of(const Parameters& p, const Horizon& horizon, const Reference& truth) {
@@ -212,8 +212,7 @@ Quantity motion_of(const Parameters& p, const Horizon& horizon, const Reference&
   return motion;
 }
 
-/// Of the last model's state as it is seen. Numbers are made anew where the parameters are others than
-/// before.
+/// Energy of the last model's state. Makes its numbers again when the parameters change.
 Energy energy_of(const Parameters& p, std::span<const double> places_and_rates) {
   thread_local const Model* of = nullptr;
   thread_local std::vector<double> values;
@@ -270,8 +269,8 @@ std::vector<Norm> norms_of(const File& file) {
   return norms;
 }
 
-/// The parameters that differ from start to start: those that the file names, else those of the start, else
-/// all.
+/// The parameters that differ from start to start: those that the file names, otherwise those in the start,
+/// otherwise all.
 std::vector<std::string_view> varied(const Kept& here) {
   std::vector<std::string_view> names;
   for (const std::string& name : here.file->vary) names.emplace_back(name);
@@ -323,8 +322,9 @@ Scene scene_of(const Kept& here) {
   return scene;
 }
 
-/// What is asked of a file that asks nothing: a thousandth of the widest range of a variable, up to where a
-/// disturbance of a part in 10^12 has grown to that, beyond which no method in double could follow.
+/// The need for a file that gives none. The error is a thousandth of the widest range of a variable. The
+/// horizon ends where a disturbance of a part in 10^12 has grown to that error: no method in double could go
+/// further.
 void ask_by_motion(File& file) {
   const Model model(file, file.models.front());
   std::vector<double> values;
@@ -334,12 +334,12 @@ void ask_by_motion(File& file) {
   Numbers disturbed = numbers;
   for (long double& x : disturbed.start) x += 1e-12L * (x == 0 ? 1 : std::abs(x));
   constexpr std::size_t looks = 256;
-  // Some seconds' work: who asks for an error and a horizon by TOML may take longer.
+  // Some seconds' work; a TOML file with an error and a horizon may take longer.
   const auto operations = static_cast<long>(numbers.rates.code().size());
   const long steps = std::clamp(6'000'000 / (operations + 1), 1'000L, most_steps);
   double error = 0;
   std::size_t widest = 0, followed = looks;
-  // The whole in a few pieces from the start on, so that chaos is not followed further than need be.
+  // Lengthens the time in a few passes, so that chaos is not computed further than necessary.
   double end = file.end / 64;
   while (true) {
     std::vector<double> times;
@@ -420,7 +420,7 @@ const Entry& entry_of_text(const std::string& name, const std::string& text) {
   for (const ModelText& model : made->file->models) made->models.emplace_back(*made->file, model);
   for (const ParameterText& p : made->file->parameters)
     made->parameters.push_back({p.name, p.value, p.unit, p.says, p.least, p.most, p.whole});
-  made->parameters.reserve(1);  // views find a file by where these are
+  made->parameters.reserve(1);  // views identify a file by the addresses of these
   require_parameters(*made->file);
   for (std::size_t i = 0; i < made->models.size(); ++i)
     if (const Model& model = made->models[i]; !model.is_closed()) {
@@ -440,7 +440,7 @@ const Entry& entry_of_text(const std::string& name, const std::string& text) {
 
 namespace {
 
-/// What a stream has. Throws BadInput where that is more than a problem's file may have.
+/// Reads a stream. Throws BadInput if it is longer than a problem's file may be.
 std::string all_of(std::istream& in, const std::string& name) {
   std::string text(most_of_a_file + 1, '\0');
   in.read(text.data(), static_cast<std::streamsize>(text.size()));

@@ -12,7 +12,7 @@
 #include "problem/model.hpp"
 #include "solvers/ode/any_system.hpp"
 
-/// A file's model behind the seam of the algorithms, for the program and for the page.
+/// A file's model behind the type-erased interface of the algorithms, for the program and for the page.
 namespace oddity::problem {
 
 template <std::size_t n>
@@ -27,7 +27,7 @@ ode::Velocities<n> velocities_of(const Numbers& numbers) {
   return all;
 }
 
-/// `Base` is an AnySystem, with what else is asked of a model.
+/// `Base` is an AnySystem, with any further interface of a model.
 template <std::size_t n, class Base>
 class SystemOf : public Base {
  public:
@@ -94,7 +94,7 @@ class SystemOf : public Base {
   State start_{};
 };
 
-/// The same in float.
+/// The system in float.
 template <std::size_t n>
 class SystemInFloat final : public ode::AnySystem<n, float> {
  public:

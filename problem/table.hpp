@@ -6,16 +6,16 @@
 
 #include "problem/measure.hpp"
 
-/// Numbers for a drive or a force, with a spline through them.
+/// Tabulated drives or forces, with a spline through their rows.
 namespace oddity::problem {
 
 enum class Spline {
   linear,
   cubic,     ///< natural: its second derivative is continuous, and zero at the ends
-  monotone,  ///< Steffen's: its first derivative is continuous, and it has no hills that the rows have not
+  monotone,  ///< Steffen's: its first derivative is continuous, and it adds no extrema
 };
 
-/// y of x, both in base units: from each knot on a polynomial of x less the knot.
+/// y(x), both in base units: from each knot on a polynomial in x less the knot.
 struct Table {
   struct Piece {
     double from;
@@ -24,12 +24,12 @@ struct Table {
 
   std::string name;
   Measure x, y;
-  bool holds = false;  ///< outside its rows it is as at their end, else nothing is known there
+  bool holds = false;  ///< constant outside its rows; otherwise undefined there
   std::vector<Piece> pieces = {};
   double last = 0;
 
   double first() const { return pieces.front().from; }
-  /// Within its rows, roundings aside.
+  /// Whether x is within its rows, up to roundings.
   bool knows(long double at) const {
     const long double little = 1e-9L * (last - first());
     return at >= first() - little && at <= last + little;
@@ -40,15 +40,15 @@ constexpr std::size_t most_rows = 200;
 
 /// The polynomials through (x, y), by GSL's splines. x ascends.
 std::vector<Table::Piece> pieces_of(Spline, const std::vector<double>& x, const std::vector<double>& y);
-/// How many rows it takes at least.
+/// The fewest rows for this spline.
 std::size_t fewest_rows(Spline);
 
-/// Its value at x, T a number that can choose.
+/// The value at x. T is a number type that supports choices.
 template <class T>
 T value_at(const Table& table, const T& x) {
   constexpr double little = 1e-9;
   const double span = table.last - table.first();
-  // Held at either end; a start at the first row is within.
+  // Constant beyond either end; a start at the first row is inside.
   std::vector<Table::Piece> pieces{{table.first(), {table.pieces.front().powers[0], 0, 0, 0}}};
   pieces.insert(pieces.end(), table.pieces.begin(), table.pieces.end());
   const Table::Piece& end = table.pieces.back();
@@ -58,7 +58,7 @@ T value_at(const Table& table, const T& x) {
   const auto begins = [&](std::size_t i) {
     return pieces[i].from + (i == 1 ? -little * span : i + 1 == pieces.size() ? little * span : 0);
   };
-  // The coefficients are chosen, by halves, and not the polynomials: so their slopes have no choices.
+  // Chooses coefficients, by halves, and not polynomials, so that the slopes contain no choices.
   struct Chosen {
     T from;
     std::array<T, 4> powers;

@@ -4,7 +4,7 @@
 
 namespace oddity::problem {
 
-/// A problem's file to begin with, commented, which runs as it is.
+/// A commented problem's file to start from, which runs as it is.
 extern const std::string_view begun;
 
 }  // namespace oddity::problem

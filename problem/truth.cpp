@@ -28,8 +28,8 @@ bool finite(const Values& x) {
   return std::ranges::all_of(x, [](Number one) { return std::isfinite(one); });
 }
 
-/// A right-hand side whose choices stay as they are until they are made anew. Behind the rates it has the
-/// events' guards.
+/// A right-hand side whose choices stay as they are until they are made again. Its outputs are the rates,
+/// then the events' guards.
 class Frozen {
  public:
   explicit Frozen(const Numbers& numbers)
@@ -49,7 +49,7 @@ class Frozen {
                     return takes_yes(one) ? yes : no;
                   });
   }
-  /// By the conditions there, or where one is zero by those a little later.
+  /// Makes the choices by the conditions at this point, or a little later where one is zero.
   void choose_at(const Values& x, Number t, Number little) {
     Values rate(outputs()), later = x;
     by_conditions(x, t, rate);
@@ -57,7 +57,7 @@ class Frozen {
     std::vector<char> undecided(is_positive_.size(), 0);
     for (const auto* one : choices_)
       undecided[static_cast<std::size_t>(one->result)] = registers_[static_cast<std::size_t>(one->a)] == 0;
-    // By way of the middle, as from rest a place moves by its acceleration alone.
+    // In two steps: from rest a place moves only by its acceleration.
     for (std::size_t i = 0; i < x.size(); ++i) later[i] += little / 2 * rate[i];
     by_conditions(later, t + little / 2, rate);
     for (std::size_t i = 0; i < x.size(); ++i) later[i] = x[i] + little * rate[i];
@@ -65,8 +65,8 @@ class Frozen {
     for (std::size_t i = 0; i < now.size(); ++i)
       if (!undecided[i]) is_positive_[i] = now[i];
   }
-  /// How far a condition contradicts its choice in the registers of the last call, at most; none does up to
-  /// zero.
+  /// The largest violation of a choice by its condition, in the registers of the last call; at most zero if
+  /// there is none.
   Number largest_contradiction() const {
     Number most = -std::numeric_limits<Number>::infinity();
     for (const auto* one : choices_) most = std::max(most, contradiction(*one));
@@ -81,7 +81,7 @@ class Frozen {
   bool takes_yes(const Program::Instruction& one) const {
     return is_positive_[static_cast<std::size_t>(one.result)] != 0;
   }
-  /// This choice, and those of the same condition.
+  /// Reverses this choice, and others with the same condition.
   void turn(const Program::Instruction& one) {
     for (const auto* other : choices_)
       if (other->a == one.a) is_positive_[static_cast<std::size_t>(other->result)] ^= 1;
@@ -107,7 +107,7 @@ class Frozen {
   std::vector<const Program::Instruction*> choices_;
 };
 
-/// The guards of a motion's events: which may fall, and what then follows.
+/// The guards of a motion's events: whether each may fall, and its consequence.
 class Guards {
  public:
   Guards(const Numbers& numbers, Number t) : numbers_(numbers), largest_(count(), 0), may_fall_(count(), 0) {
@@ -119,8 +119,8 @@ class Guards {
   std::size_t count() const { return numbers_.events.size(); }
   bool may_fall(std::size_t i) const { return may_fall_[i] != 0; }
   bool has_just_happened(std::size_t i) const { return just_ == static_cast<int>(i); }
-  /// Above zero where a guard of this value has fallen. One that an event has left near zero has fallen where
-  /// it is below what the event has left.
+  /// Positive if a guard of this value has fallen. One that an event has left near zero has fallen if it is
+  /// below the value there.
   Number fallen(std::size_t i, Number value, Number t) const {
     if (!may_fall(i)) return -std::numeric_limits<Number>::infinity();
     return has_just_happened(i) && t > since_ ? (left_ - value) / (t - since_) : -value;
@@ -138,7 +138,7 @@ class Guards {
   void see(const Values& x, Number t) {
     if (count() > 0) see(at(x, t));
   }
-  /// Event i makes another state of x. Returns whether the motion ends.
+  /// Applies event i to the state x. Returns whether the motion ends.
   bool happen(std::size_t i, Values& x, Number t) {
     Values all(numbers_.afterwards.outputs().size());
     numbers_.afterwards.run(x.data(), t, all.data());
@@ -153,7 +153,7 @@ class Guards {
     }
     return numbers_.events[i].ends;
   }
-  /// No number tells the events' times apart any more.
+  /// The events' times can no longer be told apart.
   bool chatter() const { return in_a_row_ >= 16 * static_cast<int>(count()); }
 
  private:
@@ -178,7 +178,7 @@ class Guards {
   Number since_ = -std::numeric_limits<Number>::infinity(), left_ = 0;
 };
 
-/// The size of each unknown so far, and of its rate.
+/// The largest size so far of each unknown, and of its rate.
 class Sizes {
  public:
   explicit Sizes(std::size_t n) : sizes_(n, 0) {}
@@ -197,7 +197,7 @@ class Sizes {
 constexpr int order = 26;
 using Row = std::array<Number, order + 1>;
 
-/// The coefficients of all registers about a point.
+/// The Taylor coefficients of all registers about a point.
 class Series {
  public:
   explicit Series(const Program& rates) : rates_(rates), rows_(rates.registers()) {
@@ -222,13 +222,13 @@ class Series {
   const Row& row(int i) const { return rows_[static_cast<std::size_t>(i)]; }
   const Row& output(std::size_t i) const { return row(rates_.outputs()[i]); }
   const Row& unknown(std::size_t i) const { return rows_[rates_.constants().size() + i]; }
-  /// Up to the order that all registers have.
+  /// The value up to this order, which all registers have.
   static Number value(const Row& row, Number h, int terms) {
     Number sum = 0;
     for (int k = terms; k >= 0; --k) sum = sum * h + row[static_cast<std::size_t>(k)];
     return sum;
   }
-  /// How far it has moved, over h.
+  /// The change since the expansion point, over h.
   static Number value_over(const Row& row, Number h, int terms) {
     Number sum = 0;
     for (int k = terms; k >= 1; --k) sum = sum * h + row[static_cast<std::size_t>(k)];
@@ -308,8 +308,8 @@ class Series {
 
 constexpr Number tolerance = 1e-19L;
 
-/// How far the series is good: its last two terms are below the tolerance, and those of conditions and
-/// guards, which go to one order less.
+/// The largest valid step of the series: its last two terms are below the tolerance, as are those of
+/// conditions and guards, which have one order less.
 Number reach_of(const Series& series, const Sizes& sizes, std::size_t n, const Frozen& choices,
                 std::size_t guards, Number span) {
   Number reach = std::numeric_limits<Number>::infinity();
@@ -317,7 +317,7 @@ Number reach_of(const Series& series, const Sizes& sizes, std::size_t n, const F
     const auto last = static_cast<std::size_t>(k);
     Number most = 0;
     const auto see = [&](const Row& row) {
-      // one that begins at zero, and at rest, has the size that it gains
+      // a register that starts at zero, and at rest, is measured by its growth
       if (k < order && row[last] != 0)
         most = std::max(most, std::abs(row[last]) / std::max({std::abs(row[0]), std::abs(row[1]) * span,
                                                               std::abs(row[2]) * span * span}));
@@ -331,7 +331,7 @@ Number reach_of(const Series& series, const Sizes& sizes, std::size_t n, const F
   return reach;
 }
 
-/// The first place up to h at which this becomes positive; none where it does not.
+/// The first point up to h at which this becomes positive; empty if there is none.
 template <class F>
 std::optional<Number> first_positive(const F& at, Number h) {
   constexpr int samples = 8;
@@ -348,7 +348,7 @@ std::optional<Number> first_positive(const F& at, Number h) {
   return {};
 }
 
-/// What comes first within a step: a condition that contradicts its choice, a guard that falls, or neither.
+/// The first turn within a step: a condition contradicts its choice, a guard falls, or neither.
 struct Turn {
   Number after;  ///< the step, or this part of it
   const Program::Instruction* choice = nullptr;
@@ -358,12 +358,13 @@ struct Turn {
 Turn first_turn(const Series& series, const Frozen& choices, const Guards& guards, Number h) {
   constexpr int terms = order - 1;
   Turn first{h};
-  int seen = -1;  // choices of one condition, such as a table's coefficients, follow each other
+  int seen = -1;  // choices of one condition, such as a table's coefficients, are adjacent
   for (const auto* one : choices.choices()) {
     if (std::exchange(seen, one->a) == one->a) continue;
     const Number sign = choices.takes_yes(*one) ? -1 : 1;
     const Row& condition = series.row(one->a);
-    // By a rounding on the wrong side of zero, where several turn at once, and on its way to the right one.
+    // On the wrong side of zero by a rounding, where several conditions turn at once, and moving to the right
+    // side.
     const bool has_turned =
         sign * condition[0] > 0 && std::abs(condition[0]) <= 1e-15L * std::abs(condition[1] * h);
     const auto off = [&](Number s) {
@@ -376,7 +377,7 @@ Turn first_turn(const Series& series, const Frozen& choices, const Guards& guard
     if (!guards.may_fall(i)) continue;
     const Row& guard = series.output(choices.unknowns() + i);
     const auto fallen = [&](Number s) {
-      // behind an event the guard divided by the time since, so that the event itself is no second one
+      // after an event, the guard over the time since: the event itself must not count again
       return guards.has_just_happened(i) ? -Series::value_over(guard, s, terms)
                                          : -Series::value(guard, s, terms);
     };
@@ -437,7 +438,7 @@ TrueMotion by_series_within(const Numbers& numbers, std::span<const double> time
 
 namespace {
 
-/// Steps of the modified midpoint rule in 2, 4, 6 ... parts, extrapolated to none [Hairer, Norsett and
+/// Steps of the modified midpoint rule in 2, 4, 6 ... parts, extrapolated to zero step [Hairer, Norsett and
 /// Wanner, Solving Ordinary Differential Equations I, II.9].
 class Extrapolation {
  public:
@@ -457,7 +458,7 @@ class Extrapolation {
       for (std::size_t i = 0; i < n; ++i) {
         Number newest = here_[i];
         for (int j = 0; j < k; ++j) {
-          // What is kept is of the row above, and becomes this row's.
+          // The kept value is from the row above; it is replaced by this row's.
           const auto above = static_cast<Number>(k + 1), below = static_cast<Number>(k - j);
           Number& kept = columns_[static_cast<std::size_t>(j)][i];
           const Number ratio = above / below, better = newest + (newest - kept) / (ratio * ratio - 1);
@@ -505,7 +506,7 @@ TrueMotion by_extrapolation(const Numbers& numbers, std::span<const double> time
   Number t = times.front(), h = (times.back() - t) / 256;
   const Number span = times.back() - t;
   frozen.choose_at(x, t, span * 1e-9L);
-  /// How far a condition contradicts its choice, or a guard has fallen, at most.
+  /// The largest contradiction of a choice, or fall of a guard.
   const auto off = [&](const Values& here, Number then) {
     frozen(here, then, ignored);
     return std::max(frozen.largest_contradiction(), guards.most_fallen(ignored.data() + n, then));
@@ -514,7 +515,7 @@ TrueMotion by_extrapolation(const Numbers& numbers, std::span<const double> time
     extrapolation.step(x, t, step, sizes, after);
     return off(after, t + step);
   };
-  /// Where the first is off within a step to `after`: the step's cubic says where to look. 0: nowhere.
+  /// The first turn within a step to `after`, searched along the step's cubic; 0: none.
   const auto first_turn = [&](const Values& from, const Values& slope, Number step) -> Number {
     const Values end = after;
     Number good = 0, bad = off(end, t + step) > 0 ? step : 0;
@@ -532,7 +533,8 @@ TrueMotion by_extrapolation(const Numbers& numbers, std::span<const double> time
     }
     if (bad == 0) return 0;
     Number below = good == 0 ? -1 : off_after(good), above = off_after(bad);
-    // A little to either side of the secant's place in turn, and the middle at times: both ends close in.
+    // Tries points a little to either side of the secant's, in turn, and sometimes the middle, so that both
+    // ends converge.
     for (int turns = 0; turns < 200; ++turns) {
       const Number secant = good + (bad - good) * below / (below - above);
       const Number to = turns % 2 == 0 ? bad : good, beside = secant + (to - secant) * 1e-3L;

@@ -14,7 +14,7 @@ namespace oddity {
 
 namespace {
 
-/// What is nowhere in the exercise's own words.
+/// Search words that are missing in the exercise's own text.
 constexpr std::pair<std::string_view, std::string_view> also_called[]{
     {"2.3", "helix loxodrome sphere curve"},
     {"2.5", "rotation matrix quaternion axis angle"},
@@ -68,7 +68,7 @@ Words words_in(std::string_view text) {
   return words;
 }
 
-/// An exercise's words: first those that it is known by.
+/// An exercise's words by tier; its best-known words come first.
 using Tiers = std::array<Words, 3>;
 
 Tiers tiers_of(const Entry& entry) {
@@ -96,7 +96,7 @@ const std::vector<Tiers>& all_tiers() {
 }
 
 bool begins(std::string_view said, std::string_view word) { return said.starts_with(word); }
-/// "bouncing" and "bounce".
+/// True for "bouncing" and "bounce".
 bool shares_stem(std::string_view said, std::string_view word) {
   const auto parted = std::ranges::mismatch(said, word).in2;
   return static_cast<std::size_t>(parted - word.begin()) >= std::max<std::size_t>(4, word.size() - 3);
@@ -105,7 +105,7 @@ bool is_misspelt(std::string_view said, std::string_view word) {
   return word.size() > 3 && nearly_same(word, said, static_cast<int>(word.size()) / 4);
 }
 
-/// Those that may be looked for: of two letters or one there are too many.
+/// Search words; those of one or two letters are too common.
 Words asked_words(const std::string& text) {
   Words asked = words_in(text);
   std::erase_if(asked, [](const std::string& word) { return word.size() < 3; });
@@ -114,7 +114,7 @@ Words asked_words(const std::string& text) {
 
 using Same = bool (*)(std::string_view said, std::string_view word);
 
-/// The first of the tiers that have the word, or one behind the last.
+/// The first of the tiers that contain the word, or the number of tiers.
 std::size_t tier_with(const Tiers& tiers, const std::string& word, Same same) {
   const auto has = [&](const Words& words) {
     return std::ranges::any_of(words, [&](const std::string& said) { return same(said, word); });
@@ -122,7 +122,7 @@ std::size_t tier_with(const Tiers& tiers, const std::string& word, Same same) {
   return static_cast<std::size_t>(std::ranges::find_if(tiers, has) - tiers.begin());
 }
 
-/// In the order of the tiers in which all of the words are found; if `any`, one of them.
+/// Exercises with all of the words (with any of them if `any`), in the order of their tiers.
 std::vector<const Entry*> found(const Words& asked, Same same, bool any) {
   std::map<std::size_t, std::vector<const Entry*>> by_tier;
   for (std::size_t i = 0; i < registry().size(); ++i) {

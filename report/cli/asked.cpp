@@ -58,8 +58,8 @@ const WordsIn& words_of_title(const Entry& entry) {
   return titles[static_cast<std::size_t>(&entry - registry().data())];
 }
 
-/// Whether a title, or what a parameter says, has a word that may have been meant. Beside others, short ones
-/// mean nothing.
+/// Whether a title or a parameter's description contains a word that may have been meant. Ignores short words
+/// if there are several.
 bool mentions(const WordsIn& says, const WordsIn& asked) {
   const std::size_t too_short = asked.size() == 1 ? 2 : 3;
   for (const std::string_view word : asked)
@@ -77,7 +77,7 @@ std::string with_title(const Entry& entry) {
   return to_string(entry.number) + " (" + std::string(entry.exercise.title) + ")";
 }
 
-/// The one exercise whose number is most like this one, where there is one alone.
+/// The exercise whose number is most like this one; empty if there are several.
 std::string likely(const std::vector<std::string>& near) {
   if (near.size() != 1) return "";
   for (const Entry& entry : registry())
@@ -124,8 +124,8 @@ const Parameter& parameter_of(const Task& task, const std::string& name) {
 
 [[noreturn]] void refuse_assignment(const std::string& word);
 
-/// Those that the name begins and coordinates or indices end: v0x, v0y, v0z of v0; a11, a12, ... of a. None
-/// where the name is a parameter's own.
+/// Parameters that consist of the name and a coordinate or index: v0x, v0y, v0z for v0; a11, a12, ... for a.
+/// Empty if the name itself is a parameter.
 std::vector<std::string> components_of(const Task& task, const std::string& name) {
   std::vector<std::string> all;
   for (const Parameter& p : task.parameters.declared()) {
@@ -139,7 +139,7 @@ std::vector<std::string> components_of(const Task& task, const std::string& name
   return all.size() > 1 ? all : std::vector<std::string>();
 }
 
-/// One for each component of what is given at once, v0=1,2,-1; else the assignment itself.
+/// Splits v0=1,2,-1 into one assignment per component; otherwise returns the assignment itself.
 std::vector<std::string> each_alone(const Task& task, const std::string& assignment) {
   const auto equals = assignment.find('=');
   if (equals == std::string::npos || equals == 0) refuse_assignment(assignment);
@@ -170,7 +170,7 @@ bool is_in_unit(const std::string& text, std::string_view unit) {
   }
 }
 
-/// To six digits, no more than the number: what is asked for so is still allowed.
+/// Rounded to six digits, and not above the number, so that it is still within the limit.
 std::string rounded_down(double x) {
   const std::string nearest = format_significant(x, 6);
   if (parse_number(nearest).value_or(x) <= x) return nearest;
@@ -178,7 +178,7 @@ std::string rounded_down(double x) {
   return format_significant(x - last_digit / 2, 6);
 }
 
-/// Why a word that is no "name=value" may stand there, and what would be right.
+/// Throws with the reason why a word is no "name=value", and a correction.
 [[noreturn]] void refuse_assignment(const std::string& word) {
   if (word.empty()) throw BadInput("an argument is empty; parameters are name=value, as in a=30deg");
   const std::string refusal = "'" + word + "' is not name=value";
@@ -195,7 +195,7 @@ const Scene& scene_of(const Entry& entry) {
                  joined(numbers_of([](const Entry& e) { return e.exercise.scene.has_value(); })));
 }
 
-/// The unit that a number is written with: one without has the quantity's own.
+/// The unit that a number is written with, or the quantity's own.
 ShownUnit shown_unit(const std::string& text, std::string_view unit) {
   const std::string symbol = written(text).unit.empty() ? std::string(unit) : written(text).unit;
   return {symbol, in_unit("1" + symbol, unit)};
@@ -206,7 +206,7 @@ Quantity motion_of(const Entry& entry) {
   return motion(scene, Parameters(entry.exercise.parameters), {scene.horizon}, Reference::nothing());
 }
 
-/// What a game asks, in the motion's units: "1cm,1deg".
+/// A game's tolerances in the motion's units: "1cm,1deg".
 std::string errors_for_engines(const Entry& entry) {
   std::string errors;
   const Quantity seen = motion_of(entry);
@@ -222,11 +222,11 @@ bool has_unit(const std::string& text) {
   try {
     return !written(text).unit.empty();
   } catch (const BadInput&) {
-    return true;  // as it is no number
+    return true;  // it is no number
   }
 }
 
-/// Where a comma may have been meant for a decimal point, as in "1,5deg".
+/// Hint if a comma may have been meant as a decimal point, as in "1,5deg".
 std::string decimal_point_meant(const std::vector<std::string>& parts) {
   if (parts.size() != 2 || !parse_count(parts[0]) || parts[1].empty() ||
       std::isdigit(static_cast<unsigned char>(parts[1].front())) == 0)
@@ -234,12 +234,12 @@ std::string decimal_point_meant(const std::vector<std::string>& parts) {
   return "; a number has a point, as in " + parts[0] + "." + parts[1];
 }
 
-/// Of a path, or of a part of a whole: truths have 24 digits, and more than the largest is no error.
+/// A relative or path error. References have 24 digits, and above the upper bound it is no error.
 double positive(const std::string& what, const std::string& text, std::string_view unit) {
   return between(what, text, unit, 1e-24, 1e12);
 }
 
-/// "0.01" for every unit of the observables, or "1cm", "1cm,1deg", one for each.
+/// "0.01" for every unit of the observables, or "1cm", "1cm,1deg", with one for each.
 void set_errors(Need& need, const Entry& entry, const std::string& text) {
   const Quantity seen = motion_of(entry);
   const auto units = seen.units();
@@ -271,7 +271,7 @@ void set_errors(Need& need, const Entry& entry, const std::string& text) {
   need.error = need.errors.begin()->second;
 }
 
-/// The place of a word among those that an option takes.
+/// Index of a word among those that an option accepts. Throws BadInput if it is none of them.
 std::ptrdiff_t require_one_of(const std::string& option, const std::string& word,
                               const std::vector<std::string>& words) {
   const auto found = std::ranges::find(words, word);
@@ -280,7 +280,7 @@ std::ptrdiff_t require_one_of(const std::string& option, const std::string& word
   return found - words.begin();
 }
 
-/// The criteria that are asked for beside the first.
+/// Sets the additional criteria.
 void set_also(Need& need, const AskedNeed& asked) {
   const auto add = [&](Criterion criterion, const std::string& option, const std::string& text,
                        std::string_view unit) {
@@ -296,7 +296,7 @@ void set_also(Need& need, const AskedNeed& asked) {
     need.shown["m"] = shown_unit(asked.constraint, "m");
 }
 
-/// The names of a scene's models and of their algorithms, each once.
+/// Names of a scene's models and of their algorithms, each once.
 struct MethodNames {
   std::vector<std::string> models, algorithms;
 };
@@ -312,7 +312,7 @@ MethodNames method_names(const Task& task) {
   return names;
 }
 
-/// The names, and their words, that may have been meant.
+/// Names, and words of names, that may have been meant.
 std::string similar_names(const std::string& word, const MethodNames& names) {
   std::vector<std::string> candidates;
   const auto add = [&](const std::string& text) {
@@ -333,8 +333,8 @@ bool is_in_one(const std::string& word, const std::vector<std::string>& names) {
                              [&](const std::string& name) { return name.find(word) != std::string::npos; });
 }
 
-/// A word that no model and no algorithm has would leave nothing, or exclude nothing. What the catalog has
-/// may be excluded anywhere.
+/// Refuses a word that no model or algorithm contains: it would leave nothing, or exclude nothing. Any
+/// algorithm of the catalog may be excluded.
 void require_known_words(const Task& task, const AskedNeed& asked) {
   if (asked.only.empty() && asked.exclude.empty()) return;
   const MethodNames names = method_names(task);
@@ -363,7 +363,7 @@ Criterion criterion_of(const std::string& text) {
       require_one_of("--criterion", text, {criterion_names.begin(), criterion_names.end()}));
 }
 
-/// What someone asks of the motion, its error or digits.
+/// Sets the criterion, and its error or digits.
 void set_accuracy(Need& need, const Entry& entry, const AskedNeed& asked) {
   need.criterion = criterion_of(asked.criterion);
   if (need.criterion == Criterion::bounded) {
@@ -480,7 +480,7 @@ std::string accuracy_option(const AskedNeed& asked) {
 
 namespace {
 
-/// Lengths of frames, one a line, in a unit or in the scene's unit of time.
+/// Lengths of frames, one per line, in a unit or in the scene's unit of time.
 std::vector<double> trace_of(const std::string& file, const std::string& time) {
   std::vector<double> lengths;
   std::istringstream lines(read_whole(file));
@@ -547,8 +547,7 @@ Need need_of(const Task& task, const AskedNeed& asked) {
                          : "--horizon may be " + rounded_down(most_frames / need.frames_per_second) + " " +
                                time + " at that rate"));
   }
-  // A contact ends a step, of which a frame has at most 512; of one in a million frames no need would see
-  // any.
+  // A contact ends a step, and a frame has at most 512 steps. A horizon has at most a million frames.
   if (!asked.restart_every.empty())
     need.restart_every = between("--restart-every", asked.restart_every, time,
                                  1 / (512 * need.frames_per_second), most_frames / need.frames_per_second);
@@ -583,7 +582,7 @@ std::vector<Task> tasks_at_frames(const std::vector<std::string>& exercises, con
   std::vector<Task> tasks = tasks_of(exercises, true);
   for (Task& task : tasks) {
     AskedNeed of_frames = asked;
-    of_frames.criterion = "bounded";  // which asks for no error
+    of_frames.criterion = "bounded";  // needs no error
     const auto is_its_file = [&](const std::string& word) {
       return problem::is_file(word) && &entry_of(word) == task.entry;
     };

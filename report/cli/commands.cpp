@@ -34,7 +34,7 @@ namespace oddity {
 
 namespace {
 
-/// What was asked on the command line, and what comes of it.
+/// The command line's input, and the result.
 struct Session : Formats {
   const Suite& suite;
   const Extras& extras;
@@ -53,7 +53,7 @@ struct Session : Formats {
   std::string outside = {}, from_exercise = {}, single = {};
   bool schema = false;
   bool scene = false, identity = false;
-  std::string command = {};  ///< as it would be typed
+  std::string command = {};  ///< as typed in a shell
   int status = 0;
 };
 
@@ -89,7 +89,7 @@ std::string columns_of_trials() {
          "evaluations, seconds, spread, outcome, message; a row for each trial.\n";
 }
 
-/// Catch2's words, which are not exercises.
+/// Catch2's test specifications, which are not exercises.
 void require_test_specifications(const std::vector<std::string>& words) {
   std::set<std::string> options;
   for (const std::string& word : words) {
@@ -103,7 +103,7 @@ void require_test_specifications(const std::vector<std::string>& words) {
                      "]' with its quotes, for exercise " + words[i]);
 }
 
-/// A problem's file is judged by itself.
+/// A problem's file is judged alone.
 void require_file_alone(const CLI::App& verify, const std::vector<std::string>& words) {
   if (words.size() > 1)
     throw BadInput("verify takes one problem's file and nothing beside it: leave '" +
@@ -113,7 +113,7 @@ void require_file_alone(const CLI::App& verify, const std::vector<std::string>& 
       throw BadInput(std::string(option) + " is of the exercises, and " + words[0] + " is a problem's file");
 }
 
-/// A share is of all exercises.
+/// A share is always taken of all exercises.
 void require_all_exercises(const std::vector<std::string>& words) {
   for (const std::string& word : words)
     if (word.starts_with('[') || word.starts_with('~'))
@@ -121,7 +121,7 @@ void require_all_exercises(const std::vector<std::string>& words) {
                      "'");
 }
 
-/// "[2.1],[2.15]": every so many-th exercise.
+/// "[2.1],[2.15]": the exercises of a share.
 std::string tags_of_shard(const std::string& text) {
   const Shard shard = shard_of(text);
   std::string tags;
@@ -275,7 +275,7 @@ void add_choose_methods(CLI::App& choose, AskedNeed& need) {
                   "question gets the same answer");
 }
 
-/// Which of the need's values are given.
+/// Notes which of the need's options are given.
 void see_what_is_given(AskedNeed& need, const CLI::App& verb) {
   need.horizon_is_given = verb.get_option("--horizon")->count() > 0;
   need.rate_is_given = verb.get_option("--fps")->count() > 0;
@@ -487,7 +487,7 @@ void add_prove(CLI::App& app, Session& s) {
   add_formats(*prove, s, "what is proved");
 }
 
-/// Nothing else goes with a problem's file.
+/// A problem's file accepts no other options.
 void begin_problem(const CLI::App& begin, const Session& s) {
   for (const char* option : {"slug", "--scene", "--identity", "--topic", "--in"})
     if (begin.get_option(option)->count() > 0)
@@ -533,7 +533,7 @@ void add_new(CLI::App& app, Session& s) {
   add_path(*begin, "--in", s.outside, "a folder outside the tree; ODDITY_OWN has the build find it there");
 }
 
-/// The main job: verify everything, and write the report and the site.
+/// The default command: verifies everything, and writes the report and the site.
 int all_of_it(const Session& s) {
   if (needs_are_all(verbs::needs_of_site())) return 0;
   const auto begun = std::chrono::steady_clock::now();
@@ -545,13 +545,13 @@ int all_of_it(const Session& s) {
   return verdict;
 }
 
-/// Standard streams that are closed are opened such that writing fails: no file may take their place.
+/// Opens closed standard streams so that writing fails: otherwise a file could take their place.
 void occupy_standard_streams() {
   for (int stream : {0, 1, 2})
     if (fcntl(stream, F_GETFD) == -1) open("/dev/null", stream == 0 ? O_WRONLY : O_RDONLY);
 }
 
-/// Standard output took all that was printed; else says so.
+/// Whether standard output took everything that was printed; reports it if not.
 bool output_arrived() {
   errno = 0;
   std::cout.flush();
@@ -567,7 +567,7 @@ void complain(const std::string& what) {
   std::cerr << wrapped("oddity: " + visible(what) + "\n", screen_of(STDERR_FILENO), 2);
 }
 
-/// Memory for a thread as well, of which TBB says so in words alone.
+/// Includes memory for a thread; TBB reports that only in the message.
 bool lacks_memory(const std::exception& error) {
   const auto* of_system = dynamic_cast<const std::system_error*>(&error);
   return dynamic_cast<const std::bad_alloc*>(&error) ||
@@ -583,7 +583,7 @@ int no_memory() {
 
 const std::terminate_handler usual_end = std::get_terminate();
 
-/// Where memory is lacking in a destructor or in a thread of its own: a JSON's takes some to be destroyed.
+/// Called if memory runs out in a destructor or another thread: destroying JSON takes some.
 [[noreturn]] void end_without_memory() {
   try {
     if (const auto error = std::current_exception()) std::rethrow_exception(error);
@@ -609,7 +609,7 @@ int answer(CLI::App& app, Session& session, int argc, char** argv) {
     require_verbs_alone(app, argc, argv);
     require_a_verb(app, words);
     require_each_once(app, words);
-    std::vector<std::string> reversed(words.rbegin(), words.rend());  // as CLI11 wants them
+    std::vector<std::string> reversed(words.rbegin(), words.rend());  // CLI11's order
     app.parse(reversed);
     return app.get_subcommands().empty() ? all_of_it(session) : session.status;
   } catch (const CLI::ParseError& error) {
@@ -635,9 +635,9 @@ int command_line(int argc, char** argv, const Suite& suite, const Extras& extras
   std::set_terminate(end_without_memory);
   occupy_standard_streams();
   const VisibleOutput printed(std::cout, screen_of(STDOUT_FILENO).colour),
-      said(std::cerr, screen_of(STDERR_FILENO).colour, "\r");  // progress goes back in its line
+      said(std::cerr, screen_of(STDERR_FILENO).colour, "\r");  // progress returns to the start of its line
   tidy_when_interrupted();
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is a write that fails
+  std::signal(SIGXFSZ, SIG_IGN);  // exceeding the file size limit is then a write error
   CLI::App app(
       "The solutions of Game Physics, 2nd edition, checked by machine. Without a verb everything is verified, "
       "and the report and the site are written.",

@@ -4,7 +4,7 @@
 
 namespace oddity {
 
-/// What encloses true values in this build. Throws BadInput where it was built without Arb.
+/// Encloses true values. Throws BadInput if this build has no Arb.
 Enclosing enclosing();
 
 }  // namespace oddity

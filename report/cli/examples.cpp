@@ -21,7 +21,7 @@ constexpr std::array<Mark, 17> marks{{
     {"oddity prove 3.5 7.9 --out /tmp/proofs", "not, needs Coq, which ./oddity prove installs"},
     {"mpirun -n 8 oddity sweep run /tmp/map", "not, needs eight cores"},
     {"oddity sweep run /tmp/map --slurm 100 | sbatch", "not, needs Slurm"},
-    {"oddity sweep merge /tmp/map", "exit 0 or 2"},  // where HDF5 came after the program, it asks for a .csv
+    {"oddity sweep merge /tmp/map", "exit 0 or 2"},  // asks for a .csv if HDF5 was installed after the build
     {"oddity sweep merge /tmp/map /mnt/other/map --out map.csv", "exit 2"},  // nothing is mounted there
     {"oddity sweep draw /tmp/map --show error --out e.svg", "not, needs a map of every cell"},
     {"oddity new 3.2 spring_pendulum", "exit 2"},  // an installed program has no tree
@@ -33,7 +33,7 @@ std::string_view mark_of(std::string_view example) {
   return found == marks.end() ? "-" : found->says;
 }
 
-/// Those of a verb, and of the verbs within, which are not there yet.
+/// Adds the new examples of a verb, and of its subcommands.
 void add_examples(const CLI::App& verb, std::string& all) {
   std::istringstream footer(verb.get_footer());
   bool begun = false;

@@ -6,14 +6,13 @@
 
 namespace oddity {
 
-/// What is meant to fail, or not to be run by tests, of the help's examples; said as beside those of
-/// README.md.
+/// Marks an example of the help that should fail, or that tests do not run; same words as in README.md.
 struct Mark {
   std::string_view example, says;
 };
 std::span<const Mark> marks_of_examples();
 
-/// Every example of the help once, a line each: its mark, or "-", a tab, and the command.
+/// Every example of the help once, one per line: its mark or "-", a tab, and the command.
 std::string examples_of(const CLI::App&);
 
 }  // namespace oddity

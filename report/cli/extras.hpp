@@ -12,11 +12,11 @@ namespace CLI {
 class App;
 }
 
-/// What the products in extras/ add to the program. Only main.cpp knows which there are.
+/// Extensions by the products in extras/. Only main.cpp knows which exist.
 namespace oddity {
 
-/// The command line that a verb is added to: `reference` is the folder of the tables, once the line is read,
-/// and `status` the exit code.
+/// The command line to which a verb is added. After parsing, `reference` is the folder of the tables.
+/// `status` is the exit code.
 struct CommandLine {
   CLI::App& app;
   const std::string& reference;
@@ -26,19 +26,19 @@ struct CommandLine {
 /// Several bodies of one kind in each frame, for `choose --bodies`.
 struct ManyBodies {
   Needs needs;
-  /// What a run of a method costs for all of the need's bodies.
+  /// Cost of a run of a method for all bodies of the need.
   std::function<Price(const Task&, const Need&)> price;
-  /// The registers that the chosen method's bodies are side by side in; empty: they go one after the other.
+  /// The SIMD registers for the chosen method's bodies; empty: they run one after the other.
   std::function<std::string(const Choice&)> registers;
 };
 
-/// Other people's engines on the scenes, for `list`, `choose --engine` and `chart`.
+/// Third-party engines on the scenes, for `list`, `choose --engine` and `chart`.
 struct OtherEngines {
   using Answer = std::function<std::string(const Choice&, const Reference&)>;
 
-  /// The names of scenes that no exercise has.
+  /// Names of scenes that belong to no exercise.
   std::function<std::vector<std::string>()> scenes;
-  /// Throws BadInput where the exercise has no scene for engines.
+  /// Throws BadInput if the exercise has no scene for engines.
   std::function<void(const Entry&)> require_scene;
   /// What the engines of this name make of the scene beside a choice, as text. Throws BadInput where there
   /// are none.

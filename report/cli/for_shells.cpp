@@ -13,7 +13,7 @@ namespace {
 
 using Verbs = std::vector<const CLI::App*>;
 
-/// Not those without a group, which are hidden.
+/// Omits verbs without a group, which are hidden.
 Verbs verbs_of(const CLI::App& app) {
   Verbs verbs = app.get_subcommands([](const CLI::App* verb) { return !verb->get_group().empty(); });
   return verbs;
@@ -38,7 +38,7 @@ std::string options_in_words(const CLI::App& app) {
   return joined(names, " ");
 }
 
-/// A line of the script's table for a verb, and for those within it.
+/// The lines of the script's table for a verb and its subcommands.
 std::string table_of(const CLI::App& app, const std::string& path) {
   const Verbs within = verbs_of(app);
   std::string text =
@@ -55,7 +55,7 @@ std::string in_troff(std::string_view text) {
   return made.starts_with('.') || made.starts_with('\'') ? "\\&" + made : made;
 }
 
-/// Lines that begin with a blank stay as they are.
+/// Leaves lines that begin with a blank unchanged.
 std::string paragraphs(const std::string& text) {
   std::istringstream lines(text);
   std::string made;

@@ -3,13 +3,13 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-/// What is installed beside the program, from the table of its own verbs and options.
+/// Files installed with the program, made from its table of verbs and options.
 namespace oddity {
 
-/// A script for bash that completes verbs, options and exercises, and runs nothing for it.
+/// A bash script that completes verbs, options and exercises without running the program.
 std::string completion_of(const CLI::App&);
 
-/// The manual page, in troff. Paths of this build are not in it.
+/// The manual page, in troff, without paths of this build.
 std::string manual_of(const CLI::App&, const std::string& version);
 
 }  // namespace oddity

@@ -38,7 +38,7 @@ class Help : public CLI::Formatter {
   }
 
  private:
-  /// " FOLDER=/tmp" of an option that takes a value.
+  /// " FOLDER=/tmp" for an option that takes a value.
   static std::string taken_by(const CLI::Option& option) {
     if (option.get_type_size() == 0 || option.get_positional()) return "";
     const std::string usual = option.get_default_str();

@@ -7,7 +7,7 @@
 
 namespace oddity {
 
-/// Help in the screen's width: what an option takes, and what it is for.
+/// Help for the screen's width: each option's value and purpose.
 std::shared_ptr<CLI::FormatterBase> help_for(const Screen&);
 
 }  // namespace oddity

@@ -3,22 +3,22 @@
 #include <string>
 #include <vector>
 
-/// What verbs need beside the plain program. The script ./oddity asks for it, as `oddity --needs VERB ...`,
-/// before it has the verb done: so nothing is installed or built for arguments that are no good.
+/// Requirements of verbs beyond the plain program. The script ./oddity queries them as `oddity --needs VERB
+/// ...` before it runs the verb, so it installs or builds nothing for invalid arguments.
 namespace oddity {
 
 struct Needs {
-  std::vector<std::string> packages = {};  ///< Debian's
-  std::vector<std::string> npm = {};       ///< folders of the sources, for `npm ci`
-  std::vector<std::string> targets = {};   ///< of the build
+  std::vector<std::string> packages = {};  ///< Debian packages
+  std::vector<std::string> npm = {};       ///< source folders, for `npm ci`
+  std::vector<std::string> targets = {};   ///< build targets
 };
 
-/// From now on nothing is done but said what it needs.
+/// From now on verbs only print their needs.
 void ask_for_needs();
 bool needs_are_asked();
 
-/// Of a verb whose arguments are found good: says these where they are asked, and returns whether they are.
-/// Nothing is then to be done.
+/// Called by a verb after checking its arguments. If needs are asked for, prints these and returns true; the
+/// verb then has to return.
 bool needs_are_all(const Needs&);
 
 }  // namespace oddity

@@ -32,7 +32,7 @@ Number number_of(const std::string& text) {
 bool is_letter(char c) { return 'a' <= c && c <= 'z'; }
 bool is_of_names(char c) { return is_letter(c) || ('0' <= c && c <= '9') || c == '_'; }
 
-/// The nearest name to a text: "Spring pendulum" gives "spring_pendulum".
+/// The nearest valid name: "Spring pendulum" gives "spring_pendulum".
 std::string as_name(std::string_view text) {
   std::string name;
   for (char c : text) {
@@ -55,7 +55,7 @@ void require_name(const std::string& what, const std::string& text) {
                  (name.empty() ? "" : "; did you mean '" + name + "'?"));
 }
 
-/// The folder in `folder` whose name begins with the two digits and _; empty when there is none.
+/// The subfolder whose name begins with the two digits and _; empty if there is none.
 std::string folder_of(const fs::path& folder, int number) {
   if (!fs::is_directory(folder)) return "";
   for (const auto& entry : fs::directory_iterator(folder))
@@ -98,8 +98,8 @@ std::string some_free(int chapter) {
                  "; nothing was written. Free are " + some_free(number.chapter) + " and more");
 }
 
-/// Whether a run of `new` that was ended left them so: the last are missing, and those before as it writes
-/// them.
+/// Whether an interrupted run of `new` left these files: the last ones are missing, and the others are as it
+/// writes them.
 bool left_unfinished(const std::vector<NewFile>& files) {
   const auto is_there = [](const NewFile& file) { return fs::exists(file.path); };
   const auto missing = std::ranges::find_if_not(files, is_there);
@@ -108,7 +108,7 @@ bool left_unfinished(const std::vector<NewFile>& files) {
                      [](const NewFile& file) { return read_whole(file.path) == file.text; });
 }
 
-/// The text, with each word of `words` where its pattern is; the first pattern that fits counts.
+/// Replaces each pattern in the text by its word; the first pattern that matches counts.
 std::string with_words(std::string_view text,
                        std::span<const std::pair<std::string_view, std::string>> words) {
   std::string made;
@@ -120,7 +120,7 @@ std::string with_words(std::string_view text,
   return made;
 }
 
-/// "Spring pendulum" of spring_pendulum.
+/// "Spring pendulum" for spring_pendulum.
 std::string title_of(std::string slug) {
   std::ranges::replace(slug, '_', ' ');
   slug.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(slug.front())));

@@ -8,15 +8,15 @@
 #include "report/pages/code.hpp"
 #include "report/study/embedded.hpp"
 
-/// An exercise of one's own, begun.
+/// Starts a user's exercise.
 namespace oddity {
 
-/// What `oddity new` is asked for, as it is written.
+/// Arguments of `oddity new`, as written.
 struct NewExercise {
   std::string number, slug;
-  std::string topic = {};         ///< of the chapter's folder; empty: as the book has it
+  std::string topic = {};         ///< name of the chapter's folder; empty: as in the book
   std::filesystem::path in = {};  ///< a folder outside the tree; empty: the tree
-  bool scene = true;              ///< else an identity
+  bool scene = true;              ///< otherwise an identity
 };
 
 /// A file to write: its path within the folder, and its text.
@@ -30,11 +30,10 @@ std::span<const EmbeddedFile> embedded_templates();
 
 /// The book's scenes as problems' files, each with its path in the tree.
 std::span<const EmbeddedFile> embedded_scenes();
-/// That of an exercise. Throws BadInput, with those that there are, where it has none.
+/// The scene of an exercise. Throws BadInput with a list of the available ones if it has none.
 std::string_view scene_as_file(const std::string& exercise);
 
-/// What would be written. Throws BadInput when the number or a name is none, or the exercise is there
-/// already.
+/// The files to write. Throws BadInput when the number or a name is invalid, or the exercise exists already.
 std::vector<NewFile> new_files(const NewExercise&);
 
 }  // namespace oddity

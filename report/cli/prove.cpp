@@ -39,7 +39,7 @@ Provables provables_of(const std::vector<Task>& tasks, bool all) {
   return of_these;
 }
 
-/// On record are the proofs of all exercises, or of these in place of what was.
+/// Writes proofs.csv: with these proofs only if `all`, otherwise with these in place of older ones.
 void approve(const Provables& these, bool all, const fs::path& folder) {
   ProvedClaims record;
   if (!all && fs::exists(folder / "proofs.csv")) record = read_proofs(folder);

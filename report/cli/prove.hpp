@@ -5,12 +5,12 @@
 namespace oddity::verbs {
 
 struct AskedProofs {
-  std::vector<std::string> exercises = {};  ///< none: all of which something is proved
-  fs::path out = {};                        ///< where the files go
-  bool overwrite = false;                   ///< also over files of others
-  bool approve = false;                     ///< what is proved is put on record
+  std::vector<std::string> exercises = {};  ///< empty: all with provable claims
+  fs::path out = {};                        ///< folder for the files
+  bool overwrite = false;                   ///< even if the folder has other files
+  bool approve = false;                     ///< record the proved claims
 };
-/// Writes a Coq file for each claim and has it checked; 0 when all are proved, else 1.
+/// Writes a Coq file for each claim and checks it; returns 0 if all are proved, otherwise 1.
 int prove(const fs::path& folder, const AskedProofs&, Format);
 
 }  // namespace oddity::verbs

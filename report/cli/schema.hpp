@@ -4,8 +4,8 @@
 
 namespace oddity {
 
-/// The JSON schema of a problem's file, from the reader's own table of keys: editors complete and check by
-/// it.
+/// The JSON schema of a problem's file, made from the reader's own table of keys. Editors complete and check
+/// with it.
 std::string schema_of_problems();
 
 }  // namespace oddity

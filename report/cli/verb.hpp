@@ -11,21 +11,21 @@
 #include "report/text/screen.hpp"
 #include "report/text/table_text.hpp"
 
-/// What the verbs of the command line have in common, those of extras/ too.
+/// Shared parts of the command line's verbs, including those of extras/.
 namespace oddity {
 
 namespace verbs {
 
 enum class Format { text, json, csv, code };
 
-/// The screen that standard output goes to.
+/// The screen for standard output.
 Screen output();
-/// Prints a table as JSON, or else as CSV.
+/// Prints a table as JSON or CSV.
 void print(const Table&, Format);
 
 }  // namespace verbs
 
-/// The options by which a format is asked for.
+/// Options that select a format.
 struct Formats {
   bool json = false, csv = false, code = false;
 
@@ -37,13 +37,14 @@ struct Formats {
   }
 };
 
-/// Adds a verb. `says_needs`: where its needs are asked, it says them and does nothing; others need nothing.
+/// Adds a verb. `says_needs`: if needs are asked for, it prints them and does nothing; other verbs need
+/// nothing.
 CLI::App* add_verb(CLI::App&, const std::string& name, const std::string& says, const std::string& footer,
                    const std::function<void()>& act, bool says_needs = false);
 void add_formats(CLI::App& verb, Formats&, const std::string& what);
-/// `of`: what the limit is for, where it is not the answer.
+/// `of`: the purpose of the limit, if it is not for the answer.
 void add_time_limit(CLI::App& verb, std::string& limit, const std::string& of = "");
-/// What has to hold of the motion, and to what.
+/// Options for the criterion and its error.
 void add_criteria(CLI::App& verb, AskedNeed&);
 /// The option does not go together with the others.
 void set_apart(CLI::App& verb, CLI::Option*, std::initializer_list<const char*> others);

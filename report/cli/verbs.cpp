@@ -59,8 +59,8 @@ Reference truth_of(const fs::path& folder, bool enclosed, fs::path cache = {}) {
   return enclosed ? truth.enclosed_by(enclosing()) : truth;
 }
 
-/// The last results. An exercise is run again where its code, its tables or its ledger have changed. If
-/// wanted they have the cheapest_models, which a run of the suite does not need and does not make.
+/// The last results. Runs exercises again whose code, tables or ledger have changed. If wanted, adds the
+/// cheapest models, which a run of the suite neither needs nor makes.
 Results last_results(const fs::path& folder, bool cheapest_models) {
   const fs::path file = results_file();
   const Reference truth(folder, motions_folder());
@@ -94,7 +94,7 @@ Results last_results(const fs::path& folder, bool cheapest_models) {
   return results;
 }
 
-/// "0.001 to 3.14", "whole, 2 to 100"; empty when any number will do.
+/// "0.001 to 3.14", "whole, 2 to 100"; empty if any number is allowed.
 std::string range_of(const Parameter& p) {
   const bool from = std::isfinite(p.least), to = std::isfinite(p.most);
   const std::string ends = from && to ? format_shortest(p.least) + " to " + format_shortest(p.most)
@@ -117,19 +117,20 @@ std::string in_list(const Entry& entry, const Screen& screen) {
   return wrapped(text, screen, 10);
 }
 
-/// What is true, until the time is over in which an answer was asked for.
+/// The reference, limited by the time limit of the answer.
 Reference truth_in_time(const fs::path& folder) {
   return Reference(folder, motions_folder()).watched([](double) { check_stop(); });
 }
 
-/// What `work` returns, within the limit for each of so many exercises, counted from the program's start.
+/// Returns the result of `work`, with the limit for each of so many exercises, counted from the program's
+/// start.
 template <class Work>
 auto in_time_for_each(const std::string& limit, std::size_t exercises, const Work& work) {
   return in_time(time_limit_of(limit) * static_cast<double>(exercises) - seconds_running(),
                  exercises > 1 ? "fewer exercises at once" : "", work);
 }
 
-/// In the unit of time that the tasks share; none where it is theirs.
+/// In the tasks' common unit of time; empty if not given.
 std::optional<double> horizon_of(const std::vector<Task>& tasks, const std::string& text) {
   if (text.empty()) return {};
   std::optional<double> horizon;
@@ -143,7 +144,7 @@ std::optional<double> horizon_of(const std::vector<Task>& tasks, const std::stri
   return horizon;
 }
 
-/// What is asked besides of each task; empty: nothing is. At most 4,096 times of a motion are looked at.
+/// The additional need of each task; empty if there is none. Judges at most 4,096 times of a motion.
 std::vector<Need> needs_besides(const AskedStability& asked, const std::vector<Task>& tasks,
                                 std::optional<double> horizon) {
   constexpr double looks = 4096;
@@ -177,7 +178,7 @@ std::string in_words(const Need& need, const Task& task) {
   return what_holds(asked, "at the end of every step");
 }
 
-/// The horizon and the need of each task, as they are refused before anything runs.
+/// Horizon and need of each task, checked before anything runs.
 struct StabilityTasks {
   std::vector<Task> tasks;
   std::optional<double> horizon;
@@ -192,7 +193,7 @@ StabilityTasks stability_tasks(const AskedStability& asked) {
 
 struct FoundStability {
   Results results;
-  std::vector<HeldSteps> held;  ///< of each exercise in turn; none: nothing was asked
+  std::vector<HeldSteps> held;  ///< for each exercise in turn; empty: not requested
 };
 FoundStability stability_of(const fs::path& folder, const AskedStability& asked) {
   const StabilityTasks all = stability_tasks(asked);
@@ -219,13 +220,13 @@ FoundStability stability_of(const fs::path& folder, const AskedStability& asked)
   return found;
 }
 
-/// The book is the same whatever is installed.
+/// The book must not depend on installed libraries.
 void require_common_algorithms() {
   if (ode::not_in_catalog().empty())
     throw BadInput("the book has no algorithms of SUNDIALS: build it with -DODDITY_SUNDIALS=OFF");
 }
 
-/// Nothing can be chosen where nothing is true yet.
+/// Refuses to choose without a reference.
 void require_truth(const Task& task, const Reference& truth) {
   const Quantity seen = motion(*task.entry->exercise.scene, task.parameters, truth);
   if (seen.reference.by.starts_with(to_write_mark))
@@ -291,7 +292,7 @@ void solve(const fs::path& folder, const std::string& exercise, const std::vecto
 
 namespace {
 
-/// The limit is for the answer as a whole: what has passed since the program began is of it.
+/// The limit is for the whole answer: subtracts the time since the program began.
 Need in_what_is_left(Need need) {
   need.time_limit -= seconds_running();
   return need;
@@ -322,7 +323,7 @@ Choice choice_in_time(const Task& task, const Need& asked, const Reference& trut
   return choice;
 }
 
-/// Of what someone runs: whether it is enough, and what is chosen instead as far as that is found in time.
+/// Judges the user's method, and shows the recommended one if it is found in time.
 int judge_own(const fs::path& folder, const Task& task, const AskedNeed& asked, const Need& need,
               Format format, const ManyBodies& bodies) {
   const MethodAsked method = method_of(task, asked, need);

@@ -13,59 +13,59 @@
 #include "report/cli/verb.hpp"
 #include "report/pages/markdown.hpp"
 
-/// What the program's verbs do. Each takes the folder of the reference tables, prints what is asked on
-/// standard output, and throws BadInput.
+/// Implementations of the verbs. Each takes the folder of the reference tables, prints its output on standard
+/// output, and throws BadInput.
 namespace oddity::verbs {
 
 namespace fs = std::filesystem;
 
-/// By number or by words of their titles; all of them when there are none.
+/// Finds exercises by number or by words of their titles; all if none is given.
 void list(const std::vector<std::string>& exercises, Format, const OtherEngines&);
-/// `overrides` are "name=value". As JSON everything; as CSV the trials.
+/// `overrides` are "name=value". JSON has everything; CSV only the trials.
 void solve(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
            bool enclosed, Format);
 
-/// 0 when something meets the need, else 1. `command` is the command line, for the code's comment;
-/// `engine` one of others to be tried beside, unless empty.
+/// Returns 0 if something meets the need, otherwise 1. `command` is the command line, for the code's comment;
+/// `engine` is a third-party engine to compare, unless empty.
 int choose(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
            const AskedNeed&, Format, bool all_rows, const std::string& engine, const std::string& command,
            const Extras&);
 /// Of all chapters when the text is empty.
 void report(const fs::path& folder, const std::string& chapter, Edition, const fs::path& out, bool overwrite);
-/// What is proved, enclosed, witnessed and survived, and what that rests on.
+/// Shows the proofs, enclosures, witnesses and surviving mutants, and their basis.
 void trust(const fs::path& folder, Format);
-/// The report that runs, of all exercises.
+/// Writes the site of all exercises.
 void site(const fs::path& folder, const fs::path& out, bool overwrite);
 /// The page of one exercise as a file.
 void single(const fs::path& folder, const std::string& exercise, const fs::path& out, bool overwrite);
-/// The compiler of its models.
+/// Requirements for compiling the models to WebAssembly.
 Needs needs_of_site();
-/// Throws BadInput when the report, the site or the results could not be written, before a run.
+/// Throws BadInput before a run when the report, the site or the results could not be written.
 void require_room_for_all(const fs::path& report_out, const fs::path& site_out);
-/// The report and the site of the last results, and the screen that a whole run ends with.
+/// Writes the report and the site of the last results, and prints the summary of a whole run.
 void publish(const fs::path& folder, const fs::path& report_out, const fs::path& site_out, bool as_on_record,
              const std::function<double()>& seconds);
-/// Of all exercises when there are none.
+/// Draws charts of these exercises; of all if none is given.
 void chart(const fs::path& folder, const std::vector<std::string>& exercises, const AskedNeed&, Curves,
            const fs::path& out, bool overwrite, const OtherEngines&);
-/// The trials that the charts show, with nothing drawn.
+/// Prints the trials that the charts show, without drawing.
 void chart_table(const fs::path& folder, const std::vector<std::string>& exercises, const AskedNeed&, Format);
 struct AskedStability {
-  std::vector<std::string> words;  ///< scenes by number, one of them with other parameters; none: all
+  std::vector<std::string> words;  ///< scenes by number, one of them with other parameters; empty: all
   std::string horizon;             ///< empty: the scenes' own
-  AskedNeed need;                  ///< its errors and criteria, of exercises that are named
+  AskedNeed need;                  ///< errors and criteria, for the named exercises
 };
-/// As text, with the maps drawn.
+/// Prints text, and draws the maps.
 void stability(const fs::path& folder, const AskedStability&, const fs::path& out, bool overwrite);
-/// The same as a table of limits, with nothing drawn.
+/// Prints a table of limits, without drawing.
 void stability_table(const fs::path& folder, const AskedStability&, Format);
-/// Of scenes as they are, as the rows that would put the limits and maps on record.
+/// Prints the rows that would approve the limits and maps of unchanged scenes.
 void stability_rows(const fs::path& folder, const AskedStability&);
-/// The claims of a problem's file, and 1 where one has another verdict than the file itself expects.
+/// Judges the claims of a problem's file. Returns 1 if a verdict differs from the one that the file expects.
 int judge(const std::string& file, Format);
-/// Writes a problem's file to begin with, or a scene of the book as one. Throws BadInput where one is there.
+/// Writes a commented problem's file, or a scene of the book as one. Throws BadInput if the file exists.
 void create_problem(const fs::path& file, const std::string& from_exercise);
-/// Writes the files of a new exercise, and says what to do next.
+/// Writes the files of a new exercise, and shows the next steps.
 void create(NewExercise);
 
 }  // namespace oddity::verbs

@@ -28,7 +28,7 @@ void require_verb(const CLI::App& app, const std::string& word) {
   throw BadInput("no verb '" + word + "'; the verbs are: " + joined(names) + did_you_mean(word, names));
 }
 
-/// "sweep plan ", with those above it; nothing for the program itself.
+/// "sweep plan ", with its parent verbs; empty for the program itself.
 std::string typed_before_options(const CLI::App& app) {
   return app.get_parent() ? typed_before_options(*app.get_parent()) + app.get_name() + " " : "";
 }
@@ -37,7 +37,7 @@ std::string help_of(const CLI::App& app) {
   return "'" + program_as_typed() + " " + typed_before_options(app) + "--help' says more";
 }
 
-/// The verb that was used, or the one within it.
+/// The verb that was used, or its subcommand.
 const CLI::App& innermost(const CLI::App& app) {
   const auto used = app.get_subcommands();
   return used.empty() ? app : innermost(*used.front());

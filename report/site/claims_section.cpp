@@ -35,7 +35,7 @@ std::string count_text(const Check& c) {
   return in_xml(of.starts_with("1 ") ? "holds in its one" + of.substr(1) : "holds in all " + of);
 }
 
-/// How much of its tolerance a check uses up; one that fails comes before all that hold.
+/// The share of its tolerance that a check uses; failing checks rank before all that pass.
 double use_of(const Check& c) {
   const double used = c.tolerance.allowed > 0 ? c.difference() / c.tolerance.allowed
                       : c.difference() == 0   ? 0
@@ -83,7 +83,7 @@ std::string sentence(std::string text) {
   return text + ".";
 }
 
-/// Of a wrong formula, which has no other transcription: how it was read.
+/// How a wrong formula was read, as it has no other transcription.
 std::string how_it_is_read(const JudgedClaim& judged) {
   const Reading& printed = judged.claim.printed;
   const bool wrong = is_erratum(judged.verdict) || judged.verdict == Verdict::misprint;
@@ -91,7 +91,7 @@ std::string how_it_is_read(const JudgedClaim& judged) {
                                      : "";
 }
 
-/// What speaks for a verdict.
+/// The evidence for a verdict.
 std::string evidence_of(const JudgedClaim& judged) {
   const Claim& claim = judged.claim;
   if (!claim.not_checkable.empty()) return html::text(claim.not_checkable);
@@ -112,7 +112,7 @@ std::string evidence_of(const JudgedClaim& judged) {
 
 std::string id_attribute(const Claim& claim) { return " id=\"" + claim_anchor_of(claim) + "\""; }
 
-/// A text with a formula of it as that is shown.
+/// Replaces a formula in a text by its markup.
 std::string within(const std::string& text, const std::string& formula, const std::string& shown) {
   const std::size_t at = text.find(formula);
   const bool is_whole = at != std::string::npos && formula.starts_with('$');
@@ -135,7 +135,7 @@ std::string sides(const JudgedClaim& judged) {
   return element("dl", " class=\"sides\"", text);
 }
 
-/// What Coq has proved says so; a summary's link would be taken for its own.
+/// The mark of a claim proved by Coq. A summary contains no link, which would be confused with its own.
 std::string mark_of(const Claim& claim, const ProvedClaims& proved, bool links = true) {
   return !proved.contains(claim.id) ? "" : links ? ", " + html::link("trust.html", "proved") : ", proved";
 }
@@ -176,7 +176,7 @@ bool is_finding(Verdict verdict) {
   return verdict != Verdict::confirmed && verdict != Verdict::not_checkable;
 }
 
-/// What a claim that names a formula does not show of it.
+/// The formula that the claim's text names but does not show.
 std::string formula_of(const Claim& claim) {
   if (!is_formula(claim.printed.text) || says_what_is_printed(claim)) return "";
   return ": " + html::text(claim.printed.text);

@@ -1,41 +1,39 @@
-// What the page's scripts get of an exercise, as oddity.exercise({...}), the data packed (script.hpp).
+// Data of an exercise for the page's scripts, as oddity.exercise({...}), packed (script.hpp).
 // Numbers have as many digits as a reader can use; those that are not finite are null. An outcome is its
 // letter on the maps of stability.
 //   number, title
 //   outcomes     {letter: name}
 //   parameters   [{name, value, unit, says, least, most, whole}], of a scene
-//   units        {unit: {name: how many of it}}: what numbers of the scene may be typed in
+//   units        {unit: {name: its size in the unit}}: units accepted for numbers of the scene
 //   styles       {colours: {model: place}, marks: {algorithm: place}, families: {algorithm: name}}: as in the
 //                static charts; places in the order of their palettes (charts/chart_style.hpp)
 //   quantities   [{name, unit, says, samples, need, floor, size, charts, models: [name], algorithms: [name],
-//                knobs: [{name, settings}], methods}]; no error means anything below `floor`; `size` is the
-//                true value's; `charts` are what its error is drawn against: "evaluations", "setting",
-//                "time". A method is [model, algorithm, knob, in float?, trials], the first three by their
-//                places; a trial of each setting is [error, evaluations, ns, spread, outcome], the time and
-//                its spread in nanoseconds. page.js makes {model, algorithm, knob, precision, trials} of it,
-//                the setting before the rest of each trial
+//                knobs: [{name, settings}], methods}]; errors below `floor` mean nothing; `size` is that of
+//                the true value; `charts` are the axes of its error: "evaluations", "setting", "time".
+//                A method is [model, algorithm, knob, in float?, trials], the first three by index. A trial
+//                of each setting is [error, evaluations, ns, spread, outcome], the time and its spread in
+//                nanoseconds. page.js makes {model, algorithm, knob, precision, trials} of it, with the
+//                setting first in each trial
 //   scene        null, or {quantity: its index, horizon, time_unit, close: {unit: error}, observables:
 //                [name], norms: [{unit, components}], varied, over: [value], truth, paths}; the norms are
-//                those by which the quantity's trials are judged
-//     truth      {end, frames, values}: the true observables at frame 0, 1, ..., frames, one time after the
-//                other, by the reference; values are floats, least byte first, in base64
+//                those that judge the quantity's trials
+//     truth      {end, frames, values}: the true observables at frame 0, 1, ..., frames, time after time, by
+//                the reference; values are floats, least significant byte first, in base64
 //     paths      [{model, algorithm, knob, setting, error, outcome, frames, least, most, values}]: recorded
-//                motions, of what the module has not and of other people's engines, from frame 1 on as far
-//                as they come, these with their precision; values are whole numbers of 16 bits, from 0 for
-//                the observable's `least` to 65535 for its `most`, each less that of the frame before, in
-//                base64: first all their low bytes, and then all their high ones
+//                motions that the module lacks, and third-party engines' with their precision, from frame 1
+//                to their end. Values are whole numbers of 16 bits, from 0 for the observable's `least` to
+//                65535 for its `most`, each less that of the frame before, in base64: first all low bytes,
+//                then all high ones
 //   stability    null, or {limits: [{model, algorithm, shown, stable, unstable, theory, within, tongues:
 //                [[from, to]]}], parameter, unit, steps: [step], map: [{model, algorithm, rows: [[value,
-//                theory, outcomes, fragile], ...]}]}; `shown` is the largest stable step in words; a theory
-//                of null has every step stable; outcomes are the letters of the steps, and fragile has a star
-//                for each that roundings decide and a dot for each other, or nothing where they decide none
-//   least        null, or [{model, algorithm, setting}]: the least model for a game, and for ten digits
-//   example      of the one that is no exercise: {truth, opening: [...]}, the methods that are the truth
-//   where the
-//                parameters are others, and that the player opens with: {model, algorithm, precision,
-//                setting}
+//                theory, outcomes, fragile], ...]}]}; `shown` is the largest stable step in words; if theory
+//                is null, every step is stable; outcomes are the letters of the steps; fragile has a star
+//                for each that roundings decide and a dot for each other, and is empty if they decide none
+//   least        null, or [{model, algorithm, setting}]: the cheapest model for a game, and for ten digits
+//   example      only for the example: {truth, opening: [...]}, the reference for other parameters, and the
+//                initial methods of the player: {model, algorithm, precision, setting}
 //
-// And of all scenes, as oddity.scenes([{number, title, parameters, units, styles, horizon, time_unit, close,
+// Data of all scenes, as oddity.scenes([{number, title, parameters, units, styles, horizon, time_unit, close,
 // observables, norms, exact, faulted, knobs: {knob: [setting]}}, ...]); `exact` are the models whose motion
 // is ok in the book's case, the truest first, and `faulted` those that the scene's own page shows to be
 // wrong.
@@ -65,7 +63,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-/// A whole number without a point.
+/// A whole number is written without a point.
 Json from(double x) {
   if (!std::isfinite(x)) return nullptr;
   return std::abs(x) < 1e9 && x == std::round(x) ? Json(std::lround(x)) : Json(x);
@@ -99,7 +97,7 @@ Json parameters_of(const Entry& entry) {
   return all;
 }
 
-/// The units that a scene's numbers may be typed in: {unit: {name: how many of it}}.
+/// The units accepted for a scene's numbers: {unit: {name: its size in the unit}}.
 Json units_of(const Entry& entry) {
   const std::string time(entry.exercise.scene->axes.time);
   std::set<std::string> units{time, "1/" + time};
@@ -121,7 +119,7 @@ Json from(const TimedTrial& t) {
                       brief(1e9 * t.time.spread, 2), letter(t.outcome)});
 }
 
-/// A quantity's methods, and what they share.
+/// A quantity's methods, with the lists that they share.
 struct Methods {
   Json methods = Json::array(), models = Json::array(), algorithms = Json::array(), knobs = Json::array();
 
@@ -130,7 +128,7 @@ struct Methods {
     Json rows = Json::array(), settings = Json::array();
     for (const TimedTrial& t : trials) {
       rows.push_back(from(t));
-      settings.push_back(from(t.setting));  // with all digits, as it is asked for again
+      settings.push_back(from(t.setting));  // with all digits, for another run
     }
     const Json knob{{"name", trials.empty() ? "" : trials.front().knob}, {"settings", settings}};
     methods.push_back({place(models, model), place(algorithms, algorithm), place(knobs, knob),
@@ -138,7 +136,7 @@ struct Methods {
   }
 
  private:
-  /// Where it is in the list, at the end if it was not there.
+  /// Index in the list; appends it if missing.
   static std::size_t place(Json& list, const Json& what) {
     const auto at = static_cast<std::size_t>(std::ranges::find(list, what) - list.begin());
     if (at == list.size()) list.push_back(what);
@@ -154,7 +152,7 @@ Methods methods_of(const QuantityResult& q) {
   return all;
 }
 
-/// Not where trials have only been run, and not timed.
+/// False if trials were only run and not timed.
 bool is_timed(const QuantityResult& q) {
   return std::ranges::any_of(q.methods, [](const MethodResult& m) {
     return std::ranges::any_of(m.trials, [](const TimedTrial& t) { return std::isfinite(t.time.seconds); });
@@ -198,13 +196,13 @@ Json styles_of(std::span<const QuantityResult> quantities, const Styles& styles)
   return {{"colours", colours}, {"marks", marks}, {"families", families}};
 }
 
-/// 60 frames a second where the time is in seconds, and as many in all as ten seconds have where it is not.
+/// 60 frames a second if the time is in seconds; otherwise 600 in all.
 Horizon frames_of(const Scene& scene) {
   return {scene.horizon, 1, scene.axes.time == "s" ? 60 : 600 / scene.horizon};
 }
 
-/// Where the motion starts, by the method that is closest to the truth: what it has come to at a time so
-/// short that no float can show what has moved.
+/// The initial observables, by the method that is closest to the truth: its result after so short a time that
+/// no float shows a motion.
 Value start_of(const Scene& scene, const Parameters& parameters, const Path& truest) {
   const Quantity seen = scene.motion(parameters, {scene.horizon * 1e-30, 1}, Reference::nothing());
   for (const Method& m : seen.methods)
@@ -212,7 +210,7 @@ Value start_of(const Scene& scene, const Parameters& parameters, const Path& tru
   throw std::logic_error("the motion has no method '" + truest.model + ", " + truest.algorithm + "'");
 }
 
-/// The true observables at frame 0, 1, ..., one time after the other.
+/// The true observables at frame 0, 1, ..., time after time.
 std::vector<double> true_motion(const Scene& scene, const Parameters& parameters, const Path& truest,
                                 const Reference& truth) {
   const Quantity seen = motion(scene, parameters, frames_of(scene), truth.to_digits(14));
@@ -222,7 +220,7 @@ std::vector<double> true_motion(const Scene& scene, const Parameters& parameters
   return all;
 }
 
-/// The model of what engines do, which have their own.
+/// The label of the model that has the engines' results.
 constexpr const char* engine_model = "physics engine, as it comes";
 
 /// From 0 for the least to 65535 for the most.
@@ -230,14 +228,14 @@ std::uint32_t quantized(double x, double least, double most) {
   return most > least ? static_cast<std::uint32_t>(std::lround(65535 * (x - least) / (most - least))) : 0;
 }
 
-/// A recorded motion, for the eye.
+/// A recorded motion, for display.
 Json from(const Path& path, std::size_t observables, std::size_t frames) {
   std::vector<double> least(observables, INFINITY), most(observables, -INFINITY);
   for (std::size_t i = 0; i < path.value.size(); ++i) {
     least[i % observables] = std::min(least[i % observables], path.value[i]);
     most[i % observables] = std::max(most[i % observables], path.value[i]);
   }
-  std::string low, high;  // what changes little has high bytes that pack well
+  std::string low, high;  // slowly changing values have high bytes that compress well
   std::vector<std::uint32_t> before(observables, 0);
   for (std::size_t i = 0; i < path.value.size(); ++i) {
     const std::size_t k = i % observables;
@@ -271,7 +269,7 @@ Json norms_of(const Scene& scene) {
   return norms;
 }
 
-/// As the table of trials is judged.
+/// The norms that judge the table of trials.
 Json norms_of(const Scene& scene, const QuantityResult& judged) {
   if (!judged.norms.empty()) return norms_of(scene);
   Json norms = Json::array();
@@ -284,7 +282,7 @@ auto motion_of(const ExerciseResult& e) {
   return std::ranges::find_if(e.quantities, [](const QuantityResult& q) { return q.trajectory.has_value(); });
 }
 
-/// The settings of each knob from coarse to fine, by the method that has most of them.
+/// The values of each setting from coarse to fine, by the method that has most of them.
 Json knobs_of(const QuantityResult& q) {
   Json knobs = Json::object();
   for (const MethodResult& m : q.methods) {
@@ -307,7 +305,7 @@ Json exact_models(const Trajectory& shown) {
   return names;
 }
 
-/// The module has the models that are listed, by the algorithms of Odeint.
+/// The module contains the listed models with Odeint's algorithms.
 bool in_module(const Scene& scene, const Path& path) {
   const auto starts = [&](std::string_view library) { return path.algorithm.starts_with(library); };
   return !starts("GSL ") && !starts("CVODE ") && !starts("ARKODE ") && !starts("Taylor ") &&
@@ -320,7 +318,7 @@ bool in_module(const Scene& scene, const Path& path) {
                               [&](const auto& listed) { return listed.first == path.model; }));
 }
 
-/// Engines as their users get them, at a step a frame: twenty times a second, for the eye.
+/// Engines with their defaults, at a step per frame: twenty times a second, for display.
 Json engine_paths(const EngineContest& contest, const Scene& scene) {
   constexpr std::size_t every = 3;
   const std::size_t observables = scene.axes.observables.size();
@@ -329,7 +327,7 @@ Json engine_paths(const EngineContest& contest, const Scene& scene) {
   if (frames % every != 0) return paths;
   for (const EngineSeries& series : contest.series) {
     if (!series.defaults || series.trials.empty() || series.trials.front().path.empty()) continue;
-    if (series.engine.ends_with(" in double")) continue;  // to the eye they are as in float
+    if (series.engine.ends_with(" in double")) continue;  // they look the same as in float
     const EngineTrial& trial = series.trials.front();
     Path path{engine_model,
               series.engine + " " + series.version,

@@ -11,16 +11,16 @@
 
 namespace oddity {
 
-/// data/3.5.js: oddity.exercise({...}), everything that the page's scripts show of an exercise. Its layout
-/// stands at the head of data.cpp. `recorded`: with all motions of the scene that were recorded, for a page
-/// without models; else with what other people's engines made of it, where that was kept.
+/// data/3.5.js: oddity.exercise({...}), all data of an exercise for the page's scripts. The head of data.cpp
+/// describes the layout. `recorded`: includes all recorded motions of the scene, for a page without models;
+/// otherwise only third-party engines' results, if kept.
 std::string exercise_data(const ExerciseResult&, const Reference&, const Styles&, bool recorded,
                           std::span<const EngineContest> = {});
 
-/// The same of the example that is no exercise (example.hpp).
+/// The same for the example that is no exercise (example.hpp).
 std::string example_data(const ExerciseResult&, bool recorded);
 
-/// data/scenes.js: oddity.scenes([...]), what the chooser has to know of all scenes.
+/// data/scenes.js: oddity.scenes([...]), data of all scenes for the chooser.
 std::string scenes_data(const Results&, const Styles&);
 
 }  // namespace oddity

@@ -16,7 +16,7 @@ namespace {
 
 using html::element;
 
-/// How a whole solution fared.
+/// The result for a whole solution.
 struct TileClass {
   std::string_view kind, words;
 };
@@ -26,7 +26,7 @@ constexpr TileClass stands_wrong{"wrong", "wrong"}, stands_incomplete{"incomplet
 constexpr std::array standings{stands_right, stands_misprint, stands_incomplete, stands_wrong,
                                stands_unsettled};
 
-/// By the worst of its claims. What our copy has lost is no fault of the book.
+/// The worst of its claims decides. Losses in our copy are no fault of the book.
 TileClass standing_of(const ExerciseResult& e) {
   const Counts counts = counts_of(e);
   if (counts.contains(Verdict::wrong)) return stands_wrong;
@@ -68,7 +68,7 @@ std::string standings_legend(const Results& results) {
   return element("ul", " class=\"standings\"", items) + "\n";
 }
 
-/// The field works by scripts alone, which show it.
+/// The field needs scripts, which also make it visible.
 std::string exercises_door(const Results& results) {
   std::string chapters_of_the_book;
   for (const Chapter& chapter : chapters()) chapters_of_the_book += chapter_tiles(results, chapter);

@@ -6,10 +6,10 @@
 
 namespace oddity {
 
-/// What a reader comes for, above the fold of the front page: whether an exercise is right, why Euler fails,
-/// and what to use; with the motion that the book gets wrong by most.
+/// The top of the front page: whether an exercise is right, why Euler fails, and which method to use; with
+/// the book's worst motion.
 std::string doors(const Results&);
-/// The exercise whose picture stands there; null where none moves.
+/// The exercise whose picture is shown there; null if none moves.
 const ExerciseResult* exercise_in_motion(const Results&);
 
 }  // namespace oddity

@@ -16,13 +16,13 @@ namespace {
 using html::element;
 using List = nlohmann::ordered_json;
 
-/// Of errata.json: 2 tells what is wrong from what is incomplete, and what our copy has lost from both; 1
-/// called them errata and misprints.
+/// Version of errata.json. Version 2 separates wrong and incomplete claims, and losses in our copy;
+/// version 1 called them errata and misprints.
 constexpr int errata_version = 2;
 
 List finite_or_null(double x) { return std::isfinite(x) ? List(x) : List(nullptr); }
 
-/// How far the printed version is off in the check that it fails worst.
+/// The error of the printed version in the check that it fails worst.
 List margin_of(const Claim& claim) {
   const Check* worst = nullptr;
   const auto excess = [](const Check& c) { return c.difference() / c.tolerance.allowed; };
@@ -62,7 +62,7 @@ List entry_of(const ExerciseResult& e, const JudgedClaim& judged) {
 bool is_listed(const JudgedClaim& c) { return is_erratum(c.verdict) || c.verdict == Verdict::misprint; }
 bool is_lost(const JudgedClaim& c) { return c.verdict == Verdict::lost; }
 
-/// The claims, one a line.
+/// The claims, one per line.
 std::string list_of(const Results& results, bool (*is)(const JudgedClaim&)) {
   std::string all;
   for (const ExerciseResult& e : results.exercises)
@@ -73,7 +73,7 @@ std::string list_of(const Results& results, bool (*is)(const JudgedClaim&)) {
   return "[" + all + "\n]";
 }
 
-/// What the solution says, and what of it is wrong as printed where that is not plain.
+/// The solution's statement, with the wrong printed part where that is not obvious.
 std::string printed_text(const Claim& claim, const std::string& as_printed) {
   return html::text(claim.says) + (says_what_is_printed(claim) ? "" : " <b>" + as_printed + "</b>");
 }

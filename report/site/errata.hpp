@@ -4,10 +4,10 @@
 
 #include "report/study/results.hpp"
 
-/// What is wrong in the book as a list: for programs, and for paper.
+/// Lists of the book's errors, for programs and for print.
 namespace oddity {
 
-/// errata.json: every erratum and misprint, as errata.schema.json has it.
+/// errata.json: every erratum and misprint, by errata.schema.json.
 std::string errata_json(const Results&);
 /// errata.schema.json, a JSON schema (2020-12).
 std::string errata_schema();

@@ -30,7 +30,7 @@ std::string page_link(const ExerciseResult& e, const std::string& section) {
 
 // ---- trust ------------------------------------------------------------------------------------------------
 
-/// What the words of the table mean.
+/// Explanations of the table's terms.
 const std::map<std::string, std::string>& meanings() {
   static const std::map<std::string, std::string> all{
       {"judged",
@@ -64,7 +64,7 @@ std::string trust_rows(const Results& results, const Trust& trust) {
                     {"what", "how many", "of", "subject", "means", "rests on"}};
   std::string part;
   for (const auto& row : trust_table(results, trust).rows) {
-    if (std::get<std::string>(row[0]) == part) continue;  // the shares of one that has its row
+    if (std::get<std::string>(row[0]) == part) continue;  // shares of a part that has its own row
     part = std::get<std::string>(row[0]);
     const auto found = meanings().find(part);
     table.rows.push_back(html::row({in_xml(part), text_of(row[2]), text_of(row[3]),
@@ -77,7 +77,7 @@ std::string trust_rows(const Results& results, const Trust& trust) {
 
 // ---- stability --------------------------------------------------------------------------------------------
 
-/// The algorithms that most scenes have, in the order of the first that has them all.
+/// The algorithms that most scenes have, in the order of the first scene that has them all.
 std::vector<std::string> common_algorithms(const Results& results) {
   std::map<std::string, int> scenes;
   std::vector<std::string> order;

@@ -7,8 +7,8 @@
 #include "report/study/results.hpp"
 #include "report/study/trust.hpp"
 
-/// Pages of the site about all exercises: what stands behind the verdicts, up to which steps methods hold,
-/// and what other people's engines do.
+/// Pages of the site about all exercises: the evidence for the verdicts, stability limits, and third-party
+/// engines.
 namespace oddity {
 
 std::string trust_html(const Results&, const Trust&);

@@ -5,9 +5,9 @@
 
 namespace oddity {
 
-/// A scene with events that is no exercise of the book, for the site alone: a bouncing ball.
+/// A bouncing ball: a scene with events that is no exercise of the book, only for the site.
 const Entry& example();
-/// Its trials, run here and now.
+/// Its trials, run at the first call.
 const ExerciseResult& example_result();
 
 /// The scene of the lesson (lesson.hpp): a mass on a spring.

@@ -28,7 +28,7 @@ std::string setup_drawing(const ExerciseResult& e) {
   const Entry* entry = entry_of(e.number);
   std::string svg = entry ? setup_svg(*entry) : "";
   const std::size_t style = svg.find("<style>"), end = svg.find("</style>");
-  if (end != std::string::npos) svg.erase(style, end + 9 - style);  // the page has it
+  if (end != std::string::npos) svg.erase(style, end + 9 - style);  // the page has its own style
   return svg.empty() ? "" : element("figure", " class=\"setup\"", svg.substr(svg.find("<svg"))) + "\n";
 }
 
@@ -65,7 +65,7 @@ std::string counts_line(const ExerciseResult& e) {
   return element("p", " class=\"counts\"", text);
 }
 
-/// What stands and what does not, each finding as a link to it.
+/// The right and the wrong parts of the solution, each finding as a link.
 std::string verdict_line(const ExerciseResult& e) {
   const std::string text =
       verdict_of(e, {[](const Finding& f, const std::string& words) {
@@ -105,7 +105,7 @@ std::string player_section(const ExerciseResult& e) {
          (e.number == example().number ? "" : command) + "</p></noscript></section>\n";
 }
 
-/// In the order in which they need one another.
+/// In the order of their dependencies.
 std::vector<std::string> scripts_of(const ExerciseResult& e, const std::string& name) {
   std::vector<std::string> scripts{"data/" + name + ".js"};
   const auto add = [&](std::initializer_list<std::string_view> names) {

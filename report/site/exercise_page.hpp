@@ -9,8 +9,8 @@
 
 namespace oddity {
 
-/// 3.5.html: the question, the set-up, the player, the recipe, the findings, the claims, the quantities, the
-/// limits.
+/// 3.5.html: the question, the set-up, the player, the recipe, the findings, the claims, the quantities and
+/// the limits.
 std::string exercise_page(const Results&, const ExerciseResult&, const ProvedClaims& = {},
                           std::span<const EngineContest> = {});
 

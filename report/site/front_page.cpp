@@ -20,9 +20,9 @@ std::string exercise_link(const ExerciseResult& e) {
   return html::link(to_string(e.number) + ".html", "<b>" + to_string(e.number) + "</b> " + in_xml(e.title));
 }
 
-// ---- what was found ---------------------------------------------------------------------------------------
+// ---- results ----------------------------------------------------------------------------------------------
 
-/// A bar of the verdicts, each as wide as its part.
+/// A bar of the verdicts, with widths in proportion to their numbers.
 std::string verdict_bar(const Counts& all) {
   std::string bar, legend;
   int before = 0;
@@ -78,7 +78,7 @@ std::string what_was_done(const Results& results, const SiteParts& parts) {
          "</p>\n</section>\n";
 }
 
-// ---- what is wrong ----------------------------------------------------------------------------------------
+// ---- errors -----------------------------------------------------------------------------------------------
 
 std::string wrong_item(const Finding& finding) {
   const JudgedClaim& first = *finding.claims.front();

@@ -7,7 +7,7 @@
 
 namespace oddity {
 
-/// index.html: what is wrong in the book, by root; what it means for games, a row a scene; the exercises.
+/// index.html: the book's errors by root; their meaning for games, one row per scene; the exercises.
 std::string front_page(const Results&, const SiteParts&);
 
 }  // namespace oddity

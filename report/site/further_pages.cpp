@@ -52,7 +52,7 @@ std::string library_findings() {
   return element("ul", " class=\"found\"", items);
 }
 
-/// In one line, in letters that one may look for.
+/// One line, in letters that can be typed.
 std::string searchable(std::string_view text) {
   std::string made = typed(text);
   std::erase(made, '\n');
@@ -143,7 +143,7 @@ void add_pages(IndexRows& all) {
 
 }  // namespace
 
-/// Rows of [where it stands, its kind, its title, its text]; a claim's title is where it stands in its page.
+/// Rows of [place, kind, title, text]; a claim's title is its place on the page.
 std::string search_index(const Results& results) {
   IndexRows all = IndexRows::array();
   for (const ExerciseResult& e : results.exercises) {

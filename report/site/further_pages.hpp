@@ -7,11 +7,11 @@
 
 namespace oddity {
 
-/// chooser.html: what to use for a scene, answered in the page.
+/// chooser.html: recommends a method for a scene, computed in the page.
 std::string chooser_page(const Results&, const SiteParts&);
-/// algorithms.html: the catalog, and what was found in the libraries.
+/// algorithms.html: the catalog, and findings about the libraries.
 std::string algorithms_page();
-/// data/search.js: oddity.index([[where, kind, title, text], ...]), what the search looks through.
+/// data/search.js: oddity.index([[where, kind, title, text], ...]), the index for the search.
 std::string search_index(const Results&);
 
 }  // namespace oddity

@@ -25,7 +25,7 @@ constexpr const char* runge_kutta = "Runge-Kutta 4";
 double lesson_given(std::string_view name) { return Parameters(lesson_scene().exercise.parameters)[name]; }
 double lesson_horizon() { return lesson_scene().exercise.scene->horizon; }
 
-/// By how much a step multiplies the energy.
+/// The factor of the energy in one step.
 double energy_factor(const std::string& algorithm, double step) {
   const auto motion = lesson_motion(algorithm, step, 1);
   return lesson_energy(motion[1]) / lesson_energy(motion[0]);
@@ -78,7 +78,7 @@ constexpr double circle_side = 150, circle_middle = circle_side / 2,
                  circle_reach = 2.1;  ///< of the true_circle's chart, in amplitudes
 constexpr double energy_left = 190, energy_right = 370, energy_bottom = 136,
                  energy_top = 10;  ///< of the energy's
-constexpr double most_energy = 3;  ///< in that of the start
+constexpr double most_energy = 3;  ///< relative to the initial energy
 
 std::string lesson_pixel(double x) {
   return format_significant(std::round(10 * std::clamp(x, -1e3, 1e3)) / 10, 5);
@@ -114,7 +114,7 @@ std::string circle_chart(const std::vector<PlaceAndVelocity>& motion) {
          lesson_pixel(circle_middle) + "\" r=\"" + lesson_pixel(radius) + "\"/>" + lesson_line("way", way);
 }
 
-/// Of values over those at the start, at each step.
+/// Values relative to the initial one, at each step.
 std::string energy_curve(const std::string& kind, const std::vector<double>& values, double step) {
   std::string points;
   for (std::size_t k = 0; k < values.size(); ++k) {
@@ -166,7 +166,7 @@ std::string told_text(const LessonStep& told) {
          still_of(told) + "</li>\n";
 }
 
-/// The players with these methods at a step a frame, where the model allows them.
+/// Links to players with these methods at a step per frame, if the model allows them.
 std::string in_the_book(const Results& results) {
   constexpr std::array<std::pair<Number, const char*>, 4> scenes{
       {{{3, 5}, "a pendulum"}, {{3, 9}, "a stiff spring"}, {{3, 33}, "a top"}, {{3, 25}, "a chain of rods"}}};

@@ -10,8 +10,8 @@
 
 namespace oddity {
 
-/// lesson.html: why explicit Euler fails, step after step on a mass and a spring. The page's script lets the
-/// compiled model move; on paper, and without scripts, each step has its charts.
+/// lesson.html: why explicit Euler fails, step by step on a mass and a spring. The page's script runs the
+/// compiled model; in print, and without scripts, each step has its charts.
 std::string lesson_page(const Results&, const SiteParts&);
 
 /// One step of the lesson.
@@ -23,11 +23,11 @@ struct LessonStep {
 };
 std::span<const LessonStep> lesson_steps();
 
-/// The place and velocity of the lesson's mass at the start and after each of `count` steps.
+/// Position and velocity of the lesson's mass at the start and after each of `count` steps.
 using PlaceAndVelocity = std::array<double, 2>;
 std::vector<PlaceAndVelocity> lesson_motion(const std::string& algorithm, double step, int count);
 double lesson_energy(const PlaceAndVelocity&);
-/// What the algorithm keeps in the energy's place at this step; the energy where it keeps nothing else.
+/// The quantity that the algorithm conserves instead of the energy at this step; otherwise the energy.
 double shadow_energy(const std::string& algorithm, double step, const PlaceAndVelocity&);
 
 }  // namespace oddity

@@ -20,7 +20,7 @@ namespace {
 using Kind = Drawing::Kind;
 using html::element;
 
-/// A motion as drawings at evenly spaced times, as far as it goes.
+/// A motion as drawings at evenly spaced times, until it ends.
 using Film = std::vector<Drawing>;
 
 Film film_of(const Path& path, const Trajectory& t, const Entry& entry, std::size_t frames) {
@@ -44,7 +44,7 @@ bool is_shown(Kind kind) {
          kind == Kind::track || kind == Kind::disc || kind == Kind::plate || kind == Kind::arrow;
 }
 
-/// From the scene's lengths to the picture's.
+/// Maps the scene's lengths to the picture's.
 class View {
  public:
   static constexpr double side = 320, margin = 16;
@@ -79,7 +79,7 @@ std::string points_text(const Drawing::Primitive& p, const View& view, const Dra
   return text;
 }
 
-/// An attribute as it is at first, and as it changes.
+/// An attribute's initial value, and its changes.
 struct Moving {
   std::string name;
   std::vector<std::string> values = {};
@@ -101,7 +101,7 @@ std::string shape(const std::string& tag, const std::string& still, std::vector<
   return text + ">" + changes + "</" + tag + ">";
 }
 
-/// One primitive through the film.
+/// One primitive throughout the film.
 std::string primitive_text(const Film& film, std::size_t which, const View& view, double seconds) {
   const auto& first = film.front().primitives()[which];
   const auto still = [](const std::string& name) { return " class=\"" + name + "\""; };
@@ -126,7 +126,7 @@ std::string primitive_text(const Film& film, std::size_t which, const View& view
   return shape(first.kind == Kind::plate ? "polygon" : "polyline", still(name), {points}, seconds);
 }
 
-/// What moves of a film, or what stands still.
+/// The moving or the fixed parts of a film.
 std::string layer_text(const Film& film, const View& view, double seconds, bool background) {
   std::string text;
   for (std::size_t i = 0; i < film.front().primitives().size(); ++i) {
@@ -140,7 +140,7 @@ std::string layer_text(const Film& film, const View& view, double seconds, bool 
   return text;
 }
 
-/// A film that ends early stays at its end.
+/// A film that ends early stays at its last drawing.
 void prolong(Film& film, std::size_t frames) {
   while (!film.empty() && film.size() < frames) film.push_back(film.back());
 }

@@ -6,9 +6,8 @@
 
 namespace oddity {
 
-/// The published motion of a scene beside the true one, drawn small, as an SVG that a script sets going.
-/// Empty where the book's motion is not among the recorded ones, or is within what a game allows, or the
-/// scene does not say how it looks.
+/// The published motion of a scene next to the true one, drawn small, as an SVG that a script animates. Empty
+/// if the book's motion is not recorded, is within a game's tolerance, or the scene defines no drawing.
 std::string moving_picture(const ExerciseResult&);
 
 }  // namespace oddity

@@ -35,7 +35,7 @@ std::string marked_up(std::string_view text, bool emphasis) {
   return made;
 }
 
-/// Nothing runs and nothing is asked for but the site's own files; engine.js compiles the models.
+/// Allows only the site's own files; engine.js compiles the models.
 constexpr std::string_view policy =
     "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src data:; base-uri 'none'; "
     "form-action 'none'";

@@ -3,21 +3,21 @@
 #include <string>
 #include <vector>
 
-/// What a copy of the site has only where its makers are installed.
+/// Parts of the site that need tools to be installed.
 namespace oddity {
 
 struct SiteParts {
-  bool models = true;  ///< compiled for the page, with which its players and its chooser compute
+  bool models = true;  ///< compiled for the page; its players and its chooser need them
 };
-/// Those that can be had now.
+/// The parts that are available now.
 SiteParts parts_at_hand();
 
-/// Debian's packages that make them.
+/// Debian packages that build them.
 std::vector<std::string> packages_of_models();
 
-/// What the copy lacks, and how it shows: "no compiled models: ..."; nothing where it is whole.
+/// The missing parts and their effects: "no compiled models: ..."; empty for a complete copy.
 std::vector<std::string> lacks(const SiteParts&);
-/// What makes a whole one: "apt-get install clang && ./oddity site".
+/// The command for a complete copy: "apt-get install clang && ./oddity site".
 std::string command_for(const SiteParts&);
 
 }  // namespace oddity

@@ -7,15 +7,16 @@
 
 namespace oddity {
 
-/// A method of a scene's motion as a player is to show it.
+/// A method of a scene's motion for a player.
 struct Played {
   std::string model, algorithm;
   double setting;
 };
 
-/// The address of the exercise's player with these methods, as permalink.js reads it.
+/// Link to the exercise's player with these methods, as permalink.js reads it.
 std::string link_to_player(const ExerciseResult&, const std::vector<Played>&);
-/// With those of the algorithms, at this step, that have been tried on the model which most are tried on.
+/// Link with these algorithms at this step, on the model with the most trials; leaves out those not tried on
+/// it.
 std::string link_to_players(const ExerciseResult&, const std::vector<std::string>& algorithms, double step);
 
 }  // namespace oddity

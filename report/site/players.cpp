@@ -17,7 +17,7 @@ namespace {
 
 std::string literal_of(std::string_view text) { return "R\"oddity(" + std::string(text) + ")oddity\""; }
 
-/// The model in a number type, of `values`.
+/// The expression of a model, in a number type, with parameters from `values`.
 std::string in_numbers(std::span<const Parameter> parameters, std::string_view expression,
                        const std::string& number) {
   std::string letters;
@@ -28,7 +28,7 @@ std::string in_numbers(std::span<const Parameter> parameters, std::string_view e
   return "[&] {\n" + letters + "    return " + in_number_type(expression, number) + ";\n  }()";
 }
 
-/// A listing names a closed form with an algorithm of its own as "model, algorithm".
+/// A listing names a closed form with its own algorithm as "model, algorithm".
 std::pair<std::string, std::string> model_and_algorithm(const Quantity& motion, std::string_view listed) {
   for (const Method& m : motion.methods)
     if (m.model + ", " + m.algorithm == listed) return {m.model, m.algorithm};
@@ -43,7 +43,7 @@ std::string function_of(Number number, std::size_t model) {
 /// The folder of a path, with its slash.
 std::string folder_of(std::string_view path) { return std::string(path.substr(0, path.rfind('/') + 1)); }
 
-/// What the scene's models are declared in.
+/// The namespace of the scene's models.
 std::string namespace_of(const Listing& listing) {
   const std::string_view expression = listing.models.front().second;
   return std::string(expression.substr(0, expression.find("::")));
@@ -55,14 +55,14 @@ std::set<std::string> headers_of(const Scene& scene) {
   return headers;
 }
 
-/// Those of the listing, by name, and what constructs each.
+/// The listed models by name, with the expressions that construct them.
 std::vector<std::pair<std::string_view, std::string_view>> played_models(const Scene& scene) {
   auto models = scene.listing.models;
   models.insert(models.end(), scene.listing.with_events.begin(), scene.listing.with_events.end());
   return models;
 }
 
-/// The functions that make its models.
+/// Functions that make the scene's models.
 std::string models_text(const Entry& entry) {
   std::string text;
   const auto models = played_models(*entry.exercise.scene);

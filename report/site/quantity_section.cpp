@@ -29,12 +29,12 @@ std::string with_unit_of(const std::string& number, const std::string& unit) {
   return unit.empty() || unit == "1" ? number : number + " " + in_xml(typeset_unit(unit));
 }
 
-/// "step 0.0625", "without a knob" in a page's words.
+/// "step 0.0625", "without a knob" in HTML.
 std::string setting_text(const TimedTrial& t) {
   return t.knob.empty() ? "" : ", " + in_xml(with_powers(shown_knob(t)));
 }
 
-/// Names under the same reason together, in the order in which the reasons come.
+/// Groups names by reason, in the order of the reasons.
 void add_under(Named& all, const std::string& reason, const std::string& name) {
   const auto same = std::ranges::find(all, reason, &Named::value_type::first);
   if (same == all.end())
@@ -43,7 +43,7 @@ void add_under(Named& all, const std::string& reason, const std::string& name) {
     same->second += "; " + name;
 }
 
-/// A button that plays this trial; its method by its place among the data's.
+/// A button that plays this trial; the method is given by its index in the page's data.
 std::string play_button(const QuantityResult& q, const TimedTrial& t) {
   const auto method = std::ranges::find_if(
       q.methods, [&](const MethodResult& m) { return m.model == t.model && m.algorithm == t.algorithm; });
@@ -127,7 +127,7 @@ std::string limit_row_of(const Limit& l) {
       "123");
 }
 
-/// The limits of one model after the other.
+/// Limits, model by model.
 std::string limits_text_of(const Stability& s) {
   const std::string unit = s.time_unit.empty() ? "" : " [" + in_xml(s.time_unit) + "]";
   html::Table table{
@@ -143,7 +143,7 @@ std::string limits_text_of(const Stability& s) {
   return html::folded("The limits of all methods", html::table(table));
 }
 
-/// Which methods hold longest and which never: the scene's limits in a sentence or two.
+/// The methods with the longest limit and those that are never stable, in a sentence or two.
 std::string summary_of(const Stability& s) {
   const Limit* longest = nullptr;
   long none = 0, every = 0, all = 0;

@@ -6,11 +6,10 @@
 
 namespace oddity {
 
-/// What is computed: each quantity with its true value, the places of its chart and its table, where it
-/// breaks and what cures it, and which methods are expected to fail.
+/// Each computed quantity with its true value, the places of its chart and its table, where it breaks, a
+/// cure, and the methods expected to fail.
 std::string quantities_section(const ExerciseResult&);
-/// Up to which step the methods of a scene are stable, in words, and the place of its map. Empty for what is
-/// no scene.
+/// Stability limits of a scene's methods in words, and the place of its map. Empty if there is no scene.
 std::string stability_section(const ExerciseResult&);
 
 }  // namespace oddity

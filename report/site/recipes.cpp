@@ -40,7 +40,7 @@ std::string unit_after(const std::string& unit) {
   return unit.empty() || unit == "1" ? "" : " " + in_xml(typeset_unit(unit));
 }
 
-/// What a game allows in these units: "1 cm and 1°".
+/// A game's tolerances in these units: "1 cm and 1°".
 std::string allowed_text(const std::vector<std::string>& units) {
   std::string text;
   for (const std::string& unit : units) {
@@ -134,7 +134,7 @@ std::string for_games(const Results& results) {
 /// What a scene's motion takes by an algorithm: the trial with the least work that is within what a game
 /// allows, by any model that is right.
 struct Cell {
-  const MethodResult* method = nullptr;  ///< of the trial, or of the closest where none is within
+  const MethodResult* method = nullptr;  ///< of the trial, or the closest one if none is within
   const TimedTrial* trial = nullptr;
   bool within = false;
 };
@@ -145,7 +145,7 @@ bool is_within(const TimedTrial& t, double close) {
   return ends && t.error <= close;
 }
 
-/// Closed forms take no steps, and have a column of their own.
+/// Closed forms take no steps, and have their own column.
 constexpr const char* closed_forms = "closed form";
 std::string column_of(const MethodResult& m) {
   return m.trials.empty() || m.trials.front().knob == "step" || m.trials.front().knob == "tolerance"
@@ -184,7 +184,7 @@ std::optional<Row> row_of(const ExerciseResult& e) {
   return row;
 }
 
-/// In the catalog's order, those that a scene has been tried with; closed forms first.
+/// The algorithms tried with any scene, in the catalog's order; closed forms first.
 std::vector<std::string> columns_of(const std::vector<Row>& rows) {
   std::set<std::string> tried;
   for (const Row& row : rows)
@@ -283,7 +283,7 @@ std::string answer(const CheapestModel& game, const CheapestModels& models, std:
                      " per frame; off by " + errors + " at most. <a href=\"recipes.html\">All scenes</a>");
 }
 
-/// What other people's engines do at a step a frame with their defaults.
+/// Third-party engines at a step per frame with their defaults.
 std::string engines_of(const EngineContest& contest) {
   std::vector<std::pair<double, const EngineSeries*>> all;
   for (const EngineSeries& series : contest.series)
@@ -306,7 +306,7 @@ std::string engines_of(const EngineContest& contest) {
          html::folded("Their errors, in what is allowed", element("ul", "", items));
 }
 
-/// Its lines stay apart.
+/// Keeps its lines separate.
 std::string lines_in_xml(const std::string& code) {
   std::string text;
   std::istringstream lines(code);

@@ -8,9 +8,9 @@
 
 namespace oddity {
 
-/// recipes.html: what is enough for each scene in a game, and what every other method takes.
+/// recipes.html: the cheapest sufficient method for each scene in a game, and the cost of every other one.
 std::string recipes_page(const Results&);
-/// The same of one scene, with its code and what engines make of it; empty where nothing is enough.
+/// The same for one scene, with its code and engines' results; empty if nothing is enough.
 std::string recipe_section(const ExerciseResult&, std::span<const EngineContest>);
 
 }  // namespace oddity

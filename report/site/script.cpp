@@ -10,7 +10,7 @@ namespace oddity {
 
 namespace {
 
-/// As zlib's deflate at its best.
+/// Deflated as by zlib at its best compression.
 std::string deflated(const std::string& text) {
   namespace zlib = boost::beast::zlib;
   zlib::deflate_stream stream;
@@ -45,7 +45,7 @@ std::string packed(const std::string& text) {
   boost::crc_32_type sum;
   sum.process_bytes(text.data(), text.size());
   std::string bytes("\x1f\x8b\x08\0\0\0\0\0\x02\xff",
-                    10);  // gzip's head: deflated, by no known time and system
+                    10);  // gzip's head: deflated, without time and system
   bytes += deflated(text);
   append(bytes, sum.checksum(), 4);
   append(bytes, static_cast<std::uint32_t>(text.size()), 4);

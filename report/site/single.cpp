@@ -11,13 +11,13 @@ namespace {
 
 using Contents = std::function<std::string(const std::string&)>;
 
-/// Takes out what begins so, up to and with `ends`, wherever it stands.
+/// Removes each passage from `begins` up to and including `ends`.
 void take_out(std::string& page, std::string_view begins, std::string_view ends) {
   for (std::size_t at = 0; (at = page.find(begins, at)) != std::string::npos;)
     page.erase(at, page.find(ends, at) + ends.size() - at);
 }
 
-/// What stands between the two, from `from` on.
+/// The text between the two, from `from` on.
 std::string between(const std::string& page, std::size_t from, std::string_view before,
                     std::string_view after) {
   const std::size_t begin = page.find(before, from) + before.size();
@@ -37,7 +37,7 @@ void inlined(std::string& page, std::string_view begins, std::string_view ends, 
   }
 }
 
-/// A link to another page is its words.
+/// Replaces links to other pages by their text.
 void unlink_elsewhere(std::string& page) {
   const std::string_view begins = "<a ";
   for (std::size_t at = 0; (at = page.find(begins, at)) != std::string::npos; ++at) {

@@ -14,26 +14,26 @@
 #include "report/study/run.hpp"
 #include "report/study/trust.hpp"
 
-/// The report that runs: one folder, opened by double click, which asks nothing of the net. Pages, scripts
-/// and data are files beside one another; scripts are classic ones and data are scripts too, as a browser
-/// loads neither modules nor data from a file.
+/// The site: one folder, opened by double click, which needs no network. Pages, scripts and data are files
+/// in it; scripts are classic ones and data are scripts too, as a browser loads neither modules nor data from
+/// a file.
 ///   index.html, 3.5.html, ...   pages
-///   errata.json                 what is wrong, for programs, with errata.schema.json
+///   errata.json                 errors of the book, for programs, with errata.schema.json
 ///   assets/*.js, *.css          report/site/assets, as they are
-///   assets/models.js            the models, compiled (players.hpp); without the module it has none
-///   assets/own.js               what reads and runs problems' files, compiled, for own.html (own_page.hpp)
-///   data/problems.js            files to begin with there
-///   data/search.js              what the search looks through
+///   assets/models.js            the models, compiled (players.hpp); empty without the module
+///   assets/own.js               compiled reader and runner of problems' files, for own.html (own_page.hpp)
+///   data/problems.js            its initial files
+///   data/search.js              the index of the search
 ///   bouncing_ball.html          an example that is no exercise (example.hpp)
 ///   data/3.5.js                 an exercise's methods, trials, limits and motions (data.hpp)
 namespace oddity {
 
 /// The files of report/site/assets.
 std::span<const EmbeddedFile> embedded_assets();
-/// Those of chapters/examples/problems.
+/// The files of chapters/examples/problems.
 std::span<const EmbeddedFile> embedded_problems();
 
-/// All pages by the names of their files. Claims that are proved say so; what the copy lacks, each page says.
+/// All pages by file name. Proved claims are marked; each page reports the missing parts of this copy.
 std::map<std::string, std::string> site_pages(const Results&, const ProvedClaims& = {},
                                               const SiteParts& = parts_at_hand(),
                                               std::span<const EngineContest> = {}, const Trust& = {});

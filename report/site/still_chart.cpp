@@ -25,7 +25,7 @@ constexpr double left = 46, right = 600, top = 8, bottom = 218;
 struct Curve {
   const MethodResult* method;
   std::vector<Pixel> points;  ///< from coarse to fine
-  std::vector<Pixel> ok;      ///< those of them that are ok
+  std::vector<Pixel> ok;      ///< the ok ones
 };
 
 std::string whole_pixel(double x) { return std::to_string(std::lround(x)); }
@@ -44,7 +44,7 @@ struct Decades {
   }
 };
 
-/// The error of the methods that are worth seeing, against the work or the setting.
+/// The error of the methods worth showing, against the work or the setting.
 class Chart {
  public:
   Chart(const QuantityResult& q, Across across) : q_(q), across_(across), floor_(error_floor(q)) {
@@ -89,7 +89,7 @@ class Chart {
       if (const std::string& knob = curve.method->trials.front().knob; !knob.empty()) return in_xml(knob);
     return "setting";
   }
-  /// What has no number, or is far off, is at the upper edge.
+  /// Errors without a number, or far off, are at the upper edge.
   Curve curve_of(const MethodResult& m) const {
     Curve curve{&m, {}, {}};
     for (const TimedTrial& t : m.trials) {
@@ -118,7 +118,7 @@ class Chart {
     number({(left + right) / 2, bottom + 28}, "error" + unit + " against " + axis());
     return path("", lines) + numbers;
   }
-  /// Dots where it is ok, and its number in the table at the end.
+  /// Dots where it is ok, and its number in the table at its end.
   static std::string drawn(const Curve& curve, std::size_t key, double height) {
     std::string line, dots;
     for (const Pixel& p : curve.points) line += (line.empty() ? "M" : "L") + place(p);
@@ -138,7 +138,7 @@ class Chart {
 
 std::string cell(const std::string& content) { return element("td", "", content); }
 
-/// The methods that are worth seeing, each at its best setting.
+/// The methods worth showing, each at its best setting.
 std::string table_of(const QuantityResult& q, const std::vector<std::size_t>& shown, bool keyed) {
   std::string rows;
   for (std::size_t i = 0; i < shown.size(); ++i) {
@@ -160,7 +160,7 @@ std::string table_of(const QuantityResult& q, const std::vector<std::size_t>& sh
          (others > 0 ? element("p", "", std::to_string(others) + " more were tried.") : "");
 }
 
-/// The letters of a row, those that roundings decide in bold.
+/// The letters of a row; those that roundings decide are bold.
 std::string marked_letters(const MapRow& row) {
   std::string text;
   for (std::size_t k = 0; k < row.outcomes.size(); ++k) {

@@ -6,10 +6,10 @@
 
 namespace oddity {
 
-/// What a reader without scripts sees of a quantity: its chart where it has one, and a table of the methods
-/// that are worth seeing, as <noscript>.
+/// A quantity for readers without scripts, as <noscript>: its chart, if it has one, and a table of the
+/// methods worth showing.
 std::string still_chart(const QuantityResult&);
-/// The same of a map: each method's letters at each value of the parameter.
+/// A map for readers without scripts: each method's letters at each value of the parameter.
 std::string still_map(const Stability&);
 
 }  // namespace oddity

@@ -21,13 +21,13 @@ namespace {
 
 using RowTexts = std::vector<std::string>;
 
-/// A file of records: its head up to the names of the columns, and the rows of each exercise.
+/// A file of records: its head up to the column names, and the rows of each exercise.
 struct Record {
   std::string head;
   std::map<Number, RowTexts> rows;
 };
 
-/// Where there is no file, one without rows, its head that of `like`.
+/// A missing file gives a record without rows, with the head of `like`.
 Record read_record(const std::filesystem::path& file, const std::filesystem::path& like) {
   if (file != like && !std::filesystem::exists(file)) return {read_record(like, like).head, {}};
   std::istringstream in(read_whole(file));
@@ -72,7 +72,7 @@ bool approvable(const ExerciseResult& e) {
          std::ranges::all_of(e.quantities, [](const QuantityResult& q) { return finite(q.reference.value); });
 }
 
-/// None where there is no file yet.
+/// Empty if there is no file yet.
 std::vector<ErrorsOnRecord> errors_on_record(const std::filesystem::path& folder) {
   if (!std::filesystem::exists(folder / "errors.csv")) return {};
   return read_errors(folder);
@@ -86,7 +86,7 @@ RowTexts missing(const RowTexts& of, const RowTexts& in) {
   return rows;
 }
 
-/// Of the exercises whose records are in `folder`; `like` has all files.
+/// Approvals of the exercises whose records are in `folder`; `like` contains all files.
 std::vector<Approval> approvals_in(const std::filesystem::path& folder, const std::filesystem::path& like,
                                    const std::vector<const ExerciseResult*>& exercises) {
   const auto of_stability = [](std::string (*text)(const Results&)) {
@@ -134,14 +134,14 @@ std::vector<Approval> approvals(const Results& results, const std::filesystem::p
 
 namespace {
 
-/// Whether a limit is the one on record: within 5 %, or infinite or zero as that is.
+/// A limit matches the approved one within 5 %; an infinite or zero one matches only its like.
 bool same_limit(double measured, double on_record) {
   if (std::isinf(on_record)) return measured == on_record;
   return std::abs(measured - on_record) <= 0.05 * on_record;
 }
 
-/// Whether a trial has as large an error as is on record, within a quarter; none is like none, and one that
-/// is no number, where the motion did not come to its end, like another.
+/// Errors match within a quarter. A missing one matches a missing one, and NaN (the motion did not finish)
+/// matches NaN.
 bool same_error(const std::optional<TimedTrial>& t, const std::optional<double>& on_record) {
   if (!t || !on_record) return !t && !on_record;
   if (std::isnan(t->error) || std::isnan(*on_record)) return std::isnan(t->error) && std::isnan(*on_record);
@@ -162,7 +162,7 @@ std::string difference(const Limit& limit, const ApprovedLimit& approved) {
     if (!same) all += (all.empty() ? "" : ", ") + name + " " + (on_record.empty() ? "none" : on_record);
   };
   column("step", same_limit(limit.step(), approved.step), format_shortest(approved.step));
-  const bool singular = limit.theory() < 1e-3 * limit.step();  // and so its limit is as good as zero
+  const bool singular = limit.theory() < 1e-3 * limit.step();  // so its limit counts as zero
   column("theory",
          singular ? approved.theory < 1e-3 * limit.step() : same_limit(limit.theory(), approved.theory),
          format_shortest(approved.theory));

@@ -23,7 +23,7 @@ namespace {
 
 fs::path program_folder() { return program_file().parent_path(); }
 
-/// By name alone, as the kernel has it: a path of the build that somebody else made leads nowhere.
+/// Compares names only, as the kernel reports them: a build path made by somebody else has no effect.
 bool in_its_build() {
   const fs::path build = ODDITY_BUILD, here = program_folder();
   return std::mismatch(build.begin(), build.end(), here.begin(), here.end()).first == build.end();
@@ -31,8 +31,8 @@ bool in_its_build() {
 
 fs::path own_prefix() { return program_folder().parent_path(); }
 
-/// A link that root or such a user made leads to what is looked at in its turn. In a folder with the sticky
-/// bit, as /tmp, nobody takes the place of what is another's.
+/// A link made by root or by the same user leads to a target that is checked as well. In a folder with the
+/// sticky bit, such as /tmp, nobody can replace another user's file.
 void require_unwritable(const fs::path& file, mode_t others = S_IWGRP | S_IWOTH) {
   struct stat program {
   }, status{};
@@ -59,7 +59,7 @@ void require_own(const fs::path& code) {
   const fs::path folder = code.parent_path();
   require_unwritable(code);
   require_unwritable(folder);
-  // Above that a group may be the user's own, or the administrators'.
+  // Further up, group write is allowed: the group may be the user's own or the administrators'.
   for (fs::path at = folder; at != own_prefix();) require_unwritable(at = at.parent_path(), S_IWOTH);
   if (fs::is_directory(fs::symlink_status(code)))
     for (const auto& entry : fs::recursive_directory_iterator(code)) require_unwritable(entry);

@@ -21,11 +21,11 @@ namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-/// Steps per frame, from one on, none much more than half as many again as the one before.
+/// Steps per frame from 1 on, each about half as many again as the one before at most.
 constexpr std::array steps_per_frame{1,  2,  3,  4,  5,  6,  8,   10,  12,  16,  20,  24,
                                      32, 40, 48, 64, 80, 96, 128, 160, 192, 256, 384, 512};
 
-/// The trial's errors in each unit, none smaller than that of the truth it is judged by.
+/// The trial's errors in each unit, at least the error of its reference.
 std::vector<double> as_far_as_known(const Quantity& motion, const Trial& trial) {
   std::vector<double> errors = trial.errors;
   for (double& error : errors)
@@ -33,12 +33,12 @@ std::vector<double> as_far_as_known(const Quantity& motion, const Trial& trial) 
   return errors;
 }
 
-/// A method at a setting on one start.
+/// Result of a method at a setting on one start.
 struct Judged {
   Trial trial;
   std::vector<double> errors = {};  ///< in each unit
   OffByNeed off = {unbounded};
-  const Start* by_start = nullptr;  ///< what knows the true motion
+  const Start* by_start = nullptr;  ///< the start whose reference judged it
 };
 
 Trial missing(const Candidate& c) {
@@ -46,7 +46,7 @@ Trial missing(const Candidate& c) {
           {},      not_a_number, not_a_number, not_a_number, Outcome::raised};
 }
 
-/// By every criterion asked for.
+/// Judges by every criterion of the need.
 Judged judge_at(const Start& start, const Candidate& c, const Need& need) {
   const Quantity& motion = start.motion;
   const Method* here = method_of(motion, c.model, c.algorithm);
@@ -59,8 +59,8 @@ Judged judge_at(const Start& start, const Candidate& c, const Need& need) {
   return judged;
 }
 
-/// Whether it holds is certain where the error is known to so much of the need, on the whole of a motion, and
-/// so is its margin where that is not known very well.
+/// Whether a better reference would not change the outcome. Passing is certain only on a whole motion. So is
+/// the margin, unless the reference is known very well anyway.
 bool is_decided(double error, double known_to, bool on_whole, const Need& need) {
   constexpr double very_well = 1e-3;
   if (error - known_to > 1) return true;
@@ -68,7 +68,7 @@ bool is_decided(double error, double known_to, bool on_whole, const Need& need) 
          (known_to <= very_well || std::abs(error - 1 / need.margin()) > known_to);
 }
 
-/// By a better known truth where the one at hand does not decide.
+/// Takes a better reference where the one at hand does not decide.
 Judged judge(const Start& start, const Candidate& candidate, const Need& need) {
   Judged by_first = judge_at(start, candidate, need);
   const double known_to = start.motion.reference_error / start.motion.need.allowed;
@@ -76,7 +76,7 @@ Judged judge(const Start& start, const Candidate& candidate, const Need& need) {
   return judge(**start.sharper, candidate, need);
 }
 
-/// At each frame, by how much of the need it is off for certain.
+/// Error in needs up to each frame, less the uncertainty of the reference.
 std::vector<double> certain_errors_until(const Quantity& motion, const Value& path) {
   std::vector<double> until = errors_until(motion, path);
   const auto& known = motion.reference_error_until;
@@ -87,7 +87,7 @@ std::vector<double> certain_errors_until(const Quantity& motion, const Value& pa
   return until;
 }
 
-/// Its error, were it not bounded by the motion's size.
+/// The error as it would be if the motion's size did not bound it.
 double unbounded_error(const Judged& judged) {
   if (!judged.by_start->parting || judged.off.error <= 1) return judged.off.error;
   const std::vector<double> until = certain_errors_until(judged.by_start->motion, judged.trial.answer.value);
@@ -95,7 +95,7 @@ double unbounded_error(const Judged& judged) {
                        : std::max(judged.off.error, (**judged.by_start->parting).in_the_end(until));
 }
 
-/// How it ended where it does not hold.
+/// Outcome of a trial that does not pass.
 Outcome failure(const Trial& trial) {
   return trial.outcome == Outcome::ok ? Outcome::inaccurate : trial.outcome;
 }
@@ -121,13 +121,13 @@ OnStart on_start(const Start& start, const Candidate& candidate, const Need& nee
   return start.attempts ? start.attempts->at(candidate, make) : make();
 }
 
-/// Over a first part of the motion, where it fails there already.
+/// The result on a first part of the motion, if the method already fails there.
 std::optional<OnStart> failed_before(const Start& start, const Candidate& candidate) {
   return start.part && start.part->before ? start.part->before->find(start.says, candidate)
                                           : std::optional<OnStart>();
 }
 
-/// What fails over a first part is followed no further.
+/// Skips the whole motion if the method fails on a first part of it.
 OnStart on_start_or_part(const Start& start, const Candidate& candidate, const Need& need) {
   if (auto before = failed_before(start, candidate)) return *before;
   OnStart on = on_start(start, candidate, need);
@@ -138,7 +138,7 @@ OnStart on_start_or_part(const Start& start, const Candidate& candidate, const N
   return on;
 }
 
-/// Its evaluations per frame there.
+/// Adds the result on a start to the candidate's. Returns the evaluations per frame there.
 double add(const Start& start, Candidate& candidate, const OnStart& on) {
   if (on.outcome != Outcome::ok && (candidate.holds() || on.error > candidate.error)) {
     candidate.outcome = on.outcome;
@@ -183,7 +183,7 @@ void go_through(std::span<const Start> starts, Candidate& candidate, const Need&
   if (std::ranges::any_of(starts, [&](const Start& start) {
         return start.says == been_on && failed_before(start, candidate);
       }))
-    been_on = candidate.why = "";  // over a part of it
+    been_on = candidate.why = "";  // left by an evaluation over a part of the motion
   std::vector<std::optional<OnStart>> on(starts.size());
   in_parallel(starts.size(), [&](std::size_t i) {
     if (starts[i].says != been_on) on[i] = on_start(starts[i], candidate, need);
@@ -207,9 +207,9 @@ Candidate evaluate_until_one_fails(const Order& starts, const Method& method, do
                                    const Need& need, double most_evaluations) {
   Candidate candidate = untried(method, setting);
   std::atomic<std::size_t> next = 0;
-  std::atomic<bool> one_fails = false;  // and all before it have begun
+  std::atomic<bool> one_fails = false;  // all starts before it have begun
   std::vector<std::optional<OnStart>> on(starts.size());
-  std::vector<std::exception_ptr> thrown(starts.size());  // which count where all before them hold
+  std::vector<std::exception_ptr> thrown(starts.size());  // count only if all starts before them pass
   const auto try_next = [&](std::size_t) {
     if (one_fails) return;
     const ode::EvaluationLimit limited(most_evaluations);

@@ -9,27 +9,26 @@
 
 namespace oddity {
 
-/// The settings at which a method is tried for a need, from cheap to dear: whole numbers of steps per frame,
-/// tolerances by decades, or the method's own.
+/// Settings to try for a need, from cheap to expensive: whole numbers of steps per frame, tolerances by
+/// decades, or the method's own.
 std::vector<double> settings(const Method&, const Need&);
 
-/// The method at a setting over the starts: its worst error by the need's criterion, how and on which start
-/// it ended worst where it does not hold, and its work on the first start. The time is not measured. Throws
-/// BadInput where the criterion does not fit the motion.
+/// Evaluates a method at a setting over the starts. Gives its worst error by the need's criterion, its work
+/// on the first start, and, if it fails, the worst outcome and its start. Does not measure the time. Throws
+/// BadInput if the criterion does not fit the motion.
 Candidate evaluate(std::span<const Start>, const Method&, double setting, const Need&);
 
-/// Starts in the order in which they are to be tried.
+/// Starts in the order in which to try them.
 using Order = std::vector<const Start*>;
-/// Those that say this first, as they are named; then the others.
+/// The starts whose `says` is in `first`, in that order, then the others.
 Order in_order(std::span<const Start>, std::span<const std::string> first);
 
-/// The same, but no further than to the first start on which it fails, as a search needs to know no more: the
-/// first is tried alone, the others in parallel. Its work is that on the first one, none may take more than
-/// so many evaluations.
+/// As `evaluate`, but stops at the first start that fails. Tries the first start alone and the others in
+/// parallel. Its work is that on the first start. No start may take more than `most_evaluations`.
 Candidate evaluate_until_one_fails(const Order&, const Method&, double setting, const Need&,
                                    double most_evaluations = std::numeric_limits<double>::infinity());
 
-/// The same of a candidate that was left at the start on which it failed.
+/// Completes a candidate that was left at the start on which it failed.
 void go_through(std::span<const Start>, Candidate&, const Need&);
 
 /// "2 steps per frame", "tolerance 1e-06", "-".

@@ -43,8 +43,8 @@ struct Line {
   std::vector<double> values;
 };
 
-/// The scene's hard parameter over its values; then each that differs from start to start, from a sixteenth
-/// of its value to four times it.
+/// The scene's hard parameter over its values. Then each parameter that differs from start to start, from a
+/// sixteenth of its value to four times it.
 std::vector<Line> lines(const Task& task, const Scene& scene) {
   const auto declared = [&](std::string_view name) {
     return &*std::ranges::find(task.parameters.declared(), name, &Parameter::name);
@@ -62,17 +62,18 @@ std::vector<Line> lines(const Task& task, const Scene& scene) {
   return all;
 }
 
-/// In needs: what two settings of an algorithm may differ by to be taken for the model's own motion.
+/// In needs: the largest difference between two settings of an algorithm that still counts as the model's own
+/// motion.
 constexpr double exact_enough = 0.01;
 
-/// A model's motion at its algorithm's finest setting, and how far from it the setting before is.
+/// A model's motion at its algorithm's finest setting, and its distance from that at the next coarser one.
 struct Solved {
   std::string algorithm = {};
   Value value = {};
   double change = std::numeric_limits<double>::infinity();  ///< in needs; none of a closed form
 };
 
-/// Nothing where the algorithm does not get through.
+/// Empty if the algorithm does not reach the end.
 std::optional<Solved> solved(const Quantity& motion, const Method& method) {
   const auto& settings = method.knob.settings;
   const Answer fine = run(motion, method, settings.back()).answer;
@@ -85,7 +86,7 @@ std::optional<Solved> solved(const Quantity& motion, const Method& method) {
   return found;
 }
 
-/// What comes to many digits in few steps is first: series, then by order; closed forms before all.
+/// Ranks closed forms and Taylor series first, then by order: many digits in few steps.
 int promise(const Method& method) {
   const auto all = ode::catalog();
   const auto entry = std::ranges::find(all, method.algorithm, &ode::CatalogEntry::name);
@@ -93,13 +94,13 @@ int promise(const Method& method) {
   return entry == all.end() || entry->name == "Taylor series" ? most : entry->order;
 }
 
-/// Whose last digits cost more work than those of all others together: of low order, or of one that it
-/// chooses as it goes.
+/// Its last digits would cost more work than those of all other methods together. True of low or adaptive
+/// order.
 bool is_of_low_order(const Method& method) { return promise(method) <= 4; }
 
-/// The motion as the model itself has it, by the first algorithm that hardly changes or has no setting, or
-/// else by the one that changes least, of low order only where no other gets through: what it errs by is the
-/// model's, not the algorithm's.
+/// The model's own motion, so that its error is the model's and not the algorithm's. Takes the first
+/// algorithm that hardly changes, or has no setting; otherwise the one that changes least. Low order only if
+/// no other gets through.
 std::optional<Solved> solved_best(const Quantity& motion, const std::string& model) {
   std::vector<const Method*> methods;
   for (const Method& method : motion.methods)
@@ -115,9 +116,8 @@ std::optional<Solved> solved_best(const Quantity& motion, const std::string& mod
   return best;
 }
 
-/// No finer step can hold: from the one before to this one the error has fallen, by no more than two orders
-/// above the algorithm's own, and at that rate it stays above what is asked. Where it falls faster, steps
-/// have just become stable.
+/// No finer step can pass: at its present rate the error stays above the need. The rate is at most two orders
+/// above the algorithm's own; a faster fall means that steps have just become stable.
 bool out_of_reach(const Candidate& before, const Candidate& now, const Method& method, double finest) {
   const auto all = ode::catalog();
   const auto entry = std::ranges::find(all, method.algorithm, &ode::CatalogEntry::name);
@@ -127,10 +127,10 @@ bool out_of_reach(const Candidate& before, const Candidate& now, const Method& m
          now.error * fallen(now.setting, finest) > 1;
 }
 
-/// The cheapest setting of any of the model's algorithms that holds, by counted work.
+/// The cheapest passing setting of any of the model's algorithms, by counted work.
 std::optional<Candidate> cheapest(const std::vector<Start>& start, const std::string& model,
                                   const Need& need) {
-  constexpr double no_games = 1e4;  // evaluations per frame
+  constexpr double no_games = 1e4;  // evaluations per frame, too many for a game
   std::optional<Candidate> best;
   for (const Method& method : start.front().motion.methods) {
     if (method.model != model) continue;
@@ -157,7 +157,7 @@ std::optional<Candidate> again_in_float(const std::vector<Start>& start, const C
   return evaluate(start, *single, found.setting, need);
 }
 
-/// Models that their page shows to be wrong are left out.
+/// Leaves out models that their page shows to be wrong.
 CheapestModel cheapest_model(std::vector<Start>& start, const Scene& scene, const std::string& says,
                              const Need& need) {
   Quantity& motion = start.front().motion;
@@ -181,7 +181,7 @@ Solvers solvers_of(const Quantity& motion) {
   return solvers;
 }
 
-/// By its solver, or where that is not exact enough to be taken for the model itself, by its best.
+/// Uses the model's usual solver, or its best one where that is not exact enough.
 std::optional<Solved> solved(const Quantity& motion, const std::string& model, const Solvers& solvers) {
   if (const auto solver = solvers.find(model); solver != solvers.end())
     if (const Method* method = method_of(motion, model, solver->second))
@@ -189,8 +189,7 @@ std::optional<Solved> solved(const Quantity& motion, const std::string& model, c
   return solved_best(motion, model);
 }
 
-/// Values from a to b: in proportion where they have one sign and span more than fourfold, else evenly
-/// spaced.
+/// Values from a to b: geometric if they have one sign and span more than fourfold, otherwise evenly spaced.
 std::vector<double> spaced(double a, double b, int count) {
   const bool in_proportion = a * b > 0 && (b / a > 4 || a / b > 4);
   std::vector<double> values;
@@ -204,7 +203,7 @@ std::vector<double> spaced(double a, double b, int count) {
   return values;
 }
 
-/// A scene's models beside each other over the page's horizon, one parameter moved.
+/// Compares a scene's models over the page's horizon while one parameter changes.
 class Along {
  public:
   Along(const Task& task, const Need& need, const Reference& truth, std::string truest,
@@ -217,7 +216,7 @@ class Along {
         solvers_(solvers),
         lines_(lines(task, scene_)) {}
 
-  /// Where the model is enough, along each line on which it is enough somewhere and somewhere not.
+  /// Where the model is enough, for each line on which it is enough somewhere and fails somewhere.
   std::vector<BreakEven> break_evens(const std::string& model) const {
     std::vector<BreakEven> all;
     for (const Line& line : lines_)
@@ -228,8 +227,8 @@ class Along {
 
  private:
   struct Look {
-    double at, error;  ///< in needs; infinite where the model has no motion; not a number where nothing
-                       ///< solves this model, or the truest, exactly enough
+    double at, error;  ///< in needs; infinite if the model has no motion; NaN if nothing solves this model,
+                       ///< or the truest, exactly enough
     bool known() const { return !std::isnan(error); }
     bool enough() const { return error <= 1; }
   };
@@ -239,10 +238,10 @@ class Along {
     bool known;           ///< to one in a thousand
   };
 
-  /// Over the values about the task's own between which the models' motions are known exactly enough.
-  /// At the values given, and unless the model is enough at all of them, or at none, by far, in equal parts;
-  /// where the error comes near to what is asked without crossing it, finer: an island narrower than a
-  /// thousandth of the range may be missed.
+  /// Looks through the values around the task's own between which the models' motions are known exactly
+  /// enough. Looks at the values given, and then at equal parts, unless the model clearly passes or fails at
+  /// all of them. Looks closer where the error comes near the need without crossing it. An island narrower
+  /// than a thousandth of the range may be missed.
   std::optional<BreakEven> along(const std::string& model, const Parameter& p,
                                  const std::vector<double>& values) const {
     constexpr int parts = 48;
@@ -286,7 +285,7 @@ class Along {
     return found;
   }
 
-  /// Looks between the last look and the next where both are on one side and either is near the border.
+  /// Adds looks between the last one and the next where both are on one side and either is near the border.
   void refine(const std::string& model, const Parameter& p, std::vector<Look>& looks, const Look& next,
               int depth) const {
     constexpr double near_border = 1.5;
@@ -300,8 +299,8 @@ class Along {
     refine(model, p, looks, next, depth - 1);
   }
 
-  /// The value on the side that holds, to one in a thousand, or as near as the motions are known; both sides
-  /// are added to the borders.
+  /// The value on the passing side, to one in a thousand, or as near as the motions are known. Adds both
+  /// sides to the borders.
   double crossing(const std::string& model, const Parameter& p, Look fails, Look holds,
                   std::vector<Border>& borders) const {
     bool known = true;
@@ -329,7 +328,7 @@ class Along {
     return found->change <= exact_enough * std::max(1.0, error) ? error : std::nan("");
   }
 
-  /// Why the model has no motion there; empty where it has one.
+  /// Why the model has no motion there; empty if it has one.
   std::string why_none(const std::string& model, const Parameter& p, double at) const {
     const Quantity seen = motion(p, at, Reference::nothing());
     if (solved(seen, model, solvers_)) return {};
@@ -341,7 +340,7 @@ class Along {
     return {};
   }
 
-  /// Not a number where the true motion takes more work to make than it is given.
+  /// NaN if the true motion would take more work than allowed.
   double by_reference(const std::string& model, const Parameter& p, double at) const {
     try {
       const Quantity seen = motion(p, at, truth_.to_digits(digits_in_long_double));
@@ -351,7 +350,7 @@ class Along {
     }
   }
 
-  /// With the truest model in place of the truth.
+  /// Takes the truest model as the reference.
   Look look(const std::string& model, const Parameter& p, double at) const {
     Quantity seen = motion(p, at, Reference::nothing());
     auto [known, is_new] = truths_.try_emplace({std::string(p.name), at});
@@ -371,7 +370,7 @@ class Along {
   mutable std::map<std::pair<std::string, double>, std::optional<Solved>> truths_;
 };
 
-/// The model that, solved exactly, comes nearest to the reference; of those as near the last, the richest.
+/// The model that, solved exactly, is nearest to the reference; of equals the last, which is the richest.
 std::string truest_model(const Quantity& motion, const Solvers& solvers) {
   std::string truest;
   double least = std::numeric_limits<double>::infinity();
@@ -430,7 +429,7 @@ Results with_cheapest_models(Results results, std::span<const Task> tasks, const
   std::vector<Page> pages;
   for (std::size_t i = 0; i < tasks.size(); ++i)
     if (tasks[i].entry->exercise.scene) pages.push_back({&tasks[i], &results.exercises[i]});
-  // What took most work before is begun first.
+  // Starts with the page that took the most work before.
   std::ranges::stable_sort(pages, std::greater(), [](const Page& page) { return work(*page.result); });
   Stage tally(progress, "looking for the least models", pages.size());
   parallel_for_each(pages, [&](const Page& page) {

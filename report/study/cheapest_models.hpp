@@ -6,12 +6,12 @@
 
 #include "report/study/run.hpp"
 
-/// The least model that a scene needs, and the value of its hard parameter at which each lesser model stops
-/// being enough.
+/// The cheapest model that a scene needs, and the value of its hard parameter at which each simpler model
+/// stops being enough.
 namespace oddity {
 
-/// The cheapest models of the task's scene; nothing when it has no motion. Throws BadInput when no true
-/// motion is known for the task's parameters.
+/// The cheapest models of the task's scene; empty if it has no motion. Throws BadInput when no true motion is
+/// known for the task's parameters.
 std::optional<CheapestModels> cheapest_models(const Task&, const Reference&);
 
 /// The results with the page of cheapest models of every task that has a scene, made in parallel.

@@ -31,7 +31,7 @@ std::vector<double> sizes_of(const Quantity& motion) {
   return motion.errors(Value(std::move(still)));
 }
 
-/// A search, and what it recommends.
+/// A search and its recommendation.
 class Recommendation {
  public:
   Recommendation(const Task& task, const Need& need, const Reference& truth, const Price& price,
@@ -61,7 +61,7 @@ class Recommendation {
       if (const Candidate* t = ladder.found(need_).representative()) choice.candidates.push_back(*t);
     for (const Ladder& ladder : search_.ladders())
       if (!ladder.is_over()) choice.left.emplace_back(ladder.method().model, ladder.method().algorithm);
-    if (chosen)  // at another setting where its margin does not matter
+    if (chosen)  // at another setting, where its margin does not matter
       for (Candidate& t : choice.candidates)
         if (t.model == chosen->model && t.algorithm == chosen->algorithm) t = *chosen;
     std::ranges::stable_sort(choice.candidates, {}, [](const Candidate& t) {
@@ -100,8 +100,8 @@ class Recommendation {
     search_.clock().time_all(shown);
   }
 
-  /// What comes nearest to a need that nothing meets: within the budget the smallest error, but what holds
-  /// and costs too much comes first. Models that their page shows to be wrong are left out.
+  /// The nearest miss when nothing meets the need: the smallest error within the budget, but first a method
+  /// that passes and costs too much. Leaves out models that their page shows to be wrong.
   std::optional<Candidate> miss(std::vector<Candidate>& candidates) const {
     auto all = candidates | std::views::filter([&](const Candidate& t) { return !picker().is_faulted(t); });
     if (all.empty() || starts().seen().empty()) return {};
@@ -122,12 +122,13 @@ class Recommendation {
     }
   }
 
-  /// What does not hold was left at the first start on which it failed: now its error is that of all.
+  /// A failing candidate was left at the first start that it failed on; gives it its error over all starts.
   void judge_failure(Candidate& candidate) const {
     if (!candidate.holds()) go_through(starts().seen(), candidate, need_);
   }
 
-  /// At 60, 120 and 240 Hz, or as soon above that a whole number of them fills the frame; each once.
+  /// Steps at 60, 120 and 240 Hz, or the next higher rate at which a whole number of steps fills the frame;
+  /// each once.
   std::set<double, std::greater<>> steps_of_engines() const {
     std::set<double, std::greater<>> steps;
     for (double rate : {60.0, 120.0, 240.0})
@@ -135,7 +136,7 @@ class Recommendation {
     return steps;
   }
 
-  /// Of the first model that an engine's step fits: semi-implicit Euler.
+  /// Semi-implicit Euler on the first model that an engine's step fits.
   std::vector<Candidate> engine() const {
     std::vector<Candidate> rows;
     for (const Method& m : starts().motion().methods) {
@@ -146,14 +147,14 @@ class Recommendation {
     return rows;
   }
 
-  /// Nothing where the method is in double only.
+  /// Empty if the method exists only in double.
   std::optional<Candidate> chosen_in_float(const Candidate& chosen) const {
     const Method* single = method_of(starts().motion(), chosen.model, oddity::in_float(chosen.algorithm));
     if (!single) return {};
     return evaluate(starts().seen(), *single, chosen.setting, need_);
   }
 
-  /// A path alone is asked for to an error in each unit.
+  /// Only a path has an error in each unit.
   std::optional<double> predictable() const {
     const Start& asked = starts().asked();
     if (need_.criterion != Criterion::path || !asked.parting) return {};
@@ -163,7 +164,7 @@ class Recommendation {
     return lost ? need_.time_of(static_cast<double>(*lost + 1)) : std::numeric_limits<double>::infinity();
   }
 
-  /// A few starts that it was not chosen on say little of chaos: on more of them.
+  /// A few unseen starts show little about chaos: tries the choice on more of them.
   void try_in_chaos(Choice& choice) {
     const Stopwatch watch(chaos_seconds_);
     const Candidate& chosen = *choice.chosen;
@@ -176,7 +177,7 @@ class Recommendation {
       }
   }
 
-  /// Those tried that are expected to be cheaper and could not be chosen instead, the most expensive first.
+  /// Candidates that are expected to be cheaper and could not be chosen instead, the most expensive first.
   std::vector<Candidate> cheaper_than(const Candidate& chosen, bool by_objective) const {
     std::vector<Candidate> cheaper;
     for (const Ladder& ladder : search_.ladders())
@@ -189,7 +190,7 @@ class Recommendation {
     return cheaper;
   }
 
-  /// What came to an end on the start where it failed first may not do so on another.
+  /// A candidate that finishes on the start where it fails first may not finish on another.
   std::optional<Candidate> next_cheaper(const Candidate& chosen, bool by_objective) const {
     for (Candidate& t : cheaper_than(chosen, by_objective)) {
       if (!came_to_an_end(t)) continue;
@@ -201,7 +202,7 @@ class Recommendation {
     return {};
   }
 
-  /// Those tried that may hold on the start asked for, from the least work on: they do not fail there first.
+  /// Candidates that may pass on the requested start, by work: they did not fail first on it.
   std::vector<Candidate> maybe_holding_on_asked() const {
     std::vector<Candidate> held;
     for (const Candidate& t : search_.all_tried())
@@ -210,7 +211,7 @@ class Recommendation {
     return held;
   }
 
-  /// Where starts beside the one asked for decide that nothing holds.
+  /// Reports a method that passes on the requested start, if only the starts next to it rule it out.
   void tell_of_asked(Choice& choice) {
     const std::span<const Start> seen(starts().seen());
     for (Candidate& t : maybe_holding_on_asked()) {
@@ -231,7 +232,7 @@ class Recommendation {
     }
   }
 
-  /// Of all but the time of the rest.
+  /// Everything except the remaining time.
   Explanation explanation() const {
     Explanation all;
     all.truths = starts().seconds();
@@ -302,15 +303,15 @@ Choice choose(const Task& task, const Need& need, const Reference& truth, const 
   return choice;
 }
 
-/// What fails over a part of the motion fails over the whole: an error at every frame of a size that does not
-/// depend on the motion's.
+/// Whether a method that fails over a part of the motion fails over the whole. True for an error at every
+/// frame that is not relative to the motion's size.
 bool a_part_decides(const Need& need) {
   return !need.relative && std::ranges::all_of(criteria_of(need), [](Criterion criterion) {
     return criterion == Criterion::path || criterion == Criterion::constraint;
   });
 }
 
-/// The need over ever longer parts of its horizon, the last of them the whole.
+/// The need over ever longer parts of its horizon; the last is the whole.
 std::vector<Need> ever_longer(const Need& need) {
   std::vector<Need> all{need};
   while (all.front().frames() / policy.longer >= policy.least_frames) {
@@ -350,7 +351,7 @@ Choice choose_in_time(const Task& task, const Need& need, const Reference& truth
       break;
     } catch (const BadInput&) {
       if (is_whole) throw;
-      continue;  // two periods, for example, may be in the whole alone
+      continue;  // two periods, for example, may fit only in the whole
     }
     if (is_whole) return *over_part;
     over_part->asked_horizon = need.horizon;

@@ -18,13 +18,13 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Numbers of one time.
+/// The components at one time.
 std::span<const double> at_time(const Value& value, int samples, int k) {
   const std::size_t parts = value.size() / static_cast<std::size_t>(samples);
   return {&*value.begin() + static_cast<std::size_t>(k) * parts, parts};
 }
 
-/// The energies at all times; none where the motion has not come to its end.
+/// The energies at all times; none if the motion did not reach its end.
 std::vector<Energy> energies(const Quantity& motion, const Value& places_and_rates) {
   const std::size_t least = 2 * motion.reference.value.size();
   if (places_and_rates.size() < least || !finite(places_and_rates)) return {};
@@ -38,7 +38,7 @@ std::vector<Energy> energies(const Quantity& motion, const Method& method, doubl
   return method.places_and_rates ? energies(motion, method.places_and_rates(setting)) : std::vector<Energy>();
 }
 
-/// The most by which energies differ; NaN counts as infinite.
+/// The largest difference of energies; infinite for NaN.
 double apart(const std::vector<Energy>& some, const std::vector<double>& others) {
   if (some.size() != others.size()) return infinite;
   double most = 0;
@@ -63,8 +63,8 @@ double mean_of_first(const Quantity& motion) {
   return mean;
 }
 
-/// The mean time between the upward passages of the first observable through a height, in frames; NaN for
-/// fewer than two.
+/// The mean time between the first observable's upward passages through a height, in frames; NaN for fewer
+/// than two.
 double period(const Value& value, int samples, double height) {
   double first = not_a_number, last = not_a_number;
   int passages = 0;
@@ -78,7 +78,7 @@ double period(const Value& value, int samples, double height) {
   return passages < 2 ? not_a_number : (last - first) / (passages - 1);
 }
 
-/// How far the first observable goes from a height in the last half of the time.
+/// The first observable's largest distance from a height in the second half of the time.
 double swing_in_the_end(const Value& value, int samples, double height) {
   double most = 0;
   for (int k = samples / 2; k < samples; ++k)
@@ -109,10 +109,10 @@ double constraint_off(const Quantity& motion, const Value& value) {
   return most;
 }
 
-/// A motion by one algorithm: of its models the one that keeps nearest to the truth.
+/// An algorithm's motion, by the model that stays nearest to the truth.
 struct Followed {
   double error = infinite;
-  std::vector<Energy> energies = {};  ///< none: no model comes to the end
+  std::vector<Energy> energies = {};  ///< empty: no model reaches the end
 };
 
 Followed followed_by(std::string_view algorithm, const Quantity& motion) {
@@ -128,8 +128,8 @@ Followed followed_by(std::string_view algorithm, const Quantity& motion) {
   return best;
 }
 
-/// The motion by each algorithm that follows it to its end: by those that are close, or where there are no
-/// two of them, as in a scene of few methods, by all.
+/// The motion by each algorithm that reaches the end: by the accurate ones, or by all if fewer than two of
+/// those do, as in a scene of few methods.
 std::vector<Followed> followed(const Quantity& motion) {
   constexpr std::array close = {"Fehlberg 7(8)", "GSL rk8pd", "Dormand-Prince 5(4)", "Bulirsch-Stoer",
                                 "Cash-Karp 5(4)"};

@@ -6,51 +6,50 @@
 #include "chapters/exercise.hpp"
 #include "report/study/need.hpp"
 
-/// The criteria of a choice: how far a motion is off, told by what is seen of it alone. Whatever model made
-/// it is judged alike.
+/// The criteria of a choice: errors of a motion, judged by its observables only. All models are judged in the
+/// same way.
 namespace oddity {
 
-/// The energy of a true motion. A table has places and no rates, so that two algorithms that share no code
-/// follow it: the one whose path keeps nearer to the truth has the energy, and the other bounds its error.
+/// The energy of a true motion. A table has places but no rates, so two algorithms that share no code compute
+/// it. The one whose path stays nearer to the truth gives the energy, and the other bounds its error.
 struct TrueEnergy {
-  std::vector<double> whole;  ///< at each time looked at
-  double moves = 0;           ///< the most of it that is kinetic
-  double known_to = 0;        ///< as a part of that
+  std::vector<double> whole;  ///< at each time judged
+  double moves = 0;           ///< the largest kinetic part
+  double known_to = 0;        ///< relative to `moves`
 };
-/// Throws BadInput where the scene states no energy, or no two methods follow the motion to its end.
+/// Throws BadInput if the scene states no energy, or fewer than two methods reach the end.
 TrueEnergy true_energy(const Quantity& motion);
 
 /// Whether the criterion, alone or as another one of the need, looks at energies.
 bool needs_energy(const Need&);
 
-/// How far a motion is off by one criterion: infinitely where it has no such.
+/// Error of a motion by one criterion; infinite if it does not show that quantity.
 struct Off {
-  double error;          ///< of a path in needs; of energy and period a part; of a constraint m
-  std::string why = {};  ///< "its swing is 2.2 times the true one in the end"; empty: the error says it
+  double error;          ///< of a path in needs; of energy and period relative; of a constraint in m
+  std::string why = {};  ///< "its swing is 2.2 times the true one in the end"; empty: the error is the reason
 };
-/// By a criterion, path, each observable's distance from the truth, in needs. Energy, the most that it is off
-/// its true value, as a part of the most that moves. Period, that of the first observable's upward passages
-/// through its true mean, where the swing stays as large as the true one to a tenth. Constraint, the most
-/// that what is seen, or the model's redundant coordinates, are off what holds them. Bounded, the motion's
-/// size as a part of ten times the true one. Throws BadInput where the true motion
-/// has no period.
+/// Error by a criterion. Path: each observable's distance from the truth, in needs. Energy: the largest
+/// deviation from its true value, relative to the largest moving part. Period: of the first observable's
+/// upward passages through its true mean, if the swing stays as large as the true one to a tenth. Constraint:
+/// the largest deviation of the observables, or of the model's redundant coordinates, from their constraints.
+/// Bounded: the motion's size over ten times the true one. Throws BadInput if the true motion has no period.
 Off off_by(Criterion, const Quantity& motion, const Method&, const Trial&, const std::vector<double>& errors,
            const TrueEnergy*);
 
-/// The same where the observables alone are known: all but the energy, which is infinite.
+/// As `off_by`, if only the observables are known: all criteria except the energy, which is infinite.
 Off off_by_observed(Criterion, const Quantity& motion, const Value& observed,
                     const std::vector<double>& errors);
 
-/// The true motion's first observable passes upward through its mean twice.
+/// The true motion's first observable passes upward through its mean at least twice.
 bool has_period(const Quantity& motion);
 
-/// The criteria that are asked for, the main one first.
+/// The requested criteria, the main one first.
 std::vector<Criterion> criteria_of(const Need&);
 
-/// The motion has what the criterion looks at, and the method shows it.
+/// The motion has the quantity that the criterion needs, and the method shows it.
 bool can_be_judged(Criterion, const Quantity& motion, const Method&);
 
-/// The criterion's error that counts as zero: roundings of what is seen.
+/// Errors by the criterion up to this are roundings of the observables, and count as zero.
 double rounding_of(Criterion, const Quantity& motion);
 
 }  // namespace oddity

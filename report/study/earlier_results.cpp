@@ -19,7 +19,7 @@ bool is_declared(const ParameterValue& a, const Parameter& b) {
   return a.name == b.name && a.value == b.value && a.unit == b.unit && a.says == b.says;
 }
 
-/// Whether the motion has come to what can be drawn, and is not.
+/// Whether the motion can be drawn but has no trajectory.
 bool lacks_trajectory(const QuantityResult& q) {
   return !q.trajectory && std::ranges::any_of(q.methods, [](const MethodResult& m) {
     return m.trials.back().outcome == Outcome::ok;

@@ -5,11 +5,11 @@
 
 namespace oddity {
 
-/// A file of this project as the program carries it.
+/// A file of this project that is embedded in the program.
 struct EmbeddedFile {
   std::string_view path, text;
 };
-/// Those of the models and of the plain algorithms, and what they include of the project.
+/// The headers of the models and of the plain algorithms, and the project's headers that they include.
 std::span<const EmbeddedFile> embedded_headers();
 
 }  // namespace oddity

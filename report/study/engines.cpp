@@ -34,7 +34,7 @@ const EngineTrial* EngineSeries::first_enough() const {
 
 namespace {
 
-/// Not a number is null.
+/// NaN is written as null.
 ordered_json kept(double x) { return std::isfinite(x) ? ordered_json(x) : ordered_json(nullptr); }
 double number(const ordered_json& json) { return json.is_null() ? not_a_number : json.get<double>(); }
 
@@ -56,7 +56,7 @@ Outcome outcome_named(const std::string& name) {
   throw BadInput("there is no outcome '" + name + "'");
 }
 
-/// For the eye, seven digits are enough.
+/// Seven digits are enough for a drawing.
 std::vector<double> shortened(std::vector<double> path) {
   for (double& x : path)
     if (std::isfinite(x)) x = *parse_number(format_significant(x, 7));
@@ -120,12 +120,12 @@ EngineSeries series_from(const ordered_json& j) {
   return s;
 }
 
-/// None that is not known, and none below zero.
+/// None is infinite or negative; NaN is unknown, and allowed.
 bool are_sizes(const std::vector<double>& numbers) {
   return std::ranges::none_of(numbers, [](double x) { return x < 0 || std::isinf(x); });
 }
 
-/// Trials go from coarse to fine; there is none only where the engine cannot have the scene, and says so.
+/// Trials go from coarse to fine. Without trials there must be a reason why the engine cannot have the scene.
 void require_trials(const EngineSeries& s) {
   if (s.trials.empty() && s.cannot.empty())
     throw std::runtime_error(s.engine + ", " + s.variant + " has no trials and no reason for that");

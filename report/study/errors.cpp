@@ -16,7 +16,8 @@ using Numbers = std::vector<std::optional<double>>;
 
 std::string with_blank(const std::string& text) { return text.empty() ? "" : text + " "; }
 
-// Rounding decides an error below 1e-10 of the size; results files know one kind of error that is not finite.
+// Rounding decides an error below 1e-10 of the size. Results files have only one kind of error that is not
+// finite.
 double recorded(double error, double size) {
   if (!std::isfinite(error)) return std::numeric_limits<double>::infinity();
   return error <= 1e-10 * size ? 0 : error;
@@ -34,7 +35,7 @@ ErrorsOnRecord wrong_readings(const Claim& claim, const std::string& number) {
   return row;
 }
 
-/// What the checks that hold may differ by, relative to their terms, where that is more than roundings.
+/// Tolerances of the passing checks, relative to their terms, where they exceed roundings.
 ErrorsOnRecord tolerances(const Claim& claim, const std::string& number) {
   ErrorsOnRecord row{number, "claim " + claim.id.substr(number.size() + 1) + ": tolerances", "", {}, {}};
   for (const Reading* reading : {&claim.printed, &claim.meant, &claim.corrected})

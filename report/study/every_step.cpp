@@ -74,7 +74,8 @@ std::optional<TimedTrial> within_need(const EveryStep& judge, const Method& meth
     return looked.off <= 1 ? judge.judged(method, steps) : looked;
   };
   std::optional<TimedTrial> within;
-  long coarse = 0, fine = 0;  // steps an interval: the finest that does not hold, the coarsest of those below
+  long coarse = 0,
+       fine = 0;  // steps per interval: the finest that fails, the coarsest of the passing ones below
   for (long steps = 1;; steps = std::max(steps + 1, std::lround(static_cast<double>(steps) * 1.5))) {
     const auto [here, off] = judged(steps);
     if (!(off <= 1)) {

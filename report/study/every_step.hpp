@@ -7,35 +7,35 @@
 
 namespace oddity {
 
-/// It has a knob for its step, and limits of stability.
+/// The method has a setting for its step, and stability limits.
 bool of_fixed_step(const Method&);
 
-/// Judges a motion at the end of every step, or of every second, third, ... where there are more than 4,096.
-/// What is true there is a method without a fixed step: the cheapest trial that is within a millionth of the
-/// need at the times of the reference, or, where none is, the most exact. Without a motion to look at it is
-/// judged at those times alone.
+/// Judges a motion at the end of every step, or of every second, third, ... if there are more than 4,096. The
+/// reference there is a method without a fixed step: the cheapest trial within a millionth of the need at the
+/// times of the reference, otherwise the most accurate one. Without a `MotionAt` it judges only at those
+/// times.
 class EveryStep {
  public:
   using MotionAt = std::function<Quantity(const Horizon&)>;
-  /// How far a motion is off at the times of a true one, in units of what is asked.
+  /// Error of a motion at the times of a true one, in needs.
   using OffBy = std::function<double(const Quantity& truth, const Method&, const Trial&)>;
   static constexpr long most_looks = 4096;
 
-  /// By the path, within the quantity's needs; or by what else is asked of it.
+  /// Judges by the path, within the quantity's needs, or by `OffBy`.
   EveryStep(Quantity at_looks, double horizon, MotionAt = {}, OffBy = {});
 
-  /// What takes the place of the truth; none: the truth is known at the times of the reference alone.
+  /// The trial that serves as the reference; empty: the truth is known only at the times of the reference.
   const std::optional<Trial>& truest() const { return truest_; }
-  /// The motion at so many times, with its truth. Only where there is one.
+  /// The motion at so many times, with its reference. Requires `truest()`.
   Quantity motion_at(long looks) const;
 
   struct Judged {
     Trial trial;
-    double off;  ///< in units of what is asked
+    double off;  ///< in needs
   };
-  /// By so many steps between two times of the reference, judged at these alone: by the path.
+  /// With so many steps between two times of the reference, judged by the path and only at these times.
   Judged at_looks(const Method&, long steps) const;
-  /// By as many, or a few more.
+  /// With at least so many steps, and at most a few more.
   Judged judged(const Method&, long steps) const;
 
  private:
@@ -48,9 +48,10 @@ class EveryStep {
   std::optional<Trial> truest_;
 };
 
-/// By the largest step below which all that were tried meet what is asked: 1, 2, 3, 5, 8, ... steps an
-/// interval up to 4,096 steps in all, and to 262,144 steps or 200,000 evaluations while none is; bisected to
-/// 1 %. With a path that is asked for, what fails at the few times of the reference is not judged elsewhere.
+/// The trial at the largest step below which all steps tried pass. Tries 1, 2, 3, 5, 8, ... steps per
+/// interval up to 4,096 steps in all, and up to 262,144 steps or 200,000 evaluations while none passes; then
+/// bisects to 1 %. If a path is asked for, a failure at the few times of the reference is not judged
+/// elsewhere.
 std::optional<TimedTrial> within_need(const EveryStep&, const Method&, int intervals,
                                       bool path_is_asked = true);
 

@@ -7,8 +7,8 @@
 
 namespace oddity {
 
-/// What an exception says that ends the work, which is some exercise's own; empty: none does. BadInput and
-/// what is lacking of memory are thrown on.
+/// Message of an exception that ends the work and concerns only one exercise; empty: none. Rethrows BadInput
+/// and failures for lack of memory.
 template <class Work>
 std::string failure_of(const Work& work) try {
   work();

@@ -31,7 +31,7 @@ int weight_of(Fault kind) {
   }
 }
 
-/// The less, the worse: wrong and not only incomplete, of a scene, of a worse kind, with more claims.
+/// Sorts the worst first: wrong before incomplete, scenes first, then by kind, then by number of claims.
 auto rank_of(const Finding& f) {
   int kind = weight_of(Fault::none);
   for (const JudgedClaim* c : f.claims) kind = std::min(kind, weight_of(c->claim.kind));

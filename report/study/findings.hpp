@@ -9,17 +9,17 @@
 
 #include "report/study/results.hpp"
 
-/// What is wrong in the book, in the order in which the pages of the report and of the site show it.
+/// Errors of the book, in the order in which the report and the site show them.
 namespace oddity {
 
-/// Errata of one root, which are one finding. An erratum that stands alone has a group of its own.
+/// Errata of one root: a single finding. An erratum without a root is a finding by itself.
 struct Finding {
   const ExerciseResult* exercise;
   const Root* root;  ///< null: the results name none
   std::vector<const JudgedClaim*> claims;
 
   std::string title() const;  ///< the root's name, as a title
-  std::string shows() const;  ///< what one would see of it; empty: nothing is said
+  std::string shows() const;  ///< its visible effect; empty: not stated
 };
 
 /// One of its claims is wrong, not only incomplete.
@@ -33,28 +33,28 @@ struct InMarkup {
       [](const Finding&, const std::string& words) { return words; };
   std::function<std::string(const std::string& words)> text = [](const std::string& words) { return words; };
 };
-/// What of the solution stands and what does not, in one sentence: the author's, or one made of the
-/// verdicts. Throws std::logic_error where the author's does not agree with them: it names what is no
-/// finding, does not name what is wrong, or leaves out what is incomplete and does not count it as the
+/// One sentence on which parts of the solution are right and which are not: the author's, or one made from
+/// the verdicts. Throws std::logic_error if the author's contradicts them: it names something that is no
+/// finding, leaves out something wrong, or leaves out something incomplete without counting it as the
 /// {{rest}}.
 std::string verdict_of(const ExerciseResult&, const InMarkup& = {});
-/// The errata of all exercises by root, the worst first: the worst of each scene whose published motion goes
-/// wrong, by how far it does (`broken_by`); then those of other scenes; then by kind, from a wrong listing or
-/// formula to a case left out; then by how many claims come from it.
+/// The errata of all exercises by root, the worst first. First the worst of each scene whose published motion
+/// goes wrong, by its error (`broken_by`), then those of other scenes. Then by kind, from a wrong listing or
+/// formula to a missing case; then by the number of claims.
 std::vector<Finding> errata_worst_first(const Results&);
-/// How far a scene's published motion is off, in what a game allows; 0: no further than that, or no motion.
+/// Error of a scene's published motion, in a game's tolerances; 0: within it, or no motion.
 double broken_by(const ExerciseResult&);
-/// Its claims of one verdict.
+/// The claims of one verdict.
 std::vector<const JudgedClaim*> claims_of(const ExerciseResult&, Verdict);
-/// Those that are wrong or incomplete.
+/// The claims that are wrong or incomplete.
 std::vector<const JudgedClaim*> errata_of(const ExerciseResult&);
 
-/// How a verdict is counted: "2 misprints".
+/// A verdict's name in counts: "2 misprints".
 struct VerdictNoun {
   Verdict verdict;
   std::string_view one, many;
 };
-/// In the order in which every list has them: what is wrong first, what is right last.
+/// The order of every list: wrong claims first, correct ones last.
 inline constexpr std::array verdict_nouns{
     VerdictNoun{Verdict::wrong, "wrong", "wrong"},
     VerdictNoun{Verdict::incomplete, "incomplete", "incomplete"},
@@ -64,32 +64,32 @@ inline constexpr std::array verdict_nouns{
     VerdictNoun{Verdict::not_checkable, "not checkable", "not checkable"},
     VerdictNoun{Verdict::confirmed, "confirmed", "confirmed"}};
 
-/// How many claims have each verdict.
+/// Number of claims with each verdict.
 using Counts = std::map<Verdict, int>;
 Counts counts_of(const ExerciseResult&);
 Counts counts_of(const Results&);
 int sum_of(const Counts&);
-/// Calls f(noun, count) for each verdict that there is, in order.
+/// Calls f(noun, count) for each verdict that occurs, in order.
 template <class F>
 void for_each_count(const Counts& counts, const F& f);
 
-/// What was meant is plain, and right.
+/// The intended meaning is plain, and right.
 constexpr bool was_meant(Verdict v) { return v == Verdict::misprint || v == Verdict::lost; }
-/// What the decision about a claim rests on: what was meant, what is right, or else what is printed.
+/// The reading that decides a claim: the intended one, the right one, or else the printed one.
 const Reading& right_reading(const JudgedClaim&);
 
-/// Of a claim that holds for every sample or fails: `left` counts the samples that violate it.
+/// The claim holds for every sample or fails: `left` counts the samples that violate it.
 bool counts_violations(const Check&);
 
-/// Where it is: "equation (7), line 1073".
+/// Place of the claim: "equation (7), line 1073".
 std::string place_of(const Claim&);
 
-/// What is printed stands in the claim's own words.
+/// The claim's own words include the printed text.
 bool says_what_is_printed(const Claim&);
 
-/// The model has the book's own equations, by its name.
+/// The model has the book's own equations, judged by its name.
 bool is_published(std::string_view model);
-/// The published version of a scene among its recorded motions, and the truest; none where the book has no
+/// The published version of a scene among its recorded motions, and the truest. Null if the book has no
 /// motion of its own.
 const Path* published_path(const ExerciseResult&);
 const Path& true_path(const Trajectory&);

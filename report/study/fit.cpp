@@ -20,10 +20,10 @@ bool scatters(const MethodResult& m) {
   return knob == "tolerance" || knob == "samples";
 }
 
-/// A method's trials for a fit: x is the knob, or one over it, y the error; NaN where it is out of bounds.
+/// A method's trials for a fit: x is the setting or its inverse, y the error, NaN outside the bounds.
 struct Points {
   std::vector<double> x, y;
-  std::size_t within = 0;  ///< the bounds
+  std::size_t within = 0;  ///< number of trials within the bounds
 
   double slope(std::size_t i) const { return std::log(y[i] / y[i + 1]) / std::log(x[i] / x[i + 1]); }
   PowerLaw law(std::size_t first, std::size_t last) const {
@@ -72,7 +72,7 @@ bool is_asymptotic(const Points& p, const Fit& fit) {
   return true;
 }
 
-/// The finest of the longest runs of trials that follow their law so, over a factor of four in the knob.
+/// The finest of the longest runs of trials that follow a power law over a factor of four in the setting.
 std::optional<Fit> longest(const Points& points, bool (*follows)(const Points&, const Fit&)) {
   std::optional<Fit> best;
   for (std::size_t first = 0; first < points.x.size(); ++first)

@@ -41,8 +41,7 @@ bool FrameClock::time_all(const std::vector<Candidate*>& candidates) {
   return !untimed.empty();
 }
 
-/// How many times as many evaluations a frame takes in the costliest part of the horizon as on average: a
-/// budget has to hold there.
+/// Evaluations per frame in the costliest part of the horizon, over the average: a budget has to hold there.
 double FrameClock::worst_part(const Candidate& candidate) const {
   const auto frames = static_cast<int>(need_.frames());
   if (!std::isfinite(need_.budget) || candidate.evaluations_per_frame == 0 || frames < policy.budget_parts)
@@ -62,8 +61,8 @@ double FrameClock::worst_part(const Candidate& candidate) const {
   return std::max(1.0, most / candidate.evaluations_per_frame);
 }
 
-/// A long run is timed over its first frames, as an evaluation takes as long there: over a twentieth of all,
-/// or over as many as take twice the evaluations that are many.
+/// Times a long run over its first frames only, as an evaluation takes as long there: over a twentieth of
+/// all, or over enough for twice `policy.long_evaluations`.
 Time FrameClock::time_per_frame(const Candidate& candidate) const {
   const double enough = std::ceil(2 * policy.long_evaluations / candidate.evaluations_per_frame);
   const Quantity first_frames =
@@ -83,7 +82,7 @@ double FrameClock::restart(const Candidate& candidate) const {
                   evaluations_of(one_frame, *first, candidate.setting) - candidate.evaluations_per_frame);
 }
 
-/// What the requested restarts add to the time, as a part of it.
+/// Relative increase of the time by the requested restarts.
 double FrameClock::restarting(const Candidate& candidate) const {
   const double frames = need_.restart_every * need_.frames_per_second;
   if (!std::isfinite(frames) || candidate.evaluations_per_frame == 0) return 0;

@@ -14,9 +14,9 @@ class FrameClock {
       : need_(need), starts_(starts), price_(price), progress_(progress) {}
 
   void time(Candidate&) const;
-  /// Times those of them that are not timed yet. Returns whether there were any.
+  /// Times the candidates that are not timed yet. Returns whether there were any.
   bool time_all(const std::vector<Candidate*>&);
-  /// Evaluations that the first frame of a run takes beyond the steady ones.
+  /// Extra evaluations in the first frame of a run, beyond a steady one.
   double restart(const Candidate&) const;
 
   int timed() const { return timed_; }

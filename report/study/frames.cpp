@@ -71,7 +71,7 @@ Quantity motion_at_frames(const Scene& scene, const Parameters& p, const Horizon
                           const Reference& truth) {
   Quantity seen = motion(scene, p, horizon, truth);
   if (!horizon.frames) return seen;
-  const std::string end = format_shortest(horizon.end);  // the last frame's, in all its digits
+  const std::string end = format_shortest(horizon.end);  // time of the last frame, in all its digits
   if (const auto at = seen.says.find(end); at != std::string::npos)
     seen.says.replace(at, end.size(), format_significant(horizon.end, 4));
   for (const auto& [stepping, name] : steppings) {

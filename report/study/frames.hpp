@@ -6,16 +6,16 @@
 #include "chapters/scene.hpp"
 #include "report/study/need.hpp"
 
-/// Frames as they come: of different lengths, late, or dropped.
+/// Frames of different lengths, late, or dropped.
 namespace oddity {
 
-/// What becomes of the frames of a game.
+/// Frame times of a game.
 struct FramesAsked {
-  double jitter = 0;                                         ///< each is longer or shorter by up to this part
-  double drop = 0;                                           ///< the part of them that is not drawn
-  double longest = std::numeric_limits<double>::infinity();  ///< the clock goes on by no more
-  std::vector<double> trace = {};  ///< lengths, again and again; empty: as the frame rate has them
-  double seed = 1;                 ///< of what is at random
+  double jitter = 0;  ///< each frame is longer or shorter by up to this fraction
+  double drop = 0;    ///< fraction of frames that are not drawn
+  double longest = std::numeric_limits<double>::infinity();  ///< cap on the clock's advance in a frame
+  std::vector<double> trace = {};  ///< lengths, repeated; empty: as the frame rate gives them
+  double seed = 1;                 ///< of the random numbers
 };
 
 /// The frames up to the horizon, in this unit of time; null where all are of the same length. Throws BadInput
@@ -26,7 +26,7 @@ std::shared_ptr<const FrameTimes> frame_times(const FramesAsked&, double frames_
 /// A length of time: "16.7 ms", in other units than seconds "0.0167 yr".
 std::string shown_length(double time, const std::string& unit);
 
-/// The first of the need's frames.
+/// The first `count` of the need's frames.
 Horizon first_frames(const Need&, int count);
 /// All of them.
 Horizon horizon_of(const Need&);

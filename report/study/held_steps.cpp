@@ -18,17 +18,17 @@ namespace oddity {
 
 namespace {
 
-/// By a need, at whatever times are looked at. For many threads.
+/// Judges by a need, at any times. Thread-safe.
 class ByNeed {
  public:
   explicit ByNeed(const Need& need) : need_(need) {}
 
-  /// Throws BadInput where the true motion has no such energy or period.
+  /// Throws BadInput if the true motion has no such energy or period.
   double off_or_throw(const Quantity& truth, const Method& method, const Trial& trial) {
     const TrueEnergy* energy = needs_energy(need_) ? &energy_of(truth) : nullptr;
     return off_by(need_, truth, method, trial, trial.errors, energy).error;
   }
-  /// Infinite where so few times show no period.
+  /// Infinite if there are too few times for a period.
   double off(const Quantity& truth, const Method& method, const Trial& trial) {
     try {
       return off_or_throw(truth, method, trial);
@@ -38,7 +38,7 @@ class ByNeed {
   }
 
  private:
-  /// Made once for so many times, as many methods are judged at these.
+  /// Computed once for a number of times, as many methods are judged at the same ones.
   const TrueEnergy& energy_of(const Quantity& truth) {
     const std::lock_guard lock(mutex_);
     auto& energy = energies_[truth.samples];

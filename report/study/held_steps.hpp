@@ -9,17 +9,17 @@
 
 namespace oddity {
 
-/// Up to which step each method of fixed step meets what is asked of a scene's motion.
+/// Longest step at which each method of fixed step passes.
 struct HeldSteps {
-  std::string asked = {};  ///< in words; empty: nothing was
-  /// By model and algorithm: the longest step, in the scene's unit of time; 0: none that was tried. What does
-  /// not show what is asked has none.
+  std::string asked = {};  ///< in words; empty: nothing
+  /// Longest step by model and algorithm, in the scene's unit of time; 0: no step tried passes. A method has
+  /// no entry if it cannot be judged by the request.
   std::map<std::pair<std::string, std::string>, double> longest = {};
 };
 
-/// Over the need's horizon, at the end of every step: each judged as `choose` judges at every frame, from the
-/// start asked for alone. Throws BadInput where the motion has not what is asked for, or is not known so
-/// well.
+/// Judges over the need's horizon at the end of every step, as `choose` does at every frame, and only from
+/// the requested start. Throws BadInput if the motion lacks the requested quantity, or is not known well
+/// enough.
 HeldSteps held_steps(const Task&, const Need&, const Reference&, const Progress& = {});
 
 }  // namespace oddity

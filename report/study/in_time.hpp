@@ -7,8 +7,8 @@
 
 namespace oddity {
 
-/// What `work` returns. Throws OutOfTime where it is not there after so many seconds; `shorter` says what
-/// would be: "a shorter horizon"; empty: nothing is.
+/// Returns the result of `work`. Throws OutOfTime if it takes more seconds; `shorter` names a way to be
+/// faster: "a shorter horizon", or is empty.
 template <class Work>
 auto in_time(double seconds, const std::string& shorter, const Work& work) {
   const Stop stop(seconds);

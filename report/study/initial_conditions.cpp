@@ -19,22 +19,21 @@ namespace {
 
 constexpr double nearby = 0.1;
 
-/// Of the need: what fails by more is told to a digit.
+/// Relative to the need; an error beyond the need is then known to one digit.
 constexpr double well_enough = 0.1;
 
 bool is_known_well_enough(const Quantity& motion) {
   return motion.reference_error <= well_enough * motion.need.allowed;
 }
 
-/// Before its end the routes tell another motion each, as their roundings have grown: a closer bound helps
-/// little.
+/// The routes differ widely before the end, as their roundings have grown. A tighter bound helps little.
 bool is_lost(const Quantity& motion) {
   constexpr double part = 1e-2;
   return motion.reference_error > part * size_of(motion.reference.value);
 }
 
-/// Frames up to which a path is followed to see whether it is lost there, and all: as long as these take
-/// little of the whole's time.
+/// Frame counts at which to check whether a path is lost already, and the whole: together these take little
+/// of the whole's time.
 std::vector<int> parts_of(const Need& need) {
   constexpr int shorter = 8, least = 2400;
   std::vector<int> parts{static_cast<int>(need.frames())};
@@ -50,7 +49,7 @@ std::optional<Start> where_known(const std::function<Start()>& make) {
     throw;
   } catch (const std::bad_alloc&) {
     throw;
-  } catch (const std::exception&) {  // no reference there
+  } catch (const std::exception&) {  // no reference
     return {};
   }
 }
@@ -71,7 +70,7 @@ OnStart Attempts::at(const Candidate& candidate, const std::function<OnStart()>&
   }
   OnStart made = make();
   const std::lock_guard lock(mutex_);
-  if (made.outcome != Outcome::stalled) all_[which] = made;  // which it may not be with more evaluations
+  if (made.outcome != Outcome::stalled) all_[which] = made;  // may succeed with more evaluations
   return made;
 }
 
@@ -164,8 +163,8 @@ Start InitialConditions::well_known(const Parameters& p) const {
   return to_judge({says(p), known_motion(scene(), p, horizon_of(need_), need_, truth_)}, p);
 }
 
-/// By a path alone more digits can decide: of what is conserved, or does not explode, the truth says nothing.
-/// A motion that is lost in its first part is not followed to its end, unless something holds up to there.
+/// More digits can decide only for a path: for conserved or bounded quantities the truth shows nothing. A
+/// motion that is lost in its first part is computed further only if some method passes up to there.
 Start InitialConditions::start(const Parameters& p) const {
   if (need_.thorough || need_.criterion == Criterion::period) return well_known(p);
   const int whole = static_cast<int>(need_.frames());
@@ -186,7 +185,7 @@ Start InitialConditions::start(const Parameters& p) const {
   start.sharper = std::make_shared<Lazy<Start>>([this, p, known_by, count, whole] {
     const Start repeated = known_by(truth_.repeated(), count);
     Start known = as_long_as_known(repeated, p);
-    // What long double does not tell apart from the truth, more digits do a little later, and are not lost
+    // The motion with more digits, a little beyond the part that long double resolves, where it is not lost
     // yet.
     const int later = std::min(whole, known.motion.samples + (known.motion.samples + 3) / 4);
     known.sharper = std::make_shared<Lazy<Start>>([this, p, repeated, later, whole] {
@@ -208,7 +207,7 @@ Start InitialConditions::start(const Parameters& p) const {
   return start;
 }
 
-/// What nearly everything does that fails on the whole of a chaotic motion fails on this, too.
+/// A method that fails on the whole of a chaotic motion nearly always fails on this part as well.
 Start InitialConditions::as_long_as_known(const Start& whole, const Parameters& p) const {
   const Quantity& all = whole.motion;
   const auto known = std::ranges::count_if(
@@ -275,7 +274,7 @@ Parameters InitialConditions::drawn() {
   return p;
 }
 
-/// What is of another kind than the start asked for is left out, and drawn again.
+/// Leaves out starts of another kind than the requested one, and draws again.
 std::vector<Parameters> InitialConditions::draw(int count) {
   constexpr int most_draws = 1000;
   std::vector<Parameters> all;

@@ -18,7 +18,7 @@
 
 namespace oddity {
 
-/// What is made when it is first asked for, by whatever thread.
+/// A value that is made at its first use, by any thread.
 template <class Made>
 class Lazy {
  public:
@@ -34,18 +34,18 @@ class Lazy {
   std::optional<Made> made_;
 };
 
-/// How a method did on a start at a setting.
+/// Result of a method on a start at a setting.
 struct OnStart {
   std::vector<double> errors;           ///< in each of the motion's units
-  std::map<Criterion, double> by = {};  ///< by each criterion asked for but path, in its own unit
-  std::string why = {};                 ///< it does not hold, where the error does not say so
-  double error = 0;                     ///< in units of what was asked
-  double unbounded_error = 0;  ///< were it not bounded by the motion's size, as far as that can be told
+  std::map<Criterion, double> by = {};  ///< by each requested criterion except path, in its own unit
+  std::string why = {};                 ///< the reason for failing, if the error does not show it
+  double error = 0;                     ///< in needs
+  double unbounded_error = 0;  ///< without the bound by the motion's size, as far as it can be estimated
   double evaluations_per_frame = 0;
   Outcome outcome = Outcome::ok;
 };
 
-/// What was tried on a start, so that it is tried once. For many threads.
+/// Results on a start, so that each method is run once. Thread-safe.
 class Attempts {
  public:
   OnStart at(const Candidate&, const std::function<OnStart()>& make);
@@ -56,7 +56,7 @@ class Attempts {
   std::mutex mutex_;
 };
 
-/// What fails on a first part of a motion fails on the whole of it: by start and setting. For many threads.
+/// Failures on a first part of a motion, by start and setting: they fail on the whole. Thread-safe.
 class Failures {
  public:
   void add(const std::string& start, const Candidate&, const OnStart&);
@@ -70,28 +70,27 @@ class Failures {
   mutable std::mutex mutex_;
 };
 
-/// What is known of a motion's first part when a longer one is judged.
+/// State of judging a motion in parts.
 struct PartJudged {
-  std::string says;                        ///< what is judged here: "the first 56.25 s"
+  std::string says;                        ///< the part judged here: "the first 56.25 s"
   std::shared_ptr<const Failures> before;  ///< over a shorter part; null: none was judged
-  std::shared_ptr<Failures> here;          ///< over this one, for a longer
+  std::shared_ptr<Failures> here;          ///< over this part, for a longer one
 };
 
-/// One start of a scene: its true motion at every frame, and every method with what was asked as the need.
+/// One start of a scene: its true motion at every frame, and every method, with the request as the need.
 struct Start {
   std::string says;  ///< "a = 0.5121, L = 0.9034"
   Quantity motion;
-  std::shared_ptr<Lazy<Parting>> parting = {};    ///< of a disturbance, where paths are judged
-  std::shared_ptr<Lazy<TrueEnergy>> energy = {};  ///< where energies are judged
-  /// The start by a better known truth; none where the motion is known well, or as well as can be.
+  std::shared_ptr<Lazy<Parting>> parting = {};    ///< of a disturbance, if paths are judged
+  std::shared_ptr<Lazy<TrueEnergy>> energy = {};  ///< if energies are judged
+  /// The start with a better reference; null if the motion is known well, or as well as possible.
   std::shared_ptr<Lazy<Start>> sharper = {};
-  bool is_whole = true;                     ///< else the motion ends where its truth is no longer known
-  std::shared_ptr<Attempts> attempts = {};  ///< none: nothing is kept
-  std::shared_ptr<const PartJudged> part =
-      {};  ///< none: no part of the motion was judged before, or may be later
+  bool is_whole = true;                     ///< otherwise the motion ends where its truth is no longer known
+  std::shared_ptr<Attempts> attempts = {};  ///< null: nothing is kept
+  std::shared_ptr<const PartJudged> part = {};  ///< null: the motion is not judged in parts
 };
 
-/// What a game asks of a position [m] and of an angle [rad]; of an orbit [AU], a degree of the Earth's.
+/// A game's tolerance for a position [m] and an angle [rad]; for an orbit [AU], a degree of the Earth's.
 double game_error(std::string_view unit);
 
 /// A centimetre and a degree at every frame, over 10 s at 60 frames a second.
@@ -100,56 +99,55 @@ Need game_need();
 /// The need in each of the motion's units.
 std::vector<double> needs_of(const Need&, const Quantity& motion);
 
-/// The true motion's error is so far below the motion's needs that it decides nothing.
+/// The error of the true motion is so far below the needs that it decides nothing.
 bool is_known_well(const Quantity& motion);
 
-/// Digits with which a true motion's error is a millionth of the need, where errors grow by less than a
+/// Digits for which a true motion's error is a millionth of the need, if errors grow by less than a
 /// millionfold.
 int digits_for(const Need&);
 
-/// The scene's motion with what was asked as its need, and with no more digits of its truth than that takes.
+/// The scene's motion with the request as its need, and with no more digits of its truth than necessary.
 Quantity known_motion(const Scene&, const Parameters&, const Horizon&, const Need&, const Reference&);
 
-/// The starts of one choice: the one asked for, and others beside it, whose perturbed parameters are each up
-/// to a tenth off. What these make when it is asked for, they make with this, which has to be there still.
+/// The starts of one choice: the requested one and others next to it, whose perturbed parameters are each up
+/// to a tenth off. Their lazy members refer to this object, which must outlive them.
 class InitialConditions {
  public:
   /// Throws BadInput when the task's exercise has no motion, or the need makes no sense.
   InitialConditions(const Task&, const Need&, const Reference&, std::shared_ptr<const PartJudged> = {});
 
-  /// The start asked for. Throws BadInput when no true motion is known there, or not as exactly as asked.
+  /// The requested start. Throws BadInput when no true motion is known there, or not as exactly as requested.
   Start asked() const;
   using AfterEach = std::function<void()>;
-  /// `count` starts drawn afresh, less those of which no true motion is known; all made at once.
+  /// `count` newly drawn starts, without those of which no true motion is known; made in parallel.
   std::vector<Start> beside(int count, const AfterEach&);
-  /// The start asked for, and then those.
+  /// The requested start, then `count` drawn ones.
   std::vector<Start> asked_and_beside(int count, const AfterEach&);
-  /// How many of those drawn were left out, by what kind of motion they have.
+  /// Number of drawn starts left out, by their kind of motion.
   const std::map<std::string, int>& left_out() const { return left_out_; }
-  /// So many frames of the start asked for, without a reference.
+  /// The first frames of the requested start, without a reference.
   Quantity first_frames(int count) const;
 
  private:
   Parameters drawn();
   std::vector<Parameters> draw(int count);
   std::optional<Start> start_if_known(const Parameters&) const;
-  /// The start asked for, if it is given, and `count` beside it; those that are not comparable are drawn
-  /// again.
+  /// The requested start, if given, and `count` next to it; redraws those that are not comparable.
   std::vector<Start> with_asked(const std::function<Start()>& asked, int count, const AfterEach&);
   bool needs_period() const;
-  /// Its true motion has what the need looks at.
+  /// Its true motion has the quantity that the need judges.
   bool is_comparable(const Start&) const;
   std::string says(const Parameters&) const;
-  /// The start with what it takes to judge on it.
+  /// The start with everything needed to judge on it.
   Start to_judge(Start, const Parameters&) const;
   Start well_known(const Parameters&) const;
-  /// Known as well as it is had quickly, and with what knows it better.
+  /// The start with the truth that is quickly available, and a way to a better one.
   Start start(const Parameters&) const;
   /// The same start, up to where its truth is known well enough.
   Start as_long_as_known(const Start& whole, const Parameters&) const;
   Parting parting(const Parameters&, const Quantity& motion) const;
   Start asked_to_choose() const;
-  /// Throws BadInput where the start is not known as exactly as asked.
+  /// Throws BadInput if the start is not known as exactly as requested.
   Start required(Start) const;
   const Scene& scene() const { return *task_.entry->exercise.scene; }
 

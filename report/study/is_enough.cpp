@@ -21,8 +21,8 @@ namespace oddity {
 
 namespace {
 
-/// What people call an algorithm, as letters and digits alone, and what it is called here: the first of these
-/// that a scene has.
+/// Common names of an algorithm, as letters and digits only, and its names here: the first of these that a
+/// scene has.
 struct Alias {
   std::string_view name, algorithm;
 };
@@ -66,13 +66,13 @@ std::vector<std::string> algorithms_of(const std::vector<Method>& methods) {
   return names;
 }
 
-/// Of the error on the start asked for.
+/// Growth of the error on the requested start, in the second half of the time.
 double growth_of(const Quantity& motion, const Value& path) {
   const std::vector<double> until = errors_until(motion, path);
   return until.size() < 2 ? not_a_number : until.back() / until[until.size() / 2 - 1];
 }
 
-/// At the scene's own looks, as `stability` has it.
+/// Judged at the scene's own times, as in `stability`.
 std::optional<double> stable_to(const Task& task, const Method& asked) {
   if (!asked.unstable_steps) return {};
   const Scene& scene = *task.entry->exercise.scene;
@@ -81,8 +81,8 @@ std::optional<double> stable_to(const Task& task, const Method& asked) {
   return method ? std::optional(measured_limit(*method, scene.horizon / seen.samples).step()) : std::nullopt;
 }
 
-/// At as many frames a second as the step asks for: it divides a frame, or is one. Frames of different
-/// lengths stay as they are.
+/// The need with its frame rate matched to the step, which then divides a frame or is one. Frames of
+/// different lengths stay as they are.
 Need at_steps(Need need, const Method& method, double step) {
   if (method.knob.name != "step" || need.frame_times) return need;
   const double rate = 1 / step;
@@ -99,7 +99,7 @@ class Judge {
     starts_ = conditions_.asked_and_beside(need.starts - 1, [&] { stage.add(); });
     try {
       energy_ = true_energy(starts_.front().motion);
-    } catch (const BadInput&) {  // it has none
+    } catch (const BadInput&) {  // the motion has none
     }
   }
 

@@ -6,36 +6,35 @@
 
 #include "report/study/choose.hpp"
 
-/// Whether what someone runs is good enough: a method of their own at a step of their own.
+/// Judges whether a user's method at a given step is good enough.
 namespace oddity {
 
-/// A method as it was named: its algorithm, and a word of its model, or none for all models.
+/// A method as the user named it: its algorithm, and a word of its model, empty for all models.
 struct MethodAsked {
   std::string algorithm, model = {};
   double setting = 0;  ///< the step, in the scene's unit of time, or the tolerance
 };
 
-/// The algorithms of a scene's methods that a name may mean, as people call them: "RK4", "semi-implicit
-/// Euler".
+/// The algorithms of a scene's methods that a common name may mean: "RK4", "semi-implicit Euler".
 std::vector<std::string> algorithms_meant(const std::string& name, const std::vector<Method>&);
 
-/// How the method does on one model of the scene.
+/// Result of the method on one model of the scene.
 struct Judgement {
   Candidate run;                 ///< on all starts, and its time
   bool faulted = false;          ///< the scene's own page shows the model to be wrong
-  int failing = 0;               ///< of the starts
-  double growth = not_a_number;  ///< from half the time to the end, of the error on the start asked for
-  double drift = not_a_number;   ///< there, of what the model conserves, as a part of what moves in it
-  double energy = not_a_number;  ///< there, how far what is seen is off its true energy, as a part of that
+  int failing = 0;               ///< number of failing starts
+  double growth = not_a_number;  ///< of the error on the requested start, from half the time to the end
+  double drift = not_a_number;   ///< there, of the conserved quantity, relative to its moving part
+  double energy = not_a_number;  ///< there, error of the observed energy, relative to its moving part
   std::optional<double> stable_to = {};  ///< the longest stable step; 0: none; infinity: every one
 };
 
 struct IsEnough {
-  Need need;  ///< as asked, at so many frames a second that the step divides a frame, or is one
+  Need need;  ///< as requested, at a frame rate for which the step divides a frame or is one
   std::string exercise, time_unit;
   std::vector<std::string> units = {};   ///< of the motion's errors
-  std::vector<Judgement> models = {};    ///< from the smallest error on; those shown to be wrong are last
-  std::vector<std::string> starts = {};  ///< the first is the one asked for
+  std::vector<Judgement> models = {};    ///< by ascending error; those shown to be wrong are last
+  std::vector<std::string> starts = {};  ///< the first is the requested one
 
   bool holds() const { return models.front().run.holds(); }
 };

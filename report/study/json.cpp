@@ -32,14 +32,14 @@ void require(bool holds, const std::string& otherwise) {
   if (!holds) throw std::runtime_error(otherwise);
 }
 
-/// What is written follows from what else is written.
+/// A written value must follow from the other written values.
 template <class T>
 void require_follows(const Json& written, const T& follows, const std::string& what) {
   require(written == Json(follows),
           what + " is " + written.dump() + ", and what it follows from makes it " + Json(follows).dump());
 }
 
-/// The same of a number, but for the roundings of another C library.
+/// The same for a number, up to the roundings of another C library.
 void require_number_follows(const Json& written, double follows, const std::string& what) {
   constexpr double roundings = 1e-12;
   const double x = number(written);
@@ -192,7 +192,7 @@ TimedTrial trial(const Json& json) {
   return t;
 }
 
-/// The reference has as many values at each time, and those that make a point or an angle.
+/// The reference has the same number of values at each time, and those that form a point or an angle.
 bool has_all_components(const QuantityResult& q) {
   const std::size_t size = q.reference.value.size(), times = static_cast<std::size_t>(q.samples);
   return size % times == 0 && std::ranges::all_of(q.norms, [&](const auto& components) {
@@ -200,7 +200,7 @@ bool has_all_components(const QuantityResult& q) {
          });
 }
 
-/// The quantity as far as its trials are judged by it.
+/// The parts of the quantity that judge its trials.
 Quantity judging(const QuantityResult& q) {
   Quantity quantity{q.name, q.unit, q.says, q.reference, q.reference_error, q.need};
   quantity.samples = q.samples;
@@ -208,7 +208,7 @@ Quantity judging(const QuantityResult& q) {
   return quantity;
 }
 
-/// Of an outcome that a method came to by itself; else it had come to the end.
+/// The method's own ending for an outcome; otherwise it reached the end.
 Ending ending_of(Outcome outcome) {
   switch (outcome) {
     case Outcome::raised:
@@ -289,7 +289,7 @@ CheapestModel cheapest_model(const Json& json) {
 Json from(const Interval& interval) { return Json::array({from(interval.from), from(interval.to)}); }
 Interval interval(const Json& json) { return {number(json.at(0)), number(json.at(1))}; }
 
-/// Also where it is one number; what is infinite stays so.
+/// A list even for one number; infinite ones stay so.
 Json listed(const std::vector<double>& numbers) {
   Json json = Json::array();
   for (double x : numbers) json.push_back(std::isinf(x) ? Json("infinite") : from(x));
@@ -384,7 +384,7 @@ Trajectory trajectory(const Json& json) {
   return t;
 }
 
-/// The trials of a quantity stand in one list; the methods say how many of them in turn are theirs.
+/// The trials of a quantity are one list; each method gives the number of its trials, in turn.
 Json from(const QuantityResult& q) {
   Json methods = Json::array(), trials = Json::array(), breakdowns = Json::array(), in_float = Json::array();
   for (const MethodResult& m : q.methods) {
@@ -636,7 +636,7 @@ Results results_in(Json json) {
   return results;
 }
 
-/// What `read` reads, its complaints in the words of one who has a file at `place`.
+/// Runs `read`, and rewrites its error messages for a user with a file at `place`.
 template <class Read>
 Results understood(const std::string& place, const Read& read) {
   try {

@@ -19,7 +19,7 @@ namespace {
 
 bool is_own(const Entry& entry) { return !own_reference_folder(entry.file).empty(); }
 
-/// Of an exercise outside the tree, by the number that its name begins with.
+/// The table belongs to an exercise outside the tree, by the number that its name begins with.
 bool is_for_own(const truth::Entry& maker) {
   return !maker.home.empty() && std::ranges::any_of(registry(), [&](const Entry& entry) {
     const auto two_digits = [](int n) { return (n < 10 ? "0" : "") + std::to_string(n) + "_"; };
@@ -28,13 +28,14 @@ bool is_for_own(const truth::Entry& maker) {
   });
 }
 
-/// Nothing where it cannot be read.
+/// Empty if it cannot be read.
 std::string text_in(const fs::path& file) {
   std::error_code unknown;
   return fs::exists(file, unknown) ? read_whole(file) : "";
 }
 
-/// The folder has no tables of this program where it is none of its own.
+/// Adds checksums of the tables and ledgers in the folder. Tables of exercises outside the tree count only
+/// for these.
 MadeFrom with_reference(MadeFrom code, const fs::path& folder) {
   const std::string all = checksum_of_tables(folder),
                     of_tree = checksum_of_tables(folder, [](const auto&m) { return !is_for_own(m); });

@@ -24,7 +24,7 @@ bool came_to_an_end(const Candidate& candidate) {
 
 namespace {
 
-/// One more than the order, as errors of symmetric methods may fall; of a tolerance more than in proportion.
+/// One more than the order, as errors of symmetric methods may fall. For a tolerance, more than proportional.
 double most_power(const Method& method) {
   if (method.knob.name == "tolerance") return 1.25;
   const std::string_view algorithm = without_stepping(method.algorithm);
@@ -97,15 +97,15 @@ void Ladder::go_on(double most_evaluations, const std::vector<Start>& starts, co
   }
 }
 
-/// As with a method that does not listen to its tolerance.
+/// True of a method that ignores its tolerance.
 bool Ladder::changed_nothing() const {
   if (candidates.size() < 2) return false;
   const Candidate &last = candidates.back(), &before = candidates.end()[-2];
   return last.error == before.error && last.evaluations_per_frame == before.evaluations_per_frame;
 }
 
-/// By how an error falls: where it is as large as the motion, more slowly, unless one knows how it would have
-/// grown. Else the finest setting is left.
+/// Extrapolates the error: an error as large as the motion falls more slowly, unless its growth is known.
+/// Keeps the finest setting otherwise.
 void Ladder::skip_what_cannot_hold(const Need& need) {
   skipped_.clear();
   const Candidate& last = candidates.back();

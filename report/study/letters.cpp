@@ -56,7 +56,7 @@ std::string exchanged_letters(const Entry& entry) {
 
 namespace {
 
-/// "20.2" of 20_02_ball.
+/// "20.2" for 20_02_ball.
 std::string of_table(const std::string& name) {
   return std::to_string(std::stoi(name.substr(0, 2))) + "." + std::to_string(std::stoi(name.substr(3, 2)));
 }
@@ -80,7 +80,7 @@ double another(const Parameter& p) {
   return p.value;
 }
 
-/// Everything that is judged, as text; nothing where the parameters are refused.
+/// All judged values, as text; empty if the parameters are refused.
 std::optional<std::string> judged_at(const Exercise& exercise, const Parameters& p, const Reference& truth) {
   try {
     const Findings found = exercise.study(p, truth);
@@ -97,7 +97,7 @@ std::optional<std::string> judged_at(const Exercise& exercise, const Parameters&
   }
 }
 
-/// The scene's motion by every method at its coarsest.
+/// The scene's motion by every method at its coarsest setting.
 std::optional<std::vector<Value>> moved_at(const Exercise& exercise, const Parameters& p) {
   if (!exercise.scene) return std::vector<Value>();
   try {

@@ -6,7 +6,7 @@
 
 #include "report/study/results.hpp"
 
-/// Limits and maps of stability as they stand on record.
+/// Approved limits and maps of stability.
 namespace oddity {
 
 /// The outcomes in the order of a map's legend.
@@ -15,20 +15,20 @@ inline constexpr std::array outcomes_of_a_map{
     Outcome::stalled, Outcome::deceived,   Outcome::raised,  Outcome::chattering, Outcome::grazing};
 /// An outcome's letter on a map.
 char letter_of(Outcome);
-/// The outcome of a letter; nothing where it is none.
+/// The outcome of a letter; empty if it has none.
 std::optional<Outcome> outcome_of(char letter);
 /// The letters of a row's outcomes, from the coarsest step to the finest.
 std::string letters(const MapRow&);
-/// "..*.........": a star for each of a row's outcomes that a few roundings at the start decide; empty: none.
+/// "..*.........": a star for each of a row's outcomes that a few roundings of the start decide; empty: none.
 std::string fragile_cells(const MapRow&);
 /// "0.464 to 0.555, from 0.882 on".
 std::string shown_tongues(const Limit&);
-/// How far from a limit that is not sharp other observers find it: "0.4 to 0.5".
+/// Range in which other observers find a limit that is not sharp: "0.4 to 0.5".
 std::string shown_soft(const Between&);
 /// How the motion ends just above the limit, or "stable" when nothing breaks the method.
 std::string beyond(const Limit&);
 
-/// The rows of limits.csv, and of stability_maps.csv, that would put these results on record.
+/// The rows of limits.csv and stability_maps.csv that would approve these results.
 std::string limit_rows(const Results&);
 std::string limit_row(const ExerciseResult&, const Limit&);
 std::string map_rows(const Results&);

@@ -12,20 +12,20 @@
 
 namespace oddity {
 
-/// What has to hold.
+/// The quantity that has to be right.
 enum class Criterion {
   path,        ///< the observables are within the error, at every frame
-  energy,      ///< the energy is off its true value by no more than the error, as a part of what moves in it
-  period,      ///< the period is within the error, as a part of it, and the swing as large as the true one
+  energy,      ///< the energy is off its true value by at most the error, relative to its moving part
+  period,      ///< the period is within the error, relative to it, and the swing as large as the true one
   bounded,     ///< nothing explodes, however wrong the path
-  constraint,  ///< lengths that are held, and what lies on something, are within the error, at every frame
+  constraint,  ///< lengths and contacts are within the error of their constraints, at every frame
 };
 
 inline constexpr std::array criterion_names{"path", "energy", "period", "bounded", "constraint"};
 
-/// Which of those that hold is taken.
+/// Which of the passing methods is taken.
 enum class Objective {
-  simple,    ///< one-step with a fixed step, or a closed form, holding with a margin; then the cheapest
+  simple,    ///< one-step with a fixed step, or a closed form, with a margin; then the cheapest
   cheapest,  ///< whatever is cheapest
 };
 
@@ -35,7 +35,7 @@ struct ShownUnit {
   double size = 1;
 };
 
-inline constexpr double most_frames = 1e6;  ///< that a need may ask for: an hour at 277 frames per second
+inline constexpr double most_frames = 1e6;  ///< limit of a need: an hour at 277 frames per second
 
 /// Frames of different lengths.
 struct FrameTimes {
@@ -45,28 +45,28 @@ struct FrameTimes {
   std::string unit = {};  ///< of time
 };
 
-/// What someone asks of a scene.
+/// A request for a scene.
 struct Need {
   double error;  ///< in each unit that `errors` does not name; relative: to the largest of the observables
   bool relative = false;
   double horizon = 10;            ///< s
-  double frames_per_second = 60;  ///< a step divides the frame evenly, and every method is at every frame
+  double frames_per_second = 60;  ///< a step divides the frame evenly; every method is judged at every frame
   std::shared_ptr<const FrameTimes> frame_times = {};       ///< null: all frames are of the same length
   double budget = std::numeric_limits<double>::infinity();  ///< s per frame
-  long bodies = 1;                                          ///< alike, all of them in each frame
+  long bodies = 1;                                          ///< identical ones, all in each frame
   double restart_every = std::numeric_limits<double>::infinity();  ///< s: contacts or changes end a run
   std::map<std::string, double, std::less<>> errors = {};          ///< by unit: {"m", 0.01}
-  std::map<std::string, ShownUnit, std::less<>> shown = {};        ///< the units asked in, by the motion's
+  std::map<std::string, ShownUnit, std::less<>> shown = {};        ///< the requested units, by the motion's
   Criterion criterion = Criterion::path;
-  std::map<Criterion, double> also = {};  ///< other criteria that have to hold as well, with their errors
+  std::map<Criterion, double> also = {};  ///< other criteria that have to pass as well, with their errors
   Objective objective = Objective::cheapest;
   std::vector<std::string> only = {}, exclude = {};  ///< words of models and algorithms
-  /// Which of these models and algorithms may be taken, of those named above; null: all.
+  /// Which of the models and algorithms named above may be taken; null: all.
   std::function<bool(const std::string& model, const std::string& algorithm)> takes = {};
-  bool lockstep = false;  ///< a program whose bits are the same by every compiler and on every processor
-  int starts = 6;  ///< on which it has to hold: the one asked for, two beside it, others that it is tested on
+  bool lockstep = false;  ///< a program whose bits are the same for every compiler and processor
+  int starts = 6;         ///< on which it has to pass: the requested one, two next to it, others for the test
   bool one_step = false;  ///< no method that needs a history
-  bool thorough = false;  ///< every method at every setting, against truths of as many digits as there are
+  bool thorough = false;  ///< every method at every setting, against references of the most digits
   bool in_double = true, in_float = false;                      ///< the precisions that may be chosen
   double time_limit = std::numeric_limits<double>::infinity();  ///< s, for the answer
 
@@ -75,7 +75,7 @@ struct Need {
     return static_cast<double>(std::ranges::upper_bound(frame_times->at, horizon * (1 + 1e-12)) -
                                frame_times->at.begin());
   }
-  /// When the last of so many frames is drawn.
+  /// Time of the `count`-th frame.
   double time_of(double count) const {
     return frame_times ? frame_times->at[static_cast<std::size_t>(count) - 1] : count / frames_per_second;
   }
@@ -83,11 +83,11 @@ struct Need {
     const auto named = errors.find(unit);
     return named == errors.end() ? error : named->second;
   }
-  /// The error by a criterion that is asked for; of a path in needs.
+  /// The error by a requested criterion; of a path in needs.
   double error_by(Criterion c) const {
     return c != criterion ? also.at(c) : c == Criterion::path ? 1 : error;
   }
-  /// How many times better than asked a method has to be on the starts that it is chosen on.
+  /// Factor by which a method has to be better than requested on the starts that choose it.
   double margin() const { return objective == Objective::simple ? 3 : 1; }
 };
 

@@ -31,8 +31,8 @@ void in_threads(std::size_t count, const F& f) {
 
 #else
 
-/// Isolated: TBB cancels the loops inside one that was left by an exception, and they return as if they had
-/// run.
+/// Isolated: otherwise TBB cancels the loops inside one that an exception left, and they return as if they
+/// had run.
 template <class F>
 void in_threads(std::size_t count, const F& f) {
   tbb::task_group_context alone(tbb::task_group_context::isolated);

@@ -9,7 +9,7 @@
 
 #include "report/study/run.hpp"
 
-/// Work in parallel, and how much of it is done.
+/// Runs work in parallel and reports its progress.
 namespace oddity {
 
 /// Counts finished pieces of work for a progress display.
@@ -25,12 +25,12 @@ class Stage {
     ++done_;
     tell();
   }
-  /// Nothing is finished, but work goes on.
+  /// Reports that work goes on, with nothing new finished.
   void beat() {
     const std::lock_guard lock(mutex_);
     tell();
   }
-  /// So large a part of this thread's piece is done: of what is made in several goes the largest counts.
+  /// Progress of this thread's piece; if it is made in several passes, the largest value counts.
   void come_to(double part) {
     const std::lock_guard lock(mutex_);
     double& come = begun_[std::this_thread::get_id()];
@@ -53,13 +53,13 @@ class Stage {
   std::mutex mutex_;
 };
 
-/// One of so many machines.
+/// One of several machines that share the work.
 struct Shard {
   std::size_t number = 1, of = 1;
 };
 
-/// Calls f(0), ..., f(count - 1) in parallel. Returns when all of them have; else it throws: the first
-/// exception thrown inside, which stops the others, or Stopped where this thread's work was asked to stop.
+/// Calls f(0), ..., f(count - 1) in parallel and waits for all. Throws the first exception from inside, which
+/// stops the others, or Stopped if this thread's work was asked to stop.
 void in_parallel(std::size_t count, const std::function<void(std::size_t)>& f);
 
 template <class Range, class F>

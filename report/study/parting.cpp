@@ -25,7 +25,7 @@ class Frames {
   }
 
   bool has(const Value& path) const { return path.size() == motion_.reference.value.size() && finite(path); }
-  /// In each unit.
+  /// Errors of a frame in each unit.
   std::vector<double> errors(const Value& path, int frame) const {
     return one_.errors(frame_of(path, frame, components_), true_at(frame));
   }
@@ -41,17 +41,17 @@ class Frames {
   Quantity one_;
 };
 
-/// How far two paths have come apart, in one unit.
+/// Distance of two paths, in one unit.
 struct Apart {
   std::vector<double> until;  ///< the largest distance up to each frame
-  double size = 0;            ///< of the true path
+  double size = 0;            ///< size of the true path
 
   void add(double distance, double true_size) {
     until.push_back(std::max(until.empty() ? 0 : until.back(), distance));
     size = std::max(size, true_size);
   }
 
-  /// What is less than the difference in the start, as before a first contact, has not grown yet.
+  /// A distance below the difference of the start, as before a first contact, has not grown yet.
   bool is_chaotic(double difference) const {
     constexpr double chaotic = 1000;
     for (std::size_t frame = 1; 2 * frame <= until.size(); ++frame)
@@ -80,7 +80,7 @@ std::optional<std::size_t> Parting::lost_at() const {
 }
 
 double Parting::in_the_end(const std::vector<double>& error_until) const {
-  // An error that is not in the direction which grows most is so many times smaller.
+  // An error that is not in the direction of fastest growth is smaller by this factor.
   constexpr double in_direction = 1.0 / 16;
   const double seen = error_until.back();
   if (!is_chaotic || until.size() != error_until.size()) return seen;

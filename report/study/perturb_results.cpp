@@ -28,7 +28,7 @@ std::vector<std::string> unnoticed_perturbations(const JudgedClaim& judged) {
       const double value = check.right.value[largest(check.left.value)];
       const double scale =
           check.scale > 0 ? check.scale : std::max(size_of(check.left.value), size_of(check.right.value));
-      constexpr double rounding = 0x1p-45;  // a zero but for roundings of its terms has no sign to change
+      constexpr double rounding = 0x1p-45;  // a zero up to roundings of its terms: its sign cannot change
       const double size = std::abs(value) <= rounding * scale ? scale : std::abs(value);
       const double ten = check.tolerance.allowed > 0 ? 10 * check.tolerance.allowed : scale * 0x1p-50;
       if (!noticed(check, -2 * size))

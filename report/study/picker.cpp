@@ -13,7 +13,7 @@ namespace oddity {
 
 namespace {
 
-/// Place of an algorithm in the catalog, which begins with the plainest; 0: a closed form.
+/// Place of an algorithm in the catalog, which begins with the simplest; 0: a closed form.
 std::size_t simplicity(std::string_view algorithm) {
   const std::string_view plain = without_stepping(algorithm);
   const auto all = ode::catalog();
@@ -29,7 +29,7 @@ bool is_simple(std::string_view knob, std::string_view algorithm) {
 bool is_simple(const Candidate& t) { return is_simple(t.knob, t.algorithm); }
 
 bool ties_with(const Candidate& t, const Candidate& fastest) {
-  if (t.seconds_per_frame <= fastest.seconds_per_frame) return true;  // of 0 and infinity, too
+  if (t.seconds_per_frame <= fastest.seconds_per_frame) return true;  // equal times, also 0 and infinity
   const double times = t.seconds_per_frame / fastest.seconds_per_frame;
   return times <= policy.near_tie ||
          (times <= policy.noisy_tie &&

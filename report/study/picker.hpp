@@ -9,8 +9,8 @@ namespace oddity {
 
 struct Picked {
   std::optional<Candidate> chosen = {};
-  bool by_objective = true;          ///< else nothing that the objective wants holds
-  std::vector<Candidate> ties = {};  ///< of the same cost
+  bool by_objective = true;          ///< otherwise nothing that meets the objective passes
+  std::vector<Candidate> ties = {};  ///< those of the same cost
 };
 
 /// Chooses among candidates that were tried and timed.
@@ -18,13 +18,13 @@ class Picker {
  public:
   Picker(const Need& need, const Scene& scene) : need_(need), scene_(scene) {}
 
-  /// The cheapest; of near ties the more accurate, and of those that are as accurate the simpler.
+  /// The cheapest; of near ties the more accurate, and of equally accurate ones the simpler.
   Picked pick(const std::vector<Candidate>&, bool by_objective) const;
 
   bool meets_objective(const Candidate&) const;
   bool may_meet_objective(const Ladder&) const;
   bool is_eligible(const Candidate&, bool by_objective) const;
-  /// Its page shows the model to be wrong.
+  /// The scene's page shows the model to be wrong.
   bool is_faulted(const Candidate&) const;
 
  private:
@@ -38,7 +38,7 @@ bool is_multistep(std::string_view algorithm);
 /// Each ties with the other.
 bool have_same_cost(const Candidate&, const Candidate&);
 
-/// The one of the least time for which the predicate holds.
+/// The one with the least time for which the predicate holds.
 template <class Predicate>
 std::optional<Candidate> cheapest(const std::vector<Candidate>& candidates, const Predicate& predicate) {
   std::optional<Candidate> best;

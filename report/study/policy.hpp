@@ -5,15 +5,15 @@ namespace oddity {
 /// The constants of the search behind `choose`, each with its reason.
 struct Policy {
   // Starts.
-  int seen = 3;             ///< the requested start and two next to it: fewer miss what parameters change
+  int seen = 3;  ///< the requested start and two next to it: with fewer, effects of the parameters are missed
   int reported = 5;         ///< further starts on which a choice for the requested start alone is reported
   int rounds = 4;           ///< each refuted choice adds its starts; a scene that refutes four has no choice
   int tried_in_chaos = 16;  ///< further starts: a share of them is known to about a tenth
 
   // Work, in evaluations per frame.
-  double first_work = 16, more_work = 4;  ///< every method gets so many, then four times as many, ...
-  double far_more_work = 16;              ///< a setting that takes so many times what was expected is put off
-  double luck = 4;  ///< settings whose errors cannot fall enough, even so much luckier, are skipped
+  double first_work = 16, more_work = 4;  ///< every method gets this budget, then four times as many, ...
+  double far_more_work = 16;              ///< a setting that takes so many times the expected work is put off
+  double luck = 4;  ///< settings whose errors would stay too large even with this luck are skipped
 
   // Time.
   double near_tie = 1.25;  ///< costs that differ by less are the same to an engineer, and on another machine

@@ -22,7 +22,7 @@ std::string processor() {
   return "processor";
 }
 
-/// The program by its file: to read all of it takes longer than many an answer.
+/// Identifies the program by its file's metadata: reading all of it takes longer than many an answer.
 std::string program_by_file() {
   std::error_code unreadable;
   const fs::path file = fs::read_symlink("/proc/self/exe", unreadable);
@@ -31,8 +31,8 @@ std::string program_by_file() {
   return checksum(file.string() + " " + std::to_string(size) + " " + std::to_string(written));
 }
 
-/// What a clock can have shown: no run takes less than a picosecond, and none has been watched for 11 days.
-/// The spread of what was timed once is not known.
+/// A plausible measurement: no run takes less than a picosecond, or was watched for 11 days. A single
+/// measurement has no spread.
 bool is_price(const Time& time) {
   const bool spread = std::isnan(time.spread) || (time.spread >= 0 && time.spread <= 1e6);
   return time.seconds >= 1e-12 && time.seconds <= 1e6 && spread;
@@ -40,7 +40,7 @@ bool is_price(const Time& time) {
 
 bool is_noisy(const Time& time) { return time.spread > time.seconds / 2; }
 
-/// Noise adds to a time: of several that are noisy the least counts.
+/// Noise only adds to a time: of several noisy ones the smallest counts.
 Time least_noisy(const Price& measure, const Method& method, double setting) {
   constexpr int most = 5;
   Time least = measure(method, setting);
@@ -90,8 +90,8 @@ KeptPrices::KeptPrices(const fs::path& folder, std::string key, bool anew, Price
   if (!anew) prices_ = in_file();
 }
 
-/// A line with the key, and one for each price: model, algorithm, setting, seconds, spread. None where one of
-/// them is no price: then the file is not one that this program wrote.
+/// Reads a line with the key, and one for each price: model, algorithm, setting, seconds, spread. Returns
+/// none if any is implausible: then this program did not write the file.
 std::map<KeptPrices::Which, Time> KeptPrices::in_file() const {
   std::map<Which, Time> prices;
   const auto text = read_sealed(file_);
@@ -121,7 +121,7 @@ Time KeptPrices::operator()(const Method& method, double setting) {
 
 void KeptPrices::keep() {
   if (measured_.empty()) return;
-  // What another run has kept meanwhile stays.
+  // Keeps prices that another run has added meanwhile.
   std::map<Which, Time> all = anew_ ? std::map<Which, Time>() : in_file();
   all.insert(prices_.begin(), prices_.end());
   std::string text = key_ + "\n";
@@ -131,7 +131,7 @@ void KeptPrices::keep() {
               "\t" + format_shortest(time.seconds) + "\t" + format_shortest(time.spread) + "\n";
   try {
     write_sealed(file_, text);
-  } catch (const BadInput&) {  // they will be measured again
+  } catch (const BadInput&) {  // measured again next time
     cannot_keep_ = true;
   }
 }

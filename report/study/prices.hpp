@@ -10,23 +10,23 @@
 
 namespace oddity {
 
-/// This processor and this program: what was timed with others is timed anew.
+/// This processor and this program; times of others are measured again.
 std::string machine_and_program();
-/// The same with all that a method's cost over the horizon depends on.
+/// `machine_and_program()` with everything else that a method's cost over the horizon depends on.
 std::string price_key(const Task&, const Need&);
 
-/// What the methods of one question cost, kept from run to run: measured again, near ties would be broken by
-/// the clock's noise, and the same question would not get the same answer.
+/// Prices of one question's methods, kept from run to run. Measured again, the clock's noise would break near
+/// ties, and the same question would get another answer.
 class KeptPrices {
  public:
-  /// Of the question `key`, in `folder`. Those of earlier runs are not looked at when `anew`.
+  /// Prices of the question `key`, in `folder`. Ignores those of earlier runs when `anew`.
   KeptPrices(const std::filesystem::path& folder, std::string key, bool anew, Price measure = measured_price);
 
-  /// As it was kept, or else measured and remembered. Not for several threads.
+  /// The kept price; otherwise measures and remembers it. Not thread-safe.
   Time operator()(const Method&, double setting);
-  /// For the next run; does without where the folder cannot be written.
+  /// Saves the prices for the next run, if the folder can be written.
   void keep();
-  /// Where the prices given out come from, in one sentence without its end.
+  /// Source of the prices used, as one sentence without its full stop.
   std::string source() const;
   const std::filesystem::path& file() const { return file_; }
 
@@ -40,8 +40,8 @@ class KeptPrices {
   Price measure_;
   std::map<Which, Time> prices_;
   std::set<Which> measured_;  ///< in this run
-  bool cannot_keep_ = false;  ///< as was found when it was tried
-  bool found_ = false;        ///< one that an earlier run had kept was given out
+  bool cannot_keep_ = false;  ///< found when tried
+  bool found_ = false;        ///< a price kept by an earlier run was used
 };
 
 }  // namespace oddity

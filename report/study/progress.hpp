@@ -12,12 +12,12 @@
 
 namespace oddity {
 
-/// How far a stage of work has come, as it is told at times [s].
+/// Progress of a stage of work, reported at times [s].
 class Pace {
  public:
   void come_to(double done, double now);
-  /// "3 of 7, about 20 s left" where each quarter of the time did half to twice as much as it would of even
-  /// work; else "3 of 7, 20 s so far".
+  /// "3 of 7, about 20 s left" if each quarter of the time did half to twice as much as even work would;
+  /// otherwise "3 of 7, 20 s so far".
   std::string line(double all, double now) const;
 
  private:
@@ -28,8 +28,8 @@ class Pace {
   std::vector<Told> told_;  ///< each larger than the one before
 };
 
-/// How far a run has come, on standard error: on a terminal in one line that is written over, else in a line
-/// now and then. Nothing for what takes less than two seconds. It is gone when this is.
+/// Progress on standard error: on a terminal one line that is overwritten, otherwise a line now and then.
+/// Shows nothing for work of less than two seconds. Its destructor removes the line.
 class ProgressBar {
  public:
   ProgressBar();
@@ -58,12 +58,12 @@ class ProgressBar {
   std::size_t all_ = 0;
   double done_ = 0;
   Pace pace_ = {};
-  Clock::time_point begun_ = Clock::now();  ///< of the stage
+  Clock::time_point begun_ = Clock::now();  ///< start of the stage
   std::size_t written_ = 0;                 ///< columns of the line
-  std::thread clock_;                       ///< a stage may have pieces that take long
+  std::thread clock_;                       ///< a single piece may take long
 };
 
-/// What `work` returns, called with a progress that is shown meanwhile.
+/// Calls `work` with a progress callback that is shown meanwhile, and returns its result.
 template <class Work>
 auto with_progress(const Work& work) {
   ProgressBar bar;

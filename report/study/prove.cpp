@@ -20,10 +20,10 @@ namespace {
 constexpr std::chrono::minutes most_time{15};
 
 fs::path file_of(const fs::path& folder, const std::string& claim) { return folder / (claim + ".v"); }
-/// Says of which file it was proved.
+/// The seal contains the checksum of the proved file.
 fs::path seal_of(const fs::path& folder, const std::string& claim) { return folder / (claim + ".proved"); }
 
-/// Coq's limits are of wall time: a busy machine has six times as long.
+/// Coq's limits are in wall time: allows six times as much for a busy machine.
 std::string with_patience(std::string text) {
   const std::string limit = "Timeout 20 ", longer = "Timeout 120 ";
   for (std::size_t at = 0; (at = text.find(limit, at)) != std::string::npos; at += longer.size())
@@ -31,7 +31,7 @@ std::string with_patience(std::string text) {
   return text;
 }
 
-/// coqc takes names of modules alone, and leaves what it compiled, and what nra found, where it works.
+/// coqc accepts only module names, and leaves compiled files and nra's results where it works.
 Ended coqc(const std::string& text) {
   const PassingFolder folder;
   write_whole(folder / "proof.v", with_patience(text));

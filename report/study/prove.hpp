@@ -9,30 +9,30 @@
 #include "chapters/provable.hpp"
 #include "report/study/run.hpp"
 
-/// Coq's word on what is provable.
+/// Checks of provable claims by Coq.
 namespace oddity {
 
-/// What Coq says to a file.
+/// Coq's answer to a file.
 struct Checked {
   std::string claim;
   bool proved = false;
-  bool kept = false;    ///< a run before had proved this very file
-  double seconds = 0;   ///< on the clock
-  std::string message;  ///< why it is not proved
+  bool kept = false;    ///< an earlier run proved this very file
+  double seconds = 0;   ///< wall time
+  std::string message;  ///< the reason, if not proved
 };
 
-/// These axioms begin so, in the words of Coq.
+/// Prefixes of the allowed axioms, as Coq prints them.
 std::span<const std::string_view> known_axioms();
 
-/// The axioms that proofs about real numbers rest on: of Coq's reals, of classical logic, and those that say
-/// that the processor's integers and doubles are as they are specified. Anything else in what `Print
-/// Assumptions` prints is named, as is a statement that was admitted.
+/// Reports axioms in the output of `Print Assumptions` that proofs about real numbers do not need. Allowed
+/// are those of Coq's reals, of classical logic, and of the specification of the processor's integers and
+/// doubles. An admitted statement is reported as well.
 std::vector<std::string> unknown_axioms(const std::string& printed);
 
-/// Coq's compiler and the libraries that proofs take; false where one is missing.
+/// Coq's compiler and the libraries that the proofs need; false if one is missing.
 bool coq_is_there();
 
-/// Writes the files into the folder, CLAIM.v each, and has coqc check those that it has not proved before.
+/// Writes the files into the folder, CLAIM.v each, and checks those with coqc that were not proved before.
 std::vector<Checked> prove(const Provables&, const std::filesystem::path& folder, const Progress&);
 /// Only writes them.
 void write_proofs(const Provables&, const std::filesystem::path& folder);

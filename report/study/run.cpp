@@ -16,14 +16,14 @@ namespace oddity {
 
 namespace {
 
-/// A task with its findings: where closures become plain values.
+/// A task with its findings, before closures become plain values.
 struct Studied {
   const Task* task;
   Findings findings;
   std::string failure;
 };
 
-/// A trial yet to be run, and where its result goes; the whole trial too, if it is kept.
+/// A trial to run, and the places for its result and, if kept, the whole trial.
 struct Pending {
   const Quantity* quantity;
   const Method* method;
@@ -32,7 +32,7 @@ struct Pending {
   Trial* kept = nullptr;
 };
 
-/// A breakdown whose text is yet to be filled with the numbers of its trials.
+/// A breakdown whose text still needs the numbers of its trials.
 struct Untold {
   const Quantity* quantity;
   const Breakdown* breakdown;
@@ -40,7 +40,7 @@ struct Untold {
   Trial broken = {}, cured = {};
 };
 
-/// What is to be done; places in it do not move.
+/// The work to do; its `untold` entries do not move.
 struct Work {
   std::vector<Pending> pending;
   std::deque<Untold> untold;
@@ -77,7 +77,7 @@ std::size_t like_in_double(const Quantity& quantity, const Method& single) {
   return static_cast<std::size_t>(found - quantity.methods.begin());
 }
 
-/// The result's shape, its trials still empty but registered in `work`.
+/// The result's shape; its trials are still empty but registered in `work`.
 QuantityResult shape(const Quantity& quantity, Work& work) {
   QuantityResult result{quantity.name,
                         quantity.unit,
@@ -121,7 +121,7 @@ QuantityResult shape(const Quantity& quantity, Work& work) {
   return result;
 }
 
-/// Where a reader of the manual finds the claims: at their line, or at the first of their assertions.
+/// Sets where a reader of the manual finds the claims: at their line, or at the first of their assertions.
 void place(std::vector<JudgedClaim>& claims, const std::vector<Assertion>& ledger) {
   for (JudgedClaim& judged : claims)
     for (const Assertion& assertion : ledger) {
@@ -159,7 +159,7 @@ ExerciseResult shape(const Studied& studied, const Reference& truth, Work& work)
   return result;
 }
 
-/// The paths of a scene's motion, which is the quantity that its study made of it.
+/// Adds the paths of a scene's motion to the quantity that its study made of it.
 void see_motion(const Task& task, ExerciseResult& result) {
   const auto& scene = task.entry->exercise.scene;
   if (!scene) return;

@@ -7,7 +7,7 @@
 #include "reference/reference.hpp"
 #include "report/study/results.hpp"
 
-/// A run: studies exercises, and runs every trial of theirs.
+/// A run: studies exercises and runs all their trials.
 ///
 ///   const Task task(registry()[0]);
 ///   const Results results = run(std::span(&task, 1), truth, false);
@@ -19,26 +19,26 @@ namespace oddity {
 struct Task {
   const Entry* entry;
   Parameters parameters;
-  std::optional<Horizon> frames = {};  ///< of a scene: nothing but its motion is studied, at these times
+  std::optional<Horizon> frames = {};  ///< only a scene's motion is studied, at these times
   std::string frames_say = {};         ///< "at 60 frames per second, 1 % dropped"
 
   explicit Task(const Entry& e) : entry(&e), parameters(e.exercise.parameters) {}
 };
 
-/// Called with how many of how many pieces of a stage's work are done, and what parts of others; from several
-/// threads, one at a time.
+/// Progress callback (stage, pieces done, all pieces); `done` may be fractional. Called from several threads,
+/// one at a time.
 using Progress = std::function<void(const std::string& stage, double done, std::size_t all)>;
 
-/// The quantity's method of this model by this algorithm; null when it has none: what a motion offers depends
-/// on its parameters.
+/// The quantity's method of this model and algorithm; null if it has none, as a motion's methods depend on
+/// its parameters.
 const Method* method_of(const Quantity&, std::string_view model, std::string_view algorithm);
 
 /// A trial as plain values, not timed.
 TimedTrial as_result(const Trial&);
 
-/// Studies the tasks in parallel, then runs all their trials in parallel; when `timed`, runs each trial
+/// Studies the tasks in parallel, then runs all their trials in parallel. When `timed`, runs each trial
 /// again, alone, in batches long enough for the clock. The results are in the order of the tasks and do not
-/// depend on the number of threads. BadInput out of a study is thrown on; any other exception becomes that
+/// depend on the number of threads. Rethrows BadInput from a study; any other exception becomes that
 /// exercise's `failure`.
 Results run(std::span<const Task> tasks, const Reference& truth, bool timed, const Progress& progress = {});
 

@@ -31,7 +31,7 @@ void require(bool done, int error, const char* what) {
   if (!done) throw std::system_error(error, std::generic_category(), what);
 }
 
-/// A file without a name: what is in it neither blocks nor breaks a pipe.
+/// A file without a name. Unlike a pipe it cannot block or break.
 class Scratch {
  public:
   Scratch() : file_(std::tmpfile(), &std::fclose) { require(file_ != nullptr, errno, "a temporary file"); }
@@ -99,7 +99,7 @@ Ended run_program(const std::vector<std::string>& command, const std::string& in
   using namespace std::chrono_literals;
   Scratch given, answered, said;
   given.write(input);
-  std::signal(SIGCHLD, SIG_DFL);  // where it is ignored, nobody is told how a program ended
+  std::signal(SIGCHLD, SIG_DFL);  // if SIGCHLD is ignored, the exit status is lost
   const pid_t child = spawn(command, given.descriptor(), answered.descriptor(), said.descriptor(), folder);
   if (memory > 0) {
     const rlimit most{memory, memory};

@@ -97,7 +97,7 @@ std::vector<Candidate> Search::all_tried() const {
   return all;
 }
 
-/// To be known between stages, so that what is tried does not depend on which thread came first.
+/// Called between stages, so that the order of trials does not depend on which thread came first.
 std::vector<std::string> Search::hardest_starts() const {
   std::map<std::string, int> failed;
   for (const Ladder& ladder : ladders_)
@@ -110,7 +110,7 @@ std::vector<std::string> Search::hardest_starts() const {
   return hardest;
 }
 
-/// Those ladders, in parallel, on to the first setting that holds with the margin or takes more work.
+/// Moves these ladders on, in parallel, to the first setting that passes with the margin or takes more work.
 void Search::climb(const std::string& stage, double most_evaluations, const Which& which) {
   const Stopwatch watch(seconds_);
   const std::vector<std::string> hardest = hardest_starts();
@@ -125,8 +125,8 @@ void Search::climb(const std::string& stage, double most_evaluations, const Whic
   });
 }
 
-/// With ever more work, until something holds that the objective wants. Once anything holds, only those go on
-/// that the objective may want.
+/// Allows ever more work until something passes that meets the objective. Once anything passes, continues
+/// only ladders that may meet the objective.
 void Search::climb(const std::string& stage) {
   const double most_of_all = starts_.are_beyond_double() ? policy.more_work * policy.first_work : unlimited;
   const auto any = [&](const std::function<bool(const Candidate&)>& is) {
@@ -143,7 +143,8 @@ void Search::climb(const std::string& stage) {
   }
 }
 
-/// One setting more of each that fails where that may cost so much. Returns whether there was one.
+/// Tries one more setting of each unfinished ladder if its expected time is below the limit. Returns whether
+/// there was one.
 bool Search::climb_on(const std::function<double(const Ladder&)>& seconds_per_frame) {
   const Stopwatch watch(seconds_);
   std::atomic<bool> any = false;
@@ -162,7 +163,7 @@ bool Search::time(const std::function<Candidate*(Ladder&)>& wanted) {
   return clock_.time_all(candidates);
 }
 
-/// One setting of each method, by which the cost of others is estimated; and those that may be chosen, unless
+/// Times one setting of each method, to estimate the others. Times those that may be chosen as well, unless
 /// they are expected to cost several times as much as the cheapest.
 void Search::time_to_pick_from(Rung may_be_chosen, bool by_objective) {
   constexpr double several = 2 * policy.noisy_tie;
@@ -192,8 +193,8 @@ Picked Search::pick() {
   return picker_.pick(all_tried(), false);
 }
 
-/// A pick is final when finer settings of all that fails would cost more. What may be chosen instead may tie
-/// with it; what the objective prefers to it may cost as much as the budget allows.
+/// A pick is final when finer settings of the failing methods would cost more. A method that may be chosen
+/// instead may also tie with it. One that the objective prefers may cost as much as the budget allows.
 Picked Search::pick_cheapest() {
   while (true) {
     const Picked picked = pick();

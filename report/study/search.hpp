@@ -12,15 +12,15 @@
 
 namespace oddity {
 
-/// By its precision, its words and what the need takes.
+/// Selects by precision, words and the need's `takes`.
 bool is_wanted(const Need&, const Method&);
 
-/// The search of a choice: each method climbs its ladder of settings, with ever more work allowed, until one
-/// holds that the objective wants; the picker takes the cheapest; unseen starts test it. A choice that they
-/// refute is dropped, and the search goes on with these starts as well.
+/// The search of a choice. Each method climbs its ladder of settings, with ever more work allowed, until one
+/// passes that meets the objective. The picker takes the cheapest, and unseen starts test it. If they refute
+/// it, the search continues with these starts as well.
 class Search {
  public:
-  /// Throws BadInput where no method is left, or the criterion fits none of them.
+  /// Throws BadInput if no method is left, or the criterion fits none of them.
   Search(const Task&, const Need&, const Reference&, const Price&, const Progress&,
          std::shared_ptr<const PartJudged>);
 
@@ -35,8 +35,8 @@ class Search {
   const Picker& picker() const { return picker_; }
 
   std::vector<Candidate> all_tried() const;
-  /// The start on which the last pick failed its test; then those on which methods fail that hold on the
-  /// requested one, from the one with most of them on.
+  /// The start on which the last pick failed its test. Then the starts on which methods fail that pass on the
+  /// requested one, by the number of such methods.
   std::vector<std::string> hardest_starts() const;
 
   int rounds() const { return rounds_; }
@@ -64,7 +64,7 @@ class Search {
   FrameClock clock_;
   Picker picker_;
   std::vector<Ladder> ladders_;
-  std::string refuted_on_;  ///< where the last pick failed its test
+  std::string refuted_on_;  ///< the start on which the last pick failed its test
   int rounds_ = 0, failing_beside_ = 0;
   double seconds_ = 0, test_seconds_ = 0;
 };

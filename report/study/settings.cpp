@@ -17,21 +17,21 @@ namespace {
 
 const auto began = std::chrono::steady_clock::now();
 
-/// The folder that a variable names. One that is relative would be in whatever folder one stands in.
+/// The folder that a variable names. Ignores a relative one, which would depend on the working directory.
 fs::path named_by(const char* variable) {
   const char* text = std::getenv(variable);
   const fs::path folder = text ? text : "";
   return folder.is_absolute() ? folder : fs::path();
 }
 
-/// Where an installed program keeps what it can make again; empty without a home.
+/// Folder for reproducible files of an installed program; empty without a home.
 fs::path cache() {
   if (const fs::path caches = named_by("XDG_CACHE_HOME"); !caches.empty()) return caches / "oddity";
   const fs::path home = named_by("HOME");
   return home.empty() ? home : home / ".cache" / "oddity";
 }
 
-/// Empty without a home.
+/// Folder or file that lasts beyond the run; empty without a home.
 fs::path lasting(const std::string& name) {
   const fs::path folder = own_tree().empty() ? cache() : own_tree() / "build";
   return folder.empty() ? folder : folder / name;
@@ -47,7 +47,7 @@ fs::path kept(const std::string& name) {
   return file;
 }
 
-/// Whether this program alone writes there.
+/// Whether it is one of the program's default folders.
 bool is_usual(const fs::path& folder) {
   const std::array own{report_folder(), site_folder(), chart_folder(), proofs_folder()};
   return std::ranges::find(own, folder) != own.end();

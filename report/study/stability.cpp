@@ -21,33 +21,33 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The map's steps: the sample interval, halved again and again.
+/// The map's steps: the sample interval, halved repeatedly.
 constexpr int map_steps = 12;
 
 /// Limits that differ by less than this factor are the same.
 constexpr double sharp = 1.05;
 
-/// From step to step of a scan.
+/// Ratio of successive steps in a scan.
 constexpr double next_step = 1.03;
 
-/// How long motions are watched, and by which of the sizes one is too large.
+/// How long an observer watches motions, and which of the sizes counts as too large.
 struct Observer {
   double time;
   std::size_t size;
 };
 
-/// The longest step that is stable, and the shortest that is not: 0 where there is none.
+/// The longest stable step and the shortest unstable one; 0: none.
 struct Edge {
   double stable = 0, unstable = 0;
 };
 
-/// The same disturbances as several observers see them; each step is run once.
+/// Runs each step once, for several observers of the same disturbances.
 class Scan {
  public:
   Scan(const Disturbances& disturbances, double first, double finest, double longest)
       : disturbances_(disturbances), first_(first), finest_(finest), longest_(longest) {}
 
-  /// The first loss of stability from below, to a part of the step.
+  /// The first loss of stability from below, to a relative accuracy of `part`.
   Edge edge(const Observer& observer, double part) {
     double low = first_;
     while (low > finest_ && lost(observer, low)) low = std::max(low / 4, finest_);
@@ -65,7 +65,7 @@ class Scan {
     return {low, high};
   }
   double time(const Observer& observer, double step) { return loss(step).time(observer.size); }
-  /// Whether it is lost by its size first.
+  /// Whether the motion outgrows the true one before neighbours separate.
   bool outgrown(const Observer& observer, double step) {
     return loss(step).outgrown[observer.size] < loss(step).parted;
   }
@@ -83,8 +83,8 @@ class Scan {
   std::map<double, ode::Loss> known_;
 };
 
-/// The first loss of stability from below, as the measurement has it; and between which limits it lies for
-/// observers who watch half or twice as long, or for whom another size is too large.
+/// Measures the first loss of stability from below, and the range of this limit for observers who watch half
+/// or twice as long, or count another size as too large.
 void measure(Limit& limit, const Disturbances& disturbances, double interval) {
   constexpr double fewest_steps = 16, many_steps = 20'000, most_steps = 200'000;
   limit.watched = disturbances.span;
@@ -92,11 +92,11 @@ void measure(Limit& limit, const Disturbances& disturbances, double interval) {
   limit.longest = std::min(interval, disturbances.span / fewest_steps);
   const double finest = std::max(ode::finest / disturbances.fastest, disturbances.span / most_steps);
   const double theory = limit.theory();
-  // From where theory is silent, or from many steps where it is singular.
+  // Starts well below theory's limit, or from many steps where theory is singular.
   const double below = theory < limit.longest ? theory / 4 : limit.longest / 50;
   const double first = std::min(std::max({below, disturbances.span / many_steps, finest}), limit.longest);
   Scan scan(disturbances, first, finest, limit.longest);
-  // Told from none to a factor of two: the mode varies.
+  // Distinguishes a limit from none only to a factor of two, as the mode varies.
   const auto told = [&](const Edge& edge) {
     return edge.unstable > 0 && edge.stable < 2 * finest ? 0 : edge.stable;
   };
@@ -117,12 +117,12 @@ void measure(Limit& limit, const Disturbances& disturbances, double interval) {
   if (all.most > sharp * all.least) limit.soft = all;
 }
 
-/// The motion by the longest step that is no longer than this one and divides the interval.
+/// The motion by the longest step up to this one that divides the interval.
 Trial run_at(const EveryStep& judge, const Method& method, double interval, double step) {
   return judge.judged(method, std::lround(std::ceil(interval / step * (1 - 1e-9)))).trial;
 }
 
-/// By the shortest step that is no shorter than this one and divides the interval, or by the interval.
+/// The motion by the shortest step from this one on that divides the interval, or by the interval.
 Trial run_beyond(const Quantity& quantity, const Method& method, double interval, double step) {
   return run(quantity, method, interval / std::max(1.0, std::floor(interval / step * (1 + 1e-9))));
 }
@@ -133,14 +133,14 @@ void keep_cheaper(std::optional<TimedTrial>& best, const Trial& trial) {
     best = as_result(trial);
 }
 
-/// Within a quarter.
+/// Equal within a quarter.
 bool agree(double a, double b) { return a == b || (a >= 0.8 * b && b >= 0.8 * a); }
 
-/// Whether x is nearer to a than to b, as factors go.
+/// Whether x is nearer to a than to b in ratio.
 bool nearer(double x, double a, double b) { return std::abs(std::log(x / a)) < std::abs(std::log(x / b)); }
 
-/// The first step, from half the shorter of the limits on, at which a disturbance of the true motion is lost
-/// when the method makes the disturbance's steps alone; infinity: none up to a quarter beyond the longer.
+/// The first step, from half the shorter of the limits on, that loses a disturbance of the true motion when
+/// the method steps only the disturbance. Infinity: none up to a quarter beyond the longer limit.
 double first_lost_along_truth(const Limit& limit, const Disturbances& disturbances) {
   constexpr double most_steps = 20'000;
   const double theory = std::min(limit.theory(), limit.longest);
@@ -152,8 +152,8 @@ double first_lost_along_truth(const Limit& limit, const Disturbances& disturbanc
   return infinity;
 }
 
-/// Whether theory's growth, frozen at each point but added up along the true motion, stays below this at all
-/// steps up to the limit.
+/// Whether theory's growth, frozen at each point and summed along the true motion, stays below `granted` at
+/// all steps up to the limit.
 bool grows_at_most(double granted, const Limit& limit, const Disturbances& disturbances) {
   double most = -infinity;
   const double first = std::max(limit.theory(), ode::finest / disturbances.fastest);
@@ -162,7 +162,8 @@ bool grows_at_most(double granted, const Limit& limit, const Disturbances& distu
   return most <= std::log(granted);
 }
 
-/// The number of steps, from three to six, in which the method's own motion turns once, if it is one.
+/// The number of steps, from three to six, of one turn of the method's own motion, if it is near a whole
+/// number.
 std::optional<double> steps_of_a_turn(double turns_in_a_step) {
   constexpr double close = 0.02;
   const double steps = 1 / turns_in_a_step, whole = std::round(steps);
@@ -170,8 +171,8 @@ std::optional<double> steps_of_a_turn(double turns_in_a_step) {
   return steps;
 }
 
-/// What can be computed of why theory and measurement differ, where they do by more than a quarter. Between
-/// the two stands a third limit: of the true motion, as theory's, but not frozen, as the measured one.
+/// Computes why theory and measurement differ by more than a quarter. A third limit lies between them: along
+/// the true motion, as in theory, but not frozen, as measured.
 void explain(Limit& limit, const Disturbances& disturbances, const ode::Criteria& criteria) {
   const double ratio = agreement(limit), theory = limit.theory();
   if (ratio >= 0.8 && ratio <= 1.25) return;
@@ -186,7 +187,7 @@ void explain(Limit& limit, const Disturbances& disturbances, const ode::Criteria
           "resonance: a turn of the method's own motion takes a whole number of its steps, so that every "
           "turn errs alike and the errors add up",
           format_significant(*steps, 3) + " steps a turn");
-  if (limit.soft) return;  // the mark says it
+  if (limit.soft) return;  // its mark is the explanation
   limit.why = not_explained;
   const double along = first_lost_along_truth(limit, disturbances);
   const std::string from = std::isinf(along) ? "no step tried is lost there"
@@ -219,8 +220,8 @@ double first_of(const std::vector<ode::Tongue>& tongues) {
   return tongues.empty() ? infinity : tongues.front().from;
 }
 
-/// At the step that breaks the method: the cheapest other method that is close enough, the same model's if
-/// there is one. Where that step is too long for all, the cheapest with step control.
+/// A cure at the step that breaks the method: the cheapest other method that is within the need, of the same
+/// model if there is one. If that step is too long for all, the cheapest with step control.
 std::optional<TimedTrial> cure_of(const Quantity& quantity, const Limit& limit) {
   if (!limit.broken) return std::nullopt;
   std::optional<TimedTrial> same_model, other_model, controlled;
@@ -237,18 +238,18 @@ std::optional<TimedTrial> cure_of(const Quantity& quantity, const Limit& limit) 
   return controlled;
 }
 
-/// A scene's motion at one set of parameters, as the map or the limits look at it.
+/// A scene's motion at one set of parameters, for the map or the limits.
 struct Motion {
-  std::size_t place;  ///< among the results
+  std::size_t place;  ///< index in the results
   Quantity quantity;
   double interval;
   double value = 0;  ///< of the varied parameter
   bool varied = false;
-  std::vector<Quantity> beside = {};            ///< where it is: from starts that are a few roundings off
-  std::shared_ptr<const EveryStep> judge = {};  ///< unless it is
+  std::vector<Quantity> beside = {};            ///< if varied: from starts that are a few roundings off
+  std::shared_ptr<const EveryStep> judge = {};  ///< unless varied
 };
 
-/// What differs from start to start, and the varied parameter, each so many roundings off and in its range.
+/// The perturbed parameters and the varied one, each so many roundings off and in its range.
 Parameters moved(Parameters parameters, const Scene& scene, int roundings) {
   for (const Parameter& p : parameters.declared())
     if (p.name == scene.sweep_parameter || std::ranges::count(scene.perturbed_parameters, p.name) > 0) {
@@ -259,7 +260,7 @@ Parameters moved(Parameters parameters, const Scene& scene, int roundings) {
   return parameters;
 }
 
-/// The same motion, judged by the same truth, from starts that differ by a few roundings.
+/// The same motion, judged by the same reference, from starts that differ by a few roundings.
 std::vector<Quantity> motions_beside(const Quantity& quantity, const Scene& scene,
                                      const Parameters& parameters, double end) {
   std::vector<Quantity> all;
@@ -299,7 +300,7 @@ std::string unit_of(const Task& task, std::string_view parameter) {
   throw std::logic_error(to_string(task.entry->number) + " has no parameter " + std::string(parameter));
 }
 
-/// The scene's stability, its limits and its map still to be filled.
+/// The scene's stability without its limits and map.
 Stability shape(const Task& task, std::optional<double> horizon) {
   const Scene& scene = *task.entry->exercise.scene;
   Stability stability;
@@ -320,7 +321,7 @@ struct Piece {
   std::string failure = {};  ///< an exception that ended it; empty: none
 };
 
-/// Whether this holds of the outcome from any of the starts a few roundings off.
+/// Whether the predicate is true of the outcome from any of the starts a few roundings off.
 bool any_beside(const Motion& motion, const Method& method, int k,
                 const std::function<bool(Outcome)>& holds) {
   return std::ranges::any_of(motion.beside, [&](const Quantity& beside) {
@@ -329,8 +330,7 @@ bool any_beside(const Motion& motion, const Method& method, int k,
   });
 }
 
-/// Whether roundings decide how the method ends by its k-th step. They do not where it is well within the
-/// need.
+/// Whether roundings decide the method's outcome at the map's k-th step. Never so well within the need.
 bool is_fragile(const Motion& motion, const Method& method, int k, const Trial& trial) {
   if (trial.outcome == Outcome::ok && trial.in_needs < 0.5) return false;
   return any_beside(motion, method, k, [&](Outcome beside) { return beside != trial.outcome; });
@@ -346,7 +346,7 @@ MapRow row_of(const Motion& motion, const Method& method) {
   return row;
 }
 
-/// A limit, and the trials beside it.
+/// A limit with its trials.
 Limit limit_by(const EveryStep& judge, const Quantity& quantity, const Method& method, double interval) {
   Limit limit = measured_limit(method, interval);
   while (limit.tongues.size() > 1 && limit.tongues.back().from > interval) limit.tongues.pop_back();
@@ -366,8 +366,8 @@ void examine(Piece& piece) {
   }
 }
 
-/// The motions at the defaults and at every value of the varied parameter, of the exercises without a
-/// failure; their references may take a while.
+/// The motions at the defaults and at every value of the varied parameter, for the exercises without a
+/// failure. Their references may take a while.
 std::vector<Motion> motions_of(Results& results, std::span<const Task> tasks, const Reference& truth,
                                const Progress& progress, std::optional<double> horizon) {
   struct Request {

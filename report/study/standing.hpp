@@ -8,33 +8,33 @@
 #include "chapters/exercise.hpp"
 #include "reference/proofs.hpp"
 
-/// What the claims' verdicts rest on: a proof, or what is computed in place of one.
+/// Basis of a claim's verdict: a proof, or a computation in its place.
 namespace oddity {
 
 enum class Standing {
   proved,     ///< by Coq
   provable,   ///< nobody has written a proof yet
-  computed,   ///< no proof is to be had
+  computed,   ///< no proof is possible
   wording,    ///< it is about words
-  unclassed,  ///< nothing is on record
+  unclassed,  ///< nothing is recorded
 };
 std::string_view name_of(Standing);
 
-/// "formulas" that are compared over samples, "numbers", "cases" that are counted, or "words".
+/// "formulas" for samples, "numbers", "cases" for counts, or "words".
 std::string_view stated_in(const Claim&);
 
 struct Basis {
   Standing standing = Standing::unclassed;
-  std::string why = {};  ///< of a proof what is proved, else why there is none
-  std::string row = {};  ///< of unproved.csv that says so: "3.5-value", "3.5 numbers", "all words"
+  std::string why = {};  ///< the proved statement, or why there is no proof
+  std::string row = {};  ///< its row of unproved.csv: "3.5-value", "3.5 numbers", "all words"
 };
 
-/// proofs.csv and unproved.csv: a claim is proved, or has a row of its own, or one for its exercise's claims
-/// that are stated so, or one for all that are.
+/// proofs.csv and unproved.csv. A claim is proved, or covered by its own row, by one for its exercise's
+/// claims stated in the same way, or by one for all such claims.
 class Standings {
  public:
   Standings() = default;
-  /// Reads both in `folder`. Throws BadInput naming file and line when one is missing or broken.
+  /// Reads both from `folder`. Throws BadInput naming file and line when one is missing or broken.
   explicit Standings(const std::filesystem::path& folder);
 
   Basis of(const Claim&) const;

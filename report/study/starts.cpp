@@ -31,7 +31,7 @@ Starts::Starts(const Task& task, const Need& need, const Reference& truth, const
   motions_.emplace(progress_, "making the true motions", static_cast<std::size_t>(1 + seen_beside()));
   std::ranges::move(conditions_.asked_and_beside(seen_beside(), [this] { motions_->add(); }),
                     std::back_inserter(seen_));
-  motions_.reset();  // what is made of them later, when a method asks for it, is part of trying that
+  motions_.reset();  // motions made later, when a method asks for them, count as part of its trial
 }
 
 const std::vector<Start>& Starts::unseen() {

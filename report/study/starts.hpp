@@ -10,13 +10,13 @@
 
 namespace oddity {
 
-/// The starts of one choice: those on which a method is chosen, and those on which the choice is tested.
+/// The starts of one choice: those that choose a method, and those that test the choice.
 ///
 ///   Starts starts(task, need, truth, progress, nullptr);
 ///   const Candidate tried = evaluate(starts.seen(), method, setting, need);
 class Starts {
  public:
-  /// Makes the motions of those on which is chosen. Throws BadInput as InitialConditions does.
+  /// Makes the motions of the starts to choose on. Throws BadInput as InitialConditions does.
   Starts(const Task&, const Need&, const Reference&, const Progress&, std::shared_ptr<const PartJudged>);
   Starts(const Starts&) = delete;
   Starts& operator=(const Starts&) = delete;
@@ -27,23 +27,23 @@ class Starts {
   const Quantity& motion() const { return asked().motion; }
   /// Made at the first call.
   const std::vector<Start>& unseen();
-  /// How many have been made so far.
+  /// Number of unseen starts made so far.
   std::size_t unseen_made() const { return unseen_ ? unseen_->size() : 0; }
-  /// A choice need not hold on the unseen ones: it was asked for on one start.
+  /// Unseen starts are only reported: the choice is for one start, and may fail on them.
   bool are_unseen_reported_only() const;
-  /// The unseen ones are seen from now on.
+  /// Moves the unseen starts to the seen ones.
   void see_unseen();
-  /// Others, drawn anew.
+  /// Newly drawn starts.
   std::vector<Start> more(int count) {
     return conditions_.beside(count, [] {});
   }
 
-  /// So many frames of the requested start, without a reference.
+  /// The first frames of the requested start, without a reference.
   Quantity first_frames(int count) const { return conditions_.first_frames(count); }
   const std::map<std::string, int>& left_out() const { return conditions_.left_out(); }
   double seconds() const { return seconds_; }  ///< spent on true motions
 
-  /// Long double itself, whose roundings are 2,048 times smaller, loses the path before its end, in chaos.
+  /// In chaos even long double, with 2,048 times smaller roundings, loses the path before its end.
   bool are_beyond_double() const;
   const Method& method(const Candidate&) const;
 

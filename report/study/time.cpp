@@ -45,7 +45,7 @@ Time time(const Method& method, double setting, double once_from) {
 double seam() {
   constexpr int batches = 9, calls = 100'000;
   const auto model = type_erased(Nothing());
-  const ModelInterfaceOf<2>* volatile unseen = model.get();  // by the compiler, as the algorithms' models are
+  const ModelInterfaceOf<2>* volatile unseen = model.get();  // hidden from the compiler, as models are
   const ModelInterfaceOf<2>& system = *unseen;
   std::array<double, 2> x{}, dxdt{};
   std::array<double, batches> seconds{};

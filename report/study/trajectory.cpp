@@ -16,7 +16,7 @@ bool better(const TimedTrial& a, const TimedTrial& b) {
   return a.error < b.error || (std::isfinite(a.error) && !std::isfinite(b.error));
 }
 
-/// Of each model, in their order, the finest trial with the least error.
+/// The best of each model's finest trials, in the models' order.
 std::vector<const TimedTrial*> best_of_models(const QuantityResult& q) {
   std::vector<const TimedTrial*> best;
   for (const MethodResult& m : q.methods) {
@@ -30,14 +30,14 @@ std::vector<const TimedTrial*> best_of_models(const QuantityResult& q) {
   return best;
 }
 
-/// The trial's method over again; one that throws shows nothing.
+/// Runs the trial's method again; empty if it throws.
 Answer again(const Quantity& seen, const TimedTrial& t) {
   for (const Method& m : seen.methods)
     if (m.model == t.model && m.algorithm == t.algorithm) return run(seen, m, t.setting).answer;
   throw std::logic_error("the motion has no method '" + t.model + ", " + t.algorithm + "'");
 }
 
-/// Everything that a picture shows, and no more digits.
+/// Rounds to the digits that a picture shows.
 Value to_be_drawn(const Value& value) {
   std::vector<double> drawn;
   for (double x : value) drawn.push_back(parse_number(format_significant(x, 7)).value_or(x));

@@ -52,7 +52,7 @@ Witnessed witnessed_in(const fs::path& folder) {
   return all;
 }
 
-/// A row whose cells are asked for by the names of their columns.
+/// A row whose cells are read by column name.
 class Record {
  public:
   Record(const CsvRow& header, const CsvRow& row) : header_(header), row_(row) {}
@@ -72,7 +72,7 @@ class Record {
   const CsvRow& row_;
 };
 
-/// None where there is no such file.
+/// Empty if there is no such file.
 template <class Row, class Read>
 std::vector<Row> records(const fs::path& file, const Read& read) {
   std::vector<Row> all;

@@ -8,36 +8,36 @@
 #include "reference/ledger.hpp"
 #include "report/study/standing.hpp"
 
-/// What is on record of how far the program may be trusted. Records that are not there are empty.
+/// Recorded evidence for the program's trustworthiness. Missing records are empty.
 namespace oddity {
 
-/// What bounds the errors of the reference tables.
+/// Error bounds of the reference tables.
 struct Bounds {
   std::size_t values = 0, enclosed = 0;
   double widest = 0;             ///< error of an enclosed value, over the largest component of its row
-  std::set<std::string> agreed;  ///< tables with values that are not
+  std::set<std::string> agreed;  ///< tables with values that are not enclosed
 };
 
-/// Errata that PARI/GP was asked about.
+/// Errata checked by PARI/GP.
 struct Witnessed {
-  std::set<std::string> at_its_letters;  ///< claims: both sides to ten digits, or what is right alone
-  std::set<std::string> at_others;       ///< claims, at letters of the witness's own
-  std::set<std::string> words;           ///< claims in which there is nothing to compute
+  std::set<std::string> at_its_letters;  ///< claims: both sides to ten digits, or the right one
+  std::set<std::string> at_others;       ///< claims, at other letters
+  std::set<std::string> words;           ///< claims without anything to compute
 };
 
-/// What was tried at a date and a commit.
+/// A test campaign at a date and a commit.
 struct Tried {
   std::string date, commit, subject;
 };
-struct Mutated : Tried {  ///< a room
+struct Mutated : Tried {  ///< of a source folder
   long mutants = 0, tried = 0, killed = 0, with_reason = 0, survived = 0;
-  long first_tried = 0, first_killed = 0;  ///< of the sample as drawn, before anything was mended for it
+  long first_tried = 0, first_killed = 0;  ///< of the first sample, before any fixes for it
 };
-struct Fuzzed : Tried {  ///< a target
+struct Fuzzed : Tried {  ///< of a target
   long inputs = 0, crashes = 0;
   double seconds = 0;
 };
-struct Faulted : Tried {  ///< a verb
+struct Faulted : Tried {  ///< of a verb
   std::string fault;
   long trials = 0, failures = 0;
 };

@@ -12,8 +12,8 @@
 
 namespace oddity {
 
-/// A whole number of a file that may hold anything: the library's own conversions cut off, or are undefined,
-/// where the number does not fit. Throws std::runtime_error.
+/// A whole number from an untrusted file. The library's own conversions truncate, or are undefined, if the
+/// number does not fit. Throws std::runtime_error.
 template <class Int>
 Int whole(const nlohmann::ordered_json& json) {
   if (json.is_number_unsigned() && std::in_range<Int>(json.get<std::uint64_t>()))
@@ -23,14 +23,13 @@ Int whole(const nlohmann::ordered_json& json) {
   throw std::runtime_error("no whole number that fits: " + json.dump());
 }
 
-/// What is wrong, without the library's name and number before it: "[json.exception.out_of_range.403] key
-/// ...".
+/// The message without the library's exception name and number: "[json.exception.out_of_range.403] key ...".
 inline std::string without_exception_name(std::string_view says) {
   const auto end = says.starts_with("[json.exception.") ? says.find("] ") : says.npos;
   return std::string(end == says.npos ? says : says.substr(end + 2));
 }
 
-/// Has every text of a file show its control characters, where it would send them to whoever reads it.
+/// Makes control characters in all texts of a file visible, so that none reaches a terminal.
 inline void show_controls(nlohmann::ordered_json& json) {
   for (std::vector<nlohmann::ordered_json*> left{&json}; !left.empty();) {
     nlohmann::ordered_json& one = *left.back();

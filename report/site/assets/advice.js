@@ -1,4 +1,4 @@
-// The chooser's answer in sentences.
+// The chooser's answer in words.
 (function (oddity) {
   'use strict';
 
@@ -30,7 +30,7 @@
 
   const evaluationsText = (x) => number(x, 3) + (x === 1 ? ' evaluation' : ' evaluations');
 
-  /** The answer in sentences. */
+  /** The answer in complete sentences. */
   function answer(state, found) {
     const chosen = pick(found.rows, state.budget ? state.budget.value : null);
     if (!chosen) {

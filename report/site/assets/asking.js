@@ -1,4 +1,4 @@
-// What is asked of the chooser: in its fields, in a link, and on the command line.
+// The chooser's request: in its fields, in a link, and on the command line.
 (function (oddity) {
   'use strict';
 
@@ -11,10 +11,10 @@
   };
 
   const decimal = /^[-+]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:e[-+]?[0-9]+)?$/i;
-  /** As the program reads it, in decimals alone; NaN where it is none. */
+  /** Accepts only decimals, as the program does; otherwise NaN. */
   const numeral = (text) => (decimal.test(text.trim()) ? Number(text) : NaN);
 
-  /** "1 cm" as {value: 0.01, text: "1cm"} in the base unit; null where it makes no sense, or is beyond the limits. */
+  /** "1 cm" as {value: 0.01, text: "1cm"} in the base unit; null if it is invalid or outside the limits. */
   function asked(text, base, least = 1e-24, most = 1e12) {
     const found = /^((?:[0-9]+(?:\.[0-9]+)?|\.[0-9]+)(?:e[-+]?[0-9]+)?)\s*((?:[^\s0-9.]\S*)?)$/i.exec(text.trim());
     if (!found) return null;
@@ -29,7 +29,7 @@
   const usualError = (scene, unit) =>
     unit === 'm' ? '1 cm' : unit === 'rad' ? '1 deg' : String(Number(scene.close[unit].toPrecision(3)));
 
-  /** What a page begins with. */
+  /** The initial state of a page. */
   function usual(scene) {
     return {
       scene,
@@ -81,7 +81,7 @@
     state[key] = value;
   }
 
-  /** One number for all units, or one with its unit for each of them. */
+  /** One number for all units, or one with a unit for each of them. */
   function setErrors(state, texts) {
     const units = unitsOf(state.scene);
     const refuse = (unit, text) => {
@@ -118,10 +118,10 @@
     state.precision = text;
   }
 
-  /** The pendulum, which everybody knows. */
+  /** The pendulum, as the best known scene. */
   const first = (scenes) => scenes.find((s) => s.number === '3.5') || scenes[0];
 
-  /** What a link asks for: "#scene=3.5&a=0.6&error=1deg". Throws what is wrong with it. */
+  /** The request in a link: "#scene=3.5&a=0.6&error=1deg". Throws a message for an invalid one. */
   function fromHash(hash, scenes) {
     const pairs = [...new URLSearchParams(hash.replace(/^#/, ''))];
     const wanted = new Map(pairs).get('scene');
@@ -151,7 +151,7 @@
     state.scene.parameters
       .filter((p) => state.parameters[p.name] !== p.value)
       .map((p) => [p.name, String(state.parameters[p.name])]);
-  /** Of several each has its unit. */
+  /** Several errors have a unit each. */
   const errorText = (state) => {
     const units = unitsOf(state.scene);
     const withUnit = (text, unit) => (units.length > 1 && !Number.isNaN(numeral(text)) ? text + unit : text);
@@ -167,7 +167,7 @@
     return '#' + new URLSearchParams(pairs);
   }
 
-  /** The command whose answer is judged by references. */
+  /** The command that answers the same request, judged by references. */
   function command(state) {
     return [
       oddity.program + ' choose',

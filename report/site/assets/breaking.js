@@ -1,4 +1,4 @@
-// The smallest step with which a method breaks, and what is seen there.
+// The shortest step that breaks a method, and a description of the result.
 
 (function (oddity) {
   'use strict';
@@ -6,7 +6,7 @@
   const { written } = oddity;
   const finer = Math.pow(2, 1 / 4);
 
-  /** Another motion altogether: it breaks off, or is as far off as the motion itself is large. */
+  /** A different motion: it breaks off, or its error is as large as the motion itself. */
   function broken(motions, parameters, row) {
     const motion = motions.run(parameters, row);
     const judged = motions.judge(motion, parameters);
@@ -15,7 +15,7 @@
     return judged.worst.some((x, u) => x >= sizes[u]);
   }
 
-  /** The shortest unstable step that is known, as a step that a trial can make. */
+  /** The shortest known unstable step, as a step that a trial can make. */
   function known(motions, parameters, row) {
     const limits = motions.data.stability ? motions.data.stability.limits : [];
     const limit = limits.find((l) => l.model === row.model && l.algorithm === row.algorithm);
@@ -25,7 +25,7 @@
     return steps > 0 ? { setting: interval / steps, limit } : null;
   }
 
-  /** Not close enough at some time. */
+  /** Outside the tolerance at some time. */
   function off(motions, parameters, row) {
     return motions.judge(motions.run(parameters, row), parameters).since !== null;
   }
@@ -45,7 +45,7 @@
     return 'No step is stable: whatever is disturbed grows, and here it shows. ';
   }
 
-  /** What one sees of a motion, in a sentence or two. */
+  /** Describes a motion in a sentence or two. */
   oddity.seen = function (motions, parameters, row) {
     const motion = motions.run(parameters, row);
     const judged = motions.judge(motion, parameters);
@@ -59,7 +59,7 @@
 
   oddity.sentence = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 
-  /** {was, row, text} for the first row that has a step; {problem} where nothing breaks. */
+  /** {was, row, text} for the first row that has a step; {problem} if nothing breaks. */
   oddity.breaking = function (motions, parameters, rows) {
     const row = rows.find((r) => motions.find(r.model, r.algorithm).knob && !motions.find(r.model, r.algorithm).path);
     if (!row) return { problem: 'None of these methods has a step that could be too long. Add one that has.' };

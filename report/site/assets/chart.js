@@ -1,5 +1,6 @@
-// Charts that answer: every <figure class="chart" data-quantity="NAME"> becomes one. Its points light table and
-// map, and play their trial; a legend switches models, algorithms, precisions and outcomes on and off.
+// Interactive charts, one for every <figure class="chart" data-quantity="NAME">. Their points highlight rows
+// and cells of table and map, and play their trial. A legend switches models, algorithms, precisions and
+// outcomes on and off.
 (function (oddity) {
   'use strict';
 
@@ -24,7 +25,7 @@
 
   // ---- the chart -------------------------------------------------------------------------------------------
 
-  let last = null; // the point that was named last, on whatever it was
+  let last = null; // the point named last, in any chart
   if (typeof document !== 'undefined')
     document.addEventListener('oddity:point', (event) => {
       last = event.detail;
@@ -47,7 +48,7 @@
   const isPoint = (p, detail) =>
     isOf(p, detail) && Math.abs(p.setting - detail.setting) <= 1e-6 * Math.abs(p.setting);
 
-  /** What is shown: kinds of names that are switched off. */
+  /** State of the filter: names that are switched off, by kind. */
   function filter() {
     const off = { model: new Set(), algorithm: new Set(), precision: new Set(['float']), outcome: new Set() };
     return {
@@ -58,7 +59,7 @@
     };
   }
 
-  /** The methods that the filter leaves, with the points that it leaves. */
+  /** The methods that pass the filter, with the points that pass it. */
   function left(methods, shown) {
     return methods
       .filter(shown.method)
@@ -72,9 +73,9 @@
 
   const axisTitles = { time: 'time', evaluations: 'evaluations' };
 
-  /** A chart in a figure. `context`: styles, outcomes, timeUnit, close: [{error, says}], what a
-   *  game asks in each unit, game: the same in one or null, plays: clicks play, floats: those in float are on,
-   *  chosen: a method that is always in colour. */
+  /** A chart in a figure. `context`: styles, outcomes, timeUnit, close: [{error, says}], a game's tolerance
+      in each unit, game: the same in one or null, plays: clicks play, floats: those in float are on, chosen:
+      a method that is always in colour. */
   function chart(figure, quantity, context) {
     const all = methodsOf(quantity, context.styles);
     const shown = filter();
@@ -272,7 +273,8 @@
     return { redraw: draw };
   }
 
-  /** Buttons that switch models, algorithms, precisions and outcomes on and off; and what colours them anew. */
+  /** Buttons that switch models, algorithms, precisions and outcomes on and off, or choose the colours again.
+      */
   function legend(methods, shown, context, view, draw) {
     const details = element('details', { class: 'legend' }, element('summary', {}, 'Show and hide'));
     const distinct = (values) => [...new Set(values)];
@@ -368,7 +370,7 @@
 
   // ---- the page --------------------------------------------------------------------------------------------
 
-  /** What charts, tables and maps of a quantity share. */
+  /** Shared data of a quantity's charts, tables and maps. */
   function contextOf(data, quantity) {
     const motion = data.scene && data.quantities[data.scene.quantity] === quantity;
     const close = motion
@@ -386,7 +388,7 @@
     };
   }
 
-  /** Acts when the element is about to be seen, so that a page of many charts is there at once. */
+  /** Acts when the element is about to be visible, so that a page of many charts opens at once. */
   function whenNear(place, act) {
     const observer = new IntersectionObserver(
       (entries) => {

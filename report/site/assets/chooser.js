@@ -1,5 +1,5 @@
-// The chooser: which model, algorithm and step are enough for a game, computed in the page. What it asks, tries and
-// says is in asking.js, searching.js and advice.js.
+// The chooser: which model, algorithm and step are enough for a game, computed in the page. Its request is in
+// asking.js, its search in searching.js and its answer in advice.js.
 (function (oddity) {
   'use strict';
 
@@ -293,7 +293,7 @@
       );
     }
 
-    /** What is pressed above the chart stays so in the next. */
+    /** The axis chosen above the chart is kept for the next one. */
     function lookAtAxis() {
       const pressed = figure.querySelector('.choice [aria-pressed=true]');
       if (pressed) axis = pressed.textContent === 'time' ? 'time' : 'evaluations';
@@ -401,7 +401,7 @@
       message.textContent = "The scenes' data are missing.";
       return;
     }
-    /** Not where a link leads to a place of the page. */
+    /** False if a link leads to a place in the page. */
     const asked = () => !document.getElementById(location.hash.slice(1));
     begin(asked() ? location.hash : '');
     addEventListener('hashchange', () => asked() && begin());

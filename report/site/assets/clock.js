@@ -1,4 +1,4 @@
-// The time of a player: plays, pauses, goes frame by frame, at three speeds; and its buttons.
+// The clock of a player: plays, pauses and steps through frames, at three speeds; and its buttons.
 
 (function (oddity) {
   'use strict';
@@ -30,7 +30,7 @@
       this.time = 0;
       this.speed = 1;
       this.playing = false;
-      this.wanted = !oddity.calm();     // plays as soon as it is seen
+      this.wanted = !oddity.calm();     // plays as soon as it is visible
       this.element = this.build();
     }
 
@@ -60,7 +60,7 @@
       else this.play();
     }
 
-    /** From the start where it has ended. */
+    /** Plays from the beginning if it has ended. */
     play() {
       if (this.playing) return;
       this.playing = true;
@@ -90,7 +90,7 @@
       this.playButton.title = name;
     }
 
-    /** To a time, and stays there. */
+    /** Goes to a time and stays there. */
     hold(t) {
       this.wanted = false;
       this.pause();
@@ -108,7 +108,7 @@
 
     text() { return `${this.time.toFixed(2)} ${this.unit}`; }
 
-    /** Out of sight it waits. */
+    /** Pauses while it is out of sight. */
     seen(visible) {
       if (visible && this.wanted) this.play();
       if (visible || !this.playing) return;

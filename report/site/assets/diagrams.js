@@ -1,6 +1,6 @@
-// The two drawings of a quantity: error against work or setting, and a row a method where there is no curve to
-// draw. The SVG is made here, without a library, as each point is an element that can be focused, names its
-// trial and plays it.
+// The two drawings of a quantity: error against work or setting, and one row per method if there is no curve.
+// The SVG is made here, without a library: each point is an element that can be focused, names its trial and
+// plays it.
 (function (oddity) {
   'use strict';
 
@@ -34,7 +34,7 @@
 
   // ---- its drawings ----------------------------------------------------------------------------------------
 
-  /** What is counted, as far as the knobs tell. */
+  /** The unit of work, as far as the settings show it. */
   function counted(quantity, methods) {
     if (quantity.operations) return 'multiplications, divisions and functions';
     const differs = methods.some((m) => m.algorithm.includes('difference'));
@@ -57,7 +57,7 @@
   const canvas = (kind, width, height) =>
     svg('svg', { class: kind, viewBox: `0 0 ${width} ${height}`, width, height, role: 'group' });
 
-  /** A point as an element: pale ones are dots, those without a number letters. */
+  /** A point as an element: a dot if pale, a letter if it has no number. */
   function nodeOf(p, quantity, context, pale, inStrip) {
     const node = svg('g', {
       class: 'point' + (pale ? ' pale' : ''),
@@ -79,7 +79,7 @@
     return power(Math.round(Math.log10(value)));
   }
 
-  /** Error against evaluations, time or the setting, both logarithmic. */
+  /** Error against evaluations, time or the setting, both axes logarithmic. */
   function workPrecision(quantity, methods, spokenOf, view, context, width) {
     const narrow = width < 560;
     const at = frame(quantity, methods, view.axis);
@@ -271,7 +271,8 @@
     return group;
   }
 
-  /** Where there is no curve to draw: a row a method, its errors from exact on the left to far on the right. */
+  /** For quantities without a curve: one row per method, its errors from exact on the left to large on the
+      right. */
   function rows(quantity, methods, view, context, width) {
     const narrow = width < 560,
       tall = narrow ? 40 : 24;

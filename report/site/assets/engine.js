@@ -1,20 +1,20 @@
-// oddity.engine: the scenes' models, the very C++ of the program, compiled to WebAssembly (report/site/module).
-//   ready        resolves to whether the models can be run; models.js, which comes after this script, brings them
+// oddity.engine: the scenes' models, compiled from the program's own C++ to WebAssembly (report/site/module).
+//   ready        resolves to whether the models can be run; models.js, loaded later, contains them
 //   algorithms   [{name, kind, order, knob, inFloat}]: `kind` is fixed, partitioned, velocities first, controlled, implicit fixed,
 //                implicit controlled or closed form; `knob` is step, tolerance or, of a closed form, empty
 //   scene(number)   {parameters: [name], defaults: {name: value}, models: [{name, algorithms: [name],
-//                   constrained, events}], observables: how many, drawn, space}, or null where there is no such scene;
-//                   a model with events moves in double only
+//                   constrained, events}], observables: their number, drawn, space}, or null if there is no such scene;
+//                   a model with events runs in double only
 //   run({scene, parameters, model, algorithm, precision: 'double' | 'float', setting, times})
 //                times[0] is 0. Returns {observed, drift, off, evaluations, ending, message, seconds, last}:
-//     observed   the observables of one time after the other, NaN from where the motion broke off
-//     drift      at each time, by what part of what moves the conserved quantities have changed; empty if none
-//     off        at each time, m off the constraint; empty if there is none
+//     observed   the observables time after time, NaN from where the motion broke off
+//     drift      at each time, the change of conserved quantities relative to their moving parts; empty if none
+//     off        at each time, m off the constraint; empty if none
 //     ending     reached, non-finite, stalled, raised, chattering or grazing
-//     last       the observables where it broke off; null where it did not
+//     last       the observables where it broke off; null if it did not
 //   draw(number, parameters, t, observed)   {space, primitives: [{kind, points: [[x, y, z]], size, letter, trail}]},
-//                or null where the scene does not say how it looks
-// Parameters that are not given have their defaults.
+//                or null if the scene defines no drawing
+// Omitted parameters have their defaults.
 //   take(text)   of the module that reads problems' files (own.js), which has no scene before: resolves to {file}, the
 //                text as it is understood, whose scene is 'own' from then on; or to {wrong: {line, column, reason,
 //                message}}, line and column 0 where the place is not known. Then the scene is what it was
@@ -43,7 +43,7 @@
     return new Response(stream).arrayBuffer();
   }
 
-  // The C library asks for a system to print on and to end in; it gets none.
+  // The C library needs a system for printing and exiting; it gets none.
   function noSystem(module) {
     const imports = {};
     for (const wanted of WebAssembly.Module.imports(module)) {
@@ -70,7 +70,8 @@
     start(base64).then(() => answer(true), () => { wasm = null; answer(false); });
   };
 
-  // ---- what it has --------------------------------------------------------------------------------------------
+  // ---- description
+  // --------------------------------------------------------------------------------------------
 
   function describe(all) {
     engine.algorithms = all.algorithms.concat([closedForm]);
@@ -124,7 +125,7 @@
     new Float64Array(wasm.memory.buffer, address, values.length).set(values);
   }
 
-  // A string for the length of a call.
+  // A string for the duration of a call.
   function withText(string, call) {
     const bytes = new TextEncoder().encode(string + '\0');
     const address = wasm.malloc(bytes.length);
@@ -138,7 +139,7 @@
     return scene.parameters.map(name => (name in parameters ? parameters[name] : scene.defaults[name]));
   }
 
-  // What is thrown inside ends the call in the middle; its stack is given back.
+  // An exception ends the call without unwinding; restores the stack pointer.
   function guarded(call, otherwise) {
     const stack = wasm.__stack_pointer.value;
     try {
@@ -192,7 +193,7 @@
 
   // ---- a problem's file ---------------------------------------------------------------------------------------
 
-  let taken = null;       // the last text that was understood
+  let taken = null;       // the last valid text
 
   function takenBy(module, string) {
     const bytes = new TextEncoder().encode(string);
@@ -204,7 +205,7 @@
     return result;
   }
 
-  // What is nested too deeply, or does not fit into the memory, ends the module: there is a new one, with what was there.
+  // Deep nesting or lack of memory ends the module: loads a new one with the previous text.
   async function take(string) {
     try {
       const result = takenBy(wasm, string);
@@ -220,7 +221,8 @@
 
   // ---- a drawing ----------------------------------------------------------------------------------------------
 
-  // Hundreds of these are made whenever a parameter moves: plain loops, as destructuring takes many times as long.
+  // Called hundreds of times whenever a parameter moves: plain loops, as destructuring takes many times as
+  // long.
   function drawing(scene, parameters, t, observed) {
     put(valuesOf(scene, parameters).concat([t], Array.from(observed)));
     const address = guarded(() => wasm.draw(scene.index), () => 0);

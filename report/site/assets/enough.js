@@ -1,11 +1,11 @@
-// The cheapest method that is enough for a problem's file, looked for piece by piece while one types.
+// Searches for the cheapest method that is enough for a problem's file, in small pieces while one types.
 
 (function (oddity) {
   'use strict';
 
-  const steps = [1, 2, 4, 8, 16, 32, 64];     // to a frame
+  const steps = [1, 2, 4, 8, 16, 32, 64];     // per frame
   const tolerances = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10];
-  const safe = 0.1;                           // of the need, how well the truth has to be known
+  const safe = 0.1;                           // relative to the need: the largest error of the truth
 
   const settingsOf = (motions, { knob }) =>
     (knob === 'step' ? steps.map((n) => motions.frame / n) : knob === 'tolerance' ? tolerances : [0]);
@@ -18,7 +18,7 @@
     return count === 1 ? ' with a step a frame' : ` with ${count} steps a frame`;
   }
 
-  /** Why no answer can be given; nothing where one can. */
+  /** The reason why no answer is possible; empty if one is. */
   function doubts(motions, parameters) {
     const { ending, message } = motions.truth(parameters);
     if (ending !== 'reached') return `No method is judged, as the true motion is not known to the end: ${message || ending}.`;

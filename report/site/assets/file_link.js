@@ -1,4 +1,5 @@
-// A problem's file, and how it is shown, as the part of an address after #, and back. What is read may be anything.
+// A problem's file, and the state of its player, as the part of an address after #, and back. The input is
+// untrusted.
 //   #file=z.H4sIAA...&row=spring/Runge-Kutta%204/double/0.0167     packed; #file=t.title%20... as it is
 
 (function (oddity) {
@@ -46,7 +47,7 @@
 
   oddity.fileLink = {
     longest,
-    /** `play` is a player's own link, from which all but the file comes. */
+    /** `play` is a player's own link, which gives everything except the file. */
     async format(text, play) {
       const packed = window.CompressionStream
         ? 'z.' + letters(await through(new TextEncoder().encode(text), new CompressionStream('gzip'), Infinity))
@@ -54,7 +55,7 @@
       return `#file=${packed}${play.slice('#play'.length)}`;
     },
 
-    /** Resolves to {text, play}, or {problem: a sentence}; to null where it is no such link. */
+    /** Resolves to {text, play}, or {problem: a sentence}; to null if it is no such link. */
     async parse(hash) {
       if (!hash.startsWith('#file=')) return null;
       try {

@@ -1,5 +1,5 @@
-// What a quantity's trials say: its methods and points, the Pareto front, where the points lie, which curves are
-// worth seeing, and the finding in a sentence. Nothing here needs a page.
+// Evaluates a quantity's trials: its methods and points, the Pareto front, the axes, the curves worth
+// showing, and the finding in a sentence. Independent of the page.
 (function (oddity) {
   'use strict';
 
@@ -51,16 +51,17 @@
   /** "error [rad]". */
   const errorName = (unit) => 'error' + (hasUnit(unit) ? ' [' + unit + ']' : ' (dimensionless)');
 
-  /** What a game asks, in the words of a game: "1 cm", "1°". */
+  /** A game's tolerance in usual units: "1 cm", "1°". */
   function needOfGame(value, unit) {
     if (unit === 'm' && value === 0.01) return '1 cm';
     if (unit === 'rad' && Math.abs((value * 180) / Math.PI - 1) < 1e-3) return '1°';
     return inUnit(value, unit);
   }
 
-  // ---- a quantity's methods and points ---------------------------------------------------------------------
+  // ---- a quantity's methods and points
+  // ---------------------------------------------------------------------
 
-  /** Of algorithms that integrate a motion, in the order of their colours. */
+  /** Families of algorithms that integrate a motion, in the order of their colours. */
   const families = [
     'closed form',
     'explicit steps',
@@ -75,10 +76,10 @@
   const colourOf = (m, by) => `var(--${by}-${m.colours[by]})`;
 
   const failures = new Set(['X', 'N', 'S', 'R', 'C', 'G']);
-  /** Which outcomes stand beside their point as a letter: `inaccurate` is seen from the line of the need. */
+  /** Outcomes that are shown as a letter at the point; `inaccurate` is visible from the line of the need. */
   const lettered = (outcome) => outcome !== 'o' && outcome !== 'i';
 
-  /** The methods of a quantity, each with its place in the palettes and its trials as points. */
+  /** The methods of a quantity, with their indices in the palettes and their trials as points. */
   function methodsOf(quantity, styles) {
     return quantity.methods.map((m, index) => {
       const method = {
@@ -113,15 +114,15 @@
   const cost = (p, axis) => (axis === 'time' ? p.ns : Math.max(p.evaluations, 1));
   const named = (m) => m.algorithm + (m.precision === 'float' ? ' in float' : '') + ' (' + m.model + ')';
 
-  /** The same in a sentence. */
+  /** The method's name in a sentence. */
   const spoken = (m) =>
     m.algorithm === 'closed form'
       ? m.model + ' in closed form' + (m.precision === 'float' ? ' in float' : '')
       : named(m);
-  /** A sentence begins with a capital, but for letters and names of functions. */
+  /** Capitalizes a sentence, unless it begins with a letter or a function's name. */
   const sentence = (text) => (/^[a-z]{2,}[ ,-]/.test(text) ? text[0].toUpperCase() + text.slice(1) : text);
 
-  /** Shorter: the algorithm, or the model of a closed form. */
+  /** A short name: the algorithm, or the model of a closed form. */
   function called(m, withModel) {
     const name = m.algorithm === 'closed form' ? m.model : m.algorithm;
     return (
@@ -131,7 +132,8 @@
     );
   }
 
-  /** The points that no other beats: none costs no more and errs no more, and is better in one of the two. */
+  /** The points that no other beats: none is at most as large in both cost and error, and smaller in one of
+      them. */
   function front(points, axis, floor) {
     const able = points.filter((p) => usable(p) && cost(p, axis) !== null && !Number.isNaN(cost(p, axis)));
     const error = (p) => Math.max(p.error, floor);
@@ -147,7 +149,7 @@
     });
   }
 
-  /** Whether a is the better point: ok and cheaper, or else nearer to the truth. */
+  /** Whether a is the better point: ok and cheaper, otherwise nearer to the truth. */
   function preferable(a, b, axis) {
     if ((a.outcome === 'o') !== (b.outcome === 'o')) return a.outcome === 'o';
     if (a.outcome !== 'o') return a.error !== null && (b.error === null || a.error < b.error);
@@ -156,7 +158,7 @@
 
   const best = (points, axis) => points.reduce((a, b) => (preferable(b, a, axis) ? b : a));
 
-  /** The knob that a chart over settings shows: that of most methods, a tolerance only if there is no other. */
+  /** The setting on the axis: that of most methods; a tolerance only if there is no other. */
   function mainKnob(methods) {
     const counts = {};
     for (const m of methods) if (m.knob) counts[m.knob] = (counts[m.knob] || 0) + 1;
@@ -164,7 +166,8 @@
     return knobs.find((knob) => knob !== 'tolerance') || knobs[0] || '';
   }
 
-  // ---- where the points lie --------------------------------------------------------------------------------
+  // ---- axes
+  // ------------------------------------------------------------------------------------------------
 
   const decadeBelow = (x) => Math.floor(Math.log10(x) + 1e-9);
   const decadeAbove = (x) => Math.ceil(Math.log10(x) - 1e-9);
@@ -175,17 +178,17 @@
     return { low, high: Math.max(decadeAbove(Math.max(...numbers)), low + 1), log: true };
   }
 
-  /** The ranges of both axes, as exponents of ten where they are logarithmic, and where each point belongs. */
+  /** The ranges of both axes, as exponents of ten if logarithmic, and the place of each point. */
   function frame(quantity, methods, axis) {
     const knob = mainKnob(methods);
     const isLine = (m) => axis === 'setting' && !m.knob;
     const abscissa = (p) =>
       axis !== 'setting' ? cost(p, axis) : p.method.knob === knob ? p.setting : isLine(p.method) ? edge : NaN;
-    let edge = 1; // where a method without a knob has its point, its line running from there
+    let edge = 1; // place of the point, and start of the line, of a method without a setting
     const top = Math.max(1e3 * quantity.size, 10 * quantity.need) || 1;
     const points = pointsOf(methods);
     const errors = points.map((p) => p.error).filter((e) => e > 0 && e <= top);
-    // An error of none stands a decade below the least that there is, or at the floor.
+    // A zero error is drawn a decade below the smallest one, or at the floor.
     const least = Math.max(
       quantity.floor,
       errors.length
@@ -226,11 +229,13 @@
     return all;
   }
 
-  // ---- what is worth seeing --------------------------------------------------------------------------------
+  // ---- curves worth showing
+  // --------------------------------------------------------------------------------
 
   const mostCurves = 8;
 
-  /** The methods drawn in colour at first sight: those of the title, on the Pareto front, the best of each family. */
+  /** The methods that are coloured at first: those of the title, on the Pareto front, and the best of each
+      family. */
   function highlighted(methods, at, floor, spokenOf = []) {
     if (methods.length <= mostCurves) return new Set(methods);
     const chosen = new Set(spokenOf.filter((m) => methods.includes(m))),
@@ -255,7 +260,8 @@
     return chosen;
   }
 
-  // ---- what a chart finds ----------------------------------------------------------------------------------
+  // ---- findings
+  // ---------------------------------------------------------------------------------------------
 
   const work = (p, axis) =>
     axis === 'time'
@@ -275,7 +281,8 @@
 
   const integrates = (m) => m.knob === 'step' || m.knob === 'tolerance';
 
-  /** Of a motion, at what a game asks: "velocity Verlet needs 80 evaluations, 32 times fewer than explicit Euler". */
+  /** The finding for a motion at a game's tolerance: "velocity Verlet needs 80 evaluations, 32 times fewer
+      than explicit Euler". */
   function findingOfMotion(methods, axis, game) {
     const integrators = methods.filter(integrates),
       closed = methods.filter((m) => !integrates(m));
@@ -318,7 +325,7 @@
     };
   }
 
-  /** Of answers that are right or wrong, or of one point a method. */
+  /** The finding for answers that are right or wrong, or for one point per method. */
   function findingOfRows(methods) {
     const right = methods.filter((m) => m.points[m.points.length - 1].outcome === 'o');
     const all = count(methods.length);
@@ -343,7 +350,7 @@
       : few(right) + ' of ' + all + ' methods are as exact as needed; not ' + few(wrong) + '.';
   }
 
-  /** What a chart says, and of which methods: {says, of}. */
+  /** A chart's finding, and its methods: {says, of}. */
   function finding(quantity, methods, axis, game) {
     if (!methods.length) return { says: 'Nothing is shown.', of: [] };
     if (!axis) return { says: findingOfRows(methods), of: [] };
@@ -416,7 +423,7 @@
     return knob + ' ' + number(p.setting, 3) + (knob === 'step' && timeUnit ? ' ' + timeUnit : '');
   }
 
-  /** All that is known of a trial, in lines. */
+  /** Everything known about a trial, in lines. */
   function description(p, quantity, context) {
     const lines = [named(p.method)];
     const setting = settingOf(p, context.timeUnit);
@@ -428,7 +435,7 @@
     return lines;
   }
 
-  /** Whether a model has the book's errors in it, by its name. */
+  /** Whether a model contains the book's errors, judged by its name. */
   oddity.isPublished = (model) => /as (printed|published|proposed)|^published|printed listing/.test(model);
 
   oddity.charts = Object.assign(oddity.charts || {}, {

@@ -1,4 +1,4 @@
-// Motions as frames: a motion is {times, observed, count}, its observables one time after the other.
+// Motions as frames: a motion is {times, observed, count}, with the observables time after time.
 
 (function (oddity) {
   'use strict';
@@ -17,8 +17,8 @@
     return Float64Array.from({ length: view.byteLength / 2 }, (_, i) => view.getUint16(2 * i, true));
   };
 
-  /** Whole numbers of 16 bits of which base64 has the changes from frame to frame, `count` in each: all their low
-      bytes, and then all their high ones. */
+  /** Whole numbers of 16 bits from base64 of their changes from frame to frame, `count` in each: all low
+      bytes, then all high bytes. */
   oddity.fromChanges = function (base64, count) {
     const view = viewOf(base64);
     const size = view.byteLength / 2;
@@ -33,8 +33,8 @@
     return Float64Array.from({ length: frames + 1 }, (_, i) => horizon * i / frames);
   };
 
-  /** The steps that a trial makes: each of the intervals between its looks divided evenly into steps no
-      longer than asked; and the times at which to see them, at least once a frame where they are shorter. */
+  /** The steps of a trial: each interval between judged times is divided evenly into steps no longer than
+      asked. Also the times to show: every step, or at least once a frame if steps are shorter. */
   oddity.stepTimes = function (horizon, looks, frame, asked) {
     const interval = horizon / looks;
     const steps = Math.max(1, Math.ceil(interval / asked * (1 - 1e-12)));
@@ -64,7 +64,7 @@
   const seenAt = (motion, i) => motion.observed.subarray(i * motion.count, (i + 1) * motion.count);
   const known = (observed) => observed.every(Number.isFinite);
 
-  /** The observables at t, straight from frame to frame; where the motion breaks off, its last frame. */
+  /** The observables at t, linear between frames; where the motion breaks off, its last frame. */
   oddity.between = function (motion, t) {
     const { times } = motion;
     let i = oddity.placeOf(times, t);
@@ -77,7 +77,7 @@
     return here.map((x, k) => x + part * (next[k] - x));
   };
 
-  /** The observables at t by the polynomial through the six frames about it. */
+  /** The observables at t by the polynomial through the six nearest frames. */
   oddity.throughSix = function (motion, t) {
     const { times, count } = motion;
     const last = times.length - 1;
@@ -97,7 +97,7 @@
     return sum;
   };
 
-  /** For each unit, how far apart two places are: each norm's components are one point or one angle. */
+  /** The distance of two places in each unit: each norm's components are one point or one angle. */
   oddity.distances = function (seen, truth, norms, units) {
     const far = units.map(() => 0);
     for (const { unit, components } of norms) {
@@ -108,9 +108,9 @@
     return far;
   };
 
-  /** A motion judged against the truth: at each of its times the distance in each unit and in needs, NaN
-      where one of the two is not known; the worst of each; from when on it does not hold; when it breaks off;
-      and at how many times it was judged. `close` says by unit what still counts. */
+  /** Judges a motion against the truth. Gives at each of its times the distance in each unit and in needs,
+      NaN if one of the two is unknown; the worst of each; since when it fails; when it breaks off; and the
+      number of times judged. `close` is the tolerance by unit. */
   oddity.judged = function (motion, truth, norms, close) {
     const units = Object.keys(close);
     const n = motion.times.length;

@@ -1,10 +1,10 @@
-// The lesson: a mass on a spring by the compiled models, told step by step.
+// The lesson: a mass on a spring by the compiled models, explained step by step.
 (function (oddity) {
   'use strict';
 
   const scene = '0.2', model = 'spring', circle = ['circle', 'closed form'];
   const end = 20;                // s
-  const slowly = 2;              // s, for the steps of a motion that is not shown to its end
+  const slowly = 2;              // s, for a motion that is shown only in part
   const reach = 2.1;             // m, of the charts and the stage
   const farthest = 1.5;          // m, at the start
   const least = 0.05;            // m, so that there is a motion
@@ -12,7 +12,7 @@
   const { make, written } = oddity;
 
   const energyOf = (w, x, v) => (v * v + w * w * x * x) / 2;
-  /** What a method keeps in the energy's place at the step h. */
+  /** The quantity that a method conserves instead of the energy, at the step h. */
   const kept = {
     'symplectic Euler': (h, w, x, v) => energyOf(w, x, v) - h * w * w * x * v / 2,
     'velocity Verlet': (h, w, x, v) => (v * v / (1 - h * h * w * w / 4) + w * w * x * x) / 2,
@@ -30,7 +30,7 @@
       this.follow();
     }
 
-    // ---- what is computed ---------------------------------------------------------------------------------
+    // ---- computation --------------------------------------------------------------------------------------
 
     run(times, [asked, algorithm], setting) {
       const { observed } = oddity.engine.run({ scene, parameters: this.given, model: asked, algorithm, precision: 'double', setting, times });
@@ -72,7 +72,7 @@
       this.readings.textContent = text.join(' \u00b7 ');
     }
 
-    // ---- what is told -------------------------------------------------------------------------------------
+    // ---- text ---------------------------------------------------------------------------------------------
 
     go(to) {
       if (to < 0 || to >= this.steps.length) return;
@@ -91,7 +91,7 @@
       this.again();
     }
 
-    /** From the start, as it is set now. */
+    /** Restarts from the present initial condition. */
     again() {
       this.compute();
       this.seek(oddity.calm() ? this.end : 0);
@@ -105,7 +105,7 @@
       this.again();
     }
 
-    /** From where the mass is held. */
+    /** Starts from the place to which the mass is dragged. */
     hold(x, v) {
       const size = Math.hypot(x, v / this.given.w);
       const scale = Math.min(1, farthest / size);
@@ -220,7 +220,7 @@
       event.preventDefault();
     }
 
-    /** Lets `moved` follow a pointer from where it goes down on `on` until it is let go, and then plays. */
+    /** Calls `moved` for a pointer from its press on `on` to its release, and then plays. */
     drag(on, moved) {
       on.addEventListener('pointerdown', (event) => {
         on.setPointerCapture(event.pointerId);

@@ -1,14 +1,14 @@
-// Quantities that grow along the time of a motion, on a logarithmic scale: oddity.lines(canvas).
+// Quantities that grow along a motion, on a logarithmic scale: oddity.lines(canvas).
 
 (function (oddity) {
   'use strict';
 
   const margin = { left: 46, right: 12, top: 8, bottom: 20 };
   const most = 9;    // decades shown
-  const few = 45;    // steps, which are shown one by one
+  const few = 45;    // steps up to which each is shown
   const dashes = [[], [7, 4], [2, 3], [9, 3, 2, 3]];
 
-  /** The marks of the methods, by their places: told apart without colour. */
+  /** The marks of the methods, by index, distinguishable without colour. */
   oddity.mark = function (context, shape, x, y, r) {
     context.beginPath();
     if (shape === 0) context.arc(x, y, r, 0, 2 * Math.PI);
@@ -31,7 +31,7 @@
 
   const power = (n) => '10' + String(n).replace(/./g, (c) => (c === '-' ? '\u207b' : '\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079'[c]));
 
-  /** Decades that hold what is shown: from the least that matters to the largest, the need among them. */
+  /** The decades shown: from the smallest relevant value to the largest, including the need. */
   function decadesOf({ series, need, floor, ceiling }) {
     let low = Infinity;
     let high = need || 0;
@@ -49,14 +49,14 @@
   }
 
   oddity.lines = function (canvas) {
-    const behind = document.createElement('canvas');     // the axes, which do not change from frame to frame
+    const behind = document.createElement('canvas');     // the axes, which are the same in all frames
     const pens = [canvas.getContext('2d'), behind.getContext('2d')];
     let [context] = pens;
     let shown = null;
     let now = 0;
     let colours = {};
 
-    let width = 0;     // asked of the page only when they change: asking lays the page out
+    let width = 0;     // read from the page only after changes, as reading forces a layout
     let height = 0;
     const x = (t) => margin.left + (width - margin.left - margin.right) * t / shown.end;
     function y(value) {

@@ -1,11 +1,11 @@
-// The stability map of a scene: every <figure class="map"> becomes the tables of how each method ends over the
-// parameter that makes the scene hard and over the step, with linear theory's border, and the limits beside them.
+// The stability map of a scene: every <figure class="map"> becomes tables of each method's outcomes over the
+// step and the parameter that makes the scene hard, with linear theory's border and the limits.
 (function (oddity) {
   'use strict';
 
   const { number, element, svg, inUnit, play, said, needOfGame, whenNear } = oddity.charts;
 
-  /** How far down a panel theory's limit lies, in rows from the top: steps fall by a constant factor. */
+  /** Place of theory's limit in a panel, in rows from the top: steps fall by a constant factor. */
   function border(theory, steps) {
     if (theory === null) return 0;
     if (!(theory > 0)) return steps.length;
@@ -23,7 +23,7 @@
       .join('');
   }
 
-  /** The longest step from which on a method ends ok at every value; 0 where there is none. */
+  /** The longest step from which on a method ends ok at every value; 0 if there is none. */
   function longestOk(method, steps) {
     let longest = 0;
     for (let k = steps.length - 1; k >= 0; --k) {
@@ -314,7 +314,7 @@
     });
   }
 
-  /** The cell of the same method, parameter and step; of a trial between two steps the nearest. */
+  /** The cell of the same method and parameter, and of the nearest step. */
   function light(cells, detail, stability, usual) {
     const value = detail.parameters ? detail.parameters[stability.parameter] : usual;
     const near = (list, x) =>

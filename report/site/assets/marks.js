@@ -1,4 +1,4 @@
-// What charts are made of: elements, the marks of algorithms, and labels that do not cover one another.
+// Parts of charts: elements, the marks of algorithms, and labels that do not overlap.
 (function (oddity) {
   'use strict';
 
@@ -41,7 +41,7 @@
       'z',
   ];
 
-  /** An algorithm's mark: a shape, filled or open; those after the first twelve have a dot or a bar in it. */
+  /** An algorithm's mark: a shape, filled or open; those after the first twelve contain a dot or a bar. */
   function mark(place, r = 4) {
     const kind = Math.floor(place / 12) % 3,
       open = place % 12 >= 6;
@@ -67,7 +67,7 @@
     return pen.measureText(text).width;
   }
 
-  /** A row of buttons of which one is pressed. */
+  /** A row of buttons, one of which is pressed. */
   function choice(says, options, chosen, choose) {
     const group = element('div', { class: 'choice', role: 'group', 'aria-label': says });
     for (const [value, text] of options) {
@@ -87,7 +87,7 @@
     Math.max(0, Math.min(a.right, b.right) - Math.max(a.left, b.left)) *
     Math.max(0, Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top));
 
-  /** Places for a label of this width beside a point. */
+  /** Places for a label of this width next to a point. */
   function beside(spot, width, height) {
     const middle = { top: spot.y - height / 2, bottom: spot.y + height / 2 };
     const box = (left, top) => ({ left, right: left + width, top, bottom: top + height });
@@ -109,7 +109,8 @@
     ];
   }
 
-  /** Where the labels go: at an end of their curves where nothing is covered, as near to that as can be. */
+  /** Positions of labels: at an end of their curves, or as near to it as possible without covering anything.
+      */
   function placeLabels(curves, bounds, obstacles = [], height = 15) {
     const dots = curves.flatMap((c) => c.way.map((spot) => ({ ...spot, curve: c })));
     const placed = [...obstacles];
@@ -141,7 +142,7 @@
     return placed.slice(obstacles.length);
   }
 
-  /** The way of a curve, a spot every few pixels. */
+  /** The path of a curve, a spot every few pixels. */
   function way(spots, every = 7) {
     const all = [];
     spots.forEach((spot, i) => {
@@ -158,7 +159,7 @@
 
   const shortened = (text, most) => (text.length <= most ? text : text.slice(0, most - 1).trimEnd() + '…');
 
-  /** The names of curves: as short as tells them apart. */
+  /** The shortest distinct names of curves. */
   function namesOf(methods) {
     const short = methods.map((m) => called(m, false));
     return methods.map(

@@ -1,4 +1,4 @@
-// The motions of a scene: computed by the models where the module runs, else those that are recorded.
+// The motions of a scene: computed by the models if the module runs, otherwise recorded.
 
 (function (oddity) {
   'use strict';
@@ -8,7 +8,7 @@
   const byEngine = 'physics engine, as it comes';
   const sevenDigits = 1.2e-7;
   const tenDigits = 1e-10;
-  const doubles = 1e-11;      // of the size, what a tolerance of 1e-12 leaves
+  const doubles = 1e-11;      // relative to the size: the error at a tolerance of 1e-12
 
   const isOk = (outcome) => outcome === 'ok' || outcome === 'o';
   const plain = (algorithm) => algorithm.replace(/ in float$/, '');
@@ -18,7 +18,7 @@
     return { times: oddity.frameTimes(end, frames), observed: oddity.floats(values), count };
   }
 
-  /** A recorded motion, from frame 1 on as far as it comes; `resolution` is what each observable is kept to. */
+  /** A recorded motion, from frame 1 to its end; `resolution` is the precision of each observable. */
   function recordedPath(path, count, end) {
     const { frames, least, most } = path;
     const observed = new Float64Array((frames + 1) * count).fill(NaN);
@@ -32,7 +32,7 @@
     return { times: oddity.frameTimes(end, frames), observed, count, resolution };
   }
 
-  /** All that the page knows of the scene's methods, by "model, algorithm". */
+  /** The page's data on the scene's methods, by "model, algorithm". */
   function methodsOf(quantity) {
     const all = new Map();
     for (const m of quantity.methods) {
@@ -46,7 +46,7 @@
 
   const bestTrial = (method) => method.trials.reduce((best, t) => (t[1] !== null && isOk(t[5]) && !(best && best[1] <= t[1]) ? t : best), null);
 
-  /** By the module. */
+  /** Methods that the module can run. */
   oddity.computable = function (number, engine) {
     const own = engine.scene(number);
     if (!own) return [];
@@ -57,14 +57,14 @@
     }));
   };
 
-  /** Recorded ones at their one setting, of what the module does not have. */
+  /** Recorded methods that the module lacks, at their only setting. */
   function recordedMethods(paths, others) {
     return paths
       .filter((p) => !others.some((m) => m.model === p.model && m.algorithm === p.algorithm))
       .map((p) => ({ model: p.model, algorithm: p.algorithm, knob: p.knob, precisions: [p.precision || 'double'], path: p }));
   }
 
-  /** An outcome's name, by the letter that stands for it. */
+  /** An outcome's name, by its letter. */
   oddity.outcomeName = (data, outcome) => (data.outcomes && data.outcomes[outcome]) || outcome;
 
   oddity.motions = function (data, engine) {
@@ -97,7 +97,7 @@
       return computedAt(times, { parameters, model, algorithm, precision, setting: steps ? steps.step : setting });
     }
 
-    /** Parameters that do not go together end in a motion that is nowhere. */
+    /** Incompatible parameters give a motion without frames. */
     function computedAt(times, asked) {
       try {
         return { times, count, ...engine.run({ scene: data.number, ...asked, times }) };
@@ -121,20 +121,21 @@
       return cached(key, () => compute(parameters, method));
     }
 
-    /** What stands for the truth where none is recorded: an integrated model that has all of it, at its finest. */
+    /** The reference if none is recorded: an integrated model with all of the physics, at its finest setting.
+        */
     function finestMethod() {
       const candidates = computed.filter((m) => triedLike(m) && bestTrial(triedLike(m)));
       const error = (m) => bestTrial(triedLike(m))[1];
       const best = (some) => some.reduce((a, b) => (a && error(a) <= error(b) ? a : b), null);
       const usual = best(candidates.filter((m) => m.algorithm === finest));
-      const smooth = usual && error(usual) <= tenDigits * quantity.size;  // else steps of its own meet a kink
+      const smooth = usual && error(usual) <= tenDigits * quantity.size;  // else its adaptive steps meet a kink
       const method = smooth ? usual : best(candidates.filter((m) => m.knob)) || best(candidates);
       return method && { model: method.model, algorithm: method.algorithm, precision: 'double', error: error(method),
         setting: method.knob === 'tolerance' ? 1e-12 : bestTrial(triedLike(method))[0] };
     }
     const richest = engine ? (data.example && data.example.truth) || finestMethod() : null;
 
-    /** The recorded truth; a frame 0 that is not there is where the finest method starts. */
+    /** The recorded truth; a missing frame 0 is taken from the finest method. */
     const reference = recordedTruth(scene.truth, count);
     if (richest && !Number.isFinite(reference.observed[0])) reference.observed.set(run(defaults, richest).observed.subarray(0, count));
 
@@ -145,23 +146,24 @@
 
     const truth = (parameters) => (isDefault(parameters) || !richest ? reference : frames(parameters));
 
-    /** The truth at a motion's own times: where events are, what lies between frames is not smooth. */
+    /** The truth at a motion's own times: with events it is not smooth between frames. */
     const exactly = (times, parameters) => ({ ...truth(parameters), ...computedAt(times, { parameters, ...richest }) });
     const judge = (motion, parameters) => oddity.judged(motion,
       data.example && richest ? exactly(motion.times, parameters) : truth(parameters), scene.norms, scene.close);
 
-    /** How far the finest method is from the recorded truth, in each unit. */
+    /** Error of the finest method against the recorded truth, in each unit. */
     const apart = () => cached('apart', () => oddity.judged(frames(defaults), reference, scene.norms, scene.close).worst);
 
-    /** Below what an error is not seen, in each unit: the truth has seven digits where it is recorded; else it is
-        as good as the finest method is in the table, or as it shows where that is more than those digits. */
+    /** Errors below this are invisible, in each unit. A recorded truth has seven digits; a computed one is as
+        accurate as the finest method in the table, or as its measured difference if that exceeds seven
+        digits. */
     function floors(parameters, sizes) {
       const digits = sizes.map((x) => sevenDigits * x);
       if (truth(parameters) === reference) return digits;
       return apart().map((x, u) => (x > 2 * digits[u] ? x : Math.max(doubles * sizes[u], richest.error || 0)));
     }
 
-    /** The same of a motion that may be recorded. */
+    /** The same for a motion that may be recorded. */
     function floorsOf(motion, floor) {
       if (!motion || !motion.resolution) return floor;
       const units = Object.keys(scene.close);
@@ -172,7 +174,7 @@
     const asRow = ({ model, algorithm, precisions, knob, path }, setting) => ({ model, algorithm, precision: precisions[0],
       setting: path ? path.setting : knob ? setting : 0 });
 
-    /** A setting for a method that has just been chosen. */
+    /** A setting for a newly chosen method. */
     function usual(method) {
       if (method.path) return method.path.setting;
       if (method.knob === 'step') return frame;
@@ -184,13 +186,13 @@
     const models = [...new Set(methods.map((m) => m.model))];
     const algorithmsOf = (model) => methods.filter((m) => m.model === model);
 
-    /** The model that the study solves by the most algorithms: what an engine would take. */
+    /** The model that the study solves by the most algorithms: an engine's likely choice. */
     function engines() {
       const count = (model) => tried.filter((t) => t.model === model).length;
       return models.filter((m) => !oddity.isPublished(m) && find(m, 'explicit Euler')).sort((a, b) => count(b) - count(a))[0];
     }
 
-    /** What is enough for a game at the least, and what an engine does today. */
+    /** The cheapest method that is enough for a game, and a typical engine's. */
     function opening() {
       if (data.example && computed.length) return data.example.opening;
       const rows = [];
@@ -204,7 +206,7 @@
       return rows.length > 1 ? rows : [...rows, ...fromRecorded(rows)].slice(0, 2);
     }
 
-    /** A recorded motion that is right, and then one that is not. */
+    /** A recorded motion that is right, and one that is not. */
     function fromRecorded(rows) {
       const others = methods.filter((m) => m.path && m.model !== byEngine && !rows.some((r) => r.model === m.model));
       const right = others.filter((m) => isOk(m.path.outcome));
@@ -213,7 +215,7 @@
       return (rows.length ? [...wrong, ...right] : [...right.slice(0, 1), ...wrong, ...right.slice(1)]).map((m) => asRow(m));
     }
 
-    /** As published beside right: the published model by its finest algorithm, and the finest method. */
+    /** Compares the published model by its finest algorithm with the finest method. */
     function asPublished() {
       const finestOf = (model) => {
         const all = algorithmsOf(model);
@@ -228,7 +230,7 @@
       return [asRow(method, method.knob === 'tolerance' ? 1e-9 : right.setting), ...printed].slice(0, 4);
     }
 
-    /** Other people's engines, the worst of them and the best, beside what is enough; null where none was run. */
+    /** Third-party engines, the worst and the best, with a method that is enough; null if none was run. */
     function asEngines() {
       const ran = algorithmsOf(byEngine).sort((a, b) => b.path.error - a.path.error);
       if (!ran.length) return null;
@@ -248,7 +250,7 @@
       space: drawing(defaults, 0, reference.observed.slice(count, 2 * count)).space };
   };
 
-  /** How a scene looks that does not say so: its observables as points, as far as their names say points; else
+  /** The drawing of a scene that defines none: its observables as points if their names allow it, otherwise
       over time. */
   oddity.asPoints = function (data) {
     const { observables, horizon, truth } = data.scene;

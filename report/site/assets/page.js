@@ -1,5 +1,5 @@
-// What all pages share: the exercise's data, filters, links to what is folded up, buttons that play a trial, and
-// the moving pictures.
+// Shared by all pages: the exercise's data, filters, links into folded sections, buttons that play a trial,
+// and the moving pictures.
 (function (oddity) {
   'use strict';
 
@@ -15,7 +15,7 @@
     };
   }
 
-  // What data/*.js give, the base64 of a gzip.
+  // Unpacks the data in data/*.js: base64 of gzip.
   oddity.unpacked = async (packed) => {
     const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0));
     const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
@@ -36,7 +36,7 @@
     document.dispatchEvent(new CustomEvent('oddity:data', { detail: data }));
   };
 
-  // Acts once the exercise's data are there.
+  // Acts once the exercise's data are loaded.
   oddity.with_data = (act) => {
     if (oddity.data) act(oddity.data);
     else waiting.push(act);
@@ -54,14 +54,14 @@
 
   oddity.calm = () => matchMedia('(prefers-reduced-motion: reduce)').matches;
 
-  // ---- links to what is folded up
+  // ---- links into folded sections
 
   function open_target() {
     let target = null;
     try {
       target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
     } catch (error) {
-      return;  // a hash that is no text
+      return;  // an invalid hash
     }
     if (!target) return;
     for (let at = target; at; at = at.parentElement) if (at.tagName === 'DETAILS') at.open = true;
@@ -69,7 +69,7 @@
     target.scrollIntoView();
   }
 
-  // What is folded up is printed as well.
+  // Folded sections are printed as well.
   function open_for_print() {
     document.querySelectorAll('#findings details:not([open])').forEach((details) => {
       details.open = true;
@@ -125,7 +125,7 @@
     all.setAttribute('aria-pressed', 'true');
   }
 
-  // ---- what can be scrolled can be reached by keys
+  // ---- scrollable parts are reachable by keyboard
 
   function let_scroll() {
     document.querySelectorAll('.sides dd, main p, main li').forEach((side) => {

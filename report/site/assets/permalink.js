@@ -1,5 +1,5 @@
-// A player's state as the part of an address after #, and back. What is read may be anything: nothing of it
-// counts before it is found among what the scene has.
+// A player's state as the part of an address after #, and back. The input is untrusted: its parts are checked
+// against the scene before use.
 //   #play&p.a=0.6&row=one%20angle/explicit%20Euler/double/0.0167&at=1.5&speed=0.25&view=30,22.5
 
 (function (oddity) {
@@ -98,8 +98,9 @@
       return parts.join('&');
     },
 
-    /** {state}, or {problem: a sentence}; null when it is no link to a player. `known` is {parameters, methods:
-        [{model, algorithm, precisions, knob}], horizon, speeds, space: whether it can be turned, missing: what is said of what is not there}. */
+    /** {state}, or {problem: a sentence}; null if it is no link to a player. `known` is {parameters, methods:
+        [{model, algorithm, precisions, knob}], horizon, speeds, space: whether the view can turn, missing:
+        the message for a missing part}. */
     parse(hash, known) {
       const [first, ...parts] = hash.split('&');
       if (first !== '#play' || !parts.length) return null;     // #play is the player's own place in the page

@@ -1,14 +1,14 @@
-// What a player draws: the scene with the truth as a ghost and each method with the way that it has come.
+// The picture of a player: the scene with the truth as a ghost, and each method with its trail.
 
 (function (oddity) {
   'use strict';
 
-  const looks = 40;        // at the motion, to fit it into the stage
-  const beyond = 0.4;      // of the truth's size, how far a method may go and still be fitted in
+  const looks = 40;        // times of the motion, to fit it into the stage
+  const beyond = 0.4;      // relative to the truth's size: how far a method may go and still be fitted in
 
   const pointsOf = (drawing) => drawing.primitives.flatMap((p) => p.points);
 
-  /** What the stage has to hold: the truth, and the methods as long as they are not far off. */
+  /** The points that the stage has to show: the truth, and the methods while they are not far off. */
   function toFit(truth, others) {
     const low = [Infinity, Infinity, Infinity];
     const high = [-Infinity, -Infinity, -Infinity];
@@ -40,7 +40,7 @@
       return Array.from({ length: looks + 1 }, (_, i) => draw(layer, horizon * i / looks)).filter((d) => d);
     }
 
-    /** Where the bodies with a trail have been, drawn once a frame. */
+    /** The paths of the bodies with a trail, updated once a frame. */
     function trails(layer, t, now) {
       const { times } = layer.motion;
       const last = oddity.placeOf(times, t);
@@ -74,7 +74,8 @@
       },
       paint(t) { stage.paint(layers.map((layer) => seenAt(layer, t)).filter((l) => l)); },
       resize() { stage.resize(); },
-      /** From where one looks at a scene in space, in degrees; null as it opens, and in the plane. */
+      /** The viewing direction of a scene in space, in degrees; null for the initial one, and in the plane.
+          */
       view: () => stage.seenFrom(),
       look(view) { stage.lookFrom(view); },
     };

@@ -1,4 +1,5 @@
-// A scene that plays: the truth as a ghost, up to four methods beside it, what they err and what they conserve.
+// The player of a scene: the truth as a ghost, up to four methods, their errors and their conserved
+// quantities.
 
 (function (oddity) {
   'use strict';
@@ -8,7 +9,7 @@
 
   const worded = (text, title, click) => make('button', { type: 'button', title, click }, text);
 
-  /** The words of a command, in quotes where the shell asks for them. */
+  /** The words of a command, in quotes where a shell needs them. */
   const quoted = (text) => (/^[\w.,:=/+-]+$/.test(text) ? text : `'${text.replace(/'/g, `'\\''`)}'`);
 
   oddity.commands = function ({ number, parameters, changed, close, horizon, frame }) {
@@ -22,7 +23,7 @@
     };
   };
 
-  /** What a link to a player may name of these motions. */
+  /** Names that a link to a player may use for these motions. */
   oddity.nameable = (motions, parameters) => ({ parameters: motions.recordedOnly ? [] : parameters, methods: motions.methods,
     horizon: motions.scene.horizon, speeds: oddity.speeds, units: motions.data.units, space: motions.space });
 
@@ -46,7 +47,7 @@
       return { parameters: {}, rows: this.motions.opening(), time: 0, speed: 1 };
     }
 
-    /** What a link may name. */
+    /** Names that a link may use. */
     known() {
       return { ...oddity.nameable(this.motions, this.sliding()),
         missing: this.motions.recordedOnly ? 'is not recorded, and the models are not in this copy of the page' : 'this scene does not have' };
@@ -104,7 +105,7 @@
       this.compute();
     }
 
-    /** A row's method or setting has been changed by hand. */
+    /** Called when a row's method or setting is changed by hand. */
     change(row, next) {
       const other = ['model', 'algorithm', 'precision'].some((name) => row.method[name] !== next[name]);
       row.method = next;
@@ -122,12 +123,12 @@
         this.say(`${sentence(method.algorithm)} on ${method.model}: ${oddity.seen(this.motions, this.parameters, method)}`, false, true), 400);
     }
 
-    /** At the end one starts again from the beginning. */
+    /** At the end, playing restarts from the beginning. */
     ended() {
       if (this.clock.time >= this.scene.horizon) this.clock.seek(0);
     }
 
-    /** Charts, tables and maps show where a method stands; `parameters` only where they are not the book's. */
+    /** Shows a method in charts, tables and maps; `parameters` only if they are not the book's. */
     point({ model, algorithm, precision, setting }) {
       const detail = { quantity: this.motions.quantity.name, model, algorithm, precision, setting };
       const { parameters } = this.state();
@@ -137,7 +138,7 @@
 
     // ---- computing ----------------------------------------------------------------------------------------
 
-    /** Once a frame, however often a slider reports. */
+    /** Computes once a frame, however often a slider reports. */
     later(then = () => {}) {
       this.then = [...(this.then || []), then];
       if (this.pending) return;
@@ -173,7 +174,7 @@
       this.paint();
     }
 
-    /** The rows that have a motion. */
+    /** The rows with a motion. */
     shown() { return this.rows.filter((row) => row.result.motion); }
 
     plot(sizes, floors) {
@@ -203,7 +204,7 @@
       return [...all, horizon];
     }
 
-    /** What the ghost is, and how far its two makers differ. */
+    /** Describes the ghost, and the difference of the two methods that compute it. */
     tellTruth() {
       const { motions } = this;
       if (motions.aboutTruth) return this.tell(motions.aboutTruth(this.parameters));
@@ -311,7 +312,7 @@
         ' makes one in which they run.'));
     }
 
-    /** What is shown is no answer to what was typed. */
+    /** The display does not match the typed text. */
     refuse(text) {
       this.element.classList.add('stale');
       this.say(text, true);
@@ -338,7 +339,7 @@
       this.addButton.disabled = this.rows.length >= most;
     }
 
-    /** What a screen reader hears, too; `unseen` is for it alone, as the page shows it elsewhere. */
+    /** Also announced by a screen reader; `unseen` is only for it, as the page shows the text elsewhere. */
     say(text, problem = false, unseen = false) {
       clearTimeout(this.saying);
       this.said.textContent = text;
@@ -346,7 +347,7 @@
       this.said.classList.toggle('unseen', unseen);
     }
 
-    // ---- what it does -------------------------------------------------------------------------------------
+    // ---- actions ------------------------------------------------------------------------------------------
 
     add() {
       if (this.rows.length >= most) return;
@@ -410,7 +411,7 @@
       this.copy(all[verb], 'Copied');
     }
 
-    /** A trial of a chart or a map, at the book's parameters but for those given, beside what is there. */
+    /** Adds a trial of a chart or a map, at the book's parameters except the given ones. */
     trial({ quantity, model, algorithm: named, precision = 'double', setting, parameters = {} }) {
       const { motions } = this;
       if (quantity && quantity !== motions.quantity.name) return;
@@ -438,7 +439,7 @@
       this.clock.play();
     }
 
-    /** What the table of trials has of it. */
+    /** The trial's entry in the table. */
     tabled({ model, algorithm, path }, precision, setting) {
       const found = this.motions.quantity.methods.find((m) => m.model === model && m.precision === precision
         && m.algorithm.replace(/ in float$/, '') === algorithm);
@@ -451,7 +452,7 @@
       return `The table has ${error} at its ${this.motions.looks} times, ${oddity.outcomeName(this.motions.data, trial[5])}${stops}.`;
     }
 
-    /** Space plays, arrows go frame by frame; where arrows do something of their own, Shift and arrows do. */
+    /** Space plays, arrows step through frames; where arrows have another use, Shift and arrows do. */
     key(event) {
       const { target, key, shiftKey } = event;
       if (target.matches('input[type=text], select') || event.ctrlKey || event.metaKey || event.altKey) return;
@@ -473,7 +474,7 @@
       this.driftLines.paint(time);
     }
 
-    /** Sizes and colours, as the page has them now. */
+    /** Updates sizes and colours from the page. */
     look() {
       this.picture.resize();
       const style = getComputedStyle(this.element);
@@ -485,7 +486,7 @@
       this.driftLines.resize();
     }
 
-    /** What happens outside: sizes and colours, links, trials of charts, and whether it is seen. */
+    /** Follows changes outside: sizes and colours, links, trials of charts, and visibility. */
     follow() {
       this.ending = new AbortController();
       const { signal } = this.ending;
@@ -502,7 +503,7 @@
       this.sight.observe(this.canvas);
     }
 
-    /** To what the address has. */
+    /** Goes to the state in the address. */
     goTo() {
       if (window.location.hash === this.linked || !window.location.hash.startsWith('#play&')) return;
       this.clock.pause();
@@ -511,7 +512,7 @@
       if (state) this.say('The player is as the link has it.');
     }
 
-    /** Another takes its place. */
+    /** Ends this player before another replaces it. */
     end() {
       this.clock.pause();
       clearTimeout(this.saying);

@@ -1,4 +1,4 @@
-// The lesson's charts as drawings: place against velocity beside the true circle, and energy over time.
+// The lesson's charts as drawings: position and velocity next to the true circle, and energy over time.
 (function (oddity) {
   'use strict';
 
@@ -32,7 +32,7 @@
         this.all = shown.way.map(at);
         this.dotted = shown.dotted;
       },
-      /** After so many steps, and a part of the next. */
+      /** The state after so many steps, and a part of the next. */
       now(steps, place) {
         const here = at(place), past = this.all.slice(0, steps + 1);
         way.setAttribute('points', points([...past, here]));
@@ -49,7 +49,7 @@
     };
   };
 
-  /** {element, show({end, energies, shadows, times}), now(steps)}: values as parts of what they are at the start. */
+  /** {element, show({end, energies, shadows, times}), now(steps)}: values relative to the initial ones. */
   oddity.energyPlot = function () {
     const width = 420, height = 220, left = 34, right = 410, top = 14, bottom = 192, most = 3;
     const y = (part) => bottom - (bottom - top) * Math.min(part, 1.1 * most) / most;

@@ -1,17 +1,17 @@
-// A problem's file that was typed, as the motions of a player: what motions.js is to a scene.
+// The motions of a typed problem's file, for a player; the counterpart of motions.js for scenes.
 
 (function (oddity) {
   'use strict';
 
   const kept = 80;            // motions in the cache
   const looks = 20;           // the longest step is a twentieth of the horizon
-  const most = 2000;          // frames that the page judges at
-  const tight = 1e-12;        // the tolerance of what stands for the truth
-  const doubles = 1e-11;      // of the size, what that tolerance leaves
-  // Fehlberg 7(8) takes steps across a kink for exact.
+  const most = 2000;          // frames at which the page judges
+  const tight = 1e-12;        // the tolerance of the reference
+  const doubles = 1e-11;      // relative to the size: the error at that tolerance
+  // Fehlberg 7(8) accepts steps across a kink as exact.
   const makers = ['Bulirsch-Stoer', 'Dormand-Prince 5(4)'];
 
-  /** What belongs to one point is judged by its distance. */
+  /** The observables of one point are judged by its distance. */
   function normsOf(observables) {
     const norms = [];
     observables.forEach(({ unit, point }, k) => {
@@ -22,7 +22,7 @@
     return norms;
   }
 
-  /** `file` is as engine.take() resolves to it. */
+  /** `file` as engine.take() resolves to it. */
   oddity.problem = function (file, engine) {
     const models = engine.scene('own').models.map((m) => m.name);
     const methods = oddity.computable('own', engine);
@@ -33,9 +33,9 @@
     const wanted = Math.max(1, Math.round(file.horizon * file.fps));
     const frames = Math.min(wanted, most);
     const frame = file.horizon / wanted;
-    const horizon = frames * frame;         // of a long motion the page judges the first frames
+    const horizon = frames * frame;         // of a long motion the page judges only the first frames
     const times = oddity.frameTimes(horizon, frames);
-    /** "33.3 s of 100 s"; nothing where it is all. */
+    /** "33.3 s of 100 s"; empty for the whole. */
     const part = frames < wanted ? `${oddity.written(horizon)} s of ${oddity.written(file.horizon)} s` : '';
     const norms = normsOf(observables);
     const scene = { observables: observables.map((o) => o.name), horizon, time_unit: 's',
@@ -70,7 +70,7 @@
       });
     }
 
-    // The last model is the richest, and is taken for true.
+    // The last model is the richest, and serves as the reference.
     const last = models[models.length - 1];
     const isClosed = algorithmsOf(last)[0].algorithm === 'closed form';
     const finest = (algorithm) => ({ model: last, algorithm, precision: 'double', setting: tight });
@@ -80,18 +80,18 @@
     const frameByFrame = (parameters, method) =>
       cached(['frames', ...keyOf(parameters, method)], () => computed(times, { parameters, ...method }));
     const truth = (parameters) => frameByFrame(parameters, richest);
-    /** The truth at a motion's own times: what lies between frames need not be smooth. */
+    /** The truth at a motion's own times: it need not be smooth between frames. */
     const exactly = (at, parameters) => (at.length === times.length ? truth(parameters)
       : cached(['at', parameters, at.length, at[1]], () => computed(at, { parameters, ...richest })));
     const judge = (motion, parameters) => oddity.judged(motion, exactly(motion.times, parameters), norms, close);
 
-    /** At each frame by a method, judged there. */
+    /** A method's motion at each frame, and its errors there. */
     function judgedByFrame(parameters, method) {
       const motion = computed(times, { parameters, ...method });
       return { motion, judged: oddity.judged(motion, truth(parameters), norms, close) };
     }
 
-    /** How far the truth's two makers are apart, in each unit: what is known of it. It takes its time. */
+    /** The difference of the two references in each unit, which bounds their accuracy. Slow. */
     const apart = (parameters) => cached(['apart', parameters], () => {
       if (!second) return units.map(() => 0);
       const other = frameByFrame(parameters, second);
@@ -123,7 +123,7 @@
     }
     const asRow = (method, setting) => ({ model: method.model, algorithm: method.algorithm, precision: 'double', setting });
 
-    /** At a step a frame what engines do, and what is better; and the plainest model. */
+    /** At a step per frame: a typical engine's method, a better one, and the simplest model. */
     function opening() {
       const plain = find(last, 'symplectic Euler') || find(last, 'semi-implicit Euler') || find(last, 'explicit Euler');
       const rows = [find(last, 'Runge-Kutta 4') || algorithmsOf(last)[0], plain,
@@ -131,8 +131,8 @@
       return rows.filter((m) => m).map((m) => asRow(m, usual(m)));
     }
 
-    // Points lie in their plane; other observables go along the time, each in parts of its largest. The true way of each
-    // is drawn as a whole.
+    // Points are drawn in their plane; other observables over time, relative to their largest value. The true
+    // path of each is drawn whole.
     const points = norms.filter((norm) => norm.components.length > 1);
     const reach = (parameters) => cached(['reach', parameters], () => {
       const all = new Float64Array(count);

@@ -1,4 +1,4 @@
-// A method beside the truth, as a row: what it is, and how it fares.
+// A method as a row of a player: its settings and its result.
 
 (function (oddity) {
   'use strict';
@@ -17,7 +17,7 @@
     grazing: 'grazing, whether an event happens is below its error',
   };
 
-  /** How it ended, in a few words. */
+  /** The outcome in a few words. */
   oddity.endingOf = function (motion, judged, { close, time_unit: unit }) {
     const at = (t) => `${written(t, 3)} ${unit}`;
     if (judged.broken !== null || motion.ending !== 'reached') {
@@ -67,7 +67,7 @@
     return oddity.scaleOf({ value: ends[0], unit: knob, least: ends[0], most: ends[1], whole: !['tolerance', 'step'].includes(knob) });
   }
 
-  /** {element, show(result), now(t), paint(colour)}; `changed(row)` gets the row as it is to be. */
+  /** {element, show(result), now(t), paint(colour)}; `changed(row)` receives the new row. */
   oddity.methodRow = function ({ motions, row, shape, changed, removed, refused }) {
     const { scene } = motions;
     const mark = swatch(shape);
@@ -90,7 +90,7 @@
     let slider = null;
     let sliderOf = null;
 
-    /** The same setting where the knob is the same. */
+    /** Keeps the setting if its kind stays the same. */
     function another(modelName, algorithmName) {
       const was = motions.find(row.model, row.algorithm);
       const next = motions.find(modelName, algorithmName) || motions.algorithmsOf(modelName)[0];
@@ -138,7 +138,7 @@
       const { holds, text } = oddity.endingOf(motion, judged, scene);
       ending.textContent = row.trial ? `${text}. ${row.trial}` : text;
       ending.className = `row-ending ${holds ? 'row-holds' : 'row-fails'}`;
-      const last = motion.times.length - 1;  // all digits, for programs that look at the page
+      const last = motion.times.length - 1;  // all digits, for programs that read the page
       element.dataset.end = JSON.stringify({ observed: [...motion.observed.slice(last * motion.count)],
         errors: judged.errors.map((e) => e[last]), floors });
     }
@@ -151,7 +151,7 @@
 
     return {
       element,
-      /** {row, motion, judged, floors}; motion null where there is none. */
+      /** {row, motion, judged, floors}; motion is null if there is none. */
       show(next) {
         result = next;
         row = next.row;

@@ -1,9 +1,9 @@
-// Numbers under a finger and on paper: where a value stands on a slider, and how it is written.
+// Numbers for sliders and text: a value's place on a slider, and its text.
 
 (function (oddity) {
   'use strict';
 
-  const decades = 100;   // a range over more than this is laid out by decades
+  const decades = 100;   // a wider range is logarithmic
 
   const evenly = (least, most) => ({
     value: (place) => least + place * (most - least),
@@ -15,7 +15,7 @@
     place: (value) => Math.log(value / least) / Math.log(most / least),
   });
 
-  /** By decades on both sides of zero, evenly where values are smaller than `small`. */
+  /** Logarithmic on both sides of zero, linear for values smaller than `small`. */
   const aboutZero = (least, most, small) => {
     const from = Math.asinh(least / small);
     const to = Math.asinh(most / small);
@@ -25,7 +25,7 @@
     };
   };
 
-  /** Ends for a slider: those of the range, or where it has none a span about the usual value. */
+  /** Ends of a slider: those of the range, otherwise a span around the default. */
   function ends({ value, least, most }) {
     const about = Math.abs(value) || 1;
     return {
@@ -42,7 +42,7 @@
     return far / about >= decades ? aboutZero(least, most, about) : evenly(least, most);
   }
 
-  /** The number with the fewest digits within half of `spacing` of x, as near as those digits go. */
+  /** The number with the fewest digits within half of `spacing` of x, as near as those digits allow. */
   function roundedTo(x, spacing) {
     if (!(spacing > 0)) return x;
     const digit = Math.pow(10, Math.floor(Math.log10(spacing)));
@@ -64,7 +64,7 @@
     return { least, most, value: near, place: (x) => Math.min(1, Math.max(0, place(x))) };
   };
 
-  /** A value in its field: six digits, or 1/60 where it is one. */
+  /** A value in its field: six digits, or 1/60 if it is such a fraction. */
   oddity.inField = function (x) {
     const inverse = 1 / x;
     const whole = Math.abs(inverse - Math.round(inverse)) <= 1e-12 * inverse;
@@ -72,7 +72,7 @@
     return String(Number(x.toPrecision(6)));
   };
 
-  /** With that many digits: 0.0175, 1.2e-7, 1234. */
+  /** With this number of digits: 0.0175, 1.2e-7, 1234. */
   oddity.written = function (x, digits = 3) {
     if (Number.isNaN(x)) return '\u2013';
     if (!Number.isFinite(x)) return x > 0 ? '\u221e' : '\u2212\u221e';
@@ -84,7 +84,7 @@
     return text.replace(/-/g, '\u2212');
   };
 
-  /** A part of something, in percent or as a multiple. */
+  /** A ratio, in percent or as a multiple. */
   oddity.part = function (x) {
     if (!Number.isFinite(x)) return oddity.written(x);
     if (x >= 10) return oddity.written(x, 2) + ' times';
@@ -94,7 +94,7 @@
   const greek = { alpha: '\u03b1', theta: '\u03b8', lambda: '\u03bb', mu: '\u03bc', phi: '\u03c6', psi: '\u03c8', omega: '\u03c9' };
   const digits = (text, zero) => text.replace(/\d/g, (d) => zero[d]);
 
-  /** A parameter's name as it is printed: theta0_dot is a theta with a dot and a subscript. */
+  /** A parameter's name as typeset: theta0_dot is a theta with a dot and a subscript. */
   oddity.letter = function (name) {
     const parts = /^(d?)(alpha|theta|lambda|mu|phi|psi|omega|[A-Za-z])(\d*)(_dot)?$/.exec(name);
     if (!parts) return name;
@@ -105,7 +105,7 @@
   /** m/s\u00b2 for m/s^2. */
   oddity.unitName = (unit) => (unit === '1' ? '' : unit.replace(/\^(\d)/g, (_, d) => '\u2070\u00b9\u00b2\u00b3\u2074'[d]));
 
-  /** 1 cm and 1 degree by their names. */
+  /** Names for 1 cm and 1 degree. */
   oddity.nameOfNeed = function (unit, allowed) {
     if (unit === 'm' && Math.abs(allowed - 0.01) < 1e-12) return '1 cm';
     if (unit === 'rad' && Math.abs(allowed - Math.PI / 180) < 1e-12) return '1\u00b0';

@@ -1,5 +1,5 @@
-// Search over exercises, claims, quantities, methods and pages, with one misspelling a word. The index, data/search.js,
-// is loaded when it is first asked for.
+// Search over exercises, claims, quantities, methods and pages, allowing one misspelling per word. The index,
+// data/search.js, is loaded at the first search.
 (function (oddity) {
   'use strict';
 
@@ -30,9 +30,9 @@
     document.body.append(script);
   }
 
-  // ---- what is found
+  // ---- the search
 
-  // One letter more, less or other, or two neighbours exchanged.
+  // One letter inserted, deleted or replaced, or two neighbours exchanged.
   function is_slip(a, b) {
     if (Math.abs(a.length - b.length) > 1) return false;
     let from = 0;
@@ -42,7 +42,7 @@
       || (rest_a[0] === rest_b[1] && rest_a[1] === rest_b[0] && rest_a.slice(2) === rest_b.slice(2));
   }
 
-  // The word, or where nothing has it those that it may have been meant for, also as they begin.
+  // The word, or if it is unknown, similar words and beginnings of words.
   function meant_by(word) {
     if (word.length < least_to_misspell || entries.some((entry) => entry.words.includes(word))) return [word];
     const whole = vocabulary.filter((known) => is_slip(word, known));
@@ -51,7 +51,7 @@
       : [...new Set(vocabulary.flatMap((known) => begun.map((n) => known.slice(0, n))))].filter((known) => is_slip(word, known));
   }
 
-  // Every word has to be in an entry; what is in its title, and wrong, comes first.
+  // Every word must occur in an entry. Matches in titles and wrong claims come first.
   function found(query, fits) {
     const words = query.toLowerCase().split(/[\s\u2010-\u2015-]+/).filter(Boolean).map(meant_by);
     const ranks = { page: 5, exercise: 4, method: 4, wrong: 3, incomplete: 2, misprint: 2, quantity: 1 };
@@ -70,11 +70,11 @@
 
   // ---- a field and its list
 
-  /** Entries for what is typed into `input` as options of `list`, which arrow keys go through and Enter opens. `fits`
-      says which entries count, `say` shows a sentence, `opened` is called when one is followed. */
+  /** Shows entries for the text in `input` as options of `list`; arrow keys move through them, and Enter
+      opens one. `fits` selects entries, `say` shows a sentence, `opened` is called when one is opened. */
   oddity.finder = ({ input, list, say, idle = '', fits = () => true, limit = most, opened = () => {} }) => {
     let chosen = -1;
-    let waits = false;   // Enter was pressed before the index was there
+    let waits = false;   // Enter was pressed before the index was loaded
 
     function item_of(entry, place) {
       const item = oddity.element('li', { role: 'option', id: `${list.id}-${place}`, 'aria-selected': 'false' },
@@ -133,7 +133,7 @@
     return finder;
   };
 
-  /** A field that is read as a search, and its list. */
+  /** A search field and its list. */
   oddity.searched = (id, label, placeholder) => ({
     input: oddity.element('input', { type: 'search', 'aria-label': label, placeholder, role: 'combobox', 'aria-expanded': 'true',
       'aria-controls': id, 'aria-autocomplete': 'list', autocomplete: 'off', spellcheck: 'false' }),

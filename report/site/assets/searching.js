@@ -1,5 +1,5 @@
-// The search for what holds: every method from coarse to fine, as `oddity choose` does, but on one start and without
-// references: the finest run stands for the truth.
+// The search for passing methods: every method from coarse to fine, as in `oddity choose`, but on one start
+// and without references: the finest run serves as the truth.
 (function (oddity) {
   'use strict';
 
@@ -15,7 +15,7 @@
     return Float64Array.from({ length: frames + 1 }, (_, i) => i / state.fps);
   }
 
-  /** The knob of an algorithm; what the engine does not list is a closed form. */
+  /** The setting of an algorithm; one that the engine does not list is a closed form. */
   const knobOf = (engine, name) => (engine.algorithms.find((a) => a.name === name) || { knob: '' }).knob;
 
   function settings(knob, fps) {
@@ -24,7 +24,7 @@
     return [0];
   }
 
-  /** The largest error in each unit over all frames but the first; not a number where the motion broke off. */
+  /** The largest error in each unit over all frames except the first; NaN if the motion broke off. */
   function errorsOf(observed, truth, scene) {
     const parts = scene.observables.length,
       errors = {};
@@ -34,7 +34,7 @@
         let sum = 0;
         for (const c of components) sum += (observed[at + c] - truth[at + c]) ** 2;
         const error = Math.sqrt(sum);
-        if (!(error <= most)) most = error; // not a number stays
+        if (!(error <= most)) most = error; // keeps NaN
         if (Number.isNaN(most)) break;
       }
       errors[unit] = most;
@@ -42,7 +42,7 @@
     return errors;
   }
 
-  /** The largest error in parts of what is asked. */
+  /** The largest error in needs. */
   const inNeeds = (errors, state) =>
     Math.max(
       ...Object.entries(errors).map(([unit, e]) =>
@@ -64,7 +64,7 @@
       }));
   }
 
-  /** The runs that may stand for the truth, the best first. */
+  /** Runs that may serve as the truth, the best first. */
   function truths(state, engine) {
     const known = engine.scene(state.scene.number).models;
     return state.scene.exact
@@ -87,7 +87,7 @@
     return { ...run, seconds: run.seconds > 0 ? run.seconds : (performance.now() - before) / 1000 };
   }
 
-  /** The finest run that comes to its end, and how far the next best is from it. */
+  /** The finest run that reaches the end, and its distance from the next best. */
   function* truthOf(state, engine, times) {
     let best = null;
     for (const candidate of truths(state, engine)) {
@@ -122,7 +122,7 @@
   const isMultistep = (name) => /^(Adams-|GSL ms|CVODE)/.test(name);
   const isSimple = (row) => row.knob !== 'tolerance' && !isMultistep(row.algorithm);
 
-  /** How long a run takes: the least of three batches, each long enough for the page's coarse clock. */
+  /** The time of a run: the least of three batches, each long enough for the page's coarse clock. */
   function* timed(run) {
     const batch = (runs) => {
       const before = performance.now();
@@ -144,8 +144,8 @@
     return least;
   }
 
-  /** Tries every method from coarse to fine until one holds with the margin, then times what holds. Yields after
-   *  each run; `found` fills meanwhile. */
+  /** Tries every method from coarse to fine until a setting passes with the margin, then times those that
+      pass. Yields after each run; fills `found` meanwhile. */
   function* search(state, engine, found) {
     const times = frameTimes(state),
       frames = times.length - 1;
@@ -187,9 +187,9 @@
     found.done = true;
   }
 
-  /** As `oddity choose` picks: a simple method that holds with the margin, else what holds; of those the
-   *  cheapest, of near ties the most accurate. Models that their page shows to be wrong are tried, and not
-   *  advised. {row, ties, simple} or null. */
+  /** Picks as `oddity choose` does: a simple method that passes with the margin, otherwise any that passes.
+      Takes the cheapest; of near ties the most accurate. Models that their page shows to be wrong are tried,
+      but not recommended. {row, ties, simple} or null. */
   function pick(rows, budget) {
     const within = rows.filter((r) => r.holds && !r.faulted && (budget === null || r.seconds <= budget));
     for (const simple of [true, false]) {

@@ -1,4 +1,4 @@
-// A number that is set by a slider or typed; and the little that the player's parts are made with.
+// A slider with a text field, and helpers for the player's elements.
 
 (function (oddity) {
   'use strict';
@@ -14,14 +14,15 @@
     return element;
   }
 
-  /** An element with attributes, and listeners where a value is a function; children are elements or text. */
+  /** Makes an element with attributes, and listeners for values that are functions; children are elements or
+      text. */
   oddity.make = function (tag, all = {}, ...children) {
     const element = attributes(document.createElement(tag), all);
     element.append(...children.filter((c) => c !== null));
     return element;
   };
 
-  /** A drawing of 16 by 16. */
+  /** A drawing of 16 by 16 pixels. */
   oddity.icon = function (...paths) {
     const drawing = attributes(document.createElementNS(svg, 'svg'),
       { viewBox: '0 0 16 16', width: 16, height: 16, 'aria-hidden': 'true', focusable: 'false' });
@@ -35,8 +36,8 @@
   const places = 1000;
   let made = 0;
 
-  /** {element, show(value), enable(yes)}. `units` are those that may be typed; `changed(value)` is called with what is
-      set; `refused(text)` with why what was typed cannot be, which stays there. */
+  /** {element, show(value), enable(yes)}. `units` are accepted in the field. `changed(value)` receives a new
+      value; `refused(text)` the reason why a typed text, which stays there, is invalid. */
   oddity.slider = function ({ name, says, unit, units = {}, scale, value, checked, changed, refused }) {
     const id = `slider-${made += 1}`;
     const label = says ? `${name}, ${says}` : name;

@@ -4,7 +4,7 @@
 
   const behind = ['sphere', 'track', 'guide', 'axis', 'support'];  // drawn once, in this order
   const things = ['plate', 'disc', 'spring', 'rope', 'rod', 'arrow', 'body'];  // in the plane, from below
-  const margin = 26;  // pixels about what is drawn
+  const margin = 26;  // pixels around the drawing
   const plane = { right: [1, 0, 0], up: [0, 1, 0], toward: [0, 0, 1] };
 
   const opening = { azimuth: Math.PI / 6, elevation: Math.PI / 8 };
@@ -16,7 +16,7 @@
   const unit = (a) => a.map((x) => x / Math.hypot(...a));
   const between = (least, x, most) => Math.min(most, Math.max(least, x));
 
-  /** Axonometric: z is up, and the azimuth and elevation are those of who looks. */
+  /** Axonometric: z is up; azimuth and elevation are the viewer's. */
   function space(azimuth, elevation) {
     const c = Math.cos(azimuth);
     const s = Math.sin(azimuth);
@@ -33,8 +33,8 @@
   const isShown = (p) => stands(p) || things.includes(p.kind);
   const isRound = (p) => p.kind === 'body' || p.kind === 'disc' || p.kind === 'sphere';
 
-  /** What has to fit: points as seen from the anchor, each with a radius about it. What only stands there is
-      taken once, unless the picture moves past it. */
+  /** The points that have to fit, relative to the anchor, each with a radius. Fixed parts count once, unless
+      the picture moves past them. */
   function cloudOf(drawings) {
     const cloud = [];
     drawings.forEach((drawing, i) => {
@@ -67,7 +67,7 @@
       if (this.space) this.obey();
     }
 
-    // ---- what the page asks -------------------------------------------------------------------------------
+    // ---- interface ----------------------------------------------------------------------------------------
 
     fit(drawings) {
       this.cloud = cloudOf(drawings);
@@ -97,13 +97,13 @@
       this.paint(this.layers);
     }
 
-    /** {azimuth, elevation} in degrees; null where they are those that it opens with. */
+    /** {azimuth, elevation} in degrees; null for the initial view. */
     seenFrom() {
       if (!this.space || (this.azimuth === opening.azimuth && this.elevation === opening.elevation)) return null;
       return { azimuth: degrees(this.azimuth), elevation: degrees(this.elevation) };
     }
 
-    /** The same back. */
+    /** Sets a view from seenFrom(). */
     lookFrom(view) {
       const radians = (x) => x * Math.PI / 180;
       const { azimuth, elevation } = view ? { azimuth: radians(view.azimuth), elevation: radians(view.elevation) } : opening;
@@ -111,7 +111,7 @@
       Object.assign(this, { azimuth, elevation });
     }
 
-    /** To the canvas's size and the page's colours, as they are now. */
+    /** Adapts to the canvas's present size and the page's colours. */
     resize() {
       const style = getComputedStyle(this.canvas);
       const colour = (name, otherwise) => style.getPropertyValue(name).trim() || otherwise;
@@ -127,9 +127,9 @@
       this.paint(this.layers);
     }
 
-    // ---- where things are ---------------------------------------------------------------------------------
+    // ---- positions ----------------------------------------------------------------------------------------
 
-    /** The scale and the middle with which everything is seen. */
+    /** The scale and centre of the picture. */
     settle() {
       let [left, right, low, high] = [Infinity, -Infinity, Infinity, -Infinity];
       for (const x of this.cloud) {
@@ -151,7 +151,7 @@
       return [this.place.x + this.place.scale * dot(x, this.view.right), this.place.y - this.place.scale * dot(x, this.view.up)];
     }
 
-    /** Whether it can be drawn: what has exploded is not. */
+    /** Whether it can be drawn: false for an exploded motion. */
     inReach(point) { return this.at(point).every((x) => Math.abs(x) < 1e5); }
 
     near(point) { return dot(minus(point, this.anchor), this.view.toward); }
@@ -199,7 +199,7 @@
       this.pen.arc(x, y, radius, 0, 2 * Math.PI);
     }
 
-    /** Its far parts paler. */
+    /** A line whose far parts are paler. */
     deepLine(points, width, opacity) {
       const { pen } = this;
       let run = [];
@@ -236,7 +236,7 @@
       this.pen.setLineDash(dashes);
     }
 
-    // ---- what stands --------------------------------------------------------------------------------------
+    // ---- fixed parts --------------------------------------------------------------------------------------
 
     background(drawing) {
       const { pen } = this;
@@ -306,7 +306,7 @@
       }
     }
 
-    // ---- what moves ---------------------------------------------------------------------------------------
+    // ---- moving parts -------------------------------------------------------------------------------------
 
     trails(layer) {
       const { pen } = this;
@@ -316,7 +316,7 @@
       pen.globalAlpha = 1;
     }
 
-    /** What is older is paler. */
+    /** Older parts are paler. */
     trail(way, ghost) {
       const spots = way.filter((x) => this.inReach(x)).map((x) => this.at(x));
       const parts = Math.min(12, spots.length - 1);
@@ -328,7 +328,7 @@
       }
     }
 
-    /** Broader than the layers above it, so that it is seen below them where they agree. */
+    /** Broader than the layers above it, so that it stays visible where they agree. */
     layer({ drawing, colour, ghost }, above) {
       const { pen } = this;
       this.broader = ghost ? 0 : 1.5 * above;
@@ -345,7 +345,7 @@
       pen.globalAlpha = 1;
     }
 
-    /** In space a rod may be before a thing in part and behind it in part. */
+    /** In space a rod may be partly in front of a thing and partly behind it. */
     parts(p) {
       if (!p.points.every((x) => this.inReach(x))) return [];
       if (!this.space) return [{ ...p, order: things.indexOf(p.kind) }];
@@ -425,7 +425,7 @@
       pen.setLineDash([6, 4]);
     }
 
-    // ---- what happens to the canvas -----------------------------------------------------------------------
+    // ---- events of the canvas -----------------------------------------------------------------------------
 
     follow() {
       new ResizeObserver(() => {
@@ -434,7 +434,7 @@
       matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.resize());
     }
 
-    /** Turned by dragging, and by the arrow keys where it has the focus. */
+    /** Turned by dragging, and by the arrow keys if it has the focus. */
     obey() {
       const { canvas } = this;
       canvas.classList.add('stage-turns');

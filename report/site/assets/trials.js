@@ -1,5 +1,5 @@
-// The trials of a quantity as a table: every <div class="trials" data-quantity="NAME"> becomes one, folded until
-// it is asked for. Its rows and the chart's points light each other.
+// The trials of a quantity as a table in every <div class="trials" data-quantity="NAME">, folded until
+// opened. Its rows and the chart's points highlight each other.
 (function (oddity) {
   'use strict';
 
@@ -17,14 +17,14 @@
     play,
   } = oddity.charts;
 
-  /** Two values of a column: numbers by size, those that are none last; words by the alphabet. */
+  /** Compares two values of a column: numbers by size, missing ones last; words alphabetically. */
   function compared(a, b) {
     const none = (x) => x === null || x === '' || Number.isNaN(x);
     if (none(a) || none(b)) return none(a) - none(b);
     return typeof a === 'string' ? a.localeCompare(b) : a - b;
   }
 
-  /** Sorted by a column, up or down; what has no value stays last. */
+  /** Sorted by a column, up or down; missing values stay last. */
   function sorted(points, value, down) {
     const none = (p) => value(p) === null || value(p) === '';
     return [...points].sort((a, b) =>
@@ -161,7 +161,7 @@
     return { made, light };
   }
 
-  /** Folded in its place; the table is made when it is opened first. */
+  /** Folded; the table is made when it is first opened. */
   function fold(place, quantity, context) {
     const trials = quantity.methods.reduce((sum, m) => sum + m.trials.length, 0);
     const summary = element(

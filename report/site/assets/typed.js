@@ -1,4 +1,4 @@
-// What is typed into a field or stands in a link: numbers, with a unit where one fits, as the program takes them.
+// Numbers in a field or a link, with a unit where one fits, as the program reads them.
 
 (function (oddity) {
   'use strict';
@@ -9,8 +9,8 @@
   const plain = (unit) => unit.replace(/[\s^\u00b7*]/g, '').replace(/^1\//, '/').replace(/[\u00b5\u03bc]/g, 'u')
     .replace(/\u00b2/g, '2').replace(/\u00b3/g, '3').replace(/\u00b0/g, 'deg');
 
-  /** Throws what is wrong with it. `sizes` are the units that fit: {name: how many of `unit` one is}. A comma may stand
-      for the point, and 1/60 is a number. */
+  /** Throws a message for an invalid number. `sizes` are the accepted units: {name: its size in `unit`}. A
+      comma may replace the point, and 1/60 is a number. */
   oddity.number = function (text, unit = '', sizes = {}) {
     const found = written.exec(text.trim().replace(/,/g, '.').replace(/\u2212/g, '-'));
     if (!found) throw new Error(`\u201c${text}\u201d is not a number`);
@@ -25,7 +25,7 @@
     return x;
   };
 
-  /** The same without units, null where it is no number. */
+  /** A number without units; null if invalid. */
   oddity.typed = function (text) {
     try {
       return oddity.number(text);
@@ -34,6 +34,6 @@
     }
   };
 
-  /** As one types it: where this copy of the site was written, or in the tree. */
+  /** The program as typed in a shell: the one that wrote this copy of the site, or the tree's. */
   oddity.program = (window.document && document.body.dataset.program) || './oddity';
 })(window.oddity = window.oddity || {});

@@ -1,13 +1,14 @@
-// The page in which one types a problem's file: what is wrong in it, its motions, what is enough, and the code.
+// The page for typing a problem's file: its errors, its motions, the cheapest method that is enough, and the
+// code.
 
 (function (oddity) {
   'use strict';
 
   const { make } = oddity;
   const patience = 40;        // ms after a key
-  const slice = 12;           // ms of looking for what is enough, at a time
+  const slice = 12;           // ms of search for a method, at a time
 
-  /** A player whose link has the file. */
+  /** A player whose link contains the file. */
   class OwnPlayer extends oddity.Player {
     constructor(element, motions, begin, typing) {
       super(element, motions, begin);
@@ -32,7 +33,7 @@
       this.place = place;
       place.oddity = this;
       this.text = '';
-      this.turn = 0;          // of what was typed: what is asked for an earlier one is not shown
+      this.turn = 0;          // number of the present text: answers for an earlier one are not shown
       this.build();
       window.addEventListener('hashchange', () => this.fromAddress());
     }
@@ -114,7 +115,7 @@
       this.place.dataset.read = String(turn);
     }
 
-    /** What is shown is of another text. */
+    /** The display belongs to another text. */
     refuse({ line, message }) {
       this.wrong.textContent = message;
       this.wrong.hidden = false;
@@ -137,7 +138,7 @@
       this.line.hidden = top < 0 || top > this.area.clientHeight;
     }
 
-    // ---- what it makes ------------------------------------------------------------------------------------
+    // ---- results ------------------------------------------------------------------------------------------
 
     show(text, file, play) {
       this.text = text;
@@ -169,7 +170,8 @@
       this.figure.replaceChildren();
     }
 
-    /** What a link has; else the methods and the time stay as far as the file still has them. */
+    /** Takes the state from a link; otherwise keeps the methods and the time as far as the file still has
+        them. */
     begin(motions, link) {
       const usual = { parameters: {}, rows: motions.opening(), time: 0, speed: 1 };
       const missing = 'the file does not have';
@@ -208,14 +210,14 @@
       }
     }
 
-    // ---- what is enough -----------------------------------------------------------------------------------
+    // ---- the search for a method --------------------------------------------------------------------------
 
     stop() {
       clearTimeout(this.looking);
       delete this.place.dataset.answered;
     }
 
-    /** In pieces, between which the page is free. */
+    /** In pieces, between which the page can respond. */
     look() {
       const { player } = this;
       if (!player || this.figure.classList.contains('stale')) return;

@@ -1,4 +1,4 @@
-// As solvers/ode/at_time.cpp, without the hundred kilobytes of tables that std::to_chars has for a double.
+// Replaces solvers/ode/at_time.cpp: std::to_chars for a double would add a hundred kilobytes of tables.
 
 #include <cstdio>
 

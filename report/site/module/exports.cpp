@@ -1,5 +1,5 @@
-// What the page calls (assets/engine.js). It writes its numbers where `input` says, and reads the answer at
-// the addresses that the other functions return, before it calls again.
+// Functions that the page calls (assets/engine.js). It writes its numbers at the address of `input`, and
+// reads the answer at the returned addresses before the next call.
 
 #include <algorithm>
 
@@ -15,7 +15,7 @@ std::vector<double> input;
 Motion motion;
 std::vector<double> drawn;
 
-/// The model last made of each of a scene's: a page changes the method more often than the parameters.
+/// The last model made for each of a scene's: a page changes the method more often than the parameters.
 struct Made {
   std::vector<double> parameters;
   std::unique_ptr<const Model> model;
@@ -122,19 +122,19 @@ ODDITY_EXPORT(describe) const char* describe() {
   return text.c_str();
 }
 
-/// Room for so many numbers, which the functions below read.
+/// Makes room for `count` numbers, which the functions below read.
 ODDITY_EXPORT(input) double* input_of(std::size_t count) {
   input.resize(count);
   return input.data();
 }
 
-/// The scene's parameters unless others are asked for.
+/// The scene's default parameters.
 ODDITY_EXPORT(defaults) const double* defaults_of(std::size_t scene) {
   input = defaults(scenes()[scene]);
   return input.data();
 }
 
-/// The input is the parameters and then the times. Returns how many of these have a state.
+/// The input is the parameters and then the times. Returns the number of states computed.
 ODDITY_EXPORT(run)
 std::size_t run(std::size_t scene, std::size_t model, const char* algorithm, bool in_float, double setting) {
   const std::span<const double> numbers(input);
@@ -152,9 +152,10 @@ ODDITY_EXPORT(evaluations) double evaluations() { return static_cast<double>(mot
 ODDITY_EXPORT(ending) int ending() { return static_cast<int>(motion.ending); }
 ODDITY_EXPORT(message) const char* message() { return motion.message.c_str(); }
 
-/// The input is the parameters, the time and the observables. Returns, as numbers: whether it is of space,
-/// how many primitives, and of each: kind, size, whether it leaves a trail, the address and length of its
-/// letter, how many points, and these. Null where the scene does not say how it looks.
+/// The input is the parameters, the time and the observables. Returns these numbers: whether the drawing is
+/// in space, and the number of primitives; then for each its kind, size, whether it leaves a trail, the
+/// address and length of its letter, the number of points, and the points. Null if the scene defines no
+/// drawing.
 ODDITY_EXPORT(draw) const double* draw(std::size_t index) {
   const Scene& scene = scenes()[index];
   if (!scene.draw) return nullptr;

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-/// What the page asks of a module, and texts as JSON.
+/// Functions exported to the page, and texts as JSON.
 #define ODDITY_EXPORT(name) extern "C" __attribute__((export_name(#name)))
 
 namespace oddity::module {

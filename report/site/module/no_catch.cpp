@@ -1,4 +1,4 @@
-// Nothing in the scenes' models catches: what is thrown ends the call, and the page gives its stack back.
+// The scenes' models catch nothing: an exception ends the call, and the page restores the stack pointer.
 
 #include <cstddef>
 #include <cstdlib>

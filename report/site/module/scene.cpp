@@ -98,7 +98,7 @@ template <std::size_t n>
 const std::vector<double>& ModelInterfaceOf<n>::moving(double end) const {
   auto& most = moving_[end];
   if (!most.empty()) return most;
-  long steps = 0;  // a model that chatters about rest would take millions
+  long steps = 0;  // a model that chatters near rest would take millions
   const auto enough = [&](double, const State&, double, const State&) { return ++steps > 100'000; };
   const auto times = evenly(end, 128);
   const auto motion = integrate("Dormand-Prince 5(4)", times, 1e-8, ode::Watch<n>(enough));

@@ -20,17 +20,17 @@
 #include "solvers/ode/in_float.hpp"
 #include "solvers/ode/integrate.hpp"
 
-/// The scenes' models as the page runs them: what chapters/scene.hpp is to the program, without threads,
-/// exceptions and judgement. A test replays the program's trials by it.
+/// The scenes' models for the page: the counterpart of chapters/scene.hpp, without threads, exceptions and
+/// judgement. A test replays the program's trials with it.
 namespace oddity::module {
 
-/// A motion at the times asked for, one time after the other, as far as it came.
+/// A motion at the requested times, time after time, until it ends.
 struct Motion {
-  std::size_t states = 0;  ///< the times that have one
-  std::size_t whole = 0;   ///< those that it came to: not the last state where it broke off
+  std::size_t states = 0;  ///< number of times with a state
+  std::size_t whole = 0;   ///< number of times reached: without the last state if it broke off
   std::vector<double> observed;
-  std::vector<double> drift;  ///< by what part of what moves the conserved quantities have changed; or empty
-  std::vector<double> off;    ///< m, off the constraint; empty where there is none
+  std::vector<double> drift;  ///< change of the conserved quantities relative to their moving parts; or empty
+  std::vector<double> off;    ///< m, off the constraint; empty if there is none
   long evaluations = 0;
   Ending ending = Ending::reached;
   std::string message;
@@ -48,12 +48,12 @@ class Model {
   virtual bool has_velocities() const = 0;
   virtual bool constrained() const = 0;
   virtual bool has_events() const = 0;
-  /// The times begin with zero. An algorithm that the model does not allow is a motion that `raised`.
+  /// The first time is zero. An algorithm that the model does not allow gives a motion that `raised`.
   virtual Motion run(std::string_view algorithm, Precision, double setting,
                      std::span<const double> times) const = 0;
 };
 
-/// Closed forms, whose motion in float is of the formula in float.
+/// Closed forms; in float the formula is evaluated in float.
 template <class InDouble, class InFloat>
 class Formula final : public Model {
  public:
@@ -84,7 +84,7 @@ class Formula final : public Model {
   InFloat in_float_;
 };
 
-/// A model of n unknowns: compiled once for each n, behind the seam that the program's algorithms have.
+/// A model of n unknowns: compiled once for each n, behind the algorithms' type-erased interface.
 template <std::size_t n>
 class ModelInterfaceOf : public Model, public ode::AnySystem<n> {
  public:
@@ -99,10 +99,10 @@ class ModelInterfaceOf : public Model, public ode::AnySystem<n> {
  private:
   virtual State start() const = 0;
   virtual void observe(const State&, double t, std::vector<double>& seen) const = 0;
-  /// None where the model has none.
+  /// Empty if the model has none.
   virtual std::vector<Conserved<double>> conserved(const State&, double t) const = 0;
   virtual double off_constraint(const State&, double t) const = 0;
-  /// In double, with the events that there are.
+  /// In double, with any events.
   virtual ode::Trajectory<State> integrate(std::string_view algorithm, std::span<const double> times,
                                            double setting, const ode::Watch<n>& watch) const = 0;
   virtual const ode::AnySystem<n, float>& system_in_float() const = 0;
@@ -112,7 +112,7 @@ class ModelInterfaceOf : public Model, public ode::AnySystem<n> {
                                std::span<const double> times) const;
   Motion seen(const ode::Trajectory<State>&, std::span<const double> times) const;
   std::vector<double> drift(const ode::Trajectory<State>&, std::span<const double> times) const;
-  /// The most that moves in each conserved quantity along the model's own motion up to `end`.
+  /// The largest moving part of each conserved quantity along the model's own motion up to `end`.
   const std::vector<double>& moving(double end) const;
 
   mutable std::map<double, std::vector<double>> moving_;
@@ -156,7 +156,7 @@ class Integrated final : public ode::Adapted<ModelInterfaceOf<n>, InDouble> {
     else
       return 0;
   }
-  /// The search for events is in the module for those numbers of unknowns alone that need it.
+  /// The search for events is compiled only for numbers of unknowns that need it.
   ode::Trajectory<State> integrate(std::string_view algorithm, std::span<const double> times, double setting,
                                    const ode::Watch<n>& watch) const override {
     if constexpr (ode::Eventful<InDouble, State>)
@@ -179,20 +179,20 @@ std::unique_ptr<const Model> model(const InDouble& in_double, const InFloat& in_
         in_double, in_float);
 }
 
-// ---- of a scene's listing (players.cpp), or of a problem's file (own/own.cpp) -----------------------------
+// ---- for a scene's listing (players.cpp), or a problem's file (own/own.cpp) -------------------------------
 
 struct Letter {
   std::string_view name;
-  double value;  ///< unless another is asked for
+  double value;  ///< default
 };
 
 struct Listed {
   std::string_view name;
-  std::string_view algorithm;  ///< of a closed form that has one of its own
+  std::string_view algorithm;  ///< of a closed form with its own algorithm
   std::function<std::unique_ptr<const Model>(std::span<const double> parameters)> with;
 };
 
-/// A scene's parameters by name, as its drawing asks for them.
+/// A scene's parameters by name, for its drawing.
 struct Parameters {
   std::span<const Letter> letters;
   std::span<const double> values;
@@ -209,13 +209,13 @@ struct Scene {
   std::size_t observables;
   std::vector<Letter> letters;
   std::vector<Listed> models;
-  /// Null where the scene does not say how it looks.
+  /// Null if the scene defines no drawing.
   void (*draw)(const Parameters&, double t, std::span<const double> observed, Drawing&);
 };
 
 const std::vector<Scene>& scenes();
 
-/// Forgets the models that were made: the scenes are others now (exports.cpp).
+/// Forgets all models made, as the scenes have changed (exports.cpp).
 void forget_models();
 
 }  // namespace oddity::module

@@ -1,5 +1,5 @@
-// Writes the sources of the models' module that are made of the scenes' listings: write_players FILE...
-// A file that would stay the same is left alone, and is not compiled again.
+// Writes the sources of the models' module, which are made from the scenes' listings: write_players FILE...
+// Leaves unchanged files alone, so that they are not compiled again.
 
 #include <fstream>
 #include <sstream>

@@ -1,5 +1,5 @@
-// What the standard library for WebAssembly lacks of C++20, ahead of every source: LLVM 14, of Debian 12, has
-// few of std::ranges' algorithms, and no release before 20 reads a double.
+// Parts of C++20 that the standard library for WebAssembly lacks, included ahead of every source. LLVM 14, in
+// Debian 12, has few of std::ranges' algorithms, and no release before 20 reads a double.
 
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace std {
 
-/// What toml++ names to open files, which the page never does: LLVM 19, of Debian 13, does without files.
+/// Named by toml++ to open files, which the page never does. LLVM 19, in Debian 13, has no files.
 template <>
 class basic_ifstream<char> : public basic_istream<char> {
  public:
@@ -39,7 +39,7 @@ class basic_ifstream<char> : public basic_istream<char> {
 
 namespace std::ranges {
 
-/// A function of what a projection sees.
+/// The function applied to the projection of an element.
 template <class Function, class Projection>
 auto seen_by(Function& function, Projection& projection) {
   return [&](auto&& one) -> bool { return std::invoke(function, std::invoke(projection, one)); };

@@ -1,4 +1,4 @@
-// A problem's file, as it is typed into the page: what is wrong in it, or its models as the scene that the
+// Reads a problem's file typed into the page: reports its errors, or makes its models into the scene that the
 // module runs.
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 
 using problem::File, problem::ModelText, problem::ObservableText, problem::ParameterText;
 
-/// What was typed last that can be run.
+/// The last valid text, and its models.
 struct Own {
   std::unique_ptr<const File> file;
   std::vector<problem::Model> models;
@@ -63,7 +63,7 @@ std::string text_of(const ObservableText& o) {
          "}";
 }
 
-/// The units that fit, by that of each parameter, and of the time.
+/// The accepted units, by the unit of each parameter, and of the time.
 std::string units_of(const File& file) {
   std::vector<std::string> units{"s"};
   for (const ParameterText& p : file.parameters)
@@ -97,9 +97,8 @@ std::string wrong(std::size_t line, std::size_t column, const std::string& reaso
 
 const std::vector<Scene>& scenes() { return all_scenes; }
 
-/// Takes a text of so many bytes; what was there before stays where this one is wrong. Returns
-/// {"wrong": {line, column, reason, message}}, lines and columns from 1 or 0 where no place is known; or
-/// {"file": ...}.
+/// Reads a text of so many bytes; keeps the previous one if this one is wrong. Returns {"wrong": {line,
+/// column, reason, message}}, with lines and columns from 1, or 0 if the place is unknown; or {"file": ...}.
 ODDITY_EXPORT(take) const char* take(const char* text, std::size_t size) {
   try {
     Own made = own_of(std::string(text, size));

@@ -14,8 +14,7 @@ namespace {
 
 using problem::Numbers;
 
-/// A page answers while one types: no motion may take more operations than some hundreds of milliseconds
-/// have.
+/// The page answers while one types: a motion may take at most some hundreds of milliseconds.
 constexpr double most_operations = 1e8;
 constexpr const char* too_long = "it takes more than a page computes at once";
 
@@ -78,7 +77,7 @@ class Played final : public problem::SystemOf<n, ModelInterfaceOf<n>> {
   mutable double operations_ = 0;
 };
 
-/// A closed form, as Formula takes it.
+/// A closed form, for Formula.
 struct Closed {
   std::shared_ptr<const Numbers> numbers;
 

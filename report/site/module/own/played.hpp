@@ -8,7 +8,7 @@
 
 namespace oddity::module {
 
-/// A file's model as the page runs it. Where it cannot start with these parameters, each motion says why.
+/// A file's model for the page. If it cannot start with these parameters, each motion gives the reason.
 std::unique_ptr<const Model> played(const problem::Model&, std::span<const double> parameters);
 
 }  // namespace oddity::module

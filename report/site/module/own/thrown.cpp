@@ -1,6 +1,6 @@
-// Exceptions, which the C++ library for WebAssembly lacks: they are thrown and caught by instructions,
-// between which the compiler calls what is here. The names are those of the Itanium C++ ABI for exceptions,
-// and of LLVM's tables.
+// Exceptions, which the C++ library for WebAssembly lacks: instructions throw and catch them, and the
+// compiler calls these functions in between. The names are those of the Itanium C++ ABI for exceptions, and
+// of LLVM's tables.
 
 #include <cstddef>
 #include <cstdint>
@@ -11,19 +11,19 @@ extern "C" void* _ZTVN10__cxxabiv120__si_class_type_infoE[];  // of types with o
 
 namespace {
 
-/// What is known of a thrown object, which comes behind it.
+/// Header of a thrown object, which follows it.
 struct alignas(16) Thrown {
   const std::type_info* type;
   void* (*destroy)(void*);
-  int handlers;   ///< that have it; below zero while it is thrown again
-  Thrown* outer;  ///< caught before it
+  int handlers;   ///< handling it; negative while it is rethrown
+  Thrown* outer;  ///< the exception caught before
 
   void* object() { return this + 1; }
 };
 
-Thrown* caught = nullptr;  ///< last
+Thrown* caught = nullptr;  ///< the last one caught
 
-/// A number of seven bits a byte, the lowest first.
+/// A LEB128 number: seven bits per byte, the lowest first.
 std::uint32_t unsigned_at(const std::uint8_t*& at) {
   std::uint32_t value = 0;
   for (int shift = 0;; shift += 7) {
@@ -51,7 +51,7 @@ struct WithBase {
   const std::type_info* base;
 };
 
-/// Whether it is this type, or derived from it by types of one base each, as all exceptions here are.
+/// Whether it is this type, or derived from it with one base at each level, as are all exceptions here.
 bool is(const std::type_info* type, const std::type_info* wanted) {
   while (type != wanted) {
     const auto* its = reinterpret_cast<const WithBase*>(type);
@@ -67,25 +67,25 @@ constexpr std::uint8_t omitted = 0xff;
 
 extern "C" {
 
-/// Where a landing pad says which of its function it is, and reads which of its handlers takes the exception.
+/// A landing pad writes its index here, and reads the handler that takes the exception.
 struct {
   std::uintptr_t landing_pad;
   const std::uint8_t* table;
   std::uintptr_t selector;
 } __wasm_lpad_context;
 
-/// Sets the selector: 0 where no handler takes it, and it goes on.
+/// Sets the selector: 0 if no handler takes the exception, and it propagates.
 int _Unwind_CallPersonality(void* exception) {
   const auto* thrown = static_cast<const Thrown*>(exception);
   const std::uint8_t* at = __wasm_lpad_context.table;
   __wasm_lpad_context.selector = 0;
-  if (*at++ != omitted) std::abort();  // an address that landing pads are counted from
+  if (*at++ != omitted) std::abort();  // a base address for landing pads
   const std::type_info* const* types_end = nullptr;
   if (*at++ != omitted) {
     const std::uint32_t offset = unsigned_at(at);
     types_end = reinterpret_cast<const std::type_info* const*>(at + offset);
   }
-  ++at;  // how the numbers of the sites are written
+  ++at;  // encoding of the numbers of the call sites
   const std::uint32_t length = unsigned_at(at);
   const std::uint8_t* const actions = at + length;
   std::uint32_t action = 0;
@@ -107,7 +107,7 @@ int _Unwind_CallPersonality(void* exception) {
   }
 }
 
-int __gxx_wasm_personality_v0() { std::abort(); }  // named by the tables alone
+int __gxx_wasm_personality_v0() { std::abort(); }  // only referenced by the tables
 
 void* __cxa_allocate_exception(std::size_t size) {
   auto* thrown = static_cast<Thrown*>(std::calloc(1, sizeof(Thrown) + size));
@@ -137,7 +137,7 @@ void* __cxa_begin_catch(void* exception) {
 
 void __cxa_end_catch() {
   Thrown* thrown = caught;
-  if (thrown->handlers < 0) {  // it is on its way again
+  if (thrown->handlers < 0) {  // it propagates again
     if (++thrown->handlers == 0) caught = thrown->outer;
   } else if (--thrown->handlers == 0) {
     caught = thrown->outer;
