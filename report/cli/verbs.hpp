@@ -29,7 +29,7 @@ void solve(const fs::path& folder, const std::string& exercise, const std::vecto
 /// `engine` one of others to be tried beside, unless empty.
 int choose(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
            const AskedNeed&, Format, bool all_rows, const std::string& engine, const std::string& command,
-           const Extras&);
+           const std::string& language, const Extras&);
 /// Of all chapters when the text is empty.
 void report(const fs::path& folder, const std::string& chapter, Edition, const fs::path& out, bool overwrite);
 /// What is proved, enclosed, witnessed and survived, and what that rests on.

@@ -314,17 +314,24 @@ std::string lines_in_xml(const std::string& code) {
   return text;
 }
 
-std::string code_text(const ExerciseResult& e, const CheapestModel& game) {
-  const Entry* entry = entry_of(e.number);
+std::string code_in(Language language, const ExerciseResult& e, const CheapestModel& game) {
+  const std::string name(language_names[static_cast<std::size_t>(language)]);
   try {
-    const std::string code = code_of(Task(*entry), *game.least, game.need,
+    const std::string code = code_of(Task(*entry_of(e.number)), *game.least, game.need,
                                      to_string(e.number) + " " + e.title + ": " + game.least->model + " by " +
-                                         game.least->algorithm + "\n\nThe observables at every frame.");
-    return html::folded(std::to_string(std::ranges::count(code, '\n')) + " lines of C++ that do it",
-                        element("pre", " class=\"code\" tabindex=\"0\"", lines_in_xml(code)));
+                                         game.least->algorithm + "\n\nThe observables at every frame.",
+                                     language);
+    return html::folded(
+        std::to_string(std::ranges::count(code, '\n')) + " lines of " + name + " that do it",
+        element("pre", " class=\"code\" tabindex=\"0\" data-language=\"" + name + "\"", lines_in_xml(code)));
   } catch (const BadInput& error) {
-    return element("p", " class=\"none\"", "No code: " + in_xml(error.what()) + ".");
+    return element("p", " class=\"none\"", "No " + name + ": " + in_xml(error.what()) + ".");
   }
+}
+
+std::string code_text(const ExerciseResult& e, const CheapestModel& game) {
+  return code_in(Language::cpp, e, game) + code_in(Language::c_sharp, e, game) +
+         code_in(Language::javascript, e, game);
 }
 
 }  // namespace
