@@ -1,6 +1,7 @@
 #include "formula/code.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <iterator>
 
@@ -28,6 +29,17 @@ std::string Cpp::function(std::string_view name, const std::string& x) {
 }
 std::string Cpp::power(const std::string& x, int exponent) {
   return exponent == 2 ? "(" + x + " * " + x + ")" : "pow(" + x + ", " + std::to_string(exponent) + ")";
+}
+
+std::string CSharp::number(double x) { return shortest(x); }
+std::string CSharp::function(std::string_view name, const std::string& x) {
+  if (name == "remainder") return "Math.IEEERemainder(" + x + ")";
+  const char first = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
+  const bool is_its_own = name != "hypot" && name != "expm1" && name != "asinh" && name != "copysign";
+  return (is_its_own ? "Math." : "") + std::string(1, first) + std::string(name.substr(1)) + "(" + x + ")";
+}
+std::string CSharp::power(const std::string& x, int exponent) {
+  return "Math.Pow(" + x + ", " + std::to_string(exponent) + ")";
 }
 
 std::string JavaScript::number(double x) { return shortest(x); }

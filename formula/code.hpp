@@ -20,6 +20,12 @@ struct Cpp {
   static std::string power(const std::string& x, int exponent);
   static constexpr std::string_view pi = "std::numbers::pi";
 };
+struct CSharp {
+  static std::string number(double);
+  static std::string function(std::string_view name, const std::string& x);
+  static std::string power(const std::string& x, int exponent);
+  static constexpr std::string_view pi = "Math.PI";
+};
 struct JavaScript {
   static std::string number(double);
   static std::string function(std::string_view name, const std::string& x);

@@ -2,7 +2,7 @@
 
 file(GLOB report_files CONFIGURE_DEPENDS report/*/*.cpp)
 list(REMOVE_ITEM report_files ${PROJECT_SOURCE_DIR}/report/cli/main.cpp)
-list(FILTER report_files EXCLUDE REGEX "/report/verify/")
+list(FILTER report_files EXCLUDE REGEX "/report/(verify|recorded)/")
 # The headers that `choose --code` prints.
 file(GLOB printed_headers RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS
   chapters/*/*/*models.hpp report/plain/*.hpp)
@@ -41,7 +41,22 @@ file(GLOB problem_texts RELATIVE ${PROJECT_SOURCE_DIR}/chapters/examples/problem
   chapters/examples/problems/*.toml)
 embed(embedded_problems report/site/site.hpp ${PROJECT_SOURCE_DIR}/chapters/examples/problems "${problem_texts}" ON
   ${problem_paths})
-add_library(oddity_report STATIC ${report_files} ${PROJECT_BINARY_DIR}/embedded_headers.cpp
+# The listings' models made of numbers that record, in so many files; none is compiled again where it stays as it is.
+set(recorder_parts 3)
+set(recorders ${PROJECT_BINARY_DIR}/recorders.cpp)
+foreach(part RANGE 1 ${recorder_parts})
+  list(APPEND recorders ${PROJECT_BINARY_DIR}/recorders_${part}.cpp)
+endforeach()
+add_executable(oddity_recorder report/recorded/write.cpp)
+target_link_libraries(oddity_recorder PRIVATE oddity_chapters)
+add_custom_command(OUTPUT ${recorders} COMMAND oddity_recorder ${PROJECT_BINARY_DIR} ${recorder_parts}
+  DEPENDS oddity_recorder VERBATIM)
+add_library(oddity_recorders OBJECT ${recorders})
+target_link_libraries(oddity_recorders PRIVATE oddity_chapters)
+target_include_directories(oddity_recorders PRIVATE ${own_homes})
+target_compile_options(oddity_recorders PRIVATE ${least})
+set_target_properties(oddity_recorders PROPERTIES EXPORT_COMPILE_COMMANDS OFF)
+add_library(oddity_report STATIC ${report_files} $<TARGET_OBJECTS:oddity_recorders> ${PROJECT_BINARY_DIR}/embedded_headers.cpp
   ${PROJECT_BINARY_DIR}/embedded_templates.cpp ${PROJECT_BINARY_DIR}/embedded_scenes.cpp
   ${PROJECT_BINARY_DIR}/embedded_assets.cpp ${PROJECT_BINARY_DIR}/embedded_problems.cpp)
 target_link_libraries(oddity_report PUBLIC oddity_problem oddity_chapters CLI11::CLI11 nlohmann_json::nlohmann_json TBB::tbb

@@ -84,6 +84,12 @@ leg_site() {  # chromium: every page and player of the site, opened from their f
   printf '%s\n' tests/site/*.test.mjs | xargs -P "$jobs" -n 1 node --test
 }
 
+leg_languages() {  # mono, node: the programs of choose --code in C# and JavaScript have the program's numbers
+  tools mono-mcs mono-runtime nodejs
+  build release oddity_tests
+  build/release/tests/oddity_tests '[languages]'
+}
+
 leg_engines() {  # third-party engines on the scenes match the approved records
   ./oddity engines --finest 1 3.5 >/dev/null  # installs and builds them
   ctest --test-dir build/release --build-config engines --tests-regex '^engines$' --output-on-failure

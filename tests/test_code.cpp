@@ -15,14 +15,14 @@
 #include "report/study/frames.hpp"
 #include "report/verify/catch.hpp"
 #include "tests/complaint.hpp"
+#include "tests/printed.hpp"
 #include "tests/properties.hpp"
 #include "tests/scratch_folder.hpp"
 
 using namespace oddity;
+using namespace oddity::printed;
 
 namespace {
-
-constexpr double frames_per_second = 60, steps = 2;
 
 /// A scene's method as a choice for one second, or one of the scene's units of time.
 struct Case {
@@ -34,13 +34,6 @@ struct Case {
 
 std::string says(const Case& c) {
   return to_string(c.task.entry->number) + ", " + c.choice.chosen->model + ", " + c.choice.chosen->algorithm;
-}
-
-Need need_of_a_second() {
-  Need need{1};
-  need.horizon = 1;
-  need.frames_per_second = frames_per_second;
-  return need;
 }
 
 Choice choice_of(const Method& method) {
@@ -66,18 +59,6 @@ std::string complaint_of(const Task& task, const Method& method) {
 
 bool steps_equally(const Method& m) { return m.knob.name.empty() || m.knob.name == "step"; }
 
-/// The parameters all changed a little, by different amounts.
-Task task_beside(const Entry& entry) {
-  Task task(entry);
-  double part = 0;
-  for (const Parameter& p : entry.exercise.parameters) {
-    part += 0.01;
-    const double value = p.value + part * (p.value == 0 ? 1 : std::abs(p.value));
-    if (!p.whole) task.parameters.set(p.name, value <= p.most ? value : p.value * (1 - part));
-  }
-  return task;
-}
-
 /// The scenes of the book and of the examples' files.
 std::vector<const Entry*> all_scenes() {
   std::vector<const Entry*> all;
@@ -89,17 +70,6 @@ std::vector<const Entry*> all_scenes() {
       if (const Entry& entry = problem::entry_of_file(file.path().string()); entry.exercise.scene)
         all.push_back(&entry);
   return all;
-}
-
-/// The largest difference of two motions, relative to the largest value so far.
-double largest_difference(const Value& one, std::span<const double> other) {
-  double size = 0, worst = 0;
-  for (std::size_t k = 0; k < one.size(); ++k) {
-    if (std::isnan(one[k]) || std::isinf(one[k])) break;
-    size = std::max(size, std::abs(one[k]));
-    if (const double now = std::abs(other[k] - one[k]) / size; size > 0 && !(now <= worst)) worst = now;
-  }
-  return worst;
 }
 
 /// Possible growth of roundings of a file's parameters: its code computes in another order.
@@ -174,39 +144,10 @@ std::string program(const std::vector<Case>& cases) {
   return all + text + "int main() {\n" + calls + "}\n";
 }
 
-/// Output of the command.
-std::string output_of(const std::string& command) {
-  std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-  std::string output;
-  std::array<char, 1 << 16> buffer{};
-  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe))
-    output.append(buffer.data(), n);
-  if (pclose(pipe) != 0) output = "failed: " + command + "\n" + output;
-  return output;
-}
-
 std::string compiled(const std::filesystem::path& file, const std::string& options) {
   return output_of(std::string(ODDITY_COMPILER) +
                    " -std=c++20 -ffp-contract=off -Wall -Wextra -Werror -Wno-missing-braces " + options +
                    " -o " + file.string() + ".out " + file.string());
-}
-
-/// The observables of each case: all numbers of a row except the first.
-std::vector<std::vector<double>> observables(const std::string& output) {
-  std::vector<std::vector<double>> all;
-  std::istringstream lines(output);
-  for (std::string line; std::getline(lines, line);) {
-    if (line == "case") {
-      all.emplace_back();
-      std::getline(lines, line);  // the names
-      continue;
-    }
-    std::istringstream cells(line);
-    std::string cell;
-    std::getline(cells, cell, ',');
-    while (std::getline(cells, cell, ',')) all.back().push_back(std::strtod(cell.c_str(), nullptr));
-  }
-  return all;
 }
 
 /// Requires that the printed code of each case has its value.

@@ -453,6 +453,19 @@ TEST_CASE("a finding is shown with its root, the printed and the right formula",
   CHECK(claims_section(results.exercises[0]).find("id=\"9.9-x\"") != std::string::npos);
 }
 
+TEST_CASE("what is printed and what is right are shown at one sample", "[site]") {
+  Results results = sample_with_findings();
+  Claim& claim = results.exercises[0].claims.back().claim;
+  claim.printed.checks = {{"z", {"a", 3}, {"b", 2}, {0.5, ""}, 1, "worst of 200: x=1"}};
+  claim.meant.checks = {{"z", {"a", 17}, {"b", 17}, {0.5, ""}, 1, "worst of 200: x=9"}};
+  const std::string page = findings_section(results.exercises[0]);
+  CHECK(page.find(
+            "<b>3</b> against <b>2</b>, b: off by 1, allowed 0.5, the most, in all 200 samples, at x=1.") !=
+        std::string::npos);
+  CHECK(page.find("Meant: <b>2</b> there: equal, in all 200 samples.") != std::string::npos);
+  CHECK(page.find("17") == std::string::npos);
+}
+
 TEST_CASE("formulas are MathML", "[site]") {
   CHECK(html::text("so $\\frac{a}{b}<c$ and `x` $\\mathbf v$") ==
         "so <math><mfrac><mi>a</mi><mi>b</mi></mfrac><mo>&lt;</mo><mi>c</mi></math> and <code>x</code> "

@@ -47,7 +47,7 @@ struct Session : Formats {
               maps_out = report_folder().string(), site_out = site_folder().string(),
               proofs_out = proofs_folder().string();
   bool rows = false, all_rows = false, approve = false, book = false, overwrite = false;
-  std::string engine = {}, horizon = {};
+  std::string engine = {}, language = "C++", horizon = {};
   AskedNeed need = {};
   NewExercise begun = {};
   std::string outside = {}, from_exercise = {}, single = {};
@@ -322,7 +322,7 @@ void add_choose(CLI::App& app, Session& s) {
         see_what_is_given(s.need, *app.get_subcommand("choose"));
         if (problem::is_file(s.exercise)) ask_as_file(s.need, entry_of(s.exercise));
         s.status = verbs::choose(s.folder, s.exercise, s.overrides, s.need, s.format(), s.all_rows, s.engine,
-                                 s.command, s.extras);
+                                 s.command, s.language, s.extras);
       },
       true);
   add_one_exercise(*choose, s);
@@ -334,6 +334,8 @@ void add_choose(CLI::App& app, Session& s) {
   add_formats(*choose, s, "the choice and every method tried");
   auto* code = choose->add_flag("--code", s.code, "the chosen model and its loop, as C++ to paste");
   set_apart(*choose, code, {"--json", "--csv"});
+  add_value(*choose, "--language", s.language, "NAME", "that of the code: C++, C# or JavaScript")
+      ->needs(code);
   auto* engine = add_value(
       *choose, "--engine", s.engine, "NAME",
       "what another engine makes of the scene, beside the choice: bullet, mujoco; unless --error or "

@@ -26,6 +26,7 @@
 #include "report/pages/lockstep.hpp"
 #include "report/pages/markdown.hpp"
 #include "report/pages/pictures.hpp"
+#include "report/pages/program.hpp"
 #include "report/pages/stability_view.hpp"
 #include "report/pages/tables.hpp"
 #include "report/pages/text_view.hpp"
@@ -356,7 +357,8 @@ int judge_own(const fs::path& folder, const Task& task, const AskedNeed& asked, 
 
 int choose(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
            const AskedNeed& asked, Format format, bool all_rows, const std::string& engine,
-           const std::string& command, const Extras& extras) {
+           const std::string& command, const std::string& language, const Extras& extras) {
+  const Language written = language_of(language);
   const Task task = task_of(exercise, overrides);
   const Need need = asked.lockstep ? in_lockstep(need_of(task, asked), task) : need_of(task, asked);
   if (!asked.method.empty()) return judge_own(folder, task, asked, need, format, extras.bodies);
@@ -379,7 +381,7 @@ int choose(const fs::path& folder, const std::string& exercise, const std::vecto
   else
     std::cout << (format == Format::json   ? choice_json(choice)
                   : format == Format::csv  ? choice_csv(choice)
-                  : format == Format::code ? code_of(task, choice, command)
+                  : format == Format::code ? code_of(task, choice, command, written)
                                            : choice_text(choice, all_rows, output()));
   if (asked.enclosed && format == Format::text) std::cout << truth_text(choice, output());
   if (asked.explain && format == Format::text) std::cout << "\n" << explanation_text(choice);

@@ -29,7 +29,7 @@ void solve(const fs::path& folder, const std::string& exercise, const std::vecto
 /// `engine` is a third-party engine to compare, unless empty.
 int choose(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
            const AskedNeed&, Format, bool all_rows, const std::string& engine, const std::string& command,
-           const Extras&);
+           const std::string& language, const Extras&);
 /// Of all chapters when the text is empty.
 void report(const fs::path& folder, const std::string& chapter, Edition, const fs::path& out, bool overwrite);
 /// Shows the proofs, enclosures, witnesses and surviving mutants, and their basis.

@@ -1,13 +1,13 @@
 #include "report/pages/code.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <regex>
 #include <set>
 #include <sstream>
 #include <stdexcept>
 
+#include "chapters/listing.hpp"
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
 #include "report/pages/choose_view.hpp"
@@ -425,24 +425,6 @@ std::string main_text(const Task& task, const Need& need, const Plain* algorithm
 
 }  // namespace
 
-bool mentions(std::string_view expression, std::string_view name) {
-  const auto in_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
-  for (auto at = expression.find(name); at != std::string_view::npos; at = expression.find(name, at + 1)) {
-    const auto end = at + name.size();
-    if ((at == 0 || !in_word(expression[at - 1])) && (end == expression.size() || !in_word(expression[end])))
-      return true;
-  }
-  return false;
-}
-
-std::string in_number_type(std::string_view expression, std::string_view number) {
-  constexpr std::string_view old = "double";
-  std::string text(expression);
-  for (auto at = text.find(old); at != std::string::npos; at = text.find(old, at + number.size()))
-    text.replace(at, old.size(), number);
-  return text;
-}
-
 std::vector<std::string_view> printable_algorithms() {
   std::vector<std::string_view> all{closed_form};
   for (const Plain& p : plain_algorithms) all.push_back(p.algorithm);
@@ -569,18 +551,39 @@ std::string timing_code_of(const Task& task, const Candidate& chosen, Need need,
   return program_of(task, chosen, need, true);
 }
 
-std::string code_of(const Task& task, const Candidate& chosen, const Need& need, const std::string& about) {
+namespace {
+
+/// The models' own source, with templates and all.
+std::string with_source(const Task& task, const Candidate& chosen, const Need& need,
+                        const std::string& about) {
   const std::string program = program_of(task, chosen, need, false);
   return with_lines_apart(
       as_comment(about + compiling_of(task.entry->exercise.scene->listing, chosen, need)) + "\n" + program);
 }
 
-std::string code_of(const Task& task, const Choice& choice, const std::string& command) {
+}  // namespace
+
+std::string code_of(const Task& task, const Candidate& chosen, const Need& need, const std::string& about,
+                    Language language) {
+  if (language != Language::cpp) return program_in(language, task, chosen, need, about);
+  const std::string whole = with_source(task, chosen, need, about);
+  const auto lines = [](const std::string& text) { return std::ranges::count(text, '\n'); };
+  if (lines(whole) <= most_lines_of_code) return whole;
+  try {
+    const std::string shorter = program_in(language, task, chosen, need, about);
+    return lines(shorter) < lines(whole) ? shorter : whole;
+  } catch (const BadInput&) {
+    return whole;
+  }
+}
+
+std::string code_of(const Task& task, const Choice& choice, const std::string& command, Language language) {
   if (!choice.chosen) throw BadInput("nothing here meets the need, and there is no code to print");
   return code_of(task, *choice.chosen, choice.need,
                  to_string(task.entry->number) + " " + std::string(task.entry->exercise.title) + ": " +
                      asked_text(choice) + "\n\n" + answer_text(choice) +
-                     "\nThe observables at every frame, by\n  " + command);
+                     "\nThe observables at every frame, by\n  " + command,
+                 language);
 }
 
 }  // namespace oddity

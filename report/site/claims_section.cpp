@@ -54,20 +54,45 @@ std::string difference_text(const Check& c) {
                                    : ", allowed " + number_text(c.tolerance.allowed, 2));
 }
 
+/// "all 200 samples" of "worst of 200: a=1"; empty: it is not over samples.
+std::string samples_of(const Check& c) {
+  const std::string_view over = "worst of ";
+  if (!c.where.starts_with(over)) return "";
+  const std::string count = c.where.substr(over.size(), c.where.find(':') - over.size());
+  return count == "1" ? "its one sample" : "all " + count + " samples";
+}
+/// Its letters: "a=1, b=2".
+std::string sample_of(const Check& c) {
+  const auto colon = c.where.find(": ");
+  return samples_of(c).empty() || colon == c.where.npos ? "" : c.where.substr(colon + 2);
+}
+
+std::string hardest_text(const Reading& reading) {
+  return reading.checks.size() > 1 ? "; hardest of " + std::to_string(reading.checks.size()) + " checks" : "";
+}
+
 /// What a reading was compared with, and how it came out: of its checks the hardest.
-/// Beside the check before it only what is new.
-std::string comparison_of(const Reading& reading, bool with_values, const Check* before = nullptr) {
+std::string comparison_of(const Reading& reading, bool with_values) {
   const Check& c = hardest(reading);
   if (counts_violations(c)) return count_text(c);
-  if (before && before->right.by == c.right.by)
+  const std::string of = samples_of(c).empty() ? "" : ", in " + samples_of(c), sample = sample_of(c);
+  if (!with_values)
+    return "against " + words(c.right.by) + ": " + difference_text(c) + of + hardest_text(reading);
+  return element("b", "", value_text(c.left.value)) + " against " +
+         element("b", "", value_text(c.right.value)) + ", " + words(c.right.by) + ": " + difference_text(c) +
+         (sample.empty() ? of : ", the most" + of + ", at " + in_xml(with_short_numbers(sample))) +
+         hardest_text(reading);
+}
+
+/// The same of a reading beside one that was compared with the same before. Where that was at a sample, this
+/// one's value is known there by how far it is off at most.
+std::string comparison_beside(const Reading& reading, const Check& before) {
+  const Check& c = hardest(reading);
+  if (counts_violations(c) || before.right.by != c.right.by) return comparison_of(reading, true);
+  if (samples_of(c).empty() || !c.holds())
     return element("b", "", value_text(c.left.value)) + ": " + difference_text(c);
-  const std::string of = c.where.starts_with("worst of ") ? ", " + c.where.substr(0, c.where.find(':')) : "";
-  return (with_values ? element("b", "", value_text(c.left.value)) + " against " +
-                            element("b", "", value_text(c.right.value)) + ", " + words(c.right.by)
-                      : "against " + words(c.right.by)) +
-         ": " + difference_text(c) + in_xml(of) +
-         (reading.checks.size() > 1 ? "; hardest of " + std::to_string(reading.checks.size()) + " checks"
-                                    : "");
+  return element("b", "", value_text(before.right.value)) + " there: " + difference_text(c) + ", in " +
+         samples_of(c) + hardest_text(reading);
 }
 
 std::string near_misses_of(const Claim& claim) {
@@ -103,8 +128,8 @@ std::string evidence_of(const JudgedClaim& judged) {
     for (const auto& [name, reading] :
          {std::pair{"Printed", &claim.printed}, {"Meant", &claim.meant}, {"Right", &claim.corrected}})
       if (!reading->checks.empty()) {
-        text += (text.empty() ? "" : " ") + std::string(name) + ": " + comparison_of(*reading, true, before) +
-                ".";
+        text += (text.empty() ? "" : " ") + std::string(name) + ": " +
+                (before ? comparison_beside(*reading, *before) : comparison_of(*reading, true)) + ".";
         before = &hardest(*reading);
       }
   return text + near_misses_of(claim) + how_it_is_read(judged);

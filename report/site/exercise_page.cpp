@@ -113,7 +113,7 @@ std::vector<std::string> scripts_of(const ExerciseResult& e, const std::string& 
   };
   if (e.scene)
     add({"typed", "engine", "models", "stage", "scale", "frames", "permalink", "motions", "slider", "lines",
-         "rows", "breaking", "clock", "picture", "player"});
+         "portrait", "rows", "breaking", "clock", "picture", "player"});
   if (!e.quantities.empty()) add({"findings", "marks", "diagrams", "chart", "trials"});
   if (e.stability) add({"map"});
   return scripts;

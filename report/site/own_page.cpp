@@ -39,11 +39,12 @@ std::string own_page(const SiteParts& parts) {
       "command line.</p>\n</section>\n";
   return html::whole({"Your own - oddity",
                       body,
-                      {"assets/engine.js",  "assets/own.js",       "assets/typed.js",  "assets/frames.js",
-                       "assets/scale.js",   "assets/slider.js",    "assets/stage.js",  "assets/lines.js",
-                       "assets/clock.js",   "assets/picture.js",   "assets/rows.js",   "assets/breaking.js",
-                       "assets/motions.js", "assets/permalink.js", "assets/player.js", "assets/problem.js",
-                       "assets/enough.js",  "assets/file_link.js", "assets/typing.js", "data/problems.js"},
+                      {"assets/engine.js",   "assets/own.js",     "assets/typed.js",     "assets/frames.js",
+                       "assets/scale.js",    "assets/slider.js",  "assets/stage.js",     "assets/lines.js",
+                       "assets/portrait.js", "assets/clock.js",   "assets/picture.js",   "assets/rows.js",
+                       "assets/breaking.js", "assets/motions.js", "assets/permalink.js", "assets/player.js",
+                       "assets/problem.js",  "assets/enough.js",  "assets/file_link.js", "assets/typing.js",
+                       "data/problems.js"},
                       "yours"});
 }
 

@@ -3,10 +3,10 @@
 #include <set>
 
 #include "chapters/contents.hpp"
+#include "chapters/listing.hpp"
 #include "chapters/scene.hpp"
 #include "reference/files.hpp"
 #include "reference/text.hpp"
-#include "report/pages/code.hpp"
 #include "report/site/example.hpp"
 #include "report/study/beside_program.hpp"
 #include "report/study/settings.hpp"

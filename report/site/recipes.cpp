@@ -30,8 +30,16 @@ namespace {
 
 using html::element;
 
+const CheapestModel* recipe_of(const ExerciseResult& e) {
+  if (!e.cheapest_models || e.cheapest_models->least.empty() || !entry_of(e.number)) return nullptr;
+  const CheapestModel& game = e.cheapest_models->least.front();
+  return game.least ? &game : nullptr;
+}
+
+/// To its recipe, where it has one.
 std::string scene_link(const ExerciseResult& e) {
-  return html::link(to_string(e.number) + ".html", "<b>" + to_string(e.number) + "</b> " + in_xml(e.title));
+  return html::link(to_string(e.number) + ".html" + (recipe_of(e) ? "#recipe" : ""),
+                    "<b>" + to_string(e.number) + "</b> " + in_xml(e.title));
 }
 
 // ---- the least of each scene ------------------------------------------------------------------------------
@@ -131,19 +139,18 @@ std::string for_games(const Results& results) {
 
 // ---- scenes by methods ------------------------------------------------------------------------------------
 
-/// What a scene's motion takes by an algorithm: the trial with the least work that is within what a game
-/// allows, by any model that is right.
+/// What of a scene's motion an algorithm does, by any model that is right: the trial with the least work that
+/// is within what a game allows; or the most exact one at a cost.
 struct Cell {
   const MethodResult* method = nullptr;  ///< of the trial, or the closest one if none is within
   const TimedTrial* trial = nullptr;
   bool within = false;
 };
 
-bool is_within(const TimedTrial& t, double close) {
-  const bool ends =
-      t.outcome == Outcome::ok || t.outcome == Outcome::inaccurate || t.outcome == Outcome::drifted;
-  return ends && t.error <= close;
+bool has_error(const TimedTrial& t) {
+  return t.outcome == Outcome::ok || t.outcome == Outcome::inaccurate || t.outcome == Outcome::drifted;
 }
+bool is_within(const TimedTrial& t, double close) { return has_error(t) && t.error <= close; }
 
 /// Closed forms take no steps, and have their own column.
 constexpr const char* closed_forms = "closed form";
@@ -156,31 +163,58 @@ std::string column_of(const MethodResult& m) {
 struct Row {
   const ExerciseResult* exercise;
   std::map<std::string, Cell> cells;
-  double least_work = 0;  ///< of the cells with steps
+  double best = 0;  ///< of the cells with steps: the least work, or the least error
 };
+/// What cells are compared by.
+enum class By { work, error };
+double measure(const Cell& cell, By by) {
+  return by == By::work ? static_cast<double>(cell.trial->evaluations) : cell.trial->error;
+}
 
 bool is_better(const TimedTrial& t, bool within, const Cell& than) {
   if (!than.trial || within != than.within) return !than.trial || within;
   return within ? t.evaluations < than.trial->evaluations : t.error < than.trial->error;
 }
 
-std::optional<Row> row_of(const ExerciseResult& e) {
+const QuantityResult* motion_of(const ExerciseResult& e) {
   const auto moving =
       std::ranges::find_if(e.quantities, [](const QuantityResult& q) { return q.trajectory.has_value(); });
-  if (moving == e.quantities.end()) return {};
-  Row row{&e, {}};
-  for (const MethodResult& m : moving->methods) {
-    if (is_published(m.model)) continue;
-    Cell& cell = row.cells[column_of(m)];
-    for (const TimedTrial& t : m.trials)
-      if (const bool within = is_within(t, moving->trajectory->close); is_better(t, within, cell))
-        cell = {&m, &t, within};
-  }
+  return moving == e.quantities.end() ? nullptr : &*moving;
+}
+
+/// Calls f(cell, trial) for all trials of models that are right.
+template <class F>
+void for_each_trial(Row& row, const F& f) {
+  for (const MethodResult& m : motion_of(*row.exercise)->methods)
+    if (!is_published(m.model))
+      for (const TimedTrial& t : m.trials) f(row.cells[column_of(m)], m, t);
+}
+
+void find_best(Row& row, By by) {
+  row.best = INFINITY;
   for (const auto& [column, cell] : row.cells)
-    if (cell.within && column != closed_forms)
-      row.least_work = row.least_work == 0
-                           ? static_cast<double>(cell.trial->evaluations)
-                           : std::min(row.least_work, static_cast<double>(cell.trial->evaluations));
+    if (cell.within && column != closed_forms) row.best = std::min(row.best, measure(cell, by));
+}
+
+Row by_work(const ExerciseResult& e) {
+  Row row{&e, {}};
+  const double close = motion_of(e)->trajectory->close;
+  for_each_trial(row, [&](Cell& cell, const MethodResult& m, const TimedTrial& t) {
+    if (const bool within = is_within(t, close); is_better(t, within, cell)) cell = {&m, &t, within};
+  });
+  find_best(row, By::work);
+  return row;
+}
+
+/// At so many times the work of the row's best method.
+constexpr double times_the_work = 2;
+Row by_error(const Row& work) {
+  Row row{work.exercise, {}};
+  for_each_trial(row, [&](Cell& cell, const MethodResult& m, const TimedTrial& t) {
+    const bool can_pay = has_error(t) && static_cast<double>(t.evaluations) <= times_the_work * work.best;
+    if (!cell.trial || (can_pay && (!cell.within || t.error < cell.trial->error))) cell = {&m, &t, can_pay};
+  });
+  find_best(row, By::error);
   return row;
 }
 
@@ -196,70 +230,90 @@ std::vector<std::string> columns_of(const std::vector<Row>& rows) {
   return columns;
 }
 
-/// How many times the least work a shade goes to.
-constexpr std::array shades{std::pair{"best", 1.25}, std::pair{"near", 2.5}, std::pair{"dear", 10.0}};
-std::string shade_of(double ratio) {
-  const auto shade = std::ranges::find_if(shades, [&](const auto& one) { return ratio <= one.second; });
-  return shade == shades.end() ? "dearest" : shade->first;
+/// How many times the best a shade goes to.
+using Shades = std::array<std::pair<const char*, double>, 3>;
+constexpr Shades shades_of_work{{{"best", 1.25}, {"near", 2.5}, {"dear", 10}}},
+    shades_of_error{{{"best", 3}, {"near", 100}, {"dear", 1e4}}};
+const Shades& shades(By by) { return by == By::work ? shades_of_work : shades_of_error; }
+
+std::string shade_of(double ratio, By by) {
+  const auto shade = std::ranges::find_if(shades(by), [&](const auto& one) { return ratio <= one.second; });
+  return shade == shades(by).end() ? "dearest" : shade->first;
 }
-std::string shades_legend() {
+std::string shades_legend(By by) {
   std::string items;
-  for (const auto& [shade, most] : shades)
+  for (const auto& [shade, most] : shades(by))
     items += element("li", " class=\"" + std::string(shade) + "\"",
-                     "up to " + format_shortest(most) + (items.empty() ? " times" : ""));
+                     "up to " + with_powers(format_significant(most, 3)) + (items.empty() ? " times" : ""));
   return element("ul", " class=\"shades\"",
-                 items +
-                     "<li class=\"dearest\">more</li><li class=\"fails\">× at no setting tried</li>"
-                     "<li>= a closed form, without steps</li>");
+                 items + "<li class=\"dearest\">more</li><li class=\"fails\">× " +
+                     (by == By::work ? "at no setting tried" : "needs more work") +
+                     "</li><li>= a closed form, without steps</li>");
 }
 
-std::string cell_text(const Row& row, const std::string& column) {
+std::string ratio_text(double ratio) {
+  return ratio < 10    ? format_significant(ratio, 2)
+         : ratio < 100 ? std::to_string(std::lround(ratio))
+                       : with_powers("1e+" + std::to_string(std::lround(std::log10(ratio)))).substr(3);
+}
+
+std::string cell_text(const Row& row, const std::string& column, By by) {
   const auto found = row.cells.find(column);
   if (found == row.cells.end() || !found->second.trial) return element("td", "", "");
   const auto& [method, trial, within] = found->second;
   const bool closed = column == closed_forms;
-  const double ratio = closed || !within ? 0 : static_cast<double>(trial->evaluations) / row.least_work;
+  const double ratio = closed || !within ? 0 : std::max(1.0, measure(found->second, by) / row.best);
   const std::string shade = !within  ? "fails"
                             : closed ? "best"
-                                     : shade_of(ratio),
+                                     : shade_of(ratio, by),
                     text = !within  ? "×"
                            : closed ? "="
-                                    : (ratio < 10 ? format_significant(ratio, 2)
-                                                  : std::to_string(std::lround(ratio))),
+                                    : ratio_text(ratio),
                     says = column + " on " + method->model + ", " + row.exercise->title + ": " +
-                           (!within  ? "no setting tried is within the error"
+                           (!within  ? by == By::work ? "no setting tried is within the error"
+                                                      : "no setting tried takes so little work"
                             : closed ? "within the error"
-                                     : text + " times the least work");
+                                     : text + (by == By::work ? " times the least work"
+                                                              : " times the least error"));
   return element("td", " class=\"" + shade + "\"",
                  "<a href=\"" +
                      link_to_player(*row.exercise, {{method->model, method->algorithm, trial->setting}}) +
                      "\" title=\"" + in_xml(says) + "\">" + text + "</a>");
 }
 
-std::string matrix(const Results& results) {
-  std::vector<Row> rows;
-  for (const ExerciseResult& e : results.exercises)
-    if (auto row = row_of(e)) rows.push_back(std::move(*row));
-  if (rows.empty()) return "";
+std::string table_of(const std::vector<Row>& rows, By by, const std::string& name) {
   const std::vector<std::string> columns = columns_of(rows);
   std::string head = "<th scope=\"col\">scene</th>", body;
   for (const std::string& column : columns)
     head += element("th", " scope=\"col\"", element("span", "", in_xml(column)));
   for (const Row& row : rows) {
     std::string cells = element("th", " scope=\"row\"", scene_link(*row.exercise));
-    for (const std::string& column : columns) cells += cell_text(row, column);
+    for (const std::string& column : columns) cells += cell_text(row, column, by);
     body += element("tr", "", cells) + "\n";
   }
-  return "<section id=\"matrix\">\n<h2>Scenes by methods</h2>\n<p>How many times the work of the best method with "
-         "steps each other one takes, in evaluations of the equations, until the motion is within " +
+  return shades_legend(by) + "\n<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"" + name +
+         "\">" +
+         element("table", " class=\"matrix\"",
+                 element("thead", "", element("tr", "", head)) + "\n" + element("tbody", "", body)) +
+         "</div>\n";
+}
+
+std::string matrix(const Results& results) {
+  std::vector<Row> of_work, of_error;
+  for (const ExerciseResult& e : results.exercises)
+    if (motion_of(e)) of_work.push_back(by_work(e));
+  for (const Row& row : of_work) of_error.push_back(by_error(row));
+  if (of_work.empty()) return "";
+  return "<section id=\"matrix\">\n<h2>Scenes by methods: the work for an error</h2>\n<p>How many times the work of "
+         "the best method with steps each other one takes, in evaluations of the equations, until the motion is within " +
          allowed_text({"m", "rad"}) +
          " of the true one at the times of its table, which are fewer than a game's frames. Each cell plays its "
          "trial.</p>\n" +
-         shades_legend() +
-         "\n<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Scenes by methods\">" +
-         element("table", " class=\"matrix\"",
-                 element("thead", "", element("tr", "", head)) + "\n" + element("tbody", "", body)) +
-         "</div>\n</section>\n";
+         table_of(of_work, By::work, "Scenes by methods, the work") +
+         "</section>\n<section id=\"errors\">\n<h2>Scenes by methods: the error for so much work</h2>\n<p>How many "
+         "times the least error each method has, where none may take more than twice the work of the best one above. "
+         "Each cell plays its trial.</p>\n" +
+         table_of(of_error, By::error, "Scenes by methods, the error") + "</section>\n";
 }
 
 // ---- a scene's recipe -------------------------------------------------------------------------------------
@@ -314,31 +368,37 @@ std::string lines_in_xml(const std::string& code) {
   return text;
 }
 
-std::string code_text(const ExerciseResult& e, const CheapestModel& game) {
-  const Entry* entry = entry_of(e.number);
+std::string code_in(Language language, const ExerciseResult& e, const CheapestModel& game) {
+  const std::string name(language_names[static_cast<std::size_t>(language)]);
   try {
-    const std::string code = code_of(Task(*entry), *game.least, game.need,
+    const std::string code = code_of(Task(*entry_of(e.number)), *game.least, game.need,
                                      to_string(e.number) + " " + e.title + ": " + game.least->model + " by " +
-                                         game.least->algorithm + "\n\nThe observables at every frame.");
-    return html::folded(std::to_string(std::ranges::count(code, '\n')) + " lines of C++ that do it",
-                        element("pre", " class=\"code\" tabindex=\"0\"", lines_in_xml(code)));
+                                         game.least->algorithm + "\n\nThe observables at every frame.",
+                                     language);
+    return html::folded(
+        std::to_string(std::ranges::count(code, '\n')) + " lines of " + name + " that do it",
+        element("pre", " class=\"code\" tabindex=\"0\" data-language=\"" + name + "\"", lines_in_xml(code)));
   } catch (const BadInput& error) {
-    return element("p", " class=\"none\"", "No code: " + in_xml(error.what()) + ".");
+    return element("p", " class=\"none\"", "No " + name + ": " + in_xml(error.what()) + ".");
   }
+}
+
+std::string code_text(const ExerciseResult& e, const CheapestModel& game) {
+  return code_in(Language::cpp, e, game) + code_in(Language::c_sharp, e, game) +
+         code_in(Language::javascript, e, game);
 }
 
 }  // namespace
 
 std::string recipe_section(const ExerciseResult& e, std::span<const EngineContest> contests) {
-  if (!e.cheapest_models || e.cheapest_models->least.empty() || !entry_of(e.number)) return "";
-  const CheapestModel& game = e.cheapest_models->least.front();
-  if (!game.least) return "";
+  const CheapestModel* game = recipe_of(e);
+  if (!game) return "";
   std::string engines;
   for (const EngineContest& contest : contests)
     if (contest.scene == to_string(e.number)) engines += engines_of(contest);
   return "<section id=\"recipe\" class=\"recipe\">\n<h2>What to use</h2>\n" +
-         answer(game, *e.cheapest_models, entry_of(e.number)->exercise.scene->axes.time) + engines +
-         code_text(e, game) + "</section>\n";
+         answer(*game, *e.cheapest_models, entry_of(e.number)->exercise.scene->axes.time) + engines +
+         code_text(e, *game) + "</section>\n";
 }
 
 std::string recipes_page(const Results& results) {

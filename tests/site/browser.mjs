@@ -86,7 +86,13 @@ export function overlaps(page) {
       }
     }
     const meet = (a, b) => a.whole !== b.whole && a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
-    return seen.flatMap((a, i) => seen.slice(i + 1).filter((b) => meet(a, b)).map((b) => `\u201c${a.text}\u201d and \u201c${b.text}\u201d`));
+    seen.sort((a, b) => a.top - b.top);
+    const found = new Set();
+    seen.forEach((a, i) => {
+      for (let k = i + 1; k < seen.length && seen[k].top < a.bottom; k += 1)
+        if (meet(a, seen[k])) found.add(`\u201c${a.text}\u201d and \u201c${seen[k].text}\u201d`);
+    });
+    return [...found];
   });
 }
 

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import { createRequire } from 'node:module';
 import { after, before, test } from 'node:test';
-import { bytes, launch, open, pages, scenes, shoot, site } from './browser.mjs';
+import { bytes, launch, open, overlaps, pages, scenes, shoot, site } from './browser.mjs';
 
 const axe = fs.readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 let browser;
@@ -43,6 +43,21 @@ for (const name of pages) {
     await page.close();
   });
 }
+
+for (const name of pages)
+  test(`${name}: no two texts overlap, at any width, dark or printed`, async () => {
+    const { page, faults } = await open(browser, name, { reduced: true });
+    for (const width of [390, 768, 1280])
+      for (const media of ['light', 'dark', 'print']) {
+        await page.setViewport({ width, height: 900 });
+        await page.emulateMediaType(media === 'print' ? 'print' : 'screen');
+        await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: media === 'dark' ? 'dark' : 'light' }]);
+        await page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); }));
+        assert.deepEqual(await overlaps(page), [], `${width} px, ${media}`);
+      }
+    assert.deepEqual(faults, []);
+    await page.close();
+  });
 
 test('how soon pages paint', async (t) => {
   for (const name of ['index.html', ...scenes.map((scene) => `${scene}.html`)]) {

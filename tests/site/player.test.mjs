@@ -6,7 +6,7 @@ import test from 'node:test';
 
 globalThis.window = globalThis;
 const require = createRequire(import.meta.url);
-for (const name of ['typed', 'scale', 'frames', 'permalink']) require(`../../report/site/assets/${name}.js`);
+for (const name of ['typed', 'scale', 'frames', 'permalink', 'portrait', 'picture']) require(`../../report/site/assets/${name}.js`);
 const { oddity } = globalThis;
 
 const near = (a, b, allowed) => assert.ok(Math.abs(a - b) <= allowed, `${a} is not ${b} within ${allowed}`);
@@ -200,4 +200,33 @@ test('a bad permalink gives a sentence, and other anchors give nothing', () => {
     assert.equal(oddity.permalink.parse(hash, known), null);
   assert.deepEqual(oddity.permalink.parse('#play&at=0', known),
     { state: { parameters: {}, rows: [], time: 0, speed: 1 } });
+});
+
+test('a phase portrait has places, and their rates by differences', () => {
+  const phases = oddity.phases((motion, t) => [0, Math.cos(t)], null, 10, 1);
+  for (const { t, place, rate } of phases.slice(1, -1)) {
+    near(place, Math.cos(t), 0);
+    near(rate, -Math.sin(t), 1e-4);
+  }
+});
+
+test('the view follows what leaves it, up to a distance, and comes back', () => {
+  const asked = [], stage = { fit() {}, widen: (drawings) => asked.push(drawings.length), paint() {} };
+  const before = oddity.stage;
+  oddity.stage = () => stage;
+  const motion = { times: [0, 1, 2, 3], values: null };
+  const place = { 0: 0, 1: 5, 2: 1e6, 3: 0.5 };
+  const motions = { space: false, defaults: {}, scene: { horizon: 3 }, seeTruth: (m, t) => [t / 3],
+    drawing: (parameters, t, [x]) => ({ primitives: [{ points: [[x, 0, 0]], trail: false }] }) };
+  const between = oddity.between;
+  oddity.between = (m, t) => [place[Math.round(t)]];
+  try {
+    const picture = oddity.picture(null, motions);
+    picture.show({}, motion, 'grey', [{ motion, colour: 'red' }]);
+    for (const t of [0, 1, 2, 3]) picture.paint(t);
+    assert.deepEqual(asked, [0, 1, 0, 0]);
+  } finally {
+    oddity.stage = before;
+    oddity.between = between;
+  }
 });

@@ -52,6 +52,12 @@ struct Given {
   T alpha() const { return m * g * l / mu1; }
 
   Vector<T> axis() const { return axis_of(theta, phi); }
+  /// The quaternion of the angles.
+  std::array<T, 4> orientation() const {
+    const T half = phi / 2, sum = (theta + psi) / 2, difference = (theta - psi) / 2;
+    return {cos(half) * cos(sum), sin(half) * cos(difference), sin(half) * sin(difference),
+            cos(half) * sin(sum)};
+  }
   /// Angular velocity in body coordinates: phi' along the line of nodes, theta' along k, psi' along the axis.
   Vector<T> body_rates() const {
     const Matrix<T> r = rotation(theta, phi, psi);
@@ -89,6 +95,13 @@ struct Top : Given<T> {
     return {-this->m * tip_acceleration(t), X(0), X(-this->m * this->g)};
   }
 };
+
+/// The angular velocity in space of a top with this axis and angular momentum, and this spin.
+template <class T>
+Vector<T> turning_of(const Vector<T>& d, const Vector<T>& L, const T& spin, const T& mu1) {
+  const T rest = spin - dot(L, d) / mu1;
+  return {L[0] / mu1 + rest * d[0], L[1] / mu1 + rest * d[1], L[2] / mu1 + rest * d[2]};
+}
 
 // ---- each observes the axis, or its height ----------------------------------------------------------------
 
@@ -155,6 +168,12 @@ struct OneAngle {
     dxdt = {x[1], tilting, turning};
   }
   Vector<T> observe(const State& x, const T&) const { return axis_of(x[2], x[0]); }
+  /// The angular velocity in space, for who draws the top.
+  Vector<T> turning(const State& x, const T&) const {
+    const T turning = by_tilt.rates(x[0])[0], own = p.spin() - turning * cos(x[0]);
+    const Vector<T> d = axis_of(x[2], x[0]);
+    return {x[1] * cos(x[2]) + own * d[0], x[1] * sin(x[2]) + own * d[1], turning + own * d[2]};
+  }
   auto conserved(const State& x, const T& t) const { return Nutation<T>{p}.conserved({x[0], x[1]}, t); }
 };
 
@@ -194,15 +213,9 @@ struct RigidBody {
   using State = std::array<T, 7>;
   static constexpr std::array<std::size_t, 3> velocities{4, 5, 6};
   State start() const {
-    const T half = p.phi / 2, sum = (p.theta + p.psi) / 2, difference = (p.theta - p.psi) / 2;
+    const auto [q, i, j, k] = p.orientation();
     const Vector<T> w = p.body_rates();
-    return {cos(half) * cos(sum),
-            sin(half) * cos(difference),
-            sin(half) * sin(difference),
-            cos(half) * sin(sum),
-            w[0],
-            w[1],
-            w[2]};
+    return {q, i, j, k, w[0], w[1], w[2]};
   }
   template <class X>
   void operator()(const std::array<X, 7>& x, std::array<X, 7>& dxdt, const X& t) const {
@@ -257,6 +270,9 @@ struct AxisAndMomentum {
             p.l * torque[0], p.l * torque[1], p.l * torque[2]};
   }
   Vector<T> observe(const State& x, const T&) const { return {x[0], x[1], x[2]}; }
+  Vector<T> turning(const State& x, const T&) const {
+    return turning_of<T>({x[0], x[1], x[2]}, {x[3], x[4], x[5]}, p.spin(), p.mu1);
+  }
   /// The spin momentum.
   std::array<Conserved<T>, 1> conserved(const State& x, const T&) const {
     return {{{x[0] * x[3] + x[1] * x[4] + x[2] * x[5], sqrt(x[3] * x[3] + x[4] * x[4] + x[5] * x[5])}}};

@@ -83,6 +83,10 @@ struct FirstOrderInA {
     const T size = sqrt(dot(d, d));
     return {d[0] / size, d[1] / size, d[2] / size};
   }
+  Vector<T> turning(const State& x, const T& t) const {
+    return heavy_top::turning_of<T>(observe(x, t), {x[3] + x[9], x[4] + x[10], x[5] + x[11]}, p.spin(),
+                                    p.mu1);
+  }
 };
 
 /// From the simplest to the richest.

@@ -23,12 +23,23 @@
     return [...truth, ...others.filter((drawing) => pointsOf(drawing).every(near))];
   }
 
+  const farthest = 30; // times the truth's size, how far a view follows
+
+  /** A box about points, wider by so much of its size. */
+  function box(drawings, share) {
+    const all = drawings.flatMap(pointsOf);
+    const low = [0, 1, 2].map((k) => Math.min(...all.map((p) => p[k]))), high = [0, 1, 2].map((k) => Math.max(...all.map((p) => p[k])));
+    const room = share * Math.hypot(...high.map((x, k) => x - low[k]));
+    return (p) => p.every((x, k) => x >= low[k] - room && x <= high[k] + room);
+  }
+
   const trailing = (drawing) => drawing.primitives.filter((p) => p.trail).map((p) => p.points[0]);
 
   oddity.picture = function (canvas, motions) {
     const stage = oddity.stage(canvas, { space: motions.space });
     const { horizon } = motions.scene;
     let parameters = motions.defaults;
+    let within = () => true, reachable = () => true;
     let layers = [];     // {motion, see, colour, ghost, way}, the truth first
 
     function draw({ motion, see }, t) {
@@ -70,9 +81,16 @@
         parameters = given;
         layers = [{ motion: truth, see: motions.seeTruth, colour: ghostColour, ghost: true, way: [] },
           ...methods.map((m) => ({ ...m, see: oddity.between, ghost: false, way: [] }))];
-        stage.fit(toFit(all(layers[0]), layers.slice(1).flatMap(all)));
+        const fitted = toFit(all(layers[0]), layers.slice(1).flatMap(all));
+        stage.fit(fitted);
+        [within, reachable] = [box(fitted, 0.02), box(fitted, farthest)];
       },
-      paint(t) { stage.paint(layers.map((layer) => seenAt(layer, t)).filter((l) => l)); },
+      /** What leaves the frame is followed: the view is as wide as it needs now. */
+      paint(t) {
+        const seen = layers.map((layer) => seenAt(layer, t)).filter((l) => l);
+        stage.widen(seen.map((layer) => layer.drawing).filter((d) => pointsOf(d).some((p) => !within(p)) && pointsOf(d).every(reachable)));
+        stage.paint(seen);
+      },
       resize() { stage.resize(); },
       /** The viewing direction of a scene in space, in degrees; null for the initial one, and in the plane.
           */

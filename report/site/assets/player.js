@@ -168,6 +168,7 @@
       this.picture.show(parameters, this.truth, this.ghostColour, this.shown().map((row) =>
         ({ motion: row.result.motion, colour: this.colours[row.shape] })));
       this.plot(sizes, floors);
+      this.portray();
       this.tellTruth();
       this.offerRows();
       this.element.dataset.computed = (performance.now() - started).toFixed(1);
@@ -234,6 +235,7 @@
       this.element.replaceChildren(
         make('div', { class: 'player-figure' }, this.buildStage(), this.buildCurves()),
         this.clock.element,
+        this.buildPortraits(),
         this.truthNote = make('p', { class: 'player-truth' }),
         this.rowsPlace = make('div', { class: 'player-rows' }),
         this.buildActions(),
@@ -262,6 +264,27 @@
       this.errorName = make('figcaption', {});
       this.driftFigure = make('figure', {}, make('figcaption', {}, 'change of energy and whatever else is conserved, as a part'), drift);
       return make('div', { class: 'player-curves' }, make('figure', {}, this.errorName, error), this.driftFigure);
+    }
+
+    /** Of one or two freedoms: each of the first two observables against its rate, where there are few. */
+    buildPortraits() {
+      const names = this.scene.observables.length <= 3 ? this.scene.observables.slice(0, 2) : [];
+      const canvases = names.map((name) => make('canvas', { class: 'player-lines', role: 'img', 'aria-label': `${name} against its rate: the true motion, and each method up to now.` }));
+      this.portraits = canvases.map((canvas) => oddity.portrait(canvas));
+      this.portraitPlace = make('details', { class: 'player-more' }, make('summary', {}, `phase portrait: ${names.join(', ')} against ${names.length > 1 ? 'their rates' : 'its rate'}`),
+        make('div', { class: 'player-portraits' }, ...canvases));
+      this.portraitPlace.hidden = !names.length;
+      this.portraitPlace.addEventListener('toggle', () => { this.portray(); this.portraits.forEach((one) => one.resize()); });
+      return this.portraitPlace;
+    }
+
+    portray() {
+      if (!this.portraitPlace.open) return;
+      const { horizon, observables } = this.scene;
+      const all = [{ see: this.motions.seeTruth, motion: this.truth, colour: this.ghostColour, ghost: true },
+        ...this.shown().map((r) => ({ see: oddity.between, motion: r.result.motion, colour: this.colours[r.shape], shape: r.shape }))];
+      this.portraits.forEach((portrait, nth) => portrait.set({ name: observables[nth],
+        series: all.map(({ see, motion, ...rest }) => ({ ...rest, phases: oddity.phases(see, motion, horizon, nth) })) }));
     }
 
     buildActions() {
@@ -472,6 +495,7 @@
       this.picture.paint(time);
       this.errorLines.paint(time);
       this.driftLines.paint(time);
+      if (this.portraitPlace.open) this.portraits.forEach((one) => one.paint(time));
     }
 
     /** Updates sizes and colours from the page. */
@@ -484,6 +508,7 @@
       this.rows.forEach((row) => row.view.paint(this.colours[row.shape]));
       this.errorLines.resize();
       this.driftLines.resize();
+      if (this.portraitPlace.open) this.portraits.forEach((one) => one.resize());
     }
 
     /** Follows changes outside: sizes and colours, links, trials of charts, and visibility. */

@@ -57,7 +57,7 @@
       this.space = Boolean(options.space);
       Object.assign(this, opening);
       this.view = this.space ? space(this.azimuth, this.elevation) : plane;
-      this.cloud = [];
+      this.cloud = this.fitted = [];
       this.layers = [];
       this.anchor = [0, 0, 0];
       this.place = { scale: 1, x: 0, y: 0 };
@@ -70,7 +70,14 @@
     // ---- interface ----------------------------------------------------------------------------------------
 
     fit(drawings) {
-      this.cloud = cloudOf(drawings);
+      this.cloud = this.fitted = cloudOf(drawings);
+      this.settle();
+    }
+
+    /** As it was fitted, and these drawings besides. */
+    widen(drawings) {
+      if (!drawings.length && this.cloud === this.fitted) return;
+      this.cloud = drawings.length ? [...this.fitted, ...cloudOf(drawings)] : this.fitted;
       this.settle();
     }
 

@@ -1,0 +1,184 @@
+#include "formula/program.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "formula/code.hpp"
+
+namespace oddity::formula {
+
+namespace {
+
+using Term = Code<CSharp>;
+
+constexpr std::size_t line_length = 92;
+constexpr std::size_t long_term = 60;  ///< letters; what takes a longer one names it
+constexpr int worth_a_constant = 2;    ///< operations
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+bool is_condition(std::string_view what) {
+  return what == "<" || what == ">" || what == "<=" || what == ">=" || what == "==";
+}
+
+/// "sin_x0" of sin(x[0]); a power of numbers has no better name than k.
+std::string plain_letters(const std::string& text) {
+  std::string plain;
+  for (const char c : text)
+    if (c != '[' && c != ']') plain += c;
+  return plain;
+}
+
+Term called(std::string_view what, const std::vector<Term>& x) {
+  std::string all;
+  for (const Term& one : x) all += (all.empty() ? "" : ", ") + one.text();
+  return Term::function(what, Term::term(all));
+}
+
+/// Where both are whole numbers, what comes of them is to be none.
+std::string in_select(const Term& x) {
+  return x.text().find_first_not_of("-0123456789") == x.text().npos ? x.text() + ".0" : x.text();
+}
+
+Term written(std::string_view what, const std::vector<Term>& x) {
+  if (what == "+") return x[0] + x[1];
+  if (what == "-") return x[0] - x[1];
+  if (what == "*") return x[0] * x[1];
+  if (what == "/") return x[0] / x[1];
+  if (what == "negative") return -x[0];
+  if (what == "select")
+    return Term::term("(" + x[0].text() + " ? " + in_select(x[1]) + " : " + in_select(x[2]) + ")");
+  if (is_condition(what)) return Term::term(x[0].text() + " " + std::string(what) + " " + x[1].text());
+  return called(what, x);
+}
+
+/// Declarations, as many a line as it has room for.
+std::vector<std::string> packed(const std::string& type, const std::vector<std::string>& declared) {
+  std::vector<std::string> lines;
+  for (const std::string& one : declared) {
+    if (!lines.empty() && lines.back().size() + one.size() + 2 <= line_length)
+      lines.back() += ", " + one;
+    else
+      lines.push_back(type + one);
+  }
+  for (std::string& line : lines) line += ';';
+  return lines;
+}
+
+}  // namespace
+
+/// Terms of operations within a function, or among the constants.
+struct ProgramWriter {
+  const Program& program;
+  const Program::Named& constants;
+  Program::Named& in;
+  bool constant;
+
+  Term term(int i) {
+    const Operation& operation = program.at(i);
+    if (operation.what == "number")
+      return operation.value == std::numbers::pi ? Term::term(std::string(CSharp::pi))
+                                                 : Term(operation.value);
+    if (operation.what == "letter") return Term::term(operation.text);
+    if (!constants.names[index(i)].empty()) return Term::term(constants.names[index(i)]);
+    if (in.names[index(i)].empty() && in.uses[index(i)] > 1 && !program.is_cheap(i)) name(i);
+    if (!in.names[index(i)].empty()) return Term::term(in.names[index(i)]);
+    return inlined(i);
+  }
+  Term inlined(int i) {
+    const Operation& operation = program.at(i);
+    std::vector<Term> of;
+    for (const int operand : operation.of) {
+      Term one = term(operand);
+      if (one.text().size() > long_term && !is_condition(program.at(operand).what)) {
+        if (in.names[index(operand)].empty()) name(operand, one);
+        one = Term::term(in.names[index(operand)]);
+      }
+      of.push_back(one);
+    }
+    return written(operation.what, of);
+  }
+  void name(int i) { name(i, inlined(i)); }
+  void name(int i, const Term& term) {
+    in.names[index(i)] = program.name_of(i, constant, in.taken);
+    in.lines.push_back(in.names[index(i)] + " = " + term.text());
+  }
+};
+
+Program::Program(const Record& record, std::set<std::string> moving,
+                 const std::vector<std::vector<Recorded>>& often, std::set<std::string> taken)
+    : record_(record) {
+  const std::size_t n = record.operations().size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Operation& operation = record.operations()[i];
+    fixed_.push_back(operation.what == "letter"
+                         ? !moving.contains(operation.text)
+                         : std::ranges::all_of(operation.of, [&](int of) { return fixed_[index(of)]; }));
+  }
+  constants_ = {std::vector<std::string>(n), std::vector<int>(n), std::move(taken), {}};
+  for (const auto& results : often)
+    for (const Recorded& result : results)
+      if (!result.is_known()) count(result.at(), constants_.uses);
+  std::vector<bool> from_moving(n);
+  for (std::size_t i = 0; i < n; ++i)
+    if (!fixed_[i] && constants_.uses[i] > 0)
+      for (const int of : record.operations()[i].of) from_moving[index(of)] = true;
+  Named none{std::vector<std::string>(n), {}, {}, {}};
+  ProgramWriter writer{*this, none, constants_, true};
+  for (std::size_t i = 0; i < n; ++i) {
+    const int at_i = static_cast<int>(i);
+    if (!fixed_[i] || is_cheap(at_i) || is_condition(at(at_i).what)) continue;
+    if (constants_.uses[i] > 1 ||
+        (constants_.uses[i] == 1 && from_moving[i] && cost(at_i) > worth_a_constant))
+      if (constants_.names[i].empty()) writer.name(at_i);
+  }
+}
+
+bool Program::is_cheap(int i) const {
+  return is_atom(i) || (at(i).what == "negative" && is_atom(at(i).of[0]));
+}
+
+void Program::count(int i, std::vector<int>& uses) const {
+  if (uses[index(i)]++ > 0) return;
+  for (const int of : at(i).of) count(of, uses);
+}
+
+int Program::cost(int i) const {
+  int all = is_atom(i) ? 0 : 1;
+  for (const int of : at(i).of) all += cost(of);
+  return all;
+}
+
+std::string Program::name_of(int i, bool constant, std::set<std::string>& taken) const {
+  const Operation& operation = at(i);
+  std::string base = constant ? "c" : "k";
+  if (operation.what.size() >= 3 && operation.of.size() == 1 && operation.what != "negative") {
+    const Operation& of = at(operation.of[0]);
+    if (std::string name = std::string(operation.what) + "_" + plain_letters(of.text);
+        of.what == "letter" && taken.insert(name).second)
+      return name;
+    base = operation.what;
+  }
+  for (int number = 1;; ++number)
+    if (std::string name = base + std::to_string(number); taken.insert(name).second) return name;
+}
+
+std::vector<std::string> Program::constants() const {
+  return packed("static readonly double ", constants_.lines);
+}
+
+Statements Program::function(const std::vector<Recorded>& results) {
+  const std::size_t n = record_.operations().size();
+  Named in{std::vector<std::string>(n), std::vector<int>(n), constants_.taken, {}};
+  for (const Recorded& result : results)
+    if (!result.is_known()) count(result.at(), in.uses);
+  ProgramWriter writer{*this, constants_, in, false};
+  Statements made;
+  for (const Recorded& result : results)
+    made.terms.push_back(result.is_known() ? Term(result.value()).text() : writer.term(result.at()).text());
+  made.lines = packed("double ", in.lines);
+  return made;
+}
+
+}  // namespace oddity::formula

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "formula/recorded.hpp"
+
+namespace oddity::formula {
+
+/// What a function computes, as lines of C# and the terms of its results.
+struct Statements {
+  std::vector<std::string> lines, terms;
+};
+
+/// The operations of a record as code. What depends on no letter of `moving` is a constant; a term that is
+/// used twice, or is long, gets a name.
+class Program {
+ public:
+  /// The results of the functions that are written and often called, and names that are taken.
+  Program(const Record& record, std::set<std::string> moving, const std::vector<std::vector<Recorded>>& often,
+          std::set<std::string> taken);
+
+  /// The lines that declare the constants.
+  std::vector<std::string> constants() const;
+  Statements function(const std::vector<Recorded>& results);
+
+ private:
+  struct Named {
+    std::vector<std::string> names;  ///< of operations; empty: none
+    std::vector<int> uses;
+    std::set<std::string> taken;
+    std::vector<std::string> lines;
+  };
+
+  const Operation& at(int i) const { return record_.operations()[static_cast<std::size_t>(i)]; }
+  bool is_cheap(int i) const;
+  bool is_atom(int i) const { return at(i).what == "letter" || at(i).what == "number"; }
+  void count(int i, std::vector<int>& uses) const;
+  int cost(int i) const;
+  std::string name_of(int i, bool constant, std::set<std::string>& taken) const;
+  void name(int i, Named& in, bool constant);
+
+  friend struct ProgramWriter;
+  const Record& record_;
+  std::vector<bool> fixed_;
+  Named constants_;
+};
+
+}  // namespace oddity::formula

@@ -1,0 +1,161 @@
+#include "formula/recorded.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <map>
+
+namespace oddity::formula {
+
+namespace {
+
+bool is_same(const Operation& a, const Operation& b) {
+  return a.what == b.what && a.of == b.of && a.text == b.text &&
+         (a.what != "number" ||
+          std::bit_cast<std::uint64_t>(a.value) == std::bit_cast<std::uint64_t>(b.value));
+}
+
+double computed(std::string_view name, const std::vector<double>& x);
+
+Record& record_of(const Recorded& a, const Recorded& b) { return *(a.record() ? a.record() : b.record()); }
+
+Recorded of_one(std::string_view name, const Recorded& x) {
+  const double value = computed(name, {x.value()});
+  if (x.is_known()) return value;
+  return {*x.record(), x.record()->put({name, {x.at()}, value})};
+}
+Recorded of_two(std::string_view name, const Recorded& x, const Recorded& y) {
+  const double value = computed(name, {x.value(), y.value()});
+  if (x.is_known() && y.is_known()) return value;
+  Record& record = record_of(x, y);
+  return {record, record.put({name, {x.in(record), y.in(record)}, value})};
+}
+Asked asked(std::string_view name, const Recorded& a, const Recorded& b) {
+  const double yes = computed(name, {a.value(), b.value()});
+  if (a.is_known() && b.is_known()) return yes != 0;
+  Record& record = record_of(a, b);
+  return {record, record.put({name, {a.in(record), b.in(record)}, yes})};
+}
+
+using OfOne = double (*)(double);
+using OfTwo = double (*)(double, double);
+const std::map<std::string_view, OfOne> of_one_number{{"negative", [](double x) { return -x; }},
+                                                      {"abs", std::fabs},
+                                                      {"sqrt", std::sqrt},
+                                                      {"exp", std::exp},
+                                                      {"expm1", std::expm1},
+                                                      {"log", std::log},
+                                                      {"sin", std::sin},
+                                                      {"cos", std::cos},
+                                                      {"tan", std::tan},
+                                                      {"asin", std::asin},
+                                                      {"acos", std::acos},
+                                                      {"sinh", std::sinh},
+                                                      {"cosh", std::cosh},
+                                                      {"asinh", std::asinh}};
+const std::map<std::string_view, OfTwo> of_two_numbers{
+    {"+", [](double x, double y) { return x + y; }},
+    {"-", [](double x, double y) { return x - y; }},
+    {"*", [](double x, double y) { return x * y; }},
+    {"/", [](double x, double y) { return x / y; }},
+    {"<", [](double x, double y) { return x < y ? 1.0 : 0.0; }},
+    {">", [](double x, double y) { return x > y ? 1.0 : 0.0; }},
+    {"<=", [](double x, double y) { return x <= y ? 1.0 : 0.0; }},
+    {">=", [](double x, double y) { return x >= y ? 1.0 : 0.0; }},
+    {"==", [](double x, double y) { return x == y ? 1.0 : 0.0; }},
+    {"atan2", std::atan2},
+    {"hypot", std::hypot},
+    {"copysign", std::copysign},
+    {"remainder", std::remainder},
+    {"pow", std::pow}};
+
+double computed(std::string_view name, const std::vector<double>& x) {
+  if (x.size() == 1) return of_one_number.at(name)(x[0]);
+  return x.size() == 2 ? of_two_numbers.at(name)(x[0], x[1]) : x[0] != 0 ? x[1] : x[2];
+}
+
+}  // namespace
+
+std::vector<double> Record::values(const std::map<std::string, double>& letters) const {
+  std::vector<double> all;
+  for (const Operation& operation : operations_) {
+    std::vector<double> of;
+    for (const int i : operation.of) of.push_back(all[static_cast<std::size_t>(i)]);
+    const auto letter = letters.find(operation.text);
+    all.push_back(!of.empty()               ? computed(operation.what, of)
+                  : letter != letters.end() ? letter->second
+                                            : operation.value);
+  }
+  return all;
+}
+
+int Record::put(Operation operation) {
+  const auto found =
+      std::ranges::find_if(operations_, [&](const Operation& known) { return is_same(known, operation); });
+  if (found != operations_.end()) return static_cast<int>(found - operations_.begin());
+  operations_.push_back(std::move(operation));
+  return static_cast<int>(operations_.size()) - 1;
+}
+
+Recorded operator+(const Recorded& a, const Recorded& b) {
+  if (a.is(0)) return b;
+  return b.is(0) ? a : of_two("+", a, b);
+}
+Recorded operator-(const Recorded& a, const Recorded& b) {
+  if (a.is(0)) return -b;
+  return b.is(0) ? a : of_two("-", a, b);
+}
+Recorded operator*(const Recorded& a, const Recorded& b) {
+  if (a.is(0) || b.is(1)) return a;
+  if (b.is(0) || a.is(1)) return b;
+  return of_two("*", a, b);
+}
+Recorded operator/(const Recorded& a, const Recorded& b) { return b.is(1) ? a : of_two("/", a, b); }
+Recorded operator-(const Recorded& a) { return of_one("negative", a); }
+
+Asked operator<(const Recorded& a, const Recorded& b) { return asked("<", a, b); }
+Asked operator>(const Recorded& a, const Recorded& b) { return asked(">", a, b); }
+Asked operator<=(const Recorded& a, const Recorded& b) { return asked("<=", a, b); }
+Asked operator>=(const Recorded& a, const Recorded& b) { return asked(">=", a, b); }
+Asked operator==(const Recorded& a, const Recorded& b) { return asked("==", a, b); }
+
+#define ODDITY_RECORDED(f) \
+  Recorded f(const Recorded& x) { return of_one(#f, x); }
+ODDITY_RECORDED(abs)
+ODDITY_RECORDED(sqrt)
+ODDITY_RECORDED(exp)
+ODDITY_RECORDED(expm1)
+ODDITY_RECORDED(log)
+ODDITY_RECORDED(sin)
+ODDITY_RECORDED(cos)
+ODDITY_RECORDED(tan)
+ODDITY_RECORDED(asin)
+ODDITY_RECORDED(acos)
+ODDITY_RECORDED(sinh)
+ODDITY_RECORDED(cosh)
+ODDITY_RECORDED(asinh)
+#undef ODDITY_RECORDED
+#define ODDITY_RECORDED(f) \
+  Recorded f(const Recorded& x, const Recorded& y) { return of_two(#f, x, y); }
+ODDITY_RECORDED(atan2)
+ODDITY_RECORDED(hypot)
+ODDITY_RECORDED(copysign)
+ODDITY_RECORDED(remainder)
+ODDITY_RECORDED(pow)
+#undef ODDITY_RECORDED
+
+Recorded hypot(const Recorded& x, const Recorded& y, const Recorded& z) {
+  return sqrt(x * x + y * y + z * z);
+}
+
+Recorded select(const Asked& condition, const Recorded& yes, const Recorded& no) {
+  if (condition.is_known()) return static_cast<bool>(condition) ? yes : no;
+  Record& record = *condition.record();
+  const bool is = record.operations()[static_cast<std::size_t>(condition.at())].value != 0;
+  return {
+      record,
+      record.put({"select", {condition.at(), yes.in(record), no.in(record)}, is ? yes.value() : no.value()})};
+}
+
+}  // namespace oddity::formula

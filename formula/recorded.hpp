@@ -1,0 +1,122 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+/// Numbers that record what is computed with them, to be printed as a program (program.hpp).
+namespace oddity::formula {
+
+/// One operation: "+", "sin", "<", "select"; "letter", whose name is its text; "number".
+struct Operation {
+  std::string_view what;
+  std::vector<int> of = {};  ///< the operations before it that it takes
+  double value = 0;          ///< for the letters' values
+  std::string text = {};
+};
+
+/// Operations in their order, each that is repeated once.
+class Record {
+ public:
+  int put(Operation operation);
+  const std::vector<Operation>& operations() const { return operations_; }
+  /// Their values for other values of these letters.
+  std::vector<double> values(const std::map<std::string, double>& letters) const;
+  /// A condition was asked for its truth: other values of the letters may go another way.
+  bool has_branched = false;
+
+ private:
+  std::vector<Operation> operations_;
+};
+
+/// A condition: known, or an operation.
+class Asked {
+ public:
+  Asked(bool yes) : yes_(yes) {}
+  Asked(Record& record, int at) : record_(&record), at_(at), yes_(record.operations()[index()].value != 0) {}
+
+  bool is_known() const { return record_ == nullptr; }
+  Record* record() const { return record_; }
+  int at() const { return at_; }
+  explicit operator bool() const {
+    if (record_) record_->has_branched = true;
+    return yes_;
+  }
+  friend bool any_of(const Asked& a) { return static_cast<bool>(a); }
+
+ private:
+  std::size_t index() const { return static_cast<std::size_t>(at_); }
+
+  Record* record_ = nullptr;
+  int at_ = -1;
+  bool yes_;
+};
+
+/// A number: known, or an operation.
+class Recorded {
+ public:
+  Recorded() = default;
+  template <class A>
+  requires(std::is_arithmetic_v<A>) Recorded(A value) : value_(static_cast<double>(value)) {}
+  Recorded(Record& record, int at)
+      : record_(&record), at_(at), value_(record.operations()[static_cast<std::size_t>(at)].value) {}
+  static Recorded letter(Record& record, const std::string& name, double value) {
+    return {record, record.put({"letter", {}, value, name})};
+  }
+
+  bool is_known() const { return record_ == nullptr; }
+  Record* record() const { return record_; }
+  double value() const { return value_; }
+  int at() const { return at_; }
+  /// Its operation in a record, into which a known number is put.
+  int in(Record& record) const { return is_known() ? record.put({"number", {}, value_}) : at_; }
+
+  friend Recorded operator+(const Recorded& a, const Recorded& b);
+  friend Recorded operator-(const Recorded& a, const Recorded& b);
+  friend Recorded operator*(const Recorded& a, const Recorded& b);
+  friend Recorded operator/(const Recorded& a, const Recorded& b);
+  friend Recorded operator-(const Recorded& a);
+  friend Recorded operator+(const Recorded& a) { return a; }
+  Recorded& operator+=(const Recorded& b) { return *this = *this + b; }
+  Recorded& operator-=(const Recorded& b) { return *this = *this - b; }
+  Recorded& operator*=(const Recorded& b) { return *this = *this * b; }
+  Recorded& operator/=(const Recorded& b) { return *this = *this / b; }
+
+  friend Asked operator<(const Recorded& a, const Recorded& b);
+  friend Asked operator>(const Recorded& a, const Recorded& b);
+  friend Asked operator<=(const Recorded& a, const Recorded& b);
+  friend Asked operator>=(const Recorded& a, const Recorded& b);
+  friend Asked operator==(const Recorded& a, const Recorded& b);
+
+ private:
+  bool is(double x) const { return is_known() && value_ == x; }
+
+  Record* record_ = nullptr;
+  int at_ = -1;
+  double value_ = 0;
+};
+
+Recorded abs(const Recorded&);
+Recorded sqrt(const Recorded&);
+Recorded exp(const Recorded&);
+Recorded expm1(const Recorded&);
+Recorded log(const Recorded&);
+Recorded sin(const Recorded&);
+Recorded cos(const Recorded&);
+Recorded tan(const Recorded&);
+Recorded asin(const Recorded&);
+Recorded acos(const Recorded&);
+Recorded sinh(const Recorded&);
+Recorded cosh(const Recorded&);
+Recorded asinh(const Recorded&);
+Recorded atan2(const Recorded& y, const Recorded& x);
+Recorded hypot(const Recorded& x, const Recorded& y);
+Recorded hypot(const Recorded& x, const Recorded& y, const Recorded& z);
+Recorded copysign(const Recorded& size, const Recorded& sign);
+Recorded remainder(const Recorded& x, const Recorded& y);
+Recorded pow(const Recorded& x, const Recorded& y);
+Recorded select(const Asked& condition, const Recorded& yes, const Recorded& no);
+
+}  // namespace oddity::formula

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <span>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "chapters/contents.hpp"
+#include "report/study/choose.hpp"
+
+/// What the tests of printed code share: a second of a motion, and what a printed program says of it.
+namespace oddity::printed {
+
+constexpr double frames_per_second = 60, steps = 2;
+
+inline Need need_of_a_second() {
+  Need need{1};
+  need.horizon = 1;
+  need.frames_per_second = frames_per_second;
+  return need;
+}
+
+/// The parameters all changed a little, so that no two are alike.
+inline Task task_beside(const Entry& entry) {
+  Task task(entry);
+  double part = 0;
+  for (const Parameter& p : entry.exercise.parameters) {
+    part += 0.01;
+    const double value = p.value + part * (p.value == 0 ? 1 : std::abs(p.value));
+    if (!p.whole) task.parameters.set(p.name, value <= p.most ? value : p.value * (1 - part));
+  }
+  return task;
+}
+
+/// The largest difference of two motions, as a part of the largest value so far.
+inline double largest_difference(const Value& one, std::span<const double> other) {
+  double size = 0, worst = 0;
+  for (std::size_t k = 0; k < one.size(); ++k) {
+    if (std::isnan(one[k]) || std::isinf(one[k])) break;
+    size = std::max(size, std::abs(one[k]));
+    if (const double now = std::abs(other[k] - one[k]) / size; size > 0 && !(now <= worst)) worst = now;
+  }
+  return worst;
+}
+
+/// What the command prints.
+inline std::string output_of(const std::string& command) {
+  std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
+  std::string output;
+  std::array<char, 1 << 16> buffer{};
+  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe))
+    output.append(buffer.data(), n);
+  if (pclose(pipe) != 0) output = "failed: " + command + "\n" + output;
+  return output;
+}
+
+/// The observables of each case: all numbers of a row but the first, and but an orientation's.
+inline std::vector<std::vector<double>> observables(const std::string& output) {
+  std::vector<std::vector<double>> all;
+  std::istringstream lines(output);
+  std::size_t columns = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (line == "case") {
+      all.emplace_back();
+      std::getline(lines, line);  // the names
+      columns =
+          static_cast<std::size_t>(std::ranges::count(line, ',')) - (line.ends_with(",qw,qx,qy,qz") ? 4 : 0);
+      continue;
+    }
+    std::istringstream cells(line);
+    std::string cell;
+    std::getline(cells, cell, ',');
+    for (std::size_t i = 0; i < columns && std::getline(cells, cell, ','); ++i)
+      all.back().push_back(std::strtod(cell.c_str(), nullptr));
+  }
+  return all;
+}
+
+}  // namespace oddity::printed

@@ -1,0 +1,45 @@
+// The programs on the pages: what is printed in JavaScript has the numbers of what is printed in C++.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import fs from 'node:fs';
+import os from 'node:os';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { launch, open, scenes } from './browser.mjs';
+
+const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'oddity-programs-'));
+let browser;
+before(async () => { browser = await launch(); });
+after(() => { fs.rmSync(folder, { recursive: true }); return browser.close(); });
+
+const file = (name, text) => { fs.writeFileSync(path.join(folder, name), text); return path.join(folder, name); };
+const rows = (command, ...words) => execFileSync(command, words, { maxBuffer: 1e9, encoding: 'utf8' }).trim().split('\n');
+
+function by_cpp(scene, code) {
+  execFileSync('c++', ['-std=c++20', '-O1', '-ffp-contract=off', '-o', path.join(folder, scene), file(`${scene}.cpp`, code)]);
+  return rows(path.join(folder, scene));
+}
+
+for (const scene of scenes.filter((name) => name !== 'bouncing_ball'))
+  test(`${scene}: its program in JavaScript has the numbers of that in C++`, async (t) => {
+    const { page, faults } = await open(browser, `${scene}.html`, { reduced: true });
+    const printed = await page.$$eval('pre.code[data-language]', (all) => all.map((code) => [code.dataset.language, code.textContent]));
+    const { 'C++': cpp, JavaScript: js, 'C#': cs } = Object.fromEntries(printed);
+    const missing = await page.$$eval('.recipe .none', (all) => all.map((said) => said.textContent));
+    await page.close();
+    assert.deepEqual(faults, []);
+    assert.ok(cpp, 'it has no C++');
+    t.diagnostic(printed.map(([language, code]) => `${language} ${code.split('\n').length}`).join(', '));
+    if (!js || !cs) assert.match(missing.join(' '), /there is no code in .* for this choice: /);
+    if (!js) return;
+    const [names, ...expected] = by_cpp(scene, cpp), [same, ...got] = rows('node', file(`${scene}.js`, js));
+    assert.equal(same.replace(',qw,qx,qy,qz', ''), names.replace(',qw,qx,qy,qz', ''));
+    assert.equal(got.length, expected.length);
+    const columns = names.replace(',qw,qx,qy,qz', '').split(',').length;
+    const numbers = (row) => row.split(',').slice(0, columns).map(Number);
+    const size = Math.max(...expected.flatMap((row) => numbers(row).slice(1).map(Math.abs)));
+    got.forEach((row, i) => numbers(row).forEach((x, k) => {
+      const off = Math.abs(x - numbers(expected[i])[k]);
+      assert.ok(off <= 1e-9 * Math.max(size, 1), `row ${i}: ${row} and ${expected[i]}`);
+    }));
+  });
