@@ -82,7 +82,8 @@ struct ProgramWriter {
                                                  : Term(operation.value);
     if (operation.what == "letter") return Term::term(operation.text);
     if (!constants.names[index(i)].empty()) return Term::term(constants.names[index(i)]);
-    if (in.names[index(i)].empty() && in.uses[index(i)] > 1 && !program.is_cheap(i)) name(i);
+    const bool is_worth_a_name = !program.is_cheap(i) && !is_condition(operation.what);
+    if (in.names[index(i)].empty() && in.uses[index(i)] > 1 && is_worth_a_name) name(i);
     if (!in.names[index(i)].empty()) return Term::term(in.names[index(i)]);
     return inlined(i);
   }

@@ -111,7 +111,7 @@ Runs runs_of(Language language, const std::string& folder) {
 void check(Language language, double allowed) {
   const All all = all_in(language);
   for (const auto& [why, times] : all.refused) UNSCOPED_INFO(times << " times no program: " << why);
-  CHECK(all.cases.size() > 250);
+  CHECK(all.cases.size() > 200);
   const ScratchFolder scratch;
   const Runs runs = runs_of(language, scratch.path().string());
   std::ofstream(runs.file) << together(language, all.cases);

@@ -161,7 +161,7 @@ std::string with_velocities(std::string text, const RecordedModel& model) {
   const std::string placeholder = "$places";
   text.replace(text.find(placeholder), placeholder.size(),
                are_rates ? "  foreach (var i in places) y[i] += h * y[rate_of[i]];\n"
-                         : "  rate = Rates(y, t + h);\n  foreach (var i in places) y[i] += h * rate[i];\n");
+                         : "  var later = Rates(y, t + h);\n  foreach (var i in places) y[i] += h * later[i];\n");
   return "\n" + list_text("velocities", velocities) + list_text("places", places) +
          (are_rates ? list_text("rate_of", rate_of) : "") + text;
 }

@@ -176,7 +176,7 @@ bool is_better(const TimedTrial& t, bool within, const Cell& than) {
   return within ? t.evaluations < than.trial->evaluations : t.error < than.trial->error;
 }
 
-const QuantityResult* motion_of(const ExerciseResult& e) {
+const QuantityResult* moving_quantity(const ExerciseResult& e) {
   const auto moving =
       std::ranges::find_if(e.quantities, [](const QuantityResult& q) { return q.trajectory.has_value(); });
   return moving == e.quantities.end() ? nullptr : &*moving;
@@ -185,7 +185,7 @@ const QuantityResult* motion_of(const ExerciseResult& e) {
 /// Calls f(cell, trial) for all trials of models that are right.
 template <class F>
 void for_each_trial(Row& row, const F& f) {
-  for (const MethodResult& m : motion_of(*row.exercise)->methods)
+  for (const MethodResult& m : moving_quantity(*row.exercise)->methods)
     if (!is_published(m.model))
       for (const TimedTrial& t : m.trials) f(row.cells[column_of(m)], m, t);
 }
@@ -198,7 +198,7 @@ void find_best(Row& row, By by) {
 
 Row by_work(const ExerciseResult& e) {
   Row row{&e, {}};
-  const double close = motion_of(e)->trajectory->close;
+  const double close = moving_quantity(e)->trajectory->close;
   for_each_trial(row, [&](Cell& cell, const MethodResult& m, const TimedTrial& t) {
     if (const bool within = is_within(t, close); is_better(t, within, cell)) cell = {&m, &t, within};
   });
@@ -301,7 +301,7 @@ std::string table_of(const std::vector<Row>& rows, By by, const std::string& nam
 std::string matrix(const Results& results) {
   std::vector<Row> of_work, of_error;
   for (const ExerciseResult& e : results.exercises)
-    if (motion_of(e)) of_work.push_back(by_work(e));
+    if (moving_quantity(e)) of_work.push_back(by_work(e));
   for (const Row& row : of_work) of_error.push_back(by_error(row));
   if (of_work.empty()) return "";
   return "<section id=\"matrix\">\n<h2>Scenes by methods: the work for an error</h2>\n<p>How many times the work of "
