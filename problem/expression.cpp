@@ -1,8 +1,10 @@
 #include "problem/expression.hpp"
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "formula/evaluate.hpp"
 
@@ -159,6 +161,44 @@ std::vector<bool> needed(const Graph& graph, const std::vector<int>& places) {
   return all;
 }
 
+/// The registers that it reads; of a function of one number the same thrice.
+std::array<int, 3> operands_of(const Program::Instruction& one) {
+  const bool three = one.op == Op::arc || one.op == Op::choice;
+  const bool two = three || (one.op >= Op::add && one.op <= Op::divide);
+  return {one.a, two ? one.b : one.a, three ? one.c : one.a};
+}
+
+/// Of all that can be computed, those of the kind that has most come next.
+std::vector<Program::Instruction> in_rows(const std::vector<Program::Instruction>& code,
+                                          std::size_t registers) {
+  constexpr int none = -1;
+  std::vector<int> made_by(registers, none), waits_for(code.size(), 0);
+  std::vector<std::vector<std::size_t>> wanted_by(code.size());
+  std::map<Op, std::vector<std::size_t>> ready;
+  for (std::size_t i = 0; i < code.size(); ++i) {
+    for (const int from : operands_of(code[i]))
+      if (const int maker = made_by[static_cast<std::size_t>(from)]; maker != none)
+        ++waits_for[i], wanted_by[static_cast<std::size_t>(maker)].push_back(i);
+    if (waits_for[i] == 0) ready[code[i].op].push_back(i);
+    const auto result = static_cast<std::size_t>(code[i].result);
+    made_by[result] = static_cast<int>(i);
+    if (code[i].op == Op::sine_and_cosine) made_by[result + 1] = static_cast<int>(i);
+  }
+  std::vector<Program::Instruction> rows;
+  while (rows.size() < code.size()) {
+    const auto most = std::max_element(ready.begin(), ready.end(), [](const auto& a, const auto& b) {
+      return a.second.size() < b.second.size();
+    });
+    for (const std::size_t i : std::exchange(most->second, {})) {
+      rows.push_back(code[i]);
+      for (const std::size_t user : wanted_by[i])
+        if (--waits_for[user] == 0) ready[code[user].op].push_back(user);
+    }
+  }
+  rows.push_back({Op::constant, 0, 0, 0, 0});
+  return rows;
+}
+
 }  // namespace
 
 Program::Program(std::span<const Expression> outputs, std::span<const int> inputs) : inputs_(inputs.size()) {
@@ -201,6 +241,7 @@ Program::Program(std::span<const Expression> outputs, std::span<const int> input
   }
   for (const int place : places) outputs_.push_back(registers[static_cast<std::size_t>(place)]);
   registers_ = static_cast<std::size_t>(next) + 1;
+  rows_ = in_rows(code_, registers_);
 }
 
 bool Program::has(Op op) const {
@@ -211,10 +252,8 @@ bool Program::depends(std::size_t output, std::size_t input) const {
   std::vector<bool> is(registers_, false);
   is[constants_.size() + input] = true;
   for (const Instruction& one : code_) {
-    const bool two = one.op >= Op::add && one.op <= Op::divide,
-               three = one.op == Op::arc || one.op == Op::choice;
-    const auto from = [&](int r) { return is[static_cast<std::size_t>(r)]; };
-    const bool does = from(one.a) || ((two || three) && from(one.b)) || (three && from(one.c));
+    bool does = false;
+    for (const int from : operands_of(one)) does = does || is[static_cast<std::size_t>(from)];
     is[static_cast<std::size_t>(one.result)] = does;
     if (one.op == Op::sine_and_cosine) is[static_cast<std::size_t>(one.result) + 1] = does;
   }

@@ -113,8 +113,9 @@ template <class T>
 requires requires(const T& x) { x > T(0.0); }
 T choose_by(const T& condition, const T& yes, const T& no) { return condition > T(0.0) ? yes : no; }
 
-/// A graph's operations that these outputs need, in their order. Its registers are the constants, the inputs
-/// and then the results.
+/// A graph's operations that these outputs need, in their order; they are run in another, in which those of
+/// one kind follow each other, so that the kind is asked once for a row of them. Its registers are the
+/// constants, the inputs and then the results.
 class Program {
  public:
   struct Instruction {
@@ -162,7 +163,9 @@ class Program {
   std::vector<long double> constants_;
   std::vector<double> in_double_;
   std::vector<Instruction> code_;
-  std::vector<int> outputs_;  ///< registers
+  std::vector<Instruction> rows_ = {
+      {Op::constant, 0, 0, 0, 0}};  ///< the same as run_in takes them, and an end
+  std::vector<int> outputs_;        ///< registers
   std::size_t inputs_ = 0, registers_ = 0;
 };
 
@@ -183,49 +186,61 @@ void Program::run_in(T* r, const T* inputs, const T& last, T* outputs, const Cho
   T* const first = r + constants_.size();
   for (std::size_t i = 0; i + 1 < inputs_; ++i) first[i] = inputs[i];
   first[inputs_ - 1] = last;
-  for (const Instruction& one : code_) {
-    const T& a = r[one.a];
-    T& result = r[one.result];
-    switch (one.op) {
+  const Instruction* one = rows_.data();
+  const auto row = [&](const auto& does) {
+    const Op op = one->op;
+    do does(r[one->result], r[one->a]);
+    while ((++one)->op == op);
+  };
+  while (one->op != Op::constant) {
+    switch (one->op) {
       case Op::add:
-        result = a + r[one.b];
+        row([&](T& result, const T& a) { result = a + r[one->b]; });
         break;
       case Op::subtract:
-        result = a - r[one.b];
+        row([&](T& result, const T& a) { result = a - r[one->b]; });
         break;
       case Op::multiply:
-        result = a * r[one.b];
+        row([&](T& result, const T& a) { result = a * r[one->b]; });
         break;
       case Op::divide:
-        result = a / r[one.b];
+        row([&](T& result, const T& a) { result = a / r[one->b]; });
         break;
       case Op::square_root:
-        result = sqrt(a);
+        row([&](T& result, const T& a) { result = sqrt(a); });
         break;
       case Op::sine:
-        result = sin(a);
+        row([&](T& result, const T& a) { result = sin(a); });
         break;
       case Op::cosine:
-        result = cos(a);
+        row([&](T& result, const T& a) { result = cos(a); });
         break;
       case Op::sine_and_cosine:
-        r[one.result + 1] = cos(a);
-        result = sin(a);
+        row([&](T& result, const T& a) {
+          const T cosine = cos(a), sine = sin(a);  // by one call, where the compiler knows one
+          result = sine;
+          r[one->result + 1] = cosine;
+        });
         break;
       case Op::exponential:
-        result = exp(a);
+        row([&](T& result, const T& a) { result = exp(a); });
         break;
       case Op::logarithm:
-        if constexpr (requires { T(log(a)); }) result = log(a);
+        row([&]([[maybe_unused]] T& result, const T& a) {
+          if constexpr (requires { T(log(a)); }) result = log(a);
+        });
         break;
       case Op::arc:
-        if constexpr (requires { T(atan2(a, a)); }) result = atan2(a, r[one.b]);
+        row([&]([[maybe_unused]] T& result, const T& a) {
+          if constexpr (requires { T(atan2(a, a)); }) result = atan2(a, r[one->b]);
+        });
         break;
       case Op::choice:
-        result = choose(one, a, r[one.b], r[one.c]);
+        row([&](T& result, const T& a) { result = choose(*one, a, r[one->b], r[one->c]); });
         break;
       case Op::input:
       case Op::constant:
+        ++one;
         break;
     }
   }

@@ -36,9 +36,15 @@ class Frozen {
       : rates_(numbers.rates_and_guards),
         unknowns_(numbers.unknowns),
         registers_(rates_.registers()),
-        is_positive_(rates_.registers()) {
+        is_positive_(rates_.registers()),
+        largest_(rates_.registers(), 0),
+        let_pass_(rates_.registers(), 0),
+        terms_(rates_.registers()) {
     for (const auto& one : rates_.code())
-      if (one.op == Op::choice) choices_.push_back(&one);
+      if (one.op == Op::choice) {
+        choices_.push_back(&one);
+        terms_[static_cast<std::size_t>(one.result)] = terms_of(one.a);
+      }
   }
 
   std::size_t unknowns() const { return unknowns_; }
@@ -76,6 +82,18 @@ class Frozen {
     for (const auto* one : choices_)
       if (contradiction(*one) > 0) is_positive_[static_cast<std::size_t>(one->result)] ^= 1;
   }
+  /// A step begins where the last call was. Where several conditions turn at once, one may contradict its
+  /// choice by roundings: that is let pass, as a step's own roundings are, until it goes further.
+  void begin_step() {
+    for (const auto* one : choices_) {
+      const auto i = static_cast<std::size_t>(one->result);
+      for (const int term : terms_[i])
+        largest_[i] = std::max(largest_[i], std::abs(registers_[static_cast<std::size_t>(term)]));
+      let_pass_[i] = 0;
+      const Number off = contradiction(*one);
+      let_pass_[i] = (off > 0 && off <= 1e-15L * largest_[i] ? off : 0) + 1e-16L * largest_[i];
+    }
+  }
   bool has_choices() const { return !choices_.empty(); }
   const std::vector<const Program::Instruction*>& choices() const { return choices_; }
   bool takes_yes(const Program::Instruction& one) const {
@@ -88,9 +106,27 @@ class Frozen {
   }
 
  private:
+  /// The registers whose sum is in this one, each once.
+  std::vector<int> terms_of(int place) const {
+    std::vector<const Program::Instruction*> maker(rates_.registers(), nullptr);
+    for (const auto& one : rates_.code()) maker[static_cast<std::size_t>(one.result)] = &one;
+    std::vector<char> seen(rates_.registers(), 0);
+    std::vector<int> terms, left{place};
+    while (!left.empty()) {
+      const int at = left.back();
+      left.pop_back();
+      if (std::exchange(seen[static_cast<std::size_t>(at)], 1) != 0) continue;
+      const auto* made = maker[static_cast<std::size_t>(at)];
+      if (made && (made->op == Op::add || made->op == Op::subtract))
+        left.insert(left.end(), {made->a, made->b});
+      else
+        terms.push_back(at);
+    }
+    return terms;
+  }
   Number contradiction(const Program::Instruction& one) const {
     const Number condition = registers_[static_cast<std::size_t>(one.a)];
-    return takes_yes(one) ? -condition : condition;
+    return (takes_yes(one) ? -condition : condition) - let_pass_[static_cast<std::size_t>(one.result)];
   }
   void by_conditions(const Values& x, Number t, Values& rate) {
     rates_.run_in(registers_.data(), x.data(), t, rate.data(),
@@ -103,7 +139,9 @@ class Frozen {
   const Program& rates_;
   std::size_t unknowns_;
   Values registers_;
-  std::vector<char> is_positive_;  ///< by the choice's register
+  std::vector<char> is_positive_;        ///< by the choice's register
+  Values largest_, let_pass_;            ///< likewise, of its condition's terms
+  std::vector<std::vector<int>> terms_;  ///< of each choice's condition
   std::vector<const Program::Instruction*> choices_;
 };
 
@@ -442,7 +480,7 @@ namespace {
 /// Wanner, Solving Ordinary Differential Equations I, II.9].
 class Extrapolation {
  public:
-  explicit Extrapolation(Frozen& rates) : rates_(rates) {
+  Extrapolation(Frozen& rates, const Guards& guards) : rates_(rates), guards_(guards) {
     for (auto* all : {&before_, &here_, &after_}) all->resize(rates.unknowns());
     rate_.resize(rates.outputs());
     for (Values& column : columns_) column.resize(rates.unknowns());
@@ -472,7 +510,11 @@ class Extrapolation {
     }
     return finite(result) ? error : std::numeric_limits<Number>::infinity();
   }
-  static constexpr int columns = 9;
+  static constexpr int columns = 9, most_parts = 2 * columns;
+  /// Within the last step, after each of its parts but the last: above zero where a condition contradicts its
+  /// choice or a guard has fallen, as the finest of its columns has it.
+  using Within = std::array<Number, most_parts>;
+  const Within& within() const { return within_; }
 
  private:
   void midpoint(const Values& x, Number t, Number h, int parts) {
@@ -481,7 +523,11 @@ class Extrapolation {
     rates_(x, t, rate_);
     for (std::size_t i = 0; i < x.size(); ++i) here_[i] = x[i] + part * rate_[i];
     for (int m = 1; m < parts; ++m) {
-      rates_(here_, t + static_cast<Number>(m) * part, rate_);
+      const Number then = t + static_cast<Number>(m) * part;
+      rates_(here_, then, rate_);
+      if (parts == most_parts)
+        within_[static_cast<std::size_t>(m)] =
+            std::max(rates_.largest_contradiction(), guards_.most_fallen(rate_.data() + x.size(), then));
       for (std::size_t i = 0; i < x.size(); ++i) after_[i] = before_[i] + 2 * part * rate_[i];
       std::swap(before_, here_);
       std::swap(here_, after_);
@@ -489,6 +535,8 @@ class Extrapolation {
   }
 
   Frozen& rates_;
+  const Guards& guards_;
+  Within within_{};
   Values before_, here_, after_, rate_;
   std::array<Values, columns> columns_;
 };
@@ -500,9 +548,9 @@ TrueMotion by_extrapolation(const Numbers& numbers, std::span<const double> time
   TrueMotion motion{{numbers.start}};
   Frozen frozen(numbers);
   Guards guards(numbers, times.front());
-  Extrapolation extrapolation(frozen);
+  Extrapolation extrapolation(frozen, guards);
   Sizes sizes(n);
-  Values x = numbers.start, rate(frozen.outputs()), after(n), inside(n), ignored(frozen.outputs());
+  Values x = numbers.start, rate(frozen.outputs()), after(n), ignored(frozen.outputs());
   Number t = times.front(), h = (times.back() - t) / 256;
   const Number span = times.back() - t;
   frozen.choose_at(x, t, span * 1e-9L);
@@ -515,24 +563,25 @@ TrueMotion by_extrapolation(const Numbers& numbers, std::span<const double> time
     extrapolation.step(x, t, step, sizes, after);
     return off(after, t + step);
   };
-  /// The first turn within a step to `after`, searched along the step's cubic; 0: none.
-  const auto first_turn = [&](const Values& from, const Values& slope, Number step) -> Number {
-    const Values end = after;
-    Number good = 0, bad = off(end, t + step) > 0 ? step : 0;
-    const Values slope_at_end = ignored;
-    for (const Number part : {0.25L, 0.5L, 0.75L}) {
-      const Number left = 1 - part;
-      for (std::size_t i = 0; i < n; ++i)
-        inside[i] = left * left * (1 + 2 * part) * from[i] + part * part * (3 - 2 * part) * end[i] +
-                    step * part * left * (left * slope[i] - part * slope_at_end[i]);
-      if (off(inside, t + part * step) > 0 && off_after(part * step) > 0) {
-        bad = part * step;
+  /// Where the first is off within a step to `after`, from what the step has seen within. 0: nowhere.
+  const auto first_turn = [&](Number step) -> Number {
+    constexpr int parts = Extrapolation::most_parts;
+    const Extrapolation::Within within = extrapolation.within();
+    Number good = 0, bad = off(after, t + step) > 0 ? step : 0;
+    for (int m = 1; m < parts; ++m) {
+      const Number part = step * m / parts;
+      if (within[static_cast<std::size_t>(m)] > 0 && off_after(part) > 0) {
+        bad = part;
         break;
       }
-      good = part * step;
+      good = part;
     }
     if (bad == 0) return 0;
     Number below = good == 0 ? -1 : off_after(good), above = off_after(bad);
+    for (; below > 0; below = good == 0 ? -1 : off_after(good)) {  // what was seen within is not as exact
+      bad = std::exchange(good, std::max(good - step / parts, Number(0)));
+      above = below;
+    }
     // Tries points a little to either side of the secant's, in turn, and sometimes the middle, so that both
     // ends converge.
     for (int turns = 0; turns < 200; ++turns) {
@@ -553,6 +602,7 @@ TrueMotion by_extrapolation(const Numbers& numbers, std::span<const double> time
     if (steps == most_steps)
       return motion.trouble = ends_at(t, "too many steps, or switches without end"), motion;
     frozen(x, t, rate);
+    frozen.begin_step();
     if (!finite(rate)) return motion.trouble = ends_at(t, "it is not finite there"), motion;
     sizes.see(x, rate, span / 64);
     const Number left = static_cast<Number>(times[next]) - t;
@@ -570,7 +620,7 @@ TrueMotion by_extrapolation(const Numbers& numbers, std::span<const double> time
     }
     if (frozen.has_choices() || guards.count() > 0) {
       const Values end = after;
-      if (const Number turn = first_turn(x, rate, taken); turn > 0) {
+      if (const Number turn = first_turn(taken); turn > 0) {
         off_after(turn);
         frozen.turn_contradicted();
         x = after;
