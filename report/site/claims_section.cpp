@@ -178,7 +178,7 @@ bool is_finding(Verdict verdict) {
 
 /// What a claim that names a formula does not show of it.
 std::string formula_of(const Claim& claim) {
-  if (!is_formula(claim.printed.text) || says_what_is_printed(claim)) return "";
+  if (!is_formula(claim.printed.text) || says_each_form(claim)) return "";
   return ": " + html::text(claim.printed.text);
 }
 
