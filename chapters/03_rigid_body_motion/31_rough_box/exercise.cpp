@@ -2,7 +2,7 @@
 // is not at hand, and nothing here judges them. What is computed is the motion that the exercise is about:
 //   F = -mu p int n dA,  moment = -mu p int rho x n dA,  n = (V + w k x rho)/|V + w k x rho|, p = m g/(4ab)
 // The integrals have closed forms about the instantaneous center. At rest n has no direction: friction at
-// full speed only makes the box tremble, and on a slope creep. A uniform pressure is assumed; the box is too
+// full speed only leaves the box creeping. A uniform pressure is assumed; the box is too
 // low to be tilted by its friction.
 
 #include "chapters/03_rigid_body_motion/31_rough_box/drawing.hpp"
