@@ -543,8 +543,22 @@ TEST_CASE("confirmed claims are a line each below their comparison", "[report]")
   other.claim.says = "x is still 1";
   results.exercises[0].claims = {one, judged(no_violations("the sign is right", 0, 200)), other};
   const std::string page = page_of(results);
-  CHECK(count(page, "<summary>3 confirmed claims</summary>\n\n*b:*<br>x is 1<br>x is still 1\n") == 1);
-  CHECK(count(page, "*In 200 samples:*<br>x is 1\n") == 1);
+  CHECK(
+      count(
+          page,
+          "<summary>3 confirmed claims</summary>\n\n*b:*<br><sup>1</sup>x is 1<br><sup>1</sup>x is still 1\n") ==
+      1);
+  CHECK(count(page, "*In 200 samples:*<br><sup>1</sup>x is 1\n") == 1);
+}
+
+TEST_CASE("a row of forms is not shown again beside a claim that says each of them", "[report]") {
+  Claim claim{.says = "$v=r(1+ex)=r+exr$", .printed = {R"($(r(1+ex),\ r+exr)$)", {}}};
+  CHECK(says_each_form(claim));
+  CHECK_FALSE(says_what_is_printed(claim));
+  for (const char* other : {R"($(r(1+ex),\ r+ex)r$)", R"($(r(1+ex),\ r-exr)$)", "$(r,v)$"}) {
+    claim.printed.text = other;
+    CHECK_FALSE(says_each_form(claim));
+  }
 }
 
 TEST_CASE("long decimals of a sample are shortened as long as they identify it", "[report]") {

@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 
+#include "reference/csv.hpp"
 #include "reference/verdicts.hpp"
 #include "report/verify/catch.hpp"
 #include "tests/scratch_folder.hpp"
@@ -186,4 +187,13 @@ TEST_CASE("no engine follows the heavy top by its defaults, as the first page st
     ++engines;
   }
   CHECK(engines > 3);
+}
+
+TEST_CASE("the first page names four of the engines and counts the others", "[texts]") {
+  const std::string in_double = " in double", page = words_of(text_of(tree / "README.md"));
+  std::set<std::string> engines;
+  for (const oddity::CsvRow& row : oddity::read_csv(tree / "reference/approved/engines.csv").rows)
+    if (!row.cells[1].ends_with(in_double)) engines.insert(row.cells[1]);
+  CHECK(engines.size() == 4 + 7);
+  CHECK(page.find("Bullet, Box2D, Jolt, MuJoCo and seven other engines") != std::string::npos);
 }

@@ -1,6 +1,9 @@
 // Results in the texts of breakdowns come from their trials: no measured number is typed into a sentence.
 
 #include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
 #include <regex>
 #include <set>
 
@@ -223,6 +226,44 @@ TEST_CASE("no measured number is typed into a why, a consequence, or the reason 
     INFO(each.words << " is said nowhere: " << each.because);
     CHECK(seen.contains(each.words));
   }
+}
+
+namespace {
+
+/// "a fiftieth of a second of arc", "ten decimals: ..." in the quantity's unit; NaN where it begins
+/// otherwise.
+double worth(const std::string& need) {
+  const std::map<std::string, double> units{
+      {"centimetre", 1e-2},           {"millimetre", 1e-3},
+      {"micrometre", 1e-6},           {"nanometre", 1e-9},
+      {"microsecond", 1e-6},          {"seconds? of arc", std::numbers::pi / 648'000},
+      {"thousandth per second", 1e-3}},
+      parts{{"a", 1},       {"a fifth of a", 0.2},     {"a tenth of a", 0.1}, {"a fiftieth of a", 0.02},
+            {"twenty", 20}, {"a hundredth of a", 0.01}},
+      decimals{{"nine", 1e-9}, {"ten", 1e-10}, {"twelve", 1e-12}};
+  for (const auto& [number, value] : decimals)
+    if (need.starts_with(number + " decimals")) return value;
+  for (const auto& [part, of] : parts)
+    for (const auto& [unit, value] : units)
+      if (std::regex_search(need, std::regex("^" + part + " " + unit + "\\b"))) return of * value;
+  return NAN;
+}
+
+}  // namespace
+
+TEST_CASE("a need in words is its number", "[claims][texts]") {
+  const std::regex in_units("metre|microsecond|of arc|per second|^[a-z]+ decimals$"), filled_in("^@|^\\d");
+  const Reference truth(std::filesystem::path(ODDITY_SOURCE) / "reference");
+  int needs = 0;
+  for (const Entry& entry : registry())
+    for (const Quantity& q : entry.exercise.study(Parameters(entry.exercise.parameters), truth).quantities) {
+      const std::string words = q.need.reason.substr(0, q.need.reason.find_first_of(",:;"));
+      if (!std::regex_search(words, in_units) || std::regex_search(words, filled_in)) continue;
+      INFO(to_string(entry.number) << " " << q.name << ": " << words << ", " << q.need.allowed);
+      CHECK(std::abs(q.need.allowed / worth(words) - 1) < 0.05);
+      ++needs;
+    }
+  CHECK(needs > 30);
 }
 
 TEST_CASE("a breakdown's numbers come from its trials", "[claims]") {

@@ -146,16 +146,17 @@ std::string compared_with(const JudgedClaim& judged) {
              : (c.right.by == "zero" && c.left.by != judged.claim.says ? c.left.by : c.right.by);
 }
 
-/// A line a claim, those that were compared with the same together.
+/// A line a claim with where it is, those that were compared with the same together.
 std::string confirmed_lines(const ExerciseResult& e, const ProvedClaims& proved) {
   std::vector<std::pair<std::string, std::string>> groups;
   for (const JudgedClaim& c : e.claims) {
     if (c.verdict != Verdict::confirmed) continue;
     const std::string mark = proved.contains(c.claim.id) ? "†" : "";
     const Reading& printed = c.claim.printed;
-    const bool formula = is_formula(printed.text) && !says_what_is_printed(c.claim);
-    const std::string line =
-        "<br>" + mark + escaped(c.claim.says, false) + (formula ? ": " + escaped(printed.text, false) : "");
+    const bool formula = is_formula(printed.text) && !says_each_form(c.claim);
+    const std::string line = "<br>" + mark + "<sup>" + std::to_string(c.claim.line) + "</sup>" +
+                             escaped(c.claim.says, false) +
+                             (formula ? ": " + escaped(printed.text, false) : "");
     const std::string with = compared_with(c);
     const auto same = std::ranges::find(groups, with, &std::pair<std::string, std::string>::first);
     if (same == groups.end())

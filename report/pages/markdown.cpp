@@ -264,7 +264,7 @@ std::string head(const Results& results) {
          (all[Verdict::wrong] + all[Verdict::incomplete] > 0 ? " There are " + causes_of_errata(results) + "."
                                                              : "") +
          (all[Verdict::confirmed] > 0
-              ? " Confirmed claims stand beneath the second route that they agree with."
+              ? " Confirmed claims stand beneath the second route that they agree with, after their lines."
               : "") +
          (missing.empty() ? "" : " Not yet encoded: " + missing + ".") + "\n\n";
 }

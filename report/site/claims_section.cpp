@@ -203,7 +203,7 @@ bool is_finding(Verdict verdict) {
 
 /// The formula that the claim's text names but does not show.
 std::string formula_of(const Claim& claim) {
-  if (!is_formula(claim.printed.text) || says_what_is_printed(claim)) return "";
+  if (!is_formula(claim.printed.text) || says_each_form(claim)) return "";
   return ": " + html::text(claim.printed.text);
 }
 

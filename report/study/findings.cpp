@@ -199,11 +199,30 @@ bool counts_violations(const Check& c) {
   return c.right.by == "none" && c.left.by.starts_with("violations in ");
 }
 
+namespace {
+
+/// Without the dollars of a text that is one formula.
+std::string_view within_dollars(std::string_view text) {
+  const bool one = text.size() > 2 && text.starts_with('$') && text.find('$', 1) == text.size() - 1;
+  return one ? text.substr(1, text.size() - 2) : text;
+}
+
+}  // namespace
+
 bool says_what_is_printed(const Claim& claim) {
-  std::string_view printed = claim.printed.text;
-  if (printed.size() > 2 && printed.find('$', 1) == printed.size() - 1 && printed.starts_with('$'))
-    printed = printed.substr(1, printed.size() - 2);
-  return claim.says.find(printed) != std::string::npos;
+  return claim.says.find(within_dollars(claim.printed.text)) != std::string::npos;
+}
+
+bool says_each_form(const Claim& claim) {
+  const std::string_view row = within_dollars(claim.printed.text), between = R"(,\ )";
+  if (says_what_is_printed(claim)) return true;
+  if (!row.starts_with('(') || !row.ends_with(')')) return false;
+  for (std::size_t from = 1, to = 0; to < row.size() - 1; from = to + between.size()) {
+    to = std::min(row.find(between, from), row.size() - 1);
+    const std::string_view form = row.substr(from, to - from);
+    if (form.size() < 3 || claim.says.find(form) == std::string::npos) return false;
+  }
+  return true;
 }
 
 const Trajectory* trajectory_of(const ExerciseResult& e) {

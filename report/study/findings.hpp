@@ -86,6 +86,8 @@ std::string place_of(const Claim&);
 
 /// The claim's own words include the printed text.
 bool says_what_is_printed(const Claim&);
+/// The same, or of several forms in a row, each of them does.
+bool says_each_form(const Claim&);
 
 /// The model has the book's own equations, judged by its name.
 bool is_published(std::string_view model);

@@ -323,12 +323,13 @@ std::vector<Claim> claims(double h, double seed) {
   claims.add("normal_from_above", 173, R"($\mathbf N$ tends to $(0,0,1)$ from above.)",
              {.printed = limits.tends(N, {after}, z, N_at),
               .near_misses = {limits.tends(N, {after}, y, N_at), limits.tends(N, {after}, -z, N_at)}});
-  claims.add(
-      "no_sign_helps", 181,
-      R"(The one-sided limits of $\mathbf N$ are different, even with a change of sign on one of them.)",
-      {.printed = {R"(both jumps are $\sqrt2$)", {limits.jump(1, sqrt2), limits.jump(-1, sqrt2)}},
-       .near_misses = {{"the limits are equal", {limits.jump(1, 0)}},
-                       {"they are opposite", {limits.jump(-1, 0)}}}});
+  claims.add("one_sided_limits_differ", 181, R"(The one-sided limits of $\mathbf N$ at $t=0$ are different.)",
+             {.printed = {R"(the jump is $\sqrt2$)", {limits.jump(1, sqrt2)}},
+              .near_misses = {{"the limits are equal", {limits.jump(1, 0)}}}});
+  claims.add("no_sign_helps", 181,
+             R"(Even a sign change on one of the normals does not make the one-sided limits equal.)",
+             {.printed = {R"(the jump to $-\mathbf N$ is $\sqrt2$ as well)", {limits.jump(-1, sqrt2)}},
+              .near_misses = {{"the limits are opposite", {limits.jump(-1, 0)}}}});
   claims.add(
       "no_continuous_normal", 181,
       "It is not possible to define a continuous normal of the curve at $t=0$ (our reading: in the curve's "
@@ -494,8 +495,8 @@ Provables proofs() {
   }
   proved.push_back(evaluated);
   const Shortened root_2 = sqrt(Shortened(2));
-  proved.push_back(limit_of_number("no_sign_helps", "both jumps have this limit",
-                                   {{normals_apart(1, t()), root_2}, {normals_apart(-1, t()), root_2}}));
+  for (const auto& [slug, sign] : {std::pair{"one_sided_limits_differ", 1}, {"no_sign_helps", -1}})
+    proved.push_back(limit_of_number(slug, "the jump has this limit", {{normals_apart(sign, t()), root_2}}));
   proved.push_back(limit_of_number("no_continuous_normal",
                                    "the cosine of the normals at t and -t has the limit 0",
                                    {{cosine(N_after, t()), 0}}));

@@ -162,15 +162,16 @@ void derivative_of_frame(Table& table, const std::vector<Sample>& all) {
       {.truth = {"dual numbers", [](const auto& s) { return s.b_dot; }},
        .printed = R"($\dot{\mathbf r}\times\mathbf u+\mathbf r\times\dot{\mathbf u}$)",
        .changes_that_hold = no_product});
-  table.formula(
-      "parallel", 511,
-      R"($\dot{\mathbf r}\times\mathbf u=0$, they being parallel: $\frac{d}{dt}(\mathbf r\times\mathbf u)=\mathbf r\times\dot{\mathbf u}$)",
-      all,
-      {.quantity = R"($\dot{\mathbf r}\times\mathbf u$ and $\frac{d}{dt}(\mathbf r\times\mathbf u)$)",
-       .truth = {"zero, and dual numbers",
-                 []<class T>(const SampleOf<T>& s) { return in_a_row<T>(Vector<T>{}, s.b_dot); }},
-       .printed = R"($(\dot{\mathbf r}\times\mathbf u,\ \mathbf r\times\dot{\mathbf u})$)",
-       .changes_that_hold = no_product});
+  table.formula("product_rule_reduced", 511,
+                R"($\frac{d}{dt}(\mathbf r\times\mathbf u)=\mathbf r\times\dot{\mathbf u}$)", all,
+                {.truth = {"dual numbers", [](const auto& s) { return s.b_dot; }},
+                 .printed = R"($\mathbf r\times\dot{\mathbf u}$)"});
+  table.formula("parallel", 513, R"($\dot{\mathbf r}\times\mathbf u=0$, as they are parallel)", all,
+                {.quantity = R"($\dot{\mathbf r}\times\mathbf u$)",
+                 .truth = {"zero", []<class T>(const SampleOf<T>&) { return Vector<T>{}; }},
+                 .printed = R"($\dot{\mathbf r}\times\mathbf u$)",
+                 .near_misses = {R"($\mathbf r\times\mathbf u$)"},
+                 .changes_that_hold = no_product});
   table.formula(
       "columns", 515, R"($\dot R=[\dot{\mathbf r}\ \dot{\mathbf u}\ \mathbf r\times\dot{\mathbf u}]$)", all,
       {.quantity = R"($\dot R$)",

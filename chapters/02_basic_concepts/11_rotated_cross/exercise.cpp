@@ -143,15 +143,16 @@ void proof(Table& table, const std::vector<Sample>& all) {
        .truth = {by_quaternion,
                  [](const auto& m) { return stacked(m.rotated(m.u), m.rotated(m.v), m.rotated(m.w)); }},
        .printed = R"($(c\mathbf u+s\mathbf v,\ -s\mathbf u+c\mathbf v,\ \mathbf w)$)"});
-  table.formula(
-      "components", 635,
-      R"($\mathbf a=a_0\mathbf u+a_1\mathbf v+a_2\mathbf w$, $\mathbf b=b_0\mathbf u+b_1\mathbf v+b_2\mathbf w$, )"
-      R"($\mathbf a\times\mathbf b=g_0\mathbf u+g_1\mathbf v+g_2\mathbf w$)",
-      all,
-      {.quantity = R"($\mathbf a$, $\mathbf b$ and $\mathbf a\times\mathbf b$)",
-       .truth = {"the vectors", [](const auto& m) { return stacked(m.a, m.b, cross(m.a, m.b)); }},
-       .printed = R"($(a_0\mathbf u+a_1\mathbf v+a_2\mathbf w,\ b_0\mathbf u+b_1\mathbf v+b_2\mathbf w,\ )"
-                  R"(g_0\mathbf u+g_1\mathbf v+g_2\mathbf w)$)"});
+  const auto components = [&](const std::string& slug, int number, const std::string& vector,
+                              const std::string& x, const Rotated& truth) {
+    const std::string sum = x + R"(_0\mathbf u+)" + x + R"(_1\mathbf v+)" + x + R"(_2\mathbf w$)";
+    table.formula("components_of_" + slug, number, "$" + vector + "=" + sum, all,
+                  {.quantity = "$" + vector + "$", .truth = truth, .printed = "$" + sum});
+  };
+  components("a", 635, R"(\mathbf a)", "a", {"the vector", [](const auto& m) { return m.a; }});
+  components("b", 637, R"(\mathbf b)", "b", {"the vector", [](const auto& m) { return m.b; }});
+  components("product", 639, R"(\mathbf a\times\mathbf b)", "g",
+             {"in world coordinates", [](const auto& m) { return cross(m.a, m.b); }});
   table.formula(
       "product_components", 641, R"($(g_0,g_1,g_2)=(a_1b_2-a_2b_1,a_2b_0-a_0b_2,a_0b_1-a_1b_0)$)", all,
       {.quantity = R"(the components of $\mathbf a\times\mathbf b$)",

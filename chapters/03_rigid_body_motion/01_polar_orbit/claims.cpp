@@ -44,6 +44,9 @@ struct PointOf : EllipseOf<T> {
 
   T nearest() const { return e * rho / (1 + e); }
   T farthest() const { return e * rho / (1 - e); }
+  /// The distance at the polar angles 0 and pi.
+  T at_zero() const { return e * rho / (1 + s * e); }
+  T at_pi() const { return e * rho / (1 - s * e); }
   T half_length() const { return (nearest() + farthest()) / 2; }
   T to_middle() const { return (farthest() - nearest()) / 2; }
   template <class Angle>
@@ -238,13 +241,15 @@ void to_the_ellipse(Table& t) {
 // ---- what is said about it --------------------------------------------------------------------------------
 
 const Line middle_of_apsides{"the middle of the apsides",
-                             [](const auto& p) { return values(-p.to_middle(), 0); }, &Point::farthest};
-const Line printed_center = "$(c,0)$", center = "$(-c,0)$";
+                             [](const auto& p) { return values((p.at_zero() - p.at_pi()) / 2, 0); },
+                             &Point::farthest};
+const Line printed_center = R"($(\pm c,0)$)", center = R"($(\mp c,0)$)";
 
 const Point shown{{0.625, 1.5}, 0, 0, 0, 1};
 
 const Line all_apart{R"($r(0)+r(\pi)$)", [](const auto& p) { return p.nearest() + p.farthest(); }};
-const Line printed_foci = R"($r+\sqrt{(x-2c)^2+y^2}$)", foci = R"($r+\sqrt{(x+2c)^2+y^2}$)";
+const Line printed_foci = R"($r+\sqrt{(x\mp2c)^2+y^2}$)", foci = R"($r+\sqrt{(x\pm2c)^2+y^2}$)",
+           foci_of_orbit = R"($r+\sqrt{(x+2c)^2+y^2}$)";
 
 const Line sizes{R"($r(0)+r(\pi)$, and twice the highest point by Brent's method)",
                  [](const auto& p) { return values(p.nearest() + p.farthest(), 2 * p.half_height()); }};
@@ -259,8 +264,8 @@ void about_the_ellipse(Table& t) {
       "is $r=0$, and from $e=1$ on its curve is no ellipse).",
       samples, {.printed = {"$(a,b)>0$"}, .near_misses = {{R"($(a-\rho,b)>0$)"}, {"$(a,b-c)>0$"}}});
   claims.formula<Point>(
-      "center", 941, R"(The center of the ellipse $(x\pm c)^2/a^2+y^2/b^2=1$ is $(\pm c,0)$.)", samples,
-      {.quantity = R"(the center of the orbit, $(x+c)^2/a^2+y^2/b^2=1$)",
+      "center", 941, R"(The center of the ellipse $(x\pm c)^2/a^2+y^2/b^2=1$ is $(\pm c,0)$.)", t.both,
+      {.quantity = R"(the center of the orbit or of its mirror image)",
        .truth = middle_of_apsides,
        .printed = printed_center,
        .corrected = center,
@@ -284,9 +289,9 @@ void about_the_ellipse(Table& t) {
          to_middle_of_apsides, "$c$");
   t.line("origin_is_focus", 943,
          "The origin is a focal point: the distances to it and to another point have a constant sum.",
-         On::orbit, all_apart, foci, "sum of the distances to the origin and $(-2c,0)$");
+         On::orbit, all_apart, foci_of_orbit, "sum of the distances to the origin and $(-2c,0)$");
   claims.formula<Point>(
-      "other_focus", 943, R"(The other focal point is $(\pm2c,0)$.)", samples,
+      "other_focus", 943, R"(The other focal point is $(\pm2c,0)$.)", t.both,
       {.quantity = R"(sum of the distances to the origin and the other focus)",
        .truth = all_apart,
        .printed = printed_foci,
@@ -404,6 +409,15 @@ Proof.
   { destruct (Rlt_le_dec 0 r) as [|N]; trivial. assert (0 < x) by nra. assert (- r < x) by nra. nra. }
   split; trivial. assert (- r <= x) by (destruct (Rle_lt_dec (- r) x) as [|N]; trivial; nra). nra.
 Qed.
+(* From the orbit's other focus, the only root there is. *)
+Ltac other_distance e rho x C :=
+  let d := constr:(e * rho / (1 + e) + e * rho / (1 - e) - (e * rho - e * x)) in
+  match goal with |- context [sqrt ?q] =>
+    replace q with (d * d) by (field [C]; repeat split; lra);
+    rewrite sqrt_square by (apply Rmult_le_reg_r with (1 - e); [lra |];
+      assert (e * rho / (1 + e) > 0) by (apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat |]; lra);
+      replace (d * (1 - e)) with (e * rho / (1 + e) * (1 - e) + (e * rho - (1 - e) * (e * rho - e * x)))
+        by (field; lra); nra) end.
 Ltac by_distance :=
   match goal with E : ?e > 0, U : 1 - ?e > 0, P : ?rho > 0, C : ?y * ?y = _ - ?x * ?x |- _ =>
     try replace (x ^ 2 + y ^ 2) with (x * x + y * y) by ring;
@@ -412,31 +426,33 @@ Ltac by_distance :=
     assert (square : x * x + y * y = (e * rho - e * x) * (e * rho - e * x)) by lra;
     try rewrite cos_atan2 by (rewrite square; apply Rmult_lt_0_compat; lra);
     rewrite ?square, ?sqrt_square by lra;
-    try (match goal with |- context [sqrt ?q] =>
-      replace q with ((e * rho / (1 + e) + e * rho / (1 - e) - (e * rho - e * x)) * (e * rho / (1 + e) + e * rho / (1 - e) - (e * rho - e * x)))
-        by (field [C]; repeat split; lra);
-      rewrite sqrt_square by (apply Rmult_le_reg_r with (1 - e); [lra |];
-        assert (e * rho / (1 + e) > 0) by (apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat |]; lra);
-        replace ((e * rho / (1 + e) + e * rho / (1 - e) - (e * rho - e * x)) * (1 - e)) with
-          (e * rho / (1 + e) * (1 - e) + (e * rho - (1 - e) * (e * rho - e * x))) by (field; lra); nra) end);
+    try other_distance e rho x C;
     field; repeat split; lra end.
+Ltac by_mirrored_distance :=
+  match goal with E : ?e > 0, U : 1 - ?e > 0, P : ?rho > 0, C : ?y * ?y = _ - ?x * ?x |- _ =>
+    replace (1 - e ^ 2) with ((1 - e) * (1 + e)) by ring;
+    assert (M : y * y = (e * rho - e * - x) * (e * rho - e * - x) - - x * - x) by (rewrite C; ring);
+    destruct (on_orbit e rho (- x) y E U P M) as [far below];
+    other_distance e rho (- x) M; field; repeat split; lra end.
 )";
 
 Provable by_distance(Provable provable) {
   provable.preamble = atan2_in_coq + distances_in_coq;
   for (Lemma& lemma : provable.lemmas)
-    if (lemma.tactic != "interval") lemma.tactic = "by_distance";
+    if (lemma.tactic != "interval")
+      lemma.tactic = lemma.name == "mirror_image" ? "by_mirrored_distance" : "by_distance";
   return provable;
 }
 
 Provable proof_of_center() {
-  const PointOf<Shortened> p{{0.5, 1}, 0, 0, 0, 0};
+  const PointOf<Shortened> p{{0.5, 1}, 0, 0, 0, 1};
   const Expression printed = printed_center.recorded(p)[0], right = middle_of_apsides.recorded(p)[0];
   return {
       "3.1-center",
-      "the corrected center is in the middle of the apsides of every orbit; for e = 1/2 and rho = 1 the printed "
-      "one is off",
-      {on_curve("corrected", center, middle_of_apsides, 0),
+      "the corrected center is in the middle of the apsides of every orbit and its mirror image; for e = 1/2 "
+      "and rho = 1 the printed one is off",
+      {on_curve("corrected", center, middle_of_apsides, 1),
+       on_curve("mirror_image", center, middle_of_apsides, -1),
        {.name = "printed_differs", .follows = {apart(printed, right, 0.6)}, .tactic = "interval"}},
       0.6};
 }
@@ -445,8 +461,10 @@ Provable proof_of_center() {
 Provable proof_of_other_focus() {
   const PointOf<Shortened> p{{0.5, 1}, 0.375, 0.25, sqrt(Shortened(5.0) / 64), 1};
   return {"3.1-other_focus",
-          "the corrected point is a focus of every orbit; for e = 1/2 and rho = 1 the printed one is off",
+          "the corrected point is a focus of every orbit and its mirror image; for e = 1/2 and rho = 1 the "
+          "printed one is off",
           {on_curve("corrected", foci, all_apart, 1),
+           on_curve("mirror_image", foci, all_apart, -1),
            {.name = "printed_differs",
             .follows = {apart(printed_foci.recorded(p)[0], all_apart.recorded(p)[0], 0.45)},
             .tactic = "interval"}},

@@ -142,7 +142,7 @@ Quantity rest(const Box& box, const Reference& truth) {
   const Knob softness{"softness", {0.3, 0.1, 0.03, 0.01, 0.003, 0.001, 0.0003, 0.0001}};
   q.add({in_time, "Runge-Kutta 4", halving("step", 0.0625, 6),
          [=](double h) { return answer(through_the_stop<ode::RungeKutta4>(box, 0, h), place); },
-         Outcome::inaccurate, "at the stop friction changes its sign at every step: the box trembles"});
+         Outcome::inaccurate, "at the stop friction changes sign within every step: the box never rests"});
   q.add({soft, "Dormand-Prince 5(4), tolerance 1e-9", softness,
          [=](double e) { return answer(through_the_stop<ode::DormandPrince54>(box, e, 1e-9), place); }});
   q.add({soft, "Rosenbrock 4, tolerance 1e-9", softness,
@@ -225,16 +225,16 @@ Quantity slide(const Box& box, const Horizon& horizon, const Reference& truth) {
   constexpr double softness = 0.01;
   const InTime<double> full{box}, softened{box, softness};
   const std::string soft_1 = "friction regularized at 1 cm/s", order = "its order is too low for this need",
-                    trembles = "at the stop friction changes its sign at every step: the box trembles",
+                    restless = "at the stop friction changes sign within every step: the box never rests",
                     creeps = filled("below @1 cm/s friction is too weak", {softness / centimeter});
   SceneMethods(q, horizon, steps, tolerances(2, 4, 1))
       .closed_form("sliding and spinning apart", Uncoupled<double>{box},
                    box.w0 == 0 || box.sliding_time() == 0 ? ok : inaccurate,
                    "each motion takes friction's direction away from the other, and both last longer")
       .by<ode::ExplicitEuler>(in_time, full, inaccurate, order)
-      .by<ode::RungeKutta4>(in_time, full, inaccurate, trembles)
-      .by<ode::DormandPrince54>(in_time, full, inaccurate, trembles)
-      .by<ode::Fehlberg78>(in_time, full, inaccurate, trembles);
+      .by<ode::RungeKutta4>(in_time, full, inaccurate, restless)
+      .by<ode::DormandPrince54>(in_time, full, inaccurate, restless)
+      .by<ode::Fehlberg78>(in_time, full, inaccurate, restless);
   SceneMethods(q, horizon, steps, tolerances())
       .by<ode::ExplicitEuler>(soft_1, softened, inaccurate, creeps)
       .by<ode::RungeKutta4>(soft_1, softened, inaccurate, creeps)
@@ -288,13 +288,13 @@ Quantity slide(const Box& box, const Horizon& horizon, const Reference& truth) {
 std::vector<Quantity> at_rest(const Box& box, const Reference& truth) {
   Quantity end = rest(box, truth);
   end.add(
-      Breakdown{"Friction that has full strength at any speed reverses at every step once the box should "
-                "rest: it trembles and wanders. A test whether friction can stop the box within the step "
+      Breakdown{"Friction that has full strength at any speed reverses within every step once the box should "
+                "rest: the box creeps on. A test whether friction can stop the box within the step "
                 "lets it rest.",
                 in_time + ", Runge-Kutta 4", 0x1p-8, Outcome::inaccurate, sticks + ", " + midpoint, 0x1p-12});
   end.add(Breakdown{
       R"(Regularized friction is stiff at rest: its rate is $\mu g$ over the softness, and a fixed )"
-      R"(explicit step ends by trembling. An implicit method takes its steps from the motion.)",
+      R"(explicit step ends by creeping. An implicit method takes its steps from the motion.)",
       soft + ", Runge-Kutta 4, step 1/256", 0.0001, Outcome::inaccurate,
       soft + ", Rosenbrock 4, tolerance 1e-9", 0.0001});
   return {time_to_rest(box, truth), end};
