@@ -1,12 +1,12 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "chapters/claims.hpp"
 #include "problem/file.hpp"
-#include "reference/verdicts.hpp"
 
 /// The claims of a problem's file, judged as the book's claims are (chapters/claims.hpp).
 namespace oddity::problem {
@@ -17,15 +17,18 @@ class Sheet {
   /// outlive it.
   Sheet(const File&, std::string exercise);
 
+  std::size_t size() const { return claims_.size(); }
+  /// One of them, by its place in the file.
+  Claim judged(std::size_t) const;
   std::vector<Claim> judged() const;
   /// The verdicts that the file itself expects: what has only `printed` is confirmed, what has `corrected` is
   /// wrong, or with `in_view` incomplete, and what has `meant` a misprint.
-  const Verdicts& stated() const { return stated_; }
+  const std::map<std::string, std::string, std::less<>>& stated() const { return stated_; }
 
  private:
   std::string exercise_;
   std::vector<std::function<void(Claims&)>> claims_;
-  Verdicts stated_;
+  std::map<std::string, std::string, std::less<>> stated_;  ///< by the claim's id
 };
 
 }  // namespace oddity::problem

@@ -144,6 +144,7 @@ std::string comment_of(const File& file, const ModelText& model) {
   std::string about = "/// " + file.title + ": " + model.name.text + ".\n";
   for (const Quoted& one : model.equations) about += "///   " + one.text + "\n";
   if (model.equations.empty() && model.lagrangian) about += "///   L = " + model.lagrangian->text + "\n";
+  if (model.equations.empty() && model.hamiltonian) about += "///   H = " + model.hamiltonian->text + "\n";
   for (const auto& [name, formula] : model.closed)
     about += "///   " + name.text + " = " + formula.text + "\n";
   for (const auto& [name, formula] : file.given) about += "///   " + name.text + " = " + formula.text + "\n";

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <set>
 #include <sstream>
+#include <utility>
 
 // toml++ 3.3 has assertions that hostile texts can violate, such as a key that begins with a comma. A release
 // build would continue.
@@ -51,7 +53,7 @@ class Reader {
     for (const auto& [key, node] : in_order(table_at(table, "model"))) model(key, *node);
     if (const auto* claims = table.get("claim")) all_claims(*claims);
     if (file_.models.empty() && !file_.claims.empty()) {
-      for (const char* of_motion : {"observe", "need", "sweep", "given", "tables"})
+      for (const char* of_motion : {"observe", "need", "sweep", "given", "tables", "staged"})
         if (const auto* node = table.get(of_motion))
           source_.fail(place_of(*node), std::string(of_motion) + " is of a motion, and there is no model");
       return;
@@ -62,6 +64,7 @@ class Reader {
       source_.fail({1, 1}, "nothing is observed: add [observe] with name = \"unit\"");
     need(table_at(table, "need"));
     sweep(table_at(table, "sweep"));
+    if (const auto* node = table_at(table, "staged")) staged(*node);
   }
 
  private:
@@ -251,8 +254,14 @@ class Reader {
     if (!text) source_.fail(place_of(node), "rows are pairs, [[0, 0], [0.1, 5]], or lines of text");
     Place place = quoted(node).place;
     std::istringstream lines(text->get());
-    for (std::string line; std::getline(lines, line); place = {place.line + 1, 1})
-      if (line.find_first_not_of(" \t\r") != line.npos) all.push_back({pair_of({line, place}), place});
+    bool may_be_heading = true;
+    for (std::string line; std::getline(lines, line); place = {place.line + 1, 1}) {
+      const auto begin = line.find_first_not_of(" \t\r\"");
+      if (begin == line.npos) continue;
+      const bool begins_word = std::isalpha(static_cast<unsigned char>(line[begin])) != 0;
+      if (!std::exchange(may_be_heading, false) || !begins_word)
+        all.push_back({pair_of({line, place}), place});
+    }
     return all;
   }
 
@@ -342,7 +351,9 @@ class Reader {
     if (const auto* equations = table->get("equations")) m.equations = texts(*equations);
     if (const auto* constraints = table->get("constraints")) m.constraints = texts(*constraints);
     if (const auto* lagrangian = table->get("lagrangian")) m.lagrangian = quoted(*lagrangian);
+    if (const auto* hamiltonian = table->get("hamiltonian")) m.hamiltonian = quoted(*hamiltonian);
     if (const auto* dissipation = table->get("dissipation")) m.dissipation = quoted(*dissipation);
+    m.momenta = pairs(table_at(*table, "momenta"));
     m.forces = pairs(table_at(*table, "forces"));
     m.start = pairs(table_at(*table, "start"));
     m.closed = pairs(table_at(*table, "closed"));
@@ -357,14 +368,29 @@ class Reader {
     if (const auto* events = table->get("events")) m.events = all_events(*events);
     if (!m.events.empty() && !m.closed.empty())
       source_.fail(m.events.front().when.place, "a closed form has no events");
-    const int kinds = !m.closed.empty() + (!m.equations.empty() || m.lagrangian);
+    const int kinds = !m.closed.empty() + (!m.equations.empty() || m.lagrangian || m.hamiltonian);
     if (kinds != 1)
-      source_.fail(key.place, kinds == 0 ? "model " + key.text + " has no equations, lagrangian or closed"
-                                         : "model " + key.text + " is a closed form, or has equations");
-    if (!m.lagrangian && (m.dissipation || !m.forces.empty() || !m.constraints.empty()))
       source_.fail(key.place,
-                   "forces, dissipation and constraints go with a lagrangian; put them into the equations");
+                   kinds == 0 ? "model " + key.text + " has no equations, lagrangian, hamiltonian or closed"
+                              : "model " + key.text + " is a closed form, or has equations");
+    require_parts(m, key);
     file_.models.push_back(std::move(m));
+  }
+
+  /// Each part goes with what it is of.
+  void require_parts(const ModelText& m, const Quoted& key) const {
+    if (m.hamiltonian && m.lagrangian)
+      source_.fail(
+          m.hamiltonian->place,
+          "its unknowns are places and momenta, and those of a lagrangian places: make two models of them, "
+          "which are then compared");
+    if (m.hamiltonian.has_value() == m.momenta.empty())
+      source_.fail(key.place, "a hamiltonian has momenta = { x = \"p\" }, the momentum of each place");
+    if (!m.lagrangian && (m.dissipation || !m.constraints.empty()))
+      source_.fail(key.place,
+                   "dissipation and constraints go with a lagrangian; put them into the equations");
+    if (!m.lagrangian && !m.hamiltonian && !m.forces.empty())
+      source_.fail(key.place, "forces go with a lagrangian or a hamiltonian; put them into the equations");
   }
 
   std::vector<EventText> all_events(const toml::node& node) const {
@@ -472,6 +498,66 @@ class Reader {
       if (!(p->least <= file_.sweep_values.back() && file_.sweep_values.back() <= p->most))
         source_.fail(one.place, "this is outside the range of " + file_.sweep);
     }
+  }
+
+  // ---- bodies and joints ---------------------------------------------------------------------------------
+
+  void staged(const toml::table& table) {
+    only(table, "staged", keys("staged"));
+    StagedText made{place_of(table)};
+    made.gravity = vector_in(table, "gravity");
+    each_in(table, "body", [&](const toml::table& one) {
+      made.bodies.push_back({text_of(one, "body", "name"), text_of(one, "body", "mass"),
+                             text_of(one, "body", "turn"), texts_in(one, "inertia"), vector_in(one, "place"),
+                             vector_in(one, "velocity"), vector_in(one, "spin")});
+      if (const std::size_t count = made.bodies.back().inertia.size(); count != 1 && count != 3)
+        source_.fail(place_of(one), "inertia has one moment for all axes, or three");
+    });
+    each_in(table, "joint", [&](const toml::table& one) {
+      made.joints.push_back({text_of(one, "joint", "kind"), text_of(one, "joint", "a"),
+                             text_of(one, "joint", "b"), vector_in(one, "at"), vector_in(one, "axis"),
+                             vector_in(one, "end")});
+    });
+    each_in(table, "spring", [&](const toml::table& one) {
+      made.springs.push_back({text_of(one, "spring", "a"), text_of(one, "spring", "b"),
+                              text_of(one, "spring", "stiffness"), text_of(one, "spring", "rest"),
+                              vector_in(one, "at"), vector_in(one, "end")});
+    });
+    if (made.bodies.empty()) source_.fail(made.place, "nothing is staged: add [[staged.body]]");
+    made.observe = pairs(table_at(table, "observe"));
+    made.differs = text_of(table, "staged", "differs").text;
+    file_.staged = std::move(made);
+  }
+  template <class Take>
+  void each_in(const toml::table& table, const std::string& key, const Take& take) const {
+    const auto* node = table.get(key);
+    if (!node) return;
+    const auto* array = node->as_array();
+    for (std::size_t i = 0; !array || i < array->size(); ++i) {
+      const auto* one = array ? (*array)[i].as_table() : nullptr;
+      if (!one) source_.fail(place_of(*node), "these are tables of their own: [[staged." + key + "]]");
+      only(*one, "a " + key, keys(key));
+      take(*one);
+    }
+  }
+  /// Where a key that is needed is missing, that is said.
+  Quoted text_of(const toml::table& table, std::string_view of, std::string_view key) const {
+    if (const auto* node = table.get(key)) return quoted(*node);
+    if (std::ranges::find(keys_of(of), key, &Key::name)->needed)
+      source_.fail(place_of(table), "this " + std::string(of) + " has no " + std::string(key));
+    return {"", place_of(table)};
+  }
+  std::vector<Quoted> texts_in(const toml::table& table, const char* key) const {
+    const auto* node = table.get(key);
+    return node ? texts(*node) : std::vector<Quoted>();
+  }
+  /// Three, or none.
+  std::vector<Quoted> vector_in(const toml::table& table, const char* key) const {
+    std::vector<Quoted> all = texts_in(table, key);
+    if (!all.empty() && all.size() != 3)
+      source_.fail(all.front().place,
+                   std::string(key) + " has three components: [\"0 m\", \"1 m\", \"0 m\"]");
+    return all;
   }
 
   // ---- claims --------------------------------------------------------------------------------------------
@@ -586,19 +672,52 @@ class Reader {
   std::set<std::string> names_;
 };
 
+/// What toml++ 3.3 takes for impossible outside of quotes: U+FE7F to U+FEFE, forms of Arabic letters.
+void require_readable(const Source& source) {
+  const auto byte = [&](std::size_t i) {
+    return i < source.text.size() ? static_cast<unsigned char>(source.text[i]) : 0U;
+  };
+  Place place{1, 1};
+  for (std::size_t i = 0; i < source.text.size(); ++i, ++place.column) {
+    if (source.text[i] == '\n') place = {place.line + 1, 0};
+    if (byte(i) != 0xef) continue;
+    const unsigned second = byte(i + 1), third = byte(i + 2);
+    if ((second == 0xb9 && third == 0xbf) || second == 0xba || (second == 0xbb && third != 0xbf))
+      source.fail(place, "this character is a form of a letter: write the letter itself");
+  }
+}
+
+/// "y'" where this is the prime in it.
+std::string rate_before(const std::string& text, Place place) {
+  std::size_t line = 0;
+  for (std::size_t i = 1; i < place.line && line != std::string::npos; ++i) line = text.find('\n', line) + 1;
+  const std::size_t at = line + place.column - 1;
+  if (place.column < 2 || at >= text.size() || text[at] != '\'') return "";
+  const auto in_name = [&](std::size_t i) {
+    return std::isalnum(static_cast<unsigned char>(text[i])) != 0 || text[i] == '_';
+  };
+  std::size_t begin = at;
+  while (begin > line && in_name(begin - 1)) --begin;
+  return begin == at ? "" : text.substr(begin, at - begin) + "'";
+}
+
 }  // namespace
 
 std::unique_ptr<const File> read(const std::string& name, const std::string& text) {
   auto file = std::make_unique<File>();
   file->source = {name, text};
   if (text.size() > most_of_a_file) throw BadInput(name + ": a problem's file has at most a megabyte");
+  require_readable(file->source);
   try {
     const toml::table table = toml::parse(std::string_view(text), std::string_view(name));
     Reader(*file).all(table);
   } catch (const Impossible&) {
     file->source.fail({1, 1}, "this is no TOML");
   } catch (const toml::parse_error& error) {
-    file->source.fail(place_of(error.source()), std::string(error.description()));
+    const Place place = place_of(error.source());
+    const std::string rate = rate_before(text, place);
+    file->source.fail(place, rate.empty() ? std::string(error.description())
+                                          : "a name with a prime is in quotes: \"" + rate + "\"");
   }
   return file;
 }

@@ -42,8 +42,8 @@ struct ModelText {
   std::vector<Quoted> equations = {}, constraints = {};
   std::vector<Quoted> conditions = {};  ///< formulas that stay zero, for unknowns without an equation
   std::vector<std::string> found = {};  ///< these unknowns, whose start is near what is given for it
-  std::optional<Quoted> lagrangian = {}, dissipation = {}, kinetic = {}, potential = {};
-  Named forces = {}, start = {}, closed = {}, observe = {};
+  std::optional<Quoted> lagrangian = {}, hamiltonian = {}, dissipation = {}, kinetic = {}, potential = {};
+  Named forces = {}, momenta = {}, start = {}, closed = {}, observe = {};  ///< momenta by their places
   std::vector<EventText> events = {};
 };
 
@@ -85,6 +85,29 @@ struct ObservableText {
   Measure measure = {};
 };
 
+/// How other people's engines have the motion (solvers/world.hpp). A vector has three texts.
+struct BodyText {
+  Quoted name, mass, turn;  ///< turn: about z, at the start
+  std::vector<Quoted> inertia, place, velocity, spin;
+};
+struct JointText {
+  Quoted kind, a, b;  ///< no text: the ground
+  std::vector<Quoted> at, axis, end;
+};
+struct SpringText {
+  Quoted a, b, stiffness, rest;
+  std::vector<Quoted> at, end;
+};
+struct StagedText {
+  Place place;
+  std::vector<Quoted> gravity = {};
+  std::vector<BodyText> bodies = {};
+  std::vector<JointText> joints = {};
+  std::vector<SpringText> springs = {};
+  Named observe = {};
+  std::string differs = {};
+};
+
 struct File {
   Source source;
   std::string title, question;
@@ -94,6 +117,7 @@ struct File {
   std::vector<ModelText> models;
   std::vector<ObservableText> observables;
   std::vector<ClaimText> claims;
+  std::optional<StagedText> staged = {};
   std::string error, horizon = "10", frames_per_second = "60";  ///< as `choose` takes them
   std::vector<double> errors;          ///< in the units of the observables, in their order
   double end = 10;                     ///< s

@@ -22,6 +22,7 @@ constexpr std::array file{
     Key{"observe", "what is seen of every model", "map text or observable"},
     Key{"need", "what choose is asked", "need"},
     Key{"sweep", "the parameter of the map that stability draws", "sweep"},
+    Key{"staged", "the same as bodies and joints, for other people's engines", "staged"},
     Key{"claim", "what a solution says", "list claim"},
 };
 constexpr std::array parameter{
@@ -44,7 +45,9 @@ constexpr std::array observable{
 constexpr std::array model{
     Key{"equations", "m y'' = -k y", "texts"},
     Key{"lagrangian", "kinetic less potential energy", "text"},
-    Key{"forces", "generalized forces by unknown, beside a Lagrangian", "map text"},
+    Key{"hamiltonian", "the energy, of places and momenta", "text"},
+    Key{"momenta", "the momentum's name by its place, beside a Hamiltonian", "map text"},
+    Key{"forces", "generalized forces by place, beside a Lagrangian or a Hamiltonian", "map text"},
     Key{"dissipation", "Rayleigh's function, beside a Lagrangian", "text"},
     Key{"constraints", "x^2 + y^2 = L^2, beside a Lagrangian", "texts"},
     Key{"start", "the unknowns and their rates at the start", "map text"},
@@ -72,6 +75,39 @@ constexpr std::array need{
 constexpr std::array sweep{
     Key{"parameter", "its name", "text", needed},
     Key{"values", "from easy to hard", "texts", needed},
+};
+constexpr std::array staged{
+    Key{"gravity", "three components", "texts"},
+    Key{"body", "bodies", "list body", needed},
+    Key{"joint", "joints", "list joint"},
+    Key{"spring", "springs without mass", "list spring"},
+    Key{"observe", "what is seen, of bob_x, bob_y, bob_z, bob_turn and their rates", "map text"},
+    Key{"differs", "what no fine step takes away, where it is not the same motion", "text"},
+};
+constexpr std::array body{
+    Key{"name", "bob", "text", needed},
+    Key{"mass", "1 kg", "text", needed},
+    Key{"inertia", "about the center of mass: one for all axes, or three", "texts", needed},
+    Key{"place", "of the center of mass at the start, three components", "texts"},
+    Key{"velocity", "at the start, three components", "texts"},
+    Key{"turn", "about z at the start", "text"},
+    Key{"spin", "at the start, three components", "texts"},
+};
+constexpr std::array joint{
+    Key{"kind", "hinge, ball, cylinder, slide or rod", "text", needed},
+    Key{"a", "a body; the ground, if it is not said", "text"},
+    Key{"b", "a body", "text", needed},
+    Key{"at", "a point of both at the start; of a rod, its end at a", "texts"},
+    Key{"axis", "of a hinge, cylinder or slide; (0, 0, 1), if it is not said", "texts"},
+    Key{"end", "of a rod, its end at b", "texts"},
+};
+constexpr std::array spring{
+    Key{"a", "a body; the ground, if it is not said", "text"},
+    Key{"b", "a body", "text", needed},
+    Key{"at", "its end at a, at the start", "texts"},
+    Key{"end", "its end at b", "texts"},
+    Key{"stiffness", "40 N/m", "text", needed},
+    Key{"rest", "its length without a force", "text", needed},
 };
 constexpr std::array claim{
     Key{"name", "a short name of its own", "text"},
@@ -101,12 +137,14 @@ constexpr std::array truth{
 };
 
 constexpr std::array all{
-    KeysOf{"file", file},   KeysOf{"parameter", parameter},
-    KeysOf{"table", table}, KeysOf{"observable", observable},
-    KeysOf{"model", model}, KeysOf{"conserves", conserves},
-    KeysOf{"event", event}, KeysOf{"need", need},
-    KeysOf{"sweep", sweep}, KeysOf{"claim", claim},
-    KeysOf{"truth", truth},
+    KeysOf{"file", file},     KeysOf{"parameter", parameter},
+    KeysOf{"table", table},   KeysOf{"observable", observable},
+    KeysOf{"model", model},   KeysOf{"conserves", conserves},
+    KeysOf{"event", event},   KeysOf{"need", need},
+    KeysOf{"sweep", sweep},   KeysOf{"claim", claim},
+    KeysOf{"truth", truth},   KeysOf{"staged", staged},
+    KeysOf{"body", body},     KeysOf{"joint", joint},
+    KeysOf{"spring", spring},
 };
 
 }  // namespace

@@ -72,8 +72,11 @@ class Model::Making {
     if (!equations_.empty()) {
       from_equations(matrix, right);
       auto highest = solved(matrix, right);
-      if (lagrangian_) compare(highest);
+      if (lagrangian_) compare(highest, by_lagrangian(), *text_.lagrangian, "Lagrangian");
+      if (hamiltonian_) compare(highest, by_hamiltonian(), *text_.hamiltonian, "Hamiltonian");
       set_rates(highest);
+    } else if (hamiltonian_) {
+      set_rates(by_hamiltonian());
     } else {
       from_lagrangian(matrix, right);
       set_rates(solved(matrix, right));
@@ -250,12 +253,13 @@ class Model::Making {
         return false;
       });
     }
+    if (text_.hamiltonian) read_hamiltonian();
     forces_.resize(orders_.size());
     for (const auto& [name, text] : text_.forces) {
-      const auto found = std::ranges::find(letters_.unknowns, name.text);
-      if (found == letters_.unknowns.end())
-        source_.fail(name.place, "no unknown " + name.text + did_you_mean(name.text, letters_.unknowns));
-      forces_[static_cast<std::size_t>(found - letters_.unknowns.begin())] = formula(text);
+      const std::size_t i = unknown(name);
+      forces_[i] = formula(text);
+      if (hamiltonian_ && std::ranges::none_of(pairs_, [i](const auto& pair) { return pair.first == i; }))
+        source_.fail(name.place, "a force is on a place, and " + name.text + " is a momentum");
     }
     for (const Equation& one : equations_)
       for (const Formula* side : {&one.left, &one.right}) see_orders(*side, 0);
@@ -270,6 +274,32 @@ class Model::Making {
       source_.fail(text_.equations.back().place, std::to_string(equations_.size()) + " equations for " +
                                                      std::to_string(orders_.size()) + " unknowns");
   }
+  std::size_t unknown(const Quoted& name) const {
+    const auto found = std::ranges::find(letters_.unknowns, name.text);
+    if (found == letters_.unknowns.end())
+      source_.fail(name.place, "no unknown " + name.text + did_you_mean(name.text, letters_.unknowns));
+    return static_cast<std::size_t>(found - letters_.unknowns.begin());
+  }
+  void read_hamiltonian() {
+    hamiltonian_ = formula(*text_.hamiltonian);
+    hamiltonian_->any([&](const Letter& letter) {
+      if (letter.is == Letter::Is::unknown && letter.order > 0)
+        hamiltonian_->fail(letter.span, "a Hamiltonian is of places and momenta, and this is a rate");
+      return false;
+    });
+    std::ranges::fill(orders_, 1);
+    std::vector<char> known(orders_.size(), 0);
+    for (const auto& [place, momentum] : text_.momenta) {
+      pairs_.emplace_back(unknown(place), unknown(momentum));
+      for (const std::size_t i : {pairs_.back().first, pairs_.back().second})
+        if (known[i]++ != 0) source_.fail(place.place, letters_.unknowns[i] + " is in two pairs");
+    }
+    for (std::size_t i = 0; i < known.size(); ++i)
+      if (known[i] == 0)
+        source_.fail(text_.hamiltonian->place,
+                     letters_.unknowns[i] + " is no place and no momentum: add it to momenta");
+  }
+
   /// The highest rate of each unknown, those of abbreviations included.
   void see_orders(const Formula& of, std::size_t more) {
     of.any([&](const Letter& letter) {
@@ -327,8 +357,12 @@ class Model::Making {
     for (const Equation& one : constraints_)
       if (const Measure left = measure(one.left), right = measure(one.right); !fit(left, right))
         one.right.fail({}, "the left side is " + name_of(left) + ", and the right side " + name_of(right));
-    if (!lagrangian_) return;
-    const Measure energy = measure(*lagrangian_);
+    if (!lagrangian_ && !hamiltonian_) return;
+    const Measure energy = measure(lagrangian_ ? *lagrangian_ : *hamiltonian_);
+    for (const auto& [place, momentum] : pairs_)
+      if (!fit(per_time(*units_[place] * *units_[momentum], 1), energy))
+        hamiltonian_->fail({}, "the unit of the energy is to be that of " + letters_.unknowns[place] +
+                                   "' times " + letters_.unknowns[momentum] + ", and is " + name_of(energy));
     for (std::size_t i = 0; i < forces_.size(); ++i)
       if (forces_[i] && !fit(measure(*forces_[i]) * *units_[i], energy))
         forces_[i]->fail(
@@ -401,6 +435,22 @@ class Model::Making {
       const Expression rate = slopes(std::span(&one, 1), along)[0];
       right.push_back(-slopes(std::span(&rate, 1), along)[0]);
     }
+  }
+  std::vector<Expression> by_lagrangian() {
+    Rows matrix;
+    std::vector<Expression> right;
+    from_lagrangian(matrix, right);
+    return solved(matrix, right);
+  }
+  std::vector<Expression> by_hamiltonian() {
+    const Expression H = value(*hamiltonian_);
+    std::vector<Expression> rates(orders_.size());
+    for (const auto& [place, momentum] : pairs_) {
+      rates[place] = slope(H, key_of(momentum, 0));
+      rates[momentum] = -slope(H, key_of(place, 0));
+      if (forces_[place]) rates[momentum] = rates[momentum] + value(*forces_[place]);
+    }
+    return rates;
   }
   std::vector<Expression> off_constraints() {
     std::vector<Expression> off;
@@ -534,20 +584,17 @@ class Model::Making {
     return x;
   }
 
-  /// The Lagrangian's rates at random states.
-  void compare(const std::vector<Expression>& by_equations) {
-    Rows matrix;
-    std::vector<Expression> right;
-    from_lagrangian(matrix, right);
-    const auto by_lagrangian = solved(matrix, right);
+  /// The rates of another description at random states.
+  void compare(const std::vector<Expression>& by_equations, const std::vector<Expression>& others,
+               const Quoted& text, const std::string& what) {
     Random random(7);
     for (int k = 0; k < 20; ++k) {
       const auto values = some_state(random);
       for (std::size_t i = 0; i < orders_.size(); ++i) {
-        const long double one = number(by_equations[i], values), other = number(by_lagrangian[i], values);
+        const long double one = number(by_equations[i], values), other = number(others[i], values);
         if (!(std::abs(one - other) <= 1e-9L * (1 + std::abs(one))))
-          source_.fail(text_.lagrangian->place, "the Lagrangian's " + highest_name(i) +
-                                                    " is not that of the equations, at a random state");
+          source_.fail(text.place, "the " + what + "'s " + highest_name(i) +
+                                       " is not that of the equations, at a random state");
       }
     }
   }
@@ -722,6 +769,16 @@ class Model::Making {
       for (std::size_t i = 0; i < orders_.size(); ++i)
         twice = twice + input(graph(), key_of(i, 1)) * slope(L, key_of(i, 1));
       model_.conserved_ = {twice - L, twice / Expression(2)};
+    } else if (hamiltonian_ && text_.forces.empty() && text_.events.empty()) {
+      const Expression H = value(*hamiltonian_);
+      Expression twice = 0;
+      for (const auto& [place, momentum] : pairs_) {
+        const int p = key_of(momentum, 0);
+        twice = twice + input(graph(), p) * slope(H, p);
+      }
+      for (const int key : keys_of(std::span(&H, 1)))
+        if (key == of_time) return;
+      model_.conserved_ = {H, twice / Expression(2)};
     }
   }
 
@@ -740,7 +797,8 @@ class Model::Making {
   std::vector<std::optional<Measure>> units_;
   std::vector<Equation> equations_, constraints_;
   std::vector<Formula> conditions_;
-  std::optional<Formula> lagrangian_, dissipation_;
+  std::optional<Formula> lagrangian_, hamiltonian_, dissipation_;
+  std::vector<std::pair<std::size_t, std::size_t>> pairs_;  ///< places, and their momenta
   std::map<int, Formula> starts_;
 };
 

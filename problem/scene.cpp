@@ -18,6 +18,7 @@
 #include "problem/interpreted.hpp"
 #include "problem/model.hpp"
 #include "problem/ode_file.hpp"
+#include "problem/staging.hpp"
 #include "problem/truth.hpp"
 #include "reference/files.hpp"
 #include "reference/text.hpp"
@@ -39,6 +40,7 @@ struct Kept {
   std::vector<Parameter> parameters;
   std::vector<Construction> constructions;  ///< one per model
   std::unique_ptr<const Sheet> sheet;
+  std::unique_ptr<const Staged> staged;
   std::unique_ptr<Entry> entry;
 };
 
@@ -232,6 +234,10 @@ Energy energy_of(const Parameters& p, std::span<const double> places_and_rates) 
   return {both[0], both[1]};
 }
 
+engines::Staging staging_of(const Parameters& p) {
+  return kept_with(p.declared().data()).staged->with(values_of(p));
+}
+
 Construction construction_of(const Model& model, const File& file) {
   if (model.has_events()) return {"", "as the printed loops look for no events"};
   try {
@@ -313,6 +319,7 @@ Scene scene_of(const Kept& here) {
   scene.axes.norms = norms_of(file);
   if (here.models.back().conserves() && !here.models.back().seen_as().empty()) scene.laws.energy = energy_of;
   scene.is_linear = here.models.back().is_linear();
+  if (here.staged) scene.staging = staging_of;
   scene.listing.text = code_of;
   for (std::size_t i = 0; i < here.models.size(); ++i)
     if (const Construction& made = here.constructions[i]; made.code.empty())
@@ -429,6 +436,7 @@ const Entry& entry_of_text(const std::string& name, const std::string& text) {
     }
   for (const Model& model : made->models) made->constructions.push_back(construction_of(model, *made->file));
   made->sheet = std::make_unique<const Sheet>(*made->file, stem_of(name));
+  if (made->file->staged) made->staged = std::make_unique<const Staged>(*made->file);
   Exercise exercise{made->file->title, made->file->question, made->parameters, {}, study};
   if (!made->models.empty()) exercise.scene = scene_of(*made);
   made->entry =

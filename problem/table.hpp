@@ -38,7 +38,7 @@ struct Table {
 
 constexpr std::size_t most_rows = 200;
 
-/// The polynomials through (x, y), by GSL's splines. x ascends.
+/// The polynomials through (x, y), at least fewest_rows() of them. x ascends.
 std::vector<Table::Piece> pieces_of(Spline, const std::vector<double>& x, const std::vector<double>& y);
 /// The fewest rows for this spline.
 std::size_t fewest_rows(Spline);

@@ -410,9 +410,6 @@ TEST_CASE("a folder that cannot be written is named and ends with exit code 2", 
   CHECK(ran.status == 2);
   CHECK(says(ran, "/proc/no/such/folder"));
   CHECK(run("site --out /proc/no").status == 2);
-  const Ran of_file = run("site --single " ODDITY_SOURCE "/chapters/examples/problems/quarter_car.toml");
-  CHECK(of_file.status == 2);
-  CHECK(says(of_file, "--single takes an exercise"));
   const Ran refused = run("verify '[3.5]' --results /proc/no/results.json");
   CHECK(refused.status == 2);
   CHECK_FALSE(says(refused, "assertions"));  // before the run

@@ -121,6 +121,17 @@ TEST_CASE("An error in a file is reported with its line and column", "[problem]"
   CHECK(line.substr(caret.find('^'), 2) == "mg");
 }
 
+TEST_CASE("A character that toml++ takes for impossible is refused with its place", "[problem]") {
+  const std::string said = refusal("title = \"x\"\n \xef\xb9\xbf");
+  CHECK(said.substr(0, said.find('\n')) ==
+        "test.toml:2:2: this character is a form of a letter: write the letter itself");
+}
+
+TEST_CASE("A rate whose name has no quotes is said to need them", "[problem]") {
+  const std::string said = refusal(with("y'' = -g", "{ y = \"0 m\", y' = 0 }"));
+  CHECK(said.substr(0, said.find('\n')) == "test.toml:11:23: a name with a prime is in quotes: \"y'\"");
+}
+
 TEST_CASE("A formula's depth and width are limited", "[problem]") {
   const auto repeated = [](const std::string& text, int times) {
     std::string all;

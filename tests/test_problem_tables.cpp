@@ -108,6 +108,10 @@ TEST_CASE("A motion driven by a table is that of the formula behind its numbers"
   };
   const Quantity one = last(pushed("{ x = \"cs\", y = \"cN\", rows = " + line + " }"));
   CHECK(near(one.reference.value[0], 0.5 + 2.0 / 6, 1e-14));
+  // A heading, as spreadsheets have one, is no row.
+  const Quantity headed =
+      last(pushed("{ x = \"cs\", y = \"cN\", rows = \"\"\"\nt, force\n0, 100\n50, 200\n100, 300\n\"\"\" }"));
+  CHECK(distance(headed.reference.value, one.reference.value) == 0);
   CHECK(one.reference_error < 1e-14);
   // Its argument may be an unknown, and its rate follows.
   const Quantity other =

@@ -10,6 +10,7 @@
 #include "extras/engines/contest.hpp"
 #include "extras/engines/page.hpp"
 #include "extras/engines/view.hpp"
+#include "problem/scene.hpp"
 #include "reference/bad_input.hpp"
 #include "reference/files.hpp"
 #include "reference/similar.hpp"
@@ -160,25 +161,36 @@ struct AskedScenes {
   AskedNeed need;
 
   std::string first_option() const { return horizon.empty() ? accuracy_option(need) : "--horizon"; }
-  bool is_usual() const { return words.overrides.empty() && first_option().empty(); }
+  /// Files are of one's own, and are asked as they say.
+  bool is_usual() const {
+    return words.overrides.empty() && first_option().empty() &&
+           std::ranges::none_of(words.exercises, problem::is_file);
+  }
 
   /// A centimetre and a degree, unless another error or criterion is requested.
-  Need of(const Task& task) const {
+  Need of(const std::string& scene, const Task& task) const {
     AskedNeed all = need;
+    all.rate_is_given = true;  // engines are tried at 60 Hz and finer
+    all.horizon_is_given = !horizon.empty();
+    if (!horizon.empty()) all.horizon = horizon;
+    if (problem::is_file(scene)) ask_as_file(all, *task.entry);
     all.as_engines = true;
     all.time_limit = "none";
-    if (!horizon.empty()) all.horizon = horizon;
     return need_of(task, all);
   }
 };
 
+/// Whether it names an exercise or a problem's file, and no scene of engines alone.
+bool is_task(const std::string& scene) {
+  return problem::is_file(scene) || exercise_number(scene).has_value();
+}
+
 EngineContest engines_on(const std::string& scene, const AskedScenes& words,
                          const std::vector<EngineProgram>& programs, const EngineTask& asked,
                          const Reference& truth, const Progress& progress) {
-  if (!exercise_number(scene))
-    return run(programs, further_engine_scene(scene, simple_need()), asked, progress);
+  if (!is_task(scene)) return run(programs, further_engine_scene(scene, simple_need()), asked, progress);
   const Task task = task_of(scene, words.words.overrides);
-  const Need need = words.is_usual() ? simple_need() : words.of(task);
+  const Need need = words.is_usual() ? simple_need() : words.of(scene, task);
   EngineContest result = run(programs, engine_scene(task, need, truth), asked, progress);
   result.least = instead(task, need, truth, progress);
   return result;
@@ -221,7 +233,9 @@ Needs needs_of_engines() {
 void require_scenes(const std::vector<std::string>& scenes) {
   const std::vector<std::string> all = scenes_for_engines();
   for (const std::string& scene : scenes)
-    if (std::ranges::find(all, scene) == all.end())
+    if (problem::is_file(scene))
+      require_engine_scene(entry_of(scene));
+    else if (std::ranges::find(all, scene) == all.end())
       throw BadInput("engines have no scene '" + scene + "'" + did_you_mean(scene, all) +
                      "; those that they have are: " + joined(all));
 }
@@ -289,13 +303,14 @@ void run_engines(const fs::path& folder, const AskedEngines& asked) {
   const AskedScenes words{with_overrides(asked.scenes), asked.horizon, asked.need};
   std::vector<std::string> scenes = words.words.exercises;
   const std::string option = words.first_option();
-  if (!option.empty() && std::ranges::none_of(scenes, [](const std::string& scene) {
-        return exercise_number(scene).has_value();
-      }))
+  if (!option.empty() && std::ranges::none_of(scenes, is_task))
     throw BadInput(option + " is of an exercise: name one, such as 3.5");
   if (!words.is_usual() && (asked.kept || asked.page))
     throw BadInput("what is kept and reported is of the exercises as they are: leave '" +
-                   (words.words.overrides.empty() ? option : words.words.overrides.front()) + "' out");
+                   (!words.words.overrides.empty() ? words.words.overrides.front()
+                    : !option.empty()              ? option
+                                                   : scenes.front()) +
+                   "' out");
   if (scenes.empty()) {
     scenes = scenes_for_engines();
     if (!asked.kept) std::erase(scenes, "chain of 100");  // only if requested by name
@@ -305,7 +320,7 @@ void run_engines(const fs::path& folder, const AskedEngines& asked) {
   time_limit_of(asked.time_limit);
   if (!words.is_usual())
     for (const std::string& scene : scenes)
-      if (exercise_number(scene)) words.of(task_of(scene, words.words.overrides));
+      if (is_task(scene)) words.of(scene, task_of(scene, words.words.overrides));
   if (needs_are_all(asked.kept ? Needs() : needs_of_engines())) return;
   const Reference truth(folder, motions_folder());
   const std::vector<EngineContest> contests =
@@ -338,7 +353,7 @@ void add_engines(const CommandLine& line) {
       [line, asked] { run_engines(line.reference, *asked); }, true);
   engines->add_option(
       "scene", asked->scenes,
-      "exercises, or: free body, bouncing ball, box on corners, chain of 10, chain of 100; unless any is "
+      "exercises, a problem's file with [staged], or: free body, bouncing ball, box on corners, chain of 10, chain of 100; unless any is "
       "named, all but the last, which takes long; behind one exercise name=value for each parameter to change");
   auto* horizon = add_value(*engines, "--horizon", asked->horizon, "TIME",
                             "how long the motion of an exercise is watched, instead of 10 s");

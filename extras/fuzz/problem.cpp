@@ -4,6 +4,7 @@
 #include "problem/claims.hpp"
 #include "problem/model.hpp"
 #include "problem/ode_file.hpp"
+#include "problem/staging.hpp"
 
 using namespace oddity::problem;
 
@@ -21,6 +22,9 @@ void run(const File& file) {
     std::vector<double> seen(numbers.observed.outputs().size());
     numbers.observed.run(x.data(), 0.5, seen.data());
   }
+  if (!file.staged) return;
+  const auto staging = Staged(file).with(values);
+  staging.observe(std::vector<oddity::engines::State>(staging.world.bodies.size()), 0.5);
 }
 
 }  // namespace

@@ -366,20 +366,34 @@ void add_report(CLI::App& app, Session& s) {
   add_overwrite(*report, s);
 }
 
+/// "suspension" of a problem's file, "3.5" of an exercise.
+std::string name_of_page(const std::string& of) {
+  if (of == "-") return "input";
+  return problem::is_file(of) ? std::filesystem::path(of).stem().string() : of;
+}
+
 void add_site(CLI::App& app, Session& s) {
   auto* site = add_verb(
       app, "site", "Write the report that runs: one folder, for a browser.",
       "Open its index.html with a double click; it needs no network. The last results are "
       "taken; an exercise whose code or tables have changed runs first.\n"
       "Examples:\n  oddity site\n  oddity site --out /tmp/site\n"
-      "  oddity site --single 3.5 --out /tmp/pendulum.html",
+      "  oddity site --single 3.5 --out /tmp/pendulum.html\n  oddity site suspension.toml --out /tmp/suspension",
       [&s] {
-        if (s.single.empty()) return verbs::site(s.folder, s.site_out, s.overwrite);
         const bool is_default = s.site_out == site_folder().string();
-        verbs::single(s.folder, s.single, is_default ? s.single + ".html" : s.site_out, s.overwrite);
+        if (!s.single.empty())
+          return verbs::single(s.folder, s.single, is_default ? name_of_page(s.single) + ".html" : s.site_out,
+                               s.overwrite);
+        if (s.exercise.empty()) return verbs::site(s.folder, s.site_out, s.overwrite);
+        verbs::site_of_file(s.folder, s.exercise, is_default ? name_of_page(s.exercise) : s.site_out,
+                            s.overwrite);
       },
       true);
-  add_value(*site, "--single", s.single, "N.M", "one exercise as one file, to mail: N.M.html");
+  auto* file =
+      site->add_option("file", s.exercise, "a problem's file, for a page of its own in a folder of its name");
+  add_value(*site, "--single", s.single, "N.M",
+            "one exercise, or a problem's file, as one file, to mail: N.M.html")
+      ->excludes(file);
   add_path(*site, "--out", s.site_out, "the folder to write to, or the file");
   add_overwrite(*site, s);
 }

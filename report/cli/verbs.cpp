@@ -32,6 +32,7 @@
 #include "report/pages/text_view.hpp"
 #include "report/pages/trust.hpp"
 #include "report/pages/write_report.hpp"
+#include "report/site/own_page.hpp"
 #include "report/site/site.hpp"
 #include "report/study/beside_program.hpp"
 #include "report/study/cheapest_models.hpp"
@@ -299,12 +300,6 @@ Need in_what_is_left(Need need) {
   return need;
 }
 
-/// Of a problem's file what stands in it, too.
-std::string key_of_prices(const Task& task, const Need& need) {
-  return price_key(task, need) +
-         (task.entry->number.chapter == 0 ? ", " + std::string(task.entry->file) : "");
-}
-
 /// With what its methods cost, kept for the next run, each part of a long horizon apart.
 Choice choice_in_time(const Task& task, const Need& asked, const Reference& truth, bool anew,
                       const ManyBodies& bodies) {
@@ -312,7 +307,7 @@ Choice choice_in_time(const Task& task, const Need& asked, const Reference& trut
   Choice choice = with_progress([&](const Progress& progress) {
     const PriceOver price_over = [&](const Need& need) -> Price {
       const auto [prices, made] =
-          kept.try_emplace(need.horizon, prices_folder(), key_of_prices(task, need), anew,
+          kept.try_emplace(need.horizon, prices_folder(), price_key(task, need), anew,
                            need.bodies > 1 ? bodies.price(task, need) : Price(measured_price));
       return std::ref(prices->second);
     };
@@ -428,22 +423,61 @@ void site(const fs::path& folder, const fs::path& out, bool overwrite) {
   say_what_it_lacks();
 }
 
+namespace {
+
+/// What `choose` says of a file, or nothing where it takes too long.
+std::string chosen_of_file(const fs::path& folder, const Task& task) {
+  if (!task.entry->exercise.scene) return "";
+  AskedNeed asked;
+  ask_as_file(asked, *task.entry);
+  try {
+    const Choice choice =
+        choice_in_time(task, need_of(task, asked), truth_of(folder, false, motions_folder()), false, {});
+    return asked_text(choice) + ": " + (choice.chosen ? answer_text(choice) : "nothing here meets that.");
+  } catch (const OutOfTime&) {
+    return "";
+  }
+}
+
+/// `file` becomes a page that needs no other.
+std::string page_of_file(const fs::path& folder, const std::string& file) {
+  const Task task = task_of(file, {});
+  if (file.ends_with(".ode"))
+    throw BadInput("the page reads no .ode files: 'choose', 'chart' and 'solve' take " + file);
+  return own_in_one_file({std::string(task.entry->exercise.title), problem::source_of(*task.entry).text,
+                          chosen_of_file(folder, task)});
+}
+
+void write_page(const fs::path& out, const std::string& page) {
+  write_whole(out, page);
+  std::cout << "the page is " << out.string() << "\n";
+  say_what_it_lacks();
+}
+
+}  // namespace
+
+void site_of_file(const fs::path& folder, const std::string& file, const fs::path& out, bool overwrite) {
+  if (!problem::is_file(file))
+    throw BadInput("site takes a problem's file, such as suspension.toml; of an exercise --single " +
+                   to_string(task_of(file, {}).entry->number) + " writes the page");
+  task_of(file, {});  // what is wrong in it is said before anything is written
+  require_room_for_site(out, overwrite);
+  if (needs_are_all(needs_of_site())) return;
+  write_page(out / "index.html", page_of_file(folder, file));
+}
+
 void single(const fs::path& folder, const std::string& exercise, const fs::path& out, bool overwrite) {
   const Task task = task_of(exercise, {});
-  if (task.entry->number.chapter == 0)
-    throw BadInput("--single takes an exercise, and " + exercise +
-                   " is a problem's file: the site's page own.html opens it");
   if (fs::exists(fs::symlink_status(out)) && !overwrite)
     throw BadInput(out.string() + " is there: name a new file by --out, or write over it by --overwrite");
   require_writable(out);
   if (needs_are_all(needs_of_site())) return;
+  if (problem::is_file(exercise)) return write_page(out, page_of_file(folder, exercise));
   require_writable(results_file());
   const Results results = last_results(folder, true);
   const auto one = std::ranges::find(results.exercises, task.entry->number, &ExerciseResult::number);
-  write_whole(out, single_page(results, *one, Reference(folder, motions_folder()), kept_contests(),
-                               read_proofs(folder / "approved")));
-  std::cout << "the page is " << out.string() << "\n";
-  say_what_it_lacks();
+  write_page(out, single_page(results, *one, Reference(folder, motions_folder()), kept_contests(),
+                              read_proofs(folder / "approved")));
 }
 
 Needs needs_of_site() { return {packages_of_models(), {}, {"models_module"}}; }

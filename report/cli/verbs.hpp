@@ -36,7 +36,9 @@ void report(const fs::path& folder, const std::string& chapter, Edition, const f
 void trust(const fs::path& folder, Format);
 /// Writes the site of all exercises.
 void site(const fs::path& folder, const fs::path& out, bool overwrite);
-/// The page of one exercise as a file.
+/// A page of a problem's file, in a folder of its own.
+void site_of_file(const fs::path& folder, const std::string& file, const fs::path& out, bool overwrite);
+/// The page of one exercise, or of a problem's file, as a file.
 void single(const fs::path& folder, const std::string& exercise, const fs::path& out, bool overwrite);
 /// Requirements for compiling the models to WebAssembly.
 Needs needs_of_site();

@@ -563,6 +563,23 @@ std::string with_source(const Task& task, const Candidate& chosen, const Need& n
 
 }  // namespace
 
+std::string program_template(std::string_view algorithm) {
+  const Plain* plain = std::ranges::find(plain_algorithms, algorithm, &Plain::algorithm);
+  Joined headers;
+  for (const char* header : {"array", "cmath", "cstdio"}) headers.add_standard(header);
+  std::string main(closed_form_main);
+  if (plain != std::end(plain_algorithms)) {
+    headers.add(plain->header);
+    main = stepping_main;
+    main.replace(main.find("$algorithm"), std::string_view("$algorithm").size(), plain->type);
+    main.erase(main.find("$seen"), std::string_view("$seen").size());
+  }
+  const std::string own = "$model" + std::string(print_row) + main;
+  std::string code = used_code(headers.text(), own) + "\n" + own;
+  code.erase(1, code.find_first_not_of('\n') - 1);
+  return headers.includes("std::array sqrt" + code) + code;
+}
+
 std::string code_of(const Task& task, const Candidate& chosen, const Need& need, const std::string& about,
                     Language language) {
   if (language != Language::cpp) return program_in(language, task, chosen, need, about);

@@ -1,22 +1,40 @@
 #include "report/site/own_page.hpp"
 
 #include "problem/file.hpp"
+#include "report/pages/code.hpp"
 #include "report/site/page.hpp"
 #include "report/site/script.hpp"
 #include "report/site/site.hpp"
 #include "report/study/beside_program.hpp"
+#include "report/text/markup.hpp"
 
 namespace oddity {
 
-std::string own_page(const SiteParts& parts) {
+namespace {
+
+/// What the program itself has said of the file, which stays as it is while one types.
+std::string answered(const OwnFile& of) {
+  if (of.answer.empty()) return "";
+  return html::element("p", " class=\"own-chosen\"",
+                       "Of this file as it was given, <code>" + program_as_typed() +
+                           " choose</code> says, by true motions from two routes: " +
+                           in_xml(of.answer.substr(0, of.answer.find('\n')))) +
+         "\n";
+}
+
+}  // namespace
+
+std::string own_page(const SiteParts& parts, const OwnFile& of) {
   const std::string program = program_as_typed();
+  const std::string title = of.title.empty() ? "Equations of your own" : of.title;
   std::string body =
-      "<header class=\"title\">\n<h1>Equations of your own</h1>\n<p class=\"asks\">Type a motion’s equations, or its "
+      "<header class=\"title\">\n" + html::element("h1", "", in_xml(title)) +
+      "\n<p class=\"asks\">Type a motion’s equations, or its "
       "Lagrangian, with units: the page moves it, shows what each method errs, and finds the cheapest that is "
-      "enough. Nothing leaves the page. A file that works here works on a command line: <code>" +
-      program + " choose FILE</code>.</p>\n</header>\n";
+      "enough. It judges claims, too. Nothing leaves the page. A file that works here works on a command line: <code>" +
+      program + " choose FILE</code>.</p>\n" + answered(of) + "</header>\n";
   if (!parts.models)
-    return html::whole({"Your own - oddity",
+    return html::whole({title + " - oddity",
                         body + "<p>This copy of the page cannot read files: <code>" + program +
                             " new my.toml</code> begins one, and <code>" + program +
                             " choose my.toml</code> answers it.</p>\n",
@@ -29,33 +47,37 @@ std::string own_page(const SiteParts& parts) {
       "<ul>\n<li>A unit follows a numeral, as in <code>5 cm</code>; a product of letters has a blank or a star, as in "
       "<code>m g</code>; a rate in time has a prime, as in <code>y'</code>.</li>\n"
       "<li>Letters are declared in <code>[parameters]</code> with a value, a unit and perhaps a range; abbreviations in "
-      "<code>[given]</code>.</li>\n"
+      "<code>[given]</code>; rows of numbers, for a drive or a force, in <code>[tables]</code>.</li>\n"
       "<li>A model has <code>equations</code> or a <code>lagrangian</code>, and a <code>start</code>. Of several the last is "
       "taken for true.</li>\n"
       "<li><code>[observe]</code> says what is seen, <code>[need]</code> which error is allowed, and for how long.</li>\n"
+      "<li>A <code>[[claim]]</code> has what is <code>printed</code>, and its <code>truth</code> by another route.</li>\n"
       "</ul>\n<p><code>" +
-      program +
-      " new my.toml</code> writes a commented file. Tables of numbers, and the claims of a file, are for the "
-      "command line.</p>\n</section>\n";
-  return html::whole({"Your own - oddity",
-                      body,
-                      {"assets/engine.js",   "assets/own.js",     "assets/typed.js",     "assets/frames.js",
-                       "assets/scale.js",    "assets/slider.js",  "assets/stage.js",     "assets/lines.js",
-                       "assets/portrait.js", "assets/clock.js",   "assets/picture.js",   "assets/rows.js",
-                       "assets/breaking.js", "assets/motions.js", "assets/permalink.js", "assets/player.js",
-                       "assets/problem.js",  "assets/enough.js",  "assets/file_link.js", "assets/typing.js",
-                       "data/problems.js"},
-                      "yours"});
+      program + " new my.toml</code> writes a commented file.</p>\n</section>\n";
+  return html::whole(
+      {title + " - oddity",
+       body,
+       {"assets/engine.js",   "assets/own.js",       "assets/typed.js",     "assets/frames.js",
+        "assets/scale.js",    "assets/slider.js",    "assets/stage.js",     "assets/lines.js",
+        "assets/portrait.js", "assets/clock.js",     "assets/picture.js",   "assets/rows.js",
+        "assets/breaking.js", "assets/motions.js",   "assets/permalink.js", "assets/player.js",
+        "assets/problem.js",  "assets/enough.js",    "assets/file_link.js", "assets/claims.js",
+        "assets/program.js",  "assets/own_table.js", "assets/typing.js",    "data/problems.js"},
+       "yours"});
 }
 
-std::string own_examples() {
-  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+std::string own_examples(const OwnFile& of) {
+  nlohmann::ordered_json files = nlohmann::ordered_json::array(), programs;
+  if (!of.text.empty()) files.push_back({{"title", of.title}, {"text", of.text}});
   for (const EmbeddedFile& file : embedded_problems()) {
     const auto read = problem::read(std::string(file.path), std::string(file.text));
-    if (!read->models.empty() && read->tables.empty())
-      all.push_back({{"title", read->title}, {"text", std::string(file.text)}});
+    files.push_back({{"title", read->title}, {"text", std::string(file.text)}});
   }
-  return packed_call("problems", all);
+  // The loop of semi-implicit Euler solves for what it does not know, in many lines; others here are as
+  // cheap.
+  for (const std::string_view algorithm : printable_algorithms())
+    if (algorithm != "semi-implicit Euler") programs[std::string(algorithm)] = program_template(algorithm);
+  return packed_call("problems", {{"files", files}, {"programs", programs}});
 }
 
 }  // namespace oddity

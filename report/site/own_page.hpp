@@ -1,15 +1,22 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "report/site/parts.hpp"
 
 namespace oddity {
 
+/// A problem's file, for a page of its own.
+struct OwnFile {
+  std::string title, text;
+  std::string answer;  ///< what `choose` says of it; empty: nothing
+};
+
 /// own.html: a problem's file is typed, and answered in the page by assets/own.js.
-std::string own_page(const SiteParts&);
-/// data/problems.js: oddity.problems([{title, text}, ...]), files to begin with: those of
-/// chapters/examples/problems that the page can run.
-std::string own_examples();
+std::string own_page(const SiteParts&, const OwnFile& = {});
+/// data/problems.js: oddity.problems({files: [{title, text}, ...], programs: {algorithm: template}}), files to begin
+/// with, this one first and then those of chapters/examples/problems, and the programs around a model's code.
+std::string own_examples(const OwnFile& = {});
 
 }  // namespace oddity

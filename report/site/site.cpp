@@ -42,20 +42,34 @@ std::map<std::string, std::string> site_pages(const Results& results, const Prov
   return pages;
 }
 
-std::string single_page(const Results& results, const ExerciseResult& e, const Reference& truth,
-                        std::span<const EngineContest> contests, const ProvedClaims& proved) {
-  std::string page = exercise_page(results, e, proved, contests);
+namespace {
+
+/// The page with its files within it; those in data/ are `data`.
+std::string whole_in_one_file(std::string page, const std::function<std::string()>& data) {
   const SiteParts parts = parts_at_hand();
   if (!lacks(parts).empty()) html::tell(page, lacks(parts), command_for(parts));
   return in_one_file(page, [&](const std::string& file) {
-    if (file.starts_with("data/")) return exercise_data(e, truth, Styles(results), !has_module(), contests);
+    if (file.starts_with("data/")) return data();
     if (file == "assets/drawing.css") return std::string(drawing_style());
     if (file == "assets/models.js") return module_script();
+    if (file == "assets/own.js") return own_script();
     const auto asset =
         std::ranges::find(embedded_assets(), file.substr(file.find('/') + 1), &EmbeddedFile::path);
     if (asset == embedded_assets().end()) throw std::logic_error("the site has no file " + file);
     return std::string(asset->text);
   });
+}
+
+}  // namespace
+
+std::string single_page(const Results& results, const ExerciseResult& e, const Reference& truth,
+                        std::span<const EngineContest> contests, const ProvedClaims& proved) {
+  return whole_in_one_file(exercise_page(results, e, proved, contests),
+                           [&] { return exercise_data(e, truth, Styles(results), !has_module(), contests); });
+}
+
+std::string own_in_one_file(const OwnFile& file) {
+  return whole_in_one_file(own_page(parts_at_hand(), file), [&] { return own_examples(file); });
 }
 
 fs::path write_site(const Results& results, const Reference& truth, const fs::path& folder,

@@ -42,6 +42,10 @@ std::map<std::string, std::string> site_pages(const Results&, const ProvedClaims
 std::string single_page(const Results&, const ExerciseResult&, const Reference&,
                         std::span<const EngineContest> contests = {}, const ProvedClaims& = {});
 
+struct OwnFile;
+/// A problem's file, played and answered in one page, as one file.
+std::string own_in_one_file(const OwnFile&);
+
 /// Writes the site into `folder`, with what engines did on its scenes, and returns the page to open first.
 /// Each file is whole or not there. Throws BadInput when the folder cannot be written.
 std::filesystem::path write_site(const Results&, const Reference&, const std::filesystem::path& folder,

@@ -79,6 +79,8 @@ std::string price_key(const Task& task, const Need& need) {
                     (need.bodies == 1 ? "" : " of " + std::to_string(need.bodies) + " bodies");
   for (const Parameter& p : task.parameters.declared())
     key += ", " + std::string(p.name) + " = " + format_shortest(task.parameters[p.name]);
+  if (task.entry->number.chapter == 0)
+    key += ", " + std::string(task.entry->file);  // a problem's, with its text
   return key + "; " + machine_and_program();
 }
 

@@ -1,14 +1,17 @@
 // The page for typing a problem's file, in a browser.
 import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
+import os from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { fileURLToPath } from 'node:url';
-import { launch, open, shoot, solved } from './browser.mjs';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { isWhole, launch, open, program, shoot, solved } from './browser.mjs';
 
 const problems = fileURLToPath(new URL('../../chapters/examples/problems', import.meta.url));
-const moves = (text) => /^\[model/m.test(text) && !/^\[tables/m.test(text);
-const files = fs.readdirSync(problems).filter((name) => moves(fs.readFileSync(path.join(problems, name), 'utf8')));
+const moves = (text) => /^\[model/m.test(text);
+const all = fs.readdirSync(problems);
+const files = all.filter((name) => moves(fs.readFileSync(path.join(problems, name), 'utf8')));
 const textOf = (name) => fs.readFileSync(path.join(problems, name), 'utf8');
 
 let browser;
@@ -42,10 +45,11 @@ const answered = (page) => page.waitForFunction(() => document.querySelector('.o
 test('each example file is in the menu, moves, and is answered', async (t) => {
   const { page, faults } = await open(browser, 'own.html', { reduced: true });
   const titles = await page.$$eval('#own-example option', (options) => options.map((o) => o.textContent));
-  assert.equal(titles.length, files.length);
+  assert.equal(titles.length, all.length);
   for (const [i, title] of titles.entries()) {
+    if (!moves(textOf(all[i]))) continue;
     await page.select('#own-example', String(i));
-    await page.waitForFunction((n) => Number(document.querySelector('.own').dataset.read) > n, {}, i);
+    await page.waitForFunction((text) => document.querySelector('.own').oddity.text === text, {}, textOf(all[i]));
     await answered(page);
     const now = await seen(page);
     t.diagnostic(`${title}: ${now.took} ms. ${now.answer}`);
@@ -241,13 +245,114 @@ test('\u201cbreak it\u201d finds a step with which a method fails', async () => 
   await page.close();
 });
 
-test('a model is printed as C++', async () => {
-  const { page } = await open(browser, 'own.html', { reduced: true });
+test('a table of numbers that is opened is a part of the file, and drives the motion', async () => {
+  const { page, faults } = await open(browser, 'own.html', { reduced: true });
   await type(page, textOf('quarter_car.toml'));
-  const code = await page.$eval('.own-code', (pre) => pre.textContent);
-  assert.match(code, /struct BodyAndWheel \{/);
-  assert.match(code, /std::array<double, 4>/);
+  const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'own-'));
+  const table = path.join(folder, '2 my bump.csv');
+  fs.writeFileSync(table, 't,height\r\n0,0\r\n"0.1","0.05"\r\n0.2;0\r\n');
+  await (await page.$('#own-open')).uploadFile(table);
+  await page.waitForFunction(() => document.querySelector('#own-file').value.includes('[tables.my_bump]'));
+  const text = await page.$eval('#own-file', (area) => area.value);
+  assert.match(text, /rows = """\n0,0\n0\.1,0\.05\n0\.2;0\n"""/);
+  await type(page, text.replace(/^z = .*$/m, 'z = "my_bump(t)"'));
+  assert.equal((await seen(page)).wrong, '');
+  await answered(page);
+  assert.match((await seen(page)).answer, /is enough/);
+  assert.deepEqual(faults, []);
+  await page.close();
+});
+
+test('claims are judged, with what they are compared with, and what is not as the file says', async () => {
+  const { page, faults } = await open(browser, 'own.html', { reduced: true });
+  const judged = async () => {
+    await answered(page);
+    return page.$$eval('.own-claim', (all) => all.map((one) => [one.querySelector('b').textContent,
+      one.classList.contains('as-said'), one.querySelectorAll('details li').length > 0]));
+  };
+  await type(page, textOf('sheet.toml'));
+  const right = await judged();
+  const answers = [...textOf('sheet.toml').matchAll(/^# Answer: \w+: (\w+)\.$/gm)].map((found) => found[1]);
+  assert.deepEqual(right, answers.map((verdict) => [verdict, true, true]));
+  await type(page, textOf('sheet.toml').replace('1.257 s', '1.256 s'));
+  assert.deepEqual((await judged())[0], ['unsettled', false, true]);
+  assert.match(await page.$eval('.own-claim', (one) => one.textContent), /The file says that this is confirmed/);
+  await type(page, textOf('quarter_car.toml') + '\n[[claim]]\nsays = "One and one"\nprinted = "1 + 1 = 2"\n');
+  assert.deepEqual((await judged()).map(([verdict]) => verdict), ['confirmed']);
+  await type(page, textOf('quarter_car.toml'));
+  assert.equal(await page.$eval('.own-claims', (one) => one.hidden), true);
+  assert.deepEqual(faults, []);
+  await page.close();
+});
+
+/// What a program of C++ prints, without its head.
+function printed(code) {
+  const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'own-'));
+  fs.writeFileSync(path.join(folder, 'p.cpp'), code);
+  execFileSync('c++', ['-std=c++20', '-O2', '-Wall', '-Wextra', '-Werror', 'p.cpp', '-o', 'p'], { cwd: folder });
+  return execFileSync(path.join(folder, 'p')).toString().trim().split('\n').slice(1).map((line) => line.split(',').map(Number));
+}
+
+test('the program that it prints is whole, short, and prints the page\u2019s motion', async (t) => {
+  const { page } = await open(browser, 'own.html', { reduced: true });
+  for (const name of ['quarter_car.toml', 'elastic_pendulum.toml', 'measured_bump.toml', 'dc_motor.toml', 'rope.toml']) {
+    await type(page, textOf(name));
+    await answered(page);
+    const code = await page.$eval('.own-code', (pre) => pre.textContent);
+    const [model, { method, says }] = await page.evaluate(() => {
+      const { oddity: typing } = document.querySelector('.own');
+      return [typing.codeOf.value, typing.programs.get(typing.codeOf.value) ?? {}];
+    });
+    assert.ok(method, `${name}: ${model}`);
+    assert.ok(code.includes(says), name);
+    const lines = code.split('\n').length;
+    t.diagnostic(`${name}: ${lines} lines`);
+    assert.ok(lines <= (name === 'measured_bump.toml' ? 200 : 120), `${name}: ${lines} lines`);
+    const mine = printed(code);
+    const theirs = await page.evaluate((asked) => {
+      const { motions, parameters } = document.querySelector('.own').oddity.player;
+      const { motion } = motions.judgedByFrame(parameters, asked);
+      return { observed: [...motion.observed], count: motions.scene.observables.length };
+    }, method);
+    const size = Math.max(...theirs.observed.map(Math.abs));
+    assert.equal(mine.length, theirs.observed.length / theirs.count - 1);
+    mine.forEach(([, ...row], i) => row.forEach((x, k) =>
+      assert.ok(Math.abs(x - theirs.observed[(i + 1) * theirs.count + k]) <= 1e-9 * size, `${name} at frame ${i + 1}`)));
+  }
+  await type(page, textOf('quarter_car.toml').replace('title = "', 'title = "\\\\\\nint main(); '));
+  await answered(page);
+  printed(await page.$eval('.own-code', (pre) => pre.textContent));
   await type(page, textOf('bouncing_ball.toml'));
   assert.match(await page.$eval('.own-code', (pre) => pre.textContent), /^This model has no code to print/);
+  await page.close();
+});
+
+test('site FILE writes one page with the file in it, which asks for nothing else', async (t) => {
+  const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'own-'));
+  const file = path.join(problems, 'quarter_car.toml');
+  execFileSync(program, ['site', file, '--out', path.join(folder, 'car')]);
+  execFileSync(program, ['site', '--single', file, '--out', path.join(folder, 'car.html')]);
+  assert.deepEqual(fs.readdirSync(path.join(folder, 'car')).filter((name) => !name.startsWith('.')), ['index.html']);
+  assert.deepEqual(fs.readFileSync(path.join(folder, 'car', 'index.html')), fs.readFileSync(path.join(folder, 'car.html')));
+  const size = fs.statSync(path.join(folder, 'car.html')).size;
+  t.diagnostic(`${size} bytes`);
+  assert.ok(size <= 1.2e6, `${size} bytes`);
+  const page = await browser.newPage();
+  const faults = [];
+  page.on('pageerror', (error) => faults.push(error.message));
+  page.on('console', (message) => faults.push(message.text()));
+  page.on('request', (request) => {
+    if (!/^(data|blob):/.test(request.url()) && !request.url().endsWith('/car.html')) faults.push(request.url());
+  });
+  await page.goto(pathToFileURL(path.join(folder, 'car.html')).href);
+  await page.waitForFunction(isWhole);
+  await answered(page);
+  assert.equal(await page.$eval('#own-file', (area) => area.value), textOf('quarter_car.toml'));
+  assert.equal(await page.$eval('h1', (title) => title.textContent), 'Quarter car over a bump');
+  assert.match(await page.$eval('.own-chosen', (says) => says.textContent), /choose says, .*: Take body and wheel by .* per frame/);
+  assert.match((await seen(page)).answer, /is enough/);
+  assert.match(await page.$eval('.own-code', (pre) => pre.textContent), /int main\(\)/);
+  await shoot(page, 'own-single');
+  assert.deepEqual(faults, []);
   await page.close();
 });

@@ -18,7 +18,10 @@
 //   take(text)   of the module that reads problems' files (own.js), which has no scene before: resolves to {file}, the
 //                text as it is understood, whose scene is 'own' from then on; or to {wrong: {line, column, reason,
 //                message}}, line and column 0 where the place is not known. Then the scene is what it was
-//   code(model)  the place of a model among the file's: its C++, or nothing where it has none to print
+//   code(model, parameters)  the place of a model among the file's: its C++, with oddity::asked::model() which makes it;
+//                or nothing where it has none to print
+//   claim(place) how a claim of the file is judged: {says, printed, verdict, expected, why, checks: [{reading, holds, text,
+//                where}]}; or {wrong}
 (function (oddity) {
   'use strict';
 
@@ -123,6 +126,7 @@
   function put(values) {
     const address = wasm.input(values.length);
     new Float64Array(wasm.memory.buffer, address, values.length).set(values);
+    return address;
   }
 
   // A string for the duration of a call.
@@ -246,7 +250,8 @@
     scene: number => scenes.get(number) || null,
     run,
     take,
-    code: model => text(wasm.code(model)),
+    code: (model, parameters) => text(wasm.code(model, put(valuesOf(scenes.get('own'), parameters)))),
+    claim: place => guarded(() => JSON.parse(text(wasm.claim(place))), wrong => ({wrong})),
     draw: (number, parameters, t, observed) =>
       scenes.has(number) ? drawing(scenes.get(number), parameters, t, observed) : null
   };

@@ -53,14 +53,22 @@
       this.code = make('pre', { class: 'code own-code', tabindex: '0' });
       this.codeOf = make('select', { id: 'own-code-of', change: () => this.showCode() });
       this.copied = make('button', { type: 'button', click: () => this.copyCode() }, 'Copy');
-      this.coding = make('details', { class: 'own-coding', hidden: true }, make('summary', {}, 'Its code in C++'),
+      this.claims = make('section', { class: 'own-claims', hidden: true, 'aria-live': 'polite' });
+      this.file = make('input', { id: 'own-open', type: 'file', accept: '.toml,.csv,.txt', change: () => this.open(this.file.files) });
+      this.coding = make('details', { class: 'own-coding', hidden: true }, make('summary', {}, 'Its program in C++'),
         make('p', {}, make('label', { for: 'own-code-of' }, 'Model '), this.codeOf, ' ', this.copied), this.code);
       this.place.replaceChildren(
         make('div', { class: 'own-typed' },
-          make('p', {}, make('label', { for: 'own-example' }, 'Begin with '), this.menu),
+          make('p', {}, make('label', { for: 'own-example' }, 'Begin with '), this.menu, ' ',
+            make('label', { for: 'own-open' }, 'or open a file, or a table of numbers (CSV): '), this.file),
           make('label', { for: 'own-file', class: 'own-name' }, 'The file'),
           make('div', { class: 'own-paper' }, this.line, this.area), this.wrong, this.says),
-        make('div', { class: 'own-shown' }, this.asks, this.answer, this.alone, this.figure, this.coding));
+        make('div', { class: 'own-shown' }, this.asks, this.answer, this.alone, this.figure, this.claims, this.coding));
+      this.place.addEventListener('dragover', (event) => event.preventDefault());
+      this.place.addEventListener('drop', (event) => {
+        event.preventDefault();
+        this.open(event.dataTransfer.files);
+      });
     }
 
     // ---- the text -----------------------------------------------------------------------------------------
@@ -79,6 +87,21 @@
       this.area.scrollTop = 0;
       this.keeps = false;
       return this.read(play);
+    }
+
+    /** A problem's file takes the place of the text; a table of numbers comes behind it. */
+    async open([file]) {
+      if (!file) return;
+      if (file.size > oddity.fileLink.longest) {
+        this.says.textContent = `${file.name} is longer than the ${oddity.fileLink.longest} characters that the page takes.`;
+        return;
+      }
+      const text = await file.text();
+      this.file.value = '';
+      if (file.name.endsWith('.toml')) return this.set(text);
+      const name = oddity.nameOfTable(file.name);
+      await this.set(oddity.withTable(this.area.value, name, text));
+      this.says.textContent = `The table ${name} is at the end of the file: say its units there, and call it as ${name}(t).`;
     }
 
     later() {
@@ -126,6 +149,7 @@
       this.stop();
       this.answer.textContent = '';
       this.alone.hidden = true;
+      this.claims.hidden = true;
       this.coding.hidden = true;
     }
 
@@ -151,17 +175,27 @@
       this.stop();
       const moves = oddity.engine.scene('own') !== null;
       this.figure.hidden = this.coding.hidden = !moves;
+      this.judge(file.claims, moves);
       if (!moves) {
         this.drop();
         this.alone.hidden = true;
-        this.answer.textContent = `It has ${file.claims === 1 ? 'a claim' : `${file.claims} claims`} and no motion: ${oddity.program} verify FILE judges them.`;
+        this.answer.textContent = '';
         return;
       }
       this.play(oddity.problem(file, oddity.engine), play);
       const models = oddity.engine.scene('own').models.map((m) => m.name);
-      this.codeOf.replaceChildren(...models.map((name, i) => make('option', { value: i }, name)));
-      this.codeOf.value = models.length - 1;
+      this.codeOf.replaceChildren(...models.map((name) => make('option', { value: name }, name)));
+      this.codeOf.value = models[models.length - 1];
       this.showCode();
+    }
+
+    judge(count, moves) {
+      const { turn } = this;
+      this.claims.hidden = count === 0;
+      if (count === 0) return;
+      oddity.showClaims(this.claims, count, () => turn === this.turn, () => {
+        if (!moves) this.place.dataset.answered = 'yes';
+      });
     }
 
     drop() {
@@ -193,10 +227,17 @@
       if (moves) this.player.clock.play();
     }
 
+    /** By the cheapest method that is enough and has a loop to print; without one, by a step a frame. */
     showCode() {
-      const text = oddity.engine.code(Number(this.codeOf.value));
-      this.code.textContent = text ? `#include <array>\n#include <cmath>\n\n${text}`
-        : 'This model has no code to print: it has events, or letters that C++ has another meaning for.';
+      const { motions, parameters } = this.player;
+      const model = this.codeOf.value;
+      const found = this.programs && this.programs.get(model);
+      const { algorithm } = motions.algorithmsOf(model)[0];
+      const plain = oddity.isPrintable(algorithm) ? algorithm : 'Runge-Kutta 4';
+      const { method, says } = found || { method: { model, algorithm: plain, setting: motions.frame },
+        says: `${plain} on ${model}, which may not be enough.` };
+      const text = oddity.wholeProgram(motions, parameters, method, says);
+      this.code.textContent = text || 'This model has no code to print: it has events, or letters that C++ has another meaning for.';
       this.copied.disabled = !text;
     }
 
@@ -225,6 +266,7 @@
       const key = JSON.stringify(parameters);
       if (this.lookedFor && this.lookedFor.motions === motions && this.lookedFor.key === key) return;
       this.lookedFor = { motions, key };
+      this.programs = null;
       this.stop();
       this.answer.textContent = 'Which method is enough is being looked for.';
       this.alone.hidden = true;
@@ -236,8 +278,13 @@
         this.answer.textContent = last.value.text;
         this.alone.hidden = !last.value.best;
         player.tellTruth();
-        if (last.value.done) this.place.dataset.answered = 'yes';
-        else this.looking = setTimeout(next, 0);
+        if (!last.value.done) {
+          this.looking = setTimeout(next, 0);
+          return;
+        }
+        this.place.dataset.answered = 'yes';
+        this.programs = last.value.programs;
+        this.showCode();
       };
       this.looking = setTimeout(next, slice);
     }
@@ -260,7 +307,9 @@
 
   /** Called by data/problems.js. */
   oddity.problems = async function (packed) {
-    oddity.allExamples = await oddity.unpacked(packed);
+    const { files, programs } = await oddity.unpacked(packed);
+    oddity.allExamples = files;
+    oddity.programs = programs;
     document.querySelectorAll('.own').forEach((place) => { start(place); });
   };
 })(window.oddity = window.oddity || {});

@@ -80,6 +80,25 @@ auto count_if(Range&& range, Test test, Projection projection = {}) {
   return std::count_if(begin(range), end(range), seen_by(test, projection));
 }
 template <class Range, class Value>
+auto count(Range&& range, const Value& value) {
+  return std::count(begin(range), end(range), value);
+}
+template <class Range, class Out, class Test>
+void copy_if(Range&& range, Out out, Test test) {
+  std::copy_if(begin(range), end(range), out, [&](const auto& one) { return std::invoke(test, one); });
+}
+template <class A, class B, class Same = std::equal_to<>, class ProjectionA = std::identity,
+          class ProjectionB = std::identity>
+bool equal(A&& a, B&& b, Same same = {}, ProjectionA of_a = {}, ProjectionB of_b = {}) {
+  return std::equal(begin(a), end(a), begin(b), end(b), [&](const auto& x, const auto& y) {
+    return same(std::invoke(of_a, x), std::invoke(of_b, y));
+  });
+}
+template <class A, class B>
+bool is_permutation(A&& a, B&& b) {
+  return std::is_permutation(begin(a), end(a), begin(b), end(b));
+}
+template <class Range, class Value>
 void replace(Range&& range, const Value& old, const Value& other) {
   std::replace(begin(range), end(range), old, other);
 }

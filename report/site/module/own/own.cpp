@@ -5,6 +5,7 @@
 #include <cmath>
 #include <exception>
 
+#include "problem/claims.hpp"
 #include "problem/code.hpp"
 #include "problem/file.hpp"
 #include "problem/model.hpp"
@@ -12,6 +13,7 @@
 #include "reference/text.hpp"
 #include "report/site/module/json.hpp"
 #include "report/site/module/own/played.hpp"
+#include "report/text/readable.hpp"
 
 namespace oddity::module {
 
@@ -23,6 +25,7 @@ using problem::File, problem::ModelText, problem::ObservableText, problem::Param
 struct Own {
   std::unique_ptr<const File> file;
   std::vector<problem::Model> models;
+  std::unique_ptr<const problem::Sheet> sheet;
 };
 
 Own own;
@@ -30,12 +33,13 @@ std::vector<Scene> all_scenes;
 std::string answer;
 
 Own own_of(const std::string& text) {
-  Own made{problem::read("this file", text), {}};
+  Own made{problem::read("this file", text), {}, nullptr};
   problem::require_parameters(*made.file);
   for (const ModelText& model : made.file->models) {
     made.models.emplace_back(*made.file, model);
     if (!made.models.back().is_closed()) problem::require_start(*made.file, model, made.models.back());
   }
+  made.sheet = std::make_unique<const problem::Sheet>(*made.file, "file");
   return made;
 }
 
@@ -88,6 +92,44 @@ std::string text_of(const File& file) {
          ",\"units\":" + units_of(file) + "}";
 }
 
+/// What a reading is compared with, as a line to read.
+std::string text_of(const std::string& reading, const Check& check) {
+  const auto side = [](const Route& route) {
+    const std::string value = route.value.size() == 1 ? format_significant(route.value[0], 6) : "";
+    return value + (value.empty() ? "" : " ") + "(" + readable(route.by) + ")";
+  };
+  return "{\"reading\":" + quoted(reading) + ",\"holds\":" + flag(check.holds()) +
+         ",\"text\":" + quoted(side(check.left) + " against " + side(check.right)) +
+         ",\"where\":" + quoted(check.where) + "}";
+}
+
+std::string text_of(const Claim& claim, const problem::ClaimText& text, const std::string& expected) {
+  std::string checks;
+  const auto add = [&](const std::string& name, const Reading& reading) {
+    for (const Check& one : reading.checks) checks += (checks.empty() ? "" : ",") + text_of(name, one);
+  };
+  add("printed", claim.printed), add("meant", claim.meant), add("corrected", claim.corrected);
+  for (const Reading& near : claim.near_misses)
+    if (near.holds()) add("the near miss " + readable(near.text), near);
+  return "{\"says\":" + quoted(text.says) + ",\"printed\":" + quoted(text.printed->text) +
+         ",\"verdict\":" + quoted(name_of(verdict(claim))) + ",\"expected\":" + quoted(expected) +
+         ",\"why\":" + quoted(readable(claim.why)) + ",\"checks\":[" + checks + "]}";
+}
+
+/// The parameters that a model's code needs, and the model that they make.
+std::string construction_of(const File& file, const problem::Model::Code& code, const double* values) {
+  std::string letters, members;
+  for (const std::string& name : code.members) {
+    members += (members.empty() ? "" : ", ") + name;
+    const auto p = std::ranges::find(file.parameters, name, &ParameterText::name);
+    letters += "double " + name + " = " + format_shortest(values[p - file.parameters.begin()]) + ";  // " +
+               (p->unit.empty() || p->unit == "1" ? "" : p->unit + ": ") + readable(p->says) + "\n";
+  }
+  return "namespace oddity::asked {\n\nusing Number = double;\n\n" + letters +
+         "\nauto model() { return problem::" + code.type + "{" + members +
+         "}; }\n\n}  // namespace oddity::asked\n";
+}
+
 std::string wrong(std::size_t line, std::size_t column, const std::string& reason, const std::string& all) {
   return "{\"wrong\":{\"line\":" + std::to_string(line) + ",\"column\":" + std::to_string(column) +
          ",\"reason\":" + quoted(reason) + ",\"message\":" + quoted(all) + "}}";
@@ -115,18 +157,31 @@ ODDITY_EXPORT(take) const char* take(const char* text, std::size_t size) {
   return answer.c_str();
 }
 
-/// A model as C++; or nothing where it cannot be printed.
-ODDITY_EXPORT(code) const char* code_of(std::size_t index) {
+/// A model with these values of the parameters as C++, and a function that returns it; or nothing where it
+/// cannot be printed.
+ODDITY_EXPORT(code) const char* code_of(std::size_t index, const double* values) {
   answer.clear();
   const problem::Model& model = own.models[index];
-  std::vector<double> values;
-  for (const ParameterText& p : own.file->parameters) values.push_back(p.value);
+  if (model.has_events()) return answer.c_str();
   try {
-    if (!model.has_events())
-      answer = problem::comment_of(*own.file, own.file->models[index]) +
-               model.code(*own.file, model.with(values).partitioned).text;
+    const std::vector<double> given(values, values + own.file->parameters.size());
+    const problem::Model::Code code = model.code(*own.file, model.with(given).partitioned);
+    answer = "namespace oddity::problem {\n\n" + problem::comment_of(*own.file, own.file->models[index]) +
+             code.text + "\n}  // namespace oddity::problem\n\n" + construction_of(*own.file, code, values);
   } catch (const BadInput&) {
     answer.clear();
+  }
+  return answer.c_str();
+}
+
+/// How a claim of the file is judged, by its place in it: {says, printed, verdict, expected, why, checks:
+/// [{reading, holds, text, where}]}; or {wrong: why it cannot be}.
+ODDITY_EXPORT(claim) const char* claim_of(std::size_t place) {
+  try {
+    const Claim claim = own.sheet->judged(place);
+    answer = text_of(claim, own.file->claims[place], own.sheet->stated().at(claim.id));
+  } catch (const std::exception& error) {
+    answer = "{\"wrong\":" + quoted(error.what()) + "}";
   }
   return answer.c_str();
 }
