@@ -149,7 +149,7 @@
         obstacles,
         view,
         context,
-        { left: narrow ? 2 : box.left + 2, right: width - 2, top: 4, bottom: box.bottom - 2 },
+        { left: box.left + 2, right: width - 2, top: 4, bottom: box.bottom - 2 },
         narrow,
       ),
     );
