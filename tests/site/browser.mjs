@@ -69,9 +69,9 @@ export async function open(browser, name, { width = 1200, height = 900, dark = f
   return { page, faults };
 }
 
-/// Pairs of texts in <main> that lie on each other, each text as far as it is seen.
-export function overlaps(page) {
-  return page.evaluate(() => {
+/// Pairs of texts in <main> that lie on each other, each text as far as it is seen; but for those within `except`.
+export function overlaps(page, except = '.none-such') {
+  return page.evaluate((left_out) => {
     const seen = [];
     // What an element cuts off or scrolls is not seen.
     const within = (box, place) => {
@@ -86,7 +86,7 @@ export function overlaps(page) {
     const walker = document.createTreeWalker(document.querySelector('main'), NodeFilter.SHOW_TEXT);
     while (walker.nextNode()) {
       const { parentElement: place, data } = walker.currentNode;
-      if (!data.trim() || place.closest('.unseen, caption, noscript, option') || !place.checkVisibility({ checkVisibilityCSS: true })) continue;
+      if (!data.trim() || place.closest(`.unseen, caption, noscript, option, ${left_out}`) || !place.checkVisibility({ checkVisibilityCSS: true })) continue;
       const range = document.createRange();
       range.selectNodeContents(walker.currentNode);
       const whole = place.closest('math') ?? walker.currentNode;
@@ -105,7 +105,7 @@ export function overlaps(page) {
         if (meet(a, seen[k])) found.add(`\u201c${a.text}\u201d and \u201c${seen[k].text}\u201d`);
     });
     return [...found];
-  });
+  }, except);
 }
 
 /// A picture of the whole page, where pictures are asked for.
