@@ -80,8 +80,7 @@ std::string comparison_of(const Reading& reading, bool with_values) {
     return "against " + words(c.right.by) + ": " + difference_text(c) + of + hardest_text(reading);
   return element("b", "", value_text(c.left.value)) + " against " +
          element("b", "", value_text(c.right.value)) + ", " + words(c.right.by) + ": " + difference_text(c) +
-         (sample.empty() ? of : ", the most" + of + ", at " + in_xml(with_short_numbers(sample))) +
-         hardest_text(reading);
+         (sample.empty() ? of : ", the most" + of + ", at " + words(sample)) + hardest_text(reading);
 }
 
 /// The same of a reading beside one that was compared with the same before. Where that was at a sample, this

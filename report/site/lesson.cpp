@@ -34,7 +34,7 @@ double energy_factor(const std::string& algorithm, double step) {
 std::string three_digits(double x) { return format_significant(x, 3); }
 
 std::vector<LessonStep> told_steps() {
-  constexpr double short_step = 0.25, long_step = 0.4, longest = 0.6;
+  constexpr double short_step = 0.25, in_view = 0.015, long_step = 0.4, longest = 0.6;
   return {
       {"circle", "The true motion is a circle",
        "A mass on a spring obeys $\\ddot x=-\\omega^2x$. Draw its place $x$ against its velocity over "
@@ -50,7 +50,7 @@ std::vector<LessonStep> told_steps() {
        "Each step multiplies the energy by that factor again, so it grows without end, for any step. A spring "
        "of twice the frequency $\\omega$ needs a quarter of the step for the same growth.",
        "Find a step with which the energy does not double before the end. How many steps does it take?",
-       explicit_euler, short_step, 0},
+       explicit_euler, in_view, 0},
       {"symplectic", "Symplectic Euler closes the curve",
        "Compute the new velocity first, and move the mass by the new one: the same work, and the points stay on "
        "an ellipse. The energy goes up and down, and the shadow energy $v^2+\\omega^2x^2-h\\omega^2xv$ does not "

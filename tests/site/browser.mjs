@@ -69,18 +69,30 @@ export async function open(browser, name, { width = 1200, height = 900, dark = f
   return { page, faults };
 }
 
-/// Pairs of texts in <main> that overlap, each text as far as it is visible.
-export function overlaps(page) {
-  return page.evaluate(() => {
+/// Pairs of texts in <main> that overlap, each text as far as it is visible, except those within `except`.
+export function overlaps(page, except = '.none-such') {
+  return page.evaluate((left_out) => {
     const seen = [];
+    // What an element cuts off or scrolls is not seen.
+    const within = (box, place) => {
+      let { left, right, top, bottom } = box;
+      for (let around = place; around; around = around.parentElement) {
+        if (around instanceof SVGElement || around.closest('math') || getComputedStyle(around).overflow === 'visible') continue;
+        const cut = around.getBoundingClientRect();
+        [left, right, top, bottom] = [Math.max(left, cut.left), Math.min(right, cut.right), Math.max(top, cut.top), Math.min(bottom, cut.bottom)];
+      }
+      return { left, right, top, bottom };
+    };
     const walker = document.createTreeWalker(document.querySelector('main'), NodeFilter.SHOW_TEXT);
     while (walker.nextNode()) {
       const { parentElement: place, data } = walker.currentNode;
-      if (!data.trim() || place.closest('.unseen, caption, noscript, option') || !place.checkVisibility({ checkVisibilityCSS: true })) continue;
+      if (!data.trim() || place.closest(`.unseen, caption, noscript, option, ${left_out}`) || !place.checkVisibility({ checkVisibilityCSS: true })) continue;
       const range = document.createRange();
       range.selectNodeContents(walker.currentNode);
       const whole = place.closest('math') ?? walker.currentNode;
-      for (const { left, right, top, bottom } of range.getClientRects()) {
+      for (const box of range.getClientRects()) {
+        const { left, right, top, bottom } = within(box, place);
+        if (left >= right || top >= bottom) continue;
         const quarter = (bottom - top) / 4;  // letters do not fill the height of their line
         seen.push({ whole, text: data.trim(), left: left + 1, right: right - 1, top: top + quarter, bottom: bottom - quarter });
       }
@@ -93,7 +105,7 @@ export function overlaps(page) {
         if (meet(a, seen[k])) found.add(`\u201c${a.text}\u201d and \u201c${seen[k].text}\u201d`);
     });
     return [...found];
-  });
+  }, except);
 }
 
 /// A picture of the whole page, if pictures are requested.

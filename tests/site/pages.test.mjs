@@ -45,15 +45,15 @@ for (const name of pages) {
 }
 
 for (const name of pages)
-  test(`${name}: no two texts overlap, at any width, dark or printed`, async () => {
+  test(`${name}: no two texts overlap, at any width, in dark, and on A4`, async () => {
     const { page, faults } = await open(browser, name, { reduced: true });
-    for (const width of [390, 768, 1280])
-      for (const media of ['light', 'dark', 'print']) {
+    for (const width of [390, 768, 1280, 688])
+      for (const media of width === 688 ? ['print'] : ['light', 'dark']) {
         await page.setViewport({ width, height: 900 });
         await page.emulateMediaType(media === 'print' ? 'print' : 'screen');
         await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: media === 'dark' ? 'dark' : 'light' }]);
-        await page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); }));
-        assert.deepEqual(await overlaps(page), [], `${width} px, ${media}`);
+        await page.evaluate(() => new Promise((done) => { setTimeout(() => requestAnimationFrame(done), 300); }));
+        assert.deepEqual(await overlaps(page, media === 'print' ? '.chart' : undefined), [], `${width} px, ${media}`);  // charts stay as the screen has them
       }
     assert.deepEqual(faults, []);
     await page.close();

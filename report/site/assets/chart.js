@@ -388,17 +388,20 @@
     };
   }
 
-  /** Acts when the element is about to be visible, so that a page of many charts opens at once. */
+  /** Acts when the element is about to be visible, or printed, so that a page of many charts opens at once. */
   function whenNear(place, act) {
-    const observer = new IntersectionObserver(
-      (entries) => {
-        if (!entries.some((entry) => entry.isIntersecting)) return;
-        observer.disconnect();
-        act();
-      },
-      { rootMargin: '800px' },
-    );
+    const observer = new IntersectionObserver((entries) => entries.some((entry) => entry.isIntersecting) && once(), {
+      rootMargin: '800px',
+    });
+    let acted = false;
+    function once() {
+      if (acted) return;
+      acted = true;
+      observer.disconnect();
+      act();
+    }
     observer.observe(place);
+    window.addEventListener('beforeprint', once);
   }
 
   const quantityNamed = (name) => oddity.data.quantities.find((q) => q.name === name);

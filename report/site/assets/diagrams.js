@@ -149,7 +149,7 @@
         obstacles,
         view,
         context,
-        { left: narrow ? 2 : box.left + 2, right: width - 2, top: 4, bottom: box.bottom - 2 },
+        { left: box.left + 2, right: width - 2, top: 4, bottom: box.bottom - 2 },
         narrow,
       ),
     );
@@ -301,7 +301,7 @@
     const picture = canvas('work-precision rows', width, height);
     const back = svg('g', { class: 'axes', 'aria-hidden': 'true' });
     const text = (says, attributes) => back.append(svg('text', attributes, says));
-    for (const value of ticks(range, narrow ? 4 : 9)) {
+    for (const value of ticks(range, Math.max(2, Math.min(9, Math.floor((box.right - box.left) / 50))))) {
       back.append(svg('path', { class: 'grid', d: `M${x(value).toFixed(1)},${box.top}V${box.bottom}` }));
       text(tickText('error', value), { x: x(value), y: box.bottom + 16, 'text-anchor': 'middle' });
     }
