@@ -303,7 +303,7 @@ void add_choose(CLI::App& app, Session& s) {
       "Keys of the JSON: need (judged_over: the part of its horizon), chosen (null when nothing is; rollback: to take eight frames again), in_float, ties, candidates (followed: false where finer "
       "settings were not tried), on_asked (when nothing is chosen, what holds on the start asked for), engine, "
       "predictable, chosen_on, tested_on, failing_beside, left_out (starts beside that are another kind of motion), "
-      "in_chaos (how many unseen starts hold, with bounds), lockstep (null unless asked; functions of its own, times_usual: its time in the usual program's, left_out by reason), times, explanation.\n"
+      "in_chaos (how many unseen starts hold, with bounds), lockstep (null unless asked; functions of its own, times_usual: its time in the usual program's, left_out by reason), engines (with --engine, the trials as 'engines --json' has them), times, explanation.\n"
       "Columns with --method: exercise, model, algorithm, knob, setting, holds (1 or 0), outcome, where, error_in_needs, "
       "starts, failing, growth (of the error, from half the time to the end), drift (of what the model conserves), energy (how far what is seen is off its true one), stable_to, "
       "evaluations_per_frame, seconds_per_frame, frames_per_second; a row for each model.\n"
@@ -338,7 +338,7 @@ void add_choose(CLI::App& app, Session& s) {
       *choose, "--engine", s.engine, "NAME",
       "what another engine makes of the scene, beside the choice: bullet, mujoco; unless --error or "
       "--digits is given, to 1 cm and 1 degree");
-  set_apart(*choose, engine, {"--json", "--csv", "--code"});
+  set_apart(*choose, engine, {"--csv", "--code"});
   set_apart(*choose, choose->get_option("--method"),
             {"--engine", "--code", "--explain", "--all", "--enclosed"});
   set_apart(*choose, choose->get_option("--lockstep"), {"--method", "--engine", "--bodies"});

@@ -297,6 +297,15 @@ Need in_what_is_left(Need need) {
   return need;
 }
 
+OtherEngines::Answer engines_in_time(const OtherEngines::Answers& engines, const Choice& choice,
+                                     const Reference& truth, const Need& need) {
+  try {
+    return in_time(in_what_is_left(need).time_limit, "", [&] { return engines(choice, truth); });
+  } catch (const OutOfTime&) {
+    return {"  the engine came to no end within the time limit\n", "[]"};
+  }
+}
+
 /// Of a problem's file what stands in it, too.
 std::string key_of_prices(const Task& task, const Need& need) {
   return price_key(task, need) +
@@ -364,25 +373,25 @@ int choose(const fs::path& folder, const std::string& exercise, const std::vecto
         "--engine is for frames of one length: leave out --jitter, --drop, --frames and --max-frame");
   if (!engine.empty()) extras.engines.require_scene(*task.entry);
   if (needs_are_all(need.bodies > 1 ? extras.bodies.needs : Needs())) return 0;
-  const OtherEngines::Answer engines =
-      engine.empty() ? OtherEngines::Answer() : extras.engines.named(engine, task);
+  const auto engines = engine.empty() ? OtherEngines::Answers() : extras.engines.named(engine, task);
   const Reference truth = truth_of(folder, asked.enclosed, motions_folder());
   if (!of_the_book(task.entry->number)) require_truth(task, truth);
   Choice choice = choice_in_time(task, need, truth, asked.measure, extras.bodies);
   if (asked.lockstep) choice.lockstep = lockstep_of(task, choice, in_what_is_left(need).time_limit);
+  const auto beside = engines ? engines_in_time(engines, choice, truth, need) : OtherEngines::Answer();
   if (format == Format::text && !asked.says.empty())
     std::cout << exercise << " does not say what it needs, so it is asked for " << asked.says << "\n";
   if (format == Format::csv || (format == Format::code && choice.chosen)) std::cerr << part_text(choice);
   if (format == Format::code && !choice.chosen)
     std::cerr << choice_text(choice, all_rows, screen_of(STDERR_FILENO));
   else
-    std::cout << (format == Format::json   ? choice_json(choice)
+    std::cout << (format == Format::json   ? choice_json(choice, beside.json)
                   : format == Format::csv  ? choice_csv(choice)
                   : format == Format::code ? code_of(task, choice, command)
                                            : choice_text(choice, all_rows, output()));
   if (asked.enclosed && format == Format::text) std::cout << truth_text(choice, output());
   if (asked.explain && format == Format::text) std::cout << "\n" << explanation_text(choice);
-  if (engines) std::cout << engines(choice, truth);
+  if (format == Format::text) std::cout << beside.text;
   return choice.chosen && !choice.asked_horizon ? 0 : 1;
 }
 

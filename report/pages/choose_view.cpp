@@ -619,7 +619,7 @@ std::string shown_errors(const Candidate& candidate, const Choice& choice) {
   return error_of(candidate, choice);
 }
 
-std::string choice_json(const Choice& choice) {
+std::string choice_json(const Choice& choice, const std::string& engines) {
   Json json{{"need", need_of(choice)}, {"chosen", nullptr}};
   if (choice.chosen) {
     json["chosen"] = from(*choice.chosen, choice);
@@ -647,6 +647,7 @@ std::string choice_json(const Choice& choice) {
                         {"least", choice.share_in_chaos().first},
                         {"most", choice.share_in_chaos().second}};
   json["lockstep"] = lockstep_json(choice);
+  if (!engines.empty()) json["engines"] = Json::parse(engines);
   json["times"] = choice.prices_are;
   const Explanation& e = choice.explanation;
   json["explanation"] = {{"truths",
