@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 #include <sstream>
+#include <tuple>
 
 #include "chapters/scene.hpp"
 #include "problem/scene.hpp"
@@ -495,8 +496,9 @@ std::vector<double> trace_of(const std::string& file, const std::string& time) {
   return lengths;
 }
 
-/// Frames as they come, if they are asked for.
-void set_frame_times(Need& need, const AskedNeed& asked, const std::string& time) {
+}  // namespace
+
+FramesAsked frames_of(const AskedNeed& asked, const std::string& time) {
   FramesAsked frames;
   if (!asked.jitter.empty()) frames.jitter = between("--jitter", asked.jitter, "", 1e-9, 0.99);
   if (!asked.drop.empty()) frames.drop = between("--drop", asked.drop, "", 1e-9, 0.99);
@@ -506,6 +508,14 @@ void set_frame_times(Need& need, const AskedNeed& asked, const std::string& time
   if (!asked.frame_seed.empty()) frames.seed = count_of("--frame-seed", asked.frame_seed, 0, 1'000'000'000);
   if (!asked.frame_seed.empty() && frames.jitter == 0 && frames.drop == 0)
     throw BadInput("--frame-seed is of --jitter or --drop, and neither is asked for");
+  return frames;
+}
+
+namespace {
+
+/// Frames as they come, if they are asked for.
+void set_frame_times(Need& need, const AskedNeed& asked, const std::string& time) {
+  const FramesAsked frames = frames_of(asked, time);
   need.frame_times = frame_times(frames, need.frames_per_second, need.horizon, time);
   if (!need.frame_times) return;
   if (!frames.trace.empty())  // on average

@@ -222,18 +222,6 @@ void add_choose_need(CLI::App& choose, AskedNeed& need) {
   add_criteria(choose, need);
 }
 
-void add_frames(CLI::App& choose, AskedNeed& need) {
-  add_value(choose, "--jitter", need.jitter, "PART",
-            "frames are longer or shorter by up to this part, at random: 20%");
-  add_value(choose, "--drop", need.drop, "PART", "so many frames are not drawn, at random: 1%");
-  add_value(choose, "--frame-seed", need.frame_seed, "N", "other random frames: 2");
-  add_value(choose, "--frames", need.trace, "FILE",
-            "lengths of frames as they were recorded, one a line, 16.7ms; again and again")
-      ->excludes(choose.get_option("--fps"));
-  add_value(choose, "--max-frame", need.longest_frame, "TIME",
-            "a longer frame moves the clock on by no more than this: 100ms");
-}
-
 void add_choose_own(CLI::App& choose, AskedNeed& need) {
   add_value(
       choose, "--starts", need.starts, "N",
@@ -421,9 +409,10 @@ void add_stability(CLI::App& app, Session& s) {
       "error_unit, why, unstable_in_theory, error_there (at stable_to), needed_to (the longest within the scene's need), "
       "not_sharp_from, not_sharp_to (for other observers, where the limit is not sharp), watched (where the motion does "
       "not go on alike), how, cure, and holds_to where an error or a criterion is asked for (the longest within that; 0: "
-      "none found; nan where the method does not show it); a row for each method of fixed step.\n"
+      "none found; nan where the method does not show it), and stable_at_frames where frames vary (the longest usual frame "
+      "at which a step a frame is stable); a row for each method of fixed step.\n"
       "Examples:\n  oddity stability 3.5 --out /tmp/maps\n  oddity stability 3.5 3.33 --csv\n  oddity stability 3.5 "
-      "a=1 L=2 --horizon 20s\n  oddity stability 3.5 --criterion energy --error 5% --horizon 1min",
+      "a=1 L=2 --horizon 20s\n  oddity stability 3.5 --drop 5%\n  oddity stability 3.5 --criterion energy --error 5% --horizon 1min",
       [&] {
         s.need.criterion_is_given = app.get_subcommand("stability")->get_option("--criterion")->count() > 0;
         const verbs::AskedStability asked{s.exercises, s.horizon, s.need};
@@ -445,13 +434,14 @@ void add_stability(CLI::App& app, Session& s) {
       "also show the longest step at which an exercise's motion is within this at the end of every step, "
       "1cm,1deg unless given; of energy and period a part, 1%");
   add_criteria(*stability, s.need);
+  add_varied_frames(*stability, s.need);
   add_time_limit(*stability, s.need.time_limit, ", for each exercise");
   add_formats(*stability, s, "the limits, with nothing drawn");
   auto* rows = stability->add_flag("--rows", s.rows,
                                    "the rows of limits.csv and stability_maps.csv, with nothing drawn");
-  set_apart(
-      *stability, rows,
-      {"--json", "--csv", "--horizon", "--error", "--criterion", "--energy", "--period", "--constraint"});
+  set_apart(*stability, rows,
+            {"--json", "--csv", "--horizon", "--error", "--criterion", "--energy", "--period", "--constraint",
+             "--jitter", "--drop", "--frames"});
   set_apart(*stability, add_path(*stability, "--out", s.maps_out, "the folder to draw the maps in"),
             {"--rows", "--json", "--csv"});
   set_apart(*stability, add_overwrite(*stability, s), {"--rows", "--json", "--csv"});

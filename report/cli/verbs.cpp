@@ -182,11 +182,19 @@ struct StabilityTasks {
   std::vector<Task> tasks;
   std::optional<double> horizon;
   std::vector<Need> needs;
+  std::vector<FramesAsked> frames;  ///< of each task; none: all are of the same length
+
+  double end(std::size_t i) const { return horizon.value_or(tasks[i].entry->exercise.scene->horizon); }
 };
 StabilityTasks stability_tasks(const AskedStability& asked) {
-  StabilityTasks all{scenes_of(asked.words), {}, {}};
+  StabilityTasks all{scenes_of(asked.words), {}, {}, {}};
   all.horizon = horizon_of(all.tasks, asked.horizon);
   all.needs = needs_besides(asked, all.tasks, all.horizon);
+  for (const Task& task : all.tasks) {
+    const std::string time(task.entry->exercise.scene->axes.time);
+    if (const FramesAsked frames = frames_of(asked.need, time); !says(frames, time).empty())
+      all.frames.push_back(frames);
+  }
   return all;
 }
 
@@ -210,6 +218,12 @@ FoundStability stability_of(const fs::path& folder, const AskedStability& asked)
           [&](const Progress& progress) { return held_steps(all.tasks[i], all.needs[i], truth, progress); }));
       found.held.back().asked = in_words(all.needs[i], all.tasks[i]);
     }
+    if (!all.frames.empty()) found.held.resize(all.tasks.size());
+    for (std::size_t i = 0; i < all.frames.size(); ++i)
+      with_progress([&](const Progress& progress) {
+        find_stable_at_frames(found.held[i], all.tasks[i], all.frames[i], all.end(i), progress);
+        return 0;
+      });
     found.results = with_progress([&](const Progress& progress) {
       return with_stability(blank, all.tasks, truth, progress, all.horizon);
     });

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "chapters/random.hpp"
@@ -19,6 +20,8 @@ constexpr std::array steppings{std::pair{Stepping::last_step, ", last of fixed s
 
 std::string percent(double part) { return format_significant(100 * part, 3) + " %"; }
 
+}  // namespace
+
 std::string says(const FramesAsked& asked, const std::string& unit) {
   std::string text =
       asked.trace.empty() ? "" : "as in a trace of " + std::to_string(asked.trace.size()) + " frames";
@@ -28,8 +31,6 @@ std::string says(const FramesAsked& asked, const std::string& unit) {
   if (std::isfinite(asked.longest)) add("none longer than " + shown_length(asked.longest, unit));
   return text;
 }
-
-}  // namespace
 
 std::shared_ptr<const FrameTimes> frame_times(const FramesAsked& asked, double frames_per_second,
                                               double horizon, const std::string& unit) {
@@ -50,6 +51,18 @@ std::shared_ptr<const FrameTimes> frame_times(const FramesAsked& asked, double f
   }
   if (frames.at.empty()) throw BadInput("the horizon is shorter than a frame");
   return std::make_shared<const FrameTimes>(std::move(frames));
+}
+
+std::vector<double> frame_lengths(const FramesAsked& asked, std::size_t count) {
+  FramesAsked relative = asked;
+  const double usual = asked.trace.empty() ? 1
+                                           : std::accumulate(asked.trace.begin(), asked.trace.end(), 0.0) /
+                                                 static_cast<double>(asked.trace.size());
+  for (double& length : relative.trace) length /= usual;
+  const auto frames = frame_times(relative, 1, static_cast<double>(count));
+  std::vector<double> lengths(frames->at.size());
+  std::adjacent_difference(frames->at.begin(), frames->at.end(), lengths.begin());
+  return lengths;
 }
 
 std::string shown_length(double time, const std::string& unit) {
