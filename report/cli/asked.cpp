@@ -22,6 +22,7 @@
 #include "report/study/beside_program.hpp"
 #include "report/study/criterion.hpp"
 #include "report/study/frames.hpp"
+#include "report/study/kicks.hpp"
 #include "report/text/readable.hpp"
 #include "solvers/ode/catalog.hpp"
 
@@ -526,6 +527,13 @@ void set_frame_times(Need& need, const AskedNeed& asked, const std::string& time
     if (criterion == Criterion::period) throw BadInput("a period is judged at frames of one length");
 }
 
+void set_kicks(Need& need, const Entry& entry, const std::string& text) {
+  if (need.bodies > 1) throw BadInput("a kick is judged for one body");
+  if (!need.in_double) throw BadInput("a kick is judged in double: leave out --precision float");
+  std::tie(need.kicks, need.kicked) = kicks_of(scene_of(entry), motion_of(entry), text, need.horizon);
+  need.in_float = false;
+}
+
 }  // namespace
 
 Need need_of(const Task& task, const AskedNeed& asked) {
@@ -572,6 +580,7 @@ Need need_of(const Task& task, const AskedNeed& asked) {
     need.budget = between("--budget", asked.budget, "s", 1e-12, 1e6);
   }
   set_frame_times(need, asked, time);
+  if (!asked.kick.empty()) set_kicks(need, entry, asked.kick);
   return need;
 }
 
@@ -600,6 +609,7 @@ std::vector<Task> tasks_at_frames(const std::vector<std::string>& exercises, con
     if (std::ranges::any_of(exercises, is_its_file)) ask_as_file(of_frames, *task.entry);
     const Need need = need_of(task, of_frames);
     task.frames = horizon_of(need);
+    task.kicks = need.kicks;
     task.frames_say = shown_rate(need, std::string(scene_of(*task.entry).axes.time));
   }
   return tasks;

@@ -301,7 +301,7 @@ void add_choose(CLI::App& app, Session& s) {
       "Scenes: " +
           numbers_of_scenes() +
           "\n"
-          "Examples:\n  oddity choose 3.5 a=60deg --error 1deg --budget 5us\n  oddity choose 3.5 --error 1deg --jitter 20% --drop 1%\n  oddity choose 3.33 --error 1deg "
+          "Examples:\n  oddity choose 3.5 a=60deg --error 1deg --budget 5us\n  oddity choose 3.5 --error 1deg --jitter 20% --drop 1%\n  oddity choose 3.5 --error 1deg --kick \"t=1s,theta'=+2\"\n  oddity choose 3.33 --error 1deg "
           "--horizon 2 --fps 120\n  oddity choose 3.25 --criterion bounded --precision float\n  oddity choose 3.5 "
           "--error 1deg --exclude closed --code\n  oddity choose 3.5 --error 1deg --lockstep --code\n  oddity choose 3.5 --error 1deg --bodies 10000 --budget 1ms\n"
           "  oddity choose 3.5 --error 1deg --method 'semi-implicit Euler@60Hz'",
@@ -316,6 +316,7 @@ void add_choose(CLI::App& app, Session& s) {
   add_one_exercise(*choose, s);
   add_choose_need(*choose, s.need);
   add_frames(*choose, s.need);
+  add_kick(*choose, s.need);
   add_choose_methods(*choose, s.need);
   add_choose_own(*choose, s.need);
   choose->add_flag("--all", s.all_rows, "show all rows of the table");
@@ -330,6 +331,7 @@ void add_choose(CLI::App& app, Session& s) {
   set_apart(*choose, choose->get_option("--method"),
             {"--engine", "--code", "--explain", "--all", "--enclosed"});
   set_apart(*choose, choose->get_option("--lockstep"), {"--method", "--engine", "--bodies"});
+  set_apart(*choose, choose->get_option("--kick"), {"--code", "--engine", "--lockstep"});
 }
 
 CLI::Option* add_overwrite(CLI::App& verb, Session& s) {
@@ -380,8 +382,8 @@ void add_chart(CLI::App& app, Session& s) {
       [&] {
         const CLI::App& asked = *app.get_subcommand("chart");
         see_what_is_given(s.need, asked);
-        for (const char* option :
-             {"--horizon", "--fps", "--jitter", "--drop", "--frame-seed", "--frames", "--max-frame"})
+        for (const char* option : {"--horizon", "--fps", "--jitter", "--drop", "--frame-seed", "--frames",
+                                   "--max-frame", "--kick"})
           if (asked.get_option(option)->count() > 0) s.need.frames_are_given = true;
         if (s.format() == verbs::Format::text)
           verbs::chart(s.folder, s.exercises, s.need, s.all_rows ? Curves::all : Curves::few, s.chart_out,
@@ -394,6 +396,7 @@ void add_chart(CLI::App& app, Session& s) {
   add_value(*chart, "--horizon", s.need.horizon, "TIME", "of scenes: the motion up to there, at every frame");
   add_value(*chart, "--fps", s.need.frames_per_second, "RATE", "of scenes: frames per second: 60, 60Hz");
   add_frames(*chart, s.need);
+  add_kick(*chart, s.need);
   add_formats(*chart, s, "the trials, with nothing drawn");
   add_time_limit(*chart, s.need.time_limit, ", for each exercise");
   set_apart(*chart, add_path(*chart, "--out", s.chart_out, "the folder to write to"), {"--json", "--csv"});

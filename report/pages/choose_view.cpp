@@ -208,6 +208,7 @@ std::string margin_text(const Choice& choice) {
 
 std::string in_float_text(const Choice& choice) {
   if (choice.chosen->precision == Precision::in_float) return "";
+  if (choice.need.kicks) return "";
   if (!choice.in_float) return "  in float: oddity has this method in double only.\n";
   const Candidate& single = *choice.in_float;
   if (single.holds()) return "  in float: error " + error_of(single, choice) + ", holds.\n";
@@ -480,6 +481,7 @@ Json need_of(const Choice& choice) {
           {"time_unit", choice.time_unit},
           {"frames_per_second", choice.need.frames_per_second},
           {"frame_lengths", choice.need.frame_times ? Json(choice.need.frame_times->says) : Json()},
+          {"kicks", choice.need.kicks ? Json(choice.need.kicked) : Json()},
           {"budget", from(choice.need.budget)},
           {"bodies", choice.need.bodies},
           {"restart_every", from(choice.need.restart_every)},

@@ -9,6 +9,7 @@
 #include "chapters/random.hpp"
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
+#include "report/study/kicks.hpp"
 
 namespace oddity {
 
@@ -81,8 +82,9 @@ Horizon horizon_of(const Need& need) {
 }
 
 Quantity motion_at_frames(const Scene& scene, const Parameters& p, const Horizon& horizon,
-                          const Reference& truth) {
+                          const Reference& truth, const std::shared_ptr<const Kicks>& kicks) {
   Quantity seen = motion(scene, p, horizon, truth);
+  if (kicks) seen = kicked_motion(std::move(seen), kicks);
   if (!horizon.frames) return seen;
   const std::string end = format_shortest(horizon.end);  // the last frame's, in all its digits
   if (const auto at = seen.says.find(end); at != std::string::npos)
@@ -92,6 +94,7 @@ Quantity motion_at_frames(const Scene& scene, const Parameters& p, const Horizon
     stepped.stepping = stepping;
     for (Method& method : motion(scene, p, stepped, Reference::nothing()).methods) {
       if (!method.unstable_steps || method.knob.name != "step") continue;
+      if (kicks) method = with_kicks(std::move(method), kicks);
       method.algorithm += name;
       seen.methods.push_back(std::move(method));
     }

@@ -38,8 +38,9 @@ Horizon first_frames(const Need&, int count);
 Horizon horizon_of(const Need&);
 
 /// The scene's motion. Where frames differ in length, the ways in which fixed steps meet them are algorithms
-/// of their own: "Runge-Kutta 4, fixed steps interpolated".
-Quantity motion_at_frames(const Scene&, const Parameters&, const Horizon&, const Reference&);
+/// of their own: "Runge-Kutta 4, fixed steps interpolated". With kicks, unless null.
+Quantity motion_at_frames(const Scene&, const Parameters&, const Horizon&, const Reference&,
+                          const std::shared_ptr<const Kicks>& = {});
 
 /// The algorithm's name in the catalog, and how its steps meet frames.
 std::string_view without_stepping(std::string_view algorithm);
