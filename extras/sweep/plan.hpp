@@ -9,6 +9,7 @@
 
 #include "extras/sweep/tile.hpp"
 #include "reference/reference.hpp"
+#include "report/study/frames.hpp"
 #include "report/study/need.hpp"
 #include "report/study/run.hpp"
 
@@ -35,6 +36,8 @@ struct Asked {
   std::string model, algorithm;  ///< empty: what is chosen at every cell, by counted evaluations
   double setting = 0;            ///< of the method's step or tolerance, where it is no axis
   Need need = {.error = 1};
+  FramesAsked frames = {};  ///< as they come
+  std::string kick = {};    ///< "t=1s,theta'=+2"; empty: none
   int looks = 0;            ///< within the horizon; 0: at every frame
   std::vector<Axis> axes;   ///< across and, unless there is one alone, upward
   bool every_cell = false;  ///< else only where neighbours end differently
@@ -56,6 +59,9 @@ struct Plan {
 
 /// The exercise that is swept over. Throws BadInput where this program does not have it.
 const Entry& entry_of(const Asked&);
+
+/// Gives the need its frames and its kicks. Throws BadInput as `need_of` does.
+void set_frames_and_kicks(Asked&);
 
 /// Whether no cell is guessed from its neighbours: where that is asked for, and on a small map.
 bool looks_at_every_cell(const Asked&);
