@@ -1,9 +1,11 @@
 #include "chapters/scene.hpp"
 
+#include <Eigen/QR>
 #include <numeric>
 #include <utility>
 
 #include "chapters/drift.hpp"
+#include "chapters/kicks.hpp"
 #include "chapters/no_event.hpp"
 #include "solvers/ode/algorithms.hpp"
 #include "solvers/ode/disturbed.hpp"
@@ -16,16 +18,31 @@ namespace {
 /// Relative to a time: a step that ends this little after a frame counts as ending with it.
 constexpr double step_rounding = 1e-12;
 
-/// The two last ends of steps of one length before each of the times.
+/// The two last ends of steps of one length, counted from the first of the times, before each of the others.
 std::vector<double> ends_of_steps(std::span<const double> times, double step) {
-  std::vector<double> stops{0};
+  const double begin = times.front();
+  std::vector<double> stops{begin};
   double last = 0;
   for (const double t : times.subspan(1)) {
-    const double steps = std::floor(t / step * (1 + step_rounding));
+    const double steps = std::floor((t - begin) / step * (1 + step_rounding));
     for (const double i : {steps - 1, steps})
-      if (i > last) stops.push_back((last = i) * step);
+      if (i > last) stops.push_back(begin + (last = i) * step);
   }
   return stops;
+}
+
+/// Those of the later times that come up to `end`, from `begin` on, and `end` itself.
+struct Part {
+  std::vector<double> times;
+  std::size_t seen = 0;  ///< how many of the later times
+};
+
+Part part_until(std::span<const double> later, double begin, double end) {
+  Part part{{begin}};
+  for (; part.seen < later.size() && later[part.seen] <= end; ++part.seen)
+    part.times.push_back(later[part.seen]);
+  if (part.times.back() < end) part.times.push_back(end);
+  return part;
 }
 
 }  // namespace
@@ -34,6 +51,7 @@ template <std::size_t n>
 Answer ModelInterfaceOf<n>::run(std::string_view algorithm, const Horizon& horizon, double setting) const {
   const auto times = horizon.times();
   Answer answer = observed(times, moved(algorithm, times, horizon.stepping, setting));
+  if (KicksHere::take()) answer.drift = 0;  // a kick changes what else is conserved
   if (answer.reached() && answer.drift > another_motion)
     answer.comes_back = horizon.stepping == Stepping::divided
                             ? comes_back(algorithm, times, setting)
@@ -59,29 +77,173 @@ bool ModelInterfaceOf<n>::comes_back(std::string_view algorithm, std::span<const
   return most_after <= 1.25 * most_before && least_after <= most_after / 2;
 }
 
+namespace {
+
+/// The model's motion from a state at the first of the times; its events are counted.
+template <std::size_t n>
+ode::Trajectory<std::array<double, n>> moved_from(const ModelInterfaceOf<n>& model,
+                                                  const std::array<double, n>& from,
+                                                  std::string_view algorithm, std::span<const double> times,
+                                                  double setting, long& events) {
+  auto motion = ode::integrate_with_events<n>(algorithm, model, from, times, setting);
+  events += static_cast<long>(motion.events.size());
+  return std::move(motion.trajectory);
+}
+
+/// The observables of a state, and their rates.
+template <std::size_t n>
+Eigen::VectorXd seen_of(const ModelInterfaceOf<n>& model, const std::array<double, n>& x, double t) {
+  std::array<double, n> rate{};
+  model(x, rate, t);
+  const auto at = [&](double h) {
+    std::array<double, n> moved = x;
+    for (std::size_t i = 0; i < n; ++i) moved[i] += h * rate[i];
+    std::vector<double> observed;
+    model.observe(moved, t + h, observed);
+    return observed;
+  };
+  std::vector<double> seen;
+  add_placed(at(0), rates(at, step_of_rates), seen);
+  return Eigen::Map<Eigen::VectorXd>(seen.data(), static_cast<Eigen::Index>(seen.size()));
+}
+
+/// How what is seen changes with the state.
+template <std::size_t n>
+Eigen::MatrixXd change_of_seen(const ModelInterfaceOf<n>& model, const std::array<double, n>& x, double t) {
+  constexpr double part = 1e-4;
+  Eigen::MatrixXd change(seen_of(model, x, t).size(), static_cast<Eigen::Index>(n));
+  for (std::size_t i = 0; i < n; ++i) {
+    const double h = part * std::max(1.0, std::abs(x[i]));
+    auto up = x, down = x;
+    up[i] += h;
+    down[i] -= h;
+    change.col(static_cast<Eigen::Index>(i)) =
+        (seen_of(model, up, t) - seen_of(model, down, t)) / (up[i] - down[i]);
+  }
+  return change;
+}
+
+/// The least change that makes the difference, where there is one.
+Eigen::VectorXd least_change(const Eigen::MatrixXd& change, const Eigen::VectorXd& difference) {
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
+  decomposition.setThreshold(1e-6);
+  return decomposition.compute(change).solve(difference);
+}
+
+/// Where some unknowns are velocities, places are moved first, by the other unknowns, and then rates, by
+/// these: leaves what comes next.
+template <std::size_t n>
+void leave_next(Eigen::MatrixXd& change, Eigen::VectorXd& off, double close,
+                const std::array<bool, n>& velocities) {
+  if (std::ranges::count(velocities, true) == 0) return;
+  const Eigen::Index parts = off.size() / 2;
+  const bool places = off.head(parts).cwiseAbs().maxCoeff() > close;
+  for (std::size_t i = 0; i < n; ++i)
+    if (velocities[i] == places) change.col(static_cast<Eigen::Index>(i)).setZero();
+  const Eigen::Index others = places ? parts : 0;
+  change.middleRows(others, parts).setZero();
+  off.segment(others, parts).setZero();
+}
+
+/// How far the state is off its constraint, and how fast it leaves it.
+template <std::size_t n>
+double off_and_leaving(const ModelInterfaceOf<n>& model, const std::array<double, n>& x, double t) {
+  constexpr double soon = 1e-6;
+  std::array<double, n> rate{}, later = x;
+  model(x, rate, t);
+  for (std::size_t i = 0; i < n; ++i) later[i] += soon * rate[i];
+  return model.off_constraint_at(x, t) + model.off_constraint_at(later, t + soon) / soon;
+}
+
+/// The state next to this one that is seen as the kicks have it; none where the model has no such state.
+template <std::size_t n>
+std::optional<std::array<double, n>> kicked(const ModelInterfaceOf<n>& model,
+                                            const std::array<double, n>& before, double t,
+                                            std::span<const Kick> at_once) {
+  Eigen::VectorXd wanted = seen_of(model, before, t);
+  const double close = 1e-10 * (1 + wanted.cwiseAbs().maxCoeff());
+  const auto parts = static_cast<std::size_t>(wanted.size()) / 2;
+  for (const Kick& kick : at_once) {
+    double& of = wanted[static_cast<Eigen::Index>(kick.observable + (kick.of_rate ? parts : 0))];
+    of = kick.change == Kick::Change::adds     ? of + kick.value
+         : kick.change == Kick::Change::scales ? of * kick.value
+                                               : kick.value;
+  }
+  std::array<double, n> x = before;
+  for (int tries = 0; tries < 20; ++tries) {
+    Eigen::VectorXd off = wanted - seen_of(model, x, t);
+    if (!off.allFinite()) return std::nullopt;
+    if (off.cwiseAbs().maxCoeff() <= close) break;
+    Eigen::MatrixXd change = change_of_seen(model, x, t);
+    leave_next<n>(change, off, close, model.velocities().is);
+    const Eigen::VectorXd moved = least_change(change, off);
+    for (std::size_t i = 0; i < n; ++i) x[i] += moved[static_cast<Eigen::Index>(i)];
+  }
+  const bool is_seen_so = (wanted - seen_of(model, x, t)).cwiseAbs().maxCoeff() <= close,
+             is_held = off_and_leaving(model, x, t) <= off_and_leaving(model, before, t) + 1e3 * close + 1e-3;
+  return is_seen_so && is_held ? std::optional(x) : std::nullopt;
+}
+
+/// A motion through the times, begun anew after each of the kicks by draw(from, times). A frame at a kick
+/// shows what was before it.
+template <std::size_t n, class Draw>
+ode::Trajectory<std::array<double, n>> with_kicks(const ModelInterfaceOf<n>& model,
+                                                  std::span<const double> times, const Kicks& kicks,
+                                                  const Draw& draw) {
+  ode::Trajectory<std::array<double, n>> whole{{model.start()}};
+  std::array<double, n> from = model.start();
+  double begin = times.front();
+  for (auto kick = kicks.begin();;) {
+    const double end = kick == kicks.end() ? times.back() : std::min(kick->time, times.back());
+    const Part part = part_until(times.subspan(whole.value.size()), begin, end);
+    const auto motion = draw(from, part.times);
+    for (std::size_t i = 1; i < std::min(motion.value.size(), part.seen + 1); ++i)
+      whole.value.push_back(motion.value[i]);
+    whole.evaluations += motion.evaluations;
+    whole.ending = motion.ending;
+    whole.message = motion.message;
+    if (!whole.reached() || whole.value.size() == times.size()) return whole;
+    const auto next = std::find_if(kick, kicks.end(), [&](const Kick& k) { return k.time > kick->time; });
+    if (const auto after = kicked<n>(model, motion.value.back(), kick->time, {kick, next})) {
+      from = *after;
+    } else {
+      whole.ending = Ending::raised;
+      whole.message = "the model has no state that is seen as the kick would have it";
+      return whole;
+    }
+    begin = std::exchange(kick, next)->time;
+  }
+}
+
+}  // namespace
+
 template <std::size_t n>
 auto ModelInterfaceOf<n>::moved(std::string_view algorithm, std::span<const double> times,
                                 double setting) const -> ode::Trajectory<State> {
-  auto motion = ode::integrate_with_events<n>(algorithm, *this, start(), times, setting);
-  if (this->guard_count() > 0 && motion.events.empty() && motion.trajectory.reached())
-    motion.trajectory.message = no_event;
-  return std::move(motion.trajectory);
+  return moved(algorithm, times, Stepping::divided, setting);
 }
 
 template <std::size_t n>
 auto ModelInterfaceOf<n>::moved(std::string_view algorithm, std::span<const double> times, Stepping stepping,
                                 double setting) const -> ode::Trajectory<State> {
-  if (stepping == Stepping::divided) return moved(algorithm, times, setting);
-  const std::vector<double> stops = ends_of_steps(times, setting);
-  auto motion = moved(algorithm, stops, setting);
-  const std::vector<State> through = std::exchange(motion.value, {});
-  for (std::size_t i = 0, end = 1; i < times.size(); ++i) {
-    while (end < stops.size() && stops[end] <= times[i] * (1 + step_rounding)) ++end;
-    if (end > through.size()) break;  // the motion ended earlier
-    if (i > 0 && stepping == Stepping::extrapolated) ++motion.evaluations;
-    motion.value.push_back(
-        drawn(times[i], std::span(stops).first(end), std::span(through).first(end), stepping));
-  }
+  long events = 0;
+  const auto draw = [&](const State& from, std::span<const double> through) {
+    if (stepping == Stepping::divided) return moved_from(*this, from, algorithm, through, setting, events);
+    const std::vector<double> stops = ends_of_steps(through, setting);
+    auto motion = moved_from(*this, from, algorithm, stops, setting, events);
+    const std::vector<State> steps = std::exchange(motion.value, {});
+    for (std::size_t i = 0, end = 1; i < through.size(); ++i) {
+      while (end < stops.size() && stops[end] <= through[i] * (1 + step_rounding)) ++end;
+      if (end > steps.size()) break;  // the motion ended earlier
+      if (i > 0 && stepping == Stepping::extrapolated) ++motion.evaluations;
+      motion.value.push_back(
+          drawn(through[i], std::span(stops).first(end), std::span(steps).first(end), stepping));
+    }
+    return motion;
+  };
+  const Kicks* kicks = KicksHere::take();
+  auto motion = kicks ? with_kicks<n>(*this, times, *kicks, draw) : draw(start(), times);
+  if (this->guard_count() > 0 && events == 0 && motion.reached()) motion.message = no_event;
   return motion;
 }
 

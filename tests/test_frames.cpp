@@ -9,8 +9,11 @@
 #include "reference/bad_input.hpp"
 #include "report/study/choose.hpp"
 #include "report/study/run.hpp"
+#include "report/study/stability.hpp"
 #include "report/verify/catch.hpp"
 #include "solvers/ode/explicit_euler.hpp"
+#include "solvers/ode/step_lengths.hpp"
+#include "solvers/ode/velocity_verlet.hpp"
 #include "tests/near.hpp"
 #include "tests/properties.hpp"
 
@@ -185,4 +188,63 @@ TEST_CASE("a choice at frames of different lengths is judged where they are draw
   CHECK(ahead < 0.03 * late);
   CHECK(divided < 1e-3 * ahead);
   CHECK(without_stepping("Runge-Kutta 4, fixed steps extrapolated") == "Runge-Kutta 4");
+}
+
+namespace {
+
+/// x'' = -x, whose forces are of position alone.
+struct Oscillator {
+  using State = std::array<double, 2>;
+  State start() const { return {1, 0}; }
+  void operator()(const auto& x, auto& dxdt, const auto&) const { dxdt = {x[1], -x[0]}; }
+  void acceleration(const auto& q, auto& a) const { a = {-q[0]}; }
+  std::array<double, 1> observe(const State& x, double) const { return {x[0]}; }
+};
+
+/// The trace of what velocity Verlet makes of one turn of the lengths, in steps of h: between -2 and 2
+/// nothing grows, as its determinant is 1.
+double trace_of_verlet(const std::vector<double>& lengths, double h) {
+  std::array<double, 4> all{1, 0, 0, 1};
+  for (const double length : lengths) {
+    const double s = h * length, c = 1 - s * s / 2, d = -s * (1 - s * s / 4);
+    all = {c * all[0] + s * all[2], c * all[1] + s * all[3], d * all[0] + c * all[2],
+           d * all[1] + c * all[3]};
+  }
+  return all[0] + all[3];
+}
+
+double safe_by_hand(const std::vector<double>& lengths) {
+  double h = 0.01;
+  while (std::abs(trace_of_verlet(lengths, h)) <= 2 + 1e-9) h += 1e-4;
+  return h;
+}
+
+}  // namespace
+
+TEST_CASE("frames that vary excite a resonance, below what the longest of them explains",
+          "[frames][stability]") {
+  Quantity swing;
+  SceneMethods(swing, {100}, halving("step", 1, 3), tolerances())
+      .by<ode::VelocityVerlet>("swing", Oscillator{});
+  const auto safe = [&](const std::vector<double>& lengths) {
+    const ode::StepLengths here(lengths);
+    return measured_limit(swing.methods.front(), 25).step();
+  };
+  CHECK(near(safe({1}), measured_limit(swing.methods.front(), 25).step(), 0.02));
+  // Every third frame is dropped: the step is doubled.
+  const std::vector<double> dropped{1, 2};
+  const double found = safe(dropped);
+  CHECK(near(found, safe_by_hand(dropped), 0.03));
+  CHECK(found < 0.9 * safe({1}) / 2);
+}
+
+TEST_CASE("the lengths of frames are in units of the usual one, the same at every call", "[frames]") {
+  const auto lengths = frame_lengths({.drop = 0.1}, 1000);
+  CHECK(lengths == frame_lengths({.drop = 0.1}, 1000));
+  CHECK(near(*std::ranges::min_element(lengths), 1, 1e-12));
+  CHECK(near(*std::ranges::max_element(lengths), std::round(*std::ranges::max_element(lengths)), 1e-9));
+  const auto traced = frame_lengths({.trace = {0.01, 0.03}}, 4);
+  REQUIRE(traced.size() >= 2);
+  CHECK(near(traced[0], 0.5, 1e-12));
+  CHECK(near(traced[1], 1.5, 1e-12));
 }

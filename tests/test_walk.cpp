@@ -101,6 +101,7 @@ TEST_CASE("the walks of CONTRIBUTING.md end green", "[walk]") {
   INFO(beside.output);
   CHECK(
       says(beside, "on Euler 1, defaults (double): at 60 Hz it errs by 1 cm; 2 steps a frame bring 0.42 cm"));
+  CHECK(says(oddity("choose 4.1 --engine euler --json"), "\"engine\": \"Euler\""));
   const Ran page = oddity("verify '[4.1]' -r markdown");
   CHECK(says(page, "0 exercises and 1 of one's own, 1 claim"));
   CHECK(says(page, "[4.1 Spring](#41-spring) (own)"));

@@ -211,13 +211,13 @@ std::vector<EngineProgram> engines_named(const std::string& name) {
 }
 
 /// Runs the engines of this name on the scene of a choice, with its tolerance.
-OtherEngines::Answer beside(const std::string& name, const Task& task) {
+OtherEngines::Answers beside(const std::string& name, const Task& task) {
   return [task, programs = engines_named(name)](const Choice& choice, const Reference& truth) {
     EngineContest tried = with_progress([&](const Progress& progress) {
       return run(programs, engine_scene(task, choice.need, truth), {.finest = 64}, progress);
     });
     tried.least = instead_of(choice);
-    return engine_answer(tried, output());
+    return OtherEngines::Answer{engine_answer(tried, output()), to_json(engines_table({tried}))};
   };
 }
 

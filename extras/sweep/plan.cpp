@@ -8,6 +8,7 @@
 #include <mutex>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "chapters/scene.hpp"
 #include "problem/scene.hpp"
@@ -18,6 +19,7 @@
 #include "report/study/choose.hpp"
 #include "report/study/earlier_results.hpp"
 #include "report/study/initial_conditions.hpp"
+#include "report/study/kicks.hpp"
 #include "report/study/whole_in_json.hpp"
 #include "solvers/ode/steps_in.hpp"
 
@@ -28,7 +30,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-constexpr int tile_side = 64;  // cells
 /// Maps up to this size are computed completely: one cell in a thousand of so few predicts nothing about the
 /// others, and all of them take no longer than one tile of a large map.
 constexpr long small_map = 4096;
@@ -55,8 +56,7 @@ Task task_of(const Asked& asked) {
 }
 
 Horizon horizon_of(const Asked& asked) {
-  return asked.looks > 0 ? Horizon{asked.need.horizon, asked.looks}
-                         : Horizon{asked.need.horizon, 1, asked.need.frames_per_second};
+  return asked.looks == 0 ? oddity::horizon_of(asked.need) : Horizon{asked.need.horizon, asked.looks};
 }
 
 /// Whether the axis is a method's step or tolerance.
@@ -133,7 +133,13 @@ double seconds_of(const std::function<void()>& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
 }
 
-long tiles_of(int cells) { return (cells + tile_side - 1) / tile_side; }
+/// Of a tile, in cells. What is chosen takes a second here and a minute there, in chaos: many small tiles are
+/// shared evenly. A method's cells share their truths.
+int tile_side(const Asked& asked) {
+  return !asked.algorithm.empty() ? 64 : looks_at_every_cell(asked) ? 4 : 16;
+}
+
+long tiles_of(int cells, int side) { return (cells + side - 1) / side; }
 
 /// Time of a tile at each height, and of a column's reference: from cells of a few columns, at most a row of
 /// tiles apart.
@@ -144,7 +150,8 @@ struct Speed {
   Speed(const Asked& asked, const Reference& truth_source, int width, int height) {
     const auto look = looks_at(asked, truth_source);
     const bool shared = std::ranges::any_of(asked.axes, is_setting);
-    const long rows = tiles_of(height), probes = std::min<long>(rows, 8);
+    const int side = tile_side(asked);
+    const long rows = tiles_of(height, side), probes = std::min<long>(rows, 8);
     std::vector<double> at_probe;
     for (long probe = 0; probe < probes; ++probe) {
       const int y = probes == 1 ? height / 2 : static_cast<int>((height - 1) * probe / (probes - 1));
@@ -156,7 +163,7 @@ struct Speed {
     }
     const bool every_cell = looks_at_every_cell(asked);
     const double looked = every_cell ? 1 : 0.02;
-    const double cells = tile_side * std::min(height, tile_side);
+    const double cells = std::min(width, side) * std::min(height, side);
     for (long row = 0; row < rows; ++row)
       tiles.push_back(between(at_probe, (static_cast<double>(row) + 0.5) / static_cast<double>(rows)) *
                       std::max(4.0, looked * cells));
@@ -174,17 +181,18 @@ struct Speed {
 };
 
 void divide(Plan& plan, const Speed& speed, double seconds_a_chunk) {
-  const long columns = tiles_of(plan.width()), rows = tiles_of(plan.height());
+  const int side = tile_side(plan.asked);
+  const long columns = tiles_of(plan.width(), side), rows = tiles_of(plan.height(), side);
   double all = 0;
   for (double tile : speed.tiles) all += tile;
-  const double column = all + tile_side * speed.truth;
+  const double column = all + side * speed.truth;
   const double most =
       std::clamp(column * static_cast<double>(columns) / 64, std::min(1.0, seconds_a_chunk), seconds_a_chunk);
   double seconds = 0;
   plan.first_tile = {0};
   for (long tile = 0; tile < columns * rows; ++tile) {
     const bool enters = seconds == 0 || tile % rows == 0;  // a new column, whose references have to be found
-    seconds += speed.tiles[static_cast<std::size_t>(tile % rows)] + (enters ? tile_side * speed.truth : 0);
+    seconds += speed.tiles[static_cast<std::size_t>(tile % rows)] + (enters ? side * speed.truth : 0);
     if (seconds < most && tile + 1 < columns * rows) continue;
     plan.first_tile.push_back(tile + 1);
     plan.seconds.push_back(seconds);
@@ -221,7 +229,8 @@ const Method* method_asked(const Asked& asked, const Quantity& seen) {
 }
 
 Quantity motion_asked(const Asked& asked) {
-  return motion(scene_of(asked), task_of(asked).parameters, horizon_of(asked), Reference::nothing());
+  return motion_at_frames(scene_of(asked), task_of(asked).parameters, horizon_of(asked), Reference::nothing(),
+                          asked.need.kicks);
 }
 
 /// Whether the method's steps end at each look. Then a step of twice the time between looks is shortened to
@@ -335,6 +344,13 @@ Json from(const Asked& asked) {
   for (const auto& [unit, error] : asked.need.errors) json["errors"][unit] = error;
   json["horizon"] = asked.need.horizon;
   json["frames_per_second"] = asked.need.frames_per_second;
+  if (!says(asked.frames).empty())
+    json["frames"] = {{"jitter", asked.frames.jitter},
+                      {"drop", asked.frames.drop},
+                      {"longest", std::isfinite(asked.frames.longest) ? Json(asked.frames.longest) : Json()},
+                      {"trace", asked.frames.trace},
+                      {"seed", asked.frames.seed}};
+  if (!asked.kick.empty()) json["kick"] = asked.kick;
   json["looks"] = asked.looks;
   json["every_cell"] = asked.every_cell;
   for (const Axis& axis : asked.axes) json["axes"].push_back(from(axis));
@@ -345,6 +361,18 @@ Criterion criterion_in(const Json& json) {
   const auto found = std::ranges::find(criterion_names, json.at("criterion").get<std::string>());
   if (found == criterion_names.end()) throw std::runtime_error("its criterion is none");
   return static_cast<Criterion>(found - criterion_names.begin());
+}
+
+FramesAsked frames_in(const Json& json) {
+  FramesAsked frames{.jitter = json.at("jitter"), .drop = json.at("drop")};
+  if (!json.at("longest").is_null()) frames.longest = json.at("longest");
+  frames.trace = json.at("trace").get<std::vector<double>>();
+  frames.seed = json.at("seed");
+  const bool sensible = frames.jitter >= 0 && frames.jitter < 1 && frames.drop >= 0 && frames.drop < 1 &&
+                        frames.longest > 0 &&
+                        std::ranges::all_of(frames.trace, [](double length) { return length > 0; });
+  if (!sensible) throw std::runtime_error("its frames are none");
+  return frames;
 }
 
 Asked asked_in(const Json& json) {
@@ -361,6 +389,8 @@ Asked asked_in(const Json& json) {
   asked.need.horizon = json.at("horizon");
   asked.need.frames_per_second = json.at("frames_per_second");
   asked.need.objective = Objective::simple;
+  if (json.contains("frames")) asked.frames = frames_in(json.at("frames"));
+  asked.kick = json.value("kick", "");
   asked.looks = whole<int>(json.at("looks"));
   asked.every_cell = json.at("every_cell");
   for (const Json& axis : json.at("axes"))
@@ -387,6 +417,17 @@ const Entry& entry_of(const Asked& asked) {
   throw BadInput("the sweep is of exercise " + asked.exercise + ", which this program does not have");
 }
 
+void set_frames_and_kicks(Asked& asked) {
+  const Scene& scene = scene_of(asked);
+  asked.need.frame_times = frame_times(asked.frames, asked.need.frames_per_second, asked.need.horizon,
+                                       std::string(scene.axes.time));
+  if (asked.need.frame_times && asked.looks > 0)
+    throw BadInput("--looks are evenly spaced: leave it out, or the frames as they come");
+  if (asked.kick.empty()) return;
+  const Quantity seen = motion(scene, task_of(asked).parameters, Reference::nothing());
+  std::tie(asked.need.kicks, asked.need.kicked) = kicks_of(scene, seen, asked.kick, asked.need.horizon);
+}
+
 double Axis::at(int cell) const {
   const double part = count < 2 ? 0 : static_cast<double>(cell) / (count - 1);
   if (cell == count - 1) return to;
@@ -395,9 +436,10 @@ double Axis::at(int cell) const {
 
 /// Column after column, each from below.
 Cells Plan::tile(long number) const {
-  const long rows = tiles_of(height());
-  const int x = static_cast<int>(number / rows) * tile_side, y = static_cast<int>(number % rows) * tile_side;
-  return {x, y, std::min(x + tile_side, width()) - 1, std::min(y + tile_side, height()) - 1};
+  const int side = tile_side(asked);
+  const long rows = tiles_of(height(), side);
+  const int x = static_cast<int>(number / rows) * side, y = static_cast<int>(number % rows) * side;
+  return {x, y, std::min(x + side, width()) - 1, std::min(y + side, height()) - 1};
 }
 
 bool looks_at_every_cell(const Asked& asked) {
@@ -407,6 +449,7 @@ bool looks_at_every_cell(const Asked& asked) {
 }
 
 double between_looks(const Asked& asked) {
+  if (asked.need.frame_times) return asked.need.frame_times->longest;
   return asked.looks > 0 ? asked.need.horizon / asked.looks : 1 / asked.need.frames_per_second;
 }
 
@@ -455,10 +498,12 @@ Plan plan_from_json(const std::string& text, const std::string& place) {
               json.at("fingerprint")};
     scene_of(plan.asked);
     require_need(plan.asked);
+    set_frames_and_kicks(plan.asked);
     require_cells(plan.asked);
     const bool whole = plan.first_tile.size() == plan.seconds.size() + 1 && !plan.seconds.empty() &&
                        plan.first_tile.front() == 0 && std::ranges::is_sorted(plan.first_tile) &&
-                       plan.tiles() == tiles_of(plan.width()) * tiles_of(plan.height());
+                       plan.tiles() == tiles_of(plan.width(), tile_side(plan.asked)) *
+                                           tiles_of(plan.height(), tile_side(plan.asked));
     if (!whole) throw std::runtime_error("its chunks are not those of its cells");
     if (!std::ranges::all_of(plan.seconds, [](double s) { return s >= 0 && std::isfinite(s); }))
       throw std::runtime_error("a chunk takes no time that can be");

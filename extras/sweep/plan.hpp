@@ -9,6 +9,7 @@
 
 #include "extras/sweep/tile.hpp"
 #include "reference/reference.hpp"
+#include "report/study/frames.hpp"
 #include "report/study/need.hpp"
 #include "report/study/run.hpp"
 
@@ -35,6 +36,8 @@ struct Asked {
   std::string model, algorithm;  ///< empty: the choice at every cell, by counted evaluations
   double setting = 0;            ///< value of the method's step or tolerance, if it is no axis
   Need need = {.error = 1};
+  FramesAsked frames = {};  ///< as they come
+  std::string kick = {};    ///< "t=1s,theta'=+2"; empty: none
   int looks = 0;            ///< within the horizon; 0: at every frame
   std::vector<Axis> axes;   ///< across and, if there are two, upward
   bool every_cell = false;  ///< otherwise only where neighbours have different outcomes
@@ -56,6 +59,9 @@ struct Plan {
 
 /// The exercise of the sweep. Throws BadInput if this program lacks it.
 const Entry& entry_of(const Asked&);
+
+/// Sets the frames and kicks of the need. Throws BadInput as `need_of` does.
+void set_frames_and_kicks(Asked&);
 
 /// Whether no cell is guessed from its neighbours: on request, and on a small map.
 bool looks_at_every_cell(const Asked&);

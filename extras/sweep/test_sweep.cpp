@@ -421,6 +421,39 @@ TEST_CASE("each cell may show the choice there", "[sweep]") {
   CHECK(text_of(folder / "map.svg").find("what to choose") != std::string::npos);
 }
 
+TEST_CASE("frames as they come and kicks are of a plan, and any machine makes the same map of them",
+          "[sweep]") {
+  const ScratchFolder scratch;
+  const fs::path folder = scratch.path() / "uneven", csv = scratch.path() / "uneven.csv";
+  const auto cells_of = [&](const std::string& asked) {
+    fs::remove_all(folder);
+    plan(folder, asked);
+    REQUIRE(run("sweep run " + quoted(folder)).status == 0);
+    REQUIRE(run("sweep merge " + quoted(folder) + " --out " + quoted(csv)).status == 0);
+    return text_of(csv);
+  };
+  const std::string chosen = " 3.5 --over a=20deg..40deg:3 --error 1deg --horizon 2 --every-cell";
+  const std::string by_euler =
+      " 3.5 --model 'one angle' --algorithm 'symplectic Euler' --over a=20deg..40deg:3 --setting 16ms --horizon 2";
+  const std::string uneven = " --jitter 30% --drop 5%", kick = " --kick \"t=1s,theta'=+2\"";
+  CHECK(cells_of(by_euler) != cells_of(by_euler + uneven));
+  CHECK(cells_of(by_euler) != cells_of(by_euler + kick));
+  CHECK(cells_of(by_euler + uneven) == cells_of(by_euler + uneven + " --frame-seed 1"));
+  CHECK(cells_of(chosen).find("closed form") != std::string::npos);
+  const std::string jolted = cells_of(chosen + uneven + kick);
+  INFO(jolted);
+  CHECK(jolted.find("closed form") == std::string::npos);
+  CHECK(jolted.find("one angle, ") != std::string::npos);
+}
+
+TEST_CASE("a small table of what to choose is many chunks, as a cell in chaos takes long", "[sweep]") {
+  const ScratchFolder scratch;
+  const fs::path folder = scratch.path() / "table";
+  plan(folder, " 3.5 --over a=2deg..40deg:20 --over L=0.5..2:10 --error 1deg --horizon 1 --chunk-time 1ms");
+  const Ran status = run("sweep status --csv " + quoted(folder));
+  CHECK(std::ranges::count(status.output, '\n') > 12);
+}
+
 TEST_CASE("impossible sweeps are refused with a suggestion", "[sweep]") {
   const ScratchFolder scratch;
   const auto refused = [&](const std::string& asked, const std::string& why) {
@@ -448,6 +481,8 @@ TEST_CASE("impossible sweeps are refused with a suggestion", "[sweep]") {
   refused("3.5 --over a=1..2:5 --looks 1", "--looks is of a method");
   refused("3.5 --over a=1..2:5 --setting 0.1", "is a method's: say which with --model and --algorithm");
   refused("2.3 --over a=1..2:5", "has no motion");
+  refused("3.5" + method + " --over a=1..2:5 --setting 1ms --looks 5 --drop 1%", "--looks are evenly spaced");
+  refused("3.5" + method + " --over a=1..2:5 --setting 1ms --kick t=1,b=2", "knows no 'b' here");
   CHECK(run("sweep").status == 2);
   CHECK(says(run("sweep"), "sweep needs one of its verbs: plan, run, status, merge, draw"));
   CHECK(says(run("sweep paln x"), "did you mean 'plan'?"));

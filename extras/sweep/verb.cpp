@@ -136,6 +136,9 @@ sweep::Asked asked_of(const Words& w) {
       asked.need.errors[std::string(unit)] = game_error(unit);
   asked.looks = w.looks;
   asked.every_cell = w.every_cell;
+  asked.frames = frames_of(need, std::string(scene.axes.time));
+  asked.kick = need.kick;
+  set_frames_and_kicks(asked);
   for (const std::string& text : w.over) asked.axes.push_back(axis_of(task, text));
   require_once(w, asked.axes);
   // The method's setting goes upward, so that the cells of a column share their reference.
@@ -333,7 +336,8 @@ void add_plan(CLI::App& sweep, const std::shared_ptr<Words>& w) {
       sweep, "plan", "Say what is swept over, and divide it into chunks.",
       "Examples:\n  oddity sweep plan /tmp/map 3.5 --model 'one angle' --algorithm 'Runge-Kutta 4' "
       "--over a=1deg..179deg:1000 --over step=1ms..2.5s:1000 --looks 4\n  oddity sweep plan /tmp/table 3.5 "
-      "--over a=1deg..179deg:90 --over L=0.1..10:50:log --error 1deg",
+      "--over a=1deg..179deg:90 --over L=0.1..10:50:log --error 1deg\n  oddity sweep plan /tmp/uneven 3.5 "
+      "--over a=1deg..179deg:90 --error 1deg --jitter 20% --drop 1%",
       [w] { make_plan(*w); }, true);
   w->plan = plan;
   add_folder(*plan, *w);
@@ -360,6 +364,8 @@ void add_plan(CLI::App& sweep, const std::shared_ptr<Words>& w) {
   value("--fps", w->need.frames_per_second, "RATE",
         "looks at the motion; steps divide the time between two evenly, and none is longer")
       ->capture_default_str();
+  add_frames(*plan, w->need);
+  add_kick(*plan, w->need);
   add_count(*plan, "--looks", w->looks, 1, 1'000'000,
             "so many looks within the horizon instead, so that steps may be longer");
   plan->add_flag("--every-cell", w->every_cell,

@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 #include <sstream>
+#include <tuple>
 
 #include "chapters/scene.hpp"
 #include "problem/scene.hpp"
@@ -21,6 +22,7 @@
 #include "report/study/beside_program.hpp"
 #include "report/study/criterion.hpp"
 #include "report/study/frames.hpp"
+#include "report/study/kicks.hpp"
 #include "report/text/readable.hpp"
 #include "solvers/ode/catalog.hpp"
 
@@ -495,8 +497,9 @@ std::vector<double> trace_of(const std::string& file, const std::string& time) {
   return lengths;
 }
 
-/// Frames as they come, if they are asked for.
-void set_frame_times(Need& need, const AskedNeed& asked, const std::string& time) {
+}  // namespace
+
+FramesAsked frames_of(const AskedNeed& asked, const std::string& time) {
   FramesAsked frames;
   if (!asked.jitter.empty()) frames.jitter = between("--jitter", asked.jitter, "", 1e-9, 0.99);
   if (!asked.drop.empty()) frames.drop = between("--drop", asked.drop, "", 1e-9, 0.99);
@@ -506,6 +509,14 @@ void set_frame_times(Need& need, const AskedNeed& asked, const std::string& time
   if (!asked.frame_seed.empty()) frames.seed = count_of("--frame-seed", asked.frame_seed, 0, 1'000'000'000);
   if (!asked.frame_seed.empty() && frames.jitter == 0 && frames.drop == 0)
     throw BadInput("--frame-seed is of --jitter or --drop, and neither is asked for");
+  return frames;
+}
+
+namespace {
+
+/// Frames as they come, if they are asked for.
+void set_frame_times(Need& need, const AskedNeed& asked, const std::string& time) {
+  const FramesAsked frames = frames_of(asked, time);
   need.frame_times = frame_times(frames, need.frames_per_second, need.horizon, time);
   if (!need.frame_times) return;
   if (!frames.trace.empty())  // on average
@@ -514,6 +525,13 @@ void set_frame_times(Need& need, const AskedNeed& asked, const std::string& time
   if (need.bodies > 1) throw BadInput("frames of different lengths are judged for one body");
   for (const Criterion criterion : criteria_of(need))
     if (criterion == Criterion::period) throw BadInput("a period is judged at frames of one length");
+}
+
+void set_kicks(Need& need, const Entry& entry, const std::string& text) {
+  if (need.bodies > 1) throw BadInput("a kick is judged for one body");
+  if (!need.in_double) throw BadInput("a kick is judged in double: leave out --precision float");
+  std::tie(need.kicks, need.kicked) = kicks_of(scene_of(entry), motion_of(entry), text, need.horizon);
+  need.in_float = false;
 }
 
 }  // namespace
@@ -561,6 +579,7 @@ Need need_of(const Task& task, const AskedNeed& asked) {
     need.budget = between("--budget", asked.budget, "s", 1e-12, 1e6);
   }
   set_frame_times(need, asked, time);
+  if (!asked.kick.empty()) set_kicks(need, entry, asked.kick);
   return need;
 }
 
@@ -589,6 +608,7 @@ std::vector<Task> tasks_at_frames(const std::vector<std::string>& exercises, con
     if (std::ranges::any_of(exercises, is_its_file)) ask_as_file(of_frames, *task.entry);
     const Need need = need_of(task, of_frames);
     task.frames = horizon_of(need);
+    task.kicks = need.kicks;
     task.frames_say = shown_rate(need, std::string(scene_of(*task.entry).axes.time));
   }
   return tasks;

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "report/study/frames.hpp"
 #include "report/study/is_enough.hpp"
 #include "report/study/need.hpp"
 #include "report/study/parallel.hpp"
@@ -36,6 +37,7 @@ struct AskedNeed {
   std::string restart_every = {}, starts = "6";
   std::string jitter = {}, drop = {}, trace = {}, longest_frame = {},
               frame_seed = {};                            ///< of frames that differ
+  std::string kick = {};                                  ///< "t=1s,theta'=+2"
   std::string energy = {}, period = {}, constraint = {};  ///< the errors of criteria beside the first
   std::string criterion = "path", time_limit = "60s";     ///< or "none"
   bool criterion_is_given = false;                        ///< given, not the default
@@ -55,6 +57,8 @@ struct AskedNeed {
 };
 /// The first given option for an error or a criterion; empty: none.
 std::string accuracy_option(const AskedNeed&);
+/// Frames as they come, of a scene whose unit of time is this.
+FramesAsked frames_of(const AskedNeed&, const std::string& time);
 /// For an exercise that has a motion, at the task's parameters.
 Need need_of(const Task&, const AskedNeed&);
 /// Takes the horizon, the frames and, for a path, the error from a problem's file if the command line does

@@ -222,18 +222,6 @@ void add_choose_need(CLI::App& choose, AskedNeed& need) {
   add_criteria(choose, need);
 }
 
-void add_frames(CLI::App& choose, AskedNeed& need) {
-  add_value(choose, "--jitter", need.jitter, "PART",
-            "frames are longer or shorter by up to this part, at random: 20%");
-  add_value(choose, "--drop", need.drop, "PART", "so many frames are not drawn, at random: 1%");
-  add_value(choose, "--frame-seed", need.frame_seed, "N", "other random frames: 2");
-  add_value(choose, "--frames", need.trace, "FILE",
-            "lengths of frames as they were recorded, one a line, 16.7ms; again and again")
-      ->excludes(choose.get_option("--fps"));
-  add_value(choose, "--max-frame", need.longest_frame, "TIME",
-            "a longer frame moves the clock on by no more than this: 100ms");
-}
-
 void add_choose_own(CLI::App& choose, AskedNeed& need) {
   add_value(
       choose, "--starts", need.starts, "N",
@@ -303,7 +291,7 @@ void add_choose(CLI::App& app, Session& s) {
       "Keys of the JSON: need (judged_over: the part of its horizon), chosen (null when nothing is; rollback: to take eight frames again), in_float, ties, candidates (followed: false where finer "
       "settings were not tried), on_asked (when nothing is chosen, what holds on the start asked for), engine, "
       "predictable, chosen_on, tested_on, failing_beside, left_out (starts beside that are another kind of motion), "
-      "in_chaos (how many unseen starts hold, with bounds), lockstep (null unless asked; functions of its own, times_usual: its time in the usual program's, left_out by reason), times, explanation.\n"
+      "in_chaos (how many unseen starts hold, with bounds), lockstep (null unless asked; functions of its own, times_usual: its time in the usual program's, left_out by reason), engines (with --engine, the trials as 'engines --json' has them), times, explanation.\n"
       "Columns with --method: exercise, model, algorithm, knob, setting, holds (1 or 0), outcome, where, error_in_needs, "
       "starts, failing, growth (of the error, from half the time to the end), drift (of what the model conserves), energy (how far what is seen is off its true one), stable_to, "
       "evaluations_per_frame, seconds_per_frame, frames_per_second; a row for each model.\n"
@@ -313,7 +301,7 @@ void add_choose(CLI::App& app, Session& s) {
       "Scenes: " +
           numbers_of_scenes() +
           "\n"
-          "Examples:\n  oddity choose 3.5 a=60deg --error 1deg --budget 5us\n  oddity choose 3.5 --error 1deg --jitter 20% --drop 1%\n  oddity choose 3.33 --error 1deg "
+          "Examples:\n  oddity choose 3.5 a=60deg --error 1deg --budget 5us\n  oddity choose 3.5 --error 1deg --jitter 20% --drop 1%\n  oddity choose 3.5 --error 1deg --kick \"t=1s,theta'=+2\"\n  oddity choose 3.33 --error 1deg "
           "--horizon 2 --fps 120\n  oddity choose 3.25 --criterion bounded --precision float\n  oddity choose 3.5 "
           "--error 1deg --exclude closed --code\n  oddity choose 3.5 --error 1deg --lockstep --code\n  oddity choose 3.5 --error 1deg --bodies 10000 --budget 1ms\n"
           "  oddity choose 3.5 --error 1deg --method 'semi-implicit Euler@60Hz'",
@@ -328,6 +316,7 @@ void add_choose(CLI::App& app, Session& s) {
   add_one_exercise(*choose, s);
   add_choose_need(*choose, s.need);
   add_frames(*choose, s.need);
+  add_kick(*choose, s.need);
   add_choose_methods(*choose, s.need);
   add_choose_own(*choose, s.need);
   choose->add_flag("--all", s.all_rows, "show all rows of the table");
@@ -340,10 +329,11 @@ void add_choose(CLI::App& app, Session& s) {
       *choose, "--engine", s.engine, "NAME",
       "what another engine makes of the scene, beside the choice: bullet, mujoco; unless --error or "
       "--digits is given, to 1 cm and 1 degree");
-  set_apart(*choose, engine, {"--json", "--csv", "--code"});
+  set_apart(*choose, engine, {"--csv", "--code"});
   set_apart(*choose, choose->get_option("--method"),
             {"--engine", "--code", "--explain", "--all", "--enclosed"});
   set_apart(*choose, choose->get_option("--lockstep"), {"--method", "--engine", "--bodies"});
+  set_apart(*choose, choose->get_option("--kick"), {"--code", "--engine", "--lockstep"});
 }
 
 CLI::Option* add_overwrite(CLI::App& verb, Session& s) {
@@ -408,8 +398,8 @@ void add_chart(CLI::App& app, Session& s) {
       [&] {
         const CLI::App& asked = *app.get_subcommand("chart");
         see_what_is_given(s.need, asked);
-        for (const char* option :
-             {"--horizon", "--fps", "--jitter", "--drop", "--frame-seed", "--frames", "--max-frame"})
+        for (const char* option : {"--horizon", "--fps", "--jitter", "--drop", "--frame-seed", "--frames",
+                                   "--max-frame", "--kick"})
           if (asked.get_option(option)->count() > 0) s.need.frames_are_given = true;
         if (s.format() == verbs::Format::text)
           verbs::chart(s.folder, s.exercises, s.need, s.all_rows ? Curves::all : Curves::few, s.chart_out,
@@ -422,6 +412,7 @@ void add_chart(CLI::App& app, Session& s) {
   add_value(*chart, "--horizon", s.need.horizon, "TIME", "of scenes: the motion up to there, at every frame");
   add_value(*chart, "--fps", s.need.frames_per_second, "RATE", "of scenes: frames per second: 60, 60Hz");
   add_frames(*chart, s.need);
+  add_kick(*chart, s.need);
   add_formats(*chart, s, "the trials, with nothing drawn");
   add_time_limit(*chart, s.need.time_limit, ", for each exercise");
   set_apart(*chart, add_path(*chart, "--out", s.chart_out, "the folder to write to"), {"--json", "--csv"});
@@ -437,9 +428,10 @@ void add_stability(CLI::App& app, Session& s) {
       "error_unit, why, unstable_in_theory, error_there (at stable_to), needed_to (the longest within the scene's need), "
       "not_sharp_from, not_sharp_to (for other observers, where the limit is not sharp), watched (where the motion does "
       "not go on alike), how, cure, and holds_to where an error or a criterion is asked for (the longest within that; 0: "
-      "none found; nan where the method does not show it); a row for each method of fixed step.\n"
+      "none found; nan where the method does not show it), and stable_at_frames where frames vary (the longest usual frame "
+      "at which a step a frame is stable); a row for each method of fixed step.\n"
       "Examples:\n  oddity stability 3.5 --out /tmp/maps\n  oddity stability 3.5 3.33 --csv\n  oddity stability 3.5 "
-      "a=1 L=2 --horizon 20s\n  oddity stability 3.5 --criterion energy --error 5% --horizon 1min",
+      "a=1 L=2 --horizon 20s\n  oddity stability 3.5 --drop 5%\n  oddity stability 3.5 --criterion energy --error 5% --horizon 1min",
       [&] {
         s.need.criterion_is_given = app.get_subcommand("stability")->get_option("--criterion")->count() > 0;
         const verbs::AskedStability asked{s.exercises, s.horizon, s.need};
@@ -461,13 +453,14 @@ void add_stability(CLI::App& app, Session& s) {
       "also show the longest step at which an exercise's motion is within this at the end of every step, "
       "1cm,1deg unless given; of energy and period a part, 1%");
   add_criteria(*stability, s.need);
+  add_varied_frames(*stability, s.need);
   add_time_limit(*stability, s.need.time_limit, ", for each exercise");
   add_formats(*stability, s, "the limits, with nothing drawn");
   auto* rows = stability->add_flag("--rows", s.rows,
                                    "the rows of limits.csv and stability_maps.csv, with nothing drawn");
-  set_apart(
-      *stability, rows,
-      {"--json", "--csv", "--horizon", "--error", "--criterion", "--energy", "--period", "--constraint"});
+  set_apart(*stability, rows,
+            {"--json", "--csv", "--horizon", "--error", "--criterion", "--energy", "--period", "--constraint",
+             "--jitter", "--drop", "--frames"});
   set_apart(*stability, add_path(*stability, "--out", s.maps_out, "the folder to draw the maps in"),
             {"--rows", "--json", "--csv"});
   set_apart(*stability, add_overwrite(*stability, s), {"--rows", "--json", "--csv"});

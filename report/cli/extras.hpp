@@ -34,15 +34,17 @@ struct ManyBodies {
 
 /// Third-party engines on the scenes, for `list`, `choose --engine` and `chart`.
 struct OtherEngines {
-  using Answer = std::function<std::string(const Choice&, const Reference&)>;
+  struct Answer {
+    std::string text, json;
+  };
+  using Answers = std::function<Answer(const Choice&, const Reference&)>;
 
   /// Names of scenes that belong to no exercise.
   std::function<std::vector<std::string>()> scenes;
   /// Throws BadInput if the exercise has no scene for engines.
   std::function<void(const Entry&)> require_scene;
-  /// What the engines of this name make of the scene beside a choice, as text. Throws BadInput where there
-  /// are none.
-  std::function<Answer(const std::string& name, const Task&)> named;
+  /// What the engines of this name make of the scene beside a choice. Throws BadInput where there are none.
+  std::function<Answers(const std::string& name, const Task&)> named;
   /// Draws what earlier runs kept of the tasks' scenes, and returns the pictures.
   std::function<std::vector<std::filesystem::path>(const std::vector<Task>&, const Reference&,
                                                    const std::filesystem::path& folder)>

@@ -52,6 +52,28 @@ void add_criteria(CLI::App& verb, AskedNeed& need) {
             "besides, lengths that are held, and what lies on something: off by a length, 1mm");
 }
 
+void add_varied_frames(CLI::App& verb, AskedNeed& need) {
+  add_value(verb, "--jitter", need.jitter, "PART",
+            "frames are longer or shorter by up to this part, at random: 20%");
+  add_value(verb, "--drop", need.drop, "PART", "so many frames are not drawn, at random: 1%");
+  add_value(verb, "--frame-seed", need.frame_seed, "N", "other random frames: 2");
+  add_value(verb, "--frames", need.trace, "FILE",
+            "lengths of frames as they were recorded, one a line, 16.7ms; again and again");
+}
+
+void add_frames(CLI::App& verb, AskedNeed& need) {
+  add_varied_frames(verb, need);
+  verb.get_option("--frames")->excludes(verb.get_option("--fps"));
+  add_value(verb, "--max-frame", need.longest_frame, "TIME",
+            "a longer frame moves the clock on by no more than this: 100ms");
+}
+
+void add_kick(CLI::App& verb, AskedNeed& need) {
+  add_value(verb, "--kick", need.kick, "KICK",
+            "a contact or an impulse changes what is seen: \"t=1s,theta'=+2\" adds to a rate, theta=0.1 sets "
+            "a place, speed=*0.5 slows all; several with a semicolon between. Closed forms know none");
+}
+
 void set_apart(CLI::App& verb, CLI::Option* option, std::initializer_list<const char*> others) {
   for (const char* other : others) option->excludes(verb.get_option(other));
 }

@@ -185,11 +185,19 @@ struct StabilityTasks {
   std::vector<Task> tasks;
   std::optional<double> horizon;
   std::vector<Need> needs;
+  std::vector<FramesAsked> frames;  ///< of each task; none: all are of the same length
+
+  double end(std::size_t i) const { return horizon.value_or(tasks[i].entry->exercise.scene->horizon); }
 };
 StabilityTasks stability_tasks(const AskedStability& asked) {
-  StabilityTasks all{scenes_of(asked.words), {}, {}};
+  StabilityTasks all{scenes_of(asked.words), {}, {}, {}};
   all.horizon = horizon_of(all.tasks, asked.horizon);
   all.needs = needs_besides(asked, all.tasks, all.horizon);
+  for (const Task& task : all.tasks) {
+    const std::string time(task.entry->exercise.scene->axes.time);
+    if (const FramesAsked frames = frames_of(asked.need, time); !says(frames, time).empty())
+      all.frames.push_back(frames);
+  }
   return all;
 }
 
@@ -213,6 +221,12 @@ FoundStability stability_of(const fs::path& folder, const AskedStability& asked)
           [&](const Progress& progress) { return held_steps(all.tasks[i], all.needs[i], truth, progress); }));
       found.held.back().asked = in_words(all.needs[i], all.tasks[i]);
     }
+    if (!all.frames.empty()) found.held.resize(all.tasks.size());
+    for (std::size_t i = 0; i < all.frames.size(); ++i)
+      with_progress([&](const Progress& progress) {
+        find_stable_at_frames(found.held[i], all.tasks[i], all.frames[i], all.end(i), progress);
+        return 0;
+      });
     found.results = with_progress([&](const Progress& progress) {
       return with_stability(blank, all.tasks, truth, progress, all.horizon);
     });
@@ -300,6 +314,21 @@ Need in_what_is_left(Need need) {
   return need;
 }
 
+OtherEngines::Answer engines_in_time(const OtherEngines::Answers& engines, const Choice& choice,
+                                     const Reference& truth, const Need& need) {
+  try {
+    return in_time(in_what_is_left(need).time_limit, "", [&] { return engines(choice, truth); });
+  } catch (const OutOfTime&) {
+    return {"  the engine came to no end within the time limit\n", "[]"};
+  }
+}
+
+/// Of a problem's file what stands in it, too.
+std::string key_of_prices(const Task& task, const Need& need) {
+  return price_key(task, need) +
+         (task.entry->number.chapter == 0 ? ", " + std::string(task.entry->file) : "");
+}
+
 /// With what its methods cost, kept for the next run, each part of a long horizon apart.
 Choice choice_in_time(const Task& task, const Need& asked, const Reference& truth, bool anew,
                       const ManyBodies& bodies) {
@@ -362,25 +391,25 @@ int choose(const fs::path& folder, const std::string& exercise, const std::vecto
         "--engine is for frames of one length: leave out --jitter, --drop, --frames and --max-frame");
   if (!engine.empty()) extras.engines.require_scene(*task.entry);
   if (needs_are_all(need.bodies > 1 ? extras.bodies.needs : Needs())) return 0;
-  const OtherEngines::Answer engines =
-      engine.empty() ? OtherEngines::Answer() : extras.engines.named(engine, task);
+  const auto engines = engine.empty() ? OtherEngines::Answers() : extras.engines.named(engine, task);
   const Reference truth = truth_of(folder, asked.enclosed, motions_folder());
   if (!of_the_book(task.entry->number)) require_truth(task, truth);
   Choice choice = choice_in_time(task, need, truth, asked.measure, extras.bodies);
   if (asked.lockstep) choice.lockstep = lockstep_of(task, choice, in_what_is_left(need).time_limit);
+  const auto beside = engines ? engines_in_time(engines, choice, truth, need) : OtherEngines::Answer();
   if (format == Format::text && !asked.says.empty())
     std::cout << exercise << " does not say what it needs, so it is asked for " << asked.says << "\n";
   if (format == Format::csv || (format == Format::code && choice.chosen)) std::cerr << part_text(choice);
   if (format == Format::code && !choice.chosen)
     std::cerr << choice_text(choice, all_rows, screen_of(STDERR_FILENO));
   else
-    std::cout << (format == Format::json   ? choice_json(choice)
+    std::cout << (format == Format::json   ? choice_json(choice, beside.json)
                   : format == Format::csv  ? choice_csv(choice)
                   : format == Format::code ? code_of(task, choice, command, written)
                                            : choice_text(choice, all_rows, output()));
   if (asked.enclosed && format == Format::text) std::cout << truth_text(choice, output());
   if (asked.explain && format == Format::text) std::cout << "\n" << explanation_text(choice);
-  if (engines) std::cout << engines(choice, truth);
+  if (format == Format::text) std::cout << beside.text;
   return choice.chosen && !choice.asked_horizon ? 0 : 1;
 }
 

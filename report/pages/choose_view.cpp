@@ -207,6 +207,7 @@ std::string margin_text(const Choice& choice) {
 
 std::string in_float_text(const Choice& choice) {
   if (choice.chosen->precision == Precision::in_float) return "";
+  if (choice.need.kicks) return "";
   if (!choice.in_float) return "  in float: oddity has this method in double only.\n";
   const Candidate& single = *choice.in_float;
   if (single.holds()) return "  in float: error " + error_of(single, choice) + ", holds.\n";
@@ -480,6 +481,7 @@ Json need_of(const Choice& choice) {
           {"time_unit", choice.time_unit},
           {"frames_per_second", choice.need.frames_per_second},
           {"frame_lengths", choice.need.frame_times ? Json(choice.need.frame_times->says) : Json()},
+          {"kicks", choice.need.kicks ? Json(choice.need.kicked) : Json()},
           {"budget", from(choice.need.budget)},
           {"bodies", choice.need.bodies},
           {"restart_every", from(choice.need.restart_every)},
@@ -619,7 +621,7 @@ std::string shown_errors(const Candidate& candidate, const Choice& choice) {
   return error_of(candidate, choice);
 }
 
-std::string choice_json(const Choice& choice) {
+std::string choice_json(const Choice& choice, const std::string& engines) {
   Json json{{"need", need_of(choice)}, {"chosen", nullptr}};
   if (choice.chosen) {
     json["chosen"] = from(*choice.chosen, choice);
@@ -647,6 +649,7 @@ std::string choice_json(const Choice& choice) {
                         {"least", choice.share_in_chaos().first},
                         {"most", choice.share_in_chaos().second}};
   json["lockstep"] = lockstep_json(choice);
+  if (!engines.empty()) json["engines"] = Json::parse(engines);
   json["times"] = choice.prices_are;
   const Explanation& e = choice.explanation;
   json["explanation"] = {{"truths",

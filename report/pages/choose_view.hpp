@@ -24,7 +24,8 @@ std::string truth_text(const Choice&, const Screen& = {});
 std::string explanation_text(const Choice&);
 /// An error by the need's criterion, in the units asked in.
 std::string shown_errors(const Candidate&, const Choice&);
-std::string choice_json(const Choice&);
+/// With an array of engines' trials, where there are any.
+std::string choice_json(const Choice&, const std::string& engines = {});
 std::string choice_csv(const Choice&);
 
 }  // namespace oddity

@@ -49,7 +49,8 @@ std::string is_enough_text(const IsEnough& found, const Screen& screen) {
                     best.holds() ? "Good enough: " : "Not good enough: ") +
       best.algorithm + " at " + at + ", judged " + format_significant(found.need.frames_per_second, 4) +
       " times a " + (found.time_unit == "s" ? "second" : found.time_unit) +
-      (found.need.frame_times ? ", " + found.need.frame_times->says + "," : "") + " on " +
+      (found.need.frame_times ? ", " + found.need.frame_times->says + "," : "") +
+      (found.need.kicks ? ", with the kick " + found.need.kicked + "," : "") + " on " +
       std::to_string(found.starts.size()) + (found.starts.size() == 1 ? " start" : " starts") + ".\n";
   for (const Judgement& j : found.models) {
     const Candidate& run = j.run;

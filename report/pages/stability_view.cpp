@@ -35,12 +35,18 @@ std::string shown_holding(const Limit& l, const HeldSteps& held) {
                                      : format_significant(found->second, 3);
 }
 
+std::string shown_at_frames(const Limit& l, const HeldSteps& held) {
+  const double step = held.stable_at_frames.at({l.model, l.algorithm});
+  return std::isinf(step) ? "every frame" : step == 0 ? "none" : format_significant(step, 3);
+}
+
 std::vector<std::string> header(const Stability& s, const HeldSteps& held) {
   const std::string unit = " [" + s.time_unit + "]";
   std::vector<std::string> all{
       "model",       "algorithm",        "stable to" + unit,     "theory" + unit, "unstable in theory" + unit,
       "error there", "needed to" + unit, "how it breaks beyond", "cure there"};
   if (!held.asked.empty()) all.insert(all.end() - 2, "holds to" + unit);
+  if (!held.frames.empty()) all.insert(all.begin() + 3, "at these frames to" + unit);
   return all;
 }
 
@@ -59,6 +65,7 @@ std::vector<std::string> limit_cells(const Stability& s, const HeldSteps& held, 
                                how_it_breaks(l, s),
                                shown_cure(l, s.unit)};
   if (!held.asked.empty()) all.insert(all.end() - 2, shown_holding(l, held));
+  if (!held.frames.empty()) all.insert(all.begin() + 3, shown_at_frames(l, held));
   return all;
 }
 
@@ -76,7 +83,8 @@ std::string limits_text(const Stability& s, const HeldSteps& held, const Screen&
   }
   const std::vector<std::string>& n = rows.front();
   const std::string &how = *(n.end() - 2), &cure = n.back();
-  return aligned(rows, screen, {{n[0], how, cure}, {cure, how, n[3], n[2], n[4]}});
+  const std::size_t theory = held.frames.empty() ? 2 : 3;  // behind the columns of what is measured
+  return aligned(rows, screen, {{n[0], how, cure}, {cure, how, n[theory + 1], n[theory], n[theory + 2]}});
 }
 
 /// Reasons why theory and measurement differ, each with the methods concerned.
@@ -111,6 +119,16 @@ std::vector<std::string> reservations(const Stability& s) {
                     format_significant(l.watched, 3) + unit + " shown, and the limit is of that time");
   }
   return all;
+}
+
+/// What the column of frames as they come shows.
+std::string frames_text(const HeldSteps& held) {
+  if (held.frames.empty()) return "";
+  return "at these frames: " + held.frames + ", the longest of them " +
+         format_significant(held.longest_frame, 3) +
+         " times the usual one, which the column has, each of them one step; where that is further below the "
+         "limit of equal steps than the longest frame explains, frames that vary excite a resonance; an "
+         "accumulator keeps the limit of equal steps; ";
 }
 
 /// The letters with a bar where theory's limit is: "XXd|ddiioooo".
@@ -269,8 +287,8 @@ std::string stability_text(const ExerciseResult& e, const HeldSteps& held, const
   const std::string asked =
       s.quantity + " over " + format_significant(s.horizon, 4) + " " + s.time_unit + "; needed to " +
       in_unit(format_significant(s.close, 3), s.unit) + " at the end of every step; " +
-      (held.asked.empty() ? "" : "holds: " + held.asked + "; ") + "breaks and cures are judged at " +
-      format_significant(s.horizon / s.steps.front(), 4) + " times\n\n";
+      (held.asked.empty() ? "" : "holds: " + held.asked + "; ") + frames_text(held) +
+      "breaks and cures are judged at " + format_significant(s.horizon / s.steps.front(), 4) + " times\n\n";
   return heading_of(e, screen) + wrapped(asked, screen) + limits_text(s, held, screen) +
          wrapped(notes, screen, 4) + map_text(s, screen);
 }

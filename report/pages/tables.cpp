@@ -82,7 +82,10 @@ Table limits_table(const Results& results, std::span<const HeldSteps> held) {
                "error", "error_unit", "why", "unstable_in_theory", "error_there", "needed_to",
                "not_sharp_from", "not_sharp_to", "watched", "how", "cure"},
               {}};
-  if (!held.empty()) table.columns.push_back("holds_to");
+  const bool has_asked = !held.empty() && !held.front().asked.empty(),
+             has_frames = !held.empty() && !held.front().frames.empty();
+  if (has_asked) table.columns.push_back("holds_to");
+  if (has_frames) table.columns.push_back("stable_at_frames");
   for (std::size_t i = 0; i < results.exercises.size(); ++i) {
     const ExerciseResult& e = results.exercises[i];
     for (const Limit& l : e.stability->limits) {
@@ -94,9 +97,12 @@ Table limits_table(const Results& results, std::span<const HeldSteps> held) {
                             l.soft ? l.soft->least : none, l.soft ? l.soft->most : none,
                             l.goes_on || std::isinf(l.step()) ? none : l.watched, how_it_breaks(l, s),
                             l.broken ? shown_cure(l, s.unit) : ""});
-      if (held.empty()) continue;
-      const auto found = held[i].longest.find({l.model, l.algorithm});
-      table.rows.back().push_back(found == held[i].longest.end() ? none : found->second);
+      const auto add = [&](const auto& steps) {
+        const auto found = steps.find({l.model, l.algorithm});
+        table.rows.back().push_back(found == steps.end() ? none : found->second);
+      };
+      if (has_asked) add(held[i].longest);
+      if (has_frames) add(held[i].stable_at_frames);
     }
   }
   return table;

@@ -244,7 +244,8 @@ std::string shown_setting(const Candidate& candidate, const Need& need) {
 std::string shown_rate(const Need& need, std::string_view time_unit) {
   return "at " + format_shortest(need.frames_per_second) + " frames per " +
          (time_unit == "s" ? "second" : std::string(time_unit)) +
-         (need.frame_times ? ", " + need.frame_times->says : "");
+         (need.frame_times ? ", " + need.frame_times->says : "") +
+         (need.kicks ? ", with the kick " + need.kicked : "");
 }
 
 std::string shown_span(const Need& need, std::string_view time_unit) {

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "chapters/random.hpp"
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
+#include "report/study/kicks.hpp"
 
 namespace oddity {
 
@@ -19,6 +21,8 @@ constexpr std::array steppings{std::pair{Stepping::last_step, ", last of fixed s
 
 std::string percent(double part) { return format_significant(100 * part, 3) + " %"; }
 
+}  // namespace
+
 std::string says(const FramesAsked& asked, const std::string& unit) {
   std::string text =
       asked.trace.empty() ? "" : "as in a trace of " + std::to_string(asked.trace.size()) + " frames";
@@ -28,8 +32,6 @@ std::string says(const FramesAsked& asked, const std::string& unit) {
   if (std::isfinite(asked.longest)) add("none longer than " + shown_length(asked.longest, unit));
   return text;
 }
-
-}  // namespace
 
 std::shared_ptr<const FrameTimes> frame_times(const FramesAsked& asked, double frames_per_second,
                                               double horizon, const std::string& unit) {
@@ -52,6 +54,18 @@ std::shared_ptr<const FrameTimes> frame_times(const FramesAsked& asked, double f
   return std::make_shared<const FrameTimes>(std::move(frames));
 }
 
+std::vector<double> frame_lengths(const FramesAsked& asked, std::size_t count) {
+  FramesAsked relative = asked;
+  const double usual = asked.trace.empty() ? 1
+                                           : std::accumulate(asked.trace.begin(), asked.trace.end(), 0.0) /
+                                                 static_cast<double>(asked.trace.size());
+  for (double& length : relative.trace) length /= usual;
+  const auto frames = frame_times(relative, 1, static_cast<double>(count));
+  std::vector<double> lengths(frames->at.size());
+  std::adjacent_difference(frames->at.begin(), frames->at.end(), lengths.begin());
+  return lengths;
+}
+
 std::string shown_length(double time, const std::string& unit) {
   return unit == "s" ? format_significant(1000 * time, 3) + " ms" : format_significant(time, 3) + " " + unit;
 }
@@ -68,8 +82,9 @@ Horizon horizon_of(const Need& need) {
 }
 
 Quantity motion_at_frames(const Scene& scene, const Parameters& p, const Horizon& horizon,
-                          const Reference& truth) {
+                          const Reference& truth, const std::shared_ptr<const Kicks>& kicks) {
   Quantity seen = motion(scene, p, horizon, truth);
+  if (kicks) seen = kicked_motion(std::move(seen), kicks);
   if (!horizon.frames) return seen;
   const std::string end = format_shortest(horizon.end);  // time of the last frame, in all its digits
   if (const auto at = seen.says.find(end); at != std::string::npos)
@@ -79,6 +94,7 @@ Quantity motion_at_frames(const Scene& scene, const Parameters& p, const Horizon
     stepped.stepping = stepping;
     for (Method& method : motion(scene, p, stepped, Reference::nothing()).methods) {
       if (!method.unstable_steps || method.knob.name != "step") continue;
+      if (kicks) method = with_kicks(std::move(method), kicks);
       method.algorithm += name;
       seen.methods.push_back(std::move(method));
     }

@@ -18,10 +18,16 @@ struct FramesAsked {
   double seed = 1;                 ///< of the random numbers
 };
 
+/// In words: "each up to 20 % longer or shorter"; empty where all are of the same length.
+std::string says(const FramesAsked&, const std::string& unit = "s");
+
 /// The frames up to the horizon, in this unit of time; null where all are of the same length. Throws BadInput
 /// where there are none, or more than a need may have.
 std::shared_ptr<const FrameTimes> frame_times(const FramesAsked&, double frames_per_second, double horizon,
                                               const std::string& unit = "s");
+
+/// So many frames as they come, one after another, in units of a usual one.
+std::vector<double> frame_lengths(const FramesAsked&, std::size_t count);
 
 /// A length of time: "16.7 ms", in other units than seconds "0.0167 yr".
 std::string shown_length(double time, const std::string& unit);
@@ -32,8 +38,9 @@ Horizon first_frames(const Need&, int count);
 Horizon horizon_of(const Need&);
 
 /// The scene's motion. Where frames differ in length, the ways in which fixed steps meet them are algorithms
-/// of their own: "Runge-Kutta 4, fixed steps interpolated".
-Quantity motion_at_frames(const Scene&, const Parameters&, const Horizon&, const Reference&);
+/// of their own: "Runge-Kutta 4, fixed steps interpolated". With kicks, unless null.
+Quantity motion_at_frames(const Scene&, const Parameters&, const Horizon&, const Reference&,
+                          const std::shared_ptr<const Kicks>& = {});
 
 /// The algorithm's name in the catalog, and how its steps meet frames.
 std::string_view without_stepping(std::string_view algorithm);

@@ -13,6 +13,8 @@
 #include "report/study/initial_conditions.hpp"
 #include "report/study/off_by_need.hpp"
 #include "report/study/parallel.hpp"
+#include "report/study/stability.hpp"
+#include "solvers/ode/step_lengths.hpp"
 
 namespace oddity {
 
@@ -105,6 +107,27 @@ HeldSteps held_steps(const Task& task, const Need& need, const Reference& truth,
   for (std::size_t i = 0; i < judged.size(); ++i)
     held.longest[{judged[i]->model, judged[i]->algorithm}] = longest[i];
   return held;
+}
+
+void find_stable_at_frames(HeldSteps& held, const Task& task, const FramesAsked& frames, double horizon,
+                           const Progress& progress) {
+  constexpr std::size_t enough = 20'000;
+  const Quantity seen = motion(*task.entry->exercise.scene, task.parameters, {horizon}, Reference::nothing());
+  const std::vector<double> lengths = frame_lengths(frames, enough);
+  std::vector<const Method*> fixed;
+  for (const Method& method : seen.methods)
+    if (of_fixed_step(method)) fixed.push_back(&method);
+  Stage tally(progress, "looking for the frames that are stable", fixed.size());
+  std::vector<double> stable(fixed.size());
+  in_parallel(fixed.size(), [&](std::size_t i) {
+    const ode::StepLengths here(lengths);
+    stable[i] = measured_limit(*fixed[i], horizon / seen.samples).step();
+    tally.add();
+  });
+  held.frames = says(frames, std::string(task.entry->exercise.scene->axes.time));
+  held.longest_frame = std::ranges::max(lengths);
+  for (std::size_t i = 0; i < fixed.size(); ++i)
+    held.stable_at_frames[{fixed[i]->model, fixed[i]->algorithm}] = stable[i];
 }
 
 }  // namespace oddity

@@ -119,7 +119,7 @@ std::vector<double> needs_of(const Need& need, const Quantity& motion) {
 Quantity known_motion(const Scene& scene, const Parameters& p, const Horizon& horizon, const Need& need,
                       const Reference& truth) {
   const auto made = [&](const Reference& known) {
-    return with_need(motion_at_frames(scene, p, horizon, known), need);
+    return with_need(motion_at_frames(scene, p, horizon, known, need.kicks), need);
   };
   if (need.thorough) return made(truth);
   for (int digits : {digits_in_long_double, digits_for(need)}) {
@@ -171,7 +171,8 @@ Start InitialConditions::start(const Parameters& p) const {
   const auto known_by = [this, p, whole](const Reference& truth, int frames_of_it) {
     const bool is_whole = frames_of_it == whole;
     const Horizon span = is_whole ? horizon_of(need_) : oddity::first_frames(need_, frames_of_it);
-    Start start = to_judge({says(p), with_need(motion_at_frames(scene(), p, span, truth), need_)}, p);
+    Start start =
+        to_judge({says(p), with_need(motion_at_frames(scene(), p, span, truth, need_.kicks), need_)}, p);
     start.is_whole = is_whole;
     return start;
   };
@@ -216,7 +217,7 @@ Start InitialConditions::as_long_as_known(const Start& whole, const Parameters& 
   const int count = static_cast<int>(known);
   const std::size_t parts = all.reference.value.size() / static_cast<std::size_t>(all.samples);
   Quantity known_motion =
-      motion_at_frames(scene(), p, oddity::first_frames(need_, count), Reference::nothing());
+      motion_at_frames(scene(), p, oddity::first_frames(need_, count), Reference::nothing(), need_.kicks);
   const std::span<const double> value(&*all.reference.value.begin(), static_cast<std::size_t>(count) * parts);
   known_motion.reference = {all.reference.by, Value(value)};
   known_motion.reference_error = all.reference_error_until[static_cast<std::size_t>(count) - 1];
@@ -295,8 +296,8 @@ Parting InitialConditions::parting(const Parameters& start, const Quantity& moti
   const double value = p[name], change = small * (value == 0 ? 1 : std::abs(value));
   const auto declared = std::ranges::find(p.declared(), name, &Parameter::name);
   p.set(name, value + change <= declared->most ? value + change : value - change);
-  const Quantity beside =
-      oddity::motion(scene(), p, oddity::first_frames(need_, motion.samples), Reference::nothing());
+  const Quantity beside = motion_at_frames(scene(), p, oddity::first_frames(need_, motion.samples),
+                                           Reference::nothing(), need_.kicks);
   const auto best = std::find_if(beside.methods.rbegin(), beside.methods.rend(), [this](const Method& m) {
     return m.algorithm == "Fehlberg 7(8)" &&
            std::ranges::find(scene().faulted, m.model) == scene().faulted.end();
@@ -308,8 +309,8 @@ Parting InitialConditions::parting(const Parameters& start, const Quantity& moti
 }
 
 Quantity InitialConditions::first_frames(int count) const {
-  return motion_at_frames(scene(), task_.parameters, oddity::first_frames(need_, count),
-                          Reference::nothing());
+  return motion_at_frames(scene(), task_.parameters, oddity::first_frames(need_, count), Reference::nothing(),
+                          need_.kicks);
 }
 
 std::optional<Start> InitialConditions::start_if_known(const Parameters& p) const {

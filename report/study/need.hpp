@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "chapters/kicks.hpp"
+
 namespace oddity {
 
 /// The quantity that has to be right.
@@ -52,6 +54,8 @@ struct Need {
   double horizon = 10;            ///< s
   double frames_per_second = 60;  ///< a step divides the frame evenly; every method is judged at every frame
   std::shared_ptr<const FrameTimes> frame_times = {};       ///< null: all frames are of the same length
+  std::shared_ptr<const Kicks> kicks = {};      ///< null: none
+  std::string kicked = {};                                  ///< "theta' + 2 rad/s at 1 s"
   double budget = std::numeric_limits<double>::infinity();  ///< s per frame
   long bodies = 1;                                          ///< identical ones, all in each frame
   double restart_every = std::numeric_limits<double>::infinity();  ///< s: contacts or changes end a run

@@ -76,6 +76,7 @@ std::string price_key(const Task& task, const Need& need) {
   std::string key = to_string(task.entry->number) + " over " + format_shortest(need.horizon) + " at " +
                     format_shortest(need.frames_per_second) + " frames" +
                     (need.frame_times ? ", " + text_of(*need.frame_times) : "") +
+                    (need.kicks ? ", kicked at " + need.kicked : "") +
                     (need.bodies == 1 ? "" : " of " + std::to_string(need.bodies) + " bodies");
   for (const Parameter& p : task.parameters.declared())
     key += ", " + std::string(p.name) + " = " + format_shortest(task.parameters[p.name]);

@@ -54,7 +54,7 @@ Studied study(const Task& task, const Reference& truth) {
       studied.findings = exercise.study(task.parameters, truth);
       return;
     }
-    Quantity motion = motion_at_frames(*exercise.scene, task.parameters, *task.frames, truth);
+    Quantity motion = motion_at_frames(*exercise.scene, task.parameters, *task.frames, truth, task.kicks);
     motion.says += ", " + task.frames_say;
     studied.findings.quantities = {std::move(motion)};
   });

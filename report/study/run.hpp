@@ -1,9 +1,11 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 
+#include "chapters/kicks.hpp"
 #include "reference/reference.hpp"
 #include "report/study/results.hpp"
 
@@ -21,6 +23,7 @@ struct Task {
   Parameters parameters;
   std::optional<Horizon> frames = {};  ///< only a scene's motion is studied, at these times
   std::string frames_say = {};         ///< "at 60 frames per second, 1 % dropped"
+  std::shared_ptr<const Kicks> kicks = {};  ///< of that motion; null: none
 
   explicit Task(const Entry& e) : entry(&e), parameters(e.exercise.parameters) {}
 };

@@ -9,6 +9,7 @@
 #include "solvers/ode/algorithms.hpp"
 #include "solvers/ode/events.hpp"
 #include "solvers/ode/integrate.hpp"
+#include "solvers/ode/step_lengths.hpp"
 #include "solvers/ode/steps_in.hpp"
 
 namespace oddity::ode {
@@ -43,6 +44,22 @@ Trajectory<std::array<double, n>> in_steps(std::string_view algorithm, const Any
   for (long i = 0; i < count; ++i) times.push_back(t0 + static_cast<double>(i) * h);
   times.push_back(t1);
   auto motion = integrate_with_events<n>(algorithm, system, start, times, h).trajectory;
+  for (std::size_t i = 1; i < motion.value.size(); ++i)
+    if (watch(times[i - 1], motion.value[i - 1], times[i], motion.value[i])) break;
+  return motion;
+}
+
+/// In steps of these lengths, again and again, in units of h, watched at each.
+template <std::size_t n>
+Trajectory<std::array<double, n>> in_steps_of(std::span<const double> lengths, std::string_view algorithm,
+                                              const AnySystem<n>& system, const std::array<double, n>& start,
+                                              double end, double h, const Watch<n>& watch) {
+  std::vector<double> times{0};
+  for (std::size_t i = 0; times.back() < end; ++i)
+    times.push_back(times.back() + h * lengths[i % lengths.size()]);
+  const double longest = h * std::ranges::max(lengths);
+  if (system.guard_count() == 0) return precompiled<n>(algorithm)(system, start, times, longest, watch);
+  auto motion = integrate_with_events<n>(algorithm, system, start, times, longest).trajectory;
   for (std::size_t i = 1; i < motion.value.size(); ++i)
     if (watch(times[i - 1], motion.value[i - 1], times[i], motion.value[i])) break;
   return motion;
@@ -106,14 +123,20 @@ Loss Disturbed<n>::lost(std::string_view algorithm, double step) const {
         loss.outgrown[i] = t;
     return std::isfinite(loss.outgrown.back());
   };
-  in_steps<n>(algorithm, system_, start_, 0, span(), h, Watch<n>(keep));
+  const auto follow = [&](const State& from, const Watch<n>& watch) {
+    if (const auto* lengths = StepLengths::here())
+      in_steps_of<n>(*lengths, algorithm, system_, from, span(), step, watch);
+    else
+      in_steps<n>(algorithm, system_, from, 0, span(), h, watch);
+  };
+  follow(start_, Watch<n>(keep));
   std::size_t i = 0;
   const auto compare = [&](double, const State&, double t, const State& x) {
     if (i == motion.size()) return true;
     if (!(std::log(distance(x, motion[i++], sizes_) / first_distance) <= allowed(t))) loss.parted = t;
     return std::isfinite(loss.parted);
   };
-  in_steps<n>(algorithm, system_, beside_, 0, span(), h, Watch<n>(compare));
+  follow(beside_, Watch<n>(compare));
   return loss;
 }
 

@@ -167,6 +167,22 @@ const known = {
   missing: 'this scene does not have',
 };
 
+test('frames as they come are each divided into as many steps as a usual one', () => {
+  const [even, jitter, drop] = oddity.framesAs;
+  const lengths = ({ times }) => [...times].slice(1).map((t, i) => t - times[i]);
+  assert.deepEqual(oddity.timesOfSteps(10, 600, 1 / 60, 1 / 60), oddity.timesOfSteps(10, 600, 1 / 60, 1 / 60, even));
+  const uneven = oddity.timesOfSteps(10, 600, 1 / 60, 1 / 60, jitter);
+  assert.deepEqual(uneven, oddity.timesOfSteps(10, 600, 1 / 60, 1 / 60, jitter));
+  assert.equal(uneven.times[uneven.times.length - 1], 10);
+  const all = lengths(uneven).slice(0, -1);
+  assert.ok(Math.min(...all) > 0.79 / 60 && Math.max(...all) < 1.21 / 60 && Math.max(...all) > 1.15 / 60);
+  assert.ok(Math.max(...lengths(uneven)) <= uneven.step);
+  const dropped = lengths(oddity.timesOfSteps(10, 600, 1 / 60, 1 / 120, drop));
+  const twice = dropped.filter((x) => Math.abs(x - 1 / 60) < 1e-9).length;
+  assert.ok(twice > 30 && twice < 90, `${twice} steps of twice the length`);
+  assert.ok(dropped.every((x) => x > 0.99 / 120));
+});
+
 test('a permalink contains everything, and comes back the same', () => {
   const state = {
     parameters: { a: 0.6, n: 3 },
@@ -178,6 +194,8 @@ test('a permalink contains everything, and comes back the same', () => {
     speed: 0.25,
     view: { azimuth: -171.5, elevation: 22.5 },
   };
+  const uneven = { ...state, as: oddity.framesAs[2] };
+  assert.deepEqual(oddity.permalink.parse(oddity.permalink.format(uneven), known), { state: uneven });
   for (const view of [state.view, { azimuth: 1e30, elevation: -1e-9 }])  // 1e+30, of which a link reads + as a space
     assert.deepEqual(oddity.permalink.parse(oddity.permalink.format({ ...state, view }), known), { state: { ...state, view } });
 });
@@ -189,7 +207,7 @@ test('a bad permalink gives a sentence, and other anchors give nothing', () => {
     '#play&row=one angle/explicit Euler/double/0', '#play&row=one angle/explicit Euler/double/-1',
     '#play&row=<script>alert(1)</script>/explicit Euler/double/1', '#play&constructor=1', '#play&p.__proto__=1',
     '#play&row=one angle/explicit Euler/double/1/2', '#play&p.a=1&p.a=2', '#play&at=1&at=2', '#play&speed=1&speed=1', '#play&view=1,2&view=1,2',
-    '#play&view=1', '#play&view=1,x', '#play&view=1,91', '#play&view=1,2,3', '#play' + '&row=one angle/explicit Euler/double/1'.repeat(5),
+    '#play&view=1', '#play&frames=odd', '#play&frames', '#play&view=1,x', '#play&view=1,91', '#play&view=1,2,3', '#play' + '&row=one angle/explicit Euler/double/1'.repeat(5),
   ];
   for (const hash of bad) {
     const read = oddity.permalink.parse(hash, known);

@@ -71,6 +71,17 @@ test('a slider changes every method of its scene', async () => {
   await page.close();
 });
 
+test('frames as they come are the steps of the methods', async () => {
+  const { page, faults } = await open(browser, '3.5.html#play&row=one%20angle/symplectic%20Euler/double/0.0166666667', { reduced: true });
+  await page.waitForSelector('.player-rows [data-end]');
+  const before = await worst(page);
+  await page.select('.player-frames select', 'both');
+  await page.waitForFunction((was) => document.querySelector('.player-rows').innerText.match(/at worst\s+([^\s]+)/)?.[1] !== was, {}, before);
+  assert.match(await linked(page), /&frames=both/);
+  assert.deepEqual(faults, []);
+  await page.close();
+});
+
 /// The address made by 'copy link'.
 async function linked(page) {
   await page.$$eval('.player-actions button', (all) => all.find((b) => b.textContent === 'copy link').click());

@@ -48,6 +48,38 @@
     return { step, times: Float64Array.from(times) };
   };
 
+  /** How the frames of a game come: the first is how they do unless asked otherwise. */
+  oddity.framesAs = [
+    { name: 'even', says: 'all of one length', jitter: 0, drop: 0 },
+    { name: 'jitter', says: 'each up to 20 % longer or shorter', jitter: 0.2, drop: 0 },
+    { name: 'drop', says: 'one in twenty dropped', jitter: 0, drop: 0.05 },
+    { name: 'both', says: 'up to 50 % longer or shorter, one in twenty dropped', jitter: 0.5, drop: 0.05 },
+  ];
+
+  /** The steps where frames come so, the same at every call: each frame, of whatever length, is divided into as
+      many as the usual one. */
+  oddity.unevenTimes = function (horizon, frame, asked, { jitter, drop }) {
+    const steps = Math.max(1, Math.round(frame / asked));
+    const times = [0];
+    let seed = 1;
+    const random = () => { seed = seed * 48271 % 2147483647; return seed / 2147483647; };
+    let longest = 0;
+    for (let begin = 0, length = 0; begin < horizon;) {
+      length += frame * (1 + jitter * (2 * random() - 1));
+      if (random() < drop) continue;
+      const end = Math.min(horizon, begin + length);
+      for (let i = 1; i < steps; i += 1) times.push(begin + (end - begin) * i / steps);
+      times.push(end);
+      longest = Math.max(longest, (end - begin) / steps);
+      begin = end;
+      length = 0;
+    }
+    return { step: longest * (1 + 1e-9), times: Float64Array.from(times) };
+  };
+
+  oddity.timesOfSteps = (horizon, looks, frame, asked, as = oddity.framesAs[0]) => (as === oddity.framesAs[0]
+    ? oddity.stepTimes(horizon, looks, frame, asked) : oddity.unevenTimes(horizon, frame, asked, as));
+
   /** The last place whose time is not after t. */
   oddity.placeOf = function (times, t) {
     let low = 0;

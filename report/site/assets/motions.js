@@ -90,9 +90,9 @@
       return cache.get(key);
     }
 
-    function compute(parameters, { model, algorithm, precision, setting }) {
+    function compute(parameters, { model, algorithm, precision, setting }, as) {
       const { knob } = find(model, algorithm);
-      const steps = knob === 'step' ? oddity.stepTimes(scene.horizon, looks, frame, setting) : null;
+      const steps = knob === 'step' ? oddity.timesOfSteps(scene.horizon, looks, frame, setting, as) : null;
       const times = steps ? steps.times : oddity.frameTimes(scene.horizon, scene.truth.frames);
       return computedAt(times, { parameters, model, algorithm, precision, setting: steps ? steps.step : setting });
     }
@@ -113,12 +113,12 @@
         ending: oddity.outcomeName(data, path.outcome) === 'non-finite' ? 'non-finite' : 'reached', message: '' };
     }
 
-    /** Null where it is only recorded and the parameters are others. */
-    function run(parameters, method) {
+    /** Null where it is only recorded and the parameters are others. Its steps are of frames that come `as` is said. */
+    function run(parameters, method, as = undefined) {
       const { path } = find(method.model, method.algorithm);
       if (path) return isDefault(parameters) ? cached(path, () => replay(path)) : null;
-      const key = JSON.stringify([parameters, method.model, method.algorithm, method.precision, method.setting]);
-      return cached(key, () => compute(parameters, method));
+      const key = JSON.stringify([parameters, method.model, method.algorithm, method.precision, method.setting, as && as.name]);
+      return cached(key, () => compute(parameters, method, as));
     }
 
     /** The reference if none is recorded: an integrated model with all of the physics, at its finest setting.

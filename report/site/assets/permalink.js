@@ -76,6 +76,9 @@
       } else if (name === 'speed') {
         read.speed = number(readable(text), 'the speed');
         if (!known.speeds.includes(read.speed)) throw new Unreadable(`The link asks for a speed of ${read.speed}.`);
+      } else if (name === 'frames') {
+        read.as = oddity.framesAs.find((as) => as.name === readable(text));
+        if (!read.as) throw new Unreadable(`The link asks for frames that come as \u201c${readable(text)}\u201d, which the player does not know.`);
       } else {
         throw new Unreadable(`The link says \u201c${readable(name)}\u201d, which the player does not know.`);
       }
@@ -87,13 +90,14 @@
   oddity.permalink = {
     /** Of {parameters: {name: value}, rows: [{model, algorithm, precision, setting}], time, speed, view}; the
         view, {azimuth, elevation} in degrees, may be missing. */
-    format({ parameters, rows, time, speed, view }) {
+    format({ parameters, rows, time, speed, view, as }) {
       const parts = ['#play'];
       for (const [name, value] of Object.entries(parameters)) parts.push(`p.${word(name)}=${word(value)}`);
       for (const r of rows)
         parts.push('row=' + [r.model, r.algorithm, r.precision, r.setting].map((x) => word(x)).join('/'));
       if (time) parts.push(`at=${Number(time.toFixed(6))}`);
       if (speed !== 1) parts.push(`speed=${speed}`);
+      if (as && as !== oddity.framesAs[0]) parts.push(`frames=${as.name}`);
       if (view) parts.push(`view=${word(view.azimuth)},${word(view.elevation)}`);  // 1e+30 has a plus
       return parts.join('&');
     },

@@ -66,7 +66,9 @@
       return state.rows.length ? state : { ...state, rows: this.motions.opening() };
     }
 
-    restart({ parameters, rows, time, speed, view = null }) {
+    restart({ parameters, rows, time, speed, view = null, as = oddity.framesAs[0] }) {
+      this.as = as;
+      this.framesChoice.value = as.name;
       this.picture.look(view);
       this.parameters = { ...this.motions.defaults, ...parameters };
       this.clock.setSpeed(speed);
@@ -160,7 +162,7 @@
       const sizes = oddity.sizes(this.truth, scene.norms, units);
       const floors = motions.floors(parameters, sizes);
       for (const row of this.rows) {
-        const motion = motions.run(parameters, row.method);
+        const motion = motions.run(parameters, row.method, this.as);
         row.result = { row: row.method, motion, judged: motion && motions.judge(motion, parameters),
           floors: motions.floorsOf(motion, floors) };
         row.view.show(row.result);
@@ -238,6 +240,7 @@
         this.buildPortraits(),
         this.truthNote = make('p', { class: 'player-truth' }),
         this.rowsPlace = make('div', { class: 'player-rows' }),
+        this.buildFrames(),
         this.buildActions(),
         this.said = make('p', { class: 'player-says', role: 'status', 'aria-live': 'polite' }),
         this.buildParameters());
@@ -304,6 +307,22 @@
         copying.push(worded(`copy oddity ${verb}`, verb === 'solve' ? 'the command that runs every method at these parameters'
           : 'the command that chooses a method for these parameters', () => this.command(verb)));
       return make('div', { class: 'player-actions' }, make('div', {}, ...doing), make('div', {}, ...copying));
+    }
+
+    /** How frames come, each of which is the methods' steps. */
+    buildFrames() {
+      this.framesChoice = make('select', { change: () => this.setFrames(this.framesChoice.value) },
+        ...oddity.framesAs.map(({ name, says }) => make('option', { value: name }, says)));
+      return make('p', { class: 'player-frames', hidden: this.motions.recordedOnly },
+        make('label', {}, 'frames, as they come: ', this.framesChoice));
+    }
+
+    setFrames(name) {
+      this.as = oddity.framesAs.find((as) => as.name === name);
+      this.later(() => {
+        this.ended();
+        if (this.rows.length) this.sayRow(this.rows[0]);
+      });
     }
 
     /** The parameters with a part in the motion: seeds are of random samples. */
@@ -409,7 +428,7 @@
       const { defaults } = this.motions;
       const changed = Object.fromEntries(Object.entries(this.parameters).filter(([name, x]) => x !== defaults[name]));
       return { parameters: changed, rows: this.rows.map((r) => r.method), time: this.clock.time, speed: this.clock.speed,
-        view: this.picture.view() };
+        view: this.picture.view(), as: this.as };
     }
 
     async copy(text, done) {

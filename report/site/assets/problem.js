@@ -62,10 +62,10 @@
     const computed = (at, asked) => ({ times: at, count, ...engine.run({ scene: 'own', ...asked, times: at }) });
     const keyOf = (parameters, { model, algorithm, precision, setting }) => [parameters, model, algorithm, precision, setting];
 
-    function run(parameters, method) {
-      return cached(keyOf(parameters, method), () => {
+    function run(parameters, method, as = undefined) {
+      return cached([...keyOf(parameters, method), as && as.name], () => {
         if (find(method.model, method.algorithm).knob !== 'step') return computed(times, { parameters, ...method });
-        const steps = oddity.stepTimes(horizon, looks, frame, method.setting);
+        const steps = oddity.timesOfSteps(horizon, looks, frame, method.setting, as);
         return computed(steps.times, { parameters, ...method, setting: steps.step });
       });
     }
@@ -82,7 +82,7 @@
     const truth = (parameters) => frameByFrame(parameters, richest);
     /** The truth at a motion's own times: it need not be smooth between frames. */
     const exactly = (at, parameters) => (at.length === times.length ? truth(parameters)
-      : cached(['at', parameters, at.length, at[1]], () => computed(at, { parameters, ...richest })));
+      : cached(['at', parameters, at.length, at[1], at[at.length - 2]], () => computed(at, { parameters, ...richest })));
     const judge = (motion, parameters) => oddity.judged(motion, exactly(motion.times, parameters), norms, close);
 
     /** A method's motion at each frame, and its errors there. */

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace oddity {
+
+/// What jolts a motion from outside: an observable, or its rate, is changed at once.
+struct Kick {
+  enum class Change { adds, sets, scales };
+  double time;
+  std::size_t observable;
+  bool of_rate;
+  Change change;
+  double value;
+};
+/// In the order of their times.
+using Kicks = std::vector<Kick>;
+
+/// While it lives, the models that are integrated on this thread have these kicks.
+///
+///   const KicksHere here(kicks);
+///   const Answer answer = method.run(setting);
+///   if (!here.are_taken()) refuse();  // it is a closed form, or keeps its own time
+class KicksHere {
+ public:
+  explicit KicksHere(const Kicks& kicks) : kicks_(kicks), before_(here_) { here_ = this; }
+  KicksHere(const KicksHere&) = delete;
+  KicksHere& operator=(const KicksHere&) = delete;
+  ~KicksHere() { here_ = before_; }
+
+  bool are_taken() const { return taken_; }
+  /// For the model that takes them; null: there are none.
+  static const Kicks* take() {
+    if (!here_) return nullptr;
+    here_->taken_ = true;
+    return &here_->kicks_;
+  }
+
+ private:
+  static inline thread_local KicksHere* here_ = nullptr;
+
+  const Kicks& kicks_;
+  KicksHere* before_;
+  bool taken_ = false;
+};
+
+}  // namespace oddity
