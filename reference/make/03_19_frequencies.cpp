@@ -1,33 +1,35 @@
 #include "reference/make/03_19_pulleys.hpp"
 
-// The angular frequencies w of M x'' + K x = 0. The second route bisects on the number of negative pivots of
-// K - w^2 M, which is the number of frequencies below w [Sylvester's law of inertia].
+// The angular frequencies w of M x'' + K x = 0. The second route has A of y'' = -A y by Newton's laws. It
+// bisects on the sign of det(A - w^2), which changes once on either side of the mean of the two w^2.
 namespace oddity::truth {
 
 namespace frequencies_03_19 {
-
-using pulleys::Matrices;
 
 Numbers by_determinant(const std::vector<double>& in, int) {
   const Numbers s = pulleys::squares(in);
   return {sqrt(s[0]), sqrt(s[1])};
 }
 
-int frequencies_below(const Matrices& a, const Number& w) {
-  const Number s = w * w, p = a.k22 - s * a.m22, off = a.k23 - s * a.m23;
-  const Number second = a.k33 - s * a.m33 - off * off / p;
-  return (p < 0) + (second < 0);
-}
-
-Numbers by_inertia(const std::vector<double>& in, int digits) {
-  const Matrices a = pulleys::matrices(in);
+Numbers by_tensions(const std::vector<double>& in, int digits) {
+  const Number c1 = in[6], c2 = in[7];
+  Number A[2][2];
+  const auto by = pulleys::accelerations(in);
+  for (int i = 0; i < 2; ++i) {
+    const auto& a = by[static_cast<std::size_t>(i)];
+    A[i][0] = a[2] * c1 + 2 * c2 * (a[0] - a[3]);
+    A[i][1] = c2 * (a[3] - a[0]);
+  }
+  const auto determinant = [&](const Number& s) {
+    return Number((A[0][0] - s) * (A[1][1] - s) - A[0][1] * A[1][0]);
+  };
+  const Number trace = A[0][0] + A[1][1], mean = sqrt(Number(trace / 2));
   Numbers w;
-  for (int k = 0; k < 2; ++k) {
-    Number low = 0, high = 1;
-    while (frequencies_below(a, high) <= k) high *= 2;
+  for (const bool second : {false, true}) {
+    Number low = second ? mean : Number(0), high = second ? Number(sqrt(trace)) : mean;
     while (high - low > high * pow(Number(10), -digits - 4)) {
       const Number middle = (low + high) / 2;
-      (frequencies_below(a, middle) > k ? high : low) = middle;
+      ((determinant(middle * middle) > 0) == second ? high : low) = middle;
     }
     w.push_back((low + high) / 2);
   }
@@ -48,8 +50,8 @@ Truth truth_03_19_frequencies() {
            {1, 2, 0.5, 0.25, 0.5, 0.5, 40 * 0x1p30, 30}},
           "the roots of the determinant in 60 digits",
           by_determinant,
-          "bisection on the number of negative pivots of K - w^2 M",
-          by_inertia,
+          "bisection on det(A - w^2) with A by Newton's laws with the ropes' tensions",
+          by_tensions,
           "the first route",
           by_determinant};
 }

@@ -34,16 +34,15 @@ Numbers by_modes(const std::vector<double>& in, int) {
 }
 
 Numbers by_taylor(const std::vector<double>& in, Precision digits) {
-  const Number m2 = in[0], m3 = in[1], turn1 = Number(in[2]) / (Number(in[4]) * in[4]),
-               turn2 = Number(in[3]) / (Number(in[5]) * in[5]), c1 = in[6], c2 = in[7];
-  const Number rest1 = Number(in[K1]) - in[L1], rest2 = Number(in[K2]) - in[L2];
-  const Number small = m2 + turn1 + turn2, large = m3 + turn2, det = small * large - turn2 * turn2;
+  const Number c1 = in[6], c2 = in[7], rest1 = Number(in[K1]) - in[L1], rest2 = Number(in[K2]) - in[L2];
+  const Number weight2 = Number(in[0]) * in[g], weight3 = Number(in[1]) * in[g];
+  const auto by = pulleys::accelerations(in);
   const auto rhs = [&](const auto& x, const auto&) {
     const auto pull1 = c1 * (x[0] + rest1), pull2 = c2 * (x[1] - Number(2) * x[0] + rest2);
-    const auto on_pulley = m2 * Number(in[g]) - pull1 + Number(2) * pull2,
-               on_mass = m3 * Number(in[g]) - pull2;
-    return std::vector{x[2], x[3], (large * on_pulley + turn2 * on_mass) / det,
-                       (turn2 * on_pulley + small * on_mass) / det};
+    const auto acceleration = [&](const auto& a) {
+      return a[0] * (weight2 + pull2) + a[1] * weight3 - a[2] * pull1 - a[3] * pull2;
+    };
+    return std::vector{x[2], x[3], acceleration(by[0]), acceleration(by[1])};
   };
   const Numbers end = solve_taylor(rhs, {in[y2], in[y3], in[v2], in[v3]}, 0, Number(in[time]), digits + 2);
   return {end[0], end[1]};

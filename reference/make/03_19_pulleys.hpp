@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "reference/truth.hpp"
 
 /// The two pulleys of exercise 3.19; their inputs begin with m2, m3, I1, I2, R1, R2, c1, c2.
@@ -24,6 +26,33 @@ inline Numbers squares(const std::vector<double>& in) {
                B = a.m22 * a.k33 + a.m33 * a.k22 - 2 * a.m23 * a.k23;
   const Number larger = (B + sqrt(Number(abs(B * B - 4 * A * C)))) / (2 * A);
   return {C / (A * larger), larger};
+}
+
+/// Newton's laws for the pulleys and the mass, with the tensions T1 and T2 of the ropes on the far sides of
+/// the pulleys: by the springs' pulls F1 and F2
+///   m2 y2'' + T1 - T2 = m2 g + F2,   I1/R1^2 y2'' - T1 = -F1,
+///   m3 y3'' + T2 = m3 g,             I2/R2^2 (y3'' - y2'') - T2 = -F2.
+/// y2'' and y3'' for each of the four right-hand sides, in the order m2, m3, I1, I2, being one and the others
+/// zero.
+inline std::array<std::array<Number, 4>, 2> accelerations(const std::vector<double>& in) {
+  const Number turn1 = Number(in[2]) / (Number(in[4]) * in[4]),
+               turn2 = Number(in[3]) / (Number(in[5]) * in[5]);
+  constexpr std::size_t n = 4;
+  std::array<std::array<Number, 2 * n>, n> rows{{{in[0], 0, 1, -1, 1, 0, 0, 0},
+                                                 {0, in[1], 0, 1, 0, 1, 0, 0},
+                                                 {turn1, 0, -1, 0, 0, 0, 1, 0},
+                                                 {-turn2, turn2, 0, -1, 0, 0, 0, 1}}};
+  for (std::size_t pivot = 0; pivot < n; ++pivot)
+    for (std::size_t i = 0; i < n; ++i) {
+      const Number factor =
+          i == pivot ? Number(1 - 1 / rows[pivot][pivot]) : Number(rows[i][pivot] / rows[pivot][pivot]);
+      const auto from = rows[pivot];
+      for (std::size_t k = 0; k < 2 * n; ++k) rows[i][k] -= factor * from[k];
+    }
+  std::array<std::array<Number, n>, 2> found;
+  for (std::size_t i = 0; i < 2; ++i)
+    for (std::size_t k = 0; k < n; ++k) found[i][k] = rows[i][n + k];
+  return found;
 }
 
 }  // namespace oddity::truth::pulleys

@@ -54,7 +54,7 @@ struct SampleOf {
     return floor + mass * (speed * speed + abs(a[0]) + abs(a[1])) + pulls * (1 + mass / std::min(p.m2, p.m3));
   }
   TypesetIn<T> typeset() const {
-    const Two<T> s = springs(q), slopes = df_dq(lagrangian(), q, v);
+    const Two<T> s = springs(q), slopes = df_dq(lagrangian(), q, v), rims = rim_speeds();
     return {{"m_2", p.m2},
             {"m_3", p.m3},
             {"I_1", p.I1},
@@ -79,6 +79,8 @@ struct SampleOf {
             {R"(\Delta)", delta},
             {R"(\Delta_2)", v[0]},
             {R"(\Delta_3)", v[1]},
+            {R"(\dot\theta_1)", rims[0] / p.R1},
+            {R"(\dot\theta_2)", rims[1] / p.R2},
             {R"(\partial L/\partial y_2)", slopes[0]},
             {R"(\partial L/\partial y_3)", slopes[1]}};
   }
@@ -109,10 +111,11 @@ struct SampleOf {
     const auto s = springs(moving(q, v));
     return {s[0].slope, s[1].slope + v[0]};
   }
-  /// A copy whose first spring is stretched, or compressed if `by` is negative.
-  SampleOf stretched(double by = 1) const {
+  /// A copy whose springs are stretched.
+  SampleOf stretched() const {
     SampleOf other = *this;
-    other.p.L1 = springs(q)[0] - by * abs(delta);
+    const Two<T> s = springs(q);
+    other.p.L1 = s[0] - abs(delta), other.p.L2 = s[1] - abs(delta);
     return other;
   }
   /// T from the ropes' lengths alone: the pulleys turn with the rope on the springs' side.
@@ -133,6 +136,13 @@ struct SampleOf {
   /// Generalized forces, from the potential energy.
   Two<T> forces() const {
     return df_dq([&](const auto& y, const auto&) { return -p.potential_energy(y); }, q, v);
+  }
+  /// What each spring adds to the force on its own body: the first to the small pulley's, the second to the
+  /// mass's.
+  Two<T> of_springs() const {
+    SampleOf first = *this, second = *this;
+    first.p.c1 = T(0), second.p.c2 = T(0);
+    return {forces()[0] - first.forces()[0], forces()[1] - second.forces()[1]};
   }
   Two<T> by_lagrange() const { return lagrange_accelerations(lagrangian(), q, v); }
   Two<T> by_tensions() const {
@@ -159,24 +169,50 @@ using Table = ProvableClaims<SampleOf>;
 /// The default pulleys.
 constexpr two_pulleys::Given<double> standard{1, 2, 0.5, 0.25, 0.5, 0.5, 40,   30,  1,
                                               1, 1, 1.5, 9.81, 1,   2.5, 0.25, -0.5};
-/// The tension of the second rope on the mass at the standard initial condition.
-double tension_at_start() {
-  std::array<double, 2> a;
-  const std::array y{standard.y2, standard.y3};
-  two_pulleys::TwoCoordinates<double>{standard}.acceleration(y, a);
-  return standard.c2 * standard.stretch2(y) + standard.inertia_over_square_2() * (a[1] - a[0]);
+using Model = two_pulleys::TwoCoordinates<double>;
+
+/// The tensions of the ropes' ends: the first at its spring and at the small pulley, the second at its spring
+/// and at the mass.
+std::array<double, 4> tensions(const Model& model, const Pair& y) {
+  const auto& p = model.p;
+  Pair a;
+  model.acceleration(y, a);
+  const double pull1 = p.c1 * p.stretch1(y), pull2 = p.c2 * p.stretch2(y);
+  return {pull1, pull1 + p.inertia_over_square_1() * a[0], pull2,
+          pull2 + p.inertia_over_square_2() * (a[1] - a[0])};
 }
-/// The standard initial condition with a longer upper rope; loose() is the compression of its spring.
+double tension_at_start() { return tensions({standard}, {standard.y2, standard.y3})[3]; }
+double pull_at_start() { return tensions({standard}, {standard.y2, standard.y3})[2]; }
+/// The default initial condition with a longer upper rope; loose() is the compression of its spring.
 constexpr two_pulleys::Given<double> let_loose = [] {
   auto p = standard;
   p.K1 = -0.5;
   return p;
 }();
 double loose() { return -let_loose.stretch1(std::array{let_loose.y2, let_loose.y3}); }
-/// The depth of the standard small pulley after this time.
-double depth_after(double time, double lever) {
-  const two_pulleys::TwoCoordinates<double> model{standard, lever};
-  return ode::integrate<ode::Fehlberg78>(model, model.start(), 0, time, 1e-10).value[0];
+/// The default pulleys after these times.
+std::vector<Model::State> default_motion(const std::vector<double>& times, double lever = 2) {
+  const Model model{standard, lever};
+  return ode::integrate<ode::Fehlberg78>(model, model.start(), times, 1e-10).value;
+}
+/// The depth of their small pulley after this time.
+double depth_after(double time, double lever) { return default_motion({0, time}, lever).back()[0]; }
+/// The least tension of both ropes' ends over the default motion.
+struct Least {
+  double tension = INFINITY;
+  long slack = 0, seen = 0;
+};
+constexpr double watched = 8, shown_after = 0.5;
+Least least_tension(double until = watched, double lever = 2) {
+  std::vector<double> times;
+  for (int i = 0; i <= 64 * until; ++i) times.push_back(i / 64.0);
+  Least least;
+  for (const Model::State& x : default_motion(times, lever))
+    for (double tension : tensions({standard, lever}, {x[0], x[1]})) {
+      least.tension = std::min(least.tension, tension);
+      least.slack += tension <= 0, ++least.seen;
+    }
+  return least;
 }
 /// The squared frequencies of the standard pulleys: the mean of both, and their squared distance from the
 /// mean.
@@ -223,6 +259,39 @@ Claim string_for_spring(const Samples& samples, const Move& move, const std::arr
       .kind = Fault::term};
 }
 
+/// The freedoms of y1, y2, y3, S1, S2, theta1 and theta2, and whether the two chosen ones decide the others;
+/// R1 = 2, R2 = 3. Of the ties the last holds the large pulley.
+Reading freedoms(const std::string& text, int count, const std::array<Eigen::Index, 2>& chosen,
+                 int tied = 5) {
+  constexpr int all = 7;
+  Eigen::MatrixXd ties(5, all);
+  ties << -2, 1, 0, -1, 0, 0, 0, /**/ 0, 2, -1, 0, 1, 0, 0, /**/ 1, -1, 0, 0, 0, 2, 0, /**/ 0, 1, -1, 0, 0, 0,
+      3, /**/ 1, 0, 0, 0, 0, 0, 0;
+  ties.conservativeResize(tied, Eigen::NoChange);
+  const int tie = rank(ties);
+  Eigen::MatrixXd others = ties;
+  for (Eigen::Index i : chosen) others.col(i).setZero();
+  std::vector<double> varying;
+  for (Eigen::Index i : {0, 1, 2, 5, 6}) {
+    Eigen::MatrixXd held(tied + 1, all);
+    held << ties, Eigen::RowVectorXd::Unit(all, i);
+    varying.push_back(rank(held) - tie);
+  }
+  return {text,
+          {{"degrees of freedom",
+            {"as stated", count},
+            {"7 coordinates less the rank of their ties", all - tie},
+            exact()},
+           {"coordinates that the two decide",
+            {"all others", all - 2},
+            {"the rank of the ties without those two", rank(others)},
+            exact()},
+           {R"(which of $y_1$, $y_2$, $y_3$, $\theta_1$ and $\theta_2$ vary)",
+            {"all but $y_1$", {0, 1, 1, 1, 1}},
+            {"whether the rank grows when one is held", varying},
+            exact()}}};
+}
+
 void kinematics(Claims& claims, Table& table, const Samples& samples) {
   table.formula("rolling", 2437,
                 R"($R_1\dot\theta_1=\dot y_2-\dot y_1=\dot y_2$ and $R_2\dot\theta_2=\dot y_3-\dot y_2$)",
@@ -231,21 +300,10 @@ void kinematics(Claims& claims, Table& table, const Samples& samples) {
                  .truth = {"the rope that runs over the rims, from the ropes' lengths on the springs' side",
                            [](const auto& s) { return s.rim_speeds(); }},
                  .printed = R"($(\dot y_2,\ \dot y_3-\dot y_2)$)"});
-  const auto freedoms = [](const std::string& text, int count, bool fixed) -> Reading {
-    Eigen::MatrixXd ties(fixed ? 5 : 4, 7);  // y1, y2, y3, S1, S2, theta1, theta2; R1 = 2, R2 = 3
-    ties.topRows(4) << -2, 1, 0, -1, 0, 0, 0, /**/ 0, 2, -1, 0, 1, 0, 0, /**/ 1, -1, 0, 0, 0, 2, 0, /**/ 0, 1,
-        -1, 0, 0, 0, 3;
-    if (fixed) ties.row(4) << 1, 0, 0, 0, 0, 0, 0;
-    return {text,
-            {{"degrees of freedom",
-              {"as stated", count},
-              {"7 coordinates less the rank of their ties", 7 - rank(ties)},
-              exact()}}};
-  };
-  claims.add("two_freedoms", 2439,
-             "The system has two degrees of freedom, $y_2$ and $y_3$, since $y_1$ is fixed",
-             {.printed = freedoms("2", 2, true),
-              .near_misses = {freedoms("3", 3, true), freedoms("2 with $y_1$ free", 2, false)}});
+  claims.add("two_freedoms", 2439, "The system has only two degrees of freedom, $y_2$ and $y_3$",
+             {.printed = freedoms("2, $y_2$ and $y_3$", 2, {1, 2}),
+              .near_misses = {freedoms("3", 3, {1, 2}), freedoms("2, $y_2$ and $S_1$", 2, {1, 3}),
+                              freedoms("2 with $y_1$ free", 2, {1, 2}, 4)}});
 
   table.formula(
       "length_1", 2521, "$S_1-y_2$ is constant", samples,
@@ -258,7 +316,8 @@ void kinematics(Claims& claims, Table& table, const Samples& samples) {
                            [](const auto& s) { return s.springs_after(s.v[0], s.v[1])[1]; }},
                  .printed = R"($\Delta_3-2\Delta_2$)"});
   table.formula(
-      "mass_down", 2531, "With $y_2$ fixed, the second spring grows by what the mass goes down", samples,
+      "mass_down", 2531, R"(With $y_2$ fixed, $S_2+\Delta$ and $y_3+\Delta$ keep the second rope's length)",
+      samples,
       {.quantity = R"(what $S_2$ grows by when $y_3$ grows by $\Delta$)",
        .truth = {"by the second rope's length", [](const auto& s) { return s.springs_after(0, s.delta)[1]; }},
        .printed = R"($\Delta$)"});
@@ -277,39 +336,85 @@ void kinematics(Claims& claims, Table& table, const Samples& samples) {
            "the first spring gets shorter"},
           R"(The string is the wire, whose length the same paragraph calls constant; what gets longer )"
           R"(is the spring. The letter is right: $S_1$ is the spring's length, and grows by $\Delta$ )"
-          R"(while the wire's change is 0. Line 2529 has the same word for the second spring.)"));
+          R"(while the wire's change is 0.)"));
+  claims.add(
+      "second_string_stretched", 2529, "When the mass goes down at fixed $y_2$ the string must be stretched",
+      string_for_spring(
+          samples, {1, 0, 1, 1},
+          {"the string over the small pulley gets longer", R"(the second spring gets longer by $\Delta$)",
+           R"(the second spring gets shorter by $\Delta$)"},
+          R"(The same word as in line 2521: it is the spring that is stretched, from $S_2$ to $S_2+\Delta$, )"
+          R"(while the string keeps its length.)"));
   claims.add(
       "must_compress", 2533,
-      R"(When the small pulley and the mass both go down by $\Delta$ the string must be compressed)",
+      R"(When the small pulley and the mass both go down by $\Delta$ (the text's example) the string is compressed)",
       string_for_spring(
           samples, {1, 1, 1, -1},
           {"the string over the small pulley gets shorter", R"(the second spring gets shorter by $\Delta$)",
            R"(the second spring gets longer by $\Delta$)"},
           R"(Again it is the spring, not the string, that gives way: $S_2$ becomes $S_2-\Delta$ and the )"
-          R"(wire's length changes by 0. How much depends on the mass, for $y_2$ and $y_3$ are independent: )"
-          R"(with $y_3$ fixed the spring shortens by $2\Delta$, and with $y_3\to y_3)"
-          R"(+3\Delta$ it gets longer )"
-          R"(by $\Delta$. The text's example is the case in which the small pulley does not turn.)"));
+          R"(wire's length changes by 0. Compressed means shorter than before here, where line 2525 has it for )"
+          R"($S_2<L_2$. In the example the small pulley does not turn.)"));
+  using Change = std::function<bool(double spring, double pulley, double mass)>;
+  const auto going_down = [](const std::string& text, const Change& holds) -> Statement<Sample> {
+    return {text, [=](S s) {
+              const double pulley = abs(s.v[0]), mass = abs(s.v[1]);
+              return holds(s.springs_after(pulley, mass)[1], pulley, mass);
+            }};
+  };
+  claims.statement(
+      "must_shorten", 2533,
+      "When the small pulley goes down while the mass does, the second spring must get shorter", samples,
+      {.printed = going_down("it gets shorter", [](double S2, double, double) { return S2 < 0; }),
+       .corrected = going_down(
+           "it gets shorter exactly where the mass goes down by less than twice as much as the small pulley",
+           [](double S2, double pulley, double mass) { return (S2 < 0) == (mass < 2 * pulley); }),
+       .in_view = {"where the mass goes down no further than the small pulley, as in the text's example",
+                   [](S s) { return abs(s.v[1]) <= abs(s.v[0]); }},
+       .near_misses = {going_down(
+                           "exactly where the mass goes down by less than the small pulley",
+                           [](double S2, double pulley, double mass) { return (S2 < 0) == (mass < pulley); }),
+                       going_down("it gets longer", [](double S2, double, double) { return S2 > 0; })},
+       .kind = Fault::left_out,
+       .why =
+           R"($y_2$ and $y_3$ are independent. When they grow by $\Delta_2$ and $\Delta_3$ the second spring )"
+           R"(grows by $\Delta_3-2\Delta_2$: with $\Delta_3=3\Delta_2$ it gets longer by $\Delta_2$.)"});
 }
 
 // ---- the energies -----------------------------------------------------------------------------------------
 
 void energies(Table& table, const Samples& samples) {
   const std::string dual = "dual numbers", nested = "nested dual numbers";
+  const ProvableFormula<SampleOf> kinetic_energy{
+      "that of the masses by their speeds, of the pulleys by the speeds of their rims", [](const auto& s) {
+        const auto rim = s.rim_speeds();
+        const auto w1 = rim[0] / s.p.R1, w2 = rim[1] / s.p.R2;
+        return (s.p.m2 * s.v[0] * s.v[0] + s.p.m3 * s.v[1] * s.v[1] + s.p.I1 * w1 * w1 + s.p.I2 * w2 * w2) /
+               2;
+      }};
+  table.formula(
+      "kinetic_energy_by_angles", 2443,
+      R"(The kinetic energy is $\frac{m_2}2\dot y_2^2+I_1\,2\,\dot\theta_1^2+\frac{m_3}2\dot y_3^2)"
+      R"(+I_2\,2\,\dot\theta_2^2$)",
+      samples,
+      {.quantity = "the kinetic energy",
+       .truth = kinetic_energy,
+       .printed =
+           R"($\frac{m_2}2\dot y_2^2+I_1\,2\,\dot\theta_1^2+\frac{m_3}2\dot y_3^2+I_2\,2\,\dot\theta_2^2$)",
+       .meant = R"($\frac{m_2}2\dot y_2^2+\frac{I_1}2\dot\theta_1^2+\frac{m_3}2\dot y_3^2)"
+                R"(+\frac{I_2}2\dot\theta_2^2$)",
+       .kind = Fault::lost_typography,
+       .why =
+           filled("The fraction bars of $I_1/2$ and $I_2/2$ are lost in the text at hand; read as products "
+                  "they are @1 times as much.",
+                  {2 * 2})});
   table.formula(
       "kinetic_energy", 2443,
-      R"(The kinetic energy is $\frac{m_2}2\dot y_2^2+I_1\,2R_1^2\,\dot y_2^2+\frac{m_3}2\dot )"
+      R"(With the pulleys turned by their ropes it is $\frac{m_2}2\dot y_2^2+I_1\,2R_1^2\,\dot y_2^2+\frac{m_3}2\dot )"
       R"(y_3^2+I_2\,2R_2^2\,(\dot y_3-\dot y_2)^2$)",
       samples,
       {.quantity = "the kinetic energy",
-       .truth = {"that of the masses by their speeds, of the pulleys by the speeds of their rims",
-                 [](const auto& s) {
-                   const auto rim = s.rim_speeds();
-                   const auto w1 = rim[0] / s.p.R1, w2 = rim[1] / s.p.R2;
-                   return (s.p.m2 * s.v[0] * s.v[0] + s.p.m3 * s.v[1] * s.v[1] + s.p.I1 * w1 * w1 +
-                           s.p.I2 * w2 * w2) /
-                          2;
-                 }},
+       .truth = kinetic_energy,
        .printed = R"($\frac{m_2}2\dot y_2^2+I_1\,2R_1^2\,\dot y_2^2+\frac{m_3}2\dot y_3^2)"
                   R"(+I_2\,2R_2^2\,(\dot y_3-\dot y_2)^2$)",
        .meant = R"($\frac{m_2}2\dot y_2^2+\frac{I_1}{2R_1^2}\dot y_2^2+\frac{m_3}2\dot y_3^2)"
@@ -317,8 +422,8 @@ void energies(Table& table, const Samples& samples) {
        .kind = Fault::lost_typography,
        .why = filled(
            "The fraction bars of the pulleys' terms are lost in the text at hand: $I_1/(2R_1^2)$ and "
-           "$I_2/(2R_2^2)$, and before them $I_1/2$ and $I_2/2$. The default pulleys have @2 kg and @2 kg "
-           "there, and the products are @2 and @3.",
+           "$I_2/(2R_2^2)$. The default pulleys have @2 kg and @2 kg there, and the products are @2 and @3 "
+           "kg m$^4$, of another unit.",
            {0.5 / (2 * 0.25), 0.25 / (2 * 0.25), 0.5 * 2 * 0.25, 0.25 * 2 * 0.25})});
   table.formula("dT_dy", 2475, R"($\partial T/\partial y_2=\partial T/\partial y_3=0$)", samples,
                 {.quantity = R"($(\partial T/\partial y_2,\ \partial T/\partial y_3)$)",
@@ -341,15 +446,20 @@ void energies(Table& table, const Samples& samples) {
        .kind = Fault::lost_typography,
        .why = filled(
            R"(The bars of $I_1/R_1^2$ in the first and of $I_2/R_2^2$ in the second derivative are lost in )"
-           R"(the text at hand; the third one of the three is there. A pulley of a tenth of the radius )"
-           R"(would turn @3 times more easily, where its rim is @3 times harder to move.)",
+           R"(the text at hand; the third one of the three is there. At a tenth of the radius, with the )"
+           R"(same moment of inertia, a pulley would turn @3 times more easily, where its rim is @3 times harder )"
+           R"(to move.)",
            {10 * 10, 10 * 10})});
   const std::string rates = R"($(m_2\ddot y_2+\frac{I_1}{R_1^2}\ddot y_2+\frac{I_2}{R_2^2}(\ddot y_2)"
                             R"(-\ddot y_3),\ m_3\ddot y_3+\frac{I_2}{R_2^2}(\ddot y_3-\ddot y_2))$)";
-  table.formula("momentum_rates", 2497, "The time derivatives of these are " + rates, samples,
-                {.quantity = "the time derivatives of these",
-                 .truth = {nested, [](const auto& s) { return rate_of_df_dv(s.model(), s.q, s.v, s.a); }},
-                 .printed = rates});
+  table.formula(
+      "momentum_rates", 2497,
+      R"(The time derivatives of $\partial T/\partial\dot y_2$ and $\partial T/\partial\dot y_3$ are )" +
+          rates,
+      samples,
+      {.quantity = R"(the time derivatives of $(\partial T/\partial\dot y_2,\ \partial T/\partial\dot y_3)$)",
+       .truth = {nested, [](const auto& s) { return rate_of_df_dv(s.model(), s.q, s.v, s.a); }},
+       .printed = rates});
 }
 
 // ---- the forces -------------------------------------------------------------------------------------------
@@ -358,78 +468,113 @@ void energies(Table& table, const Samples& samples) {
 /// tension from the spring's pull.
 template <class T, class Tension>
 auto negative_or_both(const SampleOf<T>& s, const Tension& of) {
-  const SampleOf<T> pressed = s.stretched(-1);
-  const T S1 = pressed.springs(s.q)[0], L1 = pressed.p.L1, tension = of(T(s.p.c1 * (S1 - L1))),
-          slack = L1 + tension / s.p.c1 - S1;
-  return values(min(tension, T(0)), min(slack, T(0)), tension * slack);
+  const Two<T> lengths = s.springs(s.q), c{s.p.c1, s.p.c2}, rest{s.p.L1, s.p.L2};
+  Two<T> tension, slack;
+  for (std::size_t i = 0; i < 2; ++i) {
+    tension[i] = of(T(c[i] * (lengths[i] - rest[i])));
+    slack[i] = rest[i] + tension[i] / c[i] - lengths[i];
+  }
+  return values(min(tension[0], T(0)), min(slack[0], T(0)), tension[0] * slack[0], min(tension[1], T(0)),
+                min(slack[1], T(0)), tension[1] * slack[1]);
 }
 
+const std::string of_ropes = "negative tension of each rope at its spring, negative slack, and their product";
+const ProvableFormula<SampleOf> no_fault{"zero", [](const auto&) { return values(0, 0, 0, 0, 0, 0); }};
+ProvableFormula<SampleOf> pulls(const std::string& text, const auto& of) {
+  return {text, [=](const auto& s) { return negative_or_both(s, of); }};
+}
+const ProvableFormula<SampleOf> as_springs = pulls(
+    "the ropes are pulled with $c_1(S_1-L_1)$ and $c_2(S_2-L_2)$", [](const auto& pull) { return pull; });
+
 void compression(Table& table, const Samples& samples) {
-  const auto tension = [](const auto& of) { return [=](const auto& s) { return negative_or_both(s, of); }; };
   table.formula(
       "compression", 2517,
-      "The force on the small pulley is $m_2g-c_1(S_1-L_1)$ also in compression, when $S_1<L_1$", samples,
-      {.quantity = "negative tension of the rope, which is $m_2g$ less the force, negative slack, and their "
-                   "product",
-       .truth = {"zero", [](const auto&) { return values(0, 0, 0); }},
-       .printed = {"the force is $m_2g-c_1(S_1-L_1)$", tension([](const auto& pull) { return pull; })},
-       .corrected = {R"(the force is $m_2g-c_1\max(S_1-L_1,0)$)",
-                     tension([]<class T>(const T& pull) { return max(pull, T(0)); })},
-       .near_misses = {{"the force is $m_2g-c_1|S_1-L_1|$",
-                        tension([](const auto& pull) { return abs(pull); })}},
+      "The springs pull their ropes with $c_1(S_1-L_1)$ and $c_2(S_2-L_2)$ (our reading: also in compression, "
+      "when $S_1<L_1$ or $S_2<L_2$)",
+      samples,
+      {.quantity = of_ropes,
+       .truth = no_fault,
+       .printed = as_springs,
+       .corrected =
+           pulls(R"(the ropes are pulled with $c_1\max(S_1-L_1,0)$ and $c_2\max(S_2-L_2,0)$, where $S_1$ )"
+                 R"(stands for $y_2+K_1$ and $S_2$ for $y_3-2y_2+K_2$)",
+                 []<class T>(const T& pull) { return max(pull, T(0)); }),
+       .near_misses = {pulls("with $c_1|S_1-L_1|$ and $c_2|S_2-L_2|$",
+                             [](const auto& pull) { return abs(pull); }),
+                       pulls("with nothing", []<class T>(const T&) { return T(0); })},
        .kind = Fault::left_out,
        .root = "a rope that pushes",
        .why = filled(
-           "Between spring and pulley is a wire, and a wire cannot push: where $S_1<L_1$ it hangs slack and "
-           "the force is $m_2g$ alone; the same holds for $S_2<L_2$. With $K_1=@1$ m the default pulley "
-           "starts at $S_1=@1$ m, pushed down with @2 N that are not there. The equations are valid as "
-           "long as both wires are taut.",
-           {let_loose.K1, let_loose.L1 - loose(), let_loose.c1 * loose()})});
+           "Between a spring and its body is a wire, and a wire cannot push: where $y_2+K_1<L_1$ the first hangs "
+           "slack and its spring pulls nothing. With $K_1=@1$ m the default start has $y_2+K_1=@1$ m, and the "
+           "formula pushes the first rope with @2 N. The equations are valid as long as both ropes are taut at "
+           "both ends, which differ by what turns the pulley between. In @1 s of the default motion the least "
+           "tension of the four ends is @2 N.",
+           {let_loose.K1, let_loose.L1 - loose(), let_loose.c1 * loose(), watched,
+            least_tension().tension})});
 }
 
-/// The statement of `compression`, for stretched springs instead of compressed ones.
+/// The statement of `compression`, for springs that are all stretched.
 Reading in_stretching(const Samples& samples) {
-  const Formula<Sample> tension{"the rope's tension is $c_1(S_1-L_1)$", [](S s) {
-                                  const Sample stretched = s.stretched();
-                                  const double S1 = stretched.springs(s.q)[0], L1 = stretched.p.L1,
-                                               pull = s.p.c1 * (S1 - L1), slack = L1 + pull / s.p.c1 - S1;
-                                  return values(min(pull, 0.0), min(slack, 0.0), pull * slack);
-                                }};
-  return {"in stretching, when $S_1>L_1$",
-          {compare<Sample>("negative tension of the rope, negative slack, and their product", tension,
-                           {"zero", [](S) { return values(0, 0, 0); }}, samples)}};
-}
-
-void forces(Table& table, Table& in_motion, const Samples& samples, const Samples& motions) {
-  const std::string forgotten = "the second spring on the pulley";
   Samples stretched;
   for (const Sample& s : samples) stretched.push_back(s.stretched());
-  table.formula(
-      "stretched", 2517,
-      "$S_1>L_1$ is stretching (our check: the first spring then pulls the small pulley up)", stretched,
-      {.quantity = "the first spring's part of the force on the small pulley",
-       .truth = {R"(what $-\partial V/\partial y_2$ has for $c_1$ and not for $c_1=0$, by dual numbers)",
-                 [](const auto& s) {
-                   auto free = s;
-                   free.p.c1 = 0;
-                   return s.forces()[0] - free.forces()[0];
-                 },
-                 &Sample::size},
-       .printed = "$-c_1(S_1-L_1)$"});
+  return {"in stretching, when $S_1>L_1$ and $S_2>L_2$",
+          {compare<Sample>(of_ropes, as_springs, no_fault, stretched)}};
+}
+
+Check taut() {
+  const Least found = least_tension(), published = least_tension(shown_after, 0);
+  return no_violations(
+      "both ropes of the default motion, and until shown of the published one, are taut at both "
+      "ends: cases against it",
+      found.slack + published.slack, found.seen + published.seen);
+}
+
+/// The first spring's and the second's: up, on their own bodies.
+Statement<Sample> pull_up(const std::string& text,
+                          const std::function<bool(double length, double rest)>& when) {
+  return {text, [=](S s) {
+            const Pair parts = s.of_springs(), lengths = s.springs(s.q);
+            return (parts[0] < 0) == when(lengths[0], s.p.L1) && (parts[1] < 0) == when(lengths[1], s.p.L2);
+          }};
+}
+
+void forces(Claims& claims, Table& table, Table& in_motion, const Samples& samples, const Samples& motions) {
+  const std::string forgotten = "the second spring on the pulley";
+  claims.statement(
+      "stretched", 2515,
+      "$S_1>L_1$ is stretching and $S_1<L_1$ compression, and so with $S_2$ and $L_2$ (our check: by the "
+      "energies a spring then pulls its body up, or pushes it down)",
+      samples,
+      {.printed =
+           pull_up("the first spring pulls the small pulley up exactly when $S_1>L_1$, the second the mass "
+                   "exactly when $S_2>L_2$",
+                   [](double length, double rest) { return length > rest; }),
+       .near_misses = {
+           pull_up("exactly when it is shorter", [](double length, double rest) { return length < rest; }),
+           pull_up("in any case", [](double, double) { return true; })}});
   in_motion.formula(
       "force_on_pulley", 2517,
-      "Gravity and the first spring are all that acts on the small pulley: $m_2g-c_1(K_1-L_1+y_2)$", motions,
+      "The force on the small pulley has two components, gravity and the first spring's: $m_2g-c_1(S_1-L_1)$",
+      motions,
       {.quantity = "the force on the small pulley",
        .truth = {R"($m_2\ddot y_2$ by Lagrange's equations)",
                  [](const auto& s) { return s.p.m2 * s.by_lagrange()[0]; }, &Sample::size},
-       .printed = "$m_2g-c_1(K_1-L_1+y_2)$",
+       .printed = "$m_2g-c_1(S_1-L_1)$",
        .corrected = R"($m_2g-c_1(S_1-L_1)-\frac{I_1}{R_1^2}\ddot y_2+2c_2(S_2-L_2))"
                     R"(+\frac{I_2}{R_2^2}(\ddot y_3-\ddot y_2)$)",
        .kind = Fault::counterexample,
        .root = forgotten,
        .why =
-           R"(There are four forces: gravity, the upper rope's tension, which is $c_1(S_1-L_1)$ only if the )"
-           R"(large pulley has no inertia, and the lower rope on both sides of the small pulley.)"});
+           R"(There are four forces: gravity, the upper rope's tension, which is $c_1(S_1-L_1)$ only where the )"
+           R"(large pulley has no inertia or does not accelerate, and the lower rope on both sides of the small )"
+           R"(pulley. So the formula lacks the second spring and, as the mass's does, the pulleys' inertia.)"});
+  table.formula(
+      "force_in_y2", 2523, "$m_2g-c_1(S_1-L_1)$ is $m_2g-c_1(K_1-L_1+y_2)$", samples,
+      {.quantity = "$m_2g-c_1(S_1-L_1)$",
+       .truth = {"by the first rope's length",
+                 [](const auto& s) { return s.p.m2 * s.p.g - s.p.c1 * (s.springs(s.q)[0] - s.p.L1); }},
+       .printed = "$m_2g-c_1(K_1-L_1+y_2)$"});
   in_motion.formula(
       "force_on_mass", 2525,
       "Gravity and the second spring's pull are the force on the mass: $m_3g-c_2(S_2-L_2)$", motions,
@@ -443,9 +588,16 @@ void forces(Table& table, Table& in_motion, const Samples& samples, const Sample
        .why = filled(
            R"(The pulley between spring and mass has inertia: the rope pulls the mass with )"
            R"($c_2(S_2-L_2)+(I_2/R_2^2)(\ddot y_3-\ddot y_2)$, at the default start with @3 N for the @2 N of )"
-           R"(the spring. The formula is the generalized force on $y_3$, and the equation of motion that uses )"
-           R"(it as such is right.)",
-           {tension_at_start(), standard.c2 * standard.stretch2(std::array{standard.y2, standard.y3})})});
+           R"(the spring. The verdict takes "the force on the point mass" at its word, as line 2543 gives the )"
+           R"(generalized force a name of its own. The paragraph's first line announces generalized forces: as )"
+           R"(the one on $y_3$ the formula is right, and so is the equation of motion that uses it.)",
+           {tension_at_start(), pull_at_start()})});
+  table.formula(
+      "force_in_y3", 2539, "$m_3g-c_2(S_2-L_2)$ is $m_3g-c_2(K_2-L_2+y_3-2y_2)$", samples,
+      {.quantity = "$m_3g-c_2(S_2-L_2)$",
+       .truth = {"by the second rope's length",
+                 [](const auto& s) { return s.p.m3 * s.p.g - s.p.c2 * (s.springs(s.q)[1] - s.p.L2); }},
+       .printed = "$m_3g-c_2(K_2-L_2+y_3-2y_2)$"});
 
   table.formula(
       "force_y2", 2541, "The generalized force on $y_2$ is $m_2g-c_1(K_1-L_1+y_2)$", samples,
@@ -458,7 +610,7 @@ void forces(Table& table, Table& in_motion, const Samples& samples, const Sample
        .root = forgotten,
        .why = filled(
            R"(When $y_2$ grows by $\Delta$ at fixed $y_3$, the second spring shortens by $2\Delta$ and does )"
-           R"(the work $2c_2(S_2-L_2)\Delta$: its rope pulls the small pulley down on both sides. At rest the )"
+           R"(the work $2c_2(S_2-L_2)\Delta$, for small $\Delta$: its rope pulls the small pulley down on both sides. At rest the )"
            R"(first spring must carry $(m_2+2m_3)g$. As published it carries $m_2g$ alone, @3 N for @4 N with )"
            R"(the default masses.)",
            {standard.m2 * standard.g, (standard.m2 + 2 * standard.m3) * standard.g})});
@@ -476,12 +628,29 @@ std::string of_frequencies() {
   const double size = sqrt(mean * mean - square), rate = sqrt((size - mean) / 2);
   const auto [sum, difference] = squares_of_frequencies(2);
   return filled(
-      R"(The term $+2c_2(K_2-L_2+y_3-2y_2)$ is missing. Without it energy is not conserved, and the )"
-      R"(rest position is not even stable: with the default values the two frequencies are )"
+      R"(The term $+2c_2(K_2-L_2+y_3-2y_2)$ is missing. Without it the energy changes at the rate )"
+      R"($-2c_2(S_2-L_2)\dot y_2$, and the rest position is not even stable: with the default values the two frequencies are )"
       R"($@3\pm@3\,i$ per second, and its swings double every @2 s. )"
       R"(With the term they are @3 and @3 per second.)",
       {sqrt((size + mean) / 2), rate, std::log(2.0) / rate, sqrt(sum - sqrt(difference)),
        sqrt(sum + sqrt(difference))});
+}
+
+/// The rate of the energy along the published equations, which leave out what the second spring does to the
+/// small pulley.
+Reading energy_lost(const std::string& formula, const Samples& samples) {
+  return {
+      "as published the energy changes at the rate " + formula,
+      {compare<Sample>("rate of the energy along the published equations", computed(Formula<Sample>{formula}),
+                       {"kinetic and potential energy by dual numbers",
+                        [](S s) {
+                          Pair a;
+                          Model{s.p, 0}.acceleration(s.q, a);
+                          const auto y = moving(s.q, s.v), dy = moving(s.v, a);
+                          return (s.p.kinetic_energy(dy) + s.p.potential_energy(y)).slope;
+                        },
+                        &Sample::size},
+                       samples)}};
 }
 
 /// Left minus right side of the equations is zero in a motion, by Lagrange's equations or by the ropes'
@@ -515,7 +684,7 @@ void equations(Table& in_motion, const Samples& motions) {
        .kind = Fault::lost_typography,
        .why = filled(
            "The bar of $I_2/R_2^2$ is lost in the text at hand; line 2511, from which the term is taken, "
-           "has it. The default pulley would weigh in with @3 kg at its rim for @2 kg.",
+           "has it. The default pulley would weigh in with @3 kg m$^4$ at its rim for @2 kg.",
            {0.25 * 0.25, standard.inertia_over_square_2()})});
 }
 
@@ -527,7 +696,7 @@ void state(Claims& claims, Table& table, Table& in_motion, const Samples& sample
   }
   kinematics(claims, table, samples);
   energies(table, samples);
-  forces(table, in_motion, samples, motions);
+  forces(claims, table, in_motion, samples, motions);
   equations(in_motion, motions);
   compression(table, samples);
 }
@@ -540,27 +709,46 @@ std::vector<Claim> claims(double seed) {
   const auto samples = draw<Sample>(200, seed);
   state(claims, table, in_motion, samples);
   std::vector<Claim> all = claims.in_order();
-  std::ranges::find(all, "3.19-compression", &Claim::id)->in_view = in_stretching(samples);
+  const auto claim = [&](const char* id) -> Claim& { return *std::ranges::find(all, id, &Claim::id); };
+  Claim &compressed = claim("3.19-compression"), &equation = claim("3.19-equation_y2");
+  compressed.in_view = in_stretching(samples);
+  compressed.corrected.checks.push_back(taut());
+  equation.corrected.checks.push_back(energy_lost(R"($-2c_2(S_2-L_2)\dot y_2$)", samples).checks[0]);
+  equation.near_misses.push_back(energy_lost(R"($2c_2(S_2-L_2)\dot y_2$)", samples));
   return all;
 }
 
 constexpr const char* by_tension = R"(
-  pose proof (Rabs_pos delta) as size;
-  set (S := depth - y1 - (depth - 2 * y1 - K1 - (y2 - y1))) in *; clearbody S;
-  assert (pull : c1 * (S - (S - - 1 * Rabs delta)) <= 0) by nra;
-  rewrite (Rmax_right _ _ pull); unfold Rdiv; rewrite ?Rmult_0_l, ?Rplus_0_r;
-  try reflexivity; unfold Rmin; destruct (Rle_dec _ _); lra)";
+  set (S1 := depth - y1 - (depth - 2 * y1 - K1 - (y2 - y1))) in *; clearbody S1;
+  set (S2 := depth - y2 - (depth - K2 - (y3 - y2 - y2))) in *; clearbody S2;
+  unfold Rmin, Rmax; repeat destruct (Rle_dec _ _); try nra; try (field_simplify; nra))";
 constexpr const char* by_pull = "unfold Rmin; destruct (Rle_dec _ _) as [|N]; [|destruct N]; interval";
 
 Provable proof_of_compression(ForAll<SampleOf> all) {
   Claims claims("3.19");
   Table table(claims);
   compression(table, {});
-  all.given.push_back(above(all.any.p.c1.expression(), 0));
   all.tactic = by_tension;
   Provable proved = table.proofs("3.19", all)[0];
   for (Lemma& lemma : proved.lemmas)
     if (lemma.tactic == "interval") lemma.tactic = by_pull;
+  return proved;
+}
+
+Provable proof_of_stretched(const ForAll<SampleOf>& all) {
+  const Two<Shortened> parts = all.any.of_springs(), lengths = all.any.springs(all.any.q);
+  const Two<Shortened> c{all.any.p.c1, all.any.p.c2}, L{all.any.p.L1, all.any.p.L2};
+  Provable proved{"3.19-stretched", all.says};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::string part = parts[i].expression().coq(), length = lengths[i].expression().coq(),
+                      rest = L[i].expression().coq();
+    proved.lemmas.push_back({i == 0 ? "first" : "second",
+                             all.letters,
+                             all.given,
+                             {{"(" + part + " < 0 <-> " + length + " > " + rest + ")"}},
+                             "replace (" + part + ") with (- " + c[i].expression().coq() + " * (" + length +
+                                 " - " + rest + ")) by field; intros; nra"});
+  }
   return proved;
 }
 
@@ -580,7 +768,9 @@ Provables proofs() {
     all.given.push_back(above(positive.expression(), 0));
   double x = 0.25;
   for (double* letter : all.example.letters()) *letter = x += 0.25;
-  const Provable slack = proof_of_compression(all);
+  ForAll<SampleOf> with_springs = all;
+  for (const Shortened& positive : {all.any.p.c1, all.any.p.c2})
+    with_springs.given.push_back(above(positive.expression(), 0));
   all.without = {"compression"};
   Provables proved = table.proofs("3.19", all);
   ForAll<SampleOf> by_lagrange = all, by_tensions = all;
@@ -598,7 +788,8 @@ Provables proofs() {
   std::vector<Proposition> none;
   for (const char* y : {"y2", "y3"})
     none.push_back({"derivable_pt_lim (fun " + std::string(y) + " => " + energy + ") " + y + " 0"});
-  proved.push_back(slack);
+  proved.push_back(proof_of_compression(with_springs));
+  proved.push_back(proof_of_stretched(with_springs));
   proved.push_back({"3.19-dT_dy",
                     "it holds for all pulleys in any motion",
                     {{"printed", all.letters, {}, none, "apply derivable_pt_lim_const"}}});
@@ -606,21 +797,21 @@ Provables proofs() {
 }
 
 std::vector<Root> roots() {
-  constexpr double shown_after = 1;
+  const auto up = [](double tension) { return tension / standard.m3 - standard.g; };
   return {
       {"the second spring on the pulley",
-       filled("By the published equations the small pulley of the default start is @2 m above the ceiling "
-              "after @1 s, where it should hang @2 m below it.",
-              {-depth_after(shown_after, 0), shown_after, depth_after(shown_after, 2)})},
+       filled(
+           "By the published equations the small pulley of the default start is @2 m below the ceiling after "
+           "@1 s, where it should hang @3 m below it. In both motions all ropes are taut until then.",
+           {depth_after(shown_after, 0), shown_after, depth_after(shown_after, 2)})},
       {"the small pulley's inertia",
-       filled(
-           "A rope that breaks at 25 N holds the default mass at the start, as its tension is @3 N; by the "
-           "published formula it is @2 N, and the mass falls.",
-           {tension_at_start(), standard.c2 * standard.stretch2(std::array{standard.y2, standard.y3})})},
+       filled("The default mass starts with an upward acceleration of @3 m/s$^2$; by the published force it "
+              "would be @3 m/s$^2$.",
+              {up(tension_at_start()), up(pull_at_start())})},
       {"a rope that pushes",
-       filled(
-           "Started with @1 m of slack ($K_1=@1$ m), the small pulley is pushed down by its rope with @2 N.",
-           {loose(), let_loose.K1, let_loose.c1 * loose()})}};
+       filled("Started with @1 m of slack ($K_1=@1$ m), the first spring pushes its rope with @2 N by the "
+              "published formula, where it does not pull at all.",
+              {loose(), let_loose.K1, let_loose.c1 * loose()})}};
 }
 
 }  // namespace oddity::ex03_19

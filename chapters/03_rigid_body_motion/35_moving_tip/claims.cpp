@@ -103,6 +103,14 @@ auto euler_equations(const heavy_top::Top<T>& top, const T& t) {
   return values(rates[4], rates[5], rates[6]);
 }
 
+/// About the tip.
+template <class T>
+Vector<T> torque_on(const heavy_top::Top<T>& top, const T& t) {
+  Vector<T> torque = cross(top.axis(), top.force(t));
+  for (T& x : torque) x *= top.l;
+  return torque;
+}
+
 /// (w1', w2', w3') along Lagrange's accelerations.
 template <class T>
 auto body_rates_change(const SampleOf<T>& s) {
@@ -128,6 +136,37 @@ heavy_top::Top<T> at_rest(const SampleOf<T>& s) {
   return moving_tip::with_fixed_tip(s.top());
 }
 
+/// The same top, its angles and their rates, with the tip at rest.
+template <class T>
+SampleOf<T> with_fixed_tip(const SampleOf<T>& s) {
+  SampleOf<T> fixed = s;
+  fixed.body.A = T(0);
+  const auto accelerations = model_accelerations(at_rest(s), s.t);
+  fixed.truth = {accelerations[0], accelerations[1], accelerations[2]};
+  return fixed;
+}
+/// What moves the tip adds to the rate of the angular momentum about the center of mass, and to `sign` times
+/// the torque of the force on the tip.
+template <class T>
+Vector<T> added_rate(const SampleOf<T>& s) {
+  const SampleOf<T> fixed = with_fixed_tip(s);
+  return less(momentum_rate_about(s, center(s)), momentum_rate_about(fixed, center(fixed)));
+}
+template <class T>
+auto added_torque(const SampleOf<T>& s, double sign) {
+  const auto torque = torque_of_tip(s, sign), fixed = torque_of_tip(with_fixed_tip(s), sign);
+  return values(torque[0] - fixed[0], torque[1] - fixed[1], torque[2] - fixed[2]);
+}
+
+/// With the letters of this exercise, where the shared ones have 3.33's alpha.
+struct Driven : Sample {
+  explicit Driven(const Sample& s) : Sample(s) {}
+  TypesetLetters typeset() const {
+    return {{"m", m}, {R"(\ell)", l},      {R"(\alpha)", body.A}, {R"(\lambda)", body.lambda},
+            {"t", t}, {R"(\theta)", q[0]}, {R"(\phi)", q[1]}};
+  }
+};
+
 using Reader = ProvableFormula<SampleOf>;
 using Table = ProvableClaims<SampleOf>;
 
@@ -136,14 +175,10 @@ const Reader zero{"zero", []<class T>(const SampleOf<T>&) { return T(0); }},
 
 const std::string rate_of_momentum =
     R"($\sum m(\mathbf x-\mathbf r)\times(\ddot{\mathbf x}-\ddot{\mathbf r})$ over the points)";
-const Reader about_center{rate_of_momentum, [](const auto& s) { return momentum_rate_about(s, center(s)); }};
+const Reader added{rate_of_momentum + ", less that of the same top with its tip fixed",
+                   [](const auto& s) { return added_rate(s); }};
 Reader less_torque(double sign) {
   return {rate_of_momentum + ", less the torque", [=](const auto& s) { return unexplained(s, sign); }};
-}
-/// The torque about the center of mass of the force on the tip.
-Reader about_center_by_tip(const std::string& text, double sign) {
-  return {text, [=](const auto& s) { return torque_of_tip(s, sign); },
-          [](const Sample& s) { return s.size(); }};
 }
 
 const Reader change{R"($\dot{\mathbf w}$ along Lagrange's accelerations, tip moving)",
@@ -165,11 +200,7 @@ const Reader lagrange{"nested dual numbers on the points' $T-V$, tip moving",
     angles_of_moved{R"(equations of the angles with the torque of $-m\ddot{\mathbf p}$)",
                     [](const auto&s) { return model_accelerations(s.top(), s.t); }},
     torque_about_tip{R"($\ell\,\boldsymbol\xi_3\times(-mg\mathbf k-m\ddot{\mathbf p})$)",
-                     [](const auto&s) {
-                       auto torque = cross(s.top().axis(), s.top().force(s.t));
-                       for (auto& x : torque) x *= s.l;
-                       return torque;
-                     }},
+                     [](const auto&s) { return torque_on(s.top(), s.t); }},
     about_tip{R"($\sum m(\mathbf x-\mathbf p)\times(\ddot{\mathbf x}-\ddot{\mathbf p})$ over )"
               R"(the points)",
               []<class T>(const SampleOf<T>&s) {
@@ -181,8 +212,8 @@ const std::string no_torque = "no torque of what moves the tip";
 void claim_spin(Table& table, const std::vector<Sample>& tops) {
   table.formula(
       "euler_about_axis", 3089,
-      "the Euler equations of example 3.19 still apply to the motion about the axis (our reading, as "
-      R"(that is not in the solutions: $\dot w_3=0$))",
+      "the Euler equations of example 3.19 still apply to the motion about the axis (our reading, by what "
+      R"(lines 3077 and 3081 say of 3.33: $\dot w_3=0$))",
       tops,
       {.quantity = R"($\dot w_3$)",
        .truth = zero,
@@ -199,7 +230,9 @@ void claim_tip(Table& table, const std::vector<Sample>& tops) {
                   }};
   };
   table.formula(
-      "tip_is_center", 3091, "the tip is the center of mass", tops,
+      "tip_is_center", 3091,
+      R"(the tip is the center of mass (our reading of the parenthesis; line 2953 has it at $\ell\boldsymbol\xi_3$))",
+      tops,
       {.quantity = "center of mass",
        .truth = {R"($\sum m\mathbf x/m$ over the points)",
                  []<class T>(const SampleOf<T>& s) {
@@ -208,7 +241,7 @@ void claim_tip(Table& table, const std::vector<Sample>& tops) {
                      for (std::size_t i = 0; i < 3; ++i) sum[i] += p.m * x[i] / s.m;
                    });
                  }},
-       .printed = {R"(at the tip, $\mathbf r=\mathbf p$)", [](const auto& s) { return tip(s); }},
+       .printed = {R"(as we read it, $\mathbf r=\mathbf p$)", [](const auto& s) { return tip(s); }},
        .corrected = along_axis(R"(at $\mathbf r=\mathbf p+\ell\,\boldsymbol\xi_3$)", 1),
        .near_misses = {along_axis(R"(at $\mathbf r=\mathbf p-\ell\,\boldsymbol\xi_3$)", -1)},
        .kind = Fault::term,
@@ -377,7 +410,7 @@ Provables proofs() {
   const OfVector of_angles{{turning, {"", "- 1 / (A + C)", ""}, {"1", "", "1"}}};
   Provables all;
   double margin = 0;
-  auto off = tops.off(about_center, none, margin);
+  auto off = tops.off(added, none, margin);
   all.push_back(proved("force_at_center", corrected,
                        {tops.follow("corrected", less_torque(1).recorded(any), zeros, torques), off},
                        margin));
@@ -412,28 +445,35 @@ std::vector<Claim> claims(double seed, const Top& top, const Deviation& off) {
   Claims claims("3.35");
   Table table(claims);
 
-  const std::string about_center_of_mass = "rate of the angular momentum about the center of mass";
+  const std::string about_center_of_mass =
+      "what moves the tip adds to the rate of the angular momentum about the center of mass";
   const auto with_torque = [&](const std::string& text, double sign) {
     return reading(text, about_center_of_mass,
-                   about_center_by_tip("the torque of the force on the tip", sign), about_center);
+                   {"the torque of the force on the tip, less that on a fixed tip",
+                    [=](const Sample& s) { return added_torque(s, sign); }, &Sample::size},
+                   added);
   };
   claims.add(
       "force_at_center", 3089,
       "the tip moves about the plane only because some force has been applied to the center of mass (our "
-      "reading: what is applied acts there and nowhere else)",
-      {.printed = reading("no torque about the center of mass", about_center_of_mass, none, about_center),
+      "reading: what moves the tip adds no torque about the center of mass)",
+      {.printed = reading("as we read it, what moves the tip adds no torque about the center of mass",
+                          about_center_of_mass, none, added),
        .corrected = with_torque(
-           R"(a force $\mathbf N=m(\ddot{\mathbf r}+g\mathbf k)$ on the tip, with the torque $(\mathbf p-\mathbf )"
-           R"(r)\times\mathbf N$ about the center of mass $\mathbf r$)",
+           R"(the rate of the angular momentum about $\mathbf r$ is $(\mathbf p-\mathbf r)\times\mathbf N$ with )"
+           R"($\mathbf N=m(\ddot{\mathbf r}+g\mathbf k)$, to which what moves the tip adds )"
+           R"($(\mathbf p-\mathbf r)\times(\mathbf N-\mathbf N_0)$, $\mathbf N_0$ the force on a fixed tip)",
            1),
-       .near_misses = {with_torque(R"(the torque $(\mathbf r-\mathbf p)\times\mathbf N$)", -1)},
+       .near_misses = {with_torque(R"(it adds $(\mathbf r-\mathbf p)\times(\mathbf N-\mathbf N_0)$)", -1)},
        .why =
-           R"(A force on the center of mass $\mathbf r$ has no torque about it, and the angular momentum about )"
-           R"(it would stay as it is. The tip is moved by what holds it: a force )"
-           R"($\mathbf N=m(\ddot{\mathbf r}+g\mathbf k)$ at the tip $\mathbf p$, whose torque about the center )"
-           R"(of mass is $(\mathbf p-\mathbf r)\times\mathbf N$. What does act at the center of mass is the )"
-           R"(inertial force $-m\ddot{\mathbf p}$ in the tip's frame; it has a torque about the tip, and )"
-           R"(moves no tip.)",
+           R"(A force on the center of mass $\mathbf r$ has no torque about it. A tip that is driven along )"
+           R"($\mathbf p(t)$, as in this exercise, is moved by what holds it: a force )"
+           R"($\mathbf N=m(\ddot{\mathbf r}+g\mathbf k)$ at the tip, whose torque about the center )"
+           R"(of mass is $(\mathbf p-\mathbf r)\times\mathbf N$. What acts at the center of mass besides the )"
+           R"(weight is the inertial force $-m\ddot{\mathbf p}$ in the tip's frame; it has a torque about the )"
+           R"(tip, and moves no tip. A tip that slides freely on the plane is another problem: a push on the )"
+           R"(center of mass moves it without a torque, but such a top turns about its center of mass, with the )"
+           R"(moment $\mu_1-m\ell^2$ across the axis.)",
        .kind = Fault::counterexample,
        .root = no_torque});
 
@@ -441,19 +481,35 @@ std::vector<Claim> claims(double seed, const Top& top, const Deviation& off) {
 
   const std::string in_body = R"($\dot{\mathbf w}$ in body coordinates)";
   const std::string constant = R"($\mu_1\dot\theta\sin^2\phi+c\,\mu_3\cos\phi$)";
-  const Check driven = compare("rate of the vertical angular momentum", drive, vertical, tops);
-  const Check by_euler = compare(in_body, euler, change, tops);
+  const std::vector<Driven> driven(tops.begin(), tops.end());
+  const Formula<Driven> rate{vertical.text, vertical.of}, by_drive = computed(Formula<Driven>{drive.text});
+  const std::string rate_of_vertical = "rate of the vertical angular momentum";
+  const auto shaken_backward = [](const Sample& s) {
+    Top other = s.top();
+    other.A = -other.A;
+    return other;
+  };
+  std::vector<Reading> near_vertical = single_changes(rate_of_vertical, by_drive, rate, driven, "");
+  near_vertical.push_back(reading(R"(Euler's equations with the torque of $-mg\mathbf k+m\ddot{\mathbf p}$)",
+                                  in_body,
+                                  {R"(Euler's equations, the tip's acceleration with the other sign)",
+                                   [=](const Sample& s) { return euler_equations(shaken_backward(s), s.t); }},
+                                  change));
   claims.add(
       "euler_about_vertical", 3089,
-      "the Euler equations of example 3.19 still apply to the motion about the vertical through the tip (our "
-      "reading, as that is not in the solutions: with the torque of gravity alone)",
-      {.printed =
-           reading(constant + " is a constant", "rate of " + constant + ", $c$ the spin", zero, vertical),
-       .corrected = {"the vertical angular momentum changes at the rate " + drive.text, {driven, by_euler}},
-       .near_misses = {reading("Euler's equations with gravity alone", in_body,
-                               {R"(Euler's equations with the torque of $-mg\mathbf k$ alone)",
-                                [](const Sample& s) { return euler_equations(at_rest(s), s.t); }},
-                               change)},
+      "the Euler equations of example 3.19 still apply to the motion about the world vertical axis with origin "
+      "at the tip of the top (our reading, by what lines 3077 and 3081 say of 3.33: with the torque of gravity "
+      "alone)",
+      {.printed = {constant + " is a constant, by Euler's equations with gravity alone",
+                   {compare("rate of " + constant + ", $c$ the spin", zero, vertical, tops),
+                    compare(in_body,
+                            {R"(Euler's equations with the torque of $-mg\mathbf k$ alone)",
+                             [](const Sample& s) { return euler_equations(at_rest(s), s.t); }},
+                            change, tops)}},
+       .corrected = {"the vertical angular momentum changes at the rate " + drive.text,
+                     {compare(rate_of_vertical, by_drive, rate, driven),
+                      compare(in_body, euler, change, tops)}},
+       .near_misses = std::move(near_vertical),
        .why =
            R"(With the tip as origin the frame is accelerated, and $-m\ddot{\mathbf p}$ acts at the center of )"
            R"(mass besides gravity. Its torque about the tip has the vertical component )"
@@ -463,30 +519,37 @@ std::vector<Claim> claims(double seed, const Top& top, const Deviation& off) {
        .kind = Fault::counterexample,
        .root = no_torque});
 
-  const std::string accelerations = R"($(\ddot\theta,\ddot\phi,\ddot\psi)$)";
+  const std::string accelerations = R"($(\ddot\theta,\ddot\phi,\ddot\psi)$)",
+                    about_the_tip = "rate of the angular momentum about the tip";
   claims.add(
       "handled_separately", 3091,
-      "the motion of the tip may be handled separately from the top's motion about it",
-      {.printed = reading("the angles move as with a fixed tip", accelerations, angles_of_fixed, lagrange),
+      "the motion of the tip may be handled separately (our reading: and the top turns about it as about a fixed "
+      "tip)",
+      {.printed = reading("as we read it, the angles move as with a fixed tip", accelerations,
+                          angles_of_fixed, lagrange),
        .corrected = {R"(the angles move with the torque of $-m\ddot{\mathbf p}$ at the center of mass)",
                      {compare(accelerations, angles_of_moved, lagrange, tops),
-                      compare("rate of the angular momentum about the tip", torque_about_tip, about_tip,
-                              tops)}},
-       .near_misses = {reading(R"(with the torque of $+m\ddot{\mathbf p}$)", accelerations,
-                               {"equations of the angles, the tip's acceleration with the other sign",
-                                [](const Sample& s) {
-                                  Top other = s.top();
-                                  other.A = -other.A;
-                                  return model_accelerations(other, s.t);
-                                }},
-                               lagrange)},
+                      compare(about_the_tip, torque_about_tip, about_tip, tops)}},
+       .near_misses = {reading(
+                           R"(with the torque of $+m\ddot{\mathbf p}$)", accelerations,
+                           {"equations of the angles, the tip's acceleration with the other sign",
+                            [=](const Sample& s) { return model_accelerations(shaken_backward(s), s.t); }},
+                           lagrange),
+                       reading(
+                           R"($\ell\,\boldsymbol\xi_3\times(-mg\mathbf k+m\ddot{\mathbf p})$ about the tip)",
+                           about_the_tip,
+                           {"the torque, the tip's acceleration with the other sign",
+                            [=](const Sample& s) { return torque_on(shaken_backward(s), s.t); }},
+                           about_tip)},
        .why = filled(
-           R"(That is so only where $\ddot{\mathbf p}=0$. The accelerated tip adds to gravity a horizontal )"
+           R"($\mathbf p(t)$ is given, so the tip needs no top; the top does need the tip's acceleration, unless )"
+           R"(the tip is at rest or in uniform motion. The accelerated tip adds to gravity a horizontal )"
            R"(acceleration $\alpha\lambda^2\sin\lambda t$ that turns the top about its tip. With the values here )"
-           R"(its axis is @2 rad from that of the fixed top after @1 s, @2 rad at twice the frequency, and )"
-           R"(@2 rad at @4 rad/s, about its nutation and precession together, as seen from the world.)",
-           {off.as_asked, ex03_33::duration, off.twice_the_frequency, off.at_nutation,
-            nutation_frequency(top)}),
+           R"(its axis gets up to @2 rad from that of the fixed top within @1 s, and up to @2 rad at twice the )"
+           R"(frequency. With the tip shaken )" +
+               at_nutation(top) + R"(, @4 rad/s as seen from the world, it gets up to @2 rad.)",
+           {off.as_asked, ex03_33::duration, off.twice_the_frequency, nutation_frequency(top),
+            off.at_nutation}),
        .kind = Fault::counterexample,
        .root = no_torque});
 
@@ -498,15 +561,17 @@ std::vector<Root> roots(const Top& top, const Deviation& off) {
   return {
       {no_torque,
        filled(
-           R"(Shaken at @4 rad/s, about its nutation and precession together, the top has its axis @2 rad )"
-           R"((@2 degrees) from that of the published motion after @1 s: a game that carries the unshaken motion )"
-           R"(along with the tip shows a top that nobody can shake.)",
-           {nutation_frequency(top), off.at_nutation, off.at_nutation / degree, ex03_33::duration})},
+           R"(Shaken by @3 cm )" + at_nutation(top) +
+               R"(, @4 rad/s, the top has its axis up to @2 rad (@2 degrees) from that of the same top )"
+               R"(with its tip fixed, within @1 s. At @2 rad/s it is up to @2 rad. A game that carries the )"
+               R"(motion about a fixed tip along with the tip shows none of it.)",
+           {100 * top.A, nutation_frequency(top), off.at_nutation, off.at_nutation / degree,
+            ex03_33::duration, top.lambda, off.as_asked})},
       {"tip for center of mass",
        filled(
-           R"(A top drawn with its center of mass at $\mathbf p$ stands $\ell=@2$ m too low along its axis: )"
-           R"(tilted by @2 rad, its tip is @2 cm below the floor.)",
-           {top.l, top.phi, 100 * top.l * cos(top.phi)})}};
+           R"(A top drawn with its center of mass at $\mathbf p$ is moved back along its axis by $\ell$: its )"
+           R"(tip is @2 cm from where it should be.)",
+           {100 * top.l})}};
 }
 
 }  // namespace oddity::ex03_35

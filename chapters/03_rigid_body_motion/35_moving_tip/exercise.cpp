@@ -69,10 +69,10 @@ Scene scene() {
 Findings study(const Parameters& p, const Reference& truth) {
   const Top top = asked(p);
   auto all = quantities(top, truth);
-  const Deviation off(all);
+  const Deviation off(top);
   Findings found{
       claims(p["seed"], top, off), std::move(all), roots(top, off),
-      R"(The conclusion does not stand: {{no torque of what moves the tip|the force that moves the tip has a torque about the center of mass}}, so that the tip's motion cannot be handled apart, and {{tip for center of mass|the tip is not the center of mass}}.)"};
+      R"(The conclusion does not stand: {{no torque of what moves the tip|the force that moves the tip has a torque about the center of mass}}, so that the tip's motion cannot be handled apart, and {{tip for center of mass|the tip is not the center of mass}}. About the moving tip Euler's equations hold with the force $\mathbf F=-mg\mathbf k-m\ddot{\mathbf p}$ at the center of mass: $\dot{\mathbf L}=\ell\,\boldsymbol\xi_3\times\mathbf F$.)"};
   found.quantities.insert(found.quantities.begin(), motion(scene(), p, truth));
   return found;
 }
@@ -83,7 +83,7 @@ Exercise exercise_3_35() {
   using namespace ex03_35;
   return {
       "Heavy top on a moving tip",
-      R"(The tip of a heavy symmetric top moves to and fro as $\mathbf p=(\alpha\sin\lambda t,0,0)$. What )"
+      R"(The tip of a heavy symmetric top is driven to and fro as $\mathbf p=(\alpha\sin\lambda t,0,0)$. What )"
       R"(becomes of its motion? The top has the mass $m$ under gravity $-g\mathbf k$, its center of mass $\mathbf r$ )"
       R"(at $\ell$ from the tip along the axis $\boldsymbol\xi_3$, and the moments $\mu_1$ and $\mu_3$ about the )"
       R"(tip, across the axis and about it; the angles are $\theta$ (precession), $\phi$ (tilt) and $\psi$ (spin), )"

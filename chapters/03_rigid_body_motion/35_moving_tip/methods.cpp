@@ -10,12 +10,24 @@ namespace oddity::ex03_35 {
 
 using namespace moving_tip;
 
+namespace {
+
+/// Of the rate at which a top precesses steadily: negative where there is none.
+double discriminant(const Top& t) { return t.a() * t.a() - 4 * t.alpha() * std::cos(t.phi); }
+
+}  // namespace
+
 double nutation_frequency(const Top& t) {
-  const double u = std::cos(t.phi), inside = t.a() * t.a() - 4 * t.alpha() * u;
-  if (inside < 0) return t.a();
-  const double slow = 2 * t.alpha() / (t.a() + std::sqrt(inside));
-  const double rate = slow + std::hypot(t.a() - 2 * slow * u, slow * std::sin(t.phi));
+  const double u = std::cos(t.phi), inside = discriminant(t);
+  if (inside < 0) return std::abs(t.a());
+  const double slow = 2 * t.alpha() / (t.a() + std::copysign(std::sqrt(inside), t.a()));
+  const double rate = std::abs(slow) + std::hypot(t.a() - 2 * slow * u, slow * std::sin(t.phi));
   return std::round(64 * rate) / 64;
+}
+
+std::string at_nutation(const Top& t) {
+  return discriminant(t) < 0 ? R"(at the frequency $\mu_3|w_3|/\mu_1$, too slow for a steady precession)"
+                             : "at about the frequency of nutation and precession together";
 }
 
 namespace {
@@ -102,6 +114,21 @@ double angle_between(const Vector<double>& a, const Vector<double>& b) {
   return std::atan2(std::sqrt(dot(normal, normal)), dot(a, b));
 }
 
+/// The largest of many times, to the digits of a sentence.
+double largest_deviation(const Top& shaken) {
+  const Horizon horizon{ex03_33::duration, 240};
+  const auto axis_of = [&](const Top& top) {
+    return observe_integrated<ode::Fehlberg78>(AxisAndMomentum<double>{top}, horizon, 1e-9);
+  };
+  const Answer still = axis_of(with_fixed_tip(shaken)), moved = axis_of(shaken);
+  if (!still.reached() || !moved.reached()) return NAN;
+  const Value &x = still.value, &y = moved.value;
+  double largest = 0;
+  for (std::size_t i = 0; i < x.size(); i += 3)
+    largest = std::max(largest, angle_between({x[i], x[i + 1], x[i + 2]}, {y[i], y[i + 1], y[i + 2]}));
+  return largest;
+}
+
 constexpr double observed_after = ex03_33::duration;
 
 template <class Algorithm, class Model>
@@ -141,14 +168,13 @@ Quantity deviation(const Top& top, const Reference& truth) {
     const auto x = axis_at(shaken).value;
     known.value.push_back(angle_between(still, {x[0], x[1], x[2]}));
   }
-  Quantity q = quantity(
-      "deviation", "rad",
-      filled(
-          R"(angle after @1 s between the axis and that of the same top with its tip fixed, for )"
-          R"($(A,\lambda)$, $(A/8,\lambda)$, $(A,2\lambda)$ and $A$ at about the frequency of nutation and )"
-          R"(precession together)",
-          {observed_after}),
-      known, {1e-6, "a fifth of a second of arc"});
+  Quantity q =
+      quantity("deviation", "rad",
+               filled(R"(angle after @1 s between the axis and that of the same top with its tip fixed, for )"
+                      R"($(A,\lambda)$, $(A/8,\lambda)$, $(A,2\lambda)$ and $A$ )" +
+                          at_nutation(top),
+                      {observed_after}),
+               known, {1e-6, "a fifth of a second of arc"});
   q.add({fixed_tip, "no difference", no_knob(),
          [](double) {
            return Answer{{0, 0, 0, 0}, 0};
@@ -178,10 +204,12 @@ Quantity axis(const Top& top, const Horizon& horizon, const Reference& truth) {
   return q;
 }
 
-Deviation::Deviation(const std::vector<Quantity>& all)
-    : as_asked(all.back().reference.value[0]),
-      twice_the_frequency(all.back().reference.value[2]),
-      at_nutation(all.back().reference.value[3]) {}
+Deviation::Deviation(const Top& top) {
+  const auto shaken = shakings(top);
+  as_asked = largest_deviation(shaken[0]);
+  twice_the_frequency = largest_deviation(shaken[2]);
+  at_nutation = largest_deviation(shaken[3]);
+}
 
 std::vector<Quantity> quantities(const Top& top, const Reference& truth) {
   Top resonant = top, strong = top;
@@ -190,9 +218,7 @@ std::vector<Quantity> quantities(const Top& top, const Reference& truth) {
   strong.A *= 4;
   strong.lambda += 5;
   const Horizon horizon{ex03_33::duration};
-  return {shaken_axis("near_resonance",
-                      "the same with A / 8 at about the frequency of nutation and precession together",
-                      resonant, horizon, truth),
+  return {shaken_axis("near_resonance", "the same with A / 8 " + at_nutation(top), resonant, horizon, truth),
           shaken_axis("strong_shaking", "the same with $4A$, 5 rad/s faster", strong, horizon, truth),
           nearly_upright(top, truth), deviation(top, truth)};
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "chapters/03_rigid_body_motion/35_moving_tip/models.hpp"
@@ -13,15 +14,18 @@ using Top = heavy_top::Top<double>;
 Quantity axis(const Top&, const Horizon&, const Reference&);
 std::vector<Quantity> quantities(const Top&, const Reference&);
 
-/// The frequency at which a top nutates about its steady precession, relative to the world, to within 1/64.
+/// The frequency at which a top nutates about its steady precession, relative to the world, to within 1/64;
+/// |a|, the rate by its spin, if it is too slow for a steady precession.
 double nutation_frequency(const Top&);
+/// "at about the frequency of nutation and precession together", or what it is instead.
+std::string at_nutation(const Top&);
 
-/// The angle after ex03_33::duration between the top's axis and that of the top with a fixed tip.
+/// The largest angle within ex03_33::duration between the top's axis and that of the same top with its tip
+/// fixed; NaN if one of the two motions does not reach its end.
 struct Deviation {
   double as_asked, twice_the_frequency, at_nutation;
 
-  /// From the last of the `quantities`.
-  explicit Deviation(const std::vector<Quantity>&);
+  explicit Deviation(const Top&);
 };
 
 std::vector<Claim> claims(double seed, const Top&, const Deviation&);
