@@ -323,12 +323,6 @@ OtherEngines::Answer engines_in_time(const OtherEngines::Answers& engines, const
   }
 }
 
-/// Of a problem's file what stands in it, too.
-std::string key_of_prices(const Task& task, const Need& need) {
-  return price_key(task, need) +
-         (task.entry->number.chapter == 0 ? ", " + std::string(task.entry->file) : "");
-}
-
 /// With what its methods cost, kept for the next run, each part of a long horizon apart.
 Choice choice_in_time(const Task& task, const Need& asked, const Reference& truth, bool anew,
                       const ManyBodies& bodies) {
