@@ -138,8 +138,10 @@ test('a scene of one freedom has its phase portrait, which is drawn when it is o
     canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data.some((x) => x > 0));
   assert.equal(await inked(), false);
   await page.click('.player-more:has(.player-portraits) summary');
-  await page.waitForFunction(() => document.querySelector('.player-portraits canvas').width > 100);
-  assert.equal(await inked(), true);
+  await page.waitForFunction(() => {
+    const canvas = document.querySelector('.player-portraits canvas');
+    return canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data.some((x) => x > 0);
+  }, { timeout: 10000 });
   await shoot(page, '3.5-portrait');
   assert.deepEqual(faults, []);
   await page.close();
