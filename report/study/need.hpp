@@ -54,7 +54,7 @@ struct Need {
   double horizon = 10;            ///< s
   double frames_per_second = 60;  ///< a step divides the frame evenly; every method is judged at every frame
   std::shared_ptr<const FrameTimes> frame_times = {};       ///< null: all frames are of the same length
-  std::shared_ptr<const Kicks> kicks = {};      ///< null: none
+  std::shared_ptr<const Kicks> kicks = {};                  ///< null: none
   std::string kicked = {};                                  ///< "theta' + 2 rad/s at 1 s"
   double budget = std::numeric_limits<double>::infinity();  ///< s per frame
   long bodies = 1;                                          ///< identical ones, all in each frame
