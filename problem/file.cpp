@@ -672,18 +672,30 @@ class Reader {
   std::set<std::string> names_;
 };
 
-/// What toml++ 3.3 takes for impossible outside of quotes: U+FE7F to U+FEFE, forms of Arabic letters.
+/// Letters outside of quotes and comments are ASCII: with others toml++ 3.3 behaves in undefined ways.
 void require_readable(const Source& source) {
-  const auto byte = [&](std::size_t i) {
-    return i < source.text.size() ? static_cast<unsigned char>(source.text[i]) : 0U;
-  };
+  const std::string_view text = source.text;
+  std::string_view end;  // of the quoted text or comment
   Place place{1, 1};
-  for (std::size_t i = 0; i < source.text.size(); ++i, ++place.column) {
-    if (source.text[i] == '\n') place = {place.line + 1, 0};
-    if (byte(i) != 0xef) continue;
-    const unsigned second = byte(i + 1), third = byte(i + 2);
-    if ((second == 0xb9 && third == 0xbf) || second == 0xba || (second == 0xbb && third != 0xbf))
-      source.fail(place, "this character is a form of a letter: write the letter itself");
+  for (std::size_t i = text.starts_with("\xef\xbb\xbf") ? 3 : 0; i < text.size(); ++i, ++place.column) {
+    if (text[i] == '\n') place = {place.line + 1, 0};
+    if (!end.empty()) {
+      if (end[0] == '"' && text.substr(i, 2) != "\\\n" && text[i] == '\\')
+        ++i, ++place.column;
+      else if (text.substr(i).starts_with(end) || (end.size() == 1 && text[i] == '\n')) {
+        i += end.size() - 1, place.column += end.size() - 1;
+        end = {};
+      }
+      continue;
+    }
+    if (static_cast<unsigned char>(text[i]) >= 0x80)
+      source.fail(place, "outside of quotes a name has letters from a to z: put quotes around this one");
+    if (text[i] == '#') end = "\n";
+    for (std::string_view quote : {"\"\"\"", "'''", "\"", "'"})
+      if (end.empty() && text.substr(i).starts_with(quote)) {
+        end = quote;
+        i += quote.size() - 1, place.column += quote.size() - 1;
+      }
   }
 }
 

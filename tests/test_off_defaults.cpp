@@ -107,6 +107,18 @@ TEST_CASE("3.33: the axis is between its bounds, whether it starts upward or dow
   }
 }
 
+TEST_CASE("3.9: let go on the second axis, the ball's arrival is found, and the text's formula has no number",
+          "[off_defaults][3.9]") {
+  const Entry& entry = entry_of(3, 9);
+  Parameters p(entry.exercise.parameters);
+  p.set("p1", 0);
+  const Findings found = entry.exercise.study(p, reference());
+  const Quantity& q = *std::ranges::find(found.quantities, "first_arrival", &Quantity::name);
+  for (const Method& m : q.methods)
+    CHECK(name_of(run(q, m, m.knob.settings.back()).outcome) == name_of(m.expected));
+  CHECK(name_of(q.breakdowns.at(0).outcome) == name_of(Outcome::non_finite));
+}
+
 TEST_CASE("7.11: every method finds the logarithm of a determinant in range", "[off_defaults][7.11]") {
   const Entry& entry = entry_of(7, 11);
   Parameters p(entry.exercise.parameters);

@@ -121,10 +121,17 @@ TEST_CASE("An error in a file is reported with its line and column", "[problem]"
   CHECK(line.substr(caret.find('^'), 2) == "mg");
 }
 
-TEST_CASE("A character that toml++ takes for impossible is refused with its place", "[problem]") {
-  const std::string said = refusal("title = \"x\"\n \xef\xb9\xbf");
-  CHECK(said.substr(0, said.find('\n')) ==
-        "test.toml:2:2: this character is a form of a letter: write the letter itself");
+TEST_CASE("A letter that toml++ cannot read outside of quotes is refused with its place", "[problem]") {
+  for (const char* letter : {"\xef\xb9\xbf", "\xc2\xa0", "\xe3\x80\x81", "\xd2\x99"}) {
+    const std::string said = refusal(std::string("title = \"x\"\n ") + letter);
+    CHECK(said.substr(0, said.find('\n')) ==
+          "test.toml:2:2: outside of quotes a name has letters from a to z: put quotes around this one");
+  }
+  const std::string quoted = R"(title = "\"\u00e4" # \" '
+question = '''it's an "ä"
+ä'''
+)";
+  CHECK(refusal(quoted + "\n \xc3\xa4 = 1").find("test.toml:5:2: outside of quotes") == 0);
 }
 
 TEST_CASE("A rate whose name has no quotes is said to need them", "[problem]") {

@@ -1,7 +1,7 @@
 // The claims of exercise 3.9. The equations are derived from L = m|x'|^2/2 - c|x|^2/2 and Rayleigh's
 // dissipation a|x'|^2/2 by dual numbers. The published solutions are substituted in the differential
-// equation, with their derivatives by dual numbers. Letters: r1 > r2 are the real roots of m r^2 + a r + c;
-// alpha, beta are the parts of the complex ones.
+// equation, with their derivatives by dual numbers. Arrivals are found along the equation's Taylor series.
+// Letters: r1 > r2 are the real roots of m r^2 + a r + c; alpha, beta are the parts of the complex ones.
 
 #include <algorithm>
 #include <cmath>
@@ -85,17 +85,18 @@ struct ComplexOf {
   friend ComplexOf operator*(const T& a, const ComplexOf& b) { return {a * b.re, a * b.im}; }
 };
 
-/// The characteristic polynomial's coefficients, its roots by the text, and any number r.
+/// The characteristic polynomial's coefficients, its roots by the text, any number r, and a time.
 template <class T>
 struct PolynomialOf {
-  T m, c, a, r;
+  T m, c, a, r, t;
   PolynomialOf() = default;
   explicit PolynomialOf(Random& random)
       : m(random.between(0.1, 3)),
         c(random.between(0.1, 3)),
         a(random.between(0.1, 9)),
-        r(random.between(-3, 3)) {}
-  std::array<T*, 4> letters() { return {&m, &c, &a, &r}; }
+        r(random.between(-3, 3)),
+        t(random.between(0, 2)) {}
+  std::array<T*, 5> letters() { return {&m, &c, &a, &r, &t}; }
   std::string where() const {
     return "$m$ = " + format_significant(m, 4) + ", $c$ = " + format_significant(c, 4) +
            ", $a$ = " + format_significant(a, 4);
@@ -107,10 +108,10 @@ struct PolynomialOf {
     const T square = a * a - factor * m * c, size = abs(square);
     return {(-a + sign * sqrt((size + square) / 2)) / (2 * m), sign * sqrt((size - square) / 2) / (2 * m)};
   }
-  /// The real part of m (r - r1) (r - r2); the imaginary part is zero.
-  T by_roots() const {
-    const ComplexOf<T> x = root(1), y = root(-1);
-    return m * ((r - x.re) * (r - y.re) - x.im * y.im);
+  /// m x'' + a x' + c x of x = e^(rt), over x.
+  T of_exponential() const {
+    const auto x = [this](const auto& at) { return exp(r * at); };
+    return (m * second_derivative(x, t) + a * derivative(x, t) + c * x(t)) / x(t);
   }
   auto sum_and_product(double factor) const {
     const auto r1 = root(1, factor), r2 = root(-1, factor), sum = r1 + r2, product = r1 * r2;
@@ -159,11 +160,11 @@ struct UnderDampedOf : Coordinate<T> {
 };
 using UnderDamped = UnderDampedOf<double>;
 
-/// The book's two exponentials as a function of the time.
+/// The book's two exponentials as a function of the time. sign = 1: K1 = (v - r2 p)/(r1 - r2).
 template <class T>
-auto two_exponentials(const T& m, const T& c, const T& a, const T& p, const T& v) {
+auto two_exponentials(const T& m, const T& c, const T& a, const T& p, const T& v, double sign = 1) {
   const T root = sqrt(a * a - 4 * m * c), r1 = (-a + root) / (2 * m), r2 = (-a - root) / (2 * m);
-  const T k1 = (v - r2 * p) / (r1 - r2);
+  const T k1 = (v - sign * r2 * p) / (r1 - r2);
   return [=](const auto& t) { return k1 * exp(r1 * t) + (p - k1) * exp(r2 * t); };
 }
 
@@ -199,7 +200,57 @@ const std::string put_in_quantity = R"($(m\ddot x+a\dot x+cx,\;x(0),\;\dot x(0))
 template <template <class> class Of>
 const ProvableFormula<Of> as_asked{"$(0,p,v)$", [](const auto& s) { return values(0, s.p, s.v); }};
 
-/// Constants of the solution for two real roots; the mass is 1, the spring 4.
+/// One coordinate and its rate.
+struct Moving {
+  double x, rate;
+};
+
+/// A coordinate a time later, by the Taylor series of the differential equation, which knows no roots.
+Moving later(const Ball& b, const Moving& now, double time) {
+  constexpr int terms = 30;
+  double term = now.x, next = now.rate * time;
+  Moving then{term + next, now.rate};
+  for (int n = 2; n < terms; ++n) {
+    const double after = -(b.a * time * (n - 1) * next + b.c * time * time * term) / (b.m * n * (n - 1));
+    term = next, next = after;
+    then.x += next;
+    then.rate += n * next / time;
+  }
+  return then;
+}
+
+/// A ball thrown from 1 with the velocity -u, its friction critical or more; u on either side of both roots.
+struct Throw {
+  Ball ball{};
+  double u, slow, fast;  ///< -slow and -fast are the roots
+
+  explicit Throw(Random& random) {
+    const double m = random.between(0.3, 3), c = random.between(0.3, 3),
+                 part = random.unit() < 0.2 ? 1 : random.between(1.02, 3), a = 2 * sqrt(m * c) * part,
+                 w = sqrt(c / m * (part * part - 1));
+    slow = a / (2 * m) - w, fast = a / (2 * m) + w;
+    u = fast * (random.unit() < 0.5 ? random.between(1.05, 3) : random.between(-1, 0.95));
+    ball = {m, c, a, 1, 0, -u, 0};
+  }
+  std::string where() const {
+    return "$m$ = " + format_significant(ball.m, 4) + ", $c$ = " + format_significant(ball.c, 4) +
+           ", $a$ = " + format_significant(ball.a, 4) + ", $u$ = " + format_significant(u, 4);
+  }
+  /// Changes of the coordinate's sign until long after the last that there may be.
+  int passages() const {
+    const double step = 0.1 * sqrt(ball.m / ball.c);
+    int count = 0;
+    Moving now{ball.p1, ball.v1};
+    for (int i = 0; i < 300; ++i) {
+      const Moving next = later(ball, now, step);
+      if (now.x * next.x < 0) ++count;
+      now = next;
+    }
+    return count;
+  }
+};
+
+/// Two real roots' constants; the mass is 1, the spring 4.
 struct Constants {
   double a, k1, k2;
   explicit Constants(Random& random)
@@ -209,9 +260,10 @@ struct Constants {
            ", $K_2$ = " + format_significant(k2, 4);
   }
   TypesetLetters typeset() const { return {{"x(100)", at(100)}, {"x(500)", at(500)}}; }
-  double at(double t) const {
+  /// sign = 1: K1 exp(r1 t) + K2 exp(r2 t).
+  double at(double t, double sign = 1) const {
     const double root = sqrt(a * a - 16);
-    return k1 * std::exp((-a + root) / 2 * t) + k2 * std::exp((-a - root) / 2 * t);
+    return k1 * std::exp(sign * (-a + root) / 2 * t) + k2 * std::exp((-a - root) / 2 * t);
   }
 };
 
@@ -324,30 +376,70 @@ struct VectorsOf {
 };
 using Vectors = VectorsOf<double>;
 
-/// A ball that does not start towards the origin; the mass is 1, the spring 4.
+/// A ball that does not start towards the origin, with any friction below the critical.
 template <class T>
 struct AsideOf {
-  T p1, p2, v1, v2, a, t;
+  T m, c, a, t, p1, p2, v1, v2;
   AsideOf() = default;
-  explicit AsideOf(Random& random) {
+  explicit AsideOf(Random& random)
+      : m(random.between(0.3, 3)),
+        c(random.between(0.3, 3)),
+        a(2 * sqrt(m * c) * random.between(0.05, 0.9)),
+        t(random.between(0.1, 6)) {
     const auto p = random.point(2), v = random.point(2);
     p1 = p[0], p2 = p[1], v1 = v[0], v2 = v[1];
-    a = random.between(0.1, 3.5);
-    t = random.between(0.1, 6);
   }
-  std::array<T*, 6> letters() { return {&a, &t, &p1, &p2, &v1, &v2}; }
+  std::array<T*, 8> letters() { return {&m, &c, &a, &t, &p1, &p2, &v1, &v2}; }
   TypesetIn<T> typeset() const {
-    return {{"a", a}, {"t", t}, {"p_1", p1}, {"p_2", p2}, {"v_1", v1}, {"v_2", v2}};
+    return {{"m", m}, {"a", a}, {"t", t}, {"p_1", p1}, {"p_2", p2}, {"v_1", v1}, {"v_2", v2}};
   }
   std::string where() const {
-    return "$a$ = " + format_significant(a, 4) + ", $t$ = " + format_significant(t, 4);
+    return "$m$ = " + format_significant(m, 4) + ", $c$ = " + format_significant(c, 4) +
+           ", $a$ = " + format_significant(a, 4) + ", $t$ = " + format_significant(t, 4);
   }
   T momentum() const {
-    const auto x1 = damped_oscillation(1, 4, a, p1, v1), x2 = damped_oscillation(1, 4, a, p2, v2);
+    const auto x1 = damped_oscillation(m, c, a, p1, v1), x2 = damped_oscillation(m, c, a, p2, v2);
     return x1(t) * derivative(x2, t) - x2(t) * derivative(x1, t);
   }
 };
 using Aside = AsideOf<double>;
+
+/// A ball with v = s p, its friction below the critical, and a time.
+template <class T>
+struct InLineOf {
+  T m, c, a, t, p1, p2, s;
+  InLineOf() = default;
+  explicit InLineOf(Random& random)
+      : m(random.between(0.3, 3)),
+        c(random.between(0.3, 3)),
+        a(2 * sqrt(m * c) * random.between(0.05, 0.9)),
+        t(random.between(0.1, 6)),
+        p1(random.magnitude(0.2, 2)),
+        p2(random.magnitude(0.2, 2)),
+        s(random.between(-2, 2)) {}
+  std::array<T*, 7> letters() { return {&m, &c, &a, &t, &p1, &p2, &s}; }
+  T alpha() const { return -a / (2 * m); }
+  T beta() const { return sqrt(4 * m * c - a * a) / (2 * m); }
+  T coordinate(const T& p) const { return damped_oscillation(m, c, a, p, T(s * p))(t); }
+  TypesetIn<T> typeset() const {
+    return {{R"(\alpha)", alpha()},
+            {R"(\beta)", beta()},
+            {"p_1", p1},
+            {"p_2", p2},
+            {"v_1", s * p1},
+            {"v_2", s * p2},
+            {"x_1", coordinate(p1)},
+            {"x_2", coordinate(p2)}};
+  }
+  std::string where() const {
+    return "$a$ = " + format_significant(a, 4) + ", $t$ = " + format_significant(t, 4) +
+           ", $v$ = " + format_significant(s, 4) + " $p$";
+  }
+  /// Size of the terms that cancel in the products of both pairs (p, k), k = (v - alpha p)/beta, and of x and
+  /// p.
+  double size() const { return 2 * abs(p1 * p2) * (1 + (abs(s) + abs(alpha())) / beta()); }
+};
+using InLine = InLineOf<double>;
 
 /// The pairs (p_i, k_i) of both coordinates, and the angle beta t.
 template <class T>
@@ -376,6 +468,7 @@ struct Tables {
   ProvableClaims<VectorsOf> vectors;
   ProvableClaims<PairsOf> pairs;
   ProvableClaims<AsideOf> aside;
+  ProvableClaims<InLineOf> in_line;
 
   explicit Tables(Claims& claims)
       : anywhere(claims),
@@ -385,12 +478,14 @@ struct Tables {
         under_damped(claims),
         vectors(claims),
         pairs(claims),
-        aside(claims) {}
+        aside(claims),
+        in_line(claims) {}
 };
 
-ProvableFormula<OverDampedOf> two_exponentials_put_in() {
-  return put_in<OverDampedOf>("the two exponentials, differentiated by dual numbers",
-                              [](const auto& s) { return two_exponentials(s.m, s.c, s.a, s.p, s.v); });
+ProvableFormula<OverDampedOf> two_exponentials_put_in(double sign = 1) {
+  return put_in<OverDampedOf>("the two exponentials, differentiated by dual numbers", [sign](const auto& s) {
+    return two_exponentials(s.m, s.c, s.a, s.p, s.v, sign);
+  });
 }
 
 void equations(Tables& tables, const std::vector<Anywhere>& samples) {
@@ -411,11 +506,12 @@ void equations(Tables& tables, const std::vector<Anywhere>& samples) {
 void characteristic_roots(ProvableClaims<PolynomialOf>& table, const std::vector<Polynomial>& polynomials) {
   using OfPolynomial = ProvableFormula<PolynomialOf>;
   table.formula(
-      "characteristic_polynomial", 1453, "The characteristic polynomial is $mr^2+ar+{}$, and no more",
+      "characteristic_polynomial", 1453,
+      "The characteristic polynomial is $mr^2+ar+{}=0$ (our reading of the dangling plus: nothing follows it)",
       polynomials,
       {.quantity = "the polynomial at any $r$",
-       .truth = {"$m(r-r_1)(r-r_2)$ with the roots that the text has",
-                 [](const auto& s) { return s.by_roots(); }},
+       .truth = {R"($e^{-rt}(m\ddot x+a\dot x+cx)$ of $x=e^{rt}$, by dual numbers)",
+                 [](const auto& s) { return s.of_exponential(); }},
        .printed = "$mr^2+ar$",
        .meant = "$mr^2+ar+c$",
        .kind = Fault::formula,
@@ -473,24 +569,26 @@ void solutions(Claims& claims, const std::vector<Polynomial>& polynomials, doubl
                   {std::exp(-2.0) * (1 + 2 * 1.0), std::exp(-2.0) * (0.5 + (1.5 + 1) * 1.0)}},
                  rounding(1)};
   };
+  const auto in_equation = [&](double sign) {
+    return compare<OverDamped>(put_in_quantity, two_exponentials_put_in(sign), as_asked<OverDampedOf>,
+                               draw<OverDamped>(200, seed));
+  };
   claims.add(
       "two_exponentials", 1469, "The general solution for real roots is $x=K_1e^{r_1t}+K_2e^{r_2t}$",
       {.printed = {R"($K_1e^{r_1t}+K_2e^{r_2t}$, for $r_1=r_2$ as well)",
                    {at_double_root("two exponentials", TwoExponentials<double>{critical}.at(1))}},
        .corrected =
            {R"($K_1e^{r_1t}+K_2e^{r_2t}$ for $r_1\ne r_2$, and $(K_1+K_2t)\,e^{rt}$ for a double root $r$)",
-            {compare<OverDamped>(put_in_quantity, two_exponentials_put_in(), as_asked<OverDampedOf>,
-                                 draw<OverDamped>(200, seed)),
+            {in_equation(1),
              at_double_root("the limit of the two regimes", OneForm<double>{critical}.at(1))}},
-       .in_view = {"where the roots differ",
-                   {compare<OverDamped>(put_in_quantity, two_exponentials_put_in(), as_asked<OverDampedOf>,
-                                        draw<OverDamped>(200, seed))}},
-       .near_misses = {{"$(p+vt)\\,e^{rt}$ for a double root $r$",
+       .in_view = {"where the roots differ", {in_equation(1)}},
+       .near_misses = {{"$K_1=(v+r_2p)/(r_1-r_2)$ for $r_1\\ne r_2$", {in_equation(-1)}},
+                       {"$(p+vt)\\,e^{rt}$ for a double root $r$",
                         {at_double_root("$(p+vt)\\,e^{-2t}$",
                                         {std::exp(-2.0) * (1 + 0.0), std::exp(-2.0) * (0.5 + 1.5)})}}},
        .why =
            R"(Case 1 includes $a^2=4mc$, where both exponentials are the same function: two starting values )"
-           R"(cannot be met, and the formulas for $K_1$ and $K_2$ divide by zero. With roots that differ by )"
+           R"(cannot be met, as solving for $K_1$ and $K_2$ divides by $r_1-r_2=0$. With roots that differ by )"
            R"(very little the two exponentials are still right, but they are large and of opposite sign, and )"
            R"(their sum loses digits (see `near_critical`).)",
        .kind = Fault::left_out,
@@ -498,38 +596,46 @@ void solutions(Claims& claims, const std::vector<Polynomial>& polynomials, doubl
 
   claims.statement<Constants>(
       "limit", 1471,
-      "Whatever $K_1$ and $K_2$, $x(t)$ tends to zero (our check: at $t=500$, with $m=1$ and $c=4$)",
+      "With real roots $x=K_1e^{r_1t}+K_2e^{r_2t}$ tends to zero, whatever $K_1$ and $K_2$ (our check: at "
+      "$t=500$, with $m=1$ and $c=4$)",
       next<Constants>(random, 200),
       {.printed = {"$|x(500)|<10^{-12}$"},
-       .near_misses = {{R"(without the spring, $c=0$, $|x(500)|<10^{-12}$)",
-                        [](const Constants& s) { return abs(s.k1 + s.k2 * std::exp(-s.a * 500)) < 1e-12; }},
+       .near_misses = {{R"($|x(500)|<10^{-12}$ of $x=K_1e^{-r_1t}+K_2e^{r_2t}$)",
+                        [](const Constants& s) { return abs(s.at(500, -1)) < 1e-12; }},
                        {"$|x(100)|<10^{-12}$"}}});
 
   const Passing throw_in;
-  const Ball& thrown = throw_in.ball;
+  const Ball &thrown = throw_in.ball, at_double{1, 4, 4, 1, 2, -5, -10};
   const auto& [r1, r2, k1, k2] = throw_in.terms;
-  const auto passes = [&](std::string text, double time) -> Reading {
-    return {std::move(text),
-            {{"$x$ at $t=" + format_significant(time, 3) + "$",
-              {"closed form", OneForm<double>{thrown}.at(time)},
-              {"the origin", {0, 0}},
-              rounding(2),
-              2}}};
+  const auto at_origin = [](const Ball& ball, double time) -> Check {
+    return {"$x$ at $t=" + format_significant(time, 3) + "$",
+            {"closed form", OneForm<double>{ball}.at(time)},
+            {"the origin", {0, 0}},
+            rounding(2),
+            2};
+  };
+  const auto counted = [seed](const std::string& text, double Throw::*threshold) {
+    return in_all<Throw>(text, draw<Throw>(200, seed),
+                         [=](const Throw& s) { return s.passages() == (s.u > s.*threshold ? 1 : 0); });
   };
   claims.add(
       "overdamped_never_arrives", 1477,
-      "With real roots the ball reaches the origin after an infinite time (our reading: and not before)",
+      R"(With real roots the ball reaches the origin after an infinite time (our reading: and, for $p\ne0$, not )"
+      R"(before))",
       {.printed = {"$|x|>0$ for all $t$",
                    {no_violations(
                        "$x_1(1)$ has changed its sign: the origin is passed by then",
                        OneForm<double>{thrown}.at(1)[0] < 0, 1,
                        filled("$m=@1$, $c=@1$, $a=@1$, $p=(@1,@1)$, $v=@1p$",
                               {thrown.m, thrown.c, thrown.a, thrown.p1, thrown.p2, throw_in.factor()}))}},
-       .corrected = passes("a ball thrown at the origin faster than $|r_2||p|$ passes it once, at "
-                           "$e^{(r_1-r_2)t}=-K_2/K_1$",
-                           throw_in.time()),
-       .near_misses = {passes("at $e^{(r_1-r_2)t}=-K_1/K_2$", std::log(-k1 / k2) / (r1 - r2)),
-                       passes("at $e^{r_1t}=-K_2/K_1$", std::log(-k2 / k1) / r1)},
+       .corrected = {R"(with $v=-up$, $p\ne0$, the ball passes the origin once for $u>|r_2|$, at )"
+                     R"($e^{(r_1-r_2)t}=-K_2/K_1$, or at $t=1/(u+r)$ for a double root $r$, and else never)",
+                     {at_origin(thrown, throw_in.time()), at_origin(at_double, 1.0 / (5 - 2)),
+                      counted("once for $u>|r_2|$, else never", &Throw::fast)}},
+       .near_misses = {{"at $e^{(r_1-r_2)t}=-K_1/K_2$", {at_origin(thrown, std::log(-k1 / k2) / (r1 - r2))}},
+                       {"at $e^{r_1t}=-K_2/K_1$", {at_origin(thrown, std::log(-k2 / k1) / r1)}},
+                       {"at $t=1/(u-r)$ for a double root", {at_origin(at_double, 1.0 / (5 + 2))}},
+                       {"once for $u>|r_1|$", {counted("once for $u>|r_1|$, else never", &Throw::slow)}}},
        .why = filled(
            R"(With $p$ and $v$ parallel both coordinates vanish together once if $v$ points to the origin and )"
            R"($|v|>|r_2||p|$. For $m=@1$, $c=@1$, $a=@1$ the roots are $@1$ and $@1$; from $p$ with $v=@1p$, )"
@@ -542,15 +648,18 @@ void solutions(Claims& claims, const std::vector<Polynomial>& polynomials, doubl
 
   claims.statement<Frictions>(
       "larger_friction_sooner", 1477,
-      "With real roots, the larger the friction, the sooner the ball is nearly at the origin",
+      filled(
+          "With real roots, the larger the friction, the sooner the ball is nearly at the origin (our check: let "
+          "go at rest, the distance left after @1 s, with $m=@1$ and $c=@1$)",
+          {Frictions::seconds, Frictions::m, Frictions::c}),
       next<Frictions>(random, 100),
-      {.printed = {filled("the distance left after @1 s, let go at rest, falls with $a$",
-                          {Frictions::seconds}),
+      {.printed = {"let go at rest, the distance left falls with $a$",
                    [](const Frictions& s) { return s.left(s.b) < s.left(s.a); }},
-       .corrected = {R"(it grows with $a$ beyond the critical $2\sqrt{mc}$)",
+       .corrected = {R"(let go at rest, the distance left grows with $a$ beyond the critical $2\sqrt{mc}$)",
                      [](const Frictions& s) { return s.left(s.b) > s.left(s.a); }},
-       .near_misses = {{"it grows with $a$ from a fifteenth of that on",
-                        [](const Frictions& s) { return s.left(s.b / 15) > s.left(s.a / 15); }}},
+       .near_misses =
+           {{R"(let go at rest, the distance left grows with $a$ beyond a fifteenth of $2\sqrt{mc}$)",
+             [](const Frictions& s) { return s.left(s.b / 15) > s.left(s.a / 15); }}},
        .kind = Fault::counterexample,
        .root = "too much friction",
        .why =
@@ -570,22 +679,23 @@ void oscillations(Tables& tables, const std::vector<Oscillation>& samples,
                  [](const auto& s) { return derivative(oscillation(s.alpha, s.beta, s.k1, s.k2), s.t); }},
        .printed = R"($e^{\alpha t}(-\beta K_1\sin\beta t+\beta K_2\cos\beta t))"
                   R"(+\alpha e^{\alpha t}(K_1\cos\beta t+K_2\sin\beta t)$)"});
-  tables.oscillation.formula(
-      "arrival_conditions", 1501,
-      R"(A coordinate is zero where $K_1\cos\beta t+K_2\sin\beta t$ is, as the exponential is not zero for finite time)",
-      samples,
-      {.quantity = R"($x/e^{\alpha t}$)",
-       .truth = {R"($x$, divided by its exponential)",
-                 [](const auto& s) {
-                   return oscillation(s.alpha, s.beta, s.k1, s.k2)(s.t) / exp(s.alpha * s.t);
-                 }},
-       .printed = R"($K_1\cos\beta t+K_2\sin\beta t$)"});
-  tables.start.formula("constants", 1489,
-                       R"($x(0)=p$ and $\dot x(0)=v$ lead to $K_1=p$, $K_2=(v-\alpha p)/\beta$)", starts,
-                       {.quantity = "$(K_1,K_2)$",
-                        .truth = {R"(the equations $x(0)=p$, $\dot x(0)=v$, by dual numbers)",
-                                  [](const auto& s) { return s.constants(); }},
-                        .printed = R"($(p,\ (v-\alpha p)/\beta)$)"});
+  tables.oscillation.formula("start_values", 1489,
+                             R"($x(0)=p$ and $\dot x(0)=v$ lead to $p=K_1$, $v=\beta K_2+\alpha K_1$)",
+                             samples,
+                             {.quantity = R"($(x(0),\dot x(0))$)",
+                              .truth = {"$x$ by dual numbers",
+                                        []<class T>(const OscillationOf<T>& s) {
+                                          const auto x = oscillation(s.alpha, s.beta, s.k1, s.k2);
+                                          return values(x(T(0)), derivative(x, T(0)));
+                                        }},
+                              .printed = R"($(K_1,\ \beta K_2+\alpha K_1)$)"});
+  tables.start.formula(
+      "constants", 1489,
+      R"(The solution of $p=K_1$, $v=\beta K_2+\alpha K_1$ is $K_1=p$, $K_2=(v-\alpha p)/\beta$)", starts,
+      {.quantity = "$(K_1,K_2)$",
+       .truth = {R"(the equations $x(0)=p$, $\dot x(0)=v$, by dual numbers)",
+                 [](const auto& s) { return s.constants(); }},
+       .printed = R"($(p,\ (v-\alpha p)/\beta)$)"});
   const auto oscillates = [](std::string text, double sign) {
     return put_in<UnderDampedOf>(
         std::move(text), [sign](const auto& s) { return damped_oscillation(s.m, s.c, s.a, s.p, s.v, sign); });
@@ -606,28 +716,31 @@ void oscillations(Tables& tables, const std::vector<Oscillation>& samples,
 // ---- the arrival ------------------------------------------------------------------------------------------
 
 /// The time when a ball is at the origin, and its uncertainty in double: roundings of the terms that cancel
-/// there, divided by the slope.
+/// there, divided by the slope. No number if it is not there.
 struct Passage {
   double time;
   Tolerance known;
+  double speed = 0;
 };
 
-/// First positive time at the origin, found by marching and bisection on the projection along p.
+/// First positive time at the origin, found by marching along p for half a turn, and by bisection. For a ball
+/// that does not turn, the search takes fifty times as long as the spring alone takes for a radian.
 Passage first_passage(const Ball& b) {
-  const auto x = [&](double t) {
-    const auto at = OneForm<double>{b}.at(t);
-    return at[0] * b.p1 + at[1] * b.p2;
-  };
-  const double rate = sqrt(b.c / b.m), step = 1e-3 / rate;
-  double t = 0;
-  while (x(t) * x(t + step) > 0) t += step;
-  double low = t, high = t + step;
-  for (int i = 0; i < 60; ++i) (x(low) * x((low + high) / 2) > 0 ? low : high) = (low + high) / 2;
-  const double slope = b.p1 * derivative(damped_oscillation(b.m, b.c, b.a, b.p1, b.v1), low) +
-                       b.p2 * derivative(damped_oscillation(b.m, b.c, b.a, b.p2, b.v2), low);
-  const double terms =
-      abs(b.p1) * (abs(b.p1) + abs(b.v1) / rate) + abs(b.p2) * (abs(b.p2) + abs(b.v2) / rate);
-  return {low, rounding(low + terms / abs(slope))};
+  const double rate = sqrt(b.c / b.m), step = 0.5 / rate, beta = sqrt(4 * b.m * b.c - b.a * b.a) / (2 * b.m),
+               end = beta > 0 ? pi / beta : 50 / rate, size = std::hypot(b.p1, b.p2);
+  Moving now{b.p1 * b.p1 + b.p2 * b.p2, b.p1 * b.v1 + b.p2 * b.v2};
+  double start = 0;
+  for (; now.x * later(b, now, step).x > 0; start += step) {
+    if (start > end) return {std::numeric_limits<double>::quiet_NaN(), exact()};
+    now = later(b, now, step);
+  }
+  double low = 0, high = step;
+  for (int i = 0; i < 60; ++i)
+    (now.x * later(b, now, (low + high) / 2).x > 0 ? low : high) = (low + high) / 2;
+  const double slope = abs(later(b, now, high).rate), time = start + high,
+               terms =
+                   abs(b.p1) * (abs(b.p1) + abs(b.v1) / rate) + abs(b.p2) * (abs(b.p2) + abs(b.v2) / rate);
+  return {time, rounding(time + terms / slope), slope / size};
 }
 
 /// An underdamped ball with p and v parallel.
@@ -658,23 +771,26 @@ struct AtOrigin : Start {
   }
 };
 
+/// The ball with the velocity `speed` times p.
+Start moving_at(const Ball& b, double speed) {
+  return {{b.m, b.c, b.a, b.p1, b.p2, speed * b.p1, speed * b.p2},
+          "$m$ = " + format_significant(b.m, 4) + ", $c$ = " + format_significant(b.c, 4) +
+              ", $a$ = " + format_significant(b.a, 4) + ", $p$ = (" + format_significant(b.p1, 4) + ", " +
+              format_significant(b.p2, 4) + "), $v$ = " + format_significant(speed, 4) + " $p$"};
+}
+
 /// A ball at p whose velocity is `speed` times p, with any friction below the critical.
 Start start_at(Random& any, double p1, double p2, double speed) {
   const double m = any.between(0.3, 3), c = any.between(0.3, 4),
                a = 2 * sqrt(m * c) * any.between(0.03, 0.95);
-  return {{m, c, a, p1, p2, speed * p1, speed * p2},
-          "$m$ = " + format_significant(m, 4) + ", $c$ = " + format_significant(c, 4) +
-              ", $a$ = " + format_significant(a, 4) + ", $p$ = (" + format_significant(p1, 4) + ", " +
-              format_significant(p2, 4) + "), $v$ = " + format_significant(speed, 4) + " $p$"};
+  return moving_at({m, c, a, p1, p2, 0, 0}, speed);
 }
 
-double forward(double angle) { return angle < 0 ? angle + pi : angle; }
-
-void parallel(Tables& tables, const std::vector<Vectors>& samples) {
+void parallel(Tables& tables, const std::vector<Vectors>& samples, const std::vector<InLine>& in_line) {
   tables.vectors.formula(
       "parallel", 1515,
-      R"($p$ and $(v-\alpha p)/\beta$ are parallel when $p$ and $v$ are (the text's parenthesis does not )"
-      R"(close))",
+      R"($p$ and $(v-\alpha p)/\beta$ are parallel exactly when $p$ and $v$ are, as the products of both pairs )"
+      R"(differ by the factor $\beta\ne0$ alone (the text's parenthesis does not close))",
       samples,
       {.quantity = R"($\beta$ times the vectors' product)",
        .truth = {R"($\beta\,p\times(v-\alpha p)/\beta$)",
@@ -683,54 +799,107 @@ void parallel(Tables& tables, const std::vector<Vectors>& samples) {
                                     s.p2 * ((s.v1 - s.alpha * s.p1) / s.beta));
                  }},
        .printed = "$p_1v_2-p_2v_1$"});
+  const ProvableFormula<InLineOf> zero{"zero", []<class T>(const InLineOf<T>&) { return values(T(0)); }};
+  tables.in_line.formula(
+      "one_equation", 1515,
+      R"(With complex roots, and $p$ and $v$ parallel, the two conditions are one equation: the pairs )"
+      R"($(p_i,\ (v_i-\alpha p_i)/\beta)$ of $i=1$ and 2 are parallel)",
+      in_line,
+      {.quantity = R"(the pairs' product)",
+       .truth = zero,
+       .printed = R"($p_1\frac{v_2-\alpha p_2}\beta-p_2\frac{v_1-\alpha p_1}\beta=0$)",
+       .changes_that_hold = "a factor of zero may have any size and sign"});
+  tables.in_line.formula(
+      "pulled_directly", 1525,
+      R"(With complex roots, and $p$ and $v$ parallel, the ball is pulled directly to the )"
+      R"(origin (our reading: it stays on the line through $p$ and the origin))",
+      in_line,
+      {.quantity = R"($x\times p$ at any time)",
+       .truth = zero,
+       .printed = "$x_1p_2-x_2p_1=0$",
+       .changes_that_hold = "a factor of zero may have any size and sign"});
 }
 
-const std::string printed_pair = R"($(p_1,\ v_1-\alpha p_1\beta)\cdot(\cos\beta t,\ \sin\beta t)=0$)",
-                  pair = R"($(p_1,\ (v_1-\alpha p_1)/\beta)\cdot(\cos\beta t,\ \sin\beta t)=0$)";
+const std::string
+    conditions = R"($p\cos\beta t+\frac{v-\alpha p}\beta\sin\beta t=0$)",
+    printed_product = R"($(\cos\beta t,\ \sin\beta t)\cdot(p_1,\ v_1-\alpha p_1\beta)=0$)",
+    product = R"($(\cos\beta t,\ \sin\beta t)\cdot(p_1,\ (v_1-\alpha p_1)/\beta)=0$)",
+    printed_pair = R"($(p_1,\ v_1-\alpha p_1\beta)$)", pair = R"($(p_1,\ (v_1-\alpha p_1)/\beta)$)",
+    as_cotangent = R"($t=\frac1\beta\left(\frac\pi2+\tan^{-1}\frac{v_1-\alpha p_1}{\beta p_1}\right)$)",
+    of_products =
+        R"($t=\frac1\beta\left(\frac\pi2+\tan^{-1}\frac{(v-\alpha p)\cdot p}{\beta\,p\cdot p}\right)$)",
+    principal = R"($t=\frac1\beta\tan^{-1}\frac{-\beta p_1}{v_1-\alpha p_1}$)";
 
-void arrivals(Claims& claims, double seed) {
-  // In all directions; some are along an axis, so the other coordinate is always zero.
-  std::vector<Start> directions;
+/// lambda (-sin(beta t), cos(beta t)) where x is zero, which makes x' = beta e^(alpha t) lambda.
+template <class T>
+std::array<T, 2> turned(const T& alpha, const T& beta, const T& p, const T& v, const T& t) {
+  const T lambda =
+      derivative(oscillation(alpha, beta, p, T((v - alpha * p) / beta)), t) / (beta * exp(alpha * t));
+  return {-lambda * sin(beta * t), lambda * cos(beta * t)};
+}
+
+/// In all directions, some along an axis, where the other coordinate is zero for ever.
+std::vector<AtOrigin> in_all_directions(double seed) {
+  std::vector<AtOrigin> all;
   Random any(seed);
   for (int i = 0; i < 60; ++i) {
     const double s = any.between(-2, 2), angle = any.between(0, 2 * pi);
     const double p1 = i % 3 == 0 ? 0 : std::cos(angle), p2 = i % 3 == 1 ? 0 : std::sin(angle);
-    directions.push_back(start_at(any, p1, p2, s));
+    all.push_back({start_at(any, p1, p2, s)});
   }
-  const Formula<Start> by_bisection{R"(the sign change of $x\cdot p$, by bisection)",
-                                    [](const Start& s) { return s.found.time; }};
-  const std::string when = "first time at the origin",
-                    as_cotangent =
-                        R"($t=\frac1\beta\left(\frac\pi2+\tan^{-1}\frac{v_1-\alpha p_1}{\beta p_1}\right)$)";
+  return all;
+}
+
+const Formula<Start> by_bisection{"the integrated motion's first sign change along $p$, by bisection",
+                                  [](const Start& s) { return s.found.time; }};
+const std::string when = "first time at the origin";
+
+void arrivals(Claims& claims, double seed) {
+  const std::vector<AtOrigin> there = in_all_directions(seed);
+  const std::vector<Start> directions(there.begin(), there.end());
+  claims.formula<AtOrigin>(
+      "arrival_conditions", 1501,
+      R"(With complex roots the ball is at the origin where $p_i\cos\beta t+\frac{v_i-\alpha p_i}\beta\sin\beta t=0$ )"
+      R"(for $i=1$ and 2, as the exponential is not zero for finite time)",
+      there,
+      {.quantity = "the left sides where the integrated motion is at the origin",
+       .truth = {"zero", [](const AtOrigin&) { return 0.0; }},
+       .printed = {conditions},
+       .changes_that_hold = "a factor of zero may have any size and sign"});
   claims.formula<Start>(
       "first_equation_suffices", 1515,
-      "For $p$ and $v$ parallel the two equations are one, and the first can be solved for the time",
+      R"(With complex roots, and $p\ne0$ and $v$ parallel, the first condition can be solved for the time (our )"
+      R"(reading: the first $t>0$))",
       directions,
       {.quantity = when,
        .truth = by_bisection,
-       .printed = {as_cotangent},
-       .corrected =
-           {R"($t=\frac1\beta\left(\frac\pi2+\tan^{-1}\frac{(v-\alpha p)\cdot p}{\beta\,p\cdot p}\right)$)"},
+       .printed = {"the first condition alone, solved for $t$ by the inverse cotangent",
+                   [](const Start& s) {
+                     const auto& [m, c, a, p1, p2, v1, v2] = s.ball;
+                     return (pi / 2 + std::atan((v1 - s.alpha() * p1) / (s.beta() * p1))) / s.beta();
+                   }},
+       .corrected = {of_products},
        .in_view = {"where $p_1$ is not zero", [](const Start& s) { return s.ball.p1 != 0; }},
        .kind = Fault::left_out,
        .root = "the first equation alone",
-       .why = R"(Where $p_1=v_1=0$ the first equation reads $0=0$, and the arctangent is of $0/0$. With the )"
-              R"(products by $p$ no direction is special.)"});
+       .why = R"(Where $p_1=v_1=0$ the first condition reads $0=0$, and says nothing of the time. With the )"
+              R"(products by $p\ne0$ no direction is special.)"});
 
   std::vector<Start> oblique;
-  any = Random(seed);
+  Random any(seed);
   for (int i = 0; i < 50; ++i) {
     const double s = any.between(-2, 2), p1 = any.magnitude(0.2, 2), p2 = any.magnitude(0.2, 2);
     oblique.push_back(start_at(any, p1, p2, s));
   }
   claims.formula<Start>(
       "arrival_time", 1517,
-      R"(For $p$ and $v$ parallel the ball is at the origin at $t=\frac1\beta\tan^{-1}\frac{-\beta )"
-      R"(p_1}{v_1-\alpha p_1}$)",
+      R"(With complex roots, and $p$ and $v$ parallel, $p_1\ne0$, the ball is at the origin at )"
+      R"($t=\frac1\beta\tan^{-1}\frac{-\beta p_1}{v_1-\alpha p_1}$ (our reading: the principal value, and the )"
+      R"(first $t>0$))",
       oblique,
       {.quantity = when,
        .truth = by_bisection,
-       .printed = {R"($t=\frac1\beta\tan^{-1}\frac{-\beta p_1}{v_1-\alpha p_1}$)"},
+       .printed = {principal},
        .corrected = {as_cotangent},
        .kind = Fault::formula,
        .root = "the arctangent's branch",
@@ -744,27 +913,27 @@ void arrivals(Claims& claims, double seed) {
   for (int i = 0; i < 50; ++i) {
     const double s = any.between(-2, 2), p = any.magnitude(0.2, 2);
     const Start start = start_at(any, p, 0, s);
-    Ball ball = start.ball;
-    if (i % 5 == 0) ball.v1 = start.alpha() * p;
-    on_axis.push_back({ball, start.told + (i % 5 == 0 ? R"(, but $v=\alpha p$)" : "")});
+    on_axis.push_back(i % 5 == 0 ? moving_at(start.ball, start.alpha()) : start);
   }
-  claims.formula<Start>(
+  const auto denominator = [](const Start& s) { return s.ball.v1 - s.alpha() * s.ball.p1; };
+  const auto is_number = [=](const Start& s) {
+    return std::isfinite(-s.beta() * s.ball.p1 / denominator(s));
+  };
+  claims.statement<Start>(
       "arrival_quotient", 1517,
-      R"(The quotient in the arrival's arctangent, $-\beta p_1/(v_1-\alpha p_1)$, is a number (our reading: )"
-      R"(unless it is $0/0$))",
+      R"(With complex roots, and $p$ and $v$ parallel, $p_1\ne0$, the quotient in the arrival's arctangent is a )"
+      R"(number)",
       on_axis,
-      {.quantity = when,
-       .truth = by_bisection,
-       .printed =
-           {R"($t=\frac1\beta\tan^{-1}\frac{-\beta p_1}{v_1-\alpha p_1}$, plus $\pi/\beta$ where negative; no number for $v_1=\alpha p_1$)",
-            [](const Start& s) {
-              const double x = s.ball.v1 - s.alpha() * s.ball.p1;
-              return x == 0 ? std::numeric_limits<double>::quiet_NaN()
-                            : forward(std::atan(-s.beta() * s.ball.p1 / x)) / s.beta();
-            }},
-       .corrected = {as_cotangent},
-       .in_view = {R"(where $v_1$ is not $\alpha p_1$)",
-                   [](const Start& s) { return s.ball.v1 != s.alpha() * s.ball.p1; }},
+      {.printed = {R"($-\beta p_1/(v_1-\alpha p_1)$ is a number)", is_number},
+       .corrected = {R"($-\beta p_1/(v_1-\alpha p_1)$ is a number where $v_1\ne\alpha p_1$, and )"
+                     R"($(v_1-\alpha p_1)/(\beta p_1)$ everywhere)",
+                     [=](const Start& s) {
+                       return is_number(s) == (denominator(s) != 0) &&
+                              std::isfinite(denominator(s) / (s.beta() * s.ball.p1));
+                     }},
+       .in_view = {R"(where $v_1$ is not $\alpha p_1$)", [=](const Start& s) { return denominator(s) != 0; }},
+       .near_misses = {{R"($-\beta p_1/(v_1-\alpha p_1)$ is a number where $v_1\ne0$)",
+                        [=](const Start& s) { return is_number(s) == (s.ball.v1 != 0); }}},
        .kind = Fault::left_out,
        .root = "a zero denominator",
        .why =
@@ -773,34 +942,38 @@ void arrivals(Claims& claims, double seed) {
            R"(cotangent $\frac\pi2+\tan^{-1}$ divides by $\beta p_1$, and needs no $\pi/\beta$ to be added either.)"});
 
   const auto passing = [](std::string text, const std::vector<Start>& balls) -> Reading {
-    WorstSample worst(R"($x$ at the first sign change of $x\cdot p$)", "closed form", "the origin");
-    for (const auto& [b, where, passage] : balls) {
-      const auto [time, known] = passage;
-      const double speed = std::hypot(derivative(damped_oscillation(b.m, b.c, b.a, b.p1, b.v1), time),
-                                      derivative(damped_oscillation(b.m, b.c, b.a, b.p2, b.v2), time));
-      worst.add(OneForm<double>{b}.at(time), {0, 0},
-                {known.allowed * speed, "the way that the ball goes in the uncertainty of its passage"},
+    WorstSample worst("$x$ at the integrated motion's first sign change along $p$", "closed form",
+                      "the origin");
+    for (const auto& [b, where, passage] : balls)
+      worst.add(OneForm<double>{b}.at(passage.time), {0, 0},
+                {passage.known.allowed * passage.speed,
+                 "the way that the ball goes in the uncertainty of its passage"},
                 std::hypot(b.p1, b.p2), where);
-    }
     return {std::move(text), {worst.check()}};
   };
   const Ball away = weak(1, 2, 1, 2), aside = weak(1, 2, 1, 1);
-  const Reading returns = passing("$p$ and $v$ parallel, in either direction", {{away, "$v=p$"}});
-  claims.add("finite_time", 1525, "For $p$ and $v$ parallel the ball reaches the origin in finite time",
-             {.printed = passing("it passes through the origin", directions),
-              .near_misses = {passing("so it does for any $v$", {{aside, "$v=(1,1)$"}})}});
+  std::vector<Start> either = directions;
+  for (const Ball& ball : {away, weak(1, 2, 0, 0), weak(1, 2, -1, -2)})
+    either.push_back(moving_at(ball, ball.v1));
+  claims.add(
+      "finite_time", 1525,
+      R"(With complex roots, and $p\ne0$ and $v$ parallel, the ball reaches the origin in finite time)",
+      {.printed = passing("it passes through the origin", directions),
+       .near_misses = {passing("so it does for any $v$", {{aside, "$v=(1,1)$"}}),
+                       passing("so it does with real roots", {{{1, 4, 5, 1, 2, 0, 0}, "$a=5$, at rest"}})}});
   claims.add(
       "velocity_points_to_origin", 1525,
-      "A ball that reaches the origin has a velocity that points to the origin at the start",
+      "With complex roots, a ball that reaches the origin has a velocity that points to the origin at the start",
       {.printed = {R"($p\cdot v<0$ in every start that arrives)",
                    {no_violations(filled(R"($p\cdot v\ge0$ though the ball arrives, $p=(@1,@1)$, $v=p$)",
                                          {away.p1, away.p2}),
-                                  returns.holds(), 1)}},
-       .corrected = returns,
+                                  passing("", {{away, "$v=p$"}}).holds(), 1)}},
+       .corrected = passing(
+           R"(each start with $v$ parallel to $p\ne0$ arrives, in either direction, or with $v=0$)", either),
        .near_misses = {passing("any direction", {{aside, "$v=(1,1)$"}})},
        .why =
-           "Parallel is enough: a ball that moves straight away from the origin turns round and comes back "
-           "through it.",
+           R"(With complex roots and $p\ne0$, parallel is enough: a ball that moves straight away from the origin )"
+           R"(turns round and comes back through it.)",
        .kind = Fault::counterexample,
        .root = "a ball that turns back"});
 
@@ -813,22 +986,35 @@ void arrivals(Claims& claims, double seed) {
     starts.push_back({start_at(any, p, 0, s)});
   }
   claims.formula<AtOrigin>(
-      "turned_pair", 1537,
-      R"(Where a coordinate is zero, the pair $(p_i,\;(v_i-\alpha p_i)/\beta)$ is along $(-\sin\beta )"
-      R"(t,\cos\beta t)$)",
+      "dot_product", 1531,
+      R"(Where a coordinate is zero, $(\cos\beta t,\ \sin\beta t)\cdot(p_i,\ (v_i-\alpha p_i)/\beta)=0$)",
       starts,
       {.quantity = R"(the pair's product with $(\cos\beta t,\ \sin\beta t)$)",
        .truth = {"zero", [](const AtOrigin&) { return 0.0; }},
-       .printed = {printed_pair},
-       .meant = {pair},
+       .printed = {printed_product},
+       .meant = {product},
        .changes_that_hold = "a factor of zero may have any size and sign",
        .kind = Fault::lost_typography,
        .why = filled(
-           "The fraction bar is lost in the text at hand, here and in line 1529; lines 1505 and 1511 have "
+           "The fraction bar is lost in the text at hand, here and in line 1537; lines 1505 and 1511 have "
            "it. For $m=@1$, $c=@1$, $a=@1$ and $p=@1$ at rest the pair is $(@1,@2)$, and $(@1,@2)$ with the "
            "product.",
            {b.m, b.c, b.a, b.p1, b.p1, -at_rest.alpha() * b.p1 / at_rest.beta(), b.p1,
             -at_rest.alpha() * b.p1 * at_rest.beta()})});
+  claims.formula<AtOrigin>(
+      "turned_pair", 1537,
+      R"(Where a coordinate is zero, $(p_i,\ (v_i-\alpha p_i)/\beta)=\lambda_i(-\sin\beta t,\ \cos\beta t)$)",
+      starts,
+      {.quantity = "the pair",
+       .truth = {R"($\lambda_i(-\sin\beta t,\ \cos\beta t)$, $\lambda_i=\dot x_i/(\beta e^{\alpha t})$)",
+                 [](const AtOrigin& s) {
+                   return turned(s.alpha(), s.beta(), s.ball.p1, s.ball.v1, s.found.time);
+                 }},
+       .printed = {printed_pair},
+       .meant = {pair},
+       .kind = Fault::lost_typography,
+       .why =
+           "The fraction bar is lost in the text at hand, here and in line 1531; lines 1505 and 1511 have it."});
 }
 
 void not_parallel(Tables& tables, const std::vector<Pairs>& pairs, const std::vector<Aside>& samples) {
@@ -841,26 +1027,29 @@ void not_parallel(Tables& tables, const std::vector<Pairs>& pairs, const std::ve
        .truth = {"the vectors' product", [](const auto& s) { return s.p1 * s.k2 - s.p2 * s.k1; }},
        .printed = R"($(p_1\cos\beta t+k_1\sin\beta t)(k_2\cos\beta t-p_2\sin\beta t))"
                   R"(-(p_2\cos\beta t+k_2\sin\beta t)(k_1\cos\beta t-p_1\sin\beta t)$)"});
-  tables.aside.formula("not_parallel_never", 1541,
-                       "For $p$ and $v$ not parallel the ball never reaches the origin in finite time",
-                       samples,
-                       {.quantity = R"($x_1\dot x_2-x_2\dot x_1$ at $t$, for $m=1$ and $c=4$)",
-                        .truth = {"the closed form, differentiated by dual numbers",
-                                  [](const auto& s) { return s.momentum(); }},
-                        .printed = "$e^{-at}(p_1v_2-p_2v_1)$"});
+  tables.aside.formula(
+      "not_parallel_never", 1541,
+      R"(With complex roots, and $p$ and $v$ not parallel, the ball never reaches the origin in finite time )"
+      R"((our check: $x_1\dot x_2-x_2\dot x_1$, which is zero there, is $e^{-at/m}(p_1v_2-p_2v_1)\ne0$))",
+      samples,
+      {.quantity = R"($x_1\dot x_2-x_2\dot x_1$ at $t$)",
+       .truth = {"the closed form, differentiated by dual numbers",
+                 [](const auto& s) { return s.momentum(); }},
+       .printed = "$e^{-at/m}(p_1v_2-p_2v_1)$"});
 }
 
-void comes_to_rest(Claims& claims, const std::vector<UnderDamped>& samples) {
-  const auto near_zero = [](std::string text, double friction) -> Statement<UnderDamped> {
-    return {std::move(text), [friction](const UnderDamped& s) {
-              const double t = 80 * s.m / s.a;
-              return abs(damped_oscillation(s.m, s.c, friction * s.a, s.p, s.v)(t)) < 1e-12;
+void comes_to_rest(Claims& claims, const std::vector<Aside>& samples) {
+  const auto near_zero = [](std::string text, double friction) -> Statement<Aside> {
+    return {std::move(text), [friction](const Aside& s) {
+              const double t = 80 * s.m / s.a, a = friction * s.a;
+              return std::hypot(damped_oscillation(s.m, s.c, a, s.p1, s.v1)(t),
+                                damped_oscillation(s.m, s.c, a, s.p2, s.v2)(t)) < 1e-12;
             }};
   };
-  claims.statement<UnderDamped>(
+  claims.statement<Aside>(
       "infinite_time", 1541,
-      R"(The ball reaches the origin in infinite time, since $e^{\alpha t}$ tends to zero for $\alpha<0$ (our )"
-      R"(check: at $t=40/|\alpha|$))",
+      R"(With complex roots, and $p$ and $v$ not parallel, the ball reaches the origin in infinite time, since )"
+      R"($e^{\alpha t}$ tends to zero for $\alpha<0$ (our check: at $t=40/|\alpha|$))",
       samples,
       {.printed = near_zero(R"($|x|<10^{-12}$ at $t=40/|\alpha|$)", 1),
        .near_misses = {near_zero(R"($|x|<10^{-12}$ then without friction, $\alpha=0$)", 0)}});
@@ -876,10 +1065,11 @@ std::vector<Claim> claims(double seed) {
   solutions(all, polynomials, seed, random);
   oscillations(tables, next<Oscillation>(random, 200), draw<StartOfOne>(200, seed),
                draw<UnderDamped>(200, seed));
-  parallel(tables, draw<Vectors>(200, seed));
+  parallel(tables, draw<Vectors>(200, seed), draw<InLine>(200, seed));
   arrivals(all, seed);
-  not_parallel(tables, draw<Pairs>(200, seed), next<Aside>(random, 200));
-  comes_to_rest(all, draw<UnderDamped>(200, seed));
+  const auto aside = next<Aside>(random, 200);
+  not_parallel(tables, draw<Pairs>(200, seed), aside);
+  comes_to_rest(all, aside);
   return all.in_order();
 }
 
@@ -914,12 +1104,12 @@ Ltac damped :=
 Ltac turning :=
   match goal with |- exp ?y * _ = exp ?x * (_ * cos ?z + _) * _ - _ =>
     let e := fresh in let f := fresh in
-    assert (e : exp y = exp x * exp x) by (rewrite <- exp_plus; f_equal; field); rewrite e; clear e;
+    assert (e : exp y = exp x * exp x) by (rewrite <- exp_plus; f_equal; field; lra); rewrite e; clear e;
     assert (f : sin z * sin z = 1 - cos z * cos z)
       by (pose proof (sin2_cos2 z) as f; unfold Rsqr in f; lra);
     generalize dependent (sin z); intro; generalize (cos z); intros;
     match goal with P : _ > 0 |- context [sqrt ?d] =>
-      assert (sqrt d > 0) by (apply sqrt_lt_R0; lra); field [f]; lra
+      assert (sqrt d > 0) by (apply sqrt_lt_R0; lra); field [f]; repeat split; lra
     end
   end.
 Ltac twice :=
@@ -931,36 +1121,129 @@ Ltac pairing :=
   match goal with Z : exp ?y * _ = 0 |- _ =>
     pose proof (exp_pos y); apply Rmult_integral in Z; destruct Z as [Z | Z]; first [exact Z | lra]
   end.
+Ltac turned_pair alpha beta p v t :=
+  match goal with Z : exp ?y * _ = 0 |- _ =>
+    pose proof (exp_pos y); apply Rmult_integral in Z; destruct Z as [Z | Z]; [lra |];
+    assert (C : sin (beta * t) * sin (beta * t) = 1 - cos (beta * t) * cos (beta * t))
+      by (pose proof (sin2_cos2 (beta * t)) as f; unfold Rsqr in f; lra);
+    set (k := (v - alpha * p) / beta) in *; set (s := sin (beta * t)) in *; set (c := cos (beta * t)) in *;
+    set (e := exp y) in *; clearbody k s c e;
+    assert (S : k * s = - (p * c)) by lra; assert (P : p * c = - (k * s)) by lra;
+    first [field [S C] | field [P C]]; split; first [assumption | lra]
+  end.
+Ltac arriving beta :=
+  match goal with |- context [?b * (PI / 2 + atan ?q)] =>
+    destruct (atan_bound q);
+    match goal with
+    | |- _ = 0 =>
+      replace (beta * (b * (PI / 2 + atan q))) with (PI / 2 + atan q) by (field; lra);
+      rewrite cos_plus, sin_plus, cos_PI2, sin_PI2, sin_atan, cos_atan;
+      let R := fresh in
+      assert (R : sqrt (1 + Rsqr q) > 0) by (apply sqrt_lt_R0; pose proof (Rle_0_sqr q); lra);
+      generalize dependent (sqrt (1 + Rsqr q)); intros; field; repeat split; nra
+    | |- _ => set (z := atan q) in *; clearbody z; first
+      [ replace (PI / beta - b * (PI / 2 + z)) with ((PI / 2 - z) / beta) by (field; lra);
+        apply Rdiv_lt_0_compat; lra
+      | replace (b * (PI / 2 + z)) with ((PI / 2 + z) / beta) by (field; lra);
+        apply Rdiv_lt_0_compat; lra ]
+    end
+  end.
 )";
 
-Provable proof_of_pair() {
-  const auto letter = Shortened::letter;
-  const Shortened alpha = letter("alpha"), beta = letter("beta"), p = letter("p"), v = letter("v"),
-                  t = letter("t");
-  const auto product = [](const std::string& text, const Shortened& of_alpha, const Shortened& of_beta,
-                          const Shortened& of_p, const Shortened& of_v, const Shortened& at) {
+/// A coordinate at a time.
+struct AtTime {
+  Shortened alpha = Shortened::letter("alpha"), beta = Shortened::letter("beta"), p = Shortened::letter("p"),
+            v = Shortened::letter("v"), t = Shortened::letter("t");
+
+  Expressions of(const std::string& text) const {
     return recorded_text(
-        text, {{R"(\alpha)", of_alpha}, {R"(\beta)", of_beta}, {"p_1", of_p}, {"v_1", of_v}, {"t", at}})[0];
+        text,
+        {{R"(\alpha)", alpha}, {R"(\beta)", beta}, {"p_1", p}, {"v_1", v}, {"p", p}, {"v", v}, {"t", t}});
+  }
+  Proposition is_zero() const {
+    return oscillation(alpha, beta, p, (v - alpha * p) / beta)(t).expression() == Expression(0);
+  }
+  Expressions turned() const { return detail::recorded_value(ex03_09::turned(alpha, beta, p, v, t)); }
+};
+
+/// Proofs of what holds where a coordinate is zero.
+Provables proofs_at_zeros() {
+  const AtTime any, cosine{-1, 2, 1, -1, pi_of<Shortened>() / 4};  // v = alpha p: zero at pi/(2 beta)
+  const std::string letters = "(alpha beta p v t : R)";
+  const auto off = [&](const Expression& printed, const Expression& is) -> Lemma {
+    return {"printed_differs",
+            "",
+            {},
+            {near(oscillation<Shortened>(-1, 2, 1, 0)(cosine.t).expression(), 0, 1e-10),
+             apart(printed, is, 0.99)},
+            "interval"};
   };
-  const Lemma turned{"meant",
-                     "(alpha beta p v t : R)",
-                     {oscillation(alpha, beta, p, (v - alpha * p) / beta)(t).expression() == Expression(0)},
-                     {product(pair, alpha, beta, p, v, t) == Expression(0)},
-                     "pairing"};
-  // alpha = -1, beta = 2 and v = alpha p: a cosine, zero at pi/4
-  const Shortened quarter = pi_of<Shortened>() / 4;
-  const auto cosine = oscillation<Shortened>(-1, 2, 1, 0);
-  const Lemma off{"printed_differs",
-                  "",
-                  {},
-                  {near(cosine(quarter).expression(), 0, 1e-10),
-                   apart(product(printed_pair, -1, 2, 1, -1, quarter), 0, 0.99)},
-                  "interval"};
-  return {"3.9-turned_pair",
-          "as meant it holds wherever a coordinate is zero; as printed it is off at an example",
-          {turned, off},
-          0.99,
-          damped_in_coq};
+  const std::string as_meant =
+      "as meant it holds wherever a coordinate is zero; as printed it is off at an example";
+  return {{"3.9-arrival_conditions",
+           "it holds wherever a coordinate is zero",
+           {{"printed", letters, {any.is_zero()}, {any.of(conditions)[0] == Expression(0)}, "pairing"}}},
+          {"3.9-dot_product",
+           as_meant,
+           {{"meant", letters, {any.is_zero()}, {any.of(product)[0] == Expression(0)}, "pairing"},
+            off(cosine.of(printed_product)[0], 0)},
+           0.99},
+          {"3.9-turned_pair",
+           as_meant,
+           {{"meant",
+             letters,
+             {not_zero(any.beta.expression()), any.is_zero()},
+             equal(any.of(pair), any.turned()),
+             "turned_pair alpha beta p v t"},
+            off(cosine.of(printed_pair)[1], cosine.turned()[1])},
+           0.99}};
+}
+
+/// Proofs that coordinates are zero at the corrected times, which are within half a turn.
+Provables proofs_of_arrivals() {
+  AtTime one;
+  const Shortened p1 = Shortened::letter("p1"), p2 = Shortened::letter("p2"), s = Shortened::letter("s");
+  const auto within = [&](std::vector<Proposition> zeros, const Shortened& time) {
+    zeros.push_back(above(time.expression(), 0));
+    zeros.push_back(above((pi_of<Shortened>() / one.beta - time).expression(), 0));
+    return zeros;
+  };
+  const Proposition turns = above(one.beta.expression(), 0);
+  one.t = one.of(as_cotangent)[0];
+  const Lemma of_one{"corrected",
+                     "(alpha beta p v : R)",
+                     {turns, not_zero(one.p.expression())},
+                     within({one.is_zero()}, one.t),
+                     "arriving beta"};
+  const AtTime at_rest{-1, 2, 1, 0, {}};
+  const Lemma early{"printed_differs",
+                    "",
+                    {},
+                    {above((-Shortened(at_rest.of(principal)[0])).expression(), 0.5)},
+                    "interval"};
+
+  const Shortened time = recorded_text(of_products, {{R"(\alpha)", one.alpha},
+                                                     {R"(\beta)", one.beta},
+                                                     {"p", {p1, p2}},
+                                                     {"v", {s * p1, s * p2}},
+                                                     {"t", 0}})[0];
+  const auto zero = [&](const Shortened& p) { return AtTime{one.alpha, one.beta, p, s * p, time}.is_zero(); };
+  const auto of_both = [&](const std::string& reading) -> Lemma {
+    return {reading,
+            "(alpha beta p1 p2 s : R)",
+            {turns, above((p1 * p1 + p2 * p2).expression(), 0)},
+            within({zero(p1), zero(p2)}, time),
+            "arriving beta"};
+  };
+  const std::string both_zero = "both coordinates are zero at the corrected time, between 0 and pi/beta";
+  return {
+      {"3.9-arrival_time",
+       "the coordinate is zero at the corrected time, between 0 and pi/beta; the printed one is negative at "
+       "an example",
+       {of_one, early},
+       0.5},
+      {"3.9-first_equation_suffices", both_zero, {of_both("corrected")}},
+      {"3.9-finite_time", both_zero, {of_both("printed")}}};
 }
 
 Provables by_hand() {
@@ -1015,11 +1298,48 @@ Ltac by_parts_of_the_root m c a :=
   destruct (parts (a * a - 4 * m * c)) as [square [product _]];
   set (x := sqrt ((Rabs (a * a - 4 * m * c) + (a * a - 4 * m * c)) / 2)) in *;
   set (y := sqrt ((Rabs (a * a - 4 * m * c) - (a * a - 4 * m * c)) / 2)) in *; clearbody x y;
-  field [square product]; lra.
+  field [square product]; first [lra | split; [lra | apply Rgt_not_eq, exp_pos] | apply Rgt_not_eq, exp_pos].
+Ltac signs_of_the_parts m c a :=
+  destruct (parts (a * a - 4 * m * c)) as [square [product [above_x [above_y [real complex]]]]];
+  set (x := sqrt ((Rabs (a * a - 4 * m * c) + (a * a - 4 * m * c)) / 2)) in *;
+  set (y := sqrt ((Rabs (a * a - 4 * m * c) - (a * a - 4 * m * c)) / 2)) in *; clearbody x y;
+  assert (p : m * c > 0) by nra;
+  match goal with
+  | D : _ >= 0 |- _ => rewrite (real ltac:(lra)) in *; assert (x < a) by nra
+  | |- _ => rewrite (complex ltac:(lra)) in *; assert (y > 0) by nra; assert (0 < y / (2 * m)) by (apply Rdiv_lt_0_compat; lra)
+  end;
+  match goal with
+  | |- _ = 0 => field; lra
+  | |- - ?z > 0 => let w := fresh in
+      assert (w : - z * (2 * m) > 0) by (field_simplify; lra); nra
+  | |- ?z <> 0 => first [lra | replace z with (- (y / (2 * m))) by (field; lra); lra]
+  end.
 )";
+
+Provable proof_of_negative_roots(const ForAll<PolynomialOf>& all) {
+  const auto& s = all.any;
+  const auto first = s.root(1), second = s.root(-1);
+  const Shortened square = s.a * s.a - 4 * s.m * s.c;
+  const auto lemma = [&](const std::string& name, const Proposition& where, const auto& imaginary) -> Lemma {
+    std::vector<Proposition> given = all.given;
+    given.push_back(where);
+    return {name,
+            all.letters,
+            given,
+            {above((-first.re).expression(), 0), above((-second.re).expression(), 0),
+             imaginary(first.im.expression()), imaginary(second.im.expression())},
+            "signs_of_the_parts m c a"};
+  };
+  return {"3.9-negative_roots",
+          "both parts are as stated for any ball",
+          {lemma("real", {square.expression().coq() + " >= 0"},
+                 [](const Expression& x) { return x == Expression(0); }),
+           lemma("complex", above((4 * s.m * s.c - s.a * s.a).expression(), 0), not_zero)}};
+}
 
 Provables table_of_roots(const ProvableClaims<PolynomialOf>& table, const ForAll<PolynomialOf>& all) {
   Provables proved = table.proofs("3.9", all);
+  proved.push_back(proof_of_negative_roots(all));
   for (Provable& proof : proved) proof.preamble = parts_in_coq;
   return proved;
 }
@@ -1030,7 +1350,7 @@ Provables proofs() {
   equations(tables, {});
   characteristic_roots(tables.polynomial, {});
   oscillations(tables, {}, {}, {});
-  parallel(tables, {});
+  parallel(tables, {}, {});
   not_parallel(tables, {}, {});
   Provables all;
   const auto take = [&](const auto& table, const auto& letters) {
@@ -1043,13 +1363,14 @@ Provables proofs() {
       any<AnywhereOf>({"m", "c", "a", "x1", "x2", "v1", "v2"}, "field; repeat split; apply Rgt_not_eq; nra");
   anywhere.given = positive({anywhere.any.m});
   take(tables.anywhere, anywhere);
-  auto polynomial = any<PolynomialOf>({"m", "c", "a", "r"}, "by_parts_of_the_root m c a");
+  auto polynomial = any<PolynomialOf>({"m", "c", "a", "r", "t"}, "by_parts_of_the_root m c a");
   const auto& k = polynomial.any;
   polynomial.given = positive({k.m, k.c, k.a});
-  polynomial.example.m = 1, polynomial.example.c = 3, polynomial.example.a = 2, polynomial.example.r = 1;
+  polynomial.example.m = 1, polynomial.example.c = 3, polynomial.example.a = 2,
+  polynomial.example.r = polynomial.example.t = 1;
   for (Provable& proof : table_of_roots(tables.polynomial, polynomial)) all.push_back(std::move(proof));
   take(tables.oscillation,
-       any<OscillationOf>({"alpha", "beta", "k1", "k2", "t"}, "field; try apply Rgt_not_eq, exp_pos"));
+       any<OscillationOf>({"alpha", "beta", "k1", "k2", "t"}, "rewrite ?exp_0, ?cos_0, ?sin_0; field"));
   auto start =
       any<StartOfOneOf>({"alpha", "beta", "p", "v"}, "rewrite ?exp_0, ?cos_0, ?sin_0; field; trivial");
   start.given = {not_zero(start.any.beta.expression())};
@@ -1062,14 +1383,18 @@ Provables proofs() {
   vectors.given = {not_zero(vectors.any.beta.expression())};
   take(tables.vectors, vectors);
   take(tables.pairs, any<PairsOf>({"p1", "p2", "k1", "k2", "z"}, by_angles({"z"}, "ring")));
-  auto aside = any<AsideOf>({"a", "t", "p1", "p2", "v1", "v2"}, "turning");
-  aside.given = positive({16 - aside.any.a * aside.any.a});
+  auto aside = any<AsideOf>({"m", "c", "a", "t", "p1", "p2", "v1", "v2"}, "turning");
+  aside.given = positive({aside.any.m, 4 * aside.any.m * aside.any.c - aside.any.a * aside.any.a});
   take(tables.aside, aside);
-  for (Provable& proof : by_hand()) {
-    proof.preamble = damped_in_coq;
-    all.push_back(std::move(proof));
-  }
-  all.push_back(proof_of_pair());
+  auto in_line = any<InLineOf>({"m", "c", "a", "t", "p1", "p2", "s"}, "damped");
+  in_line.given =
+      positive({in_line.any.m, 4 * in_line.any.m * in_line.any.c - in_line.any.a * in_line.any.a});
+  take(tables.in_line, in_line);
+  for (const auto& some : {by_hand(), proofs_at_zeros(), proofs_of_arrivals()})
+    for (Provable proof : some) {
+      proof.preamble = damped_in_coq;
+      all.push_back(std::move(proof));
+    }
   return all;
 }
 
@@ -1086,8 +1411,9 @@ std::vector<Root> roots() {
   return {
       {"the double root",
        filled(
-           R"(A door closer with the friction $2\sqrt{mc}$, which shuts it fastest without swinging, gets NaN for its )"
-           R"(position; for $m=@1$, $c=@1$ the door, let go at rest, is at @2 of its start after @1 s.)",
+           R"(A door closer with the friction $2\sqrt{mc}$ shuts it fastest without swinging, and solving for $K_1$ )"
+           R"(and $K_2$ gives NaN for its position; for $m=@1$, $c=@1$ the door, let go at rest, is at @2 of its )"
+           R"(start after @1 s.)",
            {F::m, F::c, F::left_after(critical, second), second})},
       {"a fast throw",
        filled(
@@ -1096,8 +1422,8 @@ std::vector<Root> roots() {
            {thrown.factor(), thrown.ball.m, thrown.ball.c, thrown.ball.a, thrown.time(), thrown.speed()})},
       {"too much friction",
        filled(
-           R"(Whoever turns the friction up to have the ball home sooner waits longer: for $m=@1$, $c=@1$ it is within )"
-           R"(@1 of its way after @2 s with $a=@1$, after @2 s with $a=@1$, and after @2 s with $a=@2$.)",
+           R"(Whoever turns the friction up to have the ball home sooner waits longer: for $m=@1$, $c=@1$, let go at )"
+           R"(rest, it is within @1 of its way after @2 s with $a=@1$, after @2 s with $a=@1$, and after @2 s with $a=@2$.)",
            {F::m, F::c, F::nearly, F::home_after(critical), critical, F::home_after(stronger), stronger,
             F::home_after(strong), strong})},
       {"the first equation alone",

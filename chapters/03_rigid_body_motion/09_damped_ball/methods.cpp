@@ -34,6 +34,7 @@ Quantity path(const std::string& name, const std::string& says, const Ball& b, c
 Quantity first_arrival(const Ball& at_rest) {
   const double h = at_rest.a / (2 * at_rest.m), beta = std::sqrt(at_rest.c / at_rest.m - h * h);
   const double arrival = std::atan2(beta, -h) / beta;
+  const Outcome printed = at_rest.p1 == 0 ? Outcome::non_finite : Outcome::inaccurate;
   Quantity time{"first_arrival",
                 "s",
                 "time at which the ball, let go at rest, is at the origin first",
@@ -45,7 +46,9 @@ Quantity first_arrival(const Ball& at_rest) {
               const double v1 = 0, alpha = -h;
               return Answer{std::atan(-beta * at_rest.p1 / (v1 - alpha * at_rest.p1)) / beta, 1};
             },
-            Outcome::inaccurate, "the principal value is negative: it lies before the start"});
+            printed,
+            at_rest.p1 == 0 ? "the quotient is 0/0"
+                            : "the principal value is negative: it lies before the start"});
   time.add({"plane", "Fehlberg 7(8)", tolerances(), [=](double tolerance) {
               const Plane<double> plane{at_rest};
               const auto along = [&](const Plane<double>::State& x, double) {
@@ -55,12 +58,12 @@ Quantity first_arrival(const Ball& at_rest) {
                   ode::find_event<ode::Fehlberg78>(plane, plane.start(), 0, 2 * arrival, tolerance, along),
                   [](const auto& event) { return event.time; });
             }});
-  return time.add(
-      Breakdown{"A game that schedules the hit by the printed time has it in the past: the event never "
-                "fires. The arrival "
-                "found along the motion is right.",
-                "the text's formula, atan(-beta p1/(v1 - alpha p1))/beta", 0, Outcome::inaccurate,
-                "plane, Fehlberg 7(8)", 1e-12});
+  return time.add(Breakdown{
+      at_rest.p1 == 0 ? "A game that schedules the hit by the printed time gets no number for it. The "
+                        "arrival found along the motion is right."
+                      : "A game that schedules the hit by the printed time has it in the past: the "
+                        "event never fires. The arrival found along the motion is right.",
+      "the text's formula, atan(-beta p1/(v1 - alpha p1))/beta", 0, printed, "plane, Fehlberg 7(8)", 1e-12});
 }
 
 Quantity near_critical_path(const Ball& b, const Horizon& horizon, const Reference& truth) {
@@ -74,16 +77,16 @@ Quantity near_critical_path(const Ball& b, const Horizon& horizon, const Referen
   // The larger of x = K1 e^(r1 t) + K2 e^(r2 t) over both coordinates, with r1 - r2 = 2 w.
   const double h = b.a / (2 * b.m), w = std::sqrt(h * h - b.c / b.m),
                factor = std::max(std::abs(b.v1 + h * b.p1), std::abs(b.v2 + h * b.p2)) / (2 * w);
-  return q.add(
-      Breakdown{"Where the roots nearly meet, the two exponentials have factors of $@1$ and of opposite "
-                R"(sign, and lose as many digits. One form for all regimes, with $\sinh(wt)/w$ as one )"
-                "function, loses none.",
-                "two exponentials, closed form",
-                0,
-                Outcome::inaccurate,
-                "one form for all regimes, closed form",
-                0,
-                {factor}});
+  return q.add(Breakdown{
+      "Where the roots nearly meet, the two exponentials have factors of $@1$ and of opposite "
+      R"(sign: @2 digits are right. One form for all regimes, with $\sinh(wt)/w$ as one function, loses )"
+      "none.",
+      "two exponentials, closed form",
+      0,
+      Outcome::inaccurate,
+      "one form for all regimes, closed form",
+      0,
+      {factor, digits_of(Side::broken)}});
 }
 
 /// The largest step at which the algorithm keeps a decaying motion bounded over a thousand steps, by

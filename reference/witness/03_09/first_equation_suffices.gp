@@ -1,5 +1,5 @@
-\\ The first time at the origin of a ball from p = (0, -3/5) with v = p/5. The printed quotient of first components is
-\\ 0/0; the corrected one is of products by p.
+\\ The first time at the origin of a ball from p = (0, -3/5) with v = p/5. The first equation is 0 = 0 there, and
+\\ its quotient 0/0; the corrected one is of products by p.
 read("reference/witness/shared/common.gp");
 m = 1; c = 4; a = 1;
 read("reference/witness/shared/ball.gp");
