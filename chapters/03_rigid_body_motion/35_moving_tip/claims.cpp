@@ -547,7 +547,7 @@ std::vector<Claim> claims(double seed, const Top& top, const Deviation& off) {
            R"(acceleration $\alpha\lambda^2\sin\lambda t$ that turns the top about its tip. With the values here )"
            R"(its axis gets up to @2 rad from that of the fixed top within @1 s, and up to @2 rad at twice the )"
            R"(frequency. With the tip shaken )" +
-               at_nutation(top) + R"(, @4 rad/s as seen from the world, it gets up to @2 rad.)",
+               at_nutation(top) + R"(, @4 rad/s, it gets up to @2 rad.)",
            {off.as_asked, ex03_33::duration, off.twice_the_frequency, nutation_frequency(top),
             off.at_nutation}),
        .kind = Fault::counterexample,
@@ -562,7 +562,7 @@ std::vector<Root> roots(const Top& top, const Deviation& off) {
       {no_torque,
        filled(
            R"(Shaken by @3 cm )" + at_nutation(top) +
-               R"(, @4 rad/s, the top has its axis up to @2 rad (@2 degrees) from that of the same top )"
+               R"(, @4 rad/s, the top has its axis up to @2 rad (@3 degrees) from that of the same top )"
                R"(with its tip fixed, within @1 s. At @2 rad/s it is up to @2 rad. A game that carries the )"
                R"(motion about a fixed tip along with the tip shows none of it.)",
            {100 * top.A, nutation_frequency(top), off.at_nutation, off.at_nutation / degree,

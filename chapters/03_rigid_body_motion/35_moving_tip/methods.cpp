@@ -26,8 +26,9 @@ double nutation_frequency(const Top& t) {
 }
 
 std::string at_nutation(const Top& t) {
-  return discriminant(t) < 0 ? R"(at the frequency $\mu_3|w_3|/\mu_1$, too slow for a steady precession)"
-                             : "at about the frequency of nutation and precession together";
+  return discriminant(t) < 0
+             ? R"(at the frequency $\mu_3|w_3|/\mu_1$ of its spin, too slow for a steady precession)"
+             : "at about the frequency of nutation and precession together";
 }
 
 namespace {
