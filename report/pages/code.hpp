@@ -24,9 +24,9 @@ std::string code_of(const Task&, const Choice&, const std::string& command, Lang
 std::string code_of(const Task&, const Candidate&, const Need&, const std::string& about,
                     Language = Language::cpp);
 
-/// The program of any model by one of printable_algorithms(), for whoever has a model's code: $model stands for that
-/// and the function oddity::asked::model(), $names for the head of what is printed; then $frames, $rate (1/s) and, but
-/// of a closed form, $steps to a frame.
+/// The program of any model by one of printable_algorithms(), for whoever has a model's code: $model stands
+/// for that and the function oddity::asked::model(), $names for the head of what is printed; then $frames,
+/// $rate (1/s) and, but of a closed form, $steps to a frame.
 std::string program_template(std::string_view algorithm);
 
 // Where a need asks for lockstep, the program has the same bits by every compiler and on every processor: its

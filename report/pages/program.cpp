@@ -160,8 +160,9 @@ std::string with_velocities(std::string text, const RecordedModel& model) {
     rate_of[static_cast<std::size_t>(i)] = model.velocity_of[static_cast<std::size_t>(i)];
   const std::string placeholder = "$places";
   text.replace(text.find(placeholder), placeholder.size(),
-               are_rates ? "  foreach (var i in places) y[i] += h * y[rate_of[i]];\n"
-                         : "  var later = Rates(y, t + h);\n  foreach (var i in places) y[i] += h * later[i];\n");
+               are_rates
+                   ? "  foreach (var i in places) y[i] += h * y[rate_of[i]];\n"
+                   : "  var later = Rates(y, t + h);\n  foreach (var i in places) y[i] += h * later[i];\n");
   return "\n" + list_text("velocities", velocities) + list_text("places", places) +
          (are_rates ? list_text("rate_of", rate_of) : "") + text;
 }
