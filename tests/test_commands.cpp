@@ -199,7 +199,7 @@ TEST_CASE("bad input is named and ends with exit code 2", "[commands]") {
       {"solve 7.11 seed=1.5", "parameter seed = 1.5 is not a whole number"},
       {"solve 3.5 --jsn", "solve does not take '--jsn'; did you mean '--json'?"},
       {"list 3.5 qwx", "no exercise 'qwx'; './oddity list' shows all"},
-      {"site 3.5", "site does not take '3.5'; './oddity site --help' says more"},
+      {"site 3.5", "of an exercise --single 3.5 writes the page"},
       {"report --chapter 15", "--chapter must be a whole number from 1 to 14, and is '15'"},
       {"report --chapter x", "--chapter must be a whole number from 1 to 14, and is 'x'"},
       {"report --chapter 1", "chapter 1 has no exercises; those that have some are: 2, 3, "},

@@ -146,7 +146,7 @@ TEST_CASE("a chunk of choices contains names of methods, and no formula of a spr
   const auto said = [&](const std::string& as) {
     const ScratchFolder scratch;
     write_sealed(sweep::chunk_file(scratch.path(), 0),
-                 "fingerprint\nchunk 0\ntile 0 0\n1 0.3 8 " + as + "\n34 - - nothing holds\n");
+                 "fingerprint\nchunk 0\ntile 0 0\n1 0.3 8 " + as + "\n15 - - nothing holds\n");
     return complaint([&] { kept(scratch.path(), plan, 0); });
   };
   CHECK(said("one angle, Runge-Kutta 4") == "nothing");

@@ -38,7 +38,6 @@ constexpr Stays stays[] = {
     {"twice the digits", by_name},
     {"the two exponentials", counted},
     {"The two equations of motion", counted},
-    {"their two frequencies", counted},
     {"the two angles", counted},
     {"The two sides", counted},
     {"two nearly equal", counted},

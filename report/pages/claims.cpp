@@ -116,7 +116,20 @@ bool is_told(const Claim& claim, const Reading& reading) {
   return text.empty() || claim.says.find(text) != std::string::npos;
 }
 
-/// An erratum: the right reading unless a table shows it, the reason, and the numbers.
+/// The text up to the first full stop outside of formulas.
+std::string first_sentence(const std::string& text) {
+  bool in_formula = false;
+  for (std::size_t i = 0; i + 2 < text.size(); ++i) {
+    in_formula = in_formula != (text[i] == '$');
+    if (!in_formula && text[i] == '.' && text[i + 1] == ' ' &&
+        std::isupper(static_cast<unsigned char>(text[i + 2])))
+      return text.substr(0, i + 1);
+  }
+  return text;
+}
+
+/// An erratum: the right reading unless a table shows it, the reason, and the numbers. A sentence is enough
+/// for signs that our copy has lost.
 std::string in_full(const JudgedClaim& judged, bool in_table, const ProvedClaims& proved) {
   const Claim& claim = judged.claim;
   const std::string kind = claim.kind == Fault::none ? "" : std::string(name_of(claim.kind)) + ", ";
@@ -131,8 +144,9 @@ std::string in_full(const JudgedClaim& judged, bool in_table, const ProvedClaims
                                shown(meant ? "Meant" : "Right", right_reading(judged));
   return "<a id=\"" + anchor_of(claim) + "\"></a>**" + title_of(judged.verdict) + " " + code(claim.id) +
          "** (" + kind + escaped(place_of(claim), false) + (proved.contains(claim.id) ? ", proved" : "") +
-         "): " + escaped(as_sentence(claim.says), false) + readings + "\n\n" + prose(claim.why) + "\n\n" +
-         numbers_of(judged);
+         "): " + escaped(as_sentence(claim.says), false) + readings + "\n\n" +
+         (judged.verdict == Verdict::lost ? prose(first_sentence(claim.why)) + "\n"
+                                          : prose(claim.why) + "\n\n" + numbers_of(judged));
 }
 
 /// The other side of a confirmed claim's comparison: a route, or samples. For a comparison with zero, the

@@ -376,6 +376,7 @@ void kinematics(Claims& claims, Table& table, const Samples& samples) {
                            [](double S2, double pulley, double mass) { return (S2 < 0) == (mass < pulley); }),
                        going_down("it gets longer", [](double S2, double, double) { return S2 > 0; })},
        .kind = Fault::left_out,
+       .root = "a spring that must get shorter",
        .why =
            R"($y_2$ and $y_3$ are independent. When they grow by $\Delta_2$ and $\Delta_3$ the second spring )"
            R"(grows by $\Delta_3-2\Delta_2$: with $\Delta_3=3\Delta_2$ it gets longer by $\Delta_2$.)"});
@@ -798,6 +799,7 @@ Provables proofs() {
 
 std::vector<Root> roots() {
   const auto up = [](double tension) { return tension / standard.m3 - standard.g; };
+  constexpr double pulley = 1, mass = 3;
   return {
       {"the second spring on the pulley",
        filled(
@@ -811,7 +813,11 @@ std::vector<Root> roots() {
       {"a rope that pushes",
        filled("Started with @1 m of slack ($K_1=@1$ m), the first spring pushes its rope with @2 N by the "
               "published formula, where it does not pull at all.",
-              {loose(), let_loose.K1, let_loose.c1 * loose()})}};
+              {loose(), let_loose.K1, let_loose.c1 * loose()})},
+      {"a spring that must get shorter",
+       filled(
+           "When the small pulley goes down by @1 m and the mass by @1 m, the second spring gets @1 m longer.",
+           {pulley, mass, mass - 2 * pulley})}};
 }
 
 }  // namespace oddity::ex03_19
