@@ -145,8 +145,8 @@ std::string in_full(const JudgedClaim& judged, bool in_table, const ProvedClaims
   return "<a id=\"" + anchor_of(claim) + "\"></a>**" + title_of(judged.verdict) + " " + code(claim.id) +
          "** (" + kind + escaped(place_of(claim), false) + (proved.contains(claim.id) ? ", proved" : "") +
          "): " + escaped(as_sentence(claim.says), false) + readings + "\n\n" +
-         (judged.verdict == Verdict::lost ? prose(first_sentence(claim.why)) + "\n"
-                                          : prose(claim.why) + "\n\n" + numbers_of(judged));
+         prose(judged.verdict == Verdict::lost ? first_sentence(claim.why) : claim.why) + "\n\n" +
+         numbers_of(judged);
 }
 
 /// The other side of a confirmed claim's comparison: a route, or samples. For a comparison with zero, the
