@@ -262,7 +262,7 @@ Findings study(const Parameters& p, const Reference& truth) {
                    false, truth),
        graded},
       roots(),
-      R"(The kinematics stands, the equations of motion do not: {{the second spring on the pulley|the second spring's pull on the small pulley is missing}}. Of the forces on the bodies, {{the small pulley's inertia|both lack the pulleys' inertia}}, and {{a rope that pushes|a rope pushes}}. {{When the small pulley goes down while the mass does, the second spring must get shorter|The second spring need not get shorter}} when both bodies go down.)"};
+      R"(The kinematics stands, the equations of motion do not: {{the second spring on the pulley|the second spring's pull on the small pulley is missing}}. Of the forces on the bodies, {{the small pulley's inertia|both lack the pulleys' inertia}}, and {{a rope that pushes|a rope pushes}}. {{a spring that must get shorter|The second spring need not get shorter}} when both bodies go down.)"};
 }
 
 }  // namespace ex03_19
