@@ -15,7 +15,8 @@ std::vector<std::string> texts_in(const char* file, const char* text) {
 
 std::vector<std::string> kinds_in(const std::string& text) {
   static const auto rules = prose::rules_of(
-      "relative: what -> name the thing\ngenitive: ^ of -> verb or noun first\nown: of its|their own -> its own\n");
+      "relative: what -> name the thing\ngenitive: ^ of -> verb or noun first\n"
+      "own: of its|their own -> its own\n");
   std::vector<std::string> kinds;
   for (const auto& fault : prose::faults_in({text, 1}, rules)) kinds.push_back(fault.kind);
   return kinds;
