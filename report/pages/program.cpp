@@ -303,6 +303,7 @@ std::string parameters_text(const Task& task, const std::string& code) {
 
 std::set<std::string> taken_names(const Task& task) {
   std::set<std::string> taken{"t", "x", "q", "h", "z", "third", "known", "last", "places", "velocities"};
+  for (const char* in_c : {"atan2", "exp2", "exp10", "log2", "log10"}) taken.insert(in_c);  // its header's
   for (const Parameter& p : task.entry->exercise.parameters) taken.insert(std::string(p.name));
   return taken;
 }

@@ -88,12 +88,17 @@ struct CannotBeJudged : std::runtime_error {
 /// The code with the rates of its observables printed after them, twice: by differences along the model's own
 /// rate, and by differences that are twice as wide.
 std::string with_rates(std::string code) {
-  const std::string helper = R"(
+  // The observables come first in the line of names; an orientation for drawing follows them.
+  const std::size_t names = code.find("\"t ["), all = code.find("\\n", names),
+                    drawn = code.find(",qw", names);
+  const std::string head = code.substr(names, std::min(all, drawn) - names);
+  const std::string count = std::to_string(std::count(head.begin(), head.end(), ','));
+  const std::string helper = "\nconstexpr std::size_t observed = " + count + R"(;
 template <class Observables, class Look>
 void print_rates(const Observables& now, const Look& look, double h) {
   const auto a = look(-4 * h), b = look(-3 * h), c = look(-2 * h), d = look(-h), e = look(h), f = look(2 * h),
              g = look(3 * h), i = look(4 * h);
-  for (std::size_t k = 0; k < now.size(); ++k)
+  for (std::size_t k = 0; k < observed; ++k)
     std::printf(",%.17g", (4.0 / 5 * (double(e[k]) - double(d[k])) - 1.0 / 5 * (double(f[k]) - double(c[k])) +
                            4.0 / 105 * (double(g[k]) - double(b[k])) - 1.0 / 280 * (double(i[k]) - double(a[k]))) / h);
 }
@@ -101,7 +106,7 @@ template <class Observables, class Look>
 void print_row(double t, const Observables& now, const Look& look) {
   const double h = sizeof(oddity::asked::Number) < sizeof(double) ? 3e-3 : 1e-4;
   std::printf("%.17g", t);
-  for (double x : now) std::printf(",%.17g", x);
+  for (std::size_t k = 0; k < observed; ++k) std::printf(",%.17g", double(now[k]));
   print_rates(now, look, h / 2);
   print_rates(now, look, h);
   std::printf("\n");
