@@ -49,8 +49,12 @@ foreach(part RANGE 1 ${recorder_parts})
 endforeach()
 add_executable(oddity_recorder report/recorded/write.cpp)
 target_link_libraries(oddity_recorder PRIVATE oddity_chapters)
-add_custom_command(OUTPUT ${recorders} COMMAND oddity_recorder ${PROJECT_BINARY_DIR} ${recorder_parts}
-  DEPENDS oddity_recorder VERBATIM)
+set(own_recorder ${PROJECT_BINARY_DIR}/recorders_own.cpp)  # alone: no other object depends on a folder that may go
+add_custom_command(OUTPUT ${recorders} ${own_recorder}
+  COMMAND oddity_recorder ${PROJECT_BINARY_DIR} ${recorder_parts} DEPENDS oddity_recorder VERBATIM)
+if(own_homes)
+  list(APPEND recorders ${own_recorder})
+endif()
 add_library(oddity_recorders OBJECT ${recorders})
 target_link_libraries(oddity_recorders PRIVATE oddity_chapters)
 target_include_directories(oddity_recorders PRIVATE ${own_homes})

@@ -368,7 +368,7 @@ void add_site(CLI::App& app, Session& s) {
       "Open its index.html with a double click; it needs no network. The last results are "
       "taken; an exercise whose code or tables have changed runs first.\n"
       "Examples:\n  oddity site\n  oddity site --out /tmp/site\n"
-      "  oddity site --single 3.5 --out /tmp/pendulum.html\n  oddity site suspension.toml --out /tmp/suspension",
+      "  oddity site --single 3.5 --out /tmp/pendulum.html\n  oddity new bump.toml && oddity site bump.toml --out /tmp/bump",
       [&s] {
         const bool is_default = s.site_out == site_folder().string();
         if (!s.single.empty())

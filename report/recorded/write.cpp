@@ -5,6 +5,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "chapters/contents.hpp"
 #include "chapters/listing.hpp"
@@ -34,15 +35,21 @@ std::string maker_of(const Entry& entry, std::size_t model) {
   return text + "    return " + in_number_type(expression, "formula::Recorded") + ";\n  }, asked);\n}\n";
 }
 
-std::string text_of(std::size_t part, std::size_t parts) {
+/// Entries with a listing, of the tree or of folders outside it.
+std::vector<const Entry*> recorded_entries(bool outside) {
+  std::vector<const Entry*> entries;
+  for (const Entry& entry : registry())
+    if (is_recorded(entry) && entry.file.starts_with('/') == outside) entries.push_back(&entry);
+  return entries;
+}
+
+std::string text_of(const std::vector<const Entry*>& entries, std::size_t part, std::size_t parts) {
   std::set<std::string_view> headers;
   std::string makers;
-  std::size_t next = 0;
-  for (const Entry& entry : registry()) {
-    if (!is_recorded(entry) || next++ % parts != part) continue;
-    const Listing& listing = entry.exercise.scene->listing;
+  for (std::size_t next = part; next < entries.size(); next += parts) {
+    const Listing& listing = entries[next]->exercise.scene->listing;
     headers.insert(listing.headers.begin(), listing.headers.end());
-    for (std::size_t i = 0; i < listing.models.size(); ++i) makers += maker_of(entry, i);
+    for (std::size_t i = 0; i < listing.models.size(); ++i) makers += maker_of(*entries[next], i);
   }
   std::string text = "#include \"report/study/recorded_model.hpp\"\n";
   for (const std::string_view header : headers) text += "#include \"" + std::string(header) + "\"\n";
@@ -75,12 +82,14 @@ void write(const std::string& path, const std::string& text) {
 
 }  // namespace
 
-/// FOLDER PARTS: recorders.cpp, and recorders_1.cpp and so on.
+/// FOLDER PARTS: recorders.cpp, recorders_1.cpp and so on, and recorders_own.cpp.
 int main(int count, char** arguments) {
   if (count != 3) return 2;
   const std::string folder = arguments[1];
   const std::size_t parts = std::stoul(arguments[2]);
   write(folder + "/recorders.cpp", register_text());
   for (std::size_t part = 0; part < parts; ++part)
-    write(folder + "/recorders_" + std::to_string(part + 1) + ".cpp", text_of(part, parts));
+    write(folder + "/recorders_" + std::to_string(part + 1) + ".cpp",
+          text_of(recorded_entries(false), part, parts));
+  write(folder + "/recorders_own.cpp", text_of(recorded_entries(true), 0, 1));
 }
