@@ -385,7 +385,7 @@ TEST_CASE("the site of the last run is complete, typeset and small", "[site]") {
     for (const CheapestModel& one : e.cheapest_models->least)
       if (one.least) CHECK(std::ranges::find(faulted, one.least->model) == faulted.end());
   }
-  CHECK(size < 2'600'000);  // part of the 6 MB that the browser's tests allow for the whole site
+  CHECK(size < 3'000'000);  // half of the whole site's 6 MB: modules, fonts and scripts take 2.3 MB
   CHECK(against_schema(Json::parse(errata_json(results))) == std::vector<std::string>());
   CHECK(argument("index", search_index(results)).dump().find("\ufffd") ==
         std::string::npos);  // no letter is cut in two
