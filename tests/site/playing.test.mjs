@@ -391,3 +391,21 @@ test('printed, the errata sheet is a few pages without navigation', async () => 
   assert.ok(count >= 3 && count <= 12, `${count} pages`);
   await page.close();
 });
+
+test('printed, the player shows its curves to the end, undistorted', async () => {
+  const { page, faults } = await open(browser, '3.5.html', { reduced: true });
+  await page.waitForSelector('.player-lines');
+  const painted = () => page.$$eval('.player-curves .player-lines', (all) => all.map((canvas) => canvas.toDataURL()));
+  const now = await painted();
+  await page.evaluate(() => window.dispatchEvent(new Event('beforeprint')));
+  const whole = await painted();
+  whole.forEach((picture, k) => assert.notEqual(picture, now[k]));
+  await page.evaluate(() => window.dispatchEvent(new Event('afterprint')));
+  assert.deepEqual(await painted(), now);
+  await page.emulateMediaType('print');
+  const stretched = await page.$$eval('.player canvas', (all) => all.filter((canvas) => canvas.clientWidth)
+    .map((canvas) => canvas.clientWidth / canvas.clientHeight / (canvas.width / canvas.height)));
+  stretched.forEach((ratio) => assert.ok(Math.abs(ratio - 1) < 0.02, `${ratio}`));
+  assert.deepEqual(faults, []);
+  await page.close();
+});

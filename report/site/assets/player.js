@@ -512,6 +512,10 @@
       this.clockText.textContent = `t = ${this.clock.text()}`;
       for (const row of this.rows) row.view.now(time);
       this.picture.paint(time);
+      this.paintCurves(time);
+    }
+
+    paintCurves(time) {
       this.errorLines.paint(time);
       this.driftLines.paint(time);
       if (this.portraitPlace.open) this.portraits.forEach((one) => one.paint(time));
@@ -542,6 +546,8 @@
       [this.canvas, this.errorCanvas].forEach((canvas) => this.sizes.observe(canvas));
       window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', again, { signal });
       window.addEventListener('hashchange', () => this.goTo(), { signal });
+      window.addEventListener('beforeprint', () => this.paintCurves(this.clock.horizon), { signal });
+      window.addEventListener('afterprint', () => this.paint(), { signal });
       document.addEventListener('oddity:play', (event) => this.trial(event.detail || {}), { signal });
       this.sight = new IntersectionObserver((entries) => this.clock.seen(entries[entries.length - 1].isIntersecting), { threshold: 0.3 });
       this.sight.observe(this.canvas);
