@@ -55,7 +55,7 @@ std::size_t last_of(const std::string& inside) {
 /// Attaches the exponent to the last element, such as a closing bracket; behind an index, above it.
 std::string raised(const std::string& base, const std::string& exponent) {
   const std::size_t last = last_of(base);
-  const std::string own = base.substr(last);
+  const std::string own = base.empty() ? tag("mrow", "") : base.substr(last);  // m$^2$
   if (own.starts_with("<msub>"))
     return base.substr(0, last) + tag("msubsup", own.substr(6, own.size() - 13) + exponent);
   return base.substr(0, last) + tag("msup", own + exponent);

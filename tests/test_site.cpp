@@ -38,8 +38,13 @@ struct Tag {
   std::map<std::string, std::string> attributes;
 };
 
-/// A page's tags in order, and their faults: each opened tag must be closed, in order, and attributes must be
-/// written name="value".
+/// Children that elements of formulas need.
+const std::map<std::string, int> children_needed{{"msub", 2},       {"msup", 2},  {"msubsup", 3},
+                                                 {"mfrac", 2},      {"mover", 2}, {"munder", 2},
+                                                 {"munderover", 3}, {"mroot", 2}};
+
+/// A page's tags in order, and their faults: each opened tag must be closed, in order, with the children that
+/// it needs, and attributes must be written name="value".
 struct Parsed {
   std::vector<Tag> tags;
   std::vector<std::string> wrong;
@@ -50,6 +55,7 @@ Parsed parsed(const std::string& page) {
   static const std::regex attribute(R"x(\s+([A-Za-z][-A-Za-z0-9]*)(="([^"<]*)")?)x");
   Parsed made;
   std::vector<std::string> open;
+  std::vector<int> children{0};
   for (std::size_t at = page.find('<'); at != std::string::npos; at = page.find('<', at)) {
     const std::size_t end = page.find('>', at);
     if (end == std::string::npos) return made.wrong.push_back("an open end"), made;
@@ -59,7 +65,12 @@ Parsed parsed(const std::string& page) {
     if (inside.starts_with('/')) {
       if (open.empty() || open.back() != inside.substr(1))
         made.wrong.push_back("</" + inside.substr(1) + "> too much");
-      if (!open.empty()) open.pop_back();
+      if (open.empty()) continue;
+      if (const auto needed = children_needed.find(open.back());
+          needed != children_needed.end() && needed->second != children.back())
+        made.wrong.push_back("<" + open.back() + "> has " + std::to_string(children.back()) + " children");
+      open.pop_back();
+      children.pop_back();
       continue;
     }
     const bool closed = inside.ends_with('/');
@@ -71,7 +82,11 @@ Parsed parsed(const std::string& page) {
       tag.attributes[found[1]] = found[3];
     if (rest.find_first_not_of(' ') != std::string::npos)
       made.wrong.push_back("<" + tag.name + " " + rest + ">");
-    if (!closed && !empty.contains(tag.name)) open.push_back(tag.name);
+    ++children.back();
+    if (!closed && !empty.contains(tag.name)) {
+      open.push_back(tag.name);
+      children.push_back(0);
+    }
     if (tag.name == "style") at = page.find("</style", at);
     made.tags.push_back(std::move(tag));
   }
@@ -372,6 +387,7 @@ TEST_CASE("the site of the last run is complete, typeset and small", "[site]") {
   for (const auto& [name, page] : pages) {
     INFO(name);
     size += page.size();
+    CHECK(parsed(page).wrong == std::vector<std::string>());
     CHECK(page.find("class=\"tex\"") == std::string::npos);
     const std::string told = std::regex_replace(without_listings(page), code, "");
     CHECK(told.find('\\') == std::string::npos);
@@ -395,6 +411,8 @@ TEST_CASE("a parser of pages notices faults", "[site]") {
   CHECK(parsed("<p>a<b>c</b></p>").wrong.empty());
   CHECK(parsed("<p>a<b>c</p></b>").wrong.size() == 2);
   CHECK(parsed("<p>").wrong.size() == 1);
+  CHECK(parsed("<msup><mi>m</mi><mn>2</mn></msup>").wrong.empty());
+  CHECK(parsed("<msup><mn>2</mn></msup>").wrong.size() == 1);
   CHECK(parsed("<p a=b></p>").wrong.size() == 1);
   CHECK(foreign(parsed("<script>1</script>")).size() == 1);
   CHECK(foreign(parsed("<a href=\"javascript:1\">x</a>")).size() == 1);
