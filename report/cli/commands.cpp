@@ -80,7 +80,7 @@ void add_list(CLI::App& app, Session& s) {
                [&] { verbs::list(s.exercises, s.format(), s.extras.engines); });
   add_exercises(
       *list, s,
-      "numbers, such as 3.33, or words for what they are about, such as gyroscope; all when none is given");
+      "numbers, such as 3.33, or words of their subjects, such as gyroscope; all when none is given");
   add_formats(*list, s, "the parameters");
 }
 
@@ -135,15 +135,13 @@ std::string tags_of_shard(const std::string& text) {
 void add_verify(CLI::App& app, Session& s) {
   auto* verify = add_verb(
       app, "verify",
-      "Check the exercises: judge every claim, run every method, compare with what is on record.",
-      "The suite is Catch2's: a test specification selects, and its options and reporters work, with "
-      "'markdown' beside them; 'oddity verify -?' shows them. The exit code is 1 when anything differs from "
-      "what is on record.\n"
+      "Check the exercises: judge every claim, run every method, compare with the approved results.",
+      "Runs a Catch2 suite: test specifications, options and reporters work, and so does the reporter 'markdown'; "
+      "'oddity verify -?' lists them. The exit code is 1 when anything differs from the approved results.\n"
       "Tags: [ch3], [3.5], [scene], [wrong], [incomplete], [misprint], [lost].\n"
       "Columns: exercise, claim, line (of the solutions), verdict, on_record, kind, root, says, why; a row "
       "for each claim.\n"
-      "A problem's file has its own claims judged: the exit code is 1 where one has another verdict than the "
-      "file itself says.\n"
+      "Of a problem's file, judges the claims: the exit code is 1 when a verdict is not the one in the file.\n"
       "Examples:\n  oddity verify '[ch3]~[scene]'\n  oddity verify '[3.5]' -s\n  oddity verify -r markdown "
       "-o report.md\n  oddity verify '[wrong]' --csv\n"
       "  oddity verify --shard 1/2 --results 1.json; oddity verify --shard 2/2 --results 2.json; oddity verify --from "
@@ -163,15 +161,13 @@ void add_verify(CLI::App& app, Session& s) {
         }
         s.status = s.suite({words, s.folder, s.results, {s.from.begin(), s.from.end()}, s.approve});
       });
-  add_path(*verify, "--results", s.results, "also keep everything that is found in this file, as JSON");
-  add_value(*verify, "--shard", s.shard, "I/N", "this share of all exercises alone, such as 2/7");
-  add_value(
-      *verify, "--from", s.from, "FILE",
-      "judge these results, one file for each --from, instead of running; with --results put them together")
+  add_path(*verify, "--results", s.results, "also write all results to this file, as JSON");
+  add_value(*verify, "--shard", s.shard, "I/N", "run only this share of all exercises, such as 2/7");
+  add_value(*verify, "--from", s.from, "FILE",
+            "judge these results instead of running, one file for each --from; with --results, merge them")
       ->allow_extra_args(false);
-  verify->add_flag(
-      "--approve", s.approve,
-      "put what this run finds for the selected exercises on record: verdicts, limits, maps and errors");
+  verify->add_flag("--approve", s.approve,
+                   "approve the results of the selected exercises: verdicts, limits, maps and errors");
   add_formats(*verify, s, "print the claims and their verdicts");
   verify->allow_extras();
 }
@@ -179,7 +175,7 @@ void add_verify(CLI::App& app, Session& s) {
 void add_enclosed(CLI::App& app, AskedNeed& need) {
   app.add_flag(
       "--enclosed", need.enclosed,
-      "prove how far true values that are computed on the spot may be off, in ball arithmetic (Arb); "
+      "prove bounds for the errors of true values that are computed on the spot, in ball arithmetic (Arb); "
       "the chain of 3.25 takes a minute or two");
 }
 
@@ -197,69 +193,70 @@ void add_solve(CLI::App& app, Session& s) {
 }
 
 void add_choose_need(CLI::App& choose, AskedNeed& need) {
-  auto* error = add_value(choose, "--error", need.error, "ERROR",
-                          "the largest error of what is observed: a number in its unit, 0.01, or with a "
-                          "unit, 1cm; one for each unit where there are several, 1cm,1deg; of energy and "
-                          "period a fraction, 0.01; of a constraint a length, 1mm");
+  auto* error =
+      add_value(choose, "--error", need.error, "ERROR",
+                "largest error of the observables: a number in their unit, 0.01, or with a unit, 1cm; "
+                "for observables of several units 1cm,1deg; for energy and period a fraction, "
+                "0.01; for a constraint a length, 1mm");
   add_value(choose, "--digits", need.digits, "N",
             "instead of --error: correct digits of the largest observable")
       ->excludes(error);
-  add_value(
-      choose, "--horizon", need.horizon, "TIME",
-      "how long the motion is watched: 10 (in s, or in the scene's own unit), 1h; at most a million frames")
+  add_value(choose, "--horizon", need.horizon, "TIME",
+            "length of the motion: 10 (in s, or in the scene's unit), 1h; at most a million frames")
       ->capture_default_str();
   add_value(choose, "--fps", need.frames_per_second, "RATE", "frames per second: 60, 60Hz")
       ->capture_default_str();
-  add_value(choose, "--budget", need.budget, "TIME", "the most that a frame may take: 5us, 300ns, 0.1ms");
+  add_value(choose, "--budget", need.budget, "TIME", "longest time of a frame: 5us, 300ns, 0.1ms");
   add_value(
       choose, "--bodies", need.bodies, "N",
-      "that many bodies of the same kind in each frame: in lanes, where these have the method; else one "
+      "number of bodies of the same kind in each frame: in SIMD lanes, if the method has them, else one "
       "after the other")
       ->capture_default_str();
-  add_value(choose, "--restart-every", need.restart_every, "TIME",
-            "a contact restarts the integration this often: what that costs a method is added to its time; "
-            "its error is that of a run without contacts");
+  add_value(
+      choose, "--restart-every", need.restart_every, "TIME",
+      "interval of contacts that restart the integration: the cost of the restarts is added to a method's time; "
+      "its error is that of a run without contacts");
   add_criteria(choose, need);
 }
 
 void add_choose_own(CLI::App& choose, AskedNeed& need) {
   add_value(
       choose, "--starts", need.starts, "N",
-      "starts on which it has to hold: the one asked for and others up to a tenth off; 1: the one asked for "
-      "alone, and how it does on five others is told")
+      "number of initial conditions on which a method must hold: the requested one, and others up to a tenth "
+      "away; 1: the requested one alone, with a report on five others")
       ->capture_default_str();
-  auto* method =
-      add_value(choose, "--method", need.method, "NAME@STEP",
-                "whether what you run is good enough: 'semi-implicit Euler@60Hz', RK4@1/30, Verlet@5ms, "
-                "'Dormand-Prince 5(4)@1e-6'; without a step one a frame. The exit code is 1 when it is not");
-  add_value(choose, "--model", need.model, "WORD", "with --method: only models that have this in their names")
+  auto* method = add_value(
+      choose, "--method", need.method, "NAME@STEP",
+      "judge the method that you use: 'semi-implicit Euler@60Hz', RK4@1/30, Verlet@5ms, "
+      "'Dormand-Prince 5(4)@1e-6'; without a step, one per frame. The exit code is 1 when it is not good enough");
+  add_value(choose, "--model", need.model, "WORD", "with --method: only models with this in their names")
       ->needs(method);
 }
 
 void add_choose_methods(CLI::App& choose, AskedNeed& need) {
-  choose.add_flag("--cheapest", need.cheapest, "take whatever is cheapest, however complicated");
-  choose.add_flag(
-      "--lockstep", need.lockstep,
-      "only methods whose bits are the same by every compiler and on every processor: --code prints "
-      "such a program, with elementary functions of its own and a hash of the whole motion");
-  choose.add_flag("--one-step", need.one_step, "take no method that needs a history");
+  choose.add_flag("--cheapest", need.cheapest, "choose the cheapest method, however complicated");
+  choose.add_flag("--lockstep", need.lockstep,
+                  "only methods with the same bits from every compiler and on every processor: --code prints "
+                  "such a program, with its own elementary functions and a hash of the whole motion");
+  choose.add_flag("--one-step", need.one_step, "exclude methods that need a history");
   add_value(choose, "--precision", need.precision, "WORD",
-            "the numbers to compute in: float, double or any; in float there are closed forms and the "
-            "explicit algorithms of fixed step")
+            "float, double or any; closed forms and explicit algorithms of fixed step exist in float")
       ->capture_default_str();
   add_value(choose, "--only", need.only, "WORD",
-            "only models and algorithms that have this in their names; repeatable")
+            "only models and algorithms with this in their names; repeatable")
       ->allow_extra_args(false);
-  add_value(choose, "--exclude", need.exclude, "WORD", "no models or algorithms that have this; repeatable")
+  add_value(choose, "--exclude", need.exclude, "WORD",
+            "no models or algorithms with this in their names; repeatable")
       ->allow_extra_args(false);
   add_time_limit(choose, need.time_limit);
   add_enclosed(choose, need);
-  choose.add_flag("--thorough", need.thorough,
-                  "try every method at every setting, and judge by truths of 24 digits: slow, and what the "
-                  "usual answer is compared with");
-  choose.add_flag("--explain", need.explain, "say what was tried, and where the time went");
+  choose.add_flag(
+      "--thorough", need.thorough,
+      "try every method at every setting, and judge by true motions of 24 digits: slow; a check of the "
+      "usual answer");
+  choose.add_flag("--explain", need.explain, "show the tried methods, and where the time went");
   choose.add_flag("--measure", need.measure,
-                  "time the methods anew; unless asked, times of an earlier run are taken, so that the same "
+                  "measure times again; by default those of an earlier run are used, so that the same "
                   "question gets the same answer");
 }
 
@@ -280,12 +277,11 @@ std::string numbers_of_scenes() {
 void add_choose(CLI::App& app, Session& s) {
   auto* choose = add_verb(
       app, "choose", "Choose the model, the algorithm and the step that a scene needs.",
-      "A method has to hold at every frame: for the start asked for and two beside it, on which it is chosen, "
-      "and for three others, on which it is tested. Of the closed forms and the one-step methods of fixed step "
-      "that hold with a margin of three, the cheapest is taken, and of those that cost the same within a "
-      "quarter, the most accurate. A long horizon is judged in parts, each eight times as long as the one before: "
-      "what the time limit leaves no time for is said. The exit code is 1 when nothing meets the need, or only a part "
-      "of the horizon was judged.\n"
+      "A method must hold at every frame. It is chosen on the requested start and two near it, and tested on three "
+      "others. The choice is the cheapest of the closed forms and one-step methods of fixed step that hold with a "
+      "margin of three. Of those whose costs differ by less than a quarter, it is the most accurate. A long horizon "
+      "is judged in parts, each eight times as long as the one before; the answer shows which part the time limit "
+      "left out. The exit code is 1 when nothing meets the need, or only a part of the horizon was judged.\n"
       "Columns: model, algorithm, precision, setting, error [unit] (one for each unit; of what "
       "fails on the first start where it does), holds (1 or 0), outcome, evaluations per frame, seconds per frame, chosen (1 or 0); a row for each method.\n"
       "Keys of the JSON: need (judged_over: the part of its horizon), chosen (null when nothing is; rollback: to take eight frames again), in_float, ties, candidates (followed: false where finer "
@@ -295,9 +291,8 @@ void add_choose(CLI::App& app, Session& s) {
       "Columns with --method: exercise, model, algorithm, knob, setting, holds (1 or 0), outcome, where, error_in_needs, "
       "starts, failing, growth (of the error, from half the time to the end), drift (of what the model conserves), energy (how far what is seen is off its true one), stable_to, "
       "evaluations_per_frame, seconds_per_frame, frames_per_second; a row for each model.\n"
-      "Where frames differ in length, fixed steps meet them in four ways, which are methods of their own: each frame is "
-      "divided into steps; or an accumulator makes steps of one length, and the last one is drawn, or one between the "
-      "last two, or one ahead of it.\n"
+      "If frames differ in length, a fixed step has four separate methods. One divides each frame into steps. In the others "
+      "an accumulator takes steps of one length, and draws the last state, one between the last two, or one ahead.\n"
       "Scenes: " +
           numbers_of_scenes() +
           "\n"
@@ -321,14 +316,14 @@ void add_choose(CLI::App& app, Session& s) {
   add_choose_own(*choose, s.need);
   choose->add_flag("--all", s.all_rows, "show all rows of the table");
   add_formats(*choose, s, "the choice and every method tried");
-  auto* code = choose->add_flag("--code", s.code, "the chosen model and its loop, as C++ to paste");
+  auto* code = choose->add_flag("--code", s.code, "print the chosen model and its loop, as C++ to paste");
   set_apart(*choose, code, {"--json", "--csv"});
-  add_value(*choose, "--language", s.language, "NAME", "that of the code: C++, C# or JavaScript")
+  add_value(*choose, "--language", s.language, "NAME", "language of the code: C++, C# or JavaScript")
       ->needs(code);
   auto* engine = add_value(
       *choose, "--engine", s.engine, "NAME",
-      "what another engine makes of the scene, beside the choice: bullet, mujoco; unless --error or "
-      "--digits is given, to 1 cm and 1 degree");
+      "compare the choice with an engine: bullet, mujoco; within 1 cm and 1 degree unless --error or "
+      "--digits is given");
   set_apart(*choose, engine, {"--csv", "--code"});
   set_apart(*choose, choose->get_option("--method"),
             {"--engine", "--code", "--explain", "--all", "--enclosed"});
@@ -338,20 +333,19 @@ void add_choose(CLI::App& app, Session& s) {
 
 CLI::Option* add_overwrite(CLI::App& verb, Session& s) {
   return verb.add_flag("--overwrite", s.overwrite,
-                       "also into a folder that holds files of others, and over these");
+                       "also write into a folder with other files, and over these");
 }
 
 void add_report(CLI::App& app, Session& s) {
-  auto* report =
-      add_verb(app, "report", "Write the Markdown report.",
-               "The last results are taken; an exercise whose code or tables have changed runs first.\n"
-               "Examples:\n  oddity report\n  oddity report --chapter 3 --out /tmp/report",
-               [&] {
-                 verbs::report(s.folder, s.chapter, s.book ? Edition::book : Edition::whole, s.report_out,
-                               s.overwrite);
-               });
-  add_value(*report, "--chapter", s.chapter, "N", "the exercises of one chapter only");
-  report->add_flag("--book", s.book, "without times: what stands in report/book of the sources");
+  auto* report = add_verb(app, "report", "Write the Markdown report.",
+                          "Uses the last results; an exercise whose code or tables have changed runs first.\n"
+                          "Examples:\n  oddity report\n  oddity report --chapter 3 --out /tmp/report",
+                          [&] {
+                            verbs::report(s.folder, s.chapter, s.book ? Edition::book : Edition::whole,
+                                          s.report_out, s.overwrite);
+                          });
+  add_value(*report, "--chapter", s.chapter, "N", "only the exercises of one chapter");
+  report->add_flag("--book", s.book, "without times, as in report/book of the sources");
   add_path(*report, "--out", s.report_out, "the folder to write to");
   add_overwrite(*report, s);
 }
@@ -365,8 +359,8 @@ std::string name_of_page(const std::string& of) {
 void add_site(CLI::App& app, Session& s) {
   auto* site = add_verb(
       app, "site", "Write the report that runs: one folder, for a browser.",
-      "Open its index.html with a double click; it needs no network. The last results are "
-      "taken; an exercise whose code or tables have changed runs first.\n"
+      "Open its index.html with a double click; it needs no network. Uses the last results; "
+      "an exercise whose code or tables have changed runs first.\n"
       "Examples:\n  oddity site\n  oddity site --out /tmp/site\n"
       "  oddity site --single 3.5 --out /tmp/pendulum.html\n  oddity new bump.toml && oddity site bump.toml --out /tmp/bump",
       [&s] {
@@ -380,7 +374,7 @@ void add_site(CLI::App& app, Session& s) {
       },
       true);
   auto* file =
-      site->add_option("file", s.exercise, "a problem's file, for a page of its own in a folder of its name");
+      site->add_option("file", s.exercise, "a problem's file: writes one page, in a folder of its name");
   add_value(*site, "--single", s.single, "N.M",
             "one exercise, or a problem's file, as one file, to mail: N.M.html")
       ->excludes(file);
@@ -392,8 +386,8 @@ void add_chart(CLI::App& app, Session& s) {
   auto* chart = add_verb(
       app, "chart", "Draw error against work and against time, with the tables behind the charts.",
       columns_of_trials() +
-          "Of scenes that engines have run on, their pictures as well. Where frames are asked for, a scene's motion is charted "
-          "at these, with the ways in which steps of one length meet them.\nExamples:\n  oddity chart 3.5 2.13 --out /tmp/charts\n  oddity chart 3.5 --csv\n  "
+          "Scenes with engines' results have their charts as well. With --jitter, --drop or --frames, a scene's motion is charted "
+          "at these frames, with each way of fixed steps to follow them.\nExamples:\n  oddity chart 3.5 2.13 --out /tmp/charts\n  oddity chart 3.5 --csv\n  "
           "oddity chart 3.5 --jitter 20% --drop 1% --out /tmp/uneven",
       [&] {
         const CLI::App& asked = *app.get_subcommand("chart");
@@ -408,9 +402,10 @@ void add_chart(CLI::App& app, Session& s) {
           verbs::chart_table(s.folder, s.exercises, s.need, s.format());
       });
   add_exercises(*chart, s, "numbers, such as 3.5, or problems' files; all exercises when none is given");
-  chart->add_flag("--all", s.all_rows, "every method's curve, not eight at most");
-  add_value(*chart, "--horizon", s.need.horizon, "TIME", "of scenes: the motion up to there, at every frame");
-  add_value(*chart, "--fps", s.need.frames_per_second, "RATE", "of scenes: frames per second: 60, 60Hz");
+  chart->add_flag("--all", s.all_rows, "curves of all methods, instead of at most eight");
+  add_value(*chart, "--horizon", s.need.horizon, "TIME",
+            "scenes: chart the motion up to this time, at every frame");
+  add_value(*chart, "--fps", s.need.frames_per_second, "RATE", "scenes: frames per second: 60, 60Hz");
   add_frames(*chart, s.need);
   add_kick(*chart, s.need);
   add_formats(*chart, s, "the trials, with nothing drawn");
@@ -421,9 +416,8 @@ void add_chart(CLI::App& app, Session& s) {
 
 void add_stability(CLI::App& app, Session& s) {
   auto* stability = add_verb(
-      app, "stability", "Show up to which step methods are stable, and how they break beyond.",
-      "Also drawn are maps of how each method ends, over the step and over the parameter that makes the scene "
-      "hard.\n"
+      app, "stability", "Show the largest stable step of each method, and how it breaks beyond.",
+      "Also draws maps of each method's outcome, over the step and the parameter that makes the scene hard.\n"
       "Columns: exercise, model, algorithm, stable_to, breaks_at, theory, unit (of these), breaks_by, error, "
       "error_unit, why, unstable_in_theory, error_there (at stable_to), needed_to (the longest within the scene's need), "
       "not_sharp_from, not_sharp_to (for other observers, where the limit is not sharp), watched (where the motion does "
@@ -446,12 +440,10 @@ void add_stability(CLI::App& app, Session& s) {
       *stability, s,
       "numbers, such as 3.5, or problems' files; all exercises that have a motion when none is given; behind one name=value for each "
       "parameter to change");
-  add_value(*stability, "--horizon", s.horizon, "TIME",
-            "how long the motion is watched, instead of the scene's own");
-  add_value(
-      *stability, "--error", s.need.error, "ERROR",
-      "also show the longest step at which an exercise's motion is within this at the end of every step, "
-      "1cm,1deg unless given; of energy and period a part, 1%");
+  add_value(*stability, "--horizon", s.horizon, "TIME", "length of the motion, instead of the scene's");
+  add_value(*stability, "--error", s.need.error, "ERROR",
+            "also show the longest step that keeps the motion within this at the end of every step, 1cm,1deg "
+            "by default; for energy and period a part, 1%");
   add_criteria(*stability, s.need);
   add_varied_frames(*stability, s.need);
   add_time_limit(*stability, s.need.time_limit, ", for each exercise");
@@ -468,9 +460,9 @@ void add_stability(CLI::App& app, Session& s) {
 
 void add_trust(CLI::App& app, Session& s) {
   auto* trust = add_verb(
-      app, "trust", "Say how far the results may be trusted, and what that rests on.",
-      "What is proved, enclosed, witnessed, mutated, fuzzed and survived, with the figures on record. The last "
-      "results are taken; an exercise whose code or tables have changed runs first.\n"
+      app, "trust", "Show how far the results are proved, checked and tested.",
+      "Counts of proofs, enclosures, witnesses, mutants, fuzzed inputs and survived faults. Uses the last results; "
+      "an exercise whose code or tables have changed runs first.\n"
       "Columns: part, subject, count, of, says, date, commit, rests_on; a row for each part, and for each of its "
       "kinds, rooms, targets or faults.\n"
       "Examples:\n  oddity trust\n  oddity trust --json",
@@ -480,8 +472,8 @@ void add_trust(CLI::App& app, Session& s) {
 
 void add_prove(CLI::App& app, Session& s) {
   auto* prove = add_verb(
-      app, "prove", "Prove claims by Coq, for all numbers and not for samples.",
-      "Writes a file for each claim that has a proof, made of the formulas that the suite computes with, and checked by "
+      app, "prove", "Prove claims by Coq, for all numbers instead of samples.",
+      "Writes a file for each claim with a proof, from the formulas that the suite computes with, and checks it with "
       "coqc. The exit code is 1 when one is refused.\n"
       "Columns: claim, proved, margin (of a printed value, which is off by no less), outcome, seconds, message.\n"
       "Examples:\n  oddity prove\n  oddity prove 3.5 7.9 --out /tmp/proofs",
@@ -492,8 +484,8 @@ void add_prove(CLI::App& app, Session& s) {
   add_exercises(*prove, s, "numbers, such as 3.5; without any, all that have proofs");
   add_path(*prove, "--out", s.proofs_out, "the folder to write the files to");
   add_overwrite(*prove, s);
-  prove->add_flag("--approve", s.approve, "put on record what is proved");
-  add_formats(*prove, s, "what is proved");
+  prove->add_flag("--approve", s.approve, "approve the proofs");
+  add_formats(*prove, s, "the proofs");
 }
 
 /// A problem's file accepts no other options.
@@ -508,8 +500,8 @@ void begin_problem(const CLI::App& begin, const Session& s) {
 void add_new(CLI::App& app, Session& s) {
   auto* begin = add_verb(
       app, "new",
-      "Begin an exercise of your own: files that compile, and say what is to be written; or a problem's file.",
-      "The number has to be free: an even one, or of another chapter. Nothing is overwritten.\n"
+      "Begin an exercise of your own, with files that compile and list their gaps; or a problem's file.",
+      "The number must be free: an even one, or one of another chapter. Overwrites nothing.\n"
       "Examples:\n  oddity new suspension.toml\n  oddity new --from-exercise 3.5 mine.toml\n  oddity new 3.2 spring_pendulum\n  oddity new 9.2 law_of_cosines --identity\n  "
       "oddity new 20.1 comet --topic space --in ~/exercises",
       [&] {
@@ -535,11 +527,10 @@ void add_new(CLI::App& app, Session& s) {
   begin->add_flag("--schema", s.schema,
                   "print the JSON schema of a problem's file, by which editors check it");
   begin->add_option("slug", s.begun.slug, "the name of its folder, such as spring_pendulum");
-  auto* scene = begin->add_flag("--scene", s.scene,
-                                "a motion, with models, methods and claims; this unless asked otherwise");
-  begin->add_flag("--identity", s.identity, "claims alone")->excludes(scene);
+  auto* scene = begin->add_flag("--scene", s.scene, "a motion, with models, methods and claims; the default");
+  begin->add_flag("--identity", s.identity, "only claims")->excludes(scene);
   add_value(*begin, "--topic", s.begun.topic, "WORD", "the name of a chapter that has no folder yet");
-  add_path(*begin, "--in", s.outside, "a folder outside the tree; ODDITY_OWN has the build find it there");
+  add_path(*begin, "--in", s.outside, "a folder outside the tree, which the build finds by ODDITY_OWN");
 }
 
 /// The default command: verifies everything, and writes the report and the site.
@@ -655,9 +646,9 @@ int command_line(int argc, char** argv, const Suite& suite, const Extras& extras
   app.footer(
       "Start with:\n  oddity list\n  oddity solve 3.5\n  oddity choose 3.5 a=60deg --error 1deg\n  oddity verify "
       "'[3.5]'\n  oddity help choose\n"
-      "Tables fit the terminal, and are complete in a pipe. There is colour on a terminal; NO_COLOR=1 takes it "
-      "away, CLICOLOR_FORCE=1 turns it on in a pipe too.\n"
-      "Exit codes: 0 green, 1 something differs from what is on record (or nothing meets the need), 2 bad input "
+      "Tables fit the terminal, and are complete in a pipe. Output to a terminal has colour; NO_COLOR=1 turns it "
+      "off, CLICOLOR_FORCE=1 turns it on in a pipe too.\n"
+      "Exit codes: 0 green, 1 something differs from the approved results (or nothing meets the need), 2 bad input "
       "or output that could not be written, 130 interrupted.");
   Session session{{}, suite, extras};
   app.set_help_flag("-h,--help", "show this help");

@@ -1,11 +1,23 @@
 #include "report/cli/help.hpp"
 
+#include <string>
+#include <string_view>
+
 namespace oddity {
 
 namespace {
 
 constexpr std::size_t widest_help = 100, names_column = 24;
 
+/// A footer's examples, which are its end, and the notes before them.
+struct Footer {
+  explicit Footer(const std::string& text)
+      : notes(text.substr(0, text.find(head))), examples(text.substr(notes.size())) {}
+  static constexpr std::string_view head = "Examples:\n";
+  std::string notes, examples;
+};
+
+/// The examples come before the options.
 class Help : public CLI::Formatter {
  public:
   explicit Help(const Screen& screen)
@@ -19,10 +31,12 @@ class Help : public CLI::Formatter {
     return wrapped(app->get_description(), screen_) + "\n";
   }
   std::string make_usage(const CLI::App* app, std::string name) const override {
-    return wrapped(CLI::Formatter::make_usage(app, std::move(name)), screen_, 2);
+    const std::string usage = wrapped(CLI::Formatter::make_usage(app, std::move(name)), screen_, 2);
+    const std::string examples = Footer(app->get_footer()).examples;
+    return examples.empty() ? usage : usage + "\n" + wrapped(examples, screen_, 2) + "\n";
   }
   std::string make_footer(const CLI::App* app) const override {
-    return wrapped(app->get_footer(), screen_, 2) + "\n";
+    return wrapped(Footer(app->get_footer()).notes, screen_, 2) + "\n";
   }
   std::string make_group(std::string group, bool positional,
                          std::vector<const CLI::Option*> options) const override {

@@ -41,31 +41,31 @@ void add_time_limit(CLI::App& verb, std::string& limit, const std::string& of) {
 void add_criteria(CLI::App& verb, AskedNeed& need) {
   add_value(
       verb, "--criterion", need.criterion, "WORD",
-      "what has to hold: path; energy (what is seen has its true energy); period (and the swing's size); "
-      "bounded (nothing explodes); constraint (lengths that are held)")
+      "what must hold: path; energy (of the observed motion, near its true one); period (and the swing's size); "
+      "bounded (nothing explodes); constraint (fixed lengths)")
       ->capture_default_str();
   add_value(
       verb, "--energy", need.energy, "PART",
-      "besides, the energy of what is seen: off its true value by a part of what moves in it, 1% or 0.01");
-  add_value(verb, "--period", need.period, "PART", "besides, the period: off by a part of it, 1% or 0.01");
+      "also the energy of the observed motion: its error as a part of the energy that varies, 1% or 0.01");
+  add_value(verb, "--period", need.period, "PART", "also the period: its relative error, 1% or 0.01");
   add_value(verb, "--constraint", need.constraint, "LENGTH",
-            "besides, lengths that are held, and what lies on something: off by a length, 1mm");
+            "also fixed lengths, and points on a surface or a wire: off by a length, 1mm");
 }
 
 void add_varied_frames(CLI::App& verb, AskedNeed& need) {
   add_value(verb, "--jitter", need.jitter, "PART",
-            "frames are longer or shorter by up to this part, at random: 20%");
-  add_value(verb, "--drop", need.drop, "PART", "so many frames are not drawn, at random: 1%");
-  add_value(verb, "--frame-seed", need.frame_seed, "N", "other random frames: 2");
+            "random frames, longer or shorter by up to this part: 20%");
+  add_value(verb, "--drop", need.drop, "PART", "part of the frames that is dropped, at random: 1%");
+  add_value(verb, "--frame-seed", need.frame_seed, "N", "seed of the random frames: 2");
   add_value(verb, "--frames", need.trace, "FILE",
-            "lengths of frames as they were recorded, one a line, 16.7ms; again and again");
+            "recorded lengths of frames, one per line, 16.7ms; repeated to the end");
 }
 
 void add_frames(CLI::App& verb, AskedNeed& need) {
   add_varied_frames(verb, need);
   verb.get_option("--frames")->excludes(verb.get_option("--fps"));
   add_value(verb, "--max-frame", need.longest_frame, "TIME",
-            "a longer frame moves the clock on by no more than this: 100ms");
+            "the most that a frame moves the clock on: 100ms");
 }
 
 void add_kick(CLI::App& verb, AskedNeed& need) {

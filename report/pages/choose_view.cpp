@@ -614,7 +614,7 @@ std::string explanation_text(const Choice& choice) {
                   std::string(why_left(choice))) +
          part("times", e.timing, counted(e.timed, "method") + " and settings, " + choice.prices_are) +
          part("tests on other starts", e.tests, counted(e.rounds, "round")) +
-         part("what stands beside it", e.rest, "an engine's step, float, restarts, chaos");
+         part("comparisons", e.rest, "an engine's step, float, restarts, chaos");
 }
 
 std::string shown_errors(const Candidate& candidate, const Choice& choice) {

@@ -60,7 +60,7 @@ std::string text_of(const Cell& cell) {
 }
 
 std::string trust_rows(const Results& results, const Trust& trust) {
-  html::Table table{"What stands behind the verdicts",
+  html::Table table{"How the verdicts are checked",
                     {"what", "how many", "of", "subject", "means", "rests on"}};
   std::string part;
   for (const auto& row : trust_table(results, trust).rows) {
@@ -165,7 +165,7 @@ std::string engine_rows(const Results& results, const EngineContest& contest) {
 std::string trust_html(const Results& results, const Trust& trust) {
   return html::whole(
       {"Trust - oddity",
-       title("What stands behind the verdicts",
+       title("How the verdicts are checked",
              "How much of it is proved, computed twice, changed on purpose and attacked. <code>" +
                  program_as_typed() + " trust --csv</code> has all figures.") +
            "<section>\n" + trust_rows(results, trust) + "</section>\n",

@@ -103,8 +103,9 @@ std::string algorithms_page() {
                        "negative real axis and on the imaginary axis.") +
                        (missing.empty() ? "" : " Not in this build: " + in_xml(missing) + ".")) +
            html::table(catalog_table()) + element("p", "", std::string(ode::work_of_series)) +
-           element("p", "",
-                   "What each of them makes of events, as landings are, the " + to_example() + " shows.") +
+           element(
+               "p", "",
+               "Their behaviour at events, such as landings, is on the page of the " + to_example() + ".") +
            "</section>\n<section>\n<h2>What was found in the libraries</h2>\n<p>A small test of the library alone shows "
            "each finding, in the version that is named. What is wrong is repaired from outside.</p>\n" +
            library_findings() + "\n</section>\n",
@@ -135,9 +136,9 @@ void add_pages(IndexRows& all) {
   add("own.html", "Your own", "Type the equations of your own motion, and see which method is enough");
   add("algorithms.html", "Algorithms",
       "The catalog of integrators with their orders and limits of stability");
-  add("trust.html", "Trust", "What stands behind the verdicts: proofs by Coq, references, mutants, fuzzing");
+  add("trust.html", "Trust", "How the verdicts are checked: proofs by Coq, references, mutants, fuzzing");
   add("stability.html", "Stability", "Up to which step each method is stable, on every scene");
-  add("engines.html", "Engines", "What Box2D, Bullet, MuJoCo and other physics engines do on the scenes");
+  add("engines.html", "Engines", "How Box2D, Bullet, MuJoCo and other physics engines do on the scenes");
   add("errata.html", "Errata sheet", "Everything that is wrong in the book, to print");
 }
 

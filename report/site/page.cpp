@@ -130,7 +130,7 @@ std::string whole(const Page& page) {
                      page.body + "</main>\n<footer class=\"foot\"><p>Written by <code>" + program +
                      " site</code> from the results of a run. Every number can be made again: <code>" +
                      program +
-                     " verify</code>.</p><p>More: <a href=\"trust.html\">what stands behind it</a>, "
+                     " verify</code>.</p><p>More: <a href=\"trust.html\">how it is checked</a>, "
                      "<a href=\"stability.html\">which steps are stable</a>, "
                      "<a href=\"engines.html\">what engines do</a>.</p></footer>\n";
   std::vector<std::string> scripts{"assets/page.js", "assets/search.js"};

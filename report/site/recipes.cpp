@@ -334,7 +334,8 @@ std::string answer(const CheapestModel& game, const CheapestModels& models, std:
                      shown_span(game.need, time_unit) +
                      ", with the least counted work: " + format_significant(least.evaluations_per_frame, 3) +
                      (least.evaluations_per_frame == 1 ? " evaluation" : " evaluations") +
-                     " per frame; off by " + errors + " at most. <a class=\"screen\" href=\"recipes.html\">All scenes</a>");
+                     " per frame; off by " + errors +
+                     " at most. <a class=\"screen\" href=\"recipes.html\">All scenes</a>");
 }
 
 /// Third-party engines at a step per frame with their defaults.
