@@ -323,7 +323,8 @@ void add_choose(CLI::App& app, Session& s) {
   add_formats(*choose, s, "the choice and every method tried");
   auto* code = choose->add_flag("--code", s.code, "the chosen model and its loop, as C++ to paste");
   set_apart(*choose, code, {"--json", "--csv"});
-  add_value(*choose, "--language", s.language, "NAME", "that of the code: C++, C# or JavaScript")
+  add_value(*choose, "--language", s.language, "NAME",
+            "that of the code: C++ (cpp), C# (cs) or JavaScript (js)")
       ->needs(code);
   auto* engine = add_value(
       *choose, "--engine", s.engine, "NAME",
