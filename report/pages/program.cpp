@@ -175,7 +175,7 @@ std::string parameters_text(const Task& task, const std::set<std::string>& lette
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i)
     if (const Parameter& p = task.entry->exercise.parameters[i]; letters.contains(names[i]))
-      text += parameter_line(p, "const double", names[i], format_shortest(task.parameters[p.name]));
+      text += parameter_line(p, "static readonly double", names[i], format_shortest(task.parameters[p.name]));
   return text;
 }
 
