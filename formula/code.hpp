@@ -52,10 +52,12 @@ class Code {
 
   friend Code operator+(const Code& a, const Code& b) {
     if (a.is(0)) return b;
+    if (b.is_negative()) return a - b.without_sign();
     return b.is(0) ? a : Code(a.text_ + " + " + b.within(Level::product), Level::sum);
   }
   friend Code operator-(const Code& a, const Code& b) {
     if (a.is(0)) return -b;
+    if (b.is_negative()) return a + b.without_sign();
     return b.is(0) ? a : Code(a.text_ + " - " + b.within(Level::product), Level::sum);
   }
   friend Code operator*(const Code& a, const Code& b) {
@@ -89,6 +91,9 @@ class Code {
     if (level == Level::atom && text_.find(" / ") != std::string::npos && !text_.ends_with(')'))
       level_ = Level::product;
   }
+  /// A product whose first factor has a sign; of a sum, that is the sign of its first term.
+  bool is_negative() const { return !spaced && level_ < Level::sum && text_.starts_with('-'); }
+  Code without_sign() const { return {text_.substr(1), Level::product}; }
   bool is(int x) const { return text_ == Language::number(x); }
   std::string within(Level level) const { return level_ <= level ? text_ : "(" + text_ + ")"; }
 

@@ -1,7 +1,6 @@
 #include "formula/program.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "formula/code.hpp"
@@ -22,7 +21,7 @@ bool is_condition(std::string_view what) {
   return what == "<" || what == ">" || what == "<=" || what == ">=" || what == "==";
 }
 
-/// "sin_x0" of sin(x[0]); a power of numbers has no better name than k.
+/// "sin_x0" of sin(x[0]).
 std::string plain_letters(const std::string& text) {
   std::string plain;
   for (const char c : text)
@@ -67,6 +66,26 @@ std::vector<std::string> packed(const std::string& type, const std::vector<std::
 }
 
 }  // namespace
+
+std::set<std::string> letters_of(const Record& record, const std::vector<std::vector<Recorded>>& results) {
+  std::vector<bool> is_needed(record.operations().size());
+  for (const auto& some : results)
+    for (const Recorded& result : some)
+      if (!result.is_known()) is_needed[index(result.at())] = true;
+  std::set<std::string> letters;
+  for (std::size_t i = is_needed.size(); i-- > 0;) {
+    if (!is_needed[i]) continue;
+    const Operation& operation = record.operations()[i];
+    for (const int of : operation.of) is_needed[index(of)] = true;
+    if (operation.what == "letter") letters.insert(operation.text);
+  }
+  return letters;
+}
+
+std::string free_name(std::string name, std::set<std::string>& taken) {
+  while (!taken.insert(name).second) name += '_';
+  return name;
+}
 
 /// Terms of operations within a function, or among the constants.
 struct ProgramWriter {
@@ -153,13 +172,11 @@ int Program::cost(int i) const {
 
 std::string Program::name_of(int i, bool constant, std::set<std::string>& taken) const {
   const Operation& operation = at(i);
-  std::string base = constant ? "c" : "k";
+  std::string base = constant ? "c" : "s";
   if (operation.what.size() >= 3 && operation.of.size() == 1 && operation.what != "negative") {
-    const Operation& of = at(operation.of[0]);
-    if (std::string name = std::string(operation.what) + "_" + plain_letters(of.text);
-        of.what == "letter" && taken.insert(name).second)
-      return name;
     base = operation.what;
+    if (const Operation& of = at(operation.of[0]); of.what == "letter")
+      return free_name(base + "_" + plain_letters(of.text), taken);
   }
   for (int number = 1;; ++number)
     if (std::string name = base + std::to_string(number); taken.insert(name).second) return name;

@@ -8,6 +8,12 @@
 
 namespace oddity::formula {
 
+/// The letters that these results depend on.
+std::set<std::string> letters_of(const Record&, const std::vector<std::vector<Recorded>>& results);
+
+/// The name, with a suffix where it is taken. Takes it.
+std::string free_name(std::string name, std::set<std::string>& taken);
+
 /// What a function computes, as lines of C# and the terms of its results.
 struct Statements {
   std::vector<std::string> lines, terms;
@@ -39,7 +45,6 @@ class Program {
   void count(int i, std::vector<int>& uses) const;
   int cost(int i) const;
   std::string name_of(int i, bool constant, std::set<std::string>& taken) const;
-  void name(int i, Named& in, bool constant);
 
   friend struct ProgramWriter;
   const Record& record_;

@@ -111,7 +111,9 @@ Recorded operator*(const Recorded& a, const Recorded& b) {
   if (b.is(0) || a.is(1)) return b;
   return of_two("*", a, b);
 }
-Recorded operator/(const Recorded& a, const Recorded& b) { return b.is(1) ? a : of_two("/", a, b); }
+Recorded operator/(const Recorded& a, const Recorded& b) {
+  return a.is(0) || b.is(1) ? a : of_two("/", a, b);
+}
 Recorded operator-(const Recorded& a) { return of_one("negative", a); }
 
 Asked operator<(const Recorded& a, const Recorded& b) { return asked("<", a, b); }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <span>
 #include <sstream>
 #include <string>
@@ -37,13 +38,16 @@ inline Task task_beside(const Entry& entry) {
   return task;
 }
 
-/// The largest difference of two motions, as a part of the largest value so far.
+/// The largest difference of two motions, as a part of the largest value so far. Infinite where one alone has
+/// no number.
 inline double largest_difference(const Value& one, std::span<const double> other) {
+  constexpr double none = std::numeric_limits<double>::infinity();
   double size = 0, worst = 0;
   for (std::size_t k = 0; k < one.size(); ++k) {
-    if (std::isnan(one[k]) || std::isinf(one[k])) break;
+    if (std::isnan(one[k]) != std::isnan(other[k])) return none;
+    if (std::isnan(one[k]) || one[k] == other[k]) continue;
     size = std::max(size, std::abs(one[k]));
-    if (const double now = std::abs(other[k] - one[k]) / size; size > 0 && !(now <= worst)) worst = now;
+    worst = std::max(worst, size > 0 ? std::abs(other[k] - one[k]) / size : none);
   }
   return worst;
 }

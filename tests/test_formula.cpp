@@ -136,6 +136,7 @@ TEST_CASE("a formula is printed as code in three languages", "[formula]") {
         "- (5 / 10 * (m - 2) / (g * m))");
   CHECK(code<Coq>(parse_tex(R"((m,\frac{d}{dt}y_2))", scalars), scalars) ==
         std::vector<std::string>{"m", "y_2_dot"});
+  CHECK(code<JavaScript>(parse_plain("m + (-2) g - (-3) m", scalars), scalars)[0] == "m - 2 * g + 3 * m");
   CHECK(code<Cpp>(parse_plain("m - (g - m)", scalars), scalars, {"a", "b", "c"})[0] == "a - (c - a)");
 }
 

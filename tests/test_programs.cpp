@@ -1,13 +1,21 @@
-// The short programs of `choose --code`, in each language, run beside the program itself.
+// The short programs of `choose --code`, in each language, against the program itself.
 
 #include <cstdlib>
 #include <fstream>
 #include <map>
+#include <numbers>
+#include <regex>
 #include <set>
 #include <sstream>
 
+#include "chapters/03_rigid_body_motion/33_heavy_top/models.hpp"
+#include "chapters/listing.hpp"
 #include "chapters/scene.hpp"
+#include "formula/program.hpp"
 #include "report/pages/code.hpp"
+#include "report/pages/program_parts.hpp"
+#include "report/plain/runge_kutta_4.hpp"
+#include "report/study/frames.hpp"
 #include "report/study/recorded_model.hpp"
 #include "report/verify/catch.hpp"
 #include "tests/complaint.hpp"
@@ -23,6 +31,20 @@ struct Case {
   std::string says, code;
   Value value;
 };
+
+const Candidate keplers_equation{"Kepler's equation", "Newton from M + 0.85 e", ""};
+
+const Entry& scene(Number number) { return *std::ranges::find(registry(), number, &Entry::number); }
+
+/// The top's rotation matrix by its Euler angles.
+heavy_top::Matrix<double> top_after_a_second(const Parameters& p) {
+  const heavy_top::EulerAngles<double> top{{p["m"], p["l"], p["mu1"], p["mu3"], p["g"], p["theta"], p["phi"],
+                                            p["psi"], p["dtheta"], p["dphi"], p["dpsi"]}};
+  plain::RungeKutta4<heavy_top::EulerAngles<double>> algorithm;
+  auto x = top.start();
+  for (int i = 0; i < 1000; ++i) algorithm.step(top, x, i * 1e-3, 1e-3);
+  return heavy_top::rotation(x[0], x[1], x[2]);
+}
 
 /// Every method of the scenes that has a program, and why others have none.
 struct All {
@@ -107,11 +129,32 @@ Runs runs_of(Language language, const std::string& folder) {
           file + ".out"};
 }
 
+std::string heads_of(const std::string& code) {
+  std::string heads;
+  std::istringstream lines(code);
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with("#")) heads += line + "\n";
+  return heads;
+}
+
+/// Each program compiled by itself: `together` hides in namespaces which names of C's headers it takes.
+void check_alone(const std::vector<Case>& cases) {
+  const ScratchFolder scratch;
+  const std::string folder = scratch.path().string(), head = folder + "/heads.hpp";
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    std::ofstream(folder + "/" + std::to_string(i) + ".cpp") << cases[i].code;
+  std::ofstream(head) << heads_of(together(Language::cpp, cases));
+  const std::string compiler = std::string(ODDITY_COMPILER) + " -std=c++20 ";
+  REQUIRE(output_of(compiler + "-x c++-header -o " + head + ".gch " + head) == "");
+  CHECK(output_of(compiler + "-fsyntax-only -Wall -Wextra -Wshadow -Werror -include " + head + " " + folder +
+                  "/*.cpp") == "");
+}
+
 /// Runs all programs of a language. A language's library may round functions in its own way.
 void check(Language language, double allowed) {
   const All all = all_in(language);
   for (const auto& [why, times] : all.refused) UNSCOPED_INFO(times << " times no program: " << why);
-  CHECK(all.cases.size() > 200);
+  CHECK(std::ranges::count_if(all.cases, [](const Case& one) { return finite(one.value); }) > 200);
   const ScratchFolder scratch;
   const Runs runs = runs_of(language, scratch.path().string());
   std::ofstream(runs.file) << together(language, all.cases);
@@ -131,38 +174,156 @@ TEST_CASE("a short program has the program's numbers, for every scene's models",
   check(Language::cpp, 1e-12);
 }
 
+TEST_CASE("a short program compiles with C's headers, and no name hides another", "[code][programs]") {
+  check_alone(all_in(Language::cpp).cases);
+}
+
+TEST_CASE("a motion that loses its numbers alone is another motion", "[programs]") {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const Value motion{1, 2, 4};
+  CHECK(largest_difference(motion, std::vector{1.0, 2.0, 4.0}) == 0);
+  CHECK(largest_difference(motion, std::vector{1.0, 2.0, 5.0}) == 0.25);
+  CHECK(std::isinf(largest_difference(motion, std::vector{1.0, none, 4.0})));
+  CHECK(std::isinf(largest_difference(Value{1, none, 4}, std::vector{1.0, 2.0, 4.0})));
+  CHECK(std::isinf(largest_difference(motion, std::vector{1.0, none, none})));
+  CHECK(largest_difference(Value{1, none, 4}, std::vector{1.0, none, 4.0}) == 0);
+  CHECK(std::isinf(largest_difference(Value{0, 1}, std::vector{1.0, 1.0})));
+}
+
 // By the leg `languages`, which installs what runs them.
 TEST_CASE("a program in C# has the program's numbers", "[.][languages]") { check(Language::c_sharp, 1e-9); }
 TEST_CASE("a program in JavaScript has the program's numbers", "[.][languages]") {
   check(Language::javascript, 1e-9);
 }
 
-TEST_CASE("a language is known by its name", "[code][programs]") {
-  CHECK(language_of("c#") == Language::c_sharp);
-  CHECK(complaint([] { language_of("Lua"); }) ==
-        "there is no code in 'Lua'; there is in C++, C#, JavaScript");
+TEST_CASE("a program in JavaScript has C's remainder, also halfway between two", "[.][languages]") {
+  const std::string code =
+      program_in(Language::javascript, Task(scene({3, 3})), keplers_equation, need_of_a_second(), "");
+  const auto at = code.find("function remainder");
+  REQUIRE(at != code.npos);
+  std::string text = code.substr(at, code.find("\n}\n", at) + 3 - at);
+  std::string expected;
+  for (const double x : {0.0, 0.5, 1.0, 1.5, 2.5, 3.5, 1e3, 1e15, 1e300})
+    for (const double y : {1.0, -1.0, 2 * std::numbers::pi, 0.3})
+      for (const double signed_x : {x, -x}) {
+        const std::string pair = format_shortest(signed_x) + ", " + format_shortest(y);
+        text += "console.log(remainder(" + pair + ") === " + format_shortest(std::remainder(signed_x, y)) +
+                " || '" + pair + "');\n";
+        expected += "true\n";
+      }
+  const ScratchFolder scratch;
+  std::ofstream(scratch.path() / "remainder.js") << text;
+  CHECK(output_of("node " + (scratch.path() / "remainder.js").string()) == expected);
 }
 
-TEST_CASE("a top's program prints its orientation, whose axis is the one observed", "[code][programs]") {
+TEST_CASE("a language is known by its name", "[code][programs]") {
+  for (const char* name : {"c#", "C#", "cs"}) CHECK(language_of(name) == Language::c_sharp);
+  for (const char* name : {"c++", "cpp"}) CHECK(language_of(name) == Language::cpp);
+  for (const char* name : {"javascript", "js", "JS"}) CHECK(language_of(name) == Language::javascript);
+  CHECK(complaint([] { language_of("Lua"); }) ==
+        "there is no code in 'Lua'; there is in C++ (cpp), C# (cs), JavaScript (js)");
+}
+
+TEST_CASE("a language without code for a need is refused before anything is chosen", "[code][programs]") {
+  const Task pendulum(scene({3, 5}));
+  const auto refused = [&](const Need& need) {
+    return complaint([&] { require_language(Language::c_sharp, pendulum, need); });
+  };
+  Need need = need_of_a_second();
+  CHECK(refused(need) == "nothing");
+  need.lockstep = true;
+  CHECK(refused(need).find("lockstep") != std::string::npos);
+  CHECK(complaint([&] { require_language(Language::cpp, pendulum, need); }) == "nothing");
+  need = need_of_a_second();
+  need.in_double = false;
+  CHECK(refused(need).find("in float") != std::string::npos);
+  need = need_of_a_second();
+  need.frame_times = frame_times({.jitter = 0.3, .drop = 0.1}, frames_per_second, need.horizon);
+  CHECK(refused(need).find("different lengths") != std::string::npos);
+}
+
+TEST_CASE("a program counts its frames and steps in whole numbers", "[code][programs]") {
+  Need need = need_of_a_second();
+  need.horizon = 1e5 / frames_per_second;
+  Candidate chosen{"one angle", "Runge-Kutta 4", "step"};
+  chosen.setting = 1 / (frames_per_second * 1e5);
+  for (const Language language : {Language::cpp, Language::c_sharp, Language::javascript})
+    CHECK(program_in(language, Task(scene({3, 5})), chosen, need, "")
+              .find("frames = 100000, steps_per_frame = 100000;") != std::string::npos);
+  CHECK(code_of(Task(scene({3, 5})), chosen, need, "").find("frames = 100000, steps_per_frame = 100000;") !=
+        std::string::npos);
+}
+
+TEST_CASE("a program's head names what is worked in", "[code][programs]") {
+  const auto head_of = [](Number number, const Candidate& chosen) {
+    const std::string code = program_in(Language::cpp, Task(scene(number)), chosen, need_of_a_second(), "");
+    return code.substr(0, code.find("#include"));
+  };
+  const std::string parameters = "The parameters are worked in",
+                    iterations = "Its iterations are written out";
+  Candidate stepped{"one angle", "Runge-Kutta 4", "step"};
+  stepped.setting = 1 / frames_per_second;
+  const std::string plain = head_of({3, 5}, stepped), unrolled = head_of({3, 3}, keplers_equation);
+  CHECK(plain.find(parameters) == plain.npos);
+  CHECK(plain.find(iterations) == plain.npos);
+  CHECK(unrolled.find(parameters) != unrolled.npos);
+  CHECK(unrolled.find(iterations) != unrolled.npos);
+}
+
+TEST_CASE("a program has the parameters that it uses", "[code][programs]") {
+  static const std::regex parameter(R"(^const double (\w+) = [^;,]*;  // )");
+  for (const Case& one : all_in(Language::cpp).cases) {
+    INFO(one.says);
+    std::istringstream lines(one.code);
+    std::string code, line;
+    std::vector<std::string> names;
+    for (std::smatch found; std::getline(lines, line); code += line.substr(0, line.find("//")) + "\n")
+      if (std::regex_search(line, found, parameter)) names.push_back(found[1]), line.clear();
+    for (const std::string& name : names) {
+      INFO(name);
+      CHECK(mentions(code, name));
+    }
+  }
+}
+
+TEST_CASE("a parameter whose name a program needs gets a suffix", "[code][programs]") {
+  std::set<std::string> taken = program_parts::reserved_names();
+  for (const char* name : {"t", "h", "q", "gamma", "y1", "in", "let", "double"}) CHECK(taken.contains(name));
+  for (const char* name : {"a", "g", "m", "L", "theta"}) CHECK_FALSE(taken.contains(name));
+  CHECK(formula::free_name("t", taken) == "t_");
+  CHECK(formula::free_name("t", taken) == "t__");
+  CHECK(formula::free_name("mu", taken) == "mu");
+}
+
+TEST_CASE("a top's program prints its orientation, which turns the body's axes into space's",
+          "[code][programs]") {
   std::vector<std::vector<double>> ends;
   for (const char* model : {"one angle, precession by quadrature", "axis and angular momentum"}) {
     Candidate chosen{model, "Runge-Kutta 4", "step"};
     chosen.setting = 1 / (frames_per_second * 8);
     const ScratchFolder scratch;
     const Runs runs = runs_of(Language::cpp, scratch.path().string());
-    const Entry& top = *std::ranges::find(registry(), Number{3, 33}, &Entry::number);
-    std::ofstream(runs.file) << program_in(Language::cpp, Task(top), chosen, need_of_a_second(), "");
+    const std::string code = program_in(Language::cpp, Task(scene({3, 33})), chosen, need_of_a_second(), "");
+    CHECK(
+        code.find(
+            "the body's x axis is\n// (1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y))") !=
+        code.npos);
+    std::ofstream(runs.file) << code;
     REQUIRE(output_of(runs.compile) == "");
     std::istringstream last(output_of(runs.run + " | tail -n 1"));
     ends.emplace_back();
     for (std::string cell; std::getline(last, cell, ',');)
       ends.back().push_back(std::strtod(cell.c_str(), nullptr));
     REQUIRE(ends.back().size() == 8);
-    const double* axis = &ends.back()[1];
-    const double *q = &ends.back()[4], x = 2 * (q[1] * q[3] + q[0] * q[2]),
-                 y = 2 * (q[2] * q[3] - q[0] * q[1]);
-    CHECK(std::abs(axis[0] - x) < 1e-6);
-    CHECK(std::abs(axis[1] - y) < 1e-6);
+    const double w = ends.back()[4], x = ends.back()[5], y = ends.back()[6], z = ends.back()[7];
+    const heavy_top::Matrix<double> r = top_after_a_second(Task(scene({3, 33})).parameters);
+    const double x_axis[] = {1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)};
+    const double z_axis[] = {2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)};
+    for (std::size_t i = 0; i < 3; ++i) {
+      CHECK(std::abs(x_axis[i] - r[i][0]) < 1e-5);
+      CHECK(std::abs(z_axis[i] - r[i][2]) < 1e-5);
+      CHECK(std::abs(z_axis[i] - ends.back()[1 + i]) < 1e-6);
+    }
   }
   for (std::size_t i = 4; i < 8; ++i) CHECK(std::abs(ends[0][i] - ends[1][i]) < 1e-5);
 }

@@ -318,7 +318,8 @@ void add_choose(CLI::App& app, Session& s) {
   add_formats(*choose, s, "the choice and every method tried");
   auto* code = choose->add_flag("--code", s.code, "print the chosen model and its loop, as C++ to paste");
   set_apart(*choose, code, {"--json", "--csv"});
-  add_value(*choose, "--language", s.language, "NAME", "language of the code: C++, C# or JavaScript")
+  add_value(*choose, "--language", s.language, "NAME",
+            "language of the code: C++ (cpp), C# (cs) or JavaScript (js)")
       ->needs(code);
   auto* engine = add_value(
       *choose, "--engine", s.engine, "NAME",

@@ -379,6 +379,7 @@ int choose(const fs::path& folder, const std::string& exercise, const std::vecto
   const Language written = language_of(language);
   const Task task = task_of(exercise, overrides);
   const Need need = asked.lockstep ? in_lockstep(need_of(task, asked), task) : need_of(task, asked);
+  require_language(written, task, need);
   if (!asked.method.empty()) return judge_own(folder, task, asked, need, format, extras.bodies);
   if (need.frame_times && !engine.empty())
     throw BadInput(

@@ -11,9 +11,10 @@
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
 #include "report/pages/choose_view.hpp"
+#include "report/pages/code_text.hpp"
 #include "report/study/embedded.hpp"
 #include "report/study/frames.hpp"
-#include "report/text/readable.hpp"
+#include "report/text/screen.hpp"
 #include "report/text/used_code.hpp"
 #include "solvers/ode/catalog.hpp"
 
@@ -128,20 +129,6 @@ class Joined {
   std::string text_;
 };
 
-/// Separates lines that a backslash at the end of a comment would join; comments may contain any text.
-std::string with_lines_apart(std::string code) {
-  for (auto at = code.find("\\\n"); at != std::string::npos; at = code.find("\\\n", at))
-    code.insert(at + 1, ".");
-  return code;
-}
-
-std::string as_comment(const std::string& text) {
-  std::string comment;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) comment += line.empty() ? "//\n" : "// " + line + "\n";
-  return comment;
-}
-
 std::string literal(double x, const std::string& number) {
   return number == "double" ? format_shortest(x) : number + "(" + format_shortest(x) + ")";
 }
@@ -151,17 +138,9 @@ std::string model_text(const Task& task, std::string_view expression, const std:
   std::string text = "namespace oddity::asked {\n\nusing Number = " + number + ";\n\n";
   for (const Parameter& p : task.entry->exercise.parameters)
     if (mentions(expression, p.name))
-      text += number + " " + std::string(p.name) + " = " + literal(task.parameters[p.name], number) +
-              ";  // " + (p.unit.empty() || p.unit == "1" ? "" : std::string(p.unit) + ": ") +
-              readable(std::string(p.says)) + "\n";
+      text += parameter_line(p, number, p.name, literal(task.parameters[p.name], number));
   return text + "\nauto model() { return " + in_number_type(expression, number) +
          "; }\n\n}  // namespace oddity::asked\n";
-}
-
-std::string header_line(const Scene& scene) {
-  std::string line = "t [" + std::string(scene.axes.time) + "]";
-  for (std::string_view name : scene.axes.observables) line += "," + std::string(name);
-  return line;
 }
 
 constexpr std::string_view print_row = R"(
@@ -404,14 +383,14 @@ std::string main_text(const Task& task, const Need& need, const Plain* algorithm
     put("$frame",
         algorithm ? in_its_numbers(frame_text(stepping)) : "    print_row(t, model.at(Number(t)));\n");
   } else {
-    put("$frames", format_shortest(need.frames()));
+    put("$frames", integer_text(need.frames()));
     put("$rate", format_shortest(need.frames_per_second));
   }
   if (algorithm && differ) {
     put("$step", format_shortest(step));
     put("$algorithm", std::string(algorithm->type));
   } else if (algorithm) {
-    put("$steps", format_shortest(std::round(1 / (step * need.frames_per_second))));
+    put("$steps", integer_text(1 / (step * need.frames_per_second)));
     put("$algorithm", std::string(algorithm->type));
   }
   if (algorithm) put("$seen", need.lockstep ? ", all.add(x)" : "");
@@ -477,8 +456,8 @@ std::string compiling_of(const Listing& listing, const Candidate& chosen, const 
   return "\nCompiled by c++ -std=c++20 -O2 -ffp-contract=off it prints oddity's own numbers" +
          std::string(
              chosen.precision == Precision::in_float
-                 ? ", but for the observables' roundings: oddity observes a motion in float in double."
-             : listing.text || need.frame_times ? ", but for roundings."
+                 ? ", except for the observables' roundings: oddity observes a motion in float in double."
+             : listing.text || need.frame_times ? ", except for roundings."
                                                 : ".");
 }
 
@@ -595,10 +574,12 @@ std::string code_of(const Task& task, const Candidate& chosen, const Need& need,
 }
 
 std::string code_of(const Task& task, const Choice& choice, const std::string& command, Language language) {
+  const Screen page{107};
   if (!choice.chosen) throw BadInput("nothing here meets the need, and there is no code to print");
   return code_of(task, *choice.chosen, choice.need,
-                 to_string(task.entry->number) + " " + std::string(task.entry->exercise.title) + ": " +
-                     asked_text(choice) + "\n\n" + answer_text(choice) +
+                 wrapped(to_string(task.entry->number) + " " + std::string(task.entry->exercise.title) +
+                             ": " + asked_text(choice) + "\n\n" + answer_text(choice),
+                         page, 4) +
                      "\nThe observables at every frame, by\n  " + command,
                  language);
 }

@@ -1,9 +1,7 @@
 #include "report/pages/dialects.hpp"
 
-#include <array>
 #include <cctype>
 #include <regex>
-#include <sstream>
 #include <utility>
 #include <vector>
 

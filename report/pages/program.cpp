@@ -1,9 +1,8 @@
 #include "report/pages/program.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <map>
-#include <numeric>
+#include <cctype>
+#include <iterator>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -13,11 +12,12 @@
 #include "formula/program.hpp"
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
+#include "report/pages/code_text.hpp"
 #include "report/pages/dialects.hpp"
+#include "report/pages/program_parts.hpp"
 #include "report/study/embedded.hpp"
 #include "report/study/frames.hpp"
 #include "report/study/recorded_model.hpp"
-#include "report/text/readable.hpp"
 
 namespace oddity {
 
@@ -25,162 +25,16 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-// ---- algorithms -------------------------------------------------------------------------------------------
-
-struct Algorithm {
-  std::string_view name, text;
-};
-
-constexpr std::string_view moved = R"(
-static State Moved(State x, double h, State rate) {
-  var y = copy(x);
-  for (var i = 0; i < size(y); ++i) y[i] += h * rate[i];
-  return y;
-}
-)";
-constexpr std::string_view runge_kutta = R"(
-static State RungeKutta(State x, State k1, double t, double h) {
-  var k2 = Rates(Moved(x, h / 2, k1), t + h / 2);
-  var k3 = Rates(Moved(x, h / 2, k2), t + h / 2);
-  var k4 = Rates(Moved(x, h, k3), t + h);
-  var y = copy(x);
-  for (var i = 0; i < size(y); ++i) y[i] = x[i] + h / 6 * k1[i] + h / 3 * k2[i] + h / 3 * k3[i] + h / 6 * k4[i];
-  return y;
-}
-)";
-
-constexpr Algorithm algorithms[] = {
-    {"explicit Euler", R"(
-static State Step(State x, double t, double h) {
-  return Moved(x, h, Rates(x, t));
-}
-)"},
-    {"symplectic Euler", R"(
-// The velocities first, then the places with the new ones.
-static State Step(State x, double t, double h) {
-  var y = copy(x);
-  var n = size(x) / 2;
-  var a = Acceleration(x);
-  for (var i = 0; i < n; ++i) y[n + i] += h * a[i];
-  for (var i = 0; i < n; ++i) y[i] += h * y[n + i];
-  return y;
-}
-)"},
-    {"semi-implicit Euler", R"(
-// The velocities first, then the places with the new ones.
-static State Step(State x, double t, double h) {
-  var y = copy(x);
-  var rate = Rates(x, t);
-  foreach (var i in velocities) y[i] += h * rate[i];
-$places  return y;
-}
-)"},
-    {"velocity Verlet", R"(
-static Half last;  // acceleration at the last state; whoever changes the state sets `started` to false
-static bool started;
-
-static State Step(State x, double t, double h) {
-  if (!started) last = Acceleration(x);
-  started = true;
-  var y = copy(x);
-  var n = size(x) / 2;
-  for (var i = 0; i < n; ++i) y[i] = x[i] + h * x[n + i] + h / 2 * h * last[i];
-  var a = Acceleration(y);
-  for (var i = 0; i < n; ++i) y[n + i] = x[n + i] + h / 2 * last[i] + h / 2 * a[i];
-  last = a;
-  return y;
-}
-)"},
-    {"Runge-Kutta 4", R"(
-static State Step(State x, double t, double h) {
-  return RungeKutta(x, Rates(x, t), t, h);
-}
-)"},
-    {"modified midpoint", R"(
-static State Step(State x, double t, double h) {
-  var middle = Moved(x, h / 2, Rates(x, t));
-  var end = Moved(x, h, Rates(middle, t + h / 2));
-  var rate = Rates(end, t + h / 2 + h / 2);
-  var y = copy(x);
-  for (var i = 0; i < size(y); ++i) y[i] = middle[i] / 2 + end[i] / 2 + h / 2 / 2 * rate[i];
-  return y;
-}
-)"},
-    {"McLachlan 4", R"(
-static readonly double third = 1.0 / 3, z = Math.Sqrt(7.0 / 8) / 3;
-static readonly Weights drifts = new Weights {0.5 - z, -third + z, 2 * third, -third + z, 0.5 - z};
-static readonly Weights kicks = new Weights {1.0, -0.5, -0.5, 1.0};
-
-// Five drifts and four kicks between them.
-static State Step(State x, double t, double h) {
-  var y = copy(x);
-  var n = size(x) / 2;
-  for (var stage = 0; stage < 5; ++stage) {
-    for (var i = 0; i < n; ++i) y[i] += drifts[stage] * h * y[n + i];
-    if (stage == 4) break;
-    var a = Acceleration(y);
-    for (var i = 0; i < n; ++i) y[n + i] += kicks[stage] * h * a[i];
-  }
-  return y;
-}
-)"},
-    {"Adams-Bashforth 4", R"(
-static State f0, f1, f2, f3;  // the last rates, the newest first
-static int known = 0;         // how many of them are: of another state or step none
-
-static State Step(State x, double t, double h) {
-  f3 = f2;
-  f2 = f1;
-  f1 = f0;
-  f0 = Rates(x, t);
-  if (++known < 4) return RungeKutta(x, f0, t, h);
-  var y = copy(x);
-  for (var i = 0; i < size(y); ++i)
-    y[i] = x[i] + 55.0 / 24 * h * f0[i] - 59.0 / 24 * h * f1[i] + 37.0 / 24 * h * f2[i] - 3.0 / 8 * h * f3[i];
-  return y;
-}
-)"},
-};
-
-std::string list_text(const std::string& name, const std::vector<int>& all) {
-  std::string text;
-  for (const int one : all) text += (text.empty() ? "" : ", ") + std::to_string(one);
-  return "static readonly Places " + name + " = new Places {" + text + "};\n";
-}
-
-/// Which unknowns are velocities, and how the others follow.
-std::string with_velocities(std::string text, const RecordedModel& model) {
-  std::vector<int> velocities, places;
-  for (std::size_t i = 0; i < model.is_velocity.size(); ++i)
-    (model.is_velocity[i] ? velocities : places).push_back(static_cast<int>(i));
-  const bool are_rates =
-      std::ranges::all_of(places, [&](int i) { return model.velocity_of[static_cast<std::size_t>(i)] >= 0; });
-  std::vector<int> rate_of(model.is_velocity.size(), 0);
-  for (const int i : places)
-    rate_of[static_cast<std::size_t>(i)] = model.velocity_of[static_cast<std::size_t>(i)];
-  const std::string placeholder = "$places";
-  text.replace(text.find(placeholder), placeholder.size(),
-               are_rates
-                   ? "  foreach (var i in places) y[i] += h * y[rate_of[i]];\n"
-                   : "  var later = Rates(y, t + h);\n  foreach (var i in places) y[i] += h * later[i];\n");
-  return "\n" + list_text("velocities", velocities) + list_text("places", places) +
-         (are_rates ? list_text("rate_of", rate_of) : "") + text;
-}
-
-std::string algorithm_text(const std::string& name, const RecordedModel& model) {
-  if (model.start.empty()) return "";
-  const auto* found = std::ranges::find(algorithms, name, &Algorithm::name);
-  if (found == std::end(algorithms)) throw BadInput("there is no such code for the algorithm " + name);
-  std::string text(found->text);
-  if (name == "semi-implicit Euler") text = with_velocities(text, model);
-  if (text.find("Acceleration") != text.npos && model.acceleration.empty())
-    throw BadInput("there is no such code for " + name + " on a model without accelerations alone");
-  const bool has_runge_kutta = text.find("RungeKutta") != text.npos;
-  if (has_runge_kutta) text = std::string(runge_kutta) + text;
-  return (text.find("Moved") != text.npos ? std::string(moved) : "") + text;
-}
-
 // ---- the model --------------------------------------------------------------------------------------------
+
+/// Their own, with a suffix where a program needs that name itself.
+std::vector<std::string> parameter_names(const Task& task) {
+  std::set<std::string> taken = program_parts::reserved_names();
+  std::vector<std::string> names;
+  for (const Parameter& p : task.entry->exercise.parameters)
+    names.push_back(formula::free_name(std::string(p.name), taken));
+  return names;
+}
 
 /// The listing's name of it: a closed form may have an algorithm of its own.
 const Recorder* recorder_of(const Task& task, const Candidate& chosen) {
@@ -217,46 +71,64 @@ RecordedModel longest(const Recorder& recorder, ToRecord asked, const Need& need
   return *most;
 }
 
-RecordedModel model_of(const Task& task, const Candidate& chosen, const Need& need) {
+/// A model as its program computes it, and what the program's head adds about that.
+struct Written {
+  std::string_view name;  ///< in the listing
+  RecordedModel model;
+  std::string note = {};
+};
+
+Written written(const Task& task, const Candidate& chosen, const Need& need) {
   const Recorder* recorder = recorder_of(task, chosen);
   if (!recorder)
     throw BadInput("the model '" + chosen.model + "' is in none of the listings that are recorded");
-  ToRecord asked{task.entry->exercise.parameters, {}};
+  ToRecord asked{parameter_names(task), {}};
   for (const Parameter& p : task.entry->exercise.parameters) asked.values.push_back(task.parameters[p.name]);
   asked.t = 1 / need.frames_per_second;
   RecordedModel model = recorder->record(asked);
-  if (model.branched_at_start || model.branched) {
-    asked.with_letters = false;
-    model = recorder->record(asked);
-  }
-  if (!model.branched) return model;
+  if (!model.branched_at_start && !model.branched) return {recorder->model, model};
+  const std::string note = "\nThe parameters are worked in: other values need another program.";
+  asked.with_letters = false;
+  model = recorder->record(asked);
+  if (!model.branched) return {recorder->model, model, note};
   if (!model.start.empty()) throw BadInput("the operations of its equations differ from state to state");
-  return longest(*recorder, asked, need);
+  return {
+      recorder->model, longest(*recorder, asked, need),
+      note + "\nIts iterations are written out, as many as these frames need: other frames may need more."};
 }
 
-/// What stands above its type in its header.
-Lines comment_of(const Listing& listing, std::string_view model) {
-  static const std::regex type(R"(::(\w+)[<(])");
-  std::string expression;
-  for (const auto& [name, text] : listing.models)
-    if (name == model) expression = text;
-  std::smatch found;
-  if (!std::regex_search(expression, found, type)) return {};
-  const std::string head = "struct " + found[1].str() + " ";
-  for (const EmbeddedFile& file : embedded_headers()) {
-    if (std::ranges::find(listing.headers, file.path) == listing.headers.end()) continue;
-    std::istringstream lines{std::string(file.text)};
-    Lines comment;
-    for (std::string line; std::getline(lines, line);) {
-      if (line.starts_with("/// "))
-        comment.push_back(line.substr(1));
-      else if ((line + " ").starts_with(head))
-        return comment;
-      else if (!line.starts_with("template") && !line.starts_with("requires"))
-        comment.clear();
-    }
+/// The comment on a type in a header; empty if it has none there.
+std::string comment_in(const EmbeddedFile& header, const std::string& type) {
+  std::istringstream lines{std::string(header.text)};
+  std::string comment;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("/// "))
+      comment += line.substr(1) + "\n";
+    else if ((line + " ").starts_with("struct " + type + " "))
+      return comment;
+    else if (!line.starts_with("template") && !line.starts_with("requires"))
+      comment.clear();
   }
-  return {};
+  return "";
+}
+
+/// The comment on a model's type in the listing's headers, or in those that they include.
+std::string comment_of(const Listing& listing, std::string_view model) {
+  static const std::regex type(R"(::(\w+)[<(])");
+  const auto named = std::ranges::find(listing.models, model, [](const auto& one) { return one.first; });
+  const std::string expression(named->second);
+  std::smatch found;
+  if (!std::regex_search(expression, found, type)) return "";
+  std::string comment, of_included;
+  for (const EmbeddedFile& own : embedded_headers()) {
+    if (std::ranges::find(listing.headers, own.path) == listing.headers.end()) continue;
+    if (comment.empty()) comment = comment_in(own, found[1]);
+    for (const EmbeddedFile& header : embedded_headers())
+      if (own.text.find("#include \"" + std::string(header.path) + "\"") != own.text.npos &&
+          of_included.empty())
+        of_included = comment_in(header, found[1]);
+  }
+  return comment.empty() ? of_included : comment;
 }
 
 /// With the orientation as further unknowns, where the algorithm's steps are those of all unknowns.
@@ -284,6 +156,12 @@ std::string terms_text(const Lines& terms, std::size_t first) {
   return text;
 }
 
+/// What the columns of an orientation mean.
+constexpr std::string_view about_orientation = R"(
+// The last four numbers, the quaternion (w, x, y, z), turn the body's axes into space's: the body's x axis is
+// (1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)).
+)";
+
 std::string function_text(const std::string& head, const std::string& type, const formula::Statements& made) {
   std::string text = "\nstatic " + type + " " + head + " {\n";
   for (const std::string& line : made.lines) text += "  " + line + "\n";
@@ -291,200 +169,66 @@ std::string function_text(const std::string& head, const std::string& type, cons
   return text + returned + terms_text(made.terms, returned.size()) + "};\n}\n";
 }
 
-std::string parameters_text(const Task& task, const std::string& code) {
+/// Declares the parameters among the letters.
+std::string parameters_text(const Task& task, const std::set<std::string>& letters) {
+  const std::vector<std::string> names = parameter_names(task);
   std::string text;
-  for (const Parameter& p : task.entry->exercise.parameters)
-    if (mentions(code, p.name))
-      text += "const double " + std::string(p.name) + " = " + format_shortest(task.parameters[p.name]) +
-              ";  // " + (p.unit.empty() || p.unit == "1" ? "" : std::string(p.unit) + ": ") +
-              readable(std::string(p.says)) + "\n";
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (const Parameter& p = task.entry->exercise.parameters[i]; letters.contains(names[i]))
+      text += parameter_line(p, "static readonly double", names[i], format_shortest(task.parameters[p.name]));
   return text;
 }
 
-std::set<std::string> taken_names(const Task& task) {
-  std::set<std::string> taken{"t", "x", "q", "h", "z", "third", "known", "last", "places", "velocities"};
-  for (const char* in_c : {"atan2", "exp2", "exp10", "log2", "log10"}) taken.insert(in_c);  // its header's
-  for (const Parameter& p : task.entry->exercise.parameters) taken.insert(std::string(p.name));
-  return taken;
-}
-
 /// Parameters, constants and the functions of the model.
-std::string model_text(const Task& task, const RecordedModel& model, const std::string& name,
-                       bool by_forces) {
-  std::set<std::string> moving{"t"};
+std::string model_text(const Task& task, const RecordedModel& model, std::string_view name, bool by_forces) {
+  std::set<std::string> moving{"t"}, taken = program_parts::reserved_names();
   for (std::size_t i = 0; i < model.start.size(); ++i) {
     moving.insert(state_letter('x', i));
     moving.insert(state_letter('q', i));
   }
-  formula::Program program(*model.record, moving,
-                           {model.observed, by_forces ? model.acceleration : model.rates}, taken_names(task));
-  std::string constants, text;
+  for (const std::string& parameter : parameter_names(task)) taken.insert(parameter);
+  const auto& moves = by_forces ? model.acceleration : model.rates;
+  formula::Program program(*model.record, moving, {model.observed, moves}, taken);
+  std::string constants, bodies;
   for (const std::string& line : program.constants()) constants += line + "\n";
-  for (const std::string& line : comment_of(task.entry->exercise.scene->listing, name)) text += line + "\n";
-  if (!text.empty()) text = "\n" + text;
   if (model.start.empty()) {
-    text +=
-        function_text("At(double t)", "Seen", program.function(model.observed)).substr(text.empty() ? 0 : 1);
+    bodies = function_text("At(double t)", "Seen", program.function(model.observed));
   } else {
-    text += function_text("Start()", "State", program.function(model.start)).substr(text.empty() ? 0 : 1);
-    text += by_forces ? function_text("Acceleration(State q)", "Half", program.function(model.acceleration))
-                      : function_text("Rates(State x, double t)", "State", program.function(model.rates));
-    text += function_text("Observe(State x, double t)", "Seen", program.function(model.observed));
+    bodies = function_text("Start()", "State", program.function(model.start)) +
+             (by_forces ? function_text("Acceleration(State q)", "Half", program.function(moves))
+                        : function_text("Rates(State x, double t)", "State", program.function(moves))) +
+             std::string(model.orientation.empty() ? "" : about_orientation) +
+             function_text("Observe(State x, double t)", "Seen", program.function(model.observed))
+                 .substr(model.orientation.empty() ? 0 : 1);
   }
-  return parameters_text(task, constants + text) + (constants.empty() ? "" : "\n" + constants) + text;
+  const std::string comment = comment_of(task.entry->exercise.scene->listing, name);
+  if (!comment.empty()) bodies = "\n" + comment + bodies.substr(1);
+  const std::string parameters =
+      parameters_text(task, formula::letters_of(*model.record, {model.start, moves, model.observed}));
+  const std::string text = parameters + (constants.empty() ? "" : "\n" + constants) + bodies;
+  return text.substr(text.find_first_not_of('\n'));
 }
 
 // ---- the program around it --------------------------------------------------------------------------------
-
-/// Functions that a language's library has not.
-struct Helper {
-  Language language;
-  std::string_view name, text;
-};
-constexpr Helper helpers[] = {
-    {Language::c_sharp, "Hypot", R"(
-static double Hypot(double x, double y) {
-  return Math.Sqrt(x * x + y * y);
-}
-)"},
-    {Language::c_sharp, "Expm1", R"(
-static double Expm1(double x) {
-  var u = Math.Exp(x);
-  return u == 1 ? x : u == 0 ? -1 : (u - 1) * x / Math.Log(u);
-}
-)"},
-    {Language::c_sharp, "Asinh", R"(
-static double Asinh(double x) {
-  var a = Math.Abs(x);
-  var less = a + a * a / (1 + Math.Sqrt(1 + a * a));
-  var u = 1 + less;
-  return u == 1 ? x : Math.Sign(x) * Math.Log(u) * less / (u - 1);
-}
-)"},
-    {Language::c_sharp, "Copysign", R"(
-static double Copysign(double size, double sign) {
-  return sign < 0 ? -Math.Abs(size) : Math.Abs(size);
-}
-)"},
-    {Language::javascript, "copysign", R"(
-function copysign(size, sign) {
-  return sign < 0 ? -Math.abs(size) : Math.abs(size);
-}
-)"},
-    {Language::javascript, "remainder", R"(
-function remainder(x, y) {
-  return x - y * Math.round(x / y);
-}
-)"},
-};
-
-/// A main function, and what stands in it where a motion is stepped, or is a closed form.
-struct Main {
-  std::string_view text, start, stepped, at;
-};
-constexpr Main mains[] = {
-    {R"(
-template <class Numbers>
-void print_row(double t, const Numbers& observed) {
-  std::printf("%.17g", t);
-  for (const double x : observed) std::printf(",%.17g", x);
-  std::printf("\n");
-}
-
-int main() {
-  const int frames = $frames$steps;
-  const double frames_per_second = $rate;
-  std::printf("$names\n");
-$start  for (int frame = 1; frame <= frames; ++frame) {
-$frame  }
-}
-)",
-     "  auto x = start();\n",
-     R"(    const double t0 = (frame - 1) / frames_per_second, t1 = frame / frames_per_second;
-    const double h = (t1 - t0) / steps_per_frame;
-    for (int i = 0; i < steps_per_frame; ++i) x = step(x, t0 + i * h, h);
-    print_row(t1, observe(x, t1));
-)",
-     R"(    const double t = frame / frames_per_second;
-    print_row(t, at(t));
-)"},
-    {R"(
-static void PrintRow(double t, double[] observed) {
-  var row = t.ToString("R", CultureInfo.InvariantCulture);
-  foreach (var x in observed) row += "," + x.ToString("R", CultureInfo.InvariantCulture);
-  Console.WriteLine(row);
-}
-
-static void Main() {
-  const int frames = $frames$steps;
-  const double frames_per_second = $rate;
-  Console.WriteLine("$names");
-$start  for (int frame = 1; frame <= frames; ++frame) {
-$frame  }
-}
-)",
-     "  var x = Start();\n",
-     R"(    double t0 = (frame - 1) / frames_per_second, t1 = frame / frames_per_second;
-    var h = (t1 - t0) / steps_per_frame;
-    for (int i = 0; i < steps_per_frame; ++i) x = Step(x, t0 + i * h, h);
-    PrintRow(t1, Observe(x, t1));
-)",
-     R"(    var t = frame / frames_per_second;
-    PrintRow(t, At(t));
-)"},
-    {R"(
-const frames = $frames$steps;
-const frames_per_second = $rate;
-console.log("$names");
-$startfor (let frame = 1; frame <= frames; ++frame) {
-$frame}
-)",
-     "let x = start();\n",
-     R"(  const t0 = (frame - 1) / frames_per_second, t1 = frame / frames_per_second;
-  const h = (t1 - t0) / steps_per_frame;
-  for (let i = 0; i < steps_per_frame; ++i) x = step(x, t0 + i * h, h);
-  console.log([t1, ...observe(x, t1)].join(","));
-)",
-     R"(  const t = frame / frames_per_second;
-  console.log([t, ...at(t)].join(","));
-)"},
-};
 
 void put(std::string& text, const std::string& placeholder, const std::string& what) {
   text.replace(text.find(placeholder), placeholder.size(), what);
 }
 
-std::string row_names(const Scene& scene, bool is_turning) {
-  std::string line = "t [" + std::string(scene.axes.time) + "]";
-  for (const std::string_view name : scene.axes.observables) line += "," + std::string(name);
-  return line + (is_turning ? ",qw,qx,qy,qz" : "");
-}
-
 std::string main_text(Language language, const Task& task, const Candidate& chosen, const Need& need,
                       const RecordedModel& model) {
   const bool steps = !model.start.empty();
-  const Main& main = mains[static_cast<std::size_t>(language)];
+  const program_parts::Main& main = program_parts::main_of(language);
   std::string text(main.text);
-  put(text, "$frames", format_shortest(need.frames()));
+  put(text, "$frames", integer_text(need.frames()));
   put(text, "$steps",
-      steps ? ", steps_per_frame = " +
-                  format_shortest(std::round(1 / (chosen.setting * need.frames_per_second)))
-            : "");
+      steps ? ", steps_per_frame = " + integer_text(1 / (chosen.setting * need.frames_per_second)) : "");
   put(text, "$rate", format_shortest(need.frames_per_second));
-  put(text, "$names", row_names(*task.entry->exercise.scene, !model.orientation.empty()));
+  put(text, "$names",
+      header_line(*task.entry->exercise.scene) + (model.orientation.empty() ? "" : ",qw,qx,qy,qz"));
   put(text, "$start", std::string(steps ? main.start : ""));
   put(text, "$frame", std::string(steps ? main.stepped : main.at));
   return text;
-}
-
-std::string as_comment(const std::string& text) {
-  std::string comment;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
-    while (line.ends_with('\\')) line += '.';
-    comment += line.empty() ? "//\n" : "// " + line + "\n";
-  }
-  return comment;
 }
 
 std::string indented(const std::string& text) {
@@ -507,9 +251,25 @@ std::string whole(Language language, const std::string& code) {
 constexpr std::string_view runs[] = {"Compiled by c++ -std=c++20 -O2 -ffp-contract=off",
                                      "Compiled by mcs or csc", "Run by node"};
 
+std::string_view name_of(Language language) { return language_names[static_cast<std::size_t>(language)]; }
+
+/// Reason why no choice for the need has a program; empty if one may have it.
+std::string why_without_program(const Task& task, const Need& need, bool single) {
+  if (task.entry->exercise.scene->listing.text) return "it is a problem's file";
+  if (single) return "it is in float";
+  if (need.frame_times) return "its frames are of different lengths";
+  return need.lockstep ? "it is asked to run in lockstep" : "";
+}
+
+[[noreturn]] void refuse(Language language, const std::string& why) {
+  throw BadInput("there is no code in " + std::string(name_of(language)) + " for this choice: " + why +
+                 "; leave out --language for C++");
+}
+
 }  // namespace
 
 Language language_of(std::string_view name) {
+  constexpr std::string_view short_names[] = {"cpp", "cs", "js"};
   const auto lower = [](std::string_view text) {
     std::string all;
     for (const char c : text) all += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -517,40 +277,41 @@ Language language_of(std::string_view name) {
   };
   std::string known;
   for (std::size_t i = 0; i < std::size(language_names); ++i) {
-    if (lower(language_names[i]) == lower(name)) return static_cast<Language>(i);
-    known += (known.empty() ? "" : ", ") + std::string(language_names[i]);
+    if (lower(name) == lower(language_names[i]) || lower(name) == short_names[i])
+      return static_cast<Language>(i);
+    known += (known.empty() ? "" : ", ") + std::string(language_names[i]) + " (" +
+             std::string(short_names[i]) + ")";
   }
   throw BadInput("there is no code in '" + std::string(name) + "'; there is in " + known);
 }
 
+void require_language(Language language, const Task& task, const Need& need) {
+  if (language == Language::cpp) return;
+  if (const std::string why = why_without_program(task, need, !need.in_double); !why.empty())
+    refuse(language, why);
+}
+
 std::string program_in(Language language, const Task& task, const Candidate& chosen, const Need& need,
                        const std::string& about) {
-  const std::string name(language_names[static_cast<std::size_t>(language)]);
-  const auto refuse = [&](const std::string& why) {
-    throw BadInput("there is no code in " + name + " for this choice: " + why +
-                   "; leave out --language for C++");
-  };
-  if (task.entry->exercise.scene->listing.text) refuse("it is a problem's file");
-  if (chosen.precision == Precision::in_float) refuse("it is in float");
-  if (need.frame_times) refuse("its frames are of different lengths");
-  if (need.lockstep) refuse("it is asked to run in lockstep");
+  if (const std::string why = why_without_program(task, need, chosen.precision == Precision::in_float);
+      !why.empty())
+    refuse(language, why);
   try {
-    RecordedModel model = model_of(task, chosen, need);
-    const std::string algorithm = algorithm_text(std::string(without_stepping(chosen.algorithm)), model);
+    auto [name, model, note] = written(task, chosen, need);
+    const std::string algorithm =
+        program_parts::algorithm_text(std::string(without_stepping(chosen.algorithm)), model);
     const bool by_forces = algorithm.find("Acceleration(") != algorithm.npos;
     turn_along(model, !by_forces && algorithm.find("velocities") == algorithm.npos);
     const Dialect dialect{model.start.size(), model.observed.size()};
-    std::string code = dialect.in(language, model_text(task, model, chosen.model, by_forces) + algorithm);
-    for (const Helper& helper : helpers)
-      if (helper.language == language && mentions(code, helper.name)) code += helper.text;
+    std::string code = dialect.in(language, model_text(task, model, name, by_forces) + algorithm);
+    code += program_parts::helpers_for(language, code);
     code += main_text(language, task, chosen, need, model);
-    return as_comment(about + "\n" + std::string(runs[static_cast<std::size_t>(language)]) +
-                      " it prints oddity's own numbers, but for roundings.") +
-           "\n" + whole(language, code);
+    const std::string head = about + "\n" + std::string(runs[static_cast<std::size_t>(language)]) +
+                             " it prints oddity's own numbers, except for roundings." + note;
+    return with_lines_apart(as_comment(head) + "\n" + whole(language, code));
   } catch (const BadInput& why) {
-    refuse(why.what());
+    refuse(language, why.what());
   }
-  return "";
 }
 
 }  // namespace oddity

@@ -11,8 +11,7 @@ namespace detail {
 std::vector<formula::Recorded> given(formula::Record& record, const ToRecord& asked) {
   std::vector<formula::Recorded> all;
   for (std::size_t i = 0; i < asked.values.size(); ++i)
-    all.push_back(asked.with_letters ? formula::Recorded::letter(
-                                           record, std::string(asked.parameters[i].name), asked.values[i])
+    all.push_back(asked.with_letters ? formula::Recorded::letter(record, asked.names[i], asked.values[i])
                                      : formula::Recorded(asked.values[i]));
   return all;
 }

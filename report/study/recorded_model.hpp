@@ -14,9 +14,9 @@
 /// Models of the scenes' listings, run once with numbers that record what is computed with them.
 namespace oddity {
 
-/// Parameters as letters, or as known numbers; the time of a closed form.
+/// Parameters as letters of these names, or as known numbers; the time of a closed form.
 struct ToRecord {
-  std::span<const Parameter> parameters;
+  std::vector<std::string> names;
   std::vector<double> values;
   double t = 0;
   bool with_letters = true;
