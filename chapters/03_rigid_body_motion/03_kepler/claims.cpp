@@ -877,7 +877,7 @@ void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
        .near_misses = {{R"($GM\dot r_0/\alpha$)"}},
        .kind = Fault::lost_typography,
        .why =
-           R"(The fraction bar is lost: what stands there is the product $GM^2\dot r_0\,\alpha$. Line 1031, from )"
+           R"(The fraction bar is lost: what stands there is the product $GM^2\dot r_0\,\alpha$; line 1031, from )"
            R"(which it comes, is $\dot r=\alpha V'/(GM^2)$.)"});
 
   const auto squares = [](const auto& k) {

@@ -315,7 +315,7 @@ void motions(Claims& claims, const std::vector<Later>& all) {
        .kind = Fault::lost_typography,
        .why =
            R"(The bars over $r^2$ are lost in lines 2783 and 2785, where the text at hand reads $\gamma r^2$ and )"
-           R"($\beta r^2$. The equations of lines 2757 and 2773, which are written as a system here, have the )"
+           R"($\beta r^2$; the equations of lines 2757 and 2773, which are written as a system here, have the )"
            R"(parts of each fraction on two lines.)"});
 }
 
