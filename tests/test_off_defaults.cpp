@@ -1,14 +1,17 @@
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
 #include "chapters/02_basic_concepts/07_curve_on_sphere/models.hpp"
+#include "chapters/03_rigid_body_motion/35_moving_tip/moving_tip.hpp"
 #include "chapters/contents.hpp"
 #include "reference/bad_input.hpp"
 #include "reference/reference.hpp"
 #include "report/study/run.hpp"
 #include "report/verify/catch.hpp"
+#include "solvers/ode/algorithms.hpp"
 #include "solvers/ode/integrate.hpp"
 #include "tests/near.hpp"
 
@@ -105,6 +108,18 @@ TEST_CASE("3.33: the axis is between its bounds, whether it starts upward or dow
     INFO("dphi = " << dphi);
     for (const Method& m : q.methods) CHECK(name_of(run(q, m, m.knob.settings.back()).outcome) == "ok");
   }
+}
+
+TEST_CASE("3.35: a top too slow for a steady precession is shaken at the frequency of its nutation",
+          "[off_defaults][3.35]") {
+  const heavy_top::Top<double> slow{{1, 0.25, 0.125, 0.0625, 9.81, 0.25, 0.5, 0.75, 0.5, 0.25, 1}, 0.0625, 3};
+  const heavy_top::HeightAlone<double> height{slow};
+  const double period = 2 * std::numbers::pi / ex03_35::nutation_frequency(slow);
+  const auto after = [&](double time) {
+    return ode::integrate<ode::Fehlberg78>(height, height.start(), 0, time, 1e-12).value;
+  };
+  for (std::size_t i : {0u, 1u}) CHECK(near(after(period)[i], height.start()[i], 1e-9));
+  CHECK_FALSE(near(after(period / 2)[1], height.start()[1], 0.1));
 }
 
 TEST_CASE("3.9: let go on the second axis, the ball's arrival is found, and the text's formula has no number",

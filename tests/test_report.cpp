@@ -1,7 +1,9 @@
 #include <tbb/global_control.h>
 
 #include <array>
+#include <filesystem>
 #include <fstream>
+#include <regex>
 #include <sstream>
 
 #include "chapters/contents.hpp"
@@ -543,12 +545,27 @@ TEST_CASE("confirmed claims are a line each below their comparison", "[report]")
   other.claim.says = "x is still 1";
   results.exercises[0].claims = {one, judged(no_violations("the sign is right", 0, 200)), other};
   const std::string page = page_of(results);
-  CHECK(
-      count(
-          page,
-          "<summary>3 confirmed claims</summary>\n\n*b:*<br><sup>1</sup>x is 1<br><sup>1</sup>x is still 1\n") ==
-      1);
-  CHECK(count(page, "*In 200 samples:*<br><sup>1</sup>x is 1\n") == 1);
+  CHECK(count(page,
+              "<summary>3 confirmed claims with their lines in the solutions</summary>\n\n"
+              "*b:*<br>1: x is 1<br>1: x is still 1\n") == 1);
+  CHECK(count(page, "*In 200 samples:*<br>1: x is 1\n") == 1);
+}
+
+TEST_CASE("a claim lost in our copy is shown with its evidence from other lines", "[report][claims]") {
+  const Reference truth(std::filesystem::path(ODDITY_SOURCE) / "reference");
+  const std::regex lines("[Ll]ines? ([0-9]+)(?: and ([0-9]+))?");
+  int seen = 0;
+  for (const Entry& entry : registry())
+    for (const Claim& claim : entry.exercise.study(Parameters(entry.exercise.parameters), truth).claims) {
+      if (verdict(claim) != Verdict::lost) continue;
+      ExerciseResult alone;
+      alone.claims = {{claim, Verdict::lost}};
+      const std::string shown = wrong_claims(alone, {});
+      INFO(claim.id << ": " << claim.why);
+      for (std::sregex_iterator at(claim.why.begin(), claim.why.end(), lines), end; at != end; ++at, ++seen)
+        CHECK(shown.find(at->str()) != std::string::npos);
+    }
+  CHECK(seen > 10);
 }
 
 TEST_CASE("a row of forms is not shown again beside a claim that says each of them", "[report]") {

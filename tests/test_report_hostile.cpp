@@ -50,7 +50,7 @@ std::vector<std::string> broken_out(const std::string& page) {
   for (std::string line; std::getline(lines, line);) {
     const std::string markup = markup_of(line);
     static const std::regex own(
-        "<br>|<sup>[0-9]+</sup>|<a id=\"[A-Za-z0-9._-]*\"></a>|</details>|<details><summary>([0-9]+ [a-z ]*|"
+        "<br>|<a id=\"[A-Za-z0-9._-]*\"></a>|</details>|<details><summary>([0-9]+ [a-z ]*|"
         "<b>[A-Za-z0-9. ]*</b>[A-Za-z0-9:, ]*)</summary>");
     const std::string foreign = std::regex_replace(markup, own, "");
     if (foreign.find('<') != std::string::npos) wrong.push_back("a tag: " + line);

@@ -5,8 +5,8 @@
 
 // Growth rate of a change of theta1 at the start: log of the largest |d(position)/d(theta1)| in m/rad after
 // the time t, over t. Both routes take central differences of two trajectories that start so close together
-// that they are still close after 12 s, when they are 10^16 times as far apart. This needs the fixed number
-// of digits, whatever is requested.
+// that they are still close after 12 s, when they are 10^16 times as far apart. The number of digits belongs
+// to that distance and is fixed, whatever is requested.
 namespace oddity::truth {
 
 namespace growth_03_25 {

@@ -69,7 +69,7 @@ Drawing drawn(const Scene& scene, const Parameters& p, double t, std::span<const
 }  // namespace
 
 std::vector<double> observed_at_start(const Scene& scene, const Parameters& parameters) {
-  // The observables after a time that is too short to see.
+  // No method observes the start itself: a billionth of the horizon later nothing has visibly moved.
   const Quantity soon = scene.motion(parameters, {1e-9 * scene.horizon, 1}, Reference::nothing());
   std::vector<double> start;
   for (const Method& m : soon.methods) {

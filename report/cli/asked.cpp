@@ -282,7 +282,8 @@ std::ptrdiff_t require_one_of(const std::string& option, const std::string& word
   return found - words.begin();
 }
 
-/// Sets the additional criteria.
+/// Sets the errors of the criteria that are asked for next to the main one. Throws BadInput if one of them is
+/// the main one.
 void set_also(Need& need, const AskedNeed& asked) {
   const auto add = [&](Criterion criterion, const std::string& option, const std::string& text,
                        std::string_view unit) {

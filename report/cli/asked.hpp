@@ -87,7 +87,7 @@ double time_limit_of(const std::string& text);
 /// "2/7".
 Shard shard_of(const std::string& text);
 
-/// A chapter with exercises.
+/// The number of a chapter. Throws BadInput if it has no exercises.
 int chapter_of(const std::string& chapter);
 
 }  // namespace oddity

@@ -160,7 +160,7 @@ std::string compared_with(const JudgedClaim& judged) {
              : (c.right.by == "zero" && c.left.by != judged.claim.says ? c.left.by : c.right.by);
 }
 
-/// A line a claim with where it is, those that were compared with the same together.
+/// A line for each confirmed claim, in groups that were compared with the same route.
 std::string confirmed_lines(const ExerciseResult& e, const ProvedClaims& proved) {
   std::vector<std::pair<std::string, std::string>> groups;
   for (const JudgedClaim& c : e.claims) {
@@ -168,7 +168,7 @@ std::string confirmed_lines(const ExerciseResult& e, const ProvedClaims& proved)
     const std::string mark = proved.contains(c.claim.id) ? "†" : "";
     const Reading& printed = c.claim.printed;
     const bool formula = is_formula(printed.text) && !says_each_form(c.claim);
-    const std::string line = "<br>" + mark + "<sup>" + std::to_string(c.claim.line) + "</sup>" +
+    const std::string line = "<br>" + mark + std::to_string(c.claim.line) + ": " +
                              escaped(c.claim.says, false) +
                              (formula ? ": " + escaped(printed.text, false) : "");
     const std::string with = compared_with(c);
@@ -256,7 +256,8 @@ std::string other_claims(const ExerciseResult& e, const ProvedClaims& proved) {
     by_coq += proved.contains(c.claim.id);
   }
   if (confirmed == 0) return open;
-  return open + folded(counted(confirmed, "confirmed claim", "confirmed claims") +
+  return open + folded(counted(confirmed, "confirmed claim with its line in the solutions",
+                               "confirmed claims with their lines in the solutions") +
                            (by_coq == 0 ? "" : ", " + std::to_string(by_coq) + " proved (†)"),
                        confirmed_lines(e, proved));
 }

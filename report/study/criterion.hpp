@@ -10,14 +10,15 @@
 /// same way.
 namespace oddity {
 
-/// The energy of a true motion. A table has places but no rates, so two algorithms that share no code compute
-/// it. The one whose path stays nearer to the truth gives the energy, and the other bounds its error.
+/// The energy of a true motion. A table has places but no rates, so methods compute it. The algorithm whose
+/// path stays nearest to the truth gives the energy, and its difference from that of the next bounds the
+/// error.
 struct TrueEnergy {
   std::vector<double> whole;  ///< at each time judged
   double moves = 0;           ///< the largest kinetic part
   double known_to = 0;        ///< relative to `moves`
 };
-/// Throws BadInput if the scene states no energy, or fewer than two methods reach the end.
+/// Throws BadInput if the scene states no energy, or fewer than two algorithms reach the end.
 TrueEnergy true_energy(const Quantity& motion);
 
 /// Whether the criterion, alone or as another one of the need, looks at energies.

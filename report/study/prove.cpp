@@ -23,7 +23,8 @@ fs::path file_of(const fs::path& folder, const std::string& claim) { return fold
 /// The seal contains the checksum of the proved file.
 fs::path seal_of(const fs::path& folder, const std::string& claim) { return folder / (claim + ".proved"); }
 
-/// Coq's limits are in wall time: allows six times as much for a busy machine.
+/// The file with six times the time for each step of a proof. Coq limits wall time, and a busy machine needs
+/// more of it.
 std::string with_patience(std::string text) {
   const std::string limit = "Timeout 20 ", longer = "Timeout 120 ";
   for (std::size_t at = 0; (at = text.find(limit, at)) != std::string::npos; at += longer.size())

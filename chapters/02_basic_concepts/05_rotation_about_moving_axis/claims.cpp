@@ -626,7 +626,8 @@ constexpr const char* by_halves_and_rate = R"(
   field_simplify_eq [circle a b]; try ring; clear a b circle;
   generalize (cos (5 / 10 * theta)) (sin (5 / 10 * theta)); intros; products; nsatz)";
 
-/// Proofs for any differentiable axis, any matrix, and any moving axis.
+/// Proofs with other letters than the table's: the derivative of S for any differentiable axis, the images
+/// for any matrix, and the frame for any moving axis.
 Provables by_hand(const MomentOf<Shortened>& any, const std::string& letters,
                   std::vector<Proposition> given) {
   const auto vector = [](const std::string& x, const std::string& y, const std::string& z) {

@@ -384,7 +384,7 @@ std::vector<Later> orbits(double seed) {
   return all;
 }
 
-/// An initial condition with multiples of the circular speed across and along the radius.
+/// A random initial condition. Its speeds across and along the radius are in units of the speed on a circle.
 struct AnyStart {
   double across, along;
   Start start;
@@ -396,7 +396,7 @@ struct AnyStart {
   std::string where() const { return letters_of(start); }
   double size() const { return 2 + 2 / (across * across); }
 
-  /// Whether r falls to a thousandth of r0.
+  /// Whether r falls to a thousandth of r0 within ten times the time of a radian on a circle.
   bool falls() const {
     const auto system = [&](const std::array<double, 2>& z, std::array<double, 2>& d, double) {
       d = {z[1], start.h() * start.h() / pow(z[0], 3) - start.mu() / (z[0] * z[0])};
@@ -877,7 +877,7 @@ void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
        .near_misses = {{R"($GM\dot r_0/\alpha$)"}},
        .kind = Fault::lost_typography,
        .why =
-           R"(The fraction bar is lost: what stands there is the product $GM^2\dot r_0\,\alpha$. Line 1031, from )"
+           R"(The fraction bar is lost: what stands there is the product $GM^2\dot r_0\,\alpha$; line 1031, from )"
            R"(which it comes, is $\dot r=\alpha V'/(GM^2)$.)"});
 
   const auto squares = [](const auto& k) {

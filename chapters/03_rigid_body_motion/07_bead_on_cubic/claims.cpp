@@ -528,8 +528,8 @@ std::vector<Root> roots() {
   return {
       {"beyond the origin",
        filled(
-           R"(An animation that takes $\ddot q$ for negative keeps the bead gaining speed: its $|\dot q|$ stays above )"
-           R"(the @4 of the origin, where the true bead is down to @4 at $t=@2$ s, @2 s later.)",
+           R"(An animation that takes $\ddot q$ for negative lets $|\dot q|$ grow beyond the origin: it stays above )"
+           R"(the @4 that it has there, where that of the true bead is down to @4 at $t=@2$ s, @2 s later.)",
            {abs(event.after[1]), abs(book_run().back()[1]), end, end - event.time})}};
 }
 

@@ -62,7 +62,7 @@ Findings study(const Parameters& p, const Reference& truth) {
       claims(p["seed"], truth),
       {arrival({p["q0"], p["g"]}, truth), motion(scene(), p, truth)},
       roots(),
-      R"(The equation of motion and the time to the origin stand; {{beyond the origin|what is said of the signs of speed and acceleration holds up to the origin only}}.)"};
+      R"(The equation of motion and the time to the origin stand; {{beyond the origin|that $\ddot q$ is negative and $\dot q$ falls holds up to the origin only}}.)"};
 }
 
 }  // namespace ex03_07

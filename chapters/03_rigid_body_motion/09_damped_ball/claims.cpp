@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <concepts>
 #include <numbers>
 
 #include "chapters/03_rigid_body_motion/09_damped_ball/damped_ball.hpp"
@@ -219,6 +220,13 @@ Moving later(const Ball& b, const Moving& now, double time) {
   return then;
 }
 
+/// The same after any time, in steps of half a radian of the spring alone at most.
+Moving long_after(const Ball& b, Moving now, double time) {
+  const int steps = 1 + static_cast<int>(2 * time * sqrt(b.c / b.m));
+  for (int i = 0; i < steps; ++i) now = later(b, now, time / steps);
+  return now;
+}
+
 /// A ball thrown from 1 with the velocity -u, its friction critical or more; u on either side of both roots.
 struct Throw {
   Ball ball{};
@@ -259,11 +267,11 @@ struct Constants {
     return "$a$ = " + format_significant(a, 4) + ", $K_1$ = " + format_significant(k1, 4) +
            ", $K_2$ = " + format_significant(k2, 4);
   }
-  TypesetLetters typeset() const { return {{"x(100)", at(100)}, {"x(500)", at(500)}}; }
-  /// sign = 1: K1 exp(r1 t) + K2 exp(r2 t).
-  double at(double t, double sign = 1) const {
+  TypesetLetters typeset() const { return {{"x(500)", at(500)}, {"K_1", k1}}; }
+  /// K1 exp(r1 t) + K2 exp(r2 t), each root times its sign.
+  double at(double t, double sign1 = 1, double sign2 = 1) const {
     const double root = sqrt(a * a - 16);
-    return k1 * std::exp(sign * (-a + root) / 2 * t) + k2 * std::exp((-a - root) / 2 * t);
+    return k1 * std::exp(sign1 * (-a + root) / 2 * t) + k2 * std::exp(sign2 * (-a - root) / 2 * t);
   }
 };
 
@@ -282,7 +290,7 @@ struct Passing {
   }
   double factor() const { return ball.v1 / ball.p1; }  ///< v = factor() p
   double time() const { return std::log(-terms.k2 / terms.k1) / (terms.r1 - terms.r2); }
-  double speed() const {  ///< relative to |p|, when it passes the origin
+  double speed() const {  ///< at the origin, in |p| a second
     const auto& [r1, r2, k1, k2] = terms;
     return abs(k1 * r1 * std::exp(r1 * time()) + k2 * r2 * std::exp(r2 * time())) / abs(ball.p1);
   }
@@ -420,7 +428,13 @@ struct InLineOf {
   std::array<T*, 7> letters() { return {&m, &c, &a, &t, &p1, &p2, &s}; }
   T alpha() const { return -a / (2 * m); }
   T beta() const { return sqrt(4 * m * c - a * a) / (2 * m); }
-  T coordinate(const T& p) const { return damped_oscillation(m, c, a, p, T(s * p))(t); }
+  /// Numbers by the equation, letters by its solution.
+  T coordinate(const T& p) const {
+    if constexpr (std::same_as<T, double>)
+      return long_after({m, c, a, p, 0, s * p, 0}, {p, s * p}, t).x;
+    else
+      return damped_oscillation(m, c, a, p, T(s * p))(t);
+  }
   TypesetIn<T> typeset() const {
     return {{R"(\alpha)", alpha()},
             {R"(\beta)", beta()},
@@ -602,7 +616,9 @@ void solutions(Claims& claims, const std::vector<Polynomial>& polynomials, doubl
       {.printed = {"$|x(500)|<10^{-12}$"},
        .near_misses = {{R"($|x(500)|<10^{-12}$ of $x=K_1e^{-r_1t}+K_2e^{r_2t}$)",
                         [](const Constants& s) { return abs(s.at(500, -1)) < 1e-12; }},
-                       {"$|x(100)|<10^{-12}$"}}});
+                       {R"($|x(500)|<10^{-12}$ of $x=K_1e^{r_1t}+K_2e^{-r_2t}$)",
+                        [](const Constants& s) { return abs(s.at(500, 1, -1)) < 1e-12; }},
+                       {"$|x(500)-K_1|<10^{-12}$"}}});
 
   const Passing throw_in;
   const Ball &thrown = throw_in.ball, at_double{1, 4, 4, 1, 2, -5, -10};
@@ -814,7 +830,7 @@ void parallel(Tables& tables, const std::vector<Vectors>& samples, const std::ve
       R"(With complex roots, and $p$ and $v$ parallel, the ball is pulled directly to the )"
       R"(origin (our reading: it stays on the line through $p$ and the origin))",
       in_line,
-      {.quantity = R"($x\times p$ at any time)",
+      {.quantity = R"($x\times p$ at any time, $x$ by the equation's Taylor series)",
        .truth = zero,
        .printed = "$x_1p_2-x_2p_1=0$",
        .changes_that_hold = "a factor of zero may have any size and sign"});
@@ -919,6 +935,10 @@ void arrivals(Claims& claims, double seed) {
   const auto is_number = [=](const Start& s) {
     return std::isfinite(-s.beta() * s.ball.p1 / denominator(s));
   };
+  const auto arrives_at = [](const Start& s, double time) {
+    return abs(s.found.time - time) <= s.found.known.allowed;
+  };
+  const auto after_quarter = [=](const Start& s) { return arrives_at(s, pi / (2 * s.beta())); };
   claims.statement<Start>(
       "arrival_quotient", 1517,
       R"(With complex roots, and $p$ and $v$ parallel, $p_1\ne0$, the quotient in the arrival's arctangent is a )"
@@ -928,10 +948,13 @@ void arrivals(Claims& claims, double seed) {
        .corrected = {R"($-\beta p_1/(v_1-\alpha p_1)$ is a number where $v_1\ne\alpha p_1$, and )"
                      R"($(v_1-\alpha p_1)/(\beta p_1)$ everywhere)",
                      [=](const Start& s) {
-                       return is_number(s) == (denominator(s) != 0) &&
-                              std::isfinite(denominator(s) / (s.beta() * s.ball.p1));
+                       const double cotangent = denominator(s) / (s.beta() * s.ball.p1);
+                       return is_number(s) != after_quarter(s) &&
+                              arrives_at(s, (pi / 2 + std::atan(cotangent)) / s.beta());
                      }},
-       .in_view = {R"(where $v_1$ is not $\alpha p_1$)", [=](const Start& s) { return denominator(s) != 0; }},
+       .in_view =
+           {R"(where the integrated motion is not at the origin at $\pi/(2\beta)$, so that $v_1\ne\alpha p_1$)",
+            [=](const Start& s) { return !after_quarter(s); }},
        .near_misses = {{R"($-\beta p_1/(v_1-\alpha p_1)$ is a number where $v_1\ne0$)",
                         [=](const Start& s) { return is_number(s) == (s.ball.v1 != 0); }}},
        .kind = Fault::left_out,
@@ -987,7 +1010,8 @@ void arrivals(Claims& claims, double seed) {
   }
   claims.formula<AtOrigin>(
       "dot_product", 1531,
-      R"(Where a coordinate is zero, $(\cos\beta t,\ \sin\beta t)\cdot(p_i,\ (v_i-\alpha p_i)/\beta)=0$)",
+      R"(Where $x_1$ is zero, $(\cos\beta t,\ \sin\beta t)\cdot(p_1,\ (v_1-\alpha p_1)/\beta)=0$ (the text has $i$ )"
+      R"(for 1 and 2))",
       starts,
       {.quantity = R"(the pair's product with $(\cos\beta t,\ \sin\beta t)$)",
        .truth = {"zero", [](const AtOrigin&) { return 0.0; }},
@@ -1003,10 +1027,11 @@ void arrivals(Claims& claims, double seed) {
             -at_rest.alpha() * b.p1 * at_rest.beta()})});
   claims.formula<AtOrigin>(
       "turned_pair", 1537,
-      R"(Where a coordinate is zero, $(p_i,\ (v_i-\alpha p_i)/\beta)=\lambda_i(-\sin\beta t,\ \cos\beta t)$)",
+      R"(Where $x_1$ is zero, $(p_1,\ (v_1-\alpha p_1)/\beta)=\lambda_1(-\sin\beta t,\ \cos\beta t)$ (the text has $i$ )"
+      R"(for 1 and 2))",
       starts,
       {.quantity = "the pair",
-       .truth = {R"($\lambda_i(-\sin\beta t,\ \cos\beta t)$, $\lambda_i=\dot x_i/(\beta e^{\alpha t})$)",
+       .truth = {R"($\lambda_1(-\sin\beta t,\ \cos\beta t)$, $\lambda_1=\dot x_1/(\beta e^{\alpha t})$)",
                  [](const AtOrigin& s) {
                    return turned(s.alpha(), s.beta(), s.ball.p1, s.ball.v1, s.found.time);
                  }},

@@ -438,7 +438,7 @@ std::vector<Root> roots() {
        filled(
            R"(A ball set down on the top of the default hill stays there; by the sentence nothing that keeps to )"
            R"($(v_1t,v_2t)$ is slower than @3 m/s.)",
-           {std::sqrt(10 / 2.0)})},
+           {along_both(1).hill.a1 * std::sqrt(along_both(1).g / 2)})},
       {"straight at any speed",
        filled(
            R"(On the default hill, at @2 times the right speed, a ball sent off along $(1,1)$ strays @2 m )"

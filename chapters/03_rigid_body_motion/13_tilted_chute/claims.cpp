@@ -375,12 +375,12 @@ void solved(ChuteTable& table, const std::vector<OnChute>& samples) {
                  .printed = "$(-P)^T(I-DD^T)(-P)$"});
   table.formula("at_origin", 1651, R"(At the origin the left side is $\cos\theta\,(R/\cos\theta)=-d_1p_3=R$)",
                 samples,
-                {.quantity = R"($\cos\theta\,(R/\cos\theta)$, and )" + bracket + " at the origin",
-                 .truth = {"$R$, and the bracket there",
+                {.quantity = bracket + " at the origin",
+                 .truth = {"the bracket at $x_1=x_3=0$",
                            [](const auto& s) {
-                             return values(s.chute.R, s.bracket({0, 0, 0}));
+                             return s.bracket({0, 0, 0});
                            }},
-                 .printed = R"($(\cos\theta\,(R/\cos\theta),\ -d_1p_3)$)"});
+                 .printed = R"($(\cos\theta\,(R/\cos\theta),\ -d_1p_3,\ R)$)"});
   table.formula("plus", 1653, "At the origin the root has the plus sign", samples,
                 {.quantity = bracket + " at the origin",
                  .truth = {"the bracket at $x_1=x_3=0$",
@@ -578,7 +578,8 @@ void center_motion(ChuteTable& table, const std::vector<OnChute>& samples) {
 
 void statements(Claims& claims, const std::vector<OnChute>& samples) {
   using S = const OnChute&;
-  /// x2'' without sideways speed, with a side wind and friction `friction` * k.
+  /// That x2'' vanishes at this x2 without sideways speed, in a wind across, with `friction` times the
+  /// sample's friction.
   const auto at_rest = [&](std::string text, double x2, double wind, double friction) -> Reading {
     return {std::move(text), {vanishes(R"($\ddot x_2$)", "Lagrange's equations", samples, [=](OnChute s) {
               s.x2 = x2;
@@ -637,7 +638,7 @@ void statements(Claims& claims, const std::vector<OnChute>& samples) {
 
   /// (x1, x1') on the center line a millisecond later, to check which quantities increase.
   const auto then = [](S s) {
-    const double a = s.g * s.chute.s() * s.cosine(), t = 1e-3;
+    const double a = s.on_center().accelerations()[0], t = 1e-3;
     return Pair{s.x1 + s.v1 * t + a * t * t / 2, s.v1 + a * t};
   };
   const auto faster_and_farther = [=](S s) { return abs(then(s)[1]) > abs(s.v1) && then(s)[0] > s.x1; };

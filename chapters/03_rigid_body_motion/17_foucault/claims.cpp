@@ -306,7 +306,7 @@ void forces(Table& table, const Samples& samples) {
        .kind = Fault::lost_typography,
        .why =
            R"(The unit vector $\jmath$, to the north, is lost in the text at hand, and a number less a vector )"
-           R"(is nothing. The components of line 2425 have it: $P\cdot w=\omega\cos\lambda\cos\theta$. Left )"
+           R"(is nothing; the components of line 2425 have it: $P\cdot w=\omega\cos\lambda\cos\theta$. Left )"
            R"(out altogether, what falls would fall straight, and not to the east.)"});
 
   const std::string b = R"(, $b=-\cos\lambda\sin\theta\sin\phi+\sin\lambda\cos\phi$)";

@@ -111,7 +111,7 @@ struct SampleOf {
     const auto s = springs(moving(q, v));
     return {s[0].slope, s[1].slope + v[0]};
   }
-  /// A copy whose springs are stretched.
+  /// A copy in which the rest length of each spring is |delta| less than its length.
   SampleOf stretched() const {
     SampleOf other = *this;
     const Two<T> s = springs(q);
@@ -411,7 +411,7 @@ void energies(Table& table, const Samples& samples) {
                   {2 * 2})});
   table.formula(
       "kinetic_energy", 2443,
-      R"(With the pulleys turned by their ropes it is $\frac{m_2}2\dot y_2^2+I_1\,2R_1^2\,\dot y_2^2+\frac{m_3}2\dot )"
+      R"(With the pulleys turned by their ropes the kinetic energy is $\frac{m_2}2\dot y_2^2+I_1\,2R_1^2\,\dot y_2^2+\frac{m_3}2\dot )"
       R"(y_3^2+I_2\,2R_2^2\,(\dot y_3-\dot y_2)^2$)",
       samples,
       {.quantity = "the kinetic energy",

@@ -56,7 +56,8 @@ Eigen::Matrix2d as_eigen(const Given<double>::Matrix& a) {
   return Eigen::Matrix2d{{a[0][0], a[0][1]}, {a[1][0], a[1][1]}};
 }
 
-/// In the order (y2, y3), or `turned`, (y3, y2).
+/// The angular frequencies of the modes, the lower first, from the matrices in the order (y2, y3), or
+/// `turned`, (y3, y2).
 std::array<double, 2> frequencies(const Given<double>& p, bool turned) {
   Eigen::Matrix2d k = as_eigen(p.stiffness()), m = as_eigen(p.mass_matrix());
   if (turned) k = k.reverse().eval(), m = m.reverse().eval();
@@ -82,7 +83,7 @@ Given<double> without_inertia(Given<double> p) {
   return p;
 }
 
-/// What one step of explicit Euler multiplies the energy of a mode alone by.
+/// The factor of the energy in one step of explicit Euler from a displacement along one mode.
 double growth_by_euler(const Given<double>& p, int mode, double step) {
   const Eigen::VectorXd shape = modes(as_eigen(p.stiffness()), as_eigen(p.mass_matrix())).shapes.col(mode);
   const std::array<double, 2> rest = p.at_rest();

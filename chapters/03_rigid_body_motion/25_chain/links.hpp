@@ -58,8 +58,8 @@ inline double stable_step_of_links(int n, double g, double r) {
   return std::sqrt(8 * r / (g * largest_laguerre_zero(n)));
 }
 
-/// Growth factor of small oscillations of n equal links over some hundred steps, from speeds that excite
-/// every mode.
+/// The factor by which small oscillations of n equal links grow in some steps of Runge-Kutta 4, from speeds
+/// that excite every mode.
 inline double growth_of_links(int n, double g, double r, double step, int steps) {
   using Numbers = std::vector<double>;
   const auto links = static_cast<std::size_t>(n);

@@ -314,9 +314,8 @@ void motions(Claims& claims, const std::vector<Later>& all) {
                         [=](K k) { return by_system(k.b, beta(k) / k.b.r0, gamma(k)); }}},
        .kind = Fault::lost_typography,
        .why =
-           R"(The bars over $r^2$ are lost in lines 2783 and 2785, where the text at hand reads $\gamma r^2$ and )"
-           R"($\beta r^2$. The equations of lines 2757 and 2773, which are written as a system here, have the )"
-           R"(parts of each fraction on two lines.)"});
+           R"(The bars over $r^2$ are lost in lines 2783 and 2785; the equations in lines 2757 and 2773 have the )"
+           R"(parts of each fraction on two lines. The text at hand reads $\gamma r^2$ and $\beta r^2$.)"});
 }
 
 /// The three unknowns from the data that the text lists, with beta and gamma computed from them, compared

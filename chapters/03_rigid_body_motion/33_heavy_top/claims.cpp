@@ -38,7 +38,8 @@ Reader slope_of_T(std::size_t k, bool rate) {
 
 /// The derivative of the center of mass by an angle.
 Reader arm(std::size_t k) {
-  return {R"(derivative of $\ell R\mathbf k$, by dual numbers)", [k](const auto& s) { return s.arm(k); }};
+  return {R"(derivative of $\sum m\mathbf x/m$ over the points, by dual numbers)",
+          [k](const auto& s) { return s.arm(k); }};
 }
 
 /// The generalized force of gravity on all points.
@@ -148,8 +149,8 @@ void claim_energy(Table& table, const Samples& tops) {
        .meant = R"($\frac12\mathbf w^TJ\mathbf w$)",
        .kind = Fault::lost_typography,
        .why = filled(
-           R"(The fraction bar of $\tfrac12$ is lost in the text at hand. Lines 2957 and 2959 have its two halves, and the )"
-           R"($\mu_1/2$ of the next lines come from it. As it stands the top has @2 times its energy.)",
+           R"(The fraction bar of $\tfrac12$ is lost in the text at hand; lines 2957 and 2959 have its two halves, and the )"
+           R"($\mu_1/2$ of the next lines comes from it. As it stands the top has @2 times its energy.)",
            {12 / 0.5})});
   const auto squares = [](const std::string& second) {
     return R"($T=\frac{\mu_1}2(\dot\phi\cos\psi+\dot\theta\sin\psi\sin\phi)^2+\frac{\mu_1}2(-\dot\phi\sin)" +
@@ -239,9 +240,9 @@ void claim_forces(Table& table, const Samples& tops) {
   };
   table.formula(
       "dr_dpsi", 3049,
-      R"(all components of $\partial\mathbf r/\partial\psi$, printed $\partial\mathbf r/\partial\theta$, are zero)",
+      R"(all components of $\partial\mathbf r/\partial\psi$ are zero (printed: $\partial\mathbf r/\partial\theta$))",
       tops,
-      {.quantity = "the arm",
+      {.quantity = R"($\partial\mathbf r/\partial\psi$)",
        .truth = none,
        .printed = arm_is_zero(R"(\theta)"),
        .meant = arm_is_zero(R"(\psi)"),
@@ -283,7 +284,7 @@ T spin_rate_by_euler(const SampleOf<T>& s, const Vector<T>& w) {
   return ((J1 - J2) * w[0] * w[1] + torque) / s.mu3;
 }
 
-/// Of gravity on the points, in body coordinates and along the vertical.
+/// The vertical part of gravity's torque on the points, which is summed in body coordinates.
 template <class T>
 T vertical_torque(const SampleOf<T>& s) {
   const auto up = rotation(s.q[0], s.q[1], s.q[2])[2];

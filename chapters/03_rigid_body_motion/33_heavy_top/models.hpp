@@ -79,9 +79,8 @@ struct ByTilt {
   }
 };
 
-/// A top whose tip is at (A sin(lambda t), 0, 0). Relative to it, the forces on the center of mass are -m g k
-/// - m p''.
-/// m p''.
+/// A top whose tip p is at (A sin(lambda t), 0, 0). Relative to the tip, the force at the center of mass is
+/// -m g k - m p''.
 template <class T>
 struct Top : Given<T> {
   T A = T(0), lambda = T(0);
@@ -96,7 +95,7 @@ struct Top : Given<T> {
   }
 };
 
-/// The angular velocity in space of a top with this axis and angular momentum, and this spin.
+/// The angular velocity in world coordinates of a top with this axis, angular momentum and spin.
 template <class T>
 Vector<T> turning_of(const Vector<T>& d, const Vector<T>& L, const T& spin, const T& mu1) {
   const T rest = spin - dot(L, d) / mu1;
@@ -168,7 +167,7 @@ struct OneAngle {
     dxdt = {x[1], tilting, turning};
   }
   Vector<T> observe(const State& x, const T&) const { return axis_of(x[2], x[0]); }
-  /// The angular velocity in space, for who draws the top.
+  /// The angular velocity in world coordinates; drawings turn the top by it.
   Vector<T> turning(const State& x, const T&) const {
     const T turning = by_tilt.rates(x[0])[0], own = p.spin() - turning * cos(x[0]);
     const Vector<T> d = axis_of(x[2], x[0]);

@@ -103,7 +103,7 @@ auto euler_equations(const heavy_top::Top<T>& top, const T& t) {
   return values(rates[4], rates[5], rates[6]);
 }
 
-/// About the tip.
+/// The torque about the tip of the force at the center of mass.
 template <class T>
 Vector<T> torque_on(const heavy_top::Top<T>& top, const T& t) {
   Vector<T> torque = cross(top.axis(), top.force(t));
@@ -145,13 +145,13 @@ SampleOf<T> with_fixed_tip(const SampleOf<T>& s) {
   fixed.truth = {accelerations[0], accelerations[1], accelerations[2]};
   return fixed;
 }
-/// What moves the tip adds to the rate of the angular momentum about the center of mass, and to `sign` times
-/// the torque of the force on the tip.
+/// The rate of the angular momentum about the center of mass, minus that with the tip at rest.
 template <class T>
 Vector<T> added_rate(const SampleOf<T>& s) {
   const SampleOf<T> fixed = with_fixed_tip(s);
   return less(momentum_rate_about(s, center(s)), momentum_rate_about(fixed, center(fixed)));
 }
+/// `sign` times the torque of the force on the tip, minus that with the tip at rest.
 template <class T>
 auto added_torque(const SampleOf<T>& s, double sign) {
   const auto torque = torque_of_tip(s, sign), fixed = torque_of_tip(with_fixed_tip(s), sign);

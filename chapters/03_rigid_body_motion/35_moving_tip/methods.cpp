@@ -1,6 +1,7 @@
 // The quantities of exercise 3.35: the top whose tip is at (A sin(lambda t), 0, 0).
 
 #include <cmath>
+#include <numbers>
 
 #include "chapters/03_rigid_body_motion/33_heavy_top/heavy_top.hpp"
 #include "chapters/03_rigid_body_motion/35_moving_tip/moving_tip.hpp"
@@ -12,23 +13,23 @@ using namespace moving_tip;
 
 namespace {
 
-/// Of the rate at which a top precesses steadily: negative where there is none.
+/// Discriminant of the quadratic equation for the rate of steady precession at the tilt of the start;
+/// negative if there is no such rate.
 double discriminant(const Top& t) { return t.a() * t.a() - 4 * t.alpha() * std::cos(t.phi); }
 
 }  // namespace
 
 double nutation_frequency(const Top& t) {
   const double u = std::cos(t.phi), inside = discriminant(t);
-  if (inside < 0) return std::abs(t.a());
+  if (inside < 0) return 2 * std::numbers::pi * ex03_33::nods_a_second(t);
   const double slow = 2 * t.alpha() / (t.a() + std::copysign(std::sqrt(inside), t.a()));
   const double rate = std::abs(slow) + std::hypot(t.a() - 2 * slow * u, slow * std::sin(t.phi));
   return std::round(64 * rate) / 64;
 }
 
 std::string at_nutation(const Top& t) {
-  return discriminant(t) < 0
-             ? R"(at the frequency $\mu_3|w_3|/\mu_1$ of its spin, too slow for a steady precession)"
-             : "at about the frequency of nutation and precession together";
+  return discriminant(t) < 0 ? "at the frequency of its nutation on a fixed tip"
+                             : "at about the frequency of nutation and precession together";
 }
 
 namespace {
@@ -115,15 +116,10 @@ double angle_between(const Vector<double>& a, const Vector<double>& b) {
   return std::atan2(std::sqrt(dot(normal, normal)), dot(a, b));
 }
 
-/// The largest of many times, to the digits of a sentence.
-double largest_deviation(const Top& shaken) {
-  const Horizon horizon{ex03_33::duration, 240};
-  const auto axis_of = [&](const Top& top) {
-    return observe_integrated<ode::Fehlberg78>(AxisAndMomentum<double>{top}, horizon, 1e-9);
-  };
-  const Answer still = axis_of(with_fixed_tip(shaken)), moved = axis_of(shaken);
-  if (!still.reached() || !moved.reached()) return NAN;
-  const Value &x = still.value, &y = moved.value;
+/// The largest angle between two motions of an axis at the same times.
+double largest_angle(const Answer& some, const Answer& other) {
+  if (!some.reached() || !other.reached()) return NAN;
+  const Value &x = some.value, &y = other.value;
   double largest = 0;
   for (std::size_t i = 0; i < x.size(); i += 3)
     largest = std::max(largest, angle_between({x[i], x[i + 1], x[i + 2]}, {y[i], y[i + 1], y[i + 2]}));
@@ -206,10 +202,15 @@ Quantity axis(const Top& top, const Horizon& horizon, const Reference& truth) {
 }
 
 Deviation::Deviation(const Top& top) {
+  const Horizon many_times{ex03_33::duration, 240};
+  const auto motion_of = [&](const Top& t) {
+    return observe_integrated<ode::Fehlberg78>(AxisAndMomentum<double>{t}, many_times, 1e-9);
+  };
+  const Answer still = motion_of(with_fixed_tip(top));
   const auto shaken = shakings(top);
-  as_asked = largest_deviation(shaken[0]);
-  twice_the_frequency = largest_deviation(shaken[2]);
-  at_nutation = largest_deviation(shaken[3]);
+  as_asked = largest_angle(still, motion_of(shaken[0]));
+  twice_the_frequency = largest_angle(still, motion_of(shaken[2]));
+  at_nutation = largest_angle(still, motion_of(shaken[3]));
 }
 
 std::vector<Quantity> quantities(const Top& top, const Reference& truth) {

@@ -14,10 +14,11 @@ using Top = heavy_top::Top<double>;
 Quantity axis(const Top&, const Horizon&, const Reference&);
 std::vector<Quantity> quantities(const Top&, const Reference&);
 
-/// The frequency at which a top nutates about its steady precession, relative to the world, to within 1/64;
-/// |a|, the rate by its spin, if it is too slow for a steady precession.
+/// The frequency at which the axis of a top on a fixed tip nutates about its steady precession, relative to
+/// the world, to within 1/64. The frequency of the axis' height if the top cannot precess steadily at its
+/// tilt.
 double nutation_frequency(const Top&);
-/// "at about the frequency of nutation and precession together", or what it is instead.
+/// "at about the frequency of nutation and precession together": names that frequency.
 std::string at_nutation(const Top&);
 
 /// The largest angle within ex03_33::duration between the top's axis and that of the same top with its tip

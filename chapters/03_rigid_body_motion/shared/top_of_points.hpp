@@ -201,11 +201,17 @@ struct SampleOf {
     }
     return all;
   }
-  /// The derivative of the center of mass l R k by an angle.
+  /// The derivative of the points' center of mass by an angle.
   Vector<T> arm(std::size_t k) const {
     const auto x = toward(q, k);
     const auto r = rotation(x[0], x[1], x[2]);
-    return {l * r[0][2].slope, l * r[1][2].slope, l * r[2][2].slope};
+    return body.template sum<Vector<T>>([&](Vector<T>& all, const PointOf<T>& p) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        T along(0);
+        for (std::size_t j = 0; j < 3; ++j) along = along + r[i][j].slope * p.x[j];
+        all[i] += p.m * along / m;
+      }
+    });
   }
   std::string where() const {
     return R"($\theta,\phi,\psi$ = )" + format_significant(q[0], 4) + ", " + format_significant(q[1], 4) +

@@ -127,7 +127,7 @@ Proof proof_of_lines(Random random) {
        .meant = std::move(meant),
        .near_misses = std::move(changes),
        .why = filled(
-           R"(A $\partial$ is lost above the bar in the text at hand, here and in line 3295. The manual has it: line )"
+           R"(A $\partial$ is lost above the bar in the text at hand, here and in line 3295; the manual has it: line )"
            R"(3285 says that this display has the expression $m_{ij}\,\partial/\partial x_i$, and line 3287 shows it. )"
            R"(A quotient by $\partial x_i$ differentiates nothing. For $M=I$ and $\mathbf f=(x_0^2,0,0)$ at $x_0=3$ )"
            R"($m_{ij}f_j/x_i$ is @1, where the divergence is @1.)",
