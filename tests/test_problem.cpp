@@ -96,6 +96,10 @@ TEST_CASE("An error in a file is reported with its line and column", "[problem]"
   CHECK(refusal_of("y' = 1 m/s").find("the equations are of order 1 in y: leave y' out") !=
         std::string::npos);
   CHECK(refusal_of("y''' = 1 m/s^3").find("no start for y''") != std::string::npos);
+  std::string eighth = with("v'''' = 1 m/s^8");
+  eighth.insert(eighth.find("z = "), "v = \"y''''\"\n");
+  CHECK(first_line(refusal(eighth)) ==
+        "test.toml:10:8: rates are of order 7 at most, and y'''''''' is needed");
   CHECK(refusal_of("0*y'' = g").find("no equation") == std::string::npos);
   CHECK(refusal_of("0*y'' = g").find("singular") != std::string::npos);
   CHECK(refusal_of("y'' = g (").find("expected") != std::string::npos);
@@ -107,6 +111,9 @@ TEST_CASE("An error in a file is reported with its line and column", "[problem]"
   CHECK(refusal(with("m y'' = -k y", R"({ y = "1 m", "y'" = 0 })",
                      "conserves = { kinetic = \"m/2 y'^2\", potential = \"k y^2\" }\n"))
             .find("is not conserved") != std::string::npos);
+  CHECK(first_line(refusal(with("m y'' = -k y", R"({ y = "1 m", "y'" = 0 })",
+                                "conserves = { kinetic = \"m y''\", potential = \"k y\" }\n"))) ==
+        "test.toml:12:26: an energy is of the state and the time, and this has a highest rate");
   CHECK(first_line(refusal("title = \"x\"\n[parametres]\n")) ==
         "test.toml:2:2: no key parametres; did you mean 'parameters'?");
   CHECK(refusal("title = \"x\"\n[parameters]\nm = \"2 kgs\"\n").find("no unit 'kgs'") != std::string::npos);
