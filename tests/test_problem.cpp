@@ -102,6 +102,8 @@ TEST_CASE("An error in a file is reported with its line and column", "[problem]"
         "test.toml:10:8: rates are of order 7 at most, and y'''''''' is needed");
   CHECK(refusal_of("0*y'' = g").find("no equation") == std::string::npos);
   CHECK(refusal_of("0*y'' = g").find("singular") != std::string::npos);
+  CHECK(first_line(refusal_of("y'' = g + 1e308 m/s^2*1e10")) ==
+        "test.toml:10:25: a number that is too large or too small");
   CHECK(refusal_of("y'' = g (").find("expected") != std::string::npos);
   CHECK(refusal_of("y'' - g").find("expected an equation") != std::string::npos);
   CHECK(refusal(with("y'' = -g", R"({ y = 0 })")).find("no start for y'") != std::string::npos);
