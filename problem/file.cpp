@@ -22,6 +22,7 @@ constexpr void require(bool holds) {
 #include <toml++/toml.h>
 
 #include "problem/keys.hpp"
+#include "reference/code_text.hpp"
 #include "reference/quantity_text.hpp"
 #include "reference/similar.hpp"
 #include "reference/text.hpp"
@@ -68,11 +69,14 @@ class Reader {
   }
 
  private:
-  static std::vector<std::pair<Quoted, const toml::node*>> in_order(const toml::table* table) {
+  std::vector<std::pair<Quoted, const toml::node*>> in_order(const toml::table* table) const {
     std::vector<std::pair<Quoted, const toml::node*>> all;
     if (!table) return all;
-    for (const auto& [key, node] : *table)
+    for (const auto& [key, node] : *table) {
+      if (std::ranges::any_of(key.str(), is_control))
+        source_.fail(place_of(key.source()), "a name is on one line, without control characters");
       all.push_back({{std::string(key.str()), place_of(key.source())}, &node});
+    }
     std::ranges::sort(all, [](const auto& a, const auto& b) {
       return std::pair(a.first.place.line, a.first.place.column) <
              std::pair(b.first.place.line, b.first.place.column);
@@ -117,7 +121,8 @@ class Reader {
       if (is_long && at + 3 < source_.text.size() && source_.text[at + 3] == '\n')
         ++place.line, place.column = 1;
       std::string line = text->get();
-      std::ranges::replace(line, '\n', ' ');
+      for (char& c : line)
+        if (is_control(c)) c = ' ';
       return {line, place};
     }
     if (node.is_number()) return {format_shortest(*node.value<double>()), place};

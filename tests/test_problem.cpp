@@ -15,6 +15,7 @@
 #include "problem/scene.hpp"
 #include "problem/template.hpp"
 #include "problem/truth.hpp"
+#include "reference/code_text.hpp"
 #include "reference/text.hpp"
 #include "report/study/choose.hpp"
 #include "report/verify/catch.hpp"
@@ -546,6 +547,38 @@ TEST_CASE("A letter or a model whose name has a meaning in C++ does no harm", "[
   CHECK(code_of_text(renamed(text, "k ", "observe ")) == "as C++ has another meaning for the letter observe");
   CHECK(code_of_text(renamed(text, "model.one", "model.state")).find("struct ModelState {") !=
         std::string::npos);
+}
+
+TEST_CASE("A text at the end of a comment does not change the code below", "[problem][code]") {
+  const auto renamed = [](const std::string& title) {
+    std::string text = with("m y'' = -k y");
+    return text.replace(text.find("title = "), text.find('\n'), "title = \"x " + title + '"');
+  };
+  const std::string plain = code_of_text(renamed("z"));
+  const std::string code = plain.substr(plain.find("struct "));
+  for (const char* end : {"\\\\", "\\\\ \\t ", "\\r int i;", "\\n int i;", "\\u007f", "\\\\\\n"}) {
+    const std::string its = code_of_text(renamed(end));
+    INFO(its);
+    CHECK(its.substr(its.find("struct ")) == code);
+    std::istringstream lines(its.substr(0, its.find("struct ")));
+    for (std::string line; std::getline(lines, line);) {
+      CHECK((line.empty() || line.starts_with("//") || line.starts_with("namespace")));
+      CHECK((line.empty() || (line.back() != '\\' && line.back() != ' ')));
+      CHECK(std::ranges::none_of(line, is_control));
+    }
+  }
+}
+
+TEST_CASE("A printed program has the observables' names in its head as text alone",
+          "[problem][code][commands]") {
+  const ScratchFolder scratch;
+  std::string text = with("m y'' = -k y");
+  const auto at = text.find("\ny = \"m\"");
+  REQUIRE(at != std::string::npos);
+  text.replace(at, 9, "\n'y\"); %n$frames\\' = { unit = \"m\", is = \"y\" }");
+  const auto printed =
+      program::printed("choose " + scratch.file("mine.toml", text).string() + " --error 1cm --code");
+  CHECK(program::says(printed, "printf(\"t [s],y_); _n_frames_\\n\")"));
 }
 
 TEST_CASE("An error in an event is reported with its place", "[problem]") {

@@ -9,6 +9,7 @@
 
 #include "chapters/listing.hpp"
 #include "reference/bad_input.hpp"
+#include "reference/code_text.hpp"
 #include "reference/text.hpp"
 #include "report/pages/choose_view.hpp"
 #include "report/study/embedded.hpp"
@@ -128,20 +129,6 @@ class Joined {
   std::string text_;
 };
 
-/// Separates lines that a backslash at the end of a comment would join; comments may contain any text.
-std::string with_lines_apart(std::string code) {
-  for (auto at = code.find("\\\n"); at != std::string::npos; at = code.find("\\\n", at))
-    code.insert(at + 1, ".");
-  return code;
-}
-
-std::string as_comment(const std::string& text) {
-  std::string comment;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) comment += line.empty() ? "//\n" : "// " + line + "\n";
-  return comment;
-}
-
 std::string literal(double x, const std::string& number) {
   return number == "double" ? format_shortest(x) : number + "(" + format_shortest(x) + ")";
 }
@@ -153,14 +140,14 @@ std::string model_text(const Task& task, std::string_view expression, const std:
     if (mentions(expression, p.name))
       text += number + " " + std::string(p.name) + " = " + literal(task.parameters[p.name], number) +
               ";  // " + (p.unit.empty() || p.unit == "1" ? "" : std::string(p.unit) + ": ") +
-              readable(std::string(p.says)) + "\n";
+              in_comment(readable(std::string(p.says))) + "\n";
   return text + "\nauto model() { return " + in_number_type(expression, number) +
          "; }\n\n}  // namespace oddity::asked\n";
 }
 
 std::string header_line(const Scene& scene) {
   std::string line = "t [" + std::string(scene.axes.time) + "]";
-  for (std::string_view name : scene.axes.observables) line += "," + std::string(name);
+  for (std::string_view name : scene.axes.observables) line += "," + in_string(std::string(name));
   return line;
 }
 
@@ -557,8 +544,7 @@ namespace {
 std::string with_source(const Task& task, const Candidate& chosen, const Need& need,
                         const std::string& about) {
   const std::string program = program_of(task, chosen, need, false);
-  return with_lines_apart(
-      as_comment(about + compiling_of(task.entry->exercise.scene->listing, chosen, need)) + "\n" + program);
+  return as_comment(about + compiling_of(task.entry->exercise.scene->listing, chosen, need)) + "\n" + program;
 }
 
 }  // namespace

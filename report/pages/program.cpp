@@ -12,6 +12,7 @@
 #include "chapters/listing.hpp"
 #include "formula/program.hpp"
 #include "reference/bad_input.hpp"
+#include "reference/code_text.hpp"
 #include "reference/text.hpp"
 #include "report/pages/dialects.hpp"
 #include "report/study/embedded.hpp"
@@ -297,7 +298,7 @@ std::string parameters_text(const Task& task, const std::string& code) {
     if (mentions(code, p.name))
       text += "const double " + std::string(p.name) + " = " + format_shortest(task.parameters[p.name]) +
               ";  // " + (p.unit.empty() || p.unit == "1" ? "" : std::string(p.unit) + ": ") +
-              readable(std::string(p.says)) + "\n";
+              in_comment(readable(std::string(p.says))) + "\n";
   return text;
 }
 
@@ -477,16 +478,6 @@ std::string main_text(Language language, const Task& task, const Candidate& chos
   return text;
 }
 
-std::string as_comment(const std::string& text) {
-  std::string comment;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
-    while (line.ends_with('\\')) line += '.';
-    comment += line.empty() ? "//\n" : "// " + line + "\n";
-  }
-  return comment;
-}
-
 std::string indented(const std::string& text) {
   std::string all;
   std::istringstream lines(text);
@@ -508,6 +499,14 @@ constexpr std::string_view runs[] = {"Compiled by c++ -std=c++20 -O2 -ffp-contra
                                      "Compiled by mcs or csc", "Run by node"};
 
 }  // namespace
+
+std::string as_comment(const std::string& text) {
+  std::string comment;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    comment += line.empty() ? "//\n" : "// " + in_comment(line) + "\n";
+  return comment;
+}
 
 Language language_of(std::string_view name) {
   const auto lower = [](std::string_view text) {
