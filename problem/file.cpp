@@ -677,32 +677,68 @@ class Reader {
   std::set<std::string> names_;
 };
 
-/// Letters outside of quotes and comments are ASCII: with others toml++ 3.3 behaves in undefined ways.
-void require_readable(const Source& source) {
-  const std::string_view text = source.text;
-  std::string_view end;  // of the quoted text or comment
-  Place place{1, 1};
-  for (std::size_t i = text.starts_with("\xef\xbb\xbf") ? 3 : 0; i < text.size(); ++i, ++place.column) {
-    if (text[i] == '\n') place = {place.line + 1, 0};
-    if (!end.empty()) {
-      if (end[0] == '"' && text.substr(i, 2) != "\\\n" && text[i] == '\\')
-        ++i, ++place.column;
-      else if (text.substr(i).starts_with(end) || (end.size() == 1 && text[i] == '\n')) {
-        i += end.size() - 1, place.column += end.size() - 1;
-        end = {};
-      }
-      continue;
-    }
-    if (static_cast<unsigned char>(text[i]) >= 0x80)
-      source.fail(place, "outside of quotes a name has letters from a to z: put quotes around this one");
-    if (text[i] == '#') end = "\n";
-    for (std::string_view quote : {"\"\"\"", "'''", "\"", "'"})
-      if (end.empty() && text.substr(i).starts_with(quote)) {
-        end = quote;
-        i += quote.size() - 1, place.column += quote.size() - 1;
-      }
+/// Refuses texts on which toml++ 3.3 has undefined behaviour, or exhausts the stack: letters outside of
+/// quotes and comments that are not ASCII, and names of very many parts.
+class Readable {
+ public:
+  explicit Readable(const Source& source) : source_(source), text_(source.text) {
+    if (text_.starts_with("\xef\xbb\xbf")) text_.remove_prefix(3);
   }
-}
+
+  void require() {
+    while (at_ < text_.size()) {
+      if (static_cast<unsigned char>(text_[at_]) >= 0x80)
+        fail("outside of quotes a name has letters from a to z: put quotes around this one");
+      if (text_[at_] == '#')
+        at_ = std::min(text_.find('\n', at_), text_.size());
+      else if (const std::string_view quote = quote_here(); !quote.empty())
+        pass(quote);
+      else
+        see_depth(text_[at_]), ++at_;
+    }
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& reason) const {
+    const std::string_view before = text_.substr(0, at_);
+    const auto line = static_cast<std::size_t>(std::ranges::count(before, '\n'));
+    source_.fail({line + 1, at_ - (before.rfind('\n') + 1) + 1}, reason);
+  }
+
+  std::string_view quote_here() const {
+    for (const std::string_view quote : {"\"\"\"", "'''", "\"", "'"})
+      if (text_.substr(at_).starts_with(quote)) return quote;
+    return {};
+  }
+  /// Passes a quoted text. One of several lines may end in two quotes of its own.
+  void pass(std::string_view quote) {
+    const bool has_escapes = quote[0] == '"', is_long = quote.size() > 1;
+    for (at_ += quote.size(); at_ < text_.size(); ++at_) {
+      if (!is_long && text_[at_] == '\n') return;
+      if (text_.substr(at_).starts_with(quote)) break;
+      if (has_escapes && text_[at_] == '\\' && (is_long || text_.substr(at_ + 1, 1) != "\n")) ++at_;
+    }
+    at_ = std::min(at_ + quote.size(), text_.size());
+    for (int i = 0; is_long && i < 2 && text_.substr(at_, 1) == quote.substr(0, 1); ++i) ++at_;
+  }
+
+  /// Counts a name's dots, and those of the names around it: each nests the tables one level deeper.
+  void see_depth(char c) {
+    constexpr std::size_t most_dots = 256;
+    if (c == '.' && ++dots_ > most_dots) fail("a name has at most " + std::to_string(most_dots) + " dots");
+    if (c == '{' || c == '[') around_.push_back(dots_);
+    if (c == ',' || c == '\n') dots_ = around_.empty() ? 0 : around_.back();
+    if ((c == '}' || c == ']') && !around_.empty()) {
+      dots_ = around_.back();
+      around_.pop_back();
+    }
+  }
+
+  const Source& source_;
+  std::string_view text_;
+  std::size_t at_ = 0, dots_ = 0;
+  std::vector<std::size_t> around_;  ///< dots in front of each open bracket
+};
 
 /// "y'" where this is the prime in it.
 std::string rate_before(const std::string& text, Place place) {
@@ -724,7 +760,7 @@ std::unique_ptr<const File> read(const std::string& name, const std::string& tex
   auto file = std::make_unique<File>();
   file->source = {name, text};
   if (text.size() > most_of_a_file) throw BadInput(name + ": a problem's file has at most a megabyte");
-  require_readable(file->source);
+  Readable(file->source).require();
   try {
     const toml::table table = toml::parse(std::string_view(text), std::string_view(name));
     Reader(*file).all(table);

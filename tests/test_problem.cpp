@@ -144,6 +144,39 @@ question = '''it's an "ä"
   CHECK(refusal(quoted + "\n \xc3\xa4 = 1").find("test.toml:5:2: outside of quotes") == 0);
 }
 
+TEST_CASE("A text of several lines may end in quotes of its own", "[problem]") {
+  for (const std::string quote : {"\"", "'"})
+    for (const std::string& more : {std::string(), quote, quote + quote}) {
+      const std::string three = quote + quote + quote;
+      CHECK(first_line(refusal("title = { a = " + three + "b" + more + three + ", b = " + quote + "\u00e4" +
+                               quote + " }")) == "test.toml:1:9: expected a text, in quotes");
+    }
+}
+
+TEST_CASE("A name of very many parts is refused in a sentence", "[problem]") {
+  const auto dotted = [](int parts) {
+    std::string name = "a";
+    for (int i = 1; i < parts; ++i) name += ".a";
+    return name;
+  };
+  CHECK(first_line(refusal(dotted(300'000) + " = 1")) == "test.toml:1:514: a name has at most 256 dots");
+  CHECK(first_line(refusal("[" + dotted(300'000) + "]")) == "test.toml:1:515: a name has at most 256 dots");
+  CHECK(refusal(dotted(200) + " = { " + dotted(100) + " = 1 }").find("at most 256 dots") !=
+        std::string::npos);
+  CHECK(refusal(dotted(257) + " = 1").find("no key a") != std::string::npos);
+  std::string numbers = "a = [0.5";
+  for (int i = 0; i < 300; ++i) numbers += ", 0.5";
+  CHECK(refusal(numbers + "]").find("no key a") != std::string::npos);
+}
+
+TEST_CASE("A name has no control characters, and is none that formulas have", "[problem]") {
+  CHECK(first_line(refusal("title = \"x\"\n[model.\"a\\nb\"]\n")) ==
+        "test.toml:2:8: a name is on one line, without control characters");
+  for (const char* name : {"t", "pi", "if", "asinh", "arcsin"})
+    CHECK(first_line(refusal("title = \"x\"\n[parameters]\n" + std::string(name) + " = \"1 m\"\n")) ==
+          "test.toml:3:1: " + std::string(name) + " has a meaning already; take another name");
+}
+
 TEST_CASE("A rate whose name has no quotes is said to need them", "[problem]") {
   const std::string said = refusal(with("y'' = -g", "{ y = \"0 m\", y' = 0 }"));
   CHECK(said.substr(0, said.find('\n')) == "test.toml:11:23: a name with a prime is in quotes: \"y'\"");
