@@ -228,20 +228,22 @@ class Reader {
 
   // ---- tables --------------------------------------------------------------------------------------------
 
-  /// "0, 1.5" or 0 1.5.
-  std::array<double, 2> pair_of(const Quoted& line) const {
-    std::string_view rest = line.text;
-    std::array<double, 2> pair{};
-    for (double& one : pair) {
-      rest.remove_prefix(std::min(rest.find_first_not_of(" \t,;"), rest.size()));
-      const std::size_t end = std::min(rest.find_first_of(" \t,;\r"), rest.size());
-      const auto number = parse_number(std::string(rest.substr(0, end)));
-      if (!number || !std::isfinite(*number)) source_.fail(line.place, "expected two numbers, as 0.1, 5");
-      one = *number;
-      rest.remove_prefix(end);
+  /// The cells of "0, 1.5" or 0 1.5, and whether each is a number.
+  static std::vector<std::optional<double>> cells_of(std::string_view line) {
+    constexpr std::string_view between = " \t,;\r\"";
+    std::vector<std::optional<double>> cells;
+    for (std::size_t at = 0; (at = line.find_first_not_of(between, at)) != line.npos;) {
+      const std::size_t end = std::min(line.find_first_of(between, at), line.size());
+      cells.push_back(parse_number(line.substr(at, end - at)));
+      at = end;
     }
-    if (rest.find_first_not_of(" \t\r") != rest.npos) source_.fail(line.place, "a row has two numbers");
-    return pair;
+    return cells;
+  }
+  std::array<double, 2> pair_of(const std::vector<std::optional<double>>& cells, Place place) const {
+    if (cells.size() != 2) source_.fail(place, "a row has two numbers");
+    for (const auto& one : cells)
+      if (!one || !std::isfinite(*one)) source_.fail(place, "expected two numbers, as 0.1, 5");
+    return {*cells[0], *cells[1]};
   }
   /// An array of pairs, or lines of comma-separated values.
   std::vector<std::pair<std::array<double, 2>, Place>> pairs_of(const toml::node& node) const {
@@ -259,13 +261,11 @@ class Reader {
     if (!text) source_.fail(place_of(node), "rows are pairs, [[0, 0], [0.1, 5]], or lines of text");
     Place place = quoted(node).place;
     std::istringstream lines(text->get());
-    bool may_be_heading = true;
     for (std::string line; std::getline(lines, line); place = {place.line + 1, 1}) {
-      const auto begin = line.find_first_not_of(" \t\r\"");
-      if (begin == line.npos) continue;
-      const bool begins_word = std::isalpha(static_cast<unsigned char>(line[begin])) != 0;
-      if (!std::exchange(may_be_heading, false) || !begins_word)
-        all.push_back({pair_of({line, place}), place});
+      const auto cells = cells_of(line);
+      const bool is_heading =
+          all.empty() && std::ranges::none_of(cells, [](const auto& one) { return one.has_value(); });
+      if (!is_heading && !cells.empty()) all.push_back({pair_of(cells, place), place});
     }
     return all;
   }
@@ -290,7 +290,8 @@ class Reader {
     const auto* written = table->get("rows");
     if (!written) source_.fail(key.place, made.name + " has no rows: rows = [[0, 0], [0.1, 5]]");
     std::vector<double> x, y;
-    for (const auto& [pair, place] : pairs_of(*written)) {
+    const auto pairs = pairs_of(*written);
+    for (const auto& [pair, place] : pairs) {
       if (x.size() == most_rows)
         source_.fail(place, "a table has at most " + std::to_string(most_rows) + " rows");
       x.push_back(static_cast<double>(pair[0] * sizes[0]));
@@ -306,8 +307,19 @@ class Reader {
       source_.fail(place_of(*written), "a " + spline + " spline takes at least " +
                                            std::to_string(fewest_rows(through)) + " rows");
     made.pieces = pieces_of(through, x, y);
+    for (const Table::Piece& piece : made.pieces)
+      if (!std::ranges::all_of(piece.powers, [](double one) { return std::isfinite(one); }))
+        source_.fail(pairs[closest(x) + 1].second,
+                     "this row is too close to the one before for a curve through both: leave one out");
     made.last = x.back();
     file_.tables.push_back(std::make_shared<const Table>(std::move(made)));
+  }
+  /// The row that is closest to the next.
+  static std::size_t closest(const std::vector<double>& x) {
+    std::size_t best = 0;
+    for (std::size_t i = 1; i + 1 < x.size(); ++i)
+      if (x[i + 1] - x[i] < x[best + 1] - x[best]) best = i;
+    return best;
   }
   /// One of these words.
   std::string text_in(const toml::table& table, const char* key, const std::vector<std::string>& words,
