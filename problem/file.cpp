@@ -147,7 +147,8 @@ class Reader {
   /// A name for use in formulas.
   Quoted name(const Quoted& key) {
     require_name(key, false);
-    if (!names_.insert(key.text).second) source_.fail(key.place, key.text + " is there twice");
+    if (!names_.insert(key.text).second)
+      source_.fail(key.place, key.text + " is there twice; take another name");
     return key;
   }
   void require_name(const Quoted& key, bool without_time) const {
@@ -524,9 +525,9 @@ class Reader {
     StagedText made{place_of(table)};
     made.gravity = vector_in(table, "gravity");
     each_in(table, "body", [&](const toml::table& one) {
-      made.bodies.push_back({text_of(one, "body", "name"), text_of(one, "body", "mass"),
-                             text_of(one, "body", "turn"), texts_in(one, "inertia"), vector_in(one, "place"),
-                             vector_in(one, "velocity"), vector_in(one, "spin")});
+      made.bodies.push_back({name_of_body(one), text_of(one, "body", "mass"), text_of(one, "body", "turn"),
+                             texts_in(one, "inertia"), vector_in(one, "place"), vector_in(one, "velocity"),
+                             vector_in(one, "spin")});
       if (const std::size_t count = made.bodies.back().inertia.size(); count != 1 && count != 3)
         source_.fail(place_of(one), "inertia has one moment for all axes, or three");
     });
@@ -545,11 +546,20 @@ class Reader {
     made.differs = text_of(table, "staged", "differs").text;
     file_.staged = std::move(made);
   }
+  Quoted name_of_body(const toml::table& table) {
+    const Quoted text = name(text_of(table, "body", "name"));
+    if (text.text == "ground") source_.fail(text.place, "the ground is no body; take another name");
+    return text;
+  }
   template <class Take>
   void each_in(const toml::table& table, const std::string& key, const Take& take) const {
     const auto* node = table.get(key);
     if (!node) return;
     const auto* array = node->as_array();
+    // Many times those that a motion of 24 unknowns and rates can have.
+    constexpr std::size_t most = 100;
+    if (array && array->size() > most)
+      source_.fail(place_of(*node), "of [[staged." + key + "]] there are at most " + std::to_string(most));
     for (std::size_t i = 0; !array || i < array->size(); ++i) {
       const auto* one = array ? (*array)[i].as_table() : nullptr;
       if (!one) source_.fail(place_of(*node), "these are tables of their own: [[staged." + key + "]]");
