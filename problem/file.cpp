@@ -157,10 +157,8 @@ class Reader {
                          !std::isdigit(static_cast<unsigned char>(key.text[0]));
     if (!is_name)
       source_.fail(key.place, "a letter's name has letters, digits and _, and is '" + key.text + "'");
-    static const std::set<std::string> taken{"t",    "pi",   "sin",  "cos",  "tan", "asin", "acos",
-                                             "atan", "sinh", "cosh", "tanh", "exp", "log",  "ln",
-                                             "sqrt", "if",   "abs",  "max",  "min", "sign", "atan2"};
-    if (taken.contains(key.text) && !(without_time && key.text == "t"))
+    const auto taken = names_with_meaning();
+    if (std::ranges::find(taken, key.text) != taken.end() && !(without_time && key.text == "t"))
       source_.fail(key.place, key.text + " has a meaning already; take another name");
   }
 

@@ -365,6 +365,13 @@ std::string shown(const std::string& text, Place place) {
 
 }  // namespace
 
+std::vector<std::string> names_with_meaning() {
+  std::vector<std::string> names{"t"};
+  names.insert(names.end(), functions.begin(), functions.end());
+  names.insert(names.end(), calls.begin(), calls.end());
+  return names;
+}
+
 WrongFile::WrongFile(const std::string& file, const std::string& text, Place place, const std::string& reason)
     : BadInput(file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) + ": " + reason +
                shown(text, place)),
