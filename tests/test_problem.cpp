@@ -784,3 +784,40 @@ TEST_CASE("Only a regular file of limited size is read, without waiting", "[prob
   refused((scratch.path() / "missing.toml").string(), "missing.toml");
   refused("- </dev/zero", "standard input: a problem's file has at most a megabyte");
 }
+
+TEST_CASE("site writes a file's page where the words of the command name it", "[problem][commands]") {
+  const ScratchFolder scratch;
+  const std::string home = scratch.path().string(), own = home + "/.cache/oddity/site";
+  const auto in_scratch = [&](const std::string& words) {
+    return program::shell("cd " + home + " && HOME=" + home + " XDG_CACHE_HOME= ./oddity --reference " +
+                          ODDITY_SOURCE + "/reference " + words);
+  };
+  REQUIRE(program::shell("cp $oddity " + home + "/oddity").status == 0);
+  scratch.file("mine.toml", with("y'' = -g"));
+  scratch.file("...toml", with("y'' = -g"));
+  const auto refused = in_scratch("site ''");
+  CHECK(refused.status == 2);
+  CHECK(program::says(refused, "file: it needs a problem's file"));
+  CHECK_FALSE(std::filesystem::exists(own));
+  CHECK(in_scratch("site mine.toml --out " + own).status == 0);
+  CHECK(std::filesystem::exists(own + "/index.html"));
+  CHECK_FALSE(std::filesystem::exists(scratch.path() / "mine"));
+  CHECK(in_scratch("site ...toml").status == 0);
+  CHECK(std::filesystem::exists(scratch.path() / "input" / "index.html"));
+  CHECK(in_scratch("site --single ...toml").status == 0);
+  CHECK(std::filesystem::exists(scratch.path() / "input.html"));
+}
+
+TEST_CASE("site writes nothing for a file that is refused", "[problem][commands]") {
+  const ScratchFolder scratch;
+  const auto refuse = [&](const std::string& name, const std::string& text) {
+    const std::string file = scratch.file(name, text).string();
+    const std::string out = (scratch.path() / "new" / "pages").string();
+    CHECK(program::run("choose " + file).status == 2);
+    CHECK(program::run("site " + file + " --out " + out).status == 2);
+    CHECK(program::run("site --single " + file + " --out " + out + "/page.html").status == 2);
+    CHECK_FALSE(std::filesystem::exists(scratch.path() / "new"));
+  };
+  refuse("wrong.toml", with("y'' = -q"));
+  refuse("ends.toml", with("y'' = g y^2/(1 m)^2"));
+}
