@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "reference/bad_input.hpp"
+#include "reference/code_text.hpp"
 #include "reference/text.hpp"
 
 namespace oddity::problem {
@@ -141,13 +142,17 @@ Written written(const Program& program, const std::vector<std::string>& names, c
 }
 
 std::string comment_of(const File& file, const ModelText& model) {
-  std::string about = "/// " + file.title + ": " + model.name.text + ".\n";
-  for (const Quoted& one : model.equations) about += "///   " + one.text + "\n";
-  if (model.equations.empty() && model.lagrangian) about += "///   L = " + model.lagrangian->text + "\n";
-  if (model.equations.empty() && model.hamiltonian) about += "///   H = " + model.hamiltonian->text + "\n";
-  for (const auto& [name, formula] : model.closed)
-    about += "///   " + name.text + " = " + formula.text + "\n";
-  for (const auto& [name, formula] : file.given) about += "///   " + name.text + " = " + formula.text + "\n";
+  std::string about;
+  const auto add = [&](const std::string& line) { about += "/// " + in_comment(line) + "\n"; };
+  const auto add_all = [&](const Named& all) {
+    for (const auto& [name, formula] : all) add("  " + name.text + " = " + formula.text);
+  };
+  add(file.title + ": " + model.name.text + ".");
+  for (const Quoted& one : model.equations) add("  " + one.text);
+  if (model.equations.empty() && model.lagrangian) add("  L = " + model.lagrangian->text);
+  if (model.equations.empty() && model.hamiltonian) add("  H = " + model.hamiltonian->text);
+  add_all(model.closed);
+  add_all(file.given);
   return about;
 }
 

@@ -22,6 +22,7 @@ constexpr void require(bool holds) {
 #include <toml++/toml.h>
 
 #include "problem/keys.hpp"
+#include "reference/code_text.hpp"
 #include "reference/quantity_text.hpp"
 #include "reference/similar.hpp"
 #include "reference/text.hpp"
@@ -68,11 +69,14 @@ class Reader {
   }
 
  private:
-  static std::vector<std::pair<Quoted, const toml::node*>> in_order(const toml::table* table) {
+  std::vector<std::pair<Quoted, const toml::node*>> in_order(const toml::table* table) const {
     std::vector<std::pair<Quoted, const toml::node*>> all;
     if (!table) return all;
-    for (const auto& [key, node] : *table)
+    for (const auto& [key, node] : *table) {
+      if (std::ranges::any_of(key.str(), is_control))
+        source_.fail(place_of(key.source()), "a name is on one line, without control characters");
       all.push_back({{std::string(key.str()), place_of(key.source())}, &node});
+    }
     std::ranges::sort(all, [](const auto& a, const auto& b) {
       return std::pair(a.first.place.line, a.first.place.column) <
              std::pair(b.first.place.line, b.first.place.column);
@@ -117,7 +121,8 @@ class Reader {
       if (is_long && at + 3 < source_.text.size() && source_.text[at + 3] == '\n')
         ++place.line, place.column = 1;
       std::string line = text->get();
-      std::ranges::replace(line, '\n', ' ');
+      for (char& c : line)
+        if (is_control(c)) c = ' ';
       return {line, place};
     }
     if (node.is_number()) return {format_shortest(*node.value<double>()), place};
@@ -142,7 +147,8 @@ class Reader {
   /// A name for use in formulas.
   Quoted name(const Quoted& key) {
     require_name(key, false);
-    if (!names_.insert(key.text).second) source_.fail(key.place, key.text + " is there twice");
+    if (!names_.insert(key.text).second)
+      source_.fail(key.place, key.text + " is there twice; take another name");
     return key;
   }
   void require_name(const Quoted& key, bool without_time) const {
@@ -151,10 +157,8 @@ class Reader {
                          !std::isdigit(static_cast<unsigned char>(key.text[0]));
     if (!is_name)
       source_.fail(key.place, "a letter's name has letters, digits and _, and is '" + key.text + "'");
-    static const std::set<std::string> taken{"t",    "pi",   "sin",  "cos",  "tan", "asin", "acos",
-                                             "atan", "sinh", "cosh", "tanh", "exp", "log",  "ln",
-                                             "sqrt", "if",   "abs",  "max",  "min", "sign", "atan2"};
-    if (taken.contains(key.text) && !(without_time && key.text == "t"))
+    const auto taken = names_with_meaning();
+    if (std::ranges::find(taken, key.text) != taken.end() && !(without_time && key.text == "t"))
       source_.fail(key.place, key.text + " has a meaning already; take another name");
   }
 
@@ -223,20 +227,22 @@ class Reader {
 
   // ---- tables --------------------------------------------------------------------------------------------
 
-  /// "0, 1.5" or 0 1.5.
-  std::array<double, 2> pair_of(const Quoted& line) const {
-    std::string_view rest = line.text;
-    std::array<double, 2> pair{};
-    for (double& one : pair) {
-      rest.remove_prefix(std::min(rest.find_first_not_of(" \t,;"), rest.size()));
-      const std::size_t end = std::min(rest.find_first_of(" \t,;\r"), rest.size());
-      const auto number = parse_number(std::string(rest.substr(0, end)));
-      if (!number || !std::isfinite(*number)) source_.fail(line.place, "expected two numbers, as 0.1, 5");
-      one = *number;
-      rest.remove_prefix(end);
+  /// The cells of "0, 1.5" or 0 1.5, and whether each is a number.
+  static std::vector<std::optional<double>> cells_of(std::string_view line) {
+    constexpr std::string_view between = " \t,;\r\"";
+    std::vector<std::optional<double>> cells;
+    for (std::size_t at = 0; (at = line.find_first_not_of(between, at)) != line.npos;) {
+      const std::size_t end = std::min(line.find_first_of(between, at), line.size());
+      cells.push_back(parse_number(line.substr(at, end - at)));
+      at = end;
     }
-    if (rest.find_first_not_of(" \t\r") != rest.npos) source_.fail(line.place, "a row has two numbers");
-    return pair;
+    return cells;
+  }
+  std::array<double, 2> pair_of(const std::vector<std::optional<double>>& cells, Place place) const {
+    if (cells.size() != 2) source_.fail(place, "a row has two numbers");
+    for (const auto& one : cells)
+      if (!one || !std::isfinite(*one)) source_.fail(place, "expected two numbers, as 0.1, 5");
+    return {*cells[0], *cells[1]};
   }
   /// An array of pairs, or lines of comma-separated values.
   std::vector<std::pair<std::array<double, 2>, Place>> pairs_of(const toml::node& node) const {
@@ -254,13 +260,11 @@ class Reader {
     if (!text) source_.fail(place_of(node), "rows are pairs, [[0, 0], [0.1, 5]], or lines of text");
     Place place = quoted(node).place;
     std::istringstream lines(text->get());
-    bool may_be_heading = true;
     for (std::string line; std::getline(lines, line); place = {place.line + 1, 1}) {
-      const auto begin = line.find_first_not_of(" \t\r\"");
-      if (begin == line.npos) continue;
-      const bool begins_word = std::isalpha(static_cast<unsigned char>(line[begin])) != 0;
-      if (!std::exchange(may_be_heading, false) || !begins_word)
-        all.push_back({pair_of({line, place}), place});
+      const auto cells = cells_of(line);
+      const bool is_heading =
+          all.empty() && std::ranges::none_of(cells, [](const auto& one) { return one.has_value(); });
+      if (!is_heading && !cells.empty()) all.push_back({pair_of(cells, place), place});
     }
     return all;
   }
@@ -285,7 +289,8 @@ class Reader {
     const auto* written = table->get("rows");
     if (!written) source_.fail(key.place, made.name + " has no rows: rows = [[0, 0], [0.1, 5]]");
     std::vector<double> x, y;
-    for (const auto& [pair, place] : pairs_of(*written)) {
+    const auto pairs = pairs_of(*written);
+    for (const auto& [pair, place] : pairs) {
       if (x.size() == most_rows)
         source_.fail(place, "a table has at most " + std::to_string(most_rows) + " rows");
       x.push_back(static_cast<double>(pair[0] * sizes[0]));
@@ -301,8 +306,19 @@ class Reader {
       source_.fail(place_of(*written), "a " + spline + " spline takes at least " +
                                            std::to_string(fewest_rows(through)) + " rows");
     made.pieces = pieces_of(through, x, y);
+    for (const Table::Piece& piece : made.pieces)
+      if (!std::ranges::all_of(piece.powers, [](double one) { return std::isfinite(one); }))
+        source_.fail(pairs[closest(x) + 1].second,
+                     "this row is too close to the one before for a curve through both: leave one out");
     made.last = x.back();
     file_.tables.push_back(std::make_shared<const Table>(std::move(made)));
+  }
+  /// The row that is closest to the next.
+  static std::size_t closest(const std::vector<double>& x) {
+    std::size_t best = 0;
+    for (std::size_t i = 1; i + 1 < x.size(); ++i)
+      if (x[i + 1] - x[i] < x[best + 1] - x[best]) best = i;
+    return best;
   }
   /// One of these words.
   std::string text_in(const toml::table& table, const char* key, const std::vector<std::string>& words,
@@ -507,9 +523,9 @@ class Reader {
     StagedText made{place_of(table)};
     made.gravity = vector_in(table, "gravity");
     each_in(table, "body", [&](const toml::table& one) {
-      made.bodies.push_back({text_of(one, "body", "name"), text_of(one, "body", "mass"),
-                             text_of(one, "body", "turn"), texts_in(one, "inertia"), vector_in(one, "place"),
-                             vector_in(one, "velocity"), vector_in(one, "spin")});
+      made.bodies.push_back({name_of_body(one), text_of(one, "body", "mass"), text_of(one, "body", "turn"),
+                             texts_in(one, "inertia"), vector_in(one, "place"), vector_in(one, "velocity"),
+                             vector_in(one, "spin")});
       if (const std::size_t count = made.bodies.back().inertia.size(); count != 1 && count != 3)
         source_.fail(place_of(one), "inertia has one moment for all axes, or three");
     });
@@ -528,11 +544,20 @@ class Reader {
     made.differs = text_of(table, "staged", "differs").text;
     file_.staged = std::move(made);
   }
+  Quoted name_of_body(const toml::table& table) {
+    const Quoted text = name(text_of(table, "body", "name"));
+    if (text.text == "ground") source_.fail(text.place, "the ground is no body; take another name");
+    return text;
+  }
   template <class Take>
   void each_in(const toml::table& table, const std::string& key, const Take& take) const {
     const auto* node = table.get(key);
     if (!node) return;
     const auto* array = node->as_array();
+    // Many times those that a motion of 24 unknowns and rates can have.
+    constexpr std::size_t most = 100;
+    if (array && array->size() > most)
+      source_.fail(place_of(*node), "of [[staged." + key + "]] there are at most " + std::to_string(most));
     for (std::size_t i = 0; !array || i < array->size(); ++i) {
       const auto* one = array ? (*array)[i].as_table() : nullptr;
       if (!one) source_.fail(place_of(*node), "these are tables of their own: [[staged." + key + "]]");
@@ -672,32 +697,68 @@ class Reader {
   std::set<std::string> names_;
 };
 
-/// Letters outside of quotes and comments are ASCII: with others toml++ 3.3 behaves in undefined ways.
-void require_readable(const Source& source) {
-  const std::string_view text = source.text;
-  std::string_view end;  // of the quoted text or comment
-  Place place{1, 1};
-  for (std::size_t i = text.starts_with("\xef\xbb\xbf") ? 3 : 0; i < text.size(); ++i, ++place.column) {
-    if (text[i] == '\n') place = {place.line + 1, 0};
-    if (!end.empty()) {
-      if (end[0] == '"' && text.substr(i, 2) != "\\\n" && text[i] == '\\')
-        ++i, ++place.column;
-      else if (text.substr(i).starts_with(end) || (end.size() == 1 && text[i] == '\n')) {
-        i += end.size() - 1, place.column += end.size() - 1;
-        end = {};
-      }
-      continue;
-    }
-    if (static_cast<unsigned char>(text[i]) >= 0x80)
-      source.fail(place, "outside of quotes a name has letters from a to z: put quotes around this one");
-    if (text[i] == '#') end = "\n";
-    for (std::string_view quote : {"\"\"\"", "'''", "\"", "'"})
-      if (end.empty() && text.substr(i).starts_with(quote)) {
-        end = quote;
-        i += quote.size() - 1, place.column += quote.size() - 1;
-      }
+/// Refuses texts on which toml++ 3.3 has undefined behaviour, or exhausts the stack: letters outside of
+/// quotes and comments that are not ASCII, and names of very many parts.
+class Readable {
+ public:
+  explicit Readable(const Source& source) : source_(source), text_(source.text) {
+    if (text_.starts_with("\xef\xbb\xbf")) text_.remove_prefix(3);
   }
-}
+
+  void require() {
+    while (at_ < text_.size()) {
+      if (static_cast<unsigned char>(text_[at_]) >= 0x80)
+        fail("outside of quotes a name has letters from a to z: put quotes around this one");
+      if (text_[at_] == '#')
+        at_ = std::min(text_.find('\n', at_), text_.size());
+      else if (const std::string_view quote = quote_here(); !quote.empty())
+        pass(quote);
+      else
+        see_depth(text_[at_]), ++at_;
+    }
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& reason) const {
+    const std::string_view before = text_.substr(0, at_);
+    const auto line = static_cast<std::size_t>(std::ranges::count(before, '\n'));
+    source_.fail({line + 1, at_ - (before.rfind('\n') + 1) + 1}, reason);
+  }
+
+  std::string_view quote_here() const {
+    for (const std::string_view quote : {"\"\"\"", "'''", "\"", "'"})
+      if (text_.substr(at_).starts_with(quote)) return quote;
+    return {};
+  }
+  /// Passes a quoted text. One of several lines may end in two quotes of its own.
+  void pass(std::string_view quote) {
+    const bool has_escapes = quote[0] == '"', is_long = quote.size() > 1;
+    for (at_ += quote.size(); at_ < text_.size(); ++at_) {
+      if (!is_long && text_[at_] == '\n') return;
+      if (text_.substr(at_).starts_with(quote)) break;
+      if (has_escapes && text_[at_] == '\\' && (is_long || text_.substr(at_ + 1, 1) != "\n")) ++at_;
+    }
+    at_ = std::min(at_ + quote.size(), text_.size());
+    for (int i = 0; is_long && i < 2 && text_.substr(at_, 1) == quote.substr(0, 1); ++i) ++at_;
+  }
+
+  /// Counts a name's dots, and those of the names around it: each nests the tables one level deeper.
+  void see_depth(char c) {
+    constexpr std::size_t most_dots = 256;
+    if (c == '.' && ++dots_ > most_dots) fail("a name has at most " + std::to_string(most_dots) + " dots");
+    if (c == '{' || c == '[') around_.push_back(dots_);
+    if (c == ',' || c == '\n') dots_ = around_.empty() ? 0 : around_.back();
+    if ((c == '}' || c == ']') && !around_.empty()) {
+      dots_ = around_.back();
+      around_.pop_back();
+    }
+  }
+
+  const Source& source_;
+  std::string_view text_;
+  std::size_t at_ = 0, dots_ = 0;
+  std::vector<std::size_t> around_;  ///< dots in front of each open bracket
+};
 
 /// "y'" where this is the prime in it.
 std::string rate_before(const std::string& text, Place place) {
@@ -719,7 +780,7 @@ std::unique_ptr<const File> read(const std::string& name, const std::string& tex
   auto file = std::make_unique<File>();
   file->source = {name, text};
   if (text.size() > most_of_a_file) throw BadInput(name + ": a problem's file has at most a megabyte");
-  require_readable(file->source);
+  Readable(file->source).require();
   try {
     const toml::table table = toml::parse(std::string_view(text), std::string_view(name));
     Reader(*file).all(table);

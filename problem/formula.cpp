@@ -150,8 +150,12 @@ class Reader {
     std::string symbol(text_.substr(end, unit - end));
     symbol.erase(0, symbol.find_first_not_of(' '));
     Letter letter{Letter::Is::quantity};
-    letter.value = formula::detail::of_digits<long double>(std::string(text_.substr(at, end - at))) *
-                   unit_of(symbol)->size;
+    try {
+      letter.value = formula::detail::of_digits<long double>(std::string(text_.substr(at, end - at))) *
+                     unit_of(symbol)->size;
+    } catch (const formula::NoValue& error) {
+      fail(at, error.what());
+    }
     letter.measure = *measure_of(symbol);
     const std::string first = symbol.substr(0, symbol.find_first_of(" /^"));
     if (among(first, all_names()))
@@ -360,6 +364,13 @@ std::string shown(const std::string& text, Place place) {
 }
 
 }  // namespace
+
+std::vector<std::string> names_with_meaning() {
+  std::vector<std::string> names{"t"};
+  names.insert(names.end(), functions.begin(), functions.end());
+  names.insert(names.end(), calls.begin(), calls.end());
+  return names;
+}
 
 WrongFile::WrongFile(const std::string& file, const std::string& text, Place place, const std::string& reason)
     : BadInput(file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) + ": " + reason +

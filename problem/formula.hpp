@@ -59,6 +59,9 @@ struct Letters {
   std::vector<std::shared_ptr<const Table>> tables = {};  ///< called like functions
 };
 
+/// Names with a meaning in every formula: the time, pi, and the functions.
+std::vector<std::string> names_with_meaning();
+
 struct Letter;
 
 class Formula {

@@ -26,6 +26,10 @@ constexpr std::size_t compiled[]{ODDITY_FOR_UNKNOWNS(ODDITY_NUMBER, )};
 constexpr std::size_t most_unknowns = *std::ranges::max_element(compiled);
 
 int key_of(std::size_t unknown, std::size_t order) { return static_cast<int>(most_orders * unknown + order); }
+/// The unknown, and the order of its rate.
+std::pair<std::size_t, std::size_t> unknown_of(int key) {
+  return {static_cast<std::size_t>(key) / most_orders, static_cast<std::size_t>(key) % most_orders};
+}
 std::string primed(const std::string& name, std::size_t order) { return name + std::string(order, '\''); }
 
 Measure per_time(Measure measure, std::size_t times) {
@@ -150,36 +154,37 @@ class Model::Making {
   }
   Expression value(const Formula& of) {
     if (!file_.tables.empty()) see_tables(of);
-    return of.value([&](const Letter& letter) -> Expression {
-      switch (letter.is) {
-        case Letter::Is::quantity:
-          return letter.value;
-        case Letter::Is::parameter:
-          return input(graph(), of_parameters + static_cast<int>(letter.index)) *
-                 Expression(file_.parameters[letter.index].size);
-        case Letter::Is::time:
-          return input(graph(), of_time);
-        case Letter::Is::unknown:
-          if (letter.order > orders_[letter.index])
-            of.fail(letter.span, primed(letters_.unknowns[letter.index], letter.order) +
-                                     " is beyond the equations' order");
-          return input(graph(), key_of(letter.index, letter.order));
-        case Letter::Is::given: {
-          auto& known = values_of_given_[letter.index];
-          if (known.empty()) {
-            const Formula& abbreviation = given(letter.index);
-            const Inside inside(*this, abbreviation);
-            const Expression x = value(abbreviation);
-            known.push_back(x);
-          }
-          while (known.size() <= letter.order) known.push_back(rate(known.back()));
-          return known[letter.order];
+    return of.value([&](const Letter& letter) { return value(letter, of); });
+  }
+  Expression value(const Letter& letter, const Formula& of) {
+    switch (letter.is) {
+      case Letter::Is::quantity:
+        return letter.value;
+      case Letter::Is::parameter:
+        return input(graph(), of_parameters + static_cast<int>(letter.index)) *
+               Expression(file_.parameters[letter.index].size);
+      case Letter::Is::time:
+        return input(graph(), of_time);
+      case Letter::Is::unknown:
+        if (letter.order > orders_[letter.index])
+          of.fail(letter.span,
+                  primed(letters_.unknowns[letter.index], letter.order) + " is beyond the equations' order");
+        return input(graph(), key_of(letter.index, letter.order));
+      case Letter::Is::given: {
+        auto& known = values_of_given_[letter.index];
+        if (known.empty()) {
+          const Formula& abbreviation = given(letter.index);
+          const Inside inside(*this, abbreviation);
+          const Expression x = value(abbreviation);
+          known.push_back(x);
         }
-        case Letter::Is::call:
-          break;
+        while (known.size() <= letter.order) known.push_back(rate(known.back()));
+        return known[letter.order];
       }
-      return {};
-    });
+      case Letter::Is::call:
+        break;
+    }
+    return {};
   }
   Measure measure(const Formula& of) {
     if (file_.is_plain) return 0;  // fits any unit
@@ -217,11 +222,21 @@ class Model::Making {
   }
   Graph& graph() { return *model_.graph_; }
 
+  void require_order(std::size_t i, std::size_t order) const {
+    if (order >= most_orders)
+      source_.fail(text_.name.place, "rates are of order " + std::to_string(most_orders - 1) +
+                                         " at most, and " + primed(letters_.unknowns[i], order) +
+                                         " is needed");
+  }
   /// Rate along the motion.
   Expression rate(const Expression& x) {
     std::map<int, Expression> along{{of_time, 1}};
-    for (const int key : keys_of(std::span(&x, 1)))
-      if (key < of_time) along.emplace(key, input(graph(), key + 1));
+    for (const int key : keys_of(std::span(&x, 1))) {
+      if (key >= of_time) continue;
+      const auto [i, order] = unknown_of(key);
+      require_order(i, order + 1);
+      along.emplace(key, input(graph(), key + 1));
+    }
     return slopes(std::span(&x, 1), along)[0];
   }
   Expression slope(const Expression& x, int key) { return slopes(std::span(&x, 1), {{key, 1}})[0]; }
@@ -238,41 +253,62 @@ class Model::Making {
                        std::to_string(orders_.size()) + " unknowns no motion");
     for (const Quoted& text : text_.constraints) constraints_.push_back(equation(source_, text, letters_));
     for (const Quoted& text : text_.conditions) conditions_.push_back(formula(text));
-    for (const Equation& one : constraints_)
-      for (const Formula* side : {&one.left, &one.right})
-        side->any([&](const Letter& letter) {
-          if (letter.is == Letter::Is::unknown && letter.order > 0)
-            side->fail(letter.span, "a constraint is of places, and this is a rate");
-          return false;
-        });
-    if (lagrangian_) {
-      std::ranges::fill(orders_, 2);
-      lagrangian_->any([&](const Letter& letter) {
-        if (letter.is == Letter::Is::unknown && letter.order > 1)
-          lagrangian_->fail(letter.span, "a Lagrangian is of unknowns and their rates");
-        return false;
-      });
-    }
+    if (lagrangian_) std::ranges::fill(orders_, 2);
     if (text_.hamiltonian) read_hamiltonian();
     forces_.resize(orders_.size());
     for (const auto& [name, text] : text_.forces) {
       const std::size_t i = unknown(name);
       forces_[i] = formula(text);
-      if (hamiltonian_ && std::ranges::none_of(pairs_, [i](const auto& pair) { return pair.first == i; }))
+      if (hamiltonian_ && !is_place(i))
         source_.fail(name.place, "a force is on a place, and " + name.text + " is a momentum");
     }
     for (const Equation& one : equations_)
       for (const Formula* side : {&one.left, &one.right}) see_orders(*side, 0);
     for (const Formula& one : conditions_) see_orders(one, 1);
-    for (std::size_t i = 0; i < orders_.size(); ++i)
+    for (std::size_t i = 0; i < orders_.size(); ++i) {
+      require_order(i, orders_[i]);
       if (orders_[i] == 0) {
         const bool is_found = std::ranges::find(text_.found, letters_.unknowns[i]) != text_.found.end();
         source_.fail(text_.name.place,
                      (is_found ? "no condition has " : "no equation has a rate of ") + letters_.unknowns[i]);
       }
+    }
     if (!equations_.empty() && equations_.size() + conditions_.size() != orders_.size())
       source_.fail(text_.equations.back().place, std::to_string(equations_.size()) + " equations for " +
                                                      std::to_string(orders_.size()) + " unknowns");
+    limit_orders();
+  }
+  void limit_orders() {
+    const auto up_to = [](std::size_t most) {
+      return [most](std::size_t, std::size_t order) { return order <= most; };
+    };
+    for (const Equation& one : constraints_)
+      for (const Formula* side : {&one.left, &one.right})
+        limit(*side, "a constraint is of places, and this is a rate", up_to(0));
+    if (lagrangian_) limit(*lagrangian_, "a Lagrangian is of unknowns and their rates", up_to(1));
+    if (dissipation_) limit(*dissipation_, "a dissipation function is of unknowns and their rates", up_to(1));
+    if (hamiltonian_)
+      limit(*hamiltonian_, "a Hamiltonian is of places and momenta, and this is a rate", up_to(0));
+    for (const auto& force : forces_) {
+      if (force && lagrangian_) limit(*force, "a force is of unknowns and their rates", up_to(1));
+      if (force && hamiltonian_)
+        limit(*force, "a force is of places, their rates and momenta: write this by them",
+              [&](std::size_t i, std::size_t order) { return order == 0 || (order == 1 && is_place(i)); });
+    }
+  }
+  /// Refuses letters with other rates of unknowns than these, also those of abbreviations.
+  template <class Allowed>
+  void limit(const Formula& of, const char* says, const Allowed& is_allowed) {
+    of.any([&](const Letter& letter) {
+      if (letter.is != Letter::Is::unknown && letter.is != Letter::Is::given) return false;
+      const Expression x = value(letter, of);
+      for (const int key : keys_of(std::span(&x, 1)))
+        if (key < of_time && !std::apply(is_allowed, unknown_of(key))) of.fail(letter.span, says);
+      return false;
+    });
+  }
+  bool is_place(std::size_t i) const {
+    return std::ranges::any_of(pairs_, [i](const auto& pair) { return pair.first == i; });
   }
   std::size_t unknown(const Quoted& name) const {
     const auto found = std::ranges::find(letters_.unknowns, name.text);
@@ -282,11 +318,6 @@ class Model::Making {
   }
   void read_hamiltonian() {
     hamiltonian_ = formula(*text_.hamiltonian);
-    hamiltonian_->any([&](const Letter& letter) {
-      if (letter.is == Letter::Is::unknown && letter.order > 0)
-        hamiltonian_->fail(letter.span, "a Hamiltonian is of places and momenta, and this is a rate");
-      return false;
-    });
     std::ranges::fill(orders_, 1);
     std::vector<char> known(orders_.size(), 0);
     for (const auto& [place, momentum] : text_.momenta) {
@@ -383,8 +414,8 @@ class Model::Making {
                                          std::to_string(most_unknowns));
     for (const int key : model_.state_) {
       const auto found = std::ranges::find(model_.state_, key + 1);
-      const bool is_highest = static_cast<std::size_t>(key) % most_orders + 1 ==
-                              orders_[static_cast<std::size_t>(key) / most_orders];
+      const auto [i, order] = unknown_of(key);
+      const bool is_highest = order + 1 == orders_[i];
       model_.rate_of_.push_back(is_highest ? -1 : static_cast<int>(found - model_.state_.begin()));
     }
   }
@@ -448,9 +479,15 @@ class Model::Making {
     for (const auto& [place, momentum] : pairs_) {
       rates[place] = slope(H, key_of(momentum, 0));
       rates[momentum] = -slope(H, key_of(place, 0));
-      if (forces_[place]) rates[momentum] = rates[momentum] + value(*forces_[place]);
+      rates_of_places_.emplace(key_of(place, 1), rates[place]);
     }
+    for (const auto& [place, momentum] : pairs_)
+      if (forces_[place]) rates[momentum] = rates[momentum] + by_momenta(value(*forces_[place]));
     return rates;
+  }
+  /// With a Hamiltonian, the places' rates in terms of the momenta.
+  Expression by_momenta(const Expression& x) const {
+    return rates_of_places_.empty() ? x : replaced(std::span(&x, 1), rates_of_places_)[0];
   }
   std::vector<Expression> off_constraints() {
     std::vector<Expression> off;
@@ -601,8 +638,8 @@ class Model::Making {
 
   void set_rates(const std::vector<Expression>& highest_rates) {
     for (const int key : model_.state_) {
-      const auto i = static_cast<std::size_t>(key) / most_orders;
-      const bool is_last = static_cast<std::size_t>(key) % most_orders + 1 == orders_[i];
+      const auto [i, order] = unknown_of(key);
+      const bool is_last = order + 1 == orders_[i];
       model_.rates_.push_back(is_last ? highest_rates[i] : input(graph(), key + 1));
     }
   }
@@ -680,7 +717,7 @@ class Model::Making {
   }
   /// The value of a formula that depends on the state and the time only.
   Expression of_state(const Formula& formula, const std::string& what) {
-    const Expression x = value(formula);
+    const Expression x = by_momenta(value(formula));
     for (const int key : keys_of(std::span(&x, 1)))
       if (key < of_time && std::ranges::find(model_.state_, key) == model_.state_.end())
         formula.fail({}, what + " is of the state and the time, and this has a highest rate");
@@ -756,8 +793,8 @@ class Model::Making {
       const Formula kinetic = formula(*text_.kinetic), potential = formula(*text_.potential);
       if (!fit(measure(kinetic), measure(potential)))
         potential.fail({}, "the potential energy is not in the kinetic one's unit");
-      const Expression T = value(kinetic), all = T + value(potential);
-      model_.conserved_ = {all, T};
+      const Expression T = of_state(kinetic, "an energy"), V = of_state(potential, "an energy");
+      model_.conserved_ = {T + V, T};
     } else if (lagrangian_ && equations_.empty() && !dissipation_ && text_.forces.empty() &&
                text_.events.empty()) {
       const Expression L = value(*lagrangian_);
@@ -799,6 +836,7 @@ class Model::Making {
   std::vector<Formula> conditions_;
   std::optional<Formula> lagrangian_, hamiltonian_, dissipation_;
   std::vector<std::pair<std::size_t, std::size_t>> pairs_;  ///< places, and their momenta
+  std::map<int, Expression> rates_of_places_;               ///< by a Hamiltonian
   std::map<int, Formula> starts_;
 };
 
@@ -971,8 +1009,8 @@ class Model::Coding {
       names_.add(p.name);
     }
     for (const int key : model.state_) {
-      const std::string& unknown = model.unknowns_[static_cast<std::size_t>(key) / most_orders];
-      const std::size_t order = static_cast<std::size_t>(key) % most_orders;
+      const auto [i, order] = unknown_of(key);
+      const std::string& unknown = model.unknowns_[i];
       names_.add(order == 0 ? unknown : unknown + "_" + std::string(order, 'd') + "ot");
     }
     names_.add("t");

@@ -403,15 +403,15 @@ std::unique_ptr<const File> file_of(const std::string& name, const std::string& 
   return file;
 }
 
-std::string stem_of(const std::string& name) {
-  const std::size_t slash = name.rfind('/');
-  std::string stem = slash == std::string::npos ? name : name.substr(slash + 1);
+}  // namespace
+
+std::string stem_of(const std::string& path) {
+  std::string stem = path.substr(path.rfind('/') + 1);
   if (stem.ends_with(".toml")) stem.resize(stem.size() - 5);
   if (is_ode_file(stem)) stem.resize(stem.size() - 4);
-  return stem.empty() || stem == "-" ? "input" : stem;
+  const bool is_name = stem.find_first_not_of('.') != std::string::npos && !stem.starts_with('-');
+  return is_name ? stem : "input";
 }
-
-}  // namespace
 
 bool is_file(const std::string& word) { return word == "-" || word.ends_with(".toml") || is_ode_file(word); }
 

@@ -26,15 +26,16 @@ class Staged::Making {
   void all() {
     made_.gravity_ = vector(text_.gravity, in("m/s^2"));
     for (const BodyText& one : text_.bodies) body(one);
-    for (const JointText& one : text_.joints)
-      made_.joints_.push_back({kind(one.kind), place_of(one.a), place_of(one.b), vector(one.at, in("m")),
-                               axis(one.axis), vector(one.end, in("m"))});
-    for (const SpringText& one : text_.springs)
-      made_.springs_.push_back({place_of(one.a), place_of(one.b), number(one.stiffness, in("N/m")),
-                                number(one.rest, in("m")), vector(one.at, in("m")),
-                                vector(one.end, in("m"))});
-    for (const BodyText& one : text_.bodies)
-      for (const char* part : {"_x", "_y", "_z", "_turn"}) letters_.unknowns.push_back(one.name.text + part);
+    for (const JointText& one : text_.joints) {
+      const auto [a, b] = two_of(one.a, one.b);
+      made_.joints_.push_back({kind(one.kind), a, b, vector(one.at, in("m")), axis(one), end_of(one)});
+    }
+    for (const SpringText& one : text_.springs) {
+      const auto [a, b] = two_of(one.a, one.b);
+      made_.springs_.push_back({a, b, number(one.stiffness, in("N/m")), number(one.rest, in("m")),
+                                vector(one.at, in("m")), vector(one.end, in("m"))});
+    }
+    for (const BodyText& one : text_.bodies) add_letters(one.name);
     for (const ObservableText& o : file_.observables) observe(o);
     for (const auto& [name, formula] : text_.observe)
       if (std::ranges::find(file_.observables, name.text, &ObservableText::name) == file_.observables.end())
@@ -48,7 +49,7 @@ class Staged::Making {
       return number(one.inertia[one.inertia.size() == 1 ? 0 : i], in("kg m^2"));
     };
     made_.bodies_.push_back({number(one.mass, in("kg")),
-                             one.turn.text.empty() ? 0 : number(one.turn, in("rad")),
+                             one.turn.text.empty() ? Number{} : number(one.turn, in("rad")),
                              {moment(0), moment(1), moment(2)},
                              vector(one.place, in("m")),
                              vector(one.velocity, in("m/s")),
@@ -65,6 +66,22 @@ class Staged::Making {
       if (text.text == name) return kind;
     file_.source.fail(text.place, "a joint is a hinge, ball, cylinder, slide or rod");
   }
+  void add_letters(const Quoted& body) {
+    for (const char* part : {"_x", "_y", "_z", "_turn"}) {
+      const std::string letter = body.text + part;
+      if (std::ranges::find(letters_.parameters, letter) != letters_.parameters.end())
+        file_.source.fail(body.place, "the parameter " + letter +
+                                          " has the name of what is seen of this body; take another name");
+      letters_.unknowns.push_back(letter);
+    }
+  }
+  std::pair<int, int> two_of(const Quoted& a, const Quoted& b) const {
+    const int first = place_of(a), second = place_of(b);
+    if (second == engines::ground)
+      file_.source.fail(b.place, "b is a body; leave a out where the other end is on the ground");
+    if (first == second) file_.source.fail(b.place, "a and b are one body; name another");
+    return {first, second};
+  }
   int place_of(const Quoted& body) const {
     if (body.text.empty() || body.text == "ground") return engines::ground;
     std::vector<std::string> names;
@@ -80,24 +97,30 @@ class Staged::Making {
     if (its == text_.observe.end())
       file_.source.fail(text_.place, "what is " + o.name + " of the bodies? add observe = { " + o.name +
                                          " = \"" + text_.bodies[0].name.text + "_x\" } to staged");
-    made_.observed_.push_back(number(its->second, o.measure) / Expression(o.size));
+    made_.observed_.push_back(number(its->second, o.measure).value / Expression(o.size));
   }
 
   Vector vector(const std::vector<Quoted>& texts, const Measure& unit) {
-    Vector all{0, 0, 0};
+    Vector all;
     for (std::size_t i = 0; i < texts.size(); ++i) all[i] = number(texts[i], unit);
     return all;
   }
-  Vector axis(const std::vector<Quoted>& texts) {
-    return texts.empty() ? Vector{0, 0, 1} : vector(texts, in(""));
+  Vector axis(const JointText& joint) {
+    const Vector z{Number{}, Number{}, Number{1}};
+    return joint.axis.empty() ? z : vector(joint.axis, in(""));
+  }
+  Vector end_of(const JointText& joint) {
+    Vector end = vector(joint.end, in("m"));
+    if (joint.end.empty()) end[0].place = joint.kind.place;
+    return end;
   }
   /// Of parameters, and of what is seen of the bodies.
-  Expression number(const Quoted& text, const Measure& unit) {
+  Number number(const Quoted& text, const Measure& unit) {
     const Formula formula(file_.source, text, letters_);
     const Measure its = formula.measure([&](const Letter& letter) { return measure(letter, formula); });
     if (!fit(its, unit))
       formula.fail({}, "this is to be in " + name_of(unit) + ", and is in " + name_of(its));
-    return formula.value([&](const Letter& letter) -> Expression {
+    const Expression value = formula.value([&](const Letter& letter) -> Expression {
       if (letter.is == Letter::Is::quantity) return letter.value;
       if (letter.is == Letter::Is::time) return input(*made_.graph_, of_time);
       const auto i = static_cast<int>(letter.index);
@@ -105,6 +128,7 @@ class Staged::Making {
         return input(*made_.graph_, 2 * i + static_cast<int>(letter.order));
       return input(*made_.graph_, of_parameters + i) * Expression(file_.parameters[letter.index].size);
     });
+    return {value, text.place};
   }
   Measure measure(const Letter& letter, const Formula& formula) const {
     if (letter.is == Letter::Is::quantity) return letter.measure;
@@ -123,14 +147,11 @@ class Staged::Making {
   Letters letters_;
 };
 
-Staged::Staged(const File& file) {
+Staged::Staged(const File& file) : source_(&file.source) {
   Making(*this, file).all();
   std::vector<double> values;
   for (const ParameterText& p : file.parameters) values.push_back(p.value);
-  for (const engines::Body& one : with(values).world.bodies)
-    if (!(one.mass > 0 && std::ranges::all_of(one.inertia, [](double x) { return x > 0; })))
-      file.source.fail(file.staged->place,
-                       "engines take bodies of a mass and of moments of inertia above zero");
+  with(values);
 }
 
 engines::Staging Staged::with(const std::vector<double>& parameters) const {
@@ -144,8 +165,16 @@ engines::Staging Staged::with(const std::vector<double>& parameters) const {
     inputs.emplace(key, input(graph, key));
   }
   keys.push_back(of_time);
-  const auto number = [&](const Expression& x) {
-    return static_cast<double>(replaced(std::span(&x, 1), inputs)[0].number());
+  const auto number = [&](const Number& x) {
+    const auto value = static_cast<double>(replaced(std::span(&x.value, 1), inputs)[0].number());
+    if (!std::isfinite(value)) source_->fail(x.place, "with these parameters this is no finite number");
+    return value;
+  };
+  const auto positive = [&](const Number& x) {
+    const double value = number(x);
+    if (!(value > 0))
+      source_->fail(x.place, "engines take bodies of a mass and of moments of inertia above zero");
+    return value;
   };
   const auto vector = [&](const Vector& x) {
     return engines::Vector{number(x[0]), number(x[1]), number(x[2])};
@@ -155,14 +184,19 @@ engines::Staging Staged::with(const std::vector<double>& parameters) const {
   for (const Body& one : bodies_) {
     const double half = number(one.turn) / 2;
     engines::Body& body = staging.world.bodies.emplace_back();
-    body.mass = number(one.mass);
-    body.inertia = vector(one.inertia);
+    body.mass = positive(one.mass);
+    body.inertia = {positive(one.inertia[0]), positive(one.inertia[1]), positive(one.inertia[2])};
     body.start = {
         vector(one.place), {std::cos(half), 0, 0, std::sin(half)}, vector(one.velocity), vector(one.spin)};
   }
-  for (const Joint& one : joints_)
-    staging.world.joints.push_back(
-        {one.kind, one.a, one.b, vector(one.at), vector(one.axis), vector(one.end)});
+  for (const Joint& one : joints_) {
+    const engines::Joint& joint = staging.world.joints.emplace_back(
+        engines::Joint{one.kind, one.a, one.b, vector(one.at), vector(one.axis), vector(one.end)});
+    if (joint.axis == engines::Vector{})
+      source_->fail(one.axis[0].place, "an axis has a direction, as [0, 0, 1]");
+    if (joint.kind == engines::Joint::rod && joint.at == joint.end)
+      source_->fail(one.end[0].place, "a rod has a length: at and end are two points");
+  }
   for (const Spring& one : springs_)
     staging.world.springs.push_back(
         {one.a, one.b, vector(one.at), vector(one.end), number(one.stiffness), number(one.rest)});

@@ -16,14 +16,18 @@ class Staged {
   /// Throws WrongFile for what is wrong in the file's staging.
   explicit Staged(const File&);
 
-  /// With these values of the parameters, in their units.
+  /// With these values of the parameters, in their units. Throws WrongFile where an engine could not take it.
   engines::Staging with(const std::vector<double>& parameters) const;
 
  private:
   class Making;
-  using Vector = std::array<Expression, 3>;
+  struct Number {
+    Expression value = 0;
+    Place place = {};
+  };
+  using Vector = std::array<Number, 3>;
   struct Body {
-    Expression mass, turn;
+    Number mass, turn;
     Vector inertia, place, velocity, spin;
   };
   struct Joint {
@@ -33,11 +37,11 @@ class Staged {
   };
   struct Spring {
     int a, b;
-    Expression stiffness, rest;
+    Number stiffness, rest;
     Vector at, end;
   };
 
-  std::vector<long double> sizes_;  ///< of the parameters' units
+  const Source* source_;
   std::shared_ptr<Graph> graph_ = std::make_shared<Graph>();
   Vector gravity_;
   std::vector<Body> bodies_;

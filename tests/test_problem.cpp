@@ -15,6 +15,7 @@
 #include "problem/scene.hpp"
 #include "problem/template.hpp"
 #include "problem/truth.hpp"
+#include "reference/code_text.hpp"
 #include "reference/text.hpp"
 #include "report/study/choose.hpp"
 #include "report/verify/catch.hpp"
@@ -96,8 +97,14 @@ TEST_CASE("An error in a file is reported with its line and column", "[problem]"
   CHECK(refusal_of("y' = 1 m/s").find("the equations are of order 1 in y: leave y' out") !=
         std::string::npos);
   CHECK(refusal_of("y''' = 1 m/s^3").find("no start for y''") != std::string::npos);
+  std::string eighth = with("v'''' = 1 m/s^8");
+  eighth.insert(eighth.find("z = "), "v = \"y''''\"\n");
+  CHECK(first_line(refusal(eighth)) ==
+        "test.toml:10:8: rates are of order 7 at most, and y'''''''' is needed");
   CHECK(refusal_of("0*y'' = g").find("no equation") == std::string::npos);
   CHECK(refusal_of("0*y'' = g").find("singular") != std::string::npos);
+  CHECK(first_line(refusal_of("y'' = g + 1e308 m/s^2*1e10")) ==
+        "test.toml:10:25: a number that is too large or too small");
   CHECK(refusal_of("y'' = g (").find("expected") != std::string::npos);
   CHECK(refusal_of("y'' - g").find("expected an equation") != std::string::npos);
   CHECK(refusal(with("y'' = -g", R"({ y = 0 })")).find("no start for y'") != std::string::npos);
@@ -107,6 +114,9 @@ TEST_CASE("An error in a file is reported with its line and column", "[problem]"
   CHECK(refusal(with("m y'' = -k y", R"({ y = "1 m", "y'" = 0 })",
                      "conserves = { kinetic = \"m/2 y'^2\", potential = \"k y^2\" }\n"))
             .find("is not conserved") != std::string::npos);
+  CHECK(first_line(refusal(with("m y'' = -k y", R"({ y = "1 m", "y'" = 0 })",
+                                "conserves = { kinetic = \"m y''\", potential = \"k y\" }\n"))) ==
+        "test.toml:12:26: an energy is of the state and the time, and this has a highest rate");
   CHECK(first_line(refusal("title = \"x\"\n[parametres]\n")) ==
         "test.toml:2:2: no key parametres; did you mean 'parameters'?");
   CHECK(refusal("title = \"x\"\n[parameters]\nm = \"2 kgs\"\n").find("no unit 'kgs'") != std::string::npos);
@@ -132,6 +142,39 @@ question = '''it's an "ä"
 ä'''
 )";
   CHECK(refusal(quoted + "\n \xc3\xa4 = 1").find("test.toml:5:2: outside of quotes") == 0);
+}
+
+TEST_CASE("A text of several lines may end in quotes of its own", "[problem]") {
+  for (const std::string quote : {"\"", "'"})
+    for (const std::string& more : {std::string(), quote, quote + quote}) {
+      const std::string three = quote + quote + quote;
+      CHECK(first_line(refusal("title = { a = " + three + "b" + more + three + ", b = " + quote + "\u00e4" +
+                               quote + " }")) == "test.toml:1:9: expected a text, in quotes");
+    }
+}
+
+TEST_CASE("A name of very many parts is refused in a sentence", "[problem]") {
+  const auto dotted = [](int parts) {
+    std::string name = "a";
+    for (int i = 1; i < parts; ++i) name += ".a";
+    return name;
+  };
+  CHECK(first_line(refusal(dotted(300'000) + " = 1")) == "test.toml:1:514: a name has at most 256 dots");
+  CHECK(first_line(refusal("[" + dotted(300'000) + "]")) == "test.toml:1:515: a name has at most 256 dots");
+  CHECK(refusal(dotted(200) + " = { " + dotted(100) + " = 1 }").find("at most 256 dots") !=
+        std::string::npos);
+  CHECK(refusal(dotted(257) + " = 1").find("no key a") != std::string::npos);
+  std::string numbers = "a = [0.5";
+  for (int i = 0; i < 300; ++i) numbers += ", 0.5";
+  CHECK(refusal(numbers + "]").find("no key a") != std::string::npos);
+}
+
+TEST_CASE("A name has no control characters, and is none that formulas have", "[problem]") {
+  CHECK(first_line(refusal("title = \"x\"\n[model.\"a\\nb\"]\n")) ==
+        "test.toml:2:8: a name is on one line, without control characters");
+  for (const char* name : {"t", "pi", "if", "asinh", "arcsin"})
+    CHECK(first_line(refusal("title = \"x\"\n[parameters]\n" + std::string(name) + " = \"1 m\"\n")) ==
+          "test.toml:3:1: " + std::string(name) + " has a meaning already; take another name");
 }
 
 TEST_CASE("A rate whose name has no quotes is said to need them", "[problem]") {
@@ -539,6 +582,38 @@ TEST_CASE("A letter or a model whose name has a meaning in C++ does no harm", "[
         std::string::npos);
 }
 
+TEST_CASE("A text at the end of a comment does not change the code below", "[problem][code]") {
+  const auto renamed = [](const std::string& title) {
+    std::string text = with("m y'' = -k y");
+    return text.replace(text.find("title = "), text.find('\n'), "title = \"x " + title + '"');
+  };
+  const std::string plain = code_of_text(renamed("z"));
+  const std::string code = plain.substr(plain.find("struct "));
+  for (const char* end : {"\\\\", "\\\\ \\t ", "\\r int i;", "\\n int i;", "\\u007f", "\\\\\\n"}) {
+    const std::string its = code_of_text(renamed(end));
+    INFO(its);
+    CHECK(its.substr(its.find("struct ")) == code);
+    std::istringstream lines(its.substr(0, its.find("struct ")));
+    for (std::string line; std::getline(lines, line);) {
+      CHECK((line.empty() || line.starts_with("//") || line.starts_with("namespace")));
+      CHECK((line.empty() || (line.back() != '\\' && line.back() != ' ')));
+      CHECK(std::ranges::none_of(line, is_control));
+    }
+  }
+}
+
+TEST_CASE("A printed program has the observables' names in its head as text alone",
+          "[problem][code][commands]") {
+  const ScratchFolder scratch;
+  std::string text = with("m y'' = -k y");
+  const auto at = text.find("\ny = \"m\"");
+  REQUIRE(at != std::string::npos);
+  text.replace(at, 9, "\n'y\"); %n$frames\\' = { unit = \"m\", is = \"y\" }");
+  const auto printed =
+      program::printed("choose " + scratch.file("mine.toml", text).string() + " --error 1cm --code");
+  CHECK(program::says(printed, "printf(\"t [s],y_); _n_frames_\\n\")"));
+}
+
 TEST_CASE("An error in an event is reported with its place", "[problem]") {
   CHECK(refusal(ball(R"({ when = "y" })")).find("nothing happens in this event") != std::string::npos);
   CHECK(refusal(ball(R"({ then = { y = "0 m" } })")).find("goes through zero: when") != std::string::npos);
@@ -708,4 +783,41 @@ TEST_CASE("Only a regular file of limited size is read, without waiting", "[prob
   refused(scratch.file("large.toml", std::string(most_of_a_file + 1, '#')).string(), "large.toml");
   refused((scratch.path() / "missing.toml").string(), "missing.toml");
   refused("- </dev/zero", "standard input: a problem's file has at most a megabyte");
+}
+
+TEST_CASE("site writes a file's page where the words of the command name it", "[problem][commands]") {
+  const ScratchFolder scratch;
+  const std::string home = scratch.path().string(), own = home + "/.cache/oddity/site";
+  const auto in_scratch = [&](const std::string& words) {
+    return program::shell("cd " + home + " && HOME=" + home + " XDG_CACHE_HOME= ./oddity --reference " +
+                          ODDITY_SOURCE + "/reference " + words);
+  };
+  REQUIRE(program::shell("cp $oddity " + home + "/oddity").status == 0);
+  scratch.file("mine.toml", with("y'' = -g"));
+  scratch.file("...toml", with("y'' = -g"));
+  const auto refused = in_scratch("site ''");
+  CHECK(refused.status == 2);
+  CHECK(program::says(refused, "file: it needs a problem's file"));
+  CHECK_FALSE(std::filesystem::exists(own));
+  CHECK(in_scratch("site mine.toml --out " + own).status == 0);
+  CHECK(std::filesystem::exists(own + "/index.html"));
+  CHECK_FALSE(std::filesystem::exists(scratch.path() / "mine"));
+  CHECK(in_scratch("site ...toml").status == 0);
+  CHECK(std::filesystem::exists(scratch.path() / "input" / "index.html"));
+  CHECK(in_scratch("site --single ...toml").status == 0);
+  CHECK(std::filesystem::exists(scratch.path() / "input.html"));
+}
+
+TEST_CASE("site writes nothing for a file that is refused", "[problem][commands]") {
+  const ScratchFolder scratch;
+  const auto refuse = [&](const std::string& name, const std::string& text) {
+    const std::string file = scratch.file(name, text).string();
+    const std::string out = (scratch.path() / "new" / "pages").string();
+    CHECK(program::run("choose " + file).status == 2);
+    CHECK(program::run("site " + file + " --out " + out).status == 2);
+    CHECK(program::run("site --single " + file + " --out " + out + "/page.html").status == 2);
+    CHECK_FALSE(std::filesystem::exists(scratch.path() / "new"));
+  };
+  refuse("wrong.toml", with("y'' = -q"));
+  refuse("ends.toml", with("y'' = g y^2/(1 m)^2"));
 }

@@ -14,11 +14,11 @@ using namespace oddity::problem;
 
 namespace {
 
-/// A pendulum with a motor at its joint.
+/// A pendulum with a motor at its joint; w is its angular velocity.
 std::string pendulum(const std::string& model) {
   return "title = \"x\"\n[parameters]\nm = \"2 kg\"\nL = \"0.7 m\"\ng = \"9.81 m/s^2\"\nF = \"3 N m\"\n"
          "[model.one]\n" +
-         model + "\n[observe]\nq = \"rad\"\n[need]\nhorizon = \"5 s\"\n";
+         model + "\n[observe]\nq = \"rad\"\n[need]\nhorizon = \"5 s\"\n[given]\nw = \"q'\"\n";
 }
 const std::string energy = "hamiltonian = \"p^2/(2*m L^2) - m g L cos(q)\"\nmomenta = { q = \"p\" }\n";
 const std::string started = "start = { q = \"1 rad\", p = \"0.5 kg m^2/s\" }";
@@ -35,7 +35,9 @@ std::string refusal(const std::string& model) {
 }  // namespace
 
 TEST_CASE("A Hamiltonian's motion is the Lagrangian's, with and without a force", "[problem][hamilton]") {
-  for (const std::string force : {"", "forces = { q = \"F cos(3 1/s t)\" }\n"}) {
+  for (const std::string force :
+       {"", "forces = { q = \"F cos(3 1/s t)\" }\n", "forces = { q = \"F - 0.3 N m s q'\" }\n",
+        "forces = { q = \"F - 0.3 N m s w - 0.1 N m s^2 q' w\" }\n"}) {
     const TrueMotion one = motion_of(energy + force + started);
     const TrueMotion other = motion_of("lagrangian = \"m/2 L^2 q'^2 + m g L cos(q)\"\n" + force +
                                        "start = { q = \"1 rad\", \"q'\" = \"0.5 kg m^2/s/(m L^2)\" }");
@@ -56,6 +58,8 @@ TEST_CASE("A Hamiltonian that nothing drives is conserved, and checks equations 
   };
   CHECK(conserves(""));
   CHECK_FALSE(conserves("forces = { q = \"F\" }\n"));
+  CHECK(refusal("conserves = { kinetic = \"m/2 L^2 w^2\", potential = \"-m g L cos(q)\" }\n" + energy +
+                started) == "nothing");
   const std::string right = "equations = [\"m L^2 q' = p\", \"p' = -m g L sin(q)\"]\n";
   CHECK(refusal(right + energy + started) == "nothing");
   CHECK(refusal("equations = [\"m L^2 q' = p\", \"p' = m g L sin(q)\"]\n" + energy + started) ==
@@ -73,6 +77,15 @@ TEST_CASE("What does not fit a Hamiltonian is said with its place", "[problem][h
         "test.toml:8:16: z is no place and no momentum: add it to momenta");
   CHECK(refusal("hamiltonian = \"m L^2 q'^2\"\nmomenta = { q = \"p\" }\n" + started) ==
         "test.toml:8:22: a Hamiltonian is of places and momenta, and this is a rate");
+  CHECK(refusal("hamiltonian = \"m/2 L^2 w^2\"\nmomenta = { q = \"p\" }\n" + started) ==
+        "test.toml:8:24: a Hamiltonian is of places and momenta, and this is a rate");
+  const std::string momenta_rate = "a force is of places, their rates and momenta: write this by them";
+  CHECK(refusal(energy + "forces = { q = \"F - 0.5 p'\" }\n" + started) ==
+        "test.toml:10:25: " + momenta_rate);
+  CHECK(refusal(energy + "forces = { q = \"-1 N m s^2 w'\" }\n" + started) ==
+        "test.toml:10:28: " + momenta_rate);
+  CHECK(refusal("conserves = { kinetic = \"p'^2\", potential = \"p'^2\" }\n" + energy + started) ==
+        "test.toml:8:26: an energy is of the state and the time, and this has a highest rate");
   CHECK(refusal("hamiltonian = \"p^2\"\nmomenta = { q = \"p\" }\n" + started)
             .find("the unit of the energy is to be") != std::string::npos);
   CHECK(refusal(energy + "forces = { p = \"F\" }\n" + started) ==

@@ -98,7 +98,52 @@ TEST_CASE("What does not fit a staging is said with its place", "[problem][stage
   CHECK(refusal(whole + body + "spin = [\"1 rad/s\"]\n") ==
         "test.toml:20:10: spin has three components: [\"0 m\", \"1 m\", \"0 m\"]");
   CHECK(refusal(whole + "[[staged.body]]\nname = \"rod\"\nmass = \"0 kg\"\ninertia = \"1 kg m^2\"\n") ==
-        "test.toml:11:1: engines take bodies of a mass and of moments of inertia above zero");
+        "test.toml:16:9: engines take bodies of a mass and of moments of inertia above zero");
+  for (const char* mass : {"1e300 kg*1e300", "1 kg/0"})
+    CHECK(refusal(whole + "[[staged.body]]\nname = \"rod\"\nmass = \"" + mass +
+                  "\"\ninertia = \"1 kg m^2\"\n") ==
+          "test.toml:16:9: with these parameters this is no finite number");
+  CHECK(refusal("[staged]\ngravity = [0, \"0/0 g\", 0]\nobserve = { p = \"rod_turn\" }\n" + body) ==
+        "test.toml:12:16: with these parameters this is no finite number");
+  const auto named = [](const std::string& name) {
+    return "[[staged.body]]\nname = \"" + name + "\"\nmass = \"1 kg\"\ninertia = \"1 kg m^2\"\n";
+  };
+  CHECK(refusal(whole + body + named("rod")) == "test.toml:21:9: rod is there twice; take another name");
+  CHECK(refusal(whole + named("L")) == "test.toml:15:9: L is there twice; take another name");
+  CHECK(refusal(whole + named("ground")) == "test.toml:15:9: the ground is no body; take another name");
+  CHECK(refusal(whole + named("")) == "test.toml:15:9: a letter's name has letters, digits and _, and is ''");
+  const auto joined = [](const std::string& joint) { return whole + body + "[[staged.joint]]\n" + joint; };
+  CHECK(refusal(joined("kind = \"hinge\"\nb = \"ground\"\n")) ==
+        "test.toml:22:6: b is a body; leave a out where the other end is on the ground");
+  CHECK(refusal(joined("kind = \"hinge\"\na = \"rod\"\nb = \"rod\"\n")) ==
+        "test.toml:23:6: a and b are one body; name another");
+  CHECK(refusal(joined("kind = \"hinge\"\nb = \"rod\"\naxis = [\"a - a\", 0, 0]\n")) ==
+        "test.toml:23:10: an axis has a direction, as [0, 0, 1]");
+  CHECK(refusal(joined("kind = \"rod\"\nb = \"rod\"\n")) ==
+        "test.toml:21:9: a rod has a length: at and end are two points");
+  CHECK(refusal(whole + body +
+                "[[staged.spring]]\na = \"rod\"\nb = \"rod\"\nstiffness = \"1 N/m\"\nrest = \"0 m\"\n") ==
+        "test.toml:22:6: a and b are one body; name another");
+  std::string many;
+  for (int i = 0; i < 8000; ++i) many += named("b" + std::to_string(i));
+  CHECK(refusal(whole + many) == "test.toml:14:1: of [[staged.body]] there are at most 100");
+}
+
+TEST_CASE("A body's letters are none of the parameters", "[problem][staged]") {
+  std::string text = pendulum(whole + body);
+  text.insert(text.find("a = "), "rod_x = \"1 m\"\n");
+  CHECK(complaint([&] {
+          entry_of_text("test.toml", text);
+        }).starts_with("test.toml:16:9: the parameter rod_x"));
+}
+
+TEST_CASE("A staging is checked again for other parameters", "[problem][staged]") {
+  const Entry& entry = entry_of_text("test.toml", pendulum(whole + body + hinged));
+  Parameters p(entry.exercise.parameters);
+  p.set("L", 0);
+  CHECK(complaint([&] {
+          entry.exercise.scene->staging(p);
+        }).starts_with("test.toml:17:13: engines take bodies"));
 }
 
 TEST_CASE("engines says of a file without staging what it lacks", "[problem][staged][commands]") {

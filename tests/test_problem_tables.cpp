@@ -113,6 +113,11 @@ TEST_CASE("A motion driven by a table is that of the formula behind its numbers"
       last(pushed("{ x = \"cs\", y = \"cN\", rows = \"\"\"\nt, force\n0, 100\n50, 200\n100, 300\n\"\"\" }"));
   CHECK(distance(headed.reference.value, one.reference.value) == 0);
   CHECK(one.reference_error < 1e-14);
+  for (const std::string heading : {"\u00b5s,m", "(s),m", "# a,b", "\"t [s]\";\"F [N]\"", "t,F\n(s),(N)\n"})
+    CHECK(distance(last(pushed("{ x = \"cs\", y = \"cN\", rows = '''\n" + heading +
+                               "\n0, 100\n\"50\",\"200\"\n100, 300\n''' }"))
+                       .reference.value,
+                   one.reference.value) == 0);
   // Its argument may be an unknown, and its rate follows.
   const Quantity other =
       last(pushed(R"({ x = "m", y = "N", outside = "hold", rows = [[-9, 9], [0, 0], [9, -9]] })",
@@ -134,6 +139,15 @@ TEST_CASE("An error in a table is reported with its place", "[problem][tables]")
       std::string::npos);
   CHECK(refusal(pushed("{ x = \"s\", y = \"N\", rows = \"\"\"\n0, 0\n1, one\n2, 0\"\"\" }")) ==
         "test.toml:7:1: expected two numbers, as 0.1, 5");
+  for (const std::string row : {"nan, 5", "5, inf", "1", "t, 5", "1, 2, 3"})
+    CHECK(refusal(pushed("{ x = \"s\", y = \"N\", rows = \"\"\"\n" + row + "\n0, 0\n1, 1\n2, 0\"\"\" }"))
+              .starts_with("test.toml:6:1: "));
+  CHECK(refusal(pushed("{ x = \"s\", y = \"N\", rows = \"\"\"\n0, 0\ns, N\n1, 1\n2, 0\"\"\" }")) ==
+        "test.toml:7:1: expected two numbers, as 0.1, 5");
+  for (const std::string spline : {"linear", "cubic", "monotone"})
+    CHECK(refusal(pushed("{ x = \"s\", y = \"N\", spline = \"" + spline +
+                         "\", rows = [[0, 0],\n[1e-320, 1],\n[2, 0], [3, 0]] }")) ==
+          "test.toml:6:1: this row is too close to the one before for a curve through both: leave one out");
   CHECK(refusal(pushed(R"({ x = "s", y = "N", file = "push.csv" })")).find("no key file in table push") !=
         std::string::npos);
   CHECK(refusal(pushed(R"({ x = "s", y = "m", rows = [[0, 0], [1, 1], [2, 0]] })"))

@@ -351,12 +351,6 @@ void add_report(CLI::App& app, Session& s) {
   add_overwrite(*report, s);
 }
 
-/// "suspension" of a problem's file, "3.5" of an exercise.
-std::string name_of_page(const std::string& of) {
-  if (of == "-") return "input";
-  return problem::is_file(of) ? std::filesystem::path(of).stem().string() : of;
-}
-
 void add_site(CLI::App& app, Session& s) {
   auto* site = add_verb(
       app, "site", "Write the report that runs: one folder, for a browser.",
@@ -364,18 +358,20 @@ void add_site(CLI::App& app, Session& s) {
       "an exercise whose code or tables have changed runs first.\n"
       "Examples:\n  oddity site\n  oddity site --out /tmp/site\n"
       "  oddity site --single 3.5 --out /tmp/pendulum.html\n  oddity new bump.toml && oddity site bump.toml --out /tmp/bump",
-      [&s] {
-        const bool is_default = s.site_out == site_folder().string();
-        if (!s.single.empty())
-          return verbs::single(s.folder, s.single, is_default ? name_of_page(s.single) + ".html" : s.site_out,
-                               s.overwrite);
+      [&app, &s] {
+        const bool is_named = app.get_subcommand("site")->get_option("--out")->count() > 0;
+        if (!s.single.empty()) {
+          const std::string name = problem::is_file(s.single) ? problem::stem_of(s.single) : s.single;
+          return verbs::single(s.folder, s.single, is_named ? s.site_out : name + ".html", s.overwrite);
+        }
         if (s.exercise.empty()) return verbs::site(s.folder, s.site_out, s.overwrite);
-        verbs::site_of_file(s.folder, s.exercise, is_default ? name_of_page(s.exercise) : s.site_out,
+        verbs::site_of_file(s.folder, s.exercise, is_named ? s.site_out : problem::stem_of(s.exercise),
                             s.overwrite);
       },
       true);
   auto* file =
-      site->add_option("file", s.exercise, "a problem's file: writes one page, in a folder of its name");
+      site->add_option("file", s.exercise, "a problem's file: writes one page, in a folder of its name")
+          ->check(not_empty("a problem's file"));
   add_value(*site, "--single", s.single, "N.M",
             "one exercise, or a problem's file, as one file, to mail: N.M.html")
       ->excludes(file);

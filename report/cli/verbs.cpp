@@ -463,11 +463,17 @@ std::string chosen_of_file(const fs::path& folder, const Task& task) {
   }
 }
 
-/// `file` becomes a page that needs no other.
-std::string page_of_file(const fs::path& folder, const std::string& file) {
+/// The task of a file that the page can read.
+Task task_of_page(const std::string& file) {
   const Task task = task_of(file, {});
   if (file.ends_with(".ode"))
     throw BadInput("the page reads no .ode files: 'choose', 'chart' and 'solve' take " + file);
+  return task;
+}
+
+/// `file` becomes a page that needs no other. Throws BadInput where `choose` refuses it.
+std::string page_of_file(const fs::path& folder, const std::string& file) {
+  const Task task = task_of_page(file);
   return own_in_one_file({std::string(task.entry->exercise.title), problem::source_of(*task.entry).text,
                           chosen_of_file(folder, task)});
 }
@@ -484,19 +490,20 @@ void site_of_file(const fs::path& folder, const std::string& file, const fs::pat
   if (!problem::is_file(file))
     throw BadInput("site takes a problem's file, such as suspension.toml; of an exercise --single " +
                    to_string(task_of(file, {}).entry->number) + " writes the page");
-  task_of(file, {});  // what is wrong in it is said before anything is written
-  require_room_for_site(out, overwrite);
+  task_of_page(file);
   if (needs_are_all(needs_of_site())) return;
-  write_page(out / "index.html", page_of_file(folder, file));
+  const std::string page = page_of_file(folder, file);
+  require_room_for_site(out, overwrite);
+  write_page(out / "index.html", page);
 }
 
 void single(const fs::path& folder, const std::string& exercise, const fs::path& out, bool overwrite) {
-  const Task task = task_of(exercise, {});
+  const Task task = problem::is_file(exercise) ? task_of_page(exercise) : task_of(exercise, {});
   if (fs::exists(fs::symlink_status(out)) && !overwrite)
     throw BadInput(out.string() + " is there: name a new file by --out, or write over it by --overwrite");
-  require_writable(out);
   if (needs_are_all(needs_of_site())) return;
   if (problem::is_file(exercise)) return write_page(out, page_of_file(folder, exercise));
+  require_writable(out);
   require_writable(results_file());
   const Results results = last_results(folder, true);
   const auto one = std::ranges::find(results.exercises, task.entry->number, &ExerciseResult::number);

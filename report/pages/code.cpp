@@ -536,8 +536,7 @@ namespace {
 std::string with_source(const Task& task, const Candidate& chosen, const Need& need,
                         const std::string& about) {
   const std::string program = program_of(task, chosen, need, false);
-  return with_lines_apart(
-      as_comment(about + compiling_of(task.entry->exercise.scene->listing, chosen, need)) + "\n" + program);
+  return as_comment(about + compiling_of(task.entry->exercise.scene->listing, chosen, need)) + "\n" + program;
 }
 
 }  // namespace

@@ -3,13 +3,14 @@
 #include <cmath>
 #include <sstream>
 
+#include "reference/code_text.hpp"
 #include "report/text/readable.hpp"
 
 namespace oddity {
 
 std::string header_line(const Scene& scene) {
   std::string line = "t [" + std::string(scene.axes.time) + "]";
-  for (const std::string_view name : scene.axes.observables) line += "," + std::string(name);
+  for (const std::string_view name : scene.axes.observables) line += "," + in_string(std::string(name));
   return line;
 }
 
@@ -20,20 +21,15 @@ std::string parameter_line(const Parameter& p, std::string_view type, std::strin
   std::string line(type);
   line.append(" ").append(name).append(" = ").append(value).append(";  // ");
   if (!p.unit.empty() && p.unit != "1") line.append(p.unit).append(": ");
-  return line + readable(std::string(p.says)) + "\n";
+  return line + in_comment(readable(std::string(p.says))) + "\n";
 }
 
 std::string as_comment(const std::string& text) {
   std::string comment;
   std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) comment += line.empty() ? "//\n" : "// " + line + "\n";
+  for (std::string line; std::getline(lines, line);)
+    comment += line.empty() ? "//\n" : "// " + in_comment(line) + "\n";
   return comment;
-}
-
-std::string with_lines_apart(std::string code) {
-  for (auto at = code.find("\\\n"); at != std::string::npos; at = code.find("\\\n", at))
-    code.insert(at + 1, ".");
-  return code;
 }
 
 }  // namespace oddity

@@ -15,8 +15,7 @@ std::string integer_text(double);
 /// A parameter's line, with its unit and meaning: "const double g = 9.81;  // m/s^2: gravity".
 std::string parameter_line(const Parameter&, std::string_view type, std::string_view name,
                            std::string_view value);
+/// Each line as a comment of one line.
 std::string as_comment(const std::string& text);
-/// Separates lines that a backslash at the end of a comment would join; comments may contain any text.
-std::string with_lines_apart(std::string code);
 
 }  // namespace oddity

@@ -308,7 +308,7 @@ std::string program_in(Language language, const Task& task, const Candidate& cho
     code += main_text(language, task, chosen, need, model);
     const std::string head = about + "\n" + std::string(runs[static_cast<std::size_t>(language)]) +
                              " it prints oddity's own numbers, except for roundings." + note;
-    return with_lines_apart(as_comment(head) + "\n" + whole(language, code));
+    return as_comment(head) + "\n" + whole(language, code);
   } catch (const BadInput& why) {
     refuse(language, why.what());
   }

@@ -77,7 +77,8 @@ std::string own_examples(const OwnFile& of) {
   // cheap.
   for (const std::string_view algorithm : printable_algorithms())
     if (algorithm != "semi-implicit Euler") programs[std::string(algorithm)] = program_template(algorithm);
-  return packed_call("problems", {{"files", files}, {"programs", programs}});
+  return packed_call("problems",
+                     {{"files", files}, {"programs", programs}, {"taken", problem::names_with_meaning()}});
 }
 
 }  // namespace oddity

@@ -46,13 +46,13 @@
   }
 
   oddity.fileLink = {
-    longest,
-    /** `play` is a player's own link, which gives everything except the file. */
+    /** `play` is a player's own link, which gives everything except the file. Null where it would be too long. */
     async format(text, play) {
       const packed = window.CompressionStream
         ? 'z.' + letters(await through(new TextEncoder().encode(text), new CompressionStream('gzip'), Infinity))
         : 't.' + encodeURIComponent(text);
-      return `#file=${packed}${play.slice('#play'.length)}`;
+      const hash = `#file=${packed}${play.slice('#play'.length)}`;
+      return text.length > longest || hash.length > longestLink ? null : hash;
     },
 
     /** Resolves to {text, play}, or {problem: a sentence}; to null if it is no such link. */

@@ -7,6 +7,7 @@
   const { make } = oddity;
   const patience = 40;        // ms after a key
   const slice = 12;           // ms of search for a method, at a time
+  const mostOfAFile = 1000000;  // bytes, as problem/file.hpp has it
 
   /** A player whose link contains the file. */
   class OwnPlayer extends oddity.Player {
@@ -18,6 +19,10 @@
     goTo() {}                 // the page reads the address
     async link() {
       const hash = await oddity.fileLink.format(this.typing.text, oddity.permalink.format(this.state()));
+      if (!hash) {
+        this.typing.says.textContent = 'The file is too long for a link: send it as a file.';
+        return;
+      }
       this.typing.linked = hash;
       window.location.hash = hash;
       this.copy(window.location.href, 'Copied');
@@ -92,14 +97,14 @@
     /** A problem's file takes the place of the text; a table of numbers comes behind it. */
     async open([file]) {
       if (!file) return;
-      if (file.size > oddity.fileLink.longest) {
-        this.says.textContent = `${file.name} is longer than the ${oddity.fileLink.longest} characters that the page takes.`;
+      if (file.size > mostOfAFile) {
+        this.says.textContent = `${file.name} is longer than the megabyte that the page takes.`;
         return;
       }
       const text = await file.text();
       this.file.value = '';
       if (file.name.endsWith('.toml')) return this.set(text);
-      const name = oddity.nameOfTable(file.name);
+      const name = oddity.nameOfTable(file.name, this.area.value);
       await this.set(oddity.withTable(this.area.value, name, text));
       this.says.textContent = `The table ${name} is at the end of the file: say its units there, and call it as ${name}(t).`;
     }
@@ -128,9 +133,7 @@
       const text = this.area.value;
       this.says.textContent = '';
       this.menu.selectedIndex = this.examples.findIndex((one) => one.text === text);
-      const result = text.length > oddity.fileLink.longest
-        ? { wrong: { line: 0, column: 0, message: `The page takes files of up to ${oddity.fileLink.longest} characters.` } }
-        : await oddity.engine.take(text);
+      const result = await oddity.engine.take(text);
       if (turn !== this.turn) return;
       if (result.wrong) this.refuse(result.wrong);
       else this.show(text, result.file, play);
@@ -307,9 +310,10 @@
 
   /** Called by data/problems.js. */
   oddity.problems = async function (packed) {
-    const { files, programs } = await oddity.unpacked(packed);
+    const { files, programs, taken } = await oddity.unpacked(packed);
     oddity.allExamples = files;
     oddity.programs = programs;
+    oddity.takenNames = taken;
     document.querySelectorAll('.own').forEach((place) => { start(place); });
   };
 })(window.oddity = window.oddity || {});

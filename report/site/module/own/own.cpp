@@ -9,6 +9,8 @@
 #include "problem/code.hpp"
 #include "problem/file.hpp"
 #include "problem/model.hpp"
+#include "problem/staging.hpp"
+#include "reference/code_text.hpp"
 #include "reference/quantity_text.hpp"
 #include "reference/text.hpp"
 #include "report/site/module/json.hpp"
@@ -40,6 +42,7 @@ Own own_of(const std::string& text) {
     if (!made.models.back().is_closed()) problem::require_start(*made.file, model, made.models.back());
   }
   made.sheet = std::make_unique<const problem::Sheet>(*made.file, "file");
+  if (made.file->staged) problem::Staged{*made.file};  // for its errors
   return made;
 }
 
@@ -123,7 +126,8 @@ std::string construction_of(const File& file, const problem::Model::Code& code, 
     members += (members.empty() ? "" : ", ") + name;
     const auto p = std::ranges::find(file.parameters, name, &ParameterText::name);
     letters += "double " + name + " = " + format_shortest(values[p - file.parameters.begin()]) + ";  // " +
-               (p->unit.empty() || p->unit == "1" ? "" : p->unit + ": ") + readable(p->says) + "\n";
+               (p->unit.empty() || p->unit == "1" ? "" : p->unit + ": ") + in_comment(readable(p->says)) +
+               "\n";
   }
   return "namespace oddity::asked {\n\nusing Number = double;\n\n" + letters +
          "\nauto model() { return problem::" + code.type + "{" + members +
