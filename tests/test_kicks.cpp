@@ -206,8 +206,11 @@ TEST_CASE("work that a model adds up does not keep it from a kick", "[kicks]") {
 
 TEST_CASE("the ways of a kicked truth are chosen once, without a model that never comes to rest", "[kicks]") {
   const Task task = task_of("3.31", {});
-  const Need need = with_ways(with_kick(task, "t=0.5,speed=*0.5"), task,
-                              Reference(std::string(ODDITY_SOURCE) + "/reference"));
+  AskedNeed asked;
+  asked.as_engines = true;
+  asked.kick = "t=0.5,speed=*0.5";
+  const Need need =
+      with_ways(need_of(task, asked), task, Reference(std::string(ODDITY_SOURCE) + "/reference"));
   REQUIRE(need.kicks->ways.size() == 2);
   for (const auto& [model, algorithm] : need.kicks->ways) CHECK(model == "stopped by event");
 }
@@ -278,7 +281,7 @@ TEST_CASE("a kick that cannot be is refused with what would be right", "[kicks]"
   refused("3.5", "t=1s,theta'=+2m", "'2m'");
   refused("3.5", "t=1s,speed=+2", "speed takes a factor");
   refused("3.5", "t=1s,theta'=nan", "'nan'");
-  refused("3.5", "t=2s,theta'=+2", "is at 2 s, which is not within the horizon: after 0, and before 2 s");
+  refused("3.5", "t=2s,theta'=+2", "is at 2 s, which is not within the horizon of 2 s, its ends excluded");
   refused("3.5", "t=1s,speed'=*2", "speed is a rate already, as in speed=*0.5");
   refused("3.5", "t=1s,theta'==2", "not name=value");
   refused("3.5", "t=1s,theta'=+2m", "as in \"t=1s,theta'=+2rad/s\"");

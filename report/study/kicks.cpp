@@ -53,13 +53,12 @@ class Text {
   void add_to(Kicks& kicks, const std::string& text) const {
     const std::vector<std::string> parts = split(text, ',');
     const auto [t, when] = assignment(parts.front());
-    if (t != "t" || parts.size() < 2)
-      refuse("has '" + text + "', which begins with no time, or changes nothing");
+    if (t != "t") refuse("has '" + text + "', which begins with no time");
+    if (parts.size() < 2) refuse("has '" + text + "', which changes nothing");
     const double time = number_in(when, time_unit());
     if (!(time > 0 && time < horizon_))
-      refuse("is at " + format_shortest(time) + " " + time_unit() +
-             ", which is not within the horizon: after 0, and before " + format_shortest(horizon_) + " " +
-             time_unit());
+      refuse("is at " + format_shortest(time) + " " + time_unit() + ", which is not within the horizon of " +
+             format_shortest(horizon_) + " " + time_unit() + ", its ends excluded");
     for (std::size_t i = 1; i < parts.size(); ++i) add_to(kicks, time, parts[i]);
   }
 
