@@ -1,6 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace oddity {
@@ -15,7 +18,17 @@ struct Kick {
   double value;
 };
 /// In the order of their times.
-using Kicks = std::vector<Kick>;
+struct Kicks : std::vector<Kick> {
+  /// Model and algorithm of the methods that follow the truth; none: they are chosen on each motion.
+  std::vector<std::pair<std::string, std::string>> ways = {};
+};
+
+/// Why a model has no state after a kick.
+inline constexpr std::string_view not_seen_so =
+                                      "the model has no state that is seen as the kick would have it",
+                                  is_undetermined =
+                                      "what is seen does not determine what the kick does to the rest of the "
+                                      "model's state";
 
 /// While it lives, the models that are integrated on this thread have these kicks.
 ///

@@ -1,10 +1,10 @@
 #include "chapters/scene.hpp"
 
-#include <Eigen/QR>
 #include <numeric>
 #include <utility>
 
 #include "chapters/drift.hpp"
+#include "chapters/kicked_state.hpp"
 #include "chapters/kicks.hpp"
 #include "chapters/no_event.hpp"
 #include "solvers/ode/algorithms.hpp"
@@ -31,18 +31,11 @@ std::vector<double> ends_of_steps(std::span<const double> times, double step) {
   return stops;
 }
 
-/// Those of the later times that come up to `end`, from `begin` on, and `end` itself.
-struct Part {
-  std::vector<double> times;
-  std::size_t seen = 0;  ///< how many of the later times
-};
-
-Part part_until(std::span<const double> later, double begin, double end) {
-  Part part{{begin}};
-  for (; part.seen < later.size() && later[part.seen] <= end; ++part.seen)
-    part.times.push_back(later[part.seen]);
-  if (part.times.back() < end) part.times.push_back(end);
-  return part;
+/// `begin`, and those of the later times that come up to `end`.
+std::vector<double> from_until(std::span<const double> later, double begin, double end) {
+  std::vector<double> times{begin};
+  times.insert(times.end(), later.begin(), std::ranges::upper_bound(later, end));
+  return times;
 }
 
 }  // namespace
@@ -90,101 +83,14 @@ ode::Trajectory<std::array<double, n>> moved_from(const ModelInterfaceOf<n>& mod
   return std::move(motion.trajectory);
 }
 
-/// The observables of a state, and their rates.
-template <std::size_t n>
-Eigen::VectorXd seen_of(const ModelInterfaceOf<n>& model, const std::array<double, n>& x, double t) {
-  std::array<double, n> rate{};
-  model(x, rate, t);
-  const auto at = [&](double h) {
-    std::array<double, n> moved = x;
-    for (std::size_t i = 0; i < n; ++i) moved[i] += h * rate[i];
-    std::vector<double> observed;
-    model.observe(moved, t + h, observed);
-    return observed;
-  };
-  std::vector<double> seen;
-  add_placed(at(0), rates(at, step_of_rates), seen);
-  return Eigen::Map<Eigen::VectorXd>(seen.data(), static_cast<Eigen::Index>(seen.size()));
-}
+/// A motion as it is drawn at times, and its state at the end.
+template <class State>
+struct Part {
+  ode::Trajectory<State> motion;
+  State at_end;
+};
 
-/// How what is seen changes with the state.
-template <std::size_t n>
-Eigen::MatrixXd change_of_seen(const ModelInterfaceOf<n>& model, const std::array<double, n>& x, double t) {
-  constexpr double part = 1e-4;
-  Eigen::MatrixXd change(seen_of(model, x, t).size(), static_cast<Eigen::Index>(n));
-  for (std::size_t i = 0; i < n; ++i) {
-    const double h = part * std::max(1.0, std::abs(x[i]));
-    auto up = x, down = x;
-    up[i] += h;
-    down[i] -= h;
-    change.col(static_cast<Eigen::Index>(i)) =
-        (seen_of(model, up, t) - seen_of(model, down, t)) / (up[i] - down[i]);
-  }
-  return change;
-}
-
-/// The least change that makes the difference, where there is one.
-Eigen::VectorXd least_change(const Eigen::MatrixXd& change, const Eigen::VectorXd& difference) {
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-  decomposition.setThreshold(1e-6);
-  return decomposition.compute(change).solve(difference);
-}
-
-/// Where some unknowns are velocities, places are moved first, by the other unknowns, and then rates, by
-/// these: leaves what comes next.
-template <std::size_t n>
-void leave_next(Eigen::MatrixXd& change, Eigen::VectorXd& off, double close,
-                const std::array<bool, n>& velocities) {
-  if (std::ranges::count(velocities, true) == 0) return;
-  const Eigen::Index parts = off.size() / 2;
-  const bool places = off.head(parts).cwiseAbs().maxCoeff() > close;
-  for (std::size_t i = 0; i < n; ++i)
-    if (velocities[i] == places) change.col(static_cast<Eigen::Index>(i)).setZero();
-  const Eigen::Index others = places ? parts : 0;
-  change.middleRows(others, parts).setZero();
-  off.segment(others, parts).setZero();
-}
-
-/// How far the state is off its constraint, and how fast it leaves it.
-template <std::size_t n>
-double off_and_leaving(const ModelInterfaceOf<n>& model, const std::array<double, n>& x, double t) {
-  constexpr double soon = 1e-6;
-  std::array<double, n> rate{}, later = x;
-  model(x, rate, t);
-  for (std::size_t i = 0; i < n; ++i) later[i] += soon * rate[i];
-  return model.off_constraint_at(x, t) + model.off_constraint_at(later, t + soon) / soon;
-}
-
-/// The state next to this one that is seen as the kicks have it; none where the model has no such state.
-template <std::size_t n>
-std::optional<std::array<double, n>> kicked(const ModelInterfaceOf<n>& model,
-                                            const std::array<double, n>& before, double t,
-                                            std::span<const Kick> at_once) {
-  Eigen::VectorXd wanted = seen_of(model, before, t);
-  const double close = 1e-10 * (1 + wanted.cwiseAbs().maxCoeff());
-  const auto parts = static_cast<std::size_t>(wanted.size()) / 2;
-  for (const Kick& kick : at_once) {
-    double& of = wanted[static_cast<Eigen::Index>(kick.observable + (kick.of_rate ? parts : 0))];
-    of = kick.change == Kick::Change::adds     ? of + kick.value
-         : kick.change == Kick::Change::scales ? of * kick.value
-                                               : kick.value;
-  }
-  std::array<double, n> x = before;
-  for (int tries = 0; tries < 20; ++tries) {
-    Eigen::VectorXd off = wanted - seen_of(model, x, t);
-    if (!off.allFinite()) return std::nullopt;
-    if (off.cwiseAbs().maxCoeff() <= close) break;
-    Eigen::MatrixXd change = change_of_seen(model, x, t);
-    leave_next<n>(change, off, close, model.velocities().is);
-    const Eigen::VectorXd moved = least_change(change, off);
-    for (std::size_t i = 0; i < n; ++i) x[i] += moved[static_cast<Eigen::Index>(i)];
-  }
-  const bool is_seen_so = (wanted - seen_of(model, x, t)).cwiseAbs().maxCoeff() <= close,
-             is_held = off_and_leaving(model, x, t) <= off_and_leaving(model, before, t) + 1e3 * close + 1e-3;
-  return is_seen_so && is_held ? std::optional(x) : std::nullopt;
-}
-
-/// A motion through the times, begun anew after each of the kicks by draw(from, times). A frame at a kick
+/// A motion through the times, restarted after each of the kicks by draw(from, times, end). A frame at a kick
 /// shows what was before it.
 template <std::size_t n, class Draw>
 ode::Trajectory<std::array<double, n>> with_kicks(const ModelInterfaceOf<n>& model,
@@ -194,23 +100,24 @@ ode::Trajectory<std::array<double, n>> with_kicks(const ModelInterfaceOf<n>& mod
   std::array<double, n> from = model.start();
   double begin = times.front();
   for (auto kick = kicks.begin();;) {
-    const double end = kick == kicks.end() ? times.back() : std::min(kick->time, times.back());
-    const Part part = part_until(times.subspan(whole.value.size()), begin, end);
-    const auto motion = draw(from, part.times);
-    for (std::size_t i = 1; i < std::min(motion.value.size(), part.seen + 1); ++i)
-      whole.value.push_back(motion.value[i]);
+    const bool is_last = kick == kicks.end() || kick->time >= times.back();
+    const double end = is_last ? times.back() : kick->time;
+    const auto part = draw(from, from_until(times.subspan(whole.value.size()), begin, end), end);
+    const auto& motion = part.motion;
+    if (!motion.value.empty())
+      whole.value.insert(whole.value.end(), motion.value.begin() + 1, motion.value.end());
     whole.evaluations += motion.evaluations;
     whole.ending = motion.ending;
     whole.message = motion.message;
-    if (!whole.reached() || whole.value.size() == times.size()) return whole;
+    if (is_last || !whole.reached()) return whole;
     const auto next = std::find_if(kick, kicks.end(), [&](const Kick& k) { return k.time > kick->time; });
-    if (const auto after = kicked<n>(model, motion.value.back(), kick->time, {kick, next})) {
-      from = *after;
-    } else {
+    const KickedState<n> after = kicked(model, part.at_end, kick->time, std::span(kick, next));
+    if (!after.why_none.empty()) {
       whole.ending = Ending::raised;
-      whole.message = "the model has no state that is seen as the kick would have it";
+      whole.message = after.why_none;
       return whole;
     }
+    from = after.state;
     begin = std::exchange(kick, next)->time;
   }
 }
@@ -227,22 +134,31 @@ template <std::size_t n>
 auto ModelInterfaceOf<n>::moved(std::string_view algorithm, std::span<const double> times, Stepping stepping,
                                 double setting) const -> ode::Trajectory<State> {
   long events = 0;
-  const auto draw = [&](const State& from, std::span<const double> through) {
-    if (stepping == Stepping::divided) return moved_from(*this, from, algorithm, through, setting, events);
-    const std::vector<double> stops = ends_of_steps(through, setting);
-    auto motion = moved_from(*this, from, algorithm, stops, setting, events);
+  const auto draw = [&](const State& from, std::span<const double> through, double end) {
+    std::vector<double> stops(through.begin(), through.end());
+    if (stops.back() < end) stops.push_back(end);
+    if (stepping != Stepping::divided) stops = ends_of_steps(stops, setting);
+    const bool is_kicked_there = end < times.back();
+    if (is_kicked_there && stops.back() < end * (1 - step_rounding)) stops.push_back(end);  // a shorter step
+    Part<State> part{moved_from(*this, from, algorithm, stops, setting, events), from};
+    auto& motion = part.motion;
+    if (!motion.value.empty()) part.at_end = motion.value.back();
+    if (stepping == Stepping::divided) {
+      motion.value.resize(std::min(motion.value.size(), through.size()));
+      return part;
+    }
     const std::vector<State> steps = std::exchange(motion.value, {});
-    for (std::size_t i = 0, end = 1; i < through.size(); ++i) {
-      while (end < stops.size() && stops[end] <= through[i] * (1 + step_rounding)) ++end;
-      if (end > steps.size()) break;  // the motion ended earlier
+    for (std::size_t i = 0, last = 1; i < through.size(); ++i) {
+      while (last < stops.size() && stops[last] <= through[i] * (1 + step_rounding)) ++last;
+      if (last > steps.size()) break;  // the motion ended earlier
       if (i > 0 && stepping == Stepping::extrapolated) ++motion.evaluations;
       motion.value.push_back(
-          drawn(through[i], std::span(stops).first(end), std::span(steps).first(end), stepping));
+          drawn(through[i], std::span(stops).first(last), std::span(steps).first(last), stepping));
     }
-    return motion;
+    return part;
   };
   const Kicks* kicks = KicksHere::take();
-  auto motion = kicks ? with_kicks<n>(*this, times, *kicks, draw) : draw(start(), times);
+  auto motion = kicks ? with_kicks<n>(*this, times, *kicks, draw) : draw(start(), times, times.back()).motion;
   if (this->guard_count() > 0 && events == 0 && motion.reached()) motion.message = no_event;
   return motion;
 }

@@ -17,6 +17,7 @@
 
 #include "chapters/exercise.hpp"
 #include "chapters/numbers.hpp"
+#include "chapters/off_constraints.hpp"
 #include "reference/reference.hpp"
 #include "reference/text.hpp"
 #include "solvers/ode/algorithms.hpp"
@@ -32,7 +33,7 @@
 ///   conserved(x, t) -> array of Conserved
 ///   place(x, t)                  if a scene's laws need more than the observables
 ///   acceleration(q, a)           for x = (q, v) with forces that depend on position alone
-///   off_constraint(x, t) -> m    violation of the constraint by redundant coordinates
+///   constraints(x, t) -> array   m, all zero where redundant coordinates fit together
 ///   guards(x, t) -> array, at_event(i, x, t) -> Happening
 ///                                an event is where a guard falls through zero
 ///
@@ -76,7 +77,7 @@ concept Conservative = requires(const Model& model, const typename Model::State&
 
 template <class Model>
 concept Constrained = requires(const Model& model, const typename Model::State& x) {
-  { model.off_constraint(x, 0.0) } -> std::convertible_to<double>;
+  { model.constraints(x, 0.0)[0] } -> std::convertible_to<double>;
 };
 
 template <class Model, class State>
@@ -208,8 +209,10 @@ class ModelInterfaceOf : public ModelInterface, public ode::AnySystem<n> {
   virtual std::vector<double> place(const State& x, double t) const = 0;
   /// Empty if the model conserves nothing.
   virtual std::vector<Conserved<double>> conserved(const State& x, double t) const = 0;
-  /// 0 if the model has no constraint.
+  /// m, the violation of all constraints; 0 if the model has none.
   virtual double off_constraint_at(const State& x, double t) const = 0;
+  /// m, each of them; empty if the model has none.
+  virtual std::vector<double> constraints_at(const State& x, double t) const = 0;
 
   Answer run(std::string_view algorithm, const Horizon&, double setting) const final;
   double off_constraint(std::string_view algorithm, const Horizon&, double setting) const final;
@@ -283,9 +286,17 @@ class TypeErased final : public ode::Adapted<ModelLike<Model>, Model> {
       return {};
     }
   }
+  std::vector<double> constraints_at(const State& x, double t) const override {
+    if constexpr (Constrained<Model>) {
+      const auto all = system().constraints(x, t);
+      return {all.begin(), all.end()};
+    } else {
+      return {};
+    }
+  }
   double off_constraint_at(const State& x, double t) const override {
     if constexpr (Constrained<Model>)
-      return system().off_constraint(x, t);
+      return off_constraints(system().constraints(x, t));
     else
       return 0;
   }

@@ -43,6 +43,9 @@ class Interpreted final : public SystemOf<n, ModelInterfaceOf<n>> {
   std::vector<Conserved<double>> conserved(const State& x, double t) const override {
     return this->all_conserved(x, t);
   }
+  std::vector<double> constraints_at(const State& x, double t) const override {
+    return this->all_constraints(x, t);
+  }
   double off_constraint_at(const State& x, double t) const override { return this->most_off(x, t); }
 
  private:

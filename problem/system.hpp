@@ -80,12 +80,16 @@ class SystemOf : public Base {
     numbers_->conserved.run(x.data(), t, both.data());
     return {{both[0], both[1]}};
   }
+  std::vector<double> all_constraints(const State& x, double t) const {
+    std::vector<double> with_rates(numbers_->off.outputs().size());
+    numbers_->off.run(x.data(), t, with_rates.data());
+    with_rates.resize(with_rates.size() / 2);
+    return with_rates;
+  }
   double most_off(const State& x, double t) const {
-    std::vector<double> off(numbers_->off.outputs().size());
-    numbers_->off.run(x.data(), t, off.data());
     double most = 0;
-    for (std::size_t i = 0; 2 * i < off.size(); ++i)
-      if (!(std::abs(off[i]) <= most)) most = std::abs(off[i]);
+    for (const double off : all_constraints(x, t))
+      if (!(std::abs(off) <= most)) most = std::abs(off);
     return most;
   }
 

@@ -8,12 +8,15 @@
 
 #include "reference/bad_input.hpp"
 #include "report/study/choose.hpp"
+#include "report/study/held_steps.hpp"
 #include "report/study/run.hpp"
 #include "report/study/stability.hpp"
 #include "report/verify/catch.hpp"
+#include "solvers/ode/disturbed.hpp"
 #include "solvers/ode/explicit_euler.hpp"
 #include "solvers/ode/step_lengths.hpp"
 #include "solvers/ode/velocity_verlet.hpp"
+#include "tests/complaint.hpp"
 #include "tests/near.hpp"
 #include "tests/properties.hpp"
 
@@ -116,7 +119,15 @@ TEST_CASE("frames have the requested lengths", "[frames]") {
   const std::vector<double> expected{0.01, 0.04, 0.05, 0.08, 0.09};
   REQUIRE(traced->at.size() == expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) CHECK(near(traced->at[i], expected[i], 1e-12));
+  CHECK(frame_times({.trace = {0.01}}, 60, 0.1)->says == "as in a trace of 1 frame");
   CHECK_THROWS_AS(frame_times({.trace = {2.0}}, 60, 1), BadInput);
+  CHECK(
+      complaint([] {
+        frame_times({.trace = {1e-6, 1e6}}, 60, 10);
+      }) ==
+      "the last frame within the horizon of 10 s is drawn at 0.001 ms, so that less than half of the motion is "
+      "judged: ask for a longer horizon, or cap frames with --max-frame");
+  CHECK(frame_times({.longest = 0.1, .trace = {1e-6, 1e6}}, 60, 10)->at.back() > 9.8);
   CHECK_THROWS_AS(frame_times({.jitter = 0.1}, 1e6, 10), BadInput);
 }
 
@@ -236,6 +247,39 @@ TEST_CASE("frames that vary excite a resonance, below what the longest of them e
   const double found = safe(dropped);
   CHECK(near(found, safe_by_hand(dropped), 0.03));
   CHECK(found < 0.9 * safe({1}) / 2);
+}
+
+namespace {
+
+/// An oscillator that keeps the latest time at which its rates are asked for.
+struct Watched {
+  double* latest;
+
+  void operator()(const State& x, State& dxdt, double t) const {
+    *latest = std::max(*latest, t);
+    dxdt = {x[1], -x[0]};
+  }
+};
+
+}  // namespace
+
+TEST_CASE("steps as frames come end with the motion, as equal steps do", "[frames][stability]") {
+  double latest = 0;
+  const ode::Adapted<ode::AnySystem<2>, Watched> system(Watched{&latest});
+  const ode::Disturbed<2> swing(system, {1, 0}, 1);
+  for (const std::vector<double>& lengths : {std::vector<double>{1}, {0.7, 1.3}}) {
+    const ode::StepLengths here(lengths);
+    latest = 0;
+    swing.lost("Runge-Kutta 4", 0.3);
+    CHECK(latest == 1);
+  }
+}
+
+TEST_CASE("multistep methods have no limit at frames that vary", "[frames][stability]") {
+  HeldSteps held;
+  find_stable_at_frames(held, Task(properties::entry_of("3.5")), {.jitter = 0.2}, 1);
+  CHECK(held.stable_at_frames.contains({"one angle", "Runge-Kutta 4"}));
+  for (const auto& [method, step] : held.stable_at_frames) CHECK_FALSE(ode::is_multistep(method.second));
 }
 
 TEST_CASE("the lengths of frames are in units of the usual one, the same at every call", "[frames]") {

@@ -103,6 +103,42 @@ TEST_CASE("a plan for an impossible sweep is refused in one sentence, whoever wr
             "--looks is of a method"));
 }
 
+TEST_CASE("a plan's frames have the limits of the command line", "[hostile][forged]") {
+  const auto said = [](const auto& change) {
+    sweep::Plan plan = small_plan();
+    plan.asked.frames = {.jitter = 0.2, .drop = 0.01};
+    change(plan.asked.frames);
+    return complaint([&] { sweep::plan_from_json(to_json(plan), "it"); });
+  };
+  CHECK(said([](FramesAsked&) {}) == "nothing");
+  for (const auto& change : std::initializer_list<std::function<void(FramesAsked&)>>{
+           [](FramesAsked& frames) { frames.drop = 0.999; },
+           [](FramesAsked& frames) { frames.jitter = 0.999; },
+           [](FramesAsked& frames) { frames.jitter = 1e-300; },
+           [](FramesAsked& frames) { frames.trace = {1e-300}; },
+           [](FramesAsked& frames) { frames.longest = 1e-300; },
+           [](FramesAsked& frames) { frames.seed = -1; }, [](FramesAsked& frames) { frames.seed = 2e9; }})
+    CHECK(has(said(change), "it is no plan of a sweep: its frames are none"));
+  sweep::Plan plan = small_plan();
+  plan.asked.frames = {.drop = 0.01};
+  CHECK(has(complaint([&] {
+              sweep::plan_from_json(replaced(to_json(plan), "\"seed\": 1", "\"seed\": 1.5"), "it");
+            }),
+            "no whole number that fits"));
+}
+
+TEST_CASE("a foreign plan is known by its fingerprint, before its frames are made", "[hostile][forged]") {
+  const ScratchFolder scratch;
+  sweep::Plan plan = small_plan();
+  plan.asked.frames = {.drop = 0.99, .trace = {1e-9}};
+  plan.fingerprint = "another program's";
+  const std::filesystem::path file = scratch.path() / "plan.json";
+  write_whole(file, to_json(plan));
+  const std::string why =
+      complaint([&] { sweep::read_plan(file, std::filesystem::path(ODDITY_SOURCE) / "reference"); });
+  CHECK(has(why, "is the plan of another program"));
+}
+
 TEST_CASE("a chunk whose lines are not those of its cells is refused", "[hostile]") {
   CHECK(complaint_of_chunk("tile 0 0\n35 - - ok\n") == "nothing");
   for (const char* lines :

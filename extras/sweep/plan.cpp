@@ -108,7 +108,8 @@ class Looks {
     const Method* method = method_of(seen, asked_.model, asked_.algorithm);
     if (!method) return {std::string(no_method)};
     const Trial trial = run(seen, *method, setting);
-    return {std::string(name_of(trial.outcome)), trial.in_needs,
+    const double known_to = asked_.need.kicks ? seen.reference_error / seen.need.allowed : 0;
+    return {std::string(name_of(trial.outcome)), std::max(trial.in_needs, known_to),
             static_cast<double>(trial.answer.evaluations)};
   }
 
@@ -349,7 +350,7 @@ Json from(const Asked& asked) {
                       {"drop", asked.frames.drop},
                       {"longest", std::isfinite(asked.frames.longest) ? Json(asked.frames.longest) : Json()},
                       {"trace", asked.frames.trace},
-                      {"seed", asked.frames.seed}};
+                      {"seed", std::lround(asked.frames.seed)}};
   if (!asked.kick.empty()) json["kick"] = asked.kick;
   json["looks"] = asked.looks;
   json["every_cell"] = asked.every_cell;
@@ -367,10 +368,13 @@ FramesAsked frames_in(const Json& json) {
   FramesAsked frames{.jitter = json.at("jitter"), .drop = json.at("drop")};
   if (!json.at("longest").is_null()) frames.longest = json.at("longest");
   frames.trace = json.at("trace").get<std::vector<double>>();
-  frames.seed = json.at("seed");
-  const bool sensible = frames.jitter >= 0 && frames.jitter < 1 && frames.drop >= 0 && frames.drop < 1 &&
-                        frames.longest > 0 &&
-                        std::ranges::all_of(frames.trace, [](double length) { return length > 0; });
+  frames.seed = whole<int>(json.at("seed"));
+  const auto is_part = [](double x) { return x == 0 || (x >= least_part && x <= most_part); };
+  const auto is_length = [](double x) { return x >= least_frame && x <= most_frame; };
+  const bool sensible = is_part(frames.jitter) && is_part(frames.drop) &&
+                        (std::isinf(frames.longest) || is_length(frames.longest)) &&
+                        std::ranges::all_of(frames.trace, is_length) && frames.seed >= 0 &&
+                        frames.seed <= most_seed;
   if (!sensible) throw std::runtime_error("its frames are none");
   return frames;
 }
@@ -406,6 +410,45 @@ std::vector<long> wholes(const Json& json) {
   std::vector<long> all;
   for (const Json& one : json) all.push_back(whole<long>(one));
   return all;
+}
+
+/// As the text has it, without its frames and kicks.
+Plan plan_in(const std::string& text) {
+  Json json = Json::parse(text);
+  const std::string problem = json.at("asked").value("problem", "");  // its line breaks must stay
+  show_controls(json);
+  if (!problem.empty()) json["asked"]["problem"] = problem;
+  if (json.at("format") != format) throw std::runtime_error("of another format");
+  return {asked_in(json.at("asked")), wholes(json.at("first_tile")), json.at("seconds"),
+          json.at("fingerprint")};
+}
+
+/// With its frames and kicks. Throws if it makes no sense.
+Plan made_ready(Plan plan) {
+  scene_of(plan.asked);
+  require_need(plan.asked);
+  set_frames_and_kicks(plan.asked);
+  require_cells(plan.asked);
+  const bool whole = plan.first_tile.size() == plan.seconds.size() + 1 && !plan.seconds.empty() &&
+                     plan.first_tile.front() == 0 && std::ranges::is_sorted(plan.first_tile) &&
+                     plan.tiles() == tiles_of(plan.width(), tile_side(plan.asked)) *
+                                         tiles_of(plan.height(), tile_side(plan.asked));
+  if (!whole) throw std::runtime_error("its chunks are not those of its cells");
+  if (!std::ranges::all_of(plan.seconds, [](double s) { return s >= 0 && std::isfinite(s); }))
+    throw std::runtime_error("a chunk takes no time that can be");
+  return plan;
+}
+
+/// The plan that comes from `place`. Throws BadInput if it is none.
+template <class Make>
+Plan as_plan(const std::string& place, const Make& make) {
+  try {
+    return make();
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw BadInput(place + " is no plan of a sweep: " + without_exception_name(error.what()));
+  }
 }
 
 }  // namespace
@@ -488,44 +531,21 @@ std::string to_json(const Plan& plan) {
 }
 
 Plan plan_from_json(const std::string& text, const std::string& place) {
-  try {
-    Json json = Json::parse(text);
-    const std::string problem = json.at("asked").value("problem", "");  // its line breaks must stay
-    show_controls(json);
-    if (!problem.empty()) json["asked"]["problem"] = problem;
-    if (json.at("format") != format) throw std::runtime_error("of another format");
-    Plan plan{asked_in(json.at("asked")), wholes(json.at("first_tile")), json.at("seconds"),
-              json.at("fingerprint")};
-    scene_of(plan.asked);
-    require_need(plan.asked);
-    set_frames_and_kicks(plan.asked);
-    require_cells(plan.asked);
-    const bool whole = plan.first_tile.size() == plan.seconds.size() + 1 && !plan.seconds.empty() &&
-                       plan.first_tile.front() == 0 && std::ranges::is_sorted(plan.first_tile) &&
-                       plan.tiles() == tiles_of(plan.width(), tile_side(plan.asked)) *
-                                           tiles_of(plan.height(), tile_side(plan.asked));
-    if (!whole) throw std::runtime_error("its chunks are not those of its cells");
-    if (!std::ranges::all_of(plan.seconds, [](double s) { return s >= 0 && std::isfinite(s); }))
-      throw std::runtime_error("a chunk takes no time that can be");
-    return plan;
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception& error) {
-    throw BadInput(place + " is no plan of a sweep: " + without_exception_name(error.what()));
-  }
+  return as_plan(place, [&] { return made_ready(plan_in(text)); });
 }
 
 Plan read_plan(const fs::path& file, const fs::path& tables) {
   if (!fs::exists(file))
     throw BadInput("there is no plan " + file.string() + "; '" + program_as_typed() +
                    " sweep plan' makes one");
-  Plan plan = plan_from_json(read_whole(file), file.string());
+  const Plan plan = as_plan(file.string(), [&] { return plan_in(read_whole(file)); });
   if (const std::string here = fingerprint_of(from(plan.asked).dump(), tables); here != plan.fingerprint)
     throw BadInput(file.string() +
                    " is the plan of another program, of other tables or of another question: (" +
                    plan.fingerprint + "), and here is (" + here + "); plan it anew");
-  require_sense(plan.asked);
-  return plan;
+  Plan ready = as_plan(file.string(), [&] { return made_ready(plan); });
+  require_sense(ready.asked);
+  return ready;
 }
 
 }  // namespace oddity::sweep

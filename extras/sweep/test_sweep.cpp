@@ -444,6 +444,13 @@ TEST_CASE("frames as they come and kicks are of a plan, and any machine makes th
   INFO(jolted);
   CHECK(jolted.find("closed form") == std::string::npos);
   CHECK(jolted.find("one angle, ") != std::string::npos);
+  const std::string by_truth =  // which follows it so
+      cells_of(
+          " 3.5 --model 'one angle' --algorithm 'Fehlberg 7(8)' --over a=20deg..40deg:3 --setting 1e-13 --horizon 2" +
+          kick);
+  INFO(by_truth);
+  CHECK(by_truth.find(",ok,") != std::string::npos);
+  CHECK(by_truth.find(",ok,0,") == std::string::npos);
 }
 
 TEST_CASE("a small table of what to choose is many chunks, as a cell in chaos takes long", "[sweep]") {

@@ -492,7 +492,7 @@ std::vector<double> trace_of(const std::string& file, const std::string& time) {
     ++number;
     if (!line.empty() && line.back() == '\r') line.pop_back();
     if (line.empty() || line.front() == '#') continue;
-    lengths.push_back(between(file + ":" + std::to_string(number), line, time, 1e-9, 1e9));
+    lengths.push_back(between(file + ":" + std::to_string(number), line, time, least_frame, most_frame));
   }
   if (lengths.empty()) throw BadInput(file + " has no frames: a length stands on each line, such as 16.7ms");
   return lengths;
@@ -502,12 +502,12 @@ std::vector<double> trace_of(const std::string& file, const std::string& time) {
 
 FramesAsked frames_of(const AskedNeed& asked, const std::string& time) {
   FramesAsked frames;
-  if (!asked.jitter.empty()) frames.jitter = between("--jitter", asked.jitter, "", 1e-9, 0.99);
-  if (!asked.drop.empty()) frames.drop = between("--drop", asked.drop, "", 1e-9, 0.99);
+  if (!asked.jitter.empty()) frames.jitter = between("--jitter", asked.jitter, "", least_part, most_part);
+  if (!asked.drop.empty()) frames.drop = between("--drop", asked.drop, "", least_part, most_part);
   if (!asked.longest_frame.empty())
-    frames.longest = between("--max-frame", asked.longest_frame, time, 1e-9, 1e9);
+    frames.longest = between("--max-frame", asked.longest_frame, time, least_frame, most_frame);
   if (!asked.trace.empty()) frames.trace = trace_of(asked.trace, time);
-  if (!asked.frame_seed.empty()) frames.seed = count_of("--frame-seed", asked.frame_seed, 0, 1'000'000'000);
+  if (!asked.frame_seed.empty()) frames.seed = count_of("--frame-seed", asked.frame_seed, 0, most_seed);
   if (!asked.frame_seed.empty() && frames.jitter == 0 && frames.drop == 0)
     throw BadInput("--frame-seed is of --jitter or --drop, and neither is asked for");
   return frames;

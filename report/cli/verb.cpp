@@ -69,9 +69,11 @@ void add_frames(CLI::App& verb, AskedNeed& need) {
 }
 
 void add_kick(CLI::App& verb, AskedNeed& need) {
-  add_value(verb, "--kick", need.kick, "KICK",
-            "a contact or an impulse changes what is seen: \"t=1s,theta'=+2\" adds to a rate, theta=0.1 sets "
-            "a place, speed=*0.5 slows all; several with a semicolon between. Closed forms know none");
+  add_value(
+      verb, "--kick", need.kick, "KICK",
+      "a contact or an impulse changes what is seen: \"t=1s,theta'=+2\" adds 2 to a rate, as any value with a "
+      "sign does; one without a sign sets, as in theta=0.1; * multiplies, as in speed=*0.5 for all rates; "
+      "several with a semicolon between. Closed forms know none");
 }
 
 void set_apart(CLI::App& verb, CLI::Option* option, std::initializer_list<const char*> others) {

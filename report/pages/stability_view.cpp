@@ -36,8 +36,11 @@ std::string shown_holding(const Limit& l, const HeldSteps& held) {
 }
 
 std::string shown_at_frames(const Limit& l, const HeldSteps& held) {
-  const double step = held.stable_at_frames.at({l.model, l.algorithm});
-  return std::isinf(step) ? "every frame" : step == 0 ? "none" : format_significant(step, 3);
+  const auto found = held.stable_at_frames.find({l.model, l.algorithm});
+  return found == held.stable_at_frames.end() ? "-"
+         : std::isinf(found->second)          ? "every frame"
+         : found->second == 0                 ? "none"
+                                              : format_significant(found->second, 3);
 }
 
 std::vector<std::string> header(const Stability& s, const HeldSteps& held) {
@@ -128,7 +131,8 @@ std::string frames_text(const HeldSteps& held) {
          format_significant(held.longest_frame, 3) +
          " times the usual one, which the column has, each of them one step; where that is further below the "
          "limit of equal steps than the longest frame explains, frames that vary excite a resonance; an "
-         "accumulator keeps the limit of equal steps; ";
+         "accumulator keeps the limit of equal steps; multistep methods are left out, as a frame of another length "
+         "makes them begin without their history; ";
 }
 
 /// The letters with a bar where theory's limit is: "XXd|ddiioooo".

@@ -293,8 +293,10 @@ Choice choose(const Task& task, const Need& need, const Reference& truth, const 
   double all = 0;
   Choice choice = [&] {
     const Stopwatch watch(all);
-    return in_time(need.time_limit, "a shorter horizon, a lower frame rate or fewer methods (--only)",
-                   [&] { return Recommendation(task, need, truth, price, progress, part).choice(); });
+    return in_time(need.time_limit, "a shorter horizon, a lower frame rate or fewer methods (--only)", [&] {
+      const Need followed = with_ways(need, task, truth);
+      return Recommendation(task, followed, truth, price, progress, part).choice();
+    });
   }();
   Explanation& took = choice.explanation;
   took.rest = all - took.truths - took.search - took.timing - took.tests;

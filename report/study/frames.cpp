@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
 #include "chapters/random.hpp"
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
+#include "report/study/findings.hpp"
 #include "report/study/kicks.hpp"
 
 namespace oddity {
@@ -25,7 +27,7 @@ std::string percent(double part) { return format_significant(100 * part, 3) + " 
 
 std::string says(const FramesAsked& asked, const std::string& unit) {
   std::string text =
-      asked.trace.empty() ? "" : "as in a trace of " + std::to_string(asked.trace.size()) + " frames";
+      asked.trace.empty() ? "" : "as in a trace of " + counted(std::ssize(asked.trace), "frame", "frames");
   const auto add = [&](const std::string& one) { text += (text.empty() ? "" : ", ") + one; };
   if (asked.jitter > 0) add("each up to " + percent(asked.jitter) + " longer or shorter");
   if (asked.drop > 0) add(percent(asked.drop) + " dropped");
@@ -51,6 +53,12 @@ std::shared_ptr<const FrameTimes> frame_times(const FramesAsked& asked, double f
       throw BadInput("the horizon has more than " + format_shortest(most_frames) + " such frames");
   }
   if (frames.at.empty()) throw BadInput("the horizon is shorter than a frame");
+  if (last < horizon / 2)
+    throw BadInput(
+        "the last frame within the horizon of " + format_shortest(horizon) + " " + unit + " is drawn at " +
+        shown_length(last, unit) +
+        ", so that less than half of the motion is judged: ask for a longer horizon, or cap frames "
+        "with --max-frame");
   return std::make_shared<const FrameTimes>(std::move(frames));
 }
 

@@ -18,11 +18,15 @@ struct FramesAsked {
   double seed = 1;                 ///< of the random numbers
 };
 
+/// Limits of what is asked for.
+inline constexpr double least_part = 1e-9, most_part = 0.99, least_frame = 1e-9, most_frame = 1e9;
+inline constexpr int most_seed = 1'000'000'000;
+
 /// In words: "each up to 20 % longer or shorter"; empty where all are of the same length.
 std::string says(const FramesAsked&, const std::string& unit = "s");
 
 /// The frames up to the horizon, in this unit of time; null where all are of the same length. Throws BadInput
-/// where there are none, or more than a need may have.
+/// where there are none, more than a need may have, or none in the later half.
 std::shared_ptr<const FrameTimes> frame_times(const FramesAsked&, double frames_per_second, double horizon,
                                               const std::string& unit = "s");
 

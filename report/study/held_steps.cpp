@@ -116,7 +116,7 @@ void find_stable_at_frames(HeldSteps& held, const Task& task, const FramesAsked&
   const std::vector<double> lengths = frame_lengths(frames, enough);
   std::vector<const Method*> fixed;
   for (const Method& method : seen.methods)
-    if (of_fixed_step(method)) fixed.push_back(&method);
+    if (of_fixed_step(method) && !ode::is_multistep(method.algorithm)) fixed.push_back(&method);
   Stage tally(progress, "looking for the frames that are stable", fixed.size());
   std::vector<double> stable(fixed.size());
   in_parallel(fixed.size(), [&](std::size_t i) {

@@ -18,7 +18,8 @@ struct HeldSteps {
   std::map<std::pair<std::string, std::string>, double> longest = {};
   std::string frames = {};   ///< as they come: "10 % dropped"; empty: all are of the same length
   double longest_frame = 1;  ///< in units of a usual one
-  /// The longest usual frame up to which a step a frame is stable; 0: none.
+  /// The longest usual frame up to which a step a frame is stable; 0: none. Multistep methods have no entry:
+  /// each frame of another length makes them begin without their history, as another method.
   std::map<std::pair<std::string, std::string>, double> stable_at_frames = {};
 };
 

@@ -11,6 +11,7 @@
 #include "reference/text.hpp"
 #include "reference/truth.hpp"
 #include "report/study/frames.hpp"
+#include "report/study/kicks.hpp"
 #include "report/study/parallel.hpp"
 
 namespace oddity {
@@ -127,6 +128,14 @@ Quantity known_motion(const Scene& scene, const Parameters& p, const Horizon& ho
     if (is_known_well(seen)) return seen;
   }
   return made(truth);
+}
+
+Need with_ways(Need need, const Task& task, const Reference& truth) {
+  if (!need.kicks || !task.entry->exercise.scene) return need;
+  const Quantity without = motion(*task.entry->exercise.scene, task.parameters, horizon_of(need),
+                                  truth.to_digits(digits_in_long_double));
+  if (finite(without.reference.value)) need.kicks = with_ways(need.kicks, without);
+  return need;
 }
 
 InitialConditions::InitialConditions(const Task& task, const Need& need, const Reference& truth,

@@ -109,6 +109,9 @@ int digits_for(const Need&);
 /// The scene's motion with the request as its need, and with no more digits of its truth than necessary.
 Quantity known_motion(const Scene&, const Parameters&, const Horizon&, const Need&, const Reference&);
 
+/// The need whose kicks have their ways, chosen on the task's start once for all others.
+Need with_ways(Need, const Task&, const Reference&);
+
 /// The starts of one choice: the requested one and others next to it, whose perturbed parameters are each up
 /// to a tenth off. Their lazy members refer to this object, which must outlive them.
 class InitialConditions {

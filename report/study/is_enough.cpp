@@ -158,8 +158,8 @@ IsEnough is_enough(const Task& task, const Need& asked, const MethodAsked& metho
     throw BadInput("no model of " + to_string(task.entry->number) + " has '" + method.model +
                    "' in its name and " + method.algorithm);
   return in_time(asked.time_limit, "a shorter horizon or a model alone (--model)", [&] {
-    IsEnough found{at_steps(asked, *any, method.setting), to_string(task.entry->number),
-                   std::string(scene.axes.time)};
+    IsEnough found{with_ways(at_steps(asked, *any, method.setting), task, truth),
+                   to_string(task.entry->number), std::string(scene.axes.time)};
     const Judge judge(task, found.need, truth, price, progress);
     for (std::string_view unit : judge.starts().front().motion.units()) found.units.emplace_back(unit);
     for (const Start& start : judge.starts()) found.starts.push_back(start.says);

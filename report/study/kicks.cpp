@@ -17,43 +17,82 @@ namespace {
 
 constexpr std::string_view speed = "speed", knows_no_kick = "it knows no kick";
 
-/// What stands between these.
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(' ');
+  return first == text.npos ? "" : text.substr(first, text.find_last_not_of(' ') + 1 - first);
+}
+
+/// The parts between these, without blanks around them.
 std::vector<std::string> split(const std::string& text, char between) {
   std::vector<std::string> parts;
   for (std::size_t begin = 0, end = 0; end != text.npos; begin = end + 1) {
     end = text.find(between, begin);
-    parts.push_back(text.substr(begin, end == text.npos ? end : end - begin));
+    parts.push_back(trimmed(text.substr(begin, end == text.npos ? end : end - begin)));
   }
   return parts;
 }
 
-[[noreturn]] void refuse(const std::string& why) {
-  throw BadInput("--kick " + why + "; a kick is a time and what changes, as in \"t=1s,theta'=+2rad/s\"");
+Kick::Change change_of(std::string& value) {
+  const char first = value.front();
+  if (first == '*' || first == '+') value = trimmed(value.substr(1));
+  if (first == '-') value = "-" + trimmed(value.substr(1));
+  return first == '*'                   ? Kick::Change::scales
+         : first == '+' || first == '-' ? Kick::Change::adds
+                                        : Kick::Change::sets;
 }
 
-std::pair<std::string, std::string> assignment(const std::string& text) {
-  const auto equals = text.find('=');
-  if (equals == text.npos || equals == 0 || equals + 1 == text.size())
-    refuse("has '" + text + "', which is not name=value");
-  return {text.substr(0, equals), text.substr(equals + 1)};
-}
-
-double number_in(const std::string& text, const std::string& unit) {
-  try {
-    const double value = in_unit(text, unit);
-    if (std::isfinite(value)) return value;
-  } catch (const BadInput& error) {
-    refuse("has '" + text + "': " + error.what());
-  }
-  refuse("has '" + text + "', which is not finite");
-}
-
-/// One of the scene's observables as the kick's text has it.
-class Observables {
+/// The text of kicks of a scene's observables.
+class Text {
  public:
-  Observables(const Scene& scene, const Quantity& seen) : scene_(scene), units_(names().size(), seen.unit) {
+  Text(const Scene& scene, const Quantity& seen, double horizon)
+      : scene_(scene), units_(names().size(), seen.unit), horizon_(horizon) {
     for (const Norm& norm : seen.norms)
       for (const std::size_t i : norm.components) units_.at(i) = norm.unit;
+  }
+
+  void add_to(Kicks& kicks, const std::string& text) const {
+    const std::vector<std::string> parts = split(text, ',');
+    const auto [t, when] = assignment(parts.front());
+    if (t != "t") refuse("has '" + text + "', which begins with no time");
+    if (parts.size() < 2) refuse("has '" + text + "', which changes nothing");
+    const double time = number_in(when, time_unit());
+    if (!(time > 0 && time < horizon_))
+      refuse("is at " + format_shortest(time) + " " + time_unit() + ", which is not within the horizon of " +
+             format_shortest(horizon_) + " " + time_unit() + ", its ends excluded");
+    for (std::size_t i = 1; i < parts.size(); ++i) add_to(kicks, time, parts[i]);
+  }
+
+ private:
+  /// Of one observable or of all speeds.
+  void add_to(Kicks& kicks, double time, const std::string& text) const {
+    auto [name, value] = assignment(text);
+    const Kick::Change change = change_of(value);
+    const bool is_factor = change == Kick::Change::scales;
+    if (name == "speed'") refuse("has '" + text + "': speed is a rate already, as in speed=*0.5");
+    if (name == speed && !is_factor) refuse("has '" + text + "': speed takes a factor, as in speed=*0.5");
+    const bool of_rate = name == speed || name.ends_with("'");
+    if (name.ends_with("'")) name.pop_back();
+    const std::size_t first = name == speed ? 0 : find(name),
+                      last = name == speed ? names().size() : first + 1;
+    for (std::size_t i = first; i < last; ++i)
+      kicks.push_back({time, i, of_rate, change, number_in(value, is_factor ? "" : unit(i, of_rate))});
+  }
+
+  std::pair<std::string, std::string> assignment(const std::string& text) const {
+    const std::vector<std::string> sides = split(text, '=');
+    if (sides.size() != 2 || sides[0].empty() || sides[1].empty())
+      refuse("has '" + text + "', which is not name=value");
+    return {sides[0], sides[1]};
+  }
+
+  double number_in(const std::string& text, const std::string& unit) const {
+    try {
+      const double value = in_unit(text, unit);
+      if (std::isfinite(value)) return value;
+    } catch (const BadInput& error) {
+      refuse("has '" + text + "': " + error.what());
+    }
+    refuse("has '" + text + "', which is not finite");
   }
 
   std::size_t find(const std::string& name) const {
@@ -63,78 +102,31 @@ class Observables {
     for (const std::string_view one : names()) all += std::string(one) + ", " + std::string(one) + "', ";
     refuse("knows no '" + name + "' here: what is seen is " + all + "and " + std::string(speed));
   }
-  std::size_t count() const { return names().size(); }
+
   std::string unit(std::size_t i, bool of_rate) const {
-    if (!of_rate) return units_[i] == "1" ? "" : units_[i];
-    const std::string per = "/" + std::string(scene_.axes.time);
-    if (units_[i].empty() || units_[i] == "1") return "1" + per;
+    const bool is_number = units_[i].empty() || units_[i] == "1";
+    if (!of_rate) return is_number ? "" : units_[i];
+    const std::string per = "/" + time_unit();
+    if (is_number) return "1" + per;
     return units_[i].ends_with("/s") && per == "/s" ? units_[i] + "^2" : units_[i] + per;
   }
 
- private:
+  [[noreturn]] void refuse(const std::string& why) const {
+    const std::string rate = unit(0, true);
+    throw BadInput("--kick " + why + "; a kick is a time and what changes, as in \"t=" +
+                   format_significant(horizon_ / 2, 2) + time_unit() + "," + std::string(names().front()) +
+                   "'=+2" + (rate.starts_with("1/") ? "" : rate) + "\"");
+  }
+
+  std::string time_unit() const { return std::string(scene_.axes.time); }
   const std::vector<std::string_view>& names() const { return scene_.axes.observables; }
 
   const Scene& scene_;
   std::vector<std::string> units_;
-};
-
-Kick::Change change_of(std::string& value) {
-  if (value.front() == '*') return value.erase(0, 1), Kick::Change::scales;
-  if (value.front() == '+') return value.erase(0, 1), Kick::Change::adds;
-  return value.front() == '-' ? Kick::Change::adds : Kick::Change::sets;
-}
-
-/// One change at a time, of one observable or of all speeds.
-void add(Kicks& kicks, const Observables& observables, double time, const std::string& text) {
-  auto [name, value] = assignment(text);
-  const Kick::Change change = change_of(value);
-  if (name == speed && change != Kick::Change::scales)
-    refuse("has '" + text + "': speed takes a factor, as in speed=*0.5");
-  const bool of_rate = name == speed || name.ends_with("'");
-  if (name.ends_with("'")) name.pop_back();
-  const std::size_t first = name == speed ? 0 : observables.find(name),
-                    last = name == speed ? observables.count() : first + 1;
-  for (std::size_t i = first; i < last; ++i)
-    kicks.push_back({time, i, of_rate, change,
-                     number_in(value, change == Kick::Change::scales ? "" : observables.unit(i, of_rate))});
-}
-
-void add(Kicks& kicks, const Observables& observables, const std::string& time_unit, double horizon,
-         const std::string& text) {
-  const std::vector<std::string> parts = split(text, ',');
-  const auto [t, when] = assignment(parts.front());
-  if (t != "t" || parts.size() < 2)
-    refuse("has '" + text + "', which begins with no time, or changes nothing");
-  const double time = number_in(when, time_unit);
-  if (!(time > 0 && time < horizon))
-    refuse("is at " + when + ", which is not within the horizon of " + format_shortest(horizon) + " " +
-           time_unit);
-  for (std::size_t i = 1; i < parts.size(); ++i) add(kicks, observables, time, parts[i]);
-}
-
-/// A way to follow the motion closely.
-struct Close {
-  std::string model, algorithm;
+  double horizon_;
 };
 
 constexpr double fine = 1e-13;
-
-/// The models that have the true motion, each by two algorithms that adapt their steps. Richer ones come
-/// last.
-std::vector<Close> followed_closely(const Quantity& motion) {
-  constexpr double as_good = 1e-6;  // of the motion's size, and of its need
-  constexpr std::array algorithms = {"Fehlberg 7(8)", "GSL rk8pd", "Dormand-Prince 5(4)"};
-  const double allowed =
-      std::min(as_good * size_of(motion.reference.value), 0.1 * motion.need.allowed) + motion.reference_error;
-  std::vector<Close> all;
-  for (const Method& method : motion.methods) {
-    if (std::ranges::find(algorithms, method.algorithm) == algorithms.end()) continue;
-    const bool is_enough = std::ranges::count(all, method.model, &Close::model) >= 2;
-    if (!is_enough && run(motion, method, fine).error <= allowed)
-      all.push_back({method.model, method.algorithm});
-  }
-  return all;
-}
 
 /// By how much two motions are apart, at most, up to each time.
 std::vector<double> apart_until(const Value& a, const Value& b, int samples) {
@@ -148,18 +140,40 @@ std::vector<double> apart_until(const Value& a, const Value& b, int samples) {
   return until;
 }
 
+/// Whether a motion is the true one, as long as that is known so well.
+bool is_true(const Quantity& motion, const Answer& answer) {
+  constexpr double as_good = 1e-6;  // of the motion's size, and of its need
+  if (!answer.reached() || !finite(answer.value)) return false;
+  const double allowed = std::min(as_good * size_of(motion.reference.value), 0.1 * motion.need.allowed);
+  const std::vector<double> apart = apart_until(answer.value, motion.reference.value, motion.samples);
+  const auto& known = motion.reference_error_until;
+  for (std::size_t k = 0; k < apart.size(); ++k) {
+    const double known_to = known.empty() ? motion.reference_error : known[k];
+    if (k > 0 && known_to > allowed) return true;
+    if (apart[k] > allowed + known_to) return false;
+  }
+  return true;
+}
+
+using Way = std::pair<std::string, std::string>;
+
+std::string described(const Way& way) { return way.first + " by " + way.second; }
+
 /// By all ways that come to the end with the kicks, of which there have to be two.
-void set_truth(Quantity& motion, std::vector<Close> ways) {
+void set_truth(Quantity& motion, std::vector<Way> ways) {
   std::vector<Value> paths;
   std::string trouble;
-  std::erase_if(ways, [&](const Close& way) {
-    const Trial trial = run(motion, *method_of(motion, way.model, way.algorithm), fine);
-    if (trial.answer.reached())
-      paths.push_back(trial.answer.value);
-    else
-      trouble = ": " + way.model + " by " + way.algorithm + " does not come to its end" +
-                (trial.answer.message.empty() ? "" : ", as " + trial.answer.message);
-    return !trial.answer.reached();
+  std::erase_if(ways, [&](const Way& way) {
+    const Method* method = method_of(motion, way.first, way.second);
+    const Answer answer = method ? run(motion, *method, fine).answer : Answer{.ending = Ending::raised};
+    if (answer.message == is_undetermined)
+      throw BadInput("--kick: " + answer.message + "; a scene that shows every freedom takes it");
+    if (answer.reached())
+      paths.push_back(answer.value);
+    else if (method)
+      trouble = ": " + described(way) + " does not come to its end" +
+                (answer.message.empty() ? "" : ", as " + answer.message);
+    return !answer.reached();
   });
   if (paths.size() < 2)
     throw BadInput("the motion after the kick is not known, as fewer than two ways follow it" + trouble);
@@ -169,9 +183,7 @@ void set_truth(Quantity& motion, std::vector<Close> ways) {
     const std::vector<double> apart = apart_until(paths[i], paths.back(), motion.samples);
     for (std::size_t k = 0; k < until.size(); ++k) until[k] = std::max(until[k], rounding + 4 * apart[k]);
   }
-  motion.reference = {ways.back().model + " by " + ways.back().algorithm + ", compared with " +
-                          ways.front().model + " by " + ways.front().algorithm,
-                      paths.back()};
+  motion.reference = {described(ways.back()) + ", compared with " + described(ways.front()), paths.back()};
   motion.reference_error = until.back();
   motion.reference_error_until = std::move(until);
 }
@@ -180,10 +192,10 @@ void set_truth(Quantity& motion, std::vector<Close> ways) {
 
 std::pair<std::shared_ptr<const Kicks>, std::string> kicks_of(const Scene& scene, const Quantity& seen,
                                                               const std::string& text, double horizon) {
-  const Observables observables(scene, seen);
+  const Text kick(scene, seen, horizon);
   auto kicks = std::make_shared<Kicks>();
   for (const std::string& one : split(text, ';'))
-    add(*kicks, observables, std::string(scene.axes.time), horizon, one);
+    if (!one.empty() || kicks->empty()) kick.add_to(*kicks, one);
   std::ranges::stable_sort(*kicks, {}, &Kick::time);
   std::string shown = text;
   for (std::size_t at = 0; (at = shown.find(';', at)) != shown.npos; at += 2) shown.replace(at, 1, "; ");
@@ -210,13 +222,35 @@ Method with_kicks(Method method, const std::shared_ptr<const Kicks>& kicks) {
   return method;
 }
 
+std::shared_ptr<const Kicks> with_ways(const std::shared_ptr<const Kicks>& kicks, const Quantity& without) {
+  constexpr double most_work = 2000;  // evaluations a frame: a model that never comes to rest takes more
+  constexpr std::array algorithms = {"Fehlberg 7(8)", "GSL rk8pd", "Dormand-Prince 5(4)"};
+  const ode::EvaluationLimit limited(most_work * without.samples);
+  std::vector<Way> held, free;
+  std::string wrong;  // solved so finely, its other algorithms show the same motion
+  for (const Method& method : without.methods) {
+    std::vector<Way>& ways = method.off_constraint ? held : free;
+    if (std::ranges::find(algorithms, method.algorithm) == algorithms.end() || method.model == wrong ||
+        std::ranges::count(ways, method.model, &Way::first) >= 2)
+      continue;
+    if (is_true(without, method.run(fine)))
+      ways.emplace_back(method.model, method.algorithm);
+    else
+      wrong = method.model;
+  }
+  auto followed = std::make_shared<Kicks>(*kicks);
+  followed->ways = std::move(held);
+  followed->ways.insert(followed->ways.end(), free.begin(), free.end());
+  return followed;
+}
+
 Quantity kicked_motion(Quantity without, const std::shared_ptr<const Kicks>& kicks) {
   Quantity kicked = without;
   for (Method& method : kicked.methods) method = with_kicks(std::move(method), kicks);
   kicked.methods_in_float.clear();
   kicked.breakdowns.clear();
-  if (!finite(without.reference.value)) return kicked;
-  set_truth(kicked, followed_closely(without));
+  if (finite(without.reference.value))
+    set_truth(kicked, (kicks->ways.empty() ? with_ways(kicks, without) : kicks)->ways);
   return kicked;
 }
 

@@ -19,9 +19,14 @@ std::pair<std::shared_ptr<const Kicks>, std::string> kicks_of(const Scene&, cons
 /// The method with the kicks. It is `raised` where it takes none.
 Method with_kicks(Method, const std::shared_ptr<const Kicks>&);
 
-/// The motion with the kicks, without its methods in float. Its truth is followed by the models that have the
-/// true motion where nothing kicks it, each by two algorithms; the bound is four times as far as these are
-/// apart.
+/// The kicks, with the methods that have the true motion where nothing kicks it: of each such model two
+/// algorithms, first of models that may drift off their constraints, richer models later. The quantity is
+/// the motion without kicks.
+std::shared_ptr<const Kicks> with_ways(const std::shared_ptr<const Kicks>&, const Quantity& without);
+
+/// The motion with the kicks, without its methods in float. Its truth is that of the last of the ways; the
+/// bound is four times as far as the others are from it. Throws BadInput if fewer than two come to the end,
+/// or one finds that what is seen does not determine the kick.
 Quantity kicked_motion(Quantity without, const std::shared_ptr<const Kicks>&);
 
 }  // namespace oddity

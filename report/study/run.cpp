@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "reference/ledger.hpp"
+#include "reference/text.hpp"
 #include "report/study/failure.hpp"
 #include "report/study/findings.hpp"
 #include "report/study/frames.hpp"
@@ -56,6 +57,9 @@ Studied study(const Task& task, const Reference& truth) {
     }
     Quantity motion = motion_at_frames(*exercise.scene, task.parameters, *task.frames, truth, task.kicks);
     motion.says += ", " + task.frames_say;
+    if (task.kicks)
+      motion.says += "; an error of " + format_significant(motion.reference_error, 2) +
+                     " is at most that, as the truth is not known better";
     studied.findings.quantities = {std::move(motion)};
   });
   return studied;
@@ -159,6 +163,12 @@ ExerciseResult shape(const Studied& studied, const Reference& truth, Work& work)
   return result;
 }
 
+/// The truth of a kicked motion is one of its methods' own: no error is below the truth's.
+void bound_errors(QuantityResult& kicked) {
+  for (MethodResult& method : kicked.methods)
+    for (TimedTrial& trial : method.trials) trial.error = std::max(trial.error, kicked.reference_error);
+}
+
 /// Adds the paths of a scene's motion to the quantity that its study made of it.
 void see_motion(const Task& task, ExerciseResult& result) {
   const auto& scene = task.entry->exercise.scene;
@@ -226,6 +236,8 @@ Results run(std::span<const Task> tasks, const Reference& truth, bool timed, con
     if (p.method->roundings) p.result->roundings = p.method->roundings(p.setting);
     tally.add();
   });
+  for (std::size_t i = 0; i < tasks.size(); ++i)
+    if (tasks[i].kicks) std::ranges::for_each(results.exercises[i].quantities, bound_errors);
   for (const Untold& u : work.untold) u.result->says = text_of(*u.breakdown, *u.quantity, u.broken, u.cured);
   std::vector<std::size_t> places(tasks.size());
   std::iota(places.begin(), places.end(), 0);

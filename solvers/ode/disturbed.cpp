@@ -49,14 +49,14 @@ Trajectory<std::array<double, n>> in_steps(std::string_view algorithm, const Any
   return motion;
 }
 
-/// In steps of these lengths, again and again, in units of h, watched at each.
+/// In steps of these lengths, again and again, in units of h, watched at each. The last step ends at the end.
 template <std::size_t n>
 Trajectory<std::array<double, n>> in_steps_of(std::span<const double> lengths, std::string_view algorithm,
                                               const AnySystem<n>& system, const std::array<double, n>& start,
                                               double end, double h, const Watch<n>& watch) {
   std::vector<double> times{0};
   for (std::size_t i = 0; times.back() < end; ++i)
-    times.push_back(times.back() + h * lengths[i % lengths.size()]);
+    times.push_back(std::min(times.back() + h * lengths[i % lengths.size()], end));
   const double longest = h * std::ranges::max(lengths);
   if (system.guard_count() == 0) return precompiled<n>(algorithm)(system, start, times, longest, watch);
   auto motion = integrate_with_events<n>(algorithm, system, start, times, longest).trajectory;

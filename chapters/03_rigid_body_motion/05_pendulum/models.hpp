@@ -93,7 +93,7 @@ struct CartesianWithConstraint {
   auto conserved(const State& x, const T&) const {
     return energy_of<T>((x[2] * x[2] + x[3] * x[3]) / 2, p.g * x[1]);
   }
-  T off_constraint(const State& x, const T&) const { return abs(hypot(x[0], x[1]) - p.L); }
+  std::array<T, 1> constraints(const State& x, const T&) const { return {hypot(x[0], x[1]) - p.L}; }
 };
 
 /// From the simplest to the richest.

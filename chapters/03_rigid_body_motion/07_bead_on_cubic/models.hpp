@@ -117,10 +117,10 @@ struct CartesianWithConstraints {
   auto conserved(const State& s, const T&) const {
     return energy_of<T>((s[3] * s[3] + s[4] * s[4] + s[5] * s[5]) / 2, p.g * s[2]);
   }
-  /// Distance from the wire's point with the same x; the wire itself may be nearer.
-  T off_constraint(const State& s, const T&) const {
+  /// From the wire's point with the same x; the wire itself may be nearer.
+  std::array<T, 2> constraints(const State& s, const T&) const {
     const auto wire = curve(s[0]);
-    return hypot(s[1] - wire[1], s[2] - wire[2]);
+    return {s[1] - wire[1], s[2] - wire[2]};
   }
 };
 

@@ -108,7 +108,7 @@ struct InSpace {
     return energy_of<T>((x[3] * x[3] + x[4] * x[4] + x[5] * x[5]) / 2, of.g * x[2]);
   }
   /// Vertical distance; the hill itself may be nearer.
-  T off_constraint(const State& x, const T&) const { return abs(x[2] - of.hill.height(x[0], x[1])); }
+  std::array<T, 1> constraints(const State& x, const T&) const { return {x[2] - of.hill.height(x[0], x[1])}; }
 };
 
 /// From the simplest to the richest.

@@ -65,7 +65,7 @@ Energy energy(const Parameters& p, std::span<const double> x) { return point_ene
 
 /// Deviation from the distance R to the axis.
 double off(const Parameters& p, std::span<const double> x, double t) {
-  return tilted_chute::InSpace<double>{asked(p)}.off_constraint({x[0], x[1], x[2], 0, 0, 0}, t);
+  return off_constraints(tilted_chute::InSpace<double>{asked(p)}.constraints({x[0], x[1], x[2], 0, 0, 0}, t));
 }
 
 Scene scene() {

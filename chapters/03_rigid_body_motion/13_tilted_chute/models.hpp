@@ -144,9 +144,9 @@ struct InSpace {
     return energy_of<T>((x[3] * x[3] + x[4] * x[4] + x[5] * x[5]) / 2, p.g * x[2]);
   }
   /// Deviation from the distance R to the axis.
-  T off_constraint(const State& x, const T&) const {
+  std::array<T, 1> constraints(const State& x, const T&) const {
     const T c = p.chute().c(), s = p.chute().s(), z = x[2] - p.R / c, way = c * x[0] - s * z;
-    return abs(hypot(hypot(x[0] - way * c, x[1]), z + way * s) - p.R);
+    return {hypot(hypot(x[0] - way * c, x[1]), z + way * s) - p.R};
   }
 };
 

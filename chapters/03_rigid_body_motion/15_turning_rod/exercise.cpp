@@ -137,7 +137,7 @@ Energy energy(const Parameters& p, std::span<const double> x) {
 
 /// Distance from the rod.
 double off(const Parameters& p, std::span<const double> x, double t) {
-  return CartesianWithConstraints<double>{{asked(p)}}.off_constraint({x[0], x[1], x[2]}, t);
+  return off_constraints(CartesianWithConstraints<double>{{asked(p)}}.constraints({x[0], x[1], x[2]}, t));
 }
 
 /// The horizon is a quarter turn at the book's speed. For w above sqrt(2K/m) = 4.47 the mass runs away.

@@ -186,7 +186,7 @@ struct InTheTurningPlane {
     return energy_of<T>(rod.m * speeds / 2,
                         rod.K * stretch * stretch / 2 - rod.m * rod.w * rod.w * turned / 2 - x[4]);
   }
-  T off_constraint(const State& x, const T&) const { return abs(x[1]); }
+  std::array<T, 1> constraints(const State& x, const T&) const { return {x[1]}; }
 };
 
 /// (x, x', work): two forces normal to the rod keep the second derivatives of x . n1 and x . n2 zero and do
@@ -228,9 +228,9 @@ struct CartesianWithConstraints {
                         rod.energy(observe(x, t)) - x[6]);
   }
   /// Distance from the rod: across it horizontally, and in its vertical plane.
-  T off_constraint(const State& x, const T& t) const {
+  std::array<T, 2> constraints(const State& x, const T& t) const {
     const T C = cos(rod.w * t), S = sin(rod.w * t), outward = C * x[0] + S * x[1];
-    return hypot(C * x[1] - S * x[0], root_half<T>() * (outward - x[2]));
+    return {C * x[1] - S * x[0], root_half<T>() * (outward - x[2])};
   }
 };
 

@@ -123,7 +123,7 @@ struct Cartesian {
     const std::array<T, 3> r{s[0], s[1], s[2]}, u{s[3], s[4], s[5]}, turned = cross(w, r);
     return energy_of<T>(dot(u, u) / 2, -dot(turned, turned) / 2 - p.g * s[2]);
   }
-  T off_constraint(const State& s, const T&) const { return abs(hypot(s[0], s[1], s[2]) - p.L); }
+  std::array<T, 1> constraints(const State& s, const T&) const { return {hypot(s[0], s[1], s[2]) - p.L}; }
 };
 
 /// From the simplest to the richest.

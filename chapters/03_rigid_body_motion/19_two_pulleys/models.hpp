@@ -124,8 +124,8 @@ struct FourCoordinates {
     return energy_of<T>(p.kinetic_energy(std::array{x[4], x[5]}), p.potential_energy(std::array{x[0], x[1]}));
   }
   /// Slip of the ropes on their pulleys.
-  T off_constraint(const State& x, const T&) const {
-    return hypot(x[0] - p.R1 * x[2], x[1] - x[0] - p.R2 * x[3]);
+  std::array<T, 2> constraints(const State& x, const T&) const {
+    return {x[0] - p.R1 * x[2], x[1] - x[0] - p.R2 * x[3]};
   }
 };
 

@@ -89,7 +89,7 @@ struct Center {
   auto conserved(const State& s, const T&) const {
     return energy_of<T>(mass * (s[2] * s[2] + s[3] * s[3]) / 2 + p.spin_energy(), s[5] - p.f * s[0]);
   }
-  T off_constraint(const State& s, const T&) const { return abs(hypot(s[0], s[1]) - p.radius()); }
+  std::array<T, 1> constraints(const State& s, const T&) const { return {hypot(s[0], s[1]) - p.radius()}; }
 };
 
 /// From the simplest to the richest.

@@ -94,7 +94,7 @@ struct CartesianWithConstraint {
     return energy_of<T>(p.m * (x[2] * x[2] + x[3] * x[3]) / 2,
                         p.m * p.g * x[1] + p.c * stretch * stretch / 2);
   }
-  T off_constraint(const State& x, const T&) const { return abs(hypot(x[0], x[1]) - p.r); }
+  std::array<T, 1> constraints(const State& x, const T&) const { return {hypot(x[0], x[1]) - p.r}; }
 };
 
 /// From the simplest to the richest.

@@ -125,7 +125,9 @@ struct TwoParticles {
     return energy_of<T>(p.mu0 / 4 * (x[4] * x[4] + x[5] * x[5] + x[6] * x[6] + x[7] * x[7]),
                         p.mu0 * p.g * (x[1] + x[3]) / 2);
   }
-  T off_constraint(const State& x, const T&) const { return abs(hypot(x[0] - x[2], x[1] - x[3]) - 2 * k()); }
+  std::array<T, 1> constraints(const State& x, const T&) const {
+    return {hypot(x[0] - x[2], x[1] - x[3]) - 2 * k()};
+  }
 };
 
 /// From the simplest to the richest.

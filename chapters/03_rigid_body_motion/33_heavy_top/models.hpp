@@ -277,8 +277,8 @@ struct AxisAndMomentum {
     return {{{x[0] * x[3] + x[1] * x[4] + x[2] * x[5], sqrt(x[3] * x[3] + x[4] * x[4] + x[5] * x[5])}}};
   }
   /// Deviation of the center of mass from the distance l to the tip.
-  T off_constraint(const State& x, const T&) const {
-    return p.l * abs(sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]) - 1);
+  std::array<T, 1> constraints(const State& x, const T&) const {
+    return {p.l * (sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]) - 1)};
   }
 };
 

@@ -15,6 +15,7 @@
 
 #include "chapters/drawing.hpp"
 #include "chapters/numbers.hpp"
+#include "chapters/off_constraints.hpp"
 #include "solvers/ode/any_system.hpp"
 #include "solvers/ode/events.hpp"
 #include "solvers/ode/in_float.hpp"
@@ -131,7 +132,7 @@ class Integrated final : public ode::Adapted<ModelInterfaceOf<n>, InDouble> {
 
  private:
   static constexpr bool is_constrained = requires(const InDouble& model, const State& x) {
-    model.off_constraint(x, 0.0);
+    model.constraints(x, 0.0)[0];
   };
   static constexpr bool is_conservative = requires(const InDouble& model, const State& x) {
     model.conserved(x, 0.0)[0];
@@ -152,7 +153,7 @@ class Integrated final : public ode::Adapted<ModelInterfaceOf<n>, InDouble> {
   }
   double off_constraint(const State& x, double t) const override {
     if constexpr (is_constrained)
-      return system().off_constraint(x, t);
+      return off_constraints(system().constraints(x, t));
     else
       return 0;
   }
