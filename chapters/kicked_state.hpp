@@ -16,8 +16,7 @@ struct KickedState {
   std::string_view why_none = {};  ///< empty: there is one
 };
 
-/// The state next to this one that is seen as the kicks have it, and that keeps the model's constraints as
-/// they were.
+/// The nearest state with the observables that the kicks ask for, and the model's constraints as before.
 template <std::size_t n>
 KickedState<n> kicked(const ModelInterfaceOf<n>&, const std::array<double, n>& before, double t,
                       std::span<const Kick> at_once);

@@ -27,7 +27,7 @@ struct Kicks : std::vector<Kick> {
 inline constexpr std::string_view not_seen_so =
                                       "the model has no state that is seen as the kick would have it",
                                   is_undetermined =
-                                      "what is seen does not determine what the kick does to the rest of the "
+                                      "the observables do not determine the kick's effect on the rest of the "
                                       "model's state";
 
 /// While it lives, the models that are integrated on this thread have these kicks.

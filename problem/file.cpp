@@ -730,7 +730,7 @@ class Readable {
       if (text_.substr(at_).starts_with(quote)) return quote;
     return {};
   }
-  /// Passes a quoted text. One of several lines may end in two quotes of its own.
+  /// Passes a quoted text. One of several lines may end in two more quotes.
   void pass(std::string_view quote) {
     const bool has_escapes = quote[0] == '"', is_long = quote.size() > 1;
     for (at_ += quote.size(); at_ < text_.size(); ++at_) {

@@ -13,9 +13,7 @@ namespace oddity::problem {
 /// standard input.
 bool is_file(const std::string& word);
 
-/// "suspension" of "cars/suspension.toml": a name for files about it. "input" where there is none, as in "-"
-/// and
-/// "...toml".
+/// "suspension" of "cars/suspension.toml": a name for files about it. "input" for "-" and "...toml".
 std::string stem_of(const std::string& path);
 
 /// The exercise of a file, for the rest of the program's life. Throws BadInput, or WrongFile.

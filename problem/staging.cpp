@@ -71,7 +71,7 @@ class Staged::Making {
       const std::string letter = body.text + part;
       if (std::ranges::find(letters_.parameters, letter) != letters_.parameters.end())
         file_.source.fail(body.place, "the parameter " + letter +
-                                          " has the name of what is seen of this body; take another name");
+                                          " has the name of an observable of this body; take another name");
       letters_.unknowns.push_back(letter);
     }
   }
@@ -114,7 +114,7 @@ class Staged::Making {
     if (joint.end.empty()) end[0].place = joint.kind.place;
     return end;
   }
-  /// Of parameters, and of what is seen of the bodies.
+  /// A formula of parameters and of the bodies' observables.
   Number number(const Quoted& text, const Measure& unit) {
     const Formula formula(file_.source, text, letters_);
     const Measure its = formula.measure([&](const Letter& letter) { return measure(letter, formula); });

@@ -13,7 +13,7 @@ namespace oddity::problem {
 
 class Staged {
  public:
-  /// Throws WrongFile for what is wrong in the file's staging.
+  /// Throws WrongFile if the file's staging is wrong.
   explicit Staged(const File&);
 
   /// With these values of the parameters, in their units. Throws WrongFile where an engine could not take it.

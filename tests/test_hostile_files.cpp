@@ -118,7 +118,7 @@ TEST_CASE("a plan's frames have the limits of the command line", "[hostile][forg
            [](FramesAsked& frames) { frames.trace = {1e-300}; },
            [](FramesAsked& frames) { frames.longest = 1e-300; },
            [](FramesAsked& frames) { frames.seed = -1; }, [](FramesAsked& frames) { frames.seed = 2e9; }})
-    CHECK(has(said(change), "it is no plan of a sweep: its frames are none"));
+    CHECK(has(said(change), "it is no plan of a sweep: its frames are not valid"));
   sweep::Plan plan = small_plan();
   plan.asked.frames = {.drop = 0.01};
   CHECK(has(complaint([&] {

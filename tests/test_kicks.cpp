@@ -179,7 +179,7 @@ s = "m"
     });
   };
   const std::string why =
-      "what is seen does not determine what the kick does to the rest of the model's state";
+      "the observables do not determine the kick's effect on the rest of the model's state";
   CHECK(complaint_of(task, need).find(why) != std::string::npos);
   for (const char* exercise : {"3.29", "3.33"}) {
     const Task book = task_of(exercise, {});
@@ -271,7 +271,7 @@ TEST_CASE("blanks and two signs in a row do not change a kick", "[kicks]") {
   CHECK(with_kick(task, "t=1s,theta'=+2;t=1.5s,theta=+1;").kicks->size() == 2);
 }
 
-TEST_CASE("a kick that cannot be is refused with what would be right", "[kicks]") {
+TEST_CASE("an impossible kick is refused, with a remedy", "[kicks]") {
   const auto refused = [](const std::string& exercise, const std::string& kick, const std::string& why) {
     INFO(kick);
     const std::string said = complaint([&] { with_kick(task_of(exercise, {}), kick); });

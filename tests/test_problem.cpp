@@ -144,7 +144,7 @@ question = '''it's an "ä"
   CHECK(refusal(quoted + "\n \xc3\xa4 = 1").find("test.toml:5:2: outside of quotes") == 0);
 }
 
-TEST_CASE("A text of several lines may end in quotes of its own", "[problem]") {
+TEST_CASE("A text of several lines may end in more quotes", "[problem]") {
   for (const std::string quote : {"\"", "'"})
     for (const std::string& more : {std::string(), quote, quote + quote}) {
       const std::string three = quote + quote + quote;
@@ -169,7 +169,7 @@ TEST_CASE("A name of very many parts is refused in a sentence", "[problem]") {
   CHECK(refusal(numbers + "]").find("no key a") != std::string::npos);
 }
 
-TEST_CASE("A name has no control characters, and is none that formulas have", "[problem]") {
+TEST_CASE("A name has no control characters, and is not a name of formulas", "[problem]") {
   CHECK(first_line(refusal("title = \"x\"\n[model.\"a\\nb\"]\n")) ==
         "test.toml:2:8: a name is on one line, without control characters");
   for (const char* name : {"t", "pi", "if", "asinh", "arcsin"})

@@ -129,7 +129,7 @@ TEST_CASE("What does not fit a staging is said with its place", "[problem][stage
   CHECK(refusal(whole + many) == "test.toml:14:1: of [[staged.body]] there are at most 100");
 }
 
-TEST_CASE("A body's letters are none of the parameters", "[problem][staged]") {
+TEST_CASE("A body's letters differ from the parameters", "[problem][staged]") {
   std::string text = pendulum(whole + body);
   text.insert(text.find("a = "), "rod_x = \"1 m\"\n");
   CHECK(complaint([&] {

@@ -190,7 +190,7 @@ TEST_CASE("a motion that loses its numbers alone is another motion", "[programs]
   CHECK(std::isinf(largest_difference(Value{0, 1}, std::vector{1.0, 1.0})));
 }
 
-// By the leg `languages`, which installs what runs them.
+// Run by the job `languages`, which installs their compilers.
 TEST_CASE("a program in C# has the program's numbers", "[.][languages]") { check(Language::c_sharp, 1e-9); }
 TEST_CASE("a program in JavaScript has the program's numbers", "[.][languages]") {
   check(Language::javascript, 1e-9);
@@ -254,7 +254,7 @@ TEST_CASE("a program counts its frames and steps in whole numbers", "[code][prog
         std::string::npos);
 }
 
-TEST_CASE("a program's head names what is worked in", "[code][programs]") {
+TEST_CASE("a program's head names parameters that are worked in", "[code][programs]") {
   const auto head_of = [](Number number, const Candidate& chosen) {
     const std::string code = program_in(Language::cpp, Task(scene(number)), chosen, need_of_a_second(), "");
     return code.substr(0, code.find("#include"));

@@ -375,7 +375,7 @@ FramesAsked frames_in(const Json& json) {
                         (std::isinf(frames.longest) || is_length(frames.longest)) &&
                         std::ranges::all_of(frames.trace, is_length) && frames.seed >= 0 &&
                         frames.seed <= most_seed;
-  if (!sensible) throw std::runtime_error("its frames are none");
+  if (!sensible) throw std::runtime_error("its frames are not valid");
   return frames;
 }
 
@@ -412,7 +412,7 @@ std::vector<long> wholes(const Json& json) {
   return all;
 }
 
-/// As the text has it, without its frames and kicks.
+/// The text's plan, without its frames and kicks.
 Plan plan_in(const std::string& text) {
   Json json = Json::parse(text);
   const std::string problem = json.at("asked").value("problem", "");  // its line breaks must stay
@@ -439,7 +439,7 @@ Plan made_ready(Plan plan) {
   return plan;
 }
 
-/// The plan that comes from `place`. Throws BadInput if it is none.
+/// The plan that comes from `place`. Throws BadInput if it is not a plan.
 template <class Make>
 Plan as_plan(const std::string& place, const Make& make) {
   try {

@@ -269,27 +269,167 @@ $frame}
 };
 
 /// Keywords of the three languages, and the names outside the program that it refers to.
-constexpr std::string_view keywords = R"(
-abstract alignas alignof and and_eq arguments as asm async auto await base bitand bitor bool break byte case catch
-char char8_t char16_t char32_t checked class co_await co_return co_yield compl concept const const_cast consteval
-constexpr constinit continue debugger decimal decltype default delegate delete do double dynamic_cast else enum eval
-event explicit export extends extern false finally fixed float for foreach friend function goto if implements
-implicit import in inline instanceof int interface internal is let lock long mutable namespace new noexcept not
-not_eq null nullptr object operator or or_eq out override package params private protected public readonly ref
-register reinterpret_cast requires return sbyte sealed short signed sizeof stackalloc static static_assert
-static_cast string struct super switch template this thread_local throw true try typedef typeid typename typeof uint
-ulong unchecked undefined union unsafe unsigned ushort using var virtual void volatile wchar_t while with xor xor_eq
-yield std printf linux unix
-)";
+constexpr std::string_view keywords[] = {"abstract",
+                                         "alignas",
+                                         "alignof",
+                                         "and",
+                                         "and_eq",
+                                         "arguments",
+                                         "as",
+                                         "asm",
+                                         "async",
+                                         "auto",
+                                         "await",
+                                         "base",
+                                         "bitand",
+                                         "bitor",
+                                         "bool",
+                                         "break",
+                                         "byte",
+                                         "case",
+                                         "catch",
+                                         "char",
+                                         "char8_t",
+                                         "char16_t",
+                                         "char32_t",
+                                         "checked",
+                                         "class",
+                                         "co_await",
+                                         "co_return",
+                                         "co_yield",
+                                         "compl",
+                                         "concept",
+                                         "const",
+                                         "const_cast",
+                                         "consteval",
+                                         "constexpr",
+                                         "constinit",
+                                         "continue",
+                                         "debugger",
+                                         "decimal",
+                                         "decltype",
+                                         "default",
+                                         "delegate",
+                                         "delete",
+                                         "do",
+                                         "double",
+                                         "dynamic_cast",
+                                         "else",
+                                         "enum",
+                                         "eval",
+                                         "event",
+                                         "explicit",
+                                         "export",
+                                         "extends",
+                                         "extern",
+                                         "false",
+                                         "finally",
+                                         "fixed",
+                                         "float",
+                                         "for",
+                                         "foreach",
+                                         "friend",
+                                         "function",
+                                         "goto",
+                                         "if",
+                                         "implements",
+                                         "implicit",
+                                         "import",
+                                         "in",
+                                         "inline",
+                                         "instanceof",
+                                         "int",
+                                         "interface",
+                                         "internal",
+                                         "is",
+                                         "let",
+                                         "lock",
+                                         "long",
+                                         "mutable",
+                                         "namespace",
+                                         "new",
+                                         "noexcept",
+                                         "not",
+                                         "not_eq",
+                                         "null",
+                                         "nullptr",
+                                         "object",
+                                         "operator",
+                                         "or",
+                                         "or_eq",
+                                         "out",
+                                         "override",
+                                         "package",
+                                         "params",
+                                         "private",
+                                         "protected",
+                                         "public",
+                                         "readonly",
+                                         "ref",
+                                         "register",
+                                         "reinterpret_cast",
+                                         "requires",
+                                         "return",
+                                         "sbyte",
+                                         "sealed",
+                                         "short",
+                                         "signed",
+                                         "sizeof",
+                                         "stackalloc",
+                                         "static",
+                                         "static_assert",
+                                         "static_cast",
+                                         "string",
+                                         "struct",
+                                         "super",
+                                         "switch",
+                                         "template",
+                                         "this",
+                                         "thread_local",
+                                         "throw",
+                                         "true",
+                                         "try",
+                                         "typedef",
+                                         "typeid",
+                                         "typename",
+                                         "typeof",
+                                         "uint",
+                                         "ulong",
+                                         "unchecked",
+                                         "undefined",
+                                         "union",
+                                         "unsafe",
+                                         "unsigned",
+                                         "ushort",
+                                         "using",
+                                         "var",
+                                         "virtual",
+                                         "void",
+                                         "volatile",
+                                         "wchar_t",
+                                         "while",
+                                         "with",
+                                         "xor",
+                                         "xor_eq",
+                                         "yield",
+                                         "std",
+                                         "printf",
+                                         "linux",
+                                         "unix"};
 /// Functions of C's <math.h>, <stdlib.h> and <stdio.h>, which <cmath> and <cstdio> may declare outside std.
-constexpr std::string_view c_functions = R"(
-abort abs acos acosh asin asinh atan atan2 atanh atexit atof atoi atol cbrt ceil copysign cos cosh div drem ecvt erf
-erfc exit exp exp10 exp2 expm1 fabs fdim finite floor fma fmax fmin fmod free frexp gamma getc gets getw hypot ilogb
-isinf isnan j0 j1 jn labs ldexp ldiv lgamma llabs llrint llround log log10 log1p log2 logb lrint lround malloc modf
-nan nearbyint nextafter pow putc puts putw qsort rand random realloc remainder remove remquo rename rewind rint round
-scalb scalbn select setstate signbit signgam significand sin sincos sinh sqrt srand stderr stdin stdout system tan
-tanh tgamma trunc y0 y1 yn
-)";
+constexpr std::string_view c_functions[] = {
+    "abort",  "abs",     "acos",   "acosh",     "asin",      "asinh",    "atan",     "atan2",   "atanh",
+    "atexit", "atof",    "atoi",   "atol",      "cbrt",      "ceil",     "copysign", "cos",     "cosh",
+    "div",    "drem",    "ecvt",   "erf",       "erfc",      "exit",     "exp",      "exp10",   "exp2",
+    "expm1",  "fabs",    "fdim",   "finite",    "floor",     "fma",      "fmax",     "fmin",    "fmod",
+    "free",   "frexp",   "gamma",  "getc",      "gets",      "getw",     "hypot",    "ilogb",   "isinf",
+    "isnan",  "j0",      "j1",     "jn",        "labs",      "ldexp",    "ldiv",     "lgamma",  "llabs",
+    "llrint", "llround", "log",    "log10",     "log1p",     "log2",     "logb",     "lrint",   "lround",
+    "malloc", "modf",    "nan",    "nearbyint", "nextafter", "pow",      "putc",     "puts",    "putw",
+    "qsort",  "rand",    "random", "realloc",   "remainder", "remove",   "remquo",   "rename",  "rewind",
+    "rint",   "round",   "scalb",  "scalbn",    "select",    "setstate", "signbit",  "signgam", "significand",
+    "sin",    "sincos",  "sinh",   "sqrt",      "srand",     "stderr",   "stdin",    "stdout",  "system",
+    "tan",    "tanh",    "tgamma", "trunc",     "y0",        "y1",       "yn"};
 
 void add_words(std::string text, std::set<std::string>& names) {
   static const std::regex comment_or_string(R"(//[^\n]*|"[^"\n]*")"), word(R"([A-Za-z_]\w*)");
@@ -324,8 +464,9 @@ std::string helpers_for(Language language, const std::string& code) {
 const std::set<std::string>& reserved_names() {
   static const std::set<std::string> all = [] {
     std::set<std::string> names;
-    for (const std::string_view text : {keywords, c_functions, moved, runge_kutta})
-      add_words(std::string(text), names);
+    names.insert(std::begin(keywords), std::end(keywords));
+    names.insert(std::begin(c_functions), std::end(c_functions));
+    for (const std::string_view text : {moved, runge_kutta}) add_words(std::string(text), names);
     for (const Algorithm& algorithm : algorithms) add_words(std::string(algorithm.text), names);
     for (const Main& main : mains)
       for (const std::string_view text : {main.text, main.start, main.stepped, main.at})

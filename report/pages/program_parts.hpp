@@ -10,8 +10,8 @@
 /// Texts of short programs apart from the model, in the dialect of dialects.hpp.
 namespace oddity::program_parts {
 
-/// The step of an algorithm, with the functions that it calls; empty for a closed form. Throws BadInput where
-/// there is none for the model.
+/// The step of an algorithm, with the functions that it calls; empty for a closed form. Throws BadInput if
+/// the model has no such step.
 std::string algorithm_text(const std::string& name, const RecordedModel&);
 
 /// A main function in its language, and what it contains where a motion is stepped or is a closed form.

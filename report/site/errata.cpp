@@ -128,7 +128,7 @@ std::string errata_schema() {
            "wrong: what is printed is false; incomplete: it leaves out a case or a condition; misprint: what was "
            "meant is plain and right; lost in our copy: the plain text that was read has lost what was meant")},
       {"kind", told({{"enum", kinds}}, "what is at fault")},
-      {"root", told(string, "its cause, shared by errata of one cause; empty: no other erratum has it")},
+      {"root", told(string, "its cause, shared by errata of one cause; empty: a cause of its own")},
       {"line", told({{"type", "integer"}, {"minimum", 0}}, "in the solutions document as plain text")},
       {"place",
        told(string, "where a reader of the manual finds it: an equation's number, a paragraph, a listing")},

@@ -26,7 +26,7 @@ inline constexpr int most_seed = 1'000'000'000;
 std::string says(const FramesAsked&, const std::string& unit = "s");
 
 /// The frames up to the horizon, in this unit of time; null where all are of the same length. Throws BadInput
-/// where there are none, more than a need may have, or none in the later half.
+/// if there are no frames, more than a need may have, or no frame in the later half.
 std::shared_ptr<const FrameTimes> frame_times(const FramesAsked&, double frames_per_second, double horizon,
                                               const std::string& unit = "s");
 

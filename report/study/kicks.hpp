@@ -26,7 +26,7 @@ std::shared_ptr<const Kicks> with_ways(const std::shared_ptr<const Kicks>&, cons
 
 /// The motion with the kicks, without its methods in float. Its truth is that of the last of the ways; the
 /// bound is four times as far as the others are from it. Throws BadInput if fewer than two come to the end,
-/// or one finds that what is seen does not determine the kick.
+/// or one finds that the observables do not determine the kick.
 Quantity kicked_motion(Quantity without, const std::shared_ptr<const Kicks>&);
 
 }  // namespace oddity

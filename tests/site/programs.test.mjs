@@ -21,7 +21,7 @@ function by_cpp(scene, code) {
   return rows(path.join(folder, scene));
 }
 
-/// Errors in what a game allows, a centimetre or a degree, at the judged times that are frames of the program. The true
+/// Errors in parts of a centimetre or a degree, at the judged times that are frames of the program. The true
 /// motion is of tables, which share no code with programs.
 function errorsInNeeds(scene, table) {
   const { unit, reference, norms, trajectory: { judged_at, observables } } = solved(scene), units = unit.split(', ');

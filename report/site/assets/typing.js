@@ -7,7 +7,7 @@
   const { make } = oddity;
   const patience = 40;        // ms after a key
   const slice = 12;           // ms of search for a method, at a time
-  const mostOfAFile = 1000000;  // bytes, as problem/file.hpp has it
+  const mostOfAFile = 1000000;  // bytes, as in problem/file.hpp
 
   /** A player whose link contains the file. */
   class OwnPlayer extends oddity.Player {
