@@ -546,9 +546,9 @@ TEST_CASE("confirmed claims are a line each below their comparison", "[report]")
   results.exercises[0].claims = {one, judged(no_violations("the sign is right", 0, 200)), other};
   const std::string page = page_of(results);
   CHECK(count(page,
-              "<summary>3 confirmed claims with their lines in the solutions</summary>\n\n"
-              "*b:*<br>1: x is 1<br>1: x is still 1\n") == 1);
-  CHECK(count(page, "*In 200 samples:*<br>1: x is 1\n") == 1);
+              "<summary>3 confirmed claims</summary>\n\n"
+              "*b:*<br>1:&nbsp;x is 1<br>1:&nbsp;x is still 1\n") == 1);
+  CHECK(count(page, "*In 200 samples:*<br>1:&nbsp;x is 1\n") == 1);
 }
 
 TEST_CASE("a claim lost in our copy is shown with its evidence from other lines", "[report][claims]") {

@@ -168,7 +168,7 @@ std::string confirmed_lines(const ExerciseResult& e, const ProvedClaims& proved)
     const std::string mark = proved.contains(c.claim.id) ? "†" : "";
     const Reading& printed = c.claim.printed;
     const bool formula = is_formula(printed.text) && !says_each_form(c.claim);
-    const std::string line = "<br>" + mark + std::to_string(c.claim.line) + ": " +
+    const std::string line = "<br>" + mark + std::to_string(c.claim.line) + ":&nbsp;" +
                              escaped(c.claim.says, false) +
                              (formula ? ": " + escaped(printed.text, false) : "");
     const std::string with = compared_with(c);
@@ -220,7 +220,9 @@ std::string answer(const ExerciseResult& e) {
                                                       ")";
                                              },
                                              [](const std::string& words) { return escaped(words, false); }});
-  std::string text = (verdict.empty() ? "" : verdict + "\n\n") + "**" + sentence(counts_of(e)) + ".**";
+  Counts counts = counts_of(e);
+  if (counts.size() > 1) counts.erase(Verdict::confirmed);  // counted above their list
+  std::string text = (verdict.empty() ? "" : verdict + "\n\n") + "**" + sentence(counts) + ".**";
   const std::vector<Finding> errata = findings_of(e);
   if (errata.empty()) return text + "\n\n";
   std::vector<std::vector<std::string>> rows;
@@ -256,8 +258,7 @@ std::string other_claims(const ExerciseResult& e, const ProvedClaims& proved) {
     by_coq += proved.contains(c.claim.id);
   }
   if (confirmed == 0) return open;
-  return open + folded(counted(confirmed, "confirmed claim with its line in the solutions",
-                               "confirmed claims with their lines in the solutions") +
+  return open + folded(counted(confirmed, "confirmed claim", "confirmed claims") +
                            (by_coq == 0 ? "" : ", " + std::to_string(by_coq) + " proved (†)"),
                        confirmed_lines(e, proved));
 }
