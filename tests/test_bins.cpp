@@ -1,4 +1,6 @@
+#include "chapters/06_physics_engines/03_moving_spheres/moving_spheres.hpp"
 #include "chapters/06_physics_engines/shared/bins.hpp"
+#include "chapters/contents.hpp"
 #include "report/verify/catch.hpp"
 
 using namespace oddity;
@@ -45,4 +47,17 @@ TEST_CASE("ranges of bins do not depend on the unit of length", "[6.1]") {
         CHECK(other.low == one.low);
         CHECK(other.high == one.high);
       }
+}
+
+TEST_CASE("spheres that meet after millions of frames are looked at in one million", "[6.3]") {
+  const auto moving = std::ranges::find(registry(), Number{6, 3}, &Entry::number);
+  Parameters p(moving->exercise.parameters);
+  p.set("v1x", 1e-6);
+  p.set("v2x", 0);
+  p.set("v2y", 0);
+  const auto contact = ex06_03::first_contact(p);
+  REQUIRE(contact);
+  const auto looked = std::ranges::find(contact->methods, "looked at in every frame", &Method::algorithm);
+  REQUIRE(looked != contact->methods.end());
+  CHECK(looked->run(0).evaluations <= 1'000'001);
 }

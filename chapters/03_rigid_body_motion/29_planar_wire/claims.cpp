@@ -325,6 +325,16 @@ Check friction_at_speed(const std::string& by, double seed, double speed, double
   return worst.check();
 }
 
+/// The center of mass by adaptive quadrature.
+Point center_by_qag(const Wire& w) {
+  const auto over = [&](const auto& of) {
+    return qag([&](double u) { return of(w.point(u)) * w.density(u) * w.stretch(u); }, 0, w.end(), 1e-12)
+        .value;
+  };
+  const double mass = over([](const Point&) { return 1; });
+  return {over([](const Point& p) { return p[0]; }) / mass, over([](const Point& p) { return p[1]; }) / mass};
+}
+
 const std::string cross_term = "cross term left out", at_rest = "friction at rest";
 
 const std::string by_angle = R"($(x,y)+L(\cos\theta,\sin\theta)$)", by_matrix = R"($(x,y)+R\,(L,0)$)",
@@ -458,16 +468,15 @@ void over_the_wire(Table& table, const std::vector<Sample>& samples) {
                                     return energy_of_rod(s, s.wire.arc_length(s.wire.end()));
                                   }}}});
 
+  table.formula("force_x", 2927,
+                R"($F_x=\int F\cdot\imath\,\delta\,ds$, $F$ being the force per mass (our condition))",
+                samples,
+                {.quantity = "the generalized force $F_x$ of a force $F$ on each unit of mass",
+                 .truth = slope(0),
+                 .printed = Fx,
+                 .near_misses = {Fy}});
   table.formula(
-      "force_x", 2927,
-      R"($F_x=\int F\cdot\imath\,\delta\,ds$, $F$ being the force on a unit of mass (our condition))",
-      samples,
-      {.quantity = "the generalized force $F_x$ of a force $F$ on each unit of mass",
-       .truth = slope(0),
-       .printed = Fx,
-       .near_misses = {Fy}});
-  table.formula(
-      "force_y", 2933, R"($F_y$ is $\int F\cdot\jmath\,\delta\,ds$, $F$ as before)", samples,
+      "force_y", 2933, R"($F_y$ is $\int F\cdot\jmath\,\delta\,ds$, $F$ per mass)", samples,
       {.quantity = "the generalized force $F_y$",
        .truth = slope(1),
        .printed = {R"($\int F\cdot\delta\,ds$, a vector)",
@@ -488,7 +497,7 @@ void claim_force_theta(Claims& claims, const std::vector<Sample>& samples) {
   };
   Reading moment = against_slope(moment_of_force);
   moment.checks.push_back(compare(R"($(F_x,F_y,F_\theta)$ of gravity)", moment_of_weight, weight, samples));
-  claims.add("force_theta", 2939, R"($F_\theta=\int F\cdot\frac{dR}{d\theta}b\,\delta\,ds$, $F$ as before)",
+  claims.add("force_theta", 2939, R"($F_\theta=\int F\cdot\frac{dR}{d\theta}b\,\delta\,ds$, $F$ per mass)",
              {.printed = moment,
               .near_misses = {
                   against_slope(turning(R"($\frac{dR}{d\theta}$ at $-\theta$)",
@@ -689,7 +698,7 @@ std::vector<Claim> claims(double seed) {
   const auto first_moments = [](const std::string& text, bool centered) {
     return Formula<Sample>{
         text, [centered](const Sample& s) {
-          const Point from = centered ? s.center : Point{0, 0};
+          const Point from = centered ? center_by_qag(s.wire) : Point{0, 0};
           return values(s.mu0 + s.wire.over_mass([&](double u) { return s.wire.point(u)[0] - from[0]; }),
                         s.mu0 + s.wire.over_mass([&](double u) { return s.wire.point(u)[1] - from[1]; }));
         }};
@@ -699,7 +708,7 @@ std::vector<Claim> claims(double seed) {
       samples,
       {.quantity = R"($(\mu_0,\mu_0)+\int b\,\delta\,ds$)",
        .truth = {R"($(\mu_0,\mu_0)$)", [](const Sample& s) { return values(s.mu0, s.mu0); }},
-       .printed = first_moments("$b$ from the center of mass", true),
+       .printed = first_moments("$b$ from the center of mass by QAG", true),
        .near_misses = {first_moments("$b$ from the start of the curve", false)}});
   at_a_point(points, samples);
   over_the_wire(wires, samples);

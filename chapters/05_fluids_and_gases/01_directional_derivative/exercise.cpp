@@ -2,7 +2,6 @@
 // The operator f.grad is computed by dual numbers along a randomly rotated frame, sum_k (u_k.f) (u_k.grad),
 // and compared with each published line. Since most derivatives of the position are zero, the operator's
 // index form is also compared on random fields g, where every index matters.
-// form is compared on random fields g as well, where every index is seen.
 
 #include "chapters/05_fluids_and_gases/shared/differentiation.hpp"
 #include "chapters/05_fluids_and_gases/shared/meanings.hpp"
@@ -132,8 +131,8 @@ Quantity directional(const Parameters& p, const Reference& truth) {
                 "along f, central differences 2", 0x1p-31, Outcome::inaccurate,
                 "along f, central differences 2", 0x1p-3});
   q.add(Breakdown{
-      "Along an axis a step that is a power of two moves the point without rounding, as long as it "
-      "is no less than the last bits of the point: the finest step here is as good as the coarsest.",
+      "Along an axis a step that is a power of two moves the point without rounding, unless a coordinate "
+      "passes another power of two: the finest step here is as good as the coarsest.",
       "along f, central differences 4", 0x1p-31, Outcome::inaccurate, "along the axes, central differences 4",
       0x1p-31});
   return q;

@@ -35,12 +35,12 @@ Findings study(const Parameters& p, const Reference& truth) {
                R"($\frac{\partial}{\partial x_i}\frac{x_i}{|\mathbf x|^3}$, $i=0,1,2$, and their sum, times )"
                R"($|\mathbf x|^3$)",
                x, truth, Outcome::ok, {});
-  Quantity near = partials(
-      "partials_near", R"(the same a million times closer to the origin, at $2^{-20}\mathbf x$)", away(-20),
-      truth, Outcome::ok,
-      {Outcome::inaccurate, Outcome::ok, R"(even the finest step is too coarse beside $|\mathbf x|$)"});
+  Quantity near =
+      partials("partials_near", R"(the same a million times closer to the origin, at $2^{-20}\mathbf x$)",
+               away(-20), truth, Outcome::ok,
+               {Outcome::inaccurate, Outcome::ok, R"(even the finest step is too coarse for $|\mathbf x|$)"});
   near.add(
-      Breakdown{"Beside the origin a step of $2^{@2}$ straddles it: the difference knows nothing of the "
+      Breakdown{"Near the origin a step of $2^{@2}$ straddles it: the difference knows nothing of the "
                 R"(field at $\mathbf x$. A step in proportion to $|\mathbf x|$ does.)",
                 "field, step h, central differences 4",
                 0x1p-11,

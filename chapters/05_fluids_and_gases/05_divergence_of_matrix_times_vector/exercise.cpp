@@ -246,7 +246,7 @@ Quantity divergence_of_product(const Parameters& p, const Reference& truth) {
     for (std::size_t j = 0; j < 3; ++j) sum += way.along(f, x, column(m, j))[j];
     return sum;
   });
-  add_breakdowns(q, "M f as one field");
+  add_breakdowns(q, "M f as one field", at.waves.w);
   return q;
 }
 

@@ -101,7 +101,7 @@ Quantity curl_of_product(const Parameters& p, const Reference& truth) {
     const Point curl_f = curl_by(way, f, x), turned = cross(gradient_by(way, phi, x), f_at(x));
     return combined(phi_at(x), curl_f, 1, turned);
   });
-  add_breakdowns(q, "product as one field");
+  add_breakdowns(q, "product as one field", at.waves.w);
   return q;
 }
 

@@ -209,26 +209,25 @@ Quantity mixed_derivatives(const At& at, const Known& six) {
          [=](double h) { return of_slopes(ByDifferences<4>{h}); }, Outcome::inaccurate, once});
   q.add({"phi", "central differences 2", steps(25), [=](double h) { return of_values(ByDifferences<2>{h}); },
          Outcome::inaccurate,
-         twice + filled(R"(: even the best step, near $\varepsilon^{1/4}$, leaves $\sqrt\varepsilon=@2$)",
-                        {0x1p-26})});
+         twice + R"(: even the best step, near $\varepsilon^{1/4}/w$, loses half the digits)"});
   q.add({"phi", "central differences 4", steps(25), [=](double h) { return of_values(ByDifferences<4>{h}); },
          Outcome::inaccurate, twice});
-  q.add(
-      Breakdown{R"(Differences of differences lose $\varepsilon/h^2$: their best step is near )"
-                R"($\varepsilon^{1/4}$ for order 2, and keeps @1 digits. With one of the two taken by dual )"
-                "numbers, @2 are right.",
-                "phi, central differences 2",
-                0x1p-13,
-                Outcome::inaccurate,
-                "slopes by dual numbers, central differences 2",
-                0x1p-17,
-                {digits_of(Side::broken), digits_of(Side::cured)}});
-  q.add(Breakdown{R"(Order 4 keeps @2, near $\varepsilon^{1/6}$, and not at a fine step.)",
+  q.add(Breakdown{
+      R"(Differences of differences lose $\varepsilon/h^2$: their best step is near )"
+      R"($\varepsilon^{1/4}/w$ for order 2, and keeps @1 digits. With one of the two taken by dual )"
+      "numbers, @2 are right.",
+      "phi, central differences 2",
+      step_near(best_power(4, at.waves.w)),
+      Outcome::inaccurate,
+      "slopes by dual numbers, central differences 2",
+      step_near(best_power(3, at.waves.w)),
+      {digits_of(Side::broken), digits_of(Side::cured)}});
+  q.add(Breakdown{R"(Order 4 keeps @2, near $\varepsilon^{1/6}/w$, and not at a fine step.)",
                   "phi, central differences 4",
                   0x1p-25,
                   Outcome::inaccurate,
                   "phi, central differences 4",
-                  0x1p-9,
+                  step_near(best_power(6, at.waves.w)),
                   {digits_of(Side::cured)}});
   return q;
 }
@@ -274,7 +273,7 @@ Quantity peano_curl() {
       "did not matter; the iterated limit needs an inner step much finer than the outer one.",
       "p, equal steps h", 0x1p-15, Outcome::inaccurate, "p, inner step h 2^-20", 0x1p-15});
   q.add(Breakdown{
-      "Dual numbers cannot pass through $0/0$ at the origin. Their slopes beside it can be differenced.",
+      "Dual numbers cannot pass through $0/0$ at the origin. Their slopes near it can be differenced.",
       "p, nested dual numbers", 0, Outcome::non_finite, "slopes by dual numbers, central differences 2",
       0x1p-3});
   return q;

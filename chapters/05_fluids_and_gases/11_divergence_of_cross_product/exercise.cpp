@@ -125,7 +125,7 @@ Quantity divergence_of_product(const Parameters& p, const Reference& truth) {
     const auto g_at = counted_calls(g, way.calls);
     return dot(curl_by(way, f, x), g_at(x)) - dot(curl_by(way, g, x), f_at(x));
   });
-  add_breakdowns(q, "product as one field");
+  add_breakdowns(q, "product as one field", at.waves.w);
   return q;
 }
 

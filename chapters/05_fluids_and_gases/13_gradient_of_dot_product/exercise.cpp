@@ -139,7 +139,7 @@ Quantity gradient_of_product(const Parameters& p, const Reference& truth) {
     const Point crosses = combined(1, cross(a, curl_of(dg)), 1, cross(b, curl_of(df)));
     return combined(1, crosses, 1, combined(1, advection_of(dg, a), 1, advection_of(df, b)));
   });
-  add_breakdowns(q, "product as one field");
+  add_breakdowns(q, "product as one field", at.waves.w);
   return q;
 }
 

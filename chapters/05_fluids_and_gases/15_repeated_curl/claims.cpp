@@ -72,7 +72,8 @@ Sampled sample(Random& random, int number) {
   s.left["g x f, turned"] = turned(r, s.left["g x f"]);
   s.left["g x f, mirrored"] = turned(mirror, s.left["g x f"]);
   s.left["curl2, turned"] = turned(r, s.left["curl2"]);
-  s.left["phi curl2"] = combined(phi(x), s.left["curl2"], 0, a);
+  s.left["curl1 along a"] = along(repeated_curl<1>(f, r), x, a);
+  s.left["phi curl1 along a"] = combined(phi(x), s.left["curl1 along a"], 0, a);
   const auto along_a = [f, a](const auto& y) { return along(f, y, a); };
   const auto along_b = [along_a, b](const auto& y) { return along(along_a, y, b); };
   s.left["f along a, b, c"] = along(along_b, x, c);
@@ -117,7 +118,8 @@ std::string typeset_left(const Said& said) {
       {"curl3", R"(((\nabla\times)^3\mathbf f))"},
       {"curl4", R"(((\nabla\times)^4\mathbf f))"},
       {"curl2, turned", R"(((\nabla\times)^2\mathbf f)')"},
-      {"phi curl2", R"((\varphi(\nabla\times)^2\mathbf f))"},
+      {"curl1 along a", R"(((\mathbf a\cdot\nabla)(\nabla\times\mathbf f)))"},
+      {"phi curl1 along a", R"((\varphi(\mathbf a\cdot\nabla)(\nabla\times\mathbf f)))"},
       {"f along a, b, c",
        R"(((\mathbf a\cdot\nabla)(\mathbf b\cdot\nabla)(\mathbf c\cdot\nabla)\mathbf f))"}};
   return names.at(said.left) + "_{" + typeset_index(said.free) + "}";
@@ -248,8 +250,8 @@ Lines lines(Random random) {
       {{{"curl2", "e(i j k) e(k l m) f(j, m l)"}}, {{"curl2", "e(i j k) e(k l m) f(l, j m)"}}});
   add("constant", 3697,
       R"(the permutation tensor is constant and moves out of the derivative: $\partial_j(e_{klm}\,\partial_lf_m)=e_{klm}\,\partial_j\partial_lf_m$)",
-      {{"curl2", "e(i j k) e(k l m) f(m, l j)"}, {"curl2", "e(i j k) once(k, j)"}},
-      {{{"phi curl2", "e(i j k) phi_once(k, j)"}}});
+      {{"curl1 along a", "e(k l m) f(m, l j) a(j)", "k"}},
+      {{{"phi curl1 along a", "phi_once(k, j) a(j)", "k"}}});
   const std::string curl_of_curl = "e(i j k) e(k l m) f(m, j l)", curl_near = "e(i j k) e(k l m) f(m, j j)";
   claims.add("twice_sums", 3697,
              "in $e_{ijk}e_{klm}f_{m,jl}$ the repeated indices $j$, $k$, $l$ and $m$ are summed over",

@@ -121,9 +121,9 @@ Quantity nth_curl(const At& at, const Reference& truth) {
   if (n == 4)
     q.add(Breakdown{
         R"(Differences of differences of differences of differences lose $\varepsilon/h^4$: even the )"
-        R"(best step of order 2, near $\varepsilon^{1/6}$, keeps @1 digits.)",
+        R"(best step of order 2, near $\varepsilon^{1/6}/w$, keeps @1 digits.)",
         "repeated curl, central differences 2",
-        0x1p-9,
+        step_near(best_power(6, at.waves.w)),
         Outcome::inaccurate,
         "repeated curl, nested dual numbers",
         0,

@@ -84,15 +84,15 @@ Tensors<Shortened> tensors_at(const Letters& x) {
 /// The number of differentiations of f, and the left side.
 std::pair<int, Letters> left_at(const Letters& x, const std::string& name) {
   const auto nested = [&](int n) { return at(x, components("curls " + std::to_string(n) + " r f")); };
-  const auto along = [&](const std::string& before, const std::string& after) {
-    return at(x, each([&](std::size_t i) { return before + "(" + components("f")[i] + ")" + after; }));
+  const auto along = [&](const std::string& before, const std::string& field, const std::string& after) {
+    return at(x, each([&](std::size_t i) { return before + "(" + components(field)[i] + ")" + after; }));
   };
   const Letters product = cross(at(x, components("g")), at(x, components("f")));
   if (name == "g x f") return {0, product};
   if (name == "g x f, turned") return {0, turned(frame(), product)};
   if (name == "curl2, turned") return {2, turned(frame(), nested(2))};
-  if (name == "f along a, b") return {2, along("along b (along a ", ")")};
-  if (name == "f along a, b, c") return {3, along("along c (along b (along a ", "))")};
+  if (name == "f along a, b, c") return {3, along("along c (along b (along a ", "f", "))")};
+  if (name == "curl1 along a") return {2, along("along a ", "curls 1 r f", "")};
   const int n = name.back() - '0';
   return {n, nested(n)};
 }
@@ -139,15 +139,19 @@ Ltac turned_curls r f x0 x1 x2 H s :=
 )";
 
 constexpr const char* by_expansion = "expanded_curls H H0; ring";
+constexpr const char* derivative_of_curl =
+    "pose proof (fun i => smooth_less 1 (f i) (H0 i)) as less;\n"
+    "  rewrite (curls_are r 1 f H less), along_field by (apply (axis_curls_smooth 1 1 f H0));\n"
+    "  cbn [axis_curls axis_curl]; unfold dot_field, dot, sum;\n"
+    "  rewrite !d_plus_times by (apply (has_slope 0), d_smooth, H0); unfold plus_times; ring";
 std::string tactic_of(const std::string& slug) {
   if (slug == "cross_product") return "ring";
   if (slug == "cross_product_vector") return "turned_products H";
   if (slug == "twice_nested") return "nested_curls 1%nat H H0";
   if (slug == "thrice_nested") return "nested_curls 2%nat H H0";
-  if (slug == "constant") return "first [" + std::string(by_expansion) + " | nested_curls 1%nat H H0]";
+  if (slug == "constant") return derivative_of_curl;
   if (slug == "twice_comma") return "expanded_curls H H0; in_one_order H0; ring";
   if (slug == "twice_vector") return "turned_curls r f x0 x1 x2 H H0";
-  if (slug == "comma") return "rewrite along_twice by apply H0; unfold dot_field, dot, sum; ring";
   if (slug == "appended") return "rewrite along_thrice by apply H0; unfold dot_field, dot, sum; ring";
   return by_expansion;
 }

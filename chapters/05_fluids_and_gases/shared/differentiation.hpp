@@ -132,25 +132,29 @@ void add_ways(Quantity& q, const std::string& model, long factors, const Compute
          why});
 }
 
+/// The base-2 logarithm of epsilon^(1/n) / w, for the best step in a field of wave number w.
+inline double best_power(int n, double w) { return -52.0 / n - std::log2(w); }
+/// The step of steps() that is nearest to 2^power.
+inline double step_near(double power) { return std::exp2(-1 - 2 * std::round((-power - 1) / 2)); }
+
 /// Both ends of the V-shaped error of differences: failures at a fine and a coarse step, and their cures.
-inline void add_breakdowns(Quantity& q, const std::string& model) {
-  constexpr double bits = -52;  // base-2 logarithm of epsilon
+inline void add_breakdowns(Quantity& q, const std::string& model, double w) {
   const std::string second = model + ", central differences 2", fourth = model + ", central differences 4";
   q.add(Breakdown{R"(At a step of $2^{@2}$ the rounding $\varepsilon/h$ has eaten the difference; the best )"
-                  R"(step of order 2 is near $\varepsilon^{1/3} \approx 2^{@2}$.)",
+                  R"(step of order 2 is near $\varepsilon^{1/3}/w \approx 2^{@2}$.)",
                   second,
                   0x1p-31,
                   Outcome::inaccurate,
                   second,
-                  0x1p-17,
-                  {power_of_two_of(Side::broken), bits / 3}});
-  q.add(Breakdown{R"(The best step of order 4 is near $\varepsilon^{1/5} \approx 2^{@2}$, much coarser.)",
+                  step_near(best_power(3, w)),
+                  {power_of_two_of(Side::broken), best_power(3, w)}});
+  q.add(Breakdown{R"(The best step of order 4 is near $\varepsilon^{1/5}/w \approx 2^{@2}$, much coarser.)",
                   fourth,
                   0x1p-31,
                   Outcome::inaccurate,
                   fourth,
-                  0x1p-11,
-                  {bits / 5}});
+                  step_near(best_power(5, w)),
+                  {best_power(5, w)}});
   q.add(Breakdown{"At a step of @3 the truncation error dominates; dual numbers have none.",
                   second,
                   0x1p-3,

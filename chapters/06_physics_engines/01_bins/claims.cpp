@@ -98,7 +98,7 @@ void ranges(Claims& claims, const Parameters& p, const std::vector<Lattice>& sph
       "the sphere's projections on the axes are $[x_c-r,x_c+r]$, $[y_c-r,y_c+r]$ and $[z_c-r,z_c+r]$",
       draw<Solid>(30, p["seed"]),
       {.quantity = "ends of the three projections",
-       .truth = {"planes that just meet the sphere, by bisection of $r^2-(x-c)^2$",
+       .truth = {"planes that just meet the sphere, by Brent's method on $r^2-(x-c)^2$",
                  [](const Solid& s) {
                    const auto left = [&](double offset) { return s.r * s.r - offset * offset; };
                    return s.planes(brent(left, 0, 3 * s.r, 1e-15 * s.r).value);
@@ -125,7 +125,8 @@ void ranges(Claims& claims, const Parameters& p, const std::vector<Lattice>& sph
 
   claims.formula<Size>(
       "few_computations", 3737,
-      "the indices require only a few computations (our reading: as many for any number of bins)",
+      R"(the indices require only a few computations (our reading: $(6,\ 6)$ divisions and roundings, for any )"
+      "number of bins)",
       {{1}, {4}, {12}},
       {.quantity = "divisions and roundings for a sphere's range",
        .truth = {"counted",
@@ -248,15 +249,15 @@ void costs(Claims& claims, const Parameters& p, const std::vector<Lattice>& sphe
                  {by, value},
                  tolerance};
   };
+  const Tolerance border{8 * 3 / 16.0, "the border cuts off $3/(2N)$ of 8, $N=8$"};
   claims.add(
       "constant_cost", 3737,
       "with a good choice of bin size (our reading: $h=2r$) the number of tests is about constant, $O(1)$ "
       "instead of $O(n)$",
       {.printed = {"8 less what the border cuts off, at $r=h/2$",
                    {tests("$(2-1/N)^3$ for $N$ bins an axis", closed, rounding(8)),
-                    tests("8, whatever $N$ is", constant,
-                          {8 * 3 / 16.0, "the border cuts off $3/(2N)$ of 8, $N=8$"})}},
-       .near_misses = {{"proportional to $n$", {tests("proportional to $n$", linear, {1.5, "as above"})}}}});
+                    tests("8, whatever $N$ is", constant, border)}},
+       .near_misses = {{"proportional to $n$", {tests("proportional to $n$", linear, border)}}}});
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 // The independent route is geometry, in long double: the path of d passes the origin at |d x v| / |v|, and
 // the contact is half a chord of the sphere R before that.
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -45,6 +46,8 @@ Approach<T> approach(const Parameters& p) {
   }
   return a;
 }
+
+constexpr double most_frames = 1e6;  ///< hours of a game
 
 /// NaN: they never touch. 0: they touch from the start.
 long double by_geometry(const Approach<long double>& a) {
@@ -89,8 +92,9 @@ std::optional<Quantity> first_contact(const Parameters& p) {
          }});
   q.add({"gap", "looked at in every frame", no_knob(),
          [=](double) {
+           const double last = std::min(2 * t + 2, most_frames);
            double frame = 0;
-           while (a.gap_at(frame) > 0 && frame < 2 * t + 2) ++frame;
+           while (a.gap_at(frame) > 0 && frame < last) ++frame;
            return Answer{frame, static_cast<long>(frame) + 1};
          },
          Outcome::inaccurate, "it sees the contact a part of a frame late, or not at all"});

@@ -221,7 +221,7 @@ Reading property(const std::string& text, const std::vector<Sample>& all, double
 constexpr double pulse = 1e-6;
 
 /// v (from 0) or w (from 3) after a pulse shared by the two points, which move with the body.
-Vector3d by_motion(const Sample& s, std::size_t from, double first = 0.5) {
+Vector3d by_motion(const Sample& s, std::size_t from, double first) {
   Contact hit = s.hit;
   hit.first = first;
   const auto after = after_pulse(s.body, hit, pulse).value;
@@ -257,11 +257,14 @@ Tolerance of_w(const Sample& s) {
 }
 
 /// Compares a formula for v+ (from 0) or w+ (from 3) with the motion.
-Check against_motion(const std::vector<Sample>& all, const Formula<Sample>& by, std::size_t from) {
-  WorstSample worst(from == 0 ? "$v^+$" : "$w^+$", by.text, "motion under half the pulse at either point");
+Check against_motion(const std::vector<Sample>& all, const Formula<Sample>& by, std::size_t from,
+                     double first = 0.5) {
+  WorstSample worst(from == 0 ? "$v^+$" : "$w^+$", by.text,
+                    first == 0.5 ? "motion under half the pulse at either point"
+                                 : "motion, " + format_shortest(first) + " of the pulse at $P_0$");
   for (const Sample& s : all) {
     const double scale = from == 0 ? s.body.v.norm() + s.kick() : s.body.w.norm() + s.twist();
-    worst.add(by.of(s), Value(by_motion(s, from)), from == 0 ? of_v(s) : of_w(s), scale, s.where());
+    worst.add(by.of(s), Value(by_motion(s, from, first)), from == 0 ? of_v(s) : of_w(s), scale, s.where());
   }
   return worst.check();
 }
@@ -384,24 +387,21 @@ void angular_lines(Claims& claims, const std::vector<Sample>& all) {
   Reading by_midpoint = same_as(middle, midpoint);
   by_midpoint.checks.push_back(motion(middle, midpoint).checks[0]);
   const auto other = [](const Sample& s) { return Vector3d(s.normal[1], s.normal[2], s.normal[0]); };
-  claims.add(
-      "angular_midpoint", 3783, R"($w^+=w^-+J^{-1}(r(M)\times fN)$ with the midpoint $M=(P_0+P_1)/2$)",
-      {.printed = by_midpoint,
-       .near_misses = {same_as(one_end, [](const Sample& s) { return at(s, s.arm(s.hit.p0)); }),
-                       {"also for unequal impulses",
-                        {same(middle, midpoint,
-                              formula("motion, three quarters of the impulse at $P_0$",
-                                      [](const Sample& s) { return by_motion(s, 3, 0.75); }))}},
-                       {"also for two normals",
-                        {same(
-                            middle + ", $N$ the mean of two normals",
-                            [=](const Sample& s) {
-                              const Vector3d r = s.arm((s.hit.p0 + s.hit.p1) / 2);
-                              return Vector3d(s.body.w + turned(s.body.inertia,
-                                                                cross(r, s.f * (s.normal + other(s)) / 2)));
-                            },
-                            formula("the mean of two torques, each with its normal",
-                                    [=](const Sample& s) { return by_torques(s, 0.5, other(s)); }))}}}});
+  claims.add("angular_midpoint", 3783, R"($w^+=w^-+J^{-1}(r(M)\times fN)$ with the midpoint $M=(P_0+P_1)/2$)",
+             {.printed = by_midpoint,
+              .near_misses = {
+                  same_as(one_end, [](const Sample& s) { return at(s, s.arm(s.hit.p0)); }),
+                  {"also for unequal impulses", {against_motion(all, formula(middle, midpoint), 3, 0.75)}},
+                  {"also for two normals",
+                   {same(
+                       middle + ", $N$ the mean of two normals",
+                       [=](const Sample& s) {
+                         const Vector3d r = s.arm((s.hit.p0 + s.hit.p1) / 2);
+                         return Vector3d(s.body.w +
+                                         turned(s.body.inertia, cross(r, s.f * (s.normal + other(s)) / 2)));
+                       },
+                       formula("the mean of two torques, each with its normal",
+                               [=](const Sample& s) { return by_torques(s, 0.5, other(s)); }))}}}});
 }
 
 // ---- segments, faces and densities ------------------------------------------------------------------------

@@ -153,9 +153,9 @@ Quantity rebound(const Parameters& p) {
          },
          Outcome::inaccurate, "equal impulses at unequal distances from the center let the edge tilt"});
   q.add(Breakdown{
-      "Equal impulses are an assumption, not a law. Where the center of mass is not above the midpoint, "
-      "the midpoint's impulse tilts the edge, and one end goes on into the ground. An impulse for "
-      "each end, from two conditions, does not.",
+      "Equal impulses are an assumption, not a law. Where the midpoint is not the edge's middle, its "
+      "impulse tilts the edge, and neither end rebounds by $e$. An impulse for each end, from two "
+      "conditions, does not.",
       "one impulse at the midpoint, division", 0, Outcome::inaccurate, "an impulse at each end, 2x2 system",
       0});
   return q;

@@ -77,10 +77,10 @@ struct Pulse {
     const Matrix3d r = orientation(x);
     const double bump = t * t * (1 - t) * (1 - t);
     const Vector3d force = 630 * bump * bump * hit.impulse;
-    const Vector3d arm = r * (hit.first * (hit.p0 - body.center) + (1 - hit.first) * (hit.p1 - body.center));
+    const Vector3d torque = hit.first * cross(r * (hit.p0 - body.center), force) +
+                            (1 - hit.first) * cross(r * (hit.p1 - body.center), force);
     const Vector3d w = length * angular_velocity(x);
-    const Vector3d parts[] = {force / body.mass, cross(w, part(x, 3)), cross(w, part(x, 6)),
-                              cross(arm, force)};
+    const Vector3d parts[] = {force / body.mass, cross(w, part(x, 3)), cross(w, part(x, 6)), torque};
     for (std::size_t k = 0; k < 12; ++k) dxdt[k] = parts[k / 3][static_cast<long>(k % 3)];
   }
 };
