@@ -128,15 +128,15 @@ Quantity limits_at_infinity() {
   q.add({"sqrt(1 + t^2)", "Richardson in 1/t", Knob{"halvings", {2, 4, 6, 8, 10}}, [](double n) {
            return limit_at_zero([](double s) { return ends(s, false).value; }, 0.5, static_cast<int>(n));
          }});
-  q.add(
-      Breakdown{R"(From $|t|\approx@2$ on $t^2$ is infinite and the helix falls back to the equator. hypot )"
-                "scales.",
-                "sqrt(1 + t^2), value at t",
-                1e200,
-                Outcome::inaccurate,
-                "hypot(1, t), value at t",
-                1e200,
-                {std::sqrt(std::numeric_limits<double>::max())}});
+  q.add(Breakdown{
+      R"(From $|t|\approx@2$ on $t^2$ is infinite and the helix falls to the sphere's center. hypot )"
+      "scales.",
+      "sqrt(1 + t^2), value at t",
+      1e200,
+      Outcome::inaccurate,
+      "hypot(1, t), value at t",
+      1e200,
+      {std::sqrt(std::numeric_limits<double>::max())}});
   return q;
 }
 

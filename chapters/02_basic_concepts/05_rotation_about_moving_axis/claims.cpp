@@ -167,6 +167,7 @@ struct Line {
   std::function<double(M)> size = &Moment::frame_size;
   std::string by = "quaternion and dual numbers";
   double near = -1;
+  std::string miss = {};  ///< the line with `near` for k, unless that is a sign or a term
 };
 
 Reading reading(const Line& line, const std::string& text, double k, const std::vector<Moment>& moments) {
@@ -185,9 +186,10 @@ struct Statements : Claims {
 void lines(Statements& claims, const std::vector<Moment>& moments, const std::vector<Line>& all,
            bool unit_speed = false) {
   for (const Line& line : all) {
-    const std::string miss = line.near == -1  ? "a sign flipped"
-                             : line.near == 0 ? "a term dropped"
-                                              : format_shortest(line.near) + " in the place of 1";
+    const std::string miss = !line.miss.empty() ? line.miss
+                             : line.near == -1  ? "a sign flipped"
+                             : line.near == 0   ? "a term dropped"
+                                                : format_shortest(line.near) + " in the place of 1";
     claims.add(line.slug, line.number, line.says,
                {.printed = reading(line, "as printed", 1, moments),
                 .near_misses = {reading(line, miss, line.near, moments)}});
@@ -255,7 +257,7 @@ void rotation_and_derivative(Statements& claims, const Moments& moments) {
           R"($\frac{d}{dt}S^2$ is not generally $2S\dot S$ (our check: it is $S\dot S+\dot SS$).)",
           R"($\frac{d}{dt}S^2$)", [](const auto& m) { return m.S2_dot; },
           [](const auto& m, double k) { return (2 - k) * (m.S * m.S_dot) + k * (m.S_dot * m.S); },
-          &Moment::size, "dual numbers", 0}});
+          &Moment::size, "dual numbers", 0, R"($2S\dot S$)"}});
 }
 
 /// Reconstructs the matrix from its images of a, b and c.
@@ -277,16 +279,18 @@ void matrices_by_images(Statements& claims, const Moments& moments) {
             return from_images(m.R_dot + 2.0 * m.I, m.U1 + m.U2, m.U2 + 2.0 * m.U3, m.U3 - m.U1, k);
           },
           [](const auto& m) { return 10 * m.size; }, itself, 0},
-         {"frame_is_a_rotation", 331, "$U$ is a rotation matrix: its inverse is its transpose.",
+         {"frame_is_a_rotation", 331,
+          R"(Where $|\dot{\mathbf D}|=1$, $U$ is a rotation matrix: its inverse is its transpose.)",
           R"($U^TU$, $\det U$)", [](const auto& m) { return m.row(m.I, 1); },
           [](const auto& m, double k) {
             const auto U = m.U.columns(m.U1, m.U2, k * m.U3);
             return m.row(transpose(U) * U, determinant(U));
           },
           [](M) { return 4.0; }, "a rotation"},
-         {"matrix_from_images", 333, "$M=AU^T$", "$M$", [](const auto& m) { return m.R_dot; },
+         {"matrix_from_images", 333, R"($M=AU^T$ where $|\dot{\mathbf D}|=1$)", "$M$",
+          [](const auto& m) { return m.R_dot; },
           [](const auto& m, double k) { return m.R_dot * m.U * (k == 1 ? transpose(m.U) : m.U); },
-          &Moment::size, itself, 0}},
+          &Moment::size, itself, 0, "$AU$"}},
         true);
   const auto determinants = [&](const std::string& text, double unit) {
     const Form shifted{"the determinant", [=](M m) { return determinant(m.W + unit * m.I); },
@@ -331,10 +335,9 @@ void matrices_by_images(Statements& claims, const Moments& moments) {
        .near_misses = {{R"(so is $\dot RR^T+I$)", {determinants(R"($\det(\dot RR^T+I)$)", 1)}}},
        .why =
            "The rule is right for the matrices that it speaks of, and leaves out the one that it is needed for: a "
-           "skew $3\\times3$ matrix is never invertible, since $\\det S=\\det S^T=-\\det S$: $\\dot RR^T$ "
-           "has the eigenvalues $0,\\pm i|\\mathbf w|$ and the determinant 0 at every moment. The conclusion "
-           "stands, for $M=AU^T$ follows from $MU=A$ for every matrix $M$: it is $U$ that has to be "
-           "invertible.",
+           "skew $3\\times3$ matrix $K$ has $\\det K=\\det K^T=-\\det K$, which is 0. The eigenvalues of "
+           "$\\dot RR^T$ are $0,\\pm i|\\mathbf w|$ at every moment. The conclusion stands: $M=AU^T$ follows "
+           "from $MU=A$ for every $M$; it is $U$ that has to be invertible.",
        .kind = Fault::left_out,
        .root = "a singular matrix"});
 }

@@ -106,7 +106,7 @@ Quantity far_balance() {
       "kg m",
       filled("first moments of five particles about eight lines, $j=0,1,\\ldots$ m beside their center, "
              "$2^{@2}$ m away",
-             {std::log2(away)}),
+             {std::log2(length(center))}),
       {filled("$-@2j$: the particles are placed so", {mass}), beside},
       0,
       {need, filled("@2 roundings of the largest moment", {need / (0x1p-52 * std::abs(beside.back()))})},

@@ -110,7 +110,7 @@ Quantity late_work(const Reference& truth) {
       {Outcome::raised, Outcome::stalled,
        filled("$@1$ is less than the rounding of @2 turns leaves", {tolerances().settings.back(), turns})});
   late.add(Breakdown{
-      R"(The printed factor $r\omega$ is right at $\omega=1$ alone; here it is wrong by $\omega^2$.)",
+      R"(The printed factor $r\omega$ is $\omega^2$ times the right one, and right at $\omega=1$ alone.)",
       "closed form, factor r omega, as printed", 0, Outcome::inaccurate, "closed form, factor r / omega", 0});
   late.add(Breakdown{"@2 points are @1 a turn over @2 turns, too few to see the oscillation.",
                      "power, Gauss-Legendre",

@@ -28,7 +28,7 @@ auto quaternion(const std::array<T, 3>& w, const std::type_identity_t<T>& theta)
 }
 inline Map quaternion(const Vector& w, double theta) { return quaternion<double>(w, theta); }
 
-/// n steps of r + h w x r: not a rotation, as lengths grow by sqrt(1 + h^2) a step.
+/// n steps of r + h w x r: not a rotation, as lengths across w grow by sqrt(1 + h^2) a step.
 inline Map euler_steps(const Vector& w, double theta, int n) {
   return [=](Vector r) {
     for (int i = 0; i < n; ++i) r = r + theta / n * cross(w, r);
@@ -163,10 +163,10 @@ inline Quantity identity_gap(double theta) {
              return mapped(gap, way.map(static_cast<int>(n)), n);
            },
            way.rotates ? Outcome::ok : Outcome::inaccurate, way.rotates ? "" : way.why});
-  q.add(Breakdown{
-      "Euler's steps lengthen every vector, and a product of two twice over; Cayley's steps turn by "
-      "the wrong angle, but they turn, and the identity holds from the first step on.",
-      "Euler steps, both ways", 1024, Outcome::inaccurate, "Cayley steps, both ways", 4});
+  q.add(
+      Breakdown{"Euler's steps lengthen vectors, and a product of two twice over; Cayley's steps turn by "
+                "the wrong angle, but they turn, and the identity holds from the first step on.",
+                "Euler steps, both ways", 1024, Outcome::inaccurate, "Cayley steps, both ways", 4});
   return q;
 }
 

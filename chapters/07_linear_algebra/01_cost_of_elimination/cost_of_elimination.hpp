@@ -97,7 +97,7 @@ std::vector<Claim> claims(const Random&);
 std::vector<Root> roots();
 
 /// A random system of n equations, solved by every elimination. In a `large` one the numbers of crosswise
-/// clearing overflow.
+/// clearing underflow.
 Quantity solution(const std::string& name, std::size_t n, bool large, const Random&);
 
 /// The entries of the user's system, with the right-hand side in the last column.

@@ -108,14 +108,14 @@ Quantity twice_area(const Triangle& t, const Reference& truth) {
   const double area = length(Vector3<double>{known.value[0], known.value[1], known.value[2]});
   Quantity q{"twice_area",
              "",
-             "twice the area of a triangle of height $10^{-6}$ over a base of about one",
+             "twice the area of a triangle some $10^{-6}$ high over a base of about one",
              {known.source + ", its length", area},
              4e-16 * area,
              {1e-9 * area, "nine digits"},
              {},
              {}};
   const std::string lengths =
-      "the height changes the lengths by no more than its square, which they round away";
+      "the height changes the lengths by its square at most, of which they keep few digits";
   const auto add = [&](const char* model, const char* algorithm, const auto& f,
                        Outcome expected = Outcome::ok, const std::string& why = "") {
     const long work = work_of(t, f);

@@ -126,11 +126,10 @@ Quantity coefficients(std::string name, double gap, Outcome in_doubles, const Re
       quantity(std::move(name), "", filled("coefficients over $u$, $v$, $w$; condition @2", {condition(m)}),
                known, {1e-9 * size_of(known.value), "nine digits of the largest coefficient"});
   q.add(triple_products(s, [](const auto&... a) { return cramer(a...); }));
-  add_factorizations(
-      q, m, s.p, in_doubles,
-      in_doubles == Outcome::ok
-          ? ""
-          : filled("the condition @2 takes that many of the digits of a double", {condition(m)}));
+  add_factorizations(q, m, s.p, in_doubles,
+                     in_doubles == Outcome::ok ? ""
+                                               : filled("the condition @2 takes @2 of the digits of a double",
+                                                        {condition(m), std::log10(condition(m))}));
   q.add({"factorization", "LU, refined", {"corrections", {0, 1, 2, 3}}, [=](double n) {
            return refined(s, static_cast<int>(n));
          }});
@@ -176,15 +175,15 @@ Quantity left_over(double gap, const Reference& truth) {
 Findings study(const Parameters& chosen, const Reference& truth) {
   constexpr double tiny = 1e-10;
   Quantity nearly = coefficients("nearly_dependent", tiny, Outcome::inaccurate, truth);
-  nearly.add(
-      Breakdown{"With $w$ within $@1$ of the plane of $u$ and $v$ every triple product is what is left of "
-                "a cancellation; twice the digits bring it back.",
-                "triple products, Cramer",
-                53,
-                Outcome::inaccurate,
-                "triple products, Cramer",
-                106,
-                {tiny}});
+  nearly.add(Breakdown{
+      R"(With $w$ within $@1$ of the plane of $u$ and $v$ the volume $u\cdot v\times w$ is what is )"
+      "left of a cancellation; twice the digits bring it back.",
+      "triple products, Cramer",
+      53,
+      Outcome::inaccurate,
+      "triple products, Cramer",
+      106,
+      {tiny}});
   nearly.add(Breakdown{
       "A factorization loses the same digits, though what it leaves of $p$ is as small as rounding allows "
       "(see `left_over`): a small remainder proves nothing. Corrected by that remainder, in twice the digits, "

@@ -125,7 +125,7 @@ Quantity own_determinant(const Parameters& p, const Reference& truth) {
     terms *= std::abs(*std::ranges::max_element(row, {}, [](double x) { return std::abs(x); }));
   Quantity q = quantity("determinant", "", "determinant of the matrix of the entries a11 to a44",
                         truth("07_09_determinant", given),
-                        {terms > 0 ? 1e-9 * terms : 1e-300, "nine digits of the largest term"});
+                        {terms > 0 ? 1e-9 * terms : 1e-300, "nine digits of the product of row maxima"});
   add_methods(q, m, printed_sum(), Outcome::ok, "");
   return q;
 }

@@ -313,7 +313,7 @@ Findings study(const Parameters& p, const Reference&) {
   Quantity nearly = parallel("nearly_parallel",
                              R"(are $(10^k,1)$ and $(10^k+1,1)$ parallel? $(10^k,1)$ and $(3\cdot10^k,3)$?)",
                              "the determinants $-1$ and 0", nearly_parallel(), ok, wrong,
-                             "an angle of $10^{-2k}$, below any tolerance that rounding allows");
+                             R"(for $k\ge8$ an angle of $10^{-2k}$, below what rounding allows)");
   constexpr double large = 1e8, determinant = large * 1 - (large + 1) * 1;
   nearly.add(Breakdown{
       "$(10^8,1)$ and $(10^8+1,1)$ have the determinant $@1$ and the sine $@1$: to singular "

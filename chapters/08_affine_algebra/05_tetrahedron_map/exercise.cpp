@@ -166,10 +166,11 @@ Quantity values_of(std::string name, std::string says, const Tetrahedron& tetra,
                    const std::vector<Vector3d>& coordinates, const Expected& expected) {
   const Problem problem(tetra, coordinates);
   std::vector<double> truth;
-  double terms = 0;  // of A . P + b, the largest sum of their sizes
+  double largest = 0, terms = 0;  // of |f|; of A . P + b, the sum of their sizes
   bool exact = true;
   for (const Vector3d& x : problem.points) {
     truth.push_back(map(x));
+    largest = std::max(largest, std::abs(truth.back()));
     const long double in_full = map.a.cast<long double>().dot(x.cast<long double>()) + map.b;
     exact = exact && in_full == static_cast<long double>(truth.back());
     terms = std::max(terms, map.a.cwiseAbs().dot(x.cwiseAbs()) + std::abs(map.b));
@@ -179,7 +180,7 @@ Quantity values_of(std::string name, std::string says, const Tetrahedron& tetra,
              std::move(says),
              {R"(the map itself, $A\cdot P+b$)", truth},
              exact ? 0 : 4 * 0x1p-52 * terms,
-             {1e-12, "a few hundred roundings of $f$"},
+             {std::max(1e-12, 0x1p-44 * largest), "a few hundred roundings of $f$"},
              {},
              {}};
   const auto add = [&](std::string model, std::string algorithm, Outcome outcome, const auto& find) {
