@@ -71,18 +71,19 @@ const std::string cartesian = "Cartesian with constraint", angles = "two angles"
 const std::string turns_at_once =
     R"(each pass by the lowest point turns $\theta$ by half a turn, too fast for these steps)";
 
-/// About the distance, by then, between motions with and without the centrifugal force: it moves the lowest
-/// point, and changes the frequency.
-double moved_by_centrifugal_force(const Given<double>& p, double t) {
-  const double square = p.omega * p.omega;
-  return square * p.L * (p.L * std::abs(std::sin(2 * p.lambda)) / p.g + p.phi * t * std::sqrt(p.L / p.g) / 2);
+/// m, between the motions with and without the centrifugal force.
+double moved_by_centrifugal_force(const Given<double>& p, const Horizon& horizon) {
+  const auto seen = [&](double centrifugal) {
+    return observe_integrated<ode::Fehlberg78>(TwoAngles<double>{p, centrifugal}, horizon, 1e-11).value;
+  };
+  return distance(seen(1), seen(0));
 }
 
 }  // namespace
 
 Quantity bob(const Given<double>& p, const Horizon& horizon, const Reference& truth) {
   constexpr double need = 1e-6;
-  const bool matters = moved_by_centrifugal_force(p, horizon.end) > need;
+  const bool matters = !(moved_by_centrifugal_force(p, horizon) <= need);
   const Outcome without = matters ? Outcome::inaccurate : Outcome::ok;
   const std::string why = matters ? no_centrifugal : "";
   Quantity q = quantity("bob", "m", "horizontal position at " + times_up_to(horizon),
