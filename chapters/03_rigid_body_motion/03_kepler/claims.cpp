@@ -903,7 +903,7 @@ void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
                         [=](const auto& k) { return values(squares(k) * k.start.M, tilt(k) * k.start.M); }}},
        .kind = Fault::lost_typography,
        .why = filled(
-           R"(The bars of the terms in $\dot r_0$ are lost in both lines: what stands there is )"
+           R"(The bars of the terms in $\dot r_0$ are lost in both lines: the second has )"
            R"($GM\,\dot r_0\,r_0^2\dot\theta_0$. At the start of the scene below that is @2, and the quotient @2.)",
            {near_earth.mu() * near_earth.r0_dot * near_earth.h(),
             near_earth.mu() * near_earth.r0_dot / near_earth.h()})});
@@ -1553,7 +1553,7 @@ std::vector<Root> roots() {
            {fast, degrees * acos(-1 / e_of_fast)})},
       {"a circle divides by zero",
        filled(
-           "A planet at exactly its circular speed, @3 km/s at the Earth's distance, is drawn nowhere: $0/0$.",
+           "A planet at exactly its circular speed, @3 km/s at the Earth's distance, is drawn nowhere: $0\\cdot\\infty$.",
            {earths_speed})},
       {"any orbit for an eccentric one",
        filled(

@@ -182,7 +182,7 @@ std::vector<Quantity> paths(const Parameters& p, const Reference& truth) {
        {horizon.end, steps_in_one(Side::broken), error_of(Side::broken), error_of(Side::cured)}});
   earth.add(
       {"The same explicit Euler on (7), which has energy and angular momentum built in, cannot leave the "
-       "orbit: it is up to $@1$ AU late on it, and still misses the need. A higher order pays at once.",
+       "orbit: it is up to $@1$ AU off along it, and still misses the need. A higher order pays at once.",
        "equation (7), explicit Euler",
        0x1p-11,
        inaccurate,
@@ -251,7 +251,7 @@ Quantity eccentric_anomaly(const std::string& name, const std::string& says, dou
       "power series in e", doubling("terms", 2, 7), [=](int n) { return lagrange_series(e, M, n); },
       by_series,
       by_series == ok ? ""
-                      : filled("it diverges beyond Laplace's limit, $e=@4$, and falls slowly before it",
+                      : filled("it may diverge beyond Laplace's limit, $e=@4$, and falls slowly before it",
                                {laplace_limit()}));
   E.add({"Kepler's equation", "Brent", tolerances(), [=](double t) { return answer(bracketed(e, M, t)); }});
   return E;
@@ -274,8 +274,8 @@ std::vector<Quantity> eccentric_anomalies(const Parameters& p, const Reference& 
             16,
             {iterate(1), iterate(2), iterate(3), setting_of(Side::broken)}});
   hard.add(
-      {"The classical power series in the eccentricity diverges for $e>@4$ (Laplace's limit). A bracket "
-       "always holds: the root is between $M$ and $M+e$.",
+      {"The power series in the eccentricity may diverge for $e>@4$ (Laplace's limit). A bracket always "
+       "holds: the root is between $M$ and $M+e$.",
        "Kepler's equation, power series in e",
        128,
        Outcome::diverged,

@@ -62,6 +62,9 @@ double remainder(double a, double epsilon) {
   return sqrt(2 / cos(a)) * (pi / 2 - std::asin(1 - epsilon * cos(a) / sin(a)));
 }
 
+/// Whether the remainder is real.
+bool has_remainder(double a) { return cos(a) > 0; }
+
 /// The listing's arithmetic, in the listing's order; `shift` is subtracted from the cosine.
 double listed_integral(double a, double shift, int panels) {
   const double amax = a - book_epsilon, h = amax / panels;
@@ -83,6 +86,7 @@ Quantity quarter_period(double a, const Reference& truth) {
   const auto smooth = legendre_integrand(a);
   const std::string as_it_stands = "singular integrand", substituted = "Legendre's substitution";
   const std::string loses_digits = R"($\cos t-\cos a$ cancels at the singular end)";
+  const bool listed_root = cos(a - book_epsilon) > a, remains = has_remainder(a);
 
   quarter.add({"elliptic K", "std::comp_ellint_1", no_knob(), [a](double) {
                  return Answer{std::numbers::sqrt2 * std::comp_ellint_1(sin(a / 2)), 1};
@@ -104,15 +108,17 @@ Quantity quarter_period(double a, const Reference& truth) {
                  return Answer{listed_integral(a, a, static_cast<int>(n)) + remainder(a, book_epsilon),
                                static_cast<long>(n) + 1};
                },
-               Outcome::inaccurate, "it subtracts the angle where the text subtracts the angle's cosine"});
-  quarter.add(
-      {"listing with the text's integrand", "Simpson", doubling("panels", 64, 6),
-       [=](double n) {
-         return Answer{listed_integral(a, cos(a), static_cast<int>(n)) + remainder(a, book_epsilon),
-                       static_cast<long>(n) + 1};
-       },
-       Outcome::inaccurate,
-       filled("Simpson's rule cannot follow the integrand to $@1$ of its singularity", {book_epsilon})});
+               listed_root ? Outcome::inaccurate : Outcome::non_finite,
+               "it subtracts the angle where the text subtracts the angle's cosine"});
+  quarter.add({"listing with the text's integrand", "Simpson", doubling("panels", 64, 6),
+               [=](double n) {
+                 return Answer{listed_integral(a, cos(a), static_cast<int>(n)) + remainder(a, book_epsilon),
+                               static_cast<long>(n) + 1};
+               },
+               remains ? Outcome::inaccurate : Outcome::non_finite,
+               remains ? filled("Simpson's rule cannot follow the integrand to $@1$ of its singularity",
+                                {book_epsilon})
+                       : R"(the remainder divides by $\sqrt{\cos a}$, and $\cos a<0$)"});
   quarter.add({substituted, "Simpson", panels,
                [=](double n) { return answer(simpson(smooth, 0, pi / 2, static_cast<int>(n))); }});
   quarter.add({substituted, "trapezoid", panels,
@@ -412,16 +418,17 @@ std::vector<Root> roots() {
 Findings study(const Parameters& p, const Reference& truth) {
   Quantity quarter = quarter_period(p["a"], truth);
   const double at_end = singular_integrand(p["a"])(p["a"] - book_epsilon);
-  quarter.add(Breakdown{
-      "With the text's integrand the listing is still wrong: one panel of Simpson's rule takes "
-      "the integrand at $@1$ from its singularity, where it is @5, and so adds @2 to the time. The "
-      "substitution removes the singularity, and @2 panels of the trapezoid rule are enough.",
-      "listing with the text's integrand, Simpson",
-      book_panels,
-      Outcome::inaccurate,
-      "Legendre's substitution, trapezoid",
-      16,
-      {book_epsilon, at_end, at_end * (p["a"] - book_epsilon) / book_panels / 3, setting_of(Side::cured)}});
+  if (has_remainder(p["a"]))
+    quarter.add(Breakdown{
+        "With the text's integrand the listing is still wrong: one panel of Simpson's rule takes "
+        "the integrand at $@1$ from its singularity, where it is @5, and so adds @2 to the time. The "
+        "substitution removes the singularity, and @2 panels of the trapezoid rule are enough.",
+        "listing with the text's integrand, Simpson",
+        book_panels,
+        Outcome::inaccurate,
+        "Legendre's substitution, trapezoid",
+        16,
+        {book_epsilon, at_end, at_end * (p["a"] - book_epsilon) / book_panels / 3, setting_of(Side::cured)}});
   return {
       claims(truth),
       {quarter, motion(scene(), p, truth)},

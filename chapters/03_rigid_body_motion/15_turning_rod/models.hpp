@@ -80,10 +80,12 @@ struct EndOnTheAxis {
 template <class T>
 struct RigidSpring {
   Rod<T> rod;
-  std::array<T, 3> at(const T& t) const {
-    const T p = rod.c * root_half<T>() * cos(rod.w * t);
-    return rod.place(p + sqrt(rod.ell * rod.ell - rod.c * rod.c + p * p), t);
+  template <class X>
+  X along(const X& t) const {
+    const X p = rod.end_along(t);
+    return p + sqrt(rod.ell * rod.ell - rod.c * rod.c + p * p);
   }
+  std::array<T, 3> at(const T& t) const { return rod.place(along(t), t); }
 };
 
 /// (lambda, lambda') in the listing's arithmetic; `factor` multiplies the time inside the cosine.

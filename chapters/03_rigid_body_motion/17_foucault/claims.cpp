@@ -18,7 +18,7 @@ using std::numbers::pi;
 
 // ---- the point mass ---------------------------------------------------------------------------------------
 
-/// T - V of a mass m at L R(q) in axes that rotate with omega k; |r' + w x r| is its speed in axes that do
+/// T - V of a mass m at L R(q) in axes that rotate with w = p.w(); |r' + w x r| is its speed in axes that do
 /// not.
 template <class N>
 struct Lagrangian {

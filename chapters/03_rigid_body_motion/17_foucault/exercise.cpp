@@ -1,7 +1,8 @@
 // Exercise 3.17: the Foucault pendulum, by Lagrange: a point mass, then a solid cone that hangs by its
 // vertex.
-//   theta'' sin phi + 2 theta' phi' cos phi = 2 omega phi' b,   b = sin lambda cos phi - cos lambda sin theta
-//   sin phi phi'' - theta'^2 sin phi cos phi = -2 omega theta' sin phi b - (g/L) sin phi
+//   theta'' sin phi + 2 theta' phi' cos phi = 2 omega phi' b
+//   phi'' - theta'^2 sin phi cos phi = -2 omega theta' sin phi b - (g/L) sin phi
+//   b = sin lambda cos phi - cos lambda sin theta sin phi
 // These hold to first order in omega. They are compared with Lagrange's equations by dual numbers. The
 // kinetic energy is that in axes that do not rotate, |r' + w x r|^2/2. Its part linear in omega is half the
 // difference for Earths that rotate in opposite directions. The cone's integrals are by quadrature over its

@@ -196,9 +196,8 @@ Check accelerations(const std::string& left, const std::string& right, double se
     const Sample s(random, n);
     const Value expected = by_right(s);
     const double size = std::max(size_of(expected), 10.0);
-    worst.add(by_left(s), expected,
-              {1e-10 * size, "a ten-thousandth of a millionth: condition $10^4$ or less"}, size,
-              "$n$ = " + std::to_string(n) + ", " + s.where());
+    worst.add(by_left(s), expected, {1e-10 * size, "a ten-thousandth of a millionth: condition below $10^5$"},
+              size, "$n$ = " + std::to_string(n) + ", " + s.where());
   }
   return worst.check();
 }
@@ -265,7 +264,7 @@ void formulas(Table& table, const std::vector<Sample>& samples) {
                         const std::string& formula, const Of& truth) {
     table.formula(slug, number, formula, samples, {.quantity = quantity, .truth = truth, .printed = formula});
   };
-  const std::string rods = "three turned rods, by complex numbers", dual = "dual numbers in the time";
+  const std::string rods = "three turned rods, added as vectors", dual = "dual numbers in the time";
   line("x3", 2645, "the place $x_3$ of the third mass",
        R"($x_3=r_1\sin\theta_1+r_2\sin\theta_2+r_3\sin\theta_3$)",
        {rods, [](const auto& s) { return three_rods(s)[0]; }});

@@ -1,8 +1,7 @@
 // Exercise 3.25: three masses on rigid massless rods, hung one from the other, with energies and equations of
 // motion; and a chain of n masses.
-//   pattern    sum_j mu_max(i,j) r_i r_j (cos(theta_i - theta_j) theta_j'' + sin(theta_i - theta_j)
-//   theta_j'^2)
-//                = -mu_i g r_i sin(theta_i),   mu_k the mass from k on
+//   pattern    sum_j mu_max(i,j) r_i r_j (cos(theta_i - theta_j) theta_j''
+//              + sin(theta_i - theta_j) theta_j'^2) = -mu_i g r_i sin(theta_i), mu_k the mass from k on
 //   tensions   (1/m_k + 1/m_(k-1)) t_k - c_k t_(k-1)/m_(k-1) - c_(k+1) t_(k+1)/m_k = r_k theta_k'^2 (+ g cos
 //              theta_1 for k = 1), c_k = cos(theta_k - theta_(k-1)): tridiagonal, so linear in n
 // methods.cpp contains the quantities, claims.cpp the claims. References: 60-digit Taylor series in Cartesian

@@ -48,7 +48,7 @@ Quantity small_swing(const Triple& like, const Reference& truth) {
   Triple start = like;
   start.theta = {0x1p-10, 0x1.8p-10, 0x1p-9};
   start.omega = {0, 0, 0};
-  Quantity q = quantity("small_swing", "m", "the same from angles of a thousandth",
+  Quantity q = quantity("small_swing", "m", "the masses' positions from angles of thousandths",
                         trajectory(truth, "03_25_chain", inputs(start), horizon), {1e-6, "a micrometre"});
   SceneMethods(q, horizon, halving("step", 0x1p-4, 7), tolerances(3, 9))
       .closed_form("normal modes", SmallAngles(start))
@@ -441,7 +441,7 @@ std::vector<Quantity> quantities(const Triple& start, const Reference& truth) {
   Quantity lost = prediction(late, truth, {inaccurate, inaccurate, ok},
                              {1e-3, "a millimetre: within a centimetre what is lost came by chance"});
   lost.add(
-      Breakdown{"Neighbours diverge: whatever the algorithm, double is off by @1 m after @2 s, and no "
+      Breakdown{"Neighbours diverge: double is off by @1 m after @2 s, and neither another algorithm nor a "
                 "shorter step helps. Digits do, each by the time that `seconds_per_digit` shows.",
                 "double, extrapolated midpoint, order 20",
                 0x1p-6,

@@ -34,11 +34,11 @@ std::vector<Claim> claims() {
       "the program is on the book's CD-ROM; the text gives neither its equations nor a listing";
   return Claims("3.31")
       .add("rough_friction", 2949,
-           "the program `RoughPlaneSolidBox` is an implementation that uses rough friction",
+           "The program `RoughPlaneSolidBox` is an implementation that uses rough friction",
            {.not_checkable = why})
-      .add("no_static_friction", 2949, "the program does not incorporate static friction",
+      .add("no_static_friction", 2949, "The program does not incorporate static friction",
            {.not_checkable = why})
-      .add("easily_modified", 2949, "the program may easily be modified to have static friction",
+      .add("easily_modified", 2949, "The program may easily be modified to have static friction",
            {.not_checkable = why})
       .in_order();
 }
