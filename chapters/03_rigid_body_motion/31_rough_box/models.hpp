@@ -213,7 +213,7 @@ struct WithStickTest : InTime<T> {
   }
 };
 
-/// (x, y, theta, u, v, w, t) in the stretched time s, dt = speed ds: rest is approached about as exp(-mu g s).
+/// (x, y, theta, u, v, w, t) in the stretched time s, dt = speed ds: rest comes about as exp(-mu g s).
 template <class T>
 struct Stretched {
   Given<T> p;
