@@ -464,16 +464,24 @@ bool same_choice(const Question& q, const std::string& text, const Json& chosen)
   return false;
 }
 
-/// The question over the part of its horizon that was judged before its time was over.
+void set_option(Question& q, const std::string& option, const std::string& value) {
+  const auto given = std::ranges::find(q.words, option);
+  if (given == q.words.end())
+    q.words.insert(q.words.end(), {option, value});
+  else
+    *std::next(given) = value;
+}
+
+/// The question over the part of its horizon that was judged before its time was over, with time enough to be
+/// answered whole.
 Question over_part(Question q, double horizon) {
+  if (horizon == q.horizon) return q;
   std::array<char, 40> text;
   const std::string shortest(text.data(), std::to_chars(text.data(), text.data() + text.size(), horizon).ptr);
-  const auto given = std::ranges::find(q.words, "--horizon");
-  if (given == q.words.end())
-    q.words.insert(q.words.end(), {"--horizon", shortest});
-  else
-    *std::next(given) = shortest;
+  set_option(q, "--horizon", shortest);
   q.horizon = horizon;
+  q.limit = 60;
+  set_option(q, "--time-limit", "60s");
   return q;
 }
 
@@ -481,7 +489,9 @@ Verdict judge_chosen(const Question& asked, const Program& program, const Ended&
   if (const std::string off = contradiction(asked, answer); !off.empty()) return wrong(off, ended);
   const Question q = over_part(asked, answer["need"]["judged_over"].value);
   const Json& chosen = answer["chosen"];
-  if (q.beside != "-") {
+  const bool is_whole =
+      q.horizon == asked.horizon;  // a part is another question, for which times are measured again
+  if (q.beside != "-" && is_whole) {
     const Ended other = ask(q, program, q.beside);
     if (other.code == 0 && !same_choice(q, other.out, chosen))
       return wrong("two answers: --json says " + chosen["model"].words + " by " + chosen["algorithm"].words +
@@ -496,9 +506,12 @@ Verdict judge_chosen(const Question& asked, const Program& program, const Ended&
     return {Verdict::not_run, first_line(coded.err), ended.seconds};
   }
   if (coded.out.find(chosen["model"].words + ", " + chosen["algorithm"].words) == std::string::npos &&
-      coded.out.substr(0, 2000).find(chosen["algorithm"].words) == std::string::npos)
+      coded.out.substr(0, 2000).find(chosen["algorithm"].words) == std::string::npos) {
+    if (!is_whole)
+      return {Verdict::not_run, "over its part alone, another method is cheapest", ended.seconds};
     return wrong("two answers: --json says " + chosen["model"].words + " by " + chosen["algorithm"].words,
                  ended);
+  }
 
   const bool with_energy = q.scene->energy && (q.criterion == "energy" || q.also.contains("energy"));
   Printed seen;

@@ -257,7 +257,7 @@ void rotation_and_derivative(Statements& claims, const Moments& moments) {
           R"($\frac{d}{dt}S^2$ is not generally $2S\dot S$ (our check: it is $S\dot S+\dot SS$).)",
           R"($\frac{d}{dt}S^2$)", [](const auto& m) { return m.S2_dot; },
           [](const auto& m, double k) { return (2 - k) * (m.S * m.S_dot) + k * (m.S_dot * m.S); },
-          &Moment::size, "dual numbers", 0, R"($2S\dot S$)"}});
+          &Moment::size, "dual numbers", 0, "twice the term"}});
 }
 
 /// Reconstructs the matrix from its images of a, b and c.
@@ -290,7 +290,7 @@ void matrices_by_images(Statements& claims, const Moments& moments) {
          {"matrix_from_images", 333, R"($M=AU^T$ where $|\dot{\mathbf D}|=1$)", "$M$",
           [](const auto& m) { return m.R_dot; },
           [](const auto& m, double k) { return m.R_dot * m.U * (k == 1 ? transpose(m.U) : m.U); },
-          &Moment::size, itself, 0, "$AU$"}},
+          &Moment::size, itself, 0, "$U$ in the place of its transpose"}},
         true);
   const auto determinants = [&](const std::string& text, double unit) {
     const Form shifted{"the determinant", [=](M m) { return determinant(m.W + unit * m.I); },

@@ -209,7 +209,7 @@ Quantity mixed_derivatives(const At& at, const Known& six) {
          [=](double h) { return of_slopes(ByDifferences<4>{h}); }, Outcome::inaccurate, once});
   q.add({"phi", "central differences 2", steps(25), [=](double h) { return of_values(ByDifferences<2>{h}); },
          Outcome::inaccurate,
-         twice + R"(: even the best step, near $\varepsilon^{1/4}/w$, loses half the digits)"});
+         twice + R"(: even the best step, near $\varepsilon^{1/4}/w$, is far from a rounding)"});
   q.add({"phi", "central differences 4", steps(25), [=](double h) { return of_values(ByDifferences<4>{h}); },
          Outcome::inaccurate, twice});
   q.add(Breakdown{
