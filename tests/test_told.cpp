@@ -180,7 +180,8 @@ constexpr Pattern patterns[] = {
     {R"(a third of each|a sixth of|half side squared|twice the first term|twice the pull|the plain one twice)",
      by_theory},
     {R"(10\^\{-8\}|less than 3 by)", given},
-    {R"(10\^\{-2k\}|half a turn|condition below \$10\^5\$|[Tt]wo points|32 bits|four decimals of)", by_theory},
+    {R"(10\^\{-2k\}|half a turn|condition below \$10\^5\$|[Tt]wo points|32 bits|four decimals of)",
+     by_theory},
     {R"(\b[01]\b(?!\.\d))", zero_or_one}};
 
 std::string without_patterns(std::string text, std::set<std::string_view>& seen) {
