@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <functional>
 #include <numbers>
 
 /// Functions that models are written with. A model is generic in its number type: float, double, dual
@@ -46,6 +48,21 @@ auto either(const Condition& condition, const Yes& yes, const No& no) {
 }
 /// A loop's condition, true while it holds for any of several numbers.
 inline bool any_of(bool condition) { return condition; }
+
+/// The sum of term(row) over a table's rows, component by component. A row's numbers have the type of `any`.
+/// Number types that record loops overload it.
+template <class T, std::size_t columns, std::size_t rows, class Term>
+auto sum_over(const T& any, const std::array<std::array<double, columns>, rows>& table, const Term& term) {
+  std::array<T, columns> row;
+  row.fill(any);
+  const auto term_of = [&](std::size_t i) {
+    for (std::size_t k = 0; k < columns; ++k) row[k] = T(table[i][k]);
+    return term(row);
+  };
+  auto sum = term_of(0);
+  for (std::size_t i = 1; i < rows; ++i) std::ranges::transform(sum, term_of(i), sum.begin(), std::plus<>());
+  return sum;
+}
 
 template <class A, class B>
 auto dot(const std::array<A, 3>& a, const std::array<B, 3>& b) {

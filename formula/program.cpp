@@ -1,6 +1,7 @@
 #include "formula/program.hpp"
 
 #include <algorithm>
+#include <map>
 #include <numbers>
 
 #include "formula/code.hpp"
@@ -52,19 +53,6 @@ Term written(std::string_view what, const std::vector<Term>& x) {
   return called(what, x);
 }
 
-/// Declarations, as many a line as it has room for.
-std::vector<std::string> packed(const std::string& type, const std::vector<std::string>& declared) {
-  std::vector<std::string> lines;
-  for (const std::string& one : declared) {
-    if (!lines.empty() && lines.back().size() + one.size() + 2 <= line_length)
-      lines.back() += ", " + one;
-    else
-      lines.push_back(type + one);
-  }
-  for (std::string& line : lines) line += ';';
-  return lines;
-}
-
 }  // namespace
 
 std::set<std::string> letters_of(const Record& record, const std::vector<std::vector<Recorded>>& results) {
@@ -87,12 +75,28 @@ std::string free_name(std::string name, std::set<std::string>& taken) {
   return name;
 }
 
+/// Declarations, as many a line as it has room for.
+std::vector<std::string> Program::packed(const std::string& type, const Lines& lines) {
+  std::vector<std::string> all;
+  bool goes_on = false;
+  for (const auto& [text, is_declared] : lines) {
+    if (goes_on && is_declared && all.back().size() + text.size() + 1 <= line_length)
+      all.back().back() = ',', all.back() += " " + text + ";";
+    else
+      all.push_back(is_declared ? type + text + ";" : text);
+    goes_on = is_declared;
+  }
+  return all;
+}
+
 /// Terms of operations within a function, or among the constants.
 struct ProgramWriter {
   const Program& program;
   const Program::Named& constants;
   Program::Named& in;
   bool constant;
+  /// The lines of each loop that is open, by its number; those outside all of them belong to -1.
+  std::map<int, Program::Lines*> open = {{-1, &in.lines}};
 
   Term term(int i) {
     const Operation& operation = program.at(i);
@@ -101,6 +105,7 @@ struct ProgramWriter {
                                                  : Term(operation.value);
     if (operation.what == "letter") return Term::term(operation.text);
     if (!constants.names[index(i)].empty()) return Term::term(constants.names[index(i)]);
+    if (operation.what == "sum" && in.names[index(i)].empty()) write_loop(i);
     const bool is_worth_a_name = !program.is_cheap(i) && !is_condition(operation.what);
     if (in.names[index(i)].empty() && in.uses[index(i)] > 1 && is_worth_a_name) name(i);
     if (!in.names[index(i)].empty()) return Term::term(in.names[index(i)]);
@@ -122,14 +127,64 @@ struct ProgramWriter {
   void name(int i) { name(i, inlined(i)); }
   void name(int i, const Term& term) {
     in.names[index(i)] = program.name_of(i, constant, in.taken);
-    in.lines.push_back(in.names[index(i)] + " = " + term.text());
+    open.at(program.loop_of_[index(i)])->push_back({in.names[index(i)] + " = " + term.text()});
+  }
+  /// With all other sums of its loop that are needed at the same place.
+  void write_loop(int sum) {
+    const auto& loops = program.record_.loops();
+    const std::string& row = program.at(sum).text;
+    const auto loop = std::ranges::find(loops, row, &Loop::row);
+    const int number = static_cast<int>(loop - loops.begin()), around = program.loop_of_[index(sum)];
+    std::string totals;
+    Program::Lines lines, added;
+    open[number] = &lines;
+    for (int i = 0; i < static_cast<int>(in.uses.size()); ++i) {
+      if (program.at(i).what != "sum" || program.at(i).text != row || in.uses[index(i)] == 0 ||
+          program.loop_of_[index(i)] != around)
+        continue;
+      const Term summed = term(program.at(i).of[0]);
+      const std::string& name = in.names[index(i)] = program.name_of(i, constant, in.taken);
+      totals += (totals.empty() ? "Total " : ", ") + name + " = 0.0";
+      added.push_back({"  " + name + " += " + summed.text() + ";", false});
+    }
+    open.erase(number);
+    for (std::size_t i = 0; i < in.names.size(); ++i)
+      if (program.loop_of_[i] == number) in.names[i].clear();
+    Program::Lines& outside = *open.at(around);
+    outside.push_back({totals + ";", false});
+    outside.push_back({"foreach (Row " + row + " in " + program.table_name(loop->table) + ") {", false});
+    for (const std::string& line : Program::packed("double ", lines)) outside.push_back({"  " + line, false});
+    outside.insert(outside.end(), added.begin(), added.end());
+    outside.push_back({"}", false});
   }
 };
+
+/// Numbers of loops grow inwards. A sum does not depend on the row that it goes over.
+void Program::find_loops() {
+  const auto& operations = record_.operations();
+  std::vector<std::set<int>> rows(operations.size());
+  for (std::size_t i = 0; i < operations.size(); ++i) {
+    for (const int of : operations[i].of) rows[i].insert(rows[index(of)].begin(), rows[index(of)].end());
+    for (std::size_t k = 0; k < record_.loops().size(); ++k) {
+      const std::string& row = record_.loops()[k].row;
+      if (operations[i].what == "letter" && operations[i].text.starts_with(row + "["))
+        rows[i].insert(static_cast<int>(k));
+      if (operations[i].what == "sum" && operations[i].text == row) rows[i].erase(static_cast<int>(k));
+    }
+    loop_of_.push_back(rows[i].empty() ? -1 : *rows[i].rbegin());
+  }
+}
 
 Program::Program(const Record& record, std::set<std::string> moving,
                  const std::vector<std::vector<Recorded>>& often, std::set<std::string> taken)
     : record_(record) {
   const std::size_t n = record.operations().size();
+  find_loops();
+  for (const Loop& loop : record.loops()) {
+    taken.insert({loop.row, table_name(loop.table)});
+    for (std::size_t i = 0; i < record.tables()[loop.table].front().size(); ++i)
+      moving.insert(loop.row + "[" + std::to_string(i) + "]");
+  }
   for (std::size_t i = 0; i < n; ++i) {
     const Operation& operation = record.operations()[i];
     fixed_.push_back(operation.what == "letter"
@@ -183,7 +238,20 @@ std::string Program::name_of(int i, bool constant, std::set<std::string>& taken)
 }
 
 std::vector<std::string> Program::constants() const {
-  return packed("static readonly double ", constants_.lines);
+  std::vector<std::string> lines = packed("static readonly double ", constants_.lines);
+  for (std::size_t table = 0; table < record_.tables().size(); ++table) {
+    const auto& rows = record_.tables()[table];
+    const std::string type = "Table" + std::to_string(rows.front().size());
+    lines.push_back("static readonly " + type + " " + table_name(table) + " = new " + type + " {");
+    for (const auto& row : rows) {
+      std::string numbers;
+      for (const double x : row) numbers += (numbers.empty() ? "" : ", ") + Term(x).text();
+      lines.push_back("  new Row {" + numbers + "},");
+    }
+    lines.back().back() = '}';
+    lines.back() += ";";
+  }
+  return lines;
 }
 
 Statements Program::function(const std::vector<Recorded>& results) {

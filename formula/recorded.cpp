@@ -18,6 +18,10 @@ bool is_same(const Operation& a, const Operation& b) {
 
 double computed(std::string_view name, const std::vector<double>& x);
 
+std::string letter_of(const Loop& loop, std::size_t column) {
+  return loop.row + "[" + std::to_string(column) + "]";
+}
+
 Record& record_of(const Recorded& a, const Recorded& b) { return *(a.record() ? a.record() : b.record()); }
 
 Recorded of_one(std::string_view name, const Recorded& x) {
@@ -77,17 +81,61 @@ double computed(std::string_view name, const std::vector<double>& x) {
 
 }  // namespace
 
-std::vector<double> Record::values(const std::map<std::string, double>& letters) const {
-  std::vector<double> all;
-  for (const Operation& operation : operations_) {
+std::vector<double> Record::values(const Letters& letters) const {
+  std::vector<double> all(operations_.size());
+  evaluate(0, all.size(), letters, all);
+  return all;
+}
+
+void Record::evaluate(std::size_t from, std::size_t to, const Letters& letters,
+                      std::vector<double>& values) const {
+  for (std::size_t at = from; at < to; ++at) {
+    const Operation& operation = operations_[at];
     std::vector<double> of;
-    for (const int i : operation.of) of.push_back(all[static_cast<std::size_t>(i)]);
+    for (const int i : operation.of) of.push_back(values[static_cast<std::size_t>(i)]);
     const auto letter = letters.find(operation.text);
-    all.push_back(!of.empty()               ? computed(operation.what, of)
-                  : letter != letters.end() ? letter->second
-                                            : operation.value);
+    values[at] = operation.what == "sum"   ? sum(operation, letters, values)
+                 : !of.empty()             ? computed(operation.what, of)
+                 : letter != letters.end() ? letter->second
+                                           : operation.value;
+  }
+}
+
+double Record::sum(const Operation& sum, Letters letters, std::vector<double> values) const {
+  const Loop& loop = *std::ranges::find(loops_, sum.text, &Loop::row);
+  const auto first = std::ranges::find(operations_, letter_of(loop, 0), &Operation::text);
+  const auto from = static_cast<std::size_t>(first - operations_.begin());
+  const auto term = static_cast<std::size_t>(sum.of[0]);
+  double all = 0;
+  for (const std::vector<double>& row : tables_[loop.table]) {
+    for (std::size_t i = 0; i < row.size(); ++i) letters[letter_of(loop, i)] = row[i];
+    evaluate(from, term + 1, letters, values);
+    all += values[term];
   }
   return all;
+}
+
+Loop Record::loop_over(const Table& table) {
+  const auto found = std::ranges::find(tables_, table);
+  const Loop loop{"row" + std::to_string(loops_.size() + 1),
+                  static_cast<std::size_t>(found - tables_.begin())};
+  if (found == tables_.end()) tables_.push_back(table);
+  loops_.push_back(loop);
+  return loop;
+}
+
+std::vector<Recorded> row_letters(Record& record, const Loop& loop) {
+  std::vector<Recorded> all;
+  for (const double x : record.tables()[loop.table].front())
+    all.push_back(Recorded::letter(record, letter_of(loop, all.size()), x));
+  return all;
+}
+
+Recorded sum_of(Record& record, const Loop& loop, const Recorded& term) {
+  if (term.is_known()) return term.value() * static_cast<double>(record.tables()[loop.table].size());
+  Operation sum{"sum", {term.at()}, 0, loop.row};
+  sum.value = record.sum(sum, {}, record.values({}));
+  return {record, record.put(sum)};
 }
 
 int Record::put(Operation operation) {

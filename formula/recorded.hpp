@@ -1,5 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -9,7 +13,8 @@
 /// Numbers that record what is computed with them, to be printed as a program (program.hpp).
 namespace oddity::formula {
 
-/// One operation: "+", "sin", "<", "select"; "letter", whose name is its text; "number".
+/// One operation: "+", "sin", "<", "select"; "letter", whose name is its text; "number"; "sum" of the term
+/// before it, over the rows of the loop that its text names.
 struct Operation {
   std::string_view what;
   std::vector<int> of = {};  ///< the operations before it that it takes
@@ -17,18 +22,37 @@ struct Operation {
   std::string text = {};
 };
 
+/// A loop over the rows of a table. The terms of its sums have the row's numbers as letters: "row[0]".
+struct Loop {
+  std::string row;
+  std::size_t table;
+};
+using Table = std::vector<std::vector<double>>;
+
 /// Operations in their order, each that is repeated once.
 class Record {
  public:
+  using Letters = std::map<std::string, double>;
+
   int put(Operation operation);
+  /// Begins a loop whose row has the next name.
+  Loop loop_over(const Table&);
+  const std::vector<Loop>& loops() const { return loops_; }
+  const std::vector<Table>& tables() const { return tables_; }
   const std::vector<Operation>& operations() const { return operations_; }
   /// Their values for other values of these letters.
-  std::vector<double> values(const std::map<std::string, double>& letters) const;
+  std::vector<double> values(const Letters&) const;
+  /// That of a sum, where those of all operations are known.
+  double sum(const Operation&, Letters, std::vector<double> values) const;
   /// A condition was asked for its truth: other values of the letters may go another way.
   bool has_branched = false;
 
  private:
+  void evaluate(std::size_t from, std::size_t to, const Letters&, std::vector<double>& values) const;
+
   std::vector<Operation> operations_;
+  std::vector<Loop> loops_;
+  std::vector<Table> tables_;
 };
 
 /// A condition: known, or an operation.
@@ -118,5 +142,32 @@ Recorded copysign(const Recorded& size, const Recorded& sign);
 Recorded remainder(const Recorded& x, const Recorded& y);
 Recorded pow(const Recorded& x, const Recorded& y);
 Recorded select(const Asked& condition, const Recorded& yes, const Recorded& no);
+
+/// The letters of a loop's row, and the sum of a term that was made of them.
+std::vector<Recorded> row_letters(Record&, const Loop&);
+Recorded sum_of(Record&, const Loop&, const Recorded& term);
+
+/// The sum of term(row) over a table's rows, component by component: a loop of the record that `any` is in.
+template <std::size_t columns, std::size_t rows, class Term>
+auto sum_over(const Recorded& any, const std::array<std::array<double, columns>, rows>& table,
+              const Term& term) {
+  const auto term_of = [&](const auto& numbers) {
+    std::array<Recorded, columns> row;
+    std::ranges::copy(numbers, row.begin());
+    return term(row);
+  };
+  if (any.is_known()) {
+    auto sum = term_of(table[0]);
+    for (std::size_t i = 1; i < rows; ++i)
+      std::ranges::transform(sum, term_of(table[i]), sum.begin(), std::plus<>());
+    return sum;
+  }
+  Table numbers;
+  for (const auto& row : table) numbers.emplace_back(row.begin(), row.end());
+  const Loop loop = any.record()->loop_over(numbers);
+  auto sum = term_of(row_letters(*any.record(), loop));
+  for (Recorded& one : sum) one = sum_of(*any.record(), loop, one);
+  return sum;
+}
 
 }  // namespace oddity::formula

@@ -10,6 +10,7 @@
 
 #include "chapters/03_rigid_body_motion/33_heavy_top/models.hpp"
 #include "chapters/listing.hpp"
+#include "chapters/numbers.hpp"
 #include "chapters/scene.hpp"
 #include "formula/program.hpp"
 #include "report/pages/code.hpp"
@@ -163,6 +164,7 @@ void check(Language language, double allowed) {
   REQUIRE(printed.size() == all.cases.size());
   for (std::size_t i = 0; i < all.cases.size(); ++i) {
     INFO(all.cases[i].says);
+    CHECK(std::ranges::count(all.cases[i].code, '\n') <= most_lines_of_code);
     REQUIRE(printed[i].size() >= all.cases[i].value.size());
     CHECK(largest_difference(all.cases[i].value, printed[i]) <= allowed);
   }
@@ -176,6 +178,35 @@ TEST_CASE("a short program has the program's numbers, for every scene's models",
 
 TEST_CASE("a short program compiles with C's headers, and no name hides another", "[code][programs]") {
   check_alone(all_in(Language::cpp).cases);
+}
+
+TEST_CASE("a sum over a table is recorded as a loop", "[programs]") {
+  using formula::Recorded;
+  constexpr std::array<std::array<double, 2>, 3> table{{{1, 2}, {3, 5}, {-4, 7}}};
+  const auto of = [&](const auto& x, const auto& y) {
+    using X = std::decay_t<decltype(x)>;
+    return sum_over(x, table, [&](const std::array<X, 2>& outer) {
+      const auto inner = sum_over(x, table, [&](const std::array<X, 2>& row) {
+        return std::array<X, 2>{row[0] * x * outer[1], row[1] * outer[0]};
+      });
+      return std::array<X, 2>{inner[0] * y, sin(inner[1]) + x};
+    });
+  };
+  formula::Record record;
+  const auto x = Recorded::letter(record, "x", 0.5), y = Recorded::letter(record, "y", -2);
+  const std::array<Recorded, 2> sums = of(x, y);
+  const std::array<double, 2> now = of(0.5, -2.0), later = of(3.0, 0.25);
+  const auto later_values = record.values({{"x", 3}, {"y", 0.25}});
+  for (std::size_t i = 0; i < 2; ++i) {
+    CHECK(sums[i].value() == now[i]);
+    CHECK(later_values[static_cast<std::size_t>(sums[i].at())] == later[i]);
+    CHECK(of(Recorded(0.5), Recorded(-2.0))[i].value() == now[i]);
+  }
+  formula::Program program(record, {"x", "y"}, {{sums.begin(), sums.end()}}, {});
+  const auto made = program.function({sums.begin(), sums.end()});
+  CHECK(std::ranges::count_if(
+            made.lines, [](const std::string& line) { return line.find("foreach (Row") != line.npos; }) == 2);
+  CHECK(program.constants().size() == 4);
 }
 
 TEST_CASE("a motion that loses its numbers alone is another motion", "[programs]") {

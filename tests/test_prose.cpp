@@ -54,6 +54,7 @@ TEST_CASE("the linter finds words in a row, within a sentence, and long sentence
   for (std::size_t i = 0; i < prose::longest_sentence; ++i) long_sentence += "word ";
   CHECK(kinds_in(long_sentence + ".").empty());
   CHECK(kinds_in(long_sentence + "more.") == Texts{"long"});
+  CHECK(kinds_in(long_sentence + "\\nmore.").empty());
 }
 
 TEST_CASE("the linter refuses a line that is no rule", "[prose]") {

@@ -46,7 +46,9 @@ std::string in_lower_case(const std::string& code) {
 std::string c_sharp(const std::string& code) {
   static const Changes changes{{std::regex(R"(\bcopy\((\w+)\))"), "(double[])$1.Clone()"},
                                {std::regex(R"(\bsize\((\w+)\))"), "$1.Length"},
-                               {std::regex(R"(\b(State|Half|Seen|Weights)\b)"), "double[]"},
+                               {std::regex(R"(\b(State|Half|Seen|Weights|Row)\b)"), "double[]"},
+                               {std::regex(R"(\bTable\d+\b)"), "double[][]"},
+                               {std::regex(R"(\bTotal\b)"), "double"},
                                {std::regex(R"(\bPlaces\b)"), "int[]"}};
   return changed(code, changes);
 }
@@ -56,7 +58,10 @@ std::string javascript(const std::string& code) {
       math(R"(Math\.([A-Z]\w*)\()");
   static const Changes changes{{std::regex(R"(\bcopy\((\w+)\))"), "$1.slice()"},
                                {std::regex(R"(\bsize\((\w+)\))"), "$1.length"},
+                               {std::regex(R"(new Table\d+ \{((\n *new Row \{[^}]*\},?)*)\})"), "[$1]"},
                                {std::regex(R"(new \w+ \{([^}]*)\})"), "[$1]"},
+                               {std::regex(R"(\bTotal )"), "let "},
+                               {std::regex(R"(foreach \(Row (\w+) in )"), "for (const $1 of "},
                                {std::regex(R"((static readonly|const) \w+ (\w+ =))"), "const $2"},
                                {std::regex(R"(\bdouble (\w+ =))"), "const $1"},
                                {std::regex(R"(static bool (\w+);)"), "let $1 = false;"},
@@ -96,7 +101,8 @@ std::string cpp(const std::string& code) {
   static const Changes changes{
       {std::regex(R"(\bvar (\w+) = copy\((\w+)\))"), "auto $1 = $2"},
       {std::regex(R"(\bsize\((\w+)\))"), "$1.size()"},
-      {std::regex(R"(new Places \{)"), "{"},
+      {std::regex(R"(static readonly Table(\d+) (\w+) =)"), "const double $2[][$1] ="},
+      {std::regex(R"(new (Table\d+|Row|Places) \{)"), "{"},
       {std::regex(R"(new Weights \{)"), "{"},
       {std::regex(R"(static readonly Places (\w+) =)"), "const std::size_t $1[] ="},
       {std::regex(R"(static readonly Weights (\w+) =)"), "const double $1[] ="},
@@ -104,7 +110,9 @@ std::string cpp(const std::string& code) {
       {std::regex(R"((static readonly |const |)\bdouble (\w+ =))"), "const double $2"},
       {std::regex(R"(static (State|Half|int|double|bool) ([^;(]*);)"), "$1 $2;"},
       {std::regex(R"(foreach \(var (\w+) in )"), "for (const std::size_t $1 : "},
+      {std::regex(R"(foreach \(Row (\w+) in )"), "for (const auto& $1 : "},
       {std::regex(R"(for \(var (\w+) = 0)"), "for (std::size_t $1 = 0"},
+      {std::regex(R"(\bTotal )"), "double "},
       {std::regex(R"(\bvar )"), "const auto "},
       {std::regex(R"(Math\.PI\b)"), "std::numbers::pi"},
       {std::regex(R"(std::iEEERemainder)"), "std::remainder"}};

@@ -204,6 +204,9 @@ std::vector<Sentence> sentences_of(std::string_view text) {
     if (const std::size_t end = end_of_code(text, i); end != text.npos) {
       sentences.back().push_back({"`", i});
       i = end;
+    } else if (text.substr(i).starts_with("\\n")) {  // a line's end in a quoted text
+      ++i;
+      if (!sentences.back().empty()) sentences.emplace_back();
     } else if (is_letter(text[i])) {
       Word word{"", i};
       for (; i < text.size() && (is_letter(text[i]) || text[i] == '_'); ++i)

@@ -54,25 +54,28 @@ struct Contact {
   /// terms cancel.
   template <class X>
   Three<X> by_points(const X& u, const X& v, const X& w) const {
-    const std::array x{T(0.1834346424956498), T(0.5255324099163290), T(0.7966664774136267),
-                       T(0.9602898564975363)};
-    const std::array weight{T(0.3626837833783620), T(0.3137066458778873), T(0.2223810344533745),
-                            T(0.1012285362903763)};
-    Three<X> mean{X(0), X(0), X(0)};
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t j = 0; j < 4; ++j)
-        for (const T& px : {T(-a * x[i]), T(a * x[i])})
-          for (const T& py : {T(-b * x[j]), T(b * x[j])}) {
-            const X vx = u - w * py, vy = v + w * px;
-            const X part = weight[i] * weight[j] / 4 / sqrt(vx * vx + vy * vy);
-            mean[0] += part * vx;
-            mean[1] += part * vy;
-            mean[2] += part * (px * vy - py * vx);
-          }
-    return mean;
+    return sum_over(u, gauss_points, [&](const std::array<X, 2>& along) {
+      const X px = a * along[0], vy = v + w * px;
+      return sum_over(u, gauss_points, [&](const std::array<X, 2>& across) {
+        const X py = b * across[0], vx = u - w * py;
+        const X part = along[1] * across[1] / 4 / sqrt(vx * vx + vy * vy);
+        return Three<X>{part * vx, part * vy, part * (px * vy - py * vx)};
+      });
+    });
   }
 
  private:
+  /// Places from -1 to 1, and weights.
+  static constexpr std::array<std::array<double, 2>, 8> gauss_points{
+      {{-0.9602898564975363, 0.1012285362903763},
+       {-0.7966664774136267, 0.2223810344533745},
+       {-0.5255324099163290, 0.3137066458778873},
+       {-0.1834346424956498, 0.3626837833783620},
+       {0.1834346424956498, 0.3626837833783620},
+       {0.5255324099163290, 0.3137066458778873},
+       {0.7966664774136267, 0.2223810344533745},
+       {0.9602898564975363, 0.1012285362903763}}};
+
   /// The integral of sqrt(k^2 + y^2) over y.
   template <class X>
   static X along_edge(const X& k, const X& y1, const X& y2) {
