@@ -9,7 +9,7 @@ prefix=$place/moved
 export HOME=$place/home
 unset XDG_CACHE_HOME
 
-# check WHAT COMMAND...
+# check NAME COMMAND...
 check() {
   "${@:2}" || { echo "installed: $1: wrong" >&2; exit 1; }
   echo "installed: $1"

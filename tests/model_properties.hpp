@@ -97,7 +97,7 @@ class AtRandom {
           [this](const auto& model) { return this->not_back(model); });
   }
   void conserves() const {
-    check("what is conserved does not change",
+    check("conserved quantities do not change",
           [this](const auto& model) { return this->not_conserved(model); });
   }
 
@@ -166,8 +166,8 @@ class AtRandom {
       if (fine <= 1e-6) return "";
       const double coarse = lost(1e-9);
       if (fine <= coarse / 10) return "";
-      return "after " + format_shortest(end) + " has changed by " + format_shortest(fine) +
-             " of what moves in it, and by " + format_shortest(coarse) + " at a thousand times the tolerance";
+      return "has a relative drift of " + format_shortest(fine) + " after " + format_shortest(end) +
+             ", and of " + format_shortest(coarse) + " at a thousand times the tolerance";
     }
     return "";
   }

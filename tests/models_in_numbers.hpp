@@ -118,7 +118,7 @@ class Scene {
 
   template <std::size_t i>
   void model() const {
-    INFO("model " << i << " of the scene");
+    INFO("the scene's model " << i);
     const auto expected = seen<i>(values_);
     const double scale = largest(expected);
     REQUIRE(std::isfinite(scale));

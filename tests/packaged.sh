@@ -7,7 +7,7 @@ package=$(realpath "${1:?the package}")
 place=$(mktemp -d)
 trap 'rm -rf "$place"' EXIT
 
-# check WHAT COMMAND...
+# check NAME COMMAND...
 check() {
   "${@:2}" || { echo "packaged: $1: wrong" >&2; exit 1; }
   echo "packaged: $1"

@@ -14,7 +14,7 @@
 #include "chapters/contents.hpp"
 #include "report/study/choose.hpp"
 
-/// What the tests of printed code share: a second of a motion, and what a printed program says of it.
+/// Shared by the tests of printed code: a second of a motion, and the output of a printed program.
 namespace oddity::printed {
 
 constexpr double frames_per_second = 60, steps = 2;
@@ -26,7 +26,7 @@ inline Need need_of_a_second() {
   return need;
 }
 
-/// The parameters all changed a little, so that no two are alike.
+/// All parameters changed a little, each by a different fraction.
 inline Task task_beside(const Entry& entry) {
   Task task(entry);
   double part = 0;
@@ -52,7 +52,7 @@ inline double largest_difference(const Value& one, std::span<const double> other
   return worst;
 }
 
-/// What the command prints.
+/// Output and errors of a command; begins with "failed: " if the exit code is not 0.
 inline std::string output_of(const std::string& command) {
   std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
   std::string output;

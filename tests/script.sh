@@ -55,7 +55,7 @@ oddity() {
   ended=0
   (cd tree && PATH=$place/bin CI= ODDITY_OWN= ./oddity "$@") >said 2>told </dev/null || ended=$?
 }
-# check WHAT COMMAND...
+# check NAME COMMAND...
 check() {
   "${@:2}" || { echo "script: $1: wrong"; head -n 20 said told calls; exit 1; } >&2
   echo "script: $1"

@@ -187,7 +187,7 @@ TEST_CASE("a sweep's plan uses all of its arguments", "[arguments]") {
       {plan + "--setting 0.1 --looks 010", "--looks must be a whole number from 1 to 1000000, and is '010'"},
       {plan + "--setting 0.1 --looks 0x10", "and is '0x10'"},
       {plan + "--setting 0.1 --error 1deg,1e9", "'1e9' in '1deg,1e9' has no unit"},
-      {plan + "--over g=9..9.000000000000002:1000000 --setting 0.1", "narrower than numbers can tell apart"},
+      {plan + "--over g=9..9.000000000000002:1000000 --setting 0.1", "too narrow for double precision"},
       {"sweep plan " + scratch.path().string() +
            " 3.5 --model 'one angle' --algorithm 'Fehlberg 7(8)' --over a=1deg..179deg:10 --setting 1s",
        "--setting: '1s' has a unit that does not fit: this one has no unit"},
@@ -361,6 +361,6 @@ TEST_CASE("a sweep of choices accepts a criterion", "[arguments]") {
       {{"sweep plan " + map +
             "/x 3.5 --model 'one angle' --algorithm 'Runge-Kutta 4' --over a=10deg..30deg:2 "
             "--setting 0.01 --criterion energy --error 0.01",
-        "is of what is chosen at each cell"},
+        "applies to the method chosen at each cell"},
        {"sweep plan " + map + "/x 3.5 --over a=10deg..30deg:2 --criterion energy", "needs --error"}});
 }

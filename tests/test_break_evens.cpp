@@ -60,8 +60,7 @@ void check_intervals(const BreakEven& found, const std::function<double(double)>
     }
     if (near_an_end) continue;
     const double error = largest_error(at);
-    INFO(found.model << " at " << found.parameter << " = " << at << ": " << error / limit
-                     << " of what is allowed");
+    INFO(found.model << " at " << found.parameter << " = " << at << ": error / limit = " << error / limit);
     CHECK((error <= limit) == inside);
   }
 }

@@ -88,7 +88,8 @@ void keeps_its_laws(const Entry& entry) {
   for (const Entry& entry : registry())
     if (entry.exercise.scene)
       register_test([&entry] { keeps_its_laws(entry); },
-                    to_string(entry.number) + ": what is right by its path has its true energy, and is held",
+                    to_string(entry.number) +
+                        ": a model with the right path has the true energy and keeps its constraint",
                     "[criterion][" + to_string(entry.number) + "]");
   return true;
 }();

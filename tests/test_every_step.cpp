@@ -1,4 +1,4 @@
-// What breakdowns say of every step is so at every step, not only at the two trials that they show.
+// A breakdown's statement about every step is true at every step, not only in the two trials that it shows.
 
 #include <algorithm>
 #include <cmath>

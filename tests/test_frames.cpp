@@ -212,8 +212,8 @@ struct Oscillator {
   std::array<double, 1> observe(const State& x, double) const { return {x[0]}; }
 };
 
-/// The trace of what velocity Verlet makes of one turn of the lengths, in steps of h: between -2 and 2
-/// nothing grows, as its determinant is 1.
+/// Trace of velocity Verlet's matrix over one cycle of the lengths, in steps of h. Between -2 and 2 nothing
+/// grows, as the determinant is 1.
 double trace_of_verlet(const std::vector<double>& lengths, double h) {
   std::array<double, 4> all{1, 0, 0, 1};
   for (const double length : lengths) {
@@ -232,7 +232,7 @@ double safe_by_hand(const std::vector<double>& lengths) {
 
 }  // namespace
 
-TEST_CASE("frames that vary excite a resonance, below what the longest of them explains",
+TEST_CASE("varying frames resonate: their stable step is shorter than their longest frame explains",
           "[frames][stability]") {
   Quantity swing;
   SceneMethods(swing, {100}, halving("step", 1, 3), tolerances())

@@ -126,7 +126,7 @@ TEST_CASE("the name of a model in float belongs to the model that is listed unde
     for (std::size_t i = 0; i < given.size(); ++i) {
       if (given[i] == "\"\"") continue;
       REQUIRE(name != names.end());
-      INFO(*name << ", " << given[i] << " among the names, is number " << i + 1 << " of the models");
+      INFO(*name << ": name " << given[i] << " in model " << i + 1);
       CHECK(listed(scene.listing, *name++) == constructed(constructs[i]));
     }
     CHECK(name == names.end());

@@ -1,4 +1,4 @@
-// Kicks from outside, beside loops by hand.
+// Kicks from outside, compared with loops by hand.
 
 #include "report/study/kicks.hpp"
 
@@ -37,7 +37,7 @@ State swung(State x, int steps, double h) {
   return x;
 }
 
-/// The angle at each sixtieth of a second up to 2 s, where the rate at 1 s becomes what `kick` makes of it.
+/// The angle at each sixtieth of a second up to 2 s; `kick` changes the state at 1 s.
 template <class Kicked>
 std::vector<double> by_hand(const Kicked& kick) {
   constexpr int steps = 200;
@@ -69,7 +69,7 @@ double off(const Value& seen, const std::vector<double>& expected) {
 
 }  // namespace
 
-TEST_CASE("a kick changes what is seen, in whatever state a model has", "[kicks]") {
+TEST_CASE("a kick changes the observables, whatever the state of a model consists of", "[kicks]") {
   const Task task = task_of("3.5", {});
   const Scene& scene = *task.entry->exercise.scene;
   struct Jolt {
@@ -105,7 +105,7 @@ TEST_CASE("a kick changes what is seen, in whatever state a model has", "[kicks]
   }
 }
 
-TEST_CASE("steps of one length begin anew at a kick, which may come between frames", "[kicks]") {
+TEST_CASE("steps of one length begin again at a kick, which may come between frames", "[kicks]") {
   const Task task = task_of("3.5", {});
   const Need need = with_kick(task, "t=1005ms,theta'=+2", "20%");
   const Quantity swing = motion_at_frames(*task.entry->exercise.scene, task.parameters, horizon_of(need),
@@ -246,7 +246,7 @@ TEST_CASE("the truth after a kick is right to twelve digits, without constraints
   CHECK(known.reference.by.starts_with("one angle by "));
 }
 
-TEST_CASE("choose takes a kick, leaves closed forms out, and says so", "[kicks]") {
+TEST_CASE("choose takes a kick, and reports that it leaves closed forms out", "[kicks]") {
   const Task task = task_of("3.5", {});
   const Need need = with_kick(task, "t=1s,theta'=+2");
   const Choice choice = choose(task, need, Reference(std::string(ODDITY_SOURCE) + "/reference"),

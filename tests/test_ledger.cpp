@@ -60,7 +60,7 @@ TEST_CASE("every exercise has a ledger: each assertion has claims or a reason, a
     std::set<std::string> judged;
     for (const Assertion& assertion : ledger) {
       judged.insert(assertion.claims.begin(), assertion.claims.end());
-      INFO(assertion.assertion << ": what is judged elsewhere has that claim, not a reason");
+      INFO(assertion.assertion << ": an assertion that is judged elsewhere has that claim, not a reason");
       CHECK_FALSE(std::regex_search(assertion.reason, std::regex("repeat|judged")));
     }
     for (const std::string& claim : judged) {
@@ -81,7 +81,7 @@ TEST_CASE("a claim's line is that of one of its assertions in the ledger", "[led
     const auto ledger = read_ledger(tables, to_string(entry.number));
     if (!of_the_book(entry.number) || ledger.empty()) continue;
     for (const Claim& claim : entry.exercise.study(Parameters(entry.exercise.parameters), truth).claims) {
-      INFO(claim.id << " says that it is at line " << claim.line);
+      INFO(claim.id << " is in the ledger, at its line " << claim.line);
       CHECK(std::ranges::any_of(ledger, [&](const Assertion& assertion) {
         return assertion.line == claim.line && std::ranges::count(assertion.claims, claim.id) > 0;
       }));

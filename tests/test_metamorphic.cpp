@@ -272,7 +272,7 @@ struct Units {
     if (name == "s" || name == "yr") return time;
     if (name == "N") return mass * length / (time * time);
     if (name == "rad" || name == "1" || name.empty()) return 1;
-    throw std::logic_error("what is a " + std::string(name) + "?");
+    throw std::logic_error("no factor for the unit '" + std::string(name) + "'");
   }
   /// The factor of a unit such as "kg m^2", "N s/m", "AU^3/(yr^2 solar mass)".
   double operator()(std::string_view unit) const {

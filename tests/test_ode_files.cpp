@@ -241,7 +241,7 @@ TEST_CASE("A true motion goes on where a guard rests at zero, and where two choi
   CHECK(near(static_cast<double>(open[1] + open[2] + open[3] + open[4]), 30, 1e-11));
 }
 
-TEST_CASE("Both routes end where a wheel turns back as two of its buckets change, but for a rounding",
+TEST_CASE("Both routes end within a rounding where a wheel turns back as two of its buckets change",
           "[problem][ode-files]") {
   const Numbers wheel = numbers_of(
       "f(u)=heav(cos(u)-cos(pi/6))\nm[0..5]'=.5*f(a-2*pi*[j]/6)-.1*m[j]\na'=w\n"

@@ -60,14 +60,13 @@ void says_that_its_budget_is_spent(const Entry& entry) {
 [[maybe_unused]] const bool registered = [] {
   for (const Entry& entry : registry())
     register_test([&entry] { says_that_its_budget_is_spent(entry); },
-                  to_string(entry.number) + ": a method that is stopped says by what",
+                  to_string(entry.number) + ": a stopped method reports the cause",
                   "[endings][" + to_string(entry.number) + "]");
   for (const Entry& entry : registry())
     if (of_the_book(entry.number))
-      register_test(
-          [&entry] { check_methods(entry); },
-          to_string(entry.number) + " at other parameters: its methods find what they find at the book's",
-          "[others][" + to_string(entry.number) + "]");
+      register_test([&entry] { check_methods(entry); },
+                    to_string(entry.number) + " at other parameters: its methods succeed as at the book's",
+                    "[others][" + to_string(entry.number) + "]");
   return true;
 }();
 

@@ -177,7 +177,7 @@ TEST_CASE("A name has no control characters, and is not a name of formulas", "[p
           "test.toml:3:1: " + std::string(name) + " has a meaning already; take another name");
 }
 
-TEST_CASE("A rate whose name has no quotes is said to need them", "[problem]") {
+TEST_CASE("A rate whose name has no quotes is refused, with the quotes as the remedy", "[problem]") {
   const std::string said = refusal(with("y'' = -g", "{ y = \"0 m\", y' = 0 }"));
   CHECK(said.substr(0, said.find('\n')) == "test.toml:11:23: a name with a prime is in quotes: \"y'\"");
 }

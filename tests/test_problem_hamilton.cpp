@@ -1,4 +1,4 @@
-// A Hamiltonian in a problem's file: its motion is that of the Lagrangian, and what does not fit is refused.
+// A Hamiltonian in a problem's file: its motion is the Lagrangian's, and invalid input is refused.
 
 #include <cmath>
 
@@ -50,7 +50,7 @@ TEST_CASE("A Hamiltonian's motion is the Lagrangian's, with and without a force"
   }
 }
 
-TEST_CASE("A Hamiltonian that nothing drives is conserved, and checks equations beside it",
+TEST_CASE("A Hamiltonian that nothing drives is conserved, and checks equations given with it",
           "[problem][hamilton]") {
   const auto conserves = [](const std::string& more) {
     const auto file = read("test.toml", pendulum(energy + more + started));
@@ -66,7 +66,7 @@ TEST_CASE("A Hamiltonian that nothing drives is conserved, and checks equations 
         "test.toml:9:16: the Hamiltonian's p' is not that of the equations, at a random state");
 }
 
-TEST_CASE("What does not fit a Hamiltonian is said with its place", "[problem][hamilton]") {
+TEST_CASE("An invalid Hamiltonian is refused with the place of the error", "[problem][hamilton]") {
   const std::string plain = "hamiltonian = \"p^2/(2*m L^2)\"\n";
   CHECK(refusal(plain + started) ==
         "test.toml:7:8: a hamiltonian has momenta = { x = \"p\" }, the momentum of each place");

@@ -1,5 +1,5 @@
-// A problem's file that says how engines have it: the pendulum's is 3.5's own, and what does not fit is
-// refused.
+// A problem's file that stages its scene for engines: the pendulum's staging is that of 3.5, and an invalid
+// one is refused.
 
 #include <cmath>
 
@@ -69,7 +69,7 @@ TEST_CASE("The pendulum that a file stages is the one that 3.5 stages", "[proble
   }
 }
 
-TEST_CASE("A spring, a turn and a rate of a body are as the file says", "[problem][staged]") {
+TEST_CASE("A spring, a turn and a rate of a body are as in the file", "[problem][staged]") {
   const Entry& entry = entry_of_text(
       "test.toml",
       pendulum("[staged]\nobserve = { p = \"rod_turn + rod_y' 2 rad s/m + rod_turn' 3 s\" }\n" + body +
@@ -85,7 +85,7 @@ TEST_CASE("A spring, a turn and a rate of a body are as the file says", "[proble
   CHECK(near(staging.observe(std::vector{seen}, 0)[0], 0.4 + 10 + 21, 1e-14));
 }
 
-TEST_CASE("What does not fit a staging is said with its place", "[problem][staged]") {
+TEST_CASE("An invalid staging is refused with the place of the error", "[problem][staged]") {
   CHECK(refusal(whole) == "test.toml:11:1: nothing is staged: add [[staged.body]]");
   CHECK(refusal("[staged]\n" + body) ==
         "test.toml:11:1: what is p of the bodies? add observe = { p = \"rod_x\" } to staged");
@@ -146,7 +146,8 @@ TEST_CASE("A staging is checked again for other parameters", "[problem][staged]"
         }).starts_with("test.toml:17:13: engines take bodies"));
 }
 
-TEST_CASE("engines says of a file without staging what it lacks", "[problem][staged][commands]") {
+TEST_CASE("engines refuses a file without staging, and names the missing part",
+          "[problem][staged][commands]") {
   const ScratchFolder scratch;
   const auto refused = program::run("engines " + scratch.file("mine.toml", pendulum("")).string());
   CHECK(refused.status == 2);

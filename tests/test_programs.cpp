@@ -84,7 +84,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text;
 }
 
-/// All programs as one, which says "case" before each.
+/// All programs as one, which prints "case" before each.
 std::string together(Language language, const std::vector<Case>& cases) {
   std::set<std::string> heads;
   std::string text, calls;

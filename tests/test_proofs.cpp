@@ -30,7 +30,7 @@ TEST_CASE("every recorded proof is of the current formulas", "[proofs]") {
   const Provables now = provables();
   CHECK(record.size() == now.size());
   for (const Provable& p : now) {
-    INFO(p.claim << ": prove it anew by oddity prove --approve");
+    INFO(p.claim << ": prove it again by oddity prove --approve");
     const auto found = record.find(p.claim);
     REQUIRE(found != record.end());
     CHECK(found->second.hash == proof_hash(coq_file(p)));

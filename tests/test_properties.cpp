@@ -125,7 +125,7 @@ TEST_CASE("a small swing is the small angle's, except for its longer period", "[
 
 TEST_CASE("a small oscillation of the bar starts like the bar, also if it is pushed", "[properties][3.23]") {
   properties::check(
-      entry_of("3.23"), "the same angle, angular speed and acceleration", 100, [](const Parameters& p) {
+      entry_of("3.23"), "angle, angular speed and acceleration are the same", 100, [](const Parameters& p) {
         const spring_bar::Given<double> given{
             p["m"], p["r"], p["s"], p["c"], p["h"], p["g"], p["ell"], 1e-6 * p["theta0"], p["w0"]};
         const double w = given.frequency(), dt = 0x1p-10 / w;

@@ -1,4 +1,4 @@
-// The linter of prose: which passages it reads, and what it finds in them.
+// The linter of prose: which passages it reads, and the faults it finds in them.
 
 #include "report/verify/catch.hpp"
 #include "tests/prose/prose.hpp"

@@ -568,7 +568,7 @@ TEST_CASE("a claim lost in our copy is shown with its evidence from other lines"
   CHECK(seen > 10);
 }
 
-TEST_CASE("a row of forms is not shown again beside a claim that says each of them", "[report]") {
+TEST_CASE("a row of forms is not shown again next to a claim that states each of them", "[report]") {
   Claim claim{.says = "$v=r(1+ex)=r+exr$", .printed = {R"($(r(1+ex),\ r+exr)$)", {}}};
   CHECK(says_each_form(claim));
   CHECK_FALSE(says_what_is_printed(claim));
@@ -675,8 +675,8 @@ TEST_CASE("an exercise's verdict is a sentence that agrees with its findings", "
     e.claims[i].verdict = verdict(e.claims[i].claim);
     REQUIRE(e.claims[i].verdict == Verdict::incomplete);
   }
-  CHECK(said("The orbit stands; {{a sign|one sign}} is wrong, and {{rest}} are small.") ==
-        "The orbit stands; [one sign](A sign) is wrong, and 2 more findings are small.");
+  CHECK(said("The orbit is right; {{a sign|one sign}} is wrong, and {{rest}} are small.") ==
+        "The orbit is right; [one sign](A sign) is wrong, and 2 more findings are small.");
   e.claims.swap(all_wrong);
   CHECK(said("{{a sign}}, {{a factor}} and {{a term}}.") ==
         "[a sign](A sign), [a factor](A factor) and [a term](A term).");
@@ -684,7 +684,7 @@ TEST_CASE("an exercise's verdict is a sentence that agrees with its findings", "
   for (const std::string false_one :
        {"{{a sign}} and {{a factor}}.", "{{a sign}}, {{a factor}} and {{rest}}.",
         "{{a sign}}, {{a digit}} and {{rest}}.", "{{a sign}}, {{a factor}}, {{a term}} and {{rest}}.",
-        "All of it stands.", "{{a sign"}) {
+        "All of it is right.", "{{a sign"}) {
     INFO(false_one);
     CHECK_THROWS_AS(said(false_one), std::logic_error);
   }

@@ -471,7 +471,7 @@ TEST_CASE("a finding is shown with its root, the printed and the right formula",
   CHECK(claims_section(results.exercises[0]).find("id=\"9.9-x\"") != std::string::npos);
 }
 
-TEST_CASE("what is printed and what is right are shown at one sample", "[site]") {
+TEST_CASE("the printed and the right value are shown at one sample", "[site]") {
   Results results = sample_with_findings();
   Claim& claim = results.exercises[0].claims.back().claim;
   claim.printed.checks = {{"z", {"a", 3}, {"b", 2}, {0.5, ""}, 1, "worst of 200: x=1"}};

@@ -21,8 +21,8 @@ namespace {
 struct Stays {
   std::string_view words, because;
 };
-constexpr std::string_view counted = "it counts what the sentence or the exercise names",
-                           by_name = "it belongs to a name", by_theory = "it is so by theory",
+constexpr std::string_view counted = "it counts things that the sentence or the exercise names",
+                           by_name = "it belongs to a name", by_theory = "theory gives it",
                            example = "it is given as an example, not found",
                            in_radix = "it is the radix of a power that is filled in";
 constexpr Stays stays[] = {
@@ -153,10 +153,10 @@ struct Pattern {
   const char* words;
   std::string_view because;
 };
-constexpr std::string_view in_book = "the solution, or a display of it, has it",
-                           given = "an example, a need or a tolerance is given by it",
+constexpr std::string_view in_book = "it is printed in the solution or in one of its displays",
+                           given = "it states an example, a need or a tolerance",
                            coefficient = "it is a coefficient, an index or an order of a formula",
-                           zero_or_one = "what vanishes, a unit, or what overflows";
+                           zero_or_one = "it is zero, a unit, or a number that overflows";
 constexpr Pattern patterns[] = {
     {R"(\b[Ll]ines? \d+(?:(?:, and|,| and| to) \d+)*|\b\d{3,4} and \d{3,4}\b|\(\d+(?:\.\d)?\)|\bCase \d)",
      in_book},
@@ -210,7 +210,7 @@ TEST_CASE("no measured number is typed into a breakdown's text", "[claims][texts
     CHECK(number_in(without_what_stays(b.says, seen)) == "");
   }
   for (const Stays& s : stays) {
-    INFO(s.words << " is said nowhere: " << s.because);
+    INFO(s.words << " occurs nowhere: " << s.because);
     CHECK(seen.contains(s.words));
   }
 }
@@ -223,7 +223,7 @@ TEST_CASE("no measured number is typed into a why, a consequence, or the reason 
     CHECK(number_in(without_patterns(s.text, seen)) == "");
   }
   for (const Pattern& each : patterns) {
-    INFO(each.words << " is said nowhere: " << each.because);
+    INFO(each.words << " occurs nowhere: " << each.because);
     CHECK(seen.contains(each.words));
   }
 }

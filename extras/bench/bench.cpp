@@ -302,9 +302,9 @@ std::string chains_text(const ChainBench& bench, const Screen& screen) {
                     format_significant(c.stable, 3) + " s", format_significant(c.theory, 3) + " s"});
   const Bound slope = slope_of(bench);
   return wrapped(
-             "\nChains of n links: the accelerations by the rods' tensions and by the dense matrix, and the "
-             "largest step of Runge-Kutta 4 that lets no small oscillation grow (1 m a link; by theory "
-             "sqrt(8 r/(g z)), z the largest zero of the Laguerre polynomial of degree n)\n",
+             "\nChains of n links of 1 m: time of the accelerations by the rods' tensions and by the dense "
+             "matrix, and the largest step of Runge-Kutta 4 at which no small oscillation grows. Theory: "
+             "sqrt(8 r/(g z)), z the largest zero of the Laguerre polynomial of degree n\n",
              screen) +
          aligned(rows, screen, {{"links"}, {"tensions"}}) +
          wrapped("  The time by the tensions grows as the links to the power " +

@@ -210,12 +210,14 @@ std::string summary(const LanesBench& bench, Registers registers) {
       shares.push_back(r.share.median);
     }
     if (all == 0) continue;
-    text += (own ? "; by their own steps at least "
-                 : std::string(lanes::name_of(registers)) + ": by fixed steps at least ") +
-            format_significant(own ? of_own_steps : of_fixed_steps, 1) + " of the width in " +
-            std::to_string(hold) + " of " + std::to_string(all) +
-            (of_arithmetic > hold ? ", of what its arithmetic has in " + std::to_string(of_arithmetic) : "") +
-            " (half of them from " + format_significant(spread_of(shares).median, 2) + " on, the least " +
+    text += (own ? "; own steps: a share of at least "
+                 : std::string(lanes::name_of(registers)) + ", fixed steps: a share of at least ") +
+            format_significant(own ? of_own_steps : of_fixed_steps, 1) + " in " + std::to_string(hold) +
+            " of " + std::to_string(all) +
+            (of_arithmetic > hold
+                 ? ", and relative to the ceiling of its arithmetic in " + std::to_string(of_arithmetic)
+                 : "") +
+            " (median " + format_significant(spread_of(shares).median, 2) + ", least " +
             format_significant(std::ranges::min(shares), 2) + ")";
   }
   return text + "\n";
@@ -283,22 +285,22 @@ std::string lanes_view(const LanesBench& bench, const Screen& screen) {
   }
   std::string text =
       wrapped(
-          "Time a body a frame alone and in lanes, and what share of the register's width these are faster:\n",
+          "Time per body and frame alone and in lanes, and the speed-up as a share of the register width:\n",
           screen) +
       aligned(std::move(rows), screen,
               {.shorten = {"model", "algorithm"}, .leave_out = {"SSE2", "alone"}, .first_above = true}) +
       wrapped("\nA frame is 1/60 s, of " + std::to_string(steps_a_frame) +
                   " fixed steps; own steps hold their error at 1e-9, in float at 1e-5. " +
-                  std::to_string(bodies) + " bodies with parameters of their own, " + std::to_string(frames) +
-                  " frames at once, of " + std::to_string(spans) +
-                  " times the least, after one that is not timed.\nTaken on this machine: " +
+                  std::to_string(bodies) + " bodies with different parameters, " + std::to_string(frames) +
+                  " frames at once: the least of " + std::to_string(spans) +
+                  " times, after one that is not timed.\nTaken on this machine: " +
                   std::string(lanes::name_of(bench.taken)) + ".\n",
               screen);
   if (!bench.arithmetic.empty())
     text += wrapped(
-        "What its arithmetic has at once, measured in this run by operations that do not wait for each other, in the "
-        "time of one number's. An instruction on a wider register may take longer: then what keeps the arithmetic busy "
-        "alone cannot be as much faster as the register is wide.\n",
+        "Throughput of its arithmetic, measured in this run by independent operations: doubles at once in the "
+        "time of one alone. An instruction on a wider register may take longer: a model that keeps the "
+        "arithmetic busy alone then stays below the register's width.\n",
         screen);
   for (const ArithmeticResult& a : bench.arithmetic) text += "  " + text_of(a);
   for (Registers kind : kinds) text += wrapped(summary(bench, kind), screen);

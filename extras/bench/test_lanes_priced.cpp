@@ -85,8 +85,8 @@ TEST_CASE("the view of lanes counts the limits that hold, and the equal bits", "
   CHECK(has(view, "10 ns, 1.2 +- 0.01"));
   CHECK(has(view, "500 of 512"));
   CHECK(has(view, "Taken on this machine: AVX-512."));
-  CHECK(has(view, "AVX2: by fixed steps at least 0.9 of the width in 1 of 1"));
-  CHECK(has(view, "AVX-512: by fixed steps at least 0.9 of the width in 0 of 1"));
+  CHECK(has(view, "AVX2, fixed steps: a share of at least 0.9 in 1 of 1"));
+  CHECK(has(view, "AVX-512, fixed steps: a share of at least 0.9 in 0 of 1"));
   CHECK(has(view, "2036 of 2048 bodies have the bits"));
   const std::string csv = to_csv(lanes_table(bench));
   CHECK(has(csv, "Runge-Kutta 4,double,AVX2,4,no,"));

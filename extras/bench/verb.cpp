@@ -63,16 +63,16 @@ void add_bench(const CommandLine& line) {
   auto* bench = add_verb(
       line.app, "bench",
       "Measure how fast this build is: against loops by hand, its best methods, the suite; or lanes, or the verbs.",
-      "Times mean something only on an idle machine. The exit code is 1 when a limit is broken.\n"
+      "Times are meaningful only on an idle machine. The exit code is 1 when a limit is broken.\n"
       "Columns: part (race, contest, series, chain or suite), subject, measured, value, half_width (of its quartiles), unit, "
       "at_most, verdict (holds, undecided or BROKEN, where there is a limit); a row for each number.\n"
       "With --lanes: scene, model, algorithm, precision, registers, width, taken (the widest), seconds_alone and "
       "seconds (a body a frame), share (how many times faster, of the width), at_least, ceiling (of the share, where the processor's own "
-      "arithmetic has less), verdict (holds, arithmetic: what is asked of that ceiling, not asked: of registers of two doubles, undecided "
+      "arithmetic has less), verdict (holds, arithmetic: holds relative to that ceiling, not asked: registers of two doubles, undecided "
       "or BROKEN), bodies, "
-      "same_bits (how many have them), and the half_width of each time and share.\n"
-      "With --verbs: part (verb or growth), subject, amount (of what grows), seconds, cpu_seconds, peak_bytes, "
-      "failure (how it ended, unless well).\n"
+      "same_bits (of how many bodies), and the half_width of each time and share.\n"
+      "With --verbs: part (verb or growth), subject, amount (the number that grows), seconds, cpu_seconds, "
+      "peak_bytes, failure (how it ended, unless well).\n"
       "Examples:\n  oddity bench\n  oddity bench --csv\n  oddity bench --lanes 3.5 3.33\n  oddity bench --verbs",
       [line, asked] {
         const verbs::Format format = asked->format();
@@ -82,7 +82,8 @@ void add_bench(const CommandLine& line) {
                                                : time_build(line.reference, format);
       },
       true);
-  auto* lanes = bench->add_flag("--lanes", asked->lanes, "the scenes' models in lanes, beside each alone");
+  auto* lanes =
+      bench->add_flag("--lanes", asked->lanes, "the scenes' models in lanes, compared with each alone");
   bench->add_flag("--verbs", asked->verbs, "time and peak memory of each verb, and how its work grows")
       ->excludes(lanes);
   bench->add_option("scenes", asked->scenes, "with --lanes, these scenes, by number; else all")->needs(lanes);

@@ -136,7 +136,7 @@ std::string verbs_view(const VerbsBench& bench, const Screen& screen) {
   for (const VerbCost& v : bench.verbs)
     rows.push_back(
         {v.words, shown_time(v.seconds), shown_time(v.cpu_seconds), megabytes(v.peak_bytes), v.failure});
-  std::string text = wrapped("Each verb as a program of its own, on all cores\n", screen) +
+  std::string text = wrapped("Each verb as a separate program, on all cores\n", screen) +
                      aligned(rows, screen, {{"verb"}, {}});
   for (const Growth& g : bench.growth) {
     text += wrapped("\n" + g.of + ": the CPU time grows as their number to the power " +

@@ -86,7 +86,7 @@ std::string drawn(const std::vector<NamedCurve>& curves, const std::string& says
   const Plot plot{{abscissas.low / 1.2, abscissas.high * 1.2, plot_left, plot_right, true},
                   {errors.low / 1.3, errors.high * 1.3, height, top, true}};
   svg.rectangle({plot_left, plot.y(1)}, plot_right - plot_left, height - plot.y(1), "good");
-  add_axes(svg, plot, across, "worst error, in parts of what is enough");
+  add_axes(svg, plot, across, "worst error / allowed error");
   svg.line({plot_left, plot.y(1)}, {plot_right, plot.y(1)}, "need");
   std::vector<Label> labels;
   int slot = 0;
@@ -158,7 +158,7 @@ std::string engine_times_svg(const EngineContest& contest, bool webassembly) {
   std::erase_if(curves, [](const NamedCurve& c) { return c.points.empty(); });
   return drawn(curves,
                webassembly ? "Behind WebAssembly: times that no native program has"
-                           : "Of the native variants, those that are enough for the least time",
+                           : "The fastest native variants that are accurate enough",
                title_of(contest) + "; beyond 240 Hz one run each", "seconds a frame");
 }
 

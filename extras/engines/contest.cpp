@@ -49,7 +49,7 @@ EngineProgram about(std::vector<std::string> command) try {
                                v.value("lasting", ""), v.value("friction", "")});
   return engine;
 } catch (const nlohmann::json::exception& error) {
-  throw BadInput(command.back() + " --about: the engine does not say what it is: " + error.what());
+  throw BadInput(command.back() + " --about: the engine's description is not valid: " + error.what());
 }
 
 /// Like run_program; a program that cannot be started counts as failed.

@@ -283,7 +283,7 @@ bool has_engine_scene(const Entry& entry) { return entry.exercise.scene && entry
 void require_engine_scene(const Entry& entry) {
   if (has_engine_scene(entry)) return;
   if (entry.number.chapter == 0)
-    throw BadInput("this file does not say how engines have it: add [staged] with its bodies and joints");
+    throw BadInput("this file does not stage its scene for engines: add [staged] with its bodies and joints");
   std::string those;
   for (const Entry& other : registry())
     if (has_engine_scene(other)) those += (those.empty() ? "" : ", ") + to_string(other.number);

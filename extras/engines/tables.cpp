@@ -16,16 +16,16 @@ namespace oddity {
 
 namespace {
 
-/// "29 % of its energy", "0.01 m of what is held".
+/// "29 % in energy", "0.01 m in the constraint".
 std::string in_words(Criterion criterion, double off) {
   const std::string part = std::isfinite(off) ? two_digits(100 * off) + " %" : "an unknown part";
   switch (criterion) {
     case Criterion::energy:
-      return part + " of its energy";
+      return part + " in energy";
     case Criterion::period:
-      return part + " of its period";
+      return part + " in period";
     case Criterion::constraint:
-      return two_digits(off) + " m of what is held";
+      return two_digits(off) + " m in the constraint";
     case Criterion::bounded:
       return two_digits(10 * off) + " times the true motion's size";
     default:

@@ -9,7 +9,7 @@
 /// Shared code of the engines' views: a scene's table and the texts around it.
 namespace oddity {
 
-/// By all requested criteria: "3.4 cm, 0.12 deg and 29 % of its energy".
+/// By all requested criteria: "3.4 cm, 0.12 deg and 29 % in energy".
 std::string error_text(const std::vector<double>& errors, const std::map<Criterion, double>& by,
                        const EngineContest&);
 

@@ -85,7 +85,7 @@ TEST_CASE("a crash of an engine is an outcome", "[engines]") {
 
 TEST_CASE("an engine without a valid description is bad input that names it", "[engines]") {
   const ScratchFolder scratch;
-  for (const auto& [about, why] : {std::pair("echo I am an engine", "does not say what it is"),
+  for (const auto& [about, why] : {std::pair("echo I am an engine", "description is not valid"),
                                    std::pair(R"(echo '{"name": "Fake"}')", "'version' not found"),
                                    std::pair(R"(echo '{"name": 7, "version": "1"}')", "must be string"),
                                    std::pair("echo no license >&2; exit 2", "status 2 no license")}) {
@@ -479,9 +479,9 @@ TEST_CASE("engines are judged and shown by the requested criteria", "[engines]")
       Instead{"one angle", {degree}, 1e-8, {{Criterion::energy, 0.01}, {Criterion::constraint, 0}}};
   const std::string text = engines_text({contest}, {60, 120}, false, {});
   INFO(text);
-  for (const char* said : {"enough is 5 % of its energy and 0.001 m of what is held",
-                           "29 % of its energy and 0.0005 m of what is held", "4.6 % of its energy",
-                           "errs by 1 % of its energy and 0 m of what is held"})
+  for (const char* said : {"enough is 5 % in energy and 0.001 m in the constraint",
+                           "29 % in energy and 0.0005 m in the constraint", "4.6 % in energy",
+                           "errs by 1 % in energy and 0 m in the constraint"})
     CHECK(text.find(said) != std::string::npos);
   const std::string csv = to_csv(engines_table({contest}));
   CHECK(csv.find("restored,off_energy,off_constraint\n") != std::string::npos);

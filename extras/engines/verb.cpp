@@ -161,7 +161,7 @@ struct AskedScenes {
   AskedNeed need;
 
   std::string first_option() const { return horizon.empty() ? accuracy_option(need) : "--horizon"; }
-  /// Files are of one's own, and are asked as they say.
+  /// Whether exercises run unmodified, to the default accuracy. A problem's file does not count.
   bool is_usual() const {
     return words.overrides.empty() && first_option().empty() &&
            std::ranges::none_of(words.exercises, problem::is_file);
@@ -306,7 +306,7 @@ void run_engines(const fs::path& folder, const AskedEngines& asked) {
   if (!option.empty() && std::ranges::none_of(scenes, is_task))
     throw BadInput(option + " is of an exercise: name one, such as 3.5");
   if (!words.is_usual() && (asked.kept || asked.page))
-    throw BadInput("what is kept and reported is of the exercises as they are: leave '" +
+    throw BadInput("--kept and --report take the exercises as they are: leave '" +
                    (!words.words.overrides.empty() ? words.words.overrides.front()
                     : !option.empty()              ? option
                                                    : scenes.front()) +
@@ -341,8 +341,8 @@ void run_engines(const fs::path& folder, const AskedEngines& asked) {
 void add_engines(const CommandLine& line) {
   const auto asked = std::make_shared<AskedEngines>();
   auto* engines = add_verb(
-      line.app, "engines", "Put other people's physics engines on the scenes, beside the models.",
-      "Each engine that is built runs as a program of its own, at 60 steps a second and finer by doubling, and is "
+      line.app, "engines", "Run third-party physics engines on the scenes, and compare them with the models.",
+      "Each engine that is built runs as a separate program, at 60 steps a second and finer by doubling. It is "
       "judged at every frame over 10 s: to 1 cm and 1 degree. In oddity's sources './oddity engines' installs and "
       "builds them.\n"
       "Columns: scene, engine, version, precision, variant, webassembly (1 or 0), hz, outcome, error, unit, "
@@ -353,19 +353,19 @@ void add_engines(const CommandLine& line) {
       [line, asked] { run_engines(line.reference, *asked); }, true);
   engines->add_option(
       "scene", asked->scenes,
-      "exercises, a problem's file with [staged], or: free body, bouncing ball, box on corners, chain of 10, chain of 100; unless any is "
-      "named, all but the last, which takes long; behind one exercise name=value for each parameter to change");
+      "exercises, a problem's file with [staged], or: free body, bouncing ball, box on corners, chain of 10, chain of 100. Default: "
+      "all except the last, which takes long. Behind one exercise, name=value for each parameter to change");
   auto* horizon = add_value(*engines, "--horizon", asked->horizon, "TIME",
                             "how long the motion of an exercise is watched, instead of 10 s");
   add_value(*engines, "--error", asked->need.error, "ERROR",
-            "of an exercise: the largest error, instead of 1cm and 1deg; of energy and period a part, 1%");
+            "an exercise's largest error, instead of 1cm and 1deg; for energy and period a fraction, 1%");
   add_criteria(*engines, asked->need);
   add_time_limit(*engines, asked->time_limit, ", for each scene");
   add_value(*engines, "--hz", asked->rates, "RATES", "the rates to show")->capture_default_str();
   add_count(*engines, "--finest", asked->finest, 1, 4096, "steps per frame to go to, by doubling");
   engines->add_flag("--all", asked->all, "every variant, not the defaults and the best of each engine");
   auto* rows = engines->add_flag("--rows", asked->rows, "print the rows of engines.csv instead");
-  engines->add_flag("--kept", asked->kept, "what earlier runs kept, and nothing is run");
+  engines->add_flag("--kept", asked->kept, "show results kept from earlier runs, and run nothing");
   engines->add_flag("--report", asked->page, "write the page engines.md of the report");
   add_formats(*engines, *asked, "every trial");
   set_apart(*engines, rows, {"--json", "--csv", "--report"});

@@ -145,7 +145,7 @@ std::string variant_answer(const EngineContest& contest, const EngineSeries& s) 
   line += ", for " + shown_time(paid.seconds_per_frame) + " a frame";
   if (contest.least && enough && !s.webassembly)
     line += ", " + two_digits(paid.seconds_per_frame / contest.least->seconds_per_frame) +
-            " times what the choice above costs";
+            " times the cost of the choice above";
   return line + ".";
 }
 

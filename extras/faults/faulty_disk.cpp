@@ -1,8 +1,8 @@
 // A faulty disk and clock, for a program that loads this before its libraries (LD_PRELOAD). ODDITY_FAULT is
 // one of
-//   full, readonly   from the change ODDITY_FAULT_AT on, the disk refuses all: no space, no permission
-//   kill             the program is killed before that change
-//   clock            the time of day jumps by a year, on and back
+//   full, readonly   from the change ODDITY_FAULT_AT on, the disk refuses all: no space, no permission.
+//   kill             the program is killed before that change.
+//   clock            the time of day jumps by a year, on and back.
 // At the end the file ODDITY_FAULT_COUNT contains the number of changes requested.
 
 #include <dlfcn.h>

@@ -29,7 +29,8 @@ int main(int argc, char** argv) try {
   for (const faults::Verb& verb : faults::verbs(program)) {
     if (!is_asked(verb.name, argc, argv)) continue;
     const auto row = faults::try_faults(verb, program, {kills, std::min(kills, 40)}, seed);
-    if (row.empty()) std::cout << verb.name << ": not run, as the program is built without what it needs\n";
+    if (row.empty())
+      std::cout << verb.name << ": not run, as the program is built without a library that it needs\n";
     verbs += !row.empty();
     for (const faults::Cell& cell : row) {
       ++cells;

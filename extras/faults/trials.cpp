@@ -144,9 +144,9 @@ void Trials::judge(Cell& cell, const std::string& when, const Ended& ended, cons
   auto what = wrong(parts_allowed, ended.status == 0 && !verb_.keeps);
   if (!statuses.contains(ended.status)) what.push_back("that is not its exit code");
   if (ended.status == 2 && !says(ended, "oddity: ") && verb_.program == "oddity")
-    what.push_back("it does not say why");
+    what.push_back("it gives no reason");
   if (says(ended, "internal error") || says(ended, "terminate called"))
-    what.push_back("it says what only we understand");
+    what.push_back("its message is for developers only");
   note(cell, when, ended, what);
 }
 
@@ -197,7 +197,7 @@ Cell Trials::full_disk() {
     const Ended ended = run(command("full", at));
     judge(cell, when, ended, {verb_.keeps || writes() < at ? 0 : 2}, false);
     if (ended.status == 2 && !says(ended, "No space left on device"))
-      note(cell, when, ended, {"it does not say why"});
+      note(cell, when, ended, {"it gives no reason"});
     goes_on(cell, when);
   }
   return cell;
@@ -211,7 +211,7 @@ Cell Trials::read_only() {
     const bool nothing_to_write = done && writes() == 0;  // everything is there already
     judge(cell, "read-only", ended, {verb_.keeps || nothing_to_write ? 0 : 2}, false);
     if (ended.status == 2 && !says(ended, "Read-only file system"))
-      note(cell, "read-only", ended, {"it does not say why"});
+      note(cell, "read-only", ended, {"it gives no reason"});
   }
   return cell;
 }
@@ -227,7 +227,7 @@ Cell Trials::interrupted(int signal, const std::string& name) {
     const bool begun = files_in(folder_) != (i % 2 == 1 && !verb_.once ? texts_after_ : texts_before_);
     if (ended.status == 128 + SIGINT && begun &&
         !says(ended, "interrupted; every file that was written is whole"))
-      note(cell, when, ended, {"it does not say so"});
+      note(cell, when, ended, {"it does not report the interruption"});
   }
   goes_on(cell, name);
   return cell;
@@ -279,7 +279,7 @@ Cell Trials::lost_output() {
   const bool loses = !clean_.said.empty();  // a command without output loses nothing
   judge(cell, "> /dev/full", ended, {loses ? 2 : 0}, false);
   if (loses && !says(ended, "cannot write to standard output"))
-    note(cell, "> /dev/full", ended, {"it does not say why"});
+    note(cell, "> /dev/full", ended, {"it gives no reason"});
   return cell;
 }
 

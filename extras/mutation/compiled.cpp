@@ -41,7 +41,7 @@ std::string linking(const fs::path& built, const std::string& program) {
   const std::string_view before = ": && ", after = " && :";
   const auto last = told.output.rfind("\n" + std::string(before)), end = told.output.rfind(after);
   if (last == std::string::npos || end == std::string::npos || end < last)
-    throw BadInput(built.string() + ": Ninja does not say how it links " + program + ": " + told.words);
+    throw BadInput(built.string() + ": Ninja lists no command that links " + program + ": " + told.words);
   return told.output.substr(last + 1 + before.size(), end - last - 1 - before.size());
 }
 

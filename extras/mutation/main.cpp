@@ -107,7 +107,7 @@ Request request_of(int argc, char** argv) {
       ->check(CLI::PositiveNumber);
   app.add_option("--program", request.program, "The mutated tree's program, compiled already")
       ->check(CLI::ExistingFile);
-  app.add_flag("--again", request.again, "Those alone that survive on record: whether they still do");
+  app.add_flag("--again", request.again, "Only the recorded survivors: whether they still survive");
   app.add_flag("--list", request.list, "Write the mutated tree, show its mutants, and end");
   app.add_flag("--record", request.record, "Write scores and survivors to their records");
   try {
@@ -186,8 +186,8 @@ void show_unknown(const std::vector<Mutant>& tried, const Outcomes& outcomes, co
     if (outcomes.of(m)->fate != Fate::killed && !known.contains(m.id())) unknown.push_back(m);
   if (unknown.empty()) return;
   std::cout
-      << "\nThese survive and are not in extras/mutation/survivors.csv: mend what should have noticed, or "
-         "write them down by --record, each with its reason:\n";
+      << "\nThese survive and are not in extras/mutation/survivors.csv. Mend the tests that should have "
+         "failed, or record these mutants by --record, each with its reason:\n";
   for (const Mutant& m : unknown) std::cout << m.id() << " " << m.name() << "\n";
 }
 
@@ -229,7 +229,7 @@ int mutate(const Request& request) {
   if (request.record) record(request, files, all, tried, outcomes, known);
   show_unknown(tried, outcomes, known);
   for (const std::string& room : less)
-    std::cout << room << ": the suite notices less than is on record in reference/trust/mutation.csv\n";
+    std::cout << room << ": the suite kills a smaller share than recorded in reference/trust/mutation.csv\n";
   return less.empty() ? 0 : 1;
 }
 

@@ -43,7 +43,7 @@ Fate fate_in(const CsvRow& row) {
   throw BadInput(row.place + ": '" + row.cells[1] + "' is not killed, survived or not reached");
 }
 
-const std::string near_miss = "a near miss: another wrong formula, and as far off as is on record";
+const std::string near_miss = "a near miss: another wrong formula, as far off as recorded";
 
 const std::string survivor_columns = "id,room,file,change,reason";
 const std::string outcome_columns = "id,outcome,by";
@@ -83,9 +83,9 @@ std::string csv_of(const Survivors& survivors) {
   std::vector<std::pair<std::string, Survivor>> rows(survivors.begin(), survivors.end());
   std::ranges::sort(rows, {}, [](const auto& row) { return std::tie(row.second.file, row.second.change); });
   std::string text =
-      "# Mutants that the suite does not notice, as oddity_mutate --record found them. `reason`: why nothing "
-      "has to notice,\n# written by hand, save of near misses; where it is empty, something should. `change`: "
-      "function, line, what is made of it.\n" +
+      "# Mutants that the suite does not kill, as found by oddity_mutate --record. `reason`: why no test has "
+      "to kill it,\n# written by hand except for near misses; if empty, a test is missing. `change`: function, line, "
+      "mutation.\n" +
       survivor_columns + "\n";
   for (const auto& [id, s] : rows)
     text += id + "," + s.room + "," + s.file + "," + quoted(s.change) + "," + quoted(s.reason) + "\n";
@@ -200,13 +200,13 @@ Scores read_scores(const fs::path& file) {
 
 std::string csv_of(const Scores& scores) {
   std::ostringstream out;
-  out << "# Mutants and what the suite made of those tried, drawn at random, as oddity_mutate --record wrote it "
-         "at that commit.\n"
-         "# mutants: in those of the room's files that the run mutated; free: without a mutant, as nothing has "
-         "to notice\n# which samples are drawn and how a number is made into text.\n"
-         "# tried = killed + with_reason + survived; with_reason: those that have a reason in survivors.csv. What "
-         "no test runs\n# survives. first_tried, first_killed: of a sample as it was drawn, before anything was "
-         "mended for its sake.\n# Rooms without a row were not tried.\n"
+  out << "# Mutants, and the outcomes of those tried, drawn at random, as recorded by oddity_mutate --record at "
+         "that commit.\n"
+         "# mutants: their number in the mutated files of the room; free: mutants that are not made, in code "
+         "that draws samples\n# or writes numbers as text.\n"
+         "# tried = killed + with_reason + survived; with_reason: survivors with a reason in survivors.csv. "
+         "Mutants in code that\n# no test runs survive. first_tried, first_killed: numbers of the first sample, before "
+         "tests were mended for it.\n# Rooms without a row were not tried.\n"
       << score_columns << "\n";
   for (const auto& [room, s] : scores)
     out << s.date << "," << s.commit << "," << room << "," << s.mutants << "," << s.free << "," << s.tried

@@ -1,11 +1,11 @@
 // oddity_same A.json B.json: lists the differences between two runs' results as CSV, without times. The rows
 // are
-//   verdict, holds   of a claim, of one of its checks
-//   expected         outcome of a method's finest trial, or the two of a breakdown
-//   outcome, count   of any other trial: its outcome, its evaluations
-//   letter           of a map
-//   limit            the largest stable step, by more than 5 %
-//   value            any number at all; the last column is the difference
+//   verdict, holds   a claim's verdict, and whether one of its checks holds.
+//   expected         outcome of a method's finest trial, or the two of a breakdown.
+//   outcome, count   any other trial's outcome and evaluations.
+//   letter           a letter of a map.
+//   limit            the largest stable step, by more than 5 %.
+//   value            any number at all; the last column is the difference.
 // The exit code is 1 if a verdict, a check or an expected outcome differs. The others are fragile, and only
 // listed. With --bits, every number has to be equal, and any difference is an error.
 

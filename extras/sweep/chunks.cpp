@@ -68,7 +68,7 @@ class Lines {
   }
   [[noreturn]] void refuse(const std::string& why) const {
     throw BadInput(place_ + ":" + std::to_string(number_) + ": no chunk as a sweep writes it: " + why +
-                   "; remove the file, and '" + program_as_typed() + " sweep run' makes it anew");
+                   "; remove the file, and '" + program_as_typed() + " sweep run' makes it again");
   }
 
  private:

@@ -29,7 +29,7 @@ const fs::path& folder_of(const std::vector<fs::path>& folders, std::size_t chun
   }
   if (!found)
     throw BadInput("chunk " + std::to_string(chunk) + " is missing: '" + program_as_typed() +
-                   " sweep run' makes what is not there");
+                   " sweep run' makes the missing ones");
   return *found;
 }
 
@@ -56,7 +56,7 @@ std::vector<Tile> tiles_of(const Plan& plan, const fs::path& folder, std::size_t
   auto tiles = kept(folder, plan, chunk);
   if (!tiles)
     throw BadInput(chunk_file(folder, chunk).string() + " is damaged: '" + program_as_typed() +
-                   " sweep run' makes it anew");
+                   " sweep run' makes it again");
   return *std::move(tiles);
 }
 

@@ -134,8 +134,8 @@ double seconds_of(const std::function<void()>& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
 }
 
-/// Of a tile, in cells. What is chosen takes a second here and a minute there, in chaos: many small tiles are
-/// shared evenly. A method's cells share their truths.
+/// Side of a tile, in cells. A choice takes a second in one cell and a minute in another, in chaos: many
+/// small tiles are shared evenly. Cells of one method share their references.
 int tile_side(const Asked& asked) {
   return !asked.algorithm.empty() ? 64 : looks_at_every_cell(asked) ? 4 : 16;
 }
@@ -216,7 +216,7 @@ void require_axis(const Asked& asked, const Axis& axis, const Method* method) {
       throw BadInput(name + ": " +
                      (method ? asked.algorithm + " has " +
                                    (method->knob.name.empty() ? "no setting" : "a " + method->knob.name)
-                             : "what is chosen has a setting of its own"));
+                             : "the chosen method has its own setting"));
     if (!(axis.from > 0 && axis.to > 0)) throw BadInput(name + " needs ends above zero");
     return;
   }
@@ -285,8 +285,8 @@ void require_need(const Asked& asked) {
     throw BadInput("a setting must be positive, and is " + format_shortest(asked.setting));
   if (asked.looks > 0 && asked.algorithm.empty())
     throw BadInput(
-        "--looks is of a method, given by --model and --algorithm; what is chosen is judged at every frame: "
-        "--fps says how many there are");
+        "--looks is of a method, given by --model and --algorithm; a chosen method is judged at every frame: "
+        "--fps is their rate");
 }
 
 void require_cells(const Asked& asked) {
@@ -360,7 +360,7 @@ Json from(const Asked& asked) {
 
 Criterion criterion_in(const Json& json) {
   const auto found = std::ranges::find(criterion_names, json.at("criterion").get<std::string>());
-  if (found == criterion_names.end()) throw std::runtime_error("its criterion is none");
+  if (found == criterion_names.end()) throw std::runtime_error("its criterion is unknown");
   return static_cast<Criterion>(found - criterion_names.begin());
 }
 

@@ -453,7 +453,7 @@ TEST_CASE("frames as they come and kicks are of a plan, and any machine makes th
   CHECK(by_truth.find(",ok,0,") == std::string::npos);
 }
 
-TEST_CASE("a small table of what to choose is many chunks, as a cell in chaos takes long", "[sweep]") {
+TEST_CASE("a small table of choices has many chunks, as a cell in chaos takes long", "[sweep]") {
   const ScratchFolder scratch;
   const fs::path folder = scratch.path() / "table";
   plan(folder, " 3.5 --over a=2deg..40deg:20 --over L=0.5..2:10 --error 1deg --horizon 1 --chunk-time 1ms");
@@ -479,14 +479,14 @@ TEST_CASE("impossible sweeps are refused with a suggestion", "[sweep]") {
   refused("3.5" + method + " --over a=2..1:5 --setting 0.1", "the axis a goes upward, and not from 2 to 1");
   refused("3.5" + method + " --over a=1..2:5", "needs a step");
   refused("3.5" + method + " --over tolerance=1e-9..1e-3:5", "has a step");
-  refused("3.5 a=1" + method + " --over a=1..2:5 --setting 0.01", "both say what a is");
-  refused("3.5" + method + " --over step=1ms..9ms:5 --setting 0.01", "both say what the step is");
+  refused("3.5 a=1" + method + " --over a=1..2:5 --setting 0.01", "both set a: ");
+  refused("3.5" + method + " --over step=1ms..9ms:5 --setting 0.01", "both set the step: ");
   refused("3.5 --model 'one angle' --over a=1..2:5", "go together");
   refused("3.5 --model 'one angel' --algorithm 'Runge-Kutta 4' --over step=1ms..1:5", "has no method");
-  refused("3.5 --over step=1ms..1:5", "has a setting of its own");
+  refused("3.5 --over step=1ms..1:5", "has its own setting");
   refused("3.5 --over a=1..2:5 --error 1deg --looks 50", "--looks is of a method");
   refused("3.5 --over a=1..2:5 --looks 1", "--looks is of a method");
-  refused("3.5 --over a=1..2:5 --setting 0.1", "is a method's: say which with --model and --algorithm");
+  refused("3.5 --over a=1..2:5 --setting 0.1", "is a method's: name it by --model and --algorithm");
   refused("2.3 --over a=1..2:5", "has no motion");
   refused("3.5" + method + " --over a=1..2:5 --setting 1ms --looks 5 --drop 1%", "--looks are evenly spaced");
   refused("3.5" + method + " --over a=1..2:5 --setting 1ms --kick t=1,b=2", "knows no 'b' here");

@@ -70,7 +70,7 @@ sweep::Axis axis_of(const Task& task, const std::string& text) {
                                      : (axis.to - axis.from) / axis.count;
   if (axis.from + cell == axis.from || axis.to - cell == axis.to)
     throw BadInput(over + ": " + count + " cells between " + format_shortest(axis.from) + " and " +
-                   format_shortest(axis.to) + " are narrower than numbers can tell apart");
+                   format_shortest(axis.to) + " are too narrow for double precision");
   return axis;
 }
 
@@ -79,12 +79,12 @@ void require_once(const Words& w, const std::vector<sweep::Axis>& axes) {
   for (std::size_t i = 0; i < axes.size(); ++i) {
     const bool setting = axes[i].name == "step" || axes[i].name == "tolerance";
     if (setting && !w.setting.empty())
-      throw BadInput("--setting " + w.setting + " and --over '" + w.over[i] + "' both say what the " +
-                     axes[i].name + " is: leave one of them out");
+      throw BadInput("--setting " + w.setting + " and --over '" + w.over[i] + "' both set the " +
+                     axes[i].name + ": leave one of them out");
     for (const std::string& given : w.overrides)
       if (given.starts_with(axes[i].name + "="))
-        throw BadInput("'" + given + "' and --over '" + w.over[i] + "' both say what " + axes[i].name +
-                       " is: leave one of them out");
+        throw BadInput("'" + given + "' and --over '" + w.over[i] + "' both set " + axes[i].name +
+                       ": leave one of them out");
   }
 }
 
@@ -102,13 +102,11 @@ sweep::Asked asked_of(const Words& w) {
   if (!task.entry->exercise.scene)
     throw BadInput((of_file ? "" : "exercise ") + w.exercise + " has no motion to sweep over");
   if (w.model.empty() != w.algorithm.empty())
-    throw BadInput(
-        "--model and --algorithm go together; without both, what to choose is found at every cell");
+    throw BadInput("--model and --algorithm go together; without both, a method is chosen at every cell");
   if (w.model.empty() && !w.setting.empty())
-    throw BadInput(
-        "--setting '" + w.setting +
-        "' is a method's: say which with --model and --algorithm; without both, 'choose' takes the "
-        "setting at every cell");
+    throw BadInput("--setting '" + w.setting +
+                   "' is a method's: name it by --model and --algorithm; without both, 'choose' takes the "
+                   "setting at every cell");
   sweep::Asked asked;
   asked.exercise = of_file ? problem::source_of(*task.entry).name : to_string(task.entry->number);
   if (of_file) asked.problem = problem::source_of(*task.entry).text;
@@ -124,8 +122,8 @@ sweep::Asked asked_of(const Words& w) {
   if (need.criterion != "path" && !w.model.empty())
     throw BadInput(
         "--criterion '" + need.criterion +
-        "' is of what is chosen at each cell: leave --model and --algorithm out; a method's endings are "
-        "those of its path");
+        "' applies to the method chosen at each cell: leave --model and --algorithm out; a named method "
+        "is judged by its path");
   if (need.criterion != "path" && need.criterion != "bounded" && need.error.empty())
     throw BadInput("--criterion " + need.criterion + " needs --error");
   if (need.error.empty() && need.criterion == "path") need.error = "1";
@@ -220,7 +218,7 @@ void print_slurm(const Words& w, const Plan& plan) {
   std::cout
       << "#!/bin/bash\n#SBATCH --job-name=oddity-sweep\n#SBATCH --array=1-" << w.slurm
       << "\n#SBATCH --cpus-per-task=1\n#SBATCH --time=" << static_cast<long>(std::ceil(minutes))
-      << "\n# The folder has to be one that all machines see; what is there already is not made again.\n"
+      << "\n# The folder has to be one that all machines see; chunks that are there already are not made again.\n"
       << (own_tree().empty() ? "oddity" : for_shell(program_file().string())) << " " << reference
       << "sweep run " << for_shell(fs::absolute(w.folder).string())
       << " --threads 1 --shard \"$SLURM_ARRAY_TASK_ID/" << w.slurm << "\"\n";
@@ -305,7 +303,7 @@ void draw(const Words& w) {
   const std::vector<std::string> names{"outcome", "error", "cost"};
   const auto shown = std::ranges::find(names, w.shown);
   if (shown == names.end())
-    throw BadInput("--show '" + w.shown + "' is none of outcome, error, cost" + did_you_mean(w.shown, names));
+    throw BadInput("--show '" + w.shown + "' is not outcome, error or cost" + did_you_mean(w.shown, names));
   require_writable(out);
   const sweep::Map map = map_of(w);
   write_whole(out, picture(map, static_cast<sweep::Shown>(shown - names.begin())));
@@ -326,14 +324,14 @@ CLI::App* part(CLI::App& sweep, const std::string& name, const std::string& says
 }
 
 void add_folder(CLI::App& part, Words& w) {
-  part.add_option("folder", w.folder, "the sweep's folder: its plan, and what is done")
+  part.add_option("folder", w.folder, "the sweep's folder: its plan and its finished chunks")
       ->required()
       ->check(not_empty("a path"));
 }
 
 void add_plan(CLI::App& sweep, const std::shared_ptr<Words>& w) {
   auto* plan = part(
-      sweep, "plan", "Say what is swept over, and divide it into chunks.",
+      sweep, "plan", "Plan a sweep: its axes, and the chunks of its map.",
       "Examples:\n  oddity sweep plan /tmp/map 3.5 --model 'one angle' --algorithm 'Runge-Kutta 4' "
       "--over a=1deg..179deg:1000 --over step=1ms..2.5s:1000 --looks 4\n  oddity sweep plan /tmp/table 3.5 "
       "--over a=1deg..179deg:90 --over L=0.1..10:50:log --error 1deg\n  oddity sweep plan /tmp/uneven 3.5 "
@@ -355,7 +353,7 @@ void add_plan(CLI::App& sweep, const std::shared_ptr<Words>& w) {
       ->allow_extra_args(false);
   value("--model", w->model, "NAME", "with an algorithm: how this method ends at every cell");
   value("--algorithm", w->algorithm, "NAME",
-        "without both, each cell is what 'choose' takes, by counted evaluations");
+        "without both, each cell has the method that 'choose' takes, by counted evaluations");
   value("--setting", w->setting, "NUMBER", "the method's step or tolerance, where it is no axis");
   value("--error", w->need.error, "ERROR", "as for 'choose'; unless given 1 cm, 1 degree");
   value("--criterion", w->need.criterion, "WORD", "as for 'choose', where no model is named")
@@ -375,13 +373,13 @@ void add_plan(CLI::App& sweep, const std::shared_ptr<Words>& w) {
 }
 
 void add_run(CLI::App& sweep, const std::shared_ptr<Words>& w) {
-  auto* run =
-      part(sweep, "run", "Work out the chunks that are not there yet.",
-           "Chunks appear whole or not at all: a run that was ended goes on where it was. Results do not "
-           "depend on how many threads, ranks and machines there are.\nExamples:\n  oddity sweep run "
-           "/tmp/map\n  mpirun -n 8 oddity sweep run /tmp/map\n  oddity sweep run /tmp/map --shard 2/7\n  "
-           "oddity sweep run /tmp/map --slurm 100 | sbatch",
-           [w] { run_chunks(*w); });
+  auto* run = part(
+      sweep, "run", "Work out the chunks that are not there yet.",
+      "Chunks are written whole or not at all: an interrupted run continues where it ended. Results do not "
+      "depend on the number of threads, ranks and machines.\nExamples:\n  oddity sweep run "
+      "/tmp/map\n  mpirun -n 8 oddity sweep run /tmp/map\n  oddity sweep run /tmp/map --shard 2/7\n  "
+      "oddity sweep run /tmp/map --slurm 100 | sbatch",
+      [w] { run_chunks(*w); });
   add_folder(*run, *w);
   auto* threads = add_count(*run, "--threads", w->threads, 1, 4096, "threads of this program");
   auto* shard = add_value(*run, "--shard", w->shard, "I/N", "this share of the chunks alone: 2/7");
@@ -391,7 +389,7 @@ void add_run(CLI::App& sweep, const std::shared_ptr<Words>& w) {
 }
 
 void add_results(CLI::App& sweep, const std::shared_ptr<Words>& w) {
-  auto* status = part(sweep, "status", "Say how far a sweep has come.",
+  auto* status = part(sweep, "status", "Show the progress of a sweep.",
                       "Columns: chunk, tiles, estimated seconds, there (1 or 0); a row for each chunk.",
                       [w] { oddity::status(*w); });
   add_folder(*status, *w);
@@ -399,8 +397,8 @@ void add_results(CLI::App& sweep, const std::shared_ptr<Words>& w) {
   status->add_flag("--csv", w->csv, "the chunks, as comma-separated values")->excludes(json);
   auto* merge = part(
       sweep, "merge", "Put the chunks together into one file.",
-      "As .h5 it has the arrays ended, error, evaluations and looked (rows from below), x and y, and "
-      "the names of the endings; as .csv a row for each cell.\nExamples:\n  oddity sweep merge "
+      "An .h5 file has the arrays ended, error, evaluations and looked (rows from below), x and y, and "
+      "the names of the endings. A .csv file has a row for each cell.\nExamples:\n  oddity sweep merge "
       "/tmp/map\n  oddity sweep merge /tmp/map /mnt/other/map --out map.csv",
       [w] { oddity::merge(*w); }, true);
   auto* draw =
@@ -425,8 +423,8 @@ void add_sweep(const CommandLine& line) {
   auto* sweep = add_verb(
       line.app, "sweep",
       "Map a scene densely over one or two of its numbers, on as many machines as there are.",
-      "A plan divides the map into chunks; any number of runs, threads, MPI ranks and machines work them out; what "
-      "comes of it is the same, byte for byte.\n"
+      "A plan divides the map into chunks. Any number of runs, threads, MPI ranks and machines work them out. The "
+      "result is the same, byte for byte.\n"
       "Examples:\n  oddity sweep plan /tmp/map 3.5 --model 'one angle' --algorithm 'Runge-Kutta 4' --over "
       "a=1deg..179deg:1000 --over step=1ms..2.5s:1000 --looks 4\n  oddity sweep run /tmp/map\n  oddity sweep merge "
       "/tmp/map\n  oddity sweep draw /tmp/map\n  oddity sweep plan --help",

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # A place where nothing has run yet: a bare Debian in a chroot, or, if none is available, a fresh clone on
 # this machine. It has the tracked files of this tree, in their current state.
-#   tests/newcomer/place.sh make SUITE          makes a new one, as build/newcomer/SUITE
-#   tests/newcomer/place.sh in SUITE COMMAND    runs a shell's command in its tree
-#   tests/newcomer/place.sh afresh SUITE        restores the tree except its build; empties /tmp and the home folder
-#   tests/newcomer/place.sh tree SUITE          prints the tree's path from outside
+#   tests/newcomer/place.sh make SUITE          makes a new one, as build/newcomer/SUITE.
+#   tests/newcomer/place.sh in SUITE COMMAND    runs a shell command in its tree.
+#   tests/newcomer/place.sh afresh SUITE        restores the tree except its build, empties /tmp and home.
+#   tests/newcomer/place.sh tree SUITE          prints the tree's path from outside.
 # Mounts are made for one command at a time, in separate namespaces: nothing stays mounted, however it ends.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."

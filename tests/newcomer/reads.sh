@@ -6,7 +6,7 @@ source tests/newcomer/texts.sh
 place=$(mktemp -d)
 trap 'rm -rf "$place"' EXIT
 
-# same WHAT EXPECTED ACTUAL
+# same NAME EXPECTED ACTUAL
 same() {
   [ "$2" = "$3" ] || { printf 'newcomer: %s: wrong\nexpected: %s\nread:     %s\n' "$@" >&2; exit 1; }
   echo "newcomer: $1"

@@ -3,7 +3,7 @@
 # nothing else has run.
 #   tests/newcomer/run.sh [SUITE]    of Debian: bookworm by default; SLOW=1 includes commands that take minutes
 # Each text begins with an unchanged tree, except its build, and with an empty /tmp. Output goes to
-# build/newcomer/SUITE/said.
+# `build/newcomer/SUITE/said`.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 source tests/newcomer/texts.sh
@@ -13,7 +13,7 @@ said=build/newcomer/$suite/said
 passed=0 failed=0 skipped=0
 engines_page=extras/engines/README.md
 
-verdict() {  # VERDICT SECONDS WHERE WHAT
+verdict() {  # VERDICT SECONDS PLACE COMMAND
   printf '%-7s %5d s  %-22s %s\n' "$@"
   printf '%s\t%s\t%s\n' "$1" "$2" "$4" >>"$said/seconds"
   case $1 in ok) ((++passed)) ;; RED) ((++failed)) ;; *) ((++skipped)) ;; esac
@@ -53,8 +53,8 @@ run_step() {
   fi
 }
 
-# fill_step WHERE WHAT BLOCK: puts it there; "into FILE" means after the { of a .json, before the first call
-# of the same function, or at the end.
+# fill_step PLACE TARGET BLOCK: puts the block at the target. "into FILE" means after the { of a .json, before
+# the first call of the same function, or at the end.
 fill_step() {
   local file files text at=
   if [[ $2 == 'into '* ]]; then

@@ -191,7 +191,7 @@ struct Word {
 };
 using Sentence = std::vector<Word>;
 
-/// End of what begins at `at` with a sign that quotes code or a formula; npos for other signs.
+/// End of the code or formula that opens with the sign at `at`; npos for other signs.
 std::size_t end_of_code(std::string_view text, std::size_t at) {
   if (text[at] != '`' && text[at] != '$') return text.npos;
   return text.find(text[at], at + 1);

@@ -15,7 +15,7 @@ namespace oddity::prose {
 /// Paragraph of a file, without comment signs and without line breaks.
 struct Passage {
   std::string text;
-  std::size_t line;  ///< of its first word, from 1
+  std::size_t line;  ///< line of its first word, from 1
 };
 
 /// Comments, and texts of four words or more, of a C++, JavaScript or CSS file; comments of a shell or CMake
@@ -33,7 +33,7 @@ struct Rule {
 
 /// Reads lines "kind: word word|other -> remedy"; '^' before the words is the passage's start, '#' begins a
 /// comment.
-/// @throws std::invalid_argument with the line that is none
+/// @throws std::invalid_argument with the first line that is not a rule
 std::vector<Rule> rules_of(std::string_view text);
 
 struct Fault {

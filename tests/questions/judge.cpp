@@ -374,10 +374,14 @@ class Beside {
 
   Compared by(const std::string& criterion, Real allowed, Real said) const {
     if (criterion == "energy") {
-      if (!q_.scene->energy) throw CannotBeJudged("what is seen does not tell the energy");
+      if (!q_.scene->energy) throw CannotBeJudged("the energy does not follow from the observables");
       if (allowed < uncertain_energy()) throw CannotBeJudged("an energy is not measured so exactly");
-      return {criterion, "of what moves",   off_energy(*q_.scene, q_.parameters, seen_, truth_), allowed,
-              said,      uncertain_energy()};
+      return {criterion,
+              "times the largest kinetic energy",
+              off_energy(*q_.scene, q_.parameters, seen_, truth_),
+              allowed,
+              said,
+              uncertain_energy()};
     }
     if (criterion == "period") {
       if (until() < 1) throw CannotBeJudged("chaos: a period is of the whole motion");
@@ -393,7 +397,9 @@ class Beside {
       return {criterion, "m", most, allowed, said, rounding(largest_seen())};
     }
     if (until() < 1) throw CannotBeJudged("the truth's size is not known to the end");
-    return {criterion, "of ten times the truth's size", largest_seen() / (10 * largest_), allowed, said, 0};
+    return {
+        criterion, "in units of ten times the truth's size", largest_seen() / (10 * largest_), allowed, said,
+        0};
   }
 
   const Question& q_;
@@ -432,7 +438,7 @@ std::string contradiction(const Question& q, const Json& answer) {
   if (q.one_step &&
       (chosen["algorithm"].words.starts_with("Adams-") || chosen["algorithm"].words.starts_with("CVODE")))
     return "one-step: a method with a history";
-  if (chosen["holds"].value != 1) return "holds: what is chosen does not hold";
+  if (chosen["holds"].value != 1) return "holds: the chosen method does not hold";
   const bool linear = q.scene->number == "3.9" || q.scene->number == "3.19" || q.scene->number == "3.29";
   if (linear && answer["predictable"]) return "chaos: a linear motion is called chaotic";
   if (const double budget = need["budget"].value;
@@ -494,22 +500,23 @@ Verdict judge_chosen(const Question& asked, const Program& program, const Ended&
   if (q.beside != "-" && is_whole) {
     const Ended other = ask(q, program, q.beside);
     if (other.code == 0 && !same_choice(q, other.out, chosen))
-      return wrong("two answers: --json says " + chosen["model"].words + " by " + chosen["algorithm"].words +
-                       ", but not " + (q.beside.empty() ? "the text" : q.beside),
+      return wrong("two answers: --json chooses " + chosen["model"].words + " by " +
+                       chosen["algorithm"].words + ", unlike " + (q.beside.empty() ? "the text" : q.beside),
                    ended);
   }
   const Ended coded = ask(q, program, "--code");
   if (coded.code != 0) {
     if (coded.code < 0) return wrong("hang: --code", ended);
     if (coded.err.empty())
-      return wrong("reason: --code ends with " + std::to_string(coded.code) + " and says nothing", ended);
+      return wrong("reason: --code ends with " + std::to_string(coded.code) + " without a message", ended);
     return {Verdict::not_run, first_line(coded.err), ended.seconds};
   }
   if (coded.out.find(chosen["model"].words + ", " + chosen["algorithm"].words) == std::string::npos &&
       coded.out.substr(0, 2000).find(chosen["algorithm"].words) == std::string::npos) {
     if (!is_whole)
       return {Verdict::not_run, "over its part alone, another method is cheapest", ended.seconds};
-    return wrong("two answers: --json says " + chosen["model"].words + " by " + chosen["algorithm"].words,
+    return wrong("two answers: --json chooses " + chosen["model"].words + " by " + chosen["algorithm"].words +
+                     ", unlike --code",
                  ended);
   }
 

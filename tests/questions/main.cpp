@@ -96,10 +96,11 @@ int hear_record(Court& court, const std::string& file, const Ranges& ranges) {
 }
 
 int usage() {
-  std::cerr << "oddity_questions tables FOLDER          the judge's motions beside the reference tables\n"
-               "oddity_questions ask ODDITY COUNT SEED [SECONDS]  random questions, each of so many seconds\n"
-               "oddity_questions record ODDITY FILE     the questions of a file, one a line\n"
-               "VERBOSE=1 shows all of them.\n";
+  std::cerr
+      << "oddity_questions tables FOLDER          compares the judge's motions with the reference tables\n"
+         "oddity_questions ask ODDITY COUNT SEED [SECONDS]  random questions, each for SECONDS\n"
+         "oddity_questions record ODDITY FILE     the questions of a file, one a line\n"
+         "VERBOSE=1 shows all.\n";
   return 2;
 }
 
@@ -111,7 +112,7 @@ int main(int argc, char** argv) {
     if (words.size() == 2 && words[0] == "tables") return compare_with_tables(words[1]) == 0 ? 0 : 1;
     if (words.size() < 3) return usage();
     std::string folder = (std::filesystem::temp_directory_path() / "oddity_questions_XXXXXX").string();
-    if (!mkdtemp(folder.data())) throw std::runtime_error("no folder for what is compiled");
+    if (!mkdtemp(folder.data())) throw std::runtime_error("no temporary folder for compiled programs");
     const Program program{words[1], folder};
     const Ranges ranges = ranges_of(JsonReader(output_of(program, {"list", "--json"})).whole());
     Court court(program, std::getenv("VERBOSE") != nullptr);

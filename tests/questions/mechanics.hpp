@@ -54,10 +54,11 @@ void solve(std::array<std::array<Real, m>, m>& a, std::array<Real, m>& b) {
   }
 }
 
-/// Lagrange's equations of a System: its n coordinates q, and, each a template in its number,
-///   moving(q, t)    array of Moving: the kinetic energy is the sum of mass u'^2/2
+/// Lagrange's equations of a System. It has n coordinates q and these functions, each a template in its
+/// number:
+///   moving(q, t)    array of Moving; the kinetic energy is the sum of mass u'^2/2.
 ///   potential(q, t)
-///   held(q, t)      array of `constraints` quantities that stay zero, if any
+///   held(q, t)      array of `constraints` quantities that stay zero, if any.
 ///   push(q, v, t)   generalized forces without a potential, if any, in Real.
 /// With every u = u(q, t), u' and u'' follow from u's derivatives: d'Alembert's principle is then
 ///   sum over u of m u_q u'' = -V_q - sum of friction u_q u' + push + held_q^T lambda,  held'' = 0.
