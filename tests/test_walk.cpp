@@ -94,7 +94,7 @@ TEST_CASE("the walks of CONTRIBUTING.md end green", "[walk]") {
   const Ran green = oddity("verify '[4.1],[9.2]'");
   CHECK(green.status == 0);
   CHECK_FALSE(says(green, "+ 4.1"));
-  CHECK(says(oddity("verify --approve '[4.1]'"), "every row was on record already"));
+  CHECK(says(oddity("verify --approve '[4.1]'"), "every row was approved already"));
   CHECK(oddity("verify '[own]~[ch99]'").status == 0);
   CHECK(says(oddity("choose 4.1 --criterion energy --error 0.01 --horizon 1"), "Take "));
   const Ran beside = oddity("choose 4.1 --engine euler");
@@ -183,7 +183,7 @@ TEST_CASE(
   const Ran identity = oddity("verify '[99.97]'");
   CHECK(identity.status == 1);
   const std::string its_file = folder + "97_my_identity/exercise.cpp";
-  CHECK(says(identity, "99.97: it does not say yet what is asked: write it in report/new/" + its_file));
+  CHECK(says(identity, "99.97: the question is missing: write it in report/new/" + its_file));
   CHECK(says(identity, "99.97: the claim 'first' has no independent route yet: write it in report/new/" +
                            its_file + ":" + line_of("report/new/" + its_file, "to_write()")));
   CHECK_FALSE(says(identity, "+ 99.97"));

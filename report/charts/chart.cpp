@@ -208,11 +208,10 @@ std::string counted(const QuantityResult& q) {
     steps |= knob == "step" && !differs;
     nodes |= knob == "panels" || knob == "points";
   }
-  return std::string("evaluations") + (differences      ? " of the function"
-                                       : steps && nodes ? " of the right-hand side or integrand"
-                                       : steps          ? " of the right-hand side"
-                                       : nodes          ? " of the integrand"
-                                                        : "");
+  if (differences) return "evaluations of the function";
+  if (steps && nodes) return "evaluations of the right-hand side or integrand";
+  if (steps) return "evaluations of the right-hand side";
+  return nodes ? "evaluations of the integrand" : "evaluations";
 }
 
 std::string in_unit(const std::string& number, const QuantityResult& q) {
@@ -247,9 +246,9 @@ std::string finding(const QuantityResult& q, Across across) {
   if (!best) return q.name;
   const std::string needed = in_unit(shown_error(q.need.allowed), q);
   if (across == Across::setting)
-    return std::string("Of the methods with a ") + (frame.knob == "step" ? "step" : "setting") + ", " +
-           named(*best) + " is the most accurate: " + in_unit(shown_error(best->error), q) + " at " +
-           with_powers(shown_knob(*best));
+    return named(*best) + " is the most accurate of the methods with a " +
+           (frame.knob == "step" ? "step" : "setting") + ": " + in_unit(shown_error(best->error), q) +
+           " at " + with_powers(shown_knob(*best));
   if (best->outcome != Outcome::ok)
     return "No method reaches " + needed + "; the closest is " + named(*best) + ": " +
            in_unit(shown_error(best->error), q);
@@ -292,7 +291,7 @@ std::string chart_svg(const QuantityResult& q, const std::string& title, Across 
   add_level(svg, plot, q.need.allowed, "needed: " + in_unit(shown_error(q.need.allowed), q), "need",
             "needed b halo");
   if (const auto end = add_seam(svg, q, frame, plot, seam))
-    labels.push_back({*end, "the seam alone, " + shown_time(seam) + " a call", -1});
+    labels.push_back({*end, "type-erased calls alone, " + shown_time(seam) + " a call", -1});
   if (q.trajectory)
     add_level(svg, plot, q.trajectory->close,
               "enough for a game: " + in_unit(shown_error(q.trajectory->close), q), "game", "dim halo");

@@ -266,17 +266,17 @@ std::string motion_finding(const QuantityResult& q) {
   const Trajectory& t = *q.trajectory;
   const auto holds = [&](const Path& p) { return largest_error(t, p) <= t.close; };
   const auto good = std::ranges::count_if(t.paths, holds);
-  const std::string need = with_powers(shown_error(t.close)) + unit_of(q) + " of the truth for " +
+  const std::string need = with_powers(shown_error(t.close)) + unit_of(q) + " for " +
                            format_significant(t.times.back(), 3) + " " + t.time_unit;
   if (t.paths.size() == 1) return t.paths[0].model + " is the only model";
   if (good == static_cast<std::ptrdiff_t>(t.paths.size()))
-    return "All " + std::to_string(good) + " models stay within " + need;
+    return "All " + std::to_string(good) + " models follow the truth within " + need;
   const auto worst = std::ranges::max_element(t.paths, {}, [&](const Path& p) {
     const double error = largest_error(t, p);
     return std::isfinite(error) ? error : INFINITY;
   });
-  return std::to_string(good) + " of " + std::to_string(t.paths.size()) + " models stay within " + need +
-         "; '" + worst->model + "': " + how_wrong(t, *worst, unit_of(q));
+  return std::to_string(good) + " of " + std::to_string(t.paths.size()) + " models follow the truth within " +
+         need + "; '" + worst->model + "': " + how_wrong(t, *worst, unit_of(q));
 }
 
 std::string trajectory_svg(const QuantityResult& q, const std::string& title) {

@@ -71,7 +71,7 @@ std::string hardest_text(const Reading& reading) {
   return reading.checks.size() > 1 ? "; hardest of " + std::to_string(reading.checks.size()) + " checks" : "";
 }
 
-/// What a reading was compared with, and how it came out: of its checks the hardest.
+/// Text on the hardest check of a reading: the other route, and the difference.
 std::string comparison_of(const Reading& reading, bool with_values) {
   const Check& c = hardest(reading);
   if (counts_violations(c)) return count_text(c);
@@ -83,8 +83,8 @@ std::string comparison_of(const Reading& reading, bool with_values) {
          (sample.empty() ? of : ", the most" + of + ", at " + words(sample)) + hardest_text(reading);
 }
 
-/// The same of a reading beside one that was compared with the same before. Where that was at a sample, this
-/// one's value is known there by how far it is off at most.
+/// Text on a reading next to one compared with `before`. Omits the other route if both share it. At samples,
+/// this reading's value is known only by its largest difference.
 std::string comparison_beside(const Reading& reading, const Check& before) {
   const Check& c = hardest(reading);
   if (counts_violations(c) || before.right.by != c.right.by) return comparison_of(reading, true);
@@ -97,7 +97,7 @@ std::string comparison_beside(const Reading& reading, const Check& before) {
 std::string near_misses_of(const Claim& claim) {
   const auto n = static_cast<long>(claim.near_misses.size());
   return n == 0 ? ""
-                : " " + counted(n, "wrong variant", "wrong variants") + ", tried beside it, " +
+                : " " + counted(n, "wrong variant", "wrong variants") + ", tried as well, " +
                       (n == 1 ? "fails, as it must." : "fail, as they must.");
 }
 
@@ -175,7 +175,7 @@ std::string finding_text(const JudgedClaim& judged, const ProvedClaims& proved) 
                      html::link("#" + claim_anchor_of(claim), in_xml(claim.id)) + "</p>" +
                      (says_what_is_printed(claim)
                           ? ""
-                          : element("p", "", "The solution says: " + html::text(as_sentence(claim.says)))) +
+                          : element("p", "", "The solution states: " + html::text(as_sentence(claim.says)))) +
                      sides(judged) + element("p", "", html::prose(claim.why)) +
                      html::folded("Evidence", element("p", "", evidence_of(judged)))) +
          "\n";
@@ -249,14 +249,15 @@ std::string claims_section(const ExerciseResult& e, const ProvedClaims& proved) 
   if (text.empty()) return "";
   const bool marks = text.find(", proved</small>") != std::string::npos;
   return "<section id=\"claims\">\n<h2>" +
-         std::string(confirmed == 0 ? "What cannot be checked" : "What is confirmed") + "</h2>\n<p>" +
+         std::string(confirmed == 0 ? "Claims that cannot be checked" : "Confirmed claims") + "</h2>\n<p>" +
          (confirmed == 0
               ? std::string("Open a claim to see why.")
-              : counted(confirmed, "claim", "claims") + " of the solution, each with its line" +
+              : counted(confirmed, "claim of the solution", "claims of the solution") +
+                    ", each with its line" +
                     (marks ? ", and <em>proved</em> where " +
                                  html::link("trust.html", "the proof assistant Coq") + " has checked a proof"
                            : "") +
-                    ". Open one to see what it was compared with.") +
+                    ". Open one to see its comparison.") +
          "</p>\n<div class=\"claims\">\n" + text + "</div>\n</section>\n";
 }
 

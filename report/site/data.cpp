@@ -1,42 +1,44 @@
 // Data of an exercise for the page's scripts, as oddity.exercise({...}), packed (script.hpp).
 // Numbers have as many digits as a reader can use; those that are not finite are null. An outcome is its
 // letter on the maps of stability.
-//   number, title
-//   outcomes     {letter: name}
-//   parameters   [{name, value, unit, says, least, most, whole}], of a scene
-//   units        {unit: {name: its size in the unit}}: units accepted for numbers of the scene
-//   styles       {colours: {model: place}, marks: {algorithm: place}, families: {algorithm: name}}: as in the
-//                static charts; places in the order of their palettes (charts/chart_style.hpp)
-//   quantities   [{name, unit, says, samples, need, floor, size, charts, models: [name], algorithms: [name],
-//                knobs: [{name, settings}], methods}]; errors below `floor` mean nothing; `size` is that of
-//                the true value; `charts` are the axes of its error: "evaluations", "setting", "time".
-//                A method is [model, algorithm, knob, in float?, trials], the first three by index. A trial
-//                of each setting is [error, evaluations, ns, spread, outcome], the time and its spread in
-//                nanoseconds. page.js makes {model, algorithm, knob, precision, trials} of it, with the
-//                setting first in each trial
-//   scene        null, or {quantity: its index, horizon, time_unit, close: {unit: error}, observables:
-//                [name], norms: [{unit, components}], varied, over: [value], truth, paths}; the norms are
-//                those that judge the quantity's trials
-//     truth      {end, frames, values}: the true observables at frame 0, 1, ..., frames, time after time, by
-//                the reference; values are floats, least significant byte first, in base64
-//     paths      [{model, algorithm, knob, setting, error, outcome, frames, least, most, values}]: recorded
-//                motions that the module lacks, and third-party engines' with their precision, from frame 1
-//                to their end. Values are whole numbers of 16 bits, from 0 for the observable's `least` to
-//                65535 for its `most`, each less that of the frame before, in base64: first all low bytes,
-//                then all high ones
-//   stability    null, or {limits: [{model, algorithm, shown, stable, unstable, theory, within, tongues:
-//                [[from, to]]}], parameter, unit, steps: [step], map: [{model, algorithm, rows: [[value,
-//                theory, outcomes, fragile], ...]}]}; `shown` is the largest stable step in words; if theory
-//                is null, every step is stable; outcomes are the letters of the steps; fragile has a star
-//                for each that roundings decide and a dot for each other, and is empty if they decide none
-//   least        null, or [{model, algorithm, setting}]: the cheapest model for a game, and for ten digits
-//   example      only for the example: {truth, opening: [...]}, the reference for other parameters, and the
-//                initial methods of the player: {model, algorithm, precision, setting}
+// - number, title
+// - outcomes: `{letter: name}`.
+// - parameters, of a scene: `[{name, value, unit, says, least, most, whole}]`.
+// - units, accepted for numbers of the scene: `{unit: {name: its size in the unit}}`.
+// - styles, as in the static charts: `{colours: {model: place}, marks: {algorithm: place}, families:
+//   {algorithm: name}}`. Places are in the order of their palettes (charts/chart_style.hpp).
+// - quantities:
+//     `[{name, unit, says, samples, need, floor, size, charts, models: [name], algorithms: [name], knobs:
+//     [{name, settings}], methods}]`. Errors below `floor` mean nothing. `size` is that of the true value.
+//     `charts` are the axes of its error: "evaluations", "setting", "time". A method is `[model, algorithm,
+//     knob, in float?, trials]`, the first three by index. A trial of each setting is `[error, evaluations,
+//     ns, spread, outcome]`, the time and its spread in nanoseconds. page.js makes `{model, algorithm, knob,
+//     precision, trials}` of a method, with the setting first in each trial.
+// - scene: null, or
+//     `{quantity: its index, horizon, time_unit, close: {unit: error}, observables: [name], norms: [{unit,
+//     components}], varied, over: [value], truth, paths}`. The norms are those that judge the quantity's
+//     trials.
+//   - truth: `{end, frames, values}`, the reference's observables at frame 0, 1, ..., frames, time after
+//     time. Values are floats, least significant byte first, in base64.
+//   - paths:
+//       `[{model, algorithm, knob, setting, error, outcome, frames, least, most, values}]`. These are motions
+//       that the module lacks, and third-party engines' with their precision, from frame 1 to their end.
+//       Values are whole numbers of 16 bits, from 0 for the observable's `least` to 65535 for its `most`.
+//       Each is less that of the frame before, in base64: first all low bytes, then all high ones.
+// - stability: null, or
+//     `{limits: [{model, algorithm, shown, stable, unstable, theory, within, tongues: [[from, to]]}],
+//     parameter, unit, steps: [step], map: [{model, algorithm, rows: [[value, theory, outcomes, fragile],
+//     ...]}]}`. `shown` is the largest stable step in words. If `theory` is null, every step is stable.
+//     `outcomes` are the letters of the steps. `fragile` has a star for each that roundings decide and a dot
+//     for each other, and is empty if they decide none.
+// - least: null, or `[{model, algorithm, setting}]`, the cheapest model for a game, and for ten digits.
+// - example, only for the example: `{truth, opening: [...]}`, the reference for other parameters, and the
+//   player's initial methods: `{model, algorithm, precision, setting}`.
 //
-// Data of all scenes, as oddity.scenes([{number, title, parameters, units, styles, horizon, time_unit, close,
-// observables, norms, exact, faulted, knobs: {knob: [setting]}}, ...]); `exact` are the models whose motion
-// is ok in the book's case, the truest first, and `faulted` those that the scene's own page shows to be
-// wrong.
+// Data of all scenes, as oddity.scenes([...]), has for each
+// `{number, title, parameters, units, styles, horizon, time_unit, close, observables, norms, exact, faulted,
+// knobs: {knob: [setting]}}`. `exact` are the models whose motion is ok in the book's case, the truest first.
+// `faulted` are those that the scene's own page shows to be wrong.
 
 #include "report/site/data.hpp"
 

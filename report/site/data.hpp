@@ -17,7 +17,7 @@ namespace oddity {
 std::string exercise_data(const ExerciseResult&, const Reference&, const Styles&, bool recorded,
                           std::span<const EngineContest> = {});
 
-/// The same for the example that is no exercise (example.hpp).
+/// Data of the example that is no exercise (example.hpp).
 std::string example_data(const ExerciseResult&, bool recorded);
 
 /// data/scenes.js: oddity.scenes([...]), data of all scenes for the chooser.

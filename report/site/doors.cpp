@@ -92,8 +92,8 @@ std::string euler_door() {
 std::string use_door() {
   return door(
       "recipes.html", "What do I use?",
-      "For each scene the model, the algorithm and the step that are enough for a game, and what every "
-      "other method costs. " +
+      "For each scene the model, the algorithm and the step that are enough for a game, and the cost of "
+      "every other method. " +
           html::link("own.html", "Or type your own equations") + ".");
 }
 
@@ -102,7 +102,7 @@ std::string picture_door(const Results& results) {
   if (!e) return "";
   return "<section class=\"door moving\">\n" + moving_picture(*e) + "<div>" +
          element("h2", "", html::link(to_string(e->number) + ".html", in_xml(e->title))) +
-         element("p", "", "As the manual has it, and as it is.") +
+         element("p", "", "The motion in the manual, and the true one.") +
          "<p class=\"stop\"><button type=\"button\" hidden>Stop the pictures</button></p></div></section>\n";
 }
 

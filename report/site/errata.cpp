@@ -125,10 +125,10 @@ std::string errata_schema() {
       {"verdict",
        told(
            {{"enum", {"wrong", "incomplete", "misprint", "lost in our copy"}}},
-           "wrong: what is printed is false; incomplete: it leaves out a case or a condition; misprint: what was "
-           "meant is plain and right; lost in our copy: the plain text that was read has lost what was meant")},
-      {"kind", told({{"enum", kinds}}, "what is at fault")},
-      {"root", told(string, "its cause, shared by errata of one cause; empty: a cause of its own")},
+           "wrong: the printed text is false; incomplete: it leaves out a case or a condition; misprint: the "
+           "intended text is plain and right; lost in our copy: the plain text that was read lacks a part")},
+      {"kind", told({{"enum", kinds}}, "kind of fault")},
+      {"root", told(string, "its cause, shared by errata of one cause; empty: a separate cause")},
       {"line", told({{"type", "integer"}, {"minimum", 0}}, "in the solutions document as plain text")},
       {"place",
        told(string, "where a reader of the manual finds it: an equation's number, a paragraph, a listing")},
@@ -136,15 +136,15 @@ std::string errata_schema() {
       {"printed", said},
       {"right", said},
       {"why", said},
-      {"consequence", told(string, "of the root: what one would see of it; empty: nothing is said")},
+      {"consequence", told(string, "visible effect of the root; empty: not stated")},
       {"margin",
        {{"type", {"object", "null"}},
-        {"description", "by how much the printed version is off where it is worst, and what is allowed"},
+        {"description", "largest error of the printed version, and the allowed one"},
         {"required", {"differs_by", "allowed"}},
         {"properties", {{"differs_by", number}, {"allowed", number}}},
         {"additionalProperties", false}}},
       {"command", told(matching("^oddity "), "judges it again")},
-      {"page", told(matching("^[0-9]+\\.[0-9]+\\.html#"), "where the site tells more")}};
+      {"page", told(matching("^[0-9]+\\.[0-9]+\\.html#"), "its section on the site")}};
   List required = List::array();
   for (const auto& [name, schema] : properties.items()) required.push_back(name);
   const List entries{{"type", "array"},
@@ -154,7 +154,7 @@ std::string errata_schema() {
                        {"properties", properties},
                        {"additionalProperties", false}}}};
   return List{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-              {"title", "What is wrong in the solutions manual of Game Physics"},
+              {"title", "Errors in the solutions manual of Game Physics"},
               {"type", "object"},
               {"required", {"version", "book", "errata", "lost_in_our_copy"}},
               {"properties",
@@ -192,8 +192,8 @@ std::string errata_page(const Results& results) {
            std::to_string(all[Verdict::incomplete]) +
            " that leave out a case or a condition (marked ◦), and " +
            counted(all[Verdict::misprint], "misprint", "misprints") +
-           " (marked ·), of which what was meant is plain. Lines are those of the solutions document as plain text; "
-           "what that text has lost is no fault of the manual and is not listed.</p>\n<p class=\"screen\">This page prints as a sheet to lay into the book. "
+           " (marked ·), whose intended text is plain. Lines are those of the solutions document as plain text. "
+           "Losses in that text are no fault of the manual and are not listed.</p>\n<p class=\"screen\">This page prints as a sheet to lay into the book. "
            "For programs: <a href=\"errata.json\">errata.json</a>, with its <a "
            "href=\"errata.schema.json\">schema</a>.</p>\n</header>\n" +
            chapters_text,

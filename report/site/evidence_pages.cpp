@@ -39,14 +39,14 @@ const std::map<std::string, std::string>& meanings() {
       {"proved",
        "A computer-checked proof: the proof assistant Coq has followed each step, for all values that the "
        "statement allows."},
-      {"provable", "A proof could be had; nobody has written it yet."},
+      {"provable", "A proof is possible; nobody has written it yet."},
       {"computed", "Two independent computations agree at random samples, and changed formulas do not."},
-      {"unclassed", "Nobody has said yet whether it can be proved."},
+      {"unclassed", "Nobody has decided yet whether it can be proved."},
       {"wording", "The claim is about words; it was read."},
       {"enclosed", "An interval that is computed with all its roundings holds the value."},
       {"agreed", "No such interval is known: two methods that share nothing agree in 60 digits."},
       {"as typeset", "The formula on the page is read and computed; it is not a copy of the code."},
-      {"witnessed", "Another program, with formulas of its own, finds the same fault."},
+      {"witnessed", "Another program, with separate formulas, finds the same fault."},
       {"killed", "Mutants: the sources were changed in one place at a time, and the tests noticed."},
       {"fuzzed", "Random and broken input was read without a crash."},
       {"survived", "Runs were killed and disks filled; no file was left half written."}};
@@ -178,8 +178,8 @@ std::string stability_html(const Results& results) {
        title(
            "Up to which step methods are stable",
            "Below its limit a method lets no small disturbance grow. Its motion may be far from the truth there: "
-           "<em>enough</em> is up to where it is within what is needed. Each scene's own page has theory, maps and "
-           "cures.") +
+           "<em>enough</em> is the largest step that keeps the error within the needed one. Each scene's own page has "
+           "theory, maps and cures.") +
            "<section>\n" + stability_rows(results) + "</section>\n",
        {}});
 }
@@ -196,9 +196,9 @@ std::string engines_html(const Results& results, std::span<const EngineContest> 
   return html::whole(
       {"Engines - oddity",
        title(
-           "What physics engines do on the book’s scenes",
-           "Engines that games use, with the scenes’ own numbers, by their own steps. An error above 1 is more than "
-           "is needed.") +
+           "Physics engines on the book’s scenes",
+           "Engines that games use, with the scenes’ own numbers, by their own steps. An error above 1 is larger than "
+           "needed.") +
            sections,
        {}});
 }

@@ -13,7 +13,7 @@ const ExerciseResult& example_result();
 /// The scene of the lesson (lesson.hpp): a mass on a spring.
 const Entry& lesson_scene();
 
-/// The exercise of this number, or the example; null when there is none.
+/// The exercise of this number, or the example; null for any other number.
 const Entry* entry_of(Number);
 
 /// bouncing_ball.html, with data/bouncing_ball.js.

@@ -122,15 +122,15 @@ std::vector<std::string> scripts_of(const ExerciseResult& e, const std::string& 
 constexpr std::string_view of_events =
     R"(<section id="events">
 <h2>Events</h2>
-<p>A model says where something happens, and what: where its guard, here the height, falls through zero, the ball goes
-on upward with the part <var>e</var> of its speed. A method looks for that time inside its step, with shorter steps of
-its own, so that the landing is as accurate as the method is.</p>
+<p>A model defines its events: when its guard, here the height, falls through zero, the ball goes on upward with the
+part <var>e</var> of its speed. A method finds that time by shorter steps inside its step, so that the landing is as
+accurate as the method.</p>
 <ul>
-<li><b>ball</b>: with each landing the next comes sooner, until no number tells their times apart. There the motion ends
-as <em>chattering</em>, at the time at which the true ball comes to rest. Explicit Euler does not get there: each of its
-flights is a step too long, so its ball goes on hopping.</li>
-<li><b>ball, at rest below 1 cm/s</b>: as engines have it. A ball that comes up so slowly stays on the floor, which is at
-most 5 µm from the truth, and the motion goes on.</li>
+<li><b>ball</b>: each landing comes sooner than the last, until numbers cannot separate their times. There the motion
+ends as <em>chattering</em>, at the time at which the true ball comes to rest. Explicit Euler does not get there: each
+of its flights is a step too long, so its ball goes on hopping.</li>
+<li><b>ball, at rest below 1 cm/s</b>: as in engines. A ball that comes up so slowly stays on the floor, at most 5 µm
+from the truth, and the motion goes on.</li>
 </ul>
 </section>
 )";

@@ -125,8 +125,8 @@ std::string what_is_wrong(const Results& results) {
          "; scenes whose published motion leaves the true one come first. " +
          counted(all[Verdict::misprint], "misprint is shown with its exercise",
                  "misprints are shown with their exercises") +
-         ". What our plain-text copy of the manual has lost (" + std::to_string(all[Verdict::lost]) +
-         " claims) is counted apart: it is no fault of the book. The <a href=\"errata.html\">errata sheet</a> has all of them, to print and lay into the book, and <a "
+         ". Losses in our plain-text copy of the manual (" + std::to_string(all[Verdict::lost]) +
+         " claims) are counted separately: they are no fault of the book. The <a href=\"errata.html\">errata sheet</a> has all of them, to print and lay into the book, and <a "
          "href=\"errata.json\">errata.json</a> has them for programs.</p>\n<div class=\"cards\">\n" +
          breaking + "</div>\n<div class=\"cards\">\n" + others + "</div>\n</section>\n";
 }

@@ -120,7 +120,7 @@ void add_methods(IndexRows& all) {
   for (const ode::CatalogEntry& a : ode::catalog())
     all.push_back({"algorithms.html#" + html::anchor(a.name), "method", std::string(a.name),
                    std::string(a.library) +
-                       (a.order == 0 ? ", of varying order" : ", of order " + std::to_string(a.order)) +
+                       (a.order == 0 ? ", varying order" : ", order " + std::to_string(a.order)) +
                        (ode::has_tolerance(a.kind) ? ", set by a tolerance" : ", set by a step")});
 }
 

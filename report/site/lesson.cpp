@@ -45,7 +45,7 @@ std::vector<LessonStep> told_steps() {
        "Explicit Euler goes straight on, along the tangent, and so it ends outside of the circle. A step "
        "multiplies the energy by $1+h^2\\omega^2$, which for this step $h$ is " +
            three_digits(energy_factor(explicit_euler, short_step)) + ".",
-       "Halve the step. What the step adds to the energy falls to a quarter.", explicit_euler, short_step, 1},
+       "Halve the step. The energy that a step adds falls to a quarter.", explicit_euler, short_step, 1},
       {"spiral", "Step after step it spirals out",
        "Each step multiplies the energy by that factor again, so it grows without end, for any step. A spring "
        "of twice the frequency $\\omega$ needs a quarter of the step for the same growth.",
@@ -74,10 +74,10 @@ std::vector<LessonStep> told_steps() {
 
 // ---- charts for paper -------------------------------------------------------------------------------------
 
-constexpr double circle_side = 150, circle_middle = circle_side / 2,
-                 circle_reach = 2.1;  ///< of the true_circle's chart, in amplitudes
-constexpr double energy_left = 190, energy_right = 370, energy_bottom = 136,
-                 energy_top = 10;  ///< of the energy's
+/// Chart of the circle; its reach is in amplitudes.
+constexpr double circle_side = 150, circle_middle = circle_side / 2, circle_reach = 2.1;
+/// Chart of the energy.
+constexpr double energy_left = 190, energy_right = 370, energy_bottom = 136, energy_top = 10;
 constexpr double most_energy = 3;  ///< relative to the initial energy
 
 std::string lesson_pixel(double x) {
@@ -151,7 +151,7 @@ std::string still_of(const LessonStep& told) {
   const int count = told.shown > 0 ? told.shown : static_cast<int>(std::lround(lesson_horizon() / told.step));
   const auto motion = lesson_motion(told.algorithm, told.step, count);
   return "<figure class=\"still\"><svg viewBox=\"0 0 380 150\" role=\"img\" aria-label=\"" +
-         in_xml(told.title + ": place and velocity beside the circle, and the energy over time") + "\">" +
+         in_xml(told.title + ": place and velocity with the circle, and the energy over time") + "\">" +
          circle_chart(motion) + energy_chart(told, motion) + "</svg><figcaption>" + in_xml(told.algorithm) +
          ", step " + three_digits(told.step) + " s</figcaption></figure>";
 }
@@ -178,14 +178,14 @@ std::string in_the_book(const Results& results) {
     items += element("li", "", html::link(to, std::string(name)) + ", " + to_string(number));
   }
   return "<li data-name=\"book\" data-algorithm=\"" + std::string(explicit_euler) +
-         "\" data-step=\"0.25\" data-shown=\"0\">\n<div>" + element("h2", "", "What it means for a game") +
+         "\" data-step=\"0.25\" data-shown=\"0\">\n<div>" + element("h2", "", "Consequences for a game") +
          element(
              "p", "",
              "A frame is a step of a sixtieth of a second, and explicit Euler adds energy in each. These players "
-             "open with methods of this lesson beside the true motion:") +
+             "open with methods of this lesson and the true motion:") +
          element("ul", "", items) +
          element("p", " class=\"tries\"",
-                 "<b>Try:</b> press “break it” in a player, and see what it takes.") +
+                 "<b>Try:</b> press “break it” in a player to find a step that breaks the motion.") +
          "</div></li>\n";
 }
 

@@ -161,8 +161,8 @@ std::string moving_picture(const ExerciseResult& e) {
   prolong(truth, frames), prolong(wrong, frames);
   const double seconds = std::clamp(t.times.back(), 4.0, 10.0);
   return "<figure class=\"thumb\"><svg viewBox=\"0 0 320 320\" role=\"img\" aria-label=\"" +
-         in_xml("The motion of the published version, " + published->model + ", beside the true one") +
-         "\">" + element("g", " class=\"still\"", layer_text(truth, view, seconds, true)) +
+         in_xml("The motion of the published version, " + published->model + ", and the true one") + "\">" +
+         element("g", " class=\"still\"", layer_text(truth, view, seconds, true)) +
          element("g", " class=\"truth\"", layer_text(truth, view, seconds, false)) +
          element("g", " class=\"published\"", layer_text(wrong, view, seconds, false)) +
          "</svg><figcaption><span class=\"truth\">true</span> <span class=\"published\">" +

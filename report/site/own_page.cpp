@@ -12,12 +12,12 @@ namespace oddity {
 
 namespace {
 
-/// What the program itself has said of the file, which stays as it is while one types.
+/// The program's own answer on the file as it was given. It stays while one types.
 std::string answered(const OwnFile& of) {
   if (of.answer.empty()) return "";
   return html::element("p", " class=\"own-chosen\"",
-                       "Of this file as it was given, <code>" + program_as_typed() +
-                           " choose</code> says, by true motions from two routes: " +
+                       "For this file as it was given, <code>" + program_as_typed() +
+                           " choose</code> reports, by true motions from two routes: " +
                            in_xml(of.answer.substr(0, of.answer.find('\n')))) +
          "\n";
 }
@@ -30,7 +30,7 @@ std::string own_page(const SiteParts& parts, const OwnFile& of) {
   std::string body =
       "<header class=\"title\">\n" + html::element("h1", "", in_xml(title)) +
       "\n<p class=\"asks\">Type a motion’s equations, or its "
-      "Lagrangian, with units: the page moves it, shows what each method errs, and finds the cheapest that is "
+      "Lagrangian, with units: the page moves it, shows the error of each method, and finds the cheapest that is "
       "enough. It judges claims, too. Nothing leaves the page. A file that works here works on a command line: <code>" +
       program + " choose FILE</code>.</p>\n" + answered(of) + "</header>\n";
   if (!parts.models)
@@ -73,8 +73,7 @@ std::string own_examples(const OwnFile& of) {
     const auto read = problem::read(std::string(file.path), std::string(file.text));
     files.push_back({{"title", read->title}, {"text", std::string(file.text)}});
   }
-  // The loop of semi-implicit Euler solves for what it does not know, in many lines; others here are as
-  // cheap.
+  // Leaves out semi-implicit Euler: its loop solves for its unknowns in many lines. Others are as cheap.
   for (const std::string_view algorithm : printable_algorithms())
     if (algorithm != "semi-implicit Euler") programs[std::string(algorithm)] = program_template(algorithm);
   return packed_call("problems",

@@ -10,7 +10,7 @@ namespace oddity::html {
 
 /// A text with $formulas$ and `code`. Formulas become MathML.
 std::string text(std::string_view text);
-/// The same with *emphasis*.
+/// A text with $formulas$, `code` and *emphasis*.
 std::string prose(std::string_view text);
 /// Two texts. If each is one formula, their differences are marked.
 std::pair<std::string, std::string> texts_that_differ(std::string_view, std::string_view);
@@ -28,7 +28,7 @@ std::string folded(std::string_view summary, std::string_view content);
 struct Table {
   std::string caption;                 ///< for readers who cannot see the table's heading
   std::vector<std::string> head;       ///< names of columns
-  std::vector<std::string> rows = {};  ///< of `row`
+  std::vector<std::string> rows = {};  ///< made by row()
 };
 /// A row's cells; the first names the row. Those whose index is among the digits of `numbers` are
 /// right-aligned.

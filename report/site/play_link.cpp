@@ -10,7 +10,7 @@ namespace oddity {
 
 namespace {
 
-/// The same as encodeURIComponent.
+/// Encodes a text as encodeURIComponent does.
 std::string in_address(std::string_view text) {
   constexpr std::string_view digits = "0123456789ABCDEF", plain = "-_.!~*'()";
   std::string made;

@@ -29,7 +29,7 @@ std::string with_unit_of(const std::string& number, const std::string& unit) {
   return unit.empty() || unit == "1" ? number : number + " " + in_xml(typeset_unit(unit));
 }
 
-/// "step 0.0625", "without a knob" in HTML.
+/// ", step 0.0625" in HTML; empty for a method without a setting.
 std::string setting_text(const TimedTrial& t) {
   return t.knob.empty() ? "" : ", " + in_xml(with_powers(shown_knob(t)));
 }
@@ -153,17 +153,18 @@ std::string summary_of(const Stability& s) {
     every += std::isinf(l.step());
     if (!std::isinf(l.step()) && l.unstable > 0 && (!longest || l.step() > longest->step())) longest = &l;
   }
-  std::string text = "Of " + counted(all, "method", "methods") + " of fixed step, " +
+  std::string text = "Of " + counted(all, "method of fixed step", "methods of fixed step") + ", " +
                      (none == 0 ? "every one has" : std::to_string(all - none) + " have") +
                      " steps at which a small disturbance does not grow faster than in truth";
-  if (every > 0) text += ", " + std::to_string(every) + " of them at every step";
+  if (every > 0)
+    text += "; " + std::to_string(every) + (every == 1 ? " is" : " are") + " stable at every step";
   text += ".";
   if (longest)
-    text += (every > 0 ? " Of the others, the" : " The") + std::string(" largest stable step is that of ") +
+    text += (every > 0 ? " The others' largest" : " The largest") + std::string(" stable step is that of ") +
             in_xml(longest->algorithm) + " on “" + in_xml(longest->model) +
             "”: " + format_significant(longest->step(), 3) + " " + in_xml(s.time_unit) + ".";
   return text +
-         " Stable says nothing about accuracy: <em>needed to</em> is the largest step that keeps the error within " +
+         " Stability is not accuracy: <em>needed to</em> is the largest step that keeps the error within " +
          with_unit_of(short_error(s.close), s.unit) + ".";
 }
 

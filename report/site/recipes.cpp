@@ -139,10 +139,10 @@ std::string for_games(const Results& results) {
 
 // ---- scenes by methods ------------------------------------------------------------------------------------
 
-/// What of a scene's motion an algorithm does, by any model that is right: the trial with the least work that
-/// is within what a game allows; or the most exact one at a cost.
+/// An algorithm's trial on a scene's motion, by any model that is right: the one with the least work within a
+/// game's tolerance, or the most exact one within a limit of work.
 struct Cell {
-  const MethodResult* method = nullptr;  ///< of the trial, or the closest one if none is within
+  const MethodResult* method = nullptr;  ///< the trial's, or the closest one if none is within
   const TimedTrial* trial = nullptr;
   bool within = false;
 };
@@ -163,9 +163,9 @@ std::string column_of(const MethodResult& m) {
 struct Row {
   const ExerciseResult* exercise;
   std::map<std::string, Cell> cells;
-  double best = 0;  ///< of the cells with steps: the least work, or the least error
+  double best = 0;  ///< least work, or least error, of the cells with steps
 };
-/// What cells are compared by.
+/// The quantity that cells are compared by.
 enum class By { work, error };
 double measure(const Cell& cell, By by) {
   return by == By::work ? static_cast<double>(cell.trial->evaluations) : cell.trial->error;
@@ -230,7 +230,7 @@ std::vector<std::string> columns_of(const std::vector<Row>& rows) {
   return columns;
 }
 
-/// How many times the best a shade goes to.
+/// Shades, each with the largest multiple of the best that it covers.
 using Shades = std::array<std::pair<const char*, double>, 3>;
 constexpr Shades shades_of_work{{{"best", 1.25}, {"near", 2.5}, {"dear", 10}}},
     shades_of_error{{{"best", 3}, {"near", 100}, {"dear", 1e4}}};
@@ -304,15 +304,15 @@ std::string matrix(const Results& results) {
     if (moving_quantity(e)) of_work.push_back(by_work(e));
   for (const Row& row : of_work) of_error.push_back(by_error(row));
   if (of_work.empty()) return "";
-  return "<section id=\"matrix\">\n<h2>Scenes by methods: the work for an error</h2>\n<p>How many times the work of "
-         "the best method with steps each other one takes, in evaluations of the equations, until the motion is within " +
+  return "<section id=\"matrix\">\n<h2>Scenes by methods: the work for an error</h2>\n<p>Each method's work relative "
+         "to the least work of one with steps, in evaluations of the equations, for a motion that differs by at most " +
          allowed_text({"m", "rad"}) +
-         " of the true one at the times of its table, which are fewer than a game's frames. Each cell plays its "
+         " from the true one at the times of its table, which are fewer than a game's frames. Each cell plays its "
          "trial.</p>\n" +
          table_of(of_work, By::work, "Scenes by methods, the work") +
-         "</section>\n<section id=\"errors\">\n<h2>Scenes by methods: the error for so much work</h2>\n<p>How many "
-         "times the least error each method has, where none may take more than twice the work of the best one above. "
-         "Each cell plays its trial.</p>\n" +
+         "</section>\n<section id=\"errors\">\n<h2>Scenes by methods: the error for so much work</h2>\n<p>Each "
+         "method's error relative to the least one, with at most twice the work of the best one above. Each cell plays "
+         "its trial.</p>\n" +
          table_of(of_error, By::error, "Scenes by methods, the error") + "</section>\n";
 }
 
@@ -358,7 +358,7 @@ std::string engines_of(const EngineContest& contest) {
   return element("p", "",
                  "Of " + counted(std::ssize(all), "engine", "engines") + " at 60 Hz with their defaults, " +
                      std::to_string(within) + (within == 1 ? " is" : " are") + " within the same error.") +
-         html::folded("Their errors, in what is allowed", element("ul", "", items));
+         html::folded("Their errors, relative to the allowed one", element("ul", "", items));
 }
 
 /// Keeps its lines separate.

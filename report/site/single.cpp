@@ -30,7 +30,7 @@ void inlined(std::string& page, std::string_view begins, std::string_view ends, 
   for (std::size_t at = 0; (at = page.find(begins, at)) != std::string::npos;) {
     const std::string text = file(between(page, at, address, "\""));
     if (text.find("</" + element) != std::string::npos)
-      throw std::logic_error("a file that ends its own element cannot stand in a page");
+      throw std::logic_error("a file that ends its own element cannot be put into a page");
     const std::string whole = "<" + element + " nonce=\"" + nonce + "\">\n" + text + "</" + element + ">";
     page.replace(at, page.find(ends, at) + ends.size() - at, whole);
     at += whole.size();

@@ -55,7 +55,7 @@ std::vector<std::string> tags_in(const std::string& specification) {
   bool is_nothing = true, is_negated = false;
   const auto end_part = [&] {
     if (is_negated) refuse("excludes nothing behind its '~'");
-    if (is_nothing) refuse("has nothing beside a comma");
+    if (is_nothing) refuse("has an empty part next to a comma");
     is_nothing = true;
   };
   for (std::size_t i = 0; i < specification.size(); ++i) {

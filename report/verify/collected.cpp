@@ -27,7 +27,7 @@ std::string read_to_the_end(int pipe) {
 Collected::Collected(std::filesystem::path file) : file_(std::move(file)) {
   if (!is_device(file_)) require_writable(file_);
   std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_CLOEXEC) != 0) throw BadInput("cannot collect what goes to " + file_.string());
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) throw BadInput("cannot collect the output to " + file_.string());
   pipe_ = ends[1];
   text_ = std::async(std::launch::async, read_to_the_end, ends[0]);
 }

@@ -109,15 +109,15 @@ void verify_claim(const JudgedClaim& judged, Complaints& complaints) {
   const std::string found(name_of(judged.verdict));
   if (approved != suite->approved.end() || judged.verdict == Verdict::unsettled)
     complaints.expect(approved != suite->approved.end() && found == approved->second,
-                      "claims with another verdict than is on record", [&] {
-                        return claim.id + ": " + found + ", on record: " +
+                      "claims whose verdict differs from the approved one", [&] {
+                        return claim.id + ": " + found + ", approved: " +
                                (approved == suite->approved.end() ? "nothing" : approved->second) + "\n" +
                                claims_evidence(judged);
                       });
   complaints.expect(judged.verdict == Verdict::not_checkable || !claim.near_misses.empty(),
                     "claims without a near miss", [&] { return claim.id + " is " + found; });
   complaints.expect((judged.verdict == Verdict::not_checkable) == !claim.not_checkable.empty(),
-                    "claims that have no readings and do not say why, or have both",
+                    "claims with neither readings nor a reason for their absence, or with both",
                     [&] { return claim.id; });
   for (const std::string& unnoticed : unnoticed_perturbations(judged))
     complaints.add("numbers of claims that could be others", unnoticed);
@@ -210,9 +210,8 @@ void verify_limit(const ExerciseResult& e, const Limit& limit, Complaints& compl
   });
   if (approved == suite->limits.end()) return;
   const std::string others = difference(limit, *approved);
-  complaints.expect(others.empty(), "limits that are not as on record", [&] {
-    return line(limit_row(e, limit)) + "\n  on record: " + others + " (" + without_tree(approved->place) +
-           ")";
+  complaints.expect(others.empty(), "limits that differ from the approved ones", [&] {
+    return line(limit_row(e, limit)) + "\n  approved: " + others + " (" + without_tree(approved->place) + ")";
   });
 }
 
@@ -234,8 +233,8 @@ void verify_map(const ExerciseResult& e, const MapRow& row, Complaints& complain
              (on_record && ends_so_within_roundings(task, row, k, *on_record, Reference(suite->tables)));
     }
   }
-  complaints.expect(same, "rows of the map that are not as on record", [&] {
-    return line(map_row(e, row)) + "\n  on record: " + approved->outcomes + " (" +
+  complaints.expect(same, "rows of the map that differ from the approved ones", [&] {
+    return line(map_row(e, row)) + "\n  approved: " + approved->outcomes + " (" +
            without_tree(approved->place) + ")";
   });
 }
@@ -245,7 +244,7 @@ void verify_stability(const ExerciseResult& e, Complaints& complaints) {
   const std::string number = to_string(e.number);
   const auto is_ours = [&](const auto& row) { return row.exercise == number; };
   const auto no_such = [&](const auto& row) {
-    complaints.add("rows on record without such a method",
+    complaints.add("approved rows without such a method",
                    without_tree(row.place) + ": " + row.model + ", " + row.algorithm);
   };
   const auto is_method = [](const auto& row) {
@@ -277,19 +276,19 @@ void verify_errors(const ExerciseResult& e, Complaints& complaints) {
     const auto on_record = std::ranges::find_if(
         suite->errors, [&](const ErrorsOnRecord& r) { return r.exercise == number && r.of == row.of; });
     if (on_record != suite->errors.end())
-      complaints.expect(agree(row, *on_record), "errors that are not as on record",
-                        [&] { return text_of(row) + "\n  on record: " + text_of(*on_record); });
+      complaints.expect(agree(row, *on_record), "errors that differ from the approved ones",
+                        [&] { return text_of(row) + "\n  approved: " + text_of(*on_record); });
   }
   for (const ErrorsOnRecord& row : suite->errors)
     if (row.exercise == number && !seen.contains(row.of) && !is_left_to_last_bits(row))
-      complaints.add("rows on record that are about nothing", without_tree(row.place) + ": " + row.of);
+      complaints.add("approved rows without such an error", without_tree(row.place) + ": " + row.of);
 }
 
 /// Requires that the records have all rows of the exercise; exercises outside the book need none for errors.
 void verify_records(const ExerciseResult& e, Complaints& complaints) {
   const std::string number = to_string(e.number);
-  const std::string kind = "rows that are not on record yet, where " + program_as_typed() +
-                           " verify --approve '[" + number + "]' puts them";
+  const std::string kind = "rows that are not approved yet; " + program_as_typed() + " verify --approve '[" +
+                           number + "]' adds them";
   const auto missing = [&](const std::string& file, const auto& rows, const auto& is_on_record) {
     const auto all = std::ranges::ssize(rows), lacking = all - std::ranges::count_if(rows, is_on_record);
     complaints.expect(lacking == 0, kind, [&] {
@@ -332,8 +331,7 @@ std::vector<std::string> still_to_write(const ExerciseResult& e) {
   std::vector<std::string> all;
   const Entry& entry = *std::ranges::find(registry(), e.number, &Entry::number);
   if (entry.exercise.asks.starts_with(to_write_mark))
-    all.push_back(number + ": it does not say yet what is asked: write it in " +
-                  without_tree(std::string(entry.file)));
+    all.push_back(number + ": the question is missing: write it in " + without_tree(std::string(entry.file)));
   for (const QuantityResult& q : e.quantities)
     if (const auto place = place_to_write(q.reference.by))
       all.push_back(number + ": the quantity '" + q.name +
@@ -358,7 +356,7 @@ void judge(const ExerciseResult& e, Complaints& complaints) {
   complaints.expect(!e.claims.empty() || (!of_the_book(e.number) && !e.quantities.empty()),
                     "nothing to be judged", [&] { return without_tree(std::string(entry.file)); });
   for (const Parameter& p : entry.exercise.parameters)
-    complaints.expect(is_unit(p.unit), "parameters whose unit is none", [&] {
+    complaints.expect(is_unit(p.unit), "parameters with an unknown unit", [&] {
       return std::string(p.name) + ": '" + std::string(p.unit) + "', in " +
              without_tree(std::string(entry.file));
     });
@@ -519,7 +517,7 @@ void approve(const Results& results, const fs::path& folder) {
   const auto changes = approvals(results, folder);
   for (const Approval& change : changes) write_whole(change.file, change.text);
   std::cout << text_of(changes)
-            << (changes.empty() ? "every row was on record already\n"
+            << (changes.empty() ? "every row was approved already\n"
                                 : "Look at the differences (git diff) before you commit them.\n")
             << std::flush;
 }
@@ -579,7 +577,7 @@ int verify(const SuiteRequest& request) {
   CatchSession session(request.catch_arguments);
   if (!session.accepted())
     throw BadInput("Catch2 does not take these arguments; '" + program_as_typed() +
-                   " verify -?' shows what it takes");
+                   " verify -?' lists its arguments");
   require_known(session.tags(), judged.approved);
   if (session.only_lists()) return session.run(), 0;
   for (const std::string& word : request.catch_arguments)

@@ -73,7 +73,7 @@ export async function open(browser, name, { width = 1200, height = 900, dark = f
 export function overlaps(page, except = '.none-such') {
   return page.evaluate((left_out) => {
     const seen = [];
-    // What an element cuts off or scrolls is not seen.
+    // Parts that an element cuts off or scrolls are invisible.
     const within = (box, place) => {
       let { left, right, top, bottom } = box;
       for (let around = place; around; around = around.parentElement) {

@@ -73,11 +73,11 @@ function readChooser(hash) {
   assert.match(oddity.choosing.command(state), /^\.\/oddity choose 3\.5 [ -~]*$/, `${hash} is not a command`);
 }
 
-for (const [what, seeds, read] of [['a player', players, readPlayer], ['the chooser', choosers, readChooser]])
-  test(`any link to ${what} is a state or a problem`, () => {
+for (const [target, seeds, read] of [['a player', players, readPlayer], ['the chooser', choosers, readChooser]])
+  test(`any link to ${target} is a state or a problem`, () => {
     const below = random(process.env.ODDITY_SEED ?? 1);
     const count = Number(process.env.FUZZ_LINKS ?? 20000);
-    assert.ok(count >= 1, 'FUZZ_LINKS is how many');
+    assert.ok(count >= 1, 'FUZZ_LINKS is a count');
     for (let left = count; left > 0; --left) {
       const hash = mutated(seeds[below(seeds.length)], below);
       read(hash);

@@ -263,7 +263,7 @@ test('a table of numbers that is opened is a part of the file, and drives the mo
   await page.close();
 });
 
-test('claims are judged, with what they are compared with, and what is not as the file says', async () => {
+test('claims are judged with their comparisons, and verdicts unlike the file\u2019s are marked', async () => {
   const { page, faults } = await open(browser, 'own.html', { reduced: true });
   const judged = async () => {
     await answered(page);
@@ -285,7 +285,7 @@ test('claims are judged, with what they are compared with, and what is not as th
   await page.close();
 });
 
-/// What a program of C++ prints, without its head.
+/// Output of a C++ program, without its heading.
 function printed(code) {
   const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'own-'));
   fs.writeFileSync(path.join(folder, 'p.cpp'), code);

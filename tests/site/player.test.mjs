@@ -228,7 +228,7 @@ test('a phase portrait has places, and their rates by differences', () => {
   }
 });
 
-test('the view follows what leaves it, up to a distance, and comes back', () => {
+test('the view widens for points that leave it, up to a distance, and comes back', () => {
   const asked = [], stage = { fit() {}, widen: (drawings) => asked.push(drawings.length), paint() {} };
   const before = oddity.stage;
   oddity.stage = () => stage;

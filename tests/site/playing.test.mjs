@@ -105,7 +105,7 @@ for (const scene of ['3.5', '3.7', '3.9', '3.11', '3.15', '3.19', '3.27', '3.29'
       && one.precision === 'double' && one.outcome === 'ok').at(-1);
     const row = [trial.model, trial.algorithm, 'double', trial.knob].map(encodeURIComponent).join('/');
     await page.evaluate((hash) => { window.location.hash = hash; }, `#play&row=${row}`);
-    await page.waitForFunction(() => document.querySelector('.player-says').textContent === 'The player is as the link has it.');
+    await page.waitForFunction(() => document.querySelector('.player-says').textContent === 'The player is set as in the link.');
     const before = await page.$eval('.player-rows [data-end]', (place) => place.dataset.end);
     await page.focus('.player-parameters input[type=range]');
     for (let i = 0; i < 7; ++i) await page.keyboard.press('ArrowRight');

@@ -1,5 +1,4 @@
-// The programs on the pages: what is printed in JavaScript has the numbers of what is printed in C++, and both are
-// near the true motion.
+// The programs on the pages: those in JavaScript print the same numbers as those in C++, near the true motion.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';

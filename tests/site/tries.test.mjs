@@ -1,4 +1,4 @@
-// What three readers come for, from the front page of a laptop: how many clicks it takes, and what is then seen.
+// Three readers' goals, from the front page on a laptop: the number of clicks, and the resulting view.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { launch, open, shoot } from './browser.mjs';

@@ -73,18 +73,18 @@
         (simple ? '.' : '; nothing simpler holds with a margin of ' + margin + '.'),
     );
     lines.push(
-      'It takes the least time in this page of ' +
+      'It is the most accurate of ' +
         (simple ? 'the simple methods that hold with a margin of ' + margin : 'all that hold') +
-        '; of those within a quarter of it, it is the most accurate.',
+        ' and take at most a quarter longer in this page than the fastest of them.',
     );
     const { truth } = found;
     if (row.model === truth.model && row.algorithm === truth.algorithm && row.precision === 'double')
       lines[1] =
-        'It is what this page takes for the truth' +
+        'This page takes it for the truth' +
         (truth.errors ? ', which is known to ' + errorIn(truth.errors, state) : '') +
         '.';
     if (state.budget)
-      lines.push('That is ' + number((100 * row.seconds) / state.budget.value, 2) + ' % of the budget.');
+      lines.push('Share of the budget: ' + number((100 * row.seconds) / state.budget.value, 2) + ' %.');
     const other = [...new Set(ties.map(methodText))].slice(0, 3);
     if (other.length) lines.push('It costs about the same as ' + other.join('; ') + '.');
     return lines;
@@ -112,9 +112,9 @@
       away +
       '.' +
       (doubtful
-        ? ' That is not far below what is asked: the motion may be chaotic, and no answer here is safe.'
+        ? ' That is more than a tenth of the allowed error: the motion may be chaotic, and no answer here is safe.'
         : '') +
-      ' One start is tried. The command below is judged by references, on this start and on five beside it.'
+      ' This page tries one start. The command below uses references, on this start and on five near it.'
     );
   }
 

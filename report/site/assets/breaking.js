@@ -53,7 +53,7 @@
     const parts = [text];
     if (judged.broken === null) parts.push(`${oddity.amounts(judged.worst, judged.units)} off at worst`);
     const drift = oddity.largestDrift(motion);
-    if (drift > 0.01 && judged.broken === null) parts.push(`what is conserved changes by ${oddity.part(drift)} ${drift >= 10 ? '' : 'of '}what moves in it`);
+    if (drift > 0.01 && judged.broken === null) parts.push(`a conserved quantity changes by ${oddity.part(drift)} ${drift >= 10 ? '' : 'of '}its moving part`);
     return parts.join('; ') + '.';
   };
 
@@ -63,16 +63,16 @@
   oddity.breaking = function (motions, parameters, rows) {
     const row = rows.find((r) => motions.find(r.model, r.algorithm).knob && !motions.find(r.model, r.algorithm).path);
     if (!row) return { problem: 'None of these methods has a step that could be too long. Add one that has.' };
-    const { knob } = motions.find(row.model, row.algorithm);
-    const limit = knob === 'step' ? known(motions, parameters, row) : null;
-    const broke = limit || searched(motions, parameters, row, knob, broken);
-    const found = broke || searched(motions, parameters, row, knob, off);
+    const { knob: kind } = motions.find(row.model, row.algorithm);
+    const limit = kind === 'step' ? known(motions, parameters, row) : null;
+    const broke = limit || searched(motions, parameters, row, kind, broken);
+    const found = broke || searched(motions, parameters, row, kind, off);
     const name = oddity.sentence(`${row.algorithm} on ${row.model}`);
-    if (!found) return { problem: `${name} stays close at every ${knob} that fits into the motion.` };
+    if (!found) return { problem: `${name} stays close at every ${kind} that fits into the motion.` };
     const next = { ...row, setting: found.setting };
-    const unit = knob === 'step' ? ` ${motions.scene.time_unit}` : '';
-    const first = (limit ? turns(motions, found.limit) : broke ? '' : `No ${knob} that fits into the motion breaks it. `)
-      + `${name} at a ${knob} of ${written(found.setting)}${unit}: `;
+    const unit = kind === 'step' ? ` ${motions.scene.time_unit}` : '';
+    const first = (limit ? turns(motions, found.limit) : broke ? '' : `No ${kind} that fits into the motion breaks it. `)
+      + `${name} at a ${kind} of ${written(found.setting)}${unit}: `;
     return { was: row, row: next, text: first + oddity.seen(motions, parameters, next) };
   };
 })(window.oddity = window.oddity || {});

@@ -73,9 +73,9 @@
 
   const axisTitles = { time: 'time', evaluations: 'evaluations' };
 
-  /** A chart in a figure. `context`: styles, outcomes, timeUnit, close: [{error, says}], a game's tolerance
-      in each unit, game: the same in one or null, plays: clicks play, floats: those in float are on, chosen:
-      a method that is always in colour. */
+  /** A chart in a figure. `context` is `{styles, outcomes, timeUnit, close: [{error, says}], game, plays, floats,
+      chosen}`. `close` has a game's tolerance in each unit; `game` is that of the only unit, or null. `plays`:
+      clicks play. `floats`: methods in float are shown. `chosen`: a method that is always in colour. */
   function chart(figure, quantity, context) {
     const all = methodsOf(quantity, context.styles);
     const shown = filter();

@@ -36,7 +36,7 @@
     R: 'raised',
   };
 
-  const measure = '. The answer above goes by the time in this page, this chart by what its axis measures';
+  const measure = '. The answer above goes by the time in this page, this chart by the quantity on its axis';
 
   /** The results as a quantity that a chart can show. */
   function quantityOf(state, found) {
@@ -76,7 +76,7 @@
       samples: 1,
       says: single
         ? 'error over all frames, judged by the finest run' + measure
-        : 'error over all frames in parts of what is asked, judged by the finest run' + measure,
+        : 'error over all frames relative to the allowed one, judged by the finest run' + measure,
       asked: errorText(state).replace(',', ' and ').replace(/deg/g, '°'),
       charts: ['evaluations', 'time'],
       methods: [...methods.values()],
@@ -387,7 +387,7 @@
       } catch (error) {
         state = usual(first(scenes));
         message.textContent =
-          'This link asks for what is not there: ' +
+          'This link does not work: ' +
           error.message +
           '. Scene ' +
           state.scene.number +

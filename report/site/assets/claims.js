@@ -19,7 +19,7 @@
       make('details', {}, make('summary', {}, 'What is compared'), make('ul', {}, ...checks.map(evidence))));
   }
 
-  /** Fills `place` with so many claims; `go` says whether it is still the file. */
+  /** Fills `place` with `count` claims, as long as `go()` is true: the file is still the same. */
   oddity.showClaims = function (place, count, go, done) {
     const list = make('ol', {});
     place.replaceChildren(make('h2', {}, 'Its claims'), list);

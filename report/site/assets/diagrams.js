@@ -40,18 +40,10 @@
     const differs = methods.some((m) => m.algorithm.includes('difference'));
     const steps = methods.some((m) => m.knob === 'step');
     const nodes = methods.some((m) => m.knob === 'panels' || m.knob === 'points');
-    return (
-      'evaluations' +
-      (differs
-        ? ' of the function'
-        : steps && nodes
-          ? ' of the right-hand side or integrand'
-          : steps
-            ? ' of the right-hand side'
-            : nodes
-              ? ' of the integrand'
-              : '')
-    );
+    if (differs) return 'evaluations of the function';
+    if (steps && nodes) return 'evaluations of the right-hand side or integrand';
+    if (steps) return 'evaluations of the right-hand side';
+    return nodes ? 'evaluations of the integrand' : 'evaluations';
   }
 
   const canvas = (kind, width, height) =>

@@ -1,27 +1,30 @@
 // oddity.engine: the scenes' models, compiled from the program's own C++ to WebAssembly (report/site/module).
-//   ready        resolves to whether the models can be run; models.js, loaded later, contains them
-//   algorithms   [{name, kind, order, knob, inFloat}]: `kind` is fixed, partitioned, velocities first, controlled, implicit fixed,
-//                implicit controlled or closed form; `knob` is step, tolerance or, of a closed form, empty
-//   scene(number)   {parameters: [name], defaults: {name: value}, models: [{name, algorithms: [name],
-//                   constrained, events}], observables: their number, drawn, space}, or null if there is no such scene;
-//                   a model with events runs in double only
-//   run({scene, parameters, model, algorithm, precision: 'double' | 'float', setting, times})
-//                times[0] is 0. Returns {observed, drift, off, evaluations, ending, message, seconds, last}:
-//     observed   the observables time after time, NaN from where the motion broke off
-//     drift      at each time, the change of conserved quantities relative to their moving parts; empty if none
-//     off        at each time, m off the constraint; empty if none
-//     ending     reached, non-finite, stalled, raised, chattering or grazing
-//     last       the observables where it broke off; null if it did not
-//   draw(number, parameters, t, observed)   {space, primitives: [{kind, points: [[x, y, z]], size, letter, trail}]},
-//                or null if the scene defines no drawing
-// Omitted parameters have their defaults.
-//   take(text)   of the module that reads problems' files (own.js), which has no scene before: resolves to {file}, the
-//                text as it is understood, whose scene is 'own' from then on; or to {wrong: {line, column, reason,
-//                message}}, line and column 0 where the place is not known. Then the scene is what it was
-//   code(model, parameters)  the place of a model among the file's: its C++, with oddity::asked::model() which makes it;
-//                or nothing where it has none to print
-//   claim(place) how a claim of the file is judged: {says, printed, verdict, expected, why, checks: [{reading, holds, text,
-//                where}]}; or {wrong}
+//
+// - ready: resolves to whether the models can be run. They are in models.js, which is loaded later.
+// - algorithms: `[{name, kind, order, knob, inFloat}]`. `kind` is fixed, partitioned, velocities first, controlled,
+//   implicit fixed, implicit controlled or closed form. `knob` is step or tolerance, and empty for a closed form.
+// - scene(number): null for an unknown scene, otherwise
+//     `{parameters: [name], defaults: {name: value}, models: [{name, algorithms: [name], constrained, events}],
+//     observables: their number, drawn, space}`. A model with events runs in double only.
+// - run: takes `{scene, parameters, model, algorithm, precision: 'double' | 'float', setting, times}`, where `times[0]`
+//   is 0. Returns `{observed, drift, off, evaluations, ending, message, seconds, last}`:
+//   - observed: the observables time after time, NaN from the break-off on.
+//   - drift: at each time, the change of conserved quantities relative to their moving parts; or empty.
+//   - off: at each time, the distance from the constraint in m; or empty.
+//   - ending: reached, non-finite, stalled, raised, chattering or grazing.
+//   - last: the observables where the motion broke off, otherwise null.
+// - draw(number, parameters, t, observed): null if the scene defines no drawing, otherwise
+//     `{space, primitives: [{kind, points: [[x, y, z]], size, letter, trail}]}`.
+//
+// Omitted parameters have their defaults. The module that reads problems' files (own.js) has no scene at first, and
+// three more functions:
+//
+// - take(text): resolves to `{file}`, the text as understood, and makes its scene 'own'. A faulty text leaves the scene
+//   as before and gives `{wrong: {line, column, reason, message}}`, with line and column 0 if the place is not known.
+// - code(model, parameters): C++ of the file's model with this index, made by oddity::asked::model(); or nothing if it
+//   cannot be printed.
+// - claim(place): judgement of the file's claim with this index, or `{wrong}`:
+//     `{says, printed, verdict, expected, why, checks: [{reading, holds, text, where}]}`.
 (function (oddity) {
   'use strict';
 
@@ -31,7 +34,7 @@
   let compiled = null;
   let wasm = null;        // the module's exports
   let scenes = new Map();
-  let kinds = [];         // of primitives, by name
+  let kinds = [];         // names of the kinds of primitives
   let answer;
   const ready = new Promise(resolve => { answer = resolve; });
 

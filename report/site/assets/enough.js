@@ -25,8 +25,8 @@
     const apart = motions.apart(parameters);
     const needs = apart.map((x, u) => x / motions.scene.close[motions.units[u]]);
     if (needs.every((x) => x <= safe)) return '';
-    return `No method is judged, as the two makers of the truth differ by ${oddity.amounts(apart, motions.units)}: `
-      + 'that is not far below what the file needs.';
+    return `No method is judged, as the two routes to the truth differ by ${oddity.amounts(apart, motions.units)}: `
+      + 'that is not far below the file\u2019s tolerance.';
   }
 
   function told(motions, best) {

@@ -350,7 +350,7 @@
       : few(right) + ' of ' + all + ' methods are as exact as needed; not ' + few(wrong) + '.';
   }
 
-  /** A chart's finding, and its methods: {says, of}. */
+  /** A chart's finding and its methods: `{says, of}`. */
   function finding(quantity, methods, axis, game) {
     if (!methods.length) return { says: 'Nothing is shown.', of: [] };
     if (!axis) return { says: findingOfRows(methods), of: [] };
@@ -369,11 +369,10 @@
     const least = points.reduce((a, b) => (b.error < a.error ? b : a));
     return {
       says:
-        'Of the methods with ' +
-        setting +
-        ', ' +
         spoken(least.method) +
-        ' is the most accurate: ' +
+        ' is the most accurate of the methods with ' +
+        setting +
+        ': ' +
         inUnit(least.error, quantity.unit) +
         ' at ' +
         number(least.setting, 3) +

@@ -23,7 +23,7 @@
       .join('');
   }
 
-  /** The longest step from which on a method ends ok at every value; 0 if there is none. */
+  /** The longest step up to which a method ends ok at every value; 0 if it never does. */
   function longestOk(method, steps) {
     let longest = 0;
     for (let k = steps.length - 1; k >= 0; --k) {

@@ -113,7 +113,7 @@
         ending: oddity.outcomeName(data, path.outcome) === 'non-finite' ? 'non-finite' : 'reached', message: '' };
     }
 
-    /** Null where it is only recorded and the parameters are others. Its steps are of frames that come `as` is said. */
+    /** A method's motion; null if only another set of parameters is recorded. `as`, one of framesAs, sets the frames' lengths. */
     function run(parameters, method, as = undefined) {
       const { path } = find(method.model, method.algorithm);
       if (path) return isDefault(parameters) ? cached(path, () => replay(path)) : null;
@@ -163,7 +163,7 @@
       return apart().map((x, u) => (x > 2 * digits[u] ? x : Math.max(doubles * sizes[u], richest.error || 0)));
     }
 
-    /** The same for a motion that may be recorded. */
+    /** Errors below this are invisible for a motion that may be recorded, in each unit. */
     function floorsOf(motion, floor) {
       if (!motion || !motion.resolution) return floor;
       const units = Object.keys(scene.close);

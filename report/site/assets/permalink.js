@@ -88,8 +88,8 @@
   }
 
   oddity.permalink = {
-    /** Of {parameters: {name: value}, rows: [{model, algorithm, precision, setting}], time, speed, view}; the
-        view, {azimuth, elevation} in degrees, may be missing. */
+    /** Link to a player in the state `{parameters: {name: value}, rows: [{model, algorithm, precision, setting}],
+        time, speed, view}`. The view, `{azimuth, elevation}` in degrees, may be missing. */
     format({ parameters, rows, time, speed, view, as }) {
       const parts = ['#play'];
       for (const [name, value] of Object.entries(parameters)) parts.push(`p.${word(name)}=${word(value)}`);
@@ -102,9 +102,9 @@
       return parts.join('&');
     },
 
-    /** {state}, or {problem: a sentence}; null if it is no link to a player. `known` is {parameters, methods:
-        [{model, algorithm, precisions, knob}], horizon, speeds, space: whether the view can turn, missing:
-        the message for a missing part}. */
+    /** `{state}`, or `{problem: a sentence}`; null if it is no link to a player. `known` is `{parameters,
+        methods: [{model, algorithm, precisions, knob}], horizon, speeds, space: whether the view can turn,
+        missing: the message for a missing part}`. */
     parse(hash, known) {
       const [first, ...parts] = hash.split('&');
       if (first !== '#play' || !parts.length) return null;     // #play is the player's own place in the page

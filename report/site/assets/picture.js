@@ -85,7 +85,7 @@
         stage.fit(fitted);
         [within, reachable] = [box(fitted, 0.02), box(fitted, farthest)];
       },
-      /** What leaves the frame is followed: the view is as wide as it needs now. */
+      /** Paints the time t. The view widens for points that leave the frame, up to `reachable`. */
       paint(t) {
         const seen = layers.map((layer) => seenAt(layer, t)).filter((l) => l);
         stage.widen(seen.map((layer) => layer.drawing).filter((d) => pointsOf(d).some((p) => !within(p)) && pointsOf(d).every(reachable)));

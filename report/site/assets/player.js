@@ -261,15 +261,15 @@
     buildCurves() {
       const chart = (label) => make('canvas', { class: 'player-lines', role: 'img', 'aria-label': label });
       const error = this.errorCanvas = chart('Error of each method over time; the rows below have the numbers.');
-      const drift = chart('Change of what is conserved over time; the rows below have the numbers.');
+      const drift = chart('Change of conserved quantities over time; the rows below have the numbers.');
       this.errorLines = oddity.lines(error);
       this.driftLines = oddity.lines(drift);
       this.errorName = make('figcaption', {});
-      this.driftFigure = make('figure', {}, make('figcaption', {}, 'change of energy and whatever else is conserved, as a part'), drift);
+      this.driftFigure = make('figure', {}, make('figcaption', {}, 'relative change of energy and other conserved quantities'), drift);
       return make('div', { class: 'player-curves' }, make('figure', {}, this.errorName, error), this.driftFigure);
     }
 
-    /** Of one or two freedoms: each of the first two observables against its rate, where there are few. */
+    /** Phase portraits: the first two observables, each against its rate, if the scene has at most three. */
     buildPortraits() {
       const names = this.scene.observables.length <= 3 ? this.scene.observables.slice(0, 2) : [];
       const canvases = names.map((name) => make('canvas', { class: 'player-lines', role: 'img', 'aria-label': `${name} against its rate: the true motion, and each method up to now.` }));
@@ -292,14 +292,14 @@
 
     buildActions() {
       const { motions } = this;
-      this.addButton = worded('add a method', 'one more beside the truth, up to four', () => this.add());
+      this.addButton = worded('add a method', 'one more method, up to four', () => this.add());
       const published = motions.asPublished();
       const doing = [this.addButton];
-      if (published) doing.push(worded('as published', 'the published version beside the right one',
-        () => this.preset(published, 'The published version is beside the right one')));
+      if (published) doing.push(worded('as published', 'the published version next to the right one',
+        () => this.preset(published, 'The published version is next to the right one')));
       const engines = motions.asEngines();
-      if (engines) doing.push(worded('as engines do', 'physics engines with what a user gets, at a step a frame, beside what is enough',
-        () => this.preset(engines, 'Recorded: physics engines with what a user gets, at a step a frame')));
+      if (engines) doing.push(worded('as engines do', 'physics engines as a user gets them, at a step a frame, next to a method that is enough',
+        () => this.preset(engines, 'Recorded: physics engines as a user gets them, at a step a frame')));
       doing.push(worded('as it opened', 'parameters and methods as the page has them first', () => this.preset(motions.opening(), 'As it opened')));
       if (!motions.recordedOnly) doing.push(worded('break it', 'the smallest step with which the first method breaks', () => this.breakIt()));
       const copying = [worded('copy link', 'an address that opens the player as it is now', () => this.link())];
@@ -350,8 +350,8 @@
     tellRecorded(place) {
       for (const slider of this.sliders.values()) slider.enable(false);
       place.prepend(make('p', { class: 'player-note' },
-        'The models are not in this copy of the page, so it plays what is recorded. ', make('code', {}, `${oddity.program} site`),
-        ' makes one in which they run.'));
+        'The models are not in this copy of the page, so it plays recordings. ', make('code', {}, `${oddity.program} site`),
+        ' makes a copy that runs them.'));
     }
 
     /** The display does not match the typed text. */
@@ -559,7 +559,7 @@
       this.clock.pause();
       const state = this.fromLink();
       this.restart(state || this.usual());
-      if (state) this.say('The player is as the link has it.');
+      if (state) this.say('The player is set as in the link.');
     }
 
     /** Ends this player before another replaces it. */

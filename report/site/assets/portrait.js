@@ -5,7 +5,7 @@
 
   const looks = 600;   // at a motion
   const margin = { left: 12, right: 12, top: 18, bottom: 20 };
-  const beyond = 0.6;  // of the truth's extent, how far a method is shown
+  const beyond = 0.6;  // room for methods around the truth, relative to half of its extent
 
   /** [{t, place, rate}] of one observable, the rate by differences of places. */
   oddity.phases = function (see, motion, end, nth) {

@@ -33,7 +33,7 @@
     const wanted = Math.max(1, Math.round(file.horizon * file.fps));
     const frames = Math.min(wanted, most);
     const frame = file.horizon / wanted;
-    const horizon = frames * frame;         // of a long motion the page judges only the first frames
+    const horizon = frames * frame;         // the page judges only the first frames of a long motion
     const times = oddity.frameTimes(horizon, frames);
     /** "33.3 s of 100 s"; empty for the whole. */
     const part = frames < wanted ? `${oddity.written(horizon)} s of ${oddity.written(file.horizon)} s` : '';

@@ -77,7 +77,7 @@
     const knobPlace = oddity.make('div', { class: 'row-setting' });
     const errorNow = reading('error', 'distance from the truth now');
     const worst = reading('at worst', 'largest distance from the truth until the end');
-    const drift = reading('conserved', 'by how much energy, and whatever else is conserved, changes at most, as a part of what moves in it');
+    const drift = reading('conserved', 'largest change of energy and other conserved quantities, relative to their moving parts');
     const ending = oddity.make('p', { class: 'row-ending' });
     const remove = oddity.make('button', { type: 'button', class: 'row-remove', 'aria-label': 'remove this method', click: removed },
       oddity.icon({ d: 'M4 4 L12 12 M12 4 L4 12', fill: 'none', stroke: 'currentColor', 'stroke-width': 1.6 }));
@@ -151,7 +151,7 @@
 
     return {
       element,
-      /** {row, motion, judged, floors}; motion is null if there is none. */
+      /** Shows `{row, motion, judged, floors}`; `motion` may be null. */
       show(next) {
         result = next;
         row = next.row;

@@ -213,7 +213,7 @@
       const usual = { parameters: {}, rows: motions.opening(), time: 0, speed: 1 };
       const missing = 'the file does not have';
       const read = link ? oddity.permalink.parse(link, { ...oddity.nameable(motions, motions.data.parameters), missing }) : null;
-      if (read && read.problem) this.says.textContent = `${read.problem} The rest is as the link has it.`;
+      if (read && read.problem) this.says.textContent = `${read.problem} The rest is as in the link.`;
       const before = this.player && this.keeps ? { ...this.player.state(), parameters: {} } : usual;
       const state = read && read.state ? read.state : before;
       const rows = state.rows.filter((row) => motions.find(row.model, row.algorithm));

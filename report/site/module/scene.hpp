@@ -31,7 +31,7 @@ struct Motion {
   std::size_t whole = 0;   ///< number of times reached: without the last state if it broke off
   std::vector<double> observed;
   std::vector<double> drift;  ///< change of the conserved quantities relative to their moving parts; or empty
-  std::vector<double> off;    ///< m, off the constraint; empty if there is none
+  std::vector<double> off;    ///< m, off the constraint; or empty
   long evaluations = 0;
   Ending ending = Ending::reached;
   std::string message;
@@ -189,7 +189,7 @@ struct Letter {
 
 struct Listed {
   std::string_view name;
-  std::string_view algorithm;  ///< of a closed form with its own algorithm
+  std::string_view algorithm;  ///< name of a closed form's own algorithm; or empty
   std::function<std::unique_ptr<const Model>(std::span<const double> parameters)> with;
 };
 

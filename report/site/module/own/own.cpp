@@ -95,7 +95,7 @@ std::string text_of(const File& file) {
          ",\"units\":" + units_of(file) + "}";
 }
 
-/// What a reading is compared with, as a line to read.
+/// JSON of a reading's check: both values with their routes, as a readable line.
 std::string text_of(const std::string& reading, const Check& check) {
   const auto side = [](const Route& route) {
     const std::string value = route.value.size() == 1 ? format_significant(route.value[0], 6) : "";
@@ -178,8 +178,8 @@ ODDITY_EXPORT(code) const char* code_of(std::size_t index, const double* values)
   return answer.c_str();
 }
 
-/// How a claim of the file is judged, by its place in it: {says, printed, verdict, expected, why, checks:
-/// [{reading, holds, text, where}]}; or {wrong: why it cannot be}.
+/// Judgement of the file's claim at this place: `{says, printed, verdict, expected, why, checks: [{reading,
+/// holds, text, where}]}`; or `{wrong: the reason}` if it cannot be judged.
 ODDITY_EXPORT(claim) const char* claim_of(std::size_t place) {
   try {
     const Claim claim = own.sheet->judged(place);

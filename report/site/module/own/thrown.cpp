@@ -7,7 +7,8 @@
 #include <cstdlib>
 #include <typeinfo>
 
-extern "C" void* _ZTVN10__cxxabiv120__si_class_type_infoE[];  // of types with one base
+// Vtable of the type_info of types with one base.
+extern "C" void* _ZTVN10__cxxabiv120__si_class_type_infoE[];
 
 namespace {
 
