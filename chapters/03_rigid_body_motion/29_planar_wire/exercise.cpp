@@ -98,9 +98,9 @@ Exercise exercise_3_29() {
       "Rigid curve in the plane",
       R"(A rigid wire of any shape moves in the plane, with unit vectors $\imath$ and $\jmath$. Find its )"
       R"(position, kinetic energy and generalized forces, as for a thin rod. The wire of mass $\mu_0$ has its )"
-      R"(center of mass at $c=(x,y)$, the moment $\mu_2$ about it, and is turned by $\theta$; of its points, )"
-      R"($b=(b_0,b_1)$ is the place from the center of mass before the turn $R(\theta)$, $\delta$ the density )"
-      R"(and $s$ the arc length.)",
+      R"(center of mass at $c=(x,y)$, the moment $\mu_2$ about it, and is turned by $\theta$. Its points have )"
+      R"(the places $b=(b_0,b_1)$ from the center of mass before the turn $R(\theta)$, the density $\delta$ )"
+      R"(and the arc length $s$.)",
       parameters, scene(), study};
 }
 
