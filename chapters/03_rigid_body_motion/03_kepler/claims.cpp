@@ -538,8 +538,9 @@ void equations_of_motion(Table& table, const std::vector<Moment>& moments) {
        .meant = R"($(-(GM/r^3)\,\mathbf r,\ -(GM/r^2)\,\mathbf R,\ -(GM/r^2)\mathbf R+0\,\mathbf P)$)",
        .kind = Fault::lost_typography,
        .why = filled(
-           R"(The fraction bars are lost. Without them the first form multiplies the pull on a planet twice as far )"
-           R"(away by @2 and the second by @1, instead of by @2. The last form of the line has its bar.)",
+           R"(The fraction bars are lost. Without them the first form multiplies the pull on a planet twice )"
+           R"(as far away by @2 and the second by @1, instead of by @2. The last form of the line has its )"
+           R"(bar.)",
            {pow(2, 4), pow(2, 2), pow(2, -2)})});
   equation(table, "radial", 967, moments, &Along::of_radial, R"($\ddot r-r\dot\theta^2=-GM\,r^2$)",
            R"($\ddot r-r\dot\theta^2=-GM/r^2$)",
@@ -625,9 +626,9 @@ void equation_of_the_potential(Table& table, const std::vector<Moment>& moments)
        .root = "the sun's mass for the planet's",
        .why =
            R"(The force on a planet of mass $m$ is $-GMm/r^2$; $-GM/r$ is its energy divided by $m$. With )"
-           R"($\alpha=Mr^2\dot\theta$ the text divides the momentum by $m$ and multiplies it by $M$, so that $V$ )"
-           R"(and $\alpha$ belong to different masses. The orbit depends on neither; only a display of energies )"
-           R"(in joules is off by the factor $m$.)"});
+           R"($\alpha=Mr^2\dot\theta$ the text divides the momentum by $m$ and multiplies it by $M$, so )"
+           R"(that $V$ and $\alpha$ belong to different masses. The orbit depends on neither; only a )"
+           R"(display of energies in joules is off by the factor $m$.)"});
   const auto r_dot = along(R"($\dot r$ by dual numbers)", [](const auto& k) { return k.r_dot; });
   const auto r_dot_dot =
       along(R"($\ddot r$ by dual numbers)", [](const auto& k) { return k.r_dot_dot; }, &Along::of_radial);
@@ -655,18 +656,16 @@ void equation_of_the_potential(Table& table, const std::vector<Moment>& moments)
       {R"(\frac{d}{dt}(-GM/V))", R"((GM/V^2)\,dV/dt)"},
       R"(The fraction bar of $-GM/V$ is lost. The product $-GMV=G^2M^2/r$ is no distance, and shrinks where )"
       R"(the distance grows.)");
-  rate(
-      "chain_rule", 1021, r_dot, R"(\dot r)", {R"(GM\,V^2\,(dV/d\theta)\,\dot\theta)"},
-      {R"((GM/V^2)\,(dV/d\theta)\,\dot\theta)"},
-      filled(
-          R"(The fraction bar is lost; the line before shows it. For the Earth, in astronomical units and years, )"
-          R"(the product $GMV^2$ is @5 where the quotient is @2.)",
-          {pow(four_pi_squared, 3), 1 / four_pi_squared}));
-  rate(
-      "r_dot", 1031, r_dot, R"(\dot r)", {R"(GM\,(-GM/r)^2\,V'\,(\alpha\,Mr^2))", R"(\alpha V'/(GM^2))"},
-      {R"(GM/(-GM/r)^2\,V'\,(\alpha/(Mr^2)))", R"(\alpha V'/(GM^2))"},
-      R"(The bars of the first form's two fractions are lost. As products, the powers of $r$ cancel as well, )"
-      R"(and the result is $G^3M^4\alpha V'$ for $\alpha V'/(GM^2)$.)");
+  rate("chain_rule", 1021, r_dot, R"(\dot r)", {R"(GM\,V^2\,(dV/d\theta)\,\dot\theta)"},
+       {R"((GM/V^2)\,(dV/d\theta)\,\dot\theta)"},
+       filled(
+           R"(The fraction bar is lost; the line before shows it. For the Earth, in astronomical units and )"
+           R"(years, the product $GMV^2$ is @5 where the quotient is @2.)",
+           {pow(four_pi_squared, 3), 1 / four_pi_squared}));
+  rate("r_dot", 1031, r_dot, R"(\dot r)", {R"(GM\,(-GM/r)^2\,V'\,(\alpha\,Mr^2))", R"(\alpha V'/(GM^2))"},
+       {R"(GM/(-GM/r)^2\,V'\,(\alpha/(Mr^2)))", R"(\alpha V'/(GM^2))"},
+       R"(The bars of the first form's two fractions are lost. As products, the powers of $r$ cancel as )"
+       R"(well, and the result is $G^3M^4\alpha V'$ for $\alpha V'/(GM^2)$.)");
   rate("second_chain_rule", 1041, r_dot_dot, R"(\ddot r)",
        {R"(\alpha\,GM^2\,dV'/dt)", R"(\alpha\,GM^2\,V''\dot\theta)"},
        {R"(\alpha/(GM^2)\,dV'/dt)", R"(\alpha/(GM^2)\,V''\dot\theta)"},
@@ -774,8 +773,8 @@ void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
        .near_misses = {{R"($\alpha/(Mr^2)$ and $r_0^2\dot\theta_0/r$)", rate(-1)}},
        .kind = Fault::lost_typography,
        .why = filled(
-           R"(The bar of the second fraction is lost: without it, a planet that has come to twice its distance )"
-           R"(goes round at @1 times its rate instead of @2 of it. The first form has its bar.)",
+           R"(The bar of the second fraction is lost: without it, a planet that has come to twice its )"
+           R"(distance goes round at @1 times its rate instead of @2 of it. The first form has its bar.)",
            {pow(2, 2), pow(2, -2)})});
   table.formula("constant", 1095, R"(The left-hand side $-G^2M^4/\alpha^2$ is a constant.)", orbits,
                 {.quantity = R"($-G^2M^4/\alpha^2$)",
@@ -929,9 +928,8 @@ void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
        .meant = {R"($GM/r_0$)"},
        .near_misses = {{R"($GM/r_0^2$)"}},
        .kind = Fault::lost_typography,
-       .why =
-           R"(The fraction bar is lost here, at line 1171 and at line 1187; line 1143, which is put in, shows it. )"
-           R"(The sign of $V_0$ is wrong in all of them.)"});
+       .why = R"(The fraction bar is lost here, at line 1171 and at line 1187; line 1143, which is put in, )"
+              R"(shows it. The sign of $V_0$ is wrong in all of them.)"});
 
   /// (4) or (5), with the given sign of GM/r0 and of the last term.
   const auto constant = [=](bool fourth, double sign, double last) {
@@ -1033,7 +1031,8 @@ void any_start(Claims& claims, double seed) {
   const auto turning = starts(100, seed, 0.5, 1.3, 0.5);
   claims.add(
       "constants_of_any_start", 1171,
-      R"((4) and (5) give $c_0$ and $c_1$ for any $r_0,\dot r_0,\theta_0,\dot\theta_0$ (except for the sign of $V_0$))",
+      R"((4) and (5) give $c_0$ and $c_1$ for any $r_0,\dot r_0,\theta_0,\dot\theta_0$ (except for the sign )"
+      R"(of $V_0$))",
       {.printed =
            at_start(R"($c_0\sin\theta_0+c_1\cos\theta_0-G^2M^4/\alpha^2=-GM/r_0$ for any $\dot\theta_0$)",
                     and_straight(turning), -1),
@@ -1122,10 +1121,10 @@ void solved_numerically(Claims& claims, double seed) {
        .kind = Fault::counterexample,
        .root = "any orbit for an eccentric one",
        .why = filled(
-           "The Earth, which the text mentions, comes round: with @3 steps a turn, Runge-Kutta 4 on (3.1) is off "
-           "by @2 millionths of the orbit after @2 turns. Of @2 orbits with $e<@2$ it loses @1. The difficult "
-           "orbits are eccentric: equal steps are too long at the perihelion. Of @2 orbits with $@2<e<@2$ it "
-           "loses @2.",
+           "The Earth, which the text mentions, comes round: with @3 steps a turn, Runge-Kutta 4 on (3.1) is "
+           "off by @2 millionths of the orbit after @2 turns. Of @2 orbits with $e<@2$ it loses @1. The "
+           "difficult orbits are eccentric: equal steps are too long at the perihelion. Of @2 orbits with "
+           "$@2<e<@2$ it loses @2.",
            {steps, 1e6 * earth.direct, turns, static_cast<double>(all.size()), most, lost(all),
             static_cast<double>(comets.size()), comets_from, comets_to, lost(comets)})});
   std::vector<Turned> to_close = all;
@@ -1355,12 +1354,13 @@ void polar_orbit(LaterTable& table, const std::vector<Later>& orbits) {
        .kind = Fault::formula,
        .root = "angle from the axis for the angle from the perihelion",
        .why = filled(
-           R"(The polar equation measures the angle from the perihelion, the direction of the constant vector )"
-           R"($\mathbf c_1=\mathbf v\times\mathbf c_0-GM\,\mathbf R$, $\mathbf c_0=\mathbf r\times\mathbf v$; )"
-           R"((7) measures it from the axis that $\theta_0$ is given in. They agree only when the user's start has )"
-           R"(its perihelion at $\theta=0$: in general $r(\theta_0)\ne r_0$. A program that follows the text draws )"
-           R"(the orbit of `eccentric_path` below turned by $@2^\circ$, and starts the planet on it @2 AU from the )"
-           R"(sun instead of @3. Either subtract $\omega=\arg\mathbf c_1$, or use $r=-GM/V(\theta)$.)",
+           R"(The polar equation measures the angle from the perihelion, the direction of the constant )"
+           R"(vector $\mathbf c_1=\mathbf v\times\mathbf c_0-GM\,\mathbf R$, $\mathbf c_0=\mathbf )"
+           R"(r\times\mathbf v$; (7) measures it from the axis that $\theta_0$ is given in. They agree only )"
+           R"(when the user's start has its perihelion at $\theta=0$: in general $r(\theta_0)\ne r_0$. A )"
+           R"(program that follows the text draws the orbit of `eccentric_path` below turned by $@2^\circ$, )"
+           R"(and starts the planet on it @2 AU from the sun instead of @3. Either subtract )"
+           R"($\omega=\arg\mathbf c_1$, or use $r=-GM/V(\theta)$.)",
            {180 / pi * abs(std::remainder(drawn.omega, 2 * pi)), drawn.orbit(eccentric.theta0),
             eccentric.r0})});
 }
@@ -1383,8 +1383,8 @@ void ellipse(LaterTable& table, const std::vector<Later>& orbits) {
        .near_misses = {{R"($2\pi a^{3/2}/(\sqrt G\,M)$)"}},
        .kind = Fault::lost_typography,
        .why = filled(
-           R"(The fraction bar is lost: without it, $\sqrt{GM}$ is a factor. For the Earth, in astronomical units )"
-           R"(and years, the product is @3 years.)",
+           R"(The fraction bar is lost: without it, $\sqrt{GM}$ is a factor. For the Earth, in astronomical )"
+           R"(units and years, the product is @3 years.)",
            {2 * pi * sqrt(four_pi_squared)})});
   table.formula(
       "major_axis", 1269, R"(In $T$, $a$ is the length of the major axis.)", orbits,

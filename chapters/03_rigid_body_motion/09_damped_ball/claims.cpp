@@ -1344,9 +1344,9 @@ std::vector<Root> roots() {
   return {
       {"the double root",
        filled(
-           R"(A door closer with the friction $2\sqrt{mc}$ shuts the door fastest without swinging, but solving for )"
-           R"($K_1$ and $K_2$ gives NaN for its position. For $m=@1$, $c=@1$ the door, let go at rest, is at @2 )"
-           R"(of its start after @1 s.)",
+           R"(A door closer with the friction $2\sqrt{mc}$ shuts the door fastest without swinging, but )"
+           R"(solving for $K_1$ and $K_2$ gives NaN for its position. For $m=@1$, $c=@1$ the door, let go )"
+           R"(at rest, is at @2 of its start after @1 s.)",
            {F::m, F::c, F::left_after(critical, second), second})},
       {"a fast throw",
        filled(
@@ -1355,8 +1355,9 @@ std::vector<Root> roots() {
            {thrown.factor(), thrown.ball.m, thrown.ball.c, thrown.ball.a, thrown.time(), thrown.speed()})},
       {"too much friction",
        filled(
-           R"(More friction does not bring the ball home sooner. For $m=@1$, $c=@1$, let go at rest, it is within @1 )"
-           R"(of its way after @2 s with $a=@1$, after @2 s with $a=@1$, and after @2 s with $a=@2$.)",
+           R"(More friction does not bring the ball home sooner. For $m=@1$, $c=@1$, let go at rest, it is )"
+           R"(within @1 of its way after @2 s with $a=@1$, after @2 s with $a=@1$, and after @2 s with )"
+           R"($a=@2$.)",
            {F::m, F::c, F::nearly, F::home_after(critical), critical, F::home_after(stronger), stronger,
             F::home_after(strong), strong})},
       {"the first equation alone",
@@ -1365,10 +1366,9 @@ std::vector<Root> roots() {
            R"($a=@1$ it reaches the origin after @3 s all the same.)",
            {m, c, a, across.found.time})},
       {"the arctangent's branch",
-       filled(
-           R"(For $m=@1$, $c=@1$, $a=@1$ and a start at rest the formula gives $@3$ s, not @3 s: a game that )"
-           R"(schedules the hit for that moment puts it into the past, and the event never fires.)",
-           {m, c, a, by_formula, at_rest.found.time})},
+       filled(R"(For $m=@1$, $c=@1$, $a=@1$ and a start at rest the formula gives $@3$ s, not @3 s: a game )"
+              R"(that schedules the hit for that moment puts it into the past, and the event never fires.)",
+              {m, c, a, by_formula, at_rest.found.time})},
       {"a zero denominator",
        filled(R"(With $m=@1$, $c=@1$, $a=@1$ and $v=@1\,p$ the ball is at the origin after @3 s. The result )"
               R"(of a program that divides depends on how it treats $p_1/0$.)",

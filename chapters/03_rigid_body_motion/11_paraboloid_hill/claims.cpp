@@ -160,9 +160,9 @@ void equations(Table& table, const std::vector<Sample>& samples) {
        .near_misses = {on_line("$g$ for $2g$ in the last term", 1), on_line("plus the last term", -2)},
        .kind = Fault::lost_typography,
        .why = filled(
-           R"(The bars of the first term's three fractions are lost in the text at hand; the last term has its )"
-           R"(own. As products the terms cannot be added: on a hill twice as wide, with $a_1$ and $a_2$ doubled, )"
-           R"(the first one should change by the factor @2, and changes by @2.)",
+           R"(The bars of the first term's three fractions are lost in the text at hand; the last term has )"
+           R"(its own. As products the terms cannot be added: on a hill twice as wide, with $a_1$ and $a_2$ )"
+           R"(doubled, the first one should change by the factor @2, and changes by @2.)",
            {wider.first_term(false) / narrow.first_term(false),
             wider.first_term(true) / narrow.first_term(true)})});
 }

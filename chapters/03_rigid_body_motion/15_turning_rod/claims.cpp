@@ -715,7 +715,8 @@ void output(Claims& claims, const Value& end) {
        .near_misses = {is_lambda("0.99422")},
        .why = filled(
            R"(The output belongs to the slip of the listing, `aux[0]*time` for `aux[1]*time` (2079), not to )"
-           R"(the equation of the text, whose $\lambda(2)$ is @6: the printed number is @2 percent too large.)",
+           R"(the equation of the text, whose $\lambda(2)$ is @6: the printed number is @2 percent too )"
+           R"(large.)",
            {lambda, 100 * (1.15214 / lambda - 1)}),
        .kind = Fault::listing,
        .root = "`aux[0]` for `aux[1]`"});

@@ -306,8 +306,9 @@ void forces(Table& table, const Samples& samples) {
        .kind = Fault::lost_typography,
        .why =
            R"(The unit vector $\jmath$, to the north, is lost in the text at hand, and a vector cannot be )"
-           R"(subtracted from a number. The components of line 2425 show it: $P\cdot w=\omega\cos\lambda\cos\theta$. )"
-           R"(Without the term a body would fall straight, and not to the east.)"});
+           R"(subtracted from a number. The components of line 2425 show it: $P\cdot )"
+           R"(w=\omega\cos\lambda\cos\theta$. Without the term a body would fall straight, and not to the )"
+           R"(east.)"});
 
   const std::string b = R"(, $b=-\cos\lambda\sin\theta\sin\phi+\sin\lambda\cos\phi$)";
   const std::string by_lagrange =
@@ -709,9 +710,9 @@ void moments(ConeTable& table, const Cones& cones, const Cones& by_qags) {
        .meant = {of_two_integrals("2y^2", "2z^2"), over_y(2, 2)},
        .near_misses = {{of_two_integrals("y^2", "z^2"), over_y(1, 1)}},
        .kind = Fault::formula,
-       .why =
-           R"(The factor 2 of the line before is lost in the second integral; )"
-           R"($\int\sqrt{\rho^2-y^2}\,dy=\pi\rho^2/2$, and the next line, with $\pi\rho^2z^2$, shows it again.)"});
+       .why = R"(The factor 2 of the line before is lost in the second integral; )"
+              R"($\int\sqrt{\rho^2-y^2}\,dy=\pi\rho^2/2$, and the next line, with $\pi\rho^2z^2$, shows it )"
+              R"(again.)"});
   const auto over_z = [](double factor) {
     return [=]<class T>(const ConeSampleOf<T>& s) {
       return s.along([&](const T& z) {
@@ -939,10 +940,10 @@ void tensor(ConeTable& table, const Cones& cones) {
        .kind = Fault::formula,
        .root = "the cone's own turning",
        .why =
-           R"(The cone turns as it swings: its angular velocity on the Earth is $R\times\dot R$, not $w$, and )"
-           R"(its energy has $\frac12I_{xx}(\dot\theta^2\sin^2\phi+\dot\phi^2)$. The added term of the text, )"
-           R"($\frac12w^TJw$, has no velocities in it and is of order $\omega^2$: like the centrifugal force, )"
-           R"(which the equations leave out.)"});
+           R"(The cone turns as it swings: its angular velocity on the Earth is $R\times\dot R$, not $w$, )"
+           R"(and its energy has $\frac12I_{xx}(\dot\theta^2\sin^2\phi+\dot\phi^2)$. The added term of the )"
+           R"(text, $\frac12w^TJw$, has no velocities in it and is of order $\omega^2$: like the )"
+           R"(centrifugal force, which the equations leave out.)"});
 }
 
 }  // namespace

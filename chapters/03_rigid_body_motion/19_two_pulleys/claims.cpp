@@ -341,8 +341,8 @@ void kinematics(Claims& claims, Table& table, const Samples& samples) {
           samples, {1, 0, 1, 1},
           {"the string over the small pulley gets longer", R"(the second spring gets longer by $\Delta$)",
            R"(the second spring gets shorter by $\Delta$)"},
-          R"(As in line 2521, the spring is stretched, from $S_2$ to $S_2+\Delta$, while the string keeps its )"
-          R"(length.)"));
+          R"(As in line 2521, the spring is stretched, from $S_2$ to $S_2+\Delta$, while the string keeps )"
+          R"(its length.)"));
   claims.add(
       "must_compress", 2533,
       R"(When the small pulley and the mass both go down by $\Delta$ (the text's example) the string is compressed)",
@@ -504,11 +504,11 @@ void compression(Table& table, const Samples& samples) {
        .kind = Fault::left_out,
        .root = "a rope that pushes",
        .why = filled(
-           "Between a spring and its body is a wire, and a wire cannot push: where $y_2+K_1<L_1$ the first hangs "
-           "slack and its spring pulls nothing. With $K_1=@1$ m the default start has $y_2+K_1=@1$ m, and the "
-           "formula pushes the first rope with @2 N. The equations are valid as long as both ropes are taut at "
-           "both ends, whose tensions differ by the pull that turns the pulley. In @1 s of the default motion the "
-           "least tension of the four ends is @2 N.",
+           "Between a spring and its body is a wire, and a wire cannot push: where $y_2+K_1<L_1$ the first "
+           "hangs slack and its spring pulls nothing. With $K_1=@1$ m the default start has $y_2+K_1=@1$ m, "
+           "and the formula pushes the first rope with @2 N. The equations are valid as long as both ropes "
+           "are taut at both ends, whose tensions differ by the pull that turns the pulley. In @1 s of the "
+           "default motion the least tension of the four ends is @2 N.",
            {let_loose.K1, let_loose.L1 - loose(), let_loose.c1 * loose(), watched,
             least_tension().tension})});
 }

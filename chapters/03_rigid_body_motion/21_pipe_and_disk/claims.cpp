@@ -427,10 +427,9 @@ Provables proofs() {
 std::vector<Root> roots() {
   return {
       {"division by an upright pipe",
-       filled(
-           "With the default disk's pipe upright, a program that divides gets NaN for both angles in its first "
-           "step: the disk vanishes from the screen, where it should spin on at @3 rad/s.",
-           {usual.psi_dot + usual.theta_dot})}};
+       filled("With the default disk's pipe upright, a program that divides gets NaN for both angles in its "
+              "first step: the disk vanishes from the screen, where it should spin on at @3 rad/s.",
+              {usual.psi_dot + usual.theta_dot})}};
 }
 
 }  // namespace oddity::ex03_21

@@ -277,9 +277,9 @@ void equations(Claims& claims, const std::vector<Sample>& all, const std::vector
                             R"(on the meridian $-\theta_0$)",
                             [](const PastThePole& k) { return k.on_meridian(-k.theta0, k.flat[1]); })}}},
        .why =
-           R"(The list lacks $\theta_0$, which by the first line has to be specified. The motion in its plane does )"
-           R"(not need it, the place in space does: without it every orbit lies on the meridian $\theta=0$, )"
-           R"(turned by $\theta_0$ out of its plane.)",
+           R"(The list lacks $\theta_0$, which by the first line has to be specified. The motion in its )"
+           R"(plane does not need it, the place in space does: without it every orbit lies on the meridian )"
+           R"($\theta=0$, turned by $\theta_0$ out of its plane.)",
        .kind = Fault::left_out});
 }
 

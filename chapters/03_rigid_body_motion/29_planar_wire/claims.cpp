@@ -746,9 +746,9 @@ std::vector<Claim> claims(double seed) {
        .why = filled(
            "Rough friction has the direction $-v/|v|$, and a wire at rest has none: every rule that "
            "evaluates the integrand returns NaN. Nor is there a limit. Friction of @1 N a kilogram on a rod "
-           "of @1 m and @1 kg that turns about its center has a moment of $-@2$ or $+@2$ N m, by the sense of "
-           "the turn, however slow it is. At rest, static friction holds the rod, up to a bound; the integral "
-           "does not contain it.",
+           "of @1 m and @1 kg that turns about its center has a moment of $-@2$ or $+@2$ N m, by the sense "
+           "of the turn, however slow it is. At rest, static friction holds the rod, up to a bound; the "
+           "integral does not contain it.",
            {friction_of_rod, length_of_rod, mass_of_rod, moment_of_rod, moment_of_rod}),
        .kind = Fault::left_out,
        .root = at_rest});
@@ -760,15 +760,15 @@ std::vector<Root> roots() {
   return {
       {cross_term,
        filled(
-           R"(The lowest point of a wheel that rolls at @1 m/s rests on the ground; by the published formula it slides )"
-           R"(at $\sqrt2=@3$ times that. In a game that draws skid marks by the speed of contact, every rolling )"
-           R"(wheel leaves them.)",
+           R"(The lowest point of a wheel that rolls at @1 m/s rests on the ground; by the published )"
+           R"(formula it slides at $\sqrt2=@3$ times that. In a game that draws skid marks by the speed of )"
+           R"(contact, every rolling wheel leaves them.)",
            {rolling, std::sqrt(rolling * rolling + rolling * rolling) / rolling})},
       {at_rest,
        filled(
-           R"(A rod of @1 m and @1 kg that lies still on ground of @1 N a kilogram gets NaN for its moment in the first )"
-           R"(frame. One whose turn has nearly stopped gets @2 N m to one side or the other, whichever way its last )"
-           R"(rounding error turns it.)",
+           R"(A rod of @1 m and @1 kg that lies still on ground of @1 N a kilogram gets NaN for its moment )"
+           R"(in the first frame. One whose turn has nearly stopped gets @2 N m to one side or the other, )"
+           R"(whichever way its last rounding error turns it.)",
            {length_of_rod, mass_of_rod, friction_of_rod, moment_of_rod})}};
 }
 

@@ -66,8 +66,8 @@ engines::Staging staging(const Parameters& p) {
         return std::vector{seen[0].position[0], seen[0].position[1], 2 * std::atan2(z, w)};
       },
       "Engines apply this box's friction at its four corners, or all of it in their middle with a moment "
-      "about that; the scene applies it under the whole foot. At the corners its lever is longer, and the box "
-      "turns less. The scene \"box on corners\" judges engines by four corners."};
+      "about that; the scene applies it under the whole foot. At the corners its lever is longer, and the "
+      "box turns less. The scene \"box on corners\" judges engines by four corners."};
 }
 
 Energy energy(const Parameters& p, std::span<const double> x) {

@@ -487,8 +487,8 @@ std::vector<Root> roots(const Top& top) {
   return {
       {"velocity for position",
        filled(
-           R"(A game that takes the center of mass for one at rest uses the moment about it, @3 kg m$^2$, for )"
-           R"(the @3 kg m$^2$ about the tip. The top here then nods @2 times a second, not @2.)",
+           R"(A game that takes the center of mass for one at rest uses the moment about it, @3 kg m$^2$, )"
+           R"(for the @3 kg m$^2$ about the tip. The top here then nods @2 times a second, not @2.)",
            {at_rest.mu1, top.mu1, nods_a_second(at_rest), nods_a_second(top)})}};
 }
 

@@ -103,12 +103,12 @@ Exercise exercise_3_33() {
   using namespace ex03_33;
   return {
       "Heavy symmetric top",
-      R"(A top symmetric about its axis $\boldsymbol\xi_3$ turns with its tip fixed under gravity $-g\mathbf )"
-      R"(k$: mass $m$, center of mass $\mathbf r$ at $\ell$ from the tip, moments about the tip $\mu_1$ across the )"
-      R"(axis and $\mu_3$ about it. Find its equations of motion by Lagrange's method, in the angles $\theta$ )"
-      R"((precession), $\phi$ (tilt) and $\psi$ (spin) of $R=R_z(\theta)R_x(\phi)R_z(\psi)$, which takes body )"
-      R"(to world coordinates. In body coordinates it has the angular velocity $\mathbf w$ and the inertia )"
-      R"(tensor $J$.)",
+      R"(A top symmetric about its axis $\boldsymbol\xi_3$ turns with its tip fixed under gravity )"
+      R"($-g\mathbf k$: mass $m$, center of mass $\mathbf r$ at $\ell$ from the tip, moments about the tip )"
+      R"($\mu_1$ across the axis and $\mu_3$ about it. Find its equations of motion by Lagrange's method, )"
+      R"(in the angles $\theta$ (precession), $\phi$ (tilt) and $\psi$ (spin) of )"
+      R"($R=R_z(\theta)R_x(\phi)R_z(\psi)$, which takes body to world coordinates. In body coordinates it )"
+      R"(has the angular velocity $\mathbf w$ and the inertia tensor $J$.)",
       parameters, scene(), study};
 }
 

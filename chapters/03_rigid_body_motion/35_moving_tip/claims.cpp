@@ -231,7 +231,8 @@ void claim_tip(Table& table, const std::vector<Sample>& tops) {
   };
   table.formula(
       "tip_is_center", 3091,
-      R"(the tip is the center of mass (our reading of the parenthesis; line 2953 places it at $\ell\boldsymbol\xi_3$))",
+      R"(the tip is the center of mass (our reading of the parenthesis; line 2953 places it at )"
+      R"($\ell\boldsymbol\xi_3$))",
       tops,
       {.quantity = "center of mass",
        .truth = {R"($\sum m\mathbf x/m$ over the points)",
@@ -468,13 +469,13 @@ std::vector<Claim> claims(double seed, const Top& top, const Deviation& off) {
        .near_misses = {with_torque(R"(it adds $(\mathbf r-\mathbf p)\times(\mathbf N-\mathbf N_0)$)", -1)},
        .why =
            R"(A force on the center of mass $\mathbf r$ has no torque about it. A tip that is driven along )"
-           R"($\mathbf p(t)$, as in this exercise, is moved by its support: a force )"
-           R"($\mathbf N=m(\ddot{\mathbf r}+g\mathbf k)$ at the tip, whose torque about the center )"
-           R"(of mass is $(\mathbf p-\mathbf r)\times\mathbf N$. In the tip's frame, the inertial force )"
+           R"($\mathbf p(t)$, as in this exercise, is moved by its support: a force $\mathbf )"
+           R"(N=m(\ddot{\mathbf r}+g\mathbf k)$ at the tip, whose torque about the center of mass is )"
+           R"($(\mathbf p-\mathbf r)\times\mathbf N$. In the tip's frame, the inertial force )"
            R"($-m\ddot{\mathbf p}$ acts at the center of mass besides the weight; it has a torque about the )"
-           R"(tip, and does not move the tip. A tip that slides freely on the plane is another problem: a push on the )"
-           R"(center of mass moves it without a torque, but such a top turns about its center of mass, with the )"
-           R"(moment $\mu_1-m\ell^2$ across the axis.)",
+           R"(tip, and does not move the tip. A tip that slides freely on the plane is another problem: a )"
+           R"(push on the center of mass moves it without a torque, but such a top turns about its center )"
+           R"(of mass, with the moment $\mu_1-m\ell^2$ across the axis.)",
        .kind = Fault::counterexample,
        .root = no_torque});
 
@@ -498,8 +499,8 @@ std::vector<Claim> claims(double seed, const Top& top, const Deviation& off) {
                                   change));
   claims.add(
       "euler_about_vertical", 3089,
-      "the Euler equations of example 3.19 still apply to the motion about the world vertical axis through the "
-      "tip (our reading, by lines 3077 and 3081 on 3.33: with the torque of gravity alone)",
+      "the Euler equations of example 3.19 still apply to the motion about the world vertical axis through "
+      "the tip (our reading, by lines 3077 and 3081 on 3.33: with the torque of gravity alone)",
       {.printed = {constant + " is a constant, by Euler's equations with gravity alone",
                    {compare("rate of " + constant + ", $c$ the spin", zero, vertical, tops),
                     compare(in_body,
