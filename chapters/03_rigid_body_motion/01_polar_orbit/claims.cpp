@@ -238,7 +238,7 @@ void to_the_ellipse(Table& t) {
        .root = "the mirror image"});
 }
 
-// ---- what is said about it --------------------------------------------------------------------------------
+// ---- statements about the ellipse -------------------------------------------------------------------------
 
 const Line middle_of_apsides{"the middle of the apsides",
                              [](const auto& p) { return values((p.at_zero() - p.at_pi()) / 2, 0); },
@@ -285,8 +285,8 @@ void about_the_ellipse(Table& t) {
            R"($a$ and $b$ are the semi-axes: $r(0)+r(\pi)=2e\rho/(1-e^2)=2a$. (The solution of 3.3 has $2a$ )"
            R"(and $2b$.))"});
   t.line("focal_distance", 943,
-         "The distance from the center to a focus is $c$: the origin is so far from the center.", On::orbit,
-         to_middle_of_apsides, "$c$");
+         "The distance from the center to a focus is $c$: the origin has this distance from the center.",
+         On::orbit, to_middle_of_apsides, "$c$");
   t.line("origin_is_focus", 943,
          "The origin is a focal point: the distances to it and to another point have a constant sum.",
          On::orbit, all_apart, foci_of_orbit, "sum of the distances to the origin and $(-2c,0)$");

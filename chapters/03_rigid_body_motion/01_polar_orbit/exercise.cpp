@@ -16,7 +16,7 @@ constexpr Parameter parameters[] = {
     {"e", 0.625, "", "eccentricity; from 1 on the orbit is open", 1e-3, 1.25},
     {"rho", 1.5, "", "distance from the focus to the directrix", 1e-3, 1e3},
     {"theta", 2.25, "rad", "polar angle", -2.4, 2.4},
-    {"seed", 1, "", "of the random points", 0, 1e6, whole_number},
+    {"seed", 1, "", "seed of the random points", 0, 1e6, whole_number},
 };
 
 // ---- the radius by several equations of the curve ---------------------------------------------------------
@@ -117,7 +117,7 @@ std::vector<Quantity> radii(const Parameters& p, const Reference& truth) {
                 {center / radius_there, digits_of(Side::broken)}});
   Quantity parabola =
       radius("radius_of_parabola", "$e=1$, close to the axis", {1, 1, 1, 0x1p-10}, truth,
-             {ok, lost, none, no_division + "; the textbook root subtracts what is nearly equal"});
+             {ok, lost, none, no_division + "; the textbook root subtracts nearly equal numbers"});
   parabola.add(Breakdown{
       "At $e=1$ the division by $1-e^2$ is one by zero: no center, no ellipse. The line before it is the "
       "parabola.",

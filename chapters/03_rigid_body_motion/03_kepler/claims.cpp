@@ -510,7 +510,7 @@ void polar_acceleration(PushedTable& table, const std::vector<Pushed>& moments) 
 void equation(Table& table, std::string_view slug, int line, const std::vector<Moment>& moments, Terms terms,
               const std::string& printed, const std::string& meant = {}, std::string why = {}) {
   table.formula(slug, line, printed, moments,
-                {.quantity = "what the sides differ by",
+                {.quantity = "the difference of the sides",
                  .truth = zero(terms),
                  .printed = printed,
                  .meant = meant,
@@ -538,13 +538,13 @@ void equations_of_motion(Table& table, const std::vector<Moment>& moments) {
        .meant = R"($(-(GM/r^3)\,\mathbf r,\ -(GM/r^2)\,\mathbf R,\ -(GM/r^2)\mathbf R+0\,\mathbf P)$)",
        .kind = Fault::lost_typography,
        .why = filled(
-           R"(The fraction bars are lost. Read as they stand, the first form makes a planet twice as far away feel )"
-           R"(@2 times the pull and the second @1 times, instead of @2 of it. The last form of the line has its )"
+           R"(The fraction bars are lost. Without them the first form multiplies the pull on a planet twice )"
+           R"(as far away by @2 and the second by @1, instead of by @2. The last form of the line has its )"
            R"(bar.)",
            {pow(2, 4), pow(2, 2), pow(2, -2)})});
   equation(table, "radial", 967, moments, &Along::of_radial, R"($\ddot r-r\dot\theta^2=-GM\,r^2$)",
            R"($\ddot r-r\dot\theta^2=-GM/r^2$)",
-           "The fraction bar is lost; equation (2), made from this line, has it.");
+           "The fraction bar is lost; equation (2), which follows from this line, shows it.");
   table.formula("transverse", 967, R"($r\ddot\theta+2\dot r\dot\theta=0$)", moments,
                 {.quantity = "the left side",
                  .truth = zero(&Along::of_transverse),
@@ -626,9 +626,9 @@ void equation_of_the_potential(Table& table, const std::vector<Moment>& moments)
        .root = "the sun's mass for the planet's",
        .why =
            R"(The force on a planet of mass $m$ is $-GMm/r^2$; $-GM/r$ is its energy divided by $m$. With )"
-           R"($\alpha=Mr^2\dot\theta$ the text divides the momentum by $m$ and multiplies it by $M$, so that $V$ )"
-           R"(and $\alpha$ belong to different masses; the orbit depends on neither, only a display of energies )"
-           R"(in joules is off by the factor $m$.)"});
+           R"($\alpha=Mr^2\dot\theta$ the text divides the momentum by $m$ and multiplies it by $M$, so )"
+           R"(that $V$ and $\alpha$ belong to different masses. The orbit depends on neither; only a )"
+           R"(display of energies in joules is off by the factor $m$.)"});
   const auto r_dot = along(R"($\dot r$ by dual numbers)", [](const auto& k) { return k.r_dot; });
   const auto r_dot_dot =
       along(R"($\ddot r$ by dual numbers)", [](const auto& k) { return k.r_dot_dot; }, &Along::of_radial);
@@ -656,22 +656,20 @@ void equation_of_the_potential(Table& table, const std::vector<Moment>& moments)
       {R"(\frac{d}{dt}(-GM/V))", R"((GM/V^2)\,dV/dt)"},
       R"(The fraction bar of $-GM/V$ is lost. The product $-GMV=G^2M^2/r$ is no distance, and shrinks where )"
       R"(the distance grows.)");
-  rate(
-      "chain_rule", 1021, r_dot, R"(\dot r)", {R"(GM\,V^2\,(dV/d\theta)\,\dot\theta)"},
-      {R"((GM/V^2)\,(dV/d\theta)\,\dot\theta)"},
-      filled(
-          R"(The fraction bar is lost; the line before has it. For the Earth, in astronomical units and years, )"
-          R"(the product $GMV^2$ is @5 where the quotient is @2.)",
-          {pow(four_pi_squared, 3), 1 / four_pi_squared}));
-  rate(
-      "r_dot", 1031, r_dot, R"(\dot r)", {R"(GM\,(-GM/r)^2\,V'\,(\alpha\,Mr^2))", R"(\alpha V'/(GM^2))"},
-      {R"(GM/(-GM/r)^2\,V'\,(\alpha/(Mr^2)))", R"(\alpha V'/(GM^2))"},
-      R"(The bars of the first form's two fractions are lost. As products the powers of $r$ cancel as well, )"
-      R"(and what is left is $G^3M^4\alpha V'$ for $\alpha V'/(GM^2)$.)");
+  rate("chain_rule", 1021, r_dot, R"(\dot r)", {R"(GM\,V^2\,(dV/d\theta)\,\dot\theta)"},
+       {R"((GM/V^2)\,(dV/d\theta)\,\dot\theta)"},
+       filled(
+           R"(The fraction bar is lost; the line before shows it. For the Earth, in astronomical units and )"
+           R"(years, the product $GMV^2$ is @5 where the quotient is @2.)",
+           {pow(four_pi_squared, 3), 1 / four_pi_squared}));
+  rate("r_dot", 1031, r_dot, R"(\dot r)", {R"(GM\,(-GM/r)^2\,V'\,(\alpha\,Mr^2))", R"(\alpha V'/(GM^2))"},
+       {R"(GM/(-GM/r)^2\,V'\,(\alpha/(Mr^2)))", R"(\alpha V'/(GM^2))"},
+       R"(The bars of the first form's two fractions are lost. As products, the powers of $r$ cancel as )"
+       R"(well, and the result is $G^3M^4\alpha V'$ for $\alpha V'/(GM^2)$.)");
   rate("second_chain_rule", 1041, r_dot_dot, R"(\ddot r)",
        {R"(\alpha\,GM^2\,dV'/dt)", R"(\alpha\,GM^2\,V''\dot\theta)"},
        {R"(\alpha/(GM^2)\,dV'/dt)", R"(\alpha/(GM^2)\,V''\dot\theta)"},
-       "The fraction bar is lost, here and in line 1049: line 1037, which is differentiated, has it.");
+       "The fraction bar is lost, here and in line 1049: line 1037, which is differentiated, shows it.");
   rate("r_dot_dot", 1055, r_dot_dot, R"(\ddot r)",
        {R"(\alpha\,GM^2\,V''\,(\alpha\,Mr^2))", R"(\alpha^2V''/(GM^3r^2))"},
        {R"(\alpha/(GM^2)\,V''\,(\alpha/(Mr^2)))", R"(\alpha^2V''/(GM^3r^2))"},
@@ -681,7 +679,7 @@ void equation_of_the_potential(Table& table, const std::vector<Moment>& moments)
        {R"(\alpha^2V''/(GM^3(-GM/V)^2))", R"(\alpha^2V''V^2/(G^3M^5))"});
   equation(table, "radial_equation_again", 1073, moments, &Along::of_radial,
            R"($-GM\,r^2=\ddot r-\alpha^2/(M^2r^3)$)", R"($-GM/r^2=\ddot r-\alpha^2/(M^2r^3)$)",
-           "The fraction bar is lost; equation (2), which the line repeats, has it.");
+           "The fraction bar is lost; equation (2), which the line repeats, shows it.");
   equation(
       table, "substituted", 1077, moments, &Along::of_radial,
       R"($-GM\,(-GM/V)^2=\alpha^2V''V^2/(G^3M^5)-\alpha^2/(M^2(-GM/V)^3)$)",
@@ -743,7 +741,7 @@ void time_by_angle(LaterTable& table, const std::vector<Later>& orbits) {
             [](const auto& k) {
               return values(k.time_between(k.start.theta0, k.theta), k.distance(k.theta));
             }},
-       .near_misses = {{"the same functions at half the angle", [](const Later& k) {
+       .near_misses = {{"both functions at half the angle", [](const Later& k) {
                           const double half = (k.start.theta0 + k.theta) / 2;
                           return values(k.time_between(k.start.theta0, half), k.distance(half));
                         }}}});
@@ -775,8 +773,8 @@ void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
        .near_misses = {{R"($\alpha/(Mr^2)$ and $r_0^2\dot\theta_0/r$)", rate(-1)}},
        .kind = Fault::lost_typography,
        .why = filled(
-           R"(The bar of the second fraction is lost: as it stands, a planet that has come to twice its distance )"
-           R"(goes round at @1 times its rate, and not at @2 of it. The first form has its bar.)",
+           R"(The bar of the second fraction is lost: without it, a planet that has come to twice its )"
+           R"(distance goes round at @1 times its rate instead of @2 of it. The first form has its bar.)",
            {pow(2, 2), pow(2, -2)})});
   table.formula("constant", 1095, R"(The left-hand side $-G^2M^4/\alpha^2$ is a constant.)", orbits,
                 {.quantity = R"($-G^2M^4/\alpha^2$)",
@@ -832,8 +830,8 @@ void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
        .near_misses = {{R"($(c_0\sin\theta_0+c_1\cos\theta_0,\ c_0\cos\theta_0+c_1\sin\theta_0)$)"}},
        .kind = Fault::formula,
        .why =
-           "The second equation stands at the initial angle like the first; its sine has lost the index 0, and "
-           "the solution given next has it."});
+           "Both equations are at the initial angle. The sine of the second has lost its index 0, which the "
+           "solution given next shows."});
   const auto solved = [](double sign) {
     return [=](const auto& k) {
       const auto first = k.first();
@@ -877,7 +875,7 @@ void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
        .near_misses = {{R"($GM\dot r_0/\alpha$)"}},
        .kind = Fault::lost_typography,
        .why =
-           R"(The fraction bar is lost: what stands there is the product $GM^2\dot r_0\,\alpha$; line 1031, from )"
+           R"(The fraction bar is lost: without it, the text reads $GM^2\dot r_0\,\alpha$; line 1031, from )"
            R"(which it comes, is $\dot r=\alpha V'/(GM^2)$.)"});
 
   const auto squares = [](const auto& k) {
@@ -930,9 +928,8 @@ void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
        .meant = {R"($GM/r_0$)"},
        .near_misses = {{R"($GM/r_0^2$)"}},
        .kind = Fault::lost_typography,
-       .why =
-           R"(The fraction bar is lost here, at line 1171 and at line 1187; line 1143, which is put in, has it. )"
-           R"(The sign of $V_0$ is wrong in all of them.)"});
+       .why = R"(The fraction bar is lost here, at line 1171 and at line 1187; line 1143, which is put in, )"
+              R"(shows it. The sign of $V_0$ is wrong in all of them.)"});
 
   /// (4) or (5), with the given sign of GM/r0 and of the last term.
   const auto constant = [=](bool fourth, double sign, double last) {
@@ -1034,7 +1031,8 @@ void any_start(Claims& claims, double seed) {
   const auto turning = starts(100, seed, 0.5, 1.3, 0.5);
   claims.add(
       "constants_of_any_start", 1171,
-      R"((4) and (5) give $c_0$ and $c_1$ for any $r_0,\dot r_0,\theta_0,\dot\theta_0$ (but for the sign of $V_0$))",
+      R"((4) and (5) give $c_0$ and $c_1$ for any $r_0,\dot r_0,\theta_0,\dot\theta_0$ (except for the sign )"
+      R"(of $V_0$))",
       {.printed =
            at_start(R"($c_0\sin\theta_0+c_1\cos\theta_0-G^2M^4/\alpha^2=-GM/r_0$ for any $\dot\theta_0$)",
                     and_straight(turning), -1),
@@ -1042,8 +1040,8 @@ void any_start(Claims& claims, double seed) {
            at_start(R"($c_0\sin\theta_0+c_1\cos\theta_0-G^2M^4/\alpha^2=-GM/r_0$ for $\dot\theta_0\ne0$)",
                     turning, -1),
        .in_view = at_start(R"(for a planet that goes round, $\dot\theta_0\ne0$)", turning, -1),
-       .near_misses = {at_start(R"(the same sum for $\dot\theta_0\ne0$, with $+GM/r_0$ in (4) and (5))",
-                                turning, 1)},
+       .near_misses = {at_start(R"(this sum for $\dot\theta_0\ne0$, with $+GM/r_0$ in (4) and (5))", turning,
+                                1)},
        .why = filled(
            R"(Both divide by $\dot\theta_0$. A planet that starts at rest, or straight towards the sun or away from )"
            R"(it, has $\alpha=0$; then $c_0$ and $c_1$ are infinite or not a number, and so is every angle that (7) )"
@@ -1123,9 +1121,9 @@ void solved_numerically(Claims& claims, double seed) {
        .kind = Fault::counterexample,
        .root = "any orbit for an eccentric one",
        .why = filled(
-           "The Earth, which the text speaks of, comes round: with @3 steps a turn Runge-Kutta 4 on (3.1) has it "
-           "off by @2 millionths of the orbit after @2 turns. Of @2 orbits with $e<@2$ it loses @1. Trouble comes "
-           "with the eccentricity, where equal steps are too long at the perihelion: of @2 orbits with "
+           "The Earth, which the text mentions, comes round: with @3 steps a turn, Runge-Kutta 4 on (3.1) is "
+           "off by @2 millionths of the orbit after @2 turns. Of @2 orbits with $e<@2$ it loses @1. The "
+           "difficult orbits are eccentric: equal steps are too long at the perihelion. Of @2 orbits with "
            "$@2<e<@2$ it loses @2.",
            {steps, 1e6 * earth.direct, turns, static_cast<double>(all.size()), most, lost(all),
             static_cast<double>(comets.size()), comets_from, comets_to, lost(comets)})});
@@ -1175,9 +1173,10 @@ void timing(Claims& claims, const std::vector<Later>& orbits) {
   claims.statement<Later>(
       "no_timing", 47,
       R"((3.2), $r=e\rho/(1+e\cos\theta)$, gives no clue about how the angle varies with time.)", orbits,
-      {.printed = {R"(the same $e$ and $\rho$ with half the period: four times the mass, twice the velocity)",
-                   [=](const Later& k) { return same_orbit(k, 0.5); }},
-       .near_misses = {{"the same $e$ and $\\rho$ have the same period",
+      {.printed =
+           {R"(another orbit with this $e$ and $\rho$ has half the period: four times the mass, twice the velocity)",
+            [=](const Later& k) { return same_orbit(k, 0.5); }},
+       .near_misses = {{"all orbits with this $e$ and $\\rho$ have the same period",
                         [=](const Later& k) { return same_orbit(k, 1); }}}});
 }
 
@@ -1217,7 +1216,7 @@ void momentum(Claims& claims, const std::vector<Later>& orbits) {
            [](double x, double y, double u, double v) { return values(x * u + y * v); })},
        .why = filled(
            "The word *angular* is left out. The planet's momentum turns through a full circle with every orbit: "
-           "the Earth's velocity changes by @2 km/s in half a year. What is constant is its moment about the sun.",
+           "the Earth's velocity changes by @2 km/s in half a year. Its moment about the sun is constant.",
            {2 * earths_speed}),
        .kind = Fault::term});
 }
@@ -1278,7 +1277,7 @@ void vectors(LaterTable& table, const std::vector<Later>& orbits) {
       orbits,
       {.quantity = R"($\mathbf c_1$)",
        .truth = vector,
-       .printed = {"the same at the start", at_start(1)},
+       .printed = {R"($\mathbf v\times\mathbf c_0-GM\,\mathbf R$ at the start)", at_start(1)},
        .near_misses = {{R"($\mathbf v\times\mathbf c_0+GM\,\mathbf R$ at the start)", at_start(-1)}}});
   table.formula("gamma0", 1241,
                 R"($\mathbf c_0=r_0^2\dot\theta_0\,\mathbf k$, of length $\gamma_0=r_0^2|\dot\theta_0|$)",
@@ -1355,12 +1354,13 @@ void polar_orbit(LaterTable& table, const std::vector<Later>& orbits) {
        .kind = Fault::formula,
        .root = "angle from the axis for the angle from the perihelion",
        .why = filled(
-           R"(The polar equation measures the angle from the perihelion, the direction of the constant vector )"
-           R"($\mathbf c_1=\mathbf v\times\mathbf c_0-GM\,\mathbf R$, $\mathbf c_0=\mathbf r\times\mathbf v$; )"
-           R"((7) measures it from the axis that $\theta_0$ is given in. They agree only when the user's start has )"
-           R"(its perihelion at $\theta=0$: in general $r(\theta_0)\ne r_0$. A program that does as the text says draws )"
-           R"(the orbit of `eccentric_path` below turned by $@2^\circ$, and starts the planet on it @2 AU from the )"
-           R"(sun instead of @3. Either subtract $\omega=\arg\mathbf c_1$, or use $r=-GM/V(\theta)$.)",
+           R"(The polar equation measures the angle from the perihelion, the direction of the constant )"
+           R"(vector $\mathbf c_1=\mathbf v\times\mathbf c_0-GM\,\mathbf R$, $\mathbf c_0=\mathbf )"
+           R"(r\times\mathbf v$; (7) measures it from the axis that $\theta_0$ is given in. They agree only )"
+           R"(when the user's start has its perihelion at $\theta=0$: in general $r(\theta_0)\ne r_0$. A )"
+           R"(program that follows the text draws the orbit of `eccentric_path` below turned by $@2^\circ$, )"
+           R"(and starts the planet on it @2 AU from the sun instead of @3. Either subtract )"
+           R"($\omega=\arg\mathbf c_1$, or use $r=-GM/V(\theta)$.)",
            {180 / pi * abs(std::remainder(drawn.omega, 2 * pi)), drawn.orbit(eccentric.theta0),
             eccentric.r0})});
 }
@@ -1383,8 +1383,8 @@ void ellipse(LaterTable& table, const std::vector<Later>& orbits) {
        .near_misses = {{R"($2\pi a^{3/2}/(\sqrt G\,M)$)"}},
        .kind = Fault::lost_typography,
        .why = filled(
-           R"(The fraction bar is lost: what stands there is a product with $\sqrt{GM}$. For the Earth, in )"
-           R"(astronomical units and years, it is @3 years.)",
+           R"(The fraction bar is lost: without it, $\sqrt{GM}$ is a factor. For the Earth, in astronomical )"
+           R"(units and years, the product is @3 years.)",
            {2 * pi * sqrt(four_pi_squared)})});
   table.formula(
       "major_axis", 1269, R"(In $T$, $a$ is the length of the major axis.)", orbits,
@@ -1399,7 +1399,7 @@ void ellipse(LaterTable& table, const std::vector<Later>& orbits) {
        .kind = Fault::term,
        .why = filled(
            R"(With the whole axis for $a$ the period is $2^{3/2}=@3$ times too long, the Earth's year @4 days. The )"
-           R"(next sentence has it right: the axis is $2a$, so that half of it was meant.)",
+           R"(next sentence is right: the axis is $2a$, so that half of it was meant.)",
            {pow(2, 1.5), pow(2, 1.5) * days_per_year})});
   table.formula("a", 1269, R"($2a=2\rho e/(1-e^2)$)", orbits,
                 {.quantity = R"($2a$)",
@@ -1528,7 +1528,7 @@ std::vector<Root> roots() {
       {"the sun's mass for the planet's",
        filled(
            R"(A display shows the Earth's angular momentum as $@2\cdot10^{45}\,\mathrm{kg\,m^2/s}$, @6 times )"
-           R"(what it is; the orbit is right.)",
+           R"(too large; the orbit is right.)",
            {suns_kilograms * square_meters_per_second / 1e45, suns_per_earth})},
       {"sign of the potential at the start",
        filled(

@@ -28,7 +28,7 @@ constexpr Parameter parameters[] = {
     {"r0_dot", near_earth.r0_dot, "AU/yr", "its rate", -1e3, 1e3},
     {"theta0", near_earth.theta0, "rad", "angle at the start", -10, 10},
     {"theta0_dot", near_earth.theta0_dot, "rad/yr", "its rate", 1e-5, 1e5},
-    {"seed", 1, "", "of the random orbits", 0, 1e6, whole_number},
+    {"seed", 1, "", "seed of the random orbits", 0, 1e6, whole_number},
     {"e", 0.5, "", "eccentricity, for Kepler's equation alone", 0, 0.999},
     {"mean", 1, "rad", "mean anomaly, for Kepler's equation alone", 0, 3.14159},
 };
@@ -126,7 +126,7 @@ Quantity planet(const Parameters& p, const Horizon& horizon, const Reference& tr
           "Cartesian", Cartesian<double>{s},
           {{"modified midpoint", Outcome::inaccurate, "its order is too low for this need at this step"},
            {"linearly implicit Euler", Outcome::drifted,
-            "of order 1, and it takes energy out: the planet spirals in"}});
+            "a first-order method that loses energy: the planet spirals in"}});
   return with_float(std::move(where), horizon, s,
                     {"", "Kepler's equation, Newton from M + 0.85 e", "equation (7)", "equation (2)", "polar",
                      "Cartesian"});
@@ -181,8 +181,8 @@ std::vector<Quantity> paths(const Parameters& p, const Reference& truth) {
        0x1p-11,
        {horizon.end, steps_in_one(Side::broken), error_of(Side::broken), error_of(Side::cured)}});
   earth.add(
-      {"The same explicit Euler on (7), which has energy and angular momentum built in, cannot leave the "
-       "orbit: it is up to $@1$ AU off along it, and still misses the need. A higher order pays at once.",
+      {"On (7), which has energy and angular momentum built in, explicit Euler cannot leave the orbit. It is "
+       "up to $@1$ AU off along it, more than the tolerance. A higher order pays at once.",
        "equation (7), explicit Euler",
        0x1p-11,
        inaccurate,
@@ -339,7 +339,7 @@ Findings study(const Parameters& p, const Reference& truth) {
           period("period_very_eccentric", "$e=0.99$", very_eccentric, truth)});
   return {
       kepler::claims(p["seed"]), all, kepler::roots(),
-      R"(The derivation of the orbit stands, but not what a program would use: {{sign of the potential at the start|the constants have the wrong sign of the potential}}, and {{angle from the axis for the angle from the perihelion|the distance is taken at the wrong angle}}. {{the sun's mass for the planet's|Momentum and energy have the sun's mass}}, {{any orbit for an eccentric one|a direct solver is blamed for any orbit}}, and {{rest}} are cases left out.)"};
+      R"(The derivation of the orbit is right, the formulas for a program are not: {{sign of the potential at the start|the constants have the wrong sign of the potential}}, and {{angle from the axis for the angle from the perihelion|the distance is taken at the wrong angle}}. {{the sun's mass for the planet's|Momentum and energy have the sun's mass}}, {{any orbit for an eccentric one|a direct solver is blamed for any orbit}}, and {{rest}} are cases left out.)"};
 }
 
 }  // namespace ex03_03

@@ -1,7 +1,7 @@
 // Exercise 3.5: the quarter period of a pendulum released at rest from the angle a, in units of sqrt(L/2g),
 // and the pendulum itself.
 //   I(a) = int_0^a dt / sqrt(cos t - cos a) = sqrt(2) K(k), k = sin(a/2)   by sin(t/2) = k sin u
-//   [DLMF 19.2.8]
+//   [DLMF 19.2.8].
 // The reference is the arithmetic-geometric mean, which no method below uses. The swing's reference is
 // Jacobi's cd. The book splits off the last eps of the integral, where cos t - cos a is nearly s u - c u^2/2
 // in u = a - t, s = sin a, c = cos a, and integrates the rest by Simpson's rule. [DLMF] NIST Digital Library
@@ -148,11 +148,11 @@ Quantity swing(const Parameters& p, const Horizon& horizon, const Reference& tru
       .by_engine_integrators("one angle", OneAngle<double>{given}, Outcome::drifted, Outcome::inaccurate)
       .by_remaining_integrators(
           "one angle", OneAngle<double>{given},
-          {{"linearly implicit Euler", Outcome::drifted, "of order 1, and it damps every swing"}})
+          {{"linearly implicit Euler", Outcome::drifted, "a first-order method that damps every swing"}})
       .by_engine_integrators("Cartesian with constraint", CartesianWithConstraint<double>{given},
                              Outcome::inaccurate, Outcome::inaccurate);
   expect_failure(angle, "Cartesian with constraint", "semi-implicit Euler", Outcome::drifted,
-                 "of order 1, and not symplectic where the rod's force knows the velocity");
+                 "first-order, and not symplectic where the rod's force depends on the velocity");
   const Told turns_over_the_top = Told::Seen([](const Quantity&, const Trial& broken, const Trial&) {
     const Value& angles = broken.answer.value;
     return angles.size() == 0 ? std::nan("")
@@ -290,7 +290,7 @@ std::vector<Claim> claims(const Reference& truth) {
        .near_misses = {{split(R"(\frac{\sqrt2}{\cos a})", R"(\frac\pi2)")}},
        .kind = Fault::lost_typography,
        .why = filled(
-           R"(The $\pi$ of $\pi/2$ and the fraction bars are lost: read as it stands, the remainder does not )"
+           R"(The $\pi$ of $\pi/2$ and the fraction bars are lost: without them, the remainder does not )"
            R"(vanish with $\epsilon$, and the time is @2 too long. The listing has `HALF_PI`, and )"
            R"($\sqrt{2/\cos a}$.)",
            {sqrt(2 / cos(a)) * (2 - pi / 2)})});
@@ -300,7 +300,7 @@ std::vector<Claim> claims(const Reference& truth) {
     return Reading{rule,
                    {{"the listing's sum, weights 4 and 2 in turn,",
                      {"in the listing's arithmetic", listed},
-                     {rule + " of the same integrand", sum.value},
+                     {rule + " for the same integrand", sum.value},
                      rounding(listed, book_panels)}}};
   };
   claims.add(
@@ -324,10 +324,9 @@ std::vector<Claim> claims(const Reference& truth) {
        .near_misses = {argument("`Mathd::Cos(angle) - Mathd::Sin(initialAngle)`", sin(a))},
        .kind = Fault::listing,
        .root = "angle for its cosine",
-       .why =
-           filled(R"(`initialAngle` is $\pi/6=@3$, and $\cos(\pi/6)=@3$ is what belongs there. `fmin` and )"
-                  R"(`fmax` (lines 1315, 1317) have the same slip.)",
-                  {a, cos(a)})});
+       .why = filled(R"(`initialAngle` is $\pi/6=@3$, but $\cos(\pi/6)=@3$ belongs there. `fmin` and )"
+                     R"(`fmax` (lines 1315, 1317) have the same slip.)",
+                     {a, cos(a)})});
 
   claims.statement<Node>(
       "positive_root", 1333, "The argument of the root is positive at every node.", nodes(),
@@ -433,7 +432,7 @@ Findings study(const Parameters& p, const Reference& truth) {
       claims(truth),
       {quarter, motion(scene(), p, truth)},
       roots(),
-      R"(The integral and the way around its singular end stand; {{angle for its cosine|the listing subtracts an angle instead of its cosine, so its number is wrong}}.)"};
+      R"(The integral and the way around its singular end are right; {{angle for its cosine|the listing subtracts an angle instead of its cosine, so its number is wrong}}.)"};
 }
 
 }  // namespace ex03_05

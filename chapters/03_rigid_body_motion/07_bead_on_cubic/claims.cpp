@@ -453,7 +453,7 @@ std::vector<Claim> claims(double seed, const Reference& truth) {
                             "integral, which the table takes by quadrature: a numerical method as well)"});
   all.add("bead_slide", 1417, "The program `BeadSlide` is an implementation of this.",
           {.not_checkable =
-               "the program is on the book's CD-ROM; what the text says of its run is judged apart"});
+               "the program is on the book's CD-ROM; the text's statements on its run are separate claims"});
   return all.in_order();
 }
 

@@ -1,7 +1,7 @@
 // Exercise 3.7: when does a bead, released at rest at q = 1 on the frictionless curve (q, q^2, q^3), reach
 // the origin?
-//   one coordinate   (1 + 4q^2 + 9q^4) q'' = -(3g q^2 + 2q (2 + 9q^2) q'^2)
-//   energy           (1 + 4q^2 + 9q^4) q'^2 = 2g (q0^3 - q^3)
+//   one coordinate   (1 + 4q^2 + 9q^4) q'' = -(3g q^2 + 2q (2 + 9q^2) q'^2).
+//   energy           (1 + 4q^2 + 9q^4) q'^2 = 2g (q0^3 - q^3).
 // The equations are compared with Lagrange's equation, whose Lagrangian is differentiated by dual numbers
 // from the curve alone, and with the wire's forces in Cartesian coordinates. The energy equation also has the
 // constant solution q = q0, and the integrand for the time is infinite at q0; q = q0 (1 - u^2) avoids both.
@@ -62,7 +62,7 @@ Findings study(const Parameters& p, const Reference& truth) {
       claims(p["seed"], truth),
       {arrival({p["q0"], p["g"]}, truth), motion(scene(), p, truth)},
       roots(),
-      R"(The equation of motion and the time to the origin stand; {{beyond the origin|that $\ddot q$ is negative and $\dot q$ falls holds up to the origin only}}.)"};
+      R"(The equation of motion and the time to the origin are right; {{beyond the origin|that $\ddot q$ is negative and $\dot q$ falls holds up to the origin only}}.)"};
 }
 
 }  // namespace ex03_07

@@ -220,7 +220,7 @@ Moving later(const Ball& b, const Moving& now, double time) {
   return then;
 }
 
-/// The same after any time, in steps of half a radian of the spring alone at most.
+/// Motion after any time, in steps of at most half a radian of the undamped spring.
 Moving long_after(const Ball& b, Moving now, double time) {
   const int steps = 1 + static_cast<int>(2 * time * sqrt(b.c / b.m));
   for (int i = 0; i < steps; ++i) now = later(b, now, time / steps);
@@ -529,7 +529,7 @@ void characteristic_roots(ProvableClaims<PolynomialOf>& table, const std::vector
        .printed = "$mr^2+ar$",
        .meant = "$mr^2+ar+c$",
        .kind = Fault::formula,
-       .why = "The last coefficient, $c$, is missing after its plus sign; the roots that follow have it."});
+       .why = "The last coefficient, $c$, is missing after its plus sign; the roots that follow show it."});
   const auto roots_with = [](std::string text, double factor) -> OfPolynomial {
     return {std::move(text), [=](const auto& s) { return s.sum_and_product(factor); },
             [](const Polynomial& s) { return s.a * s.a / (s.m * s.m) + 1; }};
@@ -898,8 +898,9 @@ void arrivals(Claims& claims, double seed) {
        .in_view = {"where $p_1$ is not zero", [](const Start& s) { return s.ball.p1 != 0; }},
        .kind = Fault::left_out,
        .root = "the first equation alone",
-       .why = R"(Where $p_1=v_1=0$ the first condition reads $0=0$, and says nothing of the time. With the )"
-              R"(products by $p\ne0$ no direction is special.)"});
+       .why =
+           R"(Where $p_1=v_1=0$ the first condition reads $0=0$ and does not determine the time. With the )"
+           R"(products by $p\ne0$ no direction is special.)"});
 
   std::vector<Start> oblique;
   Random any(seed);
@@ -961,7 +962,7 @@ void arrivals(Claims& claims, double seed) {
        .root = "a zero denominator",
        .why =
            R"(For $v_1=\alpha p_1$ the denominator is zero: the ball then moves towards the origin just so fast )"
-           R"(that $x$ is a pure cosine but for its decay, and arrives at $t=\pi/(2\beta)$. The inverse )"
+           R"(that $x$ is a pure cosine except for its decay, and arrives at $t=\pi/(2\beta)$. The inverse )"
            R"(cotangent $\frac\pi2+\tan^{-1}$ divides by $\beta p_1$, and needs no $\pi/\beta$ to be added either.)"});
 
   const auto passing = [](std::string text, const std::vector<Start>& balls) -> Reading {
@@ -1020,7 +1021,7 @@ void arrivals(Claims& claims, double seed) {
        .changes_that_hold = "a factor of zero may have any size and sign",
        .kind = Fault::lost_typography,
        .why = filled(
-           "The fraction bar is lost in the text at hand, here and in line 1537; lines 1505 and 1511 have "
+           "The fraction bar is lost in the text at hand, here and in line 1537; lines 1505 and 1511 show "
            "it. For $m=@1$, $c=@1$, $a=@1$ and $p=@1$ at rest the pair is $(@1,@2)$, and $(@1,@2)$ with the "
            "product.",
            {b.m, b.c, b.a, b.p1, b.p1, -at_rest.alpha() * b.p1 / at_rest.beta(), b.p1,
@@ -1039,7 +1040,7 @@ void arrivals(Claims& claims, double seed) {
        .meant = {pair},
        .kind = Fault::lost_typography,
        .why =
-           "The fraction bar is lost in the text at hand, here and in line 1531; lines 1505 and 1511 have it."});
+           "The fraction bar is lost in the text at hand, here and in line 1531; lines 1505 and 1511 show it."});
 }
 
 void not_parallel(Tables& tables, const std::vector<Pairs>& pairs, const std::vector<Aside>& samples) {
@@ -1131,7 +1132,7 @@ struct AtTime {
   Expressions turned() const { return detail::recorded_value(ex03_09::turned(alpha, beta, p, v, t)); }
 };
 
-/// Proofs of what holds where a coordinate is zero.
+/// Proofs of the claims on zeros of a coordinate.
 Provables proofs_at_zeros() {
   const AtTime any, cosine{-1, 2, 1, -1, pi_of<Shortened>() / 4};  // v = alpha p: zero at pi/(2 beta)
   const std::string letters = "(alpha beta p v t : R)";
@@ -1343,9 +1344,9 @@ std::vector<Root> roots() {
   return {
       {"the double root",
        filled(
-           R"(A door closer with the friction $2\sqrt{mc}$ shuts it fastest without swinging, and solving for $K_1$ )"
-           R"(and $K_2$ gives NaN for its position; for $m=@1$, $c=@1$ the door, let go at rest, is at @2 of its )"
-           R"(start after @1 s.)",
+           R"(A door closer with the friction $2\sqrt{mc}$ shuts the door fastest without swinging, but )"
+           R"(solving for $K_1$ and $K_2$ gives NaN for its position. For $m=@1$, $c=@1$ the door, let go )"
+           R"(at rest, is at @2 of its start after @1 s.)",
            {F::m, F::c, F::left_after(critical, second), second})},
       {"a fast throw",
        filled(
@@ -1354,8 +1355,9 @@ std::vector<Root> roots() {
            {thrown.factor(), thrown.ball.m, thrown.ball.c, thrown.ball.a, thrown.time(), thrown.speed()})},
       {"too much friction",
        filled(
-           R"(Whoever turns the friction up to have the ball home sooner waits longer: for $m=@1$, $c=@1$, let go at )"
-           R"(rest, it is within @1 of its way after @2 s with $a=@1$, after @2 s with $a=@1$, and after @2 s with $a=@2$.)",
+           R"(More friction does not bring the ball home sooner. For $m=@1$, $c=@1$, let go at rest, it is )"
+           R"(within @1 of its way after @2 s with $a=@1$, after @2 s with $a=@1$, and after @2 s with )"
+           R"($a=@2$.)",
            {F::m, F::c, F::nearly, F::home_after(critical), critical, F::home_after(stronger), stronger,
             F::home_after(strong), strong})},
       {"the first equation alone",
@@ -1364,15 +1366,13 @@ std::vector<Root> roots() {
            R"($a=@1$ it reaches the origin after @3 s all the same.)",
            {m, c, a, across.found.time})},
       {"the arctangent's branch",
-       filled(
-           R"(For $m=@1$, $c=@1$, $a=@1$ and a start at rest the formula says $@3$ s, not @3 s: a game that )"
-           R"(schedules the hit for that moment has it in the past, and the event never fires.)",
-           {m, c, a, by_formula, at_rest.found.time})},
+       filled(R"(For $m=@1$, $c=@1$, $a=@1$ and a start at rest the formula gives $@3$ s, not @3 s: a game )"
+              R"(that schedules the hit for that moment puts it into the past, and the event never fires.)",
+              {m, c, a, by_formula, at_rest.found.time})},
       {"a zero denominator",
-       filled(
-           R"(With $m=@1$, $c=@1$, $a=@1$ and $v=@1\,p$ the ball is at the origin after @3 s, and a program that )"
-           R"(divides depends on what it makes of $p_1/0$.)",
-           {m, c, a, alpha, cosine.found.time})},
+       filled(R"(With $m=@1$, $c=@1$, $a=@1$ and $v=@1\,p$ the ball is at the origin after @3 s. The result )"
+              R"(of a program that divides depends on how it treats $p_1/0$.)",
+              {m, c, a, alpha, cosine.found.time})},
       {"a ball that turns back",
        filled(
            R"(With $m=@1$, $c=@1$, $a=@1$, a ball sent off from $(@1,@1)$ m at $(@1,@1)$ m/s is back at the origin )"

@@ -1,7 +1,7 @@
 // Exercise 3.9: a ball in the plane on a spring of constant c with viscous friction a: when does it reach the
 // origin?
-//   m x'' + a x' + c x = 0 in each coordinate; with h = a/(2m), d = h^2 - c/m
-//   x = exp(-h t) (p C + (v + h p) S),   C, S = cosh and sinh/w, or cos and sin/w, or 1 and t, w = sqrt|d|
+//   m x'' + a x' + c x = 0 in each coordinate; with h = a/(2m), d = h^2 - c/m.
+//   x = exp(-h t) (p C + (v + h p) S),   C, S = cosh and sinh/w, or cos and sin/w, or 1 and t, w = sqrt|d|.
 
 #include <cmath>
 
@@ -22,7 +22,7 @@ constexpr Parameter parameters[] = {
     {"p2", 0.5, "m", "position at the start", -1e6, 1e6},
     {"v1", 0, "m/s", "velocity at the start", -1e5, 1e5},
     {"v2", 1.5, "m/s", "velocity at the start", -1e5, 1e5},
-    {"seed", 39, "", "of the random samples", 0, 1e9, whole_number},
+    {"seed", 39, "", "seed of the random samples", 0, 1e9, whole_number},
 };
 
 Ball asked(const Parameters& p) { return {p["m"], p["c"], p["a"], p["p1"], p["p2"], p["v1"], p["v2"]}; }
@@ -65,7 +65,7 @@ Findings study(const Parameters& p, const Reference& truth) {
   const double critical = 2 * std::sqrt(ball.m * ball.c);
   near_critical.a = critical * (1 + above_critical);
   stiff.a = times_critical * critical;
-  Quantity fast = path("stiff", filled("the same with @2 times the critical friction", {times_critical}),
+  Quantity fast = path("stiff", filled("position with @2 times the critical friction", {times_critical}),
                        stiff, horizon, truth);
   const double fast_root = -(stiff.a + std::sqrt(stiff.a * stiff.a - 4 * stiff.m * stiff.c)) / (2 * stiff.m);
   fast.add(

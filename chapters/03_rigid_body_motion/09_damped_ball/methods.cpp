@@ -61,15 +61,16 @@ Quantity first_arrival(const Ball& at_rest) {
   return time.add(Breakdown{
       at_rest.p1 == 0 ? "A game that schedules the hit by the printed time gets no number for it. The "
                         "arrival found along the motion is right."
-                      : "A game that schedules the hit by the printed time has it in the past: the "
+                      : "A game that schedules the hit by the printed time puts it into the past: the "
                         "event never fires. The arrival found along the motion is right.",
       "the text's formula, atan(-beta p1/(v1 - alpha p1))/beta", 0, printed, "plane, Fehlberg 7(8)", 1e-12});
 }
 
 Quantity near_critical_path(const Ball& b, const Horizon& horizon, const Reference& truth) {
-  Quantity q = quantity("near_critical", "m",
-                        filled("the same with friction $@1$ of itself above the critical", {above_critical}),
-                        true_path(b, horizon, truth), {1e-12, "twelve decimals"});
+  Quantity q =
+      quantity("near_critical", "m",
+               filled("position with friction above critical by the fraction $@1$", {above_critical}),
+               true_path(b, horizon, truth), {1e-12, "twelve decimals"});
   SceneMethods(q, horizon, no_knob(), no_knob())
       .closed_form("one form for all regimes", OneForm<double>{b})
       .closed_form("two exponentials", TwoExponentials<double>{b}, Outcome::inaccurate,

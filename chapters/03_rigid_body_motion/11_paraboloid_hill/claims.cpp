@@ -123,7 +123,7 @@ void equations(Table& table, const std::vector<Sample>& samples) {
       R"(The first equation of motion is $0=\ddot x_1+\frac{4x_1}{a_1}B-\frac{2gx_1}{a_1^2}$, $B$ being )"
       R"($\frac{x_1\ddot x_1+\dot x_1^2}{a_1^2}+\frac{x_2\ddot x_2+\dot x_2^2}{a_2^2}$)",
       samples,
-      {.quantity = "what is zero by the first equation of motion",
+      {.quantity = "the expression that the first equation of motion sets to zero",
        .truth = {lagrange, [](const auto& s) { return s.lagrange(s.x, s.a)[0]; }},
        .printed = equation(R"($0=\ddot x_1+\frac{4x_1}{a_1}B-\frac{2gx_1}{a_1^2}$)", 1, 1, 1),
        .meant = equation(R"($0=\ddot x_1+\frac{4x_1}{a_1^2}B-\frac{2gx_1}{a_1^2}$)", 1, 2, 1),
@@ -131,7 +131,7 @@ void equations(Table& table, const std::vector<Sample>& samples) {
                        equation("without the squares of the speeds", 1, 2, 0)},
        .kind = Fault::formula,
        .why = filled(
-           R"(The factor before the bracket is $4x_1/a_1^2$, as the next line has it; with the hill )"
+           R"(The factor before the bracket is $4x_1/a_1^2$, as in the next line; with the hill )"
            R"($x_3=-x_1^2/a_1^2-x_2^2/a_2^2$ this is Lagrange's equation to the last digit. The text at hand )"
            R"(keeps the squares of the display's other denominators, so that this one is not lost on the way: )"
            R"(it was not printed. On a hill with $a_1=2$ the printed factor is @1 times the right one.)",
@@ -150,7 +150,7 @@ void equations(Table& table, const std::vector<Sample>& samples) {
       R"($0=0+\frac{4v_1t}{a_1^2}\Big(\frac{v_1^2}{a_1^2}+\frac{v_2^2}{a_2^2}\Big)-\frac{2gv_1t}{a_1^2}$, three )"
       R"(fraction bars lost)",
       samples,
-      {.quantity = "what is zero by the first equation on $(v_1t,v_2t)$",
+      {.quantity = "the expression that the first equation sets to zero on $(v_1t,v_2t)$",
        .truth = {lagrange, [](const auto& s) { return s.on_line()[0]; }},
        .printed = {R"($0=0+4v_1t\,a_1^2(v_1^2a_1^2+v_2^2a_2^2)-2gv_1t/a_1^2$, as products)",
                    [](const auto& s) { return s.first_term(true) - 2 * s.g * s.v[0] * s.t / s.A1(); }},
@@ -160,9 +160,9 @@ void equations(Table& table, const std::vector<Sample>& samples) {
        .near_misses = {on_line("$g$ for $2g$ in the last term", 1), on_line("plus the last term", -2)},
        .kind = Fault::lost_typography,
        .why = filled(
-           R"(The bars of the first term's three fractions are lost in the text at hand; the last term has its )"
-           R"(own. As products the terms cannot be added: on a hill twice as wide, $a_1$ and $a_2$ doubled, )"
-           R"(the first one should be @2 times what it was, and is @2 times that.)",
+           R"(The bars of the first term's three fractions are lost in the text at hand; the last term has )"
+           R"(its own. As products the terms cannot be added: on a hill twice as wide, with $a_1$ and $a_2$ )"
+           R"(doubled, the first one should change by the factor @2, and changes by @2.)",
            {wider.first_term(false) / narrow.first_term(false),
             wider.first_term(true) / narrow.first_term(true)})});
 }
@@ -253,15 +253,15 @@ void conditions(Claims& claims, double seed) {
        [](const FromTop& s) { return Value(s.g - 2 * s.K()); }},
       {R"($g+\ddot x_3$ by dual numbers)", [](const FromTop& s) { return Value(s.push()); }}, samples));
   exactly.checks.push_back(in_all<Faster>(
-      "a particle that is faster than the condition has it is above the hill at all times in free fall",
+      "a particle faster than the condition's speed is above the hill at all times in free fall",
       draw<Faster>(200, seed), [](const Faster& s) { return s.above(s.factor); }));
   claims.add(
       "only_way", 1581, "$(v_1t,v_2t)$ is a solution only if " + half,
       {.printed =
-           in_starts("of all $v_1$ and $v_2$", [](const FromTop& s) { return !s.both() || s.condition(); }),
+           in_starts("for all $v_1$ and $v_2$", [](const FromTop& s) { return !s.both() || s.condition(); }),
        .corrected = exactly,
        .in_view = in_starts(
-           "of a particle that moves",
+           "for a particle that moves",
            [](const FromTop& s) { return !s.both() || s.condition() || (s.v[0] == 0 && s.v[1] == 0); }),
        .near_misses = {in_starts(
            "exactly if " + half + ", or if $v_1=0$",
@@ -331,12 +331,12 @@ void paths(Claims& claims, double seed) {
     return {text, {in_all(text, all, holds)}};
   };
   const std::string held =
-      "of those from the top, held to the hill: those with "
+      "for paths from the top, held to the hill: those with "
       "$v_1^2/a_1^2+v_2^2/a_2^2=g/2$";
   const auto samples = draw<Sample>(200, seed);
   const auto at_rest = [](const Sample& s) { return s.lagrange({s.v[0] * s.t, s.v[1] * s.t}, {0, 0}); };
   const auto on_line = [&](std::string text, const std::function<double(const Sample&)>& push) {
-    return compare<Sample>("what the acceleration takes off Lagrange's left sides at a point $tv$",
+    return compare<Sample>("decrease of Lagrange's left sides by the acceleration at a point $tv$",
                            {std::move(text),
                             [=](const Sample& s) {
                               const Two<double> without = at_rest(s),
@@ -344,7 +344,7 @@ void paths(Claims& claims, double seed) {
                                                                   s.acceleration(push(s)));
                               return values(without[0] - with[0], without[1] - with[1]);
                             }},
-                           {"what they are without one, by nested dual numbers",
+                           {"their values without acceleration, by nested dual numbers",
                             [=](const Sample& s) { return values(at_rest(s)[0], at_rest(s)[1]); }},
                            samples);
   };
@@ -442,7 +442,7 @@ std::vector<Root> roots() {
       {"straight at any speed",
        filled(
            R"(On the default hill, at @2 times the right speed, a ball sent off along $(1,1)$ strays @2 m )"
-           R"(from its line within @1 s, one along an axis not at all: a game that takes the sentence for a )"
+           R"(from its line within @1 s, one along an axis not at all. A game that uses the sentence as a )"
            R"(test bends the path of a ball that rolls straight down a ridge.)",
            {factor, abs(end[0] - end[1]) / std::sqrt(2.0), span})}};
 }

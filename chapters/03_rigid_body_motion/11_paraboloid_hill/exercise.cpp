@@ -1,6 +1,6 @@
 // Exercise 3.11: when does a particle that slides without friction on a paraboloid hill follow (v1 t, v2 t)?
-//   hill       x3 = -x1^2/a1^2 - x2^2/a2^2 (lengths in metres), K = v1^2/a1^2 + v2^2/a2^2
-//   equations  x_i'' + (4 x_i/a_i^2) ((x1 x1'' + x1'^2)/a1^2 + (x2 x2'' + x2'^2)/a2^2) - 2 g x_i/a_i^2 = 0
+//   hill       x3 = -x1^2/a1^2 - x2^2/a2^2 (lengths in metres), K = v1^2/a1^2 + v2^2/a2^2.
+//   equations  x_i'' + (4 x_i/a_i^2) ((x1 x1'' + x1'^2)/a1^2 + (x2 x2'' + x2'^2)/a2^2) - 2 g x_i/a_i^2 = 0.
 // Along a straight path x3'' = -2K. For K = g/2 it is a free fall, and the hill's push g - 2K is zero.
 
 #include <string>
@@ -23,7 +23,7 @@ constexpr Parameter parameters[] = {
     {"v1", 2, "m/s", "direction of the straight path; its speed follows from the condition", 1e-2, 1e3},
     {"v2", 2, "m/s", "direction of the straight path", 1e-2, 1e3},
     {"factor", 0.75, "", "speed of the neighbouring path over that of the straight one", 1e-3, 0.999},
-    {"offset", 0.25, "m", "start of another neighbour beside the top", 1e-3, 1e3},
+    {"offset", 0.25, "m", "distance from the top at which another neighbour starts", 1e-3, 1e3},
     {"seed", 311, "", "seed of the random samples", 0, 1e9, whole_number},
 };
 
@@ -127,13 +127,13 @@ Findings study(const Parameters& p, const Reference& truth) {
             true, horizon, truth),
        bent,
        path("faster",
-            "the same at a speed that exceeds the straight path's by twice what the other lacks, the hill "
-            "holding the particle back",
+            filled("position at @3 times the straight path's speed, the hill holding the particle back",
+                   {3 - 2 * p["factor"]}),
             asked(p, 3 - 2 * p["factor"]), false, horizon, truth),
-       path("beside", "in the same free fall from a start beside the top: straight as well",
+       path("beside", "position in the same free fall from a start next to the top: straight as well",
             beside(right, p["offset"]), true, horizon, truth)},
       roots(),
-      R"(The condition on the speed stands; {{straight at any speed|along an axis, and on a round hill, a path is straight at any speed}}, and {{a particle at rest|a particle at rest is left out}}.)"};
+      R"(The condition on the speed is right; {{straight at any speed|along an axis, and on a round hill, a path is straight at any speed}}, and {{a particle at rest|a particle at rest is left out}}.)"};
 }
 
 }  // namespace ex03_11

@@ -332,7 +332,7 @@ void solved(ChuteTable& table, const std::vector<OnChute>& samples) {
   using Form = ProvableFormula<OnChuteOf>;
   const Form form{"$(X-P)^T(I-DD^T)(X-P)-R^2$ at any point", [](const auto& s) { return s.excess(); }};
   const std::string equation =
-      "what is zero on the cylinder about the axis through $(0,0,p_3)$ along $(d_1,0,d_3)$";
+      "the expression that is zero on the cylinder about the axis through $(0,0,p_3)$ along $(d_1,0,d_3)$";
   table.formula(
       "expansion_1", 1637, "On the cylinder $0=x_1^2+x_2^2+(x_3-p_3)^2-(d_1x_1+d_3(x_3-p_3))^2$", samples,
       {.quantity = equation,
@@ -347,24 +347,24 @@ void solved(ChuteTable& table, const std::vector<OnChute>& samples) {
   table.formula(
       "expansion_2", 1639,
       "On the cylinder $0=(1-d_3)^2(x_3-p_3)^2-2d_1d_3x_1(x_3-p_3)+(1-d_1^2)x_1^2+x_2^2-R^2$", samples,
-      {.quantity = "the same by powers of $x_3-p_3$",
+      {.quantity = "this expression by powers of $x_3-p_3$",
        .truth = form,
        .printed = "$(1-d_3)^2" + rest,
        .meant = "$(1-d_3^2)" + rest,
        .kind = Fault::formula,
        .why =
            filled("The square belongs to $d_3$: $(1-d_3^2)$, which the next line writes as $d_1^2$. With the "
-                  "default chute, $d_3=3/5$, that is @2, and what is printed @2.",
+                  "default chute, $d_3=3/5$, that is @2, and as printed @2.",
                   {1 - 0.36, 0.4 * 0.4})});
   table.formula("expansion_3", 1641,
                 "On the cylinder $0=d_1^2(x_3-p_3)^2-2d_1d_3x_1(x_3-p_3)+d_3^2x_1^2+x_2^2-R^2$, as "
                 "$d_1^2+d_3^2=1$",
                 samples,
-                {.quantity = "the same with $d_1^2+d_3^2=1$",
+                {.quantity = "this expression with $d_1^2+d_3^2=1$",
                  .truth = form,
                  .printed = "$d_1^2(x_3-p_3)^2-2d_1d_3x_1(x_3-p_3)+d_3^2x_1^2+x_2^2-R^2$"});
   table.formula("expansion_4", 1643, "On the cylinder $0=(d_1(x_3-p_3)-d_3x_1)^2+x_2^2-R^2$", samples,
-                {.quantity = "the same with a square",
+                {.quantity = "this expression with a square",
                  .truth = form,
                  .printed = "$(d_1(x_3-p_3)-d_3x_1)^2+x_2^2-R^2$"});
 
@@ -514,9 +514,10 @@ void equations(Claims& claims, const std::vector<OnChute>& samples) {
       {.printed = reading(both, {written("x_2^2", "+g", R"(-HL\cos\theta)")}, {lagrange}),
        .meant = reading(both, {right}, {lagrange, about}),
        .near_misses = {reading(both, {written(rate, "-g", gradient)}, {lagrange})},
-       .why = R"(A dot and a bar are lost: above stands $R^2\dot x_2^2$, and the vector is the gradient )"
-              R"($(-H/(L\cos\theta),\,x_2/((R^2-x_2^2)^{1/2}\cos\theta))$. So read, it is what Lagrange's )"
-              R"(equations give, in the coordinates of the plane and in those of the cylinder.)",
+       .why =
+           R"(A dot and a bar are lost: the numerator has $R^2\dot x_2^2$, and the vector is the gradient )"
+           R"($(-H/(L\cos\theta),\,x_2/((R^2-x_2^2)^{1/2}\cos\theta))$. So read, it follows from Lagrange's )"
+           R"(equations, in the coordinates of the plane and in those of the cylinder.)",
        .kind = Fault::lost_typography});
 
   const Form truth{"Lagrange's equations at $x_2=\\dot x_2=0$",
@@ -625,7 +626,7 @@ void statements(Claims& claims, const std::vector<OnChute>& samples) {
   };
   claims.add("positive", 1733, R"(On the center line $\ddot x_1$ is a positive constant)",
              {.printed = constant("in a chute neither level nor vertical (our condition)", 0),
-              .near_misses = {constant("beside the center line as well", 1),
+              .near_misses = {constant("off the center line as well", 1),
                               {"in a level chute as well",
                                {in_all<OnChute>(R"($\ddot x_1>0$ in a level chute)", samples,
                                                 [](S s) { return s.at_angle(0) > 0; })}}}});
@@ -677,8 +678,8 @@ void statements(Claims& claims, const std::vector<OnChute>& samples) {
        .root = "beyond 45 degrees",
        .why =
            R"($\ddot x_1=\frac g2\sin2\theta$ is largest at $45^\circ$, $g/2$, and falls to zero at $90^\circ$: )"
-           R"(in free fall nothing moves sideways. What grows with the angle is the acceleration along the )"
-           R"(chute, $g\sin\theta$, of which $\ddot x_1$ is the horizontal part.)"});
+           R"(in free fall nothing moves sideways. The acceleration along the chute grows with the )"
+           R"(angle: it is $g\sin\theta$, of which $\ddot x_1$ is the horizontal part.)"});
 
   const auto slowed = [&](std::string text, double across) -> Reading {
     return {std::move(text),

@@ -1,8 +1,8 @@
 // Exercise 3.13: the motion of a ball in a cylindrical chute of radius R whose axis falls by H over its
 // length L.
-//   cylinder  (X - P)^T (I - D D^T) (X - P) = R^2, D = (-cos(theta), 0, sin(theta)), sin(theta) = H/L
-//   height    x3 = (L R - H x1 - L sqrt(R^2 - x2^2)) / (L cos(theta))
-//   motion    x'' = -(x'^T (Hessian of h) x' + g) / (1 + |grad h|^2) grad h
+//   cylinder  (X - P)^T (I - D D^T) (X - P) = R^2, D = (-cos(theta), 0, sin(theta)), sin(theta) = H/L.
+//   height    x3 = (L R - H x1 - L sqrt(R^2 - x2^2)) / (L cos(theta)).
+//   motion    x'' = -(x'^T (Hessian of h) x' + g) / (1 + |grad h|^2) grad h.
 
 #include <numbers>
 
@@ -102,7 +102,7 @@ Findings study(const Parameters& p, const Reference& truth) {
       {motion(scene(), p, truth), on_center(centered, horizon, truth), below_rim(steep, horizon, truth),
        from_rim(rim, horizon, truth)},
       roots(),
-      R"(The chute, its equations and the motion on the center line stand; but {{beyond 45 degrees|a steeper chute is faster along $x_1$ up to $45^\circ$ only}}, {{friction across|friction does change the second equation}}, and {{a ball sent up|a ball sent up slows down first}}.)"};
+      R"(The chute, its equations and the motion on the center line are right; but {{beyond 45 degrees|a steeper chute is faster along $x_1$ up to $45^\circ$ only}}, {{friction across|friction does change the second equation}}, and {{a ball sent up|a ball sent up slows down first}}.)"};
 }
 
 }  // namespace ex03_13

@@ -22,8 +22,7 @@ Quantity slide(const std::string& name, const std::string& says, const Given<dou
 /// Adds all methods except those in the height field, which differ between the quantities.
 SceneMethods swinging(Quantity& position, const Given<double>& c, const Horizon& horizon) {
   SceneMethods methods(position, horizon, halving("step", 0.125, 10), tolerances(3, 11));
-  methods
-      .closed_form(center, CenterLine<double>{c}, Outcome::inaccurate, "the ball is beside the center line")
+  methods.closed_form(center, CenterLine<double>{c}, Outcome::inaccurate, "the ball is off the center line")
       .closed_form(small, SmallAngle<double>{c}, Outcome::inaccurate, "the period grows with the amplitude")
       .closed_form(exact_angle, EllipticAngle<double>(c))
       .by_engine_integrators(about, Angle<double>{c})
@@ -35,18 +34,19 @@ const std::string low_order = "its order is too low for this need at this step";
 
 Quantity swing(const Given<double>& c, const Horizon& horizon, const Reference& truth) {
   Quantity position =
-      slide("swing", "position at " + times_up_to(horizon) + " of a ball let go beside the center line", c,
+      slide("swing", "position of a ball released off the center line, at " + times_up_to(horizon), c,
             horizon, truth);
   swinging(position, c, horizon)
       .by_engine_integrators(plane, in_plane(c))
       .by_remaining_integrators(
           about, Angle<double>{c},
-          {{"linearly implicit Euler", Outcome::inaccurate, "of order 1, and it damps every swing"}});
+          {{"linearly implicit Euler", Outcome::inaccurate, "a first-order method that damps every swing"}});
   return position;
 }
 
 Quantity below_rim(const Given<double>& c, const Horizon& horizon, const Reference& truth) {
-  Quantity position = slide("steep", R"(the same from $\phi=1.5$, just below the rim)", c, horizon, truth);
+  Quantity position =
+      slide("steep", R"(position from a start at $\phi=1.5$, just below the rim)", c, horizon, truth);
   swinging(position, c, horizon)
       .by<ode::ExplicitEuler>(plane, in_plane(c), Outcome::inaccurate, low_order)
       .by<ode::RungeKutta4>(plane, in_plane(c))
@@ -62,7 +62,7 @@ Quantity below_rim(const Given<double>& c, const Horizon& horizon, const Referen
 }
 
 Quantity on_center(const Given<double>& c, const Horizon& horizon, const Reference& truth) {
-  Quantity position = slide("center", "the same from the center line", c, horizon, truth);
+  Quantity position = slide("center", "position from a start on the center line", c, horizon, truth);
   SceneMethods(position, horizon, halving("step", 0.125, 10), tolerances(3, 11))
       .closed_form(center, CenterLine<double>{c})
       .closed_form(small, SmallAngle<double>{c})
@@ -77,7 +77,7 @@ Quantity on_center(const Given<double>& c, const Horizon& horizon, const Referen
 
 Quantity from_rim(const Given<double>& c, const Horizon& horizon, const Reference& truth) {
   const std::string why = "at $|x_2|=R$ the height's slope is infinite";
-  Quantity position = slide("rim", "the same from the rim, $x_2=R$", c, horizon, truth);
+  Quantity position = slide("rim", "position from a start on the rim, $x_2=R$", c, horizon, truth);
   SceneMethods(position, horizon, halving("step", 0.125, 10), tolerances(3, 11))
       .closed_form(small, SmallAngle<double>{c}, Outcome::inaccurate, "the period grows with the amplitude")
       .closed_form(exact_angle, EllipticAngle<double>(c))

@@ -258,7 +258,7 @@ void geometry(Table& table, const Samples& samples) {
        .why = filled(
            R"(The segment turns at a constant speed from the start and takes the mass along: by the text's )"
            R"(own formula (1765) $\dot x(0)=\lambda(0)\dot D(0)=(0,\pi b/4,0)$, @3 m/s in the listing. The )"
-           R"(mass is at rest on the segment only, and that is what $\dot\lambda(0)=0$ says.)",
+           R"(mass is at rest on the segment only, which is the meaning of $\dot\lambda(0)=0$.)",
            {quarter * book.s0 / sqrt2})});
   table.formula("lambda_dot", 1843, R"($\dot\lambda=D\cdot\dot x$)", samples,
                 {.quantity = R"($\dot\lambda$)",
@@ -369,8 +369,8 @@ void spring(Claims& claims, Table& table, const Samples& samples) {
        .root = "a spring that always pulls",
        .why = filled(
            R"(A compressed spring pushes. It does so at the end of this very motion, where $r=@4$ is less )"
-           R"(than $\ell=@4$. The formula (1821) has it right; a game that takes the sentence and lets the )"
-           R"(spring always pull has the mass @2 mm off at $t=2$.)",
+           R"(than $\ell=@4$. The formula (1821) is right. A game that follows the sentence, with a )"
+           R"(spring that always pulls, has the mass @2 mm off at $t=2$.)",
            {length_at_2(), book.ell, 1e3 * abs(lambda_at_2(AlwaysPulls{}) - lambda_at_2())})});
 }
 
@@ -478,7 +478,7 @@ struct Launch {
 
   double part() const { return s / segment; }
   std::string text() const {
-    return "from " + format_shortest(part()) + " of the segment with $K=" + format_shortest(K) + "$";
+    return R"(from $\lambda=)" + format_shortest(s) + "$ with $K=" + format_shortest(K) + "$";
   }
 };
 /// From the first the mass leaves over the upper end, from the second over the lower one.
@@ -676,8 +676,8 @@ void output(Claims& claims, const Value& end) {
               1}}};
   };
   claims.add("in_the_plane", 2181, "At the end $x_1$ is effectively zero",
-             {.printed = x1_after("zero but for the clock's rounding", 200),
-              .near_misses = {x1_after("so one step before", 199)}});
+             {.printed = x1_after("zero except for the clock's rounding", 200),
+              .near_misses = {x1_after("effectively zero one step before", 199)}});
 
   const auto starts_at = [](const std::string& text, double t) -> Reading {
     return {text,
@@ -715,7 +715,8 @@ void output(Claims& claims, const Value& end) {
        .near_misses = {is_lambda("0.99422")},
        .why = filled(
            R"(The output belongs to the slip of the listing, `aux[0]*time` for `aux[1]*time` (2079), not to )"
-           R"(the equation of the text, whose $\lambda(2)$ is @6: what is printed is @2 percent too large.)",
+           R"(the equation of the text, whose $\lambda(2)$ is @6: the printed number is @2 percent too )"
+           R"(large.)",
            {lambda, 100 * (1.15214 / lambda - 1)}),
        .kind = Fault::listing,
        .root = "`aux[0]` for `aux[1]`"});
@@ -733,8 +734,9 @@ void output(Claims& claims, const Value& end) {
            "nearer to the origin along the segment.",
            {d, sqrt2 * (0.814683 - d)})});
   const auto is_d = [&](const std::string& text, double factor) -> Reading {
-    return {text,
-            {{"$d$", {text + " of the table", lambda * factor}, {"$x_2(2)$ of the table", d}, rounding(1)}}};
+    return {
+        text,
+        {{"$d$", {text + ", from the table", lambda * factor}, {"$x_2(2)$ from the table", d}, rounding(1)}}};
   };
   claims.add(
       "d_is_lambda", 1849, R"(The number to solve for is $d=\lambda(2)$)",

@@ -1,6 +1,6 @@
 // Exercise 3.15: a mass slides on a rod from the origin to (a, 0, a) that rotates about the x3-axis; a spring
 // connects it to (c, 0, 0). Where does it reach the (x2, x3)-plane?
-//   s'' = w^2 s / 2 - (K/m) (1 - ell/r) (s - p),  p = c cos(w t) / sqrt(2),  r^2 = s^2 - 2 p s + c^2
+//   s'' = w^2 s / 2 - (K/m) (1 - ell/r) (s - p),  p = c cos(w t) / sqrt(2),  r^2 = s^2 - 2 p s + c^2.
 // The book's lambda is s here, and its constant angular speed, pi/4, is w. Every formula of the text is
 // compared with the Lagrangian, which is built from Rodrigues' rotation and the spring's energy and
 // differentiated by dual numbers. The rod is driven, so the models monitor the balance of energy and work.
@@ -197,7 +197,7 @@ Findings study(const Parameters& given, const Reference& truth) {
       claims(given["seed"], truth),
       {motion(scene(), given, truth), stiff_spring(stiff, horizon, truth), runaway(fast)},
       roots(),
-      R"(The equation of motion stands, the answer does not: {{`aux[0]` for `aux[1]`|the listing takes one array element for another}}. {{at rest in space|The mass is not at rest in space at the start}}, {{a clock set to zero|the clock ignores the time it is given}}, and {{rest}} are cases left out.)"};
+      R"(The equation of motion is right, the answer is not: {{`aux[0]` for `aux[1]`|the listing takes one array element for another}}. {{at rest in space|The mass is not at rest in space at the start}}, {{a clock set to zero|the clock ignores the time it is given}}, and {{rest}} are cases left out.)"};
 }
 
 }  // namespace ex03_15

@@ -260,7 +260,7 @@ void forces(Table& table, const Samples& samples) {
       R"(The turning axes add $-2w\times\dot r$ to the acceleration by gravity and rod, to first order )"
       R"(in $\omega$ (our condition))",
       samples,
-      {.quantity = "what the turning axes add to the acceleration",
+      {.quantity = "the acceleration due to the turning axes",
        .truth = {R"($\ddot r$ less the acceleration in axes that do not turn, its part linear in $\omega$)",
                  [](const auto& s) { return s.coriolis_acceleration(-1); }},
        .printed = {R"($-2w\times\dot r$)"},
@@ -305,9 +305,10 @@ void forces(Table& table, const Samples& samples) {
                         with_earth(1, 0)}},
        .kind = Fault::lost_typography,
        .why =
-           R"(The unit vector $\jmath$, to the north, is lost in the text at hand, and a number less a vector )"
-           R"(is nothing; the components of line 2425 have it: $P\cdot w=\omega\cos\lambda\cos\theta$. Left )"
-           R"(out altogether, what falls would fall straight, and not to the east.)"});
+           R"(The unit vector $\jmath$, to the north, is lost in the text at hand, and a vector cannot be )"
+           R"(subtracted from a number. The components of line 2425 show it: $P\cdot )"
+           R"(w=\omega\cos\lambda\cos\theta$. Without the term a body would fall straight, and not to the )"
+           R"(east.)"});
 
   const std::string b = R"(, $b=-\cos\lambda\sin\theta\sin\phi+\sin\lambda\cos\phi$)";
   const std::string by_lagrange =
@@ -364,8 +365,8 @@ void cancellation(Claims& claims, double seed) {
        .near_misses = {cancelled(
            R"($\ddot\theta+2\dot\theta\dot\phi\cos\phi=2\omega\dot\phi\,b$ where $\sin\phi\ne0$)", false, 0)},
        .why =
-           R"(At the lowest point $\sin\phi=0$. The equation before says $0=0$ there; the one that is left )"
-           R"(asks for $\dot\theta=\omega\sin\lambda$ wherever $\dot\phi$ is not zero, and has no )"
+           R"(At the lowest point $\sin\phi=0$. The equation before is $0=0$ there; the remaining one )"
+           R"(requires $\dot\theta=\omega\sin\lambda$ wherever $\dot\phi$ is not zero, and has no )"
            R"($\ddot\theta$. A program that solves it for $\ddot\theta$ divides by zero where the pendulum )"
            R"(hangs at rest or swings through the middle. In Cartesian coordinates the point is like any )"
            R"(other.)",
@@ -407,7 +408,7 @@ void equations(Table& table, const Samples& samples) {
                  [](const auto& s) { return values(first_equation(s), second_equation(s, s.p.g / s.p.L)); }},
        .printed = {R"($(\ddot r+2w\times\dot r-gk)\cdot(P,-Q)/L$, the acceleration by dual numbers)",
                    newton(2)},
-       .near_misses = {{R"(the same with $w\times\dot r$ once)", newton(1)}}});
+       .near_misses = {{R"(with $w\times\dot r$ once)", newton(1)}}});
 }
 
 // ---- the cone ---------------------------------------------------------------------------------------------
@@ -709,9 +710,9 @@ void moments(ConeTable& table, const Cones& cones, const Cones& by_qags) {
        .meant = {of_two_integrals("2y^2", "2z^2"), over_y(2, 2)},
        .near_misses = {{of_two_integrals("y^2", "z^2"), over_y(1, 1)}},
        .kind = Fault::formula,
-       .why =
-           R"(The factor 2 of the line before is lost in the second integral; )"
-           R"($\int\sqrt{\rho^2-y^2}\,dy=\pi\rho^2/2$, and the next line, with $\pi\rho^2z^2$, has it again.)"});
+       .why = R"(The factor 2 of the line before is lost in the second integral; )"
+              R"($\int\sqrt{\rho^2-y^2}\,dy=\pi\rho^2/2$, and the next line, with $\pi\rho^2z^2$, shows it )"
+              R"(again.)"});
   const auto over_z = [](double factor) {
     return [=]<class T>(const ConeSampleOf<T>& s) {
       return s.along([&](const T& z) {
@@ -792,13 +793,13 @@ void moments(ConeTable& table, const Cones& cones, const Cones& by_qags) {
   table.formula("Izz_cylindrical", 2389,
                 R"(In cylindrical coordinates $I_{zz}$ is the integral of $s^3\,ds\,d\theta\,dz$)", by_qags,
                 {.quantity = "$I_{zz}$ in cylindrical coordinates",
-                 .truth = {"of $x^2+y^2$ in Cartesian coordinates by QAGS",
+                 .truth = {"the integral of $x^2+y^2$ in Cartesian coordinates, by QAGS",
                            [](const auto& s) {
                              return s.cartesian_integral(
                                  [](const auto& x, const auto& y, const auto&) { return x * x + y * y; });
                            }},
-                 .printed = {R"(of $s^3\,ds\,d\theta\,dz$)", cylindrical(3)},
-                 .near_misses = {{R"(of $s^2\,ds\,d\theta\,dz$)", cylindrical(2)}}});
+                 .printed = {R"(the integral of $s^3\,ds\,d\theta\,dz$)", cylindrical(3)},
+                 .near_misses = {{R"(the integral of $s^2\,ds\,d\theta\,dz$)", cylindrical(2)}}});
   const OfCone Izz{"quadrature", [](const auto& s) { return s.Izz(); }};
   table.formula("Izz_closed", 2393, R"($I_{zz}=\pi r^4h\,10$)", cones,
                 {.quantity = "$I_{zz}$",
@@ -836,7 +837,7 @@ void tensor(ConeTable& table, const Cones& cones) {
                  }},
        .printed = {"the entries of $I_{xx}(PP^T+QQ^T)+I_{zz}RR^T$", by_axes(false)},
        .near_misses = {{"those of $I_{zz}(PP^T+QQ^T)+I_{xx}RR^T$", by_axes(true)}}});
-  const std::string turned = R"(the same for $(P+R)/\sqrt2$ and $(P-R)/\sqrt2$ in place of $P$ and $R$)";
+  const std::string turned = R"(with $(P+R)/\sqrt2$ and $(P-R)/\sqrt2$ in place of $P$ and $R$)";
   table.formula("principal", 2297, "The cone's axis is along $R$, and is a principal direction", cones,
                 {.quantity = R"($P\cdot JR$ and $Q\cdot JR$, zero for a principal direction $R$)",
                  .truth = {"zero", [](const auto&) { return values(0, 0); }},
@@ -877,7 +878,7 @@ void tensor(ConeTable& table, const Cones& cones) {
                 {.quantity = R"($w\cdot Jw$ by the components along $P$, $Q$, $R$)",
                  .truth = wJw,
                  .printed = {R"($I_{xx}((P\cdot w)^2+(Q\cdot w)^2)+I_{zz}(R\cdot w)^2$)"},
-                 .near_misses = {{R"(the same without $(P\cdot w)^2$)", by_parts(0)}}});
+                 .near_misses = {{R"(without $(P\cdot w)^2$)", by_parts(0)}}});
   const auto expanded = [](double up, bool west) {
     return [=](const auto& s) {
       const auto& p = s.motion.p;
@@ -898,8 +899,8 @@ void tensor(ConeTable& table, const Cones& cones) {
        .printed =
            {R"($\omega^2I_{xx}(\cos^2\lambda\cos^2\theta+(\cos\lambda\sin\theta\cos\phi+\sin\lambda\sin\phi)^2))"
             R"(+\omega^2I_{zz}(\cos\lambda\sin\theta\sin\phi-\sin\lambda\cos\phi)^2$)"},
-       .near_misses = {{R"(the same with $-\sin\lambda$ for $\sin\lambda$)", expanded(-1, false)},
-                       {R"(the same with $\cos\lambda$ to the west)", expanded(1, true)}}});
+       .near_misses = {{R"(with $-\sin\lambda$ for $\sin\lambda$)", expanded(-1, false)},
+                       {R"(with $\cos\lambda$ to the west)", expanded(1, true)}}});
   table.formula(
       "J_in_T", 2401, "The tensor $J$ in the kinetic energy has $I_{xx}=m(2h^2+3r^2)/20$", cones,
       {.quantity = "$I_{xx}$ of the tensor $J$ that is added to the energy of the center of mass",
@@ -939,10 +940,10 @@ void tensor(ConeTable& table, const Cones& cones) {
        .kind = Fault::formula,
        .root = "the cone's own turning",
        .why =
-           R"(The cone turns as it swings: its angular velocity on the Earth is $R\times\dot R$, not $w$, and )"
-           R"(its energy has $\frac12I_{xx}(\dot\theta^2\sin^2\phi+\dot\phi^2)$. What the text adds, )"
-           R"($\frac12w^TJw$, has no velocities in it and is of order $\omega^2$: like the centrifugal force, )"
-           R"(which the equations leave out.)"});
+           R"(The cone turns as it swings: its angular velocity on the Earth is $R\times\dot R$, not $w$, )"
+           R"(and its energy has $\frac12I_{xx}(\dot\theta^2\sin^2\phi+\dot\phi^2)$. The added term of the )"
+           R"(text, $\frac12w^TJw$, has no velocities in it and is of order $\omega^2$: like the )"
+           R"(centrifugal force, which the equations leave out.)"});
 }
 
 }  // namespace

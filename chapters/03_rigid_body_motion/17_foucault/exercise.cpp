@@ -1,8 +1,8 @@
 // Exercise 3.17: the Foucault pendulum, by Lagrange: a point mass, then a solid cone that hangs by its
 // vertex.
-//   theta'' sin phi + 2 theta' phi' cos phi = 2 omega phi' b
-//   phi'' - theta'^2 sin phi cos phi = -2 omega theta' sin phi b - (g/L) sin phi
-//   b = sin lambda cos phi - cos lambda sin theta sin phi
+//   theta'' sin phi + 2 theta' phi' cos phi = 2 omega phi' b.
+//   phi'' - theta'^2 sin phi cos phi = -2 omega theta' sin phi b - (g/L) sin phi.
+//   b = sin lambda cos phi - cos lambda sin theta sin phi.
 // These hold to first order in omega. They are compared with Lagrange's equations by dual numbers. The
 // kinetic energy is that in axes that do not rotate, |r' + w x r|^2/2. Its part linear in omega is half the
 // difference for Earths that rotate in opposite directions. The cone's integrals are by quadrature over its
@@ -108,7 +108,7 @@ Findings study(const Parameters& p, const Reference& truth) {
       {motion(scene(), p, truth), bob_on_earth(horizon, truth), push(pendulum, horizon, truth), hours(truth),
        cone_swing(pendulum, cone, horizon, truth), inertia(cone)},
       roots(),
-      R"(The point's equations stand, {{division at the lowest point|but for a division by zero at the lowest point}}; the cone's do not: {{a center of mass that halves the volume|its center of mass}}, {{moments about the base|its moments}} and {{the cone's own turning|its angular velocity}} are wrong.)"};
+      R"(The point's equations are right, {{division at the lowest point|except for a division by zero at the lowest point}}; the cone's are not: {{a center of mass that halves the volume|its center of mass}}, {{moments about the base|its moments}} and {{the cone's own turning|its angular velocity}} are wrong.)"};
 }
 
 }  // namespace ex03_17

@@ -99,7 +99,7 @@ Quantity bob(const Given<double>& p, const Horizon& horizon, const Reference& tr
       .by_remaining_integrators(
           angles, TwoAngles<double>{p},
           {{"modified midpoint", Outcome::inaccurate, low_order},
-           {"linearly implicit Euler", Outcome::drifted, "of order 1, and it damps every swing"}})
+           {"linearly implicit Euler", Outcome::drifted, "a first-order method that damps every swing"}})
       .by_engine_integrators(cartesian, Cartesian<double>{p}, Outcome::drifted);
   if (!matters) return q;
   return q.add(

@@ -137,8 +137,7 @@ struct SampleOf {
   Two<T> forces() const {
     return df_dq([&](const auto& y, const auto&) { return -p.potential_energy(y); }, q, v);
   }
-  /// What each spring adds to the force on its own body: the first to the small pulley's, the second to the
-  /// mass's.
+  /// Force of each spring on its own body: of the first on the small pulley, of the second on the mass.
   Two<T> of_springs() const {
     SampleOf first = *this, second = *this;
     first.p.c1 = T(0), second.p.c2 = T(0);
@@ -307,44 +306,43 @@ void kinematics(Claims& claims, Table& table, const Samples& samples) {
 
   table.formula(
       "length_1", 2521, "$S_1-y_2$ is constant", samples,
-      {.quantity = R"(what $S_1$ grows by when $y_2$ grows by $\Delta$)",
+      {.quantity = R"(growth of $S_1$ when $y_2$ grows by $\Delta$)",
        .truth = {"by the first rope's length", [](const auto& s) { return s.springs_after(s.delta, 0)[0]; }},
        .printed = R"($\Delta$)"});
   table.formula("length_2", 2529, "$S_2-y_3+2y_2$ is constant", samples,
-                {.quantity = R"(what $S_2$ grows by when $y_2$ and $y_3$ grow by $\Delta_2$ and $\Delta_3$)",
+                {.quantity = R"(growth of $S_2$ when $y_2$ and $y_3$ grow by $\Delta_2$ and $\Delta_3$)",
                  .truth = {"by the second rope's length",
                            [](const auto& s) { return s.springs_after(s.v[0], s.v[1])[1]; }},
                  .printed = R"($\Delta_3-2\Delta_2$)"});
   table.formula(
       "mass_down", 2531, R"(With $y_2$ fixed, $S_2+\Delta$ and $y_3+\Delta$ keep the second rope's length)",
       samples,
-      {.quantity = R"(what $S_2$ grows by when $y_3$ grows by $\Delta$)",
+      {.quantity = R"(growth of $S_2$ when $y_3$ grows by $\Delta$)",
        .truth = {"by the second rope's length", [](const auto& s) { return s.springs_after(0, s.delta)[1]; }},
        .printed = R"($\Delta$)"});
   table.formula("pulley_down", 2535,
                 R"($S_2-\Delta$, $y_3+\Delta$ and $y_2+\Delta$ together keep the second rope's length)",
                 samples,
-                {.quantity = R"(what $S_2$ grows by when $y_2$ and $y_3$ grow by $\Delta$)",
+                {.quantity = R"(growth of $S_2$ when $y_2$ and $y_3$ grow by $\Delta$)",
                  .truth = {"by the second rope's length",
                            [](const auto& s) { return s.springs_after(s.delta, s.delta)[1]; }},
                  .printed = R"($-\Delta$)"});
-  claims.add(
-      "string_stretched", 2521, "When the small pulley goes down the string is stretched",
-      string_for_spring(
-          samples, {0, 1, 0, 1},
-          {"the string over the large pulley gets longer", "the first spring gets longer",
-           "the first spring gets shorter"},
-          R"(The string is the wire, whose length the same paragraph calls constant; what gets longer )"
-          R"(is the spring. The letter is right: $S_1$ is the spring's length, and grows by $\Delta$ )"
-          R"(while the wire's change is 0.)"));
+  claims.add("string_stretched", 2521, "When the small pulley goes down the string is stretched",
+             string_for_spring(
+                 samples, {0, 1, 0, 1},
+                 {"the string over the large pulley gets longer", "the first spring gets longer",
+                  "the first spring gets shorter"},
+                 R"(The string is the wire, whose length the same paragraph calls constant; the spring gets )"
+                 R"(longer. The letter is right: $S_1$ is the spring's length, and grows by $\Delta$ )"
+                 R"(while the wire's change is 0.)"));
   claims.add(
       "second_string_stretched", 2529, "When the mass goes down at fixed $y_2$ the string must be stretched",
       string_for_spring(
           samples, {1, 0, 1, 1},
           {"the string over the small pulley gets longer", R"(the second spring gets longer by $\Delta$)",
            R"(the second spring gets shorter by $\Delta$)"},
-          R"(The same word as in line 2521: it is the spring that is stretched, from $S_2$ to $S_2+\Delta$, )"
-          R"(while the string keeps its length.)"));
+          R"(As in line 2521, the spring is stretched, from $S_2$ to $S_2+\Delta$, while the string keeps )"
+          R"(its length.)"));
   claims.add(
       "must_compress", 2533,
       R"(When the small pulley and the mass both go down by $\Delta$ (the text's example) the string is compressed)",
@@ -352,9 +350,9 @@ void kinematics(Claims& claims, Table& table, const Samples& samples) {
           samples, {1, 1, 1, -1},
           {"the string over the small pulley gets shorter", R"(the second spring gets shorter by $\Delta$)",
            R"(the second spring gets longer by $\Delta$)"},
-          R"(Again it is the spring, not the string, that gives way: $S_2$ becomes $S_2-\Delta$ and the )"
-          R"(wire's length changes by 0. Compressed means shorter than before here, where line 2525 has it for )"
-          R"($S_2<L_2$. In the example the small pulley does not turn.)"));
+          R"(Again the spring, not the string, gives way: $S_2$ becomes $S_2-\Delta$ and the wire's length )"
+          R"(changes by 0. Compressed here means shorter than before; in line 2525 it means $S_2<L_2$. )"
+          R"(In the example the small pulley does not turn.)"));
   using Change = std::function<bool(double spring, double pulley, double mass)>;
   const auto going_down = [](const std::string& text, const Change& holds) -> Statement<Sample> {
     return {text, [=](S s) {
@@ -498,7 +496,7 @@ void compression(Table& table, const Samples& samples) {
        .printed = as_springs,
        .corrected =
            pulls(R"(the ropes are pulled with $c_1\max(S_1-L_1,0)$ and $c_2\max(S_2-L_2,0)$, where $S_1$ )"
-                 R"(stands for $y_2+K_1$ and $S_2$ for $y_3-2y_2+K_2$)",
+                 R"(is $y_2+K_1$ and $S_2$ is $y_3-2y_2+K_2$)",
                  []<class T>(const T& pull) { return max(pull, T(0)); }),
        .near_misses = {pulls("with $c_1|S_1-L_1|$ and $c_2|S_2-L_2|$",
                              [](const auto& pull) { return abs(pull); }),
@@ -506,11 +504,11 @@ void compression(Table& table, const Samples& samples) {
        .kind = Fault::left_out,
        .root = "a rope that pushes",
        .why = filled(
-           "Between a spring and its body is a wire, and a wire cannot push: where $y_2+K_1<L_1$ the first hangs "
-           "slack and its spring pulls nothing. With $K_1=@1$ m the default start has $y_2+K_1=@1$ m, and the "
-           "formula pushes the first rope with @2 N. The equations are valid as long as both ropes are taut at "
-           "both ends, which differ by what turns the pulley between. In @1 s of the default motion the least "
-           "tension of the four ends is @2 N.",
+           "Between a spring and its body is a wire, and a wire cannot push: where $y_2+K_1<L_1$ the first "
+           "hangs slack and its spring pulls nothing. With $K_1=@1$ m the default start has $y_2+K_1=@1$ m, "
+           "and the formula pushes the first rope with @2 N. The equations are valid as long as both ropes "
+           "are taut at both ends, whose tensions differ by the pull that turns the pulley. In @1 s of the "
+           "default motion the least tension of the four ends is @2 N.",
            {let_loose.K1, let_loose.L1 - loose(), let_loose.c1 * loose(), watched,
             least_tension().tension})});
 }
@@ -589,8 +587,8 @@ void forces(Claims& claims, Table& table, Table& in_motion, const Samples& sampl
        .why = filled(
            R"(The pulley between spring and mass has inertia: the rope pulls the mass with )"
            R"($c_2(S_2-L_2)+(I_2/R_2^2)(\ddot y_3-\ddot y_2)$, at the default start with @3 N for the @2 N of )"
-           R"(the spring. The verdict takes "the force on the point mass" at its word, as line 2543 gives the )"
-           R"(generalized force a name of its own. The paragraph's first line announces generalized forces: as )"
+           R"(the spring. The verdict takes "the force on the point mass" at its word, as line 2543 names )"
+           R"(the generalized force separately. The paragraph's first line announces generalized forces: as )"
            R"(the one on $y_3$ the formula is right, and so is the equation of motion that uses it.)",
            {tension_at_start(), pull_at_start()})});
   table.formula(
@@ -637,8 +635,8 @@ std::string of_frequencies() {
        sqrt(sum + sqrt(difference))});
 }
 
-/// The rate of the energy along the published equations, which leave out what the second spring does to the
-/// small pulley.
+/// Rate of the energy along the published equations, which omit the second spring's force on the small
+/// pulley.
 Reading energy_lost(const std::string& formula, const Samples& samples) {
   return {
       "as published the energy changes at the rate " + formula,
@@ -685,7 +683,7 @@ void equations(Table& in_motion, const Samples& motions) {
        .kind = Fault::lost_typography,
        .why = filled(
            "The bar of $I_2/R_2^2$ is lost in the text at hand; line 2511, from which the term is taken, "
-           "has it. The default pulley would weigh in with @3 kg m$^4$ at its rim for @2 kg.",
+           "shows it. The default pulley would count as @3 kg m$^4$ at its rim instead of @2 kg.",
            {0.25 * 0.25, standard.inertia_over_square_2()})});
 }
 

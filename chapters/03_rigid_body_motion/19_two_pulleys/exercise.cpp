@@ -1,8 +1,8 @@
 // Exercise 3.19: a rope from a spring (c1, L1) over a fixed pulley (I1, R1) carries a second pulley (m2, I2,
 // R2); a rope from another spring (c2, L2) over that one carries a mass m3. Depths below the ceiling: y2, y3.
-//   S1 = y2 + K1, S2 = y3 - 2 y2 + K2                          (the ropes' lengths)
-//   (m2 + I1/R1^2 + I2/R2^2) y2'' - I2/R2^2 y3'' = m2 g - c1 (S1 - L1) + 2 c2 (S2 - L2)
-//   (m3 + I2/R2^2) y3'' - I2/R2^2 y2'' = m3 g - c2 (S2 - L2)
+//   S1 = y2 + K1, S2 = y3 - 2 y2 + K2 are the ropes' lengths.
+//   (m2 + I1/R1^2 + I2/R2^2) y2'' - I2/R2^2 y3'' = m2 g - c1 (S1 - L1) + 2 c2 (S2 - L2).
+//   (m3 + I2/R2^2) y3'' - I2/R2^2 y2'' = m3 g - c2 (S2 - L2).
 // The text's derivation is compared with Lagrange's equations from the two energies, by dual numbers, and
 // with Newton's laws for each body and the tensions at the ropes' four ends.
 
@@ -115,7 +115,7 @@ Quantity swing(const Parameters& given, const Horizon& horizon, const Reference&
       .by_remaining_integrators(
           "two coordinates", TwoCoordinates<double>{p},
           {{"modified midpoint", Outcome::inaccurate, "its order is too low for this need at this step"},
-           {"linearly implicit Euler", Outcome::drifted, "of order 1, and it damps every swing"}})
+           {"linearly implicit Euler", Outcome::drifted, "a first-order method that damps every swing"}})
       .by_core_integrators("four coordinates with tensions", FourCoordinates<double>{p}, Outcome::drifted,
                            Outcome::inaccurate)
       .by<ode::RungeKutta4>(published, TwoCoordinates<double>{p, 0}, Outcome::diverged, why)
@@ -244,8 +244,9 @@ Findings study(const Parameters& p, const Reference& truth) {
   const Given<double> pulleys = asked(p);
   Given<double> stiff = pulleys;
   stiff.c1 *= 0x1p30;
-  Quantity graded = frequencies("graded_frequencies",
-                                "the same with the first spring $2^{30}$ times as stiff", stiff, true, truth);
+  Quantity graded =
+      frequencies("graded_frequencies", "both frequencies with the first spring $2^{30}$ times as stiff",
+                  stiff, true, truth);
   graded.add(Breakdown{
       "With the stiff coordinate $y_2$ first the eigenvalue solver errs by roundings of the larger eigenvalue. "
       "With $y_3$ first the same solver does not: it is the order that decides.",
@@ -263,7 +264,7 @@ Findings study(const Parameters& p, const Reference& truth) {
                    false, truth),
        graded},
       roots(),
-      R"(The kinematics stands, the equations of motion do not: {{the second spring on the pulley|the second spring's pull on the small pulley is missing}}. Of the forces on the bodies, {{the small pulley's inertia|both lack the pulleys' inertia}}, and {{a rope that pushes|a rope pushes}}. {{a spring that must get shorter|The second spring need not get shorter}} when both bodies go down.)"};
+      R"(The kinematics is right, the equations of motion are not: {{the second spring on the pulley|the second spring's pull on the small pulley is missing}}. Of the forces on the bodies, {{the small pulley's inertia|both lack the pulleys' inertia}}, and {{a rope that pushes|a rope pushes}}. {{a spring that must get shorter|The second spring need not get shorter}} when both bodies go down.)"};
 }
 
 }  // namespace ex03_19

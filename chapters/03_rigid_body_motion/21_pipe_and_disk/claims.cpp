@@ -189,7 +189,8 @@ void equations(Table& table, const std::vector<Sample>& samples) {
                 {.quantity = R"($(\ddot\theta,\ddot\psi)$)",
                  .truth = nothing,
                  .printed = {"Lagrange's equations under gravity", under_gravity(0)},
-                 .near_misses = {{R"(the same with a force of 0.1 on $\theta$)", under_gravity(0.1)}}});
+                 .near_misses = {{R"(Lagrange's equations under gravity and a force of 0.1 on $\theta$)",
+                                  under_gravity(0.1)}}});
   table.formula(
       "angular_accelerations", 2575,
       "Pipe and disk have no angular acceleration (our reading: the pipe about the vertical, the disk about the pipe)",
@@ -231,7 +232,7 @@ void upright(Claims& claims, const std::vector<Sample>& samples) {
        .corrected = reading(quotient + R"($ where $\sin\phi\ne0$; for $\phi=0$ it is any number, and )"
                                        R"($\ddot\psi=-\ddot\theta$)",
                             any_turn),
-       .in_view = {"of an inclined pipe",
+       .in_view = {"for an inclined pipe",
                    {compare<Sample>(
                        R"($(\ddot\theta,\ddot\psi)$ under gravity)",
                        {"the quotients", [](S s) { return Value(quotients(s)); }},
@@ -294,7 +295,7 @@ std::vector<Claim> claims(double seed) {
                                  2, 0.1)},
        .why =
            R"(The dots are lost: zero accelerations keep the speeds $\dot\theta$ and $\dot\psi$, as the next )"
-           R"(sentence says; the angles grow with time.)",
+           R"(sentence states; the angles grow with time.)",
        .kind = Fault::lost_typography});
   claims.add("constant_speeds", 2575, R"(The angular speeds $\dot\theta$ and $\dot\psi$ are constant)",
              {.printed = unchanged("under gravity", speeds, seed, 2),
@@ -426,10 +427,9 @@ Provables proofs() {
 std::vector<Root> roots() {
   return {
       {"division by an upright pipe",
-       filled(
-           "Stand the default disk's pipe upright, and a program that divides has NaN for both angles after its "
-           "first step: the disk is gone from the screen, where it should spin on at @3 rad/s.",
-           {usual.psi_dot + usual.theta_dot})}};
+       filled("With the default disk's pipe upright, a program that divides gets NaN for both angles in its "
+              "first step: the disk vanishes from the screen, where it should spin on at @3 rad/s.",
+              {usual.psi_dot + usual.theta_dot})}};
 }
 
 }  // namespace oddity::ex03_21

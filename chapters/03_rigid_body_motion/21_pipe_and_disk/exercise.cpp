@@ -169,9 +169,9 @@ Findings study(const Parameters& p, const Reference& truth) {
   Given<double> free = pushed, frictionless = pushed, steep = pushed;
   free.f = free.k = frictionless.k = 0;
   steep.phi = nearly_upright;
-  Quantity fast =
-      under_force("nearly_upright", filled("the same with the pipe at @1 rad from the vertical", {steep.phi}),
-                  steep, horizon, truth);
+  Quantity fast = under_force(
+      "nearly_upright", filled("center and spin with the pipe at @1 rad from the vertical", {steep.phi}),
+      steep, horizon, truth);
   fast.add(
       Breakdown{R"(Where the pipe is nearly upright the division by $\sin^2\phi$ makes a slow swing a quick )"
                 "one: explicit Euler at @2 steps a second gains energy and whirls round. Runge-Kutta's "
@@ -189,10 +189,10 @@ Findings study(const Parameters& p, const Reference& truth) {
   return {
       claims(p["seed"]),
       {under_gravity(free, truth), motion(scene(), p, truth),
-       under_force("frictionless", "the same with the force alone", frictionless, horizon, truth), fast,
-       upright(pushed, truth)},
+       under_force("frictionless", "center and spin under the force alone", frictionless, horizon, truth),
+       fast, upright(pushed, truth)},
       roots(),
-      R"(The motion is right, {{division by an upright pipe|but for a division by zero where the pipe is upright}}.)"};
+      R"(The motion is right, {{division by an upright pipe|except for a division by zero where the pipe is upright}}.)"};
 }
 
 }  // namespace ex03_21

@@ -171,7 +171,7 @@ void state(Table& table, const std::vector<Sample>& samples) {
        .printed = condition});
   table.formula("equilibrium_condition", 2625, R"(The level bar is in equilibrium when $mgr+cs(h-\ell)=0$)",
                 samples,
-                {.quantity = "what is zero when the level bar is in equilibrium",
+                {.quantity = "the moment on the level bar, zero in equilibrium",
                  .truth = {"the moments of the forces on the level bar, clockwise",
                            [](const auto& x) { return -x.moments(0); }},
                  .printed = condition});

@@ -1,8 +1,8 @@
 // Exercise 3.23: a massless bar turns about the origin. At r it carries a mass m, at s it rests on a spring
 // of constant c and rest length ell based at (s, -h). What is its equation of motion, and when is it at rest
 // level?
-//   m r^2 theta'' + m g r cos theta + c (1 - ell/d) (s^2 (1 - cos) sin + s (h + s sin) cos) = 0
-//   d^2 = s^2 (cos theta - 1)^2 + (h + s sin theta)^2
+//   m r^2 theta'' + m g r cos theta + c (1 - ell/d) (s^2 (1 - cos) sin + s (h + s sin) cos) = 0.
+//   d^2 = s^2 (cos theta - 1)^2 + (h + s sin theta)^2.
 // The energies are compared with the work of the forces in the plane, the equation with the Lagrangian,
 // differentiated by dual numbers, and with the moments of the forces. Small oscillations have the frequency
 // (s/r) sqrt(c/m), which depends neither on gravity nor on the spring's length.
@@ -63,11 +63,11 @@ Quantity swing(const Parameters& p, const Horizon& horizon, const Reference& tru
       .by_engine_integrators("one angle", OneAngle<double>{bar}, Outcome::drifted)
       .by_remaining_integrators(
           "one angle", OneAngle<double>{bar},
-          {{"linearly implicit Euler", Outcome::drifted, "of order 1, and it damps every swing"}})
+          {{"linearly implicit Euler", Outcome::drifted, "a first-order method that damps every swing"}})
       .by_engine_integrators("Cartesian with constraint", CartesianWithConstraint<double>{bar},
                              Outcome::drifted);
   expect_failure(mass, "Cartesian with constraint", "semi-implicit Euler", Outcome::inaccurate,
-                 "of order 1; its energy comes back");
+                 "first-order; its energy error stays bounded");
   return with_float(std::move(mass), horizon, bar,
                     {"small oscillation", "one angle", "Cartesian with constraint"});
 }
@@ -224,7 +224,7 @@ Exercise exercise_3_23() {
   using namespace ex03_23;
   return {
       "Bar on a spring",
-      "A light bar, hinged at one end, carries a mass $m$ at the distance $r$ and stands at the distance "
+      "A light bar, hinged at one end, carries a mass $m$ at the distance $r$ and rests at the distance "
       "$s$ on a spring whose foot is $h$ below the level bar. What is its equation of motion, and when is "
       "it in equilibrium at $\\theta=0$?",
       parameters, scene(), study};

@@ -296,9 +296,8 @@ void formulas(Table& table, const std::vector<Sample>& samples) {
        .printed = brackets(""),
        .meant = brackets("+"),
        .kind = Fault::formula,
-       .why =
-           "The plus sign that should join the second and the third term stands inside the second's parenthesis, "
-           "after its last cosine: as it stands the two are multiplied. Every term of the sum is right."});
+       .why = "The plus sign between the second and the third term is inside the second's parenthesis, after "
+              "its last cosine, so that the two are multiplied. Every term of the sum is right."});
   table.formula("potential", 2713, "The potential energy is $V=-m_1g(h-y_1)-m_2g(h-y_2)-m_3g(h-y_3)$",
                 samples,
                 {.quantity = "$V$, which is as printed at rest",

@@ -1,9 +1,11 @@
 // Exercise 3.25: three masses on rigid massless rods, hung one from the other, with energies and equations of
 // motion; and a chain of n masses.
 //   pattern    sum_j mu_max(i,j) r_i r_j (cos(theta_i - theta_j) theta_j''
-//              + sin(theta_i - theta_j) theta_j'^2) = -mu_i g r_i sin(theta_i), mu_k the mass from k on
-//   tensions   (1/m_k + 1/m_(k-1)) t_k - c_k t_(k-1)/m_(k-1) - c_(k+1) t_(k+1)/m_k = r_k theta_k'^2 (+ g cos
-//              theta_1 for k = 1), c_k = cos(theta_k - theta_(k-1)): tridiagonal, so linear in n
+//              + sin(theta_i - theta_j) theta_j'^2) = -mu_i g r_i sin(theta_i).
+//   tensions   (1/m_k + 1/m_(k-1)) t_k - c_k t_(k-1)/m_(k-1) - c_(k+1) t_(k+1)/m_k = r_k theta_k'^2, plus
+//              g cos(theta_1) for k = 1.
+// Here mu_k is the mass from k on, and c_k = cos(theta_k - theta_(k-1)). The tensions' system is tridiagonal,
+// so that its solution takes a time linear in n.
 // methods.cpp contains the quantities, claims.cpp the claims. References: 60-digit Taylor series in Cartesian
 // coordinates, confirmed by extrapolation in the angles. Masses, lengths and initial values are dyadic, so
 // that all precisions start from the same state.
@@ -34,7 +36,7 @@ constexpr Parameter parameters[] = {
     {"omega1", 0, "rad/s", "angular velocity at the start", -1e3, 1e3},
     {"omega2", 0, "rad/s", "angular velocity at the start", -1e3, 1e3},
     {"omega3", 0, "rad/s", "angular velocity at the start", -1e3, 1e3},
-    {"seed", 325, "", "of the random samples", 0, 1e9, whole_number},
+    {"seed", 325, "", "seed of the random samples", 0, 1e9, whole_number},
 };
 
 // ---- the motion -------------------------------------------------------------------------------------------

@@ -300,7 +300,7 @@ Quantity by_algorithm(double t, const Reference& truth, const AlgorithmsPredict&
                         "positions " + format_shortest(t) + " s after rest at (2, 2.5, 3) rad, by algorithm",
                         trajectory(truth, "03_25_chain", inputs(chaotic), once), {1e-2, "a centimetre"});
   const auto why = [](Outcome outcome) {
-    return outcome == ok ? "" : "what it errs by at first has grown to the size of the motion";
+    return outcome == ok ? "" : "its first errors have grown to the size of the motion";
   };
   const Tensions model{chaotic};
   SceneMethods(q, once, halving("step", 0x1p-6, 6), tolerances(5, 13))
@@ -423,7 +423,7 @@ Quantity hanging(const Triple& start, const Horizon& horizon, const Reference& t
       .by_engine_integrators("tensions", Tensions{start}, inaccurate, ok)
       .by_remaining_integrators(
           "tensions", Tensions{start},
-          {{"linearly implicit Euler", inaccurate, "of order 1, and it damps every swing"}});
+          {{"linearly implicit Euler", inaccurate, "a first-order method that damps every swing"}});
   const auto [least, most] = std::ranges::minmax(start.theta, {}, [](double x) { return std::abs(x); });
   return q.add(
       Breakdown{"Independent normal modes describe small angles only: at @2 to @2 rad they are off by up "
@@ -439,7 +439,7 @@ Quantity hanging(const Triple& start, const Horizon& horizon, const Reference& t
 std::vector<Quantity> quantities(const Triple& start, const Reference& truth) {
   constexpr int late = 8;
   Quantity lost = prediction(late, truth, {inaccurate, inaccurate, ok},
-                             {1e-3, "a millimetre: within a centimetre what is lost came by chance"});
+                             {1e-3, "a millimetre: wrong motions come within a centimetre by chance"});
   lost.add(
       Breakdown{"Neighbours diverge: double is off by @1 m after @2 s, and neither another algorithm nor a "
                 "shorter step helps. Digits do, each by the time that `seconds_per_digit` shows.",

@@ -277,9 +277,9 @@ void equations(Claims& claims, const std::vector<Sample>& all, const std::vector
                             R"(on the meridian $-\theta_0$)",
                             [](const PastThePole& k) { return k.on_meridian(-k.theta0, k.flat[1]); })}}},
        .why =
-           R"(The list lacks $\theta_0$, which the first line says has to be specified. The motion in its plane )"
-           R"(does not need it, the place in space does: without it every orbit lies on the meridian $\theta=0$, )"
-           R"(turned by $\theta_0$ out of its plane.)",
+           R"(The list lacks $\theta_0$, which by the first line has to be specified. The motion in its )"
+           R"(plane does not need it, the place in space does: without it every orbit lies on the meridian )"
+           R"($\theta=0$, turned by $\theta_0$ out of its plane.)",
        .kind = Fault::left_out});
 }
 
@@ -308,9 +308,9 @@ void motions(Claims& claims, const std::vector<Later>& all) {
                    [=](K k) { return by_system(k.b, beta(k), gamma(k), false); }},
        .meant = {R"($\dot u=\beta^2/r^3-\gamma/r^2$, $\dot\varphi=\beta/r^2$)",
                  [=](K k) { return by_system(k.b, beta(k), gamma(k)); }},
-       .near_misses = {{R"(the same with $\gamma=Gm_1$)",
+       .near_misses = {{R"(as meant, with $\gamma=Gm_1$)",
                         [=](K k) { return by_system(k.b, beta(k), k.b.G * k.b.m1); }},
-                       {R"(the same with $\beta=r_0\dot\varphi_0$)",
+                       {R"(as meant, with $\beta=r_0\dot\varphi_0$)",
                         [=](K k) { return by_system(k.b, beta(k) / k.b.r0, gamma(k)); }}},
        .kind = Fault::lost_typography,
        .why =

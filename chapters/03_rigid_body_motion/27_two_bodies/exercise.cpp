@@ -34,7 +34,7 @@ constexpr Parameter parameters[] = {
     {"r0_dot", usual.r0_dot, "m/s", "its rate at the start", -1e6, 1e6},
     {"phi0", usual.phi0, "rad", "angle at the start", -7, 7},
     {"phi0_dot", usual.phi0_dot, "rad/s", "its rate at the start", 1e-9, 1e3},
-    {"seed", 327, "", "of the random samples", 0, 1e9, whole_number},
+    {"seed", 327, "", "seed of the random samples", 0, 1e9, whole_number},
 };
 
 // ---- methods that do not take equal steps in time ---------------------------------------------------------
@@ -167,7 +167,7 @@ Quantity path_of(const Parameters& p, const Horizon& horizon, const Reference& t
   SceneMethods(q, horizon, steps, tolerances(4, 12))
       .by_remaining_integrators(
           "two bodies", BothBodies<double>{asked(p)},
-          {{"linearly implicit Euler", inaccurate, "of order 1, and the orbit shrinks"}});
+          {{"linearly implicit Euler", inaccurate, "a first-order method: the orbit shrinks"}});
   return with_float(std::move(q), horizon, asked(p),
                     {"Kepler's equation, Newton from pi", "(r, u, phi)", "", "two bodies"});
 }

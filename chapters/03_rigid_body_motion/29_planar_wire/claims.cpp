@@ -348,7 +348,7 @@ void at_a_point(Table& table, const std::vector<Sample>& samples) {
       samples,
       {.quantity = "a point of the rod, $L$ from its center $(x,y)$", .truth = rod, .printed = by_angle});
   table.formula("thin_rod_matrix", 2795, R"(In matrix form the point of the rod is $(x,y)+R\,(L,0)$)",
-                samples, {.quantity = "the same by the matrix $R$", .truth = rod, .printed = by_matrix});
+                samples, {.quantity = "this point by the matrix $R$", .truth = rod, .printed = by_matrix});
   table.formula("rotates_about_origin", 2823,
                 R"(The matrix $R(\theta)$ rotates the body about the origin of body space)", samples,
                 {.quantity = "the point $b$ turned, and its distance from the origin",
@@ -451,7 +451,7 @@ void over_the_wire(Table& table, const std::vector<Sample>& samples) {
   };
   table.formula("reorient_or_not", 2825, "The curve may be turned in body space, or not", samples,
                 {.quantity = R"($\mu_2$)",
-                 .truth = {"of the curve as it is", [](const auto& s) { return s.mu2(); }},
+                 .truth = {"the curve as it is", [](const auto& s) { return s.mu2(); }},
                  .printed = reoriented("turned by 1 radian", 0),
                  .near_misses = {reoriented("turned by 1 radian and shifted by 0.1", 0.1)}});
   table.formula("kinetic_energy_formula", 2905,
@@ -462,9 +462,9 @@ void over_the_wire(Table& table, const std::vector<Sample>& samples) {
   table.formula("only_differences", 2923, R"($T$ is a rod's, with other $\mu_0$ and $\mu_2$)", samples,
                 {.quantity = "$T$",
                  .truth = by_integral,
-                 .printed = {R"(of a rod with the same $\mu_0$ and $\mu_2$)",
+                 .printed = {R"(a rod with the same $\mu_0$ and $\mu_2$)",
                              [](const auto& s) { return energy_of_rod(s, sqrt(12 * s.mu2() / s.mu0)); }},
-                 .near_misses = {{R"(of a rod with the same $\mu_0$ and length)", [](const auto& s) {
+                 .near_misses = {{R"(a rod with the same $\mu_0$ and length)", [](const auto& s) {
                                     return energy_of_rod(s, s.wire.arc_length(s.wire.end()));
                                   }}}});
 
@@ -485,7 +485,7 @@ void over_the_wire(Table& table, const std::vector<Sample>& samples) {
        .near_misses = {Fx},
        .kind = Fault::lost_typography,
        .why = R"(The unit vector $\jmath$ after the dot is lost in the text at hand; line 2931, on $F_x$, )"
-              R"(has its $\imath$. Without it what is integrated is the force, a vector, and not its )"
+              R"(has its $\imath$. Without it the integrand is the force, a vector, and not its )"
               R"(component.)"});
 }
 
@@ -745,10 +745,10 @@ std::vector<Claim> claims(double seed) {
                         {friction_at_speed("half as fast", seed, 0.5, 0.5)}}},
        .why = filled(
            "Rough friction has the direction $-v/|v|$, and a wire at rest has none: every rule that "
-           "evaluates the integrand returns NaN. Nor is there a limit: friction of @1 N a kilogram on a rod "
-           "of @1 m and @1 kg that turns about its center has a moment of $-@2$ or $+@2$ N m, by the sense of "
-           "the turn, however slow it is. At rest it takes what holds the rod, up to a bound: that is "
-           "static friction, which the integral does not have.",
+           "evaluates the integrand returns NaN. Nor is there a limit. Friction of @1 N a kilogram on a rod "
+           "of @1 m and @1 kg that turns about its center has a moment of $-@2$ or $+@2$ N m, by the sense "
+           "of the turn, however slow it is. At rest, static friction holds the rod, up to a bound; the "
+           "integral does not contain it.",
            {friction_of_rod, length_of_rod, mass_of_rod, moment_of_rod, moment_of_rod}),
        .kind = Fault::left_out,
        .root = at_rest});
@@ -760,15 +760,15 @@ std::vector<Root> roots() {
   return {
       {cross_term,
        filled(
-           R"(The lowest point of a wheel that rolls at @1 m/s rests on the ground; by the published formula it slides )"
-           R"(at $\sqrt2=@3$ times that, and a game that leaves skid marks by the speed of contact has every rolling )"
-           R"(wheel leave them.)",
+           R"(The lowest point of a wheel that rolls at @1 m/s rests on the ground; by the published )"
+           R"(formula it slides at $\sqrt2=@3$ times that. In a game that draws skid marks by the speed of )"
+           R"(contact, every rolling wheel leaves them.)",
            {rolling, std::sqrt(rolling * rolling + rolling * rolling) / rolling})},
       {at_rest,
        filled(
-           R"(A rod of @1 m and @1 kg that lies still on ground of @1 N a kilogram gets NaN for its moment in the first )"
-           R"(frame; one whose turn has all but stopped gets @2 N m to one side or the other, whichever way its last )"
-           R"(rounding error turns it.)",
+           R"(A rod of @1 m and @1 kg that lies still on ground of @1 N a kilogram gets NaN for its moment )"
+           R"(in the first frame. One whose turn has nearly stopped gets @2 N m to one side or the other, )"
+           R"(whichever way its last rounding error turns it.)",
            {length_of_rod, mass_of_rod, friction_of_rod, moment_of_rod})}};
 }
 

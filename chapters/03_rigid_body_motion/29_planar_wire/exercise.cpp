@@ -97,10 +97,10 @@ Exercise exercise_3_29() {
   return {
       "Rigid curve in the plane",
       R"(A rigid wire of any shape moves in the plane, with unit vectors $\imath$ and $\jmath$. Find its )"
-      R"(position, kinetic energy and generalized forces, as for a thin rod. The wire of mass $\mu_0$ has its )"
-      R"(center of mass at $c=(x,y)$, the moment $\mu_2$ about it, and is turned by $\theta$; of its points, )"
-      R"($b=(b_0,b_1)$ is the place from the center of mass before the turn $R(\theta)$, $\delta$ the density )"
-      R"(and $s$ the arc length.)",
+      R"(position, kinetic energy and generalized forces, as for a thin rod. The wire of mass $\mu_0$ has )"
+      R"(its center of mass at $c=(x,y)$, the moment $\mu_2$ about it, and is turned by $\theta$. Its )"
+      R"(points have the places $b=(b_0,b_1)$ from the center of mass before the turn $R(\theta)$, the )"
+      R"(density $\delta$ and the arc length $s$.)",
       parameters, scene(), study};
 }
 

@@ -65,9 +65,9 @@ engines::Staging staging(const Parameters& p) {
         const auto [w, x, y, z] = seen[0].orientation;
         return std::vector{seen[0].position[0], seen[0].position[1], 2 * std::atan2(z, w)};
       },
-      "Engines have this box's friction at its four corners, or all of it in their middle with a moment "
-      "about that; the scene has it under the whole foot. At the corners its lever is longer, and the box "
-      "turns less. The scene \"box on corners\" judges engines by four corners."};
+      "Engines apply this box's friction at its four corners, or all of it in their middle with a moment "
+      "about that; the scene applies it under the whole foot. At the corners its lever is longer, and the "
+      "box turns less. The scene \"box on corners\" judges engines by four corners."};
 }
 
 Energy energy(const Parameters& p, std::span<const double> x) {

@@ -102,7 +102,7 @@ void claim_energy(Table& table, const Samples& tops) {
        .kind = Fault::term,
        .root = "velocity for position",
        .why =
-           R"(What does not change are the body coordinates of the center of mass. In body coordinates a )"
+           R"(The body coordinates of the center of mass do not change. In body coordinates a )"
            R"(velocity has components along the body axes, as the text's $\mathbf w$ has; seen from the body, )"
            R"($\mathbf w$ would be zero as well. The velocity of the center of mass has the body )"
            R"(components $\ell(w_2,-w_1,0)$: the center runs on a sphere about the tip and has the kinetic energy )"
@@ -110,7 +110,7 @@ void claim_energy(Table& table, const Samples& tops) {
            R"(which has that energy in it; with the moment about the center of mass it is wrong by just this )"
            R"(term.)"});
   table.formula("kinetic_energy", 2955,
-                R"(what the angular velocity contributes to the kinetic energy is )"
+                R"(the angular velocity's part of the kinetic energy is )"
                 R"($T=\frac12\mathbf w^TJ\mathbf w$ (our reading: all of it, $J$ being about the tip))",
                 tops,
                 {.quantity = R"($T$, $J$ about the tip)",
@@ -150,7 +150,7 @@ void claim_energy(Table& table, const Samples& tops) {
        .kind = Fault::lost_typography,
        .why = filled(
            R"(The fraction bar of $\tfrac12$ is lost in the text at hand; lines 2957 and 2959 have its two halves, and the )"
-           R"($\mu_1/2$ of the next lines comes from it. As it stands the top has @2 times its energy.)",
+           R"($\mu_1/2$ of the next lines comes from it. Without the bar the top has @2 times its energy.)",
            {12 / 0.5})});
   const auto squares = [](const std::string& second) {
     return R"($T=\frac{\mu_1}2(\dot\phi\cos\psi+\dot\theta\sin\psi\sin\phi)^2+\frac{\mu_1}2(-\dot\phi\sin)" +
@@ -162,7 +162,7 @@ void claim_energy(Table& table, const Samples& tops) {
                  .printed = squares(R"(\phi)"),
                  .meant = squares(R"(\psi)"),
                  .kind = Fault::formula,
-                 .why = R"(Here too $\phi$ stands for $\psi$ in the second square.)"});
+                 .why = R"(Here too $\phi$ is printed for $\psi$ in the second square.)"});
   const std::string reduced =
       R"($T=\frac{\mu_1}2(\dot\phi^2+\dot\theta^2\sin^2\phi)+\frac{\mu_3}2(\dot\psi+\dot\theta\cos\phi)^2$)";
   table.formula("energy_reduced", 2981, reduced, tops,
@@ -175,7 +175,7 @@ void claim_derivatives(Table& table, const Samples& tops) {
   const auto is_zero = [&](std::string_view slug, int line, const std::string& angle) {
     const std::string slope = R"(\partial T/\partial)";
     table.formula(slug, line, math(slope + angle + "=0"), tops,
-                  {.quantity = math(slope + angle) + " of the points' $T$, by dual numbers",
+                  {.quantity = math(slope + angle) + " by dual numbers, with the points' $T$",
                    .truth = zero,
                    .printed = math(slope + angle + "=0"),
                    .near_misses = {math(slope + R"(\phi=0)")},
@@ -335,7 +335,7 @@ void claim_motion(Table& table, const Samples& tops) {
   of_momentum("motion_theta", 3055, R"(\theta)", about_vertical);
   const std::string of_phi = math(tilting + R"(=mg\ell\sin\phi)");
   table.formula("motion_phi", 3061, of_phi, tops,
-                {.quantity = "what its sides differ by" + by_lagrange, .truth = zero, .printed = of_phi});
+                {.quantity = "the difference of its sides" + by_lagrange, .truth = zero, .printed = of_phi});
   of_momentum("motion_psi", 3069, R"(\psi)", about_axis);
   table.formula("spin_constant", 3075,
                 math(rate(spin) + "=0") + ", so that " + math(spin + "=c") + ", a constant", tops,
@@ -487,8 +487,8 @@ std::vector<Root> roots(const Top& top) {
   return {
       {"velocity for position",
        filled(
-           R"(A game that takes the center of mass for one at rest, and so the moment @3 kg m$^2$ about it )"
-           R"(for the @3 kg m$^2$ about the tip, has the top here nod @2 times a second, not @2.)",
+           R"(A game that takes the center of mass for one at rest uses the moment about it, @3 kg m$^2$, )"
+           R"(for the @3 kg m$^2$ about the tip. The top here then nods @2 times a second, not @2.)",
            {at_rest.mu1, top.mu1, nods_a_second(at_rest), nods_a_second(top)})}};
 }
 

@@ -1,7 +1,7 @@
 // Exercise 3.33: the Lagrangian equations of a heavy symmetric top whose tip is fixed.
-//   T = mu1/2 (phi'^2 + theta'^2 sin^2 phi) + mu3/2 (psi' + theta' cos phi)^2,   V = m g l cos phi
-//   psi' + theta' cos phi = c,   mu1 theta' sin^2 phi + c mu3 cos phi = gamma,   u = cos phi:
-//   u'^2 = (e - 2 alpha u)(1 - u^2) - (b - a u)^2,   alpha = m g l/mu1, a = mu3 c/mu1, b = gamma/mu1
+//   T = mu1/2 (phi'^2 + theta'^2 sin^2 phi) + mu3/2 (psi' + theta' cos phi)^2,   V = m g l cos phi.
+//   psi' + theta' cos phi = c,   mu1 theta' sin^2 phi + c mu3 cos phi = gamma,   u = cos phi.
+//   u'^2 = (e - 2 alpha u)(1 - u^2) - (b - a u)^2,   alpha = m g l/mu1, a = mu3 c/mu1, b = gamma/mu1.
 // methods.cpp contains the quantities, claims.cpp the claims.
 
 #include "chapters/03_rigid_body_motion/33_heavy_top/drawing.hpp"
@@ -103,12 +103,12 @@ Exercise exercise_3_33() {
   using namespace ex03_33;
   return {
       "Heavy symmetric top",
-      R"(A top symmetric about its axis $\boldsymbol\xi_3$ stands with its tip fixed under gravity $-g\mathbf )"
-      R"(k$: mass $m$, center of mass $\mathbf r$ at $\ell$ from the tip, moments about the tip $\mu_1$ across the )"
-      R"(axis and $\mu_3$ about it. Find its equations of motion by Lagrange's method, in the angles $\theta$ )"
-      R"((precession), $\phi$ (tilt) and $\psi$ (spin) of $R=R_z(\theta)R_x(\phi)R_z(\psi)$, which takes body )"
-      R"(to world coordinates. In body coordinates it has the angular velocity $\mathbf w$ and the inertia )"
-      R"(tensor $J$.)",
+      R"(A top symmetric about its axis $\boldsymbol\xi_3$ turns with its tip fixed under gravity )"
+      R"($-g\mathbf k$: mass $m$, center of mass $\mathbf r$ at $\ell$ from the tip, moments about the tip )"
+      R"($\mu_1$ across the axis and $\mu_3$ about it. Find its equations of motion by Lagrange's method, )"
+      R"(in the angles $\theta$ (precession), $\phi$ (tilt) and $\psi$ (spin) of )"
+      R"($R=R_z(\theta)R_x(\phi)R_z(\psi)$, which takes body to world coordinates. In body coordinates it )"
+      R"(has the angular velocity $\mathbf w$ and the inertia tensor $J$.)",
       parameters, scene(), study};
 }
 

@@ -290,10 +290,10 @@ Quantity struck_upright(const Top& top, const Reference& truth) {
   upright.dphi = 0.5;
   upright.dpsi = 16;
   const Horizon horizon{4};
-  Quantity q = quantity(
-      "struck_upright", "1",
-      filled("axis of the same top struck while it stands upright with a spin of @2 rad/s", {upright.dpsi}),
-      true_axis(upright, horizon, truth), {1e-7, "a fiftieth of a second of arc"});
+  Quantity q =
+      quantity("struck_upright", "1",
+               filled("axis of the same top struck while upright with a spin of @2 rad/s", {upright.dpsi}),
+               true_axis(upright, horizon, truth), {1e-7, "a fiftieth of a second of arc"});
   SceneMethods(q, horizon, halving("step", 0.03125, 8), tolerances(3, 11))
       .by<ode::RungeKutta4>(euler_angles, EulerAngles<double>{{upright}}, Outcome::non_finite, divides)
       .by<ode::DormandPrince54>(euler_angles, EulerAngles<double>{{upright}}, Outcome::non_finite, divides)
@@ -364,7 +364,7 @@ Quantity axis(const Top& top, const Horizon& horizon, const Reference& truth) {
       .by_remaining_integrators(
           "one angle, precession by quadrature", OneAngle<double>{top},
           {{"modified midpoint", Outcome::inaccurate, low_order},
-           {"linearly implicit Euler", Outcome::drifted, "of order 1, and it damps the nodding"}})
+           {"linearly implicit Euler", Outcome::drifted, "a first-order method that damps the nodding"}})
       .by_engine_integrators(euler_angles, EulerAngles<double>{{top}})
       .by_engine_integrators(rigid_body, RigidBody<double>{{top}}, Outcome::drifted)
       .by<ode::ExplicitEuler>(momentum_model, AxisAndMomentum<double>{{top}}, Outcome::inaccurate, low_order)
@@ -372,9 +372,9 @@ Quantity axis(const Top& top, const Horizon& horizon, const Reference& truth) {
       .by<ode::DormandPrince54>(momentum_model, AxisAndMomentum<double>{{top}})
       .by<ode::Fehlberg78>(momentum_model, AxisAndMomentum<double>{{top}});
   expect_failure(q, "one angle, precession by quadrature", "semi-implicit Euler", Outcome::inaccurate,
-                 "of order 1; its energy comes back");
+                 "first-order; its energy error stays bounded");
   expect_failure(q, euler_angles, "semi-implicit Euler", Outcome::drifted,
-                 "of order 1, and not symplectic where forces know the velocity");
+                 "first-order, and not symplectic where forces depend on the velocity");
   return q;
 }
 

@@ -136,7 +136,7 @@ heavy_top::Top<T> at_rest(const SampleOf<T>& s) {
   return moving_tip::with_fixed_tip(s.top());
 }
 
-/// The same top, its angles and their rates, with the tip at rest.
+/// Top with the same angles and rates, and its tip at rest.
 template <class T>
 SampleOf<T> with_fixed_tip(const SampleOf<T>& s) {
   SampleOf<T> fixed = s;
@@ -207,13 +207,13 @@ const Reader lagrange{"nested dual numbers on the points' $T-V$, tip moving",
                 return momentum_rate_about(s, {T(0), T(0), T(0)});
               }};
 
-const std::string no_torque = "no torque of what moves the tip";
+const std::string no_torque = "no torque of the force on the tip";
 
 void claim_spin(Table& table, const std::vector<Sample>& tops) {
   table.formula(
       "euler_about_axis", 3089,
-      "the Euler equations of example 3.19 still apply to the motion about the axis (our reading, by what "
-      R"(lines 3077 and 3081 say of 3.33: $\dot w_3=0$))",
+      "the Euler equations of example 3.19 still apply to the motion about the axis (our reading, by "
+      R"(lines 3077 and 3081 on 3.33: $\dot w_3=0$))",
       tops,
       {.quantity = R"($\dot w_3$)",
        .truth = zero,
@@ -231,7 +231,8 @@ void claim_tip(Table& table, const std::vector<Sample>& tops) {
   };
   table.formula(
       "tip_is_center", 3091,
-      R"(the tip is the center of mass (our reading of the parenthesis; line 2953 has it at $\ell\boldsymbol\xi_3$))",
+      R"(the tip is the center of mass (our reading of the parenthesis; line 2953 places it at )"
+      R"($\ell\boldsymbol\xi_3$))",
       tops,
       {.quantity = "center of mass",
        .truth = {R"($\sum m\mathbf x/m$ over the points)",
@@ -446,7 +447,7 @@ std::vector<Claim> claims(double seed, const Top& top, const Deviation& off) {
   Table table(claims);
 
   const std::string about_center_of_mass =
-      "what moves the tip adds to the rate of the angular momentum about the center of mass";
+      "rate of the angular momentum about the center of mass due to the force that moves the tip";
   const auto with_torque = [&](const std::string& text, double sign) {
     return reading(text, about_center_of_mass,
                    {"the torque of the force on the tip, less that on a fixed tip",
@@ -456,24 +457,25 @@ std::vector<Claim> claims(double seed, const Top& top, const Deviation& off) {
   claims.add(
       "force_at_center", 3089,
       "the tip moves about the plane only because some force has been applied to the center of mass (our "
-      "reading: what moves the tip adds no torque about the center of mass)",
-      {.printed = reading("as we read it, what moves the tip adds no torque about the center of mass",
-                          about_center_of_mass, none, added),
+      "reading: the force that moves the tip adds no torque about the center of mass)",
+      {.printed =
+           reading("as we read it, the force that moves the tip adds no torque about the center of mass",
+                   about_center_of_mass, none, added),
        .corrected = with_torque(
            R"(the rate of the angular momentum about $\mathbf r$ is $(\mathbf p-\mathbf r)\times\mathbf N$ with )"
-           R"($\mathbf N=m(\ddot{\mathbf r}+g\mathbf k)$, to which what moves the tip adds )"
+           R"($\mathbf N=m(\ddot{\mathbf r}+g\mathbf k)$, to which the force that moves the tip adds )"
            R"($(\mathbf p-\mathbf r)\times(\mathbf N-\mathbf N_0)$, $\mathbf N_0$ the force on a fixed tip)",
            1),
        .near_misses = {with_torque(R"(it adds $(\mathbf r-\mathbf p)\times(\mathbf N-\mathbf N_0)$)", -1)},
        .why =
            R"(A force on the center of mass $\mathbf r$ has no torque about it. A tip that is driven along )"
-           R"($\mathbf p(t)$, as in this exercise, is moved by what holds it: a force )"
-           R"($\mathbf N=m(\ddot{\mathbf r}+g\mathbf k)$ at the tip, whose torque about the center )"
-           R"(of mass is $(\mathbf p-\mathbf r)\times\mathbf N$. What acts at the center of mass besides the )"
-           R"(weight is the inertial force $-m\ddot{\mathbf p}$ in the tip's frame; it has a torque about the )"
-           R"(tip, and moves no tip. A tip that slides freely on the plane is another problem: a push on the )"
-           R"(center of mass moves it without a torque, but such a top turns about its center of mass, with the )"
-           R"(moment $\mu_1-m\ell^2$ across the axis.)",
+           R"($\mathbf p(t)$, as in this exercise, is moved by its support: a force $\mathbf )"
+           R"(N=m(\ddot{\mathbf r}+g\mathbf k)$ at the tip, whose torque about the center of mass is )"
+           R"($(\mathbf p-\mathbf r)\times\mathbf N$. In the tip's frame, the inertial force )"
+           R"($-m\ddot{\mathbf p}$ acts at the center of mass besides the weight; it has a torque about the )"
+           R"(tip, and does not move the tip. A tip that slides freely on the plane is another problem: a )"
+           R"(push on the center of mass moves it without a torque, but such a top turns about its center )"
+           R"(of mass, with the moment $\mu_1-m\ell^2$ across the axis.)",
        .kind = Fault::counterexample,
        .root = no_torque});
 
@@ -497,9 +499,8 @@ std::vector<Claim> claims(double seed, const Top& top, const Deviation& off) {
                                   change));
   claims.add(
       "euler_about_vertical", 3089,
-      "the Euler equations of example 3.19 still apply to the motion about the world vertical axis with origin "
-      "at the tip of the top (our reading, by what lines 3077 and 3081 say of 3.33: with the torque of gravity "
-      "alone)",
+      "the Euler equations of example 3.19 still apply to the motion about the world vertical axis through "
+      "the tip (our reading, by lines 3077 and 3081 on 3.33: with the torque of gravity alone)",
       {.printed = {constant + " is a constant, by Euler's equations with gravity alone",
                    {compare("rate of " + constant + ", $c$ the spin", zero, vertical, tops),
                     compare(in_body,

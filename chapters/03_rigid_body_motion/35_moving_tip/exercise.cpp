@@ -72,7 +72,7 @@ Findings study(const Parameters& p, const Reference& truth) {
   const Deviation off(top);
   Findings found{
       claims(p["seed"], top, off), std::move(all), roots(top, off),
-      R"(The conclusion does not stand: {{no torque of what moves the tip|the force that moves the tip has a torque about the center of mass}}, so that the tip's motion cannot be handled apart, and {{tip for center of mass|the tip is not the center of mass}}. About the moving tip Euler's equations hold with the force $\mathbf F=-mg\mathbf k-m\ddot{\mathbf p}$ at the center of mass: $\dot{\mathbf L}=\ell\,\boldsymbol\xi_3\times\mathbf F$.)"};
+      R"(The conclusion is wrong: {{no torque of the force on the tip|the force that moves the tip has a torque about the center of mass}}, so that the tip's motion cannot be handled apart, and {{tip for center of mass|the tip is not the center of mass}}. About the moving tip Euler's equations hold with the force $\mathbf F=-mg\mathbf k-m\ddot{\mathbf p}$ at the center of mass: $\dot{\mathbf L}=\ell\,\boldsymbol\xi_3\times\mathbf F$.)"};
   found.quantities.insert(found.quantities.begin(), motion(scene(), p, truth));
   return found;
 }

@@ -197,7 +197,7 @@ Quantity axis(const Top& top, const Horizon& horizon, const Reference& truth) {
       .by_remaining_integrators(
           "axis and angular momentum", AxisAndMomentum<double>{top},
           {{"modified midpoint", Outcome::inaccurate, "its order is too low for this need at this step"},
-           {"linearly implicit Euler", Outcome::inaccurate, "of order 1, and it damps the nodding"}});
+           {"linearly implicit Euler", Outcome::inaccurate, "a first-order method that damps the nodding"}});
   return q;
 }
 
@@ -220,8 +220,10 @@ std::vector<Quantity> quantities(const Top& top, const Reference& truth) {
   strong.A *= 4;
   strong.lambda += 5;
   const Horizon horizon{ex03_33::duration};
-  return {shaken_axis("near_resonance", "the same with A / 8 " + at_nutation(top), resonant, horizon, truth),
-          shaken_axis("strong_shaking", "the same with $4A$, 5 rad/s faster", strong, horizon, truth),
+  return {shaken_axis("near_resonance", "axis with the tip shaken by A / 8 " + at_nutation(top), resonant,
+                      horizon, truth),
+          shaken_axis("strong_shaking", "axis with the tip shaken by $4A$, 5 rad/s faster", strong, horizon,
+                      truth),
           nearly_upright(top, truth), deviation(top, truth)};
 }
 
