@@ -14,8 +14,8 @@ std::set<std::string> letters_of(const Record&, const std::vector<std::vector<Re
 /// The name, with a suffix where it is taken. Takes it.
 std::string free_name(std::string name, std::set<std::string>& taken);
 
-/// The computation of a function: lines of C#, and the terms of its results. A table of two columns is a Table2
-/// of Rows, a sum's variable a Total.
+/// The computation of a function: lines of C#, and the terms of its results. A table of two columns is a
+/// Table2 of Rows, a sum's variable a Total.
 struct Statements {
   std::vector<std::string> lines, terms;
 };
