@@ -41,7 +41,7 @@ Check as_cut_off(std::string quantity, const std::string& written, const Route& 
   const Written x = read(written);
   const double half = std::copysign(0.5 * std::pow(10.0, -x.decimals), x.number);
   return {std::move(quantity),
-          {"the middle of what " + written + "... leaves open", x.number + half},
+          {"the middle of the numbers that begin with " + written, x.number + half},
           truth,
           printed_decimals(x.decimals)};
 }

@@ -17,17 +17,17 @@
 
 /// Tables of an exercise's claims: formulas, statements and numbers, each reading next to the code that
 /// computes it. A sample is a struct of the exercise's letters:
-///   Sample(Random&)                        draws one
-///   where() const -> std::string           lists its values, if the first of typeset() are not enough
-///   letters() -> array of double*          the independent letters: changing each a little gives the size of
+/// - Sample(Random&)                        draws one
+/// - where() const -> std::string           lists its values, if the first of typeset() are not enough
+/// - letters() -> array of double*          the independent letters: changing each a little gives the size of
 ///                                          a formula's terms
-///   size() const -> double                 size of the terms that cancel in a quantity that should be zero
-///   conditioning() const -> double         without letters(): the terms' size relative to the largest value
-///   whole                                  a static constant, if all values are whole numbers that a double
-///                                          holds: they must be equal
-///   typeset() -> TypesetLetters            its letters as a page shows them: a reading that is a formula of
+/// - size() const -> double                 size of the terms that cancel in a quantity that should be zero
+/// - conditioning() const -> double         without letters(): the terms' size relative to the largest value
+/// - whole                                  a static constant, if all values are whole numbers that a double
+///                                          represents exactly: they must be equal
+/// - typeset() -> TypesetLetters            its letters as a page shows them: a reading that is a formula of
 ///                                          these must agree with the code
-///   tolerance(double size) -> Tolerance    allowed difference for terms of this size, if the numbers have a
+/// - tolerance(double size) -> Tolerance    allowed difference for terms of this size, if the numbers have a
 ///                                          less accurate source such as a quadrature
 ///
 /// chapters/README.md shows a claim.

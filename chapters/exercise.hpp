@@ -19,7 +19,7 @@
 #include "solvers/solved.hpp"
 
 /// The vocabulary of oddity: the book's side (exercise, claim, reading, check, verdict) and the computation
-/// (quantity, method, knob, trial, outcome).
+/// (quantity, method, resolution, trial, outcome).
 namespace oddity {
 
 class Drawing;
@@ -426,7 +426,7 @@ Quantity quantity(std::string name, std::string unit, std::string says, const Kn
 /// The quantities, with their work counted in operations.
 std::vector<Quantity> in_operations(std::vector<Quantity>);
 
-/// A run of a method at one setting of its knob.
+/// A run of a method at one setting.
 struct Trial {
   std::string model, algorithm, knob;
   double setting = 0;

@@ -58,7 +58,7 @@ auto decomposed(const Eigen::MatrixXd& change) {
 /// if the change of its rates is not seen either.
 template <std::size_t n>
 bool is_determined(const ModelInterfaceOf<n>& model, const std::array<double, n>& x, double t) {
-  constexpr double rounding = 1e-5;  // of derivatives by differences
+  constexpr double rounding = 1e-5;  // relative error of derivatives by differences
   constexpr auto size = static_cast<Eigen::Index>(n);
   const Eigen::MatrixXd change = change_of_seen(model, x, t);
   const auto decomposition = decomposed(change);

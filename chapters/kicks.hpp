@@ -8,7 +8,7 @@
 
 namespace oddity {
 
-/// What jolts a motion from outside: an observable, or its rate, is changed at once.
+/// A jolt from outside: an observable, or its rate, changes at once.
 struct Kick {
   enum class Change { adds, sets, scales };
   double time;
@@ -25,7 +25,7 @@ struct Kicks : std::vector<Kick> {
 
 /// Why a model has no state after a kick.
 inline constexpr std::string_view not_seen_so =
-                                      "the model has no state that is seen as the kick would have it",
+                                      "the model has no state with the observables that the kick asks for",
                                   is_undetermined =
                                       "the observables do not determine the kick's effect on the rest of the "
                                       "model's state";
@@ -43,7 +43,7 @@ class KicksHere {
   ~KicksHere() { here_ = before_; }
 
   bool are_taken() const { return taken_; }
-  /// For the model that takes them; null: there are none.
+  /// Kicks for the model that takes them; null without kicks.
   static const Kicks* take() {
     if (!here_) return nullptr;
     here_->taken_ = true;

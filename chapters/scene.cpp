@@ -44,7 +44,7 @@ template <std::size_t n>
 Answer ModelInterfaceOf<n>::run(std::string_view algorithm, const Horizon& horizon, double setting) const {
   const auto times = horizon.times();
   Answer answer = observed(times, moved(algorithm, times, horizon.stepping, setting));
-  if (KicksHere::take()) answer.drift = 0;  // a kick changes what else is conserved
+  if (KicksHere::take()) answer.drift = 0;  // a kick changes the conserved quantities
   if (answer.reached() && answer.drift > another_motion)
     answer.comes_back = horizon.stepping == Stepping::divided
                             ? comes_back(algorithm, times, setting)
@@ -91,7 +91,7 @@ struct Part {
 };
 
 /// A motion through the times, restarted after each of the kicks by draw(from, times, end). A frame at a kick
-/// shows what was before it.
+/// shows the state before it.
 template <std::size_t n, class Draw>
 ode::Trajectory<std::array<double, n>> with_kicks(const ModelInterfaceOf<n>& model,
                                                   std::span<const double> times, const Kicks& kicks,

@@ -30,11 +30,11 @@
 /// A closed form offers at(t) -> array of observables, and optionally place(t), as below.
 /// A model to be integrated offers State, start() -> State, operator()(x, dxdt, t), observe(x, t) ->
 /// observables, and optionally
-///   conserved(x, t) -> array of Conserved
-///   place(x, t)                  if a scene's laws need more than the observables
-///   acceleration(q, a)           for x = (q, v) with forces that depend on position alone
-///   constraints(x, t) -> array   m, all zero where redundant coordinates fit together
-///   guards(x, t) -> array, at_event(i, x, t) -> Happening
+/// - conserved(x, t) -> array of Conserved
+/// - place(x, t)                  if a scene's laws need more than the observables
+/// - acceleration(q, a)           for x = (q, v) with forces that depend on position alone
+/// - constraints(x, t) -> array   m, all zero where redundant coordinates fit together
+/// - guards(x, t) -> array, at_event(i, x, t) -> Happening
 ///                                an event is where a guard falls through zero
 ///
 /// chapters/examples/bouncing_ball/scene.hpp is a complete scene in 50 lines.
@@ -236,7 +236,7 @@ class ModelInterfaceOf : public ModelInterface, public ode::AnySystem<n> {
   /// Its motion with its events.
   ode::Trajectory<State> moved(std::string_view algorithm, std::span<const double> times,
                                double setting) const;
-  /// The same as it is drawn at the times.
+  /// Its motion as drawn at the times.
   ode::Trajectory<State> moved(std::string_view algorithm, std::span<const double> times, Stepping,
                                double setting) const;
   /// The state drawn at a time, of a motion through the steps' ends up to there.

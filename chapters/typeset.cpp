@@ -91,7 +91,8 @@ void mark_used(const formula::Tree& tree, std::vector<bool>& used) {
 }  // namespace
 
 std::vector<formula::Tree> TypesetFormula::sides(const formula::Names& names) const {
-  if (!is_formula(text_)) throw std::logic_error("'" + text_ + "' is no formula, and nothing says its value");
+  if (!is_formula(text_))
+    throw std::logic_error("'" + text_ + "' is not a formula, and has no code for its value");
   const formula::Sides split = formula::sides_of(text_.substr(1, text_.size() - 2));
   if (std::ranges::count(split.relations, "=") < std::ssize(split.relations) || split.sides.size() > 2)
     throw std::logic_error(text_ + " is neither one formula nor one equation");

@@ -111,7 +111,7 @@ bool has_readings(const Claim& claim) {
                              [](const Reading* r) { return !r->text.empty() || !r->checks.empty(); });
 }
 
-/// Where no reading says what the author had in view, the kind of the fault decides.
+/// Without checks of the author's view, the kind of the fault decides.
 bool holds_in_view(const Claim& claim) {
   return claim.in_view.checks.empty() ? claim.kind == Fault::left_out : claim.in_view.holds();
 }

@@ -311,7 +311,7 @@ class Evaluation {
   int whole(const Tree& x) {
     int value = 0;
     if (x.kind() == Kind::index) return at(indices_, x->slots[0]);
-    if (!is_whole(x, value)) throw NoValue("a sum up to what is no whole number");
+    if (!is_whole(x, value)) throw NoValue("a sum whose bound is not a whole number");
     return value;
   }
   Matrix<T> of_permutations(const Tree& x) {

@@ -100,7 +100,8 @@ template <class T>
 Matrix<T> cross_of(const Matrix<T>& x, const Matrix<T>& y) {
   const std::vector<T>&a = x.entries, &b = y.entries;
   if (a.size() == 1 && b.size() == 1) return {{a[0] * b[0]}};
-  if (a.size() != 3 || b.size() != 3) throw NoValue("a cross product of what is not in three dimensions");
+  if (a.size() != 3 || b.size() != 3)
+    throw NoValue("a cross product of vectors that are not in three dimensions");
   return {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
 }
 
@@ -122,12 +123,12 @@ Matrix<T> diagonal_of(const std::vector<T>& x) {
 /// The matrix of the cross product with x.
 template <class T>
 Matrix<T> skew_of(const std::vector<T>& x) {
-  if (x.size() != 3) throw NoValue("Skew of what is not in three dimensions");
+  if (x.size() != 3) throw NoValue("Skew of a vector that is not in three dimensions");
   return {{T(0), -x[2], x[1], x[2], T(0), -x[0], -x[1], x[0], T(0)}, 3};
 }
 template <class T>
 Matrix<T> unskew_of(const Matrix<T>& x) {
-  if (x.entries.size() != 9 || x.columns != 3) throw NoValue("Unskew of what is not three by three");
+  if (x.entries.size() != 9 || x.columns != 3) throw NoValue("Unskew of a matrix that is not three by three");
   return {{x.entries[7], x.entries[2], x.entries[3]}};
 }
 

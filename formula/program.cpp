@@ -13,7 +13,7 @@ namespace {
 using Term = Code<CSharp>;
 
 constexpr std::size_t line_length = 92;
-constexpr std::size_t long_term = 60;  ///< letters; what takes a longer one names it
+constexpr std::size_t long_term = 60;  ///< letters; longer operands get names
 constexpr int worth_a_constant = 2;    ///< operations
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
@@ -36,7 +36,7 @@ Term called(std::string_view what, const std::vector<Term>& x) {
   return Term::function(what, Term::term(all));
 }
 
-/// Where both are whole numbers, what comes of them is to be none.
+/// Writes a whole number as a double: a choice between two integers would be an integer.
 std::string in_select(const Term& x) {
   return x.text().find_first_not_of("-0123456789") == x.text().npos ? x.text() + ".0" : x.text();
 }

@@ -14,13 +14,13 @@ std::set<std::string> letters_of(const Record&, const std::vector<std::vector<Re
 /// The name, with a suffix where it is taken. Takes it.
 std::string free_name(std::string name, std::set<std::string>& taken);
 
-/// What a function computes, as lines of C# and the terms of its results. A table of two columns is a Table2
-/// of Rows, a sum's variable a Total.
+/// The computation of a function: lines of C#, and the terms of its results. A table of two columns is a
+/// Table2 of Rows, a sum's variable a Total.
 struct Statements {
   std::vector<std::string> lines, terms;
 };
 
-/// The operations of a record as code. What depends on no letter of `moving` is a constant; a term that is
+/// The operations of a record as code. A term without letters of `moving` is a constant; a term that is
 /// used twice, or is long, gets a name.
 class Program {
  public:
@@ -40,7 +40,7 @@ class Program {
   };
   using Lines = std::vector<Line>;
   struct Named {
-    std::vector<std::string> names;  ///< of operations; empty: none
+    std::vector<std::string> names;  ///< names of operations; empty: none
     std::vector<int> uses;
     std::set<std::string> taken;
     Lines lines;

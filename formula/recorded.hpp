@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <vector>
 
-/// Numbers that record what is computed with them, to be printed as a program (program.hpp).
+/// Numbers that record the operations on them, to be printed as a program (program.hpp).
 namespace oddity::formula {
 
 /// One operation: "+", "sin", "<", "select"; "letter", whose name is its text; "number"; "sum" of the term

@@ -39,7 +39,7 @@ class ShownParser : public Parser {
       ++at_;
       if (at_ < tokens_.size()) parts.push_back(line());
     }
-    if (at_ < tokens_.size()) fail("nothing before this opens what it closes");
+    if (at_ < tokens_.size()) fail("this closes a bracket that nothing opens");
     return made(Kind::line, std::move(parts));
   }
 
@@ -111,7 +111,7 @@ class ShownParser : public Parser {
         return tree;
   }
   std::string text_to(std::size_t end) {
-    if (end > tokens_.size()) fail("expected what ends a group");
+    if (end > tokens_.size()) fail("expected the end of a group");
     const std::size_t from = tokens_[std::exchange(at_, end)].begin;
     return std::string(text_.substr(from, tokens_[end - 1].end - from));
   }
@@ -175,7 +175,7 @@ class ShownParser : public Parser {
     const std::size_t end = next() == "{" ? at_ : end_of_atom(at_);
     if (end == at_) return std::nullopt;
     length_ = end_of_scripts(end) - at_;
-    if (at_ + length_ > tokens_.size()) fail("expected what ends a group");
+    if (at_ + length_ > tokens_.size()) fail("expected the end of a group");
     const std::size_t from = tokens_[at_].begin;
     return made(Kind::letter, {}, std::string(text_.substr(from, tokens_[at_ + length_ - 1].end - from)));
   }
@@ -280,7 +280,7 @@ class ShownParser : public Parser {
   Tree words() {
     if (next() != "{") return made(Kind::words, {argument()});
     const std::size_t begin = tokens_[at_].end, end = end_of_atom(at_);
-    if (end > tokens_.size()) fail("expected what ends the words");
+    if (end > tokens_.size()) fail("expected the end of the words");
     at_ = end;
     return made(Kind::words, {}, std::string(text_.substr(begin, tokens_[end - 1].begin - begin)));
   }

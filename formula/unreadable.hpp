@@ -7,7 +7,7 @@
 
 namespace oddity::formula {
 
-/// A text that is not a formula in the given letters. what() returns the text with a caret under the place.
+/// A text that is not a formula in the given letters. Its message is the text with a caret under the place.
 class Unreadable : public std::invalid_argument {
  public:
   Unreadable(std::string_view text, std::size_t place, std::string reason);

@@ -158,7 +158,7 @@ std::string opposite(const std::string& relation) {
 struct Read {
   std::string text;  ///< "$T=2\pi\sqrt{l/g}$"
   std::vector<std::string> sides, relations;
-  Measure measure;  ///< of the side that counts
+  Measure measure;  ///< measure of the side that counts
   Quoted of;        ///< the side that counts
   std::string units_amiss = {};
 };
@@ -277,7 +277,7 @@ class Reader {
       all.push_back(std::move(one));
     }
     if (std::ssize(all) < (is_fixed() ? 1 : 10))
-      file_.source.fail(place, "too few of the letters drawn are so: narrow their ranges");
+      file_.source.fail(place, "too few of the letters drawn meet this: narrow their ranges");
     return all;
   }
 

@@ -21,8 +21,8 @@ class Sheet {
   /// One of them, by its place in the file.
   Claim judged(std::size_t) const;
   std::vector<Claim> judged() const;
-  /// The verdicts that the file itself expects: what has only `printed` is confirmed, what has `corrected` is
-  /// wrong, or with `in_view` incomplete, and what has `meant` a misprint.
+  /// The verdicts that the file itself expects. A claim with only `printed` is confirmed. One with
+  /// `corrected` is wrong, or with `in_view` incomplete; one with `meant` is a misprint.
   const std::map<std::string, std::string, std::less<>>& stated() const { return stated_; }
 
  private:

@@ -168,7 +168,7 @@ std::array<int, 3> operands_of(const Program::Instruction& one) {
   return {one.a, two ? one.b : one.a, three ? one.c : one.a};
 }
 
-/// Of all that can be computed, those of the kind that has most come next.
+/// Sorts the code into rows: next come all instructions of the kind of which most can be computed.
 std::vector<Program::Instruction> in_rows(const std::vector<Program::Instruction>& code,
                                           std::size_t registers) {
   constexpr int none = -1;

@@ -34,7 +34,7 @@ enum class Op : unsigned char {
 struct Operation {
   Op op;
   int a = -1, b = -1, c = -1;
-  long double value = 0;  ///< of a constant
+  long double value = 0;  ///< value of a constant
 
   /// NaN has no order among numbers.
   auto key() const { return std::tuple(op, a, b, c, value != value, value != value ? 0 : value); }
@@ -164,7 +164,7 @@ class Program {
   std::vector<double> in_double_;
   std::vector<Instruction> code_;
   std::vector<Instruction> rows_ = {
-      {Op::constant, 0, 0, 0, 0}};  ///< the same as run_in takes them, and an end
+      {Op::constant, 0, 0, 0, 0}};  ///< the code as run_in takes it, with an end
   std::vector<int> outputs_;        ///< registers
   std::size_t inputs_ = 0, registers_ = 0;
 };
@@ -247,7 +247,7 @@ void Program::run_in(T* r, const T* inputs, const T& last, T* outputs, const Cho
   for (std::size_t i = 0; i < outputs_.size(); ++i) outputs[i] = r[outputs_[i]];
 }
 
-/// The same outputs with other expressions for the inputs, given by key.
+/// Replaces inputs of the outputs, given by key, with other expressions.
 std::vector<Expression> replaced(std::span<const Expression> outputs,
                                  const std::map<int, Expression>& inputs);
 

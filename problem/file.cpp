@@ -393,7 +393,7 @@ class Reader {
     file_.models.push_back(std::move(m));
   }
 
-  /// Each part goes with what it is of.
+  /// Requires that the parts of a model fit each other.
   void require_parts(const ModelText& m, const Quoted& key) const {
     if (m.hamiltonian && m.lagrangian)
       source_.fail(
@@ -489,7 +489,7 @@ class Reader {
           return false;
         }
       });
-      if (fits == units.end()) source_.fail(text.place, "this is no error of what is observed, such as 1 mm");
+      if (fits == units.end()) source_.fail(text.place, "this is no error of an observable, such as 1 mm");
       file_.errors[static_cast<std::size_t>(fits - units.begin())] = in_unit(text.text, *fits);
     }
   }
@@ -560,12 +560,12 @@ class Reader {
       source_.fail(place_of(*node), "of [[staged." + key + "]] there are at most " + std::to_string(most));
     for (std::size_t i = 0; !array || i < array->size(); ++i) {
       const auto* one = array ? (*array)[i].as_table() : nullptr;
-      if (!one) source_.fail(place_of(*node), "these are tables of their own: [[staged." + key + "]]");
+      if (!one) source_.fail(place_of(*node), "write these as tables: [[staged." + key + "]]");
       only(*one, "a " + key, keys(key));
       take(*one);
     }
   }
-  /// Where a key that is needed is missing, that is said.
+  /// Fails if a needed key is missing.
   Quoted text_of(const toml::table& table, std::string_view of, std::string_view key) const {
     if (const auto* node = table.get(key)) return quoted(*node);
     if (std::ranges::find(keys_of(of), key, &Key::name)->needed)
@@ -589,10 +589,10 @@ class Reader {
 
   void all_claims(const toml::node& node) {
     const auto* array = node.as_array();
-    if (!array) source_.fail(place_of(node), "claims are tables of their own: [[claim]]");
+    if (!array) source_.fail(place_of(node), "write claims as tables: [[claim]]");
     for (const auto& one : *array) {
       const auto* table = one.as_table();
-      if (!table) source_.fail(place_of(one), "claims are tables of their own: [[claim]]");
+      if (!table) source_.fail(place_of(one), "write claims as tables: [[claim]]");
       file_.claims.push_back(claim(*table));
     }
   }
@@ -797,8 +797,9 @@ std::unique_ptr<const File> read(const std::string& name, const std::string& tex
 
 void require_parameters(const File& file) {
   if (file.parameters.empty() && !file.models.empty())
-    file.source.fail({1, 1},
-                     "no parameters: what may differ from start to start has a letter in [parameters]");
+    file.source.fail(
+        {1, 1},
+        "no parameters: give a letter in [parameters] to each value that differs from start to start");
 }
 
 }  // namespace oddity::problem

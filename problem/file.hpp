@@ -21,7 +21,7 @@ struct ParameterText {
   double value = 0;  ///< in its unit
   double least, most;
   bool whole = false;
-  long double size = 1;  ///< of its unit
+  long double size = 1;  ///< size of its unit
   Measure measure = {};
 };
 
@@ -41,7 +41,7 @@ struct ModelText {
   Quoted name;
   std::vector<Quoted> equations = {}, constraints = {};
   std::vector<Quoted> conditions = {};  ///< formulas that stay zero, for unknowns without an equation
-  std::vector<std::string> found = {};  ///< these unknowns, whose start is near what is given for it
+  std::vector<std::string> found = {};  ///< unknowns whose start is searched near the given one
   std::optional<Quoted> lagrangian = {}, hamiltonian = {}, dissipation = {}, kinetic = {}, potential = {};
   Named forces = {}, momenta = {}, start = {}, closed = {}, observe = {};  ///< momenta by their places
   std::vector<EventText> events = {};

@@ -46,7 +46,7 @@ std::size_t end_of_numeral(std::string_view text, std::size_t at) {
   return at;
 }
 
-/// End of the unit that begins behind a numeral, blanks aside; `numeral` if there is none.
+/// End of the unit that begins behind a numeral, blanks aside; `numeral` without a unit.
 std::size_t end_of_unit(std::string_view text, std::size_t numeral) {
   std::size_t at = numeral, longest = numeral;
   const auto blanks = [&] {
@@ -436,7 +436,7 @@ formula::Tree Formula::tree(const std::function<std::string(const Letter&)>& nam
       if (letter.function == "abs") return made(Kind::bars, arguments);
       if (letter.function == "max") return made(Kind::largest, arguments);
       if (letter.function == "min") return made(Kind::smallest, arguments);
-      fail(letter.span, letter.function + " has no place in a claim: state each case as a claim of its own");
+      fail(letter.span, letter.function + " has no place in a claim: state each case as a separate claim");
     }
     if (letter.is != Letter::Is::quantity) return made(Kind::letter, {}, name(letter));
     const std::string quantity = text_.text.substr(letter.span.begin, letter.span.end - letter.span.begin);

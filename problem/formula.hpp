@@ -101,9 +101,9 @@ struct Letter {
   enum class Is { quantity, parameter, time, unknown, given, call };
   Is is = Is::time;
   std::size_t index = 0, order = 0;  ///< its index, and the order of its rate
-  long double value = 0;             ///< of a quantity such as 5 cm
-  Measure measure = {};              ///< of a quantity such as 5 cm
-  std::string function = {};         ///< of a call; for a quantity, another possible meaning
+  long double value = 0;             ///< value of a quantity such as 5 cm
+  Measure measure = {};              ///< measure of a quantity such as 5 cm
+  std::string function = {};         ///< name of a called function; for a quantity, another possible meaning
   std::vector<Formula> arguments = {};
   Span span = {};
   std::shared_ptr<const Table> table = {};  ///< the table that is called

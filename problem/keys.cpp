@@ -13,17 +13,17 @@ constexpr bool needed = true;
 
 constexpr std::array file{
     Key{"version", "1", "number"},
-    Key{"title", "what the problem is called", "text", needed},
+    Key{"title", "the problem's name", "text", needed},
     Key{"question", "what is asked", "text"},
     Key{"parameters", "letters with a value, a unit and a range", "map text or parameter"},
     Key{"tables", "tables of numbers, called like functions", "map table"},
     Key{"given", "abbreviations", "map text"},
     Key{"model", "models, from the least to the richest", "map model"},
-    Key{"observe", "what is seen of every model", "map text or observable"},
-    Key{"need", "what choose is asked", "need"},
+    Key{"observe", "quantities that every model computes", "map text or observable"},
+    Key{"need", "the question for choose", "need"},
     Key{"sweep", "the parameter of the map that stability draws", "sweep"},
-    Key{"staged", "the same as bodies and joints, for other people's engines", "staged"},
-    Key{"claim", "what a solution says", "list claim"},
+    Key{"staged", "the motion as bodies and joints, for third-party engines", "staged"},
+    Key{"claim", "a solution's claims", "list claim"},
 };
 constexpr std::array parameter{
     Key{"value", "30 kN/m, 1 to 100", "text", needed},
@@ -40,30 +40,30 @@ constexpr std::array table{
 constexpr std::array observable{
     Key{"unit", "its unit", "text", needed},
     Key{"is", "its formula, unless it is the unknown of its name", "text"},
-    Key{"point", "what is of one point is judged by its distance", "text"},
+    Key{"point", "observables of one point are judged by its distance", "text"},
 };
 constexpr std::array model{
     Key{"equations", "m y'' = -k y", "texts"},
     Key{"lagrangian", "kinetic less potential energy", "text"},
     Key{"hamiltonian", "the energy, of places and momenta", "text"},
-    Key{"momenta", "the momentum's name by its place, beside a Hamiltonian", "map text"},
-    Key{"forces", "generalized forces by place, beside a Lagrangian or a Hamiltonian", "map text"},
-    Key{"dissipation", "Rayleigh's function, beside a Lagrangian", "text"},
-    Key{"constraints", "x^2 + y^2 = L^2, beside a Lagrangian", "texts"},
+    Key{"momenta", "the momentum's name by its place, with a Hamiltonian", "map text"},
+    Key{"forces", "generalized forces by place, with a Lagrangian or a Hamiltonian", "map text"},
+    Key{"dissipation", "Rayleigh's function, with a Lagrangian", "text"},
+    Key{"constraints", "x^2 + y^2 = L^2, with a Lagrangian", "texts"},
     Key{"start", "the unknowns and their rates at the start", "map text"},
     Key{"closed", "a closed form of each observable", "map text"},
     Key{"observe", "other formulas of the observables", "map text"},
     Key{"conserves", "an energy that is conserved", "conserves"},
-    Key{"events", "what happens where a formula goes through zero", "list event"},
+    Key{"events", "changes where a formula goes through zero", "list event"},
 };
 constexpr std::array conserves{
-    Key{"kinetic", "what moves in it", "text", needed},
+    Key{"kinetic", "its moving part", "text", needed},
     Key{"potential", "the rest", "text", needed},
 };
 constexpr std::array event{
     Key{"when", "the formula", "text", needed},
     Key{"direction", "falling, rising or both", "text"},
-    Key{"then", "the state behind it, of that before", "map text"},
+    Key{"then", "the state after it, from that before", "map text"},
     Key{"ends", "the motion stays as it is", "flag"},
 };
 constexpr std::array need{
@@ -81,28 +81,29 @@ constexpr std::array staged{
     Key{"body", "bodies", "list body", needed},
     Key{"joint", "joints", "list joint"},
     Key{"spring", "springs without mass", "list spring"},
-    Key{"observe", "what is seen, of bob_x, bob_y, bob_z, bob_turn and their rates", "map text"},
-    Key{"differs", "what no fine step takes away, where it is not the same motion", "text"},
+    Key{"observe", "formulas of the observables in bob_x, bob_y, bob_z, bob_turn and their rates",
+        "map text"},
+    Key{"differs", "the difference that no fine step removes, if the motion is not the same", "text"},
 };
 constexpr std::array body{
     Key{"name", "bob", "text", needed},
     Key{"mass", "1 kg", "text", needed},
     Key{"inertia", "about the center of mass: one for all axes, or three", "texts", needed},
-    Key{"place", "of the center of mass at the start, three components", "texts"},
+    Key{"place", "center of mass at the start, three components", "texts"},
     Key{"velocity", "at the start, three components", "texts"},
     Key{"turn", "about z at the start", "text"},
     Key{"spin", "at the start, three components", "texts"},
 };
 constexpr std::array joint{
     Key{"kind", "hinge, ball, cylinder, slide or rod", "text", needed},
-    Key{"a", "a body; the ground, if it is not said", "text"},
+    Key{"a", "a body; the ground by default", "text"},
     Key{"b", "a body", "text", needed},
-    Key{"at", "a point of both at the start; of a rod, its end at a", "texts"},
-    Key{"axis", "of a hinge, cylinder or slide; (0, 0, 1), if it is not said", "texts"},
-    Key{"end", "of a rod, its end at b", "texts"},
+    Key{"at", "a point of both at the start; for a rod, its end at a", "texts"},
+    Key{"axis", "axis of a hinge, cylinder or slide; (0, 0, 1) by default", "texts"},
+    Key{"end", "a rod's end at b", "texts"},
 };
 constexpr std::array spring{
-    Key{"a", "a body; the ground, if it is not said", "text"},
+    Key{"a", "a body; the ground by default", "text"},
     Key{"b", "a body", "text", needed},
     Key{"at", "its end at a, at the start", "texts"},
     Key{"end", "its end at b", "texts"},
@@ -110,22 +111,22 @@ constexpr std::array spring{
     Key{"rest", "its length without a force", "text", needed},
 };
 constexpr std::array claim{
-    Key{"name", "a short name of its own", "text"},
+    Key{"name", "a short name, used once", "text"},
     Key{"says", "the claim in words", "text", needed},
     Key{"printed", "the formula, number or relation that is printed", "text", needed},
-    Key{"meant", "what it plainly meant", "text"},
-    Key{"corrected", "what is true instead", "text"},
+    Key{"meant", "the reading that was plainly meant", "text"},
+    Key{"corrected", "the true reading", "text"},
     Key{"truth", "another route", "text or truth"},
     Key{"letters", "0.1 to 10 m; 1 to 9, whole; 9.81 m/s^2", "map text"},
     Key{"where", "a condition on the letters drawn", "text"},
     Key{"in_view", "where the printed one holds", "text"},
     Key{"why", "what is wrong", "text"},
-    Key{"lost", "the copy at hand has lost what was meant", "flag"},
+    Key{"lost", "the meaning is lost in the copy at hand", "flag"},
     Key{"changes_that_hold", "why single changes may hold as well", "text"},
 };
 constexpr std::array truth{
-    Key{"derivative", "what is differentiated", "text"},
-    Key{"by", "the letter; of a value, its source", "text"},
+    Key{"derivative", "the formula to differentiate", "text"},
+    Key{"by", "the letter; for a value, its source", "text"},
     Key{"times", "how often", "text"},
     Key{"integral", "the integrand", "text"},
     Key{"sum", "the term", "text"},

@@ -26,7 +26,7 @@ struct Span {
 struct Measure {
   std::array<double, 6> powers = {};
   bool fits_all = false;  ///< zero fits every unit
-  Span span = {};         ///< of the letters that it comes from
+  Span span = {};         ///< place of the letters that it comes from
 
   Measure() = default;
   Measure(double x) : fits_all(x == 0) {}

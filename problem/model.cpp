@@ -512,7 +512,7 @@ class Model::Making {
 
   // ---- the highest rates ---------------------------------------------------------------------------------
 
-  /// Random numbers near the parameters and for the state, to tell zero from other numbers.
+  /// Random numbers near the parameters and for the state, to distinguish zero from other numbers.
   std::map<int, long double> some_state(Random& random) const {
     std::map<int, long double> values{{of_time, random.between(0.1, 1)}};
     for (std::size_t i = 0; i < file_.parameters.size(); ++i) {
@@ -744,7 +744,7 @@ class Model::Making {
       const Measure its = measure(then), meant = per_time(*units_[i], order);
       if (!fit(its, meant))
         then.fail({}, key.text + " is in " + name_of(meant) + ", and this is " + name_of(its));
-      after.emplace(key_of(i, order), of_state(then, "what follows an event"));
+      after.emplace(key_of(i, order), of_state(then, "the state after an event"));
     }
     if (text.direction != Direction::rising) add_event(guard, after, text.ends);
     if (text.direction != Direction::falling) add_event(-guard, after, text.ends);
@@ -871,7 +871,7 @@ void require_conditions(const Numbers& numbers, const std::vector<Expression>& c
   for (const long double x : numbers.start) size = std::max(size, std::abs(x));
   for (const Expression& one : changes)
     if (!(std::abs(one.number()) <= 1e-12L * size))
-      throw BadInput("at the start the conditions are not met near what is given for their unknowns");
+      throw BadInput("at the start the conditions are not met near the given values of their unknowns");
 }
 
 /// Unknowns at rest that fill a state up to the next size that the algorithms are compiled for.

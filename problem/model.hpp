@@ -22,13 +22,14 @@ struct Numbers {
   std::size_t unknowns = 0;  ///< 0: a closed form
   std::vector<int> rate_of;  ///< the index of this unknown's rate; -1: it has none
   std::vector<long double> start;
-  Program rates;          ///< of the state and the time
-  Program accelerations;  ///< of the first half of the state and the time, if they depend on nothing else
+  Program rates;          ///< functions of the state and the time
+  Program accelerations;  ///< functions of the first half of the state and the time, if they depend on
+                          ///< nothing else
   bool partitioned = false;
-  Program observed;   ///< of the state and the time, or of the time
+  Program observed;   ///< functions of the state and the time, or of the time
   Program conserved;  ///< the value, and its moving part; no outputs: none
   std::vector<Follows> events;
-  Program guards;            ///< of the state and the time, one for each event
+  Program guards;            ///< functions of the state and the time, one for each event
   Program rates_and_guards;  ///< both
   Program afterwards;        ///< the states after the events, in a row
   Program looked_up;         ///< the arguments of the tables in Model::tables(), of the state and the time
@@ -73,7 +74,7 @@ class Model {
 
   std::string name_;
   std::vector<std::string> unknowns_;
-  std::vector<long double> sizes_;  ///< of the parameters' units
+  std::vector<long double> sizes_;  ///< sizes of the parameters' units
   std::shared_ptr<Graph> graph_ = std::make_shared<Graph>();
   std::vector<int> state_, rate_of_;        ///< keys of the unknowns, in the state's order
   std::vector<Expression> still_changing_;  ///< last changes of the starts that conditions determine

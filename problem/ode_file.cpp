@@ -277,7 +277,7 @@ class Reader {
       return i < 0 ? Node{Node::Is::negative, "-", {number}, begin} : number;
     }
     if (is_digit(c) || c == '.') return {Node::Is::number, numeral(), {}, begin};
-    if (c == '-' || c == '+') fail("a sign follows an operator: put it in parentheses with what it is of");
+    if (c == '-' || c == '+') fail("a sign follows an operator: put it in parentheses with its operand");
     if (!begins_name(c)) fail(c == '\0' ? "the formula ends too early" : "expected a number, a name or (");
     const std::size_t at = at_;
     if (text_.compare(at, 4, "int[") == 0) fail(none_here("integral equations"));
@@ -585,8 +585,7 @@ class Making {
         continue;
       }
       const auto range = range_in(all[i]);
-      if (!range)
-        source_.fail(all[i].at(begin), "expected a range, such as %[1..9], and % behind what it is of");
+      if (!range) source_.fail(all[i].at(begin), "expected a range, such as %[1..9], and % behind its lines");
       std::size_t end = i + 1;
       while (end < all.size() && !all[end].text.starts_with('%')) ++end;
       for (long j = range->first; j <= range->second; ++j)

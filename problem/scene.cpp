@@ -189,7 +189,7 @@ Quantity motion_of(const Parameters& p, const Horizon& horizon, const Reference&
   Quantity motion =
       quantity("motion", file.observables.front().unit, file.title + " at " + times_up_to(horizon), known,
                {*std::ranges::min_element(file.errors),
-                file.error_says.empty() ? "what the file asks" : file.error_says});
+                file.error_says.empty() ? "the error that the file asks for" : file.error_says});
   motion.needs = file.errors;
   std::vector<double> rounded(values);
   for (double& value : rounded) value = static_cast<double>(static_cast<float>(value));
@@ -384,8 +384,8 @@ void ask_by_motion(File& file) {
   file.error = format_shortest(error);
   file.error_says = "a thousandth of the widest range, that of " + file.observables[widest].name;
   if (followed < looks) {
-    file.horizon_says = " of its total of " + file.horizon +
-                        ", where a disturbance of a part in 10^12 has grown to that error";
+    file.horizon_says = " (its total is " + file.horizon +
+                        "), where a disturbance of a part in 10^12 has grown to that error";
     file.end = *parse_number(format_significant(0.95 * end, 2));
     file.horizon = format_shortest(file.end);
   }

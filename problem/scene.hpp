@@ -18,7 +18,7 @@ std::string stem_of(const std::string& path);
 
 /// The exercise of a file, for the rest of the program's life. Throws BadInput, or WrongFile.
 const Entry& entry_of_file(const std::string& path);
-/// The same for a text, with its name for error messages; made once for each text.
+/// The exercise of a text, with its name for error messages; made once for each text.
 const Entry& entry_of_text(const std::string& name, const std::string& text);
 /// The text that it was read from.
 const Source& source_of(const Entry& entry);

@@ -10,7 +10,7 @@ namespace oddity::problem {
 namespace {
 
 constexpr int of_time = 1'000'000, of_parameters = 2'000'000;
-/// Of a body's letters: three places and the turn about z, each with its rate.
+/// A body's letters: three places and the turn about z, each with its rate.
 constexpr int letters_each = 4;
 
 Measure in(const char* unit) { return *measure_of(unit); }
@@ -134,8 +134,9 @@ class Staged::Making {
     if (letter.is == Letter::Is::quantity) return letter.measure;
     if (letter.is == Letter::Is::parameter) return file_.parameters[letter.index].measure;
     const bool is_seen = letter.is == Letter::Is::unknown;
-    if (letters_.unknowns.empty()) formula.fail(letter.span, "a staging is of parameters alone");
-    if (letter.order > 1) formula.fail(letter.span, "of bodies places and their rates are seen");
+    if (letters_.unknowns.empty()) formula.fail(letter.span, "a staging depends on parameters alone");
+    if (letter.order > 1)
+      formula.fail(letter.span, "only the places of bodies and their rates can be observed");
     if (!is_seen) return in("s");
     const bool is_turn = letter.index % letters_each == letters_each - 1;
     return in(letter.order == 0 ? (is_turn ? "rad" : "m") : (is_turn ? "rad/s" : "m/s"));

@@ -7,8 +7,7 @@
 #include "problem/file.hpp"
 #include "solvers/world.hpp"
 
-/// A problem's motion as other people's engines have it: its bodies, joints and springs, and what is seen of
-/// them.
+/// A problem's motion for third-party engines: its bodies, joints and springs, and the observables of these.
 namespace oddity::problem {
 
 class Staged {

@@ -15,8 +15,8 @@ Values differences(const Values& x) {
   return all;
 }
 
-/// Of the curve whose second derivative is continuous, and zero at the ends. `h` is from knot to knot, with
-/// these slopes.
+/// Slopes of the curve whose second derivative is continuous, and zero at the ends. `h` and `slope` are from
+/// knot to knot.
 Values natural_slopes(const Values& h, const Values& slope) {
   const std::size_t last = h.size();
   Values diagonal{2}, above{1}, right{3 * slope[0]};

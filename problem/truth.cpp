@@ -71,8 +71,8 @@ class Frozen {
     for (std::size_t i = 0; i < now.size(); ++i)
       if (!undecided[i]) is_positive_[i] = now[i];
   }
-  /// The largest violation of a choice by its condition, in the registers of the last call; at most zero if
-  /// there is none.
+  /// The largest violation of a choice by its condition, in the registers of the last call; at most zero
+  /// without a violation.
   Number largest_contradiction() const {
     Number most = -std::numeric_limits<Number>::infinity();
     for (const auto* one : choices_) most = std::max(most, contradiction(*one));
@@ -140,8 +140,8 @@ class Frozen {
   std::size_t unknowns_;
   Values registers_;
   std::vector<char> is_positive_;        ///< by the choice's register
-  Values largest_, let_pass_;            ///< likewise, of its condition's terms
-  std::vector<std::vector<int>> terms_;  ///< of each choice's condition
+  Values largest_, let_pass_;            ///< by register: sizes of the condition's terms
+  std::vector<std::vector<int>> terms_;  ///< terms of each choice's condition
   std::vector<const Program::Instruction*> choices_;
 };
 
@@ -191,7 +191,7 @@ class Guards {
     }
     return numbers_.events[i].ends;
   }
-  /// The events' times can no longer be told apart.
+  /// The events' times can no longer be distinguished.
   bool chatter() const { return in_a_row_ >= 16 * static_cast<int>(count()); }
 
  private:
@@ -369,7 +369,7 @@ Number reach_of(const Series& series, const Sizes& sizes, std::size_t n, const F
   return reach;
 }
 
-/// The first point up to h at which this becomes positive; empty if there is none.
+/// The first point up to h at which this becomes positive; empty without one.
 template <class F>
 std::optional<Number> first_positive(const F& at, Number h) {
   constexpr int samples = 8;
@@ -511,8 +511,8 @@ class Extrapolation {
     return finite(result) ? error : std::numeric_limits<Number>::infinity();
   }
   static constexpr int columns = 9, most_parts = 2 * columns;
-  /// Within the last step, after each of its parts but the last: above zero where a condition contradicts its
-  /// choice or a guard has fallen, as the finest of its columns has it.
+  /// Values within the last step, after each of its parts except the last: above zero where a condition
+  /// contradicts its choice or a guard has fallen. The finest of the step's columns decides.
   using Within = std::array<Number, most_parts>;
   const Within& within() const { return within_; }
 
@@ -563,7 +563,7 @@ TrueMotion by_extrapolation(const Numbers& numbers, std::span<const double> time
     extrapolation.step(x, t, step, sizes, after);
     return off(after, t + step);
   };
-  /// Where the first is off within a step to `after`, from what the step has seen within. 0: nowhere.
+  /// First place of a fault within a step to `after`, from the values within the step. 0: none.
   const auto first_turn = [&](Number step) -> Number {
     constexpr int parts = Extrapolation::most_parts;
     const Extrapolation::Within within = extrapolation.within();
@@ -578,7 +578,7 @@ TrueMotion by_extrapolation(const Numbers& numbers, std::span<const double> time
     }
     if (bad == 0) return 0;
     Number below = good == 0 ? -1 : off_after(good), above = off_after(bad);
-    for (; below > 0; below = good == 0 ? -1 : off_after(good)) {  // what was seen within is not as exact
+    for (; below > 0; below = good == 0 ? -1 : off_after(good)) {  // the values within are less exact
       bad = std::exchange(good, std::max(good - step / parts, Number(0)));
       above = below;
     }

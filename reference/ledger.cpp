@@ -18,7 +18,7 @@ std::vector<Assertion> read_ledger(const std::filesystem::path& folder, const st
     std::istringstream claims(row.cells[3]);
     for (std::string slug; claims >> slug;) one.claims.push_back(exercise + "-" + slug);
     if (one.place.empty() || one.assertion.empty())
-      throw BadInput(row.place + ": an assertion needs a place and what it says");
+      throw BadInput(row.place + ": an assertion needs a place and a text");
     if (one.claims.empty() == one.reason.empty())
       throw BadInput(row.place + ": an assertion has claims, or a reason why it has none");
     all.push_back(std::move(one));

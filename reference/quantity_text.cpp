@@ -215,7 +215,7 @@ Written written(std::string_view text) {
   double value{};
   const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
   const std::string quoted = "'" + std::string(text) + "'";
-  if (error == std::errc::result_out_of_range) throw BadInput(quoted + " is beyond what a number can hold");
+  if (error == std::errc::result_out_of_range) throw BadInput(quoted + " is outside the range of numbers");
   if (error != std::errc() || (text.starts_with('+') && number.starts_with('-')))
     throw BadInput(quoted + " is not a number");
   std::string_view unit = number.substr(static_cast<std::size_t>(end - number.data()));
@@ -230,13 +230,13 @@ double in_unit(std::string_view text, std::string_view unit) {
   const std::string quoted = "'" + std::string(text) + "'";
   if (!is_unit(unit))
     throw BadInput(quoted + " is for a parameter whose own unit, '" + std::string(unit) +
-                   "', is none: give the number alone, and declare a unit such as 'm/s^2'");
+                   "', is unknown: give the number alone, and declare a unit such as 'm/s^2'");
   const Unit wanted = declared(unit).value();
   const auto given = UnitReader(symbol).whole();
   if (given && given->powers == wanted.powers) {
     const auto converted = static_cast<double>(static_cast<long double>(value) * (given->size / wanted.size));
     if (std::isfinite(converted) || !std::isfinite(value)) return converted;
-    throw BadInput(quoted + " is beyond what a number can hold");
+    throw BadInput(quoted + " is outside the range of numbers");
   }
   throw BadInput(
       quoted + (given ? " has a unit that does not fit" : " is not a number, nor one with a unit") +

@@ -10,10 +10,10 @@
 namespace oddity {
 
 /// The text as a number in `unit`: "0.5", "30deg", "5 us", "9.81 m/s^2", "9.81m/s2". A number without a unit
-/// is in `unit` already. Units are m, s, g, A, N, J, W, Pa, V, Ohm, H, Hz and rad with the prefixes p to G;
-/// min, h, d, yr (365.25 days), AU, deg, rpm, "solar mass", bins, %; and their products, quotients and
-/// powers. Throws BadInput if the text is not a number, or, with the units that fit, if its unit measures
-/// something else.
+/// is in `unit` already. Units are m, s, g, A, N, J, W, Pa, V, Ohm, H, Hz and rad with the prefixes p to G.
+/// Others are min, h, d, yr (365.25 days), AU, deg, rpm, "solar mass", bins and %. Products, quotients and
+/// powers of units are units. Throws BadInput if the text is not a number, or, with the units that fit, if
+/// its unit measures something else.
 double in_unit(std::string_view text, std::string_view unit);
 
 /// Size of a unit in its base units, and the powers of m, s, kg, A, rad, solar mass and bins in it.

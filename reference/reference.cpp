@@ -90,7 +90,7 @@ Known without_table(std::string_view name) {
   const std::string table(name);
   return {{no_number},
           no_number,
-          "no maker of the table " + table + ": write reference/make/" + table +
+          "no generator of the table " + table + ": write reference/make/" + table +
               ".cpp in the folder that has the exercise's chapters"};
 }
 

@@ -298,5 +298,5 @@ TEST_CASE("an impossible kick is refused, with a remedy", "[kicks]") {
     known_motion(*wire.entry->exercise.scene, wire.parameters, horizon_of(off_the_wire), off_the_wire,
                  Reference(std::string(ODDITY_SOURCE) + "/reference"));
   });
-  CHECK(said.find("no state that is seen as the kick would have it") != std::string::npos);
+  CHECK(said.find("no state with the observables that the kick asks for") != std::string::npos);
 }

@@ -42,7 +42,7 @@ TEST_CASE("a ledger is read, and a row without content is refused", "[ledger]") 
   CHECK(all[0].line == 7);
   CHECK(all[1].reason == "a definition");
   CHECK(read_ledger(folder.path(), "1.3").empty());
-  CHECK(said_of("7,,x is 1,x,\n") == ":2: an assertion needs a place and what it says");
+  CHECK(said_of("7,,x is 1,x,\n") == ":2: an assertion needs a place and a text");
   CHECK(said_of("7,here,x is 1,,\n") == ":2: an assertion has claims, or a reason why it has none");
   CHECK(said_of("7,here,x is 1,x,so\n") == ":2: an assertion has claims, or a reason why it has none");
 }

@@ -214,7 +214,7 @@ TEST_CASE("Conditions determine their unknowns, at the start and along the motio
   CHECK(refusal("x'=y\n0=x+y") ==
         "test.ode:2:1: conditions (0 = ...) are 1, and the unknowns that solve names for them 0");
   CHECK(refusal("x'=-x\n0=y^2+1+x^2\nsolve y=1") ==
-        "test.ode:2:1: at the start the conditions are not met near what is given for their unknowns");
+        "test.ode:2:1: at the start the conditions are not met near the given values of their unknowns");
   CHECK(refusal("0=y-1\nsolve y") == "test.ode:1:1: no equation: add one such as x' = -x");
   CHECK(refusal("x'=-x\n0=x-1\nsolve y") == "test.ode:1:1: no condition has y");
 }

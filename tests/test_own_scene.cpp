@@ -109,7 +109,7 @@ TEST_CASE("a parameter's invalid unit is named when a unit is given", "[own]") {
   CHECK(in_unit("9.81", "m/sec^2") == 9.81);
   CHECK(
       complaint([] { in_unit("9.81m/s^2", "m/sec^2"); }) ==
-      "'9.81m/s^2' is for a parameter whose own unit, 'm/sec^2', is none: give the number alone, and declare "
+      "'9.81m/s^2' is for a parameter whose own unit, 'm/sec^2', is unknown: give the number alone, and declare "
       "a unit such as 'm/s^2'");
   for (const Entry& e : registry())
     for (const Parameter& p : e.exercise.parameters) CHECK(is_unit(p.unit));

@@ -102,7 +102,7 @@ TEST_CASE("Letters are drawn from their ranges, under conditions", "[problem][cl
   CHECK(verdict_of(letters + claim + "where = \"a > b\"\nchanges_that_hold = \"it is positive there\"") ==
         "confirmed");
   CHECK(refusal_of(letters + claim + "where = \"a > b + 100 m\"") ==
-        "test.toml:2:1: too few of the letters drawn are so: narrow their ranges");
+        "test.toml:2:1: too few of the letters drawn meet this: narrow their ranges");
   const Claim one = claim_of(
       "letters = { mass = \"2 kg\", m_1 = \"1 to 2 kg\", theta = \"10 to 20 deg\" }\nprinted = \"mass "
       "m_1 sin(theta)\"\ntruth = \"mass m_1 cos(90 deg - theta)\"");

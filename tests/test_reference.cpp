@@ -167,9 +167,10 @@ TEST_CASE("an unknown table is named", "[reference]") {
   const Known nothing = truth()("03_05_nothing", {1});
   CHECK(std::isnan(nothing.value[0]));
   CHECK(std::isnan(nothing.error));
-  CHECK(nothing.source ==
-        "no maker of the table 03_05_nothing: write reference/make/03_05_nothing.cpp in the folder that has "
-        "the exercise's chapters");
+  CHECK(
+      nothing.source ==
+      "no generator of the table 03_05_nothing: write reference/make/03_05_nothing.cpp in the folder that has "
+      "the exercise's chapters");
 }
 
 TEST_CASE("inputs that are not finite have no reference value", "[reference]") {

@@ -124,7 +124,7 @@ TEST_CASE("each operand is bracketed as it is read", "[formula]") {
 TEST_CASE("a formula that cannot be shown is refused with the place of the fault", "[formula]") {
   CHECK(refusal(R"(\nonsense{x})") == R"(no command \nonsense is known)");
   CHECK(refusal("a^{b") == "expected }");
-  CHECK(refusal("a}") == "nothing before this opens what it closes");
+  CHECK(refusal("a}") == "this closes a bracket that nothing opens");
   CHECK(refusal(R"(\frac a)") == "expected a letter, a number or a group");
   CHECK(refusal("|a") == "expected the other bar");
   CHECK_FALSE(refusal("a\x03").empty());

@@ -38,13 +38,13 @@ Ball abs(const Ball& x) {
   return Ball::made([&](arb_ptr y) { arb_abs(y, x.data()); });
 }
 Ball sqrt(const Ball& x) {
-  return Ball::finite([&](arb_ptr y) { arb_sqrt(y, x.data(), Ball::bits); }, "what a root is taken of");
+  return Ball::finite([&](arb_ptr y) { arb_sqrt(y, x.data(), Ball::bits); }, "the argument of a root");
 }
 Ball exp(const Ball& x) {
   return Ball::made([&](arb_ptr y) { arb_exp(y, x.data(), Ball::bits); });
 }
 Ball log(const Ball& x) {
-  return Ball::finite([&](arb_ptr y) { arb_log(y, x.data(), Ball::bits); }, "what a logarithm is taken of");
+  return Ball::finite([&](arb_ptr y) { arb_log(y, x.data(), Ball::bits); }, "the argument of a logarithm");
 }
 Ball sin(const Ball& x) {
   return Ball::made([&](arb_ptr y) { arb_sin(y, x.data(), Ball::bits); });

@@ -115,8 +115,8 @@ std::optional<std::vector<double>> distances_from_exact(std::string_view table,
   if (!truth) return {};
   const truth::Numbers balls = enclosed(*truth, inputs);
   if (balls.size() != decimals.size())
-    throw std::logic_error("an enclosure of " + std::to_string(balls.size()) + " components for " +
-                           std::to_string(decimals.size()) + " of the table");
+    throw std::logic_error("an enclosure has " + std::to_string(balls.size()) +
+                           " components, and its table " + std::to_string(decimals.size()));
   std::vector<double> distances;
   for (std::size_t i = 0; i < balls.size(); ++i)
     distances.push_back(truth::greatest_size(balls[i] - truth::decimal(decimals[i])));

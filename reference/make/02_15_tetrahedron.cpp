@@ -1,9 +1,9 @@
 #include "reference/make/routes.hpp"
 
-// The tetrahedron has its right-angled corner at (x, y, z) and legs a, b, c along the axes.
+// The tetrahedron has its right-angled corner at (x, y, z) and edges a, b, c along the axes.
 // Vertices: int r r^T dm = m/20 (sum over the vertices of v v^T + 16 times that of the center of mass).
-// Slices: at the height c s the section is a triangle with legs (1 - s) a, (1 - s) b; its mean of a quadratic
-// is the mean over the midpoints of its sides.
+// Slices: at the height c s the section is the base triangle, scaled by 1 - s. Its mean of a quadratic is the
+// mean over the midpoints of its sides.
 namespace oddity::truth {
 
 namespace tetrahedron_02_15 {

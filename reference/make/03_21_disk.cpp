@@ -3,8 +3,8 @@
 
 // A disk of mass m and radius r at the end of a pipe of length L, held at the inclination phi. A force f
 // along x and friction -k times its velocity act on its center. A = (m L^2 + m r^2/4) sin(phi)^2.
-//   angle   A theta'' = -f L sin(phi) sin(theta) - k L^2 sin(phi)^2 theta', psi' + theta' cos(phi) constant
-//   center  M x'' = (f, 0) - k x' + a force to the center of its circle, M = m + m r^2/(4 L^2)
+//   angle   A theta'' = -f L sin(phi) sin(theta) - k L^2 sin(phi)^2 theta', psi' + theta' cos(phi) constant.
+//   center  M x'' = (f, 0) - k x' + a force to the center of its circle, M = m + m r^2/(4 L^2).
 namespace oddity::truth {
 
 namespace disk_03_21 {

@@ -62,7 +62,7 @@ inline std::vector<Node> gauss_nodes(int n) {
   return nodes;
 }
 
-/// The same means where the centre is far: at eight boxes these nodes leave 10^-19.
+/// Means for a far centre, by Gauss's nodes: at a distance of eight boxes their error is 10^-19.
 inline Numbers means_by_nodes(const Box& box, const Number& u, const Number& v, const Number& w) {
   static const std::vector<Node> nodes = gauss_nodes(8);
   Number x_mean = 0, y_mean = 0, moment = 0;

@@ -11,12 +11,12 @@ namespace {
 constexpr std::string_view odeint = "Boost.Odeint", gsl = "GSL", sundials = "SUNDIALS";
 constexpr std::string_view boost_1_74 = "1.74", gsl_2_7 = "2.7.1", sundials_6_4 = "6.4.1";
 constexpr std::string_view judged = "nothing: trials are judged by their true errors";
-constexpr std::string_view history_anew = "the history starts anew whenever the step changes";
+constexpr std::string_view history_anew = "the history restarts whenever the step changes";
 constexpr Finding all_findings[] = {
     {odeint, boost_1_74, "controlled_runge_kutta, bulirsch_stoer", "odeint_nan",
      "take NaN for no error: x' = x^2 from 1 is integrated through its pole at t = 1 to t = 2, which returns "
      "normally, with NaN",
-     "every accepted state is looked at"},
+     "every accepted state is checked"},
     {odeint, boost_1_74, "make_controlled", "odeint_make_controlled",
      "compiles with the header of a stepper alone, generation_runge_kutta_dopri5.hpp, and then takes the "
      "relative tolerance for the largest step: one second of a pendulum at 1e-4 takes more than 1000 times "
@@ -25,7 +25,7 @@ constexpr Finding all_findings[] = {
     {odeint, boost_1_74, "bulirsch_stoer", "odeint_bulirsch_stoer_backward",
      "takes more than 150 times the evaluations when time runs backward, for 10 s of a pendulum at a "
      "tolerance of 1e-12",
-     "it integrates in -t instead, which costs what forward costs"},
+     "it integrates in -t instead, at the cost of forward time"},
     {odeint, boost_1_74, "runge_kutta_fehlberg78", "odeint_fehlberg78",
      "estimates its error by stages that lie at the step's two ends, with weights that cancel at each: it sees "
      "none where the right-hand side knows time alone. Of x' = cos t over 10 s it errs by more than 1e-5 at "
@@ -61,7 +61,7 @@ constexpr Finding all_findings[] = {
      "before t = 0.85, where it should be below 7",
      judged},
     {gsl, gsl_2_7, "msadams, msbdf", "gsl_multistep_error",
-     "hold the error of a step, not of the motion: after 10 s of x'' = -x at a tolerance of 1e-11 msadams "
+     "control the error of a step, not of the motion. After 10 s of x'' = -x at a tolerance of 1e-11 msadams "
      "errs by more than 200 tolerances and msbdf by more than 500, and rk8pd by less than 1",
      judged},
     {gsl, gsl_2_7, "bsimp", "gsl_bsimp_order",
@@ -69,26 +69,25 @@ constexpr Finding all_findings[] = {
      "costs as many evaluations as one of 1e-6, for 10 s of x'' = -x",
      judged},
     {gsl, gsl_2_7, "gsl_integration_cquad", "gsl_cquad",
-     "does not hold its estimate against the request: 1/sqrt|x - 0.3| over [0, 1] to 1e-10 ends with "
-     "success and an error and an estimate above 1e-8; from 1 to 0 its estimate is below zero; and it takes "
-     "more than 1,000,000 evaluations of 1/x over [-1, 2], having no budget",
-     "the estimate is looked at, the ends are put in order, and a budget ends it"},
+     "does not compare its estimate with the request: 1/sqrt|x - 0.3| over [0, 1] to 1e-10 ends with success, "
+     "with an error and an estimate above 1e-8. From 1 to 0 its estimate is below zero. Without a budget, it "
+     "takes more than 1,000,000 evaluations of 1/x over [-1, 2]",
+     "the estimate is checked, the ends are put in order, and a budget ends it"},
     {gsl, gsl_2_7, "gsl_integration_glfixed_table_alloc", "gsl_glfixed",
-     "computes the weights that it has no table for to ten digits only: of 50 points they miss their sum by "
-     "more than 1e-11, while the nodes have all digits; those of 64 points, which it has a table for, are "
-     "right",
-     "the weights are computed anew"},
+     "computes weights without a table to ten digits only: those of 50 points miss their sum by more than "
+     "1e-11, while the nodes have all digits. Those of 64 points, from a table, are right",
+     "the weights are computed again"},
     {gsl, gsl_2_7, "bsimp", "gsl_bsimp_error",
      "errs by more than 100 tolerances where a step is longer than half the motion's period: x' = x cos t "
      "over 8 s at 1e-6",
      judged},
     {sundials, sundials_6_4, "CV_BDF", "cvode_error",
-     "holds the error of a step, not of the motion: after 10 s of x'' = -x at a tolerance of 1e-10 it errs "
+     "controls the error of a step, not of the motion: after 10 s of x'' = -x at a tolerance of 1e-10 it errs "
      "by more than 100 tolerances",
      judged},
     {sundials, sundials_6_4, "ERKStep, ARKODE_VERNER_8_5_6", "arkode_verner",
-     "has order 3 of 6: the last stage is taken for the next step's first, as it stands at the step's end, "
-     "though it is another state (llnl/sundials#311)",
+     "has order 3 of 6: the last stage is taken for the next step's first, as both are at the step's end, "
+     "though they are different states (llnl/sundials#311)",
      "the table is given the step's end as a ninth stage, and the order is 6"},
 };
 

@@ -36,7 +36,7 @@ std::span<const CatalogEntry> catalog();
 /// Meaning of "evaluations" for an algorithm that makes none.
 inline constexpr std::string_view work_of_series =
     "Taylor series evaluate nothing: the right-hand side is recorded once, and its operations are made on series. Their "
-    "evaluations are the operations made, over those of the right-hand side written by hand; an addition or a "
+    "evaluations are the operations made, over those of the right-hand side written by hand. An addition or a "
     "multiplication counts as 1, a division or a root as 4, a sine or an exponential as 8, as the Livermore loops "
     "weigh them.";
 

@@ -11,7 +11,7 @@
 
 /// Motions with events: the states at the requested times, and the times at which a guard falls through zero.
 ///
-///   const bouncing_ball::Ball<double> ball{{1, 9.81, 0.7}};  // has guards(x, t) and at_event(i, x, t)
+///   const bouncing_ball::Ball<double> ball{{1, 9.81, 0.7}};  // has guards() and at_event()
 ///   const auto motion = integrate_with_events<RungeKutta4>(ball, ball.start(), times, 0.01);
 ///   for (const auto& event : motion.events) std::cout << event.time << "\n";
 namespace oddity::ode {

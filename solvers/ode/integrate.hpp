@@ -23,6 +23,7 @@
 ///
 ///   const auto swing = [](const auto& x, auto& dxdt, const auto&) { dxdt = {x[1], -x[0]}; };
 ///   const std::array times{0.0, 1.0, 2.0};
+///
 ///   const auto path = integrate<RungeKutta4>(swing, std::array{1.0, 0.0}, times, 0.01);
 ///   if (path.reached()) std::cout << path.value.back()[0];  // cos(2)
 namespace oddity::ode {

@@ -13,7 +13,7 @@ class StepLengths {
   StepLengths& operator=(const StepLengths&) = delete;
   ~StepLengths() { here_ = before_; }
 
-  /// Null: all steps are alike.
+  /// Null: all steps are equal.
   static const std::vector<double>* here() { return here_; }
 
  private:

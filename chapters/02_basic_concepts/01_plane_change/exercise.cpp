@@ -28,7 +28,7 @@ using limits::joined, limits::limit, limits::limit_at_zero, std::numbers::sqrt2;
 
 constexpr Parameter parameters[] = {
     {"h", 0.25, "1", "distance from $t=0$ at which a numerical limit starts", 1e-3, 0.5},
-    {"seed", 1, "", "of the random times", 0, 1e9, whole_number},
+    {"seed", 1, "", "seed of the random times", 0, 1e9, whole_number},
 };
 
 // ---- the curve --------------------------------------------------------------------------------------------
@@ -219,8 +219,8 @@ void frames(Table& table, int side, const std::vector<Sample>& with_0, const std
   constexpr double shown = 1;
   const Value multiplied = TypesetFormula(T + times)({{"t", shown}});
   const std::string why = filled(
-      R"(The bar above the root is lost in the text at hand: the root divides. As it stands the vector is )"
-      R"(multiplied by it, and at $t=\pm@1$ its length is @2, not 1.)",
+      R"(The bar above the root is lost in the text at hand: the root divides. As printed it multiplies the )"
+      R"(vector, and at $t=\pm@1$ the length is @2, not 1.)",
       {shown, std::hypot(multiplied[0], multiplied[1], multiplied[2])});
   table.formula(side < 0 ? "tangent_before" : "tangent_after", side < 0 ? 135 : 161,
                 R"($\mathbf T=)" + T.substr(1) + times + range, with_0,

@@ -189,8 +189,8 @@ void velocity_and_acceleration(Table& table, const std::vector<Sample>& all) {
        .meant = R"($1/\sqrt{1+t^2}$)",
        .kind = Fault::lost_typography,
        .why = filled(
-           R"(The bar above the root is lost in the text at hand: $\mathbf P/\sqrt{1+t^2}$. As it stands the speed )"
-           R"(grows with $t$; at $t=10$ the helix moves at @2, and the product says @2.)",
+           R"(The bar above the root is lost in the text at hand: $\mathbf P/\sqrt{1+t^2}$. As printed the speed )"
+           R"(grows with $t$: at $t=10$ the helix moves at @2, and the product is @2.)",
            {At(10.0).speed, sqrt(101.0)})});
   table.formula(
       "velocity_q", 261, R"($\mathbf v$ has the component $-1/(1+t^2)$ along $\mathbf Q$.)", all,
@@ -259,8 +259,8 @@ void height(Table& table, const std::vector<Sample>& later) {
        .meant = R"($(t/\sqrt{1+t^2})" + others,
        .kind = Fault::lost_typography,
        .why = filled(
-           R"(The bar above the first root is lost in the text at hand: $t/\sqrt{1+t^2}$, as the next root has it )"
-           R"(squared. The product has no limit; at $t=10$ it is @3, and the quotient @3.)",
+           R"(The bar above the first root is lost in the text at hand. It is $t/\sqrt{1+t^2}$, whose square is )"
+           R"(under the next root. The product has no limit; at $t=10$ it is @3, and the quotient @3.)",
            {10 * sqrt(101.0), 10 / sqrt(101.0)})});
 }
 
@@ -347,7 +347,7 @@ std::vector<Root> roots() {
        filled("At $t=0$ a model of the point sinks at speed @1 where the point itself climbs at speed @1.",
               {in_frame(start.m.r, Vector3{0, 0, 1})[1] / start.d, start.m.v[2]})},
       {R"(square forgotten in $\ddot\phi$)",
-       filled(R"(In a table the northward acceleration at $t=2$ stands as $@1$; it is $@2$.)",
+       filled(R"(A table then lists the northward acceleration at $t=2$ as $@1$; it is $@2$.)",
               {-2 / 5.0, At(2.0).a[1]})}};
 }
 

@@ -1,6 +1,7 @@
 // Exercise 2.3: the motion r(t) = (cos t, sin t, t)/sqrt(1 + t^2) in spherical coordinates.
-//   R = r, P = k x R/|k x R|, Q = R x P: P points east, Q towards the pole; phi is the angle from the pole
-//   v = sin(phi) P - phi' Q,  a = 2 phi' cos(phi) P + (sin(phi) cos(phi) - phi'') Q - (phi'^2 + sin^2(phi)) R
+//   R = r, P = k x R/|k x R|, Q = R x P: P points east, Q towards the pole; phi is the angle from the pole.
+//   v = sin(phi) P - phi' Q.
+//   a = 2 phi' cos(phi) P + (sin(phi) cos(phi) - phi'') Q - (phi'^2 + sin^2(phi)) R.
 // The independent route uses no angle: Cartesian derivatives by dual numbers, projected on the frame of the
 // position. For the text's angles it is atan2 of the coordinates in dual numbers.
 

@@ -93,7 +93,7 @@ Quantity colatitude(const std::string& name, double t, const Reference& truth) {
          [=](double) {
            return Answer{std::asin(1 / sqrt(1 + t * t)), 1};
          },
-         t < 0 ? Outcome::inaccurate : Outcome::ok, "the sine does not tell north from south"});
+         t < 0 ? Outcome::inaccurate : Outcome::ok, "the sine is the same north and south"});
   q.add({"latitude", "pi/2 - atan", no_knob(),
          [=](double) {
            return Answer{pi / 2 - std::atan(t), 1};

@@ -1,7 +1,7 @@
-// Exercise 2.5: the angular velocity of a rotation by theta(t) about a unit axis D(t),
-//   w = theta' D + sin(theta) D' + (1 - cos(theta)) D x D'        (Skew(w) = R' R^T)
+// Exercise 2.5: the angular velocity w, Skew(w) = R' R^T, of a rotation R by theta(t) about a unit axis D(t):
+//   w = theta' D + sin(theta) D' + (1 - cos(theta)) D x D'.
 // The independent route does not use Rodrigues' formula: R is the matrix of the unit quaternion
-// (cos(theta/2), sin(theta/2) D), derivatives are by dual numbers, and w is the vector part of 2 q' q*
+// q = (cos(theta/2), sin(theta/2) D). Derivatives are by dual numbers, and w is the vector part of 2 q' q*
 // [Kuipers, Quaternions and Rotation Sequences, 11.4].
 
 #include "chapters/02_basic_concepts/05_rotation_about_moving_axis/rotating_axis.hpp"
@@ -17,7 +17,7 @@ constexpr Parameter parameters[] = {
     {"alpha", 0.5, "rad", R"(angle of the axis $\mathbf D$ from $z$)", 0, 3.14},
     {"Omega", 2, "rad/s", R"(rate at which $\mathbf D$ goes round $z$)", -20, 20},
     {"nu", 3, "rad/s", R"(rate of the angle $\theta$)", -20, 20},
-    {"seed", 1, "", "of the random motions in the proof", 0, 1e9, whole_number},
+    {"seed", 1, "", "seed of the random motions in the proof", 0, 1e9, whole_number},
 };
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -311,8 +311,8 @@ void listing(Table& table, const std::vector<Sample>& all) {
        .meant = letters(R"($\mathbf r$, $\mathbf v$, $\mathbf a$)", {"r", "v", "a"}),
        .near_misses = {letters(R"($\mathbf r$, $\mathbf u$, $\mathbf a$)", {"r", "u", "a"})},
        .why =
-           R"(What looks like the name of a typesetting command, Vector, is printed before its letter: one )"
-           R"(of the three functions is that of the velocity $\mathbf v=\dot{\mathbf r}$, `VFunction` in the )"
+           R"(Vector, probably the name of a typesetting command, is printed before its letter. One of the )"
+           R"(three functions is that of the velocity $\mathbf v=\dot{\mathbf r}$, `VFunction` in the )"
            R"(listing.)",
        .kind = Fault::term});
   const auto u_dot = [](bool mended) { return [=](const auto& s) { return listed_u_dot(s.m, mended); }; };

@@ -19,7 +19,7 @@ constexpr Parameter parameters[] = {
     {"pace", 1, "1/s", "units of the curve's time a second", 0.1, 16},
     {"t", 0.75, "1", R"(time at which $\mathbf w$ is computed)", -8, 8},
     {"T", 4, "s", "time until which the orientation is carried on from $t=0$", 0.25, 64},
-    {"seed", 1, "", "of the random times", 0, 1e9, whole_number},
+    {"seed", 1, "", "seed of the random times", 0, 1e9, whole_number},
 };
 
 Scene scene() {

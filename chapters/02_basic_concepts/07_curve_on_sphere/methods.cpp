@@ -147,7 +147,7 @@ Quantity orientation(const Parameters& p, const Horizon& horizon, const Referenc
       .by_remaining_integrators(
           "quaternion", as_quaternion,
           {{"modified midpoint", Outcome::inaccurate, "its order is too low for this need at this step"},
-           {"linearly implicit Euler", Outcome::drifted, "of order 1, and the quaternion shrinks"}})
+           {"linearly implicit Euler", Outcome::drifted, "its order is 1, and the quaternion shrinks"}})
       .by<ode::RungeKutta4>("matrix, w of the printed listing", as_listed, Outcome::inaccurate,
                             "a rotation, but the wrong one");
   const auto repaired = [&]<class Algorithm>(const std::string& name, const auto& model, Outcome expected) {

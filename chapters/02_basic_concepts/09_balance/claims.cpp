@@ -266,7 +266,7 @@ void about_lines(Claims& claims, const Plates& plates, double k) {
       "balance", 615,
       "As the first moment is zero, the plate must balance on the fulcrum (our check: tilted as well).",
       {.printed = vanishes(at_tilts, "about a line through the center", plates.center, tilts),
-       .near_misses = {vanishes(at_tilts, "about a line beside the center", plates.beside, tilts)}});
+       .near_misses = {vanishes(at_tilts, "about a line next to the center", plates.beside, tilts)}});
   const auto directions = [](const Plate& p) {
     std::vector<double> all;
     const auto step = quaternion({0, 0, 1}, pi / 16);

@@ -19,7 +19,7 @@ using std::sqrt;
 constexpr Parameter parameters[] = {
     {"k", 1, "1/m", "growth of the half disc's density, $e^{kx}$, along its edge", 0.01, 20},
     {"phi", 0.7, "rad", "direction of the fulcrum", -7, 7},
-    {"seed", 9, "", "of the random systems", 0, 1e9, whole_number},
+    {"seed", 9, "", "seed of the random systems", 0, 1e9, whole_number},
 };
 
 Integral by_columns(const Rule& rule, double k, std::size_t which) {

@@ -19,7 +19,7 @@ using namespace rotation;
 constexpr Parameter parameters[] = {
     {"theta", 2, "rad", "angle of the rotation", -6.5, 6.5},
     {"gap", 1, "", "distance of the triangle's two edge vectors", least_gap, 1},
-    {"seed", 11, "", "of the random samples", 0, 1e9, whole_number},
+    {"seed", 11, "", "seed of the random samples", 0, 1e9, whole_number},
 };
 
 // ---- the claims -------------------------------------------------------------------------------------------

@@ -202,7 +202,7 @@ void antiderivative(ProvableClaims<ColumnOf>& table, const std::vector<Column>& 
        .kind = Fault::lost_typography,
        .why = filled(
            "The bar above the 3 is lost in the text at hand: $(x-x^7/7)/3$, whose difference is @4, the integral. "
-           "As it stands it is @4.",
+           "As printed it is @4.",
            {between_ends<double>(meant), between_ends<double>(printed)})});
 }
 

@@ -18,7 +18,7 @@ constexpr Parameter parameters[] = {
     {"left", -1, "", "left end of the lamina; the whole parabola begins at -1", -1, 0.9},
     {"z", 0, "", "height of the lamina's plane", -10, 10},
     {"rho", 1, "", "mass of a unit area", 1e-3, 1e3},
-    {"seed", 13, "", "of the random samples", 0, 1e9, whole_number},
+    {"seed", 13, "", "seed of the random samples", 0, 1e9, whole_number},
 };
 
 /// Green's theorem: the integral of f is that of Q dy around the boundary, with dQ/dx = f. The top has dy =
@@ -85,7 +85,7 @@ Findings study(const Parameters& p, const Reference& truth) {
                            {p["left"], p["z"], p["rho"]}, p["seed"], truth);
   constexpr Lamina lifted{-0.625, 1.5, 1};
   Quantity cut = inertia(
-      "cut_inertia", filled("the same of the lamina cut off at $x=@3$, at $z=@2$", {lifted.left, lifted.z}),
+      "cut_inertia", filled("inertia of the lamina cut off at $x=@3$, at $z=@2$", {lifted.left, lifted.z}),
       lifted, p["seed"], truth);
   cut.add(
       Breakdown{"@2 Gauss points, exact for the columns, keep @1 digits by rows: the width of a row, "

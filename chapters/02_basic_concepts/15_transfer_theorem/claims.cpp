@@ -157,7 +157,7 @@ void products_of_inertia(Table& table) {
          .kind = Fault::formula,
          .why = filled(
              "The mass $m_i$ is left out of the first sum, $\\sum m_i\\,x'_iy'_i$, of lines 783 and "
-             "787; lines 779 and 781, before them, have it. As it stands the sum has another "
+             "787; lines 779 and 781, before them, include it. As printed the sum has another "
              "unit: for two masses of @1 kg at $\\pm(@1,@1)$ m it is @1, where $I_{xy}$ is @1 kg m$^2$.",
              {mass, place, place, of_pair(massless), of_pair(with_mass)})});
   };

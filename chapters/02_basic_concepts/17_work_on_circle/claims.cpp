@@ -609,7 +609,7 @@ std::vector<Root> roots() {
               R"(($r=\omega=1$).)",
               {most})},
       {"a term dropped at the maxima",
-       filled(R"(With $r=\omega=1$ the first maximum is @4 and the printed formula says @5: @2 times the )"
+       filled(R"(With $r=\omega=1$ the first maximum is @4 and the printed formula gives @5: @2 times the )"
               R"(work that the force does.)",
               {most, printed, printed / most})}};
 }

@@ -1,6 +1,6 @@
 // Exercise 2.17: the work of the forces (1, 1, 1) and (t, t, 1) on a particle at (r cos wt, r sin wt, 0).
-//   W(T) = r (cos x + sin x - 1)  and  r/w (x (cos x + sin x) + cos x - sin x - 1),  x = w T
-//   both are stationary at x = pi/4 + k pi, the second at T = 0 as well
+//   W(T) = r (cos x + sin x - 1)  and  r/w (x (cos x + sin x) + cos x - sin x - 1),  x = w T.
+// Both are stationary at x = pi/4 + k pi, the second at T = 0 as well.
 // The independent route uses the path alone: its velocity by dual numbers, the work by Gauss-Legendre
 // quadrature of F . v.
 
@@ -17,7 +17,7 @@ constexpr Parameter parameters[] = {
     {"omega", 1, "rad/s", "angular speed", 1e-2, 10},
     {"T", 10, "s", "time", 1e-6, 100},
     {"turn", 0, "", "whole turns before the maximum", 0, 15, whole_number},
-    {"seed", 17, "", "of the random samples", 0, 1e9, whole_number},
+    {"seed", 17, "", "seed of the random samples", 0, 1e9, whole_number},
 };
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -203,7 +203,7 @@ Quantity maximum(const Motion& m, double turn, const Reference& truth) {
            const auto W = [&](double t) { return closed_form(Force::constant, m.at(t), 0); };
            return with_works(golden_section(W, start, start + pi / m.w, e));
          },
-         Outcome::inaccurate, "a maximum is flat: $W$ tells times apart to the root of its rounding only"});
+         Outcome::inaccurate, "a maximum is flat: $W$ resolves times only to the root of its rounding"});
   q.add(
       Breakdown{"Comparing values of $W$ finds the time of its maximum to @2 digits only, because $W$ is "
                 "flat there; a zero of the power has all its digits.",

@@ -197,7 +197,7 @@ inline Quantity sliver_normal(const Reference& truth) {
   add("edges a, b - a", "rotated, then product", [=](const Map& R) { return cross(R(t.a), R(t.b() - t.a)); });
   add("edges a, b - a", "product, then rotated", [=](const Map& R) { return R(cross(t.a, t.b() - t.a)); });
   q.add(
-      Breakdown{"Of two nearly equal edges the product keeps @1 digits, in whatever order one rotates. "
+      Breakdown{"The product of two nearly equal edges keeps @1 digits, whether it is rotated or they are. "
                 R"($\mathbf a\times(\mathbf b-\mathbf a)$ is the same product and keeps them all, if )"
                 R"($\mathbf b-\mathbf a$ is formed before the rotation.)",
                 "edges a, b, rotated, then product",

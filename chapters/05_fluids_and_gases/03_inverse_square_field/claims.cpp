@@ -135,8 +135,8 @@ std::vector<Claim> claims(const Random& random, const Reference& truth) {
        .meant = {R"($\partial(x_i/|\mathbf x|^3)/\partial x_0$ for $i=0$)", {summands(0, random)}},
        .near_misses = {{R"($\partial(x_i/|\mathbf x|^3)/\partial x_0$ for $i=1$)", {summands(1, random)}}},
        .why = filled(
-           R"(The first derivative is printed of $x_i/|\mathbf x|^3$, an index that nothing sums and )"
-           R"(nothing else has: it must be $x_0$, which the next line has. At the point $(@1,@1,@1)$, )"
+           R"(The first derivative is printed of $x_i/|\mathbf x|^3$, whose index occurs nowhere else and is )"
+           R"(not summed. It must be $x_0$, as in the next line. At the point $(@1,@1,@1)$, )"
            R"(times $|\mathbf x|^3$, the three derivatives are $@4$, $@4$ and $@4$, which add up to zero; )"
            R"(with $x_1$ for $x_i$ the first is $@4$ and the sum $@4$.)",
            {at[0], at[1], at[2], d[0][0], d[1][1], d[2][2], d[1][0], d[1][0] + d[1][1] + d[2][2]}),
@@ -188,7 +188,7 @@ std::vector<Claim> claims(const Random& random, const Reference& truth) {
               .in_view = {R"(for $\mathbf x\ne0$)", {zero}},
               .near_misses = {out_of_a_ball(R"(a flux of $2\pi$)", all_around / 2)},
               .why = filled(
-                  R"(At $\mathbf x=0$ the text divides by zero, and its lines say nothing about that )"
+                  R"(At $\mathbf x=0$ the text divides by zero, so its lines do not hold at that )"
                   R"(point. It matters: $4\pi=@5$ flows out of every sphere around the origin, however )"
                   R"(small, so that the divergence is $4\pi\delta(\mathbf x)$, and Gauss's theorem with a )"
                   R"(divergence of zero gives 0.)",

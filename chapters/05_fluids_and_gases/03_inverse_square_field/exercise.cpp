@@ -21,7 +21,7 @@ constexpr Parameter parameters[] = {
     {"outside", 1.5, "", "centre of the spheroid that does not enclose the origin, in $b$", 1.1, 10},
     {"close", 0.9921875, "", "centre of the spheroid whose pole is close to the origin, in $b$", 0.9, 0.998},
     {"h", 1, "m", "half side of the cube", 0.1, 10},
-    {"seed", 5, "", "of the random points of the claims", 0, 9e15, whole_number},
+    {"seed", 5, "", "seed of the random points of the claims", 0, 9e15, whole_number},
 };
 
 Findings study(const Parameters& p, const Reference& truth) {

@@ -67,7 +67,7 @@ Quantity partials(const std::string& name, const std::string& says, const Point&
                   Outcome quotient_ends, const Steps& absolute);
 
 /// The flux through a spheroid of semi-axes a, a, b, with its centre d along b, by several rules. `peaked`:
-/// the origin is so close to the surface that rules with fixed points miss the peak of the density.
+/// rules with fixed points miss the peak of the density, as the origin is close to the surface.
 Quantity spheroid_flux(const std::string& name, const std::string& says, double a, double b, double d,
                        const Reference&, bool peaked = false);
 /// The flux through a cube of half side h with its centre at (h/4, -h/2, h/8).

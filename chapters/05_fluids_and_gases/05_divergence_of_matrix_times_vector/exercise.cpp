@@ -118,7 +118,7 @@ Proof proof_of_lines(Random random) {
   meant.as_typeset = false;
   auto changes = proof.single_changes(constants, whole);
   changes.push_back(proof.reading({{"div_phi_Mf", "phi (" + outside + ")"}}, whole));
-  changes.back().text = "the same of a matrix that varies, $\\varphi M$";
+  changes.back().text = "the formula for a matrix that varies, $\\varphi M$";
   changes.back().as_typeset = false;
   proof.claims.add(
       "constants_outside", 3277,

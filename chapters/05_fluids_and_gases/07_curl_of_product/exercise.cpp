@@ -34,18 +34,18 @@ Proof proof_of_lines(Random random) {
       R"($\varphi\mathbf f$ differentiated as one field along a turned frame, by dual numbers)";
   const auto component = [&](const std::string& step, std::size_t i, int at, const std::string& says,
                              const std::string& right) {
-    proof.line(step + "_" + digit(i), at, "component " + digit(i) + says, {{"curl_phi_f" + digit(i), right}},
-               whole);
+    proof.line(step + "_" + digit(i), at, "component " + digit(i) + ": " + says,
+               {{"curl_phi_f" + digit(i), right}}, whole);
   };
-  const std::string definition = " of the curl of the product, by definition";
+  const std::string definition = "curl of the product, by definition";
   component("definition", 0, 3305, definition, "phi_f2,1 - phi_f1,2");
   component("definition", 1, 3309, definition, "phi_f0,2 - phi_f2,0");
   component("definition", 2, 3311, definition, "phi_f1,0 - phi_f0,1");
-  const std::string rule = " with two terms for every derivative of a product";
+  const std::string rule = "two terms for every derivative of a product";
   component("product_rule", 0, 3317, rule, "phi f2,1 + phi,1 f2 - phi f1,2 - phi,2 f1");
   component("product_rule", 1, 3323, rule, "phi f0,2 + phi,2 f0 - phi f2,0 - phi,0 f2");
   component("product_rule", 2, 3331, rule, "phi f1,0 + phi,0 f1 - phi f0,1 - phi,1 f0");
-  const std::string gathered = " with the terms gathered into two vectors";
+  const std::string gathered = "the terms gathered into two vectors";
   component("gathered", 0, 3343, gathered, "phi (f2,1 - f1,2) + (phi,1 f2 - phi,2 f1)");
   component("gathered", 1, 3345, gathered, "phi (f0,2 - f2,0) + (phi,2 f0 - phi,0 f2)");
   component("gathered", 2, 3349, gathered, "phi (f1,0 - f0,1) + (phi,0 f1 - phi,1 f0)");

@@ -38,7 +38,7 @@ void fill(Sample& s, const Drawn& d) {
 }
 
 /// A function whose second derivatives exist everywhere and are not continuous at the origin:
-///   p(x, y) = x y (x^2 - y^2) / (x^2 + y^2), p(0, 0) = 0   [Peano]
+///   p(x, y) = x y (x^2 - y^2) / (x^2 + y^2), p(0, 0) = 0   [Peano].
 /// There d/dx (dp/dy) = 1 and d/dy (dp/dx) = -1, since dp/dy (x, 0) = x and dp/dx (0, y) = -y.
 /// [Peano] G. Peano in A. Genocchi, Calcolo differenziale, 1884.
 constexpr auto peano = []<class T>(const Triple<T>& x) {

@@ -17,7 +17,7 @@ inline constexpr Parameter field_parameters[] = {
     {"x0", 0.3, "m", "where the fields are differentiated", -1, 1},
     {"x1", -0.7, "m", "where the fields are differentiated", -1, 1},
     {"x2", 0.9, "m", "where the fields are differentiated", -1, 1},
-    {"seed", 5, "", "of the random fields that the claims are checked with", 0, 9e15, whole_number},
+    {"seed", 5, "", "seed of the random fields that the claims are checked with", 0, 9e15, whole_number},
 };
 
 /// The fixed fields and the point.

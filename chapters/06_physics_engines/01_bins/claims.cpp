@@ -175,7 +175,7 @@ void costs(Claims& claims, const Parameters& p, const std::vector<Lattice>& sphe
   const auto mean = [](const std::string& text, double per_radius) {
     return compare<Ratio>(
         "mean size of the range", {"counted", [](const Ratio& r) { return mean_tests(r.ratio, 32); }},
-        {text + " less what the border cuts off",
+        {text + " less the part cut off by the border",
          [=](const Ratio& r) {
            return std::pow(std::cbrt(mean_in_closed_form(r.ratio, 32)) + (per_radius - 2) * r.ratio, 3);
          }},
@@ -254,7 +254,7 @@ void costs(Claims& claims, const Parameters& p, const std::vector<Lattice>& sphe
       "constant_cost", 3737,
       "with a good choice of bin size (our reading: $h=2r$) the number of tests is about constant, $O(1)$ "
       "instead of $O(n)$",
-      {.printed = {"8 less what the border cuts off, at $r=h/2$",
+      {.printed = {"8 less the part cut off by the border, at $r=h/2$",
                    {tests("$(2-1/N)^3$ for $N$ bins an axis", closed, rounding(8)),
                     tests("8, whatever $N$ is", constant, border)}},
        .near_misses = {{"proportional to $n$", {tests("proportional to $n$", linear, border)}}}});

@@ -19,7 +19,7 @@ using namespace bins;
 constexpr Parameter parameters[] = {
     {"ratio", 1, "bins", "a sphere's radius over the bin's side", 0.03125, 3},
     {"half", 8, "bins", "half the number of bins on an axis", 2, 12, whole_number},
-    {"seed", 1, "", "of the random spheres and objects", 0, 1e9, whole_number},
+    {"seed", 1, "", "seed of the random spheres and objects", 0, 1e9, whole_number},
 };
 
 // ---- quantities -------------------------------------------------------------------------------------------
@@ -301,7 +301,7 @@ Exercise exercise_6_1() {
   return {
       "Spheres in a grid of bins",
       "Which of the $n$ bins of a rectangular grid does a sphere of center $c$ and radius $r$ meet? Find a "
-      "way that does not test every bin, and say what it costs.",
+      "way that does not test every bin, and state its cost.",
       parameters,
       {},
       study};

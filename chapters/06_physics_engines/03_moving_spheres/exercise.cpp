@@ -18,7 +18,7 @@ constexpr auto parameters =
                         Parameter{"frames", 16, "", "frames", 6, 64, whole_number},
                         Parameter{"radius", 0.75, "", "largest radius, the world's side being 16", 0.05, 4},
                         Parameter{"speed", 0.25, "", "largest speed along an axis, per frame", 0, 2},
-                        Parameter{"seed", 1, "", "of the random spheres", 0, 1e9, whole_number}},
+                        Parameter{"seed", 1, "", "seed of the random spheres", 0, 1e9, whole_number}},
              numbers<3>({"c1x", "c1y", "c1z"}, {-5, 1, 0}, "",
                         "center of the first of two spheres that you choose", 1e6),
              numbers<3>({"v1x", "v1y", "v1z"}, {0.6, 0, 0}, "", "its velocity per frame", 1e4),
@@ -43,7 +43,7 @@ const std::vector<Mover> edge_cases{
     {{500, -500, -500}, {7, -7, -7}, 30}, {{540, -540, -500}, {7, -7, -7}, 30},
     {{0, 0, 0}, {0, 0, 0}, 800}};
 
-/// All except the last, which is so large that all bins would be searched for centers.
+/// All except the last: with its radius all bins would be searched for centers.
 const std::vector<Mover> edge_cases_of_a_size(edge_cases.begin(), edge_cases.end() - 1);
 
 std::vector<Mover> movers(const Parameters& p, std::vector<Mover> all = edge_cases) {
@@ -189,8 +189,10 @@ std::vector<Claim> claims(const Parameters& p) {
 Findings study(const Parameters& p, const Reference&) {
   std::vector<Quantity> all{pairs(p)};
   if (auto contact = first_contact(p)) all.push_back(std::move(*contact));
-  return {
-      claims(p), std::move(all), {}, "The solution leaves the exercise open, and what it says of it stands."};
+  return {claims(p),
+          std::move(all),
+          {},
+          "The solution leaves the exercise open, and its one statement is right."};
 }
 
 }  // namespace ex06_03

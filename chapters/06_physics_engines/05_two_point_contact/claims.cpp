@@ -251,8 +251,8 @@ Tolerance of_w(const Sample& s) {
   return {
       2 * turn * s.yielding() * momentum + (steps_leave + rounded_ends) * s.twist() +
           roundings * 0x1p-52 * s.body.w.norm(),
-      filled("in a pulse of $@1$ s the body turns by no more than that times $|w|$ and what the impulse adds "
-             "to it, its arms and its inertia with it; and what $v^+$ is allowed",
+      filled("in a pulse of $@1$ s the body turns, with its arms and its inertia, by no more than that times "
+             "$|w|$ and its change; added to this is the error allowed for $v^+$",
              {pulse})};
 }
 
@@ -261,7 +261,7 @@ Check against_motion(const std::vector<Sample>& all, const Formula<Sample>& by, 
                      double first = 0.5) {
   WorstSample worst(from == 0 ? "$v^+$" : "$w^+$", by.text,
                     first == 0.5 ? "motion under half the pulse at either point"
-                                 : "motion, " + format_shortest(first) + " of the pulse at $P_0$");
+                                 : "motion, share of the pulse at $P_0$: " + format_shortest(first));
   for (const Sample& s : all) {
     const double scale = from == 0 ? s.body.v.norm() + s.kick() : s.body.w.norm() + s.twist();
     worst.add(by.of(s), Value(by_motion(s, from, first)), from == 0 ? of_v(s) : of_w(s), scale, s.where());
@@ -504,8 +504,7 @@ void what_follows(Claims& claims, double seed) {
   claims.add(
       "finite_set", 3785,
       "the assumption that only a finite set of points is in contact is no approximation, at least for bodies of "
-      "constant density (our reading: equal impulses at the corners of what is in contact, in place of an even "
-      "one)",
+      "constant density (our reading: equal impulses at the corners of the contact, in place of an even one)",
       {.printed = {"for any contact: segments, triangles, parallelograms and trapezoids",
                    {segment, triangles, parallelograms, as_area(boxes, R"(trapezoids, $1:\frac12$)", 0.5)}},
        .corrected = {"for segments, and where the corners' mean is the area's centroid: triangles, "
@@ -513,11 +512,11 @@ void what_follows(Claims& claims, double seed) {
                      {segment, triangles, parallelograms}},
        .near_misses = {{"trapezoids alone, $1:0.9$", {as_area(boxes, "trapezoids, $1:0.9$", 0.9)}}},
        .why = filled(
-           "Two points do replace an evenly pressed segment, and whatever the body's density; that corners replace "
-           "a face does not follow. "
+           "Two points do replace an evenly pressed segment, whatever the body's density. It does not follow that "
+           "corners replace a face. "
            "The mean of a trapezoid's corners is not its centroid: with parallel sides 2 and 1 it lies at "
-           "@1 of the height, the centroid at @3, and the torque about the long side is @3 times what it "
-           "should be. Corners weighted by area (a third of each triangle's share) give the face's result "
+           "@1 of the height, and the centroid at @3. The torque about the long side is then @3 times the right "
+           "one. Corners weighted by area (a third of each triangle's share) give the face's result "
            "exactly.",
            {mean, centroid, mean / centroid}),
        .kind = Fault::counterexample,
@@ -545,7 +544,7 @@ std::vector<Root> roots(const Parameters& p, const Quantity& patch) {
       {"corners for a face",
        filled(
            R"(A box of $@3\times@3\times@3$ m and @3 kg, hit from below with @3 N s spread evenly over a )"
-           R"(trapezoid, starts to tip over its long side at @2 rad/s; equal impulses at the four corners )"
+           R"(trapezoid, starts to tip over its long side at @2 rad/s. Equal impulses at the four corners )"
            "do not tip it over that side at all.",
            {p["a"], p["b"], p["c"], p["m"], p["f"], std::abs(patch.reference.value[0])})}};
 }

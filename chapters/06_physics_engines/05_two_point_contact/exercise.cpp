@@ -1,6 +1,6 @@
 // Exercise 6.5: two bodies touch at the points P0, P1 with the same normal N. The book spreads the impulse f
 // N over both by the average of two delta functions:
-//   v+ = v- + f N / m,   w+ = w- + J^-1 r(M) x f N,   M = (P0 + P1)/2
+//   v+ = v- + f N / m,   w+ = w- + J^-1 r(M) x f N,   M = (P0 + P1)/2.
 // The independent route is the motion itself, by Runge-Kutta, under half a short pulse of force at each of
 // the two material points. The box of the tables is balanced on an edge, rotated by theta about it; l0, l1
 // are the ends of the contact on the edge, measured from its middle. (6.88), (6.89) and (6.91) are the book's
@@ -25,7 +25,7 @@ constexpr Parameter parameters[] = {
     {"f", 3, "N s", "impulse", 1e-3, 1e4},
     {"speed", 2, "m/s", "at which the box falls on the edge", 0.01, 100},
     {"e", 0.5, "", "coefficient of restitution", 0, 1},
-    {"seed", 1, "", "of the random bodies", 0, 1e9, whole_number},
+    {"seed", 1, "", "seed of the random bodies", 0, 1e9, whole_number},
 };
 
 const Vector3d up(0, 0, 1);

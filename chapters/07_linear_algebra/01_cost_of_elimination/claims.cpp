@@ -257,8 +257,7 @@ void comparisons(Claims& claims, const std::vector<Counts>& sizes) {
                    }},
        .near_misses = {{R"($C'>C$ for all $n\ge1$)", [](const Counts& c) { return c.excess().mu > 0; }}}});
   claims.statement<Counts>(
-      "cheaper", 3807,
-      "of the two, forward elimination and not full elimination keeps the costs to a minimum", sizes,
+      "cheaper", 3807, "forward elimination, not full elimination, keeps the costs to a minimum", sizes,
       {.printed = {"fewer multiplications, and no more additions and divisions, for $n>1$",
                    [](const Counts& c) {
                      const Cost more = c.excess();
@@ -384,7 +383,7 @@ void solutions(Claims& claims, const Random& random) {
   claims.statement<Residues>(
       "zero_pivot", 3793,
       "each row can be divided by its diagonal entry (our reading: no pivot is ever zero)", all,
-      {.printed = {"the rows as they stand", [](const Residues& s) { return s.solved_with(0); }},
+      {.printed = {"the rows in their given order", [](const Residues& s) { return s.solved_with(0); }},
        .corrected = {"rows exchanged where a pivot is zero",
                      [](const Residues& s) { return s.solved_with(s.n()); }},
        .in_view = {"where no pivot is zero", [](const Residues& s) { return s.made_diagonal(true); }},
@@ -449,9 +448,10 @@ std::vector<Root> roots() {
            "needs @1 more.",
            {few, factored(few).alpha, Counts(few).excess().alpha})},
       {"no exchange of rows",
-       filled(R"(Of the @5 invertible $3\times3$ matrices with entries $-1$, 0 and 1, @4 have a zero pivot: )"
-              R"(@2 % of them are answered with NaN.)",
-              {invertible, failing, 100 * failing / invertible})}};
+       filled(
+           R"(A zero pivot occurs in @4 of the @5 invertible $3\times3$ matrices with entries $-1$, 0 and 1: )"
+           R"(@2 % of them are answered with NaN.)",
+           {failing, invertible, 100 * failing / invertible})}};
 }
 
 }  // namespace oddity::ex07_01

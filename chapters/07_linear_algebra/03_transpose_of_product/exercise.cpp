@@ -192,11 +192,11 @@ Quantity same_bits(double decades, const Random& random) {
   add(0.0, "doubles", "ascending and fused", Order::ascending, Order::fused, differ, once);
   add(DoubleDouble(), "twice the digits, then rounded", "ascending and descending", Order::ascending,
       Order::descending, equal, "");
-  q.add(
-      Breakdown{"The two sides agree bit for bit only while their sums run alike. Sums in twice the digits, "
-                "rounded at the end, agree in any order.",
-                "doubles, ascending and descending", 32, differ,
-                "twice the digits, then rounded, ascending and descending", 32});
+  q.add(Breakdown{
+      "The two sides agree bit for bit only if their sums run the same way. Sums in twice the digits, "
+      "rounded at the end, agree in any order.",
+      "doubles, ascending and descending", 32, differ,
+      "twice the digits, then rounded, ascending and descending", 32});
   return q;
 }
 

@@ -232,12 +232,12 @@ void geometry(Claims& claims, const std::vector<Edges>& open, const std::vector<
   const Statement<Edges> flat{R"($u\cdot v\times w=0$)",
                               [](const Edges& s) { return size_of(volume.of(s)) == 0; }};
   const auto perpendicular = [&](const std::vector<Edges>& samples) {
-    return compare<Edges>("what each product has along each edge, in halves of 52 bits", leaning, upright,
-                          samples);
+    return compare<Edges>("dot product of each product with each edge, in halves of 52 bits", leaning,
+                          upright, samples);
   };
   const auto along_first = [&](const Line& others) {
-    return compare<Edges>("what the other two products have along the first, in halves of 52 bits", others,
-                          length_twice, closed);
+    return compare<Edges>("dot products of the other two products with the first, in halves of 52 bits",
+                          others, length_twice, closed);
   };
   const auto same_length = [&](std::string text, const std::vector<Edges>& samples) {
     return Reading{std::move(text),
@@ -258,8 +258,8 @@ void geometry(Claims& claims, const std::vector<Edges>& open, const std::vector<
                            {"in either order", {along_first(reversed)}}}})
       .add("same_length", 3853,
            R"(the normal vector always has the same length: $|u\times v|=|v\times w|=|w\times u|$)",
-           {.printed = same_length("of every two edges", closed),
-            .near_misses = {same_length("of any $u$, $v$, $w$", open)}})
+           {.printed = same_length("for every two edges", closed),
+            .near_misses = {same_length("for any $u$, $v$, $w$", open)}})
       .formula<Edges>("twice_area", 3853, R"($|u\times v|$ is twice the triangle's area)", closed,
                       {.quantity = R"($16\,\text{area}^2$, in halves of 52 bits)",
                        .truth = heron,
@@ -387,8 +387,8 @@ std::vector<Root> roots() {
   return {
       {"edges on one line",
        filled(
-           R"(Of the @2 triples of vertices of a $3\times3$ grid @1 lie on a line: a face on one of them has )"
-           R"(the unit normal $0/0$, and is lit with NaN.)",
+           R"(A $3\times3$ grid has @2 triples of vertices, and @1 of them lie on a line: a face on one of )"
+           R"(these has the unit normal $0/0$, and is lit with NaN.)",
            {static_cast<double>(triples), static_cast<double>(on_a_line)})}};
 }
 

@@ -148,8 +148,8 @@ void over_products(Table& table, const std::vector<Planted>& samples) {
        .meant = R"($z\,v\cdot w\times u$)",
        .kind = Fault::formula,
        .why = filled(
-           R"($v\cdot w$ is a number, so $v\cdot w\cdot u$ is no triple product: a dot stands where the cross of )"
-           R"($v\cdot w\times u$ belongs. The solution for $z$ has it. With )"
+           R"($v\cdot w$ is a number, so $v\cdot w\cdot u$ is no triple product: a dot is printed for the cross of )"
+           R"($v\cdot w\times u$. The solution for $z$ has the cross. With )"
            R"(twice the unit vectors for a basis the volume is @1, and no product of two dots is a number )"
            R"(at all.)",
            {volume})});

@@ -1,6 +1,6 @@
 // Exercise 7.7: the coefficients of p over a basis u, v, w, and over u x v, v x w, w x u, by triple products:
-//   p = x u + y v + z w,             x = p.v x w / D, y = p.w x u / D, z = p.u x v / D,   D = u.v x w
-//   p = x u x v + y v x w + z w x u, x = w.p / D,     y = u.p / D,     z = v.p / D
+//   p = x u + y v + z w,             x = p.v x w / D, y = p.w x u / D, z = p.u x v / D,   D = u.v x w.
+//   p = x u x v + y v x w + z w x u, x = w.p / D,     y = u.p / D,     z = v.p / D.
 // The coefficients are known in advance: p is combined with whole numbers, and every line must return them
 // exactly. Triple products are Cramer's rule; Higham, Accuracy and Stability, 2nd ed., 1.10.1.
 
@@ -175,19 +175,19 @@ Quantity left_over(double gap, const Reference& truth) {
 Findings study(const Parameters& chosen, const Reference& truth) {
   constexpr double tiny = 1e-10;
   Quantity nearly = coefficients("nearly_dependent", tiny, Outcome::inaccurate, truth);
+  nearly.add(
+      Breakdown{R"(With $w$ within $@1$ of the plane of $u$ and $v$ the volume $u\cdot v\times w$ loses )"
+                "its digits by cancellation; twice the digits restore them.",
+                "triple products, Cramer",
+                53,
+                Outcome::inaccurate,
+                "triple products, Cramer",
+                106,
+                {tiny}});
   nearly.add(Breakdown{
-      R"(With $w$ within $@1$ of the plane of $u$ and $v$ the volume $u\cdot v\times w$ is what is )"
-      "left of a cancellation; twice the digits bring it back.",
-      "triple products, Cramer",
-      53,
-      Outcome::inaccurate,
-      "triple products, Cramer",
-      106,
-      {tiny}});
-  nearly.add(Breakdown{
-      "A factorization loses the same digits, though what it leaves of $p$ is as small as rounding allows "
-      "(see `left_over`): a small remainder proves nothing. Corrected by that remainder, in twice the digits, "
-      "it gets them back.",
+      "A factorization loses the same digits, though its residual is as small as rounding allows (see "
+      "`left_over`): a small residual proves nothing. Corrected by that residual, in twice the digits, it gets "
+      "them back.",
       "factorization, LU, rows exchanged", 0, Outcome::inaccurate, "factorization, LU, refined", 3});
   return {claims(Random(chosen["seed"])),
           in_operations({coefficients("coefficients", chosen["gap"], Outcome::ok, truth),

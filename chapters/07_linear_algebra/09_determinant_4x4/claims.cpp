@@ -193,10 +193,9 @@ std::vector<Claim> claims(const Random& random) {
        .meant =
            {R"($\sum_\sigma\varepsilon_\sigma a_{\sigma(1)1}a_{\sigma(2)2}a_{\sigma(3)3}a_{\sigma(4)4}$)"},
        .kind = Fault::formula,
-       .why =
-           filled("An equals sign stands between the summation sign and the product that it sums. A product "
-                  "alone is one of @2 terms: 1 for a matrix of ones, whose determinant is 0.",
-                  {onto_maps()})});
+       .why = filled("An equals sign is printed between the summation sign and its product. A product "
+                     "alone is one of @2 terms: 1 for a matrix of ones, whose determinant is 0.",
+                     {onto_maps()})});
   const auto permutations = [](const char* text, double number) {
     return Reading{text,
                    {{"permutations",

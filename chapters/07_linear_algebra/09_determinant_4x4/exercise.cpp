@@ -169,7 +169,7 @@ Quantity determinant_one(int size, Random random) {
            return Answer{number(sum(m)), work};
          }});
   const std::string says =
-      "The terms are up to $@1$ and cancel to 1; in doubles what is left is their rounding. In whole "
+      "The terms are up to $@1$ and cancel to 1; in doubles only their rounding is left. In whole "
       "numbers nothing is lost, and twice the digits are enough too.";
   const std::vector<Told> terms{largest_term(cast<double>(m, number))};
   q.add(Breakdown{says, "expansion, 24 terms", 53, Outcome::diverged,

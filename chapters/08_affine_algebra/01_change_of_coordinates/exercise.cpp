@@ -1,9 +1,9 @@
 // Exercise 8.1: two frames of the plane with the same origin, the axes of the second rotated by pi/4. The
-// book's
-//   b = R^T a,   R^T = 1/sqrt(2) (1 1; -1 1),   R the counterclockwise rotation by pi/4
-// is checked against the frames themselves: P = O + a1 u1 + a2 u2 = O + b1 v1 + b2 v2, v1 and v2 the powers
-// exp(i pi/4), i exp(i pi/4), and b by elimination. Example 8.1 itself, with c = (c1, c2), is not in the
-// solutions.
+// book's formula is
+//   b = R^T a,   R^T = 1/sqrt(2) (1 1; -1 1),   R the counterclockwise rotation by pi/4.
+// The independent route is the frames themselves: P = O + a1 u1 + a2 u2 = O + b1 v1 + b2 v2. Here v1 and v2
+// are exp(i pi/4) and i exp(i pi/4), and b is found by elimination. Example 8.1 itself, with c = (c1, c2), is
+// not in the solutions.
 
 #include <Eigen/Core>
 #include <complex>
@@ -27,7 +27,7 @@ using Complex = std::complex<double>;
 constexpr Parameter parameters[] = {
     {"a1", 2, "m", "first coordinate", -1e6, 1e6},
     {"a2", 0.5, "m", "second coordinate", -1e6, 1e6},
-    {"seed", 1, "", "of the random points", 0, 1e9, whole_number},
+    {"seed", 1, "", "seed of the random points", 0, 1e9, whole_number},
 };
 
 constexpr double four_decimals = 0.7071;  ///< precision of the printed 1/sqrt(2)
@@ -320,10 +320,10 @@ Quantity full_turns() {
     for (double n = 0; n < changes.settings.back(); ++n) p = by_entries(p, entry);
     return std::abs(1 - p.norm() / from.norm());
   };
-  q.add(Breakdown{R"(The square of the double $1/\sqrt2$ is $@1$ too small, and the length shrinks in every )"
-                  R"(change, unless the roundings fall into a cycle that hides it: of $(@1,@1)$ it has )"
-                  "changed by $@1$ of itself after @6 changes, of this point by $@1$. Two changes are a "
-                  "quarter turn, which rounds nothing.",
+  q.add(Breakdown{R"(The square of the double $1/\sqrt2$ is $@1$ too small. The length shrinks in every )"
+                  R"(change, unless the roundings fall into a cycle that hides it. That of $(@1,@1)$ has )"
+                  "changed by $@1$ of itself after @6 changes, that of this point by $@1$. Two changes are "
+                  "a quarter turn, which rounds nothing.",
                   "matrix, entries 1/sqrt(2)",
                   262144,
                   Outcome::inaccurate,

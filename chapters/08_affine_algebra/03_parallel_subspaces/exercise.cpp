@@ -18,7 +18,7 @@ namespace ex08_03 {
 
 constexpr Parameter parameters[] = {
     {"pairs", 60, "", "random pairs of subspaces", 1, 500, whole_number},
-    {"seed", 1, "", "of the random pairs", 0, 1e9, whole_number},
+    {"seed", 1, "", "seed of the random pairs", 0, 1e9, whole_number},
 };
 
 // ---- vector spaces ----------------------------------------------------------------------------------------

@@ -97,7 +97,7 @@ void formulas(Table& table, const std::vector<Sample>& all) {
   table.formula(
       "normal_equations", 4015,
       R"($\sum_j(V_i\cdot V_j)c_j=V_i\cdot V$ for $i=1,2,3$ is a linear system for $c_1,c_2,c_3$)", all,
-      {.quantity = "what the sides of the system's rows differ by at ratios of volumes",
+      {.quantity = "difference of the sides of the system's rows at ratios of volumes",
        .truth = {"zero", []<class T>(const SampleOf<T>&) { return Vector<T>(T(0.0), T(0.0), T(0.0)); }},
        .printed = R"($\sum_j(V_i\cdot V_j)c_j=V_i\cdot V$)",
        .near_misses = {R"($\sum_j(V_i\cdot V_j)c_j=V_i\cdot P$)",

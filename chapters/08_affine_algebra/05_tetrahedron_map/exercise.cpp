@@ -19,11 +19,12 @@ namespace oddity {
 namespace ex08_05 {
 
 constexpr auto parameters = together(
-    std::array{Parameter{"height", 1, "", "of the apex over its base, in units of the base", 0.0625, 1},
-               Parameter{"c1", 0.25, "", "barycentric coordinate of $P$ at $P_1$", -4, 4},
-               Parameter{"c2", 0.375, "", "barycentric coordinate of $P$ at $P_2$", -4, 4},
-               Parameter{"c3", 0.125, "", "barycentric coordinate of $P$ at $P_3$", -4, 4},
-               Parameter{"seed", 1, "", "of the random tetrahedra", 0, 1e9, whole_number}},
+    std::array{
+        Parameter{"height", 1, "", "height of the apex over its base, in units of the base", 0.0625, 1},
+        Parameter{"c1", 0.25, "", "barycentric coordinate of $P$ at $P_1$", -4, 4},
+        Parameter{"c2", 0.375, "", "barycentric coordinate of $P$ at $P_2$", -4, 4},
+        Parameter{"c3", 0.125, "", "barycentric coordinate of $P$ at $P_3$", -4, 4},
+        Parameter{"seed", 1, "", "seed of the random tetrahedra", 0, 1e9, whole_number}},
     numbers<3>({"p0x", "p0y", "p0z"}, {1, 2, -1}, "", "vertex $P_0$ of a tetrahedron that you choose", 1e3),
     numbers<3>({"p1x", "p1y", "p1z"}, {5, 2, -1}, "", "vertex $P_1$", 1e3),
     numbers<3>({"p2x", "p2y", "p2z"}, {3, 6, 1}, "", "vertex $P_2$", 1e3),
@@ -166,7 +167,7 @@ Quantity values_of(std::string name, std::string says, const Tetrahedron& tetra,
                    const std::vector<Vector3d>& coordinates, const Expected& expected) {
   const Problem problem(tetra, coordinates);
   std::vector<double> truth;
-  double largest = 0, terms = 0;  // of |f|; of A . P + b, the sum of their sizes
+  double largest = 0, terms = 0;  // largest |f|; largest sum of sizes in A . P + b
   bool exact = true;
   for (const Vector3d& x : problem.points) {
     truth.push_back(map(x));
@@ -222,7 +223,7 @@ std::vector<Quantity> quantities(const Parameters& p) {
     return filled("the same, the apex $2^{@2}$ above its base", {std::log2(height)});
   };
   all.push_back(values_of("sliver_value", sliver(thin), tetrahedron(thin), x,
-                          {bad, bad, bad, ok, "products lose what is small in the sliver"}));
+                          {bad, bad, bad, ok, "products lose the small terms of the sliver"}));
   all.back().add(
       Breakdown{"The normal equations square the condition number, and $f(P)$ is off by rounding over "
                 "height, $@1$, where the edges themselves err by $@1$: there a stable solve leaves a "
@@ -234,7 +235,7 @@ std::vector<Quantity> quantities(const Parameters& p) {
                 0,
                 {error_of(Side::broken), error_of(Side::cured)}});
   all.push_back(values_of("sliver_30", sliver(thinner), tetrahedron(thinner), x,
-                          {bad, raised, bad, ok, "products lose what is small in the sliver"}));
+                          {bad, raised, bad, ok, "products lose the small terms of the sliver"}));
   all.back().add(
       Breakdown{"At $2^{@2}$ the square of the height is below rounding: the matrix that cannot be "
                 "singular is singular to Cholesky. The edges' own is not.",

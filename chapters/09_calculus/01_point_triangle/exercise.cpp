@@ -1,7 +1,7 @@
 // Exercise 9.1: the distance from a point P to a triangle, as the minimum of a quadratic on s, t >= 0, s + t
 // <= 1:
 //   f(s, t) = |s E1 + t E2 + D|^2 = a00 s^2 + 2 a01 s t + a11 t^2 + 2 b0 s + 2 b1 t + c,
-//   E1 = V1 - V0, E2 = V2 - V0, D = V0 - P
+//   E1 = V1 - V0, E2 = V2 - V0, D = V0 - P.
 // Independent routes: for the coefficients, derivatives of |V(s, t) - P|^2 by dual numbers; for the minimum,
 // the perpendicular and the edges; for the tables, a bisection that uses no regions.
 
@@ -21,7 +21,7 @@ constexpr auto parameters =
              numbers<3>({"v0x", "v0y", "v0z"}, {1, 2, -1}, "m", "the triangle's vertex $V_0$", 1e6),
              numbers<3>({"v1x", "v1y", "v1z"}, {4, 3, 0}, "m", "the vertex $V_1$", 1e6),
              numbers<3>({"v2x", "v2y", "v2z"}, {0, 4, 1}, "m", "the vertex $V_2$", 1e6),
-             std::array{Parameter{"seed", 1, "", "of the random triangles", 0, 1e9, whole_number}});
+             std::array{Parameter{"seed", 1, "", "seed of the random triangles", 0, 1e9, whole_number}});
 
 // ---- distances --------------------------------------------------------------------------------------------
 
