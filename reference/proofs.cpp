@@ -29,9 +29,9 @@ ProvedClaims read_proofs(const std::filesystem::path& folder) {
 
 std::string proofs_csv(const ProvedClaims& proofs) {
   std::string text =
-      "# What Coq has proved of claims: written by oddity prove --approve once coqc has checked every file. hash: of "
+      "# Claims proved by Coq: written by oddity prove --approve once coqc has checked every file. hash: of "
       "the file, which is made of the formulas that the suite computes with; the suite is red when the file made now "
-      "has another. margin: what the printed value is off by, at the least.\n"
+      "has another. margin: the least error of the printed value.\n"
       "claim,hash,proved,margin\n";
   for (const auto& [claim, p] : proofs)
     text += claim + "," + p.hash + ",\"" + p.proved + "\"," +

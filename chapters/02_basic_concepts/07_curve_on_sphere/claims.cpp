@@ -572,7 +572,7 @@ Provable proof_of(const std::string& slug, const FrameClaim& claim, const Of& of
 Provable proof_of_listing(const Of& of) {
   Provable proved{
       "2.7-listing_result",
-      "as corrected " + of.says + "; as printed it is off by what is said, of any motion and at an example",
+      "as corrected " + of.says + "; as printed it has the stated error, for any motion and at an example",
       {equation("corrected", mended("", 1), w_by_frame, of),
        equation("printed_with_error", listed(), with_error(), of)}};
   proved.lemmas.push_back(off(listed(), w_by_frame, of, proved.margin));

@@ -522,7 +522,7 @@ Provables about_extrema(const ForAll<SampleOf>& all) {
   const std::string work = dot(ones(at), v).expression().coq();
   return {
       {"2.17-zeros",
-       "of any radius and speed the power is zero there, and nowhere else",
+       "for any radius and speed the power is zero there, and nowhere else",
        {{"printed",
          all.letters,
          {not_zero(any.r.expression()), not_zero(any.w.expression())},
@@ -535,7 +535,7 @@ Provables about_extrema(const ForAll<SampleOf>& all) {
        0,
        preamble},
       {"2.17-first_maximum",
-       "of any radius and speed it is this at that time, and no more at any other",
+       "for any radius and speed the work has this value at that time, and no larger one at any other",
        {{"value",
          all.letters,
          forward,

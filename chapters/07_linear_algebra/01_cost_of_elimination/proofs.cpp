@@ -53,7 +53,7 @@ Provables proofs() {
             differ(6 * difference(two).alpha, six_times_bracket(two, printed_rest<Expression>()).alpha, 4)},
            4},
           {"7.1-excess",
-           "of the corrected C' it is as corrected for all n; " + counted,
+           "with the corrected C' it is as corrected for all n; " + counted,
            {equal_costs("corrected", 6 * (corrected_total(n) - printed_original(n)),
                         six_times_bracket(n, rest_of_counts<Expression>())),
             differ(6 * (full - forward), six_times_bracket(three, printed_rest<Expression>()).mu, 18)},

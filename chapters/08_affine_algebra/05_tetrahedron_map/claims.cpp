@@ -353,7 +353,7 @@ Provables proofs() {
   const std::string of_system = quantified({"m00", "m01", "m02", "m11", "m12", "m22", "r0", "r1", "r2"});
   proved.push_back(
       {"8.5-gauss",
-       "without exchange of rows it divides by what is above zero, and finds the one solution",
+       "without exchange of rows its divisors are above zero, and it finds the only solution",
        {{"of_edges", all.letters, all.given, of_edges, "minors_of_edges x0 y0 z0 x1 y1 z1 x2 y2 z2 x3 y3 z3"},
         {"pivots", of_system, positive, divisible, "pivots"},
         {"solves", of_system, positive,

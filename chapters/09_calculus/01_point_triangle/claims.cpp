@@ -385,8 +385,8 @@ Provable seven_regions(const SampleOf<Shortened>& any, std::vector<std::string> 
   };
   Provable proved{
       "9.1-seven_regions",
-      "by regions a quadratic is least, whatever its letters; a triangle's is one that is so, and its "
-      "region is that of the point"};
+      "the regions give the least value of any such quadratic; a triangle's is one of these, and its region is "
+      "that of the point"};
   proved.preamble = least_in_coq;
   proved.lemmas.push_back({"least",
                            quantified(letters),
