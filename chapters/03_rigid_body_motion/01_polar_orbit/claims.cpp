@@ -567,7 +567,7 @@ Provables proofs_of_axes() {
        {at_the_top("printed", semi_axes, half_sizes), top_there_is()}},
       {"3.1-ratio", "it holds on every orbit", {at_the_top("printed", square_of_axes, square_of_sizes)}},
       {"3.1-major_axis",
-       "as corrected it holds on every orbit; for e = 1/2 and rho = 1 what is printed is off",
+       "as corrected it holds on every orbit; for e = 1/2 and rho = 1 the printed equation is off",
        {at_the_top("corrected", axes, sizes),
         {.name = "printed_differs", .follows = {apart(length, right, 0.66)}, .tactic = "interval"}},
        0.66}};

@@ -1635,7 +1635,7 @@ ForAll<LaterOf> on_any_path(const std::string& theta) {
           {"G", "M", "r0", "rd", "th0", "w0", "(x t)", "(y t)", "(u t)", "(v t)", "t", theta, "c0", "c1"}),
       .letters = "(G M r0 rd th0 w0 t th c0 c1 t1 th1 t2 th2 : R) (x y u v : R -> R)",
       .tactic = "by_start",
-      .says = "it holds on any path by Newton's law, c0 and c1 being what two other places make them",
+      .says = "it holds on any path by Newton's law, c0 and c1 given by two other places",
       .example = quarter_of_a_turn};
   auto& [start, now, t, angle, c0, c1] = all.any;
   now.G = start.G, now.M = start.M;
@@ -1701,8 +1701,7 @@ Provables proofs_of_the_orbit() {
   all.given.push_back(above(Elements(all.any).gamma1.expression(), 0));
   all.tactic = "by_ellipse";
   all.says =
-      "it holds on any ellipse by Newton's law that is no circle, c0 and c1 being what two other places "
-      "make them";
+      "it holds on any ellipse by Newton's law that is no circle, c0 and c1 given by two other places";
   Provables proved = table.proofs("3.3", all);
   for (Provable& p : proved)
     for (Lemma& lemma : p.lemmas)
@@ -1740,7 +1739,7 @@ Provables proofs_of_divisors() {
   circle.push_back(of.squared.expression() == of.mu.expression());
   const Shortened radius = of.radius(of.gamma0 * of.gamma0 / of.mu, k.theta);
   return {{"3.3-constants_of_any_start",
-           "as corrected it holds for any start that turns; for one that does not, what is printed "
+           "as corrected it holds for any start that turns; for one that does not, the printed formula "
            "divides by zero",
            {{"corrected",
              letters,
@@ -1753,7 +1752,7 @@ Provables proofs_of_divisors() {
              {zero(OneAngle<Shortened>(start, -start.mu() / start.r0).alpha)},
              "rewrite H2; ring"}}},
           {"3.3-rho_of_a_circle",
-           "as corrected it holds for any circle; what is printed divides by zero",
+           "as corrected it holds for any circle; the printed formula divides by zero",
            {{"corrected", letters, circle, {radius.expression() == start.r0.expression()}, by_circle},
             {"printed_divides_by_zero", letters, circle, {zero(of.gamma1)}, by_circle}}}};
 }

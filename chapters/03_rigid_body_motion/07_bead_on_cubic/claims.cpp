@@ -477,7 +477,7 @@ Provables proofs() {
   const auto& s = all.any;
   const std::vector<Proposition> heavy{above(s.m.expression(), 0)};
   proved.push_back({"3.7-equation_of_motion",
-                    "it is Lagrange's equation, and what gravity and the wire do, in any motion on the curve",
+                    "it is Lagrange's equation, and that of gravity and the wire's force, in any motion on the curve",
                     {{"lagrange",
                       all.letters,
                       heavy,
