@@ -1630,13 +1630,12 @@ const Later half_a_turn{{2, 5, 1, 1, pi / 2, 2}, {2, 5, 1, 0, -0.25, 8, 1, 0, 0,
 /// Proofs on the path from any initial condition to any moment, at the angle `theta`; c0 and c1 are
 /// determined by two other positions.
 ForAll<LaterOf> on_any_path(const std::string& theta) {
-  ForAll<LaterOf> all{
-      .any = lettered<LaterOf>(
-          {"G", "M", "r0", "rd", "th0", "w0", "(x t)", "(y t)", "(u t)", "(v t)", "t", theta, "c0", "c1"}),
-      .letters = "(G M r0 rd th0 w0 t th c0 c1 t1 th1 t2 th2 : R) (x y u v : R -> R)",
-      .tactic = "by_start",
-      .says = "it holds on any path by Newton's law, c0 and c1 given by two other places",
-      .example = quarter_of_a_turn};
+  ForAll<LaterOf> all{.any = lettered<LaterOf>({"G", "M", "r0", "rd", "th0", "w0", "(x t)", "(y t)", "(u t)",
+                                                "(v t)", "t", theta, "c0", "c1"}),
+                      .letters = "(G M r0 rd th0 w0 t th c0 c1 t1 th1 t2 th2 : R) (x y u v : R -> R)",
+                      .tactic = "by_start",
+                      .says = "it holds on any path by Newton's law, c0 and c1 given by two other places",
+                      .example = quarter_of_a_turn};
   auto& [start, now, t, angle, c0, c1] = all.any;
   now.G = start.G, now.M = start.M;
   const auto q = start.position(), v = start.velocity();
@@ -1700,8 +1699,7 @@ Provables proofs_of_the_orbit() {
   all.given.push_back(above(-all.any.start.energy().expression(), 0));
   all.given.push_back(above(Elements(all.any).gamma1.expression(), 0));
   all.tactic = "by_ellipse";
-  all.says =
-      "it holds on any ellipse by Newton's law that is no circle, c0 and c1 given by two other places";
+  all.says = "it holds on any ellipse by Newton's law that is no circle, c0 and c1 given by two other places";
   Provables proved = table.proofs("3.3", all);
   for (Provable& p : proved)
     for (Lemma& lemma : p.lemmas)
