@@ -301,7 +301,7 @@ TEST_CASE("stability shows the largest step at which a requested criterion holds
       {"stability 3.5 --error 1deg --horizon 1e-12", "--error takes a --horizon from 4.1e-09 on"},
       {"stability 3.5 --criterion bounded --error 1", "--criterion bounded takes no --error"},
       {"stability 3.5 --criterion heat", "heat"},
-      {"stability 3.5 --criterion energy --error 1% --energy 1%", "is what --criterion asks for"},
+      {"stability 3.5 --criterion energy --error 1% --energy 1%", "--energy: --criterion selects this measure already"},
       {"stability 3.5 --error 1cm", "--error"},
       {"stability 3.5 --period 1% --rows", "do not go together"},
       {"stability 3.9 a=0 --criterion constraint --error 1mm", "has a constraint to be off"},

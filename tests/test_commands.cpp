@@ -252,7 +252,7 @@ TEST_CASE("bad input is named and ends with exit code 2", "[commands]") {
       {"choose 3.5 --error 1 --exclude Eulr", "did you mean 'Euler'?"},
       {"choose 3.5 --error 1 --exclude zzz", "the models are: small angle; amplitude-corrected; "},
       {"choose 3.5 --error 1 --precision flot",
-       "--precision 'flot' is none of float, double, any; did you mean float?"},
+       "--precision 'flot' is not one of float, double, any; did you mean float?"},
       {"choose 3.5 --error 1 --criterion enrgy", "did you mean energy?"},
       {"choose 3.5 --error 1 --budget 5", "--budget needs a unit, such as 5us"},
       {"choose 3.5 --error 1 --budget 0",

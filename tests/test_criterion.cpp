@@ -220,7 +220,7 @@ TEST_CASE("several criteria must hold at once, and the worst of them decides", "
   CHECK(choice_csv(both).find("energy [1]") != std::string::npos);
   asked.criterion = "energy";
   asked.error = "1%";
-  CHECK(complaint([&] { chosen("3.5", asked); }).find("--energy is what --criterion asks for") == 0);
+  CHECK(complaint([&] { chosen("3.5", asked); }).find("--energy: --criterion selects this measure already") == 0);
 }
 
 TEST_CASE("a criterion that a useless motion would meet comes with a warning first", "[criterion]") {
