@@ -680,7 +680,7 @@ TEST_CASE("an exercise's verdict is a sentence that agrees with its findings", "
   e.claims.swap(all_wrong);
   CHECK(said("{{a sign}}, {{a factor}} and {{a term}}.") ==
         "[a sign](A sign), [a factor](A factor) and [a term](A term).");
-  CHECK(said("") == "What does not stand: [A sign](A sign); [A factor](A factor); [A term](A term).");
+  CHECK(said("") == "Wrong or incomplete: [A sign](A sign); [A factor](A factor); [A term](A term).");
   for (const std::string false_one :
        {"{{a sign}} and {{a factor}}.", "{{a sign}}, {{a factor}} and {{rest}}.",
         "{{a sign}}, {{a digit}} and {{rest}}.", "{{a sign}}, {{a factor}}, {{a term}} and {{rest}}.",
