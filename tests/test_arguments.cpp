@@ -222,7 +222,7 @@ TEST_CASE("a user's method is judged at its step", "[arguments][is_enough]") {
   CHECK(says(good, "Good enough: Runge-Kutta 4 at 60 Hz, judged 60 times a second on 6 starts."));
   CHECK(says(good, "one angle: holds, error "));
   CHECK(says(good, "its error "));
-  CHECK(says(good, " of the longest that is stable, "));
+  CHECK(says(good, " of the longest stable one, "));
   CHECK(says(good, "Take "));
   const program::Ran bad = program::printed(ask + "--method 'Euler@1/60' --model 'one angle'");
   INFO(bad.output);
@@ -294,7 +294,7 @@ TEST_CASE("stability shows the largest step at which a requested criterion holds
   const ScratchFolder out;
   const program::Ran text = printed(energy + " --out " + out.path().string());
   CHECK(says(text, "holds to [s]"));
-  CHECK(says(text, "with its energy right to 5 % of what moves in it, at the end of every step"));
+  CHECK(says(text, "with its energy right to 5 % (relative to its moving part), at the end of every step"));
   check_refused({
       {"stability --criterion energy --error 1%", "--error is of an exercise: name one, such as 3.5"},
       {"stability 3.5 --criterion energy", "--criterion energy needs --error"},

@@ -123,7 +123,7 @@ TEST_CASE("choose takes no method with a history when none is wanted", "[command
 TEST_CASE("choose asks for a constraint's error as a length", "[commands]") {
   const Ran ran = run("choose 3.5 --criterion constraint --error 1mm --horizon 1 --only Cartesian");
   CHECK(ran.status == 0);
-  CHECK(says(ran, "swing with what is held off by 1 mm at most, at every frame"));
+  CHECK(says(ran, "swing with its constraints off by 1 mm at most, at every frame"));
   const Ran free = run("choose 3.27 --criterion constraint --error 1mm --horizon 1");
   CHECK(free.status == 2);
   CHECK(says(free, "no model here has a constraint"));

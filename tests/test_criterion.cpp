@@ -302,7 +302,7 @@ TEST_CASE("starts next to an ellipse are ellipses, and omissions are reported", 
   REQUIRE(choice.chosen);
   CHECK(choice.seen.size() == 3);
   REQUIRE(choice.left_out.contains("a hyperbola"));
-  CHECK(choice_text(choice, false).find("beside it whose motion is a hyperbola") != std::string::npos);
+  CHECK(choice_text(choice, false).find("nearby whose motion is a hyperbola") != std::string::npos);
 }
 
 TEST_CASE("a neighbouring start without two periods is left out, and drawn again", "[criterion]") {

@@ -612,7 +612,7 @@ TEST_CASE("errata come first, each with an anchor, and confirmed claims are fold
   CHECK(erratum < bar);
   CHECK(bar < folded);
   const std::string errata = errata_page_text(results);
-  CHECK(count(index, "What is wrong in the solutions manual") == 1);
+  CHECK(count(index, "Errata of the solutions manual") == 1);
   CHECK(count(index, "| [3.5 A slip](3.5.md#3.5-wrong) | 1 m too far |") == 1);
   CHECK(count(page, "| [A slip](#3.5-wrong) | x = 2 | x = 1 | 1 m too far |") == 1);
   CHECK(count(errata,

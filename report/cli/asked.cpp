@@ -278,7 +278,8 @@ std::ptrdiff_t require_one_of(const std::string& option, const std::string& word
                               const std::vector<std::string>& words) {
   const auto found = std::ranges::find(words, word);
   if (found == words.end())
-    throw BadInput(option + " '" + word + "' is not one of " + joined(words) + suggested(similar(word, words)));
+    throw BadInput(option + " '" + word + "' is not one of " + joined(words) +
+                   suggested(similar(word, words)));
   return found - words.begin();
 }
 

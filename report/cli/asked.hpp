@@ -36,7 +36,7 @@ struct AskedNeed {
   std::string error = {}, digits = {}, horizon = "10", frames_per_second = "60", budget = {}, bodies = "1";
   std::string restart_every = {}, starts = "6";
   std::string jitter = {}, drop = {}, trace = {}, longest_frame = {},
-              frame_seed = {};                            ///< of random lengths
+              frame_seed = {};                            ///< for random lengths
   std::string kick = {};                                  ///< "t=1s,theta'=+2"
   std::string energy = {}, period = {}, constraint = {};  ///< errors of additional criteria
   std::string criterion = "path", time_limit = "60s";     ///< or "none"

@@ -339,7 +339,7 @@ CLI::Option* add_overwrite(CLI::App& verb, Session& s) {
 
 void add_report(CLI::App& app, Session& s) {
   auto* report = add_verb(app, "report", "Write the Markdown report.",
-                          "Uses the last results. An exercise whose code or tables have changed runs first.\n"
+                          "Uses the last results. Exercises with changed code or tables run first.\n"
                           "Examples:\n  oddity report\n  oddity report --chapter 3 --out /tmp/report",
                           [&] {
                             verbs::report(s.folder, s.chapter, s.book ? Edition::book : Edition::whole,
@@ -355,7 +355,7 @@ void add_site(CLI::App& app, Session& s) {
   auto* site = add_verb(
       app, "site", "Write the report that runs: one folder, for a browser.",
       "Open its index.html with a double click; it needs no network. Uses the last results. "
-      "An exercise whose code or tables have changed runs first.\n"
+      "Exercises with changed code or tables run first.\n"
       "Examples:\n  oddity site\n  oddity site --out /tmp/site\n"
       "  oddity site --single 3.5 --out /tmp/pendulum.html\n  oddity new bump.toml && oddity site bump.toml --out /tmp/bump",
       [&app, &s] {
@@ -459,7 +459,7 @@ void add_trust(CLI::App& app, Session& s) {
   auto* trust = add_verb(
       app, "trust", "Show how far the results are proved, checked and tested.",
       "Counts of proofs, enclosures, witnesses, mutants, fuzzed inputs and survived faults. Uses the last results. "
-      "An exercise whose code or tables have changed runs first.\n"
+      "Exercises with changed code or tables run first.\n"
       "Columns: part, subject, count, of, says, date, commit, rests_on; a row for each part, and for each of its "
       "kinds, rooms, targets or faults.\n"
       "Examples:\n  oddity trust\n  oddity trust --json",
@@ -644,7 +644,7 @@ int command_line(int argc, char** argv, const Suite& suite, const Extras& extras
       "Start with:\n  oddity list\n  oddity solve 3.5\n  oddity choose 3.5 a=60deg --error 1deg\n  oddity verify "
       "'[3.5]'\n  oddity help choose\n"
       "Tables fit the terminal, and are complete in a pipe. Output to a terminal has colour. NO_COLOR=1 turns it "
-      "off, and CLICOLOR_FORCE=1 turns it on in a pipe.\n"
+      "off, CLICOLOR_FORCE=1 on in a pipe.\n"
       "Exit codes: 0 green, 1 something differs from the approved results (or nothing meets the need), 2 bad input "
       "or output that could not be written, 130 interrupted.");
   Session session{{}, suite, extras};

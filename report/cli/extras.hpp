@@ -43,7 +43,7 @@ struct OtherEngines {
   std::function<std::vector<std::string>()> scenes;
   /// Throws BadInput if the exercise has no scene for engines.
   std::function<void(const Entry&)> require_scene;
-  /// Compares the engines of this name with a choice. Throws BadInput if no engine has it.
+  /// Compares the engines of this name with a choice. Throws BadInput if there are no such engines.
   std::function<Answers(const std::string& name, const Task&)> named;
   /// Draws the tasks' scenes from the results of earlier runs, and returns the pictures.
   std::function<std::vector<std::filesystem::path>(const std::vector<Task>&, const Reference&,

@@ -67,10 +67,9 @@ struct Choice {
   /// If nothing is chosen: the method with the least work that passes on the requested start within the
   /// budget, with its result there and on the starts next to it.
   std::optional<Candidate> on_asked = {}, beside_asked = {};
-  std::vector<Candidate> engine;  ///< semi-implicit Euler at 60, 120 and 240 Hz, as in engines
-  std::optional<Candidate>
-      in_float;        ///< the chosen one in float at its setting; empty if it is in float already
-  double restart = 0;  ///< extra evaluations after a restart of the chosen one
+  std::vector<Candidate> engine;      ///< semi-implicit Euler at 60, 120 and 240 Hz, as in engines
+  std::optional<Candidate> in_float;  ///< the chosen one in float, at its setting; unless it is in float
+  double restart = 0;                 ///< extra evaluations after a restart of the chosen one
   std::optional<double>
       predictable;  ///< chaotic motions: time over which a start known to 1e-9 predicts the path
   std::vector<std::string> seen, unseen;

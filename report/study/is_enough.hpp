@@ -20,11 +20,10 @@ std::vector<std::string> algorithms_meant(const std::string& name, const std::ve
 
 /// Result of the method on one model of the scene.
 struct Judgement {
-  Candidate run;         ///< on all starts, and its time
-  bool faulted = false;  ///< the scene's own page shows the model to be wrong
-  int failing = 0;       ///< number of failing starts
-  double growth =
-      not_a_number;  ///< ratio of the errors at the end and at half the time, on the requested start
+  Candidate run;                 ///< on all starts, and its time
+  bool faulted = false;          ///< the scene's own page shows the model to be wrong
+  int failing = 0;               ///< number of failing starts
+  double growth = not_a_number;  ///< error at the end over that at half time, on the requested start
   double drift = not_a_number;   ///< there, change of the conserved quantity, relative to its moving part
   double energy = not_a_number;  ///< there, error of the observed energy, relative to its moving part
   std::optional<double> stable_to = {};  ///< the longest stable step; 0: none; infinity: every one
