@@ -1,6 +1,6 @@
-# cmake -P: writes OUT, the texts of files as a constant, which the function NAME gives and the header of its
-# declaration is HEADER: FILES (paths within one of SOURCES, both separated by commas) and, unless ALONE, what these
-# include of the project.
+# cmake -P: writes OUT, a C++ file with the texts of files as a constant. The function NAME, declared in HEADER,
+# returns them. The files are FILES, paths within one of SOURCES, both separated by commas. Unless ALONE, they are
+# followed by the project's files that they include.
 cmake_minimum_required(VERSION 3.25)
 string(REPLACE "," ";" files "${FILES}")
 string(REPLACE "," ";" sources "${SOURCES}")

@@ -1,4 +1,4 @@
-# What shows results: oddity_report, with the texts that it has in it.
+# The library oddity_report, which shows results, and its embedded texts.
 
 file(GLOB report_files CONFIGURE_DEPENDS report/*/*.cpp)
 list(REMOVE_ITEM report_files ${PROJECT_SOURCE_DIR}/report/cli/main.cpp)
@@ -18,7 +18,7 @@ file(GLOB headers_beside CONFIGURE_DEPENDS chapters/*.hpp chapters/*/*/*.hpp sol
 set(new_home ${PROJECT_SOURCE_DIR}/report/new)
 file(GLOB_RECURSE new_paths CONFIGURE_DEPENDS report/new/*.cpp report/new/*.hpp)
 file(GLOB_RECURSE new_files RELATIVE ${new_home} report/new/*.cpp report/new/*.hpp)
-# The texts of these files of these folders, as the function `name` of `header`; they depend on what follows.
+# The texts of these files of these folders, as the function `name` of `header`. They depend on the other arguments.
 function(embed name header folders files alone)
   string(REPLACE ";" "," folders "${folders}")
   string(REPLACE ";" "," files "${files}")

@@ -222,7 +222,7 @@ TEST_CASE("a user's method is judged at its step", "[arguments][is_enough]") {
   CHECK(says(good, "Good enough: Runge-Kutta 4 at 60 Hz, judged 60 times a second on 6 starts."));
   CHECK(says(good, "one angle: holds, error "));
   CHECK(says(good, "its error "));
-  CHECK(says(good, " of the longest that is stable, "));
+  CHECK(says(good, " of the longest stable one, "));
   CHECK(says(good, "Take "));
   const program::Ran bad = program::printed(ask + "--method 'Euler@1/60' --model 'one angle'");
   INFO(bad.output);
@@ -294,19 +294,20 @@ TEST_CASE("stability shows the largest step at which a requested criterion holds
   const ScratchFolder out;
   const program::Ran text = printed(energy + " --out " + out.path().string());
   CHECK(says(text, "holds to [s]"));
-  CHECK(says(text, "with its energy right to 5 % of what moves in it, at the end of every step"));
+  CHECK(says(text, "with its energy right to 5 % (relative to its moving part), at the end of every step"));
   check_refused({
       {"stability --criterion energy --error 1%", "--error is of an exercise: name one, such as 3.5"},
       {"stability 3.5 --criterion energy", "--criterion energy needs --error"},
       {"stability 3.5 --error 1deg --horizon 1e-12", "--error takes a --horizon from 4.1e-09 on"},
       {"stability 3.5 --criterion bounded --error 1", "--criterion bounded takes no --error"},
       {"stability 3.5 --criterion heat", "heat"},
-      {"stability 3.5 --criterion energy --error 1% --energy 1%", "is what --criterion asks for"},
+      {"stability 3.5 --criterion energy --error 1% --energy 1%",
+       "--energy: --criterion selects this measure already"},
       {"stability 3.5 --error 1cm", "--error"},
       {"stability 3.5 --period 1% --rows", "do not go together"},
       {"stability 3.9 a=0 --criterion constraint --error 1mm", "has a constraint to be off"},
       {"stability 3.31 --period 1%", "two periods"},
-      {"stability 3.25 theta1=1.5 --error 1cm --horizon 30s", "not known to a tenth of what is asked"},
+      {"stability 3.25 theta1=1.5 --error 1cm --horizon 30s", "not known to a tenth of the requested error"},
       {"stability 3.5 --csv --time-limit 1ms", "no answer within the time limit"},
       {"stability 3.5 --csv --time-limit -1s", "--time-limit must be positive"},
       {"chart 3.5 --csv --time-limit 1ms", "no answer within the time limit"},

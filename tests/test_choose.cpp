@@ -1361,7 +1361,8 @@ TEST_CASE("an answer reports until when the true motion is known", "[choose]") {
   Choice choice = choose_for(asked(0.05, 10));
   CHECK(choice_text(choice, true).find("known up to") == std::string::npos);
   choice.explanation.truth_until = 5;
-  CHECK(choice_text(choice, true).find("the true motion is known up to 5 s: of what fails before") !=
+  CHECK(choice_text(choice, true)
+            .find("the true motion is known up to 5 s: errors of methods that fail earlier") !=
         std::string::npos);
   CHECK(explanation_text(choice).find("as they cost too much already") != std::string::npos);
   choice.predictable = 2;

@@ -123,7 +123,7 @@ TEST_CASE("choose takes no method with a history when none is wanted", "[command
 TEST_CASE("choose asks for a constraint's error as a length", "[commands]") {
   const Ran ran = run("choose 3.5 --criterion constraint --error 1mm --horizon 1 --only Cartesian");
   CHECK(ran.status == 0);
-  CHECK(says(ran, "swing with what is held off by 1 mm at most, at every frame"));
+  CHECK(says(ran, "swing with its constraints off by 1 mm at most, at every frame"));
   const Ran free = run("choose 3.27 --criterion constraint --error 1mm --horizon 1");
   CHECK(free.status == 2);
   CHECK(says(free, "no model here has a constraint"));
@@ -252,7 +252,7 @@ TEST_CASE("bad input is named and ends with exit code 2", "[commands]") {
       {"choose 3.5 --error 1 --exclude Eulr", "did you mean 'Euler'?"},
       {"choose 3.5 --error 1 --exclude zzz", "the models are: small angle; amplitude-corrected; "},
       {"choose 3.5 --error 1 --precision flot",
-       "--precision 'flot' is none of float, double, any; did you mean float?"},
+       "--precision 'flot' is not one of float, double, any; did you mean float?"},
       {"choose 3.5 --error 1 --criterion enrgy", "did you mean energy?"},
       {"choose 3.5 --error 1 --budget 5", "--budget needs a unit, such as 5us"},
       {"choose 3.5 --error 1 --budget 0",

@@ -128,7 +128,7 @@ TEST_CASE("choosing by a constraint: a length at every frame, or by construction
   CHECK(held.chosen->by.at(Criterion::constraint) > held.rounding);
   const std::string text = choice_text(held, true);
   INFO(text);
-  CHECK(text.find("with what is held off by 1 mm at most, at every frame") != std::string::npos);
+  CHECK(text.find("with its constraints off by 1 mm at most, at every frame") != std::string::npos);
   CHECK(text.find(" mm") != std::string::npos);
   CHECK(text.substr(0, text.find("Each method")).find("held by construction") == std::string::npos);
   const auto euler = std::ranges::find(held.candidates, "explicit Euler", &Candidate::algorithm);

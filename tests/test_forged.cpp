@@ -113,7 +113,7 @@ TEST_CASE("least models that do not exist, or hold with an error above the reque
     return complaint([&] { results_from_json(forged.dump(), "here"); });
   };
   CHECK(has(said("/least", Json::array()), "there are no least models"));
-  CHECK(has(said("/least/0/least/error_in_needs", 1.5), "errs by more than asked"));
+  CHECK(has(said("/least/0/least/error_in_needs", 1.5), "its error exceeds the need"));
 }
 
 TEST_CASE("a results file is read as it was written, and refused if a figure or a word of it is changed",

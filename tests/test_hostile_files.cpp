@@ -241,5 +241,5 @@ TEST_CASE("results of engines are refused if an error has no unit", "[hostile]")
                                           {kept, "{}"},
                                           {kept, "null"},
                                           {kept, "[[]]"}})
-    CHECK(has(said(replaced(kept, old, fresh)), "not what './oddity engines' writes: "));
+    CHECK(has(said(replaced(kept, old, fresh)), "not written by './oddity engines': "));
 }

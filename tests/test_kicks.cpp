@@ -282,7 +282,7 @@ TEST_CASE("an impossible kick is refused, with a remedy", "[kicks]") {
   refused("3.5", "t=1s", "changes nothing");
   refused("3.5", "t=3s,theta'=+2", "not within the horizon of 2 s");
   refused("3.5", "t=0,theta'=+2", "not within the horizon");
-  refused("3.5", "t=1s,phi'=+2", "knows no 'phi' here: what is seen is theta, theta', and speed");
+  refused("3.5", "t=1s,phi'=+2", "knows no 'phi' here: the names are theta, theta', and speed");
   refused("3.5", "t=1s,theta'=", "not name=value");
   refused("3.5", "t=1s,theta'=+2m", "'2m'");
   refused("3.5", "t=1s,speed=+2", "speed takes a factor");

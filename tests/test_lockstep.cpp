@@ -295,7 +295,7 @@ TEST_CASE("if the time limit leaves nothing, the cost of lockstep is not measure
   choice.chosen = Candidate{"one angle", "Runge-Kutta 4", "step"};
   choice.chosen->setting = 1 / 60.0;
   const InLockstep found = lockstep_of(Task(pendulum), choice, 0);
-  CHECK(found.measured == "what that costs is not measured, as the time limit left no more");
+  CHECK(found.measured == "its cost is not measured, as the time limit left no more");
   CHECK_FALSE(found.times_usual);
   CHECK(found.functions == std::vector<std::string>{"sin"});
 }

@@ -262,7 +262,7 @@ TEST_CASE("The program accepts an .ode file's name in place of an exercise",
   CHECK(program::says(
       chosen, "an error of 0.006, a thousandth of the widest range, that of v; up to its total of 5"));
   CHECK(program::says(chosen, "over 5 s at 10 frames per second"));
-  CHECK(program::printed("choose " + file + " --error 0.1 --horizon 2").output.find("does not say") ==
+  CHECK(program::printed("choose " + file + " --error 0.1 --horizon 2").output.find("states no need") ==
         std::string::npos);
   CHECK(program::printed("choose " + file + " --json").output.starts_with("{"));
   CHECK(program::says(program::printed("choose " + file + " k=20 x_0=.5 --code"), "struct AsWritten"));

@@ -164,7 +164,7 @@ TEST_CASE("verify judges a file's claims, and its exit code reports whether all 
       scratch.file("bad.toml", sheet(letters + "printed = \"a b - b^2\"\ntruth = \"b (a + b)\"")).string();
   const auto found = program::printed("verify " + bad);
   CHECK(found.status == 1);
-  CHECK(program::says(found, "The file says that this is confirmed, and it is unsettled"));
+  CHECK(program::says(found, "The file expects this to be confirmed, but it is unsettled"));
   CHECK(program::says(found, "printed FAILS"));
   CHECK(program::printed("verify " + bad + " --csv").status == 1);
   const auto marked = program::printed(

@@ -612,7 +612,7 @@ TEST_CASE("errata come first, each with an anchor, and confirmed claims are fold
   CHECK(erratum < bar);
   CHECK(bar < folded);
   const std::string errata = errata_page_text(results);
-  CHECK(count(index, "What is wrong in the solutions manual") == 1);
+  CHECK(count(index, "Errata of the solutions manual") == 1);
   CHECK(count(index, "| [3.5 A slip](3.5.md#3.5-wrong) | 1 m too far |") == 1);
   CHECK(count(page, "| [A slip](#3.5-wrong) | x = 2 | x = 1 | 1 m too far |") == 1);
   CHECK(count(errata,
@@ -680,7 +680,7 @@ TEST_CASE("an exercise's verdict is a sentence that agrees with its findings", "
   e.claims.swap(all_wrong);
   CHECK(said("{{a sign}}, {{a factor}} and {{a term}}.") ==
         "[a sign](A sign), [a factor](A factor) and [a term](A term).");
-  CHECK(said("") == "What does not stand: [A sign](A sign); [A factor](A factor); [A term](A term).");
+  CHECK(said("") == "Wrong or incomplete: [A sign](A sign); [A factor](A factor); [A term](A term).");
   for (const std::string false_one :
        {"{{a sign}} and {{a factor}}.", "{{a sign}}, {{a factor}} and {{rest}}.",
         "{{a sign}}, {{a digit}} and {{rest}}.", "{{a sign}}, {{a factor}}, {{a term}} and {{rest}}.",

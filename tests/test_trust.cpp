@@ -72,8 +72,8 @@ TEST_CASE("a broken row of unproved.csv is named", "[trust]") {
     const std::string all = complaint([&] { Standings{folder.path()}; });
     return all.starts_with(file) ? all.substr(file.size()) : all;
   };
-  CHECK(said("1.1,cases,guessed,so\n") == ":2: 'guessed' is none of provable, computed and wording");
-  CHECK(said("1.1,signs,computed,so\n") == ":2: 'signs' is none of formulas, numbers, cases and words");
+  CHECK(said("1.1,cases,guessed,so\n") == ":2: 'guessed' is not one of provable, computed and wording");
+  CHECK(said("1.1,signs,computed,so\n") == ":2: 'signs' is not one of formulas, numbers, cases and words");
   CHECK(said("1.1,cases,computed,so\n1.1,cases,provable,so\n") == ":3: a second row of 1.1 cases");
 }
 

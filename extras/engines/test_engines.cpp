@@ -398,7 +398,7 @@ TEST_CASE("results of engines are read as they were written", "[engines]") {
 
   std::ofstream(file) << "[{\"scene\": 1}]";
   CHECK(complaint([&] { read_engines(file); }).find("json.exception") == std::string::npos);
-  CHECK(complaint([&] { read_engines(file); }).find("not what './oddity engines' writes") !=
+  CHECK(complaint([&] { read_engines(file); }).find("not written by './oddity engines'") !=
         std::string::npos);
 }
 

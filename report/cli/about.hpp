@@ -13,7 +13,8 @@ namespace oddity {
 /// those with words that differ by a typing error or two.
 std::vector<const Entry*> exercises_about(const std::string& text);
 
-/// The known search word most like one of the text's: "; did you mean 'pendulum'?"; empty if there is none.
+/// The known search word most like one of the text's: "; did you mean 'pendulum'?"; empty if no word is
+/// similar.
 std::string near_words(const std::string& text);
 
 /// Whether a word of the name begins like one of the text's.

@@ -273,12 +273,13 @@ void set_errors(Need& need, const Entry& entry, const std::string& text) {
   need.error = need.errors.begin()->second;
 }
 
-/// Index of a word among those that an option accepts. Throws BadInput if it is none of them.
+/// Index of a word among those that an option accepts. Throws BadInput for any other word.
 std::ptrdiff_t require_one_of(const std::string& option, const std::string& word,
                               const std::vector<std::string>& words) {
   const auto found = std::ranges::find(words, word);
   if (found == words.end())
-    throw BadInput(option + " '" + word + "' is none of " + joined(words) + suggested(similar(word, words)));
+    throw BadInput(option + " '" + word + "' is not one of " + joined(words) +
+                   suggested(similar(word, words)));
   return found - words.begin();
 }
 
@@ -289,7 +290,7 @@ void set_also(Need& need, const AskedNeed& asked) {
                        std::string_view unit) {
     if (text.empty()) return;
     if (need.criterion == criterion)
-      throw BadInput(option + " is what --criterion asks for: its error is --error");
+      throw BadInput(option + ": --criterion selects this measure already, and --error is its error");
     need.also[criterion] = positive(option, text, unit);
   };
   add(Criterion::energy, "--energy", asked.energy, "");
@@ -494,7 +495,7 @@ std::vector<double> trace_of(const std::string& file, const std::string& time) {
     if (line.empty() || line.front() == '#') continue;
     lengths.push_back(between(file + ":" + std::to_string(number), line, time, least_frame, most_frame));
   }
-  if (lengths.empty()) throw BadInput(file + " has no frames: a length stands on each line, such as 16.7ms");
+  if (lengths.empty()) throw BadInput(file + " has no frames: write one length per line, such as 16.7ms");
   return lengths;
 }
 

@@ -36,9 +36,9 @@ struct AskedNeed {
   std::string error = {}, digits = {}, horizon = "10", frames_per_second = "60", budget = {}, bodies = "1";
   std::string restart_every = {}, starts = "6";
   std::string jitter = {}, drop = {}, trace = {}, longest_frame = {},
-              frame_seed = {};                            ///< of frames that differ
+              frame_seed = {};                            ///< for random lengths
   std::string kick = {};                                  ///< "t=1s,theta'=+2"
-  std::string energy = {}, period = {}, constraint = {};  ///< the errors of criteria beside the first
+  std::string energy = {}, period = {}, constraint = {};  ///< errors of additional criteria
   std::string criterion = "path", time_limit = "60s";     ///< or "none"
   bool criterion_is_given = false;                        ///< given, not the default
   bool horizon_is_given = false, rate_is_given = false;

@@ -106,7 +106,7 @@ void require_test_specifications(const std::vector<std::string>& words) {
 /// A problem's file is judged alone.
 void require_file_alone(const CLI::App& verify, const std::vector<std::string>& words) {
   if (words.size() > 1)
-    throw BadInput("verify takes one problem's file and nothing beside it: leave '" +
+    throw BadInput("verify takes one problem's file and nothing else: leave '" +
                    words[problem::is_file(words[0]) ? 1 : 0] + "' out");
   for (const char* option : {"--results", "--shard", "--from", "--approve"})
     if (verify.get_option(option)->count() > 0)
@@ -141,7 +141,7 @@ void add_verify(CLI::App& app, Session& s) {
       "Tags: [ch3], [3.5], [scene], [wrong], [incomplete], [misprint], [lost].\n"
       "Columns: exercise, claim, line (of the solutions), verdict, on_record, kind, root, says, why; a row "
       "for each claim.\n"
-      "Of a problem's file, judges the claims: the exit code is 1 when a verdict is not the one in the file.\n"
+      "For a problem's file, it judges the claims. The exit code is then 1 when a verdict is not the one in the file.\n"
       "Examples:\n  oddity verify '[ch3]~[scene]'\n  oddity verify '[3.5]' -s\n  oddity verify -r markdown "
       "-o report.md\n  oddity verify '[wrong]' --csv\n"
       "  oddity verify --shard 1/2 --results 1.json; oddity verify --shard 2/2 --results 2.json; oddity verify --from "
@@ -282,14 +282,14 @@ void add_choose(CLI::App& app, Session& s) {
       "margin of three. Of those whose costs differ by less than a quarter, it is the most accurate. A long horizon "
       "is judged in parts, each eight times as long as the one before; the answer shows which part the time limit "
       "left out. The exit code is 1 when nothing meets the need, or only a part of the horizon was judged.\n"
-      "Columns: model, algorithm, precision, setting, error [unit] (one for each unit; of what "
-      "fails on the first start where it does), holds (1 or 0), outcome, evaluations per frame, seconds per frame, chosen (1 or 0); a row for each method.\n"
+      "Columns: model, algorithm, precision, setting, error [unit] (one for each unit; if the method "
+      "fails, on the first start where it does), holds (1 or 0), outcome, evaluations per frame, seconds per frame, chosen (1 or 0); a row for each method.\n"
       "Keys of the JSON: need (judged_over: the part of its horizon), chosen (null when nothing is; rollback: to take eight frames again), in_float, ties, candidates (followed: false where finer "
-      "settings were not tried), on_asked (when nothing is chosen, what holds on the start asked for), engine, "
-      "predictable, chosen_on, tested_on, failing_beside, left_out (starts beside that are another kind of motion), "
-      "in_chaos (how many unseen starts hold, with bounds), lockstep (null unless asked; functions of its own, times_usual: its time in the usual program's, left_out by reason), engines (with --engine, the trials as 'engines --json' has them), times, explanation.\n"
+      "settings were not tried), on_asked (when nothing is chosen, the method that holds on the requested start), engine, "
+      "predictable, chosen_on, tested_on, failing_beside, left_out (nearby starts with another kind of motion), "
+      "in_chaos (how many unseen starts hold, with bounds), lockstep (null unless requested; functions: its own ones, times_usual: its time relative to the usual program's, left_out by reason), engines (with --engine, the trials as 'engines --json' has them), times, explanation.\n"
       "Columns with --method: exercise, model, algorithm, knob, setting, holds (1 or 0), outcome, where, error_in_needs, "
-      "starts, failing, growth (of the error, from half the time to the end), drift (of what the model conserves), energy (how far what is seen is off its true one), stable_to, "
+      "starts, failing, growth (of the error, from half the time to the end), drift (of the model's conserved quantity), energy (error of the observed energy), stable_to, "
       "evaluations_per_frame, seconds_per_frame, frames_per_second; a row for each model.\n"
       "If frames differ in length, a fixed step has four separate methods. One divides each frame into steps. In the others "
       "an accumulator takes steps of one length, and draws the last state, one between the last two, or one ahead.\n"
@@ -339,7 +339,7 @@ CLI::Option* add_overwrite(CLI::App& verb, Session& s) {
 
 void add_report(CLI::App& app, Session& s) {
   auto* report = add_verb(app, "report", "Write the Markdown report.",
-                          "Uses the last results; an exercise whose code or tables have changed runs first.\n"
+                          "Uses the last results. Exercises with changed code or tables run first.\n"
                           "Examples:\n  oddity report\n  oddity report --chapter 3 --out /tmp/report",
                           [&] {
                             verbs::report(s.folder, s.chapter, s.book ? Edition::book : Edition::whole,
@@ -354,8 +354,8 @@ void add_report(CLI::App& app, Session& s) {
 void add_site(CLI::App& app, Session& s) {
   auto* site = add_verb(
       app, "site", "Write the report that runs: one folder, for a browser.",
-      "Open its index.html with a double click; it needs no network. Uses the last results; "
-      "an exercise whose code or tables have changed runs first.\n"
+      "Open its index.html with a double click; it needs no network. Uses the last results. "
+      "Exercises with changed code or tables run first.\n"
       "Examples:\n  oddity site\n  oddity site --out /tmp/site\n"
       "  oddity site --single 3.5 --out /tmp/pendulum.html\n  oddity new bump.toml && oddity site bump.toml --out /tmp/bump",
       [&app, &s] {
@@ -383,8 +383,8 @@ void add_chart(CLI::App& app, Session& s) {
   auto* chart = add_verb(
       app, "chart", "Draw error against work and against time, with the tables behind the charts.",
       columns_of_trials() +
-          "Scenes with engines' results have their charts as well. With --jitter, --drop or --frames, a scene's motion is charted "
-          "at these frames, with each way of fixed steps to follow them.\nExamples:\n  oddity chart 3.5 2.13 --out /tmp/charts\n  oddity chart 3.5 --csv\n  "
+          "Scenes with engines' results have their charts as well. --jitter, --drop and --frames chart a scene's motion "
+          "at such frames, with each way to match fixed steps to them.\nExamples:\n  oddity chart 3.5 2.13 --out /tmp/charts\n  oddity chart 3.5 --csv\n  "
           "oddity chart 3.5 --jitter 20% --drop 1% --out /tmp/uneven",
       [&] {
         const CLI::App& asked = *app.get_subcommand("chart");
@@ -417,8 +417,8 @@ void add_stability(CLI::App& app, Session& s) {
       "Also draws maps of each method's outcome, over the step and the parameter that makes the scene hard.\n"
       "Columns: exercise, model, algorithm, stable_to, breaks_at, theory, unit (of these), breaks_by, error, "
       "error_unit, why, unstable_in_theory, error_there (at stable_to), needed_to (the longest within the scene's need), "
-      "not_sharp_from, not_sharp_to (for other observers, where the limit is not sharp), watched (where the motion does "
-      "not go on alike), how, cure, and holds_to where an error or a criterion is asked for (the longest within that; 0: "
+      "not_sharp_from, not_sharp_to (for other observers, where the limit is not sharp), watched (the time, where the motion does "
+      "not continue in the same way), how, cure, and holds_to where an error or a criterion is asked for (the longest within that; 0: "
       "none found; nan where the method does not show it), and stable_at_frames where frames vary (the longest usual frame "
       "at which a step a frame is stable); a row for each method of fixed step.\n"
       "Examples:\n  oddity stability 3.5 --out /tmp/maps\n  oddity stability 3.5 3.33 --csv\n  oddity stability 3.5 "
@@ -458,8 +458,8 @@ void add_stability(CLI::App& app, Session& s) {
 void add_trust(CLI::App& app, Session& s) {
   auto* trust = add_verb(
       app, "trust", "Show how far the results are proved, checked and tested.",
-      "Counts of proofs, enclosures, witnesses, mutants, fuzzed inputs and survived faults. Uses the last results; "
-      "an exercise whose code or tables have changed runs first.\n"
+      "Counts of proofs, enclosures, witnesses, mutants, fuzzed inputs and survived faults. Uses the last results. "
+      "Exercises with changed code or tables run first.\n"
       "Columns: part, subject, count, of, says, date, commit, rests_on; a row for each part, and for each of its "
       "kinds, rooms, targets or faults.\n"
       "Examples:\n  oddity trust\n  oddity trust --json",
@@ -503,7 +503,7 @@ void add_new(CLI::App& app, Session& s) {
       "oddity new 20.1 comet --topic space --in ~/exercises",
       [&] {
         if (s.schema) {
-          if (!s.begun.number.empty()) throw BadInput("--schema is printed, and takes no name beside it");
+          if (!s.begun.number.empty()) throw BadInput("--schema prints the schema and takes no name");
           std::cout << schema_of_problems();
           return;
         }
@@ -643,8 +643,8 @@ int command_line(int argc, char** argv, const Suite& suite, const Extras& extras
   app.footer(
       "Start with:\n  oddity list\n  oddity solve 3.5\n  oddity choose 3.5 a=60deg --error 1deg\n  oddity verify "
       "'[3.5]'\n  oddity help choose\n"
-      "Tables fit the terminal, and are complete in a pipe. Output to a terminal has colour; NO_COLOR=1 turns it "
-      "off, CLICOLOR_FORCE=1 turns it on in a pipe too.\n"
+      "Tables fit the terminal, and are complete in a pipe. Output to a terminal has colour. NO_COLOR=1 turns it "
+      "off, CLICOLOR_FORCE=1 on in a pipe.\n"
       "Exit codes: 0 green, 1 something differs from the approved results (or nothing meets the need), 2 bad input "
       "or output that could not be written, 130 interrupted.");
   Session session{{}, suite, extras};

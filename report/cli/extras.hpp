@@ -43,9 +43,9 @@ struct OtherEngines {
   std::function<std::vector<std::string>()> scenes;
   /// Throws BadInput if the exercise has no scene for engines.
   std::function<void(const Entry&)> require_scene;
-  /// What the engines of this name make of the scene beside a choice. Throws BadInput where there are none.
+  /// Compares the engines of this name with a choice. Throws BadInput if there are no such engines.
   std::function<Answers(const std::string& name, const Task&)> named;
-  /// Draws what earlier runs kept of the tasks' scenes, and returns the pictures.
+  /// Draws the tasks' scenes from the results of earlier runs, and returns the pictures.
   std::function<std::vector<std::filesystem::path>(const std::vector<Task>&, const Reference&,
                                                    const std::filesystem::path& folder)>
       draw;

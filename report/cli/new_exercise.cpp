@@ -55,7 +55,7 @@ void require_name(const std::string& what, const std::string& text) {
                  (name.empty() ? "" : "; did you mean '" + name + "'?"));
 }
 
-/// The subfolder whose name begins with the two digits and _; empty if there is none.
+/// The subfolder whose name begins with the two digits and _; empty if no folder does.
 std::string folder_of(const fs::path& folder, int number) {
   if (!fs::is_directory(folder)) return "";
   for (const auto& entry : fs::directory_iterator(folder))

@@ -30,8 +30,8 @@ Provables provables_of(const std::vector<Task>& tasks, bool all) {
   for (const Task& task : tasks)
     if (const std::string number = to_string(task.entry->number);
         std::ranges::none_of(of_these, [&](const Provable& p) { return exercise_of(p) == number; }))
-      throw BadInput("nothing is proved of exercise " + number +
-                     "; of these something is:" + known.substr(0, known.size() - 1));
+      throw BadInput("exercise " + number +
+                     " has no proofs; exercises with proofs:" + known.substr(0, known.size() - 1));
   std::erase_if(of_these, [&](const Provable& p) {
     return std::ranges::none_of(tasks,
                                 [&](const Task& t) { return to_string(t.entry->number) == exercise_of(p); });
@@ -45,7 +45,7 @@ void approve(const Provables& these, bool all, const fs::path& folder) {
   if (!all && fs::exists(folder / "proofs.csv")) record = read_proofs(folder);
   for (const Provable& p : these) record[p.claim] = {proof_hash(coq_file(p)), p.says, p.margin};
   write_whole(folder / "proofs.csv", proofs_csv(record));
-  std::cerr << "on record: " << (folder / "proofs.csv").string() << "\n";
+  std::cerr << "approved: " << (folder / "proofs.csv").string() << "\n";
 }
 
 Table table_of(const Provables& these, const std::vector<Checked>& checked) {

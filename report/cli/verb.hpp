@@ -46,9 +46,9 @@ void add_formats(CLI::App& verb, Formats&, const std::string& what);
 void add_time_limit(CLI::App& verb, std::string& limit, const std::string& of = "");
 /// Options for the criterion and its error.
 void add_criteria(CLI::App& verb, AskedNeed&);
-/// Frames as they come, of whatever rate.
+/// Options for frames of varying length, at any rate.
 void add_varied_frames(CLI::App& verb, AskedNeed&);
-/// The same, where --fps is asked for too.
+/// Options for frames of varying length, for a verb with --fps.
 void add_frames(CLI::App& verb, AskedNeed&);
 void add_kick(CLI::App& verb, AskedNeed&);
 /// The option does not go together with the others.

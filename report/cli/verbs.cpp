@@ -146,7 +146,8 @@ std::optional<double> horizon_of(const std::vector<Task>& tasks, const std::stri
   return horizon;
 }
 
-/// The additional need of each task; empty if there is none. Judges at most 4,096 times of a motion.
+/// The additional need of each task; empty unless the options add one. Judges at most 4,096 times of a
+/// motion.
 std::vector<Need> needs_besides(const AskedStability& asked, const std::vector<Task>& tasks,
                                 std::optional<double> horizon) {
   constexpr double looks = 4096;
@@ -185,7 +186,7 @@ struct StabilityTasks {
   std::vector<Task> tasks;
   std::optional<double> horizon;
   std::vector<Need> needs;
-  std::vector<FramesAsked> frames;  ///< of each task; none: all are of the same length
+  std::vector<FramesAsked> frames;  ///< one per task; empty: all have the same length
 
   double end(std::size_t i) const { return horizon.value_or(tasks[i].entry->exercise.scene->horizon); }
 };
@@ -323,7 +324,7 @@ OtherEngines::Answer engines_in_time(const OtherEngines::Answers& engines, const
   }
 }
 
-/// With what its methods cost, kept for the next run, each part of a long horizon apart.
+/// Chooses, and keeps the methods' costs for the next run, separately for each part of a long horizon.
 Choice choice_in_time(const Task& task, const Need& asked, const Reference& truth, bool anew,
                       const ManyBodies& bodies) {
   std::map<double, KeptPrices> kept;  // by horizon
@@ -393,7 +394,7 @@ int choose(const fs::path& folder, const std::string& exercise, const std::vecto
   if (asked.lockstep) choice.lockstep = lockstep_of(task, choice, in_what_is_left(need).time_limit);
   const auto beside = engines ? engines_in_time(engines, choice, truth, need) : OtherEngines::Answer();
   if (format == Format::text && !asked.says.empty())
-    std::cout << exercise << " does not say what it needs, so it is asked for " << asked.says << "\n";
+    std::cout << exercise << " states no need, so the need is " << asked.says << "\n";
   if (format == Format::csv || (format == Format::code && choice.chosen)) std::cerr << part_text(choice);
   if (format == Format::code && !choice.chosen)
     std::cerr << choice_text(choice, all_rows, screen_of(STDERR_FILENO));
@@ -449,7 +450,7 @@ void site(const fs::path& folder, const fs::path& out, bool overwrite) {
 
 namespace {
 
-/// What `choose` says of a file, or nothing where it takes too long.
+/// The answer of `choose` for a file; empty if it takes too long.
 std::string chosen_of_file(const fs::path& folder, const Task& task) {
   if (!task.entry->exercise.scene) return "";
   AskedNeed asked;
@@ -597,7 +598,7 @@ int judge(const std::string& file, Format format) {
   std::string text = text_view(judged, output());
   for (const JudgedClaim& one : judged.claims)
     if (!is_so(one))
-      text += "\n" + wrapped("The file says that this is " + stated.at(one.claim.id) + ", and it is " +
+      text += "\n" + wrapped("The file expects this to be " + stated.at(one.claim.id) + ", but it is " +
                                  std::string(name_of(one.verdict)) + ":\n" +
                                  with_short_numbers(claims_evidence(one)) +
                                  (one.claim.why.empty() ? "" : "  " + one.claim.why + "\n"),
@@ -624,9 +625,9 @@ void create(NewExercise asked) {
   const std::string oddity =
       (asked.in.empty() ? "" : "ODDITY_OWN=" + for_shell(asked.in.string()) + " ") + "./oddity ";
   std::cout << oddity << "solve " << asked.number << "  # builds it and runs it\n"
-            << oddity << "verify '[" << asked.number << "]'  # says what is still to be written, and where\n"
+            << oddity << "verify '[" << asked.number << "]'  # lists the gaps, and their places\n"
             << oddity << "verify --approve '[" << asked.number
-            << "]'  # once that is written: puts its results on record\n";
+            << "]'  # without gaps: approves its results\n";
   if (own_tree().empty())
     std::cout << "# An installed program builds nothing: run these in a clone of oddity's sources.\n";
 }

@@ -30,15 +30,15 @@ void solve(const fs::path& folder, const std::string& exercise, const std::vecto
 int choose(const fs::path& folder, const std::string& exercise, const std::vector<std::string>& overrides,
            const AskedNeed&, Format, bool all_rows, const std::string& engine, const std::string& command,
            const std::string& language, const Extras&);
-/// Of all chapters when the text is empty.
+/// Writes the report of one chapter; of all if `chapter` is empty.
 void report(const fs::path& folder, const std::string& chapter, Edition, const fs::path& out, bool overwrite);
 /// Shows the proofs, enclosures, witnesses and surviving mutants, and their basis.
 void trust(const fs::path& folder, Format);
 /// Writes the site of all exercises.
 void site(const fs::path& folder, const fs::path& out, bool overwrite);
-/// A page of a problem's file, in a folder of its own.
+/// Writes the page of a problem's file into a separate folder.
 void site_of_file(const fs::path& folder, const std::string& file, const fs::path& out, bool overwrite);
-/// The page of one exercise, or of a problem's file, as a file.
+/// Writes the page of one exercise, or of a problem's file, as a file.
 void single(const fs::path& folder, const std::string& exercise, const fs::path& out, bool overwrite);
 /// Requirements for compiling the models to WebAssembly.
 Needs needs_of_site();

@@ -38,22 +38,22 @@ std::string catalog_page() {
                         code("tests/libraries/" + std::string(f.shown_by) + ".cpp")});
   std::string text =
       "# The catalog of algorithms\n\n"
-      "Every algorithm that integrates a motion here has a certificate in the tests: its order is measured, "
-      "from both sides, with and without explicit time, forward and backward; its evaluations are counted; "
-      "and its limits of stability are measured beside the theory that this table gives. A limit is the "
+      "Every algorithm that integrates a motion here is certified by tests. They measure its order from both "
+      "sides, with and without explicit time, forward and backward. They count its evaluations, and compare "
+      "its limits of stability with the theory in this table. A limit is the "
       "largest " +
       prose("$h|\\lambda|$ at which $y'=\\lambda y$") +
       " does not grow, on the negative real axis and on the "
-      "imaginary axis. An algorithm that is set by a tolerance chooses its steps; where it has limits, they "
+      "imaginary axis. An algorithm that is set by a tolerance chooses its steps; its limits, if any, "
       "are those of its plain step.\n\n" +
       table({"algorithm", "library", "set by", "order", "evaluations per step", "real limit",
              "imaginary limit", "theory"},
             rows, "356") +
       std::string(ode::work_of_series) + "\n\n" +
-      "## What was found in the libraries\n\nEach finding is shown by a small test of the library alone, in "
-      "the version that is named; with another version the test prints what it measures. What is wrong is "
+      "## Findings in the libraries\n\nA small test of the library alone shows each finding in "
+      "the named version; with another version it prints its measurement. Faults are "
       "repaired from outside.\n\n" +
-      table({"library", "in", "what was found", "what is done here", "shown by"}, findings);
+      table({"library", "in", "finding", "remedy here", "shown by"}, findings);
   if (const auto missing = ode::not_in_catalog(); !missing.empty())
     text += "Not in this build: " + escaped(std::string(missing), false) + ".\n\n";
   return text + "[All exercises](README.md)\n";

@@ -59,7 +59,7 @@ std::string reservations(const BreakEven& b) {
   std::string text;
   const auto disagree = [&](const char* side, double error) {
     text += " The reference disagrees: where the model " + std::string(side) + ", its error is " +
-            format_significant(error, 3) + " of what is allowed.";
+            format_significant(error, 3) + " times the allowed one.";
   };
   long missing = 0;
   for (double error : b.holding) {
@@ -110,11 +110,11 @@ std::string cheapest_models_page(const Results& results) {
   std::string text =
       "# The cheapest sufficient model\n\n"
       "For each scene the simplest of its models that holds at every frame over 10 s at 60 "
-      "frames per second (over 10 years, where the scene's time is in years): for a game, which is to one "
-      "centimetre and one degree, and to ten digits. Among the model's algorithms the one with the least counted "
-      "work is shown, and its error in float at the same setting. Below is for which values of a parameter a "
-      "model, solved exactly, is enough for the game, with those looked through in brackets; each "
-      "border is known to one in a thousand. `oddity choose` adds times on your machine, starts of your own and a "
+      "frames per second, or over 10 years if the scene's time is in years. There is a row for a game's tolerance, one "
+      "centimetre and one degree, and one for ten digits. Each has the model's algorithm with the least counted "
+      "work, and its error in float at the same setting. Below are the values of a parameter for which a "
+      "model, solved exactly, is enough for the game, with the searched range in brackets. Each "
+      "border is known to one in a thousand. `oddity choose` adds times on your machine, your starts and a "
       "margin.\n\n";
   for (const ExerciseResult& e : results.exercises)
     if (e.cheapest_models) text += section(e);

@@ -106,11 +106,11 @@ std::string holds_by(Criterion criterion, const Choice& choice, const std::strin
       return "within " + errors_of(choice.needs, choice) + " " + when;
     case Criterion::energy:
       return "with its energy right to " + percent(choice.need.error_by(criterion)) +
-             " of what moves in it, " + when;
+             " (relative to its moving part), " + when;
     case Criterion::period:
       return "with its period right to " + percent(choice.need.error_by(criterion));
     case Criterion::constraint:
-      return "with what is held off by " + off_constraint(choice.need.error_by(criterion), choice) +
+      return "with its constraints off by " + off_constraint(choice.need.error_by(criterion), choice) +
              " at most, " + when;
     case Criterion::bounded:
       break;
@@ -177,7 +177,7 @@ std::string rule_text(const Choice& choice) {
          (simple ? "the closed forms and one-step methods of fixed step that hold with a margin of three"
                  : "all that hold") +
          (choice.seen.size() == 1 ? " on the start asked for" : " on all starts it is chosen on") +
-         "; of those within a quarter of it the most accurate.\n";
+         "; the most accurate of those within a quarter of it.\n";
 }
 
 /// Share of starts on which the method holds in chaos, where a margin on a few starts means little.
@@ -220,7 +220,7 @@ std::string in_float_text(const Choice& choice) {
 std::string left_out_of_lockstep(const InLockstep& lockstep) {
   std::string text;
   for (const auto& [why, names] : lockstep.left_out)
-    text += (text.empty() ? "  left out: what " : "; what ") + why + " (" +
+    text += (text.empty() ? "  left out: any method that " : "; any that ") + why + " (" +
             (names.size() < 3 ? listed(names, ", ") : std::to_string(names.size()) + " algorithms") + ")";
   return text.empty() ? "" : text + ".\n";
 }
@@ -233,7 +233,7 @@ std::string lockstep_text(const Choice& choice) {
          "square roots" +
          (lockstep.functions.empty() ? "" : " and its own " + listed(lockstep.functions, ", ")) + "; " +
          (lockstep.times_usual ? "a frame takes " + times_as(*lockstep.times_usual) +
-                                     " what it takes the usual program (" + lockstep.measured + ")"
+                                     " as long as in the usual program (" + lockstep.measured + ")"
                                : lockstep.measured) +
          ". It is judged by the usual functions, from which these differ by a few units in the last place.\n" +
          left_out_of_lockstep(lockstep);
@@ -251,13 +251,13 @@ std::string ties_text(const Choice& choice) {
   return text.empty() ? "" : text + ".\n";
 }
 
-/// A method that holds on the start asked for, but not on starts near it.
+/// Describes a method that holds on the requested start, but not on starts near it.
 std::string on_asked_text(const Choice& choice) {
   if (!choice.on_asked || !choice.beside_asked) return "";
   const Candidate &there = *choice.on_asked, &beside = *choice.beside_asked;
   return "  on the start asked for " + described(there, choice.need) + ", " + cost_of(there) +
          ", holds: error " + error_of(there, choice) +
-         ". What is taken has to hold on starts beside it, too, and this one is " +
+         ". A choice has to hold on nearby starts, too, and this one is " +
          std::string(name_of(beside.outcome)) + " at " + beside.where +
          (std::isfinite(beside.error) ? ": error " + error_of(beside, choice) : "") + ".\n";
 }
@@ -337,7 +337,7 @@ std::string_view why_left(const Choice& choice) {
 std::string rows_text(const Choice& choice) {
   std::string text = "\nEach method at its cheapest setting that holds";
   if (choice.need.margin() > 1) text += " with a margin of three, else at its cheapest that holds";
-  text += ", else at the best that was tried; the error of what fails is that on the start named";
+  text += ", else at the best that was tried; the error of a failing method is that on the start named";
   if (choice.left.empty()) return text + ":\n";
   return text + "; not all are followed to finer settings, " + std::string(why_left(choice)) + ":\n";
 }
@@ -347,10 +347,11 @@ std::string unknown_text(const Choice& choice) {
   if (!until) return "";
   const std::string known =
       "  the true motion is known up to " + format_significant(*until, 3) + " " + choice.time_unit;
-  if (!is_beyond_double(choice)) return known + ": of what fails before the error is that until then.\n";
+  if (!is_beyond_double(choice))
+    return known + ": errors of methods that fail earlier are measured up to that time.\n";
   return known +
-         ": there even long double loses it, whose roundings are 2,048 times smaller than double's; errors are "
-         "those until then.\n";
+         ": there even long double loses it, whose roundings are 2,048 times smaller than double's. Errors are "
+         "measured up to that time.\n";
 }
 
 std::string chaos_text(const Choice& choice) {
@@ -358,7 +359,7 @@ std::string chaos_text(const Choice& choice) {
   const std::string until = std::isfinite(*choice.predictable)
                                 ? "is off by the error asked for after " +
                                       format_significant(*choice.predictable, 3) + " " + choice.time_unit
-                                : "still tells the path to the error asked for at the end";
+                                : "is still within the error asked for at the end";
   return "  the motion is chaotic: one from a start that differs by a thousand-millionth " + until +
          ". A game may do better to ask for --criterion energy or bounded.\n";
 }
@@ -391,7 +392,7 @@ std::string left_out_text(const Choice& choice) {
   std::string text;
   for (const auto& [kind, count] : choice.left_out)
     text += "\nleft out: " + std::to_string(count) + (count == 1 ? " start" : " starts") +
-            " beside it whose motion is " + kind + ", which that of the start asked for is not";
+            " nearby whose motion is " + kind + ", unlike that of the start asked for";
   return text;
 }
 
@@ -517,7 +518,7 @@ std::string asked_text(const Choice& choice) {
   return what_holds(choice) + ", over " + shown_span(choice.need, choice.time_unit) +
          (need.bodies == 1 ? "" : ", " + std::to_string(need.bodies) + " bodies") +
          (std::isfinite(need.restart_every)
-              ? ", started anew every " + format_shortest(need.restart_every) + " " + choice.time_unit
+              ? ", restarted every " + format_shortest(need.restart_every) + " " + choice.time_unit
               : "") +
          (std::isfinite(need.budget) ? ", for at most " + shown_time(need.budget) + " per frame" : "");
 }
@@ -547,8 +548,8 @@ std::string answer_text(const Choice& choice, const Screen& screen) {
         "that holds.\n";
   if (choice.restart > 0.5)
     text += "  every restart, as after a contact, costs it " + format_significant(choice.restart, 3) +
-            " evaluations more" + (std::isfinite(choice.need.restart_every) ? ", which its time has" : "") +
-            ".\n";
+            " evaluations more" +
+            (std::isfinite(choice.need.restart_every) ? ", which its time includes" : "") + ".\n";
   text += next_cheaper_text(choice);
   if (const auto& richer = choice.next_richer)
     text += "  next richer: " + described(*richer, choice.need) + ", " + cost_of(*richer) + ": " +
@@ -585,9 +586,9 @@ std::string choice_text(const Choice& choice, bool all_rows, const Screen& scree
 
 std::string truth_text(const Choice& choice, const Screen& screen) {
   const Explanation& e = choice.explanation;
-  return wrapped(
-      "truth: known to " + format_significant(e.truth_error, 2) + " of what is asked; " + e.truth_by + "\n",
-      screen, 4);
+  return wrapped("truth: known to the requested error times " + format_significant(e.truth_error, 2) + "; " +
+                     e.truth_by + "\n",
+                 screen, 4);
 }
 
 std::string explanation_text(const Choice& choice) {
@@ -604,7 +605,7 @@ std::string explanation_text(const Choice& choice) {
          part("true motions", e.truths,
               counted(e.starts, "start") +
                   (is_of_the_motion
-                       ? ", known to " + format_significant(e.truth_error, 2) + " of what is asked"
+                       ? ", known to the requested error times " + format_significant(e.truth_error, 2)
                        : "") +
                   ": " + e.truth_by) +
          part("search", e.search,

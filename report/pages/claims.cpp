@@ -231,7 +231,7 @@ std::string answer(const ExerciseResult& e) {
         {"[" + escaped(f.title()) + "](" + address_of(e, f.claims.front()->claim, Links::within) + ")",
          escaped(f.claims.front()->claim.printed.text), escaped(f.claims.front()->claim.corrected.text),
          escaped(f.shows())});
-  return text + "\n\n" + table({"what is wrong", "as printed", "right", "what one sees"}, rows);
+  return text + "\n\n" + table({"erratum", "as printed", "right", "visible effect"}, rows);
 }
 
 std::string wrong_claims(const ExerciseResult& e, const ProvedClaims& proved) {
@@ -273,7 +273,7 @@ std::string errata_table(const Results& results, Links links, Verdict verdict) {
     rows.push_back({claims, escaped(f.claims.front()->claim.printed.text),
                     escaped(f.claims.front()->claim.corrected.text), escaped(f.shows())});
   }
-  return table({"claims", "as printed", "right", "what one sees"}, rows);
+  return table({"claims", "as printed", "right", "visible effect"}, rows);
 }
 
 std::string list_of(const Results& results, Verdict verdict, Links links) {

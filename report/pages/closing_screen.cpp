@@ -125,7 +125,7 @@ std::string what_a_game_may_use(const Results& results, const std::string& progr
   for (const auto& [algorithm, count] : sorted)
     text += (text.empty() ? "  " : ", ") + algorithm + " in " + counted(count, "scene", "scenes");
   if (text.empty()) return "";
-  return "\n" + wrapped(screen.styled(Style::heading, "What is enough for a game") +
+  return "\n" + wrapped(screen.styled(Style::heading, "Enough for a game") +
                             ", to 1 cm and 1 degree at every frame over 10 s at 60 Hz:\n" + text +
                             "\n  for a scene, start and budget of your own: " + program + " choose\n",
                         screen, 2);
@@ -157,8 +157,9 @@ std::string closing_screen(const Results& results, const Closing& closing, const
                       terminal.colour};
   const Counts found = counts_of(results);
   const std::string verdict =
-      closing.as_on_record ? screen.styled(Style::good, "All as on record")
-                           : screen.styled(Style::bad, "Not as on record") + ": what differs stands above";
+      closing.as_on_record
+          ? screen.styled(Style::good, "All results match the approved records")
+          : screen.styled(Style::bad, "Results differ from the approved records") + " (see above)";
   return "\n" +
          wrapped(screen.styled(Style::heading, "The solutions of Game Physics, 2nd edition, checked") + ": " +
                      checked(results) + "\n",

@@ -18,7 +18,7 @@ std::string changed(std::string text, const Changes& changes) {
   return text;
 }
 
-/// What a match is replaced by, as made(match).
+/// Replaces each match by made(match).
 template <class F>
 std::string replaced(const std::string& text, const std::regex& pattern, const F& made) {
   std::string all;

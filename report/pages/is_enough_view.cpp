@@ -20,7 +20,7 @@ std::string trend_text(const Judgement& j) {
   if (std::isfinite(j.energy))
     text += (text.empty() ? "" : "; ") + std::string("its energy is off by ") + percent(j.energy);
   else if (std::isfinite(j.drift) && j.drift > 0)
-    text += (text.empty() ? "" : "; ") + std::string("what is conserved changes by ") + percent(j.drift);
+    text += (text.empty() ? "" : "; ") + std::string("the conserved quantity changes by ") + percent(j.drift);
   return text;
 }
 
@@ -29,7 +29,7 @@ std::string limit_text(const Judgement& j, const std::string& unit) {
   const double limit = *j.stable_to;
   if (limit == 0) return "no step of it is stable";
   if (std::isinf(limit)) return "every step of it is stable";
-  return "its step is " + percent(j.run.setting / limit) + " of the longest that is stable, " +
+  return "its step is " + percent(j.run.setting / limit) + " of the longest stable one, " +
          format_significant(limit, 3) + " " + unit;
 }
 

@@ -50,7 +50,7 @@ std::optional<double> printed_by(const std::string& program) {
 /// Times both programs alternately, so that disturbances affect both.
 void measure(const Task& task, const Choice& choice, InLockstep& found) {
   if (program_on_path(compiler).empty()) {
-    found.measured = "what that costs is not measured, as there is no c++ here";
+    found.measured = "its cost is not measured, as there is no c++ here";
     return;
   }
   const PassingFolder folder;
@@ -60,7 +60,7 @@ void measure(const Task& task, const Choice& choice, InLockstep& found) {
         {compiler, "-std=c++20", "-O2", "-ffp-contract=off", "-x", "c++", "-", "-o", programs[lockstep]},
         timing_code_of(task, *choice.chosen, choice.need, lockstep), 60s);
     if (!made.ok) {
-      found.measured = "what that costs is not measured, as c++ -std=c++20 does not compile it";
+      found.measured = "its cost is not measured, as c++ -std=c++20 does not compile it";
       return;
     }
   }
@@ -73,7 +73,7 @@ void measure(const Task& task, const Choice& choice, InLockstep& found) {
   if (std::isfinite(best[0]) && std::isfinite(best[1]) && best[0] > 0)
     found.times_usual = best[1] / best[0];
   else
-    found.measured = "what that costs is not measured, as its program did not end";
+    found.measured = "its cost is not measured, as its program did not end";
 }
 
 }  // namespace
@@ -94,7 +94,7 @@ Need in_lockstep(Need need, const Task& task) {
     reasons += " " + why;
   }
   throw BadInput("--lockstep leaves no method" + reasons +
-                 "; only what --code prints has the same bits everywhere");
+                 "; only programs that --code prints have the same bits everywhere");
 }
 
 InLockstep lockstep_of(const Task& task, const Choice& choice, double seconds) {
@@ -107,7 +107,7 @@ InLockstep lockstep_of(const Task& task, const Choice& choice, double seconds) {
   try {
     measure(task, choice, found);
   } catch (const Stopped&) {
-    found.measured = "what that costs is not measured, as the time limit left no more";
+    found.measured = "its cost is not measured, as the time limit left no more";
   }
   return found;
 }

@@ -132,31 +132,31 @@ std::string ways(const Results& results, const ExerciseResult& e) {
 // ---- the front page ---------------------------------------------------------------------------------------
 
 std::string legend() {
-  return "A claim is one thing that the published solution says. It is **confirmed** when independent "
-         "numbers agree with it as it is printed; a **misprint** when they agree with what the text plainly "
-         "meant, as another of its lines shows; **lost in our copy** when the plain text that was read here has lost what was meant, such as a "
-         "fraction bar or an exponent, and the manual may have it. Our copy has lost the dots of all time "
-         "derivatives, too, and the marks that tell a center's coordinates from others: where a line has a meaning "
-         "with them alone, they are restored, and its place says *dots restored* or *marks restored*; where it has "
-         "another without them, which is false, it is lost in our copy. It is "
-         "**wrong** when a formula, a number, a line of code or a sentence is false and only a corrected one "
-         "agrees; **incomplete** when it holds in the cases "
-         "that its author had in mind, and a case or a condition is left out; **not checkable** when it speaks of "
-         "something that neither the text nor this program has; **unsettled** when nothing agrees. Verdicts are "
-         "computed: each check compares two routes that share nothing, within a tolerance that has a reason; "
-         "and near misses of each claim (another sign, a dropped term, another digit) have to fail the same "
-         "comparison. Line numbers are those of the solutions document as plain text.\n\n"
-         "A method is a model solved by an algorithm; a trial runs it at one setting of its knob (step, "
+  return "A claim is one statement of the published solution. It is **confirmed** when independent "
+         "numbers agree with it as printed. It is a **misprint** when they agree with the evident meaning, "
+         "as another line of the text shows. It is **lost in our copy** when the plain text that was read here "
+         "lacks the meaning, such as a fraction bar or an exponent, and the manual may be right. Our copy also lacks "
+         "the dots of all time derivatives, and the marks that distinguish a center's coordinates from others. "
+         "Where a line makes sense only with them, they are restored, and its place is marked *dots restored* or "
+         "*marks restored*. Where it makes another, false statement without them, it is lost in our copy. "
+         "A claim is **wrong** when a formula, a number, a line of code or a sentence is false and only a "
+         "corrected one agrees. It is **incomplete** when it holds in the cases that its author had in mind, and "
+         "a case or a condition is left out. It is **not checkable** when it is about something that neither the "
+         "text nor this program contains, and **unsettled** when nothing agrees. Verdicts are computed: each check "
+         "compares two routes that share nothing, within a tolerance that has a reason. Near misses of each claim "
+         "(another sign, a dropped term, another digit) have to fail the same comparison. Line numbers are those "
+         "of the solutions document as plain text.\n\n"
+         "A method is a model solved by an algorithm; a trial runs it at one setting (step, "
          "tolerance, points). Its cost is counted in evaluations of the integrand or right-hand side. A trial "
-         "is *ok* when its error is within the need; otherwise it is *inaccurate*, *drifted* (a conserved "
-         "quantity changed and does not come back), *diverged* (off the scale, and farther with time), *non-finite*, *stalled* (out of steps), *deceived* (the method's own "
-         "error estimate is below its true error), *raised* (the library reported an error), *chattering* "
-         "(events without end while the time does not move, as the bounces of a ball that comes to rest) or "
-         "*grazing* (whether an event happens is below the algorithm's error). A motion is judged at the few "
-         "times that are named with it, and may err more between them; the cheapest models, and `oddity "
-         "choose`, judge every frame.\n\n"
+         "is *ok* when its error is within the need. Otherwise it is *inaccurate*, *drifted* (a conserved "
+         "quantity changed and does not come back), *diverged* (off the scale, and farther with time), "
+         "*non-finite*, *stalled* (out of steps) or *raised* (the library reported an error). It is *deceived* when "
+         "the method's own error estimate is below its true error, and *chattering* when events follow without end "
+         "while the time does not move, like the bounces of a ball that comes to rest. It is *grazing* when "
+         "the algorithm's error decides whether an event happens. A motion is judged at a few named times, and may "
+         "err more between them. The cheapest models, and `oddity choose`, judge every frame.\n\n"
          "A page shows at most eight methods of a quantity; `oddity site` has all trials, and `oddity chart` draws "
-         "them. Coq has proved what is marked † or *proved*.\n";
+         "them. Claims marked † or *proved* are proved by Coq.\n";
 }
 
 std::string unfold(const std::string& summary, const std::string& text) {
@@ -208,7 +208,7 @@ std::string worst_errata(const Results& results, Links links) {
                         address_of(*f.exercise, f.claims.front()->claim, links) + ")",
                     escaped(f.shows())});
   }
-  return rows.empty() ? "" : table({"erratum", "what one sees"}, rows);
+  return rows.empty() ? "" : table({"erratum", "visible effect"}, rows);
 }
 
 /// The model that is enough for a game, a row per scene.
@@ -231,8 +231,8 @@ std::string causes_of_errata(const Results& results) {
   int wrong = 0, incomplete = 0;
   for (const ExerciseResult& e : results.exercises)
     for (const Finding& f : findings_of(e)) ++(is_wrong(f) ? wrong : incomplete);
-  return counted(wrong, "cause of what is wrong", "causes of what is wrong") + " and " +
-         counted(incomplete, "cause of what is incomplete", "causes of what is incomplete");
+  return counted(wrong, "cause of wrong claims", "causes of wrong claims") + " and " +
+         counted(incomplete, "cause of incomplete claims", "causes of incomplete claims");
 }
 
 bool has_scenes(const Results& results) {
@@ -246,10 +246,10 @@ bool has_cheapest_models(const Results& results) {
 }
 
 std::string other_pages(const Results& results, Edition edition) {
-  std::string text = "[All that is wrong](errata.md)";
+  std::string text = "[All errata](errata.md)";
   if (has_cheapest_models(results)) text += " · [which model is enough](models.md)";
   if (has_scenes(results)) text += " · [which steps are stable](stability.md)";
-  text += " · [the algorithms and their libraries](algorithms.md) · [what all this rests on](trust.md)";
+  text += " · [the algorithms and their libraries](algorithms.md) · [the basis of the results](trust.md)";
   if (edition == Edition::whole) text += " · [times](times.md)";
   return text + "\n\n";
 }
@@ -264,7 +264,7 @@ std::string head(const Results& results) {
          (all[Verdict::wrong] + all[Verdict::incomplete] > 0 ? " There are " + causes_of_errata(results) + "."
                                                              : "") +
          (all[Verdict::confirmed] > 0
-              ? " Confirmed claims stand beneath the second route that they agree with, after their lines."
+              ? " Confirmed claims are listed under the second route that they agree with, after their lines."
               : "") +
          (missing.empty() ? "" : " Not yet encoded: " + missing + ".") + "\n\n";
 }
@@ -276,7 +276,7 @@ std::string exercise_file(Number number) { return to_string(number) + ".md"; }
 std::string index_page(const Results& results, Edition edition) {
   const std::string worst = worst_errata(results, Links::apart);
   return head(results) + other_pages(results, edition) +
-         (worst.empty() ? "" : "## What is wrong in the solutions manual\n\n" + worst) + "## Exercises\n\n" +
+         (worst.empty() ? "" : "## Errata of the solutions manual\n\n" + worst) + "## Exercises\n\n" +
          by_chapter(results, Links::apart) + scenes_table(results, Links::apart) +
          unfold("<b>How to read this</b>", legend() + "\n");
 }
@@ -288,7 +288,7 @@ std::string exercise_page_text(const Results& results, const ExerciseResult& e, 
 
 std::string errata_page_text(const Results& results) {
   Counts counts = counts_of(results);
-  std::string text = "# What is wrong in the solutions manual\n\n";
+  std::string text = "# Errata of the solutions manual\n\n";
   const auto section = [&](Verdict verdict, const std::string& title, const std::string& rows) {
     if (counts[verdict] > 0) text += "## " + title + " (" + std::to_string(counts[verdict]) + ")\n\n" + rows;
   };
@@ -334,7 +334,7 @@ std::string charts_page(const ExerciseResult& e) {
   std::string text =
       "# " + to_string(e.number) + " " + escaped(e.title, false) + "\n\n" + prose(e.asks) + "\n\n" +
       parameters_text(e) +
-      "Each point is a trial: a method at one setting of its knob. Times are the median of several "
+      "Each point is a trial: a method at one setting. Times are the median of several "
       "batches measured alone, with half the interquartile range. A trial is on the *Pareto front* "
       "by evaluations (E) or by time (T) when no other is both cheaper and more accurate.\n\n";
   for (const QuantityResult& q : e.quantities)

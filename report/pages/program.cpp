@@ -36,7 +36,7 @@ std::vector<std::string> parameter_names(const Task& task) {
   return names;
 }
 
-/// The listing's name of it: a closed form may have an algorithm of its own.
+/// Finds the model in the listing, where a closed form may be named with its algorithm.
 const Recorder* recorder_of(const Task& task, const Candidate& chosen) {
   for (const std::string& name : {chosen.model + ", " + chosen.algorithm, chosen.model})
     for (const Recorder& one : recorders())
@@ -54,8 +54,8 @@ bool is_as_at(const RecordedModel& model, const RecordedModel& at, double t) {
   return true;
 }
 
-/// Of a closed form that goes on until it has settled: as at the frame where it goes on longest, which is to
-/// have the same values at all others.
+/// Records a closed form that iterates until it has settled, as at the frame with the most operations. These
+/// must give the same values at all other frames.
 RecordedModel longest(const Recorder& recorder, ToRecord asked, const Need& need) {
   std::vector<RecordedModel> all;
   for (double frame = 1; frame <= need.frames(); ++frame) {
@@ -71,7 +71,7 @@ RecordedModel longest(const Recorder& recorder, ToRecord asked, const Need& need
   return *most;
 }
 
-/// A model as its program computes it, and what the program's head adds about that.
+/// A model as its program computes it, and a note on that for the program's head.
 struct Written {
   std::string_view name;  ///< in the listing
   RecordedModel model;
@@ -156,7 +156,7 @@ std::string terms_text(const Lines& terms, std::size_t first) {
   return text;
 }
 
-/// What the columns of an orientation mean.
+/// Meaning of an orientation's columns.
 constexpr std::string_view about_orientation = R"(
 // The last four numbers, the quaternion (w, x, y, z), turn the body's axes into space's: the body's x axis is
 // (1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)).
@@ -253,7 +253,7 @@ constexpr std::string_view runs[] = {"Compiled by c++ -std=c++20 -O2 -ffp-contra
 
 std::string_view name_of(Language language) { return language_names[static_cast<std::size_t>(language)]; }
 
-/// Reason why no choice for the need has a program; empty if one may have it.
+/// Reason why no choice for the need has a program; empty if a choice may have one.
 std::string why_without_program(const Task& task, const Need& need, bool single) {
   if (task.entry->exercise.scene->listing.text) return "it is a problem's file";
   if (single) return "it is in float";

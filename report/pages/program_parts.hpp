@@ -14,7 +14,7 @@ namespace oddity::program_parts {
 /// the model has no such step.
 std::string algorithm_text(const std::string& name, const RecordedModel&);
 
-/// A main function in its language, and what it contains where a motion is stepped or is a closed form.
+/// A main function in its language, and its parts for stepped motions and for closed forms.
 struct Main {
   std::string_view text, start, stepped, at;
 };

@@ -86,7 +86,7 @@ std::string limits_text(const Stability& s, const HeldSteps& held, const Screen&
   }
   const std::vector<std::string>& n = rows.front();
   const std::string &how = *(n.end() - 2), &cure = n.back();
-  const std::size_t theory = held.frames.empty() ? 2 : 3;  // behind the columns of what is measured
+  const std::size_t theory = held.frames.empty() ? 2 : 3;  // behind the measured columns
   return aligned(rows, screen, {{n[0], how, cure}, {cure, how, n[theory + 1], n[theory], n[theory + 2]}});
 }
 
@@ -118,21 +118,21 @@ std::vector<std::string> reservations(const Stability& s) {
                                     : "") +
                     "; for other observers it is " + shown_soft(*l.soft) + unit);
     if (!l.goes_on && !std::isinf(l.step()))
-      all.push_back(name + "the motion does not go on alike; it is watched for the " +
-                    format_significant(l.watched, 3) + unit + " shown, and the limit is of that time");
+      all.push_back(name + "the motion does not continue in the same way; it is watched for the " +
+                    format_significant(l.watched, 3) + unit + " shown, and the limit applies to that time");
   }
   return all;
 }
 
-/// What the column of frames as they come shows.
+/// Explains the column of varying frames.
 std::string frames_text(const HeldSteps& held) {
   if (held.frames.empty()) return "";
-  return "at these frames: " + held.frames + ", the longest of them " +
+  return "at these frames: " + held.frames +
+         ", one step each; the column shows the usual frame, and the longest is " +
          format_significant(held.longest_frame, 3) +
-         " times the usual one, which the column has, each of them one step; where that is further below the "
-         "limit of equal steps than the longest frame explains, frames that vary excite a resonance; an "
-         "accumulator keeps the limit of equal steps; multistep methods are left out, as a frame of another length "
-         "makes them begin without their history; ";
+         " times as long. A limit further below that of equal steps than the longest frame explains is a "
+         "resonance, excited by varying frames. An accumulator keeps the limit of equal steps. Multistep methods "
+         "are left out, as a frame of another length makes them begin without their history; ";
 }
 
 /// The letters with a bar where theory's limit is: "XXd|ddiioooo".
@@ -247,7 +247,7 @@ std::string differences(const Results& results) {
       }
   return "Of " + std::to_string(all) + " limits " + std::to_string(slow) + " are not sharp; of the others " +
          std::to_string(differ) + " differ from theory by more than a quarter, and " + std::to_string(open) +
-         " of these are not explained by anything that is computed here.\n\n";
+         " differences are not explained by anything computed here.\n\n";
 }
 
 }  // namespace
@@ -300,20 +300,22 @@ std::string stability_text(const ExerciseResult& e, const HeldSteps& held, const
 std::string stability_page(const Results& results) {
   std::string text =
       "# Up to which step methods are stable\n\n"
-      "A step is stable when a small disturbance of the motion does not grow in it, or, where it grows in truth, "
-      "grows at most twice as fast, and the motion does not become twice as large as the true one. That says "
-      "nothing about accuracy. *None*: not even a step of 0.02 over the "
+      "A step is stable when two conditions are met. A small disturbance of the motion does not grow or, where it "
+      "grows in truth, grows at most twice as fast. The motion does not become twice as large as the true one. "
+      "Stable does not mean accurate. *None*: not even a step of 0.02 over the "
       "fastest frequency is stable. On an undamped oscillation, such as a pendulum, explicit Euler is unconditionally unstable: "
-      "disturbances grow at the rate $`h\\omega^2/2`$ however short the step $`h`$. A limit after \\~ is not sharp: those who watch half "
-      "or twice as long, or who call a motion too large at another size, find it elsewhere by more than 5 %. After "
-      "≥ stands the longest step tried.\n\n"
+      "disturbances grow at the rate $`h\\omega^2/2`$ however short the step $`h`$. A limit after \\~ is not sharp: it moves by more than 5 % "
+      "when the motion is watched for half or twice the time, or is called too large at another size. The step "
+      "after ≥ is the longest that was tried.\n\n"
       "The limit is measured with the method itself, from two starts that differ by a millionth of the motion's "
-      "size and are watched for 1000 radians of the fastest mode, or, where the motion does not go on alike, for "
-      "its own time. Theory's limit, in brackets, is the shortest step at which disturbances grow by the "
-      "eigenvalues of the Jacobian along the motion. Where the two differ by more than a quarter, the reason "
-      "stands below the table. The maps show how each method ends over the step and over the parameter that makes "
-      "the scene hard; a cell with a corner ends otherwise where the start is a few roundings off. Below a limit stands the largest error at the end of any of its steps. *Good to*: up to this step all are "
-      "within what a game asks at the end of every step, one centimetre or one degree; *good nowhere*: none that was tried is. `oddity stability` prints how each method breaks, and what cures it.\n\n";
+      "size. They are watched for 1000 radians of the fastest mode or, if the motion does not continue in the same "
+      "way, for its own time. Theory's limit, in brackets, is the shortest step at which disturbances grow by the "
+      "eigenvalues of the Jacobian along the motion. If the two differ by more than a quarter, the reason "
+      "is below the table. The maps show how each method ends over the step and over the parameter that makes "
+      "the scene hard; a cell with a corner ends otherwise if the start is a few roundings off. Below a limit is the "
+      "largest error at the end of any of its steps. *Good to*: up to this step all are within a game's tolerance "
+      "at the end of every step, one centimetre or one degree; *good nowhere*: none that was tried is. `oddity "
+      "stability` prints how each method breaks, and its cure.\n\n";
   text += differences(results);
   for (const ExerciseResult& e : results.exercises)
     if (e.stability) text += stability_of_scene(e);

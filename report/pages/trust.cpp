@@ -138,7 +138,7 @@ Part errata_witnessed(const Results& results, const Witnessed& w) {
            words == 0 ? "" : "of " + std::to_string(words) + " there is nothing to compute"},
           "PARI/GP's own scripts",
           {{"at the suite's letters, to ten digits", at_its_letters, errata},
-           {"at letters of their own", at_others, errata}}};
+           {"at other letters", at_others, errata}}};
 }
 
 /// Adds up the shares of a record.
@@ -246,7 +246,7 @@ std::string trust_text(const Results& results, const Trust& trust, const Screen&
     rows.push_back({part.name, amount(part.all), part.all.subject, part.all.says, when(part.all)});
     rests += wrapped("  " + part.name + ": " + part.rests_on + "\n", screen, 4);
   }
-  return aligned(rows, screen, {.shorten = {""}}) + "\nWhat each rests on:\n" + rests;
+  return aligned(rows, screen, {.shorten = {""}}) + "\nBasis of each:\n" + rests;
 }
 
 Table trust_table(const Results& results, const Trust& trust) {
@@ -260,7 +260,7 @@ Table trust_table(const Results& results, const Trust& trust) {
 
 std::string trust_page(const Results& results, const Trust& trust) {
   const Parts parts = parts_of(results, trust);
-  std::string text = "# What all this rests on\n\n`oddity trust --csv` has all figures.";
+  std::string text = "# The basis of the results\n\n`oddity trust --csv` has all figures.";
   if (std::ranges::find(parts, name_of(Standing::provable), &Part::name) != parts.end())
     text += " *Provable*: nobody has written the proof yet.";
   text += "\n\n";

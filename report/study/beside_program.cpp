@@ -42,7 +42,7 @@ void require_unwritable(const fs::path& file, mode_t others = S_IWGRP | S_IWOTH)
   if (!known || !ours || (!keeps && (status.st_mode & others)))
     throw BadInput(file.string() +
                    " is not loaded or run: others than root, you and who installed this program " +
-                   (ours ? "can write to it" : "own it") + "; install the program anew");
+                   (ours ? "can write to it" : "own it") + "; install the program again");
 }
 
 }  // namespace

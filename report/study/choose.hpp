@@ -45,7 +45,7 @@ struct Choice {
   std::optional<double> asked_horizon = {};
   bool is_decided_by_part = false;
   std::string exercise, quantity, time_unit;
-  std::vector<std::string> units;  ///< of the motion's errors
+  std::vector<std::string> units;  ///< units of the motion's errors
   std::vector<double> needs;       ///< the error requested in each of them
   std::vector<double> sizes = {};  ///< in each, the largest distance of the true motion from its first frame
   double rounding = 0;             ///< m, of a constraint: deviations up to this count as none
@@ -68,14 +68,14 @@ struct Choice {
   /// budget, with its result there and on the starts next to it.
   std::optional<Candidate> on_asked = {}, beside_asked = {};
   std::vector<Candidate> engine;      ///< semi-implicit Euler at 60, 120 and 240 Hz, as in engines
-  std::optional<Candidate> in_float;  ///< the chosen one in float at its setting, unless it is so already
+  std::optional<Candidate> in_float;  ///< the chosen one in float, at its setting; unless it is in float
   double restart = 0;                 ///< extra evaluations after a restart of the chosen one
   std::optional<double>
-      predictable;  ///< of a chaotic motion: how long a start known to 1e-9 predicts the path
+      predictable;  ///< chaotic motions: time over which a start known to 1e-9 predicts the path
   std::vector<std::string> seen, unseen;
   std::vector<std::string> faulted = {};     ///< models that are shown to be wrong, and not chosen
   std::map<std::string, int> left_out = {};  ///< starts drawn with another kind of motion, as a hyperbola
-  /// Of a chaotic motion: the number of unseen starts that the choice was tried on, and passes on.
+  /// Numbers of unseen starts on which the choice was tried and on which it passes; for chaotic motions.
   int tried_in_chaos = 0, holding_in_chaos = 0;
   int failing_beside = 0;       ///< unseen starts, where they need not pass: only the requested start counts
   std::string prices_are = {};  ///< their source

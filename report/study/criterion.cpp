@@ -159,7 +159,7 @@ bool needs_energy(const Need& need) {
 }
 
 TrueEnergy true_energy(const Quantity& motion) {
-  if (!motion.energy) throw BadInput("what is seen of this motion does not tell an energy");
+  if (!motion.energy) throw BadInput("the observables of this motion do not determine an energy");
   std::vector<Followed> all = followed(motion);
   if (all.size() < 2)
     throw BadInput("no two methods here follow the motion's energy to the end of the horizon");

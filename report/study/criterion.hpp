@@ -26,7 +26,7 @@ bool needs_energy(const Need&);
 
 /// Error of a motion by one criterion; infinite if it does not show that quantity.
 struct Off {
-  double error;          ///< of a path in needs; of energy and period relative; of a constraint in m
+  double error;          ///< path: in needs; energy and period: relative; constraint: in m
   std::string why = {};  ///< "its swing is 2.2 times the true one in the end"; empty: the error is the reason
 };
 /// Error by a criterion. Path: each observable's distance from the truth, in needs. Energy: the largest

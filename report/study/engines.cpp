@@ -236,9 +236,9 @@ std::vector<EngineContest> read_engines(const fs::path& file) {
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
-    throw BadInput(file.string() + ": not what '" + program_as_typed() +
-                   " engines' writes: " + without_exception_name(error.what()) + "; remove it, and '" +
-                   program_as_typed() + " engines' makes it anew");
+    throw BadInput(file.string() + ": not written by '" + program_as_typed() +
+                   " engines': " + without_exception_name(error.what()) + "; remove it, and '" +
+                   program_as_typed() + " engines' writes it again");
   }
 }
 

@@ -22,10 +22,10 @@ struct EngineTrial {
   std::vector<double> errors = {};  ///< the largest in each of the motion's units, over all frames
   double in_needs = 0;              ///< the error in needs
   double energy = 0;                ///< its change, relative to its moving part; NaN where it may change
-  double momentum = 0;              ///< the same for a momentum that no force changes
+  double momentum = 0;              ///< relative change of a momentum that no force changes
   double off_joint = 0;             ///< m, the largest gap of a joint
   double seconds_per_frame = 0;     ///< the median of its runs
-  double spread = 0;                ///< of these times
+  double spread = 0;                ///< spread of these times
   bool same_bits = true;            ///< in all runs
   std::string restored = {};        ///< "same bits", "other bits", "not offered"; empty: not tested
   /// The observables, frame after frame, for drawing: only at one step per frame with the engine's defaults.
@@ -59,7 +59,8 @@ struct Instead {
   std::map<Criterion, double> by = {};  ///< by each requested criterion except path
 };
 
-/// Errors of our own models at the steps that engines take: for an algorithm, the smallest over the models.
+/// Errors of this project's models at the steps that engines take: for an algorithm, the smallest over the
+/// models.
 struct OwnSteps {
   std::string algorithm;
   std::vector<std::pair<int, double>> errors;  ///< steps per frame, and the error in needs

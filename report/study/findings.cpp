@@ -45,12 +45,12 @@ std::string made_of_verdicts(const ExerciseResult& e, const std::vector<Finding>
     Counts counts = counts_of(e);
     if (counts[Verdict::confirmed] == 0) return "";
     const int misprints = counts[Verdict::misprint];
-    return "The solution stands" +
-           (misprints > 0 ? ", but for " + counted(misprints, "misprint", "misprints") : "") + ".";
+    return "The solution is right" +
+           (misprints > 0 ? ", except for " + counted(misprints, "misprint", "misprints") : "") + ".";
   }
   std::string text;
   for (const Finding& f : findings) text += (text.empty() ? "" : "; ") + written.named(f, f.title());
-  return "What does not stand: " + text + ".";
+  return "Wrong or incomplete: " + text + ".";
 }
 
 }  // namespace
@@ -79,13 +79,13 @@ std::string verdict_of(const ExerciseResult& e, const InMarkup& written) {
     const auto finding =
         std::ranges::find(findings, name, [](const Finding& f) { return f.root ? f.root->name : f.title(); });
     if (finding == findings.end())
-      throw std::logic_error("the verdict in a sentence names what is no finding: " + name);
+      throw std::logic_error("the verdict in a sentence names something other than a finding: " + name);
     here += written.named(*finding, name.size() < inside.size() ? inside.substr(name.size() + 1) : name);
     left.erase(name);
   }
   for (const Finding& f : findings)
     if (is_wrong(f) && left.contains(f.root ? f.root->name : f.title()))
-      throw std::logic_error("the verdict in a sentence does not name what is wrong: " +
+      throw std::logic_error("the verdict in a sentence does not name a wrong claim: " +
                              (f.root ? f.root->name : f.title()));
   if (counts_rest == left.empty())
     throw std::logic_error(counts_rest ? "the verdict in a sentence counts a rest, and names all findings"

@@ -86,13 +86,13 @@ std::string place_of(const Claim&);
 
 /// The claim's own words include the printed text.
 bool says_what_is_printed(const Claim&);
-/// The same, or of several forms in a row, each of them does.
+/// The claim's own words include the printed text, or each form if the text is a row of several.
 bool says_each_form(const Claim&);
 
 /// The model has the book's own equations, judged by its name.
 bool is_published(std::string_view model);
 /// The published version of a scene among its recorded motions, and the truest. Null if the book has no
-/// motion of its own.
+/// motion.
 const Path* published_path(const ExerciseResult&);
 const Path& true_path(const Trajectory&);
 const Trajectory* trajectory_of(const ExerciseResult&);

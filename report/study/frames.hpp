@@ -15,10 +15,10 @@ struct FramesAsked {
   double drop = 0;    ///< fraction of frames that are not drawn
   double longest = std::numeric_limits<double>::infinity();  ///< cap on the clock's advance in a frame
   std::vector<double> trace = {};  ///< lengths, repeated; empty: as the frame rate gives them
-  double seed = 1;                 ///< of the random numbers
+  double seed = 1;                 ///< for the random numbers
 };
 
-/// Limits of what is asked for.
+/// Limits of the options.
 inline constexpr double least_part = 1e-9, most_part = 0.99, least_frame = 1e-9, most_frame = 1e9;
 inline constexpr int most_seed = 1'000'000'000;
 
@@ -41,8 +41,8 @@ Horizon first_frames(const Need&, int count);
 /// All of them.
 Horizon horizon_of(const Need&);
 
-/// The scene's motion. Where frames differ in length, the ways in which fixed steps meet them are algorithms
-/// of their own: "Runge-Kutta 4, fixed steps interpolated". With kicks, unless null.
+/// The scene's motion. If frames differ in length, each way to match fixed steps to them is a separate
+/// algorithm: "Runge-Kutta 4, fixed steps interpolated". With kicks, unless null.
 Quantity motion_at_frames(const Scene&, const Parameters&, const Horizon&, const Reference&,
                           const std::shared_ptr<const Kicks>& = {});
 

@@ -58,7 +58,7 @@ bool asks_for(const Need& need, Criterion criterion) {
 }
 
 void require_known(const EveryStep& judge, const Quantity& seen, const Need& need) {
-  constexpr double well = 0.1;  // of the need
+  constexpr double well = 0.1;  // fraction of the need
   const auto& truest = judge.truest();
   if (!truest)
     throw BadInput(
@@ -66,8 +66,8 @@ void require_known(const EveryStep& judge, const Quantity& seen, const Need& nee
   const bool by_motion = asks_for(need, Criterion::path) || asks_for(need, Criterion::period);
   if (by_motion && !(truest->in_needs <= well && seen.reference_error <= well * seen.need.allowed))
     throw BadInput(
-        "the true motion is not known to a tenth of what is asked over this horizon: ask for a "
-        "shorter one, or for a larger error");
+        "the true motion is not known to a tenth of the requested error over this horizon: ask for a "
+        "shorter horizon or a larger error");
 }
 
 }  // namespace

@@ -28,9 +28,9 @@ struct HeldSteps {
 /// enough.
 HeldSteps held_steps(const Task&, const Need&, const Reference&, const Progress& = {});
 
-/// Where each frame as it comes is one step: the longest usual frame at which no small disturbance grows that
-/// does not grow in truth, as `measured_limit` has it for steps of one length. Up to it nothing that recurs
-/// among the frames excites a resonance.
+/// Finds the longest usual frame that is stable if each frame, of whatever length, is one step. Up to it no
+/// small disturbance grows that does not grow in the true motion, as in `measured_limit` for equal steps, and
+/// no recurring pattern of frames excites a resonance.
 void find_stable_at_frames(HeldSteps&, const Task&, const FramesAsked&, double horizon, const Progress& = {});
 
 }  // namespace oddity

@@ -245,18 +245,18 @@ Start InitialConditions::required(Start start) const {
                    ", and the error asked for is smaller");
   if (needs_period() && need_.error_by(Criterion::period) < part)
     throw BadInput("the true motion is known to " + format_significant(part, 2) +
-                   " of its size, and the error of its period that is asked for is smaller");
+                   ", relative to its size; the requested error of the period is smaller");
   if (!is_comparable(start))
     throw BadInput("the motion has no two periods within the horizon: ask for a longer one");
   if (start.energy && need_.error_by(Criterion::energy) < (**start.energy).known_to)
     throw BadInput("the true motion's energy is known to " +
                    format_significant((**start.energy).known_to, 2) +
-                   " of what moves in it, and the change asked for is smaller");
+                   " relative to its moving part, and the requested error is smaller");
   const double rounding = rounding_of(Criterion::constraint, start.motion);
   if (std::ranges::count(criteria_of(need_), Criterion::constraint) > 0 &&
       need_.error_by(Criterion::constraint) < rounding)
-    throw BadInput("what is held is seen to " + format_significant(rounding, 2) +
-                   " m, for roundings, and the length asked for is smaller");
+    throw BadInput("constraints are known to " + format_significant(rounding, 2) +
+                   " m, because of rounding, and the requested length is smaller");
   return start;
 }
 

@@ -81,7 +81,7 @@ struct PartJudged {
 struct Start {
   std::string says;  ///< "a = 0.5121, L = 0.9034"
   Quantity motion;
-  std::shared_ptr<Lazy<Parting>> parting = {};    ///< of a disturbance, if paths are judged
+  std::shared_ptr<Lazy<Parting>> parting = {};    ///< growth of a disturbance, if paths are judged
   std::shared_ptr<Lazy<TrueEnergy>> energy = {};  ///< if energies are judged
   /// The start with a better reference; null if the motion is known well, or as well as possible.
   std::shared_ptr<Lazy<Start>> sharper = {};
@@ -99,7 +99,7 @@ Need game_need();
 /// The need in each of the motion's units.
 std::vector<double> needs_of(const Need&, const Quantity& motion);
 
-/// The error of the true motion is so far below the needs that it decides nothing.
+/// Whether the error of the true motion is too far below the needs to decide anything.
 bool is_known_well(const Quantity& motion);
 
 /// Digits for which a true motion's error is a millionth of the need, if errors grow by less than a
@@ -146,7 +146,7 @@ class InitialConditions {
   Start well_known(const Parameters&) const;
   /// The start with the truth that is quickly available, and a way to a better one.
   Start start(const Parameters&) const;
-  /// The same start, up to where its truth is known well enough.
+  /// The start, up to the time to which its true motion is known well enough.
   Start as_long_as_known(const Start& whole, const Parameters&) const;
   Parting parting(const Parameters&, const Quantity& motion) const;
   Start asked_to_choose() const;

@@ -23,8 +23,8 @@ struct Judgement {
   Candidate run;                 ///< on all starts, and its time
   bool faulted = false;          ///< the scene's own page shows the model to be wrong
   int failing = 0;               ///< number of failing starts
-  double growth = not_a_number;  ///< of the error on the requested start, from half the time to the end
-  double drift = not_a_number;   ///< there, of the conserved quantity, relative to its moving part
+  double growth = not_a_number;  ///< error at the end over that at half time, on the requested start
+  double drift = not_a_number;   ///< there, change of the conserved quantity, relative to its moving part
   double energy = not_a_number;  ///< there, error of the observed energy, relative to its moving part
   std::optional<double> stable_to = {};  ///< the longest stable step; 0: none; infinity: every one
 };
@@ -32,7 +32,7 @@ struct Judgement {
 struct IsEnough {
   Need need;  ///< as requested, at a frame rate for which the step divides a frame or is one
   std::string exercise, time_unit;
-  std::vector<std::string> units = {};   ///< of the motion's errors
+  std::vector<std::string> units = {};   ///< units of the motion's errors
   std::vector<Judgement> models = {};    ///< by ascending error; those shown to be wrong are last
   std::vector<std::string> starts = {};  ///< the first is the requested one
 

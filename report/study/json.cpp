@@ -36,15 +36,15 @@ void require(bool holds, const std::string& otherwise) {
 template <class T>
 void require_follows(const Json& written, const T& follows, const std::string& what) {
   require(written == Json(follows),
-          what + " is " + written.dump() + ", and what it follows from makes it " + Json(follows).dump());
+          what + " is " + written.dump() + ", but the other values give " + Json(follows).dump());
 }
 
-/// The same for a number, up to the roundings of another C library.
+/// A written number must follow from the others, up to the roundings of another C library.
 void require_number_follows(const Json& written, double follows, const std::string& what) {
   constexpr double roundings = 1e-12;
   const double x = number(written);
   require(std::isfinite(x) ? std::abs(x - follows) <= roundings * std::abs(x) : !std::isfinite(follows),
-          what + " is " + written.dump() + ", and what it follows from makes it " + format_shortest(follows));
+          what + " is " + written.dump() + ", but the other values give " + format_shortest(follows));
 }
 
 template <class Enum, std::size_t N>
@@ -145,7 +145,7 @@ JudgedClaim claim(const Json& json) {
     checks += reading.checks.size();
   });
   require(readings == json.at("readings").size() && checks == json.at("checks").size(),
-          "a reading or a check of " + judged.claim.id + " is none that a claim has");
+          "readings or checks of " + judged.claim.id + " do not match its claim");
   judged.verdict = verdict(judged.claim);
   require_follows(json.at("verdict"), name_of(judged.verdict), "the verdict on " + judged.claim.id);
   return judged;
@@ -259,7 +259,7 @@ Candidate candidate(const Json& json) {
   t.outcome = named(json.at("outcome"), outcomes);
   t.evaluations_per_frame = number(json.at("evaluations_per_frame"));
   require(!t.holds() || t.error <= 1,
-          t.model + ", " + t.algorithm + " is said to hold, and errs by more than asked");
+          t.model + ", " + t.algorithm + " is marked as holding, but its error exceeds the need");
   return t;
 }
 
@@ -376,7 +376,7 @@ Trajectory trajectory(const Json& json) {
   for (const Json& p : json.at("paths"))
     t.paths.push_back({p.at("model"), p.at("algorithm"), p.at("knob"), number(p.at("setting")),
                        number(p.at("error")), named(p.at("outcome"), outcomes), value(p.at("value"))});
-  require(t.truest < t.paths.size(), "truest is none of the paths");
+  require(t.truest < t.paths.size(), "truest is not one of the paths");
   require(!t.judged_at.empty() && !t.times.empty() && t.times.size() % t.judged_at.size() == 0,
           "a trajectory's times do not hold those where it is judged");
   const std::size_t size = t.paths[t.truest].value.size();

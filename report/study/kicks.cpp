@@ -63,7 +63,7 @@ class Text {
   }
 
  private:
-  /// Of one observable or of all speeds.
+  /// Adds the change of one observable or of all speeds.
   void add_to(Kicks& kicks, double time, const std::string& text) const {
     auto [name, value] = assignment(text);
     const Kick::Change change = change_of(value);
@@ -100,7 +100,7 @@ class Text {
     if (found != names().end()) return static_cast<std::size_t>(found - names().begin());
     std::string all;
     for (const std::string_view one : names()) all += std::string(one) + ", " + std::string(one) + "', ";
-    refuse("knows no '" + name + "' here: what is seen is " + all + "and " + std::string(speed));
+    refuse("knows no '" + name + "' here: the names are " + all + "and " + std::string(speed));
   }
 
   std::string unit(std::size_t i, bool of_rate) const {
@@ -142,7 +142,7 @@ std::vector<double> apart_until(const Value& a, const Value& b, int samples) {
 
 /// Whether a motion is the true one, as long as that is known so well.
 bool is_true(const Quantity& motion, const Answer& answer) {
-  constexpr double as_good = 1e-6;  // of the motion's size, and of its need
+  constexpr double as_good = 1e-6;  // relative to the motion's size and its need
   if (!answer.reached() || !finite(answer.value)) return false;
   const double allowed = std::min(as_good * size_of(motion.reference.value), 0.1 * motion.need.allowed);
   const std::vector<double> apart = apart_until(answer.value, motion.reference.value, motion.samples);

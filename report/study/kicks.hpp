@@ -10,9 +10,9 @@
 /// Kicks: an observable or its rate is changed from outside, at a time, for every model in its own state.
 namespace oddity {
 
-/// "t=1s,theta'=+2" of a scene's observables, several with a semicolon between, and how they are shown. A
-/// value with a sign is added, one with a star times what is there, any other is set; "speed" is the rate of
-/// every observable. Throws BadInput.
+/// Reads kicks of a scene's observables, "t=1s,theta'=+2", separated by semicolons. Returns them and the text
+/// that shows them. A value with a sign is added, one with a star multiplies, any other is set. "speed" is
+/// the rate of every observable. Throws BadInput.
 std::pair<std::shared_ptr<const Kicks>, std::string> kicks_of(const Scene&, const Quantity& seen,
                                                               const std::string& text, double horizon);
 

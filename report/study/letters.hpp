@@ -14,7 +14,7 @@ namespace oddity {
 /// come in another order: "L2 before L1"; otherwise empty.
 std::string exchanged_letters(std::string_view models, std::span<const Parameter>);
 
-/// The same for the exercise's models.hpp, if it has one.
+/// Letters of the exercise's models.hpp in another order; empty without such a file.
 std::string exchanged_letters(const Entry&);
 
 /// The parameters that neither the scene's motion nor a claim nor a quantity depends on.

@@ -44,7 +44,7 @@ struct FrameTimes {
   std::vector<double> at;  ///< when each is drawn: ascending, after 0
   double longest = 0;
   std::string says = {};  ///< "each up to 20 % longer or shorter"
-  std::string unit = {};  ///< of time
+  std::string unit = {};  ///< unit of time
 };
 
 /// A request for a scene.

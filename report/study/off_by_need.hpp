@@ -12,7 +12,7 @@ namespace oddity {
 struct OffByNeed {
   double error = 0;                     ///< in needs, by the worst criterion
   std::map<Criterion, double> by = {};  ///< by each criterion except path, in its own unit
-  std::string why = {};                 ///< of the first that fails, if the error does not show it
+  std::string why = {};                 ///< reason for the first failure, if the error does not show it
 };
 /// `errors` are those of the path. Throws as for one criterion.
 OffByNeed off_by(const Need&, const Quantity& motion, const Method&, const Trial&,

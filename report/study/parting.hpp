@@ -15,7 +15,7 @@ struct Parting {
   std::vector<double> until;  ///< in needs, the largest up to each frame
   bool is_chaotic = false;
 
-  /// The first frame from which the disturbed path is off by more than the needs; empty if there is none.
+  /// The first frame from which the disturbed path is off by more than the needs; empty if it never is.
   std::optional<std::size_t> lost_at() const;
   /// Final value of an error that grows as the disturbance does, from the last frame where it was within the
   /// needs. It may exceed the motion's size, which bounds the visible error.

@@ -11,7 +11,7 @@ namespace oddity {
 /// wrong one: the sign flipped or, for a value near zero, the size of its terms added; twice as large; ten
 /// tolerances away. The check must then fail, so its tolerance is narrower than the value and than its scale.
 /// No formula runs again: only the claim's near misses test the check's sensitivity. Returns the
-/// perturbations that went unnoticed, as "claim, quantity: what was done".
+/// perturbations that went unnoticed, as "claim, quantity: perturbation".
 std::vector<std::string> unnoticed_perturbations(const JudgedClaim&);
 
 }  // namespace oddity

@@ -144,8 +144,8 @@ std::string KeptPrices::source() const {
     return "measured in this run on this machine, and " +
            (cannot_keep_ ? "not kept, as " + file_.parent_path().string() + " cannot be written"
                          : std::string("kept for the next"));
-  return std::string(measured_.empty() ? "those" : "in part those") +
-         " of an earlier run of this program on this machine; --measure measures them anew";
+  return std::string(measured_.empty() ? "those of" : "in part those of") +
+         " an earlier run of this program on this machine; --measure measures them again";
 }
 
 }  // namespace oddity

@@ -11,7 +11,7 @@
 #include "chapters/contents.hpp"
 #include "formula/recorded.hpp"
 
-/// Models of the scenes' listings, run once with numbers that record what is computed with them.
+/// Models of the scenes' listings, run once with numbers that record their operations.
 namespace oddity {
 
 /// Parameters as letters of these names, or as known numbers; the time of a closed form.
@@ -25,18 +25,18 @@ struct ToRecord {
 struct RecordedModel {
   std::shared_ptr<formula::Record> record = std::make_shared<formula::Record>();
   std::vector<formula::Recorded> start = {}, rates = {};  ///< none: a closed form
-  std::vector<formula::Recorded> acceleration = {};       ///< of (q, v) at q, where the model has one
+  std::vector<formula::Recorded> acceleration = {};       ///< for (q, v) at q, if the model has one
   std::vector<formula::Recorded> observed = {};
-  /// Of a model that has the angular velocity: the orientation's quaternion, which would be the state's last
-  /// four unknowns, at the start, its rates, and as it is seen.
+  /// The orientation's quaternion of a model that has the angular velocity: at the start, its rates, and as
+  /// observed. It would be the state's last four unknowns.
   std::vector<formula::Recorded> orientation_at_start = {}, turning = {}, orientation = {};
   std::vector<int> velocity_of = {};  ///< the unknown that is the rate of each; -1: none is
   std::vector<bool> is_velocity = {};
-  bool branched_at_start = false;  ///< what follows from the parameters alone asked for their values
-  bool branched = false;           ///< for those of the state or the time
+  bool branched_at_start = false;  ///< a branch depended on the parameters alone
+  bool branched = false;           ///< a branch depended on the state or the time
 };
 
-/// How it names what moves: the state x[i], the places q[i] of an acceleration.
+/// Name of an unknown: x[i] in the state, q[i] for the coordinates of an acceleration.
 std::string state_letter(char name, std::size_t i);
 
 namespace detail {
@@ -56,7 +56,7 @@ std::vector<formula::Recorded> listed(const Numbers& numbers) {
 }
 
 std::vector<formula::Recorded> given(formula::Record&, const ToRecord&);
-/// By the names of what the rates are, or as declared.
+/// Finds velocities by the names of the rates, or as declared.
 void find_velocities(RecordedModel&, std::span<const std::size_t> declared, bool are_declared);
 
 void record_turning(RecordedModel&, const std::array<formula::Recorded, 4>& now,

@@ -98,7 +98,7 @@ struct Trajectory {
   std::vector<std::string> observables;  ///< their names, if they have any
   std::string time_unit;
   std::vector<double> judged_at;  ///< the times of the quantity's reference
-  std::vector<double> times;      ///< of the paths
+  std::vector<double> times;      ///< times of the paths
   std::vector<Path> paths;
   std::size_t truest = 0;  ///< the path nearest to the reference
   double close = 0;        ///< a game's tolerance, in the observables' unit
@@ -111,10 +111,10 @@ struct QuantityResult {
   Tolerance need;
   std::vector<MethodResult> methods;
   std::vector<BreakdownResult> breakdowns;
-  std::optional<Trajectory> trajectory = {};  ///< of a scene's motion
-  int samples = 1;                            ///< of a motion: the number of times at which it is judged
+  std::optional<Trajectory> trajectory = {};  ///< for a scene's motion
+  int samples = 1;                            ///< number of times at which a motion is judged
   std::vector<FloatResult> in_float = {};
-  /// Of a motion: the components of one time that form a point or an angle; empty: judged by the largest
+  /// Components of a motion, at one time, that form a point or an angle; empty: judged by the largest
   /// component.
   std::vector<std::vector<std::size_t>> norms = {};
   bool in_operations = false;  ///< work is counted in multiplications, divisions and functions
@@ -128,14 +128,14 @@ struct Candidate {
   std::string model, algorithm, knob;
   double setting = 0;
   double error = 0;                     ///< the largest over the starts that it was chosen on, in needs
-  std::vector<double> errors = {};      ///< the same in each of the motion's units
-  std::map<Criterion, double> by = {};  ///< the same by each requested criterion except path, in its own unit
+  std::vector<double> errors = {};      ///< largest in each of the motion's units
+  std::map<Criterion, double> by = {};  ///< largest by each requested criterion except path, in its unit
   Outcome outcome = Outcome::ok;
   std::string where = {};  ///< the start with this outcome, unless ok
   std::string why = {};    ///< a reason beyond the error, such as that its swing grows
   double evaluations_per_frame = 0;
   double seconds_per_frame = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not timed
-  double spread = 0;                                                    ///< of the seconds
+  double spread = 0;                                                    ///< spread of the seconds
   double unseen_error = std::numeric_limits<double>::quiet_NaN();  ///< over the starts it was not chosen on
   double unbounded_error = 0;  ///< without the bound by the motion's size, as far as it can be estimated
   Precision precision = Precision::in_double;
@@ -149,7 +149,7 @@ struct CheapestModel {
   std::string says;  ///< "1 degree", "10 digits"
   Need need;
   std::optional<Candidate> least;          ///< empty: nothing here passes
-  std::optional<Candidate> in_float = {};  ///< the same in float; empty: it exists only in double
+  std::optional<Candidate> in_float = {};  ///< `least` in float; empty: it exists only in double
 };
 
 /// Values of a parameter between which a model is enough.
@@ -221,12 +221,12 @@ struct MapRow {
 /// Where the methods of a scene break, over the step and the parameter that makes the scene hard.
 struct Stability {
   std::string quantity, unit;
-  std::string time_unit;  ///< of the horizon and of every step and limit
+  std::string time_unit;  ///< unit of the horizon and of every step and limit
   double horizon = 0;
   double close = 0;  ///< the need, in the unit
   std::vector<Limit> limits;
   std::string parameter, parameter_unit;
-  std::vector<double> steps;  ///< of the map, from coarse to fine
+  std::vector<double> steps;  ///< steps of the map, from coarse to fine
   std::vector<MapRow> map;    ///< method by method, each from the easiest value to the hardest
 };
 
@@ -246,7 +246,7 @@ struct ExerciseResult {
   std::string failure;  ///< an exception that ended the study; empty: none
   std::optional<CheapestModels> cheapest_models = {};
   std::optional<Stability> stability = {};
-  std::vector<Root> roots = {};  ///< of the errata
+  std::vector<Root> roots = {};  ///< roots of the errata
   std::string verdict = {};      ///< one sentence, as in `Findings`
   /// Checksums of the code, tables and ledger that kept results were made from.
   std::string made_from = {};

@@ -16,7 +16,7 @@ struct Ended {
 };
 
 /// Path of a program, by PATH without its relative entries; a name with a slash is used as it is. Empty if
-/// there is none.
+/// no such program exists.
 std::string program_on_path(const std::string& name);
 
 /// Runs a program, without a shell, with `input` on its standard input, in `folder` unless empty, and kills

@@ -25,7 +25,7 @@ double seconds_running();  ///< since the program began
 /// The requested folder, or the default. Throws BadInput if none is given and there is no home, or if the
 /// cache is not private to this user.
 std::filesystem::path to_write_to(const std::filesystem::path& folder);
-/// The same for a folder of many files; overwrites foreign files only if `overwrite`.
+/// Takes a folder for many files; overwrites foreign files only if `overwrite`.
 void take_to_write(const std::filesystem::path& folder, bool overwrite);
 
 }  // namespace oddity

@@ -244,7 +244,7 @@ struct Motion {
   std::size_t place;  ///< index in the results
   Quantity quantity;
   double interval;
-  double value = 0;  ///< of the varied parameter
+  double value = 0;  ///< value of the varied parameter
   bool varied = false;
   std::vector<Quantity> beside = {};            ///< if varied: from starts that are a few roundings off
   std::shared_ptr<const EveryStep> judge = {};  ///< unless varied
@@ -261,7 +261,7 @@ Parameters moved(Parameters parameters, const Scene& scene, int roundings) {
   return parameters;
 }
 
-/// The same motion, judged by the same reference, from starts that differ by a few roundings.
+/// The motion from starts that differ by a few roundings, judged by the same reference.
 std::vector<Quantity> motions_beside(const Quantity& quantity, const Scene& scene,
                                      const Parameters& parameters, double end) {
   std::vector<Quantity> all;
@@ -283,7 +283,7 @@ Motion motion_of(const Task& task, std::size_t place, const Reference& truth, st
   Motion motion{place, oddity::motion(scene, parameters, {end}, truth), 0, value.value_or(0),
                 value.has_value()};
   motion.interval = end / motion.quantity.samples;
-  motion.quantity.need = {scene.game_tolerance, "what a game asks"};
+  motion.quantity.need = {scene.game_tolerance, "a game's tolerance"};
   for (std::string_view unit : motion.quantity.units()) motion.quantity.needs.push_back(game_error(unit));
   if (value)
     motion.beside = motions_beside(motion.quantity, scene, parameters, end);

@@ -19,7 +19,7 @@ namespace oddity {
 /// for no cure.
 Limit limit_of(const Quantity&, const Method&, double interval);
 
-/// The same without any trial.
+/// The limit alone, without any trial.
 Limit measured_limit(const Method&, double interval, const ode::Criteria& = {});
 
 /// Adds the stability of every task that has a scene, computed in parallel: the limits at the task's

@@ -16,14 +16,14 @@ constexpr std::array kinds{"formulas", "numbers", "cases", "words"};
 Standing standing_of(const CsvRow& row) {
   for (const Standing standing : {Standing::provable, Standing::computed, Standing::wording})
     if (row.cells[2] == name_of(standing)) return standing;
-  throw BadInput(row.place + ": '" + row.cells[2] + "' is none of provable, computed and wording");
+  throw BadInput(row.place + ": '" + row.cells[2] + "' is not one of provable, computed and wording");
 }
 
 std::string name_of_row(const CsvRow& row) {
   const std::string& stated = row.cells[1];
   if (stated.empty()) return row.cells[0];
   if (std::ranges::find(kinds, stated) == kinds.end())
-    throw BadInput(row.place + ": '" + stated + "' is none of formulas, numbers, cases and words");
+    throw BadInput(row.place + ": '" + stated + "' is not one of formulas, numbers, cases and words");
   return row.cells[0] + " " + stated;
 }
 

@@ -29,22 +29,22 @@ struct Witnessed {
 struct Tried {
   std::string date, commit, subject;
 };
-struct Mutated : Tried {  ///< of a source folder
+struct Mutated : Tried {  ///< in a source folder
   long mutants = 0, tried = 0, killed = 0, with_reason = 0, survived = 0;
-  long first_tried = 0, first_killed = 0;  ///< of the first sample, before any fixes for it
+  long first_tried = 0, first_killed = 0;  ///< in the first sample, before any fixes for it
 };
-struct Fuzzed : Tried {  ///< of a target
+struct Fuzzed : Tried {  ///< for one target
   long inputs = 0, crashes = 0;
   double seconds = 0;
 };
-struct Faulted : Tried {  ///< of a verb
+struct Faulted : Tried {  ///< for one verb
   std::string fault;
   long trials = 0, failures = 0;
 };
 
 struct Trust {
   Standings standings = {};
-  std::vector<Assertion> assertions = {};  ///< of the published solutions, in our words
+  std::vector<Assertion> assertions = {};  ///< assertions of the published solutions, in our words
   Bounds bounds = {};
   Witnessed witnessed = {};
   std::vector<Mutated> mutated = {};

@@ -48,7 +48,7 @@ Findings study(const Parameters& p, const Reference&) { return {claims(p), {}}; 
 
 Exercise exercise_99_97() {
   using namespace ex99_97;
-  return {"My identity", "still to be written: what is to be shown", parameters, {}, study};
+  return {"My identity", "still to be written: the identity to show", parameters, {}, study};
 }
 
 }  // namespace oddity

@@ -41,7 +41,7 @@ Findings study(const Parameters& p, const Reference& truth) {
 
 Exercise exercise_99_98() {
   using namespace ex99_98;
-  return {"My scene", "still to be written: what is to be found", parameters, scene(), study};
+  return {"My scene", "still to be written: the quantity to find", parameters, scene(), study};
 }
 
 }  // namespace oddity
