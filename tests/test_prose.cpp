@@ -57,6 +57,20 @@ TEST_CASE("the linter finds words in a row, within a sentence, and long sentence
   CHECK(kinds_in(long_sentence + "\\nmore.").empty());
 }
 
+TEST_CASE("the linter skips links' addresses and ends of sentences", "[prose]") {
+  CHECK(kinds_in("[rules](what-is-read.md) are short").empty());
+  CHECK(kinds_in(" of the next setting, behind a number").empty());
+}
+
+TEST_CASE("places that stay have their file, kind and first words", "[prose]") {
+  const auto accepted = prose::accepted_in("# a comment\na/b.cpp: say: says: x -> a column\n");
+  REQUIRE(accepted.size() == 1);
+  CHECK(accepted[0].file == "a/b.cpp");
+  CHECK(accepted[0].kind == "say");
+  CHECK(accepted[0].words == "says: x");
+  CHECK_THROWS_AS(prose::accepted_in("a/b.cpp: say: says"), std::invalid_argument);
+}
+
 TEST_CASE("the linter refuses a line that is no rule", "[prose]") {
   CHECK_THROWS_AS(prose::rules_of("relative what"), std::invalid_argument);
 }

@@ -138,7 +138,7 @@ bool lost_along_truth(const Explained& e, double step) {
 
 TEST_CASE("reason: the growth by theory does not add up to a loss", "[stability]") {
   const Explained slide =
-      because("what theory has grow at some points", {{3, 7}, "one coordinate", "explicit Euler"});
+      because("growth that theory finds at single points", {{3, 7}, "one coordinate", "explicit Euler"});
   CHECK(slide.limit.step() > 10 * slide.limit.theory());
   CHECK(slide.disturbances.added_growth(slide.limit.stable) <= std::log(100));
   CHECK_FALSE(lost_along_truth(slide, slide.limit.stable));
@@ -161,7 +161,7 @@ TEST_CASE("reason: theory freezes the motion", "[stability]") {
 
 TEST_CASE("reason: theory holds for the true motion, but the method makes another", "[stability]") {
   for (const char* algorithm : {"explicit Euler", "modified midpoint"}) {
-    const Explained disk = because("theory is right of the true motion", {{3, 21}, "one angle", algorithm});
+    const Explained disk = because("theory is right for the true motion", {{3, 21}, "one angle", algorithm});
     CHECK_FALSE(lost_along_truth(disk, 0.8 * disk.limit.theory()));
     CHECK(lost_along_truth(disk, 1.25 * disk.limit.theory()));
     CHECK(disk.disturbances.lost(0.99 * disk.limit.stable).time(1) > disk.disturbances.span);
@@ -180,7 +180,7 @@ TEST_CASE("reason: resonance, where four steps of symplectic Euler make one swin
 
 TEST_CASE("reason: the method's own motion becomes much faster than the true one", "[stability]") {
   const Explained planet =
-      because("before it is lost the method's own motion", {{3, 3}, "Cartesian", "linearly implicit Euler"});
+      because("before the loss the method moves faster", {{3, 3}, "Cartesian", "linearly implicit Euler"});
   const auto own = [&](double until) { return planet.disturbances.own_theory(planet.limit.unstable, until); };
   CHECK(own(planet.limit.lost) < planet.limit.theory() / 2);
   CHECK(own(planet.limit.lost) < own(planet.limit.lost / 2));  // it spirals in

@@ -175,7 +175,8 @@ TEST_CASE("a run ends with a screen of checks, findings and files to open", "[te
       told.find(
           "\nThe site lacks\n  the models: nothing moves\n  a whole one is made by: apt-get install clang && "
           "./oddity site\n") != std::string::npos);
-  CHECK(closing_screen(scenes, lacking, {}).find("of your own: ./oddity choose\n") != std::string::npos);
+  CHECK(closing_screen(scenes, lacking, {}).find("start and budget of your own: ./oddity choose\n") !=
+        std::string::npos);
   CHECK(closing_screen(results, {false, 1, "", ""}, {}).find("Results differ from the approved records") !=
         std::string::npos);
   CHECK(closing_screen({}, closing, {}).find("0 exercises, 0 claims") != std::string::npos);

@@ -155,7 +155,7 @@ std::string engines_page(const std::vector<EngineContest>& contests, const std::
       replaced_table(contests);
   if (const int count = unexplained(contests); count > 0)
     text += "Variants in scenes that never come to them, *not explained*: " + std::to_string(count) + ".\n\n";
-  text += "## What was found in the engines\n\n" + std::to_string(surprises.size()) +
+  text += "## Findings in the engines\n\n" + std::to_string(surprises.size()) +
           " things, each with the smallest program that shows it.\n\n";
   for (const Surprise& s : surprises)
     text += "- [" + escaped(s.says) + "](" + programs + "/" + s.file + ")\n";

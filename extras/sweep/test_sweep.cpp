@@ -493,7 +493,7 @@ TEST_CASE("impossible sweeps are refused with a suggestion", "[sweep]") {
   CHECK(run("sweep").status == 2);
   CHECK(says(run("sweep"), "sweep needs one of its verbs: plan, run, status, merge, draw"));
   CHECK(says(run("sweep paln x"), "did you mean 'plan'?"));
-  CHECK(says(run("sweep run --thread 2 x"), "'./oddity sweep run --help' says more"));
+  CHECK(says(run("sweep run --thread 2 x"), "'./oddity sweep run --help' shows more"));
 }
 
 TEST_CASE("a problem's file is swept like an exercise, and its plan needs no other file", "[sweep]") {

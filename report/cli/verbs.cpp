@@ -367,7 +367,7 @@ int judge_own(const fs::path& folder, const Task& task, const AskedNeed& asked, 
             << wrapped(choice ? "\n" + asked_text(*choice) + ":\n" + part_text(*choice) +
                                     (choice->chosen ? answer_text(*choice, output())
                                                     : "nothing here meets that.\n")
-                              : "\nwhat to take instead was not found within the time limit\n",
+                              : "\nno better method was found within the time limit\n",
                        output(), 4);
   return found.holds() ? 0 : 1;
 }
@@ -489,7 +489,7 @@ void write_page(const fs::path& out, const std::string& page) {
 
 void site_of_file(const fs::path& folder, const std::string& file, const fs::path& out, bool overwrite) {
   if (!problem::is_file(file))
-    throw BadInput("site takes a problem's file, such as suspension.toml; of an exercise --single " +
+    throw BadInput("site takes a problem's file, such as suspension.toml; for an exercise, --single " +
                    to_string(task_of(file, {}).entry->number) + " writes the page");
   task_of_page(file);
   if (needs_are_all(needs_of_site())) return;

@@ -34,7 +34,7 @@ std::string typed_before_options(const CLI::App& app) {
 }
 
 std::string help_of(const CLI::App& app) {
-  return "'" + program_as_typed() + " " + typed_before_options(app) + "--help' says more";
+  return "'" + program_as_typed() + " " + typed_before_options(app) + "--help' shows more";
 }
 
 /// The verb that was used, or its subcommand.

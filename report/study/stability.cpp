@@ -185,8 +185,7 @@ void explain(Limit& limit, const Disturbances& disturbances, const ode::Criteria
   if (shorter && limit.stable > 0 && (!limit.soft || limit.soft->most < 0.8 * theory))
     if (const auto steps = steps_of_a_turn(disturbances.turns_in_a_step(0.995 * limit.stable)))
       return because(
-          "resonance: a turn of the method's own motion takes a whole number of its steps, so that every "
-          "turn errs alike and the errors add up",
+          "resonance: a turn of the method's motion takes a whole number of its steps, so that every turn makes the same error and the errors add up",
           format_significant(*steps, 3) + " steps a turn");
   if (limit.soft) return;  // its mark is the explanation
   limit.why = not_explained;
@@ -197,23 +196,20 @@ void explain(Limit& limit, const Disturbances& disturbances, const ode::Criteria
       shorter ? nearer(along, limit.stable, theory) && agree(along, limit.stable)
               : along >= limit.stable || (nearer(along, limit.stable, theory) && agree(along, limit.stable));
   if (frozen && !shorter && grows_at_most(criteria.granted, limit, disturbances))
-    return because("what theory has grow at some points does not add up along the true motion to a loss",
-                   from);
+    return because(
+        "growth that theory finds at single points does not add up to a loss along the true motion", from);
   if (frozen)
     return because(
-        "theory freezes the motion at each of its points: the disturbances of the true motion as it goes on "
-        "are lost where the measurement has it, or later",
+        "theory freezes the motion at each of its points; along the moving true motion, disturbances are lost at the measured step or later",
         from);
   if (shorter)
     if (const double own = disturbances.own_theory(limit.unstable, limit.lost); own < theory / 2)
       return because(
-          "before it is lost the method's own motion is so much faster than the true one that theory's "
-          "limit along it is less than half",
+          "before the loss the method moves faster than the true motion; theory's limit along it is less than half",
           format_significant(own, 2));
   if (nearer(along, theory, limit.stable) && agree(along, theory))
     because(
-        "theory is right of the true motion, whose disturbances are lost where it says, but the method makes "
-        "another motion of its own",
+        "theory is right for the true motion, along which disturbances are lost at its limit, but the method's motion is another",
         from);
 }
 

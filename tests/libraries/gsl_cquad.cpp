@@ -33,11 +33,11 @@ TEST_CASE("GSL's CQUAD reports success whatever its estimate is", "[libraries]")
   const auto spike = [](double x, void*) { return 1 / std::sqrt(std::abs(x - 0.3)); };
   const Result missed = cquad(spike, nullptr, 0, 1, 2 * (std::sqrt(0.3) + std::sqrt(0.7)));
   shown.check(
-      "1/sqrt|x - 0.3| over [0, 1] to 1e-10 ends with success and an error and an estimate above 1e-8",
+      "1/sqrt|x - 0.3| over [0, 1] to 1e-10 ends with success, with an error and an estimate above 1e-8",
       missed.status == GSL_SUCCESS && missed.error > 1e-8 && missed.estimate > 1e-8, missed.error);
   const auto growing = [](double x, void*) { return std::exp(x); };
   const Result backward = cquad(growing, nullptr, 1, 0, 1 - std::exp(1));
-  shown.check("from 1 to 0 its estimate is below zero", backward.estimate < 0, backward.estimate);
+  shown.check("From 1 to 0 its estimate is below zero", backward.estimate < 0, backward.estimate);
   long calls = 0;
   const auto pole = [](double x, void* count) {  // ends with the largest number
     return ++*static_cast<long*>(count) > 1'000'000 ? std::numeric_limits<double>::max() : 1 / x;

@@ -42,8 +42,8 @@ Miss miss(std::size_t n) {
 TEST_CASE("GSL computes weights of Gauss and Legendre to ten digits", "[libraries]") {
   const Shown shown{"gsl_glfixed", gsl_version};
   const Miss fifty = miss(50), tabulated = miss(64);
-  shown.check("of 50 points they miss their sum by more than 1e-11, while the nodes have all digits",
+  shown.check("those of 50 points miss their sum by more than 1e-11, while the nodes have all digits",
               !fifty.tabulated && fifty.weights > 1e-11 && fifty.nodes < 2e-16, fifty.weights);
-  shown.check("those of 64 points, which it has a table for, are right",
-              tabulated.tabulated && tabulated.weights < 1e-15, tabulated.weights);
+  shown.check("Those of 64 points, from a table, are right", tabulated.tabulated && tabulated.weights < 1e-15,
+              tabulated.weights);
 }

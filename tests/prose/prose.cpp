@@ -191,8 +191,9 @@ struct Word {
 };
 using Sentence = std::vector<Word>;
 
-/// End of the code or formula that opens with the sign at `at`; npos for other signs.
+/// End of the code, formula or link's address that opens with the sign at `at`; npos for other signs.
 std::size_t end_of_code(std::string_view text, std::size_t at) {
+  if (text.substr(at).starts_with("](")) return text.find(')', at);
   if (text[at] != '`' && text[at] != '$') return text.npos;
   return text.find(text[at], at + 1);
 }
@@ -265,14 +266,29 @@ std::vector<Rule> rules_of(std::string_view text) {
   return rules;
 }
 
+std::vector<Accepted> accepted_in(std::string_view text) {
+  std::vector<Accepted> all;
+  for (std::string_view line : lines_of(text)) {
+    if (line.empty() || line.starts_with('#')) continue;
+    const std::size_t file = line.find(": "), kind = line.find(": ", file + 2), arrow = line.rfind(" -> ");
+    if (file == line.npos || kind == line.npos || arrow == line.npos || arrow < kind + 2)
+      throw std::invalid_argument("'" + std::string(line) + "' is not: file: kind: words -> reason");
+    all.push_back({std::string(line.substr(0, file)), std::string(line.substr(file + 2, kind - file - 2)),
+                   std::string(line.substr(kind + 2, arrow - kind - 2))});
+  }
+  return all;
+}
+
 std::vector<Fault> faults_in(const Passage& passage, const std::vector<Rule>& rules) {
   std::vector<Fault> faults;
   const auto excerpt = [&](std::size_t at) { return passage.text.substr(at, 60); };
   const std::vector<Sentence> sentences = sentences_of(passage.text);
+  const bool begins = !passage.text.starts_with(' ');  // otherwise a number that the code inserts
   for (const Sentence& sentence : sentences) {
     for (std::size_t i = 0; i < sentence.size(); ++i)
       for (const Rule& rule : rules)
-        if ((!rule.at_start || (i == 0 && &sentence == &sentences.front())) && applies(rule, sentence, i))
+        if ((!rule.at_start || (begins && i == 0 && &sentence == &sentences.front())) &&
+            applies(rule, sentence, i))
           faults.push_back({passage.line, rule.kind, excerpt(sentence[i].at), rule.remedy});
     if (sentence.size() > longest_sentence)
       faults.push_back({passage.line, "long", excerpt(sentence.front().at),

@@ -41,6 +41,15 @@ struct Fault {
   std::string kind, found, remedy;
 };
 
+/// A place that stays as it is: its file, the kind of fault, and the words that it begins with.
+struct Accepted {
+  std::string file, kind, words;
+};
+
+/// Reads lines "file: kind: words -> reason"; '#' begins a comment.
+/// @throws std::invalid_argument with the line that is none
+std::vector<Accepted> accepted_in(std::string_view text);
+
 /// Longest sentence, in words, that needs no second reading.
 inline constexpr std::size_t longest_sentence = 40;
 

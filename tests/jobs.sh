@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # CI jobs, by name, one or several:
-#   tests/legs.sh NAME ...      runs these, shows how long each took, and ends with 1 if one is red
-#   tests/legs.sh               shows the names
+#   tests/jobs.sh NAME ...      runs these, shows how long each took, and ends with 1 if one is red
+#   tests/jobs.sh               shows the names
 # LAST_BEGINS=MINUTES: a job that would begin later is reported as not run. On Debian each job installs its
 # packages. A job that builds has its own folder under build/. Warnings are errors.
 set -euo pipefail
@@ -35,7 +35,7 @@ on_record() {
 
 # ---- jobs -------------------------------------------------------------------------------------------------
 
-leg_newcomer() {  # the commands of README.md, of the help's examples, of CONTRIBUTING.md and of the rooms' READMEs, in a bare Debian 12; SUITE=trixie for 13; SLOW=1 for those that take minutes; RECORD=1 records the README's times
+job_newcomer() {  # the commands of README.md, of the help's examples, of CONTRIBUTING.md and of the rooms' READMEs, in a bare Debian 12; SUITE=trixie for 13; SLOW=1 for those that take minutes; RECORD=1 records the README's times
   local suite=${SUITE:-bookworm} processor
   tests/newcomer/run.sh "$suite"
   [ -n "${RECORD:-}" ] || return 0
@@ -46,25 +46,25 @@ leg_newcomer() {  # the commands of README.md, of the help's examples, of CONTRI
     "build/newcomer/$suite/said/seconds" | on_record tests/newcomer/record.csv
 }
 
-leg_tests() {  # g++: all tests
+job_tests() {  # g++: all tests
   ./oddity test
 }
 
-leg_report() {  # g++: verifies everything, and writes the report and the site
+job_report() {  # g++: verifies everything, and writes the report and the site
   ./oddity
 }
 
-leg_book() {  # g++: report/book is this machine's output, byte for byte
+job_book() {  # g++: report/book is this machine's output, byte for byte
   ./oddity report >/dev/null
   ctest --test-dir build/release --build-config book --tests-regex '^book$' --output-on-failure
 }
 
-leg_format() {  # clang-format: every source follows .clang-format
+job_format() {  # clang-format: every source follows .clang-format
   tools clang-format
   sources '*.cpp' '*.hpp' | xargs -d '\n' clang-format --dry-run -Werror
 }
 
-leg_prose() {  # comments, texts and pages: their wording, their spelling, and the length of commits' subjects
+job_prose() {  # comments, texts and pages: their wording, their spelling, and the length of commits' subjects
   tools g++ codespell
   mkdir -p build
   g++ -std=c++20 -O1 -I. tests/prose/prose.cpp tests/prose/main.cpp -o build/prose
@@ -74,7 +74,7 @@ leg_prose() {  # comments, texts and pages: their wording, their spelling, and t
   ! git log -30 --no-merges --format=%s | grep -E '.{73}' || { echo "these subjects are longer than 72 letters"; return 1; }
 }
 
-leg_site() {  # chromium: every page and player of the site, opened from their files
+job_site() {  # chromium: every page and player of the site, opened from their files
   tools chromium
   command -v npm >/dev/null || tools nodejs npm
   npm ci --prefix tests/site --no-audit --no-fund || exit 77
@@ -84,54 +84,54 @@ leg_site() {  # chromium: every page and player of the site, opened from their f
   printf '%s\n' tests/site/*.test.mjs | xargs -P "$jobs" -n 1 node --test
 }
 
-leg_languages() {  # mono, node: the programs of choose --code in C# and JavaScript have the program's numbers
+job_languages() {  # mono, node: the programs of choose --code in C# and JavaScript have the program's numbers
   tools mono-mcs mono-runtime nodejs
   build release oddity_tests
   build/release/tests/oddity_tests '[languages]'
 }
 
-leg_engines() {  # third-party engines on the scenes match the approved records
+job_engines() {  # third-party engines on the scenes match the approved records
   ./oddity engines --finest 1 3.5 >/dev/null  # installs and builds them
   ctest --test-dir build/release --build-config engines --tests-regex '^engines$' --output-on-failure
 }
 
-leg_witness() {  # PARI/GP's results on the errata match the approved records
+job_witness() {  # PARI/GP's results on the errata match the approved records
   tools pari-gp
   tests/witness.sh
 }
 
-leg_sweep() {  # sweeps with HDF5 and under mpirun, and killed ODDITY_KILLS (100) times
+job_sweep() {  # sweeps with HDF5 and under mpirun, and killed ODDITY_KILLS (100) times
   ./oddity packages libhdf5-dev libopenmpi-dev openmpi-bin || exit 77
   cmake --preset release -DODDITY_HDF5=ON -DODDITY_MPI=ON >/dev/null
   cmake --build build/release --parallel "$jobs" --target oddity_tests
   ODDITY_KILLS=${ODDITY_KILLS:-100} build/release/tests/oddity_tests '[sweep]'
 }
 
-leg_namespaces() {  # a sweep by Open MPI on four network namespaces, the same as by one thread, also where a rank is killed
+job_namespaces() {  # a sweep by Open MPI on four network namespaces, the same as by one thread, also where a rank is killed
   tools iproute2 libopenmpi-dev openmpi-bin
   cmake --preset release -DODDITY_MPI=ON >/dev/null
   cmake --build build/release --parallel "$jobs" --target oddity
   extras/sweep/namespaces.sh build/release/oddity
 }
 
-leg_slurm() {  # a sweep by its array script for Slurm, whose daemons are started for it, killed on the way
+job_slurm() {  # a sweep by its array script for Slurm, whose daemons are started for it, killed on the way
   tools munge slurmctld slurmd slurm-client
   ./oddity list >/dev/null
   extras/sweep/slurm.sh build/release/oddity
 }
 
-leg_ode-files() {  # xppaut: its package's examples are answered or refused, and each motion is compared with xppaut's
+job_ode-files() {  # xppaut: its package's examples are answered or refused, and each motion is compared with xppaut's
   tools xppaut
   build release oddity
   tests/ode_files.sh build/release/oddity
 }
 
-leg_prove() {  # Coq: every recorded proof, checked again
+job_prove() {  # Coq: every recorded proof, checked again
   tools coq libcoq-interval libcoq-coquelicot
   ./oddity prove
 }
 
-leg_syntax() {  # g++: every source alone, without precompiled headers; compile_commands.json has all of them
+job_syntax() {  # g++: every source alone, without precompiled headers; compile_commands.json has all of them
   ./oddity packages
   build developer generated_sources
   local listed missing
@@ -144,7 +144,7 @@ leg_syntax() {  # g++: every source alone, without precompiled headers; compile_
     (cd build/developer && xargs -d '\n' -P "$jobs" -n 1 bash -c 'eval "$0 -fsyntax-only"')
 }
 
-leg_tidy() {  # clang-tidy: the solvers and the tables are clean, except Arb's part; TIDY='files' selects others
+job_tidy() {  # clang-tidy: the solvers and the tables are clean, except Arb's part; TIDY='files' selects others
   tools clang-tidy
   cmake --preset developer >/dev/null
   # without g++'s flags that clang does not know
@@ -155,12 +155,12 @@ leg_tidy() {  # clang-tidy: the solvers and the tables are clean, except Arb's p
       --extra-arg=-Wno-unknown-warning-option --extra-arg=-Wno-unused-command-line-argument
 }
 
-leg_libcxx() {  # clang with libc++, without exceptions: every scene's models
+job_libcxx() {  # clang with libc++, without exceptions: every scene's models
   tools clang libc++-dev libc++abi-dev
   tests/models_with_libcxx.sh
 }
 
-leg_install() {  # an installed build works, a program of another project finds the models, and a package installs on a bare Debian
+job_install() {  # an installed build works, a program of another project finds the models, and a package installs on a bare Debian
   ./oddity packages debootstrap || true
   rm -f build/oddity_*.deb
   ./oddity package
@@ -168,26 +168,26 @@ leg_install() {  # an installed build works, a program of another project finds 
   tests/packaged.sh build/oddity_*.deb
 }
 
-leg_clang() {  # clang: the tests, except the tables made again and the page's module
+job_clang() {  # clang: the tests, except the tables made again and the page's module
   tools clang
   build clang all
   ctest --test-dir build/clang --output-on-failure --parallel "$jobs" --exclude-regex tables_made_again
 }
 
-leg_sanitize() {  # address and undefined-behaviour sanitizers: the suite
+job_sanitize() {  # address and undefined-behaviour sanitizers: the suite
   ./oddity packages
   build sanitize oddity
   build/sanitize/oddity verify ${SUITE:+"$SUITE"}
 }
 
-leg_thread() {  # thread sanitizer: a part of the suite in parallel, and choices that throw (ODDITY_THROWS, 6, in each scene)
+job_thread() {  # thread sanitizer: a part of the suite in parallel, and choices that throw (ODDITY_THROWS, 6, in each scene)
   ./oddity packages
   build thread oddity oddity_stops
   TSAN_OPTIONS=halt_on_error=1 build/thread/oddity verify "${SUITE:-[3.5],[3.1],[2.13],[7.1]}"
   TSAN_OPTIONS=halt_on_error=1 ODDITY_THROWS=${ODDITY_THROWS:-6} build/thread/tests/oddity_stops '[stop]'
 }
 
-leg_mutate() {  # libclang: mutants of a chapter, drawn by the commit's name; the suite has to notice as many as recorded; SAMPLE (300), MINUTES (12), PATHS
+job_mutate() {  # libclang: mutants of a chapter, drawn by the commit's name; the suite has to notice as many as recorded; SAMPLE (300), MINUTES (12), PATHS
   ./oddity packages libclang-dev || exit 77
   build release oddity_mutate
   local recorded chapter
@@ -204,7 +204,7 @@ read_on_record() {
       END { printf "%s,%d,%d,0\n", name, inputs, seconds }' reference/trust/fuzz.csv | on_record reference/trust/fuzz.csv
 }
 
-leg_fuzz() {  # libFuzzer, and our own fuzzer of links: every reader (FUZZ) for FUZZ_SECONDS (60), or with FUZZ_INPUTS, with sanitizers, from the inputs in extras/fuzz/corpus; RECORD=1 adds these to the record
+job_fuzz() {  # libFuzzer, and our own fuzzer of links: every reader (FUZZ) for FUZZ_SECONDS (60), or with FUZZ_INPUTS, with sanitizers, from the inputs in extras/fuzz/corpus; RECORD=1 adds these to the record
   tools clang
   build release fuzz
   local target name found inputs seconds longest ran=0 until=-max_total_time=${FUZZ_SECONDS:-60}
@@ -237,7 +237,7 @@ leg_fuzz() {  # libFuzzer, and our own fuzzer of links: every reader (FUZZ) for 
   read_on_record links $((2 * inputs)) $((SECONDS - seconds))
 }
 
-leg_faults() {  # kills, full disks, too little memory and more, at every command that writes (FAULTS); ODDITY_KILLS (20); RECORD=1
+job_faults() {  # kills, full disks, too little memory and more, at every command that writes (FAULTS); ODDITY_KILLS (20); RECORD=1
   build release oddity_faults
   local table ended=0
   table=$(mktemp)
@@ -247,12 +247,12 @@ leg_faults() {  # kills, full disks, too little memory and more, at every comman
   return $ended
 }
 
-leg_properties() {  # properties of all parameters, at ODDITY_SETS (1000) random ones of every scene
+job_properties() {  # properties of all parameters, at ODDITY_SETS (1000) random ones of every scene
   build release oddity_tests
   ODDITY_SETS=${ODDITY_SETS:-1000} build/release/tests/oddity_tests '[properties]'
 }
 
-leg_choices() {  # choose: usual answers to ODDITY_NEEDS (200) random needs and eight of chaos, compared with thorough ones, in a quarter of an hour; RECORD=1
+job_choices() {  # choose: usual answers to ODDITY_NEEDS (200) random needs and eight of chaos, compared with thorough ones, in a quarter of an hour; RECORD=1
   build release oddity_tests
   local table
   table=$(mktemp)
@@ -263,7 +263,7 @@ leg_choices() {  # choose: usual answers to ODDITY_NEEDS (200) random needs and 
   rm "$table"
 }
 
-leg_questions() {  # choose: QUESTIONS (100) random questions of SECONDS_EACH (3) seconds by SEED (48), and those once answered falsely, judged by a separate program
+job_questions() {  # choose: QUESTIONS (100) random questions of SECONDS_EACH (3) seconds by SEED (48), and those once answered falsely, judged by a separate program
   build release oddity oddity_lanes oddity_questions
   local judge=build/release/tests/oddity_questions false=0
   "$judge" tables reference/tables
@@ -272,14 +272,14 @@ leg_questions() {  # choose: QUESTIONS (100) random questions of SECONDS_EACH (3
   return $false
 }
 
-leg_lockstep() {  # choose --lockstep: its programs by g++ and clang, for x86-64 with and without FMA, WebAssembly, arm64 and i386, have the same bits; SCENES for a part
+job_lockstep() {  # choose --lockstep: its programs by g++ and clang, for x86-64 with and without FMA, WebAssembly, arm64 and i386, have the same bits; SCENES for a part
   tools clang lld nodejs wasi-libc libc++-dev-wasm32 libclang-rt-dev-wasm32 g++-aarch64-linux-gnu g++-i686-linux-gnu qemu-user
   build release oddity
   # shellcheck disable=SC2086
   tests/lockstep.sh build/release/oddity ${SCENES:-}
 }
 
-leg_same() {  # one thread and another order: the same bits; functions with other rounding errors, and programs of the presets in BUILDS: a green suite, and differences listed; SUITE for a part
+job_same() {  # one thread and another order: the same bits; functions with other rounding errors, and programs of the presets in BUILDS: a green suite, and differences listed; SUITE for a part
   build release oddity oddity_same shaken_libm
   local same=build/release/extras/oddity_same found seed preset
   found=$(mktemp -d)
@@ -312,26 +312,26 @@ leg_same() {  # one thread and another order: the same bits; functions with othe
   rm -r "$found"
 }
 
-leg_odr() {  # link-time optimization: no name has two definitions in the program
+job_odr() {  # link-time optimization: no name has two definitions in the program
   ./oddity packages
   build odr oddity oddity_lanes
 }
 
-leg_turn() {  # one of the long jobs, by the commit's name
+job_turn() {  # one of the long jobs, by the commit's name
   local long=(thread odr witness clang tidy syntax sanitize fuzz) name
   name=${long[0x$(git rev-parse --short=6 HEAD | cut -c1-6) % ${#long[@]}]}
   echo "it is the turn of $name"
-  "leg_$name"
+  "job_$name"
 }
 
 # -----------------------------------------------------------------------------------------------------------
 
 if [ $# -eq 0 ]; then
-  sed -n 's/^leg_\([a-z-]*\)() {  # \(.*\)$/\1: \2/p' "${BASH_SOURCE[0]}"
+  sed -n 's/^job_\([a-z-]*\)() {  # \(.*\)$/\1: \2/p' "${BASH_SOURCE[0]}"
   exit
 fi
 for name in "$@"; do
-  declare -F "leg_$name" >/dev/null || { echo "legs.sh: there is no leg $name; without a name it shows them" >&2; exit 2; }
+  declare -F "job_$name" >/dev/null || { echo "jobs.sh: there is no job $name; without a name it shows them" >&2; exit 2; }
 done
 took=()
 passed=0 failed=0 skipped=0
@@ -340,11 +340,11 @@ for name in "$@"; do
   start=$SECONDS
   ended=0
   if [ $((SECONDS / 60)) -ge "${LAST_BEGINS:-999999}" ]; then
-    echo "not run: after $LAST_BEGINS minutes no leg begins"
+    echo "not run: after $LAST_BEGINS minutes no job begins"
     ended=77
   fi
   # Runs in a separate shell, so that its first failure ends the job.
-  [ $ended -ne 0 ] || JOBS=$jobs bash -c 'set -euo pipefail; '"$(declare -p jobs; declare -f)"'; leg_'"$name" || ended=$?
+  [ $ended -ne 0 ] || JOBS=$jobs bash -c 'set -euo pipefail; '"$(declare -p jobs; declare -f)"'; job_'"$name" || ended=$?
   case $ended in
     0) verdict=green passed=$((passed + 1)) ;;
     77) verdict='not run' skipped=$((skipped + 1)) ;;
@@ -352,5 +352,5 @@ for name in "$@"; do
   esac
   took+=("$(printf '%-10s %-7s %4d s' "$name" "$verdict" $((SECONDS - start)))")
 done
-printf '%s\n' "== legs" "${took[@]}" "$passed passed, $failed failed, $skipped skipped"
+printf '%s\n' "== jobs" "${took[@]}" "$passed passed, $failed failed, $skipped skipped"
 [ $failed -eq 0 ]
