@@ -271,6 +271,16 @@ TEST_CASE("blanks and two signs in a row do not change a kick", "[kicks]") {
   CHECK(with_kick(task, "t=1s,theta'=+2;t=1.5s,theta=+1;").kicks->size() == 2);
 }
 
+TEST_CASE("a kick in parentheses sets a value of either sign", "[kicks]") {
+  const Task task = task_of("3.5", {});
+  for (const auto& [text, value] :
+       {std::pair("theta=(-0.25)", -0.25), std::pair("theta=( 0.25 rad )", 0.25)}) {
+    INFO(text);
+    const Kick kick = with_kick(task, "t=1s," + std::string(text)).kicks->front();
+    CHECK((kick.change == Kick::Change::sets && kick.value == value));
+  }
+}
+
 TEST_CASE("an impossible kick is refused, with a remedy", "[kicks]") {
   const auto refused = [](const std::string& exercise, const std::string& kick, const std::string& why) {
     INFO(kick);
@@ -284,6 +294,7 @@ TEST_CASE("an impossible kick is refused, with a remedy", "[kicks]") {
   refused("3.5", "t=0,theta'=+2", "not within the horizon");
   refused("3.5", "t=1s,phi'=+2", "knows no 'phi' here: the names are theta, theta', and speed");
   refused("3.5", "t=1s,theta'=", "not name=value");
+  refused("3.5", "t=1s,theta'=()", "''");
   refused("3.5", "t=1s,theta'=+2m", "'2m'");
   refused("3.5", "t=1s,speed=+2", "speed takes a factor");
   refused("3.5", "t=1s,theta'=nan", "'nan'");

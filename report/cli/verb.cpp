@@ -72,8 +72,8 @@ void add_kick(CLI::App& verb, AskedNeed& need) {
   add_value(
       verb, "--kick", need.kick, "KICK",
       "a contact or an impulse changes an observable or its rate: \"t=1s,theta'=+2\" adds 2 to a rate. A value "
-      "with a sign adds, one without sets (theta=0.1), and * multiplies (speed=*0.5: all rates). Semicolons "
-      "separate several changes. Closed forms take no kick");
+      "with a sign adds, one without sets (theta=0.1), also theta=(-0.1), and * multiplies (speed=*0.5: all "
+      "rates). Semicolons separate several changes. Closed forms take no kick");
 }
 
 void set_apart(CLI::App& verb, CLI::Option* option, std::initializer_list<const char*> others) {

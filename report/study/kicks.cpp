@@ -32,7 +32,12 @@ std::vector<std::string> split(const std::string& text, char between) {
   return parts;
 }
 
+/// The change that a value asks for, which loses its sign. A value in parentheses has its sign for itself.
 Kick::Change change_of(std::string& value) {
+  if (value.starts_with('(') && value.ends_with(')')) {
+    value = trimmed(value.substr(1, value.size() - 2));
+    return Kick::Change::sets;
+  }
   const char first = value.front();
   if (first == '*' || first == '+') value = trimmed(value.substr(1));
   if (first == '-') value = "-" + trimmed(value.substr(1));
