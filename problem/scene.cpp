@@ -178,6 +178,19 @@ void require_conserved(const File& file, const ModelText& text, const Model& mod
 /// About a hundredth of the time; a power of two, so that steps of several files are comparable.
 double longest_step(double end) { return std::exp2(std::floor(std::log2(end / 64))); }
 
+/// Lowers the most evaluations of a trial, so that none of a long model takes minutes: to as many as have
+/// this number of operations.
+void limit_work(Quantity& motion, std::size_t operations) {
+  constexpr double most_operations = 5e8;
+  const double most = most_operations / static_cast<double>(operations + 1);
+  for (auto* methods : {&motion.methods, &motion.methods_in_float})
+    for (Method& method : *methods)
+      method.run = [run = std::move(method.run), most](double setting) {
+        const ode::EvaluationLimit limited(most);
+        return run(setting);
+      };
+}
+
 Quantity motion_of(const Parameters& p, const Horizon& horizon, const Reference& truth) {
   const Kept& here = kept_with(p.declared().data());
   const File& file = *here.file;
@@ -211,6 +224,7 @@ Quantity motion_of(const Parameters& p, const Horizon& horizon, const Reference&
         interpreted_in_float(horizon, numbers, std::make_shared<const Numbers>(model.with(rounded))));
   }
   detail::add_in_float(motion, names, in_float, Outcome::ok);
+  limit_work(motion, here.models.back().with(values).rates.code().size());
   return motion;
 }
 
@@ -329,71 +343,96 @@ Scene scene_of(const Kept& here) {
   return scene;
 }
 
-/// The need for a file that gives none. The error is a thousandth of the widest range of a variable. The
-/// horizon ends where a disturbance of a part in 10^12 has grown to that error: no method in double could go
-/// further.
-void ask_by_motion(File& file) {
-  const Model model(file, file.models.front());
-  std::vector<double> values;
-  for (const ParameterText& p : file.parameters) values.push_back(p.value);
-  require_start(file, file.models.front(), model);
-  const Numbers numbers = model.with(values);
+/// The range of the widest unknown within the first states.
+struct Widest {
+  double range = 0;
+  std::size_t unknown = 0;
+};
+Widest widest(std::span<const std::vector<long double>> states) {
+  Widest most;
+  for (std::size_t i = 0; i < states[0].size(); ++i) {
+    const auto [low, high] = std::ranges::minmax(states, {}, [i](const auto& x) { return x[i]; });
+    if (const auto range = static_cast<double>(high[i] - low[i]); range > most.range) most = {range, i};
+  }
+  return most;
+}
+
+/// A motion until it ends, or is no longer known: at times from 0, some of which it reached.
+struct Followed {
+  std::vector<double> times;
+  std::vector<std::vector<long double>> states;
+  std::string why_no_longer = {};  ///< empty: it reached all
+};
+
+/// Follows the file's motion, and one disturbed by a part in 10^12.
+Followed followed(const Model& model, const std::vector<double>& parameters, double longest) {
+  const Numbers numbers = model.with(parameters);
   Numbers disturbed = numbers;
   for (long double& x : disturbed.start) x += 1e-12L * (x == 0 ? 1 : std::abs(x));
   constexpr std::size_t looks = 256;
   // Some seconds' work; a TOML file with an error and a horizon may take longer.
   const auto operations = static_cast<long>(numbers.rates.code().size());
-  const long steps = std::clamp(6'000'000 / (operations + 1), 1'000L, most_steps);
-  double error = 0;
-  std::size_t widest = 0, followed = looks;
+  // Half of what the reference may take: its other route takes more steps on a stiff motion, and other starts
+  // may be harder.
+  const long steps = std::clamp(6'000'000 / (operations + 1), 1'000L, most_steps / 2);
   // Lengthens the time in a few passes, so that chaos is not computed further than necessary.
-  double end = file.end / 64;
-  while (true) {
-    std::vector<double> times;
-    for (std::size_t i = 0; i <= looks; ++i) times.push_back(end * static_cast<double>(i) / looks);
-    const TrueMotion motion = by_series_within(numbers, times, steps),
-                     beside = by_series_within(disturbed, times, steps);
+  for (double end = longest / 64;; end = std::min(4 * end, longest)) {
+    Followed all;
+    for (std::size_t i = 0; i <= looks; ++i) all.times.push_back(end * static_cast<double>(i) / looks);
+    TrueMotion motion = by_series_within(numbers, all.times, steps),
+               beside = by_series_within(disturbed, all.times, steps);
     for (const TrueMotion* one : {&motion, &beside})
-      if (!one->trouble.empty()) file.source.fail(file.models.front().name.place, one->trouble);
-    const auto range_until = [&](std::size_t last) {
-      double most = 0;
-      for (std::size_t i = 0; i < numbers.unknowns; ++i) {
-        long double low = motion.states[0][i], high = low;
-        for (std::size_t k = 1; k <= last; ++k) {
-          low = std::min(low, motion.states[k][i]);
-          high = std::max(high, motion.states[k][i]);
-        }
-        if (static_cast<double>(high - low) > most) most = static_cast<double>(high - low), widest = i;
-      }
-      return most;
-    };
-    error = range_until(looks) / 1000;
-    for (followed = 0; error > 0 && followed < looks; ++followed) {
+      if (all.why_no_longer.empty()) all.why_no_longer = one->trouble;
+    all.states = std::move(motion.states);
+    all.states.resize(std::min(all.states.size(), beside.states.size()));
+    const double error = widest(all.states).range / 1000;
+    const auto apart = [&](std::size_t i) {
       long double off = 0;
-      for (std::size_t i = 0; i < numbers.unknowns; ++i)
-        off = std::max(off, std::abs(motion.states[followed + 1][i] - beside.states[followed + 1][i]));
-      if (off > error) break;
-    }
-    if (error == 0) followed = looks;
-    if (followed < looks) error = range_until(followed) / 1000, end *= static_cast<double>(followed) / looks;
-    if (followed < looks || end >= file.end) break;
-    end = std::min(4 * end, file.end);
+      for (std::size_t k = 0; k < numbers.unknowns; ++k)
+        off = std::max(off, std::abs(all.states[i][k] - beside.states[i][k]));
+      return off > error && error > 0;
+    };
+    for (std::size_t i = 1; i < all.states.size(); ++i)
+      if (apart(i)) {
+        all.why_no_longer = "a disturbance of a part in 10^12 grows to that error by then";
+        all.states.resize(i);
+      }
+    if (!all.why_no_longer.empty() || end >= longest) return all;
   }
-  error = *parse_number(format_significant(error > 0 ? error : 1e-3, 1));
+}
+
+/// The need for a file that gives none. The error is a thousandth of the widest range of a variable. The
+/// horizon ends where a disturbance of a part in 10^12 has grown to that error: no method in double could go
+/// further. It also ends where the true motion does.
+void ask_by_motion(File& file) {
+  const Model model(file, file.models.front());
+  std::vector<double> values;
+  for (const ParameterText& p : file.parameters) values.push_back(p.value);
+  require_start(file, file.models.front(), model);
+  Followed motion = followed(model, values, file.end);
+  std::span<const std::vector<long double>> states = motion.states;
+  if (!motion.why_no_longer.empty()) {
+    constexpr std::size_t fewest = 16;
+    if (states.size() < fewest) file.source.fail(file.models.front().name.place, motion.why_no_longer);
+    file.horizon_says = " (its total is " + file.horizon + "), as " + motion.why_no_longer;
+    file.end = *parse_number(format_significant(0.95 * motion.times[states.size() - 1], 2));
+    file.horizon = format_shortest(file.end);
+    const auto end = std::ranges::upper_bound(motion.times, file.end);
+    states = states.first(std::min(states.size(), static_cast<std::size_t>(end - motion.times.begin())));
+  }
+  const Widest its = widest(states);
+  const double error = *parse_number(format_significant(its.range > 0 ? its.range / 1000 : 1e-3, 1));
   file.errors = {error};
   file.error = format_shortest(error);
-  file.error_says = "a thousandth of the widest range, that of " + file.observables[widest].name;
-  if (followed < looks) {
-    file.horizon_says = " (its total is " + file.horizon +
-                        "), where a disturbance of a part in 10^12 has grown to that error";
-    file.end = *parse_number(format_significant(0.95 * end, 2));
-    file.horizon = format_shortest(file.end);
-  }
+  file.error_says = "a thousandth of the widest range, that of " + file.observables[its.unknown].name;
   file.horizon_says = "up to " + (file.horizon_says.empty() ? "its total of " + file.horizon
                                                             : file.horizon + file.horizon_says);
+  // A horizon is a whole number of frames: few of them could take a shortened one beyond the motion's end.
   constexpr double most_frames = 1000;
-  if (*parse_number(file.frames_per_second) * file.end > most_frames)
-    file.frames_per_second = format_shortest(most_frames / file.end);
+  const double least_frames = motion.why_no_longer.empty() ? 0 : 100,
+               frames = *parse_number(file.frames_per_second) * file.end;
+  if (!(frames >= least_frames && frames <= most_frames))
+    file.frames_per_second = format_shortest(std::clamp(frames, least_frames, most_frames) / file.end);
 }
 
 std::unique_ptr<const File> file_of(const std::string& name, const std::string& text) {
