@@ -20,6 +20,8 @@ using Values = std::vector<Number>;
 constexpr const char* without_end =
     "events follow each other without end; a shorter horizon, or ends = true, leaves that out";
 
+constexpr const char* too_many_steps = "it takes too many steps there, as it is stiff or switches without end";
+
 std::string ends_at(Number t, const std::string& why) {
   return "the true motion ends at " + format_significant(static_cast<double>(t), 6) + ": " + why;
 }
@@ -444,7 +446,7 @@ TrueMotion by_series_within(const Numbers& numbers, std::span<const double> time
   std::size_t next = 1;
   for (long steps = 0; next < times.size(); ++steps) {
     check_stop_at_times();
-    if (steps == most) return motion.trouble = ends_at(t, "too many steps, or switches without end"), motion;
+    if (steps == most) return motion.trouble = ends_at(t, too_many_steps), motion;
     series.expand(x, t, choices);
     for (std::size_t i = 0; i < n; ++i) rate[i] = series.unknown(i)[1];
     if (!finite(x) || !finite(rate)) return motion.trouble = ends_at(t, "it is not finite there"), motion;
@@ -599,8 +601,7 @@ TrueMotion by_extrapolation(const Numbers& numbers, std::span<const double> time
   std::size_t next = 1;
   for (long steps = 0; next < times.size(); ++steps) {
     check_stop_at_times();
-    if (steps == most_steps)
-      return motion.trouble = ends_at(t, "too many steps, or switches without end"), motion;
+    if (steps == most_steps) return motion.trouble = ends_at(t, too_many_steps), motion;
     frozen(x, t, rate);
     frozen.begin_step();
     if (!finite(rate)) return motion.trouble = ends_at(t, "it is not finite there"), motion;

@@ -14,18 +14,18 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
 
-# by_xppaut FILE HORIZON STEPS: prints time and variables at the start and at four times
+# by_xppaut FILE HORIZON STEPS: prints time and variables at the start and at sixteen times
 by_xppaut() {
   # A set of parameters would be a separate run.
   awk 'tolower($1) == "done" || tolower($0) ~ /^d[ \t\r]*$/ { exit }
        tolower($1) == "only" || tolower($1) == "set" || goes_on { goes_on = /\\[ \t\r]*$/; next }
        { print }' "$1" >copy.ode
   awk -v t="$2" -v n="$3" 'BEGIN {
-      printf "@ total=%.15g,dt=%.15g,nout=%d,trans=0,meth=rungekutta,maxstor=1000\n", t, t / n, n / 4
+      printf "@ total=%.15g,dt=%.15g,nout=%d,trans=0,meth=rungekutta,maxstor=1000\n", t, t / n, n / 16
       print "@ bound=1e12,output=rows.dat\ndone" }' >>copy.ode
   rm -f rows.dat
   timeout 300 xppaut copy.ode -silent >said 2>&1 || true
-  [ -s rows.dat ] && head -n 5 rows.dat
+  [ -s rows.dat ] && head -n 17 rows.dat
 }
 
 answered=0 moving=0 refused=0 late=0 differing=0 wrong=0
@@ -58,14 +58,15 @@ for file in "$@"; do
       FILENAME == "true.txt" { truth[++n] = $1; next }
       FILENAME == "rows.20000" { for (i = 2; i <= n / 4 + 1; ++i) coarse[FNR, i] = $i; next }
       FNR == 1 { for (i = 2; i <= n / 4 + 1; ++i) start[i] = $i; next }
-      { ++rows
+      { for (i = 2; i <= n / 4 + 1; ++i) if (off($i, start[i]) > need) moves = 1 }
+      FNR % 4 == 1 {
         for (i = 2; i <= n / 4 + 1; ++i) {
-          v = truth[(FNR - 2) * n / 4 + i - 1]
+          v = truth[rows * n / 4 + i - 1]
           d = off(v, $i); if (d > most) most = d
           d = off(coarse[FNR, i], $i); if (d > own) own = d
-          if (off(v, start[i]) > need) moves = 1
           digits = (v < 0 ? -v : v) * 3e-8; if (digits > least) least = digits
-        } }
+        }
+        ++rows }
       END {
         if (rows < 4) { print "xppaut has no motion of it"; exit }
         printf "%s, differs by %.2g, xppaut from itself by %.2g", moves ? "moves" : "rests", most / need, own / need
@@ -81,6 +82,5 @@ for file in "$@"; do
   esac
 done
 echo "$# files: $answered answered, of which $moving move; $refused refused; $late not answered in time; $differing differ as xppaut does from itself, $wrong are wrong"
-# A motion that is back at its start at all four times counts as resting. Of the package's 120 files, as many
-# must be answered as ever were: 44 that move, and two too late.
+# Of the package's 120 files, as many must be answered as ever were: MOVING that move, and none too late.
 [ $wrong -eq 0 ] && { [ $# -lt 100 ] || { [ $moving -ge 44 ] && [ $late -le 2 ]; }; }

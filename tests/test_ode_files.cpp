@@ -10,6 +10,7 @@
 #include "problem/ode_file.hpp"
 #include "problem/scene.hpp"
 #include "problem/truth.hpp"
+#include "report/study/run.hpp"
 #include "report/verify/catch.hpp"
 #include "tests/complaint.hpp"
 #include "tests/near.hpp"
@@ -160,7 +161,7 @@ TEST_CASE("An error in an .ode file is reported with its place", "[problem][ode-
   CHECK(refusal("x'=1\n@ total=-3") == "test.ode:2:9: total is positive, and at most 1e9");
   CHECK(refusal("x'=1\ninitial x=2") == "nothing");
   CHECK(refusal("x'=1\nparm k=2").find("did you mean 'par'") != std::string::npos);
-  CHECK(refusal("x'=x^2\ninit x=1").find("the true motion ends at 1: ") != std::string::npos);
+  CHECK(refusal("x'=x^2\ninit x=1000").find("the true motion ends at 0.001: ") != std::string::npos);
   // Expansion of functions comes to an end.
   std::string doubling = "f0(x)=x+x\n";
   for (int i = 1; i < 60; ++i)
@@ -251,6 +252,43 @@ TEST_CASE("Both routes end within a rounding where a wheel turns back as two of 
   REQUIRE(other.trouble.empty());
   for (std::size_t i = 0; i < wheel.unknowns; ++i)
     CHECK(near(static_cast<double>(one.states[3][i]), static_cast<double>(other.states[3][i]), 1e-13));
+}
+
+TEST_CASE("A horizon ends before the motion does, and the reason is given", "[problem][ode-files]") {
+  const auto asked = [](const std::string& name, const std::string& text) {
+    return asked_by(entry_of_text(name, text));
+  };
+  // 1/(1 - t): the error is a thousandth of the range up to the horizon.
+  const Asked singular = asked("singular.ode", "x'=x^2\ninit x=1\n@ dt=.5");
+  const double end = std::stod(singular.horizon);
+  CHECK((end > 0.9 && end < 0.99));
+  CHECK(near(std::stod(singular.error), (1 / (1 - end) - 1) / 1000, 0.1));
+  CHECK(singular.horizon_says.find("(its total is 20), as the true motion ends at 1: it is singular there") !=
+        std::string::npos);
+  CHECK(std::stod(singular.frames_per_second) * end > 99);  // so that no frame is beyond the motion's end
+  // x follows sin(t), with a time constant of a millionth.
+  const Asked stiff = asked("stiff.ode", "x'=-1000000*(x-sin(t))\ninit x=1\n@ total=20");
+  CHECK(std::stod(stiff.horizon) < 1);
+  CHECK(stiff.horizon_says.find("too many steps there, as it is stiff or switches without end") !=
+        std::string::npos);
+  const Asked whole = asked("whole.ode", "x'=-x\ninit x=1\n@ total=5,dt=.1");
+  CHECK((whole.horizon == "5" && whole.horizon_says == "up to its total of 5"));
+}
+
+TEST_CASE("A trial of a long model is stopped after fewer evaluations than one of a short model",
+          "[problem][ode-files]") {
+  const auto ending = [](const std::string& name, const std::string& more) {
+    const Entry& entry = entry_of_text(name, "x'=y" + more + "\ny'=-x\ninit x=1\n@ total=1");
+    const Quantity motion =
+        entry.exercise.scene->motion(Parameters(entry.exercise.parameters), {2500}, Reference::nothing());
+    const Method* method = method_of(motion, "as written", "Runge-Kutta 4");
+    REQUIRE(method);
+    return method->run(1e-3).ending;
+  };
+  std::string sum;
+  for (int i = 1; i <= 60; ++i) sum += "+sin(x+" + std::to_string(i) + ")*cos(y)/1000";
+  CHECK(ending("short.ode", "") == Ending::reached);
+  CHECK(ending("long.ode", sum) == Ending::stalled);
 }
 
 TEST_CASE("The program accepts an .ode file's name in place of an exercise",
