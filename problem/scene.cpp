@@ -178,11 +178,10 @@ void require_conserved(const File& file, const ModelText& text, const Model& mod
 /// About a hundredth of the time; a power of two, so that steps of several files are comparable.
 double longest_step(double end) { return std::exp2(std::floor(std::log2(end / 64))); }
 
-/// Lowers the most evaluations of a trial, so that none of a long model takes minutes: to as many as have
-/// this number of operations.
-void limit_work(Quantity& motion, std::size_t operations) {
+/// Limits the operations of a trial by its evaluations, so that none of a long model takes minutes.
+void limit_work(Quantity& motion, std::size_t in_an_evaluation) {
   constexpr double most_operations = 5e8;
-  const double most = most_operations / static_cast<double>(operations + 1);
+  const double most = most_operations / static_cast<double>(in_an_evaluation + 1);
   for (auto* methods : {&motion.methods, &motion.methods_in_float})
     for (Method& method : *methods)
       method.run = [run = std::move(method.run), most](double setting) {
@@ -208,6 +207,7 @@ Quantity motion_of(const Parameters& p, const Horizon& horizon, const Reference&
   for (double& value : rounded) value = static_cast<double>(static_cast<float>(value));
   std::vector<std::string_view> names;
   std::vector<std::shared_ptr<const ModelInFloat>> in_float;
+  std::size_t operations = 0;
   SceneMethods methods(motion, horizon, halving("step", longest_step(horizon.end), 9), tolerances());
   for (const Model& model : here.models) {
     const auto numbers = std::make_shared<const Numbers>(model.with(values));
@@ -215,6 +215,7 @@ Quantity motion_of(const Parameters& p, const Horizon& horizon, const Reference&
       methods.closed_form(model.name(), Closed{std::shared_ptr<const Program>(numbers, &numbers->observed)});
       continue;
     }
+    operations = std::max(operations, numbers->rates.code().size());
     const AnyModel any = interpreted(numbers);
     methods.by_engine_integrators(model.name(), any);
     if (&model == &here.models.back()) methods.by_remaining_integrators(model.name(), any);
@@ -224,7 +225,7 @@ Quantity motion_of(const Parameters& p, const Horizon& horizon, const Reference&
         interpreted_in_float(horizon, numbers, std::make_shared<const Numbers>(model.with(rounded))));
   }
   detail::add_in_float(motion, names, in_float, Outcome::ok);
-  limit_work(motion, here.models.back().with(values).rates.code().size());
+  limit_work(motion, operations);
   return motion;
 }
 
@@ -343,7 +344,7 @@ Scene scene_of(const Kept& here) {
   return scene;
 }
 
-/// The range of the widest unknown within the first states.
+/// The unknown with the widest range.
 struct Widest {
   double range = 0;
   std::size_t unknown = 0;
@@ -357,7 +358,7 @@ Widest widest(std::span<const std::vector<long double>> states) {
   return most;
 }
 
-/// A motion until it ends, or is no longer known: at times from 0, some of which it reached.
+/// A motion until it ends or is no longer known: its states at as many of the times as it reached.
 struct Followed {
   std::vector<double> times;
   std::vector<std::vector<long double>> states;
@@ -394,7 +395,7 @@ Followed followed(const Model& model, const std::vector<double>& parameters, dou
     };
     for (std::size_t i = 1; i < all.states.size(); ++i)
       if (apart(i)) {
-        all.why_no_longer = "a disturbance of a part in 10^12 grows to that error by then";
+        all.why_no_longer = "a disturbance of a part in 10^12 grows to that error soon after";
         all.states.resize(i);
       }
     if (!all.why_no_longer.empty() || end >= longest) return all;
