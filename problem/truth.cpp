@@ -20,7 +20,8 @@ using Values = std::vector<Number>;
 constexpr const char* without_end =
     "events follow each other without end; a shorter horizon, or ends = true, leaves that out";
 
-constexpr const char* too_many_steps = "it takes too many steps there, as it is stiff or switches without end";
+constexpr const char* too_many_steps =
+    "it takes too many steps there, as it is stiff or switches without end";
 
 std::string ends_at(Number t, const std::string& why) {
   return "the true motion ends at " + format_significant(static_cast<double>(t), 6) + ": " + why;
@@ -41,6 +42,8 @@ class Frozen {
         is_positive_(rates_.registers()),
         largest_(rates_.registers(), 0),
         let_pass_(rates_.registers(), 0),
+        off_(rates_.registers(), 0),
+        roundings_(unknowns_),
         terms_(rates_.registers()) {
     for (const auto& one : rates_.code())
       if (one.op == Op::choice) {
@@ -96,6 +99,54 @@ class Frozen {
       let_pass_[i] = (off > 0 && off <= 1e-15L * largest_[i] ? off : 0) + 1e-16L * largest_[i];
     }
   }
+  /// Bounds of the rates' roundings in the last call: of each operation, and of its arguments' roundings.
+  const Values& roundings() {
+    const auto at = [this](int i) { return registers_[static_cast<std::size_t>(i)]; };
+    const auto off = [this](int i) -> Number& { return off_[static_cast<std::size_t>(i)]; };
+    for (const auto& one : rates_.code()) {
+      const Number a = at(one.a), b = at(one.b), r = at(one.result);
+      const Number rounded = std::numeric_limits<Number>::epsilon() / 2 * std::abs(r);
+      switch (one.op) {
+        case Op::add:
+        case Op::subtract:
+          off(one.result) = off(one.a) + off(one.b) + rounded;
+          break;
+        case Op::multiply:
+          off(one.result) = std::abs(b) * off(one.a) + std::abs(a) * off(one.b) + rounded;
+          break;
+        case Op::divide:
+          off(one.result) = (off(one.a) + std::abs(r) * off(one.b)) / std::abs(b) + rounded;
+          break;
+        case Op::square_root:
+          off(one.result) = off(one.a) / (2 * r) + rounded;
+          break;
+        case Op::sine_and_cosine:
+          off(one.result + 1) = off(one.a) + std::numeric_limits<Number>::epsilon() / 2;
+          [[fallthrough]];
+        case Op::sine:
+        case Op::cosine:
+          off(one.result) = off(one.a) + rounded;
+          break;
+        case Op::exponential:
+          off(one.result) = std::abs(r) * off(one.a) + rounded;
+          break;
+        case Op::logarithm:
+          off(one.result) = off(one.a) / std::abs(a) + rounded;
+          break;
+        case Op::arc:
+          off(one.result) = (std::abs(b) * off(one.a) + std::abs(a) * off(one.b)) / (a * a + b * b) + rounded;
+          break;
+        case Op::choice:
+          off(one.result) = off(takes_yes(one) ? one.b : one.c);
+          break;
+        case Op::input:
+        case Op::constant:
+          break;
+      }
+    }
+    for (std::size_t i = 0; i < unknowns_; ++i) roundings_[i] = off(rates_.outputs()[i]);
+    return roundings_;
+  }
   bool has_choices() const { return !choices_.empty(); }
   const std::vector<const Program::Instruction*>& choices() const { return choices_; }
   bool takes_yes(const Program::Instruction& one) const {
@@ -143,6 +194,7 @@ class Frozen {
   Values registers_;
   std::vector<char> is_positive_;        ///< by the choice's register
   Values largest_, let_pass_;            ///< by register: sizes of the condition's terms
+  Values off_, roundings_;               ///< by register, and by rate
   std::vector<std::vector<int>> terms_;  ///< terms of each choice's condition
   std::vector<const Program::Instruction*> choices_;
 };
@@ -225,6 +277,13 @@ class Sizes {
   void see(const Values& x, const Values& rate, Number step) {
     for (std::size_t i = 0; i < x.size(); ++i)
       sizes_[i] = std::max({sizes_[i], std::abs(x[i]), std::abs(rate[i] * step)});
+  }
+  /// Raises the sizes where roundings of the rates are larger than the tolerance of a part in 2e17.
+  void see_roundings(const Values& of_rates, Number step) {
+    constexpr Number grown = 10 / 2e-17L;  // within an extrapolated step
+    for (std::size_t i = 0; i < sizes_.size(); ++i)
+      if (const Number least = grown * of_rates[i] * step; std::isfinite(least))
+        sizes_[i] = std::max(sizes_[i], least);
   }
   Number operator[](std::size_t i) const { return sizes_[i] > 0 ? sizes_[i] : 1; }
 
@@ -606,6 +665,7 @@ TrueMotion by_extrapolation(const Numbers& numbers, std::span<const double> time
     frozen.begin_step();
     if (!finite(rate)) return motion.trouble = ends_at(t, "it is not finite there"), motion;
     sizes.see(x, rate, span / 64);
+    sizes.see_roundings(frozen.roundings(), span / 64);
     const Number left = static_cast<Number>(times[next]) - t;
     const bool last = h >= left * (1 - 1e-15L);
     Number taken = last ? left : h;

@@ -254,6 +254,17 @@ TEST_CASE("Both routes end within a rounding where a wheel turns back as two of 
     CHECK(near(static_cast<double>(one.states[3][i]), static_cast<double>(other.states[3][i]), 1e-13));
 }
 
+TEST_CASE("Roundings of a small rate do not stop the second route to a true motion", "[problem][ode-files]") {
+  // tanh is a difference of terms near 1, and y remains below 1e-9: y = 1e-9 t exp(-t).
+  const Numbers numbers = numbers_of("x'=-x\ny'=-y+tanh(1e-9*x)\ninit x=1");
+  const std::array<double, 2> times{0, 5};
+  for (const TrueMotion& motion : {by_series(numbers, times), by_extrapolation(numbers, times)}) {
+    INFO(motion.trouble);
+    REQUIRE(motion.trouble.empty());
+    CHECK(std::abs(motion.states[1][1] - 5e-9L * std::exp(-5.0L)) < 1e-17L);
+  }
+}
+
 TEST_CASE("A horizon ends before the motion does, and the reason is given", "[problem][ode-files]") {
   const auto asked = [](const std::string& name, const std::string& text) {
     return asked_by(entry_of_text(name, text));
