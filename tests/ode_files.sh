@@ -44,8 +44,9 @@ for file in "$@"; do
     late=$((late + 1))
     continue
   elif [ $ended -ne 0 ]; then
-    grep -q '^oddity: own.ode:[0-9]*:[0-9]*: ' why || { echo "$name: refused without a place: $(head -n 1 why)"; wrong=$((wrong + 1)); continue; }
-    echo "$name: refused: $(head -n 1 why | sed 's/^oddity: own.ode//')"
+    place='^oddity: own.ode\(:[0-9]*:[0-9]*: \)'
+    grep -q "$place" why || { echo "$name: refused without a place: $(grep -v 'so far$' why | head -n 1)"; wrong=$((wrong + 1)); continue; }
+    echo "$name: refused: $(sed -n "s/$place/\\1/p" why | head -n 1)"
     refused=$((refused + 1))
     continue
   fi
