@@ -305,10 +305,9 @@ void forces(Table& table, const Samples& samples) {
                         with_earth(1, 0)}},
        .kind = Fault::lost_typography,
        .why =
-           R"(The unit vector $\jmath$, to the north, is lost in the text at hand, and a vector cannot be )"
-           R"(subtracted from a number. The components of line 2425 show it: $P\cdot )"
-           R"(w=\omega\cos\lambda\cos\theta$. Without the term a body would fall straight, and not to the )"
-           R"(east.)"});
+           R"(The unit vector $\jmath$, to the north, is lost in the text at hand; the components )"
+           R"(of line 2425 show it: $P\cdot w=\omega\cos\lambda\cos\theta$. Without the term a body would )"
+           R"(fall straight, and not to the east.)"});
 
   const std::string b = R"(, $b=-\cos\lambda\sin\theta\sin\phi+\sin\lambda\cos\phi$)";
   const std::string by_lagrange =
