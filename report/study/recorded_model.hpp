@@ -30,7 +30,7 @@ struct RecordedModel {
   /// The orientation's quaternion of a model that has the angular velocity: at the start, its rates, and as
   /// observed. It would be the state's last four unknowns.
   std::vector<formula::Recorded> orientation_at_start = {}, turning = {}, orientation = {};
-  /// Of a model whose steps test whether it comes to rest: by the state x and its rates r.
+  /// Functions of the state x and its rates r, if the steps test whether the model comes to rest.
   std::vector<formula::Recorded> speed = {}, braking = {}, coasted = {};
   std::vector<int> velocity_of = {};  ///< the unknown that is the rate of each; -1: none is
   std::vector<bool> is_velocity = {};

@@ -349,7 +349,7 @@ bool is_fragile(const Motion& motion, const Method& method, int k, const Trial& 
   return any_beside(motion, method, k, [&](Outcome beside) { return beside != trial.outcome; });
 }
 
-/// Its outcomes; unless they are to be compared with records, also theory's limit and what roundings decide.
+/// Its outcomes; unless they are to be compared with records, also theory's limit and the fragile outcomes.
 MapRow row_of(const Motion& motion, const Method& method, bool on_record) {
   MapRow row{method.model, method.algorithm, motion.value, infinity, {}, {}};
   if (!on_record) row.theory = first_of(method.unstable_steps());

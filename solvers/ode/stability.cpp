@@ -306,7 +306,7 @@ std::vector<ExcessAt> excesses(std::string_view algorithm, const Spectrum& spect
   return all;
 }
 
-/// Steps at which the tongues' edges and what is between them show.
+/// Steps on both sides of the tongues' edges, and a few between them.
 std::vector<double> telling_steps(const std::vector<Tongue>& tongues, double shortest, double longest) {
   constexpr double beside = 1.01;
   constexpr int within = 4;
@@ -325,7 +325,7 @@ std::vector<double> telling_steps(const std::vector<Tongue>& tongues, double sho
   return steps;
 }
 
-/// Whether the tongues are those of the spectrum, as far as a few steps tell.
+/// Whether the tongues agree with the spectrum at these steps.
 bool are_confirmed(const std::vector<Tongue>& tongues, std::string_view algorithm, const Spectrum& spectrum,
                    double negligible) {
   const std::vector<ExcessAt> all = excesses(algorithm, spectrum, negligible);

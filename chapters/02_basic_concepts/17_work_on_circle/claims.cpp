@@ -185,7 +185,7 @@ void misprints(Table& table, const Samples& samples) {
                 R"(+\omega T(\cos\omega T+\sin\omega T)\bigr)$)",
        .kind = Fault::lost_typography,
        .why = "A fraction bar and a parenthesis are lost: the factor is $r/\\omega$, not $r\\omega$, and "
-              "stands before the whole. Their ratio is $\\omega^2$: they agree at $\\omega=1$ alone."});
+              "precedes the whole. Their ratio is $\\omega^2$: they agree at $\\omega=1$ alone."});
   table.formula(
       "full_turn", 817, R"(After one turn, at $T=2\pi\omega$, the work is zero: $W(2\pi\omega)=0$.)",
       samples.forward,

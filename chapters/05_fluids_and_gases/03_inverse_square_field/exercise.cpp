@@ -51,7 +51,7 @@ Findings study(const Parameters& p, const Reference& truth) {
   Quantity far = partials("partials_far", R"(the same at $2^{180}\mathbf x$)", away(180), truth,
                           Outcome::inaccurate, {Outcome::inaccurate, Outcome::inaccurate, "$x+h$ is $x$"});
   far.add(Breakdown{
-      "The quotient rule as it stands has $|\\mathbf x|^6$ below: it overflows, and the derivative is "
+      "The quotient rule as printed has $|\\mathbf x|^6$ below: it overflows, and the derivative is "
       "taken for zero. With the factor $|\\mathbf x|$ cancelled it is right.",
       "published derivatives, quotient rule", 0, Outcome::inaccurate, "published derivatives, simplified",
       0});
@@ -71,7 +71,7 @@ Findings study(const Parameters& p, const Reference& truth) {
                          p["b"], p["outside"] * p["b"], truth),
            close, cube_flux(p["h"], truth)},
           roots(),
-          R"(The proof stands {{the origin|everywhere but at the origin}}.)"};
+          R"(The proof is right {{the origin|everywhere but at the origin}}.)"};
 }
 
 }  // namespace ex05_03
