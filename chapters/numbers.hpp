@@ -60,7 +60,10 @@ auto sum_over(const T& any, const std::array<std::array<double, columns>, rows>&
     return term(row);
   };
   auto sum = term_of(0);
-  for (std::size_t i = 1; i < rows; ++i) std::ranges::transform(sum, term_of(i), sum.begin(), std::plus<>());
+  for (std::size_t i = 1; i < rows; ++i) {
+    const auto more = term_of(i);
+    std::transform(sum.begin(), sum.end(), more.begin(), sum.begin(), std::plus<>());
+  }
   return sum;
 }
 
