@@ -533,6 +533,17 @@ void suggest(const Results& results, const fs::path& folder) {
               << text_of(changes);
 }
 
+/// Tags whose meaning has changed, each with a hint.
+constexpr std::pair<std::string_view, std::string_view> changed_tags[]{
+    {"[erratum]", "selects both [wrong] and [incomplete]"},
+    {"[misprint]", "selects misprints of the manual; [lost] selects what our copy of it has lost"}};
+
+void hint_at_changes(const std::vector<std::string>& named) {
+  for (const auto& [tag, hint] : changed_tags)
+    if (std::ranges::any_of(named, [&](const std::string& one) { return nearly_same(one, tag, 0); }))
+      std::cerr << "oddity verify: " << tag << " " << hint << "\n";
+}
+
 /// Throws BadInput for a tag that no test case can have.
 void require_known(const std::vector<std::string>& named, const Verdicts& approved) {
   std::vector<std::string> tags{"[own]", "[register]", "[erratum]", "[misprint]"};
@@ -588,10 +599,8 @@ int verify(const SuiteRequest& request) {
     throw BadInput("Catch2 does not take these arguments; '" + program_as_typed() +
                    " verify -?' lists its arguments");
   require_known(session.tags(), judged.approved);
+  hint_at_changes(session.tags());
   if (session.only_lists()) return session.run(), 0;
-  for (const std::string& word : request.catch_arguments)
-    if (word.find("[erratum]") != std::string::npos)
-      std::cerr << "oddity verify: [erratum] selects both [wrong] and [incomplete]\n";
   const auto selected = session.selected();
   if (selected.empty()) throw BadInput("no test case matches; --list-tests shows them all");
 

@@ -176,7 +176,8 @@ void misprints(Table& table, const Samples& samples) {
                         "$t=T+1$.)"});
   table.formula(
       "growing_work", 837,
-      R"(For $(t,t,1)$ $W(T)=r\omega\,(-1+\cos\omega T-\sin\omega T)+T\omega(\cos\omega T+\sin\omega T))$.)",
+      R"(For $(t,t,1)$ $W(T)=r\omega\,(-1+\cos\omega T-\sin\omega T)+T\omega(\cos\omega T+\sin\omega T))$ )"
+      "(our reading: the last parenthesis closes one that is lost after $r\\omega$).",
       samples.any,
       {.truth = work_t,
        .printed =
