@@ -218,7 +218,7 @@ TEST_CASE("a tag with a changed meaning has a hint at the tags that select the r
   const auto selected = [](const std::string& specification) {
     return program::run("verify --list-tests '" + specification + "'");
   };
-  const std::string lost = "[lost] selects what our copy of it has lost";
+  const std::string lost = "[lost] selects losses in our copy";
   for (const char* specification : {"[misprint]", "[Misprint]", "[3.5][misprint]", "[3.5],[misprint]"}) {
     INFO(specification);
     CHECK(says(selected(specification), lost));

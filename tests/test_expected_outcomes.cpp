@@ -1,6 +1,6 @@
-// Outcomes that are expected hold in the whole ranges of the parameters, unless they are said to be for the
-// exercise's own parameters. Each parameter is put at both ends of its range, at zero and close to it; then
-// all are as small as their ranges allow, and all as large.
+// Expected outcomes hold in the whole ranges of the parameters, unless they are declared for the exercise's
+// own parameters. Each parameter is put at both ends of its range, at zero and close to it; then all are as
+// small as their ranges allow, and all as large.
 
 #include <algorithm>
 #include <cmath>

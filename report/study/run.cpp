@@ -81,7 +81,7 @@ std::size_t like_in_double(const Quantity& quantity, const Method& single) {
   return static_cast<std::size_t>(found - quantity.methods.begin());
 }
 
-/// Whether a task is the exercise as it stands: with its own parameters and times.
+/// Whether a task is the unmodified exercise, with its own parameters and times.
 bool is_own(const Task& task) {
   return !task.frames && !task.kicks &&
          std::ranges::all_of(task.entry->exercise.parameters,

@@ -536,7 +536,7 @@ void suggest(const Results& results, const fs::path& folder) {
 /// Tags whose meaning has changed, each with a hint.
 constexpr std::pair<std::string_view, std::string_view> changed_tags[]{
     {"[erratum]", "selects both [wrong] and [incomplete]"},
-    {"[misprint]", "selects misprints of the manual; [lost] selects what our copy of it has lost"}};
+    {"[misprint]", "selects misprints of the manual; [lost] selects losses in our copy"}};
 
 void hint_at_changes(const std::vector<std::string>& named) {
   for (const auto& [tag, hint] : changed_tags)

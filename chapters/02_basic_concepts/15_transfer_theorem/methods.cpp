@@ -138,7 +138,7 @@ Quantity about_center(const Parameters& p, const Reference& truth) {
                          filled("eight digits: at $@1$ m the positions themselves are rounded to $@1$ m",
                                 {far, far * 0x1p-52})});
   const std::string back = "about the origin, transferred back", cancels = "the digits cancel in $I-mc^2$";
-  // The sums round their terms, the integrals' bounds the legs.
+  // Sums round their terms, and the integrals' bounds the edges.
   constexpr double epsilon = 0x1p-52, known_to = 16;
   const double terms = epsilon * size_of(inertia_of(t.mass(), t.center())),
                in_legs = size_of(t.center()) / *std::ranges::min_element(t.legs);

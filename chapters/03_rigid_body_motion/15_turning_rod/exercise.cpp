@@ -69,9 +69,8 @@ Quantity slide(const Parameters& p, const Horizon& horizon, const Reference& tru
                      "in the turning plane", "Cartesian with constraints"});
 }
 
-/// How a bar in the spring's place ends, if this error is allowed: it is right to first order in 1/K where
-/// the spring, which is stretched by the force that it bears, and trembles as far from its sudden start,
-/// moves by less.
+/// Outcome of a bar in the spring's place, if this error is allowed. To first order in 1/K the spring is
+/// stretched by its force, and trembles as far from its sudden start: the bar is right if both are less.
 Outcome of_rigid_spring(const RigidSpring<double>& bar, const Horizon& horizon, double error) {
   const auto& rod = bar.rod;
   for (double t : horizon.times())

@@ -324,10 +324,9 @@ void forces(Table& table, const Samples& samples) {
   table.formula(
       "earth_rotation", 2419, R"(The Earth turns with $w=\omega[(\cos\lambda)-(\sin\lambda)k]$)", samples,
       {.quantity = R"($2w\times\dot r$)",
-       .truth =
-           {R"(the acceleration in space of what moves in axes to the west, north and down that a sphere )"
-            R"(carries to the east, its part linear in $\omega$)",
-            [](const auto& s) { return s.coriolis_acceleration(1); }},
+       .truth = {R"(the acceleration in space of a point in axes to the west, north and down that a sphere )"
+                 R"(carries to the east, its part linear in $\omega$)",
+                 [](const auto& s) { return s.coriolis_acceleration(1); }},
        .printed = {R"(the cosine without a direction: $w=\omega(0,0,-\sin\lambda)$)", with_earth(0, 0)},
        .meant = {R"($w=\omega(\cos\lambda\,\jmath-\sin\lambda\,k)$, $\jmath$ to the north)",
                  with_earth(0, 1)},

@@ -59,7 +59,7 @@ std::vector<Claim> claims(const Random&, const Reference&);
 std::vector<Root> roots();
 
 Quantity partials(const std::string& name, const std::string& says, const Point& x, const Reference&);
-/// Outcome of the quotient rule as it stands, which has |x|^6 below.
+/// Outcome of the quotient rule as printed, which has |x|^6 below.
 Foreseen by_quotient_rule(const Point& x);
 
 /// The flux through a spheroid of semi-axes a, a, b, with its centre d along b, by several rules. `peaked`:
