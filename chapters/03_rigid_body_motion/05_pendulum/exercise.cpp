@@ -92,7 +92,7 @@ Quantity quarter_period(double a, const Reference& truth) {
   // Legendre's integrand has the period pi, and is infinite at pi/2 + i apart. The modulus k is rounded.
   constexpr double known_to = 10;
   const double apart = std::acosh(1 / sin(a / 2)), rounded = 0x1p-52 / (cos(a / 2) * cos(a / 2)),
-               n = panels.settings.back();
+               most = panels.settings.back();
   const auto smoothed = [&](const std::string& model, std::string algorithm, const Knob& knob, double folds,
                             const std::function<Answer(double)>& run) {
     quarter.add(expecting(
@@ -136,9 +136,9 @@ Quantity quarter_period(double a, const Reference& truth) {
                remains ? filled("Simpson's rule cannot follow the integrand to $@1$ of its singularity",
                                 {book_epsilon})
                        : R"(the remainder divides by $\sqrt{\cos a}$, and $\cos a<0$)"});
-  smoothed(substituted, "Simpson", panels, 2 * n * apart,
+  smoothed(substituted, "Simpson", panels, 2 * most * apart,
            [=](double k) { return answer(simpson(smooth, 0, pi / 2, static_cast<int>(k))); });
-  smoothed(substituted, "trapezoid", panels, 4 * n * apart,
+  smoothed(substituted, "trapezoid", panels, 4 * most * apart,
            [=](double k) { return answer(trapezoid(smooth, 0, pi / 2, static_cast<int>(k))); });
   smoothed(substituted, "Gauss-Legendre", points, 2 * points.settings.back() * sqrt(4 * apart / pi),
            [=](double k) { return answer(gauss_legendre(smooth, 0, pi / 2, static_cast<int>(k))); });
