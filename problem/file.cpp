@@ -425,8 +425,11 @@ class Reader {
       if (const auto* direction = table->get("direction")) event.direction = this->direction(*direction);
       event.then = pairs(table_at(*table, "then"));
       if (const auto* ends = table->get("ends")) event.ends = flag(*ends);
-      if (event.then.empty() && !event.ends)
-        source_.fail(place_of(*table), "nothing happens in this event: add then = { ... }, or ends = true");
+      if (const auto* counts = table->get("counts")) event.counts = quoted(*counts);
+      if (!event.counts.text.empty()) require_name(event.counts, false);
+      if (event.then.empty() && !event.ends && event.counts.text.empty())
+        source_.fail(place_of(*table),
+                     "nothing happens in this event: add then = { ... }, ends = true, or counts = \"its count\"");
       all.push_back(std::move(event));
     }
     return all;
@@ -477,14 +480,17 @@ class Reader {
                                  ": add [need] with error = \"...\"");
     for (std::size_t i = 0; i < units.size(); ++i)
       file_.error +=
-          (i == 0 ? "" : ",") + format_shortest(file_.errors[i]) + (units.size() == 1 ? "" : units[i]);
+          (i == 0 ? "" : ",") + format_shortest(file_.errors[i]) +
+          (units.size() == 1 || is_pure(units[i]) ? "" : units[i]);
   }
 
+  static bool is_pure(const std::string& unit) { return unit.empty() || unit == "1"; }
   void errors(const std::vector<Quoted>& texts, const std::vector<std::string>& units) {
     for (const Quoted& text : texts) {
       const auto fits = std::ranges::find_if(units, [&](const std::string& unit) {
         try {
-          return in_unit(text.text, unit) > 0;
+          const bool needs_unit = units.size() > 1 && !is_pure(unit);
+          return in_unit(text.text, unit) > 0 && !(needs_unit && written(text.text).unit.empty());
         } catch (const BadInput&) {
           return false;
         }

@@ -35,6 +35,7 @@ struct EventText {
   Direction direction = Direction::falling;
   Named then = {};    ///< the state after it, by the state before; unnamed parts stay
   bool ends = false;  ///< the motion stays constant from there on
+  Quoted counts = {};  ///< the letter that counts it; empty text: none
 };
 
 struct ModelText {

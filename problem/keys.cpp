@@ -65,6 +65,7 @@ constexpr std::array event{
     Key{"direction", "falling, rising or both", "text"},
     Key{"then", "the state after it, from that before", "map text"},
     Key{"ends", "the motion stays as it is", "flag"},
+    Key{"counts", "the name of a letter that counts it, from 0", "text"},
 };
 constexpr std::array need{
     Key{"error", "1 mm, or one for each unit", "texts"},

@@ -102,22 +102,32 @@ class Model::Making {
  private:
   // ---- letters -------------------------------------------------------------------------------------------
 
-  /// The names with a start, in order; primes denote rates.
+  /// The names with a start, in order; primes denote rates. Those that count events come behind them.
   void find_unknowns() {
-    for (const auto& [key, formula] : text_.start) {
-      const std::string base = key.text.substr(0, key.text.find('\''));
-      if (std::ranges::find(letters_.unknowns, base) != letters_.unknowns.end()) continue;
-      const bool is_taken = std::ranges::find(letters_.parameters, base) != letters_.parameters.end() ||
-                            std::ranges::find(letters_.given, base) != letters_.given.end() || base == "t";
-      if (is_taken)
-        source_.fail(key.place, base + " is no unknown: it is a parameter, an abbreviation or the time");
-      letters_.unknowns.push_back(base);
-    }
+    for (const auto& [key, formula] : text_.start) add_unknown(key);
     if (letters_.unknowns.empty())
       source_.fail(text_.name.place,
                    "model " + text_.name.text + " has no start: add start = { y = \"0 m\", \"y'\" = 0 }");
+    moving_ = letters_.unknowns.size();
+    for (const EventText& event : text_.events) {
+      if (event.counts.text.empty()) continue;
+      const auto moving = std::span(letters_.unknowns).first(moving_);
+      if (std::ranges::find(moving, event.counts.text) != moving.end())
+        source_.fail(event.counts.place, event.counts.text + " has a start: a count has a name of its own");
+      add_unknown(event.counts);
+    }
     orders_.assign(letters_.unknowns.size(), 0);
   }
+  void add_unknown(const Quoted& key) {
+    const std::string base = key.text.substr(0, key.text.find('\''));
+    if (std::ranges::find(letters_.unknowns, base) != letters_.unknowns.end()) return;
+    const bool is_taken = std::ranges::find(letters_.parameters, base) != letters_.parameters.end() ||
+                          std::ranges::find(letters_.given, base) != letters_.given.end() || base == "t";
+    if (is_taken)
+      source_.fail(key.place, base + " is no unknown: it is a parameter, an abbreviation or the time");
+    letters_.unknowns.push_back(base);
+  }
+  bool counts_events(std::size_t i) const { return i >= moving_; }
 
   Formula formula(const Quoted& text) const { return {source_, text, letters_}; }
 
@@ -247,10 +257,10 @@ class Model::Making {
     for (const Quoted& text : text_.equations) equations_.push_back(equation(source_, text, letters_));
     if (text_.lagrangian) lagrangian_ = formula(*text_.lagrangian);
     if (text_.dissipation) dissipation_ = formula(*text_.dissipation);
-    if (text_.constraints.size() >= orders_.size() && !text_.constraints.empty())
-      source_.fail(text_.constraints.back().place,
-                   std::to_string(text_.constraints.size()) + " constraints leave " +
-                       std::to_string(orders_.size()) + " unknowns no motion");
+    if (text_.constraints.size() >= moving_ && !text_.constraints.empty())
+      source_.fail(text_.constraints.back().place, std::to_string(text_.constraints.size()) +
+                                                       " constraints leave " + std::to_string(moving_) +
+                                                       " unknowns no motion");
     for (const Quoted& text : text_.constraints) constraints_.push_back(equation(source_, text, letters_));
     for (const Quoted& text : text_.conditions) conditions_.push_back(formula(text));
     if (lagrangian_) std::ranges::fill(orders_, 2);
@@ -265,6 +275,7 @@ class Model::Making {
     for (const Equation& one : equations_)
       for (const Formula* side : {&one.left, &one.right}) see_orders(*side, 0);
     for (const Formula& one : conditions_) see_orders(one, 1);
+    order_counts();
     for (std::size_t i = 0; i < orders_.size(); ++i) {
       require_order(i, orders_[i]);
       if (orders_[i] == 0) {
@@ -273,10 +284,17 @@ class Model::Making {
                      (is_found ? "no condition has " : "no equation has a rate of ") + letters_.unknowns[i]);
       }
     }
-    if (!equations_.empty() && equations_.size() + conditions_.size() != orders_.size())
+    if (!equations_.empty() && equations_.size() + conditions_.size() != moving_)
       source_.fail(text_.equations.back().place, std::to_string(equations_.size()) + " equations for " +
-                                                     std::to_string(orders_.size()) + " unknowns");
+                                                     std::to_string(moving_) + " unknowns");
     limit_orders();
+  }
+  /// Counts are at rest between events, with a rate if everything else has one: the accelerations of such a
+  /// motion may be functions of places alone.
+  void order_counts() {
+    const auto moving = std::span(orders_).first(moving_);
+    const std::size_t order = std::ranges::all_of(moving, [](std::size_t one) { return one == 2; }) ? 2 : 1;
+    std::ranges::fill(std::span(orders_).subspan(moving_), order);
   }
   void limit_orders() {
     const auto up_to = [](std::size_t most) {
@@ -314,12 +332,14 @@ class Model::Making {
     const auto found = std::ranges::find(letters_.unknowns, name.text);
     if (found == letters_.unknowns.end())
       source_.fail(name.place, "no unknown " + name.text + did_you_mean(name.text, letters_.unknowns));
-    return static_cast<std::size_t>(found - letters_.unknowns.begin());
+    const auto i = static_cast<std::size_t>(found - letters_.unknowns.begin());
+    if (counts_events(i)) source_.fail(name.place, name.text + " counts events, and nothing else changes it");
+    return i;
   }
   void read_hamiltonian() {
     hamiltonian_ = formula(*text_.hamiltonian);
     std::ranges::fill(orders_, 1);
-    std::vector<char> known(orders_.size(), 0);
+    std::vector<char> known(moving_, 0);
     for (const auto& [place, momentum] : text_.momenta) {
       pairs_.emplace_back(unknown(place), unknown(momentum));
       for (const std::size_t i : {pairs_.back().first, pairs_.back().second})
@@ -369,7 +389,12 @@ class Model::Making {
                                      ", and this is " + name_of(its));
       starts_.emplace(key_of(i, order), start);
     }
-    for (std::size_t i = 0; i < orders_.size(); ++i)
+    for (std::size_t i = moving_; i < units_.size(); ++i) {
+      if (units_[i] && !fit(*units_[i], Measure()))
+        source_.fail(text_.name.place, letters_.unknowns[i] + " counts events: observe it as a pure number, \"1\"");
+      units_[i] = Measure();
+    }
+    for (std::size_t i = 0; i < moving_; ++i)
       for (std::size_t k = 0; k < orders_[i]; ++k)
         if (!starts_.contains(key_of(i, k))) {
           const std::string name = primed(letters_.unknowns[i], k);
@@ -431,7 +456,7 @@ class Model::Making {
     for (const Formula& one : conditions_) zeros.emplace_back(rate(value(one)), &one);
     for (const auto& [off, where] : zeros) {
       std::vector<Expression>& row = matrix.emplace_back();
-      for (std::size_t i = 0; i < orders_.size(); ++i) {
+      for (std::size_t i = 0; i < moving_; ++i) {
         row.push_back(slope(off, highest(i)));
         for (const int key : keys_of(std::span(&row.back(), 1)))
           if (none.contains(key))
@@ -449,10 +474,10 @@ class Model::Making {
     for (std::size_t j = 0; j < orders_.size(); ++j)
       along.emplace(key_of(j, 0), input(graph(), key_of(j, 1)));
     const std::vector<Expression> off = off_constraints();
-    for (std::size_t i = 0; i < orders_.size(); ++i) {
+    for (std::size_t i = 0; i < moving_; ++i) {
       const Expression p = slope(L, key_of(i, 1));
       std::vector<Expression>& row = matrix.emplace_back();
-      for (std::size_t j = 0; j < orders_.size(); ++j) row.push_back(slope(p, key_of(j, 1)));
+      for (std::size_t j = 0; j < moving_; ++j) row.push_back(slope(p, key_of(j, 1)));
       for (const Expression& one : off) row.push_back(-slope(one, key_of(i, 0)));
       Expression force = slope(L, key_of(i, 0)) - slopes(std::span(&p, 1), along)[0];
       if (forces_[i]) force = force + value(*forces_[i]);
@@ -461,8 +486,8 @@ class Model::Making {
     }
     for (const Expression& one : off) {
       std::vector<Expression>& row = matrix.emplace_back();
-      for (std::size_t j = 0; j < orders_.size(); ++j) row.push_back(slope(one, key_of(j, 0)));
-      row.resize(orders_.size() + off.size(), 0);
+      for (std::size_t j = 0; j < moving_; ++j) row.push_back(slope(one, key_of(j, 0)));
+      row.resize(moving_ + off.size(), 0);
       const Expression rate = slopes(std::span(&one, 1), along)[0];
       right.push_back(-slopes(std::span(&rate, 1), along)[0]);
     }
@@ -500,7 +525,7 @@ class Model::Making {
     std::vector<Expression> rates;
     for (const Expression& one : off_constraints()) {
       Expression square = 0;
-      for (std::size_t i = 0; i < orders_.size(); ++i) {
+      for (std::size_t i = 0; i < moving_; ++i) {
         const Expression along = slope(one, key_of(i, 0));
         square = square + along * along;
       }
@@ -565,11 +590,11 @@ class Model::Making {
   /// multipliers, whose block is regular if the constraints are independent.
   Pivot diagonal_pivot(const Rows& a, const std::vector<std::size_t>& rows, std::vector<long double>& sizes,
                        const std::map<int, long double>& values) const {
-    const bool masses = rows.front() < orders_.size();
+    const bool masses = rows.front() < moving_;
     Pivot best;
     int fewest = 1'000;
     for (const std::size_t r : rows) {
-      if (masses && r >= orders_.size()) continue;
+      if (masses && r >= moving_) continue;
       const long double size = std::abs(number(a[r][r], values));
       sizes[r] = std::max(sizes[r], size);
       if (const int others = entries(a[r], rows); size > 1e-12L * sizes[r] && others < fewest)
@@ -594,7 +619,7 @@ class Model::Making {
       if (!best) {
         std::string names;
         for (const std::size_t c : columns)
-          names += (names.empty() ? "" : ", ") + (c < orders_.size() ? highest_name(c) : "a multiplier");
+          names += (names.empty() ? "" : ", ") + (c < moving_ ? highest_name(c) : "a multiplier");
         source_.fail(text_.equations.empty() ? text_.lagrangian->place : text_.equations.front().place,
                      "this cannot be solved for " + names + ": the matrix is singular");
       }
@@ -627,7 +652,7 @@ class Model::Making {
     Random random(7);
     for (int k = 0; k < 20; ++k) {
       const auto values = some_state(random);
-      for (std::size_t i = 0; i < orders_.size(); ++i) {
+      for (std::size_t i = 0; i < moving_; ++i) {
         const long double one = number(by_equations[i], values), other = number(others[i], values);
         if (!(std::abs(one - other) <= 1e-9L * (1 + std::abs(one))))
           source_.fail(text.place, "the " + what + "'s " + highest_name(i) +
@@ -640,7 +665,8 @@ class Model::Making {
     for (const int key : model_.state_) {
       const auto [i, order] = unknown_of(key);
       const bool is_last = order + 1 == orders_[i];
-      model_.rates_.push_back(is_last ? highest_rates[i] : input(graph(), key + 1));
+      const Expression highest = counts_events(i) ? Expression(0) : highest_rates[i];
+      model_.rates_.push_back(is_last ? highest : input(graph(), key + 1));
     }
   }
 
@@ -653,6 +679,10 @@ class Model::Making {
 
   void set_start() {
     for (const int key : model_.state_) {
+      if (counts_events(unknown_of(key).first)) {
+        model_.start_.emplace_back(0);
+        continue;
+      }
       const Formula& start = starts_.at(key);
       const Expression x = value(start), at_zero = replaced(std::span(&x, 1), {{of_time, 0}})[0];
       for (const int other : keys_of(std::span(&at_zero, 1))) {
@@ -733,11 +763,7 @@ class Model::Making {
     std::map<int, Expression> after;
     for (const auto& [key, formula_text] : text.then) {
       const std::string base = key.text.substr(0, key.text.find('\''));
-      const auto found = std::ranges::find(letters_.unknowns, base);
-      if (found == letters_.unknowns.end())
-        source_.fail(key.place, "no unknown " + base + did_you_mean(base, letters_.unknowns));
-      const auto i = static_cast<std::size_t>(found - letters_.unknowns.begin());
-      const std::size_t order = key.text.size() - base.size();
+      const std::size_t i = unknown({base, key.place}), order = key.text.size() - base.size();
       if (order >= orders_[i])
         source_.fail(key.place, key.text + " is no part of the state: the equations decide it");
       const Formula then = formula(formula_text);
@@ -745,6 +771,11 @@ class Model::Making {
       if (!fit(its, meant))
         then.fail({}, key.text + " is in " + name_of(meant) + ", and this is " + name_of(its));
       after.emplace(key_of(i, order), of_state(then, "the state after an event"));
+    }
+    if (!text.counts.text.empty()) {
+      const auto count = std::ranges::find(letters_.unknowns, text.counts.text) - letters_.unknowns.begin();
+      const int key = key_of(static_cast<std::size_t>(count), 0);
+      after.emplace(key, input(graph(), key) + Expression(1));
     }
     if (text.direction != Direction::rising) add_event(guard, after, text.ends);
     if (text.direction != Direction::falling) add_event(-guard, after, text.ends);
@@ -830,6 +861,7 @@ class Model::Making {
   std::map<std::size_t, std::vector<Expression>> values_of_given_;
   std::map<std::size_t, std::optional<Measure>> measures_of_given_;
   std::set<std::pair<std::size_t, std::size_t>> seen_;  ///< with the order of the rate
+  std::size_t moving_ = 0;  ///< unknowns in front of those that count events
   std::vector<std::size_t> orders_;
   std::vector<std::optional<Measure>> units_;
   std::vector<Equation> equations_, constraints_;
