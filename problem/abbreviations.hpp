@@ -9,7 +9,7 @@
 
 namespace oddity::problem {
 
-/// The letters of a model, and what its abbreviations are for; its vectors are abbreviations of their
+/// The letters of a model, and the formulas of its abbreviations; its vectors are abbreviations of their
 /// components.
 class Abbreviations {
  public:

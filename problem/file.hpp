@@ -91,7 +91,7 @@ struct ObservableText {
   Place place;
   std::string vector = {};     ///< the name of the vector that it is a component of
   std::size_t component = 0;   ///< its index in the vector
-  std::size_t components = 1;  ///< of the vector
+  std::size_t components = 1;  ///< number of the vector's components
   bool is_of_vector = false;   ///< the formula is the whole vector's
   long double size = 1;
   Measure measure = {};

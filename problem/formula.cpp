@@ -353,7 +353,7 @@ Measure looked_up(const Table& table, const Measure& x) {
 }
 Expression looked_up(const Table& table, const Expression& x) { return value_at(table, x); }
 
-// Of shapes, in which all numbers are one.
+// Calls of shapes, in which all numbers are one.
 double choose_by(double, double yes, double) { return yes; }
 double looked_up(const Table&, double x) { return x; }
 

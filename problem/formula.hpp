@@ -49,7 +49,7 @@ struct Quoted {
   std::string text;
   Place place;
   bool is_translated = false;      ///< the file has other words there
-  std::vector<Quoted> parts = {};  ///< of a list, whose text is (a, b)
+  std::vector<Quoted> parts = {};  ///< parts of a list, whose text is (a, b)
 
   Place at(std::size_t offset) const {
     return is_translated ? place : Place{place.line, place.column + offset};
@@ -77,7 +77,7 @@ class Formula {
   /// Throws WrongFile if units do not fit.
   Measure measure(const std::function<Measure(const Letter&)>& of) const;
 
-  /// The same where letters may be vectors; `of` gives a whole one also for its component.
+  /// Values where letters may be vectors; `of` gives a whole one also for its component.
   template <class T>
   using Of = std::function<formula::Matrix<T>(const Letter&)>;
   formula::Matrix<Expression> values(const Of<Expression>& of) const { return evaluated(of); }

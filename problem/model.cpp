@@ -116,7 +116,7 @@ class Model::Making {
       if (event.counts.text.empty()) continue;
       require_free(event.counts, 0);
       if (is_started(event.counts.text))
-        source_.fail(event.counts.place, event.counts.text + " has a start: a count has a name of its own");
+        source_.fail(event.counts.place, event.counts.text + " has a start: a count needs another name");
     }
     moving_ = static_cast<std::size_t>(std::ranges::find_if_not(letters_.unknowns, is_started) -
                                        letters_.unknowns.begin());

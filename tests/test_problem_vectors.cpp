@@ -1,5 +1,5 @@
-// Vectors in a problem's file: a model has the instructions of the same model in components, and what does
-// not fit is refused with its place.
+// Vectors in a problem's file: a model has the instructions of the same model in components, and shapes that
+// do not fit are refused with their place.
 
 #include <algorithm>
 #include <array>
