@@ -503,7 +503,7 @@ TEST_CASE("An error without a unit is that of pure numbers, where others have on
 TEST_CASE("A count that cannot be is refused with its place", "[problem]") {
   const auto says = [](const std::string& model) { return first_line(refusal(counted_ball(model))); };
   CHECK(says(falls + R"(events = [{ when = "y", counts = "y" }])") ==
-        "test.toml:8:35: y has a start: a count has a name of its own");
+        "test.toml:8:35: y has a start: give the count another name");
   CHECK(says(falls + R"(events = [{ when = "y", counts = "h" }])") ==
         "test.toml:8:35: h is no unknown: it is a parameter, an abbreviation or the time");
   CHECK(says(falls + R"(events = [{ when = "y", counts = "a b" }])") ==
