@@ -118,8 +118,9 @@ class Model::Making {
       if (is_started(event.counts.text))
         source_.fail(event.counts.place, event.counts.text + " has a start: a count needs another name");
     }
-    moving_ = static_cast<std::size_t>(std::ranges::find_if_not(letters_.unknowns, is_started) -
-                                       letters_.unknowns.begin());
+    moving_ = static_cast<std::size_t>(
+        std::find_if_not(letters_.unknowns.begin(), letters_.unknowns.end(), is_started) -
+        letters_.unknowns.begin());
     orders_.assign(letters_.unknowns.size(), 0);
   }
   /// Refuses an unknown whose name has a meaning, or is that of more abbreviations than its own.
