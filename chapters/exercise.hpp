@@ -306,8 +306,10 @@ struct Method {
   std::string algorithm;
   Knob knob;
   std::function<Answer(double setting)> run;
-  Outcome expected = Outcome::ok;  ///< at the finest setting; the suite fails on any other outcome
-  std::string why = {};            ///< why it is expected to fail
+  /// At the finest setting; the suite fails on any other outcome. Holds at all parameters in range, unless
+  /// it is for the exercise's own.
+  Outcome expected = Outcome::ok;
+  std::string why = {};  ///< why it is expected to fail
   // For fixed-step methods only:
   /// The steps at which linear theory predicts instability, with the model's Jacobian frozen along the
   /// motion.
@@ -326,6 +328,9 @@ struct Method {
   /// The motion's places at each sample time, each followed by their rates. The places are the observables,
   /// or other coordinates if the scene's laws need them.
   std::function<Value(double setting)> places_and_rates = {};
+  /// Whether the expected outcome is for the exercise's own parameters alone: at others roundings or chance
+  /// decide.
+  bool for_own_parameters = false;
 };
 
 /// Name of an algorithm in float.
@@ -402,6 +407,9 @@ struct Quantity {
   std::vector<Method> methods_in_float = {};       ///< each has a counterpart in double
   /// Work is counted in multiplications, divisions and functions instead of evaluations.
   bool in_operations = false;
+  /// Whether the expected outcomes are for the exercise's own parameters alone, as those of a motion, whose
+  /// steps and tolerances suit these.
+  bool for_own_parameters = false;
   // For a scene's motion whose laws define them:
   /// The energy from one time's places and rates.
   std::function<Energy(std::span<const double> places_and_rates)> energy = {};

@@ -327,6 +327,7 @@ class SceneMethods {
   SceneMethods(Quantity& quantity, Horizon horizon, Knob steps, Knob tolerances)
       : quantity_(quantity), horizon_(horizon), steps_(std::move(steps)), tolerances_(std::move(tolerances)) {
     quantity_.samples = horizon_.count();
+    quantity_.for_own_parameters = true;
   }
 
   template <ClosedForm Model>

@@ -136,8 +136,8 @@ foreach(file
     chapters/claims chapters/compare_typeset chapters/near_misses chapters/typeset chapters/verdict
     formula/differentiate formula/evaluate formula/gauss formula/letters formula/mutants formula/name_writer formula/parse
     formula/print_plain formula/print_tex formula/print_unicode formula/shown formula/signs formula/tokens formula/tree
-    formula/unreadable formula/writer problem/claims problem/code problem/expression problem/file problem/formula problem/keys
-    problem/measure problem/model problem/staging problem/table reference/quantity_text reference/similar report/site/module/own/own
+    formula/unreadable formula/writer problem/abbreviations problem/claims problem/code problem/expression problem/file problem/formula
+    problem/keys problem/measure problem/model problem/shape problem/staging problem/table reference/quantity_text reference/similar report/site/module/own/own
     report/site/module/own/played report/site/module/own/thrown report/text/readable)
   string(REPLACE "/" "_" name ${file})
   compile_to(own_objects ${module}/own/${name}.o ${PROJECT_SOURCE_DIR}/${file}.cpp ${own_flags})

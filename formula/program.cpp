@@ -243,10 +243,13 @@ std::vector<std::string> Program::constants() const {
     const auto& rows = record_.tables()[table];
     const std::string type = "Table" + std::to_string(rows.front().size());
     lines.push_back("static readonly " + type + " " + table_name(table) + " = new " + type + " {");
+    std::size_t length = line_length;
     for (const auto& row : rows) {
       std::string numbers;
       for (const double x : row) numbers += (numbers.empty() ? "" : ", ") + Term(x).text();
-      lines.push_back("  new Row {" + numbers + "},");
+      length += numbers.size() + 4;  // in C++
+      if (length > line_length) lines.emplace_back(" "), length = numbers.size() + 4;
+      lines.back() += " new Row {" + numbers + "},";
     }
     lines.back().back() = '}';
     lines.back() += ";";

@@ -151,6 +151,7 @@ std::string comment_of(const File& file, const ModelText& model) {
   for (const Quoted& one : model.equations) add("  " + one.text);
   if (model.equations.empty() && model.lagrangian) add("  L = " + model.lagrangian->text);
   if (model.equations.empty() && model.hamiltonian) add("  H = " + model.hamiltonian->text);
+  add_all(model.vectors);
   add_all(model.closed);
   add_all(file.given);
   return about;

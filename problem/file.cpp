@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -21,6 +22,7 @@ constexpr void require(bool holds) {
 #define TOML_ASSERT(expression) ::oddity::problem::require(static_cast<bool>(expression))
 #include <toml++/toml.h>
 
+#include "problem/abbreviations.hpp"
 #include "problem/keys.hpp"
 #include "reference/code_text.hpp"
 #include "reference/quantity_text.hpp"
@@ -33,6 +35,8 @@ namespace {
 
 Place place_of(const toml::source_region& region) { return {region.begin.line, region.begin.column}; }
 Place place_of(const toml::node& node) { return place_of(node.source()); }
+
+constexpr std::size_t most_components = 24;
 
 class Reader {
  public:
@@ -48,10 +52,9 @@ class Reader {
     if (const auto* question = table.get("question")) file_.question = quoted(*question).text;
     for (const auto& [key, node] : in_order(table_at(table, "parameters"))) parameter(key, *node);
     for (const auto& [key, node] : in_order(table_at(table, "tables"))) rows(key, *node);
-    for (const auto& [key, node] : in_order(table_at(table, "given")))
-      file_.given.push_back({name(key), quoted(*node)});
-    for (const auto& [key, node] : in_order(table_at(table, "observe"))) observable(key, *node);
+    for (const auto& [key, node] : in_order(table_at(table, "given"))) given(key, *node);
     for (const auto& [key, node] : in_order(table_at(table, "model"))) model(key, *node);
+    for (const auto& [key, node] : in_order(table_at(table, "observe"))) observable(key, *node);
     if (const auto* claims = table.get("claim")) all_claims(*claims);
     if (file_.models.empty() && !file_.claims.empty()) {
       for (const char* of_motion : {"observe", "need", "sweep", "given", "tables", "staged"})
@@ -143,6 +146,106 @@ class Reader {
     }
     return all;
   }
+
+  // ---- vectors -------------------------------------------------------------------------------------------
+
+  /// A text, or a list of them for a vector.
+  Quoted quoted_or_list(const toml::node& node) const {
+    const auto* array = node.as_array();
+    if (!array) return quoted(node);
+    Quoted list{"(", place_of(node), true};
+    if (array->size() < 2 || array->size() > most_components)
+      source_.fail(list.place, "a vector has 2 to " + std::to_string(most_components) + " components");
+    for (const auto& one : *array) {
+      list.parts.push_back(quoted(one));
+      list.text += (list.parts.size() > 1 ? ", " : "") + list.parts.back().text;
+    }
+    list.text += ")";
+    return list;
+  }
+  /// The names of a vector's components: "r_1'", "r_2'" for r'.
+  static std::vector<Quoted> components_of(const Quoted& vector, std::size_t count) {
+    std::vector<Quoted> names;
+    for (std::size_t i = 0; i < count; ++i)
+      names.push_back({component_name(vector.text, i), vector.place, true});
+    return names;
+  }
+  /// A vector as the list of its components.
+  static Quoted list_of(const std::vector<Quoted>& names, Place place) {
+    Quoted list{"(", place, true, names};
+    for (const Quoted& one : names) list.text += (list.text == "(" ? "" : ", ") + one.text;
+    list.text += ")";
+    return list;
+  }
+
+  void given(const Quoted& key, const toml::node& node) {
+    const Quoted text = quoted_or_list(node);
+    if (text.parts.empty()) {
+      file_.given.push_back({name(key), text});
+      return;
+    }
+    const std::vector<Quoted> names = components_of(key, text.parts.size());
+    for (std::size_t i = 0; i < names.size(); ++i) file_.given.push_back({name(names[i]), text.parts[i]});
+    file_.given.push_back({name(key), list_of(names, text.place)});
+  }
+
+  /// The unknowns are numbers, a vector's its components.
+  void start(const toml::table* table, ModelText& m) const {
+    const auto entries = in_order(table);
+    const auto base = [](const Quoted& key) { return key.text.substr(0, key.text.find('\'')); };
+    std::map<std::string, std::size_t> sizes;
+    for (const auto& [key, node] : entries) {
+      if (!node->is_array()) continue;
+      const std::size_t count = quoted_or_list(*node).parts.size();
+      const auto [known, is_new] = sizes.emplace(base(key), count);
+      if (known->second != count)
+        source_.fail(place_of(*node),
+                     base(key) + " is " + name_of(known->second, 1) + ", and this is " + name_of(count, 1));
+      if (!is_new) continue;
+      const Quoted vector{base(key), key.place};
+      m.vectors.push_back({vector, list_of(components_of(vector, count), key.place)});
+    }
+    const auto add = [&](const Quoted& key, const Quoted& text) {
+      for (const auto& [known, its] : m.start)
+        if (known.text == key.text) source_.fail(key.place, key.text + " is started twice");
+      m.start.push_back({key, text});
+    };
+    for (const auto& [key, node] : entries) {
+      const Quoted text = quoted_or_list(*node);
+      const auto vector = sizes.find(base(key));
+      if (vector == sizes.end()) {
+        add(key, text);
+        continue;
+      }
+      if (text.parts.empty() && text.text != "0")
+        source_.fail(text.place, base(key) + " is a vector: start " + key.text + " with a list, or with 0");
+      const std::vector<Quoted> names = components_of(key, vector->second);
+      for (std::size_t i = 0; i < names.size(); ++i) add(names[i], text.parts.empty() ? text : text.parts[i]);
+    }
+  }
+
+  /// Adds the equation q' = q w/2 of a quaternion.
+  void turn(const Quoted& key, const toml::node& node, ModelText& m) const {
+    const auto* table = node.as_table();
+    if (table) only(*table, "a turn", keys("turn"));
+    const auto* rate = table ? table->get("rate") : &node;
+    if (!rate) source_.fail(key.place, key.text + " turns: rate = \"w\" is its angular velocity");
+    const bool in_body = !table || text_in(*table, "axes", {"body", "space"}, "body") == "body";
+    const auto vector = std::ranges::find_if(m.vectors, [&](const auto& one) {
+      return one.first.text == key.text && one.second.parts.size() == 4;
+    });
+    if (vector == m.vectors.end())
+      source_.fail(key.place,
+                   key.text + " turns: start it with a quaternion, as " + key.text + " = [1, 0, 0, 0]");
+    const Quoted w = quoted_or_list(*rate);
+    if (w.text.find('\\') != w.text.npos) source_.fail(w.place, "write this angular velocity in plain text");
+    m.turns.push_back({key, w});
+    const std::string pure = "(0, " + w.text + ")";
+    const std::string factors = in_body ? key.text + ", " + pure : pure + ", " + key.text;
+    m.equations.push_back({key.text + "' = composed(" + factors + ")/2", w.place, true});
+  }
+
+  // --------------------------------------------------------------------------------------------------------
 
   /// A name for use in formulas.
   Quoted name(const Quoted& key) {
@@ -340,7 +443,7 @@ class Reader {
     Quoted unit;
     if (const auto* table = node.as_table()) {
       only(*table, "observable " + o.name, keys("observable"));
-      if (const auto* is = table->get("is")) o.formula = quoted(*is);
+      if (const auto* is = table->get("is")) o.formula = quoted_or_list(*is);
       if (const auto* point = table->get("point")) o.point = quoted(*point).text;
       const auto* its = table->get("unit");
       if (!its) source_.fail(key.place, o.name + " has no unit: unit = \"m\"");
@@ -350,12 +453,59 @@ class Reader {
     }
     o.unit = unit.text;
     measure(unit, o.unit, o.size, o.measure);
+    o.components = components_in_models(o);
+    if (o.components == 1)
+      add(std::move(o));
+    else
+      add_vector(o);
+  }
+  void add(ObservableText o) {
+    if (std::ranges::find(file_.observables, o.name, &ObservableText::name) != file_.observables.end())
+      source_.fail(o.place, o.name + " is observed twice");
     file_.observables.push_back(std::move(o));
+  }
+  /// A vector is seen as its components, of one point.
+  void add_vector(const ObservableText& vector) {
+    const Quoted& formula = vector.formula;
+    const bool is_name = std::ranges::all_of(
+        formula.text, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; });
+    for (std::size_t i = 0; i < vector.components; ++i) {
+      ObservableText o = vector;
+      o.vector = vector.name;
+      o.component = i;
+      o.name = component_name(vector.name, i);
+      if (o.point.empty()) o.point = vector.name;
+      if (!formula.parts.empty())
+        o.formula = formula.parts[i];
+      else if (is_name)
+        o.formula = {component_name(formula.text, i), formula.place, true};
+      else
+        o.is_of_vector = true;
+      add(std::move(o));
+    }
+  }
+  /// How many components it has in the first model with a vector for it; otherwise 1.
+  std::size_t components_in_models(const ObservableText& o) const {
+    if (!o.formula.parts.empty()) return o.formula.parts.size();
+    for (const ModelText& model : file_.models) {
+      const Quoted* text = model.closed.empty() ? &o.formula : nullptr;
+      for (const auto& [name, own] : model.closed.empty() ? model.observe : model.closed)
+        if (name.text == o.name) text = &own;
+      if (!text) continue;
+      if (!text->parts.empty()) return text->parts.size();
+      try {
+        Abbreviations letters(file_, model);
+        const Shape its = letters.shape(Formula(source_, *text, letters.letters()));
+        if (!its.is_number()) return its.entries.size();
+      } catch (const WrongFile&) {  // The model reports it, behind errors that come before it.
+      }
+    }
+    return 1;
   }
 
   Named pairs(const toml::table* table) const {
     Named all;
-    for (const auto& [key, node] : in_order(table)) all.push_back({key, quoted(*node)});
+    for (const auto& [key, node] : in_order(table)) all.push_back({key, quoted_or_list(*node)});
     return all;
   }
 
@@ -371,7 +521,8 @@ class Reader {
     if (const auto* dissipation = table->get("dissipation")) m.dissipation = quoted(*dissipation);
     m.momenta = pairs(table_at(*table, "momenta"));
     m.forces = pairs(table_at(*table, "forces"));
-    m.start = pairs(table_at(*table, "start"));
+    start(table_at(*table, "start"), m);
+    for (const auto& [name, its] : in_order(table_at(*table, "turns"))) turn(name, *its, m);
     m.closed = pairs(table_at(*table, "closed"));
     m.observe = pairs(table_at(*table, "observe"));
     if (const auto* conserves = table_at(*table, "conserves")) {
@@ -405,6 +556,8 @@ class Reader {
     if (!m.lagrangian && (m.dissipation || !m.constraints.empty()))
       source_.fail(key.place,
                    "dissipation and constraints go with a lagrangian; put them into the equations");
+    if ((m.lagrangian || m.hamiltonian) && !m.turns.empty())
+      source_.fail(m.turns.front().of.place, "turns go with equations");
     if (!m.lagrangian && !m.hamiltonian && !m.forces.empty())
       source_.fail(key.place, "forces go with a lagrangian or a hamiltonian; put them into the equations");
   }
@@ -425,8 +578,12 @@ class Reader {
       if (const auto* direction = table->get("direction")) event.direction = this->direction(*direction);
       event.then = pairs(table_at(*table, "then"));
       if (const auto* ends = table->get("ends")) event.ends = flag(*ends);
-      if (event.then.empty() && !event.ends)
-        source_.fail(place_of(*table), "nothing happens in this event: add then = { ... }, or ends = true");
+      if (const auto* counts = table->get("counts")) event.counts = quoted(*counts);
+      if (!event.counts.text.empty()) require_name(event.counts, false);
+      if (event.then.empty() && !event.ends && event.counts.text.empty())
+        source_.fail(
+            place_of(*table),
+            "nothing happens in this event: add then = { ... }, ends = true, or counts = \"its count\"");
       all.push_back(std::move(event));
     }
     return all;
@@ -476,15 +633,17 @@ class Reader {
         source_.fail({1, 1}, "no error is asked for in " + (units[i].empty() ? "pure numbers" : units[i]) +
                                  ": add [need] with error = \"...\"");
     for (std::size_t i = 0; i < units.size(); ++i)
-      file_.error +=
-          (i == 0 ? "" : ",") + format_shortest(file_.errors[i]) + (units.size() == 1 ? "" : units[i]);
+      file_.error += (i == 0 ? "" : ",") + format_shortest(file_.errors[i]) +
+                     (units.size() == 1 || is_pure(units[i]) ? "" : units[i]);
   }
 
+  static bool is_pure(const std::string& unit) { return unit.empty() || unit == "1"; }
   void errors(const std::vector<Quoted>& texts, const std::vector<std::string>& units) {
     for (const Quoted& text : texts) {
       const auto fits = std::ranges::find_if(units, [&](const std::string& unit) {
         try {
-          return in_unit(text.text, unit) > 0;
+          const bool needs_unit = units.size() > 1 && !is_pure(unit);
+          return in_unit(text.text, unit) > 0 && !(needs_unit && written(text.text).unit.empty());
         } catch (const BadInput&) {
           return false;
         }
@@ -775,6 +934,11 @@ std::string rate_before(const std::string& text, Place place) {
 }
 
 }  // namespace
+
+std::string component_name(const std::string& vector, std::size_t index) {
+  const std::size_t end = std::min(vector.find('\''), vector.size());
+  return vector.substr(0, end) + "_" + std::to_string(index + 1) + vector.substr(end);
+}
 
 std::unique_ptr<const File> read(const std::string& name, const std::string& text) {
   auto file = std::make_unique<File>();

@@ -33,8 +33,14 @@ enum class Direction { falling, rising, both };
 struct EventText {
   Quoted when;
   Direction direction = Direction::falling;
-  Named then = {};    ///< the state after it, by the state before; unnamed parts stay
-  bool ends = false;  ///< the motion stays constant from there on
+  Named then = {};     ///< the state after it, by the state before; unnamed parts stay
+  bool ends = false;   ///< the motion stays constant from there on
+  Quoted counts = {};  ///< the letter that counts it; empty text: none
+};
+
+/// A unit quaternion, and its angular velocity.
+struct TurnText {
+  Quoted of, rate;
 };
 
 struct ModelText {
@@ -44,6 +50,8 @@ struct ModelText {
   std::vector<std::string> found = {};  ///< unknowns whose start is searched near the given one
   std::optional<Quoted> lagrangian = {}, hamiltonian = {}, dissipation = {}, kinetic = {}, potential = {};
   Named forces = {}, momenta = {}, start = {}, closed = {}, observe = {};  ///< momenta by their places
+  Named vectors = {};  ///< unknowns that are vectors, each as the list of its components: r = (r_1, r_2)
+  std::vector<TurnText> turns = {};  ///< they have their equations
   std::vector<EventText> events = {};
 };
 
@@ -81,6 +89,10 @@ struct ObservableText {
   std::string name, unit, point;
   Quoted formula;
   Place place;
+  std::string vector = {};     ///< the name of the vector that it is a component of
+  std::size_t component = 0;   ///< its index in the vector
+  std::size_t components = 1;  ///< number of the vector's components
+  bool is_of_vector = false;   ///< the formula is the whole vector's
   long double size = 1;
   Measure measure = {};
 };
@@ -128,6 +140,8 @@ struct File {
   bool is_plain = false;                           ///< all numbers are pure, also the time
 };
 
+/// "r_2'" for r', and the index 1: the name of a vector's component.
+std::string component_name(const std::string& vector, std::size_t index);
 /// Reads a text; throws WrongFile.
 std::unique_ptr<const File> read(const std::string& name, const std::string& text);
 /// Throws WrongFile if there is a motion and no parameter that may differ from start to start.

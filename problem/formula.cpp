@@ -9,6 +9,7 @@
 #include "formula/evaluate.hpp"
 #include "formula/parse.hpp"
 #include "formula/tokens.hpp"
+#include "problem/quaternion.hpp"
 #include "reference/quantity_text.hpp"
 #include "reference/similar.hpp"
 
@@ -16,10 +17,12 @@ namespace oddity::problem {
 
 namespace {
 
-constexpr std::array<std::string_view, 20> functions{
-    "sin",  "cos",  "tan",   "asin",  "acos",  "atan", "arcsin", "arccos", "arctan", "sinh",
-    "cosh", "tanh", "asinh", "acosh", "atanh", "exp",  "log",    "ln",     "sqrt",   "pi"};
-constexpr std::array<std::string_view, 6> calls{"if", "abs", "max", "min", "sign", "atan2"};
+constexpr std::array<std::string_view, 22> functions{
+    "sin",  "cos",   "tan",   "asin",  "acos", "atan", "arcsin", "arccos", "arctan", "sinh",  "cosh",
+    "tanh", "asinh", "acosh", "atanh", "exp",  "log",  "ln",     "sqrt",   "dot",    "cross", "pi"};
+constexpr std::array<std::string_view, 9> calls{"if",    "abs",    "max",      "min",      "sign",
+                                                "atan2", "turned", "composed", "conjugate"};
+constexpr std::array<std::string_view, 3> of_one{"abs", "sign", "conjugate"};
 
 bool among(std::string_view word, const auto& all) { return std::ranges::find(all, word) != all.end(); }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -177,26 +180,41 @@ class Reader {
   std::size_t name(std::size_t at) {
     const std::size_t end = end_of_name(text_, at);
     const std::string_view whole = text_.substr(at, end - at), base = whole.substr(0, whole.find('\''));
-    if (among(whole, functions)) return end;
-    if (among(whole, calls) || table(whole)) return call(at, end);
     Letter letter;
     letter.order = whole.size() - base.size();
-    const auto find = [&](const std::vector<std::string>& all, Letter::Is is) {
-      const auto found = std::ranges::find(all, base);
+    const auto find = [&](const std::vector<std::string>& all, Letter::Is is, std::string_view called) {
+      const auto found = std::ranges::find(all, called);
       if (found == all.end()) return false;
       letter.is = is;
       letter.index = static_cast<std::size_t>(found - all.begin());
       return true;
     };
-    const bool is_known = find(known_.unknowns, Letter::Is::unknown) ||
-                          find(known_.given, Letter::Is::given) ||
-                          find(known_.parameters, Letter::Is::parameter) || base == "t";
-    if (!is_known) unknown(at, base);
+    bool is_known = find(known_.unknowns, Letter::Is::unknown, base) ||
+                    find(known_.given, Letter::Is::given, base) ||
+                    find(known_.parameters, Letter::Is::parameter, base);
+    if (!is_known && among(whole, functions)) return end;
+    if (!is_known && (among(whole, calls) || table(whole))) return call(at, end);
+    if (!is_known && base != "t") {
+      const auto [stem, component] = component_in(base);
+      letter.component = component;
+      is_known = component > 0 && find(known_.given, Letter::Is::given, stem);
+      if (!is_known) unknown(at, base);
+    }
     if (letter.order > 0 && (letter.is == Letter::Is::parameter || letter.is == Letter::Is::time))
       fail(at, std::string(base) + " is no unknown, and has no rate");
     if (letter.order > 4) fail(at, "at most four primes");
     put(std::move(letter), at, end);
     return end;
+  }
+
+  /// "r" and 2 for r_2; 0 if this is no name of a component.
+  static std::pair<std::string_view, std::size_t> component_in(std::string_view name) {
+    const std::size_t bar = name.rfind('_');
+    const std::string_view digits = bar == name.npos ? "" : name.substr(bar + 1);
+    if (digits.empty() || digits.size() > 2 || !std::ranges::all_of(digits, is_digit)) return {name, 0};
+    std::size_t component = 0;
+    for (const char c : digits) component = 10 * component + static_cast<std::size_t>(c - '0');
+    return {name.substr(0, bar), component};
   }
 
   [[noreturn]] void unknown(std::size_t at, std::string_view name) const {
@@ -231,7 +249,7 @@ class Reader {
       depth += c == '(' ? 1 : c == ')' ? -1 : 0;
       if ((depth == 1 && c == ',') || depth == 0) bounds.push_back(end);
     }
-    const std::size_t wanted = name == "if" ? 3 : name == "abs" || name == "sign" || table(name) ? 1 : 2;
+    const std::size_t wanted = name == "if" ? 3 : among(name, of_one) || table(name) ? 1 : 2;
     if (bounds.size() != wanted + 1)
       fail(at, name + " takes " + std::to_string(wanted) + (name == "if" ? ": if(x < y, a, b)" : ""));
     const Deeper deeper;
@@ -335,11 +353,16 @@ Measure looked_up(const Table& table, const Measure& x) {
 }
 Expression looked_up(const Table& table, const Expression& x) { return value_at(table, x); }
 
+// Calls of shapes, in which all numbers are one.
+double choose_by(double, double yes, double) { return yes; }
+double looked_up(const Table&, double x) { return x; }
+
+/// A call with numbers.
 template <class T>
-T called(const Letter& letter, const std::vector<T>& x) {
+T called_with(const Letter& letter, const std::vector<T>& x) {
+  using std::atan2;
   const std::string& function = letter.function;
   if (letter.table) return looked_up(*letter.table, x[0]);
-  if (function == "if") return choose_by(x[0] - x[1], x[2], x[3]);
   if (function == "abs") return choose_by(x[0], x[0], -x[0]);
   if (function == "max") return choose_by(x[0] - x[1], x[0], x[1]);
   if (function == "min") return choose_by(x[1] - x[0], x[0], x[1]);
@@ -390,39 +413,91 @@ void Formula::fail(const Span& span, const std::string& reason) const {
 }
 
 template <class T>
-T Formula::evaluated(const std::function<T(const Letter&)>& of) const {
+formula::Matrix<T> Formula::called(const Letter& call, const Of<T>& of) const {
+  std::vector<formula::Matrix<T>> all;
+  for (const Formula& one : call.arguments) all.push_back(one.evaluated(of));
+  const auto number_at = [&](std::size_t i) { return call.arguments[i].number(all[i]); };
+  const auto sized = [&](std::size_t i, std::size_t count) -> const formula::Matrix<T>& {
+    if (all[i].entries.size() != count)
+      call.arguments[i].fail(
+          {}, call.function + " takes " + name_of(count, 1) + " here, and this is " + name_of(all[i]));
+    return all[i];
+  };
+  if (call.function == "turned") return turned(sized(0, 4), sized(1, 3));
+  if (call.function == "composed") return composed(sized(0, 4), sized(1, 4));
+  if (call.function == "conjugate") return conjugate(sized(0, 4));
+  using std::sqrt;
+  if (call.function == "abs" && !all[0].is_number()) return {{sqrt(dot_of(all[0], all[0]))}};
+  if (call.function == "if") {
+    if (call.arguments[2].is_zero()) all[2] = scaled(all[3], T(0));
+    if (call.arguments[3].is_zero()) all[3] = scaled(all[2], T(0));
+    if (all[2].entries.size() != all[3].entries.size())
+      call.arguments[3].fail({}, "this is " + name_of(all[3]) + ", and otherwise " + name_of(all[2]));
+    const T condition = number_at(0) - number_at(1);
+    for (std::size_t i = 0; i < all[2].entries.size(); ++i)
+      all[2].entries[i] = choose_by(condition, all[2].entries[i], all[3].entries[i]);
+    return all[2];
+  }
+  std::vector<T> numbers;
+  for (std::size_t i = 0; i < all.size(); ++i) numbers.push_back(number_at(i));
+  return {{called_with(call, numbers)}};
+}
+
+template <class T>
+formula::Matrix<T> Formula::evaluated(const Of<T>& of) const {
   std::vector<formula::Matrix<T>> values;
   for (const Letter& letter : letters_) {
-    T value{};
-    if (letter.is == Letter::Is::call) {
-      std::vector<T> arguments;
-      for (const Formula& one : letter.arguments) arguments.push_back(one.evaluated(of));
-      try {
-        value = called(letter, arguments);
-      } catch (const Mismatch& error) {
-        fail(letter.span, error.what());
-      }
-    } else {
-      value = of(letter);
+    formula::Matrix<T>& value = values.emplace_back();
+    try {
+      value = letter.is == Letter::Is::call ? called(letter, of) : of(letter);
+    } catch (const Mismatch& error) {
+      fail(letter.span, error.what());
+    } catch (const formula::NoValue& error) {
+      fail(letter.span, error.what());
     }
-    if constexpr (std::same_as<T, Measure>) value.span = letter.span;
-    values.push_back({{value}});
+    if (letter.component > value.entries.size() || (letter.component > 0 && value.is_number()))
+      fail(letter.span, name_of(value) + " has no component " + std::to_string(letter.component));
+    if (letter.component > 0) value = {{value.entries[letter.component - 1]}};
+    if constexpr (std::same_as<T, Measure>)
+      for (T& one : value.entries) one.span = letter.span;
   }
   try {
-    return formula::number_of(formula::evaluate<T>(tree_[0], values));
+    formula::Matrix<T> all = formula::evaluate<T>(tree_[0], values);
+    if (component_ && !all.is_number()) all = {{all.entries.at(*component_)}};
+    return all;
   } catch (const formula::NoValue& error) {
-    fail({}, error.what());
+    std::vector<Shape> shapes;
+    for (const auto& one : values) shapes.push_back({std::vector(one.entries.size(), 1.0), one.columns});
+    fail_for_shapes(shapes, error.what());
   } catch (const Mismatch& error) {
     fail(error.span, error.what() + meant());
   }
 }
 
+void Formula::fail_for_shapes(const std::vector<Shape>& shapes, const std::string& says) const {
+  const Misfit found = misfit(tree_[0], shapes, says);
+  Span span;
+  for (const std::size_t i : found.letters) span = span | letters_[i].span;
+  fail(span, found.says);
+}
+
+template formula::Matrix<Expression> Formula::evaluated(const Of<Expression>&) const;
+template formula::Matrix<Measure> Formula::evaluated(const Of<Measure>&) const;
+template Shape Formula::evaluated(const Of<double>&) const;
+
 Expression Formula::value(const std::function<Expression(const Letter&)>& of) const {
-  return evaluated<Expression>(of);
+  return number(values([&](const Letter& letter) { return formula::Matrix<Expression>{{of(letter)}}; }));
 }
 Measure Formula::measure(const std::function<Measure(const Letter&)>& of) const {
-  return evaluated<Measure>(of);
+  return number(measures([&](const Letter& letter) { return formula::Matrix<Measure>{{of(letter)}}; }));
 }
+
+Formula Formula::component(std::size_t i) const {
+  Formula one = *this;
+  one.component_ = i;
+  return one;
+}
+bool Formula::is_zero() const { return is_number(tree_[0], "0"); }
 
 formula::Tree Formula::tree(const std::function<std::string(const Letter&)>& name,
                             const std::function<std::string(const std::string& unit)>& unit_name) const {

@@ -2,12 +2,14 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "formula/tree.hpp"
 #include "problem/expression.hpp"
 #include "problem/measure.hpp"
+#include "problem/shape.hpp"
 #include "problem/table.hpp"
 #include "reference/bad_input.hpp"
 
@@ -46,7 +48,8 @@ struct Source {
 struct Quoted {
   std::string text;
   Place place;
-  bool is_translated = false;  ///< the file has other words there
+  bool is_translated = false;      ///< the file has other words there
+  std::vector<Quoted> parts = {};  ///< parts of a list, whose text is (a, b)
 
   Place at(std::size_t offset) const {
     return is_translated ? place : Place{place.line, place.column + offset};
@@ -69,10 +72,27 @@ class Formula {
   /// Throws WrongFile.
   Formula(const Source&, Quoted, const Letters&);
 
-  /// The value; `of` gives the value of each letter except calls.
+  /// The value of a formula of numbers; `of` gives the value of each letter except calls.
   Expression value(const std::function<Expression(const Letter&)>& of) const;
   /// Throws WrongFile if units do not fit.
   Measure measure(const std::function<Measure(const Letter&)>& of) const;
+
+  /// Values where letters may be vectors; `of` gives a whole one also for its component.
+  template <class T>
+  using Of = std::function<formula::Matrix<T>(const Letter&)>;
+  formula::Matrix<Expression> values(const Of<Expression>& of) const { return evaluated(of); }
+  formula::Matrix<Measure> measures(const Of<Measure>& of) const { return evaluated(of); }
+  Shape shape(const Of<double>& of) const { return evaluated(of); }
+  /// Its only entry. Throws WrongFile if there are several.
+  template <class T>
+  const T& number(const formula::Matrix<T>& value) const {
+    if (!value.is_number()) fail({}, "a number is needed here, and this is " + name_of(value));
+    return value.entries[0];
+  }
+  /// The formula of one entry; of a number, the number.
+  Formula component(std::size_t i) const;
+  bool is_zero() const;
+
   /// Whether the formula or one of its calls has such a letter.
   bool any(const std::function<bool(const Letter&)>& is) const;
 
@@ -88,10 +108,14 @@ class Formula {
 
  private:
   template <class T>
-  T evaluated(const std::function<T(const Letter&)>& of) const;
+  formula::Matrix<T> evaluated(const Of<T>& of) const;
+  template <class T>
+  formula::Matrix<T> called(const Letter& call, const Of<T>& of) const;
+  [[noreturn]] void fail_for_shapes(const std::vector<Shape>& letters, const std::string& says) const;
 
   const Source* source_;
   Quoted text_;
+  std::optional<std::size_t> component_ = {};  ///< the entry of its value that it is
   std::vector<Letter> letters_;
   std::vector<formula::Tree> tree_;  ///< one, or none if it could not be read
 };
@@ -101,6 +125,7 @@ struct Letter {
   enum class Is { quantity, parameter, time, unknown, given, call };
   Is is = Is::time;
   std::size_t index = 0, order = 0;  ///< its index, and the order of its rate
+  std::size_t component = 0;         ///< component of an abbreviation, from 1; 0: all
   long double value = 0;             ///< value of a quantity such as 5 cm
   Measure measure = {};              ///< measure of a quantity such as 5 cm
   std::string function = {};         ///< name of a called function; for a quantity, another possible meaning

@@ -17,7 +17,7 @@ constexpr std::array file{
     Key{"question", "what is asked", "text"},
     Key{"parameters", "letters with a value, a unit and a range", "map text or parameter"},
     Key{"tables", "tables of numbers, called like functions", "map table"},
-    Key{"given", "abbreviations", "map text"},
+    Key{"given", "abbreviations", "map texts"},
     Key{"model", "models, from the least to the richest", "map model"},
     Key{"observe", "quantities that every model computes", "map text or observable"},
     Key{"need", "the question for choose", "need"},
@@ -39,7 +39,7 @@ constexpr std::array table{
 };
 constexpr std::array observable{
     Key{"unit", "its unit", "text", needed},
-    Key{"is", "its formula, unless it is the unknown of its name", "text"},
+    Key{"is", "its formula, unless it is the unknown of its name", "texts"},
     Key{"point", "observables of one point are judged by its distance", "text"},
 };
 constexpr std::array model{
@@ -47,14 +47,20 @@ constexpr std::array model{
     Key{"lagrangian", "kinetic less potential energy", "text"},
     Key{"hamiltonian", "the energy, of places and momenta", "text"},
     Key{"momenta", "the momentum's name by its place, with a Hamiltonian", "map text"},
-    Key{"forces", "generalized forces by place, with a Lagrangian or a Hamiltonian", "map text"},
+    Key{"forces", "generalized forces by place, with a Lagrangian or a Hamiltonian", "map texts"},
     Key{"dissipation", "Rayleigh's function, with a Lagrangian", "text"},
     Key{"constraints", "x^2 + y^2 = L^2, with a Lagrangian", "texts"},
-    Key{"start", "the unknowns and their rates at the start", "map text"},
-    Key{"closed", "a closed form of each observable", "map text"},
-    Key{"observe", "other formulas of the observables", "map text"},
+    Key{"start", "the unknowns and their rates at the start; a list makes a vector", "map texts"},
+    Key{"turns", "unit quaternions, each with its angular velocity in the axes of the body",
+        "map texts or turn"},
+    Key{"closed", "a closed form of each observable", "map texts"},
+    Key{"observe", "other formulas of the observables", "map texts"},
     Key{"conserves", "an energy that is conserved", "conserves"},
     Key{"events", "changes where a formula goes through zero", "list event"},
+};
+constexpr std::array turn{
+    Key{"rate", "the angular velocity, of three components", "texts", needed},
+    Key{"axes", "its axes: body or space", "text"},
 };
 constexpr std::array conserves{
     Key{"kinetic", "its moving part", "text", needed},
@@ -63,8 +69,9 @@ constexpr std::array conserves{
 constexpr std::array event{
     Key{"when", "the formula", "text", needed},
     Key{"direction", "falling, rising or both", "text"},
-    Key{"then", "the state after it, from that before", "map text"},
+    Key{"then", "the state after it, from that before", "map texts"},
     Key{"ends", "the motion stays as it is", "flag"},
+    Key{"counts", "the name of a letter that counts it, from 0", "text"},
 };
 constexpr std::array need{
     Key{"error", "1 mm, or one for each unit", "texts"},
@@ -145,7 +152,7 @@ constexpr std::array all{
     KeysOf{"sweep", sweep},   KeysOf{"claim", claim},
     KeysOf{"truth", truth},   KeysOf{"staged", staged},
     KeysOf{"body", body},     KeysOf{"joint", joint},
-    KeysOf{"spring", spring},
+    KeysOf{"spring", spring}, KeysOf{"turn", turn},
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "chapters/random.hpp"
+#include "problem/abbreviations.hpp"
 #include "problem/code.hpp"
 #include "reference/similar.hpp"
 #include "reference/text.hpp"
@@ -38,6 +39,8 @@ Measure per_time(Measure measure, std::size_t times) {
 }
 
 using Rows = std::vector<std::vector<Expression>>;
+using Values = formula::Matrix<Expression>;
+using Measures = formula::Matrix<Measure>;
 
 }  // namespace
 
@@ -45,21 +48,19 @@ using Rows = std::vector<std::vector<Expression>>;
 class Model::Making {
  public:
   Making(Model& model, const File& file, const ModelText& text)
-      : model_(model), file_(file), text_(text), source_(file.source) {
-    for (const ParameterText& p : file.parameters) letters_.parameters.push_back(p.name);
-    for (const auto& [name, formula] : file.given) letters_.given.push_back(name.text);
-    letters_.tables = file.tables;
-    given_.resize(file.given.size());
-  }
+      : model_(model),
+        file_(file),
+        text_(text),
+        source_(file.source),
+        abbreviations_(file, text),
+        letters_(abbreviations_.letters()) {}
 
   void closed() {
     check_observables();
     for (const ObservableText& o : file_.observables) {
-      const auto found =
-          std::ranges::find(text_.closed, o.name, [](const auto& pair) { return pair.first.text; });
-      if (found == text_.closed.end())
-        source_.fail(text_.name.place, "model " + text_.name.text + " has no " + o.name);
-      observe(Formula(source_, found->second, letters_), o);
+      const auto found = own(text_.closed, o);
+      if (!found) source_.fail(text_.name.place, "model " + text_.name.text + " has no " + o.name);
+      observe(*found, o);
     }
     for (const auto& [name, formula] : text_.closed) require_observable(name);
   }
@@ -89,9 +90,8 @@ class Model::Making {
     set_start();
     check_observables();
     for (const ObservableText& o : file_.observables) {
-      const auto own =
-          std::ranges::find(text_.observe, o.name, [](const auto& pair) { return pair.first.text; });
-      observe(Formula(source_, own == text_.observe.end() ? o.formula : own->second, letters_), o);
+      const auto its = own(text_.observe, o);
+      observe(its ? *its : o.is_of_vector ? component(o, o.formula) : formula(o.formula), o);
     }
     see_places();
     set_conserved();
@@ -102,42 +102,57 @@ class Model::Making {
  private:
   // ---- letters -------------------------------------------------------------------------------------------
 
-  /// The names with a start, in order; primes denote rates.
+  /// The names with a start, in order; primes denote rates. Those that count events come behind them.
   void find_unknowns() {
-    for (const auto& [key, formula] : text_.start) {
-      const std::string base = key.text.substr(0, key.text.find('\''));
-      if (std::ranges::find(letters_.unknowns, base) != letters_.unknowns.end()) continue;
-      const bool is_taken = std::ranges::find(letters_.parameters, base) != letters_.parameters.end() ||
-                            std::ranges::find(letters_.given, base) != letters_.given.end() || base == "t";
-      if (is_taken)
-        source_.fail(key.place, base + " is no unknown: it is a parameter, an abbreviation or the time");
-      letters_.unknowns.push_back(base);
-    }
-    if (letters_.unknowns.empty())
+    if (text_.start.empty())
       source_.fail(text_.name.place,
                    "model " + text_.name.text + " has no start: add start = { y = \"0 m\", \"y'\" = 0 }");
+    for (const auto& [name, list] : text_.vectors) require_free(name, 1);
+    for (const auto& [key, formula] : text_.start) require_free(key, 0);
+    const auto is_started = [&](const std::string& name) {
+      return std::ranges::any_of(text_.start, [&](const auto& one) { return base_of(one.first) == name; });
+    };
+    for (const EventText& event : text_.events) {
+      if (event.counts.text.empty()) continue;
+      require_free(event.counts, 0);
+      if (is_started(event.counts.text))
+        source_.fail(event.counts.place, event.counts.text + " has a start: a count needs another name");
+    }
+    moving_ = static_cast<std::size_t>(
+        std::find_if_not(letters_.unknowns.begin(), letters_.unknowns.end(), is_started) -
+        letters_.unknowns.begin());
     orders_.assign(letters_.unknowns.size(), 0);
   }
+  /// Refuses an unknown whose name has a meaning, or is that of more abbreviations than its own.
+  void require_free(const Quoted& key, std::ptrdiff_t abbreviations) const {
+    const std::string base = base_of(key);
+    const bool is_taken = std::ranges::find(letters_.parameters, base) != letters_.parameters.end() ||
+                          std::ranges::count(letters_.given, base) > abbreviations || base == "t";
+    if (is_taken)
+      source_.fail(key.place, base + " is no unknown: it is a parameter, an abbreviation or the time");
+  }
+  static std::string base_of(const Quoted& key) { return key.text.substr(0, key.text.find('\'')); }
+  bool counts_events(std::size_t i) const { return i >= moving_; }
 
   Formula formula(const Quoted& text) const { return {source_, text, letters_}; }
 
-  const Formula& given(std::size_t i) {
-    if (!given_[i]) given_[i] = formula(file_.given[i].second);
-    return *given_[i];
-  }
-  /// Refuses abbreviations that contain themselves, by the depth of nesting.
-  class Inside {
-   public:
-    Inside(Making& making, const Formula& where) : depth_(making.depth_) {
-      if (++depth_ > 20) where.fail({}, "an abbreviation of itself");
+  /// As many formulas of numbers: those of a list, or the components of a formula.
+  std::vector<Formula> components(const std::string& name, const Quoted& text, std::size_t count) {
+    std::vector<Formula> all;
+    const auto require_count = [&](const std::string& its, bool fits) {
+      if (!fits) source_.fail(text.place, name + " is " + name_of(count, 1) + ", and this is " + its);
+    };
+    if (!text.parts.empty()) {
+      require_count(name_of(text.parts.size(), 1), text.parts.size() == count);
+      for (const Quoted& part : text.parts) all.push_back(formula(part));
+      return all;
     }
-    Inside(const Inside&) = delete;
-    Inside& operator=(const Inside&) = delete;
-    ~Inside() { --depth_; }
-
-   private:
-    int& depth_;
-  };
+    const Formula whole = formula(text);
+    const Shape its = abbreviations_.shape(whole);
+    require_count(name_of(its), its.entries.size() == count || whole.is_zero());
+    for (std::size_t i = 0; i < count; ++i) all.push_back(whole.component(i));
+    return all;
+  }
 
   /// Notes the arguments of tables that do not extend beyond their rows.
   void see_tables(const Formula& of) {
@@ -152,33 +167,38 @@ class Model::Making {
       return false;
     });
   }
-  Expression value(const Formula& of) {
+  Expression value(const Formula& of) { return of.number(values(of)); }
+  Values values(const Formula& of) {
     if (!file_.tables.empty()) see_tables(of);
-    return of.value([&](const Letter& letter) { return value(letter, of); });
+    return of.values([&](const Letter& letter) { return values(letter, of); });
   }
-  Expression value(const Letter& letter, const Formula& of) {
+  Values values(const Letter& letter, const Formula& of) {
     switch (letter.is) {
       case Letter::Is::quantity:
-        return letter.value;
+        return {{letter.value}};
       case Letter::Is::parameter:
-        return input(graph(), of_parameters + static_cast<int>(letter.index)) *
-               Expression(file_.parameters[letter.index].size);
+        return {{input(graph(), of_parameters + static_cast<int>(letter.index)) *
+                 Expression(file_.parameters[letter.index].size)}};
       case Letter::Is::time:
-        return input(graph(), of_time);
+        return {{input(graph(), of_time)}};
       case Letter::Is::unknown:
         if (letter.order > orders_[letter.index])
           of.fail(letter.span,
                   primed(letters_.unknowns[letter.index], letter.order) + " is beyond the equations' order");
-        return input(graph(), key_of(letter.index, letter.order));
+        return {{input(graph(), key_of(letter.index, letter.order))}};
       case Letter::Is::given: {
         auto& known = values_of_given_[letter.index];
         if (known.empty()) {
-          const Formula& abbreviation = given(letter.index);
-          const Inside inside(*this, abbreviation);
-          const Expression x = value(abbreviation);
+          const Formula& abbreviation = abbreviations_[letter.index];
+          const Abbreviations::Inside inside(abbreviations_, abbreviation);
+          const Values x = values(abbreviation);
           known.push_back(x);
         }
-        while (known.size() <= letter.order) known.push_back(rate(known.back()));
+        while (known.size() <= letter.order) {
+          Values rates = known.back();
+          for (Expression& one : rates.entries) one = rate(one);
+          known.push_back(rates);
+        }
         return known[letter.order];
       }
       case Letter::Is::call:
@@ -188,31 +208,36 @@ class Model::Making {
   }
   Measure measure(const Formula& of) {
     if (file_.is_plain) return 0;  // fits any unit
-    return of.measure([&](const Letter& letter) -> Measure {
+    return of.number(measures(of));
+  }
+  Measures measures(const Formula& of) {
+    return of.measures([&](const Letter& letter) -> Measures {
       switch (letter.is) {
         case Letter::Is::quantity:
-          return letter.measure;
+          return {{letter.measure}};
         case Letter::Is::parameter:
-          return file_.parameters[letter.index].measure;
+          return {{file_.parameters[letter.index].measure}};
         case Letter::Is::time: {
           Measure second;
           second.powers[1] = 1;
-          return second;
+          return {{second}};
         }
         case Letter::Is::unknown:
           if (!units_[letter.index])
             source_.fail(text_.name.place, "the unit of " + letters_.unknowns[letter.index] +
                                                " is not known: start it with one, as in 0 m");
-          return per_time(*units_[letter.index], letter.order);
+          return {{per_time(*units_[letter.index], letter.order)}};
         case Letter::Is::given: {
           auto& known = measures_of_given_[letter.index];
           if (!known) {
-            const Formula& abbreviation = given(letter.index);
-            const Inside inside(*this, abbreviation);
-            const Measure its = measure(abbreviation);
+            const Formula& abbreviation = abbreviations_[letter.index];
+            const Abbreviations::Inside inside(abbreviations_, abbreviation);
+            const Measures its = measures(abbreviation);
             known = its;
           }
-          return per_time(*known, letter.order);
+          Measures rates = *known;
+          for (Measure& one : rates.entries) one = per_time(one, letter.order);
+          return rates;
         }
         case Letter::Is::call:
           break;
@@ -244,27 +269,30 @@ class Model::Making {
   // ---- equations -----------------------------------------------------------------------------------------
 
   void read_equations() {
-    for (const Quoted& text : text_.equations) equations_.push_back(equation(source_, text, letters_));
+    for (const auto& [of, rate] : text_.turns) components("the angular velocity of " + of.text, rate, 3);
+    for (const Quoted& text : text_.equations) add_equations(text, equations_);
     if (text_.lagrangian) lagrangian_ = formula(*text_.lagrangian);
     if (text_.dissipation) dissipation_ = formula(*text_.dissipation);
-    if (text_.constraints.size() >= orders_.size() && !text_.constraints.empty())
-      source_.fail(text_.constraints.back().place,
-                   std::to_string(text_.constraints.size()) + " constraints leave " +
-                       std::to_string(orders_.size()) + " unknowns no motion");
-    for (const Quoted& text : text_.constraints) constraints_.push_back(equation(source_, text, letters_));
+    for (const Quoted& text : text_.constraints) add_equations(text, constraints_);
+    if (constraints_.size() >= moving_ && !constraints_.empty())
+      source_.fail(text_.constraints.back().place, std::to_string(constraints_.size()) +
+                                                       " constraints leave " + std::to_string(moving_) +
+                                                       " unknowns no motion");
     for (const Quoted& text : text_.conditions) conditions_.push_back(formula(text));
     if (lagrangian_) std::ranges::fill(orders_, 2);
     if (text_.hamiltonian) read_hamiltonian();
     forces_.resize(orders_.size());
     for (const auto& [name, text] : text_.forces) {
-      const std::size_t i = unknown(name);
-      forces_[i] = formula(text);
-      if (hamiltonian_ && !is_place(i))
+      const std::vector<std::size_t> on = unknowns(name);
+      const std::vector<Formula> all = components("the force on " + name.text, text, on.size());
+      for (std::size_t k = 0; k < on.size(); ++k) forces_[on[k]] = all[k];
+      if (hamiltonian_ && !is_place(on[0]))
         source_.fail(name.place, "a force is on a place, and " + name.text + " is a momentum");
     }
     for (const Equation& one : equations_)
       for (const Formula* side : {&one.left, &one.right}) see_orders(*side, 0);
     for (const Formula& one : conditions_) see_orders(one, 1);
+    order_counts();
     for (std::size_t i = 0; i < orders_.size(); ++i) {
       require_order(i, orders_[i]);
       if (orders_[i] == 0) {
@@ -273,10 +301,26 @@ class Model::Making {
                      (is_found ? "no condition has " : "no equation has a rate of ") + letters_.unknowns[i]);
       }
     }
-    if (!equations_.empty() && equations_.size() + conditions_.size() != orders_.size())
+    if (!equations_.empty() && equations_.size() + conditions_.size() != moving_)
       source_.fail(text_.equations.back().place, std::to_string(equations_.size()) + " equations for " +
-                                                     std::to_string(orders_.size()) + " unknowns");
+                                                     std::to_string(moving_) + " unknowns");
     limit_orders();
+  }
+  /// Counts are at rest between events, with a rate if everything else has one: the accelerations of such a
+  /// motion may be functions of places alone.
+  void order_counts() {
+    const auto moving = std::span(orders_).first(moving_);
+    const std::size_t order = std::ranges::all_of(moving, [](std::size_t one) { return one == 2; }) ? 2 : 1;
+    std::ranges::fill(std::span(orders_).subspan(moving_), order);
+  }
+  /// An equation of vectors is one for each component.
+  void add_equations(const Quoted& text, std::vector<Equation>& all) {
+    const Equation whole = equation(source_, text, letters_);
+    const Shape left = abbreviations_.shape(whole.left), right = abbreviations_.shape(whole.right);
+    if (left.entries.size() != right.entries.size() && !whole.left.is_zero() && !whole.right.is_zero())
+      whole.right.fail({}, "the left side is " + name_of(left) + ", and the right side " + name_of(right));
+    for (std::size_t i = 0; i < std::max(left.entries.size(), right.entries.size()); ++i)
+      all.push_back({whole.left.component(i), whole.right.component(i)});
   }
   void limit_orders() {
     const auto up_to = [](std::size_t most) {
@@ -301,8 +345,7 @@ class Model::Making {
   void limit(const Formula& of, const char* says, const Allowed& is_allowed) {
     of.any([&](const Letter& letter) {
       if (letter.is != Letter::Is::unknown && letter.is != Letter::Is::given) return false;
-      const Expression x = value(letter, of);
-      for (const int key : keys_of(std::span(&x, 1)))
+      for (const int key : keys_of(values(letter, of).entries))
         if (key < of_time && !std::apply(is_allowed, unknown_of(key))) of.fail(letter.span, says);
       return false;
     });
@@ -310,20 +353,37 @@ class Model::Making {
   bool is_place(std::size_t i) const {
     return std::ranges::any_of(pairs_, [i](const auto& pair) { return pair.first == i; });
   }
+  /// An unknown, or the components of one that is a vector.
+  std::vector<std::size_t> unknowns(const Quoted& name) const {
+    std::vector<std::size_t> all;
+    for (const auto& [vector, list] : text_.vectors)
+      for (std::size_t i = 0; vector.text == name.text && i < list.parts.size(); ++i)
+        all.push_back(unknown(list.parts[i]));
+    if (all.empty()) all.push_back(unknown(name));
+    return all;
+  }
   std::size_t unknown(const Quoted& name) const {
     const auto found = std::ranges::find(letters_.unknowns, name.text);
     if (found == letters_.unknowns.end())
       source_.fail(name.place, "no unknown " + name.text + did_you_mean(name.text, letters_.unknowns));
-    return static_cast<std::size_t>(found - letters_.unknowns.begin());
+    const auto i = static_cast<std::size_t>(found - letters_.unknowns.begin());
+    if (counts_events(i)) source_.fail(name.place, name.text + " counts events, and nothing else changes it");
+    return i;
   }
   void read_hamiltonian() {
     hamiltonian_ = formula(*text_.hamiltonian);
     std::ranges::fill(orders_, 1);
-    std::vector<char> known(orders_.size(), 0);
+    std::vector<char> known(moving_, 0);
     for (const auto& [place, momentum] : text_.momenta) {
-      pairs_.emplace_back(unknown(place), unknown(momentum));
-      for (const std::size_t i : {pairs_.back().first, pairs_.back().second})
-        if (known[i]++ != 0) source_.fail(place.place, letters_.unknowns[i] + " is in two pairs");
+      const std::vector<std::size_t> places = unknowns(place), momenta = unknowns(momentum);
+      if (places.size() != momenta.size())
+        source_.fail(momentum.place, place.text + " is " + name_of(places.size(), 1) + ", and " +
+                                         momentum.text + " is " + name_of(momenta.size(), 1));
+      for (std::size_t k = 0; k < places.size(); ++k) {
+        pairs_.emplace_back(places[k], momenta[k]);
+        for (const std::size_t i : {places[k], momenta[k]})
+          if (known[i]++ != 0) source_.fail(place.place, letters_.unknowns[i] + " is in two pairs");
+      }
     }
     for (std::size_t i = 0; i < known.size(); ++i)
       if (known[i] == 0)
@@ -337,8 +397,9 @@ class Model::Making {
       if (letter.is == Letter::Is::unknown)
         orders_[letter.index] = std::max(orders_[letter.index], letter.order + more);
       if (letter.is == Letter::Is::given && seen_.emplace(letter.index, more + letter.order).second) {
-        const Inside inside(*this, given(letter.index));
-        see_orders(given(letter.index), more + letter.order);
+        const Formula& abbreviation = abbreviations_[letter.index];
+        const Abbreviations::Inside inside(abbreviations_, abbreviation);
+        see_orders(abbreviation, more + letter.order);
       }
       return false;
     });
@@ -349,7 +410,7 @@ class Model::Making {
     units_.resize(orders_.size());
     for (std::size_t i = 0; i < units_.size(); ++i)
       for (const ObservableText& o : file_.observables)
-        if (o.formula.text == letters_.unknowns[i] && overrides(o) == nullptr) units_[i] = o.measure;
+        if (o.formula.text == letters_.unknowns[i] && !overrides(o)) units_[i] = o.measure;
     for (const auto& [key, text] : text_.start) {
       const std::string base = key.text.substr(0, key.text.find('\''));
       const std::size_t order = key.text.size() - base.size();
@@ -369,13 +430,39 @@ class Model::Making {
                                      ", and this is " + name_of(its));
       starts_.emplace(key_of(i, order), start);
     }
-    for (std::size_t i = 0; i < orders_.size(); ++i)
+    share_units();
+    for (std::size_t i = moving_; i < units_.size(); ++i) {
+      if (units_[i] && !fit(*units_[i], Measure()))
+        source_.fail(text_.name.place,
+                     letters_.unknowns[i] + " counts events: observe it as a pure number, \"1\"");
+      units_[i] = Measure();
+    }
+    for (std::size_t i = 0; i < moving_; ++i)
       for (std::size_t k = 0; k < orders_[i]; ++k)
         if (!starts_.contains(key_of(i, k))) {
-          const std::string name = primed(letters_.unknowns[i], k);
+          const auto vector = vector_of(letters_.unknowns[i]);
+          const std::string name = primed(vector.value_or(letters_.unknowns[i]), k);
           source_.fail(text_.name.place, "no start for " + name + ": add " +
-                                             (k > 0 ? "\"" + name + "\"" : name) + " = ... to start");
+                                             (k > 0 ? "\"" + name + "\"" : name) +
+                                             (vector ? " = [...]" : " = ...") + " to start");
         }
+  }
+
+  /// A component that starts with 0 has the unit of the others.
+  void share_units() {
+    for (const auto& [vector, list] : text_.vectors) {
+      const std::vector<std::size_t> all = unknowns(vector);
+      const auto known = std::ranges::find_if(all, [&](std::size_t i) { return units_[i].has_value(); });
+      for (const std::size_t i : all)
+        if (!units_[i] && known != all.end()) units_[i] = units_[*known];
+    }
+  }
+
+  /// The vector that an unknown is a component of.
+  std::optional<std::string> vector_of(const std::string& unknown) const {
+    for (const auto& [vector, list] : text_.vectors)
+      if (std::ranges::find(list.parts, unknown, &Quoted::text) != list.parts.end()) return vector.text;
+    return std::nullopt;
   }
 
   void check_units() {
@@ -431,7 +518,7 @@ class Model::Making {
     for (const Formula& one : conditions_) zeros.emplace_back(rate(value(one)), &one);
     for (const auto& [off, where] : zeros) {
       std::vector<Expression>& row = matrix.emplace_back();
-      for (std::size_t i = 0; i < orders_.size(); ++i) {
+      for (std::size_t i = 0; i < moving_; ++i) {
         row.push_back(slope(off, highest(i)));
         for (const int key : keys_of(std::span(&row.back(), 1)))
           if (none.contains(key))
@@ -449,10 +536,10 @@ class Model::Making {
     for (std::size_t j = 0; j < orders_.size(); ++j)
       along.emplace(key_of(j, 0), input(graph(), key_of(j, 1)));
     const std::vector<Expression> off = off_constraints();
-    for (std::size_t i = 0; i < orders_.size(); ++i) {
+    for (std::size_t i = 0; i < moving_; ++i) {
       const Expression p = slope(L, key_of(i, 1));
       std::vector<Expression>& row = matrix.emplace_back();
-      for (std::size_t j = 0; j < orders_.size(); ++j) row.push_back(slope(p, key_of(j, 1)));
+      for (std::size_t j = 0; j < moving_; ++j) row.push_back(slope(p, key_of(j, 1)));
       for (const Expression& one : off) row.push_back(-slope(one, key_of(i, 0)));
       Expression force = slope(L, key_of(i, 0)) - slopes(std::span(&p, 1), along)[0];
       if (forces_[i]) force = force + value(*forces_[i]);
@@ -461,8 +548,8 @@ class Model::Making {
     }
     for (const Expression& one : off) {
       std::vector<Expression>& row = matrix.emplace_back();
-      for (std::size_t j = 0; j < orders_.size(); ++j) row.push_back(slope(one, key_of(j, 0)));
-      row.resize(orders_.size() + off.size(), 0);
+      for (std::size_t j = 0; j < moving_; ++j) row.push_back(slope(one, key_of(j, 0)));
+      row.resize(moving_ + off.size(), 0);
       const Expression rate = slopes(std::span(&one, 1), along)[0];
       right.push_back(-slopes(std::span(&rate, 1), along)[0]);
     }
@@ -500,7 +587,7 @@ class Model::Making {
     std::vector<Expression> rates;
     for (const Expression& one : off_constraints()) {
       Expression square = 0;
-      for (std::size_t i = 0; i < orders_.size(); ++i) {
+      for (std::size_t i = 0; i < moving_; ++i) {
         const Expression along = slope(one, key_of(i, 0));
         square = square + along * along;
       }
@@ -565,11 +652,11 @@ class Model::Making {
   /// multipliers, whose block is regular if the constraints are independent.
   Pivot diagonal_pivot(const Rows& a, const std::vector<std::size_t>& rows, std::vector<long double>& sizes,
                        const std::map<int, long double>& values) const {
-    const bool masses = rows.front() < orders_.size();
+    const bool masses = rows.front() < moving_;
     Pivot best;
     int fewest = 1'000;
     for (const std::size_t r : rows) {
-      if (masses && r >= orders_.size()) continue;
+      if (masses && r >= moving_) continue;
       const long double size = std::abs(number(a[r][r], values));
       sizes[r] = std::max(sizes[r], size);
       if (const int others = entries(a[r], rows); size > 1e-12L * sizes[r] && others < fewest)
@@ -594,7 +681,7 @@ class Model::Making {
       if (!best) {
         std::string names;
         for (const std::size_t c : columns)
-          names += (names.empty() ? "" : ", ") + (c < orders_.size() ? highest_name(c) : "a multiplier");
+          names += (names.empty() ? "" : ", ") + (c < moving_ ? highest_name(c) : "a multiplier");
         source_.fail(text_.equations.empty() ? text_.lagrangian->place : text_.equations.front().place,
                      "this cannot be solved for " + names + ": the matrix is singular");
       }
@@ -627,7 +714,7 @@ class Model::Making {
     Random random(7);
     for (int k = 0; k < 20; ++k) {
       const auto values = some_state(random);
-      for (std::size_t i = 0; i < orders_.size(); ++i) {
+      for (std::size_t i = 0; i < moving_; ++i) {
         const long double one = number(by_equations[i], values), other = number(others[i], values);
         if (!(std::abs(one - other) <= 1e-9L * (1 + std::abs(one))))
           source_.fail(text.place, "the " + what + "'s " + highest_name(i) +
@@ -640,7 +727,8 @@ class Model::Making {
     for (const int key : model_.state_) {
       const auto [i, order] = unknown_of(key);
       const bool is_last = order + 1 == orders_[i];
-      model_.rates_.push_back(is_last ? highest_rates[i] : input(graph(), key + 1));
+      const Expression highest = counts_events(i) ? Expression(0) : highest_rates[i];
+      model_.rates_.push_back(is_last ? highest : input(graph(), key + 1));
     }
   }
 
@@ -653,6 +741,10 @@ class Model::Making {
 
   void set_start() {
     for (const int key : model_.state_) {
+      if (counts_events(unknown_of(key).first)) {
+        model_.start_.emplace_back(0);
+        continue;
+      }
       const Formula& start = starts_.at(key);
       const Expression x = value(start), at_zero = replaced(std::span(&x, 1), {{of_time, 0}})[0];
       for (const int other : keys_of(std::span(&at_zero, 1))) {
@@ -664,6 +756,15 @@ class Model::Making {
       model_.start_.push_back(at_zero);
     }
     if (!conditions_.empty()) find_start();
+    for (const auto& [of, rate] : text_.turns) {
+      Expression square = 0;
+      for (const std::size_t i : unknowns(of)) {
+        const auto place = std::ranges::find(model_.state_, key_of(i, 0)) - model_.state_.begin();
+        const Expression& x = model_.start_[static_cast<std::size_t>(place)];
+        square = square + x * x;
+      }
+      model_.lengths_.push_back(sqrt(square));
+    }
   }
 
   /// Newton's method from the given start. Its last change has to be zero.
@@ -695,14 +796,28 @@ class Model::Making {
 
   // ---- what is observed and conserved --------------------------------------------------------------------
 
-  const Quoted* overrides(const ObservableText& o) const {
-    for (const auto& [name, text] : text_.observe)
-      if (name.text == o.name) return &text;
-    return nullptr;
+  bool overrides(const ObservableText& o) const {
+    return std::ranges::any_of(text_.observe, [&](const auto& one) {
+      return one.first.text == o.name || one.first.text == o.vector;
+    });
+  }
+  /// The model's own formula of an observable, or of the vector that it is a component of.
+  std::optional<Formula> own(const Named& all, const ObservableText& o) {
+    for (const auto& [name, text] : all) {
+      if (name.text == o.name) return formula(text);
+      if (name.text == o.vector) return component(o, text);
+    }
+    return std::nullopt;
+  }
+  Formula component(const ObservableText& o, const Quoted& of_vector) {
+    return components(o.vector, of_vector, o.components)[o.component];
   }
   void require_observable(const Quoted& name) const {
     std::vector<std::string> names;
-    for (const ObservableText& o : file_.observables) names.push_back(o.name);
+    for (const ObservableText& o : file_.observables) {
+      names.push_back(o.name);
+      if (!o.vector.empty()) names.push_back(o.vector);
+    }
     if (std::ranges::find(names, name.text) == names.end())
       source_.fail(name.place, "no observable " + name.text + did_you_mean(name.text, names));
   }
@@ -732,19 +847,25 @@ class Model::Making {
     const Expression guard = of_state(when, "an event's guard");
     std::map<int, Expression> after;
     for (const auto& [key, formula_text] : text.then) {
-      const std::string base = key.text.substr(0, key.text.find('\''));
-      const auto found = std::ranges::find(letters_.unknowns, base);
-      if (found == letters_.unknowns.end())
-        source_.fail(key.place, "no unknown " + base + did_you_mean(base, letters_.unknowns));
-      const auto i = static_cast<std::size_t>(found - letters_.unknowns.begin());
+      const std::string base = base_of(key);
       const std::size_t order = key.text.size() - base.size();
-      if (order >= orders_[i])
-        source_.fail(key.place, key.text + " is no part of the state: the equations decide it");
-      const Formula then = formula(formula_text);
-      const Measure its = measure(then), meant = per_time(*units_[i], order);
-      if (!fit(its, meant))
-        then.fail({}, key.text + " is in " + name_of(meant) + ", and this is " + name_of(its));
-      after.emplace(key_of(i, order), of_state(then, "the state after an event"));
+      const std::vector<std::size_t> changed = unknowns({base, key.place});
+      const std::vector<Formula> all = components(key.text, formula_text, changed.size());
+      for (std::size_t k = 0; k < changed.size(); ++k) {
+        const std::size_t i = changed[k];
+        if (order >= orders_[i])
+          source_.fail(key.place, key.text + " is no part of the state: the equations decide it");
+        const Measure its = measure(all[k]), meant = per_time(*units_[i], order);
+        if (!fit(its, meant))
+          all[k].fail({}, key.text + " is in " + name_of(meant) + ", and this is " + name_of(its));
+        if (!after.emplace(key_of(i, order), of_state(all[k], "the state after an event")).second)
+          source_.fail(key.place, key.text + " is set twice");
+      }
+    }
+    if (!text.counts.text.empty()) {
+      const auto count = std::ranges::find(letters_.unknowns, text.counts.text) - letters_.unknowns.begin();
+      const int key = key_of(static_cast<std::size_t>(count), 0);
+      after.emplace(key, input(graph(), key) + Expression(1));
     }
     if (text.direction != Direction::rising) add_event(guard, after, text.ends);
     if (text.direction != Direction::falling) add_event(-guard, after, text.ends);
@@ -823,13 +944,14 @@ class Model::Making {
   const File& file_;
   const ModelText& text_;
   const Source& source_;
-  Letters letters_;
-  int depth_ = 0;
-  std::vector<std::optional<Formula>> given_, forces_;
+  Abbreviations abbreviations_;
+  const Letters& letters_;
+  std::vector<std::optional<Formula>> forces_;
   // Abbreviations, each computed once: values with their rates, and units.
-  std::map<std::size_t, std::vector<Expression>> values_of_given_;
-  std::map<std::size_t, std::optional<Measure>> measures_of_given_;
+  std::map<std::size_t, std::vector<Values>> values_of_given_;
+  std::map<std::size_t, std::optional<Measures>> measures_of_given_;
   std::set<std::pair<std::size_t, std::size_t>> seen_;  ///< with the order of the rate
+  std::size_t moving_ = 0;                              ///< unknowns in front of those that count events
   std::vector<std::size_t> orders_;
   std::vector<std::optional<Measure>> units_;
   std::vector<Equation> equations_, constraints_;
@@ -872,6 +994,13 @@ void require_conditions(const Numbers& numbers, const std::vector<Expression>& c
   for (const Expression& one : changes)
     if (!(std::abs(one.number()) <= 1e-12L * size))
       throw BadInput("at the start the conditions are not met near the given values of their unknowns");
+}
+
+void require_unit_quaternions(const std::vector<Expression>& lengths) {
+  for (const Expression& one : lengths)
+    if (!(std::abs(one.number() - 1) <= 1e-9L))
+      throw BadInput("at the start a quaternion that turns has the length 1, and this one " +
+                     format_significant(static_cast<double>(one.number()), 6));
 }
 
 /// Unknowns at rest that fill a state up to the next size that the algorithms are compiled for.
@@ -964,6 +1093,7 @@ Numbers Model::with(const std::vector<double>& parameters) const {
   numbers.off = Program(made(off_), of_state);
   require_on_constraints(numbers);
   require_conditions(numbers, made(still_changing_));
+  require_unit_quaternions(made(lengths_));
   std::vector<Expression> both = rates;
   both.insert(both.end(), guards.begin(), guards.end());
   numbers.rates_and_guards = Program(both, of_state);
@@ -1099,14 +1229,16 @@ Model::Code Model::code(const File& file, bool partitioned) const {
 }
 
 void require_start(const File& file, const ModelText& text, const Model& model) {
-  if (text.constraints.empty() && text.conditions.empty()) return;
+  if (text.constraints.empty() && text.conditions.empty() && text.turns.empty()) return;
   std::vector<double> values;
   for (const ParameterText& p : file.parameters) values.push_back(p.value);
   try {
     model.with(values);
   } catch (const BadInput& error) {
-    file.source.fail((text.constraints.empty() ? text.conditions : text.constraints).front().place,
-                     error.what());
+    const Place place = !text.turns.empty()         ? text.turns.front().of.place
+                        : !text.constraints.empty() ? text.constraints.front().place
+                                                    : text.conditions.front().place;
+    file.source.fail(place, error.what());
   }
 }
 

@@ -78,6 +78,7 @@ class Model {
   std::shared_ptr<Graph> graph_ = std::make_shared<Graph>();
   std::vector<int> state_, rate_of_;        ///< keys of the unknowns, in the state's order
   std::vector<Expression> still_changing_;  ///< last changes of the starts that conditions determine
+  std::vector<Expression> lengths_;         ///< lengths of the quaternions at the start
   std::vector<Expression> start_, rates_, observed_, conserved_, guards_, afterwards_, off_, looked_up_;
   std::vector<std::shared_ptr<const Table>> tables_;
   std::vector<Follows> events_;

@@ -290,6 +290,12 @@ Reference Reference::repeated() const {
   return copy;
 }
 
+Reference Reference::without_new_motions() const {
+  Reference copy = *this;
+  copy.makes_motions_ = false;
+  return copy;
+}
+
 Reference Reference::enclosed_by(Enclosing enclosing) const {
   Reference copy = *this;
   copy.enclosing_ = std::move(enclosing);
@@ -341,15 +347,17 @@ Known Reference::operator()(std::string_view name, const std::vector<double>& in
 Known Reference::motion(std::string_view name, const std::vector<double>& inputs,
                         std::span<const double> times) const {
   const truth::Entry* maker = maker_of(name);
-  if (maker && tables_->empty()) {
+  const auto no_motion = [&] {
     const Known one = unknown(maker->make());
-    return {std::vector<double>(times.size() * one.value.size(), one.error), one.error, one.source};
-  }
+    return Known{std::vector<double>(times.size() * one.value.size(), one.error), one.error, one.source};
+  };
+  if (maker && tables_->empty()) return no_motion();
   const Table* rows = table(name);
   if (!rows) return without_table(name);
   require_finite(name, inputs);
   require_finite(name, times);
   if (auto known = tabulated(*rows, inputs, times)) return *known;
+  if (!makes_motions_) return no_motion();
   require_count(name, maker->make(), inputs.size() + 1);
   const Known known = made_motion(name, inputs, times);
   return proved(known, {name, inputs, times, known.value, digits_});

@@ -67,6 +67,8 @@ class Reference {
   /// A copy that computes in long double, with the error of motions bounded by repeats
   /// (reference/in_long_double.hpp).
   Reference repeated() const;
+  /// A copy that computes no motions on demand: those without rows in their table are NaN.
+  Reference without_new_motions() const;
 
   /// A copy in which the error of values computed on demand is their proved distance from the exact values,
   /// if there is an enclosure; each source names it.
@@ -98,7 +100,7 @@ class Reference {
   std::function<void(double)> tick_;
   Enclosing enclosing_;
   int digits_;
-  bool repeats_ = false;
+  bool repeats_ = false, makes_motions_ = true;
 };
 
 }  // namespace oddity

@@ -126,6 +126,11 @@ job_ode-files() {  # xppaut: its package's examples are answered or refused, and
   tests/ode_files.sh build/release/oddity
 }
 
+job_thorough() {  # limits of stability by scans of all steps are the approved ones, as verify finds them by a few
+  build release oddity
+  build/release/oddity verify --thorough '[scene]'
+}
+
 job_prove() {  # Coq: every recorded proof, checked again
   tools coq libcoq-interval libcoq-coquelicot
   ./oddity prove

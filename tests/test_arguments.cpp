@@ -214,6 +214,20 @@ TEST_CASE("a part of a test specification that selects nothing is refused", "[ar
   CHECK(program::run("verify '9.1*'").status == 0);
 }
 
+TEST_CASE("a tag with a changed meaning has a hint at the tags that select the rest", "[arguments]") {
+  const auto selected = [](const std::string& specification) {
+    return program::run("verify --list-tests '" + specification + "'");
+  };
+  const std::string lost = "[lost] selects losses in our copy";
+  for (const char* specification : {"[misprint]", "[Misprint]", "[3.5][misprint]", "[3.5],[misprint]"}) {
+    INFO(specification);
+    CHECK(says(selected(specification), lost));
+  }
+  CHECK(says(selected("[erratum]"), "[erratum] selects both [wrong] and [incomplete]"));
+  CHECK_FALSE(says(selected("[lost]"), lost));
+  CHECK_FALSE(says(selected("[erratum]"), lost));
+}
+
 TEST_CASE("a user's method is judged at its step", "[arguments][is_enough]") {
   const std::string ask = "choose 3.5 --error 1deg --horizon 4 ";
   const program::Ran good = program::printed(ask + "--method RK4@60Hz --model 'one angle'");

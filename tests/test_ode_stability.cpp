@@ -9,6 +9,7 @@
 
 #include "report/verify/catch.hpp"
 #include "solvers/ode/disturbed.hpp"
+#include "solvers/ode/known_tongues.hpp"
 #include "tests/near.hpp"
 #include "tests/ode_algorithms.hpp"
 
@@ -97,6 +98,22 @@ std::vector<Tongue> tongues(std::string_view algorithm, std::complex<double> lam
 const std::complex<double> turning(0, 1), parting(1, 0), fading(-1, 0), ringing(-0.1, 1);
 
 }  // namespace
+
+TEST_CASE("known tongues are taken where a few steps confirm them", "[solvers][stability]") {
+  const Spectrum spectrum{10, {{turning, std::conj(turning)}, {2.0 * turning, -2.0 * turning}}};
+  const auto found = unstable_steps("Runge-Kutta 4", spectrum);
+  REQUIRE(found.size() == 1);
+  const auto with = [&](std::vector<Tongue> known) {
+    const KnownTongues here(known);
+    return unstable_steps("Runge-Kutta 4", spectrum);
+  };
+  const double rounded = std::round(found[0].from * 1000) / 1000;
+  CHECK(with({{rounded, found[0].to}})[0].from == rounded);
+  for (const double wrong : {0.97, 1.03})
+    CHECK(with({{wrong * rounded, found[0].to}})[0].from == found[0].from);
+  CHECK(with({})[0].from == found[0].from);
+  CHECK(with({{rounded, 3}, {4, found[0].to}}).size() == 1);
+}
 
 TEST_CASE("linear theory's first loss of stability, and every tongue beyond", "[solvers]") {
   const auto first = [](std::string_view algorithm, std::complex<double> lambda) {

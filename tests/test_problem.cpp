@@ -421,6 +421,103 @@ TEST_CASE("An event that does not change its guard happens once for each fall of
 
 namespace {
 
+/// The ball above, with a count of its landings, as another kind of model.
+std::string counted_ball(const std::string& model, const std::string& more = "") {
+  return "title = \"ball\"\n[parameters]\nh = \"0.5 m\"\ne = \"0.5\"\n[model.one]\n" + model +
+         "\n[observe]\ny = \"m\"\nlandings = \"1\"\n[need]\nerror = [\"1 mm\", \"0.5\"]\nhorizon = \"2.6 s\"\n" +
+         more;
+}
+const std::string falls = "equations = [\"y'' = -1 m/s^2\"]\nstart = { y = \"h\", \"y'\" = 0 }\n";
+const std::string lands =
+    R"(events = [{ when = "y", then = { y = "0 m", "y'" = "-e y'" }, counts = "landings" }])";
+
+}  // namespace
+
+TEST_CASE("A letter counts an event in every kind of model", "[problem]") {
+  const std::string by_lagrangian =
+      "lagrangian = \"1 kg/2 y'^2 - 1 N y\"\nstart = { y = \"h\", \"y'\" = 0 }\n" + lands;
+  const std::string by_hamiltonian =
+      "hamiltonian = \"p^2/(2*1 kg) + 1 N y\"\nmomenta = { y = \"p\" }\nstart = { y = \"h\", p = \"0 kg m/s\" }\n"
+      R"(events = [{ when = "y", then = { y = "0 m", p = "-e p" }, counts = "landings" }])";
+  const std::vector<double> times{0, 0.9, 1.1, 1.9, 2.1, 2.4, 2.6};  // it lands at 1, 2, 2.5, 2.75
+  const std::vector<long double> landings{0, 0, 1, 1, 2, 2, 3};
+  for (const std::string& model : {falls + lands, by_lagrangian, by_hamiltonian})
+    for (const auto route : {by_series, by_extrapolation}) {
+      INFO(model);
+      const auto file = read("test.toml", counted_ball(model));
+      const Numbers numbers = Model(*file, file->models[0]).with({0.5, 0.5});
+      CHECK(numbers.partitioned == (model != by_hamiltonian));
+      const TrueMotion motion = route(numbers, times);
+      REQUIRE(motion.states.size() == times.size());
+      for (std::size_t i = 0; i < times.size(); ++i) {
+        std::array<long double, 2> seen{};
+        numbers.observed.run(motion.states[i].data(), static_cast<long double>(times[i]), seen.data());
+        CHECK(seen[1] == landings[i]);
+      }
+    }
+}
+
+TEST_CASE("A method counts an event, which need have no other consequence", "[problem]") {
+  // Downwards through h/2 on each flight but those that are too low; a count drives nothing.
+  const std::string half = R"({ when = "y - h/2", counts = "landings" })";
+  const auto counted = [](const std::string& text, const std::string& algorithm) {
+    const Entry& entry = entry_of_text("test.toml", text);
+    const Quantity seen = motion(*entry.exercise.scene, Parameters(entry.exercise.parameters), {2.4, 1, 10},
+                                 Reference::nothing());
+    const Value value = run(seen, *method_of(seen, "one", algorithm), 1.0 / 64).answer.value;
+    std::vector<double> counts;
+    for (std::size_t i = 1; i < value.size(); i += 2) counts.push_back(value[i]);
+    return counts;
+  };
+  for (const std::string algorithm : {"Runge-Kutta 4", "velocity Verlet"}) {
+    const auto landings = counted(counted_ball(falls + lands), algorithm);
+    REQUIRE(landings.size() == 24);
+    CHECK(landings[8] == 0);   // at 0.9 s
+    CHECK(landings[10] == 1);  // at 1.1 s
+    CHECK(landings.back() == 2);
+    const auto passages = counted(counted_ball(falls + "events = [" + half + "]\n"), algorithm);
+    CHECK(passages[6] == 0);  // at 0.7 s; it is at h/2 after 0.707 s
+    CHECK(passages[7] == 1);
+    CHECK(passages.back() == 1);
+  }
+  // both events, in one count; and a count that an event's formula uses
+  const auto both =
+      counted(counted_ball(falls + lands.substr(0, lands.size() - 1) + ", " + half + "]\n"), "Runge-Kutta 4");
+  CHECK(both.back() == 3);
+  const std::string twice =
+      R"toml(events = [{ when = "y", then = { "y'" = "if(landings < 1, -y', 0)" }, counts = "landings" }])toml";
+  CHECK(counted(counted_ball(falls + twice), "Runge-Kutta 4")[20] == 1);
+}
+
+TEST_CASE("An error without a unit is that of pure numbers, where others have one", "[problem][commands]") {
+  const ScratchFolder scratch;
+  const std::string file = scratch.file("counted.toml", counted_ball(falls + lands)).string();
+  // No frame is at a landing, where a count is not known.
+  CHECK(program::printed("choose " + file + " h=0.47m").status == 0);
+  CHECK(program::printed("choose " + file + " h=0.47m --error 1cm,0.5").status == 0);
+  const auto refused = program::run("choose " + file + " h=0.47m --error 1cm");
+  CHECK(refused.status == 2);
+  CHECK(program::says(refused, "and none is given in 1"));
+}
+
+TEST_CASE("A count that cannot be is refused with its place", "[problem]") {
+  const auto says = [](const std::string& model) { return first_line(refusal(counted_ball(model))); };
+  CHECK(says(falls + R"(events = [{ when = "y", counts = "y" }])") ==
+        "test.toml:8:35: y has a start: a count needs another name");
+  CHECK(says(falls + R"(events = [{ when = "y", counts = "h" }])") ==
+        "test.toml:8:35: h is no unknown: it is a parameter, an abbreviation or the time");
+  CHECK(says(falls + R"(events = [{ when = "y", counts = "a b" }])") ==
+        "test.toml:8:35: a letter's name has letters, digits and _, and is 'a b'");
+  CHECK(says(falls + R"(events = [{ when = "y", then = { landings = 2 }, counts = "landings" }])") ==
+        "test.toml:8:34: landings counts events, and nothing else changes it");
+  std::string in_metres = counted_ball(falls + lands);
+  in_metres.replace(in_metres.find("landings = \"1\""), 14, "landings = \"m\"");
+  CHECK(refusal(in_metres).find("landings counts events: observe it as a pure number") != std::string::npos);
+  CHECK(refusal(counted_ball(falls)).find("no letter landings") != std::string::npos);
+}
+
+namespace {
+
 std::string on_a_rod(const std::string& old = "", const std::string& now = "") {
   std::string text = text_of(folder / "pendulum_on_a_rod.toml");
   if (const auto at = text.find(old); !old.empty()) text.replace(at, old.size(), now);

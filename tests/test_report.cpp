@@ -721,13 +721,44 @@ TEST_CASE("the errata whose motions have the largest errors come first of all", 
                                           "Beside gone", "Beside far off"});
 }
 
-TEST_CASE("a reason for failing is given only where failure is expected", "[report]") {
+TEST_CASE("a reason for failing is given only where a method is seen to fail as expected", "[report]") {
   Results results = sample();
   MethodResult& m = results.exercises[0].quantities[0].methods[0];
   m.why = "it is too coarse";
   CHECK(count(page_of(results), "it is too coarse") == 0);
   m.expected = Outcome::inaccurate;
+  CHECK(count(page_of(results), "it is too coarse") == 0);
+  CHECK(count(page_of(results), "- model, algorithm ends **ok** (expected inaccurate).") == 1);
+  m.asserted = false;
+  CHECK(count(page_of(results), "- model, algorithm ends **ok** at these parameters (usually inaccurate).") ==
+        1);
+  m.trials.back().outcome = Outcome::inaccurate;
   CHECK(count(page_of(results), "- model, algorithm: it is too coarse.") == 1);
+  CHECK(count(page_of(results), " ends **") == 0);
+}
+
+TEST_CASE("a breakdown that does not break at these parameters is shown so", "[report]") {
+  Results results = sample();
+  CHECK(count(page_of(results), "**Breaks.** it breaks") == 2);
+  results.exercises[0].quantities[0].breakdowns[0].expected = Outcome::drifted;
+  CHECK(count(page_of(results), "**Breaks.** it breaks") == 1);
+  CHECK(count(page_of(results), "**Does not break so here.** it breaks") == 1);
+}
+
+TEST_CASE("outcomes of motions are asserted at an exercise's own parameters, others in the whole ranges",
+          "[report]") {
+  const Reference truth(std::filesystem::path(ODDITY_SOURCE) / "reference");
+  const auto asserted = [&](Number number, const char* parameter, double value, const char* quantity) {
+    Task task(*std::ranges::find(registry(), number, &Entry::number));
+    task.parameters.set(parameter, value);
+    const Results results = run(std::span(&task, 1), truth, false);
+    const auto& all = results.exercises[0].quantities;
+    return std::ranges::all_of(std::ranges::find(all, quantity, &QuantityResult::name)->methods,
+                               &MethodResult::asserted);
+  };
+  CHECK(asserted({3, 5}, "L", 1, "swing"));
+  CHECK_FALSE(asserted({3, 5}, "L", 2, "swing"));
+  CHECK(asserted({8, 1}, "a1", 3, "coordinates"));
 }
 
 TEST_CASE("a scene's method of low order has a reason only where it is expected to fail", "[report]") {

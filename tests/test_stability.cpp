@@ -11,6 +11,7 @@
 #include "report/charts/chart.hpp"
 #include "report/charts/stability_map.hpp"
 #include "report/pages/stability_view.hpp"
+#include "report/study/approve.hpp"
 #include "report/study/limit_records.hpp"
 #include "report/verify/catch.hpp"
 #include "tests/complaint.hpp"
@@ -444,4 +445,39 @@ TEST_CASE("roundings decide at most one in a hundred recorded letters", "[stabil
   }
   CHECK(letters > 10'000);
   CHECK(100 * marked <= letters);
+}
+
+TEST_CASE("tongues are read as they are shown", "[stability]") {
+  for (const char* text : {"no step", "every step", "from 0.02", "to 0.219, 0.22 to 0.223, from 1e-05",
+                           "0.453 to 0.572", "0.464 to 0.555, from 0.882"}) {
+    INFO(text);
+    const auto tongues = tongues_shown_as(text);
+    REQUIRE(tongues);
+    Limit limit;
+    limit.tongues = *tongues;
+    CHECK(shown_tongues(limit) == text);
+  }
+  for (const char* text : {"", "none", "from", "0.4 to 0.5 and more"})
+    CHECK_FALSE((tongues_shown_as(text) && !tongues_shown_as(text)->empty()));
+}
+
+TEST_CASE("limits looked for where they are approved are those of a scan", "[stability]") {
+  const Reference truth(reference_folder);
+  const Task task(*std::ranges::find(registry(), Number{3, 5}, &Entry::number));
+  Results blank;
+  blank.exercises.emplace_back().number = {3, 5};
+  const Limits approved = read_limits(reference_folder / "approved");
+  const auto limits_with = [&](const Limits& records) {
+    return with_stability(blank, std::span(&task, 1), truth, {}, {}, &records).exercises[0].stability->limits;
+  };
+  Limits wrong = approved;
+  for (ApprovedLimit& row : wrong) row.step *= 1.2, row.theory *= 0.8, row.why = "no reason";
+  for (const Limit& limit : limits_with(wrong)) {
+    const auto row = std::ranges::find_if(approved, [&](const ApprovedLimit& one) {
+      return one.exercise == "3.5" && one.model == limit.model && one.algorithm == limit.algorithm;
+    });
+    INFO(limit.model << ", " << limit.algorithm);
+    REQUIRE(row != approved.end());
+    CHECK(difference(limit, *row) == "");
+  }
 }

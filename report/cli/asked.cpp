@@ -241,7 +241,8 @@ double positive(const std::string& what, const std::string& text, std::string_vi
   return between(what, text, unit, 1e-24, 1e12);
 }
 
-/// "0.01" for every unit of the observables, or "1cm", "1cm,1deg", with one for each.
+/// "0.01" for every unit of the observables, or "1cm", "1cm,1deg", with one for each; without a unit for pure
+/// numbers.
 void set_errors(Need& need, const Entry& entry, const std::string& text) {
   const Quantity seen = motion_of(entry);
   const auto units = seen.units();
@@ -251,20 +252,21 @@ void set_errors(Need& need, const Entry& entry, const std::string& text) {
     need.error = positive("--error", text, "");
     return;
   }
+  const auto is_pure = [](std::string_view unit) { return unit.empty() || unit == "1"; };
   for (const std::string& one : parts) {
-    if (!has_unit(one))
+    if (!has_unit(one) && std::ranges::none_of(units, is_pure))
       throw BadInput("--error: '" + one + "' in '" + text +
                      "' has no unit: give one number for all, or one with its unit for each of " + all_units +
                      decimal_point_meant(parts));
-    const auto fits =
-        std::ranges::find_if(units, [&](std::string_view unit) { return is_in_unit(one, unit); });
+    const auto fits = std::ranges::find_if(
+        units, [&](std::string_view unit) { return has_unit(one) ? is_in_unit(one, unit) : is_pure(unit); });
     if (fits == units.end() && units.size() == 1) positive("--error", one, units.front());
     if (fits == units.end())
       throw BadInput("--error: '" + one + "' is no error of " + seen.name + ", whose observables are in " +
                      all_units);
     if (!need.errors.emplace(*fits, positive("--error", one, *fits)).second)
       throw BadInput("--error: '" + text + "' has two errors in " + std::string(*fits));
-    need.shown[std::string(*fits)] = shown_unit(one, *fits);
+    if (has_unit(one)) need.shown[std::string(*fits)] = shown_unit(one, *fits);
   }
   for (std::string_view unit : units)
     if (!need.errors.contains(unit))

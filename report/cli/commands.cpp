@@ -46,7 +46,7 @@ struct Session : Formats {
   std::string report_out = report_folder().string(), chart_out = chart_folder().string(),
               maps_out = report_folder().string(), site_out = site_folder().string(),
               proofs_out = proofs_folder().string();
-  bool rows = false, all_rows = false, approve = false, book = false, overwrite = false;
+  bool rows = false, all_rows = false, approve = false, thorough = false, book = false, overwrite = false;
   std::string engine = {}, language = "C++", horizon = {};
   AskedNeed need = {};
   NewExercise begun = {};
@@ -159,7 +159,8 @@ void add_verify(CLI::App& app, Session& s) {
           require_all_exercises(words);
           words.push_back(tags_of_shard(s.shard));
         }
-        s.status = s.suite({words, s.folder, s.results, {s.from.begin(), s.from.end()}, s.approve});
+        s.status =
+            s.suite({words, s.folder, s.results, {s.from.begin(), s.from.end()}, s.approve, s.thorough});
       });
   add_path(*verify, "--results", s.results, "also write all results to this file, as JSON");
   add_value(*verify, "--shard", s.shard, "I/N", "run only this share of all exercises, such as 2/7");
@@ -168,6 +169,9 @@ void add_verify(CLI::App& app, Session& s) {
       ->allow_extra_args(false);
   verify->add_flag("--approve", s.approve,
                    "approve the results of the selected exercises: verdicts, limits, maps and errors");
+  verify->add_flag("--thorough", s.thorough,
+                   "look for limits of stability by scans of all steps; otherwise those on both sides of the "
+                   "approved limits are tried first");
   add_formats(*verify, s, "print the claims and their verdicts");
   verify->allow_extras();
 }

@@ -17,7 +17,8 @@ struct SuiteRequest {
   std::filesystem::path reference_folder;
   std::filesystem::path results_file;
   std::vector<std::filesystem::path> from = {};  ///< results to judge instead of a new run's; empty: run
-  bool approve = false;  ///< update the records of the selected exercises to match the run
+  bool approve = false;   ///< update the records of the selected exercises to match the run
+  bool thorough = false;  ///< look for limits of stability without the records
 };
 
 /// Runs the verification suite. Returns 0 if it passes, otherwise 1. Throws BadInput.

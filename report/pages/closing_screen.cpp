@@ -167,7 +167,7 @@ std::string closing_screen(const Results& results, const Closing& closing, const
          wrapped("  " + by_verdict(found, screen) + "\n", screen, 2) + bar(found, screen) +
          failures(results, screen) + what_is_wrong(results, screen) +
          what_a_game_may_use(results, closing.program, screen) + what_to_open(closing, screen) + "\n" +
-         verdict + ", after " + duration(closing.seconds) + ".\n";
+         wrapped(verdict + ", after " + duration(closing.seconds) + ".\n", screen, 2);
 }
 
 }  // namespace oddity

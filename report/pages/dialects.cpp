@@ -36,7 +36,8 @@ std::string lower(std::string name) {
   return name;
 }
 
-const std::regex calls(R"(\b(Start|Rates|Acceleration|Observe|At|Moved|RungeKutta|Step)\()");
+const std::regex calls(
+    R"(\b(Start|Rates|Acceleration|Observe|At|Moved|RungeKutta|Step|Speed|Braking|Coasted)\()");
 const std::regex functions(R"(\b(Math\.|)(Hypot|Expm1|Asinh|Copysign)\()");
 
 std::string in_lower_case(const std::string& code) {
@@ -58,7 +59,7 @@ std::string javascript(const std::string& code) {
       math(R"(Math\.([A-Z]\w*)\()");
   static const Changes changes{{std::regex(R"(\bcopy\((\w+)\))"), "$1.slice()"},
                                {std::regex(R"(\bsize\((\w+)\))"), "$1.length"},
-                               {std::regex(R"(new Table\d+ \{((\n *new Row \{[^}]*\},?)*)\})"), "[$1]"},
+                               {std::regex(R"(new Table\d+ \{((\s*new Row \{[^}]*\},?)*)\})"), "[$1]"},
                                {std::regex(R"(new \w+ \{([^}]*)\})"), "[$1]"},
                                {std::regex(R"(\bTotal )"), "let "},
                                {std::regex(R"(foreach \(Row (\w+) in )"), "for (const $1 of "},

@@ -115,8 +115,10 @@ std::string comment_in(const EmbeddedFile& header, const std::string& type) {
 /// The comment on a model's type in the listing's headers, or in those that they include.
 std::string comment_of(const Listing& listing, std::string_view model) {
   static const std::regex type(R"(::(\w+)[<(])");
-  const auto named = std::ranges::find(listing.models, model, [](const auto& one) { return one.first; });
-  const std::string expression(named->second);
+  std::string expression;
+  for (const auto& models : {listing.models, listing.with_own_steps})
+    for (const auto& [name, made] : models)
+      if (name == model) expression = made;
   std::smatch found;
   if (!std::regex_search(expression, found, type)) return "";
   std::string comment, of_included;
@@ -165,8 +167,17 @@ constexpr std::string_view about_orientation = R"(
 std::string function_text(const std::string& head, const std::string& type, const formula::Statements& made) {
   std::string text = "\nstatic " + type + " " + head + " {\n";
   for (const std::string& line : made.lines) text += "  " + line + "\n";
+  if (type == "double") return text + "  return " + made.terms.front() + ";\n}\n";
   const std::string returned = "  return new " + type + " {";
   return text + returned + terms_text(made.terms, returned.size()) + "};\n}\n";
+}
+
+/// The functions of a model whose steps test whether it comes to rest.
+std::string stick_test_text(formula::Program& program, const RecordedModel& model) {
+  if (model.coasted.empty()) return "";
+  return function_text("Speed(State x)", "double", program.function(model.speed)) +
+         function_text("Braking(State x, State r)", "double", program.function(model.braking)) +
+         function_text("Coasted(State x, State r)", "State", program.function(model.coasted));
 }
 
 /// Declares the parameters among the letters.
@@ -185,10 +196,11 @@ std::string model_text(const Task& task, const RecordedModel& model, std::string
   for (std::size_t i = 0; i < model.start.size(); ++i) {
     moving.insert(state_letter('x', i));
     moving.insert(state_letter('q', i));
+    moving.insert(state_letter('r', i));
   }
   for (const std::string& parameter : parameter_names(task)) taken.insert(parameter);
   const auto& moves = by_forces ? model.acceleration : model.rates;
-  formula::Program program(*model.record, moving, {model.observed, moves}, taken);
+  formula::Program program(*model.record, moving, {model.observed, moves, model.speed, model.braking}, taken);
   std::string constants, bodies;
   for (const std::string& line : program.constants()) constants += line + "\n";
   if (model.start.empty()) {
@@ -197,14 +209,15 @@ std::string model_text(const Task& task, const RecordedModel& model, std::string
     bodies = function_text("Start()", "State", program.function(model.start)) +
              (by_forces ? function_text("Acceleration(State q)", "Half", program.function(moves))
                         : function_text("Rates(State x, double t)", "State", program.function(moves))) +
+             stick_test_text(program, model) +
              std::string(model.orientation.empty() ? "" : about_orientation) +
              function_text("Observe(State x, double t)", "Seen", program.function(model.observed))
                  .substr(model.orientation.empty() ? 0 : 1);
   }
   const std::string comment = comment_of(task.entry->exercise.scene->listing, name);
   if (!comment.empty()) bodies = "\n" + comment + bodies.substr(1);
-  const std::string parameters =
-      parameters_text(task, formula::letters_of(*model.record, {model.start, moves, model.observed}));
+  const std::string parameters = parameters_text(
+      task, formula::letters_of(*model.record, {model.start, moves, model.observed, model.braking}));
   const std::string text = parameters + (constants.empty() ? "" : "\n" + constants) + bodies;
   return text.substr(text.find_first_not_of('\n'));
 }

@@ -35,6 +35,25 @@ constexpr std::string_view runge_kutta = R"(  var k2 = Rates(Moved(x, h / 2, k1)
 }
 )";
 
+/// Steps of a model that tests whether it comes to rest.
+constexpr std::string_view stick_test = R"(
+// Friction may stop the motion within a step: it then comes to rest at a steady deceleration.
+static State Step(State x, double t, double h) {
+  if (Speed(x) == 0) return x;
+  var rate = Rates(x, t);
+  if (Speed(x) <= h * Braking(x, rate)) return Coasted(x, rate);
+$step}
+)";
+constexpr Algorithm stick_test_steps[] = {
+    {"explicit midpoint", "  return Moved(x, h, Rates(Moved(x, h / 2, rate), t + h / 2));\n"},
+    {"semi-implicit Euler", R"(  var y = copy(x);
+  var n = size(x) / 2;
+  for (var i = 0; i < n; ++i) y[n + i] += h * rate[n + i];
+  for (var i = 0; i < n; ++i) y[i] += h * y[n + i];
+  return y;
+)"},
+};
+
 constexpr Algorithm algorithms[] = {
     {"explicit Euler", R"(
 static State Step(State x, double t, double h) {
@@ -131,6 +150,10 @@ static State Step(State x, double t, double h) {
 
 void put(std::string& text, std::string_view placeholder, std::string_view what) {
   if (const auto at = text.find(placeholder); at != text.npos) text.replace(at, placeholder.size(), what);
+}
+
+std::string with_moved(const std::string& text) {
+  return (text.find("Moved") != text.npos ? std::string(moved) : "") + text;
 }
 
 std::string list_text(const std::string& name, const std::vector<int>& all) {
@@ -314,6 +337,12 @@ void add_words(std::string text, std::set<std::string>& names) {
 
 std::string algorithm_text(const std::string& name, const RecordedModel& model) {
   if (model.start.empty()) return "";
+  if (const auto* step = std::ranges::find(stick_test_steps, name, &Algorithm::name);
+      !model.coasted.empty() && step != std::end(stick_test_steps)) {
+    std::string text(stick_test);
+    put(text, "$step", step->text);
+    return with_moved(text);
+  }
   const auto* found = std::ranges::find(algorithms, name, &Algorithm::name);
   if (found == std::end(algorithms)) throw BadInput("there is no such code for the algorithm " + name);
   std::string text(found->text);
@@ -321,7 +350,7 @@ std::string algorithm_text(const std::string& name, const RecordedModel& model) 
   if (text.find("Acceleration") != text.npos && model.acceleration.empty())
     throw BadInput("there is no such code for " + name + " on a model without accelerations alone");
   put(text, "$runge_kutta", runge_kutta);
-  return (text.find("Moved") != text.npos ? std::string(moved) : "") + text;
+  return with_moved(text);
 }
 
 const Main& main_of(Language language) { return mains[static_cast<std::size_t>(language)]; }
@@ -338,7 +367,7 @@ const std::set<std::string>& reserved_names() {
     std::set<std::string> names;
     names.insert(std::begin(keywords), std::end(keywords));
     names.insert(std::begin(c_functions), std::end(c_functions));
-    for (const std::string_view text : {moved, runge_kutta}) add_words(std::string(text), names);
+    for (const std::string_view text : {moved, runge_kutta, stick_test}) add_words(std::string(text), names);
     for (const Algorithm& algorithm : algorithms) add_words(std::string(algorithm.text), names);
     for (const Main& main : mains)
       for (const std::string_view text : {main.text, main.start, main.stepped, main.at})

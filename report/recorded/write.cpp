@@ -5,6 +5,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "chapters/contents.hpp"
@@ -24,8 +25,16 @@ bool is_recorded(const Entry& entry) {
   return entry.exercise.scene && !entry.exercise.scene->listing.models.empty();
 }
 
+/// The models of a listing, then those that step themselves.
+std::vector<std::pair<std::string_view, std::string_view>> models_of(const Entry& entry) {
+  auto models = entry.exercise.scene->listing.models;
+  const auto& more = entry.exercise.scene->listing.with_own_steps;
+  models.insert(models.end(), more.begin(), more.end());
+  return models;
+}
+
 std::string maker_of(const Entry& entry, std::size_t model) {
-  const std::string_view expression = entry.exercise.scene->listing.models[model].second;
+  const std::string_view expression = models_of(entry)[model].second;
   std::string text =
       "RecordedModel " + name_of(entry, model) +
       "(const ToRecord& asked) {\n  return recorded([](std::span<const formula::Recorded> values) {\n";
@@ -49,7 +58,7 @@ std::string text_of(const std::vector<const Entry*>& entries, std::size_t part, 
   for (std::size_t next = part; next < entries.size(); next += parts) {
     const Listing& listing = entries[next]->exercise.scene->listing;
     headers.insert(listing.headers.begin(), listing.headers.end());
-    for (std::size_t i = 0; i < listing.models.size(); ++i) makers += maker_of(*entries[next], i);
+    for (std::size_t i = 0; i < models_of(*entries[next]).size(); ++i) makers += maker_of(*entries[next], i);
   }
   std::string text = "#include \"report/study/recorded_model.hpp\"\n";
   for (const std::string_view header : headers) text += "#include \"" + std::string(header) + "\"\n";
@@ -60,7 +69,7 @@ std::string register_text() {
   std::string declared, entries;
   for (const Entry& entry : registry()) {
     if (!is_recorded(entry)) continue;
-    const auto& models = entry.exercise.scene->listing.models;
+    const auto models = models_of(entry);
     for (std::size_t i = 0; i < models.size(); ++i) {
       declared += "RecordedModel " + name_of(entry, i) + "(const ToRecord&);\n";
       entries += "      {{" + std::to_string(entry.number.chapter) + ", " +

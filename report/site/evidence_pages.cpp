@@ -195,10 +195,8 @@ std::string engines_html(const Results& results, std::span<const EngineContest> 
                "</section>\n";
   return html::whole(
       {"Engines - oddity",
-       title(
-           "Physics engines on the book’s scenes",
-           "Engines that games use, with the scenes’ own numbers, by their own steps. An error above 1 is larger than "
-           "needed.") +
+       title("Physics engines on the book’s scenes",
+             "Game engines on these scenes, with their own steps. An error above 1 exceeds the tolerance.") +
            sections,
        {}});
 }

@@ -75,13 +75,22 @@ std::string verdict_line(const ExerciseResult& e) {
   return text.empty() ? "" : element("p", " class=\"verdict\"", text) + "\n";
 }
 
+std::string letter_of(const ParameterValue& p) {
+  return "<var>" + in_xml(p.name) + "</var> = " + format_significant(p.value, 6) +
+         (p.unit.empty() || p.unit == "1" ? "" : " " + in_xml(typeset_unit(p.unit)));
+}
+
+/// The parameters. Several in a row with the same meaning share a line.
 std::string letters_of(const ExerciseResult& e) {
   if (e.parameters.empty()) return "";
   std::string text;
-  for (const ParameterValue& p : e.parameters)
-    text += "<div><dt><var>" + in_xml(p.name) + "</var> = " + format_significant(p.value, 6) +
-            (p.unit.empty() || p.unit == "1" ? "" : " " + in_xml(typeset_unit(p.unit))) + "</dt>" +
-            element("dd", "", html::text(p.says)) + "</div>";
+  for (std::size_t i = 0, next = 0; i < e.parameters.size(); i = next) {
+    const ParameterValue& first = e.parameters[i];
+    std::string letters = letter_of(first);
+    for (next = i + 1; next < e.parameters.size() && e.parameters[next].says == first.says; ++next)
+      letters += ", " + letter_of(e.parameters[next]);
+    text += "<div>" + element("dt", "", letters) + element("dd", "", html::text(first.says)) + "</div>";
+  }
   return element("dl", " class=\"letters\"", text) + "\n";
 }
 

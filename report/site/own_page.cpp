@@ -49,7 +49,7 @@ std::string own_page(const SiteParts& parts, const OwnFile& of) {
       "<li>Letters are declared in <code>[parameters]</code> with a value, a unit and perhaps a range; abbreviations in "
       "<code>[given]</code>; rows of numbers, for a drive or a force, in <code>[tables]</code>.</li>\n"
       "<li>A model has <code>equations</code> or a <code>lagrangian</code>, and a <code>start</code>. Of several the last is "
-      "taken for true.</li>\n"
+      "taken for true. A list makes a vector, as in <code>start = { r = [\"1 m\", 0], ... }</code>.</li>\n"
       "<li><code>[observe]</code> says what is seen, <code>[need]</code> which error is allowed, and for how long.</li>\n"
       "<li>A <code>[[claim]]</code> has what is <code>printed</code>, and its <code>truth</code> by another route.</li>\n"
       "</ul>\n<p><code>" +

@@ -60,7 +60,8 @@ std::string trial_text(const std::string& what, const QuantityResult& q, const T
 }
 
 std::string breakdown_text_of(const QuantityResult& q, const BreakdownResult& b) {
-  return "<div class=\"breakdown\">" + element("p", "", html::prose(b.says)) +
+  return "<div class=\"breakdown\">" +
+         element("p", "", (b.as_expected() ? "" : "Does not break so here. ") + html::prose(b.says)) +
          element("ul", "", trial_text("breaks", q, b.broken) + trial_text("cure", q, b.cured)) + "</div>\n";
 }
 
@@ -79,7 +80,7 @@ std::string methods_text(const std::vector<const MethodResult*>& methods) {
 std::string failures_text(const QuantityResult& q) {
   std::vector<std::pair<std::string, std::vector<const MethodResult*>>> reasons;
   for (const MethodResult& m : q.methods) {
-    if (m.why.empty() || m.expected == Outcome::ok) continue;
+    if (!m.fails_as_expected()) continue;
     const std::string reason = "<em>" + std::string(name_of(m.expected)) + "</em>, " + html::text(m.why);
     const auto same =
         std::ranges::find(reasons, reason, &std::pair<std::string, std::vector<const MethodResult*>>::first);

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int format = 12;
+constexpr int format = 13;
 
 /// JSON has no infinities and no NaN: they are null, and read as NaN.
 Json from(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
@@ -391,6 +391,7 @@ Json from(const QuantityResult& q) {
     methods.push_back({{"model", m.model},
                        {"algorithm", m.algorithm},
                        {"expected", name_of(m.expected)},
+                       {"asserted", m.asserted},
                        {"why", m.why},
                        {"trials", m.trials.size()},
                        {"as_expected", m.as_expected()}});
@@ -458,6 +459,7 @@ QuantityResult quantity(const Json& json) {
     for (std::size_t i = 0; i < whole<std::size_t>(m.at("trials")); ++i)
       method.trials.push_back(trial(json.at("trials").at(next++), quantity));
     require(!method.trials.empty(), "a method has no trials");
+    method.asserted = m.at("asserted");
     require_follows(m.at("as_expected"), method.as_expected(),
                     "that " + method.model + ", " + method.algorithm + " is as expected");
     q.methods.push_back(std::move(method));

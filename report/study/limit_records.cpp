@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <regex>
 #include <string_view>
 
 #include "reference/csv.hpp"
@@ -43,6 +46,23 @@ std::string shown_tongues(const Limit& l) {
       text += t.from == 0 ? "to " + format_significant(t.to, 3) : from + " to " + format_significant(t.to, 3);
   }
   return text.empty() ? "no step" : text;
+}
+
+std::optional<std::vector<ode::Tongue>> tongues_shown_as(std::string_view text) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::vector<ode::Tongue> all;
+  if (text == "no step") return all;
+  if (text == "every step") return std::vector<ode::Tongue>{{0, infinity}};
+  static const std::regex one(R"((?:, )?(?:from (\S+)|to ([^\s,]+)|([0-9.e+-]+) to ([^\s,]+)))");
+  for (std::cmatch found; !text.empty(); text.remove_prefix(static_cast<std::size_t>(found.length()))) {
+    const auto how = std::regex_constants::match_continuous;
+    if (!std::regex_search(text.data(), text.data() + text.size(), found, one, how)) return {};
+    const auto number = [&](int part) { return std::strtod(found.str(part).c_str(), nullptr); };
+    if (found[1].matched) all.push_back({number(1), infinity});
+    if (found[2].matched) all.push_back({0, number(2)});
+    if (found[3].matched) all.push_back({number(3), number(4)});
+  }
+  return all;
 }
 
 std::string beyond(const Limit& l) { return l.broken ? std::string(name_of(l.broken->outcome)) : "stable"; }

@@ -3,6 +3,8 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "report/study/results.hpp"
 
@@ -23,6 +25,8 @@ std::string letters(const MapRow&);
 std::string fragile_cells(const MapRow&);
 /// "0.464 to 0.555, from 0.882 on".
 std::string shown_tongues(const Limit&);
+/// Tongues from their text, to three digits; nothing if the text is not one of theirs.
+std::optional<std::vector<ode::Tongue>> tongues_shown_as(std::string_view text);
 /// Range in which other observers find a limit that is not sharp: "0.4 to 0.5".
 std::string shown_soft(const Between&);
 /// How the motion ends just above the limit, or "stable" when nothing breaks the method.

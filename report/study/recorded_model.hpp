@@ -30,6 +30,8 @@ struct RecordedModel {
   /// The orientation's quaternion of a model that has the angular velocity: at the start, its rates, and as
   /// observed. It would be the state's last four unknowns.
   std::vector<formula::Recorded> orientation_at_start = {}, turning = {}, orientation = {};
+  /// Functions of the state x and its rates r, if the steps test whether the model comes to rest.
+  std::vector<formula::Recorded> speed = {}, braking = {}, coasted = {};
   std::vector<int> velocity_of = {};  ///< the unknown that is the rate of each; -1: none is
   std::vector<bool> is_velocity = {};
   bool branched_at_start = false;  ///< a branch depended on the parameters alone
@@ -81,6 +83,11 @@ void record_motion(RecordedModel& made, const Model& model, const formula::Recor
   if constexpr (requires { model.turning(x, t); })
     record_turning(made, letters<4>(*made.record, 'x', model.p.orientation(), n), model.turning(x, t),
                    model.p.orientation());
+  if constexpr (requires { model.coasted(x, rates); }) {
+    const auto r = letters<n>(*made.record, 'r', rates);
+    made.speed = {model.speed(x)}, made.braking = {model.braking(x, r)};
+    made.coasted = listed(model.coasted(x, r));
+  }
   made.start = listed(start), made.rates = listed(rates), made.observed = listed(model.observe(x, t));
   if constexpr (requires { Model::velocities.size(); })
     find_velocities(made, Model::velocities, true);

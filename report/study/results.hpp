@@ -54,14 +54,18 @@ struct TimedTrial {
   bool comes_back = false;  ///< the drift oscillates
 };
 
-/// A method's trials from coarse to fine, and the expected outcome of the finest.
+/// A method's trials from coarse to fine, and the expected outcome of the finest. If that is not `asserted`,
+/// the parameters are not those that the method was chosen for, and it may end otherwise.
 struct MethodResult {
   std::string model, algorithm;
   Outcome expected = Outcome::ok;
   std::string why;
   std::vector<TimedTrial> trials;
+  bool asserted = true;
 
   bool as_expected() const { return !trials.empty() && trials.back().outcome == expected; }
+  /// Whether it is seen to fail in the way for which `why` is the reason.
+  bool fails_as_expected() const { return !why.empty() && expected != Outcome::ok && as_expected(); }
 };
 
 /// A method in float, with trials at the settings of the same method in double.

@@ -81,8 +81,15 @@ std::size_t like_in_double(const Quantity& quantity, const Method& single) {
   return static_cast<std::size_t>(found - quantity.methods.begin());
 }
 
+/// Whether a task is the unmodified exercise, with its own parameters and times.
+bool is_own(const Task& task) {
+  return !task.frames && !task.kicks &&
+         std::ranges::all_of(task.entry->exercise.parameters,
+                             [&](const Parameter& p) { return task.parameters[p.name] == p.value; });
+}
+
 /// The result's shape; its trials are still empty but registered in `work`.
-QuantityResult shape(const Quantity& quantity, Work& work) {
+QuantityResult shape(const Quantity& quantity, bool own, Work& work) {
   QuantityResult result{quantity.name,
                         quantity.unit,
                         quantity.says,
@@ -99,7 +106,8 @@ QuantityResult shape(const Quantity& quantity, Work& work) {
   for (const Norm& norm : quantity.norms) result.norms.push_back(norm.components);
   for (const Method& method : quantity.methods)
     result.methods.push_back({method.model, method.algorithm, method.expected, method.why,
-                              std::vector<TimedTrial>(method.knob.settings.size())});
+                              std::vector<TimedTrial>(method.knob.settings.size()),
+                              own || !(quantity.for_own_parameters || method.for_own_parameters)});
   for (const Method& method : quantity.methods_in_float)
     result.in_float.push_back({method.model, method.algorithm, like_in_double(quantity, method),
                                std::vector<TimedTrial>(method.knob.settings.size())});
@@ -159,7 +167,7 @@ ExerciseResult shape(const Studied& studied, const Reference& truth, Work& work)
     result.failure = error.what();
   }
   for (const Quantity& quantity : studied.findings.quantities)
-    result.quantities.push_back(shape(quantity, work));
+    result.quantities.push_back(shape(quantity, is_own(*studied.task), work));
   return result;
 }
 

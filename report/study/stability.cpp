@@ -10,10 +10,13 @@
 #include <numeric>
 
 #include "chapters/scene.hpp"
+#include "report/study/approve.hpp"
 #include "report/study/every_step.hpp"
 #include "report/study/failure.hpp"
 #include "report/study/initial_conditions.hpp"
+#include "report/study/limit_records.hpp"
 #include "report/study/parallel.hpp"
+#include "solvers/ode/known_tongues.hpp"
 #include "solvers/ode/step_lengths.hpp"
 
 namespace oddity {
@@ -48,8 +51,15 @@ class Scan {
   Scan(const Disturbances& disturbances, double first, double finest, double longest)
       : disturbances_(disturbances), first_(first), finest_(finest), longest_(longest) {}
 
-  /// The first loss of stability from below, to a relative accuracy of `part`.
-  Edge edge(const Observer& observer, double part) {
+  /// The first loss of stability from below, to a relative accuracy of `part`; if it is where it is expected,
+  /// without a scan. Nothing is expected at zero.
+  Edge edge(const Observer& observer, double part, double expected) {
+    constexpr double beside = 1.01;
+    const double below = expected / beside, above = std::min(expected * beside, longest_);
+    if (below > finest_ && below < above && !lost(observer, below)) {
+      if (lost(observer, above)) return between(observer, below, above, part);
+      if (above == longest_) return {longest_, 0};
+    }
     double low = first_;
     while (low > finest_ && lost(observer, low)) low = std::max(low / 4, finest_);
     if (lost(observer, low)) return {0, low};
@@ -59,11 +69,7 @@ class Scan {
       high = std::min(low * next_step, longest_);
       if (!lost(observer, high)) low = high;
     }
-    while (high > (1 + part) * low) {
-      const double middle = std::midpoint(low, high);
-      (lost(observer, middle) ? high : low) = middle;
-    }
-    return {low, high};
+    return between(observer, low, high, part);
   }
   double time(const Observer& observer, double step) { return loss(step).time(observer.size); }
   /// Whether the motion outgrows the true one before neighbours separate.
@@ -72,6 +78,13 @@ class Scan {
   }
 
  private:
+  Edge between(const Observer& observer, double low, double high, double part) {
+    while (high > (1 + part) * low) {
+      const double middle = std::midpoint(low, high);
+      (lost(observer, middle) ? high : low) = middle;
+    }
+    return {low, high};
+  }
   bool lost(const Observer& observer, double step) { return time(observer, step) <= observer.time; }
   const ode::Loss& loss(double step) {
     const auto found = known_.find(step);
@@ -85,8 +98,8 @@ class Scan {
 };
 
 /// Measures the first loss of stability from below, and the range of this limit for observers who watch half
-/// or twice as long, or count another size as too large.
-void measure(Limit& limit, const Disturbances& disturbances, double interval) {
+/// or twice as long, or count another size as too large. Each is looked for at the expected step first.
+void measure(Limit& limit, const Disturbances& disturbances, double interval, double expected) {
   constexpr double fewest_steps = 16, many_steps = 20'000, most_steps = 200'000;
   limit.watched = disturbances.span;
   limit.goes_on = disturbances.goes_on;
@@ -102,7 +115,7 @@ void measure(Limit& limit, const Disturbances& disturbances, double interval) {
     return edge.unstable > 0 && edge.stable < 2 * finest ? 0 : edge.stable;
   };
   const Observer usual{disturbances.span, 1};
-  const Edge edge = scan.edge(usual, 0.002);
+  const Edge edge = scan.edge(usual, 0.002, expected);
   limit.stable = told(edge);
   limit.unstable = edge.unstable;
   if (edge.unstable > 0) {
@@ -112,7 +125,7 @@ void measure(Limit& limit, const Disturbances& disturbances, double interval) {
   Between all{limit.stable, limit.stable};
   for (const Observer& other : {Observer{usual.time / 2, 1}, Observer{disturbances.watched, 1},
                                 Observer{usual.time, 0}, Observer{usual.time, 2}}) {
-    const double step = told(scan.edge(other, 0.005));
+    const double step = told(scan.edge(other, 0.005, expected > 0 ? edge.stable : 0));
     all = {std::min(all.least, step), std::max(all.most, step)};
   }
   if (all.most > sharp * all.least) limit.soft = all;
@@ -141,14 +154,15 @@ bool agree(double a, double b) { return a == b || (a >= 0.8 * b && b >= 0.8 * a)
 bool nearer(double x, double a, double b) { return std::abs(std::log(x / a)) < std::abs(std::log(x / b)); }
 
 /// The first step, from half the shorter of the limits on, that loses a disturbance of the true motion when
-/// the method steps only the disturbance. Infinity: none up to a quarter beyond the longer limit.
-double first_lost_along_truth(const Limit& limit, const Disturbances& disturbances) {
+/// the method steps only the disturbance. Infinity: none up to a quarter beyond the longer limit. Each step
+/// tried is this much longer than the one before.
+double first_lost_along_truth(const Limit& limit, const Disturbances& disturbances, double longer) {
   constexpr double most_steps = 20'000;
   const double theory = std::min(limit.theory(), limit.longest);
   const double last = std::min(1.25 * std::max(limit.stable, theory), limit.longest);
   double step = std::max({std::min(limit.stable, theory) / 2, ode::finest / disturbances.fastest,
                           disturbances.span / most_steps});
-  for (; step <= last; step *= next_step)
+  for (; step <= last; step *= longer)
     if (disturbances.lost_along_truth(step) <= disturbances.span) return step;
   return infinity;
 }
@@ -173,8 +187,8 @@ std::optional<double> steps_of_a_turn(double turns_in_a_step) {
 }
 
 /// Computes why theory and measurement differ by more than a quarter. A third limit lies between them: along
-/// the true motion, as in theory, but not frozen, as measured.
-void explain(Limit& limit, const Disturbances& disturbances, const ode::Criteria& criteria) {
+/// the true motion, as in theory, but not frozen, as measured; it is found in steps that grow by `longer`.
+void explain(Limit& limit, const Disturbances& disturbances, const ode::Criteria& criteria, double longer) {
   const double ratio = agreement(limit), theory = limit.theory();
   if (ratio >= 0.8 && ratio <= 1.25) return;
   const auto because = [&](const char* why, const std::string& evidence) {
@@ -189,7 +203,7 @@ void explain(Limit& limit, const Disturbances& disturbances, const ode::Criteria
           format_significant(*steps, 3) + " steps a turn");
   if (limit.soft) return;  // its mark is the explanation
   limit.why = not_explained;
-  const double along = first_lost_along_truth(limit, disturbances);
+  const double along = first_lost_along_truth(limit, disturbances, longer);
   const std::string from = std::isinf(along) ? "no step tried is lost there"
                                              : "lost there from " + format_significant(along, 2) + " on";
   const bool frozen =
@@ -313,6 +327,8 @@ Stability shape(const Task& task, std::optional<double> horizon) {
 struct Piece {
   const Motion* motion;
   const Method* method;
+  bool on_record = false;  ///< a run that confirms records
+  const ApprovedLimit* expected = nullptr;
   Limit limit = {};
   MapRow row = {};
   std::string failure = {};  ///< an exception that ended it; empty: none
@@ -333,19 +349,45 @@ bool is_fragile(const Motion& motion, const Method& method, int k, const Trial& 
   return any_beside(motion, method, k, [&](Outcome beside) { return beside != trial.outcome; });
 }
 
-MapRow row_of(const Motion& motion, const Method& method) {
-  MapRow row{method.model, method.algorithm, motion.value, first_of(method.unstable_steps()), {}, {}};
+/// Its outcomes; unless they are to be compared with records, also theory's limit and the fragile outcomes.
+MapRow row_of(const Motion& motion, const Method& method, bool on_record) {
+  MapRow row{method.model, method.algorithm, motion.value, infinity, {}, {}};
+  if (!on_record) row.theory = first_of(method.unstable_steps());
   for (int k = 0; k < map_steps; ++k) {
     const Trial trial = run(motion.quantity, method, std::ldexp(motion.interval, -k));
     row.outcomes.push_back(trial.outcome);
-    row.fragile.push_back(is_fragile(motion, method, k, trial));
+    row.fragile.push_back(!on_record && is_fragile(motion, method, k, trial));
   }
   return row;
 }
 
+std::vector<ode::Tongue> unstable_steps(const Method& method, const ApprovedLimit* expected) {
+  constexpr std::size_t few = 8;  // more are scanned as fast as confirmed
+  const auto known = expected ? tongues_shown_as(expected->unstable) : std::nullopt;
+  if (!known || known->size() > few) return method.unstable_steps();
+  const ode::KnownTongues here(*known);
+  return method.unstable_steps();
+}
+
+/// The expected limit by a few steps, where they confirm it.
+Limit measured(const Method& method, double interval, const ode::Criteria& criteria,
+               const ApprovedLimit* expected) {
+  constexpr double coarse = 1.12;
+  Limit limit;
+  limit.model = method.model;
+  limit.algorithm = method.algorithm;
+  limit.tongues = unstable_steps(method, expected);
+  const Disturbances disturbances = method.disturbances(criteria);
+  measure(limit, disturbances, interval, expected ? expected->step : 0);
+  if (ode::StepLengths::here()) return limit;
+  explain(limit, disturbances, criteria, expected ? coarse : next_step);
+  return limit;
+}
+
 /// A limit with its trials.
-Limit limit_by(const EveryStep& judge, const Quantity& quantity, const Method& method, double interval) {
-  Limit limit = measured_limit(method, interval);
+Limit limit_by(const EveryStep& judge, const Quantity& quantity, const Method& method, double interval,
+               const ApprovedLimit* expected = nullptr) {
+  Limit limit = measured(method, interval, {}, expected);
   while (limit.tongues.size() > 1 && limit.tongues.back().from > interval) limit.tongues.pop_back();
   if (limit.stable > 0) limit.at = as_result(run_at(judge, method, interval, limit.stable));
   if (limit.unstable > 0) limit.broken = as_result(run_beyond(quantity, method, interval, limit.unstable));
@@ -354,13 +396,17 @@ Limit limit_by(const EveryStep& judge, const Quantity& quantity, const Method& m
 }
 
 void examine(Piece& piece) {
-  if (piece.motion->varied) {
-    piece.row = row_of(*piece.motion, *piece.method);
-  } else {
-    piece.limit =
-        limit_by(*piece.motion->judge, piece.motion->quantity, *piece.method, piece.motion->interval);
-    piece.limit.cure = cure_of(piece.motion->quantity, piece.limit);
+  const Motion& motion = *piece.motion;
+  if (motion.varied) {
+    piece.row = row_of(motion, *piece.method, piece.on_record);
+    return;
   }
+  const auto find = [&](const ApprovedLimit* expected) {
+    piece.limit = limit_by(*motion.judge, motion.quantity, *piece.method, motion.interval, expected);
+    piece.limit.cure = cure_of(motion.quantity, piece.limit);
+  };
+  find(piece.expected);
+  if (piece.expected && !difference(piece.limit, *piece.expected).empty()) find(nullptr);
 }
 
 /// The motions at the defaults and at every value of the varied parameter, for the exercises without a
@@ -402,14 +448,7 @@ double Limit::theory() const { return first_of(tongues); }
 double Limit::step() const { return unstable == 0 && tongues.empty() ? infinity : stable; }
 
 Limit measured_limit(const Method& method, double interval, const ode::Criteria& criteria) {
-  Limit limit;
-  limit.model = method.model;
-  limit.algorithm = method.algorithm;
-  limit.tongues = method.unstable_steps();
-  const Disturbances disturbances = method.disturbances(criteria);
-  measure(limit, disturbances, interval);
-  if (!ode::StepLengths::here()) explain(limit, disturbances, criteria);
-  return limit;
+  return measured(method, interval, criteria, nullptr);
 }
 
 Limit limit_of(const Quantity& quantity, const Method& method, double interval) {
@@ -424,13 +463,30 @@ bool ends_so_within_roundings(const Task& task, const MapRow& row, std::size_t k
          any_beside(motion, *method, static_cast<int>(k), [&](Outcome beside) { return beside == outcome; });
 }
 
+namespace {
+
+/// The method's approved limit at the scene's own horizon; null: none.
+const ApprovedLimit* expected_of(const Limits* records, const ExerciseResult& exercise,
+                                 const Method& method) {
+  if (!records) return nullptr;
+  const auto found = std::ranges::find_if(*records, [&](const ApprovedLimit& row) {
+    return row.exercise == to_string(exercise.number) && row.model == method.model &&
+           row.algorithm == method.algorithm;
+  });
+  return found == records->end() ? nullptr : &*found;
+}
+
+}  // namespace
+
 Results with_stability(Results results, std::span<const Task> tasks, const Reference& truth,
-                       const Progress& progress, std::optional<double> horizon) {
+                       const Progress& progress, std::optional<double> horizon, const Limits* records) {
   const std::vector<Motion> motions = motions_of(results, tasks, truth, progress, horizon);
   std::vector<Piece> pieces;
   for (const Motion& motion : motions)
     for (const Method& method : motion.quantity.methods)
-      if (of_fixed_step(method)) pieces.push_back({&motion, &method});
+      if (of_fixed_step(method))
+        pieces.push_back({&motion, &method, records != nullptr,
+                          expected_of(records, results.exercises[motion.place], method)});
   Stage tally(progress, "looking for the limits of stability", pieces.size());
   parallel_for_each(pieces, [&](Piece& piece) {
     piece.failure = failure_of([&] { examine(piece); });

@@ -24,9 +24,10 @@ Limit measured_limit(const Method&, double interval, const ode::Criteria& = {});
 
 /// Adds the stability of every task that has a scene, computed in parallel: the limits at the task's
 /// parameters, and the map over the scene's parameter. Does not depend on the number of threads. Uses the
-/// scenes' own horizons, unless another is given.
+/// scenes' own horizons, unless another is given. To be compared with `records`, a limit is first looked for
+/// where it is expected, and the map has its outcomes alone.
 Results with_stability(Results, std::span<const Task>, const Reference&, const Progress& progress = {},
-                       std::optional<double> horizon = {});
+                       std::optional<double> horizon = {}, const Limits* records = nullptr);
 
 /// Whether the method of a map's row has this outcome at the map's step `k` from a start that differs by a
 /// few roundings. If so, the last bits decide, in which sines differ between machines.

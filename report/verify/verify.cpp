@@ -533,6 +533,17 @@ void suggest(const Results& results, const fs::path& folder) {
               << text_of(changes);
 }
 
+/// Tags whose meaning has changed, each with a hint.
+constexpr std::pair<std::string_view, std::string_view> changed_tags[]{
+    {"[erratum]", "selects both [wrong] and [incomplete]"},
+    {"[misprint]", "selects misprints of the manual; [lost] selects losses in our copy"}};
+
+void hint_at_changes(const std::vector<std::string>& named) {
+  for (const auto& [tag, hint] : changed_tags)
+    if (std::ranges::any_of(named, [&](const std::string& one) { return nearly_same(one, tag, 0); }))
+      std::cerr << "oddity verify: " << tag << " " << hint << "\n";
+}
+
 /// Throws BadInput for a tag that no test case can have.
 void require_known(const std::vector<std::string>& named, const Verdicts& approved) {
   std::vector<std::string> tags{"[own]", "[register]", "[erratum]", "[misprint]"};
@@ -550,8 +561,16 @@ void require_known(const std::vector<std::string>& named, const Verdicts& approv
   }
 }
 
+/// Whether nothing but the comparison with the records is asked for.
+bool only_compares(const SuiteRequest& request) {
+  return !request.thorough && !request.approve && request.results_file.empty() &&
+         std::ranges::none_of(request.catch_arguments, [](const std::string& word) {
+           return word.find("markdown") != std::string::npos;
+         });
+}
+
 /// Results of a run, or of the files that were given instead.
-Results results_of(const SuiteRequest& request, const std::vector<Task>& tasks) {
+Results results_of(const SuiteRequest& request, const std::vector<Task>& tasks, const Limits& approved) {
   if (!request.from.empty()) {
     std::vector<Number> numbers;
     for (const Task& task : tasks) numbers.push_back(task.entry->number);
@@ -564,7 +583,8 @@ Results results_of(const SuiteRequest& request, const std::vector<Task>& tasks) 
       results.made_by = made_by(request.reference_folder);
       results = noted(std::move(results), made_from(request.reference_folder));
     }
-    return with_stability(std::move(results), tasks, truth, progress);
+    return with_stability(std::move(results), tasks, truth, progress, {},
+                          only_compares(request) ? &approved : nullptr);
   });
 }
 
@@ -579,15 +599,13 @@ int verify(const SuiteRequest& request) {
     throw BadInput("Catch2 does not take these arguments; '" + program_as_typed() +
                    " verify -?' lists its arguments");
   require_known(session.tags(), judged.approved);
+  hint_at_changes(session.tags());
   if (session.only_lists()) return session.run(), 0;
-  for (const std::string& word : request.catch_arguments)
-    if (word.find("[erratum]") != std::string::npos)
-      std::cerr << "oddity verify: [erratum] selects both [wrong] and [incomplete]\n";
   const auto selected = session.selected();
   if (selected.empty()) throw BadInput("no test case matches; --list-tests shows them all");
 
   if (!request.results_file.empty()) require_writable(request.results_file);
-  Results results = results_of(request, tasks_of(selected));
+  Results results = results_of(request, tasks_of(selected), judged.limits);
   if (request.approve) {
     approve(results, folder);
     judged = on_record(folder);
@@ -597,7 +615,13 @@ int verify(const SuiteRequest& request) {
   const int failed = session.run();
   suite = nullptr;
   if (!request.results_file.empty()) write_whole(request.results_file, to_json(judged.results));
-  if (failed > 0) suggest(judged.results, folder);
+  if (failed > 0)
+    suggest(only_compares(request) && request.from.empty() ? with_progress([&](const Progress& progress) {
+              return with_stability(std::move(judged.results), tasks_of(selected), Reference(folder),
+                                    progress);
+            })
+                                                           : judged.results,
+            folder);
   return failed == 0 ? 0 : 1;
 }
 

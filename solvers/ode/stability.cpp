@@ -16,6 +16,7 @@
 #include "solvers/linear.hpp"
 #include "solvers/ode/all.hpp"
 #include "solvers/ode/implicit_euler.hpp"
+#include "solvers/ode/known_tongues.hpp"
 #include "solvers/stop.hpp"
 
 namespace oddity::ode {
@@ -171,13 +172,14 @@ double edge(const Excess& excess, double low, double high) {
   return high;
 }
 
-/// The tongues up to `largest`. Near an edge the next step is longer by the fraction `near`.
+constexpr double largest_scanned = 30;  ///< h |lambda|
+
+/// The tongues up to `largest_scanned`. Near an edge the next step is longer by the fraction `near`.
 std::vector<Tongue> scan(const Excess& excess, double near) {
-  constexpr double largest = 30;
   std::vector<Tongue> tongues;
   bool unstable = false;
   double last = finest / 2, r = last;
-  while (r < largest) {
+  while (r < largest_scanned) {
     check_stop();
     const double here = excess(r);
     if ((here > 0) != unstable) {
@@ -258,29 +260,87 @@ double growth_velocities_first(const std::vector<double>& jacobian, const std::v
   return std::log(largest);
 }
 
-/// Tongues at this point of the spectrum, as multiples of 1 / |lambda| of its largest eigenvalue. Each
-/// eigenvalue may grow as fast as the largest growth allowed for any of them. The rounding of a double root
-/// counts as no growth.
-std::vector<Tongue> tongues_velocities_first(const Spectrum& spectrum, std::size_t point, double size,
-                                             std::string_view algorithm, double no_motion,
-                                             double negligible) {
-  constexpr double rounding = 1e-7;
-  double allowed = rounding * size;
-  for (const auto& lambda : spectrum.at[point])
-    if (std::abs(lambda) >= no_motion)
-      allowed = std::max(allowed, allowed_growth(algorithm, lambda, negligible));
-  return scan(
-      [&](double r) {
-        return growth_velocities_first(spectrum.jacobians[point], spectrum.velocities, r / size) -
-               r * allowed / size;
-      },
-      0.02);
-}
-
 double largest_of(const Eigenvalues& eigenvalues) {
   double largest = 0;
   for (const auto& lambda : eigenvalues) largest = std::max(largest, std::abs(lambda));
   return largest;
+}
+
+/// Eigenvalues that turn the motion by less are left out.
+double no_motion_of(const Spectrum& spectrum) {
+  return 0.01 / (spectrum.span * static_cast<double>(spectrum.at.size()));
+}
+
+/// Excess at this point of the spectrum for multiples of 1 / |lambda| of its largest eigenvalue. Each
+/// eigenvalue may grow as fast as the largest growth allowed for any of them. The rounding of a double root
+/// counts as no growth.
+Excess excess_velocities_first(const Spectrum& spectrum, std::size_t point, double size,
+                               std::string_view algorithm, double negligible) {
+  constexpr double rounding = 1e-7;
+  double allowed = rounding * size;
+  for (const auto& lambda : spectrum.at[point])
+    if (std::abs(lambda) >= no_motion_of(spectrum))
+      allowed = std::max(allowed, allowed_growth(algorithm, lambda, negligible));
+  return [&spectrum, point, size, allowed](double r) {
+    return growth_velocities_first(spectrum.jacobians[point], spectrum.velocities, r / size) -
+           r * allowed / size;
+  };
+}
+
+/// Excess of every disturbance at one point of the motion, and the unit of its steps.
+struct ExcessAt {
+  Excess excess;
+  double size;
+};
+std::vector<ExcessAt> excesses(std::string_view algorithm, const Spectrum& spectrum, double negligible) {
+  const double no_motion = no_motion_of(spectrum);
+  const bool by_matrix = takes_velocities_first(algorithm) && !spectrum.jacobians.empty();
+  std::vector<ExcessAt> all;
+  for (std::size_t i = 0; i < spectrum.at.size(); ++i) {
+    if (const double size = largest_of(spectrum.at[i]); by_matrix && size >= no_motion)
+      all.push_back({excess_velocities_first(spectrum, i, size, algorithm, negligible), size});
+    for (const auto& lambda : spectrum.at[i])
+      if (const double size = std::abs(lambda); !by_matrix && lambda.imag() >= 0 && size >= no_motion)
+        all.push_back({excess_along(algorithm, lambda / size, negligible), size});
+  }
+  return all;
+}
+
+/// Steps on both sides of the tongues' edges, and a few between them.
+std::vector<double> telling_steps(const std::vector<Tongue>& tongues, double shortest, double longest) {
+  constexpr double beside = 1.01;
+  constexpr int within = 4;
+  std::vector<double> edges{shortest}, steps;
+  for (const Tongue& tongue : tongues)
+    for (const double edge : {tongue.from, tongue.to})
+      if (edge > edges.back() && edge < longest) edges.push_back(edge);
+  edges.push_back(longest);
+  for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
+    const double ratio = edges[i + 1] / edges[i];
+    const double margin = std::min(beside, std::pow(ratio, 0.25));
+    const double from = edges[i] * margin, to = edges[i + 1] / margin;
+    for (int k = 0; k <= within; ++k)
+      steps.push_back(from * std::pow(to / from, static_cast<double>(k) / within));
+  }
+  return steps;
+}
+
+/// Whether the tongues agree with the spectrum at these steps.
+bool are_confirmed(const std::vector<Tongue>& tongues, std::string_view algorithm, const Spectrum& spectrum,
+                   double negligible) {
+  const std::vector<ExcessAt> all = excesses(algorithm, spectrum, negligible);
+  double fastest = 0;
+  for (const ExcessAt& one : all) fastest = std::max(fastest, one.size);
+  if (all.empty()) return false;
+  for (const double step : telling_steps(tongues, finest / fastest, largest_scanned / fastest)) {
+    check_stop();
+    const bool is_known = std::ranges::any_of(
+        tongues, [=](const Tongue& tongue) { return tongue.from < step && step < tongue.to; });
+    const bool is_unstable =
+        std::ranges::any_of(all, [=](const ExcessAt& one) { return one.excess(step * one.size) > 0; });
+    if (is_known != is_unstable) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -318,7 +378,10 @@ double growth(std::string_view algorithm, std::complex<double> z) {
 }
 
 std::vector<Tongue> unstable_steps(std::string_view algorithm, const Spectrum& spectrum, double negligible) {
-  const double no_motion = 0.01 / (spectrum.span * static_cast<double>(spectrum.at.size()));
+  if (const auto* known = KnownTongues::here();
+      known && are_confirmed(*known, algorithm, spectrum, negligible))
+    return *known;
+  const double no_motion = no_motion_of(spectrum);
   const bool by_matrix = takes_velocities_first(algorithm) && !spectrum.jacobians.empty();
   std::vector<Tongue> all;
   const auto add = [&](const std::vector<Tongue>& tongues, double size) {
@@ -327,7 +390,7 @@ std::vector<Tongue> unstable_steps(std::string_view algorithm, const Spectrum& s
   };
   for (std::size_t i = 0; i < spectrum.at.size(); ++i) {
     if (const double size = largest_of(spectrum.at[i]); by_matrix && size >= no_motion)
-      add(tongues_velocities_first(spectrum, i, size, algorithm, no_motion, negligible), size);
+      add(scan(excess_velocities_first(spectrum, i, size, algorithm, negligible), 0.02), size);
     if (by_matrix) continue;
     for (const auto& lambda : spectrum.at[i]) {
       const double size = std::abs(lambda);

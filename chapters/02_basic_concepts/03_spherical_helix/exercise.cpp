@@ -25,7 +25,7 @@ Findings study(const Parameters& p, const Reference& truth) {
        colatitude("colatitude_near_the_north_pole", 1e8, truth),
        colatitude("colatitude_near_the_south_pole", -1e8, truth), limits_at_infinity()},
       roots(),
-      R"(The helix, its frame and where it ends stand; {{sign of the velocity along $\mathbf Q$|a component of the velocity has the wrong sign}}, and {{square forgotten in $\ddot\phi$|one of the acceleration lacks a square}}.)"};
+      R"(The helix, its frame and its ends are right; {{sign of the velocity along $\mathbf Q$|a component of the velocity has the wrong sign}}, and {{square forgotten in $\ddot\phi$|one of the acceleration lacks a square}}.)"};
 }
 
 }  // namespace ex02_03

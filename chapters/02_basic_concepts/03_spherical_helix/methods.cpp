@@ -51,7 +51,8 @@ Quantity motion(double t, const Reference& truth) {
   const std::string too_small = "halving on, rounding takes over: it grows as $1/h^2$";
   const Knob steps = halving("h", 0x1p-4, 12);
   q.add({"components as printed", "closed form", no_knob(), [=](double) { return by_the_text(t, false); },
-         Outcome::inaccurate, R"(both components along $\mathbf Q$ are wrong)"});
+         Outcome::inaccurate,
+         R"(along $\mathbf Q$ the velocity has the wrong sign, and the acceleration lacks a square)"});
   q.add({"components, corrected", "closed form", no_knob(), [=](double) { return by_the_text(t, true); }});
   q.add({"spherical angles", "dual numbers", no_knob(), [=](double) {
            const Vector3 phi = At(t).phi;

@@ -336,7 +336,7 @@ void matrices_by_images(Statements& claims, const Moments& moments) {
        .why =
            "The rule is right for the matrices that it speaks of, and leaves out the one that it is needed for: a "
            "skew $3\\times3$ matrix $K$ has $\\det K=\\det K^T=-\\det K$, which is 0. The eigenvalues of "
-           "$\\dot RR^T$ are $0,\\pm i|\\mathbf w|$ at every moment. The conclusion stands: $M=AU^T$ follows "
+           "$\\dot RR^T$ are $0,\\pm i|\\mathbf w|$ at every moment. The conclusion is right: $M=AU^T$ follows "
            "from $MU=A$ for every $M$; it is $U$ that has to be invertible.",
        .kind = Fault::left_out,
        .root = "a singular matrix"});

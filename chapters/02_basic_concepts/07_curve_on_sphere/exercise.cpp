@@ -51,7 +51,7 @@ Findings study(const Parameters& p, const Reference& truth) {
       claims(p["seed"]),
       {angular_velocity_at(p["t"], truth), carried, orthogonality(carried)},
       roots(),
-      R"(The formula for the angular velocity stands; {{R.Dot(U) for A.Dot(U)|the listing that computes it has one product wrong}}.)"};
+      R"(The formula for the angular velocity is right; {{R.Dot(U) for A.Dot(U)|the listing that computes it has one product wrong}}.)"};
 }
 
 }  // namespace ex02_07

@@ -148,7 +148,7 @@ Findings study(const Parameters& p, const Reference& truth) {
   return {claims(p["seed"], p["k"]),
           {half_disc(p["k"], p["phi"], p["seed"], truth), far_balance()},
           roots(),
-          R"(The proof stands; {{distance for coordinate|what it calls a distance has a sign}}.)"};
+          R"(The proof is right; {{distance for coordinate|its "distance" has a sign}}.)"};
 }
 
 }  // namespace ex02_09

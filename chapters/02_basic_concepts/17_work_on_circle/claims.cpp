@@ -176,7 +176,8 @@ void misprints(Table& table, const Samples& samples) {
                         "$t=T+1$.)"});
   table.formula(
       "growing_work", 837,
-      R"(For $(t,t,1)$ $W(T)=r\omega\,(-1+\cos\omega T-\sin\omega T)+T\omega(\cos\omega T+\sin\omega T))$.)",
+      R"(For $(t,t,1)$ $W(T)=r\omega\,(-1+\cos\omega T-\sin\omega T)+T\omega(\cos\omega T+\sin\omega T))$ )"
+      "(our reading: the last parenthesis closes one that is lost after $r\\omega$).",
       samples.any,
       {.truth = work_t,
        .printed =
@@ -185,7 +186,7 @@ void misprints(Table& table, const Samples& samples) {
                 R"(+\omega T(\cos\omega T+\sin\omega T)\bigr)$)",
        .kind = Fault::lost_typography,
        .why = "A fraction bar and a parenthesis are lost: the factor is $r/\\omega$, not $r\\omega$, and "
-              "stands before the whole. Their ratio is $\\omega^2$: they agree at $\\omega=1$ alone."});
+              "precedes the whole. Their ratio is $\\omega^2$: they agree at $\\omega=1$ alone."});
   table.formula(
       "full_turn", 817, R"(After one turn, at $T=2\pi\omega$, the work is zero: $W(2\pi\omega)=0$.)",
       samples.forward,

@@ -476,18 +476,19 @@ Provables proofs() {
   Provables proved = table.proofs("3.7", all);
   const auto& s = all.any;
   const std::vector<Proposition> heavy{above(s.m.expression(), 0)};
-  proved.push_back({"3.7-equation_of_motion",
-                    "it is Lagrange's equation, and that of gravity and the wire's force, in any motion on the curve",
-                    {{"lagrange",
-                      all.letters,
-                      heavy,
-                      {s.published().expression() == s.by_lagrange().expression()},
-                      by_positive_metric},
-                     {"forces",
-                      all.letters,
-                      heavy,
-                      {s.published().expression() == s.by_forces().expression()},
-                      by_positive_metric}}});
+  proved.push_back(
+      {"3.7-equation_of_motion",
+       "it is Lagrange's equation, and that of gravity and the wire's force, in any motion on the curve",
+       {{"lagrange",
+         all.letters,
+         heavy,
+         {s.published().expression() == s.by_lagrange().expression()},
+         by_positive_metric},
+        {"forces",
+         all.letters,
+         heavy,
+         {s.published().expression() == s.by_forces().expression()},
+         by_positive_metric}}});
   SampleOf<Shortened> still;
   still.m = still.g = still.q = 1.0;
   proved.push_back(

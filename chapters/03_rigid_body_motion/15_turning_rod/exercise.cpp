@@ -69,18 +69,21 @@ Quantity slide(const Parameters& p, const Horizon& horizon, const Reference& tru
                      "in the turning plane", "Cartesian with constraints"});
 }
 
-/// Whether a bar in the spring's place is right to this error, to first order in 1/K: the spring is stretched
-/// by the force that it bears, and trembles as far from its sudden start.
-bool is_rigid(const RigidSpring<double>& bar, const Horizon& horizon, double error) {
-  constexpr int moments = 64;
+/// Outcome of a bar in the spring's place, if this error is allowed. To first order in 1/K the spring is
+/// stretched by its force, and trembles as far from its sudden start: the bar is right if both are less.
+Outcome of_rigid_spring(const RigidSpring<double>& bar, const Horizon& horizon, double error) {
   const auto& rod = bar.rod;
+  for (double t : horizon.times())
+    if (!std::isfinite(bar.along(t))) return Outcome::non_finite;
+  constexpr int moments = 64;
   for (int i = 0; i <= moments; ++i) {
     const double t = horizon.end * i / moments, s = bar.along(t), lever = s - rod.end_along(t);
     const double borne = rod.w * rod.w / 2 * s - second_derivative([&](auto z) { return bar.along(z); }, t);
     const double stretch = std::abs(borne) * std::pow(rod.ell / lever, 2) / rod.pull;
-    if (!(2 * stretch < error)) return false;
+    if (!(2 * stretch < error)) return Outcome::inaccurate;
   }
-  return std::abs(bar.along(0.0) - rod.s0) < error;
+  if (!(std::abs(bar.along(0.0) - rod.s0) < error)) return Outcome::inaccurate;
+  return Outcome::ok;
 }
 
 /// The rod with a stiff spring: a geometric motion with a vibration about it.
@@ -91,10 +94,15 @@ Quantity stiff_spring(const Given<double>& rod, const Horizon& horizon, const Re
   const AlongTheRod<double> along{{rod}};
   const std::string name = "along the rod", rigid = "rigid spring";
   const RigidSpring<double> bar{{rod}};
-  const bool holds = is_rigid(bar, horizon, need);
+  const Outcome of_bar = of_rigid_spring(bar, horizon, need);
   SceneMethods methods(place, horizon, halving("step", 0.0625, 6), tolerances());
-  if (holds) methods.closed_form(rigid, bar);
-  methods.by<ode::RungeKutta4>(name, along)
+  methods
+      .closed_form(rigid, bar, of_bar,
+                   of_bar == Outcome::ok ? ""
+                   : of_bar == Outcome::non_finite
+                       ? "a bar of the spring's rest length does not reach the rod"
+                       : "the spring gives way by more than the need")
+      .by<ode::RungeKutta4>(name, along)
       .by<ode::DormandPrince54>(name, along)
       .by<ode::Fehlberg78>(name, along)
       .by<ode::BulirschStoer>(name, along);
@@ -106,7 +114,7 @@ Quantity stiff_spring(const Given<double>& rod, const Horizon& horizon, const Re
       R"(The spring's tremor, about $\sqrt{K/m}$, must be resolved though nobody sees it: beyond a )"
       R"(step of $2\sqrt2$ over that frequency Runge-Kutta 4 blows it up. A smaller step cures it.)",
       runge_kutta, coarse, Outcome::diverged, runge_kutta, fine});
-  if (!holds) return place;
+  if (of_bar != Outcome::ok) return place;
   place.add(
       Breakdown{"Nor is the tremor worth its cost: the spring taken as a bar of its rest length is right "
                 "to @1 m, in closed form.",

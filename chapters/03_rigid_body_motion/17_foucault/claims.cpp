@@ -45,6 +45,18 @@ struct KineticEnergy {
   }
 };
 
+/// West, north and down on a sphere, in axes along its equator and its pole.
+template <class T>
+struct LocalAxes {
+  Space<T> west, north, down;
+  LocalAxes(const T& latitude, const T& longitude) {
+    const T c = cos(latitude), s = sin(latitude), C = cos(longitude), S = sin(longitude);
+    west = {S, -C, T(0.0)};
+    north = {-s * C, -s * S, c};
+    down = {-c * C, -c * S, -s};
+  }
+};
+
 template <class T>
 Two<T> less(const Two<T>& a, const Two<T>& b) {
   return {a[0] - b[0], a[1] - b[1]};
@@ -139,24 +151,40 @@ struct SampleOf {
     return {still[0] + (there[0] - back[0]) / 2, still[1] + (there[1] - back[1]) / 2};
   }
   Two<T> generalized_force() const { return less(lagrange_left_side(kinetic(), q, v, a), to_first_order()); }
-  /// The second time derivative, in axes that do not rotate, of r(t) given in the rotating axes.
-  Space<T> inertial_acceleration(double times) const {
+  /// The second time derivative in space of a point with these coordinates, rates and accelerations in the
+  /// local axes, which are carried to the east at this multiple of omega; along the local axes at that
+  /// moment.
+  Space<T> inertial_acceleration(const Space<T>& r, const Space<T>& rate, const Space<T>& acceleration,
+                                 double multiple) const {
     using Along = Dual<T>;
     using Twice = Dual<Along>;
-    const T rate = times * p.omega, c = cos(p.lambda), s = sin(p.lambda);
-    Space<Twice> r;
+    const T turning = multiple * p.omega;
+    const LocalAxes<T> here(p.lambda, T(0.0));
+    const LocalAxes<Twice> there(Twice(p.lambda), Twice(Along(T(0.0), turning), Along(turning, T(0.0))));
+    const auto coordinate = [&](std::size_t i) {
+      return Twice(Along(r[i], rate[i]), Along(rate[i], acceleration[i]));
+    };
+    Space<T> second;
     for (std::size_t i = 0; i < 3; ++i)
-      r[i] = Twice(Along(free_r[i], free_v[i]), Along(free_v[i], free_a[i]));
-    const Twice angle(Along(T(0), rate), Along(rate, T(0))), co = cos(angle), si = sin(angle);
-    const Twice along = (r[1] * c - r[2] * s) * (1.0 - co);
-    const Space<Twice> x{r[0] * co + (c * r[2] + s * r[1]) * si, r[1] * co - s * r[0] * si + c * along,
-                         r[2] * co - c * r[0] * si - s * along};
-    return {x[0].slope.slope, x[1].slope.slope, x[2].slope.slope};
+      second[i] =
+          (coordinate(0) * there.west[i] + coordinate(1) * there.north[i] + coordinate(2) * there.down[i])
+              .slope.slope;
+    return {dot(second, here.west), dot(second, here.north), dot(second, here.down)};
+  }
+  Space<T> inertial_acceleration(double multiple) const {
+    return inertial_acceleration(free_r, free_v, free_a, multiple);
   }
   /// The part of inertial_acceleration() linear in omega, times `sign`.
   Space<T> coriolis_acceleration(double sign) const {
-    return ex03_17::times(
-        0.5, sum(inertial_acceleration(sign), ex03_17::times(-1.0, inertial_acceleration(-sign))));
+    return times(0.5, sum(inertial_acceleration(sign), times(-1.0, inertial_acceleration(-sign))));
+  }
+  /// The acceleration of R in space without its terms in omega^2.
+  Space<T> axis_acceleration() const {
+    const auto u = axis_velocity(moving(q, v), moving(v, a));
+    const Space<T> R = axes().R, rate = axis_velocity(q, v), apart{u[0].slope, u[1].slope, u[2].slope};
+    const Space<T> there = inertial_acceleration(R, rate, apart, 1),
+                   back = inertial_acceleration(R, rate, apart, -1);
+    return sum(inertial_acceleration(R, rate, apart, 0), times(0.5, sum(there, times(-1.0, back))));
   }
   /// (L R)'' by dual numbers.
   Space<T> acceleration() const {
@@ -296,7 +324,8 @@ void forces(Table& table, const Samples& samples) {
   table.formula(
       "earth_rotation", 2419, R"(The Earth turns with $w=\omega[(\cos\lambda)-(\sin\lambda)k]$)", samples,
       {.quantity = R"($2w\times\dot r$)",
-       .truth = {R"(the acceleration in axes that do not turn, its part linear in $\omega$)",
+       .truth = {R"(the acceleration in space of a point in axes to the west, north and down that a sphere )"
+                 R"(carries to the east, its part linear in $\omega$)",
                  [](const auto& s) { return s.coriolis_acceleration(1); }},
        .printed = {R"(the cosine without a direction: $w=\omega(0,0,-\sin\lambda)$)", with_earth(0, 0)},
        .meant = {R"($w=\omega(\cos\lambda\,\jmath-\sin\lambda\,k)$, $\jmath$ to the north)",
@@ -305,10 +334,9 @@ void forces(Table& table, const Samples& samples) {
                         with_earth(1, 0)}},
        .kind = Fault::lost_typography,
        .why =
-           R"(The unit vector $\jmath$, to the north, is lost in the text at hand, and a vector cannot be )"
-           R"(subtracted from a number. The components of line 2425 show it: $P\cdot )"
-           R"(w=\omega\cos\lambda\cos\theta$. Without the term a body would fall straight, and not to the )"
-           R"(east.)"});
+           R"(The unit vector $\jmath$, to the north, is lost in the text at hand; the components )"
+           R"(of line 2425 show it: $P\cdot w=\omega\cos\lambda\cos\theta$. Without the term a body would )"
+           R"(fall straight, and not to the east.)"});
 
   const std::string b = R"(, $b=-\cos\lambda\sin\theta\sin\phi+\sin\lambda\cos\phi$)";
   const std::string by_lagrange =
@@ -539,6 +567,11 @@ struct ConeSampleOf {
   }
   T center() const {
     return integral([](const T&, const T&, const T& z) { return z; }) / volume_above(0.0);
+  }
+  /// Moment of inertia across the axis about the vertex, by the mass.
+  T across_vertex() const {
+    return integral([&](const T&, const T& y, const T& z) { return y * y + square(T(h() - z)); }) /
+           volume_above(0.0);
   }
   /// (a, b, c) in the axes P, Q, R.
   Space<T> in_world(const T& a, const T& b, const T& c) const {
@@ -986,14 +1019,16 @@ void cone_equations(SwingTable& table, const std::vector<Swinging>& samples) {
       R"(The cone's equations are those of the point with the derivatives of $\frac12w\cdot Jw$ appended)",
       samples,
       {.quantity = "Lagrange's equations, left sides less right sides, for $\\theta$ and $\\phi$",
-       .truth = {R"(those of a point mass at $(L^2+I_{xx}/m)/L$ on the turning Earth, linear in $\omega$)",
-                 [](const auto& s) {
-                   auto point = s.motion;
-                   point.m = 1;
-                   point.p.L = s.cone.equivalent_length();
-                   const auto e = point.to_first_order();
-                   const auto scale = s.cone.L() / point.p.L;
-                   return values(scale * e[0], scale * e[1]);
+       .truth = {R"(the rate in space of the angular momentum about the joint of a cone that does not spin )"
+                 R"(about its axis, less the torque of gravity, along $k$ and $P$, linear in $\omega$; the )"
+                 R"(moments by quadrature)",
+                 []<class T>(const SwingingOf<T>& s) {
+                   const auto A = s.motion.axes();
+                   const Space<T> k{T(0.0), T(0.0), T(1.0)};
+                   const Space<T> rate = times(s.across_vertex(), cross(A.R, s.motion.axis_acceleration())),
+                                  torque = times(s.motion.p.g * (s.h() - s.center()), cross(A.R, k));
+                   const Space<T> unbalanced = sum(rate, times(-1.0, torque));
+                   return values(dot(unbalanced, k), dot(unbalanced, A.P));
                  }},
        .printed =
            {R"($\frac d{dt}\frac{\partial T}{\partial\dot\theta}-\frac{\partial T}{\partial\theta}=F_\theta$ )"
@@ -1080,10 +1115,11 @@ Provables cone_proofs() {
                            .tactic = "no_integrals; first [ by_cube_root | " +
                                      by_angles({"lambda", "theta", "phi"}) + nonzero + " ]",
                            .says = "it holds for every cone"};
-  ForAll<SwingingOf> swinging{.any = lettered<SwingingOf>(names),
-                              .letters = quantified(names),
-                              .tactic = by_lever + by_angles({"lambda", "theta", "phi"}) + nonzero,
-                              .says = "it holds for every cone in any motion"};
+  ForAll<SwingingOf> swinging{
+      .any = lettered<SwingingOf>(names),
+      .letters = quantified(names),
+      .tactic = std::string("no_integrals; ") + by_lever + by_angles({"lambda", "theta", "phi"}) + nonzero,
+      .says = "it holds for every cone in any motion"};
   all.given = swinging.given = {above(all.any.h().expression(), 0), above(all.any.r().expression(), 0)};
   double x = 0;
   for (double* letter : all.example.quantities()) *letter = x += 0.125;

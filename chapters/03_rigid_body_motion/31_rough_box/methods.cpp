@@ -30,8 +30,10 @@ Pose uncoupled(const Box& box) {
 
 /// Pose at rest after a steady deceleration from this time and state.
 Pose coasted(const InTime<double>& box, double t, const InTime<double>::State& x) {
-  const auto rest = box.coasted(x);
-  return {t + box.time_left(x), rest[0], rest[1], rest[2]};
+  InTime<double>::State rate;
+  box(x, rate, t);
+  const auto rest = box.coasted(x, rate);
+  return {t + box.time_left(x, rate), rest[0], rest[1], rest[2]};
 }
 
 template <class Algorithm>

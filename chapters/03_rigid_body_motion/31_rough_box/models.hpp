@@ -29,7 +29,7 @@ struct Contact {
         slide + turn > X(1e-100),
         [&] {
           return either(
-              slide > 6 * turn, [&] { return by_points(u, v, w); }, [&] { return by_edges(u, v, w); });
+              slide > 6 * turn, [&] { return by_points(u, v, w); }, [&] { return by_corners(u, v, w); });
         },
         [] {
           return Three<X>{X(0), X(0), X(0)};
@@ -37,26 +37,27 @@ struct Contact {
   }
 
   /// About the instantaneous center c the velocity is w k x (rho - c). The integrals of the distance r from c
-  /// and of its gradient are, by the divergence theorem, those of r along the four edges.
+  /// and of its gradient are, by the divergence theorem, those of r along the four edges, and so differences
+  /// of primitives at the corners.
   template <class X>
-  Three<X> by_edges(const X& u, const X& v, const X& w) const {
+  Three<X> by_corners(const X& u, const X& v, const X& w) const {
     const X cx = -v / w, cy = u / w;
-    const X right = a - cx, left = -a - cx, top = b - cy, bottom = -b - cy;
-    const X on_right = along_edge(right, bottom, top), on_left = along_edge(left, bottom, top);
-    const X on_top = along_edge(top, left, right), on_bottom = along_edge(bottom, left, right);
-    const X x = on_right - on_left, y = on_top - on_bottom;
-    const X r = (right * on_right - left * on_left + top * on_top - bottom * on_bottom) / 3;
+    const Three<X> sums = sum_over(w, corners, [&](const std::array<X, 2>& side) {
+      const X px = a * side[0] - cx, py = b * side[1] - cy, sign = side[0] * side[1];
+      const X x = sign * primitive(px, py), y = sign * primitive(py, px);
+      return Three<X>{x, y, px * x + py * y};
+    });
     const X over = select(w > X(0), X(1), X(-1)) / (4 * a * b);
-    return {-over * y, over * x, over * (r + cx * x + cy * y)};
+    return {-over * sums[1], over * sums[0], over * (sums[2] / 3 + cx * sums[0] + cy * sums[1])};
   }
 
   /// Eight by eight Gauss-Legendre points: exact to rounding if c is far outside the base, where the edges'
   /// terms cancel.
   template <class X>
   Three<X> by_points(const X& u, const X& v, const X& w) const {
-    return sum_over(u, gauss_points, [&](const std::array<X, 2>& along) {
+    return sum_over(w, gauss_points, [&](const std::array<X, 2>& along) {
       const X px = a * along[0], vy = v + w * px;
-      return sum_over(u, gauss_points, [&](const std::array<X, 2>& across) {
+      return sum_over(w, gauss_points, [&](const std::array<X, 2>& across) {
         const X py = b * across[0], vx = u - w * py;
         const X part = along[1] * across[1] / 4 / sqrt(vx * vx + vy * vy);
         return Three<X>{part * vx, part * vy, part * (px * vy - py * vx)};
@@ -76,20 +77,19 @@ struct Contact {
        {0.7966664774136267, 0.2223810344533745},
        {0.9602898564975363, 0.1012285362903763}}};
 
-  /// The integral of sqrt(k^2 + y^2) over y.
+  static constexpr std::array<std::array<double, 2>, 4> corners{{{-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
+
+  /// An integral of sqrt(k^2 + y^2) over y.
   template <class X>
-  static X along_edge(const X& k, const X& y1, const X& y2) {
-    const auto primitive = [&](const X& y) {
-      const X r = sqrt(k * k + y * y), distance = abs(k);
-      return either(
-          distance > X(0),
-          [&] {
-            const X arsinh = log((abs(y) + r) / distance);
-            return X((y * r + k * k * select(y < X(0), X(-arsinh), arsinh)) / 2);
-          },
-          [&] { return X(y * r / 2); });
-    };
-    return primitive(y2) - primitive(y1);
+  static X primitive(const X& k, const X& y) {
+    const X r = sqrt(k * k + y * y), distance = abs(k);
+    return either(
+        distance > X(0),
+        [&] {
+          const X arsinh = log((abs(y) + r) / distance);
+          return X((y * r + k * k * select(y < X(0), X(-arsinh), arsinh)) / 2);
+        },
+        [&] { return X(y * r / 2); });
   }
 };
 
@@ -160,15 +160,15 @@ struct InTime {
     dxdt = {x[3], x[4], x[5], f[0] * share, f[1] * share, f[2] * share};
   }
   T speed(const State& x) const { return p.speed(x[3], x[4], x[5]); }
-  /// Time to rest at a steady deceleration from now on.
-  T time_left(const State& x) const {
-    const Three<T> f = p.friction(x[2], x[3], x[4], x[5]);
-    const T now = speed(x);
-    return now * now / -(x[3] * f[0] + x[4] * f[1] + p.J() * x[5] * f[2]);
+  /// Deceleration of a moving box, from its rates.
+  T braking(const State& x, const State& rate) const {
+    return -(x[3] * rate[3] + x[4] * rate[4] + p.J() * x[5] * rate[5]) / speed(x);
   }
+  /// Time to rest at a steady deceleration from now on.
+  T time_left(const State& x, const State& rate) const { return speed(x) / braking(x, rate); }
   /// The state at rest after that time.
-  State coasted(const State& x) const {
-    const T left = time_left(x);
+  State coasted(const State& x, const State& rate) const {
+    const T left = time_left(x, rate);
     return {x[0] + x[3] * left / 2, x[1] + x[4] * left / 2, x[2] + x[5] * left / 2, T(0), T(0), T(0)};
   }
 };
@@ -181,7 +181,11 @@ struct UntilRest : InTime<T> {
   std::array<T, 1> guards(const State& x, const T&) const {
     return {this->speed(x) - T(5e-4) * this->speed(this->start())};
   }
-  Happening<State> at_event(std::size_t, const State& x, const T&) const { return {this->coasted(x), true}; }
+  Happening<State> at_event(std::size_t, const State& x, const T& t) const {
+    State rate;
+    (*this)(x, rate, t);
+    return {this->coasted(x, rate), true};
+  }
 };
 
 /// In time by its own steps, each of which tests whether friction can stop the box within it.
@@ -199,9 +203,8 @@ struct WithStickTest : InTime<T> {
     if (now == T(0)) return true;
     State rate{}, middle{};
     rates(x, rate, t);
-    const T braking = -(x[3] * rate[3] + x[4] * rate[4] + this->p.J() * x[5] * rate[5]) / now;
-    if (now <= h * braking) {
-      x = this->coasted(x);
+    if (now <= h * this->braking(x, rate)) {
+      x = this->coasted(x, rate);
       return true;
     }
     if (by_midpoint) {

@@ -6,6 +6,7 @@
 
 #include "chapters/05_fluids_and_gases/shared/fields.hpp"
 #include "chapters/exercise.hpp"
+#include "chapters/foreseen.hpp"
 
 /// The field x / |x|^3, its derivatives as published, and its flux through closed surfaces.
 namespace oddity::ex05_03 {
@@ -57,14 +58,9 @@ T sum_of_brackets(const Triple<T>& x, T factor) {
 std::vector<Claim> claims(const Random&, const Reference&);
 std::vector<Root> roots();
 
-/// Expected outcomes of differences with an absolute step.
-struct Steps {
-  Outcome second = Outcome::inaccurate, fourth = Outcome::inaccurate;
-  std::string why = "rounding grows as $1/h$: the finest step is not the best";
-};
-
-Quantity partials(const std::string& name, const std::string& says, const Point& x, const Reference&,
-                  Outcome quotient_ends, const Steps& absolute);
+Quantity partials(const std::string& name, const std::string& says, const Point& x, const Reference&);
+/// Outcome of the quotient rule as printed, which has |x|^6 below.
+Foreseen by_quotient_rule(const Point& x);
 
 /// The flux through a spheroid of semi-axes a, a, b, with its centre d along b, by several rules. `peaked`:
 /// rules with fixed points miss the peak of the density, as the origin is close to the surface.

@@ -19,10 +19,35 @@ Value scaled(const Point& slopes, const Point& x) {
   return {s[0], s[1], s[2], s[0] + s[1] + s[2]};
 }
 
+/// A central difference, in scaled(), by a step of `part` of |x|. It omits about part^order, and a rounding
+/// is divided by the step.
+struct Difference {
+  int order;
+  double part;
+
+  double omitted() const { return 4 * std::pow(part, order); }
+  double rounded() const { return epsilon / (2 * part); }
+  Foreseen ends(double need) const {
+    constexpr double known_to = 30;
+    return foreseen(within_factor(known_to, omitted() + rounded()), need);
+  }
+  std::string why() const {
+    return omitted() > rounded() ? R"(even the finest step is too coarse for $|\mathbf x|$)"
+           : 4 * part < epsilon  ? "$x+h$ is $x$"
+                                 : "rounding grows as $1/h$: the finest step is not the best";
+  }
+  static constexpr double epsilon = std::numeric_limits<double>::epsilon();
+};
+
 }  // namespace
 
-Quantity partials(const std::string& name, const std::string& says, const Point& x, const Reference& truth,
-                  Outcome quotient_ends, const Steps& absolute) {
+Foreseen by_quotient_rule(const Point& x) {
+  const double below = half_power(dot(x, x), 6);
+  if (std::isinf(below)) return {Outcome::inaccurate};
+  return {below == 0 ? Outcome::non_finite : Outcome::ok, below == 0 || std::isnormal(below)};
+}
+
+Quantity partials(const std::string& name, const std::string& says, const Point& x, const Reference& truth) {
   const Known known = truth("05_03_partials", {x[0], x[1], x[2]});
   Quantity q{
       name,
@@ -33,14 +58,20 @@ Quantity partials(const std::string& name, const std::string& says, const Point&
       {1e-9, "nine decimals"},
       {},
       {}};
+  const double need = q.need.allowed;
   const std::string field = "field", formula = "published derivatives";
   const auto published = [x](Point (*f)(const Point&)) {
     return [x, f](double) { return Answer{scaled(f(x), x), static_cast<long>(x.size())}; };
   };
-  q.add({formula, "quotient rule", no_knob(), published(each<quotient>), quotient_ends,
-         quotient_ends == Outcome::ok ? ""
-                                      : filled(R"($|\mathbf x|^6$ overflows from $|\mathbf x|=@2$ on)",
-                                               {std::pow(std::numeric_limits<double>::max(), 1.0 / 6)})});
+  const Foreseen by_rule = by_quotient_rule(x);
+  const bool overflows = by_rule.outcome == Outcome::inaccurate;
+  q.add(expecting(by_rule,
+                  filled(overflows ? R"($|\mathbf x|^6$ overflows from $|\mathbf x|=@2$ on)"
+                                   : R"($|\mathbf x|^6$ is zero below $|\mathbf x|=@2$)",
+                         {std::pow(overflows ? std::numeric_limits<double>::max()
+                                             : std::numeric_limits<double>::denorm_min(),
+                                   1.0 / 6)}),
+                  {formula, "quotient rule", no_knob(), published(each<quotient>)}));
   q.add({formula, "simplified", no_knob(), published(each<simplified>)});
   const auto by = [x](auto way) {
     Point slopes;
@@ -49,15 +80,16 @@ Quantity partials(const std::string& name, const std::string& says, const Point&
   };
   const double size = length(x);
   q.add({field, "dual numbers", no_knob(), [=](double) { return by(ByDuals{}); }});
-  q.add({field + ", step h", "central differences 2", steps(),
-         [=](double h) { return by(ByDifferences<2>{h}); }, absolute.second, absolute.why});
-  q.add({field + ", step h", "central differences 4", steps(),
-         [=](double h) { return by(ByDifferences<4>{h}); }, absolute.fourth,
-         absolute.fourth == Outcome::ok ? "" : absolute.why});
-  q.add({field + ", step h |x|", "central differences 2", steps(),
-         [=](double h) { return by(ByDifferences<2>{h * size}); }, Outcome::inaccurate, Steps{}.why});
-  q.add({field + ", step h |x|", "central differences 4", steps(),
-         [=](double h) { return by(ByDifferences<4>{h * size}); }, Outcome::inaccurate, Steps{}.why});
+  const auto by_differences = [&]<int order>(const std::string& step, double unit) {
+    const Difference finest{order, steps().settings.back() * unit / size};
+    q.add(expecting(finest.ends(need), finest.why(),
+                    {field + ", step " + step, "central differences " + std::to_string(order), steps(),
+                     [=](double h) { return by(ByDifferences<order>{h * unit}); }}));
+  };
+  for (const auto& [step, unit] : {std::pair{"h", 1.0}, std::pair{"h |x|", size}}) {
+    by_differences.operator()<2>(step, unit);
+    by_differences.operator()<4>(step, unit);
+  }
   return q;
 }
 

@@ -221,7 +221,7 @@ Findings study(const Parameters& p, const Reference& truth) {
       claims(p["seed"]),
       {spin(p, truth), rebound(p), face},
       roots(p, face),
-      R"(The velocities after the impulse stand; {{corners for a face|that a few points are exact for any contact}} does not.)"};
+      R"(The velocities after the impulse are right; {{corners for a face|a few points are not exact for every contact}}.)"};
 }
 
 }  // namespace ex06_05

@@ -199,7 +199,7 @@ void costs(Claims& claims, const std::vector<Counts>& sizes) {
        .why = filled(
            R"(The multiplied diagonal entries add $\mu\,n(n-1)/2$, and the factoring loses $2\alpha$. For )"
            R"($n=3$ the excess is $@2\mu+@2\alpha$, not $@2\mu+@2\alpha$. The bracket is negative for no whole )"
-           R"($n>1$, so that what the text concludes from it stands.)",
+           R"($n>1$, so that the conclusion of the text is right.)",
            {of_three.excess().mu, of_three.excess().alpha, factored(3).mu, factored(3).alpha})});
 }
 

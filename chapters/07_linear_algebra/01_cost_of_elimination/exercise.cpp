@@ -37,7 +37,7 @@ Findings study(const Parameters& p, const Reference& truth) {
       in_operations({solution("system", static_cast<std::size_t>(p["n"]), false, random), large,
                      own_solution(p, truth)}),
       roots(),
-      R"(The method and the conclusion stand; {{diagonal entries above the pivot|the count of full elimination is short by $\mu n(n-1)/2$}}, {{lost additions|a difference of two counts loses additions}}, and {{no exchange of rows|a zero pivot is left out}}.)"};
+      R"(The method and the conclusion are right; {{diagonal entries above the pivot|the count of full elimination is short by $\mu n(n-1)/2$}}, {{lost additions|a difference of two counts loses additions}}, and {{no exchange of rows|a zero pivot is left out}}.)"};
 }
 
 }  // namespace ex07_01

@@ -117,7 +117,7 @@ void lines(Table& of_any, Table& of_closed, const std::vector<Edges>& open,
        .changes_that_hold = of_zero,
        .kind = Fault::formula,
        .why = filled(
-           R"(A stray cross stands between the plus and $v$ inside the bracket; the next line expands )"
+           R"(There is a stray cross between the plus and $v$ inside the bracket; the next line expands )"
            R"($u\times(u+v+w)$. Read without the plus, as $u\times(u\times v+w)$, with $u=(1,0,0)$, )"
            R"($v=(0,1,0)$ and $w=(-1,-1,0)$ it is $(@1,@1,@1)$ and not 0.)",
            [] {

@@ -163,7 +163,7 @@ Findings study(const Parameters& p, const Reference& truth) {
                                  {point_of(p, "p"), point_of(p, "q"), point_of(p, "r")}, truth);
   return {
       claims(Random(p["seed"])), in_operations({far, thin, twice_area(flat(1, 1e-6), truth), own}), roots(),
-      R"(The identity stands; {{edges on one line|such vectors are edges of a triangle only if two of them are not parallel}}.)"};
+      R"(The identity is right; {{edges on one line|such vectors are edges of a triangle only if two of them are not parallel}}.)"};
 }
 
 }  // namespace ex07_05
