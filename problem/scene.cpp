@@ -373,8 +373,8 @@ Followed followed(const Model& model, const std::vector<double>& parameters, dou
   constexpr std::size_t looks = 256;
   // Some seconds' work; a TOML file with an error and a horizon may take longer.
   const auto operations = static_cast<long>(numbers.rates.code().size());
-  // Half of what the reference may take: its other route takes more steps on a stiff motion, and other starts
-  // may be harder.
+  // Half of the reference's limit: its other route takes more steps on a stiff motion, and other starts may
+  // be harder.
   const long steps = std::clamp(6'000'000 / (operations + 1), 1'000L, most_steps / 2);
   // Lengthens the time in a few passes, so that chaos is not computed further than necessary.
   for (double end = longest / 64;; end = std::min(4 * end, longest)) {

@@ -88,5 +88,5 @@ for file in "$@"; do
   esac
 done
 echo "$# files: $answered answered, of which $moving move; $refused refused; $late not answered in time; $differing differ as xppaut does from itself, $wrong are wrong"
-# Of the package's 120 files, as many must be answered as ever were: 56 that move, and none too late.
+# At least 56 of the package's 120 files must be answered with motions that move, and none too late.
 [ $wrong -eq 0 ] && { [ $# -lt 100 ] || { [ $moving -ge 56 ] && [ $late -eq 0 ]; }; }
