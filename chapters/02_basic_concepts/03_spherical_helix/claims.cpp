@@ -259,7 +259,7 @@ void height(Table& table, const std::vector<Sample>& later) {
        .meant = R"($(t/\sqrt{1+t^2})" + others,
        .kind = Fault::lost_typography,
        .why = filled(
-           R"(The bar above the first root is lost in the text at hand. It is $t/\sqrt{1+t^2}$, whose square is )"
+           R"(The bar above the first root is lost in the text at hand: $t/\sqrt{1+t^2}$, whose square is )"
            R"(under the next root. The product has no limit; at $t=10$ it is @3, and the quotient @3.)",
            {10 * sqrt(101.0), 10 / sqrt(101.0)})});
 }
