@@ -1035,15 +1035,16 @@ void cone_equations(SwingTable& table, const std::vector<Swinging>& samples) {
       R"(The cone's equations are those of the point with the derivatives of $\frac12w\cdot Jw$ appended)",
       samples,
       {.quantity = "Lagrange's equations, left sides less right sides, for $\\theta$ and $\\phi$",
-       .truth = {R"(the rate in space of the angular momentum about the joint of a cone that does not spin )"
-                 R"(about its axis, less the torque of gravity, along $k$ and $P$, linear in $\omega$, the )"
-                 R"(moments by quadrature; the proof has a point mass at $(L^2+I_{xx}/m)/L$)",
-                 [=]<class T>(const SwingingOf<T>& s) {
-                   if constexpr (std::same_as<T, double>)
-                     return about_joint(s);
-                   else
-                     return of_point(s);
-                 }},
+       .truth =
+           {R"(the angular momentum's rate in space about the joint of a cone that does not spin )"
+            R"(about its axis, less gravity's torque, along $k$ and $P$, linear in $\omega$. The moments are )"
+            R"(by quadrature; the proof has a point mass at $(L^2+I_{xx}/m)/L$)",
+            [=]<class T>(const SwingingOf<T>& s) {
+              if constexpr (std::same_as<T, double>)
+                return about_joint(s);
+              else
+                return of_point(s);
+            }},
        .printed =
            {R"($\frac d{dt}\frac{\partial T}{\partial\dot\theta}-\frac{\partial T}{\partial\theta}=F_\theta$ )"
             R"(and the same for $\phi$, $T=\frac m2|v|^2+\frac12w\cdot Jw$ and the point's $F$)",
