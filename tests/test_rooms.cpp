@@ -60,6 +60,7 @@ TEST_CASE("each room includes only the rooms below it", "[rooms]") {
         const bool may = included == "solvers/ode/catalog.hpp" || included == "solvers/stop.hpp" ||
                          included == "solvers/ode/steps_in.hpp" ||
                          included == "solvers/ode/step_lengths.hpp" ||
+                         included == "solvers/ode/known_tongues.hpp" ||
                          (included == "solvers/ode/velocities.hpp" &&  // printed along by `choose --code`
                           file.parent_path().filename() == "plain") ||
                          file.parent_path().filename() == "module" ||
