@@ -465,7 +465,9 @@ formula::Matrix<T> Formula::evaluated(const Of<T>& of) const {
     }
     if (letter.component > 0) {
       const auto index = index_of_component(letter.component, size_of(value));
-      if (!index) fail(letter.span, name_of(value) + " has no component " + std::to_string(letter.component));
+      if (!index)
+        fail(letter.span, name_of(value) + " has no component " + std::to_string(letter.component) +
+                              (value.columns > 1 ? ": 12 is that of row 1 and column 2" : ""));
       value = {{value.entries[*index]}};
     }
     if constexpr (std::same_as<T, Measure>)

@@ -128,8 +128,9 @@ class Search {
       if (several && all.columns == 1 && next.columns == 1)
         return at(factor, "two vectors have several products: write dot(a, b) or cross(a, b)");
       if (several && all.columns != next.rows())
-        return at(factor, name_of(all) + " and " + name_of(next) + " have no product" +
-                              (next.columns == all.rows() ? ": write the second one first" : ""));
+        return at(factor,
+                  name_of(all) + " and " + name_of(next) + " have no product" +
+                      (all.columns == 1 && next.columns == all.rows() ? ": write the matrix first" : ""));
       all = product_of(all, next);
     }
     return at(x, "these have no product");

@@ -401,7 +401,7 @@ TEST_CASE("A model in matrices moves as the same model in components", "[problem
       turning =
           "equations = [\"a' = a 0 + b w\", \"b' = a (-w) + b 0\", \"c' = c 0 + d w\", \"d' = c (-w) + d 0\"]\n",
       by_formula = "W = \"(0, -w; w, 0)\"\n", by_list = "W = [[0, \"-w\"], [\"w\", 0]]\n";
-  const std::string S = "S = [[1, 0.5], [-1, 2]]\n", s = "s = 1\nt2 = 0.5\nu = -1\nv = 2\n";
+  const std::string S = "S = [[1, 0.5], [-1, 2]]\n", s = "s = 1\np = 0.5\nu = -1\nv = 2\n";
   struct Both {
     Twin model, given;
   };
@@ -421,12 +421,12 @@ TEST_CASE("A model in matrices moves as the same model in components", "[problem
             start},
        {by_formula, ""}},
       {{"equations = [\"m R'' = -k (transposed(R) - 2*S R/3)\"]\n" + identity_at_rest,
-        "equations = [\"m a'' = -k (a - ((2*s) a + (2*t2) c)/3)\", \"m b'' = -k (c - ((2*s) b + (2*t2) d)/3)\", "
+        "equations = [\"m a'' = -k (a - ((2*s) a + (2*p) c)/3)\", \"m b'' = -k (c - ((2*s) b + (2*p) d)/3)\", "
         "\"m c'' = -k (b - ((2*u) a + (2*v) c)/3)\", \"m d'' = -k (d - ((2*u) b + (2*v) d)/3)\"]\n" +
             second_start},
        {S, s}},
       {{"equations = ['m \\ddot R = -k (R^T - S R)']\n" + identity_at_rest,
-        "equations = [\"m a'' = -k (a - (s a + t2 c))\", \"m b'' = -k (c - (s b + t2 d))\", "
+        "equations = [\"m a'' = -k (a - (s a + p c))\", \"m b'' = -k (c - (s b + p d))\", "
         "\"m c'' = -k (b - (u a + v c))\", \"m d'' = -k (d - (u b + v d))\"]\n" +
             second_start},
        {S, s}},
@@ -510,56 +510,85 @@ TEST_CASE("Matrices that do not fit are refused with their place", "[problem][ma
                             "W = \"(0, -w; w, 0)\"\nA = [[1, 2, 3], [4, 5, 6]]\nv = [1, 2, 3, 4]\n"));
   };
   CHECK(of_equation("R' = R W") == "nothing");
-  CHECK(of_equation("R' = R + W") == "");
-  CHECK(of_equation("R' = w (R + v)") == "");
-  CHECK(of_equation("R' = w (R + 1)") == "");
-  CHECK(of_equation("R' = w v") == "");
-  CHECK(of_equation("R' = w A") == "");
-  CHECK(of_equation("R' = W A R") == "");
-  CHECK(of_equation("R' = A W") == "");
-  CHECK(of_equation("R' = w/R") == "");
-  CHECK(of_equation("R' = w R^2") == "");
-  CHECK(of_equation("R' = w abs(R) R") == "");
-  CHECK(of_equation("R' = w dot(v, R) R") == "");
-  CHECK(of_equation("R' = w transposed(w) R") == "");
-  CHECK(of_equation("R' = w if(t < 1 s, R, v)") == "");
-  CHECK(of_equation("R' = w turned(R, (1, 0, 0))") == "");
-  CHECK(of_equation("R' = w R_13 R") == "");
-  CHECK(of_equation("R' = w R_1 R") == "");
-  CHECK(of_equation("R' = w W_3 R") == "");
-  CHECK(of_equation("R_11' = w") == "");
+  CHECK(of_equation("R' = R + W") == "test.toml:12:24: a pure number and 1/s do not add up");
+  CHECK(of_equation("R' = w (R + v)") ==
+        "test.toml:12:27: a matrix of 2 by 2 and a vector of 4 do not add up");
+  CHECK(of_equation("R' = w (R + 1)") == "test.toml:12:20: a matrix of 2 by 2 and a number do not add up");
+  CHECK(of_equation("R' = w v") ==
+        "test.toml:12:20: the left side is a matrix of 2 by 2, and the right side a vector of 4");
+  CHECK(of_equation("R' = w A") ==
+        "test.toml:12:20: the left side is a matrix of 2 by 2, and the right side a matrix of 2 by 3");
+  CHECK(of_equation("R' = W A R") ==
+        "test.toml:12:24: a matrix of 2 by 3 and a matrix of 2 by 2 have no product");
+  CHECK(of_equation("R' = A W") ==
+        "test.toml:12:22: a matrix of 2 by 3 and a matrix of 2 by 2 have no product");
+  CHECK(of_equation("R' = w dot((1, 2) R, (1, 0)) R") ==
+        "test.toml:12:33: a vector of 2 and a matrix of 2 by 2 have no product: write the matrix first");
+  CHECK(of_equation("R' = w/R") == "test.toml:12:22: divide by a number: this is a matrix of 2 by 2");
+  CHECK(of_equation("R' = w R^2") ==
+        "test.toml:12:22: a power is of a number, and this is a matrix of 2 by 2: write a product");
+  CHECK(of_equation("R' = w abs(R) R") ==
+        "test.toml:12:26: abs takes a number or a vector, and this is a matrix of 2 by 2");
+  CHECK(of_equation("R' = w dot(v, R) R") ==
+        "test.toml:12:26: dot takes two vectors of one length, and not a vector of 4 and a matrix of 2 by 2");
+  CHECK(of_equation("R' = w transposed(w) R") == "test.toml:12:33: a number is not transposed");
+  CHECK(of_equation("R' = w if(t < 1 s, R, v)") ==
+        "test.toml:12:37: this is a vector of 4, and otherwise a matrix of 2 by 2");
+  CHECK(of_equation("R' = w turned(R, (1, 0, 0))") ==
+        "test.toml:12:29: turned takes a vector of 4 here, and this is a matrix of 2 by 2");
+  CHECK(of_equation("R' = w R_13 R") ==
+        "test.toml:12:22: a matrix of 2 by 2 has no component 13: 12 is that of row 1 and column 2");
+  CHECK(of_equation("R' = w R_1 R") ==
+        "test.toml:12:22: a matrix of 2 by 2 has no component 1: 12 is that of row 1 and column 2");
+  CHECK(of_equation("R' = w W_3 R") ==
+        "test.toml:12:22: a matrix of 2 by 2 has no component 3: 12 is that of row 1 and column 2");
+  CHECK(of_equation("R_11' = w") == "test.toml:11:8: no equation has a rate of R_12");
 
   const auto of_start = [](const std::string& start) {
     return refusal(matrices("equations = [\"R'' = -w^2 R\"]\nstart = { " + start + " }\n"));
   };
   CHECK(of_start("R = [[1, 0], [0, 1]], \"R'\" = 0") == "nothing");
-  CHECK(of_start("R = [[1, 0], [0, 1, 2]], \"R'\" = 0") == "");
-  CHECK(of_start("R = [[1, 0], 1], \"R'\" = 0") == "");
-  CHECK(of_start("R = [1, [0, 1]], \"R'\" = 0") == "");
-  CHECK(of_start("R = [[1, [2]], [0, 1]], \"R'\" = 0") == "");
-  CHECK(of_start("R = [[1], [0]], \"R'\" = 0") == "");
-  CHECK(of_start("R = [[1, 0]], \"R'\" = 0") == "");
-  CHECK(of_start("R = [[], []], \"R'\" = 0") == "");
-  CHECK(of_start("R = [[1, 0], [0, 1]], \"R'\" = [[0, 0, 0], [0, 0, 0]]") == "");
-  CHECK(of_start("R = [[1, 0], [0, 1]], \"R'\" = [0, 0, 0, 0]") == "");
-  CHECK(of_start("R = [[1, 0], [0, 1]], \"R'\" = \"w\"") == "");
-  CHECK(of_start("R = [[1, 0], [0, 1]]") == "");
-  CHECK(of_start("R = [[1, 0], [0, 1]], \"R'\" = 0, R_12 = 0") == "");
-  CHECK(of_start("R = [[1, 0], [\"1 m\", 1]], \"R'\" = 0") == "");
+  CHECK(of_start("R = [[1, 0], [0, 1, 2]], \"R'\" = 0") ==
+        "test.toml:10:24: this row has 3 components, and the first 2");
+  CHECK(of_start("R = [[1, 0], 1], \"R'\" = 0") ==
+        "test.toml:10:24: this is no list, and the other rows of this matrix are lists");
+  CHECK(of_start("R = [1, [0, 1]], \"R'\" = 0") ==
+        "test.toml:10:16: this is no list, and the other rows of this matrix are lists");
+  CHECK(of_start("R = [[1, [2]], [0, 1]], \"R'\" = 0") == "test.toml:10:20: expected a text, in quotes");
+  CHECK(of_start("R = [[1], [0]], \"R'\" = 0") == "test.toml:10:15: a matrix has 2 to 9 rows and columns");
+  CHECK(of_start("R = [[1, 0]], \"R'\" = 0") == "test.toml:10:15: a matrix has 2 to 9 rows and columns");
+  CHECK(of_start("R = [[], []], \"R'\" = 0") == "test.toml:10:15: a matrix has 2 to 9 rows and columns");
+  CHECK(of_start("R = [[1, 0], [0, 1]], \"R'\" = [[0, 0, 0], [0, 0, 0]]") ==
+        "test.toml:10:40: R is a matrix of 2 by 2, and this is a matrix of 2 by 3");
+  CHECK(of_start("R = [[1, 0], [0, 1]], \"R'\" = [0, 0, 0, 0]") ==
+        "test.toml:10:40: R is a matrix of 2 by 2, and this is a vector of 4");
+  CHECK(of_start("R = [[1, 0], [0, 1]], \"R'\" = \"w\"") ==
+        "test.toml:10:41: R is a matrix: start R' with a list of lists, or with 0");
+  CHECK(of_start("R = [[1, 0], [0, 1]]") ==
+        "test.toml:8:8: no start for R': add \"R'\" = [[...], [...]] to start");
+  CHECK(of_start("R = [[1, 0], [0, 1]], \"R'\" = 0, R_12 = 0") == "test.toml:10:43: R_12 is started twice");
+  CHECK(of_start("R = [[1, 0], [\"1 m\", 1]], \"R'\" = 0") ==
+        "test.toml:10:26: R_21 is in a pure number, and this is m");
   const std::string five = "[1, 0, 0, 0, 0]";
   CHECK(refusal(matrices("equations = [\"R' = w R\"]\nstart = { R = [" + five + ", " + five + ", " + five +
-                         ", " + five + ", " + five + "] }\n")) == "");
-  CHECK(refusal(matrices("equations = [\"R' = w R\"]\n" + identity, "R_11 = 1\n")) == "");
+                         ", " + five + ", " + five + "] }\n")) ==
+        "test.toml:8:8: model one has 25 unknowns and rates, and the algorithms are compiled for at most 24");
+  CHECK(refusal(matrices("equations = [\"R' = w R\"]\n" + identity, "R_11 = 1\n")) ==
+        "test.toml:11:11: R_11 is no unknown: it is a parameter, an abbreviation or the time");
   CHECK(refusal(matrices("equations = [\"R' = w R\"]\n" + identity, "W_12 = 1\nW = [[1, 0], [0, 1]]\n")) ==
-        "");
+        "test.toml:9:1: W_12 is there twice; take another name");
   CHECK(refusal(matrices(
             "equations = [\"R' = w R\"]\nevents = [{ when = \"R_12\", then = { R = [1, 0, 0, 1] } }]\n" +
-            identity)) == "");
+            identity)) == "test.toml:10:41: R is a matrix of 2 by 2, and this is a vector of 4");
   CHECK(refusal(matrices("hamiltonian = \"w R_11 + w p_1\"\nmomenta = { R = \"p\" }\n"
-                         "start = { R = [[1, 0], [0, 1]], p = [\"1 J s\", 0, 0, 0] }\n")) == "");
-  CHECK(refusal(matrices("turns = { R = [\"w\", 0, 0] }\n" + identity)) == "");
+                         "start = { R = [[1, 0], [0, 1]], p = [\"1 J s\", 0, 0, 0] }\n")) ==
+        "test.toml:10:18: R is a matrix of 2 by 2, and p is a vector of 4");
+  CHECK(refusal(matrices("turns = { R = [\"w\", 0, 0] }\n" + identity)) ==
+        "test.toml:9:11: R turns: start it with a quaternion, as R = [1, 0, 0, 0]");
   CHECK(refusal(matrices("equations = [\"R' = w R\"]\n" + identity, "",
-                         "R = { unit = \"1\", is = \"R + R_11\" }\n")) == "");
+                         "R = { unit = \"1\", is = \"R + R_11\" }\n")) ==
+        "test.toml:12:29: a matrix of 2 by 2 and a number do not add up");
   CHECK(refusal(matrices("equations = [\"R' = w R\"]\nobserve = { R = \"R (1, 0)\" }\n" + identity +
-                         "[model.two]\nequations = [\"R' = w R\"]\n" + identity)) == "");
+                         "[model.two]\nequations = [\"R' = w R\"]\n" + identity)) ==
+        "test.toml:16:1: a matrix of 2 by 2 has no component 1: 12 is that of row 1 and column 2");
 }
