@@ -516,7 +516,7 @@ class Reader {
       try {
         Abbreviations letters(file_, model);
         const Shape its = letters.shape(Formula(source_, *text, letters.letters()));
-        if (!its.is_number()) return size_of(its);
+        if (!its.is_number()) return extent(its);
       } catch (const WrongFile&) {  // The model reports it, behind errors that come before it.
       }
     }

@@ -318,10 +318,20 @@ class Reader {
     }
     if (!among("t", known_.parameters)) add("t", {Letter::Is::time});
     try {
-      return formula::parse_tex(text_, names_);
+      formula::Tree tree = formula::parse_tex(text_, names_);
+      std::vector<bool> is_there(letters_->size(), false);
+      see_letters(tree, is_there);
+      for (std::size_t i = 0; i < is_there.size(); ++i)
+        if (!is_there[i]) (*letters_)[i] = {Letter::Is::quantity};
+      return tree;
     } catch (const formula::Unreadable& error) {
       fail(error.place(), error.reason());
     }
+  }
+  static void see_letters(const formula::Tree& x, std::vector<bool>& is_there) {
+    if (x.kind() == formula::Kind::letter)
+      for (const auto& entry : x->entries) is_there[static_cast<std::size_t>(entry.rates[0])] = true;
+    for (const formula::Tree& child : x->children) see_letters(child, is_there);
   }
 
   /// Counts nested calls, each with its own reader.
@@ -418,7 +428,7 @@ formula::Matrix<T> Formula::called(const Letter& call, const Of<T>& of) const {
   for (const Formula& one : call.arguments) all.push_back(one.evaluated(of));
   const auto number_at = [&](std::size_t i) { return call.arguments[i].number(all[i]); };
   const auto sized = [&](std::size_t i, std::size_t count) -> const formula::Matrix<T>& {
-    if (const Size size{count, 1}; size_of(all[i]) != size)
+    if (const Size size{count, 1}; extent(all[i]) != size)
       call.arguments[i].fail(
           {}, call.function + " takes " + name_of(size) + " here, and this is " + name_of(all[i]));
     return all[i];
@@ -439,7 +449,7 @@ formula::Matrix<T> Formula::called(const Letter& call, const Of<T>& of) const {
   if (call.function == "if") {
     if (call.arguments[2].is_zero()) all[2] = scaled(all[3], T(0));
     if (call.arguments[3].is_zero()) all[3] = scaled(all[2], T(0));
-    if (size_of(all[2]) != size_of(all[3]))
+    if (extent(all[2]) != extent(all[3]))
       call.arguments[3].fail({}, "this is " + name_of(all[3]) + ", and otherwise " + name_of(all[2]));
     const T condition = number_at(0) - number_at(1);
     for (std::size_t i = 0; i < all[2].entries.size(); ++i)
@@ -464,7 +474,7 @@ formula::Matrix<T> Formula::evaluated(const Of<T>& of) const {
       fail(letter.span, error.what());
     }
     if (letter.component > 0) {
-      const auto index = index_of_component(letter.component, size_of(value));
+      const auto index = index_of_component(letter.component, extent(value));
       if (!index)
         fail(letter.span, name_of(value) + " has no component " + std::to_string(letter.component) +
                               (value.columns > 1 ? ": 12 is that of row 1 and column 2" : ""));

@@ -150,7 +150,7 @@ class Model::Making {
     }
     const Formula whole = formula(text);
     const Shape its = abbreviations_.shape(whole);
-    if (!whole.is_zero()) require_size(size_of(its));
+    if (!whole.is_zero()) require_size(extent(its));
     for (std::size_t i = 0; i < size.entries(); ++i) all.push_back(whole.component(i));
     return all;
   }
@@ -318,7 +318,7 @@ class Model::Making {
   void add_equations(const Quoted& text, std::vector<Equation>& all) {
     const Equation whole = equation(source_, text, letters_);
     const Shape left = abbreviations_.shape(whole.left), right = abbreviations_.shape(whole.right);
-    if (size_of(left) != size_of(right) && !whole.left.is_zero() && !whole.right.is_zero())
+    if (extent(left) != extent(right) && !whole.left.is_zero() && !whole.right.is_zero())
       whole.right.fail({}, "the left side is " + name_of(left) + ", and the right side " + name_of(right));
     for (std::size_t i = 0; i < std::max(left.entries.size(), right.entries.size()); ++i)
       all.push_back({whole.left.component(i), whole.right.component(i)});

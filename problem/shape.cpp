@@ -111,7 +111,7 @@ class Search {
       if (is_number(term, "0")) continue;
       const Shape its = *shape(term);
       if (!first) first = its;
-      if (size_of(its) != size_of(*first))
+      if (extent(its) != extent(*first))
         return at(term, name_of(*first) + " and " + name_of(its) + " do not add up");
     }
     return at(x, "these do not add up");

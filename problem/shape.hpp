@@ -22,7 +22,7 @@ struct Size {
   bool operator==(const Size&) const = default;
 };
 template <class T>
-Size size_of(const formula::Matrix<T>& x) {
+Size extent(const formula::Matrix<T>& x) {
   return {x.rows(), x.columns};
 }
 
@@ -30,7 +30,7 @@ Size size_of(const formula::Matrix<T>& x) {
 std::string name_of(Size);
 template <class T>
 std::string name_of(const formula::Matrix<T>& x) {
-  return name_of(size_of(x));
+  return name_of(extent(x));
 }
 /// Index of the component that formulas call r_2 or R_12, by the number in its name; empty for any other
 /// number.

@@ -451,7 +451,7 @@ TEST_CASE("A matrix of several columns multiplies a vector of as many", "[proble
   const std::string by_numbers =
       "equations = [\"a' = -w a\", \"b' = -w b\", \"c' = -w c\", \"d' = -w d\", \"e' = -w e\", \"f' = -w f\", "
       "\"x' = (w a) 1 + (w b) 2 + (w c) 3\", \"y' = (w d) 1 + (w e) 2 + (w f) 3\"]\n"
-      "start = { a = 1, b = 0, c = 2, d = 0, e = 1, f = 0, x = 0, y = 1 }\n";
+      "start = { a = 1, b = \"0 rad\", c = 2, d = \"0 rad\", e = 1, f = \"0 rad\", x = 0, y = 1 }\n";
   check_same(numbers_of(matrices(by_matrix, "v = [1, 2, 3]\n", "r = \"1\"\n")),
              numbers_of(matrices(by_numbers, "", "x = \"1\"\ny = \"1\"\n")));
 }
@@ -591,4 +591,11 @@ TEST_CASE("Matrices that do not fit are refused with their place", "[problem][ma
   CHECK(refusal(matrices("equations = [\"R' = w R\"]\nobserve = { R = \"R (1, 0)\" }\n" + identity +
                          "[model.two]\nequations = [\"R' = w R\"]\n" + identity)) ==
         "test.toml:16:1: a matrix of 2 by 2 has no component 1: 12 is that of row 1 and column 2");
+}
+
+TEST_CASE("An equation in TeX has the order that it shows", "[problem][vectors]") {
+  const std::string text =
+      "title = \"x\"\n[parameters]\nk = \"2 1/s\"\n[model.one]\nequations = ['\\dot x = -k x']\n"
+      "start = { x = 1 }\n[observe]\nx = \"1\"\n[need]\nerror = [\"0.01\"]\n";
+  CHECK(numbers_of(text).unknowns >= 1);
 }
