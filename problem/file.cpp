@@ -37,6 +37,7 @@ Place place_of(const toml::source_region& region) { return {region.begin.line, r
 Place place_of(const toml::node& node) { return place_of(node.source()); }
 
 constexpr std::size_t most_components = 24;
+constexpr std::size_t most_rows_of_matrix = 9;  // R_12 has one digit for the row, and one for the column
 
 class Reader {
  public:
@@ -147,33 +148,48 @@ class Reader {
     return all;
   }
 
-  // ---- vectors -------------------------------------------------------------------------------------------
+  // ---- vectors and matrices ------------------------------------------------------------------------------
 
-  /// A text, or a list of them for a vector.
+  /// A text, a list of them for a vector, or a list of lists for a matrix.
   Quoted quoted_or_list(const toml::node& node) const {
     const auto* array = node.as_array();
     if (!array) return quoted(node);
-    Quoted list{"(", place_of(node), true};
-    if (array->size() < 2 || array->size() > most_components)
-      source_.fail(list.place, "a vector has 2 to " + std::to_string(most_components) + " components");
+    const bool is_matrix =
+        std::any_of(array->begin(), array->end(), [](const toml::node& row) { return row.is_array(); });
+    std::vector<Quoted> entries;
+    std::size_t columns = 1;
     for (const auto& one : *array) {
-      list.parts.push_back(quoted(one));
-      list.text += (list.parts.size() > 1 ? ", " : "") + list.parts.back().text;
+      if (is_matrix && !one.is_array())
+        source_.fail(place_of(one), "this is no list, and the other rows of this matrix are lists");
+      const std::vector<Quoted> row = texts(one);
+      if (entries.empty()) columns = row.size();
+      if (row.size() != columns)
+        source_.fail(place_of(one), "this row has " + std::to_string(row.size()) +
+                                        " components, and the first " + std::to_string(columns));
+      entries.insert(entries.end(), row.begin(), row.end());
     }
-    list.text += ")";
-    return list;
+    require_size({array->size(), columns}, is_matrix, place_of(node));
+    return list_of(entries, columns, place_of(node));
   }
-  /// The names of a vector's components: "r_1'", "r_2'" for r'.
-  static std::vector<Quoted> components_of(const Quoted& vector, std::size_t count) {
+  void require_size(Size size, bool is_matrix, Place place) const {
+    const std::size_t most = is_matrix ? most_rows_of_matrix : most_components;
+    if (size.rows >= 2 && size.rows <= most && (!is_matrix || (size.columns >= 2 && size.columns <= most)))
+      return;
+    source_.fail(place, (is_matrix ? "a matrix has 2 to " : "a vector has 2 to ") + std::to_string(most) +
+                            (is_matrix ? " rows and columns" : " components"));
+  }
+  /// The names of the components: "r_1'", "r_2'" for r'.
+  static std::vector<Quoted> components_of(const Quoted& whole, Size size) {
     std::vector<Quoted> names;
-    for (std::size_t i = 0; i < count; ++i)
-      names.push_back({component_name(vector.text, i), vector.place, true});
+    for (std::size_t i = 0; i < size.entries(); ++i)
+      names.push_back({component_name(whole.text, i, size), whole.place, true});
     return names;
   }
-  /// A vector as the list of its components.
-  static Quoted list_of(const std::vector<Quoted>& names, Place place) {
-    Quoted list{"(", place, true, names};
-    for (const Quoted& one : names) list.text += (list.text == "(" ? "" : ", ") + one.text;
+  /// A vector or matrix of these components.
+  static Quoted list_of(const std::vector<Quoted>& entries, std::size_t columns, Place place) {
+    Quoted list{"(", place, true, entries, columns};
+    for (std::size_t i = 0; i < entries.size(); ++i)
+      list.text += (i == 0 ? "" : columns > 1 && i % columns == 0 ? "; " : ", ") + entries[i].text;
     list.text += ")";
     return list;
   }
@@ -184,26 +200,26 @@ class Reader {
       file_.given.push_back({name(key), text});
       return;
     }
-    const std::vector<Quoted> names = components_of(key, text.parts.size());
+    const std::vector<Quoted> names = components_of(key, text.size());
     for (std::size_t i = 0; i < names.size(); ++i) file_.given.push_back({name(names[i]), text.parts[i]});
-    file_.given.push_back({name(key), list_of(names, text.place)});
+    file_.given.push_back({name(key), list_of(names, text.columns, text.place)});
   }
 
-  /// The unknowns are numbers, a vector's its components.
+  /// The unknowns are numbers, those of vectors and matrices their components.
   void start(const toml::table* table, ModelText& m) const {
     const auto entries = in_order(table);
     const auto base = [](const Quoted& key) { return key.text.substr(0, key.text.find('\'')); };
-    std::map<std::string, std::size_t> sizes;
+    std::map<std::string, Size> sizes;
     for (const auto& [key, node] : entries) {
       if (!node->is_array()) continue;
-      const std::size_t count = quoted_or_list(*node).parts.size();
-      const auto [known, is_new] = sizes.emplace(base(key), count);
-      if (known->second != count)
+      const Size size = quoted_or_list(*node).size();
+      const auto [known, is_new] = sizes.emplace(base(key), size);
+      if (known->second != size)
         source_.fail(place_of(*node),
-                     base(key) + " is " + name_of(known->second, 1) + ", and this is " + name_of(count, 1));
+                     base(key) + " is " + name_of(known->second) + ", and this is " + name_of(size));
       if (!is_new) continue;
-      const Quoted vector{base(key), key.place};
-      m.vectors.push_back({vector, list_of(components_of(vector, count), key.place)});
+      const Quoted whole{base(key), key.place};
+      m.vectors.push_back({whole, list_of(components_of(whole, size), size.columns, key.place)});
     }
     const auto add = [&](const Quoted& key, const Quoted& text) {
       for (const auto& [known, its] : m.start)
@@ -212,14 +228,17 @@ class Reader {
     };
     for (const auto& [key, node] : entries) {
       const Quoted text = quoted_or_list(*node);
-      const auto vector = sizes.find(base(key));
-      if (vector == sizes.end()) {
+      const auto size = sizes.find(base(key));
+      if (size == sizes.end()) {
         add(key, text);
         continue;
       }
+      const bool is_matrix = size->second.is_matrix();
       if (text.parts.empty() && text.text != "0")
-        source_.fail(text.place, base(key) + " is a vector: start " + key.text + " with a list, or with 0");
-      const std::vector<Quoted> names = components_of(key, vector->second);
+        source_.fail(text.place, base(key) + (is_matrix ? " is a matrix: start " : " is a vector: start ") +
+                                     key.text + (is_matrix ? " with a list of lists" : " with a list") +
+                                     ", or with 0");
+      const std::vector<Quoted> names = components_of(key, size->second);
       for (std::size_t i = 0; i < names.size(); ++i) add(names[i], text.parts.empty() ? text : text.parts[i]);
     }
   }
@@ -232,7 +251,7 @@ class Reader {
     if (!rate) source_.fail(key.place, key.text + " turns: rate = \"w\" is its angular velocity");
     const bool in_body = !table || text_in(*table, "axes", {"body", "space"}, "body") == "body";
     const auto vector = std::ranges::find_if(m.vectors, [&](const auto& one) {
-      return one.first.text == key.text && one.second.parts.size() == 4;
+      return one.first.text == key.text && one.second.size() == Size{4, 1};
     });
     if (vector == m.vectors.end())
       source_.fail(key.place,
@@ -453,8 +472,8 @@ class Reader {
     }
     o.unit = unit.text;
     measure(unit, o.unit, o.size, o.measure);
-    o.components = components_in_models(o);
-    if (o.components == 1)
+    o.vector_size = size_in_models(o);
+    if (o.vector_size == Size())
       add(std::move(o));
     else
       add_vector(o);
@@ -464,43 +483,44 @@ class Reader {
       source_.fail(o.place, o.name + " is observed twice");
     file_.observables.push_back(std::move(o));
   }
-  /// A vector is seen as its components, of one point.
+  /// A vector or matrix is seen as its components, of one point.
   void add_vector(const ObservableText& vector) {
+    if (vector.vector_size.is_matrix()) require_size(vector.vector_size, true, vector.formula.place);
     const Quoted& formula = vector.formula;
     const bool is_name = std::ranges::all_of(
         formula.text, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; });
-    for (std::size_t i = 0; i < vector.components; ++i) {
+    for (std::size_t i = 0; i < vector.vector_size.entries(); ++i) {
       ObservableText o = vector;
       o.vector = vector.name;
       o.component = i;
-      o.name = component_name(vector.name, i);
+      o.name = component_name(vector.name, i, vector.vector_size);
       if (o.point.empty()) o.point = vector.name;
       if (!formula.parts.empty())
         o.formula = formula.parts[i];
       else if (is_name)
-        o.formula = {component_name(formula.text, i), formula.place, true};
+        o.formula = {component_name(formula.text, i, vector.vector_size), formula.place, true};
       else
         o.is_of_vector = true;
       add(std::move(o));
     }
   }
-  /// How many components it has in the first model with a vector for it; otherwise 1.
-  std::size_t components_in_models(const ObservableText& o) const {
-    if (!o.formula.parts.empty()) return o.formula.parts.size();
+  /// Its size in the first model with a vector or matrix for it; otherwise that of a number.
+  Size size_in_models(const ObservableText& o) const {
+    if (!o.formula.parts.empty()) return o.formula.size();
     for (const ModelText& model : file_.models) {
       const Quoted* text = model.closed.empty() ? &o.formula : nullptr;
       for (const auto& [name, own] : model.closed.empty() ? model.observe : model.closed)
         if (name.text == o.name) text = &own;
       if (!text) continue;
-      if (!text->parts.empty()) return text->parts.size();
+      if (!text->parts.empty()) return text->size();
       try {
         Abbreviations letters(file_, model);
         const Shape its = letters.shape(Formula(source_, *text, letters.letters()));
-        if (!its.is_number()) return its.entries.size();
+        if (!its.is_number()) return extent(its);
       } catch (const WrongFile&) {  // The model reports it, behind errors that come before it.
       }
     }
-    return 1;
+    return {};
   }
 
   Named pairs(const toml::table* table) const {
@@ -935,9 +955,11 @@ std::string rate_before(const std::string& text, Place place) {
 
 }  // namespace
 
-std::string component_name(const std::string& vector, std::size_t index) {
-  const std::size_t end = std::min(vector.find('\''), vector.size());
-  return vector.substr(0, end) + "_" + std::to_string(index + 1) + vector.substr(end);
+std::string component_name(const std::string& whole, std::size_t index, Size size) {
+  const std::size_t end = std::min(whole.find('\''), whole.size());
+  const std::size_t number =
+      size.is_matrix() ? 10 * (index / size.columns + 1) + index % size.columns + 1 : index + 1;
+  return whole.substr(0, end) + "_" + std::to_string(number) + whole.substr(end);
 }
 
 std::unique_ptr<const File> read(const std::string& name, const std::string& text) {

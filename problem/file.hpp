@@ -50,7 +50,7 @@ struct ModelText {
   std::vector<std::string> found = {};  ///< unknowns whose start is searched near the given one
   std::optional<Quoted> lagrangian = {}, hamiltonian = {}, dissipation = {}, kinetic = {}, potential = {};
   Named forces = {}, momenta = {}, start = {}, closed = {}, observe = {};  ///< momenta by their places
-  Named vectors = {};  ///< unknowns that are vectors, each as the list of its components: r = (r_1, r_2)
+  Named vectors = {};  ///< unknowns that are vectors or matrices, as lists of components: r = (r_1, r_2)
   std::vector<TurnText> turns = {};  ///< they have their equations
   std::vector<EventText> events = {};
 };
@@ -89,10 +89,10 @@ struct ObservableText {
   std::string name, unit, point;
   Quoted formula;
   Place place;
-  std::string vector = {};     ///< the name of the vector that it is a component of
-  std::size_t component = 0;   ///< its index in the vector
-  std::size_t components = 1;  ///< number of the vector's components
-  bool is_of_vector = false;   ///< the formula is the whole vector's
+  std::string vector = {};    ///< the name of the vector or matrix that it is a component of
+  std::size_t component = 0;  ///< its index in it
+  Size vector_size = {};      ///< rows and columns of this vector or matrix
+  bool is_of_vector = false;  ///< the formula is that of all components
   long double size = 1;
   Measure measure = {};
 };
@@ -140,8 +140,8 @@ struct File {
   bool is_plain = false;                           ///< all numbers are pure, also the time
 };
 
-/// "r_2'" for r', and the index 1: the name of a vector's component.
-std::string component_name(const std::string& vector, std::size_t index);
+/// The name of a component: "r_2'" for the vector r' and the index 1, "R_21" for a matrix R of 2 by 2 and 2.
+std::string component_name(const std::string& whole, std::size_t index, Size);
 /// Reads a text; throws WrongFile.
 std::unique_ptr<const File> read(const std::string& name, const std::string& text);
 /// Throws WrongFile if there is a motion and no parameter that may differ from start to start.

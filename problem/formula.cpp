@@ -20,9 +20,9 @@ namespace {
 constexpr std::array<std::string_view, 22> functions{
     "sin",  "cos",   "tan",   "asin",  "acos", "atan", "arcsin", "arccos", "arctan", "sinh",  "cosh",
     "tanh", "asinh", "acosh", "atanh", "exp",  "log",  "ln",     "sqrt",   "dot",    "cross", "pi"};
-constexpr std::array<std::string_view, 9> calls{"if",    "abs",    "max",      "min",      "sign",
-                                                "atan2", "turned", "composed", "conjugate"};
-constexpr std::array<std::string_view, 3> of_one{"abs", "sign", "conjugate"};
+constexpr std::array<std::string_view, 10> calls{"if",    "abs",    "max",      "min",       "sign",
+                                                 "atan2", "turned", "composed", "conjugate", "transposed"};
+constexpr std::array<std::string_view, 4> of_one{"abs", "sign", "conjugate", "transposed"};
 
 bool among(std::string_view word, const auto& all) { return std::ranges::find(all, word) != all.end(); }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -318,10 +318,20 @@ class Reader {
     }
     if (!among("t", known_.parameters)) add("t", {Letter::Is::time});
     try {
-      return formula::parse_tex(text_, names_);
+      formula::Tree tree = formula::parse_tex(text_, names_);
+      std::vector<bool> is_there(letters_->size(), false);
+      see_letters(tree, is_there);
+      for (std::size_t i = 0; i < is_there.size(); ++i)
+        if (!is_there[i]) (*letters_)[i] = {Letter::Is::quantity};
+      return tree;
     } catch (const formula::Unreadable& error) {
       fail(error.place(), error.reason());
     }
+  }
+  static void see_letters(const formula::Tree& x, std::vector<bool>& is_there) {
+    if (x.kind() == formula::Kind::letter)
+      for (const auto& entry : x->entries) is_there[static_cast<std::size_t>(entry.rates[0])] = true;
+    for (const formula::Tree& child : x->children) see_letters(child, is_there);
   }
 
   /// Counts nested calls, each with its own reader.
@@ -418,20 +428,28 @@ formula::Matrix<T> Formula::called(const Letter& call, const Of<T>& of) const {
   for (const Formula& one : call.arguments) all.push_back(one.evaluated(of));
   const auto number_at = [&](std::size_t i) { return call.arguments[i].number(all[i]); };
   const auto sized = [&](std::size_t i, std::size_t count) -> const formula::Matrix<T>& {
-    if (all[i].entries.size() != count)
+    if (const Size size{count, 1}; extent(all[i]) != size)
       call.arguments[i].fail(
-          {}, call.function + " takes " + name_of(count, 1) + " here, and this is " + name_of(all[i]));
+          {}, call.function + " takes " + name_of(size) + " here, and this is " + name_of(all[i]));
     return all[i];
   };
   if (call.function == "turned") return turned(sized(0, 4), sized(1, 3));
   if (call.function == "composed") return composed(sized(0, 4), sized(1, 4));
   if (call.function == "conjugate") return conjugate(sized(0, 4));
+  if (call.function == "transposed") {
+    if (all[0].is_number()) call.arguments[0].fail({}, "a number is not transposed");
+    return transposed(all[0]);
+  }
   using std::sqrt;
-  if (call.function == "abs" && !all[0].is_number()) return {{sqrt(dot_of(all[0], all[0]))}};
+  if (call.function == "abs" && !all[0].is_number()) {
+    if (all[0].columns > 1)
+      call.arguments[0].fail({}, "abs takes a number or a vector, and this is " + name_of(all[0]));
+    return {{sqrt(dot_of(all[0], all[0]))}};
+  }
   if (call.function == "if") {
     if (call.arguments[2].is_zero()) all[2] = scaled(all[3], T(0));
     if (call.arguments[3].is_zero()) all[3] = scaled(all[2], T(0));
-    if (all[2].entries.size() != all[3].entries.size())
+    if (extent(all[2]) != extent(all[3]))
       call.arguments[3].fail({}, "this is " + name_of(all[3]) + ", and otherwise " + name_of(all[2]));
     const T condition = number_at(0) - number_at(1);
     for (std::size_t i = 0; i < all[2].entries.size(); ++i)
@@ -455,27 +473,35 @@ formula::Matrix<T> Formula::evaluated(const Of<T>& of) const {
     } catch (const formula::NoValue& error) {
       fail(letter.span, error.what());
     }
-    if (letter.component > value.entries.size() || (letter.component > 0 && value.is_number()))
-      fail(letter.span, name_of(value) + " has no component " + std::to_string(letter.component));
-    if (letter.component > 0) value = {{value.entries[letter.component - 1]}};
+    if (letter.component > 0) {
+      const auto index = index_of_component(letter.component, extent(value));
+      if (!index)
+        fail(letter.span, name_of(value) + " has no component " + std::to_string(letter.component) +
+                              (value.columns > 1 ? ": 12 is that of row 1 and column 2" : ""));
+      value = {{value.entries[*index]}};
+    }
     if constexpr (std::same_as<T, Measure>)
       for (T& one : value.entries) one.span = letter.span;
   }
+  const auto shapes = [&] {
+    std::vector<Shape> all;
+    for (const auto& one : values) all.push_back({std::vector(one.entries.size(), 1.0), one.columns});
+    return all;
+  };
   try {
     formula::Matrix<T> all = formula::evaluate<T>(tree_[0], values);
+    if constexpr (!std::same_as<T, Expression>)  // measures and shapes are taken of every formula
+      if (const auto found = uneven(tree_[0], shapes())) fail(*found);
     if (component_ && !all.is_number()) all = {{all.entries.at(*component_)}};
     return all;
   } catch (const formula::NoValue& error) {
-    std::vector<Shape> shapes;
-    for (const auto& one : values) shapes.push_back({std::vector(one.entries.size(), 1.0), one.columns});
-    fail_for_shapes(shapes, error.what());
+    fail(misfit(tree_[0], shapes(), error.what()));
   } catch (const Mismatch& error) {
     fail(error.span, error.what() + meant());
   }
 }
 
-void Formula::fail_for_shapes(const std::vector<Shape>& shapes, const std::string& says) const {
-  const Misfit found = misfit(tree_[0], shapes, says);
+void Formula::fail(const Misfit& found) const {
   Span span;
   for (const std::size_t i : found.letters) span = span | letters_[i].span;
   fail(span, found.says);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -49,8 +50,10 @@ struct Quoted {
   std::string text;
   Place place;
   bool is_translated = false;      ///< the file has other words there
-  std::vector<Quoted> parts = {};  ///< parts of a list, whose text is (a, b)
+  std::vector<Quoted> parts = {};  ///< parts of a list, whose text is (a, b), or (a, b; c, d)
+  std::size_t columns = 1;         ///< columns of this list
 
+  Size size() const { return {std::max<std::size_t>(parts.size() / columns, 1), columns}; }
   Place at(std::size_t offset) const {
     return is_translated ? place : Place{place.line, place.column + offset};
   }
@@ -111,7 +114,7 @@ class Formula {
   formula::Matrix<T> evaluated(const Of<T>& of) const;
   template <class T>
   formula::Matrix<T> called(const Letter& call, const Of<T>& of) const;
-  [[noreturn]] void fail_for_shapes(const std::vector<Shape>& letters, const std::string& says) const;
+  [[noreturn]] void fail(const Misfit&) const;
 
   const Source* source_;
   Quoted text_;
@@ -125,7 +128,7 @@ struct Letter {
   enum class Is { quantity, parameter, time, unknown, given, call };
   Is is = Is::time;
   std::size_t index = 0, order = 0;  ///< its index, and the order of its rate
-  std::size_t component = 0;         ///< component of an abbreviation, from 1; 0: all
+  std::size_t component = 0;         ///< number in the name of an abbreviation's component; 0: all
   long double value = 0;             ///< value of a quantity such as 5 cm
   Measure measure = {};              ///< measure of a quantity such as 5 cm
   std::string function = {};         ///< name of a called function; for a quantity, another possible meaning

@@ -17,7 +17,7 @@ constexpr std::array file{
     Key{"question", "what is asked", "text"},
     Key{"parameters", "letters with a value, a unit and a range", "map text or parameter"},
     Key{"tables", "tables of numbers, called like functions", "map table"},
-    Key{"given", "abbreviations", "map texts"},
+    Key{"given", "abbreviations", "map components"},
     Key{"model", "models, from the least to the richest", "map model"},
     Key{"observe", "quantities that every model computes", "map text or observable"},
     Key{"need", "the question for choose", "need"},
@@ -39,7 +39,7 @@ constexpr std::array table{
 };
 constexpr std::array observable{
     Key{"unit", "its unit", "text", needed},
-    Key{"is", "its formula, unless it is the unknown of its name", "texts"},
+    Key{"is", "its formula, unless it is the unknown of its name", "components"},
     Key{"point", "observables of one point are judged by its distance", "text"},
 };
 constexpr std::array model{
@@ -47,14 +47,15 @@ constexpr std::array model{
     Key{"lagrangian", "kinetic less potential energy", "text"},
     Key{"hamiltonian", "the energy, of places and momenta", "text"},
     Key{"momenta", "the momentum's name by its place, with a Hamiltonian", "map text"},
-    Key{"forces", "generalized forces by place, with a Lagrangian or a Hamiltonian", "map texts"},
+    Key{"forces", "generalized forces by place, with a Lagrangian or a Hamiltonian", "map components"},
     Key{"dissipation", "Rayleigh's function, with a Lagrangian", "text"},
     Key{"constraints", "x^2 + y^2 = L^2, with a Lagrangian", "texts"},
-    Key{"start", "the unknowns and their rates at the start; a list makes a vector", "map texts"},
+    Key{"start", "the unknowns and their rates at the start; a list makes a vector, a list of lists a matrix",
+        "map components"},
     Key{"turns", "unit quaternions, each with its angular velocity in the axes of the body",
         "map texts or turn"},
-    Key{"closed", "a closed form of each observable", "map texts"},
-    Key{"observe", "other formulas of the observables", "map texts"},
+    Key{"closed", "a closed form of each observable", "map components"},
+    Key{"observe", "other formulas of the observables", "map components"},
     Key{"conserves", "an energy that is conserved", "conserves"},
     Key{"events", "changes where a formula goes through zero", "list event"},
 };
@@ -69,7 +70,7 @@ constexpr std::array conserves{
 constexpr std::array event{
     Key{"when", "the formula", "text", needed},
     Key{"direction", "falling, rising or both", "text"},
-    Key{"then", "the state after it, from that before", "map texts"},
+    Key{"then", "the state after it, from that before", "map components"},
     Key{"ends", "the motion stays as it is", "flag"},
     Key{"counts", "the name of a letter that counts it, from 0", "text"},
 };

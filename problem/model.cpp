@@ -137,20 +137,21 @@ class Model::Making {
   Formula formula(const Quoted& text) const { return {source_, text, letters_}; }
 
   /// As many formulas of numbers: those of a list, or the components of a formula.
-  std::vector<Formula> components(const std::string& name, const Quoted& text, std::size_t count) {
+  std::vector<Formula> components(const std::string& name, const Quoted& text, Size size) {
     std::vector<Formula> all;
-    const auto require_count = [&](const std::string& its, bool fits) {
-      if (!fits) source_.fail(text.place, name + " is " + name_of(count, 1) + ", and this is " + its);
+    const auto require_size = [&](Size its) {
+      if (its != size)
+        source_.fail(text.place, name + " is " + name_of(size) + ", and this is " + name_of(its));
     };
     if (!text.parts.empty()) {
-      require_count(name_of(text.parts.size(), 1), text.parts.size() == count);
+      require_size(text.size());
       for (const Quoted& part : text.parts) all.push_back(formula(part));
       return all;
     }
     const Formula whole = formula(text);
     const Shape its = abbreviations_.shape(whole);
-    require_count(name_of(its), its.entries.size() == count || whole.is_zero());
-    for (std::size_t i = 0; i < count; ++i) all.push_back(whole.component(i));
+    if (!whole.is_zero()) require_size(extent(its));
+    for (std::size_t i = 0; i < size.entries(); ++i) all.push_back(whole.component(i));
     return all;
   }
 
@@ -269,7 +270,7 @@ class Model::Making {
   // ---- equations -----------------------------------------------------------------------------------------
 
   void read_equations() {
-    for (const auto& [of, rate] : text_.turns) components("the angular velocity of " + of.text, rate, 3);
+    for (const auto& [of, rate] : text_.turns) components("the angular velocity of " + of.text, rate, {3, 1});
     for (const Quoted& text : text_.equations) add_equations(text, equations_);
     if (text_.lagrangian) lagrangian_ = formula(*text_.lagrangian);
     if (text_.dissipation) dissipation_ = formula(*text_.dissipation);
@@ -284,7 +285,7 @@ class Model::Making {
     forces_.resize(orders_.size());
     for (const auto& [name, text] : text_.forces) {
       const std::vector<std::size_t> on = unknowns(name);
-      const std::vector<Formula> all = components("the force on " + name.text, text, on.size());
+      const std::vector<Formula> all = components("the force on " + name.text, text, size(name));
       for (std::size_t k = 0; k < on.size(); ++k) forces_[on[k]] = all[k];
       if (hamiltonian_ && !is_place(on[0]))
         source_.fail(name.place, "a force is on a place, and " + name.text + " is a momentum");
@@ -313,11 +314,11 @@ class Model::Making {
     const std::size_t order = std::ranges::all_of(moving, [](std::size_t one) { return one == 2; }) ? 2 : 1;
     std::ranges::fill(std::span(orders_).subspan(moving_), order);
   }
-  /// An equation of vectors is one for each component.
+  /// An equation of vectors or matrices is one for each component.
   void add_equations(const Quoted& text, std::vector<Equation>& all) {
     const Equation whole = equation(source_, text, letters_);
     const Shape left = abbreviations_.shape(whole.left), right = abbreviations_.shape(whole.right);
-    if (left.entries.size() != right.entries.size() && !whole.left.is_zero() && !whole.right.is_zero())
+    if (extent(left) != extent(right) && !whole.left.is_zero() && !whole.right.is_zero())
       whole.right.fail({}, "the left side is " + name_of(left) + ", and the right side " + name_of(right));
     for (std::size_t i = 0; i < std::max(left.entries.size(), right.entries.size()); ++i)
       all.push_back({whole.left.component(i), whole.right.component(i)});
@@ -353,14 +354,20 @@ class Model::Making {
   bool is_place(std::size_t i) const {
     return std::ranges::any_of(pairs_, [i](const auto& pair) { return pair.first == i; });
   }
-  /// An unknown, or the components of one that is a vector.
+  /// An unknown, or the components of one that is a vector or a matrix.
   std::vector<std::size_t> unknowns(const Quoted& name) const {
     std::vector<std::size_t> all;
-    for (const auto& [vector, list] : text_.vectors)
-      for (std::size_t i = 0; vector.text == name.text && i < list.parts.size(); ++i)
-        all.push_back(unknown(list.parts[i]));
-    if (all.empty()) all.push_back(unknown(name));
+    const auto found = vector_called(name);
+    if (found == text_.vectors.end()) return {unknown(name)};
+    for (const Quoted& part : found->second.parts) all.push_back(unknown(part));
     return all;
+  }
+  Size size(const Quoted& name) const {
+    const auto found = vector_called(name);
+    return found == text_.vectors.end() ? Size() : found->second.size();
+  }
+  Named::const_iterator vector_called(const Quoted& name) const {
+    return std::ranges::find_if(text_.vectors, [&](const auto& one) { return one.first.text == name.text; });
   }
   std::size_t unknown(const Quoted& name) const {
     const auto found = std::ranges::find(letters_.unknowns, name.text);
@@ -376,9 +383,9 @@ class Model::Making {
     std::vector<char> known(moving_, 0);
     for (const auto& [place, momentum] : text_.momenta) {
       const std::vector<std::size_t> places = unknowns(place), momenta = unknowns(momentum);
-      if (places.size() != momenta.size())
-        source_.fail(momentum.place, place.text + " is " + name_of(places.size(), 1) + ", and " +
-                                         momentum.text + " is " + name_of(momenta.size(), 1));
+      if (size(place) != size(momentum))
+        source_.fail(momentum.place, place.text + " is " + name_of(size(place)) + ", and " + momentum.text +
+                                         " is " + name_of(size(momentum)));
       for (std::size_t k = 0; k < places.size(); ++k) {
         pairs_.emplace_back(places[k], momenta[k]);
         for (const std::size_t i : {places[k], momenta[k]})
@@ -441,10 +448,13 @@ class Model::Making {
       for (std::size_t k = 0; k < orders_[i]; ++k)
         if (!starts_.contains(key_of(i, k))) {
           const auto vector = vector_of(letters_.unknowns[i]);
-          const std::string name = primed(vector.value_or(letters_.unknowns[i]), k);
+          const bool is_vector = vector != text_.vectors.end();
+          const std::string name = primed(is_vector ? vector->first.text : letters_.unknowns[i], k);
+          const char* form = !is_vector                          ? " = ..."
+                             : vector->second.size().is_matrix() ? " = [[...], [...]]"
+                                                                 : " = [...]";
           source_.fail(text_.name.place, "no start for " + name + ": add " +
-                                             (k > 0 ? "\"" + name + "\"" : name) +
-                                             (vector ? " = [...]" : " = ...") + " to start");
+                                             (k > 0 ? "\"" + name + "\"" : name) + form + " to start");
         }
   }
 
@@ -458,11 +468,11 @@ class Model::Making {
     }
   }
 
-  /// The vector that an unknown is a component of.
-  std::optional<std::string> vector_of(const std::string& unknown) const {
-    for (const auto& [vector, list] : text_.vectors)
-      if (std::ranges::find(list.parts, unknown, &Quoted::text) != list.parts.end()) return vector.text;
-    return std::nullopt;
+  /// The vector or matrix that an unknown is a component of.
+  Named::const_iterator vector_of(const std::string& unknown) const {
+    return std::ranges::find_if(text_.vectors, [&](const auto& one) {
+      return std::ranges::find(one.second.parts, unknown, &Quoted::text) != one.second.parts.end();
+    });
   }
 
   void check_units() {
@@ -810,7 +820,7 @@ class Model::Making {
     return std::nullopt;
   }
   Formula component(const ObservableText& o, const Quoted& of_vector) {
-    return components(o.vector, of_vector, o.components)[o.component];
+    return components(o.vector, of_vector, o.vector_size)[o.component];
   }
   void require_observable(const Quoted& name) const {
     std::vector<std::string> names;
@@ -849,8 +859,9 @@ class Model::Making {
     for (const auto& [key, formula_text] : text.then) {
       const std::string base = base_of(key);
       const std::size_t order = key.text.size() - base.size();
-      const std::vector<std::size_t> changed = unknowns({base, key.place});
-      const std::vector<Formula> all = components(key.text, formula_text, changed.size());
+      const Quoted whole{base, key.place};
+      const std::vector<std::size_t> changed = unknowns(whole);
+      const std::vector<Formula> all = components(key.text, formula_text, size(whole));
       for (std::size_t k = 0; k < changed.size(); ++k) {
         const std::size_t i = changed[k];
         if (order >= orders_[i])

@@ -19,13 +19,17 @@ class Search {
   /// The smallest part that has no value; nothing if all have one.
   const Tree* smallest(const Tree& x) const {
     if (shape(x)) return nullptr;
-    const bool has_indices = x.kind() == Kind::sum_over || x.kind() == Kind::permutations ||
-                             x.kind() == Kind::components || x.kind() == Kind::integral ||
-                             x.kind() == Kind::along_curve;
-    if (!has_indices)
+    if (!has_indices(x))
       for (const Tree& child : x->children)
         if (const Tree* part = smallest(child)) return part;
     return &x;
+  }
+  /// The smallest sum or dot product of different rows and columns; nothing if all are of the same.
+  const Tree* uneven(const Tree& x) const {
+    if (has_indices(x) || x.kind() == Kind::time_derivative || !has_several(x)) return nullptr;
+    for (const Tree& child : x->children)
+      if (const Tree* part = uneven(child)) return part;
+    return is_uneven(x) ? &x : nullptr;
   }
   /// The reason why this part has no value although its own parts have one.
   Misfit reason(const Tree& x, const std::string& otherwise) const {
@@ -44,7 +48,8 @@ class Search {
                   "cross takes two vectors of 3, and not " + name(x.child(0)) + " and " + name(x.child(1)));
       case Kind::power:
         return at(
-            x, "a power is of a number, and this is " + name(x.child(0)) + ": write dot(v, v) or abs(v)^2");
+            x, "a power is of a number, and this is " + name(x.child(0)) +
+                   (shape(x.child(0))->columns > 1 ? ": write a product" : ": write dot(v, v) or abs(v)^2"));
       case Kind::function:
       case Kind::root:
         return at(x, (x.kind() == Kind::root ? "sqrt" : x->text.substr(1)) + " takes a number, and this is " +
@@ -66,6 +71,31 @@ class Search {
     for (const Tree& child : x->children) add_letters(child, all);
   }
 
+  static bool has_indices(const Tree& x) {
+    return x.kind() == Kind::sum_over || x.kind() == Kind::permutations || x.kind() == Kind::components ||
+           x.kind() == Kind::integral || x.kind() == Kind::along_curve;
+  }
+  bool has_several(const Tree& x) const {
+    if (x.kind() == Kind::tuple || x.kind() == Kind::matrix) return true;
+    if (x.kind() == Kind::letter)
+      return std::ranges::any_of(x->entries, [&](const formula::Entry& entry) {
+        return !letters_[static_cast<std::size_t>(entry.rates[0])].is_number();
+      });
+    return std::ranges::any_of(x->children, [&](const Tree& child) { return has_several(child); });
+  }
+  bool is_uneven(const Tree& x) const {
+    if (x.kind() == Kind::dot) return shape(x.child(0))->columns != shape(x.child(1))->columns;
+    if (x.kind() != Kind::sum) return false;
+    std::optional<std::size_t> columns;
+    for (const Tree& term : x->children) {
+      if (is_number(term, "0")) continue;
+      const std::size_t its = shape(term)->columns;
+      if (columns && *columns != its) return true;
+      columns = its;
+    }
+    return false;
+  }
+
   std::optional<Shape> shape(const Tree& x) const {
     try {
       return formula::evaluate<double>(x, letters_);
@@ -81,7 +111,7 @@ class Search {
       if (is_number(term, "0")) continue;
       const Shape its = *shape(term);
       if (!first) first = its;
-      if (its.entries.size() != first->entries.size())
+      if (extent(its) != extent(*first))
         return at(term, name_of(*first) + " and " + name_of(its) + " do not add up");
     }
     return at(x, "these do not add up");
@@ -98,7 +128,9 @@ class Search {
       if (several && all.columns == 1 && next.columns == 1)
         return at(factor, "two vectors have several products: write dot(a, b) or cross(a, b)");
       if (several && all.columns != next.rows())
-        return at(factor, name_of(all) + " and " + name_of(next) + " have no product");
+        return at(factor,
+                  name_of(all) + " and " + name_of(next) + " have no product" +
+                      (all.columns == 1 && next.columns == all.rows() ? ": write the matrix first" : ""));
       all = product_of(all, next);
     }
     return at(x, "these have no product");
@@ -109,16 +141,30 @@ class Search {
 
 }  // namespace
 
-std::string name_of(std::size_t rows, std::size_t columns) {
-  if (rows == 1 && columns == 1) return "a number";
-  if (columns == 1) return "a vector of " + std::to_string(rows);
-  return "a matrix of " + std::to_string(rows) + " by " + std::to_string(columns);
+std::string name_of(Size size) {
+  if (size == Size()) return "a number";
+  if (!size.is_matrix()) return "a vector of " + std::to_string(size.rows);
+  return "a matrix of " + std::to_string(size.rows) + " by " + std::to_string(size.columns);
+}
+
+std::optional<std::size_t> index_of_component(std::size_t number, Size size) {
+  if (size == Size()) return std::nullopt;
+  const std::size_t row = size.is_matrix() ? number / 10 : number,
+                    column = size.is_matrix() ? number % 10 : 1;
+  if (row < 1 || row > size.rows || column < 1 || column > size.columns) return std::nullopt;
+  return (row - 1) * size.columns + column - 1;
 }
 
 Misfit misfit(const Tree& x, const std::vector<Shape>& letters, const std::string& says) {
   const Search search(letters);
   const Tree* part = search.smallest(x);
   return part ? search.reason(*part, says) : Misfit{says};
+}
+
+std::optional<Misfit> uneven(const Tree& x, const std::vector<Shape>& letters) {
+  const Search search(letters);
+  const Tree* part = search.uneven(x);
+  return part ? std::optional(search.reason(*part, "these do not fit")) : std::nullopt;
 }
 
 }  // namespace oddity::problem

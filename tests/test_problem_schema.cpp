@@ -87,12 +87,18 @@ TEST_CASE("The reader refuses files that do not conform to the schema", "[proble
   const std::string motion =
       "title = \"x\"\n[parameters]\nm = \"1 kg\"\n[model.a]\nequations = [\"m y'' = -1 N\"]\nstart = { y = \"1 m\", \"y'\" = 0 }\n[observe]\ny = \"m\"\n";
   CHECK(is_of(json_of(motion), schema, schema));
+  const std::string turning =
+      "title = \"x\"\n[parameters]\nw = \"1 1/s\"\n[given]\nW = [[0, \"-w\"], [\"w\", 0]]\n[model.a]\n"
+      "equations = [\"R' = R W\"]\nstart = { R = [[1, 0], [0, 1]] }\n[observe]\nR = \"1\"\n[need]\nerror = \"0.01\"\n";
+  CHECK(is_of(json_of(turning), schema, schema));
+  CHECK(complaint([&] { problem::entry_of_text("t.toml", turning); }) == "nothing");
   for (const std::string wrong :
        {"[needs]\nerror = 1\n", "[need]\nerrors = 1\n", "[sweep]\nvalues = [1]\n",
         "[model.b]\nequation = \"y\"\n", "[[claim]]\nsays = \"a\"\n",
         "[[claim]]\nsays = \"a\"\nprinted = \"1 < 2\"\nproof = \"b\"\n",
         "[tables.f]\nx = \"m\"\ny = \"m\"\nrows = [[1, 2, 3]]\n", "[tables.f]\nx = \"m\"\nrows = [[1, 2]]\n",
-        "[need]\nfps = [[1]]\n", "[model.b]\nevents = [{ then = { y = 1 } }]\n"}) {
+        "[need]\nfps = [[1]]\n", "[given]\nW = [[[1, 0], 0], [0, 1]]\n",
+        "[model.b]\nevents = [{ then = { y = 1 } }]\n"}) {
     INFO(wrong);
     CHECK_FALSE(is_of(json_of(motion + wrong), schema, schema));
     CHECK(complaint([&] { problem::entry_of_text("t.toml", motion + wrong); }).find("t.toml:") == 0);

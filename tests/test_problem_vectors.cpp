@@ -378,3 +378,224 @@ TEST_CASE("A quaternion that cannot be is refused with its place", "[problem][ve
   text.insert(text.find("turns = "), "lagrangian = \"dot(q', q')\"\n");
   CHECK(refusal(text).find("turns go with equations") != std::string::npos);
 }
+
+namespace {
+
+/// A model of a matrix R without unit.
+std::string matrices(const std::string& model, const std::string& given = "",
+                     const std::string& observe = "R = \"1\"\n") {
+  return "title = \"x\"\n[parameters]\nm = \"2 kg\"\nk = \"40 N/m\"\nl = \"0.5 m\"\nw = \"3 rad/s\"\n[given]\n" +
+         given + "[model.one]\n" + model + "[observe]\n" + observe + "[need]\nerror = [\"0.01\"]\n";
+}
+const std::string identity = "start = { R = [[1, 0], [0, 1]] }\n",
+                  identity_at_rest = "start = { R = [[1, 0], [0, 1]], \"R'\" = [[0, \"w\"], [\"-w\", 0]] }\n";
+
+}  // namespace
+
+TEST_CASE("A model in matrices moves as the same model in components", "[problem][matrices]") {
+  const std::string
+      observed = "a = \"1\"\nb = \"1\"\nc = \"1\"\nd = \"1\"\n",
+      start = "start = { a = 1, b = 0, c = 0, d = 1 }\n",
+      second_start =
+          "start = { a = 1, b = 0, c = 0, d = 1, \"a'\" = 0, \"b'\" = \"w\", \"c'\" = \"-w\", \"d'\" = 0 }\n",
+      turning =
+          "equations = [\"a' = a 0 + b w\", \"b' = a (-w) + b 0\", \"c' = c 0 + d w\", \"d' = c (-w) + d 0\"]\n",
+      by_formula = "W = \"(0, -w; w, 0)\"\n", by_list = "W = [[0, \"-w\"], [\"w\", 0]]\n";
+  const std::string S = "S = [[1, 0.5], [-1, 2]]\n", s = "s = 1\np = 0.5\nu = -1\nv = 2\n";
+  struct Both {
+    Twin model, given;
+  };
+  const Both all[]{
+      {{"equations = [\"R' = R W\"]\n" + identity, turning + start}, {by_formula, ""}},
+      {{"equations = [\"R' = R W\"]\n" + identity, turning + start}, {by_list, ""}},
+      {{"equations = ['\\dot R = R W']\n" + identity, turning + start}, {by_list, ""}},
+      {{"equations = [\"R' = R W\"]\nevents = [{ when = \"R_12\", then = { R = \"transposed(R)/2\" } }]\n" +
+            identity,
+        turning +
+            "events = [{ when = \"b\", then = { a = \"a/2\", b = \"c/2\", c = \"b/2\", d = \"d/2\" } }]\n" +
+            start},
+       {by_formula, ""}},
+      {{"equations = [\"R' = R W\"]\nevents = [{ when = \"W_21 - R_12 w\", then = { R = [[1, \"R_21\"], [\"W_12/w\", 0]] } }]\n" +
+            identity,
+        turning + "events = [{ when = \"w - b w\", then = { a = 1, b = \"c\", c = \"-w/w\", d = 0 } }]\n" +
+            start},
+       {by_formula, ""}},
+      {{"equations = [\"m R'' = -k (transposed(R) - 2*S R/3)\"]\n" + identity_at_rest,
+        "equations = [\"m a'' = -k (a - ((2*s) a + (2*p) c)/3)\", \"m b'' = -k (c - ((2*s) b + (2*p) d)/3)\", "
+        "\"m c'' = -k (b - ((2*u) a + (2*v) c)/3)\", \"m d'' = -k (d - ((2*u) b + (2*v) d)/3)\"]\n" +
+            second_start},
+       {S, s}},
+      {{"equations = ['m \\ddot R = -k (R^T - S R)']\n" + identity_at_rest,
+        "equations = [\"m a'' = -k (a - (s a + p c))\", \"m b'' = -k (c - (s b + p d))\", "
+        "\"m c'' = -k (b - (u a + v c))\", \"m d'' = -k (d - (u b + v d))\"]\n" +
+            second_start},
+       {S, s}},
+      {{"lagrangian = \"m l^2/2 (dot(R' (1, 0), R' (1, 0)) + dot(R' (0, 1), R' (0, 1))) - k l^2/2 dot(R (1, 2), R (1, 2))\"\n"
+        "forces = { R = [[\"-k l^2 R_11\", 0], [0, \"-k l^2 R_22\"]] }\n" +
+            identity_at_rest,
+        "lagrangian = \"m l^2/2 ((a' a' + c' c') + (b' b' + d' d')) - k l^2/2 ((a 1 + b 2) (a 1 + b 2) + (c 1 + d 2) (c 1 + d 2))\"\n"
+        "forces = { a = \"-k l^2 a\", d = \"-k l^2 d\" }\n" +
+            second_start},
+       {"", ""}},
+  };
+  for (const Both& one : all) {
+    INFO(one.model.vectors);
+    check_same(numbers_of(matrices(one.model.vectors, one.given.vectors)),
+               numbers_of(matrices(one.model.components, one.given.components, observed)));
+  }
+}
+
+TEST_CASE("A matrix of several columns multiplies a vector of as many", "[problem][matrices]") {
+  const std::string by_matrix =
+      "equations = [\"A' = -w A\", \"r' = w A v\"]\nstart = { A = [[1, 0, 2], [0, 1, 0]], r = [0, 1] }\n";
+  const std::string by_numbers =
+      "equations = [\"a' = -w a\", \"b' = -w b\", \"c' = -w c\", \"d' = -w d\", \"e' = -w e\", \"f' = -w f\", "
+      "\"x' = (w a) 1 + (w b) 2 + (w c) 3\", \"y' = (w d) 1 + (w e) 2 + (w f) 3\"]\n"
+      "start = { a = 1, b = \"0 rad\", c = 2, d = \"0 rad\", e = 1, f = \"0 rad\", x = 0, y = 1 }\n";
+  check_same(numbers_of(matrices(by_matrix, "v = [1, 2, 3]\n", "r = \"1\"\n")),
+             numbers_of(matrices(by_numbers, "", "x = \"1\"\ny = \"1\"\n")));
+}
+
+TEST_CASE("A matrix turns a body as its quaternion does", "[problem][matrices][quaternions]") {
+  const auto tip = [](const std::string& model) {
+    return seen_of(
+        matrices(model, "u = [\"w\", \"w cos(2 1/s t)\", \"2*w\"]\n",
+                 "tip = { unit = \"m\", is = \"" +
+                     std::string(model.starts_with("turns") ? "turned(q, (l, 0, 2*l))" : "R (l, 0, 2*l)") +
+                     "\" }\n"),
+        1.3);
+  };
+  const auto by_quaternion = tip("turns = { q = \"u\" }\nstart = { q = [1, 0, 0, 0] }\n"),
+             by_matrix =
+                 tip("equations = [\"R' = R (0, -u_3, u_2; u_3, 0, -u_1; -u_2, u_1, 0)\"]\n"
+                     "start = { R = [[1, 0, 0], [0, 1, 0], [0, 0, 1]] }\n");
+  REQUIRE(by_matrix.size() == 3);
+  CHECK(std::abs(by_matrix[1]) > 0.01L);
+  for (std::size_t i = 0; i < 3; ++i) CHECK(std::abs(by_matrix[i] - by_quaternion[i]) < 1e-15L);
+}
+
+TEST_CASE("A matrix is observed as the components of one point", "[problem][matrices]") {
+  const std::string turning = "equations = [\"R' = R W\"]\n" + identity, W = "W = \"(0, -w; w, 0)\"\n",
+                    turn = "(cos(w t), -sin(w t); sin(w t), cos(w t))",
+                    observed =
+                        "R = \"1\"\ntip = { unit = \"1\", is = \"R (1, 0)\" }\n"
+                        "P = { unit = \"1\", is = [[\"R_11\", \"R_12\"], [0, \"R_22\"]] }\n";
+  for (const std::string two :
+       {"closed = { R = \"T\", tip = \"T (1, 0)\", P = [[\"T_11\", \"T_12\"], [0, \"T_22\"]] }\n",
+        "equations = [\"Q' = W Q\"]\nstart = { Q = [[1, 0], [0, 1]] }\n"
+        "observe = { R = \"Q\", tip = \"Q (1, 0)\", P = [[\"Q_11\", \"Q_12\"], [0, \"Q_22\"]] }\n"}) {
+    INFO(two);
+    const Entry& entry = entry_of_text(
+        "test.toml", matrices(turning + "[model.two]\n" + two, W + "T = \"" + turn + "\"\n", observed));
+    const Scene& scene = *entry.exercise.scene;
+    CHECK(scene.axes.observables == std::vector<std::string_view>{"R_11", "R_12", "R_21", "R_22", "tip_1",
+                                                                  "tip_2", "P_11", "P_12", "P_21", "P_22"});
+    REQUIRE(scene.axes.norms.size() == 3);
+    CHECK(scene.axes.norms[0].components == std::vector<std::size_t>{0, 1, 2, 3});
+    const Quantity moved = motion(scene, Parameters(entry.exercise.parameters), {1, 4}, Reference::nothing());
+    const bool is_closed = two.starts_with("closed");
+    const Method& second = is_closed ? *std::ranges::find(moved.methods, "two", &Method::model)
+                                     : *method_of(moved, "two", "Runge-Kutta 4");
+    const Value value = run(moved, *method_of(moved, "one", "Runge-Kutta 4"), 1.0 / 256).answer.value,
+                its = run(moved, second, is_closed ? 0 : 1.0 / 256).answer.value;
+    REQUIRE(value.size() == 40);
+    CHECK(std::abs(value[31]) > 0.1);
+    for (std::size_t i = 0; i < 40; ++i) CHECK(std::abs(value[i] - its[i]) < 1e-7);
+  }
+}
+
+TEST_CASE("Matrices that do not fit are refused with their place", "[problem][matrices]") {
+  const auto of_equation = [](const std::string& equation) {
+    return refusal(matrices("equations = [\"" + equation + "\"]\n" + identity,
+                            "W = \"(0, -w; w, 0)\"\nA = [[1, 2, 3], [4, 5, 6]]\nv = [1, 2, 3, 4]\n"));
+  };
+  CHECK(of_equation("R' = R W") == "nothing");
+  CHECK(of_equation("R' = R + W") == "test.toml:12:24: a pure number and 1/s do not add up");
+  CHECK(of_equation("R' = w (R + v)") ==
+        "test.toml:12:27: a matrix of 2 by 2 and a vector of 4 do not add up");
+  CHECK(of_equation("R' = w (R + 1)") == "test.toml:12:20: a matrix of 2 by 2 and a number do not add up");
+  CHECK(of_equation("R' = w v") ==
+        "test.toml:12:20: the left side is a matrix of 2 by 2, and the right side a vector of 4");
+  CHECK(of_equation("R' = w A") ==
+        "test.toml:12:20: the left side is a matrix of 2 by 2, and the right side a matrix of 2 by 3");
+  CHECK(of_equation("R' = W A R") ==
+        "test.toml:12:24: a matrix of 2 by 3 and a matrix of 2 by 2 have no product");
+  CHECK(of_equation("R' = A W") ==
+        "test.toml:12:22: a matrix of 2 by 3 and a matrix of 2 by 2 have no product");
+  CHECK(of_equation("R' = w dot((1, 2) R, (1, 0)) R") ==
+        "test.toml:12:33: a vector of 2 and a matrix of 2 by 2 have no product: write the matrix first");
+  CHECK(of_equation("R' = w/R") == "test.toml:12:22: divide by a number: this is a matrix of 2 by 2");
+  CHECK(of_equation("R' = w R^2") ==
+        "test.toml:12:22: a power is of a number, and this is a matrix of 2 by 2: write a product");
+  CHECK(of_equation("R' = w abs(R) R") ==
+        "test.toml:12:26: abs takes a number or a vector, and this is a matrix of 2 by 2");
+  CHECK(of_equation("R' = w dot(v, R) R") ==
+        "test.toml:12:26: dot takes two vectors of one length, and not a vector of 4 and a matrix of 2 by 2");
+  CHECK(of_equation("R' = w transposed(w) R") == "test.toml:12:33: a number is not transposed");
+  CHECK(of_equation("R' = w if(t < 1 s, R, v)") ==
+        "test.toml:12:37: this is a vector of 4, and otherwise a matrix of 2 by 2");
+  CHECK(of_equation("R' = w turned(R, (1, 0, 0))") ==
+        "test.toml:12:29: turned takes a vector of 4 here, and this is a matrix of 2 by 2");
+  CHECK(of_equation("R' = w R_13 R") ==
+        "test.toml:12:22: a matrix of 2 by 2 has no component 13: 12 is that of row 1 and column 2");
+  CHECK(of_equation("R' = w R_1 R") ==
+        "test.toml:12:22: a matrix of 2 by 2 has no component 1: 12 is that of row 1 and column 2");
+  CHECK(of_equation("R' = w W_3 R") ==
+        "test.toml:12:22: a matrix of 2 by 2 has no component 3: 12 is that of row 1 and column 2");
+  CHECK(of_equation("R_11' = w") == "test.toml:11:8: no equation has a rate of R_12");
+
+  const auto of_start = [](const std::string& start) {
+    return refusal(matrices("equations = [\"R'' = -w^2 R\"]\nstart = { " + start + " }\n"));
+  };
+  CHECK(of_start("R = [[1, 0], [0, 1]], \"R'\" = 0") == "nothing");
+  CHECK(of_start("R = [[1, 0], [0, 1, 2]], \"R'\" = 0") ==
+        "test.toml:10:24: this row has 3 components, and the first 2");
+  CHECK(of_start("R = [[1, 0], 1], \"R'\" = 0") ==
+        "test.toml:10:24: this is no list, and the other rows of this matrix are lists");
+  CHECK(of_start("R = [1, [0, 1]], \"R'\" = 0") ==
+        "test.toml:10:16: this is no list, and the other rows of this matrix are lists");
+  CHECK(of_start("R = [[1, [2]], [0, 1]], \"R'\" = 0") == "test.toml:10:20: expected a text, in quotes");
+  CHECK(of_start("R = [[1], [0]], \"R'\" = 0") == "test.toml:10:15: a matrix has 2 to 9 rows and columns");
+  CHECK(of_start("R = [[1, 0]], \"R'\" = 0") == "test.toml:10:15: a matrix has 2 to 9 rows and columns");
+  CHECK(of_start("R = [[], []], \"R'\" = 0") == "test.toml:10:15: a matrix has 2 to 9 rows and columns");
+  CHECK(of_start("R = [[1, 0], [0, 1]], \"R'\" = [[0, 0, 0], [0, 0, 0]]") ==
+        "test.toml:10:40: R is a matrix of 2 by 2, and this is a matrix of 2 by 3");
+  CHECK(of_start("R = [[1, 0], [0, 1]], \"R'\" = [0, 0, 0, 0]") ==
+        "test.toml:10:40: R is a matrix of 2 by 2, and this is a vector of 4");
+  CHECK(of_start("R = [[1, 0], [0, 1]], \"R'\" = \"w\"") ==
+        "test.toml:10:41: R is a matrix: start R' with a list of lists, or with 0");
+  CHECK(of_start("R = [[1, 0], [0, 1]]") ==
+        "test.toml:8:8: no start for R': add \"R'\" = [[...], [...]] to start");
+  CHECK(of_start("R = [[1, 0], [0, 1]], \"R'\" = 0, R_12 = 0") == "test.toml:10:43: R_12 is started twice");
+  CHECK(of_start("R = [[1, 0], [\"1 m\", 1]], \"R'\" = 0") ==
+        "test.toml:10:26: R_21 is in a pure number, and this is m");
+  const std::string five = "[1, 0, 0, 0, 0]";
+  CHECK(refusal(matrices("equations = [\"R' = w R\"]\nstart = { R = [" + five + ", " + five + ", " + five +
+                         ", " + five + ", " + five + "] }\n")) ==
+        "test.toml:8:8: model one has 25 unknowns and rates, and the algorithms are compiled for at most 24");
+  CHECK(refusal(matrices("equations = [\"R' = w R\"]\n" + identity, "R_11 = 1\n")) ==
+        "test.toml:11:11: R_11 is no unknown: it is a parameter, an abbreviation or the time");
+  CHECK(refusal(matrices("equations = [\"R' = w R\"]\n" + identity, "W_12 = 1\nW = [[1, 0], [0, 1]]\n")) ==
+        "test.toml:9:1: W_12 is there twice; take another name");
+  CHECK(refusal(matrices(
+            "equations = [\"R' = w R\"]\nevents = [{ when = \"R_12\", then = { R = [1, 0, 0, 1] } }]\n" +
+            identity)) == "test.toml:10:41: R is a matrix of 2 by 2, and this is a vector of 4");
+  CHECK(refusal(matrices("hamiltonian = \"w R_11 + w p_1\"\nmomenta = { R = \"p\" }\n"
+                         "start = { R = [[1, 0], [0, 1]], p = [\"1 J s\", 0, 0, 0] }\n")) ==
+        "test.toml:10:18: R is a matrix of 2 by 2, and p is a vector of 4");
+  CHECK(refusal(matrices("turns = { R = [\"w\", 0, 0] }\n" + identity)) ==
+        "test.toml:9:11: R turns: start it with a quaternion, as R = [1, 0, 0, 0]");
+  CHECK(refusal(matrices("equations = [\"R' = w R\"]\n" + identity, "",
+                         "R = { unit = \"1\", is = \"R + R_11\" }\n")) ==
+        "test.toml:12:29: a matrix of 2 by 2 and a number do not add up");
+  CHECK(refusal(matrices("equations = [\"R' = w R\"]\nobserve = { R = \"R (1, 0)\" }\n" + identity +
+                         "[model.two]\nequations = [\"R' = w R\"]\n" + identity)) ==
+        "test.toml:16:1: a matrix of 2 by 2 has no component 1: 12 is that of row 1 and column 2");
+}
+
+TEST_CASE("An equation in TeX has the order that it shows", "[problem][vectors]") {
+  const std::string text =
+      "title = \"x\"\n[parameters]\nk = \"2 1/s\"\n[model.one]\nequations = ['\\dot x = -k x']\n"
+      "start = { x = 1 }\n[observe]\nx = \"1\"\n[need]\nerror = [\"0.01\"]\n";
+  CHECK(numbers_of(text).unknowns >= 1);
+}

@@ -18,6 +18,7 @@ Json type_of(std::string_view is) {
   if (is.starts_with("list ")) return {{"type", "array"}, {"items", type_of(is.substr(5))}};
   if (is == "text") return text;
   if (is == "texts") return {{"anyOf", {text, {{"type", "array"}, {"items", text}}}}};
+  if (is == "components") return {{"anyOf", {text, {{"type", "array"}, {"items", type_of("texts")}}}}};
   if (is == "flag") return {{"type", "boolean"}};
   if (is == "number") return {{"type", "number"}};
   if (is == "rows") {
