@@ -425,7 +425,7 @@ TEST_CASE("A model in matrices moves as the same model in components", "[problem
         "\"m c'' = -k (b - ((2*u) a + (2*v) c)/3)\", \"m d'' = -k (d - ((2*u) b + (2*v) d)/3)\"]\n" +
             second_start},
        {S, s}},
-      {{"equations = ['m \\ddot R = -k (R^T - S R)']\n" + identity_at_rest,
+      {{"equations = [\"m R'' = -k (transposed(R) - S R)\"]\n" + identity_at_rest,
         "equations = [\"m a'' = -k (a - (s a + p c))\", \"m b'' = -k (c - (s b + p d))\", "
         "\"m c'' = -k (b - (u a + v c))\", \"m d'' = -k (d - (u b + v d))\"]\n" +
             second_start},
