@@ -349,7 +349,7 @@ test('site FILE writes one page with the file in it, which asks for nothing else
   await answered(page);
   assert.equal(await page.$eval('#own-file', (area) => area.value), textOf('quarter_car.toml'));
   assert.equal(await page.$eval('h1', (title) => title.textContent), 'Quarter car over a bump');
-  assert.match(await page.$eval('.own-chosen', (says) => says.textContent), /choose says, .*: Take body and wheel by .* per frame/);
+  assert.match(await page.$eval('.own-chosen', (says) => says.textContent), /choose reports, .*: Take body and wheel by .* per frame/);
   assert.match((await seen(page)).answer, /is enough/);
   assert.match(await page.$eval('.own-code', (pre) => pre.textContent), /int main\(\)/);
   await shoot(page, 'own-single');
