@@ -527,12 +527,16 @@ struct Scene {
   bool is_linear = false;  ///< neighbouring motions separate as in linear equations, so there is no chaos
 };
 
+/// Where the expected outcomes hold. A test tries the ends of the ranges for those that hold in them.
+enum class Expected { at_own_parameters, in_whole_ranges };
+
 struct Exercise {
   std::string_view title;
   std::string_view asks;  ///< the book's question, in our words (Markdown with $math$)
   std::span<const Parameter> parameters;
   std::optional<Scene> scene;
   Findings (*study)(const Parameters&, const Reference&);
+  Expected expected = Expected::at_own_parameters;
 };
 
 std::string_view name_of(Verdict);

@@ -1,6 +1,6 @@
-// Expected outcomes hold in the whole ranges of the parameters, unless they are declared for the exercise's
-// own parameters. Each parameter is put at both ends of its range, at zero and close to it; then all are as
-// small as their ranges allow, and all as large.
+// Expected outcomes hold in the whole ranges of the parameters where an exercise declares so. Each parameter
+// is put at both ends of its range, at zero and close to it; then all are as small as their ranges allow, and
+// all as large.
 
 #include <algorithm>
 #include <cmath>
@@ -98,23 +98,17 @@ void check_corners(const Exercise& exercise) {
   CHECK(all.empty());
 }
 
-/// Exercises whose outcomes hold there. Those of the others are constants, for the exercise's own parameters:
-/// their tests are hidden, and run by [corners].
-constexpr std::string_view hold[]{"2.1",  "2.9",  "3.5", "3.9", "3.11", "3.13",
-                                  "3.15", "3.21", "6.1", "7.5", "8.1",  "8.3"},
-    hold_slowly[]{"2.15", "3.3", "3.25"};
-
-std::string tags_of(const std::string& number) {
-  const auto is_in = [&](const auto& all) { return std::ranges::find(all, number) != std::end(all); };
-  return std::string(is_in(hold) ? "" : is_in(hold_slowly) ? "[slow]" : "[.]") + "[corners][" + number + "]";
-}
+/// Exercises with integrals that take seconds in the corners.
+constexpr std::string_view slow[]{"2.15", "3.3", "3.25"};
 
 [[maybe_unused]] const bool registered = [] {
   for (const Entry& entry : registry())
-    if (of_the_book(entry.number))
+    if (const std::string number = to_string(entry.number);
+        entry.exercise.expected == Expected::in_whole_ranges)
       register_test([&entry] { check_corners(entry.exercise); },
-                    to_string(entry.number) + ": outcomes are as expected at the ends of the ranges",
-                    tags_of(to_string(entry.number)));
+                    number + ": outcomes are as expected at the ends of the ranges",
+                    (std::ranges::find(slow, number) != std::end(slow) ? "[slow]" : "") +
+                        ("[corners][" + number + "]"));
   return true;
 }();
 

@@ -745,7 +745,7 @@ TEST_CASE("a breakdown that does not break at these parameters is shown so", "[r
   CHECK(count(page_of(results), "**Does not break so here.** it breaks") == 1);
 }
 
-TEST_CASE("outcomes of motions are asserted at an exercise's own parameters, others in the whole ranges",
+TEST_CASE("outcomes of motions are asserted at an exercise's own parameters, declared ones in the whole ranges",
           "[report]") {
   const Reference truth(std::filesystem::path(ODDITY_SOURCE) / "reference");
   const auto asserted = [&](Number number, const char* parameter, double value, const char* quantity) {
@@ -759,6 +759,8 @@ TEST_CASE("outcomes of motions are asserted at an exercise's own parameters, oth
   CHECK(asserted({3, 5}, "L", 1, "swing"));
   CHECK_FALSE(asserted({3, 5}, "L", 2, "swing"));
   CHECK(asserted({8, 1}, "a1", 3, "coordinates"));
+  const Entry& of_3_19 = *std::ranges::find(registry(), Number{3, 19}, &Entry::number);
+  CHECK(of_3_19.exercise.expected == Expected::at_own_parameters);
 }
 
 TEST_CASE("a scene's method of low order has a reason only where it is expected to fail", "[report]") {

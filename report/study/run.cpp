@@ -88,8 +88,13 @@ bool is_own(const Task& task) {
                              [&](const Parameter& p) { return task.parameters[p.name] == p.value; });
 }
 
+bool asserts_outcome(const Task& task, const Quantity& quantity, const Method& method) {
+  return is_own(task) || (task.entry->exercise.expected == Expected::in_whole_ranges &&
+                          !quantity.for_own_parameters && !method.for_own_parameters);
+}
+
 /// The result's shape; its trials are still empty but registered in `work`.
-QuantityResult shape(const Quantity& quantity, bool own, Work& work) {
+QuantityResult shape(const Quantity& quantity, const Task& task, Work& work) {
   QuantityResult result{quantity.name,
                         quantity.unit,
                         quantity.says,
@@ -107,7 +112,7 @@ QuantityResult shape(const Quantity& quantity, bool own, Work& work) {
   for (const Method& method : quantity.methods)
     result.methods.push_back({method.model, method.algorithm, method.expected, method.why,
                               std::vector<TimedTrial>(method.knob.settings.size()),
-                              own || !(quantity.for_own_parameters || method.for_own_parameters)});
+                              asserts_outcome(task, quantity, method)});
   for (const Method& method : quantity.methods_in_float)
     result.in_float.push_back({method.model, method.algorithm, like_in_double(quantity, method),
                                std::vector<TimedTrial>(method.knob.settings.size())});
@@ -167,7 +172,7 @@ ExerciseResult shape(const Studied& studied, const Reference& truth, Work& work)
     result.failure = error.what();
   }
   for (const Quantity& quantity : studied.findings.quantities)
-    result.quantities.push_back(shape(quantity, is_own(*studied.task), work));
+    result.quantities.push_back(shape(quantity, *studied.task, work));
   return result;
 }
 

@@ -517,7 +517,8 @@ Exercise exercise_2_1() {
           {},
           [](const Parameters& p, const Reference&) {
             return Findings{claims(p["h"], p["seed"]), {one_sided_limits(p["h"])}};
-          }};
+          },
+          Expected::in_whole_ranges};
 }
 
 }  // namespace oddity

@@ -162,7 +162,8 @@ Exercise exercise_2_9() {
       "counted from $C$.",
       parameters,
       {},
-      study};
+      study,
+      Expected::in_whole_ranges};
 }
 
 }  // namespace oddity

@@ -37,7 +37,8 @@ Exercise exercise_2_15() {
           "$m$ is the mass of all, and a prime marks what is taken relative to $c$.",
           parameters,
           {},
-          study};
+          study,
+          Expected::in_whole_ranges};
 }
 
 }  // namespace oddity

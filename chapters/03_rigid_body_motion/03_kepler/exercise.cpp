@@ -360,7 +360,10 @@ Exercise exercise_3_3() {
       "Compute the planet's path $(r(t),\\theta(t))$ from $r_0,r_0',\\theta_0,\\theta_0'$: reduce the motion "
       "to one equation for $\\theta$ by writing the potential $V=-GM/r$ as a function of the angle, and "
       "solve it numerically.",
-      parameters, scene(), study};
+      parameters,
+      scene(),
+      study,
+      Expected::in_whole_ranges};
 }
 
 }  // namespace oddity

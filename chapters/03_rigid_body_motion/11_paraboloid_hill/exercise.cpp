@@ -143,7 +143,10 @@ Exercise exercise_3_11() {
   return {"Straight paths on a paraboloid hill",
           "A particle slides without friction from the top of the hill $x_3 = -x_1^2/a_1^2 - x_2^2/a_2^2$. "
           "For which velocities is its motion over the plane $(v_1t, v_2t)$?",
-          parameters, scene(), study};
+          parameters,
+          scene(),
+          study,
+          Expected::in_whole_ranges};
 }
 
 }  // namespace oddity

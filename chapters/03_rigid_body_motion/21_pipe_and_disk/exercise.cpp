@@ -202,7 +202,10 @@ Exercise exercise_3_21() {
   return {"Pipe and disk",
           "A disk spins about a pipe that is held at the inclination $\\phi$ and free to turn about the "
           "vertical. How do the two angles move under gravity? Under a horizontal force?",
-          parameters, scene(), study};
+          parameters,
+          scene(),
+          study,
+          Expected::in_whole_ranges};
 }
 
 }  // namespace oddity

@@ -304,7 +304,8 @@ Exercise exercise_6_1() {
       "way that does not test every bin, and state its cost.",
       parameters,
       {},
-      study};
+      study,
+      Expected::in_whole_ranges};
 }
 
 }  // namespace oddity

@@ -175,7 +175,8 @@ Exercise exercise_7_5() {
           "triangle with these edges.",
           parameters,
           {},
-          study};
+          study,
+          Expected::in_whole_ranges};
 }
 
 }  // namespace oddity

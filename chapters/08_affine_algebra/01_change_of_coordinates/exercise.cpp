@@ -366,7 +366,8 @@ Exercise exercise_8_1() {
       "$\\pi/4$. How do the coordinates $b$ of a point follow from its coordinates $a$?",
       parameters,
       {},
-      study};
+      study,
+      Expected::in_whole_ranges};
 }
 
 }  // namespace oddity

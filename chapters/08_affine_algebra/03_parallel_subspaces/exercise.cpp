@@ -344,7 +344,8 @@ Exercise exercise_8_3() {
           "contain the other?",
           parameters,
           {},
-          study};
+          study,
+          Expected::in_whole_ranges};
 }
 
 }  // namespace oddity
