@@ -47,7 +47,7 @@ std::string where_of(const Sample& sample) {
   if constexpr (requires { sample.where(); })
     return sample.where();
   else
-    return told(sample.typeset(), 4);
+    return listed(sample.typeset(), 4);
 }
 
 /// The numbers as one value.

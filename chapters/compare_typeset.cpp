@@ -137,7 +137,7 @@ Match match(const std::optional<Value>& typeset, const Value& computed, double a
 
 }  // namespace
 
-std::string told(const TypesetLetters& letters, std::size_t count) {
+std::string listed(const TypesetLetters& letters, std::size_t count) {
   std::string all;
   for (std::size_t i = 0; i < std::min(count, letters.size()); ++i) {
     const auto& [letter, value] = letters[i];
@@ -244,7 +244,7 @@ Typesetting compare_typeset(const std::string& text,
     const std::optional<bool> typeset = is_so(in_letters(letters), letters);
     if (!typeset) return {};
     if (*typeset != so)
-      return {false, text + " is typeset, which is " + (so ? "not so" : "so") + " at " + told(letters, 4),
+      return {false, text + " is typeset, which is " + (so ? "not so" : "so") + " at " + listed(letters, 4),
               ""};
   }
   return {!said.empty(), "", ""};

@@ -64,25 +64,25 @@ void Parameters::set(std::string_view name, double value) {
 
 // ---- methods ----------------------------------------------------------------------------------------------
 
-Knob no_knob() { return {"", {0}}; }
+Resolution no_resolution() { return {"", {0}}; }
 
-Knob tolerances(int first, int last, int stride) {
-  Knob knob{"tolerance", {}};
+Resolution tolerances(int first, int last, int stride) {
+  Resolution resolution{"tolerance", {}};
   for (int digits = first; digits <= last; digits += stride)
-    knob.settings.push_back(*parse_number("1e-" + std::to_string(digits)));
-  return knob;
+    resolution.settings.push_back(*parse_number("1e-" + std::to_string(digits)));
+  return resolution;
 }
 
-Knob doubling(std::string name, double first, int count) {
-  Knob knob{std::move(name), {}};
-  for (int i = 0; i < count; ++i) knob.settings.push_back(std::ldexp(first, i));
-  return knob;
+Resolution doubling(std::string name, double first, int count) {
+  Resolution resolution{std::move(name), {}};
+  for (int i = 0; i < count; ++i) resolution.settings.push_back(std::ldexp(first, i));
+  return resolution;
 }
 
-Knob halving(std::string name, double first, int count) {
-  Knob knob{std::move(name), {}};
-  for (int i = 0; i < count; ++i) knob.settings.push_back(std::ldexp(first, -i));
-  return knob;
+Resolution halving(std::string name, double first, int count) {
+  Resolution resolution{std::move(name), {}};
+  for (int i = 0; i < count; ++i) resolution.settings.push_back(std::ldexp(first, -i));
+  return resolution;
 }
 
 namespace {
@@ -335,7 +335,7 @@ double Quantity::in_needs(const std::vector<double>& errors) const {
 std::string in_float(std::string_view algorithm) { return std::string(algorithm) + " in float"; }
 
 Trial run(const Quantity& quantity, const Method& method, double setting) {
-  Trial trial{method.model,    method.algorithm, method.knob.name, setting, {}, {}, 0, 0, 0,
+  Trial trial{method.model,    method.algorithm, method.resolution.name, setting, {}, {}, 0, 0, 0,
               Outcome::raised, method.precision};
   try {
     trial.answer = method.run(setting);

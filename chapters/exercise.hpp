@@ -235,18 +235,18 @@ struct Horizon {
 };
 
 /// The resolution of a method, which trades cost for accuracy: its settings from coarse to fine.
-struct Knob {
+struct Resolution {
   std::string name;
   std::vector<double> settings;
 };
 
-Knob no_knob();
+Resolution no_resolution();
 /// 10^-first, 10^-(first+stride), ..., 10^-last.
-Knob tolerances(int first = 2, int last = 12, int stride = 2);
+Resolution tolerances(int first = 2, int last = 12, int stride = 2);
 /// first, 2 first, 4 first, ...: `count` settings.
-Knob doubling(std::string name, double first, int count);
+Resolution doubling(std::string name, double first, int count);
 /// first, first/2, first/4, ...: `count` settings.
-Knob halving(std::string name, double first, int count);
+Resolution halving(std::string name, double first, int count);
 
 /// Outcome of a trial, computed from the answer, the reference and the quantity's tolerance.
 enum class Outcome {
@@ -304,7 +304,7 @@ enum class Precision { in_double, in_float };
 struct Method {
   std::string model;
   std::string algorithm;
-  Knob knob;
+  Resolution resolution;
   std::function<Answer(double setting)> run;
   /// At the finest setting; the suite fails on any other outcome. Holds at all parameters in range, unless
   /// it is for the exercise's own.
@@ -436,7 +436,7 @@ std::vector<Quantity> in_operations(std::vector<Quantity>);
 
 /// A run of a method at one setting.
 struct Trial {
-  std::string model, algorithm, knob;
+  std::string model, algorithm, resolution;
   double setting = 0;
   Answer answer;
   std::vector<double> errors;  ///< the largest in each of the quantity's units

@@ -107,7 +107,7 @@ void add_in_float(Quantity& motion, const std::vector<std::string_view>& names,
     for (const Method& m : motion.methods) {
       const bool by_any = m.model == names[i] && models[i]->has(m.algorithm);
       if (!by_any && m.model + ", " + m.algorithm != names[i]) continue;
-      Method single{m.model, in_float(m.algorithm), m.knob,
+      Method single{m.model, in_float(m.algorithm), m.resolution,
                     [model = models[i], algorithm = m.algorithm](double setting) {
                       return model->run(algorithm, setting);
                     }};
@@ -132,7 +132,7 @@ void add_in_float(Quantity& motion, const std::vector<std::string_view>& names,
                                          algorithm, &Method::algorithm);
   if (richest == motion.methods_in_float.rend())
     throw std::logic_error(motion.name + " has no Runge-Kutta 4 in float");
-  const double finest = richest->knob.settings.back();
+  const double finest = richest->resolution.settings.back();
   const std::string model = richest->model;
   motion.add(Breakdown{"In float, Runge-Kutta 4 misses the need at its finest step.",
                        model + ", " + algorithm, finest, at_finest, model + ", Runge-Kutta 4", finest});

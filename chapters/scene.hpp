@@ -324,7 +324,7 @@ bool is_other_algorithm(std::string_view name);
 /// alone is not tried by an algorithm whose error estimate cannot detect it.
 class SceneMethods {
  public:
-  SceneMethods(Quantity& quantity, Horizon horizon, Knob steps, Knob tolerances)
+  SceneMethods(Quantity& quantity, Horizon horizon, Resolution steps, Resolution tolerances)
       : quantity_(quantity), horizon_(horizon), steps_(std::move(steps)), tolerances_(std::move(tolerances)) {
     quantity_.samples = horizon_.count();
     quantity_.for_own_parameters = true;
@@ -335,7 +335,7 @@ class SceneMethods {
                             std::string why = {}) {
     const Horizon horizon = horizon_;
     Method method{std::move(name), "closed form",
-                  no_knob(),       [model, horizon](double) { return observe_closed_form(model, horizon); },
+                  no_resolution(), [model, horizon](double) { return observe_closed_form(model, horizon); },
                   expected,        std::move(why)};
     method.places_and_rates = [model, horizon](double) { return places_and_rates_of(model, horizon); };
     quantity_.add(std::move(method));
@@ -405,7 +405,7 @@ class SceneMethods {
 
   Quantity& quantity_;
   Horizon horizon_;
-  Knob steps_, tolerances_;
+  Resolution steps_, tolerances_;
 };
 
 }  // namespace oddity

@@ -20,7 +20,7 @@ namespace oddity {
 using TypesetLetters = std::vector<std::pair<std::string, Value>>;
 
 /// The first `count` letters, "$m_2$ = 1.25, $g$ = 9.81", with all digits.
-std::string told(const TypesetLetters&, std::size_t count);
+std::string listed(const TypesetLetters&, std::size_t count);
 
 /// The letters' names and values in the types of formula/.
 formula::Names names_of(const TypesetLetters&);

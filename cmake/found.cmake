@@ -32,25 +32,25 @@ function(require_own home)
   endforeach()
 endfunction()
 
-# Finds `own_exercises` in these folders, their other sources `own_sources`, and `own_makers`: the generators
+# Finds `own_exercises` in these folders, their other sources `own_sources`, and `own_generators`: the generators
 # with their shared sources.
 macro(find_own)
   set(own_exercises "")
   set(own_sources "")
-  set(own_makers "")
+  set(own_generators "")
   foreach(home ${ARGN})
     file(GLOB exercises CONFIGURE_DEPENDS ${home}/chapters/*/*/exercise.cpp)
     file(GLOB sources CONFIGURE_DEPENDS ${home}/chapters/*/*/*.cpp)
-    file(GLOB makers CONFIGURE_DEPENDS ${home}/reference/make/*.cpp)
+    file(GLOB generators CONFIGURE_DEPENDS ${home}/reference/make/*.cpp)
     require_exercises(${sources})
     if(exercises)
       list(REMOVE_ITEM sources ${exercises})
     endif()
     # For these files only, so that no other is recompiled because of them.
-    set_source_files_properties(${exercises} ${sources} ${makers} PROPERTIES INCLUDE_DIRECTORIES "${home}")
+    set_source_files_properties(${exercises} ${sources} ${generators} PROPERTIES INCLUDE_DIRECTORIES "${home}")
     list(APPEND own_exercises ${exercises})
     list(APPEND own_sources ${sources})
-    list(APPEND own_makers ${makers})
+    list(APPEND own_generators ${generators})
   endforeach()
 endmacro()
 

@@ -12,7 +12,7 @@ namespace {
 
 /// Marks a place where a word needs a space next to letters, and the end of an index, after which a letter
 /// needs one.
-constexpr char beside_word = '\x01', behind_index = '\x02';
+constexpr char word_gap = '\x01', behind_index = '\x02';
 /// Marks around a difference.
 constexpr char differs = '\x03', differs_no_more = '\x04';
 
@@ -120,12 +120,12 @@ class Unicode : public Writer {
   std::string transposed(const std::string& base) override { return base + "^T"; }
   std::string function(const std::string& name, const std::string& exponent, const Tree& x) override {
     const std::string signs = raised(exponent);
-    const std::string own = beside_word + shown(name) +
+    const std::string own = word_gap + shown(name) +
                             (exponent.empty() ? ""
                              : !signs.empty() ? signs
                                               : "^(" + exponent + ")");
     if (!is_plain_argument(x) || x.kind() == Kind::fraction) return own + "(" + of(x) + ")";
-    return own + beside_word + of(x);
+    return own + word_gap + of(x);
   }
   std::string root(const Tree& x, const std::string& degree) override {
     const bool bare = x.kind() == Kind::letter || x.kind() == Kind::number || x.kind() == Kind::pi ||
@@ -134,7 +134,7 @@ class Unicode : public Writer {
   }
   std::string bars(const Tree& x, bool twice) override {
     const std::string sign = twice ? "‖" : "|", inside = of(x);
-    return sign + (inside.starts_with(beside_word) ? inside.substr(1) : inside) + sign;
+    return sign + (inside.starts_with(word_gap) ? inside.substr(1) : inside) + sign;
   }
   std::string parentheses(const std::string& inside) override { return "(" + inside + ")"; }
   std::string brackets(const std::string& opening, const std::string& inside,
@@ -150,7 +150,7 @@ class Unicode : public Writer {
     return "(" + all + ")";
   }
   std::string named(const std::string& name, const std::string& inside) override {
-    return beside_word + name + "(" + inside + ")";
+    return word_gap + name + "(" + inside + ")";
   }
   std::string sum_over(const std::string& below, const std::string& last, const std::string& body) override {
     return "Σ" + index(letter(below) + (last.empty() ? "" : "≤" + last)) + body;
@@ -171,20 +171,20 @@ class Unicode : public Writer {
   std::string large(const std::string& command, const Tree& below, const Tree* above) override {
     const std::string sign = command == R"(\sum)" ? "Σ" : command == R"(\prod)" ? "Π" : shown(command);
     std::string all = is_word(sign[0]) && sign.size() > 2 && static_cast<unsigned char>(sign[0]) < 0x80
-                          ? beside_word + sign
+                          ? word_gap + sign
                           : sign;
     if (below.kind() != Kind::nothing) all += index(tight(of(below)));
     return above ? power(all, *above) : all;
   }
   static std::string without_end(std::string text) {
-    if (text.ends_with(behind_index) || text.ends_with(beside_word)) text.pop_back();
+    if (text.ends_with(behind_index) || text.ends_with(word_gap)) text.pop_back();
     return text;
   }
   static std::string tight(std::string text) {
     std::erase(text, ' ');
     return text;
   }
-  std::string words(const std::string& text) override { return beside_word + text + beside_word; }
+  std::string words(const std::string& text) override { return word_gap + text + word_gap; }
   std::string marked(const std::string& inside) override { return differs + inside + differs_no_more; }
   bool fraction_is_factor() const override { return false; }
 };
@@ -206,7 +206,7 @@ std::string unicode(const Tree& x, const Marks& marks) {
       all += c == differs ? marks.begin : marks.end;
       continue;
     }
-    if (c != beside_word && c != behind_index) {
+    if (c != word_gap && c != behind_index) {
       if (c == ' ' && seen.ends_with(' ')) continue;
       all += c, seen += c;
       continue;

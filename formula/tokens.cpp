@@ -31,7 +31,7 @@ std::size_t length_of_number(std::string_view text) {
 }
 
 /// Commands that only move or stretch, except the space that ends a function's argument.
-bool says_nothing(std::string_view token) {
+bool is_layout(std::string_view token) {
   return among(token, {R"(\left)",  R"(\right)", R"(\bigl)",         R"(\bigr)",   R"(\Bigl)",  R"(\Bigr)",
                        R"(\big)",   R"(\Big)",   R"(\bigg)",         R"(\Bigg)",   R"(\biggl)", R"(\biggr)",
                        R"(\Biggl)", R"(\Biggr)", R"(\displaystyle)", R"(\limits)", R"(\!)",     R"(\ )",
@@ -114,7 +114,7 @@ Tokens tex_tokens(std::string_view text) {
     at += n;
     if (among(token.text, {R"(\tfrac)", R"(\dfrac)"})) token.text = R"(\frac)";
     in_indices = token.text == "{" ? last_is({"_"}) : in_indices && token.text != "}";
-    if (!among(token.text, {" ", "$", "\n", "\t"}) && !says_nothing(token.text))
+    if (!among(token.text, {" ", "$", "\n", "\t"}) && !is_layout(token.text))
       tokens.push_back(std::move(token));
   }
   return without_single_groups(tokens);

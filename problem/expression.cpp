@@ -177,8 +177,8 @@ std::vector<Program::Instruction> in_rows(const std::vector<Program::Instruction
   std::map<Op, std::vector<std::size_t>> ready;
   for (std::size_t i = 0; i < code.size(); ++i) {
     for (const int from : operands_of(code[i]))
-      if (const int maker = made_by[static_cast<std::size_t>(from)]; maker != none)
-        ++waits_for[i], wanted_by[static_cast<std::size_t>(maker)].push_back(i);
+      if (const int producer = made_by[static_cast<std::size_t>(from)]; producer != none)
+        ++waits_for[i], wanted_by[static_cast<std::size_t>(producer)].push_back(i);
     if (waits_for[i] == 0) ready[code[i].op].push_back(i);
     const auto result = static_cast<std::size_t>(code[i].result);
     made_by[result] = static_cast<int>(i);

@@ -136,8 +136,8 @@ struct File {
   std::vector<std::string> vary = {};  ///< parameters that differ from start to start
   std::string sweep = {};
   std::vector<double> sweep_values = {};
-  std::string error_says = {}, horizon_says = {};  ///< reasons for these, if the file does not give them
-  bool is_plain = false;                           ///< all numbers are pure, also the time
+  std::string error_reason = {}, horizon_reason = {};  ///< reasons for these, if the file does not give them
+  bool is_plain = false;                               ///< all numbers are pure, also the time
 };
 
 /// The name of a component: "r_2'" for the vector r' and the index 1, "R_21" for a matrix R of 2 by 2 and 2.

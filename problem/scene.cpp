@@ -201,7 +201,7 @@ Quantity motion_of(const Parameters& p, const Horizon& horizon, const Reference&
   Quantity motion =
       quantity("motion", file.observables.front().unit, file.title + " at " + times_up_to(horizon), known,
                {*std::ranges::min_element(file.errors),
-                file.error_says.empty() ? "the error that the file asks for" : file.error_says});
+                file.error_reason.empty() ? "the error that the file asks for" : file.error_reason});
   motion.needs = file.errors;
   std::vector<double> rounded(values);
   for (double& value : rounded) value = static_cast<double>(static_cast<float>(value));
@@ -415,7 +415,7 @@ void ask_by_motion(File& file) {
   if (!motion.why_no_longer.empty()) {
     constexpr std::size_t fewest = 16;
     if (states.size() < fewest) file.source.fail(file.models.front().name.place, motion.why_no_longer);
-    file.horizon_says = " (its total is " + file.horizon + "), as " + motion.why_no_longer;
+    file.horizon_reason = " (its total is " + file.horizon + "), as " + motion.why_no_longer;
     file.end = *parse_number(format_significant(0.95 * motion.times[states.size() - 1], 2));
     file.horizon = format_shortest(file.end);
     const auto end = std::ranges::upper_bound(motion.times, file.end);
@@ -425,9 +425,9 @@ void ask_by_motion(File& file) {
   const double error = *parse_number(format_significant(its.range > 0 ? its.range / 1000 : 1e-3, 1));
   file.errors = {error};
   file.error = format_shortest(error);
-  file.error_says = "a thousandth of the widest range, that of " + file.observables[its.unknown].name;
-  file.horizon_says = "up to " + (file.horizon_says.empty() ? "its total of " + file.horizon
-                                                            : file.horizon + file.horizon_says);
+  file.error_reason = "a thousandth of the widest range, that of " + file.observables[its.unknown].name;
+  file.horizon_reason = "up to " + (file.horizon_reason.empty() ? "its total of " + file.horizon
+                                                                : file.horizon + file.horizon_reason);
   // A horizon is a whole number of frames: few of them could take a shortened one beyond the motion's end.
   constexpr double most_frames = 1000;
   const double least_frames = motion.why_no_longer.empty() ? 0 : 100,
@@ -517,7 +517,7 @@ const Verdicts& stated_by(const Entry& entry) {
 
 Asked asked_by(const Entry& entry) {
   const File& file = *kept_with(entry.exercise.parameters.data()).file;
-  return {file.error, file.horizon, file.frames_per_second, file.error_says, file.horizon_says};
+  return {file.error, file.horizon, file.frames_per_second, file.error_reason, file.horizon_reason};
 }
 
 }  // namespace oddity::problem

@@ -29,7 +29,7 @@ const Verdicts& stated_by(const Entry& entry);
 /// Defaults for `choose` where the command line gives none.
 struct Asked {
   std::string error, horizon, frames_per_second;
-  std::string error_says = {}, horizon_says = {};  ///< the reason, if the file does not give them
+  std::string error_reason = {}, horizon_reason = {};  ///< the reason, if the file does not give them
 };
 Asked asked_by(const Entry& entry);
 

@@ -161,15 +161,15 @@ class Frozen {
  private:
   /// The registers whose sum is in this one, each once.
   std::vector<int> terms_of(int place) const {
-    std::vector<const Program::Instruction*> maker(rates_.registers(), nullptr);
-    for (const auto& one : rates_.code()) maker[static_cast<std::size_t>(one.result)] = &one;
+    std::vector<const Program::Instruction*> producer(rates_.registers(), nullptr);
+    for (const auto& one : rates_.code()) producer[static_cast<std::size_t>(one.result)] = &one;
     std::vector<char> seen(rates_.registers(), 0);
     std::vector<int> terms, left{place};
     while (!left.empty()) {
       const int at = left.back();
       left.pop_back();
       if (std::exchange(seen[static_cast<std::size_t>(at)], 1) != 0) continue;
-      const auto* made = maker[static_cast<std::size_t>(at)];
+      const auto* made = producer[static_cast<std::size_t>(at)];
       if (made && (made->op == Op::add || made->op == Op::subtract))
         left.insert(left.end(), {made->a, made->b});
       else

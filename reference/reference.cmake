@@ -9,7 +9,7 @@ set(table_files
   reference/quantity_text.cpp reference/reference.cpp
   reference/similar.cpp reference/table_text.cpp reference/truth.cpp reference/verdicts.cpp)
 # Cached motions are computed again if a generator changes, or the code that runs it.
-file(GLOB maker_sources CONFIGURE_DEPENDS
+file(GLOB generator_sources CONFIGURE_DEPENDS
   reference/*.cpp reference/*.hpp reference/make/*.cpp reference/make/*.hpp)
 set(rooms_of_reference ${PROJECT_SOURCE_DIR}/reference)
 foreach(home IN LISTS own_homes)
@@ -18,14 +18,14 @@ endforeach()
 add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/fingerprint.cpp
   COMMAND ${CMAKE_COMMAND} -DFOLDERS=${rooms_of_reference} -DOUT=${PROJECT_BINARY_DIR}/fingerprint.cpp
     -P ${PROJECT_SOURCE_DIR}/reference/fingerprint.cmake
-  DEPENDS ${maker_sources} ${own_makers} reference/fingerprint.cmake VERBATIM)
-add_library(oddity_reference STATIC ${promised} ${table_files} ${route_files} ${truth_files} ${own_makers}
+  DEPENDS ${generator_sources} ${own_generators} reference/fingerprint.cmake VERBATIM)
+add_library(oddity_reference STATIC ${promised} ${table_files} ${route_files} ${truth_files} ${own_generators}
   ${PROJECT_BINARY_DIR}/truths.cpp ${PROJECT_BINARY_DIR}/fingerprint.cpp)
 target_link_libraries(oddity_reference PUBLIC oddity_options Boost::headers ${MPFR} ${GMP})
 target_compile_options(oddity_reference PRIVATE ${modest})
 compile_headers_once(oddity_reference reference/make/routes.hpp reference/make/taylor.hpp)
 compile_files_together(oddity_reference GROUP)
-group_by_name(makers 4 ${route_files} ${truth_files})
+group_by_name(generators 4 ${route_files} ${truth_files})
 
 # The generators of motions, whose last input is the time, also in long double, under another name. Excludes
 # the growth of small differences, which needs more digits.
@@ -37,11 +37,11 @@ foreach(file IN LISTS truth_files own_truths)
   endif()
 endforeach()
 register_truths(${PROJECT_BINARY_DIR}/motions_in_long_double.cpp ${motion_files})
-set(shared_by_makers ${own_makers})
+set(shared_by_generators ${own_generators})
 if(own_truths)
-  list(REMOVE_ITEM shared_by_makers ${own_truths})
+  list(REMOVE_ITEM shared_by_generators ${own_truths})
 endif()
-add_library(oddity_in_long_double OBJECT ${motion_files} ${shared_by_makers} ${route_files} reference/truth.cpp
+add_library(oddity_in_long_double OBJECT ${motion_files} ${shared_by_generators} ${route_files} reference/truth.cpp
   reference/in_long_double.cpp ${PROJECT_BINARY_DIR}/motions_in_long_double.cpp)
 target_compile_definitions(oddity_in_long_double PRIVATE ODDITY_LONG_DOUBLE truth=truth_in_long_double)
 target_link_libraries(oddity_in_long_double PRIVATE oddity_options Boost::headers)

@@ -77,7 +77,7 @@ std::map<std::vector<double>, Known> read_table(const fs::path& file, const trut
 
 namespace {
 
-const truth::Entry* maker_of(std::string_view table) {
+const truth::Entry* generator_of(std::string_view table) {
   const auto& all = truth::registry();
   const auto found = std::ranges::find(all, table, &truth::Entry::name);
   return found == all.end() ? nullptr : &*found;
@@ -166,9 +166,9 @@ Known on_the_spot(std::string_view table, const truth::Truth& truth, const std::
 namespace {
 
 /// Place of a generator's table: in the folder, or next to the exercises outside the tree.
-fs::path file_of(const truth::Entry& maker, const fs::path& folder) {
-  const fs::path room = maker.home.empty() ? folder : fs::path(maker.home) / "reference";
-  return room / "tables" / (std::string(maker.name) + ".csv");
+fs::path file_of(const truth::Entry& generator, const fs::path& folder) {
+  const fs::path room = generator.home.empty() ? folder : fs::path(generator.home) / "reference";
+  return room / "tables" / (std::string(generator.name) + ".csv");
 }
 
 /// Number of times at which a motion's second route is compared with the first.
@@ -177,7 +177,7 @@ constexpr std::size_t compared_times = 48;
 /// Everything on which a motion computed on demand depends.
 std::string motion_key(std::string_view table, const std::vector<double>& inputs,
                        std::span<const double> times, int digits) {
-  return std::string(table) + " " + std::string(truth::fingerprint_of_makers) + " " + "MPFR " +
+  return std::string(table) + " " + std::string(truth::fingerprint_of_generators) + " " + "MPFR " +
          mpfr_get_version() + " " + std::to_string(digits) + " " + std::to_string(compared_times) + " (" +
          listed(inputs) + ") at " + listed(std::vector<double>(times.begin(), times.end()));
 }
@@ -316,27 +316,27 @@ Known Reference::proved(Known known, const ToEnclose& asked) const {
 std::string checksum_of_tables(const fs::path& folder,
                                const std::function<bool(const truth::Entry&)>& wanted) {
   std::string all;
-  for (const truth::Entry& maker : truth::registry()) {
-    if (wanted && !wanted(maker)) continue;
-    const fs::path file = file_of(maker, folder);
-    all += std::string(maker.name) + "\n" + (fs::exists(file) ? read_whole(file) : "");
+  for (const truth::Entry& generator : truth::registry()) {
+    if (wanted && !wanted(generator)) continue;
+    const fs::path file = file_of(generator, folder);
+    all += std::string(generator.name) + "\n" + (fs::exists(file) ? read_whole(file) : "");
   }
   return checksum(all);
 }
 
 const Reference::Table* Reference::table(std::string_view name) const {
   const auto table = tables_->find(name);
-  return table == tables_->end() || !maker_of(name) ? nullptr : &table->second;
+  return table == tables_->end() || !generator_of(name) ? nullptr : &table->second;
 }
 
 Known Reference::operator()(std::string_view name, const std::vector<double>& inputs) const {
-  const truth::Entry* maker = maker_of(name);
-  if (maker && tables_->empty()) return unknown(maker->make());
+  const truth::Entry* generator = generator_of(name);
+  if (generator && tables_->empty()) return unknown(generator->make());
   const Table* rows = table(name);
   if (!rows) return without_table(name);
   require_finite(name, inputs);
   if (const auto row = rows->find(inputs); row != rows->end()) return row->second;
-  const truth::Truth truth = maker->make();
+  const truth::Truth truth = generator->make();
   require_count(name, truth, inputs.size());
   const Known known = on_the_spot(name, truth, inputs, tick_, [&](const truth::Tick&) {
     return truth::make_row(truth, inputs, digits_);
@@ -346,26 +346,26 @@ Known Reference::operator()(std::string_view name, const std::vector<double>& in
 
 Known Reference::motion(std::string_view name, const std::vector<double>& inputs,
                         std::span<const double> times) const {
-  const truth::Entry* maker = maker_of(name);
+  const truth::Entry* generator = generator_of(name);
   const auto no_motion = [&] {
-    const Known one = unknown(maker->make());
+    const Known one = unknown(generator->make());
     return Known{std::vector<double>(times.size() * one.value.size(), one.error), one.error, one.source};
   };
-  if (maker && tables_->empty()) return no_motion();
+  if (generator && tables_->empty()) return no_motion();
   const Table* rows = table(name);
   if (!rows) return without_table(name);
   require_finite(name, inputs);
   require_finite(name, times);
   if (auto known = tabulated(*rows, inputs, times)) return *known;
   if (!makes_motions_) return no_motion();
-  require_count(name, maker->make(), inputs.size() + 1);
+  require_count(name, generator->make(), inputs.size() + 1);
   const Known known = made_motion(name, inputs, times);
   return proved(known, {name, inputs, times, known.value, digits_});
 }
 
 Known Reference::made_motion(std::string_view name, const std::vector<double>& inputs,
                              std::span<const double> times) const {
-  const truth::Truth truth = maker_of(name)->make();
+  const truth::Truth truth = generator_of(name)->make();
   if (digits_ <= digits_in_long_double)
     if (auto known = motion_in_long_double(name, inputs, times, compared_times, tick_,
                                            repeats_ ? BoundedBy::repeats : BoundedBy::routes))

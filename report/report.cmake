@@ -81,6 +81,6 @@ endforeach()
 set_source_files_properties(report/cli/commands.cpp report/study/json.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 set_property(SOURCE report/study/settings.cpp APPEND PROPERTY COMPILE_DEFINITIONS
   ODDITY_VERSION="${PROJECT_VERSION}")
-set_property(SOURCE report/study/beside_program.cpp APPEND PROPERTY COMPILE_DEFINITIONS
+set_property(SOURCE report/study/sibling_program.cpp APPEND PROPERTY COMPILE_DEFINITIONS
   ODDITY_SOURCE="${PROJECT_SOURCE_DIR}" ODDITY_BUILD="${build_by_name}"
   ODDITY_INSTALLED_DATA="${oddity_data}" ODDITY_INSTALLED_CODE="${oddity_code}")

@@ -27,7 +27,7 @@ inline Need need_of_a_second() {
 }
 
 /// All parameters changed a little, each by a different fraction.
-inline Task task_beside(const Entry& entry) {
+inline Task task_of_source(const Entry& entry) {
   Task task(entry);
   double part = 0;
   for (const Parameter& p : entry.exercise.parameters) {

@@ -248,7 +248,7 @@ TEST_CASE("a user's method is judged at its step", "[arguments][is_enough]") {
   INFO(rows.output);
   CHECK(says(
       rows,
-      "exercise,model,algorithm,knob,setting,holds,outcome,where,error_in_needs,starts,failing,growth,"));
+      "exercise,model,algorithm,resolution,setting,holds,outcome,where,error_in_needs,starts,failing,growth,"));
   CHECK(says(rows, ",step,0.016,"));
 }
 

@@ -54,7 +54,7 @@ TEST_CASE("every method of the scene bounces, at every frame", "[events]") {
   CHECK(q.methods.size() > 15);
   for (const Method& m : q.methods) {
     INFO(m.model << ", " << m.algorithm);
-    const Trial trial = run(q, m, m.knob.settings.empty() ? 0 : m.knob.settings.back());
+    const Trial trial = run(q, m, m.resolution.settings.empty() ? 0 : m.resolution.settings.back());
     const bool first_order = m.algorithm.ends_with("Euler");
     CHECK(trial.outcome == (first_order ? Outcome::inaccurate : Outcome::ok));
     CHECK(trial.error < (first_order ? 0.02 : 1e-6));
@@ -65,13 +65,14 @@ TEST_CASE("endless bounces are an outcome of the scene, and so is its ball that 
   const Quantity beyond = ball({2});  // at rest after 1.355 s
   for (const Method& m : beyond.methods) {
     INFO(m.model << ", " << m.algorithm);
-    const Trial trial = run(beyond, m, m.knob.settings.empty() ? 0 : m.knob.settings.back());
+    const Trial trial = run(beyond, m, m.resolution.settings.empty() ? 0 : m.resolution.settings.back());
     if (m.model == "flights" || m.algorithm == "explicit Euler") {
       CHECK(trial.answer.reached());
     } else if (m.model != "ball") {  // it comes to rest
       const bool first_order = m.algorithm == "symplectic Euler";
       CHECK(trial.outcome == (first_order ? Outcome::inaccurate : Outcome::ok));
-      if (first_order) CHECK(near(run(beyond, m, 2 * m.knob.settings.back()).error / trial.error, 2, 0.1));
+      if (first_order)
+        CHECK(near(run(beyond, m, 2 * m.resolution.settings.back()).error / trial.error, 2, 0.1));
       CHECK(*std::prev(trial.answer.value.end()) == 0);
     } else {
       // GSL's bsimp weighs errors by the state alone, and finds no step when the state is almost zero.

@@ -98,7 +98,8 @@ Answered answered(const Question& question, bool thorough, const Reference& trut
     const Choice choice = choose(task, need_of(task, asked), truth, price_by_name);
     if (const auto& chosen = choice.chosen) {
       answer.says = chosen->model + ", " + chosen->algorithm;
-      if (!chosen->knob.empty()) answer.says += ", " + chosen->knob + " " + format_shortest(chosen->setting);
+      if (!chosen->resolution.empty())
+        answer.says += ", " + chosen->resolution + " " + format_shortest(chosen->setting);
       answer.nanoseconds = 1e9 * chosen->seconds_per_frame;
     } else {
       answer.says = "nothing holds";

@@ -28,9 +28,9 @@ namespace {
 constexpr Parameter parameters[] = {{"a", 1, "m", "where it stays", 0, 10}};
 
 /// x = a (1 + error) at one frame in the middle, and a at the others, with this many evaluations.
-Method method(std::string model, std::string algorithm, Knob knob, double a, int frames,
+Method method(std::string model, std::string algorithm, Resolution resolution, double a, int frames,
               std::function<double(double)> error, std::function<long(double)> evaluations) {
-  return {std::move(model), std::move(algorithm), std::move(knob), [=](double setting) {
+  return {std::move(model), std::move(algorithm), std::move(resolution), [=](double setting) {
             std::vector<double> x(static_cast<std::size_t>(frames), a);
             x[x.size() / 2] *= 1 + error(setting);
             return Answer{Value(std::move(x)), evaluations(setting)};
@@ -47,7 +47,7 @@ Quantity place(const Parameters& p, const Horizon& horizon, const Reference&) {
   q.samples = horizon.count();
   const auto one = [](double) { return 1L; };
   q.add(method(
-      "coarse", "closed form", no_knob(), a, horizon.count(),
+      "coarse", "closed form", no_resolution(), a, horizon.count(),
       [a](double) { return std::abs(a - 1) / 10 + 1e-4; }, one));
   q.add(method(
       "stepping", "explicit", halving("step", 1, 4), a, horizon.count(), [](double h) { return h; },
@@ -60,7 +60,8 @@ Quantity place(const Parameters& p, const Horizon& horizon, const Reference&) {
       [](double h) { return std::max(h, 0.02); }, [=](double h) { return std::lround(horizon.end / h); });
   single.precision = Precision::in_float;
   q.add(std::move(single));
-  q.add({"absent", "raises", no_knob(), [](double) -> Answer { throw std::runtime_error("not here"); }});
+  q.add(
+      {"absent", "raises", no_resolution(), [](double) -> Answer { throw std::runtime_error("not here"); }});
   return q;
 }
 
@@ -188,7 +189,7 @@ TEST_CASE("an exception on a start counts if the starts before it hold", "[choos
   for (const std::string says : {"holds", "fails", "throws"}) {
     Quantity q = place(Parameters(parameters), {10, 100}, Reference::nothing());
     q.need.allowed = 0.01;
-    q.methods = {{"model", "by hand", no_knob(), [says](double) {
+    q.methods = {{"model", "by hand", no_resolution(), [says](double) {
                     return Answer{Value(std::vector<double>(100, says == "fails" ? 2.0 : 1.0)), 1};
                   }}};
     starts.push_back({says, std::move(q)});
@@ -413,7 +414,7 @@ TEST_CASE("a better known reference is requested where the present one does not 
     q.need.allowed = 1;
     q.reference = {"made", Value(std::vector<double>(100, truth))};
     q.reference_error = known_to;
-    q.methods = {{"model", "by hand", no_knob(), [](double) {
+    q.methods = {{"model", "by hand", no_resolution(), [](double) {
                     return Answer{Value(std::vector<double>(100, 0.0)), 1};
                   }}};
     return Start{"here", std::move(q)};
@@ -459,7 +460,7 @@ TEST_CASE(
   q.reference.value = Value(std::vector<double>(50, 1.0));
   q.need.allowed = 0.1;
   const auto off_by = [](double off) {
-    return Method{"off", "by " + format_shortest(off), no_knob(), [off](double) {
+    return Method{"off", "by " + format_shortest(off), no_resolution(), [off](double) {
                     return Answer{Value(std::vector<double>(50, 1 + off)), 100};
                   }};
   };
@@ -529,8 +530,9 @@ TEST_CASE("the cost of restarting a method counts once per restart", "[choose]")
     q.samples = horizon.count();
     const auto exact = [](double) { return 1e-9; };
     for (long each : {1, 2})
-      q.add(method(each == 1 ? "with a history" : "without", "exact", no_knob(), p["a"], horizon.count(),
-                   exact, [=](double) { return each * horizon.count() + (each == 1 ? 30 : 0); }));
+      q.add(method(each == 1 ? "with a history" : "without", "exact", no_resolution(), p["a"],
+                   horizon.count(), exact,
+                   [=](double) { return each * horizon.count() + (each == 1 ? 30 : 0); }));
     return q;
   };
   const Entry contacts{{3, 98},
@@ -572,8 +574,12 @@ TEST_CASE("a period is measured between passages of the mean, wherever the motio
     };
     Quantity q{"place", "m", "", {"exact", Value(turning(1))}, 1e-16, {1e-6, ""}, {}, {}};
     q.samples = horizon.count();
-    q.add({"slow", "exact", no_knob(), [slow = turning(1.01)](double) { return Answer{Value(slow), 1}; }});
-    q.add({"quick", "exact", no_knob(), [quick = turning(0.8)](double) { return Answer{Value(quick), 1}; }});
+    q.add({"slow", "exact", no_resolution(), [slow = turning(1.01)](double) {
+             return Answer{Value(slow), 1};
+           }});
+    q.add({"quick", "exact", no_resolution(), [quick = turning(0.8)](double) {
+             return Answer{Value(quick), 1};
+           }});
     return q;
   };
   const Entry turning{{3, 97},
@@ -719,10 +725,10 @@ TEST_CASE("the nearest miss is the method that misses least on its worst start",
     q.methods_in_float.clear();
     const auto one = [](double) { return 1L; };
     q.add(method(
-        "there", "alone", no_knob(), a, horizon.count(), [a](double) { return 0.01 + 10 * std::abs(a - 5); },
-        one));
+        "there", "alone", no_resolution(), a, horizon.count(),
+        [a](double) { return 0.01 + 10 * std::abs(a - 5); }, one));
     q.add(method(
-        "everywhere", "alike", no_knob(), a, horizon.count(), [](double) { return 0.02; }, one));
+        "everywhere", "alike", no_resolution(), a, horizon.count(), [](double) { return 0.02; }, one));
     return q;
   };
   const Entry nearest{{3, 95},
@@ -769,7 +775,7 @@ void add(Quantity& q, const std::string& model, const std::string& algorithm, do
   const int frames = q.samples;
   const double a = q.reference.value[0];
   q.add(method(
-      model, algorithm, no_knob(), a, frames, [=](double) { return error; },
+      model, algorithm, no_resolution(), a, frames, [=](double) { return error; },
       [=](double) { return evaluations * frames; }));
 }
 
@@ -947,7 +953,7 @@ TEST_CASE("where a neighbouring start decides, the answer names the method for t
     const double a = p["a"];
     Quantity q = staying(a, horizon);
     q.add(method(
-        "there", "alone", no_knob(), a, horizon.count(), [a](double) { return std::abs(a - 5) + 1e-9; },
+        "there", "alone", no_resolution(), a, horizon.count(), [a](double) { return std::abs(a - 5) + 1e-9; },
         [](double) { return 30L; }));
     return q;
   };
@@ -957,11 +963,11 @@ TEST_CASE("where a neighbouring start decides, the answer names the method for t
   REQUIRE(choice.on_asked);
   CHECK(choice.on_asked->holds());
   CHECK(near_ulps(choice.on_asked->seconds_per_frame, 1e-9, 64));
-  REQUIRE(choice.beside_asked);
-  CHECK(choice.beside_asked->outcome == Outcome::inaccurate);
+  REQUIRE(choice.next_to_asked);
+  CHECK(choice.next_to_asked->outcome == Outcome::inaccurate);
   const std::string text = choice_text(choice, false);
   CHECK(text.find("on the start asked for there by alone") != std::string::npos);
-  CHECK(text.find("this one is inaccurate at " + choice.beside_asked->where) != std::string::npos);
+  CHECK(text.find("this one is inaccurate at " + choice.next_to_asked->where) != std::string::npos);
   CHECK(choice.explanation.starts == 3);  // no others are made where nothing holds on these
   need.budget = 1e-10;
   CHECK_FALSE(choose_at_5(scene, need).on_asked);
@@ -974,7 +980,7 @@ TEST_CASE("a method that fails on the requested start is not reported to hold th
     Quantity q = staying(a, horizon);
     for (const double least : {0.0, 1.0})
       q.add(method(
-          least > 0 ? "nowhere" : "there", "alone", no_knob(), a, horizon.count(),
+          least > 0 ? "nowhere" : "there", "alone", no_resolution(), a, horizon.count(),
           [=](double) { return std::max(least, 5 - a) + 1e-9; },
           [=](double) { return least > 0 ? 10L : 30L; }));
     return q;
@@ -991,8 +997,8 @@ TEST_CASE("a method with many evaluations is timed over its first frames", "[cho
     Quantity q = staying(p["a"], horizon);
     for (const long each : {100L, 100'000L})
       q.add(method(
-          std::to_string(each), "alone", no_knob(), p["a"], horizon.count(), [](double) { return 1e-9; },
-          [=](double) { return each * horizon.count(); }));
+          std::to_string(each), "alone", no_resolution(), p["a"], horizon.count(),
+          [](double) { return 1e-9; }, [=](double) { return each * horizon.count(); }));
     return q;
   };
   const Entry staying_there{
@@ -1033,7 +1039,7 @@ struct Neighbours {
   }
 
   Parting parting() const { return parting_of(motion, Value(beside), 1e-9); }
-  std::optional<double> told_until() const {
+  std::optional<double> predictable_until() const {
     const Parting parting = this->parting();
     if (!parting.is_chaotic) return {};
     const auto lost = parting.lost_at();
@@ -1061,18 +1067,18 @@ TEST_CASE("in chaos a saturated error is extrapolated", "[choose]") {
 
 TEST_CASE("a chaotic motion is distinguished from a regular one, over any horizon", "[choose]") {
   for (double horizon : {7.0, 10.0, 20.0, 100.0}) {
-    const auto until = Neighbours(horizon, chaotic).told_until();
+    const auto until = Neighbours(horizon, chaotic).predictable_until();
     INFO("over " << horizon);
     REQUIRE(until);
     CHECK(near_ulps(*until, 5.4, 64));
   }
-  const auto soon = Neighbours(5, chaotic).told_until();
+  const auto soon = Neighbours(5, chaotic).predictable_until();
   REQUIRE(soon);
   CHECK(std::isinf(*soon));
   for (double horizon : {5.0, 100.0}) {
-    CHECK_FALSE(Neighbours(horizon, [](double t) { return 1e-9 * t; }).told_until());
-    CHECK_FALSE(Neighbours(horizon, [](double t) { return 1e-9 * t * t; }).told_until());
-    CHECK_FALSE(Neighbours(horizon, [](double t) { return t < 3 ? 1e-16 : 1e-9 * t; }).told_until());
+    CHECK_FALSE(Neighbours(horizon, [](double t) { return 1e-9 * t; }).predictable_until());
+    CHECK_FALSE(Neighbours(horizon, [](double t) { return 1e-9 * t * t; }).predictable_until());
+    CHECK_FALSE(Neighbours(horizon, [](double t) { return t < 3 ? 1e-16 : 1e-9 * t; }).predictable_until());
   }
 }
 
@@ -1111,12 +1117,12 @@ TEST_CASE("each unit loses the path by its own error", "[choose]") {
   both.motion.norms = {{"m", {0}}, {"rad", {1}}};
   both.motion.needs = {1e-2, 1e-7};  // the angle's is smaller, and kept
   both.beside = beside;
-  REQUIRE(both.told_until());
-  CHECK(near_ulps(*both.told_until(), 5.4, 64));
+  REQUIRE(both.predictable_until());
+  CHECK(near_ulps(*both.predictable_until(), 5.4, 64));
   both.motion.needs = {1e-2, 1e-9};
-  CHECK(*both.told_until() < 2);
+  CHECK(*both.predictable_until() < 2);
   both.beside.pop_back();
-  CHECK_FALSE(both.told_until());
+  CHECK_FALSE(both.predictable_until());
 }
 
 TEST_CASE("without a requested path chaos is not reported, and without a size no exactness", "[choose]") {
@@ -1159,11 +1165,11 @@ TEST_CASE("a method that fails with a non-finite result on one start is not the 
     const double a = p["a"];
     Quantity q = staying(a, horizon);
     q.add(method(
-        "breaking", "here and there", no_knob(), a, horizon.count(),
+        "breaking", "here and there", no_resolution(), a, horizon.count(),
         [a](double) { return a < 5 ? std::numeric_limits<double>::quiet_NaN() : 0.5; },
         [](double) { return 10L; }));
     q.add(method(
-        "right", "everywhere", no_knob(), a, horizon.count(), [](double) { return 1e-9; },
+        "right", "everywhere", no_resolution(), a, horizon.count(), [](double) { return 1e-9; },
         [](double) { return 100L; }));
     return q;
   };

@@ -41,8 +41,8 @@ Choice choice_of(const Method& method) {
   choice.need = need_of_a_second();
   choice.quantity = "motion";
   choice.time_unit = "s";
-  choice.chosen = Candidate{method.model, method.algorithm, method.knob.name};
-  choice.chosen->setting = method.knob.name == "step" ? 1 / (frames_per_second * steps) : 0;
+  choice.chosen = Candidate{method.model, method.algorithm, method.resolution.name};
+  choice.chosen->setting = method.resolution.name == "step" ? 1 / (frames_per_second * steps) : 0;
   choice.chosen->unseen_error = 0.5;
   choice.chosen->precision = method.precision;
   return choice;
@@ -57,7 +57,7 @@ std::string complaint_of(const Task& task, const Method& method) {
   return complaint([&] { code_of(task, choice_of(method), ""); });
 }
 
-bool steps_equally(const Method& m) { return m.knob.name.empty() || m.knob.name == "step"; }
+bool steps_equally(const Method& m) { return m.resolution.name.empty() || m.resolution.name == "step"; }
 
 /// The scenes of the book and of the examples' files.
 std::vector<const Entry*> all_scenes() {
@@ -92,7 +92,7 @@ double grown_rounding(const Case& c, const Method& method) {
 std::vector<Case> all_cases() {
   std::vector<Case> all;
   for (const Entry* entry : all_scenes()) {
-    const Task task = task_beside(*entry);
+    const Task task = task_of_source(*entry);
     std::set<std::pair<std::string, std::string>> seen;
     const Quantity second = second_of(task);
     std::vector<Method> methods = second.methods;
@@ -181,7 +181,7 @@ std::vector<Case> cases_at_frames(std::initializer_list<std::string_view> scenes
       for (const double setting : {need.frame_times->longest, 1 / (frames_per_second * steps)}) {
         Case c{task, choice_of(method), {}, 1e-9};
         c.choice.need = need;
-        if (method.knob.name == "step") c.choice.chosen->setting = setting;
+        if (method.resolution.name == "step") c.choice.chosen->setting = setting;
         if (!steps_equally(method) || complaint([&] { code_of(task, c.choice, ""); }) != "nothing") continue;
         c.value = run(second, method, c.choice.chosen->setting).answer.value;
         all.push_back(std::move(c));
@@ -272,7 +272,7 @@ TEST_CASE("the printed file is complete, with the question, the answer and the c
 TEST_CASE("a request for code that cannot be printed is refused with the methods that can", "[code]") {
   const auto of = [](const Number& exercise, const std::string& model, const std::string& algorithm) {
     const Entry& entry = *std::ranges::find(registry(), exercise, &Entry::number);
-    Method method{model, algorithm, no_knob(), {}};
+    Method method{model, algorithm, no_resolution(), {}};
     return complaint_of(Task(entry), method);
   };
   CHECK(of({3, 5}, "one angle", "Fehlberg 7(8)")

@@ -72,9 +72,9 @@ void keeps_its_laws(const Entry& entry) {
   const TrueEnergy energy = seen.energy ? true_energy(seen) : TrueEnergy{};
   if (seen.energy) CHECK(energy.known_to < 1e-7);
   for (const Method& m : seen.methods) {
-    const bool is_fine = m.algorithm == "Fehlberg 7(8)" || m.knob.settings.size() == 1;
+    const bool is_fine = m.algorithm == "Fehlberg 7(8)" || m.resolution.settings.size() == 1;
     if (!is_fine || m.expected != Outcome::ok) continue;
-    const double setting = m.algorithm == "Fehlberg 7(8)" ? 1e-12 : m.knob.settings.back();
+    const double setting = m.algorithm == "Fehlberg 7(8)" ? 1e-12 : m.resolution.settings.back();
     INFO(m.model << " by " << m.algorithm);
     if (seen.energy) {
       CHECK(m.places_and_rates);

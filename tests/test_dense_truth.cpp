@@ -278,10 +278,10 @@ const std::set<std::string_view> slow_tables{"03_25_growth", "03_31_slide"};
 std::vector<Tabulated> tabulated_motions(std::size_t most) {
   std::vector<Tabulated> all;
   for (const truth::Entry& entry : truth::registry()) {
-    const truth::Truth maker = entry.make();
-    if (maker.inputs.back() != "t") continue;
+    const truth::Truth generator = entry.make();
+    if (generator.inputs.back() != "t") continue;
     std::map<std::vector<double>, std::vector<double>> motions;
-    for (std::vector<double> row : maker.rows) {
+    for (std::vector<double> row : generator.rows) {
       const double t = row.back();
       row.pop_back();
       motions[row].push_back(t);
@@ -422,7 +422,7 @@ TEST_CASE("a motion of other inputs, times or generators is kept separately", "[
   swing(kept.reference);
   CHECK(count() == 4);
 
-  const std::string print(truth::fingerprint_of_makers);
+  const std::string print(truth::fingerprint_of_generators);
   const std::size_t at = kept.text.find(print);
   REQUIRE(print.size() == 64);
   REQUIRE(at != std::string::npos);
@@ -496,11 +496,11 @@ TEST_CASE("the fingerprint covers everything that makes a motion", "[truth]") {
     return text_of(print);
   };
   const std::string before = printed();
-  CHECK(before.find(truth::fingerprint_of_makers) != std::string::npos);
+  CHECK(before.find(truth::fingerprint_of_generators) != std::string::npos);
   std::set<std::string> all{before};
-  const std::vector<std::string> makers{"truth.cpp",       "truth.hpp",        "reference.cpp",
-                                        "make/taylor.cpp", "make/motions.hpp", "make/03_05_swing.cpp"};
-  for (const std::string& file : makers) {
+  const std::vector<std::string> generators{"truth.cpp",       "truth.hpp",        "reference.cpp",
+                                            "make/taylor.cpp", "make/motions.hpp", "make/03_05_swing.cpp"};
+  for (const std::string& file : generators) {
     std::ofstream(room / file, std::ios::app) << "// another\n";
     CHECK(all.insert(printed()).second);
   }

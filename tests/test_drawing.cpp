@@ -53,7 +53,7 @@ struct Motion {
     observed = {observed_at_start(scene, p)};
     for (const Method& m : seen.methods) {
       if (m.algorithm != "Runge-Kutta 4" || observed.size() > 1) continue;
-      const Value all = run(seen, m, m.knob.settings.back()).answer.value;
+      const Value all = run(seen, m, m.resolution.settings.back()).answer.value;
       for (std::size_t i = 0; i + n <= all.size(); i += n) {
         observed.emplace_back(all.begin() + static_cast<std::ptrdiff_t>(i),
                               all.begin() + static_cast<std::ptrdiff_t>(i + n));

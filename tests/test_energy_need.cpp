@@ -11,7 +11,7 @@ Quantity moving() {
   Quantity q{"x", "m", "a length", {"by hand", Value{1, 1}}, 1e-12, {0.1, "a test"}};
   q.samples = 2;
   q.energy = [](std::span<const double> seen) { return Energy{seen[1], seen[1]}; };
-  Method method{"model", "algorithm", no_knob(), [](double) { return Answer{Value{1, 1}, 10}; }};
+  Method method{"model", "algorithm", no_resolution(), [](double) { return Answer{Value{1, 1}, 10}; }};
   method.places_and_rates = [](double) { return Value{1, 1.001, 1, 1.004}; };
   q.methods = {method};
   return q;

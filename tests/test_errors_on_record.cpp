@@ -21,7 +21,7 @@ ExerciseResult an_exercise() {
   TimedTrial coarse, fine;
   coarse.model = fine.model = "model";
   coarse.algorithm = fine.algorithm = "algorithm";
-  coarse.knob = fine.knob = "step";
+  coarse.resolution = fine.resolution = "step";
   coarse.setting = 0.5, coarse.error = 0.1, coarse.evaluations = 3;
   fine.setting = 0.25, fine.error = 1e-15, fine.evaluations = 6;
   QuantityResult q;

@@ -52,7 +52,7 @@ TEST_CASE("Peano's function shows no curl by equal steps, at every one", "[claim
   int steps = 0;
   for (const Quantity& q : entry.exercise.study(defaults_of({5, 9}), truth).quantities)
     for (const Method& m : q.methods)
-      for (double h : m.algorithm == "equal steps h" ? m.knob.settings : std::vector<double>{}) {
+      for (double h : m.algorithm == "equal steps h" ? m.resolution.settings : std::vector<double>{}) {
         CHECK(m.run(h).value[0] == 0);
         ++steps;
       }

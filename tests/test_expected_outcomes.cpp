@@ -51,7 +51,7 @@ std::vector<Parameters> corners(const Exercise& exercise) {
 }
 
 /// "a = 3.14, L = 2": those that are not the exercise's own.
-std::string told(const Exercise& exercise, const Parameters& parameters) {
+std::string changes_of(const Exercise& exercise, const Parameters& parameters) {
   std::string all;
   for (const Parameter& p : exercise.parameters)
     if (parameters[p.name] != p.value)
@@ -73,9 +73,9 @@ std::vector<std::string> surprises(const Exercise& exercise, const Parameters& p
     if (quantity.for_own_parameters || !finite(quantity.reference.value)) continue;
     for (const Method& method : quantity.methods) {
       if (method.for_own_parameters) continue;
-      const Trial trial = run(quantity, method, method.knob.settings.back());
+      const Trial trial = run(quantity, method, method.resolution.settings.back());
       if (trial.outcome != method.expected)
-        all.push_back(told(exercise, parameters) + ": " + quantity.name + ", " + method.model + ", " +
+        all.push_back(changes_of(exercise, parameters) + ": " + quantity.name + ", " + method.model + ", " +
                       method.algorithm + " ends as " + std::string(name_of(trial.outcome)) +
                       ", expected as " + std::string(name_of(method.expected)) + ": error " +
                       format_significant(trial.error, 3) + ", needed " +

@@ -54,6 +54,6 @@ TEST_CASE("a cube of any size is around the origin", "[5.3]") {
   for (double h : {0.1, 10.0}) {
     const Quantity q = ex05_03::cube_flux(h, Reference::nothing());
     const Method& gauss = q.methods.front();
-    CHECK(near(gauss.run(gauss.knob.settings.back()).value[0], 4 * std::numbers::pi, 1e-12));
+    CHECK(near(gauss.run(gauss.resolution.settings.back()).value[0], 4 * std::numbers::pi, 1e-12));
   }
 }

@@ -13,12 +13,12 @@ using namespace oddity;
 namespace {
 
 /// A method with one trial at each setting, with this error and number of evaluations.
-MethodResult method(const std::string& knob, const std::vector<double>& settings,
+MethodResult method(const std::string& resolution, const std::vector<double>& settings,
                     const std::function<double(double)>& error) {
   MethodResult m{"model", "algorithm", Outcome::ok, "", {}};
   for (double setting : settings) {
     TimedTrial t;
-    t.knob = knob;
+    t.resolution = resolution;
     t.setting = setting;
     t.error = error(setting);
     t.outcome = std::isfinite(t.error) ? Outcome::ok : Outcome::non_finite;
@@ -38,7 +38,7 @@ const std::vector<double> steps = halving("step", 0.5, 10).settings;
 
 TimedTrial trial(long evaluations, double error, double seconds, Outcome outcome = Outcome::ok) {
   TimedTrial t;
-  t.knob = "step";
+  t.resolution = "step";
   t.error = error;
   t.evaluations = evaluations;
   t.outcome = outcome;
@@ -151,7 +151,7 @@ TEST_CASE("in chapter 3, the order shown for an algorithm is its order", "[fit]"
       for (const MethodResult& m : q.methods) {
         const auto algorithm = std::ranges::find(ode::catalog(), m.algorithm, &ode::CatalogEntry::name);
         const auto f = fit(q, m);
-        if (!f || algorithm == ode::catalog().end() || m.trials.front().knob != "step") continue;
+        if (!f || algorithm == ode::catalog().end() || m.trials.front().resolution != "step") continue;
         ++shown;
         INFO(to_string(e.number) << " " << q.name << ": " << m.model << " by " << m.algorithm << ", "
                                  << shown_fit(m, f));

@@ -149,7 +149,7 @@ TEST_CASE("a scene is studied at the task's frames", "[frames]") {
   Need need = game_need();
   need.frame_times = frame_times({.drop = 0.25}, need.frames_per_second, need.horizon);
   task.frames = horizon_of(need);
-  task.frames_say = shown_rate(need, "s");
+  task.frames_text = shown_rate(need, "s");
   const Results results = run(std::span(&task, 1), truth, false);
   REQUIRE(results.exercises[0].quantities.size() == 1);
   const QuantityResult& swing = results.exercises[0].quantities[0];

@@ -188,14 +188,14 @@ TEST_CASE("each method in float is next to one in double, and is judged by it", 
     REQUIRE(m.algorithm.ends_with(" in float"));
     const Method* like = method_of(swing, m.model, m.algorithm.substr(0, m.algorithm.size() - 9));
     REQUIRE(like);
-    CHECK(like->knob.settings == m.knob.settings);
+    CHECK(like->resolution.settings == m.resolution.settings);
   }
 }
 
 TEST_CASE("an error beyond the possible effect of roundings is detected", "[in_float]") {
   const Quantity swing = pendulum_motion({10});
   const Method& single = *method_of(swing, "one angle", "Runge-Kutta 4 in float");
-  const double step = single.knob.settings[4];
+  const double step = single.resolution.settings[4];
   const TimedTrial in_double = as_result(run(swing, *method_of(swing, "one angle", "Runge-Kutta 4"), step));
   TimedTrial in_float = as_result(run(swing, single, step));
   in_float.roundings = single.roundings(step);

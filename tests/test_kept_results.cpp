@@ -209,8 +209,8 @@ TEST_CASE("the inputs of an exercise are its own code, its includes, and the cod
   for (const char* name : {"02_ball", "04_box", "06_rod", "08_top"}) {
     built.object("own/" + own + name + exercise, "1");
   }
-  for (const char* maker : {"20_02_ball", "03_05_swing", "common"})
-    built.source("own/reference/make/" + std::string(maker) + ".cpp", "");
+  for (const char* generator : {"20_02_ball", "03_05_swing", "common"})
+    built.source("own/reference/make/" + std::string(generator) + ".cpp", "");
   for (const char* file :
        {"own/reference/make/20_02_ball.cpp", "own/reference/make/common.cpp", "solvers/ode/euler.cpp",
         "chapters/scene.cpp", "registry.cpp", "report/study/run.cpp", "report/pages/page.cpp"})

@@ -207,7 +207,7 @@ Value there_and_back(const Model& model, double end, double tolerance) {
 Outcome judged(const Answer& answer, const Value& truth) {
   Quantity q{"", "", "", {"", truth}, 0, {1e-3 * size_of(truth), ""}};
   q.samples = 8;
-  return run(q, Method{"", "", no_knob(), [&](double) { return answer; }}, 0).outcome;
+  return run(q, Method{"", "", no_resolution(), [&](double) { return answer; }}, 0).outcome;
 }
 
 /// The observables at seven times before the end, in reverse order.
@@ -377,12 +377,12 @@ void check_units(const Entry& entry, const Units& units) {
   REQUIRE(here.methods.size() == there.methods.size());
   for (std::size_t m = 0; m < here.methods.size(); ++m) {
     const Method& method = here.methods[m];
-    if (method.knob.name == "tolerance" || fixed_units.contains(method.model)) continue;
-    for (double setting : method.knob.settings) {
-      if (setting < 4e-3 && method.knob.name == "step") continue;
+    if (method.resolution.name == "tolerance" || fixed_units.contains(method.model)) continue;
+    for (double setting : method.resolution.settings) {
+      if (setting < 4e-3 && method.resolution.name == "step") continue;
       const Trial a = run(here, method, setting);
       const Trial b = run(there, there.methods[m],
-                          setting * (method.knob.name == "step" ? step_in(units, method.model) : 1));
+                          setting * (method.resolution.name == "step" ? step_in(units, method.model) : 1));
       INFO(to_string(entry.number) << ": " << method.model << ", " << method.algorithm << " at " << setting
                                    << ", another unit of " << units.says << ": error " << a.error << " and "
                                    << b.error);
@@ -480,9 +480,9 @@ TEST_CASE("turned axes change no outcome", "[metamorphic]") {
     there.reference_error = here.reference_error;
     for (std::size_t m = 0; m < here.methods.size(); ++m) {
       const Method& method = here.methods[m];
-      if (method.knob.name == "tolerance") continue;
-      for (double setting : method.knob.settings) {
-        if (setting < 4e-3 && method.knob.name == "step") continue;
+      if (method.resolution.name == "tolerance") continue;
+      for (double setting : method.resolution.settings) {
+        if (setting < 4e-3 && method.resolution.name == "step") continue;
         const Trial a = run(here, method, setting), b = run(there, there.methods[m], setting);
         INFO(method.model << ", " << method.algorithm << " at " << setting << ": error " << a.error
                           << ", turned " << b.error);
@@ -523,7 +523,7 @@ void check_same(const Choice& a, const Choice& b, double time) {
   REQUIRE(b.chosen);
   CHECK(a.chosen->model == b.chosen->model);
   CHECK(a.chosen->algorithm == b.chosen->algorithm);
-  CHECK(a.chosen->setting * (a.chosen->knob == "step" ? time : 1) == b.chosen->setting);
+  CHECK(a.chosen->setting * (a.chosen->resolution == "step" ? time : 1) == b.chosen->setting);
 }
 
 }  // namespace

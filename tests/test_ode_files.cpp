@@ -274,16 +274,16 @@ TEST_CASE("A horizon ends before the motion does, and the reason is given", "[pr
   const double end = std::stod(singular.horizon);
   CHECK((end > 0.9 && end < 0.99));
   CHECK(near(std::stod(singular.error), (1 / (1 - end) - 1) / 1000, 0.1));
-  CHECK(singular.horizon_says.find("(its total is 20), as the true motion ends at 1: it is singular there") !=
-        std::string::npos);
+  CHECK(singular.horizon_reason.find(
+            "(its total is 20), as the true motion ends at 1: it is singular there") != std::string::npos);
   CHECK(std::stod(singular.frames_per_second) * end > 99);  // so that no frame is beyond the motion's end
   // x follows sin(t), with a time constant of a millionth.
   const Asked stiff = asked("stiff.ode", "x'=-1000000*(x-sin(t))\ninit x=1\n@ total=20");
   CHECK(std::stod(stiff.horizon) < 1);
-  CHECK(stiff.horizon_says.find("too many steps there, as it is stiff or switches without end") !=
+  CHECK(stiff.horizon_reason.find("too many steps there, as it is stiff or switches without end") !=
         std::string::npos);
   const Asked whole = asked("whole.ode", "x'=-x\ninit x=1\n@ total=5,dt=.1");
-  CHECK((whole.horizon == "5" && whole.horizon_says == "up to its total of 5"));
+  CHECK((whole.horizon == "5" && whole.horizon_reason == "up to its total of 5"));
 }
 
 TEST_CASE("A trial of a long model is stopped after fewer evaluations than one of a short model",

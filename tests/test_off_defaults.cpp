@@ -44,7 +44,7 @@ void ok_there(const Entry& entry, const Parameters& there) {
   for (const Quantity& q : entry.exercise.study(there, reference()).quantities)
     for (const Method& m : q.methods) {
       if (m.expected != Outcome::ok) continue;
-      const Trial trial = run(q, m, m.knob.settings.back());
+      const Trial trial = run(q, m, m.resolution.settings.back());
       INFO(q.name << ", " << m.model << ", " << m.algorithm << ": error " << trial.error << ", needed "
                   << q.need.allowed << "; reference: " << q.reference.by);
       CHECK(name_of(trial.outcome) == "ok");
@@ -83,7 +83,7 @@ TEST_CASE("2.7: steps of a rotation end when the granted evaluations are spent",
   const Quantity& q = *std::ranges::find(found.quantities, "orientation", &Quantity::name);
   const Method& magnus = *method_of(q, "rotation vector", "Magnus 4");
   const ode::EvaluationLimit limit(10);
-  const Answer answer = magnus.run(magnus.knob.settings.back());
+  const Answer answer = magnus.run(magnus.resolution.settings.back());
   CHECK(answer.ending == Ending::stalled);
   CHECK(answer.message == "the budget of evaluations is spent");
 }
@@ -106,7 +106,7 @@ TEST_CASE("3.33: the axis is between its bounds, whether it starts upward or dow
     const Findings found = entry.exercise.study(p, reference());
     const Quantity& q = *std::ranges::find(found.quantities, "nutation_bounds", &Quantity::name);
     INFO("dphi = " << dphi);
-    for (const Method& m : q.methods) CHECK(name_of(run(q, m, m.knob.settings.back()).outcome) == "ok");
+    for (const Method& m : q.methods) CHECK(name_of(run(q, m, m.resolution.settings.back()).outcome) == "ok");
   }
 }
 
@@ -130,7 +130,7 @@ TEST_CASE("3.9: let go on the second axis, the ball's arrival is found, and the 
   const Findings found = entry.exercise.study(p, reference());
   const Quantity& q = *std::ranges::find(found.quantities, "first_arrival", &Quantity::name);
   for (const Method& m : q.methods)
-    CHECK(name_of(run(q, m, m.knob.settings.back()).outcome) == name_of(m.expected));
+    CHECK(name_of(run(q, m, m.resolution.settings.back()).outcome) == name_of(m.expected));
   CHECK(name_of(q.breakdowns.at(0).outcome) == name_of(Outcome::non_finite));
 }
 

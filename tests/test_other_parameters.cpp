@@ -37,7 +37,7 @@ void check_methods(const Entry& entry) {
     for (const Method& method : quantity.methods) {
       if (method.expected != Outcome::ok) continue;
       ++checked;
-      const Trial trial = run(quantity, method, method.knob.settings.back());
+      const Trial trial = run(quantity, method, method.resolution.settings.back());
       INFO(quantity.name << ": " << method.model << ", " << method.algorithm << " at " << trial.setting
                          << ": " << name_of(trial.outcome) << ", off by " << trial.error);
       CHECK(trial.in_needs <= 3);
@@ -45,13 +45,13 @@ void check_methods(const Entry& entry) {
   CHECK(checked > 0);
 }
 
-void says_that_its_budget_is_spent(const Entry& entry) {
+void reports_spent_budget(const Entry& entry) {
   const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
   const Findings found = entry.exercise.study(Parameters(entry.exercise.parameters), truth);
   const ode::EvaluationLimit few(1);
   for (const Quantity& quantity : found.quantities)
     for (const Method& method : quantity.methods) {
-      const Answer answer = method.run(method.knob.settings.front());
+      const Answer answer = method.run(method.resolution.settings.front());
       INFO(quantity.name << ": " << method.model << ", " << method.algorithm);
       if (answer.ending == Ending::stalled) CHECK_FALSE(answer.message.empty());
     }
@@ -59,7 +59,7 @@ void says_that_its_budget_is_spent(const Entry& entry) {
 
 [[maybe_unused]] const bool registered = [] {
   for (const Entry& entry : registry())
-    register_test([&entry] { says_that_its_budget_is_spent(entry); },
+    register_test([&entry] { reports_spent_budget(entry); },
                   to_string(entry.number) + ": a stopped method reports the cause",
                   "[endings][" + to_string(entry.number) + "]");
   for (const Entry& entry : registry())

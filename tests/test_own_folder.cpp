@@ -26,7 +26,7 @@ Ran configured(const ScratchFolder& scratch, const std::string& text) {
 Ran found_in(const ScratchFolder& scratch, const std::string& home) {
   const std::string folder = "[==[" + (scratch.path() / home).string() + "]==]";
   return configured(scratch, "require_own(" + folder + ")\nfind_own(" + folder +
-                                 ")\nmessage(STATUS \"found ${own_exercises} and ${own_makers}\")\n");
+                                 ")\nmessage(STATUS \"found ${own_exercises} and ${own_generators}\")\n");
 }
 
 }  // namespace
@@ -87,12 +87,12 @@ TEST_CASE("a file without the function that its name promises is named", "[own]"
     return shell("cmake -DFILES=" + listed.string() + " -DOUT=" + (scratch.path() / "out").string() + " -P " +
                  cmake_files + "promised.cmake 2>&1 | tr '\\n' ' ' | tr -s ' '");
   };
-  const std::string exercise = "chapters/20_own/02_ball/exercise.cpp", maker = "make/20_02_ball.cpp";
+  const std::string exercise = "chapters/20_own/02_ball/exercise.cpp", generator = "make/20_02_ball.cpp";
   CHECK(checked(exercise, "Exercise exercise_20_2() {").output.empty());
-  CHECK(checked(maker, "Truth truth_20_02_ball() {").output.empty());
+  CHECK(checked(generator, "Truth truth_20_02_ball() {").output.empty());
   CHECK(says(checked(exercise, "Exercise exercise_20_3() {"),
              "/exercise.cpp: it must define Exercise exercise_20_2(), as its name promises"));
-  CHECK(says(checked(maker, "Truth truth_20_02_bal() {"), "it must define Truth truth_20_02_ball()"));
+  CHECK(says(checked(generator, "Truth truth_20_02_bal() {"), "it must define Truth truth_20_02_ball()"));
 }
 
 TEST_CASE("an algorithm's line that CMake does not understand is an error, and no other line is lost",

@@ -30,11 +30,11 @@ struct Run {
   ScratchFolder folder;
   int calls = 0;
 
-  KeptPrices prices(const std::string& key = "3.5 of a test", bool anew = false) {
-    return {folder.path(), key, anew, Noisy{&calls}};
+  KeptPrices prices(const std::string& key = "3.5 of a test", bool fresh = false) {
+    return {folder.path(), key, fresh, Noisy{&calls}};
   }
-  double ask(double setting = 0.5, const std::string& key = "3.5 of a test", bool anew = false) {
-    KeptPrices all = prices(key, anew);
+  double ask(double setting = 0.5, const std::string& key = "3.5 of a test", bool fresh = false) {
+    KeptPrices all = prices(key, fresh);
     const double seconds = all(verlet, setting).seconds;
     all.keep();
     return seconds;

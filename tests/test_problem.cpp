@@ -633,7 +633,7 @@ TEST_CASE("A file's model in float differs by roundings only", "[problem]") {
     int compared = 0;
     for (const Method& single : seen.methods_in_float) {
       if (single.algorithm != in_float("Runge-Kutta 4")) continue;
-      const double step = single.knob.settings.back();
+      const double step = single.resolution.settings.back();
       const Value one = run(seen, single, step).answer.value,
                   two = run(seen, *method_of(seen, single.model, "Runge-Kutta 4"), step).answer.value;
       double most = 0;

@@ -123,8 +123,9 @@ TEST_CASE("A scene's file has its motion to twelve digits, and its methods' erro
           const Method* same = method_of(theirs, method.model, method.algorithm);
           if (!same) continue;
           ++compared;
-          for (const std::size_t place : {method.knob.settings.size() / 4, method.knob.settings.size() / 2}) {
-            const double setting = method.knob.settings[place];
+          for (const std::size_t place :
+               {method.resolution.settings.size() / 4, method.resolution.settings.size() / 2}) {
+            const double setting = method.resolution.settings[place];
             const Trial one = run(mine, method, setting), two = run(theirs, *same, setting);
             INFO(method.model << ", " << method.algorithm << ", " << setting);
             CHECK(one.outcome == two.outcome);

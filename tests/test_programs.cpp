@@ -58,13 +58,13 @@ All all_in(Language language) {
   All all;
   for (const Entry& entry : registry()) {
     if (!entry.exercise.scene) continue;
-    const Task task = task_beside(entry);
+    const Task task = task_of_source(entry);
     const Quantity second =
         motion(*entry.exercise.scene, task.parameters, {1, 1, frames_per_second}, Reference::nothing());
     for (const Method& method : second.methods) {
-      if (!method.knob.name.empty() && method.knob.name != "step") continue;
-      Candidate chosen{method.model, method.algorithm, method.knob.name};
-      chosen.setting = method.knob.name == "step" ? 1 / (frames_per_second * steps) : 0;
+      if (!method.resolution.name.empty() && method.resolution.name != "step") continue;
+      Candidate chosen{method.model, method.algorithm, method.resolution.name};
+      chosen.setting = method.resolution.name == "step" ? 1 / (frames_per_second * steps) : 0;
       Case one{to_string(entry.number) + ", " + method.model + ", " + method.algorithm, "", {}};
       const std::string why =
           complaint([&] { one.code = program_in(language, task, chosen, need_of_a_second(), one.says); });

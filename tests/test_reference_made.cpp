@@ -186,9 +186,9 @@ TEST_CASE("a row made on the spot agrees with the table's", "[reference]") {
   for (const truth::Entry& entry : truth::registry()) {
     const std::string name(entry.name);
     if (name != "03_05_quarter_period" && name != "03_05_swing") continue;
-    const truth::Truth maker = entry.make();
-    for (const auto& inputs : maker.rows) {
-      const truth::Made made = truth::make_row(maker, inputs, truth::spot_digits);
+    const truth::Truth generator = entry.make();
+    for (const auto& inputs : generator.rows) {
+      const truth::Made made = truth::make_row(generator, inputs, truth::spot_digits);
       const Known known = stored(name, inputs);
       CHECK(near(static_cast<double>(made.value[0]), known.value[0], known.error));
       CHECK(made.error < 1e-22);

@@ -80,7 +80,7 @@ TEST_CASE("results survive conversion to JSON and back", "[report]") {
   CHECK(to_json(results_from_json(json, "here")) == json);
   for (const char* key :
        {"\"number\": \"3.5\"", "\"claims\"", "\"verdict\": \"confirmed\"", "\"reference_error\"",
-        "\"trials\"", "\"evaluations\": 42", "\"seconds\"", "\"outcome\": \"ok\"", "\"knob\": 0.5",
+        "\"trials\"", "\"evaluations\": 42", "\"seconds\"", "\"outcome\": \"ok\"", "\"resolution\": 0.5",
         "\"trajectory\"", "\"printed\": \"y = 1\"", "\"reading\": \"meant\"",
         "\"readings\": {}"})  // for a claim that is not checkable: none without a comparison
     CHECK(json.find(key) != std::string::npos);
@@ -234,7 +234,7 @@ MethodResult method(const std::string& model, const std::string& algorithm, doub
   MethodResult m{model, algorithm, Outcome::ok, "", {}};
   for (int k = 0; k < 3; ++k) {
     TimedTrial t;
-    t.model = model, t.algorithm = algorithm, t.knob = "step";
+    t.model = model, t.algorithm = algorithm, t.resolution = "step";
     t.setting = std::ldexp(1.0, -k);
     t.value = Value{1, 2};
     t.error = t.final_error = error;
@@ -570,11 +570,11 @@ TEST_CASE("a claim lost in our copy is shown with its evidence from other lines"
 
 TEST_CASE("a row of forms is not shown again next to a claim that states each of them", "[report]") {
   Claim claim{.says = "$v=r(1+ex)=r+exr$", .printed = {R"($(r(1+ex),\ r+exr)$)", {}}};
-  CHECK(says_each_form(claim));
-  CHECK_FALSE(says_what_is_printed(claim));
+  CHECK(shows_each_form(claim));
+  CHECK_FALSE(shows_printed(claim));
   for (const char* other : {R"($(r(1+ex),\ r+ex)r$)", R"($(r(1+ex),\ r-exr)$)", "$(r,v)$"}) {
     claim.printed.text = other;
-    CHECK_FALSE(says_each_form(claim));
+    CHECK_FALSE(shows_each_form(claim));
   }
 }
 
@@ -745,8 +745,9 @@ TEST_CASE("a breakdown that does not break at these parameters is shown so", "[r
   CHECK(count(page_of(results), "**Does not break so here.** it breaks") == 1);
 }
 
-TEST_CASE("outcomes of motions are asserted at an exercise's own parameters, declared ones in the whole ranges",
-          "[report]") {
+TEST_CASE(
+    "outcomes of motions are asserted at an exercise's own parameters, declared ones in the whole ranges",
+    "[report]") {
   const Reference truth(std::filesystem::path(ODDITY_SOURCE) / "reference");
   const auto asserted = [&](Number number, const char* parameter, double value, const char* quantity) {
     Task task(*std::ranges::find(registry(), number, &Entry::number));

@@ -61,7 +61,7 @@ TEST_CASE("The data of a page contain every trial, in double and in float", "[si
   REQUIRE(swing().methods.size() > 20);
   REQUIRE(!swing().in_float.empty());
   const auto same = [&](const json& shown, const std::vector<TimedTrial>& trials) {
-    const json& settings = q["knobs"][shown[2].get<std::size_t>()]["settings"];
+    const json& settings = q["resolutions"][shown[2].get<std::size_t>()]["settings"];
     REQUIRE(shown[4].size() == trials.size());
     REQUIRE(settings.size() == trials.size());
     for (std::size_t i = 0; i < trials.size(); ++i) {
@@ -237,5 +237,5 @@ TEST_CASE("The chooser knows the parameters, units and exact models of each scen
   CHECK(scenes[0]["exact"] ==
         json::array({"Jacobi's function by its Fourier series", "one angle", "Cartesian with constraint"}));
   CHECK(scenes[0]["faulted"] == json::array());
-  CHECK(scenes[0]["knobs"]["step"][0] == 0.125);
+  CHECK(scenes[0]["resolutions"]["step"][0] == 0.125);
 }

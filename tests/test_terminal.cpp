@@ -159,7 +159,7 @@ TEST_CASE("a run ends with a screen of checks, findings and files to open", "[te
   scenes.exercises[0].cheapest_models = CheapestModels{{"rad"}, {least}, {}, {}};
   scenes.exercises[1].cheapest_models = scenes.exercises[0].cheapest_models;
   least.least->algorithm = "Runge-Kutta 4";
-  least.least->knob = "step";
+  least.least->resolution = "step";
   scenes.exercises[2].cheapest_models = CheapestModels{{"rad"}, {least}, {}, {}};
   CHECK(
       closing_screen(scenes, closing, {}).find("\n  a closed form in 2 scenes, Runge-Kutta 4 in 1 scene\n") !=

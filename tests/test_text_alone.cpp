@@ -18,7 +18,7 @@ struct Point {
   explicit Point(Random& random) : x(random.between(1, 2)), y(random.between(3, 4)) {}
   std::array<double*, 2> letters() { return {&x, &y}; }
   TypesetLetters typeset() const { return {{"x", x}, {"y", y}, {"s", x + y}}; }
-  std::string where() const { return told(typeset(), 2); }
+  std::string where() const { return listed(typeset(), 2); }
 };
 
 const Formula<Point> truth{"by hand", [](const Point& p) { return p.x * p.x - 2 * p.y; }};

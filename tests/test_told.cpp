@@ -117,7 +117,7 @@ struct Said {
   std::string where, text;
 };
 
-std::vector<Said> said_unfilled() {
+std::vector<Said> unfilled_texts() {
   const Reference truth(std::filesystem::path(ODDITY_SOURCE) / "reference");
   const PlacesKept kept;
   std::vector<Said> all;
@@ -218,7 +218,7 @@ TEST_CASE("no measured number is typed into a breakdown's text", "[claims][texts
 TEST_CASE("no measured number is typed into a why, a consequence, or the reason of a need or a tolerance",
           "[claims][texts]") {
   std::set<std::string_view> seen;
-  for (const Said& s : said_unfilled()) {
+  for (const Said& s : unfilled_texts()) {
     INFO(s.where << ": " << s.text);
     CHECK(number_in(without_patterns(s.text, seen)) == "");
   }

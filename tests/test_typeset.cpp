@@ -278,6 +278,6 @@ TEST_CASE("a check that a formula is as typeset reports the actual formula", "[t
 }
 
 TEST_CASE("letters are listed as they are typeset", "[typeset]") {
-  CHECK(told(letters, 3) == "$m$ = 2, $m_2$ = 3, $I_{xx}$ = 5");
-  CHECK(told({{"u", {1, 0.5, -2}}}, 1) == "$u$ = (1, 0.5, -2)");
+  CHECK(listed(letters, 3) == "$m$ = 2, $m_2$ = 3, $I_{xx}$ = 5");
+  CHECK(listed({{"u", {1, 0.5, -2}}}, 1) == "$u$ = (1, 0.5, -2)");
 }

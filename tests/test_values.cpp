@@ -115,7 +115,7 @@ namespace {
 
 Outcome outcome_of(const Answer& answer, Value reference = 1, double need = 1e-3) {
   Quantity q{"q", "1", "", {"truth", std::move(reference)}, 0, {need, "a test"}};
-  q.add({"model", "algorithm", no_knob(), [=](double) { return answer; }});
+  q.add({"model", "algorithm", no_resolution(), [=](double) { return answer; }});
   return run(q, q.methods[0], 0).outcome;
 }
 
@@ -152,7 +152,7 @@ TEST_CASE("a motion that grows has diverged, and one that does not come back has
   const auto looked_at = [](std::vector<double> seen, std::vector<double> truth) {
     Quantity q{"q", "1", "", {"truth", Value(std::move(truth))}, 0, {1e-3, "a test"}};
     q.samples = 4;
-    q.add({"model", "algorithm", no_knob(), [=](double) { return Answer{Value(seen), 1}; }});
+    q.add({"model", "algorithm", no_resolution(), [=](double) { return Answer{Value(seen), 1}; }});
     return run(q, q.methods[0], 0).outcome;
   };
   CHECK(looked_at({1, 10, 100, 1000}, {1, 1, 1, 1}) == Outcome::diverged);
@@ -169,7 +169,7 @@ TEST_CASE("a motion that grows has diverged, and one that does not come back has
 
 TEST_CASE("a method that throws has the outcome raised", "[values]") {
   Quantity q{"q", "1", "", {"truth", 1}, 0, {1, "a test"}};
-  q.add({"model", "algorithm", no_knob(), [](double) -> Answer { throw std::runtime_error("no"); }});
+  q.add({"model", "algorithm", no_resolution(), [](double) -> Answer { throw std::runtime_error("no"); }});
   const Trial trial = run(q, q.methods[0], 0);
   CHECK(trial.outcome == Outcome::raised);
   CHECK(trial.answer.message == "no");

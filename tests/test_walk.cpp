@@ -191,11 +191,11 @@ TEST_CASE(
   const Ran scene = oddity("verify '[99.98]'");
   CHECK(scene.status == 1);
   const std::string claims = "report/new/" + folder + "98_my_scene/claims.cpp",
-                    maker = "report/new/reference/make/99_98_my_scene.cpp";
+                    generator = "report/new/reference/make/99_98_my_scene.cpp";
   CHECK(says(scene, "99.98: the claim 'period' has no independent route yet: write it in " + claims + ":" +
                         line_of(claims, "to_write()")));
-  CHECK(says(scene, "99.98: the quantity 'swing' has no second route to its truth yet: write it in " + maker +
-                        ":" + line_of(maker, "throw StillToWrite")));
+  CHECK(says(scene, "99.98: the quantity 'swing' has no second route to its truth yet: write it in " +
+                        generator + ":" + line_of(generator, "throw StillToWrite")));
   CHECK_FALSE(says(scene, "limits.csv"));
   const Ran choice = oddity("choose 99.98 --error 1cm");
   CHECK(choice.status == 2);

@@ -68,7 +68,7 @@ list(FILTER exercise_files EXCLUDE REGEX "^chapters/(04_[a-z0-9_]+/01_|09_[a-z0-
 list(FILTER truth_files EXCLUDE REGEX "/04_01_spring\\.cpp$")
 find_own(${walk})
 set(walk_files ${own_exercises} ${own_sources})
-set(walk_makers ${own_makers})
+set(walk_generators ${own_generators})
 set(walk_registered ${exercise_files})
 foreach(file IN LISTS own_exercises)
   cmake_path(RELATIVE_PATH file BASE_DIRECTORY ${walk})
@@ -76,12 +76,12 @@ foreach(file IN LISTS own_exercises)
 endforeach()
 find_own(${new_home})
 register_exercises(${walk}/registry.cpp ${walk_registered} ${own_exercises})
-register_truths(${walk}/truths.cpp ${truth_files} reference/make/04_01_spring.cpp ${own_makers})
+register_truths(${walk}/truths.cpp ${truth_files} reference/make/04_01_spring.cpp ${own_generators})
 
 # Its registers come before those of the libraries, and its names differ from theirs.
 set(walk_names exercise_4_1=walk_exercise_4_1 ex04_01=walk_ex04_01 truth_04_01_spring=walk_truth_04_01_spring
   spring_04_01=walk_spring_04_01 exercise_9_2=walk_exercise_9_2 ex09_02=walk_ex09_02)
-add_library(walk_reference OBJECT ${walk_makers} ${own_makers} ${walk}/truths.cpp)
+add_library(walk_reference OBJECT ${walk_generators} ${own_generators} ${walk}/truths.cpp)
 add_executable(walk_oddity report/cli/main.cpp ${walk_files} ${own_exercises} ${own_sources} ${walk}/registry.cpp)
 target_link_libraries(walk_oddity PRIVATE walk_reference oddity_report oddity_verify oddity_extras)
 add_executable(walk_make_reference reference/make/main.cpp)

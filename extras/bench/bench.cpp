@@ -95,7 +95,8 @@ struct Timed {
 template <class Error>
 double coarsest(const Method& method, double need, const Error& error) {
   double found = std::numeric_limits<double>::quiet_NaN();
-  for (auto setting = method.knob.settings.rbegin(); setting != method.knob.settings.rend(); ++setting) {
+  for (auto setting = method.resolution.settings.rbegin(); setting != method.resolution.settings.rend();
+       ++setting) {
     if (!(error(*setting) <= need)) break;
     found = *setting;
   }
@@ -136,7 +137,7 @@ Entrant cheapest(const Contest& contest, const Race& hand, const Error& error) {
     const Trial through = run(contest.through, contest.through.methods[m], setting);
     least = time;
     chosen = &method;
-    best.method = method.algorithm + ", " + method.knob.name + " " + format_significant(setting, 2);
+    best.method = method.algorithm + ", " + method.resolution.name + " " + format_significant(setting, 2);
     best.setting = setting;
     best.evaluations = end.answer.evaluations;
     best.final_error = end.error;
@@ -178,7 +179,7 @@ ExerciseTime time_exercise(const Entry& entry, const Reference& truth) {
       seconds([&] { findings = entry.exercise.study(Parameters(entry.exercise.parameters), truth); });
   for (const Quantity& quantity : findings.quantities)
     for (const Method& method : quantity.methods)
-      for (double setting : method.knob.settings) {
+      for (double setting : method.resolution.settings) {
         const double time = seconds([&] { static_cast<void>(run(quantity, method, setting)); });
         result.trials += time;
         if (time <= result.longest_trial) continue;

@@ -305,10 +305,10 @@ Known gathered(const Horizon& horizon, const At& at) {
   return all;
 }
 
-Knob half_decades() {
-  Knob knob{"tolerance", {}};
-  for (int k = 8; k <= 26; ++k) knob.settings.push_back(std::pow(10, -k / 2.0));
-  return knob;
+Resolution half_decades() {
+  Resolution resolution{"tolerance", {}};
+  for (int k = 8; k <= 26; ++k) resolution.settings.push_back(std::pow(10, -k / 2.0));
+  return resolution;
 }
 
 /// The model by several algorithms, each compiled into it.
@@ -316,7 +316,7 @@ template <class Model>
 Quantity motion(const std::string& name, const Model& model, const Known& known, const Horizon& horizon) {
   Quantity quantity = oddity::quantity(name, "1", name, known, {1e-9, "nine decimals"});
   quantity.samples = horizon.samples;
-  const auto by = [&]<class Algorithm>(Knob knob) {
+  const auto by = [&]<class Algorithm>(Resolution resolution) {
     const auto run = [model, times = horizon.times()](double setting) {
       const auto path =
           ode::integrate_inlined<Algorithm>(model, model.start(), std::span<const double>(times), setting);
@@ -326,7 +326,7 @@ Quantity motion(const std::string& name, const Model& model, const Known& known,
       return Answer{
           Value(std::move(seen)), path.evaluations, path.error_estimate, 0, path.ending, path.message};
     };
-    quantity.add(Method{name, std::string(Algorithm::name), std::move(knob), run});
+    quantity.add(Method{name, std::string(Algorithm::name), std::move(resolution), run});
   };
   by.template operator()<ode::RungeKutta4>(halving("step", 0x1p-6, 10));
   by.template operator()<ode::CashKarp54>(half_decades());

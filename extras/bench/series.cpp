@@ -23,7 +23,7 @@ constexpr long most_of_series_race = 3'000'000;
 /// Settings from coarse to fine: tolerances of half decades, or steps.
 std::vector<double> settings_to_try(const Method& method, double horizon) {
   std::vector<double> all;
-  if (method.knob.name == "tolerance")
+  if (method.resolution.name == "tolerance")
     for (int k = 16; k <= 31; ++k) all.push_back(std::pow(10, -k / 2.0));
   else
     for (int k = 5; k <= 19; ++k) all.push_back(std::ldexp(horizon, -k));
@@ -45,8 +45,8 @@ struct SeriesSide {
   int runs() const { return static_cast<int>(std::ceil(1e-3 / std::max(seconds, 1e-6))); }
   SeriesEntrant entrant() const {
     if (!method) return {};
-    return {method->algorithm + ", " + method->knob.name + " " + format_significant(setting, 2), trial.error,
-            seconds, trial.answer.evaluations};
+    return {method->algorithm + ", " + method->resolution.name + " " + format_significant(setting, 2),
+            trial.error, seconds, trial.answer.evaluations};
   }
 };
 

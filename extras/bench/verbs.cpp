@@ -11,9 +11,9 @@
 #include "reference/files.hpp"
 #include "reference/text.hpp"
 #include "report/charts/labels.hpp"
-#include "report/study/beside_program.hpp"
 #include "report/study/fit.hpp"
 #include "report/study/run_program.hpp"
+#include "report/study/sibling_program.hpp"
 
 namespace oddity {
 

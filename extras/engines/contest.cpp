@@ -8,11 +8,11 @@
 #include "extras/engines/world_json.hpp"
 #include "reference/bad_input.hpp"
 #include "reference/files.hpp"
-#include "report/study/beside_program.hpp"
 #include "report/study/criterion.hpp"
 #include "report/study/limit_records.hpp"
 #include "report/study/parallel.hpp"
 #include "report/study/run_program.hpp"
+#include "report/study/sibling_program.hpp"
 
 namespace oddity {
 

@@ -266,7 +266,7 @@ EngineScene chain_of(int n, const Need& need) {
 namespace {
 
 using Make = EngineScene (*)(const Need&);
-const std::vector<std::pair<std::string, Make>>& makers() {
+const std::vector<std::pair<std::string, Make>>& generators() {
   static const std::vector<std::pair<std::string, Make>> all{
       {"free body", engines::free_body},
       {"bouncing ball", engines::bouncing_ball},
@@ -299,13 +299,13 @@ EngineScene engine_scene(const Task& task, const Need& need, const Reference& tr
 
 std::vector<std::string> further_engine_scenes() {
   std::vector<std::string> names;
-  for (const auto& [name, make] : makers()) names.push_back(name);
+  for (const auto& [name, make] : generators()) names.push_back(name);
   return names;
 }
 
 EngineScene further_engine_scene(const std::string& name, const Need& need) {
-  const auto found = std::ranges::find(makers(), name, &std::pair<std::string, Make>::first);
-  if (found == makers().end())
+  const auto found = std::ranges::find(generators(), name, &std::pair<std::string, Make>::first);
+  if (found == generators().end())
     throw BadInput("there is no scene '" + name + "' for engines" +
                    did_you_mean(name, further_engine_scenes()));
   return found->second(need);

@@ -16,11 +16,11 @@
 #include "reference/similar.hpp"
 #include "reference/text.hpp"
 #include "report/cli/verb.hpp"
-#include "report/study/beside_program.hpp"
 #include "report/study/in_time.hpp"
 #include "report/study/prices.hpp"
 #include "report/study/progress.hpp"
 #include "report/study/settings.hpp"
+#include "report/study/sibling_program.hpp"
 
 namespace oddity {
 

@@ -9,7 +9,7 @@
 #include "extras/engines/tables.hpp"
 #include "reference/text.hpp"
 #include "report/charts/labels.hpp"
-#include "report/study/beside_program.hpp"
+#include "report/study/sibling_program.hpp"
 #include "report/text/numbers.hpp"
 
 namespace oddity {

@@ -51,8 +51,8 @@ fs::path new_file() {
 
 }  // namespace
 
-Process::Process(const Command& command) : said_(new_file()), program_(fork()), begun_(now()) {
-  if (program_ == 0) become(command, said_);
+Process::Process(const Command& command) : output_(new_file()), program_(fork()), begun_(now()) {
+  if (program_ == 0) become(command, output_);
 }
 
 void Process::signal(int number) const { kill(program_, number); }
@@ -60,9 +60,9 @@ void Process::signal(int number) const { kill(program_, number); }
 Ended Process::wait() {
   int status = 0;
   waitpid(program_, &status, 0);
-  Ended ended{WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text_of(said_),
+  Ended ended{WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text_of(output_),
               now() - begun_};
-  fs::remove(said_);
+  fs::remove(output_);
   return ended;
 }
 

@@ -18,8 +18,8 @@ struct Command {
 };
 
 struct Ended {
-  int status;        ///< as in a shell: 128 plus the signal that ended it
-  std::string said;  ///< standard output and standard error
+  int status;          ///< as in a shell: 128 plus the signal that ended it
+  std::string output;  ///< standard output and standard error
   double seconds;
 };
 
@@ -34,7 +34,7 @@ class Process {
   Ended wait();
 
  private:
-  std::filesystem::path said_;
+  std::filesystem::path output_;
   pid_t program_;
   double begun_;
 };

@@ -18,7 +18,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool says(const Ended& ended, const std::string& text) { return ended.said.find(text) != std::string::npos; }
+bool says(const Ended& ended, const std::string& text) {
+  return ended.output.find(text) != std::string::npos;
+}
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
@@ -135,7 +137,7 @@ void Trials::note(Cell& cell, const std::string& when, const Ended& ended, std::
   if (what.empty()) return;
   std::string sentence = when + ": ended with " + std::to_string(ended.status);
   for (std::size_t i = 0; i < std::min<std::size_t>(what.size(), 4); ++i) sentence += "; " + what[i];
-  cell.broken.push_back(sentence + (ended.said.empty() ? "" : " [" + first_line(ended.said) + "]"));
+  cell.broken.push_back(sentence + (ended.output.empty() ? "" : " [" + first_line(ended.output) + "]"));
 }
 
 void Trials::judge(Cell& cell, const std::string& when, const Ended& ended, const std::set<int>& statuses,
@@ -276,7 +278,7 @@ Cell Trials::lost_output() {
   Command full = command();
   full.output = "/dev/full";
   const Ended ended = run(full);
-  const bool loses = !clean_.said.empty();  // a command without output loses nothing
+  const bool loses = !clean_.output.empty();  // a command without output loses nothing
   judge(cell, "> /dev/full", ended, {loses ? 2 : 0}, false);
   if (loses && !says(ended, "cannot write to standard output"))
     note(cell, "> /dev/full", ended, {"it gives no reason"});
@@ -288,7 +290,7 @@ std::vector<Cell> Trials::all() {
     return {{verb_.name,
              "undisturbed",
              1,
-             {"ended with " + std::to_string(clean_.status) + " [" + clean_.said + "]"}}};
+             {"ended with " + std::to_string(clean_.status) + " [" + clean_.output + "]"}}};
   return {killed_at_random(),
           killed_at_writes(),
           full_disk(),

@@ -36,7 +36,7 @@ std::string replaced(std::string text, const std::string& old, const std::string
 }
 
 void must(const Ended& ended) {
-  if (ended.status != 0) throw std::runtime_error("cannot prepare: " + ended.said);
+  if (ended.status != 0) throw std::runtime_error("cannot prepare: " + ended.output);
 }
 
 /// Keeps the times of writing, by which the program recognizes stale files.

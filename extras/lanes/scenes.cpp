@@ -4,7 +4,7 @@
 #include <string>
 
 #include "reference/bad_input.hpp"
-#include "report/study/beside_program.hpp"
+#include "report/study/sibling_program.hpp"
 
 namespace oddity::lanes {
 

@@ -111,8 +111,8 @@ fs::path compiled_program(const Folders& folders, const std::vector<Mutant>& mut
   for (const std::string& program : programs)
     link(folders, program,
          program == "make_reference"
-             ? std::vector<std::string>{"makers"}
-             : std::vector<std::string>{"formula", "solvers", "ublas", "makers", "chapters", "report"});
+             ? std::vector<std::string>{"generators"}
+             : std::vector<std::string>{"formula", "solvers", "ublas", "generators", "chapters", "report"});
   bring_lanes(folders);
   return folders.build / "oddity";
 }

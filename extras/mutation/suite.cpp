@@ -43,10 +43,10 @@ fs::path tests_of(const fs::path& program) { return program.parent_path() / "tes
 /// "table 03_05_swing" for its generator, "table " for shared code of generators, else "".
 std::string home_of(const std::string& file) {
   static const std::regex chapter("chapters/0?([0-9]+)_[^/]*/(0?([0-9]+)_)?.*");
-  static const std::regex maker("reference/make/([0-9]+_[0-9]+_[^/]*)\\.cpp");
+  static const std::regex generator("reference/make/([0-9]+_[0-9]+_[^/]*)\\.cpp");
   std::smatch found;
   if (std::regex_match(file, found, chapter)) return found[1].str() + "." + found[3].str();
-  if (std::regex_match(file, found, maker)) return "table " + found[1].str();
+  if (std::regex_match(file, found, generator)) return "table " + found[1].str();
   return file.starts_with("reference/make/") ? "table " : "";
 }
 

@@ -95,7 +95,7 @@ class Differences {
 
   void trial(const std::string& kind, const std::string& where, const TimedTrial& a, const TimedTrial& b) {
     const std::string all =
-        where + ", " + a.model + ", " + a.algorithm + ", " + a.knob + " " + format_shortest(a.setting);
+        where + ", " + a.model + ", " + a.algorithm + ", " + a.resolution + " " + format_shortest(a.setting);
     text(kind, all, name_of(a.outcome), name_of(b.outcome));
     number("count", all, static_cast<double>(a.evaluations), static_cast<double>(b.evaluations));
     value(all, a.value, b.value);

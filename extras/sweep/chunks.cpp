@@ -14,8 +14,8 @@
 #include "reference/bad_input.hpp"
 #include "reference/files.hpp"
 #include "reference/text.hpp"
-#include "report/study/beside_program.hpp"
 #include "report/study/parallel.hpp"
+#include "report/study/sibling_program.hpp"
 #include "report/text/screen.hpp"
 
 namespace oddity::sweep {

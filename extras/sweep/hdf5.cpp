@@ -3,7 +3,7 @@
 #include "extras/sweep/merge.hpp"
 #include "reference/bad_input.hpp"
 #include "reference/files.hpp"
-#include "report/study/beside_program.hpp"
+#include "report/study/sibling_program.hpp"
 
 #ifdef ODDITY_HDF5
 #include <hdf5.h>

@@ -8,7 +8,7 @@
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
 #include "report/charts/chart_parts.hpp"
-#include "report/study/beside_program.hpp"
+#include "report/study/sibling_program.hpp"
 #include "report/text/numbers.hpp"
 
 namespace oddity::sweep {

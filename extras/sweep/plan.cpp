@@ -15,11 +15,11 @@
 #include "reference/bad_input.hpp"
 #include "reference/files.hpp"
 #include "reference/text.hpp"
-#include "report/study/beside_program.hpp"
 #include "report/study/choose.hpp"
 #include "report/study/earlier_results.hpp"
 #include "report/study/initial_conditions.hpp"
 #include "report/study/kicks.hpp"
+#include "report/study/sibling_program.hpp"
 #include "report/study/whole_in_json.hpp"
 #include "solvers/ode/steps_in.hpp"
 
@@ -212,11 +212,12 @@ void require_axis(const Asked& asked, const Axis& axis, const Method* method) {
   if (axis.by_factor && !(axis.from > 0 && axis.to > 0))
     throw BadInput(name + " goes by a factor, and needs ends above zero");
   if (is_setting(axis)) {
-    if (!method || method->knob.name != axis.name)
-      throw BadInput(name + ": " +
-                     (method ? asked.algorithm + " has " +
-                                   (method->knob.name.empty() ? "no setting" : "a " + method->knob.name)
-                             : "the chosen method has its own setting"));
+    if (!method || method->resolution.name != axis.name)
+      throw BadInput(
+          name + ": " +
+          (method ? asked.algorithm + " has " +
+                        (method->resolution.name.empty() ? "no setting" : "a " + method->resolution.name)
+                  : "the chosen method has its own setting"));
     if (!(axis.from > 0 && axis.to > 0)) throw BadInput(name + " needs ends above zero");
     return;
   }
@@ -242,7 +243,7 @@ bool ends_at_looks(const Quantity& seen, const Method& method, double between) {
 
 /// All steps of the cells; empty for a method without steps.
 std::vector<double> steps_of(const Asked& asked, const Method* method) {
-  if (!method || method->knob.name != "step") return {};
+  if (!method || method->resolution.name != "step") return {};
   const auto axis = std::ranges::find_if(asked.axes, is_setting);
   if (axis == asked.axes.end()) return {asked.setting};
   std::vector<double> steps;
@@ -315,9 +316,9 @@ void require_sense(const Asked& asked) {
                    "\"; it has:" + names);
   }
   for (const Axis& axis : asked.axes) require_axis(asked, axis, method);
-  if (method && !method->knob.name.empty() && std::ranges::none_of(asked.axes, is_setting) &&
+  if (method && !method->resolution.name.empty() && std::ranges::none_of(asked.axes, is_setting) &&
       !(asked.setting > 0))
-    throw BadInput(asked.algorithm + " needs a " + method->knob.name + ": as an axis, or by --setting");
+    throw BadInput(asked.algorithm + " needs a " + method->resolution.name + ": as an axis, or by --setting");
   require_steps_between_looks(asked, seen, method);
 }
 

@@ -5,7 +5,7 @@
 
 #include "extras/sweep/mpi/deal.h"
 #include "reference/bad_input.hpp"
-#include "report/study/beside_program.hpp"
+#include "report/study/sibling_program.hpp"
 
 namespace oddity::sweep {
 

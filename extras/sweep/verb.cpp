@@ -18,10 +18,10 @@
 #include "reference/text.hpp"
 #include "report/charts/chart_parts.hpp"
 #include "report/cli/verb.hpp"
-#include "report/study/beside_program.hpp"
 #include "report/study/initial_conditions.hpp"
 #include "report/study/progress.hpp"
 #include "report/study/settings.hpp"
+#include "report/study/sibling_program.hpp"
 
 namespace oddity {
 
@@ -93,7 +93,7 @@ double setting_of(const Task& task, const Words& w) {
   const Scene& scene = *task.entry->exercise.scene;
   const Quantity seen = motion(scene, task.parameters, Reference::nothing());
   const Method* method = method_of(seen, w.model, w.algorithm);  // null: reported for the whole plan
-  return value_of("--setting", w.setting, method && method->knob.name != "step" ? "" : scene.axes.time);
+  return value_of("--setting", w.setting, method && method->resolution.name != "step" ? "" : scene.axes.time);
 }
 
 sweep::Asked asked_of(const Words& w) {
@@ -313,12 +313,12 @@ void draw(const Words& w) {
 // ---- the command line -------------------------------------------------------------------------------------
 
 CLI::App* part(CLI::App& sweep, const std::string& name, const std::string& says, const std::string& footer,
-               const std::function<void()>& act, bool says_needs = false) {
+               const std::function<void()>& act, bool shows_needs = false) {
   auto* part = sweep.add_subcommand(name, says);
   part->group("Verbs");
   part->footer(footer);
-  part->callback([act, says_needs] {
-    if (says_needs || !needs_are_asked()) act();
+  part->callback([act, shows_needs] {
+    if (shows_needs || !needs_are_asked()) act();
   });
   return part;
 }

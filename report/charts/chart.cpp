@@ -134,7 +134,7 @@ std::optional<Pixel> add_seam(Svg& svg, const QuantityResult& q, const Frame& fr
   std::vector<std::pair<double, double>> calls;
   for (const MethodResult& m : q.methods)
     for (const TimedTrial& t : m.trials)
-      if ((t.knob == "step" || t.knob == "tolerance") && frame.within(t))
+      if ((t.resolution == "step" || t.resolution == "tolerance") && frame.within(t))
         calls.emplace_back(seam * static_cast<double>(t.evaluations), frame.y(t));
   std::ranges::sort(calls);
   std::vector<Pixel> line;
@@ -202,11 +202,11 @@ std::string counted(const QuantityResult& q) {
   if (q.in_operations) return "multiplications, divisions and functions";
   bool steps = false, nodes = false, differences = false;
   for (const MethodResult& m : q.methods) {
-    const std::string& knob = m.trials.front().knob;
+    const std::string& resolution = m.trials.front().resolution;
     const bool differs = m.algorithm.find("difference") != std::string::npos;
     differences |= differs;
-    steps |= knob == "step" && !differs;
-    nodes |= knob == "panels" || knob == "points";
+    steps |= resolution == "step" && !differs;
+    nodes |= resolution == "panels" || resolution == "points";
   }
   if (differences) return "evaluations of the function";
   if (steps && nodes) return "evaluations of the right-hand side or integrand";
@@ -223,8 +223,8 @@ std::string in_unit(const std::string& number, const QuantityResult& q) {
 std::string abscissa_name(const QuantityResult& q, const Frame& frame) {
   if (frame.across == Across::time) return "time [s], with half the interquartile range";
   if (frame.across == Across::evaluations) return counted(q);
-  const bool of_time = frame.knob == "step" && q.trajectory;
-  return frame.knob + (of_time ? " [" + q.trajectory->time_unit + "]" : "");
+  const bool of_time = frame.resolution == "step" && q.trajectory;
+  return frame.resolution + (of_time ? " [" + q.trajectory->time_unit + "]" : "");
 }
 
 std::string error_name(const QuantityResult& q) {
@@ -247,8 +247,8 @@ std::string finding(const QuantityResult& q, Across across) {
   const std::string needed = in_unit(shown_error(q.need.allowed), q);
   if (across == Across::setting)
     return named(*best) + " is the most accurate of the methods with a " +
-           (frame.knob == "step" ? "step" : "setting") + ": " + in_unit(shown_error(best->error), q) +
-           " at " + with_powers(shown_knob(*best));
+           (frame.resolution == "step" ? "step" : "setting") + ": " + in_unit(shown_error(best->error), q) +
+           " at " + with_powers(shown_resolution(*best));
   if (best->outcome != Outcome::ok)
     return "No method reaches " + needed + "; the closest is " + named(*best) + ": " +
            in_unit(shown_error(best->error), q);

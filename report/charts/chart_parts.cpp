@@ -8,18 +8,19 @@ namespace oddity {
 
 Cost cost_of(Across across) { return across == Across::time ? Cost::time : Cost::evaluations; }
 
-std::string main_knob(const QuantityResult& q) {
+std::string main_resolution(const QuantityResult& q) {
   std::map<std::string, int> methods;
-  for (const MethodResult& m : q.methods) ++methods[m.trials.front().knob];
+  for (const MethodResult& m : q.methods) ++methods[m.trials.front().resolution];
   std::string most;
-  for (const auto& [knob, count] : methods)
-    if (!knob.empty() &&
-        (most.empty() || most == "tolerance" || (knob != "tolerance" && count > methods[most])))
-      most = knob;
+  for (const auto& [resolution, count] : methods)
+    if (!resolution.empty() &&
+        (most.empty() || most == "tolerance" || (resolution != "tolerance" && count > methods[most])))
+      most = resolution;
   return most;
 }
 
-Frame::Frame(const QuantityResult& q, Across a) : across(a), knob(main_knob(q)), floor(error_floor(q)) {
+Frame::Frame(const QuantityResult& q, Across a)
+    : across(a), resolution(main_resolution(q)), floor(error_floor(q)) {
   const double top = std::max(1e3 * size_of(q.reference.value), 10 * q.need.allowed);
   errors.see(q.need.allowed > 0 ? q.need.allowed : floor);
   for (const MethodResult& m : q.methods) {

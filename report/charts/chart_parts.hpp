@@ -33,13 +33,13 @@ struct Range {
 
 Cost cost_of(Across);
 /// The kind of setting in a chart over settings: that of most methods, a tolerance only if there is no other.
-std::string main_knob(const QuantityResult&);
+std::string main_resolution(const QuantityResult&);
 
 /// Ranges of a quantity's chart. Errors are shown up to a thousand times the size of the true value or ten
 /// times the need, whichever is larger.
 struct Frame {
   Across across;
-  std::string knob;
+  std::string resolution;
   double floor;
   Range abscissas, errors;
   bool linear = false;   ///< linear abscissa, for a count over a short range
@@ -50,14 +50,14 @@ struct Frame {
 
   double abscissa(const TimedTrial& t) const {
     if (across != Across::setting) return cost(t, cost_of(across));
-    return t.knob == knob ? t.setting : std::numeric_limits<double>::quiet_NaN();
+    return t.resolution == resolution ? t.setting : std::numeric_limits<double>::quiet_NaN();
   }
   /// Whether the method has no setting: it is a horizontal line in a chart over settings.
   bool is_line(const MethodResult& m) const {
-    return across == Across::setting && m.trials.front().knob.empty();
+    return across == Across::setting && m.trials.front().resolution.empty();
   }
   bool shows(const MethodResult& m) const {
-    return across != Across::setting || is_line(m) || m.trials.front().knob == knob;
+    return across != Across::setting || is_line(m) || m.trials.front().resolution == resolution;
   }
   /// The ordinate at a fraction of the strip's height.
   double above(double part) const { return errors.high * std::pow(10, 0.075 * part * errors.count()); }

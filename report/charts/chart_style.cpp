@@ -75,7 +75,7 @@ class Neighbours {
   void add(const std::vector<std::string>& together) {
     for (const std::string& name : together) {
       if (std::ranges::find(names_, name) == names_.end()) names_.push_back(name);
-      beside_[name].insert(together.begin(), together.end());
+      neighbours_[name].insert(together.begin(), together.end());
     }
   }
   /// The slot of each name: its fixed one, otherwise the first of `slots` that no neighbour has, or slot 0 if
@@ -88,7 +88,7 @@ class Neighbours {
     for (const std::string& name : names_) {
       if (chosen.contains(name)) continue;
       std::set<std::size_t> taken;
-      for (const std::string& other : beside_.at(name))
+      for (const std::string& other : neighbours_.at(name))
         if (chosen.contains(other)) taken.insert(chosen.at(other));
       std::size_t slot = 0;
       while (taken.contains(slot)) ++slot;
@@ -99,7 +99,7 @@ class Neighbours {
 
  private:
   std::vector<std::string> names_;
-  std::map<std::string, std::set<std::string>> beside_;
+  std::map<std::string, std::set<std::string>> neighbours_;
 };
 
 /// In the order of `Outcome`.

@@ -74,7 +74,7 @@ std::vector<double> observed_at_start(const Scene& scene, const Parameters& para
   std::vector<double> start;
   for (const Method& m : soon.methods) {
     if (m.algorithm != "Runge-Kutta 4") continue;
-    const Answer answer = run(soon, m, m.knob.settings.back()).answer;
+    const Answer answer = run(soon, m, m.resolution.settings.back()).answer;
     if (answer.reached() && finite(answer.value)) start.assign(answer.value.begin(), answer.value.end());
   }
   return start;

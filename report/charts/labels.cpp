@@ -27,12 +27,12 @@ std::string shown_time(double seconds) {
   return seconds < 1 ? format_significant(seconds * 1e3, 3) + " ms" : format_significant(seconds, 3) + " s";
 }
 
-std::string shown_knob(const TimedTrial& t) {
-  return t.knob.empty() ? "-" : t.knob + " " + format_significant(t.setting, 4);
+std::string shown_resolution(const TimedTrial& t) {
+  return t.resolution.empty() ? "-" : t.resolution + " " + format_significant(t.setting, 4);
 }
 
 std::string error_cell(double error) { return with_powers(shown_error(error)); }
-std::string knob_cell(const TimedTrial& t) { return with_powers(escaped(shown_knob(t))); }
+std::string resolution_cell(const TimedTrial& t) { return with_powers(escaped(shown_resolution(t))); }
 std::string value_cell(const Value& value, int digits) { return with_powers(shown(value, digits)); }
 
 }  // namespace oddity

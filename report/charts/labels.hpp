@@ -14,11 +14,11 @@ std::string shown_error(double error);
 /// "12.3 us".
 std::string shown_time(double seconds);
 /// "step 0.001"; "-" for a method without a setting.
-std::string shown_knob(const TimedTrial&);
+std::string shown_resolution(const TimedTrial&);
 
 // Cells of a Markdown table.
 std::string error_cell(double error);
-std::string knob_cell(const TimedTrial& t);
+std::string resolution_cell(const TimedTrial& t);
 std::string value_cell(const Value& value, int digits);
 
 }  // namespace oddity

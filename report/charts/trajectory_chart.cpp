@@ -90,8 +90,8 @@ std::string how_wrong(const Trajectory& t, const Path& p, const std::string& uni
 }
 
 /// Legend of a path: its accuracy, and the path that hides it.
-std::string said_of(const Trajectory& t, const std::vector<std::size_t>& order, std::size_t place,
-                    const std::vector<Span>& spans) {
+std::string legend_of(const Trajectory& t, const std::vector<std::size_t>& order, std::size_t place,
+                      const std::vector<Span>& spans) {
   const Path& p = t.paths[order[place]];
   const bool truest = order[place] == t.truest;
   const Path* cover = truest ? nullptr : cover_of(t, order, place, spans);
@@ -164,7 +164,7 @@ struct Frames {
       svg.line({legend_left, top + 8}, {legend_left + 18, top + 8},
                truth ? "truth" : "curve " + colour_class(slot_of(place)));
       svg.text({legend_left + 25, top + 12}, shortened(t.paths[order[place]].model, 40), "t b");
-      svg.text({legend_left + 25, top + 27}, shortened(said_of(t, order, place, spans), 48), "dim small");
+      svg.text({legend_left + 25, top + 27}, shortened(legend_of(t, order, place, spans), 48), "dim small");
     }
     svg.path("M" + px(legend_left + 5) + " " + px(top + 8) + "a4 4 0 108 0a4 4 0 10-8 0z", "known");
     svg.text({legend_left + 25, top + 12}, "the reference", "t");

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t most_curves = 8;
 
 /// Whether two points of the front look the same.
-bool look_alike(const Frame& frame, const TimedTrial& a, const TimedTrial& b) {
+bool look_the_same(const Frame& frame, const TimedTrial& a, const TimedTrial& b) {
   return std::abs(std::log10(frame.x(a) / frame.x(b))) < 0.05 &&
          std::abs(std::log10(frame.y(a) / frame.y(b))) < 0.3;
 }
@@ -26,8 +26,9 @@ std::vector<std::size_t> methods_on_front(const QuantityResult& q, const Frame& 
   std::size_t trial = 0;
   for (std::size_t i = 0; i < q.methods.size(); ++i)
     for (const TimedTrial& t : q.methods[i].trials)
-      if (front[trial++] &&
-          std::ranges::none_of(seen, [&](const auto& other) { return look_alike(frame, t, *other.first); }))
+      if (front[trial++] && std::ranges::none_of(seen, [&](const auto& other) {
+            return look_the_same(frame, t, *other.first);
+          }))
         seen.emplace_back(&t, i);
   std::ranges::stable_sort(
       seen, [kind](const auto& a, const auto& b) { return preferable(*a.first, *b.first, kind); });
@@ -109,14 +110,15 @@ bool has_chart(const QuantityResult& q) {
 
 std::vector<Across> charts_of(const QuantityResult& q) {
   if (!has_chart(q)) return {};
-  const auto with_knob = std::ranges::count_if(q.methods, [](const auto& m) { return m.trials.size() > 1; });
+  const auto with_resolution =
+      std::ranges::count_if(q.methods, [](const auto& m) { return m.trials.size() > 1; });
   const auto varying = std::ranges::count_if(q.methods, [](const MethodResult& m) {
     return std::ranges::any_of(
         m.trials, [&](const TimedTrial& t) { return t.evaluations != m.trials.front().evaluations; });
   });
-  const bool work_varies = 2 * varying >= with_knob;
+  const bool work_varies = 2 * varying >= with_resolution;
   if (!work_varies) return {Across::setting};
-  const bool steps = q.trajectory && main_knob(q) == "step";
+  const bool steps = q.trajectory && main_resolution(q) == "step";
   return steps ? std::vector{Across::evaluations, Across::setting, Across::time}
                : std::vector{Across::evaluations, Across::time};
 }

@@ -19,10 +19,10 @@
 #include "reference/text.hpp"
 #include "report/cli/about.hpp"
 #include "report/cli/words.hpp"
-#include "report/study/beside_program.hpp"
 #include "report/study/criterion.hpp"
 #include "report/study/frames.hpp"
 #include "report/study/kicks.hpp"
+#include "report/study/sibling_program.hpp"
 #include "report/text/readable.hpp"
 #include "solvers/ode/catalog.hpp"
 
@@ -594,10 +594,10 @@ void ask_as_file(AskedNeed& need, const Entry& of_file) {
   const bool by_path = need.criterion == "path" && need.digits.empty() && !need.as_engines;
   const bool has_error = by_path && need.error.empty();
   if (has_error) need.error = asked.error;
-  if (has_error && !asked.error_says.empty())
-    need.says = "an error of " + asked.error + ", " + asked.error_says;
-  if (!need.horizon_is_given && !asked.horizon_says.empty())
-    need.says += (need.says.empty() ? "" : "; ") + asked.horizon_says;
+  if (has_error && !asked.error_reason.empty())
+    need.says = "an error of " + asked.error + ", " + asked.error_reason;
+  if (!need.horizon_is_given && !asked.horizon_reason.empty())
+    need.says += (need.says.empty() ? "" : "; ") + asked.horizon_reason;
 }
 
 std::vector<Task> tasks_at_frames(const std::vector<std::string>& exercises, const AskedNeed& asked) {
@@ -613,7 +613,7 @@ std::vector<Task> tasks_at_frames(const std::vector<std::string>& exercises, con
     const Need need = need_of(task, of_frames);
     task.frames = horizon_of(need);
     task.kicks = need.kicks;
-    task.frames_say = shown_rate(need, std::string(scene_of(*task.entry).axes.time));
+    task.frames_text = shown_rate(need, std::string(scene_of(*task.entry).axes.time));
   }
   return tasks;
 }
@@ -658,10 +658,10 @@ MethodAsked method_of(const Task& task, const AskedNeed& asked, const Need& need
   MethodAsked method{meant.front(), asked.model};
   const Method& one = *std::ranges::find(seen.methods, method.algorithm, &Method::algorithm);
   const std::string setting = at == std::string::npos ? "" : asked.method.substr(at + 1);
-  if (one.knob.name == "step")
+  if (one.resolution.name == "step")
     method.setting =
         at == std::string::npos ? 1 / need.frames_per_second : step_of(setting, std::string(scene.axes.time));
-  else if (one.knob.name == "tolerance")
+  else if (one.resolution.name == "tolerance")
     method.setting = between("--method: the tolerance of " + method.algorithm, setting, "", 1e-16, 1);
   else if (at != std::string::npos)
     throw BadInput("--method: " + method.algorithm + " has no step and no tolerance");

@@ -85,7 +85,7 @@ void add_list(CLI::App& app, Session& s) {
 }
 
 std::string columns_of_trials() {
-  return "Columns: exercise, quantity, unit, model, algorithm, precision, knob, setting, value, error, needed, "
+  return "Columns: exercise, quantity, unit, model, algorithm, precision, resolution, setting, value, error, needed, "
          "evaluations, seconds, spread, outcome, message; a row for each trial.\n";
 }
 
@@ -290,9 +290,9 @@ void add_choose(CLI::App& app, Session& s) {
       "fails, on the first start where it does), holds (1 or 0), outcome, evaluations per frame, seconds per frame, chosen (1 or 0); a row for each method.\n"
       "Keys of the JSON: need (judged_over: the part of its horizon), chosen (null when nothing is; rollback: to take eight frames again), in_float, ties, candidates (followed: false where finer "
       "settings were not tried), on_asked (when nothing is chosen, the method that holds on the requested start), engine, "
-      "predictable, chosen_on, tested_on, failing_beside, left_out (nearby starts with another kind of motion), "
+      "predictable, chosen_on, tested_on, failing_nearby, left_out (nearby starts with another kind of motion), "
       "in_chaos (how many unseen starts hold, with bounds), lockstep (null unless requested; functions: its own ones, times_usual: its time relative to the usual program's, left_out by reason), engines (with --engine, the trials as 'engines --json' has them), times, explanation.\n"
-      "Columns with --method: exercise, model, algorithm, knob, setting, holds (1 or 0), outcome, where, error_in_needs, "
+      "Columns with --method: exercise, model, algorithm, resolution, setting, holds (1 or 0), outcome, where, error_in_needs, "
       "starts, failing, growth (of the error, from half the time to the end), drift (of the model's conserved quantity), energy (error of the observed energy), stable_to, "
       "evaluations_per_frame, seconds_per_frame, frames_per_second; a row for each model.\n"
       "If frames differ in length, a fixed step has four separate methods. One divides each frame into steps. In the others "

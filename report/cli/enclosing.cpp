@@ -6,7 +6,7 @@
 oddity::Enclosing oddity::enclosing() { return enclosed_on_demand; }
 #else
 #include "reference/bad_input.hpp"
-#include "report/study/beside_program.hpp"
+#include "report/study/sibling_program.hpp"
 
 oddity::Enclosing oddity::enclosing() {
   throw BadInput("--enclosed: this program was built without Arb, which computes enclosures; " +

@@ -9,10 +9,10 @@
 #include "reference/files.hpp"
 #include "reference/proofs.hpp"
 #include "reference/text.hpp"
-#include "report/study/beside_program.hpp"
 #include "report/study/progress.hpp"
 #include "report/study/prove.hpp"
 #include "report/study/settings.hpp"
+#include "report/study/sibling_program.hpp"
 #include "report/text/table_text.hpp"
 
 namespace oddity::verbs {

@@ -17,12 +17,12 @@ void print(const Table& table, Format format) {
 }  // namespace verbs
 
 CLI::App* add_verb(CLI::App& app, const std::string& name, const std::string& says, const std::string& footer,
-                   const std::function<void()>& act, bool says_needs) {
+                   const std::function<void()>& act, bool shows_needs) {
   auto* verb = app.add_subcommand(name, says);
   verb->group("Verbs");
   verb->footer(footer);
-  verb->callback([act, says_needs] {
-    if (says_needs || !needs_are_asked()) act();
+  verb->callback([act, shows_needs] {
+    if (shows_needs || !needs_are_asked()) act();
   });
   return verb;
 }

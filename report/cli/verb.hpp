@@ -37,10 +37,10 @@ struct Formats {
   }
 };
 
-/// Adds a verb. `says_needs`: if needs are asked for, it prints them and does nothing; other verbs need
+/// Adds a verb. `shows_needs`: if needs are asked for, it prints them and does nothing; other verbs need
 /// nothing.
 CLI::App* add_verb(CLI::App&, const std::string& name, const std::string& says, const std::string& footer,
-                   const std::function<void()>& act, bool says_needs = false);
+                   const std::function<void()>& act, bool shows_needs = false);
 void add_formats(CLI::App& verb, Formats&, const std::string& what);
 /// `of`: the purpose of the limit, if it is not for the answer.
 void add_time_limit(CLI::App& verb, std::string& limit, const std::string& of = "");

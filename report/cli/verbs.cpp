@@ -34,7 +34,6 @@
 #include "report/pages/write_report.hpp"
 #include "report/site/own_page.hpp"
 #include "report/site/site.hpp"
-#include "report/study/beside_program.hpp"
 #include "report/study/cheapest_models.hpp"
 #include "report/study/choose.hpp"
 #include "report/study/earlier_results.hpp"
@@ -47,6 +46,7 @@
 #include "report/study/progress.hpp"
 #include "report/study/run.hpp"
 #include "report/study/settings.hpp"
+#include "report/study/sibling_program.hpp"
 #include "report/study/stability.hpp"
 #include "report/text/readable.hpp"
 #include "solvers/ode/catalog.hpp"
@@ -148,8 +148,8 @@ std::optional<double> horizon_of(const std::vector<Task>& tasks, const std::stri
 
 /// The additional need of each task; empty unless the options add one. Judges at most 4,096 times of a
 /// motion.
-std::vector<Need> needs_besides(const AskedStability& asked, const std::vector<Task>& tasks,
-                                std::optional<double> horizon) {
+std::vector<Need> other_needs(const AskedStability& asked, const std::vector<Task>& tasks,
+                              std::optional<double> horizon) {
   constexpr double looks = 4096;
   const std::string option = accuracy_option(asked.need);
   if (option.empty()) return {};
@@ -193,7 +193,7 @@ struct StabilityTasks {
 StabilityTasks stability_tasks(const AskedStability& asked) {
   StabilityTasks all{scenes_of(asked.words), {}, {}, {}};
   all.horizon = horizon_of(all.tasks, asked.horizon);
-  all.needs = needs_besides(asked, all.tasks, all.horizon);
+  all.needs = other_needs(asked, all.tasks, all.horizon);
   for (const Task& task : all.tasks) {
     const std::string time(task.entry->exercise.scene->axes.time);
     if (const FramesAsked frames = frames_of(asked.need, time); !says(frames, time).empty())
@@ -431,7 +431,7 @@ void trust(const fs::path& folder, Format format) {
 
 namespace {
 
-void say_what_it_lacks() {
+void list_missing_parts() {
   const SiteParts parts = parts_at_hand();
   for (const std::string& one : lacks(parts)) std::cerr << "oddity: this copy lacks " << one << "\n";
   if (!lacks(parts).empty()) std::cerr << "oddity: a whole one is made by: " << command_for(parts) << "\n";
@@ -445,7 +445,7 @@ void site(const fs::path& folder, const fs::path& out, bool overwrite) {
   require_writable(results_file());
   const Results results = last_results(folder, true);
   std::cout << "the report that runs is in " << site_of(results, folder, out).string() << "\n";
-  say_what_it_lacks();
+  list_missing_parts();
 }
 
 namespace {
@@ -482,7 +482,7 @@ std::string page_of_file(const fs::path& folder, const std::string& file) {
 void write_page(const fs::path& out, const std::string& page) {
   write_whole(out, page);
   std::cout << "the page is " << out.string() << "\n";
-  say_what_it_lacks();
+  list_missing_parts();
 }
 
 }  // namespace

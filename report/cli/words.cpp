@@ -9,7 +9,7 @@
 #include "reference/bad_input.hpp"
 #include "reference/similar.hpp"
 #include "report/cli/asked.hpp"
-#include "report/study/beside_program.hpp"
+#include "report/study/sibling_program.hpp"
 
 namespace oddity {
 

@@ -164,10 +164,10 @@ bool is_measured(const Choice& choice) {
 }
 
 /// Result of the chosen method on other starts, where it need not hold.
-std::string beside_text(const Choice& choice) {
+std::string nearby_text(const Choice& choice) {
   const std::string others = std::to_string(choice.unseen.size()) + " others up to a tenth off";
-  if (choice.failing_beside == 0) return "; it holds on " + others + ", too";
-  return "; of " + others + " it fails on " + std::to_string(choice.failing_beside);
+  if (choice.failing_nearby == 0) return "; it holds on " + others + ", too";
+  return "; of " + others + " it fails on " + std::to_string(choice.failing_nearby);
 }
 
 /// The rule that picked the chosen method.
@@ -200,7 +200,7 @@ std::string margin_text(const Choice& choice) {
   if (choice.need.starts < Need{}.starts)
     return "  margin: on " + std::string(choice.seen.size() == 1 ? "the start asked for" : "those starts") +
            " alone it is " + (unseen > 0 ? times_as(choice.margin()) + " better than asked" : "exact") +
-           (choice.unseen.empty() ? "" : beside_text(choice)) + ".\n";
+           (choice.unseen.empty() ? "" : nearby_text(choice)) + ".\n";
   return "  margin: on starts that it was not chosen on it is " +
          (unseen > 0 ? times_as(choice.margin()) + " better than asked.\n" : "exact.\n");
 }
@@ -253,8 +253,8 @@ std::string ties_text(const Choice& choice) {
 
 /// Describes a method that holds on the requested start, but not on starts near it.
 std::string on_asked_text(const Choice& choice) {
-  if (!choice.on_asked || !choice.beside_asked) return "";
-  const Candidate &there = *choice.on_asked, &beside = *choice.beside_asked;
+  if (!choice.on_asked || !choice.next_to_asked) return "";
+  const Candidate &there = *choice.on_asked, &beside = *choice.next_to_asked;
   return "  on the start asked for " + described(there, choice.need) + ", " + cost_of(there) +
          ", holds: error " + error_of(there, choice) +
          ". A choice has to hold on nearby starts, too, and this one is " +
@@ -429,19 +429,20 @@ Json units_of(const Choice& choice) {
 }
 
 Json base_of(const Candidate& t, const Choice& choice) {
-  return {{"model", t.model},
-          {"algorithm", t.algorithm},
-          {"precision", name_of(t.precision)},
-          {"setting", shown_setting(t, choice.need)},
-          {t.knob.empty() ? "value" : t.knob, t.knob.empty() ? Json(nullptr) : Json(t.setting)},
-          {"error", from(t.errors, choice)},
-          {"error_in_needs", from(t.error)},
-          {"holds", t.holds()},
-          {"outcome", name_of(t.outcome)},
-          {"evaluations_per_frame", t.evaluations_per_frame},
-          {"state_bytes", bytes_of_state(t)},
-          {"seconds_per_frame", from(t.seconds_per_frame)},
-          {"spread", from(t.spread)}};
+  return {
+      {"model", t.model},
+      {"algorithm", t.algorithm},
+      {"precision", name_of(t.precision)},
+      {"setting", shown_setting(t, choice.need)},
+      {t.resolution.empty() ? "value" : t.resolution, t.resolution.empty() ? Json(nullptr) : Json(t.setting)},
+      {"error", from(t.errors, choice)},
+      {"error_in_needs", from(t.error)},
+      {"holds", t.holds()},
+      {"outcome", name_of(t.outcome)},
+      {"evaluations_per_frame", t.evaluations_per_frame},
+      {"state_bytes", bytes_of_state(t)},
+      {"seconds_per_frame", from(t.seconds_per_frame)},
+      {"spread", from(t.spread)}};
 }
 
 /// Errors by criteria other than the path are fractions, or lengths in m.
@@ -642,7 +643,7 @@ std::string choice_json(const Choice& choice, const std::string& engines) {
   json["predictable"] = choice.predictable ? from(*choice.predictable) : Json(nullptr);
   json["chosen_on"] = choice.seen;
   json["tested_on"] = choice.unseen;
-  json["failing_beside"] = choice.failing_beside;
+  json["failing_nearby"] = choice.failing_nearby;
   json["left_out"] = choice.left_out;
   if (choice.tried_in_chaos > 0)
     json["in_chaos"] = {{"tried", choice.tried_in_chaos},

@@ -110,7 +110,7 @@ std::string title_of(Verdict verdict) {
 bool has_equation(const Claim& claim) { return claim.says.find('=') != std::string::npos; }
 
 /// Whether the claim's sentence already contains the reading.
-bool is_told(const Claim& claim, const Reading& reading) {
+bool is_shown_above(const Claim& claim, const Reading& reading) {
   std::string text = reading.text;
   if (text.size() > 2 && text.front() == '$' && text.back() == '$') text = text.substr(1, text.size() - 2);
   return text.empty() || claim.says.find(text) != std::string::npos;
@@ -134,13 +134,13 @@ std::string in_full(const JudgedClaim& judged, bool in_table, const ProvedClaims
   const Claim& claim = judged.claim;
   const std::string kind = claim.kind == Fault::none ? "" : std::string(name_of(claim.kind)) + ", ";
   const auto shown = [&](const std::string& what, const Reading& reading) {
-    return is_told(claim, reading) || in_table
+    return is_shown_above(claim, reading) || in_table
                ? ""
                : " *" + what + ":* " + escaped(as_sentence(reading.text), false);
   };
   const bool meant = was_meant(judged.verdict);
-  const std::string as_it_stands = judged.verdict == Verdict::lost ? "In our copy" : "As printed";
-  const std::string readings = (meant && !has_equation(claim) ? shown(as_it_stands, claim.printed) : "") +
+  const std::string as_printed = judged.verdict == Verdict::lost ? "In our copy" : "As printed";
+  const std::string readings = (meant && !has_equation(claim) ? shown(as_printed, claim.printed) : "") +
                                shown(meant ? "Meant" : "Right", right_reading(judged));
   return "<a id=\"" + anchor_of(claim) + "\"></a>**" + title_of(judged.verdict) + " " + code(claim.id) +
          "** (" + kind + escaped(place_of(claim), false) + (proved.contains(claim.id) ? ", proved" : "") +
@@ -167,7 +167,7 @@ std::string confirmed_lines(const ExerciseResult& e, const ProvedClaims& proved)
     if (c.verdict != Verdict::confirmed) continue;
     const std::string mark = proved.contains(c.claim.id) ? "†" : "";
     const Reading& printed = c.claim.printed;
-    const bool formula = is_formula(printed.text) && !says_each_form(c.claim);
+    const bool formula = is_formula(printed.text) && !shows_each_form(c.claim);
     const std::string line = "<br>" + mark + std::to_string(c.claim.line) + ":&nbsp;" +
                              escaped(c.claim.says, false) +
                              (formula ? ": " + escaped(printed.text, false) : "");

@@ -117,7 +117,7 @@ std::string what_a_game_may_use(const Results& results, const std::string& progr
   for (const ExerciseResult& e : results.exercises)
     if (e.cheapest_models && !e.cheapest_models->least.empty() && e.cheapest_models->least.front().least) {
       const Candidate& least = *e.cheapest_models->least.front().least;
-      ++scenes[least.knob.empty() ? "a closed form" : least.algorithm];
+      ++scenes[least.resolution.empty() ? "a closed form" : least.algorithm];
     }
   std::vector<std::pair<std::string, long>> sorted(scenes.begin(), scenes.end());
   std::ranges::stable_sort(sorted, std::greater(), &std::pair<std::string, long>::second);

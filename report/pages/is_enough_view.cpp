@@ -25,7 +25,7 @@ std::string trend_text(const Judgement& j) {
 }
 
 std::string limit_text(const Judgement& j, const std::string& unit) {
-  if (!j.stable_to || j.run.knob != "step") return "";
+  if (!j.stable_to || j.run.resolution != "step") return "";
   const double limit = *j.stable_to;
   if (limit == 0) return "no step of it is stable";
   if (std::isinf(limit)) return "every step of it is stable";
@@ -40,10 +40,10 @@ std::string is_enough_text(const IsEnough& found, const Screen& screen) {
   choice.need = found.need;
   choice.units = found.units;
   const Candidate& best = found.models.front().run;
-  const std::string at = best.knob == "step"
+  const std::string at = best.resolution == "step"
                              ? format_significant(1 / best.setting, 4) +
                                    (found.time_unit == "s" ? " Hz" : " steps a " + found.time_unit)
-                             : best.knob + " " + format_shortest(best.setting);
+                             : best.resolution + " " + format_shortest(best.setting);
   std::string text =
       screen.styled(best.holds() ? Style::good : Style::bad,
                     best.holds() ? "Good enough: " : "Not good enough: ") +
@@ -70,12 +70,12 @@ std::string is_enough_text(const IsEnough& found, const Screen& screen) {
 }
 
 Table is_enough_table(const IsEnough& found) {
-  Table table{{"exercise", "model", "algorithm", "knob", "setting", "holds", "outcome", "where",
+  Table table{{"exercise", "model", "algorithm", "resolution", "setting", "holds", "outcome", "where",
                "error_in_needs", "starts", "failing", "growth", "drift", "energy", "stable_to",
                "evaluations_per_frame", "seconds_per_frame", "frames_per_second"},
               {}};
   for (const Judgement& j : found.models)
-    table.rows.push_back({found.exercise, j.run.model, j.run.algorithm, j.run.knob, j.run.setting,
+    table.rows.push_back({found.exercise, j.run.model, j.run.algorithm, j.run.resolution, j.run.setting,
                           static_cast<long>(j.run.holds()), std::string(name_of(j.run.outcome)), j.run.where,
                           j.run.error, static_cast<long>(found.starts.size()), static_cast<long>(j.failing),
                           j.growth, j.drift, j.energy, j.stable_to.value_or(not_a_number),

@@ -63,8 +63,9 @@ std::vector<const TimedTrial*> cheapest_within(const QuantityResult& q) {
 
 /// "Runge-Kutta 4, step 0.0156: 2560 evaluations, error 4.4×10⁻⁷".
 std::string trial_text(const QuantityResult& q, const TimedTrial& t) {
-  return method_name(q, t) + (t.knob.empty() ? "" : ", " + with_powers(escaped(shown_knob(t), false))) +
-         ": " + counted(static_cast<int>(t.evaluations), "evaluation", "evaluations") +
+  return method_name(q, t) +
+         (t.resolution.empty() ? "" : ", " + with_powers(escaped(shown_resolution(t), false))) + ": " +
+         counted(static_cast<int>(t.evaluations), "evaluation", "evaluations") +
          (std::isfinite(t.error) ? ", error " + error_cell(t.error) : "");
 }
 
@@ -98,7 +99,7 @@ std::string surprises(const QuantityResult& q) {
 std::string breakdown_text(const BreakdownResult& b) {
   const auto end = [](const TimedTrial& t) {
     return escaped(t.model + ", " + t.algorithm, false) +
-           (t.knob.empty() ? "" : ", " + with_powers(escaped(shown_knob(t), false))) + ": " +
+           (t.resolution.empty() ? "" : ", " + with_powers(escaped(shown_resolution(t), false))) + ": " +
            (std::isfinite(t.error) ? "error " + error_cell(t.error) : "no number") +
            (t.outcome == Outcome::ok ? "" : ", *" + std::string(name_of(t.outcome)) + "*");
   };
@@ -138,7 +139,8 @@ std::string in_float_text(const QuantityResult& q) {
   if (!least) return "";
   return "**In float:** " + lost_in_float(q) + "; the least error is " + error_cell(least->error) + " (" +
          escaped(least->model + ", " + like->algorithm, false) +
-         (least->knob.empty() ? "" : ", " + with_powers(escaped(shown_knob(*least), false))) + ")" +
+         (least->resolution.empty() ? "" : ", " + with_powers(escaped(shown_resolution(*least), false))) +
+         ")" +
          (!q.trajectory                         ? ""
           : least->error <= q.trajectory->close ? ", enough for a game"
                                                 : ", not enough for a game") +
@@ -235,13 +237,13 @@ std::string trials_table(const QuantityResult& q) {
       const std::string front =
           std::string(by_evaluations[rows.size()] ? "E" : "") + (by_time[rows.size()] ? "T" : "");
       rows.push_back(
-          {escaped(t.model), escaped(t.algorithm), knob_cell(t), error_cell(t.error),
+          {escaped(t.model), escaped(t.algorithm), resolution_cell(t), error_cell(t.error),
            error_cell(t.final_error), std::to_string(t.evaluations), shown_time(t.time.seconds),
            shown_time(t.time.spread),
            t.evaluations > 0 ? shown_time(t.time.seconds / static_cast<double>(t.evaluations)) : "-",
            std::string(name_of(t.outcome)), front});
     }
-  return table({"model", "algorithm", "knob", "error", "final error", "evaluations", "time", "spread",
+  return table({"model", "algorithm", "resolution", "error", "final error", "evaluations", "time", "spread",
                 "per evaluation", "outcome", "front"},
                rows, "345678");
 }
@@ -251,10 +253,10 @@ std::string fits_table(const QuantityResult& q) {
   for (const MethodResult& m : q.methods)
     if (const auto f = fit(q, m))
       rows.push_back({escaped(m.model), escaped(m.algorithm), escaped(shown_fit(m, f)), error_cell(f->factor),
-                      knob_cell(m.trials[f->first]) + " to " +
+                      resolution_cell(m.trials[f->first]) + " to " +
                           with_powers(format_significant(m.trials[f->last].setting, 4))});
   if (rows.empty()) return "";
-  return "Fitted: error = factor × knob^exponent, for a knob that counts, factor × (1/knob)^exponent.\n\n" +
+  return "Fitted: error = factor × setting^exponent, with 1/setting where the setting is a count.\n\n" +
          table({"model", "algorithm", "fit", "factor", "over"}, rows, "3");
 }
 

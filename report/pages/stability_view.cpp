@@ -275,7 +275,7 @@ std::string shown_cure(const Limit& l, const std::string& unit) {
   if (!l.cure) return l.broken ? "none found" : "";
   const TimedTrial& t = *l.cure;
   return (t.model == l.model ? "" : t.model + ", ") + t.algorithm +
-         (t.setting == l.broken->setting ? "" : ", " + shown_knob(t)) + ": error " +
+         (t.setting == l.broken->setting ? "" : ", " + shown_resolution(t)) + ": error " +
          in_unit(shown_error(t.error), unit) + ", " + std::to_string(t.evaluations) + " evaluations";
 }
 

@@ -26,9 +26,10 @@ void add_trials(Table& table, const ExerciseResult& e, const QuantityResult& q, 
   for (const auto& m : methods)
     for (const TimedTrial& t : m.trials)
       table.rows.push_back({to_string(e.number), q.name, q.unit, t.model, t.algorithm,
-                            as_text(name_of(t.precision)), t.knob, t.knob.empty() ? none : t.setting,
-                            value_text(t.value), t.error, q.need.allowed, t.evaluations, t.time.seconds,
-                            t.time.spread, as_text(name_of(t.outcome)), t.message});
+                            as_text(name_of(t.precision)), t.resolution,
+                            t.resolution.empty() ? none : t.setting, value_text(t.value), t.error,
+                            q.need.allowed, t.evaluations, t.time.seconds, t.time.spread,
+                            as_text(name_of(t.outcome)), t.message});
 }
 
 }  // namespace
@@ -64,8 +65,8 @@ Table claims_table(const Results& results, const Verdicts& on_record) {
 }
 
 Table trials_table(const Results& results) {
-  Table table{{"exercise", "quantity", "unit", "model", "algorithm", "precision", "knob", "setting", "value",
-               "error", "needed", "evaluations", "seconds", "spread", "outcome", "message"},
+  Table table{{"exercise", "quantity", "unit", "model", "algorithm", "precision", "resolution", "setting",
+               "value", "error", "needed", "evaluations", "seconds", "spread", "outcome", "message"},
               {}};
   for (const ExerciseResult& e : results.exercises)
     for (const QuantityResult& q : e.quantities) {

@@ -68,14 +68,14 @@ std::string differences_text(const ExerciseResult& e, const Screen& screen) {
   return text;
 }
 
-const std::vector<std::string> trial_columns{"model", "algorithm", "knob", "value",
-                                             "error", "evals",     "time", "outcome"};
-const Fitting trial_fit{{"model", "algorithm", "outcome"}, {"value", "evals", "time", "knob"}, true};
+const std::vector<std::string> trial_columns{"model", "algorithm", "resolution", "value",
+                                             "error", "evals",     "time",       "outcome"};
+const Fitting trial_fit{{"model", "algorithm", "outcome"}, {"value", "evals", "time", "resolution"}, true};
 
 std::vector<std::string> trial_row(const TimedTrial& t, const Screen& screen) {
   return {t.model,
           t.algorithm,
-          shown_knob(t),
+          shown_resolution(t),
           shown(t.value),
           shown_error(t.error),
           std::to_string(t.evaluations),

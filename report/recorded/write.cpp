@@ -33,7 +33,7 @@ std::vector<std::pair<std::string_view, std::string_view>> models_of(const Entry
   return models;
 }
 
-std::string maker_of(const Entry& entry, std::size_t model) {
+std::string generator_of(const Entry& entry, std::size_t model) {
   const std::string_view expression = models_of(entry)[model].second;
   std::string text =
       "RecordedModel " + name_of(entry, model) +
@@ -54,15 +54,16 @@ std::vector<const Entry*> recorded_entries(bool outside) {
 
 std::string text_of(const std::vector<const Entry*>& entries, std::size_t part, std::size_t parts) {
   std::set<std::string_view> headers;
-  std::string makers;
+  std::string generators;
   for (std::size_t next = part; next < entries.size(); next += parts) {
     const Listing& listing = entries[next]->exercise.scene->listing;
     headers.insert(listing.headers.begin(), listing.headers.end());
-    for (std::size_t i = 0; i < models_of(*entries[next]).size(); ++i) makers += maker_of(*entries[next], i);
+    for (std::size_t i = 0; i < models_of(*entries[next]).size(); ++i)
+      generators += generator_of(*entries[next], i);
   }
   std::string text = "#include \"report/study/recorded_model.hpp\"\n";
   for (const std::string_view header : headers) text += "#include \"" + std::string(header) + "\"\n";
-  return text + "\nnamespace oddity {\n\n" + makers + "\n}  // namespace oddity\n";
+  return text + "\nnamespace oddity {\n\n" + generators + "\n}  // namespace oddity\n";
 }
 
 std::string register_text() {

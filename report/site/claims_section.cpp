@@ -85,7 +85,7 @@ std::string comparison_of(const Reading& reading, bool with_values) {
 
 /// Text on a reading next to one compared with `before`. Omits the other route if both share it. At samples,
 /// this reading's value is known only by its largest difference.
-std::string comparison_beside(const Reading& reading, const Check& before) {
+std::string comparison_next_to(const Reading& reading, const Check& before) {
   const Check& c = hardest(reading);
   if (counts_violations(c) || before.right.by != c.right.by) return comparison_of(reading, true);
   if (samples_of(c).empty() || !c.holds())
@@ -128,7 +128,7 @@ std::string evidence_of(const JudgedClaim& judged) {
          {std::pair{"Printed", &claim.printed}, {"Meant", &claim.meant}, {"Right", &claim.corrected}})
       if (!reading->checks.empty()) {
         text += (text.empty() ? "" : " ") + std::string(name) + ": " +
-                (before ? comparison_beside(*reading, *before) : comparison_of(*reading, true)) + ".";
+                (before ? comparison_next_to(*reading, *before) : comparison_of(*reading, true)) + ".";
         before = &hardest(*reading);
       }
   return text + near_misses_of(claim) + how_it_is_read(judged);
@@ -148,7 +148,7 @@ std::string sides(const JudgedClaim& judged) {
   const Reading& right = right_reading(judged);
   const Claim& claim = judged.claim;
   auto [as_printed, as_is_right] = html::texts_that_differ(claim.printed.text, right.text);
-  if (says_what_is_printed(claim)) as_printed = within(claim.says, claim.printed.text, as_printed);
+  if (shows_printed(claim)) as_printed = within(claim.says, claim.printed.text, as_printed);
   std::string text = element("div", " class=\"printed\"",
                              (judged.verdict == Verdict::lost ? "<dt>in our copy</dt>" : "<dt>printed</dt>") +
                                  element("dd", "", as_printed));
@@ -173,7 +173,7 @@ std::string finding_text(const JudgedClaim& judged, const ProvedClaims& proved) 
                  "<p class=\"meta\"><b>" + std::string(name_of(judged.verdict)) + "</b> " + kind +
                      html::text(place_of(claim)) + mark_of(claim, proved) + " " +
                      html::link("#" + claim_anchor_of(claim), in_xml(claim.id)) + "</p>" +
-                     (says_what_is_printed(claim)
+                     (shows_printed(claim)
                           ? ""
                           : element("p", "", "The solution states: " + html::text(as_sentence(claim.says)))) +
                      sides(judged) + element("p", "", html::prose(claim.why)) +
@@ -202,7 +202,7 @@ bool is_finding(Verdict verdict) {
 
 /// The formula that the claim's text names but does not show.
 std::string formula_of(const Claim& claim) {
-  if (!is_formula(claim.printed.text) || says_each_form(claim)) return "";
+  if (!is_formula(claim.printed.text) || shows_each_form(claim)) return "";
   return ": " + html::text(claim.printed.text);
 }
 

@@ -8,12 +8,13 @@
 // - styles, as in the static charts: `{colours: {model: place}, marks: {algorithm: place}, families:
 //   {algorithm: name}}`. Places are in the order of their palettes (charts/chart_style.hpp).
 // - quantities:
-//     `[{name, unit, says, samples, need, floor, size, charts, models: [name], algorithms: [name], knobs:
+//     `[{name, unit, says, samples, need, floor, size, charts, models: [name], algorithms: [name],
+//     resolutions:
 //     [{name, settings}], methods}]`. Errors below `floor` mean nothing. `size` is that of the true value.
 //     `charts` are the axes of its error: "evaluations", "setting", "time". A method is `[model, algorithm,
-//     knob, in float?, trials]`, the first three by index. A trial of each setting is `[error, evaluations,
-//     ns, spread, outcome]`, the time and its spread in nanoseconds. page.js makes `{model, algorithm, knob,
-//     precision, trials}` of a method, with the setting first in each trial.
+//     resolution, in float?, trials]`, the first three by index. A trial of each setting is `[error,
+//     evaluations, ns, spread, outcome]`, the time and its spread in nanoseconds. page.js makes `{model,
+//     algorithm, resolution, precision, trials}` of a method, with the setting first in each trial.
 // - scene: null, or
 //     `{quantity: its index, horizon, time_unit, close: {unit: error}, observables: [name], norms: [{unit,
 //     components}], varied, over: [value], truth, paths}`. The norms are those that judge the quantity's
@@ -21,10 +22,10 @@
 //   - truth: `{end, frames, values}`, the reference's observables at frame 0, 1, ..., frames, time after
 //     time. Values are floats, least significant byte first, in base64.
 //   - paths:
-//       `[{model, algorithm, knob, setting, error, outcome, frames, least, most, values}]`. These are motions
-//       that the module lacks, and third-party engines' with their precision, from frame 1 to their end.
-//       Values are whole numbers of 16 bits, from 0 for the observable's `least` to 65535 for its `most`.
-//       Each is less that of the frame before, in base64: first all low bytes, then all high ones.
+//       `[{model, algorithm, resolution, setting, error, outcome, frames, least, most, values}]`. These are
+//       motions that the module lacks, and third-party engines' with their precision, from frame 1 to their
+//       end. Values are whole numbers of 16 bits, from 0 for the observable's `least` to 65535 for its
+//       `most`. Each is less that of the frame before, in base64: first all low bytes, then all high ones.
 // - stability: null, or
 //     `{limits: [{model, algorithm, shown, stable, unstable, theory, within, tongues: [[from, to]]}],
 //     parameter, unit, steps: [step], map: [{model, algorithm, rows: [[value, theory, outcomes, fragile],
@@ -37,8 +38,8 @@
 //
 // Data of all scenes, as oddity.scenes([...]), has for each
 // `{number, title, parameters, units, styles, horizon, time_unit, close, observables, norms, exact, faulted,
-// knobs: {knob: [setting]}}`. `exact` are the models whose motion is ok in the book's case, the truest first.
-// `faulted` are those that the scene's own page shows to be wrong.
+// resolutions: {resolution: [setting]}}`. `exact` are the models whose motion is ok in the book's case, the
+// truest first. `faulted` are those that the scene's own page shows to be wrong.
 
 #include "report/site/data.hpp"
 
@@ -123,7 +124,8 @@ Json from(const TimedTrial& t) {
 
 /// A quantity's methods, with the lists that they share.
 struct Methods {
-  Json methods = Json::array(), models = Json::array(), algorithms = Json::array(), knobs = Json::array();
+  Json methods = Json::array(), models = Json::array(), algorithms = Json::array(),
+       resolutions = Json::array();
 
   void add(const std::string& model, const std::string& algorithm, Precision precision,
            const std::vector<TimedTrial>& trials) {
@@ -132,8 +134,8 @@ struct Methods {
       rows.push_back(from(t));
       settings.push_back(from(t.setting));  // with all digits, for another run
     }
-    const Json knob{{"name", trials.empty() ? "" : trials.front().knob}, {"settings", settings}};
-    methods.push_back({place(models, model), place(algorithms, algorithm), place(knobs, knob),
+    const Json resolution{{"name", trials.empty() ? "" : trials.front().resolution}, {"settings", settings}};
+    methods.push_back({place(models, model), place(algorithms, algorithm), place(resolutions, resolution),
                        precision == Precision::in_float ? 1 : 0, rows});
   }
 
@@ -180,7 +182,7 @@ Json from(const QuantityResult& q) {
                 {"charts", charts},
                 {"models", shown.models},
                 {"algorithms", shown.algorithms},
-                {"knobs", shown.knobs},
+                {"resolutions", shown.resolutions},
                 {"methods", shown.methods}};
   if (q.in_operations) quantity["operations"] = true;
   return quantity;
@@ -246,11 +248,16 @@ Json from(const Path& path, std::size_t observables, std::size_t frames) {
     append(high, (now - before[k]) >> 8 & 0xff, 1);
     before[k] = now;
   }
-  return {{"model", path.model},        {"algorithm", path.algorithm},
-          {"knob", path.knob},          {"setting", path.setting},
-          {"error", brief(path.error)}, {"outcome", letter(path.outcome)},
-          {"frames", frames},           {"least", brief_all(least, 6)},
-          {"most", brief_all(most, 6)}, {"values", in_base64(low + high)}};
+  return {{"model", path.model},
+          {"algorithm", path.algorithm},
+          {"resolution", path.resolution},
+          {"setting", path.setting},
+          {"error", brief(path.error)},
+          {"outcome", letter(path.outcome)},
+          {"frames", frames},
+          {"least", brief_all(least, 6)},
+          {"most", brief_all(most, 6)},
+          {"values", in_base64(low + high)}};
 }
 
 // ---- a scene ----------------------------------------------------------------------------------------------
@@ -285,16 +292,16 @@ auto motion_of(const ExerciseResult& e) {
 }
 
 /// The values of each setting from coarse to fine, by the method that has most of them.
-Json knobs_of(const QuantityResult& q) {
-  Json knobs = Json::object();
+Json resolutions_of(const QuantityResult& q) {
+  Json resolutions = Json::object();
   for (const MethodResult& m : q.methods) {
     if (m.trials.size() < 2) continue;
-    Json& settings = knobs[m.trials.front().knob];
+    Json& settings = resolutions[m.trials.front().resolution];
     if (settings.size() >= m.trials.size()) continue;
     settings = Json::array();
     for (const TimedTrial& t : m.trials) settings.push_back(t.setting);
   }
-  return knobs;
+  return resolutions;
 }
 
 Json exact_models(const Trajectory& shown) {
@@ -477,7 +484,7 @@ std::string scenes_data(const Results& results, const Styles& styles) {
                       {"norms", norms_of(scene)},
                       {"exact", exact_models(*moving->trajectory)},
                       {"faulted", scene.faulted},
-                      {"knobs", knobs_of(*moving)}});
+                      {"resolutions", resolutions_of(*moving)}});
   }
   return packed_call("scenes", scenes);
 }

@@ -20,29 +20,28 @@ using html::element;
 struct TileClass {
   std::string_view kind, words;
 };
-constexpr TileClass stands_wrong{"wrong", "wrong"}, stands_incomplete{"incomplete", "incomplete"},
-    stands_misprint{"misprint", "misprints only"}, stands_unsettled{"unsettled", "unsettled"},
-    stands_right{"right", "nothing wrong"};
-constexpr std::array standings{stands_right, stands_misprint, stands_incomplete, stands_wrong,
-                               stands_unsettled};
+constexpr TileClass tile_wrong{"wrong", "wrong"}, tile_incomplete{"incomplete", "incomplete"},
+    tile_misprint{"misprint", "misprints only"}, tile_unsettled{"unsettled", "unsettled"},
+    tile_right{"right", "nothing wrong"};
+constexpr std::array tiles{tile_right, tile_misprint, tile_incomplete, tile_wrong, tile_unsettled};
 
 /// The worst of its claims decides. Losses in our copy are no fault of the book.
-TileClass standing_of(const ExerciseResult& e) {
+TileClass tile_of(const ExerciseResult& e) {
   const Counts counts = counts_of(e);
-  if (counts.contains(Verdict::wrong)) return stands_wrong;
-  if (counts.contains(Verdict::incomplete)) return stands_incomplete;
-  if (counts.contains(Verdict::unsettled) || !e.failure.empty()) return stands_unsettled;
-  return counts.contains(Verdict::misprint) ? stands_misprint : stands_right;
+  if (counts.contains(Verdict::wrong)) return tile_wrong;
+  if (counts.contains(Verdict::incomplete)) return tile_incomplete;
+  if (counts.contains(Verdict::unsettled) || !e.failure.empty()) return tile_unsettled;
+  return counts.contains(Verdict::misprint) ? tile_misprint : tile_right;
 }
 
 std::string tile(const ExerciseResult& e) {
-  const TileClass standing = standing_of(e);
+  const TileClass tile = tile_of(e);
   const std::string number = to_string(e.number);
   return element(
       "a",
-      " class=\"tile " + std::string(standing.kind) + "\" href=\"" + number + ".html\" title=\"" +
-          in_xml(e.title + ": " + std::string(standing.words)) + "\"",
-      number + "<span class=\"unseen\"> " + in_xml(e.title + ", " + std::string(standing.words)) + "</span>");
+      " class=\"tile " + std::string(tile.kind) + "\" href=\"" + number + ".html\" title=\"" +
+          in_xml(e.title + ": " + std::string(tile.words)) + "\"",
+      number + "<span class=\"unseen\"> " + in_xml(e.title + ", " + std::string(tile.words)) + "</span>");
 }
 
 std::string chapter_tiles(const Results& results, const Chapter& chapter) {
@@ -52,18 +51,18 @@ std::string chapter_tiles(const Results& results, const Chapter& chapter) {
   return tiles.empty() ? ""
                        : element("li", "",
                                  element("span", " class=\"chapter\"", in_xml(chapter.title)) +
-                                     element("span", " class=\"tiles\"", tiles)) +
+                                     element("span", " class=\"standings\"", tiles)) +
                              "\n";
 }
 
-std::string standings_legend(const Results& results) {
+std::string tiles_legend(const Results& results) {
   std::string items;
-  for (const TileClass& standing : standings) {
+  for (const TileClass& tile : tiles) {
     const auto count = std::ranges::count_if(
-        results.exercises, [&](const ExerciseResult& e) { return standing_of(e).kind == standing.kind; });
+        results.exercises, [&](const ExerciseResult& e) { return tile_of(e).kind == tile.kind; });
     if (count > 0)
-      items += element("li", " class=\"" + std::string(standing.kind) + "\"",
-                       "<b>" + std::to_string(count) + "</b> " + std::string(standing.words));
+      items += element("li", " class=\"" + std::string(tile.kind) + "\"",
+                       "<b>" + std::to_string(count) + "</b> " + std::string(tile.words));
   }
   return element("ul", " class=\"standings\"", items) + "\n";
 }
@@ -73,7 +72,7 @@ std::string exercises_door(const Results& results) {
   std::string chapters_of_the_book;
   for (const Chapter& chapter : chapters()) chapters_of_the_book += chapter_tiles(results, chapter);
   return "<section class=\"door exercises\">\n<h2>Is my exercise right?</h2>\n<div class=\"ask\"></div>\n" +
-         element("ul", " class=\"grid\"", chapters_of_the_book) + "\n" + standings_legend(results) +
+         element("ul", " class=\"grid\"", chapters_of_the_book) + "\n" + tiles_legend(results) +
          "</section>\n";
 }
 

@@ -75,7 +75,7 @@ std::string list_of(const Results& results, bool (*is)(const JudgedClaim&)) {
 
 /// The solution's statement, with the wrong printed part where that is not obvious.
 std::string printed_text(const Claim& claim, const std::string& as_printed) {
-  return html::text(claim.says) + (says_what_is_printed(claim) ? "" : " <b>" + as_printed + "</b>");
+  return html::text(claim.says) + (shows_printed(claim) ? "" : " <b>" + as_printed + "</b>");
 }
 
 std::string sheet_row(const JudgedClaim& judged, const ExerciseResult& e) {
@@ -114,37 +114,38 @@ std::string errata_schema() {
     kinds.push_back(name_of(kind));
   const List string{{"type", "string"}}, said{{"type", "string"}, {"minLength", 1}},
       number{{"type", {"number", "null"}}};
-  const auto told = [](List schema, const char* description) {
+  const auto described = [](List schema, const char* description) {
     schema["description"] = description;
     return schema;
   };
   const auto matching = [](const char* pattern) { return List{{"type", "string"}, {"pattern", pattern}}; };
   const List properties{
-      {"id", told(matching("^[0-9]+\\.[0-9]+-"), "the claim, which keeps this name")},
+      {"id", described(matching("^[0-9]+\\.[0-9]+-"), "the claim, which keeps this name")},
       {"exercise", matching("^[0-9]+\\.[0-9]+$")},
       {"verdict",
-       told(
+       described(
            {{"enum", {"wrong", "incomplete", "misprint", "lost in our copy"}}},
            "wrong: the printed text is false; incomplete: it leaves out a case or a condition; misprint: the "
            "intended text is plain and right; lost in our copy: the plain text that was read lacks a part")},
-      {"kind", told({{"enum", kinds}}, "kind of fault")},
-      {"root", told(string, "its cause, shared by errata of one cause; empty: a separate cause")},
-      {"line", told({{"type", "integer"}, {"minimum", 0}}, "in the solutions document as plain text")},
+      {"kind", described({{"enum", kinds}}, "kind of fault")},
+      {"root", described(string, "its cause, shared by errata of one cause; empty: a separate cause")},
+      {"line", described({{"type", "integer"}, {"minimum", 0}}, "in the solutions document as plain text")},
       {"place",
-       told(string, "where a reader of the manual finds it: an equation's number, a paragraph, a listing")},
-      {"says", told(said, "the claim in our words; TeX between dollars, code between backquotes")},
+       described(string,
+                 "where a reader of the manual finds it: an equation's number, a paragraph, a listing")},
+      {"says", described(said, "the claim in our words; TeX between dollars, code between backquotes")},
       {"printed", said},
       {"right", said},
       {"why", said},
-      {"consequence", told(string, "visible effect of the root; empty: not stated")},
+      {"consequence", described(string, "visible effect of the root; empty: not stated")},
       {"margin",
        {{"type", {"object", "null"}},
         {"description", "largest error of the printed version, and the allowed one"},
         {"required", {"differs_by", "allowed"}},
         {"properties", {{"differs_by", number}, {"allowed", number}}},
         {"additionalProperties", false}}},
-      {"command", told(matching("^oddity "), "judges it again")},
-      {"page", told(matching("^[0-9]+\\.[0-9]+\\.html#"), "its section on the site")}};
+      {"command", described(matching("^oddity "), "judges it again")},
+      {"page", described(matching("^[0-9]+\\.[0-9]+\\.html#"), "its section on the site")}};
   List required = List::array();
   for (const auto& [name, schema] : properties.items()) required.push_back(name);
   const List entries{{"type", "array"},

@@ -8,8 +8,8 @@
 #include "report/pages/stability_view.hpp"
 #include "report/pages/trust.hpp"
 #include "report/site/page.hpp"
-#include "report/study/beside_program.hpp"
 #include "report/study/settings.hpp"
+#include "report/study/sibling_program.hpp"
 #include "report/text/markup.hpp"
 
 namespace oddity {

@@ -11,9 +11,9 @@
 #include "report/site/page.hpp"
 #include "report/site/quantity_section.hpp"
 #include "report/site/recipes.hpp"
-#include "report/study/beside_program.hpp"
 #include "report/study/findings.hpp"
 #include "report/study/settings.hpp"
+#include "report/study/sibling_program.hpp"
 #include "report/text/markup.hpp"
 
 namespace oddity {

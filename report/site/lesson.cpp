@@ -33,7 +33,7 @@ double energy_factor(const std::string& algorithm, double step) {
 
 std::string three_digits(double x) { return format_significant(x, 3); }
 
-std::vector<LessonStep> told_steps() {
+std::vector<LessonStep> make_steps() {
   constexpr double short_step = 0.25, in_view = 0.015, long_step = 0.4, longest = 0.6;
   return {
       {"circle", "The true motion is a circle",
@@ -158,7 +158,7 @@ std::string still_of(const LessonStep& told) {
 
 // ---- the page ---------------------------------------------------------------------------------------------
 
-std::string told_text(const LessonStep& told) {
+std::string step_text(const LessonStep& told) {
   return "<li data-name=\"" + told.name + "\" data-algorithm=\"" + told.algorithm + "\" data-step=\"" +
          format_shortest(told.step) + "\" data-shown=\"" + std::to_string(told.shown) + "\">\n<div>" +
          element("h2", "", in_xml(told.title)) + element("p", "", html::text(told.says)) +
@@ -192,7 +192,7 @@ std::string in_the_book(const Results& results) {
 }  // namespace
 
 std::span<const LessonStep> lesson_steps() {
-  static const std::vector<LessonStep> steps = told_steps();
+  static const std::vector<LessonStep> steps = make_steps();
   return steps;
 }
 
@@ -220,7 +220,7 @@ double shadow_energy(const std::string& algorithm, double step, const PlaceAndVe
 
 std::string lesson_page(const Results& results, const SiteParts& parts) {
   std::string steps;
-  for (const LessonStep& told : lesson_steps()) steps += told_text(told);
+  for (const LessonStep& told : lesson_steps()) steps += step_text(told);
   steps += in_the_book(results);
   return html::whole(
       {"Why does Euler fail? - oddity",

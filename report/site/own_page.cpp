@@ -5,7 +5,7 @@
 #include "report/site/page.hpp"
 #include "report/site/script.hpp"
 #include "report/site/site.hpp"
-#include "report/study/beside_program.hpp"
+#include "report/study/sibling_program.hpp"
 #include "report/text/markup.hpp"
 
 namespace oddity {

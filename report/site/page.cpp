@@ -6,9 +6,9 @@
 #include "chapters/typeset.hpp"
 #include "report/site/formulas.hpp"
 #include "report/site/site.hpp"
-#include "report/study/beside_program.hpp"
 #include "report/study/embedded.hpp"
 #include "report/study/settings.hpp"
+#include "report/study/sibling_program.hpp"
 #include "report/text/markup.hpp"
 
 namespace oddity::html {
@@ -139,7 +139,7 @@ std::string whole(const Page& page) {
   return text + "</body>\n</html>\n";
 }
 
-void tell(std::string& page, const std::vector<std::string>& lacks, const std::string& command) {
+void note_missing(std::string& page, const std::vector<std::string>& lacks, const std::string& command) {
   std::string text;
   for (const std::string& one : lacks) text += (text.empty() ? "" : "; and ") + in_xml(one);
   page.insert(page.find(main_begins) + main_begins.size(),

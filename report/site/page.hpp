@@ -46,6 +46,6 @@ std::string whole(const Page&);
 
 /// Adds a notice to a page: the parts that this copy of the site lacks, and the command that makes a complete
 /// one.
-void tell(std::string& page, const std::vector<std::string>& lacks, const std::string& command);
+void note_missing(std::string& page, const std::vector<std::string>& lacks, const std::string& command);
 
 }  // namespace oddity::html

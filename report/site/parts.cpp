@@ -1,7 +1,7 @@
 #include "report/site/parts.hpp"
 
 #include "report/site/players.hpp"
-#include "report/study/beside_program.hpp"
+#include "report/study/sibling_program.hpp"
 
 namespace oddity {
 

@@ -8,8 +8,8 @@
 #include "reference/files.hpp"
 #include "reference/text.hpp"
 #include "report/site/example.hpp"
-#include "report/study/beside_program.hpp"
 #include "report/study/settings.hpp"
+#include "report/study/sibling_program.hpp"
 
 namespace oddity {
 

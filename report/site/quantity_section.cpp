@@ -31,7 +31,7 @@ std::string with_unit_of(const std::string& number, const std::string& unit) {
 
 /// ", step 0.0625" in HTML; empty for a method without a setting.
 std::string setting_text(const TimedTrial& t) {
-  return t.knob.empty() ? "" : ", " + in_xml(with_powers(shown_knob(t)));
+  return t.resolution.empty() ? "" : ", " + in_xml(with_powers(shown_resolution(t)));
 }
 
 /// Groups names by reason, in the order of the reasons.

@@ -18,9 +18,9 @@
 #include "report/site/example.hpp"
 #include "report/site/page.hpp"
 #include "report/site/play_link.hpp"
-#include "report/study/beside_program.hpp"
 #include "report/study/candidate.hpp"
 #include "report/study/findings.hpp"
+#include "report/study/sibling_program.hpp"
 #include "report/text/markup.hpp"
 #include "solvers/ode/catalog.hpp"
 
@@ -117,7 +117,7 @@ std::string game_row(const ExerciseResult& e) {
   return html::row(
       {number, in_xml(least.model),
        in_xml(least.algorithm) +
-           (least.knob.empty() ? "" : ", " + in_xml(with_powers(shown_setting(least, game.need)))),
+           (least.resolution.empty() ? "" : ", " + in_xml(with_powers(shown_setting(least, game.need)))),
        format_significant(least.evaluations_per_frame, 3), simpler_cell(*e.cheapest_models), fault_cell(e)},
       "3");
 }
@@ -155,7 +155,8 @@ bool is_within(const TimedTrial& t, double close) { return has_error(t) && t.err
 /// Closed forms take no steps, and have their own column.
 constexpr const char* closed_forms = "closed form";
 std::string column_of(const MethodResult& m) {
-  return m.trials.empty() || m.trials.front().knob == "step" || m.trials.front().knob == "tolerance"
+  return m.trials.empty() || m.trials.front().resolution == "step" ||
+                 m.trials.front().resolution == "tolerance"
              ? m.algorithm
              : closed_forms;
 }
@@ -324,11 +325,13 @@ std::string answer(const CheapestModel& game, const CheapestModels& models, std:
   for (std::size_t i = 0; i < least.errors.size() && i < models.units.size(); ++i)
     errors += (errors.empty() ? "" : ", ") + with_powers(shown_error(least.errors[i])) +
               unit_after(models.units[i]);
-  return element("p", " class=\"answer\"",
-                 "<strong>" + in_xml(least.model) + "</strong> by <strong>" + in_xml(least.algorithm) +
-                     "</strong>" +
-                     (least.knob.empty() ? "" : ", " + in_xml(with_powers(shown_setting(least, game.need)))) +
-                     ".") +
+  return element(
+             "p", " class=\"answer\"",
+             "<strong>" + in_xml(least.model) + "</strong> by <strong>" + in_xml(least.algorithm) +
+                 "</strong>" +
+                 (least.resolution.empty() ? ""
+                                           : ", " + in_xml(with_powers(shown_setting(least, game.need)))) +
+                 ".") +
          element("p", "",
                  "Within " + allowed_text(models.units) + " at every frame over " +
                      shown_span(game.need, time_unit) +

@@ -38,7 +38,7 @@ std::map<std::string, std::string> site_pages(const Results& results, const Prov
     pages[to_string(e.number) + ".html"] = exercise_page(results, e, proved, contests);
   pages[example_name + std::string(".html")] = example_page(example_result());
   if (!lacks(parts).empty())
-    for (auto& [name, page] : pages) html::tell(page, lacks(parts), command_for(parts));
+    for (auto& [name, page] : pages) html::note_missing(page, lacks(parts), command_for(parts));
   return pages;
 }
 
@@ -47,7 +47,7 @@ namespace {
 /// The page with its files within it; those in data/ are `data`.
 std::string whole_in_one_file(std::string page, const std::function<std::string()>& data) {
   const SiteParts parts = parts_at_hand();
-  if (!lacks(parts).empty()) html::tell(page, lacks(parts), command_for(parts));
+  if (!lacks(parts).empty()) html::note_missing(page, lacks(parts), command_for(parts));
   return in_one_file(page, [&](const std::string& file) {
     if (file.starts_with("data/")) return data();
     if (file == "assets/drawing.css") return std::string(drawing_style());

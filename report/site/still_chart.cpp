@@ -81,12 +81,13 @@ class Chart {
   }
   double abscissa(const TimedTrial& t) const {
     if (across_ == Across::evaluations) return static_cast<double>(t.evaluations);
-    return t.knob.empty() ? std::numeric_limits<double>::quiet_NaN() : t.setting;
+    return t.resolution.empty() ? std::numeric_limits<double>::quiet_NaN() : t.setting;
   }
   std::string axis() const {
     if (across_ == Across::evaluations) return q_.in_operations ? "operations" : "evaluations";
     for (const Curve& curve : curves_)
-      if (const std::string& knob = curve.method->trials.front().knob; !knob.empty()) return in_xml(knob);
+      if (const std::string& resolution = curve.method->trials.front().resolution; !resolution.empty())
+        return in_xml(resolution);
     return "setting";
   }
   /// Errors without a number, or far off, are at the upper edge.
@@ -149,7 +150,7 @@ std::string table_of(const QuantityResult& q, const std::vector<std::size_t>& sh
             element("th", "",
                     (keyed ? "<b class=\"s" + key + "\">" + key + "</b> " : "") +
                         in_xml(m.model + ", " + m.algorithm)) +
-            cell(t.knob.empty() ? "" : in_xml(with_powers(shown_knob(t)))) +
+            cell(t.resolution.empty() ? "" : in_xml(with_powers(shown_resolution(t)))) +
             cell(in_xml(with_powers(shown_error(t.error)))) + cell(std::to_string(t.evaluations)) +
             cell(std::string(name_of(t.outcome))) + "</tr>\n";
   }

@@ -101,7 +101,7 @@ Outcome failure(const Trial& trial) {
 }
 
 Candidate untried(const Method& method, double setting) {
-  Candidate candidate{method.model, method.algorithm, method.knob.name, setting};
+  Candidate candidate{method.model, method.algorithm, method.resolution.name, setting};
   candidate.precision = method.precision;
   candidate.state_size = method.state_size;
   return candidate;
@@ -159,16 +159,16 @@ double add(const Start& start, Candidate& candidate, const OnStart& on) {
 
 std::vector<double> settings(const Method& method, const Need& need) {
   std::vector<double> all;
-  if (method.knob.name == "step") {
+  if (method.resolution.name == "step") {
     const bool differ = need.frame_times && stepping_of(method.algorithm) == Stepping::divided;
     if (differ) all.push_back(need.frame_times->longest);
     for (int steps : steps_per_frame)
       if (const double step = 1 / (need.frames_per_second * steps); !differ || step < all.front())
         all.push_back(step);
-  } else if (method.knob.name == "tolerance")
+  } else if (method.resolution.name == "tolerance")
     all = tolerances(2, 13, 1).settings;
   else
-    all = method.knob.settings;
+    all = method.resolution.settings;
   return all;
 }
 
@@ -232,8 +232,9 @@ Candidate evaluate_until_one_fails(const Order& starts, const Method& method, do
 }
 
 std::string shown_setting(const Candidate& candidate, const Need& need) {
-  if (candidate.knob != "step")
-    return candidate.knob.empty() ? "-" : candidate.knob + " " + format_shortest(candidate.setting);
+  if (candidate.resolution != "step")
+    return candidate.resolution.empty() ? "-"
+                                        : candidate.resolution + " " + format_shortest(candidate.setting);
   if (need.frame_times && candidate.setting != need.frame_times->longest)
     return (stepping_of(candidate.algorithm) == Stepping::divided ? "steps up to " : "steps of ") +
            shown_length(candidate.setting, need.frame_times->unit);

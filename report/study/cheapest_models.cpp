@@ -75,7 +75,7 @@ struct Solved {
 
 /// Empty if the algorithm does not reach the end.
 std::optional<Solved> solved(const Quantity& motion, const Method& method) {
-  const auto& settings = method.knob.settings;
+  const auto& settings = method.resolution.settings;
   const Answer fine = run(motion, method, settings.back()).answer;
   if (!fine.reached() || !finite(fine.value)) return {};
   if (settings.size() == 1) return Solved{method.algorithm, fine.value, 0};
@@ -121,7 +121,7 @@ std::optional<Solved> solved_best(const Quantity& motion, const std::string& mod
 bool out_of_reach(const Candidate& before, const Candidate& now, const Method& method, double finest) {
   const auto all = ode::catalog();
   const auto entry = std::ranges::find(all, method.algorithm, &ode::CatalogEntry::name);
-  if (now.knob != "step" || entry == all.end() || !(now.error < before.error)) return false;
+  if (now.resolution != "step" || entry == all.end() || !(now.error < before.error)) return false;
   const auto fallen = [&](double from, double to) { return std::pow(to / from, entry->order + 2); };
   return now.error > before.error * fallen(before.setting, now.setting) &&
          now.error * fallen(now.setting, finest) > 1;
@@ -334,7 +334,7 @@ class Along {
     if (solved(seen, model, solvers_)) return {};
     for (const Method& method : seen.methods)
       if (method.model == model)
-        if (const Answer answer = run(seen, method, method.knob.settings.back()).answer;
+        if (const Answer answer = run(seen, method, method.resolution.settings.back()).answer;
             !answer.message.empty() || !method.why.empty())
           return answer.message.empty() ? method.why : answer.message;
     return {};

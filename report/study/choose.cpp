@@ -56,7 +56,7 @@ class Recommendation {
     if (chosen)
       for (const Start& s : starts().unseen()) choice.unseen.push_back(s.says);
     choice.left_out = starts().left_out();
-    choice.failing_beside = search_.failing_beside();
+    choice.failing_nearby = search_.failing_nearby();
     for (Ladder& ladder : search_.ladders())
       if (const Candidate* t = ladder.found(need_).representative()) choice.candidates.push_back(*t);
     for (const Ladder& ladder : search_.ladders())
@@ -74,7 +74,7 @@ class Recommendation {
     choice.explanation = explanation();
     if (!chosen) {
       choice.nearest_miss = miss(choice.candidates);
-      tell_of_asked(choice);
+      compare_with_asked(choice);
       return choice;
     }
     if (choice.predictable) try_in_chaos(choice);
@@ -212,7 +212,7 @@ class Recommendation {
   }
 
   /// Reports a method that passes on the requested start, if only the starts next to it rule it out.
-  void tell_of_asked(Choice& choice) {
+  void compare_with_asked(Choice& choice) {
     const std::span<const Start> seen(starts().seen());
     for (Candidate& t : maybe_holding_on_asked()) {
       check_stop();
@@ -227,7 +227,7 @@ class Recommendation {
       choice.on_asked = on_asked;
       choice.on_asked->seconds_per_frame = t.seconds_per_frame;
       choice.on_asked->spread = t.spread;
-      choice.beside_asked = beside;
+      choice.next_to_asked = beside;
       return;
     }
   }

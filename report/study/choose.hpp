@@ -66,7 +66,7 @@ struct Choice {
   std::optional<Candidate> nearest_miss;  ///< when nothing is chosen; judged on all starts
   /// If nothing is chosen: the method with the least work that passes on the requested start within the
   /// budget, with its result there and on the starts next to it.
-  std::optional<Candidate> on_asked = {}, beside_asked = {};
+  std::optional<Candidate> on_asked = {}, next_to_asked = {};
   std::vector<Candidate> engine;      ///< semi-implicit Euler at 60, 120 and 240 Hz, as in engines
   std::optional<Candidate> in_float;  ///< the chosen one in float, at its setting; unless it is in float
   double restart = 0;                 ///< extra evaluations after a restart of the chosen one
@@ -77,7 +77,7 @@ struct Choice {
   std::map<std::string, int> left_out = {};  ///< starts drawn with another kind of motion, as a hyperbola
   /// Numbers of unseen starts on which the choice was tried and on which it passes; for chaotic motions.
   int tried_in_chaos = 0, holding_in_chaos = 0;
-  int failing_beside = 0;       ///< unseen starts, where they need not pass: only the requested start counts
+  int failing_nearby = 0;       ///< unseen starts, where they need not pass: only the requested start counts
   std::string prices_are = {};  ///< their source
   std::string registers = {};   ///< SIMD registers for the bodies of the chosen one; empty: none
   std::optional<InLockstep> lockstep = {};

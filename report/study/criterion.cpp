@@ -120,7 +120,7 @@ Followed followed_by(std::string_view algorithm, const Quantity& motion) {
   Followed best;
   for (const Method& m : motion.methods) {
     if (m.algorithm != algorithm || !m.places_and_rates) continue;
-    const double setting = m.knob.name == tolerances().name ? fine : m.knob.settings.back();
+    const double setting = m.resolution.name == tolerances().name ? fine : m.resolution.settings.back();
     const Trial trial = run(motion, m, setting);
     if (!trial.answer.reached() || !(trial.error < best.error)) continue;
     if (auto at = energies(motion, m, setting); !at.empty()) best = {trial.error, std::move(at)};

@@ -8,7 +8,7 @@
 #include "reference/bad_input.hpp"
 #include "reference/files.hpp"
 #include "reference/text.hpp"
-#include "report/study/beside_program.hpp"
+#include "report/study/sibling_program.hpp"
 #include "report/study/whole_in_json.hpp"
 
 namespace oddity {

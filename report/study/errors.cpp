@@ -50,8 +50,9 @@ ErrorsOnRecord tolerances(const Claim& claim, const std::string& number) {
 }
 
 void add(ErrorsOnRecord& row, const TimedTrial& t, const QuantityResult& q) {
-  const bool same_knob = row.at.find(t.knob + " ") != std::string::npos;
-  row.at = with_blank(row.at) + (same_knob ? "" : with_blank(t.knob)) + format_significant(t.setting, 6);
+  const bool same_resolution = row.at.find(t.resolution + " ") != std::string::npos;
+  row.at = with_blank(row.at) + (same_resolution ? "" : with_blank(t.resolution)) +
+           format_significant(t.setting, 6);
   row.errors.push_back(recorded(t.error, size_of(q.reference.value)));
   row.work.push_back(static_cast<double>(t.evaluations));
 }

@@ -30,7 +30,7 @@ EveryStep::EveryStep(Quantity at_looks, double horizon, MotionAt motion, OffBy o
 }
 
 void EveryStep::consider(const Method& method) {
-  for (double setting : method.knob.settings) {
+  for (double setting : method.resolution.settings) {
     const Trial trial = run(at_looks_, method, setting);
     if (trial.answer.reached() && std::isfinite(trial.in_needs) && (!truest_ || is_truer(trial, *truest_)))
       truest_ = trial;

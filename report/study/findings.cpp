@@ -209,13 +209,13 @@ std::string_view within_dollars(std::string_view text) {
 
 }  // namespace
 
-bool says_what_is_printed(const Claim& claim) {
+bool shows_printed(const Claim& claim) {
   return claim.says.find(within_dollars(claim.printed.text)) != std::string::npos;
 }
 
-bool says_each_form(const Claim& claim) {
+bool shows_each_form(const Claim& claim) {
   const std::string_view row = within_dollars(claim.printed.text), between = R"(,\ )";
-  if (says_what_is_printed(claim)) return true;
+  if (shows_printed(claim)) return true;
   if (!row.starts_with('(') || !row.ends_with(')')) return false;
   for (std::size_t from = 1, to = 0; to < row.size() - 1; from = to + between.size()) {
     to = std::min(row.find(between, from), row.size() - 1);

@@ -85,9 +85,9 @@ bool counts_violations(const Check&);
 std::string place_of(const Claim&);
 
 /// The claim's own words include the printed text.
-bool says_what_is_printed(const Claim&);
+bool shows_printed(const Claim&);
 /// The claim's own words include the printed text, or each form if the text is a row of several.
-bool says_each_form(const Claim&);
+bool shows_each_form(const Claim&);
 
 /// The model has the book's own equations, judged by its name.
 bool is_published(std::string_view model);

@@ -16,8 +16,8 @@ std::string two_decimals(double x) {
 }
 
 bool scatters(const MethodResult& m) {
-  const std::string& knob = m.trials.front().knob;
-  return knob == "tolerance" || knob == "samples";
+  const std::string& resolution = m.trials.front().resolution;
+  return resolution == "tolerance" || resolution == "samples";
 }
 
 /// A method's trials for a fit: x is the setting or its inverse, y the error, NaN outside the bounds.
@@ -113,7 +113,7 @@ PowerLaw power_law(std::span<const double> x, std::span<const double> y) {
 }
 
 std::optional<Fit> fit(const QuantityResult& q, const MethodResult& m) {
-  if (m.trials.size() < 3 || m.trials.front().knob.empty()) return {};
+  if (m.trials.size() < 3 || m.trials.front().resolution.empty()) return {};
   return longest(points_of(q, m), scatters(m) ? follows_scattered : is_asymptotic);
 }
 
@@ -124,10 +124,10 @@ std::optional<Fit> asymptotic_law(std::span<const double> x, std::span<const dou
 std::string shown_fit(const MethodResult& m, const std::optional<Fit>& fit) {
   if (!fit) return "";
   const std::string exponent = two_decimals(fit->exponent);
-  const std::string& knob = m.trials.front().knob;
-  return knob == "tolerance" ? "error ~ tol^" + exponent
-         : scatters(m)       ? "error ~ (1/" + knob + ")^" + exponent
-                             : "order " + exponent;
+  const std::string& resolution = m.trials.front().resolution;
+  return resolution == "tolerance" ? "error ~ tol^" + exponent
+         : scatters(m)             ? "error ~ (1/" + resolution + ")^" + exponent
+                                   : "order " + exponent;
 }
 
 double cost(const TimedTrial& t, Cost kind) {

@@ -101,7 +101,7 @@ Quantity motion_at_frames(const Scene& scene, const Parameters& p, const Horizon
     Horizon stepped = horizon;
     stepped.stepping = stepping;
     for (Method& method : motion(scene, p, stepped, Reference::nothing()).methods) {
-      if (!method.unstable_steps || method.knob.name != "step") continue;
+      if (!method.unstable_steps || method.resolution.name != "step") continue;
       if (kicks) method = with_kicks(std::move(method), kicks);
       method.algorithm += name;
       seen.methods.push_back(std::move(method));

@@ -339,11 +339,11 @@ bool InitialConditions::is_comparable(const Start& start) const {
   return !needs_period() || !start.is_whole || has_period(start.motion);
 }
 
-std::vector<Start> InitialConditions::beside(int count, const AfterEach& after_each) {
+std::vector<Start> InitialConditions::nearby(int count, const AfterEach& after_each) {
   return with_asked({}, count, after_each);
 }
 
-std::vector<Start> InitialConditions::asked_and_beside(int count, const AfterEach& after_each) {
+std::vector<Start> InitialConditions::asked_and_nearby(int count, const AfterEach& after_each) {
   return with_asked([this] { return asked_to_choose(); }, count, after_each);
 }
 

@@ -123,9 +123,9 @@ class InitialConditions {
   Start asked() const;
   using AfterEach = std::function<void()>;
   /// `count` newly drawn starts, without those of which no true motion is known; made in parallel.
-  std::vector<Start> beside(int count, const AfterEach&);
+  std::vector<Start> nearby(int count, const AfterEach&);
   /// The requested start, then `count` drawn ones.
-  std::vector<Start> asked_and_beside(int count, const AfterEach&);
+  std::vector<Start> asked_and_nearby(int count, const AfterEach&);
   /// Number of drawn starts left out, by their kind of motion.
   const std::map<std::string, int>& left_out() const { return left_out_; }
   /// The first frames of the requested start, without a reference.

@@ -84,7 +84,7 @@ std::optional<double> stable_to(const Task& task, const Method& asked) {
 /// The need with its frame rate matched to the step, which then divides a frame or is one. Frames of
 /// different lengths stay as they are.
 Need at_steps(Need need, const Method& method, double step) {
-  if (method.knob.name != "step" || need.frame_times) return need;
+  if (method.resolution.name != "step" || need.frame_times) return need;
   const double rate = 1 / step;
   need.frames_per_second = rate / std::max(1.0, std::floor(rate / need.frames_per_second * (1 + 1e-9)));
   return need;
@@ -96,7 +96,7 @@ class Judge {
         const Progress& progress)
       : task_(task), need_(need), price_(price), conditions_(task, need, truth) {
     Stage stage(progress, "making the true motions", static_cast<std::size_t>(need.starts));
-    starts_ = conditions_.asked_and_beside(need.starts - 1, [&] { stage.add(); });
+    starts_ = conditions_.asked_and_nearby(need.starts - 1, [&] { stage.add(); });
     try {
       energy_ = true_energy(starts_.front().motion);
     } catch (const BadInput&) {  // the motion has none

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int format = 13;
+constexpr int format = 14;
 
 /// JSON has no infinities and no NaN: they are null, and read as NaN.
 Json from(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
@@ -154,8 +154,8 @@ JudgedClaim claim(const Json& json) {
 Json from(const TimedTrial& t) {
   return {{"model", t.model},
           {"algorithm", t.algorithm},
-          {"knob", t.knob.empty() ? Json(nullptr) : Json(t.setting)},
-          {"knob_name", t.knob},
+          {"resolution", t.resolution.empty() ? Json(nullptr) : Json(t.setting)},
+          {"resolution_name", t.resolution},
           {"value", from(t.value)},
           {"error", from(t.error)},
           {"final_error", from(t.final_error)},
@@ -174,8 +174,8 @@ TimedTrial trial(const Json& json) {
   TimedTrial t;
   t.model = json.at("model");
   t.algorithm = json.at("algorithm");
-  t.knob = json.at("knob_name");
-  t.setting = json.at("knob").is_null() ? 0 : number(json.at("knob"));
+  t.resolution = json.at("resolution_name");
+  t.setting = json.at("resolution").is_null() ? 0 : number(json.at("resolution"));
   t.value = value(json.at("value"));
   t.error = number(json.at("error"));
   t.final_error = number(json.at("final_error"));
@@ -245,7 +245,7 @@ TimedTrial trial(const Json& json, const Quantity& quantity) {
 Json from(const Candidate& t) {
   return {{"model", t.model},
           {"algorithm", t.algorithm},
-          {"knob", t.knob},
+          {"resolution", t.resolution},
           {"setting", from(t.setting)},
           {"error_in_needs", from(t.error)},
           {"errors", from(Value(t.errors))},
@@ -253,7 +253,7 @@ Json from(const Candidate& t) {
           {"evaluations_per_frame", from(t.evaluations_per_frame)}};
 }
 Candidate candidate(const Json& json) {
-  Candidate t{json.at("model"), json.at("algorithm"), json.at("knob"), number(json.at("setting")),
+  Candidate t{json.at("model"), json.at("algorithm"), json.at("resolution"), number(json.at("setting")),
               number(json.at("error_in_needs"))};
   for (double error : value(json.at("errors"))) t.errors.push_back(error);
   t.outcome = named(json.at("outcome"), outcomes);
@@ -348,7 +348,7 @@ Json from(const Trajectory& t) {
   for (const Path& p : t.paths)
     paths.push_back({{"model", p.model},
                      {"algorithm", p.algorithm},
-                     {"knob", p.knob},
+                     {"resolution", p.resolution},
                      {"setting", from(p.setting)},
                      {"error", from(p.error)},
                      {"outcome", name_of(p.outcome)},
@@ -374,7 +374,7 @@ Trajectory trajectory(const Json& json) {
                whole<std::size_t>(json.at("truest")),
                number(json.at("close"))};
   for (const Json& p : json.at("paths"))
-    t.paths.push_back({p.at("model"), p.at("algorithm"), p.at("knob"), number(p.at("setting")),
+    t.paths.push_back({p.at("model"), p.at("algorithm"), p.at("resolution"), number(p.at("setting")),
                        number(p.at("error")), named(p.at("outcome"), outcomes), value(p.at("value"))});
   require(t.truest < t.paths.size(), "truest is not one of the paths");
   require(!t.judged_at.empty() && !t.times.empty() && t.times.size() % t.judged_at.size() == 0,
@@ -427,7 +427,7 @@ Json from(const QuantityResult& q) {
 }
 bool is_of_a_trial(const Path& path, const QuantityResult& q) {
   const auto like = [&](const TimedTrial& t) {
-    return t.model == path.model && t.algorithm == path.algorithm && t.knob == path.knob &&
+    return t.model == path.model && t.algorithm == path.algorithm && t.resolution == path.resolution &&
            t.setting == path.setting && t.outcome == path.outcome &&
            (t.error == path.error || (std::isnan(t.error) && std::isnan(path.error)));
   };

@@ -8,8 +8,8 @@
 #include "reference/files.hpp"
 #include "reference/own.hpp"
 #include "reference/table.hpp"
-#include "report/study/beside_program.hpp"
 #include "report/study/earlier_results.hpp"
+#include "report/study/sibling_program.hpp"
 
 namespace oddity {
 
@@ -20,11 +20,11 @@ namespace {
 bool is_own(const Entry& entry) { return !own_reference_folder(entry.file).empty(); }
 
 /// The table belongs to an exercise outside the tree, by the number that its name begins with.
-bool is_for_own(const truth::Entry& maker) {
-  return !maker.home.empty() && std::ranges::any_of(registry(), [&](const Entry& entry) {
+bool is_for_own(const truth::Entry& generator) {
+  return !generator.home.empty() && std::ranges::any_of(registry(), [&](const Entry& entry) {
     const auto two_digits = [](int n) { return (n < 10 ? "0" : "") + std::to_string(n) + "_"; };
     return is_own(entry) &&
-           maker.name.starts_with(two_digits(entry.number.chapter) + two_digits(entry.number.index));
+           generator.name.starts_with(two_digits(entry.number.chapter) + two_digits(entry.number.index));
   });
 }
 

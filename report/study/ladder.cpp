@@ -26,7 +26,7 @@ namespace {
 
 /// One more than the order, as errors of symmetric methods may fall. For a tolerance, more than proportional.
 double most_power(const Method& method) {
-  if (method.knob.name == "tolerance") return 1.25;
+  if (method.resolution.name == "tolerance") return 1.25;
   const std::string_view algorithm = without_stepping(method.algorithm);
   for (const ode::CatalogEntry& entry : ode::catalog())
     if (entry.order > 0 && (entry.name == algorithm || in_float(entry.name) == algorithm))
@@ -46,7 +46,7 @@ double Ladder::expected_evaluations() const {
   if (is_over_ || candidates.empty()) return 0;
   if (is_given_up()) return given_up_at_;
   const Candidate& last = candidates.back();
-  if (last.knob == "step") return last.evaluations_per_frame * last.setting / left_.back();
+  if (last.resolution == "step") return last.evaluations_per_frame * last.setting / left_.back();
   if (candidates.size() < 2 || !(candidates.end()[-2].evaluations_per_frame > 0))
     return last.evaluations_per_frame;
   const Candidate& before = candidates.end()[-2];
@@ -118,8 +118,8 @@ void Ladder::skip_what_cannot_hold(const Need& need) {
     skipped_.push_back(left_.back());
     left_.pop_back();
   }
-  const bool is_foretold = last.knob == "step" && last.unbounded_error > last.error;
-  if (left_.size() == 1 && is_foretold && cannot_hold(left_.back())) left_.clear();
+  const bool is_foreseen = last.resolution == "step" && last.unbounded_error > last.error;
+  if (left_.size() == 1 && is_foreseen && cannot_hold(left_.back())) left_.clear();
 }
 
 void Ladder::look_among_skipped(const std::vector<Start>& starts, const Need& need) {

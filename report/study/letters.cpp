@@ -89,7 +89,8 @@ std::optional<std::string> judged_at(const Exercise& exercise, const Parameters&
     std::string text = to_json(Results{{result}});
     for (const Quantity& q : found.quantities)
       for (const Method& m : q.methods) {
-        for (double x : run(q, m, m.knob.settings.front()).answer.value) text += ' ' + format_shortest(x);
+        for (double x : run(q, m, m.resolution.settings.front()).answer.value)
+          text += ' ' + format_shortest(x);
       }
     return text;
   } catch (const BadInput&) {
@@ -103,7 +104,7 @@ std::optional<std::vector<Value>> moved_at(const Exercise& exercise, const Param
   try {
     std::vector<Value> all;
     const Quantity q = motion(*exercise.scene, p, Reference::nothing());
-    for (const Method& m : q.methods) all.push_back(run(q, m, m.knob.settings.front()).answer.value);
+    for (const Method& m : q.methods) all.push_back(run(q, m, m.resolution.settings.front()).answer.value);
     return all;
   } catch (const BadInput&) {
     return {};
@@ -138,10 +139,10 @@ std::vector<std::string> unused_parameters(const Entry& entry, const Reference& 
 
 std::vector<std::string> other_units(const Entry& entry, const Findings& found) {
   std::vector<std::string> all;
-  for (const truth::Entry& maker : truth::registry()) {
-    const std::string name(maker.name);
+  for (const truth::Entry& generator : truth::registry()) {
+    const std::string name(generator.name);
     if (exercise_number(of_table(name)) != entry.number) continue;
-    const truth::Truth table = maker.make();
+    const truth::Truth table = generator.make();
     std::string units;
     for (const truth::Component& c : table.components) units += (units.empty() ? "" : ", ") + c.unit;
     for (const Quantity& q : found.quantities) {

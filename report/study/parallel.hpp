@@ -17,29 +17,29 @@ class Stage {
  public:
   Stage(const Progress& progress, std::string stage, std::size_t all)
       : progress_(progress), stage_(std::move(stage)), all_(all) {
-    if (all_ > 0) tell();
+    if (all_ > 0) report();
   }
   void add() {
     const std::lock_guard lock(mutex_);
     begun_.erase(std::this_thread::get_id());
     ++done_;
-    tell();
+    report();
   }
   /// Reports that work goes on, with nothing new finished.
   void beat() {
     const std::lock_guard lock(mutex_);
-    tell();
+    report();
   }
   /// Progress of this thread's piece; if it is made in several passes, the largest value counts.
   void come_to(double part) {
     const std::lock_guard lock(mutex_);
     double& come = begun_[std::this_thread::get_id()];
     come = std::max(come, part);
-    tell();
+    report();
   }
 
  private:
-  void tell() const {
+  void report() const {
     if (!progress_) return;
     double done = static_cast<double>(done_);
     for (const auto& [thread, part] : begun_) done += part;

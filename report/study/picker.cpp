@@ -23,10 +23,10 @@ std::size_t simplicity(std::string_view algorithm) {
   return found == all.end() ? 0 : 1 + static_cast<std::size_t>(found - all.begin());
 }
 
-bool is_simple(std::string_view knob, std::string_view algorithm) {
-  return (knob.empty() || knob == "step") && !is_multistep(algorithm);
+bool is_simple(std::string_view resolution, std::string_view algorithm) {
+  return (resolution.empty() || resolution == "step") && !is_multistep(algorithm);
 }
-bool is_simple(const Candidate& t) { return is_simple(t.knob, t.algorithm); }
+bool is_simple(const Candidate& t) { return is_simple(t.resolution, t.algorithm); }
 
 bool ties_with(const Candidate& t, const Candidate& fastest) {
   if (t.seconds_per_frame <= fastest.seconds_per_frame) return true;  // equal times, also 0 and infinity
@@ -59,7 +59,7 @@ bool Picker::meets_objective(const Candidate& t) const {
 bool Picker::may_meet_objective(const Ladder& ladder) const {
   const Method& m = ladder.method();
   return ladder.may_hold_with_margin() &&
-         (need_.objective == Objective::cheapest || is_simple(m.knob.name, m.algorithm));
+         (need_.objective == Objective::cheapest || is_simple(m.resolution.name, m.algorithm));
 }
 
 bool Picker::is_eligible(const Candidate& t, bool by_objective) const {

@@ -85,12 +85,12 @@ std::string price_key(const Task& task, const Need& need) {
   return key + "; " + machine_and_program();
 }
 
-KeptPrices::KeptPrices(const fs::path& folder, std::string key, bool anew, Price measure)
+KeptPrices::KeptPrices(const fs::path& folder, std::string key, bool fresh, Price measure)
     : file_(folder / (key.substr(0, key.find(' ')) + "_" + checksum(key) + ".txt")),
       key_(std::move(key)),
-      anew_(anew),
+      fresh_(fresh),
       measure_(std::move(measure)) {
-  if (!anew) prices_ = in_file();
+  if (!fresh) prices_ = in_file();
 }
 
 /// Reads a line with the key, and one for each price: model, algorithm, setting, seconds, spread. Returns
@@ -125,7 +125,7 @@ Time KeptPrices::operator()(const Method& method, double setting) {
 void KeptPrices::keep() {
   if (measured_.empty()) return;
   // Keeps prices that another run has added meanwhile.
-  std::map<Which, Time> all = anew_ ? std::map<Which, Time>() : in_file();
+  std::map<Which, Time> all = fresh_ ? std::map<Which, Time>() : in_file();
   all.insert(prices_.begin(), prices_.end());
   std::string text = key_ + "\n";
   for (const auto& [which, time] : all)

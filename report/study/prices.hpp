@@ -19,8 +19,9 @@ std::string price_key(const Task&, const Need&);
 /// ties, and the same question would get another answer.
 class KeptPrices {
  public:
-  /// Prices of the question `key`, in `folder`. Ignores those of earlier runs when `anew`.
-  KeptPrices(const std::filesystem::path& folder, std::string key, bool anew, Price measure = measured_price);
+  /// Prices of the question `key`, in `folder`. Ignores those of earlier runs when `fresh`.
+  KeptPrices(const std::filesystem::path& folder, std::string key, bool fresh,
+             Price measure = measured_price);
 
   /// The kept price; otherwise measures and remembers it. Not thread-safe.
   Time operator()(const Method&, double setting);
@@ -36,7 +37,7 @@ class KeptPrices {
 
   std::filesystem::path file_;
   std::string key_;
-  bool anew_;
+  bool fresh_;
   Price measure_;
   std::map<Which, Time> prices_;
   std::set<Which> measured_;  ///< in this run

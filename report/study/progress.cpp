@@ -25,16 +25,16 @@ std::string shown(double seconds) {
 
 void Pace::come_to(double done, double now) {
   constexpr double apart = 0.01;  // s, so that few are kept
-  if (!told_.empty() && done <= told_.back().done) return;
-  if (told_.size() > 1 && now - told_.end()[-2].time < apart)
-    told_.back() = {now, done};
+  if (!reports_.empty() && done <= reports_.back().done) return;
+  if (reports_.size() > 1 && now - reports_.end()[-2].time < apart)
+    reports_.back() = {now, done};
   else
-    told_.push_back({now, done});
+    reports_.push_back({now, done});
 }
 
 double Pace::done_at(double time) const {
-  const auto after = std::ranges::upper_bound(told_, time, {}, &Told::time);
-  return after == told_.begin() ? 0 : after[-1].done;
+  const auto after = std::ranges::upper_bound(reports_, time, {}, &Told::time);
+  return after == reports_.begin() ? 0 : after[-1].done;
 }
 
 std::string Pace::line(double all, double now) const {

@@ -25,7 +25,7 @@ class Pace {
     double time, done;
   };
   double done_at(double time) const;
-  std::vector<Told> told_;  ///< each larger than the one before
+  std::vector<Told> reports_;  ///< each larger than the one before
 };
 
 /// Progress on standard error: on a terminal one line that is overwritten, otherwise a line now and then.

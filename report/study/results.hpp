@@ -38,7 +38,7 @@ struct Time {
 };
 
 struct TimedTrial {
-  std::string model, algorithm, knob;
+  std::string model, algorithm, resolution;
   double setting = 0;
   Value value;
   double error = 0;           ///< the largest over all components and times
@@ -90,7 +90,7 @@ struct BreakdownResult {
 
 /// One model's motion, for drawing.
 struct Path {
-  std::string model, algorithm, knob;
+  std::string model, algorithm, resolution;
   double setting = 0;
   double error = 0;  ///< at the times where the reference is known
   Outcome outcome = Outcome::raised;
@@ -129,7 +129,7 @@ std::string instants(const QuantityResult&);
 
 /// A method at one setting, over several starts.
 struct Candidate {
-  std::string model, algorithm, knob;
+  std::string model, algorithm, resolution;
   double setting = 0;
   double error = 0;                     ///< the largest over the starts that it was chosen on, in needs
   std::vector<double> errors = {};      ///< largest in each of the motion's units

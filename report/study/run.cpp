@@ -34,17 +34,17 @@ struct Pending {
 };
 
 /// A breakdown whose text still needs the numbers of its trials.
-struct Untold {
+struct Unfilled {
   const Quantity* quantity;
   const Breakdown* breakdown;
   BreakdownResult* result;
   Trial broken = {}, cured = {};
 };
 
-/// The work to do; its `untold` entries do not move.
+/// The work to do; its `unfilled` entries do not move.
 struct Work {
   std::vector<Pending> pending;
-  std::deque<Untold> untold;
+  std::deque<Unfilled> unfilled;
 };
 
 Studied study(const Task& task, const Reference& truth) {
@@ -56,7 +56,7 @@ Studied study(const Task& task, const Reference& truth) {
       return;
     }
     Quantity motion = motion_at_frames(*exercise.scene, task.parameters, *task.frames, truth, task.kicks);
-    motion.says += ", " + task.frames_say;
+    motion.says += ", " + task.frames_text;
     if (task.kicks)
       motion.says += "; an error of " + format_significant(motion.reference_error, 2) +
                      " is at most that, as the truth is not known better";
@@ -111,16 +111,16 @@ QuantityResult shape(const Quantity& quantity, const Task& task, Work& work) {
   for (const Norm& norm : quantity.norms) result.norms.push_back(norm.components);
   for (const Method& method : quantity.methods)
     result.methods.push_back({method.model, method.algorithm, method.expected, method.why,
-                              std::vector<TimedTrial>(method.knob.settings.size()),
+                              std::vector<TimedTrial>(method.resolution.settings.size()),
                               asserts_outcome(task, quantity, method)});
   for (const Method& method : quantity.methods_in_float)
     result.in_float.push_back({method.model, method.algorithm, like_in_double(quantity, method),
-                               std::vector<TimedTrial>(method.knob.settings.size())});
+                               std::vector<TimedTrial>(method.resolution.settings.size())});
   for (const Breakdown& breakdown : quantity.breakdowns)
     result.breakdowns.push_back({{}, breakdown.outcome, {}, {}});
   const auto all_of = [&](const Method& method, std::vector<TimedTrial>& trials) {
     for (std::size_t s = 0; s < trials.size(); ++s)
-      work.pending.push_back({&quantity, &method, method.knob.settings[s], &trials[s]});
+      work.pending.push_back({&quantity, &method, method.resolution.settings[s], &trials[s]});
   };
   for (std::size_t m = 0; m < quantity.methods.size(); ++m)
     all_of(quantity.methods[m], result.methods[m].trials);
@@ -129,11 +129,11 @@ QuantityResult shape(const Quantity& quantity, const Task& task, Work& work) {
   for (std::size_t b = 0; b < quantity.breakdowns.size(); ++b) {
     const Breakdown& breakdown = quantity.breakdowns[b];
     BreakdownResult& place = result.breakdowns[b];
-    Untold& untold = work.untold.emplace_back(Untold{&quantity, &breakdown, &place});
+    Unfilled& unfilled = work.unfilled.emplace_back(Unfilled{&quantity, &breakdown, &place});
     work.pending.push_back({&quantity, &method_named(quantity, breakdown.method), breakdown.setting,
-                            &place.broken, &untold.broken});
+                            &place.broken, &unfilled.broken});
     work.pending.push_back({&quantity, &method_named(quantity, breakdown.cure), breakdown.cure_setting,
-                            &place.cured, &untold.cured});
+                            &place.cured, &unfilled.cured});
   }
   return result;
 }
@@ -204,7 +204,7 @@ TimedTrial as_result(const Trial& trial) {
   const Answer& answer = trial.answer;
   return {trial.model,
           trial.algorithm,
-          trial.knob,
+          trial.resolution,
           trial.setting,
           answer.value,
           trial.error,
@@ -251,7 +251,8 @@ Results run(std::span<const Task> tasks, const Reference& truth, bool timed, con
   });
   for (std::size_t i = 0; i < tasks.size(); ++i)
     if (tasks[i].kicks) std::ranges::for_each(results.exercises[i].quantities, bound_errors);
-  for (const Untold& u : work.untold) u.result->says = text_of(*u.breakdown, *u.quantity, u.broken, u.cured);
+  for (const Unfilled& u : work.unfilled)
+    u.result->says = text_of(*u.breakdown, *u.quantity, u.broken, u.cured);
   std::vector<std::size_t> places(tasks.size());
   std::iota(places.begin(), places.end(), 0);
   parallel_for_each(places, [&](std::size_t i) {

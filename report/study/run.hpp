@@ -22,7 +22,7 @@ struct Task {
   const Entry* entry;
   Parameters parameters;
   std::optional<Horizon> frames = {};       ///< only a scene's motion is studied, at these times
-  std::string frames_say = {};              ///< "at 60 frames per second, 1 % dropped"
+  std::string frames_text = {};             ///< "at 60 frames per second, 1 % dropped"
   std::shared_ptr<const Kicks> kicks = {};  ///< kicks of that motion; null: none
 
   explicit Task(const Entry& e) : entry(&e), parameters(e.exercise.parameters) {}

@@ -74,7 +74,7 @@ bool Search::holds_elsewhere(Candidate& chosen) {
   if (starts_.are_unseen_reported_only()) {
     chosen.unseen_error = chosen.error;
     for (const Start& start : unseen)
-      failing_beside_ +=
+      failing_nearby_ +=
           !evaluate(std::span(&start, 1), starts_.method(chosen), chosen.setting, need_).holds();
     return true;
   }

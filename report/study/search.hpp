@@ -40,7 +40,7 @@ class Search {
   std::vector<std::string> hardest_starts() const;
 
   int rounds() const { return rounds_; }
-  int failing_beside() const { return failing_beside_; }
+  int failing_nearby() const { return failing_nearby_; }
   double seconds() const { return seconds_; }            ///< spent on settings
   double test_seconds() const { return test_seconds_; }  ///< spent on tests
 
@@ -65,7 +65,7 @@ class Search {
   Picker picker_;
   std::vector<Ladder> ladders_;
   std::string refuted_on_;  ///< the start on which the last pick failed its test
-  int rounds_ = 0, failing_beside_ = 0;
+  int rounds_ = 0, failing_nearby_ = 0;
   double seconds_ = 0, test_seconds_ = 0;
 };
 

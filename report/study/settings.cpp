@@ -7,7 +7,7 @@
 
 #include "reference/bad_input.hpp"
 #include "reference/files.hpp"
-#include "report/study/beside_program.hpp"
+#include "report/study/sibling_program.hpp"
 
 namespace oddity {
 

@@ -243,8 +243,8 @@ std::optional<TimedTrial> cure_of(const Quantity& quantity, const Limit& limit) 
   if (same_model) return same_model;
   if (other_model) return other_model;
   for (const Method& method : quantity.methods)
-    if (method.knob.name == "tolerance")
-      for (double tolerance : method.knob.settings)
+    if (method.resolution.name == "tolerance")
+      for (double tolerance : method.resolution.settings)
         keep_cheaper(controlled, run(quantity, method, tolerance));
   return controlled;
 }
@@ -272,7 +272,7 @@ Parameters moved(Parameters parameters, const Scene& scene, int roundings) {
 }
 
 /// The motion from starts that differ by a few roundings, judged by the same reference.
-std::vector<Quantity> motions_beside(const Quantity& quantity, const Scene& scene,
+std::vector<Quantity> nearby_motions(const Quantity& quantity, const Scene& scene,
                                      const Parameters& parameters, double end) {
   std::vector<Quantity> all;
   for (int roundings : {-16, -4, -1, 1, 4, 16}) {
@@ -296,7 +296,7 @@ Motion motion_of(const Task& task, std::size_t place, const Reference& truth, st
   motion.quantity.need = {scene.game_tolerance, "a game's tolerance"};
   for (std::string_view unit : motion.quantity.units()) motion.quantity.needs.push_back(game_error(unit));
   if (value)
-    motion.beside = motions_beside(motion.quantity, scene, parameters, end);
+    motion.beside = nearby_motions(motion.quantity, scene, parameters, end);
   else
     motion.judge =
         std::make_shared<EveryStep>(motion.quantity, end, [&scene, parameters](const Horizon& horizon) {
@@ -335,7 +335,7 @@ struct Piece {
 };
 
 /// Whether the predicate is true of the outcome from any of the starts a few roundings off.
-bool any_beside(const Motion& motion, const Method& method, int k,
+bool any_nearby(const Motion& motion, const Method& method, int k,
                 const std::function<bool(Outcome)>& holds) {
   return std::ranges::any_of(motion.beside, [&](const Quantity& beside) {
     const Method* same = method_of(beside, method.model, method.algorithm);
@@ -346,7 +346,7 @@ bool any_beside(const Motion& motion, const Method& method, int k,
 /// Whether roundings decide the method's outcome at the map's k-th step. Never so well within the need.
 bool is_fragile(const Motion& motion, const Method& method, int k, const Trial& trial) {
   if (trial.outcome == Outcome::ok && trial.in_needs < 0.5) return false;
-  return any_beside(motion, method, k, [&](Outcome beside) { return beside != trial.outcome; });
+  return any_nearby(motion, method, k, [&](Outcome beside) { return beside != trial.outcome; });
 }
 
 /// Its outcomes; unless they are to be compared with records, also theory's limit and the fragile outcomes.
@@ -460,7 +460,7 @@ bool ends_so_within_roundings(const Task& task, const MapRow& row, std::size_t k
   const Motion motion = motion_of(task, 0, truth, row.value);
   const Method* method = method_of(motion.quantity, row.model, row.algorithm);
   return method &&
-         any_beside(motion, *method, static_cast<int>(k), [&](Outcome beside) { return beside == outcome; });
+         any_nearby(motion, *method, static_cast<int>(k), [&](Outcome beside) { return beside == outcome; });
 }
 
 namespace {

@@ -35,7 +35,7 @@ class Starts {
   void see_unseen();
   /// Newly drawn starts.
   std::vector<Start> more(int count) {
-    return conditions_.beside(count, [] {});
+    return conditions_.nearby(count, [] {});
   }
 
   /// The first frames of the requested start, without a reference.
@@ -48,7 +48,7 @@ class Starts {
   const Method& method(const Candidate&) const;
 
  private:
-  int seen_beside() const;
+  int seen_nearby() const;
   int unseen_count() const;
 
   const Need& need_;

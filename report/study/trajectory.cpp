@@ -67,7 +67,7 @@ std::optional<Trajectory> trajectory(const Scene& scene, const Parameters& param
       all.truest = all.paths.size();
     }
     all.paths.push_back(
-        {t->model, t->algorithm, t->knob, t->setting, t->error, t->outcome, to_be_drawn(answer.value)});
+        {t->model, t->algorithm, t->resolution, t->setting, t->error, t->outcome, to_be_drawn(answer.value)});
   }
   if (!truest) return {};
   return all;

@@ -17,7 +17,6 @@
 #include "report/pages/markdown.hpp"
 #include "report/pages/tables.hpp"
 #include "report/study/approve.hpp"
-#include "report/study/beside_program.hpp"
 #include "report/study/earlier_results.hpp"
 #include "report/study/errors.hpp"
 #include "report/study/kept_results.hpp"
@@ -27,6 +26,7 @@
 #include "report/study/progress.hpp"
 #include "report/study/run.hpp"
 #include "report/study/settings.hpp"
+#include "report/study/sibling_program.hpp"
 #include "report/study/stability.hpp"
 #include "report/text/readable.hpp"
 #include "report/text/screen.hpp"
@@ -141,8 +141,8 @@ void verify_in_float(const QuantityResult& q, const FloatResult& m, Complaints& 
   for (std::size_t i = 0; i < m.trials.size(); ++i)
     complaints.expect(as_accurate_as_roundings_allow(m.trials[i], in_double[i]),
                       "methods in float that err by more than double and roundings", [&] {
-                        return m.model + ", " + m.algorithm + ", " + shown_knob(m.trials[i]) + ": error " +
-                               shown_error(m.trials[i].error) + ", in double " +
+                        return m.model + ", " + m.algorithm + ", " + shown_resolution(m.trials[i]) +
+                               ": error " + shown_error(m.trials[i].error) + ", in double " +
                                shown_error(in_double[i].error) + ", roundings " +
                                shown_error(m.trials[i].roundings) + "; " + m.trials[i].message;
                       });

@@ -11,7 +11,7 @@ namespace {
 constexpr std::string_view odeint = "Boost.Odeint", gsl = "GSL", sundials = "SUNDIALS";
 constexpr std::string_view boost_1_74 = "1.74", gsl_2_7 = "2.7.1", sundials_6_4 = "6.4.1";
 constexpr std::string_view judged = "nothing: trials are judged by their true errors";
-constexpr std::string_view history_anew = "the history restarts whenever the step changes";
+constexpr std::string_view history_restart = "the history restarts whenever the step changes";
 constexpr Finding all_findings[] = {
     {odeint, boost_1_74, "controlled_runge_kutta, bulirsch_stoer", "odeint_nan",
      "take NaN for no error: x' = x^2 from 1 is integrated through its pole at t = 1 to t = 2, which returns "
@@ -41,7 +41,7 @@ constexpr Finding all_findings[] = {
     {odeint, boost_1_74, "adams_bashforth", "odeint_adams_bashforth_new_step",
      "goes on with its history when the step changes, as if the past steps had been as long: with the step "
      "halved on the way, four steps have order 2",
-     history_anew},
+     history_restart},
     {odeint, boost_1_74, "adams_bashforth_moulton", "odeint_adams_moulton_starter",
      "starts with Runge-Kutta 4, which leaves order 5 to six steps and to eight", "Fehlberg 7(8) starts"},
     {odeint, boost_1_74, "implicit_euler", "odeint_implicit_euler",

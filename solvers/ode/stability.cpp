@@ -307,7 +307,7 @@ std::vector<ExcessAt> excesses(std::string_view algorithm, const Spectrum& spect
 }
 
 /// Steps on both sides of the tongues' edges, and a few between them.
-std::vector<double> telling_steps(const std::vector<Tongue>& tongues, double shortest, double longest) {
+std::vector<double> decisive_steps(const std::vector<Tongue>& tongues, double shortest, double longest) {
   constexpr double beside = 1.01;
   constexpr int within = 4;
   std::vector<double> edges{shortest}, steps;
@@ -332,7 +332,7 @@ bool are_confirmed(const std::vector<Tongue>& tongues, std::string_view algorith
   double fastest = 0;
   for (const ExcessAt& one : all) fastest = std::max(fastest, one.size);
   if (all.empty()) return false;
-  for (const double step : telling_steps(tongues, finest / fastest, largest_scanned / fastest)) {
+  for (const double step : decisive_steps(tongues, finest / fastest, largest_scanned / fastest)) {
     check_stop();
     const bool is_known = std::ranges::any_of(
         tongues, [=](const Tongue& tongue) { return tongue.from < step && step < tongue.to; });

@@ -273,7 +273,7 @@ std::string untrue(const Compared& c, const Question& question, double seen_unti
   return {};
 }
 
-Real said_of(const Json& chosen, const Json& need, const std::string& unit) {
+Real stated_error(const Json& chosen, const Json& need, const std::string& unit) {
   // an error may be printed in the requested unit
   static const std::map<std::string, std::pair<std::string, Real>, std::less<>> shown_units{
       {"cm", {"m", 0.01L}},
@@ -326,8 +326,8 @@ class Beside {
     std::vector<Compared> all;
     if (q_.criterion == "path") {
       for (const auto& [unit, distance] : distances(*q_.scene, seen_, truth_))
-        all.push_back(
-            {"path", unit, distance, asked(unit), said_of(chosen, need, unit), 2 * uncertain_ + rounding()});
+        all.push_back({"path", unit, distance, asked(unit), stated_error(chosen, need, unit),
+                       2 * uncertain_ + rounding()});
     } else {
       const Real allowed = q_.criterion == "bounded"
                                ? 1

@@ -42,10 +42,10 @@ const styles = {
     'Runge-Kutta 4': 'explicit steps',
   },
 };
-const method = (model, algorithm, knob, trials, precision = 'double') => ({
+const method = (model, algorithm, resolution, trials, precision = 'double') => ({
   model,
   algorithm,
-  knob,
+  resolution,
   precision,
   trials,
 });
@@ -389,10 +389,10 @@ test('errors are distances in each unit, and not a number where a motion broke o
 });
 
 test('a simple method with a margin is preferred to the cheapest, and of near ties the most accurate', () => {
-  const row = (algorithm, knob, seconds, error) => ({
+  const row = (algorithm, resolution, seconds, error) => ({
     model: 'exact',
     algorithm,
-    knob,
+    resolution,
     seconds,
     error,
     holds: error <= 1,
@@ -416,9 +416,9 @@ test('a simple method with a margin is preferred to the cheapest, and of near ti
 // A pendulum's small angle as an engine, exact and by two steppers.
 const engine = {
   algorithms: [
-    { name: 'closed form', kind: 'closed form', order: 0, knob: '', inFloat: true },
-    { name: 'explicit Euler', kind: 'fixed', order: 1, knob: 'step', inFloat: true },
-    { name: 'velocity Verlet', kind: 'partitioned', order: 2, knob: 'step', inFloat: true },
+    { name: 'closed form', kind: 'closed form', order: 0, resolution: '', inFloat: true },
+    { name: 'explicit Euler', kind: 'fixed', order: 1, resolution: 'step', inFloat: true },
+    { name: 'velocity Verlet', kind: 'partitioned', order: 2, resolution: 'step', inFloat: true },
   ],
   scene: () => ({
     parameters: ['a'],

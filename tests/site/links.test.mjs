@@ -16,7 +16,7 @@ const parameter = { name: 'a', value: 0.5, least: 0.001, most: 3.14, unit: 'rad'
 const count = { name: 'n', value: 3, least: 1, most: 9, whole: true, unit: '' };
 const known = {
   parameters: [parameter, count],
-  methods: [{ model: 'one angle', algorithm: 'explicit Euler', precisions: ['double', 'float'], knob: 'step' }],
+  methods: [{ model: 'one angle', algorithm: 'explicit Euler', precisions: ['double', 'float'], resolution: 'step' }],
   horizon: 10, speeds: [0.25, 1], space: true, missing: 'is not there',
 };
 const scenes = [{ number: '3.5', parameters: [parameter, count], close: { rad: 0.017 } }];

@@ -11,18 +11,18 @@ const { oddity } = globalThis;
 
 const base64 = (numbers) => Buffer.from(new Float64Array(numbers).buffer).toString('base64');
 
-/** A scene whose right model is best known by this algorithm, set by this `knob`. */
-function motionsOf(algorithm, knob) {
-  const setting = knob === 'step' ? 0.05 : 1e-12;
+/** A scene whose right model is best known by this algorithm, set by this `resolution`. */
+function motionsOf(algorithm, resolution) {
+  const setting = resolution === 'step' ? 0.05 : 1e-12;
   const models = [{ name: 'right', algorithms: [algorithm] }, { name: 'published equations', algorithms: ['Runge-Kutta 4'] }];
   const engine = {
-    algorithms: [{ name: algorithm, knob }, { name: 'Runge-Kutta 4', knob: 'step' }],
+    algorithms: [{ name: algorithm, resolution }, { name: 'Runge-Kutta 4', resolution: 'step' }],
     scene: () => ({ models }),
   };
   const data = {
     number: '3.17',
     parameters: [],
-    quantities: [{ samples: 10, size: 1, methods: [{ model: 'right', algorithm, precision: 'double', knob, trials: [[setting, 1e-9, 1, 1, null, 'o']] }] }],
+    quantities: [{ samples: 10, size: 1, methods: [{ model: 'right', algorithm, precision: 'double', resolution, trials: [[setting, 1e-9, 1, 1, null, 'o']] }] }],
     scene: { quantity: 0, horizon: 1, observables: ['x'], paths: [], close: { m: 0.01 }, norms: [], time_unit: 's',
       truth: { values: base64([0, 1, 2]), frames: 2, end: 1 } },
   };

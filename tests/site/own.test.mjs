@@ -90,7 +90,7 @@ test('its motions are those of the program', async () => {
     const mine = await page.evaluate((asked) => {
       const { player } = document.querySelector('.own').oddity;
       return [...window.oddity.engine.run({ scene: 'own', parameters: player.parameters, precision: 'double', ...asked }).observed];
-    }, { model: trial.model, algorithm, setting: trial.knob, times: [0, ...times] });
+    }, { model: trial.model, algorithm, setting: trial.resolution, times: [0, ...times] });
     const theirs = trial.value;
     const size = Math.max(...theirs.map(Math.abs));
     const after = mine.slice(mine.length - theirs.length);

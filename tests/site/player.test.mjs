@@ -158,8 +158,8 @@ test('a motion is judged at all its times', () => {
 const known = {
   parameters: [{ name: 'a', least: 0.001, most: 3.14 }, { name: 'n', least: 1, most: 9, whole: true }],
   methods: [
-    { model: 'one angle', algorithm: 'explicit Euler', precisions: ['double', 'float'], knob: 'step' },
-    { model: '(r, u, phi) & 100 %', algorithm: 'closed form', precisions: ['double'], knob: '' },
+    { model: 'one angle', algorithm: 'explicit Euler', precisions: ['double', 'float'], resolution: 'step' },
+    { model: '(r, u, phi) & 100 %', algorithm: 'closed form', precisions: ['double'], resolution: '' },
   ],
   horizon: 10,
   speeds: [0.25, 1, 4],

@@ -103,7 +103,7 @@ for (const scene of ['3.5', '3.7', '3.9', '3.11', '3.15', '3.19', '3.27', '3.29'
     const models = await page.evaluate((number) => window.oddity.engine.scene(number).models.map((model) => model.name), scene);
     const trial = solved(scene).trials.filter((one) => models.includes(one.model) && one.algorithm === 'Runge-Kutta 4'
       && one.precision === 'double' && one.outcome === 'ok').at(-1);
-    const row = [trial.model, trial.algorithm, 'double', trial.knob].map(encodeURIComponent).join('/');
+    const row = [trial.model, trial.algorithm, 'double', trial.resolution].map(encodeURIComponent).join('/');
     await page.evaluate((hash) => { window.location.hash = hash; }, `#play&row=${row}`);
     await page.waitForFunction(() => document.querySelector('.player-says').textContent === 'The player is set as in the link.');
     const before = await page.$eval('.player-rows [data-end]', (place) => place.dataset.end);
@@ -117,7 +117,7 @@ for (const scene of ['3.5', '3.7', '3.9', '3.11', '3.15', '3.19', '3.27', '3.29'
     const norms = await page.evaluate(() => window.oddity.data.scene.norms);
 
     const there = solved(scene, ...changed);
-    const same = there.trials.find((one) => ['model', 'algorithm', 'precision', 'knob'].every((name) => one[name] === trial[name]));
+    const same = there.trials.find((one) => ['model', 'algorithm', 'precision', 'resolution'].every((name) => one[name] === trial[name]));
     const count = shown.observed.length;
     const value = same.value.slice(-count);
     const size = Math.max(...same.value.map(Math.abs));
@@ -135,7 +135,7 @@ for (const scene of ['3.5', '3.7', '3.9', '3.11', '3.15', '3.19', '3.27', '3.29'
 
 test('2.7: an error is judged as in the table, by its largest component', async () => {
   const trial = solved('2.7').trials.find((one) => one.algorithm === 'explicit Euler' && one.final_error > 1e-4);
-  const row = [trial.model, trial.algorithm, 'double', trial.knob].map(encodeURIComponent).join('/');
+  const row = [trial.model, trial.algorithm, 'double', trial.resolution].map(encodeURIComponent).join('/');
   const { page, faults } = await open(browser, `2.7.html#play&row=${row}`, { reduced: true });
   const { errors } = JSON.parse(await page.$eval('.player-rows [data-end]', (place) => place.dataset.end));
   assert.ok(Math.abs(errors[0] - trial.final_error) < 1e-6, `${errors[0]} is not ${trial.final_error}`);

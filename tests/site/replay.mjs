@@ -35,7 +35,7 @@ function asked(engine, number, quantity, trial) {
   const scene = engine.scene(number);
   if (!scene.models.some(m => m.name === trial.model && m.algorithms.includes(algorithm))) return null;
   return {
-    scene: number, model: trial.model, algorithm, precision: single ? 'float' : 'double', setting: trial.knob,
+    scene: number, model: trial.model, algorithm, precision: single ? 'float' : 'double', setting: trial.resolution,
     times: Float64Array.from([0, ...quantity.trajectory.judged_at])
   };
 }
@@ -141,7 +141,7 @@ function replayScene(engines, exercise, quantity) {
     ++count[j.verdict];
     if (j.arithmetic) ++count.arithmetic;
     if (j.verdict === 'wrong' || (j.verdict === 'apart' && method.precision === 'double'))
-      said.push(`  ${j.verdict}: ${trial.model}, ${trial.algorithm}, ${trial.knob}: off by ` +
+      said.push(`  ${j.verdict}: ${trial.model}, ${trial.algorithm}, ${trial.resolution}: off by ` +
         `${j.difference.toExponential(1)} (drift ${j.drift.toExponential(1)}), nudged by ` +
         `${(j.far / times).toExponential(1)} (drift ${(j.farDrift / times).toExponential(1)}); ` +
         `${j.here.ending} after ${j.here.evaluations} evaluations, the program ${j.there.ending} after ` +
@@ -163,7 +163,7 @@ function timed(engine, number) {
   for (const model of engine.scene(number).models)
     for (const name of model.algorithms) {
       const algorithm = engine.algorithms.find(a => a.name === name);
-      if (algorithm.knob === 'tolerance' || algorithm.kind === 'implicit fixed') continue;
+      if (algorithm.resolution === 'tolerance' || algorithm.kind === 'implicit fixed') continue;
       engine.run({
         scene: number, model: model.name, algorithm: name, precision: 'double', setting: 1 / 60, times: frames,
         parameters: {}

@@ -96,12 +96,12 @@ Quantity one_sided_limits(double h) {
   const auto pieces = both([](int side, double s) { return all_of(local(side, side * s)); });
   const auto one_sided = both([](int side, double s) { return from_positions(side, s, false); });
   const auto central = both([](int side, double s) { return from_positions(side, s, true); });
-  const Knob halvings{"halvings", {2, 4, 6, 8, 10}};
+  const Resolution halvings{"halvings", {2, 4, 6, 8, 10}};
   const std::string derivatives = "derivatives of each piece";
   const auto richardson = [=](auto f) {
     return [=](double n) { return limit_at_zero(f, h, static_cast<int>(n)); };
   };
-  const Knob distances{"distance", {h, h * 0x1p-5, h * 0x1p-10, h * 0x1p-15, h * 0x1p-20}};
+  const Resolution distances{"distance", {h, h * 0x1p-5, h * 0x1p-10, h * 0x1p-15, h * 0x1p-20}};
   limits.add({derivatives, "value at a distance", distances,
               [=](double s) {
                 return Answer{pieces(s), 1};

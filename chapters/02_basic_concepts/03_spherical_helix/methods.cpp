@@ -49,17 +49,18 @@ Quantity motion(double t, const Reference& truth) {
       quantity("motion", "1", R"(velocity and acceleration along $\mathbf P$, $\mathbf Q$, $\mathbf R$)",
                known, {1e-10, "ten decimals"});
   const std::string too_small = "halving on, rounding takes over: it grows as $1/h^2$";
-  const Knob steps = halving("h", 0x1p-4, 12);
-  q.add({"components as printed", "closed form", no_knob(), [=](double) { return by_the_text(t, false); },
-         Outcome::inaccurate,
+  const Resolution steps = halving("h", 0x1p-4, 12);
+  q.add({"components as printed", "closed form", no_resolution(),
+         [=](double) { return by_the_text(t, false); }, Outcome::inaccurate,
          R"(along $\mathbf Q$ the velocity has the wrong sign, and the acceleration lacks a square)"});
-  q.add({"components, corrected", "closed form", no_knob(), [=](double) { return by_the_text(t, true); }});
-  q.add({"spherical angles", "dual numbers", no_knob(), [=](double) {
+  q.add({"components, corrected", "closed form", no_resolution(),
+         [=](double) { return by_the_text(t, true); }});
+  q.add({"spherical angles", "dual numbers", no_resolution(), [=](double) {
            const Vector3 phi = At(t).phi;
            const double s = std::sin(phi[0]), c = std::cos(phi[0]), w = phi[1];
            return Answer{{s, -w, 0, 2 * w * c, s * c - phi[2], -w * w - s * s}, 1};
          }});
-  q.add({"Cartesian", "dual numbers", no_knob(), [=](double) {
+  q.add({"Cartesian", "dual numbers", no_resolution(), [=](double) {
            const auto m = space::motion_of(helix, t);
            return Answer{joined(in_frame(m.r, m.v), in_frame(m.r, m.a)), 1};
          }});
@@ -85,22 +86,22 @@ Quantity colatitude(const std::string& name, double t, const Reference& truth) {
   Quantity q = quantity(name, "rad", R"(the angle $\phi$ from the pole, $t$ = )" + format_shortest(t), known,
                         {1e-12 * known.value[0], "twelve digits"});
   const bool north = t > 1e4, south = t < -1e4;
-  q.add({"t/sqrt(1 + t^2)", "acos", no_knob(),
+  q.add({"t/sqrt(1 + t^2)", "acos", no_resolution(),
          [=](double) {
            return Answer{std::acos(t / sqrt(1 + t * t)), 1};
          },
          north || south ? Outcome::inaccurate : Outcome::ok, "the cosine rounds to 1 near a pole"});
-  q.add({"1/sqrt(1 + t^2)", "asin", no_knob(),
+  q.add({"1/sqrt(1 + t^2)", "asin", no_resolution(),
          [=](double) {
            return Answer{std::asin(1 / sqrt(1 + t * t)), 1};
          },
          t < 0 ? Outcome::inaccurate : Outcome::ok, "the sine is the same north and south"});
-  q.add({"latitude", "pi/2 - atan", no_knob(),
+  q.add({"latitude", "pi/2 - atan", no_resolution(),
          [=](double) {
            return Answer{pi / 2 - std::atan(t), 1};
          },
          north ? Outcome::inaccurate : Outcome::ok, "two right angles cancel"});
-  q.add({"(1, t)", "atan2", no_knob(), [=](double) { return Answer{std::atan2(1, t), 1}; }});
+  q.add({"(1, t)", "atan2", no_resolution(), [=](double) { return Answer{std::atan2(1, t), 1}; }});
   if (north || south)
     q.add(
         Breakdown{R"(At $|t|=@1$ the cosine $t/\sqrt{1+t^2}$ rounds to $\pm1$, and the arc cosine puts the )"
@@ -122,11 +123,11 @@ Quantity limits_at_infinity() {
              {"closed form: the poles", {0, 1, 0, -1}},
              0,
              {1e-10, "ten decimals"}};
-  const Knob times{"t", {1e2, 1e4, 1e8, 1e12, 1e200}};
+  const Resolution times{"t", {1e2, 1e4, 1e8, 1e12, 1e200}};
   q.add({"sqrt(1 + t^2)", "value at t", times, [](double t) { return ends(1 / t, false); },
          Outcome::inaccurate, "$t^2$ overflows and the height becomes 0"});
   q.add({"hypot(1, t)", "value at t", times, [](double t) { return ends(1 / t, true); }});
-  q.add({"sqrt(1 + t^2)", "Richardson in 1/t", Knob{"halvings", {2, 4, 6, 8, 10}}, [](double n) {
+  q.add({"sqrt(1 + t^2)", "Richardson in 1/t", Resolution{"halvings", {2, 4, 6, 8, 10}}, [](double n) {
            return limit_at_zero([](double s) { return ends(s, false).value; }, 0.5, static_cast<int>(n));
          }});
   q.add(Breakdown{

@@ -40,7 +40,7 @@ Quantity angular_velocity(const Parameters& p, const Reference& truth) {
                         {1e-10, "ten decimals"});
   using D1 = Dual<double>;
   constexpr double coarse = 0x1p-1;
-  const Knob steps{"h", {coarse, 0x1p-4, 0x1p-7, 0x1p-10, 0x1p-13, 0x1p-16, 0x1p-19, 0x1p-22, 0x1p-25}};
+  const Resolution steps{"h", {coarse, 0x1p-4, 0x1p-7, 0x1p-10, 0x1p-13, 0x1p-16, 0x1p-19, 0x1p-22, 0x1p-25}};
   // w from R near t, counting its evaluations.
   const auto from_rotations = [=](const auto& estimate) {
     return [=](double h) {
@@ -53,17 +53,17 @@ Quantity angular_velocity(const Parameters& p, const Reference& truth) {
   const auto central = [=](const auto& at, double h) { return 0.5 / h * (at(t + h) - at(t - h)); };
   const char* too_small = "rounding grows as $1/h$ when the step $h$ is halved on";
   w.add(
-      {"theta' D + sin(theta) D' + (1 - cos(theta)) D x D'", "closed form", no_knob(), [=](double) {
+      {"theta' D + sin(theta) D' + (1 - cos(theta)) D x D'", "closed form", no_resolution(), [=](double) {
          const Vector<D1> D = motion.axis(D1(t, 1));
          const Vector3 d = value_of(D), d_dot = slope_of(D);
          const double theta = motion.nu * t;
          return Answer{motion.nu * d + std::sin(theta) * d_dot + (1 - std::cos(theta)) * cross(d, d_dot), 1};
        }});
-  w.add({"Unskew(R' R^T)", "dual numbers", no_knob(), [=](double) {
+  w.add({"Unskew(R' R^T)", "dual numbers", no_resolution(), [=](double) {
            const Matrix<D1> R = motion.rotation(D1(t, 1));
            return Answer{unskew(slope_of(R) * transpose(value_of(R))), 1};
          }});
-  w.add({"2 q' q*", "dual numbers", no_knob(), [=](double) {
+  w.add({"2 q' q*", "dual numbers", no_resolution(), [=](double) {
            return Answer{turning(quaternion(motion.axis(D1(t, 1)), motion.angle(D1(t, 1)))), 1};
          }});
   w.add({"Unskew(R' R^T)", "differences of order 2", steps,

@@ -97,20 +97,20 @@ Quantity angular_velocity_at(double t, const Reference& truth) {
   const auto motion = [=] { return motion_of(position, t); };
   const Vector3 listed = listed_w(motion(), listed_u_dot(motion(), false));
   const bool wrong = distance(listed, w.reference.value) > w.need.allowed;
-  const Knob steps{"h", {0x1p-4, 0x1p-7, 0x1p-10, 0x1p-13, 0x1p-16, 0x1p-19, 0x1p-22, 0x1p-25}};
-  w.add({"listing as printed", "closed form", no_knob(),
+  const Resolution steps{"h", {0x1p-4, 0x1p-7, 0x1p-10, 0x1p-13, 0x1p-16, 0x1p-19, 0x1p-22, 0x1p-25}};
+  w.add({"listing as printed", "closed form", no_resolution(),
          [=](double) {
            return Answer{listed_w(motion(), listed_u_dot(motion(), false)), 1};
          },
          wrong ? Outcome::inaccurate : Outcome::ok,
          R"(`UDot` is not perpendicular to $\mathbf u$, and $\dot RR^T$ not skew)"});
-  w.add({"listing with A.Dot(U)", "closed form", no_knob(), [=](double) {
+  w.add({"listing with A.Dot(U)", "closed form", no_resolution(), [=](double) {
            return Answer{listed_w(motion(), listed_u_dot(motion(), true)), 1};
          }});
-  w.add({"along r and r x u", "closed form", no_knob(), [=](double) {
+  w.add({"along r and r x u", "closed form", no_resolution(), [=](double) {
            return Answer{angular_velocity(motion()), 1};
          }});
-  w.add({"Unskew(R' R^T)", "dual numbers", no_knob(), [=](double) {
+  w.add({"Unskew(R' R^T)", "dual numbers", no_resolution(), [=](double) {
            const Matrix<Dual<double>> R = frame(Dual<double>(t, 1));
            return Answer{unskew(slope_of(R) * transpose(value_of(R))), 1};
          }});
@@ -133,7 +133,7 @@ Quantity angular_velocity_at(double t, const Reference& truth) {
 
 Quantity orientation(const Parameters& p, const Horizon& horizon, const Reference& truth) {
   const double pace = p["pace"];
-  const Knob steps = halving("step", 0.125, 8);
+  const Resolution steps = halving("step", 0.125, 8);
   constexpr double need = 1e-8;
   Quantity q = quantity("orientation", "1", "$R$ at four times, carried on from $t=0$",
                         true_orientation(pace, horizon, truth),

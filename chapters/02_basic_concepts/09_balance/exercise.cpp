@@ -50,14 +50,14 @@ Quantity half_disc(double k, double phi, double seed, const Reference& truth) {
     return a;
   };
   const auto add = [&](const std::string& model, auto integral, const std::string& algorithm,
-                       const Knob& knob, Rule (*rule)(double), const std::string& why = "") {
-    q.add({model, algorithm, knob,
+                       const Resolution& resolution, Rule (*rule)(double), const std::string& why = "") {
+    q.add({model, algorithm, resolution,
            [=](double setting) {
              return seen(all_of(3, [&](std::size_t which) { return integral(rule(setting), k, which); }));
            },
            why.empty() ? Outcome::ok : Outcome::inaccurate, why});
   };
-  const Knob points = doubling("points", 4, 4), panels = doubling("panels", 8, 5);
+  const Resolution points = doubling("points", 4, 4), panels = doubling("panels", 8, 5);
   const std::string vertical = "the columns' height has a vertical tangent at both ends";
   add("columns", by_columns, "QAGS", tolerances(), qags_rule);
   add("columns", by_columns, "Gauss-Legendre", points, gauss_rule, vertical);
@@ -127,7 +127,7 @@ Quantity far_balance() {
       return all;
     };
     const long work = operations_of([&] { return moments(Counted<double>(mass)); }).all_but_additions();
-    q.add({model, algorithm, no_knob(),
+    q.add({model, algorithm, no_resolution(),
            [=](double) {
              return Answer{moments(mass), work};
            },

@@ -34,16 +34,17 @@ Quantity inertia(std::string name, std::string says, const Lamina& l, double see
   Quantity q = quantity(std::move(name), "", std::move(says), truth("02_13_lamina", {l.left, l.z, l.rho}),
                         {1e-10 * l.rho, "ten decimals for a unit density"});
   const auto component = [l](std::size_t k) { return [l, k](double x, double y) { return l.at(x, y)[k]; }; };
-  const Knob panels = doubling("panels", 2, 7);
+  const Resolution panels = doubling("panels", 2, 7);
   const auto add = [&](const std::string& model, const auto& integrate, const std::string& algorithm,
                        Rule (*rule)(double), const std::string& too_slow = "") {
-    const Knob knob = algorithm == "Simpson"          ? panels
-                      : algorithm == "Gauss-Legendre" ? doubling("points", 1, 5)
-                                                      : tolerances();
+    const Resolution resolution = algorithm == "Simpson"          ? panels
+                                  : algorithm == "Gauss-Legendre" ? doubling("points", 1, 5)
+                                                                  : tolerances();
     const auto run = [=](double setting) {
       return all_of(6, [&](std::size_t k) { return integrate(rule(setting), k); });
     };
-    q.add({model, algorithm, knob, run, too_slow.empty() ? Outcome::ok : Outcome::inaccurate, too_slow});
+    q.add(
+        {model, algorithm, resolution, run, too_slow.empty() ? Outcome::ok : Outcome::inaccurate, too_slow});
   };
   const auto by_columns = [=](const Rule& rule, std::size_t k) {
     return columns(rule, component(k), l.left);

@@ -87,7 +87,7 @@ Quantity about_origin(const Parameters& p, const Reference& truth) {
   Quantity q = quantity("about_origin", "kg m^2", "six components of the tetrahedron about the origin", known,
                         {1e-12 * (t.mass() + size_of(known.value)), "twelve digits of the largest"});
   const std::string transferred = "about the center, transferred", solid = "about the origin";
-  q.add({transferred, "closed form", no_knob(), [t](double) {
+  q.add({transferred, "closed form", no_resolution(), [t](double) {
            const auto [a, b, c] = t.legs;
            const double m = t.mass() / 80;
            const Six central{3 * m * (b * b + c * c),
@@ -98,21 +98,21 @@ Quantity about_origin(const Parameters& p, const Reference& truth) {
                              -m * b * c};
            return Answer{central + inertia_of(t.mass(), t.center()), 1};
          }});
-  q.add({transferred, "five particles", no_knob(), [t](double) {
+  q.add({transferred, "five particles", no_resolution(), [t](double) {
            const System all = t.particles();
            return Answer{inertia_about(all, t.center()) + inertia_of(t.mass(), t.center()),
                          static_cast<long>(all.size())};
          }});
-  q.add({solid, "five particles", no_knob(), [t](double) {
+  q.add({solid, "five particles", no_resolution(), [t](double) {
            const System all = t.particles();
            return Answer{inertia_about(all, {}), static_cast<long>(all.size())};
          }});
-  const auto add = [&](const std::string& name, const Knob& knob, Rule (*rule)(double)) {
-    q.add({solid, name, knob, [=](double setting) { return t.integrated(rule(setting)); }});
+  const auto add = [&](const std::string& name, const Resolution& resolution, Rule (*rule)(double)) {
+    q.add({solid, name, resolution, [=](double setting) { return t.integrated(rule(setting)); }});
   };
   add("QAGS", tolerances(4, 12, 4), qags_rule);
   add("Gauss-Legendre", doubling("points", 1, 4), gauss_rule);
-  const Knob panels = doubling("panels", 2, 5);
+  const Resolution panels = doubling("panels", 2, 5);
   q.add({solid, "Simpson", panels, [=](double n) { return t.integrated(simpson_rule(n)); },
          Outcome::inaccurate,
          filled("its error shrinks as $h^4$: too slow for twelve digits at @2 panels",
@@ -147,7 +147,7 @@ Quantity about_center(const Parameters& p, const Reference& truth) {
                                       size_of(known.value));
   const auto by_particles = [&](const std::string& algorithm, Six (*about_origin)(const System&),
                                 const std::string& why) {
-    q.add(expecting(by_sums, why, {back, algorithm, no_knob(), [=](double) {
+    q.add(expecting(by_sums, why, {back, algorithm, no_resolution(), [=](double) {
                                      const System all = t.particles();
                                      const Six center = inertia_of(mass_of(all), center_of(all));
                                      return Answer{about_origin(all) - center, static_cast<long>(all.size())};
@@ -165,18 +165,18 @@ Quantity about_center(const Parameters& p, const Reference& truth) {
                      return answer;
                    }}));
   q.add(
-      {"center first", "five particles", no_knob(), [t](double) {
+      {"center first", "five particles", no_resolution(), [t](double) {
          const System all = t.particles();
          return Answer{inertia_about(all, center_of(all)), 2 * static_cast<long>(all.size())};  // two passes
        }});
-  q.add({"about a particle, transferred back", "five particles", no_knob(), [t](double) {
+  q.add({"about a particle, transferred back", "five particles", no_resolution(), [t](double) {
            System all = t.particles();
            const Vector first = all[0].r;
            for (Particle& each : all) each.r = each.r - first;
            return Answer{inertia_about(all, {}) - inertia_of(mass_of(all), center_of(all)),
                          static_cast<long>(all.size())};
          }});
-  q.add({"running center", "five particles", no_knob(), [t](double) {
+  q.add({"running center", "five particles", no_resolution(), [t](double) {
            const System all = t.particles();
            return Answer{running(all), static_cast<long>(all.size())};
          }});

@@ -21,7 +21,7 @@ struct SampleOf : MotionOf<G> {
         {"r", this->r},   {R"(\omega)", this->w},       {"T", this->T}, {"t", this->T}, {R"(\dot t)", 1.0},
         {"x", this->x()}, {"k", static_cast<double>(k)}};
   }
-  std::string where() const { return told(typeset(), 3); }
+  std::string where() const { return listed(typeset(), 3); }
 };
 
 namespace {

@@ -42,9 +42,9 @@ Quantity work_quantity(std::string name, std::string says, const Motion& m, cons
                        const AtTwelveDigits& strict = {}) {
   Quantity q = quantity(std::move(name), "J", std::move(says), truth("02_17_work", {m.r, m.w, m.T}),
                         {1e-10 * m.r * (1 + m.T), "ten digits of the most that the forces could do"});
-  const auto add = [&](const std::string& algorithm, const Knob& knob, Rule (*rule)(double),
+  const auto add = [&](const std::string& algorithm, const Resolution& resolution, Rule (*rule)(double),
                        Outcome expected = Outcome::ok, const std::string& why = "") {
-    q.add({"power", algorithm, knob,
+    q.add({"power", algorithm, resolution,
            [=](double setting) {
              return both_works([&](Force force) {
                return rule(setting)([&](double t) { return power(force, m, t); }, 0, m.T);
@@ -57,18 +57,18 @@ Quantity work_quantity(std::string name, std::string says, const Motion& m, cons
       return both_works([&](Force force) { return Integral{closed_form(force, m, factor), 1}; });
     };
   };
-  const Knob panels{"panels", {64, 256, 1024, 4096, 16384}};
+  const Resolution panels{"panels", {64, 256, 1024, 4096, 16384}};
   const std::string low = "second order is too low for ten digits at this step";
-  q.add({"closed form", "factor r / omega", no_knob(), closed(m.r / m.w)});
+  q.add({"closed form", "factor r / omega", no_resolution(), closed(m.r / m.w)});
   if (m.w != 1)
-    q.add({"closed form", "factor r omega, as printed", no_knob(), closed(m.r * m.w), Outcome::inaccurate,
-           R"(it is $r/\omega$; the two agree at $\omega=1$)"});
+    q.add({"closed form", "factor r omega, as printed", no_resolution(), closed(m.r * m.w),
+           Outcome::inaccurate, R"(it is $r/\omega$; the two agree at $\omega=1$)"});
   add("QAGS", tolerances(), qags_rule, strict.qags, strict.why);
   add("CQUAD", tolerances(), cquad_rule, strict.cquad, strict.why);
   add("Gauss-Legendre", doubling("points", 4, 7), gauss_rule);
   add("Simpson", panels, simpson_rule);
   add("trapezoid", panels, trapezoid_rule, Outcome::inaccurate, low);
-  q.add({"force times chord", "midpoint", Knob{"chords", panels.settings},
+  q.add({"force times chord", "midpoint", Resolution{"chords", panels.settings},
          [m](double n) { return both_works([&](Force f) { return by_chords(f, m, static_cast<int>(n)); }); },
          Outcome::inaccurate, low});
   return q;
@@ -130,12 +130,12 @@ Quantity early_work(const Reference& truth) {
   Quantity q =
       quantity("early_work", "J", R"(work of $(t,t,1)$ until $T=10^{-5}$ s, $r=1$ m, $\omega=1$ rad/s)",
                known, {1e-10 * known.value[0], "ten digits"});
-  q.add({"closed form", "factor r / omega", no_knob(),
+  q.add({"closed form", "factor r / omega", no_resolution(),
          [m](double) {
            return Answer{closed_form(Force::growing, m, m.r / m.w), 1};
          },
          Outcome::inaccurate, R"($(\omega T)^2/2$ is what is left of terms of size 1)"});
-  q.add({"closed form", "x cos x - sin x by its series", no_knob(), [m](double) {
+  q.add({"closed form", "x cos x - sin x by its series", no_resolution(), [m](double) {
            const double x = m.x(), half = sin(x / 2);  // the second term is 1e-16 of the whole
            return Answer{m.r / m.w * (x * sin(x) - 2 * half * half - x * x * x / 3), 1};
          }});
@@ -169,8 +169,10 @@ Quantity maximum(const Motion& m, double turn, const Reference& truth) {
     a.error_estimate *= 1 + m.r * m.w;
     return a;
   };
-  q.add({"closed form", "omega T = pi/4 + 2 pi n", no_knob(), [=](double) { return with_works({T, 1}); }});
-  q.add({"closed form", "as printed, W = r omega x sqrt 2", no_knob(),
+  q.add({"closed form", "omega T = pi/4 + 2 pi n", no_resolution(), [=](double) {
+           return with_works({T, 1});
+         }});
+  q.add({"closed form", "as printed, W = r omega x sqrt 2", no_resolution(),
          [=](double) {
            Answer a = with_works({T, 1});
            a.value[2] = m.r * m.w * (m.w * T) * sqrt(2.0);

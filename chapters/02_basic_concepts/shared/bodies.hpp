@@ -154,7 +154,7 @@ Answer over_unit_box(Points kind, long n, double seed, const F& f) {
 template <std::size_t dimension, class F>
 void add_box_methods(Quantity& quantity, const std::vector<double>& samples, double seed, const F& f) {
   const auto add = [&](Points kind, const std::string& name, const std::string& why) {
-    quantity.add({"points in a box", name, Knob{"samples", samples},
+    quantity.add({"points in a box", name, Resolution{"samples", samples},
                   [=](double n) { return over_unit_box<dimension>(kind, static_cast<long>(n), seed, f); },
                   Outcome::inaccurate, why});
   };

@@ -74,25 +74,25 @@ inline Map mirrored(const Map& map) {
 
 struct Way {
   std::string name;
-  Knob knob;
+  Resolution resolution;
   std::function<Map(int setting)> map;
   bool rotates = true, by_theta = true;  ///< at the finest setting: a rotation, by the right angle
   std::string why = {};                  ///< unless both are true
 };
 
 inline std::vector<Way> ways(const Vector& w, double theta) {
-  const Knob steps = doubling("steps", 4, 9), terms = doubling("terms", 4, 5);
-  return {{"Rodrigues' formula", no_knob(), [=](int) { return rodrigues(w, theta); }},
-          {"quaternion", no_knob(), [=](int) { return quaternion(w, theta); }},
+  const Resolution steps = doubling("steps", 4, 9), terms = doubling("terms", 4, 5);
+  return {{"Rodrigues' formula", no_resolution(), [=](int) { return rodrigues(w, theta); }},
+          {"quaternion", no_resolution(), [=](int) { return quaternion(w, theta); }},
           {"exponential series", terms, [=](int n) { return series(w, theta, n); }},
           {"Cayley steps", steps, [=](int n) { return cayley_steps(w, theta, n); }, true, false,
            R"(a step turns by $2\arctan(h/2)$, not by $h$)"},
           {"Euler steps", steps, [=](int n) { return euler_steps(w, theta, n); }, false, false,
            R"(a step makes $\mathbf r$ longer, and turns by $\arctan h$)"},
-          {"single precision", no_knob(), [=](int) { return single_precision(rodrigues(w, theta)); }, false,
-           false, filled("the result is rounded to @1 digits", {std::floor(-std::log10(0x1p-24))})},
-          {"rotation and mirror", no_knob(), [=](int) { return mirrored(rodrigues(w, theta)); }, false, false,
-           "a mirror turns a product of two vectors another way than a vector"}};
+          {"single precision", no_resolution(), [=](int) { return single_precision(rodrigues(w, theta)); },
+           false, false, filled("the result is rounded to @1 digits", {std::floor(-std::log10(0x1p-24))})},
+          {"rotation and mirror", no_resolution(), [=](int) { return mirrored(rodrigues(w, theta)); }, false,
+           false, "a mirror turns a product of two vectors another way than a vector"}};
 }
 
 const Vector axis{1.0 / 3, 2.0 / 3, 2.0 / 3};
@@ -130,7 +130,7 @@ inline Quantity rotated_normal(double theta, double gap, const Reference& truth)
   for (const Way& way : ways(axis, theta)) {
     const bool mirror = way.name == "rotation and mirror";
     const auto add = [&](const std::string& name, bool right, const auto& normal) {
-      q.add({way.name, name, way.knob,
+      q.add({way.name, name, way.resolution,
              [=](double n) {
                return mapped([&](const Map& R) { return unit(normal(R)); }, way.map(static_cast<int>(n)), n);
              },
@@ -157,7 +157,7 @@ inline Quantity identity_gap(double theta) {
              {},
              {}};
   for (const Way& way : ways(axis, theta))
-    q.add({way.name, "both ways", way.knob,
+    q.add({way.name, "both ways", way.resolution,
            [=](double n) {
              const auto gap = [t](const Map& R) { return cross(R(t.a), R(t.b())) - R(cross(t.a, t.b())); };
              return mapped(gap, way.map(static_cast<int>(n)), n);
@@ -178,7 +178,7 @@ inline Quantity sliver_normal(const Reference& truth) {
   const Triangle t(gap);
   const auto add = [&](const std::string& model, const std::string& algorithm, const auto& normal,
                        const std::string& why = "") {
-    q.add({model, algorithm, no_knob(),
+    q.add({model, algorithm, no_resolution(),
            [=, f = rodrigues(axis, theta)](double) {
              return mapped([&](const Map& R) { return unit(normal(R)); }, f);
            },

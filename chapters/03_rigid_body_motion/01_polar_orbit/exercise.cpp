@@ -57,7 +57,7 @@ Quantity radius(const std::string& name, std::string says, const Conic& k, const
                         {1e-12 * k.p, "twelve digits of the semi-latus rectum"});
   const auto add = [&](std::string equation, std::string algorithm, auto value,
                        Outcome expected = Outcome::ok) {
-    r.add({std::move(equation), std::move(algorithm), no_knob(),
+    r.add({std::move(equation), std::move(algorithm), no_resolution(),
            [=](double) {
              return Answer{value(k), 1};
            },
@@ -86,7 +86,7 @@ std::vector<Quantity> radii(const Parameters& p, const Reference& truth) {
                     no_division = "$1-e^2=0$ is divided by";
   Quantity any = radius("radius", R"(distance from the focus at the angle $\theta$)", asked, truth,
                         {ok, ok, asked.e < 1 ? ok : none, asked.e > 1 ? no_ellipse : no_division});
-  any.add({"ellipse of the minus sign", "root without cancellation", no_knob(),
+  any.add({"ellipse of the minus sign", "root without cancellation", no_resolution(),
            [=](double) {
              return Answer{by_standard_ellipse(asked, -1), 1};
            },

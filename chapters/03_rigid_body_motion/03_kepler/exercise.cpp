@@ -78,14 +78,14 @@ struct Expected {
 constexpr double kilometers_per_au = 149597870.7, earths_diameter = 12742;  // km
 
 Quantity path(const std::string& name, const std::string& says, const Start& s, const Horizon& horizon,
-              const Reference& truth, const Knob& steps, const Expected& expected) {
+              const Reference& truth, const Resolution& steps, const Expected& expected) {
   Quantity where =
       quantity(name, "AU", "position at " + times_up_to(horizon, "yr") + ", " + says,
                trajectory(truth, "03_03_orbit", inputs(s), horizon),
                {1e-6, filled("@3 km, 1/@2 of the Earth's diameter",
                              {1e-6 * kilometers_per_au, earths_diameter / (1e-6 * kilometers_per_au)})});
   const auto solved = [&](std::string algorithm, auto solve) {
-    Method method{"Kepler's equation", std::move(algorithm), no_knob(),
+    Method method{"Kepler's equation", std::move(algorithm), no_resolution(),
                   [=](double) { return by_keplers_equation(s, horizon, solve); }};
     method.places_and_rates = [=](double) {
       const Ellipse<double> orbit = ellipse(s);
@@ -117,7 +117,7 @@ Start asked(const Parameters& p) {
 
 Quantity planet(const Parameters& p, const Horizon& horizon, const Reference& truth) {
   const Start s = asked(p);
-  const Knob steps = halving("step", 0.125, 9);
+  const Resolution steps = halving("step", 0.125, 9);
   Quantity where = path("path", "near the Earth's orbit unless asked otherwise", s, horizon, truth, steps,
                         {{}, {}, {}, {Outcome::drifted, Outcome::ok}});
   SceneMethods(where, horizon, steps, tolerances())
@@ -228,15 +228,17 @@ Quantity eccentric_anomaly(const std::string& name, const std::string& says, dou
   const Known root = truth("03_03_eccentric_anomaly", {e, M});
   Quantity E = quantity(name, "rad", R"($E$ with $E-e\sin E=M$, )" + says, root,
                         {1e-12, filled("@2 m on the Earth's orbit", {1e-12 * 1e3 * kilometers_per_au})});
-  const auto add = [&](std::string algorithm, const Knob& knob, auto solve, const Foreseen& expected = {ok},
-                       std::string why = {}) {
+  const auto add = [&](std::string algorithm, const Resolution& resolution, auto solve,
+                       const Foreseen& expected = {ok}, std::string why = {}) {
     E.add(expecting(expected, std::move(why),
-                    {"Kepler's equation", std::move(algorithm), knob,
+                    {"Kepler's equation", std::move(algorithm), resolution,
                      [=](double n) { return answer(solve(static_cast<int>(n))); }}));
   };
-  const Knob iterations = doubling("iterations", 1, 5), many = doubling("iterations", 1, 8),
-             terms = doubling("terms", 2, 7);
-  const auto finest = [](const Knob& knob) { return static_cast<int>(knob.settings.back()); };
+  const Resolution iterations = doubling("iterations", 1, 5), many = doubling("iterations", 1, 8),
+                   terms = doubling("terms", 2, 7);
+  const auto finest = [](const Resolution& resolution) {
+    return static_cast<int>(resolution.settings.back());
+  };
   const auto ends = [&](const Estimate& error) {
     return foreseen(error, E.need.allowed, size_of(root.value));
   };
@@ -318,9 +320,11 @@ Quantity period(const std::string& name, const std::string& says, const Start& s
     return 1 / abs(rate[0]);
   };
   const auto third_law = [=](double a) { return Answer{2 * pi * std::pow(a, 1.5) / sqrt(s.mu()), 1}; };
-  T.add({"Kepler's third law", "a = half the axis", no_knob(), [=](double) { return third_law(orbit.a); }});
-  T.add({"Kepler's third law", "a = the axis", no_knob(), [=](double) { return third_law(2 * orbit.a); },
-         Outcome::inaccurate, "the law is about half the axis"});
+  T.add({"Kepler's third law", "a = half the axis", no_resolution(),
+         [=](double) { return third_law(orbit.a); }});
+  T.add({"Kepler's third law", "a = the axis", no_resolution(),
+         [=](double) { return third_law(2 * orbit.a); }, Outcome::inaccurate,
+         "the law is about half the axis"});
   T.add({"turn of equation (7)", "trapezoid", doubling("panels", 4, 9),
          [=](double n) { return answer(trapezoid(slowness, 0, 2 * pi, static_cast<int>(n))); }});
   T.add({"turn of equation (7)", "Simpson", doubling("panels", 4, 11),

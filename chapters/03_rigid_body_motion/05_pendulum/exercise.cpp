@@ -80,12 +80,12 @@ Quantity quarter_period(double a, const Reference& truth) {
   Quantity quarter =
       quantity("quarter_period", "sqrt(L/2g)", "time from release to the lowest point", known,
                {need, filled("ten decimals: @1 ms a year", {need / known.value[0] * milliseconds_a_year})});
-  const Knob panels = doubling("panels", 4, 9), points = doubling("points", 2, 6);
-  Knob to_roundoff = tolerances();
+  const Resolution panels = doubling("panels", 4, 9), points = doubling("points", 2, 6);
+  Resolution to_roundoff = tolerances();
   to_roundoff.settings.push_back(1e-13);
   const auto raw = singular_integrand(a);
   const auto smooth = legendre_integrand(a);
-  const std::string as_it_stands = "singular integrand", substituted = "Legendre's substitution";
+  const std::string as_printed = "singular integrand", substituted = "Legendre's substitution";
   const std::string loses_digits = R"($\cos t-\cos a$ cancels at the singular end)";
   const bool listed_root = cos(a - book_epsilon) > a, remains = has_remainder(a);
 
@@ -93,31 +93,31 @@ Quantity quarter_period(double a, const Reference& truth) {
   constexpr double known_to = 10;
   const double apart = std::acosh(1 / sin(a / 2)), rounded = 0x1p-52 / (cos(a / 2) * cos(a / 2)),
                most = panels.settings.back();
-  const auto smoothed = [&](const std::string& model, std::string algorithm, const Knob& knob, double folds,
-                            const std::function<Answer(double)>& run) {
+  const auto smoothed = [&](const std::string& model, std::string algorithm, const Resolution& resolution,
+                            double folds, const std::function<Answer(double)>& run) {
     quarter.add(expecting(
         foreseen(within_factor(known_to, std::exp(-folds) + rounded), need),
         filled(R"(released nearly upright: the integrand is a narrow peak, and $1-k^2=@1$ has lost digits)",
                {cos(a / 2) * cos(a / 2)}),
-        {model, std::move(algorithm), knob, run}));
+        {model, std::move(algorithm), resolution, run}));
   };
   constexpr double without_error = std::numeric_limits<double>::infinity();
-  smoothed("elliptic K", "std::comp_ellint_1", no_knob(), without_error, [a](double) {
+  smoothed("elliptic K", "std::comp_ellint_1", no_resolution(), without_error, [a](double) {
     return Answer{std::numbers::sqrt2 * std::comp_ellint_1(sin(a / 2)), 1};
   });
   quarter.add(left_to_chance(
-      {as_it_stands, "QAG", tolerances(), [=](double e) { return answer(qag(raw, 0, a, e)); },
+      {as_printed, "QAG", tolerances(), [=](double e) { return answer(qag(raw, 0, a, e)); },
        Outcome::non_finite,
        R"(bisection alone walks into the singular end, where $\cos t-\cos a$ rounds to zero)"}));
   quarter.add(
-      left_to_chance({as_it_stands, "QAGS", to_roundoff, [=](double e) { return answer(qags(raw, 0, a, e)); },
+      left_to_chance({as_printed, "QAGS", to_roundoff, [=](double e) { return answer(qags(raw, 0, a, e)); },
                       Outcome::raised, loses_digits + ": GSL reports roundoff"}));
-  quarter.add(left_to_chance({as_it_stands, "QAGP", to_roundoff,
+  quarter.add(left_to_chance({as_printed, "QAGP", to_roundoff,
                               [=](double e) {
                                 return answer(qagp(raw, {0, a}, e));
                               },
                               Outcome::raised, loses_digits + ": GSL reports roundoff"}));
-  quarter.add(left_to_chance({as_it_stands, "CQUAD", tolerances(),
+  quarter.add(left_to_chance({as_printed, "CQUAD", tolerances(),
                               [=](double e) { return answer(cquad(raw, 0, a, e)); }, Outcome::stalled,
                               loses_digits + ", and the end itself is left out"}));
   quarter.add({"listing as printed", "Simpson", doubling("panels", 64, 6),

@@ -59,7 +59,7 @@ struct SampleOf {
   TypesetIn<T> typeset() const {
     return {{"m", m}, {"g", g}, {"q", q}, {R"(\dot q)", v}, {R"(\ddot q)", a}, {R"(\dot x)", velocity(q, v)}};
   }
-  std::string where() const { return told(typeset(), 5); }
+  std::string where() const { return listed(typeset(), 5); }
   KineticEnergy<T> kinetic() const { return {m}; }
   Lagrangian<T> lagrangian() const { return {m, g}; }
   T bend() const { return 2 * q + 9 * q * q * q; }

@@ -15,7 +15,7 @@ void add_event(Quantity& arrival, const std::string& name, const Model& model, O
   const auto run = [model](double setting) {
     return answer(event_of<Algorithm>(model, setting), [](const auto& event) { return event.time; });
   };
-  const Knob steps = halving("step", latest(model.p) / 32, 8);
+  const Resolution steps = halving("step", latest(model.p) / 32, 8);
   const ode::AlgorithmInfo algorithm = ode::info<Algorithm>();
   arrival.add({name, std::string(algorithm.name), ode::has_tolerance(algorithm.kind) ? tolerances() : steps,
                run, expected, why});

@@ -41,7 +41,7 @@ Quantity first_arrival(const Ball& at_rest) {
                 {R"(the angle of $(-h,\beta)$ over $\beta$, $h=a/(2m)$)", arrival},
                 4e-16 * arrival,
                 {1e-9, "nine decimals"}};
-  time.add({"the text's formula", "atan(-beta p1/(v1 - alpha p1))/beta", no_knob(),
+  time.add({"the text's formula", "atan(-beta p1/(v1 - alpha p1))/beta", no_resolution(),
             [=](double) {
               const double v1 = 0, alpha = -h;
               return Answer{std::atan(-beta * at_rest.p1 / (v1 - alpha * at_rest.p1)) / beta, 1};
@@ -71,7 +71,7 @@ Quantity near_critical_path(const Ball& b, const Horizon& horizon, const Referen
       quantity("near_critical", "m",
                filled("position with friction above critical by the fraction $@1$", {above_critical}),
                true_path(b, horizon, truth), {1e-12, "twelve decimals"});
-  SceneMethods(q, horizon, no_knob(), no_knob())
+  SceneMethods(q, horizon, no_resolution(), no_resolution())
       .closed_form("one form for all regimes", OneForm<double>{b})
       .closed_form("two exponentials", TwoExponentials<double>{b}, Outcome::inaccurate,
                    "its two terms nearly cancel where the roots nearly meet");
@@ -117,9 +117,9 @@ Quantity stability_limit(const Ball& ball) {
              {"$2/|r_2|$ from the characteristic polynomial", 2 / fastest},
              1e-16,
              {1e-3 * 2 / fastest, "a thousandth of the limit"}};
-  q.add({"stiff", "explicit Euler, bisected", no_knob(),
+  q.add({"stiff", "explicit Euler, bisected", no_resolution(),
          [=](double) { return largest_stable_step<ode::ExplicitEuler>(ball); }});
-  q.add({"stiff", "Runge-Kutta 4, bisected, by 2/2.785294", no_knob(), [=](double) {
+  q.add({"stiff", "Runge-Kutta 4, bisected, by 2/2.785294", no_resolution(), [=](double) {
            Answer limit = largest_stable_step<ode::RungeKutta4>(ball);
            limit.value = limit.value[0] * 2 / 2.785293563405282;
            return limit;

@@ -144,8 +144,8 @@ Quantity runaway(const Given<double>& rod) {
                   1e-15 * rate,
                   {1e-8 * rate, "eight digits"}};
   const AlongTheRod<double> along{{rod}};
-  const Knob foldings = doubling("e-foldings", 2, 5);
-  growth.add({"no spring", "closed form", no_knob(),
+  const Resolution foldings = doubling("e-foldings", 2, 5);
+  growth.add({"no spring", "closed form", no_resolution(),
               [=](double) {
                 return Answer{rod.w * root_half<double>(), 1};
               },

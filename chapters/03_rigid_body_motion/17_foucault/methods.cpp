@@ -164,7 +164,7 @@ Quantity hours(const Reference& truth) {
                              {1e-3 * degrees, 3600 * pantheon.omega * std::sin(pantheon.lambda) * degrees})});
   const SeenAsAxis<Cartesian<double>> full{{pantheon}};
   const SeenAsAxis<TwoAngles<double>> two{{pantheon}};
-  const Knob steps = halving("step", 1, 4);
+  const Resolution steps = halving("step", 1, 4);
   SceneMethods(q, horizon, steps, tolerances(5, 9))
       .closed_form("averaged", AxisTurning{pantheon})
       .closed_form("averaged, with Airy's term", AxisTurning{pantheon, 3.0 / 8})

@@ -84,7 +84,7 @@ struct SampleOf {
             {R"(\partial L/\partial y_2)", slopes[0]},
             {R"(\partial L/\partial y_3)", slopes[1]}};
   }
-  std::string where() const { return told(typeset(), 15); }
+  std::string where() const { return listed(typeset(), 15); }
 
   /// Lengths of the springs between floor and rope, from the ropes' lengths alone.
   template <class X>

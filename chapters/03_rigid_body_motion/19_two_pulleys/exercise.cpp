@@ -170,13 +170,13 @@ Quantity frequencies(const std::string& name, const std::string& says, const Giv
                         graded
                             ? "with the stiff coordinate first it errs by roundings of the larger eigenvalue"
                             : "";
-  q.add({"generalized eigenproblem", "GSL, self-adjoint", no_knob(),
+  q.add({"generalized eigenproblem", "GSL, self-adjoint", no_resolution(),
          [=](double) { return ratios(frequencies(p, false)); }, small, order});
-  q.add({"generalized eigenproblem, $y_3$ first", "GSL, self-adjoint", no_knob(),
+  q.add({"generalized eigenproblem, $y_3$ first", "GSL, self-adjoint", no_resolution(),
          [=](double) { return ratios(frequencies(p, true)); }});
-  q.add({"det(K - s M) = 0", "quadratic formula", no_knob(),
+  q.add({"det(K - s M) = 0", "quadratic formula", no_resolution(),
          [=](double) { return ratios(by_quadratic(p, false)); }, small, why});
-  q.add({"det(K - s M) = 0", "larger root and product", no_knob(),
+  q.add({"det(K - s M) = 0", "larger root and product", no_resolution(),
          [=](double) { return ratios(by_quadratic(p, true)); }});
   return q;
 }

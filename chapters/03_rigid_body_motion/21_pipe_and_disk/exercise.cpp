@@ -50,7 +50,7 @@ Known true_motion(const Given<double>& d, const Horizon& horizon, const Referenc
                     horizon);
 }
 
-const std::string says_need = "a hundred-millionth of the angle turned through";
+const std::string need_reason = "a hundred-millionth of the angle turned through";
 
 constexpr double seconds = 8;
 
@@ -58,7 +58,7 @@ Quantity under_gravity(const Given<double>& disk, const Reference& truth) {
   const Horizon horizon{seconds};
   Quantity motion = quantity("gravity", "m, m, rad", "center and spin at four times, gravity alone",
                              true_motion(disk, horizon, truth), {});
-  motion.need = {1e-8 * size_of(motion.reference.value), says_need};
+  motion.need = {1e-8 * size_of(motion.reference.value), need_reason};
   SceneMethods(motion, horizon, halving("step", 0.125, 9), tolerances(3, 11))
       .closed_form(constant, ConstantSpeeds<double>{disk})
       .by<ode::ExplicitEuler>(two, TwoAngles<double>{disk})
@@ -73,7 +73,7 @@ enum class Tried { common, whole_catalog };
 Quantity under_force(const std::string& name, const std::string& says, const Given<double>& disk,
                      const Horizon& horizon, const Reference& truth, Tried tried = Tried::common) {
   Quantity motion = quantity(name, "m, m, rad", says, true_motion(disk, horizon, truth), {});
-  motion.need = {1e-8 * size_of(motion.reference.value), says_need};
+  motion.need = {1e-8 * size_of(motion.reference.value), need_reason};
   SceneMethods methods(motion, horizon, halving("step", 0.125, 10), tolerances(3, 11));
   methods.closed_form(constant, ConstantSpeeds<double>{disk}, Outcome::inaccurate, "the force turns the pipe")
       .by_engine_integrators(one, OneAngle<double>{disk});

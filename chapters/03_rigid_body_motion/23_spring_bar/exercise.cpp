@@ -118,7 +118,7 @@ Quantity small_frequency(const Given<double>& bar, const Reference& truth) {
   const auto of = [bar](double curvature) { return std::sqrt(curvature / (bar.m * bar.r * bar.r)); };
   const auto V = [bar](const auto& q) { return bar.potential(q); };
   const auto slope = [V](double q) { return derivative(V, q); };
-  w.add({"curvature of V", "nested dual numbers", no_knob(), [=](double) {
+  w.add({"curvature of V", "nested dual numbers", no_resolution(), [=](double) {
            return Answer{of(second_derivative(V, 0.0)), 1};
          }});
   w.add({"curvature of V", "second difference", halving("step", 0.125, 9), [=](double h) {

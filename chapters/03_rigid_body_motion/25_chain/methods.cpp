@@ -64,26 +64,26 @@ Quantity mode_frequencies(const Triple& c, const Reference& truth) {
   const double size = size_of(known.value);
   Quantity q = quantity("mode_frequencies", "rad/s", "angular frequencies of the three small oscillations",
                         known, {1e-10 * size, "ten digits of the fastest"});
-  q.add({"dense pair (K, M)", "GSL, Cholesky and QR", no_knob(), [=](double) {
+  q.add({"dense pair (K, M)", "GSL, Cholesky and QR", no_resolution(), [=](double) {
            const oddity::Modes all =
                modes(as_eigen(SmallAngles::stiffness(c)), as_eigen(SmallAngles::mass_matrix(c)));
            return Answer{Value(all.squares.cwiseSqrt()), 1};
          }});
-  q.add(
-      {"tensions at rest", "one link's accelerations by dual numbers, then GSL's QR", no_knob(), [=](double) {
-         Eigen::Matrix3d minus;
-         long accelerations = 0;
-         for (int j = 0; j < 3; ++j, ++accelerations) {
-           std::array<Dual<double>, 3> theta{}, omega{}, alpha{};
-           theta[static_cast<std::size_t>(j)].slope = 1;
-           by_tensions(c.m, c.r, c.g, theta, omega, alpha);
-           for (int i = 0; i < 3; ++i) minus(i, j) = -alpha[static_cast<std::size_t>(i)].slope;
-         }
-         std::vector<double> w;
-         for (const auto& square : eigenvalues(minus)) w.push_back(std::sqrt(square.real()));
-         std::ranges::sort(w);
-         return Answer{Value(w), accelerations};
-       }});
+  q.add({"tensions at rest", "one link's accelerations by dual numbers, then GSL's QR", no_resolution(),
+         [=](double) {
+           Eigen::Matrix3d minus;
+           long accelerations = 0;
+           for (int j = 0; j < 3; ++j, ++accelerations) {
+             std::array<Dual<double>, 3> theta{}, omega{}, alpha{};
+             theta[static_cast<std::size_t>(j)].slope = 1;
+             by_tensions(c.m, c.r, c.g, theta, omega, alpha);
+             for (int i = 0; i < 3; ++i) minus(i, j) = -alpha[static_cast<std::size_t>(i)].slope;
+           }
+           std::vector<double> w;
+           for (const auto& square : eigenvalues(minus)) w.push_back(std::sqrt(square.real()));
+           std::ranges::sort(w);
+           return Answer{Value(w), accelerations};
+         }});
   return q;
 }
 
@@ -242,7 +242,7 @@ Quantity prediction(double t, const Reference& truth, const Predicts& expected,
   Quantity q = quantity("chaos_" + format_shortest(t) + "s", "m",
                         "positions " + seconds + " after rest at (2, 2.5, 3) rad, in three precisions",
                         trajectory(truth, "03_25_chain", inputs(chaotic), once), needed);
-  const Knob steps = halving("step", 0x1p-3, 4);
+  const Resolution steps = halving("step", 0x1p-3, 4);
   const std::string why = "its roundings have grown to the size of the motion";
   const auto add = [&](std::string model, auto number, Outcome outcome) {
     q.add({std::move(model), "extrapolated midpoint, order 20", steps,
@@ -393,7 +393,7 @@ Quantity cost(int n, double g, const Reference& truth) {
   const long assembly = work_of_assembly(p, g).all_but_additions(),
              recursion = work_of_tensions(p, g).all_but_additions();
   const auto dense = [&](std::string algorithm, Factorization how) {
-    q.add({"dense mass matrix", std::move(algorithm), no_knob(), [=](double) {
+    q.add({"dense mass matrix", std::move(algorithm), no_resolution(), [=](double) {
              const auto solved = by_factorization(how, p.m, p.r, g, p.theta, p.omega);
              Answer all = answer(solved, [=](const Eigen::VectorXd& alpha) {
                return chosen(std::vector<double>(alpha.begin(), alpha.end()), n);
@@ -404,7 +404,7 @@ Quantity cost(int n, double g, const Reference& truth) {
   };
   dense("Cholesky", Factorization::cholesky);
   if (n <= 100) dense("LU with partial pivoting", Factorization::partial_pivot_lu);
-  q.add({"tensions", "tridiagonal elimination", no_knob(), [=](double) {
+  q.add({"tensions", "tridiagonal elimination", no_resolution(), [=](double) {
            std::vector<double> alpha(p.m.size());
            by_tensions(p.m, p.r, g, p.theta, p.omega, alpha);
            return Answer{chosen(alpha, n), recursion};

@@ -111,7 +111,7 @@ struct Expected {
 };
 
 Quantity path(const std::string& name, const std::string& says, const Bodies& b, const Horizon& horizon,
-              const Reference& truth, Knob steps, const Expected& expected) {
+              const Reference& truth, Resolution steps, const Expected& expected) {
   const kepler::Start s = b.relative();
   const bool ellipse = s.energy() < 0;
   const std::string order = "its order is too low for this need at this step",
@@ -119,12 +119,9 @@ Quantity path(const std::string& name, const std::string& says, const Bodies& b,
                     published = "(r, u, phi)", both = "two bodies";
   Quantity q = quantity(name, "m", "the second body seen from the first at four times, " + says,
                         trajectory(truth, "03_27_two_bodies", inputs(b), horizon), {need, "a micrometre"});
-  Method by_newton{"Kepler's equation",
-                   "Newton from pi",
-                   no_knob(),
-                   [=](double) { return by_kepler(s, horizon); },
-                   ellipse ? ok : raised,
-                   ellipse ? "" : "the orbit is no ellipse"};
+  Method by_newton{"Kepler's equation",   "Newton from pi",
+                   no_resolution(),       [=](double) { return by_kepler(s, horizon); },
+                   ellipse ? ok : raised, ellipse ? "" : "the orbit is no ellipse"};
   by_newton.places_and_rates = [=](double) {
     const auto orbit = kepler::ellipse(s);
     return places_and_rates_of(AtTimes{[&](double t) {
@@ -161,7 +158,7 @@ Bodies asked(const Parameters& p) {
 }
 
 Quantity path_of(const Parameters& p, const Horizon& horizon, const Reference& truth) {
-  const Knob steps = halving("step", 0x1p-4, 9);
+  const Resolution steps = halving("step", 0x1p-4, 9);
   Quantity q =
       path("path", "as asked", asked(p), horizon, truth, steps, {inaccurate, inaccurate, inaccurate, ok, ok});
   SceneMethods(q, horizon, steps, tolerances(4, 12))
@@ -219,7 +216,7 @@ Quantity period(const Bodies& b) {
          }});
   const double longer = std::sqrt(1 + b.m2 / b.m1);
   const bool matters = longer - 1 > digits;
-  q.add({"heavy first body at rest", "Kepler's third law with m1 alone", no_knob(),
+  q.add({"heavy first body at rest", "Kepler's third law with m1 alone", no_resolution(),
          [=](double) {
            return Answer{turn * longer, 1};
          },

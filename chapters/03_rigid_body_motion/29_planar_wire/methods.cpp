@@ -54,8 +54,9 @@ Answer inertia_by(const Rule& rule, double a, double b, double d0, const Positio
 template <class Position, class Stretch>
 void add_rules(Quantity& quantity, const std::string& name, double a, double b, double d0, const Position& at,
                const Stretch& stretch, std::array<Outcome, 3> expected, const std::string& why = {}) {
-  const auto row = [&](const std::string& algorithm, const Knob& knob, Outcome outcome, auto rule) {
-    quantity.add({name, algorithm, knob,
+  const auto row = [&](const std::string& algorithm, const Resolution& resolution, Outcome outcome,
+                       auto rule) {
+    quantity.add({name, algorithm, resolution,
                   [=](double setting) {
                     const auto set = [=](const auto& f, double from, double to) {
                       return rule(f, from, to, setting);

@@ -91,7 +91,9 @@ Solved<Pose> with_stick_test(const Box& b, double h) {
 // ---- the quantities ---------------------------------------------------------------------------------------
 
 constexpr double need_of_place = 1e-6;  ///< m and rad
-std::string says_need() { return filled("a micrometre, @1 seconds of arc", {3600 * need_of_place / degree}); }
+std::string need_reason() {
+  return filled("a micrometre, @1 seconds of arc", {3600 * need_of_place / degree});
+}
 
 Value place(const Pose& rest) { return {rest[1], rest[2], rest[3]}; }
 Value moment(const Pose& rest) { return rest[0]; }
@@ -103,8 +105,8 @@ const std::string in_time = "friction at full speed only", soft = "regularized f
 /// Adds the methods that compute a time of rest, with `see` applied to their poses.
 template <class See>
 void add_stopping(Quantity& q, const Box& box, const See& see) {
-  const Knob steps = halving("step", 0.0625, 10), stretched_steps = halving("step", 0.5, 8);
-  q.add({"sliding and spinning apart", "closed form", no_knob(),
+  const Resolution steps = halving("step", 0.0625, 10), stretched_steps = halving("step", 0.5, 8);
+  q.add({"sliding and spinning apart", "closed form", no_resolution(),
          [=](double) {
            return Answer{see(uncoupled(box)), 1};
          },
@@ -139,9 +141,9 @@ Quantity rest(const Box& box, const Reference& truth) {
   Known known = true_rest(box, truth);
   known.value.erase(known.value.begin());
   Quantity q = quantity("rest", "m, m, rad", "position and angle at which the box comes to rest", known,
-                        {need_of_place, says_need()});
+                        {need_of_place, need_reason()});
   add_stopping(q, box, place);
-  const Knob softness{"softness", {0.3, 0.1, 0.03, 0.01, 0.003, 0.001, 0.0003, 0.0001}};
+  const Resolution softness{"softness", {0.3, 0.1, 0.03, 0.01, 0.003, 0.001, 0.0003, 0.0001}};
   q.add({in_time, "Runge-Kutta 4", halving("step", 0.0625, 6),
          [=](double h) { return answer(through_the_stop<ode::RungeKutta4>(box, 0, h), place); },
          Outcome::inaccurate, "at the stop friction changes sign within every step: the box never rests"});
@@ -222,8 +224,8 @@ Quantity slide(const Box& box, const Horizon& horizon, const Reference& truth) {
   Quantity q = quantity("slide", "m, m, rad", "position and angle at four times",
                         trajectory(truth, "03_31_slide",
                                    {box.foot.a, box.foot.b, box.mu, box.g, box.u0, box.v0, box.w0}, horizon),
-                        {need_of_place, says_need()});
-  const Knob steps = halving("step", 0.0625, 10), stretched_steps = halving("step", 0.5, 8);
+                        {need_of_place, need_reason()});
+  const Resolution steps = halving("step", 0.0625, 10), stretched_steps = halving("step", 0.5, 8);
   constexpr double softness = 0.01;
   const InTime<double> full{box}, softened{box, softness};
   const std::string soft_1 = "friction regularized at 1 cm/s", order = "its order is too low for this need",
@@ -255,10 +257,11 @@ Quantity slide(const Box& box, const Horizon& horizon, const Reference& truth) {
                                  {"CVODE BDF", inaccurate, creeps},
                                  {"ARKODE Zonneveld 4(3)", inaccurate, creeps},
                                  {"ARKODE Verner 6(5)", inaccurate, creeps}});
-  const auto add = [&](const std::string& model, const std::string& algorithm, const Knob& knob,
+  const auto add = [&](const std::string& model, const std::string& algorithm, const Resolution& resolution,
                        const auto& seen, Outcome expected, const std::string& why) {
-    Method method{model,    algorithm, knob, [=](double setting) { return seen(setting, Seen::places); },
-                  expected, why};
+    Method method{model,      algorithm,
+                  resolution, [=](double setting) { return seen(setting, Seen::places); },
+                  expected,   why};
     method.places_and_rates = [=](double setting) { return seen(setting, Seen::places_and_rates).value; };
     q.add(std::move(method));
   };

@@ -145,7 +145,7 @@ Quantity nutation_bounds(const Top& top, const Reference& truth) {
       "nutation_bounds", "1", R"(least and greatest height $\cos\phi$ of the axis)",
       truth("03_33_bounds", {top.m, top.l, top.mu1, top.mu3, top.g, top.phi, top.dtheta, top.dphi, top.dpsi}),
       {1e-10, "ten decimals"});
-  q.add({"cubic of the height", "Viete's angles", no_knob(), [top](double) {
+  q.add({"cubic of the height", "Viete's angles", no_resolution(), [top](double) {
            const auto [u1, u2, u3] = HeightCubic(top).roots();
            return Answer{{u1, u2}, 1};
          }});
@@ -200,19 +200,19 @@ Quantity steady_precession(const std::string& name, const std::string& says, con
   const double limit = slow ? weight / momentum : momentum / across;
   const double taught = (slow ? momentum - root : momentum + root) / (2 * across);
   const double stable = slow ? 2 * weight / (momentum + root) : taught;
-  q.add({"limit of a fast top", "closed form", no_knob(),
+  q.add({"limit of a fast top", "closed form", no_resolution(),
          [=](double) {
            return Answer{limit, 1};
          },
          of_fast_top ? Outcome::ok : Outcome::inaccurate, of_fast_top ? "" : "the spin is not fast enough"});
-  q.add({"quadratic", "as it is taught", no_knob(),
+  q.add({"quadratic", "as it is taught", no_resolution(),
          [=](double) {
            return Answer{taught, 1};
          },
          of_fast_top ? Outcome::inaccurate : Outcome::ok,
          of_fast_top ? "two nearly equal numbers are subtracted" : ""});
   if (slow)
-    q.add({"quadratic", "without cancellation", no_knob(), [=](double) { return Answer{stable, 1}; }});
+    q.add({"quadratic", "without cancellation", no_resolution(), [=](double) { return Answer{stable, 1}; }});
   q.add({"balance of torques", "Brent", tolerances(6, 14), [=](double e) {
            const auto miss = [&](double rate) { return rate * (momentum - across * rate) - weight; };
            const double vertex = momentum / (2 * across), first = weight / momentum;

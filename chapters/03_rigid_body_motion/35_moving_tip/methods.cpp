@@ -42,7 +42,7 @@ std::vector<double> inputs(const Top& top) {
 constexpr const char* fixed_tip = "fixed tip, as proposed";
 constexpr const char* separate = "the accelerated tip turns the top";
 
-Knob shaken_steps() { return halving("step", 0.03125, 8); }
+Resolution shaken_steps() { return halving("step", 0.03125, 8); }
 
 Quantity shaken_axis(const std::string& name, const std::string& says, const Top& top, const Horizon& horizon,
                      const Reference& truth) {
@@ -172,7 +172,7 @@ Quantity deviation(const Top& top, const Reference& truth) {
                           at_nutation(top),
                       {observed_after}),
                known, {1e-6, "a fifth of a second of arc"});
-  q.add({fixed_tip, "no difference", no_knob(),
+  q.add({fixed_tip, "no difference", no_resolution(),
          [](double) {
            return Answer{{0, 0, 0, 0}, 0};
          },

@@ -71,15 +71,15 @@ Quantity partials(const std::string& name, const std::string& says, const Point&
                          {std::pow(overflows ? std::numeric_limits<double>::max()
                                              : std::numeric_limits<double>::denorm_min(),
                                    1.0 / 6)}),
-                  {formula, "quotient rule", no_knob(), published(each<quotient>)}));
-  q.add({formula, "simplified", no_knob(), published(each<simplified>)});
+                  {formula, "quotient rule", no_resolution(), published(each<quotient>)}));
+  q.add({formula, "simplified", no_resolution(), published(each<simplified>)});
   const auto by = [x](auto way) {
     Point slopes;
     for (std::size_t i = 0; i < 3; ++i) slopes[i] = way.along(inverse_square, x, axes[i])[i];
     return Answer{scaled(slopes, x), way.calls};
   };
   const double size = length(x);
-  q.add({field, "dual numbers", no_knob(), [=](double) { return by(ByDuals{}); }});
+  q.add({field, "dual numbers", no_resolution(), [=](double) { return by(ByDuals{}); }});
   const auto by_differences = [&]<int order>(const std::string& step, double unit) {
     const Difference finest{order, steps().settings.back() * unit / size};
     q.add(expecting(finest.ends(need), finest.why(),

@@ -181,7 +181,7 @@ Quantity mixed_derivatives(const At& at, const Known& six) {
   const auto all = [](const auto& second_by) {
     return Value{second_by(1u, 2u), second_by(2u, 0u), second_by(0u, 1u)};
   };
-  q.add({"phi", "nested dual numbers", no_knob(), [=](double) {
+  q.add({"phi", "nested dual numbers", no_resolution(), [=](double) {
            const auto second = [&](std::size_t i, std::size_t j) {
              return along(partial(phi, i), x, axes[j]);
            };
@@ -244,7 +244,7 @@ Quantity peano_curl() {
       {1e-9, "nine digits"},
       {},
       {}};
-  q.add({"p", "nested dual numbers", no_knob(),
+  q.add({"p", "nested dual numbers", no_resolution(),
          [](double) {
            long calls = 0;
            const double twist = curl(gradient(counted_calls(peano, calls)))(Point{})[2];

@@ -87,16 +87,17 @@ Quantity nth_curl(const At& at, const Reference& truth) {
                         "the curl of plane waves, applied $n=" + times + "$ times", known,
                         {1e-7 * size_of(known.value), "seven digits of the largest component"});
   const std::string dual = "nested dual numbers";
-  q.add({"repeated curl", dual, no_knob(), [=](double) {
+  q.add({"repeated curl", dual, no_resolution(), [=](double) {
            long calls = 0;
            const auto counted = [&](const auto& y) { return ++calls, f(y); };
            const Value value = repeated_curl<n>(counted)(x);
            return Answer{value, calls};
          }});
-  q.add({"tensor formula, every term", dual, no_knob(), [=](double) { return by_terms<n>(f, x, true); }});
   q.add(
-      {"tensor formula, zeros left out", dual, no_knob(), [=](double) { return by_terms<n>(f, x, false); }});
-  q.add({"tensor formula, derivatives kept", dual, no_knob(), [=](double) {
+      {"tensor formula, every term", dual, no_resolution(), [=](double) { return by_terms<n>(f, x, true); }});
+  q.add({"tensor formula, zeros left out", dual, no_resolution(),
+         [=](double) { return by_terms<n>(f, x, false); }});
+  q.add({"tensor formula, derivatives kept", dual, no_resolution(), [=](double) {
            long calls = 0;
            const auto counted = [&](const auto& y) { return ++calls, f(y); };
            const IndexExpression formula(chain(n, "i", as_printed) + derivative_of_f(n), "i");

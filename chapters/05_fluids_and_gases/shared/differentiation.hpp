@@ -104,10 +104,10 @@ double divergence_by(Way& way, const Field& f, const Point& x) {
 }
 
 /// 2^-3, 2^-5, ..., 2^-last.
-inline Knob steps(int last = 31) {
-  Knob knob{"step", {}};
-  for (int k = 3; k <= last; k += 2) knob.settings.push_back(std::ldexp(1.0, -k));
-  return knob;
+inline Resolution steps(int last = 31) {
+  Resolution resolution{"step", {}};
+  for (int k = 3; k <= last; k += 2) resolution.settings.push_back(std::ldexp(1.0, -k));
+  return resolution;
 }
 
 inline Tolerance nine_digits(const Value& of) {
@@ -125,7 +125,7 @@ void add_ways(Quantity& q, const std::string& model, long factors, const Compute
     const Value value(compute(way));
     return Answer{value, factors * way.calls};
   };
-  q.add({model, "dual numbers", no_knob(), [by](double) { return by(ByDuals{}); }});
+  q.add({model, "dual numbers", no_resolution(), [by](double) { return by(ByDuals{}); }});
   q.add({model, "central differences 2", steps(), [by](double h) { return by(ByDifferences<2>{h}); }, finest,
          why});
   q.add({model, "central differences 4", steps(), [by](double h) { return by(ByDifferences<4>{h}); }, finest,

@@ -68,7 +68,7 @@ Method by(std::string model, std::string algorithm, const std::vector<Sphere>& s
           BroadPhaseRange range, Test test, Outcome expected = Outcome::ok, std::string why = {}) {
   return {std::move(model),
           std::move(algorithm),
-          no_knob(),
+          no_resolution(),
           [=](double) {
             return answer_for(spheres, grid, [&](const Sphere& s) { return hits(s, grid, range, test); });
           },
@@ -93,7 +93,7 @@ Quantity all_cases(const Parameters& p) {
   q.add(by("index range", test, spheres, grid, reach, touches));
   q.add(by("index range", "no test", spheres, grid, reach, always, wrong,
            "the box has corners, a sphere none"));
-  q.add({"index range of each row", "no test", no_knob(), [=](double) {
+  q.add({"index range of each row", "no test", no_resolution(), [=](double) {
            return answer_for(spheres, grid, [&](const Sphere& s) { return hits_by_rows(s, grid); });
          }});
   q.add(by("index range by floor alone", test, spheres, grid, reach_by_floor, touches, wrong,
@@ -267,7 +267,7 @@ Quantity objects_held(const Parameters& p) {
              {0.5, "whole objects"},
              {},
              {}};
-  const Knob across = doubling("bins an axis", 2, 5);
+  const Resolution across = doubling("bins an axis", 2, 5);
   const auto add = [&](std::string model, std::string algorithm, const auto& find) {
     q.add({std::move(model), std::move(algorithm), across,
            [=](double n) { return query(all, spheres, static_cast<int>(n), find); }});
@@ -275,7 +275,7 @@ Quantity objects_held(const Parameters& p) {
   const auto with = [](const auto& range, const auto& test) {
     return [=](const Sphere& s, const Grid& grid) { return hits(s, grid, range, test); };
   };
-  q.add({"all objects", "distance", no_knob(), [=](double) {
+  q.add({"all objects", "distance", no_resolution(), [=](double) {
            Answer counts = query(all, spheres, 2, with(every_bin, always));
            counts.evaluations = objects * static_cast<long>(spheres.size());
            return counts;

@@ -76,10 +76,10 @@ std::optional<Quantity> first_contact(const Parameters& p) {
              {},
              {}};
   const double A = dot(a.v, a.v), B = dot(a.d, a.v), C = dot(a.d, a.d) - a.R * a.R;
-  q.add({"quadratic equation", "textbook root", no_knob(), [=](double) {
+  q.add({"quadratic equation", "textbook root", no_resolution(), [=](double) {
            return Answer{(-B - std::sqrt(B * B - A * C)) / A, 1};
          }});
-  q.add({"quadratic equation", "root without cancellation", no_knob(), [=](double) {
+  q.add({"quadratic equation", "root without cancellation", no_resolution(), [=](double) {
            return Answer{C / (-B + std::sqrt(B * B - A * C)), 1};
          }});
   q.add({"gap", "bisection from the nearest approach", doubling("steps", 8, 4), [=](double steps) {
@@ -90,7 +90,7 @@ std::optional<Quantity> first_contact(const Parameters& p) {
            }
            return Answer{high, static_cast<long>(steps)};
          }});
-  q.add({"gap", "looked at in every frame", no_knob(),
+  q.add({"gap", "looked at in every frame", no_resolution(),
          [=](double) {
            const double last = std::min(2 * t + 2, most_frames);
            double frame = 0;

@@ -95,25 +95,26 @@ Quantity pairs(const Parameters& p) {
       {0.5 * Pairs::checksum_unit(all.size()), "whole pairs"},
       {},
       {}};
-  const auto add = [&](const char* model, const char* algorithm, const Knob& knob, const auto& find,
-                       Outcome expected = Outcome::ok, const char* why = "") {
-    q.add({model, algorithm, knob,
+  const auto add = [&](const char* model, const char* algorithm, const Resolution& resolution,
+                       const auto& find, Outcome expected = Outcome::ok, const char* why = "") {
+    q.add({model, algorithm, resolution,
            [=](double setting) {
              const Pairs found = find(setting);
              return Answer{Value(found.value), found.tested + found.upkeep};
            },
            expected, why});
   };
-  const Knob across = doubling("bins an axis", 2, 4);
+  const Resolution across = doubling("bins an axis", 2, 4);
   const Outcome wrong = Outcome::inaccurate;
   const auto bins_by = [=](Follow how) { return [=](double n) { return by_bins(frames, grid_of(n), how); }; };
-  add("no order", "all pairs", no_knob(), [=](double) { return by_all_pairs(frames); });
+  add("no order", "all pairs", no_resolution(), [=](double) { return by_all_pairs(frames); });
   add("bins of boxes", "rebuilt every frame", across, bins_by(Follow::rebuilt));
   add("bins of boxes", "updated", across, bins_by(Follow::updated));
   add("bins of centers", "all within reach", across,
       [=](double n) { return by_center_bins(frames, grid_of(n), false); });
-  add("sweep along x", "sorted every frame", no_knob(), [=](double) { return by_sweep(frames, false); });
-  add("sweep along x", "order kept", no_knob(), [=](double) { return by_sweep(frames, true); });
+  add("sweep along x", "sorted every frame", no_resolution(),
+      [=](double) { return by_sweep(frames, false); });
+  add("sweep along x", "order kept", no_resolution(), [=](double) { return by_sweep(frames, true); });
   add("bins of boxes", "never updated", across, bins_by(Follow::never), wrong, "the spheres have moved on");
   add(
       "bins of centers", "own bin alone", across,

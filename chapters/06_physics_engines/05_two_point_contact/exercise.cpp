@@ -74,13 +74,14 @@ Quantity spin(const Parameters& p, const Reference& truth) {
       quantity("spin", "rad/s", "angular velocity after an impulse spread evenly over the contact",
                truth("06_05_spin", {p["a"], p["b"], p["c"], p["m"], p["theta"], p["l0"], p["l1"], p["f"]}),
                slow_turn(1e-9));
-  q.add({"midpoint", "one torque", no_knob(), [=](double) { return box.turned_by(box.torque(m), 1); }});
-  q.add({"both ends", "mean torque", no_knob(),
+  q.add({"midpoint", "one torque", no_resolution(), [=](double) { return box.turned_by(box.torque(m), 1); }});
+  q.add({"both ends", "mean torque", no_resolution(),
          [=](double) { return box.turned_by((box.torque(box.l0) + box.torque(box.l1)) / 2, 2); }});
-  q.add({"one end", "one torque", no_knob(), [=](double) { return box.turned_by(box.torque(box.l1), 1); },
-         Outcome::inaccurate, "the arm is the end's, not the midpoint's"});
-  const auto rule = [&](const char* name, const char* knob, double first, auto formula) {
-    q.add({"segment", name, doubling(knob, first, 3), [=](double n) {
+  q.add({"one end", "one torque", no_resolution(),
+         [=](double) { return box.turned_by(box.torque(box.l1), 1); }, Outcome::inaccurate,
+         "the arm is the end's, not the midpoint's"});
+  const auto rule = [&](const char* name, const char* resolution, double first, auto formula) {
+    q.add({"segment", name, doubling(resolution, first, 3), [=](double n) {
              return along_edge(box, [=](FunctionOfOne g, double low, double high) {
                return formula(g, low, high, static_cast<int>(n));
              });
@@ -133,7 +134,7 @@ Quantity rebound(const Parameters& p) {
   };
   const double k00 = response(box, box.l0, box.l0), k01 = response(box, box.l0, box.l1),
                k11 = response(box, box.l1, box.l1);
-  q.add({"an impulse at each end", "2x2 system", no_knob(), [=](double) {
+  q.add({"an impulse at each end", "2x2 system", no_resolution(), [=](double) {
            const double det = k00 * k11 - k01 * k01;
            return hit(gain * (k11 - k01) / det, gain * (k00 - k01) / det, 2);
          }});
@@ -146,7 +147,7 @@ Quantity rebound(const Parameters& p) {
            return hit(f0, f1, 2 * static_cast<long>(sweeps));
          }});
   const double m = (box.l0 + box.l1) / 2;
-  q.add({"one impulse at the midpoint", "division", no_knob(),
+  q.add({"one impulse at the midpoint", "division", no_resolution(),
          [=](double) {
            const double f = gain / response(box, m, m);
            return hit(f / 2, f / 2, 2);
@@ -182,7 +183,7 @@ Quantity patch(const Parameters& p) {
       {}};
   const auto add = [&](const char* algorithm, long torques, const Vector3d& arm,
                        Outcome expected = Outcome::ok, const char* why = "") {
-    q.add({"points", algorithm, no_knob(),
+    q.add({"points", algorithm, no_resolution(),
            [=](double) {
              return Answer{Value(turned(inertia, cross(arm, f * up))), torques};
            },

@@ -85,9 +85,9 @@ void add_methods(Quantity& q, const Rows<double>& s, bool large) {
     a.row(i) = Eigen::Map<const Eigen::VectorXd>(row.data(), size);
     b[i] = row.back();
   }
-  q.add({"pivoted", "LU, rows exchanged", no_knob(),
+  q.add({"pivoted", "LU, rows exchanged", no_resolution(),
          [=](double) { return answer(solve(Factorization::partial_pivot_lu, a, b)); }});
-  q.add({"pivoted", "LU, rows and columns exchanged", no_knob(),
+  q.add({"pivoted", "LU, rows and columns exchanged", no_resolution(),
          [=](double) { return answer(solve(Factorization::full_pivot_lu, a, b)); }});
 }
 

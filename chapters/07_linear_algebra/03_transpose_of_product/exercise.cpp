@@ -170,7 +170,7 @@ Quantity same_bits(double decades, const Random& random) {
              {0, "bit for bit"},
              {},
              {}};
-  const Knob sizes = doubling("n", 2, 5);
+  const Resolution sizes = doubling("n", 2, 5);
   std::map<double, long> work;  // for both sides
   for (double n : sizes.settings) work[n] = 2 * work_of_product(static_cast<int>(n));
   const auto add = [&]<class T>(T, std::string model, std::string algorithm, Order left, Order right,
@@ -250,7 +250,7 @@ Quantity identity(int size, Random random) {
     const auto number = [](const Matrix<Whole>& m) {
       return filled<T>(n, [&](int r, int c) { return converted<T>(m(r, c)); });
     };
-    q.add({std::move(model), std::move(algorithm), no_knob(),
+    q.add({std::move(model), std::move(algorithm), no_resolution(),
            [=, left = number(a), right = number(b)](double) {
              std::vector<double> all;
              for (const T& x : transposed(product(left, right, order)).entries)

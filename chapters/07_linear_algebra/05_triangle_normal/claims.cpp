@@ -60,7 +60,7 @@ struct EdgesOf {
     return all;
   }
   TypesetIn<T> typeset() const { return {{"u", u}, {"v", v}, {"w", w}, {"P", p}, {"Q", q}, {"R", r}}; }
-  std::string where() const { return told(typeset(), 3); }
+  std::string where() const { return listed(typeset(), 3); }
 };
 
 namespace {

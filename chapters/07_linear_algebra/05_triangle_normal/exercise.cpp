@@ -119,7 +119,7 @@ Quantity twice_area(const Triangle& t, const Reference& truth) {
   const auto add = [&](const char* model, const char* algorithm, const auto& f,
                        Outcome expected = Outcome::ok, const std::string& why = "") {
     const long work = work_of(t, f);
-    q.add({model, algorithm, no_knob(),
+    q.add({model, algorithm, no_resolution(),
            [=](double) {
              return Answer{f(t.p, t.q, t.r), work};
            },

@@ -36,7 +36,7 @@ struct LettersOf {
         all.emplace_back(letter + std::to_string(i + 1), vector[i]);
     return all;
   }
-  std::string where() const { return told(typeset(), 4); }
+  std::string where() const { return listed(typeset(), 4); }
 };
 using Planted = LettersOf<double>;
 using Table = ProvableClaims<LettersOf>;

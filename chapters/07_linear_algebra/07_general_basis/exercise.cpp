@@ -101,7 +101,7 @@ Answer refined(const Basis& s, int corrections) {
 void add_factorizations(Quantity& q, const Eigen::MatrixXd& m, const Vector3<double>& right, Outcome expected,
                         const std::string& why) {
   const auto add = [&](std::string algorithm, Factorization how) {
-    q.add({"factorization", std::move(algorithm), no_knob(),
+    q.add({"factorization", std::move(algorithm), no_resolution(),
            [=](double) { return answer(solve(how, m, dense(right))); }, expected, why});
   };
   add("LU, rows exchanged", Factorization::partial_pivot_lu);

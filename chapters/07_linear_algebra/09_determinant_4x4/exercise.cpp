@@ -91,8 +91,8 @@ void add_methods(Quantity& q, const Matrix4<double>& m, const auto& terms, Outco
   Eigen::MatrixXd dense(4, 4);
   for (int i = 0; i < 16; ++i)
     dense(i / 4, i % 4) = m[static_cast<std::size_t>(i / 4)][static_cast<std::size_t>(i % 4)];
-  q.add({"elimination", "LU, rows exchanged", no_knob(), [=](double) { return answer(determinant(dense)); },
-         of_elimination, why});
+  q.add({"elimination", "LU, rows exchanged", no_resolution(),
+         [=](double) { return answer(determinant(dense)); }, of_elimination, why});
 }
 
 double largest_term(const Matrix4<double>& m) {
@@ -165,7 +165,8 @@ Quantity determinant_one(int size, Random random) {
               "the last pivot is nothing but rounding error");
   const auto counted = cast<Counted<Whole>>(m, [](Whole x) { return x; });
   const long work = operations_of([&] { return printed_sum()(counted); }).all_but_additions();
-  q.add({"exact", "24 terms, whole numbers of 128 bits", no_knob(), [m, work, sum = printed_sum()](double) {
+  q.add({"exact", "24 terms, whole numbers of 128 bits", no_resolution(),
+         [m, work, sum = printed_sum()](double) {
            return Answer{number(sum(m)), work};
          }});
   const std::string says =

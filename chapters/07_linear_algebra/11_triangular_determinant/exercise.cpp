@@ -202,13 +202,13 @@ Answer finite_answer(double x, long work) {
 
 Method product_method(std::string algorithm, const std::vector<double>& u, Outcome expected = Outcome::ok,
                       std::string why = {}) {
-  return {"product", std::move(algorithm),
-          no_knob(), [=](double) { return finite_answer(product(u), static_cast<long>(u.size())); },
-          expected,  std::move(why)};
+  return {"product",       std::move(algorithm),
+          no_resolution(), [=](double) { return finite_answer(product(u), static_cast<long>(u.size())); },
+          expected,        std::move(why)};
 }
 
 Method by_mantissas(const std::vector<double>& u) {
-  return {"mantissas and exponents", "the first first", no_knob(), [=](double) {
+  return {"mantissas and exponents", "the first first", no_resolution(), [=](double) {
             const Scaled s = scaled_product(u);
             return finite_answer(std::ldexp(s.mantissa, static_cast<int>(s.exponent)),
                                  static_cast<long>(u.size()));
@@ -216,7 +216,7 @@ Method by_mantissas(const std::vector<double>& u) {
 }
 
 Method by_logarithms(const std::vector<double>& u) {
-  return {"logarithms", "exponential of the sum", no_knob(), [=](double) {
+  return {"logarithms", "exponential of the sum", no_resolution(), [=](double) {
             return finite_answer(sign_of(u) * std::exp(sum_of_logarithms(u)),
                                  static_cast<long>(u.size()) + 1);
           }};
@@ -271,18 +271,19 @@ Quantity log_determinant(int n, int e, const Reference& truth, const Random& ran
   Quantity q = quantity("log_determinant", "", R"($\ln|\det U|$ with large entries all along the diagonal)",
                         known, {1e-12 * known.value[0], "twelve digits"});
   const std::string overflows = "the determinant itself is out of the range of a double";
-  q.add({"logarithm of the product", "as printed, the last first", no_knob(),
+  q.add({"logarithm of the product", "as printed, the last first", no_resolution(),
          [=](double) { return finite_answer(std::log(std::abs(product(last_first))), n + 1); },
          Outcome::non_finite, overflows});
-  q.add({"logarithm of the product", "LU, rows exchanged", no_knob(),
+  q.add({"logarithm of the product", "LU, rows exchanged", no_resolution(),
          [=](double) {
            Solved<double> solved = determinant(m);
            solved.value = std::log(std::abs(solved.value));
            return answer(solved);
          },
          Outcome::non_finite, overflows});
-  q.add({"logarithms", "sum", no_knob(), [=](double) { return finite_answer(sum_of_logarithms(u), n); }});
-  q.add({"mantissas and exponents", "logarithm of the mantissa", no_knob(), [=](double) {
+  q.add(
+      {"logarithms", "sum", no_resolution(), [=](double) { return finite_answer(sum_of_logarithms(u), n); }});
+  q.add({"mantissas and exponents", "logarithm of the mantissa", no_resolution(), [=](double) {
            const Scaled s = scaled_product(u);
            return finite_answer(
                std::log(std::abs(s.mantissa)) + static_cast<double>(s.exponent) * std::numbers::ln2, n + 2);
@@ -318,7 +319,8 @@ Quantity own_determinant(const Parameters& p, const Reference& truth) {
   q.add(product_method("the first first", u));
   q.add(by_mantissas(u));
   q.add(by_logarithms(u));
-  q.add({"elimination", "LU, rows exchanged", no_knob(), [=](double) { return answer(determinant(m)); }});
+  q.add(
+      {"elimination", "LU, rows exchanged", no_resolution(), [=](double) { return answer(determinant(m)); }});
   return q;
 }
 

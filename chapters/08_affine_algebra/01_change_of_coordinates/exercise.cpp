@@ -228,7 +228,7 @@ Quantity coordinates_of(const Vector2d& a, int exponent, const Reference& truth)
     using Number = Counted<double>;
     const long work =
         operations_of([&] { return find(Vector2<Number>(scale * a[0], scale * a[1])); }).all_but_additions();
-    q.add({model, algorithm, no_knob(),
+    q.add({model, algorithm, no_resolution(),
            [=](double) {
              return Answer{Value(Vector2d(find(Vector2d(scale * a)) / scale)), work};
            },
@@ -244,7 +244,7 @@ Quantity coordinates_of(const Vector2d& a, int exponent, const Reference& truth)
   add(
       "matrix", "entries 0.7071", [](const auto& x) { return by_entries(x, four_decimals); },
       off_by_decimals > need ? Outcome::inaccurate : Outcome::ok, R"(four decimals of $1/\sqrt2$)");
-  q.add({"frames", "elimination", no_knob(), [=](double) {
+  q.add({"frames", "elimination", no_resolution(), [=](double) {
            Answer b = answer(elimination_on_turned_axes(scale * a, quarter));
            for (std::size_t i = 0; i < 2; ++i) b.value[i] /= scale;
            return b;
@@ -283,7 +283,7 @@ Quantity full_turns() {
       {1e-12 * a.norm(), "a few thousand roundings"},
       {},
       {}};
-  const Knob changes{"changes", {8, 256, 8192, 262144}};
+  const Resolution changes{"changes", {8, 256, 8192, 262144}};
   const auto add = [&](const char* model, const char* algorithm, const auto& step, Outcome expected,
                        const std::string& why) {
     using Number = Counted<double>;

@@ -258,27 +258,28 @@ Quantity parallel(std::string name, std::string says, std::string because, const
   for (const Pair& pair : pairs) truth.push_back(pair.parallel);
   Quantity q{
       std::move(name), "1", std::move(says), {std::move(because), truth}, 0, {0.5, "whole numbers"}, {}, {}};
-  const auto add = [&](const char* model, const char* algorithm, const Knob& knob, Outcome expected,
-                       const auto& judge) {
-    q.add({model, algorithm, knob,
+  const auto add = [&](const char* model, const char* algorithm, const Resolution& resolution,
+                       Outcome expected, const auto& judge) {
+    q.add({model, algorithm, resolution,
            [=](double e) {
              return judged(pairs, [=](const Pair& pair, long& calls) { return judge(pair, e, calls); });
            },
            expected, expected == Outcome::ok ? "" : why});
   };
-  const Knob knob = tolerances(2, 12, 5);
-  const auto ranks = [&](const char* algorithm, const Knob& settings, Outcome expected, const auto& rank_of) {
+  const Resolution resolution = tolerances(2, 12, 5);
+  const auto ranks = [&](const char* algorithm, const Resolution& settings, Outcome expected,
+                         const auto& rank_of) {
     add("ranks", algorithm, settings, expected, [rank_of](const Pair& pair, double e, long& calls) {
       const auto of = [&](const MatrixXd& m) { return rank_of(m, e); };
       return by_rank(pair, counted_calls(of, calls));
     });
   };
-  ranks("elimination in integers", no_knob(), in_integers,
+  ranks("elimination in integers", no_resolution(), in_integers,
         [](const MatrixXd& m, double) { return exact_rank(m); });
-  ranks("singular values", knob, in_doubles, [](const MatrixXd& m, double e) { return rank(m, e); });
-  ranks("elimination, complete pivoting", knob, in_doubles,
+  ranks("singular values", resolution, in_doubles, [](const MatrixXd& m, double e) { return rank(m, e); });
+  ranks("elimination, complete pivoting", resolution, in_doubles,
         [](const MatrixXd& m, double e) { return eliminated_rank(m, e); });
-  add("projection", "Householder QR", knob, in_doubles,
+  add("projection", "Householder QR", resolution, in_doubles,
       [](const Pair& pair, double e, long& calls) { return by_projection(pair, e, calls); });
   return q;
 }

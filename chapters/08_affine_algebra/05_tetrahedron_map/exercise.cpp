@@ -185,8 +185,8 @@ Quantity values_of(std::string name, std::string says, const Tetrahedron& tetra,
              {},
              {}};
   const auto add = [&](std::string model, std::string algorithm, Outcome outcome, const auto& find) {
-    q.add({std::move(model), std::move(algorithm), no_knob(), [=](double) { return find(problem); }, outcome,
-           outcome == Outcome::ok ? "" : expected.why});
+    q.add({std::move(model), std::move(algorithm), no_resolution(), [=](double) { return find(problem); },
+           outcome, outcome == Outcome::ok ? "" : expected.why});
   };
   using F = Factorization;
   const auto normal = [](F how) { return [how](const Problem& at) { return by_normal_equations(at, how); }; };

@@ -79,7 +79,7 @@ Quantity distance_quantity(std::string name, std::string says, const Case& at, c
 template <class F>
 void add_counted(Quantity& q, const Case& at, Method method, const F& f) {
   std::vector<std::pair<double, long>> work;
-  for (double setting : method.knob.settings) {
+  for (double setting : method.resolution.settings) {
     const auto run = [&] { return distances<Counted<double>>(at, f, static_cast<int>(setting)); };
     work.emplace_back(setting, operations_of(run).all_but_additions());
   }
@@ -112,18 +112,19 @@ struct Failure {
 Quantity measured(std::string name, std::string says, const Case& at, const Reference& truth,
                   const std::vector<Failure>& failures) {
   Quantity q = distance_quantity(std::move(name), std::move(says), at, truth);
-  const auto add = [&](std::string model, std::string algorithm, const Knob& knob, const auto& f) {
+  const auto add = [&](std::string model, std::string algorithm, const Resolution& resolution,
+                       const auto& f) {
     Failure expected{model, algorithm, Outcome::ok, ""};
     for (const Failure& failure : failures)
       if (failure.model == model && failure.algorithm == algorithm) expected = failure;
-    add_counted(q, at, {model, algorithm, knob, {}, expected.outcome, expected.why}, f);
+    add_counted(q, at, {model, algorithm, resolution, {}, expected.outcome, expected.why}, f);
   };
-  add("quadratic's value", "seven regions", no_knob(), quadratic_regions);
-  add("closest point", "seven regions", no_knob(), regions);
-  add("closest point", "Voronoi regions", no_knob(), voronoi);
-  add("closest point", "plane or edges", no_knob(), plane);
-  add("closest point", "Gram-Schmidt or edges", no_knob(), orthogonal);
-  add("scaled", "Gram-Schmidt or edges", no_knob(), scaled);
+  add("quadratic's value", "seven regions", no_resolution(), quadratic_regions);
+  add("closest point", "seven regions", no_resolution(), regions);
+  add("closest point", "Voronoi regions", no_resolution(), voronoi);
+  add("closest point", "plane or edges", no_resolution(), plane);
+  add("closest point", "Gram-Schmidt or edges", no_resolution(), orthogonal);
+  add("scaled", "Gram-Schmidt or edges", no_resolution(), scaled);
   add("closest point", "golden section twice", doubling("steps", 8, 4), golden);
   add("closest point", "projected gradient", doubling("steps", 8, 7), gradient);
   return q;
@@ -143,7 +144,8 @@ Quantity in_fair(const Parameters& p, const Reference& truth) {
   Quantity q =
       measured("distance", is_fair ? "from $P$ and from one point in each of the seven regions" : "from $P$",
                at, truth, {});
-  add_counted(q, at, {"closest point", "edges", no_knob(), {}, Outcome::inaccurate, "the face is left out"},
+  add_counted(q, at,
+              {"closest point", "edges", no_resolution(), {}, Outcome::inaccurate, "the face is left out"},
               edges);
   add_counted(q, at,
               {"closest point",

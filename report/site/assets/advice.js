@@ -6,8 +6,8 @@
   const { sizes, unitsOf, inNeeds, pick, margin } = oddity.choosing;
 
   const settingOf = (row, fps) => {
-    if (!row.knob) return '';
-    if (row.knob === 'tolerance') return 'tolerance ' + number(row.setting, 1);
+    if (!row.resolution) return '';
+    if (row.resolution === 'tolerance') return 'tolerance ' + number(row.setting, 1);
     const steps = Math.round(1 / (row.setting * fps));
     return steps + (steps === 1 ? ' step a frame' : ' steps a frame');
   };
@@ -24,9 +24,9 @@
   }
 
   const methodText = (row) =>
-    (row.knob ? row.algorithm : row.model + ' by ' + row.algorithm) +
+    (row.resolution ? row.algorithm : row.model + ' by ' + row.algorithm) +
     (row.precision === 'float' ? ' in float' : '') +
-    (row.knob ? ' on the model "' + row.model + '"' : '');
+    (row.resolution ? ' on the model "' + row.model + '"' : '');
 
   const evaluationsText = (x) => number(x, 3) + (x === 1 ? ' evaluation' : ' evaluations');
 
@@ -46,7 +46,7 @@
         best && Number.isFinite(best.error)
           ? 'The closest is ' +
             methodText(best) +
-            (best.knob ? ', ' + settingOf(best, state.fps) : '') +
+            (best.resolution ? ', ' + settingOf(best, state.fps) : '') +
             ', with an error of ' +
             errorIn(best.errors, state) +
             '.'

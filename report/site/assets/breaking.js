@@ -30,9 +30,9 @@
     return motions.judge(motions.run(parameters, row), parameters).since !== null;
   }
 
-  function searched(motions, parameters, row, knob, fails) {
-    const [from, to] = knob === 'step' ? [motions.frame / 128, motions.scene.horizon / motions.looks] : [1e-12, 1];
-    for (let tried = from; tried <= to * 1.001; tried *= knob === 'step' ? finer : 10) {
+  function searched(motions, parameters, row, resolution, fails) {
+    const [from, to] = resolution === 'step' ? [motions.frame / 128, motions.scene.horizon / motions.looks] : [1e-12, 1];
+    for (let tried = from; tried <= to * 1.001; tried *= resolution === 'step' ? finer : 10) {
       const setting = Number(tried.toPrecision(3));
       if (fails(motions, parameters, { ...row, setting })) return { setting };
     }
@@ -61,9 +61,9 @@
 
   /** {was, row, text} for the first row that has a step; {problem} if nothing breaks. */
   oddity.breaking = function (motions, parameters, rows) {
-    const row = rows.find((r) => motions.find(r.model, r.algorithm).knob && !motions.find(r.model, r.algorithm).path);
+    const row = rows.find((r) => motions.find(r.model, r.algorithm).resolution && !motions.find(r.model, r.algorithm).path);
     if (!row) return { problem: 'None of these methods has a step that could be too long. Add one that has.' };
-    const { knob: kind } = motions.find(row.model, row.algorithm);
+    const { resolution: kind } = motions.find(row.model, row.algorithm);
     const limit = kind === 'step' ? known(motions, parameters, row) : null;
     const broke = limit || searched(motions, parameters, row, kind, broken);
     const found = broke || searched(motions, parameters, row, kind, off);

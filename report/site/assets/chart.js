@@ -10,7 +10,7 @@
     lettered,
     methodsOf,
     sentence,
-    mainKnob,
+    mainResolution,
     mostCurves,
     finding,
     description,
@@ -214,7 +214,7 @@
 
     const tools = element('div', { class: 'tools' });
     if (quantity.charts.length > 1) {
-      const names = { ...axisTitles, setting: mainKnob(all) };
+      const names = { ...axisTitles, setting: mainResolution(all) };
       tools.append(
         choice(
           'error against',

@@ -50,7 +50,7 @@
           model: row.model,
           algorithm: row.algorithm,
           precision: row.precision,
-          knob: row.knob,
+          resolution: row.resolution,
           trials: [],
         });
       const error = single ? row.errors[units[0]] : row.error;

@@ -38,8 +38,8 @@
   function counted(quantity, methods) {
     if (quantity.operations) return 'multiplications, divisions and functions';
     const differs = methods.some((m) => m.algorithm.includes('difference'));
-    const steps = methods.some((m) => m.knob === 'step');
-    const nodes = methods.some((m) => m.knob === 'panels' || m.knob === 'points');
+    const steps = methods.some((m) => m.resolution === 'step');
+    const nodes = methods.some((m) => m.resolution === 'panels' || m.resolution === 'points');
     if (differs) return 'evaluations of the function';
     if (steps && nodes) return 'evaluations of the right-hand side or integrand';
     if (steps) return 'evaluations of the right-hand side';
@@ -189,7 +189,7 @@
         ? 'time'
         : at.axis === 'evaluations'
           ? counted(quantity, methods)
-          : at.knob + (at.knob === 'step' && context.timeUnit ? ' [' + context.timeUnit + ']' : '');
+          : at.resolution + (at.resolution === 'step' && context.timeUnit ? ' [' + context.timeUnit + ']' : '');
     text(name, { x: (box.left + box.right) / 2, y: box.bottom + 36, 'text-anchor': 'middle', class: 'name' });
     text(errorName(quantity.unit), {
       class: 'name',

@@ -1,8 +1,8 @@
 // oddity.engine: the scenes' models, compiled from the program's own C++ to WebAssembly (report/site/module).
 //
 // - ready: resolves to whether the models can be run. They are in models.js, which is loaded later.
-// - algorithms: `[{name, kind, order, knob, inFloat}]`. `kind` is fixed, partitioned, velocities first, controlled,
-//   implicit fixed, implicit controlled or closed form. `knob` is step or tolerance, and empty for a closed form.
+// - algorithms: `[{name, kind, order, resolution, inFloat}]`. `kind` is fixed, partitioned, velocities first, controlled,
+//   implicit fixed, implicit controlled or closed form. `resolution` is step or tolerance, and empty for a closed form.
 // - scene(number): null for an unknown scene, otherwise
 //     `{parameters: [name], defaults: {name: value}, models: [{name, algorithms: [name], constrained, events}],
 //     observables: their number, drawn, space}`. A model with events runs in double only.
@@ -29,7 +29,7 @@
   'use strict';
 
   const endings = ['reached', 'non-finite', 'stalled', 'raised', 'chattering', 'grazing'];
-  const closedForm = {name: 'closed form', kind: 'closed form', order: 0, knob: '', inFloat: true};
+  const closedForm = {name: 'closed form', kind: 'closed form', order: 0, resolution: '', inFloat: true};
 
   let compiled = null;
   let wasm = null;        // the module's exports

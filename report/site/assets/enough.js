@@ -7,13 +7,13 @@
   const tolerances = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10];
   const safe = 0.1;                           // relative to the need: the largest error of the truth
 
-  const settingsOf = (motions, { knob }) =>
-    (knob === 'step' ? steps.map((n) => motions.frame / n) : knob === 'tolerance' ? tolerances : [0]);
+  const settingsOf = (motions, { resolution }) =>
+    (resolution === 'step' ? steps.map((n) => motions.frame / n) : resolution === 'tolerance' ? tolerances : [0]);
 
   function settingText(motions, { algorithm, model, setting }) {
-    const { knob } = motions.find(model, algorithm);
-    if (knob === 'tolerance') return ` at a tolerance of ${oddity.written(setting)}`;
-    if (knob !== 'step') return '';
+    const { resolution } = motions.find(model, algorithm);
+    if (resolution === 'tolerance') return ` at a tolerance of ${oddity.written(setting)}`;
+    if (resolution !== 'step') return '';
     const count = Math.round(motions.frame / setting);
     return count === 1 ? ' with a step a frame' : ` with ${count} steps a frame`;
   }
@@ -32,7 +32,7 @@
   function told(motions, best) {
     const { method, judged, motion } = best;
     const cost = motion.evaluations === 1 ? 'one evaluation' : `${motion.evaluations} evaluations`;
-    const by = motions.find(method.model, method.algorithm).knob ? `${oddity.sentence(method.algorithm)} on ${method.model}`
+    const by = motions.find(method.model, method.algorithm).resolution ? `${oddity.sentence(method.algorithm)} on ${method.model}`
       : `The closed form of ${method.model}`;
     return `${by}${settingText(motions, method)} is enough: at ${motions.frames} frames${motions.part && `, the first ${motions.part},`} it is `
       + `${oddity.amounts(judged.worst, judged.units)} off at most, for ${cost}.`;

@@ -86,7 +86,7 @@
         model: m.model,
         algorithm: m.algorithm,
         precision: m.precision,
-        knob: m.knob,
+        resolution: m.resolution,
         index,
         family: styles.families[m.algorithm] || m.algorithm,
         colours: {
@@ -159,11 +159,11 @@
   const best = (points, axis) => points.reduce((a, b) => (preferable(b, a, axis) ? b : a));
 
   /** The setting on the axis: that of most methods; a tolerance only if there is no other. */
-  function mainKnob(methods) {
+  function mainResolution(methods) {
     const counts = {};
-    for (const m of methods) if (m.knob) counts[m.knob] = (counts[m.knob] || 0) + 1;
-    const knobs = Object.keys(counts).sort((a, b) => counts[b] - counts[a]);
-    return knobs.find((knob) => knob !== 'tolerance') || knobs[0] || '';
+    for (const m of methods) if (m.resolution) counts[m.resolution] = (counts[m.resolution] || 0) + 1;
+    const resolutions = Object.keys(counts).sort((a, b) => counts[b] - counts[a]);
+    return resolutions.find((resolution) => resolution !== 'tolerance') || resolutions[0] || '';
   }
 
   // ---- axes
@@ -180,10 +180,10 @@
 
   /** The ranges of both axes, as exponents of ten if logarithmic, and the place of each point. */
   function frame(quantity, methods, axis) {
-    const knob = mainKnob(methods);
-    const isLine = (m) => axis === 'setting' && !m.knob;
+    const resolution = mainResolution(methods);
+    const isLine = (m) => axis === 'setting' && !m.resolution;
     const abscissa = (p) =>
-      axis !== 'setting' ? cost(p, axis) : p.method.knob === knob ? p.setting : isLine(p.method) ? edge : NaN;
+      axis !== 'setting' ? cost(p, axis) : p.method.resolution === resolution ? p.setting : isLine(p.method) ? edge : NaN;
     let edge = 1; // place of the point, and start of the line, of a method without a setting
     const top = Math.max(1e3 * quantity.size, 10 * quantity.need) || 1;
     const points = pointsOf(methods);
@@ -204,7 +204,7 @@
     edge = few ? x.low : Math.pow(10, x.low);
     return {
       axis,
-      knob,
+      resolution,
       abscissa,
       within,
       isLine,
@@ -279,7 +279,7 @@
       : null;
   }
 
-  const integrates = (m) => m.knob === 'step' || m.knob === 'tolerance';
+  const integrates = (m) => m.resolution === 'step' || m.resolution === 'tolerance';
 
   /** The finding for a motion at a game's tolerance: "velocity Verlet needs 80 evaluations, 32 times fewer
       than explicit Euler". */
@@ -360,11 +360,11 @@
   }
 
   function findingOfSettings(quantity, methods) {
-    const knob = mainKnob(methods),
-      setting = /^(step|tolerance|distance|pulse|softness|amplitude)$/.test(knob)
-        ? 'a ' + knob
-        : 'the setting "' + knob + '"';
-    const points = pointsOf(methods.filter((m) => m.knob === knob)).filter(usable);
+    const resolution = mainResolution(methods),
+      setting = /^(step|tolerance|distance|pulse|softness|amplitude)$/.test(resolution)
+        ? 'a ' + resolution
+        : 'the setting "' + resolution + '"';
+    const points = pointsOf(methods.filter((m) => m.resolution === resolution)).filter(usable);
     if (!points.length) return { says: 'No method with ' + setting + ' comes to its end.', of: [] };
     const least = points.reduce((a, b) => (b.error < a.error ? b : a));
     return {
@@ -417,9 +417,9 @@
   }
 
   function settingOf(p, timeUnit) {
-    const { knob } = p.method;
-    if (!knob) return '';
-    return knob + ' ' + number(p.setting, 3) + (knob === 'step' && timeUnit ? ' ' + timeUnit : '');
+    const { resolution } = p.method;
+    if (!resolution) return '';
+    return resolution + ' ' + number(p.setting, 3) + (resolution === 'step' && timeUnit ? ' ' + timeUnit : '');
   }
 
   /** Everything known about a trial, in lines. */
@@ -456,7 +456,7 @@
     called,
     front,
     best,
-    mainKnob,
+    mainResolution,
     decades,
     frame,
     part,

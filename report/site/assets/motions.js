@@ -37,8 +37,8 @@
     const all = new Map();
     for (const m of quantity.methods) {
       const name = `${m.model}, ${plain(m.algorithm)}`;
-      const known = all.get(name) || { model: m.model, algorithm: plain(m.algorithm), knob: m.knob, trials: [] };
-      if (m.precision === 'double') Object.assign(known, { knob: m.knob, trials: m.trials });
+      const known = all.get(name) || { model: m.model, algorithm: plain(m.algorithm), resolution: m.resolution, trials: [] };
+      if (m.precision === 'double') Object.assign(known, { resolution: m.resolution, trials: m.trials });
       all.set(name, known);
     }
     return [...all.values()];
@@ -52,8 +52,8 @@
     if (!own) return [];
     const facts = new Map(engine.algorithms.map((a) => [a.name, a]));
     return own.models.flatMap(({ name, algorithms, events }) => algorithms.map((algorithm) => {
-      const fact = facts.get(algorithm) || { knob: '', inFloat: false };
-      return { model: name, algorithm, knob: fact.knob, precisions: fact.inFloat && !events ? ['double', 'float'] : ['double'] };
+      const fact = facts.get(algorithm) || { resolution: '', inFloat: false };
+      return { model: name, algorithm, resolution: fact.resolution, precisions: fact.inFloat && !events ? ['double', 'float'] : ['double'] };
     }));
   };
 
@@ -61,7 +61,7 @@
   function recordedMethods(paths, others) {
     return paths
       .filter((p) => !others.some((m) => m.model === p.model && m.algorithm === p.algorithm))
-      .map((p) => ({ model: p.model, algorithm: p.algorithm, knob: p.knob, precisions: [p.precision || 'double'], path: p }));
+      .map((p) => ({ model: p.model, algorithm: p.algorithm, resolution: p.resolution, precisions: [p.precision || 'double'], path: p }));
   }
 
   /** An outcome's name, by its letter. */
@@ -91,8 +91,8 @@
     }
 
     function compute(parameters, { model, algorithm, precision, setting }, as) {
-      const { knob } = find(model, algorithm);
-      const steps = knob === 'step' ? oddity.timesOfSteps(scene.horizon, looks, frame, setting, as) : null;
+      const { resolution } = find(model, algorithm);
+      const steps = resolution === 'step' ? oddity.timesOfSteps(scene.horizon, looks, frame, setting, as) : null;
       const times = steps ? steps.times : oddity.frameTimes(scene.horizon, scene.truth.frames);
       return computedAt(times, { parameters, model, algorithm, precision, setting: steps ? steps.step : setting });
     }
@@ -129,9 +129,9 @@
       const best = (some) => some.reduce((a, b) => (a && error(a) <= error(b) ? a : b), null);
       const usual = best(candidates.filter((m) => m.algorithm === finest));
       const smooth = usual && error(usual) <= tenDigits * quantity.size;  // else its adaptive steps meet a kink
-      const method = smooth ? usual : best(candidates.filter((m) => m.knob)) || best(candidates);
+      const method = smooth ? usual : best(candidates.filter((m) => m.resolution)) || best(candidates);
       return method && { model: method.model, algorithm: method.algorithm, precision: 'double', error: error(method),
-        setting: method.knob === 'tolerance' ? 1e-12 : bestTrial(triedLike(method))[0] };
+        setting: method.resolution === 'tolerance' ? 1e-12 : bestTrial(triedLike(method))[0] };
     }
     const richest = engine ? (data.example && data.example.truth) || finestMethod() : null;
 
@@ -171,14 +171,14 @@
       return oddity.distances(motion.resolution, zero, scene.norms, units).map((x, u) => Math.max(x, floor[u]));
     }
 
-    const asRow = ({ model, algorithm, precisions, knob, path }, setting) => ({ model, algorithm, precision: precisions[0],
-      setting: path ? path.setting : knob ? setting : 0 });
+    const asRow = ({ model, algorithm, precisions, resolution, path }, setting) => ({ model, algorithm, precision: precisions[0],
+      setting: path ? path.setting : resolution ? setting : 0 });
 
     /** A setting for a newly chosen method. */
     function usual(method) {
       if (method.path) return method.path.setting;
-      if (method.knob === 'step') return frame;
-      if (method.knob === 'tolerance') return 1e-6;
+      if (method.resolution === 'step') return frame;
+      if (method.resolution === 'tolerance') return 1e-6;
       const known = triedLike(method);
       return known && known.trials.length ? known.trials[known.trials.length >> 1][0] : 0;
     }
@@ -220,14 +220,14 @@
       const finestOf = (model) => {
         const all = algorithmsOf(model);
         const method = all.find((m) => m.algorithm === finest) || all.find((m) => m.algorithm === 'Runge-Kutta 4') || all[0];
-        return asRow(method, method.knob === 'tolerance' ? 1e-9 : frame / 4);
+        return asRow(method, method.resolution === 'tolerance' ? 1e-9 : frame / 4);
       };
       const right = richest || null;
       const printed = models.filter(oddity.isPublished).map(finestOf);
       if (!printed.length) return null;
       if (!right) return printed.slice(0, 4);
       const method = find(right.model, right.algorithm);
-      return [asRow(method, method.knob === 'tolerance' ? 1e-9 : right.setting), ...printed].slice(0, 4);
+      return [asRow(method, method.resolution === 'tolerance' ? 1e-9 : right.setting), ...printed].slice(0, 4);
     }
 
     /** Third-party engines, the worst and the best, with a method that is enough; null if none was run. */

@@ -5,13 +5,13 @@
 
   const waiting = [];
 
-  function whole_method({ models, algorithms, knobs }, [model, algorithm, knob, in_float, trials]) {
+  function whole_method({ models, algorithms, resolutions }, [model, algorithm, resolution, in_float, trials]) {
     return {
       model: models[model],
       algorithm: algorithms[algorithm],
-      knob: knobs[knob].name,
+      resolution: resolutions[resolution].name,
       precision: in_float ? 'float' : 'double',
-      trials: trials.map((trial, i) => [knobs[knob].settings[i], ...trial]),
+      trials: trials.map((trial, i) => [resolutions[resolution].settings[i], ...trial]),
     };
   }
 

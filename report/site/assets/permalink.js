@@ -44,8 +44,8 @@
     if (!found) throw new Unreadable(`The link asks for \u201c${model}, ${algorithm}\u201d, which ${known.missing}.`);
     if (!found.precisions.includes(precision))
       throw new Unreadable(`The link asks for ${algorithm} in \u201c${precision}\u201d, which it cannot do.`);
-    const x = number(setting, found.knob || 'a setting');
-    if (found.knob && !(x > 0)) throw new Unreadable(`The link sets a ${found.knob} of ${setting}; it has to be above 0.`);
+    const x = number(setting, found.resolution || 'a setting');
+    if (found.resolution && !(x > 0)) throw new Unreadable(`The link sets a ${found.resolution} of ${setting}; it has to be above 0.`);
     return { model, algorithm, precision, setting: x };
   }
 
@@ -103,7 +103,7 @@
     },
 
     /** `{state}`, or `{problem: a sentence}`; null if it is no link to a player. `known` is `{parameters,
-        methods: [{model, algorithm, precisions, knob}], horizon, speeds, space: whether the view can turn,
+        methods: [{model, algorithm, precisions, resolution}], horizon, speeds, space: whether the view can turn,
         missing: the message for a missing part}`. */
     parse(hash, known) {
       const [first, ...parts] = hash.split('&');

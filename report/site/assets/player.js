@@ -114,11 +114,11 @@
       this.later(() => {
         this.point(next);
         if (other) this.ended();
-        this.sayRow(row);
+        this.showRow(row);
       });
     }
 
-    sayRow({ method, result }) {
+    showRow({ method, result }) {
       if (!result.motion) return;
       clearTimeout(this.saying);
       this.saying = setTimeout(() =>
@@ -171,7 +171,7 @@
         ({ motion: row.result.motion, colour: this.colours[row.shape] })));
       this.plot(sizes, floors);
       this.portray();
-      this.tellTruth();
+      this.showTruth();
       this.offerRows();
       this.element.dataset.computed = (performance.now() - started).toFixed(1);
       this.paint();
@@ -208,13 +208,13 @@
     }
 
     /** Describes the ghost, and the difference of the two methods that compute it. */
-    tellTruth() {
+    showTruth() {
       const { motions } = this;
       if (motions.aboutTruth) return this.tell(motions.aboutTruth(this.parameters));
       const { richest } = motions;
       if (this.truth === motions.reference && !richest) return this.tell('The ghost is the true motion: the reference, kept to seven digits.');
-      const { knob } = motions.find(richest.model, richest.algorithm);
-      const by = `${richest.algorithm} on ${richest.model}` + (knob ? ` at a ${knob} of ${oddity.written(richest.setting)}` : '');
+      const { resolution } = motions.find(richest.model, richest.algorithm);
+      const by = `${richest.algorithm} on ${richest.model}` + (resolution ? ` at a ${resolution} of ${oddity.written(richest.setting)}` : '');
       const apart = oddity.amounts(motions.apart(), Object.keys(this.scene.close));
       if (this.truth === motions.reference)
         this.tell(`The ghost is the true motion: the reference, kept to seven digits. With other parameters it is ${by}, which here is ${apart} from it at most.`);
@@ -321,7 +321,7 @@
       this.as = oddity.framesAs.find((as) => as.name === name);
       this.later(() => {
         this.ended();
-        if (this.rows.length) this.sayRow(this.rows[0]);
+        if (this.rows.length) this.showRow(this.rows[0]);
       });
     }
 
@@ -343,11 +343,11 @@
       if (shown < all.length)
         place.append(make('details', { class: 'player-more' },
           make('summary', {}, `${all.length - shown} more parameters`), grid(all.slice(shown))));
-      if (this.motions.recordedOnly) this.tellRecorded(place);
+      if (this.motions.recordedOnly) this.showRecorded(place);
       return place;
     }
 
-    tellRecorded(place) {
+    showRecorded(place) {
       for (const slider of this.sliders.values()) slider.enable(false);
       place.prepend(make('p', { class: 'player-note' },
         'The models are not in this copy of the page, so it plays recordings. ', make('code', {}, `${oddity.program} site`),
@@ -373,7 +373,7 @@
       this.sliders.get(p.name).show(value);
       this.later(() => {
         this.ended();
-        if (this.rows.length) this.sayRow(this.rows[0]);
+        if (this.rows.length) this.showRow(this.rows[0]);
       });
     }
 
@@ -403,7 +403,7 @@
       this.compute();
       this.point(row.method);
       row.view.focus();
-      this.sayRow(row);
+      this.showRow(row);
     }
 
     preset(rows, text) {
@@ -490,7 +490,7 @@
       const units = Object.keys(this.scene.close);
       const unit = units.length === 1 ? ` ${units[0]}` : '';
       const error = trial[1] === null ? 'no error' : `an error of ${oddity.written(trial[1])}${unit}`;
-      const stops = found.knob === 'tolerance' && !path ? '; here it stops at every frame' : '';
+      const stops = found.resolution === 'tolerance' && !path ? '; here it stops at every frame' : '';
       return `The table has ${error} at its ${this.motions.looks} times, ${oddity.outcomeName(this.motions.data, trial[5])}${stops}.`;
     }
 

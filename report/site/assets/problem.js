@@ -9,7 +9,7 @@
   const tight = 1e-12;        // the tolerance of the reference
   const doubles = 1e-11;      // relative to the size: the error at that tolerance
   // Fehlberg 7(8) accepts steps across a kink as exact.
-  const makers = ['Bulirsch-Stoer', 'Dormand-Prince 5(4)'];
+  const integrators = ['Bulirsch-Stoer', 'Dormand-Prince 5(4)'];
 
   /** The observables of one point are judged by its distance. */
   function normsOf(observables) {
@@ -64,7 +64,7 @@
 
     function run(parameters, method, as = undefined) {
       return cached([...keyOf(parameters, method), as && as.name], () => {
-        if (find(method.model, method.algorithm).knob !== 'step') return computed(times, { parameters, ...method });
+        if (find(method.model, method.algorithm).resolution !== 'step') return computed(times, { parameters, ...method });
         const steps = oddity.timesOfSteps(horizon, looks, frame, method.setting, as);
         return computed(steps.times, { parameters, ...method, setting: steps.step });
       });
@@ -74,8 +74,8 @@
     const last = models[models.length - 1];
     const isClosed = algorithmsOf(last)[0].algorithm === 'closed form';
     const finest = (algorithm) => ({ model: last, algorithm, precision: 'double', setting: tight });
-    const richest = isClosed ? { ...finest('closed form'), setting: 0 } : finest(makers[0]);
-    const second = isClosed ? null : finest(makers[1]);
+    const richest = isClosed ? { ...finest('closed form'), setting: 0 } : finest(integrators[0]);
+    const second = isClosed ? null : finest(integrators[1]);
 
     const frameByFrame = (parameters, method) =>
       cached(['frames', ...keyOf(parameters, method)], () => computed(times, { parameters, ...method }));
@@ -104,12 +104,12 @@
       const shown = part ? ` The page looks at the first ${part}.` : '';
       if (isClosed) return `The ghost is the closed form of ${last}, which is taken for true.${shown}`;
       const { ending, message } = truth(parameters);
-      const by = `${last} by ${makers[0]} at a tolerance of ${oddity.written(tight)}`;
+      const by = `${last} by ${integrators[0]} at a tolerance of ${oddity.written(tight)}`;
       if (ending !== 'reached') return `The true motion is not known to the end by ${by}: ${message || ending}.${shown}`;
       const known = knownApart(parameters);
-      const how = !known ? `${makers[1]} is still to confirm it.`
-        : known.every(Number.isFinite) ? `${makers[1]}, which shares no step with it, differs by ${oddity.amounts(known, units)} at most.`
-          : `${makers[1]} does not get to the end, so nothing confirms it.`;
+      const how = !known ? `${integrators[1]} is still to confirm it.`
+        : known.every(Number.isFinite) ? `${integrators[1]}, which shares no step with it, differs by ${oddity.amounts(known, units)} at most.`
+          : `${integrators[1]} does not get to the end, so nothing confirms it.`;
       return `The ghost is ${by}, which is taken for true. ${how}${shown}`;
     }
 
@@ -119,7 +119,7 @@
     };
 
     function usual(method) {
-      return method.knob === 'step' ? frame : method.knob === 'tolerance' ? 1e-6 : 0;
+      return method.resolution === 'step' ? frame : method.resolution === 'tolerance' ? 1e-6 : 0;
     }
     const asRow = (method, setting) => ({ model: method.model, algorithm: method.algorithm, precision: 'double', setting });
 

@@ -62,9 +62,9 @@
     return { value, element: oddity.make('div', { class: 'reading', title }, oddity.make('dt', {}, name), value) };
   };
 
-  function settingScale({ knob }, { scene, frame, looks }) {
-    const ends = knob === 'tolerance' ? [1e-13, 0.1] : knob === 'step' ? [frame / 64, scene.horizon / looks] : [1, 1024];
-    return oddity.scaleOf({ value: ends[0], unit: knob, least: ends[0], most: ends[1], whole: !['tolerance', 'step'].includes(knob) });
+  function settingScale({ resolution }, { scene, frame, looks }) {
+    const ends = resolution === 'tolerance' ? [1e-13, 0.1] : resolution === 'step' ? [frame / 64, scene.horizon / looks] : [1, 1024];
+    return oddity.scaleOf({ value: ends[0], unit: resolution, least: ends[0], most: ends[1], whole: !['tolerance', 'step'].includes(resolution) });
   }
 
   /** {element, show(result), now(t), paint(colour)}; `changed(row)` receives the new row. */
@@ -74,7 +74,7 @@
     const model = choice('model', (name) => changed(another(name, row.algorithm)));
     const algorithm = choice('algorithm', (name) => changed(another(row.model, name)));
     const precision = choice('computed in', (name) => changed({ ...row, precision: name }));
-    const knobPlace = oddity.make('div', { class: 'row-setting' });
+    const resolutionPlace = oddity.make('div', { class: 'row-setting' });
     const errorNow = reading('error', 'distance from the truth now');
     const worst = reading('at worst', 'largest distance from the truth until the end');
     const drift = reading('conserved', 'largest change of energy and other conserved quantities, relative to their moving parts');
@@ -83,7 +83,7 @@
       oddity.icon({ d: 'M4 4 L12 12 M12 4 L4 12', fill: 'none', stroke: 'currentColor', 'stroke-width': 1.6 }));
     const element = oddity.make('div', { class: 'row', role: 'group' },
       oddity.make('div', { class: 'row-what' }, mark.canvas, model.select,
-        oddity.make('div', { class: 'row-by' }, algorithm.select, precision.select), knobPlace, remove),
+        oddity.make('div', { class: 'row-by' }, algorithm.select, precision.select), resolutionPlace, remove),
       oddity.make('div', { class: 'row-how' },
         oddity.make('dl', {}, errorNow.element, worst.element, drift.element), ending));
     let result = null;
@@ -94,29 +94,29 @@
     function another(modelName, algorithmName) {
       const was = motions.find(row.model, row.algorithm);
       const next = motions.find(modelName, algorithmName) || motions.algorithmsOf(modelName)[0];
-      const same = next.knob === was.knob && !next.path && !was.path;
+      const same = next.resolution === was.resolution && !next.path && !was.path;
       return { ...row, model: next.model, algorithm: next.algorithm, trial: null,
         precision: next.precisions.includes(row.precision) ? row.precision : next.precisions[0],
         setting: same ? row.setting : motions.usual(next) };
     }
 
     function showSetting(method) {
-      const kind = method.path ? 'recorded' : method.knob;
+      const kind = method.path ? 'recorded' : method.resolution;
       if (sliderOf !== kind) {
         sliderOf = kind;
         slider = null;
-        knobPlace.replaceChildren();
-        if (kind === 'recorded' && method.path.knob)
-          knobPlace.append(oddity.make('span', { class: 'row-fixed' }, ''));
+        resolutionPlace.replaceChildren();
+        if (kind === 'recorded' && method.path.resolution)
+          resolutionPlace.append(oddity.make('span', { class: 'row-fixed' }, ''));
         else if (kind && kind !== 'recorded')
           slider = oddity.slider({ name: kind, says: '', unit: kind === 'step' ? scene.time_unit : '',
             units: kind === 'step' ? motions.data.units[scene.time_unit] : {}, scale: settingScale(method, motions),
             value: row.setting, checked: (x) => (x > 0 ? '' : `The ${kind} has to be above 0.`),
             changed: (setting) => changed({ ...row, setting, trial: null }), refused });
-        if (slider) knobPlace.append(slider.element);
+        if (slider) resolutionPlace.append(slider.element);
       }
       if (slider) slider.show(row.setting);
-      else if (knobPlace.firstChild) knobPlace.firstChild.textContent = `${method.path.knob} ${oddity.inField(method.path.setting)}, recorded`;
+      else if (resolutionPlace.firstChild) resolutionPlace.firstChild.textContent = `${method.path.resolution} ${oddity.inField(method.path.setting)}, recorded`;
     }
 
     function showMethod() {

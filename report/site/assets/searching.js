@@ -16,11 +16,11 @@
   }
 
   /** The setting of an algorithm; one that the engine does not list is a closed form. */
-  const knobOf = (engine, name) => (engine.algorithms.find((a) => a.name === name) || { knob: '' }).knob;
+  const resolutionOf = (engine, name) => (engine.algorithms.find((a) => a.name === name) || { resolution: '' }).resolution;
 
-  function settings(knob, fps) {
-    if (knob === 'step') return stepsPerFrame.map((steps) => 1 / (fps * steps));
-    if (knob === 'tolerance') return Array.from({ length: 12 }, (_, i) => Number('1e-' + (i + 2)));
+  function settings(resolution, fps) {
+    if (resolution === 'step') return stepsPerFrame.map((steps) => 1 / (fps * steps));
+    if (resolution === 'tolerance') return Array.from({ length: 12 }, (_, i) => Number('1e-' + (i + 2)));
     return [0];
   }
 
@@ -55,12 +55,12 @@
     const steps = state.horizon * state.fps > 3000 ? 64 : 256;
     return engine.algorithms
       .filter((a) => model.algorithms.includes(a.name) && !a.kind.startsWith('implicit'))
-      .sort((a, b) => (a.knob !== '') - (b.knob !== '') || b.order - a.order)
+      .sort((a, b) => (a.resolution !== '') - (b.resolution !== '') || b.order - a.order)
       .slice(0, 4)
-      .map(({ name, knob }) => ({
+      .map(({ name, resolution }) => ({
         model: model.name,
         algorithm: name,
-        setting: knob === 'tolerance' ? 1e-13 : knob === 'step' ? 1 / (steps * state.fps) : 0,
+        setting: resolution === 'tolerance' ? 1e-13 : resolution === 'step' ? 1 / (steps * state.fps) : 0,
       }));
   }
 
@@ -108,19 +108,19 @@
     const all = [];
     for (const model of engine.scene(state.scene.number).models)
       for (const algorithm of model.algorithms) {
-        const knob = knobOf(engine, algorithm);
+        const resolution = resolutionOf(engine, algorithm);
         const faulted = state.scene.faulted.includes(model.name);
         const listed = engine.algorithms.find((a) => a.name === algorithm);
         if (state.precision !== 'float')
-          all.push({ model: model.name, algorithm, knob, faulted, precision: 'double' });
+          all.push({ model: model.name, algorithm, resolution, faulted, precision: 'double' });
         if (state.precision !== 'double' && !model.events && (!listed || listed.inFloat))
-          all.push({ model: model.name, algorithm, knob, faulted, precision: 'float' });
+          all.push({ model: model.name, algorithm, resolution, faulted, precision: 'float' });
       }
     return all;
   }
 
   const isMultistep = (name) => /^(Adams-|GSL ms|CVODE)/.test(name);
-  const isSimple = (row) => row.knob !== 'tolerance' && !isMultistep(row.algorithm);
+  const isSimple = (row) => row.resolution !== 'tolerance' && !isMultistep(row.algorithm);
 
   /** The time of a run: the least of three batches, each long enough for the page's coarse clock. */
   function* timed(run) {
@@ -156,7 +156,7 @@
     const known = found.truth.errors || {};
     for (const method of methods) {
       let spent = 0;
-      for (const setting of settings(method.knob, state.fps)) {
+      for (const setting of settings(method.resolution, state.fps)) {
         const run = trial(state, engine, times, { ...method, setting });
         const errors = errorsOf(run.observed, found.truth.observed, state.scene);
         for (const unit of Object.keys(errors)) if (errors[unit] < known[unit]) errors[unit] = known[unit];

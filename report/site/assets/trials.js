@@ -33,7 +33,7 @@
   }
 
   function columnsOf(quantity, context) {
-    const knobs = new Set(quantity.methods.map((m) => m.knob).filter(Boolean));
+    const resolutions = new Set(quantity.methods.map((m) => m.resolution).filter(Boolean));
     const unit = quantity.unit && quantity.unit !== '1' ? ' [' + quantity.unit + ']' : '';
     const timed = quantity.methods.some((m) => m.trials.some((trial) => trial[3] !== null));
     const time = {
@@ -58,14 +58,14 @@
       ...(timed ? [time] : []),
       { name: 'outcome', value: (p) => context.outcomes[p.outcome] || p.outcome },
     ];
-    if (knobs.size) {
-      const only = knobs.size === 1 ? [...knobs][0] : 'setting';
+    if (resolutions.size) {
+      const only = resolutions.size === 1 ? [...resolutions][0] : 'setting';
       columns.splice(2, 0, {
         name: only,
-        value: (p) => (p.method.knob ? p.setting : null),
+        value: (p) => (p.method.resolution ? p.setting : null),
         numeric: true,
         text: (p) =>
-          !p.method.knob ? '' : (knobs.size > 1 ? p.method.knob + ' ' : '') + number(p.setting, 3),
+          !p.method.resolution ? '' : (resolutions.size > 1 ? p.method.resolution + ' ' : '') + number(p.setting, 3),
       });
     }
     return columns;

@@ -280,7 +280,7 @@
         while (!last.value.done && performance.now() < end) last = pieces.next();
         this.answer.textContent = last.value.text;
         this.alone.hidden = !last.value.best;
-        player.tellTruth();
+        player.showTruth();
         if (!last.value.done) {
           this.looking = setTimeout(next, 0);
           return;

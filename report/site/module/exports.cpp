@@ -85,7 +85,7 @@ std::vector<Algorithm> algorithms() {
 std::string text_of(const Algorithm& a) {
   return "{\"name\":" + quoted(a.name) + ",\"kind\":" + quoted(name_of(a.kind)) +
          ",\"order\":" + std::to_string(a.order) +
-         ",\"knob\":" + quoted(ode::has_tolerance(a.kind) ? "tolerance" : "step") +
+         ",\"resolution\":" + quoted(ode::has_tolerance(a.kind) ? "tolerance" : "step") +
          ",\"inFloat\":" + flag(a.in_float) + "}";
 }
 

@@ -1,4 +1,4 @@
-#include "report/study/beside_program.hpp"
+#include "report/study/sibling_program.hpp"
 
 #include <dlfcn.h>
 #include <sys/stat.h>
