@@ -23,7 +23,7 @@ struct TileClass {
 constexpr TileClass tile_wrong{"wrong", "wrong"}, tile_incomplete{"incomplete", "incomplete"},
     tile_misprint{"misprint", "misprints only"}, tile_unsettled{"unsettled", "unsettled"},
     tile_right{"right", "nothing wrong"};
-constexpr std::array tiles{tile_right, tile_misprint, tile_incomplete, tile_wrong, tile_unsettled};
+constexpr std::array tile_classes{tile_right, tile_misprint, tile_incomplete, tile_wrong, tile_unsettled};
 
 /// The worst of its claims decides. Losses in our copy are no fault of the book.
 TileClass tile_of(const ExerciseResult& e) {
@@ -57,7 +57,7 @@ std::string chapter_tiles(const Results& results, const Chapter& chapter) {
 
 std::string tiles_legend(const Results& results) {
   std::string items;
-  for (const TileClass& tile : tiles) {
+  for (const TileClass& tile : tile_classes) {
     const auto count = std::ranges::count_if(
         results.exercises, [&](const ExerciseResult& e) { return tile_of(e).kind == tile.kind; });
     if (count > 0)

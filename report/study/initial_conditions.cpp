@@ -339,7 +339,7 @@ bool InitialConditions::is_comparable(const Start& start) const {
   return !needs_period() || !start.is_whole || has_period(start.motion);
 }
 
-std::vector<Start> InitialConditions::nearby(int count, const AfterEach& after_each) {
+std::vector<Start> InitialConditions::nearby_starts(int count, const AfterEach& after_each) {
   return with_asked({}, count, after_each);
 }
 

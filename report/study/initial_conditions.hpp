@@ -123,7 +123,7 @@ class InitialConditions {
   Start asked() const;
   using AfterEach = std::function<void()>;
   /// `count` newly drawn starts, without those of which no true motion is known; made in parallel.
-  std::vector<Start> nearby(int count, const AfterEach&);
+  std::vector<Start> nearby_starts(int count, const AfterEach&);
   /// The requested start, then `count` drawn ones.
   std::vector<Start> asked_and_nearby(int count, const AfterEach&);
   /// Number of drawn starts left out, by their kind of motion.

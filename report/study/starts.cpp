@@ -38,7 +38,7 @@ const std::vector<Start>& Starts::unseen() {
   if (unseen_) return *unseen_;
   const Stopwatch watch(seconds_);
   motions_.emplace(progress_, "making more true motions", static_cast<std::size_t>(unseen_count()));
-  unseen_ = conditions_.nearby(unseen_count(), [this] { motions_->add(); });
+  unseen_ = conditions_.nearby_starts(unseen_count(), [this] { motions_->add(); });
   motions_.reset();
   return *unseen_;
 }

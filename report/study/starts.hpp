@@ -35,7 +35,7 @@ class Starts {
   void see_unseen();
   /// Newly drawn starts.
   std::vector<Start> more(int count) {
-    return conditions_.nearby(count, [] {});
+    return conditions_.nearby_starts(count, [] {});
   }
 
   /// The first frames of the requested start, without a reference.

@@ -367,7 +367,7 @@ Exercise exercise_3_3() {
       parameters,
       scene(),
       study,
-      Expected::in_whole_ranges};
+      oddity::Expected::in_whole_ranges};
 }
 
 }  // namespace oddity
