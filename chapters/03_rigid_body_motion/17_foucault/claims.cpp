@@ -152,8 +152,7 @@ struct SampleOf {
   }
   Two<T> generalized_force() const { return less(lagrange_left_side(kinetic(), q, v, a), to_first_order()); }
   /// The second time derivative in space of a point with these coordinates, rates and accelerations in the
-  /// local axes, which are carried to the east at this multiple of omega; along the local axes at that
-  /// moment.
+  /// local axes, along these axes at that moment. They are carried to the east at this multiple of omega.
   Space<T> inertial_acceleration(const Space<T>& r, const Space<T>& rate, const Space<T>& acceleration,
                                  double multiple) const {
     using Along = Dual<T>;
@@ -1155,8 +1154,8 @@ std::vector<Root> roots() {
   return {
       {"division at the lowest point",
        filled(
-           "A pendulum pushed from its lowest point has NaN in the first step; the Pantheon's, @2 m long and let "
-           "go at rest @1 m aside, passes the point at @1 mm.",
+           "A pendulum pushed from its lowest point has NaN in the first step. The Pantheon's, @2 m long and "
+           "let go at rest @1 m aside, passes the point at @1 mm.",
            {pantheon.L, let_go_aside(), 1e3 * passes_at()})},
       {"a center of mass that halves the volume",
        filled(
