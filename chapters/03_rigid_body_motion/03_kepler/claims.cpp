@@ -1138,10 +1138,9 @@ void solved_numerically(Claims& claims, double seed) {
           {most, closest}),
       to_close,
       {.printed =
-           {filled(
-                "Runge-Kutta 4 on (7) errs by less than 1 % of the orbit after @2 turns: with @3 steps a "
-                "turn for $e<@2$, with @4 up to $e=@2$ (our conditions)",
-                {turns, steps, most, fine_steps, closest}),
+           {filled("Runge-Kutta 4 on (7) errs by less than 1 % of the orbit after @2 turns: with @3 steps a "
+                   "turn for $e<@2$, with @4 up to $e=@2$ (our conditions)",
+                   {turns, steps, most, fine_steps, closest}),
             [](K k) { return (k.e > most || k.angle < 1e-2) && k.fine_angle < 1e-2; }},
        .near_misses = {{"on (3.1) likewise", [](K k) { return k.direct < 1e-2; }},
                        {filled("with @3 steps a turn up to $e=@2$", {steps, closest}),

@@ -378,11 +378,10 @@ std::vector<Claim> claims(const Reference& truth) {
        .near_misses = {"2.260115"},
        .kind = Fault::listing,
        .root = "angle for its cosine",
-       .why =
-           R"(The listing subtracts `initialAngle` where the text's integrand has $\cos(\pi/6)$. It )"
-           R"(integrates $1/\sqrt{\cos\psi-\pi/6}$, which is finite on all of $[0,\pi/6]$, and adds a )"
-           R"(remainder for a singularity that is not there. To replace the one term is not enough: )"
-           R"(Simpson's rule then takes the integrand next to its singularity (see the methods below).)"});
+       .why = R"(The listing subtracts `initialAngle` where the text's integrand has $\cos(\pi/6)$. It )"
+              R"(integrates $1/\sqrt{\cos\psi-\pi/6}$, which is finite on all of $[0,\pi/6]$, and adds a )"
+              R"(remainder for a singularity that is not there. To replace the one term is not enough: )"
+              R"(Simpson's rule then takes the integrand next to its singularity (see the methods below).)"});
 
   const Route tail{R"($2\sqrt{\epsilon/\sin a}$, the remainder to leading order)", to_leading_order(a)};
   claims.add(

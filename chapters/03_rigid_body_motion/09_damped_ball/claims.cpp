@@ -1361,10 +1361,9 @@ std::vector<Root> roots() {
            {F::m, F::c, F::nearly, F::home_after(critical), critical, F::home_after(stronger), stronger,
             F::home_after(strong), strong})},
       {"the first equation alone",
-       filled(
-           R"(A ball that swings along the $x_2$-axis gets NaN for its time. Let go at rest with $m=@1$, )"
-           R"($c=@1$, $a=@1$, it reaches the origin after @3 s all the same.)",
-           {m, c, a, across.found.time})},
+       filled(R"(A ball that swings along the $x_2$-axis gets NaN for its time. Let go at rest with $m=@1$, )"
+              R"($c=@1$, $a=@1$, it reaches the origin after @3 s all the same.)",
+              {m, c, a, across.found.time})},
       {"the arctangent's branch",
        filled(R"(For $m=@1$, $c=@1$, $a=@1$ and a start at rest the formula gives $@3$ s, not @3 s. A game )"
               R"(that schedules the hit for that moment puts it into the past, and the event never fires.)",

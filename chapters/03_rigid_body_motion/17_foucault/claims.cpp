@@ -151,8 +151,9 @@ struct SampleOf {
     return {still[0] + (there[0] - back[0]) / 2, still[1] + (there[1] - back[1]) / 2};
   }
   Two<T> generalized_force() const { return less(lagrange_left_side(kinetic(), q, v, a), to_first_order()); }
-  /// The second time derivative in space of a point with these coordinates, rates and accelerations in the
-  /// local axes, along these axes at that moment. They are carried to the east at this multiple of omega.
+  /// The second time derivative in space, along the local axes at that moment, of a point with these
+  /// coordinates, rates and accelerations in them. The axes are carried to the east at this multiple of
+  /// omega.
   Space<T> inertial_acceleration(const Space<T>& r, const Space<T>& rate, const Space<T>& acceleration,
                                  double multiple) const {
     using Along = Dual<T>;

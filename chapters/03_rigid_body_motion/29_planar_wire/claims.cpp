@@ -746,8 +746,8 @@ std::vector<Claim> claims(double seed) {
        .why = filled(
            "Rough friction has the direction $-v/|v|$, and a wire at rest has none: every rule that "
            "evaluates the integrand returns NaN. Nor is there a limit. Friction of @1 N a kilogram acts on a "
-           "rod of @1 m and @1 kg that turns about its center. The friction's moment is $-@2$ or $+@2$ "
-           "N m, by the sense of the turn, however slow it is. At rest, static friction holds the rod, up to a bound; "
+           "rod of @1 m and @1 kg that turns about its center. The friction's moment is $-@2$ or $+@2$ N m, by "
+           "the sense of the turn, however slow it is. At rest, static friction holds the rod, up to a bound; "
            "the integral does not contain it.",
            {friction_of_rod, length_of_rod, mass_of_rod, moment_of_rod, moment_of_rod}),
        .kind = Fault::left_out,

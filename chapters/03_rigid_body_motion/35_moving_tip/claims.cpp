@@ -456,7 +456,7 @@ std::vector<Claim> claims(double seed, const Top& top, const Deviation& off) {
   };
   claims.add(
       "force_at_center", 3089,
-      "the tip moves about the plane only because some force has been applied to the center of mass (our "
+      "the tip moves about the plane only because some force is applied to the center of mass (our "
       "reading: the force moving the tip adds no torque about this center)",
       {.printed =
            reading("as we read it, the force that moves the tip adds no torque about the center of mass",
