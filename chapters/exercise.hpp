@@ -471,8 +471,8 @@ struct Findings {
   std::string verdict = {};
 };
 
-/// The observables of one time: their names ("x" and "y" alone are drawn as a path in the plane), the unit of
-/// time, and the observables that form a point or an angle.
+/// Names of the observables of one time, the unit of time, and the observables that form a point or an angle.
+/// "x" and "y" alone are drawn as a path in the plane.
 struct Axes {
   std::vector<std::string_view> observables;
   std::string_view time = "s";

@@ -170,10 +170,10 @@ void add_in_float(Quantity&, const std::vector<std::string_view>& names,
 
 /// A scene's motion with its models in float added. Each model gets the algorithms in float of those that the
 /// model of its name has in double, at the same settings. `names` lists the names of models(given) in the
-/// motion, in order: the model's, or "model, algorithm" for a closed form with its own algorithm; empty for a
-/// model that the motion omits. `at_finest` is the expected outcome of Runge-Kutta 4 in float on the richest
-/// model at its finest step. Unless ok, it makes a breakdown with double as its cure. Throws std::logic_error
-/// for a name that is not found.
+/// motion, in order: the model's, or "model, algorithm" for a closed form with its own algorithm. A name is
+/// empty for a model that the motion omits. `at_finest` is the expected outcome of Runge-Kutta 4 in float on
+/// the richest model at its finest step. Unless ok, it makes a breakdown with double as its cure. Throws
+/// std::logic_error for a name that is not found.
 template <template <class> class Given>
 Quantity with_float(Quantity motion, const Horizon& horizon, const Given<double>& given,
                     const std::vector<std::string_view>& names, Outcome at_finest = Outcome::inaccurate) {

@@ -98,7 +98,7 @@ struct Happening {
   bool ends = false, passes = false;
 };
 
-/// Complete elliptic integral of the first kind for the modulus with this complement: pi/2 over the
+/// Complete elliptic integral of the first kind for the modulus with this complement. It is pi/2 over the
 /// arithmetic-geometric mean of 1 and sqrt(1 - k^2) [DLMF 19.8.5]. Eight means suffice in double for
 /// complements of 1e-16 or more.
 template <class T>

@@ -16,8 +16,8 @@
 
 /// Claims whose formulas are generic in their number type. Each formula is stated once, computed over samples
 /// of doubles, and proved for all values of the letters. A sample is `template <class T> struct Of` with one
-/// of these: letters(), which returns an array of T*; quantities(), the same where the sizes of terms cannot
-/// be found from them; or recorded(), which returns its numbers as Of<Shortened>.
+/// of three functions. letters() returns an array of T*. quantities() is the same where the sizes of terms
+/// cannot be found from them. recorded() returns its numbers as Of<Shortened>.
 namespace oddity {
 
 template <class... Numbers>

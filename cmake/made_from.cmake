@@ -1,8 +1,8 @@
-# cmake -P: writes OUT, a line for each exercise of TREE and HOMES (folders, separated by commas): its number,
-# and a hash of the compiled code that its results depend on. This covers OBJECTS (a file with a list of
-# object files), with these exceptions. Of objects of exercises and of a chapter's shared/, it covers those
-# whose headers the exercise includes. It leaves out code that no run uses: the other layers of the report,
-# and the registers.
+# cmake -P: writes OUT, a line for each exercise of TREE and HOMES (folders, separated by commas). The line has
+# the exercise's number, and a hash of the compiled code that its results depend on. The hash covers OBJECTS (a
+# file with a list of object files), with these exceptions. Of objects of exercises and of a chapter's
+# shared/, it covers those whose headers the exercise includes. It leaves out code that no run uses: the other
+# layers of the report, and the registers.
 cmake_minimum_required(VERSION 3.25)
 string(REPLACE "," ";" homes "${HOMES}")
 file(READ "${OBJECTS}" objects)

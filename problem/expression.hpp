@@ -113,8 +113,8 @@ template <class T>
 requires requires(const T& x) { x > T(0.0); }
 T choose_by(const T& condition, const T& yes, const T& no) { return condition > T(0.0) ? yes : no; }
 
-/// A graph's operations that these outputs need, in their order; they are run in another, in which those of
-/// one kind follow each other, so that the kind is asked once for a row of them. Its registers are the
+/// A graph's operations that these outputs need, in their order. They are run in another order, in which
+/// those of one kind follow each other. So the kind is asked once for a row of them. Its registers are the
 /// constants, the inputs and then the results.
 class Program {
  public:

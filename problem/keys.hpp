@@ -8,8 +8,8 @@ namespace oddity::problem {
 
 struct Key {
   std::string_view name, says;
-  /// text, texts (one or several), components (one, several, or rows of them), flag, number, rows, a table's
-  /// name, or: "map X", user-defined names with an X each; "list X"; "X or Y".
+  /// text, texts (one or several), components (one, several, or rows of them), flag, number, rows, or a
+  /// table's name. Or "map X", user-defined names with an X each; "list X"; "X or Y".
   std::string_view is;
   bool needed = false;
 };

@@ -43,7 +43,7 @@ struct Misfit {
 };
 /// `says`: the reason if no part of the formula is without a value by itself.
 Misfit misfit(const formula::Tree&, const std::vector<Shape>& letters, const std::string& says);
-/// The reason why a formula is refused that has a value in formula/: there a vector of 4 and a matrix of 2 by
+/// The reason why a formula is refused that has a value in formula/. There a vector of 4 and a matrix of 2 by
 /// 2 have a sum and a dot product.
 std::optional<Misfit> uneven(const formula::Tree&, const std::vector<Shape>& letters);
 

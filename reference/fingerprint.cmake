@@ -1,5 +1,5 @@
 # cmake -P: writes OUT, a hash of all sources of the reference folders (FOLDERS, separated by commas) as a
-# constant: the generators, and the code that runs them, compares their routes and rounds.
+# constant. These are the generators, and the code that runs them, compares their routes and rounds.
 string(REPLACE "," ";" folders "${FOLDERS}")
 set(files "")
 foreach(folder IN LISTS folders)

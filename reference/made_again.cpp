@@ -75,8 +75,8 @@ void MadeAgain::make(std::size_t row) {
   }
 }
 
-/// Checks that the stored value agrees with the new one within both errors, that the stored error is not the
-/// larger one, and that the two routes agree as far as fewer digits allow.
+/// Checks that the stored value agrees with the new one within both errors, and that the stored error is not
+/// the larger one. The two routes must agree as far as fewer digits allow.
 std::vector<std::string> MadeAgain::row_differences(const std::vector<std::string>& cells, std::size_t row,
                                                     std::size_t component) const {
   std::vector<std::string> all;

@@ -7,8 +7,9 @@
 #include "solvers/solved.hpp"
 
 /// Integrals over a finite interval. The adaptive rules take one tolerance, absolute and relative (the larger
-/// counts). They end `raised` with GSL's message if it reports an error; `stalled` if their estimate stays
-/// above the tolerance, even where GSL calls that a success; `non_finite` if the result is not finite.
+/// counts). They end `raised` with GSL's message if it reports an error. They end `stalled` if their estimate
+/// stays above the tolerance, even where GSL calls that a success, and `non_finite` if the result is not
+/// finite.
 ///
 ///   const Integral area = qags([](double x) { return 1 / std::sqrt(x); }, 0, 1, 1e-10);
 ///   if (area.reached()) std::cout << area.value << " +- " << area.error_estimate;  // 2

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Checks that the report is short enough to read, and that report/book is its copy without times, byte for
-# byte:
+# byte.
 #   tests/book.sh PROGRAM
 # Uses the program's last results if they are fresh; otherwise runs everything first.
 set -euo pipefail

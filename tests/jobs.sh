@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # CI jobs, by name, one or several:
-#   tests/jobs.sh NAME ...      runs these, shows how long each took, and ends with 1 if one is red
-#   tests/jobs.sh               shows the names
+#   tests/jobs.sh NAME ...      runs these, shows how long each took, and ends with 1 if one is red.
+#   tests/jobs.sh               shows the names.
 # LAST_BEGINS=MINUTES: a job that would begin later is reported as not run. On Debian each job installs its
 # packages. A job that builds has its own folder under build/. Warnings are errors.
 set -euo pipefail
@@ -35,7 +35,7 @@ on_record() {
 
 # ---- jobs -------------------------------------------------------------------------------------------------
 
-job_newcomer() {  # the commands of README.md, of the help's examples, of CONTRIBUTING.md and of the rooms' READMEs, in a bare Debian 12; SUITE=trixie for 13; SLOW=1 for those that take minutes; RECORD=1 records the README's times
+job_newcomer() {  # the commands of README.md, of the help's examples, of CONTRIBUTING.md and of the rooms' READMEs, in a bare Debian 12. SUITE=trixie for 13; SLOW=1 for those that take minutes; RECORD=1 records the README's times
   local suite=${SUITE:-bookworm} processor
   tests/newcomer/run.sh "$suite"
   [ -n "${RECORD:-}" ] || return 0
@@ -209,7 +209,7 @@ read_on_record() {
       END { printf "%s,%d,%d,0\n", name, inputs, seconds }' reference/trust/fuzz.csv | on_record reference/trust/fuzz.csv
 }
 
-job_fuzz() {  # libFuzzer, and our own fuzzer of links: every reader (FUZZ) for FUZZ_SECONDS (60), or with FUZZ_INPUTS, with sanitizers, from the inputs in extras/fuzz/corpus; RECORD=1 adds these to the record
+job_fuzz() {  # libFuzzer, and our own fuzzer of links: every reader (FUZZ) for FUZZ_SECONDS (60), or with FUZZ_INPUTS, with sanitizers, from the inputs in extras/fuzz/corpus. RECORD=1 adds these to the record
   tools clang
   build release fuzz
   local target name found inputs seconds longest ran=0 until=-max_total_time=${FUZZ_SECONDS:-60}

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Programs of `choose --lockstep --code` have the same bits by every compiler, at every optimization, on every
 # machine.
-#   tests/lockstep.sh PROGRAM [SCENE...]       a scene is an exercise's number or a problem's file
+#   tests/lockstep.sh PROGRAM [SCENE...]       a scene is an exercise's number or a problem's file.
 # Each scene gives three programs: its choice, its choice without closed forms, and the second in float. Each
 # is compiled by g++ and clang++ for x86-64 with and without FMA, for WebAssembly, arm64 and i386, the last
 # two run by qemu-user. The hashes that they print are compared. A scene without such a program must report it

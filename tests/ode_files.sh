@@ -4,7 +4,7 @@
 #   tests/ode_files.sh PROGRAM [FILE...]
 # Compares at four times of oddity's horizon, relative to the requested error (a thousandth of the widest
 # range). xppaut runs the classical Runge-Kutta method at 20,000 and at 80,000 steps, or at 50 times as many
-# if it does not reach the end; its output has eight digits. If oddity and xppaut differ by more than a tenth,
+# if it does not reach the end. Its output has eight digits. If oddity and xppaut differ by more than a tenth,
 # xppaut is right if its own two runs agree. Otherwise neither is refuted, and only oddity's own two routes
 # check its motion.
 set -euo pipefail

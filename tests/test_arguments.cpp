@@ -45,8 +45,8 @@ TEST_CASE("an error is one number, or one with its unit for each unit of the mot
   for (const char* error : {"1", "1cm,1deg", "1deg,1cm"}) CHECK(of("3.31", error) == "nothing");
   CHECK(
       of("3.5", "1,5deg") ==
-      "--error: '1' in '1,5deg' has no unit: give one number for all, or one with its unit for each of rad; a "
-      "number has a point, as in 1.5deg");
+      "--error: '1' in '1,5deg' has no unit: give one number for all, or one with its unit for each of rad. "
+      "A number has a point, as in 1.5deg");
   CHECK(of("3.5", "0.001,5deg").find("'0.001' in '0.001,5deg' has no unit") != std::string::npos);
   CHECK(of("3.5", "1deg,1e9").find("'1e9' in '1deg,1e9' has no unit") != std::string::npos);
   CHECK(of("3.5", "1deg,") == "--error: '1deg,' has nothing behind its last comma");

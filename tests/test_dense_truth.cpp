@@ -162,7 +162,7 @@ Physics pendulum(double a, double L, double g) {
           [](const State& x) -> State { return {x[0]}; }};
 }
 
-/// From its energy m r^2 w^2/2 + m g r sin + c/2 (d - ell)^2, d^2 = h^2 + 2 s^2 + 2 s (h sin - s cos).
+/// From its energy m r^2 w^2/2 + m g r sin + c/2 (d - ell)^2. There d^2 = h^2 + 2 s^2 + 2 s (h sin - s cos).
 Physics bar(double m, double r, double s, double c, double h, double g, double ell, double angle, double w) {
   const auto slope = [=](const State& x) -> State {
     const double C = std::cos(x[0]), S = std::sin(x[0]);

@@ -121,12 +121,11 @@ TEST_CASE("frames have the requested lengths", "[frames]") {
   for (std::size_t i = 0; i < expected.size(); ++i) CHECK(near(traced->at[i], expected[i], 1e-12));
   CHECK(frame_times({.trace = {0.01}}, 60, 0.1)->says == "as in a trace of 1 frame");
   CHECK_THROWS_AS(frame_times({.trace = {2.0}}, 60, 1), BadInput);
-  CHECK(
-      complaint([] {
-        frame_times({.trace = {1e-6, 1e6}}, 60, 10);
-      }) ==
-      "the last frame within the horizon of 10 s is drawn at 0.001 ms, so that less than half of the motion is "
-      "judged: ask for a longer horizon, or cap frames with --max-frame");
+  CHECK(complaint([] {
+          frame_times({.trace = {1e-6, 1e6}}, 60, 10);
+        }) ==
+        "the last frame within the horizon of 10 s is drawn at 0.001 ms. So less than half of the motion is "
+        "judged: ask for a longer horizon, or cap frames with --max-frame");
   CHECK(frame_times({.longest = 0.1, .trace = {1e-6, 1e6}}, 60, 10)->at.back() > 9.8);
   CHECK_THROWS_AS(frame_times({.jitter = 0.1}, 1e6, 10), BadInput);
 }

@@ -1,5 +1,5 @@
 // The catalog compared with measurements: the stability of every fixed step on both axes, with theory and
-// with one step of the library; and the libraries' multistep methods as repaired here.
+// with one step of the library. Also the libraries' multistep methods as repaired here.
 
 #include "solvers/ode/catalog.hpp"
 

@@ -1,4 +1,4 @@
-// Purpose of symplectic Euler and velocity Verlet: over a long time the energy oscillates and does not drift,
+// Purpose of symplectic Euler and velocity Verlet. Over a long time the energy oscillates and does not drift,
 // the area in phase space is conserved, and Verlet can be run back step by step.
 
 #include "report/verify/catch.hpp"

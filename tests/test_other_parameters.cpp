@@ -1,6 +1,6 @@
 // At parameters that nobody chose, a method must succeed if it does in its record at the book's parameters.
 // Where a parameter is 1, many a wrong formula is right. A method that is barely accurate enough there may
-// have a larger error here, up to 2.4 tolerances as observed; the error of a wrong formula is far more than
+// have a larger error here, up to 2.4 tolerances as observed. The error of a wrong formula is far more than
 // three.
 
 #include "chapters/contents.hpp"

@@ -68,6 +68,7 @@ TEST_CASE("places that stay have their file, kind and first words", "[prose]") {
   CHECK(accepted[0].file == "a/b.cpp");
   CHECK(accepted[0].kind == "say");
   CHECK(accepted[0].words == "says: x");
+  CHECK(prose::accepted_in("a.md: long:  -> the rows of its tables\n")[0].words.empty());
   CHECK_THROWS_AS(prose::accepted_in("a/b.cpp: say: says"), std::invalid_argument);
 }
 

@@ -1,6 +1,6 @@
-// The walks of CONTRIBUTING.md and of extras/engines/README.md, with the texts that these pages fill in: from
-// the files written by `new` to green exercises, and how a user's exercise is shown. The files written by
-// `new` are compiled unchanged into the same program.
+// The walks of CONTRIBUTING.md and of extras/engines/README.md, with the texts that these pages fill in. They
+// go from the files written by `new` to green exercises, and to how a user's exercise is shown. The files
+// written by `new` are compiled unchanged into the same program.
 
 #include <algorithm>
 #include <filesystem>

@@ -63,7 +63,7 @@ foreach(file IN LISTS new_files)
   endif()
 endforeach()
 # Its 4.1 and 9.2 are the only ones of their program, also when somebody has taken the walk, and belong to the
-# tree; the files written by `new` come from outside.
+# tree. The files written by `new` come from outside.
 list(FILTER exercise_files EXCLUDE REGEX "^chapters/(04_[a-z0-9_]+/01_|09_[a-z0-9_]+/02_)")
 list(FILTER truth_files EXCLUDE REGEX "/04_01_spring\\.cpp$")
 find_own(${walk})

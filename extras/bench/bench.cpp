@@ -304,7 +304,7 @@ std::string chains_text(const ChainBench& bench, const Screen& screen) {
   const Bound slope = slope_of(bench);
   return wrapped(
              "\nChains of n links of 1 m: time of the accelerations by the rods' tensions and by the dense "
-             "matrix, and the largest step of Runge-Kutta 4 at which no small oscillation grows. Theory: "
+             "matrix. Also the largest step of Runge-Kutta 4 at which no small oscillation grows. Theory: "
              "sqrt(8 r/(g z)), z the largest zero of the Laguerre polynomial of degree n\n",
              screen) +
          aligned(rows, screen, {{"links"}, {"tensions"}}) +

@@ -9,8 +9,9 @@
 #include "report/study/run.hpp"
 #include "report/text/table_text.hpp"
 
-/// Speed of this build on this machine, in this run: the integrators compared with loops written by hand, the
-/// best methods of two problems in units of a right-hand side written by hand, and the whole suite.
+/// Speed of this build on this machine, in this run. The integrators are compared with handwritten loops. The
+/// best methods of two problems are measured in units of a handwritten right-hand side. The whole suite is
+/// timed, too.
 namespace oddity {
 
 /// The median of many measurements, and half their interquartile range.

@@ -4,8 +4,8 @@
 
 #include "report/study/run.hpp"
 
-/// Chains of up to 10,000 links: cost of their accelerations by the rods' tensions and by the dense matrix,
-/// and the largest stable step of Runge-Kutta 4 next to the theoretical one.
+/// Chains of up to 10,000 links: cost of their accelerations by the rods' tensions and by the dense matrix.
+/// Also the largest stable step of Runge-Kutta 4, next to the theoretical one.
 namespace oddity {
 
 /// A chain with this number of links.

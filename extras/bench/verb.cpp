@@ -65,7 +65,7 @@ void add_bench(const CommandLine& line) {
       "Measure how fast this build is: against loops by hand, its best methods, the suite; or lanes, or the verbs.",
       "Times are meaningful only on an idle machine. The exit code is 1 when a limit is broken.\n"
       "Columns: part (race, contest, series, chain or suite), subject, measured, value, half_width (of its quartiles), unit, "
-      "at_most, verdict (holds, undecided or BROKEN, where there is a limit); a row for each number.\n"
+      "at_most, verdict (holds, undecided or BROKEN, where there is a limit). A row for each number.\n"
       "With --lanes: scene, model, algorithm, precision, registers, width, taken (the widest), seconds_alone and "
       "seconds (a body a frame), share (how many times faster, of the width), at_least, ceiling (of the share, where the processor's own "
       "arithmetic has less), verdict (holds, arithmetic: holds relative to that ceiling, not asked: registers of two doubles, undecided "

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Compares third-party engines on the scenes with the approved records:
 #   extras/engines/engines.sh PROGRAM [SCENE...]
-# Without scenes it runs all but the chain of 100, which takes 25 minutes. Measured orders must be within a
-# tenth; drifts of energy and momentum and the ends of joints within a tenth of themselves, or both below a
-# millionth; everything else must be equal letter by letter. Engines that are missing or have another version
+# Without scenes it runs all but the chain of 100 (25 minutes). Measured orders must be within a tenth. Drifts
+# of energy and momentum, and the ends of joints, must be within a tenth of themselves, or both below a
+# millionth. Everything else must be equal letter by letter. Engines that are missing or have another version
 # are listed, not compared.
 set -euo pipefail
 program=$1

@@ -97,8 +97,8 @@ EngineScene bouncing_ball(const Need& need) {
 // ---- a box on its corners ---------------------------------------------------------------------------------
 
 /// The box of exercise 3.31, with Coulomb's friction at its four corners instead of under its whole foot. The
-/// friction acts `h` below the center. The corners' loads are linear over the foot and balance its moment: N
-/// = g/4 - h (Fx x/(4 a^2) + Fy y/(4 b^2)), for 1 kg and in the box's axes.
+/// friction acts `h` below the center. The corners' loads are linear over the foot and balance its moment.
+/// For 1 kg and in the box's axes they are N = g/4 - h (Fx x/(4 a^2) + Fy y/(4 b^2)).
 class OnCorners {
  public:
   using State = std::array<double, 6>;  ///< x, y, theta, and their velocities

@@ -18,8 +18,8 @@ std::string engines_text(const std::vector<EngineContest>&, const std::vector<do
 /// A row for each trial.
 Table engines_table(const std::vector<EngineContest>&);
 /// Rows for reference/approved/engines.csv: scene, engine, version, variant, measured order, stated order,
-/// the rate [1/s] from which it is sufficient, its outcome at one step a frame, and whether runs and
-/// snapshots give the same bits.
+/// and the rate [1/s] from which it is sufficient. Then follow its outcome at one step a frame, and whether
+/// runs and snapshots give the same bits.
 std::string engine_rows(const std::vector<EngineContest>&);
 
 /// Results of this engine for the scene of a choice, a line per variant.

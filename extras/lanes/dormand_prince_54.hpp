@@ -5,7 +5,7 @@
 namespace oddity::lanes {
 
 /// One step of J. R. Dormand and P. J. Prince's pair of orders 5 and 4 (A family of embedded Runge-Kutta
-/// formulae, 1980, table 2), each lane with its own h: from x with slope k1 to y with slope k7. Six
+/// formulae, 1980, table 2), each lane with its own h. Goes from x with slope k1 to y with slope k7. Six
 /// right-hand sides; the last is the next step's first. Returns the error in units of the tolerance.
 template <class Model, class State, class Number>
 [[gnu::always_inline]] inline Number dormand_prince_54(const Model& model, const State& x, const State& k1,

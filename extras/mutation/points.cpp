@@ -243,8 +243,9 @@ class Collector {
     return text && e && e->end <= size ? std::string(text + e->begin, e->end - e->begin) : "";
   }
 
-  /// Whether the cursor's child is free: the choice and number of samples (arguments of Random, numbers next
-  /// to a seed, the head of a loop over a `sample`), or a number that is only made into text.
+  /// Whether the cursor's child is free: the choice and number of samples, or a number that is only made into
+  /// text. The former are arguments of Random, numbers next to a seed, and the head of a loop over a
+  /// `sample`.
   static bool free_below(CXCursor c, std::size_t child) {
     if (is(c, {CXCursor_ForStmt})) {
       const auto children = children_of(c);

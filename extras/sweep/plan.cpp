@@ -30,7 +30,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-/// Maps up to this size are computed completely: one cell in a thousand of so few predicts nothing about the
+/// Maps up to this size are computed completely. One cell in a thousand of so few predicts nothing about the
 /// others, and all of them take no longer than one tile of a large map.
 constexpr long small_map = 4096;
 /// A merged map takes 19 bytes a cell, all in memory: this many take 38 GB, and a year on one thread at 16 ms

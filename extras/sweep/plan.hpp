@@ -75,7 +75,7 @@ inline constexpr std::string_view nothing_holds = "nothing holds";
 double between_looks(const Asked&);
 
 /// Largest relative shortening of a fixed step of these cells, so that a whole number of steps fills the time
-/// between two looks; 0 if the method's steps do not end at each look.
+/// between two looks. It is 0 if the method's steps do not end at each look.
 double most_shortened(const Asked&);
 
 /// Computes one cell after the other; neighbours share their references. Any exception of a cell except

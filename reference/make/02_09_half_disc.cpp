@@ -1,8 +1,8 @@
 #include "reference/make/routes.hpp"
 
 // Columns of the half disc x^2 + y^2 <= 1, y >= 0 with the density exp(k x):
-//   mass = int e^(kx) sqrt(1 - x^2) = pi I1(k)/k, first moments pi I2(k)/k and 2 (k cosh k - sinh k)/k^3
-// [DLMF 10.32.2; DLMF is the NIST Digital Library of Mathematical Functions].
+//   mass = int e^(kx) sqrt(1 - x^2) = pi I1(k)/k, first moments pi I2(k)/k and 2 (k cosh k - sinh k)/k^3.
+// Source: [DLMF 10.32.2], the NIST Digital Library of Mathematical Functions.
 // Sectors: polar coordinates, the radius by a power series.
 namespace oddity::truth {
 

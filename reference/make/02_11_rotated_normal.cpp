@@ -3,7 +3,7 @@
 // The triangle's edges are a = (47436513, 25959777, -12996065)/2^25 and b = a + gap (-0.5, 1, 0.75), the axis
 // is w = (1, 2, 2)/3. Rodrigues: R r = c r + s w x r + (1 - c) w (w . r), applied to a x b. Reflections: R is
 // the mirror with the normal u after that with the normal cos(theta/2) u - sin(theta/2) w x u, u
-// perpendicular to w; applied to a and to b before their product.
+// perpendicular to w. It is applied to a and to b before their product.
 namespace oddity::truth {
 
 namespace rotated_normal_02_11 {

@@ -4,7 +4,7 @@
 
 // The conic with focus at the origin, eccentricity e and semi-latus rectum p, on the ray at angle theta:
 // r = p/(1 + e cos theta). The second route uses only the condition that the distance to the focus is e times
-// that to the directrix x = p/e, squared: x^2 + y^2 = (p - e x)^2.
+// that to the directrix x = p/e. Squared it is x^2 + y^2 = (p - e x)^2.
 namespace oddity::truth {
 
 namespace radius_03_01 {

@@ -3,8 +3,8 @@
 #include "reference/make/routes.hpp"
 #include "reference/make/taylor.hpp"
 
-// theta'' = -(g/L) sin(theta), theta(0) = a, theta'(0) = 0: theta = 2 asin(k cd(w t, k)), w = sqrt(g/L),
-// k = sin(a/2) [DLMF 22.19.2 shifted by a quarter period].
+// theta'' = -(g/L) sin(theta), theta(0) = a, theta'(0) = 0. The solution is theta = 2 asin(k cd(w t, k)), w =
+// sqrt(g/L), k = sin(a/2) [DLMF 22.19.2 shifted by a quarter period].
 namespace oddity::truth {
 
 namespace swing_03_05 {

@@ -1,7 +1,7 @@
 #include "reference/make/taylor.hpp"
 
 // m x'' + a x' + c x = 0 in each coordinate. With h = a/(2m) and d = h^2 - c/m:
-//   x = exp(-h t) (p C + (v + h p) S),   C = cosh(sqrt(d) t),   S = sinh(sqrt(d) t)/sqrt(d)
+//   x = exp(-h t) (p C + (v + h p) S),   C = cosh(sqrt(d) t),   S = sinh(sqrt(d) t)/sqrt(d).
 // For d < 0 these become cos and sin; for d = 0, 1 and t.
 namespace oddity::truth {
 

@@ -3,7 +3,7 @@
 
 // A ball released in a half cylinder of radius R whose axis falls by H over its length L. With e down the
 // axis, n its upward normal and f the horizontal, X = s e + R n + R (sin(phi) f - cos(phi) n).
-//   angle   s = u t + g sin(theta) t^2/2,  phi'' = -(g cos(theta)/R) sin(phi)
+//   angle   s = u t + g sin(theta) t^2/2,  phi'' = -(g cos(theta)/R) sin(phi).
 //   space   X'' = -g k + m N, N = (X - P) - D D.(X - P), m from N.X'' = -|N'|^2
 namespace oddity::truth {
 

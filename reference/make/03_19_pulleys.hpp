@@ -28,8 +28,8 @@ inline Numbers squares(const std::vector<double>& in) {
   return {C / (A * larger), larger};
 }
 
-/// Newton's laws for the pulleys and the mass, with the tensions T1 and T2 of the ropes on the far sides of
-/// the pulleys: by the springs' pulls F1 and F2
+/// Newton's laws for the pulleys and the mass. The ropes have the tensions T1 and T2 on the far sides of the
+/// pulleys, and the springs' pulls are F1 and F2:
 ///   m2 y2'' + T1 - T2 = m2 g + F2,   I1/R1^2 y2'' - T1 = -F1,
 ///   m3 y3'' + T2 = m3 g,             I2/R2^2 (y3'' - y2'') - T2 = -F2.
 /// y2'' and y3'' for each of the four right-hand sides, in the order m2, m3, I1, I2, being one and the others

@@ -2,7 +2,7 @@
 #include "reference/make/taylor.hpp"
 
 // A wire along y = x^2 from 0 to q is thrown with its center of mass at the origin, the velocity (u, v) and
-// the angular velocity w; its mark is its first end. The second route has two particles of mu0/2 each, at the
+// the angular velocity w. Its mark is its first end. The second route has two particles of mu0/2 each, at the
 // distance k = sqrt(mu2/mu0) from the center of mass, joined by a massless rod.
 namespace oddity::truth {
 

@@ -1,8 +1,8 @@
 #include "reference/make/routes.hpp"
 
-// A face at the distance z, over x1..x2 and y1..y2, has the flux atan(x y / (z r)), r = |(x, y, z)|, summed
-// over its corners with alternating signs. The second route integrates over x the flux density after its
-// integral over y, z y / ((x^2 + z^2) r).
+// The flux through a face at the distance z, over x1..x2 and y1..y2, is a sum over its corners with
+// alternating signs. Its terms are atan(x y / (z r)), r = |(x, y, z)|. The second route integrates over x the
+// flux density after its integral over y, z y / ((x^2 + z^2) r).
 namespace oddity::truth {
 
 namespace cube_flux_05_03 {

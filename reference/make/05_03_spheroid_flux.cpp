@@ -1,9 +1,9 @@
 #include "reference/make/routes.hpp"
 
 // The spheroid x = (a s cos t, a s sin t, d + b u), s^2 = 1 - u^2, |u| <= 1, with its center at d on its
-// axis. The flux of x / |x|^3 through it is 2 pi a^2 times the integral over u of
-// (b + d u) / (a^2 s^2 + (d + b u)^2)^(3/2). It is also the solid angle of the surface seen from the origin:
-// 2 pi times the increase from u = -1 to 1 of the cosine of the polar angle, (d + b u) / sqrt(...).
+// axis. The flux of x / |x|^3 is 2 pi a^2 times the integral over u of
+// (b + d u) / (a^2 s^2 + (d + b u)^2)^(3/2). It is also the solid angle of the surface seen from the origin.
+// That is 2 pi times the increase from u = -1 to 1 of the cosine of the polar angle, (d + b u) / sqrt(...).
 namespace oddity::truth {
 
 namespace spheroid_flux_05_03 {

@@ -3,8 +3,8 @@
 #include "reference/make/even_limit.hpp"
 #include "reference/make/routes.hpp"
 
-/// r = ((1 - t^2) cos(pi t), (1 - t^2) sin(pi t), t^2)/sqrt(d), d = (1 - t^2)^2 + t^4, and its frame
-/// [r u r x u], u = r'/|r'|, by two routes.
+/// r = ((1 - t^2) cos(pi t), (1 - t^2) sin(pi t), t^2)/sqrt(d), d = (1 - t^2)^2 + t^4. The curve and its
+/// frame [r u r x u], u = r'/|r'|, are computed by two routes.
 namespace oddity::truth::curve_on_sphere {
 
 /// Latitude psi and longitude pi t of r: cos(psi) = (1 - t^2)/sqrt(d), of any sign, sin(psi) = t^2/sqrt(d).

@@ -36,9 +36,9 @@ Numbers modified_midpoint(const Rhs& rhs, const Numbers& x0, const Number& t, co
   return smoothed;
 }
 
-/// With many digits a step should settle a few columns before the last, as a step that does not settle costs
-/// as much as one that does (measured on a pendulum at 26 to 50 digits). In long double it should settle
-/// early, as every column adds its roundings (measured on Foucault's pendulum over ten minutes).
+/// With many digits a step should settle a few columns before the last. A step that does not settle costs as
+/// much as one that does (measured on a pendulum at 26 to 50 digits). In long double it should settle early,
+/// as every column adds its roundings (measured on Foucault's pendulum over ten minutes).
 constexpr bool has_many_digits = std::numeric_limits<Number>::digits10 > 30;
 constexpr int columns = has_many_digits ? 24 : 12, wanted = has_many_digits ? 21 : 8;
 

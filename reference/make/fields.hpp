@@ -8,9 +8,10 @@
 #include "reference/make/dual.hpp"
 #include "reference/make/routes.hpp"
 
-/// Derivatives of fields in high precision by two routes that use no rule of differentiation: extrapolated
-/// differences on the line, and Cauchy's integral on a circle around the point in the complex plane. A third
-/// route, by dual numbers, encloses them. Fields are entire functions, generic in their number type.
+/// Derivatives of fields in high precision by two routes that use no rule of differentiation. These are
+/// extrapolated differences on the line, and Cauchy's integral on a circle around the point in the complex
+/// plane. A third route, by dual numbers, encloses them. Fields are entire functions, generic in their number
+/// type.
 namespace oddity::truth {
 
 #ifdef ODDITY_BALLS
@@ -80,7 +81,7 @@ Triple<Number> slope_by_differences(const Field& h, const Triple<Number>& x, std
 }
 
 /// d h_i / d x_j at z, h: Triple<Complex> -> Triple<Complex>, as the mean of h e^{-it} / r over a circle of
-/// radius r by the trapezoid rule, which converges geometrically.
+/// radius r by the trapezoid rule. It converges geometrically.
 template <class Field>
 Triple<Complex> slope_by_cauchy(const Field& h, const Triple<Complex>& z, std::size_t j, const Number& radius,
                                 int points = 64) {

@@ -5,9 +5,9 @@
 
 #include "reference/make/routes.hpp"
 
-/// A body's path about a fixed center with the attraction mu/r^2, by Kepler's equation in universal
-/// variables, z = alpha chi^2, alpha = 2/r0 - v0^2/mu [Bate, Mueller, White, Fundamentals of Astrodynamics,
-/// ch. 4]:
+/// A body's path about a fixed center with the attraction mu/r^2, by Kepler's equation in universal variables
+/// [Bate, Mueller, White, Fundamentals of Astrodynamics, ch. 4]. With z = alpha chi^2, alpha = 2/r0 -
+/// v0^2/mu:
 ///   sqrt(mu) t = chi^3 C3(z) + s chi^2 C2(z) + r0 chi (1 - z C3(z)),   s = r0 . v0/sqrt(mu),
 /// with Stumpff's functions C2, C3. It holds for ellipse, parabola and hyperbola, and needs no perihelion.
 namespace oddity::truth {

@@ -233,7 +233,7 @@ std::string decimal_point_meant(const std::vector<std::string>& parts) {
   if (parts.size() != 2 || !parse_count(parts[0]) || parts[1].empty() ||
       std::isdigit(static_cast<unsigned char>(parts[1].front())) == 0)
     return "";
-  return "; a number has a point, as in " + parts[0] + "." + parts[1];
+  return ". A number has a point, as in " + parts[0] + "." + parts[1];
 }
 
 /// A relative or path error. References have 24 digits, and above the upper bound it is no error.

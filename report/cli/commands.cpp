@@ -200,8 +200,8 @@ void add_choose_need(CLI::App& choose, AskedNeed& need) {
   auto* error =
       add_value(choose, "--error", need.error, "ERROR",
                 "largest error of the observables: a number in their unit, 0.01, or with a unit, 1cm; "
-                "for observables of several units 1cm,1deg; for energy and period a fraction, "
-                "0.01; for a constraint a length, 1mm");
+                "for observables of several units 1cm,1deg. For energy and period a fraction, 0.01; for a "
+                "constraint a length, 1mm");
   add_value(choose, "--digits", need.digits, "N",
             "instead of --error: correct digits of the largest observable")
       ->excludes(error);
@@ -226,8 +226,8 @@ void add_choose_need(CLI::App& choose, AskedNeed& need) {
 void add_choose_own(CLI::App& choose, AskedNeed& need) {
   add_value(
       choose, "--starts", need.starts, "N",
-      "number of initial conditions on which a method must hold: the requested one, and others up to a tenth "
-      "away; 1: the requested one alone, with a report on five others")
+      "number of initial conditions on which a method must hold: the requested, and others up to a tenth "
+      "away; 1: the requested alone, with a report on five others")
       ->capture_default_str();
   auto* method = add_value(
       choose, "--method", need.method, "NAME@STEP",

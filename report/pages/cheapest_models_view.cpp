@@ -110,12 +110,12 @@ std::string cheapest_models_page(const Results& results) {
   std::string text =
       "# The cheapest sufficient model\n\n"
       "For each scene the simplest of its models that holds at every frame over 10 s at 60 "
-      "frames per second, or over 10 years if the scene's time is in years. There is a row for a game's tolerance, one "
-      "centimetre and one degree, and one for ten digits. Each has the model's algorithm with the least counted "
-      "work, and its error in float at the same setting. Below are the values of a parameter for which a "
-      "model, solved exactly, is enough for the game, with the searched range in brackets. Each "
-      "border is known to one in a thousand. `oddity choose` adds times on your machine, your starts and a "
-      "margin.\n\n";
+      "frames per second. The horizon is 10 years if the scene's time is in years. There is a row for a "
+      "game's tolerance, one centimetre and one degree, and one for ten digits. Each has the model's "
+      "algorithm with the least counted work, and its error in float at the same setting. Below are the "
+      "values of a parameter for which a model, solved exactly, is enough for the game, with the searched "
+      "range in brackets. Each border is known to one in a thousand. `oddity choose` adds times on your "
+      "machine, your starts and a margin.\n\n";
   for (const ExerciseResult& e : results.exercises)
     if (e.cheapest_models) text += section(e);
   return text + "[All exercises](README.md)\n";

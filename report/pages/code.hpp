@@ -17,16 +17,16 @@ std::vector<std::string_view> printable_algorithms();
 inline constexpr long most_lines_of_code = 120;
 
 /// One file of the standard library alone: the chosen model, the chosen algorithm's loop, and a main that
-/// prints the observables at every frame; `command` is the command line that asked for it. Throws BadInput
+/// prints the observables at every frame. `command` is the command line that asked for it. Throws BadInput
 /// where the choice has no model or algorithm that can be printed.
 std::string code_of(const Task&, const Choice&, const std::string& command, Language = Language::cpp);
 /// One file for a candidate, headed by a comment about it.
 std::string code_of(const Task&, const Candidate&, const Need&, const std::string& about,
                     Language = Language::cpp);
 
-/// The program of any model by one of printable_algorithms(), with placeholders: $model for the model's code
-/// and the function oddity::asked::model(), $names for the head of the output, $frames, $rate (1/s) and,
-/// unless it is a closed form, $steps per frame.
+/// The program of any model by one of printable_algorithms(), with placeholders. $model is the model's code
+/// and the function oddity::asked::model(). $names is the head of the output. The others are $frames, $rate
+/// (1/s) and, unless it is a closed form, $steps per frame.
 std::string program_template(std::string_view algorithm);
 
 // Where a need asks for lockstep, the program has the same bits by every compiler and on every processor: its

@@ -304,18 +304,18 @@ std::string stability_page(const Results& results) {
       "grows in truth, grows at most twice as fast. The motion does not become twice as large as the true one. "
       "Stable does not mean accurate. *None*: not even a step of 0.02 over the "
       "fastest frequency is stable. On an undamped oscillation, such as a pendulum, explicit Euler is unconditionally unstable: "
-      "disturbances grow at the rate $`h\\omega^2/2`$ however short the step $`h`$. A limit after \\~ is not sharp: it moves by more than 5 % "
-      "when the motion is watched for half or twice the time, or is called too large at another size. The step "
-      "after ≥ is the longest that was tried.\n\n"
+      "disturbances grow at the rate $`h\\omega^2/2`$ however short the step $`h`$. A limit after \\~ is not "
+      "sharp. It moves by more than 5 % when the motion is watched for half or twice the time, or is called "
+      "too large at another size. The step after ≥ is the longest that was tried.\n\n"
       "The limit is measured with the method itself, from two starts that differ by a millionth of the motion's "
       "size. They are watched for 1000 radians of the fastest mode or, if the motion does not continue in the same "
       "way, for its own time. Theory's limit, in brackets, is the shortest step at which disturbances grow by the "
       "eigenvalues of the Jacobian along the motion. If the two differ by more than a quarter, the reason "
-      "is below the table. The maps show how each method ends over the step and over the parameter that makes "
-      "the scene hard; a cell with a corner ends otherwise if the start is a few roundings off. Below a limit is the "
-      "largest error at the end of any of its steps. *Good to*: up to this step all are within a game's tolerance "
-      "at the end of every step, one centimetre or one degree; *good nowhere*: none that was tried is. `oddity "
-      "stability` prints how each method breaks, and its cure.\n\n";
+      "is below the table. The maps show how each method ends over the step and over the parameter that "
+      "makes the scene hard. A cell with a corner ends otherwise if the start is a few roundings off. Below "
+      "a limit is the largest error at the end of any of its steps. *Good to*: up to this step all are "
+      "within a game's tolerance at the end of every step, one centimetre or one degree; *good nowhere*: "
+      "none that was tried is. `oddity stability` prints how each method breaks, and its cure.\n\n";
   text += differences(results);
   for (const ExerciseResult& e : results.exercises)
     if (e.stability) text += stability_of_scene(e);

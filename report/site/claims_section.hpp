@@ -7,8 +7,8 @@
 
 namespace oddity {
 
-/// Errors: each finding with the printed and the right version side by side, its consequence and the reason;
-/// then misprints and unsettled claims; apart from these, losses in our copy of the manual. Empty if
+/// Errors: each finding with the printed and the right version side by side, its consequence and the reason.
+/// Then misprints and unsettled claims; apart from these, losses in our copy of the manual. Empty if
 /// nothing is to be shown.
 std::string findings_section(const ExerciseResult&, const ProvedClaims& = {});
 /// Confirmed and uncheckable claims, each with the comparison made.

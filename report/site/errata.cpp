@@ -123,10 +123,9 @@ std::string errata_schema() {
       {"id", described(matching("^[0-9]+\\.[0-9]+-"), "the claim, which keeps this name")},
       {"exercise", matching("^[0-9]+\\.[0-9]+$")},
       {"verdict",
-       described(
-           {{"enum", {"wrong", "incomplete", "misprint", "lost in our copy"}}},
-           "wrong: the printed text is false; incomplete: it leaves out a case or a condition; misprint: the "
-           "intended text is plain and right; lost in our copy: the plain text that was read lacks a part")},
+       described({{"enum", {"wrong", "incomplete", "misprint", "lost in our copy"}}},
+                 "wrong: the printed text is false; incomplete: it lacks a case or condition; misprint: the "
+                 "intended text is plain and right; lost in our copy: the copy lacks a part")},
       {"kind", described({{"enum", kinds}}, "kind of fault")},
       {"root", described(string, "its cause, shared by errata of one cause; empty: a separate cause")},
       {"line", described({{"type", "integer"}, {"minimum", 0}}, "in the solutions document as plain text")},

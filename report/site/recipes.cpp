@@ -139,8 +139,8 @@ std::string for_games(const Results& results) {
 
 // ---- scenes by methods ------------------------------------------------------------------------------------
 
-/// An algorithm's trial on a scene's motion, by any model that is right: the one with the least work within a
-/// game's tolerance, or the most exact one within a limit of work.
+/// An algorithm's trial on a scene's motion, by any model that is right. It is the one with the least work
+/// within a game's tolerance, or the most exact one within a limit of work.
 struct Cell {
   const MethodResult* method = nullptr;  ///< the trial's, or the closest one if none is within
   const TimedTrial* trial = nullptr;

@@ -57,8 +57,8 @@ std::shared_ptr<const FrameTimes> frame_times(const FramesAsked& asked, double f
     throw BadInput(
         "the last frame within the horizon of " + format_shortest(horizon) + " " + unit + " is drawn at " +
         shown_length(last, unit) +
-        ", so that less than half of the motion is judged: ask for a longer horizon, or cap frames "
-        "with --max-frame");
+        ". So less than half of the motion is judged: ask for a longer horizon, or cap frames with "
+        "--max-frame");
   return std::make_shared<const FrameTimes>(std::move(frames));
 }
 

@@ -19,8 +19,8 @@ std::pair<std::shared_ptr<const Kicks>, std::string> kicks_of(const Scene&, cons
 /// The method with the kicks. It is `raised` where it takes none.
 Method with_kicks(Method, const std::shared_ptr<const Kicks>&);
 
-/// The kicks, with the methods that have the true motion where nothing kicks it: of each such model two
-/// algorithms, first of models that may drift off their constraints, richer models later. The quantity is
+/// The kicks, with the methods that have the true motion where nothing kicks it. Each such model has two
+/// algorithms. Models that may drift off their constraints come first, richer models later. The quantity is
 /// the motion without kicks.
 std::shared_ptr<const Kicks> with_ways(const std::shared_ptr<const Kicks>&, const Quantity& without);
 

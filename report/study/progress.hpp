@@ -16,8 +16,8 @@ namespace oddity {
 class Pace {
  public:
   void come_to(double done, double now);
-  /// "3 of 7, about 20 s left" if each quarter of the time did half to twice as much as even work would;
-  /// otherwise "3 of 7, 20 s so far".
+  /// "3 of 7, about 20 s left" if each quarter of the time did half to twice as much as even work would.
+  /// Otherwise "3 of 7, 20 s so far".
   std::string line(double all, double now) const;
 
  private:

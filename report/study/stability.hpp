@@ -13,10 +13,10 @@
 namespace oddity {
 
 /// Measures the first loss of stability from below. Tries steps that grow by 3 %, from a quarter of theory's
-/// limit (or the finest that differs from none) to the longest: `interval` [s], the time between two judged
-/// times, or the most that the measurement allows. Adds the trials at and beyond the limit, whose steps
-/// divide the interval, and the largest step within the quantity's need, at the times of its reference. Looks
-/// for no cure.
+/// limit (or the finest that differs from none) to the longest. This is `interval` [s], the time between two
+/// judged times, or the most that the measurement allows. Adds the trials at and beyond the limit, whose
+/// steps divide the interval, and the largest step within the quantity's need, at the times of its reference.
+/// Looks for no cure.
 Limit limit_of(const Quantity&, const Method&, double interval);
 
 /// The limit alone, without any trial.
@@ -35,8 +35,8 @@ bool ends_so_within_roundings(const Task&, const MapRow&, std::size_t k, Outcome
 
 /// The reason given for a limit that differs from theory's without a computed reason.
 inline constexpr std::string_view not_explained = "not explained";
-/// The measured limit over theory's: 1 if both are zero or infinite, or if theory's is above the longest step
-/// tried and all are stable; 0 or infinity if only one of them is.
+/// The measured limit over theory's. It is 1 if both are zero or infinite, or if theory's is above the
+/// longest step tried and all are stable. It is 0 or infinity if only one of them is.
 double agreement(const Limit&);
 
 }  // namespace oddity

@@ -19,7 +19,7 @@ constexpr Finding all_findings[] = {
      "every accepted state is checked"},
     {odeint, boost_1_74, "make_controlled", "odeint_make_controlled",
      "compiles with the header of a stepper alone, generation_runge_kutta_dopri5.hpp, and then takes the "
-     "relative tolerance for the largest step: one second of a pendulum at 1e-4 takes more than 1000 times "
+     "relative tolerance for the largest step. One second of a pendulum at 1e-4 takes more than 1000 times "
      "the steps. With generation_controlled_runge_kutta.hpp as well it is right",
      "the controller is put together without it"},
     {odeint, boost_1_74, "bulirsch_stoer", "odeint_bulirsch_stoer_backward",
@@ -35,7 +35,7 @@ constexpr Finding all_findings[] = {
      "asks for the forces 5 times per step; the last answer has the weight zero",
      "the fifth is not evaluated"},
     {odeint, boost_1_74, "adams_bashforth", "odeint_adams_bashforth_in_place",
-     "has order 1 in place, as its default starter writes its result over its input: the first step of 0.1 "
+     "has order 1 in place, as its default starter writes its result over its input. The first step of 0.1 "
      "of x'' = -x errs by more than 0.1 in place, and by less than 1e-7 otherwise",
      "Runge-Kutta 4 starts"},
     {odeint, boost_1_74, "adams_bashforth", "odeint_adams_bashforth_new_step",
@@ -45,7 +45,7 @@ constexpr Finding all_findings[] = {
     {odeint, boost_1_74, "adams_bashforth_moulton", "odeint_adams_moulton_starter",
      "starts with Runge-Kutta 4, which leaves order 5 to six steps and to eight", "Fehlberg 7(8) starts"},
     {odeint, boost_1_74, "implicit_euler", "odeint_implicit_euler",
-     "factorizes, from its second Newton iteration on, the matrix that it has factorized before: a step of "
+     "factorizes, from its second Newton iteration on, the matrix that it has factorized before. A step of "
      "0.3 s of a pendulum takes 30 evaluations to 1e-12, where the matrix as it was takes 10",
      "one iteration is taken"},
     {odeint, boost_1_74, "rosenbrock4", "odeint_rosenbrock4",
@@ -57,21 +57,21 @@ constexpr Finding all_findings[] = {
      "success, with NaN",
      "a derivative that is not finite fails the step"},
     {gsl, gsl_2_7, "msadams, msbdf", "gsl_multistep_pole",
-     "leave the solution of x' = x^2 from 1 before its pole at t = 1: at a tolerance of 0.1 x is beyond 1e15 "
+     "leave the solution of x' = x^2 from 1 before its pole at t = 1. At a tolerance of 0.1 x is beyond 1e15 "
      "before t = 0.85, where it should be below 7",
      judged},
     {gsl, gsl_2_7, "msadams, msbdf", "gsl_multistep_error",
      "control the error of a step, not of the motion. After 10 s of x'' = -x at a tolerance of 1e-11 msadams "
-     "errs by more than 200 tolerances and msbdf by more than 500, and rk8pd by less than 1",
+     "errs by more than 200 tolerances, msbdf by more than 500, and rk8pd by less than 1",
      judged},
     {gsl, gsl_2_7, "bsimp", "gsl_bsimp_order",
      "chooses its order once, whatever the tolerance: 12, at 139 evaluations per step. A tolerance of 0.01 "
      "costs as many evaluations as one of 1e-6, for 10 s of x'' = -x",
      judged},
     {gsl, gsl_2_7, "gsl_integration_cquad", "gsl_cquad",
-     "does not compare its estimate with the request: 1/sqrt|x - 0.3| over [0, 1] to 1e-10 ends with success, "
-     "with an error and an estimate above 1e-8. From 1 to 0 its estimate is below zero. Without a budget, it "
-     "takes more than 1,000,000 evaluations of 1/x over [-1, 2]",
+     "does not compare its estimate with the request. The integral of 1/sqrt|x - 0.3| over [0, 1] to 1e-10 "
+     "ends with success, with an error and an estimate above 1e-8. From 1 to 0 its estimate is below zero. "
+     "Without a budget, it takes more than 1,000,000 evaluations of 1/x over [-1, 2]",
      "the estimate is checked, the ends are put in order, and a budget ends it"},
     {gsl, gsl_2_7, "gsl_integration_glfixed_table_alloc", "gsl_glfixed",
      "computes weights without a table to ten digits only: those of 50 points miss their sum by more than "

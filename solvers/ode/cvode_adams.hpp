@@ -8,7 +8,7 @@
 namespace oddity::ode {
 
 /// SUNDIALS's Adams method of variable step and order 1 to 12, in Nordsieck's form, its corrector solved by
-/// functional iteration: for smooth problems that are not stiff and expensive to evaluate.
+/// functional iteration. For smooth problems that are not stiff and expensive to evaluate.
 struct CvodeAdams : detail::Sundials<detail::SundialsMethod::adams> {
   static constexpr std::string_view name = "CVODE Adams";
   static constexpr Facts facts{.library = Facts::sundials, .history = true};

@@ -11,7 +11,7 @@
 
 /// Motions with events: the states at the requested times, and the times at which a guard falls through zero.
 ///
-///   const bouncing_ball::Ball<double> ball{{1, 9.81, 0.7}};  // has guards() and at_event()
+///   const bouncing_ball::Ball<double> ball{{1, 9.81, 0.7}};  // has guards() and at_event().
 ///   const auto motion = integrate_with_events<RungeKutta4>(ball, ball.start(), times, 0.01);
 ///   for (const auto& event : motion.events) std::cout << event.time << "\n";
 namespace oddity::ode {
@@ -85,9 +85,9 @@ struct MotionWithEvents {
 /// and the last event are those of the end. A model that puts the state back onto the guard exactly gets
 /// there to all digits. If the state is off by d, the last flights have height d.
 ///
-/// `grazing`: inside a step, the guard has a minimum closer to zero than the step's own error of it: the
-/// tolerance, or else the difference between one step and two of half the size. The algorithm cannot decide
-/// then whether the event happens, and the rest of the motion depends on it.
+/// `grazing`: inside a step, the guard has a minimum closer to zero than the step's own error of it. This
+/// error is the tolerance, or else the difference between one step and two of half the size. The algorithm
+/// cannot decide then whether the event happens, and the rest of the motion depends on it.
 template <std::size_t n>
 MotionWithEvents<std::array<double, n>> integrate_with_events(std::string_view algorithm,
                                                               const AnySystem<n>& system,

@@ -8,7 +8,7 @@
 namespace oddity::ode {
 
 /// Adams's method of variable step and order 1 to 12, in Nordsieck's form, its corrector solved by up to
-/// three functional iterations: for smooth problems that are not stiff and expensive to evaluate. Two to four
+/// three functional iterations. For smooth problems that are not stiff and expensive to evaluate. Two to four
 /// evaluations per step.
 struct Msadams : detail::Gsl<detail::GslStep::msadams> {
   static constexpr std::string_view name = "GSL msadams";

@@ -9,7 +9,7 @@
 namespace oddity::ode {
 
 /// Order 1: the velocities first, v += h v'(q, v, t), then the positions with the new ones, q += h q'(q, v, t
-/// + h), as game engines do for forces that depend on velocities too. One evaluation per step if the
+/// + h). Game engines do so for forces that depend on velocities too. One evaluation per step if the
 /// positions' rates are velocities, else two. If the forces depend on positions alone it is symplectic Euler.
 /// For q'' = -2 r q' - r^2 q it is stable to h r = 2 (sqrt(2) - 1), for q'' = -r^2 q to h r = 2.
 struct SemiImplicitEuler {

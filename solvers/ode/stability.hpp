@@ -88,20 +88,20 @@ struct Loss {
   double time(std::size_t size) const { return std::min(parted, outgrown[size]); }
 };
 
-/// The steps at which the algorithm is unstable, shortest first: at some point of the motion a disturbance
-/// that does not grow in the reference grows by more than `negligible_growth`, or one that does grows more
-/// than twice as fast. Found by a scan in steps of 0.2 % near every edge (2 % for an algorithm that takes
-/// velocities first), up to h |lambda| = 30; an edge is exact to nine digits. Eigenvalues that turn the
-/// motion by less than a hundredth of a radian in total are left out.
+/// The steps at which the algorithm is unstable, shortest first. There, at some point of the motion, a
+/// disturbance that does not grow in the reference grows by more than `negligible_growth`, or one that does,
+/// more than twice as fast. Found by a scan in steps of 0.2 % near every edge (2 % for an algorithm
+/// that takes velocities first), up to h |lambda| = 30. An edge is exact to nine digits. Eigenvalues that
+/// turn the motion by less than a hundredth of a radian in total are left out.
 std::vector<Tongue> unstable_steps(std::string_view algorithm, const Spectrum&,
                                    double negligible = negligible_growth);
 
 /// The largest step below which all are stable: the start of the first tongue; 0: none; infinity: every step.
 double stable_step(std::string_view algorithm, const Spectrum&);
 
-/// ln of the growth of a disturbance in `time` by theory, beyond the allowed growth: the fastest growth at
-/// each point, less `as_fast` times the reference's, added up along the motion. Theory calls a step unstable
-/// if any point is; this weighs how strongly, and for how long.
+/// ln of the growth of a disturbance in `time` by theory, beyond the allowed growth. It is the fastest growth
+/// at each point, less `as_fast` times the reference's, added up along the motion. Theory calls a step
+/// unstable if any point is; this weighs how strongly, and for how long.
 double added_growth(std::string_view algorithm, const Spectrum&, double step, double time, double as_fast);
 
 /// The largest |lambda| at each point, averaged over the motion.

@@ -78,7 +78,7 @@ class WithSeries final : public AnySystem<n> {
 }  // namespace detail
 
 /// Taylor series of the motion, with order and step chosen by the tolerance. Records the right-hand side once
-/// per integration. Evaluations are the operations made, over those of the right-hand side: an addition or
+/// per integration. Evaluations are the operations made, over those of the right-hand side. An addition or
 /// multiplication counts as 1, a division or root as 4, a sine or an exponential as 8.
 struct Taylor {
   static constexpr std::string_view name = "Taylor series";

@@ -455,7 +455,7 @@ struct Series::Making {
     return made.data();
   }
   /// Lets the step also compute an unknown whose derivative is a multiple of this row, or two for this row
-  /// and the next; false if no unknown has such a derivative.
+  /// and the next. False if no unknown has such a derivative.
   bool take_unknown(Step& step, int from, bool two) {
     const auto& all = series.program_.derivatives_;
     const std::size_t n = two ? 2 : 1;

@@ -7,8 +7,8 @@
 #include <vector>
 
 /// Taylor series of a right-hand side by recording it once. Each operation becomes a node. The coefficients
-/// of order k of all nodes follow, in their order, from those of lower order [Moore, Interval Analysis, 1966,
-/// chapter 11; Jorba and Zou, Experimental Mathematics 14 (2005), 99-117].
+/// of order k of all nodes follow, in their order, from those of lower order. See [Moore, Interval Analysis,
+/// 1966, chapter 11; Jorba and Zou, Experimental Mathematics 14 (2005), 99-117].
 namespace oddity::taylor {
 
 enum class Operation {

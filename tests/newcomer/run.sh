@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs the commands in README.md, the help's examples, CONTRIBUTING.md and the rooms' READMEs, in order, where
 # nothing else has run.
-#   tests/newcomer/run.sh [SUITE]    of Debian: bookworm by default; SLOW=1 includes commands that take minutes
+#   tests/newcomer/run.sh [SUITE]    of Debian: bookworm by default; SLOW=1 includes commands that take minutes.
 # Each text begins with an unchanged tree, except its build, and with an empty /tmp. Output goes to
 # `build/newcomer/SUITE/said`.
 set -euo pipefail

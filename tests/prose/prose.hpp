@@ -41,7 +41,8 @@ struct Fault {
   std::string kind, found, remedy;
 };
 
-/// A place that stays as it is: its file, the kind of fault, and the words that it begins with.
+/// A place that stays as it is: its file, the kind of fault, and the words that it begins with. Without
+/// words: every fault of that kind in the file.
 struct Accepted {
   std::string file, kind, words;
 };
@@ -51,7 +52,7 @@ struct Accepted {
 std::vector<Accepted> accepted_in(std::string_view text);
 
 /// Longest sentence, in words, that needs no second reading.
-inline constexpr std::size_t longest_sentence = 40;
+inline constexpr std::size_t longest_sentence = 30;
 
 /// Every place where a rule applies, questions left out, and every longer sentence.
 std::vector<Fault> faults_in(const Passage& passage, const std::vector<Rule>& rules);

@@ -60,7 +60,7 @@ void solve(std::array<std::array<Real, m>, m>& a, std::array<Real, m>& b) {
 ///   potential(q, t)
 ///   held(q, t)      array of `constraints` quantities that stay zero, if any.
 ///   push(q, v, t)   generalized forces without a potential, if any, in Real.
-/// With every u = u(q, t), u' and u'' follow from u's derivatives: d'Alembert's principle is then
+/// With every u = u(q, t), u' and u'' follow from u's derivatives. D'Alembert's principle is then
 ///   sum over u of m u_q u'' = -V_q - sum of friction u_q u' + push + held_q^T lambda,  held'' = 0.
 template <class System>
 void accelerate(const System& system, const Real* q, const Real* v, Real t, Real* a) {

@@ -154,8 +154,8 @@ Motion on_hill(const Parameters& p) {
   return motion_of(hill, {0, 0}, {free * v1, free * v2});
 }
 
-// 3.13: a ball in a cylinder of radius R about an axis that falls by H over its length L: the way down the
-// axis, and the angle about it from the lowest line.
+// 3.13: a ball in a cylinder of radius R about an axis that falls by H over its length L. Coordinates: the
+// way down the axis, and the angle about it from the lowest line.
 struct Chute : Coordinates<2> {
   Real R, g, s, c;
   Chute(Real radius, Real L, Real H, Real gravity)
@@ -176,7 +176,7 @@ struct Chute : Coordinates<2> {
   Values observe(const Real* q, Real) const { return values(at(q[0], q[1])); }
 };
 
-// 3.15: a mass at the distance s along a rod at 45 degrees that turns about x3 with w; a spring, relaxed at
+// 3.15: a mass at the distance s along a rod at 45 degrees that turns about x3 with w. A spring, relaxed at
 // the start, joins it to (c, 0, 0).
 struct Rod : Coordinates<1> {
   Real m, c, K, w, ell;
@@ -408,8 +408,8 @@ struct Box : Coordinates<3> {
         }
       return mean;
     }
-    // The foot as four signed triangles from the center of turning c. Over one whose edge is at the distance
-    // k along its normal n, from y1 to y2 along s, an element is r dr dphi = r dr k dy/(k^2 + y^2). The
+    // The foot as four signed triangles from the center of turning c. The edge of one is at the distance k
+    // along its normal n, from y1 to y2 along s. An element is r dr dphi = r dr k dy/(k^2 + y^2). The
     // direction is (k s - y n)/sqrt(k^2 + y^2).
     const Real cx = -v / w, cy = u / w;
     Real along_x = 0, along_y = 0, radial = 0;

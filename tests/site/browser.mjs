@@ -1,7 +1,7 @@
 // A site in a headless browser, for the tests of pages, players and charts.
 //   SITE=FOLDER   the site (default: build/site)
 //   ODDITY=FILE   the program that players are compared with (default: build/release/oddity)
-//   SHOTS=FOLDER  where pictures of the pages go; none without it
+//   SHOTS=FOLDER  for pictures of the pages; none without it
 import fs from 'node:fs';
 import path from 'node:path';
 import { execFileSync } from 'node:child_process';

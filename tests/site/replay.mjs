@@ -1,5 +1,5 @@
 // Replays every trial of every scene's motion by the page's engine, and compares it with the program's.
-//   node replay.mjs engine.js models.js models_nudged.js results.json      (of trials.cpp, or of verify --results)
+//   node replay.mjs engine.js models.js models_nudged.js results.json      (of trials.cpp, or of verify --results).
 // The two libraries' sines may differ in their last digit, and nothing else may. The second module shows the
 // effect: its functions of the C library are each off by one rounding (nudged.cpp). A trial with fixed steps
 // that these do not change uses only + - * / and roots, and must equal the program's bit for bit. In any

@@ -1,5 +1,5 @@
-// The claims of exercise 2.5: every line of the proof checked by the quaternion and dual numbers, at moments
-// with |D'| = 1, which the proof assumes, and with any |D'|.
+// The claims of exercise 2.5. Every line of the proof is checked by the quaternion and dual numbers, at
+// moments with |D'| = 1, which the proof assumes, and with any |D'|.
 //   U1 = D, U2 = D', U3 = D x D', S = Skew(D), sigma = sin(theta), gamma = cos(theta), lambda = |D'|,
 //   W = R' R^T
 
@@ -748,7 +748,7 @@ std::vector<Root> roots() {
   return {
       {"length of the axis' rate",
        filled(
-           R"(An axis that moves at half a radian per second has $|\dot{\mathbf D}|=@2$: the determinant of )"
+           R"(An axis that moves at half a radian per second has $|\dot{\mathbf D}|=@2$. The determinant of )"
            R"(the printed frame is @2, and a body that is drawn in it loses @2 % of its volume.)",
            {length(rate), volume, 100 * (1 - volume)})},
       {"a singular matrix",

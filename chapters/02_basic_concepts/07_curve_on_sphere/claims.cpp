@@ -1,5 +1,5 @@
-// The claims of exercise 2.7: the text's formulas and its listing, against the frame differentiated by dual
-// numbers and against w = r x r' + (r.(r' x r'')/|r'|^2) r.
+// The claims of exercise 2.7. The text's formulas and its listing are compared with the frame differentiated
+// by dual numbers, and with w = r x r' + (r.(r' x r'')/|r'|^2) r.
 
 #include "chapters/provable_claims.hpp"
 

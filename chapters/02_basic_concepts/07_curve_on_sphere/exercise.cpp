@@ -1,9 +1,9 @@
-// Exercise 2.7: a rigid sphere whose orientation is [r u r x u] along the curve r(t) on it, u = r'/|r'|: find
-// the angular velocity w, Skew(w) = R' R^T.
-//   w = r x r' + (r.(r' x r'')/|r'|^2) r          w = Unskew(r' r^T + u' u^T + (r x u')(r x u)^T)
+// Exercise 2.7: the orientation of a rigid sphere is R = [r u r x u] along the curve r(t) on it, u = r'/|r'|.
+// Find its angular velocity w, Skew(w) = R' R^T.
+//   w = r x r' + (r.(r' x r'')/|r'|^2) r          w = Unskew(r' r^T + u' u^T + (r x u')(r x u)^T).
 // The text's formulas and its listing need r, r', r''. The independent route differentiates the frame itself
-// by dual numbers, or takes w from the formula on the left, which follows from r' = w x r and (r x u).u' =
-// w.r alone. The scene integrates the orientation by R' = Skew(w) R and compares it with the frame.
+// by dual numbers, or takes w from the formula on the left. This formula follows from r' = w x r and (r x
+// u).u' = w.r alone. The scene integrates the orientation by R' = Skew(w) R and compares it with the frame.
 
 #include "chapters/02_basic_concepts/07_curve_on_sphere/curve_on_sphere.hpp"
 #include "chapters/02_basic_concepts/07_curve_on_sphere/drawing.hpp"

@@ -8,8 +8,8 @@
 #include "chapters/02_basic_concepts/shared/matrices.hpp"
 #include "chapters/numbers.hpp"
 
-/// A curve on the unit sphere with its frame R = [r u r x u], u = r'/|r'|, the frame's angular velocity w,
-/// and an orientation integrated by R' = Skew(w) R.
+/// A curve on the unit sphere with its frame R = [r u r x u], u = r'/|r'|. The frame has the angular velocity
+/// w, and an orientation is integrated by R' = Skew(w) R.
 namespace oddity::curve_on_sphere {
 
 using space::Matrix, space::Motion, space::Vector;

@@ -1,6 +1,6 @@
 // Exercise 2.13: the six inertia components of the lamina x^2 <= y <= 1, z = 0, of density 1.
 //   J w = int r x (w x r) dm;  Ixx = ex . J ex, ..., Ixy = -ex . J ey, ...   the definition
-//   int x^p y^q over the lamina = 4 / ((p+1)(p+2q+3)) for p even, 0 for p odd   by rows of constant y
+//   int x^p y^q over the lamina = 4 / ((p+1)(p+2q+3)) for p even, 0 for p odd   by rows of constant y.
 // The text integrates columns (dy dx). The independent routes integrate rows (dx dy), which use no formula of
 // the text: exactly in rational numbers, or numerically from the definition. For the integrands the lamina is
 // also cut off at x = left and moved to the height z, so that no component vanishes.

@@ -7,7 +7,7 @@
 #include "solvers/dual.hpp"
 
 /// Exercise 2.17: a particle at (r cos wt, r sin wt, 0) and the power of the forces (1, 1, 1) and (t, t, 1)
-/// on it; shared by the files of the exercise.
+/// on it. Shared by the files of the exercise.
 namespace oddity::work_on_circle {
 
 using namespace bodies;

@@ -1,7 +1,7 @@
 // The claims of exercise 3.1. The published algebra squares twice. It is checked line by line at points
 // computed from the polar equation. Its result is also checked by properties that no line uses: the sum of
-// the distances to the foci, the apsides, and the orbit's highest point (d(r sin theta)/d theta = 0 by dual
-// numbers and Brent's method).
+// the distances to the foci, the apsides, and the orbit's highest point. There d(r sin theta)/d theta = 0,
+// solved by dual numbers and Brent's method.
 
 #include <algorithm>
 #include <cmath>
@@ -19,8 +19,8 @@ namespace oddity::ex03_01 {
 
 using std::abs, std::atan2, std::cos, std::hypot, std::pow, std::sin, std::sqrt, std::numbers::pi;
 
-/// A point of sign 1 is on the orbit, of sign -1 on the mirror image r = e rho / (1 - e cos theta), of sign 0
-/// anywhere: there only rewritten lines hold.
+/// A point of sign 1 is on the orbit, of sign -1 on the mirror image r = e rho / (1 - e cos theta). A point
+/// of sign 0 is anywhere: only rewritten lines hold there.
 template <class T>
 struct PointOf : EllipseOf<T> {
   using EllipseOf<T>::e, EllipseOf<T>::rho;

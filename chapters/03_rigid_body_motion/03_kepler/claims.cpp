@@ -1,6 +1,6 @@
-// The published lines of exercise 3.3, checked on random orbits. The reference uses Newton's law alone: the
-// path is integrated in Cartesian coordinates, its acceleration is the slope of G M/|r| by dual numbers, and
-// r, theta, V and their derivatives follow from it by second-order dual numbers. The constants of equation
+// The published lines of exercise 3.3, checked on random orbits. The reference uses Newton's law alone. The
+// path is integrated in Cartesian coordinates, with the slope of G M/|r| by dual numbers as its acceleration.
+// The path gives r, theta, V and their derivatives by second-order dual numbers. The constants of equation
 // (3) come from two later positions on the path, not from the initial condition.
 
 #include "chapters/provable_claims.hpp"
@@ -565,10 +565,10 @@ void equations_of_motion(Table& table, const std::vector<Moment>& moments) {
        .kind = Fault::formula,
        .root = "the sun's mass for the planet's",
        .why = filled(
-           R"($M$ is the mass that attracts, the sun's: with Lagrange's function $L=T-V$ of the planet the angular )"
-           R"(momentum $\partial L/\partial\dot\theta$ is $mr^2\dot\theta$ with )"
-           R"(the mass of the planet, for the Earth 1/@6 of it. $\alpha$ is constant all the same, and every )"
-           R"(later line uses no more than that: only $\alpha/M=r^2\dot\theta$ ever enters.)",
+           R"($M$ is the mass that attracts, the sun's. With Lagrange's function $L=T-V$ of the planet the )"
+           R"(angular momentum $\partial L/\partial\dot\theta$ is $mr^2\dot\theta$ with the mass of the )"
+           R"(planet, for the Earth 1/@6 of the sun's. $\alpha$ is constant all the same, and every later )"
+           R"(line uses no more than that: only $\alpha/M=r^2\dot\theta$ ever enters.)",
            {suns_per_earth})});
   table.formula(
       "radial_equation", 995,
@@ -773,7 +773,7 @@ void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
        .near_misses = {{R"($\alpha/(Mr^2)$ and $r_0^2\dot\theta_0/r$)", rate(-1)}},
        .kind = Fault::lost_typography,
        .why = filled(
-           R"(The bar of the second fraction is lost: without it, a planet that has come to twice its )"
+           R"(The bar of the second fraction is lost. Without it, a planet that has come to twice its )"
            R"(distance goes round at @1 times its rate instead of @2 of it. The first form has its bar.)",
            {pow(2, 2), pow(2, -2)})});
   table.formula("constant", 1095, R"(The left-hand side $-G^2M^4/\alpha^2$ is a constant.)", orbits,
@@ -1055,8 +1055,9 @@ void any_start(Claims& claims, double seed) {
 
 // ---- solved numerically: lines 47 and 1007 ----------------------------------------------------------------
 
-/// A planet after a whole number of turns from its aphelion, by Runge-Kutta 4 with equal steps: the error of
-/// its position by (3.1) in Cartesian coordinates, by (2) and by (7), relative to the semi-major axis.
+/// A planet after a whole number of turns from its aphelion, by Runge-Kutta 4 with equal steps. The errors
+/// are those of its position by (3.1) in Cartesian coordinates, by (2) and by (7), relative to the semi-major
+/// axis.
 struct Turned {
   static constexpr double turns = 10, steps = 365, fine_steps = 3650;
   double e, direct, distance, angle;
@@ -1137,10 +1138,9 @@ void solved_numerically(Claims& claims, double seed) {
           {most, closest}),
       to_close,
       {.printed =
-           {filled(
-                "Runge-Kutta 4 on (7) is off by less than a hundredth of the orbit after @2 turns: with @3 "
-                "steps a turn where $e<@2$, and with @4 up to $e=@2$ (our conditions)",
-                {turns, steps, most, fine_steps, closest}),
+           {filled("Runge-Kutta 4 on (7) errs by less than 1 % of the orbit after @2 turns: with @3 steps a "
+                   "turn for $e<@2$, with @4 up to $e=@2$ (our conditions)",
+                   {turns, steps, most, fine_steps, closest}),
             [](K k) { return (k.e > most || k.angle < 1e-2) && k.fine_angle < 1e-2; }},
        .near_misses = {{"on (3.1) likewise", [](K k) { return k.direct < 1e-2; }},
                        {filled("with @3 steps a turn up to $e=@2$", {steps, closest}),
@@ -1532,7 +1532,7 @@ std::vector<Root> roots() {
            {suns_kilograms * square_meters_per_second / 1e45, suns_per_earth})},
       {"sign of the potential at the start",
        filled(
-           R"(The scene's planet slows down instead of going round: it has turned by $@2^\circ$ instead of )"
+           R"(The scene's planet slows down instead of going round. It has turned by $@2^\circ$ instead of )"
            R"($@2^\circ$ after @2 years, and by $@2^\circ$ after the year in which it should be back.)",
            {turned(printed, early), turned(right, early), early, turned(printed, 1)})},
       {"a start without angular momentum",
@@ -1549,7 +1549,7 @@ std::vector<Root> roots() {
       {"faster than escape",
        filled(
            R"(A body that leaves the Earth's place at @2 km/s, at right angles to the sun, never turns beyond )"
-           R"($@3^\circ$ from its perihelion, and its period is the root of a negative number.)",
+           R"($@3^\circ$ from its perihelion. Its period is the root of a negative number.)",
            {fast, degrees * acos(-1 / e_of_fast)})},
       {"a circle divides by zero",
        filled(

@@ -133,7 +133,7 @@ inline Solved<double> lagrange_series(double e, double M, int terms) {
   return {E, static_cast<long>(terms) * (terms + 1) / 2};
 }
 
-/// Error of lagrange_series(), from the first term left out: the coefficients of a square root at the
+/// Error of lagrange_series(), from the first term left out. The coefficients of a square root at the
 /// singular eccentricity s and its conjugate are about i/sqrt(2 pi) n^(-3/2) s^-n. The roundings are those of
 /// the largest terms, which cancel.
 inline Estimate error_of_lagrange_series(double e, double M, int terms) {
@@ -155,8 +155,8 @@ inline Estimate error_of_lagrange_series(double e, double M, int terms) {
 std::vector<Claim> claims(double seed);
 std::vector<Root> roots();
 
-// Tactics and lemmas of in_coq.cpp: a moment's distance, the characteristic roots, a circle, bounds; then
-// motion by Newton's law and the constants of its path, an ellipse and its turn, the time by the angle.
+// Tactics and lemmas of in_coq.cpp: a moment's distance, the characteristic roots, a circle, bounds. Then
+// motion by Newton's law, the constants of its path, an ellipse and its turn, the time by the angle.
 extern const char* const by_distance;
 extern const char* const by_factors;
 extern const char* const by_circle;

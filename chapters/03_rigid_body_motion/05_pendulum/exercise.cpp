@@ -3,9 +3,9 @@
 //   I(a) = int_0^a dt / sqrt(cos t - cos a) = sqrt(2) K(k), k = sin(a/2)   by sin(t/2) = k sin u
 //   [DLMF 19.2.8].
 // The reference is the arithmetic-geometric mean, which no method below uses. The swing's reference is
-// Jacobi's cd. The book splits off the last eps of the integral, where cos t - cos a is nearly s u - c u^2/2
-// in u = a - t, s = sin a, c = cos a, and integrates the rest by Simpson's rule. [DLMF] NIST Digital Library
-// of Mathematical Functions.
+// Jacobi's cd. The book splits off the last eps of the integral, and integrates the rest by Simpson's rule.
+// In the last eps cos t - cos a is nearly s u - c u^2/2, with u = a - t, s = sin a, c = cos a. [DLMF] NIST
+// Digital Library of Mathematical Functions.
 
 #include <cmath>
 #include <numbers>
@@ -378,11 +378,10 @@ std::vector<Claim> claims(const Reference& truth) {
        .near_misses = {"2.260115"},
        .kind = Fault::listing,
        .root = "angle for its cosine",
-       .why =
-           R"(The listing subtracts `initialAngle` where the text's integrand has $\cos(\pi/6)$: it integrates )"
-           R"($1/\sqrt{\cos\psi-\pi/6}$, which is finite on all of $[0,\pi/6]$, and adds a remainder for a )"
-           R"(singularity that is not there. To replace the one term is not enough: Simpson's rule then takes )"
-           R"(the integrand next to its singularity (see the methods below).)"});
+       .why = R"(The listing subtracts `initialAngle` where the text's integrand has $\cos(\pi/6)$. It )"
+              R"(integrates $1/\sqrt{\cos\psi-\pi/6}$, which is finite on all of $[0,\pi/6]$, and adds a )"
+              R"(remainder for a singularity that is not there. To replace the one term is not enough: )"
+              R"(Simpson's rule then takes the integrand next to its singularity (see the methods below).)"});
 
   const Route tail{R"($2\sqrt{\epsilon/\sin a}$, the remainder to leading order)", to_leading_order(a)};
   claims.add(
@@ -436,8 +435,8 @@ Findings study(const Parameters& p, const Reference& truth) {
   const double at_end = singular_integrand(p["a"])(p["a"] - book_epsilon);
   if (has_remainder(p["a"]))
     quarter.add(Breakdown{
-        "With the text's integrand the listing is still wrong: one panel of Simpson's rule takes "
-        "the integrand at $@1$ from its singularity, where it is @5, and so adds @2 to the time. The "
+        "With the text's integrand the listing is still wrong. One panel of Simpson's rule takes the "
+        "integrand at $@1$ from its singularity, where it is @5, and so adds @2 to the time. The "
         "substitution removes the singularity, and @2 panels of the trapezoid rule are enough.",
         "listing with the text's integrand, Simpson",
         book_panels,

@@ -28,8 +28,8 @@ struct AmplitudeCorrected {
   std::array<T, 1> at(const T& t) const { return {p.a * cos(sqrt(p.g / p.L) * (1 - p.a * p.a / 16) * t)}; }
 };
 
-/// Exact: theta = sum over n of (-1)^n 8 q^(n+1/2) / ((2n+1) (1 + q^(2n+1))) cos((2n+1) w t) with the nome q
-/// = exp(-pi K'/K), w = pi/(2K) sqrt(g/L). It is the integral of 2 k cn u, term by term [DLMF 22.11.2],
+/// Exact: theta = sum over n of (-1)^n 8 q^(n+1/2) / ((2n+1) (1 + q^(2n+1))) cos((2n+1) w t). The nome is q =
+/// exp(-pi K'/K), and w = pi/(2K) sqrt(g/L). It is the integral of 2 k cn u, term by term [DLMF 22.11.2],
 /// shifted by a quarter period. The coefficients are computed once.
 template <class T>
 struct FourierSeries {

@@ -283,8 +283,8 @@ void run_down(Claims& claims, const std::vector<State>& run) {
                             R"($\ddot q<0$ exactly where $q>-0.01$)",
                             [](const Step& s) { return (force(s.from) < 0) == (s.from[0] > -0.01); })}}},
        .why = filled(
-           R"(The second term has the sign of $-q$, and at $q=0$ the first is zero as well: there )"
-           R"($\ddot q=0$, and beyond it $\ddot q$ is positive: in the book's own run after each of the last )"
+           R"(The second term has the sign of $-q$, and at $q=0$ the first is zero as well. There $\ddot )"
+           R"(q=0$, and beyond it $\ddot q$ is positive, in the book's own run after each of the last )"
            "@4 of its @4 steps. (The samples are the beginnings of its steps, and the first of these ends "
            "beyond the origin.)",
            {static_cast<double>(positive_after), book_steps}),
@@ -529,8 +529,8 @@ std::vector<Root> roots() {
   return {
       {"beyond the origin",
        filled(
-           R"(An animation that takes $\ddot q$ for negative lets $|\dot q|$ grow beyond the origin: it stays above )"
-           R"(the @4 that it has there, where that of the true bead is down to @4 at $t=@2$ s, @2 s later.)",
+           R"(An animation that takes $\ddot q$ for negative lets $|\dot q|$ grow beyond the origin. It )"
+           R"(stays above the @4 that it has there; the true bead's is down to @4 at $t=@2$ s, @2 s later.)",
            {abs(event.after[1]), abs(book_run().back()[1]), end, end - event.time})}};
 }
 

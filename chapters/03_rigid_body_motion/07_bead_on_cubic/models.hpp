@@ -97,7 +97,7 @@ struct OneCoordinate {
   }
 };
 
-/// (x, y, z, x', y', z'); the wire's force m1 (-2x, 1, 0) + m2 (-3x^2, 0, 1) keeps the second derivatives of
+/// (x, y, z, x', y', z'). The wire's force m1 (-2x, 1, 0) + m2 (-3x^2, 0, 1) keeps the second derivatives of
 /// y - x^2 and z - x^3 zero.
 template <class T>
 struct CartesianWithConstraints {

@@ -665,8 +665,8 @@ void solutions(Claims& claims, const std::vector<Polynomial>& polynomials, doubl
   claims.statement<Frictions>(
       "larger_friction_sooner", 1477,
       filled(
-          "With real roots, the larger the friction, the sooner the ball is nearly at the origin (our check: let "
-          "go at rest, the distance left after @1 s, with $m=@1$ and $c=@1$)",
+          "With real roots, the larger the friction, the sooner the ball is nearly at the origin (our check: "
+          "the distance left after @1 s from rest, with $m=@1$ and $c=@1$)",
           {Frictions::seconds, Frictions::m, Frictions::c}),
       next<Frictions>(random, 100),
       {.printed = {"let go at rest, the distance left falls with $a$",
@@ -1350,8 +1350,8 @@ std::vector<Root> roots() {
            {F::m, F::c, F::left_after(critical, second), second})},
       {"a fast throw",
        filled(
-           R"(A game that rules the hit out for strong friction lets a ball, thrown from $p$ with $v=@1p$ at $m=@1$, )"
-           R"($c=@1$, $a=@1$, through its goal after @3 s, at @2 $|p|$ a second, unseen.)",
+           R"(A game that rules the hit out for strong friction lets a ball through its goal unseen. Thrown )"
+           R"(from $p$ with $v=@1p$ at $m=@1$, $c=@1$, $a=@1$, it passes after @3 s, at @2 $|p|$ a second.)",
            {thrown.factor(), thrown.ball.m, thrown.ball.c, thrown.ball.a, thrown.time(), thrown.speed()})},
       {"too much friction",
        filled(
@@ -1361,12 +1361,11 @@ std::vector<Root> roots() {
            {F::m, F::c, F::nearly, F::home_after(critical), critical, F::home_after(stronger), stronger,
             F::home_after(strong), strong})},
       {"the first equation alone",
-       filled(
-           R"(A ball that swings along the $x_2$-axis gets NaN for its time: let go at rest with $m=@1$, $c=@1$, )"
-           R"($a=@1$ it reaches the origin after @3 s all the same.)",
-           {m, c, a, across.found.time})},
+       filled(R"(A ball that swings along the $x_2$-axis gets NaN for its time. Let go at rest with $m=@1$, )"
+              R"($c=@1$, $a=@1$, it reaches the origin after @3 s all the same.)",
+              {m, c, a, across.found.time})},
       {"the arctangent's branch",
-       filled(R"(For $m=@1$, $c=@1$, $a=@1$ and a start at rest the formula gives $@3$ s, not @3 s: a game )"
+       filled(R"(For $m=@1$, $c=@1$, $a=@1$ and a start at rest the formula gives $@3$ s, not @3 s. A game )"
               R"(that schedules the hit for that moment puts it into the past, and the event never fires.)",
               {m, c, a, by_formula, at_rest.found.time})},
       {"a zero denominator",

@@ -5,8 +5,8 @@
 
 #include "chapters/numbers.hpp"
 
-/// The models of exercise 3.9: a ball in the plane on a spring of constant c with viscous friction a,
-/// m x'' + a x' + c x = 0 from p with velocity v.
+/// The models of exercise 3.9: a ball in the plane on a spring of constant c with viscous friction a. Its
+/// motion is m x'' + a x' + c x = 0 from p with velocity v.
 namespace oddity::damped_ball {
 
 /// The exercise's parameters.

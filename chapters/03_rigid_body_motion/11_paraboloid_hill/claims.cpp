@@ -161,7 +161,7 @@ void equations(Table& table, const std::vector<Sample>& samples) {
        .kind = Fault::lost_typography,
        .why = filled(
            R"(The bars of the first term's three fractions are lost in the text at hand; the last term has )"
-           R"(its own. As products the terms cannot be added: on a hill twice as wide, with $a_1$ and $a_2$ )"
+           R"(its own. As products the terms cannot be added. On a hill twice as wide, with $a_1$ and $a_2$ )"
            R"(doubled, the first one should change by the factor @2, and changes by @2.)",
            {wider.first_term(false) / narrow.first_term(false),
             wider.first_term(true) / narrow.first_term(true)})});
@@ -230,8 +230,8 @@ void conditions(Claims& claims, double seed) {
        .kind = Fault::lost_typography,
        .why = filled(
            "The bars of the two fractions are lost in the text at hand. On the default hill, $a_1=1$, "
-           "$a_2=2$, $g=10$, the condition is @2 m/s in each direction for $v_1=v_2$, and with the products "
-           "@2 m/s, at which the particle does not keep to a uniform motion.",
+           "$a_2=2$, $g=10$, the condition is @2 m/s in each direction for $v_1=v_2$. With the products it "
+           "is @2 m/s, at which the particle does not keep to a uniform motion.",
            {along_both(1).v[0], std::sqrt(10 / 2.0 / (1 * 1 + 2 * 2))})});
   claims.statement<FromTop>(
       "second_equation", 1581,
@@ -442,8 +442,8 @@ std::vector<Root> roots() {
       {"straight at any speed",
        filled(
            R"(On the default hill, at @2 times the right speed, a ball sent off along $(1,1)$ strays @2 m )"
-           R"(from its line within @1 s, one along an axis not at all. A game that uses the sentence as a )"
-           R"(test bends the path of a ball that rolls straight down a ridge.)",
+           R"(from its line within @1 s. One along an axis does not stray at all. A game that uses the )"
+           R"(sentence as a test bends the path of a ball that rolls straight down a ridge.)",
            {factor, abs(end[0] - end[1]) / std::sqrt(2.0), span})}};
 }
 

@@ -1,7 +1,7 @@
 // The claims of exercise 3.13. The cylinder's formulas are tried on points constructed by moving along the
 // axis and rotating about it. Partial derivatives are by dual numbers. The equations of motion are
-// Lagrange's, with the Lagrangian differentiated by nested dual numbers, in the plane's coordinates and in
-// those of the cylinder, s along its axis and phi about it.
+// Lagrange's, with the Lagrangian differentiated by nested dual numbers. They are in the plane's coordinates
+// and in those of the cylinder, s along its axis and phi about it.
 
 #include <cmath>
 #include <numbers>
@@ -944,7 +944,7 @@ std::vector<Root> roots() {
       {"beyond 45 degrees",
        filled(
            R"(Seen from above, as on a map of a game's level, the ball in a chute of $@2^\circ$ looks as slow as that )"
-           R"(in one of $@2^\circ$: they cover @3 m and @3 m in the first @1 s.)",
+           R"(in one of $@2^\circ$. They cover @3 m and @3 m in the first @1 s.)",
            {steep, low, covers(steep), covers(low), seconds})},
       {"friction across",
        filled(

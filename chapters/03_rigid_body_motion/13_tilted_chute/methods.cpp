@@ -57,7 +57,7 @@ Quantity below_rim(const Given<double>& c, const Horizon& horizon, const Referen
                               "its long trial steps leave the chute, $|x_2|>R$");
   return position.add(Breakdown{
       "Near the rim the coarse first substeps of a long trial step leave the chute, where the height has no "
-      "value, and the step is taken as if all were well. In the angle there is nothing to leave.",
+      "value. The step is taken as if all were well. In the angle there is nothing to leave.",
       plane + ", Bulirsch-Stoer", 1e-11, Outcome::non_finite, about + ", Bulirsch-Stoer", 1e-11});
 }
 

@@ -443,7 +443,7 @@ void equations(Table& table, const Samples& samples) {
        .kind = Fault::listing,
        .root = "`aux[0]` for `aux[1]`",
        .why = filled(
-           R"(The code takes `aux[0]`, which is $1/\sqrt2$, for `aux[1]`, which is $\pi/4$: in its equation )"
+           R"(The code takes `aux[0]`, which is $1/\sqrt2$, for `aux[1]`, which is $\pi/4$. In its equation )"
            R"(of motion the spring sees the rod turn by @2 degrees, while the positions that it prints turn )"
            R"(by @2.)",
            {sqrt2 * 180 / pi, 2 * quarter * 180 / pi})});
@@ -875,8 +875,8 @@ std::vector<Root> roots() {
               {1e3 * abs(lambda_at_2(AlwaysPulls{}) - lambda_at_2())})},
       {"a segment without ends",
        filled(
-           "On a spring of @1 N/m, started at @2 of the segment, the mass leaves its upper end after @3 s and is "
-           "drawn @2 m beyond it at the end.",
+           "On a spring of @1 N/m, started at @2 of the segment, the mass leaves its upper end after @3 s. "
+           "At the end of the motion it is drawn @2 m beyond the segment.",
            {weak.K, weak.part(), time_of(Launch::segment, weak.s, weak.K),
             lambda_at_2(along(weak.s, 1, weak.K)) - Launch::segment})},
       {"the start is no parameter",

@@ -6,9 +6,9 @@
 #include "chapters/numbers.hpp"
 
 /// The models of exercise 3.15: a mass on a rod that rotates about the x3-axis at 45 degrees to it, starting
-/// in the (x1, x3)-plane, and a spring from (c, 0, 0) to the mass. The observables are its position.
+/// in the (x1, x3)-plane. A spring joins (c, 0, 0) to the mass. The observables are its position.
 ///   s  distance from the origin along the rod (the book's lambda)    w  angular speed of the rod
-///   K  stiffness and  ell  rest length of the spring                 r  length of the spring
+///   K  stiffness and  ell  rest length of the spring                 r  its length
 namespace oddity::turning_rod {
 
 template <class T>

@@ -151,9 +151,9 @@ struct SampleOf {
     return {still[0] + (there[0] - back[0]) / 2, still[1] + (there[1] - back[1]) / 2};
   }
   Two<T> generalized_force() const { return less(lagrange_left_side(kinetic(), q, v, a), to_first_order()); }
-  /// The second time derivative in space of a point with these coordinates, rates and accelerations in the
-  /// local axes, which are carried to the east at this multiple of omega; along the local axes at that
-  /// moment.
+  /// The second time derivative in space, along the local axes at that moment, of a point with these
+  /// coordinates, rates and accelerations in them. The axes are carried to the east at this multiple of
+  /// omega.
   Space<T> inertial_acceleration(const Space<T>& r, const Space<T>& rate, const Space<T>& acceleration,
                                  double multiple) const {
     using Along = Dual<T>;
@@ -1155,8 +1155,8 @@ std::vector<Root> roots() {
   return {
       {"division at the lowest point",
        filled(
-           "A pendulum pushed from its lowest point has NaN in the first step; the Pantheon's, @2 m long and let "
-           "go at rest @1 m aside, passes the point at @1 mm.",
+           "A pendulum pushed from its lowest point has NaN in the first step. The Pantheon's, @2 m long and "
+           "let go at rest @1 m aside, passes the point at @1 mm.",
            {pantheon.L, let_go_aside(), 1e3 * passes_at()})},
       {"a center of mass that halves the volume",
        filled(

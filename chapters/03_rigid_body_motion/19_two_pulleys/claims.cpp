@@ -565,9 +565,10 @@ void forces(Claims& claims, Table& table, Table& in_motion, const Samples& sampl
        .kind = Fault::counterexample,
        .root = forgotten,
        .why =
-           R"(There are four forces: gravity, the upper rope's tension, which is $c_1(S_1-L_1)$ only where the )"
-           R"(large pulley has no inertia or does not accelerate, and the lower rope on both sides of the small )"
-           R"(pulley. So the formula lacks the second spring and, as the mass's does, the pulleys' inertia.)"});
+           R"(There are four forces: gravity, the upper rope's tension, and the lower rope's on both sides )"
+           R"(of the small pulley. The upper tension is $c_1(S_1-L_1)$ only where the large pulley has no )"
+           R"(inertia or does not accelerate. So the formula lacks the second spring and, as the mass's )"
+           R"(does, the pulleys' inertia.)"});
   table.formula(
       "force_in_y2", 2523, "$m_2g-c_1(S_1-L_1)$ is $m_2g-c_1(K_1-L_1+y_2)$", samples,
       {.quantity = "$m_2g-c_1(S_1-L_1)$",

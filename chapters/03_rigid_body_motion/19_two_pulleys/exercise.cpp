@@ -1,5 +1,5 @@
 // Exercise 3.19: a rope from a spring (c1, L1) over a fixed pulley (I1, R1) carries a second pulley (m2, I2,
-// R2); a rope from another spring (c2, L2) over that one carries a mass m3. Depths below the ceiling: y2, y3.
+// R2). A rope from another spring (c2, L2) over that one carries a mass m3. Depths below the ceiling: y2, y3.
 //   S1 = y2 + K1, S2 = y3 - 2 y2 + K2 are the ropes' lengths.
 //   (m2 + I1/R1^2 + I2/R2^2) y2'' - I2/R2^2 y3'' = m2 g - c1 (S1 - L1) + 2 c2 (S2 - L2).
 //   (m3 + I2/R2^2) y3'' - I2/R2^2 y2'' = m3 g - c2 (S2 - L2).

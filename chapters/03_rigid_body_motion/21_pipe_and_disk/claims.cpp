@@ -271,8 +271,9 @@ void turning_axis(Claims& claims, const std::vector<Sample>& samples) {
        .near_misses = {angles(R"($\ddot\theta=0$ and $\ddot\psi=0$ with a force of 0.1 on $\theta$)", 0.1)},
        .why = filled(
            R"(The text means the two angles' second derivatives. The disk's angular velocity, )"
-           R"($\dot\theta k+\dot\psi u$, turns with the pipe: its rate is $\dot\theta\dot\psi\,k\times u$, )"
-           R"(of the size @3 rad/s$^2$ in the default motion, and the bearings have to bring the torque for it.)",
+           R"($\dot\theta k+\dot\psi u$, turns with the pipe. Its rate is $\dot\theta\dot\psi\,k\times u$, )"
+           R"(of the size @3 rad/s$^2$ in the default motion, and the bearings have to bring the torque for )"
+           R"(it.)",
            {usual.theta_dot * usual.psi_dot * std::sin(usual.phi)}),
        .kind = Fault::term});
 }
@@ -428,7 +429,7 @@ std::vector<Root> roots() {
   return {
       {"division by an upright pipe",
        filled("With the default disk's pipe upright, a program that divides gets NaN for both angles in its "
-              "first step: the disk vanishes from the screen, where it should spin on at @3 rad/s.",
+              "first step. The disk vanishes from the screen, where it should spin on at @3 rad/s.",
               {usual.psi_dot + usual.theta_dot})}};
 }
 

@@ -5,9 +5,9 @@
 
 #include "chapters/numbers.hpp"
 
-/// The models of exercise 3.23: a massless bar that turns about the origin, a mass m at the distance r, and
-/// at the distance s a spring of constant c and rest length ell based at (s, -h). It starts at theta0 with
-/// angular speed w0.
+/// The models of exercise 3.23: a massless bar that turns about the origin, with a mass m at the distance r.
+/// A spring of constant c and rest length ell, based at (s, -h), acts on it at the distance s. The bar starts
+/// at theta0 with angular speed w0.
 namespace oddity::spring_bar {
 
 template <class T>

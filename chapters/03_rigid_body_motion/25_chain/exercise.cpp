@@ -2,8 +2,8 @@
 // motion; and a chain of n masses.
 //   pattern    sum_j mu_max(i,j) r_i r_j (cos(theta_i - theta_j) theta_j''
 //              + sin(theta_i - theta_j) theta_j'^2) = -mu_i g r_i sin(theta_i).
-//   tensions   (1/m_k + 1/m_(k-1)) t_k - c_k t_(k-1)/m_(k-1) - c_(k+1) t_(k+1)/m_k = r_k theta_k'^2, plus
-//              g cos(theta_1) for k = 1.
+//   tensions   (1/m_k + 1/m_(k-1)) t_k - c_k t_(k-1)/m_(k-1) - c_(k+1) t_(k+1)/m_k = r_k theta_k'^2.
+//              For k = 1, g cos(theta_1) is added to the right side.
 // Here mu_k is the mass from k on, and c_k = cos(theta_k - theta_(k-1)). The tensions' system is tridiagonal,
 // so that its solution takes a time linear in n.
 // methods.cpp contains the quantities, claims.cpp the claims. References: 60-digit Taylor series in Cartesian

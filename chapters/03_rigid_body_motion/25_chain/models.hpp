@@ -10,8 +10,8 @@
 #include "chapters/modes.hpp"
 #include "chapters/numbers.hpp"
 
-/// The models of exercise 3.25: n masses on massless rods that hang from a pivot at (0, h); theta_k is the
-/// angle of rod k from the downward vertical, mu_k the mass from k on.
+/// The models of exercise 3.25: n masses on massless rods that hang from a pivot at (0, h). Rod k has the
+/// angle theta_k from the downward vertical, and mu_k is the mass from k on.
 namespace oddity::chain {
 
 // ---- accelerations, for any containers of the constants and of the angles ---------------------------------

@@ -1,6 +1,6 @@
 // The claims of exercise 3.29. Positions are compared with complex multiplication, derivatives with dual
-// numbers, integrals with antiderivatives for three wires, the energy with a sum over particles, and forces
-// with the slope of the total potential energy.
+// numbers, and integrals with antiderivatives for three wires. The energy is compared with a sum over
+// particles, and forces with the slope of the total potential energy.
 
 #include <concepts>
 
@@ -745,10 +745,10 @@ std::vector<Claim> claims(double seed) {
                         {friction_at_speed("half as fast", seed, 0.5, 0.5)}}},
        .why = filled(
            "Rough friction has the direction $-v/|v|$, and a wire at rest has none: every rule that "
-           "evaluates the integrand returns NaN. Nor is there a limit. Friction of @1 N a kilogram on a rod "
-           "of @1 m and @1 kg that turns about its center has a moment of $-@2$ or $+@2$ N m, by the sense "
-           "of the turn, however slow it is. At rest, static friction holds the rod, up to a bound; the "
-           "integral does not contain it.",
+           "evaluates the integrand returns NaN. Nor is there a limit. Friction of @1 N a kilogram acts on a "
+           "rod of @1 m and @1 kg that turns about its center. The friction's moment is $-@2$ or $+@2$ N m, by "
+           "the sense of the turn, however slow it is. At rest, static friction holds the rod, up to a bound; "
+           "the integral does not contain it.",
            {friction_of_rod, length_of_rod, mass_of_rod, moment_of_rod, moment_of_rod}),
        .kind = Fault::left_out,
        .root = at_rest});

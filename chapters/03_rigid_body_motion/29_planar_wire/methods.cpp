@@ -106,8 +106,8 @@ Quantity inertia(const std::string& name, const Wire& w, const Reference& truth)
 std::vector<Quantity> inertias(const Given& given, const Reference& truth) {
   Quantity semicircle = inertia("semicircle", {Shape::semicircle, given.q, given.d, 0}, truth);
   semicircle.add(
-      Breakdown{"As a graph over $x$ the half circle has vertical ends, where $ds/dx$ is infinite: a rule "
-                "that takes the ends fails, Gauss and Legendre's is off by @1 with @2 points. By the "
+      Breakdown{"As a graph over $x$ the half circle has vertical ends, where $ds/dx$ is infinite. A rule "
+                "that takes the ends fails, and Gauss and Legendre's is off by @1 with @2 points. By the "
                 "angle the integrands are smooth.",
                 "as a graph over x, Gauss-Legendre",
                 64,

@@ -1,6 +1,6 @@
 // Exercise 3.31: a box slides and rotates on a rough plane. The solution is two sentences about a program
 // that is not available, so they are not checked. The exercise's motion is computed:
-//   F = -mu p int n dA,  moment = -mu p int rho x n dA,  n = (V + w k x rho)/|V + w k x rho|, p = m g/(4ab)
+//   F = -mu p int n dA,  moment = -mu p int rho x n dA,  n = (V + w k x rho)/|V + w k x rho|, p = m g/(4ab).
 // The integrals have closed forms about the instantaneous center. At rest n is undefined: kinetic friction
 // alone leaves the box creeping. The pressure is assumed to be uniform; the box is too low to be tilted by
 // its friction.

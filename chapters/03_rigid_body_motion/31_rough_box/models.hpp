@@ -20,8 +20,8 @@ struct Contact {
 
   T gyration() const { return sqrt((a * a + b * b) / 3); }
 
-  /// The means over the base of the unit velocity n and of its moment rho x n, if the center moves with (u,
-  /// v) along the base's axes and rotates with w. Zero at rest.
+  /// Means over the base of the unit velocity n and its moment rho x n, if the center moves with (u, v) along
+  /// the base's axes and rotates with w. Zero at rest.
   template <class X>
   Three<X> means(const X& u, const X& v, const X& w) const {
     const X slide = sqrt(u * u + v * v), turn = abs(w) * select(a < b, b, a);
@@ -36,9 +36,9 @@ struct Contact {
         });
   }
 
-  /// About the instantaneous center c the velocity is w k x (rho - c). The integrals of the distance r from c
-  /// and of its gradient are, by the divergence theorem, those of r along the four edges, and so differences
-  /// of primitives at the corners.
+  /// About the instantaneous center c the velocity is w k x (rho - c). By the divergence theorem, the
+  /// integrals of the distance r from c and of its gradient are those of r along the four edges. So they are
+  /// differences of primitives at the corners.
   template <class X>
   Three<X> by_corners(const X& u, const X& v, const X& w) const {
     const X cx = -v / w, cy = u / w;

@@ -107,8 +107,8 @@ void claim_energy(Table& table, const Samples& tops) {
            R"($\mathbf w$ would be zero as well. The velocity of the center of mass has the body )"
            R"(components $\ell(w_2,-w_1,0)$: the center runs on a sphere about the tip and has the kinetic energy )"
            R"($\frac12m\ell^2(w_1^2+w_2^2)$. The final $T$ is right only because $\mu_1$ is taken about the tip, )"
-           R"(which has that energy in it; with the moment about the center of mass it is wrong by just this )"
-           R"(term.)"});
+           R"(which has that energy in it. With the moment about the center of mass it is wrong by just )"
+           R"(this term.)"});
   table.formula("kinetic_energy", 2955,
                 R"(the angular velocity's part of the kinetic energy is )"
                 R"($T=\frac12\mathbf w^TJ\mathbf w$ (our reading: all of it, $J$ being about the tip))",

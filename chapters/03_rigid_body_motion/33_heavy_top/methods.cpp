@@ -323,7 +323,7 @@ Quantity past_the_vertical(const Top& top, const Reference& truth) {
       .by<ode::Fehlberg78>(momentum_model, AxisAndMomentum<double>{{grazing}});
   return q.add(Breakdown{
       "Where the axis passes @2 rad from the vertical, the rate of precession peaks as "
-      R"($1/\sin^2\phi$, and equal steps that serve the quaternion to @1 digits leave @1 with )"
+      R"($1/\sin^2\phi$. Equal steps that serve the quaternion to @1 digits leave @1 with )"
       "Euler angles.",
       "Euler angles, Runge-Kutta 4",
       0.00048828125,

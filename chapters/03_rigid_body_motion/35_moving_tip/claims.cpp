@@ -456,8 +456,8 @@ std::vector<Claim> claims(double seed, const Top& top, const Deviation& off) {
   };
   claims.add(
       "force_at_center", 3089,
-      "the tip moves about the plane only because some force has been applied to the center of mass (our "
-      "reading: the force that moves the tip adds no torque about the center of mass)",
+      "the tip moves about the plane only because some force is applied to the center of mass (our "
+      "reading: the force moving the tip adds no torque about this center)",
       {.printed =
            reading("as we read it, the force that moves the tip adds no torque about the center of mass",
                    about_center_of_mass, none, added),
@@ -469,11 +469,11 @@ std::vector<Claim> claims(double seed, const Top& top, const Deviation& off) {
        .near_misses = {with_torque(R"(it adds $(\mathbf r-\mathbf p)\times(\mathbf N-\mathbf N_0)$)", -1)},
        .why =
            R"(A force on the center of mass $\mathbf r$ has no torque about it. A tip that is driven along )"
-           R"($\mathbf p(t)$, as in this exercise, is moved by its support: a force $\mathbf )"
-           R"(N=m(\ddot{\mathbf r}+g\mathbf k)$ at the tip, whose torque about the center of mass is )"
+           R"($\mathbf p(t)$, as in this exercise, is moved by its support with a force $\mathbf )"
+           R"(N=m(\ddot{\mathbf r}+g\mathbf k)$ at the tip. Its torque about the center of mass is )"
            R"($(\mathbf p-\mathbf r)\times\mathbf N$. In the tip's frame, the inertial force )"
            R"($-m\ddot{\mathbf p}$ acts at the center of mass besides the weight; it has a torque about the )"
-           R"(tip, and does not move the tip. A tip that slides freely on the plane is another problem: a )"
+           R"(tip, and does not move the tip. A tip that slides freely on the plane is another problem. A )"
            R"(push on the center of mass moves it without a torque, but such a top turns about its center )"
            R"(of mass, with the moment $\mu_1-m\ell^2$ across the axis.)",
        .kind = Fault::counterexample,
@@ -500,7 +500,7 @@ std::vector<Claim> claims(double seed, const Top& top, const Deviation& off) {
   claims.add(
       "euler_about_vertical", 3089,
       "the Euler equations of example 3.19 still apply to the motion about the world vertical axis through "
-      "the tip (our reading, by lines 3077 and 3081 on 3.33: with the torque of gravity alone)",
+      "the tip (our reading, by lines 3077 and 3081: gravity's torque alone)",
       {.printed = {constant + " is a constant, by Euler's equations with gravity alone",
                    {compare("rate of " + constant + ", $c$ the spin", zero, vertical, tops),
                     compare(in_body,

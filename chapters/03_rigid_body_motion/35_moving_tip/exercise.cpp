@@ -1,6 +1,6 @@
 // Exercise 3.35: the heavy symmetric top of exercise 3.33 with a moving tip: p(t) = (A sin(lambda t), 0, 0).
 // (A is the book's alpha, which in 3.33 is m g l/mu1.) About the tip, with F = -m g k - m p'':
-//   L' = l d x F,   mu1 w1' = (mu1 - mu3) w2 w3 - l F2,   mu1 w2' = (mu3 - mu1) w3 w1 + l F1,   w3' = 0
+//   L' = l d x F,   mu1 w1' = (mu1 - mu3) w2 w3 - l F2,   mu1 w2' = (mu3 - mu1) w3 w1 + l F1,   w3' = 0.
 // methods.cpp contains the quantities, claims.cpp the claims.
 
 #include "chapters/03_rigid_body_motion/33_heavy_top/heavy_top.hpp"

@@ -22,7 +22,7 @@ double nutation_frequency(const Top&);
 std::string at_nutation(const Top&);
 
 /// The largest angle within ex03_33::duration between the top's axis and that of the same top with its tip
-/// fixed; NaN if one of the two motions does not reach its end.
+/// fixed. NaN if one of the two motions does not reach its end.
 struct Deviation {
   double as_asked, twice_the_frequency, at_nutation;
 

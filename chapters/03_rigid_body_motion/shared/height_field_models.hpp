@@ -4,9 +4,9 @@
 
 #include "chapters/numbers.hpp"
 
-/// A point that slides without friction on the surface x3 = h(x1, x2) under gravity. A surface offers these
-/// functions, generic in the number type: height(x1, x2); gradient(x); bend(x, v) = v^T (Hessian of h) v; and
-/// for momenta turn(x, v) = (Hessian of h) v.
+/// A point that slides without friction on the surface x3 = h(x1, x2) under gravity. A surface offers
+/// functions generic in the number type: height(x1, x2), gradient(x) and bend(x, v) = v^T (Hessian of h) v.
+/// For momenta it also offers turn(x, v) = (Hessian of h) v.
 namespace oddity::height_field {
 
 /// (x1, x2, x1', x2').

@@ -132,7 +132,7 @@ Quantity directional(const Parameters& p, const Reference& truth) {
                 "along f, central differences 2", 0x1p-3});
   q.add(Breakdown{
       "Along an axis a step that is a power of two moves the point without rounding, unless a coordinate "
-      "passes another power of two: the finest step here is as good as the coarsest.",
+      "passes another power of two. The finest step here is as good as the coarsest.",
       "along f, central differences 4", 0x1p-31, Outcome::inaccurate, "along the axes, central differences 4",
       0x1p-31});
   return q;

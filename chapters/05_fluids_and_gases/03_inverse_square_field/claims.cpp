@@ -137,8 +137,8 @@ std::vector<Claim> claims(const Random& random, const Reference& truth) {
        .why = filled(
            R"(The first derivative is printed of $x_i/|\mathbf x|^3$, whose index occurs nowhere else and is )"
            R"(not summed. It must be $x_0$, as in the next line. At the point $(@1,@1,@1)$, )"
-           R"(times $|\mathbf x|^3$, the three derivatives are $@4$, $@4$ and $@4$, which add up to zero; )"
-           R"(with $x_1$ for $x_i$ the first is $@4$ and the sum $@4$.)",
+           R"(times $|\mathbf x|^3$, the three derivatives are $@4$, $@4$ and $@4$, which add up to zero. )"
+           R"(With $x_1$ for $x_i$ the first is $@4$ and the sum $@4$.)",
            {at[0], at[1], at[2], d[0][0], d[1][1], d[2][2], d[1][0], d[1][0] + d[1][1] + d[2][2]}),
        .kind = Fault::formula});
   derivatives(
@@ -201,8 +201,8 @@ std::vector<Claim> claims(const Random& random, const Reference& truth) {
 std::vector<Root> roots() {
   return {
       {"the origin",
-       filled(R"(A field that is put together from its sources, as smoke or gravity is, would have none: )"
-              R"(nothing would flow out of the sphere around a source, where $4\pi=@5$ should, whatever its )"
+       filled(R"(A field that is put together from its sources, as smoke or gravity is, would have none. )"
+              R"(Nothing would flow out of the sphere around a source, where $4\pi=@5$ should, whatever its )"
               R"(radius.)",
               {4 * std::numbers::pi})}};
 }

@@ -1,8 +1,8 @@
 // Exercise 5.7: curl (phi f) = phi curl f + grad phi x f.
-// Left side: the product is differentiated as one field by dual numbers along a randomly rotated frame, curl
-// h = sum_k u_k x (u_k.grad) h, which shares no index lists with the proof. Right side: each published line
-// as printed, from partial derivatives along the axes. The quantity's reference differentiates the product in
-// 60 digits by extrapolated differences and by Cauchy's integral.
+// Left side: the product is differentiated as one field by dual numbers along a randomly rotated frame. This
+// curl h = sum_k u_k x (u_k.grad) h shares no index lists with the proof. Right side: each published line as
+// printed, from partial derivatives along the axes. The quantity's reference differentiates the product in 60
+// digits by extrapolated differences and by Cauchy's integral.
 
 #include "chapters/05_fluids_and_gases/shared/differentiation.hpp"
 #include "chapters/05_fluids_and_gases/shared/meanings.hpp"

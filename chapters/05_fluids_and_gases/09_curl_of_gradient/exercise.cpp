@@ -46,8 +46,8 @@ constexpr auto peano = []<class T>(const Triple<T>& x) {
   return x[0] * x[1] * (a - b) / (a + b);
 };
 
-/// Difference quotients of the slopes of Peano's function at the origin, by x of dp/dy and by y of dp/dx, for
-/// steps down to 2^-350, above which their cubes do not underflow.
+/// Difference quotients of the slopes of Peano's function at the origin, by x of dp/dy and by y of dp/dx.
+/// Steps go down to 2^-350, above which their cubes do not underflow.
 Check peano_orders() {
   WorstSample worst("second derivatives at the origin", "by $y$, then by $x$", "by $x$, then by $y$");
   for (int k = 10; k <= 350; k += 10) {
@@ -270,7 +270,7 @@ Quantity peano_curl() {
   q.add({"p", "inner step h 2^-20", steps(15), [=](double h) { return nested(h, h * 0x1p-20); }});
   q.add(Breakdown{
       "A symmetric second difference with equal steps shows a curl of zero at every step, as if the order "
-      "did not matter; the iterated limit needs an inner step much finer than the outer one.",
+      "did not matter. The iterated limit needs an inner step much finer than the outer one.",
       "p, equal steps h", 0x1p-15, Outcome::inaccurate, "p, inner step h 2^-20", 0x1p-15});
   q.add(Breakdown{
       "Dual numbers cannot pass through $0/0$ at the origin. Their slopes near it can be differenced.",

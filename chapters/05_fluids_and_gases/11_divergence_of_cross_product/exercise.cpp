@@ -1,6 +1,6 @@
 // Exercise 5.11: div (f x g) = curl f . g - curl g . f.
-// Left side: the product is differentiated as one field by dual numbers along a randomly rotated frame, div h
-// = sum_k u_k.(u_k.grad) h, which shares no index lists with the proof. Right side: each published line as
+// Left side: the product is differentiated as one field by dual numbers along a randomly rotated frame. This
+// div h = sum_k u_k.(u_k.grad) h shares no index lists with the proof. Right side: each published line as
 // printed, from partial derivatives along the axes. The components of the cross product itself are compared
 // with determinants by LU.
 

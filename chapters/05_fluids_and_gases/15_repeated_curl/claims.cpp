@@ -235,7 +235,7 @@ Lines lines(Random random) {
              occurring(1, {"i"}, product_of_two, product_near));
   add("cross_product_vector", 3689,
       R"(with $i$ free it is a vector (our check, as the text does for the second curl: it turns with its )"
-      R"(factors, which are $u$ and $v$ in the turned frame))",
+      R"(factors, $u$ and $v$ in the turned frame))",
       {{"g x f, turned", "e(i j k) u(j) v(k)"}},
       {{{"g x f, mirrored", "e(i j k) mirrored_u(j) mirrored_v(k)"}}});
   add("curl", 3691, "the curl in index notation", {{"curl1", "e(i j k) f(k, j)"}},

@@ -10,8 +10,8 @@ namespace oddity::fields {
 
 /// Right-handed orthonormal frames; needs Lia and Nsatz.
 std::string frames_in_coq();
-/// Fields that are `smooth` up to the n-th derivatives, derivatives d by the coordinates and `along` vectors
-/// with their rules and order, and the gradient and curls along a frame.
+/// Fields that are `smooth` up to the n-th derivatives; derivatives d by the coordinates and `along` vectors,
+/// with rules and order; gradient and curls along a frame.
 std::string smooth_fields_in_coq();
 /// To follow it: vector fields in the coordinates of a rotated frame, and curls as sums over the permutation
 /// tensor.

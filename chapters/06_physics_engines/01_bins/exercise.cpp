@@ -1,8 +1,8 @@
-// Exercise 6.1: which bins of a regular grid does a sphere hit? The book tests all n bins, or only those
-// whose indices are in the projections of the sphere, i = ceil((x - r)/h) - 1, ..., floor((x + r)/h) on each
-// axis. Centers and radii are multiples of 1/64 of a bin, so the independent route decides every bin in exact
-// integers: the squared distance to the box is compared with r^2. The mean length of an index range is 1 +
-// 2r/h, as an interval of length 2r at a random place contains 2r/h bin boundaries.
+// Exercise 6.1: which bins of a regular grid does a sphere hit? The book tests all n bins, or only those with
+// indices in the sphere's projections, i = ceil((x - r)/h) - 1, ..., floor((x + r)/h) on each axis. Centers
+// and radii are multiples of 1/64 of a bin, so the independent route decides every bin in exact integers. It
+// compares the squared distance to the box with r^2. The mean length of an index range is 1 + 2r/h, as an
+// interval of length 2r at a random place contains 2r/h bin boundaries.
 
 #include <bit>
 #include <cmath>

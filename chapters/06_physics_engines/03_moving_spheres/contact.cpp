@@ -1,7 +1,7 @@
 // The user's two moving spheres: when do they first touch? With relative position d and relative velocity v
 // they touch when |d + t v| is the sum R of the radii:
 //   v.v t^2 + 2 d.v t + d.d - R^2 = 0.
-// The independent route is geometry, in long double: the path of d passes the origin at |d x v| / |v|, and
+// The independent route is geometry, in long double. The path of d passes the origin at |d x v| / |v|, and
 // the contact is half a chord of the sphere R before that.
 
 #include <algorithm>

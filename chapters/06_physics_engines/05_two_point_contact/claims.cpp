@@ -228,8 +228,8 @@ Vector3d by_motion(const Sample& s, std::size_t from, double first) {
   return {after[from], after[from + 1], after[from + 2]};
 }
 
-/// Error of the pulse's integral by 128 steps, from the first term of Simpson's error at the half steps: 630
-/// t^4 (1 - t)^4 has the fifth derivatives -+302400 at its ends.
+/// Error of the pulse's integral by 128 steps, from the first term of Simpson's error at the half steps. At
+/// its ends 630 t^4 (1 - t)^4 has the fifth derivatives -+302400.
 constexpr double steps_leave = 604800 / 1512.0 * 0x1p-48;
 constexpr double rounded_ends = 64 * 0x1p-52 / width;
 constexpr double roundings = 16;
@@ -251,8 +251,8 @@ Tolerance of_w(const Sample& s) {
   return {
       2 * turn * s.yielding() * momentum + (steps_leave + rounded_ends) * s.twist() +
           roundings * 0x1p-52 * s.body.w.norm(),
-      filled("in a pulse of $@1$ s the body turns, with its arms and its inertia, by no more than that times "
-             "$|w|$ and its change; added to this is the error allowed for $v^+$",
+      filled("in a pulse of $@1$ s the body, its arms and its inertia turn by no more than that times $|w|$ "
+             "and its change, plus the error allowed for $v^+$",
              {pulse})};
 }
 
@@ -503,8 +503,8 @@ void what_follows(Claims& claims, double seed) {
        .near_misses = {{"pressure growing by half along the segment", {as_segment(bodies, of_any, 0.2)}}}});
   claims.add(
       "finite_set", 3785,
-      "the assumption that only a finite set of points is in contact is no approximation, at least for bodies of "
-      "constant density (our reading: equal impulses at the corners of the contact, in place of an even one)",
+      "the assumption of only finitely many contact points is no approximation, at least for bodies of "
+      "constant density (our reading: equal impulses at the contact's corners replace an even one)",
       {.printed = {"for any contact: segments, triangles, parallelograms and trapezoids",
                    {segment, triangles, parallelograms, as_area(boxes, R"(trapezoids, $1:\frac12$)", 0.5)}},
        .corrected = {"for segments, and where the corners' mean is the area's centroid: triangles, "
@@ -544,7 +544,7 @@ std::vector<Root> roots(const Parameters& p, const Quantity& patch) {
       {"corners for a face",
        filled(
            R"(A box of $@3\times@3\times@3$ m and @3 kg, hit from below with @3 N s spread evenly over a )"
-           R"(trapezoid, starts to tip over its long side at @2 rad/s. Equal impulses at the four corners )"
+           R"(trapezoid, starts tipping over its long side at @2 rad/s. Equal impulses at the four corners )"
            "do not tip it over that side at all.",
            {p["a"], p["b"], p["c"], p["m"], p["f"], std::abs(patch.reference.value[0])})}};
 }

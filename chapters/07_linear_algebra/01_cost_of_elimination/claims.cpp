@@ -392,9 +392,10 @@ void solutions(Claims& claims, const Random& random) {
        .root = "no exchange of rows",
        .why = filled(
            R"(Where a pivot is zero, crosswise clearing multiplies the other rows by it, and the diagonal )"
-           R"(entries that are divided by at the end are 0: $x_2=2$, $x_1=3$, written as two rows in this )"
-           R"(order, ends in $@1/@1$. The text counts operations and has no such system in view. An )"
-           R"(exchange with a lower row cures it and costs no arithmetic, so that no total changes.)",
+           R"(entries that are divided by at the end are 0. The system $x_2=2$, $x_1=3$, written as two )"
+           R"(rows in this order, ends in $@1/@1$. The text counts operations and has no such system in )"
+           R"(view. An exchange with a lower row cures it and costs no arithmetic, so that no total )"
+           R"(changes.)",
            {first[2] + 0.0, first[0] + 0.0})});
 }
 

@@ -1,8 +1,8 @@
 // Exercise 7.1: how much more full elimination (every column cleared below and above its pivot) costs than
-// forward elimination with back substitution; mu, alpha, delta are the prices of a multiplication, an
-// addition and a division. The book clears crosswise, row_i <- a_kk row_i - a_ik row_k, which costs 2 mu +
-// alpha per entry. The counts are measured by elimination on counting numbers, never taken from a formula.
-// They are compared exactly, as coefficients of mu, alpha and delta. Arithmetic modulo a prime shows that the
+// forward elimination with back substitution. The prices of a multiplication, an addition and a division are
+// mu, alpha, delta. The book clears crosswise, row_i <- a_kk row_i - a_ik row_k, which costs 2 mu + alpha per
+// entry. The counts are measured by elimination on counting numbers, never taken from a formula. They are
+// compared exactly, as coefficients of mu, alpha and delta. Arithmetic modulo a prime shows that the
 // eliminations are right.
 
 #include "chapters/07_linear_algebra/01_cost_of_elimination/cost_of_elimination.hpp"
@@ -23,9 +23,9 @@ Findings study(const Parameters& p, const Reference& truth) {
   const Random random(p["seed"]);
   Quantity large = solution("larger_system", static_cast<std::size_t>(p["N"]), true, random);
   large.add(
-      Breakdown{"Crosswise clearing never divides, and so squares the size of the entries column by "
-                "column: within the @2 columns of this system they are out of the range of a double. "
-                "Division by the pivot keeps their size.",
+      Breakdown{"Crosswise clearing never divides, and so squares the size of the entries column by column. "
+                "Within the @2 columns of this system they are out of the range of a double. Division by the "
+                "pivot keeps their size.",
                 "crosswise, forward and back",
                 53,
                 Outcome::non_finite,

@@ -1,8 +1,8 @@
 // Exercise 7.3: (AB)^T = B^T A^T, line by line, with a'_rc = a_cr, b'_rc = b_cr and m_rc = sum_k a_rk b_kc.
-// The independent route never forms a product of matrices: column r of AB is A(B e_r), and a transpose moves
-// a matrix to the other side of a scalar product, y.(M x) = (M^T y).x. All numbers are whole, so it is exact.
-// In floating point both sides have the same bits if their sums run in the same order, fused or not: a b = b
-// a is exact, but a + (b + c) = (a + b) + c is not.
+// The independent route never forms a product of matrices. Column r of AB is A(B e_r). A transpose moves a
+// matrix to the other side of a scalar product, y.(M x) = (M^T y).x. All numbers are whole, so it is exact.
+// In floating point both sides have the same bits if their sums run in the same order, fused or not. The law
+// a b = b a is exact, but a + (b + c) = (a + b) + c is not.
 
 #include <cmath>
 #include <map>

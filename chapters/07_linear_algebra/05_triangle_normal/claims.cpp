@@ -387,7 +387,7 @@ std::vector<Root> roots() {
   return {
       {"edges on one line",
        filled(
-           R"(A $3\times3$ grid has @2 triples of vertices, and @1 of them lie on a line: a face on one of )"
+           R"(A $3\times3$ grid has @2 triples of vertices, and @1 of them lie on a line. A face on one of )"
            R"(these has the unit normal $0/0$, and is lit with NaN.)",
            {static_cast<double>(triples), static_cast<double>(on_a_line)})}};
 }

@@ -1,8 +1,8 @@
 // Exercise 7.5: u + v + w = 0 implies u x v = v x w = w x u, the triangle's normal, whose length is twice its
 // area. The lines of the proof are checked exactly in whole numbers, each for the most general vectors that
-// it allows. The area is computed from the lengths of the sides alone, without a cross product: 16 area^2 =
-// 2(a^2 b^2 + b^2 c^2 + c^2 a^2) - a^4 - b^4 - c^4 (Heron). Kahan, Miscalculating area and angles of a
-// needle-like triangle.
+// it allows. The area is computed from the lengths of the sides alone, without a cross product, by Heron's
+// formula. It is 16 area^2 = 2(a^2 b^2 + b^2 c^2 + c^2 a^2) - a^4 - b^4 - c^4. Kahan, Miscalculating area and
+// angles of a needle-like triangle.
 
 #include <algorithm>
 #include <cmath>

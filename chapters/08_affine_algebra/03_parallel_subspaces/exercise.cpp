@@ -1,6 +1,6 @@
 // Exercise 8.3: affine subspaces A1 = P1 + V1 and A2 = P2 + V2 are parallel if V1 contains V2 or V2 contains
-// V1, that is if rank [V1 V2] = max(rank V1, rank V2). The book's are lines along the x-axis and the y-axis.
-// The reference for random subspaces is how they were constructed. Exact ranks are by elimination in
+// V1. Equivalently, rank [V1 V2] = max(rank V1, rank V2). The book's are lines along the x-axis and the
+// y-axis. The reference for random subspaces is how they were constructed. Exact ranks are by elimination in
 // integers.
 
 #include <Eigen/Core>

@@ -226,7 +226,7 @@ std::vector<Quantity> quantities(const Parameters& p) {
                           {bad, bad, bad, ok, "products lose the small terms of the sliver"}));
   all.back().add(
       Breakdown{"The normal equations square the condition number, and $f(P)$ is off by rounding over "
-                "height, $@1$, where the edges themselves err by $@1$: there a stable solve leaves a "
+                "height, $@1$, where the edges themselves err by $@1$. There a stable solve leaves a "
                 "residual of one rounding, however thin the sliver.",
                 "normal equations, LU, partial pivoting",
                 0,

@@ -1,9 +1,9 @@
 // Exercise 9.1: the distance from a point P to a triangle, as the minimum of a quadratic on s, t >= 0, s + t
 // <= 1:
-//   f(s, t) = |s E1 + t E2 + D|^2 = a00 s^2 + 2 a01 s t + a11 t^2 + 2 b0 s + 2 b1 t + c,
+//   f(s, t) = |s E1 + t E2 + D|^2 = a00 s^2 + 2 a01 s t + a11 t^2 + 2 b0 s + 2 b1 t + c.
 //   E1 = V1 - V0, E2 = V2 - V0, D = V0 - P.
 // Independent routes: for the coefficients, derivatives of |V(s, t) - P|^2 by dual numbers; for the minimum,
-// the perpendicular and the edges; for the tables, a bisection that uses no regions.
+// the perpendicular and the edges. For the tables, a bisection that uses no regions.
 
 #include "chapters/09_calculus/01_point_triangle/point_triangle.hpp"
 #include "chapters/inputs.hpp"

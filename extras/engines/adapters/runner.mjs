@@ -1,6 +1,6 @@
 // runner.cpp for the engines that run in WebAssembly:
 //   node runner.mjs rapier --about     its description
-//   node runner.mjs rapier             reads one request (world_json.hpp), writes one reply
+//   node runner.mjs rapier             reads one request (world_json.hpp), writes one reply.
 // An adapter, NAME.mjs, exports `about`, with `plane` and `ropes` where they are true, and `make(world,
 // variant, step)`. `make` returns a simulation as in simulation.hpp, or throws NotExpressible. hasSprings,
 // save and restore are optional. free() is required, as nothing else destroys the WebAssembly objects.

@@ -141,8 +141,8 @@
   };
 
   /** Judges a motion against the truth. Gives at each of its times the distance in each unit and in needs,
-      NaN if one of the two is unknown; the worst of each; since when it fails; when it breaks off; and the
-      number of times judged. `close` is the tolerance by unit. */
+      NaN if one of the two is unknown. Also gives the worst of each, since when it fails, when it breaks off,
+      and the number of times judged. `close` is the tolerance by unit. */
   oddity.judged = function (motion, truth, norms, close) {
     const units = Object.keys(close);
     const n = motion.times.length;

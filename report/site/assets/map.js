@@ -1,4 +1,4 @@
-// The stability map of a scene: every <figure class="map"> becomes tables of each method's outcomes over the
+// The stability map of a scene. Every <figure class="map"> becomes tables of each method's outcomes over the
 // step and the parameter that makes the scene hard, with linear theory's border and the limits.
 (function (oddity) {
   'use strict';

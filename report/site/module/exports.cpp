@@ -153,8 +153,8 @@ ODDITY_EXPORT(ending) int ending() { return static_cast<int>(motion.ending); }
 ODDITY_EXPORT(message) const char* message() { return motion.message.c_str(); }
 
 /// The input is the parameters, the time and the observables. Returns these numbers: whether the drawing is
-/// in space, and the number of primitives; then for each its kind, size, whether it leaves a trail, the
-/// address and length of its letter, the number of points, and the points. Null if the scene defines no
+/// in space, and the number of primitives. Then follow for each its kind, size, whether it leaves a trail,
+/// the address and length of its letter, the number of points, and the points. Null if the scene defines no
 /// drawing.
 ODDITY_EXPORT(draw) const double* draw(std::size_t index) {
   const Scene& scene = scenes()[index];

@@ -1,6 +1,6 @@
 // Box2D 2.4: boxes rest 1.5 cm above edges.
 //
-// A box on an edge rests 1.5 cm above it, a ball 0.5 cm: polygons and edges have a skin of 1 cm, of which 0.5
+// A box on an edge rests 1.5 cm above it, a ball 0.5 cm. Polygons and edges have a skin of 1 cm, of which 0.5
 // cm may overlap.
 //   g++ box2d_skin.cpp -lbox2d
 

@@ -1,7 +1,7 @@
 // Jolt 1.1, Rapier 0.21: all friction acts in the middle.
 //
-// A box that slides at 2 m/s and spins at 10 rad/s comes to rest as soon as one that only slides, and turns
-// as far as one that only spins. All friction acts in the middle of the contact area, plus a moment. With
+// A box that slides at 2 m/s and spins at 10 rad/s comes to rest as soon as one that only slides. It turns as
+// far as one that only spins. All friction acts in the middle of the contact area, plus a moment. With
 // friction at its four corners it would go more than half as far again.
 //   node found/boxes_spin_for_nothing.mjs
 

@@ -1,6 +1,6 @@
 // Bullet: fast bodies turn by less than they spin.
 //
-// A body keeps its spin, but turns by less: where a step would turn it by more than 45 degrees,
+// A body keeps its spin, but turns by less. Where a step would turn it by more than 45 degrees,
 // btTransformUtil::integrateTransform cuts the angle in only one of the two places that use it.
 //   g++ bullet_turn.cpp $(pkg-config --cflags --libs bullet)
 

@@ -1,6 +1,6 @@
 // MuJoCo 3.14: RK4 is of second order in space.
 //
-// Its RK4 has order 4 in the angle of a hinge, and order 2 in a body that turns freely: the spins of its four
+// Its RK4 has order 4 in the angle of a hinge, and order 2 in a body that turns freely. The spins of its four
 // stages are averaged in the body's axes, which turn meanwhile. Prints the errors of both relative to 61440
 // Hz.
 //   node found/mujoco_rk4_order.mjs

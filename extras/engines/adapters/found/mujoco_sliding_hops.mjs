@@ -2,7 +2,7 @@
 //
 // A box that slides on a floor at 2 m/s leaves it, the higher the longer the step and the stiffer the
 // contact. Friction is a convex problem, in which a slide may go along the cone, away from the floor, at up
-// to friction times 2 m/s: 18 mm of height for a friction of 0.3. Without friction it stays.
+// to friction times 2 m/s. That is 18 mm of height for a friction of 0.3. Without friction it stays.
 //   node found/mujoco_sliding_hops.mjs
 
 import loadMujoco from '@mujoco/mujoco';

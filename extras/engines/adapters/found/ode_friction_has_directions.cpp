@@ -1,7 +1,7 @@
 // ODE 0.16: friction depends on the direction.
 //
 // Friction is limited in each of two directions separately, also where it is proportional to the pressure
-// (dContactApprox1): a box that slides along their diagonal stops after 71 % of the distance of one that
+// (dContactApprox1). A box that slides along their diagonal stops after 71 % of the distance of one that
 // slides along an axis.
 //   g++ ode_friction_has_directions.cpp -lode && ./a.out
 

@@ -1,9 +1,9 @@
 // Jolt 1.1, Rapier 0.21: the wobble of a stable spin grows.
 //
 // A body of moments 1, 1, 2 kg m^2 spins at S about the third axis, with 1 rad/s across it, without contact:
-// both should stay constant. With steps of h (Rapier's are a quarter of the given ones), gyroscopic forces by
-// explicit Euler multiply the part across by exp(S^2 h t/2), until the spin has left the axis. The angular
-// momentum is kept.
+// both should stay constant. Gyroscopic forces by explicit Euler with steps of h multiply the part across by
+// exp(S^2 h t/2), until the spin has left the axis. Rapier's steps are a quarter of the given ones. The
+// angular momentum is kept.
 //   node found/wobbles_grow.mjs
 
 import { make as makeJolt } from '../jolt.mjs';
