@@ -65,9 +65,24 @@ EveryStep::Judged EveryStep::judged(const Method& method, long steps) const {
   return judged;
 }
 
+namespace {
+
+constexpr long enough_steps = 4096, most_steps = 262'144, most_evaluations = 200'000;
+
+/// The next finer number of steps that is tried.
+long finer(long steps) { return std::max(steps + 1, std::lround(static_cast<double>(steps) * 1.5)); }
+
+/// The next coarser number of steps that bisection distinguishes from this one.
+long apart(long steps) { return std::max(1L, steps / 100); }
+
+bool is_most(long steps, double evaluations) {
+  return steps >= most_steps || evaluations >= most_evaluations;
+}
+
+}  // namespace
+
 std::optional<TimedTrial> within_need(const EveryStep& judge, const Method& method, int intervals,
                                       bool path_is_asked) {
-  constexpr long enough_steps = 4096, most_steps = 262'144, most_evaluations = 200'000;
   const auto judged = [&](long steps) {
     if (!path_is_asked) return judge.judged(method, steps);
     EveryStep::Judged looked = judge.at_looks(method, steps);
@@ -76,7 +91,7 @@ std::optional<TimedTrial> within_need(const EveryStep& judge, const Method& meth
   std::optional<TimedTrial> within;
   long coarse = 0,
        fine = 0;  // steps per interval: the finest that fails, the coarsest of the passing ones below
-  for (long steps = 1;; steps = std::max(steps + 1, std::lround(static_cast<double>(steps) * 1.5))) {
+  for (long steps = 1;; steps = finer(steps)) {
     const auto [here, off] = judged(steps);
     if (!(off <= 1)) {
       coarse = steps;
@@ -86,16 +101,39 @@ std::optional<TimedTrial> within_need(const EveryStep& judge, const Method& meth
       within = as_result(here);
     }
     const long all = steps * intervals;
-    if (all >= most_steps || here.answer.evaluations >= most_evaluations) break;
+    if (is_most(all, static_cast<double>(here.answer.evaluations))) break;
     if (within && all >= enough_steps) break;
   }
-  while (within && fine - coarse > std::max(1L, fine / 100)) {
+  while (within && fine - coarse > apart(fine)) {
     const long middle = std::midpoint(coarse, fine);
     const auto [here, off] = judged(middle);
     (off <= 1 ? fine : coarse) = middle;
     if (off <= 1) within = as_result(here);
   }
   return within;
+}
+
+std::optional<TimedTrial> confirmed_within_need(const EveryStep& judge, const Method& method, int intervals,
+                                                double expected_steps) {
+  const auto judged = [&](long steps) {
+    EveryStep::Judged looked = judge.at_looks(method, steps);
+    return looked.off <= 1 ? judge.judged(method, steps) : looked;
+  };
+  const long expected = std::lround(expected_steps), margin = expected / 100;
+  const long fine = expected + margin, coarse = expected - std::max(1L, 2 * margin);
+  if (coarse > 0 && judged(coarse).off <= 1) return std::nullopt;
+  const auto [here, off] = judged(fine);
+  if (!(off <= 1)) return std::nullopt;
+  for (const long steps : {finer(fine), (enough_steps - 1) / intervals + 1})
+    if (steps > fine && !(judged(steps).off <= 1)) return std::nullopt;
+  return as_result(here);
+}
+
+bool is_never_within_need(const EveryStep& judge, const Method& method, int intervals) {
+  const double each = static_cast<double>(judge.at_looks(method, 1).trial.answer.evaluations);
+  long steps = 1;
+  while (!is_most(steps * intervals, each * static_cast<double>(steps))) steps = finer(steps);
+  return !(judge.at_looks(method, steps).off <= 1);
 }
 
 }  // namespace oddity

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <regex>
@@ -63,6 +64,13 @@ std::optional<std::vector<ode::Tongue>> tongues_shown_as(std::string_view text) 
     if (found[3].matched) all.push_back({number(3), number(4)});
   }
   return all;
+}
+
+std::optional<Between> soft_shown_as(std::string_view text) {
+  const std::string ends(text);
+  Between soft{};
+  return std::sscanf(ends.c_str(), "%lf to %lf", &soft.least, &soft.most) == 2 ? std::optional(soft)
+                                                                               : std::nullopt;
 }
 
 std::string beyond(const Limit& l) { return l.broken ? std::string(name_of(l.broken->outcome)) : "stable"; }

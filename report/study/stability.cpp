@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <numeric>
+#include <span>
 
 #include "chapters/scene.hpp"
 #include "report/study/approve.hpp"
@@ -52,14 +53,10 @@ class Scan {
       : disturbances_(disturbances), first_(first), finest_(finest), longest_(longest) {}
 
   /// The first loss of stability from below, to a relative accuracy of `part`; if it is where it is expected,
-  /// without a scan. Nothing is expected at zero.
-  Edge edge(const Observer& observer, double part, double expected) {
-    constexpr double beside = 1.01;
-    const double below = expected / beside, above = std::min(expected * beside, longest_);
-    if (below > finest_ && below < above && !lost(observer, below)) {
-      if (lost(observer, above)) return between(observer, below, above, part);
-      if (above == longest_) return {longest_, 0};
-    }
+  /// without a scan.
+  Edge edge(const Observer& observer, double part, std::optional<double> expected) {
+    if (expected)
+      if (const auto found = confirmed(observer, part, *expected)) return *found;
     double low = first_;
     while (low > finest_ && lost(observer, low)) low = std::max(low / 4, finest_);
     if (lost(observer, low)) return {0, low};
@@ -71,6 +68,12 @@ class Scan {
     }
     return between(observer, low, high, part);
   }
+  /// Whether this observer sees the loss after one step and by the other; 0: at the finest, infinity: at
+  /// none.
+  bool is_between(const Observer& observer, double stable, double unstable) {
+    return (stable < finest_ || !lost(observer, std::min(stable, longest_))) &&
+           (unstable > longest_ || lost(observer, std::max(unstable, finest_)));
+  }
   double time(const Observer& observer, double step) { return loss(step).time(observer.size); }
   /// Whether the motion outgrows the true one before neighbours separate.
   bool outgrown(const Observer& observer, double step) {
@@ -78,6 +81,23 @@ class Scan {
   }
 
  private:
+  /// By a few steps. Zero: no step is stable; infinity: each one is.
+  std::optional<Edge> confirmed(const Observer& observer, double part, double expected) {
+    if (expected == 0 && lost(observer, finest_)) return Edge{0, finest_};
+    if (std::isinf(expected)) {
+      constexpr int tried = 8;
+      for (int i = 0; i <= tried; ++i)
+        if (lost(observer, first_ * std::pow(longest_ / first_, static_cast<double>(i) / tried))) return {};
+      return Edge{longest_, 0};
+    }
+    for (const double near : {1.003, 1.01}) {  // expected steps have three digits
+      const double below = expected / near, above = std::min(expected * near, longest_);
+      if (!(below > finest_ && below < above) || lost(observer, below)) continue;
+      if (lost(observer, above)) return between(observer, below, above, part);
+      if (above == longest_) return Edge{longest_, 0};
+    }
+    return {};
+  }
   Edge between(const Observer& observer, double low, double high, double part) {
     while (high > (1 + part) * low) {
       const double middle = std::midpoint(low, high);
@@ -97,10 +117,32 @@ class Scan {
   std::map<double, ode::Loss> known_;
 };
 
+/// Whether these observers see the limit where they are expected to by a few steps: all close to the usual
+/// edge; or one by the least step of the approved range, and one, perhaps the usual, not before its most.
+bool is_confirmed(const std::string& soft, Scan& scan, std::span<const Observer> others, const Edge& usual) {
+  constexpr double close = 1.024;  // close^2 < sharp
+  const auto any = [&](double stable, double unstable) {
+    return std::ranges::any_of(others,
+                               [&](const Observer& o) { return scan.is_between(o, stable, unstable); });
+  };
+  if (soft.empty()) {
+    const double unstable = usual.unstable == 0 ? infinity : usual.unstable * close;
+    return std::ranges::all_of(
+        others, [&](const Observer& o) { return scan.is_between(o, usual.stable / close, unstable); });
+  }
+  const auto range = soft_shown_as(soft);
+  if (!range || !(range->most > sharp * range->least)) return false;
+  const double near = range->least > 0 ? std::min(1.01, std::sqrt(range->most / (sharp * range->least))) : 1;
+  const bool is_least =
+      usual.unstable > 0 && usual.unstable<range->least * close, is_most = usual.stable> range->most / close;
+  return (is_least || any(0, range->least * near)) && (is_most || any(range->most / near, infinity));
+}
+
 /// Measures the first loss of stability from below, and the range of this limit for observers who watch half
 /// or twice as long, or count another size as too large. Each is looked for at the expected step first.
-void measure(Limit& limit, const Disturbances& disturbances, double interval, double expected) {
-  constexpr double fewest_steps = 16, many_steps = 20'000, most_steps = 200'000;
+void measure(Limit& limit, const Disturbances& disturbances, double interval, const ApprovedLimit* expected) {
+  constexpr double fewest_steps = 16, many_steps = 20'000, most_steps = 200'000, fine = 0.002,
+                   coarse = 0.0065;
   limit.watched = disturbances.span;
   limit.goes_on = disturbances.goes_on;
   limit.longest = std::min(interval, disturbances.span / fewest_steps);
@@ -115,17 +157,23 @@ void measure(Limit& limit, const Disturbances& disturbances, double interval, do
     return edge.unstable > 0 && edge.stable < 2 * finest ? 0 : edge.stable;
   };
   const Observer usual{disturbances.span, 1};
-  const Edge edge = scan.edge(usual, 0.002, expected);
+  const Edge edge =
+      scan.edge(usual, expected ? coarse : fine, expected ? std::optional(expected->step) : std::nullopt);
   limit.stable = told(edge);
   limit.unstable = edge.unstable;
   if (edge.unstable > 0) {
     limit.lost = scan.time(usual, edge.unstable);
     limit.outgrown = scan.outgrown(usual, edge.unstable);
   }
+  const std::array others{Observer{usual.time / 2, 1}, Observer{disturbances.watched, 1},
+                          Observer{usual.time, 0}, Observer{usual.time, 2}};
+  if (expected && is_confirmed(expected->soft, scan, others, edge)) {
+    if (!expected->soft.empty()) limit.soft = soft_shown_as(expected->soft);
+    return;
+  }
   Between all{limit.stable, limit.stable};
-  for (const Observer& other : {Observer{usual.time / 2, 1}, Observer{disturbances.watched, 1},
-                                Observer{usual.time, 0}, Observer{usual.time, 2}}) {
-    const double step = told(scan.edge(other, 0.005, expected > 0 ? edge.stable : 0));
+  for (const Observer& other : others) {
+    const double step = told(scan.edge(other, 0.005, expected ? std::optional(edge.stable) : std::nullopt));
     all = {std::min(all.least, step), std::max(all.most, step)};
   }
   if (all.most > sharp * all.least) limit.soft = all;
@@ -154,17 +202,21 @@ bool agree(double a, double b) { return a == b || (a >= 0.8 * b && b >= 0.8 * a)
 bool nearer(double x, double a, double b) { return std::abs(std::log(x / a)) < std::abs(std::log(x / b)); }
 
 /// The first step, from half the shorter of the limits on, that loses a disturbance of the true motion when
-/// the method steps only the disturbance. Infinity: none up to a quarter beyond the longer limit. Each step
-/// tried is this much longer than the one before.
-double first_lost_along_truth(const Limit& limit, const Disturbances& disturbances, double longer) {
-  constexpr double most_steps = 20'000;
+/// the method steps only the disturbance. Infinity: none up to a quarter beyond the longer limit. By a scan;
+/// or in brief by bisection between fewer steps, as if each longer step lost it as well.
+double first_lost_along_truth(const Limit& limit, const Disturbances& disturbances, bool in_brief) {
+  constexpr double most_steps = 20'000, coarse = 1.12;
   const double theory = std::min(limit.theory(), limit.longest);
   const double last = std::min(1.25 * std::max(limit.stable, theory), limit.longest);
-  double step = std::max({std::min(limit.stable, theory) / 2, ode::finest / disturbances.fastest,
-                          disturbances.span / most_steps});
-  for (; step <= last; step *= longer)
-    if (disturbances.lost_along_truth(step) <= disturbances.span) return step;
-  return infinity;
+  std::vector<double> steps;
+  for (double step = std::max({std::min(limit.stable, theory) / 2, ode::finest / disturbances.fastest,
+                               disturbances.span / most_steps});
+       step <= last; step *= in_brief ? coarse : next_step)
+    steps.push_back(step);
+  const auto is_kept = [&](double step) { return disturbances.lost_along_truth(step) > disturbances.span; };
+  const auto lost =
+      in_brief ? std::ranges::partition_point(steps, is_kept) : std::ranges::find_if_not(steps, is_kept);
+  return lost == steps.end() ? infinity : *lost;
 }
 
 /// Whether theory's growth, frozen at each point and summed along the true motion, stays below `granted` at
@@ -187,8 +239,8 @@ std::optional<double> steps_of_a_turn(double turns_in_a_step) {
 }
 
 /// Computes why theory and measurement differ by more than a quarter. A third limit lies between them: along
-/// the true motion, as in theory, but not frozen, as measured; it is found in steps that grow by `longer`.
-void explain(Limit& limit, const Disturbances& disturbances, const ode::Criteria& criteria, double longer) {
+/// the true motion, as in theory, but not frozen, as measured.
+void explain(Limit& limit, const Disturbances& disturbances, const ode::Criteria& criteria, bool in_brief) {
   const double ratio = agreement(limit), theory = limit.theory();
   if (ratio >= 0.8 && ratio <= 1.25) return;
   const auto because = [&](const char* why, const std::string& evidence) {
@@ -203,7 +255,7 @@ void explain(Limit& limit, const Disturbances& disturbances, const ode::Criteria
           format_significant(*steps, 3) + " steps a turn");
   if (limit.soft) return;  // its mark is the explanation
   limit.why = not_explained;
-  const double along = first_lost_along_truth(limit, disturbances, longer);
+  const double along = first_lost_along_truth(limit, disturbances, in_brief);
   const std::string from = std::isinf(along) ? "no step tried is lost there"
                                              : "lost there from " + format_significant(along, 2) + " on";
   const bool frozen =
@@ -372,16 +424,26 @@ std::vector<ode::Tongue> unstable_steps(const Method& method, const ApprovedLimi
 /// The expected limit by a few steps, where they confirm it.
 Limit measured(const Method& method, double interval, const ode::Criteria& criteria,
                const ApprovedLimit* expected) {
-  constexpr double coarse = 1.12;
   Limit limit;
   limit.model = method.model;
   limit.algorithm = method.algorithm;
   limit.tongues = unstable_steps(method, expected);
   const Disturbances disturbances = method.disturbances(criteria);
-  measure(limit, disturbances, interval, expected ? expected->step : 0);
+  measure(limit, disturbances, interval, expected);
   if (ode::StepLengths::here()) return limit;
-  explain(limit, disturbances, criteria, expected ? coarse : next_step);
+  explain(limit, disturbances, criteria, expected != nullptr);
   return limit;
+}
+
+/// The expected step within the need, or none, where a few steps confirm it.
+std::optional<TimedTrial> largest_within_need(const EveryStep& judge, const Quantity& quantity,
+                                              const Method& method, double interval,
+                                              const ApprovedLimit* expected) {
+  if (expected && !expected->needed && is_never_within_need(judge, method, quantity.samples)) return {};
+  if (expected && expected->needed)
+    if (auto found = confirmed_within_need(judge, method, quantity.samples, interval / *expected->needed))
+      return found;
+  return within_need(judge, method, quantity.samples);
 }
 
 /// A limit with its trials.
@@ -391,7 +453,7 @@ Limit limit_by(const EveryStep& judge, const Quantity& quantity, const Method& m
   while (limit.tongues.size() > 1 && limit.tongues.back().from > interval) limit.tongues.pop_back();
   if (limit.stable > 0) limit.at = as_result(run_at(judge, method, interval, limit.stable));
   if (limit.unstable > 0) limit.broken = as_result(run_beyond(quantity, method, interval, limit.unstable));
-  limit.within = within_need(judge, method, quantity.samples);
+  limit.within = largest_within_need(judge, quantity, method, interval, expected);
   return limit;
 }
 

@@ -174,12 +174,15 @@ double edge(const Excess& excess, double low, double high) {
 
 constexpr double largest_scanned = 30;  ///< h |lambda|
 
-/// The tongues up to `largest_scanned`. Near an edge the next step is longer by the fraction `near`.
-std::vector<Tongue> scan(const Excess& excess, double near) {
+/// For an algorithm that takes velocities first, each of whose steps costs the eigenvalues of a matrix.
+constexpr double coarse_near = 0.02, brief_near = 0.05;
+
+/// The tongues up to the step `longest`. Near an edge the next step is longer by the fraction `near`.
+std::vector<Tongue> scan(const Excess& excess, double near, double longest = largest_scanned) {
   std::vector<Tongue> tongues;
   bool unstable = false;
   double last = finest / 2, r = last;
-  while (r < largest_scanned) {
+  while (r < longest) {
     check_stop();
     const double here = excess(r);
     if ((here > 0) != unstable) {
@@ -390,7 +393,7 @@ std::vector<Tongue> unstable_steps(std::string_view algorithm, const Spectrum& s
   };
   for (std::size_t i = 0; i < spectrum.at.size(); ++i) {
     if (const double size = largest_of(spectrum.at[i]); by_matrix && size >= no_motion)
-      add(scan(excess_velocities_first(spectrum, i, size, algorithm, negligible), 0.02), size);
+      add(scan(excess_velocities_first(spectrum, i, size, algorithm, negligible), coarse_near), size);
     if (by_matrix) continue;
     for (const auto& lambda : spectrum.at[i]) {
       const double size = std::abs(lambda);
@@ -410,8 +413,16 @@ std::vector<Tongue> unstable_steps(std::string_view algorithm, const Spectrum& s
 }
 
 double stable_step(std::string_view algorithm, const Spectrum& spectrum) {
-  const auto tongues = unstable_steps(algorithm, spectrum);
-  return tongues.empty() ? infinity : tongues.front().from;
+  if (!(takes_velocities_first(algorithm) && !spectrum.jacobians.empty())) {
+    const auto tongues = unstable_steps(algorithm, spectrum);
+    return tongues.empty() ? infinity : tongues.front().from;
+  }
+  double shortest = infinity;
+  for (const ExcessAt& one : excesses(algorithm, spectrum, negligible_growth))
+    if (const auto tongues = scan(one.excess, brief_near, std::min(shortest * one.size, largest_scanned));
+        !tongues.empty())
+      shortest = std::min(shortest, tongues.front().from < finest ? 0 : tongues.front().from / one.size);
+  return shortest;
 }
 
 double added_growth(std::string_view algorithm, const Spectrum& spectrum, double step, double time,
