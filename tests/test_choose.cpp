@@ -1453,6 +1453,21 @@ TEST_CASE("a long horizon has the same answer with and without parts", "[choose]
   }
 }
 
+TEST_CASE("what costs four times the choice over a part is not tried over the whole, except thoroughly",
+          "[choose]") {
+  Need need = asked(0.02, 2400);
+  const auto price_over = [](const Need&) { return counted_cost; };
+  const Choice whole = choose_for(need), parts = choose_in_parts(need, price_over);
+  CHECK(parts.candidates.size() < whole.candidates.size());
+  CHECK(parts.explanation.methods == whole.explanation.methods);
+  CHECK(parts.explanation.left > whole.explanation.left);
+  for (const Candidate& t : whole.candidates)
+    if (!parts.was_followed(t) && whole.was_followed(t))
+      CHECK(t.seconds_per_frame > 2 * parts.chosen->seconds_per_frame);
+  need.thorough = true;
+  CHECK(choose_in_parts(need, price_over).candidates.size() == choose_for(need).candidates.size());
+}
+
 TEST_CASE("if the time ends before a long horizon does, the answer covers a part, and reports it",
           "[choose]") {
   const Need need = asked(0.02, 2400);

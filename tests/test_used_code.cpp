@@ -102,5 +102,6 @@ TEST_CASE("standard headers stay if something of them is mentioned", "[code]") {
   CHECK(needs_standard("cmath", "x = sqrt(2);"));
   CHECK(needs_standard("cmath", "std::fmax(1, std::ceil(x))"));
   CHECK_FALSE(needs_standard("tuple", "int a;"));
+  CHECK_FALSE(needs_standard("functional", "int function;"));
   CHECK(needs_standard("valarray", ""));  // one that is not known
 }

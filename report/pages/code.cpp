@@ -144,8 +144,7 @@ std::string model_text(const Task& task, std::string_view expression, const std:
 }
 
 constexpr std::string_view print_row = R"(
-template <class Observables>
-void print_row(double t, const Observables& observables) {
+void print_row(double t, const auto& observables) {
   std::printf("%.17g", t);
   for (double x : observables) std::printf(",%.17g", x);
   std::printf("\n");
@@ -156,8 +155,7 @@ void print_row(double t, const Observables& observables) {
 constexpr std::string_view print_row_in_lockstep = R"(
 oddity::BitsHash all;
 
-template <class Observables>
-void print_row(oddity::Lockstep<double> t, const Observables& observables) {
+void print_row(oddity::Lockstep<double> t, const auto& observables) {
   std::printf("%.17g", t.value());
   for (const auto& x : observables) std::printf(",%.17g", static_cast<double>(x.value()));
   std::printf("\n");

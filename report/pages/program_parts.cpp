@@ -225,53 +225,46 @@ function remainder(x, y) {
 
 constexpr Main mains[] = {
     {R"(
-template <class Numbers>
-void print_row(double t, const Numbers& observed) {
-  std::printf("%.17g", t);
-  for (const double x : observed) std::printf(",%.17g", x);
-  std::printf("\n");
-}
-
 int main() {
   const int frames = $frames$steps;
   const double frames_per_second = $rate;
   std::printf("$names\n");
 $start  for (int frame = 1; frame <= frames; ++frame) {
-$frame  }
+$frame    std::printf("\n");
+  }
 }
 )",
      "  auto x = start();\n",
      R"(    const double t0 = (frame - 1) / frames_per_second, t1 = frame / frames_per_second;
     const double h = (t1 - t0) / steps_per_frame;
     for (int i = 0; i < steps_per_frame; ++i) x = step(x, t0 + i * h, h);
-    print_row(t1, observe(x, t1));
+    std::printf("%.17g", t1);
+    for (const double seen : observe(x, t1)) std::printf(",%.17g", seen);
 )",
      R"(    const double t = frame / frames_per_second;
-    print_row(t, at(t));
+    std::printf("%.17g", t);
+    for (const double seen : at(t)) std::printf(",%.17g", seen);
 )"},
     {R"(
-static void PrintRow(double t, double[] observed) {
-  var row = t.ToString("R", CultureInfo.InvariantCulture);
-  foreach (var x in observed) row += "," + x.ToString("R", CultureInfo.InvariantCulture);
-  Console.WriteLine(row);
-}
-
 static void Main() {
   const int frames = $frames$steps;
   const double frames_per_second = $rate;
   Console.WriteLine("$names");
 $start  for (int frame = 1; frame <= frames; ++frame) {
-$frame  }
+$frame    Console.WriteLine(row);
+  }
 }
 )",
      "  var x = Start();\n",
      R"(    double t0 = (frame - 1) / frames_per_second, t1 = frame / frames_per_second;
     var h = (t1 - t0) / steps_per_frame;
     for (int i = 0; i < steps_per_frame; ++i) x = Step(x, t0 + i * h, h);
-    PrintRow(t1, Observe(x, t1));
+    var row = t1.ToString("R", CultureInfo.InvariantCulture);
+    foreach (var seen in Observe(x, t1)) row += "," + seen.ToString("R", CultureInfo.InvariantCulture);
 )",
      R"(    var t = frame / frames_per_second;
-    PrintRow(t, At(t));
+    var row = t.ToString("R", CultureInfo.InvariantCulture);
+    foreach (var seen in At(t)) row += "," + seen.ToString("R", CultureInfo.InvariantCulture);
 )"},
     {R"(
 const frames = $frames$steps;

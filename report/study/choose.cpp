@@ -61,6 +61,7 @@ class Recommendation {
       if (const Candidate* t = ladder.found(need_).representative()) choice.candidates.push_back(*t);
     for (const Ladder& ladder : search_.ladders())
       if (!ladder.is_over()) choice.left.emplace_back(ladder.method().model, ladder.method().algorithm);
+    std::ranges::copy(search_.too_costly(), std::back_inserter(choice.left));
     if (chosen)  // at another setting, where its margin does not matter
       for (Candidate& t : choice.candidates)
         if (t.model == chosen->model && t.algorithm == chosen->algorithm) t = *chosen;
@@ -246,7 +247,8 @@ class Recommendation {
     all.truth_error = motion.reference_error / motion.need.allowed;
     all.starts = static_cast<int>(starts().seen().size() + starts().unseen_made());
     if (!starts().asked().is_whole) all.truth_until = need_.time_of(motion.samples);
-    all.methods = static_cast<int>(search_.ladders().size());
+    all.left = static_cast<int>(search_.too_costly().size());
+    all.methods = static_cast<int>(search_.ladders().size()) + all.left;
     for (const Ladder& ladder : search_.ladders()) {
       all.settings += static_cast<int>(ladder.candidates.size());
       if (!ladder.is_over()) ++all.left;
@@ -313,6 +315,23 @@ bool a_part_decides(const Need& need) {
   });
 }
 
+/// The methods that cost far more than the choice.
+decltype(PartJudged::too_costly) too_costly(const Choice& choice) {
+  decltype(PartJudged::too_costly) all;
+  if (!choice.chosen || !choice.by_objective || choice.need.thorough) return all;
+  for (const Candidate& t : choice.candidates)
+    if (t.seconds_per_frame > policy.far_costlier * choice.chosen->seconds_per_frame)
+      all.emplace(t.model, t.algorithm);
+  return all;
+}
+
+/// Whether the methods that were left out as too costly over a part would be no choice over a longer one.
+bool is_cheap_as(const Choice& over_part, const Choice& choice) {
+  return choice.chosen && choice.by_objective &&
+         choice.chosen->seconds_per_frame * policy.noisy_tie <=
+             policy.far_costlier * over_part.chosen->seconds_per_frame;
+}
+
 /// The need over ever longer parts of its horizon; the last is the whole.
 std::vector<Need> ever_longer(const Need& need) {
   std::vector<Need> all{need};
@@ -337,17 +356,26 @@ Choice choose_in_time(const Task& task, const Need& need, const Reference& truth
   std::optional<Choice> over_part;
   std::shared_ptr<const Failures> failed;
   for (Need& over : ever_longer(need)) {
-    const Stopwatch watch(spent);
     const bool is_whole = over.horizon == need.horizon;
-    over.time_limit = need.time_limit - spent;
     std::shared_ptr<PartJudged> part;
     if (a_part_decides(need))
-      part =
-          std::make_shared<PartJudged>(PartJudged{"the first " + format_significant(over.horizon, 4) + " " +
-                                                      std::string(task.entry->exercise.scene->axes.time),
-                                                  failed, std::make_shared<Failures>()});
+      part = std::make_shared<PartJudged>(
+          PartJudged{"the first " + format_significant(over.horizon, 4) + " " +
+                         std::string(task.entry->exercise.scene->axes.time),
+                     failed, std::make_shared<Failures>(),
+                     over_part ? too_costly(*over_part) : decltype(PartJudged::too_costly)()});
+    const auto choose_over = [&] {
+      const Stopwatch watch(spent);
+      over.time_limit = need.time_limit - spent;
+      return choose(task, over, truth, price_over(over), progress, part);
+    };
     try {
-      over_part = choose(task, over, truth, price_over(over), progress, part);
+      Choice choice = choose_over();
+      if (part && !part->too_costly.empty() && !is_cheap_as(*over_part, choice)) {
+        part->too_costly.clear();
+        choice = choose_over();
+      }
+      over_part = std::move(choice);
     } catch (const OutOfTime&) {
       if (!over_part) throw;
       break;

@@ -5,8 +5,10 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "chapters/random.hpp"
@@ -75,6 +77,9 @@ struct PartJudged {
   std::string says;                        ///< the part judged here: "the first 56.25 s"
   std::shared_ptr<const Failures> before;  ///< over a shorter part; null: none was judged
   std::shared_ptr<Failures> here;          ///< over this part, for a longer one
+  /// Model and algorithm of the methods that cost far more over a shorter part than the one chosen there.
+  /// They are not tried over a longer one, where each needs as fine a setting or a finer one.
+  std::set<std::pair<std::string, std::string>> too_costly = {};
 };
 
 /// One start of a scene: its true motion at every frame, and every method, with the request as the need.

@@ -24,6 +24,7 @@ struct Policy {
 
   // Horizon.
   double longer = 8;           ///< a long horizon is judged over parts, each so many times the one before,
+  double far_costlier = 4;     ///< a method that cost so many times the choice over a part is not tried on
   double least_frames = 2400;  ///< from so many frames on: shorter parts decide nothing that takes time
 };
 

@@ -41,13 +41,18 @@ Search::Search(const Task& task, const Need& need, const Reference& truth, const
                const Progress& progress, std::shared_ptr<const PartJudged> part)
     : need_(need),
       progress_(progress),
-      starts_(task, need, truth, progress, std::move(part)),
+      starts_(task, need, truth, progress, part),
       clock_(need, starts_, price, progress),
       picker_(need, *task.entry->exercise.scene) {
   const Quantity& motion = starts_.motion();
   for (const auto* methods : {&motion.methods, &motion.methods_in_float})
-    for (const Method& method : *methods)
-      if (is_wanted(need, method) && can_be_judged(need, motion, method)) ladders_.emplace_back(method, need);
+    for (const Method& method : *methods) {
+      if (!is_wanted(need, method) || !can_be_judged(need, motion, method)) continue;
+      if (std::pair which(method.model, method.algorithm); part && part->too_costly.contains(which))
+        too_costly_.push_back(std::move(which));
+      else
+        ladders_.emplace_back(method, need);
+    }
   if (ladders_.empty()) throw BadInput("no method is left; this scene has " + names());
   std::vector<const Method*> left;
   for (const Ladder& ladder : ladders_) left.push_back(&ladder.method());

@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "report/study/frame_clock.hpp"
@@ -35,6 +36,8 @@ class Search {
   const Picker& picker() const { return picker_; }
 
   std::vector<Candidate> all_tried() const;
+  /// Model and algorithm of the methods that are left out, as they cost too much over a part of the horizon.
+  const std::vector<std::pair<std::string, std::string>>& too_costly() const { return too_costly_; }
   /// The start on which the last pick failed its test. Then the starts on which methods fail that pass on the
   /// requested one, by the number of such methods.
   std::vector<std::string> hardest_starts() const;
@@ -64,6 +67,7 @@ class Search {
   FrameClock clock_;
   Picker picker_;
   std::vector<Ladder> ladders_;
+  std::vector<std::pair<std::string, std::string>> too_costly_;
   std::string refuted_on_;  ///< the start on which the last pick failed its test
   int rounds_ = 0, failing_nearby_ = 0;
   double seconds_ = 0, test_seconds_ = 0;

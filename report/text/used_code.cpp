@@ -268,6 +268,7 @@ bool needs_standard(std::string_view name, std::string_view code) {
            R"(\b(f?abs|sqrt|cbrt|hypot|exp2?|expm1|log|log2|log10|log1p|sinh?|cosh?|tanh?|asinh?|acosh?|atanh?|atan2|pow|floor|ceil|trunc|l?l?round|rint|fmax|fmin|fma|fmod|remainder|copysign|isfinite|isnan|isinf|signbit|ldexp|nextafter)\b)")},
       {"concepts", std::regex(R"(std::(same_as|convertible_to|floating_point|integral)\b)")},
       {"cstddef", std::regex(R"(\bsize_t\b)")},
+      {"functional", std::regex(R"(std::(function|invoke|plus|minus|less|greater|multiplies)\b)")},
       {"numbers", std::regex(R"(std::numbers\b)")},
       {"string_view", std::regex(R"(std::string_view\b)")},
       {"tuple", std::regex(R"(std::(tuple\w*|tie|get|make_tuple)\b)")},

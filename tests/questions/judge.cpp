@@ -131,9 +131,14 @@ int main() {)";
   put("print_row(t, model.at(oddity::asked::Number(t)));",
       "print_row(t, model.at(oddity::asked::Number(t)), [&](double h) { return model.at(oddity::asked::Number(t + h)); "
       "});");
-  put("print_row(t1, observe(x, t1));",  // a step's rate at h = 0 is the model's own
-      "print_row(t1, observe(x, t1), [&](double h) { return observe(step(x, t1, h), t1 + h); });");
-  put("print_row(t, at(t));", "print_row(t, at(t), [&](double h) { return at(t + h); });");
+  const auto put_row = [&](const std::string& t, const std::string& seen, const std::string& row) {
+    put("std::printf(\"%.17g\", " + t + ");\n    for (const double seen : " + seen +
+            ") std::printf(\",%.17g\", seen);\n    std::printf(\"\\n\");",
+        row);
+  };
+  put_row("t1", "observe(x, t1)",  // a step's rate at h = 0 is the model's own
+          "print_row(t1, observe(x, t1), [&](double h) { return observe(step(x, t1, h), t1 + h); });");
+  put_row("t", "at(t)", "print_row(t, at(t), [&](double h) { return at(t + h); });");
   if (is_short) put("sizeof(oddity::asked::Number) < sizeof(double) ? 3e-3 : 1e-4", "1e-4");
   return code;
 }
