@@ -129,7 +129,10 @@ struct SampleOf {
   T t;
   int of = after;  ///< the piece, if t is a letter
   std::array<T*, 1> letters() { return {&t}; }
-  TypesetIn<T> typeset() const { return {{"t", t}}; }
+  TypesetIn<T> typeset() const {
+    const T none(0.0);
+    return {{"t", t}, {"t_-", side() < 0 ? t : none}, {"t_+", side() < 0 ? none : t}};
+  }
   std::string where() const { return "$t$ = " + format_shortest(t); }
   int side() const {
     if constexpr (std::same_as<T, double>)
@@ -165,51 +168,25 @@ template <class At>
 OfTime by_duals(const At& at) {
   return {"dual numbers", [=](const auto& s) { return at(s.side(), s.t); }};
 }
-OfTime velocity(int side) { return side < 0 ? "$(1,3t^2,0)$" : "$(1,0,3t^2)$"; }
-OfTime acceleration(int side) { return side < 0 ? "$(0,6t,0)$" : "$(0,0,6t)$"; }
+const OfTime velocity = R"($(1,3t_-^2,3t_+^2)$)", acceleration = "$(0,6t_-,6t_+)$";
 OfTime normal(int side) {
   return std::string(side < 0 ? "$(-3t^2,1,0)" : "$(-3t^2,0,1)") + R"(/\sqrt{1+9t^4}$)";
 }
 
-/// Checks of the limits of f(side, t) as t goes to 0, by Richardson extrapolation.
-class Limits {
- public:
-  explicit Limits(double h) : h_(h) {}
-
-  template <class F>
-  Reading tends(const std::string& what, std::initializer_list<int> sides, const Vector3& to,
-                const F& f) const {
-    const auto written = [](double x) { return x == 1e-6 ? "10^{-6}" : format_shortest(x); };
-    const std::string text =
-        "$" + what + R"(\to()" + written(to[0]) + "," + written(to[1]) + "," + written(to[2]) + ")$";
-    Reading reading{text, {}, is_as_typeset(compare_typeset(text, {{TypesetLetters{}, Value(to)}}))};
-    for (int side : sides)
-      reading.checks.push_back(limit("$" + what + (side < 0 ? "$ from below" : "$ from above"), to, h_,
-                                     [=](double s) { return f(side, side * s); }));
-    return reading;
-  }
-  Check jump(double sign, double said) const {
-    return limit(sign > 0 ? R"($|\mathbf N_+-\mathbf N_-|$)" : R"($|\mathbf N_++\mathbf N_-|$)", said, h_,
-                 [=](double s) { return normals_apart(sign, s); });
-  }
-  /// The formulas of N at t, checked against the limits from both sides.
-  Reading normal_at(double t) const {
-    Reading reading{R"($\mathbf N$ at $t=)" + format_shortest(t) + "$", {}};
-    for (int side : {before, after})
-      reading.checks.push_back(limit(R"($\mathbf N$)", computed<Sample>(normal(side)).of({t}), h_,
-                                     [=](double s) { return N_at(side, side * s); }));
-    return reading;
-  }
-  template <class Normal>
-  Reading right_angle(const std::string& text, const Normal& normal) const {
-    return {
-        text,
-        {limit("cosine of the normals at $t$ and $-t$", 0, h_, [=](double s) { return cosine(normal, s); })}};
-  }
-
- private:
-  double h_;
-};
+/// The formulas of N at t, checked against the limits from both sides.
+Reading normal_at(double t, double h) {
+  Reading reading{R"($\mathbf N$ at $t=)" + format_shortest(t) + "$", {}};
+  for (int side : {before, after})
+    reading.checks.push_back(limit(R"($\mathbf N$)", computed<Sample>(normal(side)).of({t}), h,
+                                   [=](double s) { return N_at(side, side * s); }));
+  return reading;
+}
+template <class Normal>
+Reading right_angle(const std::string& text, double h, const Normal& normal) {
+  return {
+      text,
+      {limit("cosine of the normals at $t$ and $-t$", 0, h, [=](double s) { return cosine(normal, s); })}};
+}
 
 /// `samples` exclude 0, where there is no principal normal.
 void frames(Table& table, int side, const std::vector<Sample>& with_0, const std::vector<Sample>& samples) {
@@ -270,75 +247,75 @@ std::vector<Claim> claims(double h, double seed) {
   std::vector<Sample> with_0 = right, all = left;
   with_0.push_back({0});
   all.insert(all.end(), with_0.begin(), with_0.end());
-  const Limits limits(h);
-  const Vector3 none{0, 0, 0}, x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
-  const std::string R = R"(\mathbf r)", V = R"(\mathbf v)", A = R"(\mathbf a)", N = R"(\mathbf N)";
   Claims claims("2.1");
   Table table(claims);
   on_both_pieces(table, all);
 
-  /// Claims a formula on both pieces and a limit at 0.
+  /// Claims a formula on both pieces, and at 0 as the limit of slopes.
   const auto with_limit = [&](std::string_view slug, int line, const std::string& says,
-                              const std::string& what, OfTime (*formula)(int side), const OfTime& truth,
-                              Reading at_0) {
-    Claim claim{.printed = std::move(at_0)};
-    claim.printed.text = "these, and " + claim.printed.text;
-    claim.printed.as_typeset = false;
-    for (int side : {after, before}) {
-      const auto& samples = side < 0 ? left : with_0;
-      claim.printed.checks.insert(claim.printed.checks.begin(),
-                                  compare<Sample>(what, computed<Sample>(formula(side)), truth, samples));
-      std::ranges::move(single_changes<Sample>(what, formula(side), truth, samples, ""),
-                        std::back_inserter(claim.near_misses));
-    }
+                              const std::string& what, const OfTime& formula, const OfTime& truth,
+                              const std::string& slope, const auto& f) {
+    Claim claim{
+        .printed = {formula.text, {compare<Sample>(what, computed<Sample>(formula), truth, all)}, true},
+        .near_misses = single_changes<Sample>(what, formula, truth, all, "")};
+    for (int side : {before, after})
+      claim.printed.checks.push_back(limit(slope + (side < 0 ? " from below" : " from above"),
+                                           computed<Sample>(formula).of({0}), h,
+                                           [&](double s) { return f(side, side * s); }));
     claims.add(slug, line, says, std::move(claim));
   };
-  with_limit("velocity", 69, R"($\mathbf v=(1,3t^2,0)$ before 0 and $(1,0,3t^2)$ from 0 on)", "$" + V + "$",
-             velocity, by_duals(v_at),
-             limits.tends(R"((\mathbf r(t)-\mathbf r(0))/t)", {before, after}, x, r_slope));
-  with_limit("acceleration", 77, R"($\mathbf a=(0,6t,0)$ before 0 and $(0,0,6t)$ from 0 on)", "$" + A + "$",
-             acceleration, by_duals(a_at),
-             limits.tends(R"((\mathbf v(t)-\mathbf v(0))/t)", {before, after}, none, v_slope));
-  claims.add("position_from_below", 87, R"($\mathbf r$ tends to $(0,0,0)$ from below.)",
-             {.printed = limits.tends(R, {before}, none, r_at),
-              .near_misses = {limits.tends(R, {before}, 1e-6 * y, r_at)}});
-  claims.add("position_from_above", 105, R"($\mathbf r$ tends to $(0,0,0)$ from above.)",
-             {.printed = limits.tends(R, {after}, none, r_at),
-              .near_misses = {limits.tends(R, {after}, 1e-6 * z, r_at)}});
-  claims.add("velocity_limit", 121, R"($\mathbf v$ tends to $(1,0,0)$ from both sides.)",
-             {.printed = limits.tends(V, {before, after}, x, v_at),
-              .near_misses = {limits.tends(V, {before, after}, x + y, v_at)}});
-  claims.add("acceleration_limit", 121, R"($\mathbf a$ tends to $(0,0,0)$ from both sides.)",
-             {.printed = limits.tends(A, {before, after}, none, a_at),
-              .near_misses = {limits.tends(A, {before, after}, 6.0 * y, a_at)}});
+  with_limit("velocity", 69, R"($\mathbf v=(1,3t^2,0)$ before 0 and $(1,0,3t^2)$ from 0 on)",
+             R"($\mathbf v$; $t_-=\min(t,0)$, $t_+=\max(t,0)$)", velocity, by_duals(v_at),
+             R"($(\mathbf r(t)-\mathbf r(0))/t$)", r_slope);
+  with_limit("acceleration", 77, R"($\mathbf a=(0,6t,0)$ before 0 and $(0,0,6t)$ from 0 on)",
+             R"($\mathbf a$; $t_-=\min(t,0)$, $t_+=\max(t,0)$)", acceleration, by_duals(a_at),
+             R"($(\mathbf v(t)-\mathbf v(0))/t$)", v_slope);
+
+  const auto vector_tends = [&](std::string_view slug, int line, const std::string& letter,
+                                const std::vector<int>& sides, const std::string& to, const auto& f) {
+    const std::string what = R"($\mathbf )" + letter;
+    std::vector<limits::Limit> at_0;
+    for (const int side : sides)
+      at_0.emplace_back(side < 0 ? "from below" : "from above", h,
+                        [=](double s) { return f(side, side * s); });
+    limits::tends(
+        claims, slug, line,
+        what + "$ tends to $" + to + "$ " + (sides.size() == 2 ? "from both sides" : at_0[0].from) + ".",
+        what + "$", at_0, what + R"(\to)" + to + "$");
+  };
+  vector_tends("position_from_below", 87, "r", {before}, "(0,0,0)", r_at);
+  vector_tends("position_from_above", 105, "r", {after}, "(0,0,0)", r_at);
+  vector_tends("velocity_limit", 121, "v", {before, after}, "(1,0,0)", v_at);
+  vector_tends("acceleration_limit", 121, "a", {before, after}, "(0,0,0)", a_at);
   frames(table, before, left, left);
-  claims.add("normal_from_below", 147, R"($\mathbf N$ tends to $(0,1,0)$ from below.)",
-             {.printed = limits.tends(N, {before}, y, N_at),
-              .near_misses = {limits.tends(N, {before}, z, N_at), limits.tends(N, {before}, -y, N_at)}});
+  vector_tends("normal_from_below", 147, "N", {before}, "(0,1,0)", N_at);
   claims.add(
       "normal_by_evaluation", 155,
       R"(The limit of $\mathbf N$ is computed by evaluating its components at 0, as they are continuous.)",
-      {.printed = limits.normal_at(0), .near_misses = {limits.normal_at(1e-3)}});
+      {.printed = normal_at(0, h), .near_misses = {normal_at(1e-3, h)}});
   frames(table, after, with_0, right);
-  claims.add("normal_from_above", 173, R"($\mathbf N$ tends to $(0,0,1)$ from above.)",
-             {.printed = limits.tends(N, {after}, z, N_at),
-              .near_misses = {limits.tends(N, {after}, y, N_at), limits.tends(N, {after}, -z, N_at)}});
-  claims.add("one_sided_limits_differ", 181, R"(The one-sided limits of $\mathbf N$ at $t=0$ are different.)",
-             {.printed = {R"(the jump is $\sqrt2$)", {limits.jump(1, sqrt2)}},
-              .near_misses = {{"the limits are equal", {limits.jump(1, 0)}}}});
-  claims.add("no_sign_helps", 181,
-             R"(Even a sign change on one of the normals does not make the one-sided limits equal.)",
-             {.printed = {R"(the jump to $-\mathbf N$ is $\sqrt2$ as well)", {limits.jump(-1, sqrt2)}},
-              .near_misses = {{"the limits are opposite", {limits.jump(-1, 0)}}}});
+  vector_tends("normal_from_above", 173, "N", {after}, "(0,0,1)", N_at);
+  const auto jumps = [&](std::string_view slug, const std::string& says, const std::string& what,
+                         double sign) {
+    limits::tends(claims, slug, 181, says, what,
+                  {{"from both sides", h, [=](double s) { return normals_apart(sign, s); }}}, R"($\sqrt2$)");
+  };
+  jumps("one_sided_limits_differ", R"(The one-sided limits of $\mathbf N$ at $t=0$ are different.)",
+        R"($|\mathbf N_+-\mathbf N_-|$)", 1);
+  jumps("no_sign_helps",
+        R"(Even a sign change on one of the normals does not make the one-sided limits equal.)",
+        R"($|\mathbf N_++\mathbf N_-|$)", -1);
   claims.add(
       "no_continuous_normal", 181,
       "It is not possible to define a continuous normal of the curve at $t=0$ (our reading: in the curve's "
       "own plane, of either sign).",
-      {.printed = limits.right_angle(
-           "the normal in the curve's own plane, of either sign: a right angle remains", N_after),
-       .near_misses = {limits.right_angle(
+      {.printed = right_angle("the normal in the curve's own plane, of either sign: a right angle remains", h,
+                              N_after),
+       .near_misses = {right_angle(
            R"(every unit vector perpendicular to $\mathbf T$: but $(0,1,0)$ continues $\mathbf N$ for $t\ge0$)",
-           [=](double) { return y; })}});
+           h, [](double) {
+             return Vector3{0, 1, 0};
+           })}});
   return claims.in_order();
 }
 
@@ -453,8 +430,8 @@ Provable limit_of(const std::string& slug, const F& f, std::initializer_list<int
   return proved;
 }
 template <class F>
-Provable derivative_of(const std::string& slug, OfTime (*formula)(int side), const OfTime& truth,
-                       const F& slope, const Vector<Shortened>& at_0) {
+Provable derivative_of(const std::string& slug, const OfTime& formula, const OfTime& truth, const F& slope,
+                       const Vector<Shortened>& at_0) {
   Provable proved{"2.1-" + slug,
                   "it holds on both pieces, and at 0 it is the limit of slopes from both sides"};
   for (int side : {before, after})
@@ -462,7 +439,7 @@ Provable derivative_of(const std::string& slug, OfTime (*formula)(int side), con
         {"printed",
          "(t : R)",
          {},
-         equal(formula(side).recorded({t(), side}), truth.recorded({t(), side})),
+         equal(formula.recorded({t(), side}), truth.recorded({t(), side})),
          "ring"});
   add_limits(proved.lemmas, slope, {before, after}, at_0);
   return proved;

@@ -286,20 +286,18 @@ std::vector<Check> spiral(const std::string& what, double turned, const F& size)
            rounding(2 * pi * turns, steps)}};
 }
 
-template <class F>
-Reading at_end(const std::string& text, const std::string& what, double sign, double said, const F& f) {
-  return {text, {limits::limit(what, said, 0.5, [=](double s) { return f(Vector3(helix(sign / s))); })}};
-}
-
 constexpr auto from_axis = [](const auto& r) { return distance_from_axis(r); };
 constexpr auto z = [](const auto& r) { return r[2]; };
 
 void ends(Claims& claims) {
   const auto from_pole = [](const Vector3& r) { return length(r - pole); };
-  const std::string distance = R"($\sqrt{x^2+y^2}$)";
-  claims.add("distance_vanishes", 285, R"(As $t$ becomes infinite, the distance from the axis goes to zero.)",
-             {.printed = at_end("to 0", distance, 1, 0, from_axis),
-              .near_misses = {at_end("to 1", distance, 1, 1, from_axis)}});
+  const auto at_end = [&](std::string_view slug, int line, const std::string& says, const std::string& what,
+                          const std::string& text, const auto& f) {
+    limits::tends(claims, slug, line, says, what,
+                  {{R"($t\to\infty$)", 0.5, [&](double s) { return f(Vector3(helix(1 / s))); }}}, text);
+  };
+  at_end("distance_vanishes", 285, R"(As $t$ becomes infinite, the distance from the axis goes to zero.)",
+         R"($d=\sqrt{x^2+y^2}$)", R"($d\to0$)", from_axis);
   claims.add(
       "spiral_in_the_plane", 285,
       filled("In the $xy$-plane the path is a spiral into the origin (our check: over @2 turns).", {turns}),
@@ -307,9 +305,7 @@ void ends(Claims& claims) {
                    spiral("distance from the axis", 100 * pi, from_axis)},
        .near_misses = {{"turning the other way", spiral("distance from the axis", -100 * pi, from_axis)},
                        {R"($z$ shrinks)", spiral("height", 100 * pi, z)}}});
-  claims.add("height_limit", 287, R"($z$ tends to 1 as $t$ becomes infinite.)",
-             {.printed = at_end(R"(to 1 as $t\to\infty$)", "$z$", 1, 1, z),
-              .near_misses = {at_end(R"(as $t\to-\infty$ as well: there it is $-1$)", "$z$", -1, 1, z)}});
+  at_end("height_limit", 287, R"($z$ tends to 1 as $t$ becomes infinite.)", "$z$", R"($z\to1$)", z);
   const std::string to_pole = "distance from the pole";
   claims.add("spiral_to_the_pole", 311,
              filled("On the sphere the helix spirals about $(0,0,1)$ (our check: over @2 turns).", {turns}),
@@ -318,10 +314,8 @@ void ends(Claims& claims) {
                               {"nearer and nearer to the other pole",
                                spiral("distance from the other pole", 100 * pi,
                                       [](const Vector3& r) { return length(r + pole); })}}});
-  claims.add("pole_in_the_limit", 311, R"(The helix tends to $(0,0,1)$ as $t$ becomes infinite.)",
-             {.printed = at_end(R"(to 0 as $t\to\infty$)", to_pole, 1, 0, from_pole),
-              .near_misses = {
-                  at_end(R"(as $t\to-\infty$ as well: that is the other pole)", to_pole, -1, 0, from_pole)}});
+  at_end("pole_in_the_limit", 311, R"(The helix tends to $(0,0,1)$ as $t$ becomes infinite.)",
+         "$d$, the distance from the pole", R"($d\to0$)", from_pole);
 }
 
 }  // namespace

@@ -79,14 +79,6 @@ const AtTime w_by_frame{
     R"(|\dot{\mathbf r}|^2)\,\mathbf r$)",
     [](const auto& s) { return s.w; }};
 
-/// Concatenates the numbers of all parts.
-template <class T, class... Parts>
-std::vector<T> in_a_row(const Parts&... parts) {
-  std::vector<T> all;
-  (all.insert(all.end(), parts.begin(), parts.end()), ...);
-  return all;
-}
-
 const std::string perpendicular = R"($\mathbf r\cdot\dot{\mathbf r}=0$)";
 
 void curve_and_frame(Table& table, const std::vector<Sample>& all) {
@@ -123,21 +115,13 @@ void curve_and_frame(Table& table, const std::vector<Sample>& all) {
       "velocity_not_zero", 485,
       R"(Another column is $\mathbf u=\dot{\mathbf r}/|\dot{\mathbf r}|$ (our check: $\dot{\mathbf r}$ is not zero).)",
       all, {.printed = {R"($|\dot{\mathbf r}|>0$)"}, .near_misses = {{R"($|\dot{\mathbf r}|>2$)"}}});
-  const auto rotation = [](double sign) {
-    return [=]<class T>(const SampleOf<T>& s) {
-      const Vector<T> u = s.m.v / s.speed;
-      const Matrix<T> R = Matrix<T>::columns(s.m.r, u, sign * cross(s.m.r, u));
-      return in_a_row<T>(transpose(R) * R, std::array{determinant(R)});
-    };
-  };
   table.formula(
       "rotation", 485,
       R"($R=[\mathbf r\ \mathbf u\ \mathbf r\times\mathbf u]$ is an orientation matrix (our reading: a rotation).)",
       all,
       {.quantity = R"($R^TR$ and $\det R$)",
        .truth = {"the unit matrix and 1", [](const auto&) { return joined(identity(), 1); }},
-       .printed = {R"(those of $[\mathbf r\ \mathbf u\ \mathbf r\times\mathbf u]$)", rotation(1)},
-       .near_misses = {{R"(those of $[\mathbf r\ \mathbf u\ \mathbf u\times\mathbf r]$)", rotation(-1)}}});
+       .printed = R"($(R^TR,\ \mathbf r\cdot\mathbf u\times(\mathbf r\times\mathbf u))$)"});
   table.formula("skew_of_w", 493, R"($\mathrm{Skew}(\mathbf w)=\dot RR^T$)", all,
                 {.truth = {R"(Skew of )" + w_by_frame.text, [](const auto& s) { return skew(s.w); }},
                  .printed = R"($\dot RR^T$)",
@@ -315,15 +299,12 @@ void listing(Table& table, const std::vector<Sample>& all) {
            R"(three functions is that of the velocity $\mathbf v=\dot{\mathbf r}$, `VFunction` in the )"
            R"(listing.)",
        .kind = Fault::term});
-  const auto u_dot = [](bool mended) { return [=](const auto& s) { return listed_u_dot(s.m, mended); }; };
   table.formula(
       "listing_u_dot", 561, R"(The listing's `UDot = (A - R.Dot(U)*U)/length` is $\dot{\mathbf u}$.)", all,
       {.quantity = R"($\dot{\mathbf u}$)",
        .truth = u_dot_by_duals,
-       .printed = {"with `R.Dot(U)`", u_dot(false)},
-       .corrected = {"with `A.Dot(U)`", u_dot(true)},
-       .near_misses = {{"with `A.Dot(R)`",
-                        [](const auto& s) { return (s.m.a - dot(s.m.a, s.m.r) * s.u) / s.speed; }}},
+       .printed = R"($(\ddot{\mathbf r}-(\mathbf r\cdot\mathbf u)\mathbf u)/|\dot{\mathbf r}|$)",
+       .corrected = R"($(\ddot{\mathbf r}-(\ddot{\mathbf r}\cdot\mathbf u)\mathbf u)/|\dot{\mathbf r}|$)",
        .kind = Fault::listing,
        .root = "R.Dot(U) for A.Dot(U)",
        .why = filled(

@@ -166,9 +166,6 @@ void coordinates(ProvableClaims<PlaceOf>& table, const std::vector<Place>& place
 
 void line_and_distance(Claims& claims, const std::vector<Place>& places) {
   const Formula<Place> zero{"zero", [](const Place&) { return 0.0; }};
-  const auto normal = [&](const Formula<Place>& text) {
-    return compare<Place>(R"($N\cdot(P-C)$ on the line)", computed(text), zero, places);
-  };
   const auto solutions = [&](std::string text, bool from_origin) {
     return compare<Place>(
         "solutions of the normal form",
@@ -176,12 +173,15 @@ void line_and_distance(Claims& claims, const std::vector<Place>& places) {
         {"$C+sD$ nearest to them", [=](const Place& p) { return foot(p, solution(p, from_origin)); }},
         places);
   };
-  claims.add(
-      "normal_form", 591, R"(The line $P(s)=C+sD$ is $N\cdot(P-C)=0$.)",
-      {.printed = {"its points are solutions, and there are no others",
-                   {normal(on_line), solutions(R"($P$ with $N\cdot(P-C)=0$)", false)}},
-       .near_misses = {{"the points $C+tN$", {normal({R"($N\cdot(C+t_iN-C)=0$)"})}},
-                       {R"(the solutions of $N\cdot P=0$)", {solutions(R"($P$ with $N\cdot P=0$)", true)}}}});
+  const std::string normal = R"($N\cdot(P-C)$ on the line)";
+  std::vector<Reading> near_misses = single_changes<Place>(normal, on_line, zero, places, R"($N\cdot D=0$)");
+  near_misses.push_back({R"(the solutions of $N\cdot P=0$)", {solutions(R"($P$ with $N\cdot P=0$)", true)}});
+  claims.add("normal_form", 591, R"(The line $P(s)=C+sD$ is $N\cdot(P-C)=0$.)",
+             {.printed = {on_line.text,
+                          {compare<Place>(normal, computed<Place>(on_line), zero, places),
+                           solutions(R"($P$ with $N\cdot(P-C)=0$)", false)},
+                          true},
+              .near_misses = std::move(near_misses)});
   claims.formula<Place>(
       "distance", 601, R"($t_i$ is the distance from $P_i$ to the fulcrum line.)", places,
       {.quantity = "the distance",

@@ -4,6 +4,7 @@
 #include "chapters/provable_claims.hpp"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "chapters/02_basic_concepts/13_lamina_inertia/lamina_inertia.hpp"
@@ -71,43 +72,23 @@ ProvableFormula<CutOf> definition(std::size_t k) {
           [](const Cut& c) { return (1 + c.z * c.z) * (1 - c.left); }};
 }
 
-/// A component with its printed integrand and value, and a near miss of the value. `exact` is by rows, in
-/// rational numbers.
+/// A component with its printed integrand and value. `exact` is by rows, in rational numbers.
 struct Component {
   std::string letters;
   int integrand_line, value_line;
-  std::string integrand;
-  Fraction value, near_value, exact;
+  std::string integrand, value;
+  Fraction exact;
 };
 std::array<Component, 6> components() {
   const auto by_rows = in_rationals();
-  return {{{"xx", 669, 699, "(y^2+z^2)", {4, 7}, {2, 7}, by_rows[0]},
-           {"yy", 703, 707, "(x^2+z^2)", {4, 15}, {4, 5}, by_rows[1]},
-           {"zz", 711, 715, "(x^2+y^2)", {88, 105}, {32, 105}, by_rows[2]},
-           {"xy", 719, 723, "(xy)", {0, 1}, {1, 6}, by_rows[3]},
-           {"xz", 725, 729, "(xz)", {0, 1}, {1, 4}, by_rows[4]},
-           {"yz", 731, 735, "(yz)", {0, 1}, {4, 5}, by_rows[5]}}};
+  return {{{"xx", 669, 699, "(y^2+z^2)", R"(\tfrac{4}{7})", by_rows[0]},
+           {"yy", 703, 707, "(x^2+z^2)", R"(\tfrac{4}{15})", by_rows[1]},
+           {"zz", 711, 715, "(x^2+y^2)", R"(\tfrac{88}{105})", by_rows[2]},
+           {"xy", 719, 723, "(xy)", "0", by_rows[3]},
+           {"xz", 725, 729, "(xz)", "0", by_rows[4]},
+           {"yz", 731, 735, "(yz)", "0", by_rows[5]}}};
 }
-
-Reading value_of(const Component& c, std::size_t k, const Fraction& value) {
-  const double size = 4.0 / 3;  // the area
-  const auto definition = [=](double x, double y) { return inertia_by_definition(k, {x, y, 0}); };
-  const auto pair = [](const Fraction& r) {
-    return Value{static_cast<double>(r[0]), static_cast<double>(r[1])};
-  };
-  const std::string over = std::to_string(value[0]), under = std::to_string(value[1]),
-                    text = "$" + (value[1] == 1 ? over : R"(\tfrac{)" + over + "}{" + under + "}") + "$",
-                    name = "$I_{" + c.letters + "}$";
-  const double decimal = static_cast<double>(value[0]) / static_cast<double>(value[1]);
-  return {text,
-          {{name + " as a fraction", {text, pair(value)}, {"by rows, in rationals", pair(c.exact)}, exact()},
-           {name,
-            {text, decimal},
-            {"Gauss-Legendre by rows", rows(sixteen, definition, -1, true).value},
-            rounding(size),
-            size}},
-          is_as_typeset(compare_typeset(text, {{TypesetLetters{}, Value(decimal)}}))};
-}
+double decimal(const Fraction& f) { return static_cast<double>(f[0]) / static_cast<double>(f[1]); }
 
 /// The integral of `integrand` over the lamina for x >= `left`.
 std::string over_lamina(const std::string& left, const std::string& integrand) {
@@ -130,25 +111,34 @@ void without_z(ProvableClaims<CutOf>& table, const std::vector<Cut>& samples) {
   integral(table, "ixx_without_z", 675, "With $z=0$: $I_{xx}=", "y^2", 0, samples);
 }
 
+/// The whole lamina, at z = 0.
+struct Whole {
+  double z = 0, area = 4.0 / 3;
+  TypesetLetters typeset() const { return {{"z", z}}; }
+  double size() const { return area; }
+  Tolerance tolerance(double) const { return rounding(area); }
+};
 void value(Claims& claims, const Component& c, std::size_t k) {
-  const std::string slug = "i" + c.letters, name = "I_{" + c.letters + "}";
-  const Reading value = value_of(c, k, c.value), near = value_of(c, k, c.near_value);
-  if (k > 0) {
-    claims.add(slug, c.value_line, "$" + name + "=" + value.text.substr(1),
-               {.printed = value, .near_misses = {near}});
-    return;
+  const std::string name = "$I_{" + c.letters + "}", right = name + "=" + c.value + "$";
+  FormulaClaim<Whole> claim{
+      .quantity = name + "$",
+      .truth = {"Gauss-Legendre by rows",
+                [=](const Whole& w) {
+                  const auto at = [&](double x, double y) { return inertia_by_definition(k, {x, y, w.z}); };
+                  return rows(sixteen, at, -1, true).value;
+                }},
+      .other_routes = {{"by rows, in rationals", [=](const Whole&) { return decimal(c.exact); }}},
+      .printed = {right}};
+  if (k == 0) {
+    const double mass = gauss_legendre([](double x) { return 1 - x * x; }, -1, 1, 2).value;
+    claim.meant = std::exchange(claim.printed, {name + "=47$"});
+    claim.kind = Fault::lost_typography;
+    claim.why =
+        filled(R"(The fraction bar is lost in the text at hand: $\tfrac47$. The lamina has the mass @4 and )"
+               R"(lies within 1 of the axis, so that no moment can be above @4.)",
+               {mass, mass});
   }
-  const double mass = gauss_legendre([](double x) { return 1 - x * x; }, -1, 1, 2).value;
-  claims.add(
-      slug, c.value_line, "$" + name + "=47$",
-      {.printed = value_of(c, k, {47, 1}),
-       .meant = value,
-       .near_misses = {near},
-       .why = filled(
-           R"(The fraction bar is lost in the text at hand: $\tfrac47$. The lamina has the mass @4 and )"
-           R"(lies within 1 of the axis, so that no moment can be above @4.)",
-           {mass, mass}),
-       .kind = Fault::lost_typography});
+  claims.formula<Whole>("i" + c.letters, c.value_line, claim.printed.text, {{}}, claim);
 }
 
 template <class T>
@@ -227,8 +217,7 @@ void region_and_order(Claims& claims, double seed) {
        .near_misses = {{R"(where $|x|\le0.9$, $x^2\le y\le1$)", in(0.9, parabola)},
                        {R"(where $|x|\le y\le1$)", in(1, wedge)}}});
   std::vector<double> by_rows;
-  for (const Fraction& f : in_rationals())
-    by_rows.push_back(static_cast<double>(f[0]) / static_cast<double>(f[1]));
+  for (const Fraction& f : in_rationals()) by_rows.push_back(decimal(f));
   const auto from = [&](const std::string& text, double (*low)(double)) {
     const auto all = all_of(6, [&](std::size_t k) {
       const auto at = [=](double x, double y) { return Lamina{-1, 0, 1}.at(x, y)[k]; };

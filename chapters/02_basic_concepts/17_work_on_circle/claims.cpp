@@ -10,43 +10,50 @@
 
 namespace oddity::work_on_circle {
 
-/// A motion, and the index of one of its times.
+/// A motion, another time t, and the index of one of its times.
 template <class G>
 struct SampleOf : MotionOf<G> {
+  G t = {};
   int k = 0;
-  std::array<G*, 3> letters() { return {&this->r, &this->w, &this->T}; }
+  std::array<G*, 4> letters() { return {&this->r, &this->w, &this->T, &t}; }
   double size() const { return abs(this->r) * (10 + abs(this->x())); }  // the work of a turn
   TypesetIn<G> typeset() const {
-    return {
-        {"r", this->r},   {R"(\omega)", this->w},       {"T", this->T}, {"t", this->T}, {R"(\dot t)", 1.0},
-        {"x", this->x()}, {"k", static_cast<double>(k)}};
+    return {{"r", this->r},     {R"(\omega)", this->w},   {"T", this->T},   {"t", t},
+            {R"(\dot t)", 1.0}, {"h", std::pow(2.0, -k)}, {"x", this->x()}, {"n", static_cast<double>(k)}};
   }
   std::string where() const { return listed(typeset(), 3); }
 };
 
 namespace {
 
-using std::hypot, std::pow, std::numbers::sqrt2;
+using std::hypot, std::numbers::sqrt2;
 using M = const Motion&;
 using Sample = SampleOf<double>;
 using Form = ProvableFormula<SampleOf>;
 using Table = ProvableClaims<SampleOf>;
-using OfMotion = std::function<Value(M)>;
+
+/// A sample at a maximum of the growing force's work.
+struct AtMaximum : Sample {
+  double size() const { return Sample::size() / w; }
+};
 
 /// Motions with x = omega T up to 12: with r and omega of either sign; with both positive and omega away from
-/// 1; and the latter with k = 0, ..., 11.
+/// 1; the latter with k = 0, ..., 11; and at x = pi/4 + 2 n pi, n = 0, ..., 3.
 struct Samples {
   std::vector<Sample> any, forward, cases;
+  std::vector<AtMaximum> maxima;
 
   Samples() = default;
   explicit Samples(double seed) {
     Random random(seed);
     for (int i = 0; i < 50; ++i) {
       const double r = random.magnitude(0.2, 5), w = random.magnitude(0.2, 5), x = random.between(-12, 12);
-      any.push_back({{r, w, x / w}});
+      any.push_back({{r, w, x / w}, x / w + 1});
       const double away = random.unit() < 0.5 ? random.between(0.2, 0.8) : random.between(1.25, 4);
-      forward.push_back({{abs(r), away, abs(x) / away}});
-      for (int k = 0; k < 12; ++k) cases.push_back({{forward.back()}, k});
+      const double T = abs(x) / away;
+      forward.push_back({{abs(r), away, T}, T + 1});
+      for (int k = 0; k < 12; ++k) cases.push_back({{forward.back()}, T + 1, k});
+      for (int n = 0; n < 4; ++n) maxima.push_back({{{abs(r), away, (pi / 4 + 2 * n * pi) / away}, 0, n}});
     }
   }
 };
@@ -97,7 +104,7 @@ G height(const MotionOf<G>& m, const std::type_identity_t<G>& t) {
 }
 
 const Form velocity{R"($\frac{d}{dt}(r\cos\omega t,\,r\sin\omega t,\,0)$ by dual numbers)",
-                    [](const auto& m) { return m.velocity(m.T); }};
+                    [](const auto& m) { return m.velocity(m.t); }};
 const Form gain{"gain of $x+y$ along the path",
                 []<class G>(const SampleOf<G>& m) {
                   const MotionOf<G>& motion = m;
@@ -112,9 +119,9 @@ const Form gain_t{"$T$ times the end's $x+y$, less its integral over time",
                   },
                   of_growing_work};
 const Form power_1{R"($(1,1,1)\cdot v$ by dual numbers)",
-                   []<class G>(const SampleOf<G>& m) { return power<G>(Force::constant, m, m.T); }};
+                   []<class G>(const SampleOf<G>& m) { return power<G>(Force::constant, m, m.t); }};
 const Form power_t{R"($(t,t,1)\cdot v$ by dual numbers)",
-                   []<class G>(const SampleOf<G>& m) { return power<G>(Force::growing, m, m.T); }};
+                   []<class G>(const SampleOf<G>& m) { return power<G>(Force::growing, m, m.t); }};
 const Form work_1{R"(quadrature of $F\cdot v$)",
                   []<class G>(const SampleOf<G>& m) { return work_of<G>(Force::constant, m); }, of_work};
 const Form work_t{R"(quadrature of $F\cdot v$)",
@@ -122,8 +129,8 @@ const Form work_t{R"(quadrature of $F\cdot v$)",
                   of_growing_work};
 const Form slope_1{"$dW/dT$ of the quadrature", slope(Force::constant)};
 const Form slope_t{"$dW/dT$ of the quadrature", slope(Force::growing)};
-const Form force_t{"length of $(T,T,1)$",
-                   []<class G>(const SampleOf<G>& m) { return hypot(m.T, m.T, G(1.0)); }};
+const Form force_t{"length of $(t,t,1)$",
+                   []<class G>(const SampleOf<G>& m) { return hypot(m.t, m.t, G(1.0)); }};
 const Form zero{"zero", [](const auto&) { return 0.0; }};
 
 // ---- formulas ---------------------------------------------------------------------------------------------
@@ -157,18 +164,18 @@ void formulas(Table& table, const Samples& samples) {
 
 const std::string of_zero = "a multiple of zero is zero";
 
-/// Claims that the work of (1, 1, 1) or (t, t, 1) is zero.
-std::string work(const std::string& from, const std::string& to, const std::string& force) {
+/// A relation of the work of (1, 1, 1) or (t, t, 1).
+std::string work(const std::string& from, const std::string& to, const std::string& force,
+                 const std::string& relation = "=0") {
   return R"($\int_)" + from + "^" + to + "(" + force + "," + force +
-         R"(,1)\cdot(-r\omega\sin\omega t,\,r\omega\cos\omega t,\,0)\,dt=0$)";
+         R"(,1)\cdot(-r\omega\sin\omega t,\,r\omega\cos\omega t,\,0)\,dt)" + relation + "$";
 }
 
 void misprints(Table& table, const Samples& samples) {
   table.formula("derivative", 821, R"(For $(1,1,1)$ $W'(T)=r\omega(-\sin\omega T+\cos\omega t)$.)",
                 samples.any,
                 {.truth = slope_1,
-                 .printed = {R"($r\omega(-\sin\omega T+\cos\omega t)$, $t=T+1$)",
-                             [](const auto& m) { return m.r * m.w * (-sin(m.x()) + cos(m.w * (m.T + 1))); }},
+                 .printed = R"($r\omega(-\sin\omega T+\cos\omega t)$)",
                  .meant = R"($r\omega(-\sin\omega T+\cos\omega T)$)",
                  .kind = Fault::formula,
                  .why = "The cosine keeps the variable of integration $t$, which has no value once the "
@@ -358,24 +365,18 @@ void extrema(Claims& claims, const Samples& samples) {
       "halves", 823, "Half of these times lead to a minimum, the other half to a maximum.", samples.cases,
       {.printed = peaks("even $k$: maximum, odd $k$: minimum", constant, -6, 1, 1, -1),
        .near_misses = {peaks("odd $k$: maximum, even $k$: minimum", constant, -6, 1, -1, 1)}});
-  const auto highest = [&](const std::string& text, const OfMotion& of) {
-    const Form first{R"(quadrature of $F\cdot v$)",
-                     [](M m) { return work_of(constant, m.at(stationary(m, 0))); }};
-    const Form now{text, of};
-    return Reading{text,
-                   {compare(R"($W(\pi/(4\omega))$)", now, first, samples.forward)},
-                   is_as_typeset(compare_typeset<Sample>(now, samples.forward))};
-  };
-  Reading first = highest(R"($r(\sqrt2-1)$)", [](M m) { return m.r * (sqrt2 - 1); });
+  const std::string highest = R"($W(\pi/(4\omega))$)";
+  const Formula<Sample> printed{R"($r(\sqrt2-1)$)"},
+      truth{R"(quadrature of $F\cdot v$)", [](M m) { return work_of(constant, m.at(stationary(m, 0))); }};
   const auto nowhere_larger = all("$W$ is nowhere larger", [](M m, int k) {
     return work_of(constant, m.at(m.T + k / m.w)) <= m.r * (sqrt2 - 1) + 1e-12 * m.r;
   });
-  first.checks.push_back(in_cases(samples, {nowhere_larger}).checks[0]);
   claims.add("first_maximum", 825, R"(At $T=\pi/(4\omega)$ $W$ has its maximum, $r(\sqrt2-1)$.)",
-             {.printed = first,
-              .near_misses = {
-                  highest(R"($r\sqrt2$)", [](M m) { return m.r * sqrt2; }),
-                  highest(R"($\frac r\omega(\sqrt2-1)$)", [](M m) { return m.r / m.w * (sqrt2 - 1); })}});
+             {.printed = {printed.text,
+                          {compare(highest, computed(printed), truth, samples.forward),
+                           in_cases(samples, {nowhere_larger}).checks[0]},
+                          true},
+              .near_misses = single_changes(highest, printed, truth, samples.forward, "")});
   claims.statement<Sample>(
       "local_maxima", 843,
       R"(Where $k$ is even you have local maxima ($k\ge0$ is our condition, for the interval $[0,T]$ of the text).)",
@@ -384,90 +385,62 @@ void extrema(Claims& claims, const Samples& samples) {
        .near_misses = {peaks("odd $k$: maximum", Force::growing, 1, 2, 1, 1)}});
 }
 
-/// The time for a value of x: the time x as printed, or the time at which w T = x.
-using When = double (*)(M, double x);
-double as_time(M, double x) { return x; }
-double as_angle(M m, double x) { return x / m.w; }
-
-/// f(x) at x = pi/4 + 2 n pi, n = 0, ..., 3.
-template <class F>
-Form at_maxima(const std::string& text, const F& f) {
-  return {text, [=](M m) {
-            const auto at = [&](int n) { return f(m, pi / 4 + 2 * n * pi); };
-            return Value{at(0), at(1), at(2), at(3)};
-          }};
-}
-
 void values_at_maxima(Claims& claims, const Samples& samples) {
-  const auto of = [&](const std::string& at, When when, const std::string& text, const auto& f) {
-    const auto W = [=](M m, double x) { return work_of(Force::growing, m.at(when(m, x))); };
-    return Reading{text,
-                   {compare(R"($W$ at $x=\pi/4+2n\pi$)", at_maxima(text, f),
-                            at_maxima(R"(quadrature of $F\cdot v$ to $)" + at + "=x$", W), samples.forward)}};
-  };
-  const auto less = [](double d) { return [=](M m, double x) { return m.r / m.w * (x * sqrt2 - d); }; };
-  claims.add(
+  claims.formula<AtMaximum>(
       "maxima_value", 845,
       R"(At its maxima the work of $(t,t,1)$ is $W(\pi/4+2n\pi)=r\omega(\pi/4+2n\pi)\sqrt2$.)",
-      {.printed = of("T", as_time, R"($W(x)=r\omega x\sqrt2$ there)",
-                     [](M m, double x) { return m.r * m.w * x * sqrt2; }),
-       .meant = of(R"(\omega T)", as_angle, R"($W(x/\omega)=\frac r\omega x\sqrt2$ there)", less(0)),
-       .corrected = of(R"(\omega T)", as_angle, R"($W(x/\omega)=\frac r\omega(x\sqrt2-1)$ there)", less(1)),
-       .near_misses = {of(R"(\omega T)", as_angle, R"($W(x/\omega)=\frac r\omega(x\sqrt2+1)$ there)",
-                          less(-1))},
+      samples.maxima,
+      {.quantity = R"($W$ at $x=\pi/4+2n\pi$ less its value)",
+       .truth = {"zero", [](M) { return 0.0; }},
+       .printed = {work("0", "x", "t", R"(=r\omega x\sqrt2)")},
+       .meant = {work("0", R"({x/\omega})", "t", R"(=\frac r\omega x\sqrt2)")},
+       .corrected = {work("0", R"({x/\omega})", "t", R"(=\frac r\omega(x\sqrt2-1))")},
+       .kind = Fault::formula,
+       .root = "a term dropped at the maxima",
        .why = filled("The $-1$ of the closed form is dropped: with $x=\\pi/4+2n\\pi$ the work is $\\frac "
                      "r\\omega(\\sqrt2\\,x-1)$ at $T=x/\\omega$. For $r=\\omega=1$ the first maximum is "
                      "$@4$, not $@5$. Besides, the argument should be a time, $x/\\omega$, and the "
                      "factor is $r/\\omega$.",
-                     {work_of(Force::growing, Motion{1, 1, pi / 4}), pi / 4 * sqrt2}),
-       .kind = Fault::formula,
-       .root = "a term dropped at the maxima"});
+                     {work_of(Force::growing, Motion{1, 1, pi / 4}), pi / 4 * sqrt2})});
 }
 
 void growth(Claims& claims, const Samples& samples) {
-  const auto steps = [](const std::string& text, double sign, When T, double first) {
-    return all(text, [=](M m, int k) {
-      const double x = first + 2 * (k % 4) * pi;
-      return sign * work_of(Force::growing, m.at(T(m, x + 2 * pi)), T(m, x)) > 0;
-    });
+  // The growth of W to the next n.
+  const auto to_next = [](const std::string& first, const std::string& relation) {
+    return work("{(" + first + R"(+2n\pi)/\omega})", "{(" + first + R"(+2(n+1)\pi)/\omega})", "t", relation);
   };
-  const double maxima = pi / 4, minima = 5 * pi / 4;
+  const std::string maxima_grow = to_next(R"(\pi/4)", ">0"), minima_grow = to_next(R"(5\pi/4)", ">0"),
+                    minima_sink = to_next(R"(5\pi/4)", "<0");
   const auto later_by = [](double w) {  // for r = 1
     return work_of(Force::growing, Motion{1, w, pi / 4 + 2 * pi}, pi / 4);
   };
-  claims.statement<Sample>(
-      "maxima_grow", 849, R"(As $n$ grows, so does the net work $W(\pi/4+2n\pi)$.)", samples.cases,
-      {.printed = steps(R"($W(\pi/4+2n\pi)$ grows)", 1, as_time, maxima),
-       .meant = steps(R"($W$ at $\omega T=\pi/4+2n\pi$ grows)", 1, as_angle, maxima),
-       .near_misses = {steps(R"($W$ at $\omega T=5\pi/4+2n\pi$ grows)", 1, as_angle, minima)},
+  claims.statement<AtMaximum>(
+      "maxima_grow", 849, R"(As $n$ grows, so does the net work $W(\pi/4+2n\pi)$.)", samples.maxima,
+      {.printed = {work(R"({\pi/4+2n\pi})", R"({\pi/4+2(n+1)\pi})", "t", ">0")},
+       .meant = {maxima_grow},
+       .near_misses = {{minima_grow}},
        .kind = Fault::lost_typography,
        .why = filled(
            "The maxima are at $\\omega T=\\pi/4+2n\\pi$, where $W$ grows by $2\\sqrt2\\,\\pi r/\\omega$ "
            "each time. At $T=\\pi/4+2n\\pi$, as printed, it depends on $\\omega$: for $\\omega=2$ each "
            "$W$ is $@3r$ more than the last, for $\\omega=4$ it is $@3r$ less.",
            {later_by(2), -later_by(4)})});
-  const auto lengths = [](const std::string& text, double sign) {
-    return all(text, [=](M m, int k) {
-      const double later = m.T + std::pow(2.0, -k);
-      return sign * (length({later, later, 1}) - length({m.T, m.T, 1})) > 0;
-    });
-  };
-  claims.statement<Sample>("magnitude_grows", 851,
-                           "The force's magnitude always grows with time ($t>0$, as on $[0,T]$).",
-                           samples.cases,
-                           {.printed = lengths("$|F(t+h)|>|F(t)|$ for $t>0$", 1),
-                            .near_misses = {lengths("$|F(t+h)|<|F(t)|$ for $t>0$", -1)}});
+  claims.statement<Sample>(
+      "magnitude_grows", 851, "The force's magnitude always grows with time ($t>0$, as on $[0,T]$).",
+      samples.cases,
+      {.printed = {"$|(t+h,t+h,1)|>|(t,t,1)|$"}, .near_misses = {{"$|(t+h,t+h,1)|<|(t,t,1)|$"}}});
   const auto always = all("$W$ grows all the time", [](M m, int k) {
     const double start = m.T + 0.5 * k / m.w;
     return work_of(Force::growing, m.at(start + 0.1 / m.w), start) > 0;
   });
+  const auto at_each = [&](const std::string& text) {
+    return in_all(text, samples.maxima, computed(Statement<AtMaximum>{text}).holds);
+  };
   claims.add("work_keeps_growing", 851,
              "The force gets stronger, so the net work keeps growing: its maxima, of which the paragraph "
              "speaks (between them it falls, and deeper every time).",
-             {.printed = in_cases(samples, {steps("the maxima grow", 1, as_angle, maxima),
-                                            steps("the minima sink", -1, as_angle, minima)}),
-              .near_misses = {in_cases(samples, {steps("the minima grow", 1, as_angle, minima)}),
-                              in_cases(samples, {always})}});
+             {.printed = {maxima_grow, {at_each(maxima_grow), at_each(minima_sink)}, true},
+              .near_misses = {{minima_grow, {at_each(minima_grow)}, true}, in_cases(samples, {always})}});
 }
 
 }  // namespace
@@ -575,7 +548,7 @@ Provables proofs() {
   formulas(table, none);
   misprints(table, none);
   conservation(claims, table, none);
-  const std::vector<std::string> names{"r", "w", "T"};
+  const std::vector<std::string> names{"r", "w", "T", "t"};
   const std::string tactic = R"(repeat first
     [ integrate (fun t => r * (cos (w * t) + sin (w * t)))
     | integrate (fun t => r * t * (cos (w * t) + sin (w * t)) - r / w * (sin (w * t) - cos (w * t)))
@@ -590,7 +563,7 @@ Provables proofs() {
                        .letters = quantified(names),
                        .tactic = tactic,
                        .says = "it holds for every radius and speed, at every time",
-                       .example = {{0.5, 0.75, 2}}};
+                       .example = {{0.5, 0.75, 2}, 3}};
   all.given = {not_zero(all.any.w.expression())};
   Provables proved = table.proofs("2.17", all);
   for (Provable& claim : proved) {
