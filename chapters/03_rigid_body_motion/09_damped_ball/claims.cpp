@@ -577,7 +577,7 @@ struct Start {
 /// The ball of the examples, with little friction.
 Start weak(double p1, double p2, double v1, double v2) { return Start({1, 4, 0.4, p1, p2, v1, v2}); }
 
-/// The same for quantities that are not a time.
+/// Start for quantities that are not a time.
 struct AtOrigin : Start {
   Tolerance tolerance(double size) const {
     return {motion.beta() * known.allowed * size + rounding(size).allowed,
