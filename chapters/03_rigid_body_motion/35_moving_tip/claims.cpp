@@ -491,12 +491,6 @@ std::vector<Claim> claims(double seed, const Top& top, const Deviation& off) {
     other.A = -other.A;
     return other;
   };
-  std::vector<Reading> near_vertical = single_changes(rate_of_vertical, by_drive, rate, driven, "");
-  near_vertical.push_back(reading(R"(Euler's equations with the torque of $-mg\mathbf k+m\ddot{\mathbf p}$)",
-                                  in_body,
-                                  {R"(Euler's equations, the tip's acceleration with the other sign)",
-                                   [=](const Sample& s) { return euler_equations(shaken_backward(s), s.t); }},
-                                  change));
   claims.add(
       "euler_about_vertical", 3089,
       "the Euler equations of example 3.19 still apply to the motion about the world vertical axis through "
@@ -510,7 +504,7 @@ std::vector<Claim> claims(double seed, const Top& top, const Deviation& off) {
        .corrected = {"the vertical angular momentum changes at the rate " + drive.text,
                      {compare(rate_of_vertical, by_drive, rate, driven),
                       compare(in_body, euler, change, tops)}},
-       .near_misses = std::move(near_vertical),
+       .near_misses = single_changes(rate_of_vertical, by_drive, rate, driven, ""),
        .why =
            R"(With the tip as origin the frame is accelerated, and $-m\ddot{\mathbf p}$ acts at the center of )"
            R"(mass besides gravity. Its torque about the tip has the vertical component )"
@@ -532,16 +526,10 @@ std::vector<Claim> claims(double seed, const Top& top, const Deviation& off) {
                      {compare(accelerations, angles_of_moved, lagrange, tops),
                       compare(about_the_tip, torque_about_tip, about_tip, tops)}},
        .near_misses = {reading(
-                           R"(with the torque of $+m\ddot{\mathbf p}$)", accelerations,
-                           {"equations of the angles, the tip's acceleration with the other sign",
-                            [=](const Sample& s) { return model_accelerations(shaken_backward(s), s.t); }},
-                           lagrange),
-                       reading(
-                           R"($\ell\,\boldsymbol\xi_3\times(-mg\mathbf k+m\ddot{\mathbf p})$ about the tip)",
-                           about_the_tip,
-                           {"the torque, the tip's acceleration with the other sign",
-                            [=](const Sample& s) { return torque_on(shaken_backward(s), s.t); }},
-                           about_tip)},
+           R"(with the torque of $+m\ddot{\mathbf p}$)", accelerations,
+           {"equations of the angles, the tip's acceleration with the other sign",
+            [=](const Sample& s) { return model_accelerations(shaken_backward(s), s.t); }},
+           lagrange)},
        .why = filled(
            R"($\mathbf p(t)$ is given, so the tip needs no top; the top does need the tip's acceleration, unless )"
            R"(the tip is at rest or in uniform motion. The accelerated tip adds to gravity a horizontal )"
