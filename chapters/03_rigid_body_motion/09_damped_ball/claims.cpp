@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <concepts>
 #include <iterator>
 #include <numbers>
@@ -181,16 +180,6 @@ struct InLineOf {
 };
 using InLine = InLineOf<double>;
 
-/// Re and Im.
-template <class T>
-struct ComplexOf {
-  T re, im;
-  friend ComplexOf operator+(const ComplexOf& a, const ComplexOf& b) { return {a.re + b.re, a.im + b.im}; }
-  friend ComplexOf operator*(const ComplexOf& a, const ComplexOf& b) {
-    return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
-  }
-};
-
 /// The characteristic polynomial's coefficients, its roots by the text, any number r, and a time.
 template <class T>
 struct PolynomialOf {
@@ -203,8 +192,11 @@ struct PolynomialOf {
         r(random.between(-3, 3)),
         t(random.between(0, 2)) {}
   std::array<T*, 5> letters() { return {&m, &c, &a, &r, &t}; }
-  TypesetIn<T> typeset() const { return {{"m", m}, {"c", c}, {"a", a}, {"r", r}}; }
-  ComplexOf<T> root(double sign, double factor = 4) const {
+  TypesetIn<T> typeset() const {
+    return {{"m", m}, {"c", c}, {"a", a}, {"r", r}, {R"(\mathrm{Im}\,r)", {root(1)[1], root(-1)[1]}}};
+  }
+  /// Real and imaginary part.
+  Two<T> root(double sign, double factor = 4) const {
     const T square = a * a - factor * m * c, size = abs(square);
     return {(-a + sign * sqrt((size + square) / 2)) / (2 * m), sign * sqrt((size - square) / 2) / (2 * m)};
   }
@@ -214,8 +206,8 @@ struct PolynomialOf {
     return (m * second_derivative(x, t) + a * derivative(x, t) + c * x(t)) / x(t);
   }
   auto sum_and_product(double factor) const {
-    const auto r1 = root(1, factor), r2 = root(-1, factor), sum = r1 + r2, product = r1 * r2;
-    return values(sum.re, product.re, sum.im, product.im);
+    const Two<T> x = root(1, factor), y = root(-1, factor);
+    return values(x[0] + y[0], x[0] * y[0] - x[1] * y[1], x[1] + y[1], x[0] * y[1] + x[1] * y[0]);
   }
 };
 using Polynomial = PolynomialOf<double>;
@@ -380,18 +372,14 @@ void characteristic_roots(ProvableClaims<PolynomialOf>& table, const std::vector
 }
 
 void solutions(Claims& claims, const std::vector<Polynomial>& polynomials, double seed) {
-  const auto both = [](const Polynomial& s, const auto& has) { return has(s.root(1)) && has(s.root(-1)); };
-  const auto are_zeros = [=](const Polynomial& s) {
-    return both(s, [&](const auto& root) {
-      const std::complex<double> r(root.re, root.im);
-      // the roundings of -a and the square root, which may cancel, change r by roundings of a/m; the slope is
-      // at most a
-      const double terms = s.m * std::norm(r) + s.a * abs(r) + s.c + s.a * s.a / s.m;
-      return abs((s.m * r + s.a) * r + s.c) <= rounding(terms).allowed;
-    });
+  const auto is_as_told = [](const Polynomial& s, const Pair& root) {
+    const auto [re, im] = root;
+    // the roundings of -a and the square root, which may cancel, change r by roundings of a/m; the slope is
+    // at most a
+    const double terms = s.m * (re * re + im * im) + s.a * std::hypot(re, im) + s.c + s.a * s.a / s.m,
+                 off = std::hypot(s.m * (re * re - im * im) + s.a * re + s.c, (2 * s.m * re + s.a) * im);
+    return off <= rounding(terms).allowed && re < 0 && (im == 0) == (s.a * s.a - 4 * s.m * s.c >= 0);
   };
-  const auto negative = [=](const Polynomial& s) { return both(s, [](const auto& r) { return r.re < 0; }); };
-  const auto are_real = [=](const Polynomial& s) { return both(s, [](const auto& r) { return r.im == 0; }); };
   std::vector<Polynomial> with_double_root = polynomials;
   with_double_root.emplace_back();
   with_double_root.back().m = 1, with_double_root.back().c = with_double_root.back().a = 4;
@@ -402,10 +390,9 @@ void solutions(Claims& claims, const std::vector<Polynomial>& polynomials, doubl
       with_double_root,
       {.printed = {"the text's roots are zeros of the polynomial, and are such",
                    [=](const Polynomial& s) {
-                     return are_zeros(s) && negative(s) && are_real(s) == (s.a * s.a - 4 * s.m * s.c >= 0);
+                     return is_as_told(s, s.root(1)) && is_as_told(s, s.root(-1));
                    }},
-       .near_misses = {{"real and negative for any $a$",
-                        [=](const Polynomial& s) { return negative(s) && are_real(s); }}}});
+       .near_misses = {Statement<Polynomial>{R"($\mathrm{Im}\,r=0$)"}}});
 
   const auto two_forms = [](std::string text, double part) -> Formula<Strong> {
     return {std::move(text), [part](const Strong& s) {
@@ -995,8 +982,8 @@ Provable proof_of_negative_roots(const ForAll<PolynomialOf>& all) {
     return {name,
             all.letters,
             given,
-            {above((-first.re).expression(), 0), above((-second.re).expression(), 0),
-             imaginary(first.im.expression()), imaginary(second.im.expression())},
+            {above((-first[0]).expression(), 0), above((-second[0]).expression(), 0),
+             imaginary(first[1].expression()), imaginary(second[1].expression())},
             "signs_of_the_parts m c a"};
   };
   return {"3.9-negative_roots",

@@ -169,6 +169,7 @@ struct Driven : Sample {
             {"t", t},
             {R"(\theta)", q[0]},
             {R"(\phi)", q[1]},
+            {R"(\ddot\psi)", truth[2]},
             {R"(\mathbf p)", tip(*this)},
             {R"(\boldsymbol\xi_3)", top().axis()}};
   }
@@ -224,6 +225,7 @@ void claim_spin(Claims& claims, const std::vector<Driven>& tops) {
       {.quantity = R"($\dot w_3$)",
        .truth = {change.text, [](const Driven& s) { return body_rates_change<double>(s)[2]; }},
        .printed = {R"($\dot w_3=0$)"},
+       .near_misses = {{R"($\dot w_3=\ddot\psi$)"}},
        .changes_that_hold = "a multiple of zero is zero"});
 }
 
