@@ -13,10 +13,9 @@ Ltac damped :=
     destruct (root_of d P) as [Q e]; generalize dependent (sqrt d); intros r Q e;
     field [e]; repeat split; nra
   end.
-Ltac turning :=
-  match goal with |- exp ?y * _ = exp ?x * (_ * cos ?z + _) * _ - _ =>
-    let e := fresh in let f := fresh in
-    assert (e : exp y = exp x * exp x) by (rewrite <- exp_plus; f_equal; field; lra); rewrite e; clear e;
+Ltac circling :=
+  match goal with |- context [sin ?z] =>
+    let f := fresh in
     assert (f : sin z * sin z = 1 - cos z * cos z)
       by (pose proof (sin2_cos2 z) as f; unfold Rsqr in f; lra);
     generalize dependent (sin z); intro; generalize (cos z); intros;
@@ -24,6 +23,13 @@ Ltac turning :=
       assert (sqrt d > 0) by (apply sqrt_lt_R0; lra); field [f]; repeat split; lra
     end
   end.
+Ltac turning :=
+  match goal with |- exp ?y * _ = exp ?x * (_ * cos ?z + _) * _ - _ =>
+    let e := fresh in
+    assert (e : exp y = exp x * exp x) by (rewrite <- exp_plus; f_equal; field; lra); rewrite e; clear e;
+    circling
+  end.
+Ltac any_motion := first [turning | damped | circling | field; repeat split; apply Rgt_not_eq; nra].
 Ltac twice :=
   rewrite ?exp_0;
   match goal with P : ?m > 0, Q : ?a * ?a = 4 * ?m * ?c |- _ =>

@@ -120,34 +120,29 @@ struct SampleOf {
         t(random.between(-5, 5)) {}
   std::array<T*, 11> letters() { return {&m, &a, &b, &c, &K, &w, &ell, &s, &v, &A, &t}; }
   TypesetIn<T> typeset() const {
-    return {{"m", m},
+    return {{"c", c},
+            {R"(\omega)", w},
+            {R"(\lambda)", s},
+            {"t", t},
+            {R"(\ell)", ell},
+            {"m", m},
             {"a", a},
             {"b", b},
-            {"c", c},
             {"K", K},
-            {R"(\omega)", w},
-            {R"(\ell)", ell},
-            {R"(\lambda)", s},
             {R"(\dot\lambda)", v},
             {R"(\ddot\lambda)", A},
-            {"t", t},
             {"x", x()},
             {R"(\dot x)", velocity()},
             {R"(\imath)", {1, 0, 0}},
             {"r", spring_length()},
-            {"p", p()},
+            {"r_0", initial_length()},
+            {"p", c * direction(T(w * t))[0]},
             {"F", F()},
             {R"(\mathbf F)", force_of(spring(ell), x())},
             {"L", length(segment())},
             {"D", {cos(w * t) / root2(), sin(w * t) / root2(), 1 / root2()}},
             {R"(\dot D)", {-w * sin(w * t) / root2(), w * cos(w * t) / root2(), 0}}};
   }
-  std::string where() const {
-    return "$c$ = " + format_shortest(c) + ", $w$ = " + format_shortest(w) + R"(, $\ell$ = )" +
-           format_shortest(ell) + ", $s$ = " + format_shortest(s) + R"(, $\dot s$ = )" + format_shortest(v) +
-           ", $t$ = " + format_shortest(t);
-  }
-
   static T number(double x) { return T(x); }
   static T pi() { return pi_of<T>(); }
   static T root2() { return sqrt(T(2)); }
@@ -165,26 +160,25 @@ struct SampleOf {
     };
   }
   SpaceOf<T> x() const { return position(s, t, w); }
-  SpaceOf<T> from_end() const { return {x()[0] - c, x()[1], x()[2]}; }
-  T spring_length() const { return length(from_end()); }
+  T spring_length() const { return length_at(s, t); }
+  /// The distance from (c, 0, 0) to the mass at the start, by Rodrigues' rotation.
+  T initial_length() const { return length_at(root2() * b, T(0)); }
+  T length_at(const T& at, const T& time) const {
+    auto x = position(at, time, w);
+    x[0] -= c;
+    return length(x);
+  }
   SpaceOf<T> velocity() const { return ex03_15::velocity(s, v, t, w); }
   /// The text's initial condition: at rest on the segment.
   SpaceOf<T> start_velocity() const { return ex03_15::velocity(T(root2() * b), T(0), T(0), T(pi() / 4)); }
   SpaceOf<T> segment() const { return {a, T(0), a}; }
-  SpaceOf<T> start() const { return {b, T(0), b}; }
-
-  // Formulas exactly as printed.
-  /// The projection of (c, 0, 0) on the rod.
-  T p() const { return c * cos(w * t) / root2(); }
-  /// The generalized force.
-  T F() const { return -K * (1 - ell / sqrt(s * s - 2 * p() * s + c * c)) * (s - p()); }
-  T rest_length(const T& third) const { return sqrt((b - c) * (b - c) + third * third); }
+  /// The generalized force of the spring, by dual numbers.
+  T F() const { return df_dq(lagrangian(), s, 0, t) - df_dq(kinetic(), s, 0, t); }
 };
 
 namespace {
 
 using Sample = SampleOf<double>;
-using S = const Sample&;
 using Samples = std::vector<Sample>;
 using Table = ProvableClaims<SampleOf>;
 
@@ -302,11 +296,7 @@ void spring(Claims& claims, Table& table, const Samples& samples) {
   const std::string right = R"($\sqrt{(b-c)^2+b^2}$)", wrong = R"($\sqrt{(b-c)^2+c^2}$)";
   const ProvableFormula<SampleOf> distance{
       R"(the distance from $(c,0,0)$ to the mass at $\lambda(0)=\sqrt2b$, by Rodrigues' rotation)",
-      [](const auto& s) {
-        auto x = position(s.root2() * s.b, s.number(0), s.w);
-        x[0] -= s.c;
-        return length(x);
-      }};
+      [](const auto& s) { return s.initial_length(); }};
   table.formula("rest_length", 1817, R"(The rest length is $\ell=\sqrt{(b-c)^2+b^2}$)", samples,
                 {.quantity = R"(the rest length $\ell$)", .truth = distance, .printed = {right}});
   table.formula(
@@ -336,35 +326,21 @@ void spring(Claims& claims, Table& table, const Samples& samples) {
            R"(length 1. Multiplied by its length the force is $r^2$ times as large, @3 times where the motion )"
            R"(of the text ends, at $r=@4$.)",
            {length_at_2() * length_at_2(), length_at_2()})});
-  const auto at_start = [](const auto& third) {
-    return [=](const auto& s) { return force_of(s.spring(s.rest_length(third(s))), s.start()); };
-  };
-  table.formula("unstretched", 1823, R"(At the start the spring is unstretched, and $\mathbf F(0)=0$)",
-                samples,
-                {.quantity = "the force at the start",
-                 .truth = {"zero", [](const auto&) { return values(0, 0, 0); },
-                           [](const auto& s) { return s.K * (s.b + s.c); }},
-                 .printed = {"with the rest length of line 1817, " + right,
-                             at_start([](const auto& s) { return s.b; })},
-                 .near_misses = {{"with the rest length of line 1869, " + wrong,
-                                  at_start([](const auto& s) { return s.c; })}}});
+  table.formula(
+      "unstretched", 1823,
+      R"(At the start the spring is unstretched, and $\mathbf F(0)=0$ (our check: its length $r_0$ is $\ell$ then))",
+      samples,
+      {.quantity = R"($K(r_0-\ell)$, the strength of the force at the start)",
+       .truth = {"zero", []<class T>(const SampleOf<T>&) { return T(0); }},
+       .printed = R"($K\left(r_0-\sqrt{(b-c)^2+b^2}\right)=0$)",
+       .changes_that_hold = "a factor of zero may have any size and sign"});
   claims.statement<Sample>(
       "force_towards", 1819, "The force on the mass is towards $(c,0,0)$", samples,
-      {.printed = {R"($\mathbf F\cdot(c\imath-x)>0$)",
-                   [](S s) { return dot(force_of(s.spring(s.ell), s.x()), s.from_end()) < 0; }},
-       .corrected =
-           {R"($\mathbf F\cdot(c\imath-x)>0$ where the spring is stretched, $r>\ell$, and there only)",
-            [](S s) {
-              const bool pulls = dot(force_of(s.spring(s.ell), s.x()), s.from_end()) < 0;
-              return pulls == (s.spring_length() > s.ell);
-            }},
-       .in_view = {"where the spring is stretched", [](S s) { return s.spring_length() > s.ell; }},
-       .near_misses =
-           {{R"($\mathbf F\cdot(c\imath-x)>0$ where the spring is compressed, $r<\ell$, and there only)",
-             [](S s) {
-               const bool pulls = dot(force_of(s.spring(s.ell), s.x()), s.from_end()) < 0;
-               return pulls != (s.spring_length() > s.ell);
-             }}},
+      {.printed = {R"($\mathbf F\cdot(c\imath-x)>0$)"},
+       .corrected = {R"($(r-\ell)\,\mathbf F\cdot(c\imath-x)>0$)"},
+       .in_view = {"where the spring is stretched",
+                   [](const Sample& s) { return s.spring_length() > s.ell; }},
+       .near_misses = {{R"($(\ell-r)\,\mathbf F\cdot(c\imath-x)>0$)"}},
        .kind = Fault::left_out,
        .root = "a spring that always pulls",
        .why = filled(
@@ -383,9 +359,7 @@ void equations(Table& table, const Samples& samples) {
       "generalized_force", 1829, "The generalized force is " + product, samples,
       {.quantity = "the generalized force",
        .truth = {R"(minus the derivative of the spring's energy by $\lambda$, by dual numbers)",
-                 [](const auto& s) {
-                   return df_dq(s.lagrangian(), s.s, 0, s.t) - df_dq(s.kinetic(), s.s, 0, s.t);
-                 }},
+                 [](const auto& s) { return s.F(); }},
        .printed = product,
        .meant = quotient + arm,
        .kind = Fault::lost_typography,
@@ -425,21 +399,16 @@ void equations(Table& table, const Samples& samples) {
            R"(The bar under $\ell$ is lost in the text at hand, as in the generalized force above. Besides, )"
            R"(the $\sqrt2$ inside the root is printed as the word sqrt.)"});
 
-  const auto code = [](const auto& factor) {
-    return [=](const auto& s) { return s.c / s.root2() * cos(factor(s) * s.t); };
-  };
   table.formula(
-      "listing_cosine", 2079, R"(`tmp0`, which is `aux[3]*Cos(aux[0]*time)`, is $c\cos(\pi t/4)/\sqrt2$)",
+      "listing_cosine", 2079,
+      R"(`tmp0`, which is `aux[3]*Cos(aux[0]*time)`, `aux[0]` being $1/\sqrt2$, is the component of $c\imath$ along the )"
+      R"(rod)",
       samples,
       {.quantity = "`tmp0`",
-       .truth = {R"($c\cos(\pi t/4)/\sqrt2$)",
-                 [](const auto& s) { return s.c * cos(s.pi() * s.t / 4) / s.root2(); }},
-       .printed = {R"(`aux[3]*Cos(aux[0]*time)`, `aux[0]` $=1/\sqrt2$)",
-                   code([](const auto& s) { return 1 / s.root2(); })},
-       .corrected = {R"(`aux[3]*Cos(aux[1]*time)`, `aux[1]` $=\pi/4$)",
-                     code([](const auto& s) { return s.pi() / 4; })},
-       .near_misses = {{R"(`aux[3]*Cos(aux[2]*time)`, `aux[2]` $=\pi^2/32$)",
-                        code([](const auto& s) { return s.pi() * s.pi() / 32; })}},
+       .truth = {R"($c\imath\cdot D$ with $\omega=\pi/4$, by Rodrigues' rotation)",
+                 [](const auto& s) { return s.c * direction(s.pi() / 4 * s.t)[0]; }},
+       .printed = R"($c\cos(t/\sqrt2)/\sqrt2$)",
+       .corrected = R"($c\cos(\pi t/4)/\sqrt2$)",
        .kind = Fault::listing,
        .root = "`aux[0]` for `aux[1]`",
        .why = filled(
@@ -470,6 +439,17 @@ void formulas(Claims& claims, Table& table, const Samples& samples) {
 }
 
 // ---- the motion -------------------------------------------------------------------------------------------
+
+/// Numbers of one motion, with the tolerance of those that they are compared with.
+struct Output {
+  TypesetLetters letters_of_text;
+  Tolerance allowed;
+  TypesetLetters typeset() const { return letters_of_text; }
+  Tolerance tolerance(double) const { return allowed; }
+};
+Formula<Output> known(std::string by, Value value) {
+  return {std::move(by), [value = std::move(value)](const Output&) { return value; }};
+}
 
 /// A start from rest at lambda = s on the segment of length 4, with a spring of stiffness K.
 struct Launch {
@@ -533,34 +513,23 @@ void motion(Claims& claims, const Value& end) {
   const auto x1 = [](const auto& x, double) { return x[0]; };
   const double arrival =
       ode::find_event<ode::Fehlberg78>(cartesian, cartesian.start(), 0, 5, 1e-12, x1).value.time;
-  const auto arrives = [&](const std::string& text, double t) -> Reading {
-    return {text,
-            {{"the time of arrival",
-              {"as stated", t},
-              {"the Cartesian motion's first $x_1=0$", arrival},
-              integrated}}};
-  };
-  claims.add("arrival_time", 1849, "The mass arrives in the $(x_2,x_3)$-plane at $t=2$",
-             {.printed = arrives("at $t=2$", 2),
-              .near_misses = {arrives("$t=4$, half a turn", 4), arrives("at $t=1$", 1)}});
+  claims.formula<Output>("arrival_time", 1849, "The mass arrives in the $(x_2,x_3)$-plane at $t=2$",
+                         {{{}, integrated}},
+                         {.quantity = "the time of arrival",
+                          .truth = known("the Cartesian motion's first $x_1=0$", arrival),
+                          .printed = {"$2$"}});
 
-  const auto place = [&](const std::string& text, const auto& state, double t) -> Reading {
+  const auto by_fehlberg = [&](const std::string& text, double t) -> Reading {
+    const auto state = ode::integrate<ode::Fehlberg78>(cartesian, cartesian.start(), 0, t, 1e-12).value;
     return {text,
             {{"$x(2)$",
               {"the Cartesian motion " + text, cartesian.observe(state, t)},
               {"table", end},
               integrated}}};
   };
-  const auto by_fehlberg = [&](const std::string& text, double t) {
-    return place(text, ode::integrate<ode::Fehlberg78>(cartesian, cartesian.start(), 0, t, 1e-12).value, t);
-  };
-  claims.add(
-      "by_numbers", 1847, "A numerical method gives the position at $t=2$",
-      {.printed = by_fehlberg("by Fehlberg 7(8)", 2),
-       .near_misses = {
-           by_fehlberg("by Fehlberg 7(8), up to a step of the listing before", 1.99),
-           place("by 16 steps of Runge-Kutta 4",
-                 ode::integrate<ode::RungeKutta4>(cartesian, cartesian.start(), 0, 2, 0.125).value, 2)}});
+  claims.add("by_numbers", 1847, "A numerical method gives the position at $t=2$",
+             {.printed = by_fehlberg("by Fehlberg 7(8)", 2),
+              .near_misses = {by_fehlberg("by Fehlberg 7(8), up to a step of the listing before", 1.99)}});
 
   claims.add("no_closed_form", 1847, "The equation has no solution in closed form",
              {.not_checkable = "numbers do not show that there is no formula"});
@@ -626,46 +595,27 @@ double fcos_near_half_pi(double x) { return 0x234Cp-67 - (x - pi / 2); }
 void output(Claims& claims, const Value& end) {
   const Run run = listing(root_half<double>()), mended = listing(quarter);
   const double s = run.lambda.back(), angle = quarter * run.time;
-  const Route listed{"the listing's arithmetic", s},
-      by_text{"the listing with `aux[1]`", mended.lambda.back()};
+  const auto listed = [](const Value& x) { return known("the listing's arithmetic", x); };
+  const auto digits = [](int decimals) -> std::vector<Output> { return {{{}, printed_decimals(decimals)}}; };
 
-  const auto starts = [](const std::string& x, double number) -> Reading {
-    const auto middle = position(2.0, 0.0, quarter);
-    return {x,
-            {{R"($\lambda$, $x_1$, $x_2$, $x_3$)",
-              {"as written", {2, number, 0, number}},
-              {"the middle of the segment of length 4", {4 / 2, middle[0], middle[1], middle[2]}},
-              printed_decimals(5)}}};
-  };
-  claims.add("first_line", 2177, R"(The output begins with $\lambda=2$, $x_1=x_3=1.41421$, $x_2=0$)",
-             {.printed = starts("1.41421", 1.41421), .near_misses = {starts("1.41422", 1.41422)}});
-
-  const auto last = [](const std::string& lambda, const Route& by, const std::string& text = "") -> Reading {
-    return {lambda + text, {as_written(R"($\lambda$)", lambda, by)}};
-  };
-  claims.add("listing_output", 2179, R"(The output ends with $\lambda=1.15214$)",
-             {.printed = last("1.15214", listed),
-              .near_misses = {last("1.15215", listed), last("1.15214", by_text, " with `aux[1]`")}});
-  const auto last_place = [&](const std::string& x, const Route& by,
-                              const std::string& text = "") -> Reading {
-    const double along_x3 = root_half<double>() * by.value[0];
-    return {x + text,
-            {as_written("$x_2$", x, {by.by, along_x3 * std::sin(angle)}),
-             as_written("$x_3$", x, {by.by, along_x3})}};
-  };
-  claims.add(
-      "listing_place", 2179, "The output ends with $x_2=x_3=0.814683$",
-      {.printed = last_place("0.814683", listed),
-       .near_misses = {last_place("0.814684", listed), last_place("0.814683", by_text, " with `aux[1]`")}});
-
-  const auto digits = [&](const std::string& by, double cosine) -> Reading {
-    return {by, {as_written("$x_1$", "-8.54596e-16", {by, root_half<double>() * s * cosine})}};
-  };
-  claims.add(
-      "listing_x1", 2179, R"(The output ends with $x_1=-8.54596\cdot10^{-16}$)",
-      {.printed = digits(R"(the x87's FCOS, whose $\pi$ has 66 bits)", fcos_near_half_pi(angle)),
-       .near_misses = {digits("the true cosine", cos(angle)),
-                       digits("the cosine at $t=2$, by a clock that does not round", cos(quarter * 2))}});
+  const auto middle = position(2.0, 0.0, quarter);
+  claims.formula<Output>(
+      "first_line", 2177, R"(The output begins with $\lambda=2$, $x_1=x_3=1.41421$, $x_2=0$)", digits(5),
+      {.quantity = R"($(\lambda,x_1,x_2,x_3)$)",
+       .truth = known("the middle of the segment of length 4", {4 / 2, middle[0], middle[1], middle[2]}),
+       .printed = {"$(2,\\ 1.41421,\\ 0,\\ 1.41421)$"}});
+  claims.formula<Output>("listing_output", 2179, R"(The output ends with $\lambda=1.15214$)", digits(5),
+                         {.quantity = R"($\lambda$)", .truth = listed(s), .printed = {"$1.15214$"}});
+  const double along_x3 = root_half<double>() * s;
+  claims.formula<Output>("listing_place", 2179, "The output ends with $x_2=x_3=0.814683$", digits(6),
+                         {.quantity = "$(x_2,x_3)$",
+                          .truth = listed({along_x3 * std::sin(angle), along_x3}),
+                          .printed = {"$0.814683$"}});
+  claims.formula<Output>(
+      "listing_x1", 2179, R"(The output ends with $x_1=-8.54596\cdot10^{-16}$)", digits(21),
+      {.quantity = "$x_1$",
+       .truth = known(R"(the x87's FCOS, whose $\pi$ has 66 bits)", along_x3 * fcos_near_half_pi(angle)),
+       .printed = {R"($-8.54596\cdot10^{-16}$)"}});
 
   const auto x1_after = [&](const std::string& text, int steps) -> Reading {
     return {text,
@@ -702,62 +652,54 @@ void output(Claims& claims, const Value& end) {
        .root = "a clock set to zero"});
 
   const double lambda = length(Space{end[0], end[1], end[2]}), d = end[1];
-  const Route true_lambda{R"($|x(2)|$ of the table)", lambda};
-  const auto is_lambda = [&](const std::string& number) -> Reading {
-    return {number, {as_written(R"($\lambda(2)$)", number, true_lambda)}};
-  };
-  claims.add(
-      "lambda_value", 2179, R"($\lambda(2)=1.15214$)",
-      {.printed = is_lambda("1.15214"),
-       .corrected = {"0.99421",
-                     {as_written(R"($\lambda(2)$)", "0.99421", true_lambda),
-                      as_written(R"($\lambda(2)$)", "0.99421", by_text)}},
-       .near_misses = {is_lambda("0.99422")},
+  claims.formula<Output>(
+      "lambda_value", 2179, R"($\lambda(2)=1.15214$)", digits(5),
+      {.quantity = R"($\lambda(2)$)",
+       .truth = known("$|x(2)|$ of the table", lambda),
+       .other_routes = {known("the listing with `aux[1]`", mended.lambda.back())},
+       .printed = {"$1.15214$"},
+       .corrected = {"$0.99421$"},
+       .kind = Fault::listing,
+       .root = "`aux[0]` for `aux[1]`",
        .why = filled(
            R"(The output belongs to the slip of the listing, `aux[0]*time` for `aux[1]*time` (2079), not to )"
            R"(the equation of the text, whose $\lambda(2)$ is @6: the printed number is @2 percent too )"
            R"(large.)",
-           {lambda, 100 * (1.15214 / lambda - 1)}),
-       .kind = Fault::listing,
-       .root = "`aux[0]` for `aux[1]`"});
-  claims.number(
-      "d_value", 2181, "The value to compute is $d=0.814683$: the mass arrives at $(0,d,d)$",
+           {lambda, 100 * (1.15214 / lambda - 1)})});
+  claims.formula<Output>(
+      "d_value", 2181, "The value to compute is $d=0.814683$: the mass arrives at $(0,d,d)$", digits(6),
       {.quantity = "$d$",
-       .truth = {"$x_2(2)$ of the table", d},
-       .printed = "0.814683",
-       .corrected = "0.703013",
-       .near_misses = {"0.703014"},
+       .truth = known("$x_2(2)$ of the table", d),
+       .printed = {"$0.814683$"},
+       .corrected = {"$0.703013$"},
        .kind = Fault::listing,
        .root = "`aux[0]` for `aux[1]`",
        .why = filled(
            "It comes from the slip of the listing (2079). The mass arrives at $(0,d,d)$ with $d=@6$, @2 m "
            "nearer to the origin along the segment.",
            {d, sqrt2 * (0.814683 - d)})});
-  const auto is_d = [&](const std::string& text, double factor) -> Reading {
-    return {
-        text,
-        {{"$d$", {text + ", from the table", lambda * factor}, {"$x_2(2)$ from the table", d}, rounding(1)}}};
-  };
-  claims.add(
+  claims.formula<Output>(
       "d_is_lambda", 1849, R"(The number to solve for is $d=\lambda(2)$)",
-      {.printed = is_d(R"($d$ is $\lambda(2)$)", 1),
-       .meant = is_d(R"($d$ is $\lambda(2)/\sqrt2$)", 1 / sqrt2),
-       .near_misses = {is_d(R"($d$ is $\lambda(2)/2$)", 0.5)},
+      {{{{R"(\lambda(2))", lambda}}, rounding(1)}},
+      {.quantity = "$d$",
+       .truth = known("$x_2(2)$ of the table", d),
+       .printed = {R"($d=\lambda(2)$)"},
+       .meant = {R"($d=\lambda(2)/\sqrt2$)"},
+       .kind = Fault::formula,
        .why = filled(
            R"($\lambda$ is a distance along the segment and $d$ a coordinate: $d=\lambda(2)/\sqrt2$, as in )"
            R"(the output's own @6 and @6. Taken at its word it places the mass @2 m too far along )"
            R"(the segment. The summary repeats it (1869).)",
-           {s, root_half<double>() * s, sqrt2 * lambda - lambda}),
-       .kind = Fault::formula});
+           {s, along_x3, sqrt2 * lambda - lambda})});
 
-  long rises = 0;
-  for (std::size_t i = 1; i < mended.lambda.size(); ++i) rises += !(mended.lambda[i] < mended.lambda[i - 1]);
-  claims.add("slipped", 2181, R"($\lambda$ has decreased: the mass has slipped down the segment)",
-             {.printed = {R"($\lambda(2)<\lambda(0)$, however it is computed)",
-                          {no_violations(R"($\lambda(2)<2$ by the listing, by the mended one, by the table)",
-                                         !(s < 2) + !(mended.lambda.back() < 2) + !(lambda < 2), 3)}},
-              .near_misses = {{R"($\lambda$ decreases all the time)",
-                               {no_violations(R"($\lambda$ decreases in a step)", rises, 200)}}}});
+  std::vector<Output> ends;
+  for (const double by : {s, mended.lambda.back(), lambda})
+    ends.push_back({{{R"(\lambda(0))", book.s0}, {R"(\lambda(2))", by}}, {}});
+  claims.statement<Output>(
+      "slipped", 2181,
+      R"($\lambda$ has decreased: the mass has slipped down the segment (our check: by the listing, by the mended one, )"
+      R"(by the table))",
+      ends, {.printed = {R"($\lambda(2)<\lambda(0)$)"}, .near_misses = {{R"($\lambda(2)<\lambda(0)/2$)"}}});
 }
 
 }  // namespace
@@ -820,10 +762,9 @@ constexpr const char* by_start = R"(
 
 /// A spring at its rest length does not pull.
 constexpr const char* by_rest = R"(
-  try reflexivity; assert (0 < b * b) by (apply Rmult_lt_0_compat; lra);
-  assert (0 < sqrt ((b - c) * (b - c) + b * b))
-    by (apply sqrt_lt_R0; pose proof (Rle_0_sqr (b - c)); unfold Rsqr in *; lra);
-  field; lra)";
+  assert (two : sqrt 2 * sqrt 2 = 2) by (apply sqrt_sqrt; lra);
+  rewrite ?cos_0, ?sin_0;
+  match goal with |- _ * (sqrt ?x - sqrt ?y) = _ => replace x with y by (field [two]) end; ring)";
 
 constexpr const char* by_half_right_angle = R"(
   replace (a / sqrt (a * a + a * a)) with (cos (PI / 4));

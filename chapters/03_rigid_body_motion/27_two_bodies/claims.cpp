@@ -49,11 +49,6 @@ struct SampleOf {
             {R"(\beta)", beta()},
             {R"(\gamma)", gamma()}};
   }
-  std::string where() const {
-    return "$m_1$ = " + format_significant(m1, 4) + ", $m_2$ = " + format_significant(m2, 4) +
-           ", $r$ = " + format_significant(q[0], 4) + R"(, $\dot\varphi$ = )" + format_significant(v[2], 4);
-  }
-
   /// Size of the terms of r'' that do not always cancel.
   double terms() const {
     const double speed = std::abs(v[0]) + q[0] * std::abs(v[2]);
@@ -140,10 +135,6 @@ struct Later {
   }
   Tolerance tolerance(double) const { return by_integration; }
   TypesetLetters typeset() const { return {{"r_0", b.r0}, {R"(\dot\varphi_0)", b.phi0_dot}}; }
-  std::string where() const {
-    return "$m_1$ = " + format_significant(b.m1, 4) + ", $m_2$ = " + format_significant(b.m2, 4) +
-           ", $r_0$ = " + format_significant(b.r0, 4);
-  }
 };
 
 /// An initial condition in space on the meridian theta0, near one of the poles, which it passes. The second
@@ -172,13 +163,8 @@ struct PastThePole {
     flat = by_system(b, b.r0 * b.r0 * b.phi0_dot, gamma);
   }
   Tolerance tolerance(double) const { return by_integration; }
-  std::string where() const {
-    return R"($\theta_0$ = )" + format_significant(theta0, 4) + R"(, $\varphi_0$ = )" +
-           format_significant(b.phi0, 4);
-  }
-  Value on_meridian(double theta, double from_axis) const {
-    return {from_axis * std::cos(theta), from_axis * std::sin(theta), flat[0]};
-  }
+  /// The distances from the axis and from the equator's plane, by the published system.
+  TypesetLetters typeset() const { return {{R"(\theta_0)", theta0}, {R"(\rho)", flat[1]}, {"z", flat[0]}}; }
 };
 
 const std::string by_lagrange = "Lagrange's equations of both bodies by nested dual numbers";
@@ -243,44 +229,33 @@ void equations(Claims& claims, const std::vector<Sample>& all, const std::vector
     const Formula<Sample> turning{by_lagrange, [=](K k) { return k.lagrange({k.v[0], rate, k.v[2]})[1]; }};
     return compare(R"($\ddot\theta$)", turning, {"zero", [](K) { return 0.0; }}, all);
   };
-  const auto in_space = [&](const std::string& text, const auto& place) {
-    return compare<PastThePole>(R"($(x,y,z)$ at $t=1$)", {text, place},
-                                {"the relative motion in Cartesian coordinates, Fehlberg 7(8)",
-                                 [](const PastThePole& k) {
-                                   return Value{k.x[0], k.x[1], k.x[2]};
-                                 }},
-                                passing);
-  };
-  const std::string
-      running = R"($\theta=\theta_0$ also beyond a pole, $\varphi$ running on below 0 or above $\pi$)",
-      kept = R"($\varphi$ kept between 0 and $\pi$)";
-  const auto on_theta0 = [](const PastThePole& k) { return k.on_meridian(k.theta0, k.flat[1]); };
+  const Formula<PastThePole> in_space{"the relative motion in Cartesian coordinates, Fehlberg 7(8)",
+                                      [](const PastThePole& k) {
+                                        return Value{k.x[0], k.x[1], k.x[2]};
+                                      }};
+  const std::string place = "$(x,y,z)$ at $t=1$",
+                    on_meridian = R"($(\rho\cos\theta_0,\ \rho\sin\theta_0,\ z)$)";
   // The text's "theta_0 = 0" has lost its overdot: theta is the angle about the pole, and the plane can be
   // any meridian.
-  claims.add(
-      "theta_constant", 2755, R"(With $\dot\theta=0$ at the start $\theta$ keeps its value)",
-      {.printed = {R"($\ddot\theta=0$ where $\dot\theta=0$)", {stays(0), in_space(running, on_theta0)}},
-       .near_misses = {{R"($\ddot\theta=0$ also where $\dot\theta=1$)", {stays(1)}},
-                       {kept, {in_space(kept, [](const PastThePole& k) {
-                          return k.on_meridian(k.theta0, std::abs(k.flat[1]));
-                        })}}}});
-
-  claims.add(
+  claims.add("theta_constant", 2755, R"(With $\dot\theta=0$ at the start $\theta$ keeps its value)",
+             {.printed = {R"($\ddot\theta=0$ where $\dot\theta=0$)",
+                          {stays(0), compare<PastThePole>(place, computed(Formula<PastThePole>{on_meridian}),
+                                                          in_space, passing)}},
+              .near_misses = {{R"($\ddot\theta=0$ also where $\dot\theta=1$)", {stays(1)}}}});
+  claims.formula<PastThePole>(
       "initial_conditions", 2787,
-      R"(The initial conditions are $r_0,\dot r_0,\varphi_0$ and $\dot\varphi_0$)",
-      {.printed = {R"(these four, $\theta$ being nowhere set)",
-                   {in_space("on the meridian 0",
-                             [](const PastThePole& k) { return k.on_meridian(0, k.flat[1]); })}},
-       .meant = {R"(these four and $\theta_0$)", {in_space(R"(on the meridian $\theta_0$)", on_theta0)}},
-       .near_misses = {{R"(these four and $-\theta_0$)",
-                        {in_space(
-                            R"(on the meridian $-\theta_0$)",
-                            [](const PastThePole& k) { return k.on_meridian(-k.theta0, k.flat[1]); })}}},
+      R"(The initial conditions are $r_0,\dot r_0,\varphi_0$ and $\dot\varphi_0$ (our check: the place that they )"
+      R"(determine, $\rho=r\sin\varphi$ from the axis))",
+      passing,
+      {.quantity = place,
+       .truth = in_space,
+       .printed = {R"($(\rho,\ 0,\ z)$)"},
+       .meant = {on_meridian},
+       .kind = Fault::left_out,
        .why =
            R"(The list lacks $\theta_0$, which by the first line has to be specified. The motion in its )"
            R"(plane does not need it, the place in space does: without it every orbit lies on the meridian )"
-           R"($\theta=0$, turned by $\theta_0$ out of its plane.)",
-       .kind = Fault::left_out});
+           R"($\theta=0$, turned by $\theta_0$ out of its plane.)"});
 }
 
 void motions(Claims& claims, const std::vector<Later>& all) {
@@ -309,9 +284,7 @@ void motions(Claims& claims, const std::vector<Later>& all) {
        .meant = {R"($\dot u=\beta^2/r^3-\gamma/r^2$, $\dot\varphi=\beta/r^2$)",
                  [=](K k) { return by_system(k.b, beta(k), gamma(k)); }},
        .near_misses = {{R"(as meant, with $\gamma=Gm_1$)",
-                        [=](K k) { return by_system(k.b, beta(k), k.b.G * k.b.m1); }},
-                       {R"(as meant, with $\beta=r_0\dot\varphi_0$)",
-                        [=](K k) { return by_system(k.b, beta(k) / k.b.r0, gamma(k)); }}},
+                        [=](K k) { return by_system(k.b, beta(k), k.b.G * k.b.m1); }}},
        .kind = Fault::lost_typography,
        .why =
            R"(The bars over $r^2$ are lost in lines 2783 and 2785; the equations in lines 2757 and 2773 have the )"
@@ -335,16 +308,14 @@ void state_and_data(Claims& claims, const Reference& truth) {
                      {1000 * tolerance, "a thousand tolerances of the integration"},
                      1}}};
   };
-  Bodies reduced = b, still = b;
-  reduced.G *= b.m1 * b.m2 / ((b.m1 + b.m2) * (b.m1 + b.m2));
+  Bodies still = b;
   still.r0_dot = 0;
   claims.add(
       "state_and_data", 2787,
       R"(The state is $r,u,\varphi$, the data are $m_1,m_2,G$ with the four initial values, and $\beta$ and )"
       R"($\gamma$ follow from them (our reading: these determine the motion in its plane))",
       {.printed = from("the motion from these alone", b),
-       .near_misses = {from(R"($\gamma$ with the reduced mass for the sum)", reduced),
-                       from(R"(without the rate $\dot r_0$)", still)}});
+       .near_misses = {from(R"(without the rate $\dot r_0$)", still)}});
 
   // the program as the solution of 3.15 lists it: a state of numbers, and fixed steps of Runge-Kutta 4
   const auto in_steps = [&](double step) {
