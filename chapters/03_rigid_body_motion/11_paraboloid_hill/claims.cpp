@@ -46,10 +46,13 @@ struct SampleOf {
             {"g", g},
             {"t", t},
             {"x_1", x[0]},
+            {"x_2", x[1]},
             {"v_1", v[0]},
             {"v_2", v[1]},
+            {R"(\dot x_1)", v[0]},
+            {R"(\dot x_2)", v[1]},
             {R"(\ddot x_1)", a[0]},
-            {"B", (x[0] * a[0] + v[0] * v[0]) / A1() + (x[1] * a[1] + v[1] * v[1]) / A2()}};
+            {R"(\ddot x_2)", a[1]}};
   }
   T A1() const { return hill.a1 * hill.a1; }
   T A2() const { return hill.a2 * hill.a2; }
@@ -57,12 +60,6 @@ struct SampleOf {
   /// The left side of Lagrange's equations, zero for a motion.
   Two<T> lagrange(const Two<T>& at, const Two<T>& acceleration) const {
     return lagrange_left_side(height_field::Lagrangian<Hill<T>, T>{hill, g}, at, v, acceleration);
-  }
-  /// The first term of the first equation on (v1 t, v2 t); `as_products`: as printed, with its fractions
-  /// multiplied out.
-  T first_term(bool as_products) const {
-    return as_products ? 4 * v[0] * t * A1() * (v[0] * v[0] * A1() + v[1] * v[1] * A2())
-                       : 4 * v[0] * t / A1() * K();
   }
   Two<T> on_line() const { return lagrange({v[0] * t, v[1] * t}, {T(0), T(0)}); }
   /// The hill's vertical force per mass on (v1 t, v2 t).
@@ -91,8 +88,7 @@ void equations(Table& table, const std::vector<Sample>& samples) {
                            [=](const auto& s) {
                              return values(derivative(position(s, 0), s.t), derivative(position(s, 1), s.t));
                            }},
-                 .printed = {"$(v_1,v_2)$"},
-                 .near_misses = {{"$(v_1t,v_2t)$"}}});
+                 .printed = {"$(v_1,v_2)$"}});
   table.formula("acceleration", 1543, R"($(\ddot x_1,\ddot x_2)=(0,0)$ for $(x_1,x_2)=(v_1t,v_2t)$)", samples,
                 {.quantity = "the second derivative of $(v_1t,v_2t)$",
                  .truth = {"dual numbers",
@@ -101,22 +97,15 @@ void equations(Table& table, const std::vector<Sample>& samples) {
                                            second_derivative(position(s, 1), s.t));
                            },
                            [](const Sample& s) { return size_of(s.v) / abs(s.t); }},
-                 .printed = {"$(0,0)$"},
-                 .near_misses = {{"$(v_1,v_2)$"}}});
+                 .printed = {"$(0,0)$"}});
 
   const std::string lagrange =
       R"($\frac d{dt}\frac{\partial L}{\partial\dot x_1}-\frac{\partial L}{\partial x_1}$ )"
       "by nested dual numbers";
-  /// `power` is that of a1 below 4 x1; `squares` is the factor of the squared speeds in the bracket.
-  const auto equation = [](std::string text, double sign, int power,
-                           double squares) -> ProvableFormula<SampleOf> {
-    return {std::move(text), [=](const auto& s) {
-              return s.a[0] +
-                     sign * 4 * s.x[0] / (power == 1 ? s.hill.a1 : s.A1()) *
-                         ((s.x[0] * s.a[0] + squares * s.v[0] * s.v[0]) / s.A1() +
-                          (s.x[1] * s.a[1] + squares * s.v[1] * s.v[1]) / s.A2()) -
-                     2 * s.g * s.x[0] / s.A1();
-            }};
+  const auto equation = [](const std::string& square) {
+    return R"($0=\ddot x_1+\frac{4x_1}{)" + square +
+           R"(}\left(\frac{x_1\ddot x_1+\dot x_1^2}{a_1^2}+\frac{x_2\ddot x_2+\dot x_2^2}{a_2^2}\right))"
+           R"(-\frac{2gx_1}{a_1^2}$)";
   };
   table.formula(
       "first_equation", 1545,
@@ -125,10 +114,8 @@ void equations(Table& table, const std::vector<Sample>& samples) {
       samples,
       {.quantity = "the expression that the first equation of motion sets to zero",
        .truth = {lagrange, [](const auto& s) { return s.lagrange(s.x, s.a)[0]; }},
-       .printed = equation(R"($0=\ddot x_1+\frac{4x_1}{a_1}B-\frac{2gx_1}{a_1^2}$)", 1, 1, 1),
-       .meant = equation(R"($0=\ddot x_1+\frac{4x_1}{a_1^2}B-\frac{2gx_1}{a_1^2}$)", 1, 2, 1),
-       .near_misses = {equation(R"($0=\ddot x_1-\frac{4x_1}{a_1^2}B-\frac{2gx_1}{a_1^2}$)", -1, 2, 1),
-                       equation("without the squares of the speeds", 1, 2, 0)},
+       .printed = equation("a_1"),
+       .meant = equation("a_1^2"),
        .kind = Fault::formula,
        .why = filled(
            R"(The factor before the bracket is $4x_1/a_1^2$, as in the next line; with the hill )"
@@ -140,31 +127,27 @@ void equations(Table& table, const std::vector<Sample>& samples) {
   Sample narrow, wider;
   narrow.hill = {1, 2}, narrow.v = {1, 1}, narrow.t = 1;
   wider = narrow, wider.hill = {2, 4};
-  const auto on_line = [](std::string text, double gravity) -> ProvableFormula<SampleOf> {
-    return {std::move(text),
-            [=](const auto& s) { return s.first_term(false) - gravity * s.g * s.v[0] * s.t / s.A1(); }};
+  const std::string products = R"(4v_1t\,a_1^2(v_1^2a_1^2+v_2^2a_2^2))",
+                    quotients = R"(\frac{4v_1t}{a_1^2}\Big(\frac{v_1^2}{a_1^2}+\frac{v_2^2}{a_2^2}\Big))",
+                    last = R"(-\frac{2gv_1t}{a_1^2}$)";
+  const auto growth = [&](const std::string& term) {
+    const TypesetFormula first("$" + term + "$");
+    return first(wider.typeset())[0] / first(narrow.typeset())[0];
   };
   table.formula(
       "substituted", 1563,
-      R"(On $(v_1t,v_2t)$ the first equation is )"
-      R"($0=0+\frac{4v_1t}{a_1^2}\Big(\frac{v_1^2}{a_1^2}+\frac{v_2^2}{a_2^2}\Big)-\frac{2gv_1t}{a_1^2}$, three )"
-      R"(fraction bars lost)",
+      R"(On $(v_1t,v_2t)$ the first equation is $0=0+)" + quotients + last + ", three fraction bars lost",
       samples,
       {.quantity = "the expression that the first equation sets to zero on $(v_1t,v_2t)$",
        .truth = {lagrange, [](const auto& s) { return s.on_line()[0]; }},
-       .printed = {R"($0=0+4v_1t\,a_1^2(v_1^2a_1^2+v_2^2a_2^2)-2gv_1t/a_1^2$, as products)",
-                   [](const auto& s) { return s.first_term(true) - 2 * s.g * s.v[0] * s.t / s.A1(); }},
-       .meant = on_line(
-           R"($0=0+\frac{4v_1t}{a_1^2}\Big(\frac{v_1^2}{a_1^2}+\frac{v_2^2}{a_2^2}\Big)-\frac{2gv_1t}{a_1^2}$)",
-           2),
-       .near_misses = {on_line("$g$ for $2g$ in the last term", 1), on_line("plus the last term", -2)},
+       .printed = "$0=0+" + products + last,
+       .meant = "$0=0+" + quotients + last,
        .kind = Fault::lost_typography,
        .why = filled(
            R"(The bars of the first term's three fractions are lost in the text at hand; the last term has )"
            R"(its own. As products the terms cannot be added. On a hill twice as wide, with $a_1$ and $a_2$ )"
            R"(doubled, the first one should change by the factor @2, and changes by @2.)",
-           {wider.first_term(false) / narrow.first_term(false),
-            wider.first_term(true) / narrow.first_term(true)})});
+           {growth(quotients), growth(products)})});
 }
 
 /// On the default hill along (1, 1), at this fraction of the speed that makes the path straight.
@@ -334,25 +317,20 @@ void paths(Claims& claims, double seed) {
       "for paths from the top, held to the hill: those with "
       "$v_1^2/a_1^2+v_2^2/a_2^2=g/2$";
   const auto samples = draw<Sample>(200, seed);
-  const auto at_rest = [](const Sample& s) { return s.lagrange({s.v[0] * s.t, s.v[1] * s.t}, {0, 0}); };
-  const auto on_line = [&](std::string text, const std::function<double(const Sample&)>& push) {
-    return compare<Sample>("decrease of Lagrange's left sides by the acceleration at a point $tv$",
-                           {std::move(text),
-                            [=](const Sample& s) {
-                              const Two<double> without = at_rest(s),
-                                                with = s.lagrange({s.v[0] * s.t, s.v[1] * s.t},
-                                                                  s.acceleration(push(s)));
-                              return values(without[0] - with[0], without[1] - with[1]);
-                            }},
-                           {"their values without acceleration, by nested dual numbers",
-                            [=](const Sample& s) { return values(at_rest(s)[0], at_rest(s)[1]); }},
-                           samples);
-  };
   const auto push = [](const Sample& s) { return s.g - 2 * s.K(); };
   Reading straight = of_all(held + ", along an axis, or on a round hill; no others",
                             [](const Path& p) { return p.is(p.condition || p.axis || p.round()); });
-  straight.checks.push_back(
-      on_line(R"(with $\ddot x=-(g-2K)\,n/(1+n\cdot n)$, $n$ the slope $-2t(v_1/a_1^2,\,v_2/a_2^2)$)", push));
+  straight.checks.push_back(compare<Sample>(
+      "decrease of Lagrange's left sides by the acceleration at a point $tv$",
+      {R"(with $\ddot x=-(g-2K)\,n/(1+n\cdot n)$, $n$ the slope $-2t(v_1/a_1^2,\,v_2/a_2^2)$)",
+       [=](const Sample& s) {
+         const Two<double> without = s.on_line(),
+                           with = s.lagrange({s.v[0] * s.t, s.v[1] * s.t}, s.acceleration(push(s)));
+         return values(without[0] - with[0], without[1] - with[1]);
+       }},
+      {"their values without acceleration, by nested dual numbers",
+       [](const Sample& s) { return Value(s.on_line()); }},
+      samples));
   straight.checks.push_back(compare<Sample>(
       R"($\dot x_1\ddot x_2-\dot x_2\ddot x_1$ there)",
       {R"($-2t\,(g-2K)v_1v_2(a_1^{-2}-a_2^{-2})/(1+n\cdot n)$)",
@@ -375,9 +353,7 @@ void paths(Claims& claims, double seed) {
                          [](const Path& p) { return p.condition || p.is(false); }),
        .corrected = straight,
        .near_misses = {of_all(held + ", or on a round hill; no others",
-                              [](const Path& p) { return p.is(p.condition || p.round()); }),
-                       {"with $g-K$ for $g-2K$",
-                        {on_line("with $g-K$ for $g-2K$", [](const Sample& s) { return s.g - s.K(); })}}},
+                              [](const Path& p) { return p.is(p.condition || p.round()); })},
        .why =
            R"(A particle sent off from the top along an axis stays above it at any speed, and on a round hill, )"
            R"($a_1=a_2$, every path through the top is straight; only its speed is not constant. Too fast a )"

@@ -98,11 +98,12 @@ struct OnCylinderOf {
 };
 using OnCylinder = OnCylinderOf<double>;
 
-/// A chute, a position and a velocity in the plane, a friction, an angle and a distance along the axis.
+/// A chute, a position and a velocity in the plane, a friction, an angle, and a parameter t: a time, or a
+/// distance along the axis.
 template <class T>
 struct OnChuteOf {
   Chute<T> chute;
-  T g, x1, x2, x3, v1, v2, k, phi, way;
+  T g, x1, x2, x3, v1, v2, k, phi, t;
 
   OnChuteOf() = default;
   explicit OnChuteOf(Random& random)
@@ -115,13 +116,13 @@ struct OnChuteOf {
         v2(random.magnitude(0.05, 3)),
         k(random.between(0.1, 2)),
         phi(random.magnitude(0.05, 1.4)),
-        way(random.magnitude(0.05, 3)) {
+        t(random.magnitude(0.05, 3)) {
     chute.H = chute.L * sin(random.between(0.1, 1.4));
   }
   T cosine() const { return sqrt(chute.L * chute.L - chute.H * chute.H) / chute.L; }
   T theta() const { return asin(chute.H / chute.L); }
   std::array<T*, 12> letters() {
-    return {&chute.R, &chute.L, &chute.H, &g, &x1, &x2, &x3, &v1, &v2, &k, &phi, &way};
+    return {&chute.R, &chute.L, &chute.H, &g, &x1, &x2, &x3, &v1, &v2, &k, &phi, &t};
   }
   TypesetIn<T> typeset() const {
     return {{"R", chute.R},
@@ -135,6 +136,10 @@ struct OnChuteOf {
             {R"(\dot x_1)", v1},
             {R"(\dot x_2)", v2},
             {"k", k},
+            {"t", t},
+            {"S", S()},
+            {"x_1(0)", x1},
+            {R"(\dot x_1(0))", v1},
             {"d_1", d1()},
             {"d_3", d3()},
             {"p_3", p3()},
@@ -169,9 +174,9 @@ struct OnChuteOf {
     const Two<T> a =
         lagrange_accelerations(AlongAndAbout<T>{chute, g}, Two<T>{along, angle}, {speed, turning});
     const auto x = [&](std::size_t i) {
-      return [&, i](const auto& t) {
-        return chute.position(along + speed * t + 0.5 * a[0] * t * t,
-                              angle + turning * t + 0.5 * a[1] * t * t)[i];
+      return [&, i](const auto& time) {
+        return chute.position(along + speed * time + 0.5 * a[0] * time * time,
+                              angle + turning * time + 0.5 * a[1] * time * time)[i];
       };
     };
     return {second_derivative(x(0), T(0)), second_derivative(x(1), T(0))};
@@ -184,7 +189,7 @@ struct OnChuteOf {
   T excess() const { return quadratic<T>({x1, x2, x3 - p3()}, {d1(), 0, d3()}) - chute.R * chute.R; }
   /// A point of the chute's half of the cylinder, or, rotated by pi, of the other half.
   Three<T> on_it(bool other_half = false) const {
-    return chute.position(way, other_half ? phi + pi_of<T>() : phi);
+    return chute.position(t, other_half ? phi + pi_of<T>() : phi);
   }
   /// A copy with such a point as its position.
   OnChuteOf placed() const {
@@ -213,16 +218,12 @@ struct OnChuteOf {
     there.chute.H = chute.L * sin(angle);
     return there.accelerations()[0];
   }
-  /// The published accelerations, with `square` for x2'^2 and `slope` for h_x1.
-  Two<T> published(const T& square, const T& slope) const {
-    const T R2 = chute.R * chute.R, c = cosine(), r = depth(), tangent = chute.H / (chute.L * c);
-    const T above = R2 * square / (r * r * r * c) + g;
-    const T factor = -above / (1 + tangent * tangent + x2 * x2 / (r * r * c * c));
-    return {factor * slope, factor * x2 / (r * c)};
+  /// Ratio of x2'' to x2 in the published equation without friction.
+  T S() const {
+    const T c = cosine(), r = depth(), tangent = chute.H / (chute.L * c);
+    return -(chute.R * chute.R * v2 * v2 / (r * r * r * c) + g) /
+           ((1 + tangent * tangent + x2 * x2 / (r * r * c * c)) * r * c);
   }
-  T slope() const { return -chute.H / (chute.L * cosine()); }
-  /// The first form of x1'' on the center line, with its numerator as a product.
-  T center_as_printed() const { return g * (chute.H * chute.L * cosine()) / (1 + slope() * slope()); }
   T depth() const { return sqrt(chute.R * chute.R - x2 * x2); }
 
   T bracket(const Three<T>& x) const { return d1() * (x[2] - p3()) - d3() * x[0]; }
@@ -421,25 +422,6 @@ void on_the_chute(ChuteTable& table, const std::vector<OnChute>& samples) {
 
 // ---- the height's derivatives -----------------------------------------------------------------------------
 
-/// A quantity that should vanish, and the size of its terms, which cancel.
-struct Vanishing {
-  double value, terms;
-  std::string place;
-  double size() const { return terms; }
-  std::string where() const { return place; }
-};
-/// Compares value and size by `of` with zero at every sample.
-template <class Of>
-Check vanishes(std::string quantity, std::string by, const std::vector<OnChute>& samples, const Of& of) {
-  std::vector<Vanishing> all;
-  for (const OnChute& s : samples) {
-    const auto [value, terms] = of(s);
-    all.push_back({value, terms, s.where()});
-  }
-  return compare<Vanishing>(std::move(quantity), {"zero", [](const Vanishing&) { return 0.0; }},
-                            {std::move(by), [](const Vanishing& v) { return v.value; }}, all);
-}
-
 void derivatives(Claims& claims, ChuteTable& table, const std::vector<OnChute>& samples) {
   table.formula(
       "h1", 1673, R"(The derivative $h_{x_1}$ is $-H/(L\cos\theta)$)", samples,
@@ -466,20 +448,8 @@ void derivatives(Claims& claims, ChuteTable& table, const std::vector<OnChute>& 
        .kind = Fault::lost_typography,
        .why =
            "The fraction's bar is lost. Towards the rim this slope becomes infinite, and the product zero."});
-  const auto second = [&](const std::string& quantity, int i, int j) {
-    return vanishes(quantity, "$h$ by nested dual numbers", samples,
-                    [=](const OnChute& s) { return std::pair(s.second(i, j), abs(s.second(2, 2))); });
-  };
-  const auto zero = [&](const std::string& text, std::vector<Check> all) {
-    const bool holds = std::ranges::all_of(all, &Check::holds);
-    return Reading{text, std::move(all),
-                   is_as_typeset(compare_typeset(
-                       Statement<OnChute>{text, [=](const OnChute&) { return holds; }}, samples))};
-  };
-  claims.add("h11_h12", 1679, "$h_{x_1x_1}=h_{x_1x_2}=0$",
-             {.printed = zero("$h_{x_1x_1}=h_{x_1x_2}=0$",
-                              {second("$h_{x_1x_1}$", 1, 1), second("$h_{x_1x_2}$", 1, 2)}),
-              .near_misses = {zero("$h_{x_2x_2}=0$", {second("$h_{x_2x_2}$", 2, 2)})}});
+  claims.statement<OnChute>("h11_h12", 1679, "$h_{x_1x_1}=h_{x_1x_2}=0$", samples,
+                            {.printed = {"$h_{x_1x_1}=h_{x_1x_2}=0$"}, .near_misses = {{"$h_{x_2x_2}=0$"}}});
   table.formula("h22", 1681, R"($h_{x_2x_2}=R^2/\big((R^2-x_2^2)^{3/2}\cos\theta\big)$)", samples,
                 {.quantity = "$h_{x_2x_2}$",
                  .truth = {"$h$ by nested dual numbers", [](const auto& s) { return s.second(2, 2); }},
@@ -488,123 +458,111 @@ void derivatives(Claims& claims, ChuteTable& table, const std::vector<OnChute>& 
 
 // ---- the equations of motion ------------------------------------------------------------------------------
 
-void equations(Claims& claims, const std::vector<OnChute>& samples) {
-  using S = const OnChute&;
-  using Form = Formula<OnChute>;
-  const Form lagrange{"Lagrange's equations by nested dual numbers", [](S s) { return s.accelerations(); }},
-      about{"Lagrange's equations along and about the axis, mapped by dual numbers",
-            [](S s) { return s.accelerations_about_axis(); }};
-  const auto reading = [&](std::string quantity, const Form& formula,
-                           std::initializer_list<Form> truths) -> Reading {
-    const Form form = computed(formula);
-    Reading all{form.text, {}, is_as_typeset(compare_typeset(form, samples))};
-    for (const Form& truth : truths) all.checks.push_back(compare(quantity, form, truth, samples));
-    return all;
-  };
-  const std::string both = R"($(\ddot x_1,\ddot x_2)$)";
-  const auto written = [](const std::string& square, const std::string& gravity, const std::string& slope) {
-    return R"($-\frac{R^2)" + square + R"(/\left((R^2-x_2^2)^{3/2}\cos\theta\right))" + gravity +
-           R"(}{1+H^2/(L^2\cos^2\theta)+x_2^2/\left((R^2-x_2^2)\cos^2\theta\right)}\left()" + slope +
-           R"(,\ \frac{x_2}{(R^2-x_2^2)^{1/2}\cos\theta}\right)$)";
-  };
-  const std::string rate = R"(\dot x_2^2)", gradient = R"(-\frac{H}{L\cos\theta})",
-                    right = written(rate, "+g", gradient);
-  claims.add(
-      "equations", 1691, R"(The equations of motion are $(\ddot x_1,\ddot x_2)=)" + right.substr(1),
-      {.printed = reading(both, {written("x_2^2", "+g", R"(-HL\cos\theta)")}, {lagrange}),
-       .meant = reading(both, {right}, {lagrange, about}),
-       .near_misses = {reading(both, {written(rate, "-g", gradient)}, {lagrange})},
+/// The equations of motion, with a square in the numerator and the slope along x1.
+std::string equations(const std::string& square, const std::string& slope) {
+  return R"($-\frac{R^2)" + square +
+         R"(/\left((R^2-x_2^2)^{3/2}\cos\theta\right)+g}{1+H^2/(L^2\cos^2\theta)+x_2^2/\left((R^2-x_2^2)\cos^2\theta\right)}\left()" +
+         slope + R"(,\ \frac{x_2}{(R^2-x_2^2)^{1/2}\cos\theta}\right)$)";
+}
+const std::string equations_printed = equations("x_2^2", R"(-HL\cos\theta)"),
+                  equations_meant = equations(R"(\dot x_2^2)", R"(-\frac{H}{L\cos\theta})");
+
+void motion(Claims& claims, const std::vector<OnChute>& samples) {
+  claims.formula<OnChute>(
+      "equations", 1691, R"(The equations of motion are $(\ddot x_1,\ddot x_2)=)" + equations_meant.substr(1),
+      samples,
+      {.quantity = R"($(\ddot x_1,\ddot x_2)$)",
+       .truth = {"Lagrange's equations by nested dual numbers",
+                 [](const OnChute& s) { return s.accelerations(); }},
+       .other_routes = {{"Lagrange's equations along and about the axis, mapped by dual numbers",
+                         [](const OnChute& s) { return s.accelerations_about_axis(); }}},
+       .printed = {equations_printed},
+       .meant = {equations_meant},
+       .kind = Fault::lost_typography,
        .why =
            R"(A dot and a bar are lost: the numerator has $R^2\dot x_2^2$, and the vector is the gradient )"
            R"($(-H/(L\cos\theta),\,x_2/((R^2-x_2^2)^{1/2}\cos\theta))$. So read, it follows from Lagrange's )"
-           R"(equations, in the coordinates of the plane and in those of the cylinder.)",
-       .kind = Fault::lost_typography});
+           R"(equations, in the coordinates of the plane and in those of the cylinder.)"});
+}
 
-  const Form truth{"Lagrange's equations at $x_2=\\dot x_2=0$",
-                   [](S s) { return s.on_center().accelerations()[0]; }};
-  const auto over = [](std::string text, double (*tangent)(S)) -> Form {
-    return {std::move(text), [=](S s) {
-              const double t = tangent(s);
-              return s.g * t / (1 + t * t);
-            }};
+/// A component of Lagrange's accelerations, with `friction` times the sample's.
+ProvableFormula<OnChuteOf> lagrange(std::size_t i, double friction = 0) {
+  return {"Lagrange's equations", [=](const auto& s) { return s.accelerations(friction * s.k)[i]; },
+          [=](const OnChute& s) { return size_of(s.accelerations(friction * s.k)); }};
+}
+
+/// Claims about a ball on the center line without speed across.
+void center(ChuteTable& table, const std::vector<OnChute>& samples) {
+  const std::string other_forms = R"(\frac{g\tan\theta}{1+\tan^2\theta})", half = R"(\frac g2\sin2\theta)",
+                    denominator = R"(}{1+H^2/(L^2\cos^2\theta)},\ )";
+  const auto forms = [&](const std::string& numerator) {
+    return R"($\left(\frac{)" + numerator + denominator + other_forms + R"(,\ )" + half + R"(\right)$)";
   };
-  const std::string first = R"($\ddot x_1$ on the center line)";
-  const Form by_slope = over(R"($gt/(1+t^2)$, $t=H/(L\cos\theta)$)", [](S s) { return -s.slope(); }),
-             by_tangent = over(R"($g\tan\theta/(1+\tan^2\theta)$)", [](S s) { return std::tan(s.theta()); }),
-             by_sine{R"($\frac g2\sin2\theta$)", [](S s) { return s.g / 2 * sin(2 * s.theta()); }},
-             product{R"($gHL\cos\theta/(1+t^2)$)", [](S s) { return s.center_as_printed(); }};
-  const std::string other_forms =
-      R"(=\frac{g\tan\theta}{1+\tan^2\theta}=\frac g2\sin2\theta$, $t=\frac H{L\cos\theta}$)";
-  const auto chain = [&](const std::string& numerator, const Form& beginning) {
-    Reading all{R"($\ddot x_1=\frac{)" + numerator + "}{1+t^2}" + other_forms, {}};
-    for (const Form& form : {beginning, by_tangent, by_sine})
-      all.checks.push_back(compare(first, form, truth, samples));
-    return all;
-  };
-  claims.add(
-      "center_acceleration", 1717, R"(On the center line $\ddot x_1=\frac{gt}{1+t^2})" + other_forms,
-      {.printed = chain(R"(gHL\cos\theta)", product),
-       .meant = chain("gt", by_slope),
-       .near_misses = {reading(first, {R"($g\sin\theta$)", [](S s) { return s.g * sin(s.theta()); }},
-                               {truth}),
-                       reading(first, {R"($g\sin2\theta$)", [](S s) { return s.g * sin(2 * s.theta()); }},
-                               {truth})},
+  table.formula("x2_zero", 1715, "$x_2(t)=0$ for all time solves the second equation of motion", samples,
+                {.quantity = R"($\ddot x_2$ at $x_2=\dot x_2=0$)",
+                 .truth = lagrange(1),
+                 .printed = R"($\ddot x_2=0$)"});
+  table.formula(
+      "center_acceleration", 1717,
+      R"(On the center line $\ddot x_1=\frac{gt}{1+t^2}=)" + other_forms + "=" + half +
+          R"($, $t=\frac H{L\cos\theta}$)",
+      samples,
+      {.quantity = R"($\ddot x_1$ on the center line)",
+       .truth = lagrange(0),
+       .printed = forms(R"(gHL\cos\theta)"),
+       .meant = forms(R"(gH/(L\cos\theta))"),
+       .kind = Fault::lost_typography,
        .why = filled(
            R"(The bar of the numerator, $H/(L\cos\theta)$, is lost; that of the denominator is there. For the )"
            R"(default chute the numerator is @2 and its product @2: @2 m/s$^2$ for @3.)",
-           {0.75, 12, 9.81 * 12 / (1 + 0.75 * 0.75), 9.81 * 0.75 / (1 + 0.75 * 0.75)}),
-       .kind = Fault::lost_typography});
-}
-
-void center_motion(ChuteTable& table, const std::vector<OnChute>& samples) {
-  const auto moves = [](std::string text, double factor) -> ProvableFormula<OnChuteOf> {
-    return {std::move(text), [=]<class T>(const OnChuteOf<T>& s) {
-              const auto x = [&](const auto& t) {
-                return s.x1 + s.v1 * t + (s.g * sin(2 * s.theta()) * factor) * t * t;
-              };
-              return values(x(T(0)), derivative(x, T(0)), second_derivative(x, T(1.5)));
-            }};
-  };
+           {0.75, 12, 9.81 * 12 / (1 + 0.75 * 0.75), 9.81 * 0.75 / (1 + 0.75 * 0.75)})});
   table.formula(
       "center_motion", 1735, R"(On the center line $x_1(t)=x_1(0)+\dot x_1(0)t+\frac{g\sin2\theta}4t^2$)",
       samples,
-      {.quantity = R"($(x_1(0),\dot x_1(0),\ddot x_1)$ by dual numbers)",
-       .truth = {"the start, and Lagrange's equations",
-                 [](const auto& s) { return values(s.x1, s.v1, s.on_center().accelerations()[0]); }},
-       .printed = moves(R"(of $x_1(0)+\dot x_1(0)t+\frac{g\sin2\theta}4t^2$)", 0.25),
-       .near_misses = {moves(R"(of $x_1(0)+\dot x_1(0)t+\frac{g\sin2\theta}2t^2$)", 0.5)}});
+      {.quantity = "$x_1(t)$",
+       .truth = {"the constant acceleration by Lagrange's equations",
+                 [](const auto& s) { return s.x1 + s.v1 * s.t + s.accelerations()[0] * s.t * s.t / 2; }},
+       .printed = R"($x_1(0)+\dot x_1(0)t+\frac{g\sin2\theta}4t^2$)"});
+  table.formula("friction_center", 1739,
+                "With viscous friction $x_2(t)=0$ is still a solution, and the ball stays in the center",
+                samples,
+                {.quantity = R"($\ddot x_2$ at $x_2=\dot x_2=0$ with friction)",
+                 .truth = lagrange(1, 1),
+                 .printed = R"($\ddot x_2=0$)"});
+}
+
+/// Claims about a ball that crosses the center line with friction.
+void crossing(ChuteTable& table, const std::vector<OnChute>& samples) {
+  table.formula(
+      "friction_form", 1739,
+      R"(With viscous friction the second equation is still $\ddot x_2=Sx_2$, $S$ a scalar)", samples,
+      {.quantity = R"($\ddot x_2$, where the ball crosses the center line and elsewhere)",
+       .truth = lagrange(1, 1),
+       .printed = R"($\ddot x_2=Sx_2$)",
+       .corrected = R"($\ddot x_2=Sx_2-k\dot x_2$)",
+       .kind = Fault::formula,
+       .root = "friction across",
+       .why =
+           R"(Friction adds $-k\dot x_2$, a term without $x_2$. Where the ball crosses the center line the )"
+           R"(printed form gives $\ddot x_2=0$, but friction slows the ball. In the corrected equation $S$ is )"
+           R"(the same as without friction, and $k$ is the friction over the mass.)"});
 }
 
 // ---- statements about the motion --------------------------------------------------------------------------
 
 void statements(Claims& claims, const std::vector<OnChute>& samples) {
   using S = const OnChute&;
-  /// That x2'' vanishes at this x2 without sideways speed, in a wind across, with `friction` times the
-  /// sample's friction.
-  const auto at_rest = [&](std::string text, double x2, double wind, double friction) -> Reading {
-    return {std::move(text), {vanishes(R"($\ddot x_2$)", "Lagrange's equations", samples, [=](OnChute s) {
-              s.x2 = x2;
-              s.v2 = 0;
-              const Value a = s.accelerations(friction * s.k, wind);
-              return std::pair(a[1], size_of(a));
-            })}};
-  };
-  claims.add("x2_zero", 1715, "$x_2(t)=0$ for all time solves the second equation of motion",
-             {.printed = at_rest(R"($\ddot x_2=0$ at $x_2=\dot x_2=0$)", 0, 0, 0),
-              .near_misses = {at_rest(R"($\ddot x_2=0$ at $x_2=0.05$, $\dot x_2=0$)", 0.05, 0, 0)}});
-  const auto staying = [&](std::string text, double across) -> Reading {
-    const std::vector<OnChute> some(samples.begin(), samples.begin() + 20);
-    return {std::move(text),
-            {vanishes("$x_2$ after 1 s", "Fehlberg 7(8) on the height field", some, [=](S s) {
-              const InPlane<double> ball{s.chute, s.g, {s.x1, 0, s.v1, across}};
-              const auto end = ode::integrate<ode::Fehlberg78>(ball, ball.start(), 0, 1, 1e-10);
-              return std::pair(end.value[1], s.chute.R);
-            })}};
-  };
-  claims.add("stays_in_center", 1715,
-             "A ball that starts in the center without speed across stays in the center",
-             {.printed = staying("without speed across", 0),
-              .near_misses = {staying("with speed across as well", 0.01)}});
+  claims.formula<OnChute>(
+      "stays_in_center", 1715, "A ball that starts in the center without speed across stays in the center",
+      {samples.begin(), samples.begin() + 20},
+      {.quantity = "$x_2$ after 1 s",
+       .truth = {"Fehlberg 7(8) on the height field",
+                 [](S s) {
+                   const InPlane<double> ball{s.chute, s.g, {s.x1, 0, s.v1, 0}};
+                   return values(ode::integrate<ode::Fehlberg78>(ball, ball.start(), 0, 1, 1e-10).value[1]);
+                 },
+                 [](S s) { return s.chute.R; }},
+       .printed = {"$x_2=0$"}});
 
   const auto constant = [&](std::string text, double moved) -> Reading {
     return {std::move(text),
@@ -626,31 +584,20 @@ void statements(Claims& claims, const std::vector<OnChute>& samples) {
   };
   claims.add("positive", 1733, R"(On the center line $\ddot x_1$ is a positive constant)",
              {.printed = constant("in a chute neither level nor vertical (our condition)", 0),
-              .near_misses = {constant("off the center line as well", 1),
-                              {"in a level chute as well",
-                               {in_all<OnChute>(R"($\ddot x_1>0$ in a level chute)", samples,
-                                                [](S s) { return s.at_angle(0) > 0; })}}}});
-  const auto always = [](std::string text, std::size_t i) -> Statement<OnChute> {
-    return {std::move(text), [=](S s) { return s.accelerations()[i] > 0; }};
-  };
-  claims.statement<OnChute>(
-      "always_positive", 1733, R"(The acceleration along $x_1$ is always positive: $\ddot x_1>0$)", samples,
-      {.printed = always(R"($\ddot x_1>0$)", 0), .near_misses = {always(R"($\ddot x_2>0$)", 1)}});
+              .near_misses = {constant("off the center line as well", 1)}});
+  claims.statement<OnChute>("always_positive", 1733,
+                            R"(The acceleration along $x_1$ is always positive: $\ddot x_1>0$)", samples,
+                            {.printed = {R"($\ddot x_1>0$)"}, .near_misses = {{R"($\ddot x_2>0$)"}}});
 
-  /// (x1, x1') on the center line a millisecond later, to check which quantities increase.
-  const auto then = [](S s) {
-    const double a = s.on_center().accelerations()[0], t = 1e-3;
-    return Pair{s.x1 + s.v1 * t + a * t * t / 2, s.v1 + a * t};
-  };
-  const auto faster_and_farther = [=](S s) { return abs(then(s)[1]) > abs(s.v1) && then(s)[0] > s.x1; };
+  std::vector<OnChute> centered;
+  for (S s : samples) centered.push_back(s.on_center());
   claims.statement<OnChute>(
       "speed_increases", 1733, R"(On the center line the speed $|\dot x_1|$ and the position $x_1$ increase)",
-      samples,
-      {.printed = {R"(they increase, whatever $\dot x_1(0)$)", faster_and_farther},
-       .corrected = {R"(the velocity $\dot x_1$ increases; $|\dot x_1|$ and $x_1$ do once $\dot x_1\ge0$)",
-                     [=](S s) { return then(s)[1] > s.v1 && (s.v1 < 0 || faster_and_farther(s)); }},
+      centered,
+      {.printed = {R"($(\frac{d}{dt}|\dot x_1|,\ \dot x_1)>0$)"},
+       .corrected = {R"($\ddot x_1>0$)"},
        .in_view = {R"(for $\dot x_1(0)\ge0$, a ball let go or sent down)", [](S s) { return s.v1 >= 0; }},
-       .near_misses = {{"the position $x_1$", [=](S s) { return then(s)[0] > s.x1; }}},
+       .near_misses = {{R"($\dot x_1>0$)"}},
        .kind = Fault::left_out,
        .root = "a ball sent up",
        .why =
@@ -680,78 +627,37 @@ void statements(Claims& claims, const std::vector<OnChute>& samples) {
            R"($\ddot x_1=\frac g2\sin2\theta$ is largest at $45^\circ$, $g/2$, and falls to zero at $90^\circ$: )"
            R"(in free fall nothing moves sideways. The acceleration along the chute grows with the )"
            R"(angle: it is $g\sin\theta$, of which $\ddot x_1$ is the horizontal part.)"});
-
-  const auto slowed = [&](std::string text, double across) -> Reading {
-    return {std::move(text),
-            {compare<OnChute>(R"($(\ddot x_1,\ddot x_2)$)",
-                              {"the equations without friction, less its terms",
-                               [=](S s) {
-                                 const Value a = s.published(s.v2 * s.v2, s.slope());
-                                 return values(a[0] - s.k * s.v1, a[1] - across * s.k * s.v2);
-                               }},
-                              {R"(Lagrange's equations, friction $-k\dot x$ in space)",
-                               [](S s) { return s.accelerations(s.k); }},
-                              samples)}};
-  };
-  Reading corrected = slowed(R"($\ddot x_2=Sx_2-k\dot x_2$, $k$ the friction over the mass)", 1);
-  corrected.checks.insert(corrected.checks.begin(),
-                          compare<OnChute>(R"($\ddot x_2$ at $x_2=0$, $\dot x_2\ne0$)",
-                                           {R"($-k\dot x_2$)", [](S s) { return -s.k * s.v2; }},
-                                           {"Lagrange's equations with friction",
-                                            [](OnChute s) {
-                                              s.x2 = 0;
-                                              return s.accelerations(s.k)[1];
-                                            },
-                                            [](S s) { return size_of(s.accelerations(s.k)); }},
-                                           samples));
-  claims.add(
-      "friction_form", 1739,
-      R"(With viscous friction the second equation is still $\ddot x_2=Sx_2$, $S$ a scalar)",
-      {.printed = {R"($\ddot x_2=Sx_2$, which is zero wherever $x_2=0$)",
-                   {vanishes(R"($\ddot x_2$ at $x_2=0$, $\dot x_2\ne0$)",
-                             "Lagrange's equations with friction", samples,
-                             [](OnChute s) {
-                               s.x2 = 0;
-                               const Value a = s.accelerations(s.k);
-                               return std::pair(a[1], size_of(a));
-                             })}},
-       .corrected = corrected,
-       .near_misses = {slowed(R"(it is $\ddot x_2=Sx_2-2k\dot x_2$)", 2)},
-       .why =
-           R"(Friction adds $-k\dot x_2$, a term without $x_2$. Where the ball crosses the center line the )"
-           R"(printed form gives $\ddot x_2=0$, but friction slows the ball. In the corrected equation $S$ is )"
-           R"(the same as without friction.)",
-       .kind = Fault::formula,
-       .root = "friction across"});
-  claims.add("friction_center", 1739,
-             "With viscous friction $x_2(t)=0$ is still a solution, and the ball stays in the center",
-             {.printed = at_rest(R"($\ddot x_2=0$ at $x_2=\dot x_2=0$ with friction)", 0, 0, 1),
-              .near_misses = {at_rest("with friction and a wind across", 0, 0.1, 1)}});
 }
 
 namespace {
 
-void geometry(Claims& all, CylinderTable& about_axis, ChuteTable& chute, ChuteTable& placed,
-              const std::vector<OnCylinder>& points, const std::vector<OnChute>& samples) {
-  cylinder(about_axis, points);
-  axis(chute, samples);
-  solved(chute, samples);
-  std::vector<OnChute> points_of_chute;
-  for (const OnChute& s : samples) points_of_chute.push_back(s.placed());
-  on_the_chute(placed, points_of_chute);
-  derivatives(all, chute, samples);
-  center_motion(chute, samples);
-}
+/// The tables, which are by the points that they are about.
+struct Tables {
+  CylinderTable about_axis;
+  ChuteTable chute, placed, centered, crossed;
+  explicit Tables(Claims& all) : about_axis(all), chute(all), placed(all), centered(all), crossed(all) {}
+
+  void fill(Claims& all, const std::vector<OnCylinder>& points, const std::vector<OnChute>& samples) {
+    std::vector<OnChute> on_chute, on_center, at_times_on_center = samples;
+    for (const OnChute& s : samples) on_chute.push_back(s.placed()), on_center.push_back(s.on_center());
+    for (std::size_t i = 0; i < samples.size(); i += 2) at_times_on_center[i].x2 = 0;
+    cylinder(about_axis, points);
+    axis(chute, samples);
+    solved(chute, samples);
+    on_the_chute(placed, on_chute);
+    derivatives(all, chute, samples);
+    center(centered, on_center);
+    crossing(crossed, at_times_on_center);
+  }
+};
 
 }  // namespace
 
 std::vector<Claim> claims(double seed) {
   Claims all("3.13");
-  CylinderTable about_axis(all);
-  ChuteTable chute(all), placed(all);
   const auto samples = draw<OnChute>(200, seed);
-  geometry(all, about_axis, chute, placed, draw<OnCylinder>(200, seed), samples);
-  equations(all, samples);
+  Tables(all).fill(all, draw<OnCylinder>(200, seed), samples);
+  motion(all, samples);
   statements(all, samples);
   return all.in_order();
 }
@@ -822,7 +728,7 @@ Provables bends() {
   const auto slope_at = [&](const std::string& x1, const std::string& x2) {
     return "Derive (fun w => " + height("w", x2) + ") " + x1;
   };
-  const std::string slope = s.slope().expression().coq();
+  const std::string slope = (-s.chute.H / (s.chute.L * s.cosine())).expression().coq();
   return {provable("h11_h12", {{"printed",
                                 all.letters,
                                 all.given,
@@ -832,69 +738,35 @@ Provables bends() {
                                 "bends_of (fun x y => " + height("x", "y") + ") (" + slope + ") x1 x2"}})};
 }
 
-/// The printed formula at the example, with numbers for its letters.
-Lemma printed_off(const ForAll<OnChuteOf>& all, const auto& printed, const auto& truth, double& margin) {
+/// The equations of motion follow from Lagrange's in either coordinates. As printed they are off at the
+/// example.
+Provable of_motion(const ForAll<OnChuteOf>& all) {
+  using Form = ProvableFormula<OnChuteOf>;
+  const Form printed = equations_printed, meant = equations_meant;
+  const auto lagrange = [](const auto& s) { return s.accelerations(); };
   OnChute s = all.example;
-  OnChuteOf<Shortened> recorded;
-  const auto numbers = s.letters();
-  std::size_t i = 0;
-  for (Shortened* letter : recorded.letters()) *letter = *numbers[i++];
-  Value difference = printed(s);
-  const Value right = truth(s);
-  for (std::size_t k = 0; k < difference.size(); ++k) difference[k] -= right[k];
-  return off_at(detail::recorded_value(printed(recorded)), detail::recorded_value(truth(recorded)),
-                difference, margin);
+  OnChuteOf<Shortened> numbers;
+  for (std::size_t i = 0; i < s.letters().size(); ++i) *numbers.letters()[i] = *s.letters()[i];
+  Value difference = computed<OnChute>(printed).of(s);
+  for (std::size_t i = 0; i < 2; ++i) difference[i] -= lagrange(s)[i];
+  Provable proof = provable(
+      "equations", {lemma("meant", all, meant.recorded(all.any), lagrange(all.any)),
+                    lemma("about_axis", all, meant.recorded(all.any), all.any.accelerations_about_axis())});
+  proof.lemmas.push_back(
+      off_at(printed.recorded(numbers), detail::recorded_value(lagrange(numbers)), difference, proof.margin));
+  proof.says += "; as printed it is off at an example";
+  return proof;
 }
 
-Provables of_motion() {
-  const ForAll<OnChuteOf> all = any_chute();
-  const auto& s = all.any;
-  const Two<Shortened> meant = s.published(s.v2 * s.v2, s.slope());
-  Provable equations = provable("equations", {lemma("meant", all, meant, s.accelerations()),
-                                              lemma("about_axis", all, meant, s.accelerations_about_axis())});
-  equations.lemmas.push_back(printed_off(
-      all, [](const auto& x) { return x.published(x.x2 * x.x2, -x.chute.H * x.chute.L * x.cosine()); },
-      [](const auto& x) { return x.accelerations(); }, equations.margin));
-  Provable friction = provable(
-      "friction_form",
-      {lemma("corrected", all, values(meant[0] - s.k * s.v1, meant[1] - s.k * s.v2), s.accelerations(s.k))});
-  auto crossing = all;
-  crossing.example.x2 = 0;
-  friction.lemmas.push_back(printed_off(
-      crossing,
-      [](const auto& x) {
-        return Two<std::decay_t<decltype(x.k)>>{x.accelerations(x.k)[0], 0};
-      },
-      [](const auto& x) { return x.accelerations(x.k); }, friction.margin));
-  for (Provable* wrong : {&equations, &friction}) wrong->says += "; as printed it is off at an example";
-  return {equations, friction};
-}
-
-Provables of_center() {
-  ForAll<OnChuteOf> all = any_chute();
-  const auto& s = all.any;
-  const Shortened zero = 0;
-  for (const Shortened& x : {s.x2, s.v2}) all.given.push_back(x.expression() == zero.expression());
-  all.tactic = "subst; on_chute";
-  auto elsewhere = s;
-  elsewhere.x1 = s.x3;
-  elsewhere.v1 = s.k;
-  const auto tangent_form = [&](const Shortened& t) { return s.g * t / (1 + t * t); };
-  const Shortened a = s.accelerations()[0];
-  const Lemma positive{"positive", all.letters, all.given, {above(a.expression(), 0)}, "subst; slides_down"};
-  Provable chain =
-      provable("center_acceleration", {lemma("meant", all, s.g / 2 * sin(2 * s.theta()), a),
-                                       lemma("by_slope", all, tangent_form(-s.slope()), a),
-                                       lemma("by_tangent", all, tangent_form(tan(s.theta())), a)});
-  auto centered = all;
-  centered.example.x2 = centered.example.v2 = 0;
-  chain.says += "; as printed it is off at an example";
-  chain.lemmas.push_back(printed_off(
-      centered, [](const auto& x) { return values(x.center_as_printed()); },
-      [](const auto& x) { return values(x.accelerations()[0]); }, chain.margin));
-  return {chain, provable("positive", {lemma("constant", all, a, elsewhere.accelerations()[0]), positive}),
-          provable("x2_zero", {lemma("printed", all, s.accelerations()[1], zero)}),
-          provable("friction_center", {lemma("printed", all, s.accelerations(s.k)[1], zero)})};
+/// On the center line the acceleration is the same at another place and speed, and positive.
+Provable of_positive(const ForAll<OnChuteOf>& all) {
+  auto elsewhere = all.any;
+  elsewhere.x1 = all.any.x3;
+  elsewhere.v1 = all.any.k;
+  const Shortened a = all.any.accelerations()[0];
+  return provable("positive",
+                  {lemma("constant", all, a, elsewhere.accelerations()[0]),
+                   {"positive", all.letters, all.given, {above(a.expression(), 0)}, "subst; slides_down"}});
 }
 
 }  // namespace
@@ -910,22 +782,32 @@ constexpr const char* by_bounds = "rewrite ?cos_asin by lra; unfold Rsqr; interv
 
 Provables proofs() {
   Claims claims("3.13");
-  CylinderTable about_axis(claims);
-  ChuteTable chute(claims), placed(claims);
-  geometry(claims, about_axis, chute, placed, {}, {});
+  Tables tables(claims);
+  tables.fill(claims, {}, {});
   ForAll<OnCylinderOf> any_point = any_cylinder();
   any_point.tactic = std::string(of_lengths) + in_products + any_point.tactic;
   ForAll<OnChuteOf> any_place = any_chute();
   any_place.tactic = in_products + any_place.tactic;
-  ForAll<OnChuteOf> on_it = any_place;
+  ForAll<OnChuteOf> on_it = any_place, on_center = any_place, crossing = any_place;
   on_it.any = on_it.any.placed();
-  Provables of_points = about_axis.proofs("3.13", any_point), of_chute = chute.proofs("3.13", any_place);
-  for (const Provables& more : {placed.proofs("3.13", on_it), bends(), of_motion(), of_center()})
+  for (const Shortened& x : {on_center.any.x2, on_center.any.v2})
+    on_center.given.push_back({x.expression().coq() + " = 0"});
+  on_center.tactic = "subst; " + on_center.tactic;
+  on_center.example = on_center.example.on_center();
+  crossing.example.x2 = 0;
+  Provables of_points = tables.about_axis.proofs("3.13", any_point),
+            of_chute = tables.chute.proofs("3.13", any_place);
+  for (const Provables& more : {tables.placed.proofs("3.13", on_it),
+                                tables.centered.proofs("3.13", on_center),
+                                tables.crossed.proofs("3.13", crossing),
+                                bends(),
+                                {of_motion(any_place), of_positive(on_center)}})
     of_chute.insert(of_chute.end(), more.begin(), more.end());
   for (Provable& proof : of_points) proof.preamble = cylinder_in_coq;
   for (Provable& proof : of_chute) {
     proof.preamble = chute_in_coq;
-    if (proof.claim == "3.13-h1" || proof.claim == "3.13-h2") proof.lemmas.back().tactic = by_bounds;
+    Lemma& last = proof.lemmas.back();
+    if (last.tactic == "interval") last.tactic = by_bounds;
   }
   std::ranges::move(of_chute, std::back_inserter(of_points));
   return of_points;

@@ -117,8 +117,8 @@ struct SampleOf {
     }
     return (px * px + py * py + pairs) / (2 * all);
   }
-  /// d/dt dL/dtheta_i' - sign dL/dtheta_i, L = T - v_sign V, with theta'' = a, by nested dual numbers.
-  T lagrange_left_side(std::size_t i, const std::vector<T>& a, double sign = 1, double v_sign = 1) const {
+  /// d/dt dL/dtheta_i' - dL/dtheta_i, L = T - v_sign V, with theta'' = a, by nested dual numbers.
+  T lagrange_left_side(std::size_t i, const std::vector<T>& a, double v_sign = 1) const {
     using Along = Dual<T>;
     using Outer = Dual<Along>;
     const auto value = [&](bool by_speed, bool moving) {
@@ -130,13 +130,13 @@ struct SampleOf {
       }
       return (kinetic(q, v) - Outer(v_sign) * potential(q)).slope;
     };
-    return value(true, true).slope - sign * value(false, false).value;
+    return value(true, true).slope - value(false, false).value;
   }
   /// theta'' by Lagrange's equations.
-  std::vector<double> lagrange(double sign = 1, double v_sign = 1) const {
+  std::vector<double> lagrange(double v_sign = 1) const {
     const std::size_t n = m.size();
     const auto left_side = [&](std::size_t i, const std::vector<double>& a) {
-      return lagrange_left_side(i, a, sign, v_sign);
+      return lagrange_left_side(i, a, v_sign);
     };
     const auto size = static_cast<Eigen::Index>(n);
     Eigen::MatrixXd M(size, size);
@@ -203,7 +203,7 @@ Check accelerations(const std::string& left, const std::string& right, double se
 }
 
 /// Accelerations by the pattern, with the tail mass of the later of two links, or of the earlier one.
-std::vector<double> by_pattern(const Sample& s, bool later, double sine_sign) {
+std::vector<double> by_pattern(const Sample& s, bool later) {
   const auto n = static_cast<Eigen::Index>(s.m.size());
   const auto mu = mass_from_here_on(s.m);
   Eigen::MatrixXd M(n, n);
@@ -215,7 +215,7 @@ std::vector<double> by_pattern(const Sample& s, bool later, double sine_sign) {
       const auto b = static_cast<std::size_t>(j);
       const double weight = mu[later ? std::max(a, b) : std::min(a, b)] * s.r[a] * s.r[b];
       M(i, j) = weight * std::cos(s.theta[a] - s.theta[b]);
-      f(i) -= sine_sign * weight * std::sin(s.theta[a] - s.theta[b]) * square(s.omega[b]);
+      f(i) -= weight * std::sin(s.theta[a] - s.theta[b]) * square(s.omega[b]);
     }
   }
   const Eigen::VectorXd alpha = solve(Factorization::partial_pivot_lu, M, f).value;
@@ -323,37 +323,34 @@ std::vector<Claim> claims(double seed) {
   const auto newton = [](const Sample& s) { return s.newton(); };
   const std::string by_lagrange = "Lagrange's equations by nested dual numbers",
                     by_newton = "Newton's law with the rods' tensions";
-  const auto equation = [&](const std::string& text, double sign, double v_sign) {
+  const auto equation = [&](const std::string& potential, double v_sign) {
+    const std::string text =
+        R"($\frac{d}{dt}\frac{\partial L}{\partial\dot\theta_i}-\frac{\partial L}{\partial\theta_i}=0$ with $L=T)" +
+        potential + "$";
     return Reading{text,
                    {accelerations(
                        by_lagrange + ": " + text, by_newton, seed, 3, 3,
-                       [=](const Sample& s) { return s.lagrange(sign, v_sign); }, newton)}};
-  };
-  const auto of = [](const std::string& sign, const std::string& lagrangian) {
-    return R"($\frac{d}{dt}\frac{\partial L}{\partial\dot\theta_i})" + sign +
-           R"(\frac{\partial L}{\partial\theta_i}=0$ with $L=)" + lagrangian + "$";
+                       [=](const Sample& s) { return s.lagrange(v_sign); }, newton)}};
   };
   claims.add(
       "equations", 2715,
       R"(The equations of motion are $\frac{d}{dt}\frac{\partial L}{\partial\dot\theta_i}-\frac{\partial )"
       R"(L}{\partial\theta_i}=0$ with $L=T-V$, one for each angle)",
-      {.printed = equation(of("-", "T-V"), 1, 1),
-       .near_misses = {equation(of("-", "T+V"), 1, -1), equation(of("+", "T-V"), -1, 1)}});
+      {.printed = equation("-V", 1), .near_misses = {equation("+V", -1)}});
 
-  const auto pattern = [&](const std::string& mass, const std::string& sign, bool later, double sine_sign) {
-    const std::string text = R"($\sum_j\mu_{\)" + mass +
-                             R"((i,j)}r_ir_j(\cos(\theta_i-\theta_j)\,\ddot\theta_j)" + sign +
-                             R"(\sin(\theta_i-\theta_j)\,\dot\theta_j^2)=-\mu_igr_i\sin\theta_i$, )" +
-                             R"($\mu_k$ the mass from $k$ on)";
-    const auto by = [=](const Sample& s) { return by_pattern(s, later, sine_sign); };
+  const auto pattern = [&](const std::string& mass, bool later) {
+    const std::string text =
+        R"($\sum_j\mu_{\)" + mass +
+        R"((i,j)}r_ir_j(\cos(\theta_i-\theta_j)\,\ddot\theta_j+\sin(\theta_i-\theta_j)\,\dot\theta_j^2)=-\mu_igr_i\sin\theta_i$, )" +
+        R"($\mu_k$ the mass from $k$ on)";
+    const auto by = [=](const Sample& s) { return by_pattern(s, later); };
     return Reading{
         text,
         {accelerations(text, by_lagrange, seed, 1, 5, by, [](const Sample& s) { return s.lagrange(); }),
          accelerations(text, by_newton, seed, 20, 30, by, newton)}};
   };
   claims.add("pattern", 2753, "For $n$ masses there is a pattern that can be coded",
-             {.printed = pattern("max", "+", true, 1),
-              .near_misses = {pattern("min", "+", false, 1), pattern("max", "-", true, -1)}});
+             {.printed = pattern("max", true), .near_misses = {pattern("min", false)}});
   return claims.in_order();
 }
 

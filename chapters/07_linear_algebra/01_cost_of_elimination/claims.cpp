@@ -14,14 +14,18 @@ namespace {
 
 using Cost = CostOf<double>;
 
-constexpr Cost mu = cost<double>(1, 0, 0), alpha = cost<double>(0, 1, 0), delta = cost<double>(0, 0, 1),
-               entry = entry_cost<double>();
+constexpr Cost entry = entry_cost<double>();
 
 template <class Run>
 Cost counted_cost(const Run& run) {
   const Operations counted = operations_of(run);
   return {static_cast<double>(counted.multiplications), static_cast<double>(counted.additions),
           static_cast<double>(counted.divisions)};
+}
+
+/// Each price is a unit vector in the counts.
+TypesetLetters letters_of(double n) {
+  return {{"n", n}, {R"(\mu)", {1, 0, 0}}, {R"(\alpha)", {0, 1, 0}}, {R"(\delta)", {0, 0, 1}}};
 }
 
 /// Costs of the parts of crosswise elimination for n unknowns, measured on counting numbers.
@@ -33,10 +37,7 @@ struct Counts {
   Cost forward_and_back = {};
 
   static constexpr bool whole = true;
-  /// Each price is a unit vector in the counts.
-  TypesetLetters typeset() const {
-    return {{"n", n}, {R"(\mu)", {1, 0, 0}}, {R"(\alpha)", {0, 1, 0}}, {R"(\delta)", {0, 0, 1}}};
-  }
+  TypesetLetters typeset() const { return letters_of(n); }
   std::string where() const { return "$n$ = " + format_shortest(n); }
   Cost total() const { return full + division; }
   Cost excess() const { return total() - forward_and_back; }
@@ -65,20 +66,11 @@ Formula<Counts> counted(std::string text, const std::function<Cost(const Counts&
             return Value{all.mu, all.alpha, all.delta};
           }};
 }
-Formula<Counts> priced(std::string text, const std::function<Cost(double n)>& cost) {
-  return counted(std::move(text), [=](const Counts& c) { return cost(c.n); });
-}
-
-/// For the right formula, the bracket is a whole number divisible by six.
-Formula<Counts> with_rest(const std::string& rest, Cost last) {
-  return priced("$[n(n-1)/6][(2\\mu+\\alpha)n" + rest + "]$", [=](double n) {
-    const Cost six = six_times_bracket(n, last);
-    return Cost{six.mu / 6, six.alpha / 6, six.delta / 6};
-  });
-}
-
 /// The printed difference in the text's factored form.
-Cost factored(double n) { return 1 / 6.0 * six_times_bracket(n, printed_rest<double>()); }
+Cost factored(double n) {
+  const Value all = TypesetFormula(printed_factored)(letters_of(n));
+  return {all[0], all[1], all[2]};
+}
 
 /// Multiplications of diagonal entries that are postponed to the end.
 double saved_up(std::size_t n) {
@@ -104,21 +96,12 @@ void costs(Claims& claims, const std::vector<Counts>& sizes) {
     claims.formula(slug, line, says, sizes, parts);
   };
   claim("one_row", 3789, R"(recomputing one row's entries in columns 2 to $n+1$ costs $(2\mu+\alpha)n$)",
-        {.truth = counted(count, &Counts::one_row),
-         .printed = {R"($(2\mu+\alpha)n$)"},
-         .near_misses = {priced(R"($(2\mu+\alpha)(n+1)$, column 1 recomputed too)",
-                                [](double n) { return (n + 1) * entry; })}});
+        {.truth = counted(count, &Counts::one_row), .printed = {R"($(2\mu+\alpha)n$)"}});
   claim("first_row", 3789, R"(row reduction with the first row costs $(2\mu+\alpha)n(n-1)$)",
-        {.truth = counted(count, &Counts::first_row),
-         .printed = {R"($(2\mu+\alpha)n(n-1)$)"},
-         .near_misses = {priced(R"($(2\mu+\alpha)(n+1)(n-1)$, $n+1$ entries a row)",
-                                [](double n) { return (n + 1) * (n - 1) * entry; })}});
+        {.truth = counted(count, &Counts::first_row), .printed = {R"($(2\mu+\alpha)n(n-1)$)"}});
   claim("forward_second_row", 3789,
         R"(forward elimination with the second row costs $(2\mu+\alpha)(n-1)(n-2)$)",
-        {.truth = counted(count, &Counts::forward_second),
-         .printed = {R"($(2\mu+\alpha)(n-1)(n-2)$)"},
-         .near_misses = {
-             priced(R"($(2\mu+\alpha)(n-1)(n-1)$, the row above cleared too)", printed_second_row<double>)}});
+        {.truth = counted(count, &Counts::forward_second), .printed = {R"($(2\mu+\alpha)(n-1)(n-2)$)"}});
   claim("full_second_row", 3789, R"(full elimination with the second row costs $(2\mu+\alpha)(n-1)(n-1)$)",
         {.truth = counted(count, &Counts::full_second),
          .printed = {R"($(2\mu+\alpha)(n-1)(n-1)$)"},
@@ -149,9 +132,7 @@ void costs(Claims& claims, const std::vector<Counts>& sizes) {
            {of_three.full.mu, of_three.full.alpha, printed_full(3.0).mu, printed_full(3.0).alpha,
             saved_up(10)})});
   claim("division_cost", 3795, R"(to divide each row by its diagonal entry costs $B=\delta n$)",
-        {.truth = counted(count, &Counts::division),
-         .printed = {R"($\delta n$)"},
-         .near_misses = {{R"($\delta(n-1)$)"}}});
+        {.truth = counted(count, &Counts::division), .printed = {R"($\delta n$)"}});
   claim("full_total", 3797,
         R"(full elimination and division cost $C'=F+B=(2\mu+\alpha)(n-1)n(n+1)/2+\delta n$)",
         {.truth = counted(count, &Counts::total),
@@ -178,9 +159,8 @@ void costs(Claims& claims, const std::vector<Counts>& sizes) {
   claim(
       "factored", 3805, R"($C'-C=[n(n-1)/6][(2\mu+\alpha)n-\mu]$, the printed difference factored)",
       {.truth = counted("$C'-C$, both as printed", difference),
-       .printed = with_rest(R"(-\mu)", printed_rest<double>()),
-       .corrected = with_rest(R"(-\mu-2\alpha)", rest_of_totals<double>()),
-       .near_misses = {with_rest(R"(-\mu-\alpha)", -1.0 * mu - alpha)},
+       .printed = {printed_factored},
+       .corrected = {factored_of_totals},
        .kind = Fault::formula,
        .root = "lost additions",
        .why = filled(
@@ -191,9 +171,8 @@ void costs(Claims& claims, const std::vector<Counts>& sizes) {
       "excess", 3805,
       R"(full elimination costs $C'-C=[n(n-1)/6][(2\mu+\alpha)n-\mu]$ more than forward elimination)",
       {.truth = counted("the difference of the counts", &Counts::excess),
-       .printed = with_rest(R"(-\mu)", printed_rest<double>()),
-       .corrected = with_rest(R"(+2\mu-2\alpha)", rest_of_counts<double>()),
-       .near_misses = {with_rest(R"(+\mu-2\alpha)", mu - 2 * alpha)},
+       .printed = {printed_factored},
+       .corrected = {factored_of_counts},
        .kind = Fault::formula,
        .root = uncounted,
        .why = filled(
@@ -212,12 +191,10 @@ struct Prices {
 
   double bound() const { return mu / (2 * mu + alpha); }
   double costs_more() const { return excess.mu * mu + excess.alpha * alpha; }
-  std::string where() const {
-    return R"($\mu$ = )" + format_shortest(mu) + R"(, $\alpha$ = )" + format_shortest(alpha) +
-           ", $n$ = " + format_shortest(n);
-  }
+  TypesetLetters typeset() const { return {{"n", n}, {R"(\mu)", mu}, {R"(\alpha)", alpha}}; }
 };
 
+/// The last of the sizes is one.
 void comparisons(Claims& claims, const std::vector<Counts>& sizes) {
   std::vector<Prices> prices;
   for (double m = 1; m <= 12; ++m)
@@ -225,24 +202,18 @@ void comparisons(Claims& claims, const std::vector<Counts>& sizes) {
       for (const Counts& c : sizes)
         if (c.n <= 12) prices.push_back({m, a, c.n, c.excess()});
 
-  claims.statement<Counts>(
-      "factor_positive", 3807, "$n(n-1)/6$ is positive for $n>1$", sizes,
-      {.printed = {"for $n>1$", [](const Counts& c) { return c.n <= 1 || c.n * (c.n - 1) / 6 > 0; }},
-       .near_misses = {{R"(for $n\ge1$)", [](const Counts& c) { return c.n * (c.n - 1) / 6 > 0; }}}});
-
+  claims.statement<Counts>("factor_positive", 3807, "$n(n-1)/6$ is positive for $n>1$",
+                           {sizes.begin(), sizes.end() - 1},
+                           {.printed = {"$n(n-1)/6>0$"}, .near_misses = {{"$n(n-2)/6>0$"}}});
   claims.statement<Prices>(
       "threshold", 3807, R"($C'\ge C$ when $n\ge\mu/(2\mu+\alpha)$)", prices,
       {.printed = {R"($n\ge\mu/(2\mu+\alpha)$ is enough, $n$ being whole)",
                    [](const Prices& p) { return p.n < p.bound() || p.costs_more() >= 0; }},
        .near_misses = {{R"(it is enough for $C'>C$)",
-                        [](const Prices& p) { return p.n < p.bound() || p.costs_more() > 0; }},
-                       {R"($C'\ge C$ only when $n\ge(2\mu+\alpha)/\mu$)",
-                        [](const Prices& p) { return p.n * p.bound() >= 1 || p.costs_more() < 0; }}}});
+                        [](const Prices& p) { return p.n < p.bound() || p.costs_more() > 0; }}}});
   claims.statement<Prices>(
       "half", 3807, R"($\mu/(2\mu+\alpha)$ is smaller than $\tfrac12$)", prices,
-      {.printed = {R"(below $\tfrac12$)", [](const Prices& p) { return 2 * p.mu < 2 * p.mu + p.alpha; }},
-       .near_misses = {
-           {R"(below $\tfrac13$)", [](const Prices& p) { return 3 * p.mu < 2 * p.mu + p.alpha; }}}});
+      {.printed = {R"($\mu/(2\mu+\alpha)<\tfrac12$)"}, .near_misses = {{R"($\mu/(2\mu+\alpha)<\tfrac13$)"}}});
   claims.statement<Prices>(
       "whole_from_one", 3807, R"(the whole numbers $n\ge\mu/(2\mu+\alpha)$ are those from 1)", prices,
       {.printed = {"1 is the least of them", [](const Prices& p) { return std::ceil(p.bound()) == 1; }},

@@ -59,23 +59,10 @@ CostOf<T> printed_difference(const T& n) {
   return (n - 1) * n * (n + 1) / 6 * entry_cost<T>() - n * (n - 1) / 2 * cost<T>(1, 1, 0);
 }
 
-/// Six times [n(n-1)/6][(2 mu + alpha) n + rest], a whole number.
-template <class T>
-CostOf<T> six_times_bracket(const T& n, const CostOf<T>& rest) {
-  return n * (n - 1) * (n * entry_cost<T>() + rest);
-}
-/// The rest as printed, as in the printed totals, and as in the counts.
-template <class T>
-CostOf<T> printed_rest() {
-  return cost<T>(-1, 0, 0);
-}
-template <class T>
-CostOf<T> rest_of_totals() {
-  return cost<T>(-1, -2, 0);
-}
-template <class T>
-CostOf<T> rest_of_counts() {
-  return cost<T>(2, -2, 0);
-}
+/// The difference of the totals, factored: as printed, of the printed totals, and of the counts. The
+/// numerator is a whole number.
+inline constexpr const char *printed_factored = R"($n(n-1)[(2\mu+\alpha)n-\mu]/6$)",
+                            *factored_of_totals = R"($n(n-1)[(2\mu+\alpha)n-\mu-2\alpha]/6$)",
+                            *factored_of_counts = R"($n(n-1)[(2\mu+\alpha)n+2\mu-2\alpha]/6$)";
 
 }  // namespace oddity::ex07_01
