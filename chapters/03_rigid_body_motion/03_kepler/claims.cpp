@@ -577,25 +577,25 @@ void equations_of_motion(Table& table, const std::vector<Moment>& moments) {
          .after = " (2)"});
 }
 
+/// A moment whose acceleration is also taken near the sun, alpha being the same.
+struct NearTheSun : Moment {
+  double z() const { return hypot(x, y) * 0x1p-21; }
+  double h() const { return x * vy - y * vx; }
+  double fall(double r) const { return Along(Moment{G, M, m, r, 0, 0, h() / r, 0, 0}).r_dot_dot; }
+  Tolerance tolerance(double) const {
+    return {16 * G * M * z() / (h() * h()) + 1e-12, R"(twice the pull's share there, $GMz/h^2$)"};
+  }
+};
+
 void singularity(Claims& claims, const std::vector<Moment>& moments) {
-  const auto singular = [&](const std::string& text, double ratio) {
-    WorstSample worst(R"($\ddot r$ at $z$ over $\ddot r$ at $2z$, $z=2^{-21}r$, $\alpha$ being the same)",
-                      "Cartesian, by dual numbers", text);
-    for (const Moment& k : moments) {
-      const Along now(k);
-      const auto fall = [&](double z) {
-        return Along(Moment{k.G, k.M, k.m, z, 0, 0, now.h / z, 0, 0}).r_dot_dot;
-      };
-      const double z = now.r * 0x1p-21;
-      worst.add(fall(z) / fall(2 * z), ratio,
-                {16 * now.mu * z / (now.h * now.h) + 1e-12, R"(twice the pull's share there, $GMz/h^2$)"},
-                ratio, k.where());
-    }
-    return Reading{text, {worst.check()}};
-  };
-  claims.add("singular", 1007, R"(The right-hand side of (2) has a singularity at $r=0$.)",
-             {.printed = singular("at half the distance $2^3$ times as large: it grows like $1/r^3$", 8),
-              .near_misses = {singular("at half the distance $2^2$ times as large", 4)}});
+  std::vector<NearTheSun> near;
+  for (const Moment& k : moments) near.push_back({k});
+  claims.formula<NearTheSun>(
+      "singular", 1007, R"(The right-hand side of (2) has a singularity at $r=0$.)", near,
+      {.quantity = R"($\ddot r$ at $z$ over $\ddot r$ at $2z$, $z=2^{-21}r$, if it grows like $1/r^3$)",
+       .truth = {"Cartesian, by dual numbers",
+                 [](const NearTheSun& k) { return k.fall(k.z()) / k.fall(2 * k.z()); }},
+       .printed = {"$2^3$"}});
 }
 
 // ---- the potential as a function of the angle: lines 1009 to 1101 -----------------------------------------
@@ -1042,27 +1042,30 @@ void solved_numerically(Claims& claims, double seed) {
        .near_misses = {{"it loses it by (7) too", [](K k) { return is_lost(k.angle); }}}});
 }
 
-/// Compares with a start at the same position with four times the mass and twice the velocity.
+/// An orbit and another from the same position, with four times the mass and twice the velocity.
+struct Faster : Later {
+  Later other() const {
+    Later fast = *this;
+    fast.start.M *= 4, fast.start.r0_dot *= 2, fast.start.theta0_dot *= 2, fast.c0 *= 4, fast.c1 *= 4;
+    return fast;
+  }
+  Tolerance tolerance(double) const { return {1e-12, "the quadrature of the periods"}; }
+};
+
 void timing(Claims& claims, const std::vector<Later>& orbits) {
-  const auto same_orbit = [](const Later& k, double ratio) {
-    Later fast = k;
-    fast.start.M *= 4;
-    fast.start.r0_dot *= 2;
-    fast.start.theta0_dot *= 2;
-    fast.c0 *= 4;
-    fast.c1 *= 4;
-    const Elements slow(k.start), quick(fast.start);
-    return abs(quick.e - slow.e) < 1e-12 && abs(quick.rho / slow.rho - 1) < 1e-12 &&
-           abs(fast.turn() / k.turn() - ratio) < 1e-12;
-  };
-  claims.statement<Later>(
+  std::vector<Faster> all;
+  for (const Later& k : orbits) all.push_back({k});
+  claims.formula<Faster>(
       "no_timing", 47,
-      R"((3.2), $r=e\rho/(1+e\cos\theta)$, gives no clue about how the angle varies with time.)", orbits,
-      {.printed =
-           {R"(another orbit with this $e$ and $\rho$ has half the period: four times the mass, twice the velocity)",
-            [=](const Later& k) { return same_orbit(k, 0.5); }},
-       .near_misses = {{"all orbits with this $e$ and $\\rho$ have the same period",
-                        [=](const Later& k) { return same_orbit(k, 1); }}}});
+      R"((3.2), $r=e\rho/(1+e\cos\theta)$, gives no clue about how the angle varies with time.)", all,
+      {.quantity =
+           R"($(e_1-e,\ \rho_1/\rho,\ T_1/T)$, the index for four times the mass and twice the velocity)",
+       .truth = {"the elements by the start, the periods by $c_0$ and $c_1$",
+                 [](const Faster& k) {
+                   const Elements slow(k.start), quick(k.other().start);
+                   return values(quick.e - slow.e, quick.rho / slow.rho, k.other().turn() / k.turn());
+                 }},
+       .printed = {R"($(0,\ 1,\ \frac12)$)"}});
 }
 
 void application(Claims& claims) {
