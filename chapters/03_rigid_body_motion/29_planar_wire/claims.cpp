@@ -438,29 +438,29 @@ void over_the_wire(Table& table, const std::vector<Sample>& samples) {
                  .near_misses = {{R"(a rod with the same $\mu_0$ and length)", [](const auto& s) {
                                     return energy_of_rod(s, s.wire.arc_length(s.wire.end()));
                                   }}}});
+}
 
-  table.formula("force_x", 2927,
-                R"($F_x=\int F\cdot\imath\,\delta\,ds$, $F$ being the force per mass (our condition))",
-                samples,
-                {.quantity = "the generalized force $F_x$ of a force $F$ on each unit of mass",
-                 .truth = slope(0),
-                 .printed = Fx,
-                 .near_misses = {Fy}});
-  table.formula(
+/// Other routes are the formulas that are proved.
+void forces(Claims& claims, const std::vector<Sample>& samples) {
+  claims.formula<Sample>(
+      "force_x", 2927, R"($F_x=\int F\cdot\imath\,\delta\,ds$, $F$ being the force per mass (our condition))",
+      samples,
+      {.quantity = "the generalized force $F_x$ of a force $F$ on each unit of mass",
+       .truth = slope(0),
+       .other_routes = {Fx},
+       .printed = {Fx.text}});
+  claims.formula<Sample>(
       "force_y", 2933, R"($F_y$ is $\int F\cdot\jmath\,\delta\,ds$, $F$ per mass)", samples,
       {.quantity = "the generalized force $F_y$",
        .truth = slope(1),
-       .printed = {R"($\int F\cdot\delta\,ds$, a vector)",
-                   [](const Sample& s) { return values(Fx.of(s)[0], Fy.of(s)[0]); }},
-       .meant = Fy,
-       .near_misses = {Fx},
+       .other_routes = {Fy},
+       .printed = {R"($(\int F\cdot\imath\,\delta\,ds,\ \int F\cdot\jmath\,\delta\,ds)$)"},
+       .meant = {Fy.text},
        .kind = Fault::lost_typography,
        .why = R"(The unit vector $\jmath$ after the dot is lost in the text at hand; line 2931, on $F_x$, )"
               R"(has its $\imath$. Without it the integrand is the force, a vector, and not its )"
               R"(component.)"});
-}
 
-void claim_force_theta(Claims& claims, const std::vector<Sample>& samples) {
   const auto against_slope = [&](const Reader& printed) {
     return Reading{printed.text,
                    {compare(R"($F_\theta$)", printed, slope(2), samples)},
@@ -627,13 +627,13 @@ Provables proofs() {
   proved.push_back(rod_by_matrix(point));
   proved.push_back(derivative_of_R(point));
   ForAll<SampleOf> turned_curve = curve;
-  turned_curve.without = {"kinetic_energy_formula", "only_differences", "force_x", "force_y"};
+  turned_curve.without = {"kinetic_energy_formula", "only_differences"};
   turned_curve.tactic = "apply RInt_ext; intros; in_reals; ring [(circle turn)]";
   ForAll<SampleOf> energies = curve;
-  energies.without = {"reorient_or_not", "only_differences", "force_x", "force_y"};
+  energies.without = {"reorient_or_not", "only_differences"};
   energies.tactic = by_moments + "field";
   ForAll<SampleOf> rods = curve;
-  rods.without = {"reorient_or_not", "kinetic_energy_formula", "force_x", "force_y"};
+  rods.without = {"reorient_or_not", "kinetic_energy_formula"};
   rods.tactic = by_moments + by_rod;
   for (const ForAll<SampleOf>* all : {&turned_curve, &energies, &rods})
     for (Provable& p : wires.proofs("3.29", *all)) proved.push_back(std::move(p));
@@ -677,7 +677,7 @@ std::vector<Claim> claims(double seed) {
        .changes_that_hold = "a multiple of zero is zero"});
   at_a_point(points, samples);
   over_the_wire(wires, samples);
-  claim_force_theta(claims, samples);
+  forces(claims, samples);
   claims.formula<Sample>(
       "arc_length", 2825, R"(The arc length runs from 0 to the total length $\int ds$)", samples,
       {.quantity = "the total length",
