@@ -43,34 +43,37 @@ std::array<T, n> gravity(const T& mu, const std::array<T, n>& q) {
   return a;
 }
 
-/// A planet of mass m at one moment, and an acceleration other than gravity's.
 template <class T>
-struct MomentOf {
+struct AlongOf;
+
+/// A planet of mass m at one moment. It moves by gravity, or by another acceleration, the push.
+template <class T, bool is_pushed>
+struct PlanetOf {
   T G, M, m, x, y, vx, vy, push_x, push_y;
-  std::string orbit;
 
   std::array<T*, 9> letters() { return {&G, &M, &m, &x, &y, &vx, &vy, &push_x, &push_y}; }
-  std::string where() const { return orbit; }
-  TypesetIn<T> typeset() const;
+  std::string where() const {
+    return listed({{"G", G}, {"M", M}, {"x", x}, {"y", y}, {R"(\dot x)", vx}, {R"(\dot y)", vy}}, 6);
+  }
+  TypesetIn<T> typeset() const { return AlongOf<T>(*this).typeset(); }
 };
-
-/// The moment with the other acceleration acting.
 template <class T>
-struct PushedOf : MomentOf<T> {
-  TypesetIn<T> typeset() const;
-};
+using MomentOf = PlanetOf<T, false>;
+template <class T>
+using PushedOf = PlanetOf<T, true>;
 
 /// r, theta and V = -GM/r at a moment. Time derivatives along the path are by second-order dual numbers; V',
 /// V'' by the angle follow from these.
 template <class T>
 struct AlongOf {
-  T G, M, m, mu, x, y, vx, vy, ax, ay, r, r_dot, r_dot_dot, angle, w, w_dot, c, s, h, alpha;
+  T G, M, m, mu, x, y, vx, vy, ax, ay, r, r_dot, r_dot_dot, angle, w, w_dot, c, s, h;
   T V, V_dot, V1, V1_dot, V2;  ///< V1 = V', V2 = V''
 
-  AlongOf(const MomentOf<T>& k, bool pushed)
+  template <bool is_pushed>
+  explicit AlongOf(const PlanetOf<T, is_pushed>& k)
       : G(k.G), M(k.M), m(k.m), mu(G * M), x(k.x), y(k.y), vx(k.vx), vy(k.vy) {
     const auto pull = gravity(mu, std::array{x, y});
-    ax = pushed ? k.push_x : pull[0], ay = pushed ? k.push_y : pull[1];
+    ax = is_pushed ? k.push_x : pull[0], ay = is_pushed ? k.push_y : pull[1];
     using Twice = Dual<Dual<T>>;
     const Twice t(Dual<T>(0, 1), Dual<T>(1, 0));
     const Twice along_x = x + t * (Twice(vx) + t * Twice(ax / 2)),
@@ -79,11 +82,14 @@ struct AlongOf {
     const Twice energy = -mu / R;
     r = R.value.value, r_dot = R.slope.value, r_dot_dot = R.slope.slope;
     angle = theta.value.value, w = theta.slope.value, w_dot = theta.slope.slope;
-    c = cos(angle), s = sin(angle), h = r * r * w, alpha = M * h;
+    c = cos(angle), s = sin(angle), h = x * vy - y * vx;
     V = energy.value.value, V_dot = energy.slope.value, V1 = V_dot / w;
     V1_dot = (energy.slope.slope * w - V_dot * w_dot) / (w * w), V2 = V1_dot / w;
   }
-  T mean() const { return pow(G * M * M / alpha, 2); }  ///< G^2 M^4/alpha^2
+  // Sizes of terms that cancel for any letters: of the velocity's moment, of r'' and r theta'', of V''.
+  T of_moment() const { return vx * vx + vy * vy; }
+  T of_rates() const { return of_moment() / r; }
+  T of_bend() const { return of_rates() * mu / pow(r * w, 2); }
   /// `\alpha_c` is alpha of the circular orbit through the position.
   TypesetIn<T> typeset() const {
     return {{"G", G},
@@ -98,7 +104,8 @@ struct AlongOf {
             {R"(\mathbf R)", {c, s, 0}},
             {R"(\mathbf P)", {-s, c, 0}},
             {R"(\mathbf k)", {0, 0, 1}},
-            {R"(\alpha)", alpha},
+            {R"(\lambda)", {0, -1, 1, 0}},
+            {R"(\alpha)", M * (r * r * w)},
             {R"(\alpha_c)", M * sqrt(mu * r)},
             {"V", V},
             {"V'", V1},
@@ -109,29 +116,7 @@ struct AlongOf {
             {R"(dV/d\theta)", V1},
             {"dV/dr", derivative([&](auto z) { return -mu / z; }, r)}};
   }
-  // Sizes of the terms for any letters: of r'', of r theta'', of V'', of the velocity's moment.
-  double of_radial() const { return r * w * w + mu / (r * r) + 4 * r_dot * r_dot / r; }
-  double of_transverse() const { return (vx * vx + vy * vy) / r; }
-  double of_bend() const { return of_radial() * mu / pow(r * w, 2) + abs(V); }
-  double of_moment() const { return vx * vx + vy * vy; }
 };
-
-template <class T>
-AlongOf<T> motion_at(const MomentOf<T>& k) {
-  return {k, false};
-}
-template <class T>
-AlongOf<T> motion_at(const PushedOf<T>& k) {
-  return {k, true};
-}
-template <class T>
-TypesetIn<T> MomentOf<T>::typeset() const {
-  return motion_at(*this).typeset();
-}
-template <class T>
-TypesetIn<T> PushedOf<T>::typeset() const {
-  return motion_at(*this).typeset();
-}
 
 namespace {
 
@@ -139,10 +124,8 @@ using std::numbers::pi;
 using Moment = MomentOf<double>;
 using Along = AlongOf<double>;
 using Pushed = PushedOf<double>;
-using OfMoment = ProvableFormula<MomentOf>;
 using Table = ProvableClaims<MomentOf>;
 using PushedTable = ProvableClaims<PushedOf>;
-using Terms = double (Along::*)() const;
 
 // For the Earth in a `why`, in astronomical units, years and solar masses.
 constexpr double days_per_year = 365.25;
@@ -152,15 +135,17 @@ constexpr double earths_speed = 2 * pi * 149597870.7 / (days_per_year * 86400);
 /// The fall from rest at the Earth's distance into the sun.
 const double days_of_fall = days_per_year * pi / (2 * sqrt(2)) / sqrt(four_pi_squared);
 
+using Terms = double (Along::*)() const;
+
 template <template <class> class Of = MomentOf, class F>
 ProvableFormula<Of> along(std::string text, const F& of, Terms terms = nullptr) {
   ProvableFormula<Of> formula{std::move(text),
-                              [=](const auto& k) -> decltype(of(motion_at(k))) { return of(motion_at(k)); }};
-  if (terms) formula.terms = [=](const Of<double>& k) { return (motion_at(k).*terms)(); };
+                              [=](const auto& k) -> decltype(of(AlongOf(k))) { return of(AlongOf(k)); }};
+  if (terms) formula.terms = [=](const Of<double>& k) { return (Along(k).*terms)(); };
   return formula;
 }
 /// For an equation, which is checked as a difference of its sides.
-OfMoment zero(Terms terms) {
+auto zero(Terms terms) {
   return along(
       "zero", []<class T>(const AlongOf<T>&) { return T(0); }, terms);
 }
@@ -175,6 +160,16 @@ std::vector<T> in_plane(const T& x, const T& y, int times = 1) {
 
 }  // namespace
 
+template <class T>
+TypesetIn<T> letters_of(const Given<T>& s) {
+  return {{"G", s.G},
+          {"M", s.M},
+          {"r_0", s.r0},
+          {R"(\dot r_0)", s.r0_dot},
+          {R"(\theta_0)", s.theta0},
+          {R"(\dot\theta_0)", s.theta0_dot}};
+}
+
 /// A random orbit at its initial condition and at a later moment.
 template <class T>
 struct LaterOf {
@@ -188,8 +183,8 @@ struct LaterOf {
     return {&G,     &M,      &r0,     &r0_dot, &theta0, &theta0_dot, &now.x,
             &now.y, &now.vx, &now.vy, &t,      &theta,  &c0,         &c1};
   }
-  std::string where() const { return now.where(); }
-  TypesetLetters typeset() const;
+  std::string where() const { return listed(letters_of(start), 6) + ", $t$ = " + format_shortest(t); }
+  TypesetIn<T> typeset() const;
   Tolerance tolerance(double size) const {
     return {1e-10 * size, "a thousand tolerances of the path's integration"};
   }
@@ -203,116 +198,37 @@ struct LaterOf {
   T slope(const T& angle) const { return c0 * cos(angle) - c1 * sin(angle); }
   T distance(const T& angle) const { return -start.mu() / (potential(angle) - mean()); }
   /// The time from one angle to another, dt = r^2 d theta/h.
-  T time_between(const T& from, const T& to) const {
-    const auto slowness = [&](const T& angle) { return pow(distance(angle), 2) / start.h(); };
+  T time_between(const T& from, const T& to, const T& area_rate) const {
+    const auto slowness = [&](const T& angle) { return pow(distance(angle), 2) / area_rate; };
     if constexpr (std::same_as<T, Shortened>)
       return recorded_integral(slowness, from, to);
     else
       return qag(slowness, from, to, 1e-13).value;
   }
   /// The period.
-  T turn() const {
-    const auto slowness = [&](const T& angle) { return pow(distance(angle), 2) / abs(start.h()); };
-    if constexpr (std::same_as<T, Shortened>)
-      return recorded_integral(slowness, 0, 2 * pi_of<T>());
-    else
-      return trapezoid(slowness, 0, 2 * std::numbers::pi, 512).value;
-  }
+  T turn() const { return time_between(0, 2 * pi_of<T>(), abs(start.h())); }
   /// The initial moment.
   AlongOf<T> first() const {
     const auto q = start.position(), v = start.velocity();
-    return AlongOf<T>({start.G, start.M, 1, q[0], q[1], v[0], v[1], 0, 0, {}}, false);
+    return AlongOf<T>(MomentOf<T>{start.G, start.M, 1, q[0], q[1], v[0], v[1], 0, 0});
   }
   /// v x c0 - GM R.
   auto laplace() const {
     const T pull = start.mu() / r();
-    return values(now.vy * h() - pull * now.x, -now.vx * h() - pull * now.y);
-  }
-  /// A vector from its components along R0 and P0.
-  auto parts(const T& along_R, const T& along_P) const {
-    const T c = cos(start.theta0), s = sin(start.theta0);
-    return values(along_R * c - along_P * s, along_R * s + along_P * c);
+    return values(now.vy * h() - pull * now.x, -now.vx * h() - pull * now.y, 0);
   }
   /// All numbers of the sample, with angles as exact multiples of pi.
   LaterOf<Shortened> recorded() const requires std::same_as<T, double> {
     const auto angle = [](double x) { return pi_of<Shortened>() * (x / std::numbers::pi); };
-    const auto& [G, M, m, x, y, vx, vy, push_x, push_y, orbit] = now;
+    const auto& [G, M, m, x, y, vx, vy, push_x, push_y] = now;
     return {{start.G, start.M, start.r0, start.r0_dot, angle(start.theta0), start.theta0_dot},
-            {G, M, m, x, y, vx, vy, push_x, push_y, orbit},
+            {G, M, m, x, y, vx, vy, push_x, push_y},
             t,
             angle(theta),
             c0,
             c1};
   }
 };
-
-/// The orbit's elements by the lines that use the initial condition.
-template <class T>
-struct Elements {
-  T mu, squared, tilted;  ///< r0^3 theta0'^2, r0^2 r0' theta0'
-  T gamma0, gamma1, e, rho, a, omega;
-
-  explicit Elements(const LaterOf<T>& k) : mu(k.start.mu()) {
-    const auto& [G, M, r0, r0_dot, theta0, w0] = k.start;
-    squared = r0 * r0 * r0 * w0 * w0, tilted = r0 * r0 * r0_dot * w0, gamma0 = r0 * r0 * abs(w0);
-    gamma1 = sqrt(pow(squared - mu, 2) + tilted * tilted), e = gamma1 / mu, rho = gamma0 * gamma0 / gamma1;
-    a = rho * e / (1 - e * e), omega = theta0 - atan2(tilted, squared - mu);
-  }
-  T radius(const T& p, const T& angle) const { return p / (1 + e * cos(angle)); }
-  T orbit(const T& angle) const { return radius(e * rho, angle); }
-};
-
-template <class T>
-TypesetLetters LaterOf<T>::typeset() const {
-  const Elements<T> of(*this);
-  return {{"G", start.G},
-          {"M", start.M},
-          {"r_0", start.r0},
-          {R"(\dot r_0)", start.r0_dot},
-          {R"(\theta_0)", start.theta0},
-          {R"(\dot\theta_0)", start.theta0_dot},
-          {R"(\alpha)", start.M * start.h()},
-          {R"(\theta)", theta},
-          {"V", V()},
-          {"V_h", potential(theta)},
-          {"c_0", c0},
-          {"c_1", c1},
-          {"e", of.e},
-          {R"(\rho)", of.rho},
-          {"a", of.a},
-          {R"(\omega)", of.omega}};
-}
-
-/// A position and a velocity in space, with drag in addition to gravity.
-template <class T>
-struct InSpaceOf {
-  T mu;
-  std::array<T, 3> q, v;
-
-  InSpaceOf() = default;
-  explicit InSpaceOf(Random& random) : q(random.point()), v(random.point()) {
-    mu = abs(random.magnitude(0.1, 10));
-  }
-  std::array<T*, 7> quantities() { return {&mu, &q[0], &q[1], &q[2], &v[0], &v[1], &v[2]}; }
-  double size() const {
-    const auto a = gravity(mu, q);
-    return hypot(q[0], q[1], q[2]) * hypot(a[0], a[1], a[2]);
-  }
-  std::string where() const { return R"($\mathbf r$ = ()" + format_shortest(q[0]) + ", ...)"; }
-  /// d/dt (r x v) = r x a.
-  auto turned(double drag) const {
-    auto f = gravity(mu, q);
-    for (std::size_t j = 0; j < 3; ++j) f[j] -= drag * v[j];
-    return values(q[1] * f[2] - q[2] * f[1], q[2] * f[0] - q[0] * f[2], q[0] * f[1] - q[1] * f[0]);
-  }
-};
-
-namespace {
-
-using Later = LaterOf<double>;
-using OfStart = ProvableFormula<LaterOf>;
-using LaterTable = ProvableClaims<LaterOf>;
-using SpaceTable = ProvableClaims<InSpaceOf>;
 
 /// The distances of the apsides, from the energy and the angular momentum of the later moment.
 template <class T>
@@ -327,18 +243,81 @@ struct Apsides {
   }
 };
 
+/// The orbit's elements by the lines that use the initial condition.
+template <class T>
+struct Elements {
+  T mu, squared, tilted;  ///< r0^3 theta0'^2, r0^2 r0' theta0'
+  T gamma0, gamma1, e, rho, omega;
+
+  explicit Elements(const Given<T>& start) : mu(start.mu()) {
+    const auto& [G, M, r0, r0_dot, theta0, w0] = start;
+    squared = r0 * r0 * r0 * w0 * w0, tilted = r0 * r0 * r0_dot * w0, gamma0 = r0 * r0 * abs(w0);
+    gamma1 = sqrt(pow(squared - mu, 2) + tilted * tilted), e = gamma1 / mu, rho = gamma0 * gamma0 / gamma1;
+    omega = theta0 - atan2(tilted, squared - mu);
+  }
+  T as_printed(const T& theta) const { return e * rho / (1 + e * cos(theta)); }
+};
+
+/// V_0 and V_0' are by dual numbers at the start, `a` by the apsides of the later moment.
+template <class T>
+TypesetIn<T> LaterOf<T>::typeset() const {
+  const Elements<T> of(start);
+  const AlongOf<T> at_start = first();
+  const T c = cos(start.theta0), s = sin(start.theta0);
+  TypesetIn<T> all = letters_of(start);
+  all.insert(all.end(), {{"r", r()},
+                         {R"(\alpha)", start.M * start.h()},
+                         {R"(\theta)", theta},
+                         {R"(\dot\theta)", w()},
+                         {"V", V()},
+                         {"V_0", at_start.V},
+                         {"V_0'", at_start.V1},
+                         {"c_0", c0},
+                         {"c_1", c1},
+                         {R"(\mathbf r)", {now.x, now.y, 0}},
+                         {R"(\mathbf v)", {now.vx, now.vy, 0}},
+                         {R"(\mathbf r_0)", {at_start.x, at_start.y, 0}},
+                         {R"(\mathbf v_0)", {at_start.vx, at_start.vy, 0}},
+                         {R"(\mathbf c_0)", {0, 0, start.h()}},
+                         {R"(\mathbf R_0)", {c, s, 0}},
+                         {R"(\mathbf P_0)", {-s, c, 0}},
+                         {R"(\gamma_0)", of.gamma0},
+                         {R"(\gamma_1)", of.gamma1},
+                         {"e", of.e},
+                         {R"(\rho)", of.rho},
+                         {R"(\omega)", of.omega},
+                         {"a", Apsides(*this).half_axis}});
+  return all;
+}
+
+/// A position and a velocity in space, with an acceleration by gravity.
+template <class T>
+struct InSpaceOf {
+  T mu;
+  std::array<T, 3> q, v;
+
+  InSpaceOf() = default;
+  explicit InSpaceOf(Random& random) : q(random.point()), v(random.point()) {
+    mu = abs(random.magnitude(0.1, 10));
+  }
+  std::array<T*, 7> letters() { return {&mu, &q[0], &q[1], &q[2], &v[0], &v[1], &v[2]}; }
+  TypesetIn<T> typeset() const {
+    return {{R"(\mathbf r)", q}, {R"(\mathbf v)", v}, {R"(\mathbf a)", gravity(mu, q)}};
+  }
+};
+
+namespace {
+
+using Later = LaterOf<double>;
+using OfStart = ProvableFormula<LaterOf>;
+using LaterTable = ProvableClaims<LaterOf>;
+using SpaceTable = ProvableClaims<InSpaceOf>;
+
 /// Initial condition with `transverse` and `radial` times the circular speed.
 Start random_start(Random& random, double transverse, double radial) {
   const double G = abs(random.magnitude(0.2, 5)), M = abs(random.magnitude(0.2, 5));
   const double r0 = abs(random.magnitude(0.3, 3)), circular = sqrt(G * M / r0);
   return {G, M, r0, radial * circular, random.between(-pi, pi), transverse * circular / r0};
-}
-
-std::string letters_of(const Start& s) {
-  return "$G$ = " + format_shortest(s.G) + ", $M$ = " + format_shortest(s.M) +
-         ", $r_0$ = " + format_shortest(s.r0) + R"(, $\dot r_0$ = )" + format_shortest(s.r0_dot) +
-         R"(, $\theta_0$ = )" + format_shortest(s.theta0) + R"(, $\dot\theta_0$ = )" +
-         format_shortest(s.theta0_dot);
 }
 
 /// Bound orbits of eccentricity up to 0.95, in either sense, each split into this many pieces.
@@ -364,10 +343,7 @@ std::vector<Later> orbits(double seed) {
     }
     const double push_x = random.normal(), push_y = random.normal(), m = abs(random.magnitude(1e-3, 1e3));
     const auto& [x, y, vx, vy] = states.back();
-    Later k{
-        s,   {s.G, s.M, m, x, y, vx, vy, push_x, push_y, letters_of(s) + ", $t$ = " + format_shortest(end)},
-        end, angles.back(),
-        0,   0};
+    Later k{s, {s.G, s.M, m, x, y, vx, vy, push_x, push_y}, end, angles.back(), 0, 0};
     double best = 0;
     for (std::size_t one = pieces / 8; one < pieces; one += pieces / 8)
       for (std::size_t two = one + pieces / 8; two < pieces; two += pieces / 8) {
@@ -393,26 +369,28 @@ struct AnyStart {
       : across(random.between(least, most)),
         along(random.between(-most_along, most_along)),
         start(random_start(random, across, along)) {}
-  std::string where() const { return letters_of(start); }
-  double size() const { return 2 + 2 / (across * across); }
+  std::string where() const { return listed(letters_of(start), 6); }
 
   /// Whether r falls to a thousandth of r0 within ten times the time of a radian on a circle.
   bool falls() const {
-    const auto system = [&](const std::array<double, 2>& z, std::array<double, 2>& d, double) {
-      d = {z[1], start.h() * start.h() / pow(z[0], 3) - start.mu() / (z[0] * z[0])};
-    };
-    const auto near = [&](double, const auto&, double, const std::array<double, 2>& z) {
-      return z[0] < 1e-3 * start.r0;
+    const Distance<double> model{start};
+    const auto near = [&](double, const auto&, double, const Distance<double>::State& now) {
+      return now[0] < 1e-3 * start.r0;
     };
     const double span = sqrt(pow(start.r0, 3) / start.mu());
     const std::array times{0.0, 10 * span};
-    const auto states = ode::integrate<ode::RungeKutta4>(system, std::array{start.r0, start.r0_dot},
-                                                         std::span<const double>(times), 1e-3 * span, near);
+    const auto states = ode::integrate<ode::RungeKutta4>(model, model.start(), std::span<const double>(times),
+                                                         1e-3 * span, near);
     return !(states.value.back()[0] >= 1e-3 * start.r0);
   }
-  bool ellipse_below(double square) const {
-    if (across * across + along * along >= square) return true;
-    return hypot(start.h() * start.h() / start.r0 - start.mu(), start.h() * start.r0_dot) < start.mu();
+  TypesetLetters typeset() const {
+    const OneAngle<double> by_start(start);
+    TypesetLetters all = letters_of(start);
+    all.insert(all.end(), {{"e", Elements(start).e},
+                           {"c_0", by_start.c0},
+                           {"c_1", by_start.c1},
+                           {R"(\alpha)", by_start.alpha}});
+    return all;
   }
 };
 
@@ -439,22 +417,48 @@ std::vector<AnyStart> and_straight(std::vector<AnyStart> all) {
   return all;
 }
 
+/// Forms of one quantity, as a line shows them: left = form = form.
+struct Forms {
+  std::string left = {};
+  std::vector<std::string> printed = {}, meant = {};
+  std::string why = {};
+  std::string after = {};  ///< the line's words after the formula
+};
+
+/// Claims several forms of one quantity. The fault of a line that is meant in another way is a lost bar.
+template <template <class> class Of>
+void forms(ProvableClaims<Of>& table, std::string_view slug, int line,
+           const typename ProvableClaims<Of>::Samples& samples,
+           const std::type_identity_t<ProvableFormula<Of>>& truth, const Forms& of) {
+  const auto joined = [](std::string text, const std::vector<std::string>& all, const std::string& by) {
+    for (const std::string& form : all) text += (text.empty() ? "" : by) + form;
+    return text;
+  };
+  const auto row = [&](const std::vector<std::string>& all) {
+    const std::string text = joined("", all, R"(,\ )");
+    return all.empty() ? "" : all.size() == 1 ? "$" + text + "$" : "$(" + text + ")$";
+  };
+  table.formula(slug, line, "$" + joined(of.left, of.printed, "=") + "$" + of.after, samples,
+                {.quantity = of.left.empty() ? "" : "$" + of.left + "$",
+                 .truth = truth,
+                 .printed = row(of.printed),
+                 .meant = row(of.meant),
+                 .kind = of.meant.empty() ? Fault::none : Fault::lost_typography,
+                 .why = of.why});
+}
+
 // ---- Newton's law in polar coordinates: lines 945 to 1007 -------------------------------------------------
 
 void plane(SpaceTable& table, const std::vector<InSpaceOf<double>>& samples) {
-  table.formula(
-      "plane", 945,
-      R"(The normal $\mathbf c_0=\mathbf r\times\mathbf v$ is constant: the motion stays in the )"
-      R"(plane of $\mathbf r$ and $\mathbf v$.)",
-      samples,
-      {.quantity = R"($\mathbf r\times\ddot{\mathbf r}$, the rate of $\mathbf r\times\mathbf v$)",
-       .truth = {R"($\mathbf r\times\ddot{\mathbf r}$ with the slope of $GM/|\mathbf r|$ by dual numbers)",
-                 [](const auto& k) { return k.turned(0); }},
-       .printed = {"zero", [](const auto&) { return values(0, 0, 0); }},
-       .near_misses = {{R"(drag's $-0.1\,\mathbf r\times\mathbf v$)", [](const auto& k) {
-                          const auto dragged = k.turned(0.1), free = k.turned(0);
-                          return values(dragged[0] - free[0], dragged[1] - free[1], dragged[2] - free[2]);
-                        }}}});
+  table.formula("plane", 945,
+                R"(The normal $\mathbf c_0=\mathbf r\times\mathbf v$ is constant: the motion stays in the )"
+                R"(plane of $\mathbf r$ and $\mathbf v$.)",
+                samples,
+                {.quantity = R"($\mathbf r\times\mathbf a$, the rate of $\mathbf r\times\mathbf v$)",
+                 .truth = "$0$",
+                 .printed = R"($\mathbf r\times\mathbf a=(0,\ 0,\ 0)$)",
+                 .near_misses = {R"($\mathbf r\times(\mathbf a-0.1\,\mathbf v)=(0,\ 0,\ 0)$)"},
+                 .changes_that_hold = "a multiple of zero is zero"});
 }
 
 void motion_in_a_plane(Claims& claims, const std::vector<Later>& orbits, double seed) {
@@ -466,21 +470,19 @@ void motion_in_a_plane(Claims& claims, const std::vector<Later>& orbits, double 
                    [](const AnyStart& k) { return k.across == 0 || !k.falls(); }},
        .near_misses = {{R"($r$ stays above $r_0/1000$ also where $\mathbf r$ and $\mathbf v$ are in line)",
                         [](const AnyStart& k) { return !k.falls(); }}}});
-  claims.statement<Later>(
-      "increasing", 987, R"(For $\dot\theta_0>0$ the angle increases strictly for all time.)", orbits,
-      {.printed = {R"(for $\dot\theta_0>0$ later on the path $\dot\theta>0$ and $\theta>\theta_0$)",
-                   [](const Later& k) {
-                     return k.start.theta0_dot < 0 || (k.h() > 0 && k.theta > k.start.theta0);
-                   }},
-       .near_misses = {{R"(for $\dot\theta_0<0$ likewise)", [](const Later& k) {
-                          return k.start.theta0_dot > 0 || (k.h() > 0 && k.theta > k.start.theta0);
-                        }}}});
+  std::vector<Later> forward;
+  std::ranges::copy_if(orbits, std::back_inserter(forward),
+                       [](const Later& k) { return k.start.theta0_dot > 0; });
+  claims.statement<Later>("increasing", 987,
+                          R"(For $\dot\theta_0>0$ the angle increases strictly for all time.)", forward,
+                          {.printed = {R"($(\dot\theta,\ \theta)>(0,\ \theta_0)$)"},
+                           .near_misses = {{R"($(\dot\theta,\ \theta)>(\dot\theta_0,\ \theta_0)$)"}}});
 }
 
 void polar_acceleration(PushedTable& table, const std::vector<Pushed>& moments) {
   const auto acceleration =
       along<PushedOf>(R"($\ddot{\mathbf r}$, any acceleration in Cartesian coordinates)",
-                      [](const auto& k) { return in_plane(k.ax, k.ay); }, &Along::of_transverse);
+                      [](const auto& k) { return in_plane(k.ax, k.ay); }, &Along::of_rates);
   const std::string polar =
       R"($\mathbf a=(\ddot r-r\dot\theta^2)\mathbf R+(r\ddot\theta+2\dot r\dot\theta)\mathbf P$)";
   table.formula("acceleration", 949, polar, moments,
@@ -496,14 +498,11 @@ void polar_acceleration(PushedTable& table, const std::vector<Pushed>& moments) 
            R"(Exercise 3.1 (855) and the end of this one (1229) give the number (3.2) to the orbit, )"
            R"($r=e\rho/(1+e\cos\theta)$, which knows no acceleration but $-GM/r^2$ towards the sun. The polar )"
            R"(form is another equation of the book: whoever looks (3.2) up for it finds the orbit.)"});
-  table.formula(
-      "areal", 973,
-      R"($r(r\ddot\theta+2\dot r\dot\theta)=r^2\ddot\theta+2r\dot r\dot\theta=\frac{d}{dt}(r^2\dot\theta)$)",
-      moments,
-      {.truth = along<PushedOf>(R"($x\ddot y-y\ddot x$)",
-                                [](const auto& k) { return k.x * k.ay - k.y * k.ax; }, &Along::of_moment),
-       .printed = R"($(r(r\ddot\theta+2\dot r\dot\theta),\ r^2\ddot\theta+2r\dot r\dot\theta,)"
-                  R"(\ \frac{d}{dt}(r^2\dot\theta))$)"});
+  forms(table, "areal", 973, moments,
+        along<PushedOf>(R"($x\ddot y-y\ddot x$)", [](const auto& k) { return k.x * k.ay - k.y * k.ax; },
+                        &Along::of_moment),
+        {.printed = {R"(r(r\ddot\theta+2\dot r\dot\theta))", R"(r^2\ddot\theta+2r\dot r\dot\theta)",
+                     R"(\frac{d}{dt}(r^2\dot\theta))"}});
 }
 
 /// Claims an equation, as printed and as meant.
@@ -542,12 +541,12 @@ void equations_of_motion(Table& table, const std::vector<Moment>& moments) {
            R"(as far away by @2 and the second by @1, instead of by @2. The last form of the line has its )"
            R"(bar.)",
            {pow(2, 4), pow(2, 2), pow(2, -2)})});
-  equation(table, "radial", 967, moments, &Along::of_radial, R"($\ddot r-r\dot\theta^2=-GM\,r^2$)",
+  equation(table, "radial", 967, moments, &Along::of_rates, R"($\ddot r-r\dot\theta^2=-GM\,r^2$)",
            R"($\ddot r-r\dot\theta^2=-GM/r^2$)",
            "The fraction bar is lost; equation (2), which follows from this line, shows it.");
   table.formula("transverse", 967, R"($r\ddot\theta+2\dot r\dot\theta=0$)", moments,
                 {.quantity = "the left side",
-                 .truth = zero(&Along::of_transverse),
+                 .truth = zero(&Along::of_rates),
                  .printed = R"($r\ddot\theta+2\dot r\dot\theta=0$)",
                  .changes_that_hold = "a multiple of zero is zero"});
   table.formula(
@@ -570,49 +569,36 @@ void equations_of_motion(Table& table, const std::vector<Moment>& moments) {
            R"(planet, for the Earth 1/@6 of the sun's. $\alpha$ is constant all the same, and every later )"
            R"(line uses no more than that: only $\alpha/M=r^2\dot\theta$ ever enters.)",
            {suns_per_earth})});
-  table.formula(
-      "radial_equation", 995,
-      R"($-GM/r^2=\ddot r-r\dot\theta^2=\ddot r-r(\alpha/(Mr^2))^2=\ddot r-\alpha^2/(M^2r^3)$ (2))", moments,
-      {.truth = along(R"($-GM/r^2$)", [](const auto& k) { return -k.mu / (k.r * k.r); }, &Along::of_radial),
-       .printed = R"($(\ddot r-r\dot\theta^2,\ \ddot r-r(\alpha/(Mr^2))^2,\ \ddot r-\alpha^2/(M^2r^3))$)"});
+  forms(table, "radial_equation", 995, moments,
+        along(R"($-GM/r^2$)", [](const auto& k) { return -k.mu / (k.r * k.r); }, &Along::of_rates),
+        {.left = R"(-GM/r^2)",
+         .printed = {R"(\ddot r-r\dot\theta^2)", R"(\ddot r-r(\alpha/(Mr^2))^2)",
+                     R"(\ddot r-\alpha^2/(M^2r^3))"},
+         .after = " (2)"});
 }
 
+/// A moment whose acceleration is also taken near the sun, alpha being the same.
+struct NearTheSun : Moment {
+  double z() const { return hypot(x, y) * 0x1p-21; }
+  double h() const { return x * vy - y * vx; }
+  double fall(double r) const { return Along(Moment{G, M, m, r, 0, 0, h() / r, 0, 0}).r_dot_dot; }
+  Tolerance tolerance(double) const {
+    return {16 * G * M * z() / (h() * h()) + 1e-12, R"(twice the pull's share there, $GMz/h^2$)"};
+  }
+};
+
 void singularity(Claims& claims, const std::vector<Moment>& moments) {
-  const auto singular = [&](const std::string& text, double ratio) {
-    WorstSample worst(R"($\ddot r$ at $z$ over $\ddot r$ at $2z$, $z=2^{-21}r$, $\alpha$ being the same)",
-                      "Cartesian, by dual numbers", text);
-    for (const Moment& k : moments) {
-      const Along now(k, false);
-      const auto fall = [&](double z) {
-        return Along({k.G, k.M, k.m, z, 0, 0, now.h / z, 0, 0, {}}, false).r_dot_dot;
-      };
-      const double z = now.r * 0x1p-21;
-      worst.add(fall(z) / fall(2 * z), ratio,
-                {16 * now.mu * z / (now.h * now.h) + 1e-12, R"(twice the pull's share there, $GMz/h^2$)"},
-                ratio, k.where());
-    }
-    return Reading{text, {worst.check()}};
-  };
-  claims.add("singular", 1007, R"(The right-hand side of (2) has a singularity at $r=0$.)",
-             {.printed = singular("at half the distance $2^3$ times as large: it grows like $1/r^3$", 8),
-              .near_misses = {singular("at half the distance $2^2$ times as large", 4)}});
+  std::vector<NearTheSun> near;
+  for (const Moment& k : moments) near.push_back({k});
+  claims.formula<NearTheSun>(
+      "singular", 1007, R"(The right-hand side of (2) has a singularity at $r=0$.)", near,
+      {.quantity = R"($\ddot r$ at $z$ over $\ddot r$ at $2z$, $z=2^{-21}r$, if it grows like $1/r^3$)",
+       .truth = {"Cartesian, by dual numbers",
+                 [](const NearTheSun& k) { return k.fall(k.z()) / k.fall(2 * k.z()); }},
+       .printed = {"$2^3$"}});
 }
 
 // ---- the potential as a function of the angle: lines 1009 to 1101 -----------------------------------------
-
-/// Square of a complex number.
-template <class T>
-std::array<T, 2> squared(const std::array<T, 2>& z) {
-  return {z[0] * z[0] - z[1] * z[1], z[0] * z[1] + z[1] * z[0]};
-}
-
-/// lambda^2 (V + G^2 M^4/alpha^2), which is V'' if lambda^2 + 1 = 0.
-template <class T>
-auto bent_by(const std::array<T, 2>& lambda, const AlongOf<T>& k) {
-  const auto square = squared(lambda);
-  const T bend = k.V + k.mean();
-  return values(square[0] * bend, square[1] * bend);
-}
 
 void equation_of_the_potential(Table& table, const std::vector<Moment>& moments) {
   table.formula(
@@ -629,81 +615,70 @@ void equation_of_the_potential(Table& table, const std::vector<Moment>& moments)
            R"($\alpha=Mr^2\dot\theta$ the text divides the momentum by $m$ and multiplies it by $M$, so )"
            R"(that $V$ and $\alpha$ belong to different masses. The orbit depends on neither; only a )"
            R"(display of energies in joules is off by the factor $m$.)"});
-  const auto r_dot = along(R"($\dot r$ by dual numbers)", [](const auto& k) { return k.r_dot; });
-  const auto r_dot_dot =
-      along(R"($\ddot r$ by dual numbers)", [](const auto& k) { return k.r_dot_dot; }, &Along::of_radial);
-  /// Claims a rate of r, as printed and as meant, in one form or two.
-  const auto rate = [&](std::string_view slug, int line, const OfMoment& truth, const std::string& left,
-                        const std::vector<std::string>& printed, const std::vector<std::string>& meant = {},
-                        std::string why = {}) {
-    const auto row = [](const std::vector<std::string>& forms) {
-      return forms.empty()       ? ""
-             : forms.size() == 1 ? "$" + forms[0] + "$"
-                                 : "$(" + forms[0] + R"(,\ )" + forms[1] + ")$";
-    };
-    std::string says = left;
-    for (const std::string& form : printed) says += "=" + form;
-    table.formula(slug, line, "$" + says + "$", moments,
-                  {.quantity = "$" + left + "$",
-                   .truth = truth,
-                   .printed = row(printed),
-                   .meant = row(meant),
-                   .kind = meant.empty() ? Fault::none : Fault::lost_typography,
-                   .why = std::move(why)});
+  const auto rate = [&](std::string_view slug, int line, Forms of) {
+    of.left = R"(\dot r)";
+    forms(table, slug, line, moments,
+          along(R"($\dot r$ by dual numbers)", [](const auto& k) { return k.r_dot; }), of);
   };
+  const auto second_rate = [&](std::string_view slug, int line, Forms of) {
+    of.left = R"(\ddot r)";
+    forms(table, slug, line, moments,
+          along(R"($\ddot r$ by dual numbers)", [](const auto& k) { return k.r_dot_dot; }, &Along::of_rates),
+          of);
+  };
+  rate("power_rule", 1013,
+       {.printed = {R"(\frac{d}{dt}(-GM\,V))", R"((GM/V^2)\,dV/dt)"},
+        .meant = {R"(\frac{d}{dt}(-GM/V))", R"((GM/V^2)\,dV/dt)"},
+        .why =
+            R"(The fraction bar of $-GM/V$ is lost. The product $-GMV=G^2M^2/r$ is no distance, and shrinks )"
+            R"(where the distance grows.)"});
+  rate("chain_rule", 1021,
+       {.printed = {R"(GM\,V^2\,(dV/d\theta)\,\dot\theta)"},
+        .meant = {R"((GM/V^2)\,(dV/d\theta)\,\dot\theta)"},
+        .why = filled(
+            R"(The fraction bar is lost; the line before shows it. For the Earth, in astronomical units and )"
+            R"(years, the product $GMV^2$ is @5 where the quotient is @2.)",
+            {pow(four_pi_squared, 3), 1 / four_pi_squared})});
   rate(
-      "power_rule", 1013, r_dot, R"(\dot r)", {R"(\frac{d}{dt}(-GM\,V))", R"((GM/V^2)\,dV/dt)"},
-      {R"(\frac{d}{dt}(-GM/V))", R"((GM/V^2)\,dV/dt)"},
-      R"(The fraction bar of $-GM/V$ is lost. The product $-GMV=G^2M^2/r$ is no distance, and shrinks where )"
-      R"(the distance grows.)");
-  rate("chain_rule", 1021, r_dot, R"(\dot r)", {R"(GM\,V^2\,(dV/d\theta)\,\dot\theta)"},
-       {R"((GM/V^2)\,(dV/d\theta)\,\dot\theta)"},
-       filled(
-           R"(The fraction bar is lost; the line before shows it. For the Earth, in astronomical units and )"
-           R"(years, the product $GMV^2$ is @5 where the quotient is @2.)",
-           {pow(four_pi_squared, 3), 1 / four_pi_squared}));
-  rate("r_dot", 1031, r_dot, R"(\dot r)", {R"(GM\,(-GM/r)^2\,V'\,(\alpha\,Mr^2))", R"(\alpha V'/(GM^2))"},
-       {R"(GM/(-GM/r)^2\,V'\,(\alpha/(Mr^2)))", R"(\alpha V'/(GM^2))"},
-       R"(The bars of the first form's two fractions are lost. As products, the powers of $r$ cancel as )"
-       R"(well, and the result is $G^3M^4\alpha V'$ for $\alpha V'/(GM^2)$.)");
-  rate("second_chain_rule", 1041, r_dot_dot, R"(\ddot r)",
-       {R"(\alpha\,GM^2\,dV'/dt)", R"(\alpha\,GM^2\,V''\dot\theta)"},
-       {R"(\alpha/(GM^2)\,dV'/dt)", R"(\alpha/(GM^2)\,V''\dot\theta)"},
-       "The fraction bar is lost, here and in line 1049: line 1037, which is differentiated, shows it.");
-  rate("r_dot_dot", 1055, r_dot_dot, R"(\ddot r)",
-       {R"(\alpha\,GM^2\,V''\,(\alpha\,Mr^2))", R"(\alpha^2V''/(GM^3r^2))"},
-       {R"(\alpha/(GM^2)\,V''\,(\alpha/(Mr^2)))", R"(\alpha^2V''/(GM^3r^2))"},
-       R"(The bars of $\alpha/(GM^2)$ and of $\dot\theta=\alpha/(Mr^2)$ are lost; the last form of the line )"
-       R"(has one for both.)");
-  rate("r_dot_dot_by_V", 1063, r_dot_dot, R"(\ddot r)",
-       {R"(\alpha^2V''/(GM^3(-GM/V)^2))", R"(\alpha^2V''V^2/(G^3M^5))"});
-  equation(table, "radial_equation_again", 1073, moments, &Along::of_radial,
+      "r_dot", 1031,
+      {.printed = {R"(GM\,(-GM/r)^2\,V'\,(\alpha\,Mr^2))", R"(\alpha V'/(GM^2))"},
+       .meant = {R"(GM/(-GM/r)^2\,V'\,(\alpha/(Mr^2)))", R"(\alpha V'/(GM^2))"},
+       .why =
+           R"(The bars of the first form's two fractions are lost. As products, the powers of $r$ cancel as )"
+           R"(well, and the result is $G^3M^4\alpha V'$ for $\alpha V'/(GM^2)$.)"});
+  second_rate(
+      "second_chain_rule", 1041,
+      {.printed = {R"(\alpha\,GM^2\,dV'/dt)", R"(\alpha\,GM^2\,V''\dot\theta)"},
+       .meant = {R"(\alpha/(GM^2)\,dV'/dt)", R"(\alpha/(GM^2)\,V''\dot\theta)"},
+       .why =
+           "The fraction bar is lost, here and in line 1049: line 1037, which is differentiated, shows it."});
+  second_rate(
+      "r_dot_dot", 1055,
+      {.printed = {R"(\alpha\,GM^2\,V''\,(\alpha\,Mr^2))", R"(\alpha^2V''/(GM^3r^2))"},
+       .meant = {R"(\alpha/(GM^2)\,V''\,(\alpha/(Mr^2)))", R"(\alpha^2V''/(GM^3r^2))"},
+       .why =
+           R"(The bars of $\alpha/(GM^2)$ and of $\dot\theta=\alpha/(Mr^2)$ are lost; the last form of the )"
+           R"(line has one for both.)"});
+  second_rate("r_dot_dot_by_V", 1063,
+              {.printed = {R"(\alpha^2V''/(GM^3(-GM/V)^2))", R"(\alpha^2V''V^2/(G^3M^5))"}});
+  equation(table, "radial_equation_again", 1073, moments, &Along::of_rates,
            R"($-GM\,r^2=\ddot r-\alpha^2/(M^2r^3)$)", R"($-GM/r^2=\ddot r-\alpha^2/(M^2r^3)$)",
            "The fraction bar is lost; equation (2), which the line repeats, shows it.");
   equation(
-      table, "substituted", 1077, moments, &Along::of_radial,
+      table, "substituted", 1077, moments, &Along::of_rates,
       R"($-GM\,(-GM/V)^2=\alpha^2V''V^2/(G^3M^5)-\alpha^2/(M^2(-GM/V)^3)$)",
       R"($-GM/(-GM/V)^2=\alpha^2V''V^2/(G^3M^5)-\alpha^2/(M^2(-GM/V)^3)$)",
       R"(The bar of the left side is lost, as at line 953: $GM(-GM/V)^2$ is $GMr^2$, a pull that grows with )"
       R"(the distance. The next line, $-V^2/(GM)$, is the quotient.)");
-  equation(table, "simplified", 1083, moments, &Along::of_radial,
+  equation(table, "simplified", 1083, moments, &Along::of_rates,
            R"($-V^2/(GM)=\alpha^2V''V^2/(G^3M^5)+\alpha^2V^3/(G^3M^5)$)");
   equation(table, "potential_equation", 1091, moments, &Along::of_bend, R"($-G^2M^4/\alpha^2=V''+V$)");
-  const auto by_roots = [](double real, double imaginary) {
-    return [=]<class T>(const AlongOf<T>& k) {
-      const auto up = bent_by(std::array<T, 2>{real, imaginary}, k),
-                 down = bent_by(std::array<T, 2>{real, -imaginary}, k);
-      return values(up[0], up[1], down[0], down[1]);
-    };
-  };
   table.formula(
       "characteristic", 1095, R"($\lambda^2+1=0$ has the roots $\lambda=\pm i$.)", moments,
-      {.quantity = R"($V''$ on the path, real and imaginary part, twice)",
+      {.quantity = R"($V''$ times the unit matrix, $\lambda=i$ being the matrix of a quarter turn)",
        .truth = along(
-           "$V''$ by dual numbers", [](const auto& k) { return values(k.V2, 0, k.V2, 0); }, &Along::of_bend),
-       .printed =
-           along(R"($\lambda^2(V+G^2M^4/\alpha^2)$ with $\lambda=i$ and with $\lambda=-i$)", by_roots(0, 1)),
-       .near_misses = {along(R"($\lambda^2(V+G^2M^4/\alpha^2)$ with $\lambda=1$)", by_roots(1, 0))}});
+           "$V''$ by dual numbers", [](const auto& k) { return values(k.V2, 0, 0, k.V2); }, &Along::of_bend),
+       .printed = R"($\lambda\lambda(V+G^2M^4/\alpha^2)$)"});
   table.formula("independent", 1095,
                 R"($\sin\theta$ and $\cos\theta$ are linearly independent solutions of $V''+V=0$.)", moments,
                 {.quantity = "Wronski's determinant, which must not be zero",
@@ -714,16 +689,15 @@ void equation_of_the_potential(Table& table, const std::vector<Moment>& moments)
                                   return k.s * derivative(cosine, k.angle) - k.c * derivative(sine, k.angle);
                                 }),
                  .printed = "$-1$"});
-  table.formula(
-      "particular", 1101, R"($V_p=-G^2M^4/\alpha^2$ has $V_p''+V_p=0-G^2M^4/\alpha^2$)", moments,
-      {.quantity = R"($(V,V',V'')$ on a circle, where $V$ is constant and $\alpha$ is $\alpha_c$)",
-       .truth = along("$V$, $V'$ and $V''$ on a circle, by dual numbers",
-                      []<class T>(const AlongOf<T>& k) {
-                        const auto w = sqrt(k.mu / (k.r * k.r * k.r)), x = k.r * k.c, y = k.r * k.s;
-                        const AlongOf<T> circle({k.G, k.M, k.m, x, y, -w * y, w * x, 0, 0, {}}, false);
-                        return values(circle.V, circle.V1, circle.V2);
-                      }),
-       .printed = R"($(-G^2M^4/\alpha_c^2,\ 0,\ 0)$)"});
+  table.formula("particular", 1101, R"($V_p=-G^2M^4/\alpha^2$ has $V_p''+V_p=0-G^2M^4/\alpha^2$)", moments,
+                {.quantity = R"($(V,V',V'')$ on a circle, where $V$ is constant and $\alpha$ is $\alpha_c$)",
+                 .truth = along("$V$, $V'$ and $V''$ on a circle, by dual numbers",
+                                []<class T>(const AlongOf<T>& k) {
+                                  const auto w = sqrt(k.mu / (k.r * k.r * k.r)), x = k.r * k.c, y = k.r * k.s;
+                                  const AlongOf circle(MomentOf<T>{k.G, k.M, k.m, x, y, -w * y, w * x, 0, 0});
+                                  return values(circle.V, circle.V1, circle.V2);
+                                }),
+                 .printed = R"($(-G^2M^4/\alpha_c^2,\ 0,\ 0)$)"});
 }
 
 // ---- from the start to a later moment: lines 979 to 1227 --------------------------------------------------
@@ -739,80 +713,58 @@ void time_by_angle(LaterTable& table, const std::vector<Later>& orbits) {
        .printed =
            {R"($\int r^2d\theta/(r_0^2\dot\theta_0)$ and $r(\theta)$, by $c_0$ and $c_1$ from two other places)",
             [](const auto& k) {
-              return values(k.time_between(k.start.theta0, k.theta), k.distance(k.theta));
+              return values(k.time_between(k.start.theta0, k.theta, k.start.h()), k.distance(k.theta));
             }},
        .near_misses = {{"both functions at half the angle", [](const Later& k) {
                           const double half = (k.start.theta0 + k.theta) / 2;
-                          return values(k.time_between(k.start.theta0, half), k.distance(half));
+                          return values(k.time_between(k.start.theta0, half, k.start.h()), k.distance(half));
                         }}}});
 }
 
+/// A quantity from two places on the path that are neither the start nor the later moment.
+template <class F>
+OfStart by_two_places(const std::string& text, const F& of) {
+  return {text + ", $c_0$ and $c_1$ from two later places on the path", of};
+}
+
 void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
+  const OfStart rate{R"($\dot\theta$ later on a path by Newton's law)", [](const auto& k) { return k.w(); }};
   table.formula("conserved", 979,
                 R"($r^2\dot\theta$ is constant, and so is $\alpha=Mr^2\dot\theta=Mr_0^2\dot\theta_0$.)",
                 orbits,
                 {.quantity = R"($r^2\dot\theta$ and $Mr^2\dot\theta$)",
                  .truth = {R"($x\dot y-y\dot x$ later on a path by Newton's law, and $M$ times it)",
                            [](const auto& k) { return values(k.h(), k.start.M * k.h()); }},
-                 .printed = {R"($r_0^2\dot\theta_0$ and $Mr_0^2\dot\theta_0$)",
-                             [](const auto& k) { return values(k.start.h(), k.start.M * k.start.h()); }},
-                 .near_misses = {{R"($r_0\dot\theta_0$ and $Mr_0^2\dot\theta_0$)", [](const auto& k) {
-                                    return values(k.start.h() / k.start.r0, k.start.M * k.start.h());
-                                  }}}});
-  const auto rate = [](int power) {
-    return
-        [=](const auto& k) { return values(k.start.h() / pow(k.r(), 2), k.start.h() * pow(k.r(), power)); };
-  };
-  table.formula(
-      "rate", 981, R"($\dot\theta=\alpha/(Mr^2)=r_0^2\dot\theta_0\,r^2$ (1))", orbits,
-      {.quantity = R"($\dot\theta$, twice)",
-       .truth = {R"($(x\dot y-y\dot x)/r^2$ later on a path by Newton's law)",
-                 [](const auto& k) { return values(k.w(), k.w()); }},
-       .printed = {R"($\alpha/(Mr^2)$ and $r_0^2\dot\theta_0\,r^2$)", rate(2)},
-       .meant = {R"($\alpha/(Mr^2)$ and $r_0^2\dot\theta_0/r^2$)", rate(-2)},
-       .near_misses = {{R"($\alpha/(Mr^2)$ and $r_0^2\dot\theta_0/r$)", rate(-1)}},
-       .kind = Fault::lost_typography,
-       .why = filled(
-           R"(The bar of the second fraction is lost. Without it, a planet that has come to twice its )"
-           R"(distance goes round at @1 times its rate instead of @2 of it. The first form has its bar.)",
-           {pow(2, 2), pow(2, -2)})});
+                 .printed = R"($(r_0^2\dot\theta_0,\ Mr_0^2\dot\theta_0)$)"});
+  forms(table, "rate", 981, orbits, rate,
+        {.left = R"(\dot\theta)",
+         .printed = {R"(\alpha/(Mr^2))", R"(r_0^2\dot\theta_0\,r^2)"},
+         .meant = {R"(\alpha/(Mr^2))", R"(r_0^2\dot\theta_0/r^2)"},
+         .why = filled(
+             R"(The bar of the second fraction is lost. Without it, a planet that has come to twice its )"
+             R"(distance goes round at @1 times its rate instead of @2 of it. The first form has its bar.)",
+             {pow(2, 2), pow(2, -2)}),
+         .after = " (1)"});
   table.formula("constant", 1095, R"(The left-hand side $-G^2M^4/\alpha^2$ is a constant.)", orbits,
                 {.quantity = R"($-G^2M^4/\alpha^2$)",
                  .truth = {R"($-G^2M^4/\alpha^2$ by the angular momentum later on a path by Newton's law)",
                            [](const auto& k) { return -pow(k.start.mu() / k.h(), 2); }},
-                 .printed = {"at the start", [](const auto& k) { return -k.mean(); }},
-                 .near_misses = {{R"($V$)"}}});
-  const auto bent = [](double sign) { return [=](const auto& k) { return sign * (k.V() + k.mean()); }; };
+                 .printed = R"($-G^2M^4/\alpha^2$)"});
   table.formula("homogeneous", 1097, R"($V_h=c_0\sin\theta+c_1\cos\theta$ has $V_h''+V_h=0$)", orbits,
-                {.quantity = R"($V_h''$)",
+                {.quantity = R"($V_h''$, $V_h$ being $V-V_p$ at a third place)",
                  .truth = {R"($V_h''$ by dual numbers, $c_0$ and $c_1$ from two places on the path)",
                            [](const auto& k) {
                              return second_derivative([&](auto z) { return k.c0 * sin(z) + k.c1 * cos(z); },
                                                       k.theta);
                            }},
-                 .printed = {R"($-V_h$, which is $-(V+G^2M^4/\alpha^2)$ at a third place)", bent(-1)},
-                 .near_misses = {{R"($+V_h$)", bent(1)}}});
-  table.formula("potential", 1107, R"($V=c_0\sin\theta+c_1\cos\theta-G^2M^4/\alpha^2$ (3))", orbits,
-                {.quantity = R"($V$)",
-                 .truth = {R"($-GM/r$ later on a path by Newton's law)", [](const auto& k) { return k.V(); }},
-                 .printed = {R"((3), $c_0$ and $c_1$ from two other places)",
-                             [](const auto& k) { return k.potential(k.theta) - k.mean(); }},
-                 .near_misses = {{R"((3) with $+G^2M^4/\alpha^2$)",
-                                  [](const auto& k) { return k.potential(k.theta) + k.mean(); }}}});
-  table.formula(
-      "potential_slope", 1113, R"($V'=c_0\cos\theta-c_1\sin\theta$)", orbits,
-      {.quantity = R"($V'$)",
-       .truth = {R"($\dot V/\dot\theta$ later on the path, by dual numbers)",
-                 [](const auto& k) { return motion_at(k.now).V1; }},
-       .printed = {R"($c_0\cos\theta-c_1\sin\theta$)", [](const auto& k) { return k.slope(k.theta); }},
-       .near_misses = {{R"($c_0\cos\theta+c_1\sin\theta$)"}}});
-
-  const auto system = [](double sign, bool later) {
-    return [=](const auto& k) {
-      const auto at = k.start.theta0, sine = sin(later ? k.theta : at);
-      return values(k.potential(at), k.c0 * cos(at) + sign * k.c1 * sine);
-    };
-  };
+                 .printed = R"($V_h''=-(V+G^2M^4/\alpha^2)$)"});
+  forms(table, "potential", 1107, orbits,
+        {R"($-GM/r$ later on a path by Newton's law)", [](const auto& k) { return k.V(); }},
+        {.left = "V", .printed = {R"(c_0\sin\theta+c_1\cos\theta-G^2M^4/\alpha^2)"}, .after = " (3)"});
+  forms(table, "potential_slope", 1113, orbits,
+        {R"($\dot V/\dot\theta$ later on the path, by dual numbers)",
+         [](const auto& k) { return AlongOf(k.now).V1; }},
+        {.left = "V'", .printed = {R"(c_0\cos\theta-c_1\sin\theta)"}});
   table.formula(
       "system", 1117,
       R"(At $\theta_0$: $c_0\sin\theta_0+c_1\cos\theta_0=V_0+G^2M^4/\alpha^2$, $c_0\cos\theta_0-c_1\sin\theta=V_0'$)",
@@ -823,193 +775,130 @@ void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
                    const auto first = k.first();
                    return values(first.V + k.mean(), first.V1);
                  }},
-       .printed = {R"($(c_0\sin\theta_0+c_1\cos\theta_0,\ c_0\cos\theta_0-c_1\sin\theta)$)",
-                   system(-1, true)},
-       .meant = {R"($(c_0\sin\theta_0+c_1\cos\theta_0,\ c_0\cos\theta_0-c_1\sin\theta_0)$)",
-                 system(-1, false)},
-       .near_misses = {{R"($(c_0\sin\theta_0+c_1\cos\theta_0,\ c_0\cos\theta_0+c_1\sin\theta_0)$)"}},
+       .printed = R"($(c_0\sin\theta_0+c_1\cos\theta_0,\ c_0\cos\theta_0-c_1\sin\theta)$)",
+       .meant = R"($(c_0\sin\theta_0+c_1\cos\theta_0,\ c_0\cos\theta_0-c_1\sin\theta_0)$)",
        .kind = Fault::formula,
        .why =
            "Both equations are at the initial angle. The sine of the second has lost its index 0, which the "
            "solution given next shows."});
-  const auto solved = [](double sign) {
-    return [=](const auto& k) {
-      const auto first = k.first();
-      return k.parts(first.V + k.mean(), sign * first.V1);
-    };
-  };
-  table.formula(
-      "system_solved", 1123,
-      R"($c_0=(V_0+G^2M^4/\alpha^2)\sin\theta_0+V_0'\cos\theta_0$, $c_1=(V_0+G^2M^4/\alpha^2)\cos\theta_0-V_0'\sin\theta_0$)",
-      orbits,
-      {.quantity = R"($(c_1,c_0)$)",
-       .truth = {R"($c_1$ and $c_0$ from two later places on the path)",
-                 [](const auto& k) { return values(k.c1, k.c0); }},
-       .printed = {R"(the solution, $V_0$ and $V_0'$ by dual numbers)", solved(1)},
-       .near_misses = {{R"(the solution with $-V_0'$)", solved(-1)}}});
-  const auto V0 = [](double share) {
-    return [=](const auto& k) { return share * k.start.mu() / k.start.r0; };
-  };
+  const std::string bracket = R"((V_0+G^2M^4/\alpha^2))", c0 = bracket + R"(\sin\theta_0+V_0'\cos\theta_0)",
+                    c1 = bracket + R"(\cos\theta_0-V_0'\sin\theta_0)";
+  table.formula("system_solved", 1123, "$c_0=" + c0 + "$, $c_1=" + c1 + "$", orbits,
+                {.quantity = R"($(c_0,c_1)$, $V_0$ and $V_0'$ by dual numbers)",
+                 .truth = {R"($c_0$ and $c_1$ from two later places on the path)",
+                           [](const auto& k) { return values(k.c0, k.c1); }},
+                 .printed = "$(" + c0 + R"(,\ )" + c1 + ")$"});
   table.formula(
       "V0", 1143, R"($V_0=V(\theta_0)=GM/r_0$)", orbits,
       {.quantity = R"($V(\theta_0)$)",
-       .truth = {R"((3), $c_0$ and $c_1$ from two later places on the path)",
-                 [](const auto& k) { return k.potential(k.start.theta0) - k.mean(); }},
-       .printed = {R"($GM/r_0$)", V0(1)},
-       .corrected = {R"($-GM/r_0$)", V0(-1)},
-       .near_misses = {{R"($-GM/(2r_0)$)"}},
+       .truth = by_two_places("(3)", [](const auto& k) { return k.potential(k.start.theta0) - k.mean(); }),
+       .printed = R"($GM/r_0$)",
+       .corrected = R"($-GM/r_0$)",
        .kind = Fault::formula,
        .root = "sign of the potential at the start",
        .why =
            R"($V=-GM/r$ by definition (line 1009), so $V_0=-GM/r_0$. The sign is carried on into (4) and (5), and )"
            R"(turns the planet's orbit into one on which it stops.)"});
-  const auto mu_M_r0_dot = [](const auto& k) { return k.start.mu() * k.start.M * k.start.r0_dot; };
-  const auto alpha = [](const auto& k) { return k.start.M * k.start.h(); };
-  table.formula(
-      "V0_slope", 1149, R"($V_0'=GM^2\dot r_0\,\alpha$)", orbits,
-      {.quantity = R"($V'(\theta_0)$)",
-       .truth = {R"((3) differentiated, $c_0$ and $c_1$ from two later places on the path)",
-                 [](const auto& k) { return k.slope(k.start.theta0); }},
-       .printed = {R"($GM^2\dot r_0\,\alpha$)", [=](const auto& k) { return mu_M_r0_dot(k) * alpha(k); }},
-       .meant = {R"($GM^2\dot r_0/\alpha$)", [=](const auto& k) { return mu_M_r0_dot(k) / alpha(k); }},
-       .near_misses = {{R"($GM\dot r_0/\alpha$)"}},
-       .kind = Fault::lost_typography,
+  forms(
+      table, "V0_slope", 1149, orbits,
+      by_two_places("(3) differentiated", [](const auto& k) { return k.slope(k.start.theta0); }),
+      {.left = "V_0'",
+       .printed = {R"(GM^2\dot r_0\,\alpha)"},
+       .meant = {R"(GM^2\dot r_0/\alpha)"},
        .why =
            R"(The fraction bar is lost: without it, the text reads $GM^2\dot r_0\,\alpha$; line 1031, from )"
            R"(which it comes, is $\dot r=\alpha V'/(GM^2)$.)"});
-
-  const auto squares = [](const auto& k) {
-    return pow(k.start.mu(), 2) / (pow(k.start.r0, 4) * pow(k.start.theta0_dot, 2));
-  };
-  const auto tilt = [](const auto& k) { return k.start.mu() * k.start.r0_dot / k.start.h(); };
   table.formula(
       "mass_cancels", 1171,
       R"($G^2M^4/(Mr_0^2\dot\theta_0)^2=G^2M^2/(r_0^4\dot\theta_0^2)$, and the term in $\dot r_0$ is $GM\,\dot r_0\,r_0^2\dot\theta_0$)",
       orbits,
       {.quantity = R"($G^2M^4/\alpha^2$ and $GM^2\dot r_0/\alpha$)",
        .truth = {R"($\alpha=Mr^2\dot\theta$ taken later on the path)",
-                 [=](const auto& k) {
-                   return values(pow(k.start.mu() / k.h(), 2), mu_M_r0_dot(k) / (k.start.M * k.h()));
+                 [](const auto& k) {
+                   const auto mu = k.start.mu(), alpha = k.start.M * k.h();
+                   return values(pow(mu / k.h(), 2), mu * k.start.M * k.start.r0_dot / alpha);
                  }},
-       .printed = {R"($G^2M^2/(r_0^4\dot\theta_0^2)$ and $GM\,\dot r_0\,r_0^2\dot\theta_0$)",
-                   [=](const auto& k) {
-                     return values(squares(k), k.start.mu() * k.start.r0_dot * k.start.h());
-                   }},
-       .meant = {R"($G^2M^2/(r_0^4\dot\theta_0^2)$ and $GM\,\dot r_0/(r_0^2\dot\theta_0)$)",
-                 [=](const auto& k) { return values(squares(k), tilt(k)); }},
-       .near_misses = {{R"($G^2M^3/(r_0^4\dot\theta_0^2)$ and $GM^2\dot r_0/(r_0^2\dot\theta_0)$)",
-                        [=](const auto& k) { return values(squares(k) * k.start.M, tilt(k) * k.start.M); }}},
+       .printed = R"($(G^2M^2/(r_0^4\dot\theta_0^2),\ GM\,\dot r_0\,r_0^2\dot\theta_0)$)",
+       .meant = R"($(G^2M^2/(r_0^4\dot\theta_0^2),\ GM\,\dot r_0/(r_0^2\dot\theta_0))$)",
        .kind = Fault::lost_typography,
        .why = filled(
            R"(The bars of the terms in $\dot r_0$ are lost in both lines: the second has )"
            R"($GM\,\dot r_0\,r_0^2\dot\theta_0$. At the start of the scene below that is @2, and the quotient @2.)",
            {near_earth.mu() * near_earth.r0_dot * near_earth.h(),
             near_earth.mu() * near_earth.r0_dot / near_earth.h()})});
-  table.formula("last_term_of_c1", 1187,
-                R"(The last term of (5) is $GM\,\dot r_0\,r_0^2\dot\theta_0\sin\theta_0$.)", orbits,
-                {.quantity = R"($V_0'\sin\theta_0$)",
-                 .truth = {R"((3) differentiated, $c_0$ and $c_1$ from two later places on the path)",
-                           [](const auto& k) { return k.slope(k.start.theta0) * sin(k.start.theta0); }},
-                 .printed = {R"($GM\,\dot r_0\,r_0^2\dot\theta_0\sin\theta_0$)",
-                             [](const auto& k) {
-                               return k.start.mu() * k.start.r0_dot * k.start.h() * sin(k.start.theta0);
-                             }},
-                 .meant = {R"($GM\,\dot r_0/(r_0^2\dot\theta_0)\,\sin\theta_0$)",
-                           [=](const auto& k) { return tilt(k) * sin(k.start.theta0); }},
-                 .near_misses = {{R"($GM\,\dot r_0/(r_0\dot\theta_0)\,\sin\theta_0$)"}},
-                 .kind = Fault::lost_typography,
-                 .why = "The fraction bar is lost, as in (4)."});
+  table.formula(
+      "last_term_of_c1", 1187, R"(The last term of (5) is $GM\,\dot r_0\,r_0^2\dot\theta_0\sin\theta_0$.)",
+      orbits,
+      {.quantity = R"($V_0'\sin\theta_0$)",
+       .truth = by_two_places("(3) differentiated",
+                              [](const auto& k) { return k.slope(k.start.theta0) * sin(k.start.theta0); }),
+       .printed = R"($GM\,\dot r_0\,r_0^2\dot\theta_0\sin\theta_0$)",
+       .meant = R"($GM\,\dot r_0/(r_0^2\dot\theta_0)\,\sin\theta_0$)",
+       .kind = Fault::lost_typography,
+       .why = "The fraction bar is lost, as in (4)."});
   table.formula(
       "V0_put_in", 1159, R"(Put into $c_0$ and $c_1$, $V_0$ is $GM\,r_0$.)", orbits,
       {.quantity = R"(the first term of the brackets, whose sign is judged at `V0`)",
-       .truth = {R"($-V(\theta_0)$ by (3), $c_0$ and $c_1$ from two later places on the path)",
-                 [](const auto& k) { return k.mean() - k.potential(k.start.theta0); }},
+       .truth = by_two_places(R"($-V(\theta_0)$ by (3))",
+                              [](const auto& k) { return k.mean() - k.potential(k.start.theta0); }),
        .printed = {R"($GM\,r_0$)"},
        .meant = {R"($GM/r_0$)"},
-       .near_misses = {{R"($GM/r_0^2$)"}},
        .kind = Fault::lost_typography,
        .why = R"(The fraction bar is lost here, at line 1171 and at line 1187; line 1143, which is put in, )"
               R"(shows it. The sign of $V_0$ is wrong in all of them.)"});
 
-  /// (4) or (5), with the given sign of GM/r0 and of the last term.
-  const auto constant = [=](bool fourth, double sign, double last) {
-    return [=](const auto& k) {
-      const auto bracket = sign * k.start.mu() / k.start.r0 + squares(k), angle = k.start.theta0;
-      return fourth ? bracket * sin(angle) + last * tilt(k) * cos(angle)
-                    : bracket * cos(angle) - last * tilt(k) * sin(angle);
-    };
+  /// (4), (5) or the bracket of (7), by the sign of GM/r0 and the factors of its two terms.
+  const auto constant = [](const std::string& sign, const std::string& first, const std::string& last) {
+    return R"(\left()" + sign + R"(\frac{GM}{r_0}+\frac{G^2M^2}{r_0^4\dot\theta_0^2}\right))" + first +
+           R"(\frac{GM\dot r_0}{r_0^2\dot\theta_0})" + last;
   };
-  const auto written = [](bool fourth, const std::string& sign) {
-    const std::string bracket =
-                          R"(\left()" + sign + R"(\frac{GM}{r_0}+\frac{G^2M^2}{r_0^4\dot\theta_0^2}\right))",
-                      last = R"(\frac{GM\dot r_0}{r_0^2\dot\theta_0})";
-    return fourth ? "$c_0=" + bracket + R"(\sin\theta_0+)" + last + R"(\cos\theta_0$)"
-                  : "$c_1=" + bracket + R"(\cos\theta_0-)" + last + R"(\sin\theta_0$)";
+  const auto wrong_sign = [&](std::string_view slug, int line, const std::string& says,
+                              const std::string& quantity, const OfStart& truth, const auto& written,
+                              std::string why) {
+    table.formula(slug, line, says, orbits,
+                  {.quantity = "$" + quantity + "$",
+                   .truth = truth,
+                   .printed = "$" + quantity + "=" + written("") + "$",
+                   .corrected = "$" + quantity + "=" + written("-") + "$",
+                   .kind = Fault::formula,
+                   .root = "sign of the potential at the start",
+                   .why = std::move(why)});
   };
-  const auto wrong_sign = [&](std::string_view slug, int line, bool fourth, std::string why) {
-    table.formula(
-        slug, line, written(fourth, "") + (fourth ? " (4)" : " (5)"), orbits,
-        {.quantity = fourth ? R"($c_0$)" : R"($c_1$)",
-         .truth = {std::string(fourth ? "$c_0$" : "$c_1$") + " from two later places on the path",
-                   [=](const auto& k) { return fourth ? k.c0 : k.c1; }},
-         .printed = {written(fourth, ""), constant(fourth, 1, 1)},
-         .corrected = {written(fourth, "-"), constant(fourth, -1, 1)},
-         .near_misses = {{"the corrected form, the last term with the other sign", constant(fourth, -1, -1)}},
-         .kind = Fault::formula,
-         .root = "sign of the potential at the start",
-         .why = std::move(why)});
+  const auto fourth = [&](const std::string& sign) {
+    return constant(sign, R"(\sin\theta_0+)", R"(\cos\theta_0)");
+  };
+  const auto fifth = [&](const std::string& sign) {
+    return constant(sign, R"(\cos\theta_0-)", R"(\sin\theta_0)");
+  };
+  const auto seventh = [&](const std::string& sign) {
+    return R"(\frac{\alpha}{G^2M^3}\left()" +
+           constant(sign, R"(\cos(\theta-\theta_0)+)", R"(\sin(\theta-\theta_0))") +
+           R"(-\frac{G^2M^4}{\alpha^2}\right)^2)";
   };
   wrong_sign(
-      "c0", 1171, true,
+      "c0", 1171, "$c_0=" + fourth("") + "$ (4)", "c_0",
+      {"$c_0$ from two later places on the path", [](const auto& k) { return k.c0; }}, fourth,
       R"(The first term is $V_0=-GM/r_0$. On a circle ($r_0^3\dot\theta_0^2=GM$) the bracket must vanish; as )"
       R"(printed it is $2GM/r_0$. The bars that our copy has lost are judged at `V0_put_in` and `mass_cancels`.)");
   wrong_sign(
-      "c1", 1187, false,
+      "c1", 1187, "$c_1=" + fifth("") + "$ (5)", "c_1",
+      {"$c_1$ from two later places on the path", [](const auto& k) { return k.c1; }}, fifth,
       R"(As in (4), the first term is $V_0=-GM/r_0$: on a circle $c_1$ must be zero, and as printed it is )"
       R"($2GM\cos\theta_0/r_0$.)");
-
-  const auto to_rate = [](const auto& k) {
-    return k.start.h() / (k.start.G * k.start.G * k.start.M * k.start.M);
-  };
-  const auto seven = [=](double sign) {
-    return [=](const auto& k) { return to_rate(k) * pow(k.potential(k.theta) + sign * k.mean(), 2); };
-  };
-  const OfStart later_rate{R"($\dot\theta$ later on a path by Newton's law)",
-                           [](const auto& k) { return k.w(); }};
-  table.formula("rate_by_angle", 1215,
-                R"($\dot\theta=\frac{\alpha}{G^2M^3}(c_0\sin\theta+c_1\cos\theta-G^2M^4/\alpha^2)^2$ (7))",
-                orbits,
-                {.quantity = R"($\dot\theta$)",
-                 .truth = later_rate,
-                 .printed = {R"((7), $c_0$ and $c_1$ from two other places)", seven(-1)},
-                 .near_misses = {{R"((7) with $+G^2M^4/\alpha^2$)", seven(1)}}});
+  forms(table, "rate_by_angle", 1215, orbits, rate,
+        {.left = R"(\dot\theta)",
+         .printed = {R"(\frac{\alpha}{G^2M^3}(c_0\sin\theta+c_1\cos\theta-G^2M^4/\alpha^2)^2)"},
+         .after = " (7)"});
   const OneAngle<double> printed_circle({4, 1, 1, 0, 0, 2}, 4);  // GM = 4, V0 = +4
-  const auto started = [=](double share) {
-    return [=](const auto& k) {
-      const OneAngle model(k.start, share * k.start.mu() / k.start.r0);
-      return to_rate(k) * pow(model.V(k.theta), 2);
-    };
-  };
-  const auto seven_put_in = [](const std::string& sign, const std::string& first) {
-    return R"($\dot\theta=\frac{\alpha}{G^2M^3}\left(\left()" + sign + first +
-           R"(+\frac{G^2M^2}{r_0^4\dot\theta_0^2}\right)\cos(\theta-\theta_0))"
-           R"(+\frac{GM\dot r_0}{r_0^2\dot\theta_0}\sin(\theta-\theta_0)-\frac{G^2M^4}{\alpha^2}\right)^2$)";
-  };
-  table.formula(
-      "constants_of_rate", 1227, "The constants of (7) are those of (4) and (5).", orbits,
-      {.quantity = R"($\dot\theta$)",
-       .truth = later_rate,
-       .printed = {seven_put_in("", R"(\frac{GM}{r_0})"), started(1)},
-       .corrected = {seven_put_in("-", R"(\frac{GM}{r_0})"), started(-1)},
-       .near_misses = {{seven_put_in("-", R"(\frac{GM}{2r_0})"), started(-0.5)}},
-       .kind = Fault::formula,
-       .root = "sign of the potential at the start",
-       .why = filled(
-           R"((4) and (5) put into (7) make its bracket $V_0$ at the start, and (7) squares it: the planet sets off with the right )"
-           R"($\dot\theta_0$ whichever the sign, and the error shows only later. With the printed sign the bracket )"
-           R"(reaches zero where $c_0\sin\theta+c_1\cos\theta=G^2M^4/\alpha^2$; there $\dot\theta=0$, and the planet )"
-           R"(never comes round. (A nearly circular orbit ends $@2^\circ$ from its start.))",
-           {180 / pi * acos(printed_circle.mean / hypot(printed_circle.c0, printed_circle.c1))})});
+  wrong_sign(
+      "constants_of_rate", 1227, "The constants of (7) are those of (4) and (5).", R"(\dot\theta)", rate,
+      seventh,
+      filled(
+          R"((4) and (5) put into (7) make its bracket $V_0$ at the start, and (7) squares it: the planet sets off with the right )"
+          R"($\dot\theta_0$ whichever the sign, and the error shows only later. With the printed sign the bracket )"
+          R"(reaches zero where $c_0\sin\theta+c_1\cos\theta=G^2M^4/\alpha^2$; there $\dot\theta=0$, and the planet )"
+          R"(never comes round. (A nearly circular orbit ends $@2^\circ$ from its start.))",
+          {180 / pi * acos(printed_circle.mean / hypot(printed_circle.c0, printed_circle.c1))}));
 }
 
 /// Relative error of the initial potential by (3), (4) and (5), which should be -GM/r0.
@@ -1020,37 +909,33 @@ T off_at_start(const Given<T>& start, double sign) {
 }
 
 void any_start(Claims& claims, double seed) {
-  const auto at_start = [](const std::string& text, const std::vector<AnyStart>& all, double sign) {
-    const Formula<AnyStart> sum{R"($V(\theta_0)\,r_0/(GM)$ by (3) with (4) and (5))",
-                                [=](const AnyStart& k) { return off_at_start(k.start, sign) - 1; },
-                                [](const AnyStart& k) { return k.size(); }};
-    const Formula<AnyStart> potential{R"($V(\theta_0)\,r_0/(GM)=-1$, the potential being $-GM/r$)",
-                                      [](const AnyStart&) { return -1.0; }};
-    return Reading{text, {compare(R"($V(\theta_0)\,r_0/(GM)$)", sum, potential, all)}};
+  const auto turning = [](const AnyStart& k) { return k.across != 0; };
+  const auto with_sign = [=](const std::string& text, double sign) {
+    return Formula<AnyStart>{text,
+                             [=](const AnyStart& k) { return turning(k) ? off_at_start(k.start, sign) : 0; },
+                             [=](const AnyStart& k) { return turning(k) ? 2 + 2 / pow(k.across, 2) : 0; }};
   };
-  const auto turning = starts(100, seed, 0.5, 1.3, 0.5);
-  claims.add(
+  const std::string sum = R"($c_0\sin\theta_0+c_1\cos\theta_0-G^2M^4/\alpha^2=-GM/r_0$)";
+  claims.formula<AnyStart>(
       "constants_of_any_start", 1171,
       R"((4) and (5) give $c_0$ and $c_1$ for any $r_0,\dot r_0,\theta_0,\dot\theta_0$ (except for the sign )"
       R"(of $V_0$))",
-      {.printed =
-           at_start(R"($c_0\sin\theta_0+c_1\cos\theta_0-G^2M^4/\alpha^2=-GM/r_0$ for any $\dot\theta_0$)",
-                    and_straight(turning), -1),
-       .corrected =
-           at_start(R"($c_0\sin\theta_0+c_1\cos\theta_0-G^2M^4/\alpha^2=-GM/r_0$ for $\dot\theta_0\ne0$)",
-                    turning, -1),
-       .in_view = at_start(R"(for a planet that goes round, $\dot\theta_0\ne0$)", turning, -1),
-       .near_misses = {at_start(R"(this sum for $\dot\theta_0\ne0$, with $+GM/r_0$ in (4) and (5))", turning,
-                                1)},
+      and_straight(starts(100, seed, 0.5, 1.3, 0.5)),
+      {.quantity = "the difference of the sides",
+       .truth = {"zero", [](const AnyStart&) { return 0.0; }},
+       .printed = {sum},
+       .corrected = with_sign(sum + R"( for $\dot\theta_0\ne0$)", -1),
+       .in_view = {R"(for a planet that goes round, $\dot\theta_0\ne0$)", turning},
+       .near_misses = {with_sign(R"(this sum for $\dot\theta_0\ne0$, with $+GM/r_0$ in (4) and (5))", 1)},
+       .kind = Fault::left_out,
+       .root = "a start without angular momentum",
        .why = filled(
            R"(Both divide by $\dot\theta_0$. A planet that starts at rest, or straight towards the sun or away from )"
            R"(it, has $\alpha=0$; then $c_0$ and $c_1$ are infinite or not a number, and so is every angle that (7) )"
            R"(gives. The planet stays on its ray: from rest at $r_0$ it falls into the sun within )"
            R"($\tfrac{\pi}{2\sqrt2}\sqrt{r_0^3/GM}$, the Earth in @2 days. A program that takes $\dot\theta_0$ from )"
            R"(the user has to treat zero apart.)",
-           {days_of_fall}),
-       .kind = Fault::left_out,
-       .root = "a start without angular momentum"});
+           {days_of_fall})});
 }
 
 // ---- solved numerically: lines 47 and 1007 ----------------------------------------------------------------
@@ -1157,27 +1042,30 @@ void solved_numerically(Claims& claims, double seed) {
        .near_misses = {{"it loses it by (7) too", [](K k) { return is_lost(k.angle); }}}});
 }
 
-/// Compares with a start at the same position with four times the mass and twice the velocity.
+/// An orbit and another from the same position, with four times the mass and twice the velocity.
+struct Faster : Later {
+  Later other() const {
+    Later fast = *this;
+    fast.start.M *= 4, fast.start.r0_dot *= 2, fast.start.theta0_dot *= 2, fast.c0 *= 4, fast.c1 *= 4;
+    return fast;
+  }
+  Tolerance tolerance(double) const { return {1e-12, "the quadrature of the periods"}; }
+};
+
 void timing(Claims& claims, const std::vector<Later>& orbits) {
-  const auto same_orbit = [](const Later& k, double ratio) {
-    Later fast = k;
-    fast.start.M *= 4;
-    fast.start.r0_dot *= 2;
-    fast.start.theta0_dot *= 2;
-    fast.c0 *= 4;
-    fast.c1 *= 4;
-    const Elements slow(k), quick(fast);
-    return abs(quick.e - slow.e) < 1e-12 && abs(quick.rho / slow.rho - 1) < 1e-12 &&
-           abs(fast.turn() / k.turn() - ratio) < 1e-12;
-  };
-  claims.statement<Later>(
+  std::vector<Faster> all;
+  for (const Later& k : orbits) all.push_back({k});
+  claims.formula<Faster>(
       "no_timing", 47,
-      R"((3.2), $r=e\rho/(1+e\cos\theta)$, gives no clue about how the angle varies with time.)", orbits,
-      {.printed =
-           {R"(another orbit with this $e$ and $\rho$ has half the period: four times the mass, twice the velocity)",
-            [=](const Later& k) { return same_orbit(k, 0.5); }},
-       .near_misses = {{"all orbits with this $e$ and $\\rho$ have the same period",
-                        [=](const Later& k) { return same_orbit(k, 1); }}}});
+      R"((3.2), $r=e\rho/(1+e\cos\theta)$, gives no clue about how the angle varies with time.)", all,
+      {.quantity =
+           R"($(e_1-e,\ \rho_1/\rho,\ T_1/T)$, the index for four times the mass and twice the velocity)",
+       .truth = {"the elements by the start, the periods by $c_0$ and $c_1$",
+                 [](const Faster& k) {
+                   const Elements slow(k.start), quick(k.other().start);
+                   return values(quick.e - slow.e, quick.rho / slow.rho, k.other().turn() / k.turn());
+                 }},
+       .printed = {R"($(0,\ 1,\ \frac12)$)"}});
 }
 
 void application(Claims& claims) {
@@ -1195,131 +1083,75 @@ void application(Claims& claims) {
 // ---- the orbit: lines 1199 and 1229 to 1269 ---------------------------------------------------------------
 
 void momentum(Claims& claims, const std::vector<Later>& orbits) {
-  using K = const Later&;
-  const auto conserved = [&](const std::string& text, const std::string& what, const auto& of) {
-    const OfStart later{what + " later on a path by Newton's law",
-                        [=](K k) { return of(k.now.x, k.now.y, k.now.vx, k.now.vy); }};
-    const OfStart first{what + " at its start", [=](K k) {
-                          const auto q = k.start.position(), v = k.start.velocity();
-                          return of(q[0], q[1], v[0], v[1]);
-                        }};
-    return Reading{text, {compare(what, first, later, orbits)}};
-  };
-  claims.add(
+  claims.formula<Later>(
       "momentum", 1199, R"(Conservation of momentum is represented by $\alpha=Mr^2\dot\theta$, a constant.)",
-      {.printed = conserved("the momentum is conserved", R"($(\dot x,\dot y)$)",
-                            [](double, double, double u, double v) { return values(u, v); }),
-       .meant = conserved("the angular momentum is conserved", R"($x\dot y-y\dot x$)",
-                          [](double x, double y, double u, double v) { return values(x * v - y * u); }),
-       .near_misses = {conserved(
-           R"($\mathbf r\cdot\mathbf v$ is conserved)", R"($x\dot x+y\dot y$)",
-           [](double x, double y, double u, double v) { return values(x * u + y * v); })},
+      orbits,
+      {.quantity = "the change from the start to a later moment on a path by Newton's law",
+       .truth = {"$0$"},
+       .printed = {R"($\mathbf v-\mathbf v_0=(0,\ 0,\ 0)$)"},
+       .meant = {R"($\mathbf r\times\mathbf v=\mathbf r_0\times\mathbf v_0$)"},
+       .kind = Fault::term,
        .why = filled(
            "The word *angular* is left out. The planet's momentum turns through a full circle with every orbit: "
            "the Earth's velocity changes by @2 km/s in half a year. Its moment about the sun is constant.",
-           {2 * earths_speed}),
-       .kind = Fault::term});
+           {2 * earths_speed})});
 }
 
 void moments_of_the_velocity(Table& table, const std::vector<Moment>& moments) {
-  table.formula("rate_by_V", 1201,
-                R"($\dot\theta=\alpha/(Mr^2)=\alpha/(M(-GM/V)^2)=\alpha V^2/(G^2M^3)$ (6))", moments,
-                {.quantity = R"($\dot\theta$)",
-                 .truth = along(R"($\dot\theta$ by dual numbers)", [](const auto& k) { return k.w; }),
-                 .printed = R"($(\alpha/(Mr^2),\ \alpha/(M(-GM/V)^2),\ \alpha V^2/(G^2M^3))$)"});
-  table.formula("velocity", 1235, R"($\mathbf v=\dot r\mathbf R+r\dot\theta\mathbf P$)", moments,
-                {.quantity = R"($\mathbf v$)",
-                 .truth = along("the path's velocity", [](const auto& k) { return in_plane(k.vx, k.vy); }),
-                 .printed = R"($\mathbf v=\dot r\mathbf R+r\dot\theta\mathbf P$)"});
-  table.formula(
-      "moment", 1237,
-      R"($\mathbf r\times\mathbf v=(r\mathbf R)\times(\dot r\mathbf R+r\dot\theta\mathbf P)=r^2\dot\theta\,\mathbf k$)",
-      moments,
-      {.quantity = R"($\mathbf r\times\mathbf v$, twice)",
-       .truth = along(R"($(0,0,x\dot y-y\dot x)$)",
-                      [](const auto& k) {
-                        const auto h = k.x * k.vy - k.y * k.vx;
-                        return values(0, 0, h, 0, 0, h);
-                      }),
-       .printed =
-           R"($((r\mathbf R)\times(\dot r\mathbf R+r\dot\theta\mathbf P),\ r^2\dot\theta\,\mathbf k)$)"});
-  table.formula(
-      "v_cross_c0", 1245,
-      R"($\mathbf v\times\mathbf c_0=(\dot r\mathbf R+r\dot\theta\mathbf P)\times(r^2\dot\theta)\mathbf k=)"
-      R"((r^2\dot r\dot\theta)\mathbf R\times\mathbf k+(r^3\dot\theta^2)\mathbf P\times\mathbf k=)"
-      R"(-(r^2\dot r\dot\theta)\mathbf P+(r^3\dot\theta^2)\mathbf R$)",
-      moments,
-      {.quantity = R"($\mathbf v\times\mathbf c_0$, three times)",
-       .truth = along(R"($\mathbf v\times\mathbf c_0$ in Cartesian coordinates)",
-                      [](const auto& k) {
-                        const auto h = k.x * k.vy - k.y * k.vx;
-                        return in_plane(k.vy * h, -k.vx * h, 3);
-                      }),
-       .printed =
-           R"($((\dot r\mathbf R+r\dot\theta\mathbf P)\times(r^2\dot\theta)\mathbf k,)"
-           R"(\ (r^2\dot r\dot\theta)\mathbf R\times\mathbf k+(r^3\dot\theta^2)\mathbf P\times\mathbf k,)"
-           R"(\ -(r^2\dot r\dot\theta)\mathbf P+(r^3\dot\theta^2)\mathbf R)$)"});
+  forms(table, "rate_by_V", 1201, moments,
+        along(R"($\dot\theta$ by dual numbers)", [](const auto& k) { return k.w; }),
+        {.left = R"(\dot\theta)",
+         .printed = {R"(\alpha/(Mr^2))", R"(\alpha/(M(-GM/V)^2))", R"(\alpha V^2/(G^2M^3))"},
+         .after = " (6)"});
+  forms(table, "velocity", 1235, moments,
+        along("the path's velocity", [](const auto& k) { return in_plane(k.vx, k.vy); }),
+        {.left = R"(\mathbf v)", .printed = {R"(\dot r\mathbf R+r\dot\theta\mathbf P)"}});
+  forms(table, "moment", 1237, moments,
+        along(R"($(0,0,x\dot y-y\dot x)$)", [](const auto& k) { return values(0, 0, k.h, 0, 0, k.h); }),
+        {.left = R"(\mathbf r\times\mathbf v)",
+         .printed = {R"((r\mathbf R)\times(\dot r\mathbf R+r\dot\theta\mathbf P))",
+                     R"(r^2\dot\theta\,\mathbf k)"}});
+  forms(table, "v_cross_c0", 1245, moments,
+        along(R"($\mathbf v\times\mathbf c_0$ in Cartesian coordinates)",
+              [](const auto& k) { return in_plane(k.vy * k.h, -k.vx * k.h, 3); }),
+        {.left = R"(\mathbf v\times\mathbf c_0)",
+         .printed = {
+             R"((\dot r\mathbf R+r\dot\theta\mathbf P)\times(r^2\dot\theta)\mathbf k)",
+             R"((r^2\dot r\dot\theta)\mathbf R\times\mathbf k+(r^3\dot\theta^2)\mathbf P\times\mathbf k)",
+             R"(-(r^2\dot r\dot\theta)\mathbf P+(r^3\dot\theta^2)\mathbf R)"}});
 }
 
 void vectors(LaterTable& table, const std::vector<Later>& orbits) {
   const OfStart vector{R"($\mathbf v\times\mathbf c_0-GM\,\mathbf R$ later on the path)",
                        [](const auto& k) { return k.laplace(); }};
-  const auto at_start = [](double sign) {
-    return [=](const auto& k) {
-      const auto q = k.start.position(), v = k.start.velocity();
-      const auto pull = sign * k.start.mu() / k.start.r0;
-      return values(v[1] * k.start.h() - pull * q[0], -v[0] * k.start.h() - pull * q[1]);
-    };
-  };
   table.formula(
       "laplace", 1231,
       R"($\mathbf v\times\mathbf c_0=GM\,\mathbf R+\mathbf c_1$ with a constant vector $\mathbf c_1$)",
       orbits,
       {.quantity = R"($\mathbf c_1$)",
        .truth = vector,
-       .printed = {R"($\mathbf v\times\mathbf c_0-GM\,\mathbf R$ at the start)", at_start(1)},
-       .near_misses = {{R"($\mathbf v\times\mathbf c_0+GM\,\mathbf R$ at the start)", at_start(-1)}}});
+       .printed = R"($\mathbf v_0\times\mathbf c_0-GM\,\mathbf R_0$)"});
   table.formula("gamma0", 1241,
                 R"($\mathbf c_0=r_0^2\dot\theta_0\,\mathbf k$, of length $\gamma_0=r_0^2|\dot\theta_0|$)",
                 orbits,
                 {.quantity = R"($\mathbf c_0$ along $\mathbf k$, and its length)",
                  .truth = {R"($x\dot y-y\dot x$ later on the path, and its size)",
                            [](const auto& k) { return values(k.h(), abs(k.h())); }},
-                 .printed = {R"($r_0^2\dot\theta_0$ and $r_0^2|\dot\theta_0|$)",
-                             [](const auto& k) { return values(k.start.h(), Elements(k).gamma0); }},
-                 .near_misses = {{R"($r_0^2\dot\theta_0$ for the length)",
-                                  [](const auto& k) { return values(k.start.h(), k.start.h()); }}}});
-  const auto c1_vector = [](double sign) {
-    return [=](const auto& k) {
-      const Elements now(k);
-      const auto velocity = k.parts(now.squared, -now.tilted), pull = k.parts(-sign * now.mu, 0),
-                 last = k.parts(now.squared - sign * now.mu, -now.tilted);
-      return values(velocity[0] + pull[0], velocity[1] + pull[1], last[0], last[1]);
-    };
-  };
-  table.formula(
-      "c1_vector", 1253,
-      R"($\mathbf c_1=(r_0^3\dot\theta_0^2)\mathbf R_0-(r_0^2\dot r_0\dot\theta_0)\mathbf P_0-GM\,\mathbf R_0=)"
-      R"((r_0^3\dot\theta_0^2-GM)\mathbf R_0-(r_0^2\dot r_0\dot\theta_0)\mathbf P_0$)",
-      orbits,
-      {.quantity = R"($\mathbf c_1$, twice)",
-       .truth = {vector.text,
-                 [](const auto& k) {
-                   const auto now = k.laplace();
-                   return values(now[0], now[1], now[0], now[1]);
-                 }},
-       .printed = {"the two forms", c1_vector(1)},
-       .near_misses = {{R"(the two forms with $+GM\,\mathbf R_0$)", c1_vector(-1)}}});
-  const auto length = [](double sign) {
-    return
-        [=](const auto& k) { return hypot(Elements(k).squared + sign * Elements(k).mu, Elements(k).tilted); };
-  };
-  table.formula("gamma1", 1259,
-                R"($\gamma_1=\sqrt{(r_0^3\dot\theta_0^2-GM)^2+(r_0^2\dot r_0\dot\theta_0)^2}$)", orbits,
-                {.quantity = R"($|\mathbf c_1|$)",
-                 .truth = {vector.text, [](const auto& k) { return hypot(k.laplace()[0], k.laplace()[1]); }},
-                 .printed = {"the root", length(-1)},
-                 .near_misses = {{R"(the root with $r_0^3\dot\theta_0^2+GM$)", length(1)}}});
+                 .printed = R"($(r_0^2\dot\theta_0,\ r_0^2|\dot\theta_0|)$)"});
+  forms(table, "c1_vector", 1253, orbits,
+        {vector.text,
+         [](const auto& k) {
+           const auto now = k.laplace();
+           return in_plane(now[0], now[1], 2);
+         }},
+        {.left = R"(\mathbf c_1)",
+         .printed = {
+             R"((r_0^3\dot\theta_0^2)\mathbf R_0-(r_0^2\dot r_0\dot\theta_0)\mathbf P_0-GM\,\mathbf R_0)",
+             R"((r_0^3\dot\theta_0^2-GM)\mathbf R_0-(r_0^2\dot r_0\dot\theta_0)\mathbf P_0)"}});
+  forms(table, "gamma1", 1259, orbits,
+        {vector.text, [](const auto& k) { return hypot(k.laplace()[0], k.laplace()[1]); }},
+        {.left = R"(\gamma_1)",
+         .printed = {R"(\sqrt{(r_0^3\dot\theta_0^2-GM)^2+(r_0^2\dot r_0\dot\theta_0)^2})"}});
 }
 
 void polar_orbit(LaterTable& table, const std::vector<Later>& orbits) {
@@ -1334,23 +1166,14 @@ void polar_orbit(LaterTable& table, const std::vector<Later>& orbits) {
                    const auto e = (farthest - nearest) / (farthest + nearest);
                    return values(e, 2 * nearest * farthest / (nearest + farthest) / e);
                  }},
-       .printed = {R"($\gamma_1/(GM)$ and $\gamma_0^2/\gamma_1$)",
-                   [](const auto& k) { return values(Elements(k).e, Elements(k).rho); }},
-       .near_misses = {{R"($\gamma_1/(GM)$ and $\gamma_0/\gamma_1$)", [](const Later& k) {
-                          return values(Elements(k).e, Elements(k).gamma0 / Elements(k).gamma1);
-                        }}}});
-  const Elements<double> drawn({eccentric, {}, 0, 0, 0, 0});
-  const auto orbit = [](double turned) {
-    return [=](const auto& k) { return Elements(k).orbit(k.theta + turned * Elements(k).omega); };
-  };
+       .printed = R"($(\gamma_1/(GM),\ \gamma_0^2/\gamma_1)$)"});
+  const Elements drawn(eccentric);
   table.formula(
       "orbit", 1229, R"(With $\theta$ from (7) the distance is $r=e\rho/(1+e\cos\theta)$.)", orbits,
       {.quantity = R"($r$)",
        .truth = {"$r$ later on a path by Newton's law", [](const auto& k) { return k.r(); }},
-       .printed = {R"($r=e\rho/(1+e\cos\theta)$)", orbit(0)},
-       .corrected = {R"($r=e\rho/(1+e\cos(\theta-\omega))$, $\omega$ the angle of the vector $\mathbf c_1$)",
-                     orbit(-1)},
-       .near_misses = {{R"($r=e\rho/(1+e\cos(\theta+\omega))$)"}},
+       .printed = R"($r=e\rho/(1+e\cos\theta)$)",
+       .corrected = R"($r=e\rho/(1+e\cos(\theta-\omega))$)",
        .kind = Fault::formula,
        .root = "angle from the axis for the angle from the perihelion",
        .why = filled(
@@ -1361,75 +1184,64 @@ void polar_orbit(LaterTable& table, const std::vector<Later>& orbits) {
            R"(program that follows the text draws the orbit of `eccentric_path` below turned by $@2^\circ$, )"
            R"(and starts the planet on it @2 AU from the sun instead of @3. Either subtract )"
            R"($\omega=\arg\mathbf c_1$, or use $r=-GM/V(\theta)$.)",
-           {180 / pi * abs(std::remainder(drawn.omega, 2 * pi)), drawn.orbit(eccentric.theta0),
+           {180 / pi * abs(std::remainder(drawn.omega, 2 * pi)), drawn.as_printed(eccentric.theta0),
             eccentric.r0})});
 }
 
-void ellipse(LaterTable& table, const std::vector<Later>& orbits) {
+void period_and_axes(LaterTable& table, const std::vector<Later>& orbits) {
   const OfStart turn{R"(the integral of $r^2d\theta/(r_0^2|\dot\theta_0|)$ over a turn, by $c_0$ and $c_1$)",
                      [](const auto& k) { return k.turn(); }};
-  const auto third_law = [](double axes, double power) {
-    return [=]<class T>(const LaterOf<T>& k) {
-      return 2 * pi_of<T>() * half_power(T(axes * Apsides(k).half_axis), 1.5) *
-             half_power(k.start.mu(), power);
-    };
-  };
-  table.formula(
-      "period", 1267, R"($T=2\pi a^{3/2}\sqrt{GM}$, $2a$ being the length of the ellipse)", orbits,
-      {.quantity = R"($T$)",
-       .truth = turn,
-       .printed = {R"($2\pi a^{3/2}\sqrt{GM}$)", third_law(1, 0.5)},
-       .meant = {R"($2\pi a^{3/2}/\sqrt{GM}$)", third_law(1, -0.5)},
-       .near_misses = {{R"($2\pi a^{3/2}/(\sqrt G\,M)$)"}},
-       .kind = Fault::lost_typography,
+  forms(
+      table, "period", 1267, orbits, turn,
+      {.left = "T",
+       .printed = {R"(2\pi a^{3/2}\sqrt{GM})"},
+       .meant = {R"(2\pi a^{3/2}/\sqrt{GM})"},
        .why = filled(
            R"(The fraction bar is lost: without it, $\sqrt{GM}$ is a factor. For the Earth, in astronomical )"
            R"(units and years, the product is @3 years.)",
-           {2 * pi * sqrt(four_pi_squared)})});
+           {2 * pi * sqrt(four_pi_squared)}),
+       .after = ", $2a$ being the length of the ellipse"});
   table.formula(
       "major_axis", 1269, R"(In $T$, $a$ is the length of the major axis.)", orbits,
-      {.quantity = R"($T$)",
+      {.quantity = R"($T$, $2a$ being the length of the major axis)",
        .truth = turn,
-       .printed = {R"($2\pi a^{3/2}/\sqrt{GM}$, $a$ the length of the major axis)", third_law(2, -0.5)},
-       .meant = {R"($2\pi a^{3/2}/\sqrt{GM}$, $a$ half of that length)", third_law(1, -0.5)},
-       .near_misses = {{R"($2\pi a^{3/2}/\sqrt{GM}$, $a$ half the length of the minor axis)",
-                        [=](const Later& k) {
-                          return third_law(1, -0.5)(k) * pow(1 - pow(Elements(k).e, 2), 0.75);
-                        }}},
+       .printed = R"($2\pi(2a)^{3/2}/\sqrt{GM}$)",
+       .meant = R"($2\pi a^{3/2}/\sqrt{GM}$)",
        .kind = Fault::term,
        .why = filled(
            R"(With the whole axis for $a$ the period is $2^{3/2}=@3$ times too long, the Earth's year @4 days. The )"
            R"(next sentence is right: the axis is $2a$, so that half of it was meant.)",
            {pow(2, 1.5), pow(2, 1.5) * days_per_year})});
-  table.formula("a", 1269, R"($2a=2\rho e/(1-e^2)$)", orbits,
-                {.quantity = R"($2a$)",
-                 .truth = {"the two apsides by the energy and the angular momentum later on the path",
-                           [](const auto& k) { return 2 * Apsides(k).half_axis; }},
-                 .printed = {R"($2\rho e/(1-e^2)$)", [](const auto& k) { return 2 * Elements(k).a; }},
-                 .near_misses = {{R"($2\rho/(1-e^2)$)"}}});
+  forms(table, "a", 1269, orbits,
+        {"the two apsides by the energy and the angular momentum later on the path",
+         [](const auto& k) { return 2 * Apsides(k).half_axis; }},
+        {.left = "2a", .printed = {R"(2\rho e/(1-e^2))"}});
   table.formula("b", 1269, R"(The length of the minor axis is $2b=2a\sqrt{1-e^2}$.)", orbits,
                 {.quantity = R"($2b$)",
                  .truth = {R"(the area law, $\pi ab=\tfrac12r^2\dot\theta\,T$ with the integral for $T$)",
                            []<class T>(const LaterOf<T>& k) {
                              return abs(k.h()) * k.turn() / (pi_of<T>() * Apsides(k).half_axis);
                            }},
-                 .printed = {R"($2a\sqrt{1-e^2}$)",
-                             []<class T>(const LaterOf<T>& k) {
-                               return 2 * Elements(k).a * half_power(T(1 - pow(Elements(k).e, 2)), 0.5);
-                             }},
-                 .near_misses = {{R"($2a(1-e^2)$)"}}});
+                 .printed = R"($2a\sqrt{1-e^2}$)"});
 }
 
+/// An orbit, or a circle whose numbers are exact in binary.
+struct OrCircle : Later {
+  Tolerance tolerance(double size) const { return c0 == 0 && c1 == 0 ? exact() : Later::tolerance(size); }
+};
+
 void inputs_of_the_orbit(Claims& claims, const std::vector<Later>& orbits, double seed) {
-  const auto below = [](double square) { return [=](const AnyStart& k) { return k.ellipse_below(square); }; };
+  const auto speed = [](const AnyStart& k) { return pow(k.across, 2) + pow(k.along, 2); };
+  const auto below = [=](double square) {
+    return [=](const AnyStart& k) { return speed(k) >= square || Elements(k.start).e < 1; };
+  };
   claims.statement<AnyStart>(
       "elliptical_path", 1229, "The path is an ellipse for the inputs that a user specifies.",
       starts(200, seed, 0.1, 2, 1),
-      {.printed = {R"(any start has $e=\gamma_1/(GM)<1$, $\gamma_1$ the length of $\mathbf c_1$)",
-                   below(std::numeric_limits<double>::infinity())},
+      {.printed = {"$e<1$"},
        .corrected = {R"($\dot r_0^2+r_0^2\dot\theta_0^2<2GM/r_0$ has $e<1$)", below(2)},
        .in_view = {R"(for a planet that is slower than escape, as the Earth is)",
-                   [](const AnyStart& k) { return pow(k.across, 2) + pow(k.along, 2) < 2; }},
+                   [=](const AnyStart& k) { return speed(k) < 2; }},
        .near_misses = {{R"($\dot r_0^2+r_0^2\dot\theta_0^2<2.5\,GM/r_0$ has $e<1$)", below(2.5)}},
        .kind = Fault::left_out,
        .root = "faster than escape",
@@ -1439,43 +1251,26 @@ void inputs_of_the_orbit(Claims& claims, const std::vector<Later>& orbits, doubl
            R"($\theta$ tends to a limit.)",
            {sqrt(2) * earths_speed})});
 
-  // G = M = 2, r0 = 4, theta0' = 1/4: its numbers are exact in binary.
-  const Later circle{{2, 2, 4, 0, 0, 0.25}, {}, 0, 0, 0, 0};
-  const Elements of(circle);
-  const auto radius = [&](const std::string& text, double p) {
-    return Reading{text,
-                   {{R"($r$ at $\theta=1$)",
-                     {text, of.radius(p, 1)},
-                     {"$r=r_0$ on a circle", circle.start.r0},
-                     exact(),
-                     0,
-                     R"($GM=4$, $r_0=4$, $\dot\theta_0=1/4$)"}}};
-  };
-  claims.add(
+  std::vector<OrCircle> all;
+  for (const Later& k : orbits) all.push_back({k});
+  all.push_back({{{2, 2, 4, 0, 0, 0.25}, {2, 2, 1, 0, 4, -1, 0, 0, 0}, 2 * pi, pi / 2, 0, 0}});
+  claims.formula<OrCircle>(
       "rho_of_a_circle", 1229,
       R"($\rho=\gamma_0^2/\gamma_1$, of the lengths of $\mathbf c_0$ and $\mathbf c_1$, serves for the orbit of any start.)",
-      {.printed = radius(R"(the distance $r=\frac{(\gamma_1/(GM))(\gamma_0^2/\gamma_1)}{1+e\cos\theta}$)",
-                         of.e * of.rho),
-       .corrected =
-           radius(R"(the distance $r=\frac{\gamma_0^2/(GM)}{1+e\cos\theta}$)", of.gamma0 * of.gamma0 / of.mu),
-       .in_view = {R"(for an ellipse that is no circle)",
-                   {compare<Later>(R"(the semi-latus rectum $e\rho$)",
-                                   {R"($(\gamma_1/(GM))(\gamma_0^2/\gamma_1)$)",
-                                    [](const Later& k) { return Elements(k).e * Elements(k).rho; }},
-                                   {"by the apsides later on the path",
-                                    [](const Later& k) {
-                                      const auto [nearest, farthest, half] = Apsides(k);
-                                      return nearest * farthest / half;
-                                    }},
-                                   orbits)}},
-       .near_misses = {radius(R"(the distance $r=\frac{\gamma_0/(GM)}{1+e\cos\theta}$)", of.gamma0 / of.mu)},
+      all,
+      {.quantity = "$r$",
+       .truth = {"$r$ later on a path by Newton's law", &OrCircle::r},
+       .printed = {R"($r=\frac{e(\gamma_0^2/\gamma_1)}{1+e\cos(\theta-\omega)}$)"},
+       .corrected = {R"($r=\frac{\gamma_0^2/(GM)}{1+e\cos(\theta-\omega)}$)"},
+       .in_view = {"for an ellipse that is no circle",
+                   [](const Later& k) { return Elements(k.start).gamma1 > 0; }},
+       .kind = Fault::left_out,
+       .root = "a circle divides by zero",
        .why =
            R"(A circle ($\dot r_0=0$, $r_0^3\dot\theta_0^2=GM$) has $\gamma_1=0$: $\rho$ is a division by zero, and )"
            R"($e\rho$ is zero times infinity. A program that computes $r=e\rho/(1+e\cos\theta)$ and )"
            R"($2a=2\rho e/(1-e^2)$ by it gets no number for either, of all orbits for the simplest. )"
-           R"(Without $\rho$ it does: $e\rho=\gamma_0^2/(GM)$.)",
-       .kind = Fault::left_out,
-       .root = "a circle divides by zero"});
+           R"(Without $\rho$ it does: $e\rho=\gamma_0^2/(GM)$.)"});
 }
 
 }  // namespace
@@ -1484,7 +1279,10 @@ std::vector<Claim> claims(double seed) {
   const std::vector<Later> all = orbits(seed);
   std::vector<Moment> moments;
   std::vector<Pushed> pushed;
-  for (const Later& k : all) moments.push_back(k.now), pushed.push_back({k.now});
+  for (const Later& k : all) {
+    const auto& [G, M, m, x, y, vx, vy, push_x, push_y] = k.now;
+    moments.push_back(k.now), pushed.push_back({G, M, m, x, y, vx, vy, push_x, push_y});
+  }
   Claims claims("3.3");
   Table table(claims);
   PushedTable pushed_table(claims);
@@ -1504,7 +1302,7 @@ std::vector<Claim> claims(double seed) {
   vectors(later, all);
   polar_orbit(later, all);
   inputs_of_the_orbit(claims, all, seed);
-  ellipse(later, all);
+  period_and_axes(later, all);
   solved_numerically(claims, seed);
   timing(claims, all);
   application(claims);
@@ -1519,7 +1317,7 @@ std::vector<Root> roots() {
            (ode::integrate<ode::Fehlberg78>(model, model.start(), 0, years, 1e-10).value[0] - model.p.theta0);
   };
   const OneAngle<double> right(near_earth), printed(near_earth, near_earth.mu() / near_earth.r0);
-  const Elements<double> drawn({eccentric, {}, 0, 0, 0, 0});
+  const Elements drawn(eccentric);
   constexpr double early = 0.25;
   constexpr double fast = 45;
   const double e_of_fast = pow(fast / earths_speed, 2) - 1;
@@ -1544,7 +1342,7 @@ std::vector<Root> roots() {
        filled(
            R"(The comet of `eccentric_path` is drawn @2 AU from the sun where the user put it at @3, on an )"
            R"(ellipse that is turned by $@2^\circ$.)",
-           {drawn.orbit(eccentric.theta0), eccentric.r0,
+           {drawn.as_printed(eccentric.theta0), eccentric.r0,
             degrees * abs(std::remainder(drawn.omega, 2 * pi))})},
       {"faster than escape",
        filled(
@@ -1562,32 +1360,30 @@ std::vector<Root> roots() {
            {Turned::steps, 1e6 * Turned(random, earths_eccentricity).direct, Turned::turns})}};
 }
 
-/// For lambda^2 + 1 = 0: its complex roots, and V'' from each of them.
-Provable proof_of_roots(const ForAll<MomentOf>& all) {
-  const std::array lambda{Shortened::letter("a"), Shortened::letter("b")};
-  const auto square = squared(lambda);
-  const std::vector<Proposition> root{(square[0] + 1).expression() == 0, square[1].expression() == 0};
-  const auto [a, b] = std::array{lambda[0].expression(), lambda[1].expression()};
-  Lemma roots{.name = "roots",
-              .letters = "(a b : R)",
-              .follows = {{root[0].coq + " /\\ " + root[1].coq + " <-> " + (a == 0).coq + " /\\ (" +
-                           (b == 1).coq + " \\/ " + (b == -1).coq + ")"}},
-              .tactic = by_factors};
-  const AlongOf<Shortened> k(all.any, false);
-  Lemma bent{.name = "printed",
-             .letters = all.letters + " (a b : R)",
-             .given = all.given,
-             .follows = equal(detail::recorded_value(bent_by(lambda, k)), {k.V2.expression(), 0}),
-             .tactic = "try replace (a * a - b * b) with (- 1) by lra; try (rewrite H4; ring);" + all.tactic};
-  std::ranges::copy(root, std::back_inserter(bent.given));
-  return {"3.3-characteristic",
-          "they are all its roots; by each of them it holds at any moment of any orbit",
-          {std::move(roots), std::move(bent)}};
+/// For lambda^2 + 1 = 0: its complex roots.
+Lemma roots_of_minus_one() {
+  const Shortened a = Shortened::letter("a"), b = Shortened::letter("b");
+  const auto is = [](const Shortened& x, double y) { return (x.expression() == y).coq; };
+  return {.name = "roots",
+          .letters = "(a b : R)",
+          .follows = {{is(a * a - b * b + 1, 0) + " /\\ " + is(a * b + b * a, 0) + " <-> " + is(a, 0) +
+                       " /\\ (" + is(b, 1) + " \\/ " + is(b, -1) + ")"}},
+          .tactic = by_factors};
+}
+
+/// Proofs of the claims of these parts.
+template <template <class> class Of, class... Parts>
+Provables proofs_of(const ForAll<Of>& all, const Parts&... parts) {
+  Claims claims("3.3");
+  ProvableClaims<Of> table(claims);
+  (parts(table, {}), ...);
+  return table.proofs("3.3", all);
 }
 
 /// Proofs of a table's claims at any moment.
-template <template <class> class Of>
-Provables at_any_moment(const ProvableClaims<Of>& table, ForAll<Of>& all) {
+template <template <class> class Of, class... Parts>
+Provables at_any_moment(const Parts&... parts) {
+  ForAll<Of> all;
   const std::vector<std::string> names{"G", "M", "m", "x", "y", "vx", "vy", "px", "py"};
   all.any = lettered<Of>(names), all.letters = quantified(names), all.tactic = by_distance;
   all.says = "it holds at any moment of any orbit";
@@ -1597,25 +1393,19 @@ Provables at_any_moment(const ProvableClaims<Of>& table, ForAll<Of>& all) {
                not_zero((k.x * k.vy - k.y * k.vx).expression())};
   double x = 0;
   for (double* letter : all.example.letters()) *letter = x += 0.25;
-  return table.proofs("3.3", all);
+  return proofs_of(all, parts...);
 }
 
 Provables proofs_at_a_moment() {
-  Claims claims("3.3");
-  Table table(claims);
-  PushedTable pushed(claims);
-  polar_acceleration(pushed, {});
-  equations_of_motion(table, {});
-  equation_of_the_potential(table, {});
-  moments_of_the_velocity(table, {});
-  ForAll<MomentOf> all;
-  all.without = {"characteristic"};
-  ForAll<PushedOf> all_pushed;
-  Provables proved = at_any_moment(table, all);
-  std::ranges::move(at_any_moment(pushed, all_pushed), std::back_inserter(proved));
-  proved.push_back(proof_of_roots(all));
+  Provables proved =
+      at_any_moment<MomentOf>(equations_of_motion, equation_of_the_potential, moments_of_the_velocity);
+  std::ranges::move(at_any_moment<PushedOf>(polar_acceleration), std::back_inserter(proved));
   for (Provable& p : proved) {
     p.preamble = std::string(root_in_coq) + atan2_in_coq;
+    if (p.claim == "3.3-characteristic") {
+      p.says = "they are all its roots; by i, as a matrix, it holds at any moment of any orbit";
+      p.lemmas.push_back(roots_of_minus_one());
+    }
     for (Lemma& lemma : p.lemmas)
       if (lemma.tactic == "interval") lemma.tactic = by_bounds;
   }
@@ -1623,9 +1413,9 @@ Provables proofs_at_a_moment() {
 }
 
 /// An ellipse with its start at theta = 0, a quarter of a turn later; the time is not used.
-const Later quarter_of_a_turn{{2, 5, 1, 1, 0, 2}, {2, 5, 1, 0, 0.5, -4, -3, 0, 0, {}}, 0, pi / 2, 5, 15};
+const Later quarter_of_a_turn{{2, 5, 1, 1, 0, 2}, {2, 5, 1, 0, 0.5, -4, -3, 0, 0}, 0, pi / 2, 5, 15};
 /// This ellipse with its start at theta = pi/2, half a turn later.
-const Later half_a_turn{{2, 5, 1, 1, pi / 2, 2}, {2, 5, 1, 0, -0.25, 8, 1, 0, 0, {}}, 0, 3 * pi / 2, 15, -5};
+const Later half_a_turn{{2, 5, 1, 1, pi / 2, 2}, {2, 5, 1, 0, -0.25, 8, 1, 0, 0}, 0, 3 * pi / 2, 15, -5};
 
 /// Proofs on the path from any initial condition to any moment, at the angle `theta`; c0 and c1 are
 /// determined by two other positions.
@@ -1672,35 +1462,27 @@ Provables with_orbits(Provables proved, const std::string& more = {}) {
 }
 
 Provables proofs_from_a_start() {
-  Claims claims("3.3");
-  LaterTable table(claims);
-  constants_of_motion(table, {});
-  vectors(table, {});
   ForAll<LaterOf> all = on_any_path("th");
   // as printed they are right a quarter of a turn later, and V0_put_in is right if r0 = 1
   const std::vector<std::string> half_a_turn_alone{"c0", "constants_of_rate", "last_term_of_c1"};
   all.without = half_a_turn_alone;
   all.without.push_back("V0_put_in");
-  Provables proved = table.proofs("3.3", all);
+  Provables proved = proofs_of(all, constants_of_motion, vectors);
   for (const Provable& p : proved) all.without.push_back(p.claim.substr(p.claim.find('-') + 1));
   for (const std::string& slug : half_a_turn_alone) std::erase(all.without, slug);
   all.example = half_a_turn;
-  std::ranges::move(table.proofs("3.3", all), std::back_inserter(proved));
+  std::ranges::move(proofs_of(all, constants_of_motion, vectors), std::back_inserter(proved));
   return with_orbits(std::move(proved));
 }
 
 /// For orbits that have a perihelion.
 Provables proofs_of_the_orbit() {
-  Claims claims("3.3");
-  LaterTable table(claims);
-  polar_orbit(table, {});
-  ellipse(table, {});
   ForAll<LaterOf> all = on_any_path("th");
   all.given.push_back(above(-all.any.start.energy().expression(), 0));
-  all.given.push_back(above(Elements(all.any).gamma1.expression(), 0));
+  all.given.push_back(above(Elements(all.any.start).gamma1.expression(), 0));
   all.tactic = "by_ellipse";
   all.says = "it holds on any ellipse by Newton's law that is no circle, c0 and c1 given by two other places";
-  Provables proved = table.proofs("3.3", all);
+  Provables proved = proofs_of(all, polar_orbit, period_and_axes);
   for (Provable& p : proved)
     for (Lemma& lemma : p.lemmas)
       if (lemma.tactic == "interval") lemma.tactic = "first [interval | integral]";
@@ -1709,16 +1491,13 @@ Provables proofs_of_the_orbit() {
 
 /// The angle is a function of the time.
 Provables proofs_of_the_time() {
-  Claims claims("3.3");
-  LaterTable table(claims);
-  time_by_angle(table, {});
   ForAll<LaterOf> all = on_any_path("(angle t)");
   all.letters += " (angle : R -> R)";
   all.given.push_back({"angle 0 = th0"});
   all.given.push_back({"(forall s, at_angle x y s (angle s) /\\ ex_derive angle s)"});
   all.tactic = "by_time";
   all.says += "; the angle is a differentiable function of the time";
-  return with_orbits(table.proofs("3.3", all), times_in_coq());
+  return with_orbits(proofs_of(all, time_by_angle), times_in_coq());
 }
 
 /// The printed formulas divide by zero.
@@ -1726,7 +1505,7 @@ Provables proofs_of_divisors() {
   const ForAll<LaterOf> all = on_any_path("th");
   const LaterOf<Shortened>& k = all.any;
   const Given<Shortened>& start = k.start;
-  const Elements<Shortened> of(k);
+  const Elements of(start);
   const std::string letters = "(G M r0 rd th0 w0 th : R)";
   const auto zero = [](const Shortened& x) { return x.expression() == 0; };
   const std::vector<Proposition> positive(all.given.begin(), all.given.begin() + 3);
@@ -1735,7 +1514,7 @@ Provables proofs_of_divisors() {
   standing.push_back(zero(start.theta0_dot));
   circle.push_back(zero(start.r0_dot));
   circle.push_back(of.squared.expression() == of.mu.expression());
-  const Shortened radius = of.radius(of.gamma0 * of.gamma0 / of.mu, k.theta);
+  const Shortened radius = of.gamma0 * of.gamma0 / of.mu / (1 + of.e * cos(k.theta));
   return {{"3.3-constants_of_any_start",
            "as corrected it holds for any start that turns; for one that does not, the printed formula "
            "divides by zero",
@@ -1756,16 +1535,14 @@ Provables proofs_of_divisors() {
 }
 
 Provables proof_of_plane() {
-  Claims claims("3.3");
-  SpaceTable table(claims);
-  plane(table, {});
   const std::vector<std::string> names{"mu", "x", "y", "z", "u", "v", "w"};
-  ForAll<InSpaceOf> all{
-      .any = lettered<InSpaceOf>(names),
-      .letters = quantified(names),
-      .tactic = "set (r := sqrt _) in *; clearbody r; unfold Rdiv; ring",
-      .says = "under gravity the rate of the normal is zero at any place, with any velocity"};
-  return table.proofs("3.3", all);
+  return proofs_of(
+      ForAll<InSpaceOf>{.any = lettered<InSpaceOf>(names),
+                        .letters = quantified(names),
+                        .tactic = "set (r := sqrt _) in *; clearbody r; unfold Rdiv; ring",
+                        .says = "under gravity the rate of the normal is zero at any place, with "
+                                "any velocity"},
+      plane);
 }
 
 Provables proofs() {

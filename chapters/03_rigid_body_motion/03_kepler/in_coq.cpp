@@ -192,7 +192,7 @@ Ltac by_start :=
       with (r0 * r0 * w0) by ring [circle0];
     rewrite ?(sqrt_square r0) by lra;
     pose proof (unit_circle th) as circle; rewrite ?is_x, ?is_y, ?is_u, ?is_v, ?is_r, ?is_c0, ?is_c1;
-    rewrite ?Rabs_mult, ?(Rabs_right r0) by lra;
+    rewrite ?Rabs_mult, ?(Rabs_right r0) by lra; rewrite ?cos_minus, ?sin_minus;
     clear - G0 M0 far turns D0 circle circle0;
     remember (pull_over_V (G * M) r0 rd th0 w0 th) as V eqn:is_V;
     unfold pull_over_V in is_V; unfold along_x, along_y in *;
@@ -401,7 +401,7 @@ Ltac by_axes :=
         w0))) with g
       by (symmetry; apply root_is; [lra | field; repeat split; known]);
     replace (g * g - m * m) with (- (m * m * (s * s))) by (rewrite is_E; ring);
-    try replace (1 - g / m * (g / m)) with (s * s) by (rewrite is_s; field; lra);
+    try replace (1 - (g / m) ^ 2) with (s * s) by (rewrite is_s; field; lra);
     assert (rm : sqrt m > 0) by (now apply sqrt_lt_R0);
     assert (is_m : sqrt m * sqrt m = m) by (apply sqrt_sqrt; lra);
     try match goal with |- context [sqrt ((?a + ?b) / 2)] =>
@@ -426,7 +426,7 @@ Ltac by_orbit :=
     assert (off : A * A + B * B > 0)
       by (destruct (Rle_lt_dec (A * A + B * B) 0) as [N | N]; [rewrite sqrt_neg_0 in long by exact N; lra |
           exact N]);
-    replace (th + -1 * (th0 - atan2 B A)) with (th - th0 + atan2 B A) by ring;
+    replace (th - (th0 - atan2 B A)) with (th - th0 + atan2 B A) by ring;
     rewrite cos_plus, cos_atan2, sin_atan2 by exact off;
     assert (is_k : Rabs w0 * Rabs w0 = w0 * w0) by (rewrite <- Rabs_mult; apply Rabs_right, Rle_ge,
         Rle_0_sqr);
