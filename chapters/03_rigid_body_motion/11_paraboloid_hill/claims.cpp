@@ -78,6 +78,11 @@ struct SampleOf {
 using Sample = SampleOf<double>;
 using Table = ProvableClaims<SampleOf>;
 
+/// On the default hill along (1, 1), at this fraction of the speed that makes the path straight.
+Case<double> along_both(double part) { return from_the_top<double>({1, 2, 10, 1, 1, part}); }
+
+const std::string half = R"($v_1^2/a_1^2+v_2^2/a_2^2=g/2$)";
+
 void equations(Table& table, const std::vector<Sample>& samples) {
   const auto position = [](const auto& s, std::size_t i) {
     return [&s, i](const auto& t) { return s.v[i] * t; };
@@ -148,10 +153,33 @@ void equations(Table& table, const std::vector<Sample>& samples) {
            R"(its own. As products the terms cannot be added. On a hill twice as wide, with $a_1$ and $a_2$ )"
            R"(doubled, the first one should change by the factor @2, and changes by @2.)",
            {growth(quotients), growth(products)})});
-}
 
-/// On the default hill along (1, 1), at this fraction of the speed that makes the path straight.
-Case<double> along_both(double part) { return from_the_top<double>({1, 2, 10, 1, 1, part}); }
+  const auto by_factor = [](std::size_t i) -> ProvableFormula<SampleOf> {
+    return {R"(the equation's left side over $4v_it/a_i^2$, by nested dual numbers)",
+            [=](const auto& s) { return s.on_line()[i] * (i == 0 ? s.A1() : s.A2()) / (4 * s.v[i] * s.t); }};
+  };
+  table.formula(
+      "condition", 1573,
+      "The first equation holds, for $v_1\\ne0$ (our condition), exactly if " + half +
+          ", two fraction bars lost",
+      samples,
+      {.quantity = "the first equation's left side, by a factor that is not zero",
+       .truth = by_factor(0),
+       .printed = "$v_1^2a_1^2+v_2^2a_2^2=g/2$",
+       .meant = half,
+       .kind = Fault::lost_typography,
+       .why = filled(
+           "The bars of the two fractions are lost in the text at hand. On the default hill, $a_1=1$, "
+           "$a_2=2$, $g=10$, the condition is @2 m/s in each direction for $v_1=v_2$. With the products it "
+           "is @2 m/s, at which the particle does not keep to a uniform motion.",
+           {along_both(1).v[0], std::sqrt(10 / 2.0 / (1 * 1 + 2 * 2))})});
+  table.formula("second_equation", 1581,
+                "The second equation holds, for $v_2\\ne0$ (our condition), exactly if " + half + " too",
+                samples,
+                {.quantity = "the second equation's left side, by a factor that is not zero",
+                 .truth = by_factor(1),
+                 .printed = half});
+}
 
 // ---- consequences -----------------------------------------------------------------------------------------
 
@@ -163,19 +191,11 @@ struct FromTop : Sample {
     if (kind == 2 || kind == 3) v[1] = 0;
     if (kind != 3 && random.unit() < 0.5) v = right();
   }
-  /// Whether `left` is g/2.
-  bool is_half_g(double left) const { return abs(left - g / 2) <= rounding(left + g / 2).allowed; }
-  bool condition() const { return is_half_g(K()); }
+  bool condition() const { return abs(K() - g / 2) <= rounding(K() + g / 2).allowed; }
   /// Whether (v1 t, v2 t) satisfies equation i.
   bool satisfied(std::size_t i) const {
-    const auto left = [&](const std::array<double, 6>& letters) {
-      FromTop moved = *this;
-      const auto [a1, a2, gravity, time, v1, v2] = letters;
-      moved.hill = {a1, a2}, moved.g = gravity, moved.t = time, moved.v = {v1, v2};
-      return Value(moved.on_line()[i]);
-    };
-    const std::array letters{hill.a1, hill.a2, g, t, v[0], v[1]};
-    return size_of(left(letters)) <= rounding(size_of_terms(left, letters)).allowed;
+    const Formula<FromTop> left{"left side", [=](const FromTop& s) { return Value(s.on_line()[i]); }};
+    return size_of(left.of(*this)) <= rounding(size_of_terms(left, *this)).allowed;
   }
   bool both() const { return satisfied(0) && satisfied(1); }
 };
@@ -192,38 +212,9 @@ struct Faster : Sample {
 
 void conditions(Claims& claims, double seed) {
   const auto samples = draw<FromTop>(400, seed);
-  const std::string half = R"($v_1^2/a_1^2+v_2^2/a_2^2=g/2$)";
   Sample twice_as_fast;
   twice_as_fast.hill = along_both(2).hill, twice_as_fast.g = along_both(2).g, twice_as_fast.t = 0;
   twice_as_fast.v = along_both(2).v;
-  claims.statement<FromTop>(
-      "condition", 1573,
-      "The first equation holds, for $v_1\\ne0$ (our condition), exactly if " + half +
-          ", two fraction bars lost",
-      samples,
-      {.printed = {R"($v_1^2a_1^2+v_2^2a_2^2=g/2$, as products)",
-                   [](const FromTop& s) {
-                     const double a = s.hill.a1 * s.v[0], b = s.hill.a2 * s.v[1];
-                     return s.v[0] == 0 || s.satisfied(0) == s.is_half_g(a * a + b * b);
-                   }},
-       .meant = {half + " and nowhere else",
-                 [](const FromTop& s) { return s.v[0] == 0 || s.satisfied(0) == s.condition(); }},
-       .near_misses = {{half + " for $v_1=0$ as well",
-                        [](const FromTop& s) { return !s.satisfied(0) || s.condition(); }}},
-       .kind = Fault::lost_typography,
-       .why = filled(
-           "The bars of the two fractions are lost in the text at hand. On the default hill, $a_1=1$, "
-           "$a_2=2$, $g=10$, the condition is @2 m/s in each direction for $v_1=v_2$. With the products it "
-           "is @2 m/s, at which the particle does not keep to a uniform motion.",
-           {along_both(1).v[0], std::sqrt(10 / 2.0 / (1 * 1 + 2 * 2))})});
-  claims.statement<FromTop>(
-      "second_equation", 1581,
-      "The second equation holds, for $v_2\\ne0$ (our condition), exactly if " + half + " too", samples,
-      {.printed = {half + " and nowhere else",
-                   [](const FromTop& s) { return s.v[1] == 0 || s.satisfied(1) == s.condition(); }},
-       .near_misses = {{half + " for $v_2=0$ as well",
-                        [](const FromTop& s) { return !s.satisfied(1) || s.condition(); }}}});
-
   const auto in_starts = [&](std::string text, const std::function<bool(const FromTop&)>& holds) -> Reading {
     return {text, {in_all(text, samples, holds)}};
   };
@@ -313,9 +304,7 @@ void paths(Claims& claims, double seed) {
   const auto of_all = [&](std::string text, const std::function<bool(const Path&)>& holds) -> Reading {
     return {text, {in_all(text, all, holds)}};
   };
-  const std::string held =
-      "for paths from the top, held to the hill: those with "
-      "$v_1^2/a_1^2+v_2^2/a_2^2=g/2$";
+  const std::string held = "for paths from the top, held to the hill: those with " + half;
   const auto samples = draw<Sample>(200, seed);
   const auto push = [](const Sample& s) { return s.g - 2 * s.K(); };
   Reading straight = of_all(held + ", along an axis, or on a round hill; no others",
@@ -349,7 +338,7 @@ void paths(Claims& claims, double seed) {
       "not_straight", 1581,
       "If the condition is not satisfied, the path in the $(x_1,x_2)$-plane of a particle from the top, held to "
       "the hill (our condition), is no straight line",
-      {.printed = of_all("none from the top, held to the hill, unless $v_1^2/a_1^2+v_2^2/a_2^2=g/2$",
+      {.printed = of_all("none from the top, held to the hill, unless " + half,
                          [](const Path& p) { return p.condition || p.is(false); }),
        .corrected = straight,
        .near_misses = {of_all(held + ", or on a round hill; no others",
@@ -381,9 +370,11 @@ Provables proofs() {
   const std::vector<std::string> names{"a1", "a2", "g", "t", "x1", "x2", "v1", "v2", "w1", "w2"};
   ForAll<SampleOf> all{.any = lettered<SampleOf>(names),
                        .letters = quantified(names),
-                       .tactic = std::string("field; repeat split; ") + by_positive_terms,
+                       .tactic = std::string("field; repeat split; try assumption; ") + by_positive_terms,
                        .says = "it holds for any particle on any such hill"};
   all.given = {above(all.any.hill.a1.expression(), 0), above(all.any.hill.a2.expression(), 0)};
+  for (const Shortened& x : {all.any.t, all.any.v[0], all.any.v[1]})
+    all.given.push_back(not_zero(x.expression()));
   double x = 1;
   for (double* letter : all.example.letters()) *letter = x += 0.25;
   Provables proved = table.proofs("3.11", all);

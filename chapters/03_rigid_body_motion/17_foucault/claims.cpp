@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <iterator>
 #include <numbers>
 
@@ -125,6 +124,7 @@ struct SampleOf {
             {"P", vector(A.P)},
             {"Q", vector(A.Q)},
             {"R", vector(A.R)},
+            {R"(\dot R)", vector(axis_velocity(q, v))},
             {"w", vector(turning)},
             {R"(\jmath)", {0, 1, 0}},
             {"k", {0, 0, 1}},
@@ -593,17 +593,19 @@ void center_of_mass(ConeTable& table, const Cones& cones) {
            R"(The center of mass balances moments, not volumes: the parts above and below have equal moments )"
            R"($\int(z-\bar z)\,dV$. Above it lies $(3/4)^3=27/64=@2$ of the cone.)",
            {above_center<double>()})});
-  const auto halving = []<class T>(const ConeSampleOf<T>& s) { return halving_height<T>() * s.h(); };
   table.formula("halving_height", 2315, "The plane that halves the volume is $z=h(1-2^{-1/3})$", cones,
                 {.quantity = "the volume above the plane $z=h(1-2^{-1/3})$",
-                 .truth = {"quadrature", [=](const auto& s) { return s.volume_above(halving(s)); }},
+                 .truth = {"quadrature",
+                           []<class T>(const ConeSampleOf<T>& s) {
+                             return s.volume_above(halving_height<T>() * s.h());
+                           }},
                  .printed = R"($\frac12\,\pi r^2h/3$)"});
   table.formula(
       "center_height", 2315, R"(The center of mass is at the height $\bar z=h(1-2^{-1/3})$)", cones,
       {.quantity = "the height of the center of mass",
        .truth = {"the moment of $z$ by the volume, both by quadrature",
                  [](const auto& s) { return s.center(); }},
-       .printed = {"$h(1-2^{-1/3})$", halving},
+       .printed = {"$h(1-2^{-1/3})$"},
        .corrected = {"$h/4$"},
        .kind = Fault::formula,
        .root = root,
@@ -615,8 +617,7 @@ void center_of_mass(ConeTable& table, const Cones& cones) {
                 {.quantity = "$L$, from the joint, which is the vertex, to the center of mass",
                  .truth = {"$h$ less the height of the center of mass by quadrature",
                            [](const auto& s) { return s.h() - s.center(); }},
-                 .printed = {"$h/2^{1/3}$",
-                             []<class T>(const ConeSampleOf<T>& s) { return printed_length<T>() * s.h(); }},
+                 .printed = {"$h/2^{1/3}$"},
                  .corrected = {"$3h/4$"},
                  .kind = Fault::formula,
                  .root = root,
@@ -814,24 +815,15 @@ void tensor(ConeTable& table, const Cones& cones) {
        .why =
            R"(The integrals are about the center of the base. With $m|v|^2/2$ of the center of mass belongs )"
            R"(the tensor about the center of mass, $I_{xx}=3m(h^2+4r^2)/80$, less by $m(h/4)^2$.)"});
-  const auto energy = [](bool book_values, double turning, double earth) {
-    return [=]<class T>(const ConeSampleOf<T>& s) {
-      const auto& k = s.cone;
-      const auto c = book_values ? book_cone(k) : BookConeOf<T>{k.L(), k.across(), k.along()};
-      return s.mass() * BookEnergyOf<T>{c, times(earth, s.motion.w()), turning}(s.motion.q, s.motion.v);
-    };
-  };
   table.formula(
       "cone_energy", 2287, R"(The cone has the kinetic energy $\frac m2|v|^2+\frac12w\cdot Jw$)", cones,
       {.quantity = "the cone's kinetic energy",
        .truth = {"half the speed's square over a cone that hangs by its vertex and swings, by quadrature",
                  [](const auto& s) { return s.kinetic_energy(); }},
-       .printed = {R"($\frac m2|v|^2+\frac12w\cdot Jw$, $w$ the Earth's)", energy(true, 0, 1)},
-       .corrected =
-           {R"($\frac m2|v|^2+\frac12W\cdot JW$, $W=R\times\dot R$ the cone's own turning, $J$ about its )"
-            R"(center of mass)",
-            energy(false, 1, 0)},
-       .near_misses = {{R"($\frac m2|v|^2$ alone)", energy(false, 0, 0)}},
+       .printed = R"($\frac m2\left(\frac h{2^{1/3}}\right)^2\dot R\cdot\dot R)"
+                  R"(+\frac12w\cdot(I_{xx}(PP^T+QQ^T)+I_{zz}RR^T)w$)",
+       .corrected = R"($\frac m2\left(\frac{3h}4\right)^2\dot R\cdot\dot R)"
+                    R"(+\frac m2\,\frac{3(h^2+4r^2)}{80}(R\times\dot R)\cdot(R\times\dot R)$)",
        .kind = Fault::formula,
        .root = "the cone's own turning",
        .why =
@@ -849,6 +841,13 @@ struct SwingingOf : ConeSampleOf<T> {
   using ConeSampleOf<T>::ConeSampleOf;
   double size() const { return this->motion.size(); }
   Tolerance tolerance(double) const { return rounding(size(), 512); }
+  TypesetIn<T> typeset() const {
+    TypesetIn<T> all = this->motion.typeset();
+    std::erase_if(all, [](const auto& letter) { return letter.first == "m" || letter.first == "L"; });
+    all.push_back({"K", this->cone.L() * this->cone.equivalent_length()});
+    all.push_back({"L", this->cone.L()});
+    return all;
+  }
 };
 
 namespace {
@@ -857,24 +856,12 @@ using Swinging = SwingingOf<double>;
 using SwingTable = ProvableClaims<SwingingOf>;
 
 void cone_equations(SwingTable& table, const std::vector<Swinging>& samples) {
-  const auto residual = [](bool book, bool reduced) {
-    return [=]<class T>(const SwingingOf<T>& s) {
-      const auto& m = s.motion;
-      const auto& k = s.cone;
-      const auto energy = book ? BookEnergyOf<T>{book_cone(k), m.w()}
-                               : BookEnergyOf<T>{{k.L(), k.across(), k.along()}, {0.0, 0.0, 0.0}, 1.0};
-      const T lever = reduced ? sqrt(k.L() * k.equivalent_length()) : energy.L;
-      Two<T> force = coriolis(lever, m.w(), m.q, m.v);
-      force[1] -= m.p.g * energy.L * m.sin_phi();
-      return less(lagrange_left_side(energy, m.q, m.v, m.a), force);
-    };
-  };
-  // with the factor of the Coriolis terms
-  const auto cone = [](const std::string& lever) {
-    return R"($K(\ddot\theta\sin^2\phi+2\dot\theta\dot\phi\sin\phi\cos\phi)=2)" + lever +
-           R"(\omega\dot\phi\sin\phi\,b$ and $K(\ddot\phi-\dot\theta^2\sin\phi\cos\phi)=-2)" + lever +
-           R"(\omega\dot\theta\sin\phi\,b-gL\sin\phi$, $K=L^2+I_{xx}/m$ with $I_{xx}$ about the center of mass, )"
-           R"($b=-\cos\lambda\sin\theta\sin\phi+\sin\lambda\cos\phi$)";
+  const auto appended = []<class T>(const SwingingOf<T>& s) {
+    const auto& m = s.motion;
+    const BookEnergyOf<T> energy{book_cone(s.cone), m.w()};
+    Two<T> force = coriolis(energy.L, m.w(), m.q, m.v);
+    force[1] -= m.p.g * energy.L * m.sin_phi();
+    return less(lagrange_left_side(energy, m.q, m.v, m.a), force);
   };
   const auto about_joint = []<class T>(const SwingingOf<T>& s) {
     const auto A = s.motion.axes();
@@ -896,7 +883,8 @@ void cone_equations(SwingTable& table, const std::vector<Swinging>& samples) {
       "cone_equations", 2429,
       R"(The cone's equations are those of the point with the derivatives of $\frac12w\cdot Jw$ appended)",
       samples,
-      {.quantity = "Lagrange's equations, left sides less right sides, for $\\theta$ and $\\phi$",
+      {.quantity = R"(Lagrange's equations, left sides less right sides, for $\theta$ and $\phi$, with )"
+                   R"($K=L^2+I_{xx}/m$, $I_{xx}$ about the center of mass)",
        .truth =
            {R"(the angular momentum's rate in space about the joint of a cone that does not spin )"
             R"(about its axis, less gravity's torque, along $k$ and $P$, linear in $\omega$. The moments are )"
@@ -910,9 +898,10 @@ void cone_equations(SwingTable& table, const std::vector<Swinging>& samples) {
        .printed =
            {R"($\frac d{dt}\frac{\partial T}{\partial\dot\theta}-\frac{\partial T}{\partial\theta}=F_\theta$ )"
             R"(and the same for $\phi$, $T=\frac m2|v|^2+\frac12w\cdot Jw$ and the point's $F$)",
-            residual(true, false)},
-       .corrected = {cone("K"), residual(false, true)},
-       .near_misses = {{cone("L^2"), residual(false, false)}},
+            appended},
+       .corrected =
+           R"($\left(K(\ddot\theta\sin^2\phi+2\dot\theta\dot\phi\sin\phi\cos\phi)-2K\omega\dot\phi\sin\phi\,b,\ )"
+           R"(K(\ddot\phi-\dot\theta^2\sin\phi\cos\phi)+2K\omega\dot\theta\sin\phi\,b+gL\sin\phi\right)$)",
        .kind = Fault::formula,
        .root = "the cone's own turning",
        .why = filled(
@@ -967,14 +956,6 @@ Provables pendulum_proofs() {
   return table.proofs("3.17", all);
 }
 
-/// The square of the lever of the Coriolis force.
-constexpr const char* by_lever = R"(
-  match goal with |- context [sqrt ?x] =>
-    assert (lever : forall a, a * sqrt x * sqrt x = a * x) by (intro; rewrite Rmult_assoc, sqrt_sqrt;
-      [reflexivity | apply Rlt_le, Rmult_lt_0_compat; [lra |]; apply Rplus_lt_0_compat; [lra |];
-        apply Rdiv_lt_0_compat; nra]);
-    rewrite ?lever end;)";
-
 Provables cone_proofs() {
   Claims claims("3.17");
   ConeTable table(claims);
@@ -994,7 +975,7 @@ Provables cone_proofs() {
                            .says = "it holds for every cone"};
   ForAll<SwingingOf> swinging{.any = lettered<SwingingOf>(names),
                               .letters = quantified(names),
-                              .tactic = by_lever + by_angles({"lambda", "theta", "phi"}) + nonzero,
+                              .tactic = by_angles({"lambda", "theta", "phi"}) + nonzero,
                               .says = "it holds for every cone in any motion"};
   all.given = swinging.given = {above(all.any.h().expression(), 0), above(all.any.r().expression(), 0)};
   double x = 0;

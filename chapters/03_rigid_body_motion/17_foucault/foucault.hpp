@@ -71,13 +71,12 @@ template <class N>
 struct BookEnergyOf : BookConeOf<N> {
   using BookConeOf<N>::L, BookConeOf<N>::Ixx, BookConeOf<N>::Izz;
   Space<N> w;
-  N swing = 0;  ///< share of the energy of the cone's own rotation R x R', which the text omits
   template <class T>
   T operator()(const Two<T>& q, const Two<T>& v) const {
     const Axes<T> a(q);
     const Space<T> earth{T(w[0]), T(w[1]), T(w[2])}, rate = axis_velocity(q, v);
     const T p = dot(a.P, earth), s = dot(a.Q, earth), t = dot(a.R, earth);
-    return 0.5 * (L * L + swing * Ixx) * dot(rate, rate) + 0.5 * (Ixx * (p * p + s * s) + Izz * t * t);
+    return 0.5 * L * L * dot(rate, rate) + 0.5 * (Ixx * (p * p + s * s) + Izz * t * t);
   }
 };
 
