@@ -54,7 +54,7 @@ TEST_CASE("a motion and its events run as in the examples of their headers", "[t
   if (path.reached()) std::cout << path.value.back()[0];  // cos(2)
   CHECK(output.has("-0.416147"));
 
-  const bouncing_ball::Ball<double> ball{{1, 9.81, 0.7}};  // has guards() and at_event()
+  const bouncing_ball::Ball<double> ball{{1, 9.81, 0.7}};  // has guards() and at_event().
   const auto motion = integrate_with_events<RungeKutta4>(ball, ball.start(), times, 0.01);
   for (const auto& event : motion.events) std::cout << event.time << "\n";
   CHECK(output.has("0.451524\n1.08366\n"));
