@@ -445,6 +445,7 @@ struct Output {
   TypesetLetters letters_of_text;
   Tolerance allowed;
   TypesetLetters typeset() const { return letters_of_text; }
+  std::string where() const { return "in the book's motion"; }
   Tolerance tolerance(double) const { return allowed; }
 };
 Formula<Output> known(std::string by, Value value) {
