@@ -445,6 +445,7 @@ struct Output {
   TypesetLetters letters_of_text;
   Tolerance allowed;
   TypesetLetters typeset() const { return letters_of_text; }
+  std::string where() const { return "in the book's motion"; }
   Tolerance tolerance(double) const { return allowed; }
 };
 Formula<Output> known(std::string by, Value value) {
@@ -514,7 +515,7 @@ void motion(Claims& claims, const Value& end) {
   const double arrival =
       ode::find_event<ode::Fehlberg78>(cartesian, cartesian.start(), 0, 5, 1e-12, x1).value.time;
   claims.formula<Output>("arrival_time", 1849, "The mass arrives in the $(x_2,x_3)$-plane at $t=2$",
-                         {{{}, integrated}},
+                         {{{{"t", arrival}}, integrated}},
                          {.quantity = "the time of arrival",
                           .truth = known("the Cartesian motion's first $x_1=0$", arrival),
                           .printed = {"$2$"}});
@@ -596,7 +597,9 @@ void output(Claims& claims, const Value& end) {
   const Run run = listing(root_half<double>()), mended = listing(quarter);
   const double s = run.lambda.back(), angle = quarter * run.time;
   const auto listed = [](const Value& x) { return known("the listing's arithmetic", x); };
-  const auto digits = [](int decimals) -> std::vector<Output> { return {{{}, printed_decimals(decimals)}}; };
+  const auto digits = [&](int decimals) -> std::vector<Output> {
+    return {{{{"t", run.time}}, printed_decimals(decimals)}};
+  };
 
   const auto middle = position(2.0, 0.0, quarter);
   claims.formula<Output>(
