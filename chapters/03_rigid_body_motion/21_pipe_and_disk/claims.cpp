@@ -238,8 +238,8 @@ void turning_axis(Claims& claims, const std::vector<Sample>& samples) {
       "disk_vector", 2575, "The angular acceleration of the disk (our reading: the vector) is zero", samples,
       {.quantity = "the angular acceleration",
        .truth = {"zero", [](S) { return values(0); }},
-       .printed = {R"($0=\frac d{dt}(\dot\theta k+\dot\psi u)$)"},
-       .meant = {R"($(0,0)=(\ddot\theta,\ddot\psi)$)"},
+       .printed = {R"($\frac d{dt}(\dot\theta k+\dot\psi u)=0$)"},
+       .meant = {R"($(\ddot\theta,\ddot\psi)=(0,0)$)"},
        .changes_that_hold = R"($\ddot\theta$ and $\ddot\psi$ are both zero)",
        .kind = Fault::term,
        .why = filled(
