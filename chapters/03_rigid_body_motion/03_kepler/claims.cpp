@@ -425,7 +425,8 @@ struct Forms {
   std::string after = {};  ///< the line's words after the formula
 };
 
-/// Claims several forms of one quantity. The fault of a line that is meant in another way is a lost bar.
+/// Claims an equation, or several forms of one quantity. The fault of a line that is meant in another way is
+/// a lost bar.
 template <template <class> class Of>
 void forms(ProvableClaims<Of>& table, std::string_view slug, int line,
            const typename ProvableClaims<Of>::Samples& samples,
@@ -505,18 +506,6 @@ void polar_acceleration(PushedTable& table, const std::vector<Pushed>& moments) 
                      R"(\frac{d}{dt}(r^2\dot\theta))"}});
 }
 
-/// Claims an equation, as printed and as meant.
-void equation(Table& table, std::string_view slug, int line, const std::vector<Moment>& moments, Terms terms,
-              const std::string& printed, const std::string& meant = {}, std::string why = {}) {
-  table.formula(slug, line, printed, moments,
-                {.quantity = "the difference of the sides",
-                 .truth = zero(terms),
-                 .printed = printed,
-                 .meant = meant,
-                 .kind = meant.empty() ? Fault::none : Fault::lost_typography,
-                 .why = std::move(why)});
-}
-
 void equations_of_motion(Table& table, const std::vector<Moment>& moments) {
   table.formula(
       "unit_vector", 945,
@@ -541,9 +530,10 @@ void equations_of_motion(Table& table, const std::vector<Moment>& moments) {
            R"(as far away by @2 and the second by @1, instead of by @2. The last form of the line has its )"
            R"(bar.)",
            {pow(2, 4), pow(2, 2), pow(2, -2)})});
-  equation(table, "radial", 967, moments, &Along::of_rates, R"($\ddot r-r\dot\theta^2=-GM\,r^2$)",
-           R"($\ddot r-r\dot\theta^2=-GM/r^2$)",
-           "The fraction bar is lost; equation (2), which follows from this line, shows it.");
+  forms(table, "radial", 967, moments, zero(&Along::of_rates),
+        {.printed = {R"(\ddot r-r\dot\theta^2=-GM\,r^2)"},
+         .meant = {R"(\ddot r-r\dot\theta^2=-GM/r^2)"},
+         .why = "The fraction bar is lost; equation (2), which follows from this line, shows it."});
   table.formula("transverse", 967, R"($r\ddot\theta+2\dot r\dot\theta=0$)", moments,
                 {.quantity = "the left side",
                  .truth = zero(&Along::of_rates),
@@ -661,18 +651,21 @@ void equation_of_the_potential(Table& table, const std::vector<Moment>& moments)
            R"(line has one for both.)"});
   second_rate("r_dot_dot_by_V", 1063,
               {.printed = {R"(\alpha^2V''/(GM^3(-GM/V)^2))", R"(\alpha^2V''V^2/(G^3M^5))"}});
-  equation(table, "radial_equation_again", 1073, moments, &Along::of_rates,
-           R"($-GM\,r^2=\ddot r-\alpha^2/(M^2r^3)$)", R"($-GM/r^2=\ddot r-\alpha^2/(M^2r^3)$)",
-           "The fraction bar is lost; equation (2), which the line repeats, shows it.");
-  equation(
-      table, "substituted", 1077, moments, &Along::of_rates,
-      R"($-GM\,(-GM/V)^2=\alpha^2V''V^2/(G^3M^5)-\alpha^2/(M^2(-GM/V)^3)$)",
-      R"($-GM/(-GM/V)^2=\alpha^2V''V^2/(G^3M^5)-\alpha^2/(M^2(-GM/V)^3)$)",
-      R"(The bar of the left side is lost, as at line 953: $GM(-GM/V)^2$ is $GMr^2$, a pull that grows with )"
-      R"(the distance. The next line, $-V^2/(GM)$, is the quotient.)");
-  equation(table, "simplified", 1083, moments, &Along::of_rates,
-           R"($-V^2/(GM)=\alpha^2V''V^2/(G^3M^5)+\alpha^2V^3/(G^3M^5)$)");
-  equation(table, "potential_equation", 1091, moments, &Along::of_bend, R"($-G^2M^4/\alpha^2=V''+V$)");
+  forms(table, "radial_equation_again", 1073, moments, zero(&Along::of_rates),
+        {.printed = {R"(-GM\,r^2=\ddot r-\alpha^2/(M^2r^3))"},
+         .meant = {R"(-GM/r^2=\ddot r-\alpha^2/(M^2r^3))"},
+         .why = "The fraction bar is lost; equation (2), which the line repeats, shows it."});
+  forms(
+      table, "substituted", 1077, moments, zero(&Along::of_rates),
+      {.printed = {R"(-GM\,(-GM/V)^2=\alpha^2V''V^2/(G^3M^5)-\alpha^2/(M^2(-GM/V)^3))"},
+       .meant = {R"(-GM/(-GM/V)^2=\alpha^2V''V^2/(G^3M^5)-\alpha^2/(M^2(-GM/V)^3))"},
+       .why =
+           R"(The bar of the left side is lost, as at line 953: $GM(-GM/V)^2$ is $GMr^2$, a pull that grows with )"
+           R"(the distance. The next line, $-V^2/(GM)$, is the quotient.)"});
+  forms(table, "simplified", 1083, moments, zero(&Along::of_rates),
+        {.printed = {R"(-V^2/(GM)=\alpha^2V''V^2/(G^3M^5)+\alpha^2V^3/(G^3M^5))"}});
+  forms(table, "potential_equation", 1091, moments, zero(&Along::of_bend),
+        {.printed = {R"(-G^2M^4/\alpha^2=V''+V)"}});
   table.formula(
       "characteristic", 1095, R"($\lambda^2+1=0$ has the roots $\lambda=\pm i$.)", moments,
       {.quantity = R"($V''$ times the unit matrix, $\lambda=i$ being the matrix of a quarter turn)",
@@ -788,17 +781,6 @@ void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
                  .truth = {R"($c_0$ and $c_1$ from two later places on the path)",
                            [](const auto& k) { return values(k.c0, k.c1); }},
                  .printed = "$(" + c0 + R"(,\ )" + c1 + ")$"});
-  table.formula(
-      "V0", 1143, R"($V_0=V(\theta_0)=GM/r_0$)", orbits,
-      {.quantity = R"($V(\theta_0)$)",
-       .truth = by_two_places("(3)", [](const auto& k) { return k.potential(k.start.theta0) - k.mean(); }),
-       .printed = R"($GM/r_0$)",
-       .corrected = R"($-GM/r_0$)",
-       .kind = Fault::formula,
-       .root = "sign of the potential at the start",
-       .why =
-           R"($V=-GM/r$ by definition (line 1009), so $V_0=-GM/r_0$. The sign is carried on into (4) and (5), and )"
-           R"(turns the planet's orbit into one on which it stops.)"});
   forms(
       table, "V0_slope", 1149, orbits,
       by_two_places("(3) differentiated", [](const auto& k) { return k.slope(k.start.theta0); }),
@@ -875,6 +857,12 @@ void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
            constant(sign, R"(\cos(\theta-\theta_0)+)", R"(\sin(\theta-\theta_0))") +
            R"(-\frac{G^2M^4}{\alpha^2}\right)^2)";
   };
+  wrong_sign(
+      "V0", 1143, R"($V_0=V(\theta_0)=GM/r_0$)", "V_0",
+      by_two_places("(3)", [](const auto& k) { return k.potential(k.start.theta0) - k.mean(); }),
+      [](const std::string& sign) { return sign + R"(GM/r_0)"; },
+      R"($V=-GM/r$ by definition (line 1009), so $V_0=-GM/r_0$. The sign is carried on into (4) and (5), and )"
+      R"(turns the planet's orbit into one on which it stops.)");
   wrong_sign(
       "c0", 1171, "$c_0=" + fourth("") + "$ (4)", "c_0",
       {"$c_0$ from two later places on the path", [](const auto& k) { return k.c0; }}, fourth,
