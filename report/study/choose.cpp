@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <ranges>
 #include <set>
 #include <span>
@@ -315,22 +316,25 @@ bool a_part_decides(const Need& need) {
   });
 }
 
-/// The methods that cost far more than the choice.
-decltype(PartJudged::too_costly) too_costly(const Choice& choice) {
-  decltype(PartJudged::too_costly) all;
-  if (!choice.chosen || !choice.by_objective || choice.need.thorough) return all;
-  for (const Candidate& t : choice.candidates)
-    if (t.seconds_per_frame > policy.far_costlier * choice.chosen->seconds_per_frame)
-      all.emplace(t.model, t.algorithm);
-  return all;
-}
+/// Methods that cost far more over a part of the horizon than the choice there.
+struct Costly {
+  decltype(PartJudged::too_costly) methods = {};
+  double least = std::numeric_limits<double>::infinity();  ///< s per frame, of the cheapest
 
-/// Whether the methods that were left out as too costly over a part would be no choice over a longer one.
-bool is_cheap_as(const Choice& over_part, const Choice& choice) {
-  return choice.chosen && choice.by_objective &&
-         choice.chosen->seconds_per_frame * policy.noisy_tie <=
-             policy.far_costlier * over_part.chosen->seconds_per_frame;
-}
+  void add(const Choice& choice) {
+    if (!choice.chosen || !choice.by_objective || choice.need.thorough) return;
+    for (const Candidate& t : choice.candidates)
+      if (t.seconds_per_frame > policy.far_costlier * choice.chosen->seconds_per_frame) {
+        methods.emplace(t.model, t.algorithm);
+        least = std::min(least, t.seconds_per_frame);
+      }
+  }
+  /// Whether none of them would be chosen over a longer part, where each costs as much or more.
+  bool allow(const Choice& choice) const {
+    return methods.empty() || (choice.chosen && choice.by_objective &&
+                               choice.chosen->seconds_per_frame * policy.noisy_tie <= least);
+  }
+};
 
 /// The need over ever longer parts of its horizon; the last is the whole.
 std::vector<Need> ever_longer(const Need& need) {
@@ -355,15 +359,15 @@ Choice choose_in_time(const Task& task, const Need& need, const Reference& truth
   double spent = 0;
   std::optional<Choice> over_part;
   std::shared_ptr<const Failures> failed;
+  Costly costly;
   for (Need& over : ever_longer(need)) {
     const bool is_whole = over.horizon == need.horizon;
     std::shared_ptr<PartJudged> part;
     if (a_part_decides(need))
-      part = std::make_shared<PartJudged>(
-          PartJudged{"the first " + format_significant(over.horizon, 4) + " " +
-                         std::string(task.entry->exercise.scene->axes.time),
-                     failed, std::make_shared<Failures>(),
-                     over_part ? too_costly(*over_part) : decltype(PartJudged::too_costly)()});
+      part =
+          std::make_shared<PartJudged>(PartJudged{"the first " + format_significant(over.horizon, 4) + " " +
+                                                      std::string(task.entry->exercise.scene->axes.time),
+                                                  failed, std::make_shared<Failures>(), costly.methods});
     const auto choose_over = [&] {
       const Stopwatch watch(spent);
       over.time_limit = need.time_limit - spent;
@@ -371,10 +375,12 @@ Choice choose_in_time(const Task& task, const Need& need, const Reference& truth
     };
     try {
       Choice choice = choose_over();
-      if (part && !part->too_costly.empty() && !is_cheap_as(*over_part, choice)) {
+      if (part && !costly.allow(choice)) {
+        costly = {};
         part->too_costly.clear();
         choice = choose_over();
       }
+      costly.add(choice);
       over_part = std::move(choice);
     } catch (const OutOfTime&) {
       if (!over_part) throw;
