@@ -1453,8 +1453,9 @@ TEST_CASE("a long horizon has the same answer with and without parts", "[choose]
   }
 }
 
-TEST_CASE("what costs four times the choice over a part is not tried over the whole, except thoroughly",
-          "[choose]") {
+TEST_CASE(
+    "methods that cost four times the choice over a part are not tried over the whole, except thoroughly",
+    "[choose]") {
   Need need = asked(0.02, 2400);
   const auto price_over = [](const Need&) { return counted_cost; };
   const Choice whole = choose_for(need), parts = choose_in_parts(need, price_over);

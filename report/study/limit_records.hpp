@@ -29,7 +29,7 @@ std::string shown_tongues(const Limit&);
 std::optional<std::vector<ode::Tongue>> tongues_shown_as(std::string_view text);
 /// Range in which other observers find a limit that is not sharp: "0.4 to 0.5".
 std::string shown_soft(const Between&);
-/// The range from its text, to three digits; nothing if the text is none.
+/// The range from its text, to three digits. Nothing if the text is no range.
 std::optional<Between> soft_shown_as(std::string_view text);
 /// How the motion ends just above the limit, or "stable" when nothing breaks the method.
 std::string beyond(const Limit&);
