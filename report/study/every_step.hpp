@@ -54,8 +54,8 @@ class EveryStep {
 /// elsewhere.
 std::optional<TimedTrial> within_need(const EveryStep&, const Method&, int intervals,
                                       bool path_is_asked = true);
-/// Confirms by a few steps that the largest step within the need is about the expected one: the trial there,
-/// if it passes, as do two finer ones, and a slightly longer one fails.
+/// The trial at the expected step, if a few steps confirm it as the largest within the need. It passes, as do
+/// two finer ones, and a slightly longer one fails.
 std::optional<TimedTrial> confirmed_within_need(const EveryStep&, const Method&, int intervals,
                                                 double expected_steps);
 /// Whether the finest step that within_need() would try fails at the times of the reference.

@@ -117,8 +117,9 @@ class Scan {
   std::map<double, ode::Loss> known_;
 };
 
-/// Whether these observers see the limit where they are expected to by a few steps: all close to the usual
-/// edge; or one by the least step of the approved range, and one, perhaps the usual, not before its most.
+/// Whether these observers see the limit where they are expected to, by a few steps. Without an approved
+/// range all see it close to the usual edge. Otherwise one loses the range's least step, and one, perhaps the
+/// usual, keeps its most.
 bool is_confirmed(const std::string& soft, Scan& scan, std::span<const Observer> others, const Edge& usual) {
   constexpr double close = 1.024;  // close^2 < sharp
   const auto any = [&](double stable, double unstable) {

@@ -37,8 +37,9 @@ struct AtMaximum : Sample {
   double size() const { return Sample::size() / w; }
 };
 
-/// Motions with x = omega T up to 12: with r and omega of either sign; with both positive and omega away from
-/// 1; the latter with k = 0, ..., 11; and at x = pi/4 + 2 n pi, n = 0, ..., 3.
+/// Motions with x = omega T up to 12. `any` have r and omega of either sign. `forward` have both positive and
+/// omega away from 1; `cases` are these with k = 0, ..., 11. `maxima` are at x = pi/4 + 2 n pi, n = 0,
+/// ..., 3.
 struct Samples {
   std::vector<Sample> any, forward, cases;
   std::vector<AtMaximum> maxima;

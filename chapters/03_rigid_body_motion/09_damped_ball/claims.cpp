@@ -461,8 +461,8 @@ void solutions(Claims& claims, const std::vector<Polynomial>& polynomials, doubl
   claims.statement<Frictions>(
       "larger_friction_sooner", 1477,
       filled(
-          "With real roots, the larger the friction, the sooner the ball is nearly at the origin (our check: "
-          "$x_a$ is the distance left after @1 s from rest with friction $a$, $b>a$, $m=@1$, $c=@1$)",
+          "With real roots, the larger the friction, the sooner the ball is nearly at the origin. (Our check: "
+          "$x_a$ is the distance left after @1 s from rest with friction $a$; $b>a$, $m=@1$, $c=@1$.)",
           {Frictions::seconds, Frictions::m, Frictions::c}),
       draw<Frictions>(100, seed),
       {.printed = {"$x_b<x_a$"},
@@ -721,8 +721,8 @@ void arrivals(Claims& claims, double seed) {
 
   claims.statement<Start>(
       "finite_time", 1525,
-      R"(With complex roots, and $p\ne0$ and $v$ parallel, the ball reaches the origin in finite time (our )"
-      R"(check: $t$ is the first time when both coordinates of the integrated motion are zero))",
+      R"(With complex roots, and $p\ne0$ and $v$ parallel, the ball reaches the origin in finite time. (Our )"
+      R"(check: $t$ is the first time when both coordinates of the integrated motion are zero.))",
       directions, {.printed = {R"($0<t<\pi/\beta$)"}, .near_misses = {{R"($0<t<\pi/(2\beta)$)"}}});
   const Start away = weak(1, 2, 1, 2), at_rest = weak(1, 0, 0, 0);
   std::vector<Start> arriving = directions;
