@@ -24,7 +24,7 @@ TEST_CASE("GSL's multistep methods leave a growing solution at a loose tolerance
                                                    &driver->h, x) == GSL_SUCCESS) {
     }
     gsl_odeiv2_driver_free(driver);
-    shown.check("at a tolerance of 0.1 x is beyond 1e15 before t = 0.85", x[0] > 1e15 && t < 0.85, t);
+    shown.check("At a tolerance of 0.1 x is beyond 1e15 before t = 0.85", x[0] > 1e15 && t < 0.85, t);
   }
   gsl_set_error_handler(handler);
   const double solution = 1 / (1 - 0.85);

@@ -1,6 +1,7 @@
-\\ The work of the force (t, t, 1) until T = x, for x = pi/4 + 2 n pi, and the value printed for it.
+\\ The work of the force (t, t, 1) until x, less its value, both as they are printed; and as they are corrected until
+\\ x/omega, for x = pi/4 + 6 pi.
 read("reference/witness/shared/common.gp");
-r = 1.6391751105010273; w = 0.505586211437905; T = 19.938501455885554;
+r = 3.2769842085451817; w = 3.703159688385661; T = 5.302216414409011;
 work(T) = intnum(t = 0, T, dot([t, t, 1], [-r*w*sin(w*t), r*w*cos(w*t), 0]));
-times = vector(4, n, Pi/4 + 2*(n - 1)*Pi);
-both("printed 1", [r, w, T], apply(work, times), r*w*sqrt(2)*times);
+x = Pi/4 + 6*Pi;
+both("printed 1", [r, w, T], 0, work(w*T) - r*w*(w*T)*sqrt(2), work(x/w) - r/w*(x*sqrt(2) - 1));
