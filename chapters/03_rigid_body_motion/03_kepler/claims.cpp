@@ -882,9 +882,9 @@ void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
       "constants_of_rate", 1227, "The constants of (7) are those of (4) and (5).", R"(\dot\theta)", rate,
       seventh,
       filled(
-          R"((4) and (5) put into (7) make its bracket $V_0$ at the start, and (7) squares it: the planet sets off with the right )"
-          R"($\dot\theta_0$ whichever the sign, and the error shows only later. With the printed sign the bracket )"
-          R"(reaches zero where $c_0\sin\theta+c_1\cos\theta=G^2M^4/\alpha^2$; there $\dot\theta=0$, and the planet )"
+          R"(With (4) and (5) the bracket of (7) is $V_0$ at the start. It is squared, so the planet starts with )"
+          R"(the right $\dot\theta_0$ for either sign, and the error shows only later. With the printed sign the )"
+          R"(bracket reaches zero where $c_0\sin\theta+c_1\cos\theta=G^2M^4/\alpha^2$; there $\dot\theta=0$, and the planet )"
           R"(never comes round. (A nearly circular orbit ends $@2^\circ$ from its start.))",
           {180 / pi * acos(printed_circle.mean / hypot(printed_circle.c0, printed_circle.c1))}));
 }

@@ -89,7 +89,7 @@ Quantity from_rim(const Given<double>& c, const Horizon& horizon, const Referenc
       .by<ode::DormandPrince54>(space, InSpace<double>{c});
   return position.add(Breakdown{
       "On the rim the height field has no slope: the ball let go there never gets a state that is "
-      "a number. The angle about the axis knows no rim.",
+      "a number. For the angle about the axis the rim is a point like any other.",
       plane + ", Runge-Kutta 4", 0.0009765625, Outcome::non_finite, about + ", Runge-Kutta 4", 0.0009765625});
 }
 
