@@ -71,14 +71,14 @@ void integrated(SceneMethods& methods, const std::string& name, const Model& mod
         .template by<ode::BulirschStoer>(name, model);
 }
 
-struct Expected {
+struct AtFinest {
   EqualSteps angle = {}, distance = {}, polar = {}, cartesian = {};
 };
 
 constexpr double kilometers_per_au = 149597870.7, earths_diameter = 12742;  // km
 
 Quantity path(const std::string& name, const std::string& says, const Start& s, const Horizon& horizon,
-              const Reference& truth, const Resolution& steps, const Expected& expected) {
+              const Reference& truth, const Resolution& steps, const AtFinest& expected) {
   Quantity where =
       quantity(name, "AU", "position at " + times_up_to(horizon, "yr") + ", " + says,
                trajectory(truth, "03_03_orbit", inputs(s), horizon),
@@ -367,7 +367,7 @@ Exercise exercise_3_3() {
       parameters,
       scene(),
       study,
-      oddity::Expected::in_whole_ranges};
+      Expected::in_whole_ranges};
 }
 
 }  // namespace oddity

@@ -265,11 +265,11 @@ void run_down(Claims& claims, const std::vector<State>& run) {
        .kind = Fault::counterexample,
        .root = "beyond the origin",
        .why = filled(
-           R"(The second term has the sign of $-q$, and at $q=0$ the first is zero as well. There $\ddot )"
-           R"(q=0$, and beyond it $\ddot q$ is positive, in the book's own run after each of the last )"
-           "@4 of its @4 steps. (The samples are the beginnings of its steps, and the first of these ends "
+           R"(The second term has the sign of $-q$, and at $q=0$ the first is zero as well. There )"
+           R"($\ddot q=@1$ at $\dot q=-1$, and beyond it $\ddot q$ is positive, in the book's own run after )"
+           "each of the last @4 of its @4 steps. (The samples are the beginnings of its steps, and the first of these ends "
            "beyond the origin.)",
-           {static_cast<double>(positive_after), book_steps})});
+           {force({0, -1}), static_cast<double>(positive_after), book_steps})});
 
   const auto at_origin = event_of<ode::Fehlberg78>(OneCoordinate<double>{{1, 1}}, 1e-12).value.after;
   const auto turns_at = [&](double q) {

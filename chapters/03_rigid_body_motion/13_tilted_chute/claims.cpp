@@ -501,7 +501,11 @@ void center(ChuteTable& table, const std::vector<OnChute>& samples) {
   table.formula("x2_zero", 1715, "$x_2(t)=0$ for all time solves the second equation of motion", samples,
                 {.quantity = R"($\ddot x_2$ at $x_2=\dot x_2=0$)",
                  .truth = lagrange(1),
-                 .printed = R"($\ddot x_2=0$)"});
+                 .printed = R"($\ddot x_2=0$)",
+                 .near_misses = {{R"($\ddot x_2$ at $x_2=0.05$, $\dot x_2=0$)", [](OnChute s) {
+                                    s.x2 = 0.05;
+                                    return s.accelerations()[1];
+                                  }}}});
   table.formula(
       "center_acceleration", 1717,
       R"(On the center line $\ddot x_1=\frac{gt}{1+t^2}=)" + other_forms + "=" + half +
@@ -528,7 +532,9 @@ void center(ChuteTable& table, const std::vector<OnChute>& samples) {
                 samples,
                 {.quantity = R"($\ddot x_2$ at $x_2=\dot x_2=0$ with friction)",
                  .truth = lagrange(1, 1),
-                 .printed = R"($\ddot x_2=0$)"});
+                 .printed = R"($\ddot x_2=0$)",
+                 .near_misses = {{"with friction and a wind across",
+                                  [](const OnChute& s) { return s.accelerations(s.k, 0.1)[1]; }}}});
 }
 
 /// Claims about a ball that crosses the center line with friction.
@@ -552,17 +558,18 @@ void crossing(ChuteTable& table, const std::vector<OnChute>& samples) {
 
 void statements(Claims& claims, const std::vector<OnChute>& samples) {
   using S = const OnChute&;
+  const auto after_a_second = [](S s, double across) {
+    const InPlane<double> ball{s.chute, s.g, {s.x1, 0, s.v1, across}};
+    return values(ode::integrate<ode::Fehlberg78>(ball, ball.start(), 0, 1, 1e-10).value[1]);
+  };
   claims.formula<OnChute>(
       "stays_in_center", 1715, "A ball that starts in the center without speed across stays in the center",
       {samples.begin(), samples.begin() + 20},
       {.quantity = "$x_2$ after 1 s",
-       .truth = {"Fehlberg 7(8) on the height field",
-                 [](S s) {
-                   const InPlane<double> ball{s.chute, s.g, {s.x1, 0, s.v1, 0}};
-                   return values(ode::integrate<ode::Fehlberg78>(ball, ball.start(), 0, 1, 1e-10).value[1]);
-                 },
+       .truth = {"Fehlberg 7(8) on the height field", [=](S s) { return after_a_second(s, 0); },
                  [](S s) { return s.chute.R; }},
-       .printed = {"$x_2=0$"}});
+       .printed = {"$x_2=0$"},
+       .near_misses = {{"with speed across as well", [=](S s) { return after_a_second(s, 0.01); }}}});
 
   const auto constant = [&](std::string text, double moved) -> Reading {
     return {std::move(text),

@@ -223,10 +223,14 @@ void geometry(Table& table, const Samples& samples) {
                  .truth = {R"($\frac m2|\frac{d}{dt}(LR)|^2$ by dual numbers)",
                            [](const auto& s) { return s.kinetic()(s.q, s.v); }},
                  .printed = {R"($\frac{mL^2}2(\dot\theta^2\sin^2\phi+\dot\phi^2)$)"}});
-  table.formula("dT_dtheta", 2215, R"($\partial T/\partial\theta=0$)", samples,
-                {.quantity = R"($\partial T/\partial\theta$)",
-                 .truth = {dual, [](const auto& s) { return values(df_dq(s.kinetic(), s.q, s.v)[0]); }},
-                 .printed = "$0$"});
+  table.formula(
+      "dT_dtheta", 2215, R"($\partial T/\partial\theta=0$)", samples,
+      {.quantity = R"($\partial T/\partial\theta$)",
+       .truth = {dual, [](const auto& s) { return values(df_dq(s.kinetic(), s.q, s.v)[0]); }},
+       .printed = "$0$",
+       .near_misses = {{R"($\partial L/\partial\theta$ of the Lagrangian on the turning Earth)", [](S s) {
+                          return df_dq(Lagrangian<double>{s.p, s.m}, s.q, s.v)[0];
+                        }}}});
   table.formula(
       "derivatives", 2217,
       R"($\partial T/\partial\phi$, $\partial T/\partial\dot\theta$ and $\partial T/\partial\dot\phi$ )"
@@ -563,16 +567,20 @@ void center_of_mass(ConeTable& table, const Cones& cones) {
                 {.quantity = "the cone's volume",
                  .truth = {"quadrature", [](const auto& s) { return s.volume_above(0.0); }},
                  .printed = {R"($\pi r^2h/3$)"}});
-  table.formula("center_on_axis", 2305, R"(The center of mass is on the axis: $\bar x=\bar y=0$)", cones,
-                {.quantity = "the moments of $x$ and $y$",
-                 .truth = {"quadrature",
-                           [](const auto& s) {
-                             return values(
-                                 s.integral([](const auto& x, const auto&, const auto&) { return x; }),
+  table.formula(
+      "center_on_axis", 2305, R"(The center of mass is on the axis: $\bar x=\bar y=0$)", cones,
+      {.quantity = "the moments of $x$ and $y$",
+       .truth = {"quadrature",
+                 [](const auto& s) {
+                   return values(s.integral([](const auto& x, const auto&, const auto&) { return x; }),
                                  s.integral([](const auto&, const auto& y, const auto&) { return y; }));
-                           }},
-                 .printed = "$0$",
-                 .changes_that_hold = "zero has no sign"});
+                 }},
+       .printed = "$0$",
+       .near_misses = {{"the moment of $z$",
+                        [](C s) {
+                          return s.integral([](const auto&, const auto&, const auto& z) { return z; });
+                        }}},
+       .changes_that_hold = "zero has no sign"});
   table.formula("upper_part", 2305, R"(Above a plane $z$ lies the volume $\pi r^2(1-z/h)^2(h-z)/3$)", cones,
                 {.quantity = "the volume of the part above a plane $z$",
                  .truth = {"quadrature", [](const auto& s) { return s.volume_above(s.height); }},
@@ -719,17 +727,21 @@ void moments(ConeTable& table, const Cones& cones, const Cones& by_qags) {
                    return s.integral([](const auto& x, const auto&, const auto& z) { return x * x + z * z; });
                  }},
        .printed = {"$m(2h^2+3r^2)/20$"}});
-  table.formula("products", 2375, "The products of inertia are zero: $I_{xy}=I_{xz}=I_{yz}=0$", cones,
-                {.quantity = "$(I_{xy},I_{xz},I_{yz})$",
-                 .truth = {"quadrature",
-                           [](const auto& s) {
-                             return values(
-                                 s.integral([](const auto& x, const auto& y, const auto&) { return x * y; }),
+  table.formula(
+      "products", 2375, "The products of inertia are zero: $I_{xy}=I_{xz}=I_{yz}=0$", cones,
+      {.quantity = "$(I_{xy},I_{xz},I_{yz})$",
+       .truth = {"quadrature",
+                 [](const auto& s) {
+                   return values(s.integral([](const auto& x, const auto& y, const auto&) { return x * y; }),
                                  s.integral([](const auto& x, const auto&, const auto& z) { return x * z; }),
                                  s.integral([](const auto&, const auto& y, const auto& z) { return y * z; }));
-                           }},
-                 .printed = "$0$",
-                 .changes_that_hold = "zero has no sign"});
+                 }},
+       .printed = "$0$",
+       .near_misses = {{"the integral of $x^2$",
+                        [](C s) {
+                          return s.integral([](const auto& x, const auto&, const auto&) { return x * x; });
+                        }}},
+       .changes_that_hold = "zero has no sign"});
   table.formula("Izz_cylindrical", 2389,
                 R"(In cylindrical coordinates $I_{zz}$ is the integral of $s^3\,ds\,d\theta\,dz$)", by_qags,
                 {.quantity = "$I_{zz}$ in cylindrical coordinates",
@@ -764,6 +776,11 @@ void tensor(ConeTable& table, const Cones& cones) {
                    return J;
                  }},
        .printed = "$I_{xx}(PP^T+QQ^T)+I_{zz}RR^T$"});
+  const std::string turned = R"(with $(P+R)/\sqrt2$ and $(P-R)/\sqrt2$ in place of $P$ and $R$)";
+  const auto product_turned = [](C s) {
+    const auto A = s.motion.axes();
+    return (s.inertia(A.P, A.P) - s.inertia(A.R, A.R)) / 2;
+  };
   table.formula("principal", 2297, "The cone's axis is along $R$, and is a principal direction", cones,
                 {.quantity = R"($P\cdot JR$ and $Q\cdot JR$, zero for a principal direction $R$)",
                  .truth = {"quadrature",
@@ -772,6 +789,7 @@ void tensor(ConeTable& table, const Cones& cones) {
                              return values(s.inertia(A.P, A.R), s.inertia(A.Q, A.R));
                            }},
                  .printed = "$0$",
+                 .near_misses = {{turned, product_turned}},
                  .changes_that_hold = "zero has no sign"});
   table.formula(
       "other_principal", 2297, "$P$ and $Q$ are two other principal directions", cones,
@@ -782,6 +800,7 @@ void tensor(ConeTable& table, const Cones& cones) {
                    return values(s.inertia(A.P, A.Q), s.inertia(A.P, A.R), s.inertia(A.Q, A.R));
                  }},
        .printed = "$0$",
+       .near_misses = {{turned, product_turned}},
        .changes_that_hold = "zero has no sign"});
   const OfCone wJw{R"($w\cdot Jw$ by quadrature)",
                    [](const auto& s) { return s.inertia(s.motion.w(), s.motion.w()); }};

@@ -127,6 +127,9 @@ using Table = ProvableClaims<SampleOf>;
 
 using S = const Sample&;
 
+/// The accelerations under gravity and a force of 0.1 on theta.
+Pair with_force(S s) { return s.accelerations(0.1, s.g); }
+
 /// Two accelerations that an upright pipe may have.
 inline constexpr auto any_turn = []<class T>(const SampleOf<T>& up) { return Two<T>{up.F[0], -up.F[0]}; };
 
@@ -172,6 +175,7 @@ void equations(Table& table, const std::vector<Sample>& samples) {
                 {.quantity = R"($(\ddot\theta,\ddot\psi)$)",
                  .truth = {lagrange, [](const auto& s) { return s.accelerations(0, s.g); }},
                  .printed = "$0$",
+                 .near_misses = {{R"(with a force of 0.1 on $\theta$)", with_force}},
                  .changes_that_hold = no_sign});
   table.formula(
       "angular_accelerations", 2575,
@@ -185,6 +189,11 @@ void equations(Table& table, const std::vector<Sample>& samples) {
                    return values(a[0], a[1], s.v[1] * dot(s.turning(), s.axes(s.q[0], s.q[1])[2]));
                  }},
        .printed = "$0$",
+       .near_misses = {{R"(the rate of the disk's whole angular velocity $\dot\theta k+\dot\psi u$)",
+                        [](S s) {
+                          const auto rate = s.turning();
+                          return values(s.v[1] * rate[0], s.v[1] * rate[1], s.v[1] * rate[2]);
+                        }}},
        .changes_that_hold = no_sign});
 }
 
@@ -240,6 +249,7 @@ void turning_axis(Claims& claims, const std::vector<Sample>& samples) {
        .truth = {"zero", [](S) { return values(0); }},
        .printed = {R"($\frac d{dt}(\dot\theta k+\dot\psi u)=0$)"},
        .meant = {R"($(\ddot\theta,\ddot\psi)=(0,0)$)"},
+       .near_misses = {{R"($(\ddot\theta,\ddot\psi)$ with a force of 0.1 on $\theta$)", with_force}},
        .changes_that_hold = R"($\ddot\theta$ and $\ddot\psi$ are both zero)",
        .kind = Fault::term,
        .why = filled(

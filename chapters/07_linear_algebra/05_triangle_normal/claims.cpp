@@ -139,6 +139,7 @@ void lines(Table& of_any, Table& of_closed, const std::vector<Edges>& open,
       {.quantity = R"($u\cdot v\times w$)",
        .truth = {"$0$", [](const auto& s) { return 0 * s.u[0]; }},
        .printed = R"($u\cdot v\times w=0$)",
+       .near_misses = {R"($u\cdot v\times P=0$)"},
        .changes_that_hold = "a multiple of zero, or a product with two equal vectors, is zero"});
   of_closed.formula(
       "any_two_edges", 3853,
