@@ -323,10 +323,13 @@ struct Costly {
 
   void add(const Choice& choice) {
     if (!choice.chosen || !choice.by_objective || choice.need.thorough) return;
+    const double most = choice.chosen->seconds_per_frame + choice.chosen->spread;
     for (const Candidate& t : choice.candidates)
-      if (t.seconds_per_frame > policy.far_costlier * choice.chosen->seconds_per_frame) {
+      if (const double cost = t.seconds_per_frame - t.spread;
+          cost > policy.far_costlier * most &&
+          t.evaluations_per_frame >= choice.chosen->evaluations_per_frame) {
         methods.emplace(t.model, t.algorithm);
-        least = std::min(least, t.seconds_per_frame);
+        least = std::min(least, cost);
       }
   }
   /// Whether none of them would be chosen over a longer part, where each costs as much or more.

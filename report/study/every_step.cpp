@@ -79,14 +79,18 @@ bool is_most(long steps, double evaluations) {
   return steps >= most_steps || evaluations >= most_evaluations;
 }
 
+/// Elsewhere too if the path is judged and passes at the few times of the reference.
+EveryStep::Judged judged_early(const EveryStep& judge, const Method& method, long steps) {
+  EveryStep::Judged looked = judge.at_looks(method, steps);
+  return looked.off <= 1 ? judge.judged(method, steps) : looked;
+}
+
 }  // namespace
 
 std::optional<TimedTrial> within_need(const EveryStep& judge, const Method& method, int intervals,
                                       bool path_is_asked) {
   const auto judged = [&](long steps) {
-    if (!path_is_asked) return judge.judged(method, steps);
-    EveryStep::Judged looked = judge.at_looks(method, steps);
-    return looked.off <= 1 ? judge.judged(method, steps) : looked;
+    return path_is_asked ? judged_early(judge, method, steps) : judge.judged(method, steps);
   };
   std::optional<TimedTrial> within;
   long coarse = 0,
@@ -115,10 +119,7 @@ std::optional<TimedTrial> within_need(const EveryStep& judge, const Method& meth
 
 std::optional<TimedTrial> confirmed_within_need(const EveryStep& judge, const Method& method, int intervals,
                                                 double expected_steps) {
-  const auto judged = [&](long steps) {
-    EveryStep::Judged looked = judge.at_looks(method, steps);
-    return looked.off <= 1 ? judge.judged(method, steps) : looked;
-  };
+  const auto judged = [&](long steps) { return judged_early(judge, method, steps); };
   const long expected = std::lround(expected_steps), margin = expected / 100;
   const long fine = expected + margin, coarse = expected - std::max(1L, 2 * margin);
   if (coarse > 0 && judged(coarse).off <= 1) return std::nullopt;
@@ -133,7 +134,8 @@ bool is_never_within_need(const EveryStep& judge, const Method& method, int inte
   const double each = static_cast<double>(judge.at_looks(method, 1).trial.answer.evaluations);
   long steps = 1;
   while (!is_most(steps * intervals, each * static_cast<double>(steps))) steps = finer(steps);
-  return !(judge.at_looks(method, steps).off <= 1);
+  const auto fails = [&](long tried) { return !(judge.at_looks(method, tried).off <= 1); };
+  return fails(steps) && fails((enough_steps - 1) / intervals + 1);
 }
 
 }  // namespace oddity

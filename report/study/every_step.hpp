@@ -58,7 +58,8 @@ std::optional<TimedTrial> within_need(const EveryStep&, const Method&, int inter
 /// two finer ones, and a slightly longer one fails.
 std::optional<TimedTrial> confirmed_within_need(const EveryStep&, const Method&, int intervals,
                                                 double expected_steps);
-/// Whether the finest step that within_need() would try fails at the times of the reference.
+/// Whether the finest steps that within_need() tries fail at the times of the reference: the finest of all,
+/// and that of 4,096 steps.
 bool is_never_within_need(const EveryStep&, const Method&, int intervals);
 
 }  // namespace oddity

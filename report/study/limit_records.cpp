@@ -69,8 +69,8 @@ std::optional<std::vector<ode::Tongue>> tongues_shown_as(std::string_view text) 
 std::optional<Between> soft_shown_as(std::string_view text) {
   const std::string ends(text);
   Between soft{};
-  return std::sscanf(ends.c_str(), "%lf to %lf", &soft.least, &soft.most) == 2 ? std::optional(soft)
-                                                                               : std::nullopt;
+  const bool is_read = std::sscanf(ends.c_str(), "%lf to %lf", &soft.least, &soft.most) == 2;
+  return is_read && shown_soft(soft) == text ? std::optional(soft) : std::nullopt;
 }
 
 std::string beyond(const Limit& l) { return l.broken ? std::string(name_of(l.broken->outcome)) : "stable"; }

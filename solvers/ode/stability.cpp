@@ -174,7 +174,8 @@ double edge(const Excess& excess, double low, double high) {
 
 constexpr double largest_scanned = 30;  ///< h |lambda|
 
-/// For an algorithm that takes velocities first, each of whose steps costs the eigenvalues of a matrix.
+/// For an algorithm that takes velocities first, each of whose steps costs the eigenvalues of a matrix. Where
+/// only the first tongue is wanted, `brief_near`: its edge is exact all the same.
 constexpr double coarse_near = 0.02, brief_near = 0.05;
 
 /// The tongues up to the step `longest`. Near an edge the next step is longer by the fraction `near`.
