@@ -377,6 +377,17 @@ class Beside {
     return (in_float_ ? 1e-3L : 1e-8L) + 4 * rounding() / apart / fastest + of_width;
   }
 
+  /// Largest error of the constraint, at the drawn times multiplied by `scale`. Near 1 it shows what
+  /// roundings of an angle w t do.
+  Real off_constraint(Real scale) const {
+    Real most = 0;
+    for (std::size_t k = 0; k < seen_.size(); ++k) {
+      const Real off = q_.scene->off(q_.parameters, seen_[k], scale * static_cast<Real>(times_[k]));
+      most = std::isfinite(off) ? std::max(most, off) : INFINITY;
+    }
+    return most;
+  }
+
   Compared by(const std::string& criterion, Real allowed, Real said) const {
     if (criterion == "energy") {
       if (!q_.scene->energy) throw CannotBeJudged("the energy does not follow from the observables");
@@ -394,12 +405,8 @@ class Beside {
     }
     if (criterion == "constraint") {
       if (!q_.scene->off) throw CannotBeJudged("nothing seen is held");
-      Real most = 0;
-      for (std::size_t k = 0; k < seen_.size(); ++k) {
-        const Real off = q_.scene->off(q_.parameters, seen_[k], static_cast<Real>(times_[k]));
-        most = std::isfinite(off) ? std::max(most, off) : INFINITY;
-      }
-      return {criterion, "m", most, allowed, said, rounding(largest_seen())};
+      const Real most = off_constraint(1), later = off_constraint(1 + rounding(1));
+      return {criterion, "m", most, allowed, said, rounding(largest_seen()) + std::abs(later - most)};
     }
     if (until() < 1) throw CannotBeJudged("the truth's size is not known to the end");
     return {
