@@ -4,6 +4,7 @@
 #include <functional>
 #include <initializer_list>
 #include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -88,31 +89,36 @@ Formula<Sample> computed(Formula<Sample> formula) {
   return formula;
 }
 
+/// Relative change of a letter that shows the size of a formula's terms.
+inline constexpr double small_change = 0x1p-20;
+
 /// Size of a formula's terms at a sample: the sum over its letters of the change of its value per relative
-/// change of the letter. Terms that cancel in the value do not cancel here.
+/// change of the letter. Terms that cancel in the value do not cancel here. `value` is its value there.
 template <class Sample>
-double size_of_terms(const Formula<Sample>& formula, const Sample& sample) {
-  constexpr double change = 0x1p-20;
-  const Value value = formula.of(sample);
+double size_of_terms(const Formula<Sample>& formula, const Sample& sample, const Value& value) {
   double size = size_of(value) + (formula.terms ? formula.terms(sample) : 0);
   for (std::size_t i = 0; i < Sample(sample).letters().size(); ++i) {
     Sample moved = sample;
-    *moved.letters()[i] *= 1 + change;
-    size += distance(formula.of(moved), value) / change;
+    *moved.letters()[i] *= 1 + small_change;
+    size += distance(formula.of(moved), value) / small_change;
   }
   return size;
+}
+
+template <class Sample>
+double size_of_terms(const Formula<Sample>& formula, const Sample& sample) {
+  return size_of_terms(formula, sample, formula.of(sample));
 }
 
 /// Size of the terms of a function of an array of letters.
 template <std::size_t n, class F>
 double size_of_terms(const F& f, const std::array<double, n>& letters) {
-  constexpr double change = 0x1p-20;
   const Value value = f(letters);
   double size = size_of(value);
   for (std::size_t i = 0; i < n; ++i) {
     auto moved = letters;
-    moved[i] *= 1 + change;
-    size += distance(Value(f(moved)), value) / change;
+    moved[i] *= 1 + small_change;
+    size += distance(Value(f(moved)), value) / small_change;
   }
   return size;
 }
@@ -125,19 +131,129 @@ void see(WorstSample& worst, const Left& left, const Right& right, const std::ar
             std::max(size_of_terms(left, letters), size_of_terms(right, letters)), where);
 }
 
-/// Compares two formulas over the samples and keeps the worst. A single number is compared with each of
+/// The typeset letters' values at samples, and there with each of the sample's own letters a little changed.
+/// Each is computed once, as a text and its changes need them all.
+template <class Sample>
+class LettersAtSamples {
+ public:
+  explicit LettersAtSamples(const std::vector<Sample>& samples) : all_(samples.size()), samples_(samples) {}
+
+  const std::vector<Sample>& samples() const { return samples_; }
+  const TypesetFormula::Values& at(std::size_t i) const { return of(i, 0); }
+  std::size_t count(std::size_t i) const {
+    if constexpr (requires(Sample & s) { s.letters(); })
+      return Sample(samples_[i]).letters().size();
+    else
+      return 0;
+  }
+  const TypesetFormula::Values& moved(std::size_t i, std::size_t letter) const { return of(i, letter + 1); }
+  /// Names of the letters; empty if they differ between samples.
+  const formula::Names& names() const {
+    if constexpr (requires(const Sample& s) { s.typeset(); })
+      if (!names_ && !samples_.empty()) {
+        names_ = names_of(samples_[0].typeset());
+        const auto is_same = [&](const Sample& s) {
+          return std::ranges::equal(s.typeset(), *names_, {}, &TypesetLetters::value_type::first);
+        };
+        if (!std::ranges::all_of(samples_, is_same)) names_.emplace();
+      }
+    return names_ ? *names_ : names_.emplace();
+  }
+
+ private:
+  const TypesetFormula::Values& of(std::size_t i, std::size_t which) const {
+    auto& known = all_[i];
+    known.resize(count(i) + 1);
+    if constexpr (requires(const Sample& s) { s.typeset(); })
+      if (known[which].empty()) known[which] = values_of(changed(samples_[i], which).typeset());
+    return known[which];
+  }
+  static Sample changed(Sample sample, std::size_t which) {
+    if constexpr (requires { sample.letters(); })
+      if (which > 0) *sample.letters()[which - 1] *= 1 + small_change;
+    return sample;
+  }
+
+  mutable std::vector<std::vector<TypesetFormula::Values>> all_;
+  mutable std::optional<formula::Names> names_ = {};
+  const std::vector<Sample>& samples_;
+};
+
+/// A formula's values and the sizes of its terms at some samples, each computed once.
+template <class Sample>
+class AtSamples {
+ public:
+  AtSamples(Formula<Sample> formula, const std::vector<Sample>& samples)
+      : formula_(std::move(formula)), samples_(samples) {}
+  /// By sides in the letters of the first sample.
+  AtSamples(std::string text, std::vector<formula::Tree> sides, const LettersAtSamples<Sample>& letters)
+      : formula_{std::move(text)},
+        samples_(letters.samples()),
+        letters_(&letters),
+        sides_(std::move(sides)) {}
+
+  const std::string& text() const { return formula_.text; }
+  const std::vector<Sample>& samples() const { return samples_; }
+
+  const Value& value(std::size_t i) const {
+    while (values_.size() <= i) values_.push_back(value_at(values_.size()));
+    return values_[i];
+  }
+  /// By the sample's letters.
+  double size(std::size_t i) const {
+    while (sizes_.size() <= i) sizes_.push_back(size_at(sizes_.size()));
+    return sizes_[i];
+  }
+  /// Size of the terms that cancel for any letters.
+  double terms(std::size_t i) const {
+    if (letters_) return TypesetFormula::cancelling(sides_, letters_->at(i));
+    return formula_.terms ? formula_.terms(samples_[i]) : 0;
+  }
+
+ private:
+  Value value_at(std::size_t i) const {
+    return letters_ ? TypesetFormula::value(sides_, letters_->at(i)) : formula_.of(samples_[i]);
+  }
+  double size_at(std::size_t i) const {
+    if (!letters_) return size_of_terms(formula_, samples_[i], value(i));
+    double size = size_of(value(i)) + terms(i);
+    for (std::size_t k = 0; k < letters_->count(i); ++k)
+      size += distance(TypesetFormula::value(sides_, letters_->moved(i, k)), value(i)) / small_change;
+    return size;
+  }
+
+  Formula<Sample> formula_;
+  const std::vector<Sample>& samples_;
+  const LettersAtSamples<Sample>* letters_ = nullptr;
+  std::vector<formula::Tree> sides_ = {};
+  mutable std::vector<Value> values_;
+  mutable std::vector<double> sizes_;
+};
+
+/// The formula at the samples, whose typeset letters are `letters`. Names of letters may differ between
+/// samples; then a text is read for each.
+template <class Sample>
+AtSamples<Sample> at_samples(const Formula<Sample>& formula, const LettersAtSamples<Sample>& letters) {
+  if (is_text(formula))
+    if (const formula::Names& names = letters.names(); !names.empty())
+      return {formula.text, TypesetFormula(formula.text).sides(names), letters};
+  return {computed(formula), letters.samples()};
+}
+
+/// Compares two formulas over the first samples and keeps the worst. A single number is compared with each of
 /// several. If one side is zero throughout, the scale is the sample's size(), if it has one. Otherwise it is
 /// the size of the terms, found from the sample's letters(). Without letters() it is the largest value, times
 /// the sample's conditioning() if it has one.
 template <class Sample>
-Check compare(std::string quantity, const Formula<Sample>& left, const Formula<Sample>& right,
-              const std::vector<Sample>& samples) {
+Check compare(std::string quantity, const AtSamples<Sample>& left, const AtSamples<Sample>& right,
+              std::size_t count) {
+  const std::vector<Sample>& samples = right.samples();
   std::vector<Value> lefts, rights;
   double largest = 0;
   bool left_is_zero = true, right_is_zero = true;
-  for (const Sample& sample : samples) {
-    lefts.push_back(left.of(sample));
-    rights.push_back(right.of(sample));
+  for (std::size_t i = 0; i < count; ++i) {
+    lefts.push_back(left.value(i));
+    rights.push_back(right.value(i));
     in_a_row(lefts.back(), rights.back());
     for (const Value* value : {&lefts.back(), &rights.back()})
       if (finite(*value)) largest = std::max(largest, size_of(*value));
@@ -145,29 +261,36 @@ Check compare(std::string quantity, const Formula<Sample>& left, const Formula<S
     right_is_zero = right_is_zero && size_of(rights.back()) == 0;
   }
   const bool with_zero = left_is_zero || right_is_zero;
-  const auto size = [&](const Sample& sample) {
+  const auto size = [&](std::size_t i) {
+    const Sample& sample = samples[i];
     if constexpr (requires { sample.size(); })
       if (with_zero) return sample.size();
-    if constexpr (requires(Sample & s) { s.letters(); })
-      return std::max(size_of_terms(left, sample), size_of_terms(right, sample));
-    double given = 0;
-    for (const auto* formula : {&left, &right})
-      if (formula->terms) given = std::max(given, formula->terms(sample));
+    if constexpr (requires(Sample & s) { s.letters(); }) return std::max(left.size(i), right.size(i));
+    const double given = std::max(left.terms(i), right.terms(i));
     if constexpr (requires { sample.conditioning(); })
       return given + largest * sample.conditioning();
     else
       return given + largest;
   };
-  WorstSample worst(std::move(quantity), left.text, right.text);
-  for (std::size_t i = 0; i < samples.size(); ++i)
+  WorstSample worst(std::move(quantity), left.text(), right.text());
+  for (std::size_t i = 0; i < count; ++i)
     if constexpr (requires { Sample::whole; })
-      worst.add(lefts[i], rights[i], exact(), size(samples[i]), where_of(samples[i]));
+      worst.add(lefts[i], rights[i], exact(), size(i), where_of(samples[i]));
     else if constexpr (requires(double terms) { samples[i].tolerance(terms); })
-      worst.add(lefts[i], rights[i], samples[i].tolerance(size(samples[i])), size(samples[i]),
-                where_of(samples[i]));
+      worst.add(lefts[i], rights[i], samples[i].tolerance(size(i)), size(i), where_of(samples[i]));
     else
-      worst.add(lefts[i], rights[i], size(samples[i]), where_of(samples[i]));
+      worst.add(lefts[i], rights[i], size(i), where_of(samples[i]));
   return worst.check();
+}
+/// Over all samples.
+template <class Sample>
+Check compare(std::string quantity, const AtSamples<Sample>& left, const AtSamples<Sample>& right) {
+  return compare(std::move(quantity), left, right, right.samples().size());
+}
+template <class Sample>
+Check compare(std::string quantity, const Formula<Sample>& left, const Formula<Sample>& right,
+              const std::vector<Sample>& samples) {
+  return compare(std::move(quantity), AtSamples<Sample>(left, samples), AtSamples<Sample>(right, samples));
 }
 
 /// Compares the formula's text with the values it computes.
@@ -201,27 +324,24 @@ struct InView {
 /// that hold as well. `known` is the reason why some may hold; then these are only counted.
 template <class Sample>
 std::vector<Reading> single_changes(const std::string& quantity, const Formula<Sample>& right,
-                                    const Formula<Sample>& truth, const std::vector<Sample>& samples,
+                                    const AtSamples<Sample>& truth, const LettersAtSamples<Sample>& letters,
                                     const std::string& known) {
   std::vector<Reading> readings;
   if constexpr (requires(const Sample& s) { s.typeset(); }) {
     constexpr std::size_t enough = 16;
-    constexpr double clear = 1e6;
-    const std::vector<Sample> some(
-        samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(std::min(enough, samples.size())));
+    const std::size_t some = std::min(enough, truth.samples().size());
     std::vector<TypesetSample> typeset;
-    for (const Sample& sample : some) typeset.push_back({sample.typeset(), truth.of(sample)});
+    for (std::size_t i = 0; i < some; ++i) typeset.push_back({truth.samples()[i].typeset(), truth.value(i)});
     const Changes changes = changes_of(TypesetFormula(right.text), typeset);
     const std::size_t count = changes.hardest_first.size();
     std::size_t holding = 0;
     for (const ChangedFormula& changed : changes.hardest_first) {
       if (!readings.empty() && changed.roundings > clear) break;
-      const Formula<Sample> formula{
-          changed.change + ", the hardest to see of " + std::to_string(count) + " changes: " + changed.text,
-          [&](const Sample& s) { return TypesetFormula::value(changed.sides, values_of(s.typeset())); },
-          [&](const Sample& s) { return TypesetFormula::cancelling(changed.sides, values_of(s.typeset())); }};
-      Reading reading{formula.text, {compare(quantity, formula, truth, some)}};
-      if (reading.holds()) reading.checks = {compare(quantity, formula, truth, samples)};
+      const AtSamples<Sample> formula(
+          changed.change + ", the hardest to see of " + std::to_string(count) + " changes: " + changed.text(),
+          changed.sides, letters);
+      Reading reading{formula.text(), {compare(quantity, formula, truth, some)}};
+      if (reading.holds()) reading.checks = {compare(quantity, formula, truth)};
       if (reading.holds() && !known.empty())
         ++holding;
       else if (reading.holds() || readings.empty() || readings.front().holds())
@@ -231,6 +351,13 @@ std::vector<Reading> single_changes(const std::string& quantity, const Formula<S
       readings.front().text += "; " + std::to_string(holding) + " others hold: " + known;
   }
   return readings;
+}
+template <class Sample>
+std::vector<Reading> single_changes(const std::string& quantity, const Formula<Sample>& right,
+                                    const Formula<Sample>& truth, const std::vector<Sample>& samples,
+                                    const std::string& known) {
+  return single_changes(quantity, right, AtSamples<Sample>(truth, samples), LettersAtSamples<Sample>(samples),
+                        known);
 }
 
 /// A claim about a formula: the same quantity by an independent route, the readings, and formulas that must
@@ -349,17 +476,23 @@ class Claims {
                   const FormulaClaim<Sample>& parts) {
     const std::string quantity = parts.quantity.empty() ? says : parts.quantity;
     Reading in_view;
-    const Formula<Sample> truth = computed(parts.truth);
+    const LettersAtSamples<Sample> letters(samples);
+    const AtSamples<Sample> truth = at_samples(parts.truth, letters);
+    std::vector<AtSamples<Sample>> other_routes;
+    for (const Formula<Sample>& route : parts.other_routes)
+      other_routes.push_back(at_samples(route, letters));
     if (parts.in_view.is)
       if (const auto seen = parts.in_view.of(samples); !seen.empty())
-        in_view = {parts.in_view.text, {compare(quantity, computed(parts.printed), truth, seen)}};
+        in_view = {parts.in_view.text,
+                   {compare(quantity, computed(parts.printed), computed(parts.truth), seen)}};
     judged(slug, line, std::move(says), parts, in_view, [&](const Formula<Sample>& stated) -> Reading {
       const Formula<Sample> formula = computed(stated);
       if (!formula.of) return {};
       const Typesetting typeset = compare_typeset(formula, samples);
-      Reading reading{formula.text, {compare(quantity, formula, truth, samples)}, typeset.read};
-      for (const Formula<Sample>& route : parts.other_routes)
-        reading.checks.push_back(compare(quantity, formula, route, samples));
+      const AtSamples<Sample> here = at_samples(stated, letters);
+      Reading reading{formula.text, {compare(quantity, here, truth)}, typeset.read};
+      for (const AtSamples<Sample>& route : other_routes)
+        reading.checks.push_back(compare(quantity, here, route));
       for (const std::string& seen : {typeset.difference, reading.holds() ? typeset.unequal : ""})
         if (!seen.empty()) differences_.push_back(std::string(slug) + ": " + seen);
       return reading;
@@ -368,7 +501,7 @@ class Claims {
                                    : !parts.corrected.text.empty() ? parts.corrected
                                                                    : parts.printed;
     if (is_text(right))
-      for (Reading& one : single_changes(quantity, right, truth, samples, parts.changes_that_hold))
+      for (Reading& one : single_changes(quantity, right, truth, letters, parts.changes_that_hold))
         claims_.back().near_misses.push_back(std::move(one));
     return *this;
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <set>
 #include <string>
@@ -24,17 +25,12 @@ double magnitude_of(const Sides& sides, const Letters& letters) {
   return size;
 }
 
-std::string text_of(const std::string& before, const Sides& sides) {
-  std::string text = before;
-  for (std::size_t i = 0; i < sides.size(); ++i) text += (i == 0 ? "" : "=") + formula::tex(sides[i]);
-  return "$" + text + "$";
-}
-
-/// The largest difference, in roundings; infinite if a value is undefined.
+/// The largest difference, in roundings; infinite if a value is undefined. Beyond `enough` the first one that
+/// is larger.
 double roundings(const Sides& sides, const std::vector<Letters>& letters, const std::vector<Value>& values,
-                 const std::vector<double>& sizes) {
+                 const std::vector<double>& sizes, double enough) {
   double largest = 0;
-  for (std::size_t i = 0; i < letters.size(); ++i) {
+  for (std::size_t i = 0; i < letters.size() && largest <= enough; ++i) {
     try {
       Value value = TypesetFormula::value(sides, letters[i]), truth = values[i];
       in_a_row(value, truth);
@@ -74,6 +70,12 @@ bool are_in_another_order(const formula::Tree& a, const formula::Tree& b) {
 
 }  // namespace
 
+std::string ChangedFormula::text() const {
+  std::string text;
+  for (const formula::Tree& side : sides) text += (text.empty() ? "" : "=") + formula::tex(side);
+  return "$" + text + "$";
+}
+
 Changes changes_of(const TypesetFormula& formula, const std::vector<TypesetSample>& samples) {
   Changes changes;
   if (samples.empty()) return changes;
@@ -97,21 +99,26 @@ Changes changes_of(const TypesetFormula& formula, const std::vector<TypesetSampl
     sizes_at_any.push_back(magnitude_of(right, one));
     any.push_back(std::move(one));
   }
-  constexpr double is_rounding = 1e4;
+  constexpr double is_rounding = 1e4, infinite = std::numeric_limits<double>::infinity();
+  std::multiset<double> hardest;  // beyond `clear`
   for (std::size_t i = 0; i < right.size(); ++i)
     for (const formula::Mutant& mutant : formula::mutants(right[i])) {
       Sides sides = right;
       sides[i] = mutant.tree;
-      const double off = roundings(sides, letters, truth, sizes);
+      const double off =
+          roundings(sides, letters, truth, sizes, hardest.size() < exact_ones ? infinite : *hardest.rbegin());
       // The forms of one quantity in a row are equal.
       const bool is_row = truth[0].size() == 1 && are_in_another_order(right[i], mutant.tree);
       if (mutant.change == "components exchanged" && (is_row || off < is_rounding))
         ++changes.equal;
       else if (off < is_rounding && !any.empty() &&
-               roundings(sides, any, right_at_any, sizes_at_any) < is_rounding)
+               roundings(sides, any, right_at_any, sizes_at_any, is_rounding) < is_rounding)
         ++changes.equal;
-      else
-        changes.hardest_first.push_back({text_of("", sides), mutant.change, std::move(sides), off});
+      else {
+        if (off > clear) hardest.insert(off);
+        if (hardest.size() > exact_ones) hardest.erase(std::prev(hardest.end()));
+        changes.hardest_first.push_back({mutant.change, std::move(sides), off});
+      }
     }
   std::ranges::stable_sort(changes.hardest_first, {}, &ChangedFormula::roundings);
   return changes;

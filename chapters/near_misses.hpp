@@ -15,11 +15,19 @@ struct TypesetSample {
 };
 
 struct ChangedFormula {
-  std::string text;                  ///< the whole formula, as a page shows it
   std::string change;                ///< "$g$ for $m_2$"
   std::vector<formula::Tree> sides;  ///< for TypesetFormula::value
-  double roundings = 0;  ///< the largest difference from the truth, in roundings of the terms' size
+  /// The largest difference from the truth, in roundings of the terms' size. Exact up to `clear`, and for the
+  /// `exact_ones` hardest beyond; others have at least this one.
+  double roundings = 0;
+
+  std::string text() const;  ///< the whole formula, as a page shows it
 };
+
+/// Changes with more roundings are detected at any sample.
+inline constexpr double clear = 1e6;
+/// More than ever hold within the tolerance of a truth that is less accurate than roundings.
+inline constexpr std::size_t exact_ones = 8;
 
 struct Changes {
   std::vector<ChangedFormula> hardest_first;
