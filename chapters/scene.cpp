@@ -261,8 +261,8 @@ auto ModelInterfaceOf<n>::accurate_motion(std::span<const double> times) const -
 
 template <std::size_t n>
 std::vector<double> ModelInterfaceOf<n>::moving(double end) const {
-  const std::lock_guard lock(mutex_);
-  auto& most = moving_[end];
+  const std::lock_guard lock(moving_.mutex);
+  auto& most = moving_.all[end];
   if (!most.empty()) return most;
   const auto times = Horizon{end, 128}.times();
   const auto motion = accurate_motion(times);
@@ -277,8 +277,11 @@ std::vector<double> ModelInterfaceOf<n>::moving(double end) const {
 
 template <std::size_t n>
 ode::Spectrum ModelInterfaceOf<n>::spectrum(double end) const {
+  const std::lock_guard lock(spectra_.mutex);
+  const auto known = spectra_.all.find(end);
+  if (known != spectra_.all.end()) return known->second;
   const auto times = Horizon{end, 64}.times();
-  return spectrum_along(times, accurate_motion(times).value);
+  return spectra_.all.emplace(end, spectrum_along(times, accurate_motion(times).value)).first->second;
 }
 
 template <std::size_t n>
@@ -301,24 +304,46 @@ ode::Spectrum ModelInterfaceOf<n>::spectrum_along(std::span<const double> times,
 }
 
 template <std::size_t n>
-Disturbances ModelInterfaceOf<n>::disturbances(std::string_view algorithm, double end,
-                                               const ode::Criteria& criteria) const {
-  const ode::Spectrum shown = spectrum(end);
-  const double fastest = ode::fastest(shown), later = criteria.radians / fastest;
-  auto disturbed = std::make_shared<const ode::Disturbed<n>>(*this, start(), end, criteria);
-  const double longest = 2 * later;
-  bool goes_on = later > end && fastest > 0 && ode::largest(spectrum(longest)) <= 1.05 * ode::largest(shown);
+struct ModelInterfaceOf<n>::Watched {
+  ode::Spectrum shown;
+  double fastest = 0, span = 0;
+  bool goes_on = false;
+  std::shared_ptr<const ode::Disturbed<n>> disturbed = nullptr;
+};
+
+template <std::size_t n>
+auto ModelInterfaceOf<n>::watched(double end, const ode::Criteria& criteria) const -> const Watched& {
+  const std::lock_guard lock(watched_.mutex);
+  auto& known =
+      watched_.all[{end, criteria.radians, criteria.granted, criteria.as_fast, criteria.largest_size}];
+  if (known) return *known;
+  Watched watched{spectrum(end)};
+  watched.fastest = ode::fastest(watched.shown);
+  const double later = criteria.radians / watched.fastest, longest = 2 * later;
+  watched.disturbed = std::make_shared<const ode::Disturbed<n>>(*this, start(), end, criteria);
+  bool goes_on = later > end && watched.fastest > 0 &&
+                 ode::largest(spectrum(longest)) <= 1.05 * ode::largest(watched.shown);
   if (goes_on) {
     const auto long_run = std::make_shared<const ode::Disturbed<n>>(*this, start(), longest, criteria);
     goes_on = long_run->span() == longest;  // the size grows no faster than the time
     for (std::size_t i = 0; i < n; ++i)
-      goes_on = goes_on && long_run->sizes()[i] <= 1.5 * longest / end * disturbed->sizes()[i];
-    if (goes_on) disturbed = long_run;
+      goes_on = goes_on && long_run->sizes()[i] <= 1.5 * longest / end * watched.disturbed->sizes()[i];
+    if (goes_on) watched.disturbed = long_run;
   }
-  const double span = goes_on ? later : disturbed->span();
+  watched.goes_on = goes_on;
+  watched.span = goes_on ? later : watched.disturbed->span();
+  known = std::make_shared<const Watched>(std::move(watched));
+  return *known;
+}
+
+template <std::size_t n>
+Disturbances ModelInterfaceOf<n>::disturbances(std::string_view algorithm, double end,
+                                               const ode::Criteria& criteria) const {
+  const Watched& watched = this->watched(end, criteria);
+  const auto& disturbed = watched.disturbed;
   const auto own_theory = [this, disturbed, algorithm](double step, double until) {
     const auto motion = disturbed->motion(algorithm, step, until);
-    const std::size_t points = std::min<std::size_t>(motion.size(), 1025);
+    const std::size_t points = std::min<std::size_t>(motion.size(), 257);
     std::vector<double> times;
     std::vector<State> states;
     for (std::size_t i = 0; i < points; ++i) {
@@ -328,13 +353,13 @@ Disturbances ModelInterfaceOf<n>::disturbances(std::string_view algorithm, doubl
     }
     return ode::stable_step(algorithm, spectrum_along(times, states));
   };
-  return {span,
+  return {watched.span,
           disturbed->span(),
-          fastest,
-          goes_on,
+          watched.fastest,
+          watched.goes_on,
           [disturbed, algorithm](double step) { return disturbed->lost(algorithm, step); },
-          [algorithm, shown, span, as_fast = criteria.as_fast](double step) {
-            return ode::added_growth(algorithm, shown, step, span, as_fast);
+          [algorithm, &watched, as_fast = criteria.as_fast](double step) {
+            return ode::added_growth(algorithm, watched.shown, step, watched.span, as_fast);
           },
           own_theory,
           [disturbed, algorithm](double step) { return disturbed->lost_along_truth(algorithm, step); },

@@ -248,8 +248,18 @@ class ModelInterfaceOf : public ModelInterface, public ode::AnySystem<n> {
   /// The largest moving part of each conserved quantity along the model's own motion up to `end`.
   std::vector<double> moving(double end) const;
 
-  mutable std::mutex mutex_;
-  mutable std::map<double, std::vector<double>> moving_;
+  /// The motion up to `end` and its disturbances, as long as they are watched.
+  struct Watched;
+  const Watched& watched(double end, const ode::Criteria&) const;
+  /// Computed once; the same for every algorithm.
+  template <class Key, class T>
+  struct Known {
+    std::mutex mutex;
+    std::map<Key, T> all;
+  };
+  mutable Known<double, std::vector<double>> moving_;
+  mutable Known<double, ode::Spectrum> spectra_;
+  mutable Known<std::array<double, 5>, std::shared_ptr<const Watched>> watched_;
 };
 
 template <class Model>

@@ -53,10 +53,11 @@ class Scan {
       : disturbances_(disturbances), first_(first), finest_(finest), longest_(longest) {}
 
   /// The first loss of stability from below, to a relative accuracy of `part`; if it is where it is expected,
-  /// without a scan.
+  /// without a scan and more coarsely.
   Edge edge(const Observer& observer, double part, std::optional<double> expected) {
+    constexpr double coarse = 0.0065;
     if (expected)
-      if (const auto found = confirmed(observer, part, *expected)) return *found;
+      if (const auto found = confirmed(observer, coarse, *expected)) return *found;
     double low = first_;
     while (low > finest_ && lost(observer, low)) low = std::max(low / 4, finest_);
     if (lost(observer, low)) return {0, low};
@@ -121,15 +122,19 @@ class Scan {
 /// range all see it close to the usual edge. Otherwise one loses the range's least step, and one, perhaps the
 /// usual, keeps its most.
 bool is_confirmed(const std::string& soft, Scan& scan, std::span<const Observer> others, const Edge& usual) {
-  constexpr double close = 1.024;  // close^2 < sharp
+  constexpr double close = 1.024, closest = 1.001;  // products of two are below `sharp`
   const auto any = [&](double stable, double unstable) {
     return std::ranges::any_of(others,
                                [&](const Observer& o) { return scan.is_between(o, stable, unstable); });
   };
   if (soft.empty()) {
-    const double unstable = usual.unstable == 0 ? infinity : usual.unstable * close;
-    return std::ranges::all_of(
-        others, [&](const Observer& o) { return scan.is_between(o, usual.stable / close, unstable); });
+    const auto all = [&](double below, double above) {
+      const double unstable = usual.unstable == 0 ? infinity : usual.unstable * above;
+      return std::ranges::all_of(
+          others, [&](const Observer& o) { return scan.is_between(o, usual.stable / below, unstable); });
+    };
+    constexpr double close_by_one = close * close / closest;
+    return all(close, close) || all(close_by_one, closest) || all(closest, close_by_one);
   }
   const auto range = soft_shown_as(soft);
   if (!range || !(range->most > sharp * range->least)) return false;
@@ -142,8 +147,7 @@ bool is_confirmed(const std::string& soft, Scan& scan, std::span<const Observer>
 /// Measures the first loss of stability from below, and the range of this limit for observers who watch half
 /// or twice as long, or count another size as too large. Each is looked for at the expected step first.
 void measure(Limit& limit, const Disturbances& disturbances, double interval, const ApprovedLimit* expected) {
-  constexpr double fewest_steps = 16, many_steps = 20'000, most_steps = 200'000, fine = 0.002,
-                   coarse = 0.0065;
+  constexpr double fewest_steps = 16, many_steps = 20'000, most_steps = 200'000;
   limit.watched = disturbances.span;
   limit.goes_on = disturbances.goes_on;
   limit.longest = std::min(interval, disturbances.span / fewest_steps);
@@ -158,8 +162,7 @@ void measure(Limit& limit, const Disturbances& disturbances, double interval, co
     return edge.unstable > 0 && edge.stable < 2 * finest ? 0 : edge.stable;
   };
   const Observer usual{disturbances.span, 1};
-  const Edge edge =
-      scan.edge(usual, expected ? coarse : fine, expected ? std::optional(expected->step) : std::nullopt);
+  const Edge edge = scan.edge(usual, 0.002, expected ? std::optional(expected->step) : std::nullopt);
   limit.stable = told(edge);
   limit.unstable = edge.unstable;
   if (edge.unstable > 0) {
@@ -210,8 +213,9 @@ double first_lost_along_truth(const Limit& limit, const Disturbances& disturbanc
   const double theory = std::min(limit.theory(), limit.longest);
   const double last = std::min(1.25 * std::max(limit.stable, theory), limit.longest);
   std::vector<double> steps;
-  for (double step = std::max({std::min(limit.stable, theory) / 2, ode::finest / disturbances.fastest,
-                               disturbances.span / most_steps});
+  // In brief, a loss at the first step is as good as one before it: either is far from theory's limit.
+  const double least = in_brief && limit.stable == 0 ? theory / 2 : std::min(limit.stable, theory) / 2;
+  for (double step = std::max({least, ode::finest / disturbances.fastest, disturbances.span / most_steps});
        step <= last; step *= in_brief ? coarse : next_step)
     steps.push_back(step);
   const auto is_kept = [&](double step) { return disturbances.lost_along_truth(step) > disturbances.span; };
