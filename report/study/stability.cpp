@@ -91,11 +91,16 @@ class Scan {
         if (lost(observer, first_ * std::pow(longest_ / first_, static_cast<double>(i) / tried))) return {};
       return Edge{longest_, 0};
     }
-    for (const double near : {1.003, 1.01}) {  // expected steps have three digits
-      const double below = expected / near, above = std::min(expected * near, longest_);
-      if (!(below > finest_ && below < above) || lost(observer, below)) continue;
+    constexpr double near = 0.003;  // expected steps have three digits
+    const double below = expected * (1 - near), above = std::min(expected * (1 + near), longest_);
+    if (below > finest_ && !lost(observer, below)) {
       if (lost(observer, above)) return between(observer, below, above, part);
       if (above == longest_) return Edge{longest_, 0};
+    }
+    constexpr double finely = 0.001;  // some losses are narrow
+    for (double low = expected * (1 - 6 * finely); low < expected * (1 + 6 * finely); low *= 1 + finely) {
+      const double high = std::min(low * (1 + finely), longest_);
+      if (low > finest_ && !lost(observer, low) && lost(observer, high)) return Edge{low, high};
     }
     return {};
   }
@@ -133,8 +138,9 @@ bool is_confirmed(const std::string& soft, Scan& scan, std::span<const Observer>
       return std::ranges::all_of(
           others, [&](const Observer& o) { return scan.is_between(o, usual.stable / below, unstable); });
     };
-    constexpr double close_by_one = close * close / closest;
-    return all(close, close) || all(close_by_one, closest) || all(closest, close_by_one);
+    constexpr double close_by_one = close * close / closest, closer = 1.01;
+    return all(close, close) || all(closer, closer) || all(close_by_one, closest) ||
+           all(closest, close_by_one);
   }
   const auto range = soft_shown_as(soft);
   if (!range || !(range->most > sharp * range->least)) return false;
