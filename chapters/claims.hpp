@@ -394,8 +394,9 @@ Statement<Sample> computed(Statement<Sample> statement) {
   if (statement.holds || statement.text.empty()) return statement;
   if constexpr (requires(const Sample& s) { s.typeset(); }) {
     if (is_formula(statement.text))
-      statement.holds = [text = statement.text](const Sample& s) {
-        const auto so = typeset_relation(text.substr(1, text.size() - 2), s.typeset());
+      statement.holds = [text = statement.text, relation = TypesetRelation(statement.text.substr(
+                                                    1, statement.text.size() - 2))](const Sample& s) {
+        const auto so = relation(s.typeset());
         if (!so) throw std::logic_error(text + " is no relation of the sample's letters");
         return *so;
       };

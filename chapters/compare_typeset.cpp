@@ -71,6 +71,10 @@ class Sides {
     for (const auto& tree : trees_) all.push_back(tree ? typeset_value(*tree, known) : std::nullopt);
     return all;
   }
+  std::optional<Value> value(std::size_t side, const TypesetLetters& letters) const {
+    const auto& tree = trees_[side];
+    return tree ? typeset_value(*tree, values_of(letters)) : std::nullopt;
+  }
 
   /// For equations only.
   Meanings meanings(const TypesetLetters& letters) const {
@@ -202,7 +206,7 @@ bool holds(const Value& left, const std::string& relation, const Value& right,
   constexpr double precision = 1e-9;
   const std::optional<Value> off = difference(left, right);
   if (relation == "=" || relation == R"(\ne)")
-    return (size_of(*off) <= precision * terms()) == (relation == "=");
+    return (size_of(*off) == 0 || size_of(*off) <= precision * terms()) == (relation == "=");
   return std::ranges::all_of(*off, [&](double x) {
     return relation == "<" ? x < 0 : relation == ">" ? x > 0 : relation == R"(\le)" ? x <= 0 : x >= 0;
   });
@@ -222,7 +226,7 @@ std::optional<bool> is_so(const Sides& relation, const TypesetLetters& letters) 
       double size = 0;
       for (const std::size_t side : {i, i + 1})
         size +=
-            size_of_terms([&](const TypesetLetters& moved) { return relation.values(moved)[side]; }, letters);
+            size_of_terms([&](const TypesetLetters& moved) { return relation.value(side, moved); }, letters);
       return size;
     };
     so = so && holds(*sides[i], relation.relations()[i], *sides[i + 1], terms);
@@ -232,8 +236,15 @@ std::optional<bool> is_so(const Sides& relation, const TypesetLetters& letters) 
 
 }  // namespace
 
-std::optional<bool> typeset_relation(std::string_view formula, const TypesetLetters& letters) {
-  return is_so(Sides(std::string(formula), names_of(letters)), letters);
+struct TypesetRelation::Read {
+  InLetters sides;
+};
+
+TypesetRelation::TypesetRelation(std::string_view text)
+    : read_(std::make_shared<Read>(InLetters(std::string(text)))) {}
+
+std::optional<bool> TypesetRelation::operator()(const TypesetLetters& letters) const {
+  return is_so(read_->sides(letters), letters);
 }
 
 Typesetting compare_typeset(const std::string& text,

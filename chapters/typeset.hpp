@@ -64,9 +64,21 @@ class TypesetFormula {
   mutable std::shared_ptr<const Read> read_ = nullptr;
 };
 
-/// Whether a relation is true, \ddot q<0 or x_1=x_2=0; for tuples, in every component. Equality is to a
-/// billionth of the terms that are added up. Nullopt if a side cannot be evaluated or there is only one.
-std::optional<bool> typeset_relation(std::string_view formula, const TypesetLetters&);
+/// A relation, \ddot q<0 or x_1=x_2=0, and whether it is true; for tuples, in every component. Equality is to
+/// a billionth of the terms that are added up. Nullopt if a side cannot be evaluated or there is only one.
+class TypesetRelation {
+ public:
+  /// Parses at the first evaluation.
+  explicit TypesetRelation(std::string_view text);
+  std::optional<bool> operator()(const TypesetLetters&) const;
+
+ private:
+  struct Read;
+  std::shared_ptr<Read> read_;
+};
+inline std::optional<bool> typeset_relation(std::string_view text, const TypesetLetters& letters) {
+  return TypesetRelation(text)(letters);
+}
 
 /// Forms of one quantity in a row: a single number next to several is repeated.
 void in_a_row(Value& a, Value& b);

@@ -155,16 +155,6 @@ void check_alone(const std::vector<Case>& cases) {
 }
 
 /// Without comments and empty lines.
-long lines_of_code(const std::string& text) {
-  long all = 0;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
-    const auto first = line.find_first_not_of(' ');
-    all += first != line.npos && line.compare(first, 2, "//") != 0;
-  }
-  return all;
-}
-
 /// Runs all programs of a language. A language's library may round functions in its own way.
 void check(Language language, double allowed) {
   const All all = all_in(language);

@@ -556,15 +556,23 @@ std::string program_template(std::string_view algorithm) {
   return headers.includes("std::array sqrt" + code) + code;
 }
 
+long lines_of_code(const std::string& program) {
+  std::istringstream lines(program);
+  long count = 0;
+  for (std::string line; std::getline(lines, line);)
+    if (const auto first = line.find_first_not_of(' '); first != line.npos)
+      count += !line.substr(first).starts_with("//");
+  return count;
+}
+
 std::string code_of(const Task& task, const Candidate& chosen, const Need& need, const std::string& about,
                     Language language) {
   if (language != Language::cpp) return program_in(language, task, chosen, need, about);
   const std::string whole = with_source(task, chosen, need, about);
-  const auto lines = [](const std::string& text) { return std::ranges::count(text, '\n'); };
-  if (lines(whole) <= most_lines_of_code) return whole;
+  if (lines_of_code(whole) <= most_lines_of_source) return whole;
   try {
     const std::string shorter = program_in(language, task, chosen, need, about);
-    return lines(shorter) < lines(whole) ? shorter : whole;
+    return lines_of_code(shorter) < lines_of_code(whole) ? shorter : whole;
   } catch (const BadInput&) {
     return whole;
   }

@@ -13,8 +13,10 @@ namespace oddity {
 /// The algorithms that can be printed.
 std::vector<std::string_view> printable_algorithms();
 
-/// Limit of a C++ file with the models' own source. A longer program is printed by its recorded operations.
-inline constexpr long most_lines_of_code = 120;
+/// Limits of a program's lines without comments and blank ones: of any that `choose` may choose, and of a C++
+/// file with the models' own source. A longer one is printed by its recorded operations.
+inline constexpr long most_lines_of_code = 120, most_lines_of_source = 60;
+long lines_of_code(const std::string& program);
 
 /// One file of the standard library alone: the chosen model, the chosen algorithm's loop, and a main that
 /// prints the observables at every frame. `command` is the command line that asked for it. Throws BadInput

@@ -372,6 +372,15 @@ std::string lines_in_xml(const std::string& code) {
   return text;
 }
 
+/// "54 lines of C++ that do it, and 13 that print it"; comments and blank lines are not counted.
+std::string counted_lines(const std::string& code, const std::string& language) {
+  const std::size_t main = std::min({code.find("\nint main()"), code.find("static void Main()"),
+                                     code.find("\nconst frames = "), code.size()});
+  const long own = lines_of_code(code.substr(0, main)), printing = lines_of_code(code.substr(main));
+  return counted(own, "line", "lines") + " of " + language + " that do it, and " + std::to_string(printing) +
+         " that print it";
+}
+
 std::string code_in(Language language, const ExerciseResult& e, const CheapestModel& game) {
   const std::string name(language_names[static_cast<std::size_t>(language)]);
   try {
@@ -380,7 +389,7 @@ std::string code_in(Language language, const ExerciseResult& e, const CheapestMo
                                          game.least->algorithm + "\n\nThe observables at every frame.",
                                      language);
     return html::folded(
-        std::to_string(std::ranges::count(code, '\n')) + " lines of " + name + " that do it",
+        counted_lines(code, name),
         element("pre", " class=\"code\" tabindex=\"0\" data-language=\"" + name + "\"", lines_in_xml(code)));
   } catch (const BadInput& error) {
     return element("p", " class=\"none\"", "No " + name + ": " + in_xml(error.what()) + ".");
