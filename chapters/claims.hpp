@@ -489,7 +489,10 @@ class Claims {
     judged(slug, line, std::move(says), parts, in_view, [&](const Formula<Sample>& stated) -> Reading {
       const Formula<Sample> formula = computed(stated);
       if (!formula.of) return {};
-      const Typesetting typeset = compare_typeset(formula, samples);
+      // A text alone is its own code, but an equation's sides may have values in the letters.
+      const bool is_own = is_text(stated) && is_formula(stated.text) &&
+                          formula::sides_of(stated.text.substr(1, stated.text.size() - 2)).relations.empty();
+      const Typesetting typeset = is_own ? Typesetting{true, "", ""} : compare_typeset(formula, samples);
       const AtSamples<Sample> here = at_samples(stated, letters);
       Reading reading{formula.text, {compare(quantity, here, truth)}, typeset.read};
       for (const AtSamples<Sample>& route : other_routes)
