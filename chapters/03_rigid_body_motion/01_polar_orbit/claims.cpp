@@ -68,17 +68,16 @@ struct PointOf : EllipseOf<T> {
 using Point = PointOf<double>;
 using Line = ProvableFormula<PointOf>;
 
-enum class On { orbit, both, anywhere };
-
-std::vector<Point> points(double seed, On on) {
+/// Points with these signs in turn.
+std::vector<Point> points(double seed, const std::vector<double>& signs) {
   Random random(seed);
   std::vector<Point> all;
   for (int i = 0; i < 200; ++i) {
     const double e = i % 8 < 2   ? abs(random.magnitude(1e-6, 1))
                      : i % 8 < 4 ? 1 - abs(random.magnitude(1e-4, 1))
                                  : random.between(0.05, 0.95);
-    const double rho = abs(random.magnitude(0.1, 10)) / e, theta = random.between(-pi, pi);
-    const double s = on == On::anywhere ? 0 : on == On::both && i % 3 ? -1 : 1;
+    const double rho = abs(random.magnitude(0.1, 10)) / e, theta = random.between(-pi, pi),
+                 s = signs[static_cast<std::size_t>(i) % signs.size()];
     const double r = s == 0 ? abs(random.magnitude(0.1, 10)) : orbit(s * e, s * rho, theta);
     all.push_back({{e, rho}, r, r * cos(theta), r * sin(theta), s});
   }
@@ -120,9 +119,9 @@ struct Curves {
   Curve orbit, both, anywhere, top, zeros;
 
   explicit Curves(double seed)
-      : orbit{ProvableClaims<PointOf>(claims), points(seed, On::orbit)},
-        both{ProvableClaims<PointOf>(claims), points(seed, On::both)},
-        anywhere{ProvableClaims<PointOf>(claims), points(seed, On::anywhere)},
+      : orbit{ProvableClaims<PointOf>(claims), points(seed, {1})},
+        both{ProvableClaims<PointOf>(claims), points(seed, {1, -1, -1})},
+        anywhere{ProvableClaims<PointOf>(claims), points(seed, {0})},
         top{ProvableClaims<PointOf>(claims), orbit.points},
         zeros{ProvableClaims<PointOf>(unused), {}} {
     std::ranges::copy(both.points, std::back_inserter(anywhere.points));
@@ -145,13 +144,7 @@ void to_the_second_squaring(Curves& t) {
 
 /// Lines that rewrite the one before: everywhere they are one product, which is zero on both curves.
 void rewritten(Curves& t) {
-  const Line both_curves{R"($(e^2\rho^2-(r+ex)^2)(e^2\rho^2-(r-ex)^2)$)", [](const auto& p) {
-                           const auto product = [&](double sign) {
-                             const auto root = p.r + sign * p.e * p.x;
-                             return p.e * p.e * p.rho * p.rho - root * root;
-                           };
-                           return product(1) * product(-1);
-                         }};
+  const Line both_curves = R"($(e^2\rho^2-(r+ex)^2)(e^2\rho^2-(r-ex)^2)$)";
   const auto line = [&](const std::string& slug, int number, const std::string& before,
                         const std::string& text) {
     t.anywhere.claim(slug, number, before + text,
