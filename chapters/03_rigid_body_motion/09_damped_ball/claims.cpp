@@ -280,7 +280,7 @@ struct AtZeroOf {
   }
   /// lambda (-sin(beta t), cos(beta t)), which makes x' = beta e^(alpha t) lambda.
   Two<T> turned() const {
-    const T lambda = derivative([this](const auto& time) { return at(time); }, t) / (beta * exp(alpha * t));
+    const T lambda = derivative([&](const auto& time) { return at(time); }, t) / (beta * exp(alpha * t));
     return {-lambda * sin(beta * t), lambda * cos(beta * t)};
   }
   Tolerance tolerance(double size) const {
