@@ -113,10 +113,9 @@ struct Plates {
       const Vector across = cross(Vector{0, 0, 1}, plate.D);
       plate.N = (random.below(2) == 0 ? 1.0 : -1.0) * across;
       const double along = random.between(-5, 5), away = random.between(1, 12);
-      const Vector shift = away * across + along * plate.D;
       plate.A = bodies::center_by_lever_rule(plate.particles);
       center.push_back(plate), mean.push_back(plate), beside.push_back(plate);
-      mean.back().A = middle, beside.back().A = plate.A + shift;
+      mean.back().A = middle, beside.back().A = plate.A + away * across + along * plate.D;
     }
   }
 };
@@ -220,21 +219,22 @@ Reading lamina_in_all_directions(const std::string& text, double k, bool uniform
 
 using Sum = ProvableFormula<PlateOf>;
 Sum sum_of(const std::string& text) { return over_particles<PlateOf>(text, "m x y"); }
-const std::string factored = R"($N\cdot\sum m_i(x_i-\bar x,y_i-\bar y)$)";
+const std::string factored = R"($M=N\cdot\sum m_i(x_i-\bar x,y_i-\bar y)$)";
 
 void moments(ProvableClaims<PlateOf>& table, const std::vector<Plate>& plates) {
-  const auto line = [&](std::string_view slug, int number, const std::string& says, const std::string& text) {
-    table.formula(slug, number, says, plates,
+  const auto line = [&](std::string_view slug, int number, const std::string& text,
+                        const std::string& says = "") {
+    table.formula(slug, number, says.empty() ? text : says, plates,
                   {.quantity = "the first moment about the fulcrum",
                    .truth = {"the torque of the weights that turns the side of $N$ down",
                              [](const auto& p) { return p.level_torque(); }},
                    .printed = sum_of(text)});
   };
-  line("first_moment", 603, R"(The first moment about the fulcrum is $M=\sum m_it_i$.)", R"($\sum m_it_i$)");
-  line("with_normals", 605, R"($M=\sum m_iN\cdot(P_i-C)$)", R"($\sum m_iN\cdot(P_i-C)$)");
-  line("in_coordinates", 607, R"($M=\sum m_iN\cdot(x_i-\bar x,y_i-\bar y)$)",
-       R"($\sum m_iN\cdot(x_i-\bar x,y_i-\bar y)$)");
-  line("factored", 609, R"($M=N\cdot\sum m_i(x_i-\bar x,y_i-\bar y)$)", factored);
+  line("first_moment", 603, R"($M=\sum m_it_i$)",
+       R"(The first moment about the fulcrum is $M=\sum m_it_i$.)");
+  line("with_normals", 605, R"($M=\sum m_iN\cdot(P_i-C)$)");
+  line("in_coordinates", 607, R"($M=\sum m_iN\cdot(x_i-\bar x,y_i-\bar y)$)");
+  line("factored", 609, factored);
 }
 
 void moments_about_center(ProvableClaims<PlateOf>& table, const std::vector<Plate>& plates) {
@@ -246,16 +246,15 @@ void moments_about_center(ProvableClaims<PlateOf>& table, const std::vector<Plat
                    .printed = sum_of(text),
                    .changes_that_hold = "a multiple of zero is zero"});
   };
-  vanishes("zero", 611, R"($M=N\cdot(0,0)=0$)", factored.substr(0, factored.size() - 1) + "=0$");
-  vanishes("sums", 615, R"($\sum m_i(x_i-\bar x,y_i-\bar y)=(0,0)$)",
-           R"($\sum m_i(x_i-\bar x,y_i-\bar y)=(0,0)$)");
+  vanishes("zero", 611, R"($M=N\cdot(0,0)=0$)", R"($N\cdot\sum m_i(x_i-\bar x,y_i-\bar y)=0$)");
+  const std::string sums = R"($\sum m_i(x_i-\bar x,y_i-\bar y)=(0,0)$)";
+  vanishes("sums", 615, sums, sums);
 }
 
 void about_lines(Claims& claims, const Plates& plates, double k) {
   const auto vanishes = [&](const std::string& what, const std::string& text, const std::vector<Plate>& all,
                             const std::function<Value(const Plate&)>& of) {
-    const auto zeros = [](const Plate&) { return 0.0; };
-    return Reading{text, {compare<Plate>(what, {text, of}, {"zero", zeros}, all)}};
+    return Reading{text, {compare<Plate>(what, {text, of}, {"zero", [](const Plate&) { return 0.0; }}, all)}};
   };
   const auto tilts = [](const Plate& p) {
     return Value{p.tilted_torque(-1), p.tilted_torque(-0.5), p.tilted_torque(0), p.tilted_torque(0.5),
@@ -337,87 +336,74 @@ constexpr const char* by_center = R"(
 Provables proofs() {
   const auto letter = [](const char* name) { return Shortened::letter(name); };
   PlateOf<Shortened> any{{{letter("m"), {letter("x"), letter("y"), Shortened(0.0)}}}};
-  PlateOf<Shortened> from_origin = any;
+  const PlateOf<Shortened> from_origin = any;
   any.A = {letter("a0"), letter("a1"), Shortened(0.0)};
   any.D = {letter("d0"), letter("d1"), Shortened(0.0)};
   any.N = cross(std::array{Shortened(0.0), Shortened(0.0), Shortened(1.0)}, any.D);
-  const std::string letters = "(l : list (R * R * R)) (a0 a1 d0 d1 : R)";
+  const PlaceOf<Shortened> place{any.A, any.D, any.N, any.particles[0].r};
+  const std::string letters = "(l : list (R * R * R)) (a0 a1 d0 d1 : R)",
+                    of_particle = "(a0 a1 d0 d1 x y : R)", at_any = "it holds of any particle and any line",
+                    unit_normal = "replace (d0 * d0 - d1 * - d1) with 1 by lra; ";
   const std::vector<Proposition> unit{dot(any.D, any.D).expression() == 1};
-  const std::vector<Proposition> center{
-      from_origin.moment()[0].expression() == (any.A[0] * any.mass()).expression(),
-      from_origin.moment()[1].expression() == (any.A[1] * any.mass()).expression()};
+  std::vector<Proposition> center, solves = unit;
+  for (std::size_t i = 0; i < 2; ++i)
+    center.push_back(from_origin.moment()[i].expression() == (any.A[i] * any.mass()).expression());
+  solves.push_back(dot(place.N, place.P - place.C).expression() == 0);
+
   Claims claims("2.9");
   ProvableClaims<PlateOf> lines(claims), at_center(claims);
+  ProvableClaims<PlaceOf> places(claims);
   moments(lines, {});
   moments_about_center(at_center, {});
-  Provables proved =
-      lines.proofs("2.9", {.any = any,
-                           .letters = letters,
-                           .given = unit,
-                           .tactic = by_sums,
-                           .says = "it is the torque of any number of weights about any line"});
-  std::ranges::move(at_center.proofs("2.9", {.any = any,
-                                             .letters = letters,
-                                             .given = center,
-                                             .tactic = by_center,
-                                             .says = "it vanishes about the center of any number of masses"}),
-                    std::back_inserter(proved));
+  coordinates(places, {});
   const auto vanishes = [&](const std::string& slug, const std::string& says, const std::string& all,
-                            const Shortened& torque, const std::string& by_moments) {
-    proved.push_back({"2.9-" + slug,
-                      says,
-                      {{"printed",
-                        all,
-                        center,
-                        {torque.expression() == 0},
-                        "replace (" + torque.expression().coq() + ") with (" + by_moments + ")\n  by (" +
-                            by_sums + ");" + by_center}}});
+                            const Shortened& torque, const std::string& by_moments) -> Provable {
+    return {"2.9-" + slug,
+            says,
+            {{"printed",
+              all,
+              center,
+              {torque.expression() == 0},
+              "replace (" + torque.expression().coq() + ") with (" + by_moments + ")\n  by (" + by_sums +
+                  ");" + by_center}}};
   };
-  vanishes("regardless",
-           "the torque about the center of any number of masses vanishes, whatever the line's direction",
-           letters, any.level_torque(), sum_of(factored).recorded(any)[0].coq());
   const Shortened tilt = letter("tilt");
   const Shortened by_moments = any.torque_of(1.0, {1.0, 0.0, 0.0}, tilt) * any.moment()[0] +
                                any.torque_of(1.0, {0.0, 1.0, 0.0}, tilt) * any.moment()[1];
-  vanishes("balance", "tilted by any angle, it is without torque about any line through its center",
-           "(l : list (R * R * R)) (a0 a1 d0 d1 tilt : R)", any.tilted_torque(tilt),
-           by_moments.expression().coq());
-
-  const PlaceOf<Shortened> place{any.A, any.D, any.N, any.particles[0].r};
-  const std::string of_particle = "(a0 a1 d0 d1 x y : R)", at_any = "it holds of any particle and any line";
-  ProvableClaims<PlaceOf> places(claims);
-  coordinates(places, {});
-  std::ranges::move(
-      places.proofs("2.9",
-                    {.any = place,
-                     .letters = of_particle,
-                     .given = unit,
-                     .tactic = "first [field; lra | replace (d0 * d0 - d1 * - d1) with 1 by lra; field]",
-                     .says = at_any}),
-      std::back_inserter(proved));
-  std::vector<Proposition> solves = unit;
-  solves.push_back(dot(place.N, place.P - place.C).expression() == 0);
-  proved.push_back(
+  const PlaceOf<Shortened> behind{{}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, -1.0, 0.0}};
+  Provables proved{
+      vanishes("regardless",
+               "the torque about the center of any number of masses vanishes, whatever the line's direction",
+               letters, any.level_torque(), sum_of(factored).recorded(any)[0].coq()),
+      vanishes("balance", "tilted by any angle, it is without torque about any line through its center",
+               "(l : list (R * R * R)) (a0 a1 d0 d1 tilt : R)", any.tilted_torque(tilt),
+               by_moments.expression().coq()),
       {"2.9-normal_form",
        "the points of any line solve it, and no others do",
        {{"printed", of_particle, unit, equal(on_line.recorded(place), {Expression(0.0)}), "field; lra"},
         {"no_other", of_particle, solves,
-         equal(detail::recorded_value(place.P), detail::recorded_value(foot(place, place.P))), "nsatz"}}});
-  const PlaceOf<Shortened> behind{{}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, -1.0, 0.0}};
-  proved.push_back(
+         equal(detail::recorded_value(place.P), detail::recorded_value(foot(place, place.P))), "nsatz"}}},
       {"2.9-distance",
        "as corrected " + at_any + "; as printed it is off at an example",
        {{"corrected", of_particle, unit, equal(size_of_t.recorded(place), by_area.recorded(place)),
-         "replace (d0 * d0 - d1 * - d1) with 1 by lra; assert (unit : d1 * d1 = 1 - d0 * d0) by lra;\n"
-         "  rewrite <- sqrt_Rsqr_abs; unfold Rsqr;\n  match goal with |- sqrt ?t = sqrt ?a / 7 =>"
-         " replace a with (7 * 7 * t) by field [unit]; rewrite (sqrt_mult_alt (7 * 7)) by lra;\n"
-         "    rewrite (sqrt_square 7) by lra; field end"},
+         unit_normal +
+             "assert (unit : d1 * d1 = 1 - d0 * d0) by lra;\n"
+             "  rewrite <- sqrt_Rsqr_abs; unfold Rsqr;\n  match goal with |- sqrt ?t = sqrt ?a / 7 =>"
+             " replace a with (7 * 7 * t) by field [unit]; rewrite (sqrt_mult_alt (7 * 7)) by lra;\n"
+             "    rewrite (sqrt_square 7) by lra; field end"},
         {"printed_differs",
          "",
          {},
          {apart(OfPlace("$t_i$").recorded(behind)[0], by_area.recorded(behind)[0], 1.9)},
          "interval"}},
-       1.9});
+       1.9}};
+  const auto add = [&](const Provables& more) { proved.insert(proved.end(), more.begin(), more.end()); };
+  add(lines.proofs(
+      "2.9", {any, letters, unit, by_sums, "it is the torque of any number of weights about any line"}));
+  add(at_center.proofs(
+      "2.9", {any, letters, center, by_center, "it vanishes about the center of any number of masses"}));
+  add(places.proofs("2.9",
+                    {place, of_particle, unit, "first [field; lra | " + unit_normal + "field]", at_any}));
   for (Provable& p : proved) p.preamble = sums_in_coq;
   return proved;
 }

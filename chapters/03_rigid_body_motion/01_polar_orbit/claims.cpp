@@ -28,6 +28,7 @@ struct PointOf : EllipseOf<T> {
   double s;
 
   std::array<T*, 5> letters() { return {&e, &rho, &r, &x, &y}; }
+  PointOf<Shortened> recorded() const { return {{e, rho}, r, x, y, s}; }
   TypesetIn<T> typeset() const {
     return {{"e", e},         {R"(\rho)", rho}, {"r", r},
             {"x", x},         {"y", y},         {R"(\theta)", atan2(y, x)},
@@ -67,17 +68,16 @@ struct PointOf : EllipseOf<T> {
 using Point = PointOf<double>;
 using Line = ProvableFormula<PointOf>;
 
-enum class On { orbit, both, anywhere };
-
-std::vector<Point> points(double seed, On on) {
+/// Points with these signs in turn.
+std::vector<Point> points(double seed, const std::vector<double>& signs) {
   Random random(seed);
   std::vector<Point> all;
   for (int i = 0; i < 200; ++i) {
     const double e = i % 8 < 2   ? abs(random.magnitude(1e-6, 1))
                      : i % 8 < 4 ? 1 - abs(random.magnitude(1e-4, 1))
                                  : random.between(0.05, 0.95);
-    const double rho = abs(random.magnitude(0.1, 10)) / e, theta = random.between(-pi, pi);
-    const double s = on == On::anywhere ? 0 : on == On::both && i % 3 ? -1 : 1;
+    const double rho = abs(random.magnitude(0.1, 10)) / e, theta = random.between(-pi, pi),
+                 s = signs[static_cast<std::size_t>(i) % signs.size()];
     const double r = s == 0 ? abs(random.magnitude(0.1, 10)) : orbit(s * e, s * rho, theta);
     all.push_back({{e, rho}, r, r * cos(theta), r * sin(theta), s});
   }
@@ -86,80 +86,70 @@ std::vector<Point> points(double seed, On on) {
 
 // ---- line by line -----------------------------------------------------------------------------------------
 
-/// Two sides of a line that are equal on a curve.
-struct Stated {
-  std::string slug;
-  On on;
-  Line printed, truth;
-};
-
 const Line zero{"zero", []<class T>(const PointOf<T>&) { return T(0); }};
 
-/// The claims, and those of their lines that can be proved.
-struct Table {
-  double seed;
-  Claims claims{"3.1"};
-  std::vector<Point> orbit_alone = points(seed, On::orbit), both = points(seed, On::both),
-                     anywhere = points(seed, On::anywhere);
-  std::vector<Stated> stated = {};
+/// Claims about the points of a curve.
+struct Curve : ProvableClaims<PointOf> {
+  std::vector<Point> points;
 
-  void line(const std::string& slug, int at, std::string says, On on, const Line& truth, const Line& printed,
-            std::string quantity = {}) {
-    stated.push_back({slug, on, printed, truth});
-    claims.formula<Point>(slug, at, std::move(says),
-                          on == On::orbit  ? orbit_alone
-                          : on == On::both ? both
-                                           : anywhere,
-                          {.quantity = std::move(quantity), .truth = truth, .printed = printed});
+  void claim(const std::string& slug, int line, std::string says, const ProvableClaim<PointOf>& c) {
+    formula(slug, line, std::move(says), points, c);
   }
   /// Claims a line of the page at points from the polar equation: two sides are equal, or the first equals
   /// each of several. `first` is an independent route to the first side.
-  void equation(const std::string& slug, int at, const std::string& before, On on,
-                const std::vector<std::string>& sides, const std::string& after = {},
-                const Line& first = {}) {
+  void equation(const std::string& slug, int line, const std::string& before,
+                const std::vector<std::string>& sides, const std::string& after = {}, Line first = {}) {
     const bool two = sides.size() == 2;
     std::string whole = sides[0], others;
     for (std::size_t i = 1; i < sides.size(); ++i) {
       whole += "=" + sides[i];
       others += (i == 1 ? "" : R"(,\ )") + sides[i];
     }
-    const Line left = "$" + sides[0] + "$";
-    line(slug, at, before + "$" + whole + "$" + after, on,
-         !first.text.empty() ? first
-         : two               ? zero
-                             : left,
-         two ? "$" + whole + "$" : "$(" + others + ")$", two ? "" : left.text);
+    whole = "$" + whole + "$";
+    const std::string left = "$" + sides[0] + "$";
+    if (first.text.empty()) first = two ? zero : Line(left);
+    claim(slug, line, before + whole + after,
+          {.quantity = two ? "" : left, .truth = first, .printed = two ? whole : "$(" + others + ")$"});
   }
 };
 
-void to_the_second_squaring(Table& t) {
-  t.equation("multiplied", 857, R"(Multiplied by its denominator, with $x=r\cos\theta$: )", On::orbit,
-             {R"(e\rho)", R"(r(1+e\cos\theta))", "r+ex"});
-  t.equation("squared", 861, "Squared: ", On::orbit, {R"(e^2\rho^2)", "r^2+2exr+e^2x^2"});
-  t.equation("solved", 863, "Solved for the middle term: ", On::orbit, {"2exr", R"(e^2(\rho^2-x^2)-r^2)"});
-  t.equation("distance", 865, "", On::orbit, {"r", R"(\sqrt{x^2+y^2})"}, "",
-             {"$r$ by the polar equation", [](const auto& p) { return p.r; }});
-  t.equation("squared_again", 869, "Squared again: ", On::both,
-             {"4e^2x^2r^2", R"([e^2(\rho^2-x^2)-r^2]^2)", R"([e^2(\rho^2-x^2)]^2+r^4-2e^2(\rho^2-x^2)r^2)"},
-             "",
-             {"$4e^2x^2r^2$ at the point", [](const auto& p) { return 4 * pow(p.e * p.x * p.r, 2); },
-              [](const Point& p) { return pow(p.e * p.e * (p.rho * p.rho - p.x * p.x), 2) + pow(p.r, 4); }});
+/// `zeros` has lines of `anywhere` again, which are zero on both curves.
+struct Curves {
+  Claims claims{"3.1"}, unused{"3.1"};
+  Curve orbit, both, anywhere, top, zeros;
+
+  explicit Curves(double seed)
+      : orbit{ProvableClaims<PointOf>(claims), points(seed, {1})},
+        both{ProvableClaims<PointOf>(claims), points(seed, {1, -1, -1})},
+        anywhere{ProvableClaims<PointOf>(claims), points(seed, {0})},
+        top{ProvableClaims<PointOf>(claims), orbit.points},
+        zeros{ProvableClaims<PointOf>(unused), {}} {
+    std::ranges::copy(both.points, std::back_inserter(anywhere.points));
+  }
+};
+
+void to_the_second_squaring(Curves& t) {
+  t.orbit.equation("multiplied", 857, R"(Multiplied by its denominator, with $x=r\cos\theta$: )",
+                   {R"(e\rho)", R"(r(1+e\cos\theta))", "r+ex"});
+  t.orbit.equation("squared", 861, "Squared: ", {R"(e^2\rho^2)", "r^2+2exr+e^2x^2"});
+  t.orbit.equation("solved", 863, "Solved for the middle term: ", {"2exr", R"(e^2(\rho^2-x^2)-r^2)"});
+  t.orbit.equation("distance", 865, "", {"r", R"(\sqrt{x^2+y^2})"}, "",
+                   {"$r$ by the polar equation", [](const auto& p) { return p.r; }});
+  t.both.equation(
+      "squared_again", 869, "Squared again: ",
+      {"4e^2x^2r^2", R"([e^2(\rho^2-x^2)-r^2]^2)", R"([e^2(\rho^2-x^2)]^2+r^4-2e^2(\rho^2-x^2)r^2)"}, "",
+      {"$4e^2x^2r^2$ at the point", [](const auto& p) { return 4 * pow(p.e * p.x * p.r, 2); },
+       [](const Point& p) { return pow(p.e * p.e * (p.rho * p.rho - p.x * p.x), 2) + pow(p.r, 4); }});
 }
 
 /// Lines that rewrite the one before: everywhere they are one product, which is zero on both curves.
-void rewritten(Table& t) {
-  std::ranges::copy(t.both, std::back_inserter(t.anywhere));
-  const Line both_curves{R"($(e^2\rho^2-(r+ex)^2)(e^2\rho^2-(r-ex)^2)$)", [](const auto& p) {
-                           const auto product = [&](double sign) {
-                             const auto root = p.r + sign * p.e * p.x;
-                             return p.e * p.e * p.rho * p.rho - root * root;
-                           };
-                           return product(1) * product(-1);
-                         }};
+void rewritten(Curves& t) {
+  const Line both_curves = R"($(e^2\rho^2-(r+ex)^2)(e^2\rho^2-(r-ex)^2)$)";
   const auto line = [&](const std::string& slug, int number, const std::string& before,
                         const std::string& text) {
-    t.line(slug, number, before + text, On::anywhere, both_curves, text, "the line, zero on both curves");
-    t.stated.push_back({slug, On::both, text, zero});
+    t.anywhere.claim(slug, number, before + text,
+                     {.quantity = "the line, zero on both curves", .truth = both_curves, .printed = text});
+    t.zeros.claim(slug, number, text, {.truth = zero, .printed = text});
   };
   line("subtracted", 873, "$4e^2x^2r^2$ subtracted: ", R"($0=[e^2(\rho^2-x^2)]^2+r^4-2e^2(\rho^2+x^2)r^2$)");
   line("regrouped", 875, "", R"($0=[e^2(\rho^2+x^2)-2e^2x^2]^2+r^4-2e^2(\rho^2+x^2)r^2$)");
@@ -169,13 +159,6 @@ void rewritten(Table& t) {
        "Its terms gathered: ", R"($0=[e^2(\rho^2+x^2)]^2-4e^4\rho^2x^2+r^4-2e^2(\rho^2+x^2)r^2$)");
   line("closed", 881, "A square completed again: ", R"($0=[e^2(\rho^2+x^2)-r^2]^2-4e^4\rho^2x^2$)");
 }
-
-const Line half_sizes{"half the way between the apsides, and the highest point by Brent's method",
-                      [](const auto& p) { return values(p.half_length(), p.half_height()); }};
-const Line semi_axes = R"($(e\rho/(1-e^2),\ a\sqrt{1-e^2})$)";
-const Line square_of_sizes{"the apsides and the highest point by Brent's method",
-                           [](const auto& p) { return pow(p.half_length() / p.half_height(), 2); }};
-const Line square_of_axes = "$1/(1-e^2)$";
 
 /// The ellipse's point at the eccentric anomaly whose cosine is x/r.
 template <class T>
@@ -195,32 +178,37 @@ Line orbit_at_angle(double sign) {
 const Line to_middle_of_apsides{R"(from the origin to the middle of the apsides, $r(0)$ and $r(\pi)$)",
                                 [](const auto& p) { return p.to_middle(); }, &Point::farthest};
 
-void to_the_ellipse(Table& t) {
-  t.equation("moved", 883, "", On::both, {R"(4e^4\rho^2x^2)", R"([e^2(\rho^2+x^2)-r^2]^2)"});
-  t.equation("root", 885, "", On::both, {R"(\pm2e^2\rho x)", R"(e^2(\rho^2+x^2)-r^2)"},
-             " (our reading, here and below: $+$ on the orbit, $-$ on its mirror image)");
-  t.equation("collected", 889, "", On::both,
-             {R"((1-e^2)x^2\pm2e^2\rho x+y^2)", R"(r^2-e^2x^2\pm2e^2\rho x)", R"(e^2\rho^2)"});
-  t.equation("divided", 893, "Divided by $1-e^2$ (our condition: $0<e<1$): ", On::both,
-             {R"(x^2\pm\frac{2e^2\rho}{1-e^2}x+\frac{y^2}{1-e^2})", R"(\frac{e^2\rho^2}{1-e^2})"});
-  t.equation("completed", 905, "The square completed: ", On::both,
-             {R"(\left(x\pm\frac{e^2\rho}{1-e^2}\right)^2+\frac{y^2}{1-e^2})",
-              R"(\frac{e^2\rho^2}{1-e^2}+\frac{e^4\rho^2}{(1-e^2)^2})", R"(\frac{e^2\rho^2}{(1-e^2)^2})"});
-  t.claims.formula<Point>(
+void to_the_ellipse(Curves& t) {
+  t.both.equation("moved", 883, "", {R"(4e^4\rho^2x^2)", R"([e^2(\rho^2+x^2)-r^2]^2)"});
+  t.both.equation("root", 885, "", {R"(\pm2e^2\rho x)", R"(e^2(\rho^2+x^2)-r^2)"},
+                  " (our reading, here and below: $+$ on the orbit, $-$ on its mirror image)");
+  t.both.equation("collected", 889, "",
+                  {R"((1-e^2)x^2\pm2e^2\rho x+y^2)", R"(r^2-e^2x^2\pm2e^2\rho x)", R"(e^2\rho^2)"});
+  t.both.equation("divided", 893, "Divided by $1-e^2$ (our condition: $0<e<1$): ",
+                  {R"(x^2\pm\frac{2e^2\rho}{1-e^2}x+\frac{y^2}{1-e^2})", R"(\frac{e^2\rho^2}{1-e^2})"});
+  t.both.equation(
+      "completed", 905, "The square completed: ",
+      {R"(\left(x\pm\frac{e^2\rho}{1-e^2}\right)^2+\frac{y^2}{1-e^2})",
+       R"(\frac{e^2\rho^2}{1-e^2}+\frac{e^4\rho^2}{(1-e^2)^2})", R"(\frac{e^2\rho^2}{(1-e^2)^2})"});
+  t.top.claim(
       "axes", 927,
       R"(The book defines $a=e\rho/(1-e^2)$ and $b=a\sqrt{1-e^2}$ (our check: they are half the length and half )"
       R"(the height of the orbit).)",
-      t.orbit_alone, {.truth = half_sizes, .printed = semi_axes});
-  t.claims.formula<Point>("ratio", 929, "$a^2/b^2=1/(1-e^2)$", t.orbit_alone,
-                          {.truth = square_of_sizes, .printed = square_of_axes});
-  t.equation("c", 929, "", On::orbit, {"c", "ae", R"(e^2\rho/(1-e^2))"}, "", to_middle_of_apsides);
-  t.equation("scaled", 931, "", On::both, {R"((x\pm c)^2+(a^2/b^2)y^2)", "a^2"});
-  t.equation("ellipse", 935, "", On::both, {R"((x\pm c)^2/a^2+y^2/b^2)", "1"},
-             ", the standard formula of an ellipse along the axes");
+      {.truth = {"half the way between the apsides, and the highest point by Brent's method",
+                 [](const auto& p) { return values(p.half_length(), p.half_height()); }},
+       .printed = R"($(e\rho/(1-e^2),\ a\sqrt{1-e^2})$)"});
+  t.top.claim("ratio", 929, "$a^2/b^2=1/(1-e^2)$",
+              {.truth = {"the apsides and the highest point by Brent's method",
+                         [](const auto& p) { return pow(p.half_length() / p.half_height(), 2); }},
+               .printed = "$1/(1-e^2)$"});
+  t.orbit.equation("c", 929, "", {"c", "ae", R"(e^2\rho/(1-e^2))"}, "", to_middle_of_apsides);
+  t.both.equation("scaled", 931, "", {R"((x\pm c)^2+(a^2/b^2)y^2)", "a^2"});
+  t.both.equation("ellipse", 935, "", {R"((x\pm c)^2/a^2+y^2/b^2)", "1"},
+                  ", the standard formula of an ellipse along the axes");
 
   const auto fits = [&](double sign) {
     return compare<Point>("distance from the origin", distance_on_ellipse(sign), orbit_at_angle(sign),
-                          t.orbit_alone);
+                          t.orbit.points);
   };
   t.claims.add(
       "two_solutions", 887,
@@ -240,62 +228,53 @@ void to_the_ellipse(Table& t) {
 
 // ---- statements about the ellipse -------------------------------------------------------------------------
 
-const Line middle_of_apsides{"the middle of the apsides",
-                             [](const auto& p) { return values((p.at_zero() - p.at_pi()) / 2, 0); },
-                             &Point::farthest};
-const Line printed_center = R"($(\pm c,0)$)", center = R"($(\mp c,0)$)";
-
 const Point shown{{0.625, 1.5}, 0, 0, 0, 1};
 
 const Line all_apart{R"($r(0)+r(\pi)$)", [](const auto& p) { return p.nearest() + p.farthest(); }};
-const Line printed_foci = R"($r+\sqrt{(x\mp2c)^2+y^2}$)", foci = R"($r+\sqrt{(x\pm2c)^2+y^2}$)",
-           foci_of_orbit = R"($r+\sqrt{(x+2c)^2+y^2}$)";
-
-const Line sizes{R"($r(0)+r(\pi)$, and twice the highest point by Brent's method)",
-                 [](const auto& p) { return values(p.nearest() + p.farthest(), 2 * p.half_height()); }};
-const Line printed_axes = "$(a,b)$", axes = "$(2a,2b)$";
-
-void about_the_ellipse(Table& t) {
-  Claims& claims = t.claims;
-  const std::vector<Point>& samples = t.orbit_alone;
-  claims.statement<Point>(
+void about_the_ellipse(Curves& t) {
+  t.claims.statement<Point>(
       "positive", 941,
       "The ellipse has $a>0$ and $b>0$ (our condition: $0<e<1$; for $e=0$ the polar equation "
       "is $r=0$, and from $e=1$ on its curve is no ellipse).",
-      samples, {.printed = {"$(a,b)>0$"}, .near_misses = {{R"($(a-\rho,b)>0$)"}, {"$(a,b-c)>0$"}}});
-  claims.formula<Point>(
-      "center", 941, R"(The center of the ellipse $(x\pm c)^2/a^2+y^2/b^2=1$ is $(\pm c,0)$.)", t.both,
+      t.orbit.points, {.printed = {"$(a,b)>0$"}, .near_misses = {{R"($(a-\rho,b)>0$)"}, {"$(a,b-c)>0$"}}});
+  t.both.claim(
+      "center", 941, R"(The center of the ellipse $(x\pm c)^2/a^2+y^2/b^2=1$ is $(\pm c,0)$.)",
       {.quantity = R"(the center of the orbit or of its mirror image)",
-       .truth = middle_of_apsides,
-       .printed = printed_center,
-       .corrected = center,
+       .truth = {"the middle of the apsides",
+                 [](const auto& p) { return values((p.at_zero() - p.at_pi()) / 2, 0); }, &Point::farthest},
+       .printed = R"($(\pm c,0)$)",
+       .corrected = R"($(\mp c,0)$)",
        .kind = Fault::formula,
        .root = "the sign of the center",
        .why =
            R"($(x\pm c)^2$ is zero at $x=\mp c$. The orbit has the plus sign: its center, midway between the )"
            R"(apsides, is $(-c,0)$, away from the perihelion at $\theta=0$.)"});
-  claims.formula<Point>(
-      "major_axis", 941, "The length of the major axis is $a$, that of the minor axis $b$.", samples,
-      {.truth = sizes,
-       .printed = printed_axes,
-       .corrected = axes,
+  t.top.claim(
+      "major_axis", 941, "The length of the major axis is $a$, that of the minor axis $b$.",
+      {.truth = {R"($r(0)+r(\pi)$, and twice the highest point by Brent's method)",
+                 [](const auto& p) { return values(p.nearest() + p.farthest(), 2 * p.half_height()); }},
+       .printed = "$(a,b)$",
+       .corrected = "$(2a,2b)$",
        .kind = Fault::term,
        .root = "axes for semi-axes",
        .why =
            R"($a$ and $b$ are the semi-axes: $r(0)+r(\pi)=2e\rho/(1-e^2)=2a$. (The solution of 3.3 has $2a$ )"
            R"(and $2b$.))"});
-  t.line("focal_distance", 943,
-         "The distance from the center to a focus is $c$: the origin has this distance from the center.",
-         On::orbit, to_middle_of_apsides, "$c$");
-  t.line("origin_is_focus", 943,
-         "The origin is a focal point: the distances to it and to another point have a constant sum.",
-         On::orbit, all_apart, foci_of_orbit, "sum of the distances to the origin and $(-2c,0)$");
-  claims.formula<Point>(
-      "other_focus", 943, R"(The other focal point is $(\pm2c,0)$.)", t.both,
+  t.orbit.claim(
+      "focal_distance", 943,
+      "The distance from the center to a focus is $c$: the origin has this distance from the center.",
+      {.truth = to_middle_of_apsides, .printed = "$c$"});
+  t.orbit.claim("origin_is_focus", 943,
+                "The origin is a focal point: the distances to it and to another point have a constant sum.",
+                {.quantity = "sum of the distances to the origin and $(-2c,0)$",
+                 .truth = all_apart,
+                 .printed = R"($r+\sqrt{(x+2c)^2+y^2}$)"});
+  t.both.claim(
+      "other_focus", 943, R"(The other focal point is $(\pm2c,0)$.)",
       {.quantity = R"(sum of the distances to the origin and the other focus)",
        .truth = all_apart,
-       .printed = printed_foci,
-       .corrected = foci,
+       .printed = R"($r+\sqrt{(x\mp2c)^2+y^2}$)",
+       .corrected = R"($r+\sqrt{(x\pm2c)^2+y^2}$)",
        .kind = Fault::formula,
        .root = "the sign of the center",
        .why = filled(
@@ -304,16 +283,18 @@ void about_the_ellipse(Table& t) {
            {shown.e, shown.rho, 2 * (shown.farthest() + shown.c()), 2 * shown.half_length()})});
 }
 
-Table table(double seed) {
-  Table t{seed};
+void claim(Curves& t) {
   to_the_second_squaring(t);
   rewritten(t);
   to_the_ellipse(t);
   about_the_ellipse(t);
-  return t;
 }
 
-std::vector<Claim> claims(double seed) { return table(seed).claims.in_order(); }
+std::vector<Claim> claims(double seed) {
+  Curves t(seed);
+  claim(t);
+  return t.claims.in_order();
+}
 
 std::vector<Root> roots() {
   const double near = shown.nearest(), far = shown.farthest(), a = shown.half_length();
@@ -366,33 +347,18 @@ Proposition is(const Shortened& left, const Shortened& right) {
   return left.expression() == right.expression();
 }
 
-/// A single right side is equal to each of the left sides.
-std::vector<Proposition> in_rows(Expressions left, Expressions right) {
-  in_a_row(left, right);
-  return equal(left, right);
-}
-
 std::vector<Proposition> orbits(const PointOf<Shortened>& p) {
   return {above(p.e.expression(), 0), above((1 - p.e).expression(), 0), above(p.rho.expression(), 0)};
 }
 
-Lemma on_curve(std::string name, const Line& left, const Line& right, double sign) {
+/// For the orbit, its mirror image, or any point if the sign is 0. The example is the farthest point.
+ForAll<PointOf> on_curve(double sign, const std::string& says) {
   const PointOf<Shortened> p = any_point(sign);
-  Lemma lemma{.name = std::move(name),
-              .letters = "(e rho r x y : R)",
-              .given = orbits(p),
-              .follows = in_rows(left.recorded(p), right.recorded(p)),
-              .tactic = "field; repeat split; lra"};
-  if (sign == 0) return lemma;
-  lemma.given.push_back(is(p.y * p.y, p.r * p.r - p.x * p.x));
-  lemma.tactic = by_squares(p.q().expression());
-  return lemma;
-}
-
-std::vector<Lemma> lemmas_of(const Stated& s) {
-  if (s.on == On::anywhere) return {on_curve("anywhere", s.printed, s.truth, 0)};
-  std::vector<Lemma> all{on_curve("orbit", s.printed, s.truth, 1)};
-  if (s.on == On::both) all.push_back(on_curve("mirror_image", s.printed, s.truth, -1));
+  ForAll<PointOf> all{p,    "(e rho r x y : R)",    orbits(p), "field; repeat split; lra",
+                      says, {{0.5, 1}, 1, -1, 0, 1}};
+  if (sign == 0) return all;
+  all.given.push_back(is(p.y * p.y, p.r * p.r - p.x * p.x));
+  all.tactic = by_squares(p.q().expression());
   return all;
 }
 
@@ -435,41 +401,6 @@ Ltac by_mirrored_distance :=
     destruct (on_orbit e rho (- x) y E U P M) as [far below];
     other_distance e rho (- x) M; field; repeat split; lra end.
 )";
-
-Provable by_distance(Provable provable) {
-  provable.preamble = atan2_in_coq + distances_in_coq;
-  for (Lemma& lemma : provable.lemmas)
-    if (lemma.tactic != "interval")
-      lemma.tactic = lemma.name == "mirror_image" ? "by_mirrored_distance" : "by_distance";
-  return provable;
-}
-
-Provable proof_of_center() {
-  const PointOf<Shortened> p{{0.5, 1}, 0, 0, 0, 1};
-  const Expression printed = printed_center.recorded(p)[0], right = middle_of_apsides.recorded(p)[0];
-  return {
-      "3.1-center",
-      "the corrected center is in the middle of the apsides of every orbit and its mirror image; for e = 1/2 "
-      "and rho = 1 the printed one is off",
-      {on_curve("corrected", center, middle_of_apsides, 1),
-       on_curve("mirror_image", center, middle_of_apsides, -1),
-       {.name = "printed_differs", .follows = {apart(printed, right, 0.6)}, .tactic = "interval"}},
-      0.6};
-}
-
-/// Proof for the ellipse's other focus, with an example at a point of e = 1/2 and rho = 1.
-Provable proof_of_other_focus() {
-  const PointOf<Shortened> p{{0.5, 1}, 0.375, 0.25, sqrt(Shortened(5.0) / 64), 1};
-  return {"3.1-other_focus",
-          "the corrected point is a focus of every orbit and its mirror image; for e = 1/2 and rho = 1 the "
-          "printed one is off",
-          {on_curve("corrected", foci, all_apart, 1),
-           on_curve("mirror_image", foci, all_apart, -1),
-           {.name = "printed_differs",
-            .follows = {apart(printed_foci.recorded(p)[0], all_apart.recorded(p)[0], 0.45)},
-            .tactic = "interval"}},
-          0.45};
-}
 
 /// Lemmas for claims about the highest point, at the angle `top`.
 const std::string heights_in_coq = R"(
@@ -528,25 +459,19 @@ Ltac by_top :=
     end end.
 )";
 
-PointOf<Shortened> any_orbit() { return {{Shortened::letter("e"), Shortened::letter("rho")}, 0, 0, 0, 1}; }
-
-Lemma at_the_top(std::string name, const Line& left, const Line& right) {
-  const PointOf<Shortened> p = any_orbit();
+ForAll<PointOf> at_the_top(const std::string& says) {
+  const PointOf<Shortened> p = any_point(0);
   const Shortened top = Shortened::letter("top");
-  Lemma lemma{.name = std::move(name),
-              .letters = "(e rho top : R)",
-              .given = orbits(p),
-              .follows = equal(left.recorded(p), right.recorded(p)),
-              .tactic = "by_height"};
+  ForAll<PointOf> all{p, "(e rho top : R)", orbits(p), "by_height", says, {{0.5, 1}, 0, 0, 0, 1}};
   for (const Shortened& positive : {top, pi_of<Shortened>() - top})
-    lemma.given.push_back(above(positive.expression(), 0));
-  lemma.given.push_back(is(p.slope_of_height(top), 0));
-  return lemma;
+    all.given.push_back(above(positive.expression(), 0));
+  all.given.push_back(is(p.slope_of_height(top), 0));
+  return all;
 }
 
 /// Proves that there is a highest point.
 Lemma top_there_is() {
-  const PointOf<Shortened> p = any_orbit();
+  const PointOf<Shortened> p = any_point(0);
   const Shortened top = acos(-p.e), angle = Shortened::letter("theta");
   return {.name = "highest",
           .letters = "(e rho theta : R)",
@@ -556,23 +481,6 @@ Lemma top_there_is() {
                       is(p.slope_of_height(top), 0),
                       {p.height(angle).expression().coq() + " <= " + p.height(top).expression().coq()}},
           .tactic = "by_top"};
-}
-
-Provables proofs_of_axes() {
-  const PointOf<Shortened> p{{0.5, 1}, 0, 0, 0, 1};
-  const Expression length = printed_axes.recorded(p)[0], right = sizes.recorded(p)[0];
-  Provables all{
-      {"3.1-axes",
-       "it holds on every orbit, and every orbit has a highest point",
-       {at_the_top("printed", semi_axes, half_sizes), top_there_is()}},
-      {"3.1-ratio", "it holds on every orbit", {at_the_top("printed", square_of_axes, square_of_sizes)}},
-      {"3.1-major_axis",
-       "as corrected it holds on every orbit; for e = 1/2 and rho = 1 the printed equation is off",
-       {at_the_top("corrected", axes, sizes),
-        {.name = "printed_differs", .follows = {apart(length, right, 0.66)}, .tactic = "interval"}},
-       0.66}};
-  for (Provable& one : all) one.preamble = heights_in_coq;
-  return all;
 }
 
 const std::string anomalies_in_coq = R"(
@@ -603,11 +511,11 @@ Ltac by_anomaly :=
 
 Provable proof_of_solutions() {
   const PointOf<Shortened> p{{0.5, 1}, 1, 0.6, 0.8, 0};
-  Lemma holds = on_curve("corrected", distance_on_ellipse(1), orbit_at_angle(1), 0);
   const PointOf<Shortened> any = any_point(0);
+  Lemma holds{"corrected", "(e rho r x y : R)", orbits(any),
+              equal(distance_on_ellipse(1).recorded(any), orbit_at_angle(1).recorded(any)), "by_anomaly"};
   holds.given.push_back(above(any.r.expression(), 0));
   holds.given.push_back(is(any.y * any.y, any.r * any.r - any.x * any.x));
-  holds.tactic = "by_anomaly";
   return {
       "3.1-two_solutions",
       "with the plus sign all points of the ellipse are solutions; with the minus sign there is one that is not",
@@ -622,21 +530,38 @@ Provable proof_of_solutions() {
 }  // namespace
 
 Provables proofs() {
-  Provables all{proof_of_center(), proof_of_other_focus(), proof_of_solutions()};
-  std::ranges::move(proofs_of_axes(), std::back_inserter(all));
-  for (const Stated& s : table(1).stated) {
-    const std::string claim = "3.1-" + s.slug;
-    auto found = std::ranges::find(all, claim, &Provable::claim);
-    if (found == all.end()) {
-      all.push_back({claim, s.on == On::orbit ? "it holds on every orbit"
-                                              : "it holds on every orbit and its mirror image"});
-      found = all.end() - 1;
+  Curves t(1);
+  claim(t);
+  Provables all{proof_of_solutions()};
+  const auto add = [&](Provables more, const std::string& lemma = "", const std::string& preamble = "") {
+    for (Provable& one : more) {
+      const auto found = std::ranges::find(all, one.claim, &Provable::claim);
+      if (found == all.end()) {
+        one.preamble = preamble;
+        all.push_back(std::move(one));
+      } else {
+        one.lemmas[0].name = lemma;
+        found->says = one.says;
+        found->lemmas.push_back(std::move(one.lemmas[0]));
+      }
     }
-    for (Lemma& lemma : lemmas_of(s)) found->lemmas.push_back(std::move(lemma));
+  };
+  const std::string on_orbits = "it holds on every orbit", on_both = on_orbits + " and its mirror image";
+  add(t.orbit.proofs("3.1", on_curve(1, on_orbits)));
+  add(t.anywhere.proofs("3.1", on_curve(0, on_both)));
+  for (const Curve* curve : {&t.both, &t.zeros}) {
+    add(curve->proofs("3.1", on_curve(1, on_both)), "orbit");
+    add(curve->proofs("3.1", on_curve(-1, on_both)), "mirror_image");
   }
-  for (Provable& p : all)
-    for (const char* slug : {"multiplied", "distance", "origin_is_focus", "other_focus"})
-      if (p.claim == "3.1-" + std::string(slug)) p = by_distance(std::move(p));
+  add(t.top.proofs("3.1", at_the_top(on_orbits)), "", heights_in_coq);
+  add({{"3.1-axes", on_orbits + ", and every orbit has a highest point", {top_there_is()}}}, "highest");
+  for (const char* slug : {"multiplied", "distance", "origin_is_focus", "other_focus"}) {
+    Provable& p = *std::ranges::find(all, "3.1-" + std::string(slug), &Provable::claim);
+    p.preamble = atan2_in_coq + distances_in_coq;
+    for (Lemma& lemma : p.lemmas)
+      if (lemma.tactic != "interval")
+        lemma.tactic = lemma.name == "mirror_image" ? "by_mirrored_distance" : "by_distance";
+  }
   return all;
 }
 

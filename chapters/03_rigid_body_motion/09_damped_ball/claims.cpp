@@ -8,6 +8,7 @@
 #include <cmath>
 #include <concepts>
 #include <iterator>
+#include <limits>
 #include <numbers>
 
 #include "chapters/03_rigid_body_motion/09_damped_ball/damped_ball.hpp"
@@ -15,6 +16,7 @@
 #include "chapters/provable_claims.hpp"
 #include "reference/text.hpp"
 #include "solvers/dual.hpp"
+#include "solvers/roots.hpp"
 
 namespace oddity::ex03_09 {
 
@@ -28,39 +30,33 @@ struct Moving {
   double x, rate;
 };
 
-/// A coordinate a time later, by the Taylor series of the differential equation, which knows no roots.
-Moving later(const Ball& b, const Moving& now, double time) {
-  constexpr int terms = 30;
-  double term = now.x, next = now.rate * time;
-  Moving then{term + next, now.rate};
-  for (int n = 2; n < terms; ++n) {
-    const double after = -(b.a * time * (n - 1) * next + b.c * time * time * term) / (b.m * n * (n - 1));
-    term = next, next = after;
-    then.x += next;
-    then.rate += n * next / time;
-  }
-  return then;
-}
-
-/// Motion after any time, in steps of at most half a radian of the undamped spring.
-Moving long_after(const Ball& b, Moving now, double time) {
+/// A coordinate a time later, by the Taylor series of the differential equation, which knows no roots. Its
+/// steps are at most half a radian of the undamped spring.
+Moving later(const Ball& b, Moving now, double time) {
   const int steps = 1 + static_cast<int>(2 * time * sqrt(b.c / b.m));
-  for (int i = 0; i < steps; ++i) now = later(b, now, time / steps);
+  for (int i = 0; i < steps; ++i) {
+    Moving term = now;
+    for (int n = 1; n < 30; ++n) {
+      const double part = time / steps / n;
+      term = {part * term.rate, -part * (b.c * term.x + b.a * term.rate) / b.m};
+      now.x += term.x, now.rate += term.rate;
+    }
+  }
   return now;
 }
 
 /// Both coordinates at a time.
 Pair by_equation(const Ball& b, double t) {
-  return {long_after(b, {b.p1, b.v1}, t).x, long_after(b, {b.p2, b.v2}, t).x};
+  return {later(b, {b.p1, b.v1}, t).x, later(b, {b.p2, b.v2}, t).x};
 }
 const std::string series = "the differential equation's Taylor series";
 
 // ---- samples ----------------------------------------------------------------------------------------------
 
 /// exp(alpha t) (K1 cos(beta t) + K2 sin(beta t)).
-template <class T>
-auto oscillation(const T& alpha, const T& beta, const T& k1, const T& k2) {
-  return [=](const auto& t) { return exp(alpha * t) * (k1 * cos(beta * t) + k2 * sin(beta * t)); };
+template <class T, class X>
+X oscillation(const T& alpha, const T& beta, const T& k1, const T& k2, const X& t) {
+  return exp(alpha * t) * (k1 * cos(beta * t) + k2 * sin(beta * t));
 }
 
 /// A ball from p with velocity v, its friction below the critical, and a time.
@@ -70,68 +66,47 @@ struct MotionOf : Given<T> {
   using Given<T>::m, Given<T>::c, Given<T>::a, Given<T>::p1, Given<T>::p2, Given<T>::v1, Given<T>::v2;
 
   std::array<T*, 8> letters() { return {&m, &c, &a, &p1, &p2, &v1, &v2, &t}; }
+  Two<T> p() const { return {p1, p2}; }
+  Two<T> v() const { return {v1, v2}; }
   T alpha() const { return -a / (2 * m); }
   T beta() const { return sqrt(4 * m * c - a * a) / (2 * m); }
-  /// The solution's K2 of a coordinate; its K1 is p.
-  T sine(const T& p, const T& v) const { return (v - alpha() * p) / beta(); }
+  /// The solution's K2 of each coordinate; its K1 is p.
+  Two<T> k() const { return {(v1 - alpha() * p1) / beta(), (v2 - alpha() * p2) / beta()}; }
+  T product_of_p_and_k() const { return p1 * k()[1] - p2 * k()[0]; }
+  /// Letters by the equation; in expressions x_1 and x_2 are those of its solution.
   TypesetIn<T> typeset() const {
-    const T k1 = sine(p1, v1), k2 = sine(p2, v2);
-    const Two<T> rates = accelerations();
-    return {{"m", m},
-            {"c", c},
-            {"a", a},
-            {"t", t},
-            {R"(\alpha)", alpha()},
-            {R"(\beta)", beta()},
-            {"p", {p1, p2}},
-            {"v", {v1, v2}},
-            {"x", {p1, p2}},
-            {R"(\dot x)", {v1, v2}},
-            {R"(\ddot x)", {rates[0], rates[1]}},
-            {"p_1", p1},
-            {"p_2", p2},
-            {"v_1", v1},
-            {"v_2", v2},
-            {"K_1", {p1, p2}},
-            {"K_2", {k1, k2}},
-            {"k_1", k1},
-            {"k_2", k2}};
+    const Two<T> rates = lagrange_accelerations(energy(m, c), p(), v(), friction()), x = [this] {
+      if constexpr (std::same_as<T, double>)
+        return by_equation(*this, t);
+      else
+        return Two<T>{solution(t)[0].value, solution(t)[1].value};
+    }();
+    TypesetIn<T> all{
+        {"m", m},      {"c", c},     {"a", a},    {"t", t},    {R"(\alpha)", alpha()}, {R"(\beta)", beta()},
+        {"p_1", p1},   {"p_2", p2},  {"v_1", v1}, {"v_2", v2}, {"k_1", k()[0]},        {"k_2", k()[1]},
+        {"x_1", x[0]}, {"x_2", x[1]}};
+    for (const auto& [name, pair] : {std::pair{"p", p()},
+                                     {"v", v()},
+                                     {"x", p()},
+                                     {R"(\dot x)", v()},
+                                     {R"(\ddot x)", rates},
+                                     {"K_1", p()},
+                                     {"K_2", k()}})
+      all.emplace_back(name, pair);
+    return all;
   }
-  /// The solutions' coordinates as functions of the time, in a function of two.
-  template <class F>
-  auto with_solutions(const F& f) const {
-    return f(oscillation(alpha(), beta(), p1, sine(p1, v1)), oscillation(alpha(), beta(), p2, sine(p2, v2)));
+  /// The solutions' coordinates and their rates.
+  Two<Dual<T>> solution(const T& time) const {
+    const Dual<T> at(time, T(1));
+    return {oscillation(alpha(), beta(), p1, k()[0], at), oscillation(alpha(), beta(), p2, k()[1], at)};
   }
-  static constexpr auto lagrangian_of(const T& m, const T& c) {
+  /// The Lagrangian m|u|^2/2 - c|q|^2/2. With -a and 0 it is minus Rayleigh's dissipation.
+  static auto energy(const T& of_u, const T& of_q) {
     return [=]<class X>(const Two<X>& q, const Two<X>& u) {
-      return X(m / 2) * (u[0] * u[0] + u[1] * u[1]) - X(c / 2) * (q[0] * q[0] + q[1] * q[1]);
+      return X(of_u / 2) * (u[0] * u[0] + u[1] * u[1]) - X(of_q / 2) * (q[0] * q[0] + q[1] * q[1]);
     };
   }
-  Two<T> friction() const {
-    const auto dissipation = [this]<class X>(const Two<X>&, const Two<X>& u) {
-      return X(a / 2) * (u[0] * u[0] + u[1] * u[1]);
-    };
-    const Two<T> slope = df_dv(dissipation, Two<T>{p1, p2}, {v1, v2});
-    return {-slope[0], -slope[1]};
-  }
-  /// The generalized forces of spring and friction at the start.
-  Two<T> forces() const {
-    const Two<T> of_spring = df_dq(lagrangian_of(m, c), Two<T>{p1, p2}, {v1, v2}), slowing = friction();
-    return {of_spring[0] + slowing[0], of_spring[1] + slowing[1]};
-  }
-  /// The accelerations at the start, by Lagrange's equations with friction.
-  Two<T> accelerations() const {
-    return lagrange_accelerations(lagrangian_of(m, c), Two<T>{p1, p2}, {v1, v2}, friction());
-  }
-  /// K1 and K2 of both coordinates from the linear equations x(0) = p and x'(0) = v.
-  std::array<T, 4> constants() const {
-    const auto cosine = oscillation(alpha(), beta(), T(1), T(0)),
-               sine = oscillation(alpha(), beta(), T(0), T(1));
-    const T c0 = cosine(T(0)), s0 = sine(T(0)), c_rate = derivative(cosine, T(0)),
-            s_rate = derivative(sine, T(0)), determinant = c0 * s_rate - s0 * c_rate;
-    return {(p1 * s_rate - s0 * v1) / determinant, (p2 * s_rate - s0 * v2) / determinant,
-            (c0 * v1 - p1 * c_rate) / determinant, (c0 * v2 - p2 * c_rate) / determinant};
-  }
+  Two<T> friction() const { return df_dv(energy(-a, T(0)), p(), v()); }
 };
 using Motion = MotionOf<double>;
 
@@ -152,33 +127,28 @@ std::vector<Motion> motions(double seed) {
   return all;
 }
 
-/// A ball with v = s p, its friction below the critical, and a time.
+/// A motion with v = s p.
 template <class T>
-struct InLineOf {
-  T m, c, a, t, p1, p2, s;
-
-  std::array<T*, 7> letters() { return {&m, &c, &a, &t, &p1, &p2, &s}; }
-  MotionOf<T> motion() const { return {{m, c, a, p1, p2, s * p1, s * p2}, t}; }
-  /// Numbers by the equation, letters by its solution.
-  TypesetIn<T> typeset() const {
-    TypesetIn<T> all = motion().typeset();
-    const Two<T> x = [this]() -> Two<T> {
-      if constexpr (std::same_as<T, double>)
-        return by_equation(motion(), t);
-      else
-        return motion().with_solutions([this](const auto& x1, const auto& x2) {
-          return Two<T>{x1(t), x2(t)};
-        });
-    }();
-    all.emplace_back("x_1", x[0]);
-    all.emplace_back("x_2", x[1]);
-    return all;
+struct InLineOf : MotionOf<T> {
+  /// Size of the terms that cancel in the products of both pairs (p, k), and of x and p.
+  double size() const {
+    return 2 * abs(this->p2) *
+           (abs(this->p1) + (abs(this->v1) + abs(this->alpha() * this->p1)) / this->beta());
   }
-  /// Size of the terms that cancel in the products of both pairs (p, k), k = (v - alpha p)/beta, and of x and
-  /// p.
-  double size() const { return 2 * abs(p1 * p2) * (1 + (abs(s) + abs(motion().alpha())) / motion().beta()); }
 };
 using InLine = InLineOf<double>;
+
+std::vector<InLine> in_line(double seed) {
+  std::vector<InLine> all;
+  Random random(seed);
+  for (const Motion& motion : motions(seed)) {
+    InLine& s = all.emplace_back(InLine{motion});
+    s.p1 = random.magnitude(0.2, 2), s.p2 = random.magnitude(0.2, 2);
+    const double rate = random.between(-2, 2);
+    s.v1 = rate * s.p1, s.v2 = rate * s.p2;
+  }
+  return all;
+}
 
 /// The characteristic polynomial's coefficients, its roots by the text, any number r, and a time.
 template <class T>
@@ -228,26 +198,24 @@ struct Strong : Ball {
   }
   /// Changes of the coordinate's sign until long after the last that there may be.
   int passages() const {
-    const double step = 0.1 * sqrt(m / c);
     int count = 0;
     Moving now{p1, v1};
     for (int i = 0; i < 300; ++i) {
-      const Moving next = later(*this, now, step);
-      if (now.x * next.x < 0) ++count;
-      now = next;
+      const double before = now.x;
+      now = later(*this, now, 0.1 * sqrt(m / c));
+      count += before * now.x < 0;
     }
     return count;
   }
   /// Whether the coordinate's sign changes within a billionth of this time.
   bool passes_at(double time) const {
     constexpr double billionth = 1e-9;
-    const auto x = [&](double part) { return long_after(*this, {p1, v1}, part * time).x; };
+    const auto x = [&](double part) { return later(*this, {p1, v1}, part * time).x; };
     return x(1 - billionth) * x(1 + billionth) < 0;
   }
   double passage() const { return r1 == r2 ? -1 / (v1 / p1 - r1) : std::log(-k2 / k1) / (r1 - r2); }
-  double speed() const {  ///< at the origin, in |p| a second
-    return abs(k1 * r1 * std::exp(r1 * passage()) + k2 * r2 * std::exp(r2 * passage())) / abs(p1);
-  }
+  /// At the origin, in |p| a second.
+  double speed() const { return abs(later(*this, {p1, v1}, passage()).rate / p1); }
 };
 
 /// Balls from any place with any velocity, the last one with a double root.
@@ -292,26 +260,48 @@ struct Frictions {
   }
   /// The time to come near the origin, for strong friction.
   static double home_after(double friction) {
-    double early = 0, late = 1000;
-    for (int i = 0; i < 60; ++i) {
-      const double t = (early + late) / 2;
-      (left_after(friction, t) > nearly ? early : late) = t;
-    }
-    return late;
+    return brent([=](double t) { return left_after(friction, t) - nearly; }, 0, 1000, 0).value;
   }
 };
+
+/// A coordinate when it is zero, and the uncertainty of this time.
+template <class T>
+struct AtZeroOf {
+  T alpha, beta, p, v, t;
+  double known = 0;
+
+  std::array<T*, 5> quantities() { return {&alpha, &beta, &p, &v, &t}; }
+  TypesetIn<T> typeset() const {
+    return {{R"(\alpha)", alpha}, {R"(\beta)", beta}, {"p_1", p}, {"v_1", v}, {"t", t}};
+  }
+  template <class X>
+  X at(const X& time) const {
+    return oscillation(alpha, beta, p, T((v - alpha * p) / beta), time);
+  }
+  /// lambda (-sin(beta t), cos(beta t)), which makes x' = beta e^(alpha t) lambda.
+  Two<T> turned() const {
+    const T lambda = derivative([&](const auto& time) { return at(time); }, t) / (beta * exp(alpha * t));
+    return {-lambda * sin(beta * t), lambda * cos(beta * t)};
+  }
+  Tolerance tolerance(double size) const {
+    return {beta * known * size + rounding(size).allowed,
+            "the passage's uncertainty, as an angle, and 64 roundings"};
+  }
+};
+using AtZero = AtZeroOf<double>;
 
 /// The claims with proofs.
 struct Tables {
   ProvableClaims<MotionOf> motion;
   ProvableClaims<InLineOf> in_line;
   ProvableClaims<PolynomialOf> polynomial;
+  ProvableClaims<AtZeroOf> zeros;
 
-  explicit Tables(Claims& claims) : motion(claims), in_line(claims), polynomial(claims) {}
+  explicit Tables(Claims& claims) : motion(claims), in_line(claims), polynomial(claims), zeros(claims) {}
 };
 
 template <template <class> class Of>
-const ProvableFormula<Of> zero{"zero", []<class T>(const Of<T>&) { return values(T(0)); }};
+const ProvableFormula<Of> zero{"zero", []<class T>(const Of<T>&) { return T(0); }};
 const std::string of_zero = "a factor of zero may have any size and sign";
 
 // ---- texts ------------------------------------------------------------------------------------------------
@@ -319,10 +309,6 @@ const std::string of_zero = "a factor of zero may have any size and sign";
 const std::string
     two_exponentials = "$K_1e^{r_1t}+K_2e^{r_2t}$",
     damped_oscillation = R"(e^{\alpha t}\left(p\cos\beta t+\frac{v-\alpha p}\beta\sin\beta t\right))",
-    conditions = R"($p\cos\beta t+\frac{v-\alpha p}\beta\sin\beta t=0$)",
-    printed_product = R"($(\cos\beta t,\ \sin\beta t)\cdot(p_1,\ v_1-\alpha p_1\beta)=0$)",
-    product = R"($(\cos\beta t,\ \sin\beta t)\cdot(p_1,\ (v_1-\alpha p_1)/\beta)=0$)",
-    printed_pair = R"($(p_1,\ v_1-\alpha p_1\beta)$)", pair = R"($(p_1,\ (v_1-\alpha p_1)/\beta)$)",
     as_cotangent = R"($t=\frac1\beta\left(\frac\pi2+\tan^{-1}\frac{v_1-\alpha p_1}{\beta p_1}\right)$)",
     of_products =
         R"($t=\frac1\beta\left(\frac\pi2+\tan^{-1}\frac{(v-\alpha p)\cdot p}{\beta\,p\cdot p}\right)$)",
@@ -331,13 +317,16 @@ const std::string
 // ---- the equation and its solutions -----------------------------------------------------------------------
 
 void equations(ProvableClaims<MotionOf>& table, const std::vector<Motion>& samples) {
-  table.formula("generalized_forces", 1439,
-                R"(The generalized forces of spring and friction are $-cx-a\dot x$ for each coordinate)",
-                samples,
-                {.quantity = R"($(F_{x_1},F_{x_2})$)",
-                 .truth = {"the spring's potential and Rayleigh's dissipation by dual numbers",
-                           [](const auto& s) { return s.forces(); }},
-                 .printed = R"($-cx-a\dot x$)"});
+  table.formula(
+      "generalized_forces", 1439,
+      R"(The generalized forces of spring and friction are $-cx-a\dot x$ for each coordinate)", samples,
+      {.quantity = R"($(F_{x_1},F_{x_2})$)",
+       .truth = {"the spring's potential and Rayleigh's dissipation by dual numbers",
+                 [](const auto& s) {
+                   const auto spring = df_dq(s.energy(s.m, s.c), s.p(), s.v()), slowing = s.friction();
+                   return values(spring[0] + slowing[0], spring[1] + slowing[1]);
+                 }},
+       .printed = R"($-cx-a\dot x$)"});
   table.formula("equations", 1449, R"(Each coordinate obeys $m\ddot x+a\dot x+cx=0$)", samples,
                 {.quantity = R"($m\ddot x+a\dot x+cx$, the accelerations by Lagrange's equations)",
                  .truth = zero<MotionOf>,
@@ -371,27 +360,24 @@ void characteristic_roots(ProvableClaims<PolynomialOf>& table, const std::vector
                  .near_misses = {roots_with(R"(of $(-a\pm\sqrt{a^2-2mc})/(2m)$)", 2)}});
 }
 
-void solutions(Claims& claims, const std::vector<Polynomial>& polynomials, double seed) {
-  const auto is_as_told = [](const Polynomial& s, const Pair& root) {
-    const auto [re, im] = root;
+void solutions(Claims& claims, std::vector<Polynomial> polynomials, double seed) {
+  const auto is_as_told = [](const Polynomial& s, double sign) {
+    const auto [re, im] = s.root(sign);
     // the roundings of -a and the square root, which may cancel, change r by roundings of a/m; the slope is
     // at most a
     const double terms = s.m * (re * re + im * im) + s.a * std::hypot(re, im) + s.c + s.a * s.a / s.m,
                  off = std::hypot(s.m * (re * re - im * im) + s.a * re + s.c, (2 * s.m * re + s.a) * im);
     return off <= rounding(terms).allowed && re < 0 && (im == 0) == (s.a * s.a - 4 * s.m * s.c >= 0);
   };
-  std::vector<Polynomial> with_double_root = polynomials;
-  with_double_root.emplace_back();
-  with_double_root.back().m = 1, with_double_root.back().c = with_double_root.back().a = 4;
+  Polynomial& double_root = polynomials.emplace_back();
+  double_root.m = 1, double_root.c = double_root.a = 4;
   claims.statement<Polynomial>(
       "negative_roots", 1461,
       R"(Both roots are real and negative when $a^2-4mc\ge0$, and complex with negative real parts when )"
       R"($a^2-4mc<0$)",
-      with_double_root,
+      polynomials,
       {.printed = {"the text's roots are zeros of the polynomial, and are such",
-                   [=](const Polynomial& s) {
-                     return is_as_told(s, s.root(1)) && is_as_told(s, s.root(-1));
-                   }},
+                   [=](const Polynomial& s) { return is_as_told(s, 1) && is_as_told(s, -1); }},
        .near_misses = {Statement<Polynomial>{R"($\mathrm{Im}\,r=0$)"}}});
 
   const auto two_forms = [](std::string text, double part) -> Formula<Strong> {
@@ -483,9 +469,8 @@ void oscillations(Claims& claims, ProvableClaims<MotionOf>& table, const std::ve
                 {.quantity = R"(the derivative of $x=e^{\alpha t}(K_1\cos\beta t+K_2\sin\beta t)$)",
                  .truth = {"$x$ by dual numbers",
                            [](const auto& s) {
-                             return s.with_solutions([&](const auto& x1, const auto& x2) {
-                               return values(derivative(x1, s.t), derivative(x2, s.t));
-                             });
+                             const auto [x1, x2] = s.solution(s.t);
+                             return values(x1.slope, x2.slope);
                            }},
                  .printed = R"($e^{\alpha t}(-\beta K_1\sin\beta t+\beta K_2\cos\beta t))"
                             R"(+\alpha e^{\alpha t}(K_1\cos\beta t+K_2\sin\beta t)$)"});
@@ -494,11 +479,8 @@ void oscillations(Claims& claims, ProvableClaims<MotionOf>& table, const std::ve
                 {.quantity = R"($(x(0),\dot x(0))$)",
                  .truth = {"$x$ by dual numbers",
                            []<class T>(const MotionOf<T>& s) {
-                             return s.with_solutions([](const auto& x1, const auto& x2) {
-                               const T start(0);
-                               return values(x1(start), x2(start), derivative(x1, start),
-                                             derivative(x2, start));
-                             });
+                             const auto [x1, x2] = s.solution(T(0));
+                             return values(x1.value, x2.value, x1.slope, x2.slope);
                            }},
                  .printed = R"($(K_1,\ \beta K_2+\alpha K_1)$)"});
   table.formula("constants", 1489,
@@ -506,7 +488,16 @@ void oscillations(Claims& claims, ProvableClaims<MotionOf>& table, const std::ve
                 samples,
                 {.quantity = "$(K_1,K_2)$",
                  .truth = {R"(the equations $x(0)=p$, $\dot x(0)=v$, by dual numbers)",
-                           [](const auto& s) { return s.constants(); }},
+                           []<class T>(const MotionOf<T>& s) {
+                             const Dual<T> start(T(0), T(1));
+                             const auto c = oscillation(s.alpha(), s.beta(), T(1), T(0), start),
+                                        w = oscillation(s.alpha(), s.beta(), T(0), T(1), start);
+                             const T determinant = c.value * w.slope - w.value * c.slope;
+                             return values((s.p1 * w.slope - w.value * s.v1) / determinant,
+                                           (s.p2 * w.slope - w.value * s.v2) / determinant,
+                                           (c.value * s.v1 - s.p1 * c.slope) / determinant,
+                                           (c.value * s.v2 - s.p2 * c.slope) / determinant);
+                           }},
                  .printed = R"($(p,\ (v-\alpha p)/\beta)$)"});
   claims.formula<Motion>(
       "damped_oscillation", 1491,
@@ -520,43 +511,27 @@ void oscillations(Claims& claims, ProvableClaims<MotionOf>& table, const std::ve
 
 // ---- the arrival ------------------------------------------------------------------------------------------
 
-/// First positive time at the origin, and its uncertainty in double: roundings of the terms that cancel
-/// there, divided by the slope. No number if the ball does not come there within half a turn.
-struct Passage {
-  double time;
-  Tolerance known;
-};
-
-/// Found by marching along p for half a turn, and by bisection.
-Passage first_passage(const Ball& b) {
-  const Passage none{std::numeric_limits<double>::quiet_NaN(), exact()};
-  const double rate = sqrt(b.c / b.m), step = 0.5 / rate,
-               end = pi / (sqrt(4 * b.m * b.c - b.a * b.a) / (2 * b.m));
-  Moving now{b.p1 * b.p1 + b.p2 * b.p2, b.p1 * b.v1 + b.p2 * b.v2};
-  double start = 0;
-  for (; now.x * later(b, now, step).x > 0; start += step) {
-    if (start > end) return none;
-    now = later(b, now, step);
-  }
-  double low = 0, high = step;
-  for (int i = 0; i < 60; ++i)
-    (now.x * later(b, now, (low + high) / 2).x > 0 ? low : high) = (low + high) / 2;
-  const double slope = abs(later(b, now, high).rate), time = start + high,
-               terms =
-                   abs(b.p1) * (abs(b.p1) + abs(b.v1) / rate) + abs(b.p2) * (abs(b.p2) + abs(b.v2) / rate),
-               across = long_after(b, {0, b.p1 * b.v2 - b.p2 * b.v1}, time).x;
-  if (abs(across) > rounding(terms).allowed) return none;
-  return {time, rounding(time + terms / slope)};
-}
-
-/// A ball below the critical friction at its passage.
+/// A ball below the critical friction at its passage: the first positive time at the origin, found by
+/// marching along p for half a turn and by Brent-Dekker. Its uncertainty in double is that of roundings of
+/// the terms that cancel there, divided by the slope. No number if the ball does not come there.
 struct Start {
   Motion motion;
-  Tolerance known;
+  Tolerance known = exact();
 
-  explicit Start(const Ball& ball) : motion{ball, 0} {
-    const Passage found = first_passage(ball);
-    motion.t = found.time, known = found.known;
+  explicit Start(const Ball& b) : motion{b, std::numeric_limits<double>::quiet_NaN()} {
+    const double rate = sqrt(b.c / b.m), step = 0.5 / rate, half_turn = pi / motion.beta();
+    const auto along = [&](double t) {
+      return later(b, {b.p1 * b.p1 + b.p2 * b.p2, b.p1 * b.v1 + b.p2 * b.v2}, t);
+    };
+    double low = 0;
+    for (; along(low).x * along(low + step).x > 0; low += step)
+      if (low > half_turn) return;
+    const double high = brent([&](double t) { return along(t).x; }, low, low + step, 0).value;
+    const double terms =
+                     abs(b.p1) * (abs(b.p1) + abs(b.v1) / rate) + abs(b.p2) * (abs(b.p2) + abs(b.v2) / rate),
+                 across = later(b, {0, b.p1 * b.v2 - b.p2 * b.v1}, high).x;
+    if (abs(across) > rounding(terms).allowed) return;
+    motion.t = high, known = rounding(high + terms / abs(along(high).rate));
   }
   TypesetLetters typeset() const { return motion.typeset(); }
   Tolerance tolerance(double) const { return known; }
@@ -564,18 +539,10 @@ struct Start {
 /// The ball of the examples, with little friction.
 Start weak(double p1, double p2, double v1, double v2) { return Start({1, 4, 0.4, p1, p2, v1, v2}); }
 
-/// Start for quantities that are not a time.
-struct AtOrigin : Start {
-  Tolerance tolerance(double size) const {
-    return {motion.beta() * known.allowed * size + rounding(size).allowed,
-            "the passage's uncertainty, as an angle, and 64 roundings"};
-  }
-};
-
 /// Balls with p and v parallel in all directions. Some are on an axis, where the other coordinate is zero for
 /// ever. For some v = alpha p.
-std::vector<AtOrigin> in_all_directions(double seed) {
-  std::vector<AtOrigin> all;
+std::vector<Start> in_all_directions(double seed) {
+  std::vector<Start> all;
   Random random(seed);
   for (int i = 0; i < 120; ++i) {
     const double angle = random.between(0, 2 * pi), size = random.between(0.2, 2),
@@ -583,7 +550,7 @@ std::vector<AtOrigin> in_all_directions(double seed) {
     Ball ball = ball_of(random, random.between(0.03, 0.95), {p1, p2}, {});
     const double s = i % 5 == 0 ? Motion{ball, 0}.alpha() : random.between(-2, 2);
     ball.v1 = s * p1, ball.v2 = s * p2;
-    all.push_back({Start(ball)});
+    all.emplace_back(ball);
   }
   return all;
 }
@@ -596,9 +563,7 @@ void parallel(Tables& tables, const std::vector<Motion>& samples, const std::vec
       samples,
       {.quantity = R"($\beta$ times the vectors' product)",
        .truth = {R"($\beta\,p\times(v-\alpha p)/\beta$)",
-                 [](const auto& s) {
-                   return s.beta() * (s.p1 * s.sine(s.p2, s.v2) - s.p2 * s.sine(s.p1, s.v1));
-                 }},
+                 [](const auto& s) { return s.beta() * s.product_of_p_and_k(); }},
        .printed = "$p_1v_2-p_2v_1$"});
   tables.in_line.formula(
       "one_equation", 1515,
@@ -624,8 +589,7 @@ void parallel(Tables& tables, const std::vector<Motion>& samples, const std::vec
       R"(for the letter))",
       samples,
       {.quantity = R"($p_1k_2-p_2k_1$, $k=(v-\alpha p)/\beta$)",
-       .truth = {"the vectors' product",
-                 [](const auto& s) { return s.p1 * s.sine(s.p2, s.v2) - s.p2 * s.sine(s.p1, s.v1); }},
+       .truth = {"the vectors' product", [](const auto& s) { return s.product_of_p_and_k(); }},
        .printed = R"($(p_1\cos\beta t+k_1\sin\beta t)(k_2\cos\beta t-p_2\sin\beta t))"
                   R"(-(p_2\cos\beta t+k_2\sin\beta t)(k_1\cos\beta t-p_1\sin\beta t)$)"});
   tables.motion.formula(
@@ -636,47 +600,69 @@ void parallel(Tables& tables, const std::vector<Motion>& samples, const std::vec
       {.quantity = R"($x_1\dot x_2-x_2\dot x_1$ at $t$)",
        .truth = {"the closed form, differentiated by dual numbers",
                  [](const auto& s) {
-                   return s.with_solutions([&](const auto& x1, const auto& x2) {
-                     return x1(s.t) * derivative(x2, s.t) - x2(s.t) * derivative(x1, s.t);
-                   });
+                   const auto [x1, x2] = s.solution(s.t);
+                   return x1.value * x2.slope - x2.value * x1.slope;
                  }},
        .printed = "$e^{-at/m}(p_1v_2-p_2v_1)$"});
 }
 
-/// lambda (-sin(beta t), cos(beta t)) where x is zero, which makes x' = beta e^(alpha t) lambda.
-template <class T>
-std::array<T, 2> turned(const T& alpha, const T& beta, const T& p, const T& v, const T& t) {
-  const T lambda =
-      derivative(oscillation(alpha, beta, p, T((v - alpha * p) / beta)), t) / (beta * exp(alpha * t));
-  return {-lambda * sin(beta * t), lambda * cos(beta * t)};
-}
-
-void arrivals(Claims& claims, double seed) {
-  const std::vector<AtOrigin> there = in_all_directions(seed);
-  const std::vector<Start> directions(there.begin(), there.end());
-  std::vector<Start> aslant;  // all but those where the first coordinate is zero for ever
-  std::ranges::copy_if(directions, std::back_inserter(aslant),
-                       [](const Start& s) { return s.motion.p1 != 0; });
-  const Formula<Start> by_bisection{"the integrated motion's first sign change along $p$, by bisection",
-                                    [](const Start& s) { return s.motion.t; }};
-  const Formula<AtOrigin> is_zero{"zero", [](const AtOrigin&) { return 0.0; }};
-  const std::string when = "first time at the origin";
-  claims.formula<AtOrigin>(
+void at_zeros(ProvableClaims<AtZeroOf>& table, const std::vector<AtZero>& samples) {
+  table.formula(
       "arrival_conditions", 1501,
       R"(With complex roots the ball is at the origin where $p_i\cos\beta t+\frac{v_i-\alpha p_i}\beta\sin\beta t=0$ )"
       R"(for $i=1$ and 2, as the exponential is not zero for finite time)",
-      there,
-      {.quantity = "the left sides where the integrated motion is at the origin",
-       .truth = is_zero,
-       .printed = {conditions},
+      samples,
+      {.quantity = "either left side, named the first, where the integrated motion is at the origin",
+       .truth = zero<AtZeroOf>,
+       .printed = R"($p_1\cos\beta t+\frac{v_1-\alpha p_1}\beta\sin\beta t=0$)",
        .changes_that_hold = of_zero});
+  const Motion b = weak(1, 0, 0, 0).motion;
+  table.formula(
+      "dot_product", 1531,
+      R"(Where $x_1$ is zero, $(\cos\beta t,\ \sin\beta t)\cdot(p_1,\ (v_1-\alpha p_1)/\beta)=0$ (the text has $i$ )"
+      R"(for 1 and 2))",
+      samples,
+      {.quantity = R"(the pair's product with $(\cos\beta t,\ \sin\beta t)$)",
+       .truth = zero<AtZeroOf>,
+       .printed = R"($(\cos\beta t,\ \sin\beta t)\cdot(p_1,\ v_1-\alpha p_1\beta)=0$)",
+       .meant = R"($(\cos\beta t,\ \sin\beta t)\cdot(p_1,\ (v_1-\alpha p_1)/\beta)=0$)",
+       .changes_that_hold = of_zero,
+       .kind = Fault::lost_typography,
+       .why = filled(
+           "The fraction bar is lost in the text at hand, here and in line 1537; lines 1505 and 1511 show "
+           "it. For $m=@1$, $c=@1$, $a=@1$ and $p=@1$ at rest the pair is $(@1,@2)$, and $(@1,@2)$ with the "
+           "product.",
+           {b.m, b.c, b.a, b.p1, b.p1, -b.alpha() * b.p1 / b.beta(), b.p1, -b.alpha() * b.p1 * b.beta()})});
+  table.formula(
+      "turned_pair", 1537,
+      R"(Where $x_1$ is zero, $(p_1,\ (v_1-\alpha p_1)/\beta)=\lambda_1(-\sin\beta t,\ \cos\beta t)$ (the text has $i$ )"
+      R"(for 1 and 2))",
+      samples,
+      {.quantity = "the pair",
+       .truth = {R"($\lambda_1(-\sin\beta t,\ \cos\beta t)$, $\lambda_1=\dot x_1/(\beta e^{\alpha t})$)",
+                 [](const auto& s) { return s.turned(); }},
+       .printed = R"($(p_1,\ v_1-\alpha p_1\beta)$)",
+       .meant = R"($(p_1,\ (v_1-\alpha p_1)/\beta)$)",
+       .kind = Fault::lost_typography,
+       .why =
+           "The fraction bar is lost in the text at hand, here and in line 1531; lines 1505 and 1511 show it."});
+}
+
+void arrivals(Claims& claims, double seed) {
+  const std::vector<Start> directions = in_all_directions(seed);
+  std::vector<Start> aslant;  // all but those where the first coordinate is zero for ever
+  std::ranges::copy_if(directions, std::back_inserter(aslant),
+                       [](const Start& s) { return s.motion.p1 != 0; });
+  const Formula<Start> integrated{"the integrated motion's first sign change along $p$, by Brent-Dekker",
+                                  [](const Start& s) { return s.motion.t; }};
+  const std::string when = "first time at the origin";
   claims.formula<Start>(
       "first_equation_suffices", 1515,
       R"(With complex roots, and $p\ne0$ and $v$ parallel, the first condition can be solved for the time (our )"
       R"(reading: the first $t>0$, by the inverse cotangent))",
       directions,
       {.quantity = when,
-       .truth = by_bisection,
+       .truth = integrated,
        .printed = {as_cotangent},
        .corrected = {of_products},
        .in_view = {"where $p_1$ is not zero", [](const Start& s) { return s.motion.p1 != 0; }},
@@ -692,7 +678,7 @@ void arrivals(Claims& claims, double seed) {
       R"(first $t>0$))",
       aslant,
       {.quantity = when,
-       .truth = by_bisection,
+       .truth = integrated,
        .printed = {principal},
        .corrected = {as_cotangent},
        .kind = Fault::formula,
@@ -740,57 +726,25 @@ void arrivals(Claims& claims, double seed) {
        .why =
            R"(With complex roots and $p\ne0$, parallel is enough, in either direction or with $v=0$: a ball that )"
            R"(moves straight away from the origin turns round and comes back through it.)"});
-
-  const Motion& b = at_rest.motion;
-  claims.formula<AtOrigin>(
-      "dot_product", 1531,
-      R"(Where $x_1$ is zero, $(\cos\beta t,\ \sin\beta t)\cdot(p_1,\ (v_1-\alpha p_1)/\beta)=0$ (the text has $i$ )"
-      R"(for 1 and 2))",
-      there,
-      {.quantity = R"(the pair's product with $(\cos\beta t,\ \sin\beta t)$)",
-       .truth = is_zero,
-       .printed = {printed_product},
-       .meant = {product},
-       .changes_that_hold = of_zero,
-       .kind = Fault::lost_typography,
-       .why = filled(
-           "The fraction bar is lost in the text at hand, here and in line 1537; lines 1505 and 1511 show "
-           "it. For $m=@1$, $c=@1$, $a=@1$ and $p=@1$ at rest the pair is $(@1,@2)$, and $(@1,@2)$ with the "
-           "product.",
-           {b.m, b.c, b.a, b.p1, b.p1, -b.alpha() * b.p1 / b.beta(), b.p1, -b.alpha() * b.p1 * b.beta()})});
-  claims.formula<AtOrigin>(
-      "turned_pair", 1537,
-      R"(Where $x_1$ is zero, $(p_1,\ (v_1-\alpha p_1)/\beta)=\lambda_1(-\sin\beta t,\ \cos\beta t)$ (the text has $i$ )"
-      R"(for 1 and 2))",
-      there,
-      {.quantity = "the pair",
-       .truth = {R"($\lambda_1(-\sin\beta t,\ \cos\beta t)$, $\lambda_1=\dot x_1/(\beta e^{\alpha t})$)",
-                 [](const AtOrigin& s) {
-                   const Motion& at = s.motion;
-                   return turned(at.alpha(), at.beta(), at.p1, at.v1, at.t);
-                 }},
-       .printed = {printed_pair},
-       .meant = {pair},
-       .kind = Fault::lost_typography,
-       .why =
-           "The fraction bar is lost in the text at hand, here and in line 1531; lines 1505 and 1511 show it."});
 }
 
 std::vector<Claim> claims(double seed) {
   Claims all("3.9");
   Tables tables(all);
   std::vector<Motion> samples = motions(seed);
-  std::vector<InLine> in_line;
-  Random random(seed);
-  for (const Motion& s : samples)
-    in_line.push_back(
-        {s.m, s.c, s.a, s.t, random.magnitude(0.2, 2), random.magnitude(0.2, 2), random.between(-2, 2)});
   const auto polynomials = draw<Polynomial>(300, seed);
   equations(tables.motion, samples);
   characteristic_roots(tables.polynomial, polynomials);
   solutions(all, polynomials, seed);
   oscillations(all, tables.motion, samples);
-  parallel(tables, samples, in_line);
+  parallel(tables, samples, in_line(seed));
+  std::vector<AtZero> zeros;
+  for (const Start& start : in_all_directions(seed))
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Motion& x = start.motion;
+      zeros.push_back({x.alpha(), x.beta(), x.p()[i], x.v()[i], x.t, start.known.allowed});
+    }
+  at_zeros(tables.zeros, zeros);
   arrivals(all, seed);
   for (Motion& s : samples) s.t = -40 / s.alpha();
   all.statement<Motion>(
@@ -814,142 +768,102 @@ std::vector<Proposition> positive(std::initializer_list<Shortened> all) {
   return given;
 }
 
-/// A coordinate at a time.
-struct AtTime {
-  Shortened alpha = Shortened::letter("alpha"), beta = Shortened::letter("beta"), p = Shortened::letter("p"),
-            v = Shortened::letter("v"), t = Shortened::letter("t");
-
-  Expressions of(const std::string& text) const {
-    return recorded_text(
-        text,
-        {{R"(\alpha)", alpha}, {R"(\beta)", beta}, {"p_1", p}, {"v_1", v}, {"p", p}, {"v", v}, {"t", t}});
-  }
-  Proposition is_zero() const {
-    return oscillation(alpha, beta, p, (v - alpha * p) / beta)(t).expression() == Expression(0);
-  }
-  Expressions turned() const { return detail::recorded_value(ex03_09::turned(alpha, beta, p, v, t)); }
-};
-
-/// Proofs of the claims on zeros of a coordinate.
-Provables proofs_at_zeros() {
-  const AtTime any, cosine{-1, 2, 1, -1, pi_of<Shortened>() / 4};  // v = alpha p: zero at pi/(2 beta)
-  const std::string letters = "(alpha beta p v t : R)";
-  const auto off = [&](const Expression& printed, const Expression& is) -> Lemma {
-    return {"printed_differs",
-            "",
-            {},
-            {near(oscillation<Shortened>(-1, 2, 1, 0)(cosine.t).expression(), 0, 1e-10),
-             apart(printed, is, 0.99)},
-            "interval"};
-  };
-  const std::string as_meant =
-      "as meant it holds wherever a coordinate is zero; as printed it is off at an example";
-  return {{"3.9-arrival_conditions",
-           "it holds wherever a coordinate is zero",
-           {{"printed", letters, {any.is_zero()}, {any.of(conditions)[0] == Expression(0)}, "pairing"}}},
-          {"3.9-dot_product",
-           as_meant,
-           {{"meant", letters, {any.is_zero()}, {any.of(product)[0] == Expression(0)}, "pairing"},
-            off(cosine.of(printed_product)[0], 0)},
-           0.99},
-          {"3.9-turned_pair",
-           as_meant,
-           {{"meant",
-             letters,
-             {not_zero(any.beta.expression()), any.is_zero()},
-             equal(any.of(pair), any.turned()),
-             "turned_pair alpha beta p v t"},
-            off(cosine.of(printed_pair)[1], cosine.turned()[1])},
-           0.99}};
+/// Proofs of the claims on zeros of a coordinate. At the example v = alpha p, so that it is zero at pi/(2
+/// beta).
+Provables proofs_at_zeros(const ProvableClaims<AtZeroOf>& table) {
+  const std::vector<std::string> names{"alpha", "beta", "p", "v", "t"};
+  const auto any = lettered<AtZeroOf>(names);
+  const AtZero example{-1, 2, 1, -1, pi / 4};
+  Provables all = table.proofs("3.9", {any,
+                                       quantified(names),
+                                       {not_zero(any.beta.expression()), any.at(any.t).expression() == 0},
+                                       "first [pairing | turned_pair alpha beta p v t]",
+                                       "it holds wherever a coordinate is zero",
+                                       example});
+  for (Provable& proof : all)
+    for (Lemma& lemma : proof.lemmas)
+      if (lemma.name == "printed_differs")
+        lemma.follows.push_back(
+            near(AtZeroOf<Shortened>{-1, 2, 1, -1, pi / 4}.at(Shortened(pi / 4)).expression(), 0, 1e-10));
+  return all;
 }
 
 /// Proofs that coordinates are zero at the corrected times, which are within half a turn.
 Provables proofs_of_arrivals() {
-  AtTime one;
+  const auto one = lettered<AtZeroOf>({"alpha", "beta", "p", "v", "t"});
   const Shortened p1 = Shortened::letter("p1"), p2 = Shortened::letter("p2"), s = Shortened::letter("s");
-  const auto within = [&](std::vector<Proposition> zeros, const Shortened& time) {
-    zeros.push_back(above(time.expression(), 0));
-    zeros.push_back(above((pi_of<Shortened>() / one.beta - time).expression(), 0));
-    return zeros;
+  const auto arrives = [&](const std::string& reading, const std::string& letters, const Proposition& away,
+                           const Shortened& time, const std::vector<Two<Shortened>>& starts) -> Lemma {
+    Lemma lemma{reading, letters, {positive({one.beta})[0], away}, {}, "arriving beta"};
+    for (const auto& [p, v] : starts)
+      lemma.follows.push_back(AtZeroOf<Shortened>{one.alpha, one.beta, p, v, time}.at(time).expression() ==
+                              0);
+    for (const Proposition& within : positive({time, pi_of<Shortened>() / one.beta - time}))
+      lemma.follows.push_back(within);
+    return lemma;
   };
-  const Proposition turns = above(one.beta.expression(), 0);
-  one.t = one.of(as_cotangent)[0];
-  const Lemma of_one{"corrected",
-                     "(alpha beta p v : R)",
-                     {turns, not_zero(one.p.expression())},
-                     within({one.is_zero()}, one.t),
-                     "arriving beta"};
-  const AtTime at_rest{-1, 2, 1, 0, {}};
-  const Lemma early{"printed_differs",
-                    "",
-                    {},
-                    {above((-Shortened(at_rest.of(principal)[0])).expression(), 0.5)},
-                    "interval"};
-
-  const Shortened time = recorded_text(of_products, {{R"(\alpha)", one.alpha},
-                                                     {R"(\beta)", one.beta},
-                                                     {"p", {p1, p2}},
-                                                     {"v", {s * p1, s * p2}},
-                                                     {"t", 0}})[0];
-  const auto zero = [&](const Shortened& p) { return AtTime{one.alpha, one.beta, p, s * p, time}.is_zero(); };
-  const auto of_both = [&](const std::string& reading) -> Lemma {
-    return {reading,
-            "(alpha beta p1 p2 s : R)",
-            {turns, above((p1 * p1 + p2 * p2).expression(), 0)},
-            within({zero(p1), zero(p2)}, time),
-            "arriving beta"};
+  const Shortened of_both = recorded_text(of_products, {{R"(\alpha)", one.alpha},
+                                                        {R"(\beta)", one.beta},
+                                                        {"p", {p1, p2}},
+                                                        {"v", {s * p1, s * p2}},
+                                                        {"t", 0}})[0];
+  const auto both_arrive = [&](const std::string& claim, const std::string& reading) -> Provable {
+    return {claim,
+            "both coordinates are zero at the corrected time, between 0 and pi/beta",
+            {arrives(reading, "(alpha beta p1 p2 s : R)", positive({p1 * p1 + p2 * p2})[0], of_both,
+                     {{p1, s * p1}, {p2, s * p2}})}};
   };
-  const std::string both_zero = "both coordinates are zero at the corrected time, between 0 and pi/beta";
+  const auto time = [](const std::string& text, const AtZeroOf<Shortened>& x) -> Shortened {
+    return recorded_text(text, x.typeset())[0];
+  };
   return {
       {"3.9-arrival_time",
        "the coordinate is zero at the corrected time, between 0 and pi/beta; the printed one is negative at "
        "an example",
-       {of_one, early},
+       {arrives("corrected", "(alpha beta p v : R)", not_zero(one.p.expression()), time(as_cotangent, one),
+                {{one.p, one.v}}),
+        {"printed_differs",
+         "",
+         {},
+         {above((-time(principal, {-1, 2, 1, 0, 0})).expression(), 0.5)},
+         "interval"}},
        0.5},
-      {"3.9-first_equation_suffices", both_zero, {of_both("corrected")}},
-      {"3.9-finite_time", both_zero, {of_both("printed")}}};
-}
-
-/// That a text for x solves the equation from p with velocity v.
-std::vector<Proposition> solves(const std::string& x, TypesetIn<Shortened> letters) {
-  const std::string rate = R"(\frac{d}{dt}()" + x + ")",
-                    second = R"(\frac{d}{dt}\left()" + rate + R"(\right))";
-  letters.emplace_back(R"(\dot t)", 1.0);
-  const auto value = [&](const std::string& text) { return recorded_text("$" + text + "$", letters)[0]; };
-  const auto letter = [&](const std::string& name) { return value(name); };
-  std::vector<Proposition> all{value("m" + second + "+a" + rate + "+c(" + x + ")") == Expression(0)};
-  for (auto& [name, is] : letters)
-    if (name == "t") is = 0.0;
-  all.push_back(value(x) == letter("p"));
-  all.push_back(value(rate) == letter("v"));
-  return all;
+      both_arrive("3.9-first_equation_suffices", "corrected"),
+      both_arrive("3.9-finite_time", "printed")};
 }
 
 /// Proofs that the solutions satisfy the equation and the initial conditions.
 Provables proofs_of_solutions() {
   const Shortened m = Shortened::letter("m"), c = Shortened::letter("c"), a = Shortened::letter("a"),
-                  p = Shortened::letter("p"), v = Shortened::letter("v"), t = Shortened::letter("t");
-  const std::string letters = "(m c a p v t : R)";
-  const auto in_letters = [&](TypesetIn<Shortened> more) {
-    for (const auto& [name, x] : {std::pair{"m", m}, {"c", c}, {"a", a}, {"p", p}, {"v", v}, {"t", t}})
-      more.emplace_back(name, x);
-    return more;
+                  p = Shortened::letter("p"), v = Shortened::letter("v"), t = Shortened::letter("t"),
+                  root = sqrt(a * a - 4 * m * c), r1 = (-a + root) / (2 * m), r2 = (-a - root) / (2 * m),
+                  k1 = (v - r2 * p) / (r1 - r2), turns = 4 * m * c - a * a;
+  const auto solved = [&](const std::string& name, std::vector<Proposition> given, const std::string& x,
+                          const std::string& tactic) -> Lemma {
+    const std::string rate = R"(\frac{d}{dt}()" + x + ")",
+                      second = R"(\frac{d}{dt}\left()" + rate + R"(\right))";
+    const auto value = [&](const std::string& text, const Shortened& time) {
+      return recorded_text("$" + text + "$", {{"m", m},
+                                              {"c", c},
+                                              {"a", a},
+                                              {"p", p},
+                                              {"v", v},
+                                              {"t", time},
+                                              {R"(\dot t)", 1.0},
+                                              {"r_1", r1},
+                                              {"r_2", r2},
+                                              {"K_1", k1},
+                                              {"K_2", p - k1},
+                                              {R"(\alpha)", -a / (2 * m)},
+                                              {R"(\beta)", sqrt(turns) / (2 * m)}})[0];
+    };
+    return {name,
+            "(m c a p v t : R)",
+            std::move(given),
+            {value("m" + second + "+a" + rate + "+c(" + x + ")", t) == Expression(0),
+             value(x, 0.0) == p.expression(), value(rate, 0.0) == v.expression()},
+            tactic};
   };
-  const Shortened root = sqrt(a * a - 4 * m * c), r1 = (-a + root) / (2 * m), r2 = (-a - root) / (2 * m),
-                  k1 = (v - r2 * p) / (r1 - r2), turns = 4 * m * c - a * a, r = -a / (2 * m);
-  const std::string exponentials = two_exponentials.substr(1, two_exponentials.size() - 2);
-  const Lemma solved{
-      "corrected", letters, positive({m, a * a - 4 * m * c}),
-      solves(exponentials, in_letters({{"r_1", r1}, {"r_2", r2}, {"K_1", k1}, {"K_2", p - k1}})), "damped"},
-      double_root{"double_root",
-                  letters,
-                  {above(m.expression(), 0), (a * a).expression() == (4 * m * c).expression()},
-                  solves("(K_1+K_2t)e^{rt}", in_letters({{"r", r}, {"K_1", p}, {"K_2", v - r * p}})),
-                  "twice"},
-      oscillates{"printed", letters, positive({m, turns}),
-                 solves(damped_oscillation,
-                        in_letters({{R"(\alpha)", -a / (2 * m)}, {R"(\beta)", sqrt(turns) / (2 * m)}})),
-                 "damped"};
   const auto thrown_at = [](const Shortened& time) {
     return recorded_text(two_exponentials, {{"r_1", -1.0},
                                             {"r_2", -4.0},
@@ -957,12 +871,17 @@ Provables proofs_of_solutions() {
                                             {"K_2", Shortened(8) / 3},
                                             {"t", time}})[0];
   };
+  const std::string exponentials = two_exponentials.substr(1, two_exponentials.size() - 2);
   const Expression passing = log(Expression(8) / 5) / 3, late = -thrown_at(1.0);
   return {
       {"3.9-two_exponentials",
        "where the roots differ it solves the equation from any start; at a double root the other form does",
-       {solved, double_root}},
-      {"3.9-damped_oscillation", "it holds for any ball", {oscillates}},
+       {solved("corrected", positive({m, a * a - 4 * m * c}), exponentials, "damped"),
+        solved("double_root", {positive({m})[0], (a * a).expression() == (4 * m * c).expression()},
+               R"((p+(v-\alpha p)t)e^{\alpha t})", "twice")}},
+      {"3.9-damped_oscillation",
+       "it holds for any ball",
+       {solved("printed", positive({m, turns}), damped_oscillation, "damped")}},
       {"3.9-overdamped_never_arrives",
        "the ball thrown at the origin is there at ln(8/5)/3, to ten digits, and beyond it at 1",
        {{"corrected", "", {}, {above(passing, 0), near(thrown_at(passing), 0, 1e-10)}, "interval"},
@@ -977,28 +896,21 @@ Provable proof_of_negative_roots(const ForAll<PolynomialOf>& all) {
   const auto first = s.root(1), second = s.root(-1);
   const Shortened square = s.a * s.a - 4 * s.m * s.c;
   const auto lemma = [&](const std::string& name, const Proposition& where, const auto& imaginary) -> Lemma {
-    std::vector<Proposition> given = all.given;
+    std::vector<Proposition> given = all.given, follows = positive({-first[0], -second[0]});
     given.push_back(where);
-    return {name,
-            all.letters,
-            given,
-            {above((-first[0]).expression(), 0), above((-second[0]).expression(), 0),
-             imaginary(first[1].expression()), imaginary(second[1].expression())},
-            "signs_of_the_parts m c a"};
+    for (const Shortened& part : {first[1], second[1]}) follows.push_back(imaginary(part.expression()));
+    return {name, all.letters, given, follows, "signs_of_the_parts m c a"};
   };
   return {"3.9-negative_roots",
           "both parts are as stated for any ball",
           {lemma("real", {square.expression().coq() + " >= 0"},
                  [](const Expression& x) { return x == Expression(0); }),
-           lemma("complex", above((4 * s.m * s.c - s.a * s.a).expression(), 0), not_zero)}};
+           lemma("complex", positive({4 * s.m * s.c - s.a * s.a})[0], not_zero)}};
 }
 
 template <template <class> class Of>
 ForAll<Of> any(const std::vector<std::string>& names, const std::string& tactic) {
-  return {.any = lettered<Of>(names),
-          .letters = quantified(names),
-          .tactic = tactic,
-          .says = "it holds for any ball"};
+  return {lettered<Of>(names), quantified(names), {}, tactic, "it holds for any ball"};
 }
 
 Provables proofs() {
@@ -1008,11 +920,12 @@ Provables proofs() {
   characteristic_roots(tables.polynomial, {});
   oscillations(claims, tables.motion, {});
   parallel(tables, {}, {});
+  at_zeros(tables.zeros, {});
   auto motion = any<MotionOf>({"m", "c", "a", "p1", "p2", "v1", "v2", "t"}, "any_motion");
   motion.given = positive({motion.any.m, 4 * motion.any.m * motion.any.c - motion.any.a * motion.any.a});
-  auto in_line = any<InLineOf>({"m", "c", "a", "t", "p1", "p2", "s"}, "damped");
-  in_line.given =
-      positive({in_line.any.m, 4 * in_line.any.m * in_line.any.c - in_line.any.a * in_line.any.a});
+  ForAll<InLineOf> in_line{{motion.any}, "(m c a p1 p2 s t : R)", motion.given, "damped", motion.says};
+  in_line.any.v1 = Shortened::letter("s") * in_line.any.p1;
+  in_line.any.v2 = Shortened::letter("s") * in_line.any.p2;
   auto polynomial = any<PolynomialOf>({"m", "c", "a", "r", "t"}, "by_parts_of_the_root m c a");
   auto& [m, c, a, r, t] = polynomial.example;
   m = 1, c = 3, a = 2, r = t = 1;
@@ -1027,7 +940,7 @@ Provables proofs() {
   take(tables.polynomial.proofs("3.9", polynomial), parts_in_coq);
   take({proof_of_negative_roots(polynomial)}, parts_in_coq);
   for (const Provables& some : {tables.motion.proofs("3.9", motion), tables.in_line.proofs("3.9", in_line),
-                                proofs_of_solutions(), proofs_at_zeros(), proofs_of_arrivals()})
+                                proofs_of_solutions(), proofs_at_zeros(tables.zeros), proofs_of_arrivals()})
     take(some, damped_in_coq);
   return all;
 }

@@ -17,6 +17,18 @@ namespace oddity::ex03_25 {
 
 namespace {
 
+/// The solution of n linear equations with these elements.
+template <class Left, class Right>
+std::vector<double> solved(std::size_t n, const Left& left, const Right& right) {
+  const auto size = static_cast<Eigen::Index>(n);
+  const auto at = [](Eigen::Index i) { return static_cast<std::size_t>(i); };
+  const Eigen::MatrixXd M =
+      Eigen::MatrixXd::NullaryExpr(size, size, [&](auto i, auto j) { return left(at(i), at(j)); });
+  const Eigen::VectorXd f = Eigen::VectorXd::NullaryExpr(size, [&](auto i) { return right(at(i)); });
+  const Eigen::VectorXd x = solve(Factorization::partial_pivot_lu, M, f).value;
+  return {x.begin(), x.end()};
+}
+
 /// The letters of a random chain of n masses.
 template <class T>
 struct SampleOf {
@@ -49,10 +61,8 @@ struct SampleOf {
   }
   SampleOf<Shortened> recorded() const {
     SampleOf<Shortened> same;
-    const auto copy = [](const std::vector<T>& from, std::vector<Shortened>& to) {
-      to.assign(from.begin(), from.end());
-    };
-    copy(m, same.m), copy(r, same.r), copy(theta, same.theta), copy(omega, same.omega);
+    const auto of = [](const std::vector<T>& x) { return std::vector<Shortened>(x.begin(), x.end()); };
+    same.m = of(m), same.r = of(r), same.theta = of(theta), same.omega = of(omega);
     same.g = g, same.h = h;
     return same;
   }
@@ -135,24 +145,14 @@ struct SampleOf {
   /// theta'' by Lagrange's equations.
   std::vector<double> lagrange(double v_sign = 1) const {
     const std::size_t n = m.size();
-    const auto left_side = [&](std::size_t i, const std::vector<double>& a) {
+    const auto left_side = [&](std::size_t i, std::size_t moving) {
+      std::vector<double> a(n + 1, 0);
+      a[moving] = 1;
       return lagrange_left_side(i, a, v_sign);
     };
-    const auto size = static_cast<Eigen::Index>(n);
-    Eigen::MatrixXd M(size, size);
-    Eigen::VectorXd f(size);
-    std::vector<double> a(n, 0);
-    for (std::size_t i = 0; i < n; ++i) f(static_cast<Eigen::Index>(i)) = -left_side(i, a);
-    for (std::size_t j = 0; j < n; ++j) {
-      a[j] = 1;
-      for (std::size_t i = 0; i < n; ++i) {
-        const auto row = static_cast<Eigen::Index>(i);
-        M(row, static_cast<Eigen::Index>(j)) = left_side(i, a) + f(row);
-      }
-      a[j] = 0;
-    }
-    const Eigen::VectorXd alpha = solve(Factorization::partial_pivot_lu, M, f).value;
-    return {alpha.begin(), alpha.end()};
+    return solved(
+        n, [&](std::size_t i, std::size_t j) { return left_side(i, j) - left_side(i, n); },
+        [&](std::size_t i) { return -left_side(i, n); });
   }
   std::vector<T> newton() const {
     std::vector<T> alpha(m.size());
@@ -180,11 +180,6 @@ using Sample = SampleOf<double>;
 using Table = ProvableClaims<SampleOf>;
 using Of = ProvableFormula<SampleOf>;
 
-template <class T>
-T square(const T& x) {
-  return x * x;
-}
-
 /// Compares two routes to n accelerations. Solving loses digits according to the mass matrix's condition.
 template <class Left, class Right>
 Check accelerations(const std::string& left, const std::string& right, double seed, int least, int most,
@@ -204,36 +199,29 @@ Check accelerations(const std::string& left, const std::string& right, double se
 
 /// Accelerations by the pattern, with the tail mass of the later of two links, or of the earlier one.
 std::vector<double> by_pattern(const Sample& s, bool later) {
-  const auto n = static_cast<Eigen::Index>(s.m.size());
   const auto mu = mass_from_here_on(s.m);
-  Eigen::MatrixXd M(n, n);
-  Eigen::VectorXd f(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const auto a = static_cast<std::size_t>(i);
-    f(i) = -mu[a] * s.g * s.r[a] * std::sin(s.theta[a]);
-    for (Eigen::Index j = 0; j < n; ++j) {
-      const auto b = static_cast<std::size_t>(j);
-      const double weight = mu[later ? std::max(a, b) : std::min(a, b)] * s.r[a] * s.r[b];
-      M(i, j) = weight * std::cos(s.theta[a] - s.theta[b]);
-      f(i) -= weight * std::sin(s.theta[a] - s.theta[b]) * square(s.omega[b]);
-    }
-  }
-  const Eigen::VectorXd alpha = solve(Factorization::partial_pivot_lu, M, f).value;
-  return {alpha.begin(), alpha.end()};
+  const auto weight = [&](std::size_t i, std::size_t j) {
+    return mu[later ? std::max(i, j) : std::min(i, j)] * s.r[i] * s.r[j];
+  };
+  return solved(
+      mu.size(),
+      [&](std::size_t i, std::size_t j) { return weight(i, j) * std::cos(s.theta[i] - s.theta[j]); },
+      [&](std::size_t i) {
+        double f = -mu[i] * s.g * s.r[i] * std::sin(s.theta[i]);
+        for (std::size_t j = 0; j < mu.size(); ++j)
+          f -= weight(i, j) * std::sin(s.theta[i] - s.theta[j]) * s.omega[j] * s.omega[j];
+        return f;
+      });
 }
 
 /// The number of coordinates that the rods' constraints leave free.
 int free_coordinates(const Sample& s) {
-  Eigen::MatrixXd constraints = Eigen::MatrixXd::Zero(3, 6);  // gradients of |p_k - p_(k-1)|^2
+  Eigen::MatrixXd constraints = Eigen::MatrixXd::Zero(3, 8);  // gradients of |p_k - p_(k-1)|^2
   for (int k = 0; k < 3; ++k) {
-    const auto d = s.rod(static_cast<std::size_t>(k));
-    constraints(k, 2 * k) = d[0];
-    constraints(k, 2 * k + 1) = d[1];
-    if (k == 0) continue;
-    constraints(k, 2 * k - 2) = -d[0];
-    constraints(k, 2 * k - 1) = -d[1];
+    const auto [x, y] = s.rod(static_cast<std::size_t>(k));
+    constraints.row(k).segment<4>(2 * k) << -x, -y, x, y;
   }
-  return 6 - rank(constraints);
+  return 6 - rank(constraints.rightCols(6));  // the pivot is fixed
 }
 
 // ---- the text's formulas ----------------------------------------------------------------------------------
@@ -390,14 +378,14 @@ constexpr const char* by_energy = R"(
   assert (D3 : b3 - c3 = 0) by (apply (no_speed r3 _ a3 H4); fold x3; fold y3; lra);
   rewrite D1, D2, D3; ring)";
 
+std::vector<Shortened> three_letters(const std::string& name) {
+  return {Shortened::letter(name + "1"), Shortened::letter(name + "2"), Shortened::letter(name + "3")};
+}
+
 SampleOf<Shortened> three_links() {
   SampleOf<Shortened> s;
-  for (const char* k : {"1", "2", "3"}) {
-    s.m.push_back(Shortened::letter(std::string("m") + k));
-    s.r.push_back(Shortened::letter(std::string("r") + k));
-    s.theta.push_back(Shortened::letter(std::string("a") + k));
-    s.omega.push_back(Shortened::letter(std::string("w") + k));
-  }
+  s.m = three_letters("m"), s.r = three_letters("r"), s.theta = three_letters("a");
+  s.omega = three_letters("w");
   s.g = Shortened::letter("g");
   s.h = Shortened::letter("h");
   return s;
@@ -407,11 +395,7 @@ SampleOf<Shortened> three_links() {
 
 /// Newton's accelerations are the only ones that satisfy Lagrange's equations.
 Provable proof_of_equations(const SampleOf<Shortened>& s) {
-  const auto letters = [](const std::string& name) {
-    return std::vector{Shortened::letter(name + "1"), Shortened::letter(name + "2"),
-                       Shortened::letter(name + "3")};
-  };
-  const std::vector<Shortened> a = letters("b"), other = letters("c"), newton = s.newton();
+  const std::vector<Shortened> a = three_letters("b"), other = three_letters("c"), newton = s.newton();
   Lemma holds{.name = "newton",
               .letters = "(m1 m2 m3 r1 r2 r3 a1 a2 a3 w1 w2 w3 g h b1 b2 b3 : R)",
               .tactic = "by_tensions"};
@@ -431,12 +415,12 @@ Provable proof_of_equations(const SampleOf<Shortened>& s) {
     apart = apart + pow(a[i] - other[i], 2);
   }
   alone.follows = {apart.expression() == 0};
-  return {
-      "3.25-equations",
-      "for any three links in any motion they hold for the accelerations by Newton's law, and for no others",
-      {holds, alone},
-      0,
-      tensions_in_coq};
+  return {"3.25-equations",
+          "for any three links in any motion they hold for the accelerations by Newton's law, and for no "
+          "others",
+          {holds, alone},
+          0,
+          tensions_in_coq};
 }
 
 Provables proofs() {

@@ -1,10 +1,12 @@
 // The claims of exercise 3.35, checked on tops made of point masses, whose Lagrangian with a moving tip is
 // differentiated by nested dual numbers.
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
 
+#include "chapters/02_basic_concepts/shared/vectors.hpp"
 #include "chapters/03_rigid_body_motion/33_heavy_top/heavy_top.hpp"
 #include "chapters/03_rigid_body_motion/35_moving_tip/moving_tip.hpp"
 #include "chapters/03_rigid_body_motion/shared/top_of_points.hpp"
@@ -14,6 +16,8 @@
 namespace oddity::ex03_35 {
 
 using namespace top;
+using basic_vectors::operator+, basic_vectors::operator-, basic_vectors::operator*;
+using heavy_top::EulerAngles, heavy_top::RigidBody;
 using std::cos, std::sin;
 
 namespace {
@@ -22,43 +26,27 @@ namespace {
 
 template <class T>
 struct Moving {
-  Vector<T> x, v, a;
+  Vector<T> x, a;
 };
 
-/// Position, velocity and acceleration of a body point.
+/// Position and acceleration of a body point.
 template <class T>
 Moving<T> motion_of(const SampleOf<T>& s, const Vector<T>& body_point) {
   using D = Dual<Dual<T>>;
   const auto angle = [&](std::size_t i) { return D(Dual<T>(s.q[i], s.v[i]), Dual<T>(s.v[i], s.truth[i])); };
   const auto r = rotation(angle(0), angle(1), angle(2));
   const auto x = s.body.position(PointOf<T>{T(1), body_point}, r, D(Dual<T>(s.t, T(1)), Dual<T>(T(1))));
-  Moving<T> moving;
-  for (std::size_t i = 0; i < 3; ++i) {
-    moving.x[i] = x[i].value.value;
-    moving.v[i] = x[i].value.slope;
-    moving.a[i] = x[i].slope.slope;
-  }
-  return moving;
+  return {{x[0].value.value, x[1].value.value, x[2].value.value},
+          {x[0].slope.slope, x[1].slope.slope, x[2].slope.slope}};
 }
 
+/// The rate of the angular momentum about, and relative to, a point on the axis at this height.
 template <class T>
-Vector<T> center(const SampleOf<T>& s) {
-  return {T(0), T(0), s.l};
-}
-
-template <class T>
-Vector<T> less(const Vector<T>& a, const Vector<T>& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-/// The rate of the angular momentum about, and relative to, a point that moves with the body.
-template <class T>
-Vector<T> momentum_rate_about(const SampleOf<T>& s, const Vector<T>& body_point) {
-  const Moving<T> center = motion_of(s, body_point);
+Vector<T> momentum_rate(const SampleOf<T>& s, const T& height) {
+  const Moving<T> center = motion_of<T>(s, {T(0), T(0), height});
   return s.body.template sum<Vector<T>>([&](Vector<T>& sum, const PointOf<T>& p) {
     const Moving<T> point = motion_of(s, p.x);
-    const Vector<T> moment = cross(less(point.x, center.x), less(point.a, center.a));
-    for (std::size_t i = 0; i < 3; ++i) sum[i] += p.m * moment[i];
+    sum = sum + p.m * cross(point.x - center.x, point.a - center.a);
   });
 }
 
@@ -67,95 +55,41 @@ Vector<T> tip(const SampleOf<T>& s) {
   return {s.body.A * sin(s.body.lambda * s.t), T(0), T(0)};
 }
 
-/// `sign` times the torque about the center of mass of the force on the tip. This force is mass times the
-/// acceleration of the center of mass, minus the weight.
+/// The torque about the center of mass of the force on the tip. This force is mass times the acceleration of
+/// the center of mass, minus the weight.
 template <class T>
-auto torque_of_tip(const SampleOf<T>& s, double sign) {
-  const Moving<T> c = motion_of(s, center(s));
-  const Vector<T> force{s.m * c.a[0], s.m * c.a[1], s.m * (c.a[2] + s.body.g)};
-  const Vector<T> torque = cross(less(tip(s), c.x), force);
-  return values(sign * torque[0], sign * torque[1], sign * torque[2]);
-}
-/// The rate of the angular momentum about the center of mass, minus that torque.
-template <class T>
-auto unexplained(const SampleOf<T>& s, double sign) {
-  const Vector<T> rate = momentum_rate_about(s, center(s));
-  const auto torque = torque_of_tip(s, sign);
-  return values(rate[0] - torque[0], rate[1] - torque[1], rate[2] - torque[2]);
+Vector<T> torque_of_tip(const SampleOf<T>& s) {
+  Moving<T> c = motion_of<T>(s, {T(0), T(0), s.l});
+  c.a[2] += s.body.g;
+  return cross(tip(s) - c.x, s.m * c.a);
 }
 
-/// The rates of a model's state at its initial condition.
-template <class Model, class T>
-typename Model::State rates_of(const Model& model, const T& t) {
-  typename Model::State rates;
+/// The last three rates of a model's state at its initial condition: (theta'', phi'', psi'') from the
+/// equations of the angles, (w1', w2', w3') from Euler's equations.
+template <template <class> class Model, class T>
+Vector<T> rates_of(const heavy_top::Top<T>& top, const T& t) {
+  const Model<T> model{top};
+  typename Model<T>::State rates;
   model(model.start(), rates, t);
-  return rates;
-}
-/// (theta'', phi'', psi'') from the equations of the angles, and (w1', w2', w3') from Euler's equations.
-template <class T>
-auto model_accelerations(const heavy_top::Top<T>& top, const T& t) {
-  const auto rates = rates_of(moving_tip::EulerAngles<T>{top}, t);
-  return values(rates[3], rates[4], rates[5]);
-}
-template <class T>
-auto euler_equations(const heavy_top::Top<T>& top, const T& t) {
-  const auto rates = rates_of(moving_tip::RigidBody<T>{top}, t);
-  return values(rates[4], rates[5], rates[6]);
-}
-
-/// The torque about the tip of the force at the center of mass.
-template <class T>
-Vector<T> torque_on(const heavy_top::Top<T>& top, const T& t) {
-  Vector<T> torque = cross(top.axis(), top.force(t));
-  for (T& x : torque) x *= top.l;
-  return torque;
+  Vector<T> last;
+  std::copy(rates.end() - 3, rates.end(), last.begin());
+  return last;
 }
 
 /// (w1', w2', w3') along Lagrange's accelerations.
 template <class T>
-auto body_rates_change(const SampleOf<T>& s) {
-  const auto w = [&](std::size_t k) {
-    return rate_of(s, s.truth, [k](const auto& q, const auto& v) {
-      if (k == 0) return v[1] * cos(q[2]) + v[0] * sin(q[1]) * sin(q[2]);
-      if (k == 1) return v[0] * sin(q[1]) * cos(q[2]) - v[1] * sin(q[2]);
-      return v[2] + v[0] * cos(q[1]);
-    });
-  };
-  return values(w(0), w(1), w(2));
-}
-
-template <class T>
-T vertical_momentum_rate(const SampleOf<T>& s) {
-  return rate_of(s, s.truth, [&](const auto& q, const auto& v) {
-    return s.mu1 * v[0] * sin(q[1]) * sin(q[1]) + s.mu3 * (v[2] + v[0] * cos(q[1])) * cos(q[1]);
-  });
-}
-
-template <class T>
-heavy_top::Top<T> at_rest(const SampleOf<T>& s) {
-  return moving_tip::with_fixed_tip(s.top());
+Vector<T> body_rates_change(const SampleOf<T>& s) {
+  const auto q = moving(s.q, s.v), v = moving(s.v, s.truth);
+  return {(v[1] * cos(q[2]) + v[0] * sin(q[1]) * sin(q[2])).slope,
+          (v[0] * sin(q[1]) * cos(q[2]) - v[1] * sin(q[2])).slope, (v[2] + v[0] * cos(q[1])).slope};
 }
 
 /// Top with the same angles and rates, and its tip at rest.
 template <class T>
-SampleOf<T> with_fixed_tip(const SampleOf<T>& s) {
-  SampleOf<T> fixed = s;
-  fixed.body.A = T(0);
-  const auto accelerations = model_accelerations(at_rest(s), s.t);
-  fixed.truth = {accelerations[0], accelerations[1], accelerations[2]};
-  return fixed;
-}
-/// The rate of the angular momentum about the center of mass, minus that with the tip at rest.
-template <class T>
-Vector<T> added_rate(const SampleOf<T>& s) {
-  const SampleOf<T> fixed = with_fixed_tip(s);
-  return less(momentum_rate_about(s, center(s)), momentum_rate_about(fixed, center(fixed)));
-}
-/// `sign` times the torque of the force on the tip, minus that with the tip at rest.
-template <class T>
-auto added_torque(const SampleOf<T>& s, double sign) {
-  const auto torque = torque_of_tip(s, sign), fixed = torque_of_tip(with_fixed_tip(s), sign);
-  return values(torque[0] - fixed[0], torque[1] - fixed[1], torque[2] - fixed[2]);
+SampleOf<T> with_fixed_tip(SampleOf<T> s) {
+  s.body.A = T(0);
+  s.truth = rates_of<EulerAngles>(s.top(), s.t);
+  return s;
 }
 
 /// With the letters of this exercise, where the shared ones have 3.33's alpha.
@@ -178,41 +112,46 @@ struct Driven : Sample {
 using Reader = ProvableFormula<SampleOf>;
 
 const Reader zero{"zero", []<class T>(const SampleOf<T>&) { return T(0); }},
-    none{"no torque", []<class T>(const SampleOf<T>&) { return values(T(0), T(0), T(0)); }};
+    none{"no torque", []<class T>(const SampleOf<T>&) { return Vector<T>{}; }};
 
 const std::string rate_of_momentum =
     R"($\sum m(\mathbf x-\mathbf r)\times(\ddot{\mathbf x}-\ddot{\mathbf r})$ over the points)";
-const Reader added{rate_of_momentum + ", less that of the same top with its tip fixed",
-                   [](const auto& s) { return added_rate(s); }};
-Reader less_torque(double sign) {
-  return {rate_of_momentum + ", less the torque", [=](const auto& s) { return unexplained(s, sign); }};
-}
+const Reader added{
+    rate_of_momentum + ", less that of the same top with its tip fixed",
+    [](const auto&s) { return momentum_rate(s, s.l) - momentum_rate(with_fixed_tip(s), s.l); }},
+    unexplained{rate_of_momentum + ", less the torque",
+                [](const auto&s) { return momentum_rate(s, s.l) - torque_of_tip(s); }};
 
 const Reader change{R"($\dot{\mathbf w}$ along Lagrange's accelerations, tip moving)",
                     [](const auto&s) { return body_rates_change(s); }},
+    spin_change{change.text, [](const auto&s) { return body_rates_change(s)[2]; }},
     vertical{"rate of the vertical angular momentum along Lagrange's accelerations, tip moving",
-             [](const auto&s) { return vertical_momentum_rate(s); }},
+             [](const auto&s) {
+               return rate_of(s, s.truth, [&](const auto& q, const auto& v) {
+                 return s.mu1 * v[0] * sin(q[1]) * sin(q[1]) + s.mu3 * (v[2] + v[0] * cos(q[1])) * cos(q[1]);
+               });
+             }},
     drive{R"($m\ell\alpha\lambda^2\sin\lambda t\cos\theta\sin\phi$)",
           [](const auto&s) {
             const auto& b = s.body;
             return s.m * s.l * b.A * b.lambda * b.lambda * sin(b.lambda * s.t) * cos(s.q[0]) * sin(s.q[1]);
           }},
     euler{R"(Euler's equations with the torque of $-mg\mathbf k-m\ddot{\mathbf p}$)",
-          [](const auto&s) { return euler_equations(s.top(), s.t); }};
+          [](const auto&s) { return rates_of<RigidBody>(s.top(), s.t); }};
 
 const Reader lagrange{"nested dual numbers on the points' $T-V$, tip moving",
                       [](const auto&s) { return s.truth; }},
     angles_of_fixed{"equations of the angles, the tip fixed",
-                    [](const auto&s) { return model_accelerations(at_rest(s), s.t); }},
+                    [](const auto&s) { return with_fixed_tip(s).truth; }},
     angles_of_moved{R"(equations of the angles with the torque of $-m\ddot{\mathbf p}$)",
-                    [](const auto&s) { return model_accelerations(s.top(), s.t); }},
+                    [](const auto&s) { return rates_of<EulerAngles>(s.top(), s.t); }},
     torque_about_tip{R"($\ell\,\boldsymbol\xi_3\times(-mg\mathbf k-m\ddot{\mathbf p})$)",
-                     [](const auto&s) { return torque_on(s.top(), s.t); }},
-    about_tip{R"($\sum m(\mathbf x-\mathbf p)\times(\ddot{\mathbf x}-\ddot{\mathbf p})$ over )"
-              R"(the points)",
-              []<class T>(const SampleOf<T>&s) {
-                return momentum_rate_about(s, {T(0), T(0), T(0)});
-              }};
+                     [](const auto&s) {
+                       const auto top = s.top();
+                       return top.l * cross(top.axis(), top.force(s.t));
+                     }},
+    about_tip{R"($\sum m(\mathbf x-\mathbf p)\times(\ddot{\mathbf x}-\ddot{\mathbf p})$ over the points)",
+              []<class T>(const SampleOf<T>&s) { return momentum_rate(s, T(0)); }};
 
 const std::string no_torque = "no torque of the force on the tip";
 
@@ -223,7 +162,7 @@ void claim_spin(Claims& claims, const std::vector<Driven>& tops) {
       R"(lines 3077 and 3081 on 3.33: $\dot w_3=0$))",
       tops,
       {.quantity = R"($\dot w_3$)",
-       .truth = {change.text, [](const Driven& s) { return body_rates_change<double>(s)[2]; }},
+       .truth = {spin_change.text, spin_change.of},
        .printed = {R"($\dot w_3=0$)"},
        .near_misses = {{R"($\dot w_3=\ddot\psi$)"}},
        .changes_that_hold = "a multiple of zero is zero"});
@@ -239,8 +178,7 @@ void claim_tip(Claims& claims, const std::vector<Driven>& tops) {
        .truth = {R"($\sum m\mathbf x/m$ over the points)",
                  [](const Driven& s) {
                    return s.body.sum<Vector<double>>([&](Vector<double>& sum, const PointOf<double>& p) {
-                     const Vector<double> x = motion_of<double>(s, p.x).x;
-                     for (std::size_t i = 0; i < 3; ++i) sum[i] += p.m * x[i] / s.m;
+                     sum = sum + p.m / s.m * motion_of<double>(s, p.x).x;
                    });
                  }},
        .printed = {R"($\mathbf r=\mathbf p$)"},
@@ -270,14 +208,14 @@ Ltac by_half_angles theta phi psi :=
 
 /// Euler's equations with the torque by the rotation matrix; the model uses a quaternion instead.
 template <class T>
-auto euler_by_matrix(const SampleOf<T>& s) {
+Vector<T> euler_by_matrix(const SampleOf<T>& s) {
   const auto r = rotation(s.q[0], s.q[1], s.q[2]);
   const auto w = s.top().body_rates(), F = s.top().force(s.t);
   Vector<T> f{};
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < 3; ++k) f[i] += r[k][i] * F[k];
-  return values(((s.mu1 - s.mu3) * w[1] * w[2] - s.l * f[1]) / s.mu1,
-                ((s.mu3 - s.mu1) * w[2] * w[0] + s.l * f[0]) / s.mu1, T(0));
+  return {((s.mu1 - s.mu3) * w[1] * w[2] - s.l * f[1]) / s.mu1,
+          ((s.mu3 - s.mu1) * w[2] * w[0] + s.l * f[0]) / s.mu1, T(0)};
 }
 
 /// Lagrange's accelerations if all angles are at rest.
@@ -291,14 +229,11 @@ Vector<T> accelerations_from_rest(const SampleOf<T>& s) {
 }
 
 /// Four points around the axis, at rest.
-template <class T>
-SampleOf<T> example() {
-  SampleOf<T> s;
-  for (const auto& [x, y] : {std::pair(1.0, 0.0), {0.0, 1.0}, {-1.0, 0.0}, {0.0, -1.0}})
-    s.body.points.push_back({T(1.0), {T(x), T(y), T(1.0)}});
-  s.body.g = 3.0, s.body.A = 2.0, s.body.lambda = 3.0, s.t = 1.0;
-  s.q = {T(0.5), T(1.0), T(0.25)}, s.v = {T(0.0), T(0.0), T(0.0)}, s.a = s.v;
-  s.m = 4.0, s.l = 1.0, s.mu1 = 6.0, s.mu3 = 4.0;
+Sample example() {
+  Sample s;
+  s.body = {{{1, {1, 0, 1}}, {1, {0, 1, 1}}, {1, {-1, 0, 1}}, {1, {0, -1, 1}}}, 3, 2, 3};
+  s.q = {0.5, 1, 0.25}, s.v = s.a = {}, s.t = 1;
+  s.m = 4, s.l = 1, s.mu1 = 6, s.mu3 = 4;
   s.truth = accelerations_from_rest(s);
   return s;
 }
@@ -319,12 +254,10 @@ class MovingTip {
                                          "mass",   "ell", "mu1",     "mu3",    "g",    "A0",
                                          "lambda", "t",   "ddtheta", "ddphi",  "ddpsi"};
     std::size_t i = 0;
-    for (Vector<Shortened>* three : {&any.q, &any.v})
-      for (Shortened& x : *three) x = Shortened::letter(names[i++]);
-    for (Shortened* x :
-         {&any.m, &any.l, &any.mu1, &any.mu3, &any.body.g, &any.body.A, &any.body.lambda, &any.t})
-      *x = Shortened::letter(names[i++]);
-    for (Shortened& x : any.truth) x = Shortened::letter(names[i++]);
+    for (Shortened* letter : {&any.q[0], &any.q[1], &any.q[2], &any.v[0], &any.v[1], &any.v[2], &any.m,
+                              &any.l, &any.mu1, &any.mu3, &any.body.g, &any.body.A, &any.body.lambda, &any.t,
+                              &any.truth[0], &any.truth[1], &any.truth[2]})
+      *letter = Shortened::letter(names[i++]);
     letters_ = "(l : list (nat * R * R * R * R)) " + quantified(names);
     given_ = {{"top l mass ell mu1 mu3"},
               above(any.m.expression(), 0),
@@ -334,14 +267,13 @@ class MovingTip {
     for (const Shortened& left : any.left_side(any.truth, true)) equations_.push_back(left.expression() == 0);
   }
   /// A lemma for each component, as a sum of Lagrange's equations.
-  std::vector<Lemma> follow(const std::string& name, const Expressions& left, const Expressions& right,
+  std::vector<Lemma> follow(const std::string& name, const Reader& formula, const Reader& truth,
                             const OfVector& factors, const std::string& begin = {}) const {
+    const Expressions left = formula.recorded(any), right = truth.recorded(any);
     std::vector<Lemma> lemmas;
     for (std::size_t k = 0; k < left.size(); ++k) {
-      Lemma lemma{name + (left.size() == 1 ? "" : "_" + std::to_string(k + 1)),
-                  letters_,
-                  given_,
-                  {left[k] == right.at(k)}};
+      const std::string number = left.size() == 1 ? "" : "_" + std::to_string(k + 1);
+      Lemma lemma{name + number, letters_, given_, {left[k] == right.at(k)}};
       std::vector<std::string> used;
       for (std::size_t j = 0; j < 3; ++j)
         if (!factors[k][j].empty()) {
@@ -355,9 +287,11 @@ class MovingTip {
   }
   /// Lemmas at the example, whose accelerations satisfy Lagrange's equations.
   std::vector<Lemma> off(const Reader& printed, const Reader& truth, double& margin) const {
-    const SampleOf<Shortened> s = example<Shortened>();
-    Value difference = printed.of(example<double>());
-    const Value right = truth.of(example<double>());
+    const Sample numbers = example();
+    SampleOf<Shortened> s = numbers.recorded();
+    s.truth = accelerations_from_rest(s);
+    Value difference = printed.of(numbers);
+    const Value right = truth.of(numbers);
     for (std::size_t k = 0; k < difference.size(); ++k) difference[k] -= right[k];
     std::vector<Proposition> moves;
     for (const Shortened& left : s.left_side(s.truth, true)) moves.push_back(left.expression() == 0);
@@ -398,75 +332,62 @@ Provable proved(const std::string& slug, const std::string& says,
 
 Provables proofs() {
   const MovingTip tops;
-  const SampleOf<Shortened>& any = tops.any;
-  const Expressions zeros(3, Expression(0.0));
-  const std::string follows = "it follows from Lagrange's equations of any top of rings of points",
-                    corrected = "as corrected " + follows + "; as printed it is off at an example";
+  const std::string follows = "it follows from Lagrange's equations of any top of rings of points";
+  const auto wrong = [&](const std::string& slug, const Reader& printed, const Reader& truth,
+                         std::vector<std::vector<Lemma>> parts) {
+    double margin = 0;
+    parts.push_back(tops.off(printed, truth, margin));
+    return proved(slug, "as corrected " + follows + "; as printed it is off at an example", parts, margin);
+  };
   const OfVector spin{{{"", "", "1 / (2 * A)"}}};
   const OfVector body_rates{
       {{"sin psi / sin phi / (A + C)", "cos psi / (A + C)", "- sin psi * cos phi / sin phi / (A + C)"},
        {"cos psi / sin phi / (A + C)", "- sin psi / (A + C)", "- cos psi * cos phi / sin phi / (A + C)"},
        {"", "", "1 / (2 * A)"}}};
   const Factors turning{"- 1 / ((A + C) * sin phi ^ 2)", "", "cos phi / ((A + C) * sin phi ^ 2)"};
-  const OfVector of_angles{{turning, {"", "- 1 / (A + C)", ""}, {"1", "", "1"}}};
-  Provables all;
-  double margin = 0;
-  auto off = tops.off(added, none, margin);
-  all.push_back(proved("force_at_center", corrected,
-                       {tops.follow("corrected", less_torque(1).recorded(any), zeros, torques), off},
-                       margin));
-  all.push_back(proved("euler_about_axis", follows,
-                       {tops.follow("printed", {change.recorded(any)[2]}, {Expression(0.0)}, spin)}));
-  off = tops.off(vertical, zero, margin);
-  all.push_back(proved(
-      "euler_about_vertical", corrected,
-      {tops.follow("corrected", vertical.recorded(any), drive.recorded(any), {{{"1", "", ""}}}),
-       tops.follow("euler", change.recorded(any), euler.recorded(any), body_rates, tops.by_matrix()), off},
-      margin));
-  off = tops.off(angles_of_fixed, lagrange, margin);
-  auto by_angles = tops.follow("corrected", angles_of_moved.recorded(any), lagrange.recorded(any), of_angles);
+  auto by_angles = tops.follow("corrected", angles_of_moved, lagrange,
+                               {{turning, {"", "- 1 / (A + C)", ""}, {"1", "", "1"}}});
   // The third equation contains the first.
-  by_angles[2].tactic = "assert (turning : " + angles_of_moved.recorded(any)[0].coq() + " = ddtheta) by (" +
-                        by_equations(all_angles, {turning[0], turning[2]}, 5) + ");\n  rewrite turning; " +
-                        by_equations(all_angles, {"- 1 / (2 * A)"}, 6);
-  all.push_back(
-      proved("handled_separately", corrected,
-             {by_angles,
-              tops.follow("torque", about_tip.recorded(any), torque_about_tip.recorded(any), torques), off},
-             margin));
-  return all;
+  by_angles[2].tactic = "assert (turning : " + angles_of_moved.recorded(tops.any)[0].coq() +
+                        " = ddtheta) by (" + by_equations(all_angles, {turning[0], turning[2]}, 5) +
+                        ");\n  rewrite turning; " + by_equations(all_angles, {"- 1 / (2 * A)"}, 6);
+  return {wrong("force_at_center", added, none, {tops.follow("corrected", unexplained, none, torques)}),
+          proved("euler_about_axis", follows, {tops.follow("printed", spin_change, zero, spin)}),
+          wrong("euler_about_vertical", vertical, zero,
+                {tops.follow("corrected", vertical, drive, {{{"1", "", ""}}}),
+                 tops.follow("euler", change, euler, body_rates, tops.by_matrix())}),
+          wrong("handled_separately", angles_of_fixed, lagrange,
+                {by_angles, tops.follow("torque", about_tip, torque_about_tip, torques)})};
 }
 
 std::vector<Claim> claims(double seed, const Top& top, const Deviation& off) {
   const std::vector<Sample> tops = random_tops(seed, 1);
-  const auto reading = [&](const std::string& text, const std::string& quantity, const Reader& left,
-                           const Reader& right) {
-    return Reading{text, {compare(quantity, left, right, tops)}};
-  };
   Claims claims("3.35");
   const std::vector<Driven> driven(tops.begin(), tops.end());
 
-  const std::string about_center_of_mass =
-      "rate of the angular momentum about the center of mass due to the force that moves the tip";
-  const auto with_torque = [&](const std::string& text, double sign) {
-    return reading(text, about_center_of_mass,
-                   {"the torque of the force on the tip, less that on a fixed tip",
-                    [=](const Sample& s) { return added_torque(s, sign); }, &Sample::size},
-                   added);
+  const auto with_torque = [&](const std::string& text, double sign) -> Formula<Sample> {
+    return {text,
+            [=](const Sample& s) { return sign * (torque_of_tip(s) - torque_of_tip(with_fixed_tip(s))); },
+            &Sample::size};
   };
-  claims.add(
+  claims.formula<Sample>(
       "force_at_center", 3089,
       "the tip moves about the plane only because some force is applied to the center of mass (our "
       "reading: the force moving the tip adds no torque about this center)",
-      {.printed =
-           reading("as we read it, the force that moves the tip adds no torque about the center of mass",
-                   about_center_of_mass, none, added),
+      tops,
+      {.quantity =
+           "rate of the angular momentum about the center of mass due to the force that moves the tip",
+       .truth = added,
+       .printed = {"as we read it, the force that moves the tip adds no torque about the center of mass",
+                   none.of},
        .corrected = with_torque(
            R"(the rate of the angular momentum about $\mathbf r$ is $(\mathbf p-\mathbf r)\times\mathbf N$ with )"
            R"($\mathbf N=m(\ddot{\mathbf r}+g\mathbf k)$, to which the force that moves the tip adds )"
            R"($(\mathbf p-\mathbf r)\times(\mathbf N-\mathbf N_0)$, $\mathbf N_0$ the force on a fixed tip)",
            1),
        .near_misses = {with_torque(R"(it adds $(\mathbf r-\mathbf p)\times(\mathbf N-\mathbf N_0)$)", -1)},
+       .kind = Fault::counterexample,
+       .root = no_torque,
        .why =
            R"(A force on the center of mass $\mathbf r$ has no torque about it. A tip that is driven along )"
            R"($\mathbf p(t)$, as in this exercise, is moved by its support with a force $\mathbf )"
@@ -475,9 +396,7 @@ std::vector<Claim> claims(double seed, const Top& top, const Deviation& off) {
            R"($-m\ddot{\mathbf p}$ acts at the center of mass besides the weight; it has a torque about the )"
            R"(tip, and does not move the tip. A tip that slides freely on the plane is another problem. A )"
            R"(push on the center of mass moves it without a torque, but such a top turns about its center )"
-           R"(of mass, with the moment $\mu_1-m\ell^2$ across the axis.)",
-       .kind = Fault::counterexample,
-       .root = no_torque});
+           R"(of mass, with the moment $\mu_1-m\ell^2$ across the axis.)"});
 
   claim_spin(claims, driven);
 
@@ -485,21 +404,17 @@ std::vector<Claim> claims(double seed, const Top& top, const Deviation& off) {
   const std::string constant = R"($\mu_1\dot\theta\sin^2\phi+c\,\mu_3\cos\phi$)";
   const Formula<Driven> rate{vertical.text, vertical.of}, by_drive = computed(Formula<Driven>{drive.text});
   const std::string rate_of_vertical = "rate of the vertical angular momentum";
-  const auto shaken_backward = [](const Sample& s) {
-    Top other = s.top();
-    other.A = -other.A;
-    return other;
-  };
   claims.add(
       "euler_about_vertical", 3089,
       "the Euler equations of example 3.19 still apply to the motion about the world vertical axis through "
       "the tip (our reading, by lines 3077 and 3081: gravity's torque alone)",
       {.printed = {constant + " is a constant, by Euler's equations with gravity alone",
                    {compare("rate of " + constant + ", $c$ the spin", zero, vertical, tops),
-                    compare(in_body,
-                            {R"(Euler's equations with the torque of $-mg\mathbf k$ alone)",
-                             [](const Sample& s) { return euler_equations(at_rest(s), s.t); }},
-                            change, tops)}},
+                    compare(
+                        in_body,
+                        {R"(Euler's equations with the torque of $-mg\mathbf k$ alone)",
+                         [](const Sample& s) { return rates_of<RigidBody>(with_fixed_tip(s).top(), s.t); }},
+                        change, tops)}},
        .corrected = {"the vertical angular momentum changes at the rate " + drive.text,
                      {compare(rate_of_vertical, by_drive, rate, driven),
                       compare(in_body, euler, change, tops)}},
@@ -519,16 +434,19 @@ std::vector<Claim> claims(double seed, const Top& top, const Deviation& off) {
       "handled_separately", 3091,
       "the motion of the tip may be handled separately (our reading: and the top turns about it as about a fixed "
       "tip)",
-      {.printed = reading("as we read it, the angles move as with a fixed tip", accelerations,
-                          angles_of_fixed, lagrange),
+      {.printed = {"as we read it, the angles move as with a fixed tip",
+                   {compare(accelerations, angles_of_fixed, lagrange, tops)}},
        .corrected = {R"(the angles move with the torque of $-m\ddot{\mathbf p}$ at the center of mass)",
                      {compare(accelerations, angles_of_moved, lagrange, tops),
                       compare(about_the_tip, torque_about_tip, about_tip, tops)}},
-       .near_misses = {reading(
-           R"(with the torque of $+m\ddot{\mathbf p}$)", accelerations,
-           {"equations of the angles, the tip's acceleration with the other sign",
-            [=](const Sample& s) { return model_accelerations(shaken_backward(s), s.t); }},
-           lagrange)},
+       .near_misses = {{R"(with the torque of $+m\ddot{\mathbf p}$)",
+                        {compare(accelerations,
+                                 {"equations of the angles, the tip's acceleration with the other sign",
+                                  [](Sample s) {
+                                    s.body.A = -s.body.A;
+                                    return rates_of<EulerAngles>(s.top(), s.t);
+                                  }},
+                                 lagrange, tops)}}},
        .why = filled(
            R"($\mathbf p(t)$ is given, so the tip needs no top; the top does need the tip's acceleration, unless )"
            R"(the tip is at rest or in uniform motion. The accelerated tip adds to gravity a horizontal )"

@@ -92,29 +92,27 @@ Statement<Sample> domain(std::string text, double most) {
           }};
 }
 
-template <class T, class N>
-T squared_distance(const SampleOf<N>& x, const T& s, const T& t) {
-  Triangle<T> w;
-  Vec<T> p;
-  for (std::size_t a = 0; a < 3; ++a) {
-    p[a] = T(x.p[a]);
-    for (std::size_t i = 0; i < 3; ++i) w.v[i][a] = T(x.w.v[i][a]);
-  }
-  const Vec<T> d = w.at(s, t) - p;
+template <class N, class S, class T>
+auto squared_distance(const SampleOf<N>& x, const S& s, const T& t) {
+  const auto along = [&](std::size_t i) {
+    return x.w.v[0][i] + s * x.edge(1)[i] + t * x.edge(2)[i] - x.p[i];
+  };
+  const std::array d{along(0), along(1), along(2)};
   return dot(d, d);
 }
 
 /// (a00, a01, a11, b0, b1, c) as half the derivatives of |V(s, t) - P|^2 at s = t = 0.
 template <class T>
 auto by_differentiation(const SampleOf<T>& x) {
-  using D = Dual<T>;
-  using DD = Dual<D>;
-  const D zero(0.0), one(1.0), moving(0.0, 1.0);
-  const DD still(zero, zero), inner(moving, zero), outer(zero, one), both(moving, one);
-  const auto second = [&](const DD& s, const DD& t) { return squared_distance(x, s, t).slope.slope / 2; };
-  const auto first = [&](const D& s, const D& t) { return squared_distance(x, s, t).slope / 2; };
-  return values(second(both, still), second(inner, outer), second(still, both), first(moving, zero),
-                first(zero, moving), squared_distance(x, T(0.0), T(0.0)));
+  const T zero(0.0);
+  const auto along_s = [&](const auto& s) { return squared_distance(x, s, zero) / 2; };
+  const auto along_t = [&](const auto& t) { return squared_distance(x, zero, t) / 2; };
+  const auto slope_of_t = [&](const auto& s) {
+    return derivative([&](const auto& t) { return squared_distance(x, s, t) / 2; }, 0 * s);
+  };
+  return values(second_derivative(along_s, zero), derivative(slope_of_t, zero),
+                second_derivative(along_t, zero), derivative(along_s, zero), derivative(along_t, zero),
+                squared_distance(x, zero, zero));
 }
 
 void in_coordinates(Table& table, const std::vector<Sample>& all) {
@@ -164,40 +162,25 @@ void expressions(Claims& claims, const std::vector<Sample>& all) {
 
 using Distance = std::function<double(const Triangle<double>&, const Vec<double>&)>;
 
-/// A sample with random points of its triangle.
-struct Surrounded {
-  Sample x;
-  std::vector<Vec<double>> points;
-  std::string where() const { return x.where(); }
-};
-
-std::vector<Surrounded> surrounded(const std::vector<Sample>& all) {
+Check none_closer(const std::vector<Sample>& all, const Distance& distance) {
   Random random(7);
-  std::vector<Surrounded> more;
-  for (const Sample& x : all) {
-    more.push_back({x, {}});
+  return in_all<Sample>("none of 20 points of the triangle is closer", all, [&](const Sample& x) {
+    const double least = distance(x.w, x.p) * (1 - 1e-12);
+    bool closer = false;
     for (int n = 0; n < 20; ++n) {
       double s = random.unit(), t = random.unit();
       if (s + t > 1) s = 1 - s, t = 1 - t;
-      more.back().points.push_back(x.w.at(s, t));
+      closer |= length(x.w.at(s, t) - x.p) < least;
     }
-  }
-  return more;
-}
-
-Check none_closer(const std::vector<Sample>& all, const Distance& distance) {
-  return in_all<Surrounded>(
-      "none of 20 points of the triangle is closer", surrounded(all), [&](const Surrounded& s) {
-        const double least = distance(s.x.w, s.x.p) * (1 - 1e-12);
-        return std::ranges::none_of(s.points,
-                                    [&](const Vec<double>& point) { return length(point - s.x.p) < least; });
-      });
+    return !closer;
+  });
 }
 
 Check same_distance(const std::vector<Sample>& all, std::string by, const Distance& distance) {
-  const auto of = [](const Distance& f) { return [=](const Sample& x) { return f(x.w, x.p); }; };
-  return compare<Sample>("distance", {std::move(by), of(distance)},
-                         {"perpendicular to the plane, or nearest edge", of(plane_distance<double>)}, all);
+  return compare<Sample>("distance", {std::move(by), [=](const Sample& x) { return distance(x.w, x.p); }},
+                         {"perpendicular to the plane, or nearest edge",
+                          [](const Sample& x) { return plane_distance(x.w, x.p); }},
+                         all);
 }
 
 void minimum(Claims& claims, const std::vector<Sample>& all) {
@@ -208,11 +191,9 @@ void minimum(Claims& claims, const std::vector<Sample>& all) {
       {.printed = {"where $f$ is least over the triangle", {none_closer(all, region_distance<double>)}},
        .near_misses = {{"where it is least over the edges", {none_closer(all, edges_distance<double>)}}}});
 
-  const auto place = [](Place<double> (*find)(const Quadratic<double>&)) {
-    return [=](const Triangle<double>& w, const Vec<double>& p) {
-      const auto at = find(Quadratic<double>(w, p));
-      return length(w.at(at.s, at.t) - p);
-    };
+  const auto of_corners = [](const Triangle<double>& w, const Vec<double>& p) {
+    const auto at = by_regions_without_sub_cases(Quadratic<double>(w, p));
+    return length(w.at(at.s, at.t) - p);
   };
   std::set<int> regions;
   for (const Sample& x : all) regions.insert(x.region());
@@ -221,7 +202,7 @@ void minimum(Claims& claims, const std::vector<Sample>& all) {
       "$f$ is exactly the function of the book's example 9.8 (our reading, as that is not in the solutions: a "
       "quadratic that is least in one of seven regions)",
       {.printed = {"seven regions, the corner ones with sub-cases",
-                   {same_distance(all, "seven regions", place(by_regions<double>)),
+                   {same_distance(all, "seven regions", region_distance<double>),
                     in_all<Sample>("$P$ is in the region that it was put into", all,
                                    [](const Sample& x) {
                                      return by_regions(Quadratic<double>(x.w, x.p)).region == x.region();
@@ -238,8 +219,7 @@ void minimum(Claims& claims, const std::vector<Sample>& all) {
                          [](const Sample& x) { return dot(x.normal(), x.normal()); }},
                         all)}},
        .near_misses = {{"the corner regions are nearest to the corners",
-                        {same_distance(all, "corners for the corner regions",
-                                       place(by_regions_without_sub_cases<double>))}}}});
+                        {same_distance(all, "corners for the corner regions", of_corners)}}}});
 }
 
 }  // namespace
@@ -383,39 +363,38 @@ Provable seven_regions(const SampleOf<Shortened>& any, std::vector<std::string> 
   const auto at_place = [&](const std::string& is_so) -> Proposition {
     return {"match " + regions + "\n  with (s, t, region) =>\n  " + is_so + " end"};
   };
-  Provable proved{
-      "9.1-seven_regions",
-      "the regions give the least value of any such quadratic; a triangle's is one of these, and its region is "
-      "that of the point"};
-  proved.preamble = least_in_coq;
-  proved.lemmas.push_back({"least",
-                           quantified(letters),
-                           convex,
-                           {at_place(in_domain("s", "t") + " /\\\n  forall u v, " + in_domain("u", "v") +
-                                     " ->\n  " + f("s", "t") + " <=\n  " + f("u", "v"))},
-                           "least_by_regions a00 a01 a11 b0 b1"});
   std::vector<Proposition> at_point = convex;
   for (std::size_t i = 0; i < 2; ++i)
     at_point.push_back(q.least_of_all()[i] == q.determinant() * Expression::letter(i == 0 ? "x" : "y"));
-  proved.lemmas.push_back({"region",
-                           quantified({"a00", "a01", "a11", "b0", "b1", "c", "x", "y"}),
-                           at_point,
-                           {at_place("region = " + region)},
-                           "rewrite H1, H2; set (D := a00 * a11 - a01 * a01) in *; alike D x y"});
   names.emplace_back("h");
   const Vec<Shortened> n = any.normal();
   const Quadratic<Shortened> of_point(any.w, any.w.at(any.s, any.t) + Shortened::letter("h") * n);
   const Shortened det = of_point.determinant();
   const auto [S, T] = of_point.least_of_all();
-  proved.lemmas.push_back(
-      {"of_triangle",
-       quantified(names),
-       area,
-       {above(of_point.a00.expression(), 0), above(det.expression(), 0),
-        det.expression() == dot(n, n).expression(), S.expression() == (det * any.s).expression(),
-        T.expression() == (det * any.t).expression()},
-       "of_edges x0 y0 z0 x1 y1 z1 x2 y2 z2"});
-  return proved;
+  return {
+      "9.1-seven_regions",
+      "the regions give the least value of any such quadratic; a triangle's is one of these, and its region "
+      "is that of the point",
+      {{"least",
+        quantified(letters),
+        convex,
+        {at_place(in_domain("s", "t") + " /\\\n  forall u v, " + in_domain("u", "v") + " ->\n  " +
+                  f("s", "t") + " <=\n  " + f("u", "v"))},
+        "least_by_regions a00 a01 a11 b0 b1"},
+       {"region",
+        quantified({"a00", "a01", "a11", "b0", "b1", "c", "x", "y"}),
+        at_point,
+        {at_place("region = " + region)},
+        "rewrite H1, H2; set (D := a00 * a11 - a01 * a01) in *; alike D x y"},
+       {"of_triangle",
+        quantified(names),
+        area,
+        {above(of_point.a00.expression(), 0), above(det.expression(), 0),
+         det.expression() == dot(n, n).expression(), S.expression() == (det * any.s).expression(),
+         T.expression() == (det * any.t).expression()},
+        "of_edges x0 y0 z0 x1 y1 z1 x2 y2 z2"}},
+      0,
+      least_in_coq};
 }
 
 }  // namespace
