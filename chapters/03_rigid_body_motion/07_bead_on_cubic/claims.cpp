@@ -25,25 +25,6 @@ std::array<T, 3> velocity(const T& q, const std::type_identity_t<T>& v) {
   return {x[0].slope, x[1].slope, x[2].slope};
 }
 
-template <class M>
-struct KineticEnergy {
-  M m;
-  template <class T>
-  T operator()(const T& q, const T& v, const T&) const {
-    const auto u = velocity(q, v);
-    return 0.5 * m * (u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
-  }
-};
-
-template <class M>
-struct Lagrangian {
-  M m, g;
-  template <class T>
-  T operator()(const T& q, const T& v, const T& t) const {
-    return KineticEnergy<M>{m}(q, v, t) - m * g * curve(q)[2];
-  }
-};
-
 /// A bead at any point of the curve, and any q''.
 template <class T>
 struct SampleOf {
@@ -68,12 +49,20 @@ struct SampleOf {
             {R"(\ddot x)", acceleration()}};
   }
   std::string where() const { return listed(typeset(), 5); }
-  KineticEnergy<T> kinetic() const { return {m}; }
-  Lagrangian<T> lagrangian() const { return {m, g}; }
+  auto kinetic() const {
+    return [m = m]<class X>(const X& along, const X& speed, const X&) {
+      const auto u = velocity(along, speed);
+      return X(0.5 * m * (u[0] * u[0] + u[1] * u[1] + u[2] * u[2]));
+    };
+  }
+  auto lagrangian() const {
+    return [*this](const auto& along, const auto& speed, const auto& t) {
+      return kinetic()(along, speed, t) - m * g * curve(along)[2];
+    };
+  }
   /// x'' by Lagrange's equation.
   std::array<T, 3> acceleration() const {
-    const Dual<T> along(q, v), speed(v, lagrange_acceleration(lagrangian(), q, v));
-    const auto u = velocity(along, speed);
+    const auto u = velocity(Dual<T>(q, v), Dual<T>(v, by_lagrange()));
     return {u[0].slope, u[1].slope, u[2].slope};
   }
   T by_lagrange() const { return lagrange_acceleration(lagrangian(), q, v); }
@@ -98,13 +87,17 @@ using Table = ProvableClaims<SampleOf>;
 void energies(Table& table, const std::vector<Sample>& samples) {
   const ProvableFormula<SampleOf> energy{R"($\frac m2|\dot x|^2$, $\dot x$ by dual numbers)",
                                          [](const auto& s) { return s.kinetic()(s.q, s.v, s.v); }};
-
-  table.formula("tangent", 1375, "The $q$-derivative is $dx/dq=(1,2q,3q^2)$.", samples,
-                {.truth = {"the curve by dual numbers", [](const auto& s) { return velocity(s.q, 1); }},
-                 .printed = {"$(1,2q,3q^2)$"}});
+  const auto claim = [&](std::string_view slug, int line, const std::string& before,
+                         const std::string& formula, const ProvableFormula<SampleOf>& truth,
+                         const std::string& after = "$") {
+    table.formula(slug, line, before + formula + after, samples,
+                  {.truth = truth, .printed = "$" + formula + "$"});
+  };
+  claim("tangent", 1375, "The $q$-derivative is $dx/dq=", "(1,2q,3q^2)",
+        {"the curve by dual numbers", [](const auto& s) { return velocity(s.q, 1); }}, "$.");
   table.formula("velocity", 1375, R"(The $t$-derivative is $\dot x=(dx/dq)\,\dot q$.)", samples,
                 {.truth = {"the curve by dual numbers", [](const auto& s) { return velocity(s.q, s.v); }},
-                 .printed = {R"($\dot q\,(1,2q,3q^2)$)"}});
+                 .printed = R"($\dot q\,(1,2q,3q^2)$)"});
   table.formula(
       "kinetic_energy_by_speed", 1379, R"(The kinetic energy is $T=\frac m2|\dot x|$.)", samples,
       {.truth = energy,
@@ -115,25 +108,19 @@ void energies(Table& table, const std::vector<Sample>& samples) {
            R"(The speed's exponent is missing; the next form of the line, with $\dot q^2$, comes from the )"
            R"(square. A bead twice as fast has @1 times the energy, and by the printed form @1 times.)",
            {pow(2, 2), pow(2, 1)})});
-  table.formula("kinetic_energy", 1381, R"($T=\frac m2(1+4q^2+9q^4)\dot q^2$)", samples,
-                {.truth = energy, .printed = {R"($\frac m2(1+4q^2+9q^4)\dot q^2$)"}});
-  table.formula("dT_dq", 1385, R"($\partial T/\partial q=2m(2q+9q^3)\dot q^2$)", samples,
-                {.truth = {"$T$ by dual numbers", [](const auto& s) { return df_dq(s.kinetic(), s.q, s.v); }},
-                 .printed = {R"($2m(2q+9q^3)\dot q^2$)"}});
-  table.formula("dT_dqdot", 1387, R"($\partial T/\partial\dot q=m(1+4q^2+9q^4)\dot q$)", samples,
-                {.truth = {"$T$ by dual numbers", [](const auto& s) { return df_dv(s.kinetic(), s.q, s.v); }},
-                 .printed = {R"($m(1+4q^2+9q^4)\dot q$)"}});
-  table.formula("momentum_rate", 1393,
-                R"($\frac d{dt}\,\partial T/\partial\dot q=m(1+4q^2+9q^4)\ddot q+4m(2q+9q^3)\dot q^2$)",
-                samples,
-                {.truth = {"$T$ by nested dual numbers",
-                           [](const auto& s) { return rate_of_df_dv(s.kinetic(), s.q, s.v, s.a); }},
-                 .printed = {R"($m(1+4q^2+9q^4)\ddot q+4m(2q+9q^3)\dot q^2$)"}});
-  table.formula("force", 1395, R"(The generalized force is $F_q=-mg(0,0,1)\cdot(1,2q,3q^2)=-3mgq^2$.)",
-                samples,
-                {.truth = {R"($\partial L/\partial q$ at rest by dual numbers)",
-                           [](const auto& s) { return df_dq(s.lagrangian(), s.q, 0); }},
-                 .printed = {"$-3mgq^2$"}});
+  claim("kinetic_energy", 1381, "$T=", R"(\frac m2(1+4q^2+9q^4)\dot q^2)", energy);
+  claim("dT_dq", 1385, R"($\partial T/\partial q=)", R"(2m(2q+9q^3)\dot q^2)",
+        {"$T$ by dual numbers", [](const auto& s) { return df_dq(s.kinetic(), s.q, s.v); }});
+  claim("dT_dqdot", 1387, R"($\partial T/\partial\dot q=)", R"(m(1+4q^2+9q^4)\dot q)",
+        {"$T$ by dual numbers", [](const auto& s) { return df_dv(s.kinetic(), s.q, s.v); }});
+  claim("momentum_rate", 1393, R"($\frac d{dt}\,\partial T/\partial\dot q=)",
+        R"(m(1+4q^2+9q^4)\ddot q+4m(2q+9q^3)\dot q^2)", {"$T$ by nested dual numbers", [](const auto& s) {
+                                                           return rate_of_df_dv(s.kinetic(), s.q, s.v, s.a);
+                                                         }});
+  claim("force", 1395, R"(The generalized force is $F_q=-mg(0,0,1)\cdot(1,2q,3q^2)=)", "-3mgq^2",
+        {R"($\partial L/\partial q$ at rest by dual numbers)",
+         [](const auto& s) { return df_dq(s.lagrangian(), s.q, 0); }},
+        "$.");
   table.formula(
       "lagrange_equation", 1407, R"($m(1+4q^2+9q^4)\ddot q+4m(2q+9q^3)\dot q^2-2m(2q+9q^3)\dot q^2=-3mgq^2$)",
       samples,
@@ -141,7 +128,7 @@ void energies(Table& table, const std::vector<Sample>& samples) {
                  [](const auto& s) {
                    return rate_of_df_dv(s.lagrangian(), s.q, s.v, s.a) - df_dq(s.lagrangian(), s.q, s.v);
                  }},
-       .printed = {R"($m(1+4q^2+9q^4)\ddot q+(4m-2m)(2q+9q^3)\dot q^2+3mgq^2$)"}});
+       .printed = R"($m(1+4q^2+9q^4)\ddot q+(4m-2m)(2q+9q^3)\dot q^2+3mgq^2$)"});
 }
 
 const std::string solved = R"($-(3gq^2+2q(2+9q^2)\dot q^2)/(1+4q^2+9q^4)$)",
@@ -188,35 +175,32 @@ std::vector<State> book_run() {
   return run;
 }
 
-/// A step of the book's run.
+/// q'' of the book's bead.
+double force(const State& x) {
+  Sample bead;
+  bead.m = bead.g = 1, bead.q = x[0], bead.v = x[1];
+  return bead.by_lagrange();
+}
+
+/// A step of the book's run. The changes in a step are from its beginning to its end.
 struct Step {
-  int number;
   State from, to;
-  TypesetLetters typeset() const;
-  std::string where() const {
-    return "step " + std::to_string(number) + ", to $q$ = " + format_significant(to[0], 6);
+  TypesetLetters typeset() const {
+    const auto begin = curve(from[0]), end = curve(to[0]);
+    return {{"q", from[0]},
+            {R"(\ddot q)", force(from)},
+            {R"(\Delta q)", to[0] - from[0]},
+            {R"(\Delta x_2)", end[1] - begin[1]},
+            {R"(\Delta x_3)", end[2] - begin[2]}};
   }
 };
-
-/// q'' of the book's bead.
-double force(const State& x) { return lagrange_acceleration(Lagrangian<double>{1, 1}, x[0], x[1]); }
-/// The changes in a step are from its beginning to its end.
-TypesetLetters Step::typeset() const {
-  const auto begin = curve(from[0]), end = curve(to[0]);
-  return {{"q", from[0]},
-          {R"(\ddot q)", force(from)},
-          {R"(\Delta q)", to[0] - from[0]},
-          {R"(\Delta x_2)", end[1] - begin[1]},
-          {R"(\Delta x_3)", end[2] - begin[2]}};
-}
 
 /// The book's bead at a time.
 struct At {
   double t;
   State state;
-  std::string where() const { return "$t$ = " + format_shortest(t); }
   TypesetLetters typeset() const {
-    return {{R"(\dot q)", state[1]}, {R"(\ddot q)", force(state)}, {"x", curve(state[0])}};
+    return {{"t", t}, {R"(\dot q)", state[1]}, {R"(\ddot q)", force(state)}, {"x", curve(state[0])}};
   }
 };
 
@@ -236,12 +220,7 @@ std::vector<At> later(const std::vector<State>& run) {
 
 void run_down(Claims& claims, const std::vector<State>& run) {
   std::vector<Step> steps;
-  for (std::size_t i = 0; i + 1 < run.size(); ++i)
-    steps.push_back({static_cast<int>(i) + 1, run[i], run[i + 1]});
-  const auto everywhere = [&](const std::string& text, const std::function<bool(const Step&)>& holds) {
-    return in_all(text, steps, holds);
-  };
-
+  for (std::size_t i = 0; i + 1 < run.size(); ++i) steps.push_back({run[i], run[i + 1]});
   Sample still;
   still.m = still.g = still.q = 1, still.v = still.a = 0;
   claims.formula<Sample>(
@@ -273,14 +252,15 @@ void run_down(Claims& claims, const std::vector<State>& run) {
 
   const auto at_origin = event_of<ode::Fehlberg78>(OneCoordinate<double>{{1, 1}}, 1e-12).value.after;
   const auto turns_at = [&](double q) {
-    return everywhere(R"($\dot q$ decreases, then increases)", [q](const Step& s) {
-      return s.from[0] > q && s.to[0] < q ? true : (s.to[1] < s.from[1]) == (s.from[0] > q);
+    return in_all<Step>(R"($\dot q$ decreases, then increases)", steps, [q](const Step& s) {
+      return (s.from[0] > q && s.to[0] < q) || (s.to[1] < s.from[1]) == (s.from[0] > q);
     });
   };
   claims.add(
       "velocity_decreases", 1415, R"($\dot q$ is a decreasing function of time.)",
       {.printed = {R"($\dot q$ decreases)",
-                   {everywhere(R"($\dot q$ decreases)", [](const Step& s) { return s.to[1] < s.from[1]; })}},
+                   {in_all<Step>(R"($\dot q$ decreases)", steps,
+                                 [](const Step& s) { return s.to[1] < s.from[1]; })}},
        .corrected =
            {R"($\dot q$ decreases until $q=0$, where it is $-\sqrt{2g}$, and increases from then on)",
             {turns_at(0),
@@ -308,12 +288,6 @@ void run_down(Claims& claims, const std::vector<State>& run) {
 }
 
 // ---- the arrival ------------------------------------------------------------------------------------------
-
-/// A row of the book's output: q, q' and x1; x2 and x3 are 0.0000.
-struct Row {
-  int step;
-  std::string q, v, x;
-};
 
 /// The time to the origin at g, and at g = 1.
 struct Fall {
@@ -353,31 +327,29 @@ void arrivals(Claims& claims, const std::vector<State>& run, const Reference& tr
                               time("the book's run, half of the way to the zero between its rows",
                                    book_step * (2240 + 0.5 * above[0] / (above[0] - below[0])))}});
 
-  const auto row_reading = [&](const Row& row) -> Reading {
-    const double q = run[static_cast<std::size_t>(row.step)][0],
-                 v = run[static_cast<std::size_t>(row.step)][1];
-    return {"$q=" + row.q + R"($, $\dot q=)" + row.v + "$, position $(" + row.x + ",0,0)$",
-            {as_written("$q$", row.q, {"the book's run", q}),
-             as_written(R"($\dot q$)", row.v, {"the book's run", v}),
+  const auto output = [&](std::size_t step, const std::string& q, const std::string& v,
+                          const std::string& x) -> Reading {
+    return {"$q=" + q + R"($, $\dot q=)" + v + "$, position $(" + x + ",0,0)$",
+            {as_written("$q$", q, {"the book's run", run[step][0]}),
+             as_written(R"($\dot q$)", v, {"the book's run", run[step][1]}),
              {"position",
-              {"as printed", {std::stod(row.x), 0, 0}},
-              {"the book's run", curve(q)},
+              {"as printed", {std::stod(x), 0, 0}},
+              {"the book's run", curve(run[step][0])},
               printed_decimals(4)},
-             as_written("$q$", row.q, {"table", truth("03_07_slide", {1, 1, row.step / 1000.0}).value[0]})}};
+             as_written("$q$", q,
+                        {"table", truth("03_07_slide", {1, 1, static_cast<double>(step) / 1000}).value[0]})}};
   };
-  const auto row = [&](std::string_view slug, int line, const Row& printed, const std::string& q_up,
-                       const std::string& v_up) {
-    Row other_q = printed, other_v = printed;
-    other_q.q = q_up;
-    other_v.v = v_up;
-    claims.add(
-        slug, line,
-        "At $t=" + format_shortest(printed.step / 1000.0) + "$ the output has " + row_reading(printed).text +
-            ".",
-        {.printed = row_reading(printed), .near_misses = {row_reading(other_q), row_reading(other_v)}});
+  const auto row = [&](const char* slug, int line, const char* t, const Reading& printed,
+                       const Reading& other_q, const Reading& other_v) {
+    claims.add(slug, line, "At $t=" + std::string(t) + "$ the output has " + printed.text + ".",
+               {.printed = printed, .near_misses = {other_q, other_v}});
   };
-  row("row_2240", 1421, {2240, "0.00017622", "-1.41421347", "0.0002"}, "0.00017623", "-1.41421346");
-  row("row_2241", 1423, {2241, "-0.00123799", "-1.41420923", "-0.0012"}, "-0.00123798", "-1.41420922");
+  row("row_2240", 1421, "2.24", output(2240, "0.00017622", "-1.41421347", "0.0002"),
+      output(2240, "0.00017623", "-1.41421347", "0.0002"),
+      output(2240, "0.00017622", "-1.41421346", "0.0002"));
+  row("row_2241", 1423, "2.241", output(2241, "-0.00123799", "-1.41420923", "-0.0012"),
+      output(2241, "-0.00123798", "-1.41420923", "-0.0012"),
+      output(2241, "-0.00123799", "-1.41420922", "-0.0012"));
 
   claims.statement<Fall>(
       "between", 1425, "$q$ reaches zero somewhere between 2.24 and 2.241.", {{1, time_at(1), time_at(1)}},
@@ -426,21 +398,24 @@ Provables proofs() {
   for (double* letter : all.example.letters()) *letter = x += 0.5;
   Provables proved = table.proofs("3.7", all);
   const auto& s = all.any;
-  const std::vector<Proposition> heavy{above(s.m.expression(), 0)};
+  const auto lemma = [&](const char* name, const std::string& text, const Shortened& right) {
+    return Lemma{name,
+                 all.letters,
+                 {above(s.m.expression(), 0)},
+                 equal(recorded_text(text, s.typeset()), {right.expression()}),
+                 by_positive_metric};
+  };
   proved.push_back(
       {"3.7-equation_of_motion",
        "it is Lagrange's equation, and that of gravity and the wire's force, in any motion on the curve",
-       {{"lagrange", all.letters, heavy,
-         equal(recorded_text(solved, s.typeset()), {s.by_lagrange().expression()}), by_positive_metric},
-        {"forces", all.letters, heavy,
-         equal(recorded_text(solved, s.typeset()), {s.by_forces().expression()}), by_positive_metric}}});
+       {lemma("lagrange", solved, s.by_lagrange()), lemma("forces", solved, s.by_forces())}});
   SampleOf<Shortened> still;
   still.m = still.g = still.q = 1.0;
   proved.push_back(
       {"3.7-only_gravity",
        "gravity's power is that of the whole force, in any motion on the curve; without the wire the bead would "
        "set off otherwise",
-       {{"printed", all.letters, heavy, equal(recorded_text(power, s.typeset()), {0}), by_positive_metric},
+       {lemma("printed", power, 0),
         {"the_wire_pushes", "", {}, {apart(0, still.acceleration()[0].expression(), 0.2)}, "interval"}},
        0.2});
   const auto place = curve(s.q), u = velocity(s.q, s.v);

@@ -56,39 +56,29 @@ struct SampleOf {
   TypesetIn<T> typeset() const {
     const Two<T> s = springs(q), slopes = df_dq(lagrangian(), q, v), of_T = df_dq(kinetic(), q, v),
                  rims = rim_speeds(), pulls = of_springs();
-    return {{"m_2", p.m2},
-            {"m_3", p.m3},
-            {"I_1", p.I1},
-            {"I_2", p.I2},
-            {"R_1", p.R1},
-            {"R_2", p.R2},
-            {"c_1", p.c1},
-            {"c_2", p.c2},
-            {"L_1", p.L1},
-            {"L_2", p.L2},
-            {"K_1", p.K1},
-            {"K_2", p.K2},
-            {"g", p.g},
-            {"y_2", q[0]},
-            {"y_3", q[1]},
-            {R"(\dot y_2)", v[0]},
-            {R"(\dot y_3)", v[1]},
-            {R"(\ddot y_2)", a[0]},
-            {R"(\ddot y_3)", a[1]},
-            {"S_1", s[0]},
-            {"S_2", s[1]},
-            {R"(\Delta)", delta},
-            {R"(\Delta_2)", v[0]},
-            {R"(\Delta_3)", v[1]},
-            {R"(\dot\theta_1)", rims[0] / p.R1},
-            {R"(\dot\theta_2)", rims[1] / p.R2},
-            {R"(\partial L/\partial y_2)", slopes[0]},
-            {R"(\partial L/\partial y_3)", slopes[1]},
-            {R"(\partial T/\partial y_2)", of_T[0]},
-            {R"(\partial T/\partial y_3)", of_T[1]},
-            {R"(\Delta S_2)", springs_after(abs(v[0]), abs(v[1]))[1]},
-            {"F_1", pulls[0]},
-            {"F_2", pulls[1]}};
+    SampleOf same = *this;
+    TypesetIn<T> all;
+    for (std::size_t i = 0;
+         const char* letter :
+         {"m_2", "m_3", "I_1", "I_2", "R_1", "R_2", "c_1", "c_2", "L_1", "L_2", "K_1", "K_2", "g", "y_2",
+          "y_3", R"(\dot y_2)", R"(\dot y_3)", R"(\ddot y_2)", R"(\ddot y_3)"})
+      all.emplace_back(letter, *same.letters()[i++]);
+    const TypesetIn<T> derived{{"S_1", s[0]},
+                               {"S_2", s[1]},
+                               {R"(\Delta)", delta},
+                               {R"(\Delta_2)", v[0]},
+                               {R"(\Delta_3)", v[1]},
+                               {R"(\dot\theta_1)", rims[0] / p.R1},
+                               {R"(\dot\theta_2)", rims[1] / p.R2},
+                               {R"(\partial L/\partial y_2)", slopes[0]},
+                               {R"(\partial L/\partial y_3)", slopes[1]},
+                               {R"(\partial T/\partial y_2)", of_T[0]},
+                               {R"(\partial T/\partial y_3)", of_T[1]},
+                               {R"(\Delta S_2)", springs_after(abs(v[0]), abs(v[1]))[1]},
+                               {"F_1", pulls[0]},
+                               {"F_2", pulls[1]}};
+    all.insert(all.end(), derived.begin(), derived.end());
+    return all;
   }
   std::string where() const { return listed(typeset(), 15); }
 
@@ -170,6 +160,18 @@ using Sample = SampleOf<double>;
 using S = const Sample&;
 using Samples = std::vector<Sample>;
 using Table = ProvableClaims<SampleOf>;
+using Form = ProvableFormula<SampleOf>;
+
+/// Claims that are right as printed.
+struct Right {
+  Table& table;
+  const Samples& samples;
+
+  void operator()(std::string_view slug, int line, const std::string& says, const Form& truth,
+                  const Form& printed, const std::string& quantity = {}) const {
+    table.formula(slug, line, says, samples, {.quantity = quantity, .truth = truth, .printed = printed});
+  }
+};
 
 /// The default pulleys.
 constexpr two_pulleys::Given<double> standard{1, 2, 0.5, 0.25, 0.5, 0.5, 40,   30,  1,
@@ -186,8 +188,7 @@ std::array<double, 4> tensions(const Model& model, const Pair& y) {
   return {pull1, pull1 + p.inertia_over_square_1() * a[0], pull2,
           pull2 + p.inertia_over_square_2() * (a[1] - a[0])};
 }
-double tension_at_start() { return tensions({standard}, {standard.y2, standard.y3})[3]; }
-double pull_at_start() { return tensions({standard}, {standard.y2, standard.y3})[2]; }
+const auto at_start = tensions({standard}, {standard.y2, standard.y3});
 /// The default initial condition with a longer upper rope; loose() is the compression of its spring.
 constexpr two_pulleys::Given<double> let_loose = [] {
   auto p = standard;
@@ -200,8 +201,6 @@ std::vector<Model::State> default_motion(const std::vector<double>& times, doubl
   const Model model{standard, lever};
   return ode::integrate<ode::Fehlberg78>(model, model.start(), times, 1e-10).value;
 }
-/// The depth of their small pulley after this time.
-double depth_after(double time, double lever) { return default_motion({0, time}, lever).back()[0]; }
 /// The least tension of both ropes' ends over the default motion.
 struct Least {
   double tension = INFINITY;
@@ -239,73 +238,64 @@ Reading freedoms(const std::string& text, int count, const std::array<Eigen::Ind
   ties << -2, 1, 0, -1, 0, 0, 0, /**/ 0, 2, -1, 0, 1, 0, 0, /**/ 1, -1, 0, 0, 0, 2, 0, /**/ 0, 1, -1, 0, 0, 0,
       3, /**/ 1, 0, 0, 0, 0, 0, 0;
   const int tie = rank(ties);
-  Eigen::MatrixXd others = ties;
-  for (Eigen::Index i : chosen) others.col(i).setZero();
   std::vector<double> varying;
   for (Eigen::Index i : {0, 1, 2, 5, 6}) {
     Eigen::MatrixXd held(tied + 1, all);
     held << ties, Eigen::RowVectorXd::Unit(all, i);
     varying.push_back(rank(held) - tie);
   }
+  Eigen::MatrixXd others = ties;
+  for (Eigen::Index i : chosen) others.col(i).setZero();
+  const auto check = [](const std::string& what, const Route& stated, const Route& by_rank) {
+    return Check{what, stated, by_rank, exact()};
+  };
   return {text,
-          {{"degrees of freedom",
-            {"as stated", count},
-            {"7 coordinates less the rank of their ties", all - tie},
-            exact()},
-           {"coordinates that the two decide",
-            {"all others", all - 2},
-            {"the rank of the ties without those two", rank(others)},
-            exact()},
-           {R"(which of $y_1$, $y_2$, $y_3$, $\theta_1$ and $\theta_2$ vary)",
-            {"all but $y_1$", {0, 1, 1, 1, 1}},
-            {"whether the rank grows when one is held", varying},
-            exact()}}};
+          {check("degrees of freedom", {"as stated", count},
+                 {"7 coordinates less the rank of their ties", all - tie}),
+           check("coordinates that the two decide", {"all others", all - 2},
+                 {"the rank of the ties without those two", rank(others)}),
+           check(R"(which of $y_1$, $y_2$, $y_3$, $\theta_1$ and $\theta_2$ vary)",
+                 {"all but $y_1$", {0, 1, 1, 1, 1}}, {"whether the rank grows when one is held", varying})}};
+}
+
+/// Growth of a spring, by its rope's length, when the small pulley and the mass go down by multiples of
+/// Delta.
+Form growth(std::size_t rope, double pulley, double mass) {
+  return {std::string("by the ") + (rope == 0 ? "first" : "second") + " rope's length",
+          [=](const auto& s) { return s.springs_after(pulley * s.delta, mass * s.delta)[rope]; }};
 }
 
 void kinematics(Claims& claims, Table& table, const Samples& samples) {
-  table.formula("rolling", 2437,
-                R"($R_1\dot\theta_1=\dot y_2-\dot y_1=\dot y_2$ and $R_2\dot\theta_2=\dot y_3-\dot y_2$)",
-                samples,
-                {.quantity = "the speeds of the rims",
-                 .truth = {"the rope that runs over the rims, from the ropes' lengths on the springs' side",
-                           [](const auto& s) { return s.rim_speeds(); }},
-                 .printed = R"($(\dot y_2,\ \dot y_3-\dot y_2)$)"});
+  const Right claim{table, samples};
+  claim("rolling", 2437,
+        R"($R_1\dot\theta_1=\dot y_2-\dot y_1=\dot y_2$ and $R_2\dot\theta_2=\dot y_3-\dot y_2$)",
+        {"the rope that runs over the rims, from the ropes' lengths on the springs' side",
+         [](const auto& s) { return s.rim_speeds(); }},
+        R"($(\dot y_2,\ \dot y_3-\dot y_2)$)");
   claims.add("two_freedoms", 2439, "The system has only two degrees of freedom, $y_2$ and $y_3$",
              {.printed = freedoms("2, $y_2$ and $y_3$", 2, {1, 2}),
               .near_misses = {freedoms("2, $y_2$ and $S_1$", 2, {1, 3})}});
 
-  table.formula(
-      "length_1", 2521, "$S_1-y_2$ is constant", samples,
-      {.quantity = R"(growth of $S_1$ when $y_2$ grows by $\Delta$)",
-       .truth = {"by the first rope's length", [](const auto& s) { return s.springs_after(s.delta, 0)[0]; }},
-       .printed = R"($\Delta$)"});
-  table.formula("length_2", 2529, "$S_2-y_3+2y_2$ is constant", samples,
-                {.quantity = R"(growth of $S_2$ when $y_2$ and $y_3$ grow by $\Delta_2$ and $\Delta_3$)",
-                 .truth = {"by the second rope's length",
-                           [](const auto& s) { return s.springs_after(s.v[0], s.v[1])[1]; }},
-                 .printed = R"($\Delta_3-2\Delta_2$)"});
-  table.formula(
-      "mass_down", 2531, R"(With $y_2$ fixed, $S_2+\Delta$ and $y_3+\Delta$ keep the second rope's length)",
-      samples,
-      {.quantity = R"(growth of $S_2$ when $y_3$ grows by $\Delta$)",
-       .truth = {"by the second rope's length", [](const auto& s) { return s.springs_after(0, s.delta)[1]; }},
-       .printed = R"($\Delta$)"});
-  table.formula("pulley_down", 2535,
-                R"($S_2-\Delta$, $y_3+\Delta$ and $y_2+\Delta$ together keep the second rope's length)",
-                samples,
-                {.quantity = R"(growth of $S_2$ when $y_2$ and $y_3$ grow by $\Delta$)",
-                 .truth = {"by the second rope's length",
-                           [](const auto& s) { return s.springs_after(s.delta, s.delta)[1]; }},
-                 .printed = R"($-\Delta$)"});
+  claim("length_1", 2521, "$S_1-y_2$ is constant", growth(0, 1, 0), R"($\Delta$)",
+        R"(growth of $S_1$ when $y_2$ grows by $\Delta$)");
+  claim("length_2", 2529, "$S_2-y_3+2y_2$ is constant",
+        {"by the second rope's length", [](const auto& s) { return s.springs_after(s.v[0], s.v[1])[1]; }},
+        R"($\Delta_3-2\Delta_2$)",
+        R"(growth of $S_2$ when $y_2$ and $y_3$ grow by $\Delta_2$ and $\Delta_3$)");
+  claim("mass_down", 2531, R"(With $y_2$ fixed, $S_2+\Delta$ and $y_3+\Delta$ keep the second rope's length)",
+        growth(1, 0, 1), R"($\Delta$)", R"(growth of $S_2$ when $y_3$ grows by $\Delta$)");
+  claim("pulley_down", 2535,
+        R"($S_2-\Delta$, $y_3+\Delta$ and $y_2+\Delta$ together keep the second rope's length)",
+        growth(1, 1, 1), R"($-\Delta$)", R"(growth of $S_2$ when $y_2$ and $y_3$ grow by $\Delta$)");
   // When the text stretches or compresses a string, its spring gets longer or shorter, and the string does
   // not.
   const auto string_for_spring = [&](std::string_view slug, int line, std::string says, std::size_t rope,
-                                     const Two<double>& down, const std::string& change, std::string why) {
+                                     double pulley, double mass, const std::string& change, std::string why) {
     table.formula(slug, line, std::move(says), samples,
                   {.quantity = "(change of the string's length, change of its spring's length)",
                    .truth = {"the string summed over its straight parts; the spring by the rope's length",
                              [=](const auto& s) {
-                               const auto down2 = down[0] * s.delta, down3 = down[1] * s.delta;
+                               const auto down2 = pulley * s.delta, down3 = mass * s.delta;
                                return values(s.ropes_after(down2, down3)[rope],
                                              s.springs_after(down2, down3)[rope]);
                              }},
@@ -317,7 +307,7 @@ void kinematics(Claims& claims, Table& table, const Samples& samples) {
   const std::string as_stretched = " (our reading: it gets longer, and not its spring)";
   string_for_spring(
       "string_stretched", 2521,
-      R"(When the small pulley goes down by $\Delta$ the string is stretched)" + as_stretched, 0, {1, 0},
+      R"(When the small pulley goes down by $\Delta$ the string is stretched)" + as_stretched, 0, 1, 0,
       R"(\Delta)",
       R"(The string is the wire, whose length the same paragraph calls constant; the spring gets )"
       R"(longer. The letter is right: $S_1$ is the spring's length, and grows by $\Delta$ )"
@@ -325,14 +315,14 @@ void kinematics(Claims& claims, Table& table, const Samples& samples) {
   string_for_spring(
       "second_string_stretched", 2529,
       R"(When the mass goes down by $\Delta$ at fixed $y_2$ the string must be stretched)" + as_stretched, 1,
-      {0, 1}, R"(\Delta)",
+      0, 1, R"(\Delta)",
       R"(As in line 2521, the spring is stretched, from $S_2$ to $S_2+\Delta$, while the string keeps )"
       R"(its length.)");
   string_for_spring(
       "must_compress", 2533,
       R"(When the small pulley and the mass both go down by $\Delta$ (the text's example) the string is compressed )"
       R"((our reading: it gets shorter, and not its spring))",
-      1, {1, 1}, R"(-\Delta)",
+      1, 1, 1, R"(-\Delta)",
       R"(Again the spring, not the string, gives way: $S_2$ becomes $S_2-\Delta$ and the wire's length )"
       R"(changes by 0. Compressed here means shorter than before; in line 2525 it means $S_2<L_2$. )"
       R"(In the example the small pulley does not turn.)");
@@ -357,42 +347,33 @@ void kinematics(Claims& claims, Table& table, const Samples& samples) {
 
 void energies(Table& table, const Samples& samples) {
   const std::string dual = "dual numbers", nested = "nested dual numbers";
-  const ProvableFormula<SampleOf> kinetic_energy{
-      "that of the masses by their speeds, of the pulleys by the speeds of their rims",
-      [](const auto& s) { return s.kinetic()(s.q, s.v); }};
-  table.formula(
-      "kinetic_energy_by_angles", 2443,
-      R"(The kinetic energy is $\frac{m_2}2\dot y_2^2+I_1\,2\,\dot\theta_1^2+\frac{m_3}2\dot y_3^2)"
-      R"(+I_2\,2\,\dot\theta_2^2$)",
-      samples,
-      {.quantity = "the kinetic energy",
-       .truth = kinetic_energy,
-       .printed =
-           R"($\frac{m_2}2\dot y_2^2+I_1\,2\,\dot\theta_1^2+\frac{m_3}2\dot y_3^2+I_2\,2\,\dot\theta_2^2$)",
-       .meant = R"($\frac{m_2}2\dot y_2^2+\frac{I_1}2\dot\theta_1^2+\frac{m_3}2\dot y_3^2)"
-                R"(+\frac{I_2}2\dot\theta_2^2$)",
-       .kind = Fault::lost_typography,
-       .why =
-           filled("The fraction bars of $I_1/2$ and $I_2/2$ are lost in the text at hand; read as products "
-                  "they are @1 times as much.",
-                  {2 * 2})});
-  table.formula(
-      "kinetic_energy", 2443,
-      R"(With the pulleys turned by their ropes the kinetic energy is $\frac{m_2}2\dot y_2^2+I_1\,2R_1^2\,\dot y_2^2+\frac{m_3}2\dot )"
-      R"(y_3^2+I_2\,2R_2^2\,(\dot y_3-\dot y_2)^2$)",
-      samples,
-      {.quantity = "the kinetic energy",
-       .truth = kinetic_energy,
-       .printed = R"($\frac{m_2}2\dot y_2^2+I_1\,2R_1^2\,\dot y_2^2+\frac{m_3}2\dot y_3^2)"
-                  R"(+I_2\,2R_2^2\,(\dot y_3-\dot y_2)^2$)",
-       .meant = R"($\frac{m_2}2\dot y_2^2+\frac{I_1}{2R_1^2}\dot y_2^2+\frac{m_3}2\dot y_3^2)"
-                R"(+\frac{I_2}{2R_2^2}(\dot y_3-\dot y_2)^2$)",
-       .kind = Fault::lost_typography,
-       .why = filled(
-           "The fraction bars of the pulleys' terms are lost in the text at hand: $I_1/(2R_1^2)$ and "
-           "$I_2/(2R_2^2)$. The default pulleys have @2 kg and @2 kg there, and the products are @2 and @3 "
-           "kg m$^4$, of another unit.",
-           {0.5 / (2 * 0.25), 0.25 / (2 * 0.25), 0.5 * 2 * 0.25, 0.25 * 2 * 0.25})});
+  const Form kinetic_energy{"that of the masses by their speeds, of the pulleys by the speeds of their rims",
+                            [](const auto& s) { return s.kinetic()(s.q, s.v); }};
+  const auto kinetic = [&](std::string_view slug, int line, const std::string& begin,
+                           const std::string& printed, const std::string& meant, const std::string& why) {
+    table.formula(slug, line, begin + "kinetic energy is " + printed, samples,
+                  {.truth = kinetic_energy,
+                   .printed = printed,
+                   .meant = meant,
+                   .kind = Fault::lost_typography,
+                   .why = why});
+  };
+  kinetic(
+      "kinetic_energy_by_angles", 2443, "The ",
+      R"($\frac{m_2}2\dot y_2^2+I_1\,2\,\dot\theta_1^2+\frac{m_3}2\dot y_3^2+I_2\,2\,\dot\theta_2^2$)",
+      R"($\frac{m_2}2\dot y_2^2+\frac{I_1}2\dot\theta_1^2+\frac{m_3}2\dot y_3^2+\frac{I_2}2\dot\theta_2^2$)",
+      filled("The fraction bars of $I_1/2$ and $I_2/2$ are lost in the text at hand; read as products "
+             "they are @1 times as much.",
+             {2 * 2}));
+  kinetic(
+      "kinetic_energy", 2443, "With the pulleys turned by their ropes the ",
+      R"($\frac{m_2}2\dot y_2^2+I_1\,2R_1^2\,\dot y_2^2+\frac{m_3}2\dot y_3^2+I_2\,2R_2^2\,(\dot y_3-\dot y_2)^2$)",
+      R"($\frac{m_2}2\dot y_2^2+\frac{I_1}{2R_1^2}\dot y_2^2+\frac{m_3}2\dot y_3^2)"
+      R"(+\frac{I_2}{2R_2^2}(\dot y_3-\dot y_2)^2$)",
+      filled("The fraction bars of the pulleys' terms are lost in the text at hand: $I_1/(2R_1^2)$ and "
+             "$I_2/(2R_2^2)$. The default pulleys have @2 kg and @2 kg there, and the products are @2 and @3 "
+             "kg m$^4$, of another unit.",
+             {0.5 / (2 * 0.25), 0.25 / (2 * 0.25), 0.5 * 2 * 0.25, 0.25 * 2 * 0.25}));
   table.formula(
       "dT_dy", 2475, R"($\partial T/\partial y_2=\partial T/\partial y_3=0$)", samples,
       {.quantity =
@@ -407,8 +388,7 @@ void energies(Table& table, const Samples& samples) {
       R"(The derivatives of $T$ by the speeds are $m_2\dot y_2+I_1R_1^2\dot y_2+(I_2/R_2^2)(\dot )"
       R"(y_2-\dot y_3)$ and $m_3\dot y_3+I_2R_2^2(\dot y_3-\dot y_2)$)",
       samples,
-      {.quantity = R"($(\partial T/\partial\dot y_2,\ \partial T/\partial\dot y_3)$)",
-       .truth = {dual, [](const auto& s) { return df_dv(s.model(), s.q, s.v); }},
+      {.truth = {dual, [](const auto& s) { return df_dv(s.model(), s.q, s.v); }},
        .printed = R"($(m_2\dot y_2+I_1R_1^2\dot y_2+\frac{I_2}{R_2^2}(\dot y_2-\dot y_3),\ m_3\dot y_3)"
                   R"(+I_2R_2^2(\dot y_3-\dot y_2))$)",
        .meant = R"($(m_2\dot y_2+\frac{I_1}{R_1^2}\dot y_2+\frac{I_2}{R_2^2}(\dot y_2)"
@@ -422,14 +402,11 @@ void energies(Table& table, const Samples& samples) {
            {10 * 10, 10 * 10})});
   const std::string rates = R"($(m_2\ddot y_2+\frac{I_1}{R_1^2}\ddot y_2+\frac{I_2}{R_2^2}(\ddot y_2)"
                             R"(-\ddot y_3),\ m_3\ddot y_3+\frac{I_2}{R_2^2}(\ddot y_3-\ddot y_2))$)";
-  table.formula(
-      "momentum_rates", 2497,
-      R"(The time derivatives of $\partial T/\partial\dot y_2$ and $\partial T/\partial\dot y_3$ are )" +
-          rates,
-      samples,
-      {.quantity = R"(the time derivatives of $(\partial T/\partial\dot y_2,\ \partial T/\partial\dot y_3)$)",
-       .truth = {nested, [](const auto& s) { return rate_of_df_dv(s.model(), s.q, s.v, s.a); }},
-       .printed = rates});
+  const Right claim{table, samples};
+  claim("momentum_rates", 2497,
+        R"(The time derivatives of $\partial T/\partial\dot y_2$ and $\partial T/\partial\dot y_3$ are )" +
+            rates,
+        {nested, [](const auto& s) { return rate_of_df_dv(s.model(), s.q, s.v, s.a); }}, rates);
 }
 
 // ---- the forces -------------------------------------------------------------------------------------------
@@ -439,22 +416,21 @@ void energies(Table& table, const Samples& samples) {
 template <class T, class Tension>
 auto negative_or_both(const SampleOf<T>& s, const Tension& of) {
   const Two<T> lengths = s.springs(s.q), c{s.p.c1, s.p.c2}, rest{s.p.L1, s.p.L2};
-  Two<T> tension, slack;
+  std::array<T, 6> all;
   for (std::size_t i = 0; i < 2; ++i) {
-    tension[i] = of(T(c[i] * (lengths[i] - rest[i])));
-    slack[i] = rest[i] + tension[i] / c[i] - lengths[i];
+    const T tension = of(T(c[i] * (lengths[i] - rest[i]))), slack = rest[i] + tension / c[i] - lengths[i];
+    all[3 * i] = min(tension, T(0)), all[3 * i + 1] = min(slack, T(0)), all[3 * i + 2] = tension * slack;
   }
-  return values(min(tension[0], T(0)), min(slack[0], T(0)), tension[0] * slack[0], min(tension[1], T(0)),
-                min(slack[1], T(0)), tension[1] * slack[1]);
+  return all;
 }
 
 const std::string of_ropes = "negative tension of each rope at its spring, negative slack, and their product";
-const ProvableFormula<SampleOf> no_fault{"zero", [](const auto&) { return values(0, 0, 0, 0, 0, 0); }};
-ProvableFormula<SampleOf> pulls(const std::string& text, const auto& of) {
+const Form no_fault{"zero", [](const auto&) { return values(0, 0, 0, 0, 0, 0); }};
+Form pulls(const std::string& text, const auto& of) {
   return {text, [=](const auto& s) { return negative_or_both(s, of); }};
 }
-const ProvableFormula<SampleOf> as_springs = pulls(
-    "the ropes are pulled with $c_1(S_1-L_1)$ and $c_2(S_2-L_2)$", [](const auto& pull) { return pull; });
+const Form as_springs = pulls("the ropes are pulled with $c_1(S_1-L_1)$ and $c_2(S_2-L_2)$",
+                              [](const auto& pull) { return pull; });
 
 void compression(Table& table, const Samples& samples) {
   table.formula(
@@ -484,11 +460,10 @@ void compression(Table& table, const Samples& samples) {
 }
 
 /// The statement of `compression`, for springs that are all stretched.
-Reading in_stretching(const Samples& samples) {
-  Samples stretched;
-  for (const Sample& s : samples) stretched.push_back(s.stretched());
+Reading in_stretching(Samples samples) {
+  for (Sample& s : samples) s = s.stretched();
   return {"in stretching, when $S_1>L_1$ and $S_2>L_2$",
-          {compare<Sample>(of_ropes, as_springs, no_fault, stretched)}};
+          {compare<Sample>(of_ropes, as_springs, no_fault, samples)}};
 }
 
 Check taut() {
@@ -500,7 +475,14 @@ Check taut() {
 }
 
 void forces(Claims& claims, Table& table, Table& in_motion, const Samples& samples, const Samples& motions) {
-  const std::string forgotten = "the second spring on the pulley";
+  const Right claim{table, samples};
+  const std::string forgotten = "the second spring on the pulley", pull_1 = "$m_2g-c_1(S_1-L_1)$",
+                    pull_2 = "$m_3g-c_2(S_2-L_2)$", on_y2 = "$m_2g-c_1(K_1-L_1+y_2)$",
+                    on_y3 = "$m_3g-c_2(K_2-L_2+y_3-2y_2)$";
+  const auto generalized = [](std::size_t i) -> Form {
+    return {R"($-\partial V/\partial y_)" + std::to_string(i + 2) + "$ by dual numbers",
+            [=](const auto& s) { return s.forces()[i]; }};
+  };
   claims.statement<Sample>(
       "stretched", 2515,
       "$S_1>L_1$ is stretching and $S_1<L_1$ compression, and so with $S_2$ and $L_2$ (our check: by the "
@@ -510,12 +492,10 @@ void forces(Claims& claims, Table& table, Table& in_motion, const Samples& sampl
        .near_misses = {{R"($(F_1(L_1-S_1),\ F_2(L_2-S_2))<0$)"}}});
   in_motion.formula(
       "force_on_pulley", 2517,
-      "The force on the small pulley has two components, gravity and the first spring's: $m_2g-c_1(S_1-L_1)$",
-      motions,
-      {.quantity = "the force on the small pulley",
-       .truth = {R"($m_2\ddot y_2$ by Lagrange's equations)",
-                 [](const auto& s) { return s.p.m2 * s.by_lagrange()[0]; }, &Sample::size},
-       .printed = "$m_2g-c_1(S_1-L_1)$",
+      "The force on the small pulley has two components, gravity and the first spring's: " + pull_1, motions,
+      {.truth = {R"($m_2\ddot y_2$ by Lagrange's equations)",
+                 [](const auto& s) { return s.p.m2 * s.by_lagrange()[0]; }},
+       .printed = pull_1,
        .corrected = R"($m_2g-c_1(S_1-L_1)-\frac{I_1}{R_1^2}\ddot y_2+2c_2(S_2-L_2))"
                     R"(+\frac{I_2}{R_2^2}(\ddot y_3-\ddot y_2)$)",
        .kind = Fault::counterexample,
@@ -525,19 +505,16 @@ void forces(Claims& claims, Table& table, Table& in_motion, const Samples& sampl
            R"(of the small pulley. The upper tension is $c_1(S_1-L_1)$ only where the large pulley has no )"
            R"(inertia or does not accelerate. So the formula lacks the second spring and, as the mass's )"
            R"(does, the pulleys' inertia.)"});
-  table.formula(
-      "force_in_y2", 2523, "$m_2g-c_1(S_1-L_1)$ is $m_2g-c_1(K_1-L_1+y_2)$", samples,
-      {.quantity = "$m_2g-c_1(S_1-L_1)$",
-       .truth = {"by the first rope's length",
-                 [](const auto& s) { return s.p.m2 * s.p.g - s.p.c1 * (s.springs(s.q)[0] - s.p.L1); }},
-       .printed = "$m_2g-c_1(K_1-L_1+y_2)$"});
+  claim("force_in_y2", 2523, pull_1 + " is " + on_y2,
+        {"by the first rope's length",
+         [](const auto& s) { return s.p.m2 * s.p.g - s.p.c1 * (s.springs(s.q)[0] - s.p.L1); }},
+        on_y2);
   in_motion.formula(
-      "force_on_mass", 2525,
-      "Gravity and the second spring's pull are the force on the mass: $m_3g-c_2(S_2-L_2)$", motions,
-      {.quantity = "the force on the mass",
-       .truth = {R"($m_3\ddot y_3$ by Lagrange's equations)",
-                 [](const auto& s) { return s.p.m3 * s.by_lagrange()[1]; }, &Sample::size},
-       .printed = "$m_3g-c_2(S_2-L_2)$",
+      "force_on_mass", 2525, "Gravity and the second spring's pull are the force on the mass: " + pull_2,
+      motions,
+      {.truth = {R"($m_3\ddot y_3$ by Lagrange's equations)",
+                 [](const auto& s) { return s.p.m3 * s.by_lagrange()[1]; }},
+       .printed = pull_2,
        .corrected = R"($m_3g-c_2(S_2-L_2)-\frac{I_2}{R_2^2}(\ddot y_3-\ddot y_2)$)",
        .kind = Fault::counterexample,
        .root = "the small pulley's inertia",
@@ -547,20 +524,15 @@ void forces(Claims& claims, Table& table, Table& in_motion, const Samples& sampl
            R"(the spring. The verdict takes "the force on the point mass" at its word, as line 2543 names )"
            R"(the generalized force separately. The paragraph's first line announces generalized forces: as )"
            R"(the one on $y_3$ the formula is right, and so is the equation of motion that uses it.)",
-           {tension_at_start(), pull_at_start()})});
+           {at_start[3], at_start[2]})});
+  claim("force_in_y3", 2539, pull_2 + " is " + on_y3,
+        {"by the second rope's length",
+         [](const auto& s) { return s.p.m3 * s.p.g - s.p.c2 * (s.springs(s.q)[1] - s.p.L2); }},
+        on_y3);
   table.formula(
-      "force_in_y3", 2539, "$m_3g-c_2(S_2-L_2)$ is $m_3g-c_2(K_2-L_2+y_3-2y_2)$", samples,
-      {.quantity = "$m_3g-c_2(S_2-L_2)$",
-       .truth = {"by the second rope's length",
-                 [](const auto& s) { return s.p.m3 * s.p.g - s.p.c2 * (s.springs(s.q)[1] - s.p.L2); }},
-       .printed = "$m_3g-c_2(K_2-L_2+y_3-2y_2)$"});
-
-  table.formula(
-      "force_y2", 2541, "The generalized force on $y_2$ is $m_2g-c_1(K_1-L_1+y_2)$", samples,
-      {.quantity = "the generalized force on $y_2$",
-       .truth = {R"($-\partial V/\partial y_2$ by dual numbers)",
-                 [](const auto& s) { return s.forces()[0]; }},
-       .printed = "$m_2g-c_1(K_1-L_1+y_2)$",
+      "force_y2", 2541, "The generalized force on $y_2$ is " + on_y2, samples,
+      {.truth = generalized(0),
+       .printed = on_y2,
        .corrected = "$m_2g-c_1(K_1-L_1+y_2)+2c_2(K_2-L_2+y_3-2y_2)$",
        .kind = Fault::formula,
        .root = forgotten,
@@ -570,11 +542,7 @@ void forces(Claims& claims, Table& table, Table& in_motion, const Samples& sampl
            R"(first spring must carry $(m_2+2m_3)g$. As published it carries $m_2g$ alone, @3 N for @4 N with )"
            R"(the default masses.)",
            {standard.m2 * standard.g, (standard.m2 + 2 * standard.m3) * standard.g})});
-  table.formula("force_y3", 2543, "The generalized force on $y_3$ is $m_3g-c_2(K_2-L_2+y_3-2y_2)$", samples,
-                {.quantity = "the generalized force on $y_3$",
-                 .truth = {R"($-\partial V/\partial y_3$ by dual numbers)",
-                           [](const auto& s) { return s.forces()[1]; }},
-                 .printed = "$m_3g-c_2(K_2-L_2+y_3-2y_2)$"});
+  claim("force_y3", 2543, "The generalized force on $y_3$ is " + on_y3, generalized(1), on_y3);
 }
 
 // ---- the equations ----------------------------------------------------------------------------------------
@@ -603,39 +571,37 @@ Check energy_lost(const Samples& samples) {
                             Model{s.p, 0}.acceleration(s.q, a);
                             const auto y = moving(s.q, s.v), dy = moving(s.v, a);
                             return (s.p.kinetic_energy(dy) + s.p.potential_energy(y)).slope;
-                          },
-                          &Sample::size},
+                          }},
                          samples);
 }
 
 /// Left minus right side of the equations is zero in a motion, by Lagrange's equations or by the ropes'
 /// tensions.
 void equations(Table& in_motion, const Samples& motions) {
-  const ProvableFormula<SampleOf> zero{"zero", [](const auto&) { return 0.0; }};
+  const Form zero{"zero", [](const auto&) { return 0.0; }};
   const std::string balance =
       R"(left side less right side, with $\ddot y$ by Lagrange's equations or by the ropes' tensions)";
+  const std::string left_y2 =
+                        R"($m_2\ddot y_2+\frac{I_1}{R_1^2}\ddot y_2+\frac{I_2}{R_2^2}(\ddot y_2-\ddot y_3))",
+                    right_y2 = "=m_2g-c_1(K_1-L_1+y_2)", right_y3 = "=m_3g-c_2(K_2-L_2+y_3-2y_2)$",
+                    printed_y3 = R"($m_3\ddot y_3+I_2R_2^2(\ddot y_3-\ddot y_2))" + right_y3;
+  in_motion.formula("equation_y2", 2547,
+                    R"($m_2\ddot y_2+(I_1/R_1^2)\ddot y_2+(I_2/R_2^2)(\ddot y_2-\ddot y_3))" + right_y2 +
+                        "$, the bar of $I_1/R_1^2$ restored",
+                    motions,
+                    {.quantity = balance,
+                     .truth = zero,
+                     .printed = left_y2 + right_y2 + "$",
+                     .corrected = left_y2 + right_y2 + "+2c_2(K_2-L_2+y_3-2y_2)$",
+                     .kind = Fault::formula,
+                     .root = "the second spring on the pulley",
+                     .why = of_frequencies()});
   in_motion.formula(
-      "equation_y2", 2547,
-      R"($m_2\ddot y_2+(I_1/R_1^2)\ddot y_2+(I_2/R_2^2)(\ddot y_2-\ddot y_3)=m_2g-c_1(K_1-L_1)"
-      R"(+y_2)$, the bar )"
-      R"(of $I_1/R_1^2$ restored)",
-      motions,
+      "equation_y3", 2553, printed_y3, motions,
       {.quantity = balance,
        .truth = zero,
-       .printed = R"($m_2\ddot y_2+\frac{I_1}{R_1^2}\ddot y_2+\frac{I_2}{R_2^2}(\ddot y_2-\ddot y_3)=m_2g)"
-                  R"(-c_1(K_1-L_1+y_2)$)",
-       .corrected = R"($m_2\ddot y_2+\frac{I_1}{R_1^2}\ddot y_2+\frac{I_2}{R_2^2}(\ddot y_2-\ddot y_3)=m_2g)"
-                    R"(-c_1(K_1-L_1+y_2)+2c_2(K_2-L_2+y_3-2y_2)$)",
-       .kind = Fault::formula,
-       .root = "the second spring on the pulley",
-       .why = of_frequencies()});
-  in_motion.formula(
-      "equation_y3", 2553, R"($m_3\ddot y_3+I_2R_2^2(\ddot y_3-\ddot y_2)=m_3g-c_2(K_2-L_2+y_3-2y_2)$)",
-      motions,
-      {.quantity = balance,
-       .truth = zero,
-       .printed = R"($m_3\ddot y_3+I_2R_2^2(\ddot y_3-\ddot y_2)=m_3g-c_2(K_2-L_2+y_3-2y_2)$)",
-       .meant = R"($m_3\ddot y_3+\frac{I_2}{R_2^2}(\ddot y_3-\ddot y_2)=m_3g-c_2(K_2-L_2+y_3-2y_2)$)",
+       .printed = printed_y3,
+       .meant = R"($m_3\ddot y_3+\frac{I_2}{R_2^2}(\ddot y_3-\ddot y_2))" + right_y3,
        .kind = Fault::lost_typography,
        .why = filled(
            "The bar of $I_2/R_2^2$ is lost in the text at hand; line 2511, from which the term is taken, "
@@ -653,7 +619,6 @@ void state(Claims& claims, Table& table, Table& in_motion, const Samples& sample
   energies(table, samples);
   forces(claims, table, in_motion, samples, motions);
   equations(in_motion, motions);
-  compression(table, samples);
 }
 
 }  // namespace
@@ -663,6 +628,7 @@ std::vector<Claim> claims(double seed) {
   Table table(claims), in_motion(claims);
   const auto samples = draw<Sample>(200, seed);
   state(claims, table, in_motion, samples);
+  compression(table, samples);
   std::vector<Claim> all = claims.in_order();
   const auto claim = [&](const char* id) -> Claim& { return *std::ranges::find(all, id, &Claim::id); };
   Claim &compressed = claim("3.19-compression"), &equation = claim("3.19-equation_y2");
@@ -677,17 +643,6 @@ constexpr const char* by_tension = R"(
   set (S2 := depth - y2 - (depth - K2 - (y3 - y2 - y2))) in *; clearbody S2;
   unfold Rmin, Rmax; repeat destruct (Rle_dec _ _); try nra; try (field_simplify; nra))";
 constexpr const char* by_pull = "unfold Rmin; destruct (Rle_dec _ _) as [|N]; [|destruct N]; interval";
-
-Provable proof_of_compression(ForAll<SampleOf> all) {
-  Claims claims("3.19");
-  Table table(claims);
-  compression(table, {});
-  all.tactic = by_tension;
-  Provable proved = table.proofs("3.19", all)[0];
-  for (Lemma& lemma : proved.lemmas)
-    if (lemma.tactic == "interval") lemma.tactic = by_pull;
-  return proved;
-}
 
 Provable proof_of_stretched(const ForAll<SampleOf>& all) {
   const Two<Shortened> parts = all.any.of_springs(), lengths = all.any.springs(all.any.q);
@@ -708,8 +663,9 @@ Provable proof_of_stretched(const ForAll<SampleOf>& all) {
 
 Provables proofs() {
   Claims claims("3.19");
-  Table table(claims), in_motion(claims);
+  Table table(claims), in_motion(claims), ropes(claims);
   state(claims, table, in_motion, {});
+  compression(ropes, {});
   const std::vector<std::string> names{"m2", "m3", "I1", "I2",    "R1", "R2",   "c1", "c2",
                                        "L1", "L2", "K1", "K2",    "g",  "y2",   "y3", "v2",
                                        "v3", "a2", "a3", "depth", "y1", "delta"};
@@ -725,15 +681,15 @@ Provables proofs() {
   ForAll<SampleOf> with_springs = all;
   for (const Shortened& positive : {all.any.p.c1, all.any.p.c2})
     with_springs.given.push_back(above(positive.expression(), 0));
-  all.without = {"compression"};
   Provables proved = table.proofs("3.19", all);
-  ForAll<SampleOf> by_lagrange = all, by_tensions = all;
-  by_lagrange.any = all.any.in_motion(all.any.by_lagrange());
-  by_lagrange.example = all.example.in_motion(all.example.by_lagrange());
-  by_tensions.any = all.any.in_motion(all.any.by_tensions());
-  by_tensions.example = all.example.in_motion(all.example.by_tensions());
-  const Provables again = in_motion.proofs("3.19", by_lagrange);
-  for (Provable& one : in_motion.proofs("3.19", by_tensions)) {
+  const auto in_motions = [&](const auto& accelerations) {
+    ForAll<SampleOf> moving = all;
+    moving.any = all.any.in_motion(accelerations(all.any));
+    moving.example = all.example.in_motion(accelerations(all.example));
+    return in_motion.proofs("3.19", moving);
+  };
+  const Provables again = in_motions([](const auto& s) { return s.by_lagrange(); });
+  for (Provable& one : in_motions([](const auto& s) { return s.by_tensions(); })) {
     one.lemmas.push_back(std::ranges::find(again, one.claim, &Provable::claim)->lemmas[0]);
     one.lemmas.back().name += "_by_lagrange";
     proved.push_back(std::move(one));
@@ -742,8 +698,12 @@ Provables proofs() {
   std::vector<Proposition> none;
   for (const char* y : {"y2", "y3"})
     none.push_back({"derivable_pt_lim (fun " + std::string(y) + " => " + energy + ") " + y + " 0"});
-  proved.push_back(proof_of_compression(with_springs));
   proved.push_back(proof_of_stretched(with_springs));
+  with_springs.tactic = by_tension;
+  for (Provable& one : ropes.proofs("3.19", with_springs)) {
+    one.lemmas.back().tactic = by_pull;
+    proved.push_back(std::move(one));
+  }
   proved.push_back({"3.19-dT_dy",
                     "it holds for all pulleys in any motion",
                     {{"printed", all.letters, {}, none, "apply derivable_pt_lim_const"}}});
@@ -751,6 +711,7 @@ Provables proofs() {
 }
 
 std::vector<Root> roots() {
+  const auto depth = [](double lever) { return default_motion({0, shown_after}, lever).back()[0]; };
   const auto up = [](double tension) { return tension / standard.m3 - standard.g; };
   constexpr double pulley = 1, mass = 3;
   return {
@@ -758,11 +719,11 @@ std::vector<Root> roots() {
        filled(
            "By the published equations the small pulley of the default start is @2 m below the ceiling after "
            "@1 s, where it should hang @3 m below it. In both motions all ropes are taut until then.",
-           {depth_after(shown_after, 0), shown_after, depth_after(shown_after, 2)})},
+           {depth(0), shown_after, depth(2)})},
       {"the small pulley's inertia",
        filled("The default mass starts with an upward acceleration of @3 m/s$^2$; by the published force it "
               "would be @3 m/s$^2$.",
-              {up(tension_at_start()), up(pull_at_start())})},
+              {up(at_start[3]), up(at_start[2])})},
       {"a rope that pushes",
        filled("Started with @1 m of slack ($K_1=@1$ m), the first spring pushes its rope with @2 N by the "
               "published formula, where it does not pull at all.",

@@ -25,17 +25,17 @@ PointOf<T> turned_by(const T& angle, const PointOf<T>& z) {
   return {C * z[0] - S * z[1], C * z[1] + S * z[0]};
 }
 
-/// A random wire in motion, and a point of it at the parameter `at`. Recorded for Coq, the wire is any curve
-/// (b0 s, b1 s) of the density delta s, and the point is arbitrary.
+/// A random wire in motion, and a point b of it in body space. Recorded for Coq, the wire is any curve (b0 s,
+/// b1 s) of the density delta s, and the point is arbitrary.
 template <class T>
 struct SampleOf {
-  Wire wire;
-  T x, y, theta, vx, vy, w;
-  double at = 0;
+  Wire wire{};
+  T x{}, y{}, theta{}, vx{}, vy{}, w{};
   Point center{};
+  PointOf<T> b{};
   T mu0;
-  T turn = T(1);       ///< rotation of the curve in body space
-  PointOf<T> point{};  ///< the recorded point
+  T turn = T(1);  ///< rotation of the curve in body space
+  std::function<Tolerance(const SampleOf<double>&)> allowed = {};
 
   SampleOf() = default;
   explicit SampleOf(Random& random)
@@ -47,58 +47,32 @@ struct SampleOf {
         vx(random.magnitude(0.5, 3)),
         vy(random.magnitude(0.5, 3)),
         w(random.magnitude(0.5, 3)),
-        at(wire.end() * random.between(0.02, 0.98)),
         center(wire.center()),
+        b(body(wire.end() * random.between(0.02, 0.98))),
         mu0(wire.over_mass([](double) { return 1; })) {}
 
-  /// Size of the terms of lengths, velocities, energies and forces.
-  double size() const {
-    const double extent = wire.q + wire.q * wire.q, reach = std::abs(x) + std::abs(y) + extent,
-                 speed = std::abs(vx) + std::abs(vy) + std::abs(w) * extent;
-    return reach + speed + (1 + mu0) * (1 + speed * speed + (11 + reach * reach) * (1 + extent));
-  }
+  std::array<T*, 8> quantities() { return {&x, &y, &theta, &vx, &vy, &w, &b[0], &b[1]}; }
+  Tolerance tolerance(double terms) const { return allowed ? allowed(*this) : rounding(terms); }
   std::string where() const {
-    return std::string(wire.shape == Shape::straight     ? "straight"
-                       : wire.shape == Shape::semicircle ? "semicircle"
-                                                         : "parabola") +
-           ", $q$ = " + format_significant(wire.q, 4) + ", density " + format_significant(wire.d0, 4) +
-           " (1 + " + format_significant(wire.k, 4) + R"( $s/L$), $\theta$ = )" +
-           format_significant(theta, 4);
+    const char* const shapes[] = {"straight", "semicircle", "parabola"};
+    return shapes[static_cast<int>(wire.shape)] +
+           filled(R"(, $q$ = @4, density @4 (1 + @4 $s/L$), $\theta$ = @4)",
+                  {wire.q, wire.d0, wire.k, theta});
   }
   TypesetIn<T> typeset() const;
-  /// Nodes of integrals over the wire; weight_of() returns their weights.
-  std::vector<double> nodes() const {
+  /// A function's values at the nodes of integrals over the wire.
+  Value at_nodes(const auto& f) const {
     std::vector<double> all;
-    wire.along([&](double u) { return all.push_back(u), 0; });
-    return all;
-  }
-  double weight_of(double node) const {
-    return wire.along([=](double u) { return u == node ? 1 : 0; });
-  }
-  Value over_nodes(const auto& f) const {
-    std::vector<double> all;
-    for (const double u : nodes()) {
+    wire.along([&](double u) {
       const Value here = f(u);
       all.insert(all.end(), here.begin(), here.end());
-    }
+      return 0;
+    });
     return all;
   }
   Point body(double u) const {
     const Point p = wire.point(u);
     return {p[0] - center[0], p[1] - center[1]};
-  }
-  PointOf<T> b() const {
-    if constexpr (std::same_as<T, Shortened>)
-      return point;
-    else
-      return body(at);
-  }
-  /// The sample's numbers, as expressions.
-  SampleOf<Shortened> recorded() const {
-    SampleOf<Shortened> same;
-    same.x = x, same.y = y, same.theta = theta, same.vx = vx, same.vy = vy, same.w = w;
-    same.point = {b()[0], b()[1]};
-    return same;
   }
   /// Position by complex numbers, c + exp(i theta) p, where p is the point in the body.
   PointOf<T> position(const PointOf<T>& p) const {
@@ -143,6 +117,7 @@ struct SampleOf {
 namespace {
 
 using Sample = SampleOf<double>;
+using Samples = std::vector<Sample>;
 using Reader = ProvableFormula<SampleOf>;
 using Table = ProvableClaims<SampleOf>;
 
@@ -172,7 +147,6 @@ PointOf<Shortened> force(const PointOf<Shortened>& r) { return {-of_place("Ux", 
 template <class T>
 TypesetIn<T> SampleOf<T>::typeset() const {
   const T C = cos(theta), S = sin(theta);
-  const auto p = b();
   TypesetIn<T> letters{{"x", x},
                        {"y", y},
                        {R"(\theta)", theta},
@@ -181,24 +155,26 @@ TypesetIn<T> SampleOf<T>::typeset() const {
                        {R"(\dot\theta)", w},
                        {"c", {x, y}},
                        {R"(\dot c)", {vx, vy}},
-                       {"L", p[0]},
-                       {"b", {p[0], p[1]}},
-                       {"b_0", p[0]},
-                       {"b_1", p[1]},
+                       {"L", b[0]},
+                       {"b", {b[0], b[1]}},
+                       {"b_0", b[0]},
+                       {"b_1", b[1]},
                        {"R", {C, -S, S, C}},
                        {R"(R(\theta))", {C, -S, S, C}},
                        {R"(\frac{dR}{d\theta})", {-S, -C, C, -S}},
                        {R"(\mu_0)", mu0},
                        {R"(\mu_2)", mu2()}};
   if constexpr (std::same_as<T, double>) {
-    const TypesetLetters along{{"ds", over_nodes([&](double u) { return weight_of(u); })},
-                               {R"(\delta)", over_nodes([&](double u) { return wire.density(u); })},
-                               {"b", over_nodes([&](double u) { return body(u); })},
-                               {"b_0", over_nodes([&](double u) { return body(u)[0]; })},
-                               {"b_1", over_nodes([&](double u) { return body(u)[1]; })},
-                               {"v", velocity(p)},
-                               {"v", over_nodes([&](double u) { return velocity(body(u)); })},
-                               {"F", over_nodes([&](double u) { return force(position(body(u))); })},
+    const TypesetLetters along{{"ds", at_nodes([&](double node) {
+                                  return wire.along([=](double u) { return u == node ? 1 : 0; });
+                                })},
+                               {R"(\delta)", at_nodes([&](double u) { return wire.density(u); })},
+                               {"b", at_nodes([&](double u) { return body(u); })},
+                               {"b_0", at_nodes([&](double u) { return body(u)[0]; })},
+                               {"b_1", at_nodes([&](double u) { return body(u)[1]; })},
+                               {"v", velocity(b)},
+                               {"v", at_nodes([&](double u) { return velocity(body(u)); })},
+                               {"F", at_nodes([&](double u) { return force(position(body(u))); })},
                                {R"(\imath)", {1, 0}},
                                {R"(\jmath)", {0, 1}}};
     letters.insert(letters.end(), along.begin(), along.end());
@@ -208,31 +184,19 @@ TypesetIn<T> SampleOf<T>::typeset() const {
 
 namespace {
 
-/// Minus the slope of the total potential energy by a generalized coordinate: 0, 1, 2 for x, y, theta.
+/// The point turned by the matrix dR/dtheta.
 template <class T>
-T slope_of_potential(const SampleOf<T>& s, int coordinate) {
-  using D = Dual<T>;
-  const auto along = [&](int k) { return T(coordinate == k ? 1.0 : 0.0); };
-  const D X(s.x, along(0)), Y(s.y, along(1)), angle(s.theta, along(2));
-  const D C = cos(angle), Z = sin(angle);
-  return -s.integrated([&](const auto& p, const auto&) {
-    return phi(X + C * p[0] - Z * p[1], Y + Z * p[0] + C * p[1]).slope;
-  });
+PointOf<T> turned(const SampleOf<T>& s, const PointOf<T>& p) {
+  return {-p[0] * sin(s.theta) - p[1] * cos(s.theta), p[0] * cos(s.theta) - p[1] * sin(s.theta)};
 }
 
-/// The integral of the force times a direction that may depend on the body's point.
+/// The derivative by the angle theta, recorded as such.
 template <class T, class F>
-T generalized(const SampleOf<T>& s, const F& direction) {
-  return s.integrated([&](const PointOf<T>& p, const auto&) {
-    const PointOf<T> f = force(s.position(p)), d = direction(p);
-    return f[0] * d[0] + f[1] * d[1];
-  });
-}
-
-template <class T>
-PointOf<T> turned(const SampleOf<T>& s, const PointOf<T>& p, double sign = 1) {
-  return {-sign * p[0] * sin(s.theta) - p[1] * cos(s.theta),
-          p[0] * cos(s.theta) - sign * p[1] * sin(s.theta)};
+T slope_at(const T& theta, const F& f) {
+  if constexpr (std::same_as<T, Shortened>)
+    return T::letter("(Derive (fun theta => " + f(theta).expression().coq() + ") theta)");
+  else
+    return derivative(f, theta);
 }
 
 // ---- the text's formulas ----------------------------------------------------------------------------------
@@ -250,48 +214,41 @@ T energy_of_rod(const SampleOf<T>& s, const std::type_identity_t<T>& l) {
     return gauss_legendre(f, -l / 2, l / 2, 4).value;
 }
 
-/// A sample that is compared with a sum of 2000 particles.
-struct OfParticles : Sample {
-  using Sample::Sample;
-  Tolerance tolerance(double) const { return {1e-4, "the midpoint rule's truncation"}; }
-};
-
-/// Rough friction of size 1 per mass against the velocity of every point, with velocities times `speed`: the
-/// integrand of its moment about the center of mass.
-double friction_at(const Sample& s, double u, double speed) {
-  const Point p = s.body(u), v = s.velocity(p), d = turned(s, p);
-  const double vx = speed * v[0], vy = speed * v[1];
-  return -(vx * d[0] + vy * d[1]) / std::hypot(vx, vy) * s.wire.density(u) * s.wire.stretch(u);
+Samples judged_by(const std::function<Tolerance(const Sample&)>& allowed, Samples samples) {
+  for (Sample& s : samples) s.allowed = allowed;
+  return samples;
 }
 
-Reading friction_moment(double seed, int panels) {
-  Random random(seed);
-  const std::string text = "Simpson's rule, " + std::to_string(panels) + " panels";
-  WorstSample worst("moment of rough friction on a moving wire", text, "QAG");
-  for (int i = 0; i < 30; ++i) {
-    const Sample s(random);
-    const auto f = [&](double u) { return friction_at(s, u, 1); };
-    worst.add(simpson(f, 0, s.wire.end(), panels).value, qag(f, 0, s.wire.end(), 1e-12).value,
-              {1e-6, "the truncation of Simpson's rule where a point of the wire all but rests"}, 1,
-              s.where());
-  }
-  return {text, {worst.check()}};
+// ---- rough friction ---------------------------------------------------------------------------------------
+
+/// The moment about the center of mass of rough friction of size 1 per mass, against the velocity of every
+/// point, with velocities times `speed`.
+Formula<Sample> friction(const std::string& by, double speed,
+                         const std::function<Integral(FunctionOfOne, double end)>& rule, double factor = 1) {
+  return {by, [=](const Sample& s) {
+            const auto at = [&](double u) {
+              const Point p = s.body(u), v = s.velocity(p), d = turned(s, p);
+              const double vx = speed * v[0], vy = speed * v[1];
+              return -(vx * d[0] + vy * d[1]) / hypot(vx, vy) * s.wire.density(u) * s.wire.stretch(u);
+            };
+            return factor * rule(at, s.wire.end()).value;
+          }};
+}
+
+Formula<Sample> by_simpson(int panels) {
+  return friction("Simpson's rule, " + std::to_string(panels) + " panels", 1,
+                  [=](FunctionOfOne f, double end) { return simpson(f, 0, end, panels); });
 }
 
 /// Compares the moment at a multiple of the sample's velocities with `part` of that at the velocities
 /// themselves.
-Check friction_at_speed(const std::string& by, double seed, double speed, double part) {
-  Random random(seed);
-  WorstSample worst("moment of rough friction", by + ", by Gauss and Legendre",
-                    format_shortest(part) + " times that of the moving wire, by Gauss and Legendre");
-  for (int i = 0; i < 30; ++i) {
-    const Sample s(random);
-    const auto moment = [&](double times) {
-      return gauss_legendre([&](double u) { return friction_at(s, u, times); }, 0, s.wire.end(), 64).value;
-    };
-    worst.add(moment(speed), part * moment(1), s.mu0 * s.wire.q * (1 + s.wire.q), s.where());
-  }
-  return worst.check();
+Check friction_at_speed(const std::string& by, const Samples& samples, double speed, double part) {
+  const auto rule = [](FunctionOfOne f, double end) { return gauss_legendre(f, 0, end, 64); };
+  const std::string by_rule = ", by Gauss and Legendre";
+  return compare(
+      "moment of rough friction", friction(by + by_rule, speed, rule),
+      friction(format_shortest(part) + " times that of the moving wire" + by_rule, 1, rule, part),
+      judged_by([](const Sample& s) { return rounding(s.mu0 * s.wire.q * (1 + s.wire.q)); }, samples));
 }
 
 /// The center of mass by adaptive quadrature.
@@ -306,76 +263,72 @@ Point center_by_qag(const Wire& w) {
 
 const std::string cross_term = "cross term left out", at_rest = "friction at rest";
 
-const std::string by_angle = R"($(x,y)+L(\cos\theta,\sin\theta)$)", by_matrix = R"($(x,y)+R\,(L,0)$)",
-                  derivative_by_rows = R"($(-\sin\theta,-\cos\theta;\ \cos\theta,-\sin\theta)$)";
+const std::string by_angle = R"($(x,y)+L(\cos\theta,\sin\theta)$)", by_matrix = R"($(x,y)+R\,(L,0)$)";
 
-void at_a_point(Table& table, const std::vector<Sample>& samples) {
+void at_a_point(Table& table, const Samples& samples) {
   const std::string complex = "complex multiplication", by_dual = "dual numbers in the time";
-  const Reader rod{complex, []<class T>(const SampleOf<T>& s) { return s.position({s.b()[0], T(0)}); }};
+  const auto claim = [&](std::string_view slug, int line, const std::string& says, const Reader& truth,
+                         const std::string& printed, const std::string& quantity = {},
+                         const std::string& holding = {}) {
+    table.formula(slug, line, says, samples,
+                  {.quantity = quantity, .truth = truth, .printed = printed, .changes_that_hold = holding});
+  };
+  const Reader rod{complex,
+                   []<class T>(const SampleOf<T>&s) {
+                     return s.position({s.b[0], T(0)});
+                   }},
+      velocity{by_dual, [](const auto&s) { return s.velocity(s.b); }};
+  claim("thin_rod", 2791,
+        R"(A point of the rod, $L$ from its center, is at $(x,y)+L(\cos\theta,\sin\theta)$)", rod, by_angle);
+  claim("thin_rod_matrix", 2795, R"(In matrix form the point of the rod is $(x,y)+R\,(L,0)$)", rod,
+        by_matrix);
+  claim("rotates_about_origin", 2823,
+        R"(The matrix $R(\theta)$ rotates the body about the origin of body space)",
+        {R"($e^{i\theta}b$ and $|b|$)",
+         [](const auto& s) {
+           const auto z = turned_by(s.theta, s.b);
+           return values(z[0], z[1], hypot(s.b[0], s.b[1]));
+         }},
+        R"($(Rb,\ |Rb|)$)", "the point $b$ turned, and its distance from the origin",
+        "a rotation keeps lengths");
+  claim("position", 2827, R"(The position is $r=c+R(\theta)b$, $c$ being the center of mass)",
+        {complex, [](const auto& s) { return s.position(s.b); }}, R"($c+R(\theta)b$)");
+  claim("velocity", 2831, R"(The velocity is $v=\dot c+\dot\theta\frac{dR}{d\theta}b$)", velocity,
+        R"($\dot c+\dot\theta\frac{dR}{d\theta}b$)");
+  claim("dR_dtheta", 2847,
+        R"($\frac{dR}{d\theta}$ has the rows $(-\sin\theta,-\cos\theta;\ \cos\theta,-\sin\theta)$)",
+        {"dual numbers in the angle",
+         []<class T>(const SampleOf<T>& s) {
+           const auto C = [](const auto& angle) { return cos(angle); };
+           const auto S = [](const auto& angle) { return sin(angle); };
+           const auto minus_S = [](const auto& angle) { return -sin(angle); };
+           return values(slope_at(s.theta, C), slope_at(s.theta, minus_S), slope_at(s.theta, S),
+                         slope_at(s.theta, C));
+         }},
+        R"($(-\sin\theta,-\cos\theta;\ \cos\theta,-\sin\theta)$)");
+  const std::string components = R"((\dot x-\dot\theta(b_0\sin\theta+b_1\cos\theta),\ \dot )"
+                                 R"(y+\dot\theta(b_0\cos\theta-b_1\sin\theta))$)";
+  claim("velocity_components", 2857, "$v=" + components, velocity, "$" + components);
+  const std::string squares = R"(\dot x^2+\dot y^2+\dot\theta^2(b_0^2+b_1^2))",
+                    cross = R"(2\dot\theta\,(\dot x,\dot y)\cdot\frac{dR}{d\theta}b$)";
   table.formula(
-      "thin_rod", 2791, R"(A point of the rod, $L$ from its center, is at $(x,y)+L(\cos\theta,\sin\theta)$)",
-      samples,
-      {.quantity = "a point of the rod, $L$ from its center $(x,y)$", .truth = rod, .printed = by_angle});
-  table.formula("thin_rod_matrix", 2795, R"(In matrix form the point of the rod is $(x,y)+R\,(L,0)$)",
-                samples, {.quantity = "this point by the matrix $R$", .truth = rod, .printed = by_matrix});
-  table.formula("rotates_about_origin", 2823,
-                R"(The matrix $R(\theta)$ rotates the body about the origin of body space)", samples,
-                {.quantity = "the point $b$ turned, and its distance from the origin",
-                 .truth = {R"($e^{i\theta}b$ and $|b|$)",
-                           [](const auto& s) {
-                             const auto z = turned_by(s.theta, s.b());
-                             return values(z[0], z[1], hypot(s.b()[0], s.b()[1]));
-                           }},
-                 .printed = R"($(Rb,\ |Rb|)$)",
-                 .changes_that_hold = "a rotation keeps lengths"});
-  table.formula("position", 2827, R"(The position is $r=c+R(\theta)b$, $c$ being the center of mass)",
-                samples,
-                {.quantity = "the position $r$ of the point $b$, $c$ the center of mass",
-                 .truth = {complex, [](const auto& s) { return s.position(s.b()); }},
-                 .printed = R"($c+R(\theta)b$)"});
-  const Reader velocity{by_dual, [](const auto& s) { return s.velocity(s.b()); }};
-  table.formula("velocity", 2831, R"(The velocity is $v=\dot c+\dot\theta\frac{dR}{d\theta}b$)", samples,
-                {.quantity = "its velocity $v$",
-                 .truth = velocity,
-                 .printed = R"($\dot c+\dot\theta\frac{dR}{d\theta}b$)"});
-  table.formula("dR_dtheta", 2847,
-                R"($\frac{dR}{d\theta}$ has the rows $(-\sin\theta,-\cos\theta;\ \cos\theta,-\sin\theta)$)",
-                samples,
-                {.quantity = R"($\frac{dR}{d\theta}$ by rows)",
-                 .truth = {"dual numbers in the angle",
-                           []<class T>(const SampleOf<T>& s) {
-                             const Dual<T> angle(s.theta, 1), C = cos(angle), S = sin(angle);
-                             return values(C.slope, -S.slope, S.slope, C.slope);
-                           }},
-                 .printed = derivative_by_rows});
-  table.formula(
-      "velocity_components", 2857,
-      R"($v=(\dot x-\dot\theta(b_0\sin\theta+b_1\cos\theta),\ \dot )"
-      R"(y+\dot\theta(b_0\cos\theta-b_1\sin\theta))$)",
-      samples,
-      {.quantity = "$v$ by components",
-       .truth = velocity,
-       .printed = R"($(\dot x-\dot\theta(b_0\sin\theta+b_1\cos\theta),\ \dot y+\dot\theta(b_0\cos\theta)"
-                  R"(-b_1\sin\theta))$)"});
-  table.formula(
-      "speed_squared", 2901, R"(Each point has $|v|^2=\dot x^2+\dot y^2+\dot\theta^2(b_0^2+b_1^2)$)", samples,
-      {.quantity = "$|v|^2$",
-       .truth = {by_dual,
+      "speed_squared", 2901, "Each point has $|v|^2=" + squares + "$", samples,
+      {.truth = {by_dual,
                  [](const auto& s) {
-                   const auto v = s.velocity(s.b());
+                   const auto v = s.velocity(s.b);
                    return v[0] * v[0] + v[1] * v[1];
                  }},
-       .printed = R"($\dot x^2+\dot y^2+\dot\theta^2(b_0^2+b_1^2)$)",
-       .corrected = R"($\dot x^2+\dot y^2+\dot\theta^2(b_0^2+b_1^2))"
-                    R"(+2\dot\theta\,(\dot x,\dot y)\cdot\frac{dR}{d\theta}b$)",
+       .printed = "$" + squares + "$",
+       .corrected = "$" + squares + "+" + cross,
        .kind = Fault::formula,
        .root = cross_term,
-       .why = filled(
-           R"(The cross term $2\dot\theta\,(\dot x,\dot y)\cdot\frac{dR}{d\theta}b$ is missing. A )"
-           R"(wheel that rolls shows it: with $\dot x=1$, $\dot\theta=-1$ and $b=(0,-1)$ at )"
-           R"($\theta=0$ the point rests, and the formula gives @1. The term vanishes in the integral )"
-           R"(alone, because $\int b\,\delta\,ds=0$; the kinetic energy that follows is right.)",
-           {1 * 1 + 1 * 1})});
+       .why =
+           "The cross term $" + cross +
+           filled(
+               R"( is missing. A wheel that rolls shows it: with $\dot x=1$, $\dot\theta=-1$ and $b=(0,-1)$ )"
+               R"(at $\theta=0$ the point rests, and the formula gives @1. The term vanishes in the integral )"
+               R"(alone, because $\int b\,\delta\,ds=0$; the kinetic energy that follows is right.)",
+               {1 * 1 + 1 * 1})});
 }
 
 const Reader by_integral{
@@ -383,18 +336,39 @@ const Reader by_integral{
       return 0.5 * s.integrated([](const auto&, const auto& v) { return v[0] * v[0] + v[1] * v[1]; });
     }};
 
-/// Minus the slope of the total potential energy.
+/// Minus the slope of the total potential energy by a generalized coordinate: 0, 1, 2 for x, y, theta.
 Reader slope(int coordinate) {
   return {"minus the slope of the total potential energy, by dual numbers",
-          [coordinate](const auto& s) { return slope_of_potential(s, coordinate); }};
+          [coordinate]<class T>(const SampleOf<T>& s) {
+            const auto along = [&](int k) { return T(coordinate == k ? 1.0 : 0.0); };
+            const Dual<T> X(s.x, along(0)), Y(s.y, along(1)), angle(s.theta, along(2)), C = cos(angle),
+                                                                                        Z = sin(angle);
+            return -s.integrated([&](const auto& p, const auto&) {
+              return phi(X + C * p[0] - Z * p[1], Y + Z * p[0] + C * p[1]).slope;
+            });
+          }};
 }
+
+/// The integral of the force times a direction that may depend on the body's point.
 template <class F>
-Reader turning(const std::string& text, const F& direction) {
-  return {text,
-          [=](const auto& s) { return generalized(s, [&](const auto& p) { return direction(s, p); }); }};
+Reader generalized(const std::string& text, const F& direction) {
+  return {text, [=]<class T>(const SampleOf<T>& s) {
+            return s.integrated([&](const PointOf<T>& p, const auto&) {
+              const PointOf<T> f = force(s.position(p)), d = direction(s, p);
+              return f[0] * d[0] + f[1] * d[1];
+            });
+          }};
 }
-const Reader moment_of_force = turning(R"($F_\theta=\int F\cdot\frac{dR}{d\theta}b\,\delta\,ds$)",
-                                       [](const auto& s, const auto& p) { return turned(s, p); });
+const Reader Fx = generalized(R"($\int F\cdot\imath\,\delta\,ds$)",
+                              []<class T>(const SampleOf<T>&, const auto&) {
+                                return PointOf<T>{1.0, 0.0};
+                              }),
+             Fy = generalized(R"($\int F\cdot\jmath\,\delta\,ds$)",
+                              []<class T>(const SampleOf<T>&, const auto&) {
+                                return PointOf<T>{0.0, 1.0};
+                              }),
+             moment_of_force = generalized(R"($F_\theta=\int F\cdot\frac{dR}{d\theta}b\,\delta\,ds$)",
+                                           [](const auto&s, const auto&p) { return turned(s, p); });
 const Reader moment_of_weight{
     "the integrals of $(0,-g)$", []<class T>(const SampleOf<T>& s) {
       return values(T(0), -9.81 * s.integrated([](const auto&, const auto&) { return T(1); }),
@@ -403,15 +377,7 @@ const Reader moment_of_weight{
 const Reader weight{R"($(0,-\mu_0g,0)$)",
                     []<class T>(const SampleOf<T>& s) { return values(T(0), -9.81 * s.mu0, T(0)); }};
 
-Reader component(const std::string& text, Point d) {
-  return {text, [d]<class T>(const SampleOf<T>& s) {
-            return generalized(s, [d](const auto&) { return PointOf<T>{d[0], d[1]}; });
-          }};
-}
-const Reader Fx = component(R"($\int F\cdot\imath\,\delta\,ds$)", {1, 0}),
-             Fy = component(R"($\int F\cdot\jmath\,\delta\,ds$)", {0, 1});
-
-void over_the_wire(Table& table, const std::vector<Sample>& samples) {
+void over_the_wire(Table& table, const Samples& samples) {
   const auto reoriented = [](const std::string& text, double shift) {
     return Reader{text, [shift]<class T>(const SampleOf<T>& s) {
                     return s.integrated([&](const PointOf<T>& p, const auto&) {
@@ -425,14 +391,12 @@ void over_the_wire(Table& table, const std::vector<Sample>& samples) {
                  .truth = {"the curve as it is", [](const auto& s) { return s.mu2(); }},
                  .printed = reoriented("turned by 1 radian", 0),
                  .near_misses = {reoriented("turned by 1 radian and shifted by 0.1", 0.1)}});
-  table.formula("kinetic_energy_formula", 2905,
-                R"($T=\frac{\mu_0}2(\dot x^2+\dot y^2)+\frac{\mu_2}2\dot\theta^2$)", samples,
-                {.quantity = "$T$",
-                 .truth = by_integral,
-                 .printed = R"($\frac{\mu_0}2(\dot x^2+\dot y^2)+\frac{\mu_2}2\dot\theta^2$)"});
+  table.formula(
+      "kinetic_energy_formula", 2905, R"($T=\frac{\mu_0}2(\dot x^2+\dot y^2)+\frac{\mu_2}2\dot\theta^2$)",
+      samples,
+      {.truth = by_integral, .printed = R"($\frac{\mu_0}2(\dot x^2+\dot y^2)+\frac{\mu_2}2\dot\theta^2$)"});
   table.formula("only_differences", 2923, R"($T$ is a rod's, with other $\mu_0$ and $\mu_2$)", samples,
-                {.quantity = "$T$",
-                 .truth = by_integral,
+                {.truth = by_integral,
                  .printed = {R"(a rod with the same $\mu_0$ and $\mu_2$)",
                              [](const auto& s) { return energy_of_rod(s, sqrt(12 * s.mu2() / s.mu0)); }},
                  .near_misses = {{R"(a rod with the same $\mu_0$ and length)", [](const auto& s) {
@@ -441,18 +405,13 @@ void over_the_wire(Table& table, const std::vector<Sample>& samples) {
 }
 
 /// Other routes are the formulas that are proved.
-void forces(Claims& claims, const std::vector<Sample>& samples) {
+void forces(Claims& claims, const Samples& samples) {
   claims.formula<Sample>(
       "force_x", 2927, R"($F_x=\int F\cdot\imath\,\delta\,ds$, $F$ being the force per mass (our condition))",
-      samples,
-      {.quantity = "the generalized force $F_x$ of a force $F$ on each unit of mass",
-       .truth = slope(0),
-       .other_routes = {Fx},
-       .printed = {Fx.text}});
+      samples, {.truth = slope(0), .other_routes = {Fx}, .printed = {Fx.text}});
   claims.formula<Sample>(
       "force_y", 2933, R"($F_y$ is $\int F\cdot\jmath\,\delta\,ds$, $F$ per mass)", samples,
-      {.quantity = "the generalized force $F_y$",
-       .truth = slope(1),
+      {.truth = slope(1),
        .other_routes = {Fy},
        .printed = {R"($(\int F\cdot\imath\,\delta\,ds,\ \int F\cdot\jmath\,\delta\,ds)$)"},
        .meant = {Fy.text},
@@ -461,18 +420,9 @@ void forces(Claims& claims, const std::vector<Sample>& samples) {
               R"(has its $\imath$. Without it the integrand is the force, a vector, and not its )"
               R"(component.)"});
 
-  const auto against_slope = [&](const Reader& printed) {
-    return Reading{printed.text,
-                   {compare(R"($F_\theta$)", printed, slope(2), samples)},
-                   is_as_typeset(compare_typeset(printed, samples))};
-  };
-  Reading moment = against_slope(moment_of_force);
-  moment.checks.push_back(compare(R"($(F_x,F_y,F_\theta)$ of gravity)", moment_of_weight, weight, samples));
-  claims.add("force_theta", 2939, R"($F_\theta=\int F\cdot\frac{dR}{d\theta}b\,\delta\,ds$, $F$ per mass)",
-             {.printed = moment,
-              .near_misses = {
-                  against_slope(turning(R"($\frac{dR}{d\theta}$ at $-\theta$)",
-                                        [](const auto& s, const auto& p) { return turned(s, p, -1); }))}});
+  claims.formula<Sample>(
+      "force_theta", 2939, R"($F_\theta=\int F\cdot\frac{dR}{d\theta}b\,\delta\,ds$, $F$ per mass)", samples,
+      {.truth = slope(2), .other_routes = {moment_of_force}, .printed = {moment_of_force.text}});
 }
 
 // ---- proofs -----------------------------------------------------------------------------------------------
@@ -537,24 +487,18 @@ const std::string by_rod = R"(
     | intro; auto_derive; [repeat split; trivial; lra | field [(circle theta)]; lra]
     | intro; apply @ex_derive_continuous; auto_derive; repeat split; trivial; lra])";
 
-const std::string any_wire = "it holds of any curve of any density";
-
 ForAll<SampleOf> any_point() {
   const std::vector<std::string> names{"x", "y", "theta", "vx", "vy", "w", "b0", "b1"};
-  SampleOf<Shortened> any;
-  std::size_t i = 0;
-  for (Shortened* letter :
-       {&any.x, &any.y, &any.theta, &any.vx, &any.vy, &any.w, &any.point[0], &any.point[1]})
-    *letter = Shortened::letter(names[i++]);
   Sample end_of_rod;
-  end_of_rod.wire = {Shape::straight, 2, 1, 0};
-  end_of_rod.x = end_of_rod.y = end_of_rod.theta = end_of_rod.vx = 0;
-  end_of_rod.vy = 1, end_of_rod.w = -1, end_of_rod.at = 2, end_of_rod.center = {1, 0};
-  return {.any = any,
-          .letters = quantified(names),
-          .tactic = "first [ring [(circle theta)] | apply f_equal; ring [(circle theta)]]",
-          .says = "it holds of any point of any wire in any motion",
-          .example = end_of_rod};
+  end_of_rod.vy = 1, end_of_rod.w = -1, end_of_rod.b = {1, 0};
+  return {
+      .any = lettered<SampleOf>(names),
+      .letters = quantified(names),
+      .tactic =
+          "first [ring [(circle theta)] | apply f_equal; ring [(circle theta)] | symmetry; apply is_derive_unique; "
+          "auto_derive; [trivial | ring]]",
+      .says = "it holds of any point of any wire in any motion",
+      .example = end_of_rod};
 }
 
 /// For any curve with its center of mass at zero.
@@ -570,7 +514,9 @@ ForAll<SampleOf> any_curve() {
     all.given.push_back(any.integrated([i](const auto& p, const auto&) { return p[i]; }).expression() == 0);
   all.given.push_back(above(any.mu0.expression(), 0));
   all.given.push_back(above(any.mu2().expression(), 0));
-  all.says = any_wire;
+  all.tactic = "first [solve [apply RInt_ext; intros; in_reals; ring [(circle turn)]] | solve [" +
+               by_moments + "field] | " + by_moments + by_rod + "]";
+  all.says = "it holds of any curve of any density";
   return all;
 }
 
@@ -581,21 +527,6 @@ Provable rod_by_matrix(const ForAll<SampleOf>& all) {
           "it is the point of the rod that the line before gives",
           {{"printed", all.letters, all.given,
             equal(Reader(by_matrix).recorded(all.any), Reader(by_angle).recorded(all.any)), "ring"}}};
-}
-
-Provable derivative_of_R(const ForAll<SampleOf>& all) {
-  const Shortened C = cos(all.any.theta), S = sin(all.any.theta);
-  Expressions derivatives;
-  for (const Shortened& entry : {C, -S, S, C})
-    derivatives.push_back(
-        Expression::letter("(Derive (fun theta => " + entry.expression().coq() + ") theta)"));
-  return {"3.29-dR_dtheta",
-          "the derivatives of the matrix's entries are these, at every angle",
-          {{"printed",
-            "(theta : R)",
-            {},
-            equal(derivatives, Reader(derivative_by_rows).recorded(all.any)),
-            "apply is_derive_unique; (auto_derive; [trivial | ring])"}}};
 }
 
 const char* const by_slope = R"(match goal with |- _ = - ?i => change (- i) with (opp i) end;
@@ -621,22 +552,9 @@ Provables proofs() {
   at_a_point(points, {});
   over_the_wire(wires, {});
   const ForAll<SampleOf> point = any_point(), curve = any_curve();
-  ForAll<SampleOf> but_the_derivative = point;
-  but_the_derivative.without = {"dR_dtheta"};
-  Provables proved = points.proofs("3.29", but_the_derivative);
+  Provables proved = points.proofs("3.29", point);
   proved.push_back(rod_by_matrix(point));
-  proved.push_back(derivative_of_R(point));
-  ForAll<SampleOf> turned_curve = curve;
-  turned_curve.without = {"kinetic_energy_formula", "only_differences"};
-  turned_curve.tactic = "apply RInt_ext; intros; in_reals; ring [(circle turn)]";
-  ForAll<SampleOf> energies = curve;
-  energies.without = {"reorient_or_not", "only_differences"};
-  energies.tactic = by_moments + "field";
-  ForAll<SampleOf> rods = curve;
-  rods.without = {"reorient_or_not", "kinetic_energy_formula"};
-  rods.tactic = by_moments + by_rod;
-  for (const ForAll<SampleOf>* all : {&turned_curve, &energies, &rods})
-    for (Provable& p : wires.proofs("3.29", *all)) proved.push_back(std::move(p));
+  std::ranges::move(wires.proofs("3.29", curve), std::back_inserter(proved));
 
   const std::string of_potential = "it is minus the slope of the energy of any curve in any potential";
   proved.push_back({"3.29-force_x", of_potential, {force_lemma("printed", Fx, 0, curve)}});
@@ -663,11 +581,12 @@ constexpr double length_of_rod = 1, mass_of_rod = 2, friction_of_rod = 1,
                  moment_of_rod = friction_of_rod * mass_of_rod * length_of_rod / 4;
 
 std::vector<Claim> claims(double seed) {
-  const auto samples = draw<Sample>(200, seed);
+  const Samples samples = draw<Sample>(200, seed), thirty(samples.begin(), samples.begin() + 30);
   Claims claims("3.29");
   Table points(claims), wires(claims);
-  std::vector<Sample> centered = samples;
+  Samples centered = samples, uniform(samples.begin(), samples.begin() + 60);
   for (Sample& s : centered) s.center = center_by_qag(s.wire);
+  for (Sample& s : uniform) s.wire.k = 0, s.center = s.wire.center();
   claims.formula<Sample>(
       "body_space", 2823, R"(In body space the center of mass is at the origin: $\int b\,\delta\,ds=0$)",
       centered,
@@ -680,37 +599,48 @@ std::vector<Claim> claims(double seed) {
   forces(claims, samples);
   claims.formula<Sample>(
       "arc_length", 2825, R"(The arc length runs from 0 to the total length $\int ds$)", samples,
-      {.quantity = "the total length",
-       .truth = {"the primitive of $ds$", [](const Sample& s) { return s.wire.arc_length(s.wire.end()); }},
+      {.truth = {"the primitive of $ds$", [](const Sample& s) { return s.wire.arc_length(s.wire.end()); }},
        .printed = {R"($\int ds$)"}});
-  std::vector<Sample> uniform = draw<Sample>(60, seed);
-  for (Sample& s : uniform) s.wire.k = 0, s.center = s.wire.center();
   claims.formula<Sample>(
       "mass", 2867, R"(The total mass is $\mu_0=\int\delta\,ds$)", uniform,
       {.quantity = R"($\mu_0$ of a uniform wire)",
        .truth = {"the primitive of the mass", [](const Sample& s) { return by_primitives(s.wire)[0]; }},
        .printed = {R"($\mu_0=\int\delta\,ds$)"}});
-  claims.formula<OfParticles>("kinetic_energy", 2883,
-                              R"(The kinetic energy is $T=\int\frac12|v|^2\delta\,ds$)",
-                              draw<OfParticles>(30, seed),
-                              {.quantity = "$T$",
-                               .truth = {"2000 particles", &OfParticles::of_particles},
-                               .printed = {R"($T=\int\frac12|v|^2\delta\,ds$)"},
-                               .changes_that_hold = "a factor of one changes nothing"});
-  claims.add("numerical_integration", 2945,
-             "Numerical integration applies to the generalized forces of rough friction (our condition: on a "
-             "moving wire)",
-             {.printed = friction_moment(seed, 1 << 15), .near_misses = {friction_moment(seed, 2)}});
+  const std::string energy = R"($T=\int\frac12|v|^2\delta\,ds$)";
+  claims.formula<Sample>("kinetic_energy", 2883, "The kinetic energy is " + energy,
+                         judged_by(
+                             [](const Sample&) {
+                               return Tolerance{1e-4, "the midpoint rule's truncation"};
+                             },
+                             thirty),
+                         {.truth = {"2000 particles", &Sample::of_particles},
+                          .printed = {energy},
+                          .changes_that_hold = "a factor of one changes nothing"});
+  claims.formula<Sample>(
+      "numerical_integration", 2945,
+      "Numerical integration applies to the generalized forces of rough friction (our condition: on a moving "
+      "wire)",
+      judged_by(
+          [](const Sample&) {
+            return Tolerance{1e-6,
+                             "the truncation of Simpson's rule where a point of the wire all but rests"};
+          },
+          thirty),
+      {.quantity = "moment of rough friction on a moving wire",
+       .truth = friction("QAG", 1, [](FunctionOfOne f, double end) { return qag(f, 0, end, 1e-12); }),
+       .printed = by_simpson(1 << 15),
+       .near_misses = {by_simpson(2)}});
+  const std::string slower = "a billion times slower";
+  const Check slowly = friction_at_speed(slower, thirty, 1e-9, 1);
   claims.add(
       "friction_at_rest", 2945,
       "With rough friction too, numerical integration applies to the generalized forces",
-      {.printed = {"for a wire at rest, too", {friction_at_speed("at rest", seed, 0, 0)}},
+      {.printed = {"for a wire at rest, too", {friction_at_speed("at rest", thirty, 0, 0)}},
        .corrected = {"for a wire in motion, whatever its speed; at rest the integrand is $0/0$",
-                     {friction_at_speed("a billion times slower", seed, 1e-9, 1),
-                      friction_at_speed("a billion times slower, the other way", seed, -1e-9, -1)}},
-       .in_view = {"for a wire in motion", {friction_at_speed("a billion times slower", seed, 1e-9, 1)}},
+                     {slowly, friction_at_speed(slower + ", the other way", thirty, -1e-9, -1)}},
+       .in_view = {"for a wire in motion", {slowly}},
        .near_misses = {{"half the friction at half the speed",
-                        {friction_at_speed("half as fast", seed, 0.5, 0.5)}}},
+                        {friction_at_speed("half as fast", thirty, 0.5, 0.5)}}},
        .why = filled(
            "Rough friction has the direction $-v/|v|$, and a wire at rest has none: every rule that "
            "evaluates the integrand returns NaN. Nor is there a limit. Friction of @1 N a kilogram acts on a "
@@ -720,7 +650,11 @@ std::vector<Claim> claims(double seed) {
            {friction_of_rod, length_of_rod, mass_of_rod, moment_of_rod, moment_of_rod}),
        .kind = Fault::left_out,
        .root = at_rest});
-  return claims.in_order();
+  std::vector<Claim> all = claims.in_order();
+  std::ranges::find(all, "3.29-force_theta", &Claim::id)
+      ->printed.checks.push_back(
+          compare(R"($(F_x,F_y,F_\theta)$ of gravity)", moment_of_weight, weight, samples));
+  return all;
 }
 
 std::vector<Root> roots() {

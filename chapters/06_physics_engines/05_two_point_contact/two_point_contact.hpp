@@ -36,11 +36,13 @@ inline Vector3d turned(const Matrix3d& inertia, const Vector3d& momentum) {
   return solve(Factorization::partial_pivot_lu, inertia, momentum).value;
 }
 
-struct Body {
-  double mass;
-  Matrix3d inertia;  ///< about the center of mass, in the world's axes
-  Vector3d center, v, w;
+template <class T>
+struct BodyOf {
+  T mass;
+  Eigen::Matrix<T, 3, 3> inertia;  ///< about the center of mass, in the world's axes
+  Eigen::Matrix<T, 3, 1> center, v, w;
 };
+using Body = BodyOf<double>;
 
 /// The impulse f N shared by two points: the fraction `first` at P0, the rest at P1.
 struct Contact {

@@ -88,98 +88,83 @@ Cost sum_over_columns(const Counts& c) {
 }
 
 void costs(Claims& claims, const std::vector<Counts>& sizes) {
-  const std::string of = R"(coefficients of $\mu$, $\alpha$ and $\delta$)", count = "the count",
-                    uncounted = "diagonal entries above the pivot";
+  const std::string uncounted = "diagonal entries above the pivot", sum = R"((2\mu+\alpha)(n-1)n(n+1)/2)",
+                    diagonals = R"(+\mu\,n(n-1)/2$)";
   const Counts of_three(3);
-  const auto claim = [&](const char* slug, int line, const char* says, FormulaClaim<Counts> parts) {
-    parts.quantity = of;
-    claims.formula(slug, line, says, sizes, parts);
+  const auto claim = [&](const char* slug, int line, const std::string& says, const std::string& printed,
+                         const Formula<Counts>& truth, const std::string& corrected = {},
+                         const std::string& root = {}, const std::string& why = {}) {
+    claims.formula<Counts>(slug, line, says, sizes,
+                           {.quantity = R"(coefficients of $\mu$, $\alpha$ and $\delta$)",
+                            .truth = truth,
+                            .printed = {printed},
+                            .corrected = {corrected},
+                            .kind = corrected.empty() ? Fault::none : Fault::formula,
+                            .root = root,
+                            .why = why});
   };
-  claim("one_row", 3789, R"(recomputing one row's entries in columns 2 to $n+1$ costs $(2\mu+\alpha)n$)",
-        {.truth = counted(count, &Counts::one_row), .printed = {R"($(2\mu+\alpha)n$)"}});
-  claim("first_row", 3789, R"(row reduction with the first row costs $(2\mu+\alpha)n(n-1)$)",
-        {.truth = counted(count, &Counts::first_row), .printed = {R"($(2\mu+\alpha)n(n-1)$)"}});
-  claim("forward_second_row", 3789,
-        R"(forward elimination with the second row costs $(2\mu+\alpha)(n-1)(n-2)$)",
-        {.truth = counted(count, &Counts::forward_second), .printed = {R"($(2\mu+\alpha)(n-1)(n-2)$)"}});
-  claim("full_second_row", 3789, R"(full elimination with the second row costs $(2\mu+\alpha)(n-1)(n-1)$)",
-        {.truth = counted(count, &Counts::full_second),
-         .printed = {R"($(2\mu+\alpha)(n-1)(n-1)$)"},
-         .corrected = {R"($(2\mu+\alpha)(n-1)(n-1)+\mu$)"},
-         .kind = Fault::formula,
-         .root = uncounted,
-         .why = filled(
-             R"(To clear $a_{12}$, row one becomes $a_{22}$ row one $-\,a_{12}$ row two. This multiplies )"
-             R"($a_{11}$ by $a_{22}$ too: the $@2\mu+@2\alpha$ that the entries right of the pivot take )"
-             R"(for $n=3$ are $@2\mu+@2\alpha$.)",
-             {printed_second_row(3.0).mu, printed_second_row(3.0).alpha, of_three.full_second.mu,
-              of_three.full_second.alpha})});
-  claim("full_sum", 3791, R"($(2\mu+\alpha)[n(n-1)+(n-1)(n-1)+\ldots+1(n-1)]=(2\mu+\alpha)(n-1)n(n+1)/2$)",
-        {.truth = counted("the sum, entry by entry", sum_over_columns),
-         .printed = {R"($(2\mu+\alpha)(n-1)n(n+1)/2$)"}});
-  claim(
-      "full_cost", 3791, R"(full elimination costs $F=(2\mu+\alpha)(n-1)n(n+1)/2$)",
-      {.truth = counted(count, &Counts::full),
-       .printed = {R"($(2\mu+\alpha)(n-1)n(n+1)/2$)"},
-       .corrected = {R"($(2\mu+\alpha)(n-1)n(n+1)/2+\mu\,n(n-1)/2$)"},
-       .kind = Fault::formula,
-       .root = uncounted,
-       .why = filled(
-           R"(With column $k$ the diagonal entries of the $k-1$ rows above are multiplied by the pivot: )"
-           R"($\mu\,n(n-1)/2$ in all, $@2\mu+@2\alpha$ and not $@2\mu+@2\alpha$ for $n=3$. Without them the )"
-           R"(solution is wrong (see the methods). Even saved up for the end, each row's entry times the )"
-           R"(finished entry of the row below it, they cost $\mu(n-1)$: @1 for $n=10$.)",
-           {of_three.full.mu, of_three.full.alpha, printed_full(3.0).mu, printed_full(3.0).alpha,
-            saved_up(10)})});
-  claim("division_cost", 3795, R"(to divide each row by its diagonal entry costs $B=\delta n$)",
-        {.truth = counted(count, &Counts::division), .printed = {R"($\delta n$)"}});
-  claim("full_total", 3797,
-        R"(full elimination and division cost $C'=F+B=(2\mu+\alpha)(n-1)n(n+1)/2+\delta n$)",
-        {.truth = counted(count, &Counts::total),
-         .printed = {R"($(2\mu+\alpha)(n-1)n(n+1)/2+\delta n$)"},
-         .corrected = {R"($(2\mu+\alpha)(n-1)n(n+1)/2+\delta n+\mu\,n(n-1)/2$)"},
-         .kind = Fault::formula,
-         .root = uncounted,
-         .why = filled(
-             R"($F$ lacks the term $\mu\,n(n-1)/2$: for $n=3$ the total is $@2\mu+@2\alpha+@1\delta$, not )"
+  const auto counts = [&](const char* slug, int line, const std::string& before, const std::string& formula,
+                          const std::function<Cost(const Counts&)>& cost, const std::string& corrected = {},
+                          const std::string& why = {}) {
+    claim(slug, line, before + formula, "$" + formula, counted("the count", cost), corrected,
+          corrected.empty() ? "" : uncounted, why);
+  };
+  counts("one_row", 3789, "recomputing one row's entries in columns 2 to $n+1$ costs $", R"((2\mu+\alpha)n$)",
+         &Counts::one_row);
+  counts("first_row", 3789, "row reduction with the first row costs $", R"((2\mu+\alpha)n(n-1)$)",
+         &Counts::first_row);
+  counts("forward_second_row", 3789, "forward elimination with the second row costs $",
+         R"((2\mu+\alpha)(n-1)(n-2)$)", &Counts::forward_second);
+  counts("full_second_row", 3789, "full elimination with the second row costs $",
+         R"((2\mu+\alpha)(n-1)(n-1)$)", &Counts::full_second, R"($(2\mu+\alpha)(n-1)(n-1)+\mu$)",
+         filled(R"(To clear $a_{12}$, row one becomes $a_{22}$ row one $-\,a_{12}$ row two. This multiplies )"
+                R"($a_{11}$ by $a_{22}$ too: the $@2\mu+@2\alpha$ that the entries right of the pivot take )"
+                R"(for $n=3$ are $@2\mu+@2\alpha$.)",
+                {printed_second_row(3.0).mu, printed_second_row(3.0).alpha, of_three.full_second.mu,
+                 of_three.full_second.alpha}));
+  claim("full_sum", 3791, R"($(2\mu+\alpha)[n(n-1)+(n-1)(n-1)+\ldots+1(n-1)]=)" + sum + "$", "$" + sum + "$",
+        counted("the sum, entry by entry", sum_over_columns));
+  counts(
+      "full_cost", 3791, "full elimination costs $F=", sum + "$", &Counts::full, "$" + sum + diagonals,
+      filled(
+          R"(With column $k$ the diagonal entries of the $k-1$ rows above are multiplied by the pivot: )"
+          R"($\mu\,n(n-1)/2$ in all, $@2\mu+@2\alpha$ and not $@2\mu+@2\alpha$ for $n=3$. Without them the )"
+          R"(solution is wrong (see the methods). Even saved up for the end, each row's entry times the )"
+          R"(finished entry of the row below it, they cost $\mu(n-1)$: @1 for $n=10$.)",
+          {of_three.full.mu, of_three.full.alpha, printed_full(3.0).mu, printed_full(3.0).alpha,
+           saved_up(10)}));
+  counts("division_cost", 3795, "to divide each row by its diagonal entry costs $B=", R"(\delta n$)",
+         &Counts::division);
+  counts(
+      "full_total", 3797, "full elimination and division cost $C'=F+B=", sum + R"(+\delta n$)",
+      &Counts::total, "$" + sum + R"(+\delta n)" + diagonals,
+      filled(R"($F$ lacks the term $\mu\,n(n-1)/2$: for $n=3$ the total is $@2\mu+@2\alpha+@1\delta$, not )"
              R"($@2\mu+@2\alpha+@1\delta$.)",
              {of_three.total().mu, of_three.total().alpha, of_three.total().delta, printed_total(3.0).mu,
-              printed_total(3.0).alpha, printed_total(3.0).delta})});
-  claim("original_total", 3801,
-        R"(forward elimination and back substitution cost )"
-        R"($C=(2\mu+\alpha)(n-1)n(n+1)/3+(\mu+\alpha)n(n-1)/2+\delta n$)",
-        {.truth = counted(count, &Counts::forward_and_back),
-         .printed = {R"($C=(2\mu+\alpha)(n-1)n(n+1)/3+(\mu+\alpha)n(n-1)/2+\delta n$)"}});
+              printed_total(3.0).alpha, printed_total(3.0).delta}));
+  counts("original_total", 3801, "forward elimination and back substitution cost $",
+         R"(C=(2\mu+\alpha)(n-1)n(n+1)/3+(\mu+\alpha)n(n-1)/2+\delta n$)", &Counts::forward_and_back);
 
   const auto difference = [](const Counts& c) { return printed_total(c.n) - printed_original(c.n); };
-  claim("difference", 3805,
-        R"($C'-C$, both as printed, is $(2\mu+\alpha)(n-1)n(n+1)/6-(\mu+\alpha)n(n-1)/2$)",
-        {.truth = counted("$C'$ as printed less $C$ as printed", difference),
-         .printed = {R"($(2\mu+\alpha)(n-1)n(n+1)/6-(\mu+\alpha)n(n-1)/2$)"}});
+  const std::string less = R"((2\mu+\alpha)(n-1)n(n+1)/6-(\mu+\alpha)n(n-1)/2$)",
+                    factors = R"($C'-C=[n(n-1)/6][(2\mu+\alpha)n-\mu]$)";
+  claim("difference", 3805, "$C'-C$, both as printed, is $" + less, "$" + less,
+        counted("$C'$ as printed less $C$ as printed", difference));
   claim(
-      "factored", 3805, R"($C'-C=[n(n-1)/6][(2\mu+\alpha)n-\mu]$, the printed difference factored)",
-      {.truth = counted("$C'-C$, both as printed", difference),
-       .printed = {printed_factored},
-       .corrected = {factored_of_totals},
-       .kind = Fault::formula,
-       .root = "lost additions",
-       .why = filled(
-           R"($(2\mu+\alpha)(n+1)-3(\mu+\alpha)=(2\mu+\alpha)n-\mu-2\alpha$: the $2\alpha$ was lost. For )"
-           R"($n=2$ the difference is $@2\mu+@2\alpha$, and as factored in print $@2\mu+@2\alpha$.)",
-           {printed_difference(2.0).mu, printed_difference(2.0).alpha, factored(2).mu, factored(2).alpha})});
+      "factored", 3805, factors + ", the printed difference factored", printed_factored,
+      counted("$C'-C$, both as printed", difference), factored_of_totals, "lost additions",
+      filled(R"($(2\mu+\alpha)(n+1)-3(\mu+\alpha)=(2\mu+\alpha)n-\mu-2\alpha$: the $2\alpha$ was lost. For )"
+             R"($n=2$ the difference is $@2\mu+@2\alpha$, and as factored in print $@2\mu+@2\alpha$.)",
+             {printed_difference(2.0).mu, printed_difference(2.0).alpha, factored(2).mu, factored(2).alpha}));
   claim(
-      "excess", 3805,
-      R"(full elimination costs $C'-C=[n(n-1)/6][(2\mu+\alpha)n-\mu]$ more than forward elimination)",
-      {.truth = counted("the difference of the counts", &Counts::excess),
-       .printed = {printed_factored},
-       .corrected = {factored_of_counts},
-       .kind = Fault::formula,
-       .root = uncounted,
-       .why = filled(
-           R"(The multiplied diagonal entries add $\mu\,n(n-1)/2$, and the factoring loses $2\alpha$. For )"
-           R"($n=3$ the excess is $@2\mu+@2\alpha$, not $@2\mu+@2\alpha$. The bracket is negative for no whole )"
-           R"($n>1$, so that the conclusion of the text is right.)",
-           {of_three.excess().mu, of_three.excess().alpha, factored(3).mu, factored(3).alpha})});
+      "excess", 3805, "full elimination costs " + factors + " more than forward elimination",
+      printed_factored, counted("the difference of the counts", &Counts::excess), factored_of_counts,
+      uncounted,
+      filled(
+          R"(The multiplied diagonal entries add $\mu\,n(n-1)/2$, and the factoring loses $2\alpha$. For )"
+          R"($n=3$ the excess is $@2\mu+@2\alpha$, not $@2\mu+@2\alpha$. The bracket is negative for no whole )"
+          R"($n>1$, so that the conclusion of the text is right.)",
+          {of_three.excess().mu, of_three.excess().alpha, factored(3).mu, factored(3).alpha}));
 }
 
 // ---- which costs more -------------------------------------------------------------------------------------
@@ -216,9 +201,7 @@ void comparisons(Claims& claims, const std::vector<Counts>& sizes) {
       {.printed = {R"($\mu/(2\mu+\alpha)<\tfrac12$)"}, .near_misses = {{R"($\mu/(2\mu+\alpha)<\tfrac13$)"}}});
   claims.statement<Prices>(
       "whole_from_one", 3807, R"(the whole numbers $n\ge\mu/(2\mu+\alpha)$ are those from 1)", prices,
-      {.printed = {"1 is the least of them", [](const Prices& p) { return std::ceil(p.bound()) == 1; }},
-       .near_misses = {
-           {"2 is the least of them", [](const Prices& p) { return std::ceil(p.bound()) == 2; }}}});
+      {.printed = {R"($0<\mu/(2\mu+\alpha)\le1$)"}, .near_misses = {{R"($1<\mu/(2\mu+\alpha)\le2$)"}}});
   claims.statement<Counts>(
       "all_n", 3807, R"($C'\ge C$ for all $n\ge1$)", sizes,
       {.printed = {"coefficient by coefficient, whatever the prices",
@@ -344,13 +327,9 @@ void solutions(Claims& claims, const Random& random) {
       {.printed = solves("the quotients solve every equation", Diagonal::row_by_row),
        .near_misses = {
            solves("they do with the diagonal entries above left as they were", Diagonal::never)}});
-  std::array<double, 3> first{0, 1, 2}, second{1, 0, 3};  // x2 = 2, x1 = 3, cleared crosswise
-  const auto clear = [](auto& row, const auto& by, std::size_t k) {
-    const double own = row[k];
-    for (std::size_t j = 0; j < 3; ++j) row[j] = by[k] * row[j] - own * by[j];
-  };
-  clear(second, first, 0);
-  clear(first, second, 1);
+  Rows<double> swapped{{0, 1, 2}, {1, 0, 3}};  // x2 = 2, x1 = 3
+  full_step(swapped, 0);
+  full_step(swapped, 1);
   claims.statement<Residues>(
       "zero_pivot", 3793,
       "each row can be divided by its diagonal entry (our reading: no pivot is ever zero)", all,
@@ -367,7 +346,7 @@ void solutions(Claims& claims, const Random& random) {
            R"(rows in this order, ends in $@1/@1$. The text counts operations and has no such system in )"
            R"(view. An exchange with a lower row cures it and costs no arithmetic, so that no total )"
            R"(changes.)",
-           {first[2] + 0.0, first[0] + 0.0})});
+           {swapped[0][2] + 0.0, swapped[0][0] + 0.0})});
 }
 
 }  // namespace
