@@ -377,8 +377,8 @@ class Beside {
     return (in_float_ ? 1e-3L : 1e-8L) + 4 * rounding() / apart / fastest + of_width;
   }
 
-  /// Largest error of the constraint, at the drawn times multiplied by `scale`. Near 1 it shows what
-  /// roundings of an angle w t do.
+  /// Largest error of the constraint, at the drawn times multiplied by `scale`. A scale near 1 shows the
+  /// effect of roundings of an angle w t.
   Real off_constraint(Real scale) const {
     Real most = 0;
     for (std::size_t k = 0; k < seen_.size(); ++k) {
