@@ -413,7 +413,7 @@ std::vector<AnyStart> and_straight(std::vector<AnyStart> all) {
   return all;
 }
 
-/// What a line has next to its formula: the formula as meant, whose bars are lost, and words after it.
+/// The formula as meant where its bars are lost, the reason, and the line's words after it.
 struct Also {
   std::string meant = {}, why = {}, after = {};
 };
@@ -504,8 +504,7 @@ void equations_of_motion(Table& table, const std::vector<Moment>& moments) {
       "unit_vector", 945,
       R"($\mathbf r=r\mathbf R$, and $\mathbf R$ is of length 1 and points from the sun to the planet.)",
       moments,
-      {.quantity = R"($\mathbf r$)",
-       .truth = along("the planet's coordinates", [](const auto& k) { return in_plane(k.x, k.y); }),
+      {.truth = along("the planet's coordinates", [](const auto& k) { return in_plane(k.x, k.y); }),
        .printed = R"($\mathbf r=r\mathbf R$)"});
   table.formula(
       "gravity", 953,
@@ -545,9 +544,10 @@ void equations_of_motion(Table& table, const std::vector<Moment>& moments) {
        .kind = Fault::formula,
        .root = "the sun's mass for the planet's",
        .why = filled(
-           R"($M$ is the mass that attracts, the sun's. Lagrange's function $L=T-V$ of the planet has the )"
-           R"(planet's mass $m$, for the Earth 1/@6 of the sun's. $\alpha$ is constant all the same, and the )"
-           R"(later lines use no more: only $\alpha/M=r^2\dot\theta$ ever enters.)",
+           R"($M$ is the mass that attracts, the sun's. By Lagrange's function $L=T-V$ of the planet it is )"
+           R"($\partial L/\partial\dot\theta=mr^2\dot\theta$ with the planet's mass, for the Earth 1/@6 of the )"
+           R"(sun's. $\alpha$ is constant all the same, and the later lines use no more: only )"
+           R"($\alpha/M=r^2\dot\theta$ ever enters.)",
            {suns_per_earth})});
   forms(table, "radial_equation", 995, moments,
         along(R"($-GM/r^2$)", [](const auto& k) { return -k.mu / (k.r * k.r); }, &Along::of_rates),
@@ -699,8 +699,7 @@ void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
   table.formula("conserved", 979,
                 R"($r^2\dot\theta$ is constant, and so is $\alpha=Mr^2\dot\theta=Mr_0^2\dot\theta_0$.)",
                 orbits,
-                {.quantity = R"($r^2\dot\theta$ and $Mr^2\dot\theta$)",
-                 .truth = {R"($x\dot y-y\dot x$ later on a path by Newton's law, and $M$ times it)",
+                {.truth = {R"($x\dot y-y\dot x$ later on a path by Newton's law, and $M$ times it)",
                            [](const auto& k) { return values(k.h(), k.start.M * k.h()); }},
                  .printed = R"($(r_0^2\dot\theta_0,\ Mr_0^2\dot\theta_0)$)"});
   forms(table, "rate", 981, orbits, rate, R"(\dot\theta)", R"(\alpha/(Mr^2)=r_0^2\dot\theta_0\,r^2)",
@@ -710,8 +709,7 @@ void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
                 {pow(2, 2), pow(2, -2)}),
          " (1)"});
   table.formula("constant", 1095, R"(The left-hand side $-G^2M^4/\alpha^2$ is a constant.)", orbits,
-                {.quantity = R"($-G^2M^4/\alpha^2$)",
-                 .truth = {R"($-G^2M^4/\alpha^2$ by the angular momentum later on a path by Newton's law)",
+                {.truth = {R"($-G^2M^4/\alpha^2$ by the angular momentum later on a path by Newton's law)",
                            [](const auto& k) { return -pow(k.start.mu() / k.h(), 2); }},
                  .printed = R"($-G^2M^4/\alpha^2$)"});
   table.formula("homogeneous", 1097, R"($V_h=c_0\sin\theta+c_1\cos\theta$ has $V_h''+V_h=0$)", orbits,
@@ -1067,14 +1065,12 @@ void vectors(LaterTable& table, const std::vector<Later>& orbits) {
       "laplace", 1231,
       R"($\mathbf v\times\mathbf c_0=GM\,\mathbf R+\mathbf c_1$ with a constant vector $\mathbf c_1$)",
       orbits,
-      {.quantity = R"($\mathbf c_1$)",
-       .truth = {later, [](const auto& k) { return k.laplace(); }},
+      {.truth = {later, [](const auto& k) { return k.laplace(); }},
        .printed = R"($\mathbf v_0\times\mathbf c_0-GM\,\mathbf R_0$)"});
   table.formula("gamma0", 1241,
                 R"($\mathbf c_0=r_0^2\dot\theta_0\,\mathbf k$, of length $\gamma_0=r_0^2|\dot\theta_0|$)",
                 orbits,
-                {.quantity = R"($\mathbf c_0$ along $\mathbf k$, and its length)",
-                 .truth = {R"($x\dot y-y\dot x$ later on the path, and its size)",
+                {.truth = {R"($x\dot y-y\dot x$ later on the path, and its size)",
                            [](const auto& k) { return values(k.h(), abs(k.h())); }},
                  .printed = R"($(r_0^2\dot\theta_0,\ r_0^2|\dot\theta_0|)$)"});
   forms(table, "c1_vector", 1253, orbits,
@@ -1111,7 +1107,7 @@ void polar_orbit(LaterTable& table, const std::vector<Later>& orbits) {
        .why = filled(
            R"(The polar equation measures the angle from the perihelion, the direction of the constant )"
            R"(vector $\mathbf c_1=\mathbf v\times\mathbf c_0-GM\,\mathbf R$, $\mathbf c_0=\mathbf r\times\mathbf v$; )"
-           R"((7) measures it from the axis of $\theta_0$. Unless the perihelion is at $\theta=0$, )"
+           R"((7) measures it from the axis of $\theta_0$. Unless the perihelion is at $\theta=0$, in general )"
            R"($r(\theta_0)\ne r_0$. A program that follows the text draws the orbit of `eccentric_path` below )"
            R"(turned by $@2^\circ$, and starts the planet on it @2 AU from the sun instead of @3. Either subtract )"
            R"($\omega=\arg\mathbf c_1$, or use $r=-GM/V(\theta)$.)",
@@ -1144,8 +1140,7 @@ void period_and_axes(LaterTable& table, const std::vector<Later>& orbits) {
          [](const auto& k) { return 2 * Apsides(k).half_axis; }},
         "2a", R"(2\rho e/(1-e^2))");
   table.formula("b", 1269, R"(The length of the minor axis is $2b=2a\sqrt{1-e^2}$.)", orbits,
-                {.quantity = R"($2b$)",
-                 .truth = {R"(the area law, $\pi ab=\tfrac12r^2\dot\theta\,T$ with the integral for $T$)",
+                {.truth = {R"(the area law, $\pi ab=\tfrac12r^2\dot\theta\,T$ with the integral for $T$)",
                            []<class T>(const LaterOf<T>& k) {
                              return abs(k.h()) * k.turn() / (pi_of<T>() * Apsides(k).half_axis);
                            }},
@@ -1388,16 +1383,13 @@ Provables with_orbits(Provables proved, const std::string& more = {}) {
 }
 
 Provables proofs_from_a_start() {
-  ForAll<LaterOf> all = on_any_path("th");
-  // as printed they are right a quarter of a turn later, and V0_put_in is right if r0 = 1
-  const std::vector<std::string> half_a_turn_alone{"c0", "constants_of_rate", "last_term_of_c1"};
-  all.without = half_a_turn_alone;
-  all.without.push_back("V0_put_in");
+  ForAll<LaterOf> all = on_any_path("th"), half = all;
+  // as printed these are right a quarter of a turn later, and V0_put_in is right if r0 = 1
+  all.without = {"c0", "constants_of_rate", "last_term_of_c1", "V0_put_in"};
+  half.without = {"V0_put_in"}, half.example = half_a_turn;
   Provables proved = proofs_of(all, constants_of_motion, vectors);
-  for (const Provable& p : proved) all.without.push_back(p.claim.substr(p.claim.find('-') + 1));
-  for (const std::string& slug : half_a_turn_alone) std::erase(all.without, slug);
-  all.example = half_a_turn;
-  std::ranges::move(proofs_of(all, constants_of_motion, vectors), std::back_inserter(proved));
+  for (Provable& p : proofs_of(half, constants_of_motion, vectors))
+    if (std::ranges::find(proved, p.claim, &Provable::claim) == proved.end()) proved.push_back(std::move(p));
   return with_orbits(std::move(proved));
 }
 
@@ -1434,24 +1426,23 @@ Provables proofs_of_divisors() {
   const Elements of(start);
   const std::string letters = "(G M r0 rd th0 w0 th : R)";
   const auto zero = [](const Shortened& x) { return x.expression() == 0; };
-  const std::vector<Proposition> positive(all.given.begin(), all.given.begin() + 3);
-  auto turning = positive, standing = positive, circle = positive;
-  turning.push_back(not_zero(start.theta0_dot.expression()));
-  standing.push_back(zero(start.theta0_dot));
-  circle.push_back(zero(start.r0_dot));
-  circle.push_back(of.squared.expression() == of.mu.expression());
+  const auto where = [&](std::vector<Proposition> more) {
+    more.insert(more.begin(), all.given.begin(), all.given.begin() + 3);  // G, M and r0 are positive
+    return more;
+  };
+  const auto circle = where({zero(start.r0_dot), of.squared.expression() == of.mu.expression()});
   const Shortened radius = of.gamma0 * of.gamma0 / of.mu / (1 + of.e * cos(k.theta));
   return {{"3.3-constants_of_any_start",
            "as corrected it holds for any start that turns; for one that does not, the printed formula "
            "divides by zero",
            {{"corrected",
              letters,
-             turning,
+             where({not_zero(start.theta0_dot.expression())}),
              {zero(off_at_start(start, -1))},
              by_angles({"th0"}) + "; repeat split; lra"},
             {"printed_divides_by_zero",
              letters,
-             standing,
+             where({zero(start.theta0_dot)}),
              {zero(OneAngle<Shortened>(start, -start.mu() / start.r0).alpha)},
              "rewrite H2; ring"}}},
           {"3.3-rho_of_a_circle",
