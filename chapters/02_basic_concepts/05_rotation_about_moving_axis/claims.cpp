@@ -198,9 +198,7 @@ struct Tables {
                const std::string& note = {}) {
     const auto [left, right] = sides(text);
     any.formula(slug, line, text + note, moments.all,
-                {.quantity = text.substr(0, text.find('=')) + "$",
-                 .truth = route(left, size),
-                 .printed = "$" + right + "$"});
+                {.truth = route(left, size), .printed = "$" + right + "$"});
   }
   /// Claims an equation of any axis.
   void equation(std::string_view slug, int line, const std::string& text, const std::string& says = {}) {
@@ -320,7 +318,7 @@ void matrices_by_images(Tables& tables) {
                    {regular(R"($\dot RR^T+I$)", 1, 0.5), from_images(R"(\dot RR^T+I)")}},
        .near_misses = {{R"(so is $\dot RR^T+I$)", {determinants(R"($\det(\dot RR^T+I)$)", 1)}}},
        .why = R"(The rule is right for the matrices that it speaks of, and leaves out the one that it )"
-              R"(is needed for: a skew $3\times3$ matrix $K$ has $\det K=\det K^T=-\det K$, which is )"
+              R"(is needed for. A skew $3\times3$ matrix $K$ has $\det K=\det K^T=-\det K$, which is )"
               R"(0. The eigenvalues of $\dot RR^T$ are $0,\pm i|\mathbf w|$ at every moment. The )"
               R"(conclusion is right: $M=AU^T$ follows from $MU=A$ for every $M$; it is $U$ that has )"
               R"(to be invertible.)",

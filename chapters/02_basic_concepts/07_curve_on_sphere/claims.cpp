@@ -97,8 +97,7 @@ void curve_and_frame(Claims& claims, Table& at_time, Table& table, const std::ve
            R"($\pm1$: at $t=@1$ they are @2 from the origin.)",
            {outside, pow(1 - pow(outside, 2), 2) + pow(outside, 4)})});
   at_time.formula("on_the_sphere", 485, R"($|\mathbf r|=1$ for all $t$)", all,
-                  {.quantity = R"($|\mathbf r|$)",
-                   .truth = {"the unit sphere", [](const auto&) { return 1.0; }},
+                  {.truth = {"the unit sphere", [](const auto&) { return 1.0; }},
                    .printed = "$|" + numbers + "/" + root + "|$"});
   claims.formula<Sample>("velocity_perpendicular", 485, R"($\mathbf r\cdot\dot{\mathbf r}=0$ for all $t$)",
                          all,
@@ -145,15 +144,13 @@ void derivative_of_frame(Table& table, const std::vector<Sample>& all) {
                 {.truth = {"dual numbers", [](const auto& s) { return s.b_dot; }},
                  .printed = R"($\mathbf r\times\dot{\mathbf u}$)"});
   table.formula("parallel", 513, R"($\dot{\mathbf r}\times\mathbf u=0$, as they are parallel)", all,
-                {.quantity = R"($\dot{\mathbf r}\times\mathbf u$)",
-                 .truth = {"zero", []<class T>(const SampleOf<T>&) { return Vector<T>{}; }},
+                {.truth = {"zero", []<class T>(const SampleOf<T>&) { return Vector<T>{}; }},
                  .printed = R"($\dot{\mathbf r}\times\mathbf u$)",
                  .near_misses = {R"($\mathbf r\times\mathbf u$)"},
                  .changes_that_hold = no_product});
   table.formula(
       "columns", 515, R"($\dot R=[\dot{\mathbf r}\ \dot{\mathbf u}\ \mathbf r\times\dot{\mathbf u}]$)", all,
-      {.quantity = R"($\dot R$)",
-       .truth = {"the frame by dual numbers", [](const auto& s) { return s.R_dot; }},
+      {.truth = {"the frame by dual numbers", [](const auto& s) { return s.R_dot; }},
        .printed =
            R"($\begin{pmatrix}\dot{\mathbf r}&\dot{\mathbf u}&\mathbf r\times\dot{\mathbf u}\end{pmatrix}$)"});
 
@@ -162,16 +159,14 @@ void derivative_of_frame(Table& table, const std::vector<Sample>& all) {
   const std::string products =
       R"(\dot{\mathbf r}\mathbf r^T+\dot{\mathbf u}\mathbf u^T+(\mathbf r\times\dot{\mathbf u})(\mathbf r\times\mathbf u)^T)";
   table.formula("outer_products", 531, R"($\dot RR^T=)" + products + "$", all,
-                {.quantity = R"($\dot RR^T$)", .truth = product_of_frames, .printed = "$" + products + "$"});
+                {.truth = product_of_frames, .printed = "$" + products + "$"});
   table.formula("unskew_is_inverse", 533,
                 "Unskew is the inverse of Skew: $\\mathrm{Skew}(\\mathrm{Unskew}(S))=S$.", all,
                 {.quantity = R"($\dot RR^T$)",
                  .truth = product_of_frames,
                  .printed = R"($\mathrm{Skew}(\mathrm{Unskew}(\dot RR^T))$)"});
   table.formula("angular_velocity", 535, R"($\mathbf w=\mathrm{Unskew}()" + products + ")$", all,
-                {.quantity = R"($\mathbf w$)",
-                 .truth = w_by_frame,
-                 .printed = R"($\mathrm{Unskew}()" + products + ")$"});
+                {.truth = w_by_frame, .printed = R"($\mathrm{Unskew}()" + products + ")$"});
   table.formula(
       "only_r_v_a", 537,
       R"(Functions for $\mathbf r$, $\dot{\mathbf r}$ and $\ddot{\mathbf r}$ are all that $\mathbf w$ needs (our formula has these alone).)",

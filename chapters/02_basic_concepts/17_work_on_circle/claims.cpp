@@ -118,7 +118,7 @@ void formulas(Table& table, const Samples& samples) {
   const auto line = [&](std::string_view slug, int number, const Form& truth, const std::string& printed,
                         const std::string& says = {}) {
     table.formula(slug, number, says.empty() ? printed : says, samples.any,
-                  {.quantity = "the formula", .truth = truth, .printed = printed});
+                  {.truth = truth, .printed = printed});
   };
   line("velocity", 805,
        {R"($\frac{d}{dt}(r\cos\omega t,\,r\sin\omega t,\,0)$ by dual numbers)",
