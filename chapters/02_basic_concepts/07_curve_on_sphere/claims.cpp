@@ -161,7 +161,7 @@ void derivative_of_frame(Table& table, const std::vector<Sample>& all) {
   table.formula("outer_products", 531, R"($\dot RR^T=)" + products + "$", all,
                 {.truth = product_of_frames, .printed = "$" + products + "$"});
   table.formula("unskew_is_inverse", 533,
-                "Unskew is the inverse of Skew: $\\mathrm{Skew}(\\mathrm{Unskew}(S))=S$.", all,
+                R"(Unskew is the inverse of Skew: $\mathrm{Skew}(\mathrm{Unskew}(S))=S$.)", all,
                 {.quantity = R"($\dot RR^T$)",
                  .truth = product_of_frames,
                  .printed = R"($\mathrm{Skew}(\mathrm{Unskew}(\dot RR^T))$)"});

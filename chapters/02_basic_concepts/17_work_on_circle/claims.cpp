@@ -175,8 +175,8 @@ void misprints(Table& table, const Samples& samples) {
        .meant = R"($\frac r\omega\bigl((-1+\cos\omega T-\sin\omega T))"
                 R"(+\omega T(\cos\omega T+\sin\omega T)\bigr)$)",
        .kind = Fault::lost_typography,
-       .why = "A fraction bar and a parenthesis are lost: the factor is $r/\\omega$, not $r\\omega$, and "
-              "precedes the whole. Their ratio is $\\omega^2$: they agree at $\\omega=1$ alone."});
+       .why = R"(A fraction bar and a parenthesis are lost: the factor is $r/\omega$, not $r\omega$, and )"
+              R"(precedes the whole. Their ratio is $\omega^2$: they agree at $\omega=1$ alone.)"});
   table.formula(
       "full_turn", 817, R"(After one turn, at $T=2\pi\omega$, the work is zero: $W(2\pi\omega)=0$.)",
       samples.forward,
@@ -186,10 +186,11 @@ void misprints(Table& table, const Samples& samples) {
        .meant = work("0", R"({2\pi/\omega})", "1"),
        .changes_that_hold = of_zero,
        .kind = Fault::lost_typography,
-       .why = filled("The fraction bar is lost: a turn takes $2\\pi/\\omega$. At $2\\pi\\omega$ the "
-                     "particle has turned by $2\\pi\\omega^2$ and the work is zero by chance only, as "
-                     "for $\\omega=1$; for $\\omega=1/\\sqrt2$ it is $@1r$.",
-                     {work_of(Force::constant, Motion{1, 1 / sqrt2, sqrt2 * pi})})});
+       .why =
+           filled(R"(The fraction bar is lost: a turn takes $2\pi/\omega$. At $2\pi\omega$ the particle has )"
+                  R"(turned by $2\pi\omega^2$ and the work is zero by chance only, as for $\omega=1$; for )"
+                  R"($\omega=1/\sqrt2$ it is $@1r$.)",
+                  {work_of(Force::constant, Motion{1, 1 / sqrt2, sqrt2 * pi})})});
 }
 
 // ---- conservation -----------------------------------------------------------------------------------------
@@ -309,11 +310,9 @@ void zeros_of_the_power(Claims& claims, const Samples& samples) {
        .near_misses = {roots(Force::growing,
                              list(R"(at $3\pi/4+k\pi$, and 0)", and_zero(spaced(3 * first, pi))))},
        .why =
-           filled(R"(What is said of these times is true, and the formula before it shows the rest: )"
-                  R"($W'=r\omega T(\cos\omega T-\sin\omega T)$ has the factor $T$. So $W'$ is zero at $T=0$ )"
-                  R"(as well, a minimum, $W\approx r\omega T^2/2$, and no $\pi/4+k\pi$. A search for the )"
-                  R"(first maximum that starts at $T=0$ ends there, with $W=0$ for $@4$ ($r=\omega=1$).)",
-                  {work_of(Force::growing, Motion{1, 1, pi / 4})}),
+           R"(What is said of these times is true, and the formula before it shows the rest: )"
+           R"($W'=r\omega T(\cos\omega T-\sin\omega T)$ has the factor $T$. So $W'$ is zero at $T=0$ as well, )"
+           R"(a minimum, $W\approx r\omega T^2/2$, and no $\pi/4+k\pi$.)",
        .kind = Fault::left_out,
        .root = "the start is stationary too"});
 }
@@ -379,11 +378,9 @@ void values_at_maxima(Claims& claims, const Samples& samples) {
        .corrected = {work("0", R"({x/\omega})", "t", R"(=\frac r\omega(x\sqrt2-1))")},
        .kind = Fault::formula,
        .root = "a term dropped at the maxima",
-       .why = filled("The $-1$ of the closed form is dropped: with $x=\\pi/4+2n\\pi$ the work is $\\frac "
-                     "r\\omega(\\sqrt2\\,x-1)$ at $T=x/\\omega$. For $r=\\omega=1$ the first maximum is "
-                     "$@4$, not $@5$. Besides, the argument should be a time, $x/\\omega$, and the "
-                     "factor is $r/\\omega$.",
-                     {work_of(Force::growing, Motion{1, 1, pi / 4}), pi / 4 * sqrt2})});
+       .why = R"(The $-1$ of the closed form is dropped: with $x=\pi/4+2n\pi$ the work is )"
+              R"($\frac r\omega(\sqrt2\,x-1)$ at $T=x/\omega$. Besides, the argument should be a time, )"
+              R"($x/\omega$, and the factor is $r/\omega$.)"});
 }
 
 void growth(Claims& claims, const Samples& samples) {
@@ -402,11 +399,11 @@ void growth(Claims& claims, const Samples& samples) {
        .meant = {maxima_grow},
        .near_misses = {{minima_grow}},
        .kind = Fault::lost_typography,
-       .why = filled(
-           "The maxima are at $\\omega T=\\pi/4+2n\\pi$, where $W$ grows by $2\\sqrt2\\,\\pi r/\\omega$ "
-           "each time. At $T=\\pi/4+2n\\pi$, as printed, it depends on $\\omega$: for $\\omega=2$ each "
-           "$W$ is $@3r$ more than the last, for $\\omega=4$ it is $@3r$ less.",
-           {later_by(2), -later_by(4)})});
+       .why =
+           filled(R"(The maxima are at $\omega T=\pi/4+2n\pi$, where $W$ grows by $2\sqrt2\,\pi r/\omega$ )"
+                  R"(each time. At $T=\pi/4+2n\pi$, as printed, it depends on $\omega$: for $\omega=2$ each )"
+                  R"($W$ is $@3r$ more than the last, for $\omega=4$ it is $@3r$ less.)",
+                  {later_by(2), -later_by(4)})});
   claims.statement<Sample>(
       "magnitude_grows", 851, "The force's magnitude always grows with time ($t>0$, as on $[0,T]$).",
       samples.cases,
