@@ -350,14 +350,13 @@ void frame(Tables& tables) {
        .corrected = {corrected_frame},
        .kind = Fault::formula,
        .root = "length of the axis' rate",
-       .why = R"($\dot{\mathbf D}$ is perpendicular to $\mathbf D$, but its length )"
-              R"($\lambda=|\dot{\mathbf D}|$ is $1$ only when the axis moves so; it is $0$ when the )"
-              R"(axis is fixed, and then there is no such frame at all. With the printed vectors )"
-              R"($\mathbf U_2\times\mathbf U_3$ and $\dot S\mathbf U_3$ are $\lambda^2\mathbf U_1$, )"
-              R"(and the lines that use them fail for $\lambda\ne1$. With $\mathbf U_2=\dot{\mathbf )"
-              R"(D}/\lambda$ every $\sigma$ and every $1-\gamma$ of the last steps gets a factor )"
-              R"($\lambda$, which $\lambda\mathbf U_2=\dot{\mathbf D}$ takes up again: the result )"
-              R"(holds for every $\lambda$, zero included.)"});
+       .why = R"($\dot{\mathbf D}$ is perpendicular to $\mathbf D$, but its length $\lambda=|\dot{\mathbf )"
+              R"(D}|$ is $1$ only when the axis moves so. It is $0$ when the axis is fixed, and then there )"
+              R"(is no such frame at all. With the printed vectors $\mathbf U_2\times\mathbf U_3$ and $\dot )"
+              R"(S\mathbf U_3$ are $\lambda^2\mathbf U_1$, and the lines that use them fail for )"
+              R"($\lambda\ne1$. With $\mathbf U_2=\dot{\mathbf D}/\lambda$ every $\sigma$ and every )"
+              R"($1-\gamma$ of the last steps gets a factor $\lambda$, which $\lambda\mathbf )"
+              R"(U_2=\dot{\mathbf D}$ takes up again: the result holds for every $\lambda$, zero too.)"});
   const std::string products =
       R"($(\mathbf U_1,\mathbf U_2,\mathbf U_3)=(\mathbf U_2\times\mathbf U_3,\mathbf U_3\times\mathbf U_1,\mathbf U_1\times\mathbf U_2)$)";
   tables.where_unit(
@@ -591,9 +590,8 @@ Provables proofs() {
   const Moments none;
   Tables tables{none};
   state(tables);
-  std::vector<std::string> matrix, names{"d0", "d1", "d2", "e0", "e1", "e2", "theta", "omega"};
-  for (int k = 0; k < 9; ++k) matrix.push_back("m" + std::to_string(k));
-  names.insert(names.end(), matrix.begin(), matrix.end());
+  const std::vector<std::string> names{"d0", "d1", "d2", "e0", "e1", "e2", "theta", "omega", "m0",
+                                       "m1", "m2", "m3", "m4", "m5", "m6", "m7",    "m8"};
   const MomentOf<Shortened> any = any_moment(names);
   const Vector<Shortened> axis = value_of(any.axis), rate = slope_of(any.axis);
   ForAll<MomentOf> all{.any = any,
@@ -618,12 +616,11 @@ Provables proofs() {
          equal(recorded_text("$AU^T$", any.typeset()), detail::recorded_value(any.M)), by_halves_and_rate}}});
   for (Provable& p : proved) p.preamble = turnings_in_coq;
 
-  names = std::move(matrix);
-  for (const char* x : {"a", "b", "c"})
-    for (int i = 0; i < 3; ++i) names.push_back(x + std::to_string(i));
-  const auto some = lettered<AnyOf>(names);
+  const std::vector<std::string> any_names{"m0", "m1", "m2", "m3", "m4", "m5", "m6", "m7", "m8",
+                                           "a0", "a1", "a2", "b0", "b1", "b2", "c0", "c1", "c2"};
+  const auto some = lettered<AnyOf>(any_names);
   for (Provable& p : tables.vectors.proofs("2.5", {.any = some,
-                                                  .letters = quantified(names),
+                                                  .letters = quantified(any_names),
                                                   .tactic = "field",
                                                   .says = "it holds of any matrix and any vectors"})) {
     if (p.claim == "2.5-determined_by_images") {

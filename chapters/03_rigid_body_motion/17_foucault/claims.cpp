@@ -829,9 +829,8 @@ void cone_equations(SwingTable& table, const std::vector<Swinging>& samples) {
        .why = filled(
            R"(To first order in $\omega$ the appended terms vanish, and the cone's own inertia is missing. It )"
            R"(swings as a point mass at $(L^2+I_{xx}/m)/L=\frac45h+r^2/(5h)$, its center of oscillation; the )"
-           R"(published equations put the point at $@4\,h$. A cone of $h=r$, as the default one, swings @2 % )"
-           R"(too fast by them.)",
-           {printed_length<double>(), 100 * (too_fast() - 1)})});
+           R"(published equations put the point at $@4\,h$.)",
+           {printed_length<double>()})});
 }
 
 }  // namespace
