@@ -24,14 +24,12 @@ struct Turning {
 
   template <class T>
   Vector<T> axis(const T& t) const {
-    using std::sin;
-    const auto along = [&](std::size_t i) { return T(p[i]) + T(q[i]) * sin(t) + T(r[i]) * t * t; };
+    const auto along = [&](std::size_t i) { return p[i] + q[i] * sin(t) + r[i] * t * t; };
     return unit(Vector<T>{along(0), along(1), along(2)});
   }
   template <class T>
   T angle(const T& t) const {
-    using std::cos;
-    return T(a) + T(b) * t + T(c) * cos(t);
+    return a + b * t + c * cos(t);
   }
 };
 
@@ -69,7 +67,6 @@ struct MomentOf {
   /// Size of these terms on the vectors U.
   double size() const { return (1 + lambda * lambda) * rates(); }
   TypesetIn<T> typeset() const {
-    using std::cos, std::sin;
     return {{R"(\theta)", angle.value},
             {R"(\dot\theta)", angle.slope},
             {R"(\lambda)", lambda},
@@ -103,12 +100,9 @@ struct AnyOf {
   Vector<T> A, B, C;
 
   std::array<T*, 18> letters() {
-    std::array<T*, 18> all;
-    std::size_t i = 0;
-    for (T& x : M.e) all[i++] = &x;
-    for (auto* vector : {&A, &B, &C})
-      for (T& x : vector->e) all[i++] = &x;
-    return all;
+    auto& m = M.e;
+    return {&m[0], &m[1], &m[2], &m[3], &m[4], &m[5], &m[6], &m[7], &m[8],
+            &A[0], &A[1], &A[2], &B[0], &B[1], &B[2], &C[0], &C[1], &C[2]};
   }
   T volume() const { return dot(A, cross(B, C)); }
   TypesetIn<T> typeset() const {
@@ -152,14 +146,13 @@ struct Moments {
   Moments() = default;
   explicit Moments(double seed) {
     Random random(seed);
-    const auto vector = [](const std::array<double, 3>& x) { return Vector3{x[0], x[1], x[2]}; };
     for (int i = 0; i < 200; ++i) {
-      Turning motion{3.0 * vector(random.direction()), vector(random.point(0.8)),
-                     vector(random.point(0.8)),        random.between(-7, 7),
-                     random.magnitude(0.01, 10),       random.between(-1, 1)};
+      Turning motion{
+          3.0 * Vector3{random.direction()}, {random.point(0.8)},  {random.point(0.8)}, random.between(-7, 7),
+          random.magnitude(0.01, 10),        random.between(-1, 1)};
       const double t = random.between(-1, 1);
       if (i % 20 == 9) motion.a += 0.01 - motion.angle(t);
-      const auto some = [&] { return vector(random.point(2)); };
+      const auto some = [&] { return Vector3{random.point(2)}; };
       const Matrix3 M = Matrix3::columns(some(), some(), some());
       vectors.push_back({M, some(), some(), some()});
       for (AnyOf<double>& one = vectors.back(); std::abs(one.volume()) < 1;)
@@ -205,20 +198,17 @@ struct Tables {
                const std::string& note = {}) {
     const auto [left, right] = sides(text);
     any.formula(slug, line, text + note, moments.all,
-                {.quantity = text.substr(0, text.find('=')) + "$",
-                 .truth = route(left, size),
-                 .printed = "$" + right + "$"});
+                {.truth = route(left, size), .printed = "$" + right + "$"});
   }
   /// Claims an equation of any axis.
   void equation(std::string_view slug, int line, const std::string& text, const std::string& says = {}) {
     any.formula(slug, line, says.empty() ? text : says, moments.all, of_equation(text));
   }
   /// Claims an equation that needs |D'| = 1.
-  void where_unit(std::string_view slug, int line, const std::string& text, const std::string& says = {}) {
+  void where_unit(std::string_view slug, int line, const std::string& text, const std::string& says = {},
+                  const std::vector<Of>& near_misses = {}) {
     auto claim = of_equation(text);
-    const TypesetFormula equation(claim.printed.text);
-    claim.near_misses = {{R"(where $|\dot{\mathbf D}|=2$)",
-                          [=](const Moment& m) { return equation(m.twice_as_fast().typeset()); }}};
+    claim.near_misses = near_misses;
     unit_speed.formula(slug, line,
                        (says.empty() ? text : says) + R"( (our condition: $|\dot{\mathbf D}|=1$))",
                        moments.unit_speed, claim);
@@ -300,20 +290,17 @@ void matrices_by_images(Tables& tables) {
     });
   };
   const auto from_images = [&](const std::string& text) {
-    const Formula<Moment> of_text{"$" + text + "$"}, images{"$(" + text + ")UU^T$"};
-    Formula<Moment> by_images = computed(images);
-    by_images.text = "$AU^T$", by_images.terms = &Moment::size;
-    return compare("$" + text + "$ from its images, $AU^T$", by_images, computed(of_text),
-                   moments.unit_speed);
+    Formula<Moment> images = computed(Formula<Moment>{"$(" + text + ")UU^T$"});
+    images.text = "$AU^T$", images.terms = &Moment::size;
+    return compare("$" + text + "$ from its images, $AU^T$", images,
+                   computed(Formula<Moment>{"$" + text + "$"}), moments.unit_speed);
   };
   const Formula<Moment> invariants{
       R"($|\mathbf w|$ times the trace of $\dot RR^T$, and the sum of its principal minors)",
       [](const Moment& m) {
-        const Matrix3 W = m.W();
-        const auto minor = [&](std::size_t i, std::size_t j) {
-          return W(i, i) * W(j, j) - W(i, j) * W(j, i);
-        };
-        return values(length(m.w) * (W(0, 0) + W(1, 1) + W(2, 2)), minor(0, 1) + minor(0, 2) + minor(1, 2));
+        const Matrix3 W = m.W(), square = W * W;
+        const auto trace = [](const Matrix3& A) { return A(0, 0) + A(1, 1) + A(2, 2); };
+        return values(length(m.w) * trace(W), (trace(W) * trace(W) - trace(square)) / 2);
       },
       [](const Moment& m) { return m.rates() * m.rates(); }};
   tables.claims.add(
@@ -330,11 +317,11 @@ void matrices_by_images(Tables& tables) {
        .in_view = {R"(for an invertible matrix, such as $\dot RR^T+I$)",
                    {regular(R"($\dot RR^T+I$)", 1, 0.5), from_images(R"(\dot RR^T+I)")}},
        .near_misses = {{R"(so is $\dot RR^T+I$)", {determinants(R"($\det(\dot RR^T+I)$)", 1)}}},
-       .why =
-           "The rule is right for the matrices that it speaks of, and leaves out the one that it is needed for: a "
-           "skew $3\\times3$ matrix $K$ has $\\det K=\\det K^T=-\\det K$, which is 0. The eigenvalues of "
-           "$\\dot RR^T$ are $0,\\pm i|\\mathbf w|$ at every moment. The conclusion is right: $M=AU^T$ follows "
-           "from $MU=A$ for every $M$; it is $U$ that has to be invertible.",
+       .why = R"(The rule is right for the matrices that it speaks of, and leaves out the one that it )"
+              R"(is needed for. A skew $3\times3$ matrix $K$ has $\det K=\det K^T=-\det K$, which is )"
+              R"(0. The eigenvalues of $\dot RR^T$ are $0,\pm i|\mathbf w|$ at every moment. The )"
+              R"(conclusion is right: $M=AU^T$ follows from $MU=A$ for every $M$; it is $U$ that has )"
+              R"(to be invertible.)",
        .kind = Fault::left_out,
        .root = "a singular matrix"});
 }
@@ -363,19 +350,21 @@ void frame(Tables& tables) {
        .corrected = {corrected_frame},
        .kind = Fault::formula,
        .root = "length of the axis' rate",
-       .why =
-           "$\\dot{\\mathbf D}$ is perpendicular to $\\mathbf D$, but its length $\\lambda=|\\dot{\\mathbf "
-           "D}|$ is $1$ only when the axis moves so; it is $0$ when the axis is fixed, and then there is no "
-           "such frame at all. With the printed vectors $\\mathbf U_2\\times\\mathbf U_3$ and $\\dot "
-           "S\\mathbf U_3$ are $\\lambda^2\\mathbf U_1$, and the lines that use them fail for "
-           "$\\lambda\\ne1$. With $\\mathbf U_2=\\dot{\\mathbf D}/\\lambda$ every $\\sigma$ and every "
-           "$1-\\gamma$ of the last steps gets a factor $\\lambda$, which $\\lambda\\mathbf "
-           "U_2=\\dot{\\mathbf D}$ takes up again: the result holds for every $\\lambda$, zero included."});
+       .why = R"($\dot{\mathbf D}$ is perpendicular to $\mathbf D$, but its length $\lambda=|\dot{\mathbf )"
+              R"(D}|$ is $1$ only when the axis moves so. It is $0$ when the axis is fixed, and then there )"
+              R"(is no such frame at all. With the printed vectors $\mathbf U_2\times\mathbf U_3$ and $\dot )"
+              R"(S\mathbf U_3$ are $\lambda^2\mathbf U_1$, and the lines that use them fail for )"
+              R"($\lambda\ne1$. With $\mathbf U_2=\dot{\mathbf D}/\lambda$ every $\sigma$ and every )"
+              R"($1-\gamma$ of the last steps gets a factor $\lambda$, which $\lambda\mathbf )"
+              R"(U_2=\dot{\mathbf D}$ takes up again: the result holds for every $\lambda$, zero too.)"});
+  const std::string products =
+      R"($(\mathbf U_1,\mathbf U_2,\mathbf U_3)=(\mathbf U_2\times\mathbf U_3,\mathbf U_3\times\mathbf U_1,\mathbf U_1\times\mathbf U_2)$)";
   tables.where_unit(
-      "cross_products", 341,
-      R"($(\mathbf U_1,\mathbf U_2,\mathbf U_3)=(\mathbf U_2\times\mathbf U_3,\mathbf U_3\times\mathbf U_1,\mathbf U_1\times\mathbf U_2)$)",
+      "cross_products", 341, products,
       R"($\mathbf U_1=\mathbf U_2\times\mathbf U_3$, $\mathbf U_2=\mathbf U_3\times\mathbf U_1$, )"
-      R"($\mathbf U_3=\mathbf U_1\times\mathbf U_2$)");
+      R"($\mathbf U_3=\mathbf U_1\times\mathbf U_2$)",
+      {{R"(where $|\dot{\mathbf D}|=2$)",
+        [is = TypesetFormula(products)](const Moment& m) { return is(m.twice_as_fast().typeset()); }}});
   tables.where_unit(
       "images_under_s_dot", 345,
       R"($(\dot S\mathbf U_1,\dot S\mathbf U_2,\dot S\mathbf U_3)=(-\mathbf U_3,(0,0,0),\mathbf U_1)$)",
@@ -530,29 +519,31 @@ constexpr const char* by_halves_and_rate = R"(
   field_simplify_eq [circle a b]; try ring; clear a b circle;
   generalize (cos (5 / 10 * theta)) (sin (5 / 10 * theta)); intros; products; nsatz)";
 
+std::vector<Shortened> letters(const std::vector<std::string>& names) {
+  std::vector<Shortened> all;
+  for (const std::string& name : names) all.push_back(Shortened::letter(name));
+  return all;
+}
+
 /// The axis and its rate are letters, perpendicular to each other.
 MomentOf<Shortened> any_moment(const std::vector<std::string>& names) {
-  std::vector<Shortened> x;
-  for (const std::string& name : names) x.push_back(Shortened::letter(name));
-  Vector<Dual<Shortened>> axis;
-  for (std::size_t i = 0; i < 3; ++i) axis[i] = {x[i], x[3 + i]};
+  const auto x = letters(names);
   Matrix<Shortened> M;
   std::ranges::copy(x.begin() + 8, x.end(), M.e.begin());
-  return {axis, {x[6], x[7]}, M};
+  return {{{{{x[0], x[3]}, {x[1], x[4]}, {x[2], x[5]}}}}, {x[6], x[7]}, M};
 }
 
 /// The derivative of S for any differentiable axis.
 Provable derivative_of_s() {
-  const auto vector = [](const std::string& x, const std::string& y, const std::string& z) {
-    return Vector<Shortened>{{Shortened::letter(x), Shortened::letter(y), Shortened::letter(z)}};
-  };
+  const auto x = letters({"(d0 t)", "(d1 t)", "(d2 t)", "e0", "e1", "e2"});
   const auto rate = [](const Shortened& of, const Shortened& is) -> Proposition {
     return {"derivable_pt_lim (fun t => " + of.expression().coq() + ") t (" + is.expression().coq() + ")"};
   };
-  const Vector<Shortened> moving = vector("(d0 t)", "(d1 t)", "(d2 t)"), its_rate = vector("e0", "e1", "e2");
+  const auto S = skew(Vector<Shortened>{x[0], x[1], x[2]}),
+             S_rate = skew(Vector<Shortened>{x[3], x[4], x[5]});
   std::vector<Proposition> given, follows;
-  for (std::size_t i = 0; i < 3; ++i) given.push_back(rate(moving[i], its_rate[i]));
-  for (std::size_t k = 0; k < 9; ++k) follows.push_back(rate(skew(moving).e[k], skew(its_rate).e[k]));
+  for (std::size_t i = 0; i < 3; ++i) given.push_back(rate(x[i], x[3 + i]));
+  for (std::size_t k = 0; k < 9; ++k) follows.push_back(rate(S.e[k], S_rate.e[k]));
   return {"2.5-derivative_of_s",
           "it holds entry by entry of any axis that has a rate",
           {{"printed", "(d0 d1 d2 : R -> R) (t e0 e1 e2 : R)", given, follows,
@@ -569,9 +560,7 @@ Provable orthonormal_frame(const MomentOf<Shortened>& any, ForAll<MomentOf> all)
   };
   const Vector<Shortened> rate = slope_of(any.axis);
   all.given.push_back(above(dot(rate, rate).expression(), 0));
-  Vector<Dual<Shortened>> twice_as_fast;
-  twice_as_fast[0] = {1.0, 0.0}, twice_as_fast[1] = {0.0, 2.0};
-  const MomentOf<Shortened> example(twice_as_fast, {1.0, 1.0}, {});
+  const MomentOf<Shortened> example({{{{1.0, 0.0}, {0.0, 2.0}, {}}}}, {1.0, 1.0}, {});
   const std::string root = any.lambda.expression().coq(), square = root.substr(root.find('('));
   return {"2.5-orthonormal_frame",
           "as corrected it holds wherever the axis moves; as printed it is off where it moves at the speed 2",
@@ -601,9 +590,8 @@ Provables proofs() {
   const Moments none;
   Tables tables{none};
   state(tables);
-  std::vector<std::string> matrix, names{"d0", "d1", "d2", "e0", "e1", "e2", "theta", "omega"};
-  for (int k = 0; k < 9; ++k) matrix.push_back("m" + std::to_string(k));
-  names.insert(names.end(), matrix.begin(), matrix.end());
+  const std::vector<std::string> names{"d0", "d1", "d2", "e0", "e1", "e2", "theta", "omega", "m0",
+                                       "m1", "m2", "m3", "m4", "m5", "m6", "m7",    "m8"};
   const MomentOf<Shortened> any = any_moment(names);
   const Vector<Shortened> axis = value_of(any.axis), rate = slope_of(any.axis);
   ForAll<MomentOf> all{.any = any,
@@ -628,12 +616,11 @@ Provables proofs() {
          equal(recorded_text("$AU^T$", any.typeset()), detail::recorded_value(any.M)), by_halves_and_rate}}});
   for (Provable& p : proved) p.preamble = turnings_in_coq;
 
-  names = std::move(matrix);
-  for (const char* x : {"a", "b", "c"})
-    for (int i = 0; i < 3; ++i) names.push_back(x + std::to_string(i));
-  const auto some = lettered<AnyOf>(names);
+  const std::vector<std::string> any_names{"m0", "m1", "m2", "m3", "m4", "m5", "m6", "m7", "m8",
+                                           "a0", "a1", "a2", "b0", "b1", "b2", "c0", "c1", "c2"};
+  const auto some = lettered<AnyOf>(any_names);
   for (Provable& p : tables.vectors.proofs("2.5", {.any = some,
-                                                  .letters = quantified(names),
+                                                  .letters = quantified(any_names),
                                                   .tactic = "field",
                                                   .says = "it holds of any matrix and any vectors"})) {
     if (p.claim == "2.5-determined_by_images") {

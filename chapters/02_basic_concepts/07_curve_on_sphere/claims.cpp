@@ -31,6 +31,7 @@ struct SampleOf {
   Vector<T> u, b, u_dot, b_dot, w;
   T speed = length(m.v);
 
+  SampleOf() = default;
   explicit SampleOf(double time)
       : SampleOf(time, space::motion_of(position, time), frame(Dual<double>(time, 1))) {}
   /// A sample of any motion.
@@ -40,6 +41,10 @@ struct SampleOf {
       : t(time), m(motion), R(value_of(both)), R_dot(slope_of(both)) {
     u = R.column(1), b = R.column(2), u_dot = R_dot.column(1), b_dot = R_dot.column(2);
     w = angular_velocity(m);
+  }
+  SampleOf<Shortened> recorded() const requires std::same_as<T, double> {
+    const auto exact = [](const Vector3& x) { return Vector<Shortened>{x[0], x[1], x[2]}; };
+    return {t, {exact(m.r), exact(m.v), exact(m.a)}};
   }
   TypesetIn<T> typeset() const {
     return {{"t", t},
@@ -52,26 +57,14 @@ struct SampleOf {
             {R"(\dot R)", R_dot.e}};
   }
   /// Size of the terms of r . r'.
-  T size() const { return speed; }
+  double size() const { return speed; }
   std::string where() const { return "$t$ = " + format_shortest(t); }
 };
 using Sample = SampleOf<double>;
 using AtTime = ProvableFormula<SampleOf>;
-using FrameClaim = ProvableClaim<SampleOf>;
+using Table = ProvableClaims<SampleOf>;
 
 namespace {
-
-/// Claims that are stated for the exercise's curve, and proved for any curve on the sphere.
-struct Table {
-  Claims& claims;
-  std::vector<std::pair<std::string, FrameClaim>> stated = {};
-
-  void formula(const std::string& slug, int line, std::string says, const std::vector<Sample>& samples,
-               const FrameClaim& claim) {
-    ProvableClaims<SampleOf>(claims).formula(slug, line, std::move(says), samples, claim);
-    stated.emplace_back(slug, claim);
-  }
-};
 
 const AtTime u_dot_by_duals{"dual numbers", [](const auto& s) { return s.u_dot; }};
 const AtTime w_by_frame{
@@ -81,10 +74,11 @@ const AtTime w_by_frame{
 
 const std::string perpendicular = R"($\mathbf r\cdot\dot{\mathbf r}=0$)";
 
-void curve_and_frame(Table& table, const std::vector<Sample>& all) {
+/// Claims that are proved for the exercise's curve, in `at_time`, and for any curve on the sphere.
+void curve_and_frame(Claims& claims, Table& at_time, Table& table, const std::vector<Sample>& all) {
   const std::string numbers = R"(((1-t^2)\cos\pi t,(1-t^2)\sin\pi t,t^2))", root = R"(\sqrt{(1-t^2)^2+t^4})";
   constexpr double outside = 2;
-  table.formula(
+  at_time.formula(
       "position", 481,
       R"(The position is $((1-t^2)\cos\pi t,(1-t^2)\sin\pi t,t^2)$ times $\sqrt{(1-t^2)^2+t^4}$.)", all,
       {.quantity = R"($\mathbf r$)",
@@ -102,16 +96,15 @@ void curve_and_frame(Table& table, const std::vector<Sample>& all) {
            R"(Multiplied by it they leave the unit sphere, of which the next lines speak, at every $t$ but 0 and )"
            R"($\pm1$: at $t=@1$ they are @2 from the origin.)",
            {outside, pow(1 - pow(outside, 2), 2) + pow(outside, 4)})});
-  table.formula("on_the_sphere", 485, R"($|\mathbf r|=1$ for all $t$)", all,
-                {.quantity = R"($|\mathbf r|$)",
-                 .truth = {"the unit sphere", [](const auto&) { return 1.0; }},
-                 .printed = "$|" + numbers + "/" + root + "|$"});
-  table.claims.formula<Sample>("velocity_perpendicular", 485,
-                               R"($\mathbf r\cdot\dot{\mathbf r}=0$ for all $t$)", all,
-                               {.truth = {"zero", [](const Sample&) { return 0.0; }},
-                                .printed = {perpendicular},
-                                .changes_that_hold = "a multiple of zero is zero"});
-  table.claims.statement<Sample>(
+  at_time.formula("on_the_sphere", 485, R"($|\mathbf r|=1$ for all $t$)", all,
+                  {.truth = {"the unit sphere", [](const auto&) { return 1.0; }},
+                   .printed = "$|" + numbers + "/" + root + "|$"});
+  claims.formula<Sample>("velocity_perpendicular", 485, R"($\mathbf r\cdot\dot{\mathbf r}=0$ for all $t$)",
+                         all,
+                         {.truth = {"zero", [](const Sample&) { return 0.0; }},
+                          .printed = {perpendicular},
+                          .changes_that_hold = "a multiple of zero is zero"});
+  claims.statement<Sample>(
       "velocity_not_zero", 485,
       R"(Another column is $\mathbf u=\dot{\mathbf r}/|\dot{\mathbf r}|$ (our check: $\dot{\mathbf r}$ is not zero).)",
       all, {.printed = {R"($|\dot{\mathbf r}|>0$)"}, .near_misses = {{R"($|\dot{\mathbf r}|>2$)"}}});
@@ -151,15 +144,13 @@ void derivative_of_frame(Table& table, const std::vector<Sample>& all) {
                 {.truth = {"dual numbers", [](const auto& s) { return s.b_dot; }},
                  .printed = R"($\mathbf r\times\dot{\mathbf u}$)"});
   table.formula("parallel", 513, R"($\dot{\mathbf r}\times\mathbf u=0$, as they are parallel)", all,
-                {.quantity = R"($\dot{\mathbf r}\times\mathbf u$)",
-                 .truth = {"zero", []<class T>(const SampleOf<T>&) { return Vector<T>{}; }},
+                {.truth = {"zero", []<class T>(const SampleOf<T>&) { return Vector<T>{}; }},
                  .printed = R"($\dot{\mathbf r}\times\mathbf u$)",
                  .near_misses = {R"($\mathbf r\times\mathbf u$)"},
                  .changes_that_hold = no_product});
   table.formula(
       "columns", 515, R"($\dot R=[\dot{\mathbf r}\ \dot{\mathbf u}\ \mathbf r\times\dot{\mathbf u}]$)", all,
-      {.quantity = R"($\dot R$)",
-       .truth = {"the frame by dual numbers", [](const auto& s) { return s.R_dot; }},
+      {.truth = {"the frame by dual numbers", [](const auto& s) { return s.R_dot; }},
        .printed =
            R"($\begin{pmatrix}\dot{\mathbf r}&\dot{\mathbf u}&\mathbf r\times\dot{\mathbf u}\end{pmatrix}$)"});
 
@@ -168,16 +159,14 @@ void derivative_of_frame(Table& table, const std::vector<Sample>& all) {
   const std::string products =
       R"(\dot{\mathbf r}\mathbf r^T+\dot{\mathbf u}\mathbf u^T+(\mathbf r\times\dot{\mathbf u})(\mathbf r\times\mathbf u)^T)";
   table.formula("outer_products", 531, R"($\dot RR^T=)" + products + "$", all,
-                {.quantity = R"($\dot RR^T$)", .truth = product_of_frames, .printed = "$" + products + "$"});
+                {.truth = product_of_frames, .printed = "$" + products + "$"});
   table.formula("unskew_is_inverse", 533,
-                "Unskew is the inverse of Skew: $\\mathrm{Skew}(\\mathrm{Unskew}(S))=S$.", all,
+                R"(Unskew is the inverse of Skew: $\mathrm{Skew}(\mathrm{Unskew}(S))=S$.)", all,
                 {.quantity = R"($\dot RR^T$)",
                  .truth = product_of_frames,
                  .printed = R"($\mathrm{Skew}(\mathrm{Unskew}(\dot RR^T))$)"});
   table.formula("angular_velocity", 535, R"($\mathbf w=\mathrm{Unskew}()" + products + ")$", all,
-                {.quantity = R"($\mathbf w$)",
-                 .truth = w_by_frame,
-                 .printed = R"($\mathrm{Unskew}()" + products + ")$"});
+                {.truth = w_by_frame, .printed = R"($\mathrm{Unskew}()" + products + ")$"});
   table.formula(
       "only_r_v_a", 537,
       R"(Functions for $\mathbf r$, $\dot{\mathbf r}$ and $\ddot{\mathbf r}$ are all that $\mathbf w$ needs (our formula has these alone).)",
@@ -193,34 +182,31 @@ void derivative_of_frame(Table& table, const std::vector<Sample>& all) {
 /// The time at which the listing's errors are shown.
 constexpr double shown_time = 0.75;
 
-/// The listing's two functions, WFunction with its call corrected.
-void compute_terms(double t, Vector3& R, Vector3& V, Vector3& U, Vector3& UDot) {
-  const auto m = space::motion_of(position, t);
-  R = m.r, V = m.v, U = V / length(V), UDot = listed_u_dot(m, false);
-}
-Vector3 w_function(double t) {
-  Vector3 R, V, U, UDot;
-  compute_terms(t, R, V, U, UDot);
-  return listed_w<double>({R, V, {}}, UDot);
-}
+/// The declaration of the listing's `ComputeTerms`.
+using ComputeTerms = void (&)(double t, Vector3& R, Vector3& V, Vector3& U, Vector3& UDot);
+
 template <class... Arguments>
 Reading callable(const std::string& text, const std::string& arguments) {
   return {text,
           {{"`ComputeTerms(" + arguments + ")` can be called",
             {"the call as it is written", 1},
             {"the function as it is declared, 1 where it can be called",
-             std::is_invocable_v<decltype(compute_terms), Arguments...> ? 1.0 : 0.0},
+             std::is_invocable_v<ComputeTerms, Arguments...> ? 1.0 : 0.0},
             exact()}}};
 }
 
-/// dot(a, v), which is zero where the speed is stationary.
-double along_velocity(double t) {
-  const auto m = space::motion_of(position, t);
-  return dot(m.a, m.v);
-}
-/// Times of stationary speed, ascending: by Brent's method between the points of a grid over arctan t.
+/// The printed listing's W, with its call corrected.
+Vector3 w_function(const Sample& s) { return listed_w(s.m, listed_u_dot(s.m, false)); }
+double error_of_listing(const Sample& s) { return length(w_function(s) - s.w); }
+
+/// Times of stationary speed, where a.v is zero, ascending: by Brent's method between the points of a grid
+/// over arctan t.
 std::vector<double> stationary_times() {
   constexpr int points = 1000;
+  const auto along_velocity = [](double t) {
+    const Sample s(t);
+    return dot(s.m.a, s.m.v);
+  };
   const auto point = [](int i) { return std::tan(std::numbers::pi * ((i + 0.5) / points - 0.5)); };
   std::vector<double> all;
   for (int i = 1; i < points; ++i)
@@ -228,25 +214,20 @@ std::vector<double> stationary_times() {
       all.push_back(brent(along_velocity, from, to, 1e-15).value);
   return all;
 }
-/// The error of the printed listing's W.
-Vector3 error_of_listing(double t) { return w_function(t) - angular_velocity(space::motion_of(position, t)); }
 
-/// Size of the terms whose sum is the printed listing's W.
-double terms_of_listing(double t) {
-  const auto m = space::motion_of(position, t);
-  return length(m.v) + 2 * length(listed_u_dot(m, false));
-}
 /// Checks that the printed listing returns w where the speed is stationary, and at the pole.
-Check right_where_stationary(const std::vector<double>& stationary) {
-  std::vector<double> times = stationary, errors;
+Check right_where_stationary(std::vector<double> times) {
+  const std::string text = filled(R"(error of the printed listing at $t=0$, $\pm@4$, $\pm@4$ and $\pm1$)",
+                                  {std::abs(times.front()), std::abs(times[1])});
   times.insert(times.end(), {-1, 1});
+  std::vector<double> errors;
   double terms = 0;
-  for (double t : times) {
-    errors.push_back(length(error_of_listing(t)));
-    terms = std::max(terms, terms_of_listing(t));
+  for (const double t : times) {
+    const Sample s(t);
+    errors.push_back(error_of_listing(s));
+    terms = std::max(terms, s.speed + 2 * length(listed_u_dot(s.m, false)));
   }
-  return {filled(R"(error of the printed listing at $t=0$, $\pm@4$, $\pm@4$ and $\pm1$)",
-                 {std::abs(stationary.front()), std::abs(stationary[1])}),
+  return {text,
           {"the listing's arithmetic", errors},
           {"zero", std::vector<double>(times.size())},
           rounding(terms),
@@ -280,15 +261,15 @@ AtTime with_error() {
           }};
 }
 
-void listing(Table& table, const std::vector<Sample>& all) {
+void listing(Claims& claims, Table& table, const std::vector<Sample>& all) {
   const Sample shown(shown_time);
-  const Vector3 shown_by_listing = w_function(shown.t);
+  const Vector3 shown_by_listing = w_function(shown);
   const std::vector<double> stationary = stationary_times();
   const double right = static_cast<double>(stationary.size()) + 2, last = stationary.back(),
                first = stationary[stationary.size() - 2];
   double most = 0;
-  for (double t = -last; t < last; t += 0.001) most = std::max(most, length(error_of_listing(t)));
-  table.claims.add(
+  for (double t = -last; t < last; t += 0.001) most = std::max(most, error_of_listing(Sample(t)));
+  claims.add(
       "name_of_velocity", 537,
       R"(The functions needed are those of $\mathbf r$, 'V ectorv' and $\mathbf a$.)",
       {.printed = letters(R"($\mathbf r$, V ectorv, $\mathbf a$)", {"r", "V ectorv", "a"}),
@@ -315,7 +296,7 @@ void listing(Table& table, const std::vector<Sample>& all) {
            R"(`A.Dot(U)`.)",
            {shown.t, dot(listed_u_dot(shown.m, false), shown.u)})});
   using Out = Vector3&;
-  table.claims.add(
+  claims.add(
       "listing_call", 571, "`WFunction` can call `ComputeTerms(t, R, V, A, U, UDot)`.",
       {.printed = callable<double, Out, Out, Out, Out, Out>("six arguments", "t, R, V, A, U, UDot"),
        .meant = callable<double, Out, Out, Out, Out>("five arguments", "t, R, V, U, UDot"),
@@ -341,7 +322,7 @@ void listing(Table& table, const std::vector<Sample>& all) {
   Reading corrected = read("with `A.Dot(U)`", mended("`W` with `A.Dot(U)`", 1));
   corrected.checks.push_back(compare("`W` as printed", listed(), with_error(), all));
   corrected.checks.push_back(right_where_stationary(stationary));
-  table.claims.add(
+  claims.add(
       "listing_result", 585, "`WFunction` returns the angular velocity.",
       {.printed = read("as printed", listed()),
        .corrected = corrected,
@@ -368,16 +349,16 @@ std::vector<Claim> claims(double seed) {
   std::vector<Sample> all{Sample(0.5), Sample(0), Sample(1), Sample(-1), Sample(20), Sample(-1000)};
   for (int i = 0; i < 200; ++i) all.emplace_back(random.between(-3, 3));
   Claims claims("2.7");
-  Table table{claims};
-  curve_and_frame(table, all);
+  Table table(claims);
+  curve_and_frame(claims, table, table, all);
   derivative_of_frame(table, all);
-  listing(table, all);
+  listing(claims, table, all);
   return claims.in_order();
 }
 
 std::vector<Root> roots() {
-  const double off = length(error_of_listing(shown_time)),
-               rate = length(angular_velocity(space::motion_of(position, shown_time)));
+  const Sample shown(shown_time);
+  const double off = error_of_listing(shown), rate = length(shown.w);
   return {
       {"R.Dot(U) for A.Dot(U)",
        filled(
@@ -488,106 +469,60 @@ constexpr const char* by_length = R"(
 
 constexpr const char* by_bounds = "rewrite ?cos_atan2, ?sin_atan2 by interval; interval";
 
-using Any = SampleOf<Shortened>;
-
 Vector<Shortened> lettered(const std::array<std::string, 3>& names) {
   return {Shortened::letter(names[0]), Shortened::letter(names[1]), Shortened::letter(names[2])};
 }
 
-/// Assumptions about a motion, and an example for which the printed formulas are wrong.
-struct Of {
-  Any any;
-  std::string letters;
-  std::vector<Proposition> given;
-  std::string tactic, says;
-  Sample example;
-  Any recorded_example;
-};
-Of any_motion() {
-  const Any any(0.0,
-                {lettered({"r0", "r1", "r2"}), lettered({"v0", "v1", "v2"}), lettered({"a0", "a1", "a2"})});
-  const auto& [r, v, a] = any.m;
-  return {any,
-          "(r0 r1 r2 v0 v1 v2 a0 a1 a2 : R)",
-          {dot(r, r).expression() == 1, dot(r, v).expression() == 0,
-           (dot(v, v) + dot(r, a)).expression() == 0, above(dot(v, v).expression(), 0)},
-          by_frame,
-          "it holds for any motion on the sphere that does not rest",
-          Sample(0, {{0.48, 0.6, 0.64}, {0.8, 0, -0.6}, {0.32, -0.6, -1.24}}),
-          Any(0.0, {{0.48, 0.6, 0.64}, {0.8, 0.0, -0.6}, {0.32, -0.6, -1.24}})};
-}
-Of any_time() {
-  const Of motion = any_motion();
-  return {Any(Shortened::letter("t"), motion.any.m),
-          "(t : R)",
-          {},
-          by_length,
-          "it holds at all times",
-          Sample(2),
-          Any(2.0, motion.any.m)};
-}
-
-Lemma equation(std::string name, const AtTime& right, const AtTime& truth, const Of& of) {
-  return {std::move(name), of.letters, of.given, equal(right.recorded(of.any), truth.recorded(of.any)),
-          of.tactic};
-}
-Lemma off(const AtTime& printed, const AtTime& truth, const Of& of, double& margin) {
-  Value difference = computed<Sample>(printed).of(of.example);
-  const Value right = truth.of(of.example);
-  for (std::size_t i = 0; i < difference.size(); ++i) difference[i] -= right[i];
-  Lemma lemma =
-      off_at(printed.recorded(of.recorded_example), truth.recorded(of.recorded_example), difference, margin);
-  lemma.tactic = by_bounds;
-  return lemma;
-}
-Provable proof_of(const std::string& slug, const FrameClaim& claim, const Of& of) {
-  const bool meant = !claim.meant.text.empty(), corrected = !claim.corrected.text.empty();
-  const std::string name = meant ? "meant" : corrected ? "corrected" : "printed";
-  const AtTime& right = meant ? claim.meant : corrected ? claim.corrected : claim.printed;
-  Provable proved{"2.7-" + slug, of.says, {equation(name, right, claim.truth, of)}};
-  if (name == "printed") return proved;
-  proved.says = "as " + name + " " + of.says + "; as printed it is off at an example";
-  proved.lemmas.push_back(off(claim.printed, claim.truth, of, proved.margin));
-  return proved;
-}
-Provable proof_of_listing(const Of& of) {
-  Provable proved{
-      "2.7-listing_result",
-      "as corrected " + of.says + "; as printed it has the stated error, for any motion and at an example",
-      {equation("corrected", mended("", 1), w_by_frame, of),
-       equation("printed_with_error", listed(), with_error(), of)}};
-  proved.lemmas.push_back(off(listed(), w_by_frame, of, proved.margin));
-  return proved;
-}
 Provable proof_of_perpendicular() {
-  const Any any(0.0, {lettered({"(x t)", "(y t)", "(z t)"}), lettered({"dx", "dy", "dz"}), {}});
-  Lemma lemma{"printed",
-              "(x y z : R -> R) (t dx dy dz : R)",
-              {{"(forall s, x s * x s + y s * y s + z s * z s = 1)"},
-               {"is_derive x t dx"},
-               {"is_derive y t dy"},
-               {"is_derive z t dz"}},
-              {AtTime(perpendicular).recorded(any)[0] == 0},
-              by_constant};
-  return {
-      "2.7-velocity_perpendicular", "it holds of every curve on the sphere that has a derivative", {lemma}};
+  const SampleOf<Shortened> any(0.0,
+                                {lettered({"(x t)", "(y t)", "(z t)"}), lettered({"dx", "dy", "dz"}), {}});
+  return {"2.7-velocity_perpendicular",
+          "it holds of every curve on the sphere that has a derivative",
+          {{"printed",
+            "(x y z : R -> R) (t dx dy dz : R)",
+            {{"(forall s, x s * x s + y s * y s + z s * z s = 1)"},
+             {"is_derive x t dx"},
+             {"is_derive y t dy"},
+             {"is_derive z t dz"}},
+            {AtTime(perpendicular).recorded(any)[0] == 0},
+            by_constant}}};
 }
 
 Provables proofs() {
   Claims claims("2.7");
-  Table table{claims};
-  curve_and_frame(table, {});
+  Table at_time(claims), table(claims);
+  curve_and_frame(claims, at_time, table, {});
   derivative_of_frame(table, {});
-  listing(table, {});
-  const Of motion = any_motion(), time = any_time();
-  Provables proved;
-  for (const auto& [slug, claim] : table.stated)
-    proved.push_back(proof_of(slug, claim, slug == "position" || slug == "on_the_sphere" ? time : motion));
-  proved.push_back(proof_of_listing(motion));
+  listing(claims, table, {});
+  table.formula("listing_result", 585, "", {},
+                {.truth = w_by_frame, .printed = listed(), .corrected = mended("with `A.Dot(U)`", 1)});
+  ForAll<SampleOf> all{
+      .any = {0.0,
+              {lettered({"r0", "r1", "r2"}), lettered({"v0", "v1", "v2"}), lettered({"a0", "a1", "a2"})}},
+      .letters = "(r0 r1 r2 v0 v1 v2 a0 a1 a2 : R)",
+      .tactic = by_frame,
+      .says = "it holds for any motion on the sphere that does not rest",
+      .example = {0, {{0.48, 0.6, 0.64}, {0.8, 0, -0.6}, {0.32, -0.6, -1.24}}}};
+  const auto& [r, v, a] = all.any.m;
+  all.given = {dot(r, r).expression() == 1, dot(r, v).expression() == 0,
+               (dot(v, v) + dot(r, a)).expression() == 0, above(dot(v, v).expression(), 0)};
+  Provables proved = table.proofs("2.7", all);
+  Provable& result = *std::ranges::find(proved, "2.7-listing_result", &Provable::claim);
+  result.says =
+      "as corrected " + all.says + "; as printed it has the stated error, for any motion and at an example";
+  result.lemmas.insert(result.lemmas.begin() + 1,
+                       {"printed_with_error", all.letters, all.given,
+                        equal(listed().recorded(all.any), with_error().recorded(all.any)), all.tactic});
+  all.any.t = Shortened::letter("t"), all.letters = "(t : R)", all.given.clear();
+  all.tactic = by_length, all.says = "it holds at all times", all.example = Sample(2);
+  std::ranges::move(at_time.proofs("2.7", all), std::back_inserter(proved));
   proved.push_back(proof_of_perpendicular());
-  for (Provable& p : proved)
+  for (Provable& p : proved) {
     p.preamble = std::string(orthonormal_in_coq) + root_in_coq + atan2_in_coq +
                  "From Coquelicot Require Import AutoDerive.\n";
+    for (Lemma& lemma : p.lemmas)
+      if (lemma.name.ends_with("differs")) lemma.tactic = by_bounds;
+  }
   return proved;
 }
 

@@ -29,6 +29,7 @@ namespace {
 using std::hypot, std::numbers::sqrt2;
 using M = const Motion&;
 using Sample = SampleOf<double>;
+using S = const Sample&;
 using Form = ProvableFormula<SampleOf>;
 using Table = ProvableClaims<SampleOf>;
 
@@ -59,15 +60,6 @@ struct Samples {
   }
 };
 
-Statement<Sample> all(const std::string& text, const std::function<bool(M, int k)>& holds) {
-  return {text, [=](const Sample& m) { return holds(m, m.k); }};
-}
-Reading in_cases(const Samples& samples, const std::vector<Statement<Sample>>& statements) {
-  Reading reading{statements[0].text, {}};
-  for (const auto& each : statements) reading.checks.push_back(in_all(each.text, samples.cases, each.holds));
-  return reading;
-}
-
 // ---- works by quadrature ----------------------------------------------------------------------------------
 
 template <class G, class F>
@@ -87,80 +79,69 @@ G work_of(Force force, const MotionOf<G>& m, const std::type_identity_t<G>& star
 double of_work(const Sample& m) { return abs(m.r); }
 double of_growing_work(const Sample& m) { return abs(m.r) * (abs(m.T) + 1 / abs(m.w)); }
 
-/// dW/dT, through W = int_0^1 T P(T u) du.
-auto slope(Force force) {
-  return [=]<class G>(const SampleOf<G>& m) {
-    const MotionOf<G>& motion = m;
-    const auto rate = [&](const G& u) {
-      return derivative([&](const auto& T) { return T * power(force, motion, T * u); }, m.T);
-    };
-    return integral(rate, 0, G(1.0));
-  };
-}
-
 /// x + y on the path.
 template <class G>
 G height(const MotionOf<G>& m, const std::type_identity_t<G>& t) {
   return m.position(t)[0] + m.position(t)[1];
 }
 
-const Form velocity{R"($\frac{d}{dt}(r\cos\omega t,\,r\sin\omega t,\,0)$ by dual numbers)",
-                    [](const auto& m) { return m.velocity(m.t); }};
-const Form gain{"gain of $x+y$ along the path",
-                []<class G>(const SampleOf<G>& m) {
-                  const MotionOf<G>& motion = m;
-                  return height(motion, m.T) - height(motion, 0);
-                },
+const Form gain{"gain of $x+y$ along the path", [](const auto& m) { return height(m, m.T) - height(m, 0); },
                 of_work};
 const Form gain_t{"$T$ times the end's $x+y$, less its integral over time",
                   []<class G>(const SampleOf<G>& m) {
-                    const MotionOf<G>& motion = m;
-                    return m.T * height(motion, m.T) -
-                           integral([&](const G& t) { return height(motion, t); }, 0, m.T);
+                    return m.T * height(m, m.T) - integral([&](const G& t) { return height(m, t); }, 0, m.T);
                   },
                   of_growing_work};
 const Form power_1{R"($(1,1,1)\cdot v$ by dual numbers)",
-                   []<class G>(const SampleOf<G>& m) { return power<G>(Force::constant, m, m.t); }};
+                   [](const auto& m) { return power(Force::constant, m, m.t); }};
 const Form power_t{R"($(t,t,1)\cdot v$ by dual numbers)",
-                   []<class G>(const SampleOf<G>& m) { return power<G>(Force::growing, m, m.t); }};
-const Form work_1{R"(quadrature of $F\cdot v$)",
-                  []<class G>(const SampleOf<G>& m) { return work_of<G>(Force::constant, m); }, of_work};
-const Form work_t{R"(quadrature of $F\cdot v$)",
-                  []<class G>(const SampleOf<G>& m) { return work_of<G>(Force::growing, m); },
+                   [](const auto& m) { return power(Force::growing, m, m.t); }};
+const Form work_1{R"(quadrature of $F\cdot v$)", [](const auto& m) { return work_of(Force::constant, m); },
+                  of_work};
+const Form work_t{R"(quadrature of $F\cdot v$)", [](const auto& m) { return work_of(Force::growing, m); },
                   of_growing_work};
-const Form slope_1{"$dW/dT$ of the quadrature", slope(Force::constant)};
-const Form slope_t{"$dW/dT$ of the quadrature", slope(Force::growing)};
-const Form force_t{"length of $(t,t,1)$",
-                   []<class G>(const SampleOf<G>& m) { return hypot(m.t, m.t, G(1.0)); }};
 const Form zero{"zero", [](const auto&) { return 0.0; }};
+
+/// dW/dT, through W = int_0^1 T P(T u) du.
+Form slope(Force force) {
+  return {"$dW/dT$ of the quadrature", [=]<class G>(const SampleOf<G>& m) {
+            const auto rate = [&](const G& u) {
+              return derivative([&](const auto& T) { return T * power(force, m, T * u); }, m.T);
+            };
+            return integral(rate, 0, G(1.0));
+          }};
+}
 
 // ---- formulas ---------------------------------------------------------------------------------------------
 
 void formulas(Table& table, const Samples& samples) {
-  const auto line = [&](std::string_view slug, int number, std::string says, const Form& truth,
-                        const std::string& printed) {
-    table.formula(slug, number, std::move(says), samples.any,
-                  {.quantity = "the formula", .truth = truth, .printed = printed});
+  const auto line = [&](std::string_view slug, int number, const Form& truth, const std::string& printed,
+                        const std::string& says = {}) {
+    table.formula(slug, number, says.empty() ? printed : says, samples.any,
+                  {.truth = truth, .printed = printed});
   };
-  const auto equation = [&](std::string_view slug, int number, const std::string& printed,
-                            const Form& truth) { line(slug, number, printed, truth, printed); };
-  equation("velocity", 805, R"($v=(-r\omega\sin\omega t,\,r\omega\cos\omega t,\,0)$)", velocity);
-  equation("work_integral", 809,
-           R"($W=\int_0^T(1,1,1)\cdot(-r\omega\sin\omega t,\,r\omega\cos\omega t,\,0)\,dt$)", gain);
-  line("power", 813, R"($(1,1,1)\cdot v=r\omega(\cos\omega t-\sin\omega t)$)", power_1,
-       R"($r\omega(\cos\omega t-\sin\omega t)$)");
-  line("antiderivative", 815, R"($r(\cos\omega t+\sin\omega t)$ has the derivative $F\cdot v$)", power_1,
-       R"($\frac{d}{dt}(r(\cos\omega t+\sin\omega t))$)");
-  equation("work", 815, R"($W(T)=r(\cos\omega T+\sin\omega T-1)$)", work_1);
-  equation("growing_integral", 831,
-           R"($W=\int_0^T(t,t,1)\cdot(-r\omega\sin\omega t,\,r\omega\cos\omega t,\,0)\,dt$)", gain_t);
-  line("growing_power", 835, R"($(t,t,1)\cdot v=r\omega t(\cos\omega t-\sin\omega t)$)", power_t,
-       R"($r\omega t(\cos\omega t-\sin\omega t)$)");
+  line("velocity", 805,
+       {R"($\frac{d}{dt}(r\cos\omega t,\,r\sin\omega t,\,0)$ by dual numbers)",
+        [](const auto& m) { return m.velocity(m.t); }},
+       R"($v=(-r\omega\sin\omega t,\,r\omega\cos\omega t,\,0)$)");
+  line("work_integral", 809, gain,
+       R"($W=\int_0^T(1,1,1)\cdot(-r\omega\sin\omega t,\,r\omega\cos\omega t,\,0)\,dt$)");
+  line("power", 813, power_1, R"($r\omega(\cos\omega t-\sin\omega t)$)",
+       R"($(1,1,1)\cdot v=r\omega(\cos\omega t-\sin\omega t)$)");
+  line("antiderivative", 815, power_1, R"($\frac{d}{dt}(r(\cos\omega t+\sin\omega t))$)",
+       R"($r(\cos\omega t+\sin\omega t)$ has the derivative $F\cdot v$)");
+  line("work", 815, work_1, R"($W(T)=r(\cos\omega T+\sin\omega T-1)$)");
+  line("growing_integral", 831, gain_t,
+       R"($W=\int_0^T(t,t,1)\cdot(-r\omega\sin\omega t,\,r\omega\cos\omega t,\,0)\,dt$)");
+  line("growing_power", 835, power_t, R"($r\omega t(\cos\omega t-\sin\omega t)$)",
+       R"($(t,t,1)\cdot v=r\omega t(\cos\omega t-\sin\omega t)$)");
   const std::string parts = R"($W=Tr(\cos\omega T+\sin\omega T)-\int_0^Tr(\cos\omega t+\sin\omega t)\,dt$)";
-  line("by_parts", 839, "The integration may be performed by parts (our formula): " + parts, work_t, parts);
-  line("growing_derivative", 841, R"($W'(T)=r\omega T(\cos\omega T-\sin\omega T)$ for $(t,t,1)$)", slope_t,
-       R"($r\omega T(\cos\omega T-\sin\omega T)$)");
-  line("magnitude", 849, R"($|(t,t,1)|=\sqrt{2t^2+1}$)", force_t, R"($\sqrt{2t^2+1}$)");
+  line("by_parts", 839, work_t, parts, "The integration may be performed by parts (our formula): " + parts);
+  line("growing_derivative", 841, slope(Force::growing), R"($r\omega T(\cos\omega T-\sin\omega T)$)",
+       R"($W'(T)=r\omega T(\cos\omega T-\sin\omega T)$ for $(t,t,1)$)");
+  line("magnitude", 849,
+       {"length of $(t,t,1)$", []<class G>(const SampleOf<G>& m) { return hypot(m.t, m.t, G(1.0)); }},
+       R"($\sqrt{2t^2+1}$)", R"($|(t,t,1)|=\sqrt{2t^2+1}$)");
 }
 
 const std::string of_zero = "a multiple of zero is zero";
@@ -175,7 +156,7 @@ std::string work(const std::string& from, const std::string& to, const std::stri
 void misprints(Table& table, const Samples& samples) {
   table.formula("derivative", 821, R"(For $(1,1,1)$ $W'(T)=r\omega(-\sin\omega T+\cos\omega t)$.)",
                 samples.any,
-                {.truth = slope_1,
+                {.truth = slope(Force::constant),
                  .printed = R"($r\omega(-\sin\omega T+\cos\omega t)$)",
                  .meant = R"($r\omega(-\sin\omega T+\cos\omega T)$)",
                  .kind = Fault::formula,
@@ -184,8 +165,9 @@ void misprints(Table& table, const Samples& samples) {
                         "$t=T+1$.)"});
   table.formula(
       "growing_work", 837,
-      R"(For $(t,t,1)$ $W(T)=r\omega\,(-1+\cos\omega T-\sin\omega T)+T\omega(\cos\omega T+\sin\omega T))$ )"
-      "(our reading: the last parenthesis closes one that is lost after $r\\omega$).",
+      R"(For $(t,t,1)$ $W(T)=r\omega\,(-1+\cos\omega T-\sin\omega T)+T\omega(\cos\omega )"
+      R"(T+\sin\omega T))$ (our reading: the last parenthesis closes one that is lost after )"
+      R"($r\omega$).)",
       samples.any,
       {.truth = work_t,
        .printed =
@@ -193,8 +175,8 @@ void misprints(Table& table, const Samples& samples) {
        .meant = R"($\frac r\omega\bigl((-1+\cos\omega T-\sin\omega T))"
                 R"(+\omega T(\cos\omega T+\sin\omega T)\bigr)$)",
        .kind = Fault::lost_typography,
-       .why = "A fraction bar and a parenthesis are lost: the factor is $r/\\omega$, not $r\\omega$, and "
-              "precedes the whole. Their ratio is $\\omega^2$: they agree at $\\omega=1$ alone."});
+       .why = R"(A fraction bar and a parenthesis are lost: the factor is $r/\omega$, not $r\omega$, and )"
+              R"(precedes the whole. Their ratio is $\omega^2$: they agree at $\omega=1$ alone.)"});
   table.formula(
       "full_turn", 817, R"(After one turn, at $T=2\pi\omega$, the work is zero: $W(2\pi\omega)=0$.)",
       samples.forward,
@@ -204,10 +186,11 @@ void misprints(Table& table, const Samples& samples) {
        .meant = work("0", R"({2\pi/\omega})", "1"),
        .changes_that_hold = of_zero,
        .kind = Fault::lost_typography,
-       .why = filled("The fraction bar is lost: a turn takes $2\\pi/\\omega$. At $2\\pi\\omega$ the "
-                     "particle has turned by $2\\pi\\omega^2$ and the work is zero by chance only, as "
-                     "for $\\omega=1$; for $\\omega=1/\\sqrt2$ it is $@1r$.",
-                     {work_of(Force::constant, Motion{1, 1 / sqrt2, sqrt2 * pi})})});
+       .why =
+           filled(R"(The fraction bar is lost: a turn takes $2\pi/\omega$. At $2\pi\omega$ the particle has )"
+                  R"(turned by $2\pi\omega^2$ and the work is zero by chance only, as for $\omega=1$; for )"
+                  R"($\omega=1/\sqrt2$ it is $@1r$.)",
+                  {work_of(Force::constant, Motion{1, 1 / sqrt2, sqrt2 * pi})})});
 }
 
 // ---- conservation -----------------------------------------------------------------------------------------
@@ -269,8 +252,10 @@ std::vector<double> zeros(Force force, M m) {
       found.push_back(m.w * root.value);
   return found;
 }
-Form zeros_of(Force force) {
-  return {"Brent's method over a scan", [=](M m) { return zeros(force, m); }};
+/// The zeros, or some of them, as a list.
+Form zeros_of(Force force, const std::function<std::vector<double>(const std::vector<double>&)>& some = {}) {
+  return {"Brent's method over a scan",
+          [=](M m) { return Value(some ? some(zeros(force, m)) : zeros(force, m)); }};
 }
 Form list(const std::string& text, const std::vector<double>& numbers) {
   return {text, [=](M) { return Value(numbers); }};
@@ -284,10 +269,12 @@ std::vector<double> and_zero(std::vector<double> all) {
   all.insert(std::ranges::lower_bound(all, 0.0), 0.0);
   return all;
 }
-/// The first three from x = -3 on, so that lists of different lengths can be compared.
-std::vector<double> three(const std::vector<double>& all) {
-  const auto first = std::ranges::upper_bound(all, -3.0);
-  return {first, first + 3};
+/// The first three above x, so that lists of different lengths can be compared.
+auto three_above(double x) {
+  return [=](const std::vector<double>& all) {
+    const auto first = std::ranges::upper_bound(all, x);
+    return std::vector<double>(first, first + 3);
+  };
 }
 
 void zeros_of_the_power(Claims& claims, const Samples& samples) {
@@ -311,29 +298,21 @@ void zeros_of_the_power(Claims& claims, const Samples& samples) {
              {.printed = printed,
               .near_misses = {roots(Force::constant, list(R"(at $\pi/4+2k\pi$)", spaced(first, 2 * pi))),
                               roots(Force::constant, list(R"(at $3\pi/4+k\pi$)", spaced(3 * first, pi)))}});
-  const Form nearest{"Brent's method over a scan", [](M m) { return three(zeros(Force::growing, m)); }};
-  const Form later{"Brent's method over a scan", [](M m) {
-                     const auto all = zeros(Force::growing, m);
-                     const auto next = std::ranges::upper_bound(all, 0.1);
-                     return std::vector<double>(next, next + 3);
-                   }};
+  const auto three = [&](const std::string& which, double x) {
+    return compare("the first three zeros of $W'$ " + which, list(at, three_above(x)(spaced(first, pi))),
+                   zeros_of(Force::growing, three_above(x)), samples.forward);
+  };
   claims.add(
       "growing_zeros", 843, R"(For $(t,t,1)$ $W'$ is zero when $\omega T=\pi/4+k\pi$, $k$ any integer.)",
-      {.printed = {at,
-                   {compare(R"(the first three zeros of $W'$ from $\omega T=-3$ on)",
-                            list(at, three(spaced(first, pi))), nearest, samples.forward)}},
+      {.printed = {at, {three(R"(from $\omega T=-3$ on)", -3)}},
        .corrected = roots(Force::growing, list(at + ", and 0", and_zero(spaced(first, pi)))),
-       .in_view = {"for $T>0$, once the work has begun",
-                   {compare(R"(the first three zeros of $W'$ with $\omega T>0$)",
-                            list(at, {first, first + pi, first + 2 * pi}), later, samples.forward)}},
+       .in_view = {"for $T>0$, once the work has begun", {three(R"(with $\omega T>0$)", 0.1)}},
        .near_misses = {roots(Force::growing,
                              list(R"(at $3\pi/4+k\pi$, and 0)", and_zero(spaced(3 * first, pi))))},
-       .why = filled(
-           "What is said of these times is true, and the formula before it shows the rest: "
-           "$W'=r\\omega T(\\cos\\omega T-\\sin\\omega T)$ has the factor $T$. So $W'$ is zero at $T=0$ as "
-           "well, a minimum, $W\\approx r\\omega T^2/2$, and no $\\pi/4+k\\pi$. A search for the first "
-           "maximum that starts at $T=0$ ends there, with $W=0$ for $@4$ ($r=\\omega=1$).",
-           {work_of(Force::growing, Motion{1, 1, pi / 4})}),
+       .why =
+           R"(What is said of these times is true, and the formula before it shows the rest: )"
+           R"($W'=r\omega T(\cos\omega T-\sin\omega T)$ has the factor $T$. So $W'$ is zero at $T=0$ as well, )"
+           R"(a minimum, $W\approx r\omega T^2/2$, and no $\pi/4+k\pi$.)",
        .kind = Fault::left_out,
        .root = "the start is stationary too"});
 }
@@ -342,25 +321,25 @@ void extrema(Claims& claims, const Samples& samples) {
   const auto constant = Force::constant;
   // At the stationary times `first` + `step` k; the last two are 1 for maxima, -1 for minima.
   const auto peaks = [](const std::string& text, Force force, int first, int step, int even, int odd) {
-    return all(text, [=](M m, int k) {
-      return is_peak(force, m, stationary(m, first + step * k), k % 2 == 0 ? even : odd);
-    });
+    return Statement<Sample>{
+        text,
+        [=](S m) { return is_peak(force, m, stationary(m, first + step * m.k), m.k % 2 == 0 ? even : odd); }};
   };
   claims.statement<Sample>(
       "maximum_where_stationary", 819, "The net work is a maximum when $W'=0$.", samples.cases,
       {.printed = peaks("where $W'=0$ there is a maximum", constant, 0, 1, 1, 1),
-       .meant = all("where there is a maximum $W'=0$",
-                    [](M m, int k) {
-                      const auto holds_at = [&](double T) {
-                        return abs(power(constant, m, T)) <= 0.1 * m.r * m.w || !is_peak(constant, m, T);
-                      };
-                      return holds_at(m.T + 0.5 * k / m.w) && holds_at(stationary(m, k));
-                    }),
+       .meant = {"where there is a maximum $W'=0$",
+                 [](S m) {
+                   const auto holds_at = [&](double T) {
+                     return abs(power(constant, m, T)) <= 0.1 * m.r * m.w || !is_peak(constant, m, T);
+                   };
+                   return holds_at(m.T + 0.5 * m.k / m.w) && holds_at(stationary(m, m.k));
+                 }},
        .near_misses = {peaks("where $W'=0$ there is a minimum", constant, 0, 1, -1, -1)},
        .kind = Fault::counterexample,
-       .why = filled("$W'=0$ is necessary and not sufficient: every other such time, $\\omega T=5\\pi/4, "
-                     "13\\pi/4,\\ldots$, is a minimum, $W=-r(\\sqrt2+1)=@3\\,r$. The text means that: two "
-                     "sentences on it has half of these times as minima.",
+       .why = filled(R"($W'=0$ is necessary and not sufficient: every other such time, $\omega T=5\pi/4, )"
+                     R"(13\pi/4,\ldots$, is a minimum, $W=-r(\sqrt2+1)=@3\,r$. The text means that: two )"
+                     R"(sentences on it has half of these times as minima.)",
                      {work_of(Force::constant, Motion{1, 1, 5 * pi / 4})})});
   claims.statement<Sample>(
       "halves", 823, "Half of these times lead to a minimum, the other half to a maximum.", samples.cases,
@@ -369,13 +348,14 @@ void extrema(Claims& claims, const Samples& samples) {
   const std::string highest = R"($W(\pi/(4\omega))$)";
   const Formula<Sample> printed{R"($r(\sqrt2-1)$)"},
       truth{R"(quadrature of $F\cdot v$)", [](M m) { return work_of(constant, m.at(stationary(m, 0))); }};
-  const auto nowhere_larger = all("$W$ is nowhere larger", [](M m, int k) {
-    return work_of(constant, m.at(m.T + k / m.w)) <= m.r * (sqrt2 - 1) + 1e-12 * m.r;
-  });
   claims.add("first_maximum", 825, R"(At $T=\pi/(4\omega)$ $W$ has its maximum, $r(\sqrt2-1)$.)",
              {.printed = {printed.text,
                           {compare(highest, computed(printed), truth, samples.forward),
-                           in_cases(samples, {nowhere_larger}).checks[0]},
+                           in_all<Sample>("$W$ is nowhere larger", samples.cases,
+                                          [](S m) {
+                                            return work_of(constant, m.at(m.T + m.k / m.w)) <=
+                                                   m.r * (sqrt2 - 1 + 1e-12);
+                                          })},
                           true},
               .near_misses = single_changes(highest, printed, truth, samples.forward, "")});
   claims.statement<Sample>(
@@ -398,11 +378,9 @@ void values_at_maxima(Claims& claims, const Samples& samples) {
        .corrected = {work("0", R"({x/\omega})", "t", R"(=\frac r\omega(x\sqrt2-1))")},
        .kind = Fault::formula,
        .root = "a term dropped at the maxima",
-       .why = filled("The $-1$ of the closed form is dropped: with $x=\\pi/4+2n\\pi$ the work is $\\frac "
-                     "r\\omega(\\sqrt2\\,x-1)$ at $T=x/\\omega$. For $r=\\omega=1$ the first maximum is "
-                     "$@4$, not $@5$. Besides, the argument should be a time, $x/\\omega$, and the "
-                     "factor is $r/\\omega$.",
-                     {work_of(Force::growing, Motion{1, 1, pi / 4}), pi / 4 * sqrt2})});
+       .why = R"(The $-1$ of the closed form is dropped: with $x=\pi/4+2n\pi$ the work is )"
+              R"($\frac r\omega(\sqrt2\,x-1)$ at $T=x/\omega$. Besides, the argument should be a time, )"
+              R"($x/\omega$, and the factor is $r/\omega$.)"});
 }
 
 void growth(Claims& claims, const Samples& samples) {
@@ -421,27 +399,28 @@ void growth(Claims& claims, const Samples& samples) {
        .meant = {maxima_grow},
        .near_misses = {{minima_grow}},
        .kind = Fault::lost_typography,
-       .why = filled(
-           "The maxima are at $\\omega T=\\pi/4+2n\\pi$, where $W$ grows by $2\\sqrt2\\,\\pi r/\\omega$ "
-           "each time. At $T=\\pi/4+2n\\pi$, as printed, it depends on $\\omega$: for $\\omega=2$ each "
-           "$W$ is $@3r$ more than the last, for $\\omega=4$ it is $@3r$ less.",
-           {later_by(2), -later_by(4)})});
+       .why =
+           filled(R"(The maxima are at $\omega T=\pi/4+2n\pi$, where $W$ grows by $2\sqrt2\,\pi r/\omega$ )"
+                  R"(each time. At $T=\pi/4+2n\pi$, as printed, it depends on $\omega$: for $\omega=2$ each )"
+                  R"($W$ is $@3r$ more than the last, for $\omega=4$ it is $@3r$ less.)",
+                  {later_by(2), -later_by(4)})});
   claims.statement<Sample>(
       "magnitude_grows", 851, "The force's magnitude always grows with time ($t>0$, as on $[0,T]$).",
       samples.cases,
       {.printed = {"$|(t+h,t+h,1)|>|(t,t,1)|$"}, .near_misses = {{"$|(t+h,t+h,1)|<|(t,t,1)|$"}}});
-  const auto always = all("$W$ grows all the time", [](M m, int k) {
-    const double start = m.T + 0.5 * k / m.w;
+  const Check always = in_all<Sample>("$W$ grows all the time", samples.cases, [](S m) {
+    const double start = m.T + 0.5 * m.k / m.w;
     return work_of(Force::growing, m.at(start + 0.1 / m.w), start) > 0;
   });
   const auto at_each = [&](const std::string& text) {
     return in_all(text, samples.maxima, computed(Statement<AtMaximum>{text}).holds);
   };
-  claims.add("work_keeps_growing", 851,
-             "The force gets stronger, so the net work keeps growing: its maxima, of which the paragraph "
-             "speaks (between them it falls, and deeper every time).",
-             {.printed = {maxima_grow, {at_each(maxima_grow), at_each(minima_sink)}, true},
-              .near_misses = {{minima_grow, {at_each(minima_grow)}, true}, in_cases(samples, {always})}});
+  claims.add(
+      "work_keeps_growing", 851,
+      "The force gets stronger, so the net work keeps growing: its maxima, of which the paragraph "
+      "speaks (between them it falls, and deeper every time).",
+      {.printed = {maxima_grow, {at_each(maxima_grow), at_each(minima_sink)}, true},
+       .near_misses = {{minima_grow, {at_each(minima_grow)}, true}, {"$W$ grows all the time", {always}}}});
 }
 
 }  // namespace
@@ -481,34 +460,31 @@ Qed.
 /// For (1, 1, 1): the zeros of its power, the maximum of its work, and its potential.
 Provables about_extrema(const ForAll<SampleOf>& all) {
   const auto& any = all.any;
-  const Shortened power_then = power<Shortened>(Force::constant, any, any.T);
-  const std::string preamble = std::string(integrals_in_coq) + extrema_in_coq;
-  const auto at_first = any.at(pi_of<Shortened>() / 4 / any.w);
-  const Shortened first = work_of<Shortened>(Force::constant, at_first),
-                  at_any_time = work_of<Shortened>(Force::constant, any),
+  const auto coq = [](const Shortened& x) { return x.expression().coq(); };
+  const Shortened first = work_of(Force::constant, any.at(pi_of<Shortened>() / 4 / any.w)),
                   highest = any.r * (sqrt(Shortened(2.0)) - 1);
   const std::string closed =
       "integrate (fun t => r * (cos (w * t) + sin (w * t)));\n"
       "  rewrite ?Rmult_0_r, ?cos_0, ?sin_0; ";
-  std::vector<Proposition> forward{above(any.r.expression(), 0), above(any.w.expression(), 0)};
-  const auto letter = [](const char* name) { return Shortened::letter(name); };
-  const std::array<Shortened, 3> at{letter("(x t)"), letter("(y t)"), letter("(z t)")},
-      v{letter("(u t)"), letter("(v t)"), letter("(w t)")};
-  const std::string work = dot(ones(at), v).expression().coq();
-  return {
+  const std::vector<Proposition> forward{above(any.r.expression(), 0), above(any.w.expression(), 0)};
+  const auto vector = [](const char* x, const char* y, const char* z) {
+    return std::array{Shortened::letter(x), Shortened::letter(y), Shortened::letter(z)};
+  };
+  const std::string work =
+      coq(dot(ones(vector("(x t)", "(y t)", "(z t)")), vector("(u t)", "(v t)", "(w t)")));
+  Provables proved{
       {"2.17-zeros",
        "for any radius and speed the power is zero there, and nowhere else",
        {{"printed",
          all.letters,
          {not_zero(any.r.expression()), not_zero(any.w.expression())},
-         {{"(" + power_then.expression().coq() + " = 0 <-> exists k : Z, w * T = PI / 4 + IZR k * PI)"}},
+         {{"(" + coq(power(Force::constant, any, any.T)) +
+           " = 0 <-> exists k : Z, w * T = PI / 4 + IZR k * PI)"}},
          "intro is; first\n"
          "  [apply (alike_at (w * T)), (Rmult_eq_reg_l (r * w));\n"
          "    [rewrite Rmult_0_r, <- is; ring | now apply Rmult_integral_contrapositive]\n"
          "  |apply (alike_at (w * T)) in is; transitivity (r * w * (cos (w * T) - sin (w * T)));\n"
-         "    [ring | rewrite is; ring]]"}},
-       0,
-       preamble},
+         "    [ring | rewrite is; ring]]"}}},
       {"2.17-first_maximum",
        "for any radius and speed the work has this value at that time, and no larger one at any other",
        {{"value",
@@ -521,14 +497,12 @@ Provables about_extrema(const ForAll<SampleOf>& all) {
         {"nowhere_larger",
          all.letters,
          forward,
-         {{at_any_time.expression().coq() + " <= " + highest.expression().coq()}},
+         {{coq(work_of(Force::constant, any)) + " <= " + coq(highest)}},
          "match goal with |- RInt ?f ?a ?b <= _ =>\n"
          "    assert (is : RInt f a b = r * (cos (w * T) + sin (w * T)) - r) by (" +
              closed +
              "ring); rewrite is end;\n"
-             "  pose proof (Rmult_le_compat_l r _ _ ltac:(lra) (at_most_root (w * T))); lra"}},
-       0,
-       preamble},
+             "  pose proof (Rmult_le_compat_l r _ _ ltac:(lra) (at_most_root (w * T))); lra"}}},
       {"2.17-conservative",
        "the work along any path is the difference of x + y + z at its ends",
        {{"printed",
@@ -537,9 +511,9 @@ Provables about_extrema(const ForAll<SampleOf>& all) {
           {"(forall t, continuous u t /\\ continuous v t /\\ continuous w t)"}},
          {{"RInt (fun t => " + work + ") a b = x b + y b + z b - (x a + y a + z a)"}},
          "apply (RInt_by (fun t => x t + y t + z t)); intro t; destruct (H t) as [? [? ?]]; destruct (H0 t) as [? [? ?]];\n"
-         "  [repeat apply @is_derive_plus | repeat apply @continuous_plus]; assumption"}},
-       0,
-       preamble}};
+         "  [repeat apply @is_derive_plus | repeat apply @continuous_plus]; assumption"}}}};
+  for (Provable& p : proved) p.preamble = std::string(integrals_in_coq) + extrema_in_coq;
+  return proved;
 }
 
 Provables proofs() {
@@ -549,7 +523,6 @@ Provables proofs() {
   formulas(table, none);
   misprints(table, none);
   conservation(claims, table, none);
-  const std::vector<std::string> names{"r", "w", "T", "t"};
   const std::string tactic = R"(repeat first
     [ integrate (fun t => r * (cos (w * t) + sin (w * t)))
     | integrate (fun t => r * t * (cos (w * t) + sin (w * t)) - r / w * (sin (w * t) - cos (w * t)))
@@ -560,8 +533,8 @@ Provables proofs() {
   try replace (w * (T + 2 * PI / w)) with (w * T + 2 * PI) by (field; trivial);
   rewrite ?cos_plus, ?sin_plus, ?cos_2PI, ?sin_2PI, ?Rmult_0_r, ?Rmult_1_r, ?cos_0, ?sin_0;
   first [ring | field; trivial | f_equal; ring])";
-  ForAll<SampleOf> all{.any = lettered<SampleOf>(names),
-                       .letters = quantified(names),
+  ForAll<SampleOf> all{.any = lettered<SampleOf>({"r", "w", "T", "t"}),
+                       .letters = "(r w T t : R)",
                        .tactic = tactic,
                        .says = "it holds for every radius and speed, at every time",
                        .example = {{0.5, 0.75, 2}, 3}};
@@ -572,7 +545,7 @@ Provables proofs() {
     for (Lemma& lemma : claim.lemmas)
       if (lemma.tactic == "interval") lemma.tactic = "integral";
   }
-  for (Provable& claim : about_extrema(all)) proved.push_back(std::move(claim));
+  std::ranges::move(about_extrema(all), std::back_inserter(proved));
   return proved;
 }
 

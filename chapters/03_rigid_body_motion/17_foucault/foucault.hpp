@@ -18,15 +18,6 @@ using foucault::Axes, foucault::Given;
 template <class T>
 using Space = std::array<T, 3>;
 
-template <class T>
-Space<T> sum(const Space<T>& a, const Space<T>& b) {
-  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
-template <class T>
-Space<T> times(const std::type_identity_t<T>& s, const Space<T>& a) {
-  return {s * a[0], s * a[1], s * a[2]};
-}
-
 /// dR/dt by dual numbers.
 template <class T>
 Space<T> axis_velocity(const Two<T>& q, const Two<T>& v) {
