@@ -241,7 +241,7 @@ struct TypesetRelation::Read {
 };
 
 TypesetRelation::TypesetRelation(std::string_view text)
-    : read_(std::make_shared<Read>(InLetters(std::string(text)))) {}
+    : read_(std::make_shared<Read>(Read{InLetters(std::string(text))})) {}
 
 std::optional<bool> TypesetRelation::operator()(const TypesetLetters& letters) const {
   return is_so(read_->sides(letters), letters);
