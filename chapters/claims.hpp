@@ -4,10 +4,13 @@
 #include <functional>
 #include <initializer_list>
 #include <iterator>
+#include <map>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <typeindex>
 #include <utility>
 #include <vector>
 
@@ -132,13 +135,26 @@ void see(WorstSample& worst, const Left& left, const Right& right, const std::ar
 }
 
 /// The typeset letters' values at samples, and there with each of the sample's own letters a little changed.
-/// Each is computed once, as a text and its changes need them all.
+/// Each is computed once, as the texts of a table's claims and their changes need them all.
 template <class Sample>
 class LettersAtSamples {
  public:
   explicit LettersAtSamples(const std::vector<Sample>& samples) : all_(samples.size()), samples_(samples) {}
 
   const std::vector<Sample>& samples() const { return samples_; }
+  /// Whether these are the samples, by all letters that are known.
+  bool are_of(const std::vector<Sample>& samples) const {
+    bool are = all_.size() == samples.size();
+    if constexpr (requires(const Sample& s) { s.typeset(); })
+      for (std::size_t i = 0; are && i < all_.size(); ++i) {
+        if (all_[i].empty() || all_[i][0].empty()) continue;
+        const TypesetLetters letters = samples[i].typeset();
+        are = (!names_ || names_->empty() || names_of(letters) == *names_) &&
+              std::ranges::equal(values_of(letters), all_[i][0], {}, &formula::Matrix<double>::entries,
+                                 &formula::Matrix<double>::entries);
+      }
+    return are;
+  }
   const TypesetFormula::Values& at(std::size_t i) const { return of(i, 0); }
   std::size_t count(std::size_t i) const {
     if constexpr (requires(Sample & s) { s.letters(); })
@@ -163,7 +179,7 @@ class LettersAtSamples {
  private:
   const TypesetFormula::Values& of(std::size_t i, std::size_t which) const {
     auto& known = all_[i];
-    known.resize(count(i) + 1);
+    if (known.empty()) known.resize(count(i) + 1);
     if constexpr (requires(const Sample& s) { s.typeset(); })
       if (known[which].empty()) known[which] = values_of(changed(samples_[i], which).typeset());
     return known[which];
@@ -217,8 +233,16 @@ class AtSamples {
   double size_at(std::size_t i) const {
     if (!letters_) return size_of_terms(formula_, samples_[i], value(i));
     double size = size_of(value(i)) + terms(i);
-    for (std::size_t k = 0; k < letters_->count(i); ++k)
-      size += distance(TypesetFormula::value(sides_, letters_->moved(i, k)), value(i)) / small_change;
+    const TypesetFormula::Values& here = letters_->at(i);
+    const std::vector<bool> used = TypesetFormula::used(sides_, here.size());
+    const std::size_t count = letters_->count(i);
+    for (std::size_t k = 0; k < count; ++k) {
+      const TypesetFormula::Values& moved = letters_->moved(i, k);
+      bool is_moved = false;
+      for (std::size_t j = 0; j < here.size() && !is_moved; ++j)
+        is_moved = used[j] && moved[j].entries != here[j].entries;
+      if (is_moved) size += distance(TypesetFormula::value(sides_, moved), value(i)) / small_change;
+    }
     return size;
   }
 
@@ -477,7 +501,7 @@ class Claims {
                   const FormulaClaim<Sample>& parts) {
     const std::string quantity = parts.quantity.empty() ? says : parts.quantity;
     Reading in_view;
-    const LettersAtSamples<Sample> letters(samples);
+    const LettersAtSamples<Sample>& letters = letters_of(samples);
     const AtSamples<Sample> truth = at_samples(parts.truth, letters);
     std::vector<AtSamples<Sample>> other_routes;
     for (const Formula<Sample>& route : parts.other_routes)
@@ -551,9 +575,19 @@ class Claims {
     return add(slug, line, std::move(says), std::move(claim));
   }
 
+  template <class Sample>
+  const LettersAtSamples<Sample>& letters_of(const std::vector<Sample>& samples) {
+    std::shared_ptr<void>& kept = letters_[{&samples, typeid(Sample)}];
+    auto known = std::static_pointer_cast<const LettersAtSamples<Sample>>(kept);
+    if (known && known->are_of(samples)) return *known;
+    kept = std::make_shared<LettersAtSamples<Sample>>(samples);
+    return *std::static_pointer_cast<const LettersAtSamples<Sample>>(kept);
+  }
+
   std::string exercise_;
   std::vector<Claim> claims_;
   std::vector<std::string> differences_;
+  std::map<std::pair<const void*, std::type_index>, std::shared_ptr<void>> letters_;
 };
 
 }  // namespace oddity

@@ -111,11 +111,17 @@ Value TypesetFormula::value(const std::vector<formula::Tree>& sides, const Value
   return Value(std::move(value.entries));
 }
 
+std::vector<bool> TypesetFormula::used(const std::vector<formula::Tree>& sides, std::size_t letters) {
+  std::vector<bool> used(letters);
+  for (const formula::Tree& side : sides) mark_used(side, used);
+  return used;
+}
+
 const TypesetFormula::Read& TypesetFormula::read(const TypesetLetters& letters) const {
   if (!read_ || !std::ranges::equal(read_->names, letters, {}, {}, &TypesetLetters::value_type::first)) {
-    Read read{names_of(letters), {}, std::vector<bool>(letters.size())};
+    Read read{names_of(letters), {}, {}};
     read.sides = sides(read.names);
-    for (const formula::Tree& side : read.sides) mark_used(side, read.used);
+    read.used = used(read.sides, letters.size());
     read_ = std::make_shared<const Read>(std::move(read));
   }
   return *read_;

@@ -52,6 +52,8 @@ class TypesetFormula {
   using Values = std::vector<formula::Matrix<double>>;
   static Value value(const std::vector<formula::Tree>& sides, const Values& letters);
   static double cancelling(const std::vector<formula::Tree>& sides, const Values& letters);
+  /// Which of the letters occur.
+  static std::vector<bool> used(const std::vector<formula::Tree>& sides, std::size_t letters);
 
  private:
   struct Read {
