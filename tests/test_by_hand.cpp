@@ -49,7 +49,7 @@ std::map<std::string, bool> reasons() {
 
 }  // namespace
 
-TEST_CASE("what is not computed from a formula's text has a recorded reason", "[claims]") {
+TEST_CASE("readings and near misses by hand have a recorded reason", "[claims]") {
   std::map<std::string, bool> asked = reasons();
   const Reference truth(tables);
   for (const Entry& entry : registry()) {
