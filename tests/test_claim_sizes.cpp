@@ -1,4 +1,4 @@
-#include "chapters/claims.hpp"
+#include "chapters/formulas.hpp"
 #include "report/verify/catch.hpp"
 
 using namespace oddity;

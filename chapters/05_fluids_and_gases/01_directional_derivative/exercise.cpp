@@ -49,9 +49,7 @@ Proof proof_of_lines(Random random) {
   proof.line(
       "distributed", 3115,
       R"($(\mathbf f\cdot\nabla)\mathbf x=f_0\,\partial\mathbf x/\partial x_0+f_1\,\partial\mathbf x/\partial x_1+f_2\,\partial\mathbf x/\partial x_2$)",
-      distributed, turned,
-      {each_component("fgrad_x#", "f1 x#,0 + f0 x#,1 + f2 x#,2"),
-       each_component("fgrad_x#", "f0 x#,0 - f1 x#,1 + f2 x#,2")});
+      distributed, turned, {each_component("fgrad_x#", "f1 x#,0 + f0 x#,1 + f2 x#,2")});
   Reading dot = proof.reading(each_component("fgrad_x#", "f0 x0,0 + f1 x1,1 + f2 x2,2"), turned);
   dot.text = "a dot product, the number $f_0x_{0,0}+f_1x_{1,1}+f_2x_{2,2}$";
   double dotted = 0;  // f_j dx_j/dx_j at any point, f = (1, 2, 3)
@@ -72,11 +70,11 @@ Proof proof_of_lines(Random random) {
   proof.lines.push_back({"dot", distributed, "meant"});
   for (std::size_t j = 0; j < 3; ++j) {
     const std::string by = digit(j), slope = "slope" + by + "#";
-    proof.line(
-        "unit_vector_" + by, 3125,
-        "$\\partial\\mathbf x/\\partial x_" + by + "=\\mathbf e_" + by + "$, the unit vector",
-        each_component(slope, "e" + by + "#"), "the position differentiated along an axis, by dual numbers",
-        {each_component(slope, "e" + digit((j + 1) % 3) + "#"), each_component(slope, "- e" + by + "#")});
+    proof.line("unit_vector_" + by, 3125,
+               "$\\partial\\mathbf x/\\partial x_" + by + "=\\mathbf e_" + by + "$, the unit vector",
+               each_component(slope, "e" + by + "#"),
+               "the position differentiated along an axis, by dual numbers",
+               {each_component(slope, "e" + digit((j + 1) % 3) + "#")});
   }
   proof.line("sum_of_unit_vectors", 3125,
              R"($(\mathbf f\cdot\nabla)\mathbf x=f_0\mathbf e_0+f_1\mathbf e_1+f_2\mathbf e_2$)",
@@ -88,7 +86,7 @@ Proof proof_of_lines(Random random) {
   proof.line("identity", 3129, R"($(\mathbf f\cdot\nabla)\mathbf x=\mathbf f$)",
              each_component("along_f#", "f#"),
              R"(the position differentiated along $\mathbf f$, by dual numbers)",
-             {each_component("along_f#", "- f#"), each_component("along_f#", "div_x f#")});
+             {each_component("along_f#", "div_x f#")});
   return proof;
 }
 
