@@ -341,18 +341,20 @@ struct InView {
 template <class Sample>
 std::vector<Reading> single_changes(const std::string& quantity, const Formula<Sample>& right,
                                     const AtSamples<Sample>& truth, const LettersAtSamples<Sample>& letters,
-                                    const std::string& known) {
+                                    const std::string& known, std::size_t exact = exact_ones) {
   std::vector<Reading> readings;
   if constexpr (requires(const Sample& s) { s.typeset(); }) {
     constexpr std::size_t enough = 16;
     const std::size_t some = std::min(enough, truth.samples().size());
     std::vector<TypesetSample> typeset;
     for (std::size_t i = 0; i < some; ++i) typeset.push_back({truth.samples()[i].typeset(), truth.value(i)});
-    const Changes changes = changes_of(TypesetFormula(right.text), typeset);
+    const Changes changes = changes_of(TypesetFormula(right.text), typeset, exact);
     const std::size_t count = changes.hardest_first.size();
-    std::size_t holding = 0;
+    std::size_t holding = 0, beyond = 0;
     for (const ChangedFormula& changed : changes.hardest_first) {
       if (!readings.empty() && changed.roundings > clear) break;
+      if (changed.roundings > clear && ++beyond > exact)
+        return single_changes(quantity, right, truth, letters, known, std::string::npos);
       const AtSamples<Sample> formula(
           changed.change + ", the hardest to see of " + std::to_string(count) + " changes: " + changed.text(),
           changed.sides, letters);

@@ -76,7 +76,8 @@ std::string ChangedFormula::text() const {
   return "$" + text + "$";
 }
 
-Changes changes_of(const TypesetFormula& formula, const std::vector<TypesetSample>& samples) {
+Changes changes_of(const TypesetFormula& formula, const std::vector<TypesetSample>& samples,
+                   std::size_t exact) {
   Changes changes;
   if (samples.empty()) return changes;
   const Sides right = formula.sides(names_of(samples[0].letters));
@@ -106,7 +107,7 @@ Changes changes_of(const TypesetFormula& formula, const std::vector<TypesetSampl
       Sides sides = right;
       sides[i] = mutant.tree;
       const double off =
-          roundings(sides, letters, truth, sizes, hardest.size() < exact_ones ? infinite : *hardest.rbegin());
+          roundings(sides, letters, truth, sizes, hardest.size() < exact ? infinite : *hardest.rbegin());
       // The forms of one quantity in a row are equal.
       const bool is_row = truth[0].size() == 1 && are_in_another_order(right[i], mutant.tree);
       if (mutant.change == "components exchanged" && (is_row || off < is_rounding))
@@ -116,7 +117,7 @@ Changes changes_of(const TypesetFormula& formula, const std::vector<TypesetSampl
         ++changes.equal;
       else {
         if (off > clear) hardest.insert(off);
-        if (hardest.size() > exact_ones) hardest.erase(std::prev(hardest.end()));
+        if (hardest.size() > exact) hardest.erase(std::prev(hardest.end()));
         changes.hardest_first.push_back({mutant.change, std::move(sides), off});
       }
     }

@@ -18,15 +18,15 @@ struct ChangedFormula {
   std::string change;                ///< "$g$ for $m_2$"
   std::vector<formula::Tree> sides;  ///< for TypesetFormula::value
   /// The largest difference from the truth, in roundings of the terms' size. Exact up to `clear`, and for the
-  /// `exact_ones` hardest beyond; others have at least this one.
+  /// `exact` hardest beyond; others have at least this one.
   double roundings = 0;
 
   std::string text() const;  ///< the whole formula, as a page shows it
 };
 
-/// Changes with more roundings are detected at any sample.
+/// Changes with more roundings fail, except within the tolerance of a truth that is less accurate.
 inline constexpr double clear = 1e6;
-/// More than ever hold within the tolerance of a truth that is less accurate than roundings.
+/// Usually enough: where more of them hold, all are computed exactly.
 inline constexpr std::size_t exact_ones = 8;
 
 struct Changes {
@@ -35,6 +35,6 @@ struct Changes {
 };
 
 /// All changes of the formula, except those of both sides of an equation at once. Empty without samples.
-Changes changes_of(const TypesetFormula&, const std::vector<TypesetSample>&);
+Changes changes_of(const TypesetFormula&, const std::vector<TypesetSample>&, std::size_t exact = exact_ones);
 
 }  // namespace oddity
