@@ -29,6 +29,9 @@ using namespace oddity::printed;
 
 namespace {
 
+/// Most lines of a program that `choose` may choose, without comments and blank ones.
+constexpr long most_lines_of_code = 120;
+
 struct Case {
   std::string says, code;
   Value value;
@@ -154,7 +157,6 @@ void check_alone(const std::vector<Case>& cases) {
                   "/*.cpp") == "");
 }
 
-/// Without comments and empty lines.
 /// Runs all programs of a language. A language's library may round functions in its own way.
 void check(Language language, double allowed) {
   const All all = all_in(language);

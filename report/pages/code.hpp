@@ -13,10 +13,11 @@ namespace oddity {
 /// The algorithms that can be printed.
 std::vector<std::string_view> printable_algorithms();
 
-/// Limits of a program's lines without comments and blank ones: of any that `choose` may choose, and of a C++
-/// file with the models' own source. A longer one is printed by its recorded operations.
-inline constexpr long most_lines_of_code = 120, most_lines_of_source = 60;
+/// Lines of a program without comments and blank ones.
 long lines_of_code(const std::string& program);
+
+/// Limit of a C++ file with the models' own source. A longer one is printed by its recorded operations.
+inline constexpr long most_lines_of_source = 60;
 
 /// One file of the standard library alone: the chosen model, the chosen algorithm's loop, and a main that
 /// prints the observables at every frame. `command` is the command line that asked for it. Throws BadInput

@@ -14,6 +14,7 @@
 #include "reference/text.hpp"
 #include "report/charts/labels.hpp"
 #include "report/pages/code.hpp"
+#include "report/pages/program_parts.hpp"
 #include "report/site/claims_section.hpp"
 #include "report/site/example.hpp"
 #include "report/site/page.hpp"
@@ -373,12 +374,14 @@ std::string lines_in_xml(const std::string& code) {
 }
 
 /// "54 lines of C++ that do it, and 13 that print it"; comments and blank lines are not counted.
-std::string counted_lines(const std::string& code, const std::string& language) {
-  const std::size_t main = std::min({code.find("\nint main()"), code.find("static void Main()"),
-                                     code.find("\nconst frames = "), code.size()});
+std::string counted_lines(const std::string& code, Language language) {
+  const std::string_view printing_part = program_parts::main_of(language).text;
+  const std::string_view begins = printing_part.substr(1, printing_part.find_first_of("{$") - 1);
+  const std::size_t main = std::min(code.find(begins), code.size());
   const long own = lines_of_code(code.substr(0, main)), printing = lines_of_code(code.substr(main));
-  return counted(own, "line", "lines") + " of " + language + " that do it, and " + std::to_string(printing) +
-         " that print it";
+  return counted(own, "line", "lines") + " of " +
+         std::string(language_names[static_cast<std::size_t>(language)]) + " that do it, and " +
+         std::to_string(printing) + " that print it";
 }
 
 std::string code_in(Language language, const ExerciseResult& e, const CheapestModel& game) {
@@ -389,7 +392,7 @@ std::string code_in(Language language, const ExerciseResult& e, const CheapestMo
                                          game.least->algorithm + "\n\nThe observables at every frame.",
                                      language);
     return html::folded(
-        counted_lines(code, name),
+        counted_lines(code, language),
         element("pre", " class=\"code\" tabindex=\"0\" data-language=\"" + name + "\"", lines_in_xml(code)));
   } catch (const BadInput& error) {
     return element("p", " class=\"none\"", "No " + name + ": " + in_xml(error.what()) + ".");

@@ -98,7 +98,8 @@ class Scan {
       if (above == longest_) return Edge{longest_, 0};
     }
     constexpr double finely = 0.001;  // some losses are narrow
-    for (double low = expected * (1 - 6 * finely); low < expected * (1 + 6 * finely); low *= 1 + finely) {
+    const double last = std::min(expected * (1 + 6 * finely), longest_);
+    for (double low = expected * (1 - 6 * finely); low < last; low *= 1 + finely) {
       const double high = std::min(low * (1 + finely), longest_);
       if (low > finest_ && !lost(observer, low) && lost(observer, high)) return Edge{low, high};
     }
@@ -127,20 +128,22 @@ class Scan {
 /// range all see it close to the usual edge. Otherwise one loses the range's least step, and one, perhaps the
 /// usual, keeps its most.
 bool is_confirmed(const std::string& soft, Scan& scan, std::span<const Observer> others, const Edge& usual) {
-  constexpr double close = 1.024, closest = 1.001;  // products of two are below `sharp`
+  constexpr double close = 1.024;  // close^2 < sharp
   const auto any = [&](double stable, double unstable) {
     return std::ranges::any_of(others,
                                [&](const Observer& o) { return scan.is_between(o, stable, unstable); });
   };
   if (soft.empty()) {
-    const auto all = [&](double below, double above) {
-      const double unstable = usual.unstable == 0 ? infinity : usual.unstable * above;
-      return std::ranges::all_of(
-          others, [&](const Observer& o) { return scan.is_between(o, usual.stable / below, unstable); });
-    };
-    constexpr double close_by_one = close * close / closest, closer = 1.01;
-    return all(close, close) || all(closer, closer) || all(close_by_one, closest) ||
-           all(closest, close_by_one);
+    // About the usual edge, narrower where a loss is narrow, and to its one side.
+    constexpr double narrow = 1.01, least = 1.001, one_side = close * close / least;
+    constexpr std::array<std::pair<double, double>, 4> windows{
+        {{close, close}, {narrow, narrow}, {one_side, least}, {least, one_side}}};
+    return std::ranges::any_of(windows, [&](const auto& window) {
+      const double unstable = usual.unstable == 0 ? infinity : usual.unstable * window.second;
+      return std::ranges::all_of(others, [&](const Observer& o) {
+        return scan.is_between(o, usual.stable / window.first, unstable);
+      });
+    });
   }
   const auto range = soft_shown_as(soft);
   if (!range || !(range->most > sharp * range->least)) return false;
