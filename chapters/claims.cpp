@@ -46,6 +46,15 @@ Check as_cut_off(std::string quantity, const std::string& written, const Route& 
           printed_decimals(x.decimals)};
 }
 
+std::pair<std::string, std::string> sides_of_equation(const std::string& text) {
+  std::vector<std::string> sides;
+  if (is_formula(text)) sides = formula::sides_of(text.substr(1, text.size() - 2)).sides;
+  if (sides.size() < 2) throw std::logic_error(text + " is no equation $a=b$");
+  std::string right = sides[1];
+  for (std::size_t i = 2; i < sides.size(); ++i) right += ",\\ " + sides[i];
+  return {"$" + sides[0] + "$", sides.size() == 2 ? "$" + right + "$" : "$(" + right + ")$"};
+}
+
 Claims& Claims::number(std::string_view slug, int line, std::string says, const NumberClaim& parts) {
   const std::string quantity = parts.quantity.empty() ? says : parts.quantity;
   return judged(slug, line, std::move(says), parts, {}, [&](const std::string& written) -> Reading {
@@ -58,6 +67,9 @@ Claims& Claims::add(std::string_view slug, int line, std::string says, Claim par
   parts.id = exercise_ + "-" + std::string(slug);
   parts.line = line;
   parts.says = std::move(says);
+  if (parts.kind == Fault::none && !parts.meant.text.empty()) parts.kind = Fault::lost_typography;
+  if (parts.kind == Fault::none && !parts.corrected.text.empty())
+    parts.kind = parts.in_view.text.empty() ? Fault::formula : Fault::left_out;
   claims_.push_back(std::move(parts));
   return *this;
 }

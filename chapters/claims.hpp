@@ -40,7 +40,7 @@ struct FormulaClaim {
 // ---- statements -------------------------------------------------------------------------------------------
 
 /// A sentence, and whether a sample satisfies it. Without `holds` it is a relation, "$\ddot q<0$", in the
-/// sample's typeset() letters.
+/// sample's letters on a page.
 template <class Sample>
 struct Statement {
   std::string text;
@@ -51,11 +51,11 @@ struct Statement {
 template <class Sample>
 Statement<Sample> computed(Statement<Sample> statement) {
   if (statement.holds || statement.text.empty()) return statement;
-  if constexpr (requires(const Sample& s) { s.typeset(); }) {
+  if constexpr (Typeset<Sample>) {
     if (is_formula(statement.text))
       statement.holds = [text = statement.text, relation = TypesetRelation(statement.text.substr(
                                                     1, statement.text.size() - 2))](const Sample& s) {
-        const auto so = relation(s.typeset());
+        const auto so = relation(typeset_of(s));
         if (!so) throw std::logic_error(text + " is no relation of the sample's letters");
         return *so;
       };
@@ -79,11 +79,11 @@ Check in_all(const std::string& text, const std::vector<Sample>& samples,
 /// Compares the sentence, if it is an inequality or an equation, with `holds` over the samples.
 template <class Sample>
 Typesetting compare_typeset(const Statement<Sample>& statement, const std::vector<Sample>& samples) {
-  if constexpr (requires(const Sample& s) { s.typeset(); }) {
+  if constexpr (Typeset<Sample>) {
     constexpr std::size_t enough = 64;
     std::vector<std::pair<TypesetLetters, bool>> said;
     for (std::size_t i = 0; i < std::min(enough, samples.size()); ++i)
-      said.emplace_back(samples[i].typeset(), statement.holds(samples[i]));
+      said.emplace_back(typeset_of(samples[i]), statement.holds(samples[i]));
     return compare_typeset(statement.text, said);
   }
   return {};
@@ -124,6 +124,39 @@ Check as_written(std::string quantity, const std::string& written, const Route& 
 Check as_cut_off(std::string quantity, const std::string& written, const Route& truth);
 
 // ---- the table of claims ----------------------------------------------------------------------------------
+
+/// "$a$" and "$b$" of $a=b$, "$(b,\ c)$" of $a=b=c$. Throws std::logic_error for a text that is no equation.
+std::pair<std::string, std::string> sides_of_equation(const std::string& text);
+
+/// A table's formulas over some samples.
+///
+///     const auto claim = table.over(samples);
+///     claim("speed", 12, "Its speed is $gt$", {"Newton's law", by_newton}, "$gt$");
+///     claim.equation("way", 14, "$x=gt^2/2$", {"the integral of the speed", integral});
+template <class Table, class Sample, class Stated, class Parts>
+struct Over {
+  Table& table;
+  const std::vector<Sample>& samples;
+
+  void operator()(std::string_view slug, int line, std::string says, const Parts& parts) const {
+    table.formula(slug, line, std::move(says), samples, parts);
+  }
+  /// A claim that is right as printed. `quantity` is by default the text, and `changes_that_hold` the reason
+  /// why some single changes of `printed` hold as well.
+  void operator()(std::string_view slug, int line, std::string says, Stated truth, Stated printed,
+                  std::string quantity = {}, std::string changes_that_hold = {}) const {
+    Parts parts;
+    parts.quantity = std::move(quantity), parts.changes_that_hold = std::move(changes_that_hold);
+    parts.truth = std::move(truth), parts.printed = std::move(printed);
+    (*this)(slug, line, std::move(says), parts);
+  }
+  /// The claim $a=b$, or $a=b=c$: that b, and c, is the truth of the quantity a.
+  void equation(std::string_view slug, int line, const std::string& text, Stated truth,
+                std::string changes_that_hold = {}) const {
+    const auto [quantity, printed] = sides_of_equation(text);
+    (*this)(slug, line, text, std::move(truth), Stated{printed}, quantity, std::move(changes_that_hold));
+  }
+};
 
 /// The claims of an exercise.
 class Claims {
@@ -187,9 +220,16 @@ class Claims {
                   });
   }
 
+  template <class Sample>
+  auto over(const std::vector<Sample>& samples) {
+    return Over<Claims, Sample, Formula<Sample>, FormulaClaim<Sample>>{*this, samples};
+  }
+
   Claims& number(std::string_view slug, int line, std::string says, const NumberClaim& parts);
 
   /// Any other claim: readings with their own checks. The table sets its id and its exercise.
+  /// By default the fault of a claim with `meant` is its lost typography. With `corrected` it is an
+  /// omission if there is an `in_view`, or else the formula.
   Claims& add(std::string_view slug, int line, std::string says, Claim parts);
 
   /// All claims, ordered by line. Throws std::logic_error if a typeset formula differs from the computed one.

@@ -11,33 +11,27 @@
 #include <vector>
 
 #include "chapters/exercise.hpp"
+#include "chapters/letters.hpp"
 #include "chapters/near_misses.hpp"
-#include "chapters/random.hpp"
 #include "chapters/typeset.hpp"
 
 /// Formulas in the letters of samples, each written next to the code that computes it, or as its text alone,
 /// and their comparison over the samples. A sample is a struct of the exercise's letters:
-/// - Sample(Random&)                        draws one
-/// - where() const -> std::string           lists its values, if the first of typeset() are not enough
-/// - letters() -> array of double*          the independent letters: changing each a little gives the size of
-///                                          a formula's terms
+/// - table() -> Letters<double>             its independent letters (letters.hpp): changing each a little
+/// gives
+///                                          the size of a formula's terms
+/// - Sample(Random&)                        draws one, if the table() does not
+/// - letters() -> array of double*          without a table(): the independent letters
+/// - where() const -> std::string           lists its values, if the first letters are not enough
 /// - size() const -> double                 size of the terms that cancel in a quantity that should be zero
 /// - conditioning() const -> double         without letters(): the terms' size relative to the largest value
 /// - whole                                  a static constant, if all values are whole numbers that a double
 ///                                          represents exactly: they must be equal
-/// - typeset() -> TypesetLetters            its letters as a page shows them: a reading that is a formula of
-///                                          these must agree with the code
+/// - typeset() -> TypesetLetters            letters besides those of the table() as a page shows them: a
+///                                          reading that is a formula of these must agree with the code
 /// - tolerance(double size) -> Tolerance    allowed difference for terms of this size, if the numbers have a
 ///                                          less accurate source such as a quadrature
 namespace oddity {
-
-template <class Sample>
-std::vector<Sample> draw(int count, double seed) {
-  Random random(seed);
-  std::vector<Sample> samples;
-  for (int i = 0; i < count; ++i) samples.emplace_back(random);
-  return samples;
-}
 
 /// The sample's letters: where(), or the first four of typeset().
 template <class Sample>
@@ -45,7 +39,7 @@ std::string where_of(const Sample& sample) {
   if constexpr (requires { sample.where(); })
     return sample.where();
   else
-    return listed(sample.typeset(), 4);
+    return listed(typeset_of(sample), 4);
 }
 
 /// The numbers as one value.
@@ -74,10 +68,10 @@ bool is_text(const Formula<Sample>& formula) {
 template <class Sample>
 Formula<Sample> computed(Formula<Sample> formula) {
   if (!is_text(formula)) return formula;
-  if constexpr (requires(const Sample& s) { s.typeset(); }) {
+  if constexpr (Typeset<Sample>) {
     const TypesetFormula typeset(formula.text);
-    formula.of = [typeset](const Sample& s) { return typeset(s.typeset()); };
-    formula.terms = [typeset](const Sample& s) { return typeset.cancelling(s.typeset()); };
+    formula.of = [typeset](const Sample& s) { return typeset(typeset_of(s)); };
+    formula.terms = [typeset](const Sample& s) { return typeset.cancelling(typeset_of(s)); };
   } else {
     throw std::logic_error("'" + formula.text + "' is not computed, and its samples have no typeset letters");
   }
@@ -92,10 +86,11 @@ inline constexpr double small_change = 0x1p-20;
 template <class Sample>
 double size_of_terms(const Formula<Sample>& formula, const Sample& sample, const Value& value) {
   double size = size_of(value) + (formula.terms ? formula.terms(sample) : 0);
-  for (std::size_t i = 0; i < Sample(sample).letters().size(); ++i) {
-    Sample moved = sample;
-    *moved.letters()[i] *= 1 + small_change;
+  Sample moved = sample;
+  for (auto* letter : oddity::letters_of(moved)) {
+    const double x = std::exchange(*letter, *letter * (1 + small_change));
     size += distance(formula.of(moved), value) / small_change;
+    *letter = x;
   }
   return size;
 }
@@ -137,10 +132,10 @@ class LettersAtSamples {
   /// Whether these are the samples, by all letters that are known.
   bool are_of(const std::vector<Sample>& samples) const {
     bool are = all_.size() == samples.size();
-    if constexpr (requires(const Sample& s) { s.typeset(); })
+    if constexpr (Typeset<Sample>)
       for (std::size_t i = 0; are && i < all_.size(); ++i) {
         if (all_[i].empty() || all_[i][0].empty()) continue;
-        const TypesetLetters letters = samples[i].typeset();
+        const TypesetLetters letters = typeset_of(samples[i]);
         are = (!names_ || names_->empty() || names_of(letters) == *names_) &&
               std::ranges::equal(values_of(letters), all_[i][0], {}, &formula::Matrix<double>::entries,
                                  &formula::Matrix<double>::entries);
@@ -149,19 +144,21 @@ class LettersAtSamples {
   }
   const TypesetFormula::Values& at(std::size_t i) const { return of(i, 0); }
   std::size_t count(std::size_t i) const {
-    if constexpr (requires(Sample & s) { s.letters(); })
-      return Sample(samples_[i]).letters().size();
-    else
+    if constexpr (Lettered<Sample>) {
+      Sample sample = samples_[i];
+      return oddity::letters_of(sample).size();
+    } else {
       return 0;
+    }
   }
   const TypesetFormula::Values& moved(std::size_t i, std::size_t letter) const { return of(i, letter + 1); }
   /// Names of the letters; empty if they differ between samples.
   const formula::Names& names() const {
-    if constexpr (requires(const Sample& s) { s.typeset(); })
+    if constexpr (Typeset<Sample>)
       if (!names_ && !samples_.empty()) {
-        names_ = names_of(samples_[0].typeset());
+        names_ = names_of(typeset_of(samples_[0]));
         const auto is_same = [&](const Sample& s) {
-          return std::ranges::equal(s.typeset(), *names_, {}, &TypesetLetters::value_type::first);
+          return std::ranges::equal(typeset_of(s), *names_, {}, &TypesetLetters::value_type::first);
         };
         if (!std::ranges::all_of(samples_, is_same)) names_.emplace();
       }
@@ -172,13 +169,13 @@ class LettersAtSamples {
   const TypesetFormula::Values& of(std::size_t i, std::size_t which) const {
     auto& known = all_[i];
     if (known.empty()) known.resize(count(i) + 1);
-    if constexpr (requires(const Sample& s) { s.typeset(); })
-      if (known[which].empty()) known[which] = values_of(changed(samples_[i], which).typeset());
+    if constexpr (Typeset<Sample>)
+      if (known[which].empty()) known[which] = values_of(typeset_of(changed(samples_[i], which)));
     return known[which];
   }
   static Sample changed(Sample sample, std::size_t which) {
-    if constexpr (requires { sample.letters(); })
-      if (which > 0) *sample.letters()[which - 1] *= 1 + small_change;
+    if constexpr (Lettered<Sample>)
+      if (which > 0) *oddity::letters_of(sample)[which - 1] *= 1 + small_change;
     return sample;
   }
 
@@ -281,7 +278,7 @@ Check compare(std::string quantity, const AtSamples<Sample>& left, const AtSampl
     const Sample& sample = samples[i];
     if constexpr (requires { sample.size(); })
       if (with_zero) return sample.size();
-    if constexpr (requires(Sample & s) { s.letters(); }) return std::max(left.size(i), right.size(i));
+    if constexpr (Lettered<Sample>) return std::max(left.size(i), right.size(i));
     const double given = std::max(left.terms(i), right.terms(i));
     if constexpr (requires { sample.conditioning(); })
       return given + largest * sample.conditioning();
@@ -312,11 +309,11 @@ Check compare(std::string quantity, const Formula<Sample>& left, const Formula<S
 /// Compares the formula's text with the values it computes.
 template <class Sample>
 Typesetting compare_typeset(const Formula<Sample>& formula, const std::vector<Sample>& samples) {
-  if constexpr (requires(const Sample& s) { s.typeset(); }) {
+  if constexpr (Typeset<Sample>) {
     constexpr std::size_t enough = 8;
     std::vector<std::pair<TypesetLetters, Value>> computed;
     for (std::size_t i = 0; i < std::min(enough, samples.size()); ++i)
-      if (const TypesetLetters letters = samples[i].typeset(); !letters.empty())
+      if (const TypesetLetters letters = typeset_of(samples[i]); !letters.empty())
         computed.emplace_back(letters, formula.of(samples[i]));
     return compare_typeset(formula.text, computed);
   }
@@ -343,11 +340,12 @@ std::vector<Reading> single_changes(const std::string& quantity, const Formula<S
                                     const AtSamples<Sample>& truth, const LettersAtSamples<Sample>& letters,
                                     const std::string& known, std::size_t exact = exact_ones) {
   std::vector<Reading> readings;
-  if constexpr (requires(const Sample& s) { s.typeset(); }) {
+  if constexpr (Typeset<Sample>) {
     constexpr std::size_t enough = 16;
     const std::size_t some = std::min(enough, truth.samples().size());
     std::vector<TypesetSample> typeset;
-    for (std::size_t i = 0; i < some; ++i) typeset.push_back({truth.samples()[i].typeset(), truth.value(i)});
+    for (std::size_t i = 0; i < some; ++i)
+      typeset.push_back({typeset_of(truth.samples()[i]), truth.value(i)});
     const Changes changes = changes_of(TypesetFormula(right.text), typeset, exact);
     const std::size_t count = changes.hardest_first.size();
     std::size_t holding = 0, beyond = 0;

@@ -17,9 +17,9 @@ namespace oddity {
 namespace {
 
 using Sides = std::vector<formula::Tree>;
-using Letters = std::vector<formula::Matrix<double>>;
+using LetterValues = std::vector<formula::Matrix<double>>;
 
-double magnitude_of(const Sides& sides, const Letters& letters) {
+double magnitude_of(const Sides& sides, const LetterValues& letters) {
   double size = 0;
   for (const formula::Tree& side : sides) size += formula::magnitude(side, letters);
   return size;
@@ -27,8 +27,8 @@ double magnitude_of(const Sides& sides, const Letters& letters) {
 
 /// The largest difference, in roundings; infinite if a value is undefined. Beyond `enough` the first one that
 /// is larger.
-double roundings(const Sides& sides, const std::vector<Letters>& letters, const std::vector<Value>& values,
-                 const std::vector<double>& sizes, double enough) {
+double roundings(const Sides& sides, const std::vector<LetterValues>& letters,
+                 const std::vector<Value>& values, const std::vector<double>& sizes, double enough) {
   double largest = 0;
   for (std::size_t i = 0; i < letters.size() && largest <= enough; ++i) {
     try {
@@ -45,10 +45,10 @@ double roundings(const Sides& sides, const std::vector<Letters>& letters, const 
   return largest;
 }
 
-/// Letters of any size and sign, independent of each other, unlike those of a sample.
-std::vector<Letters> at_random(const Letters& letters) {
+/// LetterValues of any size and sign, independent of each other, unlike those of a sample.
+std::vector<LetterValues> at_random(const LetterValues& letters) {
   Random random(7);
-  std::vector<Letters> all;
+  std::vector<LetterValues> all;
   for (int n = 0; n < 16; ++n) {
     all.push_back(letters);
     for (auto& letter : all.back())
@@ -81,7 +81,7 @@ Changes changes_of(const TypesetFormula& formula, const std::vector<TypesetSampl
   Changes changes;
   if (samples.empty()) return changes;
   const Sides right = formula.sides(names_of(samples[0].letters));
-  std::vector<Letters> letters;
+  std::vector<LetterValues> letters;
   std::vector<Value> truth;
   std::vector<double> sizes;
   for (const TypesetSample& sample : samples) {
@@ -90,10 +90,10 @@ Changes changes_of(const TypesetFormula& formula, const std::vector<TypesetSampl
     sizes.push_back(std::max(magnitude_of(right, letters.back()), size_of(sample.truth)));
   }
   // Only where the formula is defined: roots are not for all letters.
-  std::vector<Letters> any;
+  std::vector<LetterValues> any;
   std::vector<Value> right_at_any;
   std::vector<double> sizes_at_any;
-  for (Letters& one : at_random(letters[0])) {
+  for (LetterValues& one : at_random(letters[0])) {
     Value value = TypesetFormula::value(right, one);
     if (!finite(value)) continue;
     right_at_any.push_back(std::move(value));

@@ -17,7 +17,7 @@ Expressions recorded_sums(const std::string& text, const TypesetIn<Shortened>& l
 template <template <class> class Of>
 ProvableFormula<Of> over_particles(const std::string& text, const std::string& particle) {
   ProvableFormula<Of> formula(text);
-  formula.recorded = [=](const Of<Shortened>& s) { return recorded_sums(text, s.typeset(), particle); };
+  formula.recorded = [=](const Of<Shortened>& s) { return recorded_sums(text, typeset_of(s), particle); };
   return formula;
 }
 

@@ -1,6 +1,9 @@
 #include "chapters/provable.hpp"
 
+#include <algorithm>
 #include <cctype>
+#include <iterator>
+#include <stdexcept>
 
 namespace oddity {
 
@@ -52,13 +55,23 @@ std::vector<Proposition> equal(const Expressions& a, const Expressions& b) {
   return all;
 }
 
+std::vector<Proposition> positive(std::initializer_list<Shortened> all) {
+  std::vector<Proposition> positive;
+  for (const Shortened& x : all) positive.push_back(above(x.expression(), 0));
+  return positive;
+}
+
+void append(Provables& all, Provables more) { std::ranges::move(more, std::back_inserter(all)); }
+Provable& proof_of(Provables& all, std::string_view claim) {
+  const auto found = std::ranges::find(all, claim, &Provable::claim);
+  if (found == all.end()) throw std::logic_error("there is no proof of " + std::string(claim));
+  return *found;
+}
+
 std::string coq_file(const Provable& provable) {
-  std::string text =
-      "(* " + provable.claim + ": " + provable.says +
-      ".\n   Written by oddity prove from the formulas that the suite computes with. *)\n"
-      "From Coq Require Import Reals Lra.\nFrom Coquelicot Require Import Hierarchy Derive RInt.\n"
-      "From Interval Require Import Tactic.\nLocal Open Scope R_scope.\n" +
-      provable.preamble;
+  std::string text = "(* " + provable.claim + ": " + provable.says +
+                     ".\n   Written by oddity prove from the formulas that the suite computes with. *)\n" +
+                     std::string(coq_head) + provable.preamble;
   for (const Lemma& lemma : provable.lemmas)
     text += "\n" + in_coq(lemma, name_of(provable.claim) + lemma.name);
   return text;

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <initializer_list>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "chapters/coq_source.hpp"
 #include "chapters/expression.hpp"
 
 /// Statements about claims that Coq proves for all numbers, while the suite compares samples. They are
@@ -22,6 +25,8 @@ Proposition near(const Expression&, const Expression&, double error);
 Proposition apart(const Expression&, const Expression&, double margin);
 /// Component by component.
 std::vector<Proposition> equal(const Expressions&, const Expressions&);
+/// All are above zero.
+std::vector<Proposition> positive(std::initializer_list<Shortened>);
 
 /// A tactic that decides `apart` for fractions.
 inline constexpr const char* by_arithmetic = "unfold Rabs; destruct (Rcase_abs _); lra";
@@ -41,9 +46,14 @@ struct Provable {
   std::string says;   ///< the proved statement, in words
   std::vector<Lemma> lemmas = {};
   double margin = 0;          ///< a proved lower bound of the printed value's error, if it is wrong
-  std::string preamble = {};  ///< definitions in Coq
+  std::string preamble = {};  ///< coq_source() of its definitions
 };
 using Provables = std::vector<Provable>;
+
+/// Adds these proofs.
+void append(Provables& all, Provables more);
+/// The proof of this claim. Throws std::logic_error if it is missing.
+Provable& proof_of(Provables&, std::string_view claim);
 
 /// Text of the Coq file. Checking it also prints the axioms it uses.
 std::string coq_file(const Provable&);

@@ -12,12 +12,13 @@
 #include <vector>
 
 #include "chapters/claims.hpp"
+#include "chapters/letters.hpp"
 #include "chapters/provable.hpp"
 
 /// Claims whose formulas are generic in their number type. Each formula is stated once, computed over samples
 /// of doubles, and proved for all values of the letters. A sample is `template <class T> struct Of` with one
-/// of three functions. letters() returns an array of T*. quantities() is the same where the sizes of terms
-/// cannot be found from them. recorded() returns its numbers as Of<Shortened>.
+/// of four functions. table() returns its Letters<T>, letters() an array of T*. quantities() is the same
+/// where the sizes of terms cannot be found from them. recorded() returns its numbers as Of<Shortened>.
 namespace oddity {
 
 template <class... Numbers>
@@ -38,29 +39,16 @@ Expressions recorded_value(const X& x) {
   }
 }
 
+/// Its letters, or its quantities().
 template <class Sample>
-auto letters_of(Sample& sample) {
-  if constexpr (requires { sample.letters(); })
-    return sample.letters();
+auto letters_or_quantities(Sample& sample) {
+  if constexpr (Lettered<Sample>)
+    return oddity::letters_of(sample);
   else
     return sample.quantities();
 }
 
 }  // namespace detail
-
-/// The numbers of a letter, as expressions.
-struct ShortenedValue {
-  std::vector<Shortened> all;
-  ShortenedValue(Shortened x) : all{std::move(x)} {}
-  ShortenedValue(double x) : all{Shortened(x)} {}
-  ShortenedValue(std::initializer_list<Shortened> xs) : all(xs) {}
-  template <std::size_t n>
-  ShortenedValue(const std::array<Shortened, n>& xs) : all(xs.begin(), xs.end()) {}
-};
-/// Return type of typeset(), in doubles or expressions.
-template <class T>
-using TypesetIn = std::conditional_t<std::same_as<T, Shortened>,
-                                     std::vector<std::pair<std::string, ShortenedValue>>, TypesetLetters>;
 
 /// The value of a formula or an equation that is stated as text alone.
 Expressions recorded_text(const std::string& text, const TypesetIn<Shortened>& letters);
@@ -75,9 +63,9 @@ struct ProvableFormula : Formula<Of<double>> {
   ProvableFormula(const char* written) : ProvableFormula(std::string(written)) {}
   ProvableFormula(std::string written) : Formula<Of<double>>{std::move(written), {}} {
     if constexpr (requires(const Of<Shortened>& s) {
-                    { s.typeset() } -> std::same_as<TypesetIn<Shortened>>;
+                    { typeset_of(s) } -> std::same_as<TypesetIn<Shortened>>;
                   })
-      recorded = [text = this->text](const Of<Shortened>& s) { return recorded_text(text, s.typeset()); };
+      recorded = [text = this->text](const Of<Shortened>& s) { return recorded_text(text, typeset_of(s)); };
   }
   template <class F>
   ProvableFormula(std::string written, const F& f, std::function<double(const Of<double>&)> size = {})
@@ -91,9 +79,11 @@ template <template <class> class Of>
 struct ProvableClaim {
   std::string quantity = {};
   ProvableFormula<Of> truth;
+  std::vector<Formula<Of<double>>> other_routes = {};
   ProvableFormula<Of> printed;
   ProvableFormula<Of> meant = {};
   ProvableFormula<Of> corrected = {};
+  InView<Of<double>> in_view = {};
   std::vector<ProvableFormula<Of>> near_misses = {};
   std::string changes_that_hold = {};
   Fault kind = Fault::none;
@@ -111,6 +101,7 @@ struct ForAll {
   std::string says;                       ///< "it holds for any ..."
   Of<double> example{};                   ///< where printed formulas are wrong
   std::vector<std::string> without = {};  ///< claims left out
+  std::string preamble = {};
 };
 
 /// The sample with these letters, in their order.
@@ -118,10 +109,27 @@ template <template <class> class Of>
 Of<Shortened> lettered(const std::vector<std::string>& names) {
   Of<Shortened> any{};
   std::size_t i = 0;
-  for (Shortened* letter : detail::letters_of(any)) *letter = Shortened::letter(names.at(i++));
+  for (Shortened* letter : detail::letters_or_quantities(any)) *letter = Shortened::letter(names.at(i++));
   return any;
 }
 std::string quantified(const std::vector<std::string>& names);
+/// Common data of proofs in these letters, by default those of the sample's table(), and an example with
+/// these values of the letters.
+template <template <class> class Of>
+ForAll<Of> for_all(const std::vector<std::string>& names, std::string tactic, std::string says,
+                   const std::vector<double>& example = {}) {
+  ForAll<Of> all{.any = lettered<Of>(names),
+                 .letters = quantified(names),
+                 .tactic = std::move(tactic),
+                 .says = std::move(says)};
+  const auto letters = detail::letters_or_quantities(all.example);
+  for (std::size_t i = 0; i < example.size(); ++i) *letters[i] = example[i];
+  return all;
+}
+template <template <class> class Of>
+ForAll<Of> for_all(std::string tactic, std::string says, const std::vector<double>& example = {}) {
+  return for_all<Of>(names_in_coq<Of<Shortened>>(), std::move(tactic), std::move(says), example);
+}
 
 /// A single number next to several is repeated, as those are forms of one quantity in a row.
 void in_a_row(Expressions& a, Expressions& b);
@@ -150,15 +158,20 @@ class ProvableClaims {
     claims_.formula<Of<double>>(slug, line, std::move(says), samples,
                                 {.quantity = c.quantity,
                                  .truth = c.truth,
+                                 .other_routes = c.other_routes,
                                  .printed = c.printed,
                                  .meant = c.meant,
                                  .corrected = c.corrected,
+                                 .in_view = c.in_view,
                                  .near_misses = std::move(near),
                                  .changes_that_hold = c.changes_that_hold,
                                  .kind = c.kind,
                                  .root = c.root,
                                  .why = c.why});
     stated_.emplace_back(slug, c);
+  }
+  auto over(const Samples& samples) {
+    return Over<ProvableClaims, Of<double>, ProvableFormula<Of>, ProvableClaim<Of>>{*this, samples};
   }
 
   /// Proofs of all recorded claims that are not trivially x = x. `exercise`: "3.5".
@@ -170,6 +183,7 @@ class ProvableClaims {
         proved.push_back(!claim.meant.text.empty() || !claim.corrected.text.empty()
                              ? of_wrong(id, claim, all)
                              : of_right(id, claim, all));
+    for (Provable& one : proved) one.preamble = all.preamble;
     return proved;
   }
 
@@ -200,9 +214,9 @@ class ProvableClaims {
       return example.recorded();
     } else {
       Of<Shortened> recorded{};
-      auto numbers = detail::letters_of(example);
+      auto numbers = detail::letters_or_quantities(example);
       std::size_t i = 0;
-      for (Shortened* letter : detail::letters_of(recorded)) *letter = *numbers[i++];
+      for (Shortened* letter : detail::letters_or_quantities(recorded)) *letter = *numbers[i++];
       return recorded;
     }
   }

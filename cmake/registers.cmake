@@ -184,3 +184,13 @@ function(register_unknowns generated)
 #define ODDITY_FOR_UNKNOWNS(F, ...) @calls@
 ]] @ONLY)
 endfunction()
+
+# The texts of these files of these folders, as the function `name` of `header`. They depend on the other arguments.
+function(embed name header folders files alone)
+  string(REPLACE ";" "," folders "${folders}")
+  string(REPLACE ";" "," files "${files}")
+  add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/${name}.cpp
+    COMMAND ${CMAKE_COMMAND} -DSOURCES=${folders} -DFILES=${files} -DNAME=${name} -DHEADER=${header} -DALONE=${alone}
+      -DOUT=${PROJECT_BINARY_DIR}/${name}.cpp -P ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
+    DEPENDS ${ARGN} ${PROJECT_SOURCE_DIR}/cmake/embed.cmake VERBATIM)
+endfunction()

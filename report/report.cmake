@@ -18,15 +18,6 @@ file(GLOB headers_beside CONFIGURE_DEPENDS chapters/*.hpp chapters/*/*/*.hpp sol
 set(new_home ${PROJECT_SOURCE_DIR}/report/new)
 file(GLOB_RECURSE new_paths CONFIGURE_DEPENDS report/new/*.cpp report/new/*.hpp)
 file(GLOB_RECURSE new_files RELATIVE ${new_home} report/new/*.cpp report/new/*.hpp)
-# The texts of these files of these folders, as the function `name` of `header`. They depend on the other arguments.
-function(embed name header folders files alone)
-  string(REPLACE ";" "," folders "${folders}")
-  string(REPLACE ";" "," files "${files}")
-  add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/${name}.cpp
-    COMMAND ${CMAKE_COMMAND} -DSOURCES=${folders} -DFILES=${files} -DNAME=${name} -DHEADER=${header} -DALONE=${alone}
-      -DOUT=${PROJECT_BINARY_DIR}/${name}.cpp -P ${PROJECT_SOURCE_DIR}/report/embed.cmake
-    DEPENDS ${ARGN} ${PROJECT_SOURCE_DIR}/report/embed.cmake VERBATIM)
-endfunction()
 embed(embedded_headers report/study/embedded.hpp "${printed_sources}" "${printed_headers}" OFF ${headers_beside})
 embed(embedded_templates report/cli/new_exercise.hpp ${new_home} "${new_files}" ON ${new_paths})
 # The scenes that are problems' files, too.

@@ -131,8 +131,15 @@ job_thorough() {  # limits of stability by scans of all steps are the approved o
   build/release/oddity verify --thorough '[scene]'
 }
 
-job_prove() {  # Coq: every recorded proof, checked again
+job_prove() {  # Coq: every recorded proof, checked again, and every .v file alone
   tools coq libcoq-interval libcoq-coquelicot
+  local file copy
+  copy=$(mktemp -d)
+  git ls-files '*.v' | tar -cT - | tar -xC "$copy"
+  for file in $(git ls-files '*.v'); do
+    (cd "$copy/${file%/*}" && coqc -q "${file##*/}") || { echo "coqc refuses $file"; exit 1; }
+  done
+  rm -r "$copy"
   ./oddity prove
 }
 

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <filesystem>
+#include <set>
+#include <string>
 
 #include "reference/proofs.hpp"
 #include "report/study/prove.hpp"
@@ -36,6 +38,21 @@ TEST_CASE("every recorded proof is of the current formulas", "[proofs]") {
     CHECK(found->second.hash == proof_hash(coq_file(p)));
     CHECK(found->second.proved == p.says);
     CHECK(found->second.margin == p.margin);
+  }
+}
+
+TEST_CASE("a source of proofs has the files that it loads once", "[proofs]") {
+  const std::string root = coq_source({"root"}), limits = coq_source({"root", "limits"});
+  CHECK(root.starts_with("\nLemma root_is"));
+  CHECK(limits.starts_with(root + coq_source({"limit_at_zero"})));
+  CHECK(limits.find("Lemma root_is", root.size()) == std::string::npos);
+  CHECK_THROWS_WITH(coq_source({"roots"}), "there is no file roots.v");
+  std::set<std::string> names;
+  for (const EmbeddedFile& file : embedded_proofs()) {
+    INFO(file.path);
+    const std::string name = std::filesystem::path(file.path).stem();
+    CHECK(names.insert(name).second);
+    CHECK_NOTHROW(coq_source({name}));
   }
 }
 

@@ -205,7 +205,6 @@ void frames(Table& table, int side, const std::vector<Sample>& with_0, const std
                  .truth = by_duals(T_at),
                  .printed = T + times,
                  .meant = T + R"(/\sqrt{1+9t^4}$)",
-                 .kind = Fault::lost_typography,
                  .why = why});
   table.formula(side < 0 ? "normal_before" : "normal_after", side < 0 ? 141 : 167,
                 R"($\mathbf N=)" + N.substr(1) + times + " is a unit normal" + range, samples,
@@ -217,7 +216,6 @@ void frames(Table& table, int side, const std::vector<Sample>& with_0, const std
                            }},
                  .printed = N + times,
                  .meant = normal(side),
-                 .kind = Fault::lost_typography,
                  .why = why});
 }
 
@@ -320,31 +318,6 @@ std::vector<Claim> claims(double h, double seed) {
 }
 
 // ---- proofs -----------------------------------------------------------------------------------------------
-
-constexpr const char* limits_in_coq = R"(
-Ltac roots_at_zero :=
-  repeat match goal with |- context [sqrt ?x] =>
-    lazymatch x with context [sqrt _] => fail | _ => rewrite (root_is x 1) by lra end
-  end.
-
-Ltac tends :=
-  lazymatch goal with
-  | |- exists near, near > 0 /\ (forall t, _ -> Rabs (@?f near t - ?l) < ?eps) =>
-      let f := eval cbv beta in (f 0) in
-      let all := fresh in
-      let like g :=
-        assert (all : exists near, near > 0 /\ forall t, Rabs t < near -> t <> 0 -> Rabs (f t - l) < eps)
-          by (apply (limit_at_zero f g l);
-              [ auto_derive; repeat split; roots_at_zero; try (apply Rgt_not_eq, sqrt_lt_R0); lra
-              | roots_at_zero; first [lra | f_equal; lra]
-              | intros; first [reflexivity | field; assumption]
-              | assumption ]) in
-      first [like f | like (fun _ : R => l) | like (fun t => t * t) | like (fun t => 3 * t)];
-      destruct all as [near [positive close]];
-      exists near; split; [exact positive |]; intros t [low high];
-      apply (close t); [apply Rabs_def1; lra | lra]
-  end.
-)";
 
 /// Replaces the root of 1 + 9 t^4, also within other roots, by the letter q.
 constexpr const char* by_root = R"(
@@ -477,7 +450,7 @@ Provables proofs() {
   proved.push_back(limit_of_number("no_continuous_normal",
                                    "the cosine of the normals at t and -t has the limit 0",
                                    {{cosine(N_after, t()), 0}}));
-  for (Provable& p : proved) p.preamble = std::string(root_in_coq) + limit_at_zero_in_coq + limits_in_coq;
+  for (Provable& p : proved) p.preamble = coq_source({"limits"});
   return proved;
 }
 

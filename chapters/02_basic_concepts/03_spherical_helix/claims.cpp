@@ -84,7 +84,6 @@ void angles(Table& table, const std::vector<Sample>& all) {
                    unity),
        .printed = R"($(\cos t,\sin t,t)\,\sqrt{1+t^2}$)",
        .meant = R"($(\cos t,\sin t,t)/\sqrt{1+t^2}$)",
-       .kind = Fault::lost_typography,
        .why = filled(
            R"(The bars above the roots are lost in the text at hand: $x=\cos t/\sqrt{1+t^2}$. As products they )"
            R"(leave the sphere: at $t=1$, $|(x,y,z)|$ is @1.)",
@@ -104,7 +103,6 @@ void angles(Table& table, const std::vector<Sample>& all) {
        .truth = by_angles([](const auto& k) { return k.phi[0]; }, steepness),
        .printed = R"($\cos^{-1}(t\,\sqrt{1+t^2})$)",
        .meant = R"($\cos^{-1}(t/\sqrt{1+t^2})$)",
-       .kind = Fault::lost_typography,
        .why =
            filled(R"(The bar is lost in the text at hand: $\phi=\cos^{-1}(t/\sqrt{1+t^2})$. As a product, )"
                   R"($t\sqrt{1+t^2}$, it is above 1 from $t=@2$ on, and no cosine.)",
@@ -122,7 +120,6 @@ void angles(Table& table, const std::vector<Sample>& all) {
                    [](const auto& k) { return k.d * sqrt(k.d); }),
        .printed = R"($-\sqrt{1-u^2}$)",
        .meant = R"($-1/\sqrt{1-u^2}$)",
-       .kind = Fault::lost_typography,
        .why =
            filled(R"(The bar is lost in the text at hand: $-1/\sqrt{1-u^2}$. At $u=0.6$ that is $@3$, the )"
                   R"(product $@1$.)",
@@ -133,7 +130,6 @@ void angles(Table& table, const std::vector<Sample>& all) {
        .truth = at("zero", [](const auto&) { return 0.0; }),
        .printed = R"($\frac{d}{dt}(t\,\sqrt{1+t^2})=(1+t^2)^{-3/2}$)",
        .meant = R"($\frac{d}{dt}(t/\sqrt{1+t^2})=(1+t^2)^{-3/2}$)",
-       .kind = Fault::lost_typography,
        .why = filled(
            R"(The bar is lost in the text at hand: $z=t/\sqrt{1+t^2}$. The derivative of the product is )"
            R"($(1+2t^2)/\sqrt{1+t^2}$, @3 at $t=1$ for @3.)",
@@ -145,7 +141,6 @@ void angles(Table& table, const std::vector<Sample>& all) {
        .truth = phi_dot,
        .printed = R"($-\sqrt{1-t^2/(1+t^2)}\,(1+t^2)^{-3/2}$)",
        .meant = R"($-(1+t^2)^{-3/2}/\sqrt{1-t^2/(1+t^2)}$)",
-       .kind = Fault::lost_typography,
        .why = filled(
            R"(The bar above the root is lost in the text at hand; the root divides. At $t=1$ the quotient is )"
            R"($@1$, the product $@2$.)",
@@ -187,7 +182,6 @@ void velocity_and_acceleration(Table& table, const std::vector<Sample>& all) {
        .truth = part_of_velocity(0),
        .printed = R"($\sqrt{1+t^2}$)",
        .meant = R"($1/\sqrt{1+t^2}$)",
-       .kind = Fault::lost_typography,
        .why = filled(
            R"(The bar above the root is lost in the text at hand: $\mathbf P/\sqrt{1+t^2}$. As printed the speed )"
            R"(grows with $t$: at $t=10$ the helix moves at @2, and the product is @2.)",
@@ -198,7 +192,6 @@ void velocity_and_acceleration(Table& table, const std::vector<Sample>& all) {
        .truth = part_of_velocity(1),
        .printed = R"($-1/(1+t^2)$)",
        .corrected = R"($+1/(1+t^2)$)",
-       .kind = Fault::formula,
        .root = R"(sign of the velocity along $\mathbf Q$)",
        .why = filled(
            R"(The step before is right, $\mathbf v=\sin\phi\,\mathbf P-\dot\phi\,\mathbf Q$, but )"
@@ -227,7 +220,6 @@ void velocity_and_acceleration(Table& table, const std::vector<Sample>& all) {
        .truth = part_of_acceleration(1),
        .printed = R"($-t/(1+t^2)$)",
        .corrected = R"($t(t^2-1)/(1+t^2)^2$)",
-       .kind = Fault::formula,
        .root = R"(square forgotten in $\ddot\phi$)",
        .why = filled(
            R"($\sin\phi\cos\phi-\ddot\phi=t/(1+t^2)-2t/(1+t^2)^2=t(t^2-1)/(1+t^2)^2$; the printed value forgets the )"
@@ -257,7 +249,6 @@ void height(Table& table, const std::vector<Sample>& later) {
            [](const At& k) { return sqrt(k.d) / std::abs(k.t); }),
        .printed = R"($(t\,\sqrt{1+t^2})" + others,
        .meant = R"($(t/\sqrt{1+t^2})" + others,
-       .kind = Fault::lost_typography,
        .why = filled(
            R"(The bar above the first root is lost in the text at hand: $t/\sqrt{1+t^2}$, whose square is )"
            R"(under the next root. The product has no limit; at $t=10$ it is @3, and the quotient @3.)",
@@ -345,46 +336,6 @@ std::vector<Root> roots() {
               {-2 / 5.0, At(2.0).a[1]})}};
 }
 
-/// Replaces the root of 1 + t^2, also within other roots, by the letter q.
-constexpr const char* helix_in_coq = R"(
-Ltac helix t :=
-  assert (above : 0 < 1 + t * t) by nra;
-  pose proof (sqrt_lt_R0 _ above) as positive;
-  assert (root : sqrt (1 + t * t) * sqrt (1 + t * t) = 1 + t * t) by (apply sqrt_sqrt; lra);
-  set (q := sqrt (1 + t * t)) in *; clearbody q;
-  assert (square : t * t = q * q - 1) by lra; rewrite <- ?root; clear root above;
-  assert (inside : -1 <= t / q <= 1)
-    by (split; apply Rmult_le_reg_r with q; trivial; replace (t / q * q) with t by (field; lra); nra);
-  assert (inverse : 0 < / q) by (apply Rinv_0_lt_compat; lra);
-  try (assert (0 < t / q) by (apply Rmult_lt_0_compat; lra));
-  assert (circle : sin t * sin t = 1 - cos t * cos t)
-    by (pose proof (sin2_cos2 t) as all; unfold Rsqr in all; lra).
-
-Ltac helix_roots t q circle square :=
-  repeat match goal with |- context [sqrt ?x] =>
-    lazymatch x with
-    | context [sqrt _] => fail
-    | _ =>
-        let is y := rewrite (root_is x y) by (try lra; field [circle square]; repeat split; lra) in
-        first [is constr:(1) | is constr:(q) | is constr:(/ q) | is constr:(t / q)]
-    end
-  end.
-
-Ltac helix_angles t q circle square inside :=
-  rewrite ?cos_acos, ?sin_acos by exact inside; unfold Rsqr;
-  repeat match goal with |- context [atan2 ?y ?x] =>
-    let positive := fresh in
-    assert (positive : x * x + y * y > 0)
-      by first [ replace (x * x + y * y) with 1 by (field [circle square]; lra); lra
-               | replace (x * x + y * y) with (/ q * / q) by (field [circle square]; lra); nra ];
-    progress rewrite ?(cos_atan2 y x positive), ?(sin_atan2 y x positive);
-    clear positive
-  end;
-  helix_roots t q circle square;
-  try (unfold atan2; destruct (Rle_dec 0 (/ q)); [| exfalso; lra]; f_equal;
-       helix_roots t q circle square; field; lra).
-)";
-
 constexpr const char* by_helix = R"(
   rewrite <- ?(Rsqr_pow2 t); unfold Rsqr; helix t; helix_roots t q circle square; helix_angles t q circle square inside;
   field [circle square]; repeat split; nra)";
@@ -443,7 +394,7 @@ Provables proofs() {
   std::ranges::move(above_zero.proofs("2.3", all), std::back_inserter(proved));
   std::ranges::move(proofs_of_limits(), std::back_inserter(proved));
   for (Provable& p : proved) {
-    p.preamble = std::string(root_in_coq) + atan2_in_coq + helix_in_coq;
+    p.preamble = coq_source({"helix"});
     for (Lemma& lemma : p.lemmas)
       if (lemma.tactic == "interval") lemma.tactic = by_bounds;
   }

@@ -322,7 +322,6 @@ void matrices_by_images(Tables& tables) {
               R"(0. The eigenvalues of $\dot RR^T$ are $0,\pm i|\mathbf w|$ at every moment. The )"
               R"(conclusion is right: $M=AU^T$ follows from $MU=A$ for every $M$; it is $U$ that has )"
               R"(to be invertible.)",
-       .kind = Fault::left_out,
        .root = "a singular matrix"});
 }
 
@@ -348,7 +347,6 @@ void frame(Tables& tables) {
                  [](const Moment& m) { return orthonormal(m.U); }},
        .printed = {printed_frame},
        .corrected = {corrected_frame},
-       .kind = Fault::formula,
        .root = "length of the axis' rate",
        .why = R"($\dot{\mathbf D}$ is perpendicular to $\mathbf D$, but its length $\lambda=|\dot{\mathbf )"
               R"(D}|$ is $1$ only when the axis moves so. It is $0$ when the axis is fixed, and then there )"
@@ -474,40 +472,6 @@ void state(Tables& tables) {
     section(tables);
 }
 
-/// Replaces the angle by its half, and products of the letters of an axis and its rate, as needed for
-/// rewriting (Groebner bases, d2 > e2 > d1 > e1 > d0 > e0).
-constexpr const char* turnings_in_coq = R"(
-From Coq Require Import Nsatz.
-Local Open Scope R_scope.
-
-Lemma halves : forall x, let h := 5 / 10 * x in
-  sin x = 2 * sin h * cos h /\ cos x = 1 - 2 * (sin h * sin h) /\ cos h * cos h = 1 - sin h * sin h.
-Proof.
-  intros x h. pose proof (sin_2a h) as s. pose proof (cos_2a h) as c. pose proof (sin2_cos2 h) as all.
-  replace (2 * h) with x in * by (unfold h; field). unfold Rsqr in all. repeat split; lra.
-Qed.
-
-Section Turning.
-Variables d0 d1 d2 e0 e1 e2 : R.
-Hypothesis axis : d0 * d0 + d1 * d1 + d2 * d2 = 1.
-Hypothesis across : d0 * e0 + d1 * e1 + d2 * e2 = 0.
-Lemma axis_squared : d2 * d2 = 1 - d0 * d0 - d1 * d1.
-Proof. lra. Qed.
-Lemma axis_by_rate : d2 * e2 = - (d0 * e0 + d1 * e1).
-Proof. lra. Qed.
-Lemma axis_twice : d1 * d1 * e2 = e2 + d0 * d2 * e0 + d1 * d2 * e1 - d0 * d0 * e2.
-Proof. nsatz. Qed.
-End Turning.
-
-(* as nsatz reads them *)
-Ltac products :=
-  repeat match goal with
-         | |- context [?x ^ 2] => replace (x ^ 2) with (x * x) by ring
-         | |- context [?x ^ 3] => replace (x ^ 3) with (x * x * x) by ring
-         | |- context [?x ^ 4] => replace (x ^ 4) with (x * x * x * x) by ring
-         end.
-)";
-
 /// H and H0 are the assumptions.
 constexpr const char* by_halves = R"(
   destruct (halves theta) as (sine & cosine & circle); rewrite ?sine, ?cosine;
@@ -614,7 +578,7 @@ Provables proofs() {
        {singular,
         {"corrected_images", all.letters, all.given,
          equal(recorded_text("$AU^T$", any.typeset()), detail::recorded_value(any.M)), by_halves_and_rate}}});
-  for (Provable& p : proved) p.preamble = turnings_in_coq;
+  for (Provable& p : proved) p.preamble = coq_source({"turnings"});
 
   const std::vector<std::string> any_names{"m0", "m1", "m2", "m3", "m4", "m5", "m6", "m7", "m8",
                                            "a0", "a1", "a2", "b0", "b1", "b2", "c0", "c1", "c2"};

@@ -8,7 +8,6 @@
 #include <type_traits>
 
 #include "chapters/02_basic_concepts/07_curve_on_sphere/curve_on_sphere.hpp"
-#include "chapters/02_basic_concepts/shared/frame_proofs.hpp"
 #include "chapters/02_basic_concepts/shared/limits.hpp"
 #include "chapters/02_basic_concepts/shared/recorded_functions.hpp"
 #include "reference/text.hpp"
@@ -90,7 +89,6 @@ void curve_and_frame(Claims& claims, Table& at_time, Table& table, const std::ve
                  [](const auto& s) { return std::numbers::pi * std::abs(s.t); }},
        .printed = "$" + numbers + root + "$",
        .meant = "$" + numbers + "/" + root + "$",
-       .kind = Fault::lost_typography,
        .why = filled(
            R"(The bar above the root is lost in the text at hand: the three numbers are divided by their length. )"
            R"(Multiplied by it they leave the unit sphere, of which the next lines speak, at every $t$ but 0 and )"
@@ -518,8 +516,8 @@ Provables proofs() {
   std::ranges::move(at_time.proofs("2.7", all), std::back_inserter(proved));
   proved.push_back(proof_of_perpendicular());
   for (Provable& p : proved) {
-    p.preamble = std::string(orthonormal_in_coq) + root_in_coq + atan2_in_coq +
-                 "From Coquelicot Require Import AutoDerive.\n";
+    p.preamble =
+        coq_source({"orthonormal", "root", "atan2"}) + "From Coquelicot Require Import AutoDerive.\n";
     for (Lemma& lemma : p.lemmas)
       if (lemma.name.ends_with("differs")) lemma.tactic = by_bounds;
   }

@@ -190,7 +190,6 @@ void line_and_distance(Claims& claims, const std::vector<Place>& places) {
        .in_view = {R"(for $t_i\ge0$, a particle on the side of $N$)",
                    [](const Place& p) { return dot(p.N, p.P - p.C) >= 0; }},
        .near_misses = {{"$|s_i|$"}},
-       .kind = Fault::left_out,
        .root = "distance for coordinate",
        .why =
            R"($t_i=N\cdot(P_i-C)$ has a sign, a distance has none: on the side away from $N$, $t_i$ is the distance's )"
@@ -303,23 +302,6 @@ std::vector<Claim> claims(double seed, double k) {
 
 namespace {
 
-constexpr const char* sums_in_coq = R"(
-From Coq Require Import List Nsatz.
-Import ListNotations.
-Local Open Scope R_scope.
-
-(* over particles of the mass m at (x, y), however many *)
-Definition total (l : list (R * R * R)) (f : R -> R -> R -> R) : R :=
-  fold_right (fun p s => match p with (m, x, y) => f m x y end + s) 0 l.
-
-Lemma total_ext : forall l f g, (forall m x y, f m x y = g m x y) -> total l f = total l g.
-Proof.
-  intros l f g e. unfold total. induction l as [|[[m x] y] l h]; simpl; [reflexivity | now rewrite h, e].
-Qed.
-Lemma total_of_two : forall l a b f g,
-  total l (fun m x y => a * f m x y + b * g m x y) = a * total l f + b * total l g.
-Proof. intros. unfold total. induction l as [|[[m x] y] l h]; simpl; [|rewrite h]; ring. Qed.
-)";
 /// The sum of m (x - c) is the sum of m x minus c times the mass.
 constexpr const char* by_sums =
     "first [ apply total_ext; intros; first [ring | replace (d0 * d0 - d1 * - d1) with 1 by lra; field]\n"
@@ -404,7 +386,7 @@ Provables proofs() {
       "2.9", {any, letters, center, by_center, "it vanishes about the center of any number of masses"}));
   add(places.proofs("2.9",
                     {place, of_particle, unit, "first [field; lra | " + unit_normal + "field]", at_any}));
-  for (Provable& p : proved) p.preamble = sums_in_coq;
+  for (Provable& p : proved) p.preamble = coq_source({"sums"});
   return proved;
 }
 

@@ -5,7 +5,6 @@
 
 #include <numbers>
 
-#include "chapters/02_basic_concepts/shared/frame_proofs.hpp"
 #include "chapters/02_basic_concepts/shared/rotations.hpp"
 #include "chapters/provable_claims.hpp"
 #include "reference/reference.hpp"
@@ -231,78 +230,6 @@ Findings study(const Parameters& p, const Reference& truth) {
 
 // ---- proofs -----------------------------------------------------------------------------------------------
 
-/// Vectors are p u + q v + s w; S and C are sine and cosine of half the angle. Products and rotations of such
-/// vectors have this form again.
-constexpr const char* frame_in_coq = R"(
-Ltac product ui vi wi uj vj wj uk vk wk S C x y z :=
-  match goal with
-  | |- context [S * wj * (?p * uk + ?q * vk + ?s * wk) - S * wk * (?p * uj + ?q * vj + ?s * wj)] =>
-    replace (S * wj * (p * uk + q * vk + s * wk) - S * wk * (p * uj + q * vj + s * wj))
-      with (S * (p * vi - q * ui)) by ring [x y z]
-  | |- context [S * wj * (2 * (S * (?p * vk - ?q * uk))) - S * wk * (2 * (S * (?p * vj - ?q * uj)))] =>
-    replace (S * wj * (2 * (S * (p * vk - q * uk))) - S * wk * (2 * (S * (p * vj - q * uj))))
-      with (- (2 * (S * S)) * (p * ui + q * vi)) by ring [x y z]
-  | |- context [?p * ui + ?q * vi + ?s * wi + C * (2 * (S * (?p * vi - ?q * ui))) + - (2 * (S * S)) * (?p * ui + ?q * vi)] =>
-    replace (p * ui + q * vi + s * wi + C * (2 * (S * (p * vi - q * ui))) + - (2 * (S * S)) * (p * ui + q * vi))
-      with ((p * (1 - 2 * (S * S)) - q * (2 * (C * S))) * ui +
-            (p * (2 * (C * S)) + q * (1 - 2 * (S * S))) * vi + s * wi) by ring
-  | |- context [(?p * uj + ?q * vj + ?s * wj) * (?p1 * uk + ?q1 * vk + ?s1 * wk) - (?p * uk + ?q * vk + ?s * wk) * (?p1 * uj + ?q1 * vj + ?s1 * wj)] =>
-    replace ((p * uj + q * vj + s * wj) * (p1 * uk + q1 * vk + s1 * wk) - (p * uk + q * vk + s * wk) * (p1 * uj + q1 * vj + s1 * wj))
-      with ((q * s1 - s * q1) * ui + (s * p1 - p * s1) * vi + (p * q1 - q * p1) * wi) by ring [x y z]
-  | |- context [S * wj * uk - S * wk * uj] =>
-    replace (S * wj * uk - S * wk * uj)
-      with (S * vi) by ring [x y z]
-  | |- context [S * wj * vk - S * wk * vj] =>
-    replace (S * wj * vk - S * wk * vj)
-      with (- (S * ui)) by ring [x y z]
-  | |- context [S * wj * wk - S * wk * wj] =>
-    replace (S * wj * wk - S * wk * wj)
-      with (0) by ring
-  | |- context [S * wj * (2 * (S * vk)) - S * wk * (2 * (S * vj))] =>
-    replace (S * wj * (2 * (S * vk)) - S * wk * (2 * (S * vj)))
-      with (- (2 * (S * S)) * ui) by ring [x y z]
-  | |- context [S * wj * (2 * - (S * uk)) - S * wk * (2 * - (S * uj))] =>
-    replace (S * wj * (2 * - (S * uk)) - S * wk * (2 * - (S * uj)))
-      with (- (2 * (S * S)) * vi) by ring [x y z]
-  end.
-
-Ltac dot u0 u1 u2 v0 v1 v2 w0 w1 w2 uu vv ww uv uw vw :=
-  match goal with
-  | |- context [u0 * (?p * u0 + ?q * v0 + ?s * w0) + u1 * (?p * u1 + ?q * v1 + ?s * w1) +
-                  u2 * (?p * u2 + ?q * v2 + ?s * w2)] =>
-    replace (u0 * (p * u0 + q * v0 + s * w0) + u1 * (p * u1 + q * v1 + s * w1) +
-                  u2 * (p * u2 + q * v2 + s * w2))
-      with (p) by 
-        (transitivity (p * (u0 * u0 + u1 * u1 + u2 * u2) + q * (u0 * v0 + u1 * v1 + u2 * v2) + s * (u0 * w0 + u1 * w1 + u2 * w2));
-         [rewrite uu, uv, uw; ring | ring])
-  | |- context [v0 * (?p * u0 + ?q * v0 + ?s * w0) + v1 * (?p * u1 + ?q * v1 + ?s * w1) +
-                  v2 * (?p * u2 + ?q * v2 + ?s * w2)] =>
-    replace (v0 * (p * u0 + q * v0 + s * w0) + v1 * (p * u1 + q * v1 + s * w1) +
-                  v2 * (p * u2 + q * v2 + s * w2))
-      with (q) by 
-        (transitivity (p * (u0 * v0 + u1 * v1 + u2 * v2) + q * (v0 * v0 + v1 * v1 + v2 * v2) + s * (v0 * w0 + v1 * w1 + v2 * w2));
-         [rewrite uv, vv, vw; ring | ring])
-  | |- context [w0 * (?p * u0 + ?q * v0 + ?s * w0) + w1 * (?p * u1 + ?q * v1 + ?s * w1) +
-                  w2 * (?p * u2 + ?q * v2 + ?s * w2)] =>
-    replace (w0 * (p * u0 + q * v0 + s * w0) + w1 * (p * u1 + q * v1 + s * w1) +
-                  w2 * (p * u2 + q * v2 + s * w2))
-      with (s) by 
-        (transitivity (p * (u0 * w0 + u1 * w1 + u2 * w2) + q * (v0 * w0 + v1 * w1 + v2 * w2) + s * (w0 * w0 + w1 * w1 + w2 * w2));
-         [rewrite uw, vw, ww; ring | ring])
-  | |- context [(?p * u0 + ?q * v0 + ?s * w0) * (?p1 * u0 + ?q1 * v0 + ?s1 * w0) +
-                  (?p * u1 + ?q * v1 + ?s * w1) * (?p1 * u1 + ?q1 * v1 + ?s1 * w1) +
-                  (?p * u2 + ?q * v2 + ?s * w2) * (?p1 * u2 + ?q1 * v2 + ?s1 * w2)] =>
-    replace ((p * u0 + q * v0 + s * w0) * (p1 * u0 + q1 * v0 + s1 * w0) +
-                  (p * u1 + q * v1 + s * w1) * (p1 * u1 + q1 * v1 + s1 * w1) +
-                  (p * u2 + q * v2 + s * w2) * (p1 * u2 + q1 * v2 + s1 * w2))
-      with (p * p1 + q * q1 + s * s1) by 
-        (transitivity (p * p1 * (u0 * u0 + u1 * u1 + u2 * u2) + q * q1 * (v0 * v0 + v1 * v1 + v2 * v2) +
-          s * s1 * (w0 * w0 + w1 * w1 + w2 * w2) + (p * q1 + q * p1) * (u0 * v0 + u1 * v1 + u2 * v2) +
-          (p * s1 + s * p1) * (u0 * w0 + u1 * w1 + u2 * w2) + (q * s1 + s * q1) * (v0 * w0 + v1 * w1 + v2 * w2));
-         [rewrite uu, vv, ww, uv, uw, vw; ring | ring])
-  end.
-)";
-
 constexpr const char* by_frame = R"(
   pose proof (orthonormal u0 u1 u2 v0 v1 v2) as all; cbv zeta in all; rewrite H2, H3, H4 in all;
   destruct (all H H0 H1) as
@@ -338,68 +265,6 @@ constexpr const char* by_frame = R"(
                | dot u0 u1 u2 v0 v1 v2 w0 w1 w2 H H0 w_w H1 u_w v_w ];
   first [ reflexivity | ring [circle] | ring [circle z0 z1 z2 y0 y1 y2 x0 x1 x2] | lra ])";
 
-constexpr const char* rotations_in_coq = R"(
-(* Rotated by the quaternion (C, S w), vectors keep their products. *)
-Section Rotated.
-Variables S C w0 w1 w2 : R.
-Hypothesis circle : C * C = 1 - S * S.
-Hypothesis unit_axis : w2 * w2 = 1 - w0 * w0 - w1 * w1.
-Definition rotated0 p0 p1 p2 := p0 + C * (2 * (S * w1 * p2 - S * w2 * p1))
-  + (S * w1 * (2 * (S * w0 * p1 - S * w1 * p0)) - S * w2 * (2 * (S * w2 * p0 - S * w0 * p2))).
-Definition rotated1 p0 p1 p2 := p1 + C * (2 * (S * w2 * p0 - S * w0 * p2))
-  + (S * w2 * (2 * (S * w1 * p2 - S * w2 * p1)) - S * w0 * (2 * (S * w0 * p1 - S * w1 * p0))).
-Definition rotated2 p0 p1 p2 := p2 + C * (2 * (S * w0 * p1 - S * w1 * p0))
-  + (S * w0 * (2 * (S * w2 * p0 - S * w0 * p2)) - S * w1 * (2 * (S * w1 * p2 - S * w2 * p1))).
-Lemma keeps_dot : forall p0 p1 p2 q0 q1 q2,
-  rotated0 p0 p1 p2 * rotated0 q0 q1 q2 + rotated1 p0 p1 p2 * rotated1 q0 q1 q2 + rotated2 p0 p1 p2 * rotated2
-      q0 q1 q2
-    = p0 * q0 + p1 * q1 + p2 * q2.
-Proof. intros. unfold rotated0, rotated1, rotated2. ring [circle unit_axis]. Qed.
-Lemma keeps_cross : forall p0 p1 p2 q0 q1 q2,
-  let r0 := p1 * q2 - p2 * q1 in let r1 := p2 * q0 - p0 * q2 in let r2 := p0 * q1 - p1 * q0 in
-  rotated1 p0 p1 p2 * rotated2 q0 q1 q2 - rotated2 p0 p1 p2 * rotated1 q0 q1 q2 = rotated0 r0 r1 r2 /\
-  rotated2 p0 p1 p2 * rotated0 q0 q1 q2 - rotated0 p0 p1 p2 * rotated2 q0 q1 q2 = rotated1 r0 r1 r2 /\
-  rotated0 p0 p1 p2 * rotated1 q0 q1 q2 - rotated1 p0 p1 p2 * rotated0 q0 q1 q2 = rotated2 r0 r1 r2.
-Proof. intros. unfold r0, r1, r2, rotated0, rotated1, rotated2. repeat split; ring [circle unit_axis]. Qed.
-Lemma keeps_volume : forall p0 p1 p2 q0 q1 q2,
-  let r0 := p1 * q2 - p2 * q1 in let r1 := p2 * q0 - p0 * q2 in let r2 := p0 * q1 - p1 * q0 in
-  (rotated1 p0 p1 p2 * rotated2 q0 q1 q2 - rotated2 p0 p1 p2 * rotated1 q0 q1 q2) * rotated0 r0 r1 r2
-    + (rotated2 p0 p1 p2 * rotated0 q0 q1 q2 - rotated0 p0 p1 p2 * rotated2 q0 q1 q2) * rotated1 r0 r1 r2
-    + (rotated0 p0 p1 p2 * rotated1 q0 q1 q2 - rotated1 p0 p1 p2 * rotated0 q0 q1 q2) * rotated2 r0 r1 r2
-    = r0 * r0 + r1 * r1 + r2 * r2.
-Proof.
-  intros. destruct (keeps_cross p0 p1 p2 q0 q1 q2) as [E0 [E1 E2]]. rewrite E0, E1, E2. apply keeps_dot.
-Qed.
-End Rotated.
-Ltac by_rotation a0 a1 a2 b0 b1 b2 :=
-  lazymatch goal with u : ?u0 * ?u0 + ?u1 * ?u1 + ?u2 * ?u2 = 1, v : ?v0 * ?v0 + ?v1 * ?v1 + ?v2 * ?v2 = 1,
-    W0 : ?u1 * ?v2 - ?u2 * ?v1 = ?w0, W1 : _ = ?w1, W2 : ?u0 * ?v1 - ?u1 * ?v0 = ?w2, across : ?u0 * ?v0 + _ +
-        _ = 0
-  |- context [sin (?theta / 2)] =>
-    assert (circle : cos (theta / 2) * cos (theta / 2) = 1 - sin (theta / 2) * sin (theta / 2))
-      by (pose proof (sin2_cos2 (theta / 2)) as one; unfold Rsqr in one; lra);
-    destruct (orthonormal u0 u1 u2 v0 v1 v2 u v across) as [[w_w _] _]; rewrite W0, W1, W2 in w_w;
-    assert (unit_axis : w2 * w2 = 1 - w0 * w0 - w1 * w1) by lra;
-    set (S := sin (theta / 2)) in *; set (C := cos (theta / 2)) in *; clearbody S C
-  end;
-  lazymatch goal with circle : ?C * ?C = _, unit_axis : _ = 1 - ?w0 * ?w0 - ?w1 * ?w1 |- _ =>
-    set (d0 := 1 / sqrt (a0 * a0 + a1 * a1 + a2 * a2) * a0); set (d1 := 1 / sqrt (a0 * a0 + a1 * a1 + a2 * a2)
-        * a1);
-    set (d2 := 1 / sqrt (a0 * a0 + a1 * a1 + a2 * a2) * a2); set (e0 := 1 / sqrt (b0 * b0 + b1 * b1 + b2 * b2)
-        * b0);
-    set (e1 := 1 / sqrt (b0 * b0 + b1 * b1 + b2 * b2) * b1); set (e2 := 1 / sqrt (b0 * b0 + b1 * b1 + b2 * b2)
-        * b2);
-    clearbody d0 d1 d2 e0 e1 e2;
-    pose proof (keeps_dot _ _ _ _ _ circle unit_axis) as K;
-    first [ exact (K d0 d1 d2 d0 d1 d2) | exact (K d0 d1 d2 e0 e1 e2) | exact (K e0 e1 e2 e0 e1 e2)
-          | exact (K d0 d1 d2 (d1 * e2 - d2 * e1) (d2 * e0 - d0 * e2) (d0 * e1 - d1 * e0))
-          | exact (K e0 e1 e2 (d1 * e2 - d2 * e1) (d2 * e0 - d0 * e2) (d0 * e1 - d1 * e0))
-          | exact (K (d1 * e2 - d2 * e1) (d2 * e0 - d0 * e2) (d0 * e1 - d1 * e0) (d1 * e2 - d2 * e1) (d2 * e0
-              - d0 * e2) (d0 * e1 - d1 * e0))
-          | exact (keeps_volume _ _ _ _ _ circle unit_axis d0 d1 d2 e0 e1 e2) ]
-  end.
-)";
-
 Provables proofs() {
   Claims claims("2.11");
   Table table(claims);
@@ -425,7 +290,7 @@ Provables proofs() {
   for (Provable& p : proved) {
     const bool rigid = p.claim == "2.11-rigid";
     if (rigid) p.lemmas[0].tactic = "by_rotation a0 a1 a2 b0 b1 b2";
-    p.preamble = std::string(orthonormal_in_coq) + (rigid ? rotations_in_coq : frame_in_coq);
+    p.preamble = coq_source({rigid ? "rotations" : "turned_frame"});
   }
   return proved;
 }

@@ -189,7 +189,6 @@ void antiderivative(ProvableClaims<ColumnOf>& table, const std::vector<Column>& 
        .truth = from_columns,
        .printed = printed,
        .meant = meant,
-       .kind = Fault::lost_typography,
        .why = filled(
            "The bar above the 3 is lost in the text at hand: $(x-x^7/7)/3$, whose difference is @4, the integral. "
            "As printed it is @4.",
@@ -259,27 +258,6 @@ std::vector<Claim> claims(double seed) {
 
 namespace {
 
-constexpr const char* nested_in_coq = R"(
-(* F is the antiderivative by y of f, and G by x of what F makes of the ends. *)
-Lemma nested_by : forall (F f : R -> R -> R) G lo hi a b,
-  (forall x y, is_derive (F x) y (f x y)) -> (forall x y, continuous (f x) y) ->
-  (forall x, is_derive G x (F x (hi x) - F x (lo x))) ->
-  (forall x, continuous (fun x => F x (hi x) - F x (lo x)) x) ->
-  RInt (fun x => RInt (fun y => f x y) (lo x) (hi x)) a b = G b - G a.
-Proof.
-  intros F f G lo hi a b D C E K. rewrite <- (RInt_by G (fun x => F x (hi x) - F x (lo x))); auto.
-  apply RInt_ext. intros x _. apply (RInt_by (F x)); auto.
-Qed.
-
-Ltac derived := intros; auto_derive; solve [repeat split; trivial | field].
-Ltac nest F G :=
-  match goal with |- RInt (fun x => RInt (fun y => @?f x y) _ _) _ _ = _ =>
-    rewrite (nested_by F f G (fun x => x ^ 2) (fun _ => 1));
-      [| derived | intros; apply @ex_derive_continuous; auto_derive; solve [repeat split; trivial]
-       | derived | intros; apply @ex_derive_continuous; auto_derive; solve [repeat split; trivial]] end;
-  match goal with |- ?x = ?y => change (@eq R x y) end; field.
-)";
-
 /// The antiderivatives by y, and those by x of their differences.
 constexpr const char* antiderivatives[] = {
     "nest (fun x y : R => y ^ 3 / 3) (fun x : R => (x - x ^ 7 / 7) / 3)",
@@ -295,7 +273,7 @@ Expression component_integral(std::size_t k) { return by_definition<Shortened>(k
 }  // namespace
 
 Provables proofs() {
-  const std::string preamble = std::string(integrals_in_coq) + nested_in_coq;
+  const std::string preamble = coq_source({"nested"});
   const auto by_rows = in_rationals();
   constexpr const char* names[] = {"xx", "yy", "zz", "xy", "xz", "yz"};
   Provables proved;

@@ -208,19 +208,6 @@ std::vector<Claim> claims(double seed) {
 
 namespace {
 
-constexpr const char* totals_in_coq = R"(
-From Coq Require Import List.
-Local Open Scope R_scope.
-
-(* over particles of the mass m at (x, y, z), however many *)
-Definition total (l : list (R * R * R * R)) (f : R -> R -> R -> R -> R) : R :=
-  fold_right (fun p s => match p with (m, x, y, z) => f m x y z end + s) 0 l.
-
-Ltac by_particles l :=
-  unfold total; induction l as [|[[[m x] y] z] l h]; cbn [fold_right]; [ring |];
-  first [rewrite <- h; ring | rewrite h; ring].
-)";
-
 /// The first moments about the center, which H, H0 and H1 define.
 constexpr const char* first_moments_vanish = R"(
   assert (f0 : total l (fun m x y z => m * (x - c0)) = 0)
@@ -283,7 +270,7 @@ Provables proofs() {
                                 : "it is the component of any number of particles, about any point",
                       {lemma},
                       0,
-                      totals_in_coq});
+                      coq_source({"totals"})});
   }
   return proved;
 }

@@ -174,7 +174,6 @@ void misprints(Table& table, const Samples& samples) {
            R"($r\omega\bigl((-1+\cos\omega T-\sin\omega T)+\omega T(\cos\omega T+\sin\omega T)\bigr)$)",
        .meant = R"($\frac r\omega\bigl((-1+\cos\omega T-\sin\omega T))"
                 R"(+\omega T(\cos\omega T+\sin\omega T)\bigr)$)",
-       .kind = Fault::lost_typography,
        .why = R"(A fraction bar and a parenthesis are lost: the factor is $r/\omega$, not $r\omega$, and )"
               R"(precedes the whole. Their ratio is $\omega^2$: they agree at $\omega=1$ alone.)"});
   table.formula(
@@ -185,7 +184,6 @@ void misprints(Table& table, const Samples& samples) {
        .printed = work("0", R"({2\pi\omega})", "1"),
        .meant = work("0", R"({2\pi/\omega})", "1"),
        .changes_that_hold = of_zero,
-       .kind = Fault::lost_typography,
        .why =
            filled(R"(The fraction bar is lost: a turn takes $2\pi/\omega$. At $2\pi\omega$ the particle has )"
                   R"(turned by $2\pi\omega^2$ and the work is zero by chance only, as for $\omega=1$; for )"
@@ -313,7 +311,6 @@ void zeros_of_the_power(Claims& claims, const Samples& samples) {
            R"(What is said of these times is true, and the formula before it shows the rest: )"
            R"($W'=r\omega T(\cos\omega T-\sin\omega T)$ has the factor $T$. So $W'$ is zero at $T=0$ as well, )"
            R"(a minimum, $W\approx r\omega T^2/2$, and no $\pi/4+k\pi$.)",
-       .kind = Fault::left_out,
        .root = "the start is stationary too"});
 }
 
@@ -398,7 +395,6 @@ void growth(Claims& claims, const Samples& samples) {
       {.printed = {work(R"({\pi/4+2n\pi})", R"({\pi/4+2(n+1)\pi})", "t", ">0")},
        .meant = {maxima_grow},
        .near_misses = {{minima_grow}},
-       .kind = Fault::lost_typography,
        .why =
            filled(R"(The maxima are at $\omega T=\pi/4+2n\pi$, where $W$ grows by $2\sqrt2\,\pi r/\omega$ )"
                   R"(each time. At $T=\pi/4+2n\pi$, as printed, it depends on $\omega$: for $\omega=2$ each )"
@@ -435,27 +431,6 @@ std::vector<Claim> claims(double seed) {
   for (auto* section : {zeros_of_the_power, extrema, values_at_maxima, growth}) section(claims, samples);
   return claims.in_order();
 }
-
-/// Antiderivatives of the powers and of the terms of their integrals, by t or by a fraction u of the time.
-constexpr const char* extrema_in_coq = R"(
-Lemma sum_of_shifted : forall x, cos x - sin x = sqrt 2 * sin (PI / 4 - x).
-Proof.
-  intro x. rewrite sin_minus, sin_PI4, cos_PI4. pose proof (sqrt_lt_R0 2 ltac:(lra)). field. lra.
-Qed.
-Lemma alike_at : forall x, cos x - sin x = 0 <-> exists k : Z, x = PI / 4 + IZR k * PI.
-Proof.
-  intro x. rewrite sum_of_shifted. pose proof (sqrt_lt_R0 2 ltac:(lra)). split.
-  - intro none. apply Rmult_integral in none. destruct none as [none | none]; [lra |].
-    destruct (sin_eq_0_0 _ none) as [k K]. exists (- k)%Z. rewrite opp_IZR. lra.
-  - intros [k K]. rewrite (sin_eq_0_1 (PI / 4 - x)); [ring |]. exists (- k)%Z. rewrite opp_IZR. lra.
-Qed.
-Lemma at_most_root : forall x, cos x + sin x <= sqrt 2.
-Proof.
-  intro x. pose proof (sin2_cos2 x) as all. unfold Rsqr in all.
-  apply Rsqr_incr_0_var; [unfold Rsqr; rewrite sqrt_sqrt by lra; pose proof (Rle_0_sqr (cos x - sin x)) | apply sqrt_pos].
-  unfold Rsqr in *. lra.
-Qed.
-)";
 
 /// For (1, 1, 1): the zeros of its power, the maximum of its work, and its potential.
 Provables about_extrema(const ForAll<SampleOf>& all) {
@@ -512,7 +487,7 @@ Provables about_extrema(const ForAll<SampleOf>& all) {
          {{"RInt (fun t => " + work + ") a b = x b + y b + z b - (x a + y a + z a)"}},
          "apply (RInt_by (fun t => x t + y t + z t)); intro t; destruct (H t) as [? [? ?]]; destruct (H0 t) as [? [? ?]];\n"
          "  [repeat apply @is_derive_plus | repeat apply @continuous_plus]; assumption"}}}};
-  for (Provable& p : proved) p.preamble = std::string(integrals_in_coq) + extrema_in_coq;
+  for (Provable& p : proved) p.preamble = coq_source({"extrema"});
   return proved;
 }
 
@@ -541,7 +516,7 @@ Provables proofs() {
   all.given = {not_zero(all.any.w.expression())};
   Provables proved = table.proofs("2.17", all);
   for (Provable& claim : proved) {
-    claim.preamble = integrals_in_coq;
+    claim.preamble = coq_source({"integrals"});
     for (Lemma& lemma : claim.lemmas)
       if (lemma.tactic == "interval") lemma.tactic = "integral";
   }

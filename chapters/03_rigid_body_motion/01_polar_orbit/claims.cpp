@@ -244,7 +244,6 @@ void about_the_ellipse(Curves& t) {
                  [](const auto& p) { return values((p.at_zero() - p.at_pi()) / 2, 0); }, &Point::farthest},
        .printed = R"($(\pm c,0)$)",
        .corrected = R"($(\mp c,0)$)",
-       .kind = Fault::formula,
        .root = "the sign of the center",
        .why =
            R"($(x\pm c)^2$ is zero at $x=\mp c$. The orbit has the plus sign: its center, midway between the )"
@@ -275,7 +274,6 @@ void about_the_ellipse(Curves& t) {
        .truth = all_apart,
        .printed = R"($r+\sqrt{(x\mp2c)^2+y^2}$)",
        .corrected = R"($r+\sqrt{(x\pm2c)^2+y^2}$)",
-       .kind = Fault::formula,
        .root = "the sign of the center",
        .why = filled(
            R"(For $e=@3$, $\rho=@2$ the distances to the origin and $(2c,0)$ add up to @3 at the aphelion. Those )"
@@ -362,103 +360,6 @@ ForAll<PointOf> on_curve(double sign, const std::string& says) {
   return all;
 }
 
-/// For claims about distances and the angle.
-const std::string distances_in_coq = R"(
-(* r > 0 on the orbit, and below the farthest. *)
-Lemma on_orbit : forall e rho x y, e > 0 -> 1 - e > 0 -> rho > 0 ->
-  y * y = (e * rho - e * x) * (e * rho - e * x) - x * x -> e * rho - e * x > 0 /\ (1 - e) * (e * rho - e * x) <= e * rho.
-Proof.
-  intros e rho x y E U P C. set (r := e * rho - e * x) in *.
-  assert (M : e * rho > 0) by (apply Rmult_lt_0_compat; lra). assert (R : r + e * x = e * rho) by (unfold r; ring).
-  assert (B : x * x <= r * r) by nra. clearbody r.
-  assert (far : r > 0).
-  { destruct (Rlt_le_dec 0 r) as [|N]; trivial. assert (0 < x) by nra. assert (- r < x) by nra. nra. }
-  split; trivial. assert (- r <= x) by (destruct (Rle_lt_dec (- r) x) as [|N]; trivial; nra). nra.
-Qed.
-(* From the orbit's other focus, the only root there is. *)
-Ltac other_distance e rho x C :=
-  let d := constr:(e * rho / (1 + e) + e * rho / (1 - e) - (e * rho - e * x)) in
-  match goal with |- context [sqrt ?q] =>
-    replace q with (d * d) by (field [C]; repeat split; lra);
-    rewrite sqrt_square by (apply Rmult_le_reg_r with (1 - e); [lra |];
-      assert (e * rho / (1 + e) > 0) by (apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat |]; lra);
-      replace (d * (1 - e)) with (e * rho / (1 + e) * (1 - e) + (e * rho - (1 - e) * (e * rho - e * x)))
-        by (field; lra); nra) end.
-Ltac by_distance :=
-  match goal with E : ?e > 0, U : 1 - ?e > 0, P : ?rho > 0, C : ?y * ?y = _ - ?x * ?x |- _ =>
-    try replace (x ^ 2 + y ^ 2) with (x * x + y * y) by ring;
-    try replace (1 - e ^ 2) with ((1 - e) * (1 + e)) by ring;
-    destruct (on_orbit e rho x y E U P C) as [far below];
-    assert (square : x * x + y * y = (e * rho - e * x) * (e * rho - e * x)) by lra;
-    try rewrite cos_atan2 by (rewrite square; apply Rmult_lt_0_compat; lra);
-    rewrite ?square, ?sqrt_square by lra;
-    try other_distance e rho x C;
-    field; repeat split; lra end.
-Ltac by_mirrored_distance :=
-  match goal with E : ?e > 0, U : 1 - ?e > 0, P : ?rho > 0, C : ?y * ?y = _ - ?x * ?x |- _ =>
-    replace (1 - e ^ 2) with ((1 - e) * (1 + e)) by ring;
-    assert (M : y * y = (e * rho - e * - x) * (e * rho - e * - x) - - x * - x) by (rewrite C; ring);
-    destruct (on_orbit e rho (- x) y E U P M) as [far below];
-    other_distance e rho (- x) M; field; repeat split; lra end.
-)";
-
-/// Lemmas for claims about the highest point, at the angle `top`.
-const std::string heights_in_coq = R"(
-Lemma on_orbits : forall e t, e > 0 -> 1 - e > 0 ->
-  1 + e * cos t > 0 /\ sin t * sin t = 1 - cos t * cos t.
-Proof.
-  intros e t E U. pose proof (COS_bound t). pose proof (sin2_cos2 t) as C. unfold Rsqr in C. split; nra.
-Qed.
-Ltac by_height :=
-  lazymatch goal with E : ?e > 0, U : 1 - ?e > 0, P : ?rho > 0, T : ?top > 0, B : PI - ?top > 0, F : _ = 0 |-
-      _ =>
-    try replace (1 - e ^ 2) with ((1 - e) * (1 + e)) by ring;
-    destruct (on_orbits e top E U) as [D C]; assert (S : sin top > 0) by (apply sin_gt_0; lra);
-    remember (cos top) as c eqn:is_c; remember (sin top) as s eqn:is_s; clear is_c is_s T B top;
-    apply (f_equal (fun z => z * ((1 + e * c) * (1 + e * c) / (e * rho)))) in F; cbv beta in F; rewrite
-        Rmult_0_l in F;
-    match type of F with ?l = _ => replace l with (c + e * (c * c + s * s)) in F by (field; repeat split; lra)
-        end;
-    assert (is_c : c = - e) by (replace (c * c + s * s) with 1 in F by (rewrite C; ring); lra); subst c; clear
-        F;
-    assert (sine : s * s = (1 - e) * (1 + e)) by (rewrite C; ring);
-    assert (root : sqrt ((1 - e) * (1 + e)) = s) by (apply sqrt_lem_1; [rewrite <- sine; apply Rle_0_sqr | lra
-        | exact sine]);
-    try rewrite root; try (replace (1 / ((1 - e) * (1 + e))) with (1 / (s * s)) by (rewrite C; f_equal;
-        ring));
-    field [sine]; repeat split; lra end.
-Ltac by_top :=
-  lazymatch goal with E : ?e > 0, U : 1 - ?e > 0, P : ?rho > 0 |- _ =>
-    assert (C : cos (acos (- e)) = - e) by (apply cos_acos; lra);
-    assert (B : 0 < acos (- e) < PI) by (apply acos_bound_lt; lra);
-    try lra;
-    assert (S : sin (acos (- e)) > 0) by (apply sin_gt_0; lra);
-    destruct (on_orbits e (acos (- e)) E U) as [_ Q]; rewrite C in *;
-    remember (sin (acos (- e))) as s eqn:is_s; clear is_s B C;
-    match goal with
-    | |- _ = 0 => field [Q]; nra
-    | |- context [cos ?t] =>
-      destruct (on_orbits e t E U) as [D R]; remember (cos t) as c eqn:is_c; remember (sin t) as d eqn:is_d;
-          clear is_c is_d;
-      assert (q : 1 - e * e > 0) by nra;
-      assert (L : d * (1 - e * e) <= s * (1 + e * c)) by (apply Rsqr_incr_0_var; [unfold Rsqr;
-        replace (s * (1 + e * c) * (s * (1 + e * c))) with (s * s * ((1 + e * c) * (1 + e * c))) by ring;
-            rewrite Q;
-        replace (d * (1 - e * e) * (d * (1 - e * e))) with (d * d * ((1 - e * e) * (1 - e * e))) by ring;
-            rewrite R;
-        pose proof (Rle_0_sqr (c + e)) as N; unfold Rsqr in N;
-        assert (0 <= (1 - e * e) * ((c + e) * (c + e))) by (apply Rmult_le_pos; lra); lra | apply Rlt_le,
-            Rmult_lt_0_compat; lra]);
-      assert (w : 0 < e * rho / ((1 + e * c) * (1 - e * e)))
-        by (apply Rdiv_lt_0_compat; apply Rmult_lt_0_compat; lra);
-      replace (e * rho / (1 + e * c) * d) with (e * rho / ((1 + e * c) * (1 - e * e)) * (d * (1 - e * e)))
-        by (field; split; lra);
-      replace (e * rho / (1 + e * - e) * s) with (e * rho / ((1 + e * c) * (1 - e * e)) * (s * (1 + e * c)))
-        by (field; repeat split; lra);
-      apply Rmult_le_compat_l; lra
-    end end.
-)";
-
 ForAll<PointOf> at_the_top(const std::string& says) {
   const PointOf<Shortened> p = any_point(0);
   const Shortened top = Shortened::letter("top");
@@ -483,32 +384,6 @@ Lemma top_there_is() {
           .tactic = "by_top"};
 }
 
-const std::string anomalies_in_coq = R"(
-(* The ellipse's points by the cosine k and the sine l of their eccentric anomaly. *)
-Ltac by_anomaly :=
-  lazymatch goal with E : ?e > 0, U : 1 - ?e > 0, P : ?rho > 0, far : ?r > 0, C : ?y * ?y = _ - ?x * ?x |- _
-      =>
-    assert (is_q : (1 - e) * (1 + e) > 0) by (apply Rmult_lt_0_compat; lra);
-    pose proof (sqrt_sqrt _ (Rlt_le _ _ is_q)) as root;
-    assert (near : x <= r) by nra;
-    assert (positive : e * rho / ((1 - e) * (1 + e)) * (1 - e * (x / r)) > 0)
-      by (apply Rmult_lt_0_compat; [apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat |]; lra |
-        assert (x / r <= 1) by (apply Rmult_le_reg_r with r; [| replace (x / r * r) with x by (field; lra)];
-            lra); nra]);
-    match goal with |- context [atan2 ?v ?u] =>
-      assert (square : u * u + v * v = e * rho / ((1 - e) * (1 + e)) * (1 - e * (x / r)) * (e * rho / ((1 - e)
-          * (1 + e)) * (1 - e * (x / r))))
-        by (remember (sqrt ((1 - e) * (1 + e))) as s eqn:is_s; clear is_s; field [root C]; repeat split; lra);
-      assert (off : u * u + v * v > 0) by (rewrite square; now apply Rmult_lt_0_compat);
-      rewrite (cos_atan2 v u off), square, sqrt_square by (apply Rlt_le, positive);
-      assert (sum : e * rho / ((1 - e) * (1 + e)) * (1 - e * (x / r)) + e * u = e * rho) by (field; repeat
-          split; lra);
-      remember (e * rho / ((1 - e) * (1 + e)) * (1 - e * (x / r))) as d eqn:is_d; clear is_d square off;
-      replace (1 + e * (u / d)) with ((d + e * u) / d) by (generalize u; intro; field; lra); rewrite sum end;
-    field; repeat split; lra
-  end.
-)";
-
 Provable proof_of_solutions() {
   const PointOf<Shortened> p{{0.5, 1}, 1, 0.6, 0.8, 0};
   const PointOf<Shortened> any = any_point(0);
@@ -524,7 +399,7 @@ Provable proof_of_solutions() {
         .follows = {apart(distance_on_ellipse(-1).recorded(p)[0], orbit_at_angle(-1).recorded(p)[0], 0.4)},
         .tactic = "rewrite cos_atan2 by interval; interval"}},
       0.4,
-      atan2_in_coq + anomalies_in_coq};
+      coq_source({"anomalies"})};
 }
 
 }  // namespace
@@ -553,11 +428,11 @@ Provables proofs() {
     add(curve->proofs("3.1", on_curve(1, on_both)), "orbit");
     add(curve->proofs("3.1", on_curve(-1, on_both)), "mirror_image");
   }
-  add(t.top.proofs("3.1", at_the_top(on_orbits)), "", heights_in_coq);
+  add(t.top.proofs("3.1", at_the_top(on_orbits)), "", coq_source({"heights"}));
   add({{"3.1-axes", on_orbits + ", and every orbit has a highest point", {top_there_is()}}}, "highest");
   for (const char* slug : {"multiplied", "distance", "origin_is_focus", "other_focus"}) {
     Provable& p = *std::ranges::find(all, "3.1-" + std::string(slug), &Provable::claim);
-    p.preamble = atan2_in_coq + distances_in_coq;
+    p.preamble = coq_source({"distances"});
     for (Lemma& lemma : p.lemmas)
       if (lemma.tactic != "interval")
         lemma.tactic = lemma.name == "mirror_image" ? "by_mirrored_distance" : "by_distance";

@@ -437,7 +437,6 @@ void forms(ProvableClaims<Of>& table, std::string_view slug, int line,
                  .truth = truth,
                  .printed = row(printed),
                  .meant = row(also.meant),
-                 .kind = also.meant.empty() ? Fault::none : Fault::lost_typography,
                  .why = also.why});
 }
 
@@ -516,7 +515,6 @@ void equations_of_motion(Table& table, const std::vector<Moment>& moments) {
                       [](const auto& k) { return in_plane(k.ax, k.ay, 3); }),
        .printed = R"($(-GM\,r^3\,\mathbf r,\ -GM\,r^2\,\mathbf R,\ -(GM/r^2)\mathbf R+0\,\mathbf P)$)",
        .meant = R"($(-(GM/r^3)\,\mathbf r,\ -(GM/r^2)\,\mathbf R,\ -(GM/r^2)\mathbf R+0\,\mathbf P)$)",
-       .kind = Fault::lost_typography,
        .why = filled(
            R"(The fraction bars are lost; the last form has its bar. Without them the first form multiplies )"
            R"(the pull on a planet twice as far away by @2 and the second by @1, instead of by @2.)",
@@ -541,7 +539,6 @@ void equations_of_motion(Table& table, const std::vector<Moment>& moments) {
                       }),
        .printed = R"($Mr^2\dot\theta$)",
        .corrected = R"($mr^2\dot\theta$)",
-       .kind = Fault::formula,
        .root = "the sun's mass for the planet's",
        .why = filled(
            R"($M$ is the mass that attracts, the sun's. By Lagrange's function $L=T-V$ of the planet it is )"
@@ -586,7 +583,6 @@ void equation_of_the_potential(Table& table, const std::vector<Moment>& moments)
                       [](const auto& k) { return k.m * (k.ax * k.c + k.ay * k.s); }),
        .printed = "$-dV/dr$",
        .corrected = R"($-m\,dV/dr$)",
-       .kind = Fault::formula,
        .root = "the sun's mass for the planet's",
        .why =
            R"(The force on a planet of mass $m$ is $-GMm/r^2$; $-GM/r$ is its energy divided by $m$, and )"
@@ -763,7 +759,6 @@ void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
                  }},
        .printed = R"($(G^2M^2/(r_0^4\dot\theta_0^2),\ GM\,\dot r_0\,r_0^2\dot\theta_0)$)",
        .meant = R"($(G^2M^2/(r_0^4\dot\theta_0^2),\ GM\,\dot r_0/(r_0^2\dot\theta_0))$)",
-       .kind = Fault::lost_typography,
        .why =
            filled(R"(The bars of the terms in $\dot r_0$ are lost in both lines. At the start of the scene )"
                   R"(below the second's $GM\,\dot r_0\,r_0^2\dot\theta_0$ is @2, and the quotient @2.)",
@@ -777,7 +772,6 @@ void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
                               [](const auto& k) { return k.slope(k.start.theta0) * sin(k.start.theta0); }),
        .printed = R"($GM\,\dot r_0\,r_0^2\dot\theta_0\sin\theta_0$)",
        .meant = R"($GM\,\dot r_0/(r_0^2\dot\theta_0)\,\sin\theta_0$)",
-       .kind = Fault::lost_typography,
        .why = "The fraction bar is lost, as in (4)."});
   table.formula(
       "V0_put_in", 1159, R"(Put into $c_0$ and $c_1$, $V_0$ is $GM\,r_0$.)", orbits,
@@ -786,7 +780,6 @@ void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
                               [](const auto& k) { return k.mean() - k.potential(k.start.theta0); }),
        .printed = R"($GM\,r_0$)",
        .meant = R"($GM/r_0$)",
-       .kind = Fault::lost_typography,
        .why =
            R"(The fraction bar is lost here and at lines 1171 and 1187; line 1143, which is put in, shows )"
            R"(it. The sign of $V_0$ is wrong in all of them.)"});
@@ -800,7 +793,6 @@ void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
                    .truth = truth,
                    .printed = "$" + quantity + "=" + left + right + "$",
                    .corrected = "$" + quantity + "=" + left + "-" + right + "$",
-                   .kind = Fault::formula,
                    .root = "sign of the potential at the start",
                    .why = std::move(why)});
   };
@@ -869,7 +861,6 @@ void any_start(Claims& claims, double seed) {
        .corrected = with_sign(sum + R"( for $\dot\theta_0\ne0$)", -1),
        .in_view = {R"(for a planet that goes round, $\dot\theta_0\ne0$)", turning},
        .near_misses = {with_sign(R"(this sum for $\dot\theta_0\ne0$, with $+GM/r_0$ in (4) and (5))", 1)},
-       .kind = Fault::left_out,
        .root = "a start without angular momentum",
        .why =
            R"(Both divide by $\dot\theta_0$. A planet that starts at rest, or straight towards the sun or away from )"
@@ -1098,7 +1089,6 @@ void polar_orbit(LaterTable& table, const std::vector<Later>& orbits) {
        .truth = {"$r$ later on a path by Newton's law", [](const auto& k) { return k.r(); }},
        .printed = R"($r=e\rho/(1+e\cos\theta)$)",
        .corrected = R"($r=e\rho/(1+e\cos(\theta-\omega))$)",
-       .kind = Fault::formula,
        .root = "angle from the axis for the angle from the perihelion",
        .why =
            R"(The polar equation measures the angle from the perihelion, the direction of the constant )"
@@ -1157,7 +1147,6 @@ void inputs_of_the_orbit(Claims& claims, const std::vector<Later>& orbits, doubl
        .in_view = {R"(for a planet that is slower than escape, as the Earth is)",
                    [=](const AnyStart& k) { return speed(k) < 2; }},
        .near_misses = {{R"($\dot r_0^2+r_0^2\dot\theta_0^2<2.5\,GM/r_0$ has $e<1$)", below(2.5)}},
-       .kind = Fault::left_out,
        .root = "faster than escape",
        .why = filled(
            R"(Only below the speed of escape, $\dot r_0^2+r_0^2\dot\theta_0^2<2GM/r_0$, at the Earth's distance @2 )"
@@ -1178,7 +1167,6 @@ void inputs_of_the_orbit(Claims& claims, const std::vector<Later>& orbits, doubl
        .corrected = {R"($r=\frac{\gamma_0^2/(GM)}{1+e\cos(\theta-\omega)}$)"},
        .in_view = {"for an ellipse that is no circle",
                    [](const Later& k) { return Elements(k.start).gamma1 > 0; }},
-       .kind = Fault::left_out,
        .root = "a circle divides by zero",
        .why =
            R"(A circle ($\dot r_0=0$, $r_0^3\dot\theta_0^2=GM$) has $\gamma_1=0$: $\rho$ is a division by zero, and )"
@@ -1314,7 +1302,7 @@ Provables proofs_at_a_moment() {
       at_any_moment<MomentOf>(equations_of_motion, equation_of_the_potential, moments_of_the_velocity);
   std::ranges::move(at_any_moment<PushedOf>(polar_acceleration), std::back_inserter(proved));
   for (Provable& p : proved) {
-    p.preamble = std::string(root_in_coq) + atan2_in_coq;
+    p.preamble = coq_source({"root", "atan2"});
     if (p.claim == "3.3-characteristic") {
       p.says = "they are all its roots; by i, as a matrix, it holds at any moment of any orbit";
       p.lemmas.push_back(roots_of_minus_one());
@@ -1369,8 +1357,8 @@ ForAll<LaterOf> on_any_path(const std::string& theta) {
   return all;
 }
 
-Provables with_orbits(Provables proved, const std::string& more = {}) {
-  for (Provable& p : proved) p.preamble = std::string(root_in_coq) + atan2_in_coq + orbits_in_coq + more;
+Provables with(std::string_view source, Provables proved) {
+  for (Provable& p : proved) p.preamble = coq_source({source});
   return proved;
 }
 
@@ -1382,7 +1370,7 @@ Provables proofs_from_a_start() {
   Provables proved = proofs_of(all, constants_of_motion, vectors);
   for (Provable& p : proofs_of(half, constants_of_motion, vectors))
     if (std::ranges::find(proved, p.claim, &Provable::claim) == proved.end()) proved.push_back(std::move(p));
-  return with_orbits(std::move(proved));
+  return with("orbits", std::move(proved));
 }
 
 /// For orbits that have a perihelion.
@@ -1396,7 +1384,7 @@ Provables proofs_of_the_orbit() {
   for (Provable& p : proved)
     for (Lemma& lemma : p.lemmas)
       if (lemma.tactic == "interval") lemma.tactic = "first [interval | integral]";
-  return with_orbits(std::move(proved), turns_in_coq());
+  return with("turns", std::move(proved));
 }
 
 /// The angle is a function of the time.
@@ -1407,7 +1395,7 @@ Provables proofs_of_the_time() {
   all.given.push_back({"(forall s, at_angle x y s (angle s) /\\ ex_derive angle s)"});
   all.tactic = "by_time";
   all.says += "; the angle is a differentiable function of the time";
-  return with_orbits(proofs_of(all, time_by_angle), times_in_coq());
+  return with("times", proofs_of(all, time_by_angle));
 }
 
 /// The printed formulas divide by zero.

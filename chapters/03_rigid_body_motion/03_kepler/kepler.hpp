@@ -155,14 +155,10 @@ inline Estimate error_of_lagrange_series(double e, double M, int terms) {
 std::vector<Claim> claims(double seed);
 std::vector<Root> roots();
 
-// Tactics and lemmas of in_coq.cpp: a moment's distance, the characteristic roots, a circle, bounds. Then
-// motion by Newton's law, the constants of its path, an ellipse and its turn, the time by the angle.
+// Tactics of tactics.cpp: a moment's distance, the characteristic roots, a circle, bounds.
 extern const char* const by_distance;
 extern const char* const by_factors;
 extern const char* const by_circle;
 extern const char* const by_bounds;
-extern const char* const orbits_in_coq;
-std::string turns_in_coq();
-std::string times_in_coq();
 
 }  // namespace oddity::kepler

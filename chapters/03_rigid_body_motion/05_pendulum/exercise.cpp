@@ -305,7 +305,6 @@ std::vector<Claim> claims(const Reference& truth) {
        .printed = {split(root, "2")},
        .meant = {split(root, R"(\frac\pi2)")},
        .near_misses = {{split(R"(\frac{\sqrt2}{\cos a})", R"(\frac\pi2)")}},
-       .kind = Fault::lost_typography,
        .why = filled(
            R"(The $\pi$ of $\pi/2$ and the fraction bars are lost: without them, the remainder does not )"
            R"(vanish with $\epsilon$, and the time is @2 too long. The listing has `HALF_PI`, and )"

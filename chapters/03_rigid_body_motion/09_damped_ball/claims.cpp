@@ -154,17 +154,10 @@ std::vector<InLine> in_line(double seed) {
 template <class T>
 struct PolynomialOf {
   T m, c, a, r, t;
-  PolynomialOf() = default;
-  explicit PolynomialOf(Random& random)
-      : m(random.between(0.1, 3)),
-        c(random.between(0.1, 3)),
-        a(random.between(0.1, 9)),
-        r(random.between(-3, 3)),
-        t(random.between(0, 2)) {}
-  std::array<T*, 5> letters() { return {&m, &c, &a, &r, &t}; }
-  TypesetIn<T> typeset() const {
-    return {{"m", m}, {"c", c}, {"a", a}, {"r", r}, {R"(\mathrm{Im}\,r)", {root(1)[1], root(-1)[1]}}};
+  Letters<T> table() {
+    return {{"m", m, {0.1, 3}}, {"c", c, {0.1, 3}}, {"a", a, {0.1, 9}}, {"r", r, {-3, 3}}, {"t", t, {0, 2}}};
   }
+  TypesetIn<T> typeset() const { return {{R"(\mathrm{Im}\,r)", {root(1)[1], root(-1)[1]}}}; }
   /// Real and imaginary part.
   Two<T> root(double sign, double factor = 4) const {
     const T square = a * a - factor * m * c, size = abs(square);
@@ -397,7 +390,6 @@ void solutions(Claims& claims, std::vector<Polynomial> polynomials, double seed)
            1),
        .in_view = {"where the roots differ", [](const Strong& s) { return s.r1 != s.r2; }},
        .near_misses = {two_forms(R"($(p+vt)\,e^{rt}$ for a double root $r$)", 0)},
-       .kind = Fault::left_out,
        .root = "the double root",
        .why =
            R"(Case 1 includes $a^2=4mc$, where both exponentials are the same function: two starting values )"
@@ -627,7 +619,6 @@ void at_zeros(ProvableClaims<AtZeroOf>& table, const std::vector<AtZero>& sample
        .printed = R"($(\cos\beta t,\ \sin\beta t)\cdot(p_1,\ v_1-\alpha p_1\beta)=0$)",
        .meant = R"($(\cos\beta t,\ \sin\beta t)\cdot(p_1,\ (v_1-\alpha p_1)/\beta)=0$)",
        .changes_that_hold = of_zero,
-       .kind = Fault::lost_typography,
        .why = filled(
            "The fraction bar is lost in the text at hand, here and in line 1537; lines 1505 and 1511 show "
            "it. For $m=@1$, $c=@1$, $a=@1$ and $p=@1$ at rest the pair is $(@1,@2)$, and $(@1,@2)$ with the "
@@ -643,7 +634,6 @@ void at_zeros(ProvableClaims<AtZeroOf>& table, const std::vector<AtZero>& sample
                  [](const auto& s) { return s.turned(); }},
        .printed = R"($(p_1,\ v_1-\alpha p_1\beta)$)",
        .meant = R"($(p_1,\ (v_1-\alpha p_1)/\beta)$)",
-       .kind = Fault::lost_typography,
        .why =
            "The fraction bar is lost in the text at hand, here and in line 1531; lines 1505 and 1511 show it."});
 }
@@ -666,7 +656,6 @@ void arrivals(Claims& claims, double seed) {
        .printed = {as_cotangent},
        .corrected = {of_products},
        .in_view = {"where $p_1$ is not zero", [](const Start& s) { return s.motion.p1 != 0; }},
-       .kind = Fault::left_out,
        .root = "the first equation alone",
        .why =
            R"(Where $p_1=v_1=0$ the first condition reads $0=0$ and does not determine the time. With the )"
@@ -681,7 +670,6 @@ void arrivals(Claims& claims, double seed) {
        .truth = integrated,
        .printed = {principal},
        .corrected = {as_cotangent},
-       .kind = Fault::formula,
        .root = "the arctangent's branch",
        .why =
            R"(The arctangent's principal value is negative whenever $(v_1-\alpha p_1)/p_1>0$, which includes )"
@@ -760,13 +748,6 @@ std::vector<Claim> claims(double seed) {
 namespace {
 
 // ---- proofs -----------------------------------------------------------------------------------------------
-
-/// Assumes that all are above zero.
-std::vector<Proposition> positive(std::initializer_list<Shortened> all) {
-  std::vector<Proposition> given;
-  for (const Shortened& x : all) given.push_back(above(x.expression(), 0));
-  return given;
-}
 
 /// Proofs of the claims on zeros of a coordinate. At the example v = alpha p, so that it is zero at pi/(2
 /// beta).
@@ -926,22 +907,21 @@ Provables proofs() {
   ForAll<InLineOf> in_line{{motion.any}, "(m c a p1 p2 s t : R)", motion.given, "damped", motion.says};
   in_line.any.v1 = Shortened::letter("s") * in_line.any.p1;
   in_line.any.v2 = Shortened::letter("s") * in_line.any.p2;
-  auto polynomial = any<PolynomialOf>({"m", "c", "a", "r", "t"}, "by_parts_of_the_root m c a");
-  auto& [m, c, a, r, t] = polynomial.example;
-  m = 1, c = 3, a = 2, r = t = 1;
+  auto polynomial =
+      for_all<PolynomialOf>("by_parts_of_the_root m c a", "it holds for any ball", {1, 3, 2, 1, 1});
   polynomial.given = positive({polynomial.any.m, polynomial.any.c, polynomial.any.a});
   Provables all;
-  const auto take = [&](const Provables& some, const char* preamble) {
+  const auto take = [&](const Provables& some, const std::string& preamble) {
     for (Provable proof : some) {
       proof.preamble = preamble;
       all.push_back(std::move(proof));
     }
   };
-  take(tables.polynomial.proofs("3.9", polynomial), parts_in_coq);
-  take({proof_of_negative_roots(polynomial)}, parts_in_coq);
+  take(tables.polynomial.proofs("3.9", polynomial), coq_source({"parts"}));
+  take({proof_of_negative_roots(polynomial)}, coq_source({"parts"}));
   for (const Provables& some : {tables.motion.proofs("3.9", motion), tables.in_line.proofs("3.9", in_line),
                                 proofs_of_solutions(), proofs_at_zeros(tables.zeros), proofs_of_arrivals()})
-    take(some, damped_in_coq);
+    take(some, coq_source({"damped"}));
   return all;
 }
 

@@ -25,9 +25,4 @@ Quantity stability_limit(const Ball&);
 std::vector<Claim> claims(double seed);
 std::vector<Root> roots();
 
-// Lemmas and tactics of in_coq.cpp: damped motions and their arrivals; the real and the imaginary part of the
-// square root of a number, one of which is zero.
-extern const char* const damped_in_coq;
-extern const char* const parts_in_coq;
-
 }  // namespace oddity::ex03_09

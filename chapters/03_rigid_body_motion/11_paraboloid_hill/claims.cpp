@@ -147,7 +147,6 @@ void equations(Table& table, const std::vector<Sample>& samples) {
        .truth = {lagrange, [](const auto& s) { return s.on_line()[0]; }},
        .printed = "$0=0+" + products + last,
        .meant = "$0=0+" + quotients + last,
-       .kind = Fault::lost_typography,
        .why = filled(
            R"(The bars of the first term's three fractions are lost in the text at hand; the last term has )"
            R"(its own. As products the terms cannot be added. On a hill twice as wide, with $a_1$ and $a_2$ )"
@@ -167,7 +166,6 @@ void equations(Table& table, const std::vector<Sample>& samples) {
        .truth = by_factor(0),
        .printed = "$v_1^2a_1^2+v_2^2a_2^2=g/2$",
        .meant = half,
-       .kind = Fault::lost_typography,
        .why = filled(
            "The bars of the two fractions are lost in the text at hand. On the default hill, $a_1=1$, "
            "$a_2=2$, $g=10$, the condition is @2 m/s in each direction for $v_1=v_2$. With the products it "
@@ -247,7 +245,6 @@ void conditions(Claims& claims, double seed) {
            R"(the same line and as uniformly. A game that keeps it on the hill by these equations has to pull )"
            R"(it down: at twice the speed, on the top, with @1 times its weight.)",
            {-twice_as_fast.push() / twice_as_fast.g}),
-       .kind = Fault::left_out,
        .root = "a particle at rest"});
 }
 

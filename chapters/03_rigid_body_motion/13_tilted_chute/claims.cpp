@@ -225,25 +225,10 @@ using CylinderTable = ProvableClaims<OnCylinderOf>;
 using ChuteTable = ProvableClaims<OnChuteOf>;
 using Form = ProvableFormula<OnChuteOf>;
 
-/// Claims that are right as printed.
-template <template <class> class Of>
-struct Right {
-  ProvableClaims<Of>& table;
-  const std::vector<Of<double>>& samples;
-
-  void operator()(std::string_view slug, int line, const std::string& says, const ProvableFormula<Of>& truth,
-                  const ProvableFormula<Of>& printed, const std::string& quantity = {},
-                  const std::string& changes_that_hold = {}) const {
-    table.formula(
-        slug, line, says, samples,
-        {.quantity = quantity, .truth = truth, .printed = printed, .changes_that_hold = changes_that_hold});
-  }
-};
-
 // ---- the cylinder -----------------------------------------------------------------------------------------
 
 void cylinder(CylinderTable& table, const std::vector<OnCylinder>& samples) {
-  const Right<OnCylinderOf> claim{table, samples};
+  const auto claim = table.over(samples);
   const ProvableFormula<OnCylinderOf> square{"$R^2$, the point having been put $R$ from the axis",
                                              [](const auto& s) { return s.R * s.R; }};
   const auto across = [](const auto& s) { return sum(sum({}, s.U, s.y1()), s.V, s.y2()); };
@@ -281,7 +266,7 @@ void cylinder(CylinderTable& table, const std::vector<OnCylinder>& samples) {
 // ---- the axis ---------------------------------------------------------------------------------------------
 
 void axis(ChuteTable& table, const std::vector<OnChute>& samples) {
-  const Right<OnChuteOf> claim{table, samples};
+  const auto claim = table.over(samples);
   claim("triangle", 1617,
         R"(The axis has the length $L$: where $x_3$ rises by $H$, $x_1$ falls by $L\cos\theta$)",
         {R"($L$ and $L\sin\theta$)",
@@ -315,7 +300,7 @@ void axis(ChuteTable& table, const std::vector<OnChute>& samples) {
 const std::string bracket = "$d_1(x_3-p_3)-d_3x_1$";
 
 void solved(ChuteTable& table, const std::vector<OnChute>& samples) {
-  const Right<OnChuteOf> claim{table, samples};
+  const auto claim = table.over(samples);
   const Form form{"$(X-P)^T(I-DD^T)(X-P)-R^2$ at any point", [](const auto& s) { return s.excess(); }};
   const std::string equation =
       "the expression that is zero on the cylinder about the axis through $(0,0,p_3)$ along $(d_1,0,d_3)$";
@@ -360,7 +345,7 @@ void solved(ChuteTable& table, const std::vector<OnChute>& samples) {
 
 /// Claims about points on the chute.
 void on_the_chute(ChuteTable& table, const std::vector<OnChute>& samples) {
-  const Right<OnChuteOf> claim{table, samples};
+  const auto claim = table.over(samples);
   claim("two_roots", 1647,
         R"($d_1(x_3-p_3)-d_3x_1=\pm\sqrt{R^2-x_2^2}$ (our check: the lower half has plus, the upper minus))",
         {"points of the lower half and of the upper, turned about the axis",
@@ -381,13 +366,12 @@ void on_the_chute(ChuteTable& table, const std::vector<OnChute>& samples) {
 // ---- the height's derivatives -----------------------------------------------------------------------------
 
 void derivatives(Claims& claims, ChuteTable& table, const std::vector<OnChute>& samples) {
-  const Right<OnChuteOf> claim{table, samples};
+  const auto claim = table.over(samples);
   table.formula(
       "h1", 1673, R"(The derivative $h_{x_1}$ is $-H/(L\cos\theta)$)", samples,
       {.truth = {"$h$ by dual numbers", [](const auto& s) { return s.slope(1, 0); }},
        .printed = R"($-HL\cos\theta$)",
        .meant = R"($-H/(L\cos\theta)$)",
-       .kind = Fault::lost_typography,
        .why = filled(
            "The fraction's bar is lost. For the default chute the quotient is $@2$, and the product $@2$.",
            {-3.0 / (5 * 0.8), -3.0 * 5 * 0.8})});
@@ -396,7 +380,6 @@ void derivatives(Claims& claims, ChuteTable& table, const std::vector<OnChute>& 
       {.truth = {"$h$ by dual numbers", [](const auto& s) { return s.slope(0, 1); }},
        .printed = R"($x_2(R^2-x_2^2)^{1/2}\cos\theta$)",
        .meant = R"($x_2/\big((R^2-x_2^2)^{1/2}\cos\theta\big)$)",
-       .kind = Fault::lost_typography,
        .why =
            "The fraction's bar is lost. Towards the rim this slope becomes infinite, and the product zero."});
   claims.statement<OnChute>("h11_h12", 1679, "$h_{x_1x_1}=h_{x_1x_2}=0$", samples,
@@ -425,7 +408,6 @@ void motion(ChuteTable& table, const std::vector<OnChute>& samples) {
                  [](const auto& s) { return s.accelerations(); }},
        .printed = equations_printed,
        .meant = equations_meant,
-       .kind = Fault::lost_typography,
        .why =
            R"(A dot and a bar are lost: the numerator has $R^2\dot x_2^2$, and the vector is the gradient )"
            R"($(-H/(L\cos\theta),\,x_2/((R^2-x_2^2)^{1/2}\cos\theta))$. So read, it follows from Lagrange's )"
@@ -440,7 +422,7 @@ Form lagrange(std::size_t i, double friction = 0) {
 
 /// Claims about a ball on the center line without speed across.
 void center(ChuteTable& table, const std::vector<OnChute>& samples) {
-  const Right<OnChuteOf> claim{table, samples};
+  const auto claim = table.over(samples);
   const std::string other_forms = R"(\frac{g\tan\theta}{1+\tan^2\theta})", half = R"(\frac g2\sin2\theta)",
                     denominator = R"(}{1+H^2/(L^2\cos^2\theta)},\ )";
   const auto forms = [&](const std::string& numerator) {
@@ -462,7 +444,6 @@ void center(ChuteTable& table, const std::vector<OnChute>& samples) {
       {.truth = lagrange(0),
        .printed = forms(R"(gHL\cos\theta)"),
        .meant = forms(R"(gH/(L\cos\theta))"),
-       .kind = Fault::lost_typography,
        .why = filled(
            R"(The bar of the numerator, $H/(L\cos\theta)$, is lost; that of the denominator is there. For the )"
            R"(default chute the numerator is @2 and its product @2: @2 m/s$^2$ for @3.)",
@@ -489,7 +470,6 @@ void crossing(ChuteTable& table, const std::vector<OnChute>& samples) {
       {.truth = lagrange(1, 1),
        .printed = R"($\ddot x_2=Sx_2$)",
        .corrected = R"($\ddot x_2=Sx_2-k\dot x_2$)",
-       .kind = Fault::formula,
        .root = "friction across",
        .why =
            R"(Friction adds $-k\dot x_2$, a term without $x_2$. Where the ball crosses the center line the )"
@@ -546,7 +526,6 @@ void statements(Claims& claims, const std::vector<OnChute>& samples) {
        .corrected = {R"($\ddot x_1>0$)"},
        .in_view = {R"(for $\dot x_1(0)\ge0$, a ball let go or sent down)", [](S s) { return s.v1 >= 0; }},
        .near_misses = {{R"($\dot x_1>0$)"}},
-       .kind = Fault::left_out,
        .root = "a ball sent up",
        .why =
            R"(The next formula admits any $\dot x_1(0)$. A ball sent up the chute first slows down, and its )"
@@ -742,9 +721,9 @@ Provables proofs() {
   motion.insert(motion.begin() + 1,
                 lemma("about_axis", any_place, Form(equations_meant).recorded(any_place.any),
                       any_place.any.accelerations_about_axis()));
-  for (Provable& proof : of_points) proof.preamble = cylinder_in_coq;
+  for (Provable& proof : of_points) proof.preamble = coq_source({"cylinder"});
   for (Provable& proof : of_chute) {
-    proof.preamble = chute_in_coq;
+    proof.preamble = coq_source({"chute"});
     Lemma& last = proof.lemmas.back();
     if (last.tactic == "interval") last.tactic = by_bounds;
   }

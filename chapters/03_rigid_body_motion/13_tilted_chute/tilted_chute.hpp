@@ -20,9 +20,4 @@ Quantity from_rim(const Ball&, const Horizon&, const Reference&);
 std::vector<Claim> claims(double seed);
 std::vector<Root> roots();
 
-// Lemmas and tactics of in_coq.cpp: points on a cylinder; roots and angles of a chute's slope and of a
-// position in it, and zero second derivatives.
-extern const char* const cylinder_in_coq;
-extern const char* const chute_in_coq;
-
 }  // namespace oddity::ex03_13

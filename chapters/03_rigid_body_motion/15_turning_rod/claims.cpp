@@ -247,7 +247,6 @@ void geometry(Table& table, const Samples& samples) {
        .truth = {dual, [](const auto& s) { return s.start_velocity(); }},
        .printed = {"$(0,0,0)$"},
        .corrected = {R"($(0,\pi b/4,0)$)"},
-       .kind = Fault::formula,
        .root = "at rest in space",
        .why = filled(
            R"(The segment turns at a constant speed from the start and takes the mass along: by the text's )"
@@ -320,7 +319,6 @@ void spring(Claims& claims, Table& table, const Samples& samples) {
                  [](const auto& s) { return force_of(s.spring(s.ell), s.x()); }},
        .printed = {R"($-K(r-\ell)(x-c\imath)\,r$)"},
        .meant = {R"($-K(r-\ell)(x-c\imath)/r$)"},
-       .kind = Fault::lost_typography,
        .why = filled(
            R"(The fraction bar is lost in the text at hand: $(x-c\imath)/|x-c\imath|$ is a direction, of )"
            R"(length 1. Multiplied by its length the force is $r^2$ times as large, @3 times where the motion )"
@@ -341,7 +339,6 @@ void spring(Claims& claims, Table& table, const Samples& samples) {
        .in_view = {"where the spring is stretched",
                    [](const Sample& s) { return s.spring_length() > s.ell; }},
        .near_misses = {{R"($(\ell-r)\,\mathbf F\cdot(c\imath-x)>0$)"}},
-       .kind = Fault::left_out,
        .root = "a spring that always pulls",
        .why = filled(
            R"(A compressed spring pushes. It does so at the end of this very motion, where $r=@4$ is less )"
@@ -362,7 +359,6 @@ void equations(Table& table, const Samples& samples) {
                  [](const auto& s) { return s.F(); }},
        .printed = product,
        .meant = quotient + arm,
-       .kind = Fault::lost_typography,
        .why = filled(
            R"(The bar under $\ell$ is lost in the text at hand. The quotient is 1 where the spring is at )"
            R"(rest, and the bracket 0. Of the product the bracket is $1-\ell^2$, and the mass of the listing )"
@@ -394,7 +390,6 @@ void equations(Table& table, const Samples& samples) {
                  }},
        .printed = as_product,
        .meant = summed_up(R"(\frac\ell{)" + root_at_end + "}"),
-       .kind = Fault::lost_typography,
        .why =
            R"(The bar under $\ell$ is lost in the text at hand, as in the generalized force above. Besides, )"
            R"(the $\sqrt2$ inside the root is printed as the word sqrt.)"});
@@ -508,7 +503,6 @@ void motion(Claims& claims, const Value& end) {
            {weak.K, time_of(Launch::segment, weak.s, weak.K), weak.part(),
             lambda_at_2(along(weak.s, 1, weak.K)), stiff.K, time_of(0, stiff.s, stiff.K), stiff.part(),
             lambda_at_2(along(stiff.s, 1, stiff.K))}),
-       .kind = Fault::left_out,
        .root = "a segment without ends"});
 
   const auto x1 = [](const auto& x, double) { return x[0]; };
@@ -567,7 +561,6 @@ void motion(Claims& claims, const Value& end) {
            R"(not @3. The length $L$ decides nothing else, and $m$ and $K$ only by $K/m$. The listing has $b$ )"
            R"(as the initial `lambda`.)",
            {other_start / Launch::segment, lambda_at_2(along(other_start, 1, book.K)), lambda_at_2()}),
-       .kind = Fault::left_out,
        .root = "the start is no parameter"});
 }
 

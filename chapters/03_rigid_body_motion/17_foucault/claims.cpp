@@ -273,7 +273,6 @@ void forces(Table& table, const Samples& samples) {
                  [](const auto& s) { return s.coriolis_acceleration(1); }},
        .printed = R"($2\omega(-\sin\lambda\,k)\times\dot r$)",
        .meant = R"($2\omega(\cos\lambda\,\jmath-\sin\lambda\,k)\times\dot r$)",
-       .kind = Fault::lost_typography,
        .why =
            R"(The unit vector $\jmath$, to the north, is lost in the text at hand; the components )"
            R"(of line 2425 show it: $P\cdot w=\omega\cos\lambda\cos\theta$. Without the term a body would )"
@@ -315,7 +314,6 @@ void cancellation(Claims& claims, double seed) {
                      [=](const Passing& s) { return !swings(s) || holds(s); }},
        .in_view = {"away from the lowest point", swings},
        .near_misses = {{R"($\ddot\theta+)" + right}},
-       .kind = Fault::left_out,
        .root = "division at the lowest point",
        .why =
            R"(At the lowest point $\sin\phi=0$. The equation before is $0=0$ there; the remaining one has no )"
@@ -341,7 +339,6 @@ void equations(Table& table, const Samples& samples) {
                  [](const auto& s) { return s.to_first_order()[1] / s.mL2(); }},
        .printed = "$" + phi + R"(gL\sin\phi$)",
        .meant = "$" + phi + pull + "$",
-       .kind = Fault::lost_typography,
        .why =
            R"($gL\sin\phi$ is $(g/L)\sin\phi$, its bar lost: the force before has $g\sin\phi$, and is divided )"
            R"(by $mL^2$.)"});
@@ -580,7 +577,6 @@ void center_of_mass(ConeTable& table, const Cones& cones) {
                  [](const auto& s) { return s.center(); }},
        .printed = "$h(1-2^{-1/3})$",
        .corrected = "$h/4$",
-       .kind = Fault::formula,
        .root = root,
        .why =
            filled(R"($h(1-2^{-1/3})=@4\,h$ is where the volume is halved; the center of mass is at $h/4$.)",
@@ -592,7 +588,6 @@ void center_of_mass(ConeTable& table, const Cones& cones) {
                            [](const auto& s) { return s.h() - s.center(); }},
                  .printed = "$h/2^{1/3}$",
                  .corrected = "$3h/4$",
-                 .kind = Fault::formula,
                  .root = root,
                  .why = filled(R"($L=3h/4=0.75\,h$, not $@4\,h$: the volume was halved, not its moment.)",
                                {printed_length<double>()})});
@@ -620,7 +615,6 @@ void moments(ConeTable& table, const Cones& cones, const Cones& by_qags) {
                    .truth = truth,
                    .printed = "$" + formula + R"(\,)" + divisor + "$",
                    .meant = "$" + formula + "/" + divisor + "$",
-                   .kind = Fault::lost_typography,
                    .why = "The bar over " + divisor + " is lost."});
   };
   table.formula("Ixx_limits", 2329,
@@ -736,7 +730,6 @@ void tensor(ConeTable& table, const Cones& cones) {
        .truth = {"quadrature about the center of mass", [](const auto& s) { return s.across(s.center()); }},
        .printed = "$m(2h^2+3r^2)/20$",
        .corrected = "$3m(h^2+4r^2)/80$",
-       .kind = Fault::formula,
        .root = "moments about the base",
        .why =
            R"(The integrals are about the center of the base. With $m|v|^2/2$ of the center of mass belongs )"
@@ -749,7 +742,6 @@ void tensor(ConeTable& table, const Cones& cones) {
            R"($\frac m2\left(\frac h{2^{1/3}}\right)^2\dot R\cdot\dot R+\frac12w\cdot()" + by_axes + ")w$",
        .corrected = R"($\frac m2\left(\frac{3h}4\right)^2\dot R\cdot\dot R)"
                     R"(+\frac m2\,\frac{3(h^2+4r^2)}{80}(R\times\dot R)\cdot(R\times\dot R)$)",
-       .kind = Fault::formula,
        .root = "the cone's own turning",
        .why =
            R"(The cone turns as it swings: its angular velocity on the Earth is $R\times\dot R$, not $w$, )"
@@ -901,7 +893,7 @@ Provables cone_proofs() {
   Provables proved = table.proofs("3.17", all);
   std::ranges::move(of_swing.proofs("3.17", swinging), std::back_inserter(proved));
   for (Provable& claim : proved) {
-    claim.preamble = std::string(integrals_in_coq) + cone_in_coq;
+    claim.preamble = coq_source({"cone"});
     for (Lemma& lemma : claim.lemmas)
       if (lemma.tactic == "interval") lemma.tactic = "no_integrals; interval";
   }

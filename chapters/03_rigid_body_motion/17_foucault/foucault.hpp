@@ -94,7 +94,4 @@ Provables pendulum_proofs();
 Provables cone_proofs();
 std::vector<Root> roots();
 
-// Lemmas and tactics of in_coq.cpp: integrals over the cone, in addition to integrals_in_coq.
-extern const char* const cone_in_coq;
-
 }  // namespace oddity::ex03_17

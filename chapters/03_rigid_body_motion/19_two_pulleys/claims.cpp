@@ -336,7 +336,6 @@ void kinematics(Claims& claims, Table& table, const Samples& samples) {
        .in_view = {"where the mass goes down no further than the small pulley, as in the text's example",
                    [](S s) { return abs(s.v[1]) <= abs(s.v[0]); }},
        .near_misses = {{R"($\Delta S_2\,(|\Delta_3|-|\Delta_2|)>0$)"}},
-       .kind = Fault::left_out,
        .root = "a spring that must get shorter",
        .why =
            R"($y_2$ and $y_3$ are independent. When they grow by $\Delta_2$ and $\Delta_3$ the second spring )"
@@ -352,11 +351,7 @@ void energies(Table& table, const Samples& samples) {
   const auto kinetic = [&](std::string_view slug, int line, const std::string& begin,
                            const std::string& printed, const std::string& meant, const std::string& why) {
     table.formula(slug, line, begin + "kinetic energy is " + printed, samples,
-                  {.truth = kinetic_energy,
-                   .printed = printed,
-                   .meant = meant,
-                   .kind = Fault::lost_typography,
-                   .why = why});
+                  {.truth = kinetic_energy, .printed = printed, .meant = meant, .why = why});
   };
   kinetic(
       "kinetic_energy_by_angles", 2443, "The ",
@@ -393,7 +388,6 @@ void energies(Table& table, const Samples& samples) {
                   R"(+I_2R_2^2(\dot y_3-\dot y_2))$)",
        .meant = R"($(m_2\dot y_2+\frac{I_1}{R_1^2}\dot y_2+\frac{I_2}{R_2^2}(\dot y_2)"
                 R"(-\dot y_3),\ m_3\dot y_3+\frac{I_2}{R_2^2}(\dot y_3-\dot y_2))$)",
-       .kind = Fault::lost_typography,
        .why = filled(
            R"(The bars of $I_1/R_1^2$ in the first and of $I_2/R_2^2$ in the second derivative are lost in )"
            R"(the text at hand; the third one of the three is there. At a tenth of the radius, with the )"
@@ -534,7 +528,6 @@ void forces(Claims& claims, Table& table, Table& in_motion, const Samples& sampl
       {.truth = generalized(0),
        .printed = on_y2,
        .corrected = "$m_2g-c_1(K_1-L_1+y_2)+2c_2(K_2-L_2+y_3-2y_2)$",
-       .kind = Fault::formula,
        .root = forgotten,
        .why = filled(
            R"(When $y_2$ grows by $\Delta$ at fixed $y_3$, the second spring shortens by $2\Delta$ and does )"
@@ -593,7 +586,6 @@ void equations(Table& in_motion, const Samples& motions) {
                      .truth = zero,
                      .printed = left_y2 + right_y2 + "$",
                      .corrected = left_y2 + right_y2 + "+2c_2(K_2-L_2+y_3-2y_2)$",
-                     .kind = Fault::formula,
                      .root = "the second spring on the pulley",
                      .why = of_frequencies()});
   in_motion.formula(
@@ -602,7 +594,6 @@ void equations(Table& in_motion, const Samples& motions) {
        .truth = zero,
        .printed = printed_y3,
        .meant = R"($m_3\ddot y_3+\frac{I_2}{R_2^2}(\ddot y_3-\ddot y_2))" + right_y3,
-       .kind = Fault::lost_typography,
        .why = filled(
            "The bar of $I_2/R_2^2$ is lost in the text at hand; line 2511, from which the term is taken, "
            "shows it. The default pulley would count as @3 kg m$^4$ at its rim instead of @2 kg.",

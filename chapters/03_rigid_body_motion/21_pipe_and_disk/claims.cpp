@@ -237,7 +237,6 @@ void upright(Claims& claims, const std::vector<Sample>& samples) {
            R"(the equations fix their sum alone. At $\phi=@1$ the default disk has only @2 kg m$^2$ under )"
            R"(the bar, and a small force already makes large accelerations.)",
            {steep.phi, steep.inertia()}),
-       .kind = Fault::left_out,
        .root = "division by an upright pipe"});
 }
 
@@ -275,7 +274,6 @@ void motions(Claims& claims, const std::vector<Sample>& samples) {
        .truth = later(0),
        .printed = {R"($(\theta,\psi)$)"},
        .meant = {R"($(\theta+\dot\theta t,\ \psi+\dot\psi t)$)"},
-       .kind = Fault::lost_typography,
        .why = R"(The dots are lost: zero accelerations keep the speeds, $\dot\theta(t)=\dot\theta_0$ and )"
               R"($\dot\psi(t)=\dot\psi(0)$, as the next sentence states; the angles grow with time.)"});
   claims.formula<Sample>("constant_speeds", 2575,
@@ -298,33 +296,6 @@ std::vector<Claim> claims(double seed) {
 
 namespace {
 
-constexpr const char* pipe_in_coq = R"(
-Lemma circle : forall x, sin x * sin x = 1 - cos x * cos x.
-Proof. intro x. pose proof (sin2_cos2 x) as H. unfold Rsqr in H. lra. Qed.
-Lemma circle_of_sine : forall x, cos x * cos x = 1 - sin x * sin x.
-Proof. intro x. pose proof (sin2_cos2 x) as H. unfold Rsqr in H. lra. Qed.
-Ltac on_pipe phi theta psi :=
-  rewrite ?cos_0, ?sin_0;
-  let e1 := fresh in let e2 := fresh in let e3 := fresh in
-  pose proof (circle_of_sine phi) as e1; pose proof (circle theta) as e2; pose proof (circle psi) as e3;
-  generalize dependent (sin phi); intro; generalize dependent (cos phi); intros;
-  generalize dependent (sin theta); intro; generalize dependent (cos theta); intros;
-  generalize dependent (sin psi); intro; generalize dependent (cos psi); intros;
-  field [e1 e2 e3]; repeat split; apply Rgt_not_eq; ring_simplify [e1 e2 e3];
-  repeat apply Rplus_lt_0_compat; repeat apply Rmult_lt_0_compat; try apply pow_lt; lra.
-)";
-
-/// A function with zero derivative is constant.
-constexpr const char* motions_in_coq = R"(
-From Coquelicot Require Import AutoDerive.
-
-Lemma constant : forall f : R -> R, (forall t, is_derive f t 0) -> forall t, f t = f 0.
-Proof.
-  intros f D t. destruct (Rtotal_order t 0) as [l | [-> | l]]; trivial;
-    [| symmetry]; apply (eq_is_derive f); trivial; intros; apply D.
-Qed.
-)";
-
 /// The weight has no lever: the derivative of the center's height is zero.
 Provable weightless(const SampleOf<Shortened>& s, const std::string& letters) {
   const auto pipe = s.axes(s.q[0], s.q[1])[2], lever = s.lever();
@@ -340,7 +311,7 @@ Provable weightless(const SampleOf<Shortened>& s, const std::string& letters) {
       "the lever is the derivative of the center's place by theta, and that of the potential energy is zero",
       {{"printed", letters, {}, all, "apply is_derive_Reals; auto_derive; first [exact I | ring]"}},
       0,
-      motions_in_coq};
+      coq_source({"motions"})};
 }
 
 /// For all functions of time whose second derivatives satisfy Lagrange's equations.
@@ -382,7 +353,7 @@ Provables along_motions() {
                     "      [auto_derive; trivial | symmetry; on_pipe phi t 0] end\n"
                     "  |rewrite Rabs_right; lra]"};
   const std::string under = "under gravity any motion of any disk on any inclined pipe keeps its speeds",
-                    preamble = std::string(pipe_in_coq) + motions_in_coq;
+                    preamble = coq_source({"pipe", "motions"});
   return {{"3.21-constant_speeds", under, {omega, spin}, 0, preamble},
           {"3.21-integrated",
            "as meant: " + under + "; as printed it is off after two seconds at a speed of one",
@@ -411,7 +382,7 @@ Provables proofs() {
   proved.push_back({"3.21-upright",
                     "as corrected it holds for any upright pipe",
                     {{"corrected", all.letters, {}, equal(left, {0.0, 0.0}), "on_pipe phi theta psi"}}});
-  for (Provable& proof : proved) proof.preamble = pipe_in_coq;
+  for (Provable& proof : proved) proof.preamble = coq_source({"pipe"});
   for (Provable& p : along_motions()) proved.push_back(std::move(p));
   proved.push_back(weightless(s, all.letters));
   return proved;

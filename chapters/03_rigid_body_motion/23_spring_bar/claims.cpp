@@ -152,7 +152,6 @@ void state(Table& table, const std::vector<Sample>& samples) {
                  [](const auto& x) { return values(x.left_side(), x.m * x.r * x.r * x.a - x.moments(x.q)); }},
        .printed = "$" + written(R"(\ell)", ""),
        .meant = "$" + written(R"(\frac\ell{)", "}"),
-       .kind = Fault::lost_typography,
        .why = filled(
            R"(The fraction bar is lost in the text at hand: $1-\ell/\sqrt{\dots}$. As a product it subtracts )"
            R"(an area from a number. At the level bar of the scene, $h=@1$ m and $\ell=@1$ m, it is @2 for )"
@@ -192,20 +191,6 @@ std::vector<Claim> claims(double seed) {
   state(table, draw<Sample>(200, seed));
   return claims.in_order();
 }
-
-/// The bar's end never touches the spring's foot.
-constexpr const char* foot_in_coq = R"(
-Lemma above_foot : forall s h t, s > 0 -> h > 0 ->
-  0 < (s * cos t - s) * (s * cos t - s) + (s * sin t + h) * (s * sin t + h).
-Proof.
-  intros s h t S H. destruct (Req_dec (cos t) 1) as [level | turned].
-  - assert (zero : sin t = 0)
-      by (apply Rsqr_0_uniq; pose proof (sin2_cos2 t) as all; rewrite level in all; unfold Rsqr in *; lra).
-    rewrite zero, level. nra.
-  - assert (away : s * (cos t - 1) <> 0) by (apply Rmult_integral_contrapositive; split; lra).
-    pose proof (Rsqr_pos_lt _ away). pose proof (Rle_0_sqr (s * sin t + h)). unfold Rsqr in *. lra.
-Qed.
-)";
 
 /// All square roots are the spring's length, which is h for the level bar.
 constexpr const char* by_one_root = R"(
@@ -257,9 +242,9 @@ Provables proofs() {
   for (double* letter : all.example.letters()) *letter = x += 0.25;
   Provables proved = table.proofs("3.23", all);
   for (Provable& claim : proved) {
-    claim.preamble = foot_in_coq;
+    claim.preamble = coq_source({"foot"});
     if (!claim.claim.starts_with("3.23-potential")) continue;
-    claim.preamble = std::string(integrals_in_coq) + foot_in_coq;
+    claim.preamble = coq_source({"integrals", "foot"});
     for (Lemma& lemma : claim.lemmas) lemma.tactic = by_potentials(lemma.tactic);
   }
   return proved;

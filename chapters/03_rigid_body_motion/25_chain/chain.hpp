@@ -35,8 +35,4 @@ Quantity hanging(const Triple&, const Horizon&, const Reference&);
 std::vector<Quantity> quantities(const Triple&, const Reference&);
 std::vector<Claim> claims(double seed);
 
-// Lemmas and tactics of in_coq.cpp: Newton's law with the rods' tensions, and the difference of two solutions
-// of Lagrange's equations.
-extern const char* const tensions_in_coq;
-
 }  // namespace oddity::ex03_25

@@ -344,17 +344,6 @@ std::vector<Claim> claims(double seed) {
 
 namespace {
 
-constexpr const char* chain_in_coq = R"(
-Ltac circle x :=
-  let e := fresh in
-  assert (e : sin x * sin x = 1 - cos x * cos x) by (pose proof (sin2_cos2 x) as e; unfold Rsqr in e; lra);
-  generalize dependent (sin x); intro; generalize dependent (cos x); intros.
-Ltac hanging a b c :=
-  rewrite ?cos_minus, ?sin_minus, ?cos_PI2, ?sin_PI2;
-  circle a; circle b; circle c;
-  match goal with A : _ = 1 - _, B : _ = 1 - _, C : _ = 1 - _ |- _ => field [A B C] end; lra.
-)";
-
 constexpr const char* by_integral = R"(
   integrate (fun t => g * (m1 * (r1 * cos (a1 * t)) + m2 * (r1 * cos (a1 * t) + r2 * cos (a2 * t))
     + m3 * (r1 * cos (a1 * t) + r2 * cos (a2 * t) + r3 * cos (a3 * t))));
@@ -420,7 +409,7 @@ Provable proof_of_equations(const SampleOf<Shortened>& s) {
           "others",
           {holds, alone},
           0,
-          tensions_in_coq};
+          coq_source({"tensions"})};
 }
 
 Provables proofs() {
@@ -438,7 +427,7 @@ Provables proofs() {
   Provables proved = table.proofs("3.25", all);
   for (Provable& p : proved) {
     const bool by_work = p.claim == "3.25-potential";
-    p.preamble = by_work ? integrals_in_coq : chain_in_coq;
+    p.preamble = coq_source({by_work ? "integrals" : "chain"});
     if (by_work) p.lemmas[0].tactic = by_integral;
   }
   proved.push_back(proof_of_equations(all.any));

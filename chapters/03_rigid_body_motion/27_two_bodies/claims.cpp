@@ -209,7 +209,6 @@ void constants(Table& table, const std::vector<Sample>& all) {
        .truth = {R"($c_2/c_1$ by dual numbers of $V$ and $T$)", [=](const auto& k) { return c2(k) / c1(k); }},
        .printed = row("c_2c_1"),
        .meant = row("c_2/c_1"),
-       .kind = Fault::lost_typography,
        .why = filled(
            R"(The bar of $c_2/c_1$ is lost, as is that of the quotient that follows, whose parts are on two lines. )"
            R"(Of the scene's bodies, $m_1=@1$ and $m_2=@1$ with $G=@1$, the product is @3 and $\gamma=@1$.)",
@@ -285,7 +284,6 @@ void motions(Claims& claims, const std::vector<Later>& all) {
                  [=](K k) { return by_system(k.b, beta(k), gamma(k)); }},
        .near_misses = {{R"(as meant, with $\gamma=Gm_1$)",
                         [=](K k) { return by_system(k.b, beta(k), k.b.G * k.b.m1); }}},
-       .kind = Fault::lost_typography,
        .why =
            R"(The bars over $r^2$ are lost in lines 2783 and 2785; the equations in lines 2757 and 2773 have the )"
            R"(parts of each fraction on two lines. The text at hand reads $\gamma r^2$ and $\beta r^2$.)"});

@@ -147,7 +147,6 @@ void claim_energy(Table& table, const Samples& tops) {
        .truth = points_T,
        .printed = R"($12\,\mathbf w^TJ\mathbf w$)",
        .meant = R"($\frac12\mathbf w^TJ\mathbf w$)",
-       .kind = Fault::lost_typography,
        .why = filled(
            R"(The fraction bar of $\tfrac12$ is lost in the text at hand; lines 2957 and 2959 have its two halves, and the )"
            R"($\mu_1/2$ of the next lines comes from it. Without the bar the top has @2 times its energy.)",
@@ -464,7 +463,7 @@ Provables proofs() {
   proved.push_back(vertical_constant(all));
   for (Provable& p : proved) {
     if (from_equations.contains(p.claim)) follow_from_equations(p, all.any);
-    p.preamble = tops_in_coq;
+    p.preamble = coq_source({"tops"});
   }
   return proved;
 }

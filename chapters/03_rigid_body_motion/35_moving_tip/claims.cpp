@@ -193,19 +193,6 @@ void claim_tip(Claims& claims, const std::vector<Driven>& tops) {
 
 // ---- proofs -----------------------------------------------------------------------------------------------
 
-/// The model uses half angles; theta, phi and psi are sums of these.
-constexpr const char* half_angles_in_coq = R"(
-Ltac by_half_angles theta phi psi :=
-  let u := fresh "u" in let s := fresh "s" in let d := fresh "d" in
-  pose (u := phi / 2); pose (s := (theta + psi) / 2); pose (d := (theta - psi) / 2); fold u; fold s; fold d;
-  let p := fresh in assert (p : phi = 2 * u) by (unfold u; field);
-  let t := fresh in assert (t : theta = s + d) by (unfold s, d; field);
-  let q := fresh in assert (q : psi = s - d) by (unfold s, d; field);
-  clearbody u; clearbody s; clearbody d; rewrite ?p, ?t, ?q;
-  rewrite ?cos_plus, ?sin_plus, ?cos_minus, ?sin_minus, ?cos_2a, ?sin_2a;
-  field [(circle u) (circle s) (circle d)]; positive.
-)";
-
 /// Euler's equations with the torque by the rotation matrix; the model uses a quaternion instead.
 template <class T>
 Vector<T> euler_by_matrix(const SampleOf<T>& s) {
@@ -323,7 +310,7 @@ class MovingTip {
 
 Provable proved(const std::string& slug, const std::string& says,
                 const std::vector<std::vector<Lemma>>& parts, double margin = 0) {
-  Provable p{"3.35-" + slug, says, {}, margin, std::string(tops_in_coq) + half_angles_in_coq};
+  Provable p{"3.35-" + slug, says, {}, margin, coq_source({"half_angles"})};
   for (const std::vector<Lemma>& part : parts) p.lemmas.insert(p.lemmas.end(), part.begin(), part.end());
   return p;
 }

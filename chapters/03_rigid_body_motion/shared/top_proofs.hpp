@@ -25,9 +25,6 @@ std::array<T, n> total(std::array<T, n> one) {
   return one;
 }
 
-/// Definitions and lemmas for the first assumption, H : top l mass ell mu1 mu3.
-extern const char* const tops_in_coq;
-
 /// Proves equations of sums over the points and of sines and cosines of these angles.
 std::string by_points(const std::vector<std::string>& angles);
 

@@ -193,7 +193,6 @@ std::vector<Claim> claims(const Random& random, const Reference& truth) {
                   R"(small, so that the divergence is $4\pi\delta(\mathbf x)$, and Gauss's theorem with a )"
                   R"(divergence of zero gives 0.)",
                   {all_around}),
-              .kind = Fault::left_out,
               .root = "the origin"});
   return claims.in_order();
 }

@@ -163,18 +163,6 @@ Proof proof_of_lines(Random random) {
   return proof;
 }
 
-constexpr const char* in_turned_frame = R"(
-Ltac in_turned_frame r f H :=
-  let e0 := fresh in pose proof (in_frame r 0 f H ltac:(lia)) as e0;
-  let e1 := fresh in pose proof (in_frame r 1 f H ltac:(lia)) as e1;
-  let e2 := fresh in pose proof (in_frame r 2 f H ltac:(lia)) as e2;
-  unfold dot, sum in e0, e1, e2; revert e0 e1 e2;
-  generalize (r 0%nat 0%nat * f 0%nat + r 0%nat 1%nat * f 1%nat + r 0%nat 2%nat * f 2%nat),
-    (r 1%nat 0%nat * f 0%nat + r 1%nat 1%nat * f 1%nat + r 1%nat 2%nat * f 2%nat),
-    (r 2%nat 0%nat * f 0%nat + r 2%nat 1%nat * f 1%nat + r 2%nat 2%nat * f 2%nat);
-  intros ? ? ? <- <- <-; ring.
-)";
-
 /// Proofs that quantities rotate with their factors, for any matrix and vectors in any frame r.
 Provables proofs_of_turned(const Proof& proof) {
   const std::array r{numbers("r 0%nat"), numbers("r 1%nat"), numbers("r 2%nat")},
@@ -200,8 +188,7 @@ Provables proofs_of_turned(const Proof& proof) {
                           .given = {{"frame r"}},
                           .tactic = "first [in_turned_frame r f H | in_turned_frame r g H]",
                           .says = "it holds for any matrix and vectors in any right-handed orthonormal frame",
-                          .preamble = "From Coq Require Import Lia Nsatz.\nLocal Open Scope R_scope.\n\n" +
-                                      frames_in_coq() + in_turned_frame});
+                          .preamble = coq_source({"turned_fields"})});
 }
 
 Provables proofs() {

@@ -162,7 +162,7 @@ Provables proofs() {
                    .given = {{"frame r"}, {"smooth 2 phi"}, {"smooth_vector 1 v"}},
                    .tactic = in_axes,
                    .says = "it holds for all fields whose second derivatives are continuous, along any frame",
-                   .preamble = smooth_fields_in_coq()});
+                   .preamble = coq_source({"fields"})});
 }
 
 Quantity mixed_derivatives(const At& at, const Known& six) {

@@ -99,7 +99,6 @@ void costs(Claims& claims, const std::vector<Counts>& sizes) {
                             .truth = truth,
                             .printed = {printed},
                             .corrected = {corrected},
-                            .kind = corrected.empty() ? Fault::none : Fault::formula,
                             .root = root,
                             .why = why});
   };
@@ -338,7 +337,6 @@ void solutions(Claims& claims, const Random& random) {
                      [](const Residues& s) { return s.solved_with(s.n()); }},
        .in_view = {"where no pivot is zero", [](const Residues& s) { return s.made_diagonal(true); }},
        .near_misses = {{"the first row alone exchanged", [](const Residues& s) { return s.solved_with(1); }}},
-       .kind = Fault::left_out,
        .root = "no exchange of rows",
        .why = filled(
            R"(Where a pivot is zero, crosswise clearing multiplies the other rows by it, and the diagonal )"

@@ -186,7 +186,6 @@ void geometry(Claims& claims, const std::vector<Edges>& closed) {
                           const Vector3<double> none{};
                           return s.u == none || s.v == none || s.w == none || s.normal() != none;
                         }}},
-       .kind = Fault::left_out,
        .root = "edges on one line",
        .why = filled(
            R"(Three vectors on one line, $u=(1,0,0)$, $v=(2,0,0)$, $w=(-3,0,0)$, have the sum zero as )"

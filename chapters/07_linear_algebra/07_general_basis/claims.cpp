@@ -162,7 +162,6 @@ void over_products(Table& table, const std::vector<Planted>& samples) {
          .truth = truth,
          .printed = "$(" + top + R"()\,u\cdot v\times w$)",
          .meant = "$" + meant + "$",
-         .kind = Fault::lost_typography,
          .why = filled(
              "The fraction bar is lost in the text at hand: $" + unknown + "=(" + top +
                  R"()/(u\cdot v\times w)$, as in the line before it. As a product it is off by the )"

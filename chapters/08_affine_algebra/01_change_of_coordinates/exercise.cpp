@@ -147,7 +147,6 @@ void formulas(Tables& tables, const std::vector<FramesOf<double>>& frames,
        .printed = R"($1\,\sqrt2\begin{pmatrix}1&1\\-1&1\end{pmatrix}a$)",
        .meant = transposed,
        .near_misses = {clockwise},
-       .kind = Fault::lost_typography,
        .why = filled(
            R"(The fraction bar is lost in the text at hand: $\tfrac1{\sqrt2}$. With the product the matrix )"
            R"(is no rotation, and every point is @1 times as far from the origin.)",

@@ -230,66 +230,7 @@ std::vector<Claim> claims(double seed) {
 
 // ---- proofs -----------------------------------------------------------------------------------------------
 
-namespace {
-
-/// The matrix of the dot products has positive leading minors, and elimination divides only by their
-/// quotients.
-constexpr const char* pivots_in_coq = R"(
-Lemma some_length : forall x y z, ~ (x = 0 /\ y = 0 /\ z = 0) -> x * x + y * y + z * z > 0.
-Proof. intros x y z H. apply Rnot_le_gt; intro; apply H; repeat split; nra. Qed.
-
-Ltac minors_of_edges x0 y0 z0 x1 y1 z1 x2 y2 z2 x3 y3 z3 :=
-  generalize dependent (x1 - x0); generalize dependent (y1 - y0); generalize dependent (z1 - z0);
-  generalize dependent (x2 - x0); generalize dependent (y2 - y0); generalize dependent (z2 - z0);
-  generalize dependent (x3 - x0); generalize dependent (y3 - y0); generalize dependent (z3 - z0);
-  intros c3 b3 a3 c2 b2 a2 c1 b1 a1 D;
-  first
-  [ replace (a1 * _ + _) with (a1 * a1 + b1 * b1 + c1 * c1) by ring; apply some_length;
-    intros [h [k l]]; apply D; rewrite h, k, l; ring
-  | match goal with |- ?x > 0 => replace x with
-      ((b1 * c2 - c1 * b2) * (b1 * c2 - c1 * b2) + (c1 * a2 - a1 * c2) * (c1 * a2 - a1 * c2)
-       + (a1 * b2 - b1 * a2) * (a1 * b2 - b1 * a2)) by ring end; apply some_length;
-    intros [h [k l]]; apply D;
-    transitivity (a3 * (b1 * c2 - c1 * b2) + b3 * (c1 * a2 - a1 * c2) + c3 * (a1 * b2 - b1 * a2));
-    [ring | rewrite h, k, l; ring]
-  | match type of D with ?d <> 0 => match goal with |- ?x > 0 => replace x with (Rsqr d) by (unfold Rsqr; ring) end end;
-    apply Rsqr_pos_lt, D ].
-Ltac quotient n d :=
-  match goal with |- ?x > 0 => replace x with (n / d) by (field; lra) end; apply Rdiv_lt_0_compat; lra.
-Ltac pivots := match goal with P : ?p > 0, Q : ?q > 0, S : ?s > 0 |- _ => solve [lra | quotient q p | quotient s q] end.
-)";
-
-/// A vector is determined by its dot products with all edges.
-constexpr const char* no_other_in_coq = R"(
-Lemma other_factor : forall d x, d <> 0 -> d * x = 0 -> x = 0.
-Proof. intros d x D H. destruct (Rmult_integral _ _ H); [contradiction | assumption]. Qed.
-
-Ltac no_other x0 y0 z0 x1 y1 z1 x2 y2 z2 x3 y3 z3 px py pz d1 d2 d3 :=
-  generalize dependent (x1 - x0); generalize dependent (y1 - y0); generalize dependent (z1 - z0);
-  generalize dependent (x2 - x0); generalize dependent (y2 - y0); generalize dependent (z2 - z0);
-  generalize dependent (x3 - x0); generalize dependent (y3 - y0); generalize dependent (z3 - z0);
-  generalize dependent (px - x0); generalize dependent (py - y0); generalize dependent (pz - z0);
-  intros w v u c3 b3 a3 c2 b2 a2 c1 b1 a1 D e1 e2 e3;
-  assert (solved : forall x y z, a1 * x + b1 * y + c1 * z = 0 -> a2 * x + b2 * y + c2 * z = 0 ->
-      a3 * x + b3 * y + c3 * z = 0 -> x = 0 /\ y = 0 /\ z = 0)
-    by (clear -D; intros x y z h1 h2 h3; repeat split; apply (other_factor _ _ D);
-        [transitivity ((b2 * c3 - c2 * b3) * (a1 * x + b1 * y + c1 * z)
-           + (b3 * c1 - c3 * b1) * (a2 * x + b2 * y + c2 * z)
-           + (b1 * c2 - c1 * b2) * (a3 * x + b3 * y + c3 * z))
-        |transitivity ((c2 * a3 - a2 * c3) * (a1 * x + b1 * y + c1 * z)
-           + (c3 * a1 - a3 * c1) * (a2 * x + b2 * y + c2 * z)
-           + (c1 * a2 - a1 * c2) * (a3 * x + b3 * y + c3 * z))
-        |transitivity ((a2 * b3 - b2 * a3) * (a1 * x + b1 * y + c1 * z)
-           + (a3 * b1 - b3 * a1) * (a2 * x + b2 * y + c2 * z)
-           + (a1 * b2 - b1 * a2) * (a3 * x + b3 * y + c3 * z))];
-        solve [ring | rewrite h1, h2, h3; ring]);
-  destruct (solved (a1 * d1 + a2 * d2 + a3 * d3 - u) (b1 * d1 + b2 * d2 + b3 * d3 - v)
-                   (c1 * d1 + c2 * d2 + c3 * d3 - w)) as [su [sv sw]]; try lra;
-  replace u with (a1 * d1 + a2 * d2 + a3 * d3) by lra; replace v with (b1 * d1 + b2 * d2 + b3 * d3) by lra;
-  replace w with (c1 * d1 + c2 * d2 + c3 * d3) by lra; field; exact D.
-)";
-
-}  // namespace
+namespace {}  // namespace
 
 Provables proofs() {
   const std::vector<std::string> names{"b",  "x0", "y0", "z0", "x1", "y1", "z1", "x2", "y2", "z2",
@@ -321,7 +262,7 @@ Provables proofs() {
     if (p.claim != "8.5-normal_equations") continue;
     p.says = "they solve it, of any tetrahedron and any point, and nothing else does";
     p.lemmas.push_back(no_other);
-    p.preamble = no_other_in_coq;
+    p.preamble = coq_source({"no_other"});
   }
   Eigen::Matrix<Shortened, 3, 3> m;
   const auto letter = [](const char* name) { return Shortened::letter(name); };
@@ -348,7 +289,7 @@ Provables proofs() {
          "field; repeat split; nra"},
         no_other},
        0,
-       std::string(pivots_in_coq) + no_other_in_coq});
+       coq_source({"pivots", "no_other"})});
   return proved;
 }
 

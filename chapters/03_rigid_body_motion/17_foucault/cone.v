@@ -1,8 +1,10 @@
-#include "chapters/03_rigid_body_motion/17_foucault/foucault.hpp"
+(* Integrals over the cone. *)
+From Coq Require Import Reals Lra.
+From Coquelicot Require Import Hierarchy Derive RInt.
+From Interval Require Import Tactic.
+Local Open Scope R_scope.
+Load "../../integrals.v".
 
-namespace oddity::ex03_17 {
-
-const char* const cone_in_coq = R"(
 From Coquelicot Require Import ElemFct.
 
 Ltac in_reals := match goal with |- ?x = ?y => change (@eq R x y) end.
@@ -202,6 +204,3 @@ Ltac no_integrals := above_center; over_cones; slices; cbv beta; try in_reals.
 Ltac by_cube_root :=
   pose proof cube_root as cube; assert (Rpower 2 (1 / 3) > 0) by apply exp_pos;
   set (c := Rpower 2 (1 / 3)) in *; clearbody c; field [cube]; repeat split; lra.
-)";
-
-}  // namespace oddity::ex03_17

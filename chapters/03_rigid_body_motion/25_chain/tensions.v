@@ -1,8 +1,9 @@
-#include "chapters/03_rigid_body_motion/25_chain/chain.hpp"
+(* Newton's law with the rods' tensions, and the difference of two solutions of Lagrange's equations. *)
+From Coq Require Import Reals Lra.
+From Coquelicot Require Import Hierarchy Derive RInt.
+From Interval Require Import Tactic.
+Local Open Scope R_scope.
 
-namespace oddity::ex03_25 {
-
-const char* const tensions_in_coq = R"(
 (* Elimination in the rods' tensions, which are positive definite. *)
 Lemma quotient : forall d n, d > 0 -> d * (n / d) = n.
 Proof. intros. field. lra. Qed.
@@ -72,7 +73,7 @@ Local Notation X3 := (X2 + r3 * (cos a3 * b3 - sin a3 * w3 * w3)).
 Local Notation Y3 := (Y2 + r3 * (sin a3 * b3 + cos a3 * w3 * w3)).
 Lemma first_mass : m1 * X1 = T2 * sin a2 - T1 * sin a1 /\ m1 * (Y1 + g) = T1 * cos a1 - T2 * cos a2.
 Proof.
-  destruct (turned a1 a2) as [A [B _]]. 
+  destruct (turned a1 a2) as [A [B _]].
   replace (r1 * (cos a1 * b1 - sin a1 * w1 * w1)) with (cos a1 * (r1 * b1) - sin a1 * (r1 * w1 * w1)) by ring.
   replace (r1 * (sin a1 * b1 + cos a1 * w1 * w1)) with (sin a1 * (r1 * b1) + cos a1 * (r1 * w1 * w1)) by ring.
   replace (r1 * b1) with (- g * sin a1 + T2 * (1 / m1 * sin (a2 - a1))) by (rewrite E1; field; lra).
@@ -83,7 +84,7 @@ Qed.
 Lemma second_mass : m2 * X2 = T3 * sin a3 - T2 * sin a2 /\ m2 * (Y2 + g) = T2 * cos a2 - T3 * cos a3.
 Proof.
   destruct first_mass as [G1 H1]. destruct (turned a1 a2) as [_ [_ [A B]]]. destruct (turned a2 a3) as [C [D
-      _]]. 
+      _]].
   replace X1 with ((T2 * sin a2 - T1 * sin a1) / m1) by (rewrite <- G1; field; lra).
   replace (Y1 + r2 * (sin a2 * b2 + cos a2 * w2 * w2) + g) with ((Y1 + g) + r2 * (sin a2 * b2 + cos a2 * w2 *
       w2)) by ring.
@@ -164,6 +165,3 @@ Proof.
       [lra |].
   tauto.
 Qed.
-)";
-
-}  // namespace oddity::ex03_25

@@ -1,19 +1,9 @@
-#include "chapters/03_rigid_body_motion/13_tilted_chute/tilted_chute.hpp"
-
-namespace oddity::ex03_13 {
-
-const char* const cylinder_in_coq = R"(
-From Coq Require Import Nsatz.
+(* Roots and angles of a chute's slope and of a position in it, and zero second derivatives. *)
+From Coq Require Import Reals Lra.
+From Coquelicot Require Import Hierarchy Derive RInt.
+From Interval Require Import Tactic.
 Local Open Scope R_scope.
-Lemma length_across : forall y1 y2 u1 u2 u3 v1 v2 v3 : R,
-  u1 * u1 + u2 * u2 + u3 * u3 = 1 -> v1 * v1 + v2 * v2 + v3 * v3 = 1 -> u1 * v1 + u2 * v2 + u3 * v3 = 0 ->
-  y1 * y1 + y2 * y2 = (y1 * u1 + y2 * v1) * (y1 * u1 + y2 * v1) + (y1 * u2 + y2 * v2) * (y1 * u2 + y2 * v2) +
-    (y1 * u3 + y2 * v3) * (y1 * u3 + y2 * v3).
-Proof. intros. nsatz. Qed.
-Ltac on_cylinder := first [apply length_across; nsatz | nsatz].
-)";
 
-const char* const chute_in_coq = R"(
 From Coq Require Import Ratan.
 From Coquelicot Require Import AutoDerive.
 Local Open Scope R_scope.
@@ -100,6 +90,3 @@ Ltac bends_of h m x1 x2 :=
   let P := fresh in assert (P : forall x y, is_derive (fun z => h z y) x m) by (cbv beta; level_slope);
   destruct (no_bend h m P x1 x2) as (? & ? & ?); clear P; cbv beta in *;
   match goal with P : ?it |- ?it => exact P end.
-)";
-
-}  // namespace oddity::ex03_13

@@ -1,10 +1,9 @@
-#pragma once
+(* For orthonormal r and u and their product b: their mutual products, and any vector in their frame. *)
+From Coq Require Import Reals Lra.
+From Coquelicot Require Import Hierarchy Derive RInt.
+From Interval Require Import Tactic.
+Local Open Scope R_scope.
 
-/// Facts about orthonormal frames for Coq.
-namespace oddity {
-
-/// For orthonormal r and u and their product b: their mutual products, and any vector in their frame.
-inline constexpr const char* orthonormal_in_coq = R"(
 From Coq Require Import Nsatz.
 Local Open Scope R_scope.
 
@@ -20,6 +19,3 @@ Lemma orthonormal : forall r0 r1 r2 u0 u1 u2 : R,
   let c := b0 * a0 + b1 * a1 + b2 * a2 in
   a0 = a * r0 + b * u0 + c * b0 /\ a1 = a * r1 + b * u1 + c * b1 /\ a2 = a * r2 + b * u2 + c * b2.
 Proof. intros. unfold b0, b1, b2. repeat split; intros; try ring; nsatz. Qed.
-)";
-
-}  // namespace oddity
