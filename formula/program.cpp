@@ -12,7 +12,7 @@ namespace {
 
 using Term = Code<CSharp>;
 
-constexpr std::size_t line_length = 92;
+constexpr std::size_t line_length = 104;
 constexpr std::size_t long_term = 60;  ///< letters; longer operands get names
 constexpr int worth_a_constant = 2;    ///< operations
 

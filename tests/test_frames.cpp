@@ -66,11 +66,6 @@ std::vector<double> by_hand(const std::vector<double>& times, double h, Stepping
   return drawn;
 }
 
-/// One nanosecond per evaluation.
-Time counted_price(const Method& m, double setting) {
-  return {static_cast<double>(m.run(setting).evaluations) * 1e-9, 0};
-}
-
 }  // namespace
 
 TEST_CASE("fixed steps meet frames of different lengths like loops by hand", "[frames]") {

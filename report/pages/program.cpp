@@ -145,7 +145,7 @@ void turn_along(RecordedModel& model, bool can_turn) {
 
 /// Terms with commas between, as many a line as it has room for.
 std::string terms_text(const Lines& terms, std::size_t first) {
-  constexpr std::size_t line_length = 96;
+  constexpr std::size_t line_length = 106;
   std::string text;
   std::size_t length = first;
   for (const std::string& term : terms) {
@@ -174,24 +174,33 @@ std::string function_text(const std::string& head, const std::string& type, cons
 
 /// The functions of a model whose steps test whether it comes to rest.
 std::string stick_test_text(formula::Program& program, const RecordedModel& model) {
-  if (model.coasted.empty()) return "";
   return function_text("Speed(State x)", "double", program.function(model.speed)) +
          function_text("Braking(State x, State r)", "double", program.function(model.braking)) +
          function_text("Coasted(State x, State r)", "State", program.function(model.coasted));
 }
 
-/// Declares the parameters among the letters.
+/// Declares the parameters among the letters; neighbors of one meaning together.
 std::string parameters_text(const Task& task, const std::set<std::string>& letters) {
   const std::vector<std::string> names = parameter_names(task);
+  const auto& all = task.entry->exercise.parameters;
   std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (const Parameter& p = task.entry->exercise.parameters[i]; letters.contains(names[i]))
-      text += parameter_line(p, "static readonly double", names[i], format_shortest(task.parameters[p.name]));
+  for (std::size_t i = 0; i < names.size();) {
+    const Parameter& first = all[i];
+    std::string declared, last;
+    for (; i < names.size() && all[i].says == first.says && all[i].unit == first.unit; ++i) {
+      if (!letters.contains(names[i])) continue;
+      declared += last + (last.empty() ? "" : ", ") + names[i] + " = ";
+      last = format_shortest(task.parameters[all[i].name]);
+    }
+    if (!last.empty())
+      text += parameter_line(first, "static readonly double", declared.substr(0, declared.size() - 3), last);
+  }
   return text;
 }
 
 /// Parameters, constants and the functions of the model.
-std::string model_text(const Task& task, const RecordedModel& model, std::string_view name, bool by_forces) {
+std::string model_text(const Task& task, const RecordedModel& model, std::string_view name, bool by_forces,
+                       bool may_stick) {
   std::set<std::string> moving{"t"}, taken = program_parts::reserved_names();
   for (std::size_t i = 0; i < model.start.size(); ++i) {
     moving.insert(state_letter('x', i));
@@ -209,7 +218,7 @@ std::string model_text(const Task& task, const RecordedModel& model, std::string
     bodies = function_text("Start()", "State", program.function(model.start)) +
              (by_forces ? function_text("Acceleration(State q)", "Half", program.function(moves))
                         : function_text("Rates(State x, double t)", "State", program.function(moves))) +
-             stick_test_text(program, model) +
+             (may_stick ? stick_test_text(program, model) : "") +
              std::string(model.orientation.empty() ? "" : about_orientation) +
              function_text("Observe(State x, double t)", "Seen", program.function(model.observed))
                  .substr(model.orientation.empty() ? 0 : 1);
@@ -314,9 +323,11 @@ std::string program_in(Language language, const Task& task, const Candidate& cho
     const std::string algorithm =
         program_parts::algorithm_text(std::string(without_stepping(chosen.algorithm)), model);
     const bool by_forces = algorithm.find("Acceleration(") != algorithm.npos;
+    const bool may_stick = algorithm.find("Coasted(") != algorithm.npos;
+    if (!may_stick) model.speed.clear(), model.braking.clear(), model.coasted.clear();
     turn_along(model, !by_forces && algorithm.find("velocities") == algorithm.npos);
     const Dialect dialect{model.start.size(), model.observed.size()};
-    std::string code = dialect.in(language, model_text(task, model, name, by_forces) + algorithm);
+    std::string code = dialect.in(language, model_text(task, model, name, by_forces, may_stick) + algorithm);
     code += program_parts::helpers_for(language, code);
     code += main_text(language, task, chosen, need, model);
     const std::string head = about + "\n" + std::string(runs[static_cast<std::size_t>(language)]) +

@@ -32,9 +32,9 @@ namespace {
 using html::element;
 
 const CheapestModel* recipe_of(const ExerciseResult& e) {
-  if (!e.cheapest_models || e.cheapest_models->least.empty() || !entry_of(e.number)) return nullptr;
-  const CheapestModel& game = e.cheapest_models->least.front();
-  return game.least ? &game : nullptr;
+  if (!e.cheapest_models || !entry_of(e.number)) return nullptr;
+  const CheapestModel& recipe = e.cheapest_models->recipe;
+  return recipe.least ? &recipe : nullptr;
 }
 
 /// To its recipe, where it has one.
@@ -333,13 +333,16 @@ std::string answer(const CheapestModel& game, const CheapestModels& models, std:
                  (least.resolution.empty() ? ""
                                            : ", " + in_xml(with_powers(shown_setting(least, game.need)))) +
                  ".") +
-         element("p", "",
-                 "Within " + allowed_text(models.units) + " at every frame over " +
-                     shown_span(game.need, time_unit) +
-                     ", with the least counted work: " + format_significant(least.evaluations_per_frame, 3) +
-                     (least.evaluations_per_frame == 1 ? " evaluation" : " evaluations") +
-                     " per frame; off by " + errors +
-                     " at most. <a class=\"screen\" href=\"recipes.html\">All scenes</a>");
+         element(
+             "p", "",
+             "Within " + allowed_text(models.units) + " at every frame over " +
+                 shown_span(game.need, time_unit) + ": " +
+                 format_significant(least.evaluations_per_frame, 3) +
+                 (least.evaluations_per_frame == 1 ? " evaluation" : " evaluations") + " per frame, off by " +
+                 errors +
+                 " at most. It is the answer of <code>oddity choose</code> if each evaluation costs the same: "
+                 "the least of the closed forms and one-step methods of fixed step that hold with a margin "
+                 "of three. <a class=\"screen\" href=\"recipes.html\">All scenes</a>");
 }
 
 /// Third-party engines at a step per frame with their defaults.

@@ -12,6 +12,7 @@
 #include "reference/in_long_double.hpp"
 #include "reference/text.hpp"
 #include "report/study/candidate.hpp"
+#include "report/study/choose.hpp"
 #include "report/study/parallel.hpp"
 #include "solvers/ode/catalog.hpp"
 
@@ -385,6 +386,11 @@ std::string truest_model(const Quantity& motion, const Solvers& solvers) {
   return truest;
 }
 
+CheapestModel recipe(const Task& task, const std::string& says, Need need, const Reference& truth) {
+  need.objective = Objective::simple;
+  return {says, need, choose(task, need, truth, counted_price).chosen};
+}
+
 /// Evaluations of all trials.
 double work(const ExerciseResult& result) {
   double evaluations = 0;
@@ -406,8 +412,9 @@ std::optional<CheapestModels> cheapest_models(const Task& task, const Reference&
   for (std::string_view unit : motion.units()) cheapest_models.units.emplace_back(unit);
   const Solvers solvers = solvers_of(motion);
   const Along along(task, game, truth, truest_model(motion, solvers), solvers);
-  cheapest_models.least.push_back(
-      cheapest_model(start, *task.entry->exercise.scene, game_in_words(motion), game));
+  const std::string says = game_in_words(motion);
+  cheapest_models.recipe = recipe(task, says, game, truth);
+  cheapest_models.least.push_back(cheapest_model(start, *task.entry->exercise.scene, says, game));
   cheapest_models.least.push_back(cheapest_model(start, *task.entry->exercise.scene, "10 digits", digits));
   for (const std::string& model : models_of(motion)) {
     auto found = along.break_evens(model);

@@ -277,6 +277,11 @@ Time measured_price(const Method& method, double setting) {
   return best;
 }
 
+Time counted_price(const Method& method, double setting) {
+  constexpr double each = 1e-9;
+  return {each * static_cast<double>(method.run(setting).evaluations), 0};
+}
+
 std::pair<double, double> Choice::share_in_chaos() const {
   constexpr double z = 1.959964;
   const double n = tried_in_chaos, share = holding_in_chaos / n;

@@ -97,6 +97,9 @@ using Price = std::function<Time(const Method&, double setting)>;
 /// Time measured on this machine. Measures a short run three times and keeps the least disturbed one.
 Time measured_price(const Method&, double setting);
 
+/// A nanosecond for each evaluation of a run: by this price the answer is the same on every machine.
+Time counted_price(const Method&, double setting);
+
 /// Chooses on the task's start and two next to it, and tests on three others (the scene's `starts`, each up
 /// to a tenth off). Repeats with fresh starts while the test fails. Of near ties takes the more accurate, of
 /// those the simpler. Throws BadInput when the exercise has no motion or the need makes no sense, and

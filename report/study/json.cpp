@@ -331,12 +331,14 @@ Json from(const CheapestModels& cheapest_models) {
   for (const CheapestModel& row : cheapest_models.least) least.push_back(from(row));
   for (const BreakEven& b : cheapest_models.break_evens) break_evens.push_back(from(b));
   return {{"units", cheapest_models.units},
+          {"recipe", from(cheapest_models.recipe)},
           {"least", least},
           {"break_evens", break_evens},
           {"never", cheapest_models.never}};
 }
 CheapestModels cheapest_models(const Json& json) {
-  CheapestModels cheapest_models{json.at("units"), {}, {}, json.at("never")};
+  CheapestModels cheapest_models{
+      json.at("units"), {}, {}, json.at("never"), cheapest_model(json.at("recipe"))};
   for (const Json& row : json.at("least")) cheapest_models.least.push_back(cheapest_model(row));
   require(!cheapest_models.least.empty(), "there are no least models");
   for (const Json& b : json.at("break_evens")) cheapest_models.break_evens.push_back(break_even(b));
