@@ -4,7 +4,6 @@
 
 #include "chapters/claims.hpp"
 #include "chapters/to_write.hpp"
-#include "reference/text.hpp"
 
 namespace oddity {
 
@@ -18,28 +17,17 @@ constexpr Parameter parameters[] = {{"seed", 1, "1", "of the samples", 0, 1e6, w
 struct Sample {
   double a, b, gamma;
 
-  explicit Sample(Random& random)
-      : a(random.between(0.1, 10)), b(random.between(0.1, 10)), gamma(random.between(0.1, 3)) {}
-  std::string where() const {
-    return "a = " + format_shortest(a) + ", b = " + format_shortest(b) +
-           ", gamma = " + format_shortest(gamma);
+  Letters<double> table() {
+    return {{"a", a, {0.1, 10}}, {"b", b, {0.1, 10}}, {R"(\gamma)", gamma, {0.1, 3}}};
   }
-  std::array<double*, 3> letters() { return {&a, &b, &gamma}; }
 };
 
 std::vector<Claim> claims(const Parameters& p) {
-  return Claims("99.97")
-      .formula<Sample>("first", 1, "the square of the third side, $c^2$", draw<Sample>(1000, p["seed"]),
-                       {.truth = to_write(),
-                        .printed = {R"($a^2+b^2-2ab\cos\gamma$)",
-                                    [](const Sample& s) {
-                                      return Value(s.a * s.a + s.b * s.b - 2 * s.a * s.b * cos(s.gamma));
-                                    }},
-                        .near_misses = {{R"($a^2+b^2+2ab\cos\gamma$)",
-                                         [](const Sample& s) {
-                                           return Value(s.a * s.a + s.b * s.b + 2 * s.a * s.b * cos(s.gamma));
-                                         }}}})
-      .in_order();
+  const auto samples = draw<Sample>(1000, p["seed"]);
+  Claims all("99.97");
+  const auto claim = all.over(samples);
+  claim("first", 1, "the square of the third side, $c^2$", to_write(), {R"($a^2+b^2-2ab\cos\gamma$)"});
+  return all.in_order();
 }
 
 Findings study(const Parameters& p, const Reference&) { return {claims(p), {}}; }
