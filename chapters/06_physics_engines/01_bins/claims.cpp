@@ -26,19 +26,12 @@ std::vector<Lattice> one_in_every_bin(int half) {
 }
 
 /// A sphere of any center and radius.
-struct Solid {
-  Point c;
-  double r;
-
-  explicit Solid(Random& random) : c(random.point(10)), r(std::abs(random.magnitude(1e-3, 1e3))) {}
-  std::array<double*, 4> letters() { return {&c[0], &c[1], &c[2], &r}; }
-  TypesetLetters typeset() const { return {{"x_c", c[0]}, {"y_c", c[1]}, {"z_c", c[2]}, {"r", r}}; }
-  std::string where() const { return "$r$ = " + format_shortest(r); }
-
-  /// On each axis, the two planes at `distance` from the center.
-  Value planes(double distance) const {
-    return {c[0] - distance, c[0] + distance, c[1] - distance,
-            c[1] + distance, c[2] - distance, c[2] + distance};
+struct Solid : Sphere {
+  Letters<double> table() {
+    return {{"x_c", c[0], {-10, 10}},
+            {"y_c", c[1], {-10, 10}},
+            {"z_c", c[2], {-10, 10}},
+            {"r", r, positive_size(1e-3, 1e3)}};
   }
 };
 
@@ -46,12 +39,7 @@ struct Solid {
 struct Center {
   Point c;
 
-  explicit Center(Random& random) : c(random.point(8)) {}
-  std::string where() const {
-    return "$c$ = (" + format_shortest(c[0]) + ", " + format_shortest(c[1]) + ", " + format_shortest(c[2]) +
-           ")";
-  }
-
+  Letters<double> table() { return {{"c", c, {-8, 8}}}; }
   /// Whether, for r = 4 in a world of 16, the cost of the range never rises as the bins' side grows from 1/4
   /// to 4.
   bool never_rises(bool as_fraction) const {
@@ -73,7 +61,6 @@ struct Size {
   static constexpr bool whole = true;
   int half;
   TypesetLetters typeset() const { return {{"n", std::pow(2 * half, 3)}}; }
-  std::string where() const { return std::to_string(2 * half) + " bins an axis"; }
 };
 
 void ranges(Claims& claims, const Parameters& p, const std::vector<Lattice>& spheres, const Grid& grid) {
@@ -93,17 +80,16 @@ void ranges(Claims& claims, const Parameters& p, const std::vector<Lattice>& sph
        .near_misses = {
            {"tests of all bins but the first find it", of_those([](long id) { return id != 0; })}}});
 
-  claims.formula<Solid>(
+  claims.over(draw<Solid>(30, p["seed"]))(
       "projections", 3737,
       "the sphere's projections on the axes are $[x_c-r,x_c+r]$, $[y_c-r,y_c+r]$ and $[z_c-r,z_c+r]$",
-      draw<Solid>(30, p["seed"]),
-      {.quantity = "ends of the three projections",
-       .truth = {"planes that just meet the sphere, by Brent's method on $r^2-(x-c)^2$",
-                 [](const Solid& s) {
-                   const auto left = [&](double offset) { return s.r * s.r - offset * offset; };
-                   return s.planes(brent(left, 0, 3 * s.r, 1e-15 * s.r).value);
-                 }},
-       .printed = {R"($(x_c-r,\ x_c+r,\ y_c-r,\ y_c+r,\ z_c-r,\ z_c+r)$)"}});
+      {"planes that just meet the sphere, by Brent's method on $r^2-(x-c)^2$",
+       [](const Solid& s) {
+         const auto left = [&](double offset) { return s.r * s.r - offset * offset; };
+         const double d = brent(left, 0, 3 * s.r, 1e-15 * s.r).value;
+         return values(s.c[0] - d, s.c[0] + d, s.c[1] - d, s.c[1] + d, s.c[2] - d, s.c[2] + d);
+       }},
+      {R"($(x_c-r,\ x_c+r,\ y_c-r,\ y_c+r,\ z_c-r,\ z_c+r)$)"}, "ends of the three projections");
 
   /// The range contains exactly the bins that meet the box, and tests in it find the same bins as n tests.
   const auto by = [&](std::string text, Range range) {
@@ -123,21 +109,19 @@ void ranges(Claims& claims, const Parameters& p, const std::vector<Lattice>& sph
                        by("truncation at both ends", reach_by_truncation),
                        by("converted to 32 bits, then clamped", reach_converted_first)}});
 
-  claims.formula<Size>(
+  claims.over(std::vector<Size>{{1}, {4}, {12}})(
       "few_computations", 3737,
       R"(the indices require only a few computations (our reading: $(6,\ 6)$ divisions and roundings, for any )"
       "number of bins)",
-      {{1}, {4}, {12}},
-      {.quantity = "divisions and roundings for a sphere's range",
-       .truth = {"counted",
-                 [](const Size& size) {
-                   const Operations operations = operations_of([&] {
-                     for (double x : {0.3, -0.2, 0.7})
-                       static_cast<void>(reach_of<Counted<double>>(x, 0.9, {1, size.half}));
-                   });
-                   return values(operations.divisions, operations.functions);
-                 }},
-       .printed = {R"($(6,\ 6)$)"}});
+      {"counted",
+       [](const Size& size) {
+         const Operations operations = operations_of([&] {
+           for (double x : {0.3, -0.2, 0.7})
+             static_cast<void>(reach_of<Counted<double>>(x, 0.9, {1, size.half}));
+         });
+         return values(operations.divisions, operations.functions);
+       }},
+      {R"($(6,\ 6)$)"}, "divisions and roundings for a sphere's range");
 }
 
 /// The mean number of bins in the range for centers evenly spread along an axis of the grid, cubed.
@@ -164,11 +148,11 @@ struct Ratio {
 };
 
 void costs(Claims& claims, const Parameters& p, const std::vector<Lattice>& spheres, const Grid& grid) {
+  static constexpr Grid sixteen{1, 8};
   const auto small = [&](double largest) {
     return in_all<Lattice>(
         "the range is at most a fiftieth of 4096 bins, $r$ up to " + format_shortest(largest) + " bins",
         random_spheres(p["seed"], 400, 8, largest), [](const Lattice& s) {
-          const Grid sixteen{1, 8};
           return 50 * hits(s.sphere(), sixteen, reach, always).tests <= sixteen.count();
         });
   };
@@ -192,7 +176,6 @@ void costs(Claims& claims, const Parameters& p, const std::vector<Lattice>& sphe
 
   const auto everything = [](double widths) {
     return [=](const Center& center) {
-      const Grid sixteen{1, 8};
       return hits({center.c, widths * 16}, sixteen, reach, always).tests >= sixteen.count();
     };
   };
@@ -236,18 +219,16 @@ void costs(Claims& claims, const Parameters& p, const std::vector<Lattice>& sphe
                                  {"in a grid of 32 bins an axis", mean_tests(2, 16)},
                                  rounding(125)}}}}});
 
-  std::vector<double> counted, closed, constant, linear;
+  const std::vector<double> constant(4, 8);
+  std::vector<double> counted, closed, linear;
   for (int half : {4, 8, 16, 32}) {
     counted.push_back(mean_tests(0.5, half));
     closed.push_back(mean_in_closed_form(0.5, half));
-    constant.push_back(8);
     linear.push_back(counted.front() * std::pow(half / 4.0, 3));
   }
   const auto tests = [&](const char* by, const std::vector<double>& value, const Tolerance& tolerance) {
-    return Check{"mean tests a sphere at $r=h/2$, $n=8^3,16^3,32^3,64^3$",
-                 {"counted", counted},
-                 {by, value},
-                 tolerance};
+    const std::string what = "mean tests a sphere at $r=h/2$, $n=8^3,16^3,32^3,64^3$";
+    return Check{what, {"counted", counted}, {by, value}, tolerance};
   };
   const Tolerance border{8 * 3 / 16.0, "the border cuts off $3/(2N)$ of 8, $N=8$"};
   claims.add(
