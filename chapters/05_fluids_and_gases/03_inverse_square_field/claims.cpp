@@ -29,11 +29,9 @@ struct Away {
   Frame frame;
   double power;
 
-  std::array<double*, 3> letters() { return {&x[0], &x[1], &x[2]}; }
+  Letters<double> table() { return {{R"(\mathbf x)", x}}; }
   double size() const { return std::pow(length(x), -power); }
-  TypesetLetters typeset() const {
-    return {{R"(\mathbf x)", x}, {"x_0", x[0]}, {"x_1", x[1]}, {"x_2", x[2]}};
-  }
+  TypesetLetters typeset() const { return {{"x_0", x[0]}, {"x_1", x[1]}, {"x_2", x[2]}}; }
   std::string where() const { return R"($|\mathbf x|$ = )" + format_shortest(length(x)); }
 };
 
@@ -70,38 +68,30 @@ Check divergence_is_zero(const std::string& field, const std::function<double(co
 }
 Reading divergence_of_power(int power, const Random& random) {
   const std::string field = R"(\mathbf x/|\mathbf x|^)" + std::to_string(power);
+  const auto of = [=](const Away& a) {
+    const auto along_x = [=](const auto& x) {
+      using std::pow;
+      const auto scale = pow(dot(x, x), -power / 2.0);
+      return std::array{x[0] * scale, x[1] * scale, x[2] * scale};
+    };
+    return divergence(along_x, a.frame)(a.x);
+  };
   return {R"($\nabla\cdot()" + field + ")=0$ where it is defined",
-          {divergence_is_zero(
-              field,
-              [=](const Away& a) {
-                const auto along_x = [=](const auto& x) {
-                  using std::pow;
-                  const auto scale = pow(dot(x, x), -power / 2.0);
-                  return std::array{x[0] * scale, x[1] * scale, x[2] * scale};
-                };
-                return divergence(along_x, a.frame)(a.x);
-              },
-              samples(random, 1e40, power))}};
+          {divergence_is_zero(field, of, samples(random, 1e40, power))}};
 }
 
 /// A point with whole coordinates.
 struct Whole {
-  long x, y, z;
-  explicit Whole(Random& random)
-      : x(random.below(2000001) - 1000000),
-        y(random.below(2000001) - 1000000),
-        z(random.below(2000001) - 1000000) {}
-  std::string where() const {
-    return R"($\mathbf x$ = ()" + std::to_string(x) + ", " + std::to_string(y) + ", " + std::to_string(z) +
-           ")";
+  Triple<long> x;
+  explicit Whole(Random& random) {
+    for (long& i : x) i = random.below(2000001) - 1000000;
   }
   TypesetLetters typeset() const {
-    const auto real = [](long i) { return static_cast<double>(i); };
-    return {
-        {R"(\mathbf x)", {real(x), real(y), real(z)}}, {"x_0", real(x)}, {"x_1", real(y)}, {"x_2", real(z)}};
+    const std::vector<double> all(x.begin(), x.end());
+    return {{R"(\mathbf x)", all}, {"x_0", all[0]}, {"x_1", all[1]}, {"x_2", all[2]}};
   }
   /// Whether the brackets |x|^2 - factor x_i^2 add up to zero.
-  bool cancels(long factor) const { return sum_of_brackets(Triple<long>{x, y, z}, factor) == 0; }
+  bool cancels(long factor) const { return sum_of_brackets(x, factor) == 0; }
 };
 
 }  // namespace
@@ -110,10 +100,8 @@ std::vector<Claim> claims(const Random& random, const Reference& truth) {
   Claims claims("5.3");
   const auto derivatives = [&](const char* slug, int line, const char* says, double range,
                                const std::string& formula) {
-    claims.formula<Away>(slug, line, says, samples(random, range),
-                         {.quantity = R"($\partial(x_i/|\mathbf x|^3)/\partial x_i$, $i=0,1,2$)",
-                          .truth = differentiated,
-                          .printed = {formula}});
+    claims.over(samples(random, range))(slug, line, says, differentiated, {formula},
+                                        R"($\partial(x_i/|\mathbf x|^3)/\partial x_i$, $i=0,1,2$)");
   };
   derivatives(
       "quotient_rule", 3135,
@@ -156,29 +144,25 @@ std::vector<Claim> claims(const Random& random, const Reference& truth) {
            {R"($\sum_i(|\mathbf x|^2-2x_i^2)=0$)", [](const Whole& x) { return x.cancels(2); }}}});
 
   const Known flux = truth("05_03_spheroid_flux", {1.5, 1.5, 0.375});
+  const Route around{flux.source, flux.value};
   const Check zero = divergence_is_zero(
       R"(\mathbf x/|\mathbf x|^3)", [](const Away& a) { return divergence(inverse_square, a.frame)(a.x); },
       samples(random, 1e60));
   claims.add("zero", 3267,
              R"($\nabla\cdot(\mathbf x/|\mathbf x|^3)=0$ (our condition: where the field is defined))",
              {.printed = {R"($\nabla\cdot(\mathbf x/|\mathbf x|^3)=0$ where it is defined)", {zero}},
-              .near_misses = {divergence_of_power(2, random),
-                              divergence_of_power(4, random),
-                              {"and at the origin too: a sphere around it has no flux",
-                               {{"flux through a sphere",
-                                 {flux.source, flux.value},
-                                 {"zero", 0.0},
-                                 {1e-10, "ten decimals"},
-                                 1}}}}});
+              .near_misses = {
+                  divergence_of_power(2, random),
+                  divergence_of_power(4, random),
+                  {"and at the origin too: a sphere around it has no flux",
+                   {Check{"flux through a sphere", around, {"zero", 0.0}, {1e-10, "ten decimals"}, 1}}}}});
 
   const double all_around = 4 * std::numbers::pi;
   const auto out_of_a_ball = [&](const char* text, double said) {
-    return Reading{text,
-                   {{"flux out of a ball around the origin",
-                     {"the divergence over the ball", said},
-                     {flux.source, flux.value},
-                     rounding(all_around),
-                     all_around}}};
+    const Route over_ball{"the divergence over the ball", said};
+    return Reading{
+        text,
+        {Check{"flux out of a ball around the origin", over_ball, around, rounding(all_around), all_around}}};
   };
   Reading corrected = out_of_a_ball(R"(zero but at the origin: a flux of $4\pi$ around it)", all_around);
   corrected.checks.push_back(zero);
