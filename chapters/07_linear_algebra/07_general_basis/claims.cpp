@@ -73,76 +73,48 @@ const Route x{"$x$", [](const auto&s) { return s.x; }}, y{"$y$", [](const auto&s
     z{"$z$", [](const auto&s) { return s.z; }},
     volume_times_q{R"($(u\cdot v\times w)\,q$)", [](const auto&s) { return s.volume() * s.q; }};
 
-/// An equation whose right side is the checked reading.
-struct Equation {
-  std::string_view slug;
-  int line;
-  Route left;
-  std::string right;
-};
-
-void equations(Table& table, const std::vector<Planted>& samples, const std::vector<Equation>& all) {
-  for (const Equation& e : all)
-    table.formula(e.slug, e.line, e.left.text.substr(0, e.left.text.size() - 1) + "=" + e.right + "$",
-                  samples, {.truth = e.left, .printed = "$" + e.right + "$"});
-}
-
 /// Equations for p as a combination of the basis.
 void over_basis(Table& table, const std::vector<Planted>& samples) {
-  equations(table, samples,
-            {{"x_equation",
-              3863,
-              {R"($p\cdot v\times w$)", [](const auto& s) { return triple(s.p, s.v, s.w); }},
-              R"(x\,u\cdot v\times w)"},
-             {"y_equation",
-              3865,
-              {R"($p\cdot w\times u$)", [](const auto& s) { return triple(s.p, s.w, s.u); }},
-              R"(y\,v\cdot w\times u)"},
-             {"z_equation",
-              3867,
-              {R"($p\cdot u\times v$)", [](const auto& s) { return triple(s.p, s.u, s.v); }},
-              R"(z\,w\cdot u\times v)"},
-             {"x", 3871, x, R"(\frac{p\cdot v\times w}{u\cdot v\times w})"},
-             {"y", 3877, y, R"(\frac{p\cdot w\times u}{v\cdot w\times u})"},
-             {"y_again", 3881, y, R"(\frac{u\cdot p\times w}{u\cdot v\times w})"},
-             {"z", 3887, z, R"(\frac{p\cdot u\times v}{w\cdot u\times v})"},
-             {"z_again", 3891, z, R"(\frac{u\cdot v\times p}{u\cdot v\times w})"}});
-  table.formula(
+  const auto claim = table.over(samples);
+  claim.equation("x_equation", 3863, R"($p\cdot v\times w=x\,u\cdot v\times w$)",
+                 {R"($p\cdot v\times w$)", [](const auto& s) { return triple(s.p, s.v, s.w); }});
+  claim.equation("y_equation", 3865, R"($p\cdot w\times u=y\,v\cdot w\times u$)",
+                 {R"($p\cdot w\times u$)", [](const auto& s) { return triple(s.p, s.w, s.u); }});
+  claim.equation("z_equation", 3867, R"($p\cdot u\times v=z\,w\cdot u\times v$)",
+                 {R"($p\cdot u\times v$)", [](const auto& s) { return triple(s.p, s.u, s.v); }});
+  claim.equation("x", 3871, R"($x=\frac{p\cdot v\times w}{u\cdot v\times w}$)", x);
+  claim.equation("y", 3877, R"($y=\frac{p\cdot w\times u}{v\cdot w\times u}$)", y);
+  claim.equation("y_again", 3881, R"($y=\frac{u\cdot p\times w}{u\cdot v\times w}$)", y);
+  claim.equation("z", 3887, R"($z=\frac{p\cdot u\times v}{w\cdot u\times v}$)", z);
+  claim.equation("z_again", 3891, R"($z=\frac{u\cdot v\times p}{u\cdot v\times w}$)", z);
+  claim(
       "combination", 3857,
       R"(any vector may be written as $p=xu+yv+zw$ (our check: )"
       R"($(u\cdot v\times w)\,q=(q\cdot v\times w)u+(q\cdot w\times u)v+(q\cdot u\times v)w$ for any vector $q$))",
-      samples,
-      {.quantity = "any vector $q$ over $u$, $v$, $w$, times their volume",
-       .truth = volume_times_q,
-       .printed = R"($(q\cdot v\times w)u+(q\cdot w\times u)v+(q\cdot u\times v)w$)"});
+      volume_times_q, R"($(q\cdot v\times w)u+(q\cdot w\times u)v+(q\cdot u\times v)w$)",
+      "any vector $q$ over $u$, $v$, $w$, times their volume");
 }
 
 /// Equations for p as a combination of the cross products.
 void over_products(Table& table, const std::vector<Planted>& samples) {
-  equations(table, samples,
-            {{"dual_x_equation",
-              3901,
-              {R"($w\cdot p$)", [](const auto& s) { return dot(s.w, s.p); }},
-              R"(x\,w\cdot u\times v)"},
-             {"dual_y_equation",
-              3903,
-              {R"($u\cdot p$)", [](const auto& s) { return dot(s.u, s.p); }},
-              R"(y\,u\cdot v\times w)"},
-             {"dual_x", 3909, x, R"(\frac{w\cdot p}{w\cdot u\times v})"},
-             {"dual_y", 3917, y, R"(\frac{u\cdot p}{u\cdot v\times w})"},
-             {"dual_z", 3923, z, R"(\frac{v\cdot p}{v\cdot w\times u})"}});
-  table.formula(
+  const auto claim = table.over(samples);
+  claim.equation("dual_x_equation", 3901, R"($w\cdot p=x\,w\cdot u\times v$)",
+                 {R"($w\cdot p$)", [](const auto& s) { return dot(s.w, s.p); }});
+  claim.equation("dual_y_equation", 3903, R"($u\cdot p=y\,u\cdot v\times w$)",
+                 {R"($u\cdot p$)", [](const auto& s) { return dot(s.u, s.p); }});
+  claim.equation("dual_x", 3909, R"($x=\frac{w\cdot p}{w\cdot u\times v}$)", x);
+  claim.equation("dual_y", 3917, R"($y=\frac{u\cdot p}{u\cdot v\times w}$)", y);
+  claim.equation("dual_z", 3923, R"($z=\frac{v\cdot p}{v\cdot w\times u}$)", z);
+  claim(
       "dual_combination", 3897,
       R"(any vector may be written as $p=x\,u\times v+y\,v\times w+z\,w\times u$ (our check: )"
       R"($(u\cdot v\times w)\,q=(w\cdot q)\,u\times v+(u\cdot q)\,v\times w+(v\cdot q)\,w\times u$ for any )"
       R"(vector $q$))",
-      samples,
-      {.quantity = R"(any vector $q$ over $u\times v$, $v\times w$, $w\times u$, times the volume)",
-       .truth = volume_times_q,
-       .printed = R"($(w\cdot q)\,u\times v+(u\cdot q)\,v\times w+(v\cdot q)\,w\times u$)"});
+      volume_times_q, R"($(w\cdot q)\,u\times v+(u\cdot q)\,v\times w+(v\cdot q)\,w\times u$)",
+      R"(any vector $q$ over $u\times v$, $v\times w$, $w\times u$, times the volume)");
   const double volume = twice_the_unit_vectors().volume();
-  table.formula(
-      "dual_z_equation", 3905, R"($v\cdot p=z\,v\cdot w\times u$, printed $z\,v\cdot w\cdot u$)", samples,
+  claim(
+      "dual_z_equation", 3905, R"($v\cdot p=z\,v\cdot w\times u$, printed $z\,v\cdot w\cdot u$)",
       {.truth = {R"($v\cdot p$)", [](const auto& s) { return dot(s.v, s.p); }},
        .printed = R"($z\sum_iv_iw_iu_i$)",
        .meant = R"($z\,v\cdot w\times u$)",
@@ -156,18 +128,17 @@ void over_products(Table& table, const std::vector<Planted>& samples) {
   const auto lost_bar = [&](std::string_view slug, int line, const std::string& unknown, const Route& truth,
                             const std::string& top) {
     const std::string meant = R"(\frac{)" + top + R"(}{u\cdot v\times w})";
-    table.formula(
-        slug, line, "$" + unknown + "=" + meant + "$, the fraction bar lost", samples,
-        {.quantity = "$" + unknown + "$",
-         .truth = truth,
-         .printed = "$(" + top + R"()\,u\cdot v\times w$)",
-         .meant = "$" + meant + "$",
-         .why = filled(
-             "The fraction bar is lost in the text at hand: $" + unknown + "=(" + top +
-                 R"()/(u\cdot v\times w)$, as in the line before it. As a product it is off by the )"
-                 R"(square of the volume $u\cdot v\times w$: with twice the unit vectors for a basis, )"
-                 "@2 times.",
-             {volume * volume})});
+    claim(slug, line, "$" + unknown + "=" + meant + "$, the fraction bar lost",
+          {.quantity = "$" + unknown + "$",
+           .truth = truth,
+           .printed = "$(" + top + R"()\,u\cdot v\times w$)",
+           .meant = "$" + meant + "$",
+           .why = filled(
+               "The fraction bar is lost in the text at hand: $" + unknown + "=(" + top +
+                   R"()/(u\cdot v\times w)$, as in the line before it. As a product it is off by the )"
+                   R"(square of the volume $u\cdot v\times w$: with twice the unit vectors for a basis, )"
+                   "@2 times.",
+               {volume * volume})});
   };
   lost_bar("dual_x_again", 3913, "x", x, R"(w\cdot p)");
   lost_bar("dual_z_again", 3927, "z", z, R"(v\cdot p)");
@@ -191,18 +162,15 @@ Provables proofs() {
   over_products(products, {});
   const std::vector<std::string> names{"u0", "u1", "u2", "v0", "v1", "v2", "w0", "w1", "w2",
                                        "x",  "y",  "z",  "p0", "p1", "p2", "q0", "q1", "q2"};
-  ForAll<LettersOf> all{
-      .any = lettered<LettersOf>(names),
-      .letters = quantified(names),
-      .tactic =
-          "field; match goal with H : _ <> 0 |- _ => contradict H; etransitivity; [| exact H]; ring end",
-      .says = "it holds for every basis",
-      .example = twice_the_unit_vectors()};
+  auto all = for_all<LettersOf>(
+      names, "field; match goal with H : _ <> 0 |- _ => contradict H; etransitivity; [| exact H]; ring end",
+      "it holds for every basis");
+  all.example = twice_the_unit_vectors();
   all.given = {not_zero(all.any.volume().expression())};
   all.any.p = all.any.combination();
   Provables proved = basis.proofs("7.7", all);
   all.any.p = all.any.dual_combination();
-  std::ranges::move(products.proofs("7.7", all), std::back_inserter(proved));
+  append(proved, products.proofs("7.7", all));
   return proved;
 }
 
