@@ -85,9 +85,6 @@ struct PlateOf {
     }
     return all;
   }
-  std::string where() const {
-    return std::to_string(particles.size()) + " particles, $C$ = " + shown(A) + ", $D$ = " + shown(D);
-  }
 };
 using Plate = PlateOf<double>;
 
@@ -100,13 +97,12 @@ struct Plates {
     for (int n = 0; n < 60; ++n) {
       Plate plate;
       const Vector offset = random.point(20);
-      constexpr int count = 6;
       Vector middle{};
-      for (int i = 0; i < count; ++i) {
+      for (int i = 0; i < 6; ++i) {
         Vector r = offset + random.point(5);
         r[2] = 0;
         plate.particles.push_back({std::abs(random.magnitude(0.05, 20)), r});
-        middle = middle + 1.0 / count * r;
+        middle = middle + 1.0 / 6 * r;
       }
       const double angle = random.between(0, 2 * pi);
       plate.D = {cos(angle), sin(angle), 0};
@@ -146,21 +142,32 @@ Vector solution(const Place& p, bool from_origin) {
 /// The point of the line nearest to `at`.
 constexpr auto foot = [](const auto& p, const auto& at) { return p.C + dot(p.D, at - p.C) * p.D; };
 
-const OfPlace on_line = R"($N\cdot(C+s_iD-C)=0$)", size_of_t = "$|t_i|$",
-              by_area{"twice a triangle's area over its base on the line",
-                      [](const auto&p) { return length(cross(7.0 * p.D, p.P - p.C)) / 7; }};
+const OfPlace on_line = R"($N\cdot(C+s_iD-C)=0$)";
 
 void coordinates(ProvableClaims<PlaceOf>& table, const std::vector<Place>& places) {
-  table.formula("coordinate_system", 593,
-                R"($C$, $D$ and $N$ form a coordinate system of the plane: $P_i=C+s_iD+t_iN$)", places,
-                {.quantity = "$P_i$",
-                 .truth = {"the particle's place", [](const auto& p) { return values(p.P[0], p.P[1]); }},
-                 .printed = R"($C+s_iD+t_iN$)"});
-  table.formula(
-      "decomposition", 597, R"($s_i=D\cdot(P_i-C)$, $t_i=N\cdot(P_i-C)$)", places,
-      {.quantity = R"($(s_i,t_i)$)",
-       .truth = {R"(Cramer's rule for $P_i=C+s_iD+t_iN$)", [](const auto& p) { return p.solved(); }},
-       .printed = R"($(D\cdot(P_i-C),\ N\cdot(P_i-C))$)"});
+  const auto claim = table.over(places);
+  claim("coordinate_system", 593,
+        R"($C$, $D$ and $N$ form a coordinate system of the plane: $P_i=C+s_iD+t_iN$)",
+        {"the particle's place", [](const auto& p) { return values(p.P[0], p.P[1]); }}, R"($C+s_iD+t_iN$)",
+        "$P_i$");
+  claim("decomposition", 597, R"($s_i=D\cdot(P_i-C)$, $t_i=N\cdot(P_i-C)$)",
+        {R"(Cramer's rule for $P_i=C+s_iD+t_iN$)", [](const auto& p) { return p.solved(); }},
+        R"($(D\cdot(P_i-C),\ N\cdot(P_i-C))$)", R"($(s_i,t_i)$)");
+  claim(
+      "distance", 601, R"($t_i$ is the distance from $P_i$ to the fulcrum line.)",
+      {.quantity = "the distance",
+       .truth = {"twice a triangle's area over its base on the line",
+                 [](const auto& p) { return length(cross(7.0 * p.D, p.P - p.C)) / 7; }},
+       .printed = "$t_i$",
+       .corrected = "$|t_i|$",
+       .in_view = {R"(for $t_i\ge0$, a particle on the side of $N$)",
+                   [](const Place& p) { return dot(p.N, p.P - p.C) >= 0; }},
+       .near_misses = {"$|s_i|$"},
+       .root = "distance for coordinate",
+       .why =
+           R"($t_i=N\cdot(P_i-C)$ has a sign, a distance has none: on the side away from $N$, $t_i$ is the distance's )"
+           R"(negative, and $|t_i|$ is the distance. The proof needs the sign. With distances the moment would be )"
+           R"($\sum m_i|t_i|$, which is positive as soon as one particle is off the line.)"});
 }
 
 void line_and_distance(Claims& claims, const std::vector<Place>& places) {
@@ -181,20 +188,6 @@ void line_and_distance(Claims& claims, const std::vector<Place>& places) {
                            solutions(R"($P$ with $N\cdot(P-C)=0$)", false)},
                           true},
               .near_misses = std::move(near_misses)});
-  claims.formula<Place>(
-      "distance", 601, R"($t_i$ is the distance from $P_i$ to the fulcrum line.)", places,
-      {.quantity = "the distance",
-       .truth = by_area,
-       .printed = {"$t_i$"},
-       .corrected = size_of_t,
-       .in_view = {R"(for $t_i\ge0$, a particle on the side of $N$)",
-                   [](const Place& p) { return dot(p.N, p.P - p.C) >= 0; }},
-       .near_misses = {{"$|s_i|$"}},
-       .root = "distance for coordinate",
-       .why =
-           R"($t_i=N\cdot(P_i-C)$ has a sign, a distance has none: on the side away from $N$, $t_i$ is the distance's )"
-           R"(negative, and $|t_i|$ is the distance. The proof needs the sign. With distances the moment would be )"
-           R"($\sum m_i|t_i|$, which is positive as soon as one particle is off the line.)"});
 }
 
 /// The half disc's moments about 32 lines through its center by another rule, or a uniform one's center.
@@ -216,34 +209,27 @@ Reading lamina_in_all_directions(const std::string& text, double k, bool uniform
             m[0]}}};
 }
 
-using Sum = ProvableFormula<PlateOf>;
-Sum sum_of(const std::string& text) { return over_particles<PlateOf>(text, "m x y"); }
+ProvableFormula<PlateOf> sum_of(const std::string& text) { return over_particles<PlateOf>(text, "m x y"); }
 const std::string factored = R"($M=N\cdot\sum m_i(x_i-\bar x,y_i-\bar y)$)";
 
-void moments(ProvableClaims<PlateOf>& table, const std::vector<Plate>& plates) {
+void moments(ProvableClaims<PlateOf>& beside, const std::vector<Plate>& plates,
+             ProvableClaims<PlateOf>& center, const std::vector<Plate>& centered) {
   const auto line = [&](std::string_view slug, int number, const std::string& text,
                         const std::string& says = "") {
-    table.formula(slug, number, says.empty() ? text : says, plates,
-                  {.quantity = "the first moment about the fulcrum",
-                   .truth = {"the torque of the weights that turns the side of $N$ down",
-                             [](const auto& p) { return p.level_torque(); }},
-                   .printed = sum_of(text)});
+    beside.over(plates)(slug, number, says.empty() ? text : says,
+                        {"the torque of the weights that turns the side of $N$ down",
+                         [](const auto& p) { return p.level_torque(); }},
+                        sum_of(text), "the first moment about the fulcrum");
   };
   line("first_moment", 603, R"($M=\sum m_it_i$)",
        R"(The first moment about the fulcrum is $M=\sum m_it_i$.)");
   line("with_normals", 605, R"($M=\sum m_iN\cdot(P_i-C)$)");
   line("in_coordinates", 607, R"($M=\sum m_iN\cdot(x_i-\bar x,y_i-\bar y)$)");
   line("factored", 609, factored);
-}
-
-void moments_about_center(ProvableClaims<PlateOf>& table, const std::vector<Plate>& plates) {
-  const auto vanishes = [&](std::string_view slug, int line, const std::string& says,
+  const auto vanishes = [&](std::string_view slug, int number, const std::string& says,
                             const std::string& text) {
-    table.formula(slug, line, says, plates,
-                  {.quantity = "about the center of mass",
-                   .truth = {"zero", [](const auto&) { return 0.0; }},
-                   .printed = sum_of(text),
-                   .changes_that_hold = "a multiple of zero is zero"});
+    center.over(centered)(slug, number, says, {"zero", [](const auto&) { return 0.0; }}, sum_of(text),
+                          "about the center of mass", "a multiple of zero is zero");
   };
   vanishes("zero", 611, R"($M=N\cdot(0,0)=0$)", R"($N\cdot\sum m_i(x_i-\bar x,y_i-\bar y)=0$)");
   const std::string sums = R"($\sum m_i(x_i-\bar x,y_i-\bar y)=(0,0)$)";
@@ -294,26 +280,10 @@ std::vector<Claim> claims(double seed, double k) {
   ProvableClaims<PlaceOf> of_places(claims);
   coordinates(of_places, places);
   ProvableClaims<PlateOf> of_plates(claims);
-  moments(of_plates, plates.beside);
-  moments_about_center(of_plates, plates.center);
+  moments(of_plates, plates.beside, of_plates, plates.center);
   about_lines(claims, plates, k);
   return claims.in_order();
 }
-
-namespace {
-
-/// The sum of m (x - c) is the sum of m x minus c times the mass.
-constexpr const char* by_sums =
-    "first [ apply total_ext; intros; first [ring | replace (d0 * d0 - d1 * - d1) with 1 by lra; field]\n"
-    "  | rewrite <- ?total_of_two, ?Rmult_0_l, ?Rplus_0_r; first [ring | apply total_ext; intros; ring] ]";
-constexpr const char* by_center = R"(
-  assert (apart : forall c g, total l (fun m x y => m * (g x y - c))
-      = total l (fun m x y => m * g x y) - c * total l (fun m x y => m))
-    by (intros c g; rewrite (total_ext l _ (fun m x y => 1 * (m * g x y) + (- c) * m)) by (intros; ring);
-        rewrite (total_of_two l 1 (- c) (fun m x y => m * g x y) (fun m x y => m)); ring);
-  rewrite ?(apart a0 (fun x y => x)), ?(apart a1 (fun x y => y)), ?H, ?H0; ring)";
-
-}  // namespace
 
 Provables proofs() {
   const auto letter = [](const char* name) { return Shortened::letter(name); };
@@ -324,35 +294,29 @@ Provables proofs() {
   any.N = cross(std::array{Shortened(0.0), Shortened(0.0), Shortened(1.0)}, any.D);
   const PlaceOf<Shortened> place{any.A, any.D, any.N, any.particles[0].r};
   const std::string letters = "(l : list (R * R * R)) (a0 a1 d0 d1 : R)",
-                    of_particle = "(a0 a1 d0 d1 x y : R)", at_any = "it holds of any particle and any line",
-                    unit_normal = "replace (d0 * d0 - d1 * - d1) with 1 by lra; ";
-  const std::vector<Proposition> unit{dot(any.D, any.D).expression() == 1};
-  std::vector<Proposition> center, solves = unit;
+                    of_particle = "(a0 a1 d0 d1 x y : R)", by_sums = "by_sums d0 d1",
+                    by_center = "by_center l a0 a1 H H0";
+  const std::vector<Proposition> unit{dot(any.D, any.D).expression() == 1},
+      solves{unit[0], dot(place.N, place.P - place.C).expression() == 0};
+  std::vector<Proposition> center;
   for (std::size_t i = 0; i < 2; ++i)
     center.push_back(from_origin.moment()[i].expression() == (any.A[i] * any.mass()).expression());
-  solves.push_back(dot(place.N, place.P - place.C).expression() == 0);
 
   Claims claims("2.9");
   ProvableClaims<PlateOf> lines(claims), at_center(claims);
   ProvableClaims<PlaceOf> places(claims);
-  moments(lines, {});
-  moments_about_center(at_center, {});
+  moments(lines, {}, at_center, {});
   coordinates(places, {});
   const auto vanishes = [&](const std::string& slug, const std::string& says, const std::string& all,
                             const Shortened& torque, const std::string& by_moments) -> Provable {
-    return {"2.9-" + slug,
-            says,
-            {{"printed",
-              all,
-              center,
-              {torque.expression() == 0},
-              "replace (" + torque.expression().coq() + ") with (" + by_moments + ")\n  by (" + by_sums +
-                  ");" + by_center}}};
+    const Expression is = torque.expression();
+    const std::string by =
+        "replace (" + is.coq() + ") with (" + by_moments + ")\n  by " + by_sums + "; " + by_center;
+    return {"2.9-" + slug, says, {{"printed", all, center, {is == 0}, by}}};
   };
   const Shortened tilt = letter("tilt");
   const Shortened by_moments = any.torque_of(1.0, {1.0, 0.0, 0.0}, tilt) * any.moment()[0] +
                                any.torque_of(1.0, {0.0, 1.0, 0.0}, tilt) * any.moment()[1];
-  const PlaceOf<Shortened> behind{{}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, -1.0, 0.0}};
   Provables proved{
       vanishes("regardless",
                "the torque about the center of any number of masses vanishes, whatever the line's direction",
@@ -364,28 +328,17 @@ Provables proofs() {
        "the points of any line solve it, and no others do",
        {{"printed", of_particle, unit, equal(on_line.recorded(place), {Expression(0.0)}), "field; lra"},
         {"no_other", of_particle, solves,
-         equal(detail::recorded_value(place.P), detail::recorded_value(foot(place, place.P))), "nsatz"}}},
-      {"2.9-distance",
-       "as corrected " + at_any + "; as printed it is off at an example",
-       {{"corrected", of_particle, unit, equal(size_of_t.recorded(place), by_area.recorded(place)),
-         unit_normal +
-             "assert (unit : d1 * d1 = 1 - d0 * d0) by lra;\n"
-             "  rewrite <- sqrt_Rsqr_abs; unfold Rsqr;\n  match goal with |- sqrt ?t = sqrt ?a / 7 =>"
-             " replace a with (7 * 7 * t) by field [unit]; rewrite (sqrt_mult_alt (7 * 7)) by lra;\n"
-             "    rewrite (sqrt_square 7) by lra; field end"},
-        {"printed_differs",
-         "",
-         {},
-         {apart(OfPlace("$t_i$").recorded(behind)[0], by_area.recorded(behind)[0], 1.9)},
-         "interval"}},
-       1.9}};
-  const auto add = [&](const Provables& more) { proved.insert(proved.end(), more.begin(), more.end()); };
-  add(lines.proofs(
-      "2.9", {any, letters, unit, by_sums, "it is the torque of any number of weights about any line"}));
-  add(at_center.proofs(
-      "2.9", {any, letters, center, by_center, "it vanishes about the center of any number of masses"}));
-  add(places.proofs("2.9",
-                    {place, of_particle, unit, "first [field; lra | " + unit_normal + "field]", at_any}));
+         equal(detail::recorded_value(place.P), detail::recorded_value(foot(place, place.P))), "nsatz"}}}};
+  append(proved, lines.proofs("2.9", {any, letters, unit, by_sums,
+                                      "it is the torque of any number of weights about any line"}));
+  append(proved, at_center.proofs("2.9", {any, letters, center, by_center,
+                                          "it vanishes about the center of any number of masses"}));
+  append(proved, places.proofs("2.9", {.any = place,
+                                       .letters = of_particle,
+                                       .given = unit,
+                                       .tactic = "first [field; lra | of_unit d0 d1; field | by_area d0 d1]",
+                                       .says = "it holds of any particle and any line",
+                                       .example = {.D = {1, 0, 0}, .N = {0, 1, 0}, .P = {0, -1, 0}}}));
   for (Provable& p : proved) p.preamble = coq_source({"sums"});
   return proved;
 }
