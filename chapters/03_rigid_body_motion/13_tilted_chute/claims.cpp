@@ -14,32 +14,12 @@
 namespace oddity::ex03_13 {
 
 using namespace tilted_chute;
-using std::abs, std::asin, std::cos, std::hypot, std::pow, std::sin, std::sqrt, std::numbers::pi;
+using std::abs, std::asin, std::atan, std::cos, std::hypot, std::pow, std::sin, std::sqrt, std::numbers::pi;
 template <class T>
 using Three = std::array<T, 3>;
-using Point = Three<double>;
 
 inline Shortened asin(const Shortened& x) { return function("asin", x.expression()); }
-/// The angle whose tangent is rise / run, for run > 0.
-inline Shortened slope_angle(const Shortened& rise, const Shortened& run) {
-  return function("atan", (rise / run).expression());
-}
-inline double slope_angle(double rise, double run) { return std::atan2(rise, run); }
-
-/// The Lagrangian of a unit mass in the distance along the axis and the angle about it, from the position
-/// alone.
-template <class G>
-struct AlongAndAbout {
-  Chute<G> chute;
-  G g;
-
-  template <class T>
-  T operator()(const Two<T>& q, const Two<T>& v) const {
-    const auto x = chute.position(Dual<T>(q[0], v[0]), Dual<T>(q[1], v[1]));
-    return T(0.5) * (x[0].slope * x[0].slope + x[1].slope * x[1].slope + x[2].slope * x[2].slope) -
-           T(g) * x[2].value;
-  }
-};
+inline Shortened atan(const Shortened& x) { return function("atan", x.expression()); }
 
 template <class T>
 Three<T> sum(const std::type_identity_t<Three<T>>& a, const Three<T>& b, std::type_identity_t<T> factor = 1) {
@@ -67,17 +47,11 @@ struct OnCylinderOf {
         V(cross(D, U)),
         X(sum(sum(P, D, t), unit(cross(D, random.direction())), R)),
         Y(sum(X, P, -1)) {}
-  std::vector<T*> letters() {
-    std::vector<T*> all{&R, &t};
-    for (Three<T>* point : {&P, &D, &U, &V, &X, &Y})
-      for (T& x : *point) all.push_back(&x);
-    return all;
+  Letters<T> table() {
+    return {{"R", R}, {"t", t}, {"P", P}, {"D", D}, {"U", U}, {"V", V}, {"X", X}, {"Y", Y}};
   }
   TypesetIn<T> typeset() const {
-    return {{"R", R},      {"t", t},      {"P", P},
-            {"D", D},      {"U", U},      {"V", V},
-            {"X", X},      {"Y", Y},      {"I", {1, 0, 0, 0, 1, 0, 0, 0, 1}},
-            {"y_1", y1()}, {"y_2", y2()}, {"y_3", y3()}};
+    return {{"I", {1, 0, 0, 0, 1, 0, 0, 0, 1}}, {"y_1", y1()}, {"y_2", y2()}, {"y_3", y3()}};
   }
   T y1() const { return dot(U, Y); }
   T y2() const { return dot(V, Y); }
@@ -93,51 +67,36 @@ struct OnChuteOf {
   T g, x1, x2, x3, v1, v2, k, phi, t;
 
   OnChuteOf() = default;
-  explicit OnChuteOf(Random& random)
-      : chute{random.between(0.5, 3), random.between(2, 10), 0},
-        g(random.between(0.5, 20)),
-        x1(random.magnitude(0.05, 3)),
-        x2(chute.R * random.magnitude(0.05, 0.9)),
-        x3(random.magnitude(0.05, 3)),
-        v1(random.magnitude(0.05, 3)),
-        v2(random.magnitude(0.05, 3)),
-        k(random.between(0.1, 2)),
-        phi(random.magnitude(0.05, 1.4)),
-        t(random.magnitude(0.05, 3)) {
-    chute.H = chute.L * sin(random.between(0.1, 1.4));
+  explicit OnChuteOf(Random& random) {
+    for (const Letter<T>& letter : table())
+      if (letter.first != &chute.H) *letter.first = letter.from.draw(random);
+    x2 *= chute.R, chute.H = chute.L * sin(random.between(0.1, 1.4));
+  }
+  Letters<T> table() {
+    return {{"R", chute.R, {0.5, 3}, "r"},
+            {"L", chute.L, {2, 10}},
+            {"H", chute.H},
+            {"g", g, {0.5, 20}},
+            {"x_1", x1, either_sign(0.05, 3)},
+            {"x_2", x2, either_sign(0.05, 0.9)},
+            {"x_3", x3, either_sign(0.05, 3)},
+            {R"(\dot x_1)", v1, either_sign(0.05, 3), "v1"},
+            {R"(\dot x_2)", v2, either_sign(0.05, 3), "v2"},
+            {"k", k, {0.1, 2}},
+            {R"(\phi)", phi, either_sign(0.05, 1.4)},
+            {"t", t, either_sign(0.05, 3), "way"}};
   }
   T cosine() const { return sqrt(chute.L * chute.L - chute.H * chute.H) / chute.L; }
   T theta() const { return asin(chute.H / chute.L); }
-  std::array<T*, 12> letters() {
-    return {&chute.R, &chute.L, &chute.H, &g, &x1, &x2, &x3, &v1, &v2, &k, &phi, &t};
-  }
   TypesetIn<T> typeset() const {
-    return {{"R", chute.R},
-            {"L", chute.L},
-            {"H", chute.H},
-            {R"(\theta)", theta()},
-            {"g", g},
-            {"x_1", x1},
-            {"x_2", x2},
-            {"x_3", x3},
-            {R"(\dot x_1)", v1},
-            {R"(\dot x_2)", v2},
-            {"k", k},
-            {"t", t},
-            {"S", S()},
-            {"x_1(0)", x1},
-            {R"(\dot x_1(0))", v1},
-            {"d_1", d1()},
-            {"d_3", d3()},
-            {"p_3", p3()},
-            {"D", {d1(), 0, d3()}},
-            {"P", {0, 0, p3()}},
-            {"I", {1, 0, 0, 0, 1, 0, 0, 0, 1}},
-            {R"(\ddot x_1)", accelerations()[0]},
-            {R"(\ddot x_2)", accelerations()[1]},
-            {"h_{x_1x_1}", second(1, 1)},
-            {"h_{x_1x_2}", second(1, 2)},
-            {"h_{x_2x_2}", second(2, 2)}};
+    return {{"S", ratio()},         {R"(\dot x_1(0))", v1},
+            {"x_1(0)", x1},         {"I", {1, 0, 0, 0, 1, 0, 0, 0, 1}},
+            {"d_1", d1()},          {"h_{x_1x_1}", second(1, 1)},
+            {"d_3", d3()},          {"h_{x_1x_2}", second(1, 2)},
+            {"p_3", p3()},          {"h_{x_2x_2}", second(2, 2)},
+            {"P", {0, 0, p3()}},    {R"(\ddot x_1)", accelerations()[0]},
+            {"D", {d1(), 0, d3()}}, {R"(\ddot x_2)", accelerations()[1]},
+            {R"(\theta)", theta()}};
   }
   std::string where() const {
     return filled(R"($\theta$ = @4, $R$ = @4, $x_2$ = @4, $v$ = (@4, @4))", {theta(), chute.R, x2, v1, v2});
@@ -158,8 +117,12 @@ struct OnChuteOf {
     const T angle = asin(x2 / chute.R), turning = v2 / (chute.R * cos(angle));
     const T along = (x1 - chute.R * (1 - cos(angle)) * chute.s()) / chute.c();
     const T speed = (v1 - chute.R * sin(angle) * turning * chute.s()) / chute.c();
-    const Two<T> a =
-        lagrange_accelerations(AlongAndAbout<T>{chute, g}, Two<T>{along, angle}, {speed, turning});
+    const auto lagrangian = [&]<class X>(const Two<X>& q, const Two<X>& v) {
+      const auto x = chute.position(Dual<X>(q[0], v[0]), Dual<X>(q[1], v[1]));
+      return X(0.5) * (x[0].slope * x[0].slope + x[1].slope * x[1].slope + x[2].slope * x[2].slope) -
+             X(g) * x[2].value;
+    };
+    const Two<T> a = lagrange_accelerations(lagrangian, Two<T>{along, angle}, {speed, turning});
     const auto x = [&](std::size_t i) {
       return [&, i](const auto& time) {
         return chute.position(along + speed * time + 0.5 * a[0] * time * time,
@@ -212,7 +175,7 @@ struct OnChuteOf {
     return there.accelerations()[0];
   }
   /// Ratio of x2'' to x2 in the published equation without friction.
-  T S() const {
+  T ratio() const {
     const T c = cosine(), r = sqrt(chute.R * chute.R - x2 * x2), tangent = chute.H / (chute.L * c);
     return -(chute.R * chute.R * v2 * v2 / (r * r * r * c) + g) /
            ((1 + tangent * tangent + x2 * x2 / (r * r * c * c)) * r * c);
@@ -241,15 +204,10 @@ void cylinder(CylinderTable& table, const std::vector<OnCylinder>& samples) {
         R"($V$, $D$ are orthonormal)",
         {"$X$", [](const auto& s) { return s.X; }}, R"($P+(U\cdot(X-P))U+(V\cdot(X-P))V+(D\cdot(X-P))D$)");
   claim("distance", 1597, "A point of the cylinder has $y_1^2+y_2^2=R^2$", square, "$y_1^2+y_2^2$");
-  claim("perpendicular", 1599, R"($y_1U+y_2V=(X-P)-(D\cdot(X-P))D$)", {"the sum of the two", across},
-        R"($(X-P)-(D\cdot(X-P))D$)");
-  claim("squared_left", 1601, "$|y_1U+y_2V|^2=y_1^2+y_2^2$",
-        {"the vector's square",
-         [=](const auto& s) {
-           const auto w = across(s);
-           return dot(w, w);
-         }},
-        "$y_1^2+y_2^2$");
+  claim.equation("perpendicular", 1599, R"($y_1U+y_2V=(X-P)-(D\cdot(X-P))D$)",
+                 {"the sum of the two", across});
+  claim.equation("squared_left", 1601, "$|y_1U+y_2V|^2=y_1^2+y_2^2$",
+                 {"the vector's square", [=](const auto& s) { return dot(across(s), across(s)); }});
 
   const auto row = [&](std::string_view slug, int line, const std::string& text,
                        const std::string& changes_that_hold = {}) {
@@ -275,13 +233,12 @@ void axis(ChuteTable& table, const std::vector<OnChute>& samples) {
   claim("adjacent", 1619, R"(The adjacent side of the triangle is $\sqrt{L^2-H^2}$)",
         {R"($L\cos\theta$)", [](const auto& s) { return s.chute.L * cos(s.theta()); }},
         R"($\sqrt{L^2-H^2}$)");
-  claim("cosine", 1621, R"($\cos\theta=\sqrt{L^2-H^2}/L$)",
-        {R"($\cos(\sin^{-1}(H/L))$)", [](const auto& s) { return cos(s.theta()); }}, R"($\sqrt{L^2-H^2}/L$)");
+  claim.equation("cosine", 1621, R"($\cos\theta=\sqrt{L^2-H^2}/L$)",
+                 {R"($\cos(\sin^{-1}(H/L))$)", [](const auto& s) { return cos(s.theta()); }});
   const auto run = [](const auto& s) { return sqrt((s.chute.L - s.chute.H) * (s.chute.L + s.chute.H)); };
-  claim("sine", 1621, R"($\sin\theta=H/L$)",
-        {"the angle between the chute and the plane",
-         [=](const auto& s) { return sin(slope_angle(s.chute.H, run(s))); }},
-        "$H/L$");
+  claim.equation("sine", 1621, R"($\sin\theta=H/L$)",
+                 {"the angle between the chute and the plane",
+                  [=](const auto& s) { return sin(atan(s.chute.H / run(s))); }});
   claim("direction", 1623, R"(The unit vector up the axis is $D=(-\cos\theta,0,\sin\theta)$)",
         {R"($(-\sqrt{L^2-H^2},0,H)$, normalized)",
          [=]<class T>(const OnChuteOf<T>& s) {
@@ -297,50 +254,42 @@ void axis(ChuteTable& table, const std::vector<OnChute>& samples) {
 
 // ---- the cylinder solved for x3 ---------------------------------------------------------------------------
 
-const std::string bracket = "$d_1(x_3-p_3)-d_3x_1$";
-
 void solved(ChuteTable& table, const std::vector<OnChute>& samples) {
   const auto claim = table.over(samples);
-  const Form form{"$(X-P)^T(I-DD^T)(X-P)-R^2$ at any point", [](const auto& s) { return s.excess(); }};
-  const std::string equation =
-      "the expression that is zero on the cylinder about the axis through $(0,0,p_3)$ along $(d_1,0,d_3)$";
-  table.formula(
-      "expansion_1", 1637, "On the cylinder $0=x_1^2+x_2^2+(x_3-p_3)^2-(d_1x_1+d_3(x_3-p_3))^2$", samples,
-      {.quantity = equation,
-       .truth = form,
-       .printed = "$x_1^2+x_2^2+(x_3-p_3)^2-(d_1x_1+d_3(x_3-p_3))^2$",
-       .meant = "$x_1^2+x_2^2+(x_3-p_3)^2-(d_1x_1+d_3(x_3-p_3))^2-R^2$",
-       .kind = Fault::formula,
-       .why =
-           "The term $-R^2$, there in the lines before and after, is left out: so read it is the axis alone "
-           "that satisfies the equation."});
-  const std::string rest = "(x_3-p_3)^2-2d_1d_3x_1(x_3-p_3)+(1-d_1^2)x_1^2+x_2^2-R^2$";
-  table.formula(
-      "expansion_2", 1639,
-      "On the cylinder $0=(1-d_3)^2(x_3-p_3)^2-2d_1d_3x_1(x_3-p_3)+(1-d_1^2)x_1^2+x_2^2-R^2$", samples,
-      {.truth = form,
-       .printed = "$(1-d_3)^2" + rest,
-       .meant = "$(1-d_3^2)" + rest,
-       .kind = Fault::formula,
-       .why =
-           filled("The square belongs to $d_3$: $(1-d_3^2)$, which the next line writes as $d_1^2$. With the "
-                  "default chute, $d_3=3/5$, that is @2, and as printed @2.",
-                  {1 - 0.36, 0.4 * 0.4})});
-  claim("expansion_3", 1641,
-        "On the cylinder $0=d_1^2(x_3-p_3)^2-2d_1d_3x_1(x_3-p_3)+d_3^2x_1^2+x_2^2-R^2$, as "
-        "$d_1^2+d_3^2=1$",
-        form, "$d_1^2(x_3-p_3)^2-2d_1d_3x_1(x_3-p_3)+d_3^2x_1^2+x_2^2-R^2$");
-  claim("expansion_4", 1643, "On the cylinder $0=(d_1(x_3-p_3)-d_3x_1)^2+x_2^2-R^2$", form,
-        "$(d_1(x_3-p_3)-d_3x_1)^2+x_2^2-R^2$");
+  const auto expansion = [&](std::string_view slug, int line, const std::string& printed,
+                             const std::string& as = {}, const std::string& meant = {},
+                             const std::string& why = {}) {
+    claim(slug, line, "On the cylinder $0=" + printed.substr(1) + as,
+          {.quantity = "the expression that is zero on the cylinder about the axis through $(0,0,p_3)$ along "
+                       "$(d_1,0,d_3)$",
+           .truth = {"$(X-P)^T(I-DD^T)(X-P)-R^2$ at any point", [](const auto& s) { return s.excess(); }},
+           .printed = printed,
+           .meant = meant,
+           .kind = meant.empty() ? Fault::none : Fault::formula,
+           .why = why});
+  };
+  const std::string of_axis = "$x_1^2+x_2^2+(x_3-p_3)^2-(d_1x_1+d_3(x_3-p_3))^2",
+                    rest = "(x_3-p_3)^2-2d_1d_3x_1(x_3-p_3)+(1-d_1^2)x_1^2+x_2^2-R^2$";
+  expansion("expansion_1", 1637, of_axis + "$", "", of_axis + "-R^2$",
+            "The term $-R^2$, there in the lines before and after, is left out: so read it is the axis alone "
+            "that satisfies the equation.");
+  expansion(
+      "expansion_2", 1639, "$(1-d_3)^2" + rest, "", "$(1-d_3^2)" + rest,
+      filled("The square belongs to $d_3$: $(1-d_3^2)$, which the next line writes as $d_1^2$. With the "
+             "default chute, $d_3=3/5$, that is @2, and as printed @2.",
+             {1 - 0.36, 0.4 * 0.4}));
+  expansion("expansion_3", 1641, "$d_1^2(x_3-p_3)^2-2d_1d_3x_1(x_3-p_3)+d_3^2x_1^2+x_2^2-R^2$",
+            ", as $d_1^2+d_3^2=1$");
+  expansion("expansion_4", 1643, "$(d_1(x_3-p_3)-d_3x_1)^2+x_2^2-R^2$");
 
+  const std::string bracket = "$d_1(x_3-p_3)-d_3x_1$ at the origin";
   const Form at_origin{"the bracket at $x_1=x_3=0$", [](const auto& s) { return s.bracket({0, 0, 0}); }};
   claim("origin", 1649, "The origin is on the cylinder",
         {"$R^2$", [](const auto& s) { return s.chute.R * s.chute.R; }}, "$(-P)^T(I-DD^T)(-P)$",
         "$(X-P)^T(I-DD^T)(X-P)$ at $X=0$");
   claim("at_origin", 1651, R"(At the origin the left side is $\cos\theta\,(R/\cos\theta)=-d_1p_3=R$)",
-        at_origin, R"($(\cos\theta\,(R/\cos\theta),\ -d_1p_3,\ R)$)", bracket + " at the origin");
-  claim("plus", 1653, "At the origin the root has the plus sign", at_origin, R"($+\sqrt{R^2-0}$)",
-        bracket + " at the origin");
+        at_origin, R"($(\cos\theta\,(R/\cos\theta),\ -d_1p_3,\ R)$)", bracket);
+  claim("plus", 1653, "At the origin the root has the plus sign", at_origin, R"($+\sqrt{R^2-0}$)", bracket);
 }
 
 /// Claims about points on the chute.
@@ -367,16 +316,15 @@ void on_the_chute(ChuteTable& table, const std::vector<OnChute>& samples) {
 
 void derivatives(Claims& claims, ChuteTable& table, const std::vector<OnChute>& samples) {
   const auto claim = table.over(samples);
-  table.formula(
-      "h1", 1673, R"(The derivative $h_{x_1}$ is $-H/(L\cos\theta)$)", samples,
-      {.truth = {"$h$ by dual numbers", [](const auto& s) { return s.slope(1, 0); }},
-       .printed = R"($-HL\cos\theta$)",
-       .meant = R"($-H/(L\cos\theta)$)",
-       .why = filled(
-           "The fraction's bar is lost. For the default chute the quotient is $@2$, and the product $@2$.",
-           {-3.0 / (5 * 0.8), -3.0 * 5 * 0.8})});
-  table.formula(
-      "h2", 1677, R"(The derivative $h_{x_2}$ is $x_2/\big((R^2-x_2^2)^{1/2}\cos\theta\big)$)", samples,
+  claim("h1", 1673, R"(The derivative $h_{x_1}$ is $-H/(L\cos\theta)$)",
+        {.truth = {"$h$ by dual numbers", [](const auto& s) { return s.slope(1, 0); }},
+         .printed = R"($-HL\cos\theta$)",
+         .meant = R"($-H/(L\cos\theta)$)",
+         .why = filled(
+             "The fraction's bar is lost. For the default chute the quotient is $@2$, and the product $@2$.",
+             {-3.0 / (5 * 0.8), -3.0 * 5 * 0.8})});
+  claim(
+      "h2", 1677, R"(The derivative $h_{x_2}$ is $x_2/\big((R^2-x_2^2)^{1/2}\cos\theta\big)$)",
       {.truth = {"$h$ by dual numbers", [](const auto& s) { return s.slope(0, 1); }},
        .printed = R"($x_2(R^2-x_2^2)^{1/2}\cos\theta$)",
        .meant = R"($x_2/\big((R^2-x_2^2)^{1/2}\cos\theta\big)$)",
@@ -384,9 +332,8 @@ void derivatives(Claims& claims, ChuteTable& table, const std::vector<OnChute>& 
            "The fraction's bar is lost. Towards the rim this slope becomes infinite, and the product zero."});
   claims.statement<OnChute>("h11_h12", 1679, "$h_{x_1x_1}=h_{x_1x_2}=0$", samples,
                             {.printed = {"$h_{x_1x_1}=h_{x_1x_2}=0$"}, .near_misses = {{"$h_{x_2x_2}=0$"}}});
-  claim("h22", 1681, R"($h_{x_2x_2}=R^2/\big((R^2-x_2^2)^{3/2}\cos\theta\big)$)",
-        {"$h$ by nested dual numbers", [](const auto& s) { return s.second(2, 2); }},
-        R"($R^2/\big((R^2-x_2^2)^{3/2}\cos\theta\big)$)");
+  claim.equation("h22", 1681, R"($h_{x_2x_2}=R^2/\big((R^2-x_2^2)^{3/2}\cos\theta\big)$)",
+                 {"$h$ by nested dual numbers", [](const auto& s) { return s.second(2, 2); }});
 }
 
 // ---- the equations of motion ------------------------------------------------------------------------------
@@ -397,16 +344,16 @@ std::string equations(const std::string& square, const std::string& slope) {
          R"(/\left((R^2-x_2^2)^{3/2}\cos\theta\right)+g}{1+H^2/(L^2\cos^2\theta)+x_2^2/\left((R^2-x_2^2)\cos^2\theta\right)}\left()" +
          slope + R"(,\ \frac{x_2}{(R^2-x_2^2)^{1/2}\cos\theta}\right)$)";
 }
-const std::string equations_printed = equations("x_2^2", R"(-HL\cos\theta)"),
-                  equations_meant = equations(R"(\dot x_2^2)", R"(-\frac{H}{L\cos\theta})");
+const std::string equations_meant = equations(R"(\dot x_2^2)", R"(-\frac{H}{L\cos\theta})");
 
 void motion(ChuteTable& table, const std::vector<OnChute>& samples) {
-  table.formula(
+  table.over(samples)(
       "equations", 1691, R"(The equations of motion are $(\ddot x_1,\ddot x_2)=)" + equations_meant.substr(1),
-      samples,
       {.truth = {"Lagrange's equations by nested dual numbers",
                  [](const auto& s) { return s.accelerations(); }},
-       .printed = equations_printed,
+       .other_routes = {{"Lagrange's equations along and about the axis, mapped by dual numbers",
+                         [](const OnChute& s) { return s.accelerations_about_axis(); }}},
+       .printed = equations("x_2^2", R"(-HL\cos\theta)"),
        .meant = equations_meant,
        .why =
            R"(A dot and a bar are lost: the numerator has $R^2\dot x_2^2$, and the vector is the gradient )"
@@ -423,24 +370,22 @@ Form lagrange(std::size_t i, double friction = 0) {
 /// Claims about a ball on the center line without speed across.
 void center(ChuteTable& table, const std::vector<OnChute>& samples) {
   const auto claim = table.over(samples);
-  const std::string other_forms = R"(\frac{g\tan\theta}{1+\tan^2\theta})", half = R"(\frac g2\sin2\theta)",
-                    denominator = R"(}{1+H^2/(L^2\cos^2\theta)},\ )";
-  const auto forms = [&](const std::string& numerator) {
-    return R"($\left(\frac{)" + numerator + denominator + other_forms + R"(,\ )" + half + R"(\right)$)";
+  const auto forms = [](const std::string& numerator) {
+    return R"($\left(\frac{)" + numerator +
+           R"(}{1+H^2/(L^2\cos^2\theta)},\ \frac{g\tan\theta}{1+\tan^2\theta},\ \frac g2\sin2\theta\right)$)";
   };
-  table.formula("x2_zero", 1715, "$x_2(t)=0$ for all time solves the second equation of motion", samples,
-                {.quantity = R"($\ddot x_2$ at $x_2=\dot x_2=0$)",
-                 .truth = lagrange(1),
-                 .printed = R"($\ddot x_2=0$)",
-                 .near_misses = {{R"($\ddot x_2$ at $x_2=0.05$, $\dot x_2=0$)", [](OnChute s) {
-                                    s.x2 = 0.05;
-                                    return s.accelerations()[1];
-                                  }}}});
-  table.formula(
+  claim("x2_zero", 1715, "$x_2(t)=0$ for all time solves the second equation of motion",
+        {.quantity = R"($\ddot x_2$ at $x_2=\dot x_2=0$)",
+         .truth = lagrange(1),
+         .printed = R"($\ddot x_2=0$)",
+         .near_misses = {{R"($\ddot x_2$ at $x_2=0.05$, $\dot x_2=0$)", [](OnChute s) {
+                            s.x2 = 0.05;
+                            return s.accelerations()[1];
+                          }}}});
+  claim(
       "center_acceleration", 1717,
-      R"(On the center line $\ddot x_1=\frac{gt}{1+t^2}=)" + other_forms + "=" + half +
-          R"($, $t=\frac H{L\cos\theta}$)",
-      samples,
+      R"(On the center line $\ddot x_1=\frac{gt}{1+t^2}=\frac{g\tan\theta}{1+\tan^2\theta}=\frac g2\sin2\theta$, )"
+      R"($t=\frac H{L\cos\theta}$)",
       {.truth = lagrange(0),
        .printed = forms(R"(gHL\cos\theta)"),
        .meant = forms(R"(gH/(L\cos\theta))"),
@@ -452,21 +397,20 @@ void center(ChuteTable& table, const std::vector<OnChute>& samples) {
         {"the constant acceleration by Lagrange's equations",
          [](const auto& s) { return s.x1 + s.v1 * s.t + s.accelerations()[0] * s.t * s.t / 2; }},
         R"($x_1(0)+\dot x_1(0)t+\frac{g\sin2\theta}4t^2$)");
-  table.formula("friction_center", 1739,
-                "With viscous friction $x_2(t)=0$ is still a solution, and the ball stays in the center",
-                samples,
-                {.quantity = R"($\ddot x_2$ at $x_2=\dot x_2=0$ with friction)",
-                 .truth = lagrange(1, 1),
-                 .printed = R"($\ddot x_2=0$)",
-                 .near_misses = {{"with friction and a wind across",
-                                  [](const OnChute& s) { return s.accelerations(s.k, 0.1)[1]; }}}});
+  claim("friction_center", 1739,
+        "With viscous friction $x_2(t)=0$ is still a solution, and the ball stays in the center",
+        {.quantity = R"($\ddot x_2$ at $x_2=\dot x_2=0$ with friction)",
+         .truth = lagrange(1, 1),
+         .printed = R"($\ddot x_2=0$)",
+         .near_misses = {{"with friction and a wind across",
+                          [](const OnChute& s) { return s.accelerations(s.k, 0.1)[1]; }}}});
 }
 
 /// Claims about a ball that crosses the center line with friction.
 void crossing(ChuteTable& table, const std::vector<OnChute>& samples) {
-  table.formula(
+  table.over(samples)(
       "friction_form", 1739,
-      R"(With viscous friction the second equation is still $\ddot x_2=Sx_2$, $S$ a scalar)", samples,
+      R"(With viscous friction the second equation is still $\ddot x_2=Sx_2$, $S$ a scalar)",
       {.truth = lagrange(1, 1),
        .printed = R"($\ddot x_2=Sx_2$)",
        .corrected = R"($\ddot x_2=Sx_2-k\dot x_2$)",
@@ -481,6 +425,7 @@ void crossing(ChuteTable& table, const std::vector<OnChute>& samples) {
 
 void statements(Claims& claims, const std::vector<OnChute>& samples) {
   using S = const OnChute&;
+  const auto claim = claims.over(samples);
   const auto after_a_second = [](S s, double across) {
     const InPlane<double> ball{s.chute, s.g, {s.x1, 0, s.v1, across}};
     return values(ode::integrate<ode::Fehlberg78>(ball, ball.start(), 0, 1, 1e-10).value[1]);
@@ -497,22 +442,19 @@ void statements(Claims& claims, const std::vector<OnChute>& samples) {
   const auto elsewhere = [](const std::string& text, double moved) -> Formula<OnChute> {
     return {R"($\ddot x_1$ at another place and speed, and that it is positive, )" + text, [=](S s) {
               OnChute other = s.on_center();
-              other.x1 = 1 - s.x1;
-              other.v1 = 2 - s.v1;
-              other.x2 = moved * s.x2;
+              other.x1 = 1 - s.x1, other.x2 = moved * s.x2, other.v1 = 2 - s.v1;
               return values(other.accelerations()[0], 1);
             }};
   };
-  claims.formula<OnChute>("positive", 1733, R"(On the center line $\ddot x_1$ is a positive constant)",
-                          samples,
-                          {.quantity = R"($\ddot x_1$, and whether it is positive)",
-                           .truth = {"at one place and speed",
-                                     [](S s) {
-                                       const double a = s.on_center().accelerations()[0];
-                                       return values(a, a > 0);
-                                     }},
-                           .printed = elsewhere("in a chute neither level nor vertical (our condition)", 0),
-                           .near_misses = {elsewhere("off the center line as well", 1)}});
+  claim("positive", 1733, R"(On the center line $\ddot x_1$ is a positive constant)",
+        {.quantity = R"($\ddot x_1$, and whether it is positive)",
+         .truth = {"at one place and speed",
+                   [](S s) {
+                     const double a = s.on_center().accelerations()[0];
+                     return values(a, a > 0);
+                   }},
+         .printed = elsewhere("in a chute neither level nor vertical (our condition)", 0),
+         .near_misses = {elsewhere("off the center line as well", 1)}});
   claims.statement<OnChute>("always_positive", 1733,
                             R"(The acceleration along $x_1$ is always positive: $\ddot x_1>0$)", samples,
                             {.printed = {R"($\ddot x_1>0$)"}, .near_misses = {{R"($\ddot x_2>0$)"}}});
@@ -562,9 +504,9 @@ namespace {
 struct Tables {
   CylinderTable about_axis;
   ChuteTable chute, placed, centered, crossed;
-  explicit Tables(Claims& all) : about_axis(all), chute(all), placed(all), centered(all), crossed(all) {}
 
-  void fill(Claims& all, const std::vector<OnCylinder>& points, const std::vector<OnChute>& samples) {
+  Tables(Claims& all, const std::vector<OnCylinder>& points, const std::vector<OnChute>& samples)
+      : about_axis(all), chute(all), placed(all), centered(all), crossed(all) {
     std::vector<OnChute> on_chute, on_center, at_times_on_center = samples;
     for (const OnChute& s : samples) on_chute.push_back(s.placed()), on_center.push_back(s.on_center());
     for (std::size_t i = 0; i < samples.size(); i += 2) at_times_on_center[i].x2 = 0;
@@ -579,68 +521,39 @@ struct Tables {
   }
 };
 
-}  // namespace
-
-std::vector<Claim> claims(double seed) {
-  Claims all("3.13");
-  const auto samples = draw<OnChute>(200, seed);
-  Tables(all).fill(all, draw<OnCylinder>(200, seed), samples);
-  statements(all, samples);
-  std::vector<Claim> judged = all.in_order();
-  std::ranges::find(judged, "3.13-equations", &Claim::id)
-      ->meant.checks.push_back(
-          compare<OnChute>(R"($(\ddot x_1,\ddot x_2)$)", computed(Formula<OnChute>{equations_meant}),
-                           {"Lagrange's equations along and about the axis, mapped by dual numbers",
-                            [](const OnChute& s) { return s.accelerations_about_axis(); }},
-                           samples));
-  return judged;
-}
-
-namespace {
+/// Writes squares of texts as products.
+const std::string in_products = "rewrite <- ?Rsqr_pow2; unfold Rsqr; ";
+/// Squares of the lengths of vectors.
+const std::string of_lengths = "rewrite ?pow2_sqrt by (repeat apply Rplus_le_le_0_compat; apply Rle_0_sqr); ";
 
 /// The axis' direction D, U and the direction W to the point are unit vectors; U and W are perpendicular to
 /// D.
 ForAll<OnCylinderOf> any_cylinder() {
-  const std::vector<std::string> names{"R",  "t",  "p1", "p2", "p3", "d1", "d2",
-                                       "d3", "u1", "u2", "u3", "w1", "w2", "w3"};
-  const auto vector = [](const std::string& letter) {
-    const auto x = [&](const char* i) { return Shortened::letter(letter + i); };
-    return Three<Shortened>{x("1"), x("2"), x("3")};
+  const auto vector = [letter = Shortened::letter](const std::string& x) {
+    return Three<Shortened>{letter(x + "1"), letter(x + "2"), letter(x + "3")};
   };
-  const auto W = vector("w");
+  const auto product = [](const auto& a, const auto& b, double is) { return dot(a, b).expression() == is; };
+  const auto P = vector("p"), D = vector("d"), U = vector("u"), W = vector("w");
   OnCylinderOf<Shortened> any;
-  any.R = Shortened::letter("R");
-  any.t = Shortened::letter("t");
-  any.P = vector("p");
-  any.D = vector("d");
-  any.U = vector("u");
-  any.V = cross(any.D, any.U);
-  any.Y = sum(sum({}, any.D, any.t), W, any.R);
-  any.X = sum(any.P, any.Y);
-  ForAll<OnCylinderOf> all{.any = any,
-                           .letters = quantified(names),
-                           .tactic = "on_cylinder",
-                           .says = "it holds for every point of every cylinder"};
-  const auto product = [](const auto& a, const auto& b, double is) {
-    return dot(a, b).expression() == Expression(is);
-  };
-  all.given = {product(any.D, any.D, 1), product(any.U, any.U, 1), product(W, W, 1), product(any.U, any.D, 0),
-               product(W, any.D, 0)};
-  return all;
+  any.R = Shortened::letter("R"), any.t = Shortened::letter("t"), any.P = P, any.D = D, any.U = U;
+  any.V = cross(D, U);
+  any.Y = sum(sum({}, D, any.t), W, any.R);
+  any.X = sum(P, any.Y);
+  return {.any = any,
+          .letters = "(R t p1 p2 p3 d1 d2 d3 u1 u2 u3 w1 w2 w3 : R)",
+          .given = {product(D, D, 1), product(U, U, 1), product(W, W, 1), product(U, D, 0), product(W, D, 0)},
+          .tactic = of_lengths + in_products + "on_cylinder",
+          .says = "it holds for every point of every cylinder",
+          .preamble = coq_source({"cylinder"})};
 }
 
 ForAll<OnChuteOf> any_chute() {
-  const std::vector<std::string> names{"r", "L", "H", "g", "x1", "x2", "x3", "v1", "v2", "k", "phi", "way"};
-  ForAll<OnChuteOf> all{.any = lettered<OnChuteOf>(names),
-                        .letters = quantified(names),
-                        .tactic = "on_chute",
-                        .says = "it holds for every chute that is neither level nor vertical"};
+  auto all = for_all<OnChuteOf>(in_products + "on_chute",
+                                "it holds for every chute that is neither level nor vertical",
+                                {2, 5, 3, 1.25, 1.5, 1.75, 2, 2.25, 2.5, 2.75, 3, 3.25});
   const auto& [R, L, H] = all.any.chute;
-  for (const Shortened& x : {R, H, L - H, R * R - all.any.x2 * all.any.x2, cos(all.any.phi), all.any.g})
-    all.given.push_back(above(x.expression(), 0));
-  double x = 0.25;
-  for (double* letter : all.example.letters()) *letter = x += 0.25;
-  all.example.chute = {2, 5, 3};
+  all.given = positive({R, H, L - H, R * R - all.any.x2 * all.any.x2, cos(all.any.phi), all.any.g});
+  all.preamble = coq_source({"chute"});
   return all;
 }
 
@@ -648,13 +561,12 @@ Lemma lemma(std::string name, const ForAll<OnChuteOf>& all, const auto& left, co
   return {std::move(name), all.letters, all.given,
           equal(detail::recorded_value(left), detail::recorded_value(right)), all.tactic};
 }
-Provable provable(const std::string& slug, std::vector<Lemma> lemmas) {
-  return {"3.13-" + slug, any_chute().says, std::move(lemmas)};
+Provable provable(const std::string& slug, const ForAll<OnChuteOf>& all, std::vector<Lemma> lemmas) {
+  return {.claim = "3.13-" + slug, .says = all.says, .lemmas = std::move(lemmas), .preamble = all.preamble};
 }
 
 /// The derivatives of the slope along x1, by x1 and by x2, are zero.
-Provables bends() {
-  const ForAll<OnChuteOf> all = any_chute();
+Provable bends(const ForAll<OnChuteOf>& all) {
   const auto& s = all.any;
   const auto height = [&](const std::string& x1, const std::string& x2) {
     return s.chute.height(Shortened::letter(x1), Shortened::letter(x2)).expression().coq();
@@ -663,72 +575,61 @@ Provables bends() {
     return "Derive (fun w => " + height("w", x2) + ") " + x1;
   };
   const std::string slope = (-s.chute.H / (s.chute.L * s.cosine())).expression().coq();
-  return {provable("h11_h12", {{"printed",
-                                all.letters,
-                                all.given,
-                                {{slope_at("x1", "x2") + " = " + slope},
-                                 {"Derive (fun z => " + slope_at("z", "x2") + ") x1 = 0"},
-                                 {"Derive (fun z => " + slope_at("x1", "z") + ") x2 = 0"}},
-                                "bends_of (fun x y => " + height("x", "y") + ") (" + slope + ") x1 x2"}})};
+  return provable("h11_h12", all,
+                  {{"printed",
+                    all.letters,
+                    all.given,
+                    {{slope_at("x1", "x2") + " = " + slope},
+                     {"Derive (fun z => " + slope_at("z", "x2") + ") x1 = 0"},
+                     {"Derive (fun z => " + slope_at("x1", "z") + ") x2 = 0"}},
+                    "bends_of (fun x y => " + height("x", "y") + ") (" + slope + ") x1 x2"}});
 }
 
 /// On the center line the acceleration is the same at another place and speed, and positive.
 Provable of_positive(const ForAll<OnChuteOf>& all) {
   auto elsewhere = all.any;
-  elsewhere.x1 = all.any.x3;
-  elsewhere.v1 = all.any.k;
+  elsewhere.x1 = all.any.x3, elsewhere.v1 = all.any.k;
   const Shortened a = all.any.accelerations()[0];
-  return provable("positive",
+  return provable("positive", all,
                   {lemma("constant", all, a, elsewhere.accelerations()[0]),
                    {"positive", all.letters, all.given, {above(a.expression(), 0)}, "subst; slides_down"}});
 }
 
 }  // namespace
 
-/// Writes squares of texts as products.
-constexpr const char* in_products = "rewrite <- ?Rsqr_pow2; unfold Rsqr; ";
-/// Squares of the lengths of vectors.
-constexpr const char* of_lengths =
-    "rewrite ?pow2_sqrt by (repeat apply Rplus_le_le_0_compat; apply Rle_0_sqr); ";
-
-/// At an example, for cosines of angles with known sines.
-constexpr const char* by_bounds = "rewrite ?cos_asin by lra; unfold Rsqr; interval";
+std::vector<Claim> claims(double seed) {
+  Claims all("3.13");
+  const auto samples = draw<OnChute>(200, seed);
+  Tables(all, draw<OnCylinder>(200, seed), samples);
+  statements(all, samples);
+  return all.in_order();
+}
 
 Provables proofs() {
   Claims claims("3.13");
-  Tables tables(claims);
-  tables.fill(claims, {}, {});
-  ForAll<OnCylinderOf> any_point = any_cylinder();
-  any_point.tactic = std::string(of_lengths) + in_products + any_point.tactic;
-  ForAll<OnChuteOf> any_place = any_chute();
-  any_place.tactic = in_products + any_place.tactic;
+  const Tables tables(claims, {}, {});
+  const ForAll<OnChuteOf> any_place = any_chute();
   ForAll<OnChuteOf> on_it = any_place, on_center = any_place, crossing = any_place;
   on_it.any = on_it.any.placed();
   for (const Shortened& x : {on_center.any.x2, on_center.any.v2})
-    on_center.given.push_back({x.expression().coq() + " = 0"});
+    on_center.given.push_back(x.expression() == 0);
   on_center.tactic = "subst; " + on_center.tactic;
   on_center.example = on_center.example.on_center();
   crossing.example.x2 = 0;
-  Provables of_points = tables.about_axis.proofs("3.13", any_point),
-            of_chute = tables.chute.proofs("3.13", any_place);
-  for (const Provables& more : {tables.placed.proofs("3.13", on_it),
-                                tables.centered.proofs("3.13", on_center),
-                                tables.crossed.proofs("3.13", crossing),
-                                bends(),
-                                {of_positive(on_center)}})
-    of_chute.insert(of_chute.end(), more.begin(), more.end());
-  std::vector<Lemma>& motion = std::ranges::find(of_chute, "3.13-equations", &Provable::claim)->lemmas;
+  Provables all = tables.about_axis.proofs("3.13", any_cylinder());
+  append(all, tables.chute.proofs("3.13", any_place));
+  append(all, tables.placed.proofs("3.13", on_it));
+  append(all, tables.centered.proofs("3.13", on_center));
+  append(all, tables.crossed.proofs("3.13", crossing));
+  append(all, {bends(any_place), of_positive(on_center)});
+  std::vector<Lemma>& motion = proof_of(all, "3.13-equations").lemmas;
   motion.insert(motion.begin() + 1,
                 lemma("about_axis", any_place, Form(equations_meant).recorded(any_place.any),
                       any_place.any.accelerations_about_axis()));
-  for (Provable& proof : of_points) proof.preamble = coq_source({"cylinder"});
-  for (Provable& proof : of_chute) {
-    proof.preamble = coq_source({"chute"});
-    Lemma& last = proof.lemmas.back();
-    if (last.tactic == "interval") last.tactic = by_bounds;
-  }
-  std::ranges::move(of_chute, std::back_inserter(of_points));
-  return of_points;
+  for (Provable& proof : all)  // cosines of angles with known sines
+    if (Lemma& last = proof.lemmas.back(); last.tactic == "interval")
+      last.tactic = "rewrite ?cos_asin by lra; unfold Rsqr; interval";
+  return all;
 }
 
 std::vector<Root> roots() {
