@@ -13,40 +13,22 @@ template <class T>
 struct SampleOf {
   T m, r, s, c, h, g, ell, q, v, a;
 
-  SampleOf() = default;
-  explicit SampleOf(Random& random)
-      : m(random.between(0.3, 3)),
-        r(random.between(0.3, 3)),
-        s(random.between(0.3, 3)),
-        c(random.between(1, 30)),
-        h(random.between(0.3, 3)),
-        g(random.between(1, 10)),
-        ell(random.between(0.3, 4)),
-        q(random.between(-3, 3)),
-        v(random.between(-3, 3)),
-        a(random.between(-5, 5)) {}
-
-  std::array<T*, 10> letters() { return {&m, &r, &s, &c, &h, &g, &ell, &q, &v, &a}; }
+  Letters<T> table() {
+    return {{"m", m, {0.3, 3}},
+            {"r", r, {0.3, 3}},
+            {"s", s, {0.3, 3}},
+            {"c", c, {1, 30}},
+            {"h", h, {0.3, 3}},
+            {"g", g, {1, 10}},
+            {R"(\ell)", ell, {0.3, 4}},
+            {R"(\theta)", q, {-3, 3}, "q"},
+            {R"(\dot\theta)", v, {-3, 3}, "v"},
+            {R"(\ddot\theta)", a, {-5, 5}, "a"}};
+  }
   TypesetIn<T> typeset() const {
-    return {{"m", m},
-            {"r", r},
-            {"s", s},
-            {"c", c},
-            {"h", h},
-            {"g", g},
-            {R"(\ell)", ell},
-            {R"(\theta)", q},
-            {R"(\dot\theta)", v},
-            {R"(\ddot\theta)", a},
-            {R"(dV/d\theta)", derivative([bar = bar()](const auto& x) { return bar.potential(x); }, q)}};
+    return {{R"(dV/d\theta)", derivative([bar = bar()](const auto& x) { return bar.potential(x); }, q)}};
   }
-  std::string where() const {
-    return R"($m,r,s,c,h,g,\ell$ = )" + format_significant(m, 4) + ", " + format_significant(r, 4) + ", " +
-           format_significant(s, 4) + ", " + format_significant(c, 4) + ", " + format_significant(h, 4) +
-           ", " + format_significant(g, 4) + ", " + format_significant(ell, 4) +
-           R"(; $\theta,\dot\theta,\ddot\theta$ = )" + format_significant(q, 4) + ", " +
-           format_significant(v, 4) + ", " + format_significant(a, 4);
-  }
+  std::string where() const { return listed(typeset_of(*this), 10); }
 
   /// Moments about the origin, as arm times force.
   T moment_of_weight(const T& angle) const { return r * cos(angle) * (-m * g); }
@@ -98,55 +80,46 @@ void state(Table& table, const std::vector<Sample>& samples) {
       of_gravity = R"(mgr\sin\theta)",
       of_spring =
           R"(\frac c2\Big(\big(\sqrt{s^2(\cos\theta-1)^2+(h+s\sin\theta)^2}-\ell\big)^2-(h-\ell)^2\Big))";
-  table.formula(
-      "potential_of_gravity", 2579, "The potential energy of gravity is $" + of_gravity + "$", samples,
-      {.quantity = "the potential energy of gravity",
-       .truth = {"the work done against the weight from the level, by quadrature",
-                 []<class T>(const SampleOf<T>& x) { return x.work(&SampleOf<T>::moment_of_weight); }},
-       .printed = "$" + of_gravity + "$"});
-  table.formula(
-      "potential_of_spring", 2583, "The potential energy of the spring is $" + of_spring + "$", samples,
-      {.quantity = "the potential energy of the spring",
-       .truth = {"the work done against the spring from the level, by quadrature",
-                 []<class T>(const SampleOf<T>& x) { return x.work(&SampleOf<T>::moment_of_spring); }},
-       .printed = "$" + of_spring + "$"});
-  table.formula("potential", 2593, "The potential energy $V$ is the sum of the two", samples,
-                {.quantity = "the potential energy",
-                 .truth = {"the work done against both from the level, by quadrature",
-                           []<class T>(const SampleOf<T>& x) {
-                             return x.work(&SampleOf<T>::moment_of_weight) +
-                                    x.work(&SampleOf<T>::moment_of_spring);
-                           }},
-                 .printed = "$" + of_gravity + "+" + of_spring + "$"});
-  table.formula("kinetic_energy", 2597, R"(The kinetic energy is $T=\frac m2r^2\dot\theta^2$)", samples,
-                {.quantity = "the kinetic energy",
-                 .truth = {R"($\frac m2|\dot x|^2$, the velocity by dual numbers)",
-                           [](const auto& x) {
-                             const Dual q(x.q, x.v), along = x.r * cos(q), up = x.r * sin(q);
-                             return x.m / 2 * (along.slope * along.slope + up.slope * up.slope);
-                           }},
-                 .printed = R"($\frac m2r^2\dot\theta^2$)",
-                 .near_misses = {R"($\frac m6r^2\dot\theta^2$)"}});
-
-  table.formula(
-      "lagrangian", 2601, "The Lagrangian is $L=T-V$", samples,
+  const auto claim = table.over(samples);
+  const auto gravity = []<class T>(const SampleOf<T>& x) { return x.work(&SampleOf<T>::moment_of_weight); };
+  const auto spring = []<class T>(const SampleOf<T>& x) { return x.work(&SampleOf<T>::moment_of_spring); };
+  claim("potential_of_gravity", 2579, "The potential energy of gravity is $" + of_gravity + "$",
+        {"the work done against the weight from the level, by quadrature", gravity}, "$" + of_gravity + "$",
+        "the potential energy of gravity");
+  claim("potential_of_spring", 2583, "The potential energy of the spring is $" + of_spring + "$",
+        {"the work done against the spring from the level, by quadrature", spring}, "$" + of_spring + "$",
+        "the potential energy of the spring");
+  claim("potential", 2593, "The potential energy $V$ is the sum of the two",
+        {"the work done against both from the level, by quadrature",
+         [=](const auto& x) { return gravity(x) + spring(x); }},
+        "$" + of_gravity + "+" + of_spring + "$", "the potential energy");
+  claim("kinetic_energy", 2597, R"(The kinetic energy is $T=\frac m2r^2\dot\theta^2$)",
+        {.quantity = "the kinetic energy",
+         .truth = {R"($\frac m2|\dot x|^2$, the velocity by dual numbers)",
+                   [](const auto& x) {
+                     const Dual q(x.q, x.v), along = x.r * cos(q), up = x.r * sin(q);
+                     return x.m / 2 * (along.slope * along.slope + up.slope * up.slope);
+                   }},
+         .printed = R"($\frac m2r^2\dot\theta^2$)",
+         .near_misses = {R"($\frac m6r^2\dot\theta^2$)"}});
+  claim(
+      "lagrangian", 2601, "The Lagrangian is $L=T-V$",
       {.quantity = R"(the Lagrangian; it gives $mr^2\ddot\theta$)",
        .truth = {"the moments of the weight and of the spring", [](const auto& x) { return x.moments(x.q); }},
        .printed = {"by $L=T-V$", [](const auto& x) { return x.by_lagrange(x.q, x.v); }},
        .near_misses = {{"by $L=T+V$", [](const auto& x) { return x.by_lagrange(x.q, x.v, 1); }}}});
   const std::string lagrange =
       R"($\frac{d}{dt}\frac{\partial L}{\partial\dot\theta}-\frac{\partial L}{\partial\theta}$ by nested dual numbers)";
-  table.formula("equation_in_V", 2613, R"(The equation of motion is $0=mr^2\ddot\theta+dV/d\theta$)", samples,
-                {.quantity = "the right side of the equation of motion",
-                 .truth = {lagrange, [](const auto& x) { return x.left_side(); }},
-                 .printed = R"($mr^2\ddot\theta+dV/d\theta$)"});
+  claim("equation_in_V", 2613, R"(The equation of motion is $0=mr^2\ddot\theta+dV/d\theta$)",
+        {lagrange, [](const auto& x) { return x.left_side(); }}, R"($mr^2\ddot\theta+dV/d\theta$)",
+        "the right side of the equation of motion");
   const auto written = [](const std::string& before_root, const std::string& after_root) {
     return R"(mr^2\ddot\theta+mgr\cos\theta+c\left(1-)" + before_root +
            R"(\sqrt{s^2(\cos\theta-1)^2+(h+s\sin\theta)^2})" + after_root +
            R"(\right)\left(s^2(1-\cos\theta)\sin\theta+s(h+s\sin\theta)\cos\theta\right)$)";
   };
-  table.formula(
-      "equation_of_motion", 2615, "The equation of motion is $0=" + written(R"(\ell)", ""), samples,
+  claim(
+      "equation_of_motion", 2615, "The equation of motion is $0=" + written(R"(\ell)", ""),
       {.quantity = "the right side of the equation of motion",
        .truth = {lagrange + R"(, and $mr^2\ddot\theta$ less the moments of the forces)",
                  [](const auto& x) { return values(x.left_side(), x.m * x.r * x.r * x.a - x.moments(x.q)); }},
@@ -159,28 +132,22 @@ void state(Table& table, const std::vector<Sample>& samples) {
            {usual.h, usual.ell, 1 - usual.ell * usual.h, 1 - usual.ell / usual.h})});
 
   const std::string condition = R"($mgr+cs(h-\ell)$)";
-  table.formula(
+  claim(
       "equilibrium_terms", 2623,
       R"(The level bar is in equilibrium when all terms at $\theta=0$ but that in $\ddot\theta$ evaluate to )"
       R"(zero (our reading: their sum, which is $mgr+cs(h-\ell)$))",
-      samples,
-      {.quantity = R"(the condition of equilibrium has all terms at $\theta=0$ but the one in $\ddot\theta$)",
-       .truth = {R"($-mr^2\ddot\theta$ of the level bar at rest, by Lagrange's equation)",
-                 [](const auto& x) { return -x.by_lagrange(0, 0); }},
-       .printed = condition});
-  table.formula("equilibrium_condition", 2625, R"(The level bar is in equilibrium when $mgr+cs(h-\ell)=0$)",
-                samples,
-                {.quantity = "the moment on the level bar, zero in equilibrium",
-                 .truth = {"the moments of the forces on the level bar, clockwise",
-                           [](const auto& x) { return -x.moments(0); }},
-                 .printed = condition});
-  table.formula(
+      {R"($-mr^2\ddot\theta$ of the level bar at rest, by Lagrange's equation)",
+       [](const auto& x) { return -x.by_lagrange(0, 0); }},
+      condition, R"(the condition of equilibrium has all terms at $\theta=0$ but the one in $\ddot\theta$)");
+  claim(
+      "equilibrium_condition", 2625, R"(The level bar is in equilibrium when $mgr+cs(h-\ell)=0$)",
+      {"the moments of the forces on the level bar, clockwise", [](const auto& x) { return -x.moments(0); }},
+      condition, "the moment on the level bar, zero in equilibrium");
+  claim(
       "as_by_virtual_work", 2627,
       "The condition is the book's (our reading, as that is not in the solutions: the equilibrium of the moments)",
-      samples,
-      {.quantity = R"(the rest length $\ell$ that the condition asks for)",
-       .truth = {"the one for which the moments on the level bar add up to zero", balancing_length},
-       .printed = R"($h+\frac{mgr}{cs}$)"});
+      {"the one for which the moments on the level bar add up to zero", balancing_length},
+      R"($h+\frac{mgr}{cs}$)", R"(the rest length $\ell$ that the condition asks for)");
 }
 
 }  // namespace
@@ -192,60 +159,20 @@ std::vector<Claim> claims(double seed) {
   return claims.in_order();
 }
 
-/// All square roots are the spring's length, which is h for the level bar.
-constexpr const char* by_one_root = R"(
-  assert (circle : sin q * sin q = 1 - cos q * cos q) by (pose proof (sin2_cos2 q) as all; unfold Rsqr in all; lra);
-  assert (far : 0 < (s * cos q - s) * (s * cos q - s) + (s * sin q + h) * (s * sin q + h))
-    by (apply above_foot; assumption);
-  assert (arm : r * r > 0) by nra;
-  rewrite ?cos_0, ?sin_0;
-  repeat (match goal with |- context [sqrt ?x] =>
-    first [ let level := fresh in
-            assert (level : sqrt x = h) by (replace x with (h * h) by ring; apply sqrt_square; lra);
-            rewrite !level; clear level
-          | match goal with |- context [sqrt ?y] =>
-              assert_fails (constr_eq x y);
-              let same := fresh in
-              assert (same : sqrt y = sqrt x) by (f_equal; ring); rewrite !same; clear same end ] end);
-  try (match goal with |- context [sqrt ?x] =>
-    let d := fresh "d" in
-    assert (sqrt x > 0) by (apply sqrt_lt_R0; nra); set (d := sqrt x) in *; clearbody d end);
-  field [circle]; repeat split; apply Rgt_not_eq; nra)";
-
-/// Tactic: the works of weight and spring, then `rest`.
-std::string by_potentials(const std::string& rest) {
-  return R"(
-  assert (positive : forall t, 0 < (s * cos t - s) * (s * cos t - s) + (s * sin t + h) * (s * sin t + h))
-    by (intro t; apply above_foot; assumption);
-  assert (root : forall t, sqrt ((s * cos t - s) * (s * cos t - s) + (s * sin t + h) * (s * sin t + h)) <> 0)
-    by (intro t; apply Rgt_not_eq, sqrt_lt_R0, positive);
-  unfold Rminus in *;
-  try integrate (fun t => - m * g * r * sin t);
-  try integrate (fun t => - c / 2 *
-    ((sqrt ((s * cos t + - s) * (s * cos t + - s) + (s * sin t + h) * (s * sin t + h)) + - ell) *
-     (sqrt ((s * cos t + - s) * (s * cos t + - s) + (s * sin t + h) * (s * sin t + h)) + - ell)));)" +
-         rest;
-}
-
 Provables proofs() {
   Claims claims("3.23");
   Table table(claims);
   state(table, {});
-  const std::vector<std::string> names{"m", "r", "s", "c", "h", "g", "ell", "q", "v", "a"};
-  ForAll<SampleOf> all{.any = lettered<SampleOf>(names),
-                       .letters = quantified(names),
-                       .tactic = by_one_root,
-                       .says = "it holds for every bar at any angle"};
-  for (const Shortened& positive : {all.any.m, all.any.r, all.any.s, all.any.c, all.any.h})
-    all.given.push_back(above(positive.expression(), 0));
-  double x = 0;
-  for (double* letter : all.example.letters()) *letter = x += 0.25;
+  const std::string by_one_root = "by_one_root q s h r";
+  auto all = for_all<SampleOf>(by_one_root, "it holds for every bar at any angle",
+                               {0.25, 0.5, 0.75, 1, 1.25, 1.5, 1.75, 2, 2.25, 2.5});
+  all.given = positive({all.any.m, all.any.r, all.any.s, all.any.c, all.any.h});
+  all.preamble = coq_source({"foot"});
   Provables proved = table.proofs("3.23", all);
-  for (Provable& claim : proved) {
-    claim.preamble = coq_source({"foot"});
-    if (!claim.claim.starts_with("3.23-potential")) continue;
-    claim.preamble = coq_source({"integrals", "foot"});
-    for (Lemma& lemma : claim.lemmas) lemma.tactic = by_potentials(lemma.tactic);
+  for (const char* potential : {"3.23-potential", "3.23-potential_of_gravity", "3.23-potential_of_spring"}) {
+    Provable& proof = proof_of(proved, potential);
+    proof.preamble = coq_source({"works"});
+    for (Lemma& lemma : proof.lemmas) lemma.tactic = "by_works m r s c h g ell; " + by_one_root;
   }
   return proved;
 }
