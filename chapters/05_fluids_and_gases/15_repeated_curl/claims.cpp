@@ -38,23 +38,18 @@ Sampled sample(Random& random, int number) {
   const VectorField g(random, random.magnitude(1e-6, 1e6), 1);
   const Point x = random.point(), a = random.point(), b = random.point(), c = random.point();
   const Frame r = random_frame(random), mirror{r[1], r[0], r[2]};
+  const Point of_f = f(x), of_g = g(x);
   Sampled s{"draw " + std::to_string(number) + " at (" + format_shortest(x[0]) + ", " +
                 format_shortest(x[1]) + ", " + format_shortest(x[2]) + ")",
             {},
             {}};
-  const auto put = [&](const std::string& name, const Point& v) {
-    s.tensors[{name, 1}] = {v.begin(), v.end()};
-  };
   put_permutation_tensor(s.tensors);
-  put("f", f(x));
-  put("g", g(x));
-  put("a", a);
-  put("b", b);
-  put("c", c);
-  put("u", turned(r, g(x)));
-  put("v", turned(r, f(x)));
-  put("mirrored_u", turned(mirror, g(x)));
-  put("mirrored_v", turned(mirror, f(x)));
+  const std::map<std::string, Point> vectors{{"a", a},    {"u", turned(r, of_g)},
+                                             {"b", b},    {"v", turned(r, of_f)},
+                                             {"c", c},    {"mirrored_u", turned(mirror, of_g)},
+                                             {"f", of_f}, {"mirrored_v", turned(mirror, of_f)},
+                                             {"g", of_g}};
+  for (const auto& [name, v] : vectors) s.tensors[{name, 1}] = {v.begin(), v.end()};
   for_each_order([&]<int n>() {
     s.tensors[{"f", n + 1}] = derivatives<n>(f, x);
     s.left[numbered("curl", n)] = repeated_curl<n>(f, r)(x);
@@ -66,9 +61,8 @@ Sampled sample(Random& random, int number) {
   s.tensors[{"phi_once", 2}] = derivatives<1>(times(phi, once), x);
   s.tensors[{"twice", 2}] = derivatives<1>(twice, x);
 
-  const Eigen::Vector3d eigen_f(f(x)[0], f(x)[1], f(x)[2]), eigen_g(g(x)[0], g(x)[1], g(x)[2]);
-  const Eigen::Vector3d product = eigen_g.cross(eigen_f);
-  s.left["g x f"] = {product[0], product[1], product[2]};
+  using Vector = Eigen::Map<const Eigen::Vector3d>;
+  Eigen::Map<Eigen::Vector3d>(s.left["g x f"].data()) = Vector(of_g.data()).cross(Vector(of_f.data()));
   s.left["g x f, turned"] = turned(r, s.left["g x f"]);
   s.left["g x f, mirrored"] = turned(mirror, s.left["g x f"]);
   s.left["curl2, turned"] = turned(r, s.left["curl2"]);
@@ -147,26 +141,26 @@ TypesetLetters letters_of(const Tensors<double>& tensors) {
   return letters;
 }
 
-class Tensorial {
- public:
+struct Tensorial {
+  std::vector<Sampled> samples = {};
+
   explicit Tensorial(Random random) {
-    for (int n = 0; n < 12; ++n) samples_.push_back(sample(random, n));
+    for (int n = 0; n < 12; ++n) samples.push_back(sample(random, n));
   }
 
   Check compare(const Said& said) const {
     const IndexExpression expression(said.right, said.free);
     WorstSample worst("$" + typeset_left(said) + "$", "the index expression as it is written",
                       route_to(said));
-    for (const Sampled& s : samples_) {
+    for (const Sampled& s : samples)
       worst.add(expression.value(s.tensors), s.left.at(said.left), expression.size(s.tensors), s.where);
-    }
     return worst.check();
   }
   /// Compares the typeset right side with the values at the first draws.
   bool is_right_side_as_typeset(const Said& said) const {
     const IndexExpression expression(said.right, said.free);
     std::vector<std::pair<TypesetLetters, Value>> computed;
-    for (const Sampled& s : {samples_[0], samples_[1]})
+    for (const Sampled& s : {samples[0], samples[1]})
       computed.emplace_back(letters_of(s.tensors), expression.value(s.tensors));
     return is_as_typeset(compare_typeset("$" + typeset(said.right) + "$", computed));
   }
@@ -185,16 +179,8 @@ class Tensorial {
     for (const auto& near : near_misses) claim.near_misses.push_back(reading(near));
     return claim;
   }
-
- private:
-  std::vector<Sampled> samples_;
 };
 
-/// Checks that the free index occurs once and every other index twice.
-Check well_formed(const std::string& expression, const std::string& free) {
-  return no_violations("indices that occur once or thrice, but the free one",
-                       IndexExpression(expression, free).ill_formed(), 1);
-}
 /// Claims that the indices that occur `times` times in the expression are exactly these.
 Claim occurring(int times, const std::set<std::string>& these, const std::string& expression,
                 const std::string& near) {
@@ -287,7 +273,8 @@ Lines lines(Random random) {
     wrong_component.push_back({left, chain(n, "i", as_printed) + derivative_of_f(n, "j1", "k1")});
     product.push_back({left, chain(n, free, as_printed) + f, free});
     reversed_product.push_back({left, chain(n, free, reversed) + f, free});
-    wellformed.push_back(well_formed(product.back().right, free));
+    wellformed.push_back(no_violations("indices that occur once or thrice, but the free one",
+                                       IndexExpression(product.back().right, free).ill_formed(), 1));
   }
   add("general", 3715,
       R"($((\nabla\times)^n\mathbf f)_i=e_{ij_nk_n}e_{k_nj_{n-1}k_{n-1}}\cdots e_{k_2j_1k_1}f_{k_1,j_1\cdots j_n}$ )"
