@@ -8,16 +8,7 @@
 
 namespace oddity::ex07_05 {
 
-namespace {
-
 using namespace vectors;
-
-template <class Range>
-Expressions expressions(const Range& all) {
-  return {all.begin(), all.end()};
-}
-
-}  // namespace
 
 template <class T>
 T gram_determinant(const Vector3<T>& a, const Vector3<T>& b) {
@@ -83,15 +74,14 @@ using Table = ProvableClaims<EdgesOf>;
 
 void lines(Table& of_any, Table& of_closed, const std::vector<Edges>& open,
            const std::vector<Edges>& closed) {
+  const auto any = of_any.over(open), of_edges = of_closed.over(closed);
   const Vectors zero{"$0$", [](const auto&s) { return decltype(s.normal()){}; }},
       uv{R"($u\times v$)", [](const auto&s) { return s.normal(); }};
   const std::string of_zero = "a multiple of zero is zero";
-  of_any.formula("zero", 3839, R"($u\times0=0$)", open,
-                 {.truth = {R"($u\times0$)", [](const auto& s) { return cross(s.u, decltype(s.u){}); }},
-                  .printed = "$(0,0,0)$",
-                  .changes_that_hold = of_zero});
-  of_closed.formula(
-      "inserted", 3841, R"($u\times0=u\times(u+v+w)$, printed with a cross before $v$)", closed,
+  any("zero", 3839, R"($u\times0=0$)",
+      {R"($u\times0$)", [](const auto& s) { return cross(s.u, decltype(s.u){}); }}, "$(0,0,0)$", "", of_zero);
+  of_edges(
+      "inserted", 3841, R"($u\times0=u\times(u+v+w)$, printed with a cross before $v$)",
       {.truth = zero,
        .printed = R"($u\times(u\times v+w)$)",
        .meant = R"($u\times(u+v+w)$)",
@@ -105,12 +95,10 @@ void lines(Table& of_any, Table& of_closed, const std::vector<Edges>& open,
              const Vector3<double> u{1, 0, 0}, v{0, 1, 0}, w{-1, -1, 0};
              return cross(u, cross(u, v) + w);
            }())});
-  of_any.formula("expanded", 3843, R"($u\times(u+v+w)=u\times u+u\times v+u\times w$)", open,
-                 {.truth = {R"($u\times(u+v+w)$)", [](const auto& s) { return cross(s.u, s.u + s.v + s.w); }},
-                  .printed = R"($u\times u+u\times v+u\times w$)",
-                  .changes_that_hold = R"($u\times u=0$)"});
-  of_any.formula(
-      "reduced", 3845, R"($u\times u+u\times v+u\times w=0+u\times v-w\times v$)", open,
+  any.equation("expanded", 3843, R"($u\times(u+v+w)=u\times u+u\times v+u\times w$)",
+               {R"($u\times(u+v+w)$)", [](const auto& s) { return cross(s.u, s.u + s.v + s.w); }},
+               R"($u\times u=0$)");
+  any("reduced", 3845, R"($u\times u+u\times v+u\times w=0+u\times v-w\times v$)",
       {.truth = {R"($u\times u+u\times v+u\times w$)",
                  [](const auto& s) { return cross(s.u, s.u) + cross(s.u, s.v) + cross(s.u, s.w); }},
        .printed = R"($0+u\times v-w\times v$)",
@@ -118,57 +106,44 @@ void lines(Table& of_any, Table& of_closed, const std::vector<Edges>& open,
        .kind = Fault::formula,
        .why = R"($u\times w=-w\times u$, not $-w\times v$: with $u+v+w=0$ the printed line is )"
               R"($2\,u\times v$, and not zero. The next line has $w\times u$.)"});
-  of_closed.formula("first_pair", 3847, R"($u\times v=w\times u$)", closed,
-                    {.truth = uv, .printed = R"($w\times u$)"});
-  of_closed.formula("second_pair", 3851, R"($u\times v=v\times w$)", closed,
-                    {.truth = uv, .printed = R"($v\times w$)"});
-  of_any.formula("with_v", 3849, R"($v\times(u+v+w)=-u\times v+0+v\times w$)", open,
-                 {.truth = {R"($v\times(u+v+w)$)", [](const auto& s) { return cross(s.v, s.u + s.v + s.w); }},
-                  .printed = R"($-u\times v+0+v\times w$)"});
-  of_closed.formula(
+  of_edges.equation("first_pair", 3847, R"($u\times v=w\times u$)", uv);
+  of_edges.equation("second_pair", 3851, R"($u\times v=v\times w$)", uv);
+  any.equation("with_v", 3849, R"($v\times(u+v+w)=-u\times v+0+v\times w$)",
+               {R"($v\times(u+v+w)$)", [](const auto& s) { return cross(s.v, s.u + s.v + s.w); }});
+  of_edges(
       "closed_walk", 3853,
       "as $u+v+w=0$, a walk along the edges ends at the vertex where it starts: the net distance traveled "
       "(our reading: the displacement) is zero",
-      closed,
-      {.quantity = "from a corner $P$ to the end of the walk $u$, $v$, $w$",
-       .truth = zero,
-       .printed = "$(P+u+v+w)-P$",
-       .changes_that_hold = of_zero});
-  of_closed.formula(
-      "plane", 3853, "the three vectors lie in a plane", closed,
-      {.quantity = R"($u\cdot v\times w$)",
-       .truth = {"$0$", [](const auto& s) { return 0 * s.u[0]; }},
-       .printed = R"($u\cdot v\times w=0$)",
-       .near_misses = {R"($u\cdot v\times P=0$)"},
-       .changes_that_hold = "a multiple of zero, or a product with two equal vectors, is zero"});
-  of_closed.formula(
+      zero, "$(P+u+v+w)-P$", "from a corner $P$ to the end of the walk $u$, $v$, $w$", of_zero);
+  of_edges("plane", 3853, "the three vectors lie in a plane",
+           {.quantity = R"($u\cdot v\times w$)",
+            .truth = {"$0$", [](const auto& s) { return 0 * s.u[0]; }},
+            .printed = R"($u\cdot v\times w=0$)",
+            .near_misses = {R"($u\cdot v\times P=0$)"},
+            .changes_that_hold = "a multiple of zero, or a product with two equal vectors, is zero"});
+  of_edges(
       "any_two_edges", 3853,
       R"(any two of the edges give the same normal vector, $u\times v$, $v\times w$ or $w\times u$ (our )"
       R"(condition: taken in the order of the walk))",
-      closed,
-      {.quantity = "the other two products",
-       .truth = {R"($u\times v$, twice)",
-                 [](const auto& s) {
-                   const auto n = s.normal();
-                   return values(n[0], n[1], n[2], n[0], n[1], n[2]);
-                 }},
-       .printed = R"($(v\times w,\ w\times u)$)"});
-  of_closed.formula(
-      "same_length", 3853,
-      R"(the normal vector always has the same length: $|u\times v|=|v\times w|=|w\times u|$)", closed,
-      {.quantity = "the other two squared lengths",
-       .truth = {R"($|u\times v|^2$)", [](const auto& s) { return dot(s.normal(), s.normal()); }},
-       .printed = R"($((v\times w)\cdot(v\times w),\ (w\times u)\cdot(w\times u))$)"});
-  of_closed.formula("twice_area", 3853, R"($|u\times v|$ is twice the triangle's area)", closed,
-                    {.quantity = R"($16\,\text{area}^2$)",
-                     .truth = {"Heron's formula, from the distances of the corners",
-                               [](const auto& s) {
-                                 const auto square = [](const auto& x) { return dot(x, x); };
-                                 const auto a = square(s.q - s.p), b = square(s.r - s.q),
-                                            c = square(s.p - s.r);
-                                 return 2 * (a * b + b * c + c * a) - a * a - b * b - c * c;
-                               }},
-                     .printed = R"($4(u\times v)\cdot(u\times v)$)"});
+      {R"($u\times v$, twice)",
+       [](const auto& s) {
+         const auto n = s.normal();
+         return values(n[0], n[1], n[2], n[0], n[1], n[2]);
+       }},
+      R"($(v\times w,\ w\times u)$)", "the other two products");
+  of_edges("same_length", 3853,
+           R"(the normal vector always has the same length: $|u\times v|=|v\times w|=|w\times u|$)",
+           {R"($|u\times v|^2$)", [](const auto& s) { return dot(s.normal(), s.normal()); }},
+           R"($((v\times w)\cdot(v\times w),\ (w\times u)\cdot(w\times u))$)",
+           "the other two squared lengths");
+  of_edges("twice_area", 3853, R"($|u\times v|$ is twice the triangle's area)",
+           {"Heron's formula, from the distances of the corners",
+            [](const auto& s) {
+              const auto square = [](const auto& x) { return dot(x, x); };
+              const auto a = square(s.q - s.p), b = square(s.r - s.q), c = square(s.p - s.r);
+              return 2 * (a * b + b * c + c * a) - a * a - b * b - c * c;
+            }},
+           R"($4(u\times v)\cdot(u\times v)$)", R"($16\,\text{area}^2$)");
 }
 
 void geometry(Claims& claims, const std::vector<Edges>& closed) {
@@ -201,63 +176,50 @@ void geometry(Claims& claims, const std::vector<Edges>& closed) {
 
 namespace {
 
-using Letters = EdgesOf<Expression>;
-
-Letters any_closed() {
-  const auto letters = [](const std::string& name) {
-    return Vector3<Expression>{Expression::letter(name + "0"), Expression::letter(name + "1"),
-                               Expression::letter(name + "2")};
-  };
-  Letters s{letters("u"), letters("v"), {}, letters("p"), {}, {}};
-  s.w = -(s.u + s.v);
-  s.q = s.p + s.u, s.r = s.q + s.v;
-  return s;
-}
-
-Lemma holds(std::string name, std::vector<Proposition> follows) {
-  return {.name = std::move(name),
-          .letters = "(u0 u1 u2 v0 v1 v2 w0 w1 w2 p0 p1 p2 : R)",
-          .follows = std::move(follows),
-          .tactic = "ring"};
-}
+constexpr const char* any_edges = "(u0 u1 u2 v0 v1 v2 w0 w1 w2 p0 p1 p2 : R)";
 
 /// Vectors on one line have no normal; if the Gram determinant is not zero, there is one.
-Provable proof_of_triangle() {
-  const Letters on_a_line{{1, 0, 0}, {2, 0, 0}, {-3, 0, 0}, {}, {}, {}}, s = any_closed();
-  Lemma normal = holds("corrected", {not_zero(dot(s.normal(), s.normal()))});
-  normal.given = {not_zero(gram_determinant(s.u, s.v))};
-  normal.tactic = "match goal with H : _ <> 0 |- _ => contradict H; etransitivity; [| exact H]; ring end";
+Provable proof_of_triangle(const EdgesOf<Shortened>& s) {
+  const EdgesOf<Expression> on_a_line{{1, 0, 0}, {2, 0, 0}, {-3, 0, 0}, {}, {}, {}};
   return {
       "7.5-triangle",
       "three vectors on one line with the sum zero have the product zero; of two that are independent it is not",
-      {holds("printed_fails", equal(expressions(on_a_line.normal()), Expressions(3, Expression(0.0)))),
-       normal}};
+      {{"printed_fails",
+        any_edges,
+        {},
+        equal(detail::recorded_value(on_a_line.normal()), Expressions(3, Expression(0.0))),
+        "ring"},
+       {"corrected",
+        any_edges,
+        {not_zero(gram_determinant(s.u, s.v).expression())},
+        {not_zero(dot(s.normal(), s.normal()).expression())},
+        "match goal with H : _ <> 0 |- _ => contradict H; etransitivity; [| exact H]; ring end"}}};
 }
 
 }  // namespace
 
 Provables proofs() {
-  const std::vector<std::string> names{"u0", "u1", "u2", "v0", "v1", "v2", "w0", "w1", "w2",
-                                       "p0", "p1", "p2", "q0", "q1", "q2", "r0", "r1", "r2"};
   Claims claims("7.5");
   Table of_any(claims), of_closed(claims);
   lines(of_any, of_closed, {}, {});
-  ForAll<EdgesOf> all{.any = lettered<EdgesOf>(names),
-                      .letters = quantified(names),
-                      .tactic = "ring",
-                      .says = "it holds for any three vectors",
-                      .example = {{1, 0, 0}, {0, 1, 0}, {-1, -1, 0}, {}, {}, {}}};
+  const std::vector<std::string> names{"u0", "u1", "u2", "v0", "v1", "v2", "w0", "w1", "w2",
+                                       "p0", "p1", "p2", "q0", "q1", "q2", "r0", "r1", "r2"};
+  auto all = for_all<EdgesOf>(names, "ring", "it holds for any three vectors", {1, 0, 0, 0, 1, 0, -1, -1, 0});
   Provables proved = of_any.proofs("7.5", all);
+  const Vector3<Expression> u{Expression::letter("u0"), Expression::letter("u1"), Expression::letter("u2")};
+  proved.push_back(
+      {"7.5-zero",
+       all.says,
+       {{"printed",
+         any_edges,
+         {},
+         equal(detail::recorded_value(cross(u, Vector3<Expression>{})), Expressions(3, Expression(0.0))),
+         "ring"}}});
   all.any.w = -(all.any.u + all.any.v);
   all.any.q = all.any.p + all.any.u, all.any.r = all.any.q + all.any.v;
   all.says = "it holds for any three whose sum is zero";
-  std::ranges::move(of_closed.proofs("7.5", all), std::back_inserter(proved));
-  const Provables more{{"7.5-zero",
-                        "it holds for any three vectors",
-                        {holds("printed", equal(expressions(cross(any_closed().u, Vector3<Expression>{})),
-                                                Expressions(3, Expression(0.0))))}},
-                       proof_of_triangle()};
-  proved.insert(proved.end(), more.begin(), more.end());
+  append(proved, of_closed.proofs("7.5", all));
+  proved.push_back(proof_of_triangle(all.any));
   return proved;
 }
 
