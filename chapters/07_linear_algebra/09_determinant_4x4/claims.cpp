@@ -37,10 +37,8 @@ std::size_t digit(char c) { return static_cast<std::size_t>(c - '1'); }
 
 Term parsed(std::string_view text) {
   Term term{text[0] == '-', {}, {}};
-  for (std::size_t k = 0; k < 4; ++k) {
-    term.rows[k] = digit(text[4 * k + 3]);
-    term.columns[k] = digit(text[4 * k + 4]);
-  }
+  for (std::size_t k = 0; k < 4; ++k)
+    term.rows[k] = digit(text[4 * k + 3]), term.columns[k] = digit(text[4 * k + 4]);
   return term;
 }
 
@@ -82,12 +80,7 @@ struct Sample {
                          static_cast<double>(m[i][j]));
     return all;
   }
-  std::string where() const {
-    std::string all = "rows";
-    for (const auto& row : m)
-      for (const Whole x : row) (all += ' ') += std::to_string(static_cast<long>(x));
-    return all;
-  }
+  std::string where() const { return listed(typeset(), 16); }
 };
 
 std::vector<Sample> full_matrices(Random random) {
@@ -124,10 +117,6 @@ T sum_of(const std::vector<Term>& all, const Matrix4<T>& m) {
   return sum;
 }
 
-Formula<Sample> terms(std::string text, const std::vector<Term>& all) {
-  return in_whole(std::move(text), [=](const Matrix4<Whole>& m) { return sum_of(all, m); });
-}
-
 const Formula<Sample> elimination = in_whole("fraction-free elimination", by_bareiss);
 
 /// The sum over all permutations, whose parity is found by counting inversions.
@@ -156,18 +145,6 @@ std::string typeset(std::string_view term) {
   return tex + "$";
 }
 
-void add_row(Claims& claims, const Row& row, const Random& random) {
-  const std::string name(row.permutation), tex = typeset(row.term);
-  std::string listed;
-  for (const char digit : name) listed += std::string(listed.empty() ? "" : ",") + digit;
-  claims.formula<Sample>(
-      "term_" + name, row.line, "the permutation $(" + listed + ")$ has the term " + tex,
-      matrices_of(row.permutation, random),
-      {.quantity = R"(the determinant with no entries but $a_{\sigma(1)1},\ldots,a_{\sigma(4)4}$)",
-       .truth = elimination,
-       .printed = {tex}});
-}
-
 /// Counts those of the 4^4 maps of {1, 2, 3, 4} into itself that reach every number.
 double onto_maps() {
   int count = 0;
@@ -182,11 +159,10 @@ std::vector<Claim> claims(const Random& random) {
   Claims claims("7.9");
   const auto matrices = full_matrices(random);
   const std::vector<Term> all = printed_terms();
-  claims.formula<Sample>(
+  claims.over(matrices)(
       "formula", 3933,
       R"($\det A=\sum_\sigma\varepsilon_\sigma a_{\sigma(1)1}a_{\sigma(2)2}a_{\sigma(3)3}a_{\sigma(4)4}$, )"
       R"(printed with an equals sign before $\varepsilon_\sigma$)",
-      matrices,
       {.quantity = R"($\det A$)",
        .truth = elimination,
        .printed = {R"($a_{11}a_{22}a_{33}a_{44}$)"},
@@ -196,16 +172,13 @@ std::vector<Claim> claims(const Random& random) {
        .why = filled("An equals sign is printed between the summation sign and its product. A product "
                      "alone is one of @2 terms: 1 for a matrix of ones, whose determinant is 0.",
                      {onto_maps()})});
-  const auto permutations = [](const char* text, double number) {
-    return Reading{text,
-                   {{"permutations",
-                     {"as printed", number},
-                     {R"(maps of $\{1,2,3,4\}$ onto itself)", onto_maps()},
-                     exact()}}};
+  const auto permutations = [](const std::string& what, const std::string& stated, double number) {
+    return Check{what, {stated, number}, {R"(maps of $\{1,2,3,4\}$ onto itself)", onto_maps()}, exact()};
   };
   claims.add(
       "permutations", 3935, "there are $4!=24$ permutations of $(1,2,3,4)$",
-      {.printed = permutations("24", 24), .near_misses = {permutations("23, the identity not counted", 23)}});
+      {.printed = {"24", {permutations("permutations", "as printed", 24)}},
+       .near_misses = {{"23, the identity not counted", {permutations("permutations", "as printed", 23)}}}});
 
   std::vector<Row> rows(std::begin(table), std::end(table));
   const auto entries = [](int number) {
@@ -227,79 +200,67 @@ std::vector<Claim> claims(const Random& random) {
   flipped.back().negative = !flipped.back().negative;
   dropped.pop_back();
   const auto sum = [&](const std::string& text, const std::vector<Term>& some) {
-    return compare(R"($\det A$)", terms(text, some), elimination, matrices);
+    const auto of = [some](const Matrix4<Whole>& m) { return sum_of(some, m); };
+    return compare(R"($\det A$)", in_whole(text, of), elimination, matrices);
   };
   claims.add("table", 3935, "the table shows the 24 terms and signs",
              {.printed = {"24 different permutations, and the sum of the terms is the determinant",
-                          {{"different permutations",
-                            {"in the table", static_cast<double>(different.size())},
-                            {R"(maps of $\{1,2,3,4\}$ onto itself)", onto_maps()},
-                            exact()},
+                          {permutations("different permutations", "in the table",
+                                        static_cast<double>(different.size())),
                            sum("sum of the 24 terms", all)}},
               .near_misses = {{"the last sign flipped", {sum("sum, the last sign flipped", flipped)}},
                               {"the last term dropped", {sum("sum, the last term dropped", dropped)}}}});
-  for (const Row& row : table) add_row(claims, row, random);
+  for (const Row& row : table) {
+    const std::string name(row.permutation), tex = typeset(row.term);
+    std::string listed;
+    for (const char digit : name) listed += std::string(listed.empty() ? "" : ",") + digit;
+    claims.over(matrices_of(name, random))(
+        "term_" + name, row.line, "the permutation $(" + listed + ")$ has the term " + tex, elimination,
+        {tex}, R"(the determinant with no entries but $a_{\sigma(1)1},\ldots,a_{\sigma(4)4}$)");
+  }
   return claims.in_order();
 }
 
 namespace {
 
-/// A matrix of letters at these places, zero elsewhere.
-Matrix4<Expression> letters_at(const auto& is_there, std::string& letters) {
+/// The determinant of a matrix of letters, by cofactors of the first row, is a sum. With `places`, "a11 a22",
+/// all other entries are zero.
+Lemma determinant_is(std::string name, const auto& sum, std::string_view places = {}) {
+  std::string letters;
   Matrix4<Expression> m;
   for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < 4; ++j)
-      if (is_there(i, j)) {
-        const std::string name = "a" + std::to_string(i + 1) + std::to_string(j + 1);
-        letters += (letters.empty() ? "(" : " ") + name;
-        m[i][j] = Expression::letter(name);
-      }
-  letters += " : R)";
-  return m;
-}
-
-/// For every matrix, by cofactors of the first row.
-Lemma determinant_is(std::string name, const auto& sum, const auto& is_there) {
-  Lemma lemma{.name = std::move(name), .tactic = "ring"};
-  const Matrix4<Expression> m = letters_at(is_there, lemma.letters);
-  lemma.follows = {by_cofactors(m) == sum(m)};
-  return lemma;
-}
-
-Provable proof_of_row(const Row& row) {
-  const Term term = parsed(row.term);
-  const auto is_there = [&](std::size_t i, std::size_t j) {
-    for (std::size_t k = 0; k < 4; ++k)
-      if (term.rows[k] == i && term.columns[k] == j) return true;
-    return false;
-  };
-  return {"7.9-term_" + std::string(row.permutation),
-          "it is the determinant where all other entries are zero",
-          {determinant_is(
-              "printed", [&](const auto& m) { return sum_of({term}, m); }, is_there)}};
+    for (std::size_t j = 0; j < 4; ++j) {
+      const std::string letter = "a" + std::to_string(i + 1) + std::to_string(j + 1);
+      if (!places.empty() && places.find(letter) == places.npos) continue;
+      letters += letter + " ";
+      m[i][j] = Expression::letter(letter);
+    }
+  return {std::move(name), "(" + letters + ": R)", {}, {by_cofactors(m) == sum(m)}, "ring"};
 }
 
 }  // namespace
 
 Provables proofs() {
-  const auto everywhere = [](std::size_t, std::size_t) { return true; };
   const std::vector<Term> all = printed_terms();
   Matrix4<Expression> ones;
   for (auto& row : ones) row.fill(1);
   Provables proofs{
       {"7.9-formula",
        "the signed sum over all permutations is the determinant; of a matrix of ones one term is not",
-       {determinant_is(
-            "meant", [](const auto& m) { return sum_over_permutations(m); }, everywhere),
+       {determinant_is("meant", [](const auto& m) { return sum_over_permutations(m); }),
         {.name = "printed_differs",
          .follows = {apart(sum_of({all[0]}, ones), by_cofactors(ones), 1)},
          .tactic = by_arithmetic}},
        1},
       {"7.9-table",
        "the sum of the 24 printed terms is the determinant",
-       {determinant_is(
-           "printed", [&](const auto& m) { return sum_of(all, m); }, everywhere)}}};
-  for (const Row& row : table) proofs.push_back(proof_of_row(row));
+       {determinant_is("printed", [&](const auto& m) { return sum_of(all, m); })}}};
+  for (const Row& row : table) {
+    const auto term = [&](const auto& m) { return sum_of({parsed(row.term)}, m); };
+    proofs.push_back({"7.9-term_" + std::string(row.permutation),
+                      "it is the determinant where all other entries are zero",
+                      {determinant_is("printed", term, row.term)}});
+  }
   return proofs;
 }
 
