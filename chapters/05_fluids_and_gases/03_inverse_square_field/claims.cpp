@@ -12,16 +12,6 @@ namespace {
 
 using namespace fields;
 
-/// The derivatives of the components by their own coordinates, summed over a rotated frame.
-Point own_slopes(const Point& x, const Frame& frame) {
-  Point slopes{};
-  for (const Point& u : frame) {
-    const Point along_u = along(inverse_square, x, u);
-    for (std::size_t i = 0; i < 3; ++i) slopes[i] += u[i] * along_u[i];
-  }
-  return slopes;
-}
-
 /// A point at any distance from the origin, a rotated frame, and the exponent of the decay of a field's
 /// slopes.
 struct Away {
@@ -33,6 +23,15 @@ struct Away {
   double size() const { return std::pow(length(x), -power); }
   TypesetLetters typeset() const { return {{"x_0", x[0]}, {"x_1", x[1]}, {"x_2", x[2]}}; }
   std::string where() const { return R"($|\mathbf x|$ = )" + format_shortest(length(x)); }
+  /// The derivatives of the components by their own coordinates, summed over the frame.
+  Point own_slopes() const {
+    Point slopes{};
+    for (const Point& u : frame) {
+      const Point along_u = along(inverse_square, x, u);
+      for (std::size_t i = 0; i < 3; ++i) slopes[i] += u[i] * along_u[i];
+    }
+    return slopes;
+  }
 };
 
 /// Points whose size is between 1/range and range.
@@ -46,8 +45,7 @@ std::vector<Away> samples(Random random, double range, double power = 3) {
   return all;
 }
 
-const Formula<Away> differentiated{"dual numbers along a turned frame",
-                                   [](const Away& a) { return own_slopes(a.x, a.frame); }};
+const Formula<Away> differentiated{"dual numbers along a turned frame", &Away::own_slopes};
 
 /// The three summed derivatives: by x0 of x_i / |x|^3, by x1 of x_1 / |x|^3, by x2 of x_2 / |x|^3.
 Check summands(std::size_t i, const Random& random) {
