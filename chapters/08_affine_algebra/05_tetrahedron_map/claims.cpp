@@ -1,6 +1,7 @@
 #include "chapters/provable_claims.hpp"
 
 #include "chapters/08_affine_algebra/05_tetrahedron_map/tetrahedron_map.hpp"
+#include "chapters/numbers.hpp"
 #include "reference/text.hpp"
 #include "solvers/linear.hpp"
 
@@ -76,27 +77,23 @@ std::vector<Sample> samples(double seed, double height, double most) {
 }
 
 void formulas(Table& table, const std::vector<Sample>& all) {
-  table.formula("barycentric", 4003, "$P=c_0P_0+c_1P_1+c_2P_2+c_3P_3$ with $c_0+c_1+c_2+c_3=1$", all,
-                {.quantity = R"($\sum c_iP_i$ and $\sum c_i$, the $c_i$ ratios of volumes)",
-                 .truth = {"$P$ and 1", [](const auto& s) { return values(s.p[0], s.p[1], s.p[2], 1); }},
-                 .printed = R"($(c_0P_0+c_1P_1+c_2P_2+c_3P_3,\ c_0+c_1+c_2+c_3)$)"});
-  table.formula("affine", 4007, "$f(P)=c_0f_0+c_1f_1+c_2f_2+c_3f_3$: the coefficients give the value", all,
-                {.quantity = "$f(P)$",
-                 .truth = {"the map itself", [](const auto& s) { return s.f(s.p); }},
-                 .printed = "$c_0f_0+c_1f_1+c_2f_2+c_3f_3$"});
-  table.formula("first_coefficient", 4011, "$c_0-1=-c_1-c_2-c_3$", all,
-                {.truth = {R"($-c_1-c_2-c_3$ by the volumes over three faces)",
-                           [](const auto& s) { return -s.c().sum(); }},
-                 .printed = "$c_0-1$"});
-  table.formula(
-      "edge_sum", 4013, "$V=c_1V_1+c_2V_2+c_3V_3$", all,
-      {.truth = {"$V=P-P_0$", [](const auto& s) { return s.v(); }}, .printed = "$c_1V_1+c_2V_2+c_3V_3$"});
-  table.formula(
-      "normal_equations", 4015,
-      R"($\sum_j(V_i\cdot V_j)c_j=V_i\cdot V$ for $i=1,2,3$ is a linear system for $c_1,c_2,c_3$)", all,
-      {.quantity = "difference of the sides of the system's rows at ratios of volumes",
-       .truth = {"zero", []<class T>(const SampleOf<T>&) { return Vector<T>(T(0.0), T(0.0), T(0.0)); }},
-       .printed = R"($\sum_j(V_i\cdot V_j)c_j=V_i\cdot V$)"});
+  const auto claim = table.over(all);
+  claim("barycentric", 4003, "$P=c_0P_0+c_1P_1+c_2P_2+c_3P_3$ with $c_0+c_1+c_2+c_3=1$",
+        {"$P$ and 1", [](const auto& s) { return values(s.p[0], s.p[1], s.p[2], 1); }},
+        R"($(c_0P_0+c_1P_1+c_2P_2+c_3P_3,\ c_0+c_1+c_2+c_3)$)",
+        R"($\sum c_iP_i$ and $\sum c_i$, the $c_i$ ratios of volumes)");
+  claim("affine", 4007, "$f(P)=c_0f_0+c_1f_1+c_2f_2+c_3f_3$: the coefficients give the value",
+        {"the map itself", [](const auto& s) { return s.f(s.p); }}, "$c_0f_0+c_1f_1+c_2f_2+c_3f_3$",
+        "$f(P)$");
+  claim("first_coefficient", 4011, "$c_0-1=-c_1-c_2-c_3$",
+        {R"($-c_1-c_2-c_3$ by the volumes over three faces)", [](const auto& s) { return -s.c().sum(); }},
+        "$c_0-1$");
+  claim.equation("edge_sum", 4013, "$V=c_1V_1+c_2V_2+c_3V_3$",
+                 {"$V=P-P_0$", [](const auto& s) { return s.v(); }});
+  const std::string system = R"($\sum_j(V_i\cdot V_j)c_j=V_i\cdot V$)";
+  claim("normal_equations", 4015, system + " for $i=1,2,3$ is a linear system for $c_1,c_2,c_3$",
+        {"zero", []<class T>(const SampleOf<T>&) { return Vector<T>(T(0.0), T(0.0), T(0.0)); }}, system,
+        "difference of the sides of the system's rows at ratios of volumes");
 }
 
 /// A tetrahedron's three edges from one vertex, in whole numbers.
@@ -114,9 +111,7 @@ struct WholeEdges {
   /// Whether the common vertex, at the origin, is in the plane of the other three.
   static bool flat(const Rows& m) {
     const auto less = [](const Row& a, const Row& b) { return Row{a[0] - b[0], a[1] - b[1], a[2] - b[2]}; };
-    const Row a = less(m[1], m[0]), b = less(m[2], m[0]);
-    const Row normal{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-    return normal[0] * m[0][0] + normal[1] * m[0][1] + normal[2] * m[0][2] == 0;
+    return oddity::dot(m[0], oddity::cross(less(m[1], m[0]), less(m[2], m[0]))) == 0;
   }
   /// The number of rows left nonzero by elimination in whole numbers.
   static int rank(Rows m) {
@@ -134,16 +129,11 @@ struct WholeEdges {
     }
     return static_cast<int>(done);
   }
-  static long long det(const Rows& m) {
-    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
-           m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-           m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-  }
+  static long long det(const Rows& m) { return oddity::dot(m[0], oddity::cross(m[1], m[2])); }
   static long long det_of_products(const Rows& e) {
     Rows products;
     for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j)
-        products[i][j] = e[i][0] * e[j][0] + e[i][1] * e[j][1] + e[i][2] * e[j][2];
+      for (std::size_t j = 0; j < 3; ++j) products[i][j] = oddity::dot(e[i], e[j]);
     return det(products);
   }
   /// The edges with the third one moved into the plane of the other two.
@@ -230,42 +220,32 @@ std::vector<Claim> claims(double seed) {
 
 // ---- proofs -----------------------------------------------------------------------------------------------
 
-namespace {}  // namespace
-
 Provables proofs() {
-  const std::vector<std::string> names{"b",  "x0", "y0", "z0", "x1", "y1", "z1", "x2", "y2", "z2",
-                                       "x3", "y3", "z3", "px", "py", "pz", "ax", "ay", "az"};
-  const SampleOf<Shortened> any = lettered<SampleOf>(names);
+  auto all = for_all<SampleOf>({"b", "x0", "y0", "z0", "x1", "y1", "z1", "x2", "y2", "z2", "x3", "y3", "z3",
+                                "px", "py", "pz", "ax", "ay", "az"},
+                               "field; exact H", "it holds of any tetrahedron and any point");
+  const SampleOf<Shortened>& any = all.any;
+  all.given = {not_zero(triple(any.t.edge(1), any.t.edge(2), any.t.edge(3)).expression())};
   Claims claims("8.5");
   Table table(claims);
   formulas(table, {});
-  const ForAll<SampleOf> all{
-      .any = any,
-      .letters = quantified(names),
-      .given = {not_zero(triple(any.t.edge(1), any.t.edge(2), any.t.edge(3)).expression())},
-      .tactic = "field; exact H",
-      .says = "it holds of any tetrahedron and any point"};
   Provables proved = table.proofs("8.5", all);
+  const auto same = [](const Vector<Shortened>& a, const Vector<Shortened>& b) {
+    return equal(detail::recorded_value(a), detail::recorded_value(b));
+  };
   const Vector<Shortened> d(Shortened::letter("d1"), Shortened::letter("d2"), Shortened::letter("d3"));
   const Eigen::Matrix<Shortened, 3, 3> products = any.t.edges().transpose() * any.t.edges();
   const Vector<Shortened> right = any.t.edges().transpose() * any.v();
   std::vector<Proposition> solved = all.given;
-  for (const Proposition& row :
-       equal(detail::recorded_value(Vector<Shortened>(products * d)), detail::recorded_value(right)))
-    solved.push_back(row);
-  std::vector<std::string> with_d = names;
-  for (const char* name : {"d1", "d2", "d3"}) with_d.emplace_back(name);
-  const Lemma no_other{"no_other", quantified(with_d), solved,
-                       equal(detail::recorded_value(d), detail::recorded_value(any.c())),
+  for (const Proposition& row : same(products * d, right)) solved.push_back(row);
+  const Lemma no_other{"no_other", all.letters + " (d1 d2 d3 : R)", solved, same(d, any.c()),
                        "no_other x0 y0 z0 x1 y1 z1 x2 y2 z2 x3 y3 z3 px py pz d1 d2 d3"};
-  for (Provable& p : proved) {
-    if (p.claim != "8.5-normal_equations") continue;
-    p.says = "they solve it, of any tetrahedron and any point, and nothing else does";
-    p.lemmas.push_back(no_other);
-    p.preamble = coq_source({"no_other"});
-  }
+  Provable& system = proof_of(proved, "8.5-normal_equations");
+  system.says = "they solve it, of any tetrahedron and any point, and nothing else does";
+  system.lemmas.push_back(no_other);
+  system.preamble = coq_source({"no_other"});
   Eigen::Matrix<Shortened, 3, 3> m;
-  const auto letter = [](const char* name) { return Shortened::letter(name); };
+  const auto letter = &Shortened::letter;
   m << letter("m00"), letter("m01"), letter("m02"), letter("m01"), letter("m11"), letter("m12"),
       letter("m02"), letter("m12"), letter("m22");
   const Vector<Shortened> r(letter("r0"), letter("r1"), letter("r2"));
@@ -274,19 +254,15 @@ Provables proofs() {
     return std::array{a(0, 0), a(0, 0) * a(1, 1) - a(0, 1) * a(1, 0),
                       triple<Shortened>(a.col(0), a.col(1), a.col(2))};
   };
-  std::vector<Proposition> positive, divisible, of_edges;
-  for (const Shortened& minor : minors(m)) positive.push_back(above(minor.expression(), 0));
-  for (const Shortened& pivot : found.pivots) divisible.push_back(above(pivot.expression(), 0));
-  for (const Shortened& minor : minors(products)) of_edges.push_back(above(minor.expression(), 0));
+  const auto above_zero = [](const auto& x) { return positive({x[0], x[1], x[2]}); };
   const std::string of_system = quantified({"m00", "m01", "m02", "m11", "m12", "m22", "r0", "r1", "r2"});
   proved.push_back(
       {"8.5-gauss",
        "without exchange of rows its divisors are above zero, and it finds the only solution",
-       {{"of_edges", all.letters, all.given, of_edges, "minors_of_edges x0 y0 z0 x1 y1 z1 x2 y2 z2 x3 y3 z3"},
-        {"pivots", of_system, positive, divisible, "pivots"},
-        {"solves", of_system, positive,
-         equal(detail::recorded_value(Vector<Shortened>(m * found.x)), detail::recorded_value(r)),
-         "field; repeat split; nra"},
+       {{"of_edges", all.letters, all.given, above_zero(minors(products)),
+         "minors_of_edges x0 y0 z0 x1 y1 z1 x2 y2 z2 x3 y3 z3"},
+        {"pivots", of_system, above_zero(minors(m)), above_zero(found.pivots), "pivots"},
+        {"solves", of_system, above_zero(minors(m)), same(m * found.x, r), "field; repeat split; nra"},
         no_other},
        0,
        coq_source({"pivots", "no_other"})});
