@@ -5,6 +5,7 @@
 #include "chapters/provable_claims.hpp"
 
 #include <cmath>
+#include <ranges>
 
 #include "chapters/03_rigid_body_motion/11_paraboloid_hill/paraboloid_hill.hpp"
 #include "chapters/03_rigid_body_motion/shared/height_field.hpp"
@@ -21,38 +22,18 @@ using std::abs;
 template <class T>
 struct SampleOf {
   Hill<T> hill;
-  T g, t;
-  Two<T> x, v, a;
+  T g{}, t{};
+  Two<T> x{}, v{}, a{};
 
-  SampleOf() = default;
-  explicit SampleOf(Random& random)
-      : hill{random.between(0.5, 3), random.between(0.5, 3)},
-        g(random.between(0.5, 20)),
-        t(random.magnitude(0.1, 3)),
-        x{random.magnitude(0.1, 3), random.magnitude(0.1, 3)},
-        v{random.magnitude(0.1, 3), random.magnitude(0.1, 3)},
-        a{random.magnitude(0.1, 3), random.magnitude(0.1, 3)} {}
-  std::array<T*, 10> letters() {
-    return {&hill.a1, &hill.a2, &g, &t, &x[0], &x[1], &v[0], &v[1], &a[0], &a[1]};
+  Letters<T> table() {
+    const Range any = either_sign(0.1, 3);
+    return {{"a_1", hill.a1, {0.5, 3}},  {"a_2", hill.a2, {0.5, 3}}, {"g", g, {0.5, 20}}, {"t", t, any},
+            {"x_1", x[0], any},          {"x_2", x[1], any},         {"v_1", v[0], any},  {"v_2", v[1], any},
+            {R"(\ddot x_1)", a[0], any}, {R"(\ddot x_2)", a[1], any}};
   }
+  TypesetIn<T> typeset() const { return {{R"(\dot x_1)", v[0]}, {R"(\dot x_2)", v[1]}}; }
   std::string where() const {
-    return "$a$ = (" + format_significant(hill.a1, 4) + ", " + format_significant(hill.a2, 4) + "), $v$ = (" +
-           format_significant(v[0], 4) + ", " + format_significant(v[1], 4) +
-           "), $t$ = " + format_significant(t, 4);
-  }
-  TypesetIn<T> typeset() const {
-    return {{"a_1", hill.a1},
-            {"a_2", hill.a2},
-            {"g", g},
-            {"t", t},
-            {"x_1", x[0]},
-            {"x_2", x[1]},
-            {"v_1", v[0]},
-            {"v_2", v[1]},
-            {R"(\dot x_1)", v[0]},
-            {R"(\dot x_2)", v[1]},
-            {R"(\ddot x_1)", a[0]},
-            {R"(\ddot x_2)", a[1]}};
+    return filled("$a$ = (@4, @4), $v$ = (@4, @4), $t$ = @4", {hill.a1, hill.a2, v[0], v[1], t});
   }
   T A1() const { return hill.a1 * hill.a1; }
   T A2() const { return hill.a2 * hill.a2; }
@@ -66,10 +47,10 @@ struct SampleOf {
   T push() const {
     return g + second_derivative([this](const auto& s) { return hill.height(v[0] * s, v[1] * s); }, t);
   }
-  /// The acceleration at the point t v if the hill pushes a unit mass upward with `push`.
-  Two<T> acceleration(const T& push) const {
+  /// The acceleration at the point t v, where the hill pushes a unit mass upward with g - 2K.
+  Two<T> acceleration() const {
     const Two<T> slope{-2 * v[0] * t / A1(), -2 * v[1] * t / A2()};
-    const T along = -push / (1 + slope[0] * slope[0] + slope[1] * slope[1]);
+    const T along = -(g - 2 * K()) / (1 + slope[0] * slope[0] + slope[1] * slope[1]);
     return {along * slope[0], along * slope[1]};
   }
   /// The velocity along v that makes the path straight.
@@ -87,22 +68,20 @@ void equations(Table& table, const std::vector<Sample>& samples) {
   const auto position = [](const auto& s, std::size_t i) {
     return [&s, i](const auto& t) { return s.v[i] * t; };
   };
-  table.formula("velocity", 1543, R"($(\dot x_1,\dot x_2)=(v_1,v_2)$ for $(x_1,x_2)=(v_1t,v_2t)$)", samples,
-                {.quantity = "the first derivative of $(v_1t,v_2t)$",
-                 .truth = {"dual numbers",
-                           [=](const auto& s) {
-                             return values(derivative(position(s, 0), s.t), derivative(position(s, 1), s.t));
-                           }},
-                 .printed = {"$(v_1,v_2)$"}});
-  table.formula("acceleration", 1543, R"($(\ddot x_1,\ddot x_2)=(0,0)$ for $(x_1,x_2)=(v_1t,v_2t)$)", samples,
-                {.quantity = "the second derivative of $(v_1t,v_2t)$",
-                 .truth = {"dual numbers",
-                           [=](const auto& s) {
-                             return values(second_derivative(position(s, 0), s.t),
-                                           second_derivative(position(s, 1), s.t));
-                           },
-                           [](const Sample& s) { return size_of(s.v) / abs(s.t); }},
-                 .printed = {"$(0,0)$"}});
+  const auto claim = table.over(samples);
+  claim("velocity", 1543, R"($(\dot x_1,\dot x_2)=(v_1,v_2)$ for $(x_1,x_2)=(v_1t,v_2t)$)",
+        {"dual numbers",
+         [=](const auto& s) {
+           return values(derivative(position(s, 0), s.t), derivative(position(s, 1), s.t));
+         }},
+        "$(v_1,v_2)$", "the first derivative of $(v_1t,v_2t)$");
+  claim("acceleration", 1543, R"($(\ddot x_1,\ddot x_2)=(0,0)$ for $(x_1,x_2)=(v_1t,v_2t)$)",
+        {"dual numbers",
+         [=](const auto& s) {
+           return values(second_derivative(position(s, 0), s.t), second_derivative(position(s, 1), s.t));
+         },
+         [](const Sample& s) { return size_of(s.v) / abs(s.t); }},
+        "$(0,0)$", "the second derivative of $(v_1t,v_2t)$");
 
   const std::string lagrange =
       R"($\frac d{dt}\frac{\partial L}{\partial\dot x_1}-\frac{\partial L}{\partial x_1}$ )"
@@ -112,11 +91,10 @@ void equations(Table& table, const std::vector<Sample>& samples) {
            R"(}\left(\frac{x_1\ddot x_1+\dot x_1^2}{a_1^2}+\frac{x_2\ddot x_2+\dot x_2^2}{a_2^2}\right))"
            R"(-\frac{2gx_1}{a_1^2}$)";
   };
-  table.formula(
+  claim(
       "first_equation", 1545,
       R"(The first equation of motion is $0=\ddot x_1+\frac{4x_1}{a_1}B-\frac{2gx_1}{a_1^2}$, $B$ being )"
       R"($\frac{x_1\ddot x_1+\dot x_1^2}{a_1^2}+\frac{x_2\ddot x_2+\dot x_2^2}{a_2^2}$)",
-      samples,
       {.quantity = "the expression that the first equation of motion sets to zero",
        .truth = {lagrange, [](const auto& s) { return s.lagrange(s.x, s.a)[0]; }},
        .printed = equation("a_1"),
@@ -129,20 +107,17 @@ void equations(Table& table, const std::vector<Sample>& samples) {
            R"(it was not printed. On a hill with $a_1=2$ the printed factor is @1 times the right one.)",
            {(4 / 2.0) / (4 / (2.0 * 2.0))})});
 
-  Sample narrow, wider;
-  narrow.hill = {1, 2}, narrow.v = {1, 1}, narrow.t = 1;
-  wider = narrow, wider.hill = {2, 4};
+  const Sample narrow{.hill = {1, 2}, .t = 1, .v = {1, 1}}, wider{.hill = {2, 4}, .t = 1, .v = {1, 1}};
   const std::string products = R"(4v_1t\,a_1^2(v_1^2a_1^2+v_2^2a_2^2))",
                     quotients = R"(\frac{4v_1t}{a_1^2}\Big(\frac{v_1^2}{a_1^2}+\frac{v_2^2}{a_2^2}\Big))",
                     last = R"(-\frac{2gv_1t}{a_1^2}$)";
   const auto growth = [&](const std::string& term) {
     const TypesetFormula first("$" + term + "$");
-    return first(wider.typeset())[0] / first(narrow.typeset())[0];
+    return first(typeset_of(wider))[0] / first(typeset_of(narrow))[0];
   };
-  table.formula(
+  claim(
       "substituted", 1563,
       R"(On $(v_1t,v_2t)$ the first equation is $0=0+)" + quotients + last + ", three fraction bars lost",
-      samples,
       {.quantity = "the expression that the first equation sets to zero on $(v_1t,v_2t)$",
        .truth = {lagrange, [](const auto& s) { return s.on_line()[0]; }},
        .printed = "$0=0+" + products + last,
@@ -157,38 +132,34 @@ void equations(Table& table, const std::vector<Sample>& samples) {
     return {R"(the equation's left side over $4v_it/a_i^2$, by nested dual numbers)",
             [=](const auto& s) { return s.on_line()[i] * (i == 0 ? s.A1() : s.A2()) / (4 * s.v[i] * s.t); }};
   };
-  table.formula(
-      "condition", 1573,
-      "The first equation holds, for $v_1\\ne0$ (our condition), exactly if " + half +
-          ", two fraction bars lost",
-      samples,
-      {.quantity = "the first equation's left side, by a factor that is not zero",
-       .truth = by_factor(0),
-       .printed = "$v_1^2a_1^2+v_2^2a_2^2=g/2$",
-       .meant = half,
-       .why = filled(
-           "The bars of the two fractions are lost in the text at hand. On the default hill, $a_1=1$, "
-           "$a_2=2$, $g=10$, the condition is @2 m/s in each direction for $v_1=v_2$. With the products it "
-           "is @2 m/s, at which the particle does not keep to a uniform motion.",
-           {along_both(1).v[0], std::sqrt(10 / 2.0 / (1 * 1 + 2 * 2))})});
-  table.formula("second_equation", 1581,
-                "The second equation holds, for $v_2\\ne0$ (our condition), exactly if " + half + " too",
-                samples,
-                {.quantity = "the second equation's left side, by a factor that is not zero",
-                 .truth = by_factor(1),
-                 .printed = half});
+  claim("condition", 1573,
+        "The first equation holds, for $v_1\\ne0$ (our condition), exactly if " + half +
+            ", two fraction bars lost",
+        {.quantity = "the first equation's left side, by a factor that is not zero",
+         .truth = by_factor(0),
+         .printed = "$v_1^2a_1^2+v_2^2a_2^2=g/2$",
+         .meant = half,
+         .why = filled(
+             "The bars of the two fractions are lost in the text at hand. On the default hill, $a_1=1$, "
+             "$a_2=2$, $g=10$, the condition is @2 m/s in each direction for $v_1=v_2$. With the products it "
+             "is @2 m/s, at which the particle does not keep to a uniform motion.",
+             {along_both(1).v[0], std::sqrt(10 / 2.0 / (1 * 1 + 2 * 2))})});
+  claim("second_equation", 1581,
+        "The second equation holds, for $v_2\\ne0$ (our condition), exactly if " + half + " too",
+        by_factor(1), half, "the second equation's left side, by a factor that is not zero");
 }
 
 // ---- consequences -----------------------------------------------------------------------------------------
 
 /// Starts at the top: in any direction or along an axis, with the condition satisfied or not; or at rest.
 struct FromTop : Sample {
-  explicit FromTop(Random& random) : Sample(random) {
+  explicit FromTop(Random& random) : Sample(drawn<Sample>(random)) {
     const int kind = random.below(4);
     if (kind == 1 || kind == 3) v[0] = 0;
     if (kind == 2 || kind == 3) v[1] = 0;
     if (kind != 3 && random.unit() < 0.5) v = right();
   }
+  bool at_rest() const { return v[0] == 0 && v[1] == 0; }
   bool condition() const { return abs(K() - g / 2) <= rounding(K() + g / 2).allowed; }
   /// Whether (v1 t, v2 t) satisfies equation i.
   bool satisfied(std::size_t i) const {
@@ -201,7 +172,7 @@ struct FromTop : Sample {
 /// Flies off along (v1 t, v2 t), faster than the condition by this factor.
 struct Faster : Sample {
   double factor;
-  explicit Faster(Random& random) : Sample(random), factor(random.between(1.01, 2)) {}
+  explicit Faster(Random& random) : Sample(drawn<Sample>(random)), factor(random.between(1.01, 2)) {}
   bool above(double times) const {
     const Pair u = right();
     return -g * t * t / 2 > hill.height(times * u[0] * t, times * u[1] * t);
@@ -210,15 +181,13 @@ struct Faster : Sample {
 
 void conditions(Claims& claims, double seed) {
   const auto samples = draw<FromTop>(400, seed);
-  Sample twice_as_fast;
-  twice_as_fast.hill = along_both(2).hill, twice_as_fast.g = along_both(2).g, twice_as_fast.t = 0;
-  twice_as_fast.v = along_both(2).v;
+  const auto [hill, g, top, fast] = along_both(2);
+  const Sample twice_as_fast{.hill = hill, .g = g, .v = fast};
   const auto in_starts = [&](std::string text, const std::function<bool(const FromTop&)>& holds) -> Reading {
     return {text, {in_all(text, samples, holds)}};
   };
-  Reading exactly =
-      in_starts("exactly if " + half + ", or if the particle is at rest on the top",
-                [](const FromTop& s) { return s.both() == (s.condition() || (s.v[0] == 0 && s.v[1] == 0)); });
+  Reading exactly = in_starts("exactly if " + half + ", or if the particle is at rest on the top",
+                              [](const FromTop& s) { return s.both() == (s.condition() || s.at_rest()); });
   exactly.checks.push_back(compare<FromTop>(
       "the hill's vertical force over the mass on $(v_1t,v_2t)$",
       {"$g-2(v_1^2/a_1^2+v_2^2/a_2^2)$, nothing at the condition",
@@ -232,9 +201,8 @@ void conditions(Claims& claims, double seed) {
       {.printed =
            in_starts("for all $v_1$ and $v_2$", [](const FromTop& s) { return !s.both() || s.condition(); }),
        .corrected = exactly,
-       .in_view = in_starts(
-           "for a particle that moves",
-           [](const FromTop& s) { return !s.both() || s.condition() || (s.v[0] == 0 && s.v[1] == 0); }),
+       .in_view = in_starts("for a particle that moves",
+                            [](const FromTop& s) { return !s.both() || s.condition() || s.at_rest(); }),
        .near_misses = {in_starts(
            "exactly if " + half + ", or if $v_1=0$",
            [](const FromTop& s) { return s.both() == (s.condition() || s.v[0] == 0); })},
@@ -265,15 +233,12 @@ struct Path {
                                                       std::array{0.0, 0.0, v[0], v[1]},
                                                       std::array{0.0, 0.25, 0.5, 1.0, 1.5, 2.0}, 1e-12);
     if (!path.reached()) stray = std::numeric_limits<double>::quiet_NaN();
-    for (std::size_t i = 1; path.reached() && i < path.value.size(); ++i) {
-      const auto& x = path.value[i];
+    for (const auto& x : path.value | std::views::drop(1))
       stray =
           std::max(stray, abs(x[0] * v[1] - x[1] * v[0]) / (std::hypot(x[0], x[1]) * std::hypot(v[0], v[1])));
-    }
   }
   std::string where() const {
-    return "$a$ = (" + format_significant(hill.a1, 4) + ", " + format_significant(hill.a2, 4) + "), $v$ = (" +
-           format_significant(v[0], 4) + ", " + format_significant(v[1], 4) + ")";
+    return filled("$a$ = (@4, @4), $v$ = (@4, @4)", {hill.a1, hill.a2, v[0], v[1]});
   }
   bool round() const { return hill.a1 == hill.a2; }
   bool is(bool straight) const { return straight ? stray < 1e-9 : stray > 1e-6; }
@@ -283,11 +248,10 @@ void paths(Claims& claims, double seed) {
   std::vector<Path> all;
   Random random(seed);
   for (int i = 0; i < 50; ++i) {
-    Sample s(random);
+    const auto s = drawn<Sample>(random);
     const Pair right = s.right();
     all.emplace_back(s, right, true);
-    const double slower = random.between(0.3, 0.9), faster = random.between(1.1, 2);
-    for (const double part : {slower, faster}) {
+    for (const double part : {random.between(0.3, 0.9), random.between(1.1, 2)}) {
       Sample on = s;
       const Pair off{right[0] * part, right[1] * part};
       all.emplace_back(on, Pair{off[0], 0}, false);
@@ -303,15 +267,13 @@ void paths(Claims& claims, double seed) {
   };
   const std::string held = "for paths from the top, held to the hill: those with " + half;
   const auto samples = draw<Sample>(200, seed);
-  const auto push = [](const Sample& s) { return s.g - 2 * s.K(); };
   Reading straight = of_all(held + ", along an axis, or on a round hill; no others",
                             [](const Path& p) { return p.is(p.condition || p.axis || p.round()); });
   straight.checks.push_back(compare<Sample>(
       "decrease of Lagrange's left sides by the acceleration at a point $tv$",
       {R"(with $\ddot x=-(g-2K)\,n/(1+n\cdot n)$, $n$ the slope $-2t(v_1/a_1^2,\,v_2/a_2^2)$)",
-       [=](const Sample& s) {
-         const Two<double> without = s.on_line(),
-                           with = s.lagrange({s.v[0] * s.t, s.v[1] * s.t}, s.acceleration(push(s)));
+       [](const Sample& s) {
+         const Pair without = s.on_line(), with = s.lagrange({s.v[0] * s.t, s.v[1] * s.t}, s.acceleration());
          return values(without[0] - with[0], without[1] - with[1]);
        }},
       {"their values without acceleration, by nested dual numbers",
@@ -326,10 +288,7 @@ void paths(Claims& claims, double seed) {
                  4 * s.t * s.t * (s.v[0] * s.v[0] / (s.A1() * s.A1()) + s.v[1] * s.v[1] / (s.A2() * s.A2())));
        }},
       {"from that acceleration",
-       [push](const Sample& s) {
-         const Two<double> a = s.acceleration(push(s));
-         return s.v[0] * a[1] - s.v[1] * a[0];
-       }},
+       [](const Sample& s) { return s.v[0] * s.acceleration()[1] - s.v[1] * s.acceleration()[0]; }},
       samples));
   claims.add(
       "not_straight", 1581,
@@ -364,24 +323,19 @@ Provables proofs() {
   Claims claims("3.11");
   Table table(claims);
   equations(table, {});
-  const std::vector<std::string> names{"a1", "a2", "g", "t", "x1", "x2", "v1", "v2", "w1", "w2"};
-  ForAll<SampleOf> all{.any = lettered<SampleOf>(names),
-                       .letters = quantified(names),
-                       .tactic = std::string("field; repeat split; try assumption; ") + by_positive_terms,
-                       .says = "it holds for any particle on any such hill"};
-  all.given = {above(all.any.hill.a1.expression(), 0), above(all.any.hill.a2.expression(), 0)};
-  for (const Shortened& x : {all.any.t, all.any.v[0], all.any.v[1]})
-    all.given.push_back(not_zero(x.expression()));
-  double x = 1;
-  for (double* letter : all.example.letters()) *letter = x += 0.25;
+  auto all = for_all<SampleOf>(std::string("field; repeat split; try assumption; ") + by_positive_terms,
+                               "it holds for any particle on any such hill",
+                               {1.25, 1.5, 1.75, 2, 2.25, 2.5, 2.75, 3, 3.25, 3.5});
+  const auto& s = all.any;
+  all.given = positive({s.hill.a1, s.hill.a2});
+  for (const Shortened& x : {s.t, s.v[0], s.v[1]}) all.given.push_back(not_zero(x.expression()));
   Provables proved = table.proofs("3.11", all);
   const auto derivative_of = [](const Shortened& of, const Shortened& rate) -> Proposition {
     return {"derivable_pt_lim (fun t => " + of.expression().coq() + ") t (" + rate.expression().coq() + ")"};
   };
-  const auto& s = all.any;
   std::vector<Proposition> once, twice;
-  for (const Shortened& v : s.v) once.push_back(derivative_of(v * s.t, v));
-  for (const Shortened& v : s.v) twice.push_back(derivative_of(v, 0.0));
+  for (const Shortened& v : s.v)
+    once.push_back(derivative_of(v * s.t, v)), twice.push_back(derivative_of(v, 0.0));
   for (const auto& [slug, rates] : {std::pair{"velocity", once}, {"acceleration", twice}})
     proved.push_back(
         {std::string("3.11-") + slug,
