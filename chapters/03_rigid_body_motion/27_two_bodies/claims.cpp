@@ -22,14 +22,12 @@ struct SampleOf {
   T G, m1, m2;
   std::array<T, 3> q, v;
 
-  SampleOf() = default;
-  explicit SampleOf(Random& random)
-      : G(random.between(0.5, 2)),
-        m1(random.between(0.3, 3)),
-        m2(random.between(0.3, 3)),
-        q{random.between(0.5, 2), random.between(-3, 3), random.between(0.4, 2.7)},
-        v{random.between(-2, 2), 0, random.between(-2, 2)} {}
-  std::array<T*, 8> letters() { return {&G, &m1, &m2, &q[0], &q[1], &q[2], &v[0], &v[2]}; }
+  Letters<T> table() {
+    return {{"G", G, {0.5, 2.0}},         {"m_1", m1, {0.3, 3}},
+            {"m_2", m2, {0.3, 3}},        {"r", q[0], {0.5, 2}},
+            {R"(\theta)", q[1], {-3, 3}}, {R"(\varphi)", q[2], {0.4, 2.7}, "phi"},
+            {R"(\dot r)", v[0], {-2, 2}}, {R"(\dot\varphi)", v[2], {-2, 2}}};
+  }
   /// Size of the equations' terms divided by r and by theta's inertia, which is r^2 sin^2 phi.
   double size() const {
     const double r = q[0], speed = std::abs(v[0]) + r * std::abs(v[2]), sine = std::sin(q[2]);
@@ -37,17 +35,7 @@ struct SampleOf {
     return forces * (1 + speed) * (1 + 1 / (r * r)) / (sine * sine);
   }
   TypesetIn<T> typeset() const {
-    return {{"G", G},
-            {"m_1", m1},
-            {"m_2", m2},
-            {"r", q[0]},
-            {R"(\theta)", q[1]},
-            {R"(\dot r)", v[0]},
-            {R"(\dot\varphi)", v[2]},
-            {"c_1", m1 * m2 / (m1 + m2)},
-            {"c_2", G * m1 * m2},
-            {R"(\beta)", beta()},
-            {R"(\gamma)", gamma()}};
+    return {{"c_1", m1 * m2 / (m1 + m2)}, {"c_2", G * m1 * m2}, {R"(\beta)", beta()}, {R"(\gamma)", gamma()}};
   }
   /// Size of the terms of r'' that do not always cancel.
   double terms() const {
@@ -67,10 +55,8 @@ struct SampleOf {
   }
   template <class X>
   X kinetic(const std::array<X, 3>& at, const std::array<X, 3>& speed) const {
-    std::array<Dual<X>, 3> moving;
-    for (std::size_t i = 0; i < 3; ++i) moving[i] = {at[i], speed[i]};
     X sum(0.0);
-    const auto x = bodies(moving);
+    const auto x = bodies(moving(at, speed));
     for (std::size_t i = 0; i < 6; ++i) sum += X((i < 3 ? m1 : m2) / 2) * x[i].slope * x[i].slope;
     return sum;
   }
@@ -91,9 +77,7 @@ struct SampleOf {
   int freedoms() const {
     Eigen::MatrixXd by(6, 3);
     for (int j = 0; j < 3; ++j) {
-      std::array<Dual<double>, 3> moved;
-      for (std::size_t k = 0; k < 3; ++k) moved[k] = {q[k], k == static_cast<std::size_t>(j) ? 1.0 : 0.0};
-      const auto x = bodies(moved);
+      const auto x = bodies(toward(q, static_cast<std::size_t>(j)));
       for (int k = 0; k < 6; ++k) by(k, j) = x[static_cast<std::size_t>(k)].slope;
     }
     return static_cast<int>(rank(by));
@@ -109,8 +93,9 @@ namespace {
 constexpr double integrated_to = 1e-13;
 const Tolerance by_integration{1000 * integrated_to, "a thousand tolerances of the integration"};
 
-/// (x, y, u) at t = 1 by the published system with other constants, or without its fraction bars over r^2.
-Value by_system(const Bodies& b, double beta, double gamma, bool bars = true) {
+/// (x, y, u) at t = 1 by the published system with another gamma, or without its fraction bars over r^2.
+Value by_system(const Bodies& b, double gamma, bool bars = true) {
+  const double beta = Published<double>{b}.beta();
   const auto rhs = [=](const std::array<double, 3>& x, std::array<double, 3>& dxdt, double) {
     const double square = x[0] * x[0], over = bars ? 1 / square : square;
     dxdt = {x[1], beta * beta / (square * x[0]) - gamma * over, beta * over};
@@ -160,7 +145,7 @@ struct PastThePole {
       dxdt = {now[3], now[4], now[5], pull * now[0], pull * now[1], pull * now[2]};
     };
     x = ode::integrate<ode::Fehlberg78>(rhs, start, 0, 1, integrated_to).value;
-    flat = by_system(b, b.r0 * b.r0 * b.phi0_dot, gamma);
+    flat = by_system(b, gamma);
   }
   Tolerance tolerance(double) const { return by_integration; }
   /// The distances from the axis and from the equator's plane, by the published system.
@@ -170,41 +155,38 @@ struct PastThePole {
 const std::string by_lagrange = "Lagrange's equations of both bodies by nested dual numbers";
 
 void accelerations(Table& table, const std::vector<Sample>& all) {
-  table.formula("radial_equation", 2757, R"($\ddot r=\beta^2/r^3-\gamma/r^2$)", all,
-                {.quantity = R"($\ddot r$)",
-                 .truth = {by_lagrange, [](const auto& k) { return k.lagrange(k.v)[0]; },
-                           [](const Sample& k) { return k.terms(); }},
-                 .printed = R"($\ddot r=\beta^2/r^3-\gamma/r^2$)"});
-  table.formula("phi_equation", 2773,
-                R"($\dot\varphi=\beta/r^2$ (our check: its rate, $\ddot\varphi=\frac{d}{dt}(\beta/r^2)$))",
-                all,
-                {.quantity = R"($\ddot\varphi$)",
-                 .truth = {by_lagrange, [](const auto& k) { return k.lagrange(k.v)[2]; },
-                           [](const Sample& k) { return k.terms() / k.q[0]; }},
-                 .printed = R"($\ddot\varphi=\frac{d}{dt}(\beta/r^2)$)"});
+  const auto claim = table.over(all);
+  const std::string radial = R"($\ddot r=\beta^2/r^3-\gamma/r^2$)";
+  claim("radial_equation", 2757, radial,
+        {by_lagrange, [](const auto& k) { return k.lagrange(k.v)[0]; }, &Sample::terms}, radial,
+        R"($\ddot r$)");
+  claim("phi_equation", 2773,
+        R"($\dot\varphi=\beta/r^2$ (our check: its rate, $\ddot\varphi=\frac{d}{dt}(\beta/r^2)$))",
+        {by_lagrange, [](const auto& k) { return k.lagrange(k.v)[2]; },
+         [](const Sample& k) { return k.terms() / k.q[0]; }},
+        R"($\ddot\varphi=\frac{d}{dt}(\beta/r^2)$)", R"($\ddot\varphi$)");
 }
 
 /// Claims about the constants in T and V.
 void constants(Table& table, const std::vector<Sample>& all) {
   const auto c1 = [](const auto& k) {
-    const auto along = [&](const auto& x) {
-      using X = std::decay_t<decltype(x)>;
+    const auto along = [&]<class X>(const X& x) {
       return k.template kinetic<X>({X(k.q[0]), X(k.q[1]), X(k.q[2])}, {x, X(0.0), X(k.v[2])});
     };
     return second_derivative(along, k.v[0]);
   };
   const auto c2 = [](const auto& k) { return -k.potential(k.q) * k.q[0]; };
-  table.formula("gamma_constants", 2767, "The constants are $c_1=m_1m_2/(m_1+m_2)$ and $c_2=Gm_1m_2$", all,
-                {.quantity = R"($(c_1,c_2)$)",
-                 .truth = {R"($\partial^2T/\partial\dot r^2$ and $-rV$ by dual numbers)",
-                           [=](const auto& k) { return values(c1(k), c2(k)); }},
-                 .printed = R"($(m_1m_2/(m_1+m_2),\ Gm_1m_2)$)"});
+  const auto claim = table.over(all);
+  claim("gamma_constants", 2767, "The constants are $c_1=m_1m_2/(m_1+m_2)$ and $c_2=Gm_1m_2$",
+        {R"($\partial^2T/\partial\dot r^2$ and $-rV$ by dual numbers)",
+         [=](const auto& k) { return values(c1(k), c2(k)); }},
+        R"($(m_1m_2/(m_1+m_2),\ Gm_1m_2)$)", R"($(c_1,c_2)$)");
   constexpr Bodies b = usual;
   const auto row = [](const std::string& first) {
     return "$(" + first + R"(,\ Gm_1m_2/(m_1m_2/(m_1+m_2)),\ G(m_1+m_2))$)";
   };
-  table.formula(
-      "gamma", 2765, R"($\gamma=c_2c_1=Gm_1m_2/(m_1m_2/(m_1+m_2))=G(m_1+m_2)$)", all,
+  claim(
+      "gamma", 2765, R"($\gamma=c_2c_1=Gm_1m_2/(m_1m_2/(m_1+m_2))=G(m_1+m_2)$)",
       {.quantity = R"($\gamma$)",
        .truth = {R"($c_2/c_1$ by dual numbers of $V$ and $T$)", [=](const auto& k) { return c2(k) / c1(k); }},
        .printed = row("c_2c_1"),
@@ -229,9 +211,7 @@ void equations(Claims& claims, const std::vector<Sample>& all, const std::vector
     return compare(R"($\ddot\theta$)", turning, {"zero", [](K) { return 0.0; }}, all);
   };
   const Formula<PastThePole> in_space{"the relative motion in Cartesian coordinates, Fehlberg 7(8)",
-                                      [](const PastThePole& k) {
-                                        return Value{k.x[0], k.x[1], k.x[2]};
-                                      }};
+                                      [](const PastThePole& k) { return values(k.x[0], k.x[1], k.x[2]); }};
   const std::string place = "$(x,y,z)$ at $t=1$",
                     on_meridian = R"($(\rho\cos\theta_0,\ \rho\sin\theta_0,\ z)$)";
   // The text's "theta_0 = 0" has lost its overdot: theta is the angle about the pole, and the plane can be
@@ -241,11 +221,10 @@ void equations(Claims& claims, const std::vector<Sample>& all, const std::vector
                           {stays(0), compare<PastThePole>(place, computed(Formula<PastThePole>{on_meridian}),
                                                           in_space, passing)}},
               .near_misses = {{R"($\ddot\theta=0$ also where $\dot\theta=1$)", {stays(1)}}}});
-  claims.formula<PastThePole>(
+  claims.over(passing)(
       "initial_conditions", 2787,
       R"(The initial conditions are $r_0,\dot r_0,\varphi_0$ and $\dot\varphi_0$ (our check: the place that they )"
       R"(determine, $\rho=r\sin\varphi$ from the axis))",
-      passing,
       {.quantity = place,
        .truth = in_space,
        .printed = {R"($(\rho,\ 0,\ z)$)"},
@@ -260,30 +239,26 @@ void equations(Claims& claims, const std::vector<Sample>& all, const std::vector
 void motions(Claims& claims, const std::vector<Later>& all) {
   using K = const Later&;
   const std::string cartesian = "both bodies in Cartesian coordinates, Fehlberg 7(8)";
-  const auto beta = [](K k) { return k.b.r0 * k.b.r0 * k.b.phi0_dot; };
   const auto gamma = [](K k) { return k.b.G * (k.b.m1 + k.b.m2); };
-  claims.formula("beta", 2765, R"($\beta=r_0^2\dot\varphi_0$ (our check: $r^2\dot\varphi$ keeps this value))",
-                 all,
-                 {.quantity = R"($r^2\dot\varphi$ at $t=1$)",
-                  .truth = {cartesian, [](K k) { return k.dx * k.vy - k.dy * k.vx; }},
-                  .printed = {R"($r_0^2\dot\varphi_0$)"}});
-  claims.formula(
+  const auto claim = claims.over(all);
+  claim("beta", 2765, R"($\beta=r_0^2\dot\varphi_0$ (our check: $r^2\dot\varphi$ keeps this value))",
+        {cartesian, [](K k) { return k.dx * k.vy - k.dy * k.vx; }}, {R"($r_0^2\dot\varphi_0$)"},
+        R"($r^2\dot\varphi$ at $t=1$)");
+  claim(
       "first_order_system", 2779,
       R"(The motion is that of $\dot r=u$, $\dot u=\beta^2/r^3-\gamma r^2$, $\dot\varphi=\beta r^2$ from )"
       R"($(r_0,\dot r_0,\varphi_0)$)",
-      all,
       {.quantity = R"($(x,y,u)$ at $t=1$)",
        .truth = {cartesian,
                  [](K k) {
-                   const double r = std::hypot(k.dx, k.dy);
-                   return Value{k.dx, k.dy, (k.dx * k.vx + k.dy * k.vy) / r};
+                   return values(k.dx, k.dy, (k.dx * k.vx + k.dy * k.vy) / std::hypot(k.dx, k.dy));
                  }},
        .printed = {R"($\dot u=\beta^2/r^3-\gamma r^2$, $\dot\varphi=\beta r^2$)",
-                   [=](K k) { return by_system(k.b, beta(k), gamma(k), false); }},
+                   [=](K k) { return by_system(k.b, gamma(k), false); }},
        .meant = {R"($\dot u=\beta^2/r^3-\gamma/r^2$, $\dot\varphi=\beta/r^2$)",
-                 [=](K k) { return by_system(k.b, beta(k), gamma(k)); }},
+                 [=](K k) { return by_system(k.b, gamma(k)); }},
        .near_misses = {{R"(as meant, with $\gamma=Gm_1$)",
-                        [=](K k) { return by_system(k.b, beta(k), k.b.G * k.b.m1); }}},
+                        [=](K k) { return by_system(k.b, k.b.G * k.b.m1); }}},
        .why =
            R"(The bars over $r^2$ are lost in lines 2783 and 2785; the equations in lines 2757 and 2773 have the )"
            R"(parts of each fraction on two lines. The text at hand reads $\gamma r^2$ and $\beta r^2$.)"});
@@ -296,15 +271,16 @@ void state_and_data(Claims& claims, const Reference& truth) {
   constexpr double tolerance = 1e-12;
   const Horizon horizon{seconds};
   const std::string path = filled("path at four times to @1 s", {seconds});
-  const Value known = trajectory(truth, "03_27_two_bodies", inputs(b), horizon).value;
+  const Route known{"Kepler's equation in universal variables",
+                    trajectory(truth, "03_27_two_bodies", inputs(b), horizon).value};
+  const auto compared = [&](const std::string& text, const std::string& by, const Value& found,
+                            const Tolerance& allowed) {
+    return Reading{text, {Check{path, {R"($r,u,\varphi$ )" + by, found}, known, allowed, 1}}};
+  };
   const auto from = [&](const std::string& text, const Bodies& data) {
-    return Reading{text,
-                   {{path,
-                     {R"($r,u,\varphi$ integrated)",
-                      observe_integrated<ode::Fehlberg78>(Published<double>{data}, horizon, tolerance).value},
-                     {"Kepler's equation in universal variables", known},
-                     {1000 * tolerance, "a thousand tolerances of the integration"},
-                     1}}};
+    return compared(text, "integrated",
+                    observe_integrated<ode::Fehlberg78>(Published<double>{data}, horizon, tolerance).value,
+                    {1000 * tolerance, "a thousand tolerances of the integration"});
   };
   Bodies still = b;
   still.r0_dot = 0;
@@ -318,13 +294,9 @@ void state_and_data(Claims& claims, const Reference& truth) {
   // the program as the solution of 3.15 lists it: a state of numbers, and fixed steps of Runge-Kutta 4
   const auto in_steps = [&](double step) {
     const std::string by = "Runge-Kutta 4 in steps of " + format_shortest(step) + " s";
-    return Reading{by,
-                   {{path,
-                     {R"($r,u,\varphi$ by )" + by,
-                      observe_integrated<ode::RungeKutta4>(Published<double>{b}, horizon, step).value},
-                     {"Kepler's equation in universal variables", known},
-                     {need, "the scene's need, a micrometre"},
-                     1}}};
+    return compared(by, "by " + by,
+                    observe_integrated<ode::RungeKutta4>(Published<double>{b}, horizon, step).value,
+                    {need, "the scene's need, a micrometre"});
   };
   claims.add(
       "module_pattern", 2787,
@@ -332,39 +304,21 @@ void state_and_data(Claims& claims, const Reference& truth) {
       {.printed = in_steps(0.01), .near_misses = {in_steps(0.25)}});
 }
 
-/// The distance is r, by sin^2 + cos^2 of both angles.
-constexpr const char* by_distance = R"(pose proof (sin2_cos2 theta) as of_theta; unfold Rsqr in of_theta;
-  pose proof (sin2_cos2 phi) as of_phi; unfold Rsqr in of_phi;
-  assert (sine_theta : sin theta ^ 2 = 1 - cos theta ^ 2) by lra;
-  assert (sine_phi : sin phi ^ 2 = 1 - cos phi ^ 2) by lra;
-  repeat match goal with |- context [sqrt ?x] =>
-    replace (sqrt x) with r by
-      (symmetry; replace x with (r * r) by (field [sine_theta sine_phi]; lra); apply sqrt_square; lra) end;
-  try match goal with |- _ = _ / ?mass => first
-    [ replace mass with (m1 * m2 / (m1 + m2)) by (field [sine_theta sine_phi]; lra)
-    | replace mass with ((m1 * m2 / (m1 + m2)) ^ 3 * r ^ 4 * sin phi ^ 2)
-        by (field [sine_theta sine_phi]; lra) ] end;
-  field [sine_theta sine_phi]; repeat split; first [assumption | nra])";
-
 Provables proofs() {
   Claims claims("3.27");
   Table table(claims);
   constants(table, {});
-  const std::vector<std::string> names{"G", "m1", "m2", "r", "theta", "phi", "u", "w"};
-  ForAll<SampleOf> all{.any = lettered<SampleOf>(names),
-                       .letters = quantified(names),
-                       .tactic = by_distance,
-                       .says = "it holds for any two bodies wherever they are"};
-  double x = 0.25;
-  for (double* letter : all.example.letters()) *letter = x += 0.25;
-  for (const Shortened& positive : {all.any.G, all.any.m1, all.any.m2, all.any.q[0]})
-    all.given.push_back(above(positive.expression(), 0));
+  auto all =
+      for_all<SampleOf>("by_distance m1 m2 r theta phi", "it holds for any two bodies wherever they are",
+                        {0.5, 0.75, 1, 1.25, 1.5, 1.75, 2, 2.25});
+  all.given = positive({all.any.G, all.any.m1, all.any.m2, all.any.q[0]});
+  all.preamble = coq_source({"bodies"});
   Provables proved = table.proofs("3.27", all);
   Table of_motion(claims);
   accelerations(of_motion, {});
   all.given.push_back(not_zero(sin(all.any.q[2].expression())));
   all.says = "it holds for any two bodies off the axis";
-  for (Provable& p : of_motion.proofs("3.27", all)) proved.push_back(std::move(p));
+  append(proved, of_motion.proofs("3.27", all));
   return proved;
 }
 
