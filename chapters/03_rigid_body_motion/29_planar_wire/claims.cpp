@@ -3,6 +3,7 @@
 // particles, and forces with the slope of the total potential energy.
 
 #include <concepts>
+#include <optional>
 
 #include "chapters/03_rigid_body_motion/29_planar_wire/planar_wire.hpp"
 #include "chapters/integral_proofs.hpp"
@@ -35,7 +36,7 @@ struct SampleOf {
   PointOf<T> b{};
   T mu0;
   T turn = T(1);  ///< rotation of the curve in body space
-  std::function<Tolerance(const SampleOf<double>&)> allowed = {};
+  std::optional<Tolerance> allowed = {};
 
   SampleOf() = default;
   explicit SampleOf(Random& random)
@@ -52,7 +53,7 @@ struct SampleOf {
         mu0(wire.over_mass([](double) { return 1; })) {}
 
   std::array<T*, 8> quantities() { return {&x, &y, &theta, &vx, &vy, &w, &b[0], &b[1]}; }
-  Tolerance tolerance(double terms) const { return allowed ? allowed(*this) : rounding(terms); }
+  Tolerance tolerance(double terms) const { return allowed.value_or(rounding(terms)); }
   std::string where() const {
     const char* const shapes[] = {"straight", "semicircle", "parabola"};
     return shapes[static_cast<int>(wire.shape)] +
@@ -147,23 +148,15 @@ PointOf<Shortened> force(const PointOf<Shortened>& r) { return {-of_place("Ux", 
 template <class T>
 TypesetIn<T> SampleOf<T>::typeset() const {
   const T C = cos(theta), S = sin(theta);
-  TypesetIn<T> letters{{"x", x},
-                       {"y", y},
-                       {R"(\theta)", theta},
-                       {R"(\dot x)", vx},
-                       {R"(\dot y)", vy},
-                       {R"(\dot\theta)", w},
-                       {"c", {x, y}},
-                       {R"(\dot c)", {vx, vy}},
-                       {"L", b[0]},
-                       {"b", {b[0], b[1]}},
-                       {"b_0", b[0]},
-                       {"b_1", b[1]},
-                       {"R", {C, -S, S, C}},
-                       {R"(R(\theta))", {C, -S, S, C}},
-                       {R"(\frac{dR}{d\theta})", {-S, -C, C, -S}},
-                       {R"(\mu_0)", mu0},
-                       {R"(\mu_2)", mu2()}};
+  TypesetIn<T> letters{{"L", b[0]},          {"x", x},
+                       {"b_0", b[0]},        {"y", y},
+                       {"b_1", b[1]},        {R"(\dot\theta)", w},
+                       {"c", {x, y}},        {R"(\mu_0)", mu0},
+                       {"b", {b[0], b[1]}},  {R"(\mu_2)", mu2()},
+                       {R"(\dot x)", vx},    {R"(\dot c)", {vx, vy}},
+                       {R"(\dot y)", vy},    {R"(R(\theta))", {C, -S, S, C}},
+                       {"R", {C, -S, S, C}}, {R"(\frac{dR}{d\theta})", {-S, -C, C, -S}},
+                       {R"(\theta)", theta}};
   if constexpr (std::same_as<T, double>) {
     const TypesetLetters along{{"ds", at_nodes([&](double node) {
                                   return wire.along([=](double u) { return u == node ? 1 : 0; });
@@ -214,7 +207,7 @@ T energy_of_rod(const SampleOf<T>& s, const std::type_identity_t<T>& l) {
     return gauss_legendre(f, -l / 2, l / 2, 4).value;
 }
 
-Samples judged_by(const std::function<Tolerance(const Sample&)>& allowed, Samples samples) {
+Samples within(const Tolerance& allowed, Samples samples) {
   for (Sample& s : samples) s.allowed = allowed;
   return samples;
 }
@@ -242,13 +235,13 @@ Formula<Sample> by_simpson(int panels) {
 
 /// Compares the moment at a multiple of the sample's velocities with `part` of that at the velocities
 /// themselves.
-Check friction_at_speed(const std::string& by, const Samples& samples, double speed, double part) {
+Check friction_at_speed(const std::string& by, Samples samples, double speed, double part) {
+  for (Sample& s : samples) s.allowed = rounding(s.mu0 * s.wire.q * (1 + s.wire.q));
   const auto rule = [](FunctionOfOne f, double end) { return gauss_legendre(f, 0, end, 64); };
   const std::string by_rule = ", by Gauss and Legendre";
-  return compare(
-      "moment of rough friction", friction(by + by_rule, speed, rule),
-      friction(format_shortest(part) + " times that of the moving wire" + by_rule, 1, rule, part),
-      judged_by([](const Sample& s) { return rounding(s.mu0 * s.wire.q * (1 + s.wire.q)); }, samples));
+  return compare("moment of rough friction", friction(by + by_rule, speed, rule),
+                 friction(format_shortest(part) + " times that of the moving wire" + by_rule, 1, rule, part),
+                 samples);
 }
 
 /// The center of mass by adaptive quadrature.
@@ -267,17 +260,9 @@ const std::string by_angle = R"($(x,y)+L(\cos\theta,\sin\theta)$)", by_matrix = 
 
 void at_a_point(Table& table, const Samples& samples) {
   const std::string complex = "complex multiplication", by_dual = "dual numbers in the time";
-  const auto claim = [&](std::string_view slug, int line, const std::string& says, const Reader& truth,
-                         const std::string& printed, const std::string& quantity = {},
-                         const std::string& holding = {}) {
-    table.formula(slug, line, says, samples,
-                  {.quantity = quantity, .truth = truth, .printed = printed, .changes_that_hold = holding});
-  };
-  const Reader rod{complex,
-                   []<class T>(const SampleOf<T>&s) {
-                     return s.position({s.b[0], T(0)});
-                   }},
-      velocity{by_dual, [](const auto&s) { return s.velocity(s.b); }};
+  const auto claim = table.over(samples);
+  const auto of_rod = []<class T>(const SampleOf<T>& s) { return s.position({s.b[0], T(0)}); };
+  const Reader rod{complex, of_rod}, velocity{by_dual, [](const auto&s) { return s.velocity(s.b); }};
   claim("thin_rod", 2791,
         R"(A point of the rod, $L$ from its center, is at $(x,y)+L(\cos\theta,\sin\theta)$)", rod, by_angle);
   claim("thin_rod_matrix", 2795, R"(In matrix form the point of the rod is $(x,y)+R\,(L,0)$)", rod,
@@ -311,8 +296,8 @@ void at_a_point(Table& table, const Samples& samples) {
   claim("velocity_components", 2857, "$v=" + components, velocity, "$" + components);
   const std::string squares = R"(\dot x^2+\dot y^2+\dot\theta^2(b_0^2+b_1^2))",
                     cross = R"(2\dot\theta\,(\dot x,\dot y)\cdot\frac{dR}{d\theta}b$)";
-  table.formula(
-      "speed_squared", 2901, "Each point has $|v|^2=" + squares + "$", samples,
+  claim(
+      "speed_squared", 2901, "Each point has $|v|^2=" + squares + "$",
       {.truth = {by_dual,
                  [](const auto& s) {
                    const auto v = s.velocity(s.b);
@@ -348,35 +333,28 @@ Reader slope(int coordinate) {
           }};
 }
 
-/// The integral of the force times a direction that may depend on the body's point.
-template <class F>
-Reader generalized(const std::string& text, const F& direction) {
-  return {text, [=]<class T>(const SampleOf<T>& s) {
-            return s.integrated([&](const PointOf<T>& p, const auto&) {
-              const PointOf<T> f = force(s.position(p)), d = direction(s, p);
-              return f[0] * d[0] + f[1] * d[1];
-            });
+/// The integral of a component of the force.
+Reader component(const std::string& text, std::size_t i) {
+  return {text, [i](const auto& s) {
+            return s.integrated([&](const auto& p, const auto&) { return force(s.position(p))[i]; });
           }};
 }
-const Reader Fx = generalized(R"($\int F\cdot\imath\,\delta\,ds$)",
-                              []<class T>(const SampleOf<T>&, const auto&) {
-                                return PointOf<T>{1.0, 0.0};
-                              }),
-             Fy = generalized(R"($\int F\cdot\jmath\,\delta\,ds$)",
-                              []<class T>(const SampleOf<T>&, const auto&) {
-                                return PointOf<T>{0.0, 1.0};
-                              }),
-             moment_of_force = generalized(R"($F_\theta=\int F\cdot\frac{dR}{d\theta}b\,\delta\,ds$)",
-                                           [](const auto&s, const auto&p) { return turned(s, p); });
+const Reader Fx = component(R"($\int F\cdot\imath\,\delta\,ds$)", 0),
+             Fy = component(R"($\int F\cdot\jmath\,\delta\,ds$)", 1);
+const Reader moment_of_force{R"($F_\theta=\int F\cdot\frac{dR}{d\theta}b\,\delta\,ds$)", [](const auto& s) {
+                               return s.integrated([&](const auto& p, const auto&) {
+                                 const auto f = force(s.position(p)), d = turned(s, p);
+                                 return f[0] * d[0] + f[1] * d[1];
+                               });
+                             }};
 const Reader moment_of_weight{
     "the integrals of $(0,-g)$", []<class T>(const SampleOf<T>& s) {
       return values(T(0), -9.81 * s.integrated([](const auto&, const auto&) { return T(1); }),
                     -9.81 * s.integrated([&](const auto& p, const auto&) { return turned(s, p)[1]; }));
     }};
-const Reader weight{R"($(0,-\mu_0g,0)$)",
-                    []<class T>(const SampleOf<T>& s) { return values(T(0), -9.81 * s.mu0, T(0)); }};
 
 void over_the_wire(Table& table, const Samples& samples) {
+  const auto claim = table.over(samples);
   const auto reoriented = [](const std::string& text, double shift) {
     return Reader{text, [shift]<class T>(const SampleOf<T>& s) {
                     return s.integrated([&](const PointOf<T>& p, const auto&) {
@@ -385,81 +363,47 @@ void over_the_wire(Table& table, const Samples& samples) {
                     });
                   }};
   };
-  table.formula("reorient_or_not", 2825, "The curve may be turned in body space, or not", samples,
-                {.quantity = R"($\mu_2$)",
-                 .truth = {"the curve as it is", [](const auto& s) { return s.mu2(); }},
-                 .printed = reoriented("turned by 1 radian", 0),
-                 .near_misses = {reoriented("turned by 1 radian and shifted by 0.1", 0.1)}});
-  table.formula(
-      "kinetic_energy_formula", 2905, R"($T=\frac{\mu_0}2(\dot x^2+\dot y^2)+\frac{\mu_2}2\dot\theta^2$)",
-      samples,
-      {.truth = by_integral, .printed = R"($\frac{\mu_0}2(\dot x^2+\dot y^2)+\frac{\mu_2}2\dot\theta^2$)"});
-  table.formula("only_differences", 2923, R"($T$ is a rod's, with other $\mu_0$ and $\mu_2$)", samples,
-                {.truth = by_integral,
-                 .printed = {R"(a rod with the same $\mu_0$ and $\mu_2$)",
-                             [](const auto& s) { return energy_of_rod(s, sqrt(12 * s.mu2() / s.mu0)); }},
-                 .near_misses = {{R"(a rod with the same $\mu_0$ and length)", [](const auto& s) {
-                                    return energy_of_rod(s, s.wire.arc_length(s.wire.end()));
-                                  }}}});
+  claim("reorient_or_not", 2825, "The curve may be turned in body space, or not",
+        {.quantity = R"($\mu_2$)",
+         .truth = {"the curve as it is", [](const auto& s) { return s.mu2(); }},
+         .printed = reoriented("turned by 1 radian", 0),
+         .near_misses = {reoriented("turned by 1 radian and shifted by 0.1", 0.1)}});
+  claim.equation("kinetic_energy_formula", 2905,
+                 R"($T=\frac{\mu_0}2(\dot x^2+\dot y^2)+\frac{\mu_2}2\dot\theta^2$)", by_integral);
+  claim("only_differences", 2923, R"($T$ is a rod's, with other $\mu_0$ and $\mu_2$)",
+        {.truth = by_integral,
+         .printed = {R"(a rod with the same $\mu_0$ and $\mu_2$)",
+                     [](const auto& s) { return energy_of_rod(s, sqrt(12 * s.mu2() / s.mu0)); }},
+         .near_misses = {{R"(a rod with the same $\mu_0$ and length)",
+                          [](const auto& s) { return energy_of_rod(s, s.wire.arc_length(s.wire.end())); }}}});
 }
 
 /// Other routes are the formulas that are proved.
 void forces(Claims& claims, const Samples& samples) {
-  claims.formula<Sample>(
-      "force_x", 2927, R"($F_x=\int F\cdot\imath\,\delta\,ds$, $F$ being the force per mass (our condition))",
-      samples, {.truth = slope(0), .other_routes = {Fx}, .printed = {Fx.text}});
-  claims.formula<Sample>(
-      "force_y", 2933, R"($F_y$ is $\int F\cdot\jmath\,\delta\,ds$, $F$ per mass)", samples,
-      {.truth = slope(1),
-       .other_routes = {Fy},
-       .printed = {R"($(\int F\cdot\imath\,\delta\,ds,\ \int F\cdot\jmath\,\delta\,ds)$)"},
-       .meant = {Fy.text},
-       .why = R"(The unit vector $\jmath$ after the dot is lost in the text at hand; line 2931, on $F_x$, )"
-              R"(has its $\imath$. Without it the integrand is the force, a vector, and not its )"
-              R"(component.)"});
-
-  claims.formula<Sample>(
-      "force_theta", 2939, R"($F_\theta=\int F\cdot\frac{dR}{d\theta}b\,\delta\,ds$, $F$ per mass)", samples,
-      {.truth = slope(2), .other_routes = {moment_of_force}, .printed = {moment_of_force.text}});
+  const auto claim = claims.over(samples);
+  claim("force_x", 2927,
+        R"($F_x=\int F\cdot\imath\,\delta\,ds$, $F$ being the force per mass (our condition))",
+        {.truth = slope(0), .other_routes = {Fx}, .printed = {Fx.text}});
+  claim("force_y", 2933, R"($F_y$ is $\int F\cdot\jmath\,\delta\,ds$, $F$ per mass)",
+        {.truth = slope(1),
+         .other_routes = {Fy},
+         .printed = {R"($(\int F\cdot\imath\,\delta\,ds,\ \int F\cdot\jmath\,\delta\,ds)$)"},
+         .meant = {Fy.text},
+         .why = R"(The unit vector $\jmath$ after the dot is lost in the text at hand; line 2931, on $F_x$, )"
+                R"(has its $\imath$. Without it the integrand is the force, a vector, and not its )"
+                R"(component.)"});
+  claim("force_theta", 2939, R"($F_\theta=\int F\cdot\frac{dR}{d\theta}b\,\delta\,ds$, $F$ per mass)",
+        {.truth = slope(2), .other_routes = {moment_of_force}, .printed = {moment_of_force.text}});
 }
 
 // ---- proofs -----------------------------------------------------------------------------------------------
 
-/// The energy's integral i as a sum of moments; the rest vanishes.
-const std::string by_moments = R"(match goal with |- _ = _ * ?i => assert (e : i
-    = (vx * vx + vy * vy) * RInt (fun s => 1 * delta s) 0 L
-      + w * w * RInt (fun s => (b0 s * b0 s + b1 s * b1 s) * delta s) 0 L)
-    by (refine (moments b0 b1 delta L H H0 H1 H2 H3 _ (2 * w * (vy * cos theta - vx * sin theta))
-          (- 2 * w * (vx * cos theta + vy * sin theta)) _ (fun s => _) _); intro; ring [(circle theta)]);
-    rewrite e; clear e end;
-  )";
-
-const std::string by_rod = R"(
-  set (m0 := RInt (fun s => 1 * delta s) 0 L) in *;
-  set (m2 := RInt (fun s => (b0 s * b0 s + b1 s * b1 s) * delta s) 0 L) in *;
-  assert (0 < 12 * m2 / m0) by (apply Rdiv_lt_0_compat; lra);
-  assert (square := sqrt_sqrt (12 * m2 / m0) ltac:(lra)); assert (above := sqrt_lt_R0 (12 * m2 / m0) ltac:(lra));
-  set (l := sqrt (12 * m2 / m0)) in *;
-  assert (of_rod : m0 * (l * l) / 12 = m2) by (rewrite square; field; lra);
-  clearbody l; clearbody m2; clearbody m0; clear square; subst m2;
-  rewrite (RInt_by (fun t => m0 / l * ((vx * vx + vy * vy) * t + (vy * cos theta - vx * sin theta) * w * (t * t)
-    + w * w * (t * t * t) / 3) / 2));
-    [in_reals; field; lra
-    | intro; auto_derive; [repeat split; trivial; lra | field [(circle theta)]; lra]
-    | intro; apply @ex_derive_continuous; auto_derive; repeat split; trivial; lra])";
-
 ForAll<SampleOf> any_point() {
-  const std::vector<std::string> names{"x", "y", "theta", "vx", "vy", "w", "b0", "b1"};
-  Sample end_of_rod;
-  end_of_rod.vy = 1, end_of_rod.w = -1, end_of_rod.b = {1, 0};
-  return {
-      .any = lettered<SampleOf>(names),
-      .letters = quantified(names),
-      .tactic =
-          "first [ring [(circle theta)] | apply f_equal; ring [(circle theta)] | symmetry; apply is_derive_unique; "
-          "auto_derive; [trivial | ring]]",
-      .says = "it holds of any point of any wire in any motion",
-      .example = end_of_rod};
+  return for_all<SampleOf>(
+      {"x", "y", "theta", "vx", "vy", "w", "b0", "b1"},
+      "first [ring [(circle theta)] | apply f_equal; ring [(circle theta)] | symmetry; apply is_derive_unique; "
+      "auto_derive; [trivial | ring]]",
+      "it holds of any point of any wire in any motion", {0, 0, 0, 0, 1, -1, 1, 0});
 }
 
 /// For any curve with its center of mass at zero.
@@ -473,10 +417,10 @@ ForAll<SampleOf> any_curve() {
     all.given.push_back({"(forall s, continuous " + std::string(function) + " s)"});
   for (std::size_t i = 0; i < 2; ++i)
     all.given.push_back(any.integrated([i](const auto& p, const auto&) { return p[i]; }).expression() == 0);
-  all.given.push_back(above(any.mu0.expression(), 0));
-  all.given.push_back(above(any.mu2().expression(), 0));
+  for (const Proposition& is : positive({any.mu0, any.mu2()})) all.given.push_back(is);
+  const std::string by_moments = "by_moments b0 b1 delta L H H0 H1 H2 H3 theta vx vy w; ";
   all.tactic = "first [solve [apply RInt_ext; intros; in_reals; ring [(circle turn)]] | solve [" +
-               by_moments + "field] | " + by_moments + by_rod + "]";
+               by_moments + "field] | " + by_moments + "by_rod b0 b1 delta L theta vx vy w]";
   all.says = "it holds of any curve of any density";
   return all;
 }
@@ -490,19 +434,14 @@ Provable rod_by_matrix(const ForAll<SampleOf>& all) {
             equal(Reader(by_matrix).recorded(all.any), Reader(by_angle).recorded(all.any)), "ring"}}};
 }
 
-const char* const by_slope = R"(match goal with |- _ = - ?i => change (- i) with (opp i) end;
-    rewrite <- (RInt_opp _ _ _ H6); apply RInt_ext; intros t _; match goal with |- ?x = opp ?y => change (@eq R x (- y)) end;
-    replace (x + (cos theta * b0 t - sin theta * b1 t)) with (x + cos theta * b0 t - sin theta * b1 t) by ring;
-    replace (y + (cos theta * b1 t + sin theta * b0 t)) with (y + sin theta * b0 t + cos theta * b1 t) by ring;
-    ring)";
-
 /// Compares a generalized force with the slope of the potential energy, if the integral of the slope exists.
 Lemma force_lemma(const std::string& reading, const Reader& force, int coordinate, ForAll<SampleOf> all) {
   const Expressions truth = slope(coordinate).recorded(all.any);
   const std::string text = truth[0].coq();
   const std::size_t begin = text.find("RInt");
   all.given.push_back({"ex_RInt" + text.substr(begin + 4, text.rfind(')') - begin - 4)});
-  return {reading, all.letters, all.given, equal(force.recorded(all.any), truth), by_slope};
+  return {reading, all.letters, all.given, equal(force.recorded(all.any), truth),
+          "by_slope b0 b1 theta x y H6"};
 }
 
 }  // namespace
@@ -514,25 +453,20 @@ Provables proofs() {
   over_the_wire(wires, {});
   const ForAll<SampleOf> point = any_point(), curve = any_curve();
   Provables proved = points.proofs("3.29", point);
-  proved.push_back(rod_by_matrix(point));
-  std::ranges::move(wires.proofs("3.29", curve), std::back_inserter(proved));
-
+  append(proved, {rod_by_matrix(point)});
+  append(proved, wires.proofs("3.29", curve));
   const std::string of_potential = "it is minus the slope of the energy of any curve in any potential";
   proved.push_back({"3.29-force_x", of_potential, {force_lemma("printed", Fx, 0, curve)}});
   proved.push_back({"3.29-force_y", "as meant " + of_potential, {force_lemma("meant", Fy, 1, curve)}});
   const Expression moment = moment_of_weight.recorded(curve.any)[2];
-  proved.push_back(
-      {"3.29-force_theta",
-       of_potential + "; that of the weight is zero",
-       {force_lemma("printed", moment_of_force, 2, curve),
-        {"weight",
-         curve.letters,
-         curve.given,
-         {moment == 0},
-         "match goal with |- _ * ?i = 0 => assert (e : i = 0 * RInt (fun s => 1 * delta s) 0 L"
-         " + 0 * RInt (fun s => (b0 s * b0 s + b1 s * b1 s) * delta s) 0 L)"
-         " by (refine (moments b0 b1 delta L H H0 H1 H2 H3 _ (cos theta) (- sin theta) _ (fun s => _) _);"
-         " intro; ring); rewrite e; ring end"}}});
+  proved.push_back({"3.29-force_theta",
+                    of_potential + "; that of the weight is zero",
+                    {force_lemma("printed", moment_of_force, 2, curve),
+                     {"weight",
+                      curve.letters,
+                      curve.given,
+                      {moment == 0},
+                      "no_moment b0 b1 delta L H H0 H1 H2 H3 theta"}}});
   for (Provable& p : proved) p.preamble = coq_source({"curves"});
   return proved;
 }
@@ -548,45 +482,32 @@ std::vector<Claim> claims(double seed) {
   Samples centered = samples, uniform(samples.begin(), samples.begin() + 60);
   for (Sample& s : centered) s.center = center_by_qag(s.wire);
   for (Sample& s : uniform) s.wire.k = 0, s.center = s.wire.center();
-  claims.formula<Sample>(
-      "body_space", 2823, R"(In body space the center of mass is at the origin: $\int b\,\delta\,ds=0$)",
-      centered,
-      {.quantity = R"($(\mu_0,\mu_0)+\int b\,\delta\,ds$, $b$ from the center of mass by QAG)",
-       .truth = {R"($\mu_0$)", [](const Sample& s) { return s.mu0; }},
-       .printed = {R"($(\mu_0+\int b_0\,\delta\,ds,\ \mu_0+\int b_1\,\delta\,ds)$)"},
-       .changes_that_hold = "a multiple of zero is zero"});
+  claims.over(centered)("body_space", 2823,
+                        R"(In body space the center of mass is at the origin: $\int b\,\delta\,ds=0$)",
+                        {R"($\mu_0$)", [](const Sample& s) { return s.mu0; }},
+                        {R"($(\mu_0+\int b_0\,\delta\,ds,\ \mu_0+\int b_1\,\delta\,ds)$)"},
+                        R"($(\mu_0,\mu_0)+\int b\,\delta\,ds$, $b$ from the center of mass by QAG)",
+                        "a multiple of zero is zero");
   at_a_point(points, samples);
   over_the_wire(wires, samples);
   forces(claims, samples);
-  claims.formula<Sample>(
-      "arc_length", 2825, R"(The arc length runs from 0 to the total length $\int ds$)", samples,
-      {.truth = {"the primitive of $ds$", [](const Sample& s) { return s.wire.arc_length(s.wire.end()); }},
-       .printed = {R"($\int ds$)"}});
-  claims.formula<Sample>(
-      "mass", 2867, R"(The total mass is $\mu_0=\int\delta\,ds$)", uniform,
-      {.quantity = R"($\mu_0$ of a uniform wire)",
-       .truth = {"the primitive of the mass", [](const Sample& s) { return by_primitives(s.wire)[0]; }},
-       .printed = {R"($\mu_0=\int\delta\,ds$)"}});
+  claims.over(samples)(
+      "arc_length", 2825, R"(The arc length runs from 0 to the total length $\int ds$)",
+      {"the primitive of $ds$", [](const Sample& s) { return s.wire.arc_length(s.wire.end()); }},
+      {R"($\int ds$)"});
+  claims.over(uniform)(
+      "mass", 2867, R"(The total mass is $\mu_0=\int\delta\,ds$)",
+      {"the primitive of the mass", [](const Sample& s) { return by_primitives(s.wire)[0]; }},
+      {R"($\mu_0=\int\delta\,ds$)"}, R"($\mu_0$ of a uniform wire)");
   const std::string energy = R"($T=\int\frac12|v|^2\delta\,ds$)";
-  claims.formula<Sample>("kinetic_energy", 2883, "The kinetic energy is " + energy,
-                         judged_by(
-                             [](const Sample&) {
-                               return Tolerance{1e-4, "the midpoint rule's truncation"};
-                             },
-                             thirty),
-                         {.truth = {"2000 particles", &Sample::of_particles},
-                          .printed = {energy},
-                          .changes_that_hold = "a factor of one changes nothing"});
-  claims.formula<Sample>(
+  claims.over(within({1e-4, "the midpoint rule's truncation"}, thirty))(
+      "kinetic_energy", 2883, "The kinetic energy is " + energy, {"2000 particles", &Sample::of_particles},
+      {energy}, {}, "a factor of one changes nothing");
+  claims.over(
+      within({1e-6, "the truncation of Simpson's rule where a point of the wire all but rests"}, thirty))(
       "numerical_integration", 2945,
       "Numerical integration applies to the generalized forces of rough friction (our condition: on a moving "
       "wire)",
-      judged_by(
-          [](const Sample&) {
-            return Tolerance{1e-6,
-                             "the truncation of Simpson's rule where a point of the wire all but rests"};
-          },
-          thirty),
       {.quantity = "moment of rough friction on a moving wire",
        .truth = friction("QAG", 1, [](FunctionOfOne f, double end) { return qag(f, 0, end, 1e-12); }),
        .printed = by_simpson(1 << 15),
@@ -611,6 +532,7 @@ std::vector<Claim> claims(double seed) {
            {friction_of_rod, length_of_rod, mass_of_rod, moment_of_rod, moment_of_rod}),
        .root = at_rest});
   std::vector<Claim> all = claims.in_order();
+  const Reader weight{R"($(0,-\mu_0g,0)$)", [](const Sample& s) { return values(0, -9.81 * s.mu0, 0); }};
   std::ranges::find(all, "3.29-force_theta", &Claim::id)
       ->printed.checks.push_back(
           compare(R"($(F_x,F_y,F_\theta)$ of gravity)", moment_of_weight, weight, samples));
