@@ -1,6 +1,6 @@
 #include "chapters/provable_claims.hpp"
 
-#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 
 #include "chapters/03_rigid_body_motion/19_two_pulleys/two_pulleys.hpp"
 #include "chapters/03_rigid_body_motion/shared/lagrange.hpp"
@@ -28,22 +28,19 @@ struct SampleOf {
   Two<T> q, v, a;
   T floor, y1, delta;
 
-  SampleOf() = default;
-  explicit SampleOf(Random& random) {
-    const auto size = [&] { return random.between(0.3, 3); };
-    const auto any = [&] { return random.magnitude(0.1, 2); };
-    p = {size(), size(), size(), size(), size(), size(), size(), size(), size(),
-         size(), any(),  any(),  size(), any(),  any(),  any(),  any()};
-    q = {p.y2, p.y3};
-    v = {p.v2, p.v3};
-    a = {any(), any()};
-    floor = random.between(4, 8);
-    y1 = random.between(0.1, 1);
-    delta = any();
-  }
-  std::array<T*, 22> letters() {
-    return {&p.m2, &p.m3, &p.I1, &p.I2, &p.R1, &p.R2, &p.c1, &p.c2, &p.L1,  &p.L2, &p.K1,
-            &p.K2, &p.g,  &q[0], &q[1], &v[0], &v[1], &a[0], &a[1], &floor, &y1,   &delta};
+  Letters<T> table() {
+    const Range positive{0.3, 3}, any = either_sign(0.1, 2);
+    return {{"m_2", p.m2, positive},     {"m_3", p.m3, positive},
+            {"I_1", p.I1, positive},     {"I_2", p.I2, positive},
+            {"R_1", p.R1, positive},     {"R_2", p.R2, positive},
+            {"c_1", p.c1, positive},     {"c_2", p.c2, positive},
+            {"L_1", p.L1, positive},     {"L_2", p.L2, positive},
+            {"K_1", p.K1, any},          {"K_2", p.K2, any},
+            {"g", p.g, positive},        {"y_2", q[0], any},
+            {"y_3", q[1], any},          {R"(\dot y_2)", v[0], any},
+            {R"(\dot y_3)", v[1], any},  {R"(\ddot y_2)", a[0], any},
+            {R"(\ddot y_3)", a[1], any}, {"floor", floor, {4, 8}, "depth"},
+            {"y_1", y1, {0.1, 1}},       {R"(\Delta)", delta, any, "delta"}};
   }
   /// Size of the terms of lengths, energies and forces; accelerations are forces divided by a mass.
   double size() const {
@@ -56,31 +53,16 @@ struct SampleOf {
   TypesetIn<T> typeset() const {
     const Two<T> s = springs(q), slopes = df_dq(lagrangian(), q, v), of_T = df_dq(kinetic(), q, v),
                  rims = rim_speeds(), pulls = of_springs();
-    SampleOf same = *this;
-    TypesetIn<T> all;
-    for (std::size_t i = 0;
-         const char* letter :
-         {"m_2", "m_3", "I_1", "I_2", "R_1", "R_2", "c_1", "c_2", "L_1", "L_2", "K_1", "K_2", "g", "y_2",
-          "y_3", R"(\dot y_2)", R"(\dot y_3)", R"(\ddot y_2)", R"(\ddot y_3)"})
-      all.emplace_back(letter, *same.letters()[i++]);
-    const TypesetIn<T> derived{{"S_1", s[0]},
-                               {"S_2", s[1]},
-                               {R"(\Delta)", delta},
-                               {R"(\Delta_2)", v[0]},
-                               {R"(\Delta_3)", v[1]},
-                               {R"(\dot\theta_1)", rims[0] / p.R1},
-                               {R"(\dot\theta_2)", rims[1] / p.R2},
-                               {R"(\partial L/\partial y_2)", slopes[0]},
-                               {R"(\partial L/\partial y_3)", slopes[1]},
-                               {R"(\partial T/\partial y_2)", of_T[0]},
-                               {R"(\partial T/\partial y_3)", of_T[1]},
-                               {R"(\Delta S_2)", springs_after(abs(v[0]), abs(v[1]))[1]},
-                               {"F_1", pulls[0]},
-                               {"F_2", pulls[1]}};
-    all.insert(all.end(), derived.begin(), derived.end());
-    return all;
+    const T dS = springs_after(abs(v[0]), abs(v[1]))[1];
+    return {{"S_1", s[0]},         {R"(\dot\theta_1)", rims[0] / p.R1},
+            {"S_2", s[1]},         {R"(\dot\theta_2)", rims[1] / p.R2},
+            {"F_1", pulls[0]},     {R"(\partial L/\partial y_2)", slopes[0]},
+            {"F_2", pulls[1]},     {R"(\partial L/\partial y_3)", slopes[1]},
+            {R"(\Delta_2)", v[0]}, {R"(\partial T/\partial y_2)", of_T[0]},
+            {R"(\Delta_3)", v[1]}, {R"(\partial T/\partial y_3)", of_T[1]},
+            {R"(\Delta S_2)", dS}};
   }
-  std::string where() const { return listed(typeset(), 15); }
+  std::string where() const { return listed(typeset_of(*this), 15); }
 
   /// Lengths of the springs between floor and rope, from the ropes' lengths alone.
   template <class X>
@@ -106,13 +88,6 @@ struct SampleOf {
   Two<T> rim_speeds() const {
     const auto s = springs(moving(q, v));
     return {s[0].slope, s[1].slope + v[0]};
-  }
-  /// A copy in which the rest length of each spring is |delta| less than its length.
-  SampleOf stretched() const {
-    SampleOf other = *this;
-    const Two<T> s = springs(q);
-    other.p.L1 = s[0] - abs(delta), other.p.L2 = s[1] - abs(delta);
-    return other;
   }
   /// T from the ropes' lengths alone: the pulleys turn with the rope on the springs' side.
   auto kinetic() const {
@@ -141,11 +116,10 @@ struct SampleOf {
   }
   Two<T> by_lagrange() const { return lagrange_accelerations(lagrangian(), q, v); }
   Two<T> by_tensions() const {
-    const two_pulleys::FourCoordinates<T> pulleys{p};
-    typename two_pulleys::FourCoordinates<T>::State rate,
-        x{q[0], q[1], q[0] / p.R1, (q[1] - q[0]) / p.R2, v[0], v[1], T(0), T(0)};
-    pulleys(x, rate, T(0));
-    return {rate[4], rate[5]};
+    std::array<T, 4> rates;
+    two_pulleys::FourCoordinates<T>{p}.acceleration(
+        std::array<T, 4>{q[0], q[1], q[0] / p.R1, (q[1] - q[0]) / p.R2}, rates);
+    return {rates[0], rates[1]};
   }
   /// A copy with these accelerations.
   SampleOf in_motion(const Two<T>& accelerations) const {
@@ -161,17 +135,6 @@ using S = const Sample&;
 using Samples = std::vector<Sample>;
 using Table = ProvableClaims<SampleOf>;
 using Form = ProvableFormula<SampleOf>;
-
-/// Claims that are right as printed.
-struct Right {
-  Table& table;
-  const Samples& samples;
-
-  void operator()(std::string_view slug, int line, const std::string& says, const Form& truth,
-                  const Form& printed, const std::string& quantity = {}) const {
-    table.formula(slug, line, says, samples, {.quantity = quantity, .truth = truth, .printed = printed});
-  }
-};
 
 /// The default pulleys.
 constexpr two_pulleys::Given<double> standard{1, 2, 0.5, 0.25, 0.5, 0.5, 40,   30,  1,
@@ -190,42 +153,28 @@ std::array<double, 4> tensions(const Model& model, const Pair& y) {
 }
 const auto at_start = tensions({standard}, {standard.y2, standard.y3});
 /// The default initial condition with a longer upper rope; loose() is the compression of its spring.
-constexpr two_pulleys::Given<double> let_loose = [] {
-  auto p = standard;
-  p.K1 = -0.5;
-  return p;
-}();
+constexpr two_pulleys::Given<double> let_loose = [p = standard]() mutable { return p.K1 = -0.5, p; }();
 double loose() { return -let_loose.stretch1(std::array{let_loose.y2, let_loose.y3}); }
 /// The default pulleys after these times.
 std::vector<Model::State> default_motion(const std::vector<double>& times, double lever = 2) {
   const Model model{standard, lever};
   return ode::integrate<ode::Fehlberg78>(model, model.start(), times, 1e-10).value;
 }
-/// The least tension of both ropes' ends over the default motion.
-struct Least {
-  double tension = INFINITY;
-  long slack = 0, seen = 0;
-};
 constexpr double watched = 8, shown_after = 0.5;
-Least least_tension(double until = watched, double lever = 2) {
-  std::vector<double> times;
-  for (int i = 0; i <= 64 * until; ++i) times.push_back(i / 64.0);
-  Least least;
+/// The tensions of both ropes' ends over the default motion.
+std::vector<double> tensions_until(double end, double lever = 2) {
+  std::vector<double> times, all;
+  for (int i = 0; i <= 64 * end; ++i) times.push_back(i / 64.0);
   for (const Model::State& x : default_motion(times, lever))
-    for (double tension : tensions({standard, lever}, {x[0], x[1]})) {
-      least.tension = std::min(least.tension, tension);
-      least.slack += tension <= 0, ++least.seen;
-    }
-  return least;
+    std::ranges::copy(tensions({standard, lever}, {x[0], x[1]}), std::back_inserter(all));
+  return all;
 }
-/// The squared frequencies of the standard pulleys: the mean of both, and their squared distance from the
-/// mean.
-std::array<double, 2> squares_of_frequencies(double lever) {
+/// The frequencies of the standard pulleys, complex where they are not stable.
+Eigen::Vector2cd frequencies(double lever) {
   const auto& p = standard;
-  const double c = p.c1 + 2 * lever * p.c2, d = -lever * p.c2;
-  const auto a = p.accelerations(std::array{c, -2 * p.c2}), b = p.accelerations(std::array{d, p.c2});
-  const double mean = (a[0] + b[1]) / 2;
-  return {mean, mean * mean - (a[0] * b[1] - a[1] * b[0])};
+  const auto a = p.accelerations(std::array{p.c1 + 2 * lever * p.c2, -2 * p.c2}),
+             b = p.accelerations(std::array{-lever * p.c2, p.c2});
+  return Eigen::Matrix2d{{a[0], b[0]}, {a[1], b[1]}}.eigenvalues().cwiseSqrt();
 }
 
 // ---- the ropes --------------------------------------------------------------------------------------------
@@ -246,16 +195,19 @@ Reading freedoms(const std::string& text, int count, const std::array<Eigen::Ind
   }
   Eigen::MatrixXd others = ties;
   for (Eigen::Index i : chosen) others.col(i).setZero();
-  const auto check = [](const std::string& what, const Route& stated, const Route& by_rank) {
-    return Check{what, stated, by_rank, exact()};
-  };
   return {text,
-          {check("degrees of freedom", {"as stated", count},
-                 {"7 coordinates less the rank of their ties", all - tie}),
-           check("coordinates that the two decide", {"all others", all - 2},
-                 {"the rank of the ties without those two", rank(others)}),
-           check(R"(which of $y_1$, $y_2$, $y_3$, $\theta_1$ and $\theta_2$ vary)",
-                 {"all but $y_1$", {0, 1, 1, 1, 1}}, {"whether the rank grows when one is held", varying})}};
+          {{"degrees of freedom",
+            {"as stated", count},
+            {"7 coordinates less the rank of their ties", all - tie},
+            exact()},
+           {"coordinates that the two decide",
+            {"all others", all - 2},
+            {"the rank of the ties without those two", rank(others)},
+            exact()},
+           {R"(which of $y_1$, $y_2$, $y_3$, $\theta_1$ and $\theta_2$ vary)",
+            {"all but $y_1$", {0, 1, 1, 1, 1}},
+            {"whether the rank grows when one is held", varying},
+            exact()}}};
 }
 
 /// Growth of a spring, by its rope's length, when the small pulley and the mass go down by multiples of
@@ -266,7 +218,7 @@ Form growth(std::size_t rope, double pulley, double mass) {
 }
 
 void kinematics(Claims& claims, Table& table, const Samples& samples) {
-  const Right claim{table, samples};
+  const auto claim = table.over(samples);
   claim("rolling", 2437,
         R"($R_1\dot\theta_1=\dot y_2-\dot y_1=\dot y_2$ and $R_2\dot\theta_2=\dot y_3-\dot y_2$)",
         {"the rope that runs over the rims, from the ropes' lengths on the springs' side",
@@ -291,18 +243,17 @@ void kinematics(Claims& claims, Table& table, const Samples& samples) {
   // not.
   const auto string_for_spring = [&](std::string_view slug, int line, std::string says, std::size_t rope,
                                      double pulley, double mass, const std::string& change, std::string why) {
-    table.formula(slug, line, std::move(says), samples,
-                  {.quantity = "(change of the string's length, change of its spring's length)",
-                   .truth = {"the string summed over its straight parts; the spring by the rope's length",
-                             [=](const auto& s) {
-                               const auto down2 = pulley * s.delta, down3 = mass * s.delta;
-                               return values(s.ropes_after(down2, down3)[rope],
-                                             s.springs_after(down2, down3)[rope]);
-                             }},
-                   .printed = "$(" + change + R"(,\ 0)$)",
-                   .meant = "$(0,\\ " + change + ")$",
-                   .kind = Fault::term,
-                   .why = std::move(why)});
+    claim(slug, line, std::move(says),
+          {.quantity = "(change of the string's length, change of its spring's length)",
+           .truth = {"the string summed over its straight parts; the spring by the rope's length",
+                     [=](const auto& s) {
+                       const auto down2 = pulley * s.delta, down3 = mass * s.delta;
+                       return values(s.ropes_after(down2, down3)[rope], s.springs_after(down2, down3)[rope]);
+                     }},
+           .printed = "$(" + change + R"(,\ 0)$)",
+           .meant = "$(0,\\ " + change + ")$",
+           .kind = Fault::term,
+           .why = std::move(why)});
   };
   const std::string as_stretched = " (our reading: it gets longer, and not its spring)";
   string_for_spring(
@@ -344,14 +295,22 @@ void kinematics(Claims& claims, Table& table, const Samples& samples) {
 
 // ---- the energies -----------------------------------------------------------------------------------------
 
+/// The derivatives of T by the speeds, for y "\dot y"; their rates, for "\ddot y".
+Two<std::string> momenta(const std::string& y) {
+  const std::string second = R"(+\frac{I_2}{R_2^2}()" + y;
+  return {"m_2" + y + R"(_2+\frac{I_1}{R_1^2})" + y + "_2" + second + "_2-" + y + "_3)",
+          "m_3" + y + "_3" + second + "_3-" + y + "_2)"};
+}
+std::string both(const Two<std::string>& of) { return "$(" + of[0] + R"(,\ )" + of[1] + ")$"; }
+
 void energies(Table& table, const Samples& samples) {
-  const std::string dual = "dual numbers", nested = "nested dual numbers";
+  const auto claim = table.over(samples);
   const Form kinetic_energy{"that of the masses by their speeds, of the pulleys by the speeds of their rims",
                             [](const auto& s) { return s.kinetic()(s.q, s.v); }};
   const auto kinetic = [&](std::string_view slug, int line, const std::string& begin,
                            const std::string& printed, const std::string& meant, const std::string& why) {
-    table.formula(slug, line, begin + "kinetic energy is " + printed, samples,
-                  {.truth = kinetic_energy, .printed = printed, .meant = meant, .why = why});
+    claim(slug, line, begin + "kinetic energy is " + printed,
+          {.truth = kinetic_energy, .printed = printed, .meant = meant, .why = why});
   };
   kinetic(
       "kinetic_energy_by_angles", 2443, "The ",
@@ -369,8 +328,8 @@ void energies(Table& table, const Samples& samples) {
              "$I_2/(2R_2^2)$. The default pulleys have @2 kg and @2 kg there, and the products are @2 and @3 "
              "kg m$^4$, of another unit.",
              {0.5 / (2 * 0.25), 0.25 / (2 * 0.25), 0.5 * 2 * 0.25, 0.25 * 2 * 0.25}));
-  table.formula(
-      "dT_dy", 2475, R"($\partial T/\partial y_2=\partial T/\partial y_3=0$)", samples,
+  claim(
+      "dT_dy", 2475, R"($\partial T/\partial y_2=\partial T/\partial y_3=0$)",
       {.quantity =
            R"($(\partial T/\partial y_2,\ \partial T/\partial y_3)$ by dual numbers, the pulleys turned by the ropes)",
        .truth = {"zero", [](const auto&) { return values(0, 0); }},
@@ -378,29 +337,26 @@ void energies(Table& table, const Samples& samples) {
        .near_misses = {R"($(\partial L/\partial y_2,\ \partial L/\partial y_3)=(0,0)$)"},
        .changes_that_hold = "a factor of zero may have any size and sign"});
 
-  table.formula(
+  claim(
       "dT_dydot", 2483,
       R"(The derivatives of $T$ by the speeds are $m_2\dot y_2+I_1R_1^2\dot y_2+(I_2/R_2^2)(\dot )"
       R"(y_2-\dot y_3)$ and $m_3\dot y_3+I_2R_2^2(\dot y_3-\dot y_2)$)",
-      samples,
-      {.truth = {dual, [](const auto& s) { return df_dv(s.model(), s.q, s.v); }},
+      {.truth = {"dual numbers", [](const auto& s) { return df_dv(s.model(), s.q, s.v); }},
        .printed = R"($(m_2\dot y_2+I_1R_1^2\dot y_2+\frac{I_2}{R_2^2}(\dot y_2-\dot y_3),\ m_3\dot y_3)"
                   R"(+I_2R_2^2(\dot y_3-\dot y_2))$)",
-       .meant = R"($(m_2\dot y_2+\frac{I_1}{R_1^2}\dot y_2+\frac{I_2}{R_2^2}(\dot y_2)"
-                R"(-\dot y_3),\ m_3\dot y_3+\frac{I_2}{R_2^2}(\dot y_3-\dot y_2))$)",
+       .meant = both(momenta(R"(\dot y)")),
        .why = filled(
            R"(The bars of $I_1/R_1^2$ in the first and of $I_2/R_2^2$ in the second derivative are lost in )"
            R"(the text at hand; the third one of the three is there. At a tenth of the radius, with the )"
            R"(same moment of inertia, a pulley would turn @3 times more easily, where its rim is @3 times harder )"
            R"(to move.)",
            {10 * 10, 10 * 10})});
-  const std::string rates = R"($(m_2\ddot y_2+\frac{I_1}{R_1^2}\ddot y_2+\frac{I_2}{R_2^2}(\ddot y_2)"
-                            R"(-\ddot y_3),\ m_3\ddot y_3+\frac{I_2}{R_2^2}(\ddot y_3-\ddot y_2))$)";
-  const Right claim{table, samples};
+  const std::string rates = both(momenta(R"(\ddot y)"));
   claim("momentum_rates", 2497,
         R"(The time derivatives of $\partial T/\partial\dot y_2$ and $\partial T/\partial\dot y_3$ are )" +
             rates,
-        {nested, [](const auto& s) { return rate_of_df_dv(s.model(), s.q, s.v, s.a); }}, rates);
+        {"nested dual numbers", [](const auto& s) { return rate_of_df_dv(s.model(), s.q, s.v, s.a); }},
+        rates);
 }
 
 // ---- the forces -------------------------------------------------------------------------------------------
@@ -418,30 +374,33 @@ auto negative_or_both(const SampleOf<T>& s, const Tension& of) {
   return all;
 }
 
-const std::string of_ropes = "negative tension of each rope at its spring, negative slack, and their product";
-const Form no_fault{"zero", [](const auto&) { return values(0, 0, 0, 0, 0, 0); }};
 Form pulls(const std::string& text, const auto& of) {
   return {text, [=](const auto& s) { return negative_or_both(s, of); }};
 }
-const Form as_springs = pulls("the ropes are pulled with $c_1(S_1-L_1)$ and $c_2(S_2-L_2)$",
-                              [](const auto& pull) { return pull; });
 
-void compression(Table& table, const Samples& samples) {
-  table.formula(
+void compression(Table& table, Samples samples) {
+  // also with rest lengths that are |delta| less than the springs' lengths
+  for (Sample s : Samples(samples)) {
+    const Pair lengths = s.springs(s.q);
+    s.p.L1 = lengths[0] - abs(s.delta), s.p.L2 = lengths[1] - abs(s.delta);
+    samples.push_back(s);
+  }
+  table.over(samples)(
       "compression", 2517,
       "The springs pull their ropes with $c_1(S_1-L_1)$ and $c_2(S_2-L_2)$ (our reading: also in compression, "
       "when $S_1<L_1$ or $S_2<L_2$)",
-      samples,
-      {.quantity = of_ropes,
-       .truth = no_fault,
-       .printed = as_springs,
+      {.quantity = "negative tension of each rope at its spring, negative slack, and their product",
+       .truth = {"zero", [](const auto&) { return values(0, 0, 0, 0, 0, 0); }},
+       .printed = pulls("the ropes are pulled with $c_1(S_1-L_1)$ and $c_2(S_2-L_2)$",
+                        [](const auto& pull) { return pull; }),
        .corrected =
            pulls(R"(the ropes are pulled with $c_1\max(S_1-L_1,0)$ and $c_2\max(S_2-L_2,0)$, where $S_1$ )"
                  R"(is $y_2+K_1$ and $S_2$ is $y_3-2y_2+K_2$)",
                  []<class T>(const T& pull) { return max(pull, T(0)); }),
+       .in_view = {"in stretching, when $S_1>L_1$ and $S_2>L_2$",
+                   [](S s) { return s.p.stretch1(s.q) > 0 && s.p.stretch2(s.q) > 0; }},
        .near_misses = {pulls("with $c_1|S_1-L_1|$ and $c_2|S_2-L_2|$",
                              [](const auto& pull) { return abs(pull); })},
-       .kind = Fault::left_out,
        .root = "a rope that pushes",
        .why = filled(
            "Between a spring and its body is a wire, and a wire cannot push: where $y_2+K_1<L_1$ the first "
@@ -450,26 +409,21 @@ void compression(Table& table, const Samples& samples) {
            "are taut at both ends, whose tensions differ by the pull that turns the pulley. In @1 s of the "
            "default motion the least tension of the four ends is @2 N.",
            {let_loose.K1, let_loose.L1 - loose(), let_loose.c1 * loose(), watched,
-            least_tension().tension})});
-}
-
-/// The statement of `compression`, for springs that are all stretched.
-Reading in_stretching(Samples samples) {
-  for (Sample& s : samples) s = s.stretched();
-  return {"in stretching, when $S_1>L_1$ and $S_2>L_2$",
-          {compare<Sample>(of_ropes, as_springs, no_fault, samples)}};
+            std::ranges::min(tensions_until(watched))})});
 }
 
 Check taut() {
-  const Least found = least_tension(), published = least_tension(shown_after, 0);
+  std::vector<double> all = tensions_until(watched);
+  std::ranges::copy(tensions_until(shown_after, 0), std::back_inserter(all));
   return no_violations(
       "both ropes of the default motion, and until shown of the published one, are taut at both "
       "ends: cases against it",
-      found.slack + published.slack, found.seen + published.seen);
+      std::ranges::count_if(all, [](double tension) { return tension <= 0; }), std::ssize(all));
 }
 
 void forces(Claims& claims, Table& table, Table& in_motion, const Samples& samples, const Samples& motions) {
-  const Right claim{table, samples};
+  const auto claim = table.over(samples);
+  const auto moving = in_motion.over(motions);
   const std::string forgotten = "the second spring on the pulley", pull_1 = "$m_2g-c_1(S_1-L_1)$",
                     pull_2 = "$m_3g-c_2(S_2-L_2)$", on_y2 = "$m_2g-c_1(K_1-L_1+y_2)$",
                     on_y3 = "$m_3g-c_2(K_2-L_2+y_3-2y_2)$";
@@ -484,9 +438,9 @@ void forces(Claims& claims, Table& table, Table& in_motion, const Samples& sampl
       samples,
       {.printed = {R"($(F_1(S_1-L_1),\ F_2(S_2-L_2))<0$)"},
        .near_misses = {{R"($(F_1(L_1-S_1),\ F_2(L_2-S_2))<0$)"}}});
-  in_motion.formula(
+  moving(
       "force_on_pulley", 2517,
-      "The force on the small pulley has two components, gravity and the first spring's: " + pull_1, motions,
+      "The force on the small pulley has two components, gravity and the first spring's: " + pull_1,
       {.truth = {R"($m_2\ddot y_2$ by Lagrange's equations)",
                  [](const auto& s) { return s.p.m2 * s.by_lagrange()[0]; }},
        .printed = pull_1,
@@ -503,9 +457,8 @@ void forces(Claims& claims, Table& table, Table& in_motion, const Samples& sampl
         {"by the first rope's length",
          [](const auto& s) { return s.p.m2 * s.p.g - s.p.c1 * (s.springs(s.q)[0] - s.p.L1); }},
         on_y2);
-  in_motion.formula(
+  moving(
       "force_on_mass", 2525, "Gravity and the second spring's pull are the force on the mass: " + pull_2,
-      motions,
       {.truth = {R"($m_3\ddot y_3$ by Lagrange's equations)",
                  [](const auto& s) { return s.p.m3 * s.by_lagrange()[1]; }},
        .printed = pull_2,
@@ -523,8 +476,8 @@ void forces(Claims& claims, Table& table, Table& in_motion, const Samples& sampl
         {"by the second rope's length",
          [](const auto& s) { return s.p.m3 * s.p.g - s.p.c2 * (s.springs(s.q)[1] - s.p.L2); }},
         on_y3);
-  table.formula(
-      "force_y2", 2541, "The generalized force on $y_2$ is " + on_y2, samples,
+  claim(
+      "force_y2", 2541, "The generalized force on $y_2$ is " + on_y2,
       {.truth = generalized(0),
        .printed = on_y2,
        .corrected = "$m_2g-c_1(K_1-L_1+y_2)+2c_2(K_2-L_2+y_3-2y_2)$",
@@ -541,16 +494,15 @@ void forces(Claims& claims, Table& table, Table& in_motion, const Samples& sampl
 // ---- the equations ----------------------------------------------------------------------------------------
 
 std::string of_frequencies() {
-  const auto [mean, square] = squares_of_frequencies(0);
-  const double size = sqrt(mean * mean - square), rate = sqrt((size - mean) / 2);
-  const auto [sum, difference] = squares_of_frequencies(2);
+  const auto published = frequencies(0)[0];
+  const double rate = std::abs(published.imag());
+  const auto [slow, fast] = std::minmax({frequencies(2)[0].real(), frequencies(2)[1].real()});
   return filled(
       R"(The term $+2c_2(K_2-L_2+y_3-2y_2)$ is missing. Without it the energy changes at the rate )"
       R"($-2c_2(S_2-L_2)\dot y_2$, and the rest position is not even stable: with the default values the two frequencies are )"
       R"($@3\pm@3\,i$ per second, and its swings double every @2 s. )"
       R"(With the term they are @3 and @3 per second.)",
-      {sqrt((size + mean) / 2), rate, std::log(2.0) / rate, sqrt(sum - sqrt(difference)),
-       sqrt(sum + sqrt(difference))});
+      {published.real(), rate, std::log(2.0) / rate, slow, fast});
 }
 
 /// Rate of the energy along the published equations, which omit the second spring's force on the small
@@ -571,41 +523,37 @@ Check energy_lost(const Samples& samples) {
 /// Left minus right side of the equations is zero in a motion, by Lagrange's equations or by the ropes'
 /// tensions.
 void equations(Table& in_motion, const Samples& motions) {
+  const auto claim = in_motion.over(motions);
   const Form zero{"zero", [](const auto&) { return 0.0; }};
   const std::string balance =
       R"(left side less right side, with $\ddot y$ by Lagrange's equations or by the ropes' tensions)";
-  const std::string left_y2 =
-                        R"($m_2\ddot y_2+\frac{I_1}{R_1^2}\ddot y_2+\frac{I_2}{R_2^2}(\ddot y_2-\ddot y_3))",
-                    right_y2 = "=m_2g-c_1(K_1-L_1+y_2)", right_y3 = "=m_3g-c_2(K_2-L_2+y_3-2y_2)$",
+  const std::string right_y2 = "=m_2g-c_1(K_1-L_1+y_2)", right_y3 = "=m_3g-c_2(K_2-L_2+y_3-2y_2)$",
+                    printed_y2 = "$" + momenta(R"(\ddot y)")[0] + right_y2,
                     printed_y3 = R"($m_3\ddot y_3+I_2R_2^2(\ddot y_3-\ddot y_2))" + right_y3;
-  in_motion.formula("equation_y2", 2547,
-                    R"($m_2\ddot y_2+(I_1/R_1^2)\ddot y_2+(I_2/R_2^2)(\ddot y_2-\ddot y_3))" + right_y2 +
-                        "$, the bar of $I_1/R_1^2$ restored",
-                    motions,
-                    {.quantity = balance,
-                     .truth = zero,
-                     .printed = left_y2 + right_y2 + "$",
-                     .corrected = left_y2 + right_y2 + "+2c_2(K_2-L_2+y_3-2y_2)$",
-                     .root = "the second spring on the pulley",
-                     .why = of_frequencies()});
-  in_motion.formula(
-      "equation_y3", 2553, printed_y3, motions,
-      {.quantity = balance,
-       .truth = zero,
-       .printed = printed_y3,
-       .meant = R"($m_3\ddot y_3+\frac{I_2}{R_2^2}(\ddot y_3-\ddot y_2))" + right_y3,
-       .why = filled(
-           "The bar of $I_2/R_2^2$ is lost in the text at hand; line 2511, from which the term is taken, "
-           "shows it. The default pulley would count as @3 kg m$^4$ at its rim instead of @2 kg.",
-           {0.25 * 0.25, standard.inertia_over_square_2()})});
+  claim("equation_y2", 2547,
+        R"($m_2\ddot y_2+(I_1/R_1^2)\ddot y_2+(I_2/R_2^2)(\ddot y_2-\ddot y_3))" + right_y2 +
+            "$, the bar of $I_1/R_1^2$ restored",
+        {.quantity = balance,
+         .truth = zero,
+         .printed = printed_y2 + "$",
+         .corrected = printed_y2 + "+2c_2(K_2-L_2+y_3-2y_2)$",
+         .root = "the second spring on the pulley",
+         .why = of_frequencies()});
+  claim("equation_y3", 2553, printed_y3,
+        {.quantity = balance,
+         .truth = zero,
+         .printed = printed_y3,
+         .meant = "$" + momenta(R"(\ddot y)")[1] + right_y3,
+         .why = filled(
+             "The bar of $I_2/R_2^2$ is lost in the text at hand; line 2511, from which the term is taken, "
+             "shows it. The default pulley would count as @3 kg m$^4$ at its rim instead of @2 kg.",
+             {0.25 * 0.25, standard.inertia_over_square_2()})});
 }
 
 void state(Claims& claims, Table& table, Table& in_motion, const Samples& samples) {
   Samples motions;
-  for (const Sample& s : samples) {
-    motions.push_back(s.in_motion(s.by_lagrange()));
-    motions.push_back(s.in_motion(s.by_tensions()));
-  }
+  for (const Sample& s : samples)
+    for (const Pair& a : {s.by_lagrange(), s.by_tensions()}) motions.push_back(s.in_motion(a));
   kinematics(claims, table, samples);
   energies(table, samples);
   forces(claims, table, in_motion, samples, motions);
@@ -621,11 +569,10 @@ std::vector<Claim> claims(double seed) {
   state(claims, table, in_motion, samples);
   compression(table, samples);
   std::vector<Claim> all = claims.in_order();
-  const auto claim = [&](const char* id) -> Claim& { return *std::ranges::find(all, id, &Claim::id); };
-  Claim &compressed = claim("3.19-compression"), &equation = claim("3.19-equation_y2");
-  compressed.in_view = in_stretching(samples);
-  compressed.corrected.checks.push_back(taut());
-  equation.corrected.checks.push_back(energy_lost(samples));
+  for (Claim& claim : all) {
+    if (claim.id == "3.19-compression") claim.corrected.checks.push_back(taut());
+    if (claim.id == "3.19-equation_y2") claim.corrected.checks.push_back(energy_lost(samples));
+  }
   return all;
 }
 
@@ -636,18 +583,18 @@ constexpr const char* by_tension = R"(
 constexpr const char* by_pull = "unfold Rmin; destruct (Rle_dec _ _) as [|N]; [|destruct N]; interval";
 
 Provable proof_of_stretched(const ForAll<SampleOf>& all) {
-  const Two<Shortened> parts = all.any.of_springs(), lengths = all.any.springs(all.any.q);
-  const Two<Shortened> c{all.any.p.c1, all.any.p.c2}, L{all.any.p.L1, all.any.p.L2};
+  const auto& s = all.any;
+  const Two<Shortened> parts = s.of_springs(), lengths = s.springs(s.q), c{s.p.c1, s.p.c2}, L{s.p.L1, s.p.L2};
   Provable proved{"3.19-stretched", all.says};
   for (std::size_t i = 0; i < 2; ++i) {
-    const std::string part = parts[i].expression().coq(), length = lengths[i].expression().coq(),
-                      rest = L[i].expression().coq();
-    proved.lemmas.push_back({i == 0 ? "first" : "second",
-                             all.letters,
-                             all.given,
-                             {{"(" + part + " < 0 <-> " + length + " > " + rest + ")"}},
-                             "replace (" + part + ") with (- " + c[i].expression().coq() + " * (" + length +
-                                 " - " + rest + ")) by field; intros; nra"});
+    const std::string part = parts[i].expression().coq();
+    proved.lemmas.push_back(
+        {i == 0 ? "first" : "second",
+         all.letters,
+         all.given,
+         {{"(" + part + " < 0 <-> " + above(lengths[i].expression(), L[i].expression()).coq + ")"}},
+         "replace (" + part + ") with (" + (-c[i] * (lengths[i] - L[i])).expression().coq() +
+             ") by field; intros; nra"});
   }
   return proved;
 }
@@ -657,21 +604,14 @@ Provables proofs() {
   Table table(claims), in_motion(claims), ropes(claims);
   state(claims, table, in_motion, {});
   compression(ropes, {});
-  const std::vector<std::string> names{"m2", "m3", "I1", "I2",    "R1", "R2",   "c1", "c2",
-                                       "L1", "L2", "K1", "K2",    "g",  "y2",   "y3", "v2",
-                                       "v3", "a2", "a3", "depth", "y1", "delta"};
-  ForAll<SampleOf> all{.any = lettered<SampleOf>(names),
-                       .letters = quantified(names),
-                       .tactic = std::string("field; repeat split; ") + by_positive_terms,
-                       .says = "it holds for all pulleys in any motion"};
-  for (const Shortened& positive :
-       {all.any.p.m2, all.any.p.m3, all.any.p.I1, all.any.p.I2, all.any.p.R1, all.any.p.R2})
-    all.given.push_back(above(positive.expression(), 0));
+  auto all = for_all<SampleOf>(std::string("field; repeat split; ") + by_positive_terms,
+                               "it holds for all pulleys in any motion");
+  const auto& p = all.any.p;
+  all.given = positive({p.m2, p.m3, p.I1, p.I2, p.R1, p.R2});
   double x = 0.25;
-  for (double* letter : all.example.letters()) *letter = x += 0.25;
+  for (double* letter : letters_of(all.example)) *letter = x += 0.25;
   ForAll<SampleOf> with_springs = all;
-  for (const Shortened& positive : {all.any.p.c1, all.any.p.c2})
-    with_springs.given.push_back(above(positive.expression(), 0));
+  with_springs.given = positive({p.m2, p.m3, p.I1, p.I2, p.R1, p.R2, p.c1, p.c2});
   Provables proved = table.proofs("3.19", all);
   const auto in_motions = [&](const auto& accelerations) {
     ForAll<SampleOf> moving = all;
@@ -679,9 +619,9 @@ Provables proofs() {
     moving.example = all.example.in_motion(accelerations(all.example));
     return in_motion.proofs("3.19", moving);
   };
-  const Provables again = in_motions([](const auto& s) { return s.by_lagrange(); });
+  Provables again = in_motions([](const auto& s) { return s.by_lagrange(); });
   for (Provable& one : in_motions([](const auto& s) { return s.by_tensions(); })) {
-    one.lemmas.push_back(std::ranges::find(again, one.claim, &Provable::claim)->lemmas[0]);
+    one.lemmas.push_back(proof_of(again, one.claim).lemmas[0]);
     one.lemmas.back().name += "_by_lagrange";
     proved.push_back(std::move(one));
   }
@@ -695,9 +635,8 @@ Provables proofs() {
     one.lemmas.back().tactic = by_pull;
     proved.push_back(std::move(one));
   }
-  proved.push_back({"3.19-dT_dy",
-                    "it holds for all pulleys in any motion",
-                    {{"printed", all.letters, {}, none, "apply derivable_pt_lim_const"}}});
+  proved.push_back(
+      {"3.19-dT_dy", all.says, {{"printed", all.letters, {}, none, "apply derivable_pt_lim_const"}}});
   return proved;
 }
 
