@@ -48,7 +48,8 @@ Check as_cut_off(std::string quantity, const std::string& written, const Route& 
 
 std::pair<std::string, std::string> sides_of_equation(const std::string& text) {
   std::vector<std::string> sides;
-  if (is_formula(text)) sides = formula::sides_of(text.substr(1, text.size() - 2)).sides;
+  const std::string first = text.substr(0, text.find('$', 1) + 1);
+  if (is_formula(first)) sides = formula::sides_of(first.substr(1, first.size() - 2)).sides;
   if (sides.size() < 2) throw std::logic_error(text + " is no equation $a=b$");
   std::string right = sides[1];
   for (std::size_t i = 2; i < sides.size(); ++i) right += ",\\ " + sides[i];

@@ -125,7 +125,8 @@ Check as_cut_off(std::string quantity, const std::string& written, const Route& 
 
 // ---- the table of claims ----------------------------------------------------------------------------------
 
-/// "$a$" and "$b$" of $a=b$, "$(b,\ c)$" of $a=b=c$. Throws std::logic_error for a text that is no equation.
+/// "$a$" and "$b$" of $a=b$, "$(b,\ c)$" of $a=b=c$; words may follow it. Throws std::logic_error for a text
+/// that does not begin with an equation.
 std::pair<std::string, std::string> sides_of_equation(const std::string& text);
 
 /// A table's formulas over some samples.
@@ -150,11 +151,21 @@ struct Over {
     parts.truth = std::move(truth), parts.printed = std::move(printed);
     (*this)(slug, line, std::move(says), parts);
   }
-  /// The claim $a=b$, or $a=b=c$: that b, and c, is the truth of the quantity a.
+  /// The claim $a=b$, or $a=b=c$, which words may follow: that b, and c, is the truth of the quantity a.
   void equation(std::string_view slug, int line, const std::string& text, Stated truth,
                 std::string changes_that_hold = {}) const {
     const auto [quantity, printed] = sides_of_equation(text);
     (*this)(slug, line, text, std::move(truth), Stated{printed}, quantity, std::move(changes_that_hold));
+  }
+  /// Such a claim of which our copy has lost some typography, such as a fraction's bar, and the equation as
+  /// meant.
+  void lost(std::string_view slug, int line, const std::string& text, Stated truth, const std::string& meant,
+            std::string why) const {
+    Parts parts;
+    const auto [quantity, printed] = sides_of_equation(text);
+    parts.quantity = quantity, parts.truth = std::move(truth), parts.printed = Stated{printed};
+    parts.meant = Stated{sides_of_equation(meant).second}, parts.why = std::move(why);
+    (*this)(slug, line, text, parts);
   }
 };
 
