@@ -77,20 +77,19 @@ std::string rate(const std::string& text) { return R"(\frac{d}{dt}()" + text + "
 // ---- the energy -------------------------------------------------------------------------------------------
 
 void claim_energy(Table& table, const Samples& tops) {
-  table.formula("center_of_mass", 2953, R"(the center of mass is at $\mathbf r=\ell\boldsymbol\xi_3$)", tops,
-                {.quantity = "center of mass in body coordinates",
-                 .truth = {R"($\sum m\mathbf x/m$ over the points)",
-                           []<class T>(const SampleOf<T>& s) {
-                             return s.body.template sum<Vector<T>>([&](Vector<T>& sum, const PointOf<T>& p) {
-                               for (std::size_t i = 0; i < 3; ++i) sum[i] += p.m * p.x[i] / s.m;
-                             });
-                           }},
-                 .printed = R"($(0,0,\ell)$)"});
-  table.formula(
+  const auto claim = table.over(tops);
+  claim("center_of_mass", 2953, R"(the center of mass is at $\mathbf r=\ell\boldsymbol\xi_3$)",
+        {R"($\sum m\mathbf x/m$ over the points)",
+         []<class T>(const SampleOf<T>& s) {
+           return s.body.template sum<Vector<T>>([&](Vector<T>& sum, const PointOf<T>& p) {
+             for (std::size_t i = 0; i < 3; ++i) sum[i] += p.m * p.x[i] / s.m;
+           });
+         }},
+        R"($(0,0,\ell)$)", "center of mass in body coordinates");
+  claim(
       "center_of_mass_at_rest", 2953,
       "the velocity of the center of mass is zero in body coordinates (our reading: its components along the "
       "body axes are)",
-      tops,
       {.quantity = "velocity of the center of mass in body coordinates",
        .truth = {R"($R^T\dot{\mathbf r}$, by dual numbers)",
                  [](const auto& s) {
@@ -109,28 +108,26 @@ void claim_energy(Table& table, const Samples& tops) {
            R"($\frac12m\ell^2(w_1^2+w_2^2)$. The final $T$ is right only because $\mu_1$ is taken about the tip, )"
            R"(which has that energy in it. With the moment about the center of mass it is wrong by just )"
            R"(this term.)"});
-  table.formula("kinetic_energy", 2955,
-                R"(the angular velocity's part of the kinetic energy is )"
-                R"($T=\frac12\mathbf w^TJ\mathbf w$ (our reading: all of it, $J$ being about the tip))",
-                tops,
-                {.quantity = R"($T$, $J$ about the tip)",
-                 .truth = points_T,
-                 .printed = R"($\frac12\mathbf w^TJ\mathbf w$)",
-                 .near_misses = {R"($\frac12\mathbf w^T(J-m\ell^2\mathrm{Diag}(1,1,0))\mathbf w$)"}});
-  table.formula("inertia", 2963, R"($J=\mathrm{Diag}(\mu_1,\mu_1,\mu_3)$ in body coordinates)", tops,
-                {.quantity = "inertia tensor in body coordinates, about the tip",
-                 .truth = {R"($\sum m(|\mathbf x|^2-\mathbf x\mathbf x^T)$ over the points)",
-                           []<class T>(const SampleOf<T>& s) {
-                             using Tensor = std::array<T, 9>;
-                             return s.body.template sum<Tensor>([](Tensor& J, const PointOf<T>& p) {
-                               for (std::size_t i = 0; i < 3; ++i)
-                                 for (std::size_t k = 0; k < 3; ++k)
-                                   J[3 * i + k] += p.m * ((i == k ? dot(p.x, p.x) : T(0)) - p.x[i] * p.x[k]);
-                             });
-                           }},
-                 .printed = R"($J=\mathrm{Diag}(\mu_1,\mu_1,\mu_3)$)"});
-  table.formula(
-      "angular_velocity", 2967, R"($\mathbf w=)" + omega(R"(\phi)") + "$ in body coordinates", tops,
+  claim("kinetic_energy", 2955,
+        R"(the angular velocity's part of the kinetic energy is )"
+        R"($T=\frac12\mathbf w^TJ\mathbf w$ (our reading: all of it, $J$ being about the tip))",
+        {.quantity = R"($T$, $J$ about the tip)",
+         .truth = points_T,
+         .printed = R"($\frac12\mathbf w^TJ\mathbf w$)",
+         .near_misses = {R"($\frac12\mathbf w^T(J-m\ell^2\mathrm{Diag}(1,1,0))\mathbf w$)"}});
+  claim("inertia", 2963, R"($J=\mathrm{Diag}(\mu_1,\mu_1,\mu_3)$ in body coordinates)",
+        {R"($\sum m(|\mathbf x|^2-\mathbf x\mathbf x^T)$ over the points)",
+         []<class T>(const SampleOf<T>& s) {
+           using Tensor = std::array<T, 9>;
+           return s.body.template sum<Tensor>([](Tensor& J, const PointOf<T>& p) {
+             for (std::size_t i = 0; i < 3; ++i)
+               for (std::size_t k = 0; k < 3; ++k)
+                 J[3 * i + k] += p.m * ((i == k ? dot(p.x, p.x) : T(0)) - p.x[i] * p.x[k]);
+           });
+         }},
+        R"($J=\mathrm{Diag}(\mu_1,\mu_1,\mu_3)$)", "inertia tensor in body coordinates, about the tip");
+  claim(
+      "angular_velocity", 2967, R"($\mathbf w=)" + omega(R"(\phi)") + "$ in body coordinates",
       {.quantity = R"($\mathbf w$)",
        .truth = {R"($R^T\dot R$, by dual numbers)", [](const auto& s) { return s.body_rates(); }},
        .printed = math(R"(\mathbf w=)" + omega(R"(\phi)")),
@@ -141,8 +138,8 @@ void claim_energy(Table& table, const Samples& tops) {
            R"($w_1^2+w_2^2$ would depend on $\psi$, and the text's own last line of $T$ would not follow. With the )"
            R"(angles of $R=R_z(\theta)R_x(\phi)R_z(\psi)$, as the text's $\partial\mathbf r/\partial\theta$ has )"
            R"(them, the rates in body coordinates have the signs printed.)"});
-  table.formula(
-      "kinetic_energy_again", 2971, R"($T=\frac12\mathbf w^TJ\mathbf w$, the fraction bar lost)", tops,
+  claim(
+      "kinetic_energy_again", 2971, R"($T=\frac12\mathbf w^TJ\mathbf w$, the fraction bar lost)",
       {.quantity = "$T$",
        .truth = points_T,
        .printed = R"($12\,\mathbf w^TJ\mathbf w$)",
@@ -155,53 +152,49 @@ void claim_energy(Table& table, const Samples& tops) {
     return R"($T=\frac{\mu_1}2(\dot\phi\cos\psi+\dot\theta\sin\psi\sin\phi)^2+\frac{\mu_1}2(-\dot\phi\sin)" +
            second + R"(+\dot\theta\cos\psi\sin\phi)^2+\frac{\mu_3}2(\dot\psi+\dot\theta\cos\phi)^2$)";
   };
-  table.formula("energy_by_components", 2973, squares(R"(\phi)"), tops,
-                {.quantity = "$T$",
-                 .truth = points_T,
-                 .printed = squares(R"(\phi)"),
-                 .meant = squares(R"(\psi)"),
-                 .kind = Fault::formula,
-                 .why = R"(Here too $\phi$ is printed for $\psi$ in the second square.)"});
-  const std::string reduced =
-      R"($T=\frac{\mu_1}2(\dot\phi^2+\dot\theta^2\sin^2\phi)+\frac{\mu_3}2(\dot\psi+\dot\theta\cos\phi)^2$)";
-  table.formula("energy_reduced", 2981, reduced, tops,
-                {.quantity = "$T$", .truth = points_T, .printed = reduced});
+  claim("energy_by_components", 2973, squares(R"(\phi)"),
+        {.quantity = "$T$",
+         .truth = points_T,
+         .printed = squares(R"(\phi)"),
+         .meant = squares(R"(\psi)"),
+         .kind = Fault::formula,
+         .why = R"(Here too $\phi$ is printed for $\psi$ in the second square.)"});
+  claim.equation(
+      "energy_reduced", 2981,
+      R"($T=\frac{\mu_1}2(\dot\phi^2+\dot\theta^2\sin^2\phi)+\frac{\mu_3}2(\dot\psi+\dot\theta\cos\phi)^2$)",
+      points_T);
 }
 
 // ---- its derivatives --------------------------------------------------------------------------------------
 
 void claim_derivatives(Table& table, const Samples& tops) {
-  const auto is_zero = [&](std::string_view slug, int line, const std::string& angle) {
-    const std::string slope = R"(\partial T/\partial)";
-    table.formula(slug, line, math(slope + angle + "=0"), tops,
-                  {.quantity = math(slope + angle) + " by dual numbers, with the points' $T$",
-                   .truth = zero,
-                   .printed = math(slope + angle + "=0"),
-                   .near_misses = {math(slope + R"(\phi=0)")},
-                   .changes_that_hold = of_zero});
+  const auto claim = table.over(tops);
+  const auto is_zero = [&](std::string_view slug, int line, const std::string& slope) {
+    claim(slug, line, math(slope + "=0"),
+          {.quantity = math(slope) + " by dual numbers, with the points' $T$",
+           .truth = zero,
+           .printed = math(slope + "=0"),
+           .near_misses = {R"($\partial T/\partial\phi=0$)"},
+           .changes_that_hold = of_zero});
   };
-  const auto slope = [&](std::string_view slug, int line, const std::string& by, const std::string& right,
-                         const Reader& truth) {
-    const std::string left = R"(\partial T/\partial)" + by;
-    table.formula(slug, line, math(left + "=" + right), tops,
-                  {.quantity = math(left), .truth = truth, .printed = math(right)});
-  };
-  is_zero("dT_dtheta", 2989, R"(\theta)");
-  slope("dT_dphi", 2993, R"(\phi)",
-        R"(\mu_1\dot\theta^2\sin\phi\cos\phi-)" + about_axis + R"(\dot\theta\sin\phi)", slope_of_T(1, false));
-  is_zero("dT_dpsi", 2997, R"(\psi)");
-  slope("dT_dtheta_dot", 3001, R"(\dot\theta)", about_vertical, slope_of_T(0, true));
-  slope("dT_dphi_dot", 3005, R"(\dot\phi)", R"(\mu_1\dot\phi)", slope_of_T(1, true));
-  slope("dT_dpsi_dot", 3009, R"(\dot\psi)", about_axis, slope_of_T(2, true));
+  is_zero("dT_dtheta", 2989, R"(\partial T/\partial\theta)");
+  claim.equation("dT_dphi", 2993,
+                 R"($\partial T/\partial\phi=\mu_1\dot\theta^2\sin\phi\cos\phi-)" + about_axis +
+                     R"(\dot\theta\sin\phi$)",
+                 slope_of_T(1, false));
+  is_zero("dT_dpsi", 2997, R"(\partial T/\partial\psi)");
+  claim.equation("dT_dtheta_dot", 3001, R"($\partial T/\partial\dot\theta=)" + about_vertical + "$",
+                 slope_of_T(0, true));
+  claim.equation("dT_dphi_dot", 3005, R"($\partial T/\partial\dot\phi=\mu_1\dot\phi$)", slope_of_T(1, true));
+  claim.equation("dT_dpsi_dot", 3009, R"($\partial T/\partial\dot\psi=)" + about_axis + "$",
+                 slope_of_T(2, true));
 
   const auto lagrange = [&](std::string_view slug, int line, std::size_t k, const std::string& angle,
                             const std::string& left) {
-    table.formula(
-        slug, line, math(left + "=F_" + angle) + " is Lagrange's equation of " + math(angle), tops,
-        {.quantity = math(R"(\frac{d}{dt}\frac{\partial T}{\partial\dot)" + angle +
-                          R"(}-\frac{\partial T}{\partial)" + angle + "}"),
-         .truth = {"nested dual numbers on the points' $T$", [k](const auto& s) { return s.kinetic[k]; }},
-         .printed = math(left)});
+    claim(slug, line, math(left + "=F_" + angle) + " is Lagrange's equation of " + math(angle),
+          {"nested dual numbers on the points' $T$", [k](const auto& s) { return s.kinetic[k]; }}, math(left),
+          math(R"(\frac{d}{dt}\frac{\partial T}{\partial\dot)" + angle + R"(}-\frac{\partial T}{\partial)" +
+               angle + "}"));
   };
   lagrange("lagrange_theta", 3015, 0, R"(\theta)", rate(about_vertical));
   lagrange("lagrange_phi", 3021, 1, R"(\phi)", tilting);
@@ -211,36 +204,33 @@ void claim_derivatives(Table& table, const Samples& tops) {
 // ---- the forces -------------------------------------------------------------------------------------------
 
 void claim_forces(Table& table, const Samples& tops) {
-  const auto slope = [&](std::string_view slug, int line, std::size_t k, const std::string& angle,
-                         const std::string& right) {
-    const std::string left = R"(\partial\mathbf r/\partial)" + angle;
-    table.formula(slug, line, math(left + "=" + right), tops,
-                  {.quantity = math(left), .truth = arm(k), .printed = math(right)});
+  const auto claim = table.over(tops);
+  claim.equation("dr_dtheta", 3037,
+                 R"($\partial\mathbf r/\partial\theta=\ell(\cos\theta\sin\phi,\sin\theta\sin\phi,0)$)",
+                 arm(0));
+  claim.equation("dr_dphi", 3043,
+                 R"($\partial\mathbf r/\partial\phi=\ell(\sin\theta\cos\phi,-\cos\theta\cos\phi,-\sin\phi)$)",
+                 arm(1));
+  const auto generalized = [&](std::string_view slug, int line, std::size_t k, const std::string& angle,
+                               const std::string& is, const std::string& holding = {}) {
+    const std::string left = "F_" + angle;
+    claim(slug, line, math(left + "=" + is),
+          {.quantity = "the generalized force of " + math(angle),
+           .truth = force(k),
+           .printed = math(left + "=" + is),
+           .near_misses =
+               is == "0" ? std::vector<Reader>{math(left + R"(=mg\ell\sin\phi)")} : std::vector<Reader>{},
+           .changes_that_hold = holding});
   };
-  slope("dr_dtheta", 3037, 0, R"(\theta)", R"(\ell(\cos\theta\sin\phi,\sin\theta\sin\phi,0))");
-  table.formula("force_theta", 3039, R"($F_\theta=0$)", tops,
-                {.quantity = R"(the generalized force of $\theta$)",
-                 .truth = force(0),
-                 .printed = R"($F_\theta=0$)",
-                 .near_misses = {R"($F_\theta=mg\ell\sin\phi$)"}});
-  slope("dr_dphi", 3043, 1, R"(\phi)", R"(\ell(\sin\theta\cos\phi,-\cos\theta\cos\phi,-\sin\phi))");
-  table.formula("force_phi", 3045, R"($F_\phi=mg\ell\sin\phi$)", tops,
-                {.quantity = R"(the generalized force of $\phi$)",
-                 .truth = force(1),
-                 .printed = R"($F_\phi=mg\ell\sin\phi$)"});
-  table.formula("force_psi", 3051, R"($F_\psi=0$)", tops,
-                {.quantity = R"(the generalized force of $\psi$)",
-                 .truth = force(2),
-                 .printed = R"($F_\psi=0$)",
-                 .near_misses = {R"($F_\psi=mg\ell\sin\phi$)"},
-                 .changes_that_hold = of_zero});
+  generalized("force_theta", 3039, 0, R"(\theta)", "0");
+  generalized("force_phi", 3045, 1, R"(\phi)", R"(mg\ell\sin\phi)");
+  generalized("force_psi", 3051, 2, R"(\psi)", "0", of_zero);
   const auto arm_is_zero = [](const std::string& angle) {
     return R"($\partial\mathbf r/\partial)" + angle + "=(0,0,0)$";
   };
-  table.formula(
+  claim(
       "dr_dpsi", 3049,
       R"(all components of $\partial\mathbf r/\partial\psi$ are zero (printed: $\partial\mathbf r/\partial\theta$))",
-      tops,
       {.quantity = R"($\partial\mathbf r/\partial\psi$)",
        .truth = none,
        .printed = arm_is_zero(R"(\theta)"),
@@ -315,98 +305,64 @@ void claim_vertical_constant(Claims& claims, const Samples& tops, const Top& sta
       {.printed = both, .near_misses = {conserved(math(rate(R"(\mu_1\dot\theta\sin^2\phi)") + "=0"))}});
 }
 
-/// Samples with the accelerations of Lagrange's equations.
-Samples along_lagrange(Samples tops) {
-  for (Sample& s : tops) s.a = s.truth;
-  return tops;
-}
-
 void claim_motion(Table& table, const Samples& tops) {
-  const auto of_momentum = [&](std::string_view slug, int line, const std::string& angle,
-                               const std::string& momentum) {
+  const auto claim = table.over(tops);
+  const auto constant = [&](std::string_view slug, int line, const std::string& momentum,
+                            const std::string& whose, const std::string& after = {}) {
     const std::string stated = math(rate(momentum) + "=0");
-    table.formula(slug, line, stated, tops,
-                  {.quantity = "the rate of " + math(angle) + "'s momentum" + by_lagrange,
-                   .truth = zero,
-                   .printed = stated,
-                   .changes_that_hold = of_zero});
+    claim(slug, line, stated + after, zero, stated, whose + by_lagrange, of_zero);
   };
-  of_momentum("motion_theta", 3055, R"(\theta)", about_vertical);
+  constant("motion_theta", 3055, about_vertical, R"(the rate of $\theta$'s momentum)");
   const std::string of_phi = math(tilting + R"(=mg\ell\sin\phi)");
-  table.formula("motion_phi", 3061, of_phi, tops,
-                {.quantity = "the difference of its sides" + by_lagrange, .truth = zero, .printed = of_phi});
-  of_momentum("motion_psi", 3069, R"(\psi)", about_axis);
-  table.formula("spin_constant", 3075,
-                math(rate(spin) + "=0") + ", so that " + math(spin + "=c") + ", a constant", tops,
-                {.quantity = "its rate" + by_lagrange,
-                 .truth = zero,
-                 .printed = math(rate(spin) + "=0"),
-                 .changes_that_hold = of_zero});
-  table.formula(
-      "spin_by_euler", 3077,
-      R"(the constant $c$ is that of the Eulerian approach (our reading, as example 3.19 is not in the )"
-      R"(solutions: the spin $w_3$))",
-      tops,
-      {.quantity = R"($(c,\dot c)$)",
-       .truth = {R"($w_3$, and $\dot w_3$ of Euler's equations)",
-                 [](const auto& s) {
-                   const auto w = s.body_rates();
-                   return values(w[2], spin_rate_by_euler(s, w));
-                 }},
-       .printed = math("(" + spin + R"(,\ )" + rate(spin) + ")")});
-  table.formula(
+  claim("motion_phi", 3061, of_phi, zero, of_phi, "the difference of its sides" + by_lagrange);
+  constant("motion_psi", 3069, about_axis, R"(the rate of $\psi$'s momentum)");
+  constant("spin_constant", 3075, spin, "its rate", ", so that " + math(spin + "=c") + ", a constant");
+  claim("spin_by_euler", 3077,
+        R"(the constant $c$ is that of the Eulerian approach (our reading, as example 3.19 is not in the )"
+        R"(solutions: the spin $w_3$))",
+        {R"($w_3$, and $\dot w_3$ of Euler's equations)",
+         [](const auto& s) {
+           const auto w = s.body_rates();
+           return values(w[2], spin_rate_by_euler(s, w));
+         }},
+        math("(" + spin + R"(,\ )" + rate(spin) + ")"), R"($(c,\dot c)$)");
+  claim(
       "vertical_by_euler", 3081,
       R"(the constant $\gamma$ is that of the Eulerian approach (our reading: the vertical angular momentum))",
-      tops,
-      {.quantity = R"($(\gamma,\dot\gamma)$)",
-       .truth = {R"(the vertical parts of $RJ\mathbf w$ and of gravity's torque on the points)",
-                 [](const auto& s) {
-                   const auto up = rotation(s.q[0], s.q[1], s.q[2])[2];
-                   const auto w = s.body_rates();
-                   return values(s.mu1 * (up[0] * w[0] + up[1] * w[1]) + s.mu3 * up[2] * w[2],
-                                 vertical_torque(s));
-                 }},
-       .printed = math("(" + about_vertical + R"(,\ )" + rate(about_vertical) + ")")});
-  const Reader lagrange{"nested dual numbers on the points' $T-V$", [](const auto& s) { return s.truth[1]; }};
+      {R"(the vertical parts of $RJ\mathbf w$ and of gravity's torque on the points)",
+       [](const auto& s) {
+         const auto up = rotation(s.q[0], s.q[1], s.q[2])[2];
+         const auto w = s.body_rates();
+         return values(s.mu1 * (up[0] * w[0] + up[1] * w[1]) + s.mu3 * up[2] * w[2], vertical_torque(s));
+       }},
+      math("(" + about_vertical + R"(,\ )" + rate(about_vertical) + ")"), R"($(\gamma,\dot\gamma)$)");
   const std::string middle =
       R"($\ddot\phi=\alpha\sin\phi+\dot\theta^2\sin\phi\cos\phi-\frac{c\mu_3}{\mu_1}\dot\theta\sin\phi$)";
-  table.formula("middle_equation", 3083, middle + " by the middle equation", tops,
-                {.quantity = R"($\ddot\phi$)", .truth = lagrange, .printed = middle});
+  claim("middle_equation", 3083, middle + " by the middle equation",
+        {"nested dual numbers on the points' $T-V$", [](const auto& s) { return s.truth[1]; }}, middle,
+        R"($\ddot\phi$)");
 }
 
 // ---- proofs -----------------------------------------------------------------------------------------------
 
-const std::string any_top = "it holds of any top of rings of points";
+const std::string any_top_of_rings = "it holds of any top of rings of points";
 
-/// Four points around the axis.
 Sample example() {
-  Sample s;
-  s.body = {{{1, {1, 0, 1}}, {1, {0, 1, 1}}, {1, {-1, 0, 1}}, {1, {0, -1, 1}}}, 10, 0, 0};
-  s.q = {0.5, 1, 0.25}, s.v = {1, 2, 3}, s.a = s.truth = {}, s.t = 0;
-  s.m = 4, s.l = 1, s.mu1 = 6, s.mu3 = 4;
+  Sample s = four_points(10, 0, 0);
+  s.v = {1, 2, 3};
   return s;
 }
 
 ForAll<SampleOf> all_tops() {
-  const std::vector<std::string> names{"theta", "phi", "psi", "dtheta", "dphi",    "dpsi",  "mass",
-                                       "ell",   "mu1", "mu3", "g",      "ddtheta", "ddphi", "ddpsi"};
-  SampleOf<Shortened> any;
-  std::size_t i = 0;
-  for (Vector<Shortened>* three : {&any.q, &any.v})
-    for (Shortened& x : *three) x = Shortened::letter(names[i++]);
-  for (Shortened* x : {&any.m, &any.l, &any.mu1, &any.mu3, &any.body.g}) *x = Shortened::letter(names[i++]);
-  for (Shortened& x : any.a) x = Shortened::letter(names[i++]);
-  any.truth = any.a;
+  auto [any, letters, given] = any_top(false);
   any.kinetic = any.left_side(any.a, false);
   return {.any = any,
-          .letters = "(l : list (nat * R * R * R * R)) " + quantified(names),
-          .given = {{"top l mass ell mu1 mu3"},
-                    above(any.m.expression(), 0),
-                    above(any.mu1.expression(), 0),
-                    above(any.mu3.expression(), 0)},
+          .letters = letters,
+          .given = given,
           .tactic = by_points({"theta", "phi", "psi"}),
-          .says = any_top,
-          .example = example()};
+          .says = any_top_of_rings,
+          .example = example(),
+          .preamble = coq_source({"tops"})};
 }
 
 /// Factors of Lagrange's equations of theta, phi and psi whose sum is the claim.
@@ -422,13 +378,7 @@ const std::map<std::string, std::array<std::string, 3>> from_equations{
 
 void follow_from_equations(Provable& p, const SampleOf<Shortened>& any) {
   Lemma& lemma = p.lemmas.front();
-  const auto left = any.left_side(any.truth, true);
-  std::vector<std::string> factors;
-  for (std::size_t k = 0; k < 3; ++k)
-    if (const std::string& factor = from_equations.at(p.claim)[k]; !factor.empty()) {
-      lemma.given.push_back(left[k].expression() == 0);
-      factors.push_back(factor);
-    }
+  const auto factors = assume_equations(lemma, any, from_equations.at(p.claim));
   lemma.tactic = by_equations_if_need_be({"theta", "phi", "psi"}, factors, 4);
   p.says = "it follows from Lagrange's equations of any top of rings of points";
 }
@@ -443,7 +393,7 @@ Provable no_force_of_theta(const ForAll<SampleOf>& all) {
 }
 Provable vertical_constant(const ForAll<SampleOf>& all) {
   return {"3.33-vertical_constant",
-          any_top,
+          any_top_of_rings,
           {{"printed", all.letters, all.given,
             equal(Reader(vertical).recorded(all.any), zero.recorded(all.any)), all.tactic}}};
 }
@@ -453,10 +403,7 @@ Provable vertical_constant(const ForAll<SampleOf>& all) {
 Provables proofs() {
   Claims claims("3.33");
   Table table(claims);
-  claim_energy(table, {});
-  claim_derivatives(table, {});
-  claim_forces(table, {});
-  claim_motion(table, {});
+  for (auto* part : {claim_energy, claim_derivatives, claim_forces, claim_motion}) part(table, {});
   const ForAll<SampleOf> all = all_tops();
   Provables proved = table.proofs("3.33", all);
   proved.push_back(no_force_of_theta(all));
@@ -472,11 +419,11 @@ std::vector<Claim> claims(double seed, const Top& start) {
   const Samples tops = draw<Sample>(100, seed);
   Claims claims("3.33");
   Table table(claims);
-  claim_energy(table, tops);
-  claim_derivatives(table, tops);
-  claim_forces(table, tops);
-  claim_motion(table, along_lagrange(tops));
-  claim_vertical_constant(claims, along_lagrange(tops), start);
+  for (auto* part : {claim_energy, claim_derivatives, claim_forces}) part(table, tops);
+  Samples moving = tops;  // by Lagrange's equations
+  for (Sample& s : moving) s.a = s.truth;
+  claim_motion(table, moving);
+  claim_vertical_constant(claims, moving, start);
   return claims.in_order();
 }
 

@@ -155,42 +155,6 @@ const Reader lagrange{"nested dual numbers on the points' $T-V$, tip moving",
 
 const std::string no_torque = "no torque of the force on the tip";
 
-void claim_spin(Claims& claims, const std::vector<Driven>& tops) {
-  claims.formula<Driven>(
-      "euler_about_axis", 3089,
-      "the Euler equations of example 3.19 still apply to the motion about the axis (our reading, by "
-      R"(lines 3077 and 3081 on 3.33: $\dot w_3=0$))",
-      tops,
-      {.quantity = R"($\dot w_3$)",
-       .truth = {spin_change.text, spin_change.of},
-       .printed = {R"($\dot w_3=0$)"},
-       .near_misses = {{R"($\dot w_3=\ddot\psi$)"}},
-       .changes_that_hold = "a multiple of zero is zero"});
-}
-
-void claim_tip(Claims& claims, const std::vector<Driven>& tops) {
-  claims.formula<Driven>(
-      "tip_is_center", 3091,
-      R"(the tip is the center of mass (our reading of the parenthesis: $\mathbf r=\mathbf p$; line 2953 places it at )"
-      R"($\ell\boldsymbol\xi_3$))",
-      tops,
-      {.quantity = "center of mass",
-       .truth = {R"($\sum m\mathbf x/m$ over the points)",
-                 [](const Driven& s) {
-                   return s.body.sum<Vector<double>>([&](Vector<double>& sum, const PointOf<double>& p) {
-                     sum = sum + p.m / s.m * motion_of<double>(s, p.x).x;
-                   });
-                 }},
-       .printed = {R"($\mathbf r=\mathbf p$)"},
-       .corrected = {R"($\mathbf r=\mathbf p+\ell\,\boldsymbol\xi_3$)"},
-       .kind = Fault::term,
-       .root = "tip for center of mass",
-       .why =
-           R"(The two are $\ell$ apart, always: the center of mass is at $\mathbf p+\ell\boldsymbol\xi_3$, )"
-           R"($\boldsymbol\xi_3$ the unit vector along the axis, and has the acceleration $\ddot{\mathbf p}+\ell\ddot{\boldsymbol\xi}_3$. It is the tip that the exercise )"
-           R"(moves.)"});
-}
-
 // ---- proofs -----------------------------------------------------------------------------------------------
 
 /// Euler's equations with the torque by the rotation matrix; the model uses a quaternion instead.
@@ -215,13 +179,9 @@ Vector<T> accelerations_from_rest(const SampleOf<T>& s) {
           -turning * cos(s.q[1])};
 }
 
-/// Four points around the axis, at rest.
 Sample example() {
-  Sample s;
-  s.body = {{{1, {1, 0, 1}}, {1, {0, 1, 1}}, {1, {-1, 0, 1}}, {1, {0, -1, 1}}}, 3, 2, 3};
-  s.q = {0.5, 1, 0.25}, s.v = s.a = {}, s.t = 1;
-  s.m = 4, s.l = 1, s.mu1 = 6, s.mu3 = 4;
-  s.truth = accelerations_from_rest(s);
+  Sample s = four_points(3, 2, 3);
+  s.t = 1, s.truth = accelerations_from_rest(s);
   return s;
 }
 
@@ -234,25 +194,11 @@ using OfVector = std::array<Factors, 3>;
 const OfVector torques{{{"- sin theta * cos phi / sin phi", "cos theta", "sin theta / sin phi"},
                         {"cos theta * cos phi / sin phi", "sin theta", "- cos theta / sin phi"},
                         {"1", "", ""}}};
-class MovingTip {
- public:
-  MovingTip() {
-    const std::vector<std::string> names{"theta",  "phi", "psi",     "dtheta", "dphi", "dpsi",
-                                         "mass",   "ell", "mu1",     "mu3",    "g",    "A0",
-                                         "lambda", "t",   "ddtheta", "ddphi",  "ddpsi"};
-    std::size_t i = 0;
-    for (Shortened* letter : {&any.q[0], &any.q[1], &any.q[2], &any.v[0], &any.v[1], &any.v[2], &any.m,
-                              &any.l, &any.mu1, &any.mu3, &any.body.g, &any.body.A, &any.body.lambda, &any.t,
-                              &any.truth[0], &any.truth[1], &any.truth[2]})
-      *letter = Shortened::letter(names[i++]);
-    letters_ = "(l : list (nat * R * R * R * R)) " + quantified(names);
-    given_ = {{"top l mass ell mu1 mu3"},
-              above(any.m.expression(), 0),
-              above(any.mu1.expression(), 0),
-              above(any.mu3.expression(), 0),
-              above(sin(any.q[1].expression()), 0)};
-    for (const Shortened& left : any.left_side(any.truth, true)) equations_.push_back(left.expression() == 0);
-  }
+struct MovingTip {
+  AnyTop all = any_top(true);
+  const SampleOf<Shortened>& any = all.top;
+
+  MovingTip() { all.given.push_back(above(sin(any.q[1].expression()), 0)); }
   /// A lemma for each component, as a sum of Lagrange's equations.
   std::vector<Lemma> follow(const std::string& name, const Reader& formula, const Reader& truth,
                             const OfVector& factors, const std::string& begin = {}) const {
@@ -260,14 +206,8 @@ class MovingTip {
     std::vector<Lemma> lemmas;
     for (std::size_t k = 0; k < left.size(); ++k) {
       const std::string number = left.size() == 1 ? "" : "_" + std::to_string(k + 1);
-      Lemma lemma{name + number, letters_, given_, {left[k] == right.at(k)}};
-      std::vector<std::string> used;
-      for (std::size_t j = 0; j < 3; ++j)
-        if (!factors[k][j].empty()) {
-          lemma.given.push_back(equations_[j]);
-          used.push_back(factors[k][j]);
-        }
-      lemma.tactic = begin + by_equations(all_angles, used, 5);
+      Lemma lemma{name + number, all.letters, all.given, {left[k] == right.at(k)}};
+      lemma.tactic = begin + by_equations(all_angles, assume_equations(lemma, any, factors[k]), 5);
       lemmas.push_back(std::move(lemma));
     }
     return lemmas;
@@ -300,12 +240,6 @@ class MovingTip {
                   ")\n    by (by_half_angles theta phi psi);\n  ";
     return replaced;
   }
-
-  SampleOf<Shortened> any;
-
- private:
-  std::string letters_;
-  std::vector<Proposition> given_, equations_;
 };
 
 Provable proved(const std::string& slug, const std::string& says,
@@ -385,7 +319,16 @@ std::vector<Claim> claims(double seed, const Top& top, const Deviation& off) {
            R"(push on the center of mass moves it without a torque, but such a top turns about its center )"
            R"(of mass, with the moment $\mu_1-m\ell^2$ across the axis.)"});
 
-  claim_spin(claims, driven);
+  const auto claim_driven = claims.over(driven);
+  claim_driven(
+      "euler_about_axis", 3089,
+      "the Euler equations of example 3.19 still apply to the motion about the axis (our reading, by "
+      R"(lines 3077 and 3081 on 3.33: $\dot w_3=0$))",
+      {.quantity = R"($\dot w_3$)",
+       .truth = {spin_change.text, spin_change.of},
+       .printed = {R"($\dot w_3=0$)"},
+       .near_misses = {{R"($\dot w_3=\ddot\psi$)"}},
+       .changes_that_hold = "a multiple of zero is zero"});
 
   const std::string in_body = R"($\dot{\mathbf w}$ in body coordinates)";
   const std::string constant = R"($\mu_1\dot\theta\sin^2\phi+c\,\mu_3\cos\phi$)";
@@ -446,7 +389,25 @@ std::vector<Claim> claims(double seed, const Top& top, const Deviation& off) {
        .kind = Fault::counterexample,
        .root = no_torque});
 
-  claim_tip(claims, driven);
+  claim_driven(
+      "tip_is_center", 3091,
+      R"(the tip is the center of mass (our reading of the parenthesis: $\mathbf r=\mathbf p$; line 2953 places it at )"
+      R"($\ell\boldsymbol\xi_3$))",
+      {.quantity = "center of mass",
+       .truth = {R"($\sum m\mathbf x/m$ over the points)",
+                 [](const Driven& s) {
+                   return s.body.sum<Vector<double>>([&](Vector<double>& sum, const PointOf<double>& p) {
+                     sum = sum + p.m / s.m * motion_of<double>(s, p.x).x;
+                   });
+                 }},
+       .printed = {R"($\mathbf r=\mathbf p$)"},
+       .corrected = {R"($\mathbf r=\mathbf p+\ell\,\boldsymbol\xi_3$)"},
+       .kind = Fault::term,
+       .root = "tip for center of mass",
+       .why =
+           R"(The two are $\ell$ apart, always: the center of mass is at $\mathbf p+\ell\boldsymbol\xi_3$, )"
+           R"($\boldsymbol\xi_3$ the unit vector along the axis, and has the acceleration $\ddot{\mathbf p}+\ell\ddot{\boldsymbol\xi}_3$. It is the tip that the exercise )"
+           R"(moves.)"});
   return claims.in_order();
 }
 

@@ -242,4 +242,51 @@ inline std::vector<Sample> random_tops(double seed, double shake = 0) {
   return tops;
 }
 
+/// Four points around the axis, at rest.
+inline Sample four_points(double g, double A, double lambda) {
+  Sample s;
+  s.body = {{{1, {1, 0, 1}}, {1, {0, 1, 1}}, {1, {-1, 0, 1}}, {1, {0, -1, 1}}}, g, A, lambda};
+  s.q = {0.5, 1, 0.25}, s.v = s.a = s.truth = {}, s.t = 0;
+  s.m = 4, s.l = 1, s.mu1 = 6, s.mu3 = 4;
+  return s;
+}
+
+/// A top of any rings in letters, with its tip fixed or moving, and with accelerations that are letters too.
+struct AnyTop {
+  SampleOf<Shortened> top;
+  std::string letters;
+  std::vector<Proposition> given;
+};
+inline AnyTop any_top(bool moving) {
+  SampleOf<Shortened> any;
+  std::vector<std::string> names;
+  const auto letter = [&](Shortened& x, const char* name) {
+    x = Shortened::letter(name), names.push_back(name);
+  };
+  const char* const angles[][3] = {
+      {"theta", "phi", "psi"}, {"dtheta", "dphi", "dpsi"}, {"ddtheta", "ddphi", "ddpsi"}};
+  for (std::size_t i = 0; i < 3; ++i) letter(any.q[i], angles[0][i]);
+  for (std::size_t i = 0; i < 3; ++i) letter(any.v[i], angles[1][i]);
+  letter(any.m, "mass"), letter(any.l, "ell"), letter(any.mu1, "mu1"), letter(any.mu3, "mu3");
+  letter(any.body.g, "g");
+  if (moving) letter(any.body.A, "A0"), letter(any.body.lambda, "lambda"), letter(any.t, "t");
+  for (std::size_t i = 0; i < 3; ++i) letter(any.a[i], angles[2][i]);
+  any.truth = any.a;
+  std::vector<Proposition> given = positive({any.m, any.mu1, any.mu3});
+  given.insert(given.begin(), {"top l mass ell mu1 mu3"});
+  return {any, "(l : list (nat * R * R * R * R)) " + quantified(names), given};
+}
+/// Assumes Lagrange's equations of theta, phi and psi that have a factor. Returns these factors.
+inline std::vector<std::string> assume_equations(Lemma& lemma, const SampleOf<Shortened>& any,
+                                                 const std::array<std::string, 3>& factors) {
+  const auto left = any.left_side(any.truth, true);
+  std::vector<std::string> used;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (!factors[k].empty()) {
+      lemma.given.push_back(left[k].expression() == 0);
+      used.push_back(factors[k]);
+    }
+  return used;
+}
+
 }  // namespace oddity::top
