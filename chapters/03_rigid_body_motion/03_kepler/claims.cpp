@@ -161,14 +161,31 @@ std::vector<T> in_plane(const T& x, const T& y, int times = 1) {
 }  // namespace
 
 template <class T>
-TypesetIn<T> letters_of(const Given<T>& s) {
-  return {{"G", s.G},
-          {"M", s.M},
-          {"r_0", s.r0},
-          {R"(\dot r_0)", s.r0_dot},
-          {R"(\theta_0)", s.theta0},
-          {R"(\dot\theta_0)", s.theta0_dot}};
+TypesetIn<T> letters_of(const Given<T>& s, const TypesetIn<T>& more = {}) {
+  TypesetIn<T> all{{"G", s.G},
+                   {"M", s.M},
+                   {"r_0", s.r0},
+                   {R"(\dot r_0)", s.r0_dot},
+                   {R"(\theta_0)", s.theta0},
+                   {R"(\dot\theta_0)", s.theta0_dot}};
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
 }
+
+/// The orbit's elements by the lines that use the initial condition.
+template <class T>
+struct Elements {
+  T mu, squared, tilted;  ///< r0^3 theta0'^2, r0^2 r0' theta0'
+  T gamma0, gamma1, e, rho, omega;
+
+  explicit Elements(const Given<T>& start) : mu(start.mu()) {
+    const auto& [G, M, r0, r0_dot, theta0, w0] = start;
+    squared = r0 * r0 * r0 * w0 * w0, tilted = r0 * r0 * r0_dot * w0, gamma0 = r0 * r0 * abs(w0);
+    gamma1 = sqrt(pow(squared - mu, 2) + tilted * tilted), e = gamma1 / mu, rho = gamma0 * gamma0 / gamma1;
+    omega = theta0 - atan2(tilted, squared - mu);
+  }
+  T as_printed(const T& theta) const { return e * rho / (1 + e * cos(theta)); }
+};
 
 /// A random orbit at its initial condition and at a later moment.
 template <class T>
@@ -184,7 +201,6 @@ struct LaterOf {
             &now.y, &now.vx, &now.vy, &t,      &theta,  &c0,         &c1};
   }
   std::string where() const { return listed(letters_of(start), 6) + ", $t$ = " + format_shortest(t); }
-  TypesetIn<T> typeset() const;
   Tolerance tolerance(double size) const {
     return {1e-10 * size, "a thousand tolerances of the path's integration"};
   }
@@ -217,12 +233,50 @@ struct LaterOf {
     const T pull = start.mu() / r();
     return values(now.vy * h() - pull * now.x, -now.vx * h() - pull * now.y, 0);
   }
+  struct Apsides {
+    T nearest, farthest, half_axis;
+  };
+  /// By the energy and the angular momentum of the later moment.
+  Apsides apsides() const {
+    const T mu = start.mu(), energy = (pow(now.vx, 2) + pow(now.vy, 2)) / 2 - mu / r();
+    const T root = sqrt(mu * mu + 2 * energy * h() * h());
+    const T nearest = (mu - root) / (-2 * energy), farthest = (mu + root) / (-2 * energy);
+    return {nearest, farthest, (nearest + farthest) / 2};
+  }
+  /// V_0 and V_0' are by dual numbers at the start, `a` by the apsides of the later moment.
+  TypesetIn<T> typeset() const {
+    const Elements<T> of(start);
+    const AlongOf<T> at_start = first();
+    const T c = cos(start.theta0), s = sin(start.theta0);
+    return letters_of(start, {{"r", r()},
+                              {R"(\alpha)", start.M * start.h()},
+                              {R"(\theta)", theta},
+                              {R"(\dot\theta)", w()},
+                              {"V", V()},
+                              {"V_0", at_start.V},
+                              {"V_0'", at_start.V1},
+                              {"c_0", c0},
+                              {"c_1", c1},
+                              {R"(\mathbf r)", {now.x, now.y, 0}},
+                              {R"(\mathbf v)", {now.vx, now.vy, 0}},
+                              {R"(\mathbf r_0)", {at_start.x, at_start.y, 0}},
+                              {R"(\mathbf v_0)", {at_start.vx, at_start.vy, 0}},
+                              {R"(\mathbf c_0)", {0, 0, start.h()}},
+                              {R"(\mathbf R_0)", {c, s, 0}},
+                              {R"(\mathbf P_0)", {-s, c, 0}},
+                              {R"(\gamma_0)", of.gamma0},
+                              {R"(\gamma_1)", of.gamma1},
+                              {"e", of.e},
+                              {R"(\rho)", of.rho},
+                              {R"(\omega)", of.omega},
+                              {"a", apsides().half_axis}});
+  }
   /// All numbers of the sample, with angles as exact multiples of pi.
   LaterOf<Shortened> recorded() const requires std::same_as<T, double> {
     const auto angle = [](double x) { return pi_of<Shortened>() * (x / std::numbers::pi); };
-    const auto& [G, M, m, x, y, vx, vy, push_x, push_y] = now;
-    return {{start.G, start.M, start.r0, start.r0_dot, angle(start.theta0), start.theta0_dot},
-            {G, M, m, x, y, vx, vy, push_x, push_y},
+    const auto& [G, M, r0, r0_dot, theta0, theta0_dot] = start;
+    return {{G, M, r0, r0_dot, angle(theta0), theta0_dot},
+            {G, M, now.m, now.x, now.y, now.vx, now.vy, now.push_x, now.push_y},
             t,
             angle(theta),
             c0,
@@ -230,80 +284,18 @@ struct LaterOf {
   }
 };
 
-/// The distances of the apsides, from the energy and the angular momentum of the later moment.
-template <class T>
-struct Apsides {
-  T nearest, farthest, half_axis;
-
-  explicit Apsides(const LaterOf<T>& k) {
-    const T mu = k.start.mu(), energy = (pow(k.now.vx, 2) + pow(k.now.vy, 2)) / 2 - mu / k.r();
-    const T root = sqrt(mu * mu + 2 * energy * k.h() * k.h());
-    nearest = (mu - root) / (-2 * energy), farthest = (mu + root) / (-2 * energy);
-    half_axis = (nearest + farthest) / 2;
-  }
-};
-
-/// The orbit's elements by the lines that use the initial condition.
-template <class T>
-struct Elements {
-  T mu, squared, tilted;  ///< r0^3 theta0'^2, r0^2 r0' theta0'
-  T gamma0, gamma1, e, rho, omega;
-
-  explicit Elements(const Given<T>& start) : mu(start.mu()) {
-    const auto& [G, M, r0, r0_dot, theta0, w0] = start;
-    squared = r0 * r0 * r0 * w0 * w0, tilted = r0 * r0 * r0_dot * w0, gamma0 = r0 * r0 * abs(w0);
-    gamma1 = sqrt(pow(squared - mu, 2) + tilted * tilted), e = gamma1 / mu, rho = gamma0 * gamma0 / gamma1;
-    omega = theta0 - atan2(tilted, squared - mu);
-  }
-  T as_printed(const T& theta) const { return e * rho / (1 + e * cos(theta)); }
-};
-
-/// V_0 and V_0' are by dual numbers at the start, `a` by the apsides of the later moment.
-template <class T>
-TypesetIn<T> LaterOf<T>::typeset() const {
-  const Elements<T> of(start);
-  const AlongOf<T> at_start = first();
-  const T c = cos(start.theta0), s = sin(start.theta0);
-  TypesetIn<T> all = letters_of(start);
-  all.insert(all.end(), {{"r", r()},
-                         {R"(\alpha)", start.M * start.h()},
-                         {R"(\theta)", theta},
-                         {R"(\dot\theta)", w()},
-                         {"V", V()},
-                         {"V_0", at_start.V},
-                         {"V_0'", at_start.V1},
-                         {"c_0", c0},
-                         {"c_1", c1},
-                         {R"(\mathbf r)", {now.x, now.y, 0}},
-                         {R"(\mathbf v)", {now.vx, now.vy, 0}},
-                         {R"(\mathbf r_0)", {at_start.x, at_start.y, 0}},
-                         {R"(\mathbf v_0)", {at_start.vx, at_start.vy, 0}},
-                         {R"(\mathbf c_0)", {0, 0, start.h()}},
-                         {R"(\mathbf R_0)", {c, s, 0}},
-                         {R"(\mathbf P_0)", {-s, c, 0}},
-                         {R"(\gamma_0)", of.gamma0},
-                         {R"(\gamma_1)", of.gamma1},
-                         {"e", of.e},
-                         {R"(\rho)", of.rho},
-                         {R"(\omega)", of.omega},
-                         {"a", Apsides(*this).half_axis}});
-  return all;
-}
-
 /// A position and a velocity in space, with an acceleration by gravity.
 template <class T>
 struct InSpaceOf {
-  T mu;
   std::array<T, 3> q, v;
+  T mu;
 
-  InSpaceOf() = default;
-  explicit InSpaceOf(Random& random) : q(random.point()), v(random.point()) {
-    mu = abs(random.magnitude(0.1, 10));
+  Letters<T> table() {
+    return {{R"(\mathbf r)", q, {-1, 1}, "q"},
+            {R"(\mathbf v)", v, {-1, 1}, "v"},
+            {"GM", mu, positive_size(0.1, 10)}};
   }
-  std::array<T*, 7> letters() { return {&mu, &q[0], &q[1], &q[2], &v[0], &v[1], &v[2]}; }
-  TypesetIn<T> typeset() const {
-    return {{R"(\mathbf r)", q}, {R"(\mathbf v)", v}, {R"(\mathbf a)", gravity(mu, q)}};
-  }
+  TypesetIn<T> typeset() const { return {{R"(\mathbf a)", gravity(mu, q)}}; }
 };
 
 namespace {
@@ -381,12 +373,10 @@ struct AnyStart {
   }
   TypesetLetters typeset() const {
     const OneAngle<double> by_start(start);
-    TypesetLetters all = letters_of(start);
-    all.insert(all.end(), {{"e", Elements(start).e},
-                           {"c_0", by_start.c0},
-                           {"c_1", by_start.c1},
-                           {R"(\alpha)", by_start.alpha}});
-    return all;
+    return letters_of(start, {{"e", {Elements(start).e}},
+                              {"c_0", {by_start.c0}},
+                              {"c_1", {by_start.c1}},
+                              {R"(\alpha)", {by_start.alpha}}});
   }
 };
 
@@ -413,31 +403,11 @@ std::vector<AnyStart> and_straight(std::vector<AnyStart> all) {
   return all;
 }
 
-/// The formula as meant where its bars are lost, the reason, and the line's words after it.
-struct Also {
-  std::string meant = {}, why = {}, after = {};
-};
-
-/// Claims an equation, or several forms of one quantity, a=b=c.
-template <template <class> class Of>
-void forms(ProvableClaims<Of>& table, std::string_view slug, int line,
-           const typename ProvableClaims<Of>::Samples& samples,
-           const std::type_identity_t<ProvableFormula<Of>>& truth, const std::string& left,
-           const std::string& printed, const Also& also = {}) {
-  const auto row = [&](const std::string& text) {
-    const auto sides = formula::sides_of(text).sides;
-    if (text.empty() || sides.size() == 1 || truth.text == "zero")
-      return text.empty() ? "" : "$" + text + "$";
-    std::string all = "$(" + sides[0];
-    for (std::size_t i = 1; i < sides.size(); ++i) all += R"(,\ )" + sides[i];
-    return all + ")$";
-  };
-  table.formula(slug, line, "$" + left + (left.empty() ? "" : "=") + printed + "$" + also.after, samples,
-                {.quantity = left.empty() ? "" : "$" + left + "$",
-                 .truth = truth,
-                 .printed = row(printed),
-                 .meant = row(also.meant),
-                 .why = also.why});
+/// Claims an equation by the difference of its sides: as printed, and as meant where its bars are lost.
+template <class Claim, class Truth>
+void whole(const Claim& claim, std::string_view slug, int line, const Truth& no_difference,
+           const std::string& text, const std::string& meant = {}, const std::string& why = {}) {
+  claim(slug, line, text, {.truth = no_difference, .printed = text, .meant = meant, .why = why});
 }
 
 const std::string of_zero = "a multiple of zero is zero";
@@ -445,15 +415,15 @@ const std::string of_zero = "a multiple of zero is zero";
 // ---- Newton's law in polar coordinates: lines 945 to 1007 -------------------------------------------------
 
 void plane(SpaceTable& table, const std::vector<InSpaceOf<double>>& samples) {
-  table.formula("plane", 945,
-                R"(The normal $\mathbf c_0=\mathbf r\times\mathbf v$ is constant: the motion stays in the )"
-                R"(plane of $\mathbf r$ and $\mathbf v$.)",
-                samples,
-                {.quantity = R"($\mathbf r\times\mathbf a$, the rate of $\mathbf r\times\mathbf v$)",
-                 .truth = "$0$",
-                 .printed = R"($\mathbf r\times\mathbf a=(0,\ 0,\ 0)$)",
-                 .near_misses = {R"($\mathbf r\times(\mathbf a-0.1\,\mathbf v)=(0,\ 0,\ 0)$)"},
-                 .changes_that_hold = of_zero});
+  table.over(samples)(
+      "plane", 945,
+      R"(The normal $\mathbf c_0=\mathbf r\times\mathbf v$ is constant: the motion stays in the )"
+      R"(plane of $\mathbf r$ and $\mathbf v$.)",
+      {.quantity = R"($\mathbf r\times\mathbf a$, the rate of $\mathbf r\times\mathbf v$)",
+       .truth = "$0$",
+       .printed = R"($\mathbf r\times\mathbf a=(0,\ 0,\ 0)$)",
+       .near_misses = {R"($\mathbf r\times(\mathbf a-0.1\,\mathbf v)=(0,\ 0,\ 0)$)"},
+       .changes_that_hold = of_zero});
 }
 
 void motion_in_a_plane(Claims& claims, const std::vector<Later>& orbits, double seed) {
@@ -465,9 +435,8 @@ void motion_in_a_plane(Claims& claims, const std::vector<Later>& orbits, double 
                    [](const AnyStart& k) { return k.across == 0 || !k.falls(); }},
        .near_misses = {{R"($r$ stays above $r_0/1000$ also where $\mathbf r$ and $\mathbf v$ are in line)",
                         [](const AnyStart& k) { return !k.falls(); }}}});
-  std::vector<Later> forward;
-  std::ranges::copy_if(orbits, std::back_inserter(forward),
-                       [](const Later& k) { return k.start.theta0_dot > 0; });
+  std::vector<Later> forward = orbits;
+  std::erase_if(forward, [](const Later& k) { return k.start.theta0_dot <= 0; });
   claims.statement<Later>("increasing", 987,
                           R"(For $\dot\theta_0>0$ the angle increases strictly for all time.)", forward,
                           {.printed = {R"($(\dot\theta,\ \theta)>(0,\ \theta_0)$)"},
@@ -475,41 +444,42 @@ void motion_in_a_plane(Claims& claims, const std::vector<Later>& orbits, double 
 }
 
 void polar_acceleration(PushedTable& table, const std::vector<Pushed>& moments) {
+  const auto claim = table.over(moments);
   const auto acceleration =
       along<PushedOf>(R"($\ddot{\mathbf r}$, any acceleration in Cartesian coordinates)",
                       [](const auto& k) { return in_plane(k.ax, k.ay); }, &Along::of_rates);
-  const std::string polar = R"((\ddot r-r\dot\theta^2)\mathbf R+(r\ddot\theta+2\dot r\dot\theta)\mathbf P)";
-  forms(table, "acceleration", 949, moments, acceleration, R"(\mathbf a)", polar);
-  table.formula(
-      "equation_number", 947, "Equation (3.2) is the polar form of any acceleration.", moments,
+  const std::string polar =
+      R"($\mathbf a=(\ddot r-r\dot\theta^2)\mathbf R+(r\ddot\theta+2\dot r\dot\theta)\mathbf P$)";
+  claim.equation("acceleration", 949, polar, acceleration);
+  claim(
+      "equation_number", 947, "Equation (3.2) is the polar form of any acceleration.",
       {.quantity = R"($\mathbf a$, which is $-(GM/r^2)\mathbf R$ by equation (3.2))",
        .truth = acceleration,
        .printed = R"($-(GM/r^2)\mathbf R$)",
-       .meant = R"($\mathbf a=)" + polar + "$",
+       .meant = polar,
        .kind = Fault::number,
        .why =
            R"(Exercise 3.1 (855) and the end of this one (1229) give the number (3.2) to the orbit, )"
            R"($r=e\rho/(1+e\cos\theta)$, whose only acceleration is $-GM/r^2$ towards the sun. The polar form )"
            R"(is another equation of the book: whoever looks (3.2) up for it finds the orbit.)"});
-  forms(table, "areal", 973, moments,
-        along<PushedOf>(R"($x\ddot y-y\ddot x$)", [](const auto& k) { return k.x * k.ay - k.y * k.ax; },
-                        &Along::of_moment),
-        "",
-        R"(r(r\ddot\theta+2\dot r\dot\theta)=r^2\ddot\theta+2r\dot r\dot\theta=\frac{d}{dt}(r^2\dot\theta))");
+  claim(
+      "areal", 973,
+      R"($r(r\ddot\theta+2\dot r\dot\theta)=r^2\ddot\theta+2r\dot r\dot\theta=\frac{d}{dt}(r^2\dot\theta)$)",
+      along<PushedOf>(R"($x\ddot y-y\ddot x$)", [](const auto& k) { return k.x * k.ay - k.y * k.ax; },
+                      &Along::of_moment),
+      R"($(r(r\ddot\theta+2\dot r\dot\theta),\ r^2\ddot\theta+2r\dot r\dot\theta,\ \frac{d}{dt}(r^2\dot\theta))$)");
 }
 
 void equations_of_motion(Table& table, const std::vector<Moment>& moments) {
-  table.formula(
-      "unit_vector", 945,
-      R"($\mathbf r=r\mathbf R$, and $\mathbf R$ is of length 1 and points from the sun to the planet.)",
-      moments,
-      {.truth = along("the planet's coordinates", [](const auto& k) { return in_plane(k.x, k.y); }),
-       .printed = R"($\mathbf r=r\mathbf R$)"});
-  table.formula(
+  const auto claim = table.over(moments);
+  claim("unit_vector", 945,
+        R"($\mathbf r=r\mathbf R$, and $\mathbf R$ is of length 1 and points from the sun to the planet.)",
+        along("the planet's coordinates", [](const auto& k) { return in_plane(k.x, k.y); }),
+        R"($\mathbf r=r\mathbf R$)");
+  claim(
       "gravity", 953,
       R"($\mathbf a=-GM\,r^3\,\mathbf r$ (the distance cubed, times the vector) )"
       R"($=-GM\,r^2\,\mathbf R=-(GM/r^2)\mathbf R+0\,\mathbf P$)",
-      moments,
       {.quantity = R"($\mathbf a$, three times)",
        .truth = along(R"(the slope of $GM/|\mathbf r|$ by dual numbers)",
                       [](const auto& k) { return in_plane(k.ax, k.ay, 3); }),
@@ -519,16 +489,14 @@ void equations_of_motion(Table& table, const std::vector<Moment>& moments) {
            R"(The fraction bars are lost; the last form has its bar. Without them the first form multiplies )"
            R"(the pull on a planet twice as far away by @2 and the second by @1, instead of by @2.)",
            {pow(2, 4), pow(2, 2), pow(2, -2)})});
-  forms(table, "radial", 967, moments, zero(&Along::of_rates), "", R"(\ddot r-r\dot\theta^2=-GM\,r^2)",
-        {R"(\ddot r-r\dot\theta^2=-GM/r^2)",
-         "The fraction bar is lost; equation (2), which follows from this line, shows it."});
-  table.formula("transverse", 967, R"($r\ddot\theta+2\dot r\dot\theta=0$)", moments,
-                {.quantity = "the left side",
-                 .truth = zero(&Along::of_rates),
-                 .printed = R"($r\ddot\theta+2\dot r\dot\theta=0$)",
-                 .changes_that_hold = of_zero});
-  table.formula(
-      "angular_momentum", 979, R"($\alpha=Mr^2\dot\theta$ is the angular momentum.)", moments,
+  const auto no_rest = zero(&Along::of_rates);
+  whole(claim, "radial", 967, no_rest, R"($\ddot r-r\dot\theta^2=-GM\,r^2$)",
+        R"($\ddot r-r\dot\theta^2=-GM/r^2$)",
+        "The fraction bar is lost; equation (2), which follows from this line, shows it.");
+  claim("transverse", 967, R"($r\ddot\theta+2\dot r\dot\theta=0$)", no_rest,
+        R"($r\ddot\theta+2\dot r\dot\theta=0$)", "the left side", of_zero);
+  claim(
+      "angular_momentum", 979, R"($\alpha=Mr^2\dot\theta$ is the angular momentum.)",
       {.quantity = R"($\partial L/\partial\dot\theta$ of a planet of mass $m$)",
        .truth = along(R"($L=T-V$ differentiated by dual numbers)",
                       [](const auto& k) {
@@ -546,10 +514,10 @@ void equations_of_motion(Table& table, const std::vector<Moment>& moments) {
            R"(sun's. $\alpha$ is constant all the same, and the later lines use no more: only )"
            R"($\alpha/M=r^2\dot\theta$ ever enters.)",
            {suns_per_earth})});
-  forms(table, "radial_equation", 995, moments,
-        along(R"($-GM/r^2$)", [](const auto& k) { return -k.mu / (k.r * k.r); }, &Along::of_rates),
-        R"(-GM/r^2)", R"(\ddot r-r\dot\theta^2=\ddot r-r(\alpha/(Mr^2))^2=\ddot r-\alpha^2/(M^2r^3))",
-        {.after = " (2)"});
+  claim.equation(
+      "radial_equation", 995,
+      R"($-GM/r^2=\ddot r-r\dot\theta^2=\ddot r-r(\alpha/(Mr^2))^2=\ddot r-\alpha^2/(M^2r^3)$ (2))",
+      along(R"($-GM/r^2$)", [](const auto& k) { return -k.mu / (k.r * k.r); }, &Along::of_rates));
 }
 
 /// A moment whose acceleration is also taken near the sun, alpha being the same.
@@ -563,21 +531,19 @@ struct NearTheSun : Moment {
 };
 
 void singularity(Claims& claims, const std::vector<Moment>& moments) {
-  std::vector<NearTheSun> near;
-  for (const Moment& k : moments) near.push_back({k});
-  claims.formula<NearTheSun>(
-      "singular", 1007, R"(The right-hand side of (2) has a singularity at $r=0$.)", near,
-      {.quantity = R"($\ddot r$ at $z$ over $\ddot r$ at $2z$, $z=2^{-21}r$, if it grows like $1/r^3$)",
-       .truth = {"Cartesian, by dual numbers",
-                 [](const NearTheSun& k) { return k.fall(k.z()) / k.fall(2 * k.z()); }},
-       .printed = {"$2^3$"}});
+  const std::vector<NearTheSun> near(moments.begin(), moments.end());
+  claims.over(near)(
+      "singular", 1007, R"(The right-hand side of (2) has a singularity at $r=0$.)",
+      {"Cartesian, by dual numbers", [](const NearTheSun& k) { return k.fall(k.z()) / k.fall(2 * k.z()); }},
+      {"$2^3$"}, R"($\ddot r$ at $z$ over $\ddot r$ at $2z$, $z=2^{-21}r$, if it grows like $1/r^3$)");
 }
 
 // ---- the potential as a function of the angle: lines 1009 to 1101 -----------------------------------------
 
 void equation_of_the_potential(Table& table, const std::vector<Moment>& moments) {
-  table.formula(
-      "potential_energy", 1009, R"($V=-GM/r$ is the potential energy.)", moments,
+  const auto claim = table.over(moments);
+  claim(
+      "potential_energy", 1009, R"($V=-GM/r$ is the potential energy.)",
       {.quantity = R"(the force on a planet of mass $m$, with $dV/dr$ of this $V$ by dual numbers)",
        .truth = along(R"($m$ times the slope of $GM/|\mathbf r|$ by dual numbers)",
                       [](const auto& k) { return k.m * (k.ax * k.c + k.ay * k.s); }),
@@ -588,80 +554,70 @@ void equation_of_the_potential(Table& table, const std::vector<Moment>& moments)
            R"(The force on a planet of mass $m$ is $-GMm/r^2$; $-GM/r$ is its energy divided by $m$, and )"
            R"($\alpha=Mr^2\dot\theta$ its momentum times $M/m$: $V$ and $\alpha$ belong to different masses. The )"
            R"(orbit depends on neither; only a display of energies in joules is off by the factor $m$.)"});
-  const auto rate = [&](std::string_view slug, int line, const std::string& printed, const Also& also) {
-    forms(table, slug, line, moments,
-          along(R"($\dot r$ by dual numbers)", [](const auto& k) { return k.r_dot; }), R"(\dot r)", printed,
-          also);
-  };
-  const auto second_rate = [&](std::string_view slug, int line, const std::string& printed,
-                               const Also& also = {}) {
-    forms(table, slug, line, moments,
-          along(R"($\ddot r$ by dual numbers)", [](const auto& k) { return k.r_dot_dot; }, &Along::of_rates),
-          R"(\ddot r)", printed, also);
-  };
-  const auto equation = [&](std::string_view slug, int line, Terms terms, const std::string& printed,
-                            const Also& also = {}) {
-    forms(table, slug, line, moments, zero(terms), "", printed, also);
-  };
-  rate("power_rule", 1013, R"(\frac{d}{dt}(-GM\,V)=(GM/V^2)\,dV/dt)",
-       {R"(\frac{d}{dt}(-GM/V)=(GM/V^2)\,dV/dt)",
-        R"(The fraction bar of $-GM/V$ is lost. The product $-GMV=G^2M^2/r$ is no distance, and shrinks )"
-        R"(where the distance grows.)"});
-  rate("chain_rule", 1021, R"(GM\,V^2\,(dV/d\theta)\,\dot\theta)",
-       {R"((GM/V^2)\,(dV/d\theta)\,\dot\theta)",
-        filled(
-            R"(The fraction bar is lost; the line before shows it. For the Earth, in astronomical units and )"
-            R"(years, the product $GMV^2$ is @5 where the quotient is @2.)",
-            {pow(four_pi_squared, 3), 1 / four_pi_squared})});
-  rate("r_dot", 1031, R"(GM\,(-GM/r)^2\,V'\,(\alpha\,Mr^2)=\alpha V'/(GM^2))",
-       {R"(GM/(-GM/r)^2\,V'\,(\alpha/(Mr^2))=\alpha V'/(GM^2))",
-        R"(The bars of the first form's two fractions are lost. As products, the powers of $r$ cancel as )"
-        R"(well, and the result is $G^3M^4\alpha V'$ for $\alpha V'/(GM^2)$.)"});
-  second_rate(
-      "second_chain_rule", 1041, R"(\alpha\,GM^2\,dV'/dt=\alpha\,GM^2\,V''\dot\theta)",
-      {R"(\alpha/(GM^2)\,dV'/dt=\alpha/(GM^2)\,V''\dot\theta)",
-       "The fraction bar is lost, here and in line 1049: line 1037, which is differentiated, shows it."});
-  second_rate(
-      "r_dot_dot", 1055, R"(\alpha\,GM^2\,V''\,(\alpha\,Mr^2)=\alpha^2V''/(GM^3r^2))",
-      {R"(\alpha/(GM^2)\,V''\,(\alpha/(Mr^2))=\alpha^2V''/(GM^3r^2))",
-       R"(The bars of $\alpha/(GM^2)$ and of $\dot\theta=\alpha/(Mr^2)$ are lost; the last form of the )"
-       R"(line has one for both.)"});
-  second_rate("r_dot_dot_by_V", 1063, R"(\alpha^2V''/(GM^3(-GM/V)^2)=\alpha^2V''V^2/(G^3M^5))");
-  equation("radial_equation_again", 1073, &Along::of_rates, R"(-GM\,r^2=\ddot r-\alpha^2/(M^2r^3))",
-           {R"(-GM/r^2=\ddot r-\alpha^2/(M^2r^3))",
-            "The fraction bar is lost; equation (2), which the line repeats, shows it."});
-  equation(
-      "substituted", 1077, &Along::of_rates,
-      R"(-GM\,(-GM/V)^2=\alpha^2V''V^2/(G^3M^5)-\alpha^2/(M^2(-GM/V)^3))",
-      {R"(-GM/(-GM/V)^2=\alpha^2V''V^2/(G^3M^5)-\alpha^2/(M^2(-GM/V)^3))",
-       R"(The bar of the left side is lost, as at line 953: $GM(-GM/V)^2$ is $GMr^2$, a pull that grows )"
-       R"(with the distance. The next line, $-V^2/(GM)$, is the quotient.)"});
-  equation("simplified", 1083, &Along::of_rates, R"(-V^2/(GM)=\alpha^2V''V^2/(G^3M^5)+\alpha^2V^3/(G^3M^5))");
-  equation("potential_equation", 1091, &Along::of_bend, R"(-G^2M^4/\alpha^2=V''+V)");
-  table.formula(
-      "characteristic", 1095, R"($\lambda^2+1=0$ has the roots $\lambda=\pm i$.)", moments,
-      {.quantity = R"($V''$ times the unit matrix, $\lambda=i$ being the matrix of a quarter turn)",
-       .truth = along(
-           "$V''$ by dual numbers", [](const auto& k) { return values(k.V2, 0, 0, k.V2); }, &Along::of_bend),
-       .printed = R"($\lambda\lambda(V+G^2M^4/\alpha^2)$)"});
-  table.formula("independent", 1095,
-                R"($\sin\theta$ and $\cos\theta$ are linearly independent solutions of $V''+V=0$.)", moments,
-                {.quantity = "Wronski's determinant, which must not be zero",
-                 .truth = along("the determinant by dual numbers",
-                                [](const auto& k) {
-                                  return k.s * derivative([](auto z) { return cos(z); }, k.angle) -
-                                         k.c * derivative([](auto z) { return sin(z); }, k.angle);
-                                }),
-                 .printed = "$-1$"});
-  table.formula("particular", 1101, R"($V_p=-G^2M^4/\alpha^2$ has $V_p''+V_p=0-G^2M^4/\alpha^2$)", moments,
-                {.quantity = R"($(V,V',V'')$ on a circle, where $V$ is constant and $\alpha$ is $\alpha_c$)",
-                 .truth = along("$V$, $V'$ and $V''$ on a circle, by dual numbers",
-                                []<class T>(const AlongOf<T>& k) {
-                                  const auto w = sqrt(k.mu / (k.r * k.r * k.r)), x = k.r * k.c, y = k.r * k.s;
-                                  const AlongOf circle(MomentOf<T>{k.G, k.M, k.m, x, y, -w * y, w * x, 0, 0});
-                                  return values(circle.V, circle.V1, circle.V2);
-                                }),
-                 .printed = R"($(-G^2M^4/\alpha_c^2,\ 0,\ 0)$)"});
+  const auto rate = along(R"($\dot r$ by dual numbers)", [](const auto& k) { return k.r_dot; });
+  claim.lost(
+      "power_rule", 1013, R"($\dot r=\frac{d}{dt}(-GM\,V)=(GM/V^2)\,dV/dt$)", rate,
+      R"($\dot r=\frac{d}{dt}(-GM/V)=(GM/V^2)\,dV/dt$)",
+      R"(The fraction bar of $-GM/V$ is lost. The product $-GMV=G^2M^2/r$ is no distance, and shrinks )"
+      R"(where the distance grows.)");
+  claim.lost(
+      "chain_rule", 1021, R"($\dot r=GM\,V^2\,(dV/d\theta)\,\dot\theta$)", rate,
+      R"($\dot r=(GM/V^2)\,(dV/d\theta)\,\dot\theta$)",
+      filled(
+          R"(The fraction bar is lost; the line before shows it. For the Earth, in astronomical units and )"
+          R"(years, the product $GMV^2$ is @5 where the quotient is @2.)",
+          {pow(four_pi_squared, 3), 1 / four_pi_squared}));
+  claim.lost(
+      "r_dot", 1031, R"($\dot r=GM\,(-GM/r)^2\,V'\,(\alpha\,Mr^2)=\alpha V'/(GM^2)$)", rate,
+      R"($\dot r=GM/(-GM/r)^2\,V'\,(\alpha/(Mr^2))=\alpha V'/(GM^2)$)",
+      R"(The bars of the first form's two fractions are lost. As products, the powers of $r$ cancel as )"
+      R"(well, and the result is $G^3M^4\alpha V'$ for $\alpha V'/(GM^2)$.)");
+  const auto second_rate =
+      along(R"($\ddot r$ by dual numbers)", [](const auto& k) { return k.r_dot_dot; }, &Along::of_rates);
+  claim.lost(
+      "second_chain_rule", 1041, R"($\ddot r=\alpha\,GM^2\,dV'/dt=\alpha\,GM^2\,V''\dot\theta$)", second_rate,
+      R"($\ddot r=\alpha/(GM^2)\,dV'/dt=\alpha/(GM^2)\,V''\dot\theta$)",
+      "The fraction bar is lost, here and in line 1049: line 1037, which is differentiated, shows it.");
+  claim.lost(
+      "r_dot_dot", 1055, R"($\ddot r=\alpha\,GM^2\,V''\,(\alpha\,Mr^2)=\alpha^2V''/(GM^3r^2)$)", second_rate,
+      R"($\ddot r=\alpha/(GM^2)\,V''\,(\alpha/(Mr^2))=\alpha^2V''/(GM^3r^2)$)",
+      R"(The bars of $\alpha/(GM^2)$ and of $\dot\theta=\alpha/(Mr^2)$ are lost; the last form of the )"
+      R"(line has one for both.)");
+  claim.equation("r_dot_dot_by_V", 1063, R"($\ddot r=\alpha^2V''/(GM^3(-GM/V)^2)=\alpha^2V''V^2/(G^3M^5)$)",
+                 second_rate);
+  const auto no_rest = zero(&Along::of_rates);
+  whole(claim, "radial_equation_again", 1073, no_rest, R"($-GM\,r^2=\ddot r-\alpha^2/(M^2r^3)$)",
+        R"($-GM/r^2=\ddot r-\alpha^2/(M^2r^3)$)",
+        "The fraction bar is lost; equation (2), which the line repeats, shows it.");
+  whole(claim, "substituted", 1077, no_rest,
+        R"($-GM\,(-GM/V)^2=\alpha^2V''V^2/(G^3M^5)-\alpha^2/(M^2(-GM/V)^3)$)",
+        R"($-GM/(-GM/V)^2=\alpha^2V''V^2/(G^3M^5)-\alpha^2/(M^2(-GM/V)^3)$)",
+        R"(The bar of the left side is lost, as at line 953: $GM(-GM/V)^2$ is $GMr^2$, a pull that grows )"
+        R"(with the distance. The next line, $-V^2/(GM)$, is the quotient.)");
+  whole(claim, "simplified", 1083, no_rest, R"($-V^2/(GM)=\alpha^2V''V^2/(G^3M^5)+\alpha^2V^3/(G^3M^5)$)");
+  whole(claim, "potential_equation", 1091, zero(&Along::of_bend), R"($-G^2M^4/\alpha^2=V''+V$)");
+  claim("characteristic", 1095, R"($\lambda^2+1=0$ has the roots $\lambda=\pm i$.)",
+        along(
+            "$V''$ by dual numbers", [](const auto& k) { return values(k.V2, 0, 0, k.V2); }, &Along::of_bend),
+        R"($\lambda\lambda(V+G^2M^4/\alpha^2)$)",
+        R"($V''$ times the unit matrix, $\lambda=i$ being the matrix of a quarter turn)");
+  claim("independent", 1095,
+        R"($\sin\theta$ and $\cos\theta$ are linearly independent solutions of $V''+V=0$.)",
+        along("the determinant by dual numbers",
+              [](const auto& k) {
+                return k.s * derivative([](auto z) { return cos(z); }, k.angle) -
+                       k.c * derivative([](auto z) { return sin(z); }, k.angle);
+              }),
+        "$-1$", "Wronski's determinant, which must not be zero");
+  claim("particular", 1101, R"($V_p=-G^2M^4/\alpha^2$ has $V_p''+V_p=0-G^2M^4/\alpha^2$)",
+        along("$V$, $V'$ and $V''$ on a circle, by dual numbers",
+              []<class T>(const AlongOf<T>& k) {
+                const auto w = sqrt(k.mu / (k.r * k.r * k.r)), x = k.r * k.c, y = k.r * k.s;
+                const AlongOf circle(MomentOf<T>{k.G, k.M, k.m, x, y, -w * y, w * x, 0, 0});
+                return values(circle.V, circle.V1, circle.V2);
+              }),
+        R"($(-G^2M^4/\alpha_c^2,\ 0,\ 0)$)",
+        R"($(V,V',V'')$ on a circle, where $V$ is constant and $\alpha$ is $\alpha_c$)");
 }
 
 // ---- from the start to a later moment: lines 979 to 1227 --------------------------------------------------
@@ -670,10 +626,9 @@ void time_by_angle(LaterTable& table, const std::vector<Later>& orbits) {
   const auto at = [](const auto& k, const auto& angle) {
     return values(k.time_between(k.start.theta0, angle, k.start.h()), k.distance(angle));
   };
-  table.formula(
+  table.over(orbits)(
       "invertible", 987,
       R"($t$ is a function of $\theta$, $t=f^{-1}(\theta)$, and $r(f^{-1}(\theta))$ is the distance as a function of the angle.)",
-      orbits,
       {.quantity = R"($(t,r)$)",
        .truth = {"time and distance on a path by Newton's law",
                  [](const auto& k) { return values(k.t, k.r()); }},
@@ -691,42 +646,37 @@ OfStart by_two_places(const std::string& text, const F& of) {
 }
 
 void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
+  const auto claim = table.over(orbits);
   const OfStart rate{R"($\dot\theta$ later on a path by Newton's law)", [](const auto& k) { return k.w(); }};
-  table.formula("conserved", 979,
-                R"($r^2\dot\theta$ is constant, and so is $\alpha=Mr^2\dot\theta=Mr_0^2\dot\theta_0$.)",
-                orbits,
-                {.truth = {R"($x\dot y-y\dot x$ later on a path by Newton's law, and $M$ times it)",
-                           [](const auto& k) { return values(k.h(), k.start.M * k.h()); }},
-                 .printed = R"($(r_0^2\dot\theta_0,\ Mr_0^2\dot\theta_0)$)"});
-  forms(table, "rate", 981, orbits, rate, R"(\dot\theta)", R"(\alpha/(Mr^2)=r_0^2\dot\theta_0\,r^2)",
-        {R"(\alpha/(Mr^2)=r_0^2\dot\theta_0/r^2)",
-         filled(R"(The bar of the second fraction is lost; the first form has its bar. Without it, a planet )"
-                R"(that has come to twice its distance goes round at @1 times its rate instead of @2 of it.)",
-                {pow(2, 2), pow(2, -2)}),
-         " (1)"});
-  table.formula("constant", 1095, R"(The left-hand side $-G^2M^4/\alpha^2$ is a constant.)", orbits,
-                {.truth = {R"($-G^2M^4/\alpha^2$ by the angular momentum later on a path by Newton's law)",
-                           [](const auto& k) { return -pow(k.start.mu() / k.h(), 2); }},
-                 .printed = R"($-G^2M^4/\alpha^2$)"});
-  table.formula("homogeneous", 1097, R"($V_h=c_0\sin\theta+c_1\cos\theta$ has $V_h''+V_h=0$)", orbits,
-                {.quantity = R"($V_h''$, $V_h$ being $V-V_p$ at a third place)",
-                 .truth = {R"($V_h''$ by dual numbers, $c_0$ and $c_1$ from two places on the path)",
-                           [](const auto& k) {
-                             return second_derivative([&](auto z) { return k.c0 * sin(z) + k.c1 * cos(z); },
-                                                      k.theta);
-                           }},
-                 .printed = R"($V_h''=-(V+G^2M^4/\alpha^2)$)"});
-  forms(table, "potential", 1107, orbits,
-        {R"($-GM/r$ later on a path by Newton's law)", [](const auto& k) { return k.V(); }}, "V",
-        R"(c_0\sin\theta+c_1\cos\theta-G^2M^4/\alpha^2)", {.after = " (3)"});
-  forms(table, "potential_slope", 1113, orbits,
-        {R"($\dot V/\dot\theta$ later on the path, by dual numbers)",
-         [](const auto& k) { return AlongOf(k.now).V1; }},
-        "V'", R"(c_0\cos\theta-c_1\sin\theta)");
-  table.formula(
+  claim("conserved", 979,
+        R"($r^2\dot\theta$ is constant, and so is $\alpha=Mr^2\dot\theta=Mr_0^2\dot\theta_0$.)",
+        {R"($x\dot y-y\dot x$ later on a path by Newton's law, and $M$ times it)",
+         [](const auto& k) { return values(k.h(), k.start.M * k.h()); }},
+        R"($(r_0^2\dot\theta_0,\ Mr_0^2\dot\theta_0)$)");
+  claim.lost(
+      "rate", 981, R"($\dot\theta=\alpha/(Mr^2)=r_0^2\dot\theta_0\,r^2$ (1))", rate,
+      R"($\dot\theta=\alpha/(Mr^2)=r_0^2\dot\theta_0/r^2$)",
+      filled(R"(The bar of the second fraction is lost; the first form has its bar. Without it, a planet )"
+             R"(that has come to twice its distance goes round at @1 times its rate instead of @2 of it.)",
+             {pow(2, 2), pow(2, -2)}));
+  claim("constant", 1095, R"(The left-hand side $-G^2M^4/\alpha^2$ is a constant.)",
+        {R"($-G^2M^4/\alpha^2$ by the angular momentum later on a path by Newton's law)",
+         [](const auto& k) { return -pow(k.start.mu() / k.h(), 2); }},
+        R"($-G^2M^4/\alpha^2$)");
+  claim("homogeneous", 1097, R"($V_h=c_0\sin\theta+c_1\cos\theta$ has $V_h''+V_h=0$)",
+        {R"($V_h''$ by dual numbers, $c_0$ and $c_1$ from two places on the path)",
+         [](const auto& k) {
+           return second_derivative([&](auto z) { return k.c0 * sin(z) + k.c1 * cos(z); }, k.theta);
+         }},
+        R"($V_h''=-(V+G^2M^4/\alpha^2)$)", R"($V_h''$, $V_h$ being $V-V_p$ at a third place)");
+  claim.equation("potential", 1107, R"($V=c_0\sin\theta+c_1\cos\theta-G^2M^4/\alpha^2$ (3))",
+                 {R"($-GM/r$ later on a path by Newton's law)", [](const auto& k) { return k.V(); }});
+  claim.equation("potential_slope", 1113, R"($V'=c_0\cos\theta-c_1\sin\theta$)",
+                 {R"($\dot V/\dot\theta$ later on the path, by dual numbers)",
+                  [](const auto& k) { return AlongOf(k.now).V1; }});
+  claim(
       "system", 1117,
       R"(At $\theta_0$: $c_0\sin\theta_0+c_1\cos\theta_0=V_0+G^2M^4/\alpha^2$, $c_0\cos\theta_0-c_1\sin\theta=V_0'$)",
-      orbits,
       {.quantity = R"($V_0+G^2M^4/\alpha^2$ and $V_0'$)",
        .truth = {R"($-GM/r_0+G^2M^4/\alpha^2$ and $\dot V/\dot\theta$ at the start, by dual numbers)",
                  [](const auto& k) { return values(k.first().V + k.mean(), k.first().V1); }},
@@ -737,20 +687,17 @@ void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
               "solution given next shows."});
   const std::string bracket = R"((V_0+G^2M^4/\alpha^2))", c0 = bracket + R"(\sin\theta_0+V_0'\cos\theta_0)",
                     c1 = bracket + R"(\cos\theta_0-V_0'\sin\theta_0)";
-  table.formula("system_solved", 1123, "$c_0=" + c0 + "$, $c_1=" + c1 + "$", orbits,
-                {.quantity = R"($(c_0,c_1)$, $V_0$ and $V_0'$ by dual numbers)",
-                 .truth = {R"($c_0$ and $c_1$ from two later places on the path)",
-                           [](const auto& k) { return values(k.c0, k.c1); }},
-                 .printed = "$(" + c0 + R"(,\ )" + c1 + ")$"});
-  forms(table, "V0_slope", 1149, orbits,
-        by_two_places("(3) differentiated", [](const auto& k) { return k.slope(k.start.theta0); }), "V_0'",
-        R"(GM^2\dot r_0\,\alpha)",
-        {R"(GM^2\dot r_0/\alpha)",
-         R"(The fraction bar is lost; line 1031, from which it comes, is $\dot r=\alpha V'/(GM^2)$.)"});
-  table.formula(
+  claim("system_solved", 1123, "$c_0=" + c0 + "$, $c_1=" + c1 + "$",
+        {R"($c_0$ and $c_1$ from two later places on the path)",
+         [](const auto& k) { return values(k.c0, k.c1); }},
+        "$(" + c0 + R"(,\ )" + c1 + ")$", R"($(c_0,c_1)$, $V_0$ and $V_0'$ by dual numbers)");
+  claim.lost("V0_slope", 1149, R"($V_0'=GM^2\dot r_0\,\alpha$)",
+             by_two_places("(3) differentiated", [](const auto& k) { return k.slope(k.start.theta0); }),
+             R"($V_0'=GM^2\dot r_0/\alpha$)",
+             R"(The fraction bar is lost; line 1031, from which it comes, is $\dot r=\alpha V'/(GM^2)$.)");
+  claim(
       "mass_cancels", 1171,
       R"($G^2M^4/(Mr_0^2\dot\theta_0)^2=G^2M^2/(r_0^4\dot\theta_0^2)$, and the term in $\dot r_0$ is $GM\,\dot r_0\,r_0^2\dot\theta_0$)",
-      orbits,
       {.quantity = R"($G^2M^4/\alpha^2$ and $GM^2\dot r_0/\alpha$)",
        .truth = {R"($\alpha=Mr^2\dot\theta$ taken later on the path)",
                  [](const auto& k) {
@@ -764,69 +711,67 @@ void constants_of_motion(LaterTable& table, const std::vector<Later>& orbits) {
                   R"(below the second's $GM\,\dot r_0\,r_0^2\dot\theta_0$ is @2, and the quotient @2.)",
                   {near_earth.mu() * near_earth.r0_dot * near_earth.h(),
                    near_earth.mu() * near_earth.r0_dot / near_earth.h()})});
-  table.formula(
-      "last_term_of_c1", 1187, R"(The last term of (5) is $GM\,\dot r_0\,r_0^2\dot\theta_0\sin\theta_0$.)",
-      orbits,
-      {.quantity = R"($V_0'\sin\theta_0$)",
-       .truth = by_two_places("(3) differentiated",
-                              [](const auto& k) { return k.slope(k.start.theta0) * sin(k.start.theta0); }),
-       .printed = R"($GM\,\dot r_0\,r_0^2\dot\theta_0\sin\theta_0$)",
-       .meant = R"($GM\,\dot r_0/(r_0^2\dot\theta_0)\,\sin\theta_0$)",
-       .why = "The fraction bar is lost, as in (4)."});
-  table.formula(
-      "V0_put_in", 1159, R"(Put into $c_0$ and $c_1$, $V_0$ is $GM\,r_0$.)", orbits,
-      {.quantity = R"(the first term of the brackets, whose sign is judged at `V0`)",
-       .truth = by_two_places(R"($-V(\theta_0)$ by (3))",
-                              [](const auto& k) { return k.mean() - k.potential(k.start.theta0); }),
-       .printed = R"($GM\,r_0$)",
-       .meant = R"($GM/r_0$)",
-       .why =
-           R"(The fraction bar is lost here and at lines 1171 and 1187; line 1143, which is put in, shows )"
-           R"(it. The sign of $V_0$ is wrong in all of them.)"});
+  claim("last_term_of_c1", 1187, R"(The last term of (5) is $GM\,\dot r_0\,r_0^2\dot\theta_0\sin\theta_0$.)",
+        {.quantity = R"($V_0'\sin\theta_0$)",
+         .truth = by_two_places("(3) differentiated",
+                                [](const auto& k) { return k.slope(k.start.theta0) * sin(k.start.theta0); }),
+         .printed = R"($GM\,\dot r_0\,r_0^2\dot\theta_0\sin\theta_0$)",
+         .meant = R"($GM\,\dot r_0/(r_0^2\dot\theta_0)\,\sin\theta_0$)",
+         .why = "The fraction bar is lost, as in (4)."});
+  claim("V0_put_in", 1159, R"(Put into $c_0$ and $c_1$, $V_0$ is $GM\,r_0$.)",
+        {.quantity = R"(the first term of the brackets, whose sign is judged at `V0`)",
+         .truth = by_two_places(R"($-V(\theta_0)$ by (3))",
+                                [](const auto& k) { return k.mean() - k.potential(k.start.theta0); }),
+         .printed = R"($GM\,r_0$)",
+         .meant = R"($GM/r_0$)",
+         .why =
+             R"(The fraction bar is lost here and at lines 1171 and 1187; line 1143, which is put in, shows )"
+             R"(it. The sign of $V_0$ is wrong in all of them.)"});
 
-  /// The text splits where the sign is missing.
+  /// A sign is missing at the @.
+  const auto with = [](std::string text, const char* sign) { return text.replace(text.find('@'), 1, sign); };
   const auto wrong_sign = [&](std::string_view slug, int line, const std::string& says,
-                              const std::string& quantity, const OfStart& truth, const std::string& left,
-                              const std::string& right, std::string why) {
-    table.formula(slug, line, says, orbits,
-                  {.quantity = "$" + quantity + "$",
-                   .truth = truth,
-                   .printed = "$" + quantity + "=" + left + right + "$",
-                   .corrected = "$" + quantity + "=" + left + "-" + right + "$",
-                   .root = "sign of the potential at the start",
-                   .why = std::move(why)});
+                              const std::string& text, const OfStart& truth, const std::string& why) {
+    claim(slug, line, says,
+          {.quantity = sides_of_equation(text).first,
+           .truth = truth,
+           .printed = with(text, ""),
+           .corrected = with(text, "-"),
+           .root = "sign of the potential at the start",
+           .why = why});
   };
-  /// (4), (5) or the bracket of (7) after the sign, by the factors of its terms.
+  /// (4), (5) or the bracket of (7), by the factors of its terms.
   const auto constant = [](const std::string& first, const std::string& last) {
-    return R"(\frac{GM}{r_0}+\frac{G^2M^2}{r_0^4\dot\theta_0^2}\right))" + first +
+    return R"(\left(@\frac{GM}{r_0}+\frac{G^2M^2}{r_0^4\dot\theta_0^2}\right))" + first +
            R"(\frac{GM\dot r_0}{r_0^2\dot\theta_0})" + last;
   };
-  const std::string open = R"(\left()", fourth = constant(R"(\sin\theta_0+)", R"(\cos\theta_0)"),
-                    fifth = constant(R"(\cos\theta_0-)", R"(\sin\theta_0)");
+  const std::string fourth = "$c_0=" + constant(R"(\sin\theta_0+)", R"(\cos\theta_0)") + "$",
+                    fifth = "$c_1=" + constant(R"(\cos\theta_0-)", R"(\sin\theta_0)") + "$";
   wrong_sign(
-      "V0", 1143, R"($V_0=V(\theta_0)=GM/r_0$)", "V_0",
-      by_two_places("(3)", [](const auto& k) { return k.potential(k.start.theta0) - k.mean(); }), "",
-      "GM/r_0",
+      "V0", 1143, R"($V_0=V(\theta_0)=GM/r_0$)", "$V_0=@GM/r_0$",
+      by_two_places("(3)", [](const auto& k) { return k.potential(k.start.theta0) - k.mean(); }),
       R"($V=-GM/r$ by definition (line 1009), so $V_0=-GM/r_0$. The sign is carried on into (4) and (5), and )"
       R"(turns the planet's orbit into one on which it stops.)");
   wrong_sign(
-      "c0", 1171, "$c_0=" + open + fourth + "$ (4)", "c_0",
-      {"$c_0$ from two later places on the path", [](const auto& k) { return k.c0; }}, open, fourth,
+      "c0", 1171, with(fourth, "") + " (4)", fourth,
+      {"$c_0$ from two later places on the path", [](const auto& k) { return k.c0; }},
       R"(The first term is $V_0=-GM/r_0$. On a circle ($r_0^3\dot\theta_0^2=GM$) the bracket must vanish; as )"
       R"(printed it is $2GM/r_0$. The bars that our copy has lost are judged at `V0_put_in` and `mass_cancels`.)");
   wrong_sign(
-      "c1", 1187, "$c_1=" + open + fifth + "$ (5)", "c_1",
-      {"$c_1$ from two later places on the path", [](const auto& k) { return k.c1; }}, open, fifth,
+      "c1", 1187, with(fifth, "") + " (5)", fifth,
+      {"$c_1$ from two later places on the path", [](const auto& k) { return k.c1; }},
       R"(As in (4), the first term is $V_0=-GM/r_0$: on a circle $c_1$ must be zero, and as printed it is )"
       R"($2GM\cos\theta_0/r_0$.)");
-  forms(table, "rate_by_angle", 1215, orbits, rate, R"(\dot\theta)",
-        R"(\frac{\alpha}{G^2M^3}(c_0\sin\theta+c_1\cos\theta-G^2M^4/\alpha^2)^2)", {.after = " (7)"});
+  claim.equation("rate_by_angle", 1215,
+                 R"($\dot\theta=\frac{\alpha}{G^2M^3}(c_0\sin\theta+c_1\cos\theta-G^2M^4/\alpha^2)^2$ (7))",
+                 rate);
   const OneAngle<double> printed_circle({4, 1, 1, 0, 0, 2}, 4);  // GM = 4, V0 = +4
   wrong_sign(
-      "constants_of_rate", 1227, "The constants of (7) are those of (4) and (5).", R"(\dot\theta)", rate,
-      R"(\frac{\alpha}{G^2M^3}\left(\left()",
-      constant(R"(\cos(\theta-\theta_0)+)", R"(\sin(\theta-\theta_0))") +
-          R"(-\frac{G^2M^4}{\alpha^2}\right)^2)",
+      "constants_of_rate", 1227, "The constants of (7) are those of (4) and (5).",
+      R"($\dot\theta=\frac{\alpha}{G^2M^3}\left()" +
+          constant(R"(\cos(\theta-\theta_0)+)", R"(\sin(\theta-\theta_0))") +
+          R"(-\frac{G^2M^4}{\alpha^2}\right)^2$)",
+      rate,
       filled(
           R"(With (4) and (5) the bracket of (7) is $V_0$ at the start. It is squared, so the planet starts with )"
           R"(the right $\dot\theta_0$ for either sign, and the error shows only later. With the printed sign the )"
@@ -983,8 +928,7 @@ struct Faster : Later {
 };
 
 void timing(Claims& claims, const std::vector<Later>& orbits) {
-  std::vector<Faster> all;
-  for (const Later& k : orbits) all.push_back({k});
+  const std::vector<Faster> all(orbits.begin(), orbits.end());
   claims.formula<Faster>(
       "no_timing", 47,
       R"((3.2), $r=e\rho/(1+e\cos\theta)$, gives no clue about how the angle varies with time.)", all,
@@ -1013,9 +957,8 @@ void application(Claims& claims) {
 // ---- the orbit: lines 1199 and 1229 to 1269 ---------------------------------------------------------------
 
 void momentum(Claims& claims, const std::vector<Later>& orbits) {
-  claims.formula<Later>(
+  claims.over(orbits)(
       "momentum", 1199, R"(Conservation of momentum is represented by $\alpha=Mr^2\dot\theta$, a constant.)",
-      orbits,
       {.quantity = "the change from the start to a later moment on a path by Newton's law",
        .truth = {"$0$"},
        .printed = {R"($\mathbf v-\mathbf v_0=(0,\ 0,\ 0)$)"},
@@ -1028,64 +971,62 @@ void momentum(Claims& claims, const std::vector<Later>& orbits) {
 }
 
 void moments_of_the_velocity(Table& table, const std::vector<Moment>& moments) {
-  forms(table, "rate_by_V", 1201, moments,
-        along(R"($\dot\theta$ by dual numbers)", [](const auto& k) { return k.w; }), R"(\dot\theta)",
-        R"(\alpha/(Mr^2)=\alpha/(M(-GM/V)^2)=\alpha V^2/(G^2M^3))", {.after = " (6)"});
-  forms(table, "velocity", 1235, moments,
-        along("the path's velocity", [](const auto& k) { return in_plane(k.vx, k.vy); }), R"(\mathbf v)",
-        R"(\dot r\mathbf R+r\dot\theta\mathbf P)");
-  forms(table, "moment", 1237, moments,
-        along(R"($(0,0,x\dot y-y\dot x)$)", [](const auto& k) { return values(0, 0, k.h, 0, 0, k.h); }),
-        R"(\mathbf r\times\mathbf v)",
-        R"((r\mathbf R)\times(\dot r\mathbf R+r\dot\theta\mathbf P)=r^2\dot\theta\,\mathbf k)");
-  forms(table, "v_cross_c0", 1245, moments,
-        along(R"($\mathbf v\times\mathbf c_0$ in Cartesian coordinates)",
-              [](const auto& k) { return in_plane(k.vy * k.h, -k.vx * k.h, 3); }),
-        R"(\mathbf v\times\mathbf c_0)",
-        R"((\dot r\mathbf R+r\dot\theta\mathbf P)\times(r^2\dot\theta)\mathbf k)"
-        R"(=(r^2\dot r\dot\theta)\mathbf R\times\mathbf k+(r^3\dot\theta^2)\mathbf P\times\mathbf k)"
-        R"(=-(r^2\dot r\dot\theta)\mathbf P+(r^3\dot\theta^2)\mathbf R)");
+  const auto claim = table.over(moments);
+  claim.equation("rate_by_V", 1201,
+                 R"($\dot\theta=\alpha/(Mr^2)=\alpha/(M(-GM/V)^2)=\alpha V^2/(G^2M^3)$ (6))",
+                 along(R"($\dot\theta$ by dual numbers)", [](const auto& k) { return k.w; }));
+  claim.equation("velocity", 1235, R"($\mathbf v=\dot r\mathbf R+r\dot\theta\mathbf P$)",
+                 along("the path's velocity", [](const auto& k) { return in_plane(k.vx, k.vy); }));
+  claim.equation(
+      "moment", 1237,
+      R"($\mathbf r\times\mathbf v=(r\mathbf R)\times(\dot r\mathbf R+r\dot\theta\mathbf P)=r^2\dot\theta\,\mathbf k$)",
+      along(R"($(0,0,x\dot y-y\dot x)$)", [](const auto& k) { return values(0, 0, k.h, 0, 0, k.h); }));
+  claim.equation(
+      "v_cross_c0", 1245,
+      R"($\mathbf v\times\mathbf c_0=(\dot r\mathbf R+r\dot\theta\mathbf P)\times(r^2\dot\theta)\mathbf k)"
+      R"(=(r^2\dot r\dot\theta)\mathbf R\times\mathbf k+(r^3\dot\theta^2)\mathbf P\times\mathbf k)"
+      R"(=-(r^2\dot r\dot\theta)\mathbf P+(r^3\dot\theta^2)\mathbf R$)",
+      along(R"($\mathbf v\times\mathbf c_0$ in Cartesian coordinates)",
+            [](const auto& k) { return in_plane(k.vy * k.h, -k.vx * k.h, 3); }));
 }
 
 void vectors(LaterTable& table, const std::vector<Later>& orbits) {
+  const auto claim = table.over(orbits);
   const std::string later = R"($\mathbf v\times\mathbf c_0-GM\,\mathbf R$ later on the path)";
-  table.formula(
-      "laplace", 1231,
-      R"($\mathbf v\times\mathbf c_0=GM\,\mathbf R+\mathbf c_1$ with a constant vector $\mathbf c_1$)",
-      orbits,
-      {.truth = {later, [](const auto& k) { return k.laplace(); }},
-       .printed = R"($\mathbf v_0\times\mathbf c_0-GM\,\mathbf R_0$)"});
-  table.formula("gamma0", 1241,
-                R"($\mathbf c_0=r_0^2\dot\theta_0\,\mathbf k$, of length $\gamma_0=r_0^2|\dot\theta_0|$)",
-                orbits,
-                {.truth = {R"($x\dot y-y\dot x$ later on the path, and its size)",
-                           [](const auto& k) { return values(k.h(), abs(k.h())); }},
-                 .printed = R"($(r_0^2\dot\theta_0,\ r_0^2|\dot\theta_0|)$)"});
-  forms(table, "c1_vector", 1253, orbits,
-        {later, [](const auto& k) { return in_plane(k.laplace()[0], k.laplace()[1], 2); }}, R"(\mathbf c_1)",
-        R"((r_0^3\dot\theta_0^2)\mathbf R_0-(r_0^2\dot r_0\dot\theta_0)\mathbf P_0-GM\,\mathbf R_0)"
-        R"(=(r_0^3\dot\theta_0^2-GM)\mathbf R_0-(r_0^2\dot r_0\dot\theta_0)\mathbf P_0)");
-  forms(table, "gamma1", 1259, orbits,
-        {later, [](const auto& k) { return hypot(k.laplace()[0], k.laplace()[1]); }}, R"(\gamma_1)",
-        R"(\sqrt{(r_0^3\dot\theta_0^2-GM)^2+(r_0^2\dot r_0\dot\theta_0)^2})");
+  claim("laplace", 1231,
+        R"($\mathbf v\times\mathbf c_0=GM\,\mathbf R+\mathbf c_1$ with a constant vector $\mathbf c_1$)",
+        {later, [](const auto& k) { return k.laplace(); }},
+        R"($\mathbf v_0\times\mathbf c_0-GM\,\mathbf R_0$)");
+  claim("gamma0", 1241,
+        R"($\mathbf c_0=r_0^2\dot\theta_0\,\mathbf k$, of length $\gamma_0=r_0^2|\dot\theta_0|$)",
+        {R"($x\dot y-y\dot x$ later on the path, and its size)",
+         [](const auto& k) { return values(k.h(), abs(k.h())); }},
+        R"($(r_0^2\dot\theta_0,\ r_0^2|\dot\theta_0|)$)");
+  claim.equation(
+      "c1_vector", 1253,
+      R"($\mathbf c_1=(r_0^3\dot\theta_0^2)\mathbf R_0-(r_0^2\dot r_0\dot\theta_0)\mathbf P_0-GM\,\mathbf R_0)"
+      R"(=(r_0^3\dot\theta_0^2-GM)\mathbf R_0-(r_0^2\dot r_0\dot\theta_0)\mathbf P_0$)",
+      {later, [](const auto& k) { return in_plane(k.laplace()[0], k.laplace()[1], 2); }});
+  claim.equation("gamma1", 1259,
+                 R"($\gamma_1=\sqrt{(r_0^3\dot\theta_0^2-GM)^2+(r_0^2\dot r_0\dot\theta_0)^2}$)",
+                 {later, [](const auto& k) { return hypot(k.laplace()[0], k.laplace()[1]); }});
 }
 
 void polar_orbit(LaterTable& table, const std::vector<Later>& orbits) {
-  table.formula(
+  const auto claim = table.over(orbits);
+  claim(
       "e_and_rho", 1229,
       R"($e=\gamma_1/(GM)$, $\rho=\gamma_0^2/\gamma_1$ with the lengths $\gamma_0=|\mathbf c_0|$, $\gamma_1=|\mathbf c_1|$)",
-      orbits,
-      {.quantity = R"($e$ and $p/e$, $p$ the semi-latus rectum)",
-       .truth = {"the apsides by the energy and the angular momentum later on the path",
-                 [](const auto& k) {
-                   const auto [nearest, farthest, half] = Apsides(k);
-                   const auto e = (farthest - nearest) / (farthest + nearest);
-                   return values(e, 2 * nearest * farthest / (nearest + farthest) / e);
-                 }},
-       .printed = R"($(\gamma_1/(GM),\ \gamma_0^2/\gamma_1)$)"});
-  table.formula(
-      "orbit", 1229, R"(With $\theta$ from (7) the distance is $r=e\rho/(1+e\cos\theta)$.)", orbits,
-      {.quantity = R"($r$)",
+      {"the apsides by the energy and the angular momentum later on the path",
+       [](const auto& k) {
+         const auto [nearest, farthest, half] = k.apsides();
+         const auto e = (farthest - nearest) / (farthest + nearest);
+         return values(e, 2 * nearest * farthest / (nearest + farthest) / e);
+       }},
+      R"($(\gamma_1/(GM),\ \gamma_0^2/\gamma_1)$)", R"($e$ and $p/e$, $p$ the semi-latus rectum)");
+  claim(
+      "orbit", 1229, R"(With $\theta$ from (7) the distance is $r=e\rho/(1+e\cos\theta)$.)",
+      {.quantity = "$r$",
        .truth = {"$r$ later on a path by Newton's law", [](const auto& k) { return k.r(); }},
        .printed = R"($r=e\rho/(1+e\cos\theta)$)",
        .corrected = R"($r=e\rho/(1+e\cos(\theta-\omega))$)",
@@ -1098,16 +1039,16 @@ void polar_orbit(LaterTable& table, const std::vector<Later>& orbits) {
 }
 
 void period_and_axes(LaterTable& table, const std::vector<Later>& orbits) {
+  const auto claim = table.over(orbits);
   const OfStart turn{R"(the integral of $r^2d\theta/(r_0^2|\dot\theta_0|)$ over a turn, by $c_0$ and $c_1$)",
                      [](const auto& k) { return k.turn(); }};
-  forms(table, "period", 1267, orbits, turn, "T", R"(2\pi a^{3/2}\sqrt{GM})",
-        {R"(2\pi a^{3/2}/\sqrt{GM})",
-         filled(R"(The fraction bar is lost: without it, $\sqrt{GM}$ is a factor. For the Earth, in )"
-                R"(astronomical units and years, the product is @3 years.)",
-                {2 * pi * sqrt(four_pi_squared)}),
-         ", $2a$ being the length of the ellipse"});
-  table.formula(
-      "major_axis", 1269, R"(In $T$, $a$ is the length of the major axis.)", orbits,
+  claim.lost("period", 1267, R"($T=2\pi a^{3/2}\sqrt{GM}$, $2a$ being the length of the ellipse)", turn,
+             R"($T=2\pi a^{3/2}/\sqrt{GM}$)",
+             filled(R"(The fraction bar is lost: without it, $\sqrt{GM}$ is a factor. For the Earth, in )"
+                    R"(astronomical units and years, the product is @3 years.)",
+                    {2 * pi * sqrt(four_pi_squared)}));
+  claim(
+      "major_axis", 1269, R"(In $T$, $a$ is the length of the major axis.)",
       {.quantity = R"($T$, $2a$ being the length of the major axis)",
        .truth = turn,
        .printed = R"($2\pi(2a)^{3/2}/\sqrt{GM}$)",
@@ -1117,16 +1058,15 @@ void period_and_axes(LaterTable& table, const std::vector<Later>& orbits) {
            R"(With the whole axis for $a$ the period is $2^{3/2}=@3$ times too long, the Earth's year @4 days. The )"
            R"(next sentence is right: the axis is $2a$, so that half of it was meant.)",
            {pow(2, 1.5), pow(2, 1.5) * days_per_year})});
-  forms(table, "a", 1269, orbits,
-        {"the two apsides by the energy and the angular momentum later on the path",
-         [](const auto& k) { return 2 * Apsides(k).half_axis; }},
-        "2a", R"(2\rho e/(1-e^2))");
-  table.formula("b", 1269, R"(The length of the minor axis is $2b=2a\sqrt{1-e^2}$.)", orbits,
-                {.truth = {R"(the area law, $\pi ab=\tfrac12r^2\dot\theta\,T$ with the integral for $T$)",
-                           []<class T>(const LaterOf<T>& k) {
-                             return abs(k.h()) * k.turn() / (pi_of<T>() * Apsides(k).half_axis);
-                           }},
-                 .printed = R"($2a\sqrt{1-e^2}$)"});
+  claim.equation("a", 1269, R"($2a=2\rho e/(1-e^2)$)",
+                 {"the two apsides by the energy and the angular momentum later on the path",
+                  [](const auto& k) { return 2 * k.apsides().half_axis; }});
+  claim("b", 1269, R"(The length of the minor axis is $2b=2a\sqrt{1-e^2}$.)",
+        {R"(the area law, $\pi ab=\tfrac12r^2\dot\theta\,T$ with the integral for $T$)",
+         []<class T>(const LaterOf<T>& k) {
+           return abs(k.h()) * k.turn() / (pi_of<T>() * k.apsides().half_axis);
+         }},
+        R"($2a\sqrt{1-e^2}$)");
 }
 
 /// An orbit, or a circle whose numbers are exact in binary.
@@ -1154,8 +1094,7 @@ void inputs_of_the_orbit(Claims& claims, const std::vector<Later>& orbits, doubl
            R"($\theta$ tends to a limit.)",
            {sqrt(2) * earths_speed})});
 
-  std::vector<OrCircle> all;
-  for (const Later& k : orbits) all.push_back({k});
+  std::vector<OrCircle> all(orbits.begin(), orbits.end());
   all.push_back({{{2, 2, 4, 0, 0, 0.25}, {2, 2, 1, 0, 4, -1, 0, 0, 0}, 2 * pi, pi / 2, 0, 0}});
   claims.formula<OrCircle>(
       "rho_of_a_circle", 1229,
@@ -1192,18 +1131,14 @@ std::vector<Claim> claims(double seed) {
   plane(in_space, draw<InSpaceOf<double>>(100, seed));
   motion_in_a_plane(claims, all, seed);
   polar_acceleration(pushed_table, pushed);
-  equations_of_motion(table, moments);
+  for (auto* part : {equations_of_motion, equation_of_the_potential, moments_of_the_velocity})
+    part(table, moments);
   singularity(claims, moments);
-  equation_of_the_potential(table, moments);
-  time_by_angle(later, all);
-  constants_of_motion(later, all);
+  for (auto* part : {time_by_angle, constants_of_motion, vectors, polar_orbit, period_and_axes})
+    part(later, all);
   any_start(claims, seed);
   momentum(claims, all);
-  moments_of_the_velocity(table, moments);
-  vectors(later, all);
-  polar_orbit(later, all);
   inputs_of_the_orbit(claims, all, seed);
-  period_and_axes(later, all);
   solved_numerically(claims, seed);
   timing(claims, all);
   application(claims);
@@ -1261,16 +1196,12 @@ std::vector<Root> roots() {
            {Turned::steps, 1e6 * Turned(random, earths_eccentricity).direct, Turned::turns})}};
 }
 
-/// For lambda^2 + 1 = 0: its complex roots.
-Lemma roots_of_minus_one() {
-  const Shortened a = Shortened::letter("a"), b = Shortened::letter("b");
-  const auto is = [](const Shortened& x, double y) { return (x.expression() == y).coq; };
-  return {.name = "roots",
-          .letters = "(a b : R)",
-          .follows = {{is(a * a - b * b + 1, 0) + " /\\ " + is(a * b + b * a, 0) + " <-> " + is(a, 0) +
-                       " /\\ (" + is(b, 1) + R"( \/ )" + is(b, -1) + ")"}},
-          .tactic = by_factors};
-}
+/// The complex roots of lambda^2 + 1 = 0.
+const Lemma roots_of_minus_one{
+    .name = "roots",
+    .letters = "(a b : R)",
+    .follows = {{R"(a * a - b * b + 1 = 0 /\ a * b + b * a = 0 <-> a = 0 /\ (b = 1 \/ b = -1))"}},
+    .tactic = by_factors};
 
 /// Proofs of the claims of these parts.
 template <template <class> class Of, class... Parts>
@@ -1281,35 +1212,34 @@ Provables proofs_of(const ForAll<Of>& all, const Parts&... parts) {
   return table.proofs("3.3", all);
 }
 
+/// The tactic that bounds the error of printed values.
+void bounded_by(Provables& proved, const std::string& tactic) {
+  for (Provable& p : proved)
+    for (Lemma& lemma : p.lemmas)
+      if (lemma.tactic == "interval") lemma.tactic = tactic;
+}
+
 /// Proofs of a table's claims at any moment.
 template <template <class> class Of, class... Parts>
 Provables at_any_moment(const Parts&... parts) {
-  ForAll<Of> all;
-  const std::vector<std::string> names{"G", "M", "m", "x", "y", "vx", "vy", "px", "py"};
-  all.any = lettered<Of>(names), all.letters = quantified(names), all.tactic = by_distance;
-  all.says = "it holds at any moment of any orbit";
+  auto all =
+      for_all<Of>({"G", "M", "m", "x", "y", "vx", "vy", "px", "py"}, by_distance,
+                  "it holds at any moment of any orbit", {0.25, 0.5, 0.75, 1, 1.25, 1.5, 1.75, 2, 2.25});
   const auto& k = all.any;
-  all.given = {above(k.G.expression(), 0), above(k.M.expression(), 0),
-               above((k.x * k.x + k.y * k.y).expression(), 0),
-               not_zero((k.x * k.vy - k.y * k.vx).expression())};
-  double x = 0;
-  for (double* letter : all.example.letters()) *letter = x += 0.25;
+  all.given = positive({k.G, k.M, k.x * k.x + k.y * k.y});
+  all.given.push_back(not_zero((k.x * k.vy - k.y * k.vx).expression()));
+  all.preamble = coq_source({"root", "atan2"});
   return proofs_of(all, parts...);
 }
 
 Provables proofs_at_a_moment() {
   Provables proved =
       at_any_moment<MomentOf>(equations_of_motion, equation_of_the_potential, moments_of_the_velocity);
-  std::ranges::move(at_any_moment<PushedOf>(polar_acceleration), std::back_inserter(proved));
-  for (Provable& p : proved) {
-    p.preamble = coq_source({"root", "atan2"});
-    if (p.claim == "3.3-characteristic") {
-      p.says = "they are all its roots; by i, as a matrix, it holds at any moment of any orbit";
-      p.lemmas.push_back(roots_of_minus_one());
-    }
-    for (Lemma& lemma : p.lemmas)
-      if (lemma.tactic == "interval") lemma.tactic = by_bounds;
-  }
+  append(proved, at_any_moment<PushedOf>(polar_acceleration));
+  Provable& characteristic = proof_of(proved, "3.3-characteristic");
+  characteristic.says = "they are all its roots; by i, as a matrix, it holds at any moment of any orbit";
+  characteristic.lemmas.push_back(roots_of_minus_one);
+  bounded_by(proved, by_bounds);
   return proved;
 }
 
@@ -1329,62 +1259,48 @@ ForAll<LaterOf> on_any_path(const std::string& theta) {
                       .example = quarter_of_a_turn};
   auto& [start, now, t, angle, c0, c1] = all.any;
   now.G = start.G, now.M = start.M;
+  all.given = positive({start.G, start.M, start.r0});
+  const auto given = [&](Proposition p) { all.given.push_back(std::move(p)); };
+  given(not_zero(start.theta0_dot.expression()));
+  given({"newton (G * M) x y u v"});
   const auto q = start.position(), v = start.velocity();
-  const auto at_start = [](const char* of, const Shortened& x) {
-    return Expression::letter("(" + std::string(of) + " 0)") == x.expression();
-  };
-  const auto at_angle = [](const std::string& i) { return Proposition{"at_angle x y t" + i + " th" + i}; };
-  const auto fits = [&](const std::string& i) {
-    const Shortened place = Shortened::letter("th" + i);
-    const Shortened V = -all.any.start.mu() / Shortened::letter("(distance x y t" + i + ")");
-    return (V + all.any.mean()).expression() == all.any.potential(place).expression();
-  };
-  all.given = {above(start.G.expression(), 0),
-               above(start.M.expression(), 0),
-               above(start.r0.expression(), 0),
-               not_zero(start.theta0_dot.expression()),
-               {"newton (G * M) x y u v"},
-               at_start("x", q[0]),
-               at_start("y", q[1]),
-               at_start("u", v[0]),
-               at_start("v", v[1]),
-               at_angle(""),
-               at_angle("1"),
-               at_angle("2"),
-               not_zero(sin(Shortened::letter("(th1 - th2)")).expression()),
-               fits("1"),
-               fits("2")};
+  for (const auto& [at_start, x] :
+       {std::pair{"(x 0)", q[0]}, {"(y 0)", q[1]}, {"(u 0)", v[0]}, {"(v 0)", v[1]}})
+    given(Expression::letter(at_start) == x.expression());
+  for (const std::string i : {"", "1", "2"}) given({"at_angle x y t" + i + " th" + i});
+  given(not_zero(sin(Shortened::letter("(th1 - th2)")).expression()));
+  for (const std::string i : {"1", "2"}) {
+    const Shortened V = -start.mu() / Shortened::letter("(distance x y t" + i + ")");
+    given((V + all.any.mean()).expression() == all.any.potential(Shortened::letter("th" + i)).expression());
+  }
   return all;
 }
 
-Provables with(std::string_view source, Provables proved) {
-  for (Provable& p : proved) p.preamble = coq_source({source});
-  return proved;
-}
-
 Provables proofs_from_a_start() {
-  ForAll<LaterOf> all = on_any_path("th"), half = all;
+  ForAll<LaterOf> all = on_any_path("th");
+  all.preamble = coq_source({"orbits"});
+  ForAll<LaterOf> half = all;
+  half.without = {"V0_put_in"}, half.example = half_a_turn;
   // as printed these are right a quarter of a turn later, and V0_put_in is right if r0 = 1
   all.without = {"c0", "constants_of_rate", "last_term_of_c1", "V0_put_in"};
-  half.without = {"V0_put_in"}, half.example = half_a_turn;
-  Provables proved = proofs_of(all, constants_of_motion, vectors);
-  for (Provable& p : proofs_of(half, constants_of_motion, vectors))
-    if (std::ranges::find(proved, p.claim, &Provable::claim) == proved.end()) proved.push_back(std::move(p));
-  return with("orbits", std::move(proved));
+  Provables proved = proofs_of(all, constants_of_motion, vectors),
+            later = proofs_of(half, constants_of_motion);
+  for (const char* claim : {"3.3-c0", "3.3-constants_of_rate", "3.3-last_term_of_c1"})
+    proved.push_back(proof_of(later, claim));
+  return proved;
 }
 
 /// For orbits that have a perihelion.
 Provables proofs_of_the_orbit() {
   ForAll<LaterOf> all = on_any_path("th");
-  all.given.push_back(above(-all.any.start.energy().expression(), 0));
-  all.given.push_back(above(Elements(all.any.start).gamma1.expression(), 0));
+  for (const auto& x : positive({-all.any.start.energy(), Elements(all.any.start).gamma1}))
+    all.given.push_back(x);
   all.tactic = "by_ellipse";
   all.says = "it holds on any ellipse by Newton's law that is no circle, c0 and c1 given by two other places";
+  all.preamble = coq_source({"turns"});
   Provables proved = proofs_of(all, polar_orbit, period_and_axes);
-  for (Provable& p : proved)
-    for (Lemma& lemma : p.lemmas)
-      if (lemma.tactic == "interval") lemma.tactic = "first [interval | integral]";
-  return with("turns", std::move(proved));
+  bounded_by(proved, "first [interval | integral]");
+  return proved;
 }
 
 /// The angle is a function of the time.
@@ -1395,7 +1311,8 @@ Provables proofs_of_the_time() {
   all.given.push_back({"(forall s, at_angle x y s (angle s) /\\ ex_derive angle s)"});
   all.tactic = "by_time";
   all.says += "; the angle is a differentiable function of the time";
-  return with("times", proofs_of(all, time_by_angle));
+  all.preamble = coq_source({"times"});
+  return proofs_of(all, time_by_angle);
 }
 
 /// The printed formulas divide by zero.
@@ -1432,21 +1349,17 @@ Provables proofs_of_divisors() {
 }
 
 Provables proof_of_plane() {
-  const std::vector<std::string> names{"mu", "x", "y", "z", "u", "v", "w"};
-  return proofs_of(
-      ForAll<InSpaceOf>{.any = lettered<InSpaceOf>(names),
-                        .letters = quantified(names),
-                        .tactic = "set (r := sqrt _) in *; clearbody r; unfold Rdiv; ring",
-                        .says = "under gravity the rate of the normal is zero at any place, with "
-                                "any velocity"},
-      plane);
+  return proofs_of(for_all<InSpaceOf>("set (r := sqrt _) in *; clearbody r; unfold Rdiv; ring",
+                                      "under gravity the rate of the normal is zero at any place, with "
+                                      "any velocity"),
+                   plane);
 }
 
 Provables proofs() {
   Provables all;
   for (auto* part : {proofs_at_a_moment, proofs_from_a_start, proofs_of_the_orbit, proofs_of_the_time,
                      proofs_of_divisors, proof_of_plane})
-    std::ranges::move(part(), std::back_inserter(all));
+    append(all, part());
   return all;
 }
 
