@@ -102,6 +102,7 @@ struct ForAll {
   Of<double> example{};                   ///< where printed formulas are wrong
   std::vector<std::string> without = {};  ///< claims left out
   std::string preamble = {};
+  std::string bounds = "interval";  ///< proves that a printed formula is off at the example
 };
 
 /// The sample with these letters, in their order.
@@ -231,6 +232,7 @@ class ProvableClaims {
     in_a_row(stated, is);
     double margin = 0;
     Lemma off = off_at(stated, is, difference, margin);
+    off.tactic = all.bounds;
     const std::string reading = !c.meant.text.empty() ? "meant" : "corrected";
     return {id,
             "as " + reading + " " + all.says + "; as printed it is off at an example",
