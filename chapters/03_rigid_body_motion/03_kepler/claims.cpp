@@ -1212,13 +1212,6 @@ Provables proofs_of(const ForAll<Of>& all, const Parts&... parts) {
   return table.proofs("3.3", all);
 }
 
-/// The tactic that bounds the error of printed values.
-void bounded_by(Provables& proved, const std::string& tactic) {
-  for (Provable& p : proved)
-    for (Lemma& lemma : p.lemmas)
-      if (lemma.tactic == "interval") lemma.tactic = tactic;
-}
-
 /// Proofs of a table's claims at any moment.
 template <template <class> class Of, class... Parts>
 Provables at_any_moment(const Parts&... parts) {
@@ -1228,7 +1221,7 @@ Provables at_any_moment(const Parts&... parts) {
   const auto& k = all.any;
   all.given = positive({k.G, k.M, k.x * k.x + k.y * k.y});
   all.given.push_back(not_zero((k.x * k.vy - k.y * k.vx).expression()));
-  all.preamble = coq_source({"root", "atan2"});
+  all.preamble = coq_source({"root", "atan2"}), all.bounds = by_bounds;
   return proofs_of(all, parts...);
 }
 
@@ -1239,7 +1232,6 @@ Provables proofs_at_a_moment() {
   Provable& characteristic = proof_of(proved, "3.3-characteristic");
   characteristic.says = "they are all its roots; by i, as a matrix, it holds at any moment of any orbit";
   characteristic.lemmas.push_back(roots_of_minus_one);
-  bounded_by(proved, by_bounds);
   return proved;
 }
 
@@ -1297,10 +1289,8 @@ Provables proofs_of_the_orbit() {
     all.given.push_back(x);
   all.tactic = "by_ellipse";
   all.says = "it holds on any ellipse by Newton's law that is no circle, c0 and c1 given by two other places";
-  all.preamble = coq_source({"turns"});
-  Provables proved = proofs_of(all, polar_orbit, period_and_axes);
-  bounded_by(proved, "first [interval | integral]");
-  return proved;
+  all.preamble = coq_source({"turns"}), all.bounds = "first [interval | integral]";
+  return proofs_of(all, polar_orbit, period_and_axes);
 }
 
 /// The angle is a function of the time.
